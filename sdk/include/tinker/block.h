@@ -1,0 +1,154 @@
+/* Tinker SDK: what a block type declares as data.
+ *
+ * From this data the host builds the property panel, conversion of units, validation, undo, reading and writing of
+ * scenes, help and `tinker plugins show`. The author of a block writes no user interface and no JSON.
+ */
+#ifndef TINKER_BLOCK_H
+#define TINKER_BLOCK_H
+
+#include "types.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Kinds of property. In brackets: how many columns of doubles an instance takes (see TinkerBatch). */
+#define TINKER_KIND_REAL 0     /* [1] a number with a dimension */
+#define TINKER_KIND_INTEGER 1  /* [1] a whole number */
+#define TINKER_KIND_SWITCH 2   /* [1] 0 or 1; true or false in a scene */
+#define TINKER_KIND_CHOICE 3   /* [1] the index of one of `choices`; its text in a scene */
+#define TINKER_KIND_TEXT 4     /* [0] text, which physics never sees */
+#define TINKER_KIND_VECTOR 5   /* [2] x and y */
+#define TINKER_KIND_WAVEFORM 6 /* [3] a function of time: value, first and second derivative, kept up by the host */
+
+/* When a property may change. */
+#define TINKER_STRUCTURAL 0 /* changing it makes another model: the run starts anew */
+#define TINKER_INITIAL 1    /* read once, at the start of a run */
+#define TINKER_TUNABLE 2    /* may change while a run is paused */
+
+/* What a property means to the host, so that nothing in it has to know a block by name. At most one property of a
+ * type carries each meaning; TINKER_MEANING_NONE is the plugin's own affair. */
+#define TINKER_MEANING_NONE 0
+#define TINKER_MEANING_POSITION 1         /* vector, m: where the block's centre is placed */
+#define TINKER_MEANING_VELOCITY 2         /* vector, m/s: start velocity */
+#define TINKER_MEANING_ORIENTATION 3      /* rad, counter-clockwise */
+#define TINKER_MEANING_MASS 4             /* kg */
+#define TINKER_MEANING_INERTIA 5          /* kg m^2 about the centre */
+#define TINKER_MEANING_ANGULAR_VELOCITY 6 /* rad/s at the start */
+#define TINKER_MEANING_LOCAL_ORIGIN 7     /* vector, m: where the offset shown to the user is measured from */
+#define TINKER_MEANING_WIDTH 8            /* m, along the block's own x axis */
+#define TINKER_MEANING_HEIGHT 9           /* m, along its y axis */
+#define TINKER_MEANING_SOLID 10           /* switch: whether others collide with it */
+#define TINKER_MEANING_STATIC_FRICTION 11
+#define TINKER_MEANING_DYNAMIC_FRICTION 12
+#define TINKER_MEANING_RESTITUTION 13
+#define TINKER_MEANING_LENGTH 14 /* m: the length that a connector keeps or tends to */
+#define TINKER_MEANING_COUNT 15
+
+/* Flags of a property. */
+#define TINKER_HAS_MINIMUM (1u << 0)        /* hard_minimum counts */
+#define TINKER_HAS_MAXIMUM (1u << 1)        /* hard_maximum counts */
+#define TINKER_OPEN_MINIMUM (1u << 2)       /* the minimum itself is not allowed */
+#define TINKER_OPEN_MAXIMUM (1u << 3)       /* the maximum itself is not allowed */
+#define TINKER_HAS_SOFT_RANGE (1u << 4)     /* soft_minimum and soft_maximum count: the range of a slider */
+#define TINKER_READ_ONLY (1u << 5)          /* shown, never typed; not part of a scene */
+#define TINKER_DERIVED (1u << 6)            /* its value is that of the quantity with the same id */
+#define TINKER_DEFAULT_AS_PLACED (1u << 7)  /* left out, it is the distance between the two ends at t = 0 */
+#define TINKER_DEFAULT_SAME_AS (1u << 8)    /* left out, it equals the property that `default_from` names */
+
+typedef struct TinkerPropertyType {
+    uint32_t struct_size;
+    int32_t kind;              /* TINKER_KIND_... */
+    const char *id;            /* stable name: the key in a scene */
+    const char *title;         /* label of the row, "Undeformed Length" */
+    const char *group;         /* heading it stands under, "Spring Properties" */
+    const char *symbol;        /* as in the formula, "k"; NULL where there is none */
+    const char *description;   /* one sentence for the tooltip */
+    TinkerDimension dimension; /* of a waveform: of its value */
+    uint32_t flags;
+    int32_t meaning;     /* TINKER_MEANING_... */
+    int32_t variability; /* TINKER_STRUCTURAL, TINKER_INITIAL, TINKER_TUNABLE */
+    int32_t panel;       /* -1: shown in its own block's panel; n >= 0: in that of the block at its end n */
+    int32_t choice_count;
+    const char *const *choices; /* of a choice: its texts */
+    double default_value[2];    /* real, integer, switch, choice: [0]; vector: both */
+    double hard_minimum, hard_maximum;
+    double soft_minimum, soft_maximum;
+    const char *default_text;     /* of a text; of a waveform its kind: "none", "sine", "cosine" */
+    const char *default_from;     /* id of another property of the type, with TINKER_DEFAULT_SAME_AS */
+    const char *component_titles[2]; /* of a vector: "X", "Y" */
+    const char *amplitude;        /* of a waveform: ids of the properties that scale it, turn it and shift it: */
+    const char *frequency;        /*   value = amplitude * sin(frequency * t + phase) or cos(...) */
+    const char *phase;
+} TinkerPropertyType;
+
+/* Flags of a quantity. */
+#define TINKER_RECORDED (1u << 0) /* among the columns of a record unless the user picks others */
+
+/* Something that can be graphed and recorded. Its values come from the graph interface (graph.h). */
+typedef struct TinkerQuantityType {
+    uint32_t struct_size;
+    uint32_t flags;
+    const char *id;    /* stable name, "kinetic energy": used as "Mass 0.kinetic energy" */
+    const char *title; /* name of the curve, "Y Position" */
+    const char *description;
+    TinkerDimension dimension;
+    int32_t reserved;
+} TinkerQuantityType;
+
+/* Categories: where the palette shows a block. What the block does is said by its interfaces. */
+#define TINKER_CONNECTABLE "connectable"
+#define TINKER_CONNECTOR "connector"
+#define TINKER_FORCE "force"
+#define TINKER_MOTION "motion"
+#define TINKER_FIELD "field"
+
+/* What an end accepts. */
+#define TINKER_ACCEPTS_BODY (1u << 0)    /* blocks that can move */
+#define TINKER_ACCEPTS_SUPPORT (1u << 1) /* blocks whose place is a known function of time */
+
+typedef struct TinkerBlockType {
+    uint32_t struct_size;
+    int32_t schema_version; /* of the block's properties, starting at 1 */
+    const char *id;         /* stable name: the "type" in a scene, "spring" */
+    const char *title;      /* "Spring"; new blocks are called "Spring 0", "Spring 1", ... */
+    const char *category;
+    const char *summary;   /* one sentence: what it is for */
+    const char *formula;   /* its law in the symbols of its properties, "T = k (L - L0)"; NULL where there is none */
+    const char *icon_path; /* beside the library; NULL: the host draws the block itself */
+    const char *help_link; /* NULL: none */
+    int32_t least_ends;
+    int32_t most_ends; /* -1: any number */
+    uint32_t end_accepts;
+    int32_t reserved;
+    TinkerSpan properties; /* of TinkerPropertyType; their order fixes the columns */
+    TinkerSpan quantities; /* of TinkerQuantityType */
+    TinkerSpan interfaces; /* of TinkerInterface */
+} TinkerBlockType;
+
+/* Batches of instances ------------------------------------------------------------------------------------------- */
+
+/* A range of the instances of one type. Every array of a call is indexed from 0 to count - 1 within the range.
+ * A property's first column is the sum of the column counts of the properties declared before it.
+ * Everything is borrowed for the length of the call. */
+typedef struct TinkerBatch {
+    uint32_t struct_size;
+    int32_t first;                /* number of the range's first instance within the type, for messages only */
+    int32_t count;                /* instances in the range */
+    int32_t ends;                 /* ends of each instance; -1 where they differ: see end_offsets */
+    const int32_t *end_offsets;   /* count + 1 entries where ends is -1, else NULL: instance i has the ends
+                                     end_offsets[i] to end_offsets[i + 1] - 1 of the arrays of ends */
+    const double *const *columns; /* columns[c][i]: column c of instance i, SI */
+    void *scratch;                /* memory that `scratch_size` asked for, per type, zeroed before `prepare`; or NULL */
+    double time;                  /* s */
+    double origin[2];             /* m: positions of a physics call are relative to this point of the world, so that a
+                                     scene far from the world's origin loses no digits */
+    int32_t failed_instance;      /* set by the callee before it answers TINKER_FAILED, 0 to count - 1 */
+    int32_t reserved;
+    const char *failure;          /* likewise: static text, what is wrong and what would be right */
+} TinkerBatch;
+
+#ifdef __cplusplus
+}
+#endif
+#endif

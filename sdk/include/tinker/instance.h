@@ -1,0 +1,36 @@
+/* Tinker SDK: one block as drawing and editing see it. */
+#ifndef TINKER_INSTANCE_H
+#define TINKER_INSTANCE_H
+
+#include "block.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* An end of an instance: where it lies now (m), and whether it is attached to a block. */
+typedef struct TinkerEnd {
+    double x, y;
+    int32_t attached; /* 1 or 0 */
+    int32_t reserved;
+} TinkerEnd;
+
+/* Everything is borrowed for the length of the call. */
+typedef struct TinkerInstance {
+    uint32_t struct_size;
+    int32_t ends;           /* entries of `end` */
+    const char *name;       /* "Spring 0" */
+    const double *columns;  /* the instance's columns, in the order of the declaration, SI; of a waveform its value,
+                               first and second derivative at `time` */
+    const TinkerEnd *end;   /* of a block that is itself a body: none */
+    double x, y;            /* its centre now; of a connector the middle of its ends; of a block that has neither ends
+                               nor a place (a field): the corner of the canvas where the host wants it shown */
+    double orientation;     /* rad */
+    double time;            /* s */
+    double symbol_size;     /* m: that of the style it is drawn with, so that what is hit is what was drawn; 0: unknown */
+} TinkerInstance;
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,126 @@
+/* Tinker SDK: numerics that most blocks share. Plain C99 and C++11, static inline: nothing to link to but libm. */
+#ifndef TINKER_KERNELS_H
+#define TINKER_KERNELS_H
+
+#include <float.h>
+#include <math.h>
+
+#include "graph.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define TINKER_PI 3.14159265358979323846
+
+/* Outside this range the square of a length over- or underflows, or loses digits as a subnormal number. */
+#define TINKER_LEAST_SQUARE    1e-280
+#define TINKER_GREATEST_SQUARE 1e280
+
+/* Column `column` of a batch; a property's first column is the sum of the column counts of those declared before it. */
+static inline const double *tinker_column(const TinkerBatch *batch, int32_t column)
+{
+    return batch->columns[column];
+}
+
+/* Reports an instance (0 to count - 1) whose property is at fault. `text` is static. */
+static inline TinkerStatus tinker_fail(TinkerBatch *batch, int32_t instance, const char *text)
+{
+    batch->failed_instance = instance;
+    batch->failure = text;
+    return TINKER_FAILED;
+}
+
+/* sqrt(x^2 + y^2), also where the squares leave the range of a double. */
+static inline double tinker_length(double x, double y)
+{
+    const double square = x * x + y * y;
+    return square >= TINKER_LEAST_SQUARE && square <= TINKER_GREATEST_SQUARE ? sqrt(square) : hypot(x, y);
+}
+
+/* The unit vector at an angle (rad). Quarter turns are exact: the rounded -pi/2 has the cosine 6e-17, which would let
+ * whatever falls drift sideways. An angle counts as a quarter turn within four roundings, so that "270 deg" is one too. */
+static inline void tinker_direction(double angle, double direction[2])
+{
+    const double turn = floor(angle / (TINKER_PI / 2.0) + 0.5);
+    const double off = fabs(angle - turn * (TINKER_PI / 2.0));
+    if (fabs(turn) < 1e6 && off <= 4.0 * DBL_EPSILON * fabs(angle)) {
+        const int quarter = (int)turn & 3;
+        direction[0] = quarter == 0 ? 1.0 : quarter == 2 ? -1.0 : 0.0;
+        direction[1] = quarter == 1 ? 1.0 : quarter == 3 ? -1.0 : 0.0;
+        return;
+    }
+    direction[0] = cos(angle);
+    direction[1] = sin(angle);
+}
+
+/* Distance between the two ends of every instance that has exactly two. */
+static inline void tinker_end_distances(int32_t count, const TinkerPoint *TINKER_RESTRICT ends,
+                                        double *TINKER_RESTRICT length)
+{
+    for (int32_t i = 0; i < count; i++) {
+        length[i] = tinker_length(ends[2 * i + 1].x - ends[2 * i].x, ends[2 * i + 1].y - ends[2 * i].y);
+    }
+}
+
+/* Its rate of change; 0 where the ends coincide, since the direction is undefined there. */
+static inline void tinker_end_rates(int32_t count, const TinkerPoint *TINKER_RESTRICT ends,
+                                    double *TINKER_RESTRICT rate)
+{
+    for (int32_t i = 0; i < count; i++) {
+        const TinkerPoint a = ends[2 * i], b = ends[2 * i + 1];
+        const double dx = b.x - a.x, dy = b.y - a.y, length = tinker_length(dx, dy);
+        rate[i] = length > 0.0 ? dx / length * (b.vx - a.vx) + dy / length * (b.vy - a.vy) : 0.0;
+    }
+}
+
+/* Component 0 to 5 (x, y, vx, vy, ax, ay) of the first end of every instance that has exactly one. */
+static inline TinkerStatus tinker_point_values(TinkerBatch *batch, const TinkerGraphInput *input, int32_t component,
+                                               double *values)
+{
+    if (component >= 4 && input->accelerations == NULL) return tinker_fail(batch, 0, "accelerations are not known yet");
+    for (int32_t i = 0; i < batch->count; i++) {
+        const TinkerPoint *point = &input->ends[i];
+        switch (component) {
+        case 0:
+            values[i] = point->x;
+            break;
+        case 1:
+            values[i] = point->y;
+            break;
+        case 2:
+            values[i] = point->vx;
+            break;
+        case 3:
+            values[i] = point->vy;
+            break;
+        default:
+            values[i] = input->accelerations[2 * i + component - 4];
+            break;
+        }
+    }
+    return TINKER_OK;
+}
+
+/* Defines the loop of a line law with two properties as a function
+ *     static void name(int32_t count, const double *p, const double *q, const double *length, const double *rate,
+ *                      double *result)
+ * in whose `expression` the properties have the names given, and `L` and `rate` are those of one instance. The loop
+ * runs over plain restrict pointers, which is what the compiler vectorises:
+ *     TINKER_LINE_LOOP(spring_tension_loop, k, L0, k * (L - L0)) */
+#define TINKER_LINE_LOOP(name, p, q, expression)                                                                       \
+    static void name(int32_t count, const double *TINKER_RESTRICT p##_column,                                          \
+                     const double *TINKER_RESTRICT q##_column, const double *TINKER_RESTRICT length_,                  \
+                     const double *TINKER_RESTRICT rate_, double *TINKER_RESTRICT result_)                             \
+    {                                                                                                                  \
+        for (int32_t i_ = 0; i_ < count; i_++) {                                                                       \
+            const double p = p##_column[i_], q = q##_column[i_], L = length_[i_], rate = rate_[i_];                    \
+            (void)p, (void)q, (void)L, (void)rate;                                                                     \
+            result_[i_] = (expression);                                                                                \
+        }                                                                                                              \
+    }
+
+#ifdef __cplusplus
+}
+#endif
+#endif

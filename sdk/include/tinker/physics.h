@@ -1,0 +1,179 @@
+/* Tinker SDK: the physics interface, "tinker.physics/1".
+ *
+ * A block fills one role, or the body role and one more. The host owns all state: it works out the kinematics, calls
+ * a role's function over ranges of instances, and adds up what comes back in an order that never changes. A function
+ * is a pure map: same input, same bits; it does not allocate, lock, log, do I/O or keep anything between calls.
+ *
+ * Symbols: x, v position and velocity; d = x_b - x_a from a connector's first end to its second; L = |d|; n = d / L;
+ * rate = dL/dt = n . (v_b - v_a); T tension, positive when it pulls the ends together; g constraint function;
+ * J = dg/dx; lambda multiplier.
+ *
+ * Every function but those marked "required" may be NULL.
+ */
+#ifndef TINKER_PHYSICS_H
+#define TINKER_PHYSICS_H
+
+#include "block.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define TINKER_PHYSICS_INTERFACE "tinker.physics/1"
+
+/* Body ----------------------------------------------------------------------------------------------------------- */
+
+#define TINKER_SHAPE_NONE 0  /* touches nothing */
+#define TINKER_SHAPE_BOX 1   /* collides as the thesis has it: a point whose centre stays height / 2 off a surface */
+#define TINKER_SHAPE_PLATE 2 /* a segment of `width` with one solid side, +height / 2 along its own y axis */
+
+/* Something that connectors attach to. Its place, velocity, mass and size are the properties that carry the meanings
+ * TINKER_MEANING_POSITION, _VELOCITY, _MASS, _INERTIA, _ORIENTATION, _WIDTH, _HEIGHT and so on. */
+typedef struct TinkerBody {
+    uint32_t struct_size;
+    int32_t degrees_of_freedom; /* 0: its place is a known function of time; 2: point mass; 3: rigid body */
+    int32_t shape;              /* TINKER_SHAPE_... */
+    int32_t reserved;
+} TinkerBody;
+
+/* Line law ------------------------------------------------------------------------------------------------------- */
+
+/* A connector of two ends whose force acts along the line between them. The host does the geometry. */
+typedef struct TinkerLineLaw {
+    uint32_t struct_size;
+    int32_t reserved;
+    /* Required: T (N) of every instance. Where L is 0 the direction is undefined: `rate` is 0 there, and only a law
+     * with T = 0 at L = 0 is continuous. */
+    TinkerStatus (*tension)(TinkerBatch *batch, const double *length, const double *rate, double *tension);
+    /* dT/dL (N/m) and dT/drate (N s/m). NULL: the host takes differences. */
+    TinkerStatus (*derivatives)(TinkerBatch *batch, const double *length, const double *rate, double *by_length,
+                                double *by_rate);
+    /* Stored energy (J), whose derivative by L is T at rate 0. NULL: nothing is stored. What remains,
+     * (T - T at rate 0) * rate, is booked as taken by dampers. */
+    TinkerStatus (*energy)(TinkerBatch *batch, const double *length, double *stored);
+    /* T = tension + stiffness * (L - length) + damping * rate, with constants (a spring: length is its rest length,
+     * tension is 0): the host then merges the law with the others between the same ends and calls nothing in the loop.
+     * Answers TINKER_RETRY_SMALLER where an instance is not linear; all of the type then go through `tension`. */
+    TinkerStatus (*linear)(TinkerBatch *batch, double *stiffness, double *damping, double *length, double *tension);
+    /* The next time after batch->time at which a derivative of the law jumps, INFINITY for none. Waveforms are
+     * looked after by the host. */
+    double (*next_break)(TinkerBatch *batch);
+} TinkerLineLaw;
+
+/* Force element -------------------------------------------------------------------------------------------------- */
+
+/* n ends to n forces. Ends are laid out instance by instance: with e ends each, end k of instance i is at i * e + k;
+ * where the number differs, at end_offsets[i] + k. */
+typedef struct TinkerForceElement {
+    uint32_t struct_size;
+    int32_t reserved;
+    /* Required: writes force[2 * end] and force[2 * end + 1] (N), the force on each end. */
+    TinkerStatus (*force)(TinkerBatch *batch, const TinkerPoint *ends, double *force);
+    /* Stored energy (J) of every instance, of which the position-dependent part of the force is minus the gradient.
+     * NULL: nothing is stored and all of the power is booked as given by motors. */
+    TinkerStatus (*energy)(TinkerBatch *batch, const TinkerPoint *ends, double *stored);
+    /* Where the force on each end does not depend on the ends: force = constant + value of the waveform * direction.
+     * Writes constant[2 * end], direction[2 * end] and the first column of the waveform, or -1, per instance.
+     * TINKER_RETRY_SMALLER: not of that form. */
+    TinkerStatus (*linear)(TinkerBatch *batch, double *constant, double *direction, int32_t *waveform_column);
+    double (*next_break)(TinkerBatch *batch); /* as for a line law */
+} TinkerForceElement;
+
+/* Field ---------------------------------------------------------------------------------------------------------- */
+
+/* All bodies that can move, in a fixed order. */
+typedef struct TinkerBodies {
+    uint32_t struct_size;
+    int32_t count;
+    const TinkerPoint *points; /* centres */
+    const double *masses;      /* kg */
+    int32_t first;             /* the range whose forces are wanted */
+    int32_t range;
+} TinkerBodies;
+
+/* The law of a field that is linear in each body's own velocity:
+ * force on a body = mass * acceleration + force - drag * v. */
+typedef struct TinkerLinearField {
+    double acceleration[2]; /* m/s^2: conservative, with the potential energy -mass * acceleration . x */
+    double force[2];        /* N: booked as given by fields */
+    double drag;            /* N s/m: booked as given by fields */
+} TinkerLinearField;
+
+/* Sees the kinematics of all bodies, read-only, and acts on each: gravity, wind, an attraction. */
+typedef struct TinkerField {
+    uint32_t struct_size;
+    /* 1 where the force on a body depends on other bodies, which ties them into one island; else 0 */
+    int32_t couples_bodies;
+    /* Required: writes force[2 * i], force[2 * i + 1] for the bodies bodies->first + i, i < bodies->range: the sum over
+     * all instances of the batch. */
+    TinkerStatus (*force)(TinkerBatch *batch, const TinkerBodies *bodies, double *force);
+    /* Potential energy (J), one number for all bodies and all instances. NULL: none; the power is booked as given by
+     * fields. */
+    TinkerStatus (*energy)(TinkerBatch *batch, const TinkerBodies *bodies, double *potential);
+    /* Writes the law of each instance; TINKER_RETRY_SMALLER: not of that form. */
+    TinkerStatus (*linear)(TinkerBatch *batch, TinkerLinearField *law);
+    double (*next_break)(TinkerBatch *batch); /* as for a line law */
+    /* Writes jacobian[8 * i ...] for the bodies of the range: d force / d(x, y) row by row, then d force / d(vx, vy),
+     * of the body's own state. NULL: differences. */
+    TinkerStatus (*derivatives)(TinkerBatch *batch, const TinkerBodies *bodies, double *jacobian);
+} TinkerField;
+
+/* Constraint ----------------------------------------------------------------------------------------------------- */
+
+/* Rows g(x, t) = 0 over the ends of an instance. g has the unit of length where its multiplier is a force: a rod has
+ * g = L - length, and its multiplier is minus its tension. Ends on supports are ends like the others: the host knows
+ * how they move. */
+typedef struct TinkerConstraint {
+    uint32_t struct_size;
+    int32_t rows;       /* rows of each instance, at least 1 */
+    int32_t unilateral; /* 1: the rows say g <= 0 (a rope); else 0 */
+    int32_t reserved;
+    /* Required. Row r of instance i is at i * rows + r; its Jacobian over the ends at
+     * jacobian[2 * ((i * rows + r) * ends + k)], as d g / d x_k and d g / d y_k. (Where the number of ends differs,
+     * row r of instance i starts at 2 * (rows * end_offsets[i] + r * ends of i).)
+     * drift[row] is the part of d2g/dt2 without accelerations: (dJ/dt) v + d2g/dt2 of what is prescribed. */
+    TinkerStatus (*rows_at)(TinkerBatch *batch, const TinkerPoint *ends, double *g, double *jacobian, double *drift);
+    /* dg/dt of what is prescribed (a waveform), with the places held. NULL: 0. */
+    TinkerStatus (*prescribed_rate)(TinkerBatch *batch, const TinkerPoint *ends, double *rate);
+    /* The length (m) that an error of each row is measured against: a rod's own. NULL: the largest distance between
+     * its ends. */
+    TinkerStatus (*scale)(TinkerBatch *batch, double *length);
+    /* Checks the properties, once before a run. TINKER_FAILED names the instance. */
+    TinkerStatus (*check)(TinkerBatch *batch);
+    double (*next_break)(TinkerBatch *batch); /* as for a line law */
+} TinkerConstraint;
+
+/* Motion --------------------------------------------------------------------------------------------------------- */
+
+/* Moves the body at its one end, which must have no degrees of freedom: displacement from its place, and its exact
+ * first and second derivatives. Several motions of one body add up. */
+typedef struct TinkerMotion {
+    uint32_t struct_size;
+    int32_t reserved;
+    /* Required: writes x and y, instance by instance. */
+    TinkerStatus (*motion)(TinkerBatch *batch, double *displacement, double *velocity, double *acceleration);
+    /* Where displacement = value of a waveform * direction: the direction, and the waveform's first column.
+     * TINKER_RETRY_SMALLER: not of that form. */
+    TinkerStatus (*linear)(TinkerBatch *batch, double *direction, int32_t *waveform_column);
+    double (*next_break)(TinkerBatch *batch); /* as for a line law */
+} TinkerMotion;
+
+/* The interface -------------------------------------------------------------------------------------------------- */
+
+typedef struct TinkerPhysics {
+    uint32_t struct_size;
+    int32_t scratch_size; /* bytes that the host allots per type, 0 for none */
+    const TinkerBody *body;
+    const TinkerLineLaw *line_law;
+    const TinkerForceElement *force_element;
+    const TinkerField *field;
+    const TinkerConstraint *constraint;
+    const TinkerMotion *motion;
+    /* Fills the scratch and checks the properties of all instances, once before a run. */
+    TinkerStatus (*prepare)(TinkerBatch *batch);
+} TinkerPhysics;
+
+#ifdef __cplusplus
+}
+#endif
+#endif

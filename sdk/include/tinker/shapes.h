@@ -1,0 +1,276 @@
+/* Tinker SDK: the geometry that drawing and editing of most blocks share: connectors between two ends, boxes about a
+ * centre, arrows from a point. Plain C99 and C++11, static inline. */
+#ifndef TINKER_SHAPES_H
+#define TINKER_SHAPES_H
+
+#include "edit.h"
+#include "kernels.h"
+#include "render.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Distance of a point from a segment. */
+static inline double tinker_segment_distance(double x, double y, double x1, double y1, double x2, double y2)
+{
+    const double dx = x2 - x1, dy = y2 - y1, square = dx * dx + dy * dy;
+    double along = square > 0.0 ? ((x - x1) * dx + (y - y1) * dy) / square : 0.0;
+    along = along < 0.0 ? 0.0 : along > 1.0 ? 1.0 : along;
+    return tinker_length(x - (x1 + along * dx), y - (y1 + along * dy));
+}
+
+/* How far the helpers of the style reach beyond the points they are given: coils, dashpots, heads of arrows, hatching
+ * and marks are at most 1.2 symbols wide, lines have a width, and a dot is never less than a few pixels. */
+static inline double tinker_drawing_margin(const TinkerStyle *style)
+{
+    return 0.6 * style->symbol_size + 2.0 * style->line_width + 5.0 * style->pixel;
+}
+
+/* A box that holds nothing yet, and one grown to hold a point with a margin about it. */
+static inline void tinker_bounds_clear(double box[4])
+{
+    box[0] = box[1] = INFINITY;
+    box[2] = box[3] = -INFINITY;
+}
+static inline void tinker_bounds_add(double box[4], double x, double y, double margin)
+{
+    box[0] = fmin(box[0], x - margin);
+    box[1] = fmin(box[1], y - margin);
+    box[2] = fmax(box[2], x + margin);
+    box[3] = fmax(box[3], y + margin);
+}
+
+/* The size of symbols where no style is at hand, so that what is hit is what was drawn. */
+static inline double tinker_instance_symbol_size(const TinkerInstance *instance)
+{
+    return TINKER_HAS(TinkerInstance, instance, symbol_size) && instance->symbol_size > 0.0 ? instance->symbol_size
+                                                                                            : 0.2;
+}
+
+/* Ends ----------------------------------------------------------------------------------------------------------- */
+
+/* The end nearest to the point, within reach, else TINKER_PART_NONE. */
+static inline int32_t tinker_ends_hit(const TinkerInstance *instance, double x, double y, double reach)
+{
+    int32_t part = TINKER_PART_NONE;
+    double nearest = reach;
+    for (int32_t k = 0; k < instance->ends; k++) {
+        const double distance = tinker_length(x - instance->end[k].x, y - instance->end[k].y);
+        if (distance <= nearest) {
+            nearest = distance;
+            part = k;
+        }
+    }
+    return part;
+}
+
+/* Moves one end, which thereby comes off, or as the whole all ends that are detached: those that are attached stay. */
+static inline void tinker_ends_move(const TinkerInstance *instance, int32_t part, double dx, double dy,
+                                    const TinkerEditor *editor)
+{
+    for (int32_t k = 0; k < instance->ends; k++) {
+        const TinkerEnd *end = &instance->end[k];
+        if (part == k || (part == TINKER_PART_WHOLE && !end->attached)) {
+            editor->set_end(editor, k, end->x + dx, end->y + dy);
+        }
+    }
+}
+
+/* The same to a place: an end goes there; of the whole, its centre. */
+static inline void tinker_ends_move_absolute(const TinkerInstance *instance, int32_t part, double x, double y,
+                                             const TinkerEditor *editor)
+{
+    if (part >= 0 && part < instance->ends) {
+        editor->set_end(editor, part, x, y);
+    } else if (part == TINKER_PART_WHOLE) {
+        tinker_ends_move(instance, part, x - instance->x, y - instance->y, editor);
+    }
+}
+
+/* The marks of all ends, drawn last. */
+static inline void tinker_ends_draw_marks(const TinkerInstance *instance, struct _cairo *cairo,
+                                          const TinkerStyle *style)
+{
+    for (int32_t k = 0; k < instance->ends; k++) {
+        style->end_mark(style, cairo, instance->end[k].x, instance->end[k].y, instance->end[k].attached);
+    }
+}
+
+/* Hit, and bounds, of a connector of two ends that is drawn along the line between them. */
+static inline int32_t tinker_connector_hit(const TinkerInstance *instance, double x, double y, double reach)
+{
+    const int32_t part = tinker_ends_hit(instance, x, y, reach);
+    const TinkerEnd *end = instance->end;
+    if (part != TINKER_PART_NONE || instance->ends < 2) return part;
+    return tinker_segment_distance(x, y, end[0].x, end[0].y, end[1].x, end[1].y) <= reach ? TINKER_PART_WHOLE
+                                                                                          : TINKER_PART_NONE;
+}
+static inline void tinker_connector_bounds(const TinkerInstance *instance, const TinkerStyle *style, double box[4])
+{
+    tinker_bounds_clear(box);
+    for (int32_t k = 0; k < instance->ends; k++) {
+        tinker_bounds_add(box, instance->end[k].x, instance->end[k].y, tinker_drawing_margin(style));
+    }
+}
+
+/* Arrows --------------------------------------------------------------------------------------------------------- */
+
+typedef struct TinkerArrow {
+    double x1, y1, x2, y2; /* tail and tip, m */
+} TinkerArrow;
+
+/* From a point along a direction. */
+static inline TinkerArrow tinker_arrow_from(double x, double y, const double direction[2], double length)
+{
+    const TinkerArrow arrow = {x, y, x + length * direction[0], y + length * direction[1]};
+    return arrow;
+}
+
+static inline int32_t tinker_arrow_is_hit(const TinkerArrow *arrow, double x, double y, double reach)
+{
+    return tinker_segment_distance(x, y, arrow->x1, arrow->y1, arrow->x2, arrow->y2) <= reach;
+}
+
+static inline void tinker_arrow_bounds(const TinkerArrow *arrow, double margin, double box[4])
+{
+    tinker_bounds_clear(box);
+    tinker_bounds_add(box, arrow->x1, arrow->y1, margin);
+    tinker_bounds_add(box, arrow->x2, arrow->y2, margin);
+}
+
+/* Sets an angle to that of a vector; one of length 0 has none and changes nothing. */
+static inline void tinker_set_angle(const TinkerEditor *editor, int32_t column, double dx, double dy)
+{
+    if (dx != 0.0 || dy != 0.0) editor->set(editor, column, atan2(dy, dx));
+}
+
+/* Writes a handle, where there is room, and answers how many there are with it. */
+static inline int32_t tinker_handle_add(TinkerHandle *handles, int32_t room, int32_t count, int32_t part, double x,
+                                        double y)
+{
+    if (count >= room) return count;
+    handles[count].x = x;
+    handles[count].y = y;
+    handles[count].part = part;
+    handles[count].reserved = 0;
+    return count + 1;
+}
+
+/* Boxes ---------------------------------------------------------------------------------------------------------- */
+
+/* The columns in which a block about a centre keeps its place and size; of a vector the first one. */
+typedef struct TinkerBoxColumns {
+    int32_t position, local_origin, orientation, width, height;
+} TinkerBoxColumns;
+
+#define TINKER_HANDLE_SIZE         (TINKER_PART_HANDLE + 0) /* the corner at the right of the top */
+#define TINKER_HANDLE_ROTATION     (TINKER_PART_HANDLE + 1) /* above the top */
+#define TINKER_HANDLE_LOCAL_ORIGIN (TINKER_PART_HANDLE + 2)
+
+/* A point of the block's own axes in the world, and back. */
+static inline void tinker_box_to_world(const TinkerInstance *instance, double own_x, double own_y, double *x, double *y)
+{
+    double axis[2];
+    tinker_direction(instance->orientation, axis);
+    *x = instance->x + own_x * axis[0] - own_y * axis[1];
+    *y = instance->y + own_x * axis[1] + own_y * axis[0];
+}
+static inline void tinker_box_to_own(const TinkerInstance *instance, double x, double y, double *own_x, double *own_y)
+{
+    double axis[2];
+    tinker_direction(instance->orientation, axis);
+    *own_x = (x - instance->x) * axis[0] + (y - instance->y) * axis[1];
+    *own_y = (y - instance->y) * axis[0] - (x - instance->x) * axis[1];
+}
+
+/* The whole where the turned box, or the dot that it has shrunk to, is within reach. */
+static inline int32_t tinker_box_hit(const TinkerInstance *instance, const TinkerBoxColumns *at, double x, double y,
+                                     double reach)
+{
+    double own_x, own_y;
+    tinker_box_to_own(instance, x, y, &own_x, &own_y);
+    const double beyond_x = fmax(fabs(own_x) - instance->columns[at->width] / 2.0, 0.0);
+    const double beyond_y = fmax(fabs(own_y) - instance->columns[at->height] / 2.0, 0.0);
+    return tinker_length(beyond_x, beyond_y) <= reach ? TINKER_PART_WHOLE : TINKER_PART_NONE;
+}
+
+static inline void tinker_box_bounds(const TinkerInstance *instance, const TinkerBoxColumns *at, double margin,
+                                     double box[4])
+{
+    const double half_width = instance->columns[at->width] / 2.0, half_height = instance->columns[at->height] / 2.0;
+    tinker_bounds_clear(box);
+    for (int corner = 0; corner < 4; corner++) {
+        double x, y;
+        tinker_box_to_world(instance, corner & 1 ? half_width : -half_width, corner & 2 ? half_height : -half_height,
+                            &x, &y);
+        tinker_bounds_add(box, x, y, margin);
+    }
+}
+
+/* Size and rotation, unless it is a dot, and the local origin. While that lies on the centre its handle is parked
+ * beyond a corner: there it hides no mass from being dragged. */
+static inline int32_t tinker_box_handles(const TinkerInstance *instance, const TinkerBoxColumns *at,
+                                         TinkerHandle *handles, int32_t room)
+{
+    const double symbol = tinker_instance_symbol_size(instance);
+    const double half_width = instance->columns[at->width] / 2.0, half_height = instance->columns[at->height] / 2.0;
+    int32_t count = 0;
+    double x, y;
+    if (half_width > 0.0 || half_height > 0.0) {
+        tinker_box_to_world(instance, half_width, half_height, &x, &y);
+        count = tinker_handle_add(handles, room, count, TINKER_HANDLE_SIZE, x, y);
+        tinker_box_to_world(instance, 0.0, half_height + 2.0 * symbol, &x, &y);
+        count = tinker_handle_add(handles, room, count, TINKER_HANDLE_ROTATION, x, y);
+    }
+    x = instance->columns[at->local_origin];
+    y = instance->columns[at->local_origin + 1];
+    if (tinker_length(x - instance->x, y - instance->y) <= symbol) {
+        tinker_box_to_world(instance, -half_width - symbol, -half_height - symbol, &x, &y);
+    }
+    return tinker_handle_add(handles, room, count, TINKER_HANDLE_LOCAL_ORIGIN, x, y);
+}
+
+/* Moving the whole sets the place; what displaces the block from it (a motion) stays, and so does the local origin. */
+static inline void tinker_box_move_absolute(const TinkerInstance *instance, const TinkerBoxColumns *at, int32_t part,
+                                            double x, double y, const TinkerEditor *editor)
+{
+    const double *columns = instance->columns;
+    if (part == TINKER_PART_WHOLE) {
+        editor->set(editor, at->position, x - (instance->x - columns[at->position]));
+        editor->set(editor, at->position + 1, y - (instance->y - columns[at->position + 1]));
+    } else if (part == TINKER_HANDLE_LOCAL_ORIGIN) {
+        editor->set(editor, at->local_origin, x);
+        editor->set(editor, at->local_origin + 1, y);
+    } else if (part == TINKER_HANDLE_SIZE) {
+        double own_x, own_y;
+        tinker_box_to_own(instance, x, y, &own_x, &own_y);
+        editor->set(editor, at->width, 2.0 * fabs(own_x));
+        editor->set(editor, at->height, 2.0 * fabs(own_y));
+    } else if (part == TINKER_HANDLE_ROTATION) {
+        tinker_set_angle(editor, at->orientation, y - instance->y, instance->x - x);
+    }
+}
+
+static inline void tinker_box_move(const TinkerInstance *instance, const TinkerBoxColumns *at, int32_t part, double dx,
+                                   double dy, const TinkerEditor *editor)
+{
+    TinkerHandle handles[3];
+    if (part == TINKER_PART_WHOLE || part == TINKER_HANDLE_LOCAL_ORIGIN) {
+        const int32_t column = part == TINKER_PART_WHOLE ? at->position : at->local_origin;
+        editor->set(editor, column, instance->columns[column] + dx);
+        editor->set(editor, column + 1, instance->columns[column + 1] + dy);
+        return;
+    }
+    const int32_t count = tinker_box_handles(instance, at, handles, 3);
+    for (int32_t k = 0; k < count; k++) {
+        if (handles[k].part == part) {
+            tinker_box_move_absolute(instance, at, part, handles[k].x + dx, handles[k].y + dy, editor);
+        }
+    }
+}
+
+#ifdef __cplusplus
+}
+#endif
+#endif
