@@ -1,0 +1,214 @@
+/* A drag opens its undo step with the first movement, so that a click leaves no trace. It remembers how far from the
+ * part's own point the pointer took hold; each movement asks a fresh frame where that point is now and has the block's
+ * own interface move it, through an editor whose calls go to the history. */
+#include <math.h>
+
+#include "edit/edit-private.h"
+
+#define MOST_HANDLES 16
+
+struct _TinkerDrag {
+    TinkerHistory *history;
+    TinkerScene *scene;
+    TinkerHit hit;
+    const TinkerBlockClass *block_class; /* NULL: a placeholder */
+    double press[2];                     /* where the pointer went down */
+    double grip[2];                      /* from the pointer to the part's own point */
+    gboolean gripped;                    /* the grip is known */
+    gboolean moved;                      /* the undo step is open */
+    double symbol_size;
+    double pointer[2];
+    TinkerBlockId target; /* that releasing would connect to */
+};
+
+/* The editor -------------------------------------------------------------------------------------------------------- */
+
+/* The property that a column belongs to, or -1. */
+static int32_t property_of_column(const TinkerBlockClass *block_class, int32_t column)
+{
+    for (int32_t i = 0; i < block_class->property_count; i++) {
+        int32_t first = block_class->first_columns[i];
+        if (column >= first && column < first + tinker_kind_columns(block_class->properties[i].kind)) return i;
+    }
+    return -1;
+}
+
+/* The nearest value that the declaration allows. */
+static double held_to_range(const TinkerPropertyType *property, double value)
+{
+    double least = -INFINITY, greatest = INFINITY;
+    if (property->flags & TINKER_HAS_MINIMUM) least = property->hard_minimum;
+    if (property->flags & TINKER_HAS_MAXIMUM) greatest = property->hard_maximum;
+    if (property->flags & TINKER_OPEN_MINIMUM) least = nextafter(least, INFINITY);
+    if (property->flags & TINKER_OPEN_MAXIMUM) greatest = nextafter(greatest, -INFINITY);
+    if (property->kind == TINKER_KIND_SWITCH) return value != 0;
+    if (property->kind == TINKER_KIND_CHOICE) {
+        least = 0;
+        greatest = property->choice_count - 1;
+    }
+    if (property->kind == TINKER_KIND_INTEGER || property->kind == TINKER_KIND_CHOICE) value = round(value);
+    return fmax(fmin(value, greatest), least);
+}
+
+static void editor_set(const TinkerEditor *editor, int32_t column, double value)
+{
+    TinkerDrag *drag = editor->context;
+    int32_t number = property_of_column(drag->block_class, column);
+    if (number < 0 || !isfinite(value)) return;
+    const TinkerPropertyType *property = &drag->block_class->properties[number];
+    if (property->kind == TINKER_KIND_WAVEFORM || (property->flags & (TINKER_READ_ONLY | TINKER_DERIVED))) return;
+    int32_t first = drag->block_class->first_columns[number], count = tinker_kind_columns(property->kind);
+    double values[2] = {0, 0};
+    for (int32_t i = 0; i < MIN(count, 2); i++)
+        values[i] = tinker_scene_get(drag->scene, drag->hit.block, first + i);
+    values[column - first] = held_to_range(property, value);
+    /* What the block refuses for another reason (one coefficient above another) stays as it is. */
+    tinker_history_set(drag->history, drag->hit.block, number, values, NULL);
+}
+
+static void editor_set_end(const TinkerEditor *editor, int32_t end, double x, double y)
+{
+    TinkerDrag *drag = editor->context;
+    if (end < 0 || end >= tinker_scene_end_count(drag->scene, drag->hit.block)) return;
+    TinkerSceneEnd detached = {TINKER_NO_BLOCK, x, y};
+    tinker_history_set_end(drag->history, drag->hit.block, end, detached, NULL);
+}
+
+/* The drag ---------------------------------------------------------------------------------------------------------- */
+
+static gboolean is_end(const TinkerDrag *drag)
+{
+    return drag->hit.part >= 0 && drag->hit.part < tinker_scene_end_count(drag->scene, drag->hit.block);
+}
+
+/* A frame of the scene as it is now; the dragged block's instance is filled. NULL where there is nothing to move. */
+static TinkerFrame *look(const TinkerDrag *drag, TinkerInstance *instance)
+{
+    TinkerFrame *frame = tinker_frame_new(drag->scene, NULL);
+    if (frame == NULL) return NULL;
+    tinker_frame_set_symbol_size(frame, drag->symbol_size);
+    if (drag->block_class != NULL && tinker_frame_instance(frame, drag->hit.block, instance)) return frame;
+    tinker_frame_free(frame);
+    return NULL;
+}
+
+/* The part's own point: an end, a handle, or the block's centre. */
+static void point_of_part(const TinkerDrag *drag, const TinkerInstance *instance, double point[2])
+{
+    int32_t part = drag->hit.part;
+    point[0] = instance->x;
+    point[1] = instance->y;
+    if (part >= 0 && part < instance->ends) {
+        point[0] = instance->end[part].x;
+        point[1] = instance->end[part].y;
+    } else if (part >= TINKER_PART_HANDLE) {
+        TinkerHandle handles[MOST_HANDLES];
+        int32_t count = edit_handles(edit_of(drag->block_class), instance, handles, MOST_HANDLES);
+        for (int32_t i = 0; i < count; i++) {
+            if (handles[i].part != part) continue;
+            point[0] = handles[i].x;
+            point[1] = handles[i].y;
+        }
+    }
+}
+
+/* Moves the part to where the pointer has taken its point. */
+static void move_part(TinkerDrag *drag, double grid)
+{
+    TinkerInstance instance;
+    g_autoptr(TinkerFrame) frame = look(drag, &instance);
+    if (frame == NULL) return;
+    double point[2];
+    point_of_part(drag, &instance, point);
+    if (!drag->gripped) {
+        drag->grip[0] = point[0] - drag->press[0];
+        drag->grip[1] = point[1] - drag->press[1];
+        drag->gripped = TRUE;
+    }
+    double x = drag->pointer[0] + drag->grip[0], y = drag->pointer[1] + drag->grip[1];
+    tinker_snap(grid, &x, &y);
+    if (!drag->moved) {
+        if (x == point[0] && y == point[1]) return;
+        g_autofree char *title = g_strdup_printf("Move %s", tinker_scene_block_name(drag->scene, drag->hit.block));
+        tinker_history_begin(drag->history, title, NULL);
+        drag->moved = TRUE;
+    }
+    const TinkerEditor editor = {sizeof editor, 0, drag, editor_set, editor_set_end};
+    const TinkerEdit *edit = edit_of(drag->block_class);
+    if (grid > 0)
+        edit->move_absolute(&instance, drag->hit.part, x, y, &editor);
+    else
+        edit->move(&instance, drag->hit.part, x - point[0], y - point[1], &editor);
+}
+
+TinkerDrag *tinker_drag_begin(TinkerHistory *history, TinkerScene *scene, TinkerHit hit, double x, double y)
+{
+    if (hit.block == TINKER_NO_BLOCK || hit.part == TINKER_PART_NONE || !tinker_scene_has_block(scene, hit.block))
+        return NULL;
+    TinkerDrag *drag = g_new0(TinkerDrag, 1);
+    *drag = (TinkerDrag){.history = history,
+                         .scene = scene,
+                         .hit = hit,
+                         .block_class = tinker_scene_block_class(scene, hit.block),
+                         .press = {x, y},
+                         .pointer = {x, y},
+                         .target = TINKER_NO_BLOCK};
+    return drag;
+}
+
+void tinker_drag_set_symbol_size(TinkerDrag *drag, double symbol_size)
+{
+    drag->symbol_size = symbol_size;
+}
+
+TinkerBlockId tinker_drag_to(TinkerDrag *drag, double x, double y, double grid, double reach)
+{
+    if (!isfinite(x) || !isfinite(y)) return drag->target;
+    drag->pointer[0] = x;
+    drag->pointer[1] = y;
+    move_part(drag, grid);
+    drag->target = TINKER_NO_BLOCK;
+    if (drag->moved && is_end(drag)) {
+        TinkerInstance instance;
+        g_autoptr(TinkerFrame) frame = look(drag, &instance);
+        if (frame != NULL) drag->target = tinker_hit_connectable(frame, drag->hit.block, x, y, reach);
+    }
+    return drag->target;
+}
+
+/* The point under the pointer, in the target's own axes. */
+static void point_on_target(const TinkerDrag *drag, double point[2])
+{
+    g_autoptr(TinkerFrame) frame = tinker_frame_new(drag->scene, NULL);
+    point[0] = point[1] = 0;
+    if (frame == NULL) return;
+    double x, y, orientation;
+    tinker_frame_centre(frame, drag->target, &x, &y, &orientation);
+    double dx = drag->pointer[0] - x, dy = drag->pointer[1] - y;
+    point[0] = dx * cos(orientation) + dy * sin(orientation);
+    point[1] = dy * cos(orientation) - dx * sin(orientation);
+}
+
+static void connect_end(TinkerDrag *drag, gboolean at_point)
+{
+    const TinkerBlockClass *target = tinker_scene_block_class(drag->scene, drag->target);
+    double point[2] = {0, 0};
+    if (at_point && target->physics->body->degrees_of_freedom != 2) point_on_target(drag, point);
+    TinkerSceneEnd to = {drag->target, point[0], point[1]};
+    tinker_history_set_end(drag->history, drag->hit.block, drag->hit.part, to, NULL);
+}
+
+void tinker_drag_end(TinkerDrag *drag, gboolean at_point)
+{
+    if (drag->moved) {
+        if (drag->target != TINKER_NO_BLOCK) connect_end(drag, at_point);
+        tinker_history_end(drag->history);
+    }
+    g_free(drag);
+}
+
+void tinker_drag_cancel(TinkerDrag *drag)
+{
+    if (drag->moved) tinker_history_abort(drag->history);
+    g_free(drag);
+}

@@ -1,0 +1,87 @@
+/* What lies under a point. Blocks are asked from the top of the picture to its bottom, first for parts that can be
+ * gripped, then for whole blocks. A block without an edit interface is hit as the host draws it. */
+#include <math.h>
+
+#include "edit/edit-private.h"
+
+#define LAYERS       4
+#define MOST_HANDLES 16
+
+/* The order of drawing: as declared, else connectors above bodies. */
+static int32_t layer_of(const TinkerBlockClass *block_class)
+{
+    if (block_class == NULL) return 1;
+    if (block_class->render != NULL) return CLAMP(block_class->render->layer, 0, LAYERS - 1);
+    return block_class->type->least_ends > 0 ? 2 : 1;
+}
+
+static gboolean is_placed(const TinkerInstance *instance)
+{
+    return isfinite(instance->x) && isfinite(instance->y);
+}
+
+TinkerHit tinker_hit(TinkerFrame *frame, double x, double y, double reach, TinkerBlockId skip)
+{
+    TinkerScene *scene = tinker_frame_scene(frame);
+    TinkerHit whole = {TINKER_NO_BLOCK, TINKER_PART_NONE};
+    if (!isfinite(x) || !isfinite(y)) return whole;
+    for (int32_t layer = LAYERS - 1; layer >= 0; layer--)
+        for (int32_t place = tinker_scene_block_count(scene) - 1; place >= 0; place--) {
+            TinkerBlockId block = tinker_scene_block_at(scene, place);
+            const TinkerBlockClass *block_class = tinker_scene_block_class(scene, block);
+            if (block == skip || layer_of(block_class) != layer) continue;
+            TinkerInstance instance;
+            gboolean known = tinker_frame_instance(frame, block, &instance);
+            if (!is_placed(&instance)) continue;
+            const TinkerEdit *edit = edit_of(known ? block_class : NULL);
+            int32_t part = edit->hit(&instance, x, y, reach);
+            if (part == TINKER_PART_NONE) continue;
+            if (part != TINKER_PART_WHOLE) return (TinkerHit){block, part};
+            if (whole.block == TINKER_NO_BLOCK) whole = (TinkerHit){block, part};
+        }
+    return whole;
+}
+
+/* Whether the type's ends may be attached to this body. */
+static gboolean accepts(const TinkerBlockType *type, const TinkerBlockClass *body)
+{
+    if (body == NULL || body->physics == NULL || body->physics->body == NULL) return FALSE;
+    gboolean moves = body->physics->body->degrees_of_freedom > 0;
+    return (type->end_accepts & (moves ? TINKER_ACCEPTS_BODY : TINKER_ACCEPTS_SUPPORT)) != 0;
+}
+
+TinkerBlockId tinker_hit_connectable(TinkerFrame *frame, TinkerBlockId connector, double x, double y, double reach)
+{
+    TinkerScene *scene = tinker_frame_scene(frame);
+    const TinkerBlockClass *connector_class = tinker_scene_block_class(scene, connector);
+    if (connector_class == NULL || !isfinite(x) || !isfinite(y)) return TINKER_NO_BLOCK;
+    for (int32_t layer = LAYERS - 1; layer >= 0; layer--)
+        for (int32_t place = tinker_scene_block_count(scene) - 1; place >= 0; place--) {
+            TinkerBlockId block = tinker_scene_block_at(scene, place);
+            const TinkerBlockClass *block_class = tinker_scene_block_class(scene, block);
+            if (block == connector || layer_of(block_class) != layer) continue;
+            if (!accepts(connector_class->type, block_class)) continue;
+            TinkerInstance instance;
+            if (!tinker_frame_instance(frame, block, &instance) || !is_placed(&instance)) continue;
+            if (edit_of(block_class)->hit(&instance, x, y, reach) != TINKER_PART_NONE) return block;
+        }
+    return TINKER_NO_BLOCK;
+}
+
+TinkerHit tinker_hit_handle(TinkerFrame *frame, TinkerBlockId block, double x, double y, double reach)
+{
+    TinkerHit hit = {TINKER_NO_BLOCK, TINKER_PART_NONE};
+    TinkerInstance instance;
+    const TinkerBlockClass *block_class = tinker_scene_block_class(tinker_frame_scene(frame), block);
+    if (!tinker_frame_instance(frame, block, &instance) || !is_placed(&instance)) return hit;
+    TinkerHandle handles[MOST_HANDLES];
+    int32_t count = edit_handles(edit_of(block_class), &instance, handles, MOST_HANDLES);
+    double nearest = reach;
+    for (int32_t i = 0; i < count; i++) {
+        double distance = hypot(handles[i].x - x, handles[i].y - y);
+        if (distance > nearest) continue;
+        nearest = distance;
+        hit = (TinkerHit){block, handles[i].part};
+    }
+    return hit;
+}

@@ -1,0 +1,348 @@
+/* Right-looking factorisation over precompiled update lists. Values lie in one array: the diagonal first, in the order of
+ * elimination, then the columns of L one after the other with rows ascending. When column k is eliminated, the product of
+ * its entries p and q is subtracted at a place that depends on the pattern alone; `updates` lists these places in the order
+ * in which they are needed.
+ *
+ * A pattern without cycles (a chain of rods, a tree) needs no ordering by AMD: eliminating leaves first leaves every column
+ * with one entry, the one of its parent, and no update lists. Leaves are taken in turns, so a chain is eliminated from both
+ * ends at once: two runs of divisions that do not wait for each other. */
+#include "numerics/sparse-ldl.h"
+
+#include <string.h>
+#include <suitesparse/amd.h>
+
+/* Beyond this many updates a factorisation takes longer than anybody waits for at every stage of a step. */
+#define MOST_UPDATES ((gsize)400000000)
+
+struct _TinkerSparseLdl {
+    int n;
+    int *place;       /* of a row in the order of elimination */
+    int *starts;      /* n + 1: column k of L holds rows[starts[k]] to rows[starts[k + 1] - 1] */
+    int *rows;        /* in the order of elimination */
+    int *updates;     /* slots */
+    double *values;   /* n + entries of L */
+    double *diagonal; /* 1 / d, n */
+    double *work;   /* n */
+    gboolean is_forest;
+    int *sequence; /* of a forest: the row that is eliminated at each place */
+    int *parents;  /* of a forest: the row that the row at each place hangs on; itself where it hangs on none */
+    int *parent_places; /* and its place */
+};
+
+static int compare_ints(const void *a, const void *b)
+{
+    return *(const int *)a - *(const int *)b;
+}
+
+static GArray *sorted_unique(GArray *array)
+{
+    g_array_sort(array, compare_ints);
+    guint kept = 0;
+    for (guint i = 0; i < array->len; i++)
+        if (i == 0 || g_array_index(array, int, i) != g_array_index(array, int, kept - 1))
+            g_array_index(array, int, kept++) = g_array_index(array, int, i);
+    g_array_set_size(array, kept);
+    return array;
+}
+
+/* The pattern by columns, both triangles, sorted and without repetition. */
+typedef struct {
+    int *starts, *entries;
+} Neighbours;
+
+static Neighbours neighbours(int n, const int *rows, const int *columns, gsize count)
+{
+    int *starts = g_new0(int, n + 2), *entries = g_new(int, 2 * count + 1);
+    for (gsize k = 0; k < count; k++)
+        starts[rows[k] + 2]++, starts[columns[k] + 2]++;
+    for (int i = 0; i < n; i++)
+        starts[i + 2] += starts[i + 1];
+    for (gsize k = 0; k < count; k++) {
+        entries[starts[rows[k] + 1]++] = columns[k];
+        entries[starts[columns[k] + 1]++] = rows[k];
+    }
+    int kept = 0, from = 0;
+    for (int i = 0; i < n; i++) {
+        int until = starts[i + 1], first = kept;
+        qsort(entries + from, (gsize)(until - from), sizeof(int), compare_ints);
+        for (int e = from; e < until; e++)
+            if (kept == first || entries[e] != entries[kept - 1]) entries[kept++] = entries[e];
+        starts[i] = first;
+        from = until;
+    }
+    starts[n] = kept;
+    return (Neighbours){starts, entries};
+}
+
+/* Takes leaves away in turns. FALSE where a cycle is left over. */
+static gboolean peel(TinkerSparseLdl *ldl, const Neighbours *by)
+{
+    int n = ldl->n, taken = 0, seen = 0;
+    g_autofree int *degree = g_new(int, MAX(n, 1));
+    g_autofree gboolean *gone = g_new0(gboolean, MAX(n, 1));
+    for (int i = 0; i < n; i++) {
+        degree[i] = by->starts[i + 1] - by->starts[i];
+        if (degree[i] <= 1) ldl->sequence[taken++] = i;
+    }
+    for (; seen < taken; seen++) {
+        int row = ldl->sequence[seen];
+        gone[row] = TRUE;
+        ldl->parents[seen] = row;
+        for (int e = by->starts[row]; e < by->starts[row + 1]; e++) {
+            int other = by->entries[e];
+            if (gone[other]) continue;
+            ldl->parents[seen] = other;
+            if (--degree[other] == 1) ldl->sequence[taken++] = other;
+        }
+    }
+    return taken == n;
+}
+
+static void order(TinkerSparseLdl *ldl, const Neighbours *by, int *sequence)
+{
+    if (amd_order(ldl->n, by->starts, by->entries, sequence, NULL, NULL) < 0)
+        for (int i = 0; i < ldl->n; i++)
+            sequence[i] = i;
+}
+
+/* The pattern of L: below the diagonal, column k holds what A has there, and what earlier columns whose first entry is k
+ * pass on. */
+static GArray **fill_pattern(TinkerSparseLdl *ldl, const int *rows, const int *columns, gsize count)
+{
+    GArray **pattern = g_new(GArray *, MAX(ldl->n, 1));
+    for (int k = 0; k < ldl->n; k++)
+        pattern[k] = g_array_new(FALSE, FALSE, sizeof(int));
+    for (gsize e = 0; e < count; e++) {
+        int i = ldl->place[rows[e]], j = ldl->place[columns[e]];
+        int low = MIN(i, j), high = MAX(i, j);
+        if (low != high) g_array_append_val(pattern[low], high);
+    }
+    for (int k = 0; k < ldl->n; k++) {
+        sorted_unique(pattern[k]);
+        if (pattern[k]->len < 2) continue;
+        int parent = g_array_index(pattern[k], int, 0);
+        g_array_append_vals(pattern[parent], &g_array_index(pattern[k], int, 1), pattern[k]->len - 1);
+    }
+    return pattern;
+}
+
+static int slot_of(const TinkerSparseLdl *ldl, int row, int column)
+{
+    if (row == column) return row;
+    if (ldl->is_forest) return ldl->n + column;
+    const int *first = ldl->rows + ldl->starts[column];
+    const int *found =
+        bsearch(&row, first, (gsize)(ldl->starts[column + 1] - ldl->starts[column]), sizeof(int), compare_ints);
+    return ldl->n + (int)(found - ldl->rows);
+}
+
+static void list_updates(TinkerSparseLdl *ldl, gsize count)
+{
+    ldl->updates = g_new(int, MAX(count, 1));
+    int *update = ldl->updates;
+    for (int k = 0; k < ldl->n; k++)
+        for (int p = ldl->starts[k]; p < ldl->starts[k + 1]; p++)
+            for (int q = p; q < ldl->starts[k + 1]; q++)
+                *update++ = slot_of(ldl, ldl->rows[q], ldl->rows[p]);
+}
+
+static gboolean compile(TinkerSparseLdl *ldl, GArray **pattern)
+{
+    gsize entries = 0, updates = 0;
+    for (int k = 0; k < ldl->n; k++) {
+        gsize length = pattern[k]->len;
+        entries += length;
+        updates += length * (length + 1) / 2;
+    }
+    if (updates > MOST_UPDATES) return FALSE;
+    ldl->starts = g_new(int, ldl->n + 1);
+    ldl->rows = g_new(int, MAX(entries, 1));
+    ldl->starts[0] = 0;
+    for (int k = 0; k < ldl->n; k++) {
+        if (pattern[k]->len > 0) memcpy(ldl->rows + ldl->starts[k], pattern[k]->data, pattern[k]->len * sizeof(int));
+        ldl->starts[k + 1] = ldl->starts[k] + (int)pattern[k]->len;
+    }
+    list_updates(ldl, updates);
+    ldl->values = g_new0(double, (gsize)ldl->n + entries + 1);
+    ldl->diagonal = g_new0(double, MAX(ldl->n, 1));
+    ldl->work = g_new0(double, MAX(ldl->n, 1));
+    return TRUE;
+}
+
+static gboolean compile_general(TinkerSparseLdl *ldl, const Neighbours *by, const int *rows, const int *columns,
+                                gsize count)
+{
+    g_autofree int *sequence = g_new(int, MAX(ldl->n, 1));
+    order(ldl, by, sequence);
+    for (int k = 0; k < ldl->n; k++)
+        ldl->place[sequence[k]] = k;
+    GArray **pattern = fill_pattern(ldl, rows, columns, count);
+    gboolean fits = compile(ldl, pattern);
+    for (int k = 0; k < ldl->n; k++)
+        g_array_unref(pattern[k]);
+    g_free(pattern);
+    return fits;
+}
+
+static void compile_forest(TinkerSparseLdl *ldl)
+{
+    for (int k = 0; k < ldl->n; k++)
+        ldl->place[ldl->sequence[k]] = k;
+    ldl->parent_places = g_new0(int, MAX(ldl->n, 1));
+    for (int k = 0; k < ldl->n; k++)
+        ldl->parent_places[k] = ldl->place[ldl->parents[k]];
+    ldl->values = g_new0(double, 2 * (gsize)ldl->n + 1);
+    ldl->diagonal = g_new0(double, MAX(ldl->n, 1));
+    ldl->work = g_new0(double, MAX(ldl->n, 1));
+}
+
+TinkerSparseLdl *tinker_sparse_ldl_new(int n, const int *rows, const int *columns, gsize count)
+{
+    TinkerSparseLdl *ldl = g_new0(TinkerSparseLdl, 1);
+    ldl->n = n;
+    ldl->place = g_new0(int, MAX(n, 1));
+    ldl->sequence = g_new0(int, MAX(n, 1));
+    ldl->parents = g_new0(int, MAX(n, 1));
+    Neighbours by = neighbours(n, rows, columns, count);
+    ldl->is_forest = peel(ldl, &by);
+    gboolean fits = TRUE;
+    if (ldl->is_forest)
+        compile_forest(ldl);
+    else
+        fits = compile_general(ldl, &by, rows, columns, count);
+    g_free(by.starts);
+    g_free(by.entries);
+    if (!fits) g_clear_pointer(&ldl, tinker_sparse_ldl_free);
+    return ldl;
+}
+
+void tinker_sparse_ldl_free(TinkerSparseLdl *ldl)
+{
+    if (ldl == NULL) return;
+    g_free(ldl->place);
+    g_free(ldl->starts);
+    g_free(ldl->rows);
+    g_free(ldl->updates);
+    g_free(ldl->values);
+    g_free(ldl->diagonal);
+    g_free(ldl->work);
+    g_free(ldl->sequence);
+    g_free(ldl->parents);
+    g_free(ldl->parent_places);
+    g_free(ldl);
+}
+
+int tinker_sparse_ldl_slot(const TinkerSparseLdl *ldl, int row, int column)
+{
+    int i = ldl->place[row], j = ldl->place[column];
+    return slot_of(ldl, MAX(i, j), MIN(i, j));
+}
+
+double *tinker_sparse_ldl_values(TinkerSparseLdl *ldl)
+{
+    return ldl->values;
+}
+
+gsize tinker_sparse_ldl_fill(const TinkerSparseLdl *ldl)
+{
+    return (gsize)(ldl->is_forest ? ldl->n : ldl->starts[ldl->n]);
+}
+
+void tinker_sparse_ldl_clear(TinkerSparseLdl *ldl)
+{
+    memset(ldl->values, 0, ((gsize)ldl->n + tinker_sparse_ldl_fill(ldl)) * sizeof(double));
+}
+
+/* Eliminates column k with the reciprocal of its pivot; answers the place in the list behind its updates. */
+static inline const int *eliminate(TinkerSparseLdl *ldl, int k, double inverse, const int *update)
+{
+    double *values = ldl->values;
+    ldl->diagonal[k] = inverse;
+    if (ldl->is_forest) {
+        double entry = values[ldl->n + k], factor = entry * inverse;
+        values[ldl->parent_places[k]] -= factor * entry;
+        values[ldl->n + k] = factor;
+        return update;
+    }
+    double *column = values + ldl->n + ldl->starts[k];
+    int length = ldl->starts[k + 1] - ldl->starts[k];
+    for (int p = 0; p < length; p++) {
+        double factor = column[p] * inverse;
+        for (int q = p; q < length; q++)
+            values[*update++] -= factor * column[q];
+        column[p] = factor;
+    }
+    return update;
+}
+
+gboolean tinker_sparse_ldl_factor(TinkerSparseLdl *ldl, double shift, double threshold)
+{
+    double *values = ldl->values, *least = ldl->work;
+    const int *update = ldl->updates;
+    for (int k = 0; k < ldl->n; k++) {
+        values[k] += shift;
+        least[k] = threshold * values[k];
+    }
+    for (int k = 0; k < ldl->n; k++) {
+        if (!(values[k] > least[k])) return FALSE;
+        update = eliminate(ldl, k, 1.0 / values[k], update);
+    }
+    return TRUE;
+}
+
+int tinker_sparse_ldl_count_dependent(TinkerSparseLdl *ldl, double threshold, char *dependent)
+{
+    double *values = ldl->values, *least = ldl->work;
+    const int *update = ldl->updates;
+    int count = 0;
+    for (int k = 0; k < ldl->n; k++)
+        least[k] = threshold * values[k];
+    for (int k = 0; k < ldl->n; k++) {
+        gboolean vanishes = !(values[k] > least[k]);
+        count += vanishes;
+        least[k] = vanishes;
+        update = eliminate(ldl, k, vanishes ? 0.0 : 1.0 / values[k], update);
+    }
+    for (int i = 0; i < ldl->n; i++)
+        if (dependent != NULL) dependent[i] = least[ldl->place[i]] != 0;
+    return count;
+}
+
+/* A root is its own parent with the factor 0, so that no branch has to tell it apart. */
+static void solve_forest(const TinkerSparseLdl *ldl, double *restrict b)
+{
+    int n = ldl->n;
+    const double *restrict factor = ldl->values + n, *restrict diagonal = ldl->diagonal;
+    const int *restrict sequence = ldl->sequence, *restrict parents = ldl->parents;
+    for (int k = 0; k < n; k++)
+        b[parents[k]] -= factor[k] * b[sequence[k]];
+    for (int k = n - 1; k >= 0; k--)
+        b[sequence[k]] = b[sequence[k]] * diagonal[k] - factor[k] * b[parents[k]];
+}
+
+void tinker_sparse_ldl_solve(TinkerSparseLdl *ldl, double *b)
+{
+    if (ldl->is_forest) {
+        solve_forest(ldl, b);
+        return;
+    }
+    int n = ldl->n;
+    double *x = ldl->work;
+    const double *factor = ldl->values + n;
+    for (int i = 0; i < n; i++)
+        x[ldl->place[i]] = b[i];
+    for (int k = 0; k < n; k++) {
+        double known = x[k];
+        for (int p = ldl->starts[k]; p < ldl->starts[k + 1]; p++)
+            x[ldl->rows[p]] -= factor[p] * known;
+        x[k] = known * ldl->diagonal[k];
+    }
+    for (int k = n - 1; k >= 0; k--) {
+        double sum = x[k];
+        for (int p = ldl->starts[k]; p < ldl->starts[k + 1]; p++)
+            sum -= factor[p] * x[ldl->rows[p]];
+        x[k] = sum;
+    }
+    for (int i = 0; i < n; i++)
+        b[i] = x[ldl->place[i]];
+}

@@ -1,0 +1,72 @@
+/* Balance: energy now - energy at the start - everything given, relative to the largest energy exchanged so far. */
+#include "physics/books.h"
+
+#include <math.h>
+
+static double potential_of_origin(const TinkerModel *model)
+{
+    double mass = 0;
+    for (int32_t i = 0; i < model->bodies; i++)
+        mass += model->mass[i];
+    return -mass * (model->field_acceleration[0] * model->origin[0] + model->field_acceleration[1] * model->origin[1]);
+}
+
+TinkerStatus tinker_books_open(TinkerBooks *books, TinkerModelSystem *system)
+{
+    TinkerModel *model = system->model;
+    *books = (TinkerBooks){.system = system, .world_offset = potential_of_origin(model)};
+    TinkerStatus status = tinker_model_set_time(model, 0.0);
+    if (status != TINKER_OK) return status;
+    tinker_model_set_state(model, model->q_start, model->v_start);
+    status = tinker_model_energy(model, &books->start);
+    books->exchanged = books->start.kinetic;
+    return status;
+}
+
+static double given(const TinkerBooks *books, const TinkerState *state, const TinkerEnergy *now, TinkerSummary *summary)
+{
+    const TinkerModelSystem *system = books->system;
+    for (int book = 0; book < TINKER_BOOK_COUNT; book++)
+        summary->books[book] = 0;
+    for (int32_t i = 0; i < system->system.books; i++)
+        summary->books[system->book_of[i]] = state->books[i];
+    summary->books[TINKER_BOOK_MOTORS] += now->stored_in_forces - books->start.stored_in_forces;
+    summary->books[TINKER_BOOK_FIELDS] += now->stored_in_fields - books->start.stored_in_fields;
+    summary->books[TINKER_BOOK_PROJECTION] = system->projection_work;
+    double sum = 0;
+    for (int book = 0; book < TINKER_BOOK_COUNT; book++)
+        sum += summary->books[book];
+    return sum;
+}
+
+static double largest_exchange(const TinkerBooks *books, const TinkerEnergy *now, const TinkerSummary *summary)
+{
+    double largest = MAX(now->kinetic, fabs(now->potential - books->start.potential));
+    for (int book = 0; book < TINKER_BOOK_COUNT; book++)
+        largest = MAX(largest, fabs(summary->books[book]));
+    return largest;
+}
+
+TinkerStatus tinker_books_look(TinkerBooks *books, const TinkerState *state, TinkerSummary *summary)
+{
+    TinkerModel *model = books->system->model;
+    TinkerEnergy now;
+    TinkerStatus status = tinker_model_set_time(model, state->t);
+    if (status != TINKER_OK) return status;
+    tinker_model_set_state(model, state->q, state->v);
+    status = tinker_model_energy(model, &now);
+    if (status != TINKER_OK) return status;
+    double sum = given(books, state, &now, summary);
+    double missing = (now.kinetic - books->start.kinetic) + (now.potential - books->start.potential) - sum;
+    books->exchanged = MAX(books->exchanged, largest_exchange(books, &now, summary));
+    /* A state that exchanges nothing, or only rounding of what it stores, is in balance. */
+    double scale = MAX(books->exchanged, 1e-9 * MAX(fabs(now.potential), fabs(books->start.potential)));
+    books->imbalance = scale > 0 ? fabs(missing) / scale : 0;
+    books->balance_error = fmax(books->balance_error, books->imbalance);
+    summary->kinetic_start = books->start.kinetic;
+    summary->potential_start = books->start.potential + books->world_offset;
+    summary->kinetic_end = now.kinetic;
+    summary->potential_end = now.potential + books->world_offset;
+    summary->energy_balance_error = books->balance_error;
+    return TINKER_OK;
+}

@@ -1,0 +1,22 @@
+/* The energy books of a run: what the state holds, what was given and taken, and how far the two disagree. */
+#ifndef TINKER_CORE_BOOKS_H
+#define TINKER_CORE_BOOKS_H
+
+#include "physics/model-private.h"
+
+typedef struct {
+    TinkerModelSystem *system;
+    TinkerEnergy start;
+    double world_offset;  /* J: potential relative to the world's origin less that relative to the model's */
+    double exchanged;     /* J: the largest energy moved so far */
+    double balance_error; /* largest, relative to it */
+    double imbalance;     /* of the last look */
+} TinkerBooks;
+
+/* Opens the books at the model's start. */
+TinkerStatus tinker_books_open(TinkerBooks *books, TinkerModelSystem *system);
+
+/* Looks at a state with its integrals; updates the balance and fills `summary`'s energies. */
+TinkerStatus tinker_books_look(TinkerBooks *books, const TinkerState *state, TinkerSummary *summary);
+
+#endif

@@ -1,0 +1,30 @@
+/* Columns of a record: quantities of blocks. */
+#ifndef TINKER_CORE_COLUMNS_H
+#define TINKER_CORE_COLUMNS_H
+
+#include "scene/scene.h"
+
+typedef struct {
+    TinkerBlockId block;
+    int32_t quantity; /* number of the quantity in its class */
+    char *name;       /* "Mass 0.x"; owned */
+    const char *title; /* of the quantity, "Y Position" */
+    TinkerDimension dimension;
+    const char *unit; /* SI symbol, "m/s" */
+} TinkerColumn;
+
+/* An array of TinkerColumn that frees their names. (transfer full) */
+GArray *tinker_columns_new(void);
+
+/* The default columns: the quantities that are marked as recorded, those of connectable blocks first, then the others',
+ * each in scene order. (transfer full) */
+GArray *tinker_columns_default(TinkerScene *scene);
+
+/* Adds the column called "BLOCK.QUANTITY"; the quantity begins behind the last dot. Errors (TINKER_SCENE_ERROR_NAME) name the
+ * nearest block, or the quantities that the block has. */
+gboolean tinker_columns_add(GArray *columns, TinkerScene *scene, const char *name, GError **error);
+
+/* Adds the columns of a comma-separated list. A name with a comma in it is found as well. */
+gboolean tinker_columns_add_list(GArray *columns, TinkerScene *scene, const char *list, GError **error);
+
+#endif

@@ -1,0 +1,236 @@
+/* Compiling, second part: forces. Laws that are linear with constants are merged and added up once; only what is left is
+ * asked for at every evaluation. */
+#include <math.h>
+#include <string.h>
+
+#include "physics/model-private.h"
+
+/* One linear law before merging. */
+typedef struct {
+    int32_t a, b; /* a < b */
+    int32_t order;
+    double stiffness, length, damping, tension;
+} LinearLine;
+
+static gboolean refuse(TinkerModel *model, const TinkerBlockBatch *batch, const TinkerBatch *view, GError **error)
+{
+    int32_t row = CLAMP(view->failed_instance, 0, batch->count - 1);
+    g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_SCENE, "%s: %s",
+                tinker_scene_block_name(model->scene, batch->ids[row]),
+                view->failure != NULL ? view->failure : "its plugin refuses these properties");
+    return FALSE;
+}
+
+static gboolean prepare(TinkerModel *model, TinkerBlockBatch *batch, GError **error)
+{
+    const TinkerPhysics *physics = batch->block_class->physics;
+    if (physics == NULL || physics->prepare == NULL) return TRUE;
+    TinkerBatch view = tinker_block_batch_view(batch, 0.0);
+    return physics->prepare(&view) == TINKER_OK || refuse(model, batch, &view, error);
+}
+
+/* Lines ---------------------------------------------------------------------------------------------------------- */
+
+static gboolean add_linear_lines(TinkerModel *model, TinkerBlockBatch *batch, const int32_t *points, GArray *lines)
+{
+    const TinkerLineLaw *law = batch->block_class->physics->line_law;
+    if (law->linear == NULL) return FALSE;
+    gsize n = (gsize)batch->count;
+    g_autofree double *values = g_new0(double, 4 * n);
+    TinkerBatch view = tinker_block_batch_view(batch, 0.0);
+    if (law->linear(&view, values, values + n, values + 2 * n, values + 3 * n) != TINKER_OK) return FALSE;
+    for (gsize i = 0; i < n; i++) {
+        int32_t a = points[2 * i], b = points[2 * i + 1];
+        if (a == b || (a >= model->bodies && b >= model->bodies && model->moving_supports == 0)) continue;
+        LinearLine line = {MIN(a, b), MAX(a, b), (int32_t)lines->len,       values[i],
+                           values[2 * n + i], values[n + i],  values[3 * n + i]};
+        g_array_append_val(lines, line);
+    }
+    return TRUE;
+}
+
+static int compare_lines(const void *left, const void *right)
+{
+    const LinearLine *l = left, *r = right;
+    if (l->a != r->a) return l->a < r->a ? -1 : 1;
+    if (l->b != r->b) return l->b < r->b ? -1 : 1;
+    return l->order < r->order ? -1 : 1;
+}
+
+/* Written about the length of the first law with a stiffness, so that a single spring keeps its own length to the bit. */
+static void merge(TinkerModel *model, LinearLine *into, const LinearLine *line)
+{
+    double apart = into->length - line->length;
+    if (into->stiffness == 0) into->length = line->length, apart = 0;
+    into->tension += line->tension + line->stiffness * apart;
+    model->merged_energy += line->tension * apart + 0.5 * line->stiffness * apart * apart;
+    into->stiffness += line->stiffness;
+    into->damping += line->damping;
+}
+
+static void merge_lines(TinkerModel *model, GArray *lines)
+{
+    g_array_sort(lines, compare_lines);
+    guint kept = 0;
+    for (guint i = 0; i < lines->len; i++) {
+        LinearLine *line = &g_array_index(lines, LinearLine, i);
+        LinearLine *last = kept > 0 ? &g_array_index(lines, LinearLine, kept - 1) : NULL;
+        if (last != NULL && last->a == line->a && last->b == line->b)
+            merge(model, last, line);
+        else
+            g_array_index(lines, LinearLine, kept++) = *line;
+    }
+    TinkerMergedLines *merged = &model->lines;
+    gsize n = MAX(kept, 1);
+    *merged = (TinkerMergedLines){(int32_t)kept,     g_new(int32_t, n), g_new(int32_t, n), g_new(double, n),
+                                  g_new(double, n), g_new(double, n),  g_new(double, n),  FALSE};
+    for (guint i = 0; i < kept; i++) {
+        const LinearLine *line = &g_array_index(lines, LinearLine, i);
+        merged->a[i] = line->a;
+        merged->b[i] = line->b;
+        merged->stiffness[i] = line->stiffness;
+        merged->length[i] = line->length;
+        merged->damping[i] = line->damping;
+        merged->tension[i] = line->tension;
+        merged->any_damping |= line->damping != 0;
+    }
+    model->has_book[TINKER_BOOK_DAMPERS] |= merged->any_damping;
+}
+
+/* A law that a waveform changes gives energy of its own accord: nothing it stores is counted, its power is booked whole. */
+static gboolean stores_energy(const TinkerBlockBatch *batch, gboolean offered)
+{
+    return offered && batch->waveforms == 0;
+}
+
+static void ask_line(TinkerModel *model, TinkerBlockBatch *batch, const int32_t *points)
+{
+    const TinkerLineLaw *law = batch->block_class->physics->line_law;
+    TinkerAskedBatch asked = {batch, points, stores_energy(batch, law->energy != NULL)};
+    g_array_append_val(model->asked_lines, asked);
+    model->has_book[batch->waveforms > 0 ? TINKER_BOOK_MOTORS : TINKER_BOOK_DAMPERS] = TRUE;
+}
+
+/* Force elements ------------------------------------------------------------------------------------------------- */
+
+static void add_driven(TinkerModel *model, const TinkerBlockBatch *batch, int32_t row, int32_t point,
+                       const double *direction, int32_t column)
+{
+    TinkerDrivenForce force = {point, {direction[0], direction[1]}, &batch->columns[column][row]};
+    g_array_append_val(model->driven, force);
+}
+
+static void add_constant(TinkerModel *model, int32_t point, const double *force)
+{
+    if (force[0] == 0 && force[1] == 0) return;
+    model->constant_forces = TRUE;
+    if (model->constant_force == NULL) model->constant_force = g_new0(double, 2 * (gsize)MAX(model->points, 1));
+    model->constant_force[2 * point] += force[0];
+    model->constant_force[2 * point + 1] += force[1];
+}
+
+static gboolean add_linear_forces(TinkerModel *model, TinkerBlockBatch *batch, const int32_t *points)
+{
+    const TinkerForceElement *element = batch->block_class->physics->force_element;
+    if (element->linear == NULL) return FALSE;
+    gsize ends = (gsize)MAX(batch->end_count, 1);
+    g_autofree double *constant = g_new0(double, 2 * ends), *direction = g_new0(double, 2 * ends);
+    g_autofree int32_t *columns = g_new0(int32_t, batch->count);
+    TinkerBatch view = tinker_block_batch_view(batch, 0.0);
+    if (element->linear(&view, constant, direction, columns) != TINKER_OK) return FALSE;
+    for (int32_t row = 0; row < batch->count; row++) {
+        for (int32_t e = batch->end_offsets[row]; e < batch->end_offsets[row + 1]; e++) {
+            add_constant(model, points[e], constant + 2 * e);
+            if (columns[row] >= 0 && columns[row] < batch->block_class->column_count)
+                add_driven(model, batch, row, points[e], direction + 2 * e, columns[row]);
+        }
+    }
+    return TRUE;
+}
+
+/* Fields --------------------------------------------------------------------------------------------------------- */
+
+static gboolean add_linear_fields(TinkerModel *model, TinkerBlockBatch *batch)
+{
+    const TinkerField *field = batch->block_class->physics->field;
+    if (field->linear == NULL) return FALSE;
+    g_autofree TinkerLinearField *laws = g_new0(TinkerLinearField, batch->count);
+    TinkerBatch view = tinker_block_batch_view(batch, 0.0);
+    if (field->linear(&view, laws) != TINKER_OK) return FALSE;
+    for (int32_t row = 0; row < batch->count; row++) {
+        for (int k = 0; k < 2; k++) {
+            model->field_acceleration[k] += laws[row].acceleration[k];
+            model->field_force[k] += laws[row].force[k];
+        }
+        model->field_drag += laws[row].drag;
+    }
+    return TRUE;
+}
+
+static void add_constant_accelerations(TinkerModel *model)
+{
+    for (int32_t i = 0; i < model->bodies; i++)
+        for (int k = 0; k < 2; k++) {
+            double force = model->field_force[k];
+            if (model->constant_force != NULL) force += model->constant_force[2 * i + k];
+            model->constant_acceleration[2 * i + k] = model->field_acceleration[k] + force * model->inverse_mass[i];
+        }
+    if (model->field_force[0] != 0 || model->field_force[1] != 0 || model->field_drag != 0)
+        model->has_book[TINKER_BOOK_FIELDS] = TRUE;
+}
+
+/* All ------------------------------------------------------------------------------------------------------------ */
+
+static gboolean add_batch(TinkerModel *model, TinkerBlockBatch *batch, GArray *lines, GError **error)
+{
+    const TinkerPhysics *physics = batch->block_class->physics;
+    const int32_t *points = tinker_model_end_points(model, batch);
+    if (!prepare(model, batch, error)) return FALSE;
+    if (physics == NULL) return TRUE;
+    if (physics->line_law != NULL && !add_linear_lines(model, batch, points, lines)) ask_line(model, batch, points);
+    if (physics->force_element != NULL) {
+        model->has_book[TINKER_BOOK_MOTORS] = TRUE;
+        TinkerAskedBatch asked = {batch, points, stores_energy(batch, physics->force_element->energy != NULL)};
+        if (!add_linear_forces(model, batch, points)) g_array_append_val(model->asked_forces, asked);
+    }
+    if (physics->field != NULL && !add_linear_fields(model, batch)) {
+        TinkerAskedBatch asked = {batch, NULL, stores_energy(batch, physics->field->energy != NULL)};
+        g_array_append_val(model->asked_fields, asked);
+        model->has_book[TINKER_BOOK_FIELDS] = TRUE;
+    }
+    if (batch->waveforms > 0 && physics->motion == NULL) g_ptr_array_add(model->waveform_batches, batch);
+    return TRUE;
+}
+
+static void mark_used_points(TinkerModel *model)
+{
+    for (guint i = 0; i < model->batches->len; i++) {
+        const TinkerBlockBatch *batch = g_ptr_array_index(model->batches, i);
+        const TinkerPhysics *physics = batch->block_class->physics;
+        const int32_t *points = tinker_model_end_points(model, batch);
+        if (physics == NULL || physics->motion != NULL) continue;
+        for (int32_t e = 0; e < batch->end_count; e++)
+            model->point_used[points[e]] = TRUE;
+    }
+    for (int32_t i = 0; i < model->bodies; i++)
+        model->point_used[i] = TRUE;
+}
+
+gboolean tinker_model_compile_forces(TinkerModel *model, GError **error)
+{
+    g_autoptr(GArray) lines = g_array_new(FALSE, FALSE, sizeof(LinearLine));
+    int32_t most_ends = 2;
+    for (guint i = 0; i < model->batches->len; i++) {
+        TinkerBlockBatch *batch = g_ptr_array_index(model->batches, i);
+        if (!add_batch(model, batch, lines, error)) return FALSE;
+        for (int32_t row = 0; row < batch->count; row++)
+            most_ends = MAX(most_ends, batch->end_offsets[row + 1] - batch->end_offsets[row]);
+    }
+    merge_lines(model, lines);
+    add_constant_accelerations(model);
+    mark_used_points(model);
+    gsize doubles = (gsize)TINKER_CHUNK * (8 + (gsize)most_ends * 6);
+    model->chunk = g_new0(double, MAX(doubles, 8 * (gsize)MAX(model->bodies, 1)));
+    model->has_book[TINKER_BOOK_SUPPORT_MOTION] = model->moving_supports > 0;
+    return TRUE;
+}

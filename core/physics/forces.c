@@ -1,0 +1,275 @@
+/* Applied forces: everything but the constraints. Forces are added up by point, in an order that never changes: merged
+ * lines, lines that are asked for, driven forces, force elements, fields.
+ *
+ * The power of force elements and fields that store energy is booked whole; what they stored is taken off again where the
+ * books are read (energy.c), so that no gradient is needed here. */
+#include <math.h>
+#include <string.h>
+
+#include "physics/model-private.h"
+
+TinkerStatus tinker_model_fail(TinkerModel *model, const TinkerBlockBatch *batch, int32_t row, const char *what,
+                               const char *why)
+{
+    model->failed_block = batch->ids[CLAMP(row, 0, batch->count - 1)];
+    g_snprintf(model->failure, sizeof(model->failure), "%s: its %s at t = %g s %s",
+               tinker_scene_block_name(model->scene, model->failed_block), what, model->time,
+               why != NULL ? why : "is not a number");
+    return TINKER_FAILED;
+}
+
+TinkerBatch tinker_model_view(const TinkerModel *model, const TinkerBlockBatch *batch, int32_t first, int32_t count,
+                              const double **columns)
+{
+    for (int32_t column = 0; column < batch->block_class->column_count; column++)
+        columns[column] = batch->columns[column] + first;
+    return (TinkerBatch){
+        .struct_size = sizeof(TinkerBatch),
+        .first = first,
+        .count = count,
+        .ends = batch->ends,
+        .end_offsets = batch->ends < 0 ? batch->end_offsets + first : NULL,
+        .columns = columns,
+        .scratch = batch->scratch,
+        .time = model->time,
+        .origin = {model->origin[0], model->origin[1]},
+        .failed_instance = -1,
+    };
+}
+
+TinkerStatus tinker_model_set_time(TinkerModel *model, double t)
+{
+    if (t == model->time) return TINKER_OK;
+    model->time = t;
+    for (guint i = 0; i < model->waveform_batches->len; i++)
+        tinker_block_batch_set_time(g_ptr_array_index(model->waveform_batches, i), t);
+    if (model->moving_supports == 0) return TINKER_OK;
+    if (!tinker_motions_evaluate(model->motions, t)) {
+        model->failed_block = tinker_motions_failure(model->motions);
+        g_snprintf(model->failure, sizeof(model->failure), "%s: its motion at t = %g s is not a number",
+                   tinker_scene_block_name(model->scene, model->failed_block), t);
+        return TINKER_FAILED;
+    }
+    for (guint i = 0; i < model->support_points->len; i++) {
+        const TinkerSupportPoint *point = &g_array_index(model->support_points, TinkerSupportPoint, i);
+        if (!point->moving) continue;
+        const TinkerPlace *place = tinker_motions_place(model->motions, point->support);
+        int32_t number = model->bodies + (int32_t)i;
+        model->point[number] = (TinkerPoint){point->x + place->x, point->y + place->y, place->vx, place->vy};
+        model->point_acceleration[2 * number] = place->ax;
+        model->point_acceleration[2 * number + 1] = place->ay;
+    }
+    return TINKER_OK;
+}
+
+void tinker_model_set_state(TinkerModel *model, const double *q, const double *v)
+{
+    TinkerPoint *point = model->point;
+    for (int32_t i = 0; i < model->bodies; i++)
+        point[i] = (TinkerPoint){q[2 * i], q[2 * i + 1], v[2 * i], v[2 * i + 1]};
+}
+
+/* Lines whose plugin is asked -------------------------------------------------------------------------------------- */
+
+typedef struct {
+    double *length, *rate, *tension, *still, *x, *y; /* of a chunk; x, y: unit vector from a to b */
+} LineChunk;
+
+static LineChunk line_chunk(const TinkerModel *model)
+{
+    double *c = model->chunk;
+    return (LineChunk){c, c + TINKER_CHUNK, c + 2 * TINKER_CHUNK, c + 3 * TINKER_CHUNK, c + 4 * TINKER_CHUNK, c + 5 * TINKER_CHUNK};
+}
+
+static void chunk_geometry(const TinkerModel *model, const int32_t *points, int32_t count, const LineChunk *chunk)
+{
+    for (int32_t i = 0; i < count; i++) {
+        const TinkerPoint *a = &model->point[points[2 * i]], *b = &model->point[points[2 * i + 1]];
+        double dx = b->x - a->x, dy = b->y - a->y, square = dx * dx + dy * dy;
+        double length = sqrt(square), inverse = square > 0 ? 1.0 / length : 0.0;
+        chunk->length[i] = length;
+        chunk->x[i] = dx * inverse;
+        chunk->y[i] = dy * inverse;
+        chunk->rate[i] = chunk->x[i] * (b->vx - a->vx) + chunk->y[i] * (b->vy - a->vy);
+    }
+}
+
+/* What dampers take: the part of the tension that is not there at rate 0. */
+static TinkerStatus take_line_power(TinkerModel *model, const TinkerAskedBatch *asked, TinkerBatch *view,
+                                    const LineChunk *chunk)
+{
+    const TinkerLineLaw *law = asked->batch->block_class->physics->line_law;
+    memset(chunk->still, 0, sizeof(double) * TINKER_CHUNK);
+    if (asked->stores_energy) {
+        double *zero = model->chunk + 6 * TINKER_CHUNK;
+        memset(zero, 0, sizeof(double) * TINKER_CHUNK);
+        TinkerStatus status = law->tension(view, chunk->length, zero, chunk->still);
+        if (status != TINKER_OK) return status;
+    }
+    TinkerBook book = asked->batch->waveforms > 0 ? TINKER_BOOK_MOTORS : TINKER_BOOK_DAMPERS;
+    for (int32_t i = 0; i < view->count; i++)
+        model->book_power[book] -= (chunk->tension[i] - chunk->still[i]) * chunk->rate[i];
+    return TINKER_OK;
+}
+
+static TinkerStatus add_asked_lines(TinkerModel *model, const TinkerAskedBatch *asked, gboolean books)
+{
+    const TinkerBlockBatch *batch = asked->batch;
+    const TinkerLineLaw *law = batch->block_class->physics->line_law;
+    const double **columns = model->column_views;
+    LineChunk chunk = line_chunk(model);
+    for (int32_t first = 0; first < batch->count; first += TINKER_CHUNK) {
+        int32_t count = MIN(TINKER_CHUNK, batch->count - first);
+        const int32_t *points = asked->end_points + 2 * first;
+        TinkerBatch view = tinker_model_view(model, batch, first, count, columns);
+        chunk_geometry(model, points, count, &chunk);
+        TinkerStatus status = law->tension(&view, chunk.length, chunk.rate, chunk.tension);
+        if (status == TINKER_OK && books) status = take_line_power(model, asked, &view, &chunk);
+        if (status == TINKER_RETRY_SMALLER) return status;
+        if (status != TINKER_OK) return tinker_model_fail(model, batch, first + view.failed_instance, "tension", view.failure);
+        for (int32_t i = 0; i < count; i++) {
+            double fx = chunk.tension[i] * chunk.x[i], fy = chunk.tension[i] * chunk.y[i];
+            if (!isfinite(fx + fy)) return tinker_model_fail(model, batch, first + i, "tension", NULL);
+            double *on_a = model->force + 2 * points[2 * i], *on_b = model->force + 2 * points[2 * i + 1];
+            on_a[0] += fx;
+            on_a[1] += fy;
+            on_b[0] -= fx;
+            on_b[1] -= fy;
+        }
+    }
+    return TINKER_OK;
+}
+
+/* Forces on single points ------------------------------------------------------------------------------------------ */
+
+static void push(TinkerModel *model, int32_t point, double fx, double fy, gboolean books)
+{
+    const TinkerPoint *at = &model->point[point];
+    model->force[2 * point] += fx;
+    model->force[2 * point + 1] += fy;
+    if (books) model->book_power[TINKER_BOOK_MOTORS] += fx * at->vx + fy * at->vy;
+}
+
+static TinkerStatus add_driven_forces(TinkerModel *model, gboolean books)
+{
+    for (guint i = 0; i < model->driven->len; i++) {
+        const TinkerDrivenForce *driven = &g_array_index(model->driven, TinkerDrivenForce, i);
+        push(model, driven->point, *driven->value * driven->direction[0], *driven->value * driven->direction[1], books);
+    }
+    if (!books || !model->constant_forces) return TINKER_OK;
+    for (int32_t i = 0; i < model->bodies; i++)
+        model->book_power[TINKER_BOOK_MOTORS] += model->constant_force[2 * i] * model->point[i].vx +
+                                                 model->constant_force[2 * i + 1] * model->point[i].vy;
+    return TINKER_OK;
+}
+
+static TinkerStatus add_asked_forces(TinkerModel *model, const TinkerAskedBatch *asked, gboolean books)
+{
+    const TinkerBlockBatch *batch = asked->batch;
+    const TinkerForceElement *element = batch->block_class->physics->force_element;
+    const double **columns = model->column_views;
+    for (int32_t first = 0; first < batch->count; first += TINKER_CHUNK) {
+        int32_t count = MIN(TINKER_CHUNK, batch->count - first);
+        int32_t from = batch->end_offsets[first], ends = batch->end_offsets[first + count] - from;
+        TinkerPoint *gathered = (TinkerPoint *)(void *)model->chunk;
+        double *force = (double *)(void *)(gathered + ends);
+        for (int32_t e = 0; e < ends; e++)
+            gathered[e] = model->point[asked->end_points[from + e]];
+        TinkerBatch view = tinker_model_view(model, batch, first, count, columns);
+        TinkerStatus status = element->force(&view, gathered, force);
+        if (status == TINKER_RETRY_SMALLER) return status;
+        if (status != TINKER_OK) return tinker_model_fail(model, batch, first + view.failed_instance, "force", view.failure);
+        for (int32_t e = 0; e < ends; e++) {
+            if (!isfinite(force[2 * e] + force[2 * e + 1])) return tinker_model_fail(model, batch, first, "force", NULL);
+            push(model, asked->end_points[from + e], force[2 * e], force[2 * e + 1], books);
+        }
+    }
+    return TINKER_OK;
+}
+
+/* Fields ----------------------------------------------------------------------------------------------------------- */
+
+static TinkerStatus add_asked_field(TinkerModel *model, const TinkerAskedBatch *asked, gboolean books)
+{
+    const TinkerBlockBatch *batch = asked->batch;
+    const double **columns = model->column_views;
+    double *force = model->chunk;
+    TinkerBodies bodies = {sizeof(TinkerBodies), model->bodies, model->point, model->mass, 0, model->bodies};
+    TinkerBatch view = tinker_model_view(model, batch, 0, batch->count, columns);
+    TinkerStatus status = batch->block_class->physics->field->force(&view, &bodies, force);
+    if (status == TINKER_RETRY_SMALLER) return status;
+    if (status != TINKER_OK) return tinker_model_fail(model, batch, view.failed_instance, "force", view.failure);
+    for (int32_t i = 0; i < model->bodies; i++) {
+        double fx = force[2 * i], fy = force[2 * i + 1];
+        if (!isfinite(fx + fy)) return tinker_model_fail(model, batch, 0, "force", NULL);
+        model->force[2 * i] += fx;
+        model->force[2 * i + 1] += fy;
+        if (books)
+            model->book_power[TINKER_BOOK_FIELDS] += fx * model->point[i].vx + fy * model->point[i].vy;
+    }
+    return TINKER_OK;
+}
+
+static void add_linear_field_power(TinkerModel *model)
+{
+    for (int32_t i = 0; i < model->bodies; i++) {
+        const TinkerPoint *at = &model->point[i];
+        model->book_power[TINKER_BOOK_FIELDS] += (model->field_force[0] - model->field_drag * at->vx) * at->vx +
+                                                 (model->field_force[1] - model->field_drag * at->vy) * at->vy;
+    }
+}
+
+/* What moving supports give through the forces that act on them. */
+static void add_support_power(TinkerModel *model)
+{
+    for (guint i = 0; i < model->support_points->len; i++) {
+        if (!g_array_index(model->support_points, TinkerSupportPoint, i).moving) continue;
+        int32_t number = model->bodies + (int32_t)i;
+        const TinkerPoint *at = &model->point[number];
+        model->book_power[TINKER_BOOK_SUPPORT_MOTION] -=
+            model->force[2 * number] * at->vx + model->force[2 * number + 1] * at->vy;
+    }
+}
+
+static TinkerStatus add_asked(TinkerModel *model, GArray *batches,
+                              TinkerStatus (*add)(TinkerModel *, const TinkerAskedBatch *, gboolean), gboolean books)
+{
+    for (guint i = 0; i < batches->len; i++) {
+        TinkerStatus status = add(model, &g_array_index(batches, TinkerAskedBatch, i), books);
+        if (status != TINKER_OK) return status;
+    }
+    return TINKER_OK;
+}
+
+static void accelerate(const TinkerModel *model, double *restrict a)
+{
+    const double *restrict force = model->force, *restrict inverse = model->inverse_mass;
+    const double *restrict constant = model->constant_acceleration;
+    for (int32_t i = 0; i < model->bodies; i++) {
+        a[2 * i] = constant[2 * i] + force[2 * i] * inverse[i];
+        a[2 * i + 1] = constant[2 * i + 1] + force[2 * i + 1] * inverse[i];
+    }
+    if (model->field_drag == 0) return;
+    for (int32_t i = 0; i < model->bodies; i++) {
+        a[2 * i] -= model->field_drag * inverse[i] * model->point[i].vx;
+        a[2 * i + 1] -= model->field_drag * inverse[i] * model->point[i].vy;
+    }
+}
+
+TinkerStatus tinker_model_applied(TinkerModel *model, double *a, gboolean books)
+{
+    model->evaluations++;
+    memset(model->force, 0, 2 * (gsize)model->points * sizeof(double));
+    if (books) memset(model->book_power, 0, sizeof(model->book_power));
+    tinker_lines_add_forces(&model->lines, model->point, model->force, &model->book_power[TINKER_BOOK_DAMPERS]);
+    model->book_power[TINKER_BOOK_DAMPERS] = -model->book_power[TINKER_BOOK_DAMPERS];
+    TinkerStatus status = add_asked(model, model->asked_lines, add_asked_lines, books);
+    if (status == TINKER_OK) status = add_driven_forces(model, books);
+    if (status == TINKER_OK) status = add_asked(model, model->asked_forces, add_asked_forces, books);
+    if (status == TINKER_OK) status = add_asked(model, model->asked_fields, add_asked_field, books);
+    if (status != TINKER_OK) return status;
+    if (books && model->has_book[TINKER_BOOK_FIELDS]) add_linear_field_power(model);
+    if (books && model->moving_supports > 0) add_support_power(model);
+    accelerate(model, a);
+    return TINKER_OK;
+}

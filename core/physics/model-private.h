@@ -1,0 +1,252 @@
+/* What a compiled model consists of. Constant after compiling, but for the parts under "working state", which belong to the
+ * one evaluation in progress.
+ *
+ * Symbols: q, v positions and velocities of the bodies that can move, two entries a body, relative to `origin`; f forces;
+ * J rows of the constraints; lambda their multipliers; S = J M^-1 J^T.
+ *
+ * Points: everything that something attaches to. The first `bodies` points are the bodies' centres; the others lie on
+ * supports. Forces are added up by point, so the force on a support is known as well.
+ */
+#ifndef TINKER_CORE_MODEL_PRIVATE_H
+#define TINKER_CORE_MODEL_PRIVATE_H
+
+#include "numerics/sparse-ldl.h"
+#include "physics/model.h"
+#include "physics/simulation.h"
+#include "scene/batch.h"
+#include "scene/motions.h"
+
+/* Instances that one call of a plugin works on: their arrays stay in the L1 cache. */
+#define TINKER_CHUNK 256
+
+/* A point that is fixed to a support. */
+typedef struct {
+    TinkerBlockId support;
+    double x, y; /* with the support at its place, relative to the origin */
+    gboolean moving;
+} TinkerSupportPoint;
+
+/* Linear laws between the same two points, merged:
+ * T = tension + stiffness * (L - length) + damping * rate. Columns, so that kernels load them four at a time. */
+typedef struct {
+    int32_t count;
+    int32_t *a, *b;
+    double *stiffness, *length, *damping, *tension;
+    gboolean any_damping;
+} TinkerMergedLines;
+
+/* Blocks of one class whose plugin is asked at every evaluation. */
+typedef struct {
+    TinkerBlockBatch *batch;
+    const int32_t *end_points; /* of the batch's ends, row by row */
+    gboolean stores_energy;
+} TinkerAskedBatch;
+
+/* A force that does not depend on the state: value of a waveform * direction at one point. */
+typedef struct {
+    int32_t point;
+    double direction[2];
+    const double *value; /* the waveform's column, this block's entry */
+} TinkerDrivenForce;
+
+/* One class of constraints: its rows and entries lie behind one another in the model's arrays. */
+typedef struct {
+    TinkerBlockBatch *batch;
+    const TinkerConstraint *constraint;
+    const int32_t *end_points;
+    int32_t first_row, row_count;
+    int32_t first_entry, entry_count; /* an entry is one end of one row */
+} TinkerConstraintBatch;
+
+/* One product that is added up in S: inverse mass * J of one entry . J of another, on the same body. */
+typedef struct {
+    int32_t slot, first_entry, second_entry;
+    double inverse_mass;
+} TinkerProduct;
+
+typedef struct {
+    int32_t rows, entries;
+    GArray *batches;     /* of TinkerConstraintBatch */
+    int32_t *row_starts; /* rows + 1: the entries of each row */
+    int32_t *points;     /* of each entry */
+    int32_t *targets;    /* of each entry: its body, or 0 for a point on a support */
+    double *weights;     /* of each entry: the body's inverse mass, or 0 */
+    gboolean two_entries; /* every row has two */
+    double *scales;      /* of each row: the length its error is measured against */
+    TinkerBlockId *blocks; /* of each row */
+    GArray *products;    /* of TinkerProduct */
+    TinkerSparseLdl *ldl;
+    int32_t redundant;   /* rows that depend on others at the start: every solve is proximal */
+
+    /* working state */
+    TinkerPoint *ends;   /* gathered, of the largest batch */
+    double *jacobian;    /* 2 per entry */
+    double *g, *drift, *rate;
+    double *lambda, *residual, *correction;
+    double *by_point;    /* 2 per point */
+    double *turned;      /* RATTLE: the Jacobian at the start of the step */
+    double *displacement; /* RATTLE: 2 per body */
+    gboolean shifted;    /* the factor is of S + eps I: solve by proximal iteration */
+    gboolean prescribed; /* some row's dg/dt of what is prescribed is not 0 */
+    gboolean factored;   /* there is a factor, of this Jacobian: */
+    double *factored_jacobian;
+} TinkerConstraints;
+
+struct _TinkerModel {
+    TinkerScene *scene;
+    GPtrArray *batches;       /* of TinkerBlockBatch */
+    GPtrArray *end_points;    /* of int32_t *: of each batch, by batch; NULL for one without ends */
+    GPtrArray *warnings;
+    double origin[2];
+
+    /* bodies and points */
+    int32_t bodies;
+    TinkerBlockId *body_blocks;
+    double *mass;             /* of each body */
+    double *coordinate_mass;  /* of each coordinate */
+    double *inverse_mass;     /* of each body */
+    double *q_start, *v_start;
+    double start_impulse;     /* N s that brought v_start onto the constraints */
+    int32_t points;
+    GArray *support_points;   /* of TinkerSupportPoint: points `bodies`, `bodies` + 1, ... */
+    int32_t *centre_point;    /* by block id: the point of a block's centre, or -1 */
+    gboolean *point_used;     /* whether a connector or a constraint attaches to the point */
+    TinkerMotions *motions;
+    int32_t moving_supports;
+
+    /* forces */
+    TinkerMergedLines lines;
+    double merged_energy;     /* J that merging took out of the lines' own energies, a constant */
+    GArray *asked_lines;      /* of TinkerAskedBatch */
+    GArray *asked_forces;
+    GArray *asked_fields;
+    GArray *driven;           /* of TinkerDrivenForce */
+    double *constant_acceleration; /* 2 per body: of fields and constant forces */
+    double field_acceleration[2];  /* of linear fields: conservative */
+    double field_force[2], field_drag;
+    gboolean constant_forces; /* some motor pushes without changing */
+    double *constant_force;   /* 2 per body, or NULL: of force elements */
+    TinkerConstraints constraints;
+    GPtrArray *waveform_batches; /* of TinkerBlockBatch: those with waveforms that are not motions */
+    gboolean has_book[TINKER_BOOK_COUNT];
+
+    /* working state */
+    TinkerPoint *point;
+    double *point_acceleration; /* 2 per point; of supports kept up to date, of bodies by whoever needs it */
+    double *force;              /* 2 per point */
+    double *chunk;              /* six columns of TINKER_CHUNK and ends of a chunk */
+    const double **column_views; /* room for the columns of any class */
+    double time;                /* that waveforms and supports were evaluated at */
+    double book_power[TINKER_BOOK_COUNT];
+    gint64 evaluations;
+    TinkerBlockId failed_block;
+    char failure[512];
+};
+
+/* Compiling: each adds its part to the model. */
+gboolean tinker_model_compile_bodies(TinkerModel *model, GError **error);
+gboolean tinker_model_compile_forces(TinkerModel *model, GError **error);
+gboolean tinker_model_compile_constraints(TinkerModel *model, GError **error);
+gboolean tinker_model_check_start(TinkerModel *model, GError **error);
+
+/* The points of a batch's ends, or NULL. */
+const int32_t *tinker_model_end_points(const TinkerModel *model, const TinkerBlockBatch *batch);
+
+/* A view of `count` rows of a batch from `first` on, for a call of its plugin. `columns` has room for the class's columns. */
+TinkerBatch tinker_model_view(const TinkerModel *model, const TinkerBlockBatch *batch, int32_t first, int32_t count,
+                              const double **columns);
+
+/* Records that a plugin failed, or returned a non-number, in its callback `what`. Answers TINKER_FAILED. */
+TinkerStatus tinker_model_fail(TinkerModel *model, const TinkerBlockBatch *batch, int32_t row, const char *what,
+                               const char *why);
+
+/* Dynamics. All q and v are relative to the origin. */
+
+/* Brings waveforms, moving supports and their points to time t; does nothing where they are there already. */
+TinkerStatus tinker_model_set_time(TinkerModel *model, double t);
+
+/* Packs q and v into the points. */
+void tinker_model_set_state(TinkerModel *model, const double *q, const double *v);
+
+/* Adds up all applied forces by point, for the state in the points; a = M^-1 f. With `books` also the power that each book
+ * gives, into model->book_power. */
+TinkerStatus tinker_model_applied(TinkerModel *model, double *a, gboolean books);
+
+/* Energies (J), for the state in the points. */
+typedef struct {
+    double kinetic;
+    double potential;         /* of all blocks, relative to the origin */
+    double stored_in_forces;  /* part of it: of force elements that are asked */
+    double stored_in_fields;  /* and of fields that are asked */
+} TinkerEnergy;
+TinkerStatus tinker_model_energy(TinkerModel *model, TinkerEnergy *energy);
+
+/* The next time after t, not after the horizon, at which a derivative of anything jumps; INFINITY for none. */
+double tinker_model_next_break(TinkerModel *model, double t, double horizon);
+/* Enters the piece of all waveforms that contains `inside`. */
+void tinker_model_enter_piece(TinkerModel *model, double inside);
+
+/* out = d(M^-1 f)/dv dv and d(M^-1 f)/dq dq of the line laws and fields, for the state in the points. */
+TinkerStatus tinker_model_damping_product(TinkerModel *model, const double *dv, double *out);
+TinkerStatus tinker_model_stiffness_product(TinkerModel *model, const double *dq, double *out);
+
+/* Constraints. */
+
+/* Rows at the state in the points: g, Jacobian, drift. */
+TinkerStatus tinker_constraints_evaluate(TinkerModel *model);
+/* Adds the constraint accelerations to a (2 per body), for the rows evaluated last; leaves lambda. Answers what could not
+ * be met, relative to what was asked: see tinker_constraints_solve. */
+double tinker_constraints_accelerate(TinkerModel *model, double *a);
+/* Solves S x = b, both of one entry a row; in place. Answers the residual relative to b: 0 where the rows are independent,
+ * rounding where dependent rows agree, more where they contradict each other. */
+double tinker_constraints_solve(TinkerModel *model, double *b);
+/* Likewise with the factor at hand, whatever rows it is of: for iterations that bear an approximate matrix. */
+void tinker_constraints_solve_roughly(TinkerModel *model, double *b);
+/* target += M^-1 J^T x. */
+void tinker_constraints_add_impulse(TinkerModel *model, const double *x, double *target);
+TinkerStatus tinker_constraints_project_positions(TinkerModel *model, double t, double *q, const double *v,
+                                                  gboolean *moved);
+/* The same for velocities, with the rows evaluated last. */
+void tinker_constraints_correct_velocities(TinkerModel *model, double *v, gboolean homogeneous, gboolean *moved);
+TinkerStatus tinker_constraints_project_velocities(TinkerModel *model, double t, const double *q, double *v,
+                                                   gboolean homogeneous, gboolean *moved);
+/* RATTLE's position stage, see TinkerSystem.constrain_step. */
+TinkerStatus tinker_constraints_rattle(TinkerModel *model, double t_from, const double *q_from, double t, double h,
+                                       double *q, double *v);
+/* J v + dg/dt of the rows evaluated last, for the velocities in the points; J u for a vector u by point. */
+void tinker_constraints_rates(const TinkerModel *model, double *out);
+void tinker_constraints_rows_times(const TinkerConstraints *constraints, const double *by_point, double *out);
+/* Largest |g| relative to the rows' lengths, and largest |J v + dg/dt| (m/s), at a state. */
+TinkerStatus tinker_constraints_errors(TinkerModel *model, double t, const double *q, const double *v, double *position,
+                                       double *velocity);
+/* The largest |g| relative to its row's length, of the rows evaluated last. */
+double tinker_constraints_worst_miss(const TinkerModel *model);
+/* How many rows depend on others, at the rows evaluated last. */
+int32_t tinker_constraints_count_dependent(TinkerModel *model);
+/* Adds the power that moving supports and prescribed rows give through the constraints to model->book_power, with the
+ * lambda solved last. */
+void tinker_constraints_add_power(TinkerModel *model);
+void tinker_constraints_clear(TinkerConstraints *constraints);
+
+/* The system that integrators see, with the reach of the states that were kept so far. */
+typedef struct {
+    TinkerModel *model;
+    TinkerSystem system;
+    int32_t book_of[TINKER_BOOK_COUNT]; /* books that are integrated, in order */
+    double box[4]; /* m: least x, least y, greatest x, greatest y */
+    double speed;  /* m/s */
+    double projection_work; /* J that projections after steps have given so far */
+    double position_error;  /* largest |g| relative to its length after any projection */
+    double *q_before, *v_before;
+    double *constrained;    /* accelerations, where only the power is asked for */
+} TinkerModelSystem;
+
+void tinker_model_system_init(TinkerModelSystem *system, TinkerModel *model);
+/* Notes how far and how fast an accepted state reaches: what errors are measured against from then on. */
+void tinker_model_system_keep(TinkerModelSystem *system, const double *q, const double *v);
+void tinker_model_system_clear(TinkerModelSystem *system);
+
+/* Kernels over merged lines: forces added up by point, and the power that dampers take (NULL: not asked). */
+void tinker_lines_add_forces(const TinkerMergedLines *lines, const TinkerPoint *points, double *force, double *taken);
+
+#endif

@@ -1,0 +1,50 @@
+/* A model: a scene compiled into what is integrated.
+ *
+ * Compiling keeps only what the scene's blocks ask for: bodies that can move become coordinates, supports become points
+ * that are known functions of time, linear laws between the same two points are merged into one, constant forces are
+ * added up once. A model is a snapshot: later edits of the scene do not reach it.
+ */
+#ifndef TINKER_CORE_MODEL_H
+#define TINKER_CORE_MODEL_H
+
+#include "scene/frame.h"
+#include "scene/scene.h"
+
+typedef enum {
+    TINKER_MODEL_ERROR_SCENE,         /* nothing that could run: a detached end, a rod that does not fit, ... */
+    TINKER_MODEL_ERROR_CONTRADICTION, /* constraints that exclude each other */
+    TINKER_MODEL_ERROR_METHOD,        /* no such method, or a step or tolerance that it cannot take */
+    TINKER_MODEL_ERROR_PLUGIN,        /* a type that nobody provides, or a plugin that lacks what its role needs */
+    TINKER_MODEL_ERROR_RUN,           /* the run failed: it diverged, a plugin returned a non-number */
+    TINKER_MODEL_ERROR_STOPPED,       /* the caller stopped it */
+} TinkerModelError;
+#define TINKER_MODEL_ERROR (tinker_model_error_quark())
+GQuark tinker_model_error_quark(void);
+
+typedef struct _TinkerModel TinkerModel;
+
+/* Compiles a scene. Checks that it can run: no placeholders, no detached ends, start positions that fit the constraints
+ * (supports where they are at t = 0), no contradictory constraints. (transfer full) */
+TinkerModel *tinker_model_new(TinkerScene *scene, GError **error);
+void tinker_model_free(TinkerModel *model);
+G_DEFINE_AUTOPTR_CLEANUP_FUNC(TinkerModel, tinker_model_free)
+
+TinkerScene *tinker_model_scene(const TinkerModel *model);
+
+/* Sizes of what was compiled. */
+typedef struct {
+    int32_t bodies;             /* that can move */
+    int32_t degrees_of_freedom; /* coordinates less independent constraint rows */
+    int32_t constraint_rows;
+    int32_t redundant_rows;
+    int32_t merged_lines;    /* pairs of points whose linear laws are stepped as one */
+    int32_t nonlinear_lines; /* connectors that are asked at every evaluation */
+    int32_t moving_supports;
+} TinkerModelSizes;
+TinkerModelSizes tinker_model_sizes(const TinkerModel *model);
+
+/* What the model says before a run: start velocities that were projected, bodies that nothing holds, ...; of char *.
+ * (transfer none) */
+const GPtrArray *tinker_model_warnings(const TinkerModel *model);
+
+#endif

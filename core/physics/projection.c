@@ -1,0 +1,157 @@
+/* Bringing a state back onto the constraints: positions by mass-weighted Newton steps
+ *
+ *   S mu = -g,  q <- q + M^-1 J^T mu,
+ *
+ * velocities by the one linear solve S mu = -(J v + dg/dt), v <- v + M^-1 J^T mu. The factor of the last stage of a step
+ * serves the first Newton step: it differs by the stage's error alone, and what is left shows in the next g. */
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+#include "physics/model-private.h"
+
+#define MOST_NEWTON_STEPS 25
+
+/* Rounding of a row's g: of the coordinates that its ends are made of. */
+static gboolean row_is_met(const TinkerModel *model, int32_t row)
+{
+    const TinkerConstraints *all = &model->constraints;
+    double reach = all->scales[row];
+    for (int32_t e = all->row_starts[row]; e < all->row_starts[row + 1]; e++) {
+        const TinkerPoint *at = &model->point[all->points[e]];
+        reach = MAX(reach, MAX(fabs(at->x), fabs(at->y)));
+    }
+    return fabs(all->g[row]) <= 4 * DBL_EPSILON * reach;
+}
+
+static gboolean all_met(const TinkerModel *model)
+{
+    for (int32_t row = 0; row < model->constraints.rows; row++)
+        if (!row_is_met(model, row)) return FALSE;
+    return TRUE;
+}
+
+double tinker_constraints_worst_miss(const TinkerModel *model)
+{
+    const TinkerConstraints *all = &model->constraints;
+    double worst = 0;
+    for (int32_t row = 0; row < all->rows; row++)
+        worst = MAX(worst, fabs(all->g[row]) / all->scales[row]);
+    return worst;
+}
+
+static TinkerStatus not_met(TinkerModel *model)
+{
+    const TinkerConstraints *all = &model->constraints;
+    int32_t worst = 0;
+    for (int32_t row = 1; row < all->rows; row++)
+        if (fabs(all->g[row]) / all->scales[row] > fabs(all->g[worst]) / all->scales[worst]) worst = row;
+    model->failed_block = all->blocks[worst];
+    g_snprintf(model->failure, sizeof(model->failure),
+               "%s: no position within reach satisfies it at t = %g s; it misses by %.3g m (the constraints contradict "
+               "each other there, or the step is too large for this motion)",
+               tinker_scene_block_name(model->scene, all->blocks[worst]), model->time, fabs(all->g[worst]));
+    return TINKER_FAILED;
+}
+
+TinkerStatus tinker_constraints_project_positions(TinkerModel *model, double t, double *q, const double *v,
+                                                  gboolean *moved)
+{
+    TinkerConstraints *all = &model->constraints;
+    double before = INFINITY;
+    *moved = FALSE;
+    TinkerStatus status = tinker_model_set_time(model, t);
+    for (int step = 0; status == TINKER_OK && step < MOST_NEWTON_STEPS; step++) {
+        tinker_model_set_state(model, q, v);
+        status = tinker_constraints_evaluate(model);
+        if (status != TINKER_OK || all_met(model)) return status;
+        double miss = tinker_constraints_worst_miss(model);
+        /* Rounding may keep a row just above its bound; no step can then do better. */
+        if (!(miss < 0.5 * before) && miss < 1e-12) return TINKER_OK;
+        if (!(miss < 4.0 * before)) break;
+        before = miss;
+        for (int32_t row = 0; row < all->rows; row++)
+            all->lambda[row] = -all->g[row];
+        if (step == 0)
+            tinker_constraints_solve_roughly(model, all->lambda);
+        else
+            tinker_constraints_solve(model, all->lambda);
+        tinker_constraints_add_impulse(model, all->lambda, q);
+        *moved = TRUE;
+    }
+    return status == TINKER_OK ? not_met(model) : status;
+}
+
+void tinker_constraints_correct_velocities(TinkerModel *model, double *v, gboolean homogeneous, gboolean *moved)
+{
+    TinkerConstraints *all = &model->constraints;
+    *moved = FALSE;
+    if (homogeneous) {
+        memcpy(all->by_point, v, 2 * (gsize)model->bodies * sizeof(double));
+        memset(all->by_point + 2 * model->bodies, 0, 2 * (gsize)(model->points - model->bodies) * sizeof(double));
+        tinker_constraints_rows_times(all, all->by_point, all->lambda);
+    } else {
+        tinker_constraints_rates(model, all->lambda);
+    }
+    double fastest = 0, largest = 0;
+    for (int32_t i = 0; i < 2 * model->bodies; i++)
+        fastest = MAX(fastest, fabs(v[i]));
+    for (int32_t row = 0; row < all->rows; row++) {
+        largest = MAX(largest, fabs(all->lambda[row]));
+        all->lambda[row] = -all->lambda[row];
+    }
+    if (largest <= 2 * DBL_EPSILON * fastest) return;
+    *moved = TRUE;
+    tinker_constraints_solve(model, all->lambda);
+    tinker_constraints_add_impulse(model, all->lambda, v);
+}
+
+TinkerStatus tinker_constraints_project_velocities(TinkerModel *model, double t, const double *q, double *v,
+                                                   gboolean homogeneous, gboolean *moved)
+{
+    *moved = FALSE;
+    TinkerStatus status = tinker_model_set_time(model, t);
+    if (status != TINKER_OK) return status;
+    tinker_model_set_state(model, q, v);
+    status = tinker_constraints_evaluate(model);
+    if (status == TINKER_OK) tinker_constraints_correct_velocities(model, v, homogeneous, moved);
+    return status;
+}
+
+/* Newton steps with the matrix of the old place: the direction J(q_from)^T is what makes the method symmetric, and the
+ * matrix differs from the exact one by the turning of a step. */
+TinkerStatus tinker_constraints_rattle(TinkerModel *model, double t_from, const double *q_from, double t, double h,
+                                       double *q, double *v)
+{
+    TinkerConstraints *all = &model->constraints;
+    TinkerStatus status = tinker_model_set_time(model, t_from);
+    if (status != TINKER_OK) return status;
+    tinker_model_set_state(model, q_from, v);
+    status = tinker_constraints_evaluate(model);
+    if (status != TINKER_OK) return status;
+    memcpy(all->turned, all->jacobian, 2 * (gsize)all->entries * sizeof(double));
+    double *displacement = all->displacement;
+    double before = INFINITY;
+    for (int step = 0; step < 2 * MOST_NEWTON_STEPS; step++) {
+        status = tinker_model_set_time(model, t);
+        if (status != TINKER_OK) return status;
+        tinker_model_set_state(model, q, v);
+        status = tinker_constraints_evaluate(model);
+        if (status != TINKER_OK || all_met(model)) return status;
+        double miss = tinker_constraints_worst_miss(model);
+        if (!(miss < 0.5 * before) && miss < 1e-12) return TINKER_OK;
+        if (!(miss < 4.0 * before)) break;
+        before = miss;
+        memcpy(all->jacobian, all->turned, 2 * (gsize)all->entries * sizeof(double));
+        for (int32_t row = 0; row < all->rows; row++)
+            all->lambda[row] = -all->g[row];
+        tinker_constraints_solve(model, all->lambda);
+        memset(displacement, 0, 2 * (gsize)model->bodies * sizeof(double));
+        tinker_constraints_add_impulse(model, all->lambda, displacement);
+        for (int32_t i = 0; i < 2 * model->bodies; i++) {
+            q[i] += displacement[i];
+            v[i] += displacement[i] / h;
+        }
+    }
+    return not_met(model);
+}

@@ -1,0 +1,23 @@
+/* A record: rows of doubles, kept in memory up to a limit and in a temporary file beyond it. */
+#ifndef TINKER_CORE_RECORD_H
+#define TINKER_CORE_RECORD_H
+
+#include <glib.h>
+
+typedef struct _TinkerRecord TinkerRecord;
+
+/* Rows of `width` doubles. At most `memory_limit` bytes are kept in memory (0: 64 MiB). (transfer full) */
+TinkerRecord *tinker_record_new(gsize width, gsize memory_limit);
+void tinker_record_free(TinkerRecord *record);
+G_DEFINE_AUTOPTR_CLEANUP_FUNC(TinkerRecord, tinker_record_free)
+
+gboolean tinker_record_append(TinkerRecord *record, const double *row, GError **error);
+gsize tinker_record_rows(const TinkerRecord *record);
+
+/* Reads `count` rows from `first` on. */
+gboolean tinker_record_read(TinkerRecord *record, gsize first, gsize count, double *rows, GError **error);
+
+/* Forgets all rows from this one on. */
+void tinker_record_cut(TinkerRecord *record, gsize rows);
+
+#endif

@@ -1,0 +1,81 @@
+/* What a run may be asked for, and the method that it names. */
+#include <math.h>
+
+#include "numerics/integrators.h"
+#include "physics/simulation-private.h"
+
+/* What `auto` stands for: the smooth default. */
+#define DEFAULT_METHOD "dop853"
+/* More samples than this in one run are a mistake rather than a wish. */
+#define MOST_SAMPLES 1e10
+
+TinkerRunOptions tinker_run_options_of(TinkerScene *scene)
+{
+    const TinkerRunSettings *run = &tinker_scene_head(scene)->run;
+    return (TinkerRunOptions){
+        .duration = run->duration,
+        .interval = run->interval,
+        .method = run->method,
+        .step = run->step,
+        .tolerance = run->tolerance,
+        .spectral_radius = run->spectral_radius,
+    };
+}
+
+static gboolean refuse(GError **error, const char *what, double value, const char *right)
+{
+    g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_METHOD, "the %s is %g (it must be %s)", what, value, right);
+    return FALSE;
+}
+
+static const TinkerIntegrator *unknown_method(const char *id, GError **error)
+{
+    const TinkerIntegrator *const *builtins = tinker_integrator_builtins();
+    g_autoptr(GPtrArray) names = g_ptr_array_new();
+    g_autoptr(GString) list = g_string_new("auto");
+    g_ptr_array_add(names, (gpointer) "auto");
+    for (gsize i = 0; builtins[i] != NULL; i++) {
+        g_ptr_array_add(names, (gpointer)builtins[i]->id);
+        g_string_append_printf(list, ", %s", builtins[i]->id);
+    }
+    g_ptr_array_add(names, NULL);
+    const char *nearest = tinker_nearest_word(id, (const char *const *)names->pdata);
+    g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_METHOD,
+                "there is no method \"%s\"%s%s%s (there are %s, and those of installed plugins)", id,
+                nearest ? "; did you mean \"" : "", nearest ? nearest : "", nearest ? "\"?" : "", list->str);
+    return NULL;
+}
+
+const TinkerIntegrator *tinker_run_method(TinkerScene *scene, const char *id, GError **error)
+{
+    const TinkerIntegrator *method = tinker_integrator_builtin(g_str_equal(id, "auto") ? DEFAULT_METHOD : id);
+    if (method != NULL) return method;
+    g_autoptr(GError) missing = NULL;
+    method = tinker_catalogue_integrator(tinker_scene_catalogue(scene), id, &missing);
+    if (method != NULL) return method;
+    if (g_error_matches(missing, TINKER_PLUGIN_ERROR, TINKER_PLUGIN_ERROR_REFUSED)) {
+        g_propagate_error(error, g_steal_pointer(&missing));
+        return NULL;
+    }
+    return unknown_method(id, error);
+}
+
+gboolean tinker_run_options_check(const TinkerRunOptions *options, const TinkerIntegrator *method, double duration,
+                                  GError **error)
+{
+    if (!(duration >= 0) || !isfinite(duration)) return refuse(error, "duration", duration, "a time of 0 s or more");
+    if (options->at == NULL && (!(options->interval > 0) || !isfinite(options->interval)))
+        return refuse(error, "recording interval", options->interval, "greater than 0 s");
+    if (options->at == NULL && duration / options->interval > MOST_SAMPLES)
+        return refuse(error, "number of samples", duration / options->interval, "at most 1e10: record less often");
+    for (gsize i = 0; options->at != NULL && i < options->at_count; i++)
+        if (!(options->at[i] >= 0) || !isfinite(options->at[i]))
+            return refuse(error, "time of a sample", options->at[i], "0 s or more");
+    if (method->flags & TINKER_INTEGRATOR_ADAPTIVE) {
+        if (!(options->tolerance > 0) || !(options->tolerance < 1))
+            return refuse(error, "tolerance", options->tolerance, "between 0 and 1, as in 1e-9");
+    } else if (!(options->step > 0) || !isfinite(options->step)) {
+        return refuse(error, "step", options->step, "greater than 0 s");
+    }
+    return TRUE;
+}

@@ -1,0 +1,97 @@
+/* A run: steps a model from t = 0 to its end and hands out samples.
+ *
+ * Samples come from dense output, projected onto the constraints, so how often and where one looks never changes a step.
+ */
+#ifndef TINKER_CORE_SIMULATION_H
+#define TINKER_CORE_SIMULATION_H
+
+#include "physics/columns.h"
+#include "physics/model.h"
+
+typedef struct {
+    double duration;         /* s */
+    double interval;         /* s between samples; ignored where `at` is given */
+    const double *at;        /* times of the samples, any order; or NULL. Borrowed until the simulation is freed */
+    gsize at_count;          /* the run lasts to the greatest of them */
+    const char *method;      /* "auto", or an integrator's id */
+    double step;             /* s, of fixed-step methods */
+    double tolerance;        /* of adaptive methods */
+    double spectral_radius;
+    gboolean (*cancelled)(void *data); /* asked now and then; TRUE stops the run. May be NULL */
+    void (*progress)(double t, double duration, void *data); /* called now and then. May be NULL */
+    void *data;              /* of the two */
+} TinkerRunOptions;
+
+/* The scene's own settings. Strings are borrowed from it. */
+TinkerRunOptions tinker_run_options_of(TinkerScene *scene);
+
+/* What the energy books tell apart. */
+typedef enum {
+    TINKER_BOOK_DAMPERS,
+    TINKER_BOOK_FRICTION,
+    TINKER_BOOK_CONTACTS,
+    TINKER_BOOK_MOTORS,
+    TINKER_BOOK_FIELDS,
+    TINKER_BOOK_SUPPORT_MOTION,
+    TINKER_BOOK_PROJECTION, /* what bringing the state back onto the constraints gave */
+    TINKER_BOOK_COUNT,
+} TinkerBook;
+
+typedef struct {
+    double time;
+    char *kind;   /* "break", "bifurcation", "start impulse", ... */
+    char *blocks; /* names, joined by ", " */
+} TinkerEvent;
+
+typedef struct {
+    const char *method; /* the one that was used */
+    gboolean adaptive;  /* which of step and tolerance counts */
+    double step, tolerance;
+    gint64 steps, rejected_steps, evaluations;
+    double simulated_s, wall_s;
+    double constraint_position_error, constraint_velocity_error; /* largest at any step's end, relative to lengths and speed
+                                                                    scale */
+    double kinetic_start, kinetic_end, potential_start, potential_end; /* J */
+    double books[TINKER_BOOK_COUNT]; /* J given to the system, negative where taken */
+    double energy_balance_error;     /* largest, relative to the largest energy exchanged so far */
+    double start_impulse;            /* N s that brought the start velocities onto the constraints */
+    double valid_until;              /* s: as far as the record is to be believed; simulated_s where all of it is */
+    GPtrArray *events;               /* of TinkerEvent * */
+    GPtrArray *warnings;             /* of char * */
+} TinkerSummary;
+
+typedef struct _TinkerSimulation TinkerSimulation;
+
+/* Prepares a run. The model is borrowed, outlives the simulation and serves one at a time. Errors:
+ * TINKER_MODEL_ERROR_METHOD. (transfer full) */
+TinkerSimulation *tinker_simulation_new(TinkerModel *model, const TinkerRunOptions *options, GError **error);
+void tinker_simulation_free(TinkerSimulation *simulation);
+G_DEFINE_AUTOPTR_CLEANUP_FUNC(TinkerSimulation, tinker_simulation_free)
+
+/* One sample: time, and the value of each column. Answering FALSE with `error` set stops the run. */
+typedef gboolean (*TinkerSampleFunc)(TinkerSimulation *simulation, double time, const double *values, void *data,
+                                     GError **error);
+
+/* Runs to the end. `columns` (of TinkerColumn, may be NULL) are evaluated at every sample. On failure (TINKER_MODEL_ERROR_RUN)
+ * the message names the block, and the samples up to then have been handed out; summary->valid_until says how far they
+ * are to be believed. */
+gboolean tinker_simulation_run(TinkerSimulation *simulation, const GArray *columns, TinkerSampleFunc sample, void *data,
+                               GError **error);
+
+/* Inside a sample function: puts bodies and supports of the frame where they are at this sample. */
+gboolean tinker_simulation_place(TinkerSimulation *simulation, TinkerFrame *frame, GError **error);
+
+/* What has happened so far. Borrowed, kept up by the run. */
+const TinkerSummary *tinker_simulation_summary(TinkerSimulation *simulation);
+
+/* One step of the method, without samples, for benchmarks and single stepping. */
+gboolean tinker_simulation_step(TinkerSimulation *simulation, GError **error);
+
+/* The time reached. */
+double tinker_simulation_time(const TinkerSimulation *simulation);
+
+/* Where a body that can move is now, in the world; FALSE for any other block. */
+gboolean tinker_simulation_state(TinkerSimulation *simulation, TinkerBlockId block, double position[2],
+                                 double velocity[2]);
+
+#endif

@@ -1,0 +1,126 @@
+/* The start: positions that nearly fit the constraints and velocities that do not are projected; what does not fit is
+ * refused by name. */
+#include <math.h>
+#include <string.h>
+
+#include "physics/model-private.h"
+
+/* A start position may miss a constraint by this much of its length. */
+#define START_TOLERANCE 1e-6
+
+static gboolean refuse_row(TinkerModel *model, const TinkerConstraintBatch *part, int32_t row, GError **error)
+{
+    const TinkerConstraints *all = &model->constraints;
+    const TinkerBlockBatch *batch = part->batch;
+    int32_t instance = (row - part->first_row) / part->constraint->rows;
+    int32_t column = tinker_block_class_meaning_column(batch->block_class, TINKER_MEANING_LENGTH);
+    const char *name = tinker_scene_block_name(model->scene, batch->ids[instance]);
+    const int32_t *ends = all->points + all->row_starts[row];
+    if (column >= 0 && all->row_starts[row + 1] - all->row_starts[row] == 2) {
+        const TinkerPoint *a = &model->point[ends[0]], *b = &model->point[ends[1]];
+        g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_SCENE,
+                    "%s: its length is %.10g m, but its ends are %.10g m apart at t = 0 (move an end, change the length, or "
+                    "leave the length out)",
+                    name, batch->columns[column][instance], hypot(b->x - a->x, b->y - a->y));
+    } else {
+        g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_SCENE,
+                    "%s: the start positions miss it by %.3g m (at most %.0e of its length, %.3g m, is corrected)", name,
+                    fabs(all->g[row]), START_TOLERANCE, all->scales[row]);
+    }
+    return FALSE;
+}
+
+static gboolean check_positions(TinkerModel *model, GError **error)
+{
+    const TinkerConstraints *all = &model->constraints;
+    for (guint i = 0; i < all->batches->len; i++) {
+        const TinkerConstraintBatch *part = &g_array_index(all->batches, TinkerConstraintBatch, i);
+        TinkerBatch view = tinker_block_batch_view(part->batch, 0.0);
+        if (part->constraint->check != NULL && part->constraint->check(&view) != TINKER_OK) {
+            g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_SCENE, "%s: %s",
+                        tinker_scene_block_name(model->scene,
+                                                part->batch->ids[CLAMP(view.failed_instance, 0, part->batch->count - 1)]),
+                        view.failure != NULL ? view.failure : "its properties do not make a constraint");
+            return FALSE;
+        }
+        for (int32_t row = part->first_row; row < part->first_row + part->row_count; row++)
+            if (!(fabs(all->g[row]) <= START_TOLERANCE * all->scales[row])) return refuse_row(model, part, row, error);
+    }
+    return TRUE;
+}
+
+static void warn_start_velocity(TinkerModel *model, const double *given)
+{
+    double change = 0, fastest = 0, impulse = 0;
+    for (int32_t i = 0; i < 2 * model->bodies; i++) {
+        double dv = model->v_start[i] - given[i];
+        change = MAX(change, fabs(dv));
+        fastest = MAX(fastest, MAX(fabs(given[i]), fabs(model->v_start[i])));
+        impulse += model->coordinate_mass[i] * model->coordinate_mass[i] * dv * dv;
+    }
+    model->start_impulse = sqrt(impulse);
+    if (change > START_TOLERANCE * fastest)
+        g_ptr_array_add(model->warnings,
+                        g_strdup_printf("the start velocities did not fit the constraints: they were changed by up to %.3g "
+                                        "m/s (an impulse of %.3g N s)",
+                                        change, model->start_impulse));
+}
+
+static gboolean run_error(TinkerModel *model, TinkerModelError code, GError **error)
+{
+    g_set_error_literal(error, TINKER_MODEL_ERROR, code, model->failure);
+    return FALSE;
+}
+
+/* Names the rows that the accelerations a cannot meet. */
+static gboolean refuse_contradiction(TinkerModel *model, const double *a, GError **error)
+{
+    TinkerConstraints *all = &model->constraints;
+    memcpy(model->point_acceleration, a, 2 * (gsize)model->bodies * sizeof(double));
+    tinker_constraints_rows_times(all, model->point_acceleration, all->residual);
+    double worst = 0;
+    for (int32_t row = 0; row < all->rows; row++) {
+        all->residual[row] = fabs(all->residual[row] + all->drift[row]);
+        worst = MAX(worst, all->residual[row]);
+    }
+    g_autoptr(GString) names = g_string_new(NULL);
+    TinkerBlockId last = TINKER_NO_BLOCK;
+    for (int32_t row = 0; row < all->rows; row++) {
+        if (all->residual[row] < 0.1 * worst || all->blocks[row] == last) continue;
+        last = all->blocks[row];
+        g_string_append_printf(names, "%s%s", names->len > 0 ? ", " : "", tinker_scene_block_name(model->scene, last));
+    }
+    g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_CONTRADICTION,
+                "%s: no motion satisfies these constraints at the start: they contradict each other (remove one, or give "
+                "what lies between them another place or velocity)",
+                names->str);
+    return FALSE;
+}
+
+static gboolean check_accelerations(TinkerModel *model, GError **error)
+{
+    g_autofree double *a = g_new0(double, 2 * (gsize)MAX(model->bodies, 1));
+    tinker_model_set_state(model, model->q_start, model->v_start);
+    if (tinker_model_applied(model, a, FALSE) != TINKER_OK || tinker_constraints_evaluate(model) != TINKER_OK)
+        return run_error(model, TINKER_MODEL_ERROR_RUN, error);
+    if (tinker_constraints_accelerate(model, a) <= START_TOLERANCE) return TRUE;
+    return refuse_contradiction(model, a, error);
+}
+
+gboolean tinker_model_check_start(TinkerModel *model, GError **error)
+{
+    TinkerConstraints *all = &model->constraints;
+    if (tinker_model_set_time(model, 0.0) != TINKER_OK) return run_error(model, TINKER_MODEL_ERROR_RUN, error);
+    tinker_model_set_state(model, model->q_start, model->v_start);
+    if (all->rows == 0) return TRUE;
+    if (tinker_constraints_evaluate(model) != TINKER_OK) return run_error(model, TINKER_MODEL_ERROR_RUN, error);
+    if (!check_positions(model, error)) return FALSE;
+    all->redundant = tinker_constraints_count_dependent(model);
+    gboolean moved;
+    if (tinker_constraints_project_positions(model, 0.0, model->q_start, model->v_start, &moved) != TINKER_OK)
+        return run_error(model, TINKER_MODEL_ERROR_CONTRADICTION, error);
+    g_autofree double *given = g_memdup2(model->v_start, 2 * (gsize)MAX(model->bodies, 1) * sizeof(double));
+    tinker_constraints_correct_velocities(model, model->v_start, FALSE, &moved);
+    if (moved) warn_start_velocity(model, given);
+    return check_accelerations(model, error);
+}

@@ -1,0 +1,207 @@
+/* The model as the abstract second-order system that integrators advance. */
+#include <math.h>
+#include <string.h>
+
+#include "physics/model-private.h"
+
+static void write_books(const TinkerModelSystem *self, double *power)
+{
+    for (int32_t i = 0; i < self->system.books; i++)
+        power[i] = self->model->book_power[self->book_of[i]];
+}
+
+static TinkerStatus applied_at(TinkerModelSystem *self, double t, const double *q, const double *v, double *a,
+                               gboolean books)
+{
+    TinkerStatus status = tinker_model_set_time(self->model, t);
+    if (status != TINKER_OK) return status;
+    tinker_model_set_state(self->model, q, v);
+    return tinker_model_applied(self->model, a, books);
+}
+
+/* Adds the constraint accelerations, and what constraints give by what is prescribed to them. */
+static TinkerStatus constrain(TinkerModel *model, double *a, gboolean books)
+{
+    if (model->constraints.rows == 0) return TINKER_OK;
+    TinkerStatus status = tinker_constraints_evaluate(model);
+    if (status != TINKER_OK) return status;
+    tinker_constraints_accelerate(model, a);
+    if (books) tinker_constraints_add_power(model);
+    return TINKER_OK;
+}
+
+static gboolean constraints_give(const TinkerModel *model)
+{
+    return model->constraints.rows > 0 && (model->moving_supports > 0 || model->constraints.prescribed);
+}
+
+static TinkerStatus acceleration(void *context, double t, const double *q, const double *v, double *a, double *power)
+{
+    TinkerModelSystem *self = context;
+    TinkerStatus status = applied_at(self, t, q, v, a, power != NULL);
+    if (status == TINKER_OK) status = constrain(self->model, a, power != NULL && constraints_give(self->model));
+    if (status == TINKER_OK && power != NULL) write_books(self, power);
+    return status;
+}
+
+/* The applied accelerations leave the constraints out, the power does not: a support gives through its rods too. */
+static TinkerStatus applied(void *context, double t, const double *q, const double *v, double *a, double *power)
+{
+    TinkerModelSystem *self = context;
+    TinkerStatus status = applied_at(self, t, q, v, a, power != NULL);
+    if (status != TINKER_OK || power == NULL) return status;
+    if (constraints_give(self->model)) {
+        memcpy(self->constrained, a, 2 * (gsize)self->model->bodies * sizeof(double));
+        status = constrain(self->model, self->constrained, TRUE);
+    }
+    write_books(self, power);
+    return status;
+}
+
+/* Work of a projection: what the velocities gain, and what moving against the applied forces of the last evaluation, which
+ * stood within the step's error of here, stores. */
+static double projection_work(const TinkerModel *model, const double *q_before, const double *q, const double *v_before,
+                              const double *v)
+{
+    double work = 0;
+    for (int32_t i = 0; i < 2 * model->bodies; i++) {
+        double mass = model->coordinate_mass[i];
+        work += 0.5 * mass * (v[i] - v_before[i]) * (v[i] + v_before[i]);
+        work -= (model->force[i] + mass * model->constant_acceleration[i]) * (q[i] - q_before[i]);
+    }
+    return work;
+}
+
+static TinkerStatus project(void *context, double t, double *q, double *v, int32_t *moved)
+{
+    TinkerModelSystem *self = context;
+    TinkerModel *model = self->model;
+    *moved = 0;
+    if (model->constraints.rows == 0) return TINKER_OK;
+    gsize bytes = 2 * (gsize)model->bodies * sizeof(double);
+    memcpy(self->q_before, q, bytes);
+    memcpy(self->v_before, v, bytes);
+    gboolean placed, turned = FALSE;
+    TinkerStatus status = tinker_constraints_project_positions(model, t, q, v, &placed);
+    if (status != TINKER_OK) return status;
+    tinker_constraints_correct_velocities(model, v, FALSE, &turned);
+    self->position_error = fmax(self->position_error, tinker_constraints_worst_miss(model));
+    if (!placed && !turned) return status;
+    *moved = 1;
+    self->projection_work += projection_work(model, self->q_before, q, self->v_before, v);
+    return status;
+}
+
+static TinkerStatus constrain_step(void *context, double t_from, const double *q_from, double t, double h, double *q,
+                                   double *v)
+{
+    TinkerModelSystem *self = context;
+    if (self->model->constraints.rows == 0) return TINKER_OK;
+    return tinker_constraints_rattle(self->model, t_from, q_from, t, h, q, v);
+}
+
+static TinkerStatus project_velocity(void *context, double t, const double *q, double *v, int32_t homogeneous)
+{
+    TinkerModelSystem *self = context;
+    gboolean moved;
+    if (self->model->constraints.rows == 0) return TINKER_OK;
+    return tinker_constraints_project_velocities(self->model, t, q, v, homogeneous != 0, &moved);
+}
+
+static TinkerStatus damping_product(void *context, double t, const double *q, const double *v, const double *dv,
+                                    double *out)
+{
+    TinkerModelSystem *self = context;
+    TinkerStatus status = tinker_model_set_time(self->model, t);
+    if (status != TINKER_OK) return status;
+    tinker_model_set_state(self->model, q, v);
+    return tinker_model_damping_product(self->model, dv, out);
+}
+
+static void widen(double *box, double x, double y)
+{
+    box[0] = MIN(box[0], x);
+    box[1] = MIN(box[1], y);
+    box[2] = MAX(box[2], x);
+    box[3] = MAX(box[3], y);
+}
+
+/* A trial may be thrown away, so what it reaches is not kept: see tinker_model_system_keep. */
+static void scales(void *context, const double *q, const double *v, double *extent, double *speed)
+{
+    const TinkerModelSystem *self = context;
+    const TinkerModel *model = self->model;
+    double box[4], fastest = 0;
+    memcpy(box, self->box, sizeof(box));
+    for (int32_t i = 0; i < model->bodies; i++) {
+        widen(box, q[2 * i], q[2 * i + 1]);
+        fastest = MAX(fastest, v[2 * i] * v[2 * i] + v[2 * i + 1] * v[2 * i + 1]);
+    }
+    for (guint i = 0; i < model->support_points->len; i++) {
+        const TinkerPoint *point = &model->point[model->bodies + (int32_t)i];
+        if (model->point_used[model->bodies + (int32_t)i]) widen(box, point->x, point->y);
+    }
+    *extent = model->bodies > 0 ? hypot(box[2] - box[0], box[3] - box[1]) : 0;
+    *speed = MAX(self->speed, sqrt(fastest));
+}
+
+void tinker_model_system_keep(TinkerModelSystem *self, const double *q, const double *v)
+{
+    double extent;
+    scales(self, q, v, &extent, &self->speed);
+    for (int32_t i = 0; i < self->model->bodies; i++)
+        widen(self->box, q[2 * i], q[2 * i + 1]);
+    for (guint i = 0; i < self->model->support_points->len; i++) {
+        const TinkerPoint *point = &self->model->point[self->model->bodies + (int32_t)i];
+        if (self->model->point_used[self->model->bodies + (int32_t)i]) widen(self->box, point->x, point->y);
+    }
+}
+
+static const char *failure(void *context)
+{
+    const TinkerModelSystem *self = context;
+    return self->model->failure[0] != '\0' ? self->model->failure : NULL;
+}
+
+/* Whether any force depends on velocities: an asked batch may, and is taken to. */
+static gboolean velocity_dependent(const TinkerModel *model)
+{
+    return model->lines.any_damping || model->field_drag != 0 || model->asked_lines->len > 0 ||
+           model->asked_forces->len > 0 || model->asked_fields->len > 0;
+}
+
+void tinker_model_system_init(TinkerModelSystem *self, TinkerModel *model)
+{
+    *self = (TinkerModelSystem){
+        .model = model,
+        .box = {INFINITY, INFINITY, -INFINITY, -INFINITY},
+        .q_before = g_new0(double, 2 * (gsize)MAX(model->bodies, 1)),
+        .v_before = g_new0(double, 2 * (gsize)MAX(model->bodies, 1)),
+        .constrained = g_new0(double, 2 * (gsize)MAX(model->bodies, 1)),
+    };
+    self->system = (TinkerSystem){
+        .struct_size = sizeof(TinkerSystem),
+        .size = 2 * model->bodies,
+        .context = self,
+        .mass = model->coordinate_mass,
+        .acceleration = acceleration,
+        .applied = applied,
+        .project = project,
+        .constrain_step = constrain_step,
+        .project_velocity = project_velocity,
+        .damping_product = damping_product,
+        .scales = scales,
+        .failure = failure,
+    };
+    if (model->constraints.rows > 0) self->system.flags |= TINKER_SYSTEM_CONSTRAINED;
+    if (velocity_dependent(model)) self->system.flags |= TINKER_SYSTEM_VELOCITY_DEPENDENT;
+    for (int book = 0; book < TINKER_BOOK_COUNT; book++)
+        if (model->has_book[book]) self->book_of[self->system.books++] = book;
+}
+
+void tinker_model_system_clear(TinkerModelSystem *self)
+{
+    g_clear_pointer(&self->q_before, g_free);
+    g_clear_pointer(&self->v_before, g_free);
+    g_clear_pointer(&self->constrained, g_free);
+}

@@ -1,0 +1,123 @@
+/* The catalogue: which block types and integrators are installed, in which library, and the way to open them.
+ *
+ * Finding is by manifest: a small JSON file beside each library (or in the user's cache) that the probe wrote. A library
+ * is opened only when one of its types is asked for. What a plugin declares is copied into structs of this host's own
+ * size, so that the rest of the core reads members without asking how old the plugin is.
+ */
+#ifndef TINKER_CORE_CATALOGUE_H
+#define TINKER_CORE_CATALOGUE_H
+
+#include <glib.h>
+
+#include <tinker/sdk.h>
+
+typedef enum {
+    TINKER_PLUGIN_ERROR_MISSING, /* nobody provides the type */
+    TINKER_PLUGIN_ERROR_REFUSED, /* the library failed a check; the message has both sides' values */
+    TINKER_PLUGIN_ERROR_FILE,    /* a folder or file could not be read or written */
+} TinkerPluginError;
+#define TINKER_PLUGIN_ERROR (tinker_plugin_error_quark())
+GQuark tinker_plugin_error_quark(void);
+
+/* A block type as the host uses it. Lives as long as the process: libraries are never closed. Interfaces that are not
+ * offered are NULL; those that are have the host's size, with NULL for functions the plugin does not know. */
+typedef struct {
+    const TinkerBlockType *type; /* its property and quantity spans are the plugin's own: use the arrays below */
+    const TinkerPlugin *plugin;
+    const char *path; /* of the library */
+
+    int32_t property_count;
+    const TinkerPropertyType *properties; /* copies of the host's size */
+    const int32_t *first_columns;         /* of each property */
+    int32_t column_count;                 /* of all properties */
+    int32_t meanings[TINKER_MEANING_COUNT]; /* number of the property that carries the meaning, or -1 */
+
+    int32_t quantity_count;
+    const TinkerQuantityType *quantities;
+
+    const TinkerPhysics *physics;
+    const TinkerRender *render;
+    const TinkerEdit *edit;
+    const TinkerUnits *units;
+    const TinkerGraph *graph;
+} TinkerBlockClass;
+
+/* Number of the property or quantity with this id, or -1. */
+int32_t tinker_block_class_property(const TinkerBlockClass *block_class, const char *id);
+int32_t tinker_block_class_quantity(const TinkerBlockClass *block_class, const char *id);
+
+/* Columns that a property of this kind takes: 0 to 3. */
+int32_t tinker_kind_columns(int32_t kind);
+
+/* First column of the property that carries this meaning, or -1. */
+int32_t tinker_block_class_meaning_column(const TinkerBlockClass *block_class, int32_t meaning);
+
+/* The unit in which a property or quantity is displayed: the block's own choice, else the one of its dimension. */
+const char *tinker_block_class_unit(const TinkerBlockClass *block_class, const char *id, TinkerDimension dimension,
+                                    int english);
+
+/* What a manifest tells, without opening the library. */
+typedef struct {
+    char *id;
+    char *title;
+    char *category;
+    char *summary;
+} TinkerTypeEntry;
+
+typedef struct {
+    char *path;
+    char *id;
+    char *title;
+    char *version;
+    char *licence;
+    char *home_page;
+    char *folder_kind;      /* "command line", "TINKER_PLUGIN_PATH", "user", "installed" */
+    char *refused;          /* why it was refused, else NULL */
+    char *shadowed_by;      /* path of the library whose id came first, else NULL */
+    GPtrArray *types;       /* of TinkerTypeEntry */
+    GPtrArray *integrators; /* of char *: their ids */
+} TinkerLibraryEntry;
+
+typedef struct {
+    const char *const *folders;   /* of the command line, NULL-terminated, searched first; or NULL */
+    const char *user_folder;      /* NULL: g_get_user_data_dir()/tinker/plugins */
+    const char *installed_folder; /* NULL: none */
+    const char *cache_folder;     /* NULL: g_get_user_cache_dir()/tinker */
+    const char *probe_program;    /* run as `PROGRAM plugins describe --output - FILE` in a child; NULL: libraries without
+                                     a manifest are refused */
+    double probe_seconds;         /* time limit of a probe; 0: 5 */
+} TinkerCatalogueOptions;
+
+typedef struct _TinkerCatalogue TinkerCatalogue;
+
+/* Finds the libraries in search order: the command line's folders, TINKER_PLUGIN_PATH, the user's, the installed one;
+ * with TINKER_SAFE_MODE=1 the installed one alone. Relative folders are passed over with a warning. (transfer full) */
+TinkerCatalogue *tinker_catalogue_new(const TinkerCatalogueOptions *options);
+void tinker_catalogue_free(TinkerCatalogue *catalogue);
+G_DEFINE_AUTOPTR_CLEANUP_FUNC(TinkerCatalogue, tinker_catalogue_free)
+
+/* All libraries found, in search order, with the refused and shadowed ones; of TinkerLibraryEntry. (transfer none) */
+const GPtrArray *tinker_catalogue_libraries(TinkerCatalogue *catalogue);
+
+/* Messages for the user from the search (relative folder, shadowed id, refused library); of char *. (transfer none) */
+const GPtrArray *tinker_catalogue_warnings(TinkerCatalogue *catalogue);
+
+/* The type of this id; opens its library if it is not open yet. NULL with TINKER_PLUGIN_ERROR_MISSING (the message names
+ * the nearest type, and the reason where the library that has it was refused) or _REFUSED. (transfer none) */
+const TinkerBlockClass *tinker_catalogue_type(TinkerCatalogue *catalogue, const char *id, GError **error);
+
+/* Likewise an integrator of a plugin. */
+const TinkerIntegrator *tinker_catalogue_integrator(TinkerCatalogue *catalogue, const char *id, GError **error);
+
+/* Paths of the libraries that have been opened through this catalogue, in the order of opening; of char *.
+ * (transfer none) */
+const GPtrArray *tinker_catalogue_opened(TinkerCatalogue *catalogue);
+
+/* Forgets the remembered refusals. */
+gboolean tinker_catalogue_clear_refused(TinkerCatalogue *catalogue, GError **error);
+
+/* Opens a library, makes all checks, and writes its manifest as JSON text. Runs the plugin's code in this process: call
+ * it in a child only. (transfer full) */
+char *tinker_plugin_describe(const char *path, GError **error);
+
+#endif

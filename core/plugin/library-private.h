@@ -1,0 +1,23 @@
+/* An opened library: the checks in their order, and what it declares. */
+#ifndef TINKER_PLUGIN_LIBRARY_PRIVATE_H
+#define TINKER_PLUGIN_LIBRARY_PRIVATE_H
+
+#include "plugin/catalogue.h"
+#include "plugin/identity-private.h"
+
+/* A library that has passed. Lives as long as the process, as does everything it shows. */
+typedef struct {
+    char *path;
+    TinkerIdentity identity;    /* of the file when it was opened */
+    const TinkerPlugin *plugin; /* a copy of the host's size; its spans are the plugin's own */
+    int32_t class_count;
+    const TinkerBlockClass *const *classes;
+    int32_t integrator_count;
+    const TinkerIntegrator *integrators; /* copies of the host's size */
+} TinkerLibrary;
+
+/* Opens the library at this absolute path, or answers the one that this process opened earlier. Runs the plugin's code.
+ * NULL with _REFUSED (the message is the reason alone, without the path) or _FILE. (transfer none) */
+const TinkerLibrary *tinker_library_open(const char *path, GError **error);
+
+#endif

@@ -1,0 +1,11 @@
+/* Who could have changed a library. */
+#ifndef TINKER_PLUGIN_PERMISSIONS_PRIVATE_H
+#define TINKER_PLUGIN_PERMISSIONS_PRIVATE_H
+
+#include "plugin/catalogue.h"
+
+/* Refuses a file that others than root, this user and the owner of this program can write to: by owner, by everybody,
+ * or by a group that has other members. Its folder likewise, and through a symbolic link those of the file itself. */
+gboolean tinker_permissions_check(const char *path, GError **error);
+
+#endif

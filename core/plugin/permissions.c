@@ -1,0 +1,96 @@
+/* Permissions of a library and of its folder. */
+#include "plugin/permissions-private.h"
+
+#include <errno.h>
+#include <grp.h>
+#include <pwd.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "plugin/refuse-private.h"
+
+/* getgrgid and getpwent answer static memory. */
+static GMutex accounts_mutex;
+
+static uid_t program_owner(void)
+{
+    struct stat status;
+    return stat("/proc/self/exe", &status) == 0 ? status.st_uid : geteuid();
+}
+
+static gboolean is_trusted(uid_t user)
+{
+    return user == 0 || user == geteuid() || user == program_owner();
+}
+
+/* The first member of the group whom we do not trust, NULL where there is none. (transfer full) */
+static char *other_member_by_list(gid_t group)
+{
+    const struct group *entry = getgrgid(group);
+    if (entry == NULL) return g_strdup("members that are not known");
+    // The list is copied: looking up a user may overwrite it.
+    g_auto(GStrv) members = g_strdupv(entry->gr_mem);
+    for (char **member = members; *member != NULL; member++) {
+        const struct passwd *user = getpwnam(*member);
+        if (user != NULL && !is_trusted(user->pw_uid)) return g_strdup(*member);
+    }
+    return NULL;
+}
+
+/* A user's own group is not listed among its members: it stands with the user. */
+static char *other_member_by_own_group(gid_t group)
+{
+    char *found = NULL;
+    setpwent();
+    for (const struct passwd *user = getpwent(); user != NULL && found == NULL; user = getpwent()) {
+        if (user->pw_gid == group && !is_trusted(user->pw_uid)) found = g_strdup(user->pw_name);
+    }
+    endpwent();
+    return found;
+}
+
+static char *other_member(gid_t group)
+{
+    g_mutex_lock(&accounts_mutex);
+    char *found = other_member_by_list(group);
+    if (found == NULL) found = other_member_by_own_group(group);
+    g_mutex_unlock(&accounts_mutex);
+    return found;
+}
+
+static gboolean check_one(const char *path, const char *what, GError **error)
+{
+    struct stat status;
+    if (stat(path, &status) != 0) return tinker_fail_file(error, "%s cannot be read: %s", what, g_strerror(errno));
+    const unsigned mode = status.st_mode & 07777;
+    if (!is_trusted(status.st_uid))
+        return tinker_refuse(error,
+                             "%s belongs to the user %u, not to root, to you (%u) or to the owner of this program (%u)",
+                             what, status.st_uid, geteuid(), program_owner());
+    if ((mode & S_IWOTH) != 0)
+        return tinker_refuse(error, "%s can be written by everybody (mode %04o); only its owner may", what, mode);
+    if ((mode & S_IWGRP) == 0) return TRUE;
+    g_autofree char *member = other_member(status.st_gid);
+    if (member == NULL) return TRUE;
+    return tinker_refuse(error, "%s can be written by the group %u, which has other members (%s; mode %04o)", what,
+                         status.st_gid, member, mode);
+}
+
+static gboolean check_with_folder(const char *path, GError **error)
+{
+    g_autofree char *folder = g_path_get_dirname(path);
+    return check_one(path, "it", error) && check_one(folder, "its folder", error);
+}
+
+gboolean tinker_permissions_check(const char *path, GError **error)
+{
+    if (!check_with_folder(path, error)) return FALSE;
+    if (!g_file_test(path, G_FILE_TEST_IS_SYMLINK)) return TRUE;
+    char *target = realpath(path, NULL);
+    if (target == NULL) return tinker_fail_file(error, "it cannot be read: %s", g_strerror(errno));
+    const gboolean passed = check_with_folder(target, error);
+    free(target);
+    return passed;
+}

@@ -1,0 +1,20 @@
+/* Where libraries are looked for, and in which order. */
+#ifndef TINKER_PLUGIN_SEARCH_PRIVATE_H
+#define TINKER_PLUGIN_SEARCH_PRIVATE_H
+
+#include "plugin/catalogue.h"
+
+typedef struct {
+    char *path;
+    const char *kind; /* "command line", "TINKER_PLUGIN_PATH", "user", "installed" */
+} TinkerSearchFolder;
+
+/* The folders in search order, each once; of TinkerSearchFolder. Adds to `warnings` (of char *) what is passed over.
+ * (transfer full) */
+GPtrArray *tinker_search_folders(const TinkerCatalogueOptions *options, GPtrArray *warnings);
+
+/* Paths of the files in the folder whose names end with ".so", by name; of char *. A folder that cannot be read adds to
+ * `warnings`. (transfer full) */
+GPtrArray *tinker_search_libraries(const TinkerSearchFolder *folder, GPtrArray *warnings);
+
+#endif

@@ -1,0 +1,65 @@
+/* The painter's parts: what is in the picture (pieces), where its fields and labels stand. */
+#ifndef TINKER_RENDER_PAINTER_PRIVATE_H
+#define TINKER_RENDER_PAINTER_PRIVATE_H
+
+#include "render/painter.h"
+#include "render/style-private.h"
+
+/* How a block takes part in the picture. */
+typedef enum {
+    TINKER_PIECE_BODY,      /* has a place */
+    TINKER_PIECE_CONNECTOR, /* has ends */
+    TINKER_PIECE_FIELD,     /* has neither: it is shown in a corner of the canvas */
+    TINKER_PIECE_UNKNOWN,   /* of a type that nobody provides, but with a place */
+} TinkerPieceKind;
+
+/* One block, ready to be drawn. The instance's memory is the frame's: valid until the next piece is made. */
+typedef struct {
+    TinkerBlockId block;
+    const TinkerBlockClass *block_class; /* NULL for an unknown type */
+    TinkerPieceKind kind;
+    TinkerInstance instance;
+    double width, height; /* m, of a body */
+} TinkerPiece;
+
+/* A picture in the making. */
+typedef struct {
+    cairo_t *cairo;
+    TinkerFrame *frame;
+    const TinkerView *view;
+    const TinkerPaintOptions *options;
+    TinkerStyleBrush brush;
+    int32_t block_count;
+} TinkerPicture;
+
+/* Looks a block up. */
+void tinker_piece_init(TinkerPiece *piece, TinkerFrame *frame, TinkerBlockId block);
+
+/* The box that the drawing stays within, m. FALSE where it is nowhere (not finite). */
+gboolean tinker_piece_box(const TinkerPiece *piece, const TinkerStyle *style, double box[4]);
+
+/* How large blocks of the scene typically are (m), by a sample; 0: unknown. Does not change while a scene moves. */
+double tinker_frame_typical_size(TinkerFrame *frame);
+
+/* A block's symbol by its own drawing, or a plain one; painter-block.c. */
+void tinker_piece_draw(const TinkerPiece *piece, cairo_t *cairo, const TinkerStyle *style);
+
+/* Fields, side by side in the upper left corner, each with its name beneath; painter-fields.c. Widens `corner` (least and
+ * greatest x and y, canvas units) to what they take. */
+void tinker_picture_draw_fields(const TinkerPicture *picture, double corner[4]);
+
+/* Widens `corner` likewise without drawing. */
+void tinker_fields_corner(TinkerFrame *frame, const TinkerView *view, const TinkerPaintOptions *options,
+                          double corner[4]);
+
+/* Names beside bodies, not over boxes (of 4 numbers) that are taken already; painter-labels.c. */
+void tinker_picture_draw_labels(TinkerPicture *picture, double (*taken)[4], int taken_count);
+
+/* TINKER_STATE_... of a block in this picture. */
+uint32_t tinker_picture_state(const TinkerPicture *picture, const TinkerPiece *piece);
+
+/* tinker_paint_scene, which also notes every text it writes in `written` (may be NULL). */
+void tinker_paint_scene_noting(cairo_t *cairo, TinkerFrame *frame, const TinkerView *view,
+                               const TinkerPaintOptions *options, GPtrArray *written);
+
+#endif

@@ -1,0 +1,205 @@
+/* An axis: its range, its ticks, and labels that can be read. Numbers whose digits would fill the margin are shortened: a
+ * power of ten moves into the unit of the axis's title ("Y Position [10⁻⁹ m]"), and a constant that all ticks share is
+ * taken off and named there ("Y Position − 9.81 [10⁻⁶ m]"). */
+#include <math.h>
+#include <string.h>
+
+#include "render/plot-private.h"
+
+#define GREATEST_VALUE    1e300
+#define LEAST_VALUE       1e-300 /* of a logarithmic axis */
+#define CONSTANT_RANGE    1e-12  /* of the values: what varies less is rounding, and shown as constant */
+#define MOST_DIGITS       5      /* of a label, before an offset is taken off */
+#define LEAST_EXPONENT    (-3)   /* of the greatest label, without a factor */
+#define GREATEST_EXPONENT 4
+
+/* How labels are shortened: shown = (value - offset) / 10^exponent. */
+typedef struct {
+    double offset;
+    int offset_decimals;
+    int exponent;
+} Shortening;
+
+void tinker_axis_set_range(TinkerAxis *axis, double least, double greatest, double margin)
+{
+    axis->empty = !(least <= greatest);
+    if (axis->empty) {
+        least = axis->logarithmic ? 1 : 0;
+        greatest = axis->logarithmic ? 10 : 1;
+        margin = 0;
+    }
+    if (axis->logarithmic) {
+        axis->low = log10(CLAMP(least, LEAST_VALUE, GREATEST_VALUE));
+        axis->high = log10(CLAMP(greatest, LEAST_VALUE, GREATEST_VALUE));
+        if (axis->high - axis->low < 1e-9) {
+            axis->low -= 0.5;
+            axis->high += 0.5;
+        }
+    } else {
+        axis->low = CLAMP(least, -GREATEST_VALUE, GREATEST_VALUE);
+        axis->high = CLAMP(greatest, -GREATEST_VALUE, GREATEST_VALUE);
+        double size = fmax(fabs(axis->low), fabs(axis->high));
+        if (size < LEAST_VALUE) {
+            axis->low = -1;
+            axis->high = 1;
+        } else if (axis->high - axis->low <= CONSTANT_RANGE * size) {
+            double middle = axis->low / 2 + axis->high / 2;
+            axis->low = middle - 0.1 * size;
+            axis->high = middle + 0.1 * size;
+        }
+    }
+    double room = margin * (axis->high - axis->low);
+    axis->low -= room;
+    axis->high += room;
+}
+
+double tinker_axis_place(const TinkerAxis *axis, double value)
+{
+    if (axis->logarithmic) value = value > 0 ? log10(fmax(value, LEAST_VALUE)) : NAN;
+    if (!isfinite(value)) return NAN;
+    value = CLAMP(value, -GREATEST_VALUE, GREATEST_VALUE);
+    return axis->start + (value - axis->low) / (axis->high - axis->low) * axis->length;
+}
+
+void tinker_axis_clear(TinkerAxis *axis)
+{
+    for (int i = 0; i < axis->tick_count; i++)
+        g_clear_pointer(&axis->labels[i], g_free);
+    axis->tick_count = 0;
+    g_clear_pointer(&axis->title, g_free);
+}
+
+/* Labels --------------------------------------------------------------------------------------------------------------- */
+
+static int decade_of(double value)
+{
+    return value == 0 ? 0 : (int)floor(log10(fabs(value)) + 1e-9);
+}
+
+static double greatest_of(const double *values, int count, double offset)
+{
+    double greatest = 0;
+    for (int i = 0; i < count; i++)
+        greatest = fmax(greatest, fabs(values[i] - offset));
+    return greatest;
+}
+
+static Shortening shorten(const double *values, int count)
+{
+    Shortening shortening = {0};
+    double greatest = greatest_of(values, count, 0);
+    if (count >= 2) {
+        double step = values[1] - values[0], range = values[count - 1] - values[0];
+        if (decade_of(greatest) - decade_of(step) >= MOST_DIGITS) {
+            int decade = decade_of(range) + 1;
+            double unit = pow(10, decade);
+            shortening.offset = round((values[0] / 2 + values[count - 1] / 2) / unit) * unit;
+            shortening.offset_decimals = -decade;
+            greatest = greatest_of(values, count, shortening.offset);
+        }
+    }
+    int exponent = decade_of(greatest);
+    if (exponent > GREATEST_EXPONENT || exponent < LEAST_EXPONENT) shortening.exponent = 3 * (int)floor(exponent / 3.0);
+    return shortening;
+}
+
+static char *number_label(double value, const Shortening *shortening, int places)
+{
+    /* The power is taken in two halves: 10^308 and beyond is not a double. */
+    int half = shortening->exponent / 2;
+    double shown = (value - shortening->offset) / pow(10, half) / pow(10, shortening->exponent - half);
+    char format[8], number[512];
+    g_snprintf(format, sizeof format, "%%.%df", places);
+    if (fabs(shown) < 0.5 * pow(10, -places)) shown = 0;
+    g_ascii_formatd(number, sizeof number, format, shown);
+    GString *label = g_string_new(NULL);
+    tinker_text_append_number(label, number);
+    return g_string_free(label, FALSE);
+}
+
+static void append_offset(GString *title, const Shortening *shortening)
+{
+    double size = fabs(shortening->offset);
+    int digits = CLAMP(decade_of(size) + shortening->offset_decimals + 1, 1, 17);
+    char format[8], number[64];
+    g_snprintf(format, sizeof format, "%%.%dg", digits);
+    g_ascii_formatd(number, sizeof number, format, size);
+    g_string_append(title, shortening->offset > 0 ? " − " : " + ");
+    tinker_text_append_number(title, number);
+}
+
+/* "Y Position [m]" with its offset and factor. */
+static char *title_of(const char *label, const Shortening *shortening)
+{
+    label = label ? label : "";
+    if (shortening->offset == 0 && shortening->exponent == 0) return g_strdup(label);
+    const char *bracket = g_str_has_suffix(label, "]") ? strrchr(label, '[') : NULL;
+    gsize name_length = bracket ? (gsize)(bracket - label) : strlen(label);
+    g_autofree char *name = g_strchomp(g_strndup(label, name_length));
+    g_autofree char *unit = bracket ? g_strndup(bracket + 1, strlen(bracket) - 2) : g_strdup("");
+    GString *title = g_string_new(name);
+    if (shortening->offset != 0) append_offset(title, shortening);
+    if (shortening->exponent != 0) {
+        g_string_append(title, title->len ? " [" : "[");
+        tinker_text_append_power(title, shortening->exponent);
+        if (*unit) g_string_append_c(title, ' ');
+    } else if (bracket) {
+        g_string_append(title, title->len ? " [" : "[");
+    }
+    if (bracket || shortening->exponent != 0) {
+        g_string_append(title, unit);
+        g_string_append_c(title, ']');
+    }
+    return g_string_free(title, FALSE);
+}
+
+/* Ticks ---------------------------------------------------------------------------------------------------------------- */
+
+static void set_number_ticks(TinkerAxis *axis, double low, double high, int most, const char *label)
+{
+    double values[TINKER_PLOT_MOST_TICKS];
+    int decimals, count = 0;
+    /* One tick tells no scale; the step before the one that leaves less than two of them never has more than five. */
+    for (int room = most; room <= MAX(most, 5) && count < 2; room++)
+        count = tinker_plot_ticks(low, high, room, values, &decimals);
+    Shortening shortening = shorten(values, count);
+    /* Steps of more than 1 have digits behind the point once they are divided by a factor. */
+    int step = count >= 2 ? decade_of(values[1] - values[0]) : 0;
+    int places = CLAMP(shortening.exponent - step, 0, 17);
+    for (int i = 0; i < count; i++) {
+        axis->ticks[i] = axis->logarithmic ? log10(values[i]) : values[i];
+        axis->labels[i] = number_label(values[i], &shortening, places);
+    }
+    axis->tick_count = count;
+    axis->title = title_of(label, &shortening);
+}
+
+/* Powers of ten, every one or every n-th. */
+static void set_decade_ticks(TinkerAxis *axis, int most, const char *label)
+{
+    int first = (int)ceil(axis->low - 1e-9), last = (int)floor(axis->high + 1e-9);
+    int stride = (last - first) / MAX(most, 1) + 1;
+    first = (int)ceil((double)first / stride) * stride;
+    for (int decade = first; decade <= last && axis->tick_count < TINKER_PLOT_MOST_TICKS; decade += stride) {
+        GString *text = g_string_new(NULL);
+        tinker_text_append_power(text, decade);
+        axis->ticks[axis->tick_count] = decade;
+        axis->labels[axis->tick_count++] = g_string_free(text, FALSE);
+    }
+    axis->has_decades = stride == 1;
+    axis->title = g_strdup(label ? label : "");
+}
+
+void tinker_axis_choose_ticks(TinkerAxis *axis, int most, const char *label)
+{
+    tinker_axis_clear(axis);
+    most = CLAMP(most, 2, TINKER_PLOT_MOST_TICKS);
+    int decades = (int)floor(axis->high + 1e-9) - (int)ceil(axis->low - 1e-9) + 1;
+    axis->has_decades = FALSE;
+    if (axis->logarithmic && decades >= 2)
+        set_decade_ticks(axis, most, label);
+    else if (axis->logarithmic)
+        set_number_ticks(axis, pow(10, axis->low), pow(10, axis->high), MIN(most, 6), label);
+    else
+        set_number_ticks(axis, axis->low, axis->high, most, label);
+}

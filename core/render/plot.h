@@ -1,0 +1,54 @@
+/* Plots: line graphs with round ticks, units, a legend and an optional band. */
+#ifndef TINKER_CORE_PLOT_H
+#define TINKER_CORE_PLOT_H
+
+#include <cairo.h>
+#include <glib.h>
+
+#include "render/theme.h"
+
+typedef struct {
+    const char *label;        /* in the legend; NULL: none */
+    const double *x, *y;      /* `count` points; a NaN interrupts the curve */
+    const double *low, *high; /* a band about the curve, or NULL */
+    gsize count;
+    int colour;       /* number of the theme's curve colour */
+    gboolean markers; /* a mark at every point */
+    gboolean no_line;
+} TinkerCurve;
+
+typedef struct {
+    const char *title;   /* may be NULL */
+    const char *x_label; /* "Time [s]" */
+    const char *y_label;
+    gboolean x_logarithmic, y_logarithmic;
+    gboolean equal_scales; /* of a path in the plane */
+    const TinkerCurve *curves;
+    int curve_count;
+    const TinkerTheme *theme;
+} TinkerPlot;
+
+/* Draws the plot into the rectangle (0, 0, width, height) of the context. Long records are thinned to what pixels can
+ * show: least and greatest value of each pixel column are kept. */
+void tinker_plot_draw(cairo_t *cairo, const TinkerPlot *plot, double width, double height);
+
+/* A point of a curve, and where it is drawn. */
+typedef struct {
+    int curve;
+    gsize point;
+    double canvas_x, canvas_y;
+} TinkerPlotPoint;
+
+/* The point of any curve nearest to a place of the canvas, for reading values off a plot of this size. FALSE where there
+ * is none within `reach` (canvas units). */
+gboolean tinker_plot_pick(const TinkerPlot *plot, double width, double height, double canvas_x, double canvas_y,
+                          double reach, TinkerPlotPoint *found);
+
+/* Draws to .png, .svg or .pdf by the ending. */
+gboolean tinker_plot_to_file(const TinkerPlot *plot, int width, int height, const char *path, GError **error);
+
+/* Round tick positions for a range: at most `most` of them, each a multiple of 1, 2 or 5 times a power of ten; decimals
+ * behind the point that their labels need. Answers how many. */
+int tinker_plot_ticks(double low, double high, int most, double *ticks, int *decimals);
+
+#endif

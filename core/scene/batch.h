@@ -1,0 +1,47 @@
+/* Snapshots of a scene's tables, ready to be handed to plugins: columns of their own, with defaults resolved and waveform
+ * columns kept up to date.
+ *
+ * A run works on a snapshot, so later edits of the scene do not reach it. */
+#ifndef TINKER_CORE_BATCH_H
+#define TINKER_CORE_BATCH_H
+
+#include "scene/scene.h"
+
+typedef struct _TinkerBlockBatch TinkerBlockBatch;
+
+/* All blocks of one class. The members are read-only to others. */
+struct _TinkerBlockBatch {
+    const TinkerBlockClass *block_class;
+    int32_t count;
+    TinkerBlockId *ids;
+    double **columns;         /* columns[c][row] */
+    int32_t ends;             /* of each block; -1 where they differ */
+    int32_t end_count;        /* of all blocks */
+    int32_t *end_offsets;     /* count + 1 entries */
+    TinkerSceneEnd *end;      /* of all blocks, row by row */
+    GPtrArray *evaluators;    /* of TinkerWaveformEvaluator: waveform by waveform, row by row */
+    int32_t *waveform_columns; /* first column of each waveform property */
+    int32_t waveforms;        /* waveform properties of the class */
+    void *scratch;            /* as the class's physics asked for */
+};
+
+/* A snapshot of every table with at least one block. "As placed" properties stay NaN. Element: TinkerBlockBatch *.
+ * (transfer full) */
+GPtrArray *tinker_batches_new(TinkerScene *scene);
+
+/* The view of a whole batch that plugins get, at time t. */
+TinkerBatch tinker_block_batch_view(TinkerBlockBatch *batch, double t);
+
+/* The evaluator of one waveform of one block. */
+TinkerWaveformEvaluator *tinker_block_batch_evaluator(const TinkerBlockBatch *batch, int32_t waveform, int32_t row);
+
+/* Evaluates all waveforms of the batch at t into its columns. */
+void tinker_block_batch_set_time(TinkerBlockBatch *batch, double t);
+
+/* Enters the piece of every waveform that contains `inside`. */
+void tinker_block_batch_enter_piece(TinkerBlockBatch *batch, double inside);
+
+/* The first break after t, of waveforms alone, not after the horizon; INFINITY for none. */
+double tinker_block_batch_next_break(const TinkerBlockBatch *batch, double t, double horizon);
+
+#endif

@@ -1,0 +1,223 @@
+/* A frame holds a snapshot of the scene and one place per block id. "As placed" lengths are worked out once, from the ends
+ * at t = 0. */
+#include "scene/frame.h"
+
+#include <math.h>
+
+#include "scene/batch.h"
+#include "scene/motions.h"
+
+typedef struct {
+    double x, y, orientation;
+} Pose;
+
+typedef struct {
+    TinkerBlockBatch *batch; /* NULL: a placeholder, or no block at all */
+    int32_t row;
+} Location;
+
+struct _TinkerFrame {
+    TinkerScene *scene;
+    double time;
+    GPtrArray *batches;
+    int32_t limit;
+    Pose *placed;        /* by block id, without motions */
+    Pose *poses;         /* by block id, now */
+    TinkerMotions *motions;
+    Location *locations;
+    double *columns;     /* of the instance handed out last */
+    GArray *ends;        /* likewise, of TinkerEnd */
+    double symbol_size;  /* m, that instances report */
+};
+
+static double meaning(const TinkerBlockBatch *batch, int32_t row, int32_t what, int component, double otherwise)
+{
+    int32_t column = tinker_block_class_meaning_column(batch->block_class, what);
+    return column < 0 ? otherwise : batch->columns[column + component][row];
+}
+
+static void locate(TinkerFrame *frame)
+{
+    for (guint i = 0; i < frame->batches->len; i++) {
+        TinkerBlockBatch *batch = g_ptr_array_index(frame->batches, i);
+        for (int32_t row = 0; row < batch->count; row++) {
+            TinkerBlockId id = batch->ids[row];
+            frame->locations[id] = (Location){batch, row};
+            frame->placed[id] = (Pose){meaning(batch, row, TINKER_MEANING_POSITION, 0, NAN),
+                                       meaning(batch, row, TINKER_MEANING_POSITION, 1, NAN),
+                                       meaning(batch, row, TINKER_MEANING_ORIENTATION, 0, 0.0)};
+            frame->poses[id] = frame->placed[id];
+        }
+    }
+}
+
+static void end_place(const TinkerFrame *frame, const TinkerSceneEnd *end, TinkerEnd *out)
+{
+    *out = (TinkerEnd){end->x, end->y, 0, 0};
+    if (end->block == TINKER_NO_BLOCK) return;
+    const Pose *pose = &frame->poses[end->block];
+    double c = cos(pose->orientation), s = sin(pose->orientation);
+    *out = (TinkerEnd){pose->x + c * end->x - s * end->y, pose->y + s * end->x + c * end->y, 1, 0};
+}
+
+static void resolve_placed_lengths(TinkerFrame *frame)
+{
+    for (guint i = 0; i < frame->batches->len; i++) {
+        TinkerBlockBatch *batch = g_ptr_array_index(frame->batches, i);
+        const TinkerBlockClass *block_class = batch->block_class;
+        for (int32_t property = 0; property < block_class->property_count; property++) {
+            if (!(block_class->properties[property].flags & TINKER_DEFAULT_AS_PLACED)) continue;
+            double *column = batch->columns[block_class->first_columns[property]];
+            for (int32_t row = 0; row < batch->count; row++) {
+                TinkerEnd a, b;
+                const TinkerSceneEnd *end = &batch->end[batch->end_offsets[row]];
+                if (!isnan(column[row]) || batch->end_offsets[row + 1] - batch->end_offsets[row] != 2) continue;
+                end_place(frame, &end[0], &a);
+                end_place(frame, &end[1], &b);
+                column[row] = hypot(b.x - a.x, b.y - a.y);
+            }
+        }
+    }
+}
+
+static gboolean move_supports(TinkerFrame *frame, GError **error)
+{
+    if (!tinker_motions_evaluate(frame->motions, frame->time)) {
+        const char *name = tinker_scene_block_name(frame->scene, tinker_motions_failure(frame->motions));
+        g_set_error(error, TINKER_SCENE_ERROR, TINKER_SCENE_ERROR_VALUE,
+                    "%s: its motion at t = %g s is not a number (give it one that is finite at all times)", name,
+                    frame->time);
+        return FALSE;
+    }
+    int32_t count;
+    const TinkerBlockId *moved = tinker_motions_blocks(frame->motions, &count);
+    for (int32_t i = 0; i < count; i++) {
+        const TinkerPlace *place = tinker_motions_place(frame->motions, moved[i]);
+        frame->poses[moved[i]].x = frame->placed[moved[i]].x + place->x;
+        frame->poses[moved[i]].y = frame->placed[moved[i]].y + place->y;
+    }
+    return TRUE;
+}
+
+TinkerFrame *tinker_frame_new(TinkerScene *scene, GError **error)
+{
+    TinkerFrame *frame = g_new0(TinkerFrame, 1);
+    frame->scene = scene;
+    frame->batches = tinker_batches_new(scene);
+    frame->limit = tinker_scene_id_limit(scene);
+    frame->placed = g_new(Pose, MAX(frame->limit, 1));
+    frame->poses = g_new(Pose, MAX(frame->limit, 1));
+    for (int32_t id = 0; id < frame->limit; id++)
+        frame->placed[id] = frame->poses[id] = (Pose){NAN, NAN, 0};
+    frame->motions = tinker_motions_new(frame->batches, frame->limit);
+    frame->locations = g_new0(Location, MAX(frame->limit, 1));
+    frame->ends = g_array_new(FALSE, TRUE, sizeof(TinkerEnd));
+    locate(frame);
+    int32_t widest = 1;
+    for (guint i = 0; i < frame->batches->len; i++)
+        widest = MAX(widest, ((TinkerBlockBatch *)g_ptr_array_index(frame->batches, i))->block_class->column_count);
+    frame->columns = g_new0(double, widest);
+    if (!tinker_frame_set_time(frame, 0.0, error)) {
+        tinker_frame_free(frame);
+        return NULL;
+    }
+    resolve_placed_lengths(frame);
+    return frame;
+}
+
+void tinker_frame_free(TinkerFrame *frame)
+{
+    if (frame == NULL) return;
+    g_ptr_array_unref(frame->batches);
+    g_free(frame->placed);
+    g_free(frame->poses);
+    tinker_motions_free(frame->motions);
+    g_free(frame->locations);
+    g_free(frame->columns);
+    g_array_unref(frame->ends);
+    g_free(frame);
+}
+
+TinkerScene *tinker_frame_scene(const TinkerFrame *frame)
+{
+    return frame->scene;
+}
+
+double tinker_frame_time(const TinkerFrame *frame)
+{
+    return frame->time;
+}
+
+gboolean tinker_frame_set_time(TinkerFrame *frame, double t, GError **error)
+{
+    frame->time = t;
+    for (guint i = 0; i < frame->batches->len; i++) {
+        TinkerBlockBatch *batch = g_ptr_array_index(frame->batches, i);
+        if (batch->waveforms == 0) continue;
+        /* A frame shows what holds from t on, so it looks just behind a break that falls on t. */
+        double next = tinker_block_batch_next_break(batch, t, t + 1.0);
+        tinker_block_batch_enter_piece(batch, isfinite(next) ? 0.5 * (t + next) : t + 0.5);
+        tinker_block_batch_set_time(batch, t);
+    }
+    return move_supports(frame, error);
+}
+
+void tinker_frame_place(TinkerFrame *frame, TinkerBlockId block, double x, double y, double orientation)
+{
+    frame->poses[block] = (Pose){x, y, orientation};
+}
+
+void tinker_frame_centre(const TinkerFrame *frame, TinkerBlockId block, double *x, double *y, double *orientation)
+{
+    const Location *location = &frame->locations[block];
+    *x = frame->poses[block].x;
+    *y = frame->poses[block].y;
+    *orientation = frame->poses[block].orientation;
+    if (!isnan(*x) || location->batch == NULL) return;
+    int32_t first = location->batch->end_offsets[location->row];
+    int32_t count = location->batch->end_offsets[location->row + 1] - first;
+    if (count == 0) return;
+    *x = *y = 0;
+    for (int32_t k = 0; k < count; k++) {
+        TinkerEnd end;
+        end_place(frame, &location->batch->end[first + k], &end);
+        *x += end.x / count;
+        *y += end.y / count;
+    }
+}
+
+gboolean tinker_frame_instance(TinkerFrame *frame, TinkerBlockId block, TinkerInstance *instance)
+{
+    const Location *location = &frame->locations[block];
+    *instance = (TinkerInstance){
+        .struct_size = sizeof(TinkerInstance),
+        .name = tinker_scene_block_name(frame->scene, block),
+        .time = frame->time,
+        .symbol_size = frame->symbol_size,
+    };
+    tinker_frame_centre(frame, block, &instance->x, &instance->y, &instance->orientation);
+    if (location->batch == NULL) return FALSE;
+    const TinkerBlockBatch *batch = location->batch;
+    for (int32_t column = 0; column < batch->block_class->column_count; column++)
+        frame->columns[column] = batch->columns[column][location->row];
+    int32_t first = batch->end_offsets[location->row];
+    int32_t count = batch->end_offsets[location->row + 1] - first;
+    g_array_set_size(frame->ends, (guint)count);
+    for (int32_t k = 0; k < count; k++)
+        end_place(frame, &batch->end[first + k], &g_array_index(frame->ends, TinkerEnd, k));
+    instance->columns = frame->columns;
+    instance->ends = count;
+    instance->end = count > 0 ? (const TinkerEnd *)(void *)frame->ends->data : NULL;
+    return TRUE;
+}
+
+void tinker_frame_set_symbol_size(TinkerFrame *frame, double symbol_size)
+{
+    frame->symbol_size = symbol_size;
+}
+
+double tinker_frame_column(const TinkerFrame *frame, TinkerBlockId block, int32_t column)
+{
+    const Location *location = &frame->locations[block];
+    return location->batch == NULL ? NAN : location->batch->columns[column][location->row];
+}

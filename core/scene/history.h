@@ -1,0 +1,45 @@
+/* Undo and redo: a history of changes to a scene.
+ *
+ * Changes go through the history instead of the scene itself; those between begin and end are one step for the user.
+ */
+#ifndef TINKER_CORE_HISTORY_H
+#define TINKER_CORE_HISTORY_H
+
+#include "scene/scene.h"
+
+typedef struct _TinkerHistory TinkerHistory;
+
+/* The scene is borrowed and outlives the history. (transfer full) */
+TinkerHistory *tinker_history_new(TinkerScene *scene);
+void tinker_history_free(TinkerHistory *history);
+G_DEFINE_AUTOPTR_CLEANUP_FUNC(TinkerHistory, tinker_history_free)
+
+/* Opens a step with a title for the menu ("Move Mass 0"); steps do not nest. Consecutive steps with the same non-NULL
+ * `merge` key (a drag) become one. */
+void tinker_history_begin(TinkerHistory *history, const char *title, const char *merge);
+void tinker_history_end(TinkerHistory *history);
+/* Ends the step and takes back what it did. */
+void tinker_history_abort(TinkerHistory *history);
+
+/* The setters of scene.h, recorded. Outside begin and end each is a step of its own. */
+TinkerBlockId tinker_history_add_block(TinkerHistory *history, const TinkerBlockClass *block_class, const char *name,
+                                       GError **error);
+void tinker_history_remove_block(TinkerHistory *history, TinkerBlockId block);
+gboolean tinker_history_rename_block(TinkerHistory *history, TinkerBlockId block, const char *name, GError **error);
+gboolean tinker_history_set(TinkerHistory *history, TinkerBlockId block, int32_t property, const double *values,
+                            GError **error);
+void tinker_history_unset(TinkerHistory *history, TinkerBlockId block, int32_t property);
+void tinker_history_set_waveform(TinkerHistory *history, TinkerBlockId block, int32_t property,
+                                 TinkerWaveform *waveform);
+void tinker_history_set_text(TinkerHistory *history, TinkerBlockId block, int32_t property, const char *text);
+gboolean tinker_history_set_end(TinkerHistory *history, TinkerBlockId block, int32_t end, TinkerSceneEnd to,
+                                GError **error);
+
+/* Titles of what undo and redo would do; NULL where there is nothing. */
+const char *tinker_history_can_undo(const TinkerHistory *history);
+const char *tinker_history_can_redo(const TinkerHistory *history);
+/* An undone removal brings the block back under its old id, name and place in the drawing order, ends included. */
+void tinker_history_undo(TinkerHistory *history);
+void tinker_history_redo(TinkerHistory *history);
+
+#endif

@@ -1,0 +1,223 @@
+/* Reading one block: its type, name and keys. What names another block is in read-ends.c. */
+#include <string.h>
+
+#include "scene/reader-private.h"
+
+/* The members that every block has. */
+typedef struct {
+    const cJSON *type, *name, *ends;
+    int type_step, name_step, ends_step;
+} BlockMembers;
+
+static BlockMembers find_members(const cJSON *json)
+{
+    BlockMembers members = {0};
+    int step = 0;
+    for (const cJSON *member = json->child; member != NULL; member = member->next, step++) {
+        if (g_str_equal(member->string, "type")) {
+            members.type = member;
+            members.type_step = step;
+        } else if (g_str_equal(member->string, "name")) {
+            members.name = member;
+            members.name_step = step;
+        } else if (g_str_equal(member->string, "ends")) {
+            members.ends = member;
+            members.ends_step = step;
+        }
+    }
+    return members;
+}
+
+static void type_free(ReaderType *type)
+{
+    g_free(type->message);
+    g_free(type);
+}
+
+static const ReaderType *find_type(SceneReader *reader, const char *id)
+{
+    if (reader->types == NULL)
+        reader->types = g_hash_table_new_full(g_str_hash, g_str_equal, g_free, (GDestroyNotify)type_free);
+    ReaderType *type = g_hash_table_lookup(reader->types, id);
+    if (type != NULL) return type;
+    g_autoptr(GError) error = NULL;
+    type = g_new0(ReaderType, 1);
+    type->block_class = tinker_catalogue_type(reader->catalogue, id, &error);
+    if (type->block_class == NULL) type->message = g_strdup(error->message);
+    g_hash_table_insert(reader->types, g_strdup(id), type);
+    return type;
+}
+
+/* The block's name where it has a good one, else NULL with an error where it has a bad one. */
+static const char *read_name(SceneReader *reader, const BlockMembers *members, JsonAt at)
+{
+    if (members->name == NULL) return NULL;
+    JsonAt name_at = at_child(at, members->name_step);
+    const char *name = reader_text(reader, members->name, name_at, "name");
+    if (name == NULL) return NULL;
+    g_autofree char *fault = scene_name_fault(reader->scene, name);
+    if (fault == NULL) return name;
+    reader_error(reader, name_at, TINKER_SCENE_ERROR_NAME, "%s", fault);
+    return NULL;
+}
+
+static void name_block(SceneReader *reader, TinkerBlockId id, const char *name)
+{
+    if (name == NULL) {
+        g_array_append_val(reader->unnamed, id);
+        return;
+    }
+    scene_assign_name(reader->scene, id, name);
+}
+
+static void keep_placeholder(SceneReader *reader, const char *type, const char *name, const JsonPart *part)
+{
+    ScenePlaceholder *placeholder = g_new0(ScenePlaceholder, 1);
+    GString *text = g_string_new(NULL);
+    json_append_compact(text, reader->text, part->start, part->end);
+    placeholder->text = g_string_free(text, FALSE);
+    placeholder->type = g_strdup(type);
+    placeholder->name = g_strdup(name);
+    placeholder->named = name != NULL;
+    name_block(reader, scene_append(reader->scene, NULL, 0, placeholder), name);
+}
+
+/* "a spring has 2 ends, 1 given" */
+static gboolean check_end_count(SceneReader *reader, const BlockMembers *members, JsonAt at,
+                                const TinkerBlockType *type, int given)
+{
+    if (given >= type->least_ends && (type->most_ends < 0 || given <= type->most_ends)) return TRUE;
+    g_autofree char *wanted = NULL;
+    if (type->most_ends == type->least_ends)
+        wanted = g_strdup_printf("%d", type->least_ends);
+    else if (type->most_ends < 0)
+        wanted = g_strdup_printf("at least %d", type->least_ends);
+    else
+        wanted = g_strdup_printf("%d to %d", type->least_ends, type->most_ends);
+    const char *plural = g_str_equal(wanted, "1") || g_str_equal(wanted, "at least 1") ? "" : "s";
+    const char *article = strchr("aeiou", type->id[0]) != NULL ? "an" : "a";
+    JsonAt place = members->ends == NULL ? at : at_child(at, members->ends_step);
+    if (type->most_ends == 0)
+        return reader_error(reader, place, TINKER_SCENE_ERROR_END, "ends: %s %s has no ends, %d given", article,
+                            type->id, given);
+    return reader_error(reader, place, TINKER_SCENE_ERROR_END, "ends: %s %s has %s end%s, %d given", article, type->id,
+                        wanted, plural, given);
+}
+
+/* Makes the block's row with as many ends as are given, where that many are allowed. `read_ends` says whether they are to
+ * be read. */
+static TinkerBlockId add_row(SceneReader *reader, const BlockMembers *members, JsonAt at,
+                             const TinkerBlockClass *block_class, gboolean *read_ends)
+{
+    const TinkerBlockType *type = block_class->type;
+    int given = cJSON_IsArray(members->ends) ? cJSON_GetArraySize(members->ends) : 0;
+    if (members->ends != NULL && !cJSON_IsArray(members->ends))
+        *read_ends =
+            reader_wrong_kind(reader, members->ends, at_child(at, members->ends_step), "ends", "an array of ends");
+    else
+        *read_ends = check_end_count(reader, members, at, type, given) && given > 0;
+    return scene_append(reader->scene, block_class, *read_ends ? given : MAX(type->least_ends, 0), NULL);
+}
+
+static const char **property_keys(const TinkerBlockClass *block_class)
+{
+    const char **keys = g_new0(const char *, (gsize)block_class->property_count + 4);
+    for (int32_t p = 0; p < block_class->property_count; p++)
+        keys[p] = block_class->properties[p].id;
+    keys[block_class->property_count] = "type";
+    keys[block_class->property_count + 1] = "name";
+    if (block_class->type->most_ends != 0) keys[block_class->property_count + 2] = "ends";
+    return keys;
+}
+
+static void read_properties(SceneReader *reader, const cJSON *json, JsonAt at, const BlockMembers *members,
+                            TinkerBlockId id)
+{
+    SceneTable *table = scene_table_of(reader->scene, id);
+    int32_t row = scene_slot(reader->scene, id)->row;
+    GString *unknown = NULL;
+    int step = 0;
+    for (const cJSON *member = json->child; member != NULL; member = member->next, step++) {
+        if (member == members->type || member == members->name || member == members->ends) continue;
+        int32_t property = tinker_block_class_property(table->block_class, member->string);
+        if (property >= 0) {
+            reader_property(reader, member, at_child(at, step), table, row, property);
+            continue;
+        }
+        g_autofree const char **keys = property_keys(table->block_class);
+        reader_keep_unknown(reader, at_child(at, step), member->string, keys, &unknown);
+    }
+    if (unknown != NULL) g_hash_table_insert(reader->scene->extras, GINT_TO_POINTER(id), g_string_free(unknown, FALSE));
+    scene_table_resolve(table, row);
+}
+
+/* The step of the member of this name, or -1. */
+static int step_of(const cJSON *json, const char *key)
+{
+    int step = 0;
+    for (const cJSON *member = json->child; member != NULL; member = member->next, step++)
+        if (g_str_equal(member->string, key)) return step;
+    return -1;
+}
+
+static void check_row(SceneReader *reader, const cJSON *json, JsonAt at, TinkerBlockId id)
+{
+    const SceneTable *table = scene_table_of(reader->scene, id);
+    g_autofree char *fault = scene_row_fault(table, scene_slot(reader->scene, id)->row);
+    if (fault == NULL) return;
+    const TinkerBlockClass *block_class = table->block_class;
+    int step = step_of(json, block_class->properties[block_class->meanings[TINKER_MEANING_DYNAMIC_FRICTION]].id);
+    if (step < 0)
+        step = step_of(json, block_class->properties[block_class->meanings[TINKER_MEANING_STATIC_FRICTION]].id);
+    reader_error(reader, step < 0 ? at : at_child(at, step), TINKER_SCENE_ERROR_VALUE, "%s", fault);
+}
+
+static void read_known(SceneReader *reader, const cJSON *json, JsonAt at, const BlockMembers *members, const char *name,
+                       const TinkerBlockClass *block_class)
+{
+    gboolean read_ends;
+    TinkerBlockId id = add_row(reader, members, at, block_class, &read_ends);
+    name_block(reader, id, name);
+    read_properties(reader, json, at, members, id);
+    check_row(reader, json, at, id);
+    if (read_ends) reader_ends(reader, members->ends, at_child(at, members->ends_step), id);
+}
+
+static void read_object(SceneReader *reader, const cJSON *json, const JsonPart *part, int number)
+{
+    JsonAt at = at_root(part->start);
+    BlockMembers members = find_members(json);
+    const char *type_id = cJSON_IsString(members.type) ? members.type->valuestring : NULL;
+    if (cJSON_IsString(members.name) && *members.name->valuestring != '\0')
+        reader_label(reader, members.name->valuestring);
+    else
+        reader_label_entry(reader, "blocks", number, type_id);
+    if (reader->scan.duplicates->len > 0) reader_report_duplicates(reader, part->start, part->end);
+
+    const char *name = read_name(reader, &members, at);
+    if (members.type == NULL)
+        reader_error(reader, at, TINKER_SCENE_ERROR_SYNTAX, "the key \"type\" is missing");
+    else if (type_id == NULL)
+        reader_text(reader, members.type, at_child(at, members.type_step), "type");
+    const ReaderType *type = type_id == NULL ? NULL : find_type(reader, type_id);
+    if (type != NULL && type->block_class != NULL) {
+        read_known(reader, json, at, &members, name, type->block_class);
+        return;
+    }
+    if (type != NULL)
+        reader_warning(reader, at_child(at, members.type_step), TINKER_SCENE_ERROR_TYPE, "%s", type->message);
+    keep_placeholder(reader, type_id == NULL ? "" : type_id, name, part);
+}
+
+void reader_block(SceneReader *reader, int number)
+{
+    const JsonPart *part = &g_array_index(reader->scan.blocks, JsonPart, number);
+    reader_label_entry(reader, "blocks", number, NULL);
+    cJSON *json = reader_parse(reader, part);
+    if (json == NULL) return;
+    if (cJSON_IsObject(json))
+        read_object(reader, json, part, number);
+    else
+        reader_error_at(reader, part->start, TINKER_SCENE_ERROR_VALUE, "a block is an object, {\"type\": ...}");
+    cJSON_Delete(json);
+}

@@ -1,0 +1,156 @@
+/* Reading a scene: the scanner checks the text and finds its parts; then the head, each block on its own, what joins
+ * them, and the graphs. A tree of the whole file would be many times its size. */
+#include <errno.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "scene/reader-private.h"
+
+/* How many names may be compared for suggestions; without a limit a large file with many wrong names takes minutes. */
+#define MOST_COMPARED 2000000
+
+cJSON *reader_parse(SceneReader *reader, const JsonPart *part)
+{
+    cJSON *json = cJSON_ParseWithLength(reader->text + part->start, part->end - part->start);
+    if (json == NULL) reader_error_at(reader, part->start, TINKER_SCENE_ERROR_SYNTAX, "this value cannot be parsed");
+    return json;
+}
+
+static void reader_init(SceneReader *reader, TinkerCatalogue *catalogue, const char *text, gsize length,
+                        const char *path)
+{
+    gboolean is_file = path != NULL && !g_str_equal(path, "-");
+    *reader = (SceneReader){
+        .catalogue = catalogue,
+        .scene = tinker_scene_new(catalogue),
+        .text = text,
+        .length = length,
+        .path = is_file        ? path
+                : path == NULL ? "scene"
+                               : "standard input",
+        .folder = is_file ? g_path_get_dirname(path) : g_strdup("."),
+        .findings = g_array_new(FALSE, FALSE, sizeof(ReaderFinding)),
+        .label_number = -1,
+        .waveforms = g_hash_table_new_full(g_str_hash, g_str_equal, g_free, (GDestroyNotify)tinker_waveform_unref),
+        .unnamed = g_array_new(FALSE, FALSE, sizeof(TinkerBlockId)),
+        .later_ends = g_array_new(FALSE, FALSE, sizeof(ReaderEnd)),
+        .end_names = g_string_chunk_new(4096),
+        .suggestions_left = MOST_COMPARED,
+    };
+}
+
+static void reader_clear(SceneReader *reader)
+{
+    json_scan_clear(&reader->scan);
+    g_array_unref(reader->findings);
+    for (int i = 0; i < READER_MOST_STEPS; i++)
+        g_clear_pointer(&reader->split[i].parts, g_array_unref);
+    g_clear_pointer(&reader->types, g_hash_table_unref);
+    g_hash_table_unref(reader->waveforms);
+    g_array_unref(reader->unnamed);
+    g_array_unref(reader->later_ends);
+    g_string_chunk_free(reader->end_names);
+    g_clear_pointer(&reader->block_names, g_ptr_array_unref);
+    g_free(reader->folder);
+}
+
+/* The duplicates that no block has reported. */
+static void report_other_duplicates(SceneReader *reader)
+{
+    const GArray *blocks = reader->scan.blocks;
+    gsize from = 0;
+    for (guint i = 0; i < blocks->len && reader->scan.duplicates->len > 0; i++) {
+        const JsonPart *block = &g_array_index(blocks, JsonPart, i);
+        reader_report_duplicates(reader, from, block->start);
+        from = block->end;
+    }
+    reader_report_duplicates(reader, from, reader->length);
+}
+
+static void read_document(SceneReader *reader)
+{
+    if (!json_scan(&reader->scan, reader->text, reader->length)) {
+        reader_error_at(reader, reader->scan.fault_at, TINKER_SCENE_ERROR_SYNTAX, "%s", reader->scan.fault);
+        return;
+    }
+    gsize start = 0;
+    while (g_ascii_isspace(reader->text[start]))
+        start++;
+    if (reader->text[start] != '{') {
+        reader_error_at(reader, start, TINKER_SCENE_ERROR_SYNTAX,
+                        "not a scene: a scene is an object, {\"tinker\": 1, ...}");
+        return;
+    }
+    reader->document = start;
+    reader_head(reader);
+    for (guint i = 0; i < reader->scan.blocks->len; i++)
+        reader_block(reader, (int)i);
+    reader_finish_blocks(reader);
+    for (guint i = 0; i < reader->scan.members->len; i++) {
+        const JsonPart *part = &g_array_index(reader->scan.members, JsonPart, i);
+        if (json_key_is(reader->text, part, "graphs")) reader_graphs(reader, part);
+    }
+    report_other_duplicates(reader);
+}
+
+TinkerScene *tinker_scene_read_text(TinkerCatalogue *catalogue, const char *text, gsize length, const char *path,
+                                    GPtrArray *findings, GError **error)
+{
+    SceneReader reader;
+    reader_init(&reader, catalogue, text, length, path);
+    read_document(&reader);
+    gboolean good = reader_conclude(&reader, findings, error);
+    TinkerScene *scene = g_steal_pointer(&reader.scene);
+    reader_clear(&reader);
+    if (good) return scene;
+    tinker_scene_free(scene);
+    return NULL;
+}
+
+/* A file that could not be read is a finding without a place. */
+static TinkerScene *unreadable(const char *path, const char *reason, GPtrArray *findings, GError **error)
+{
+    if (findings != NULL) {
+        TinkerFinding *finding = g_new(TinkerFinding, 1);
+        *finding = (TinkerFinding){TINKER_FINDING_ERROR, TINKER_SCENE_ERROR_FILE, 0, 0,
+                                   g_strdup_printf("the file cannot be read: %s", reason)};
+        g_ptr_array_add(findings, finding);
+    }
+    g_set_error(error, TINKER_SCENE_ERROR, TINKER_SCENE_ERROR_FILE, "%s: the file cannot be read: %s", path, reason);
+    return NULL;
+}
+
+static TinkerScene *read_standard_input(TinkerCatalogue *catalogue, GPtrArray *findings, GError **error)
+{
+    g_autoptr(GByteArray) bytes = g_byte_array_new();
+    guint8 buffer[65536];
+    for (;;) {
+        gssize count = read(STDIN_FILENO, buffer, sizeof buffer);
+        if (count < 0 && errno == EINTR) continue;
+        if (count < 0) return unreadable("standard input", g_strerror(errno), findings, error);
+        if (count == 0) break;
+        g_byte_array_append(bytes, buffer, (guint)count);
+    }
+    return tinker_scene_read_text(catalogue, (const char *)bytes->data, bytes->len, "-", findings, error);
+}
+
+TinkerScene *tinker_scene_read_file(TinkerCatalogue *catalogue, const char *path, GPtrArray *findings, GError **error)
+{
+    if (g_str_equal(path, "-")) return read_standard_input(catalogue, findings, error);
+    if (g_file_test(path, G_FILE_TEST_IS_DIR)) return unreadable(path, "it is a folder", findings, error);
+    g_autoptr(GError) reason = NULL;
+    GMappedFile *file = g_mapped_file_new(path, FALSE, &reason);
+    if (file == NULL) {
+        /* A pipe or device cannot be mapped, but read. */
+        g_autofree char *text = NULL;
+        gsize length;
+        g_clear_error(&reason);
+        if (!g_file_get_contents(path, &text, &length, &reason))
+            return unreadable(path, reason->message, findings, error);
+        return tinker_scene_read_text(catalogue, text, length, path, findings, error);
+    }
+    TinkerScene *scene = tinker_scene_read_text(catalogue, g_mapped_file_get_contents(file),
+                                                g_mapped_file_get_length(file), path, findings, error);
+    g_mapped_file_unref(file);
+    return scene;
+}

@@ -1,0 +1,107 @@
+/* Ends: what they are attached to, and what they may be attached to. */
+#include <math.h>
+
+#include "scene/scene-private.h"
+
+gint64 *scene_end_key(TinkerBlockId block, int32_t end)
+{
+    gint64 *key = g_new(gint64, 1);
+    *key = ((gint64)block << 32) | end;
+    return key;
+}
+
+/* What an end of this type may not be on, in words, or NULL. */
+static char *target_fault(const TinkerScene *scene, const TinkerBlockType *type, int32_t end, TinkerSceneEnd to)
+{
+    const TinkerBlockClass *target = tinker_scene_block_class(scene, to.block);
+    const char *name = tinker_scene_block_name(scene, to.block);
+    if (target == NULL) return NULL; /* nobody knows what a placeholder is */
+    if (target->physics == NULL || target->physics->body == NULL)
+        return g_strdup_printf("end %d is on \"%s\", a %s, which nothing can be attached to", end + 1, name,
+                               target->type->id);
+
+    int32_t freedom = target->physics->body->degrees_of_freedom;
+    if (freedom == 0 && !(type->end_accepts & TINKER_ACCEPTS_SUPPORT))
+        return g_strdup_printf("end %d must be on a block that can move, \"%s\" is a %s, which cannot", end + 1, name,
+                               target->type->id);
+    if (freedom != 0 && !(type->end_accepts & TINKER_ACCEPTS_BODY))
+        return g_strdup_printf("end %d must be on a support, \"%s\" is a %s, which can move", end + 1, name,
+                               target->type->id);
+    if (freedom == 2 && (to.x != 0 || to.y != 0)) {
+        char x[64], y[64];
+        tinker_number_to_text(to.x, x, sizeof x);
+        tinker_number_to_text(to.y, y, sizeof y);
+        return g_strdup_printf("end %d is at [%s, %s] of \"%s\", which is a point: only [0, 0] is possible", end + 1, x,
+                               y, name);
+    }
+    return NULL;
+}
+
+char *scene_end_fault(const TinkerScene *scene, TinkerBlockId block, int32_t end, TinkerSceneEnd to)
+{
+    if (!isfinite(to.x) || !isfinite(to.y)) return g_strdup_printf("end %d must be at a finite place", end + 1);
+    if (to.block == TINKER_NO_BLOCK) return NULL;
+    if (!tinker_scene_has_block(scene, to.block)) return g_strdup_printf("end %d is on a block that is gone", end + 1);
+    if (to.block == block) return g_strdup_printf("end %d is on the block itself", end + 1);
+    return target_fault(scene, tinker_scene_block_class(scene, block)->type, end, to);
+}
+
+/* The value of the column with this meaning (and the one behind it), or 0. */
+static double meaning_value(const SceneTable *table, int32_t row, int32_t meaning, int32_t offset)
+{
+    int32_t column = tinker_block_class_meaning_column(table->block_class, meaning);
+    return column < 0 ? 0 : table->columns[column + offset][row];
+}
+
+void scene_end_place(const TinkerScene *scene, TinkerSceneEnd end, double place[2])
+{
+    place[0] = end.x;
+    place[1] = end.y;
+    const SceneTable *table = end.block == TINKER_NO_BLOCK ? NULL : scene_table_of(scene, end.block);
+    if (table == NULL) return;
+    int32_t row = scene_slot(scene, end.block)->row;
+    double angle = meaning_value(table, row, TINKER_MEANING_ORIENTATION, 0);
+    place[0] = meaning_value(table, row, TINKER_MEANING_POSITION, 0) + cos(angle) * end.x - sin(angle) * end.y;
+    place[1] = meaning_value(table, row, TINKER_MEANING_POSITION, 1) + sin(angle) * end.x + cos(angle) * end.y;
+}
+
+GArray *scene_attached_to(const TinkerScene *scene, TinkerBlockId block)
+{
+    GArray *attached = g_array_new(FALSE, FALSE, sizeof(TinkerBlockId));
+    for (guint t = 0; t < scene->tables->len; t++) {
+        const SceneTable *table = g_ptr_array_index(scene->tables, t);
+        for (int32_t row = 0; row < table->count; row++) {
+            gboolean found = FALSE;
+            for (int32_t end = table->end_offsets[row]; end < table->end_offsets[row + 1]; end++)
+                found = found || table->ends[end].block == block;
+            if (found) g_array_append_val(attached, table->ids[row]);
+        }
+    }
+    return attached;
+}
+
+int32_t tinker_scene_end_count(const TinkerScene *scene, TinkerBlockId block)
+{
+    g_assert(tinker_scene_has_block(scene, block));
+    const SceneTable *table = scene_table_of(scene, block);
+    return table == NULL ? 0 : scene_table_end_count(table, scene_slot(scene, block)->row);
+}
+
+TinkerSceneEnd tinker_scene_end(const TinkerScene *scene, TinkerBlockId block, int32_t end)
+{
+    g_assert(end >= 0 && end < tinker_scene_end_count(scene, block));
+    return scene_table_ends(scene_table_of(scene, block), scene_slot(scene, block)->row)[end];
+}
+
+gboolean tinker_scene_set_end(TinkerScene *scene, TinkerBlockId block, int32_t end, TinkerSceneEnd to, GError **error)
+{
+    g_assert(end >= 0 && end < tinker_scene_end_count(scene, block));
+    g_autofree char *fault = scene_end_fault(scene, block, end, to);
+    if (fault != NULL) {
+        g_set_error(error, TINKER_SCENE_ERROR, TINKER_SCENE_ERROR_END, "%s: %s", tinker_scene_block_name(scene, block),
+                    fault);
+        return FALSE;
+    }
+    scene_table_ends(scene_table_of(scene, block), scene_slot(scene, block)->row)[end] = to;
+    return TRUE;
+}

@@ -1,0 +1,361 @@
+/* Scenes: the head, the list of blocks with their names, and the drawing order. Rows of blocks are in scene-table.c,
+ * values in scene-properties.c, ends in scene-ends.c. */
+#include <string.h>
+
+#include "scene/scene-private.h"
+
+G_DEFINE_QUARK(tinker - scene - error - quark, tinker_scene_error)
+
+/* Head --------------------------------------------------------------------------------------------------------- */
+
+void scene_head_init(TinkerSceneHead *head)
+{
+    *head = (TinkerSceneHead){
+        .title = g_strdup(""),
+        .description = g_strdup(""),
+        .author = g_strdup(""),
+        .units = TINKER_UNIT_SYSTEM_SI,
+        .canvas_width = 10,
+        .canvas_grid = 0.2,
+        .canvas_snap = TRUE,
+        .run = {.duration = 10,
+                .interval = 0.01,
+                .method = g_strdup("auto"),
+                .step = 0.01,
+                .tolerance = 1e-9,
+                .contacts = g_strdup("events"),
+                .spectral_radius = 0.8},
+    };
+}
+
+void scene_head_clear(TinkerSceneHead *head)
+{
+    g_free(head->title);
+    g_free(head->description);
+    g_free(head->author);
+    g_free(head->run.method);
+    g_free(head->run.contacts);
+}
+
+TinkerSceneGraph *scene_graph_copy(const TinkerSceneGraph *graph)
+{
+    TinkerSceneGraph *copy = g_new(TinkerSceneGraph, 1);
+    *copy = *graph;
+    copy->block = g_strdup(graph->block);
+    copy->quantity = g_strdup(graph->quantity);
+    copy->against = g_strdup(graph->against);
+    copy->title = g_strdup(graph->title);
+    copy->extras = g_strdup(graph->extras);
+    return copy;
+}
+
+void scene_graph_free(TinkerSceneGraph *graph)
+{
+    g_free(graph->block);
+    g_free(graph->quantity);
+    g_free(graph->against);
+    g_free(graph->title);
+    g_free(graph->extras);
+    g_free(graph);
+}
+
+void scene_placeholder_free(ScenePlaceholder *placeholder)
+{
+    g_free(placeholder->type);
+    g_free(placeholder->text);
+    g_free(placeholder->name);
+    g_free(placeholder);
+}
+
+/* Names -------------------------------------------------------------------------------------------------------- */
+
+char *scene_name_fault(const TinkerScene *scene, const char *name)
+{
+    if (*name == '\0') return g_strdup("a name must not be empty");
+    if (!g_utf8_validate(name, -1, NULL)) return g_strdup("a name must be UTF-8 text");
+    for (const char *c = name; *c != '\0'; c++)
+        if (g_ascii_iscntrl(*c)) return g_strdup("a name must be one line of text, without control characters");
+    if (tinker_scene_find_block(scene, name) != TINKER_NO_BLOCK)
+        return g_strdup_printf("the name \"%s\" is taken: every block needs a name of its own", name);
+    return NULL;
+}
+
+/* A name that ends with a number may leave that number free for its title. */
+static void release_number(TinkerScene *scene, const char *name)
+{
+    const char *space = strrchr(name, ' ');
+    if (space == NULL || !g_ascii_isdigit(space[1])) return;
+    g_autofree char *title = g_strndup(name, (gsize)(space - name));
+    gpointer next;
+    if (!g_hash_table_lookup_extended(scene->next_number, title, NULL, &next)) return;
+    gint64 number = g_ascii_strtoll(space + 1, NULL, 10);
+    if (number < GPOINTER_TO_INT(next))
+        g_hash_table_insert(scene->next_number, g_steal_pointer(&title), GINT_TO_POINTER((int)number));
+}
+
+void scene_forget_name(TinkerScene *scene, TinkerBlockId block)
+{
+    SceneSlot *slot = scene_slot(scene, block);
+    if (slot->name == NULL) return;
+    if (tinker_scene_find_block(scene, slot->name) == block) {
+        g_hash_table_remove(scene->by_name, slot->name);
+        release_number(scene, slot->name);
+    }
+    slot->name = NULL;
+}
+
+/* Graphs name their block, so they follow it. */
+static void rename_graphs(TinkerScene *scene, const char *old_name, const char *new_name)
+{
+    for (guint i = 0; i < scene->graphs->len; i++) {
+        TinkerSceneGraph *graph = g_ptr_array_index(scene->graphs, i);
+        if (g_strcmp0(graph->block, old_name) != 0) continue;
+        g_free(graph->block);
+        graph->block = g_strdup(new_name);
+    }
+}
+
+void scene_assign_name(TinkerScene *scene, TinkerBlockId block, const char *name)
+{
+    SceneSlot *slot = scene_slot(scene, block);
+    const char *old_name = slot->name;
+    if (old_name != NULL) rename_graphs(scene, old_name, name);
+    scene_forget_name(scene, block);
+    slot->name = g_string_chunk_insert(scene->names, name);
+    g_hash_table_replace(scene->by_name, (gpointer)slot->name, GINT_TO_POINTER(block + 1));
+}
+
+void scene_assign_default_name(TinkerScene *scene, TinkerBlockId block)
+{
+    const TinkerBlockClass *block_class = tinker_scene_block_class(scene, block);
+    const char *title = block_class != NULL ? block_class->type->title : tinker_scene_block_type(scene, block);
+    int number = GPOINTER_TO_INT(g_hash_table_lookup(scene->next_number, title));
+    g_autofree char *name = g_strdup_printf("%s %d", title, number);
+    while (g_hash_table_contains(scene->by_name, name)) {
+        g_free(name);
+        name = g_strdup_printf("%s %d", title, ++number);
+    }
+    g_hash_table_insert(scene->next_number, g_strdup(title), GINT_TO_POINTER(number + 1));
+    scene_assign_name(scene, block, name);
+}
+
+/* Blocks ------------------------------------------------------------------------------------------------------- */
+
+TinkerBlockId scene_append(TinkerScene *scene, const TinkerBlockClass *block_class, int32_t end_count,
+                           ScenePlaceholder *placeholder)
+{
+    TinkerBlockId id = (TinkerBlockId)scene->slots->len;
+    SceneSlot slot = {.table = SCENE_PLACEHOLDER};
+    g_array_append_val(scene->slots, slot);
+    g_array_append_val(scene->order, id);
+    if (block_class == NULL) {
+        g_hash_table_insert(scene->placeholders, GINT_TO_POINTER(id), placeholder);
+        return id;
+    }
+    SceneTable *table = scene_table_for(scene, block_class);
+    scene_table_insert(scene, table, table->count, id, end_count);
+    return id;
+}
+
+GArray *scene_graphs_of(const TinkerScene *scene, TinkerBlockId block)
+{
+    GArray *places = g_array_new(FALSE, FALSE, sizeof(guint));
+    for (guint i = scene->graphs->len; i-- > 0;) {
+        const TinkerSceneGraph *graph = g_ptr_array_index(scene->graphs, i);
+        if (g_strcmp0(graph->block, scene_slot(scene, block)->name) == 0) g_array_append_val(places, i);
+    }
+    return places;
+}
+
+void scene_take_out(TinkerScene *scene, TinkerBlockId block)
+{
+    g_autoptr(GArray) graphs = scene_graphs_of(scene, block);
+    for (guint i = 0; i < graphs->len; i++)
+        g_ptr_array_remove_index(scene->graphs, g_array_index(graphs, guint, i));
+
+    scene_forget_name(scene, block);
+    for (guint place = 0; place < scene->order->len; place++) {
+        if (g_array_index(scene->order, TinkerBlockId, place) != block) continue;
+        g_array_remove_index(scene->order, place);
+        break;
+    }
+    SceneTable *table = scene_table_of(scene, block);
+    if (table != NULL) scene_table_remove(scene, table, scene_slot(scene, block)->row);
+    scene_slot(scene, block)->table = SCENE_REMOVED;
+}
+
+TinkerScene *tinker_scene_new(TinkerCatalogue *catalogue)
+{
+    TinkerScene *scene = g_new0(TinkerScene, 1);
+    scene->catalogue = catalogue;
+    scene_head_init(&scene->head);
+    scene->graphs = g_ptr_array_new_with_free_func((GDestroyNotify)scene_graph_free);
+    scene->slots = g_array_new(FALSE, FALSE, sizeof(SceneSlot));
+    scene->order = g_array_new(FALSE, FALSE, sizeof(TinkerBlockId));
+    scene->tables = g_ptr_array_new_with_free_func((GDestroyNotify)scene_table_free);
+    scene->table_of = g_hash_table_new(NULL, NULL);
+    scene->names = g_string_chunk_new(4096);
+    scene->by_name = g_hash_table_new(g_str_hash, g_str_equal);
+    scene->next_number = g_hash_table_new_full(g_str_hash, g_str_equal, g_free, NULL);
+    scene->placeholders = g_hash_table_new_full(NULL, NULL, NULL, (GDestroyNotify)scene_placeholder_free);
+    scene->extras = g_hash_table_new_full(NULL, NULL, NULL, g_free);
+    scene->end_extras = g_hash_table_new_full(g_int64_hash, g_int64_equal, g_free, g_free);
+    scene->sources = g_hash_table_new_full(NULL, NULL, (GDestroyNotify)tinker_waveform_unref, g_free);
+    return scene;
+}
+
+void tinker_scene_free(TinkerScene *scene)
+{
+    if (scene == NULL) return;
+    scene_head_clear(&scene->head);
+    g_ptr_array_unref(scene->graphs);
+    g_array_unref(scene->slots);
+    g_array_unref(scene->order);
+    g_ptr_array_unref(scene->tables);
+    g_hash_table_unref(scene->table_of);
+    g_hash_table_unref(scene->by_name);
+    g_string_chunk_free(scene->names);
+    g_hash_table_unref(scene->next_number);
+    g_hash_table_unref(scene->placeholders);
+    g_hash_table_unref(scene->extras);
+    g_hash_table_unref(scene->end_extras);
+    g_hash_table_unref(scene->sources);
+    g_free(scene->head_extras);
+    g_free(scene->canvas_extras);
+    g_free(scene->run_extras);
+    g_free(scene);
+}
+
+TinkerCatalogue *tinker_scene_catalogue(const TinkerScene *scene)
+{
+    return scene->catalogue;
+}
+
+TinkerSceneHead *tinker_scene_head(TinkerScene *scene)
+{
+    return &scene->head;
+}
+
+GPtrArray *tinker_scene_graphs(TinkerScene *scene)
+{
+    return scene->graphs;
+}
+
+int32_t tinker_scene_block_count(const TinkerScene *scene)
+{
+    return (int32_t)scene->order->len;
+}
+
+TinkerBlockId tinker_scene_block_at(const TinkerScene *scene, int32_t place)
+{
+    g_assert(place >= 0 && place < (int32_t)scene->order->len);
+    return g_array_index(scene->order, TinkerBlockId, place);
+}
+
+int32_t tinker_scene_id_limit(const TinkerScene *scene)
+{
+    return (int32_t)scene->slots->len;
+}
+
+gboolean tinker_scene_has_block(const TinkerScene *scene, TinkerBlockId block)
+{
+    return block >= 0 && block < (TinkerBlockId)scene->slots->len && scene_slot(scene, block)->table != SCENE_REMOVED;
+}
+
+TinkerBlockId tinker_scene_find_block(const TinkerScene *scene, const char *name)
+{
+    return GPOINTER_TO_INT(g_hash_table_lookup(scene->by_name, name)) - 1;
+}
+
+const char *tinker_scene_block_name(const TinkerScene *scene, TinkerBlockId block)
+{
+    g_assert(tinker_scene_has_block(scene, block));
+    return scene_slot(scene, block)->name;
+}
+
+const char *tinker_scene_block_type(const TinkerScene *scene, TinkerBlockId block)
+{
+    const TinkerBlockClass *block_class = tinker_scene_block_class(scene, block);
+    if (block_class != NULL) return block_class->type->id;
+    const ScenePlaceholder *placeholder = g_hash_table_lookup(scene->placeholders, GINT_TO_POINTER(block));
+    return placeholder->type;
+}
+
+const TinkerBlockClass *tinker_scene_block_class(const TinkerScene *scene, TinkerBlockId block)
+{
+    g_assert(tinker_scene_has_block(scene, block));
+    const SceneTable *table = scene_table_of(scene, block);
+    return table == NULL ? NULL : table->block_class;
+}
+
+TinkerBlockId tinker_scene_add_block(TinkerScene *scene, const TinkerBlockClass *block_class, const char *name,
+                                     GError **error)
+{
+    g_autofree char *fault = name == NULL ? NULL : scene_name_fault(scene, name);
+    if (fault != NULL) {
+        g_set_error_literal(error, TINKER_SCENE_ERROR, TINKER_SCENE_ERROR_NAME, fault);
+        return TINKER_NO_BLOCK;
+    }
+    TinkerBlockId id = scene_append(scene, block_class, MAX(block_class->type->least_ends, 0), NULL);
+    if (name == NULL)
+        scene_assign_default_name(scene, id);
+    else
+        scene_assign_name(scene, id, name);
+    return id;
+}
+
+void tinker_scene_remove_block(TinkerScene *scene, TinkerBlockId block)
+{
+    g_assert(tinker_scene_has_block(scene, block));
+    g_autoptr(GArray) attached = scene_attached_to(scene, block);
+    for (guint i = 0; i < attached->len; i++) {
+        TinkerBlockId other = g_array_index(attached, TinkerBlockId, i);
+        SceneTable *table = scene_table_of(scene, other);
+        int32_t row = scene_slot(scene, other)->row;
+        TinkerSceneEnd *ends = scene_table_ends(table, row);
+        for (int32_t end = 0; end < scene_table_end_count(table, row); end++) {
+            if (ends[end].block != block) continue;
+            double place[2];
+            scene_end_place(scene, ends[end], place);
+            ends[end] = (TinkerSceneEnd){TINKER_NO_BLOCK, place[0], place[1]};
+        }
+    }
+    scene_take_out(scene, block);
+}
+
+gboolean tinker_scene_rename_block(TinkerScene *scene, TinkerBlockId block, const char *name, GError **error)
+{
+    g_assert(tinker_scene_has_block(scene, block));
+    if (g_str_equal(scene_slot(scene, block)->name, name)) return TRUE;
+    g_autofree char *fault = scene_name_fault(scene, name);
+    if (fault != NULL) {
+        g_set_error_literal(error, TINKER_SCENE_ERROR, TINKER_SCENE_ERROR_NAME, fault);
+        return FALSE;
+    }
+    scene_assign_name(scene, block, name);
+    return TRUE;
+}
+
+TinkerBlockId tinker_scene_first_placeholder(const TinkerScene *scene)
+{
+    if (g_hash_table_size(scene->placeholders) == 0) return TINKER_NO_BLOCK;
+    for (guint i = 0; i < scene->order->len; i++) {
+        TinkerBlockId id = g_array_index(scene->order, TinkerBlockId, i);
+        if (scene_slot(scene, id)->table == SCENE_PLACEHOLDER) return id;
+    }
+    return TINKER_NO_BLOCK;
+}
+
+TinkerBlockId tinker_scene_first_detached(const TinkerScene *scene)
+{
+    for (guint i = 0; i < scene->order->len; i++) {
+        TinkerBlockId id = g_array_index(scene->order, TinkerBlockId, i);
+        const SceneTable *table = scene_table_of(scene, id);
+        if (table == NULL) continue;
+        int32_t row = scene_slot(scene, id)->row;
+        const TinkerSceneEnd *ends = scene_table_ends(table, row);
+        for (int32_t end = 0; end < scene_table_end_count(table, row); end++)
+            if (ends[end].block == TINKER_NO_BLOCK) return id;
+    }
+    return TINKER_NO_BLOCK;
+}

@@ -1,0 +1,157 @@
+/* A scene: what the user built. Blocks of one type lie in one table, a column of doubles per property component.
+ *
+ * A block is known by its id, a number that stays the same as long as the scene lives and is never given again. All values
+ * are SI. What a scene holds is always valid: setters refuse what the block's descriptor does not allow.
+ */
+#ifndef TINKER_CORE_SCENE_H
+#define TINKER_CORE_SCENE_H
+
+#include <glib.h>
+
+#include "plugin/catalogue.h"
+#include "units/units.h"
+#include "units/waveform.h"
+
+typedef int32_t TinkerBlockId;
+#define TINKER_NO_BLOCK (-1)
+
+typedef enum {
+    TINKER_SCENE_ERROR_NAME,   /* taken, or not a name */
+    TINKER_SCENE_ERROR_VALUE,  /* out of range, wrong kind */
+    TINKER_SCENE_ERROR_END,    /* wrong number of ends, or an end that the type does not accept */
+    TINKER_SCENE_ERROR_FILE,   /* could not be read or written */
+    TINKER_SCENE_ERROR_SYNTAX, /* not a scene */
+    TINKER_SCENE_ERROR_TYPE,   /* a type that nobody provides */
+} TinkerSceneError;
+#define TINKER_SCENE_ERROR (tinker_scene_error_quark())
+GQuark tinker_scene_error_quark(void);
+
+/* How a scene is to be run. */
+typedef struct {
+    double duration;  /* s */
+    double interval;  /* s between samples */
+    char *method;     /* owned */
+    double step;      /* s, of fixed-step methods */
+    double tolerance; /* of adaptive ones */
+    char *contacts;   /* "events" or "impulse"; owned */
+    double spectral_radius;
+} TinkerRunSettings;
+
+/* One end of a connector, force or motion. */
+typedef struct {
+    TinkerBlockId block; /* TINKER_NO_BLOCK: detached, and (x, y) is a place on the canvas */
+    double x, y;         /* a point fixed to the block, in its own axes, from its centre */
+} TinkerSceneEnd;
+
+typedef struct {
+    char *block;    /* name */
+    char *quantity; /* id */
+    char *against;  /* "time" or a quantity */
+    char *title;    /* may be NULL */
+    double place[2], size[2];
+    gboolean has_place, has_size;
+    char *extras; /* keys that the reader did not know, as JSON members; owned, may be NULL */
+} TinkerSceneGraph;
+
+typedef struct {
+    char *title, *description, *author; /* never NULL */
+    TinkerUnitSystem units;
+    double canvas_width, canvas_grid;
+    gboolean canvas_snap;
+    TinkerRunSettings run;
+} TinkerSceneHead;
+
+typedef struct _TinkerScene TinkerScene;
+
+/* An empty scene with the defaults of the format. The catalogue is borrowed and outlives it. (transfer full) */
+TinkerScene *tinker_scene_new(TinkerCatalogue *catalogue);
+void tinker_scene_free(TinkerScene *scene);
+G_DEFINE_AUTOPTR_CLEANUP_FUNC(TinkerScene, tinker_scene_free)
+
+TinkerCatalogue *tinker_scene_catalogue(const TinkerScene *scene);
+
+/* Title, units, canvas, run settings; may be written to directly. Strings are g_strdup'ed and owned by the scene. */
+TinkerSceneHead *tinker_scene_head(TinkerScene *scene);
+
+/* Of TinkerSceneGraph *; may be changed. (transfer none) */
+GPtrArray *tinker_scene_graphs(TinkerScene *scene);
+
+/* Blocks --------------------------------------------------------------------------------------------------------- */
+
+/* Number of blocks, and the id of the one at `place` in drawing order. */
+int32_t tinker_scene_block_count(const TinkerScene *scene);
+TinkerBlockId tinker_scene_block_at(const TinkerScene *scene, int32_t place);
+
+/* The greatest id ever given plus 1: the size of an array that is indexed by id. */
+int32_t tinker_scene_id_limit(const TinkerScene *scene);
+gboolean tinker_scene_has_block(const TinkerScene *scene, TinkerBlockId block);
+
+TinkerBlockId tinker_scene_find_block(const TinkerScene *scene, const char *name);
+const char *tinker_scene_block_name(const TinkerScene *scene, TinkerBlockId block);
+
+/* The type's id, also of a placeholder; and its class, NULL for a placeholder. */
+const char *tinker_scene_block_type(const TinkerScene *scene, TinkerBlockId block);
+const TinkerBlockClass *tinker_scene_block_class(const TinkerScene *scene, TinkerBlockId block);
+
+/* Adds a block with the type's defaults and detached ends at the origin. `name` NULL: the type's title and the smallest
+ * free number. TINKER_NO_BLOCK on failure. */
+TinkerBlockId tinker_scene_add_block(TinkerScene *scene, const TinkerBlockClass *block_class, const char *name,
+                                     GError **error);
+
+/* Removes a block and its graphs; ends attached to it become detached at the place they were. */
+void tinker_scene_remove_block(TinkerScene *scene, TinkerBlockId block);
+/* Graphs follow their block's new name. */
+gboolean tinker_scene_rename_block(TinkerScene *scene, TinkerBlockId block, const char *name, GError **error);
+
+/* Properties ----------------------------------------------------------------------------------------------------- */
+
+/* Whether a property was given, by the file or by the user; else it has its default. */
+gboolean tinker_scene_property_given(const TinkerScene *scene, TinkerBlockId block, int32_t property);
+
+/* A column's value; defaults that equal another property are resolved, one that is "as placed" is NaN. */
+double tinker_scene_get(const TinkerScene *scene, TinkerBlockId block, int32_t column);
+
+/* Sets a real, integer, switch, choice or vector property, held to the declared kind and range; `values` has as many
+ * entries as the property has columns. */
+gboolean tinker_scene_set(TinkerScene *scene, TinkerBlockId block, int32_t property, const double *values,
+                          GError **error);
+/* Back to the default. */
+void tinker_scene_unset(TinkerScene *scene, TinkerBlockId block, int32_t property);
+
+const char *tinker_scene_get_text(const TinkerScene *scene, TinkerBlockId block, int32_t property);
+void tinker_scene_set_text(TinkerScene *scene, TinkerBlockId block, int32_t property, const char *text);
+
+/* The waveform of a property. (transfer none); set takes a reference of its own. A table that this scene did not read
+ * from a file has no form in a scene file and is left out there. */
+TinkerWaveform *tinker_scene_get_waveform(const TinkerScene *scene, TinkerBlockId block, int32_t property);
+void tinker_scene_set_waveform(TinkerScene *scene, TinkerBlockId block, int32_t property, TinkerWaveform *waveform);
+
+/* Ends ----------------------------------------------------------------------------------------------------------- */
+
+int32_t tinker_scene_end_count(const TinkerScene *scene, TinkerBlockId block);
+TinkerSceneEnd tinker_scene_end(const TinkerScene *scene, TinkerBlockId block, int32_t end);
+
+/* Attaches or detaches an end. Refuses a block that the type does not accept, a block's own end on itself, and a point
+ * other than the centre of a point mass. */
+gboolean tinker_scene_set_end(TinkerScene *scene, TinkerBlockId block, int32_t end, TinkerSceneEnd to, GError **error);
+
+/* Tables --------------------------------------------------------------------------------------------------------- */
+
+/* All blocks of one class, for whoever works on columns. Borrowed; valid until the scene changes. */
+typedef struct {
+    const TinkerBlockClass *block_class;
+    int32_t count;
+    const TinkerBlockId *ids;     /* of each row; rows are in the order of the blocks' creation */
+    const double *const *columns; /* columns[c][row], as tinker_scene_get gives them; waveform columns are 0 */
+    const TinkerSceneEnd *ends;   /* row by row */
+    const int32_t *end_offsets; /* count + 1 entries: the ends of row r are end_offsets[r] to end_offsets[r + 1] - 1 */
+} TinkerSceneTable;
+
+int32_t tinker_scene_table_count(const TinkerScene *scene);
+void tinker_scene_table(TinkerScene *scene, int32_t number, TinkerSceneTable *table);
+
+/* The first block of a type that nobody provides, or TINKER_NO_BLOCK; the first with a detached end. */
+TinkerBlockId tinker_scene_first_placeholder(const TinkerScene *scene);
+TinkerBlockId tinker_scene_first_detached(const TinkerScene *scene);
+
+#endif

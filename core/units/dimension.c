@@ -1,0 +1,79 @@
+/* Dimensions: comparing and naming them, and the units that their values are shown in. What the table has no entry for
+ * is put together from base units: "kg m^3/s". */
+#include <stdlib.h>
+
+#include "units/units-private.h"
+
+/* Symbols of the base units in the order of TinkerDimension. */
+static const char *const si_bases[] = {"kg", "m", "s", "rad"};
+static const char *const english_bases[] = {"slug", "ft", "s", "rad"};
+
+static void append_power(GString *text, const char *base, int exponent)
+{
+    g_string_append(text, base);
+    if (exponent != 1) g_string_append_printf(text, "^%d", exponent);
+}
+
+/* Numerators first; each denominator behind a `/` of its own, as the parser reads it. */
+static const char *compose(TinkerDimension dimension, const char *const *bases)
+{
+    const int exponents[] = {dimension.mass, dimension.length, dimension.time, dimension.angle};
+    g_autoptr(GString) text = g_string_new(NULL);
+    for (int i = 0; i < 4; i++) {
+        if (exponents[i] <= 0) continue;
+        if (text->len > 0) g_string_append_c(text, ' ');
+        append_power(text, bases[i], exponents[i]);
+    }
+    if (text->len == 0) g_string_append_c(text, '1');
+    for (int i = 0; i < 4; i++) {
+        if (exponents[i] >= 0) continue;
+        g_string_append_c(text, '/');
+        append_power(text, bases[i], -exponents[i]);
+    }
+    return g_intern_string(text->str);
+}
+
+/* "N·s²/m" as "N s^2/m". */
+static const char *in_ascii(const char *unit)
+{
+    g_autoptr(GString) text = g_string_new(unit);
+    g_string_replace(text, "·", " ", 0);
+    g_string_replace(text, "²", "^2", 0);
+    g_string_replace(text, "³", "^3", 0);
+    return g_intern_string(text->str);
+}
+
+gboolean tinker_dimension_equal(TinkerDimension a, TinkerDimension b)
+{
+    return a.mass == b.mass && a.length == b.length && a.time == b.time && a.angle == b.angle;
+}
+
+const char *tinker_unit_for(TinkerDimension dimension, TinkerUnitSystem system)
+{
+    const gboolean english = system == TINKER_UNIT_SYSTEM_ENGLISH;
+    const TinkerDimensionEntry *entry = tinker_dimension_lookup(dimension);
+    if (entry == NULL) return compose(dimension, english ? english_bases : si_bases);
+    return english ? entry->english : entry->si;
+}
+
+const char *tinker_unit_si_symbol(TinkerDimension dimension)
+{
+    const TinkerDimension angle = {0, 0, 0, 1};
+    if (tinker_dimension_equal(dimension, angle)) return "rad";
+    return in_ascii(tinker_unit_for(dimension, TINKER_UNIT_SYSTEM_SI));
+}
+
+const char *tinker_dimension_name(TinkerDimension dimension)
+{
+    const TinkerDimensionEntry *entry = tinker_dimension_lookup(dimension);
+    return entry != NULL ? entry->name : tinker_unit_si_symbol(dimension);
+}
+
+char *tinker_dimension_describe(TinkerDimension dimension)
+{
+    const TinkerDimensionEntry *entry = tinker_dimension_lookup(dimension);
+    const char *symbol = tinker_unit_si_symbol(dimension);
+    if (entry == NULL) return g_strdup_printf("a value in %s", symbol);
+    if (*symbol == '\0') return g_strdup_printf("%s %s", entry->article, entry->name);
+    return g_strdup_printf("%s %s (%s)", entry->article, entry->name, symbol);
+}

@@ -1,0 +1,228 @@
+/* Waveforms: one face for harmonic functions, expressions and tables, and the evaluator that a run holds. */
+#include "units/waveform.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "units/expression-private.h"
+#include "units/table-private.h"
+
+struct _TinkerWaveform {
+    gatomicrefcount references;
+    TinkerWaveformKind kind;
+    char *text;             /* of an expression */
+    TinkerProgram *program; /* of an expression */
+    TinkerTable *table;     /* of a table */
+};
+
+struct _TinkerWaveformEvaluator {
+    TinkerWaveform *waveform;
+    double amplitude, frequency, phase;
+    gboolean smooth;
+    TinkerProgramState piece;  /* of an expression: the piece entered last */
+    TinkerProgramState search; /* and the scratch of next_break */
+    gsize table_piece;
+};
+
+G_DEFINE_QUARK(tinker - waveform - error - quark, tinker_waveform_error)
+
+static TinkerWaveform *waveform_new(TinkerWaveformKind kind)
+{
+    TinkerWaveform *waveform = g_new0(TinkerWaveform, 1);
+    g_atomic_ref_count_init(&waveform->references);
+    waveform->kind = kind;
+    return waveform;
+}
+
+static TinkerWaveform *waveform_of_table(TinkerTable *table)
+{
+    if (table == NULL) return NULL;
+    TinkerWaveform *waveform = waveform_new(TINKER_WAVEFORM_TABLE);
+    waveform->table = table;
+    return waveform;
+}
+
+static void store(TinkerJet jet, double result[3])
+{
+    result[0] = jet.value;
+    result[1] = jet.first;
+    result[2] = jet.second;
+}
+
+/* The first row after t. */
+static double next_row(const TinkerTable *table, double t, double horizon)
+{
+    const gsize row = tinker_table_piece(table, t);
+    return row < table->rows && table->times[row] <= horizon ? table->times[row] : INFINITY;
+}
+
+/* A time left of t with no break between them. */
+static double inside_left(const TinkerWaveformEvaluator *evaluator, double t)
+{
+    const double smallest = 64 * (nextafter(fabs(t), INFINITY) - fabs(t));
+    for (double width = fmax(1e-3, fabs(t) / 1024); width > smallest; width /= 8) {
+        const double before = tinker_waveform_next_break(evaluator, t - width, t - smallest / 4);
+        if (!isfinite(before)) return t - width / 2;
+    }
+    return t - smallest;
+}
+
+/* A time right of t with no break between them. */
+static double inside_right(const TinkerWaveformEvaluator *evaluator, double t)
+{
+    const double width = fmax(1e-3, fabs(t) / 1024);
+    const double next = tinker_waveform_next_break(evaluator, t, t + width);
+    return isfinite(next) ? t + (next - t) / 2 : t + width / 2;
+}
+
+/* The expression at t by the cells that hold at `inside`; the piece entered last stays entered. */
+static void evaluate_beside(const TinkerWaveformEvaluator *evaluator, double inside, double t, double result[3])
+{
+    TinkerProgramState state = evaluator->search;
+    tinker_program_decide(&state, inside);
+    store(tinker_program_evaluate(&state, t), result);
+}
+
+TinkerWaveform *tinker_waveform_new_harmonic(TinkerWaveformKind kind)
+{
+    g_return_val_if_fail(kind == TINKER_WAVEFORM_NONE || kind == TINKER_WAVEFORM_SINE || kind == TINKER_WAVEFORM_COSINE,
+                         NULL);
+    return waveform_new(kind);
+}
+
+TinkerWaveform *tinker_waveform_new_expression(const char *text, GError **error)
+{
+    TinkerProgram *program = tinker_program_parse(text, error);
+    if (program == NULL) return NULL;
+    TinkerWaveform *waveform = waveform_new(TINKER_WAVEFORM_EXPRESSION);
+    waveform->text = g_strdup(text);
+    waveform->program = program;
+    return waveform;
+}
+
+TinkerWaveform *tinker_waveform_new_table(const double *times, const double *values, gsize rows, TinkerTableKind kind,
+                                          GError **error)
+{
+    const gsize size = MIN(rows, TINKER_TABLE_MOST_ROWS) * sizeof(double);
+    return waveform_of_table(tinker_table_new(g_memdup2(times, size), g_memdup2(values, size), rows, kind, error));
+}
+
+TinkerWaveform *tinker_waveform_new_table_file(const char *path, int column, double scale, TinkerTableKind kind,
+                                               GError **error)
+{
+    return waveform_of_table(tinker_table_read(path, column, scale, kind, error));
+}
+
+TinkerWaveform *tinker_waveform_ref(TinkerWaveform *waveform)
+{
+    g_atomic_ref_count_inc(&waveform->references);
+    return waveform;
+}
+
+void tinker_waveform_unref(TinkerWaveform *waveform)
+{
+    if (!g_atomic_ref_count_dec(&waveform->references)) return;
+    g_free(waveform->text);
+    g_clear_pointer(&waveform->program, tinker_program_free);
+    g_clear_pointer(&waveform->table, tinker_table_free);
+    g_free(waveform);
+}
+
+TinkerWaveformKind tinker_waveform_kind(const TinkerWaveform *waveform)
+{
+    return waveform->kind;
+}
+
+const char *tinker_waveform_expression(const TinkerWaveform *waveform)
+{
+    return waveform->text;
+}
+
+TinkerWaveformEvaluator *tinker_waveform_evaluator_new(TinkerWaveform *waveform, double amplitude, double frequency,
+                                                       double phase, gboolean smooth)
+{
+    TinkerWaveformEvaluator *evaluator = g_new0(TinkerWaveformEvaluator, 1);
+    evaluator->waveform = tinker_waveform_ref(waveform);
+    evaluator->amplitude = amplitude;
+    evaluator->frequency = frequency;
+    evaluator->phase = phase;
+    evaluator->smooth =
+        smooth && waveform->kind == TINKER_WAVEFORM_TABLE && waveform->table->kind == TINKER_TABLE_VALUE;
+    if (evaluator->smooth) tinker_table_prepare_spline(waveform->table);
+    if (waveform->program != NULL) {
+        tinker_program_state_init(&evaluator->piece, waveform->program, FALSE);
+        tinker_program_state_init(&evaluator->search, waveform->program, TRUE);
+    }
+    tinker_waveform_enter_piece(evaluator, 0);
+    return evaluator;
+}
+
+void tinker_waveform_evaluator_free(TinkerWaveformEvaluator *evaluator)
+{
+    if (evaluator->waveform->program != NULL) {
+        tinker_program_state_clear(&evaluator->piece);
+        tinker_program_state_clear(&evaluator->search);
+    }
+    tinker_waveform_unref(evaluator->waveform);
+    g_free(evaluator);
+}
+
+void tinker_waveform_enter_piece(TinkerWaveformEvaluator *evaluator, double inside)
+{
+    if (evaluator->waveform->kind == TINKER_WAVEFORM_EXPRESSION) {
+        tinker_program_decide(&evaluator->piece, inside);
+    } else if (evaluator->waveform->kind == TINKER_WAVEFORM_TABLE) {
+        evaluator->table_piece = tinker_table_piece(evaluator->waveform->table, inside);
+    }
+}
+
+void tinker_waveform_evaluate(const TinkerWaveformEvaluator *evaluator, double t, double result[3])
+{
+    const TinkerWaveform *waveform = evaluator->waveform;
+    const double amplitude = evaluator->amplitude, rate = evaluator->frequency;
+    double sine, cosine;
+    switch (waveform->kind) {
+    case TINKER_WAVEFORM_SINE:
+    case TINKER_WAVEFORM_COSINE:
+        sincos(rate * t + evaluator->phase, &sine, &cosine);
+        result[0] = amplitude * (waveform->kind == TINKER_WAVEFORM_SINE ? sine : cosine);
+        result[1] = amplitude * rate * (waveform->kind == TINKER_WAVEFORM_SINE ? cosine : -sine);
+        result[2] = -rate * rate * result[0];
+        return;
+    case TINKER_WAVEFORM_EXPRESSION:
+        store(tinker_program_evaluate(&evaluator->piece, t), result);
+        return;
+    case TINKER_WAVEFORM_TABLE:
+        tinker_table_evaluate(waveform->table, evaluator->table_piece, evaluator->smooth, t, result);
+        return;
+    case TINKER_WAVEFORM_NONE:
+        memset(result, 0, 3 * sizeof *result);
+        return;
+    }
+}
+
+double tinker_waveform_next_break(const TinkerWaveformEvaluator *evaluator, double t, double horizon)
+{
+    if (!isfinite(t) || !(horizon > t)) return INFINITY;
+    if (evaluator->waveform->kind == TINKER_WAVEFORM_TABLE) return next_row(evaluator->waveform->table, t, horizon);
+    if (evaluator->waveform->kind != TINKER_WAVEFORM_EXPRESSION) return INFINITY;
+    TinkerProgramState search = evaluator->search;
+    return tinker_program_next_break(&search, t, horizon);
+}
+
+void tinker_waveform_jump(TinkerWaveformEvaluator *evaluator, double t, double jump[2])
+{
+    const TinkerWaveform *waveform = evaluator->waveform;
+    double left[3] = {0}, right[3] = {0};
+    if (waveform->kind == TINKER_WAVEFORM_TABLE) {
+        const gsize piece_left = tinker_table_piece(waveform->table, nextafter(t, -INFINITY));
+        const gsize piece_right = tinker_table_piece(waveform->table, t);
+        tinker_table_evaluate(waveform->table, piece_left, evaluator->smooth, t, left);
+        tinker_table_evaluate(waveform->table, piece_right, evaluator->smooth, t, right);
+    } else if (waveform->kind == TINKER_WAVEFORM_EXPRESSION) {
+        evaluate_beside(evaluator, inside_left(evaluator, t), t, left);
+        evaluate_beside(evaluator, inside_right(evaluator, t), t, right);
+    }
+    jump[0] = right[0] - left[0];
+    jump[1] = right[1] - left[1];
+}
