@@ -1,0 +1,155 @@
+/* Rod: keeps a fixed distance between its ends, g = L - l = 0.
+ *
+ * With d = x_b - x_a, L = |d|, n = d / L and w = v_b - v_a:
+ *     J = dg/dx = (-n, n),  dL/dt = n . w,
+ *     d2L/dt2 = n . (a_b - a_a) + (|w|^2 - (n . w)^2) / L = n . (a_b - a_a) + (n x w)^2 / L,
+ * so the drift is (n x w)^2 / L. The cross product is what is left of the difference before it, without its
+ * cancellation where the ends move along the rod. */
+#include <tinker/sdk.h>
+
+enum { COLUMN_LENGTH };
+
+enum { QUANTITY_TENSION, QUANTITY_LENGTH_ERROR };
+
+/* Physics */
+
+static void write_row(double *jacobian, double nx, double ny)
+{
+    jacobian[0] = -nx;
+    jacobian[1] = -ny;
+    jacobian[2] = nx;
+    jacobian[3] = ny;
+}
+
+/* All rows, as plain arithmetic: a square root and a division each, which bound its speed also where the compiler finds
+ * no vectors in it. Answers whether some L^2 left the range of a double; those rows are to be done again. */
+static int rows_loop(int32_t count, const TinkerPoint *restrict ends, const double *restrict length, double *restrict g,
+                     double *restrict jacobian, double *restrict drift)
+{
+    int out_of_range = 0;
+    for (int32_t i = 0; i < count; i++) {
+        const TinkerPoint *a = &ends[2 * i], *b = a + 1;
+        const double dx = b->x - a->x, dy = b->y - a->y, square = dx * dx + dy * dy;
+        const double distance = sqrt(square), inverse = 1.0 / distance;
+        const double nx = dx * inverse, ny = dy * inverse;
+        const double across = nx * (b->vy - a->vy) - ny * (b->vx - a->vx);
+        out_of_range |= !(square >= TINKER_LEAST_SQUARE) | !(square <= TINKER_GREATEST_SQUARE);
+        g[i] = distance - length[i];
+        write_row(&jacobian[4 * i], nx, ny);
+        drift[i] = across * across * inverse;
+    }
+    return out_of_range;
+}
+
+/* One row of a rod that is immensely long or short. Where the ends coincide it has no direction, and can exert nothing;
+ * its g says how wrong that is. */
+static void row_out_of_range(const TinkerPoint *a, const TinkerPoint *b, double length, double *g, double *jacobian,
+                             double *drift)
+{
+    const double dx = b->x - a->x, dy = b->y - a->y, distance = hypot(dx, dy);
+    const double nx = distance == 0.0 ? 0.0 : dx / distance, ny = distance == 0.0 ? 0.0 : dy / distance;
+    const double across = nx * (b->vy - a->vy) - ny * (b->vx - a->vx);
+    *g = distance - length;
+    write_row(jacobian, nx, ny);
+    *drift = distance == 0.0 ? 0.0 : across / distance * across;
+}
+
+static TinkerStatus rows_at(TinkerBatch *batch, const TinkerPoint *ends, double *g, double *jacobian, double *drift)
+{
+    const double *length = tinker_column(batch, COLUMN_LENGTH);
+    if (!rows_loop(batch->count, ends, length, g, jacobian, drift)) return TINKER_OK;
+    for (int32_t i = 0; i < batch->count; i++) {
+        const TinkerPoint *a = &ends[2 * i], *b = a + 1;
+        const double dx = b->x - a->x, dy = b->y - a->y, square = dx * dx + dy * dy;
+        if (!(square >= TINKER_LEAST_SQUARE && square <= TINKER_GREATEST_SQUARE)) {
+            row_out_of_range(a, b, length[i], &g[i], &jacobian[4 * i], &drift[i]);
+        }
+    }
+    return TINKER_OK;
+}
+
+static TinkerStatus scale(TinkerBatch *batch, double *result)
+{
+    const double *length = tinker_column(batch, COLUMN_LENGTH);
+    for (int32_t i = 0; i < batch->count; i++) {
+        result[i] = length[i];
+    }
+    return TINKER_OK;
+}
+
+static TinkerStatus check(TinkerBatch *batch)
+{
+    const double *length = tinker_column(batch, COLUMN_LENGTH);
+    for (int32_t i = 0; i < batch->count; i++) {
+        if (!(length[i] > 0.0)) return tinker_fail(batch, i, "length is 0; a rod needs a length above 0");
+    }
+    return TINKER_OK;
+}
+
+/* Drawing */
+
+static void draw(const TinkerInstance *instance, struct _cairo *cairo, const TinkerStyle *style)
+{
+    const TinkerEnd *a = &instance->end[0], *b = &instance->end[1];
+    style->bar(style, cairo, TINKER_COLOUR_CONNECTOR, a->x, a->y, b->x, b->y);
+    tinker_ends_draw_marks(instance, cairo, style);
+}
+
+/* Graphs */
+
+/* The multiplier of g = L - l pushes the ends apart where it is positive: the tension is minus it. */
+static TinkerStatus values(TinkerBatch *batch, const TinkerGraphInput *input, int32_t quantity, double *result)
+{
+    const double *length = tinker_column(batch, COLUMN_LENGTH);
+    if (quantity == QUANTITY_TENSION) {
+        if (input->multipliers == NULL) return tinker_fail(batch, 0, "the rod's force is not known yet");
+        for (int32_t i = 0; i < batch->count; i++) {
+            result[i] = -input->multipliers[i];
+        }
+        return TINKER_OK;
+    }
+    tinker_end_distances(batch->count, input->ends, result);
+    for (int32_t i = 0; i < batch->count; i++) {
+        result[i] -= length[i];
+    }
+    return TINKER_OK;
+}
+
+/* Tables */
+
+static const TinkerPropertyType properties[] = {
+    {TINKER_REAL_PROPERTY("length", "Length", "Rod Properties", TINKER_DIMENSION_LENGTH),
+     TINKER_POSITIVE(TINKER_DEFAULT_AS_PLACED, 0.1, 10.0), .symbol = "l", .meaning = TINKER_MEANING_LENGTH,
+     .variability = TINKER_STRUCTURAL, .description = "Distance that it keeps between its ends"},
+};
+
+static const TinkerQuantityType quantities[] = {
+    TINKER_QUANTITY(TINKER_RECORDED, "tension", "Tension", "Force that pulls the ends together",
+                    TINKER_DIMENSION_FORCE),
+    TINKER_QUANTITY(0, "length error", "Length Error", "How far its length is off", TINKER_DIMENSION_LENGTH),
+};
+
+static const TinkerConstraint constraint = {
+    .struct_size = sizeof(TinkerConstraint), .rows = 1, .rows_at = rows_at, .scale = scale, .check = check};
+static const TinkerPhysics physics = {.struct_size = sizeof(TinkerPhysics), .constraint = &constraint};
+static const TinkerRender render = {sizeof(TinkerRender), 2, draw, tinker_connector_bounds};
+static const TinkerEdit edit = {sizeof(TinkerEdit),        0,   tinker_connector_hit, tinker_ends_move,
+                                tinker_ends_move_absolute, NULL};
+static const TinkerGraph graph = {sizeof(TinkerGraph), 0, values};
+
+static const TinkerUnitChoice unit_choices[] = {{"length", "m", "ft"}, {"tension", "N", "lbf"}};
+static const TinkerUnits units = {sizeof(TinkerUnits), 0, TINKER_SPAN(unit_choices)};
+
+static const TinkerInterface interfaces[] = {
+    {TINKER_PHYSICS_INTERFACE, &physics}, {TINKER_RENDER_INTERFACE, &render}, {TINKER_EDIT_INTERFACE, &edit},
+    {TINKER_UNITS_INTERFACE, &units},     {TINKER_GRAPH_INTERFACE, &graph},
+};
+
+static const TinkerBlockType blocks[] = {
+    {TINKER_BLOCK("rod", "Rod", TINKER_CONNECTOR), .summary = "Keeps a fixed distance between its ends",
+     .formula = "|x2 - x1| = l", .least_ends = 2, .most_ends = 2,
+     .end_accepts = TINKER_ACCEPTS_BODY | TINKER_ACCEPTS_SUPPORT, .properties = TINKER_SPAN(properties),
+     .quantities = TINKER_SPAN(quantities), .interfaces = TINKER_SPAN(interfaces)},
+};
+
+TINKER_DEFINE_PLUGIN("org.tinker.rod", "Rod", "0.1.0", "MIT", blocks)
