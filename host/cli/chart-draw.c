@@ -1,0 +1,147 @@
+/* Charts: the plot. Of a long record only what a picture can show is kept in memory. */
+#include "chart-private.h"
+
+#include <string.h>
+
+#include "render/plot.h"
+
+/* Buckets of a long record; each keeps its least and its greatest value. Far more than a picture has pixels. */
+#define MOST_BUCKETS 32768
+#define ROWS_AT_ONCE 1024
+
+/* The points of one curve, thinned while they are read. */
+typedef struct {
+    GArray *x, *y; /* of double */
+    double low[2], high[2];
+    gboolean filled;
+} CurvePoints;
+
+static void append_point(CurvePoints *points, const double point[2])
+{
+    g_array_append_val(points->x, point[0]);
+    g_array_append_val(points->y, point[1]);
+}
+
+/* Hands on the bucket's extremes in the order of x, which is that of time. */
+static void empty_bucket(CurvePoints *points)
+{
+    if (!points->filled) return;
+    gboolean low_first = points->low[0] <= points->high[0];
+    append_point(points, low_first ? points->low : points->high);
+    if (points->low[0] != points->high[0]) append_point(points, low_first ? points->high : points->low);
+    points->filled = FALSE;
+}
+
+static void fill_bucket(CurvePoints *points, const double point[2])
+{
+    if (!points->filled || point[1] < points->low[1]) memcpy(points->low, point, sizeof points->low);
+    if (!points->filled || point[1] > points->high[1]) memcpy(points->high, point, sizeof points->high);
+    points->filled = TRUE;
+}
+
+static gboolean read_points(const TinkerChart *chart, TinkerChartCurve curve, CurvePoints *points, GError **error)
+{
+    guint width = chart->columns->len + 1;
+    double x_factor = tinker_chart_axis(chart, curve.x).per_si, y_factor = tinker_chart_axis(chart, curve.y).per_si;
+    gsize count = chart->record == NULL ? 0 : tinker_record_rows(chart->record);
+    gsize bucket = count / MOST_BUCKETS + 1;
+    g_autofree double *rows = g_new(double, (gsize)ROWS_AT_ONCE *width);
+    for (gsize row = 0; row < count; row++) {
+        gsize place = row % ROWS_AT_ONCE;
+        if (place == 0 && !tinker_record_read(chart->record, row, MIN(ROWS_AT_ONCE, count - row), rows, error))
+            return FALSE;
+        double point[2] = {x_factor * rows[place * width + curve.x], y_factor * rows[place * width + curve.y]};
+        if (bucket == 1 || (curve.x > 0 && row % bucket == 0))
+            append_point(points, point);
+        else if (curve.x == 0)
+            fill_bucket(points, point);
+        if (row % bucket == bucket - 1) empty_bucket(points);
+    }
+    empty_bucket(points);
+    return TRUE;
+}
+
+static char *axis_label(const char *title, const char *unit)
+{
+    return unit[0] != '\0' ? g_strdup_printf("%s [%s]", title, unit) : g_strdup(title);
+}
+
+/* The label that all curves share on one axis: title and unit, or what they have in common of it. */
+static char *common_label(const TinkerChart *chart, gboolean of_x)
+{
+    TinkerChartCurve first = g_array_index(chart->curves, TinkerChartCurve, 0);
+    TinkerChartAxis axis = tinker_chart_axis(chart, of_x ? first.x : first.y);
+    gboolean same_title = TRUE, same_unit = TRUE;
+    for (guint i = 1; i < chart->curves->len; i++) {
+        TinkerChartCurve curve = g_array_index(chart->curves, TinkerChartCurve, i);
+        TinkerChartAxis other = tinker_chart_axis(chart, of_x ? curve.x : curve.y);
+        if (strcmp(axis.title, other.title) != 0) same_title = FALSE;
+        if (strcmp(axis.unit, other.unit) != 0) same_unit = FALSE;
+    }
+    if (!same_unit) return g_strdup("units as in the legend");
+    if (same_title) return axis_label(axis.title, axis.unit);
+    g_autofree char *name = g_strdup(tinker_dimension_name(axis.dimension));
+    name[0] = g_ascii_toupper(name[0]);
+    return axis_label(name, axis.unit);
+}
+
+/* A path in the plane: one length against another. */
+static gboolean is_path(const TinkerChart *chart)
+{
+    static const TinkerDimension length = TINKER_DIMENSION_LENGTH;
+    TinkerChartCurve first = g_array_index(chart->curves, TinkerChartCurve, 0);
+    return tinker_dimension_equal(tinker_chart_axis(chart, first.x).dimension, length) &&
+           tinker_dimension_equal(tinker_chart_axis(chart, first.y).dimension, length);
+}
+
+static char *legend_label(const TinkerChart *chart, TinkerChartCurve curve)
+{
+    const TinkerColumn *column = &g_array_index(chart->columns, TinkerColumn, curve.y - 1);
+    TinkerChartAxis axis = tinker_chart_axis(chart, curve.y);
+    return axis_label(column->name, axis.unit);
+}
+
+static void free_points(gpointer data)
+{
+    CurvePoints *points = data;
+    g_array_unref(points->x);
+    g_array_unref(points->y);
+    g_free(points);
+}
+
+gboolean tinker_chart_draw(TinkerChart *chart, const TinkerTheme *theme, int width, int height, const char *path,
+                           GError **error)
+{
+    guint count = chart->curves->len;
+    g_autofree TinkerCurve *curves = g_new0(TinkerCurve, count);
+    g_autoptr(GPtrArray) all_points = g_ptr_array_new_with_free_func(free_points);
+    g_autoptr(GPtrArray) labels = g_ptr_array_new_with_free_func(g_free);
+    for (guint i = 0; i < count; i++) {
+        TinkerChartCurve curve = g_array_index(chart->curves, TinkerChartCurve, i);
+        CurvePoints *points = g_new0(CurvePoints, 1);
+        points->x = g_array_new(FALSE, FALSE, sizeof(double));
+        points->y = g_array_new(FALSE, FALSE, sizeof(double));
+        g_ptr_array_add(all_points, points);
+        if (!read_points(chart, curve, points, error)) return FALSE;
+        g_ptr_array_add(labels, legend_label(chart, curve));
+        curves[i] = (TinkerCurve){
+            .label = count > 1 ? g_ptr_array_index(labels, i) : NULL,
+            .x = (const double *)(gpointer)points->x->data,
+            .y = (const double *)(gpointer)points->y->data,
+            .count = points->x->len,
+            .colour = (int)i,
+        };
+    }
+    g_autofree char *x_label = common_label(chart, TRUE);
+    g_autofree char *y_label = common_label(chart, FALSE);
+    TinkerPlot plot = {
+        .title = chart->title[0] != '\0' ? chart->title : NULL,
+        .x_label = x_label,
+        .y_label = y_label,
+        .equal_scales = is_path(chart),
+        .curves = curves,
+        .curve_count = (int)count,
+        .theme = theme,
+    };
+    return tinker_plot_to_file(&plot, width, height, path, error);
+}

@@ -1,0 +1,31 @@
+/* The record of a run, written as CSV while it runs. */
+#ifndef TINKER_CLI_CSV_RECORD_H
+#define TINKER_CLI_CSV_RECORD_H
+
+#include "csv-writer.h"
+#include "output.h"
+#include "physics/simulation.h"
+
+typedef struct {
+    TinkerOutput output;
+    TinkerCsvWriter writer;
+    guint columns;
+    double last_time; /* of the rows written */
+} TinkerCsvRecord;
+
+/* Opens the file and writes the header: "time [s]", then "NAME.QUANTITY [UNIT]" of every column. `scene_path` is the
+ * file that must not be overwritten. */
+gboolean tinker_csv_record_open(TinkerCsvRecord *record, const char *path, const char *scene_path,
+                                const GArray *columns, GError **error);
+
+/* Writes one row; stops the run where the file takes no more. */
+gboolean tinker_csv_record_add(TinkerCsvRecord *record, double time, const double *values, GError **error);
+
+/* Closes the file. Rows later than `valid_until` have been written already, so a last line says that they are not to be
+ * believed. */
+gboolean tinker_csv_record_close(TinkerCsvRecord *record, double valid_until, GError **error);
+
+void tinker_csv_record_clear(TinkerCsvRecord *record);
+G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC(TinkerCsvRecord, tinker_csv_record_clear)
+
+#endif

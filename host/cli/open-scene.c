@@ -1,0 +1,105 @@
+/* Where plugins and bundled scenes are, and opening a scene with one line for everything that is wrong. */
+#include "open-scene.h"
+
+#include "exit-status.h"
+#include "output.h"
+
+/* The program itself, without links. NULL where the system does not tell. */
+static char *own_path(void)
+{
+    return g_file_read_link("/proc/self/exe", NULL);
+}
+
+/* A folder of the installation: in a build tree `in_build_tree`, relative to the program's folder; else `in_prefix`
+ * below the prefix the program lies in (bin/ of it), so that a moved installation works; else the place it was
+ * configured for. */
+static char *installation_folder(const char *in_build_tree, const char *in_prefix, const char *configured)
+{
+    g_autofree char *program = own_path();
+    if (program != NULL) {
+        g_autofree char *folder = g_path_get_dirname(program);
+        gboolean built = g_str_has_suffix(folder, "/host/cli");
+        g_autofree char *near_program =
+            built ? g_build_filename(folder, in_build_tree, NULL) : g_build_filename(folder, "..", in_prefix, NULL);
+        g_autofree char *plain = g_canonicalize_filename(near_program, "/");
+        if (g_file_test(plain, G_FILE_TEST_IS_DIR)) return g_steal_pointer(&plain);
+    }
+    return g_strdup(configured);
+}
+
+/* The catalogue takes absolute folders only; on the command line one may be given from the current folder. */
+static char **absolute_folders(char **folders)
+{
+    if (folders == NULL) return NULL;
+    g_autoptr(GPtrArray) absolute = g_ptr_array_new();
+    for (char **folder = folders; *folder != NULL; folder++) {
+        if (!g_file_test(*folder, G_FILE_TEST_IS_DIR))
+            tinker_report_warning("--plugins \"%s\": no such folder", *folder);
+        g_ptr_array_add(absolute, g_canonicalize_filename(*folder, NULL));
+    }
+    g_ptr_array_add(absolute, NULL);
+    return (char **)g_ptr_array_free(g_steal_pointer(&absolute), FALSE);
+}
+
+TinkerCatalogue *tinker_open_catalogue(char **plugin_folders)
+{
+    g_auto(GStrv) folders = absolute_folders(plugin_folders);
+    g_autofree char *installed =
+        installation_folder("../../plugins", TINKER_PLUGIN_FOLDER_IN_PREFIX, TINKER_PLUGIN_FOLDER);
+    g_autofree char *program = own_path();
+    TinkerCatalogueOptions options = {
+        .folders = (const char *const *)folders,
+        .installed_folder = installed,
+        .probe_program = program,
+    };
+    return tinker_catalogue_new(&options);
+}
+
+char *tinker_bundled_scene(const char *name)
+{
+    g_autofree char *folder = installation_folder(".", TINKER_SCENE_FOLDER_IN_PREFIX, TINKER_SCENE_FOLDER);
+    return g_build_filename(folder, name, NULL);
+}
+
+char *tinker_finding_text(const TinkerFinding *finding, const char *name)
+{
+    if (finding->line <= 0) return g_strdup_printf("%s: %s", name, finding->message);
+    return g_strdup_printf("%s:%d:%d: %s", name, finding->line, finding->column, finding->message);
+}
+
+static void collect_warnings(TinkerOpenScene *open, const GPtrArray *findings)
+{
+    const GPtrArray *search = tinker_catalogue_warnings(open->catalogue);
+    for (guint i = 0; i < search->len; i++)
+        g_ptr_array_add(open->warnings, g_strdup(g_ptr_array_index(search, i)));
+    for (guint i = 0; i < findings->len; i++) {
+        const TinkerFinding *finding = g_ptr_array_index(findings, i);
+        if (finding->kind == TINKER_FINDING_WARNING)
+            g_ptr_array_add(open->warnings, tinker_finding_text(finding, open->name));
+    }
+}
+
+int tinker_open_scene(TinkerOpenScene *open, char **plugin_folders, const char *path)
+{
+    *open = (TinkerOpenScene){
+        .catalogue = tinker_open_catalogue(plugin_folders),
+        .path = g_strdup(path),
+        .name = g_strdup(tinker_is_standard_stream(path) ? "standard input" : path),
+        .warnings = g_ptr_array_new_with_free_func(g_free),
+    };
+    g_autoptr(GError) error = NULL;
+    g_autoptr(GPtrArray) findings = tinker_findings_new();
+    open->scene = tinker_scene_read_file(open->catalogue, path, findings, &error);
+    if (open->scene == NULL) return tinker_report_error(NULL, error);
+    collect_warnings(open, findings);
+    return TINKER_EXIT_DONE;
+}
+
+void tinker_open_scene_clear(TinkerOpenScene *open)
+{
+    g_clear_pointer(&open->scene, tinker_scene_free);
+    g_clear_pointer(&open->catalogue, tinker_catalogue_free);
+    g_clear_pointer(&open->path, g_free);
+    g_clear_pointer(&open->name, g_free);
+    g_clear_pointer(&open->warnings, g_ptr_array_unref);
+}

@@ -1,0 +1,35 @@
+/* Opening: the catalogue as the program sets it up, and a scene from it. */
+#ifndef TINKER_CLI_OPEN_SCENE_H
+#define TINKER_CLI_OPEN_SCENE_H
+
+#include "plugin/catalogue.h"
+#include "scene/scene-json.h"
+
+/* The catalogue: folders of --plugins (NULL: none), TINKER_PLUGIN_PATH, the user's and the installed one. In a build
+ * tree that is not installed, the installed folder is the tree's own. Libraries without a manifest are probed by this
+ * very program. (transfer full) */
+TinkerCatalogue *tinker_open_catalogue(char **plugin_folders);
+
+/* Path of a bundled scene, "spring-mass.tinker.json". (transfer full) */
+char *tinker_bundled_scene(const char *name);
+
+/* A scene together with what it came from. */
+typedef struct {
+    TinkerCatalogue *catalogue;
+    TinkerScene *scene;
+    char *path;          /* as given */
+    char *name;          /* as messages call it: the path, or "standard input" */
+    GPtrArray *warnings; /* of char *: of the catalogue and of the reader */
+} TinkerOpenScene;
+
+/* Opens the scene at `path`; "-" is standard input. Reports what is wrong; answers the exit status, 0 where it is
+ * open. */
+int tinker_open_scene(TinkerOpenScene *open, char **plugin_folders, const char *path);
+
+void tinker_open_scene_clear(TinkerOpenScene *open);
+G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC(TinkerOpenScene, tinker_open_scene_clear)
+
+/* "FILE:LINE:COLUMN: MESSAGE" of a finding; FILE alone where no place is known. (transfer full) */
+char *tinker_finding_text(const TinkerFinding *finding, const char *name);
+
+#endif

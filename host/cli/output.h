@@ -1,0 +1,36 @@
+/* Outputs: a file by its name, or standard output as "-". */
+#ifndef TINKER_CLI_OUTPUT_H
+#define TINKER_CLI_OUTPUT_H
+
+#include <glib.h>
+#include <stdio.h>
+
+typedef struct {
+    FILE *file; /* NULL: none is open */
+    char *name; /* as messages call it; owned */
+} TinkerOutput;
+
+/* Opens a file for writing; "-" is standard output. `input` (may be NULL) is a file that must not be overwritten: the
+ * scene. TINKER_CLI_ERROR_FILE where it cannot be written. */
+gboolean tinker_output_open(TinkerOutput *output, const char *path, const char *input, GError **error);
+
+/* Writes out what is buffered and closes; nothing where none is open. TINKER_CLI_ERROR_FILE where that, or any write
+ * before it, failed. */
+gboolean tinker_output_close(TinkerOutput *output, GError **error);
+
+/* Sets TINKER_CLI_ERROR_FILE if a write has failed. */
+gboolean tinker_output_check(const TinkerOutput *output, GError **error);
+
+/* Closes without a word: the way out after another error. */
+void tinker_output_clear(TinkerOutput *output);
+G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC(TinkerOutput, tinker_output_clear)
+
+gboolean tinker_is_standard_stream(const char *path);
+
+/* Whether a path ends in ".png" or the like, in capitals or not. */
+gboolean tinker_path_has_ending(const char *path, const char *ending);
+
+/* Checks before long work that a file of this name can be written, without changing one that is there. */
+gboolean tinker_output_is_writable(const char *path, GError **error);
+
+#endif

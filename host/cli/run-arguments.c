@@ -1,0 +1,145 @@
+/* From the command line to a run. */
+#include "run-arguments.h"
+
+#include "exit-status.h"
+#include "options.h"
+
+static const TinkerDimension time_dimension = TINKER_DIMENSION_TIME;
+static const TinkerDimension no_dimension = TINKER_DIMENSION_NONE;
+
+void tinker_run_arguments_clear(TinkerRunArguments *arguments)
+{
+    g_clear_pointer(&arguments->duration, g_free);
+    g_clear_pointer(&arguments->interval, g_free);
+    g_clear_pointer(&arguments->method, g_free);
+    g_clear_pointer(&arguments->step, g_free);
+    g_clear_pointer(&arguments->tolerance, g_free);
+}
+
+gboolean tinker_run_arguments_apply(const TinkerRunArguments *arguments, TinkerScene *scene, TinkerRunOptions *options,
+                                    GError **error)
+{
+    *options = tinker_run_options_of(scene);
+    const struct {
+        const char *option;
+        const char *text;
+        TinkerDimension dimension;
+        double *value;
+    } numbers[] = {
+        {"duration", arguments->duration, time_dimension, &options->duration},
+        {"interval", arguments->interval, time_dimension, &options->interval},
+        {"step", arguments->step, time_dimension, &options->step},
+        {"tolerance", arguments->tolerance, no_dimension, &options->tolerance},
+    };
+    for (gsize i = 0; i < G_N_ELEMENTS(numbers); i++)
+        if (numbers[i].text != NULL && !tinker_option_value(numbers[i].option, numbers[i].text, numbers[i].dimension, 0,
+                                                            TRUE, numbers[i].value, error))
+            return FALSE;
+    if (arguments->method != NULL) options->method = arguments->method;
+    return TRUE;
+}
+
+static int by_value(const void *a, const void *b)
+{
+    double first = *(const double *)a, second = *(const double *)b;
+    return (first > second) - (first < second);
+}
+
+GArray *tinker_run_arguments_times(const char *text, GError **error)
+{
+    g_autoptr(GArray) times = g_array_new(FALSE, FALSE, sizeof(double));
+    g_auto(GStrv) parts = g_strsplit(text, ",", -1);
+    for (char **part = parts; *part != NULL; part++) {
+        double time = 0;
+        if (!tinker_option_value("at", g_strstrip(*part), time_dimension, 0, FALSE, &time, error)) return NULL;
+        g_array_append_val(times, time);
+    }
+    if (times->len == 0) {
+        g_set_error(error, TINKER_CLI_ERROR, TINKER_CLI_ERROR_USAGE, "--at: no time is given (as in --at 0,0.5,2)");
+        return NULL;
+    }
+    qsort(times->data, times->len, sizeof(double), by_value);
+    guint kept = 1;
+    for (guint i = 1; i < times->len; i++) {
+        double time = g_array_index(times, double, i);
+        if (time > g_array_index(times, double, kept - 1)) g_array_index(times, double, kept++) = time;
+    }
+    g_array_set_size(times, kept);
+    return g_steal_pointer(&times);
+}
+
+/* What the scene itself asks for in vain is the scene's fault, what the command line asks for the user's. */
+static void blame_command_line(const TinkerRunArguments *arguments, GError **error)
+{
+    const char *const given[] = {arguments->duration, arguments->interval, arguments->method, arguments->step,
+                                 arguments->tolerance};
+    if (!g_error_matches(*error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_METHOD)) return;
+    for (gsize i = 0; i < G_N_ELEMENTS(given); i++)
+        if (given[i] != NULL) {
+            tinker_blame_option(NULL, error);
+            return;
+        }
+}
+
+gboolean tinker_scene_run_prepare(TinkerSceneRun *run, TinkerScene *scene, const TinkerRunArguments *arguments,
+                                  TinkerRunOptions *options, GError **error)
+{
+    run->progress = tinker_progress_start("running");
+    options->cancelled = tinker_progress_interrupted;
+    options->progress = tinker_progress_of_run;
+    options->data = &run->progress;
+
+    g_autoptr(GError) reason = NULL;
+    run->model = tinker_model_new(scene, &reason);
+    if (run->model != NULL) run->simulation = tinker_simulation_new(run->model, options, &reason);
+    if (run->simulation != NULL) return TRUE;
+    blame_command_line(arguments, &reason);
+    g_propagate_error(error, g_steal_pointer(&reason));
+    return FALSE;
+}
+
+gboolean tinker_scene_run_go(TinkerSceneRun *run, const GArray *columns, TinkerSampleFunc sample, void *data,
+                             GError **error)
+{
+    tinker_progress_catch_interrupt();
+    gboolean done = tinker_simulation_run(run->simulation, columns, sample, data, error);
+    tinker_progress_end(&run->progress);
+    return done;
+}
+
+void tinker_scene_run_clear(TinkerSceneRun *run)
+{
+    g_clear_pointer(&run->simulation, tinker_simulation_free);
+    g_clear_pointer(&run->model, tinker_model_free);
+}
+
+static void add_once(GPtrArray *texts, const GPtrArray *more)
+{
+    for (guint i = 0; i < more->len; i++)
+        if (!g_ptr_array_find_with_equal_func(texts, g_ptr_array_index(more, i), g_str_equal, NULL))
+            g_ptr_array_add(texts, g_strdup(g_ptr_array_index(more, i)));
+}
+
+GPtrArray *tinker_scene_run_warnings(const TinkerSceneRun *run, const TinkerOpenScene *open,
+                                     const TinkerRunArguments *arguments)
+{
+    GPtrArray *warnings = g_ptr_array_new_with_free_func(g_free);
+    const TinkerSummary *summary = tinker_simulation_summary(run->simulation);
+    add_once(warnings, open->warnings);
+    add_once(warnings, tinker_model_warnings(run->model));
+    add_once(warnings, summary->warnings);
+    if (summary->adaptive && arguments->step != NULL)
+        g_ptr_array_add(warnings,
+                        g_strdup_printf("--step has no effect: %s chooses its steps by --tolerance", summary->method));
+    if (!summary->adaptive && arguments->tolerance != NULL)
+        g_ptr_array_add(warnings, g_strdup_printf("--tolerance has no effect: %s takes --step", summary->method));
+    return warnings;
+}
+
+void tinker_scene_run_report_warnings(const TinkerSceneRun *run, const TinkerOpenScene *open,
+                                      const TinkerRunArguments *arguments)
+{
+    g_autoptr(GPtrArray) warnings = tinker_scene_run_warnings(run, open, arguments);
+    for (guint i = 0; i < warnings->len; i++)
+        tinker_report_warning("%s", (const char *)g_ptr_array_index(warnings, i));
+}

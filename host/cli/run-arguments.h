@@ -1,0 +1,66 @@
+/* The options that say how a scene is run, shared by every verb that runs one, and the run itself. */
+#ifndef TINKER_CLI_RUN_ARGUMENTS_H
+#define TINKER_CLI_RUN_ARGUMENTS_H
+
+#include "open-scene.h"
+#include "physics/simulation.h"
+#include "progress.h"
+
+/* As given on the command line; NULL: the scene's own. */
+typedef struct {
+    char *duration, *interval, *method, *step, *tolerance;
+} TinkerRunArguments;
+
+void tinker_run_arguments_clear(TinkerRunArguments *arguments);
+G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC(TinkerRunArguments, tinker_run_arguments_clear)
+
+/* Rows of a table of options. */
+#define TINKER_RUN_METHOD_ENTRIES(arguments)                                                                           \
+    {"method", 0, 0, G_OPTION_ARG_FILENAME, &(arguments).method, "Integrator: auto, rk4, dop853, verlet, ...", "M"},   \
+        {"step", 0, 0, G_OPTION_ARG_FILENAME, &(arguments).step, "Step of fixed-step methods", "S"},                   \
+    {                                                                                                                  \
+        "tolerance", 0, 0, G_OPTION_ARG_FILENAME, &(arguments).tolerance, "Tolerance of adaptive methods", "E"         \
+    }
+#define TINKER_RUN_ENTRIES(arguments)                                                                                  \
+    {"duration", 0, 0, G_OPTION_ARG_FILENAME, &(arguments).duration, "How long to run", "S"},                          \
+        {"interval", 0, 0, G_OPTION_ARG_FILENAME, &(arguments).interval, "Time between samples", "S"},                 \
+        TINKER_RUN_METHOD_ENTRIES(arguments)
+
+/* The scene's settings with the arguments in their place. Strings are borrowed from both. Errors:
+ * TINKER_CLI_ERROR_USAGE. */
+gboolean tinker_run_arguments_apply(const TinkerRunArguments *arguments, TinkerScene *scene, TinkerRunOptions *options,
+                                    GError **error);
+
+/* Reads "T1,T2,..." of --at: ascending, each time once. (transfer full) */
+GArray *tinker_run_arguments_times(const char *text, GError **error);
+
+/* A scene compiled and ready to run. */
+typedef struct {
+    TinkerModel *model;
+    TinkerSimulation *simulation;
+    TinkerProgress progress;
+} TinkerSceneRun;
+
+/* Compiles the scene and prepares its run, with Ctrl-C and the progress line set up; a method or step that was given
+ * on the command line and cannot be is a usage error. The scene run must stay where it is: the simulation points into
+ * it. */
+gboolean tinker_scene_run_prepare(TinkerSceneRun *run, TinkerScene *scene, const TinkerRunArguments *arguments,
+                                  TinkerRunOptions *options, GError **error);
+
+/* Runs it; erases the progress line. */
+gboolean tinker_scene_run_go(TinkerSceneRun *run, const GArray *columns, TinkerSampleFunc sample, void *data,
+                             GError **error);
+
+void tinker_scene_run_clear(TinkerSceneRun *run);
+G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC(TinkerSceneRun, tinker_scene_run_clear)
+
+/* Everything there is to say about a run: of the catalogue, the reader, the model, the simulation; each text once. Of
+ * char *. (transfer full) */
+GPtrArray *tinker_scene_run_warnings(const TinkerSceneRun *run, const TinkerOpenScene *open,
+                                     const TinkerRunArguments *arguments);
+
+/* Writes these warnings to standard error. */
+void tinker_scene_run_report_warnings(const TinkerSceneRun *run, const TinkerOpenScene *open,
+                                      const TinkerRunArguments *arguments);
+
+#endif

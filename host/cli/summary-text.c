@@ -1,0 +1,114 @@
+/* The summary of a run for people: an aligned table, without what is zero because nothing in the scene does it. */
+#include <math.h>
+
+#include "summary.h"
+#include "text-table.h"
+
+static char *duration_text(double seconds)
+{
+    if (seconds < 1e-3) return g_strdup_printf("%.3g µs", seconds * 1e6);
+    if (seconds < 1) return g_strdup_printf("%.3g ms", seconds * 1e3);
+    return g_strdup_printf("%.4g s", seconds);
+}
+
+static char *time_text(const TinkerSummary *run)
+{
+    g_autofree char *wall = duration_text(run->wall_s);
+    double factor = run->simulated_s / run->wall_s;
+    if (!isfinite(factor)) return g_strdup_printf("%g s simulated in %s", run->simulated_s, wall);
+    return g_strdup_printf("%g s simulated in %s, %.*f times real time", run->simulated_s, wall, factor < 10 ? 2 : 0,
+                           factor);
+}
+
+static void add(TinkerTextTable *table, const char *label, const char *value)
+{
+    tinker_text_table_add(table, label);
+    tinker_text_table_add(table, value);
+}
+
+static void write_numbers(const TinkerSummary *run, FILE *file)
+{
+    g_autoptr(TinkerTextTable) table = tinker_text_table_new("ll", 2);
+    g_autofree char *method = run->adaptive ? g_strdup_printf("%s, tolerance %g", run->method, run->tolerance)
+                                            : g_strdup_printf("%s, step %g s", run->method, run->step);
+    g_autofree char *steps =
+        run->rejected_steps > 0
+            ? g_strdup_printf("%" G_GINT64_FORMAT " and %" G_GINT64_FORMAT " rejected", run->steps, run->rejected_steps)
+            : g_strdup_printf("%" G_GINT64_FORMAT, run->steps);
+    g_autofree char *evaluations = g_strdup_printf("%" G_GINT64_FORMAT, run->evaluations);
+    g_autofree char *time = time_text(run);
+    add(table, "method", method);
+    add(table, "steps", steps);
+    add(table, "evaluations", evaluations);
+    add(table, "time", time);
+    if (run->constraint_position_error != 0 || run->constraint_velocity_error != 0) {
+        g_autofree char *error = g_strdup_printf("%.2g of length, %.2g of speed", run->constraint_position_error,
+                                                 run->constraint_velocity_error);
+        add(table, "constraint error", error);
+    }
+    tinker_text_table_write(table, file);
+}
+
+static void write_energy(const TinkerSummary *run, FILE *file)
+{
+    static const char *const labels[TINKER_BOOK_COUNT] = {
+        [TINKER_BOOK_DAMPERS] = "dampers",       [TINKER_BOOK_FRICTION] = "friction",
+        [TINKER_BOOK_CONTACTS] = "contacts",     [TINKER_BOOK_MOTORS] = "motors",
+        [TINKER_BOOK_FIELDS] = "fields",         [TINKER_BOOK_SUPPORT_MOTION] = "support motion",
+        [TINKER_BOOK_PROJECTION] = "projection",
+    };
+    gboolean exchanged = FALSE;
+    for (int book = 0; book < TINKER_BOOK_COUNT; book++)
+        if (run->books[book] != 0) exchanged = TRUE;
+    g_autoptr(TinkerTextTable) table = tinker_text_table_new("lrrr", 2);
+    tinker_text_table_add(table, "energy [J]");
+    tinker_text_table_add(table, "start");
+    tinker_text_table_add(table, "end");
+    tinker_text_table_add(table, exchanged ? "given" : "");
+    const struct {
+        const char *label;
+        double start, end;
+    } stored[] = {
+        {"kinetic", run->kinetic_start, run->kinetic_end},
+        {"potential", run->potential_start, run->potential_end},
+    };
+    for (gsize i = 0; i < G_N_ELEMENTS(stored); i++) {
+        tinker_text_table_add(table, stored[i].label);
+        tinker_text_table_add_format(table, "%.6g", stored[i].start);
+        tinker_text_table_add_format(table, "%.6g", stored[i].end);
+        tinker_text_table_end_row(table);
+    }
+    for (int book = 0; book < TINKER_BOOK_COUNT; book++) {
+        if (run->books[book] == 0) continue;
+        tinker_text_table_add(table, labels[book]);
+        tinker_text_table_add(table, "");
+        tinker_text_table_add(table, "");
+        tinker_text_table_add_format(table, "%.6g", run->books[book]);
+    }
+    fputc('\n', file);
+    tinker_text_table_write(table, file);
+    fprintf(file, "  balance error %.2g of the energy exchanged\n", run->energy_balance_error);
+}
+
+static void write_events(const TinkerSummary *run, FILE *file)
+{
+    const guint most = 10;
+    guint count = run->events == NULL ? 0 : run->events->len;
+    for (guint i = 0; i < MIN(count, most); i++) {
+        const TinkerEvent *event = g_ptr_array_index(run->events, i);
+        fprintf(file, "  event at %.6g s: %s%s%s\n", event->time, event->kind, event->blocks != NULL ? ", " : "",
+                event->blocks != NULL ? event->blocks : "");
+    }
+    if (count > most) fprintf(file, "  and %u more events (all of them: --json FILE)\n", count - most);
+}
+
+void tinker_summary_write_text(const TinkerRunReport *report, FILE *file)
+{
+    const char *title = tinker_scene_head(report->scene)->title;
+    fprintf(file, "%s\n", title[0] != '\0' ? title : report->scene_name);
+    write_numbers(report->run, file);
+    write_energy(report->run, file);
+    write_events(report->run, file);
+    for (guint i = 0; i < report->warnings->len; i++)
+        fprintf(file, "  warning: %s\n", (const char *)g_ptr_array_index(report->warnings, i));
+}

@@ -1,0 +1,127 @@
+/* tinker check: everything that is wrong with a scene, in the order of the file; then what only compiling it tells. */
+#include "verbs.h"
+
+#include <stdio.h>
+
+#include "exit-status.h"
+#include "open-scene.h"
+#include "options.h"
+#include "output.h"
+#include "physics/model.h"
+
+static const TinkerVerbHelp help = {
+    .verb = "check",
+    .operands = "SCENE",
+    .summary =
+        "Lists every mistake in a scene, one a line with file, line and column where they are known, and warnings.\n"
+        "Changes nothing.",
+    .examples = "  tinker check bridge.tinker.json",
+    .least_operands = 1,
+    .most_operands = 1,
+};
+
+/* What was found. */
+typedef struct {
+    int errors, warnings;
+    int status;
+} Findings;
+
+/* A scene that is wrong is wrong, whatever else is missing. */
+static void add_error(Findings *findings, const char *text, int status)
+{
+    fprintf(stderr, "tinker: %s\n", text);
+    findings->errors++;
+    if (findings->status == TINKER_EXIT_DONE || status == TINKER_EXIT_SCENE) findings->status = status;
+}
+
+static void add_warning(Findings *findings, const char *text)
+{
+    fprintf(stderr, "tinker: %s\n", text);
+    findings->warnings++;
+}
+
+/* A scene with a block of a missing type can be opened and saved, so to the reader that is a warning; here it is what
+ * keeps the scene from running. */
+static void add_of_reader(Findings *findings, const GPtrArray *found, const char *name)
+{
+    for (guint i = 0; i < found->len; i++) {
+        const TinkerFinding *finding = g_ptr_array_index(found, i);
+        gboolean warning = finding->kind == TINKER_FINDING_WARNING && finding->code != TINKER_SCENE_ERROR_TYPE;
+        TinkerFinding marked = *finding;
+        g_autofree char *message = g_strdup_printf("%s%s", warning ? "warning: " : "", finding->message);
+        marked.message = message;
+        g_autofree char *text = tinker_finding_text(&marked, name);
+        GError error = {.domain = TINKER_SCENE_ERROR, .code = finding->code, .message = text};
+        if (warning)
+            add_warning(findings, text);
+        else
+            add_error(findings, text, tinker_exit_status(&error));
+    }
+}
+
+/* The first reason for which a model refuses is one; detached ends are listed one and all. */
+static void add_detached_ends(Findings *findings, const TinkerScene *scene, const char *name)
+{
+    for (int32_t place = 0; place < tinker_scene_block_count(scene); place++) {
+        TinkerBlockId block = tinker_scene_block_at(scene, place);
+        if (tinker_scene_block_class(scene, block) == NULL) continue;
+        int32_t count = tinker_scene_end_count(scene, block);
+        for (int32_t end = 0; end < count; end++) {
+            if (tinker_scene_end(scene, block, end).block != TINKER_NO_BLOCK) continue;
+            g_autofree char *text = count == 1
+                                        ? g_strdup_printf("%s: %s: its end is detached (connect it to a block)", name,
+                                                          tinker_scene_block_name(scene, block))
+                                        : g_strdup_printf("%s: %s: end %d of %d is detached (connect it to a block)",
+                                                          name, tinker_scene_block_name(scene, block), end + 1, count);
+            add_error(findings, text, TINKER_EXIT_SCENE);
+        }
+    }
+}
+
+static void add_of_model(Findings *findings, TinkerScene *scene, const char *name)
+{
+    g_autoptr(GError) error = NULL;
+    g_autoptr(TinkerModel) model = tinker_model_new(scene, &error);
+    if (model == NULL) {
+        g_autofree char *text = g_strdup_printf("%s: %s", name, error->message);
+        add_error(findings, text, tinker_exit_status(error));
+        return;
+    }
+    const GPtrArray *warnings = tinker_model_warnings(model);
+    for (guint i = 0; i < warnings->len; i++) {
+        g_autofree char *text = g_strdup_printf("%s: warning: %s", name, (const char *)g_ptr_array_index(warnings, i));
+        add_warning(findings, text);
+    }
+}
+
+static int conclude(const Findings *findings)
+{
+    g_autofree char *warnings = findings->warnings == 0 ? g_strdup("")
+                                                        : g_strdup_printf(" (%d warning%s)", findings->warnings,
+                                                                          findings->warnings == 1 ? "" : "s");
+    if (findings->errors == 0) printf("no mistakes found%s\n", warnings);
+    return findings->status;
+}
+
+static int check(const char *path, char **plugin_folders)
+{
+    const char *name = tinker_is_standard_stream(path) ? "standard input" : path;
+    g_autoptr(TinkerCatalogue) catalogue = tinker_open_catalogue(plugin_folders);
+    g_autoptr(GPtrArray) found = tinker_findings_new();
+    g_autoptr(GError) error = NULL;
+    Findings findings = {0, 0, TINKER_EXIT_DONE};
+    g_autoptr(TinkerScene) scene = tinker_scene_read_file(catalogue, path, found, &error);
+    add_of_reader(&findings, found, name);
+    if (scene != NULL) add_detached_ends(&findings, scene, name);
+    if (scene != NULL && findings.errors == 0) add_of_model(&findings, scene, name);
+    return conclude(&findings);
+}
+
+int tinker_verb_check(int argc, char **argv)
+{
+    const GOptionEntry entries[] = {G_OPTION_ENTRY_NULL};
+    g_auto(TinkerCommandLine) line = {0};
+    int status = TINKER_EXIT_DONE;
+    if (!tinker_command_line_read(&line, &help, entries, argc, argv, &status)) return status;
+    return check(line.operands[0], line.plugin_folders);
+}

@@ -1,0 +1,227 @@
+/* tinker plugins: what is installed. The verb has verbs of its own: list, show, describe, refused. */
+#include "verbs.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "exit-status.h"
+#include "open-scene.h"
+#include "options.h"
+#include "output.h"
+#include "plugins-show.h"
+#include "text-table.h"
+
+#define LIST_HELP                                                                                                      \
+    "Lists the installed blocks by plugin: type, title, category, version and licence, the integrators, and what "     \
+    "was\n"                                                                                                            \
+    "refused or passed over. Other verbs of `tinker plugins`:\n\n"                                                     \
+    "  show TYPE         the properties, quantities and interfaces of a block\n"                                       \
+    "  describe FILE.so  writes the manifest of a plugin file\n"                                                       \
+    "  refused           lists the refused libraries; refused --clear forgets the refusals"
+
+static const TinkerVerbHelp list_help = {
+    .verb = "plugins",
+    .operands = "[list|show|describe|refused]",
+    .summary = LIST_HELP,
+    .examples = "  tinker plugins\n"
+                "  tinker plugins show spring\n"
+                "  tinker plugins --plugins ./my-blocks",
+};
+
+static const TinkerVerbHelp show_help = {
+    .verb = "plugins show",
+    .operands = "TYPE...",
+    .summary = "Shows block types: properties with units, defaults and ranges, quantities, formula and interfaces.",
+    .examples = "  tinker plugins show spring\n"
+                "  tinker plugins show mass support",
+    .least_operands = 1,
+    .most_operands = -1,
+};
+
+static const TinkerVerbHelp describe_help = {
+    .verb = "plugins describe",
+    .operands = "FILE.so",
+    .summary =
+        "Opens a plugin file, makes all checks and writes its manifest, by which blocks are found without opening\n"
+        "their libraries. The plugin's code runs in this process.",
+    .examples = "  tinker plugins describe ./pulley.so\n"
+                "  tinker plugins describe ./pulley.so --output -",
+    .least_operands = 1,
+    .most_operands = 1,
+};
+
+static const TinkerVerbHelp refused_help = {
+    .verb = "plugins refused",
+    .operands = "",
+    .summary = "Lists the libraries that were refused, and why. A refusal is remembered until the file changes, or is\n"
+               "forgotten by --clear.",
+    .examples = "  tinker plugins refused\n"
+                "  tinker plugins refused --clear",
+};
+
+static void list_library(const TinkerLibraryEntry *library, TinkerTextTable *table)
+{
+    for (guint i = 0; i < library->types->len; i++) {
+        const TinkerTypeEntry *type = g_ptr_array_index(library->types, i);
+        tinker_text_table_add(table, type->id);
+        tinker_text_table_add(table, type->title);
+        tinker_text_table_add(table, type->category);
+        tinker_text_table_add(table, library->version);
+        tinker_text_table_add(table, library->licence);
+        tinker_text_table_add(table, library->path);
+    }
+    for (guint i = 0; i < library->integrators->len; i++) {
+        tinker_text_table_add(table, g_ptr_array_index(library->integrators, i));
+        tinker_text_table_add(table, library->title);
+        tinker_text_table_add(table, "integrator");
+        tinker_text_table_add(table, library->version);
+        tinker_text_table_add(table, library->licence);
+        tinker_text_table_add(table, library->path);
+    }
+}
+
+static int list(int argc, char **argv)
+{
+    const GOptionEntry entries[] = {G_OPTION_ENTRY_NULL};
+    g_auto(TinkerCommandLine) line = {0};
+    int status = TINKER_EXIT_DONE;
+    if (!tinker_command_line_read(&line, &list_help, entries, argc, argv, &status)) return status;
+
+    g_autoptr(TinkerCatalogue) catalogue = tinker_open_catalogue(line.plugin_folders);
+    const GPtrArray *libraries = tinker_catalogue_libraries(catalogue);
+    g_autoptr(TinkerTextTable) table = tinker_text_table_new("llllll", 0);
+    static const char *const headings[] = {"TYPE", "TITLE", "CATEGORY", "VERSION", "LICENCE", "LIBRARY"};
+    for (gsize i = 0; i < G_N_ELEMENTS(headings); i++)
+        tinker_text_table_add(table, headings[i]);
+    guint shown = 0;
+    for (guint i = 0; i < libraries->len; i++) {
+        const TinkerLibraryEntry *library = g_ptr_array_index(libraries, i);
+        if (library->refused != NULL || library->shadowed_by != NULL) continue;
+        list_library(library, table);
+        shown++;
+    }
+    if (shown > 0)
+        tinker_text_table_write(table, stdout);
+    else
+        puts("no plugins are installed");
+    const GPtrArray *warnings = tinker_catalogue_warnings(catalogue);
+    for (guint i = 0; i < warnings->len; i++)
+        tinker_report_warning("%s", (const char *)g_ptr_array_index(warnings, i));
+    return TINKER_EXIT_DONE;
+}
+
+static int show(int argc, char **argv)
+{
+    const GOptionEntry entries[] = {G_OPTION_ENTRY_NULL};
+    g_auto(TinkerCommandLine) line = {0};
+    int status = TINKER_EXIT_DONE;
+    if (!tinker_command_line_read(&line, &show_help, entries, argc, argv, &status)) return status;
+
+    g_autoptr(TinkerCatalogue) catalogue = tinker_open_catalogue(line.plugin_folders);
+    for (char **type = line.operands; *type != NULL; type++) {
+        g_autoptr(GError) error = NULL;
+        const TinkerBlockClass *block_class = tinker_catalogue_type(catalogue, *type, &error);
+        if (block_class == NULL) {
+            status = tinker_report_error(NULL, error);
+            continue;
+        }
+        if (type != line.operands) putchar('\n');
+        tinker_plugins_show(block_class, stdout);
+    }
+    return status;
+}
+
+/* "pulley.manifest.json" beside "pulley.so". (transfer full) */
+static char *manifest_beside(const char *library)
+{
+    const char *stem_end = g_str_has_suffix(library, ".so") ? library + strlen(library) - 3 : library + strlen(library);
+    return g_strdup_printf("%.*s.manifest.json", (int)(stem_end - library), library);
+}
+
+static gboolean write_manifest(const char *library, const char *output, GError **error)
+{
+    g_autofree char *text = tinker_plugin_describe(library, error);
+    if (text == NULL) return FALSE;
+    if (tinker_is_standard_stream(output)) {
+        g_auto(TinkerOutput) file = {0};
+        if (!tinker_output_open(&file, output, NULL, error)) return FALSE;
+        fprintf(file.file, "%s\n", text);
+        return tinker_output_close(&file, error);
+    }
+    g_autofree char *usual = manifest_beside(library);
+    const char *path = output != NULL ? output : usual;
+    g_autofree char *line = g_strconcat(text, "\n", NULL);
+    /* replaced at once: a reader sees the old manifest or the new one */
+    if (!g_file_set_contents_full(path, line, -1, G_FILE_SET_CONTENTS_CONSISTENT, 0644, error)) return FALSE;
+    printf("wrote %s\n", path);
+    return TRUE;
+}
+
+static int describe(int argc, char **argv)
+{
+    g_autofree char *output = NULL;
+    const GOptionEntry entries[] = {
+        {"output", 'o', 0, G_OPTION_ARG_FILENAME, &output, "Write to FILE (beside the library, .manifest.json for .so)",
+         "FILE"},
+        G_OPTION_ENTRY_NULL,
+    };
+    g_auto(TinkerCommandLine) line = {0};
+    int status = TINKER_EXIT_DONE;
+    if (!tinker_command_line_read(&line, &describe_help, entries, argc, argv, &status)) return status;
+    g_autoptr(GError) error = NULL;
+    return write_manifest(line.operands[0], output, &error) ? TINKER_EXIT_DONE : tinker_report_error(NULL, error);
+}
+
+static int refused(int argc, char **argv)
+{
+    gboolean clear = FALSE;
+    const GOptionEntry entries[] = {
+        {"clear", 0, 0, G_OPTION_ARG_NONE, &clear, "Forget the refusals: the libraries are probed again", NULL},
+        G_OPTION_ENTRY_NULL,
+    };
+    g_auto(TinkerCommandLine) line = {0};
+    int status = TINKER_EXIT_DONE;
+    if (!tinker_command_line_read(&line, &refused_help, entries, argc, argv, &status)) return status;
+
+    g_autoptr(TinkerCatalogue) catalogue = tinker_open_catalogue(line.plugin_folders);
+    g_autoptr(GError) error = NULL;
+    if (clear) {
+        if (!tinker_catalogue_clear_refused(catalogue, &error)) return tinker_report_error(NULL, error);
+        puts("the refusals are forgotten");
+        return TINKER_EXIT_DONE;
+    }
+    const GPtrArray *libraries = tinker_catalogue_libraries(catalogue);
+    guint count = 0;
+    for (guint i = 0; i < libraries->len; i++) {
+        const TinkerLibraryEntry *library = g_ptr_array_index(libraries, i);
+        if (library->refused == NULL) continue;
+        printf("%s: %s\n", library->path, library->refused);
+        count++;
+    }
+    if (count == 0) puts("no library was refused");
+    return TINKER_EXIT_DONE;
+}
+
+static const struct {
+    const char *name;
+    int (*run)(int argc, char **argv);
+} sub_verbs[] = {
+    {"list", list},
+    {"show", show},
+    {"describe", describe},
+    {"refused", refused},
+};
+
+int tinker_verb_plugins(int argc, char **argv)
+{
+    if (argc < 2 || (argv[1][0] == '-' && argv[1][1] != '\0')) return list(argc, argv);
+    const char *names[G_N_ELEMENTS(sub_verbs) + 1] = {NULL};
+    for (gsize i = 0; i < G_N_ELEMENTS(sub_verbs); i++) {
+        if (strcmp(argv[1], sub_verbs[i].name) == 0) return sub_verbs[i].run(argc - 1, argv + 1);
+        names[i] = sub_verbs[i].name;
+    }
+    g_autofree char *hint = tinker_did_you_mean(argv[1], names);
+    tinker_report_note("plugins: unknown verb \"%s\"%s", argv[1],
+                       hint[0] != '\0' ? hint : " (see tinker plugins --help)");
+    return TINKER_EXIT_USAGE;
+}
