@@ -1,0 +1,173 @@
+/* What a step costs: small scenes, chains of rods and lattices of springs through the plugins, and beside each the floor of
+ * floors.h, measured in turns in the same run. */
+#include <math.h>
+#include <string.h>
+
+#include "floors.h"
+#include "report.h"
+#include "scene-text.h"
+#include "subject.h"
+
+#define METHOD "rk4"
+
+/* A floor under the clock: its state goes on, or starts over as the scene's does. */
+typedef struct {
+    double step;
+    FloorOscillator oscillator;
+    FloorDoublePendulum pendulum;
+    FloorChain *chain;
+    FloorLattice *lattice;
+    long lap, done; /* steps */
+} Floor;
+
+static double time_oscillator(gint64 steps, void *data)
+{
+    Floor *floor = data;
+    floor->oscillator = (FloorOscillator){1, 0};
+    double started = benchmark_processor_time();
+    floor_oscillator_steps(&floor->oscillator, floor->step, steps);
+    return benchmark_processor_time() - started;
+}
+
+static double time_pendulum(gint64 steps, void *data)
+{
+    Floor *floor = data;
+    floor->pendulum = (FloorDoublePendulum){{G_PI / 2, G_PI / 2}, {0, 0}};
+    double started = benchmark_processor_time();
+    floor_double_pendulum_steps(&floor->pendulum, floor->step, steps);
+    return benchmark_processor_time() - started;
+}
+
+static double time_chain(gint64 steps, void *data)
+{
+    Floor *floor = data;
+    double seconds = 0;
+    while (steps > 0) {
+        if (floor->done >= floor->lap) {
+            floor_chain_reset(floor->chain);
+            floor->done = 0;
+        }
+        long now = MIN((long)steps, floor->lap - floor->done);
+        double started = benchmark_processor_time();
+        floor_chain_steps(floor->chain, floor->step, now);
+        seconds += benchmark_processor_time() - started;
+        floor->done += now;
+        steps -= now;
+    }
+    return seconds;
+}
+
+static double time_lattice(gint64 steps, void *data)
+{
+    Floor *floor = data;
+    double started = benchmark_processor_time();
+    floor_lattice_steps(floor->lattice, floor->step, steps);
+    return benchmark_processor_time() - started;
+}
+
+static void measure(BenchmarkReport *report, const char *scene, BenchmarkSubject *subject, BenchmarkWork floor_work,
+                    Floor *floor, double elements, double goal)
+{
+    BenchmarkTask plain = {.work = floor_work, .data = floor}, ours = {.work = benchmark_subject_work, .data = subject};
+    benchmark_time_pair(&plain, &ours);
+    BenchmarkStep step = {scene, METHOD, ours.timing, plain.timing, elements, goal};
+    benchmark_report_step(report, &step);
+}
+
+static void measure_oscillator(BenchmarkReport *report, const char *scene, gboolean hanging, double h)
+{
+    if (!benchmark_report_wants(report, scene)) return;
+    g_autofree char *text = benchmark_oscillator(hanging);
+    BenchmarkSubject subject = benchmark_subject(text, METHOD, h);
+    Floor floor = {.step = h};
+    subject.lap = 100;
+    measure(report, scene, &subject, time_oscillator, &floor, 1, 200);
+    benchmark_subject_clear(&subject);
+}
+
+static void measure_double_pendulum(BenchmarkReport *report)
+{
+    const char *scene = "S2 double pendulum";
+    if (!benchmark_report_wants(report, scene)) return;
+    const double level[2] = {G_PI / 2, G_PI / 2};
+    g_autofree char *text = benchmark_chain(2, level, 1.0);
+    BenchmarkSubject subject = benchmark_subject(text, METHOD, 1e-3);
+    Floor floor = {.step = 1e-3};
+    subject.lap = 5;
+    measure(report, scene, &subject, time_pendulum, &floor, 1, 400);
+    benchmark_subject_clear(&subject);
+}
+
+/* The chain's fastest mode is about 2 n sqrt(g / length): a step of 1/1000 s carries 1000 rods of a chain of 10 m, more need a
+ * shorter one. */
+static void measure_chain(BenchmarkReport *report, int rods, double *angles, const char *kind, double lap)
+{
+    g_autofree double *own_angles = angles;
+    g_autofree char *scene = g_strdup_printf("S3 chain of %d rods, %s", rods, kind);
+    if (!benchmark_report_wants(report, scene)) return;
+    g_autofree char *text = benchmark_chain(rods, angles, 10.0 / rods);
+    double h = rods > 1000 ? 1e-4 : 1e-3;
+    BenchmarkSubject subject = benchmark_subject(text, METHOD, h);
+    Floor floor = {.step = h,
+                   .lap = isinf(lap) ? G_MAXLONG : lround(lap / h),
+                   .chain = floor_chain_new(rods, angles, 10.0 / rods)};
+    subject.lap = lap;
+    measure(report, scene, &subject, time_chain, &floor, rods, 100);
+    const TinkerSummary *summary = tinker_simulation_summary(subject.simulation);
+    benchmark_report_figure(report, scene, "length error", summary->constraint_position_error, "1", 1e-10);
+    benchmark_report_figure(report, scene, "length error of the floor", floor_chain_error(floor.chain), "1", NAN);
+    floor_chain_free(floor.chain);
+    benchmark_subject_clear(&subject);
+}
+
+/* Both went the same number of steps only by chance, so they are compared in a run of their own. */
+static double lattice_difference(BenchmarkSubject *subject, FloorLattice *lattice, int n)
+{
+    double worst = 0;
+    benchmark_subject_restart(subject);
+    for (int i = 0; i < 10; i++)
+        benchmark_subject_step(subject);
+    floor_lattice_steps(lattice, 1e-3, 10);
+    for (int i = 0; i < n * n; i++) {
+        double ours[2], plain[2];
+        g_autofree char *name = g_strdup_printf("M%d", i);
+        benchmark_subject_place(subject, name, ours);
+        floor_lattice_place(lattice, i, plain);
+        worst = fmax(worst, hypot(ours[0] - plain[0], ours[1] - plain[1]));
+    }
+    return worst;
+}
+
+static void measure_lattice(BenchmarkReport *report, int n)
+{
+    g_autofree char *scene = g_strdup_printf("S4 lattice %d x %d", n, n);
+    if (!benchmark_report_wants(report, scene)) return;
+    g_autofree char *text = benchmark_lattice(n);
+    g_autofree double *places = benchmark_lattice_places(n);
+    BenchmarkSubject subject = benchmark_subject(text, METHOD, 1e-3);
+    Floor floor = {.step = 1e-3, .lattice = floor_lattice_new(n, places)};
+    double difference = lattice_difference(&subject, floor.lattice, n);
+    measure(report, scene, &subject, time_lattice, &floor, floor_lattice_springs(floor.lattice), 25);
+    benchmark_report_figure(report, scene, "difference from the floor, 10 steps", difference, "m", 1e-12);
+    floor_lattice_free(floor.lattice);
+    benchmark_subject_clear(&subject);
+}
+
+int main(int argc, char **argv)
+{
+    BenchmarkReport *report = benchmark_report_new(argc, argv);
+    measure_oscillator(report, "S1 oscillator, 1/1000 s", FALSE, 1e-3);
+    measure_oscillator(report, "S1 oscillator, 1/100 s", FALSE, 1e-2);
+    measure_oscillator(report, "S1 hanging, solid, 1/1000 s", TRUE, 1e-3);
+    measure_oscillator(report, "S1 hanging, solid, 1/100 s", TRUE, 1e-2);
+    measure_double_pendulum(report);
+    const int rods[] = {10, 100, 1000, 10000};
+    for (gsize i = 0; i < G_N_ELEMENTS(rods); i++)
+        measure_chain(report, rods[i], benchmark_hanging_angles(rods[i]), "hanging", INFINITY);
+    for (gsize i = 0; i < 3; i++)
+        measure_chain(report, rods[i], benchmark_level_angles(rods[i]), "from level", 0.2);
+    const int sides[] = {10, 32, 100, 316};
+    for (gsize i = 0; i < G_N_ELEMENTS(sides); i++)
+        measure_lattice(report, sides[i]);
+    return benchmark_report_end(report);
+}

@@ -1,0 +1,136 @@
+/* Writing scenes; see the header. */
+#include "scene-text.h"
+
+#include <math.h>
+
+static const char head[] = "{\"tinker\": 1, \"run\": {\"method\": \"rk4\", \"step\": 0.001}, \"blocks\": [\n";
+
+static void add_number(GString *text, double value)
+{
+    char digits[G_ASCII_DTOSTR_BUF_SIZE];
+    g_string_append(text, g_ascii_dtostr(digits, sizeof digits, value));
+}
+
+static void add_mass(GString *text, int number, double x, double y)
+{
+    g_string_append_printf(text, "{\"type\": \"mass\", \"name\": \"M%d\", \"mass\": 1, \"position\": [", number);
+    add_number(text, x);
+    g_string_append(text, ", ");
+    add_number(text, y);
+    g_string_append(text, "], \"width\": 0, \"height\": 0},\n");
+}
+
+static char *end_text(GString *text)
+{
+    g_string_truncate(text, text->len - 2); /* the last comma */
+    g_string_append(text, "\n]}\n");
+    return g_string_free(text, FALSE);
+}
+
+char *benchmark_oscillator(gboolean hanging)
+{
+    GString *text = g_string_new(head);
+    if (hanging)
+        g_string_append(text, "{\"type\": \"gravity\"},\n"
+                              "{\"type\": \"support\", \"name\": \"S\", \"orientation\": \"180 deg\"},\n");
+    else
+        g_string_append(text, "{\"type\": \"support\", \"name\": \"S\", \"solid\": false},\n");
+    add_mass(text, 0, hanging ? 0.0 : 3.0, hanging ? -3.0 : 0.0);
+    g_string_append(text, "{\"type\": \"spring\", \"ends\": [\"S\", \"M0\"], \"stiffness\": 25, \"rest_length\": 2},\n"
+                          "{\"type\": \"damper\", \"ends\": [\"S\", \"M0\"], \"damping\": 0.4},\n");
+    return end_text(text);
+}
+
+char *benchmark_chain(int rods, const double *angles, double rod_length)
+{
+    GString *text = g_string_new(head);
+    double x = 0, y = 0;
+    g_string_append(text,
+                    "{\"type\": \"gravity\"},\n{\"type\": \"support\", \"name\": \"S\", \"solid\": false, \"width\": "
+                    "0.1, \"height\": 0.1},\n");
+    for (int i = 0; i < rods; i++) {
+        x += rod_length * sin(angles[i]);
+        y -= rod_length * cos(angles[i]);
+        add_mass(text, i, x, y);
+    }
+    for (int i = 0; i < rods; i++) {
+        g_autofree char *above = i == 0 ? g_strdup("S") : g_strdup_printf("M%d", i - 1);
+        g_string_append_printf(text, "{\"type\": \"rod\", \"ends\": [\"%s\", \"M%d\"], \"length\": ", above, i);
+        add_number(text, rod_length);
+        g_string_append(text, "},\n");
+    }
+    return end_text(text);
+}
+
+double *benchmark_hanging_angles(int count)
+{
+    double *angles = g_new(double, count);
+    for (int i = 0; i < count; i++)
+        angles[i] = 0.1 * cos(2.0 * (i + 0.5) / count);
+    return angles;
+}
+
+double *benchmark_level_angles(int count)
+{
+    double *angles = g_new(double, count);
+    for (int i = 0; i < count; i++)
+        angles[i] = G_PI / 2;
+    return angles;
+}
+
+/* Between -1 and 1, without a pattern: the fractions of multiples of an irrational number. */
+static double scatter(int number)
+{
+    double multiple = 0.7548776662466927 * number;
+    return 2.0 * (multiple - floor(multiple)) - 1.0;
+}
+
+double *benchmark_lattice_places(int n)
+{
+    double *places = g_new(double, 2 * n * n);
+    for (int i = 0; i < n * n; i++) {
+        places[2 * i] = i % n + 0.01 * scatter(2 * i + 1);
+        places[2 * i + 1] = i / n + 0.01 * scatter(2 * i + 2);
+    }
+    return places;
+}
+
+static void add_damped_spring(GString *text, int a, int b, double length)
+{
+    g_string_append_printf(
+        text, "{\"type\": \"spring\", \"ends\": [\"M%d\", \"M%d\"], \"stiffness\": 1000, \"rest_length\": ", a, b);
+    add_number(text, length);
+    g_string_append_printf(text, "},\n{\"type\": \"damper\", \"ends\": [\"M%d\", \"M%d\"], \"damping\": 0.5},\n", a, b);
+}
+
+char *benchmark_lattice(int n)
+{
+    GString *text = g_string_new(head);
+    g_autofree double *places = benchmark_lattice_places(n);
+    for (int i = 0; i < n * n; i++)
+        add_mass(text, i, places[2 * i], places[2 * i + 1]);
+    for (int i = 0; i < n * n; i++) {
+        gboolean right = i % n<n - 1, left = i % n> 0, above = i / n < n - 1;
+        if (right) add_damped_spring(text, i, i + 1, 1.0);
+        if (above) add_damped_spring(text, i, i + n, 1.0);
+        if (right && above) add_damped_spring(text, i, i + n + 1, G_SQRT2);
+        if (left && above) add_damped_spring(text, i, i + n - 1, G_SQRT2);
+    }
+    return end_text(text);
+}
+
+/* Neighbours right, above and in both diagonals; at the edges the count goes on, so that every mass has four springs. */
+void benchmark_write_large(FILE *file, int masses)
+{
+    const int width = 400, steps[] = {1, width - 1, width, width + 1};
+    fputs(head, file);
+    for (int i = 0; i < masses; i++)
+        fprintf(file, "{\"type\": \"mass\", \"name\": \"M%d\", \"mass\": 1, \"position\": [%d, %d]},\n", i, i % width,
+                i / width);
+    for (int i = 0; i < masses; i++)
+        for (int k = 0; k < 4; k++)
+            fprintf(file,
+                    "{\"type\": \"spring\", \"name\": \"K%d\", \"ends\": [\"M%d\", \"M%d\"], \"stiffness\": 1000}%s\n",
+                    4 * i + k, i, (i + steps[k]) % masses, i == masses - 1 && k == 3 ? "" : ",");
+    fputs("]}\n", file);
+}

@@ -1,0 +1,27 @@
+/* The texts of the scenes that are measured. All are strings to be freed. */
+#ifndef BENCHMARK_SCENE_TEXT_H
+#define BENCHMARK_SCENE_TEXT_H
+
+#include <glib.h>
+#include <stdio.h>
+
+/* 1 kg on a spring of 25 N/m beside a damper of 0.4 N s/m, let go 1 m from its rest. `hanging`: below a support with its
+ * solid side down, with gravity; else sideways from a support that is not solid, without. */
+char *benchmark_oscillator(gboolean hanging);
+
+/* Masses of 1 kg one below the other on rods from the origin; the angle of each rod is counted from straight down. */
+char *benchmark_chain(int rods, const double *angles, double rod_length);
+
+/* A square of n times n masses of 1 kg, 1 m apart and each displaced by up to 1 cm, with a spring of 1000 N/m and a damper
+ * of 0.5 N s/m to each of its 8 neighbours. The places, x and y in turns, are benchmark_lattice_places. */
+char *benchmark_lattice(int n);
+double *benchmark_lattice_places(int n);
+
+/* Writes a scene of `masses` masses and four springs for each of them. */
+void benchmark_write_large(FILE *file, int masses);
+
+/* The angles of a chain: `count` rods that hang a little beside the vertical in one smooth curve, or all level. */
+double *benchmark_hanging_angles(int count);
+double *benchmark_level_angles(int count);
+
+#endif

@@ -1,0 +1,90 @@
+/* A folder of its own for a test, and the program run there. */
+#include "fixture.h"
+
+#include <glib/gstdio.h>
+#include <string.h>
+
+void cli_fixture_set_up(CliFixture *fixture, gconstpointer data)
+{
+    g_autoptr(GError) error = NULL;
+    fixture->folder = g_dir_make_tmp("tinker-cli-XXXXXX", &error);
+    g_assert_no_error(error);
+}
+
+static void remove_tree(const char *path)
+{
+    g_autoptr(GDir) folder = g_dir_open(path, 0, NULL);
+    const char *name;
+    while (folder != NULL && (name = g_dir_read_name(folder)) != NULL) {
+        g_autofree char *inner = g_build_filename(path, name, NULL);
+        remove_tree(inner);
+    }
+    g_remove(path);
+}
+
+void cli_fixture_tear_down(CliFixture *fixture, gconstpointer data)
+{
+    remove_tree(fixture->folder);
+    g_free(fixture->folder);
+}
+
+char *cli_path(const CliFixture *fixture, const char *name)
+{
+    return g_build_filename(fixture->folder, name, NULL);
+}
+
+char *cli_write(const CliFixture *fixture, const char *name, const char *text)
+{
+    g_autoptr(GError) error = NULL;
+    char *path = cli_path(fixture, name);
+    g_file_set_contents(path, text, -1, &error);
+    g_assert_no_error(error);
+    return path;
+}
+
+char *cli_read(const CliFixture *fixture, const char *name)
+{
+    g_autofree char *path = cli_path(fixture, name);
+    return test_read_file(path);
+}
+
+static TestProgram *run(const CliFixture *fixture, const char *words)
+{
+    g_autoptr(GError) error = NULL;
+    g_auto(GStrv) arguments = NULL;
+    if (words[0] == '\0')
+        arguments = g_new0(char *, 1);
+    else
+        g_shell_parse_argv(words, NULL, &arguments, &error);
+    g_assert_no_error(error);
+    for (char **word = arguments; *word != NULL; word++) {
+        if ((*word)[0] != '@') continue;
+        char *path = cli_path(fixture, *word + 1);
+        g_free(*word);
+        *word = path;
+    }
+    return test_program_run((const char *const *)arguments);
+}
+
+TestProgram *cli_run_well(const CliFixture *fixture, const char *words)
+{
+    return cli_run_badly(fixture, words, 0);
+}
+
+TestProgram *cli_run_badly(const CliFixture *fixture, const char *words, int status)
+{
+    TestProgram *program = run(fixture, words);
+    if (program->status != status)
+        g_error("tinker %s: exit status %d instead of %d: %s", words, program->status, status, program->error);
+    return program;
+}
+
+void cli_assert_holds(const char *text, const char *part)
+{
+    if (strstr(text, part) == NULL) g_error("\"%s\" is not in:\n%s", part, text);
+}
+
+void cli_test_add(const char *path, void (*test)(CliFixture *fixture, gconstpointer data))
+{
+    g_test_add(path, CliFixture, NULL, cli_fixture_set_up, test, cli_fixture_tear_down);
+}

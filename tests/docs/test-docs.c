@@ -1,0 +1,223 @@
+/* The documentation holds: its listings are the files they name and its outputs what the program prints, its links lead
+ * somewhere, and the plugin that it teaches builds with the SDK alone and moves a mass as it should. */
+#include <glib.h>
+#include <glib/gstdio.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "markdown.h"
+#include "program.h"
+
+static char *source_path(const char *relative)
+{
+    return g_build_filename(g_getenv("TINKER_SOURCES"), relative, NULL);
+}
+
+static void add_piece(GHashTable *pieces, const char *path, const char *text)
+{
+    GString *whole = g_hash_table_lookup(pieces, path);
+    if (whole == NULL) {
+        g_hash_table_insert(pieces, g_strdup(path), g_string_new(text));
+        return;
+    }
+    g_string_append_printf(whole, "\n%s", text);
+}
+
+static void free_piece(gpointer data)
+{
+    g_string_free(data, TRUE);
+}
+
+/* A file may be shown in pieces, in order; together they must be all of it. */
+static guint check_listings(const char *document)
+{
+    g_autofree char *text = test_read_file(document), *folder = g_path_get_dirname(document);
+    g_autoptr(GPtrArray) listings = markdown_listings(text);
+    g_autoptr(GHashTable) pieces = g_hash_table_new_full(g_str_hash, g_str_equal, g_free, free_piece);
+    for (guint i = 0; i < listings->len; i++) {
+        const MarkdownListing *listing = listings->pdata[i];
+        if (strcmp(listing->kind, "listing") != 0) continue;
+        g_autofree char *path = g_build_filename(folder, listing->argument, NULL);
+        add_piece(pieces, path, listing->text);
+    }
+    GHashTableIter each;
+    gpointer path, whole;
+    g_hash_table_iter_init(&each, pieces);
+    while (g_hash_table_iter_next(&each, &path, &whole)) {
+        g_autofree char *file = test_read_file(path);
+        if (strcmp(file, ((GString *)whole)->str) != 0) g_test_message("%s does not show %s", document, (char *)path);
+        g_assert_cmpstr(file, ==, ((GString *)whole)->str);
+    }
+    return g_hash_table_size(pieces);
+}
+
+static void test_listings(void)
+{
+    g_autoptr(GPtrArray) documents = markdown_files(g_getenv("TINKER_SOURCES"));
+    guint shown = 0;
+    for (guint i = 0; i < documents->len; i++)
+        shown += check_listings(documents->pdata[i]);
+    g_assert_cmpuint(shown, >=, 5);
+}
+
+/* Runs the program in the folder that the mark names, as the reader would. */
+static void check_output(const char *document, const MarkdownListing *listing)
+{
+    g_autofree char *beside = g_path_get_dirname(document);
+    g_autofree char *folder = g_build_filename(beside, listing->folder, NULL);
+    g_assert_cmpint(g_chdir(folder), ==, 0);
+    g_autoptr(GError) error = NULL;
+    g_auto(GStrv) arguments = NULL;
+    g_shell_parse_argv(listing->argument, NULL, &arguments, &error);
+    g_assert_no_error(error);
+    g_assert_cmpstr(arguments[0], ==, "tinker");
+    g_autoptr(TestProgram) program = test_program_run((const char *const *)arguments + 1);
+    g_autofree char *printed = g_strconcat(program->output, program->error, NULL);
+    g_assert_cmpstr(printed, ==, listing->text);
+}
+
+static void test_outputs(void)
+{
+    g_autoptr(GPtrArray) documents = markdown_files(g_getenv("TINKER_SOURCES"));
+    guint seen = 0;
+    for (guint i = 0; i < documents->len; i++) {
+        g_autofree char *text = test_read_file(documents->pdata[i]);
+        g_autoptr(GPtrArray) listings = markdown_listings(text);
+        for (guint k = 0; k < listings->len; k++) {
+            const MarkdownListing *listing = listings->pdata[k];
+            if (strcmp(listing->kind, "output") != 0) continue;
+            check_output(documents->pdata[i], listing);
+            seen++;
+        }
+    }
+    g_assert_cmpuint(seen, >, 0);
+}
+
+static void test_links(void)
+{
+    g_autoptr(GPtrArray) documents = markdown_files(g_getenv("TINKER_SOURCES"));
+    for (guint i = 0; i < documents->len; i++) {
+        g_autofree char *text = test_read_file(documents->pdata[i]);
+        g_autofree char *folder = g_path_get_dirname(documents->pdata[i]);
+        g_autoptr(GPtrArray) links = markdown_links(text);
+        for (guint k = 0; k < links->len; k++) {
+            g_autofree char *target = g_build_filename(folder, links->pdata[k], NULL);
+            if (g_file_test(target, G_FILE_TEST_EXISTS)) continue;
+            g_test_message("%s: no file %s", (char *)documents->pdata[i], (char *)links->pdata[k]);
+            g_test_fail();
+        }
+    }
+}
+
+/* 2 kg pushed with (3, 4) N from rest: x = 0.75 t^2, y = t^2, and the power is F . v = 1.5 * 3 t + 2 * 4 t. */
+static void check_constant_force(const char *plugin_folder)
+{
+    g_autofree char *scene = source_path("docs/examples/constant-force/constant-force.tinker.json");
+    const char *options[] = {"--plugins", plugin_folder, "--columns", "Mass 0.x,Mass 0.y,Constant Force 0.power", NULL};
+    g_autoptr(TestSceneRun) run = test_scene_run(scene, options);
+    const TestTable *record = run->record;
+    g_assert_cmpuint(record->rows, ==, 21);
+    for (gsize row = 0; row < record->rows; row++) {
+        const double t = test_table_value(record, row, "time");
+        g_assert_cmpfloat_with_epsilon(test_table_value(record, row, "Mass 0.x"), 0.75 * t * t, 1e-12);
+        g_assert_cmpfloat_with_epsilon(test_table_value(record, row, "Mass 0.y"), t * t, 1e-12);
+        g_assert_cmpfloat_with_epsilon(test_table_value(record, row, "Constant Force 0.power"), 12.5 * t, 1e-11);
+    }
+}
+
+static void test_example_runs(void)
+{
+    check_constant_force(g_getenv("TINKER_DOCS_PLUGINS"));
+}
+
+static void test_example_is_drawn(void)
+{
+    g_autoptr(GError) error = NULL;
+    g_autofree char *folder = g_dir_make_tmp("tinker-picture-XXXXXX", &error);
+    g_assert_no_error(error);
+    g_autofree char *scene = source_path("docs/examples/constant-force/constant-force.tinker.json");
+    g_autofree char *picture = g_build_filename(folder, "picture.svg", NULL);
+    const char *arguments[] = {"render", scene, "--plugins", g_getenv("TINKER_DOCS_PLUGINS"), "-o", picture, NULL};
+    g_autoptr(TestProgram) program = test_program_run(arguments);
+    g_assert_cmpstr(program->error, ==, "");
+    g_assert_cmpint(program->status, ==, 0);
+    g_autofree char *svg = test_read_file(picture);
+    g_assert_nonnull(strstr(svg, "<svg"));
+    g_remove(picture);
+    g_rmdir(folder);
+}
+
+/* The SDK as it will be installed: the package file of the build, with this folder as its prefix. */
+static void stage_sdk(const char *folder)
+{
+    g_autoptr(GError) error = NULL;
+    g_autofree char *built = test_read_file(g_getenv("TINKER_SDK_PACKAGE"));
+    g_autoptr(GRegex) prefix = g_regex_new("^prefix=.*$", G_REGEX_MULTILINE, 0, NULL);
+    g_autofree char *here = g_strconcat("prefix=", folder, NULL);
+    g_autofree char *package = g_regex_replace_literal(prefix, built, -1, 0, here, 0, NULL);
+    g_autofree char *path = g_build_filename(folder, "tinker-sdk.pc", NULL);
+    g_file_set_contents(path, package, -1, &error);
+    g_assert_no_error(error);
+    g_autofree char *headers = source_path("sdk/include"), *include = g_build_filename(folder, "include", NULL);
+    g_assert_cmpint(symlink(headers, include), ==, 0);
+}
+
+static void run_make(const char *folder)
+{
+    g_autoptr(GError) error = NULL;
+    g_autofree char *makefile = source_path("docs/examples/constant-force/Makefile");
+    g_autofree char *sources = source_path("docs/examples/constant-force");
+    g_autofree char *search = g_strconcat("VPATH=", sources, NULL);
+    const char *arguments[] = {"make", "-s", "-C", folder, "-f", makefile, search, NULL};
+    g_auto(GStrv) environment = g_environ_setenv(g_get_environ(), "PKG_CONFIG_PATH", folder, TRUE);
+    g_autofree char *message = NULL;
+    int wait_status = 0;
+    g_spawn_sync(NULL, (char **)arguments, environment, G_SPAWN_SEARCH_PATH, NULL, NULL, NULL, &message, &wait_status,
+                 &error);
+    g_assert_no_error(error);
+    g_assert_cmpstr(message, ==, "");
+    g_assert_true(g_spawn_check_wait_status(wait_status, NULL));
+}
+
+/* The makefile, as the author of a plugin uses it, in a folder of its own. */
+static void test_makefile_builds(void)
+{
+    static const char *const leftovers[] = {"tinker-constant-force.so", "tinker-sdk.pc", "include"};
+    g_autoptr(GError) error = NULL;
+    g_autofree char *folder = g_dir_make_tmp("tinker-plugin-XXXXXX", &error);
+    g_assert_no_error(error);
+    stage_sdk(folder);
+    run_make(folder);
+    check_constant_force(folder);
+    for (gsize i = 0; i < G_N_ELEMENTS(leftovers); i++) {
+        g_autofree char *path = g_build_filename(folder, leftovers[i], NULL);
+        g_assert_cmpint(g_remove(path), ==, 0);
+    }
+    g_rmdir(folder);
+}
+
+/* The scenes of the tutorial run, but for the one with the mistake. */
+static void test_tutorial_runs(void)
+{
+    static const char *const scenes[] = {"1-falls", "2-hangs", "3-damped"};
+    const char *options[] = {NULL};
+    for (gsize i = 0; i < G_N_ELEMENTS(scenes); i++) {
+        g_autofree char *file = g_strdup_printf("docs/examples/first-scene/%s.tinker.json", scenes[i]);
+        g_autofree char *path = source_path(file);
+        g_autoptr(TestSceneRun) run = test_scene_run(path, options);
+        g_assert_cmpuint(run->record->rows, >, 100);
+    }
+}
+
+int main(int argc, char **argv)
+{
+    g_test_init(&argc, &argv, NULL);
+    g_test_add_func("/docs/listings", test_listings);
+    g_test_add_func("/docs/outputs", test_outputs);
+    g_test_add_func("/docs/links", test_links);
+    g_test_add_func("/docs/tutorial/runs", test_tutorial_runs);
+    g_test_add_func("/docs/example/runs", test_example_runs);
+    g_test_add_func("/docs/example/is-drawn", test_example_is_drawn);
+    g_test_add_func("/docs/example/makefile-builds", test_makefile_builds);
+    return g_test_run();
+}

@@ -1,0 +1,208 @@
+/* Drags with the real blocks: one undo step each, connected where they end, taken back whole. */
+#include <math.h>
+#include <string.h>
+#include <tinker/shapes.h>
+
+#include "edit/drag.h"
+#include "scene-fixture.h"
+
+#define REACH 0.1
+
+static const char blocks[] =
+    "{\"type\": \"mass\", \"name\": \"A\", \"position\": [0, 0]},"
+    "{\"type\": \"mass\", \"name\": \"B\", \"position\": [3, 0]},"
+    "{\"type\": \"support\", \"name\": \"Floor\", \"position\": [0, -3], \"orientation\": \"90 deg\"},"
+    "{\"type\": \"spring\", \"name\": \"S\", \"ends\": [\"A\", [2, 2]]}";
+
+typedef struct {
+    TinkerScene *scene;
+    TinkerHistory *history;
+    char *before; /* the scene as text */
+} Stage;
+
+static void set_up(Stage *stage, gconstpointer data)
+{
+    stage->scene = scene_fixture_read_blocks(blocks);
+    stage->history = tinker_history_new(stage->scene);
+    stage->before = tinker_scene_to_text(stage->scene, TINKER_WRITE_SI);
+}
+
+static void tear_down(Stage *stage, gconstpointer data)
+{
+    g_free(stage->before);
+    tinker_history_free(stage->history);
+    tinker_scene_free(stage->scene);
+}
+
+static TinkerBlockId named(const Stage *stage, const char *name)
+{
+    return tinker_scene_find_block(stage->scene, name);
+}
+
+static TinkerDrag *grab(Stage *stage, const char *name, int32_t part, double x, double y)
+{
+    TinkerDrag *drag = tinker_drag_begin(stage->history, stage->scene, (TinkerHit){named(stage, name), part}, x, y);
+    g_assert_nonnull(drag);
+    return drag;
+}
+
+static double value(const Stage *stage, const char *name, int32_t meaning, int component)
+{
+    TinkerBlockId block = named(stage, name);
+    const TinkerBlockClass *block_class = tinker_scene_block_class(stage->scene, block);
+    return tinker_scene_get(stage->scene, block, tinker_block_class_meaning_column(block_class, meaning) + component);
+}
+
+static void expect_place(const Stage *stage, const char *name, double x, double y)
+{
+    g_assert_cmpfloat_with_epsilon(value(stage, name, TINKER_MEANING_POSITION, 0), x, 1e-12);
+    g_assert_cmpfloat_with_epsilon(value(stage, name, TINKER_MEANING_POSITION, 1), y, 1e-12);
+}
+
+static void expect_untouched(const Stage *stage)
+{
+    g_autofree char *now = tinker_scene_to_text(stage->scene, TINKER_WRITE_SI);
+    g_assert_cmpstr(now, ==, stage->before);
+    g_assert_null(tinker_history_can_undo(stage->history));
+}
+
+/* Many movements are one step, and undoing it restores the scene to the letter. */
+static void test_move(Stage *stage, gconstpointer data)
+{
+    TinkerDrag *drag = grab(stage, "A", TINKER_PART_WHOLE, 0.2, -0.1);
+    for (int i = 1; i <= 20; i++)
+        tinker_drag_to(drag, 0.2 + 0.1 * i, -0.1 + 0.05 * i, 0, REACH);
+    expect_place(stage, "A", 2, 1);
+    tinker_drag_end(drag, FALSE);
+    g_assert_cmpstr(tinker_history_can_undo(stage->history), ==, "Move A");
+    tinker_history_undo(stage->history);
+    expect_untouched(stage);
+    tinker_history_redo(stage->history);
+    expect_place(stage, "A", 2, 1);
+}
+
+/* The block's own point goes to the grid, not the pointer's. */
+static void test_snap(Stage *stage, gconstpointer data)
+{
+    TinkerDrag *drag = grab(stage, "A", TINKER_PART_WHOLE, 0.3, 0.3);
+    tinker_drag_to(drag, 1.6, -0.4, 0.5, REACH);
+    expect_place(stage, "A", 1.5, -0.5);
+    tinker_drag_to(drag, 1.61, -0.41, 0, REACH);
+    expect_place(stage, "A", 1.31, -0.71);
+    tinker_drag_end(drag, FALSE);
+}
+
+static void test_cancel(Stage *stage, gconstpointer data)
+{
+    TinkerDrag *drag = grab(stage, "A", TINKER_PART_WHOLE, 0, 0);
+    tinker_drag_to(drag, 5, 5, 0.2, REACH);
+    tinker_drag_cancel(drag);
+    expect_untouched(stage);
+    drag = grab(stage, "S", 0, 0, 0);
+    tinker_drag_to(drag, 3, 0, 0, REACH);
+    tinker_drag_cancel(drag);
+    expect_untouched(stage);
+}
+
+static void test_click(Stage *stage, gconstpointer data)
+{
+    TinkerDrag *drag = grab(stage, "S", 0, 0.01, 0);
+    tinker_drag_to(drag, 0.01, 0, 0.2, REACH);
+    tinker_drag_end(drag, FALSE);
+    expect_untouched(stage);
+    tinker_drag_cancel(grab(stage, "A", TINKER_PART_WHOLE, 0, 0));
+    expect_untouched(stage);
+}
+
+/* Over a body the end tells which one; away from it, nothing; released over it, it is connected to its centre. */
+static void test_connect(Stage *stage, gconstpointer data)
+{
+    TinkerDrag *drag = grab(stage, "S", 1, 2, 2);
+    g_assert_cmpint(tinker_drag_to(drag, 2.9, 0.2, 0, REACH), ==, named(stage, "B"));
+    g_assert_cmpint(tinker_drag_to(drag, 3, 2, 0, REACH), ==, TINKER_NO_BLOCK);
+    g_assert_cmpint(tinker_drag_to(drag, 3.1, -0.1, 0, REACH), ==, named(stage, "B"));
+    tinker_drag_end(drag, TRUE);
+    TinkerSceneEnd end = tinker_scene_end(stage->scene, named(stage, "S"), 1);
+    g_assert_cmpint(end.block, ==, named(stage, "B"));
+    g_assert_cmpfloat(end.x, ==, 0);
+    g_assert_cmpfloat(end.y, ==, 0);
+    tinker_history_undo(stage->history);
+    expect_untouched(stage);
+}
+
+/* To a point of a support that is turned by a right angle: its own x axis is the world's y axis. */
+static void test_connect_at_point(Stage *stage, gconstpointer data)
+{
+    for (int at_point = 0; at_point < 2; at_point++) {
+        TinkerDrag *drag = grab(stage, "S", 1, 2, 2);
+        g_assert_cmpint(tinker_drag_to(drag, 0.1, -2, 0, REACH), ==, named(stage, "Floor"));
+        tinker_drag_end(drag, at_point);
+        TinkerSceneEnd end = tinker_scene_end(stage->scene, named(stage, "S"), 1);
+        g_assert_cmpint(end.block, ==, named(stage, "Floor"));
+        g_assert_cmpfloat_with_epsilon(end.x, at_point ? 1 : 0, 1e-12);
+        g_assert_cmpfloat_with_epsilon(end.y, at_point ? -0.1 : 0, 1e-12);
+        tinker_history_undo(stage->history);
+    }
+}
+
+/* An attached end that is dragged into the open comes off and lies there. */
+static void test_detach(Stage *stage, gconstpointer data)
+{
+    TinkerDrag *drag = grab(stage, "S", 0, 0, 0);
+    tinker_drag_to(drag, -2, 1, 0, REACH);
+    tinker_drag_end(drag, FALSE);
+    TinkerSceneEnd end = tinker_scene_end(stage->scene, named(stage, "S"), 0);
+    g_assert_cmpint(end.block, ==, TINKER_NO_BLOCK);
+    g_assert_cmpfloat_with_epsilon(end.x, -2, 1e-12);
+    g_assert_cmpfloat_with_epsilon(end.y, 1, 1e-12);
+}
+
+/* Handles change what they stand for, within the declared range. */
+static void test_handles(Stage *stage, gconstpointer data)
+{
+    TinkerDrag *drag = grab(stage, "A", TINKER_HANDLE_SIZE, 0.4, 0.4);
+    tinker_drag_to(drag, 1, 0.5, 0, REACH);
+    g_assert_cmpfloat_with_epsilon(value(stage, "A", TINKER_MEANING_WIDTH, 0), 2, 1e-12);
+    g_assert_cmpfloat_with_epsilon(value(stage, "A", TINKER_MEANING_HEIGHT, 0), 1, 1e-12);
+    tinker_drag_end(drag, FALSE);
+    drag = grab(stage, "A", TINKER_HANDLE_LOCAL_ORIGIN, 0, 0);
+    tinker_drag_to(drag, 1.2, 0.9, 0.5, REACH);
+    g_assert_cmpfloat(fmod(value(stage, "A", TINKER_MEANING_LOCAL_ORIGIN, 0), 0.5), ==, 0);
+    expect_place(stage, "A", 0, 0);
+    tinker_drag_end(drag, FALSE);
+    tinker_history_undo(stage->history);
+    tinker_history_undo(stage->history);
+    expect_untouched(stage);
+}
+
+static void test_nothing(Stage *stage, gconstpointer data)
+{
+    TinkerHit nothing = {TINKER_NO_BLOCK, TINKER_PART_NONE}, gone = {4711, TINKER_PART_WHOLE};
+    g_assert_null(tinker_drag_begin(stage->history, stage->scene, nothing, 0, 0));
+    g_assert_null(tinker_drag_begin(stage->history, stage->scene, gone, 0, 0));
+    TinkerDrag *drag = grab(stage, "A", TINKER_PART_WHOLE, 0, 0);
+    tinker_drag_to(drag, NAN, 0, 0, REACH);
+    tinker_drag_to(drag, INFINITY, 0, 0.2, REACH);
+    tinker_drag_end(drag, FALSE);
+    expect_untouched(stage);
+}
+
+#define add(path, function) g_test_add(path, Stage, NULL, set_up, function, tear_down)
+
+static void add_tests(void)
+{
+    add("/edit/drag/move", test_move);
+    add("/edit/drag/snap", test_snap);
+    add("/edit/drag/cancel", test_cancel);
+    add("/edit/drag/click", test_click);
+    add("/edit/drag/connect", test_connect);
+    add("/edit/drag/connect-at-point", test_connect_at_point);
+    add("/edit/drag/detach", test_detach);
+    add("/edit/drag/handles", test_handles);
+    add("/edit/drag/nothing", test_nothing);
+}
+
+int main(int argc, char **argv)
+{
+    return scene_fixture_main(argc, argv, add_tests);
+}

@@ -1,0 +1,149 @@
+/* What lies under a point, with the real blocks. */
+#include <math.h>
+
+#include "edit/drag.h"
+#include "scene-fixture.h"
+
+#define REACH 0.1
+
+static const char blocks[] = "{\"type\": \"gravity\", \"name\": \"G\"},"
+                             "{\"type\": \"mass\", \"name\": \"Below\", \"position\": [0, 0]},"
+                             "{\"type\": \"mass\", \"name\": \"Above\", \"position\": [0.3, 0]},"
+                             "{\"type\": \"support\", \"name\": \"Floor\", \"position\": [0, -3]},"
+                             "{\"type\": \"spring\", \"name\": \"S\", \"ends\": [\"Below\", [4, 0]]},"
+                             "{\"type\": \"motor\", \"name\": \"M\", \"ends\": [[3, 3]]},"
+                             "{\"type\": \"support-motion\", \"name\": \"Shake\", \"ends\": [[-3, 3]]},"
+                             "{\"type\": \"pulley\", \"name\": \"P\", \"position\": [5, 5]}";
+
+typedef struct {
+    TinkerScene *scene;
+    TinkerFrame *frame;
+} Stage;
+
+static void set_up(Stage *stage, gconstpointer data)
+{
+    stage->scene = scene_fixture_read_blocks(blocks);
+    stage->frame = tinker_frame_new(stage->scene, NULL);
+    g_assert_nonnull(stage->frame);
+}
+
+static void tear_down(Stage *stage, gconstpointer data)
+{
+    tinker_frame_free(stage->frame);
+    tinker_scene_free(stage->scene);
+}
+
+static TinkerBlockId named(const Stage *stage, const char *name)
+{
+    TinkerBlockId block = tinker_scene_find_block(stage->scene, name);
+    g_assert_cmpint(block, !=, TINKER_NO_BLOCK);
+    return block;
+}
+
+static void expect(const Stage *stage, double x, double y, const char *name, int32_t part)
+{
+    TinkerHit hit = tinker_hit(stage->frame, x, y, REACH, TINKER_NO_BLOCK);
+    g_assert_cmpint(hit.block, ==, named(stage, name));
+    g_assert_cmpint(hit.part, ==, part);
+}
+
+static void test_order(Stage *stage, gconstpointer data)
+{
+    /* The later mass covers the earlier one; an end comes before both; the line of a spring before the mass under it. */
+    expect(stage, 0.3, 0.3, "Above", TINKER_PART_WHOLE);
+    expect(stage, -0.35, 0.3, "Below", TINKER_PART_WHOLE);
+    expect(stage, 0.02, 0.02, "S", 0);
+    expect(stage, 4, 0.05, "S", 1);
+    expect(stage, 2, 0.05, "S", TINKER_PART_WHOLE);
+    expect(stage, 1.9, -3.1, "Floor", TINKER_PART_WHOLE);
+    TinkerHit nothing = tinker_hit(stage->frame, -4, -1, REACH, TINKER_NO_BLOCK);
+    g_assert_cmpint(nothing.block, ==, TINKER_NO_BLOCK);
+    g_assert_cmpint(nothing.part, ==, TINKER_PART_NONE);
+}
+
+static void test_skip(Stage *stage, gconstpointer data)
+{
+    TinkerHit hit = tinker_hit(stage->frame, 0.2, 0.3, REACH, named(stage, "Above"));
+    g_assert_cmpint(hit.block, ==, named(stage, "Below"));
+}
+
+static void test_connectable(Stage *stage, gconstpointer data)
+{
+    TinkerBlockId spring = named(stage, "S"), motor = named(stage, "M"), shake = named(stage, "Shake");
+    g_assert_cmpint(tinker_hit_connectable(stage->frame, spring, 0.3, 0.3, REACH), ==, named(stage, "Above"));
+    g_assert_cmpint(tinker_hit_connectable(stage->frame, spring, 0, -3, REACH), ==, named(stage, "Floor"));
+    g_assert_cmpint(tinker_hit_connectable(stage->frame, spring, 3, 3, REACH), ==, TINKER_NO_BLOCK);
+    /* A motor drives what can move, a motion what cannot. */
+    g_assert_cmpint(tinker_hit_connectable(stage->frame, motor, 0.3, 0.3, REACH), ==, named(stage, "Above"));
+    g_assert_cmpint(tinker_hit_connectable(stage->frame, motor, 0, -3, REACH), ==, TINKER_NO_BLOCK);
+    g_assert_cmpint(tinker_hit_connectable(stage->frame, shake, 0, -3, REACH), ==, named(stage, "Floor"));
+    g_assert_cmpint(tinker_hit_connectable(stage->frame, shake, 0.3, 0.3, REACH), ==, TINKER_NO_BLOCK);
+}
+
+/* Every handle that a block declares can be hit. */
+static void test_handles(Stage *stage, gconstpointer data)
+{
+    TinkerBlockId mass = named(stage, "Above");
+    TinkerInstance instance;
+    TinkerHandle handles[8];
+    tinker_frame_set_symbol_size(stage->frame, 0.25);
+    g_assert_true(tinker_frame_instance(stage->frame, mass, &instance));
+    g_assert_cmpfloat(instance.symbol_size, ==, 0.25);
+    const TinkerEdit *edit = tinker_scene_block_class(stage->scene, mass)->edit;
+    int32_t count = edit->handles(&instance, handles, 8);
+    g_assert_cmpint(count, >, 0);
+    for (int32_t i = 0; i < count; i++) {
+        TinkerHit hit = tinker_hit_handle(stage->frame, mass, handles[i].x + 0.01, handles[i].y, REACH);
+        g_assert_cmpint(hit.block, ==, mass);
+        g_assert_cmpint(hit.part, ==, handles[i].part);
+    }
+    g_assert_cmpint(tinker_hit_handle(stage->frame, mass, 9, 9, REACH).block, ==, TINKER_NO_BLOCK);
+}
+
+static void test_nowhere(Stage *stage, gconstpointer data)
+{
+    /* Neither a field, which has no place, nor numbers that are none are hit. */
+    static const double odd[] = {NAN, INFINITY, -INFINITY, 1e300};
+    for (gsize i = 0; i < G_N_ELEMENTS(odd); i++) {
+        g_assert_cmpint(tinker_hit(stage->frame, odd[i], 0, REACH, TINKER_NO_BLOCK).block, ==, TINKER_NO_BLOCK);
+        g_assert_cmpint(tinker_hit_connectable(stage->frame, named(stage, "S"), odd[i], 0, REACH), ==, TINKER_NO_BLOCK);
+    }
+}
+
+static void test_snap(void)
+{
+    double x = 1.26, y = -0.74;
+    tinker_snap(0.5, &x, &y);
+    g_assert_cmpfloat(x, ==, 1.5);
+    g_assert_cmpfloat(y, ==, -0.5);
+    x = 0.123;
+    tinker_snap(0, &x, &y);
+    tinker_snap(-1, &x, &y);
+    tinker_snap(NAN, &x, &y);
+    g_assert_cmpfloat(x, ==, 0.123);
+    for (int i = 0; i < 1000; i++) {
+        double grid = pow(10, g_test_rand_double_range(-6, 6));
+        double was = x = grid * g_test_rand_double_range(-1000, 1000);
+        y = 0;
+        tinker_snap(grid, &x, &y);
+        g_assert_cmpfloat(fabs(x - was), <=, grid / 2 * (1 + 1e-9));
+        g_assert_cmpfloat_with_epsilon(x / grid, round(x / grid), 1e-9);
+    }
+}
+
+#define add(path, function) g_test_add(path, Stage, NULL, set_up, function, tear_down)
+
+static void add_tests(void)
+{
+    add("/edit/hit/order", test_order);
+    add("/edit/hit/skip", test_skip);
+    add("/edit/hit/connectable", test_connectable);
+    add("/edit/hit/handles", test_handles);
+    add("/edit/hit/nowhere", test_nowhere);
+    g_test_add_func("/edit/snap", test_snap);
+}
+
+int main(int argc, char **argv)
+{
+    return scene_fixture_main(argc, argv, add_tests);
+}

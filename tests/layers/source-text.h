@@ -1,0 +1,19 @@
+/* What the tests of the layers read out of a source file: its includes and its string literals. */
+#ifndef TEST_SOURCE_TEXT_H
+#define TEST_SOURCE_TEXT_H
+
+#include <glib.h>
+
+/* All .c and .h files under a folder, as paths relative to it; sorted. (transfer full) */
+GPtrArray *source_files(const char *folder);
+
+/* The file's text without comments, line structure kept. (transfer full) */
+char *source_without_comments(const char *path);
+
+/* What the text includes: "<glib.h>" or "\"scene/scene.h\"", with the brackets or quotes; of char *. (transfer full) */
+GPtrArray *source_includes(const char *text);
+
+/* The contents of its string literals, as written, but for those of include lines; of char *. (transfer full) */
+GPtrArray *source_literals(const char *text);
+
+#endif

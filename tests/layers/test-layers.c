@@ -1,0 +1,205 @@
+/* Which way the arrows point: who may include whom, what is linked, and that no block is known by name where none must
+ * be. The table below is the architecture; docs/architecture.md draws it. */
+#include <glib.h>
+#include <string.h>
+
+#include "source-text.h"
+
+/* A folder, and what its files may include: folders of core, and libraries by the beginning of the header's name. */
+typedef struct {
+    const char *folder;
+    const char *core[8];
+    const char *libraries[8];
+} Layer;
+
+static const Layer layers[] = {
+    {"core/units", {"units"}, {"tinker/types.h", "glib", NULL}},
+    {"core/plugin", {"plugin", "units"}, {"tinker/", "glib", "gmodule", "cjson/"}},
+    {"core/scene", {"scene", "plugin", "units"}, {"tinker/", "glib", "cjson/"}},
+    {"core/numerics", {"numerics"}, {"tinker/integrator.h", "tinker/types.h", "glib", "suitesparse/amd.h"}},
+    {"core/physics", {"physics", "numerics", "scene", "plugin", "units"}, {"tinker/", "glib"}},
+    {"core/render", {"render", "scene", "plugin", "units"}, {"tinker/", "glib", "cairo", "pango/"}},
+    {"core/edit", {"edit", "scene", "plugin", "units"}, {"tinker/", "glib"}},
+    {"host/cli",
+     {"physics", "numerics", "render", "edit", "scene", "plugin", "units"},
+     {"tinker/", "glib", "gmodule", "cairo", "pango/", "cjson/"}},
+    {"plugins", {NULL}, {"tinker/"}},
+    {"docs/examples", {NULL}, {"tinker/"}},
+    {"sdk/include/tinker", {NULL}, {NULL}},
+};
+
+/* Headers of C, POSIX and Linux that anybody may use; plugins and the SDK have those of C alone. */
+static const char *const c_headers[] = {"assert.h", "ctype.h",  "errno.h",  "float.h",   "inttypes.h", "limits.h",
+                                        "locale.h", "math.h",   "stdarg.h", "stdbool.h", "stddef.h",   "stdint.h",
+                                        "stdio.h",  "stdlib.h", "string.h", "time.h",    "complex.h",  NULL};
+static const char *const system_headers[] = {"dlfcn.h", "elf.h",    "fcntl.h",    "grp.h",   "immintrin.h",
+                                             "link.h",  "poll.h",   "pwd.h",      "sched.h", "signal.h",
+                                             "sys/",    "unistd.h", "ucontext.h", NULL};
+
+static const char *const block_ids[] = {"mass",  "support",        "spring",  "damper", "rod",
+                                        "motor", "support-motion", "gravity", "wind",   NULL};
+
+static char *source_path(const char *folder)
+{
+    return g_build_filename(g_getenv("TINKER_SOURCES"), folder, NULL);
+}
+
+static gboolean begins_with_one_of(const char *text, const char *const *beginnings)
+{
+    for (; *beginnings != NULL; beginnings++)
+        if (g_str_has_prefix(text, *beginnings)) return TRUE;
+    return FALSE;
+}
+
+static gboolean library_is_allowed(const Layer *layer, const char *header)
+{
+    if (g_strv_contains(c_headers, header) || begins_with_one_of(header, layer->libraries)) return TRUE;
+    const gboolean bound_to_c = layer->core[0] == NULL;
+    return !bound_to_c && begins_with_one_of(header, system_headers);
+}
+
+/* "scene/scene.h" of core; "x.h" beside the file itself; a private header only within its own folder. */
+static gboolean own_is_allowed(const Layer *layer, const char *file_folder, const char *header)
+{
+    g_autofree char *beside = g_build_filename(file_folder, header, NULL);
+    if (strchr(header, '/') == NULL && g_file_test(beside, G_FILE_TEST_EXISTS)) return TRUE;
+    g_auto(GStrv) parts = g_strsplit(header, "/", 2);
+    if (parts[1] == NULL || !g_strv_contains(layer->core, parts[0])) return FALSE;
+    const gboolean own_folder = g_str_has_suffix(layer->folder, parts[0]);
+    return own_folder || !g_str_has_suffix(header, "-private.h");
+}
+
+static gboolean include_is_allowed(const Layer *layer, const char *file_folder, const char *include)
+{
+    g_autofree char *header = g_strndup(include + 1, strcspn(include + 1, ">\""));
+    return include[0] == '<' ? library_is_allowed(layer, header) : own_is_allowed(layer, file_folder, header);
+}
+
+static void test_includes(gconstpointer data)
+{
+    const Layer *layer = data;
+    g_autofree char *root = source_path(layer->folder);
+    g_autoptr(GPtrArray) files = source_files(root);
+    g_assert_cmpuint(files->len, >, 0);
+    for (guint i = 0; i < files->len; i++) {
+        g_autofree char *path = g_build_filename(root, files->pdata[i], NULL);
+        g_autofree char *file_folder = g_path_get_dirname(path), *text = source_without_comments(path);
+        g_autoptr(GPtrArray) includes = source_includes(text);
+        for (guint k = 0; k < includes->len; k++)
+            if (!include_is_allowed(layer, file_folder, includes->pdata[k])) {
+                g_test_message("%s/%s must not include %s", layer->folder, (char *)files->pdata[i],
+                               (char *)includes->pdata[k]);
+                g_test_fail();
+            }
+    }
+}
+
+/* No folder of core escapes the table. */
+static void test_table_is_complete(void)
+{
+    g_autofree char *core = source_path("core");
+    g_autoptr(GDir) dir = g_dir_open(core, 0, NULL);
+    g_assert_nonnull(dir);
+    for (const char *name = g_dir_read_name(dir); name != NULL; name = g_dir_read_name(dir)) {
+        g_autofree char *path = g_build_filename(core, name, NULL), *folder = g_build_filename("core", name, NULL);
+        gboolean listed = !g_file_test(path, G_FILE_TEST_IS_DIR);
+        for (gsize i = 0; i < G_N_ELEMENTS(layers); i++)
+            listed = listed || strcmp(layers[i].folder, folder) == 0;
+        if (!listed) g_test_message("%s has no row in the table of layers", folder);
+        g_assert_true(listed);
+    }
+}
+
+/* "mass" is also the name of a dimension, which the units know. */
+static gboolean names_block(const char *folder, const char *file, const char *literal)
+{
+    const gboolean is_dimension =
+        strcmp(literal, "mass") == 0 && strcmp(folder, "core") == 0 && g_str_has_prefix(file, "units/");
+    return g_strv_contains(block_ids, literal) && !is_dimension;
+}
+
+/* Neither the core nor a host knows a block: no string in them is a type's name. */
+static void test_no_block_is_named(gconstpointer data)
+{
+    const char *folder = data;
+    g_autofree char *root = source_path(folder);
+    g_autoptr(GPtrArray) files = source_files(root);
+    g_assert_cmpuint(files->len, >, 0);
+    for (guint i = 0; i < files->len; i++) {
+        g_autofree char *path = g_build_filename(root, files->pdata[i], NULL), *text = source_without_comments(path);
+        g_autoptr(GPtrArray) literals = source_literals(text);
+        for (guint k = 0; k < literals->len; k++)
+            if (names_block(folder, files->pdata[i], literals->pdata[k])) {
+                g_test_message("%s/%s names the block \"%s\"", folder, (char *)files->pdata[i],
+                               (char *)literals->pdata[k]);
+                g_test_fail();
+            }
+    }
+}
+
+/* The libraries that a binary asks the loader for; of char *. (transfer full) */
+static GPtrArray *needed_libraries(const char *binary)
+{
+    const char *arguments[] = {"readelf", "--dynamic", "--wide", binary, NULL};
+    g_autofree char *output = NULL;
+    g_autoptr(GError) error = NULL;
+    int wait_status = 0;
+    g_spawn_sync(NULL, (char **)arguments, NULL, G_SPAWN_SEARCH_PATH, NULL, NULL, &output, NULL, &wait_status, &error);
+    g_assert_no_error(error);
+    g_assert_true(g_spawn_check_wait_status(wait_status, NULL));
+    GPtrArray *needed = g_ptr_array_new_with_free_func(g_free);
+    g_auto(GStrv) lines = g_strsplit(output, "\n", -1);
+    for (char **line = lines; *line != NULL; line++) {
+        const char *name = strchr(*line, '[');
+        if (strstr(*line, "(NEEDED)") == NULL || name == NULL) continue;
+        g_ptr_array_add(needed, g_strndup(name + 1, strcspn(name + 1, "]")));
+    }
+    return needed;
+}
+
+/* A plugin links to nothing of ours: the C library and the mathematics alone, and what a sanitizer adds. */
+static void test_plugins_link_to_c_alone(void)
+{
+    static const char *const allowed[] = {"libc.so", "libm.so", "libasan.so", "libubsan.so", "libtsan.so", NULL};
+    const char *folder = g_getenv("TINKER_TEST_PLUGINS");
+    g_autoptr(GDir) dir = g_dir_open(folder, 0, NULL);
+    g_assert_nonnull(dir);
+    guint seen = 0;
+    for (const char *name = g_dir_read_name(dir); name != NULL; name = g_dir_read_name(dir)) {
+        if (!g_str_has_suffix(name, ".so")) continue;
+        g_autofree char *path = g_build_filename(folder, name, NULL);
+        g_autoptr(GPtrArray) needed = needed_libraries(path);
+        for (guint i = 0; i < needed->len; i++)
+            if (!begins_with_one_of(needed->pdata[i], allowed)) {
+                g_test_message("%s links to %s", name, (char *)needed->pdata[i]);
+                g_test_fail();
+            }
+        seen++;
+    }
+    g_assert_cmpuint(seen, >=, G_N_ELEMENTS(block_ids) - 1);
+}
+
+/* The command line runs where there is no display and no desktop. */
+static void test_program_links_to_no_desktop(void)
+{
+    static const char *const desktop[] = {"libgtk", "libadwaita", "libgdk", "libX11", "libwayland", "libtinker", NULL};
+    g_autoptr(GPtrArray) needed = needed_libraries(g_getenv("TINKER_PROGRAM"));
+    g_assert_cmpuint(needed->len, >, 0);
+    for (guint i = 0; i < needed->len; i++)
+        g_assert_false(begins_with_one_of(needed->pdata[i], desktop));
+}
+
+int main(int argc, char **argv)
+{
+    g_test_init(&argc, &argv, NULL);
+    for (gsize i = 0; i < G_N_ELEMENTS(layers); i++) {
+        g_autofree char *path = g_strconcat("/includes/", layers[i].folder, NULL);
+        g_test_add_data_func(path, &layers[i], test_includes);
+    }
+    g_test_add_func("/includes/table-is-complete", test_table_is_complete);
+    g_test_add_data_func("/names/core", "core", test_no_block_is_named);
+    g_test_add_data_func("/names/host", "host", test_no_block_is_named);
+    g_test_add_func("/links/plugins", test_plugins_link_to_c_alone);
+    g_test_add_func("/links/program", test_program_links_to_no_desktop);
+    return g_test_run();
+}

@@ -1,0 +1,127 @@
+/* Who may have written a library: owner, mode, group, and the same of its folder. */
+#include <glib/gstdio.h>
+#include <grp.h>
+#include <pwd.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "fixture.h"
+
+/* What is said of the library, found through a manifest that matches, so that only its permissions are in question. */
+static void expect_refused(const Place *place, const char *path, const char *message)
+{
+    g_autoptr(TinkerCatalogue) catalogue = tinker_catalogue_new(&place->options);
+    g_assert_cmpstr(entry_of(catalogue, path)->refused, ==, message);
+    g_autoptr(GError) error = NULL;
+    const TinkerBlockClass *block_class = tinker_catalogue_type(catalogue, "pull", &error);
+    g_assert_true((block_class == NULL) == (message != NULL));
+    g_assert_true((error == NULL) == (message == NULL));
+}
+
+static char *install(const Place *place, const char *folder)
+{
+    char *path = install_module("good", folder, "pull.so");
+    g_autofree char *manifest = describe(path);
+    g_autofree char *beside = install_text(manifest, folder, "pull.manifest.json");
+    return path;
+}
+
+static void test_file(Place *place, gconstpointer data)
+{
+    g_autofree char *path = install(place, place->first);
+    g_assert_cmpint(g_chmod(path, 0646), ==, 0);
+    expect_refused(place, path, "it can be written by everybody (mode 0646); only its owner may");
+    g_assert_cmpint(g_chmod(path, 0644), ==, 0);
+    expect_refused(place, path, NULL);
+}
+
+static void test_folder(Place *place, gconstpointer data)
+{
+    g_autofree char *path = install(place, place->first);
+    // A sticky bit keeps others from deleting files, not from adding some.
+    g_assert_cmpint(g_chmod(place->first, 01777), ==, 0);
+    expect_refused(place, path, "its folder can be written by everybody (mode 1777); only its owner may");
+    g_assert_cmpint(g_chmod(place->first, 0755), ==, 0);
+    expect_refused(place, path, NULL);
+}
+
+/* The link lies in a safe folder, the file behind it does not. */
+static void test_link(Place *place, gconstpointer data)
+{
+    g_autofree char *target = install_module("good", place->second, "target");
+    g_autofree char *link = g_build_filename(place->first, "pull.so", NULL);
+    g_assert_cmpint(symlink(target, link), ==, 0);
+    expect_refused(place, link, NULL);
+    g_assert_cmpint(g_chmod(place->second, 0777), ==, 0);
+    expect_refused(place, link, "its folder can be written by everybody (mode 0777); only its owner may");
+}
+
+/* What others can write is not believed: the library is probed. */
+static void test_manifest(Place *place, gconstpointer data)
+{
+    g_autofree char *path = install(place, place->first);
+    g_autofree char *manifest = g_build_filename(place->first, "pull.manifest.json", NULL);
+    g_assert_cmpint(g_chmod(manifest, 0666), ==, 0);
+    expect_refused(place, path, NULL);
+    g_assert_cmpuint(probe_count(place), ==, 1);
+}
+
+/* The missing type's message tells the reason, though the library's folder says nothing but a file name. */
+static void test_reason_in_message(Place *place, gconstpointer data)
+{
+    g_autofree char *path = install_module("good", place->first, "tinker-pull.so");
+    g_assert_cmpint(g_chmod(path, 0666), ==, 0);
+    g_autoptr(TinkerCatalogue) catalogue = tinker_catalogue_new(&place->options);
+    g_autoptr(GError) error = NULL;
+    g_assert_null(tinker_catalogue_type(catalogue, "pull", &error));
+    g_assert_error(error, TINKER_PLUGIN_ERROR, TINKER_PLUGIN_ERROR_MISSING);
+    g_autofree char *message =
+        g_strdup_printf("no plugin provides the block type \"pull\": the library \"%s\" was refused: it can be written "
+                        "by everybody (mode 0666); only its owner may",
+                        path);
+    g_assert_cmpstr(error->message, ==, message);
+}
+
+/* A group of which only this user is a member may write; a group with another member may not. */
+static void test_group(Place *place, gconstpointer data)
+{
+    const struct passwd *other = getpwnam("daemon");
+    if (geteuid() != 0 || other == NULL) {
+        g_test_skip("only the superuser can give files to groups");
+        return;
+    }
+    const gid_t group = other->pw_gid;
+    g_autofree char *path = install(place, place->first);
+    g_assert_cmpint(g_chmod(path, 0664), ==, 0);
+    expect_refused(place, path, NULL);
+    g_assert_cmpint(chown(path, (uid_t)-1, group), ==, 0);
+    g_autofree char *message =
+        g_strdup_printf("it can be written by the group %u, which has other members (daemon; mode 0664)", group);
+    expect_refused(place, path, message);
+}
+
+static void test_owner(Place *place, gconstpointer data)
+{
+    if (geteuid() != 0) {
+        g_test_skip("only the superuser can give files away");
+        return;
+    }
+    g_autofree char *path = install(place, place->first);
+    g_assert_cmpint(chown(path, 4242, (gid_t)-1), ==, 0);
+    expect_refused(place, path,
+                   "it belongs to the user 4242, not to root, to you (0) or to the owner of this program (0)");
+}
+
+int main(int count, char **arguments)
+{
+    g_test_init(&count, &arguments, NULL);
+    add_place_test("/plugin/permissions/file", test_file);
+    add_place_test("/plugin/permissions/folder", test_folder);
+    add_place_test("/plugin/permissions/link", test_link);
+    add_place_test("/plugin/permissions/manifest", test_manifest);
+    add_place_test("/plugin/permissions/reason", test_reason_in_message);
+    add_place_test("/plugin/permissions/group", test_group);
+    add_place_test("/plugin/permissions/owner", test_owner);
+    return g_test_run();
+}

@@ -1,0 +1,76 @@
+/* The legend stands where no curve passes, or beside the plot. */
+#include <math.h>
+
+#include "render/plot-private.h"
+
+#define COUNT 400
+
+/* Whether a curve passes the box. */
+static gboolean passes(const TinkerPlotLayout *layout, const TinkerCurve *curve, const double box[4])
+{
+    for (gsize i = 0; i < curve->count; i++) {
+        double x, y;
+        if (!tinker_plot_place(layout, curve, i, &x, &y)) continue;
+        if (x >= box[0] && x <= box[2] && y >= box[1] && y <= box[3]) return TRUE;
+    }
+    return FALSE;
+}
+
+static void test_place(void)
+{
+    int inside = 0, outside = 0;
+    for (int i = 0; i < 200; i++) {
+        double x[COUNT], y[3][COUNT];
+        TinkerCurve curves[3];
+        double frequency = g_test_rand_double_range(0.1, 40), slope = g_test_rand_double_range(-2, 2);
+        for (int n = 0; n < 3; n++) {
+            for (int k = 0; k < COUNT; k++) {
+                x[k] = k * 0.01;
+                y[n][k] = slope * x[k] + sin(frequency * x[k] + n);
+            }
+            curves[n] = (TinkerCurve){.label = "Mass 0.x", .x = x, .y = y[n], .count = COUNT, .colour = n};
+        }
+        const TinkerPlot plot = {.x_label = "Time [s]", .y_label = "X [m]", .curves = curves, .curve_count = 3};
+        TinkerTextPen pen = TINKER_TEXT_PEN_INIT;
+        TinkerPlotLayout layout;
+        tinker_plot_lay_out(&layout, &plot, &pen, 640, 420);
+        const double *box = layout.legend.box;
+        if (layout.legend.kind == TINKER_LEGEND_INSIDE) {
+            inside++;
+            for (int n = 0; n < 3; n++)
+                g_assert_false(passes(&layout, &curves[n], box));
+            g_assert_true(box[0] > layout.left && box[2] < layout.right);
+            g_assert_true(box[1] > layout.top && box[3] < layout.bottom);
+        } else {
+            outside++;
+            g_assert_cmpint(layout.legend.kind, ==, TINKER_LEGEND_OUTSIDE);
+            g_assert_true(box[0] > layout.right && box[2] <= 640);
+        }
+        tinker_plot_layout_clear(&layout);
+        tinker_text_pen_clear(&pen);
+    }
+    /* Both happen. */
+    g_assert_cmpint(inside, >, 0);
+    g_assert_cmpint(outside, >, 0);
+}
+
+static void test_none(void)
+{
+    const double x[2] = {0, 1}, y[2] = {0, 1};
+    const TinkerCurve curves[2] = {{.x = x, .y = y, .count = 2}, {.label = "", .x = x, .y = y, .count = 2}};
+    const TinkerPlot plot = {.curves = curves, .curve_count = 2};
+    TinkerTextPen pen = TINKER_TEXT_PEN_INIT;
+    TinkerPlotLayout layout;
+    tinker_plot_lay_out(&layout, &plot, &pen, 640, 420);
+    g_assert_cmpint(layout.legend.kind, ==, TINKER_LEGEND_NONE);
+    tinker_plot_layout_clear(&layout);
+    tinker_text_pen_clear(&pen);
+}
+
+int main(int argc, char **argv)
+{
+    g_test_init(&argc, &argv, NULL);
+    g_test_add_func("/render/legend/place", test_place);
+    g_test_add_func("/render/legend/none", test_none);
+    return g_test_run();
+}

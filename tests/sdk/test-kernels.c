@@ -1,0 +1,106 @@
+/* The numerics and the geometry that the SDK offers to blocks. */
+#include <float.h>
+#include <math.h>
+
+#include <glib.h>
+
+#include <tinker/sdk.h>
+
+#define PI 3.14159265358979323846
+
+/* 3-4-5 triangles of any size that a double holds. */
+static void test_length(void)
+{
+    for (int exponent = -1060; exponent <= 1020; exponent += 20) {
+        const double size = ldexp(1, exponent);
+        g_assert_cmpfloat_with_epsilon(tinker_length(3 * size, -4 * size) / size, 5, 5 * 4 * DBL_EPSILON);
+    }
+    g_assert_cmpfloat(tinker_length(0, 0), ==, 0);
+    g_assert_true(isnan(tinker_length(NAN, 1)));
+    g_assert_true(isinf(tinker_length(INFINITY, 1)));
+}
+
+/* Directions are unit vectors at the angle asked for; only quarter turns are rounded to exact ones. */
+static void test_direction(void)
+{
+    double direction[2];
+    for (int k = -4000; k <= 4000; k++) {
+        tinker_direction(k * (PI / 2), direction);
+        g_assert_cmpfloat(fabs(direction[0]) + fabs(direction[1]), ==, 1);
+        g_assert_cmpfloat_with_epsilon(direction[0], cos(k * (PI / 2)), 1e-11);
+        g_assert_cmpfloat_with_epsilon(direction[1], sin(k * (PI / 2)), 1e-11);
+        const double angle = k * 0.01 + 0.005;
+        tinker_direction(angle, direction);
+        g_assert_cmpfloat(direction[0], ==, cos(angle));
+        g_assert_cmpfloat(direction[1], ==, sin(angle));
+    }
+    tinker_direction(PI / 2 + 1e-12, direction);
+    g_assert_cmpfloat(direction[0], ==, cos(PI / 2 + 1e-12));
+    tinker_direction(NAN, direction);
+    g_assert_true(isnan(direction[0]));
+}
+
+static void test_segment_distance(void)
+{
+    g_assert_cmpfloat(tinker_segment_distance(2, 3, 0, 0, 10, 0), ==, 3);
+    g_assert_cmpfloat(tinker_segment_distance(-3, 4, 0, 0, 10, 0), ==, 5);
+    g_assert_cmpfloat(tinker_segment_distance(13, -4, 0, 0, 10, 0), ==, 5);
+    g_assert_cmpfloat(tinker_segment_distance(3, 4, 0, 0, 0, 0), ==, 5);
+    g_assert_cmpfloat_with_epsilon(tinker_segment_distance(0, 2, 0, 0, 5, 5), sqrt(2), 1e-15);
+}
+
+TINKER_LINE_LOOP(bumper, k, c, L < 1 ? k * (L - 1) + c * rate : 0)
+
+static void test_line_loop(void)
+{
+    const double k[3] = {10, 20, 30}, c[3] = {1, 2, 3}, length[3] = {0.5, 2, 0}, rate[3] = {-1, -1, 0};
+    const double wanted[3] = {-6, 0, -30};
+    double tension[3];
+    bumper(3, k, c, length, rate, tension);
+    g_assert_cmpmem(tension, sizeof tension, wanted, sizeof wanted);
+}
+
+static void test_end_geometry(void)
+{
+    const TinkerPoint ends[6] = {{0, 0, 0, 0}, {3, 4, 5, 0}, {1, 1, 0, 0},
+                                 {1, 1, 2, 2}, {0, 0, 1, 0}, {1e200, 0, 3, 0}};
+    double length[3], rate[3];
+    tinker_end_distances(3, ends, length);
+    tinker_end_rates(3, ends, rate);
+    g_assert_cmpfloat(length[0], ==, 5);
+    g_assert_cmpfloat_with_epsilon(rate[0], 3, 1e-15);
+    g_assert_cmpfloat(length[1], ==, 0);
+    g_assert_cmpfloat(rate[1], ==, 0);
+    g_assert_cmpfloat(length[2], ==, 1e200);
+    g_assert_cmpfloat(rate[2], ==, 2);
+}
+
+/* A point in a block's own axes and back in the world. */
+static void test_own_axes(void)
+{
+    TinkerInstance instance = {.struct_size = sizeof instance, .x = 3, .y = -2, .orientation = PI / 2};
+    double x, y, own_x, own_y;
+    tinker_box_to_world(&instance, 1, 0, &x, &y);
+    g_assert_cmpfloat(x, ==, 3);
+    g_assert_cmpfloat(y, ==, -1);
+    for (int k = 0; k < 100; k++) {
+        instance.orientation = g_test_rand_double_range(-10, 10);
+        const double at[2] = {g_test_rand_double_range(-5, 5), g_test_rand_double_range(-5, 5)};
+        tinker_box_to_world(&instance, at[0], at[1], &x, &y);
+        tinker_box_to_own(&instance, x, y, &own_x, &own_y);
+        g_assert_cmpfloat_with_epsilon(own_x, at[0], 1e-14);
+        g_assert_cmpfloat_with_epsilon(own_y, at[1], 1e-14);
+    }
+}
+
+int main(int argc, char **argv)
+{
+    g_test_init(&argc, &argv, NULL);
+    g_test_add_func("/sdk/kernels/length", test_length);
+    g_test_add_func("/sdk/kernels/direction", test_direction);
+    g_test_add_func("/sdk/kernels/segment-distance", test_segment_distance);
+    g_test_add_func("/sdk/kernels/line-loop", test_line_loop);
+    g_test_add_func("/sdk/kernels/end-geometry", test_end_geometry);
+    g_test_add_func("/sdk/kernels/own-axes", test_own_axes);
+    return g_test_run();
+}
