@@ -22,10 +22,10 @@ struct _TinkerSparseLdl {
     int *updates;     /* slots */
     double *values;   /* n + entries of L */
     double *diagonal; /* 1 / d, n */
-    double *work;   /* n */
+    double *work;     /* n */
     gboolean is_forest;
-    int *sequence; /* of a forest: the row that is eliminated at each place */
-    int *parents;  /* of a forest: the row that the row at each place hangs on; itself where it hangs on none */
+    int *sequence;      /* of a forest: the row that is eliminated at each place */
+    int *parents;       /* of a forest: the row that the row at each place hangs on; itself where it hangs on none */
     int *parent_places; /* and its place */
 };
 
@@ -309,15 +309,48 @@ int tinker_sparse_ldl_count_dependent(TinkerSparseLdl *ldl, double threshold, ch
 }
 
 /* A root is its own parent with the factor 0, so that no branch has to tell it apart. */
+static void substitute_back(const TinkerSparseLdl *ldl, double *restrict b)
+{
+    const double *restrict factor = ldl->values + ldl->n, *restrict diagonal = ldl->diagonal;
+    const int *restrict sequence = ldl->sequence, *restrict parents = ldl->parents;
+    for (int k = ldl->n - 1; k >= 0; k--)
+        b[sequence[k]] = b[sequence[k]] * diagonal[k] - factor[k] * b[parents[k]];
+}
+
 static void solve_forest(const TinkerSparseLdl *ldl, double *restrict b)
 {
-    int n = ldl->n;
-    const double *restrict factor = ldl->values + n, *restrict diagonal = ldl->diagonal;
+    const double *restrict factor = ldl->values + ldl->n;
     const int *restrict sequence = ldl->sequence, *restrict parents = ldl->parents;
-    for (int k = 0; k < n; k++)
+    for (int k = 0; k < ldl->n; k++)
         b[parents[k]] -= factor[k] * b[sequence[k]];
-    for (int k = n - 1; k >= 0; k--)
-        b[sequence[k]] = b[sequence[k]] * diagonal[k] - factor[k] * b[parents[k]];
+    substitute_back(ldl, b);
+}
+
+/* Each division waits for the one before it on its branch of the forest, and nothing else does: the substitution of b goes
+ * on beside it. */
+gboolean tinker_sparse_ldl_factor_and_solve(TinkerSparseLdl *ldl, double threshold, double *b)
+{
+    if (!ldl->is_forest) {
+        if (!tinker_sparse_ldl_factor(ldl, 0.0, threshold)) return FALSE;
+        tinker_sparse_ldl_solve(ldl, b);
+        return TRUE;
+    }
+    int n = ldl->n;
+    double *restrict pivots = ldl->values, *restrict entries = ldl->values + n, *restrict least = ldl->work;
+    double *restrict diagonal = ldl->diagonal;
+    for (int k = 0; k < n; k++)
+        least[k] = threshold * pivots[k];
+    for (int k = 0; k < n; k++) {
+        double pivot = pivots[k], entry = entries[k];
+        if (!(pivot > least[k])) return FALSE;
+        double inverse = 1.0 / pivot, factor = entry * inverse;
+        pivots[ldl->parent_places[k]] -= entry * entry / pivot;
+        b[ldl->parents[k]] -= factor * b[ldl->sequence[k]];
+        diagonal[k] = inverse;
+        entries[k] = factor;
+    }
+    substitute_back(ldl, b);
+    return TRUE;
 }
 
 void tinker_sparse_ldl_solve(TinkerSparseLdl *ldl, double *b)

@@ -26,6 +26,10 @@ void tinker_sparse_ldl_clear(TinkerSparseLdl *ldl);
  * stops it: FALSE. */
 gboolean tinker_sparse_ldl_factor(TinkerSparseLdl *ldl, double shift, double threshold);
 
+/* Factors as tinker_sparse_ldl_factor does without a shift, and solves with it in place of b; on the way, where the pattern
+ * allows it. On FALSE b is lost. */
+gboolean tinker_sparse_ldl_factor_and_solve(TinkerSparseLdl *ldl, double threshold, double *b);
+
 /* Factors in place and counts the pivots that fall to `threshold` times their diagonal entry or below; such a row is left
  * out. `dependent` (n entries, may be NULL) is set to 1 for each of them. The factor is of no use for solving. */
 int tinker_sparse_ldl_count_dependent(TinkerSparseLdl *ldl, double threshold, char *dependent);

@@ -3,12 +3,24 @@
 
 #include <math.h>
 
+/* Energies below this share of forces times extent are rounding. */
+#define REST 1e-12
+
 static double potential_of_origin(const TinkerModel *model)
 {
     double mass = 0;
     for (int32_t i = 0; i < model->bodies; i++)
         mass += model->mass[i];
     return -mass * (model->field_acceleration[0] * model->origin[0] + model->field_acceleration[1] * model->origin[1]);
+}
+
+/* Of the last evaluation. */
+static double sum_of_forces(const TinkerModel *model)
+{
+    double sum = 0;
+    for (int32_t i = 0; i < 2 * model->bodies; i++)
+        sum += fabs(model->force[i]) + model->coordinate_mass[i] * fabs(model->constant_acceleration[i]);
+    return sum;
 }
 
 TinkerStatus tinker_books_open(TinkerBooks *books, TinkerModelSystem *system)
@@ -59,14 +71,17 @@ TinkerStatus tinker_books_look(TinkerBooks *books, const TinkerState *state, Tin
     double sum = given(books, state, &now, summary);
     double missing = (now.kinetic - books->start.kinetic) + (now.potential - books->start.potential) - sum;
     books->exchanged = MAX(books->exchanged, largest_exchange(books, &now, summary));
-    /* A state that exchanges nothing, or only rounding of what it stores, is in balance. */
-    double scale = MAX(books->exchanged, 1e-9 * MAX(fabs(now.potential), fabs(books->start.potential)));
+    /* At rest nothing is exchanged but rounding: of the extent, times the forces that are balanced. */
+    books->forces = fmax(books->forces, sum_of_forces(model));
+    double extent, speed;
+    books->system->system.scales(books->system, state->q, state->v, &extent, &speed);
+    double scale = MAX(books->exchanged, REST * books->forces * extent);
     books->imbalance = scale > 0 ? fabs(missing) / scale : 0;
-    books->balance_error = fmax(books->balance_error, books->imbalance);
+    books->missing = fmax(books->missing, fabs(missing));
     summary->kinetic_start = books->start.kinetic;
     summary->potential_start = books->start.potential + books->world_offset;
     summary->kinetic_end = now.kinetic;
     summary->potential_end = now.potential + books->world_offset;
-    summary->energy_balance_error = books->balance_error;
+    summary->energy_balance_error = scale > 0 ? books->missing / scale : 0;
     return TINKER_OK;
 }

@@ -7,10 +7,11 @@
 typedef struct {
     TinkerModelSystem *system;
     TinkerEnergy start;
-    double world_offset;  /* J: potential relative to the world's origin less that relative to the model's */
-    double exchanged;     /* J: the largest energy moved so far */
-    double balance_error; /* largest, relative to it */
-    double imbalance;     /* of the last look */
+    double world_offset; /* J: potential relative to the world's origin less that relative to the model's */
+    double exchanged;    /* J: the largest energy moved so far */
+    double missing;      /* J: largest */
+    double imbalance;    /* of the last look, relative to what is exchanged */
+    double forces;       /* N: the largest sum of applied forces on all bodies so far */
 } TinkerBooks;
 
 /* Opens the books at the model's start. */

@@ -58,8 +58,8 @@ static gboolean unknown_block(TinkerScene *scene, const char *column, const char
         names[place] = tinker_scene_block_name(scene, tinker_scene_block_at(scene, place));
     const char *nearest = tinker_nearest_word(block, names);
     g_set_error(error, TINKER_SCENE_ERROR, TINKER_SCENE_ERROR_NAME,
-                "column \"%s\": the scene has no block \"%s\"%s%s%s (a column is BLOCK.QUANTITY, as in \"Mass 0.x\")", column,
-                block, nearest ? "; did you mean \"" : "", nearest ? nearest : "", nearest ? "\"?" : "");
+                "column \"%s\": the scene has no block \"%s\"%s%s%s (a column is BLOCK.QUANTITY, as in \"Mass 0.x\")",
+                column, block, nearest ? "; did you mean \"" : "", nearest ? nearest : "", nearest ? "\"?" : "");
     return FALSE;
 }
 

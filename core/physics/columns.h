@@ -6,8 +6,8 @@
 
 typedef struct {
     TinkerBlockId block;
-    int32_t quantity; /* number of the quantity in its class */
-    char *name;       /* "Mass 0.x"; owned */
+    int32_t quantity;  /* number of the quantity in its class */
+    char *name;        /* "Mass 0.x"; owned */
     const char *title; /* of the quantity, "Y Position" */
     TinkerDimension dimension;
     const char *unit; /* SI symbol, "m/s" */

@@ -27,8 +27,9 @@ static gboolean check_class(const TinkerBlockBatch *batch, GError **error)
     else if (body_of(batch)->degrees_of_freedom != 0 && body_of(batch)->degrees_of_freedom != 2)
         lacks = "a number of degrees of freedom that this version can move (0 or 2)";
     if (lacks == NULL) return TRUE;
-    g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_PLUGIN, "the block type \"%s\" cannot be run: its plugin %s lacks %s",
-                block_class->type->id, block_class->path, lacks);
+    g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_PLUGIN,
+                "the block type \"%s\" cannot be run: its plugin %s lacks %s", block_class->type->id, block_class->path,
+                lacks);
     return FALSE;
 }
 
@@ -98,7 +99,8 @@ static void add_bodies(TinkerModel *model)
 static int32_t add_support_point(TinkerModel *model, const TinkerBlockBatch *batch, int32_t row, double x, double y)
 {
     double angle = meaning(batch, row, TINKER_MEANING_ORIENTATION, 0, 0), c = cos(angle), s = sin(angle);
-    double place[2] = {meaning(batch, row, TINKER_MEANING_POSITION, 0, 0), meaning(batch, row, TINKER_MEANING_POSITION, 1, 0)};
+    double place[2] = {meaning(batch, row, TINKER_MEANING_POSITION, 0, 0),
+                       meaning(batch, row, TINKER_MEANING_POSITION, 1, 0)};
     TinkerSupportPoint point = {
         .support = batch->ids[row],
         .x = place[0] - model->origin[0] + (x == 0 && y == 0 ? 0 : c * x - s * y),

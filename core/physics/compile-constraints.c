@@ -1,5 +1,6 @@
 /* Compiling, third part: constraint rows, and the pattern of S = J M^-1 J^T. */
 #include <math.h>
+#include <string.h>
 
 #include "physics/model-private.h"
 
@@ -20,31 +21,25 @@ static void add_constraint_batch(TinkerModel *model, TinkerBlockBatch *batch)
         .row_count = batch->count * constraint->rows,
         .first_entry = all->entries,
         .entry_count = batch->end_count * constraint->rows,
+        .view = tinker_block_batch_view(batch, 0.0),
     };
+    memcpy(added.view.origin, model->origin, sizeof(model->origin));
     all->rows += added.row_count;
     all->entries += added.entry_count;
     g_array_append_val(all->batches, added);
 }
 
-static void add_entry(TinkerModel *model, int32_t entry, int32_t point)
+static void number_entries(TinkerConstraints *all, const TinkerConstraintBatch *part)
 {
-    TinkerConstraints *all = &model->constraints;
-    gboolean moves = point < model->bodies;
-    all->points[entry] = point;
-    all->targets[entry] = moves ? point : 0;
-    all->weights[entry] = moves ? model->inverse_mass[point] : 0.0;
-}
-
-static void number_entries(TinkerModel *model, const TinkerConstraintBatch *part)
-{
-    TinkerConstraints *all = &model->constraints;
     int32_t row = part->first_row, entry = part->first_entry;
     for (int32_t i = 0; i < part->batch->count; i++)
         for (int32_t r = 0; r < part->constraint->rows; r++, row++) {
             all->row_starts[row] = entry;
             all->blocks[row] = part->batch->ids[i];
-            for (int32_t k = 0; k < ends_of(part->batch, i); k++)
-                add_entry(model, entry++, part->end_points[part->batch->end_offsets[i] + k]);
+            for (int32_t k = 0; k < ends_of(part->batch, i); k++, entry++) {
+                all->row_of[entry] = row;
+                all->points[entry] = part->end_points[part->batch->end_offsets[i] + k];
+            }
             all->two_entries &= entry - all->row_starts[row] == 2;
         }
     all->row_starts[row] = entry;
@@ -59,8 +54,7 @@ static void allot(TinkerModel *model)
         most_ends = MAX(most_ends, g_array_index(all->batches, TinkerConstraintBatch, i).batch->end_count);
     all->row_starts = g_new0(int32_t, rows + 1);
     all->points = g_new0(int32_t, entries);
-    all->targets = g_new0(int32_t, entries);
-    all->weights = g_new0(double, entries);
+    all->row_of = g_new0(int32_t, entries);
     all->factored_jacobian = g_new0(double, 2 * entries);
     all->scales = g_new0(double, rows);
     all->blocks = g_new0(TinkerBlockId, rows);
@@ -96,33 +90,28 @@ static void measure(TinkerModel *model, const TinkerConstraintBatch *part)
     }
 }
 
-/* Entry numbers by body, as a list of lists. */
-typedef struct {
-    int32_t *starts, *entries;
-} ByBody;
-
-static ByBody entries_by_body(const TinkerModel *model)
+static void list_entries_by_body(TinkerModel *model)
 {
-    const TinkerConstraints *all = &model->constraints;
-    ByBody by = {g_new0(int32_t, model->bodies + 1), g_new0(int32_t, MAX(all->entries, 1))};
+    TinkerConstraints *all = &model->constraints;
+    all->body_starts = g_new0(int32_t, model->bodies + 1);
+    all->body_entries = g_new0(int32_t, MAX(all->entries, 1));
     g_autofree int32_t *next = g_new0(int32_t, model->bodies + 1);
     for (int32_t e = 0; e < all->entries; e++)
-        if (all->points[e] < model->bodies) by.starts[all->points[e] + 1]++;
+        if (all->points[e] < model->bodies) all->body_starts[all->points[e] + 1]++;
     for (int32_t i = 0; i < model->bodies; i++)
-        next[i + 1] = by.starts[i + 1] += by.starts[i];
+        next[i + 1] = all->body_starts[i + 1] += all->body_starts[i];
     for (int32_t e = 0; e < all->entries; e++)
-        if (all->points[e] < model->bodies) by.entries[next[all->points[e]]++] = e;
-    return by;
+        if (all->points[e] < model->bodies) all->body_entries[next[all->points[e]]++] = e;
 }
 
-static gboolean compile_pattern(TinkerModel *model, const int32_t *row_of, const ByBody *by, GError **error)
+static gboolean compile_pattern(TinkerModel *model, GError **error)
 {
     TinkerConstraints *all = &model->constraints;
     g_autoptr(GArray) rows = g_array_new(FALSE, FALSE, sizeof(int)), columns = g_array_new(FALSE, FALSE, sizeof(int));
     for (int32_t i = 0; i < model->bodies; i++)
-        for (int32_t p = by->starts[i]; p < by->starts[i + 1]; p++)
-            for (int32_t q = p + 1; q < by->starts[i + 1]; q++) {
-                int row = row_of[by->entries[p]], column = row_of[by->entries[q]];
+        for (int32_t p = all->body_starts[i]; p < all->body_starts[i + 1]; p++)
+            for (int32_t q = p + 1; q < all->body_starts[i + 1]; q++) {
+                int row = all->row_of[all->body_entries[p]], column = all->row_of[all->body_entries[q]];
                 if (row == column) continue;
                 g_array_append_val(rows, row);
                 g_array_append_val(columns, column);
@@ -130,24 +119,35 @@ static gboolean compile_pattern(TinkerModel *model, const int32_t *row_of, const
     all->ldl = tinker_sparse_ldl_new(all->rows, (const int *)(const void *)rows->data,
                                      (const int *)(const void *)columns->data, rows->len);
     if (all->ldl != NULL) return TRUE;
-    g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_SCENE,
-                "the %d constraints are so entangled that their equations do not fit into memory (use springs for some)",
-                all->rows);
+    g_set_error(
+        error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_SCENE,
+        "the %d constraints are so entangled that their equations do not fit into memory (use springs for some)",
+        all->rows);
     return FALSE;
 }
 
-static void list_products(TinkerModel *model, const int32_t *row_of, const ByBody *by)
+static void list_products(TinkerModel *model)
 {
     TinkerConstraints *all = &model->constraints;
     for (int32_t i = 0; i < model->bodies; i++)
-        for (int32_t p = by->starts[i]; p < by->starts[i + 1]; p++)
-            for (int32_t q = p; q < by->starts[i + 1]; q++) {
-                int32_t e = by->entries[p], f = by->entries[q];
+        for (int32_t p = all->body_starts[i]; p < all->body_starts[i + 1]; p++)
+            for (int32_t q = p; q < all->body_starts[i + 1]; q++) {
+                int32_t e = all->body_entries[p], f = all->body_entries[q];
                 double weight = model->inverse_mass[i];
-                if (e != f && row_of[e] == row_of[f]) weight *= 2; /* both orders fall on the diagonal */
-                TinkerProduct product = {tinker_sparse_ldl_slot(all->ldl, row_of[e], row_of[f]), e, f, weight};
+                if (e != f && all->row_of[e] == all->row_of[f]) weight *= 2; /* both orders fall on the diagonal */
+                TinkerProduct product = {tinker_sparse_ldl_slot(all->ldl, all->row_of[e], all->row_of[f]), e, f,
+                                         weight};
                 g_array_append_val(all->products, product);
             }
+}
+
+/* What falls on one slot stands together, so that it is added up in a register; the order within a slot is fixed, too. */
+static int compare_products(const void *left, const void *right)
+{
+    const TinkerProduct *l = left, *r = right;
+    if (l->slot != r->slot) return l->slot < r->slot ? -1 : 1;
+    if (l->first_entry != r->first_entry) return l->first_entry < r->first_entry ? -1 : 1;
+    return l->second_entry < r->second_entry ? -1 : 1;
 }
 
 gboolean tinker_model_compile_constraints(TinkerModel *model, GError **error)
@@ -170,21 +170,16 @@ gboolean tinker_model_compile_constraints(TinkerModel *model, GError **error)
     }
     allot(model);
     if (all->rows == 0) return TRUE;
-    g_autofree int32_t *row_of = g_new(int32_t, all->entries);
     all->two_entries = TRUE;
     for (guint i = 0; i < all->batches->len; i++)
-        number_entries(model, &g_array_index(all->batches, TinkerConstraintBatch, i));
-    for (int32_t row = 0; row < all->rows; row++)
-        for (int32_t e = all->row_starts[row]; e < all->row_starts[row + 1]; e++)
-            row_of[e] = row;
+        number_entries(all, &g_array_index(all->batches, TinkerConstraintBatch, i));
     for (guint i = 0; i < all->batches->len; i++)
         measure(model, &g_array_index(all->batches, TinkerConstraintBatch, i));
-    ByBody by = entries_by_body(model);
-    gboolean compiled = compile_pattern(model, row_of, &by, error);
-    if (compiled) list_products(model, row_of, &by);
-    g_free(by.starts);
-    g_free(by.entries);
-    return compiled;
+    list_entries_by_body(model);
+    if (!compile_pattern(model, error)) return FALSE;
+    list_products(model);
+    g_array_sort(all->products, compare_products);
+    return TRUE;
 }
 
 void tinker_constraints_clear(TinkerConstraints *all)
@@ -192,9 +187,25 @@ void tinker_constraints_clear(TinkerConstraints *all)
     if (all->batches != NULL) g_array_unref(all->batches);
     if (all->products != NULL) g_array_unref(all->products);
     tinker_sparse_ldl_free(all->ldl);
-    gpointer arrays[] = {all->row_starts, all->points, all->scales,   all->blocks,     all->ends,    all->jacobian, all->g,
-                         all->drift,      all->rate,   all->lambda,   all->residual,   all->correction, all->by_point,
-                         all->turned,     all->displacement, all->targets, all->weights, all->factored_jacobian};
+    gpointer arrays[] = {all->row_starts,
+                         all->points,
+                         all->scales,
+                         all->blocks,
+                         all->ends,
+                         all->jacobian,
+                         all->g,
+                         all->drift,
+                         all->rate,
+                         all->lambda,
+                         all->residual,
+                         all->correction,
+                         all->by_point,
+                         all->turned,
+                         all->displacement,
+                         all->row_of,
+                         all->body_starts,
+                         all->body_entries,
+                         all->factored_jacobian};
     for (gsize i = 0; i < G_N_ELEMENTS(arrays); i++)
         g_free(arrays[i]);
 }

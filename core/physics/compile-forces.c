@@ -42,8 +42,8 @@ static gboolean add_linear_lines(TinkerModel *model, TinkerBlockBatch *batch, co
     for (gsize i = 0; i < n; i++) {
         int32_t a = points[2 * i], b = points[2 * i + 1];
         if (a == b || (a >= model->bodies && b >= model->bodies && model->moving_supports == 0)) continue;
-        LinearLine line = {MIN(a, b), MAX(a, b), (int32_t)lines->len,       values[i],
-                           values[2 * n + i], values[n + i],  values[3 * n + i]};
+        LinearLine line = {MIN(a, b),         MAX(a, b),     (int32_t)lines->len, values[i],
+                           values[2 * n + i], values[n + i], values[3 * n + i]};
         g_array_append_val(lines, line);
     }
     return TRUE;
@@ -82,7 +82,7 @@ static void merge_lines(TinkerModel *model, GArray *lines)
     }
     TinkerMergedLines *merged = &model->lines;
     gsize n = MAX(kept, 1);
-    *merged = (TinkerMergedLines){(int32_t)kept,     g_new(int32_t, n), g_new(int32_t, n), g_new(double, n),
+    *merged = (TinkerMergedLines){(int32_t)kept,    g_new(int32_t, n), g_new(int32_t, n), g_new(double, n),
                                   g_new(double, n), g_new(double, n),  g_new(double, n),  FALSE};
     for (guint i = 0; i < kept; i++) {
         const LinearLine *line = &g_array_index(lines, LinearLine, i);

@@ -3,7 +3,7 @@
  * Where the rows are independent, one factorisation solves it. Where a pivot vanishes (redundant rods, singular places)
  * the solve goes on as a proximal iteration with the shifted matrix S + eps I, which needs no rank:
  *
- *   lambda <- lambda + (S + eps I)^-1 (b - S lambda),  from lambda = 0,  eps = 1e-8 * mean diagonal.
+ *   lambda <- lambda + (S + eps I)^-1 (b - S lambda),  from lambda = 0,  eps = 1e-5 * mean diagonal.
  *
  * It converges to the solution of least norm, since it never leaves the range of S. Source: Parikh, Boyd, "Proximal
  * Algorithms" (2014), section 4.1; tested by rank-deficient frames in tests/physics. A residual that stalls at a state on
@@ -17,45 +17,64 @@
  * of a singular place. Smaller, and what is left of the row is mostly rounding, which the solve would magnify; larger, and
  * chains of masses in the ratio 1e9 would be taken for singular. */
 #define DEPENDENT_PIVOT 1e-10
-#define PROXIMAL_SHIFT 1e-8
+/* Each solve brings an independent part of lambda closer by this over its eigenvalue; what dependent rows disagree in by
+ * rounding is magnified by its reciprocal. */
+#define PROXIMAL_SHIFT           1e-5
 #define MOST_PROXIMAL_ITERATIONS 60
 
-static TinkerStatus check_rows(TinkerModel *model, const TinkerConstraintBatch *part, const TinkerBatch *view,
-                               TinkerStatus status)
+static TinkerStatus refuse_rows(TinkerModel *model, const TinkerConstraintBatch *part, TinkerStatus status)
 {
     const TinkerConstraints *all = &model->constraints;
-    if (status == TINKER_FAILED)
-        return tinker_model_fail(model, part->batch, view->failed_instance, "constraint", view->failure);
-    if (status != TINKER_OK) return status;
-    double sum = 0;
-    for (int32_t row = part->first_row; row < part->first_row + part->row_count; row++)
-        sum += all->g[row] + all->drift[row];
-    if (isfinite(sum)) return TINKER_OK;
-    for (int32_t row = part->first_row; row < part->first_row + part->row_count; row++)
-        if (!isfinite(all->g[row] + all->drift[row]))
-            return tinker_model_fail(model, part->batch, (row - part->first_row) / part->constraint->rows, "constraint", NULL);
-    return TINKER_OK;
+    if (status == TINKER_RETRY_SMALLER) return status;
+    if (status != TINKER_OK)
+        return tinker_model_fail(model, part->batch, part->view.failed_instance, "constraint", part->view.failure);
+    int32_t row = part->first_row;
+    while (row < part->first_row + part->row_count - 1 && isfinite(all->g[row] + all->drift[row]))
+        row++;
+    return tinker_model_fail(model, part->batch, (row - part->first_row) / part->constraint->rows, "constraint", NULL);
 }
 
-static TinkerStatus evaluate_part(TinkerModel *model, const TinkerConstraintBatch *part)
+static gboolean rows_are_finite(const TinkerConstraints *all, const TinkerConstraintBatch *part)
+{
+    const double *restrict g = all->g + part->first_row, *restrict drift = all->drift + part->first_row;
+    double sum = 0; /* of zeros, unless something is not finite */
+    for (int32_t row = 0; row < part->row_count; row++)
+        sum += 0.0 * (g[row] + drift[row]);
+    return sum == 0;
+}
+
+static TinkerStatus evaluate_part(TinkerModel *model, TinkerConstraintBatch *part)
 {
     TinkerConstraints *all = &model->constraints;
-    TinkerBlockBatch *batch = part->batch;
-    for (int32_t e = 0; e < batch->end_count; e++)
-        all->ends[e] = model->point[part->end_points[e]];
-    TinkerBatch view = tinker_model_view(model, batch, 0, batch->count, model->column_views);
-    TinkerStatus status = part->constraint->rows_at(&view, all->ends, all->g + part->first_row,
-                                                    all->jacobian + 2 * part->first_entry, all->drift + part->first_row);
+    TinkerPoint *restrict ends = all->ends;
+    const TinkerPoint *restrict points = model->point;
+    for (int32_t e = 0; e < part->batch->end_count; e++)
+        ends[e] = points[part->end_points[e]];
+    TinkerBatch *view = &part->view;
+    view->time = model->time;
+    TinkerStatus status = part->constraint->rows_at(
+        view, ends, all->g + part->first_row, all->jacobian + 2 * part->first_entry, all->drift + part->first_row);
     if (status == TINKER_OK && part->constraint->prescribed_rate != NULL) {
-        status = part->constraint->prescribed_rate(&view, all->ends, all->rate + part->first_row);
+        status = part->constraint->prescribed_rate(view, ends, all->rate + part->first_row);
         all->prescribed = TRUE;
     }
-    return check_rows(model, part, &view, status);
+    return status == TINKER_OK && rows_are_finite(all, part) ? TINKER_OK : refuse_rows(model, part, status);
+}
+
+/* The Jacobian that was factored is kept by writing the next one elsewhere. */
+static void turn_jacobians(TinkerConstraints *all)
+{
+    if (!all->keeps_factored) return;
+    double *kept = all->jacobian;
+    all->jacobian = all->factored_jacobian;
+    all->factored_jacobian = kept;
+    all->keeps_factored = FALSE;
 }
 
 TinkerStatus tinker_constraints_evaluate(TinkerModel *model)
 {
     TinkerConstraints *all = &model->constraints;
+    turn_jacobians(all);
     for (guint i = 0; i < all->batches->len; i++) {
         TinkerStatus status = evaluate_part(model, &g_array_index(all->batches, TinkerConstraintBatch, i));
         if (status != TINKER_OK) return status;
@@ -71,10 +90,15 @@ static void assemble(TinkerConstraints *all)
     double *values = tinker_sparse_ldl_values(all->ldl);
     const double *restrict j = all->jacobian;
     const TinkerProduct *products = (const TinkerProduct *)(const void *)all->products->data;
-    for (guint i = 0; i < all->products->len; i++) {
-        const TinkerProduct *p = &products[i];
-        const double *first = j + 2 * p->first_entry, *second = j + 2 * p->second_entry;
-        values[p->slot] += p->inverse_mass * (first[0] * second[0] + first[1] * second[1]);
+    const TinkerProduct *p = products, *end = products + all->products->len;
+    while (p < end) {
+        int32_t slot = p->slot;
+        double sum = 0;
+        do {
+            const double *first = j + 2 * p->first_entry, *second = j + 2 * p->second_entry;
+            sum += p->inverse_mass * (first[0] * second[0] + first[1] * second[1]);
+        } while (++p < end && p->slot == slot);
+        values[slot] = sum;
     }
 }
 
@@ -93,68 +117,85 @@ static double mean_diagonal(const TinkerConstraints *all)
 
 /* The matrix depends on the Jacobian alone, so the factor is kept as long as that stays the same to the bit: after a
  * projection the next step's first stage needs no other. */
-static void factor(TinkerConstraints *all)
+static gboolean is_factored(const TinkerConstraints *all)
 {
-    gsize bytes = 2 * (gsize)all->entries * sizeof(double);
-    if (all->factored && memcmp(all->jacobian, all->factored_jacobian, bytes) == 0) return;
-    memcpy(all->factored_jacobian, all->jacobian, bytes);
-    all->factored = TRUE;
-    assemble(all);
-    all->shifted = FALSE;
-    if (all->redundant == 0) {
-        if (tinker_sparse_ldl_factor(all->ldl, 0.0, DEPENDENT_PIVOT)) return;
-        assemble(all);
-    }
-    all->shifted = TRUE;
+    if (!all->factored || all->keeps_factored) return all->factored;
+    return memcmp(all->jacobian, all->factored_jacobian, 2 * (gsize)all->entries * sizeof(double)) == 0;
+}
+
+static void factor_shifted(TinkerConstraints *all)
+{
     double shift = PROXIMAL_SHIFT * mean_diagonal(all);
+    assemble(all);
+    all->shifted = TRUE;
     /* Rows between supports alone have no diagonal at all: the shift stands for all of it. */
     tinker_sparse_ldl_factor(all->ldl, shift > 0 ? shift : 1.0, 0.0);
+}
+
+/* Factors S of the rows evaluated last and solves with it, in place of b; FALSE, with b as it was, where the factor had to
+ * be shifted. */
+static gboolean factor_and_solve(TinkerConstraints *all, double *b)
+{
+    gsize bytes = (gsize)all->rows * sizeof(double);
+    all->factored = TRUE;
+    all->shifted = FALSE;
+    all->keeps_factored = TRUE;
+    if (all->redundant == 0) {
+        memcpy(all->residual, b, bytes);
+        assemble(all);
+        if (tinker_sparse_ldl_factor_and_solve(all->ldl, DEPENDENT_PIVOT, b)) return TRUE;
+        memcpy(b, all->residual, bytes);
+    }
+    factor_shifted(all);
+    return FALSE;
 }
 
 int32_t tinker_constraints_count_dependent(TinkerModel *model)
 {
     TinkerConstraints *all = &model->constraints;
     assemble(all);
-    all->factored = FALSE;
+    all->factored = all->keeps_factored = FALSE;
     return tinker_sparse_ldl_count_dependent(all->ldl, DEPENDENT_PIVOT, NULL);
 }
 
-/* Loops over rows are written once, for a number of entries that the compiler knows (2, nearly all rows there are) or not.
- * Points on supports carry the weight 0 and the number of the first body, so that no loop has to tell them apart. */
-#define FOR_ROWS(all, LOOP)                              \
-    do {                                                 \
-        if ((all)->two_entries)                          \
-            LOOP(2 * row, 2 * row + 2)                   \
-        else                                             \
-            LOOP((all)->row_starts[row], (all)->row_starts[row + 1]) \
+/* Loops over rows are written once, for a number of entries that the compiler knows (2, nearly all rows there are) or
+ * not. */
+#define FOR_ROWS(all, LOOP)                                                                                            \
+    do {                                                                                                               \
+        if ((all)->two_entries)                                                                                        \
+            LOOP(2 * row, 2 * row + 2)                                                                                 \
+        else                                                                                                           \
+            LOOP((all)->row_starts[row], (all)->row_starts[row + 1])                                                   \
     } while (0)
 
 void tinker_constraints_add_impulse(TinkerModel *model, const double *x, double *target)
 {
     const TinkerConstraints *all = &model->constraints;
-    const double *restrict j = all->jacobian, *restrict weight = all->weights;
-    const int32_t *restrict body = all->targets;
-#define ADD_IMPULSE(first, end)                        \
-    for (int32_t row = 0; row < all->rows; row++)      \
-        for (int32_t e = (first); e < (end); e++) {    \
-            double impulse = x[row] * weight[e];       \
-            target[2 * body[e]] += impulse * j[2 * e]; \
-            target[2 * body[e] + 1] += impulse * j[2 * e + 1]; \
+    const double *restrict j = all->jacobian;
+    const int32_t *restrict starts = all->body_starts, *restrict entries = all->body_entries,
+                            *restrict row = all->row_of;
+    for (int32_t i = 0; i < model->bodies; i++) {
+        double px = 0, py = 0;
+        for (int32_t p = starts[i]; p < starts[i + 1]; p++) {
+            int32_t e = entries[p];
+            px += x[row[e]] * j[2 * e];
+            py += x[row[e]] * j[2 * e + 1];
         }
-    FOR_ROWS(all, ADD_IMPULSE);
-#undef ADD_IMPULSE
+        target[2 * i] += px * model->inverse_mass[i];
+        target[2 * i + 1] += py * model->inverse_mass[i];
+    }
 }
 
 void tinker_constraints_rows_times(const TinkerConstraints *all, const double *by_point, double *out)
 {
     const double *restrict j = all->jacobian;
     const int32_t *restrict point = all->points;
-#define ROW_TIMES(first, end)                          \
-    for (int32_t row = 0; row < all->rows; row++) {    \
-        double sum = 0;                                \
-        for (int32_t e = (first); e < (end); e++)      \
-            sum += j[2 * e] * by_point[2 * point[e]] + j[2 * e + 1] * by_point[2 * point[e] + 1]; \
-        out[row] = sum;                                \
+#define ROW_TIMES(first, end)                                                                                          \
+    for (int32_t row = 0; row < all->rows; row++) {                                                                    \
+        double sum = 0;                                                                                                \
+        for (int32_t e = (first); e < (end); e++)                                                                      \
+            sum += j[2 * e] * by_point[2 * point[e]] + j[2 * e + 1] * by_point[2 * point[e] + 1];                      \
+        out[row] = sum;                                                                                                \
     }
     FOR_ROWS(all, ROW_TIMES);
 #undef ROW_TIMES
@@ -165,12 +206,12 @@ void tinker_constraints_rates(const TinkerModel *model, double *out)
     const TinkerConstraints *all = &model->constraints;
     const double *restrict j = all->jacobian;
     const int32_t *restrict point = all->points;
-#define ROW_RATE(first, end)                           \
-    for (int32_t row = 0; row < all->rows; row++) {    \
-        double sum = 0;                                \
-        for (int32_t e = (first); e < (end); e++)      \
-            sum += j[2 * e] * model->point[point[e]].vx + j[2 * e + 1] * model->point[point[e]].vy; \
-        out[row] = sum;                                \
+#define ROW_RATE(first, end)                                                                                           \
+    for (int32_t row = 0; row < all->rows; row++) {                                                                    \
+        double sum = 0;                                                                                                \
+        for (int32_t e = (first); e < (end); e++)                                                                      \
+            sum += j[2 * e] * model->point[point[e]].vx + j[2 * e + 1] * model->point[point[e]].vy;                    \
+        out[row] = sum;                                                                                                \
     }
     FOR_ROWS(all, ROW_RATE);
 #undef ROW_RATE
@@ -216,7 +257,7 @@ static double solve_proximally(TinkerModel *model, double *b)
 double tinker_constraints_solve(TinkerModel *model, double *b)
 {
     TinkerConstraints *all = &model->constraints;
-    factor(all);
+    if (!is_factored(all) && factor_and_solve(all, b)) return 0;
     if (all->shifted) return solve_proximally(model, b);
     tinker_sparse_ldl_solve(all->ldl, b);
     return 0;
@@ -237,7 +278,7 @@ double tinker_constraints_accelerate(TinkerModel *model, double *a)
     memcpy(model->point_acceleration, a, 2 * (gsize)model->bodies * sizeof(double));
     tinker_constraints_rows_times(all, model->point_acceleration, all->lambda);
     for (int32_t row = 0; row < all->rows; row++)
-        all->lambda[row] = -(all->lambda[row] + all->drift[row]);
+        all->lambda[row] = -all->lambda[row] - all->drift[row];
     double left = tinker_constraints_solve(model, all->lambda);
     tinker_constraints_add_impulse(model, all->lambda, a);
     return left;

@@ -101,8 +101,10 @@ TinkerStatus tinker_model_energy(TinkerModel *model, TinkerEnergy *energy)
     double lines = 0;
     *energy = (TinkerEnergy){.kinetic = kinetic_energy(model)};
     TinkerStatus status = add_asked(model, model->asked_lines, asked_lines_energy, &lines);
-    if (status == TINKER_OK) status = add_asked(model, model->asked_forces, asked_forces_energy, &energy->stored_in_forces);
-    if (status == TINKER_OK) status = add_asked(model, model->asked_fields, asked_field_energy, &energy->stored_in_fields);
+    if (status == TINKER_OK)
+        status = add_asked(model, model->asked_forces, asked_forces_energy, &energy->stored_in_forces);
+    if (status == TINKER_OK)
+        status = add_asked(model, model->asked_fields, asked_field_energy, &energy->stored_in_fields);
     energy->potential = merged_lines_energy(model) + uniform_field_energy(model) + lines + energy->stored_in_forces +
                         energy->stored_in_fields;
     return status;

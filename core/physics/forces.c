@@ -23,12 +23,14 @@ TinkerBatch tinker_model_view(const TinkerModel *model, const TinkerBlockBatch *
 {
     for (int32_t column = 0; column < batch->block_class->column_count; column++)
         columns[column] = batch->columns[column] + first;
+    for (int32_t i = 0; batch->ends < 0 && i <= count; i++)
+        model->chunk_offsets[i] = batch->end_offsets[first + i] - batch->end_offsets[first];
     return (TinkerBatch){
         .struct_size = sizeof(TinkerBatch),
         .first = first,
         .count = count,
         .ends = batch->ends,
-        .end_offsets = batch->ends < 0 ? batch->end_offsets + first : NULL,
+        .end_offsets = batch->ends < 0 ? model->chunk_offsets : NULL,
         .columns = columns,
         .scratch = batch->scratch,
         .time = model->time,
@@ -78,7 +80,8 @@ typedef struct {
 static LineChunk line_chunk(const TinkerModel *model)
 {
     double *c = model->chunk;
-    return (LineChunk){c, c + TINKER_CHUNK, c + 2 * TINKER_CHUNK, c + 3 * TINKER_CHUNK, c + 4 * TINKER_CHUNK, c + 5 * TINKER_CHUNK};
+    return (LineChunk){
+        c, c + TINKER_CHUNK, c + 2 * TINKER_CHUNK, c + 3 * TINKER_CHUNK, c + 4 * TINKER_CHUNK, c + 5 * TINKER_CHUNK};
 }
 
 static void chunk_geometry(const TinkerModel *model, const int32_t *points, int32_t count, const LineChunk *chunk)
@@ -126,7 +129,8 @@ static TinkerStatus add_asked_lines(TinkerModel *model, const TinkerAskedBatch *
         TinkerStatus status = law->tension(&view, chunk.length, chunk.rate, chunk.tension);
         if (status == TINKER_OK && books) status = take_line_power(model, asked, &view, &chunk);
         if (status == TINKER_RETRY_SMALLER) return status;
-        if (status != TINKER_OK) return tinker_model_fail(model, batch, first + view.failed_instance, "tension", view.failure);
+        if (status != TINKER_OK)
+            return tinker_model_fail(model, batch, first + view.failed_instance, "tension", view.failure);
         for (int32_t i = 0; i < count; i++) {
             double fx = chunk.tension[i] * chunk.x[i], fy = chunk.tension[i] * chunk.y[i];
             if (!isfinite(fx + fy)) return tinker_model_fail(model, batch, first + i, "tension", NULL);
@@ -158,9 +162,17 @@ static TinkerStatus add_driven_forces(TinkerModel *model, gboolean books)
     }
     if (!books || !model->constant_forces) return TINKER_OK;
     for (int32_t i = 0; i < model->bodies; i++)
-        model->book_power[TINKER_BOOK_MOTORS] += model->constant_force[2 * i] * model->point[i].vx +
-                                                 model->constant_force[2 * i + 1] * model->point[i].vy;
+        model->book_power[TINKER_BOOK_MOTORS] +=
+            model->constant_force[2 * i] * model->point[i].vx + model->constant_force[2 * i + 1] * model->point[i].vy;
     return TINKER_OK;
+}
+
+static int32_t row_of_end(const TinkerBlockBatch *batch, int32_t end)
+{
+    int32_t row = 0;
+    while (batch->end_offsets[row + 1] <= end)
+        row++;
+    return row;
 }
 
 static TinkerStatus add_asked_forces(TinkerModel *model, const TinkerAskedBatch *asked, gboolean books)
@@ -178,9 +190,11 @@ static TinkerStatus add_asked_forces(TinkerModel *model, const TinkerAskedBatch 
         TinkerBatch view = tinker_model_view(model, batch, first, count, columns);
         TinkerStatus status = element->force(&view, gathered, force);
         if (status == TINKER_RETRY_SMALLER) return status;
-        if (status != TINKER_OK) return tinker_model_fail(model, batch, first + view.failed_instance, "force", view.failure);
+        if (status != TINKER_OK)
+            return tinker_model_fail(model, batch, first + view.failed_instance, "force", view.failure);
         for (int32_t e = 0; e < ends; e++) {
-            if (!isfinite(force[2 * e] + force[2 * e + 1])) return tinker_model_fail(model, batch, first, "force", NULL);
+            if (!isfinite(force[2 * e] + force[2 * e + 1]))
+                return tinker_model_fail(model, batch, row_of_end(batch, from + e), "force", NULL);
             push(model, asked->end_points[from + e], force[2 * e], force[2 * e + 1], books);
         }
     }
@@ -204,8 +218,7 @@ static TinkerStatus add_asked_field(TinkerModel *model, const TinkerAskedBatch *
         if (!isfinite(fx + fy)) return tinker_model_fail(model, batch, 0, "force", NULL);
         model->force[2 * i] += fx;
         model->force[2 * i + 1] += fy;
-        if (books)
-            model->book_power[TINKER_BOOK_FIELDS] += fx * model->point[i].vx + fy * model->point[i].vy;
+        if (books) model->book_power[TINKER_BOOK_FIELDS] += fx * model->point[i].vx + fy * model->point[i].vy;
     }
     return TINKER_OK;
 }

@@ -54,7 +54,8 @@ static double blame(TinkerModel *model, gboolean damping, TinkerBlockId *block, 
         if (physics->line_law->linear(&view, values, values + n, values + 2 * n, values + 3 * n) != TINKER_OK) continue;
         const int32_t *points = tinker_model_end_points(model, batch);
         for (gsize row = 0; row < n; row++) {
-            double rate = values[damping ? n + row : row] * (mobility(model, points[2 * row]) + mobility(model, points[2 * row + 1]));
+            double rate = values[damping ? n + row : row] *
+                          (mobility(model, points[2 * row]) + mobility(model, points[2 * row + 1]));
             if (!(rate > most)) continue;
             most = rate;
             *block = batch->ids[row];
@@ -96,8 +97,8 @@ char *tinker_guard_explain(TinkerModel *model, const TinkerIntegrator *integrato
     double stable = tinker_guard_stable_step(&stiffness, integrator);
     GString *text = g_string_new(NULL);
     if (stiffness.block != TINKER_NO_BLOCK)
-        g_string_append_printf(text, "%s (its %s) is what moves fastest", tinker_scene_block_name(model->scene, stiffness.block),
-                               stiffness.property);
+        g_string_append_printf(text, "%s (its %s) is what moves fastest",
+                               tinker_scene_block_name(model->scene, stiffness.block), stiffness.property);
     else
         g_string_append(text, "no single connector is to blame");
     if (!(integrator->flags & TINKER_INTEGRATOR_ADAPTIVE) && isfinite(stable) && stable > 0) {

@@ -56,6 +56,7 @@ typedef struct {
     const int32_t *end_points;
     int32_t first_row, row_count;
     int32_t first_entry, entry_count; /* an entry is one end of one row */
+    TinkerBatch view;                 /* of the whole batch */
 } TinkerConstraintBatch;
 
 /* One product that is added up in S: inverse mass * J of one entry . J of another, on the same body. */
@@ -66,61 +67,63 @@ typedef struct {
 
 typedef struct {
     int32_t rows, entries;
-    GArray *batches;     /* of TinkerConstraintBatch */
-    int32_t *row_starts; /* rows + 1: the entries of each row */
-    int32_t *points;     /* of each entry */
-    int32_t *targets;    /* of each entry: its body, or 0 for a point on a support */
-    double *weights;     /* of each entry: the body's inverse mass, or 0 */
-    gboolean two_entries; /* every row has two */
-    double *scales;      /* of each row: the length its error is measured against */
-    TinkerBlockId *blocks; /* of each row */
-    GArray *products;    /* of TinkerProduct */
+    GArray *batches;                     /* of TinkerConstraintBatch */
+    int32_t *row_starts;                 /* rows + 1: the entries of each row */
+    int32_t *points;                     /* of each entry */
+    int32_t *row_of;                     /* of each entry */
+    int32_t *body_starts, *body_entries; /* bodies + 1: the entries on each body */
+    gboolean two_entries;                /* every row has two */
+    double *scales;                      /* of each row: the length its error is measured against */
+    TinkerBlockId *blocks;               /* of each row */
+    GArray *products;                    /* of TinkerProduct */
     TinkerSparseLdl *ldl;
-    int32_t redundant;   /* rows that depend on others at the start: every solve is proximal */
+    gboolean gave_way; /* a projection stopped short at a singular place; whoever reports it clears it */
+    int32_t redundant; /* rows that depend on others at the start: every solve is proximal */
 
     /* working state */
-    TinkerPoint *ends;   /* gathered, of the largest batch */
-    double *jacobian;    /* 2 per entry */
+    TinkerPoint *ends; /* gathered, of the largest batch */
+    double *jacobian;  /* 2 per entry */
     double *g, *drift, *rate;
     double *lambda, *residual, *correction;
-    double *by_point;    /* 2 per point */
-    double *turned;      /* RATTLE: the Jacobian at the start of the step */
-    double *displacement; /* RATTLE: 2 per body */
-    gboolean shifted;    /* the factor is of S + eps I: solve by proximal iteration */
-    gboolean prescribed; /* some row's dg/dt of what is prescribed is not 0 */
-    gboolean factored;   /* there is a factor, of this Jacobian: */
+    double *by_point;        /* 2 per point */
+    double *turned;          /* RATTLE: the Jacobian at the start of the step */
+    double *displacement;    /* RATTLE: 2 per body */
+    gboolean shifted;        /* the factor is of S + eps I: solve by proximal iteration */
+    gboolean prescribed;     /* some row's dg/dt of what is prescribed is not 0 */
+    gboolean factored;       /* there is a factor, ... */
+    gboolean keeps_factored; /* ... of `jacobian` itself; else of this one, which else is room for the next: */
     double *factored_jacobian;
 } TinkerConstraints;
 
 struct _TinkerModel {
     TinkerScene *scene;
-    GPtrArray *batches;       /* of TinkerBlockBatch */
-    GPtrArray *end_points;    /* of int32_t *: of each batch, by batch; NULL for one without ends */
+    GPtrArray *batches;    /* of TinkerBlockBatch */
+    GPtrArray *end_points; /* of int32_t *: of each batch, by batch; NULL for one without ends */
     GPtrArray *warnings;
     double origin[2];
 
     /* bodies and points */
     int32_t bodies;
     TinkerBlockId *body_blocks;
-    double *mass;             /* of each body */
-    double *coordinate_mass;  /* of each coordinate */
-    double *inverse_mass;     /* of each body */
+    double *mass;            /* of each body */
+    double *coordinate_mass; /* of each coordinate */
+    double *inverse_mass;    /* of each body */
     double *q_start, *v_start;
-    double start_impulse;     /* N s that brought v_start onto the constraints */
+    double start_impulse; /* N s that brought v_start onto the constraints */
     int32_t points;
-    GArray *support_points;   /* of TinkerSupportPoint: points `bodies`, `bodies` + 1, ... */
-    int32_t *centre_point;    /* by block id: the point of a block's centre, or -1 */
-    gboolean *point_used;     /* whether a connector or a constraint attaches to the point */
+    GArray *support_points; /* of TinkerSupportPoint: points `bodies`, `bodies` + 1, ... */
+    int32_t *centre_point;  /* by block id: the point of a block's centre, or -1 */
+    gboolean *point_used;   /* whether a connector or a constraint attaches to the point */
     TinkerMotions *motions;
     int32_t moving_supports;
 
     /* forces */
     TinkerMergedLines lines;
-    double merged_energy;     /* J that merging took out of the lines' own energies, a constant */
-    GArray *asked_lines;      /* of TinkerAskedBatch */
+    double merged_energy; /* J that merging took out of the lines' own energies, a constant */
+    GArray *asked_lines;  /* of TinkerAskedBatch */
     GArray *asked_forces;
     GArray *asked_fields;
-    GArray *driven;           /* of TinkerDrivenForce */
+    GArray *driven;                /* of TinkerDrivenForce */
     double *constant_acceleration; /* 2 per body: of fields and constant forces */
     double field_acceleration[2];  /* of linear fields: conservative */
     double field_force[2], field_drag;
@@ -132,11 +135,12 @@ struct _TinkerModel {
 
     /* working state */
     TinkerPoint *point;
-    double *point_acceleration; /* 2 per point; of supports kept up to date, of bodies by whoever needs it */
-    double *force;              /* 2 per point */
-    double *chunk;              /* six columns of TINKER_CHUNK and ends of a chunk */
+    double *point_acceleration;  /* 2 per point; of supports kept up to date, of bodies by whoever needs it */
+    double *force;               /* 2 per point */
+    double *chunk;               /* six columns of TINKER_CHUNK and ends of a chunk */
     const double **column_views; /* room for the columns of any class */
-    double time;                /* that waveforms and supports were evaluated at */
+    int32_t *chunk_offsets;      /* of the ends of a chunk, where blocks differ in their number */
+    double time;                 /* that waveforms and supports were evaluated at */
     double book_power[TINKER_BOOK_COUNT];
     gint64 evaluations;
     TinkerBlockId failed_block;
@@ -175,9 +179,9 @@ TinkerStatus tinker_model_applied(TinkerModel *model, double *a, gboolean books)
 /* Energies (J), for the state in the points. */
 typedef struct {
     double kinetic;
-    double potential;         /* of all blocks, relative to the origin */
-    double stored_in_forces;  /* part of it: of force elements that are asked */
-    double stored_in_fields;  /* and of fields that are asked */
+    double potential;        /* of all blocks, relative to the origin */
+    double stored_in_forces; /* part of it: of force elements that are asked */
+    double stored_in_fields; /* and of fields that are asked */
 } TinkerEnergy;
 TinkerStatus tinker_model_energy(TinkerModel *model, TinkerEnergy *energy);
 
@@ -221,6 +225,8 @@ TinkerStatus tinker_constraints_errors(TinkerModel *model, double t, const doubl
                                        double *velocity);
 /* The largest |g| relative to its row's length, of the rows evaluated last. */
 double tinker_constraints_worst_miss(const TinkerModel *model);
+/* And the row. */
+int32_t tinker_constraints_worst_row(const TinkerModel *model);
 /* How many rows depend on others, at the rows evaluated last. */
 int32_t tinker_constraints_count_dependent(TinkerModel *model);
 /* Adds the power that moving supports and prescribed rows give through the constraints to model->book_power, with the
@@ -233,12 +239,12 @@ typedef struct {
     TinkerModel *model;
     TinkerSystem system;
     int32_t book_of[TINKER_BOOK_COUNT]; /* books that are integrated, in order */
-    double box[4]; /* m: least x, least y, greatest x, greatest y */
-    double speed;  /* m/s */
-    double projection_work; /* J that projections after steps have given so far */
-    double position_error;  /* largest |g| relative to its length after any projection */
+    double box[4];                      /* m: least x, least y, greatest x, greatest y */
+    double speed;                       /* m/s */
+    double projection_work;             /* J that projections after steps have given so far */
+    double position_error;              /* largest |g| relative to its length after any projection */
     double *q_before, *v_before;
-    double *constrained;    /* accelerations, where only the power is asked for */
+    double *constrained; /* accelerations, where only the power is asked for */
 } TinkerModelSystem;
 
 void tinker_model_system_init(TinkerModelSystem *system, TinkerModel *model);

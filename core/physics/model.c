@@ -3,7 +3,7 @@
 
 #include <math.h>
 
-G_DEFINE_QUARK(tinker-model-error-quark, tinker_model_error)
+G_DEFINE_QUARK(tinker_model_error_quark, tinker_model_error)
 
 static gboolean refuse_placeholder(TinkerScene *scene, GError **error)
 {
@@ -81,6 +81,14 @@ static gboolean compile(TinkerModel *model, GError **error)
     return tinker_model_check_start(model, error);
 }
 
+static int32_t most_rows(const GPtrArray *batches)
+{
+    int32_t most = 0;
+    for (guint i = 0; i < batches->len; i++)
+        most = MAX(most, ((TinkerBlockBatch *)g_ptr_array_index(batches, i))->count);
+    return most;
+}
+
 static int32_t most_columns(const GPtrArray *batches)
 {
     int32_t most = 1;
@@ -103,6 +111,7 @@ TinkerModel *tinker_model_new(TinkerScene *scene, GError **error)
     model->driven = g_array_new(FALSE, TRUE, sizeof(TinkerDrivenForce));
     model->waveform_batches = g_ptr_array_new();
     model->column_views = g_new0(const double *, most_columns(model->batches));
+    model->chunk_offsets = g_new0(int32_t, most_rows(model->batches) + 1);
     model->time = NAN;
     model->failed_block = TINKER_NO_BLOCK;
     if (!compile(model, error)) g_clear_pointer(&model, tinker_model_free);
@@ -124,10 +133,14 @@ void tinker_model_free(TinkerModel *model)
     g_array_unref(model->driven);
     TinkerMergedLines *lines = &model->lines;
     gpointer arrays[] = {
-        model->body_blocks, model->mass, model->coordinate_mass, model->inverse_mass, model->q_start, model->v_start,
-        model->centre_point, model->point_used, model->constant_acceleration, model->constant_force, model->point,
-        model->point_acceleration, model->force, model->chunk, model->column_views, lines->a, lines->b,
-        lines->stiffness, lines->length, lines->damping, lines->tension,
+        model->body_blocks,    model->mass,       model->coordinate_mass,
+        model->inverse_mass,   model->q_start,    model->v_start,
+        model->centre_point,   model->point_used, model->constant_acceleration,
+        model->constant_force, model->point,      model->point_acceleration,
+        model->force,          model->chunk,      model->column_views,
+        model->chunk_offsets,  lines->a,          lines->b,
+        lines->stiffness,      lines->length,     lines->damping,
+        lines->tension,
     };
     for (gsize i = 0; i < G_N_ELEMENTS(arrays); i++)
         g_free(arrays[i]);

@@ -20,11 +20,12 @@ static gboolean refuse_jump(TinkerSimulation *simulation, int32_t support, Tinke
 {
     TinkerModel *model = simulation->model;
     TinkerBlockId block = g_array_index(model->support_points, TinkerSupportPoint, support).support;
-    g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_SCENE,
-                "%s: its motion jumps at t = %.10g s, which %s cannot follow (give it a motion without a jump in place or "
-                "speed, or use a spring)",
-                tinker_scene_block_name(model->scene, block), simulation->state.t,
-                tinker_scene_block_name(model->scene, felt_by));
+    g_set_error(
+        error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_SCENE,
+        "%s: its motion jumps at t = %.10g s, which %s cannot follow (give it a motion without a jump in place or "
+        "speed, or use a spring)",
+        tinker_scene_block_name(model->scene, block), simulation->state.t,
+        tinker_scene_block_name(model->scene, felt_by));
     return FALSE;
 }
 
@@ -68,10 +69,12 @@ gboolean tinker_simulation_enter_piece(TinkerSimulation *simulation, double hori
     double inside = simulation->piece_end > t ? 0.5 * (t + simulation->piece_end) : t + 0.5;
     gboolean moving = model->moving_supports > 0;
     guint supports = model->support_points->len;
-    g_autofree TinkerPoint *before = moving ? g_memdup2(model->point + model->bodies, supports * sizeof(TinkerPoint)) : NULL;
+    g_autofree TinkerPoint *before =
+        moving ? g_memdup2(model->point + model->bodies, supports * sizeof(TinkerPoint)) : NULL;
     double stored = 0;
     if (moving && t > 0) {
-        if (tinker_model_set_time(model, t) != TINKER_OK) return tinker_simulation_fail(simulation, model->failure, error);
+        if (tinker_model_set_time(model, t) != TINKER_OK)
+            return tinker_simulation_fail(simulation, model->failure, error);
         for (guint i = 0; i < supports; i++)
             before[i] = model->point[model->bodies + (int32_t)i];
         stored = potential(simulation);

@@ -50,7 +50,8 @@ static void add_merged(const TinkerModel *model, gboolean damping, const double 
     }
 }
 
-static void add_asked(TinkerModel *model, const TinkerAskedBatch *asked, gboolean damping, const double *d, double *force)
+static void add_asked(TinkerModel *model, const TinkerAskedBatch *asked, gboolean damping, const double *d,
+                      double *force)
 {
     const TinkerLineLaw *law = asked->batch->block_class->physics->line_law;
     for (int32_t i = 0; i < asked->batch->count; i++) {

@@ -11,6 +11,10 @@
 #include "physics/model-private.h"
 
 #define MOST_NEWTON_STEPS 25
+/* At a singular place (a flat parallelogram) rows depend on each other, Newton steps only halve the miss, and no first-order
+ * step removes the last of it. So much of a row's length may be left there: the motion leaves the place again, and
+ * the next projections mend it. */
+#define SINGULAR_MISS 1e-6
 
 /* Rounding of a row's g: of the coordinates that its ends are made of. */
 static gboolean row_is_met(const TinkerModel *model, int32_t row)
@@ -31,27 +35,48 @@ static gboolean all_met(const TinkerModel *model)
     return TRUE;
 }
 
+static double miss_of(const TinkerConstraints *all, int32_t row)
+{
+    return fabs(all->g[row]) / all->scales[row];
+}
+
+int32_t tinker_constraints_worst_row(const TinkerModel *model)
+{
+    const TinkerConstraints *all = &model->constraints;
+    int32_t worst = 0;
+    for (int32_t row = 1; row < all->rows; row++)
+        if (miss_of(all, row) > miss_of(all, worst)) worst = row;
+    return worst;
+}
+
 double tinker_constraints_worst_miss(const TinkerModel *model)
 {
     const TinkerConstraints *all = &model->constraints;
     double worst = 0;
     for (int32_t row = 0; row < all->rows; row++)
-        worst = MAX(worst, fabs(all->g[row]) / all->scales[row]);
+        worst = MAX(worst, miss_of(all, row));
     return worst;
 }
 
 static TinkerStatus not_met(TinkerModel *model)
 {
     const TinkerConstraints *all = &model->constraints;
-    int32_t worst = 0;
-    for (int32_t row = 1; row < all->rows; row++)
-        if (fabs(all->g[row]) / all->scales[row] > fabs(all->g[worst]) / all->scales[worst]) worst = row;
+    int32_t worst = tinker_constraints_worst_row(model);
     model->failed_block = all->blocks[worst];
     g_snprintf(model->failure, sizeof(model->failure),
                "%s: no position within reach satisfies it at t = %g s; it misses by %.3g m (the constraints contradict "
                "each other there, or the step is too large for this motion)",
                tinker_scene_block_name(model->scene, all->blocks[worst]), model->time, fabs(all->g[worst]));
     return TINKER_FAILED;
+}
+
+/* Newton steps do no more: at a singular place a little is left for later. */
+static TinkerStatus stop_short(TinkerModel *model)
+{
+    TinkerConstraints *all = &model->constraints;
+    if (!all->shifted || !(tinker_constraints_worst_miss(model) < SINGULAR_MISS)) return not_met(model);
+    all->gave_way = TRUE;
+    return TINKER_OK;
 }
 
 TinkerStatus tinker_constraints_project_positions(TinkerModel *model, double t, double *q, const double *v,
@@ -79,7 +104,7 @@ TinkerStatus tinker_constraints_project_positions(TinkerModel *model, double t, 
         tinker_constraints_add_impulse(model, all->lambda, q);
         *moved = TRUE;
     }
-    return status == TINKER_OK ? not_met(model) : status;
+    return status == TINKER_OK ? stop_short(model) : status;
 }
 
 void tinker_constraints_correct_velocities(TinkerModel *model, double *v, gboolean homogeneous, gboolean *moved)
@@ -153,5 +178,5 @@ TinkerStatus tinker_constraints_rattle(TinkerModel *model, double t_from, const 
             v[i] += displacement[i] / h;
         }
     }
-    return not_met(model);
+    return stop_short(model);
 }

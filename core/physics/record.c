@@ -37,8 +37,8 @@ void tinker_record_free(TinkerRecord *record)
 static gboolean file_error(const char *what, GError **error)
 {
     g_set_error(error, G_FILE_ERROR, g_file_error_from_errno(errno),
-                "the record outgrew its memory, and its temporary file could not be %s: %s (free some room in %s)", what,
-                g_strerror(errno), g_get_tmp_dir());
+                "the record outgrew its memory, and its temporary file could not be %s: %s (free some room in %s)",
+                what, g_strerror(errno), g_get_tmp_dir());
     return FALSE;
 }
 

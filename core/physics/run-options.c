@@ -24,7 +24,8 @@ TinkerRunOptions tinker_run_options_of(TinkerScene *scene)
 
 static gboolean refuse(GError **error, const char *what, double value, const char *right)
 {
-    g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_METHOD, "the %s is %g (it must be %s)", what, value, right);
+    g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_METHOD, "the %s is %g (it must be %s)", what, value,
+                right);
     return FALSE;
 }
 

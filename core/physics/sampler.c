@@ -17,9 +17,9 @@ struct _TinkerSampler {
     GPtrArray *wanted; /* of Wanted, those of one batch side by side */
     const GArray *columns;
     double *acceleration;
-    TinkerPoint *ends;    /* of the largest batch, in the world */
+    TinkerPoint *ends; /* of the largest batch, in the world */
     double *end_accelerations, *forces, *values;
-    TinkerPoint *bodies;  /* in the world */
+    TinkerPoint *bodies; /* in the world */
 };
 
 static void wanted_free(gpointer data)
@@ -107,8 +107,8 @@ void tinker_sampler_free(TinkerSampler *sampler)
 {
     if (sampler == NULL) return;
     g_ptr_array_unref(sampler->wanted);
-    gpointer arrays[] = {sampler->acceleration, sampler->ends, sampler->end_accelerations, sampler->forces, sampler->values,
-                         sampler->bodies};
+    gpointer arrays[] = {sampler->acceleration, sampler->ends,   sampler->end_accelerations,
+                         sampler->forces,       sampler->values, sampler->bodies};
     for (gsize i = 0; i < G_N_ELEMENTS(arrays); i++)
         g_free(arrays[i]);
     g_free(sampler);

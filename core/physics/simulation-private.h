@@ -3,6 +3,7 @@
 #define TINKER_CORE_SIMULATION_PRIVATE_H
 
 #include "physics/books.h"
+#include "physics/passing.h"
 #include "physics/sample-times.h"
 #include "physics/simulation.h"
 
@@ -15,14 +16,15 @@ struct _TinkerSimulation {
     TinkerState state;
     TinkerSampleTimes times;
     TinkerTimeGrid step_grid;
-    gint64 next_step;   /* on the step grid, of a fixed-step method */
-    double piece_end;   /* the current piece ends here: */
+    gint64 next_step;       /* on the step grid, of a fixed-step method */
+    double piece_end;       /* the current piece ends here: */
     gboolean ends_on_break; /* with a break, or only because nobody looked further */
     TinkerBooks books;
-    gint64 looked_at;   /* steps at the last look into the books */
+    TinkerPassing *passing;
+    gint64 looked_at; /* steps at the last look into the books */
     double *sample_q, *sample_v;
     double sample_time;
-    gboolean warned_imbalance;
+    gboolean at_singular_place;
     TinkerSummary summary;
     gint64 started; /* µs, monotonic */
 };
@@ -42,7 +44,12 @@ gboolean tinker_simulation_enter_piece(TinkerSimulation *simulation, double hori
 gboolean tinker_simulation_watch(TinkerSimulation *simulation, const TinkerStepReport *report, gboolean last,
                                  GError **error);
 
-/* The error of a run that failed: why, and what to do about it. Answers FALSE. */
+/* Notes an event at the state's time. `blocks` are names, joined by ", ". */
+void tinker_simulation_add_event(TinkerSimulation *simulation, const char *kind, const char *blocks);
+
+/* The error of a run that failed, and why (NULL or "" where nobody said). Answers FALSE. */
 gboolean tinker_simulation_fail(TinkerSimulation *simulation, const char *why, GError **error);
+/* Likewise where the state is still that of the last good step: what it vouches for is not lost. */
+gboolean tinker_simulation_fail_step(TinkerSimulation *simulation, const char *why, GError **error);
 
 #endif

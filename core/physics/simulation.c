@@ -16,6 +16,13 @@ static void event_free(gpointer data)
     g_free(event);
 }
 
+void tinker_simulation_add_event(TinkerSimulation *simulation, const char *kind, const char *blocks)
+{
+    TinkerEvent *event = g_new0(TinkerEvent, 1);
+    *event = (TinkerEvent){simulation->state.t, g_strdup(kind), g_strdup(blocks)};
+    g_ptr_array_add(simulation->summary.events, event);
+}
+
 static void open_summary(TinkerSimulation *simulation)
 {
     TinkerSummary *summary = &simulation->summary;
@@ -29,11 +36,7 @@ static void open_summary(TinkerSimulation *simulation)
     summary->warnings = g_ptr_array_new_with_free_func(g_free);
     for (guint i = 0; i < model->warnings->len; i++)
         g_ptr_array_add(summary->warnings, g_strdup(g_ptr_array_index(model->warnings, i)));
-    if (model->start_impulse > 0) {
-        TinkerEvent *event = g_new0(TinkerEvent, 1);
-        *event = (TinkerEvent){0.0, g_strdup("start"), g_strdup("")};
-        g_ptr_array_add(summary->events, event);
-    }
+    if (model->start_impulse > 0) tinker_simulation_add_event(simulation, "start", "");
 }
 
 static gboolean open_state(TinkerSimulation *simulation, GError **error)
@@ -41,9 +44,9 @@ static gboolean open_state(TinkerSimulation *simulation, GError **error)
     TinkerModel *model = simulation->model;
     gsize n = 2 * (gsize)MAX(model->bodies, 1);
     tinker_model_system_init(&simulation->system, model);
-    simulation->state = (TinkerState){0.0, g_memdup2(model->q_start, n * sizeof(double)),
-                                      g_memdup2(model->v_start, n * sizeof(double)),
-                                      g_new0(double, simulation->system.system.books + 1)};
+    simulation->state =
+        (TinkerState){0.0, g_memdup2(model->q_start, n * sizeof(double)), g_memdup2(model->v_start, n * sizeof(double)),
+                      g_new0(double, simulation->system.system.books + 1)};
     simulation->sample_q = g_new0(double, n);
     simulation->sample_v = g_new0(double, n);
     model->evaluations = 0;
@@ -54,13 +57,17 @@ static gboolean open_state(TinkerSimulation *simulation, GError **error)
     };
     simulation->stepper = simulation->method->create(&simulation->system.system, &options);
     if (simulation->stepper == NULL) {
-        g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_METHOD, "the method %s has not enough memory for %d coordinates",
-                    simulation->method->id, simulation->system.system.size);
+        g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_METHOD,
+                    "the method %s has not enough memory for %d coordinates", simulation->method->id,
+                    simulation->system.system.size);
         return FALSE;
     }
     if (!tinker_simulation_enter_piece(simulation, MAX(simulation->times.duration, 1.0), error)) return FALSE;
-    return tinker_books_open(&simulation->books, &simulation->system) == TINKER_OK ||
-           tinker_simulation_fail(simulation, model->failure, error);
+    if (tinker_books_open(&simulation->books, &simulation->system) != TINKER_OK)
+        return tinker_simulation_fail(simulation, model->failure, error);
+    simulation->passing = tinker_passing_new(model);
+    tinker_passing_look(simulation->passing, 0.0, simulation->summary.warnings);
+    return TRUE;
 }
 
 TinkerSimulation *tinker_simulation_new(TinkerModel *model, const TinkerRunOptions *options, GError **error)
@@ -88,6 +95,7 @@ void tinker_simulation_free(TinkerSimulation *simulation)
     if (simulation == NULL) return;
     if (simulation->stepper != NULL) simulation->method->destroy(simulation->stepper);
     tinker_model_system_clear(&simulation->system);
+    tinker_passing_free(simulation->passing);
     tinker_sample_times_clear(&simulation->times);
     g_clear_pointer(&simulation->summary.events, g_ptr_array_unref);
     g_clear_pointer(&simulation->summary.warnings, g_ptr_array_unref);
@@ -119,10 +127,11 @@ static gboolean take_step(TinkerSimulation *simulation, double end, GError **err
     TinkerState *state = &simulation->state;
     if (state->t >= simulation->piece_end && !tinker_simulation_enter_piece(simulation, end, error)) return FALSE;
     simulation->model->failure[0] = '\0';
+    simulation->model->constraints.gave_way = FALSE;
     TinkerStatus status = simulation->method->step(simulation->stepper, state, step_limit(simulation, end), &report);
     if (status != TINKER_OK) {
         const char *why = simulation->model->failure[0] != '\0' ? simulation->model->failure : report.failure;
-        return tinker_simulation_fail(simulation, why, error);
+        return tinker_simulation_fail_step(simulation, why, error);
     }
     return tinker_simulation_watch(simulation, &report, state->t >= end, error);
 }
@@ -162,7 +171,8 @@ static TinkerStatus state_at(TinkerSimulation *simulation, double t)
 }
 
 /* Hands out all samples before `until`, or up to it. */
-static gboolean hand_out(TinkerSimulation *simulation, Sampling *sampling, double until, gboolean inclusive, GError **error)
+static gboolean hand_out(TinkerSimulation *simulation, Sampling *sampling, double until, gboolean inclusive,
+                         GError **error)
 {
     while (sampling->next < simulation->times.count) {
         double t = tinker_sample_times_at(&simulation->times, sampling->next);
@@ -171,10 +181,12 @@ static gboolean hand_out(TinkerSimulation *simulation, Sampling *sampling, doubl
         gint64 evaluations = simulation->model->evaluations;
         TinkerStatus status = state_at(simulation, t);
         if (status == TINKER_OK)
-            status = tinker_sampler_values(sampling->sampler, t, simulation->sample_q, simulation->sample_v, sampling->values);
+            status = tinker_sampler_values(sampling->sampler, t, simulation->sample_q, simulation->sample_v,
+                                           sampling->values);
         simulation->model->evaluations = evaluations;
         if (status != TINKER_OK) return tinker_simulation_fail(simulation, simulation->model->failure, error);
-        if (sampling->sample != NULL && !sampling->sample(simulation, t, sampling->values, sampling->data, error)) return FALSE;
+        if (sampling->sample != NULL && !sampling->sample(simulation, t, sampling->values, sampling->data, error))
+            return FALSE;
     }
     return TRUE;
 }
@@ -185,8 +197,8 @@ static gboolean call_back(TinkerSimulation *simulation, GError **error)
     if (simulation->summary.steps % STEPS_BETWEEN_CALLS != 0) return TRUE;
     if (options->progress != NULL) options->progress(simulation->state.t, simulation->times.duration, options->data);
     if (options->cancelled == NULL || !options->cancelled(options->data)) return TRUE;
-    g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_STOPPED, "stopped at t = %.6g s of %.6g s", simulation->state.t,
-                simulation->times.duration);
+    g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_STOPPED, "stopped at t = %.6g s of %.6g s",
+                simulation->state.t, simulation->times.duration);
     return FALSE;
 }
 
@@ -249,7 +261,8 @@ double tinker_simulation_time(const TinkerSimulation *simulation)
     return simulation->state.t;
 }
 
-gboolean tinker_simulation_state(TinkerSimulation *simulation, TinkerBlockId block, double position[2], double velocity[2])
+gboolean tinker_simulation_state(TinkerSimulation *simulation, TinkerBlockId block, double position[2],
+                                 double velocity[2])
 {
     const TinkerModel *model = simulation->model;
     int32_t point = model->centre_point[block];

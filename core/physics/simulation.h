@@ -9,17 +9,17 @@
 #include "physics/model.h"
 
 typedef struct {
-    double duration;         /* s */
-    double interval;         /* s between samples; ignored where `at` is given */
-    const double *at;        /* times of the samples, any order; or NULL. Borrowed until the simulation is freed */
-    gsize at_count;          /* the run lasts to the greatest of them */
-    const char *method;      /* "auto", or an integrator's id */
-    double step;             /* s, of fixed-step methods */
-    double tolerance;        /* of adaptive methods */
+    double duration;    /* s */
+    double interval;    /* s between samples; ignored where `at` is given */
+    const double *at;   /* times of the samples, any order; or NULL. Borrowed until the simulation is freed */
+    gsize at_count;     /* the run lasts to the greatest of them */
+    const char *method; /* "auto", or an integrator's id */
+    double step;        /* s, of fixed-step methods */
+    double tolerance;   /* of adaptive methods */
     double spectral_radius;
-    gboolean (*cancelled)(void *data); /* asked now and then; TRUE stops the run. May be NULL */
+    gboolean (*cancelled)(void *data);                       /* asked now and then; TRUE stops the run. May be NULL */
     void (*progress)(double t, double duration, void *data); /* called now and then. May be NULL */
-    void *data;              /* of the two */
+    void *data;                                              /* of the two */
 } TinkerRunOptions;
 
 /* The scene's own settings. Strings are borrowed from it. */
@@ -49,15 +49,17 @@ typedef struct {
     double step, tolerance;
     gint64 steps, rejected_steps, evaluations;
     double simulated_s, wall_s;
-    double constraint_position_error, constraint_velocity_error; /* largest at any step's end, relative to lengths and speed
+    double constraint_position_error,
+        constraint_velocity_error; /* largest at any step's end, relative to lengths and speed
                                                                     scale */
     double kinetic_start, kinetic_end, potential_start, potential_end; /* J */
-    double books[TINKER_BOOK_COUNT]; /* J given to the system, negative where taken */
-    double energy_balance_error;     /* largest, relative to the largest energy exchanged so far */
-    double start_impulse;            /* N s that brought the start velocities onto the constraints */
-    double valid_until;              /* s: as far as the record is to be believed; simulated_s where all of it is */
-    GPtrArray *events;               /* of TinkerEvent * */
-    GPtrArray *warnings;             /* of char * */
+    double books[TINKER_BOOK_COUNT];                                   /* J given to the system, negative where taken */
+    double energy_balance_error; /* largest, relative to the largest energy exchanged */
+    double start_impulse;        /* N s: root of the sum of squares of the impulses, one a body, that brought the start
+                                        velocities onto the constraints */
+    double valid_until;          /* s: as far as the record is to be believed; simulated_s where all of it is */
+    GPtrArray *events;           /* of TinkerEvent * */
+    GPtrArray *warnings;         /* of char * */
 } TinkerSummary;
 
 typedef struct _TinkerSimulation TinkerSimulation;

@@ -18,14 +18,15 @@ static gboolean refuse_row(TinkerModel *model, const TinkerConstraintBatch *part
     const int32_t *ends = all->points + all->row_starts[row];
     if (column >= 0 && all->row_starts[row + 1] - all->row_starts[row] == 2) {
         const TinkerPoint *a = &model->point[ends[0]], *b = &model->point[ends[1]];
-        g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_SCENE,
-                    "%s: its length is %.10g m, but its ends are %.10g m apart at t = 0 (move an end, change the length, or "
-                    "leave the length out)",
-                    name, batch->columns[column][instance], hypot(b->x - a->x, b->y - a->y));
+        g_set_error(
+            error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_SCENE,
+            "%s: its length is %.10g m, but its ends are %.10g m apart at t = 0 (move an end, change the length, or "
+            "leave the length out)",
+            name, batch->columns[column][instance], hypot(b->x - a->x, b->y - a->y));
     } else {
         g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_SCENE,
-                    "%s: the start positions miss it by %.3g m (at most %.0e of its length, %.3g m, is corrected)", name,
-                    fabs(all->g[row]), START_TOLERANCE, all->scales[row]);
+                    "%s: the start positions miss it by %.3g m (at most %.0e of its length, %.3g m, is corrected)",
+                    name, fabs(all->g[row]), START_TOLERANCE, all->scales[row]);
     }
     return FALSE;
 }
@@ -38,8 +39,8 @@ static gboolean check_positions(TinkerModel *model, GError **error)
         TinkerBatch view = tinker_block_batch_view(part->batch, 0.0);
         if (part->constraint->check != NULL && part->constraint->check(&view) != TINKER_OK) {
             g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_SCENE, "%s: %s",
-                        tinker_scene_block_name(model->scene,
-                                                part->batch->ids[CLAMP(view.failed_instance, 0, part->batch->count - 1)]),
+                        tinker_scene_block_name(
+                            model->scene, part->batch->ids[CLAMP(view.failed_instance, 0, part->batch->count - 1)]),
                         view.failure != NULL ? view.failure : "its properties do not make a constraint");
             return FALSE;
         }
@@ -60,15 +61,18 @@ static void warn_start_velocity(TinkerModel *model, const double *given)
     }
     model->start_impulse = sqrt(impulse);
     if (change > START_TOLERANCE * fastest)
-        g_ptr_array_add(model->warnings,
-                        g_strdup_printf("the start velocities did not fit the constraints: they were changed by up to %.3g "
-                                        "m/s (an impulse of %.3g N s)",
-                                        change, model->start_impulse));
+        g_ptr_array_add(
+            model->warnings,
+            g_strdup_printf("the start velocities did not fit the constraints: they were changed by up to %.3g "
+                            "m/s (an impulse of %.3g N s)",
+                            change, model->start_impulse));
 }
 
 static gboolean run_error(TinkerModel *model, TinkerModelError code, GError **error)
 {
-    g_set_error_literal(error, TINKER_MODEL_ERROR, code, model->failure);
+    g_set_error_literal(error, TINKER_MODEL_ERROR, code,
+                        model->failure[0] != '\0' ? model->failure
+                                                  : "the forces cannot be worked out at the start positions");
     return FALSE;
 }
 
@@ -90,10 +94,11 @@ static gboolean refuse_contradiction(TinkerModel *model, const double *a, GError
         last = all->blocks[row];
         g_string_append_printf(names, "%s%s", names->len > 0 ? ", " : "", tinker_scene_block_name(model->scene, last));
     }
-    g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_CONTRADICTION,
-                "%s: no motion satisfies these constraints at the start: they contradict each other (remove one, or give "
-                "what lies between them another place or velocity)",
-                names->str);
+    g_set_error(
+        error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_CONTRADICTION,
+        "%s: no motion satisfies these constraints at the start: they contradict each other (remove one, or give "
+        "what lies between them another place or velocity)",
+        names->str);
     return FALSE;
 }
 

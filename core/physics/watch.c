@@ -13,11 +13,19 @@ gboolean tinker_simulation_fail(TinkerSimulation *simulation, const char *why, G
 {
     TinkerSummary *summary = &simulation->summary;
     summary->simulated_s = simulation->state.t;
-    g_autofree char *advice = tinker_guard_explain(simulation->model, simulation->method, simulation->options.step);
     g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_RUN,
-                "the run stopped at t = %.6g s: %s; what was computed is to be believed up to t = %.6g s. %s",
-                simulation->state.t, why != NULL ? why : "no reason was given", summary->valid_until, advice);
+                "the run stopped at t = %.6g s: %s; what was computed is to be believed up to t = %.6g s",
+                simulation->state.t,
+                why != NULL && why[0] != '\0' ? why : "a force or a constraint cannot be worked out there",
+                summary->valid_until);
     return FALSE;
+}
+
+static gboolean diverged(TinkerSimulation *simulation, const char *how, GError **error)
+{
+    g_autofree char *advice = tinker_guard_explain(simulation->model, simulation->method, simulation->options.step);
+    g_autofree char *why = g_strdup_printf("it diverged: %s (%s)", how, advice);
+    return tinker_simulation_fail(simulation, why, error);
 }
 
 static gboolean all_finite(const TinkerSimulation *simulation)
@@ -44,28 +52,62 @@ static gboolean watch_constraints(TinkerSimulation *simulation)
     return TRUE;
 }
 
-static gboolean look(TinkerSimulation *simulation, GError **error)
+/* The balance at the state; where it is good, the state vouches for all before it. */
+static TinkerStatus check_balance(TinkerSimulation *simulation)
 {
     TinkerSummary *summary = &simulation->summary;
     simulation->looked_at = summary->steps;
     tinker_model_system_keep(&simulation->system, simulation->state.q, simulation->state.v);
-    if (tinker_books_look(&simulation->books, &simulation->state, summary) != TINKER_OK || !watch_constraints(simulation))
-        return tinker_simulation_fail(simulation, simulation->model->failure, error);
+    TinkerStatus status = tinker_books_look(&simulation->books, &simulation->state, summary);
+    if (status == TINKER_OK && simulation->books.imbalance <= WARN_IMBALANCE)
+        summary->valid_until = simulation->state.t;
+    return status;
+}
+
+gboolean tinker_simulation_fail_step(TinkerSimulation *simulation, const char *why, GError **error)
+{
+    g_autofree char *kept = g_strdup(why);
+    check_balance(simulation);
+    return tinker_simulation_fail(simulation, kept, error);
+}
+
+/* Judged at the end: in the first steps from rest nearly nothing has been exchanged, and any share of that is large. */
+static void warn_of_imbalance(TinkerSimulation *simulation)
+{
+    const TinkerSummary *summary = &simulation->summary;
+    if (summary->energy_balance_error <= WARN_IMBALANCE) return;
+    g_autofree char *advice = tinker_guard_explain(simulation->model, simulation->method, simulation->options.step);
+    g_ptr_array_add(summary->warnings,
+                    g_strdup_printf("the energy is off by up to %.2g %% of the largest energy exchanged: %s",
+                                    100 * summary->energy_balance_error, advice));
+}
+
+static gboolean look(TinkerSimulation *simulation, gboolean last, GError **error)
+{
+    TinkerModel *model = simulation->model;
+    if (check_balance(simulation) != TINKER_OK || !watch_constraints(simulation))
+        return tinker_simulation_fail(simulation, model->failure, error);
+    tinker_passing_look(simulation->passing, simulation->state.t, simulation->summary.warnings);
     double imbalance = simulation->books.imbalance;
     if (imbalance > STOP_IMBALANCE || !isfinite(imbalance)) {
-        g_autofree char *why = g_strdup_printf("it diverged: its energy is off by %.3g times the largest energy exchanged", imbalance);
-        return tinker_simulation_fail(simulation, why, error);
+        g_autofree char *how =
+            g_strdup_printf("its energy is off by %.3g times the largest energy exchanged", imbalance);
+        return diverged(simulation, how, error);
     }
-    if (imbalance <= WARN_IMBALANCE) {
-        summary->valid_until = simulation->state.t;
-    } else if (!simulation->warned_imbalance) {
-        simulation->warned_imbalance = TRUE;
-        g_autofree char *advice = tinker_guard_explain(simulation->model, simulation->method, simulation->options.step);
-        g_ptr_array_add(summary->warnings,
-                        g_strdup_printf("from t = %.6g s on the energy is off by more than 1 %% of the largest energy exchanged: %s",
-                                        simulation->state.t, advice));
-    }
+    if (last) warn_of_imbalance(simulation);
     return TRUE;
+}
+
+/* One event for a passage, however many steps it takes. */
+static void note_singular_place(TinkerSimulation *simulation)
+{
+    const TinkerConstraints *all = &simulation->model->constraints;
+    if (all->gave_way && !simulation->at_singular_place) {
+        int32_t row = tinker_constraints_worst_row(simulation->model);
+        tinker_simulation_add_event(simulation, "bifurcation",
+                                    tinker_scene_block_name(simulation->model->scene, all->blocks[row]));
+    }
+    simulation->at_singular_place = all->gave_way;
 }
 
 gboolean tinker_simulation_watch(TinkerSimulation *simulation, const TinkerStepReport *report, gboolean last,
@@ -76,8 +118,9 @@ gboolean tinker_simulation_watch(TinkerSimulation *simulation, const TinkerStepR
     summary->rejected_steps += report->rejected;
     summary->evaluations = simulation->model->evaluations;
     summary->simulated_s = simulation->state.t;
-    if (!all_finite(simulation)) return tinker_simulation_fail(simulation, "it diverged: a position or velocity is not a number", error);
+    note_singular_place(simulation);
+    if (!all_finite(simulation)) return diverged(simulation, "a position or velocity is not a number", error);
     if (summary->adaptive) tinker_model_system_keep(&simulation->system, simulation->state.q, simulation->state.v);
     gint64 since = (summary->steps - simulation->looked_at) * simulation->method->evaluations_per_step;
-    return (!last && since < EVALUATIONS_BETWEEN_LOOKS) || look(simulation, error);
+    return (!last && since < EVALUATIONS_BETWEEN_LOOKS) || look(simulation, last, error);
 }

@@ -27,9 +27,9 @@ typedef struct {
     const char *path; /* of the library */
 
     int32_t property_count;
-    const TinkerPropertyType *properties; /* copies of the host's size */
-    const int32_t *first_columns;         /* of each property */
-    int32_t column_count;                 /* of all properties */
+    const TinkerPropertyType *properties;   /* copies of the host's size */
+    const int32_t *first_columns;           /* of each property */
+    int32_t column_count;                   /* of all properties */
     int32_t meanings[TINKER_MEANING_COUNT]; /* number of the property that carries the meaning, or -1 */
 
     int32_t quantity_count;
@@ -83,9 +83,9 @@ typedef struct {
     const char *user_folder;      /* NULL: g_get_user_data_dir()/tinker/plugins */
     const char *installed_folder; /* NULL: none */
     const char *cache_folder;     /* NULL: g_get_user_cache_dir()/tinker */
-    const char *probe_program;    /* run as `PROGRAM plugins describe --output - FILE` in a child; NULL: libraries without
+    const char *probe_program; /* run as `PROGRAM plugins describe --output - FILE` in a child; NULL: libraries without
                                      a manifest are refused */
-    double probe_seconds;         /* time limit of a probe; 0: 5 */
+    double probe_seconds;      /* time limit of a probe; 0: 5 */
 } TinkerCatalogueOptions;
 
 typedef struct _TinkerCatalogue TinkerCatalogue;

@@ -1,7 +1,7 @@
 /* The errors of this folder. */
 #include "plugin/refuse-private.h"
 
-G_DEFINE_QUARK(tinker - plugin - error - quark, tinker_plugin_error)
+G_DEFINE_QUARK(tinker_plugin_error_quark, tinker_plugin_error)
 
 static void set_error(GError **error, TinkerPluginError code, const char *format, va_list arguments)
     G_GNUC_PRINTF(3, 0);

@@ -8,6 +8,7 @@
 #define HEAD_LENGTH       0.8 /* likewise: of arrow heads */
 #define HEAD_WIDTH        0.6
 #define MARK_SHARE        0.24 /* half the size of an end mark */
+#define GREATEST_RADIUS   1e6  /* device pixels of a circle */
 #define DOT_SHARE         0.25 /* radius of a body without size */
 #define LEAST_DOT_UNITS   2.5
 #define LEAST_TEXT_SHARE  0.3 /* of its full size: where symbols are smaller on the canvas, texts are left out */
@@ -29,7 +30,8 @@ void tinker_helper_circle(const TinkerStyle *style, cairo_t *cairo, int32_t fill
                           double radius)
 {
     const double numbers[3] = {x, y, radius};
-    if (!tinker_style_finite(numbers, 3) || radius < 0) return;
+    /* Cairo makes an arc of pieces, the more the larger it is, and never ends with one beyond its numbers. */
+    if (!tinker_style_finite(numbers, 3) || radius < 0 || radius > GREATEST_RADIUS * style->pixel) return;
     cairo_new_sub_path(cairo);
     cairo_arc(cairo, x, y, radius, 0, 2 * G_PI);
     cairo_close_path(cairo);
@@ -68,7 +70,8 @@ void tinker_helper_hatch(const TinkerStyle *style, cairo_t *cairo, int32_t colou
     if (!tinker_style_finite(line, 4) || !isfinite(length) || !tinker_style_clip(style, line, &from, &to)) return;
     double stroke = HATCH_SHARE * style->symbol_size;
     double spacing = fmax(stroke, LEAST_HATCH_UNITS * tinker_style_unit(style));
-    if (length < stroke) return;
+    /* Where a stroke's distance is lost in the digits of the length, strokes would never come to its end. */
+    if (length < stroke || length > 1e12 * spacing) return;
     double ux = (x2 - x1) / length, uy = (y2 - y1) / length;
     /* A stroke begins at the line and runs back and to the right of it; the first one is the one that still starts over
      * the line's first point. They keep their places when the view moves. */

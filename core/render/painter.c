@@ -64,6 +64,9 @@ static void draw_grid(const TinkerPicture *picture)
 {
     const double *grid = picture->options->theme->grid;
     double spacing = tinker_view_grid(picture->view, GRID_UNITS);
+    /* So far away that grid lines are no different numbers, there is none. */
+    double farthest = fmax(fabs(picture->view->origin_x), fabs(picture->view->origin_y));
+    if (!(farthest < 1e12)) return;
     cairo_set_line_width(picture->cairo, 1);
     cairo_set_source_rgba(picture->cairo, grid[0], grid[1], grid[2], 0.55 * grid[3]);
     draw_grid_lines(picture, spacing, FALSE);

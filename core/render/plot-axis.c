@@ -10,7 +10,7 @@
 #define LEAST_VALUE       1e-300 /* of a logarithmic axis */
 #define CONSTANT_RANGE    1e-12  /* of the values: what varies less is rounding, and shown as constant */
 #define MOST_DIGITS       5      /* of a label, before an offset is taken off */
-#define LEAST_EXPONENT    (-3)   /* of the greatest label, without a factor */
+#define LEAST_EXPONENT    (-2)   /* of the greatest label, without a factor */
 #define GREATEST_EXPONENT 4
 
 /* How labels are shortened: shown = (value - offset) / 10^exponent. */

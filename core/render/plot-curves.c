@@ -152,9 +152,30 @@ void tinker_plot_draw_marker(cairo_t *cairo, const TinkerCurve *curve, double x,
 
 static void draw_to(double x, double y, gboolean starts, gpointer data)
 {
-    /* A run of a single point is a line of no length, which a round cap makes a dot. */
-    if (starts) cairo_move_to(data, x, y);
-    cairo_line_to(data, x, y);
+    if (starts)
+        cairo_move_to(data, x, y);
+    else
+        cairo_line_to(data, x, y);
+}
+
+/* A sample between two gaps has no line: it is a dot, a little wider than the line so that it is seen. */
+static void draw_isolated(cairo_t *cairo, const TinkerPlotLayout *layout, const TinkerCurve *curve)
+{
+    gboolean before = FALSE, here = FALSE;
+    double x = 0, y = 0, next_x, next_y;
+    for (gsize i = 0; i <= curve->count; i++) {
+        gboolean next = i < curve->count && tinker_plot_place(layout, curve, i, &next_x, &next_y);
+        if (here && !before && !next) {
+            cairo_arc(cairo, x, y, TINKER_PLOT_LINE, 0, 2 * G_PI);
+            cairo_fill(cairo);
+        }
+        before = here;
+        here = next;
+        if (next) {
+            x = next_x;
+            y = next_y;
+        }
+    }
 }
 
 static void draw_markers(cairo_t *cairo, const TinkerPlotLayout *layout, const TinkerCurve *curve)
@@ -178,6 +199,7 @@ void tinker_plot_draw_curve(cairo_t *cairo, const TinkerPlotLayout *layout, cons
         cairo_new_path(cairo);
         tinker_plot_walk(layout, curve, column_width, draw_to, cairo);
         cairo_stroke(cairo);
+        draw_isolated(cairo, layout, curve);
     }
     if (tinker_plot_has_markers(curve)) draw_markers(cairo, layout, curve);
 }

@@ -77,10 +77,23 @@ static void set_axes(TinkerPlotLayout *layout)
     layout->y.length = layout->top - layout->bottom;
 }
 
+/* Takes away the labels that would touch the one before, where even the fewest ticks are too many. */
+static void thin_labels(TinkerAxis *axis, double size)
+{
+    double last = -INFINITY;
+    for (int i = 0; i < axis->tick_count; i++) {
+        double place = fabs((axis->ticks[i] - axis->low) / (axis->high - axis->low) * axis->length);
+        if (place - last < size)
+            axis->labels[i][0] = '\0';
+        else
+            last = place;
+    }
+}
+
 /* Fewer ticks until their labels stand apart. */
 static void choose_x_ticks(TinkerPlotLayout *layout)
 {
-    double room = layout->right - layout->left, width, height;
+    double room = layout->right - layout->left, width = 0, height;
     int most = (int)CLAMP(room / 50, 2, 11);
     for (; most >= 2; most--) {
         tinker_axis_choose_ticks(&layout->x, most, layout->plot->x_label);
@@ -90,12 +103,16 @@ static void choose_x_ticks(TinkerPlotLayout *layout)
             closest = fmin(closest, (layout->x.ticks[i] - layout->x.ticks[i - 1]) / (layout->x.high - layout->x.low));
         if (closest * room >= width + LABEL_ROOM) return;
     }
+    thin_labels(&layout->x, width + 2);
 }
 
 static void choose_y_ticks(TinkerPlotLayout *layout)
 {
     int most = (int)CLAMP((layout->bottom - layout->top) / ROW_ROOM, 2, 12);
+    double width, height;
     tinker_axis_choose_ticks(&layout->y, most, layout->plot->y_label);
+    measure_labels(layout, &layout->y, &width, &height);
+    thin_labels(&layout->y, height + 1);
 }
 
 /* Margins from what has to stand in them; `aside` is what a legend takes at the right. */

@@ -14,15 +14,15 @@ struct _TinkerBlockBatch {
     const TinkerBlockClass *block_class;
     int32_t count;
     TinkerBlockId *ids;
-    double **columns;         /* columns[c][row] */
-    int32_t ends;             /* of each block; -1 where they differ */
-    int32_t end_count;        /* of all blocks */
-    int32_t *end_offsets;     /* count + 1 entries */
-    TinkerSceneEnd *end;      /* of all blocks, row by row */
-    GPtrArray *evaluators;    /* of TinkerWaveformEvaluator: waveform by waveform, row by row */
+    double **columns;          /* columns[c][row] */
+    int32_t ends;              /* of each block; -1 where they differ */
+    int32_t end_count;         /* of all blocks */
+    int32_t *end_offsets;      /* count + 1 entries */
+    TinkerSceneEnd *end;       /* of all blocks, row by row */
+    GPtrArray *evaluators;     /* of TinkerWaveformEvaluator: waveform by waveform, row by row */
     int32_t *waveform_columns; /* first column of each waveform property */
-    int32_t waveforms;        /* waveform properties of the class */
-    void *scratch;            /* as the class's physics asked for */
+    int32_t waveforms;         /* waveform properties of the class */
+    void *scratch;             /* as the class's physics asked for */
 };
 
 /* A snapshot of every table with at least one block. "As placed" properties stay NaN. Element: TinkerBlockBatch *.

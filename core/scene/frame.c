@@ -21,13 +21,13 @@ struct _TinkerFrame {
     double time;
     GPtrArray *batches;
     int32_t limit;
-    Pose *placed;        /* by block id, without motions */
-    Pose *poses;         /* by block id, now */
+    Pose *placed; /* by block id, without motions */
+    Pose *poses;  /* by block id, now */
     TinkerMotions *motions;
     Location *locations;
-    double *columns;     /* of the instance handed out last */
-    GArray *ends;        /* likewise, of TinkerEnd */
-    double symbol_size;  /* m, that instances report */
+    double *columns;    /* of the instance handed out last */
+    GArray *ends;       /* likewise, of TinkerEnd */
+    double symbol_size; /* m, that instances report */
 };
 
 static double meaning(const TinkerBlockBatch *batch, int32_t row, int32_t what, int component, double otherwise)

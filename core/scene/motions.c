@@ -5,10 +5,10 @@
 #include <string.h>
 
 struct _TinkerMotions {
-    GPtrArray *batches; /* those that are motions; borrowed elements */
-    GArray *blocks;     /* of TinkerBlockId */
+    GPtrArray *batches;  /* those that are motions; borrowed elements */
+    GArray *blocks;      /* of TinkerBlockId */
     TinkerPlace *places; /* by block id */
-    double *values;     /* six for each motion of the largest batch */
+    double *values;      /* six for each motion of the largest batch */
     TinkerBlockId failed;
 };
 

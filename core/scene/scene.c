@@ -4,7 +4,7 @@
 
 #include "scene/scene-private.h"
 
-G_DEFINE_QUARK(tinker - scene - error - quark, tinker_scene_error)
+G_DEFINE_QUARK(tinker_scene_error_quark, tinker_scene_error)
 
 /* Head --------------------------------------------------------------------------------------------------------- */
 

@@ -18,7 +18,7 @@ typedef struct {
     GError **error;
 } UnitReader;
 
-G_DEFINE_QUARK(tinker - units - error - quark, tinker_units_error)
+G_DEFINE_QUARK(tinker_units_error_quark, tinker_units_error)
 
 static glong column_of(const UnitReader *reader, const char *place)
 {

@@ -24,7 +24,7 @@ struct _TinkerWaveformEvaluator {
     gsize table_piece;
 };
 
-G_DEFINE_QUARK(tinker - waveform - error - quark, tinker_waveform_error)
+G_DEFINE_QUARK(tinker_waveform_error_quark, tinker_waveform_error)
 
 static TinkerWaveform *waveform_new(TinkerWaveformKind kind)
 {

@@ -23,8 +23,8 @@ static void write_row(double *jacobian, double nx, double ny)
 
 /* All rows, as plain arithmetic: a square root and a division each, which bound its speed also where the compiler finds
  * no vectors in it. Answers whether some L^2 left the range of a double; those rows are to be done again. */
-static int rows_loop(int32_t count, const TinkerPoint *restrict ends, const double *restrict length, double *restrict g,
-                     double *restrict jacobian, double *restrict drift)
+TINKER_VARIANTS static int rows_loop(int32_t count, const TinkerPoint *restrict ends, const double *restrict length,
+                                     double *restrict g, double *restrict jacobian, double *restrict drift)
 {
     int out_of_range = 0;
     for (int32_t i = 0; i < count; i++) {

@@ -13,48 +13,48 @@ extern "C" {
 #endif
 
 /* Kinds of property. In brackets: how many columns of doubles an instance takes (see TinkerBatch). */
-#define TINKER_KIND_REAL 0     /* [1] a number with a dimension */
-#define TINKER_KIND_INTEGER 1  /* [1] a whole number */
-#define TINKER_KIND_SWITCH 2   /* [1] 0 or 1; true or false in a scene */
-#define TINKER_KIND_CHOICE 3   /* [1] the index of one of `choices`; its text in a scene */
-#define TINKER_KIND_TEXT 4     /* [0] text, which physics never sees */
-#define TINKER_KIND_VECTOR 5   /* [2] x and y */
+#define TINKER_KIND_REAL     0 /* [1] a number with a dimension */
+#define TINKER_KIND_INTEGER  1 /* [1] a whole number */
+#define TINKER_KIND_SWITCH   2 /* [1] 0 or 1; true or false in a scene */
+#define TINKER_KIND_CHOICE   3 /* [1] the index of one of `choices`; its text in a scene */
+#define TINKER_KIND_TEXT     4 /* [0] text, which physics never sees */
+#define TINKER_KIND_VECTOR   5 /* [2] x and y */
 #define TINKER_KIND_WAVEFORM 6 /* [3] a function of time: value, first and second derivative, kept up by the host */
 
 /* When a property may change. */
 #define TINKER_STRUCTURAL 0 /* changing it makes another model: the run starts anew */
-#define TINKER_INITIAL 1    /* read once, at the start of a run */
-#define TINKER_TUNABLE 2    /* may change while a run is paused */
+#define TINKER_INITIAL    1 /* read once, at the start of a run */
+#define TINKER_TUNABLE    2 /* may change while a run is paused */
 
 /* What a property means to the host, so that nothing in it has to know a block by name. At most one property of a
  * type carries each meaning; TINKER_MEANING_NONE is the plugin's own affair. */
-#define TINKER_MEANING_NONE 0
-#define TINKER_MEANING_POSITION 1         /* vector, m: where the block's centre is placed */
-#define TINKER_MEANING_VELOCITY 2         /* vector, m/s: start velocity */
-#define TINKER_MEANING_ORIENTATION 3      /* rad, counter-clockwise */
-#define TINKER_MEANING_MASS 4             /* kg */
-#define TINKER_MEANING_INERTIA 5          /* kg m^2 about the centre */
-#define TINKER_MEANING_ANGULAR_VELOCITY 6 /* rad/s at the start */
-#define TINKER_MEANING_LOCAL_ORIGIN 7     /* vector, m: where the offset shown to the user is measured from */
-#define TINKER_MEANING_WIDTH 8            /* m, along the block's own x axis */
-#define TINKER_MEANING_HEIGHT 9           /* m, along its y axis */
-#define TINKER_MEANING_SOLID 10           /* switch: whether others collide with it */
-#define TINKER_MEANING_STATIC_FRICTION 11
+#define TINKER_MEANING_NONE             0
+#define TINKER_MEANING_POSITION         1  /* vector, m: where the block's centre is placed */
+#define TINKER_MEANING_VELOCITY         2  /* vector, m/s: start velocity */
+#define TINKER_MEANING_ORIENTATION      3  /* rad, counter-clockwise */
+#define TINKER_MEANING_MASS             4  /* kg */
+#define TINKER_MEANING_INERTIA          5  /* kg m^2 about the centre */
+#define TINKER_MEANING_ANGULAR_VELOCITY 6  /* rad/s at the start */
+#define TINKER_MEANING_LOCAL_ORIGIN     7  /* vector, m: where the offset shown to the user is measured from */
+#define TINKER_MEANING_WIDTH            8  /* m, along the block's own x axis */
+#define TINKER_MEANING_HEIGHT           9  /* m, along its y axis */
+#define TINKER_MEANING_SOLID            10 /* switch: whether others collide with it */
+#define TINKER_MEANING_STATIC_FRICTION  11
 #define TINKER_MEANING_DYNAMIC_FRICTION 12
-#define TINKER_MEANING_RESTITUTION 13
-#define TINKER_MEANING_LENGTH 14 /* m: the length that a connector keeps or tends to */
-#define TINKER_MEANING_COUNT 15
+#define TINKER_MEANING_RESTITUTION      13
+#define TINKER_MEANING_LENGTH           14 /* m: the length that a connector keeps or tends to */
+#define TINKER_MEANING_COUNT            15
 
 /* Flags of a property. */
-#define TINKER_HAS_MINIMUM (1u << 0)        /* hard_minimum counts */
-#define TINKER_HAS_MAXIMUM (1u << 1)        /* hard_maximum counts */
-#define TINKER_OPEN_MINIMUM (1u << 2)       /* the minimum itself is not allowed */
-#define TINKER_OPEN_MAXIMUM (1u << 3)       /* the maximum itself is not allowed */
-#define TINKER_HAS_SOFT_RANGE (1u << 4)     /* soft_minimum and soft_maximum count: the range of a slider */
-#define TINKER_READ_ONLY (1u << 5)          /* shown, never typed; not part of a scene */
-#define TINKER_DERIVED (1u << 6)            /* its value is that of the quantity with the same id */
-#define TINKER_DEFAULT_AS_PLACED (1u << 7)  /* left out, it is the distance between the two ends at t = 0 */
-#define TINKER_DEFAULT_SAME_AS (1u << 8)    /* left out, it equals the property that `default_from` names */
+#define TINKER_HAS_MINIMUM       (1u << 0) /* hard_minimum counts */
+#define TINKER_HAS_MAXIMUM       (1u << 1) /* hard_maximum counts */
+#define TINKER_OPEN_MINIMUM      (1u << 2) /* the minimum itself is not allowed */
+#define TINKER_OPEN_MAXIMUM      (1u << 3) /* the maximum itself is not allowed */
+#define TINKER_HAS_SOFT_RANGE    (1u << 4) /* soft_minimum and soft_maximum count: the range of a slider */
+#define TINKER_READ_ONLY         (1u << 5) /* shown, never typed; not part of a scene */
+#define TINKER_DERIVED           (1u << 6) /* its value is that of the quantity with the same id */
+#define TINKER_DEFAULT_AS_PLACED (1u << 7) /* left out, it is the distance between the two ends at t = 0 */
+#define TINKER_DEFAULT_SAME_AS   (1u << 8) /* left out, it equals the property that `default_from` names */
 
 typedef struct TinkerPropertyType {
     uint32_t struct_size;
@@ -74,11 +74,11 @@ typedef struct TinkerPropertyType {
     double default_value[2];    /* real, integer, switch, choice: [0]; vector: both */
     double hard_minimum, hard_maximum;
     double soft_minimum, soft_maximum;
-    const char *default_text;     /* of a text; of a waveform its kind: "none", "sine", "cosine" */
-    const char *default_from;     /* id of another property of the type, with TINKER_DEFAULT_SAME_AS */
+    const char *default_text;        /* of a text; of a waveform its kind: "none", "sine", "cosine" */
+    const char *default_from;        /* id of another property of the type, with TINKER_DEFAULT_SAME_AS */
     const char *component_titles[2]; /* of a vector: "X", "Y" */
-    const char *amplitude;        /* of a waveform: ids of the properties that scale it, turn it and shift it: */
-    const char *frequency;        /*   value = amplitude * sin(frequency * t + phase) or cos(...) */
+    const char *amplitude;           /* of a waveform: ids of the properties that scale it, turn it and shift it: */
+    const char *frequency;           /*   value = amplitude * sin(frequency * t + phase) or cos(...) */
     const char *phase;
 } TinkerPropertyType;
 
@@ -98,13 +98,13 @@ typedef struct TinkerQuantityType {
 
 /* Categories: where the palette shows a block. What the block does is said by its interfaces. */
 #define TINKER_CONNECTABLE "connectable"
-#define TINKER_CONNECTOR "connector"
-#define TINKER_FORCE "force"
-#define TINKER_MOTION "motion"
-#define TINKER_FIELD "field"
+#define TINKER_CONNECTOR   "connector"
+#define TINKER_FORCE       "force"
+#define TINKER_MOTION      "motion"
+#define TINKER_FIELD       "field"
 
 /* What an end accepts. */
-#define TINKER_ACCEPTS_BODY (1u << 0)    /* blocks that can move */
+#define TINKER_ACCEPTS_BODY    (1u << 0) /* blocks that can move */
 #define TINKER_ACCEPTS_SUPPORT (1u << 1) /* blocks whose place is a known function of time */
 
 typedef struct TinkerBlockType {
@@ -145,7 +145,7 @@ typedef struct TinkerBatch {
                                      scene far from the world's origin loses no digits */
     int32_t failed_instance;      /* set by the callee before it answers TINKER_FAILED, 0 to count - 1 */
     int32_t reserved;
-    const char *failure;          /* likewise: static text, what is wrong and what would be right */
+    const char *failure; /* likewise: static text, what is wrong and what would be right */
 } TinkerBatch;
 
 #ifdef __cplusplus

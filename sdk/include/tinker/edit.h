@@ -15,8 +15,8 @@ extern "C" {
 #define TINKER_EDIT_INTERFACE "tinker.edit/1"
 
 /* Parts of a block that can be hit and dragged. */
-#define TINKER_PART_NONE (-1)
-#define TINKER_PART_WHOLE 1000 /* the block itself; end n of a connector is part n; handle n is part 2000 + n */
+#define TINKER_PART_NONE   (-1)
+#define TINKER_PART_WHOLE  1000 /* the block itself; end n of a connector is part n; handle n is part 2000 + n */
 #define TINKER_PART_HANDLE 2000
 
 /* The host's side of an edit. Each call is part of the same undo step. */

@@ -18,16 +18,16 @@ typedef struct TinkerEnd {
 /* Everything is borrowed for the length of the call. */
 typedef struct TinkerInstance {
     uint32_t struct_size;
-    int32_t ends;           /* entries of `end` */
-    const char *name;       /* "Spring 0" */
-    const double *columns;  /* the instance's columns, in the order of the declaration, SI; of a waveform its value,
+    int32_t ends;          /* entries of `end` */
+    const char *name;      /* "Spring 0" */
+    const double *columns; /* the instance's columns, in the order of the declaration, SI; of a waveform its value,
                                first and second derivative at `time` */
-    const TinkerEnd *end;   /* of a block that is itself a body: none */
-    double x, y;            /* its centre now; of a connector the middle of its ends; of a block that has neither ends
+    const TinkerEnd *end;  /* of a block that is itself a body: none */
+    double x, y;           /* its centre now; of a connector the middle of its ends; of a block that has neither ends
                                nor a place (a field): the corner of the canvas where the host wants it shown */
-    double orientation;     /* rad */
-    double time;            /* s */
-    double symbol_size;     /* m: that of the style it is drawn with, so that what is hit is what was drawn; 0: unknown */
+    double orientation;    /* rad */
+    double time;           /* s */
+    double symbol_size; /* m: that of the style it is drawn with, so that what is hit is what was drawn; 0: unknown */
 } TinkerInstance;
 
 #ifdef __cplusplus

@@ -21,18 +21,18 @@ extern "C" {
 #endif
 
 /* Flags of a system. */
-#define TINKER_SYSTEM_CONSTRAINED (1u << 0)         /* there are constraint rows */
-#define TINKER_SYSTEM_VELOCITY_DEPENDENT (1u << 1)  /* f depends on v */
+#define TINKER_SYSTEM_CONSTRAINED        (1u << 0) /* there are constraint rows */
+#define TINKER_SYSTEM_VELOCITY_DEPENDENT (1u << 1) /* f depends on v */
 
 /* The system, as functions over plain arrays. All are provided; arrays do not overlap unless it is said. Answers other
  * than TINKER_OK leave the outputs undefined. */
 typedef struct TinkerSystem {
     uint32_t struct_size;
     uint32_t flags;
-    int32_t size;        /* n: entries of q, v and a */
-    int32_t books;       /* m: entries of power; may be 0 */
-    void *context;       /* first argument of every function */
-    const double *mass;  /* n entries: diagonal of M */
+    int32_t size;       /* n: entries of q, v and a */
+    int32_t books;      /* m: entries of power; may be 0 */
+    void *context;      /* first argument of every function */
+    const double *mass; /* n entries: diagonal of M */
 
     /* a = M^-1 (f + J^T lambda), power[m] unless it is NULL. */
     TinkerStatus (*acceleration)(void *context, double t, const double *q, const double *v, double *a, double *power);
@@ -76,7 +76,7 @@ typedef struct TinkerIntegratorOptions {
 /* What the last step did. */
 typedef struct TinkerStepReport {
     uint32_t struct_size;
-    int32_t rejected;    /* trials that were thrown away */
+    int32_t rejected; /* trials that were thrown away */
     double t_from;
     double step;         /* s */
     double error;        /* estimate relative to the tolerance, at most 1; 0 for a fixed step */
@@ -84,8 +84,8 @@ typedef struct TinkerStepReport {
 } TinkerStepReport;
 
 /* Flags of an integrator. */
-#define TINKER_INTEGRATOR_ADAPTIVE (1u << 0)   /* takes a tolerance; else a step */
-#define TINKER_INTEGRATOR_EXPLICIT (1u << 1)   /* stable only below a step */
+#define TINKER_INTEGRATOR_ADAPTIVE   (1u << 0) /* takes a tolerance; else a step */
+#define TINKER_INTEGRATOR_EXPLICIT   (1u << 1) /* stable only below a step */
 #define TINKER_INTEGRATOR_SYMPLECTIC (1u << 2) /* where the system is undamped */
 
 typedef struct TinkerIntegrator {
@@ -99,8 +99,9 @@ typedef struct TinkerIntegrator {
     int32_t dense_order;          /* of the interpolation between steps */
     int32_t evaluations_per_step; /* of accelerations, where nothing is rejected */
     int32_t reserved;
-    double imaginary_limit; /* h * omega of an undamped oscillator at the edge of stability; 0: unstable for any; < 0: none */
-    double real_limit;      /* h * c / m of a pure damper at the edge of stability; < 0: no limit */
+    double
+        imaginary_limit; /* h * omega of an undamped oscillator at the edge of stability; 0: unstable for any; < 0: none */
+    double real_limit; /* h * c / m of a pure damper at the edge of stability; < 0: no limit */
 
     /* A stepper for this system, which outlives it; all memory that steps need is allotted here. NULL: out of memory. */
     void *(*create)(const TinkerSystem *system, const TinkerIntegratorOptions *options);

@@ -27,7 +27,7 @@ typedef struct TinkerHost {
 
 /* Service "tinker.log/1": a line for the user or the developer. Never on the hot path. */
 #define TINKER_LOG_SERVICE "tinker.log/1"
-#define TINKER_LOG_INFO 0
+#define TINKER_LOG_INFO    0
 #define TINKER_LOG_WARNING 1
 typedef struct TinkerLogService {
     uint32_t struct_size;
@@ -59,13 +59,17 @@ TINKER_EXPORT const TinkerPlugin *tinker_plugin_v1(void);
 #define TINKER_ENTRY_SYMBOL "tinker_plugin_v1"
 
 /* A span over a static array. */
-#define TINKER_SPAN(array) \
-    { (array), (int32_t)(sizeof(array) / sizeof((array)[0])), (int32_t)sizeof((array)[0]) }
-#define TINKER_NO_SPAN \
-    { NULL, 0, 0 }
+#define TINKER_SPAN(array)                                                                                             \
+    {                                                                                                                  \
+        (array), (int32_t)(sizeof(array) / sizeof((array)[0])), (int32_t)sizeof((array)[0])                            \
+    }
+#define TINKER_NO_SPAN                                                                                                 \
+    {                                                                                                                  \
+        NULL, 0, 0                                                                                                     \
+    }
 
 /* The first members of a descriptor, which are the same for every plugin. */
-#define TINKER_PLUGIN_HEAD \
+#define TINKER_PLUGIN_HEAD                                                                                             \
     TINKER_MAGIC, (uint32_t)sizeof(TinkerPlugin), TINKER_ABI_MINOR, 0, (int32_t)sizeof(double), (int32_t)sizeof(int32_t)
 
 #ifdef __cplusplus

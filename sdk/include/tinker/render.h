@@ -19,26 +19,26 @@ extern "C" {
 struct _cairo; /* cairo_t: a typedef of our own would clash with cairo's in C99 */
 
 /* Colours by meaning; the theme decides what they look like. */
-#define TINKER_COLOUR_BODY 0          /* fill of a body */
-#define TINKER_COLOUR_BODY_EDGE 1     /* its outline */
-#define TINKER_COLOUR_SUPPORT 2       /* fill of a support */
-#define TINKER_COLOUR_CONNECTOR 3     /* a connector that is neither compressed nor stretched */
-#define TINKER_COLOUR_COMPRESSED 4
-#define TINKER_COLOUR_STRETCHED 5
-#define TINKER_COLOUR_DETACHED 6
-#define TINKER_COLOUR_SELECTED 7
+#define TINKER_COLOUR_BODY        0 /* fill of a body */
+#define TINKER_COLOUR_BODY_EDGE   1 /* its outline */
+#define TINKER_COLOUR_SUPPORT     2 /* fill of a support */
+#define TINKER_COLOUR_CONNECTOR   3 /* a connector that is neither compressed nor stretched */
+#define TINKER_COLOUR_COMPRESSED  4
+#define TINKER_COLOUR_STRETCHED   5
+#define TINKER_COLOUR_DETACHED    6
+#define TINKER_COLOUR_SELECTED    7
 #define TINKER_COLOUR_HIGHLIGHTED 8
-#define TINKER_COLOUR_WARNING 9
-#define TINKER_COLOUR_FORCE 10        /* arrows of applied forces */
-#define TINKER_COLOUR_MOTION 11       /* arrows of prescribed motions */
-#define TINKER_COLOUR_FIELD 12        /* arrows of fields */
-#define TINKER_COLOUR_TEXT 13
-#define TINKER_COLOUR_COUNT 14
+#define TINKER_COLOUR_WARNING     9
+#define TINKER_COLOUR_FORCE       10 /* arrows of applied forces */
+#define TINKER_COLOUR_MOTION      11 /* arrows of prescribed motions */
+#define TINKER_COLOUR_FIELD       12 /* arrows of fields */
+#define TINKER_COLOUR_TEXT        13
+#define TINKER_COLOUR_COUNT       14
 
 /* States of the drawn block, as flags. The helpers heed them: a detached connector is grey and dashed whatever colour
  * the block asks for. */
-#define TINKER_STATE_DETACHED (1u << 0)
-#define TINKER_STATE_SELECTED (1u << 1)
+#define TINKER_STATE_DETACHED    (1u << 0)
+#define TINKER_STATE_SELECTED    (1u << 1)
 #define TINKER_STATE_HIGHLIGHTED (1u << 2)
 
 /* The drawing's surroundings and its helpers. Lengths are in m; `pixel` is the length of one device pixel in m.
@@ -62,8 +62,8 @@ typedef struct TinkerStyle {
     void (*box)(const struct TinkerStyle *style, struct _cairo *cairo, int32_t fill, int32_t edge, double x, double y,
                 double width, double height, double orientation);
     /* Short slanted strokes on the right-hand side of the line from 1 to 2: the mark of a fixed surface. */
-    void (*hatch)(const struct TinkerStyle *style, struct _cairo *cairo, int32_t colour, double x1, double y1, double x2,
-                  double y2);
+    void (*hatch)(const struct TinkerStyle *style, struct _cairo *cairo, int32_t colour, double x1, double y1,
+                  double x2, double y2);
     /* A coil between two points whose number of turns follows from `rest_length`, so that it looks denser when
      * compressed and wider when stretched. */
     void (*coil)(const struct TinkerStyle *style, struct _cairo *cairo, int32_t colour, double x1, double y1, double x2,
@@ -75,13 +75,13 @@ typedef struct TinkerStyle {
     void (*bar)(const struct TinkerStyle *style, struct _cairo *cairo, int32_t colour, double x1, double y1, double x2,
                 double y2);
     /* An arrow from 1 to 2; shorter than its head it is drawn as the head alone. */
-    void (*arrow)(const struct TinkerStyle *style, struct _cairo *cairo, int32_t colour, double x1, double y1, double x2,
-                  double y2);
+    void (*arrow)(const struct TinkerStyle *style, struct _cairo *cairo, int32_t colour, double x1, double y1,
+                  double x2, double y2);
     /* The mark of a connector's end: a red cross where it is attached, a ring where it is not. */
     void (*end_mark)(const struct TinkerStyle *style, struct _cairo *cairo, double x, double y, int32_t attached);
     /* A circle, filled unless fill is -1, outlined unless edge is -1. */
-    void (*circle)(const struct TinkerStyle *style, struct _cairo *cairo, int32_t fill, int32_t edge, double x, double y,
-                   double radius);
+    void (*circle)(const struct TinkerStyle *style, struct _cairo *cairo, int32_t fill, int32_t edge, double x,
+                   double y, double radius);
     /* Upright text about the point. */
     void (*text)(const struct TinkerStyle *style, struct _cairo *cairo, int32_t colour, double x, double y,
                  const char *text);

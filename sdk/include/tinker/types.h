@@ -24,7 +24,7 @@ extern "C" {
 #define TINKER_ABI_MINOR 0
 
 /* True where `member` of the struct that `pointer` shows lies inside the size its owner declared. */
-#define TINKER_HAS(type, pointer, member) \
+#define TINKER_HAS(type, pointer, member)                                                                              \
     ((size_t)(pointer)->struct_size >= offsetof(type, member) + sizeof((pointer)->member))
 
 /* The entry is the one symbol that a plugin exports; everything else is compiled with hidden visibility. */
@@ -41,11 +41,19 @@ extern "C" {
 #define TINKER_RESTRICT restrict
 #endif
 
+/* Before a kernel over plain arrays: built for AVX2 as well, and chosen when the library is loaded. Both do the same
+ * operations in the same order, since nothing is contracted, so they give the same bits. */
+#if defined(__x86_64__) && defined(__gnu_linux__) && defined(__GNUC__) && !defined(__clang__)
+#define TINKER_VARIANTS __attribute__((target_clones("avx2", "default")))
+#else
+#define TINKER_VARIANTS
+#endif
+
 /* What a callback answers. */
 typedef int32_t TinkerStatus;
-#define TINKER_OK 0            /* done */
+#define TINKER_OK            0 /* done */
 #define TINKER_RETRY_SMALLER 1 /* not computable here; an adaptive method may try a smaller step */
-#define TINKER_FAILED 2        /* an instance is at fault: TinkerBatch.failed_instance and .failure say which and why */
+#define TINKER_FAILED        2 /* an instance is at fault: TinkerBatch.failed_instance and .failure say which and why */
 
 /* A borrowed array of structs: element i starts at (const char *)data + i * stride. */
 typedef struct TinkerSpan {
