@@ -37,7 +37,7 @@ int tinker_sparse_ldl_count_dependent(TinkerSparseLdl *ldl, double threshold, ch
 /* Solves with the last factor, in place. */
 void tinker_sparse_ldl_solve(TinkerSparseLdl *ldl, double *b);
 
-/* Entries of L below the diagonal. */
+/* Entries of L below the diagonal that are kept. */
 gsize tinker_sparse_ldl_fill(const TinkerSparseLdl *ldl);
 
 #endif

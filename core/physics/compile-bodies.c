@@ -53,7 +53,8 @@ static void find_origin(TinkerModel *model)
     double grain = exp2(ceil(log2(extent)));
     for (int32_t k = 0; k < 2; k++) {
         double centre = 0.5 * (least[k] + greatest[k]);
-        if (fabs(centre) > 8.0 * extent) model->origin[k] = grain * nearbyint(centre / grain);
+        double grains = nearbyint(centre / grain); /* infinite for a scene that is a speck in one direction */
+        if (fabs(centre) > 8.0 * extent && isfinite(grains)) model->origin[k] = grain * grains;
     }
 }
 
@@ -93,6 +94,18 @@ static void add_bodies(TinkerModel *model)
             add_body(model, batch, row, number++);
     }
     model->points = number;
+}
+
+static gboolean check_masses(const TinkerModel *model, GError **error)
+{
+    for (int32_t i = 0; i < model->bodies; i++) {
+        if (isfinite(model->mass[i]) && isfinite(model->inverse_mass[i])) continue;
+        g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_SCENE,
+                    "%s: its mass is %g kg, whose reciprocal no number can hold (give it at least 1e-300 kg)",
+                    tinker_scene_block_name(model->scene, model->body_blocks[i]), model->mass[i]);
+        return FALSE;
+    }
+    return TRUE;
 }
 
 /* A point of a support: its place, with the support unmoved. */
@@ -203,6 +216,7 @@ gboolean tinker_model_compile_bodies(TinkerModel *model, GError **error)
         model->centre_point[id] = -1;
     find_origin(model);
     add_bodies(model);
+    if (!check_masses(model, error)) return FALSE;
     g_autofree Location *locations = locate_supports(model);
     if (!connect_ends(model, locations, error)) return FALSE;
     model->motions = tinker_motions_new(model->batches, limit);

@@ -116,7 +116,7 @@ static void ask_line(TinkerModel *model, TinkerBlockBatch *batch, const int32_t 
 static void add_driven(TinkerModel *model, const TinkerBlockBatch *batch, int32_t row, int32_t point,
                        const double *direction, int32_t column)
 {
-    TinkerDrivenForce force = {point, {direction[0], direction[1]}, &batch->columns[column][row]};
+    TinkerDrivenForce force = {point, {direction[0], direction[1]}, &batch->columns[column][row], batch, row};
     g_array_append_val(model->driven, force);
 }
 

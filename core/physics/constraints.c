@@ -31,7 +31,7 @@ static TinkerStatus refuse_rows(TinkerModel *model, const TinkerConstraintBatch 
     int32_t row = part->first_row;
     while (row < part->first_row + part->row_count - 1 && isfinite(all->g[row] + all->drift[row]))
         row++;
-    return tinker_model_fail(model, part->batch, (row - part->first_row) / part->constraint->rows, "constraint", NULL);
+    return tinker_model_not_finite(model, part->batch, (row - part->first_row) / part->constraint->rows, "constraint");
 }
 
 static gboolean rows_are_finite(const TinkerConstraints *all, const TinkerConstraintBatch *part)
@@ -227,6 +227,22 @@ static double greatest(const double *x, int32_t n)
     return most;
 }
 
+/* Sets the rows between supports alone to 0, since no multiplier changes them; answers the largest that they asked for. */
+static double drop_rows_without_bodies(const TinkerModel *model, double *b)
+{
+    const TinkerConstraints *all = &model->constraints;
+    double most = 0;
+    for (int32_t row = 0; row < all->rows; row++) {
+        gboolean felt = FALSE;
+        for (int32_t e = all->row_starts[row]; e < all->row_starts[row + 1]; e++)
+            felt |= all->points[e] < model->bodies;
+        if (felt) continue;
+        most = MAX(most, fabs(b[row]));
+        b[row] = 0;
+    }
+    return most;
+}
+
 /* Answers the residual that is left. Stages of a step stand off the constraints by the step's error, where rows that
  * depend on each other ask for slightly different things: what no multiplier can meet is left over, and does not reach the
  * accelerations, since J^T annuls it. */
@@ -234,6 +250,7 @@ static double solve_proximally(TinkerModel *model, double *b)
 {
     TinkerConstraints *all = &model->constraints;
     double *x = all->residual, *r = all->correction;
+    double dropped = drop_rows_without_bodies(model, b);
     double scale = greatest(b, all->rows), before = INFINITY, left = scale;
     memset(x, 0, (gsize)all->rows * sizeof(double));
     memcpy(r, b, (gsize)all->rows * sizeof(double));
@@ -251,7 +268,7 @@ static double solve_proximally(TinkerModel *model, double *b)
         left = greatest(r, all->rows);
     }
     memcpy(b, x, (gsize)all->rows * sizeof(double));
-    return scale > 0 ? left / scale : 0;
+    return MAX(left, dropped);
 }
 
 double tinker_constraints_solve(TinkerModel *model, double *b)

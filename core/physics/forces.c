@@ -14,8 +14,14 @@ TinkerStatus tinker_model_fail(TinkerModel *model, const TinkerBlockBatch *batch
     model->failed_block = batch->ids[CLAMP(row, 0, batch->count - 1)];
     g_snprintf(model->failure, sizeof(model->failure), "%s: its %s at t = %g s %s",
                tinker_scene_block_name(model->scene, model->failed_block), what, model->time,
-               why != NULL ? why : "is not a number");
+               why != NULL ? why : "failed, and its plugin does not say why");
     return TINKER_FAILED;
+}
+
+TinkerStatus tinker_model_not_finite(TinkerModel *model, const TinkerBlockBatch *batch, int32_t row, const char *what)
+{
+    (void)tinker_model_fail(model, batch, row, what, "is not a number");
+    return TINKER_RETRY_SMALLER;
 }
 
 TinkerBatch tinker_model_view(const TinkerModel *model, const TinkerBlockBatch *batch, int32_t first, int32_t count,
@@ -47,10 +53,11 @@ TinkerStatus tinker_model_set_time(TinkerModel *model, double t)
         tinker_block_batch_set_time(g_ptr_array_index(model->waveform_batches, i), t);
     if (model->moving_supports == 0) return TINKER_OK;
     if (!tinker_motions_evaluate(model->motions, t)) {
+        model->time = NAN; /* some supports are there, others not */
         model->failed_block = tinker_motions_failure(model->motions);
         g_snprintf(model->failure, sizeof(model->failure), "%s: its motion at t = %g s is not a number",
                    tinker_scene_block_name(model->scene, model->failed_block), t);
-        return TINKER_FAILED;
+        return TINKER_RETRY_SMALLER;
     }
     for (guint i = 0; i < model->support_points->len; i++) {
         const TinkerSupportPoint *point = &g_array_index(model->support_points, TinkerSupportPoint, i);
@@ -133,7 +140,7 @@ static TinkerStatus add_asked_lines(TinkerModel *model, const TinkerAskedBatch *
             return tinker_model_fail(model, batch, first + view.failed_instance, "tension", view.failure);
         for (int32_t i = 0; i < count; i++) {
             double fx = chunk.tension[i] * chunk.x[i], fy = chunk.tension[i] * chunk.y[i];
-            if (!isfinite(fx + fy)) return tinker_model_fail(model, batch, first + i, "tension", NULL);
+            if (!isfinite(fx + fy)) return tinker_model_not_finite(model, batch, first + i, "tension");
             double *on_a = model->force + 2 * points[2 * i], *on_b = model->force + 2 * points[2 * i + 1];
             on_a[0] += fx;
             on_a[1] += fy;
@@ -158,7 +165,9 @@ static TinkerStatus add_driven_forces(TinkerModel *model, gboolean books)
 {
     for (guint i = 0; i < model->driven->len; i++) {
         const TinkerDrivenForce *driven = &g_array_index(model->driven, TinkerDrivenForce, i);
-        push(model, driven->point, *driven->value * driven->direction[0], *driven->value * driven->direction[1], books);
+        double fx = *driven->value * driven->direction[0], fy = *driven->value * driven->direction[1];
+        if (!isfinite(fx + fy)) return tinker_model_not_finite(model, driven->batch, driven->row, "force");
+        push(model, driven->point, fx, fy, books);
     }
     if (!books || !model->constant_forces) return TINKER_OK;
     for (int32_t i = 0; i < model->bodies; i++)
@@ -194,7 +203,7 @@ static TinkerStatus add_asked_forces(TinkerModel *model, const TinkerAskedBatch 
             return tinker_model_fail(model, batch, first + view.failed_instance, "force", view.failure);
         for (int32_t e = 0; e < ends; e++) {
             if (!isfinite(force[2 * e] + force[2 * e + 1]))
-                return tinker_model_fail(model, batch, row_of_end(batch, from + e), "force", NULL);
+                return tinker_model_not_finite(model, batch, row_of_end(batch, from + e), "force");
             push(model, asked->end_points[from + e], force[2 * e], force[2 * e + 1], books);
         }
     }
@@ -215,7 +224,7 @@ static TinkerStatus add_asked_field(TinkerModel *model, const TinkerAskedBatch *
     if (status != TINKER_OK) return tinker_model_fail(model, batch, view.failed_instance, "force", view.failure);
     for (int32_t i = 0; i < model->bodies; i++) {
         double fx = force[2 * i], fy = force[2 * i + 1];
-        if (!isfinite(fx + fy)) return tinker_model_fail(model, batch, 0, "force", NULL);
+        if (!isfinite(fx + fy)) return tinker_model_not_finite(model, batch, 0, "force");
         model->force[2 * i] += fx;
         model->force[2 * i + 1] += fy;
         if (books) model->book_power[TINKER_BOOK_FIELDS] += fx * model->point[i].vx + fy * model->point[i].vy;

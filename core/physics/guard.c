@@ -97,14 +97,14 @@ char *tinker_guard_explain(TinkerModel *model, const TinkerIntegrator *integrato
     double stable = tinker_guard_stable_step(&stiffness, integrator);
     GString *text = g_string_new(NULL);
     if (stiffness.block != TINKER_NO_BLOCK)
-        g_string_append_printf(text, "%s (its %s) is what moves fastest",
-                               tinker_scene_block_name(model->scene, stiffness.block), stiffness.property);
+        g_string_append_printf(text, "the %s of %s makes the fastest motion", stiffness.property,
+                               tinker_scene_block_name(model->scene, stiffness.block));
     else
         g_string_append(text, "no single connector is to blame");
     if (!(integrator->flags & TINKER_INTEGRATOR_ADAPTIVE) && isfinite(stable) && stable > 0) {
         g_string_append_printf(text, "; %s is stable up to a step of about %.3g s here", integrator->id, stable);
         if (step > stable) g_string_append_printf(text, ", the step was %.3g s", step);
     }
-    g_string_append(text, " (use a smaller step, or the method auto)");
+    g_string_append(text, "; use a smaller step, or the method auto");
     return g_string_free(text, FALSE);
 }

@@ -47,6 +47,8 @@ typedef struct {
     int32_t point;
     double direction[2];
     const double *value; /* the waveform's column, this block's entry */
+    const TinkerBlockBatch *batch;
+    int32_t row;
 } TinkerDrivenForce;
 
 /* One class of constraints: its rows and entries lie behind one another in the model's arrays. */
@@ -160,9 +162,13 @@ const int32_t *tinker_model_end_points(const TinkerModel *model, const TinkerBlo
 TinkerBatch tinker_model_view(const TinkerModel *model, const TinkerBlockBatch *batch, int32_t first, int32_t count,
                               const double **columns);
 
-/* Records that a plugin failed, or returned a non-number, in its callback `what`. Answers TINKER_FAILED. */
+/* Records that a plugin failed in its callback `what`. Answers TINKER_FAILED. */
 TinkerStatus tinker_model_fail(TinkerModel *model, const TinkerBlockBatch *batch, int32_t row, const char *what,
                                const char *why);
+
+/* Records that `what` of a block is not a finite number. Answers TINKER_RETRY_SMALLER: a trial that reached too far may be
+ * cut; a method that cannot do so stops with what was recorded. */
+TinkerStatus tinker_model_not_finite(TinkerModel *model, const TinkerBlockBatch *batch, int32_t row, const char *what);
 
 /* Dynamics. All q and v are relative to the origin. */
 
@@ -198,11 +204,11 @@ TinkerStatus tinker_model_stiffness_product(TinkerModel *model, const double *dq
 
 /* Rows at the state in the points: g, Jacobian, drift. */
 TinkerStatus tinker_constraints_evaluate(TinkerModel *model);
-/* Adds the constraint accelerations to a (2 per body), for the rows evaluated last; leaves lambda. Answers what could not
- * be met, relative to what was asked: see tinker_constraints_solve. */
+/* Adds the constraint accelerations to a (2 per body), for the rows evaluated last; leaves lambda. Answers the largest
+ * acceleration (m/s^2) that could not be met: see tinker_constraints_solve. */
 double tinker_constraints_accelerate(TinkerModel *model, double *a);
-/* Solves S x = b, both of one entry a row; in place. Answers the residual relative to b: 0 where the rows are independent,
- * rounding where dependent rows agree, more where they contradict each other. */
+/* Solves S x = b, both of one entry a row; in place. Answers the largest residual: 0 where the rows are independent,
+ * rounding where dependent rows agree, more where they contradict each other. Rows that no body feels get 0. */
 double tinker_constraints_solve(TinkerModel *model, double *b);
 /* Likewise with the factor at hand, whatever rows it is of: for iterations that bear an approximate matrix. */
 void tinker_constraints_solve_roughly(TinkerModel *model, double *b);

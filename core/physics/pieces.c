@@ -1,5 +1,6 @@
 /* From break to break: waveforms are smooth inside a piece, and what jumps between two pieces is looked after here. */
 #include <math.h>
+#include <string.h>
 
 #include "physics/simulation-private.h"
 
@@ -45,6 +46,37 @@ static gboolean check_jumps(TinkerSimulation *simulation, const TinkerPoint *bef
     return TRUE;
 }
 
+/* Where the rows are at the state: g, and dg/dt of what is prescribed. */
+static gboolean rows_at_state(TinkerSimulation *simulation, double *g, double *rate)
+{
+    const TinkerConstraints *all = &simulation->model->constraints;
+    tinker_model_set_state(simulation->model, simulation->state.q, simulation->state.v);
+    if (tinker_constraints_evaluate(simulation->model) != TINKER_OK) return FALSE;
+    memcpy(g, all->g, (gsize)all->rows * sizeof(double));
+    memcpy(rate, all->rate, (gsize)all->rows * sizeof(double));
+    return TRUE;
+}
+
+/* A row whose waveform jumps asks for a jump in place or speed. */
+static gboolean check_prescribed(TinkerSimulation *simulation, const double *g, const double *rate, GError **error)
+{
+    TinkerModel *model = simulation->model;
+    const TinkerConstraints *all = &model->constraints;
+    g_autofree double *g_now = g_new(double, all->rows), *rate_now = g_new(double, all->rows);
+    if (!rows_at_state(simulation, g_now, rate_now)) return tinker_simulation_fail(simulation, model->failure, error);
+    for (int32_t row = 0; row < all->rows; row++) {
+        double scale = JUMP_TOLERANCE * all->scales[row];
+        if (fabs(g_now[row] - g[row]) <= scale && fabs(rate_now[row] - rate[row]) <= scale) continue;
+        g_set_error(
+            error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_SCENE,
+            "%s: what it prescribes jumps at t = %.10g s, which no motion can follow (give it a waveform without a "
+            "jump in value or slope)",
+            tinker_scene_block_name(model->scene, all->blocks[row]), simulation->state.t);
+        return FALSE;
+    }
+    return TRUE;
+}
+
 static double potential(TinkerSimulation *simulation)
 {
     TinkerModel *model = simulation->model;
@@ -60,6 +92,43 @@ static void book_jump(TinkerSimulation *simulation, double gain)
         if (simulation->system.book_of[i] == TINKER_BOOK_SUPPORT_MOTION) simulation->state.books[i] += gain;
 }
 
+/* What may jump at a break, on the side before it. */
+typedef struct {
+    TinkerPoint *supports;
+    double *g, *rate;
+    double stored;
+} Before;
+
+static void before_clear(Before *before)
+{
+    g_free(before->supports);
+    g_free(before->g);
+    g_free(before->rate);
+}
+G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC(Before, before_clear)
+
+static gboolean look_before(TinkerSimulation *simulation, Before *before)
+{
+    TinkerModel *model = simulation->model;
+    guint supports = model->support_points->len;
+    if (tinker_model_set_time(model, simulation->state.t) != TINKER_OK) return FALSE;
+    before->supports = g_memdup2(model->point + model->bodies, supports * sizeof(TinkerPoint));
+    if (model->moving_supports > 0) before->stored = potential(simulation);
+    if (!model->constraints.prescribed) return TRUE;
+    before->g = g_new(double, model->constraints.rows);
+    before->rate = g_new(double, model->constraints.rows);
+    return rows_at_state(simulation, before->g, before->rate);
+}
+
+static gboolean look_behind(TinkerSimulation *simulation, const Before *before, GError **error)
+{
+    if (simulation->model->moving_supports > 0) {
+        if (!check_jumps(simulation, before->supports, error)) return FALSE;
+        book_jump(simulation, potential(simulation) - before->stored);
+    }
+    return before->g == NULL || check_prescribed(simulation, before->g, before->rate, error);
+}
+
 gboolean tinker_simulation_enter_piece(TinkerSimulation *simulation, double horizon, GError **error)
 {
     TinkerModel *model = simulation->model;
@@ -67,24 +136,11 @@ gboolean tinker_simulation_enter_piece(TinkerSimulation *simulation, double hori
     simulation->ends_on_break = isfinite(next);
     simulation->piece_end = simulation->ends_on_break ? next : horizon;
     double inside = simulation->piece_end > t ? 0.5 * (t + simulation->piece_end) : t + 0.5;
-    gboolean moving = model->moving_supports > 0;
-    guint supports = model->support_points->len;
-    g_autofree TinkerPoint *before =
-        moving ? g_memdup2(model->point + model->bodies, supports * sizeof(TinkerPoint)) : NULL;
-    double stored = 0;
-    if (moving && t > 0) {
-        if (tinker_model_set_time(model, t) != TINKER_OK)
-            return tinker_simulation_fail(simulation, model->failure, error);
-        for (guint i = 0; i < supports; i++)
-            before[i] = model->point[model->bodies + (int32_t)i];
-        stored = potential(simulation);
-    }
+    g_auto(Before) before = {0};
+    if (t > 0 && !look_before(simulation, &before)) return tinker_simulation_fail(simulation, model->failure, error);
     tinker_model_enter_piece(model, inside);
     if (tinker_model_set_time(model, t) != TINKER_OK) return tinker_simulation_fail(simulation, model->failure, error);
-    if (moving && t > 0) {
-        if (!check_jumps(simulation, before, error)) return FALSE;
-        book_jump(simulation, potential(simulation) - stored);
-    }
+    if (t > 0 && !look_behind(simulation, &before, error)) return FALSE;
     simulation->method->restart(simulation->stepper);
     return TRUE;
 }

@@ -32,8 +32,9 @@ TinkerSampleTimes tinker_sample_times(double duration, double interval, const do
         return times;
     }
     /* A duration that is a whole number of intervals but for rounding ends with the last of them. */
-    double intervals = duration / interval, whole = floor(intervals + 1e-9 * MAX(intervals, 1.0));
-    gboolean fits = fabs(intervals - whole) <= 1e-9 * MAX(intervals, 1.0);
+    double intervals = duration / interval, slack = fmin(1e-9 * fmax(intervals, 1.0), 0.01);
+    double whole = floor(intervals + slack);
+    gboolean fits = fabs(intervals - whole) <= slack;
     times.count = (gint64)whole + (fits ? 1 : 2);
     return times;
 }

@@ -56,7 +56,7 @@ static Wanted *find_wanted(TinkerSampler *sampler, TinkerBlockBatch *batch, int3
 static int compare_wanted(const void *left, const void *right)
 {
     const Wanted *l = *(Wanted *const *)left, *r = *(Wanted *const *)right;
-    if (l->batch != r->batch) return (guintptr)l->batch < (guintptr)r->batch ? -1 : 1;
+    if (l->batch != r->batch) return l->batch->ids[0] < r->batch->ids[0] ? -1 : 1;
     return l->quantity - r->quantity;
 }
 
@@ -122,7 +122,8 @@ static TinkerPoint in_world(const TinkerModel *model, int32_t point)
     return at;
 }
 
-/* The batch's ends; of a class that is itself a body, its own centres. */
+/* The batch's ends, relative to the model's origin, so that lengths far away from the world's lose no digits; of a class that
+ * is itself a body, its own centres, in the world. */
 static void gather(TinkerSampler *sampler, const TinkerBlockBatch *batch)
 {
     const TinkerModel *model = sampler->model;
@@ -131,7 +132,7 @@ static void gather(TinkerSampler *sampler, const TinkerBlockBatch *batch)
     for (int32_t e = 0; e < count; e++) {
         int32_t point = points != NULL ? points[e] : model->centre_point[batch->ids[e]];
         if (point < 0) continue;
-        sampler->ends[e] = in_world(model, point);
+        sampler->ends[e] = points != NULL ? model->point[point] : in_world(model, point);
         sampler->end_accelerations[2 * e] = model->point_acceleration[2 * point];
         sampler->end_accelerations[2 * e + 1] = model->point_acceleration[2 * point + 1];
     }
@@ -201,6 +202,7 @@ TinkerStatus tinker_sampler_values(TinkerSampler *sampler, double t, const doubl
             last = wanted->batch;
             if (last->waveforms > 0) tinker_block_batch_set_time(last, t);
             view = tinker_block_batch_view(last, t);
+            if (last->end_count > 0) memcpy(view.origin, model->origin, sizeof(model->origin));
             input = input_of(sampler, last, &view);
         }
         if (last->block_class->graph->values(&view, &input, wanted->quantity, sampler->values) != TINKER_OK)
@@ -209,7 +211,7 @@ TinkerStatus tinker_sampler_values(TinkerSampler *sampler, double t, const doubl
         for (guint k = 0; k < wanted->rows->len; k++) {
             int32_t row = g_array_index(wanted->rows, int32_t, k);
             if (!isfinite(sampler->values[row]))
-                return tinker_model_fail(model, last, row, last->block_class->quantities[wanted->quantity].id, NULL);
+                return tinker_model_not_finite(model, last, row, last->block_class->quantities[wanted->quantity].id);
             values[g_array_index(wanted->columns, int32_t, k)] = sampler->values[row];
         }
     }

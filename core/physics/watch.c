@@ -8,6 +8,8 @@
 #define STOP_IMBALANCE 1.0
 /* The books cost about one evaluation: they are looked into after this many. */
 #define EVALUATIONS_BETWEEN_LOOKS 40
+/* A step that is far too large shows at once. */
+#define FIRST_LOOKS 8
 
 gboolean tinker_simulation_fail(TinkerSimulation *simulation, const char *why, GError **error)
 {
@@ -122,5 +124,6 @@ gboolean tinker_simulation_watch(TinkerSimulation *simulation, const TinkerStepR
     if (!all_finite(simulation)) return diverged(simulation, "a position or velocity is not a number", error);
     if (summary->adaptive) tinker_model_system_keep(&simulation->system, simulation->state.q, simulation->state.v);
     gint64 since = (summary->steps - simulation->looked_at) * simulation->method->evaluations_per_step;
-    return (!last && since < EVALUATIONS_BETWEEN_LOOKS) || look(simulation, last, error);
+    gboolean looks = last || summary->steps <= FIRST_LOOKS || since >= EVALUATIONS_BETWEEN_LOOKS;
+    return !looks || look(simulation, last, error);
 }

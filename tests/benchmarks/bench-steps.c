@@ -9,6 +9,8 @@
 #include "subject.h"
 
 #define METHOD "rk4"
+/* After which a chain's lengths and a lattice's places are looked at. */
+#define ERROR_STEPS 100
 
 /* A floor under the clock: its state goes on, or starts over as the scene's does. */
 typedef struct {
@@ -65,12 +67,16 @@ static double time_lattice(gint64 steps, void *data)
     return benchmark_processor_time() - started;
 }
 
-static void measure(BenchmarkReport *report, const char *scene, BenchmarkSubject *subject, BenchmarkWork floor_work,
-                    Floor *floor, double elements, double goal)
+/* Fills in what the clock says, and reports. */
+static void measure(BenchmarkReport *report, BenchmarkStep step, BenchmarkSubject *subject, BenchmarkWork floor_work,
+                    Floor *floor)
 {
-    BenchmarkTask plain = {.work = floor_work, .data = floor}, ours = {.work = benchmark_subject_work, .data = subject};
+    BenchmarkTask plain = {.work = floor_work, .data = floor};
+    BenchmarkTask ours = {.work = benchmark_subject_work, .data = subject};
     benchmark_time_pair(&plain, &ours);
-    BenchmarkStep step = {scene, METHOD, ours.timing, plain.timing, elements, goal};
+    step.method = METHOD;
+    step.step = ours.timing;
+    step.floor = plain.timing;
     benchmark_report_step(report, &step);
 }
 
@@ -81,7 +87,7 @@ static void measure_oscillator(BenchmarkReport *report, const char *scene, gbool
     BenchmarkSubject subject = benchmark_subject(text, METHOD, h);
     Floor floor = {.step = h};
     subject.lap = 100;
-    measure(report, scene, &subject, time_oscillator, &floor, 1, 200);
+    measure(report, (BenchmarkStep){.scene = scene, .elements = 1, .goal = 200}, &subject, time_oscillator, &floor);
     benchmark_subject_clear(&subject);
 }
 
@@ -94,8 +100,16 @@ static void measure_double_pendulum(BenchmarkReport *report)
     BenchmarkSubject subject = benchmark_subject(text, METHOD, 1e-3);
     Floor floor = {.step = 1e-3};
     subject.lap = 5;
-    measure(report, scene, &subject, time_pendulum, &floor, 1, 400);
+    measure(report, (BenchmarkStep){.scene = scene, .elements = 1, .goal = 400}, &subject, time_pendulum, &floor);
     benchmark_subject_clear(&subject);
+}
+
+/* The largest relative error of a length that the run itself has seen. */
+static double chain_error(BenchmarkSubject *subject)
+{
+    for (int i = 0; i < ERROR_STEPS; i++)
+        benchmark_subject_step(subject);
+    return tinker_simulation_summary(subject->simulation)->constraint_position_error;
 }
 
 /* The chain's fastest mode is about 2 n sqrt(g / length): a step of 1/1000 s carries 1000 rods of a chain of 10 m, more need a
@@ -112,22 +126,22 @@ static void measure_chain(BenchmarkReport *report, int rods, double *angles, con
                    .lap = isinf(lap) ? G_MAXLONG : lround(lap / h),
                    .chain = floor_chain_new(rods, angles, 10.0 / rods)};
     subject.lap = lap;
-    measure(report, scene, &subject, time_chain, &floor, rods, 100);
-    const TinkerSummary *summary = tinker_simulation_summary(subject.simulation);
-    benchmark_report_figure(report, scene, "length error", summary->constraint_position_error, "1", 1e-10);
-    benchmark_report_figure(report, scene, "length error of the floor", floor_chain_error(floor.chain), "1", NAN);
+    BenchmarkStep step = {.scene = scene, .elements = rods, .goal = 100, .error_kind = "length error"};
+    step.error = chain_error(&subject);
+    floor_chain_steps(floor.chain, h, ERROR_STEPS);
+    step.floor_error = floor_chain_error(floor.chain);
+    measure(report, step, &subject, time_chain, &floor);
     floor_chain_free(floor.chain);
     benchmark_subject_clear(&subject);
 }
 
-/* Both went the same number of steps only by chance, so they are compared in a run of their own. */
+/* Both take the same steps, so they must end at the same places but for rounding. */
 static double lattice_difference(BenchmarkSubject *subject, FloorLattice *lattice, int n)
 {
     double worst = 0;
-    benchmark_subject_restart(subject);
-    for (int i = 0; i < 10; i++)
+    for (int i = 0; i < ERROR_STEPS; i++)
         benchmark_subject_step(subject);
-    floor_lattice_steps(lattice, 1e-3, 10);
+    floor_lattice_steps(lattice, 1e-3, ERROR_STEPS);
     for (int i = 0; i < n * n; i++) {
         double ours[2], plain[2];
         g_autofree char *name = g_strdup_printf("M%d", i);
@@ -146,9 +160,10 @@ static void measure_lattice(BenchmarkReport *report, int n)
     g_autofree double *places = benchmark_lattice_places(n);
     BenchmarkSubject subject = benchmark_subject(text, METHOD, 1e-3);
     Floor floor = {.step = 1e-3, .lattice = floor_lattice_new(n, places)};
-    double difference = lattice_difference(&subject, floor.lattice, n);
-    measure(report, scene, &subject, time_lattice, &floor, floor_lattice_springs(floor.lattice), 25);
-    benchmark_report_figure(report, scene, "difference from the floor, 10 steps", difference, "m", 1e-12);
+    BenchmarkStep step = {.scene = scene, .goal = 25, .error_kind = "off the floor's places by m", .floor_error = NAN};
+    step.elements = floor_lattice_springs(floor.lattice);
+    step.error = lattice_difference(&subject, floor.lattice, n);
+    measure(report, step, &subject, time_lattice, &floor);
     floor_lattice_free(floor.lattice);
     benchmark_subject_clear(&subject);
 }

@@ -9,7 +9,6 @@
 struct _BenchmarkReport {
     char *json_path, *only;
     cJSON *steps, *figures;
-    gboolean step_heading, figure_heading;
 };
 
 BenchmarkReport *benchmark_report_new(int argc, char **argv)
@@ -75,38 +74,52 @@ static char *goal_text(double goal)
     return isnan(goal) ? g_strdup("-") : g_strdup_printf("%.4g", goal);
 }
 
-void benchmark_report_step(BenchmarkReport *report, const BenchmarkStep *step)
+static void print_step_heading(void)
 {
-    double median = 1e9 * step->step.median, minimum = 1e9 * step->step.minimum;
-    double least = minimum / step->elements, floor_least = 1e9 * step->floor.minimum / step->elements;
-    if (!report->step_heading)
-        printf("\n%-34s %-12s %24s %20s %12s %8s %7s\n", "SCENE", "METHOD", "NS/STEP median / min",
-               "PER ELEMENT med/min", "FLOOR (min)", "RATIO", "GOAL");
-    report->step_heading = TRUE;
-    g_autofree char *goal = goal_text(step->goal);
-    printf("%-34s %-12s %12.1f /%10.1f %10.2f /%8.2f %12.2f %8.2f %7s %s\n", step->scene, step->method, median, minimum,
-           median / step->elements, least, floor_least, least / floor_least, goal, verdict(least, step->goal));
+    printf("\n%-32s %-6s %24s %24s %12s %6s %5s\n", "SCENE", "METHOD", "NS/STEP MEDIAN / LEAST",
+           "NS/ELEMENT MEDIAN/LEAST", "FLOOR, LEAST", "RATIO", "GOAL");
+}
+
+static cJSON *step_item(const BenchmarkStep *step)
+{
     cJSON *item = cJSON_CreateObject();
     cJSON_AddStringToObject(item, "scene", step->scene);
     cJSON_AddStringToObject(item, "method", step->method);
-    add_number(item, "ns_per_step_median", median);
-    add_number(item, "ns_per_step_minimum", minimum);
+    add_number(item, "ns_per_step_median", 1e9 * step->step.median);
+    add_number(item, "ns_per_step_least", 1e9 * step->step.minimum);
     add_number(item, "elements", step->elements);
     add_number(item, "floor_ns_per_step_median", 1e9 * step->floor.median);
-    add_number(item, "floor_ns_per_step_minimum", 1e9 * step->floor.minimum);
-    add_number(item, "ratio", least / floor_least);
+    add_number(item, "floor_ns_per_step_least", 1e9 * step->floor.minimum);
+    add_number(item, "ratio", step->step.minimum / step->floor.minimum);
     add_number(item, "goal_ns_per_element", step->goal);
-    cJSON_AddItemToArray(report->steps, item);
+    if (step->error_kind == NULL) return item;
+    cJSON_AddStringToObject(item, "error_kind", step->error_kind);
+    add_number(item, "error", step->error);
+    add_number(item, "floor_error", step->floor_error);
+    return item;
+}
+
+void benchmark_report_step(BenchmarkReport *report, const BenchmarkStep *step)
+{
+    double ns = 1e9 / step->elements, least = ns * step->step.minimum;
+    g_autofree char *goal = goal_text(step->goal);
+    if (cJSON_GetArraySize(report->steps) == 0) print_step_heading();
+    printf("%-32s %-6s %12.1f /%10.1f %12.2f /%10.2f %12.2f %6.2f %5s %-6s", step->scene, step->method,
+           1e9 * step->step.median, 1e9 * step->step.minimum, ns * step->step.median, least, ns * step->floor.minimum,
+           step->step.minimum / step->floor.minimum, goal, verdict(least, step->goal));
+    if (step->error_kind != NULL) printf("  %s %.2g", step->error_kind, step->error);
+    if (step->error_kind != NULL && !isnan(step->floor_error)) printf(" (floor %.2g)", step->floor_error);
+    printf("\n");
+    cJSON_AddItemToArray(report->steps, step_item(step));
 }
 
 void benchmark_report_figure(BenchmarkReport *report, const char *scene, const char *what, double value,
                              const char *unit, double goal)
 {
-    if (!report->figure_heading)
-        printf("\n%-34s %-44s %14s %-8s %10s\n", "SCENE", "FIGURE", "VALUE", "UNIT", "AT MOST");
-    report->figure_heading = TRUE;
+    if (cJSON_GetArraySize(report->figures) == 0)
+        printf("\n%-32s %-52s %14s %-8s %8s\n", "SCENE", "FIGURE", "VALUE", "UNIT", "AT MOST");
     g_autofree char *goal_written = goal_text(goal);
-    printf("%-34s %-44s %14.6g %-8s %10s %s\n", scene, what, value, unit, goal_written, verdict(value, goal));
+    printf("%-32s %-52s %14.6g %-8s %8s %s\n", scene, what, value, unit, goal_written, verdict(value, goal));
     cJSON *item = cJSON_CreateObject();
     cJSON_AddStringToObject(item, "scene", scene);
     cJSON_AddStringToObject(item, "figure", what);

@@ -23,6 +23,8 @@ typedef struct {
     BenchmarkTiming step, floor; /* s */
     double elements;             /* that a step's cost is divided by: springs, links; 1 for small scenes */
     double goal;                 /* ns per step and element; NAN for none */
+    const char *error_kind;      /* what `error` and `floor_error` are; NULL: no error was looked at */
+    double error, floor_error;   /* `floor_error` NAN where `error` is against the floor */
 } BenchmarkStep;
 void benchmark_report_step(BenchmarkReport *report, const BenchmarkStep *step);
 

@@ -5,62 +5,11 @@
 #include <string.h>
 
 #include "numerics/integrators.h"
+#include "allotments.h"
 #include "test-systems.h"
 
 #define ORDER_MARGIN 0.15
 #define PARTS        8
-
-/* Calls that allot memory, counted by wrappers that the linker puts before them. */
-static int allotments;
-
-void *__real_malloc(size_t size);
-void *__real_calloc(size_t count, size_t size);
-void *__real_realloc(void *memory, size_t size);
-void *__real_g_malloc(gsize size);
-void *__real_g_malloc0(gsize size);
-void *__real_g_try_malloc0(gsize size);
-void *__wrap_malloc(size_t size);
-void *__wrap_calloc(size_t count, size_t size);
-void *__wrap_realloc(void *memory, size_t size);
-void *__wrap_g_malloc(gsize size);
-void *__wrap_g_malloc0(gsize size);
-void *__wrap_g_try_malloc0(gsize size);
-
-void *__wrap_malloc(size_t size)
-{
-    allotments++;
-    return __real_malloc(size);
-}
-
-void *__wrap_calloc(size_t count, size_t size)
-{
-    allotments++;
-    return __real_calloc(count, size);
-}
-
-void *__wrap_realloc(void *memory, size_t size)
-{
-    allotments++;
-    return __real_realloc(memory, size);
-}
-
-void *__wrap_g_malloc(gsize size)
-{
-    allotments++;
-    return __real_g_malloc(size);
-}
-
-void *__wrap_g_malloc0(gsize size)
-{
-    allotments++;
-    return __real_g_malloc0(size);
-}
-
-void *__wrap_g_try_malloc0(gsize size)
-{
-    allotments++;
-    return __real_g_try_malloc0(size);
-}
 
 /* --- orders --- */
 

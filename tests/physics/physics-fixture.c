@@ -24,7 +24,7 @@ TinkerScene *physics_scene(const char *path, const char *blocks)
     g_strdelimit(text, "'", '"');
     g_autoptr(GError) error = NULL;
     TinkerScene *scene = tinker_scene_read_text(scene_fixture_catalogue(), text, strlen(text), path, NULL, &error);
-    g_assert_no_error(error);
+    if (scene == NULL) g_error("%s", error->message);
     return scene;
 }
 
@@ -48,7 +48,7 @@ static PhysicsRun *prepare(const PhysicsOptions *options, const char *blocks)
     run->samples = g_array_new(FALSE, FALSE, sizeof(double));
     if (options->columns != NULL) {
         tinker_columns_add_list(run->columns, run->scene, options->columns, &run->error);
-        g_assert_no_error(run->error);
+        if (run->error != NULL) g_error("%s", run->error->message);
     }
     run->model = tinker_model_new(run->scene, &run->error);
     if (run->model == NULL) return run;
@@ -78,7 +78,9 @@ static PhysicsRun *prepare_and_run(const PhysicsOptions *options, const char *bl
 
 static PhysicsRun *must_succeed(PhysicsRun *run)
 {
-    if (run->error != NULL) g_error("%s", run->error->message);
+    if (run->error == NULL) return run;
+    g_test_fail_printf("%s", run->error->message);
+    if (run->simulation == NULL) g_error("%s", run->error->message);
     return run;
 }
 
@@ -168,11 +170,12 @@ void physics_assert_same_bits(const PhysicsRun *left, const PhysicsRun *right)
 void physics_assert_near(const char *what, double value, double truth, double bound)
 {
     if (!(fabs(value - truth) <= bound) && !g_test_failed())
-        g_test_fail_printf("%s is %.17g, not %.17g: off by %.3g, more than %.3g", what, value, truth, fabs(value - truth), bound);
+        g_test_fail_printf("%s is %.17g, not %.17g: off by %.3g, more than %.3g", what, value, truth,
+                           fabs(value - truth), bound);
 }
 
-void physics_assert_follows(const PhysicsRun *run, gsize column, double (*truth)(double, const void *), const void *data,
-                            double bound)
+void physics_assert_follows(const PhysicsRun *run, gsize column, double (*truth)(double, const void *),
+                            const void *data, double bound)
 {
     for (gsize i = 0; i < physics_samples(run); i++) {
         double t = physics_time(run, i);

@@ -9,15 +9,15 @@
 #include "scene-fixture.h"
 
 typedef struct {
-    const char *method;   /* NULL: dop853 */
-    double duration;      /* 0: 1 s */
-    double interval;      /* 0: a tenth of the duration */
-    double step;          /* 0: 0.01 s */
-    double tolerance;     /* 0: 1e-12 */
-    const char *columns;  /* as on a command line; NULL: none */
+    const char *method;  /* NULL: dop853 */
+    double duration;     /* 0: 1 s */
+    double interval;     /* 0: a tenth of the duration */
+    double step;         /* 0: 0.01 s */
+    double tolerance;    /* 0: 1e-12 */
+    const char *columns; /* as on a command line; NULL: none */
     const double *at;
     gsize at_count;
-    const char *path;     /* what the scene's file is called: tables are looked for beside it */
+    const char *path; /* what the scene's file is called: tables are looked for beside it */
 } PhysicsOptions;
 
 typedef struct {

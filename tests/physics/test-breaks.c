@@ -5,9 +5,8 @@
 
 #include <math.h>
 
-static const char pulse_scene[] =
-    "{'type': 'mass', 'mass': 2}, {'type': 'motor', 'ends': ['Mass 0'],"
-    " 'waveform': {'expression': '300*pulse(t, 5, 5.01)'}}";
+static const char pulse_scene[] = "{'type': 'mass', 'mass': 2}, {'type': 'motor', 'ends': ['Mass 0'],"
+                                  " 'waveform': {'expression': '300*pulse(t, 5, 5.01)'}}";
 
 /* 300 N for 10 ms give 2 kg a speed of 1.5 m/s, after 5 s of rest. */
 static void assert_pulse_felt(const PhysicsRun *run)
@@ -23,8 +22,9 @@ static void test_pulse_adaptive(void)
     for (int digits = 3; digits <= 12; digits++) {
         static const char *const methods[] = {"dop853", "dopri5", "auto"};
         for (gsize m = 0; m < G_N_ELEMENTS(methods); m++) {
-            g_autoptr(PhysicsRun) run = physics_run(
-                &(PhysicsOptions){.method = methods[m], .duration = 10, .tolerance = pow(10, -digits)}, "%s", pulse_scene);
+            g_autoptr(PhysicsRun) run =
+                physics_run(&(PhysicsOptions){.method = methods[m], .duration = 10, .tolerance = pow(10, -digits)},
+                            "%s", pulse_scene);
             assert_pulse_felt(run);
         }
     }
@@ -36,8 +36,8 @@ static void test_pulse_fixed_steps(void)
     for (const TinkerIntegrator *const *method = tinker_integrator_builtins(); *method != NULL; method++) {
         if ((*method)->flags & TINKER_INTEGRATOR_ADAPTIVE) continue;
         for (gsize i = 0; i < G_N_ELEMENTS(steps); i++) {
-            g_autoptr(PhysicsRun) run =
-                physics_run(&(PhysicsOptions){.method = (*method)->id, .duration = 10, .step = steps[i]}, "%s", pulse_scene);
+            g_autoptr(PhysicsRun) run = physics_run(
+                &(PhysicsOptions){.method = (*method)->id, .duration = 10, .step = steps[i]}, "%s", pulse_scene);
             assert_pulse_felt(run);
         }
     }
@@ -46,10 +46,10 @@ static void test_pulse_fixed_steps(void)
 /* A pulse so short that only a search for breaks can find it, and one behind it. */
 static void test_two_short_pulses(void)
 {
-    g_autoptr(PhysicsRun) run = physics_run(
-        &(PhysicsOptions){.duration = 1000, .tolerance = 1e-6},
-        "{'type': 'mass'}, {'type': 'motor', 'ends': ['Mass 0'],"
-        " 'waveform': {'expression': '1e6*pulse(t, 500, 500.000001) - 1e6*pulse(t, 700, 700.000001)'}}");
+    g_autoptr(PhysicsRun) run =
+        physics_run(&(PhysicsOptions){.duration = 1000, .tolerance = 1e-6},
+                    "{'type': 'mass'}, {'type': 'motor', 'ends': ['Mass 0'],"
+                    " 'waveform': {'expression': '1e6*pulse(t, 500, 500.000001) - 1e6*pulse(t, 700, 700.000001)'}}");
     double state[4];
     physics_state(run, "Mass 0", state);
     /* The width of the pulses is that of their decimal times as doubles, to an ulp of 700. */
@@ -78,7 +78,8 @@ static void test_samples_on_breaks(void)
     for (gsize j = 0; j < G_N_ELEMENTS(jumps); j++) {
         g_autofree char *blocks = g_strdup_printf(scene, jumps[j]);
         g_autoptr(PhysicsRun) run = physics_run(
-            &(PhysicsOptions){.duration = 2, .interval = 0.5, .columns = "Motor 0.force, Mass 0.ax, Mass 0.vx"}, "%s", blocks);
+            &(PhysicsOptions){.duration = 2, .interval = 0.5, .columns = "Motor 0.force, Mass 0.ax, Mass 0.vx"}, "%s",
+            blocks);
         g_assert_cmpuint(physics_samples(run), ==, 5);
         for (gsize i = 0; i < physics_samples(run); i++) {
             double t = physics_time(run, i);
@@ -94,11 +95,11 @@ static void test_samples_on_breaks(void)
 static double jump_error(double step)
 {
     const double jump = sqrt(0.5), w = 5;
-    g_autoptr(PhysicsRun) run = physics_run(
-        &(PhysicsOptions){.method = "rk4", .step = step, .duration = 2},
-        "{'type': 'support', 'position': [-1, 0]}, {'type': 'mass'},"
-        "{'type': 'spring', 'ends': ['Support 0', 'Mass 0'], 'rest_length': 1},"
-        "{'type': 'motor', 'ends': ['Mass 0'], 'waveform': {'expression': '25*step(t - sqrt(0.5))'}}");
+    g_autoptr(PhysicsRun) run =
+        physics_run(&(PhysicsOptions){.method = "rk4", .step = step, .duration = 2},
+                    "{'type': 'support', 'position': [-1, 0]}, {'type': 'mass'},"
+                    "{'type': 'spring', 'ends': ['Support 0', 'Mass 0'], 'rest_length': 1},"
+                    "{'type': 'motor', 'ends': ['Mass 0'], 'waveform': {'expression': '25*step(t - sqrt(0.5))'}}");
     double state[4];
     physics_state(run, "Mass 0", state);
     return hypot(state[0] - (1 - cos(w * (2 - jump))), (state[2] - w * sin(w * (2 - jump))) / w);

@@ -11,7 +11,8 @@ static void test_linear_wind(void)
 {
     const double m = 2.0, c = 0.6, w[2] = {3.0, -1.0}, v0[2] = {-2.0, 5.0};
     g_autoptr(PhysicsRun) run = physics_run(
-        &(PhysicsOptions){.duration = 7, .interval = 0.7, .columns = "Mass 0.x, Mass 0.y, Mass 0.vx, Mass 0.vy, Mass 0.ay"},
+        &(PhysicsOptions){
+            .duration = 7, .interval = 0.7, .columns = "Mass 0.x, Mass 0.y, Mass 0.vx, Mass 0.vy, Mass 0.ay"},
         "{'type': 'mass', 'mass': 2, 'position': [1, 2], 'velocity': [-2, 5]},"
         "{'type': 'wind', 'velocity': [3, -1], 'drag': 0.6}");
     for (gsize i = 0; i < physics_samples(run); i++) {
@@ -29,9 +30,9 @@ static void test_linear_wind(void)
 static void test_quadratic_wind(void)
 {
     const double m = 3.0, c = 0.25, g = 9.81, end = sqrt(m * g / c);
-    g_autoptr(PhysicsRun) run = physics_run(
-        &(PhysicsOptions){.duration = 5, .columns = "Mass 0.y, Mass 0.vy"},
-        "{'type': 'mass', 'mass': 3}, {'type': 'gravity'}, {'type': 'wind', 'drag_quadratic': 0.25}");
+    g_autoptr(PhysicsRun) run =
+        physics_run(&(PhysicsOptions){.duration = 5, .columns = "Mass 0.y, Mass 0.vy"},
+                    "{'type': 'mass', 'mass': 3}, {'type': 'gravity'}, {'type': 'wind', 'drag_quadratic': 0.25}");
     for (gsize i = 0; i < physics_samples(run); i++) {
         double t = physics_time(run, i);
         physics_assert_near("y", physics_value(run, i, 0), -end * end / g * log(cosh(g * t / end)), 1e-9);
@@ -102,7 +103,8 @@ static void check_support(const char *waveform, double complex unit)
     double complex u = 0.15 * unit * cexp(I * 0.4);
     d.force = (d.k + d.c * I * d.rate) * u;
     g_autoptr(PhysicsRun) run = physics_run(
-        &(PhysicsOptions){.duration = 12, .interval = 0.31, .columns = "Mass 0.x, Mass 0.vx, Support 0.x, Support 0.vx"},
+        &(PhysicsOptions){
+            .duration = 12, .interval = 0.31, .columns = "Mass 0.x, Mass 0.vx, Support 0.x, Support 0.vx"},
         "{'type': 'support', 'position': [-2, 0]}, {'type': 'mass', 'mass': 1.5},"
         "{'type': 'spring', 'ends': ['Support 0', 'Mass 0'], 'rest_length': 2},"
         "{'type': 'damper', 'ends': ['Support 0', 'Mass 0'], 'damping': 0.4},"
@@ -140,7 +142,8 @@ static void test_everything_adds_up(void)
         for (gsize k = 0; k < 2; k++) {
             double b = force[k][1] / 0.8, a = (force[k][0] - 2 * b) / 0.8;
             physics_assert_near("velocity", physics_value(run, i, 2 + k), a + b * t - a * decay, 1e-10);
-            physics_assert_near("place", physics_value(run, i, k), a * t + b * t * t / 2 - a / 0.4 * (1 - decay), 1e-10);
+            physics_assert_near("place", physics_value(run, i, k), a * t + b * t * t / 2 - a / 0.4 * (1 - decay),
+                                1e-10);
         }
     }
 }
@@ -190,7 +193,8 @@ static void test_units(void)
     d.force = 3 * pound_force * cexp(I * G_PI / 6);
     g_autoptr(PhysicsRun) run = physics_run(
         &(PhysicsOptions){.duration = 2, .columns = "Mass 0.y, Mass 0.vy"},
-        "{'type': 'support'}, {'type': 'mass', 'mass': '0.5 slug', 'position': [0, '1.1 ft'], 'velocity': [0, '-2 ft/s']},"
+        "{'type': 'support'}, {'type': 'mass', 'mass': '0.5 slug', 'position': [0, '1.1 ft'], 'velocity': [0, '-2 "
+        "ft/s']},"
         "{'type': 'spring', 'ends': ['Support 0', 'Mass 0'], 'rest_length': '12 in', 'stiffness': '100 lbf/ft'},"
         "{'type': 'motor', 'ends': ['Mass 0'], 'amplitude': '3 lbf', 'frequency': '120 rpm', 'phase': '30 deg',"
         " 'angle': '90 deg'}");
@@ -205,11 +209,11 @@ static void test_units(void)
 static void test_expression(void)
 {
     const double m = 2, w = 3;
-    g_autoptr(PhysicsRun) run = physics_run(
-        &(PhysicsOptions){.duration = 5, .columns = "Mass 0.x"},
-        "{'type': 'support', 'position': [-1, 0]}, {'type': 'mass', 'mass': 2},"
-        "{'type': 'spring', 'ends': ['Support 0', 'Mass 0'], 'stiffness': 18},"
-        "{'type': 'motor', 'ends': ['Mass 0'], 'waveform': {'expression': 'exp(-t)'}, 'amplitude': 7}");
+    g_autoptr(PhysicsRun) run =
+        physics_run(&(PhysicsOptions){.duration = 5, .columns = "Mass 0.x"},
+                    "{'type': 'support', 'position': [-1, 0]}, {'type': 'mass', 'mass': 2},"
+                    "{'type': 'spring', 'ends': ['Support 0', 'Mass 0'], 'stiffness': 18},"
+                    "{'type': 'motor', 'ends': ['Mass 0'], 'waveform': {'expression': 'exp(-t)'}, 'amplitude': 7}");
     for (gsize i = 0; i < physics_samples(run); i++) {
         double t = physics_time(run, i), x = (exp(-t) - cos(w * t) + sin(w * t) / w) / (m * (1 + w * w));
         physics_assert_near("x", physics_value(run, i, 0), x, 1e-11);

@@ -23,8 +23,11 @@ static void test_length_is_kept(void)
 {
     static const char *const methods[] = {"rk4", "verlet", "dopri5", "dop853"};
     for (gsize m = 0; m < G_N_ELEMENTS(methods); m++) {
-        g_autoptr(PhysicsRun) run = physics_run(&(PhysicsOptions){.method = methods[m], .duration = 100, .interval = 0.173,
-                                                                  .tolerance = 1e-9, .columns = "Rod 0.length error"},
+        g_autoptr(PhysicsRun) run = physics_run(&(PhysicsOptions){.method = methods[m],
+                                                                  .duration = 100,
+                                                                  .interval = 0.173,
+                                                                  .tolerance = 1e-9,
+                                                                  .columns = "Rod 0.length error"},
                                                 PENDULUM);
         for (gsize i = 0; i < physics_samples(run); i++)
             physics_assert_near("length error", physics_value(run, i, 0), 0, 1e-10);
@@ -37,8 +40,8 @@ static void test_length_is_kept(void)
 static void test_tension(void)
 {
     Pendulum p = pendulum();
-    g_autoptr(PhysicsRun) run =
-        physics_run(&(PhysicsOptions){.duration = 6, .interval = 0.1, .columns = "Rod 0.tension, Mass 0.x, Mass 0.vy"}, PENDULUM);
+    g_autoptr(PhysicsRun) run = physics_run(
+        &(PhysicsOptions){.duration = 6, .interval = 0.1, .columns = "Rod 0.tension, Mass 0.x, Mass 0.vy"}, PENDULUM);
     for (gsize i = 0; i < physics_samples(run); i++) {
         double q[2], v[2];
         pendulum_exact(&p, physics_time(run, i), q, v);
@@ -53,10 +56,10 @@ static void test_tension(void)
 
 static void test_start_velocity_of_pendulum(void)
 {
-    g_autoptr(PhysicsRun) run = physics_run(
-        &(PhysicsOptions){.columns = "Mass 0.vx, Mass 0.vy"},
-        "{'type': 'support'}, {'type': 'mass', 'mass': 2, 'position': [0.6, -0.8], 'velocity': [1, 2]},"
-        "{'type': 'rod', 'ends': ['Support 0', 'Mass 0']}");
+    g_autoptr(PhysicsRun) run =
+        physics_run(&(PhysicsOptions){.columns = "Mass 0.vx, Mass 0.vy"},
+                    "{'type': 'support'}, {'type': 'mass', 'mass': 2, 'position': [0.6, -0.8], 'velocity': [1, 2]},"
+                    "{'type': 'rod', 'ends': ['Support 0', 'Mass 0']}");
     double along = 0.6 * 1 - 0.8 * 2;
     physics_assert_near("vx", physics_value(run, 0, 0), 1 - along * 0.6, 1e-15);
     physics_assert_near("vy", physics_value(run, 0, 1), 2 + along * 0.8, 1e-15);
@@ -124,7 +127,8 @@ static void test_hanging_masses(gconstpointer data)
 {
     const double ratio = *(const double *)data;
     g_autoptr(PhysicsRun) run = physics_run(
-        &(PhysicsOptions){.method = "rk4", .duration = 5, .columns = "Rod 0.tension, Rod 1.tension, Mass 0.x, Mass 1.x"},
+        &(PhysicsOptions){
+            .method = "rk4", .duration = 5, .columns = "Rod 0.tension, Rod 1.tension, Mass 0.x, Mass 1.x"},
         "{'type': 'gravity'}, {'type': 'support', 'position': [0, 3]}, {'type': 'mass', 'mass': 1, 'position': [0, 2]},"
         "{'type': 'mass', 'mass': %.17g}, {'type': 'rod', 'ends': ['Support 0', 'Mass 0']},"
         "{'type': 'rod', 'ends': ['Mass 0', 'Mass 1']}",
@@ -143,28 +147,26 @@ static void test_hanging_masses(gconstpointer data)
 
 static void test_refusals(void)
 {
-    g_autoptr(PhysicsRun) lengths = physics_try(
-        &(PhysicsOptions){0}, TWO_POINTS "{'type': 'rod', 'ends': ['Support 0', 'Mass 0'], 'length': 5},"
-                                         "{'type': 'rod', 'ends': ['Support 0', 'Mass 0'], 'length': 5.5}");
+    g_autoptr(PhysicsRun) lengths =
+        physics_try(&(PhysicsOptions){0}, TWO_POINTS "{'type': 'rod', 'ends': ['Support 0', 'Mass 0'], 'length': 5},"
+                                                     "{'type': 'rod', 'ends': ['Support 0', 'Mass 0'], 'length': 5.5}");
     physics_assert_refused(lengths, TINKER_MODEL_ERROR_SCENE, "Rod 1", "5.5 m", "5 m apart", NULL);
-    g_autoptr(PhysicsRun) off = physics_try(
-        &(PhysicsOptions){0}, TWO_POINTS "{'type': 'rod', 'ends': ['Support 0', 'Mass 0'], 'length': 5.00001}");
+    g_autoptr(PhysicsRun) off = physics_try(&(PhysicsOptions){0}, TWO_POINTS
+                                            "{'type': 'rod', 'ends': ['Support 0', 'Mass 0'], 'length': 5.00001}");
     physics_assert_refused(off, TINKER_MODEL_ERROR_SCENE, "Rod 0", "5.00001 m", "5 m apart", NULL);
-    g_autoptr(PhysicsRun) none =
-        physics_try(&(PhysicsOptions){0}, "{'type': 'support'}, {'type': 'mass'},"
-                                          "{'type': 'rod', 'ends': ['Support 0', 'Mass 0']}");
+    g_autoptr(PhysicsRun) none = physics_try(&(PhysicsOptions){0}, "{'type': 'support'}, {'type': 'mass'},"
+                                                                   "{'type': 'rod', 'ends': ['Support 0', 'Mass 0']}");
     physics_assert_refused(none, TINKER_MODEL_ERROR_SCENE, "Rod 0", "0 m apart", NULL);
-    g_autoptr(PhysicsRun) loose = physics_try(
-        &(PhysicsOptions){0}, "{'type': 'support'}, {'type': 'rod', 'ends': ['Support 0', [1, 1]]}");
+    g_autoptr(PhysicsRun) loose =
+        physics_try(&(PhysicsOptions){0}, "{'type': 'support'}, {'type': 'rod', 'ends': ['Support 0', [1, 1]]}");
     physics_assert_refused(loose, TINKER_MODEL_ERROR_SCENE, "Rod 0", "not connected", NULL);
 }
 
 /* A millionth of the length is put right, by moving what can move. */
 static void test_small_miss_is_corrected(void)
 {
-    g_autoptr(PhysicsRun) run = physics_run(
-        &(PhysicsOptions){.columns = "Mass 0.x, Mass 0.y"},
-        TWO_POINTS "{'type': 'rod', 'ends': ['Support 0', 'Mass 0'], 'length': 5.000004}");
+    g_autoptr(PhysicsRun) run = physics_run(&(PhysicsOptions){.columns = "Mass 0.x, Mass 0.y"}, TWO_POINTS
+                                            "{'type': 'rod', 'ends': ['Support 0', 'Mass 0'], 'length': 5.000004}");
     physics_assert_near("x", physics_value(run, 0, 0), 3 * (1 + 8e-7), 1e-14);
     physics_assert_near("y", physics_value(run, 0, 1), 4 * (1 + 8e-7), 1e-14);
 }

@@ -19,13 +19,15 @@ static void shaken_rate(double t, const double *y, double *rate, const void *dat
 static void check_shaken(const Shaken *s, double theta, double duration, int steps, double bound)
 {
     g_autoptr(PhysicsRun) run = physics_run(
-        &(PhysicsOptions){.duration = duration, .interval = duration / 20,
+        &(PhysicsOptions){.duration = duration,
+                          .interval = duration / 20,
                           .columns = "Mass 0.x, Mass 0.y, Mass 0.vx, Mass 0.vy, Rod 0.tension"},
         "{'type': 'support'}, {'type': 'gravity', 'acceleration': %.17g},"
         "{'type': 'mass', 'position': [%.17g, %.17g], 'velocity': [0, %.17g]},"
         "{'type': 'rod', 'ends': ['Support 0', 'Mass 0'], 'length': %.17g},"
         "{'type': 'support-motion', 'ends': ['Support 0'], 'amplitude': %.17g, 'frequency': %.17g, 'angle': '90 deg'}",
-        s->gravity, s->length * sin(theta), -s->length * cos(theta), s->amplitude * s->rate, s->length, s->amplitude, s->rate);
+        s->gravity, s->length * sin(theta), -s->length * cos(theta), s->amplitude * s->rate, s->length, s->amplitude,
+        s->rate);
     g_assert_cmpuint(run->summary->warnings->len, ==, 0);
     double y[2] = {theta, 0};
     for (gsize i = 1; i < physics_samples(run); i++) {
@@ -35,7 +37,8 @@ static void check_shaken(const Shaken *s, double theta, double duration, int ste
         physics_assert_near("x", physics_value(run, i, 0), s->length * n, bound);
         physics_assert_near("y", physics_value(run, i, 1), up - s->length * c, bound);
         physics_assert_near("vx", physics_value(run, i, 2), s->length * y[1] * c, bound * speed);
-        physics_assert_near("vy", physics_value(run, i, 3), speed * cos(s->rate * t) + s->length * y[1] * n, bound * speed);
+        physics_assert_near("vy", physics_value(run, i, 3), speed * cos(s->rate * t) + s->length * y[1] * n,
+                            bound * speed);
         double tension = (s->gravity + acceleration) * c + s->length * y[1] * y[1];
         physics_assert_near("tension", physics_value(run, i, 4), tension, bound * speed * s->rate);
     }
@@ -60,7 +63,10 @@ static void test_length_on_moving_support(void)
     static const char *const methods[] = {"rk4", "verlet"};
     for (gsize m = 0; m < G_N_ELEMENTS(methods); m++) {
         g_autoptr(PhysicsRun) run = physics_run(
-            &(PhysicsOptions){.method = methods[m], .duration = 50, .interval = 0.137, .columns = "Rod 0.length error, Rod 1.length error"},
+            &(PhysicsOptions){.method = methods[m],
+                              .duration = 50,
+                              .interval = 0.137,
+                              .columns = "Rod 0.length error, Rod 1.length error"},
             "{'type': 'support'}, {'type': 'gravity'}, {'type': 'mass', 'position': [0, -1]},"
             "{'type': 'mass', 'position': [0.5, -2]}, {'type': 'rod', 'ends': ['Support 0', 'Mass 0']},"
             "{'type': 'rod', 'ends': ['Mass 1', 'Mass 0']},"
@@ -96,11 +102,11 @@ static void test_jumps(void)
 /* An expression that is not 0 at the start: the rod's length as placed is that to the support where it is then. */
 static void test_displaced_at_start(void)
 {
-    g_autoptr(PhysicsRun) run = physics_run(
-        &(PhysicsOptions){.columns = "Rod 0.length error, Mass 0.x, Mass 0.y"},
-        "{'type': 'support'}, {'type': 'mass', 'position': [3.5, -4]},"
-        "{'type': 'rod', 'ends': ['Support 0', 'Mass 0'], 'length': 5},"
-        "{'type': 'support-motion', 'ends': ['Support 0'], 'waveform': 'cosine', 'amplitude': 0.5}");
+    g_autoptr(PhysicsRun) run =
+        physics_run(&(PhysicsOptions){.columns = "Rod 0.length error, Mass 0.x, Mass 0.y"},
+                    "{'type': 'support'}, {'type': 'mass', 'position': [3.5, -4]},"
+                    "{'type': 'rod', 'ends': ['Support 0', 'Mass 0'], 'length': 5},"
+                    "{'type': 'support-motion', 'ends': ['Support 0'], 'waveform': 'cosine', 'amplitude': 0.5}");
     physics_assert_near("x", physics_last(run, 1), 3.5, 1e-14);
     physics_assert_near("y", physics_last(run, 2), -4, 1e-14);
 }

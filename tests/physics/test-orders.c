@@ -13,7 +13,8 @@
 /* An adaptive method is made to take steps of a length by breaks at its multiples: an idle motor that switches there. */
 static char *idle_breaks(int steps)
 {
-    return g_strdup_printf(", {'type': 'motor', 'ends': ['Mass 0'], 'waveform': {'expression': '0*floor(t*%d/2)'}}", steps);
+    return g_strdup_printf(", {'type': 'motor', 'ends': ['Mass 0'], 'waveform': {'expression': '0*floor(t*%d/2)'}}",
+                           steps);
 }
 
 typedef struct {
@@ -55,7 +56,7 @@ static void pendulum(double t, double state[4])
 }
 
 #define OSCILLATOR                                                                                                     \
-    "{'type': 'support', 'position': [-2, 0]}, {'type': 'mass', 'position': [0.5, 0], 'velocity': [0.2, 0]},"         \
+    "{'type': 'support', 'position': [-2, 0]}, {'type': 'mass', 'position': [0.5, 0], 'velocity': [0.2, 0]},"          \
     "{'type': 'spring', 'ends': ['Support 0', 'Mass 0'], 'rest_length': 2, 'stiffness': 4}"
 #define DAMPER ",{'type': 'damper', 'ends': ['Support 0', 'Mass 0'], 'damping': 0.7}"
 #define MOTOR  ",{'type': 'motor', 'ends': ['Mass 0'], 'amplitude': 1.5, 'frequency': 1.3}"
@@ -76,10 +77,13 @@ static double error_of(const TinkerIntegrator *method, const OrderCase *test, in
 {
     g_autofree char *breaks = idle_breaks(steps);
     gboolean adaptive = (method->flags & TINKER_INTEGRATOR_ADAPTIVE) != 0;
-    g_autoptr(PhysicsRun) run = physics_run(
-        &(PhysicsOptions){.method = method->id, .duration = DURATION, .interval = DURATION / 8, .step = DURATION / steps,
-                          .tolerance = 0.999, .columns = "Mass 0.x, Mass 0.y, Mass 0.vx, Mass 0.vy"},
-        "%s%s", test->blocks, adaptive ? breaks : "");
+    g_autoptr(PhysicsRun) run = physics_run(&(PhysicsOptions){.method = method->id,
+                                                              .duration = DURATION,
+                                                              .interval = DURATION / 8,
+                                                              .step = DURATION / steps,
+                                                              .tolerance = 0.999,
+                                                              .columns = "Mass 0.x, Mass 0.y, Mass 0.vx, Mass 0.vy"},
+                                            "%s%s", test->blocks, adaptive ? breaks : "");
     double largest = 0;
     g_assert_cmpint(run->summary->steps, ==, steps);
     for (gsize i = 0; i < physics_samples(run); i++) {

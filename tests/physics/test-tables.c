@@ -38,11 +38,14 @@ static void test_force(void)
     static const char *const methods[] = {"dop853", "dopri5", "rk4"};
     for (gsize m = 0; m < G_N_ELEMENTS(methods); m++) {
         /* Order 4 and more is exact on a force that is linear in time; steps of 0.05 s do not divide the rows. */
-        g_autoptr(PhysicsRun) run = physics_run(
-            &(PhysicsOptions){.method = methods[m], .duration = 2.5, .interval = 0.11, .step = 0.05,
-                              .columns = "Mass 0.x, Mass 0.vx, Motor 0.force", .path = scene_path},
-            "{'type': 'mass'}, {'type': 'motor', 'ends': ['Mass 0'],"
-            " 'waveform': {'table': 'table.csv', 'column': 1, 'scale': 0.5}}");
+        g_autoptr(PhysicsRun) run = physics_run(&(PhysicsOptions){.method = methods[m],
+                                                                  .duration = 2.5,
+                                                                  .interval = 0.11,
+                                                                  .step = 0.05,
+                                                                  .columns = "Mass 0.x, Mass 0.vx, Motor 0.force",
+                                                                  .path = scene_path},
+                                                "{'type': 'mass'}, {'type': 'motor', 'ends': ['Mass 0'],"
+                                                " 'waveform': {'table': 'table.csv', 'column': 1, 'scale': 0.5}}");
         for (gsize i = 0; i < physics_samples(run); i++) {
             double x, v;
             under_linear_pieces(force_rows, G_N_ELEMENTS(force_rows), physics_time(run, i), &x, &v);
@@ -60,7 +63,8 @@ static void test_acceleration(void)
 {
     write_table("0,0\n0.4,0.2\n0.7,-0.1\n1.0,0\n");
     g_autoptr(PhysicsRun) run = physics_run(
-        &(PhysicsOptions){.duration = 1.7, .interval = 0.07, .columns = "Support 0.x, Support 0.vx", .path = scene_path},
+        &(PhysicsOptions){
+            .duration = 1.7, .interval = 0.07, .columns = "Support 0.x, Support 0.vx", .path = scene_path},
         "{'type': 'support', 'position': [3, 0]}, {'type': 'mass', 'position': [5, 0]},"
         "{'type': 'spring', 'ends': ['Support 0', 'Mass 0']},"
         "{'type': 'support-motion', 'ends': ['Support 0'], 'waveform': {'table': 'table.csv', 'column': 1,"
@@ -79,13 +83,15 @@ static void test_shaken_oscillator(void)
 {
     const double w = 5;
     write_table("0,0\n0.4,0.2\n0.7,-0.1\n1.0,0\n");
-    g_autoptr(PhysicsRun) run = physics_run(
-        &(PhysicsOptions){.duration = 1, .interval = 0.1, .columns = "Mass 0.x, Support 0.x, Mass 0.vx, Support 0.vx",
-                          .path = scene_path},
-        "{'type': 'support'}, {'type': 'mass', 'position': [2, 0]},"
-        "{'type': 'spring', 'ends': ['Support 0', 'Mass 0']},"
-        "{'type': 'support-motion', 'ends': ['Support 0'], 'waveform': {'table': 'table.csv', 'column': 1,"
-        " 'scale': 9.81, 'kind': 'acceleration'}}");
+    g_autoptr(PhysicsRun) run =
+        physics_run(&(PhysicsOptions){.duration = 1,
+                                      .interval = 0.1,
+                                      .columns = "Mass 0.x, Support 0.x, Mass 0.vx, Support 0.vx",
+                                      .path = scene_path},
+                    "{'type': 'support'}, {'type': 'mass', 'position': [2, 0]},"
+                    "{'type': 'spring', 'ends': ['Support 0', 'Mass 0']},"
+                    "{'type': 'support-motion', 'ends': ['Support 0'], 'waveform': {'table': 'table.csv', 'column': 1,"
+                    " 'scale': 9.81, 'kind': 'acceleration'}}");
     double u = 0, rate = 0;
     gsize sample = 0;
     for (gsize piece = 0; piece < 3; piece++) {
@@ -99,8 +105,8 @@ static void test_shaken_oscillator(void)
             if (!inside) break;
             double relative = physics_value(run, sample, 0) - physics_value(run, sample, 1) - 2;
             physics_assert_near("relative place", relative, u, 1e-11);
-            physics_assert_near("relative velocity", physics_value(run, sample, 2) - physics_value(run, sample, 3), rate,
-                                1e-10);
+            physics_assert_near("relative velocity", physics_value(run, sample, 2) - physics_value(run, sample, 3),
+                                rate, 1e-10);
         }
     }
     g_assert_cmpuint(sample, ==, physics_samples(run));
@@ -131,7 +137,8 @@ static double spline(const double *m, double t)
     while (i < KNOTS - 2 && t > knot_time[i + 1])
         i++;
     double h = knot_time[i + 1] - knot_time[i], a = (knot_time[i + 1] - t) / h, b = (t - knot_time[i]) / h;
-    return a * knot_value[i] + b * knot_value[i + 1] + ((a * a * a - a) * m[i] + (b * b * b - b) * m[i + 1]) * h * h / 6;
+    return a * knot_value[i] + b * knot_value[i + 1] +
+           ((a * a * a - a) * m[i] + (b * b * b - b) * m[i + 1]) * h * h / 6;
 }
 
 static void spline_driven(double t, const double *y, double *rate, const void *data)
@@ -148,7 +155,8 @@ static void test_spline(void)
     write_table(text->str);
     g_string_free(text, TRUE);
     g_autoptr(PhysicsRun) run = physics_run(
-        &(PhysicsOptions){.duration = 2.4, .interval = 0.1, .columns = "Mass 0.x, Mass 0.vx, Support 0.x", .path = scene_path},
+        &(PhysicsOptions){
+            .duration = 2.4, .interval = 0.1, .columns = "Mass 0.x, Mass 0.vx, Support 0.x", .path = scene_path},
         "{'type': 'support', 'position': [-2, 0]}, {'type': 'mass'},"
         "{'type': 'spring', 'ends': ['Support 0', 'Mass 0'], 'rest_length': 2},"
         "{'type': 'support-motion', 'ends': ['Support 0'], 'waveform': {'table': 'table.csv', 'column': 1}}");

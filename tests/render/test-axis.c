@@ -49,7 +49,7 @@ static void test_labels(void)
         TinkerAxis axis = axis_of(size, size + width, FALSE, "Q [m]");
         g_assert_cmpint(axis.tick_count, >=, 2);
         for (int n = 0; n < axis.tick_count; n++) {
-            g_assert_cmpint(g_utf8_strlen(axis.labels[n], -1), <=, 8);
+            g_assert_cmpint(g_utf8_strlen(axis.labels[n], -1), <=, 9);
             g_assert_true(g_utf8_validate(axis.labels[n], -1, NULL));
             if (n > 0) g_assert_cmpstr(axis.labels[n], !=, axis.labels[n - 1]);
         }

@@ -233,6 +233,26 @@ static void test_selection(void)
     stage_close(&stage);
 }
 
+/* A view that has gone astray is painted too. */
+static void test_wild_views(void)
+{
+    static const double odd[] = {1e-9, 1e9, 1e300, -1e300, 0, 300};
+    Stage stage;
+    stage_open(&stage,
+               "{\"type\": \"support\", \"name\": \"S\", \"position\": [1, 2]},"
+               "{\"type\": \"mass\", \"name\": \"A\", \"position\": [1e6, -1e6]},"
+               "{\"type\": \"spring\", \"ends\": [\"S\", \"A\"]}, {\"type\": \"rod\", \"ends\": [\"A\", [4, -2]]}");
+    stage.options.show_grid = stage.options.show_labels = TRUE;
+    for (gsize i = 0; i < G_N_ELEMENTS(odd); i++)
+        for (gsize n = 0; n < 2; n++) {
+            stage.view.scale = n ? 1e9 : 1e-9;
+            stage.view.origin_x = odd[i];
+            stage.view.origin_y = -odd[i];
+            stage_paint(&stage);
+        }
+    stage_close(&stage);
+}
+
 /* A block of an unknown type is shown with its name. */
 static void test_placeholder(void)
 {
@@ -304,6 +324,7 @@ static void add_tests(void)
     g_test_add_func("/render/painter/lone-name", test_lone_name);
     g_test_add_func("/render/painter/selection", test_selection);
     g_test_add_func("/render/painter/placeholder", test_placeholder);
+    g_test_add_func("/render/painter/wild-views", test_wild_views);
     g_test_add_func("/render/painter/bounds", test_bounds);
     g_test_add_func("/render/painter/file-is-deterministic", test_file_is_deterministic);
 }

@@ -263,8 +263,9 @@ static void check_texts(const TinkerPlot *plot, int width, int height)
             const TinkerWrittenText *b = g_ptr_array_index(written, n);
             gboolean apart = a->box[2] <= b->box[0] || b->box[2] <= a->box[0] || a->box[3] <= b->box[1] + 0.5 ||
                              b->box[3] <= a->box[1] + 0.5;
-            if (!apart) g_error("\"%s\" lies over \"%s\" at %d by %d: %g to %g, %g to %g", a->text, b->text, width, height,
-                                b->box[0], a->box[2], b->box[1], a->box[3]);
+            if (!apart)
+                g_error("\"%s\" lies over \"%s\" at %d by %d: %g to %g, %g to %g", a->text, b->text, width, height,
+                        b->box[0], a->box[2], b->box[1], a->box[3]);
         }
     }
 }

@@ -14,7 +14,8 @@ extern "C" {
 #define TINKER_GRAPH_INTERFACE "tinker.graph/1"
 
 /* What is known of the instances at the instant batch->time. Indexed as in physics.h; of a block that is itself a body,
- * its own centre is its one end. A field has no ends. */
+ * its own centre is its one end. A field has no ends. Positions are relative to batch->origin, which is 0 for bodies and
+ * fields. */
 typedef struct TinkerGraphInput {
     uint32_t struct_size;
     int32_t reserved;

@@ -1,0 +1,58 @@
+/* No memory is allotted inside a running step, whatever takes part in it. */
+#include "allotments.h"
+#include "physics-fixture.h"
+
+#include "numerics/integrators.h"
+
+static const char *const scenes[] = {
+    "{'type': 'support'}, {'type': 'mass', 'position': [2, 0]},"
+    "{'type': 'spring', 'ends': ['Support 0', 'Mass 0'], 'rest_length': 1}, {'type': 'damper', 'ends': ['Support 0', "
+    "'Mass 0']},"
+    "{'type': 'motor', 'ends': ['Mass 0']}, {'type': 'wind', 'drag_quadratic': 0.1},"
+    "{'type': 'motor', 'ends': ['Mass 0'], 'waveform': {'expression': 'sin(t)*exp(-t)'}}",
+
+    "{'type': 'gravity'}, {'type': 'support'}, {'type': 'mass', 'position': [1, 0]}, {'type': 'mass', 'position': [2, "
+    "0]},"
+    "{'type': 'rod', 'ends': ['Support 0', 'Mass 0']}, {'type': 'rod', 'ends': ['Mass 0', 'Mass 1']},"
+    "{'type': 'support-motion', 'ends': ['Support 0'], 'amplitude': 0.1, 'frequency': 3},"
+    "{'type': 'rod', 'ends': ['Mass 0', 'Mass 1']}",
+
+    "{'type': 'support'}, {'type': 'mass', 'position': [2, 0]}, {'type': 'mass', 'position': [2, 1]},"
+    "{'type': 'cubic', 'ends': ['Support 0', 'Mass 0'], 'stiffness': 3, 'length': 1},"
+    "{'type': 'bundle', 'ends': ['Mass 0', 'Mass 1', 'Support 0'], 'stiffness': 2}, {'type': 'attraction', 'strength': "
+    "1},"
+    "{'type': 'torsion', 'ends': ['Mass 0', 'Support 0', 'Mass 1'], 'stiffness': 1},"
+    "{'type': 'orbit', 'ends': ['Support 0'], 'radius': 0.1, 'rate': 2},"
+    "{'type': 'actuator', 'ends': ['Mass 0', 'Mass 1'], 'waveform': {'expression': '1 + 0.1*sin(t)^2'}}",
+};
+
+static void test_steps(gconstpointer data)
+{
+    const TinkerIntegrator *method = data;
+    for (gsize i = 0; i < G_N_ELEMENTS(scenes); i++) {
+        int at_first = allotments;
+        g_autoptr(PhysicsRun) run = physics_prepare(
+            &(PhysicsOptions){.method = method->id, .duration = 1e3, .tolerance = 1e-6}, "%s", scenes[i]);
+        g_assert_cmpint(allotments, >, at_first);
+        int before = allotments;
+        gboolean stepped = TRUE;
+        for (int step = 0; step < 300 && stepped; step++)
+            stepped = tinker_simulation_step(run->simulation, &run->error);
+        int after = allotments;
+        g_assert_no_error(run->error);
+        g_assert_cmpint(after, ==, before);
+    }
+}
+
+static void add_tests(void)
+{
+    for (const TinkerIntegrator *const *method = tinker_integrator_builtins(); *method != NULL; method++) {
+        g_autofree char *name = g_strdup_printf("/physics/allotments/%s", (*method)->id);
+        g_test_add_data_func(name, *method, test_steps);
+    }
+}
+
+int main(int argc, char **argv)
+{
+    return physics_main(argc, argv, add_tests);
+}

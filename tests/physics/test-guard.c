@@ -1,0 +1,132 @@
+/* The guard: runs that leave the numbers' range stop, say why and what would be stable, and keep what they had. */
+#include "physics-fixture.h"
+
+#include <math.h>
+#include <string.h>
+
+/* The step that a message calls stable: "stable up to a step of about 0.0283 s". */
+static double stable_step(const char *message)
+{
+    const char *found = strstr(message, "step of about ");
+    if (found == NULL) {
+        g_test_fail_printf("no stable step in \"%s\"", message);
+        return NAN;
+    }
+    return g_ascii_strtod(found + strlen("step of about "), NULL);
+}
+
+/* Samples are finite: the fixture holds every one to that. They end where the run did, and are to be believed no farther
+ * than that. */
+static void assert_kept(const PhysicsRun *run, double duration)
+{
+    g_assert_cmpuint(physics_samples(run), >, 1);
+    g_assert_cmpfloat(physics_time(run, physics_samples(run) - 1), <=, run->summary->simulated_s);
+    g_assert_cmpfloat(run->summary->valid_until, <=, run->summary->simulated_s);
+    g_assert_cmpfloat(run->summary->valid_until, >=, 0);
+    g_assert_cmpfloat(run->summary->simulated_s, <, duration);
+}
+
+/* omega = 100: rk4 is stable below 2 sqrt 2 / 100, semi-implicit Euler and Verlet below 2 / 100. */
+static void test_oscillator(void)
+{
+    static const struct {
+        const char *method;
+        double limit;
+    } cases[] = {{"rk4", 2.8284271247461903}, {"verlet", 2}, {"semi-implicit-euler", 2}};
+    for (gsize i = 0; i < G_N_ELEMENTS(cases); i++) {
+        double step = 1.2 * cases[i].limit / 100;
+        g_autoptr(PhysicsRun) run = physics_try(
+            &(PhysicsOptions){
+                .method = cases[i].method, .step = step, .duration = 1000, .interval = 0.01, .columns = "Mass 0.x"},
+            "{'type': 'support'}, {'type': 'mass', 'mass': 0.5, 'position': [2, 0]},"
+            "{'type': 'spring', 'name': 'Stiff', 'ends': ['Support 0', 'Mass 0'], 'stiffness': 5000, 'rest_length': "
+            "1.9}");
+        physics_assert_refused(run, TINKER_MODEL_ERROR_RUN, "Stiff", "stiffness", "diverged", cases[i].method, NULL);
+        physics_assert_near("stable step", stable_step(run->error->message), cases[i].limit / 100,
+                            0.05 * cases[i].limit / 100);
+        assert_kept(run, 1000);
+    }
+}
+
+/* Three masses between two walls: omega_max = 2 sqrt(k / m) sin(3 pi / 8). */
+static void test_chain(void)
+{
+    double omega = 2 * sqrt(1e4 / 0.25) * sin(3 * G_PI / 8), limit = 2.8284271247461903 / omega;
+    g_autoptr(PhysicsRun) run = physics_try(
+        &(PhysicsOptions){.method = "rk4", .step = 1.3 * limit, .duration = 1000, .columns = "Mass 1.x"},
+        "{'type': 'support'}, {'type': 'mass', 'mass': 0.25, 'position': [1, 0]},"
+        "{'type': 'mass', 'mass': 0.25, 'position': [2.1, 0]}, {'type': 'mass', 'mass': 0.25, 'position': [3, 0]},"
+        "{'type': 'support', 'position': [4, 0]},"
+        "{'type': 'spring', 'ends': ['Support 0', 'Mass 0'], 'stiffness': 1e4, 'rest_length': 1},"
+        "{'type': 'spring', 'ends': ['Mass 0', 'Mass 1'], 'stiffness': 1e4, 'rest_length': 1},"
+        "{'type': 'spring', 'ends': ['Mass 1', 'Mass 2'], 'stiffness': 1e4, 'rest_length': 1},"
+        "{'type': 'spring', 'ends': ['Mass 2', 'Support 1'], 'stiffness': 1e4, 'rest_length': 1}");
+    physics_assert_refused(run, TINKER_MODEL_ERROR_RUN, "Spring", "diverged", NULL);
+    physics_assert_near("stable step", stable_step(run->error->message), limit, 0.05 * limit);
+}
+
+/* A damper that is too fast for the step: rk4 is stable below 2.785 m / c. */
+static void test_damper(void)
+{
+    g_autoptr(PhysicsRun) run =
+        physics_try(&(PhysicsOptions){.method = "rk4", .step = 0.01, .duration = 1000, .columns = "Mass 0.x"},
+                    "{'type': 'support'}, {'type': 'mass', 'position': [2, 0], 'velocity': [1, 0]},"
+                    "{'type': 'damper', 'name': 'Syrup', 'ends': ['Support 0', 'Mass 0'], 'damping': 400}");
+    physics_assert_refused(run, TINKER_MODEL_ERROR_RUN, "Syrup", "damping", NULL);
+    physics_assert_near("stable step", stable_step(run->error->message), 2.785293563 / 400, 0.05 * 2.785293563 / 400);
+}
+
+/* A step just below the limit runs to the end without a stop, though rk4 loses energy there and says so. */
+static void test_stable_step_is_stable(void)
+{
+    g_autoptr(PhysicsRun) run =
+        physics_run(&(PhysicsOptions){.method = "rk4", .step = 0.0268, .duration = 100, .columns = "Mass 0.x"},
+                    "{'type': 'support'}, {'type': 'mass', 'position': [2, 0]},"
+                    "{'type': 'spring', 'ends': ['Support 0', 'Mass 0'], 'stiffness': 1e4, 'rest_length': 1.9}");
+    g_assert_cmpuint(run->summary->warnings->len, ==, 1);
+    g_assert_cmpfloat(run->summary->valid_until, <, 1);
+    g_assert_cmpfloat(run->summary->simulated_s, ==, 100);
+    physics_assert_near("x", physics_last(run, 0), 1.9, 0.1);
+}
+
+/* What was recorded up to valid_until is right within what the guard allows: an energy off by 1 %. */
+static void test_valid_part(void)
+{
+    g_autoptr(PhysicsRun) run = physics_try(
+        &(PhysicsOptions){
+            .method = "rk4", .step = 0.0295, .duration = 1000, .interval = 0.0295, .columns = "Mass 0.x, Mass 0.vx"},
+        "{'type': 'support'}, {'type': 'mass', 'position': [2, 0]},"
+        "{'type': 'spring', 'ends': ['Support 0', 'Mass 0'], 'stiffness': 1e4, 'rest_length': 1.9}");
+    g_assert_nonnull(run->error);
+    for (gsize i = 0; i < physics_samples(run) && physics_time(run, i) <= run->summary->valid_until; i++) {
+        double x = physics_value(run, i, 0) - 1.9, v = physics_value(run, i, 1);
+        physics_assert_near("energy", 0.5 * (1e4 * x * x + v * v), 50, 50 * 0.011);
+    }
+}
+
+static void test_refused_options(void)
+{
+    g_autoptr(PhysicsRun) run = physics_try(&(PhysicsOptions){.method = "rk5"}, "{'type': 'mass'}");
+    physics_assert_refused(run, TINKER_MODEL_ERROR_METHOD, "rk5", "did you mean \"rk4\"", NULL);
+    g_autoptr(PhysicsRun) tolerance = physics_try(&(PhysicsOptions){.tolerance = 2}, "{'type': 'mass'}");
+    physics_assert_refused(tolerance, TINKER_MODEL_ERROR_METHOD, "tolerance", "between 0 and 1", NULL);
+    g_autoptr(PhysicsRun) step = physics_try(&(PhysicsOptions){.method = "rk4", .step = INFINITY}, "{'type': 'mass'}");
+    physics_assert_refused(step, TINKER_MODEL_ERROR_METHOD, "step", NULL);
+    g_autoptr(PhysicsRun) samples = physics_try(&(PhysicsOptions){.interval = 1e-12}, "{'type': 'mass'}");
+    physics_assert_refused(samples, TINKER_MODEL_ERROR_METHOD, "record less often", NULL);
+}
+
+static void add_tests(void)
+{
+    g_test_add_func("/physics/guard/oscillator", test_oscillator);
+    g_test_add_func("/physics/guard/chain", test_chain);
+    g_test_add_func("/physics/guard/damper", test_damper);
+    g_test_add_func("/physics/guard/stable-step-is-stable", test_stable_step_is_stable);
+    g_test_add_func("/physics/guard/valid-part", test_valid_part);
+    g_test_add_func("/physics/guard/refused-options", test_refused_options);
+}
+
+int main(int argc, char **argv)
+{
+    return physics_main(argc, argv, add_tests);
+}
