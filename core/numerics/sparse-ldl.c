@@ -106,7 +106,7 @@ static void order(TinkerSparseLdl *ldl, const Neighbours *by, int *sequence)
 }
 
 /* The pattern of L: below the diagonal, column k holds what A has there, and what earlier columns whose first entry is k
- * pass on. */
+ * pass on. Stops where it grows beyond what `compile` takes. */
 static GArray **fill_pattern(TinkerSparseLdl *ldl, const int *rows, const int *columns, gsize count)
 {
     GArray **pattern = g_new(GArray *, MAX(ldl->n, 1));
@@ -117,9 +117,11 @@ static GArray **fill_pattern(TinkerSparseLdl *ldl, const int *rows, const int *c
         int low = MIN(i, j), high = MAX(i, j);
         if (low != high) g_array_append_val(pattern[low], high);
     }
-    for (int k = 0; k < ldl->n; k++) {
-        sorted_unique(pattern[k]);
-        if (pattern[k]->len < 2) continue;
+    gsize updates = 0;
+    for (int k = 0; k < ldl->n && updates <= MOST_UPDATES; k++) {
+        gsize length = sorted_unique(pattern[k])->len;
+        updates += length * (length + 1) / 2;
+        if (length < 2) continue;
         int parent = g_array_index(pattern[k], int, 0);
         g_array_append_vals(pattern[parent], &g_array_index(pattern[k], int, 1), pattern[k]->len - 1);
     }

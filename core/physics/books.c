@@ -3,8 +3,8 @@
 
 #include <math.h>
 
-/* Energies below this share of forces times extent are rounding. */
-#define REST 1e-12
+/* Energies below this share of forces times extent are errors of place that every tolerance allows. */
+#define REST 1e-9
 
 static double potential_of_origin(const TinkerModel *model)
 {

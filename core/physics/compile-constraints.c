@@ -4,6 +4,9 @@
 
 #include "physics/model-private.h"
 
+/* Beyond this many products a factorisation takes longer, and more memory, than anybody has. */
+#define MOST_PRODUCTS 2e7
+
 static int32_t ends_of(const TinkerBlockBatch *batch, int32_t row)
 {
     return batch->end_offsets[row + 1] - batch->end_offsets[row];
@@ -104,6 +107,25 @@ static void list_entries_by_body(TinkerModel *model)
         if (all->points[e] < model->bodies) all->body_entries[next[all->points[e]]++] = e;
 }
 
+static gboolean refuse_entangled(const TinkerModel *model, GError **error)
+{
+    g_set_error(
+        error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_SCENE,
+        "the %d constraints are so entangled that their equations do not fit into memory (use springs for some)",
+        model->constraints.rows);
+    return FALSE;
+}
+
+/* Every two ends on one body are a product: of a hub with n rods there are n^2 / 2. */
+static gboolean products_fit(const TinkerModel *model)
+{
+    const int32_t *starts = model->constraints.body_starts;
+    double products = 0;
+    for (int32_t i = 0; i < model->bodies; i++)
+        products += 0.5 * (starts[i + 1] - starts[i]) * (starts[i + 1] - starts[i] + 1.0);
+    return products <= MOST_PRODUCTS;
+}
+
 static gboolean compile_pattern(TinkerModel *model, GError **error)
 {
     TinkerConstraints *all = &model->constraints;
@@ -118,12 +140,7 @@ static gboolean compile_pattern(TinkerModel *model, GError **error)
             }
     all->ldl = tinker_sparse_ldl_new(all->rows, (const int *)(const void *)rows->data,
                                      (const int *)(const void *)columns->data, rows->len);
-    if (all->ldl != NULL) return TRUE;
-    g_set_error(
-        error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_SCENE,
-        "the %d constraints are so entangled that their equations do not fit into memory (use springs for some)",
-        all->rows);
-    return FALSE;
+    return all->ldl != NULL || refuse_entangled(model, error);
 }
 
 static void list_products(TinkerModel *model)
@@ -176,6 +193,7 @@ gboolean tinker_model_compile_constraints(TinkerModel *model, GError **error)
     for (guint i = 0; i < all->batches->len; i++)
         measure(model, &g_array_index(all->batches, TinkerConstraintBatch, i));
     list_entries_by_body(model);
+    if (!products_fit(model)) return refuse_entangled(model, error);
     if (!compile_pattern(model, error)) return FALSE;
     list_products(model);
     g_array_sort(all->products, compare_products);

@@ -61,7 +61,11 @@ static int compare_lines(const void *left, const void *right)
 static void merge(TinkerModel *model, LinearLine *into, const LinearLine *line)
 {
     double apart = into->length - line->length;
-    if (into->stiffness == 0) into->length = line->length, apart = 0;
+    if (into->stiffness == 0) {
+        model->merged_energy -= into->tension * apart;
+        into->length = line->length;
+        apart = 0;
+    }
     into->tension += line->tension + line->stiffness * apart;
     model->merged_energy += line->tension * apart + 0.5 * line->stiffness * apart * apart;
     into->stiffness += line->stiffness;

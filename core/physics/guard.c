@@ -105,6 +105,7 @@ char *tinker_guard_explain(TinkerModel *model, const TinkerIntegrator *integrato
         g_string_append_printf(text, "; %s is stable up to a step of about %.3g s here", integrator->id, stable);
         if (step > stable) g_string_append_printf(text, ", the step was %.3g s", step);
     }
-    g_string_append(text, "; use a smaller step, or the method auto");
+    g_string_append(text, integrator->flags & TINKER_INTEGRATOR_ADAPTIVE ? "; use a smaller tolerance"
+                                                                         : "; use a smaller step, or the method auto");
     return g_string_free(text, FALSE);
 }

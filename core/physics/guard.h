@@ -6,7 +6,7 @@
 
 /* The stiffest part of a model at its start. */
 typedef struct {
-    double frequency;     /* rad/s: an upper estimate of the largest natural frequency */
+    double frequency;     /* rad/s: of the largest natural frequency, were there no constraints; from below */
     double damping_rate;  /* 1/s: of the largest damping over mass */
     TinkerBlockId block;  /* the connector to blame; TINKER_NO_BLOCK where there is none */
     const char *property; /* its property that makes it stiff */

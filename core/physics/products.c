@@ -1,6 +1,6 @@
 /* Products of the forces' derivatives with a vector: what implicit halves of a step and the forecast of a stable step need.
- * Line laws give theirs exactly; the others' part is left out, which a forecast can bear and an implicit step corrects in
- * its next iteration. */
+ * Line laws and fields give theirs exactly; the others' part is left out, which a forecast can bear and an implicit step
+ * corrects in its next iteration. */
 #include <math.h>
 #include <string.h>
 
@@ -76,12 +76,30 @@ static void add_asked(TinkerModel *model, const TinkerAskedBatch *asked, gboolea
     }
 }
 
+/* A field without derivatives is left out. */
+static void add_field(TinkerModel *model, const TinkerAskedBatch *asked, gboolean damping, const double *d, double *force)
+{
+    const TinkerBlockBatch *batch = asked->batch;
+    const TinkerField *field = batch->block_class->physics->field;
+    double *jacobian = model->chunk; /* has room for 8 a body */
+    TinkerBodies bodies = {sizeof(TinkerBodies), model->bodies, model->point, model->mass, 0, model->bodies};
+    TinkerBatch view = tinker_model_view(model, batch, 0, batch->count, model->column_views);
+    if (field->derivatives == NULL || field->derivatives(&view, &bodies, jacobian) != TINKER_OK) return;
+    for (int32_t i = 0; i < model->bodies; i++) {
+        const double *j = jacobian + 8 * (gsize)i + (damping ? 4 : 0);
+        force[2 * i] += j[0] * d[2 * i] + j[1] * d[2 * i + 1];
+        force[2 * i + 1] += j[2] * d[2 * i] + j[3] * d[2 * i + 1];
+    }
+}
+
 static TinkerStatus product(TinkerModel *model, gboolean damping, const double *d, double *out)
 {
     memset(model->force, 0, 2 * (gsize)model->points * sizeof(double));
     add_merged(model, damping, d, model->force);
     for (guint i = 0; i < model->asked_lines->len; i++)
         add_asked(model, &g_array_index(model->asked_lines, TinkerAskedBatch, i), damping, d, model->force);
+    for (guint i = 0; i < model->asked_fields->len; i++)
+        add_field(model, &g_array_index(model->asked_fields, TinkerAskedBatch, i), damping, d, model->force);
     for (int32_t i = 0; i < 2 * model->bodies; i++) {
         out[i] = model->force[i] * model->inverse_mass[i / 2];
         if (damping) out[i] -= model->field_drag * model->inverse_mass[i / 2] * d[i];

@@ -51,6 +51,10 @@ static gboolean spill(TinkerRecord *record, GError **error)
         unlink(name);
         g_free(name);
         record->file = fdopen(descriptor, "w+b");
+        if (record->file == NULL) {
+            close(descriptor);
+            return file_error("opened", error);
+        }
     }
     if (fseeko(record->file, (off_t)(record->in_file * record->row_bytes), SEEK_SET) != 0 ||
         fwrite(record->memory, record->row_bytes, record->in_memory, record->file) != record->in_memory)

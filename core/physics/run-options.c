@@ -8,6 +8,8 @@
 #define DEFAULT_METHOD "dop853"
 /* More samples than this in one run are a mistake rather than a wish. */
 #define MOST_SAMPLES 1e10
+/* Likewise of steps: that many would take days at the least. */
+#define MOST_STEPS 1e12
 
 TinkerRunOptions tinker_run_options_of(TinkerScene *scene)
 {
@@ -77,6 +79,8 @@ gboolean tinker_run_options_check(const TinkerRunOptions *options, const TinkerI
             return refuse(error, "tolerance", options->tolerance, "between 0 and 1, as in 1e-9");
     } else if (!(options->step > 0) || !isfinite(options->step)) {
         return refuse(error, "step", options->step, "greater than 0 s");
+    } else if (duration / options->step > MOST_STEPS) {
+        return refuse(error, "number of steps", duration / options->step, "at most 1e12: take a larger step");
     }
     return TRUE;
 }

@@ -24,7 +24,7 @@ struct _TinkerSimulation {
     gint64 looked_at; /* steps at the last look into the books */
     double *sample_q, *sample_v;
     double sample_time;
-    gboolean at_singular_place;
+    int singular_steps; /* in a row */
     TinkerSummary summary;
     gint64 started; /* µs, monotonic */
 };

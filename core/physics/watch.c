@@ -10,6 +10,7 @@
 #define EVALUATIONS_BETWEEN_LOOKS 40
 /* A step that is far too large shows at once. */
 #define FIRST_LOOKS 8
+#define MOST_SINGULAR_STEPS 30
 
 gboolean tinker_simulation_fail(TinkerSimulation *simulation, const char *why, GError **error)
 {
@@ -100,16 +101,23 @@ static gboolean look(TinkerSimulation *simulation, gboolean last, GError **error
     return TRUE;
 }
 
-/* One event for a passage, however many steps it takes. */
-static void note_singular_place(TinkerSimulation *simulation)
+/* One event for a passage, however many steps it takes; a place that is not left is no passage. */
+static gboolean watch_singular_place(TinkerSimulation *simulation, GError **error)
 {
     const TinkerConstraints *all = &simulation->model->constraints;
-    if (all->gave_way && !simulation->at_singular_place) {
-        int32_t row = tinker_constraints_worst_row(simulation->model);
-        tinker_simulation_add_event(simulation, "bifurcation",
-                                    tinker_scene_block_name(simulation->model->scene, all->blocks[row]));
+    if (!all->gave_way) {
+        simulation->singular_steps = 0;
+        return TRUE;
     }
-    simulation->at_singular_place = all->gave_way;
+    int32_t row = tinker_constraints_worst_row(simulation->model);
+    const char *name = tinker_scene_block_name(simulation->model->scene, all->blocks[row]);
+    simulation->singular_steps++;
+    if (simulation->singular_steps == 1) tinker_simulation_add_event(simulation, "bifurcation", name);
+    if (simulation->singular_steps <= MOST_SINGULAR_STEPS) return TRUE;
+    g_autofree char *why = g_strdup_printf("%s and what it holds are stuck at a singular place, where no finite force in "
+                                           "them balances the load (move an end, or use a spring)",
+                                           name);
+    return tinker_simulation_fail(simulation, why, error);
 }
 
 gboolean tinker_simulation_watch(TinkerSimulation *simulation, const TinkerStepReport *report, gboolean last,
@@ -120,7 +128,7 @@ gboolean tinker_simulation_watch(TinkerSimulation *simulation, const TinkerStepR
     summary->rejected_steps += report->rejected;
     summary->evaluations = simulation->model->evaluations;
     summary->simulated_s = simulation->state.t;
-    note_singular_place(simulation);
+    if (!watch_singular_place(simulation, error)) return FALSE;
     if (!all_finite(simulation)) return diverged(simulation, "a position or velocity is not a number", error);
     if (summary->adaptive) tinker_model_system_keep(&simulation->system, simulation->state.q, simulation->state.v);
     gint64 since = (summary->steps - simulation->looked_at) * simulation->method->evaluations_per_step;

@@ -99,6 +99,23 @@ static gboolean move_supports(TinkerFrame *frame, GError **error)
     return TRUE;
 }
 
+/* A motion may look into the scratch that its `prepare` fills. */
+static gboolean prepare_motions(TinkerFrame *frame, GError **error)
+{
+    for (guint i = 0; i < frame->batches->len; i++) {
+        TinkerBlockBatch *batch = g_ptr_array_index(frame->batches, i);
+        const TinkerPhysics *physics = batch->block_class->physics;
+        if (physics == NULL || physics->motion == NULL || physics->prepare == NULL) continue;
+        TinkerBatch view = tinker_block_batch_view(batch, 0.0);
+        if (physics->prepare(&view) == TINKER_OK) continue;
+        g_set_error(error, TINKER_SCENE_ERROR, TINKER_SCENE_ERROR_VALUE, "%s: %s",
+                    tinker_scene_block_name(frame->scene, batch->ids[CLAMP(view.failed_instance, 0, batch->count - 1)]),
+                    view.failure != NULL ? view.failure : "its plugin refuses these properties");
+        return FALSE;
+    }
+    return TRUE;
+}
+
 TinkerFrame *tinker_frame_new(TinkerScene *scene, GError **error)
 {
     TinkerFrame *frame = g_new0(TinkerFrame, 1);
@@ -117,7 +134,7 @@ TinkerFrame *tinker_frame_new(TinkerScene *scene, GError **error)
     for (guint i = 0; i < frame->batches->len; i++)
         widest = MAX(widest, ((TinkerBlockBatch *)g_ptr_array_index(frame->batches, i))->block_class->column_count);
     frame->columns = g_new0(double, widest);
-    if (!tinker_frame_set_time(frame, 0.0, error)) {
+    if (!prepare_motions(frame, error) || !tinker_frame_set_time(frame, 0.0, error)) {
         tinker_frame_free(frame);
         return NULL;
     }
