@@ -339,15 +339,16 @@ gboolean tinker_sparse_ldl_factor_and_solve(TinkerSparseLdl *ldl, double thresho
     }
     int n = ldl->n;
     double *restrict pivots = ldl->values, *restrict entries = ldl->values + n, *restrict least = ldl->work;
-    double *restrict diagonal = ldl->diagonal;
+    double *restrict diagonal = ldl->diagonal, *restrict known = b;
+    const int *restrict sequence = ldl->sequence, *restrict parents = ldl->parents, *restrict places = ldl->parent_places;
     for (int k = 0; k < n; k++)
         least[k] = threshold * pivots[k];
     for (int k = 0; k < n; k++) {
         double pivot = pivots[k], entry = entries[k];
         if (!(pivot > least[k])) return FALSE;
         double inverse = 1.0 / pivot, factor = entry * inverse;
-        pivots[ldl->parent_places[k]] -= entry * entry / pivot;
-        b[ldl->parents[k]] -= factor * b[ldl->sequence[k]];
+        pivots[places[k]] -= entry * entry / pivot;
+        known[parents[k]] -= factor * known[sequence[k]];
         diagonal[k] = inverse;
         entries[k] = factor;
     }

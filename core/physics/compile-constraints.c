@@ -60,6 +60,8 @@ static void allot(TinkerModel *model)
     all->row_of = g_new0(int32_t, entries);
     all->factored_jacobian = g_new0(double, 2 * entries);
     all->scales = g_new0(double, rows);
+    all->inverse_scales = g_new0(double, rows);
+    all->asked = g_new0(double, rows);
     all->blocks = g_new0(TinkerBlockId, rows);
     all->ends = g_new0(TinkerPoint, most_ends);
     all->jacobian = g_new0(double, 2 * entries);
@@ -82,6 +84,7 @@ static void measure(TinkerModel *model, const TinkerConstraintBatch *part)
     TinkerBatch view = tinker_block_batch_view(part->batch, 0.0);
     gboolean told = part->constraint->scale != NULL && part->constraint->scale(&view, scale) == TINKER_OK;
     for (int32_t row = part->first_row; row < part->first_row + part->row_count; row++) {
+        all->inverse_scales[row] = 1.0 / all->scales[row];
         if (told && all->scales[row] > 0) continue;
         double largest = 0;
         const TinkerPoint *first = &model->point[all->points[all->row_starts[row]]];
@@ -90,6 +93,7 @@ static void measure(TinkerModel *model, const TinkerConstraintBatch *part)
             largest = MAX(largest, hypot(other->x - first->x, other->y - first->y));
         }
         all->scales[row] = largest > 0 ? largest : 1.0;
+        all->inverse_scales[row] = 1.0 / all->scales[row];
     }
 }
 
@@ -223,7 +227,9 @@ void tinker_constraints_clear(TinkerConstraints *all)
                          all->row_of,
                          all->body_starts,
                          all->body_entries,
-                         all->factored_jacobian};
+                         all->factored_jacobian,
+                         all->inverse_scales,
+                         all->asked};
     for (gsize i = 0; i < G_N_ELEMENTS(arrays); i++)
         g_free(arrays[i]);
 }

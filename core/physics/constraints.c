@@ -22,6 +22,18 @@
 #define PROXIMAL_SHIFT           1e-5
 #define MOST_PROXIMAL_ITERATIONS 60
 
+double tinker_greatest(const double *x, int32_t n)
+{
+    double most[4] = {0, 0, 0, 0}; /* side by side, so that comparisons do not wait for each other */
+    int32_t i = 0;
+    for (; i + 4 <= n; i += 4)
+        for (int k = 0; k < 4; k++)
+            most[k] = MAX(most[k], fabs(x[i + k]));
+    for (; i < n; i++)
+        most[0] = MAX(most[0], fabs(x[i]));
+    return MAX(MAX(most[0], most[1]), MAX(most[2], most[3]));
+}
+
 static TinkerStatus refuse_rows(TinkerModel *model, const TinkerConstraintBatch *part, TinkerStatus status)
 {
     const TinkerConstraints *all = &model->constraints;
@@ -34,13 +46,18 @@ static TinkerStatus refuse_rows(TinkerModel *model, const TinkerConstraintBatch 
     return tinker_model_not_finite(model, part->batch, (row - part->first_row) / part->constraint->rows, "constraint");
 }
 
+/* Sums of zeros, unless something is not finite; several of them, so that additions do not wait for each other. */
 static gboolean rows_are_finite(const TinkerConstraints *all, const TinkerConstraintBatch *part)
 {
     const double *restrict g = all->g + part->first_row, *restrict drift = all->drift + part->first_row;
-    double sum = 0; /* of zeros, unless something is not finite */
-    for (int32_t row = 0; row < part->row_count; row++)
-        sum += 0.0 * (g[row] + drift[row]);
-    return sum == 0;
+    double sums[4] = {0, 0, 0, 0};
+    int32_t row = 0;
+    for (; row + 4 <= part->row_count; row += 4)
+        for (int k = 0; k < 4; k++)
+            sums[k] += 0.0 * (g[row + k] + drift[row + k]);
+    for (; row < part->row_count; row++)
+        sums[0] += 0.0 * (g[row] + drift[row]);
+    return sums[0] + sums[1] + sums[2] + sums[3] == 0;
 }
 
 static TinkerStatus evaluate_part(TinkerModel *model, TinkerConstraintBatch *part)
@@ -219,14 +236,6 @@ void tinker_constraints_rates(const TinkerModel *model, double *out)
         out[row] += all->rate[row];
 }
 
-static double greatest(const double *x, int32_t n)
-{
-    double most = 0;
-    for (int32_t i = 0; i < n; i++)
-        most = MAX(most, fabs(x[i]));
-    return most;
-}
-
 /* Sets the rows between supports alone to 0, since no multiplier changes them; answers the largest that they asked for. */
 static double drop_rows_without_bodies(const TinkerModel *model, double *b)
 {
@@ -251,7 +260,7 @@ static double solve_proximally(TinkerModel *model, double *b)
     TinkerConstraints *all = &model->constraints;
     double *x = all->residual, *r = all->correction;
     double dropped = drop_rows_without_bodies(model, b);
-    double scale = greatest(b, all->rows), before = INFINITY, left = scale;
+    double scale = tinker_greatest(b, all->rows), before = INFINITY, left = scale;
     memset(x, 0, (gsize)all->rows * sizeof(double));
     memcpy(r, b, (gsize)all->rows * sizeof(double));
     for (int iteration = 0; iteration < MOST_PROXIMAL_ITERATIONS; iteration++) {
@@ -265,7 +274,7 @@ static double solve_proximally(TinkerModel *model, double *b)
         tinker_constraints_rows_times(all, all->by_point, r);
         for (int32_t row = 0; row < all->rows; row++)
             r[row] = b[row] - r[row];
-        left = greatest(r, all->rows);
+        left = tinker_greatest(r, all->rows);
     }
     memcpy(b, x, (gsize)all->rows * sizeof(double));
     return MAX(left, dropped);

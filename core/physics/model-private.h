@@ -76,9 +76,11 @@ typedef struct {
     int32_t *body_starts, *body_entries; /* bodies + 1: the entries on each body */
     gboolean two_entries;                /* every row has two */
     double *scales;                      /* of each row: the length its error is measured against */
-    TinkerBlockId *blocks;               /* of each row */
-    GArray *products;                    /* of TinkerProduct */
+    double *inverse_scales;
+    TinkerBlockId *blocks; /* of each row */
+    GArray *products;      /* of TinkerProduct */
     TinkerSparseLdl *ldl;
+    double work;       /* J: what the last projection of positions gave, by the applied forces evaluated last */
     gboolean gave_way; /* a projection stopped short at a singular place; whoever reports it clears it */
     int32_t redundant; /* rows that depend on others at the start: every solve is proximal */
 
@@ -87,9 +89,10 @@ typedef struct {
     double *jacobian;  /* 2 per entry */
     double *g, *drift, *rate;
     double *lambda, *residual, *correction;
+    double *asked;           /* of each row: the change of speed that a projection asks for */
     double *by_point;        /* 2 per point */
     double *turned;          /* RATTLE: the Jacobian at the start of the step */
-    double *displacement;    /* RATTLE: 2 per body */
+    double *displacement;    /* of a Newton step: 2 per body */
     gboolean shifted;        /* the factor is of S + eps I: solve by proximal iteration */
     gboolean prescribed;     /* some row's dg/dt of what is prescribed is not 0 */
     gboolean factored;       /* there is a factor, ... */
@@ -200,6 +203,9 @@ void tinker_model_enter_piece(TinkerModel *model, double inside);
 TinkerStatus tinker_model_damping_product(TinkerModel *model, const double *dv, double *out);
 TinkerStatus tinker_model_stiffness_product(TinkerModel *model, const double *dq, double *out);
 
+/* The largest |x|. */
+double tinker_greatest(const double *x, int32_t n);
+
 /* Constraints. */
 
 /* Rows at the state in the points: g, Jacobian, drift. */
@@ -216,8 +222,8 @@ void tinker_constraints_solve_roughly(TinkerModel *model, double *b);
 void tinker_constraints_add_impulse(TinkerModel *model, const double *x, double *target);
 TinkerStatus tinker_constraints_project_positions(TinkerModel *model, double t, double *q, const double *v,
                                                   gboolean *moved);
-/* The same for velocities, with the rows evaluated last. */
-void tinker_constraints_correct_velocities(TinkerModel *model, double *v, gboolean homogeneous, gboolean *moved);
+/* The same for velocities, with the rows evaluated last. Answers the kinetic energy (J) that this gave. */
+double tinker_constraints_correct_velocities(TinkerModel *model, double *v, gboolean homogeneous, gboolean *moved);
 TinkerStatus tinker_constraints_project_velocities(TinkerModel *model, double t, const double *q, double *v,
                                                    gboolean homogeneous, gboolean *moved);
 /* RATTLE's position stage, see TinkerSystem.constrain_step. */
@@ -249,8 +255,7 @@ typedef struct {
     double speed;                       /* m/s */
     double projection_work;             /* J that projections after steps have given so far */
     double position_error;              /* largest |g| relative to its length after any projection */
-    double *q_before, *v_before;
-    double *constrained; /* accelerations, where only the power is asked for */
+    double *constrained;                /* accelerations, where only the power is asked for */
 } TinkerModelSystem;
 
 void tinker_model_system_init(TinkerModelSystem *system, TinkerModel *model);

@@ -77,7 +77,8 @@ static void add_asked(TinkerModel *model, const TinkerAskedBatch *asked, gboolea
 }
 
 /* A field without derivatives is left out. */
-static void add_field(TinkerModel *model, const TinkerAskedBatch *asked, gboolean damping, const double *d, double *force)
+static void add_field(TinkerModel *model, const TinkerAskedBatch *asked, gboolean damping, const double *d,
+                      double *force)
 {
     const TinkerBlockBatch *batch = asked->batch;
     const TinkerField *field = batch->block_class->physics->field;

@@ -16,16 +16,17 @@
  * the next projections mend it. */
 #define SINGULAR_MISS 1e-6
 
-/* Rounding of a row's g: of the coordinates that its ends are made of. */
+/* Whether g is rounding: of the row's length, or of the coordinates that its ends are made of. */
 static gboolean row_is_met(const TinkerModel *model, int32_t row)
 {
     const TinkerConstraints *all = &model->constraints;
-    double reach = all->scales[row];
+    double miss = fabs(all->g[row]), reach = all->scales[row];
+    if (miss <= 4 * DBL_EPSILON * reach) return TRUE;
     for (int32_t e = all->row_starts[row]; e < all->row_starts[row + 1]; e++) {
         const TinkerPoint *at = &model->point[all->points[e]];
         reach = MAX(reach, MAX(fabs(at->x), fabs(at->y)));
     }
-    return fabs(all->g[row]) <= 4 * DBL_EPSILON * reach;
+    return miss <= 4 * DBL_EPSILON * reach;
 }
 
 static gboolean all_met(const TinkerModel *model)
@@ -37,7 +38,7 @@ static gboolean all_met(const TinkerModel *model)
 
 static double miss_of(const TinkerConstraints *all, int32_t row)
 {
-    return fabs(all->g[row]) / all->scales[row];
+    return fabs(all->g[row]) * all->inverse_scales[row];
 }
 
 int32_t tinker_constraints_worst_row(const TinkerModel *model)
@@ -79,12 +80,30 @@ static TinkerStatus stop_short(TinkerModel *model)
     return TINKER_OK;
 }
 
+/* q += M^-1 J^T mu. What moving against the applied forces stores is counted with those evaluated last, which stood within a
+ * step's error of here. */
+static void move_positions(TinkerModel *model, const double *mu, double *restrict q)
+{
+    const double *restrict move = model->constraints.displacement, *restrict force = model->force;
+    const double *restrict mass = model->mass, *restrict constant = model->constant_acceleration;
+    double work[2] = {0, 0};
+    memset(model->constraints.displacement, 0, 2 * (gsize)model->bodies * sizeof(double));
+    tinker_constraints_add_impulse(model, mu, model->constraints.displacement);
+    for (int32_t i = 0; i < model->bodies; i++)
+        for (int k = 0; k < 2; k++) {
+            work[k] += (force[2 * i + k] + mass[i] * constant[2 * i + k]) * move[2 * i + k];
+            q[2 * i + k] += move[2 * i + k];
+        }
+    model->constraints.work -= work[0] + work[1];
+}
+
 TinkerStatus tinker_constraints_project_positions(TinkerModel *model, double t, double *q, const double *v,
                                                   gboolean *moved)
 {
     TinkerConstraints *all = &model->constraints;
     double before = INFINITY;
     *moved = FALSE;
+    all->work = 0;
     TinkerStatus status = tinker_model_set_time(model, t);
     for (int step = 0; status == TINKER_OK && step < MOST_NEWTON_STEPS; step++) {
         tinker_model_set_state(model, q, v);
@@ -101,34 +120,43 @@ TinkerStatus tinker_constraints_project_positions(TinkerModel *model, double t, 
             tinker_constraints_solve_roughly(model, all->lambda);
         else
             tinker_constraints_solve(model, all->lambda);
-        tinker_constraints_add_impulse(model, all->lambda, q);
+        move_positions(model, all->lambda, q);
         *moved = TRUE;
     }
     return status == TINKER_OK ? stop_short(model) : status;
 }
 
-void tinker_constraints_correct_velocities(TinkerModel *model, double *v, gboolean homogeneous, gboolean *moved)
+/* The impulse mu gives mu . J (v + dv / 2), and J dv = -(J v + rate). */
+static double work_of_impulse(const TinkerConstraints *all, const double *mu, const double *asked)
+{
+    double sum = 0;
+    for (int32_t row = 0; row < all->rows; row++) {
+        double rate = all->prescribed ? all->rate[row] : 0.0;
+        sum -= mu[row] * (0.5 * asked[row] + rate);
+    }
+    return sum;
+}
+
+double tinker_constraints_correct_velocities(TinkerModel *model, double *v, gboolean homogeneous, gboolean *moved)
 {
     TinkerConstraints *all = &model->constraints;
+    double *mu = all->lambda, *asked = all->asked;
     *moved = FALSE;
     if (homogeneous) {
         memcpy(all->by_point, v, 2 * (gsize)model->bodies * sizeof(double));
         memset(all->by_point + 2 * model->bodies, 0, 2 * (gsize)(model->points - model->bodies) * sizeof(double));
-        tinker_constraints_rows_times(all, all->by_point, all->lambda);
+        tinker_constraints_rows_times(all, all->by_point, asked);
     } else {
-        tinker_constraints_rates(model, all->lambda);
+        tinker_constraints_rates(model, asked);
     }
-    double fastest = 0, largest = 0;
-    for (int32_t i = 0; i < 2 * model->bodies; i++)
-        fastest = MAX(fastest, fabs(v[i]));
-    for (int32_t row = 0; row < all->rows; row++) {
-        largest = MAX(largest, fabs(all->lambda[row]));
-        all->lambda[row] = -all->lambda[row];
-    }
-    if (largest <= 2 * DBL_EPSILON * fastest) return;
+    double most = tinker_greatest(asked, all->rows);
+    if (most == 0 || most <= 2 * DBL_EPSILON * tinker_greatest(v, 2 * model->bodies)) return 0;
+    for (int32_t row = 0; row < all->rows; row++)
+        mu[row] = asked[row] = -asked[row];
     *moved = TRUE;
-    tinker_constraints_solve(model, all->lambda);
-    tinker_constraints_add_impulse(model, all->lambda, v);
+    tinker_constraints_solve(model, mu);
+    tinker_constraints_add_impulse(model, mu, v);
+    return work_of_impulse(all, mu, asked);
 }
 
 TinkerStatus tinker_constraints_project_velocities(TinkerModel *model, double t, const double *q, double *v,

@@ -128,7 +128,12 @@ static gboolean take_step(TinkerSimulation *simulation, double end, GError **err
     if (state->t >= simulation->piece_end && !tinker_simulation_enter_piece(simulation, end, error)) return FALSE;
     simulation->model->failure[0] = '\0';
     simulation->model->constraints.gave_way = FALSE;
+    double from = state->t;
     TinkerStatus status = simulation->method->step(simulation->stepper, state, step_limit(simulation, end), &report);
+    if (status == TINKER_OK && !(state->t > from)) {
+        status = TINKER_FAILED;
+        report.failure = "the method answers that it made a step, but the time stands still (its plugin is at fault)";
+    }
     if (status != TINKER_OK) {
         const char *why = simulation->model->failure[0] != '\0' ? simulation->model->failure : report.failure;
         return tinker_simulation_fail_step(simulation, why, error);

@@ -58,38 +58,19 @@ static TinkerStatus applied(void *context, double t, const double *q, const doub
     return status;
 }
 
-/* Work of a projection: what the velocities gain, and what moving against the applied forces of the last evaluation, which
- * stood within the step's error of here, stores. */
-static double projection_work(const TinkerModel *model, const double *q_before, const double *q, const double *v_before,
-                              const double *v)
-{
-    double work = 0;
-    for (int32_t i = 0; i < 2 * model->bodies; i++) {
-        double mass = model->coordinate_mass[i];
-        work += 0.5 * mass * (v[i] - v_before[i]) * (v[i] + v_before[i]);
-        work -= (model->force[i] + mass * model->constant_acceleration[i]) * (q[i] - q_before[i]);
-    }
-    return work;
-}
-
 static TinkerStatus project(void *context, double t, double *q, double *v, int32_t *moved)
 {
     TinkerModelSystem *self = context;
     TinkerModel *model = self->model;
+    gboolean placed = FALSE, turned = FALSE;
     *moved = 0;
     if (model->constraints.rows == 0) return TINKER_OK;
-    gsize bytes = 2 * (gsize)model->bodies * sizeof(double);
-    memcpy(self->q_before, q, bytes);
-    memcpy(self->v_before, v, bytes);
-    gboolean placed, turned = FALSE;
     TinkerStatus status = tinker_constraints_project_positions(model, t, q, v, &placed);
     if (status != TINKER_OK) return status;
-    tinker_constraints_correct_velocities(model, v, FALSE, &turned);
+    self->projection_work += model->constraints.work + tinker_constraints_correct_velocities(model, v, FALSE, &turned);
     self->position_error = fmax(self->position_error, tinker_constraints_worst_miss(model));
-    if (!placed && !turned) return status;
-    *moved = 1;
-    self->projection_work += projection_work(model, self->q_before, q, self->v_before, v);
-    return status;
+    *moved = placed || turned;
+    return TINKER_OK;
 }
 
 static TinkerStatus constrain_step(void *context, double t_from, const double *q_from, double t, double h, double *q,
@@ -175,8 +156,6 @@ void tinker_model_system_init(TinkerModelSystem *self, TinkerModel *model)
     *self = (TinkerModelSystem){
         .model = model,
         .box = {INFINITY, INFINITY, -INFINITY, -INFINITY},
-        .q_before = g_new0(double, 2 * (gsize)MAX(model->bodies, 1)),
-        .v_before = g_new0(double, 2 * (gsize)MAX(model->bodies, 1)),
         .constrained = g_new0(double, 2 * (gsize)MAX(model->bodies, 1)),
     };
     self->system = (TinkerSystem){
@@ -201,7 +180,5 @@ void tinker_model_system_init(TinkerModelSystem *self, TinkerModel *model)
 
 void tinker_model_system_clear(TinkerModelSystem *self)
 {
-    g_clear_pointer(&self->q_before, g_free);
-    g_clear_pointer(&self->v_before, g_free);
     g_clear_pointer(&self->constrained, g_free);
 }

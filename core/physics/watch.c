@@ -9,7 +9,7 @@
 /* The books cost about one evaluation: they are looked into after this many. */
 #define EVALUATIONS_BETWEEN_LOOKS 40
 /* A step that is far too large shows at once. */
-#define FIRST_LOOKS 8
+#define FIRST_LOOKS         8
 #define MOST_SINGULAR_STEPS 30
 
 gboolean tinker_simulation_fail(TinkerSimulation *simulation, const char *why, GError **error)
@@ -114,9 +114,10 @@ static gboolean watch_singular_place(TinkerSimulation *simulation, GError **erro
     simulation->singular_steps++;
     if (simulation->singular_steps == 1) tinker_simulation_add_event(simulation, "bifurcation", name);
     if (simulation->singular_steps <= MOST_SINGULAR_STEPS) return TRUE;
-    g_autofree char *why = g_strdup_printf("%s and what it holds are stuck at a singular place, where no finite force in "
-                                           "them balances the load (move an end, or use a spring)",
-                                           name);
+    g_autofree char *why =
+        g_strdup_printf("%s and what it holds are stuck at a singular place, where no finite force in "
+                        "them balances the load (move an end, or use a spring)",
+                        name);
     return tinker_simulation_fail(simulation, why, error);
 }
 
