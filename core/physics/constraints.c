@@ -7,7 +7,8 @@
  *
  * It converges to the solution of least norm, since it never leaves the range of S. Source: Parikh, Boyd, "Proximal
  * Algorithms" (2014), section 4.1; tested by rank-deficient frames in tests/physics. A residual that stalls at a state on
- * the constraints means that the rows contradict each other. */
+ * the constraints means that the rows contradict each other. Masses in a ratio beyond 1e5 between dependent rods bring it
+ * down as well; such a scene is refused at its start. */
 #include "physics/model-private.h"
 
 #include <math.h>
@@ -254,7 +255,8 @@ static double drop_rows_without_bodies(const TinkerModel *model, double *b)
 
 /* Answers the residual that is left. Stages of a step stand off the constraints by the step's error, where rows that
  * depend on each other ask for slightly different things: what no multiplier can meet is left over, and does not reach the
- * accelerations, since J^T annuls it. */
+ * accelerations, since J^T annuls it. It ends when the residual is rounding or no longer halves: close to a singular place
+ * that leaves out what would have to be divided by nearly nothing. */
 static double solve_proximally(TinkerModel *model, double *b)
 {
     TinkerConstraints *all = &model->constraints;

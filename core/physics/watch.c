@@ -49,6 +49,8 @@ static gboolean watch_constraints(TinkerSimulation *simulation)
     const TinkerState *state = &simulation->state;
     if (tinker_constraints_errors(model, state->t, state->q, state->v, &position, &velocity) != TINKER_OK) return FALSE;
     simulation->system.system.scales(&simulation->system, state->q, state->v, &extent, &speed);
+    for (int32_t i = model->bodies; i < model->points; i++)
+        speed = fmax(speed, hypot(model->point[i].vx, model->point[i].vy));
     position = fmax(position, simulation->system.position_error);
     summary->constraint_position_error = fmax(summary->constraint_position_error, position);
     if (speed > 0) summary->constraint_velocity_error = fmax(summary->constraint_velocity_error, velocity / speed);

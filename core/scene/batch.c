@@ -2,6 +2,14 @@
  * one for every block, built from the block's own amplitude, frequency and phase. */
 #include "scene/batch.h"
 
+#include <math.h>
+
+/* No break of a waveform lies between `from` and `next`, and none up to `horizon` where next is infinite. */
+struct _TinkerPiece {
+    double from, next, horizon;
+    gboolean entered; /* the evaluator's switches are those of this piece */
+};
+
 static double column_or(const TinkerBlockBatch *batch, const char *property_id, int32_t row, double otherwise)
 {
     if (property_id == NULL) return otherwise;
@@ -39,6 +47,9 @@ static void copy_waveforms(TinkerBlockBatch *batch, TinkerScene *scene)
         batch->waveform_columns[batch->waveforms++] = block_class->first_columns[property];
         add_evaluators(batch, scene, property);
     }
+    batch->pieces = g_new(struct _TinkerPiece, MAX(batch->evaluators->len, 1));
+    for (guint i = 0; i < batch->evaluators->len; i++)
+        batch->pieces[i] = (struct _TinkerPiece){NAN, NAN, NAN, FALSE};
 }
 
 static void copy_ends(TinkerBlockBatch *batch, const TinkerSceneTable *table)
@@ -59,6 +70,7 @@ static void block_batch_free(TinkerBlockBatch *batch)
     g_free(batch->end_offsets);
     g_free(batch->end);
     g_free(batch->waveform_columns);
+    g_free(batch->pieces);
     g_free(batch->scratch);
     g_ptr_array_unref(batch->evaluators);
     g_free(batch);
@@ -127,14 +139,25 @@ void tinker_block_batch_set_time(TinkerBlockBatch *batch, double t)
 
 void tinker_block_batch_enter_piece(TinkerBlockBatch *batch, double inside)
 {
-    for (guint i = 0; i < batch->evaluators->len; i++)
+    for (guint i = 0; i < batch->evaluators->len; i++) {
+        struct _TinkerPiece *piece = &batch->pieces[i];
+        if (piece->entered && piece->from < inside && inside < piece->next) continue;
+        piece->entered = TRUE;
         tinker_waveform_enter_piece(g_ptr_array_index(batch->evaluators, i), inside);
+    }
 }
 
-double tinker_block_batch_next_break(const TinkerBlockBatch *batch, double t, double horizon)
+double tinker_block_batch_next_break(TinkerBlockBatch *batch, double t, double horizon)
 {
     double next = INFINITY;
-    for (guint i = 0; i < batch->evaluators->len; i++)
-        next = MIN(next, tinker_waveform_next_break(g_ptr_array_index(batch->evaluators, i), t, MIN(horizon, next)));
-    return next;
+    for (guint i = 0; i < batch->evaluators->len; i++) {
+        struct _TinkerPiece *piece = &batch->pieces[i];
+        gboolean known = piece->from <= t && t < piece->next && (isfinite(piece->next) || horizon <= piece->horizon);
+        if (!known) {
+            double at = tinker_waveform_next_break(g_ptr_array_index(batch->evaluators, i), t, horizon);
+            *piece = (struct _TinkerPiece){t, at, horizon, FALSE};
+        }
+        next = MIN(next, piece->next);
+    }
+    return next <= horizon ? next : INFINITY;
 }

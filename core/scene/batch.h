@@ -14,15 +14,16 @@ struct _TinkerBlockBatch {
     const TinkerBlockClass *block_class;
     int32_t count;
     TinkerBlockId *ids;
-    double **columns;          /* columns[c][row] */
-    int32_t ends;              /* of each block; -1 where they differ */
-    int32_t end_count;         /* of all blocks */
-    int32_t *end_offsets;      /* count + 1 entries */
-    TinkerSceneEnd *end;       /* of all blocks, row by row */
-    GPtrArray *evaluators;     /* of TinkerWaveformEvaluator: waveform by waveform, row by row */
-    int32_t *waveform_columns; /* first column of each waveform property */
-    int32_t waveforms;         /* waveform properties of the class */
-    void *scratch;             /* as the class's physics asked for */
+    double **columns;            /* columns[c][row] */
+    int32_t ends;                /* of each block; -1 where they differ */
+    int32_t end_count;           /* of all blocks */
+    int32_t *end_offsets;        /* count + 1 entries */
+    TinkerSceneEnd *end;         /* of all blocks, row by row */
+    GPtrArray *evaluators;       /* of TinkerWaveformEvaluator: waveform by waveform, row by row */
+    int32_t *waveform_columns;   /* first column of each waveform property */
+    struct _TinkerPiece *pieces; /* of each evaluator, what is known of its next break */
+    int32_t waveforms;           /* waveform properties of the class */
+    void *scratch;               /* as the class's physics asked for */
 };
 
 /* A snapshot of every table with at least one block. "As placed" properties stay NaN. Element: TinkerBlockBatch *.
@@ -41,7 +42,8 @@ void tinker_block_batch_set_time(TinkerBlockBatch *batch, double t);
 /* Enters the piece of every waveform that contains `inside`. */
 void tinker_block_batch_enter_piece(TinkerBlockBatch *batch, double inside);
 
-/* The first break after t, of waveforms alone, not after the horizon; INFINITY for none. */
-double tinker_block_batch_next_break(const TinkerBlockBatch *batch, double t, double horizon);
+/* The first break after t, of waveforms alone, not after the horizon; INFINITY for none. What is found is remembered, so that
+ * only waveforms whose break has passed are asked again. */
+double tinker_block_batch_next_break(TinkerBlockBatch *batch, double t, double horizon);
 
 #endif
