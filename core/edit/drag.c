@@ -5,8 +5,6 @@
 
 #include "edit/edit-private.h"
 
-#define MOST_HANDLES 16
-
 struct _TinkerDrag {
     TinkerHistory *history;
     TinkerScene *scene;

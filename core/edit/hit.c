@@ -4,8 +4,7 @@
 
 #include "edit/edit-private.h"
 
-#define LAYERS       4
-#define MOST_HANDLES 16
+#define LAYERS 4
 
 /* The order of drawing: as declared, else connectors above bodies. */
 static int32_t layer_of(const TinkerBlockClass *block_class)

@@ -340,7 +340,8 @@ gboolean tinker_sparse_ldl_factor_and_solve(TinkerSparseLdl *ldl, double thresho
     int n = ldl->n;
     double *restrict pivots = ldl->values, *restrict entries = ldl->values + n, *restrict least = ldl->work;
     double *restrict diagonal = ldl->diagonal, *restrict known = b;
-    const int *restrict sequence = ldl->sequence, *restrict parents = ldl->parents, *restrict places = ldl->parent_places;
+    const int *restrict sequence = ldl->sequence, *restrict parents = ldl->parents,
+                        *restrict places = ldl->parent_places;
     for (int k = 0; k < n; k++)
         least[k] = threshold * pivots[k];
     for (int k = 0; k < n; k++) {

@@ -50,6 +50,17 @@ GArray *tinker_columns_default(TinkerScene *scene)
     return columns;
 }
 
+/* "Gravity, Pivot, Bob": the first of the names. */
+static char *list_names(const char *const *names)
+{
+    const int most = 8;
+    GString *list = g_string_new(NULL);
+    for (int i = 0; names[i] != NULL && i <= most; i++)
+        g_string_append_printf(list, "%s%s", i > 0 ? ", " : "", i < most ? names[i] : "...");
+    if (names[0] == NULL) g_string_append(list, "none");
+    return g_string_free(list, FALSE);
+}
+
 static gboolean unknown_block(TinkerScene *scene, const char *column, const char *block, GError **error)
 {
     int32_t count = tinker_scene_block_count(scene);
@@ -57,9 +68,12 @@ static gboolean unknown_block(TinkerScene *scene, const char *column, const char
     for (int32_t place = 0; place < count; place++)
         names[place] = tinker_scene_block_name(scene, tinker_scene_block_at(scene, place));
     const char *nearest = tinker_nearest_word(block, names);
+    g_autofree char *known = nearest != NULL ? NULL : list_names(names);
+    g_autofree char *others =
+        nearest != NULL ? g_strdup_printf("; did you mean \"%s\"?", nearest) : g_strdup_printf(" (it has %s)", known);
     g_set_error(error, TINKER_SCENE_ERROR, TINKER_SCENE_ERROR_NAME,
-                "column \"%s\": the scene has no block \"%s\"%s%s%s (a column is BLOCK.QUANTITY, as in \"Mass 0.x\")",
-                column, block, nearest ? "; did you mean \"" : "", nearest ? nearest : "", nearest ? "\"?" : "");
+                "column \"%s\": the scene has no block \"%s\"%s (a column is BLOCK.QUANTITY, as in \"Mass 0.x\"%s)",
+                column, block, others, strchr(column, '.') == NULL ? "; put quotes round a name with a space" : "");
     return FALSE;
 }
 

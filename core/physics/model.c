@@ -9,9 +9,11 @@ static gboolean refuse_placeholder(TinkerScene *scene, GError **error)
 {
     TinkerBlockId block = tinker_scene_first_placeholder(scene);
     if (block == TINKER_NO_BLOCK) return FALSE;
-    g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_PLUGIN,
-                "%s: no installed plugin provides the block type \"%s\" (install it, or remove the block)",
-                tinker_scene_block_name(scene, block), tinker_scene_block_type(scene, block));
+    g_autoptr(GError) missing = NULL;
+    tinker_catalogue_type(tinker_scene_catalogue(scene), tinker_scene_block_type(scene, block), &missing);
+    g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_PLUGIN, "%s: %s", tinker_scene_block_name(scene, block),
+                missing != NULL ? missing->message
+                                : "its plugin was installed since the scene was read (open it again)");
     return TRUE;
 }
 

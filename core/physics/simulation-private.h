@@ -47,6 +47,9 @@ gboolean tinker_simulation_watch(TinkerSimulation *simulation, const TinkerStepR
 /* Notes an event at the state's time. `blocks` are names, joined by ", ". */
 void tinker_simulation_add_event(TinkerSimulation *simulation, const char *kind, const char *blocks);
 
+/* Looks into the books at the state: where they balance, it vouches for all before it. */
+TinkerStatus tinker_simulation_vouch(TinkerSimulation *simulation);
+
 /* The error of a run that failed, and why (NULL or "" where nobody said). Answers FALSE. */
 gboolean tinker_simulation_fail(TinkerSimulation *simulation, const char *why, GError **error);
 /* Likewise where the state is still that of the last good step: what it vouches for is not lost. */

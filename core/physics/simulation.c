@@ -202,6 +202,7 @@ static gboolean call_back(TinkerSimulation *simulation, GError **error)
     if (simulation->summary.steps % STEPS_BETWEEN_CALLS != 0) return TRUE;
     if (options->progress != NULL) options->progress(simulation->state.t, simulation->times.duration, options->data);
     if (options->cancelled == NULL || !options->cancelled(options->data)) return TRUE;
+    tinker_simulation_vouch(simulation);
     g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_STOPPED, "stopped at t = %.6g s of %.6g s",
                 simulation->state.t, simulation->times.duration);
     return FALSE;

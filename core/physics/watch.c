@@ -57,8 +57,7 @@ static gboolean watch_constraints(TinkerSimulation *simulation)
     return TRUE;
 }
 
-/* The balance at the state; where it is good, the state vouches for all before it. */
-static TinkerStatus check_balance(TinkerSimulation *simulation)
+TinkerStatus tinker_simulation_vouch(TinkerSimulation *simulation)
 {
     TinkerSummary *summary = &simulation->summary;
     simulation->looked_at = summary->steps;
@@ -72,7 +71,7 @@ static TinkerStatus check_balance(TinkerSimulation *simulation)
 gboolean tinker_simulation_fail_step(TinkerSimulation *simulation, const char *why, GError **error)
 {
     g_autofree char *kept = g_strdup(why);
-    check_balance(simulation);
+    tinker_simulation_vouch(simulation);
     return tinker_simulation_fail(simulation, kept, error);
 }
 
@@ -90,7 +89,7 @@ static void warn_of_imbalance(TinkerSimulation *simulation)
 static gboolean look(TinkerSimulation *simulation, gboolean last, GError **error)
 {
     TinkerModel *model = simulation->model;
-    if (check_balance(simulation) != TINKER_OK || !watch_constraints(simulation))
+    if (tinker_simulation_vouch(simulation) != TINKER_OK || !watch_constraints(simulation))
         return tinker_simulation_fail(simulation, model->failure, error);
     tinker_passing_look(simulation->passing, simulation->state.t, simulation->summary.warnings);
     double imbalance = simulation->books.imbalance;

@@ -50,6 +50,8 @@ static gboolean check_type(TinkerBlockType *type, GError **error)
         !tinker_check_text(type->help_link, "its help link", FALSE, error))
         return FALSE;
     if (type->title == NULL) type->title = type->id;
+    if (type->title[0] == '\0' || strchr(type->title, '\n') != NULL)
+        return tinker_refuse(error, "its title must be one line of text, because its blocks are named after it");
     if (type->summary == NULL) type->summary = "";
     return check_category(type->category, error) && check_icon(type->icon_path, error) && check_ends(type, error);
 }

@@ -57,9 +57,11 @@ static gboolean check_magic(const TinkerPlugin *own, GError **error)
 
 static gboolean check_sizes(const TinkerPlugin *own, GError **error)
 {
-    if (own->struct_size < sizeof(TinkerPlugin))
+    /* What the first version had; members that are appended later are looked for one by one. */
+    const gsize least = offsetof(TinkerPlugin, init) + sizeof(own->init);
+    if (own->struct_size < least)
         return tinker_refuse(error, "its TinkerPlugin has %u bytes, this host needs at least %zu", own->struct_size,
-                             sizeof(TinkerPlugin));
+                             least);
     if (own->struct_size > MOST_DESCRIPTOR)
         return tinker_refuse(error, "its TinkerPlugin has %u bytes, this host allows at most %d", own->struct_size,
                              MOST_DESCRIPTOR);

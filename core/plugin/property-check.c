@@ -215,6 +215,7 @@ static gboolean check_property(const TinkerBlockClass *block_class, int32_t numb
 
 gboolean tinker_block_class_check_properties(const TinkerBlockClass *block_class, GError **error)
 {
+    static const char *const own_keys[] = {"type", "name", "ends", NULL};
     // Ids first: the other checks look properties up by them.
     for (int32_t i = 0; i < block_class->property_count; i++) {
         const char *id = block_class->properties[i].id;
@@ -222,6 +223,8 @@ gboolean tinker_block_class_check_properties(const TinkerBlockClass *block_class
         if (!tinker_check_id(id, what, ".,", error)) return FALSE;
         if (tinker_block_class_property(block_class, id) != i)
             return tinker_refuse(error, "two properties have the id \"%s\"", id);
+        if (g_strv_contains(own_keys, id))
+            return tinker_refuse(error, "a property has the id \"%s\", which is a key of every block in a scene", id);
     }
     for (int32_t i = 0; i < block_class->property_count; i++) {
         if (!check_property(block_class, i, error)) {

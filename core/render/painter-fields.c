@@ -5,10 +5,11 @@
 
 #include <math.h>
 
-#define INSET      12.0 /* canvas units from the canvas's corner and between slots */
-#define LEAST_SLOT 36.0
-#define NAME_LIMIT 120.0
-#define NAME_GAP   4.0
+#define INSET            12.0 /* canvas units from the canvas's corner and between slots */
+#define LEAST_SLOT       36.0
+#define GREATEST_DRAWING (10 * LEAST_SLOT)
+#define NAME_LIMIT       120.0
+#define NAME_GAP         4.0
 
 typedef struct {
     TinkerBlockId block;
@@ -36,14 +37,18 @@ static void drawing_box(TinkerPiece piece, const TinkerStyle *style, double box[
     cairo_surface_t *ink = cairo_recording_surface_create(CAIRO_CONTENT_COLOR_ALPHA, NULL);
     cairo_t *cairo = cairo_create(ink);
     double unit = tinker_style_unit(style), half = LEAST_SLOT / 2, x, y, width, height;
+    /* Helpers draw what is visible: here that is about the origin, wherever the picture's view is. */
+    TinkerStyle around = *style;
+    around.view[0] = around.view[1] = -GREATEST_DRAWING * unit;
+    around.view[2] = around.view[3] = GREATEST_DRAWING * unit;
     piece.instance.x = piece.instance.y = 0;
     piece.instance.symbol_size = style->symbol_size;
     cairo_scale(cairo, 1 / unit, -1 / unit);
-    tinker_piece_draw(&piece, cairo, style);
+    tinker_piece_draw(&piece, cairo, &around);
     cairo_recording_surface_ink_extents(ink, &x, &y, &width, &height);
     cairo_destroy(cairo);
     cairo_surface_destroy(ink);
-    gboolean usable = width > 0 && height > 0 && fmax(fabs(x), fabs(y)) + fmax(width, height) < 10 * LEAST_SLOT;
+    gboolean usable = width > 0 && height > 0 && fmax(fabs(x), fabs(y)) + fmax(width, height) < GREATEST_DRAWING;
     box[0] = usable ? x : -half;
     box[1] = usable ? y : -half;
     box[2] = usable ? x + width : half;

@@ -15,6 +15,7 @@
 #define LEAST_SYMBOL  5.0 /* canvas units: in a scene drawn smaller, names are left out */
 #define NAME_LIMIT    160.0
 #define FARTHEST_STEP 3
+#define KEEPS         1.0 /* what a name may cover of a drawing before it leaves its place in a film */
 
 typedef struct {
     TinkerPicture *picture;
@@ -117,15 +118,20 @@ static void write_name(Labels *labels, const TinkerPiece *piece, gboolean wanted
                        .size = TINKER_STYLE_TEXT,
                        .limit = NAME_LIMIT};
     double width, height, best[4] = {0}, least = INFINITY;
+    signed char *kept = picture->options->label_places, chosen = 0;
     tinker_text_measure(&picture->brush.pen, &name, &width, &height);
     for (int step = 0; step <= FARTHEST_STEP; step++)
         for (int i = 0; i < 8; i++) {
+            signed char number = (signed char)(1 + i + 8 * step);
             double box[4], cost = place_cost(labels, piece, i, step, width, height, box);
+            if (kept != NULL && kept[piece->block] == number) cost -= KEEPS;
             if (cost >= least) continue;
             least = cost;
+            chosen = number;
             for (int side = 0; side < 4; side++)
                 best[side] = box[side];
         }
+    if (kept != NULL) kept[piece->block] = chosen;
     gboolean covers_text = tinker_occupancy_share(&labels->map, best, TINKER_TAKEN_BY_TEXT) > 0;
     if (covers_text && !wanted) return;
     if (tinker_occupancy_share(&labels->map, best, TINKER_TAKEN_BY_DRAWING) > 0) {

@@ -18,6 +18,9 @@ typedef struct {
     TinkerBlockId highlighted; /* or TINKER_NO_BLOCK */
     const TinkerBlockId *selected;
     int selected_count;
+    signed char
+        *label_places; /* by block id, zeros at first, the caller's: where each name was put, so that in a film it
+                                  stays on its side of its body. NULL: every picture places its names anew */
 } TinkerPaintOptions;
 
 /* The light theme, grid and labels on, time and title off, nothing selected. */

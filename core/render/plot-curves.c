@@ -208,6 +208,8 @@ void tinker_plot_draw_curve(cairo_t *cairo, const TinkerPlotLayout *layout, cons
 static void fill_run(cairo_t *cairo, GArray *run)
 {
     double(*points)[3] = (double(*)[3])(void *)run->data;
+    /* Else the first line would come from the corner where the run before was closed. */
+    cairo_new_sub_path(cairo);
     for (guint i = 0; i < run->len; i++)
         cairo_line_to(cairo, points[i][0], points[i][1]);
     for (guint i = run->len; i-- > 0;)

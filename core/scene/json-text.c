@@ -2,6 +2,8 @@
  * here that the scanner made already. */
 #include <string.h>
 
+#include <cjson/cJSON.h>
+
 #include "scene/position-scanner.h"
 
 static gsize skip_space(const char *text, gsize at)
@@ -63,8 +65,13 @@ GArray *json_split(const char *text, gsize start)
 
 gboolean json_key_is(const char *text, const JsonPart *part, const char *word)
 {
-    gsize length = strlen(word);
-    return strncmp(text + part->key + 1, word, length) == 0 && text[part->key + 1 + length] == '"';
+    const char *key = text + part->key;
+    gsize key_length = json_string_end(text, part->key) - part->key, length = strlen(word);
+    if (memchr(key, '\\', key_length) == NULL) return key_length == length + 2 && memcmp(key + 1, word, length) == 0;
+    cJSON *decoded = cJSON_ParseWithLength(key, key_length);
+    gboolean same = g_strcmp0(cJSON_GetStringValue(decoded), word) == 0;
+    cJSON_Delete(decoded);
+    return same;
 }
 
 void json_append_compact(GString *out, const char *text, gsize start, gsize end)

@@ -6,6 +6,8 @@
 
 #include <cjson/cJSON.h>
 
+#include "scene/text-hash.h"
+
 /* Up to here comparing all pairs is quicker than a hash table. */
 #define MOST_PAIRED_KEYS 16
 
@@ -57,14 +59,22 @@ static inline void skip_space(Scanner *s)
     }
 }
 
+/* The length of the word that is there, cut where it is long. */
+static gsize word_length(const Scanner *s)
+{
+    const char *from = s->text + s->at;
+    gsize room = MIN(s->length - s->at, 20), word = 0;
+    while (word < room && (g_ascii_isalnum(from[word]) || from[word] == '_' || from[word] == '-'))
+        word++;
+    return word;
+}
+
 /* "expected X, Y found" with the word or character that is there. */
 static gboolean fail_expected(Scanner *s, const char *expected)
 {
     if (s->at >= s->length) return fail(s, s->at, "not JSON: %s was expected, but the text ends here", expected);
     const char *from = s->text + s->at;
-    gsize room = MIN(s->length - s->at, 20), word = 0;
-    while (word < room && (g_ascii_isalnum(from[word]) || from[word] == '_' || from[word] == '-'))
-        word++;
+    gsize word = word_length(s);
     if (word > 0) return fail(s, s->at, "not JSON: %s was expected, \"%.*s\" found", expected, (int)word, from);
     gunichar c = g_utf8_get_char_validated(from, (gssize)(s->length - s->at));
     if (c == (gunichar)-1 || c == (gunichar)-2)
@@ -72,6 +82,14 @@ static gboolean fail_expected(Scanner *s, const char *expected)
     if (!g_unichar_isprint(c)) return fail(s, s->at, "not JSON: %s was expected, U+%04X found", expected, c);
     return fail(s, s->at, "not JSON: %s was expected, '%.*s' found", expected, (int)(g_utf8_next_char(from) - from),
                 from);
+}
+
+static gboolean fail_key(Scanner *s)
+{
+    const char *expected = "a key in double quotes";
+    gsize word = word_length(s);
+    if (word == 0) return fail_expected(s, expected);
+    return fail(s, s->at, "not JSON: %s was expected, found %.*s without quotes", expected, (int)word, s->text + s->at);
 }
 
 /* The four digits behind \u, or -1. */
@@ -201,7 +219,7 @@ static char *decode_key(const Scanner *s, const Key *key)
 
 static void find_duplicates_hashed(Scanner *s, guint first)
 {
-    g_autoptr(GHashTable) seen = g_hash_table_new_full(g_str_hash, g_str_equal, g_free, NULL);
+    g_autoptr(GHashTable) seen = g_hash_table_new_full(tinker_text_hash, g_str_equal, g_free, NULL);
     for (guint i = first; i < s->keys->len; i++) {
         const Key *key = &g_array_index(s->keys, Key, i);
         if (!g_hash_table_add(seen, decode_key(s, key))) report_duplicate(s, key);
@@ -236,13 +254,13 @@ static void find_duplicates(Scanner *s, guint first)
 static gboolean scan_key(Scanner *s)
 {
     skip_space(s);
-    if (peek(s) != '"') return fail_expected(s, "a key in double quotes");
+    if (peek(s) != '"') return fail_key(s);
     Key key = {.start = s->at + 1};
     s->key_at = s->at;
     if (!scan_string(s, &key.escaped)) return FALSE;
     key.length = s->at - 1 - key.start;
     g_array_append_val(s->keys, key);
-    if (s->depth == 1) s->in_blocks = key.length == 6 && memcmp(s->text + key.start, "blocks", 6) == 0;
+    if (s->depth == 1) s->in_blocks = json_key_is(s->text, &(JsonPart){.key = s->key_at}, "blocks");
     skip_space(s);
     if (peek(s) != ':') return fail_expected(s, "':' behind a key");
     s->at++;

@@ -42,7 +42,7 @@ GArray *json_split(const char *text, gsize start);
 /* Behind the closing quote of the text whose opening quote is here. */
 gsize json_string_end(const char *text, gsize start);
 
-/* Whether the part's key is this word (without characters that need an escape). */
+/* Whether the part's key is this word, however it is escaped. */
 gboolean json_key_is(const char *text, const JsonPart *part, const char *word);
 
 /* Appends a value's text on one line, with a space behind each comma and colon and none elsewhere; tokens stay as they

@@ -2,6 +2,7 @@
 #include <string.h>
 
 #include "scene/reader-private.h"
+#include "scene/text-hash.h"
 
 /* The members that every block has. */
 typedef struct {
@@ -37,7 +38,7 @@ static void type_free(ReaderType *type)
 static const ReaderType *find_type(SceneReader *reader, const char *id)
 {
     if (reader->types == NULL)
-        reader->types = g_hash_table_new_full(g_str_hash, g_str_equal, g_free, (GDestroyNotify)type_free);
+        reader->types = g_hash_table_new_full(tinker_text_hash, g_str_equal, g_free, (GDestroyNotify)type_free);
     ReaderType *type = g_hash_table_lookup(reader->types, id);
     if (type != NULL) return type;
     g_autoptr(GError) error = NULL;

@@ -1,13 +1,17 @@
 /* Reading a scene: the scanner checks the text and finds its parts; then the head, each block on its own, what joins
  * them, and the graphs. A tree of the whole file would be many times its size. */
 #include <errno.h>
+#include <fcntl.h>
 #include <string.h>
 #include <unistd.h>
 
 #include "scene/reader-private.h"
+#include "scene/text-hash.h"
 
 /* How many names may be compared for suggestions; without a limit a large file with many wrong names takes minutes. */
 #define MOST_COMPARED 2000000
+
+#define MOST_STREAMED (1u << 30) /* bytes */
 
 cJSON *reader_parse(SceneReader *reader, const JsonPart *part)
 {
@@ -31,7 +35,8 @@ static void reader_init(SceneReader *reader, TinkerCatalogue *catalogue, const c
         .folder = is_file ? g_path_get_dirname(path) : g_strdup("."),
         .findings = g_array_new(FALSE, FALSE, sizeof(ReaderFinding)),
         .label_number = -1,
-        .waveforms = g_hash_table_new_full(g_str_hash, g_str_equal, g_free, (GDestroyNotify)tinker_waveform_unref),
+        .waveforms =
+            g_hash_table_new_full(tinker_text_hash, g_str_equal, g_free, (GDestroyNotify)tinker_waveform_unref),
         .unnamed = g_array_new(FALSE, FALSE, sizeof(TinkerBlockId)),
         .later_ends = g_array_new(FALSE, FALSE, sizeof(ReaderEnd)),
         .end_names = g_string_chunk_new(4096),
@@ -120,34 +125,36 @@ static TinkerScene *unreadable(const char *path, const char *reason, GPtrArray *
     return NULL;
 }
 
-static TinkerScene *read_standard_input(TinkerCatalogue *catalogue, GPtrArray *findings, GError **error)
+/* What cannot be mapped into memory: standard input, a pipe, a device; one without an end is given up. */
+static TinkerScene *read_stream(TinkerCatalogue *catalogue, int stream, const char *path, GPtrArray *findings,
+                                GError **error)
 {
+    const char *name = g_str_equal(path, "-") ? "standard input" : path;
     g_autoptr(GByteArray) bytes = g_byte_array_new();
     guint8 buffer[65536];
     for (;;) {
-        gssize count = read(STDIN_FILENO, buffer, sizeof buffer);
+        gssize count = read(stream, buffer, sizeof buffer);
         if (count < 0 && errno == EINTR) continue;
-        if (count < 0) return unreadable("standard input", g_strerror(errno), findings, error);
+        if (count < 0) return unreadable(name, g_strerror(errno), findings, error);
         if (count == 0) break;
         g_byte_array_append(bytes, buffer, (guint)count);
+        if (bytes->len > MOST_STREAMED)
+            return unreadable(name, "it is longer than 1 GiB (a longer scene must be a file)", findings, error);
     }
-    return tinker_scene_read_text(catalogue, (const char *)bytes->data, bytes->len, "-", findings, error);
+    return tinker_scene_read_text(catalogue, (const char *)bytes->data, bytes->len, path, findings, error);
 }
 
 TinkerScene *tinker_scene_read_file(TinkerCatalogue *catalogue, const char *path, GPtrArray *findings, GError **error)
 {
-    if (g_str_equal(path, "-")) return read_standard_input(catalogue, findings, error);
+    if (g_str_equal(path, "-")) return read_stream(catalogue, STDIN_FILENO, path, findings, error);
     if (g_file_test(path, G_FILE_TEST_IS_DIR)) return unreadable(path, "it is a folder", findings, error);
-    g_autoptr(GError) reason = NULL;
-    GMappedFile *file = g_mapped_file_new(path, FALSE, &reason);
+    GMappedFile *file = g_mapped_file_new(path, FALSE, NULL);
     if (file == NULL) {
-        /* A pipe or device cannot be mapped, but read. */
-        g_autofree char *text = NULL;
-        gsize length;
-        g_clear_error(&reason);
-        if (!g_file_get_contents(path, &text, &length, &reason))
-            return unreadable(path, reason->message, findings, error);
-        return tinker_scene_read_text(catalogue, text, length, path, findings, error);
+        int stream = open(path, O_RDONLY | O_CLOEXEC);
+        if (stream < 0) return unreadable(path, g_strerror(errno), findings, error);
+        TinkerScene *streamed = read_stream(catalogue, stream, path, findings, error);
+        close(stream);
+        return streamed;
     }
     TinkerScene *scene = tinker_scene_read_text(catalogue, g_mapped_file_get_contents(file),
                                                 g_mapped_file_get_length(file), path, findings, error);

@@ -95,6 +95,18 @@ static gboolean property_choice(SceneReader *reader, const cJSON *json, JsonAt a
     return choice >= 0;
 }
 
+/* A plain number is in radians; one of more turns than anybody writes was likely meant in degrees. */
+#define MOST_TURNS 2.0
+static void warn_of_turns(SceneReader *reader, const cJSON *json, JsonAt at, const TinkerPropertyType *type)
+{
+    static const TinkerDimension angle = {.angle = 1};
+    if (!cJSON_IsNumber(json) || !tinker_dimension_equal(type->dimension, angle)) return;
+    double turns = fabs(json->valuedouble) / (2 * G_PI);
+    if (turns <= MOST_TURNS || !isfinite(turns)) return;
+    reader_warning(reader, at, TINKER_SCENE_ERROR_VALUE, "%s: %g rad is %.3g turns (did you mean \"%g deg\"?)",
+                   type->id, json->valuedouble, turns, json->valuedouble);
+}
+
 /* The numbers of a property that has columns. */
 static gboolean property_numbers(SceneReader *reader, const cJSON *json, JsonAt at, const TinkerPropertyType *type,
                                  double values[2])
@@ -128,6 +140,7 @@ void reader_property(SceneReader *reader, const cJSON *json, JsonAt at, SceneTab
         if (text != NULL) scene_store_text(table, row, property, text);
         return;
     }
+    warn_of_turns(reader, json, at, type);
     if (type->kind == TINKER_KIND_WAVEFORM) {
         g_autoptr(TinkerWaveform) waveform = reader_waveform(reader, json, at, type);
         if (waveform != NULL) scene_store_waveform(table, row, property, waveform);

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "scene/scene-private.h"
+#include "scene/text-hash.h"
 
 G_DEFINE_QUARK(tinker_scene_error_quark, tinker_scene_error)
 
@@ -195,8 +196,8 @@ TinkerScene *tinker_scene_new(TinkerCatalogue *catalogue)
     scene->tables = g_ptr_array_new_with_free_func((GDestroyNotify)scene_table_free);
     scene->table_of = g_hash_table_new(NULL, NULL);
     scene->names = g_string_chunk_new(4096);
-    scene->by_name = g_hash_table_new(g_str_hash, g_str_equal);
-    scene->next_number = g_hash_table_new_full(g_str_hash, g_str_equal, g_free, NULL);
+    scene->by_name = g_hash_table_new(tinker_text_hash, g_str_equal);
+    scene->next_number = g_hash_table_new_full(tinker_text_hash, g_str_equal, g_free, NULL);
     scene->placeholders = g_hash_table_new_full(NULL, NULL, NULL, (GDestroyNotify)scene_placeholder_free);
     scene->extras = g_hash_table_new_full(NULL, NULL, NULL, g_free);
     scene->end_extras = g_hash_table_new_full(g_int64_hash, g_int64_equal, g_free, g_free);

@@ -1,5 +1,7 @@
 /* Writing a scene in its normal form: the keys in a fixed order, one block a line, what was given and nothing else. */
+#include <errno.h>
 #include <glib/gstdio.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -143,6 +145,20 @@ static gboolean write_standard_output(const char *text, gsize length, GError **e
     return FALSE;
 }
 
+/* Into a pipe or a device, which must not be replaced by a file. */
+static gboolean write_through(const char *path, const char *text, gsize length, GError **error)
+{
+    FILE *file = fopen(path, "we");
+    gboolean good = file != NULL && fwrite(text, 1, length, file) == length;
+    int code = errno;
+    if (file != NULL && fclose(file) != 0 && good) {
+        code = errno;
+        good = FALSE;
+    }
+    if (!good) g_set_error_literal(error, G_FILE_ERROR, (int)g_file_error_from_errno(code), g_strerror(code));
+    return good;
+}
+
 gboolean tinker_scene_write_file(TinkerScene *scene, const char *path, TinkerWriteUnits units, GError **error)
 {
     g_autofree char *text = tinker_scene_to_text(scene, units);
@@ -153,13 +169,19 @@ gboolean tinker_scene_write_file(TinkerScene *scene, const char *path, TinkerWri
     char *real = realpath(path, NULL);
     const char *target = real == NULL ? path : real;
     GStatBuf status;
-    int mode = g_stat(target, &status) == 0 ? (int)(status.st_mode & 07777) : 0666;
+    gboolean exists = g_stat(target, &status) == 0;
+    int mode = exists ? (int)(status.st_mode & 07777) : 0666;
     g_autoptr(GError) reason = NULL;
     gboolean good =
-        g_file_set_contents_full(target, text, (gssize)length, G_FILE_SET_CONTENTS_CONSISTENT, mode, &reason);
+        exists && !S_ISREG(status.st_mode)
+            ? write_through(target, text, length, &reason)
+            : g_file_set_contents_full(target, text, (gssize)length, G_FILE_SET_CONTENTS_CONSISTENT, mode, &reason);
     free(real);
-    if (!good)
-        g_set_error(error, TINKER_SCENE_ERROR, TINKER_SCENE_ERROR_FILE, "%s: the file cannot be written: %s", path,
-                    reason->message);
-    return good;
+    if (good) return TRUE;
+    g_autofree char *folder = g_path_get_dirname(path);
+    g_autofree char *no_folder =
+        g_file_test(folder, G_FILE_TEST_EXISTS) ? NULL : g_strdup_printf("the folder %s does not exist", folder);
+    g_set_error(error, TINKER_SCENE_ERROR, TINKER_SCENE_ERROR_FILE, "%s: the file cannot be written: %s", path,
+                no_folder != NULL ? no_folder : reason->message);
+    return FALSE;
 }

@@ -204,7 +204,8 @@ static TinkerAffine affine_of(const TinkerProgramState *state, const TinkerInstr
     }
     if (a.slope != 0 || b.slope != 0) return none;
     const TinkerJet x = {a.offset, 0, 0}, y = {b.offset, 0, 0};
-    return (TinkerAffine){TRUE, 0, tinker_jet_apply(instruction->operation, &x, &y, 0).value};
+    const double cell = instruction->c >= 0 ? state->cells[instruction->c] : 0;
+    return (TinkerAffine){TRUE, 0, tinker_jet_apply(instruction->operation, &x, &y, cell).value};
 }
 
 /* The first time after t at which slope * t + offset is at a level. */

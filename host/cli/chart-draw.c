@@ -66,22 +66,36 @@ static char *axis_label(const char *title, const char *unit)
     return unit[0] != '\0' ? g_strdup_printf("%s [%s]", title, unit) : g_strdup(title);
 }
 
-/* The label that all curves share on one axis: title and unit, or what they have in common of it. */
+/* The label of a lone curve's axis. It names the block, but on the x axis only where y is another's. */
+static char *lone_label(const TinkerChart *chart, gboolean of_x)
+{
+    TinkerChartCurve curve = g_array_index(chart->curves, TinkerChartCurve, 0);
+    TinkerChartAxis x = tinker_chart_axis(chart, curve.x), y = tinker_chart_axis(chart, curve.y);
+    TinkerChartAxis axis = of_x ? x : y;
+    if (axis.block == TINKER_NO_BLOCK || (of_x && x.block == y.block)) return axis_label(axis.title, axis.unit);
+    g_autofree char *title = g_strdup_printf("%s: %s", tinker_scene_block_name(chart->scene, axis.block), axis.title);
+    return axis_label(title, axis.unit);
+}
+
+/* The label that all curves share on one axis: up to two titles, or what is measured, and the unit. */
 static char *common_label(const TinkerChart *chart, gboolean of_x)
 {
     TinkerChartCurve first = g_array_index(chart->curves, TinkerChartCurve, 0);
     TinkerChartAxis axis = tinker_chart_axis(chart, of_x ? first.x : first.y);
-    gboolean same_title = TRUE, same_unit = TRUE;
+    const char *second = NULL; /* title */
+    gboolean two_titles = TRUE, same_unit = TRUE;
     for (guint i = 1; i < chart->curves->len; i++) {
         TinkerChartCurve curve = g_array_index(chart->curves, TinkerChartCurve, i);
         TinkerChartAxis other = tinker_chart_axis(chart, of_x ? curve.x : curve.y);
-        if (strcmp(axis.title, other.title) != 0) same_title = FALSE;
+        if (second == NULL && strcmp(axis.title, other.title) != 0) second = other.title;
+        if (strcmp(axis.title, other.title) != 0 && strcmp(second, other.title) != 0) two_titles = FALSE;
         if (strcmp(axis.unit, other.unit) != 0) same_unit = FALSE;
     }
     if (!same_unit) return g_strdup("units as in the legend");
-    if (same_title) return axis_label(axis.title, axis.unit);
-    g_autofree char *name = g_strdup(tinker_dimension_name(axis.dimension));
-    name[0] = g_ascii_toupper(name[0]);
+    if (second == NULL) return axis_label(axis.title, axis.unit);
+    g_autofree char *name =
+        two_titles ? g_strdup_printf("%s, %s", axis.title, second) : g_strdup(tinker_dimension_name(axis.dimension));
+    if (!two_titles) name[0] = g_ascii_toupper(name[0]);
     return axis_label(name, axis.unit);
 }
 
@@ -132,8 +146,8 @@ gboolean tinker_chart_draw(TinkerChart *chart, const TinkerTheme *theme, int wid
             .colour = (int)i,
         };
     }
-    g_autofree char *x_label = common_label(chart, TRUE);
-    g_autofree char *y_label = common_label(chart, FALSE);
+    g_autofree char *x_label = count > 1 ? common_label(chart, TRUE) : lone_label(chart, TRUE);
+    g_autofree char *y_label = count > 1 ? common_label(chart, FALSE) : lone_label(chart, FALSE);
     TinkerPlot plot = {
         .title = chart->title[0] != '\0' ? chart->title : NULL,
         .x_label = x_label,

@@ -77,14 +77,13 @@ static gboolean same_axes(const TinkerChart *chart, const TinkerSceneGraph *firs
            tinker_dimension_equal(class_a->quantities[quantity_a].dimension, class_b->quantities[quantity_b].dimension);
 }
 
-gboolean tinker_chart_add_graphs_of_scene(TinkerChart *chart, int *left_out, GError **error)
+gboolean tinker_chart_add_graphs_of_scene(TinkerChart *chart, GPtrArray *left_out, GError **error)
 {
     GPtrArray *graphs = tinker_scene_graphs(chart->scene);
-    *left_out = 0;
     for (guint i = 0; i < graphs->len; i++) {
-        const TinkerSceneGraph *first = g_ptr_array_index(graphs, 0), *graph = g_ptr_array_index(graphs, i);
+        TinkerSceneGraph *first = g_ptr_array_index(graphs, 0), *graph = g_ptr_array_index(graphs, i);
         if (!same_axes(chart, first, graph)) {
-            ++*left_out;
+            g_ptr_array_add(left_out, graph);
             continue;
         }
         g_autofree char *name = g_strdup_printf("%s.%s", graph->block, graph->quantity);

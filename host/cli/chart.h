@@ -29,8 +29,9 @@ G_DEFINE_AUTOPTR_CLEANUP_FUNC(TinkerChart, tinker_chart_free)
  * ("vx") or of any ("Mass 1.x"). Errors: TINKER_SCENE_ERROR_NAME. */
 gboolean tinker_chart_add(TinkerChart *chart, const char *name, const char *against, GError **error);
 
-/* Adds the graphs that the scene holds: the first, and all others of the same axes; `left_out` counts the rest. */
-gboolean tinker_chart_add_graphs_of_scene(TinkerChart *chart, int *left_out, GError **error);
+/* Adds the graphs that the scene holds: the first, and all others of the same axes; the rest is added to `left_out`, of
+ * const TinkerSceneGraph *. */
+gboolean tinker_chart_add_graphs_of_scene(TinkerChart *chart, GPtrArray *left_out, GError **error);
 
 /* Takes a sample of all columns, as a TinkerSampleFunc hands it out. */
 gboolean tinker_chart_sample(TinkerChart *chart, double time, const double *values, GError **error);

@@ -3,6 +3,7 @@
 
 #include <stdarg.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "physics/model.h"
 #include "plugin/catalogue.h"
@@ -71,7 +72,8 @@ void tinker_blame_option(const char *option, GError **error)
 int tinker_report_error(const char *scene, const GError *error)
 {
     gboolean of_scene = scene != NULL && error->domain != TINKER_CLI_ERROR;
-    if (of_scene && !g_str_has_prefix(error->message, scene))
+    gboolean told = of_scene && g_str_has_prefix(error->message, scene) && error->message[strlen(scene)] == ':';
+    if (of_scene && !told)
         fprintf(stderr, "tinker: %s: %s\n", scene, error->message);
     else
         fprintf(stderr, "tinker: %s\n", error->message);

@@ -77,7 +77,7 @@ static int finish(int status)
     return TINKER_EXIT_FILE;
 }
 
-int main(int argc, char **argv)
+static int dispatch(int argc, char **argv)
 {
     if (argc < 2) {
         print_usage(stderr);
@@ -94,5 +94,10 @@ int main(int argc, char **argv)
         return TINKER_EXIT_DONE;
     }
     const TinkerVerb *verb = find_verb(name);
-    return finish(verb == NULL ? report_unknown_verb(name) : verb->run(argc - 1, argv + 1));
+    return verb == NULL ? report_unknown_verb(name) : verb->run(argc - 1, argv + 1);
+}
+
+int main(int argc, char **argv)
+{
+    return finish(dispatch(argc, argv));
 }

@@ -1,6 +1,8 @@
 /* Where plugins and bundled scenes are, and opening a scene with one line for everything that is wrong. */
 #include "open-scene.h"
 
+#include <string.h>
+
 #include "exit-status.h"
 #include "output.h"
 
@@ -69,14 +71,33 @@ char *tinker_finding_text(const TinkerFinding *finding, const char *name)
 
 static void collect_warnings(TinkerOpenScene *open, const GPtrArray *findings)
 {
+    open->finding_count = findings->len;
     const GPtrArray *search = tinker_catalogue_warnings(open->catalogue);
     for (guint i = 0; i < search->len; i++)
         g_ptr_array_add(open->warnings, g_strdup(g_ptr_array_index(search, i)));
     for (guint i = 0; i < findings->len; i++) {
         const TinkerFinding *finding = g_ptr_array_index(findings, i);
-        if (finding->kind == TINKER_FINDING_WARNING)
-            g_ptr_array_add(open->warnings, tinker_finding_text(finding, open->name));
+        if (finding->kind != TINKER_FINDING_WARNING) continue;
+        g_ptr_array_add(open->warnings, tinker_finding_text(finding, open->name));
+        if (finding->code == TINKER_SCENE_ERROR_TYPE) open->missing_types++;
     }
+}
+
+static void tell_of_check(const TinkerOpenScene *open, guint count)
+{
+    tinker_report_note("%s: \"tinker check %s\" lists all %u findings", open->name, open->path, count);
+}
+
+static guint count_detached_ends(const TinkerScene *scene)
+{
+    guint count = 0;
+    for (int32_t place = 0; place < tinker_scene_block_count(scene); place++) {
+        TinkerBlockId block = tinker_scene_block_at(scene, place);
+        if (tinker_scene_block_class(scene, block) == NULL) continue;
+        for (int32_t end = 0; end < tinker_scene_end_count(scene, block); end++)
+            if (tinker_scene_end(scene, block, end).block == TINKER_NO_BLOCK) count++;
+    }
+    return count;
 }
 
 int tinker_open_scene(TinkerOpenScene *open, char **plugin_folders, const char *path)
@@ -90,9 +111,29 @@ int tinker_open_scene(TinkerOpenScene *open, char **plugin_folders, const char *
     g_autoptr(GError) error = NULL;
     g_autoptr(GPtrArray) findings = tinker_findings_new();
     open->scene = tinker_scene_read_file(open->catalogue, path, findings, &error);
-    if (open->scene == NULL) return tinker_report_error(NULL, error);
+    if (open->scene == NULL) {
+        int status = tinker_report_error(NULL, error);
+        if (findings->len > 1) tell_of_check(open, findings->len);
+        return status;
+    }
     collect_warnings(open, findings);
     return TINKER_EXIT_DONE;
+}
+
+int tinker_open_scene_report_error(const TinkerOpenScene *open, const GError *error)
+{
+    int status = tinker_report_error(open->name, error);
+    gboolean refused =
+        error->domain != TINKER_CLI_ERROR && (status == TINKER_EXIT_SCENE || status == TINKER_EXIT_PLUGIN);
+    if (!refused) return status;
+    for (guint i = 0; i < open->warnings->len; i++) {
+        const char *warning = g_ptr_array_index(open->warnings, i);
+        if (strstr(warning, error->message) == NULL) tinker_report_warning("%s", warning);
+    }
+    guint detached = count_detached_ends(open->scene);
+    gboolean all_told = open->missing_types > 0 ? detached == 0 : detached <= 1;
+    if (!all_told) tell_of_check(open, open->finding_count + detached);
+    return status;
 }
 
 void tinker_open_scene_clear(TinkerOpenScene *open)

@@ -20,11 +20,17 @@ typedef struct {
     char *path;          /* as given */
     char *name;          /* as messages call it: the path, or "standard input" */
     GPtrArray *warnings; /* of char *: of the catalogue and of the reader */
+    guint finding_count; /* of the reader */
+    guint missing_types; /* of these: blocks that keep the scene from running */
 } TinkerOpenScene;
 
 /* Opens the scene at `path`; "-" is standard input. Reports what is wrong; answers the exit status, 0 where it is
  * open. */
 int tinker_open_scene(TinkerOpenScene *open, char **plugin_folders, const char *path);
+
+/* Reports the error that an open scene ended in, as tinker_report_error does. Where the scene itself is refused, its
+ * warnings are reported as well, and a last line tells where `tinker check` has more to say. */
+int tinker_open_scene_report_error(const TinkerOpenScene *open, const GError *error);
 
 void tinker_open_scene_clear(TinkerOpenScene *open);
 G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC(TinkerOpenScene, tinker_open_scene_clear)

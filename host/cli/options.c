@@ -142,10 +142,22 @@ gboolean tinker_command_line_read(TinkerCommandLine *line, const TinkerVerbHelp 
     return *status == TINKER_EXIT_DONE;
 }
 
+static gboolean begins_with_number(const char *text)
+{
+    return g_ascii_isdigit(text[strspn(text, " \t+-.")]);
+}
+
 gboolean tinker_option_value(const char *option, const char *text, TinkerDimension dimension, double least,
                              gboolean open, double *si, GError **error)
 {
+    static const TinkerDimension time = {.time = 1};
     g_autoptr(GError) reason = NULL;
+    if (!begins_with_number(text)) {
+        g_set_error(error, TINKER_CLI_ERROR, TINKER_CLI_ERROR_USAGE, "--%s \"%s\": a %s is expected here, as in 12%s",
+                    option, text, tinker_dimension_equal(dimension, time) ? "time" : "number",
+                    tinker_dimension_equal(dimension, time) ? " or 12 ms" : "");
+        return FALSE;
+    }
     if (!tinker_quantity_parse(text, dimension, si, &reason)) {
         g_set_error(error, TINKER_CLI_ERROR, TINKER_CLI_ERROR_USAGE, "--%s \"%s\": %s", option, text, reason->message);
         return FALSE;

@@ -21,7 +21,13 @@ gboolean tinker_path_has_ending(const char *path, const char *ending)
 
 static gboolean fail(const char *name, int reason, GError **error)
 {
-    g_set_error(error, TINKER_CLI_ERROR, TINKER_CLI_ERROR_FILE, "%s: cannot be written: %s", name, g_strerror(reason));
+    g_autofree char *folder = g_path_get_dirname(name);
+    if (reason == ENOENT && access(folder, F_OK) != 0)
+        g_set_error(error, TINKER_CLI_ERROR, TINKER_CLI_ERROR_FILE,
+                    "%s: cannot be written: the folder %s does not exist", name, folder);
+    else
+        g_set_error(error, TINKER_CLI_ERROR, TINKER_CLI_ERROR_FILE, "%s: cannot be written: %s", name,
+                    g_strerror(reason));
     return FALSE;
 }
 

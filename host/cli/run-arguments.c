@@ -51,7 +51,12 @@ GArray *tinker_run_arguments_times(const char *text, GError **error)
     g_auto(GStrv) parts = g_strsplit(text, ",", -1);
     for (char **part = parts; *part != NULL; part++) {
         double time = 0;
-        if (!tinker_option_value("at", g_strstrip(*part), time_dimension, 0, FALSE, &time, error)) return NULL;
+        if (*g_strstrip(*part) == '\0') {
+            g_set_error(error, TINKER_CLI_ERROR, TINKER_CLI_ERROR_USAGE,
+                        "entry %d of --at is empty (as in --at 0,0.5,2)", (int)(part - parts) + 1);
+            return NULL;
+        }
+        if (!tinker_option_value("at", *part, time_dimension, 0, FALSE, &time, error)) return NULL;
         g_array_append_val(times, time);
     }
     if (times->len == 0) {

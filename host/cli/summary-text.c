@@ -90,15 +90,20 @@ static void write_energy(const TinkerSummary *run, FILE *file)
     fprintf(file, "  balance error %.2g of the energy exchanged\n", run->energy_balance_error);
 }
 
+static void write_event(const TinkerEvent *event, FILE *file)
+{
+    gboolean start = g_str_equal(event->kind, "start");
+    gboolean named = event->blocks != NULL && event->blocks[0] != '\0';
+    fprintf(file, "  event at %.6g s: %s%s%s\n", event->time, start ? "start velocities changed" : event->kind,
+            named ? ", " : "", named ? event->blocks : "");
+}
+
 static void write_events(const TinkerSummary *run, FILE *file)
 {
     const guint most = 10;
     guint count = run->events == NULL ? 0 : run->events->len;
-    for (guint i = 0; i < MIN(count, most); i++) {
-        const TinkerEvent *event = g_ptr_array_index(run->events, i);
-        fprintf(file, "  event at %.6g s: %s%s%s\n", event->time, event->kind, event->blocks != NULL ? ", " : "",
-                event->blocks != NULL ? event->blocks : "");
-    }
+    for (guint i = 0; i < MIN(count, most); i++)
+        write_event(g_ptr_array_index(run->events, i), file);
     if (count > most) fprintf(file, "  and %u more events (all of them: --json FILE)\n", count - most);
 }
 

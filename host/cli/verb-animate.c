@@ -149,8 +149,9 @@ static gboolean bound_motion(Motion *motion, double valid_until, GError **error)
     return TRUE;
 }
 
+/* Draws the recorded pictures until Ctrl-C; `drawn` counts them. */
 static gboolean draw_pictures(Motion *motion, TinkerFilm *film, int width, int height, const TinkerPaintOptions *paint,
-                              TinkerProgress *progress, GError **error)
+                              TinkerProgress *progress, gsize *drawn, GError **error)
 {
     cairo_surface_t *surface = cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height);
     cairo_t *cairo = cairo_create(surface);
@@ -163,6 +164,7 @@ static gboolean draw_pictures(Motion *motion, TinkerFilm *film, int width, int h
         if (!fine) break;
         tinker_paint_scene(cairo, motion->frame, &view, paint);
         fine = tinker_film_add(film, surface, error);
+        *drawn = picture + 1;
         tinker_progress_update(progress, (double)picture, (double)count);
     }
     cairo_destroy(cairo);
@@ -224,14 +226,17 @@ static gboolean animate(const AnimateOptions *options, const TinkerOpenScene *op
 
     g_auto(Motion) motion = {0};
     if (!run_motion(&motion, options, open, speed / fps, failure, error)) return FALSE;
+    g_autofree signed char *label_places = g_new0(signed char, tinker_scene_id_limit(open->scene) + 1);
+    paint.label_places = label_places;
     g_autoptr(TinkerFilm) film = tinker_film_new(options->output, width, height, fps, error);
     if (film == NULL) return FALSE;
     TinkerProgress progress = tinker_progress_start("drawing");
     gboolean joined = !tinker_path_has_ending(options->output, ".png") && tinker_film_can_join();
-    gboolean fine = draw_pictures(&motion, film, width, height, &paint, &progress, error);
+    gsize drawn = 0;
+    gboolean fine = draw_pictures(&motion, film, width, height, &paint, &progress, &drawn, error);
     tinker_progress_end(&progress);
     if (!fine || !tinker_film_finish(film, error)) return FALSE;
-    if (!joined) tell_numbered_pictures(options->output, tinker_record_rows(motion.record));
+    if (!joined) tell_numbered_pictures(options->output, drawn);
     return TRUE;
 }
 
@@ -257,6 +262,6 @@ int tinker_verb_animate(int argc, char **argv)
     status = tinker_open_scene(&open, line.plugin_folders, line.operands[0]);
     if (status != TINKER_EXIT_DONE) return status;
     g_autoptr(GError) error = NULL, failure = NULL;
-    if (!animate(&options, &open, &failure, &error)) return tinker_report_error(open.name, error);
+    if (!animate(&options, &open, &failure, &error)) return tinker_open_scene_report_error(&open, error);
     return failure != NULL ? tinker_report_error(open.name, failure) : TINKER_EXIT_DONE;
 }

@@ -281,5 +281,6 @@ int tinker_verb_bench(int argc, char **argv)
     status = tinker_open_scene(&open, line.plugin_folders, line.operands[0]);
     if (status != TINKER_EXIT_DONE) return status;
     g_autoptr(GError) error = NULL;
-    return bench(&arguments, &open, seconds, json, &error) ? TINKER_EXIT_DONE : tinker_report_error(open.name, error);
+    return bench(&arguments, &open, seconds, json, &error) ? TINKER_EXIT_DONE
+                                                           : tinker_open_scene_report_error(&open, error);
 }

@@ -2,12 +2,13 @@
 #include "verbs.h"
 
 #include <stdio.h>
+#include <string.h>
 
 #include "exit-status.h"
 #include "open-scene.h"
 #include "options.h"
 #include "output.h"
-#include "physics/model.h"
+#include "physics/simulation.h"
 
 static const TinkerVerbHelp help = {
     .verb = "check",
@@ -59,6 +60,28 @@ static void add_of_reader(Findings *findings, const GPtrArray *found, const char
     }
 }
 
+static gboolean is_told(const GPtrArray *found, const char *text)
+{
+    for (guint i = 0; i < found->len; i++)
+        if (strstr(((const TinkerFinding *)g_ptr_array_index(found, i))->message, text) != NULL) return TRUE;
+    return FALSE;
+}
+
+/* A missing type may be that of a library which was refused without anybody knowing what is in it. */
+static void add_of_catalogue(Findings *findings, TinkerCatalogue *catalogue, const GPtrArray *found)
+{
+    gboolean missing = FALSE;
+    for (guint i = 0; i < found->len; i++)
+        if (((const TinkerFinding *)g_ptr_array_index(found, i))->code == TINKER_SCENE_ERROR_TYPE) missing = TRUE;
+    const GPtrArray *warnings = tinker_catalogue_warnings(catalogue);
+    for (guint i = 0; missing && i < warnings->len; i++) {
+        const char *warning = g_ptr_array_index(warnings, i);
+        if (is_told(found, warning)) continue;
+        g_autofree char *text = g_strconcat("warning: ", warning, NULL);
+        add_warning(findings, text);
+    }
+}
+
 /* The first reason for which a model refuses is one; detached ends are listed one and all. */
 static void add_detached_ends(Findings *findings, const TinkerScene *scene, const char *name)
 {
@@ -78,13 +101,27 @@ static void add_detached_ends(Findings *findings, const TinkerScene *scene, cons
     }
 }
 
+static void add_refusal(Findings *findings, const char *name, const GError *error)
+{
+    g_autofree char *text = g_strdup_printf("%s: %s", name, error->message);
+    add_error(findings, text, tinker_exit_status(error));
+}
+
+/* A method, step, tolerance or interval that no run can have. */
+static void add_of_run(Findings *findings, TinkerScene *scene, TinkerModel *model, const char *name)
+{
+    g_autoptr(GError) error = NULL;
+    TinkerRunOptions options = tinker_run_options_of(scene);
+    g_autoptr(TinkerSimulation) simulation = tinker_simulation_new(model, &options, &error);
+    if (simulation == NULL) add_refusal(findings, name, error);
+}
+
 static void add_of_model(Findings *findings, TinkerScene *scene, const char *name)
 {
     g_autoptr(GError) error = NULL;
     g_autoptr(TinkerModel) model = tinker_model_new(scene, &error);
     if (model == NULL) {
-        g_autofree char *text = g_strdup_printf("%s: %s", name, error->message);
-        add_error(findings, text, tinker_exit_status(error));
+        add_refusal(findings, name, error);
         return;
     }
     const GPtrArray *warnings = tinker_model_warnings(model);
@@ -92,6 +129,7 @@ static void add_of_model(Findings *findings, TinkerScene *scene, const char *nam
         g_autofree char *text = g_strdup_printf("%s: warning: %s", name, (const char *)g_ptr_array_index(warnings, i));
         add_warning(findings, text);
     }
+    add_of_run(findings, scene, model, name);
 }
 
 static int conclude(const Findings *findings)
@@ -112,6 +150,7 @@ static int check(const char *path, char **plugin_folders)
     Findings findings = {0, 0, TINKER_EXIT_DONE};
     g_autoptr(TinkerScene) scene = tinker_scene_read_file(catalogue, path, found, &error);
     add_of_reader(&findings, found, name);
+    add_of_catalogue(&findings, catalogue, found);
     if (scene != NULL) add_detached_ends(&findings, scene, name);
     if (scene != NULL && findings.errors == 0) add_of_model(&findings, scene, name);
     return conclude(&findings);

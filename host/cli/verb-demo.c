@@ -48,9 +48,9 @@ static gboolean take_sample(TinkerSimulation *simulation, double time, const dou
 
 static gboolean demo_init(Demo *demo, TinkerScene *scene, const char *csv, GError **error)
 {
-    int left_out = 0;
+    g_autoptr(GPtrArray) left_out = g_ptr_array_new();
     demo->chart = tinker_chart_new(scene);
-    if (!tinker_chart_add_graphs_of_scene(demo->chart, &left_out, error)) return FALSE;
+    if (!tinker_chart_add_graphs_of_scene(demo->chart, left_out, error)) return FALSE;
     demo->record_columns = tinker_columns_default(scene);
     demo->all_columns = g_array_new(FALSE, FALSE, sizeof(TinkerColumn));
     g_array_append_vals(demo->all_columns, demo->record_columns->data, demo->record_columns->len);
@@ -115,5 +115,5 @@ int tinker_verb_demo(int argc, char **argv)
     status = tinker_open_scene(&open, line.plugin_folders, scene);
     if (status != TINKER_EXIT_DONE) return status;
     g_autoptr(GError) error = NULL;
-    return show(&open, folder, &error) ? TINKER_EXIT_DONE : tinker_report_error(open.name, error);
+    return show(&open, folder, &error) ? TINKER_EXIT_DONE : tinker_open_scene_report_error(&open, error);
 }

@@ -60,19 +60,26 @@ static gboolean read_form(const GraphOptions *options, GraphForm *form, GError *
     return place >= 0;
 }
 
+static void report_left_out(const TinkerSceneGraph *graph)
+{
+    gboolean over_time = g_str_equal(graph->against, "time");
+    g_autofree char *against = over_time ? g_strdup("") : g_strdup_printf(" --against \"%s\"", graph->against);
+    tinker_report_warning("graph of %s.%s left out: other axes than the first (to draw it: tinker graph SCENE "
+                          "\"%s.%s\"%s -o ...)",
+                          graph->block, graph->quantity, graph->block, graph->quantity, against);
+}
+
 static gboolean add_curves(TinkerChart *chart, const GraphOptions *options, char **names, GError **error)
 {
-    int left_out = 0;
+    g_autoptr(GPtrArray) left_out = g_ptr_array_new();
     for (char **name = names; *name != NULL; name++)
         if (!tinker_chart_add(chart, *name, options->against, error)) {
             tinker_blame_option(NULL, error);
             return FALSE;
         }
-    if (names[0] == NULL && !tinker_chart_add_graphs_of_scene(chart, &left_out, error)) return FALSE;
-    if (left_out > 0)
-        tinker_report_warning("%d of the scene's %u graphs left out: other axes than the first; "
-                              "name a curve to draw it, with --against for a phase plot",
-                              left_out, tinker_scene_graphs(chart->scene)->len);
+    if (names[0] == NULL && !tinker_chart_add_graphs_of_scene(chart, left_out, error)) return FALSE;
+    for (guint i = 0; i < left_out->len; i++)
+        report_left_out(g_ptr_array_index(left_out, i));
     if (chart->curves->len > 0) return TRUE;
     g_set_error(error, TINKER_CLI_ERROR, TINKER_CLI_ERROR_USAGE,
                 "the scene holds no graphs; name a curve (as in \"Mass 0.y\")");
@@ -124,6 +131,7 @@ int tinker_verb_graph(int argc, char **argv)
     status = tinker_open_scene(&open, line.plugin_folders, line.operands[0]);
     if (status != TINKER_EXIT_DONE) return status;
     g_autoptr(GError) error = NULL, failure = NULL;
-    if (!graph(&options, &open, line.operands + 1, &failure, &error)) return tinker_report_error(open.name, error);
+    if (!graph(&options, &open, line.operands + 1, &failure, &error))
+        return tinker_open_scene_report_error(&open, error);
     return failure != NULL ? tinker_report_error(open.name, failure) : TINKER_EXIT_DONE;
 }

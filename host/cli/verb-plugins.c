@@ -142,7 +142,9 @@ static gboolean write_manifest(const char *library, const char *output, GError *
 {
     g_autofree char *text = tinker_plugin_describe(library, error);
     if (text == NULL) return FALSE;
-    if (tinker_is_standard_stream(output)) {
+    gboolean special = output != NULL && g_file_test(output, G_FILE_TEST_EXISTS) &&
+                       !g_file_test(output, G_FILE_TEST_IS_REGULAR); /* a pipe or a device is not replaced */
+    if (tinker_is_standard_stream(output) || special) {
         g_auto(TinkerOutput) file = {0};
         if (!tinker_output_open(&file, output, NULL, error)) return FALSE;
         fprintf(file.file, "%s\n", text);

@@ -72,5 +72,5 @@ int tinker_verb_render(int argc, char **argv)
     status = tinker_open_scene(&open, line.plugin_folders, line.operands[0]);
     if (status != TINKER_EXIT_DONE) return status;
     g_autoptr(GError) error = NULL;
-    return render(&options, &open, &error) ? TINKER_EXIT_DONE : tinker_report_error(open.name, error);
+    return render(&options, &open, &error) ? TINKER_EXIT_DONE : tinker_open_scene_report_error(&open, error);
 }

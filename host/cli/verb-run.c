@@ -126,6 +126,14 @@ static gboolean write_results(RunJob *job, const RunOptions *options, const Tink
     return tinker_output_close(&job->json, fine ? error : NULL) && fine;
 }
 
+static void warn_without_record(const RunOptions *options)
+{
+    if (options->csv != NULL) return;
+    if (options->columns != NULL) tinker_report_warning("--columns has no effect without --csv");
+    if (options->at != NULL)
+        tinker_report_warning("--at has no effect without --csv, but that the run lasts to the last of its times");
+}
+
 static int run(const RunOptions *options, const TinkerCommandLine *line)
 {
     g_auto(TinkerOpenScene) open = {0};
@@ -134,7 +142,8 @@ static int run(const RunOptions *options, const TinkerCommandLine *line)
 
     g_auto(RunJob) job = {0};
     g_autoptr(GError) error = NULL, failure = NULL;
-    if (!prepare(&job, options, &open, &error)) return tinker_report_error(open.name, error);
+    if (!prepare(&job, options, &open, &error)) return tinker_open_scene_report_error(&open, error);
+    warn_without_record(options);
     const GArray *columns = options->csv != NULL ? job.columns : NULL;
     (void)tinker_scene_run_go(&job.run, columns, write_sample, &job, &failure);
     if (!write_results(&job, options, &open, failure, &error) && failure == NULL)

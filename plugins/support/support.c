@@ -1,7 +1,8 @@
 /* Support: a place that does not give way, and a plate with one solid side.
  *
- * Forces do not move it. Its top, the +y side of its own axes, is what masses land on; from below and from the ends they
- * pass. It is drawn as a slab whose solid line is the top; one that is not solid as a pin. */
+ * Forces do not move it. Its solid side is its top, the +y side of its own axes; contact is not modelled yet, so masses
+ * pass through it, and friction and restitution are kept without effect. It is drawn as a slab whose solid line is the
+ * top; one that is not solid as a pin. */
 #include <tinker/sdk.h>
 
 enum {
@@ -129,16 +130,17 @@ static const TinkerPropertyType properties[] = {
      .description = "Its top lies half of it above the centre"},
     {TINKER_REAL_PROPERTY("static_friction", "Static coefficient", "Friction", TINKER_DIMENSION_NONE),
      TINKER_NOT_NEGATIVE(0, 1.0), .default_value = {0.5}, .symbol = "µs", .meaning = TINKER_MEANING_STATIC_FRICTION,
-     .variability = TINKER_TUNABLE, .description = "Friction that holds a mass at rest, per normal force"},
+     .variability = TINKER_TUNABLE,
+     .description = "Friction that holds a mass at rest, per normal force; no effect yet"},
     {TINKER_REAL_PROPERTY("dynamic_friction", "Dynamic coefficient", "Friction", TINKER_DIMENSION_NONE),
      TINKER_NOT_NEGATIVE(0, 1.0), .default_value = {0.5}, .symbol = "µd", .meaning = TINKER_MEANING_DYNAMIC_FRICTION,
      .variability = TINKER_TUNABLE,
-     .description = "Friction on a sliding mass, per normal force; at most the static coefficient"},
+     .description = "Friction on a sliding mass, per normal force; at most the static coefficient; no effect yet"},
     {TINKER_REAL_PROPERTY("restitution", "Restitution", "Properties", TINKER_DIMENSION_NONE),
      TINKER_BETWEEN(0, 0.0, 1.0), .symbol = "e", .meaning = TINKER_MEANING_RESTITUTION, .variability = TINKER_TUNABLE,
-     .description = "How much of its normal velocity a mass keeps when it bounces: 0 none, 1 all"},
+     .description = "How much of its normal velocity a mass keeps when it bounces: 0 none, 1 all; no effect yet"},
     {TINKER_SWITCH_PROPERTY("solid", "Solid", "Properties"), .default_value = {1.0}, .meaning = TINKER_MEANING_SOLID,
-     .variability = TINKER_STRUCTURAL, .description = "Off: a mere anchor that nothing collides with"},
+     .variability = TINKER_STRUCTURAL, .description = "Off: a mere anchor, drawn as a pin"},
 };
 
 static const TinkerQuantityType quantities[] = {TINKER_POINT_QUANTITIES(0)};
@@ -159,7 +161,7 @@ static const TinkerInterface interfaces[] = {
 
 static const TinkerBlockType blocks[] = {
     {TINKER_BLOCK("support", "Support", TINKER_CONNECTABLE),
-     .summary = "A fixed place to attach to, whose top masses can land on", .formula = "x = const",
+     .summary = "A fixed place to attach to; masses pass through it", .formula = "x = const",
      .properties = TINKER_SPAN(properties), .quantities = TINKER_SPAN(quantities),
      .interfaces = TINKER_SPAN(interfaces)},
 };

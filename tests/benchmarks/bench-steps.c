@@ -129,6 +129,7 @@ static void measure_chain(BenchmarkReport *report, int rods, double *angles, con
     BenchmarkStep step = {.scene = scene, .elements = rods, .goal = 100, .error_kind = "length error"};
     step.error = chain_error(&subject);
     floor_chain_steps(floor.chain, h, ERROR_STEPS);
+    floor.done = ERROR_STEPS;
     step.floor_error = floor_chain_error(floor.chain);
     measure(report, step, &subject, time_chain, &floor);
     floor_chain_free(floor.chain);

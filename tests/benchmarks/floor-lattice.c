@@ -9,10 +9,9 @@
 #define STIFFNESS 1000.0
 #define DAMPING   0.5
 
-/* x, y, vx, vy of a mass, or one of them of four springs; a mass's force; and what is chosen from two rows. */
+/* x, y, vx, vy of a mass, or one of them of four springs; a mass's force. */
 typedef double Row __attribute__((vector_size(32)));
 typedef double Pair __attribute__((vector_size(16)));
-typedef long long Places __attribute__((vector_size(32)));
 
 struct FloorLattice {
     int masses, springs;
@@ -40,7 +39,8 @@ static void add_spring(FloorLattice *lattice, int a, int b, double length)
 static void add_springs(FloorLattice *lattice, int n)
 {
     for (int i = 0; i < n * n; i++) {
-        int right = i % n<n - 1, left = i % n> 0, above = i / n < n - 1;
+        int column = i % n, left = column > 0;
+        int right = column < n - 1, above = i / n < n - 1;
         if (right) add_spring(lattice, i, i + 1, 1.0);
         if (above) add_spring(lattice, i, i + n, 1.0);
         if (right && above) add_spring(lattice, i, i + n + 1, sqrt(2.0));
@@ -105,12 +105,10 @@ static inline void add_four(const FloorLattice *lattice, int first, const Row *r
 {
     const int *a = lattice->a + first, *b = lattice->b + first;
     Row d0 = at[b[0]] - at[a[0]], d1 = at[b[1]] - at[a[1]], d2 = at[b[2]] - at[a[2]], d3 = at[b[3]] - at[a[3]];
-    Row xv01 = __builtin_shuffle(d0, d1, (Places){0, 4, 2, 6}), xv23 = __builtin_shuffle(d2, d3, (Places){0, 4, 2, 6});
-    Row yw01 = __builtin_shuffle(d0, d1, (Places){1, 5, 3, 7}), yw23 = __builtin_shuffle(d2, d3, (Places){1, 5, 3, 7});
-    Row x = __builtin_shuffle(xv01, xv23, (Places){0, 1, 4, 5}),
-        vx = __builtin_shuffle(xv01, xv23, (Places){2, 3, 6, 7});
-    Row y = __builtin_shuffle(yw01, yw23, (Places){0, 1, 4, 5}),
-        vy = __builtin_shuffle(yw01, yw23, (Places){2, 3, 6, 7});
+    Row xv01 = __builtin_shufflevector(d0, d1, 0, 4, 2, 6), xv23 = __builtin_shufflevector(d2, d3, 0, 4, 2, 6);
+    Row yw01 = __builtin_shufflevector(d0, d1, 1, 5, 3, 7), yw23 = __builtin_shufflevector(d2, d3, 1, 5, 3, 7);
+    Row x = __builtin_shufflevector(xv01, xv23, 0, 1, 4, 5), vx = __builtin_shufflevector(xv01, xv23, 2, 3, 6, 7);
+    Row y = __builtin_shufflevector(yw01, yw23, 0, 1, 4, 5), vy = __builtin_shufflevector(yw01, yw23, 2, 3, 6, 7);
     Row square = x * x + y * y, root;
     for (int k = 0; k < 4; k++)
         root[k] = sqrt(square[k]);

@@ -110,7 +110,9 @@ char *benchmark_lattice(int n)
     for (int i = 0; i < n * n; i++)
         add_mass(text, i, places[2 * i], places[2 * i + 1]);
     for (int i = 0; i < n * n; i++) {
-        gboolean right = i % n<n - 1, left = i % n> 0, above = i / n < n - 1;
+        int column = i % n;
+        gboolean left = column > 0;
+        gboolean right = column < n - 1, above = i / n < n - 1;
         if (right) add_damped_spring(text, i, i + 1, 1.0);
         if (above) add_damped_spring(text, i, i + n, 1.0);
         if (right && above) add_damped_spring(text, i, i + n + 1, G_SQRT2);

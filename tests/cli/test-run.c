@@ -149,6 +149,27 @@ static void test_failed_run_keeps(CliFixture *fixture, gconstpointer data)
     cJSON_Delete(root);
 }
 
+/* What concerns the record alone is not silently ignored where none is written. */
+static void test_options_without_record(CliFixture *fixture, gconstpointer data)
+{
+    g_autofree char *fall = cli_write(fixture, "fall.json", FREE_FALL);
+    g_autoptr(TestProgram) program = cli_run_well(fixture, "run @fall.json --columns 'Mass 0.y' --at 1");
+    cli_assert_holds(program->error, "--columns has no effect without --csv");
+    cli_assert_holds(program->error, "--at has no effect without --csv");
+}
+
+/* A mass that cannot leave its rod's circle as it was told to. */
+static void test_start_event(CliFixture *fixture, gconstpointer data)
+{
+    g_autofree char *scene =
+        cli_write(fixture, "rod.json",
+                  "{\"tinker\": 1, \"run\": {\"duration\": 0.1}, \"blocks\": [{\"type\": \"support\"},"
+                  "{\"type\": \"mass\", \"position\": [1, 0], \"velocity\": [1, 1]},"
+                  "{\"type\": \"rod\", \"ends\": [\"Support 0\", \"Mass 0\"]}]}");
+    g_autoptr(TestProgram) program = cli_run_well(fixture, "run @rod.json");
+    cli_assert_holds(program->output, "event at 0 s: start velocities changed\n");
+}
+
 typedef struct {
     const char *words;
     int status;
@@ -171,15 +192,19 @@ static void test_statuses(CliFixture *fixture, gconstpointer data)
         {"run @fall.json --tolerance nan", 2, "--tolerance"},
         {"run @fall.json --duration inf", 2, "--duration"},
         {"run @fall.json --at -1", 2, "--at"},
-        {"run @fall.json --at 1,,2", 2, "--at"},
+        {"run @fall.json --at 1,,2", 2, "entry 2 of --at is empty"},
+        {"run @fall.json --at nonsense", 2, "--at \"nonsense\": a time is expected here, as in 12 or 12 ms"},
+        {"run @fall.json --step abc", 2, "as in 12 or 12 ms"},
         {"run @fall.json --at ''", 2, "--at"},
         {"run @fall.json --method rk5", 2, "did you mean \"rk4\""},
         {"run @fall.json --columns 'Mass 1.y'", 2, "did you mean \"Mass 0\""},
+        {"run @fall.json --columns 'Pendulum.y'", 2, "(it has Gravity 0, Mass 0)"},
+        {"run @fall.json --columns Pendulum", 2, "put quotes round a name with a space"},
         {"run @fall.json --columns 'Mass 0.z'", 2, "kinetic energy"},
         {"run @fall.json --csv - --json -", 2, "standard output"},
         {"run @fall.json --csv @fall.json", 2, "the scene itself"},
         {"run @none.json", 5, "No such file"},
-        {"run @fall.json --csv @none/r.csv", 5, "cannot be written"},
+        {"run @fall.json --csv @none/r.csv", 5, "/none does not exist"},
         {"run @fall.json --json @none/s.json", 5, "cannot be written"},
         {"run @fall.json --csv /dev/full", 5, "No space"},
         {"run @text.json", 3, "text.json:1:1: "},
@@ -276,6 +301,8 @@ int main(int argc, char **argv)
     cli_test_add("/run/statuses", test_statuses);
     cli_test_add("/run/unwritable-before-run", test_unwritable_before_run);
     cli_test_add("/run/standard-input", test_standard_input);
+    cli_test_add("/run/options-without-record", test_options_without_record);
+    cli_test_add("/run/start-event", test_start_event);
     cli_test_add("/run/interrupt", test_interrupt);
     return g_test_run();
 }

@@ -85,6 +85,37 @@ static void test_check_of_model(CliFixture *fixture, gconstpointer data)
     g_autoptr(TestProgram) missing = cli_run_badly(fixture, "check @pulley.json", 4);
     cli_assert_holds(missing->error, "\"pulley\"");
     cli_assert_holds(missing->error, "did you mean \"spring\"");
+
+    g_autofree char *method = cli_write(fixture, "method.json",
+                                        "{\"tinker\": 1, \"run\": {\"method\": \"rk5\"},"
+                                        "\"blocks\": [{\"type\": \"mass\"}]}");
+    g_autoptr(TestProgram) unknown = cli_run_badly(fixture, "check @method.json", 3);
+    cli_assert_holds(unknown->error, "did you mean \"rk4\"");
+}
+
+/* A verb that cannot go on tells where the rest is. */
+static void test_further_findings(CliFixture *fixture, gconstpointer data)
+{
+    g_autofree char *bad = cli_write(fixture, "bad.json",
+                                     "{\"tinker\": 1, \"Blocks\": [], \"blocks\": ["
+                                     "{\"type\": \"mass\", \"mass\": -1}]}");
+    g_autoptr(TestProgram) unread = cli_run_badly(fixture, "run @bad.json", 3);
+    cli_assert_holds(unread->error, "bad.json\" lists all 2 findings\n");
+
+    g_autofree char *lone =
+        cli_write(fixture, "lone.json", "{\"tinker\": 1, \"blocks\": [{\"type\": \"mass\", \"mass\": -1}]}");
+    g_autoptr(TestProgram) one = cli_run_badly(fixture, "run @lone.json", 3);
+    g_assert_null(strstr(one->error, "findings"));
+
+    g_autofree char *loose = cli_write(fixture, "loose.json",
+                                       "{\"tinker\": 1, \"Blocks\": [], \"blocks\": ["
+                                       "{\"type\": \"spring\", \"ends\": [[0, 1], [1, 2]]}]}");
+    g_autoptr(TestProgram) refused = cli_run_badly(fixture, "graph @loose.json 'Spring 0.tension' -o -", 3);
+    cli_assert_holds(refused->error, "unknown key \"Blocks\"");
+    cli_assert_holds(refused->error, "loose.json\" lists all 3 findings\n");
+    g_autoptr(TestProgram) check = cli_run_badly(fixture, "check @loose.json", 3);
+    g_auto(GStrv) lines = g_strsplit(check->error, "\n", -1);
+    g_assert_cmpuint(g_strv_length(lines), ==, 3 + 1);
 }
 
 static void test_convert(CliFixture *fixture, gconstpointer data)
@@ -117,6 +148,19 @@ static void test_graph_of_thesis(CliFixture *fixture, gconstpointer data)
     g_assert_cmpstr(full->output, ==, "Time,Y Position\n0,0\n0.01,-0.0004905\n0.02,-0.001962\n");
     g_autoptr(TestProgram) coarse = cli_run_well(fixture, "graph @a.json 'Mass 0.y' --decimals 2 --duration 0.02 -o -");
     g_assert_cmpstr(coarse->output, ==, "Time,Y Position\n0,0\n0.01,0\n0.02,0\n");
+}
+
+/* Graphs of other axes than the first are named, with the words that draw them. */
+static void test_graphs_left_out(CliFixture *fixture, gconstpointer data)
+{
+    g_autofree char *scene =
+        cli_write(fixture, "a.json",
+                  "{\"tinker\": 1, \"run\": {\"duration\": 0.1}, \"blocks\": [{\"type\": \"mass\"}],"
+                  "\"graphs\": [{\"block\": \"Mass 0\", \"quantity\": \"y\"},"
+                  "{\"block\": \"Mass 0\", \"quantity\": \"vy\", \"against\": \"y\"}]}");
+    g_autoptr(TestProgram) program = cli_run_well(fixture, "graph @a.json -o @a.svg");
+    cli_assert_holds(program->error, "graph of Mass 0.vy left out: other axes than the first");
+    cli_assert_holds(program->error, "\"Mass 0.vy\" --against \"y\"");
 }
 
 static void test_graph_forms(CliFixture *fixture, gconstpointer data)
@@ -341,6 +385,8 @@ int main(int argc, char **argv)
     cli_test_add("/verbs/help", test_help);
     cli_test_add("/verbs/check", test_check);
     cli_test_add("/verbs/check-of-model", test_check_of_model);
+    cli_test_add("/verbs/graphs-left-out", test_graphs_left_out);
+    cli_test_add("/verbs/further-findings", test_further_findings);
     cli_test_add("/verbs/convert", test_convert);
     cli_test_add("/verbs/graph-of-thesis", test_graph_of_thesis);
     cli_test_add("/verbs/graph-forms", test_graph_forms);

@@ -4,8 +4,8 @@
 #include <math.h>
 #include <string.h>
 
-#include "numerics/integrators.h"
 #include "allotments.h"
+#include "numerics/integrators.h"
 #include "test-systems.h"
 
 #define ORDER_MARGIN 0.15

@@ -111,8 +111,9 @@ static void test_column_errors(void)
     assert_column_error("Mass 0.x, Mas 0.y", "column \"Mas 0.y\": the scene has no block \"Mas 0\"; did you mean "
                                              "\"Mass 0\"? (a column is BLOCK.QUANTITY, as in \"Mass 0.x\")");
     assert_column_error("zebra",
-                        "column \"zebra\": the scene has no block \"zebra\" (a column is BLOCK.QUANTITY, as in "
-                        "\"Mass 0.x\")");
+                        "column \"zebra\": the scene has no block \"zebra\" (it has Mass 0, a, b.c, Spring 0, "
+                        "Gravity 0) (a column is BLOCK.QUANTITY, as in \"Mass 0.x\"; put quotes round a name with "
+                        "a space)");
     assert_column_error("Mass 0.colour",
                         "column \"Mass 0.colour\": this block has no quantity \"colour\" (it has x, y, vx, "
                         "vy, ax, ay, speed, kinetic energy, x momentum, y momentum)");

@@ -184,6 +184,7 @@ typedef struct {
 SPOIL(spoil_category, m->type.category = "conector")
 SPOIL(spoil_schema, m->type.schema_version = 0)
 SPOIL(spoil_title, m->type.title = "\xff")
+SPOIL(spoil_title_lines, m->type.title = "Two\nlines")
 SPOIL(spoil_icon, m->type.icon_path = "../../etc/icon.svg")
 SPOIL(spoil_least_ends, m->type.least_ends = -1)
 SPOIL(spoil_most_ends, m->type.most_ends = 1)
@@ -197,6 +198,7 @@ SPOIL(spoil_id, m->properties[TURNS].id = "")
 SPOIL(spoil_id_null, m->properties[TURNS].id = NULL)
 SPOIL(spoil_id_comma, m->properties[TURNS].id = "a,b")
 SPOIL(spoil_id_twice, m->properties[TURNS].id = "mode")
+SPOIL(spoil_id_key, m->properties[TURNS].id = "ends")
 SPOIL(spoil_quantity_twice, m->quantities[1].id = "tension")
 SPOIL(spoil_quantity_point, m->quantities[1].id = "x.y")
 SPOIL(spoil_kind, m->properties[TURNS].kind = 7)
@@ -256,6 +258,7 @@ static const Fault faults[] = {
      "its category is \"conector\", one of connectable, connector, force, motion, field was expected"},
     {"schema", spoil_schema, "its schema version is 0, at least 1 was expected"},
     {"title", spoil_title, "its title is not valid UTF-8"},
+    {"title-lines", spoil_title_lines, "its title must be one line of text, because its blocks are named after it"},
     {"icon", spoil_icon, "its icon path \"../../etc/icon.svg\" leads out of the plugin's folder"},
     {"least-ends", spoil_least_ends, "its least number of ends is -1, at least 0 was expected"},
     {"most-ends", spoil_most_ends, "it has at least 2 and at most 1 ends (-1 stands for any number)"},
@@ -270,6 +273,7 @@ static const Fault faults[] = {
     {"id-null", spoil_id_null, "the id of property 2 is NULL, a text was expected"},
     {"id-comma", spoil_id_comma, "the id of property 2 \"a,b\" must not contain \",\""},
     {"id-twice", spoil_id_twice, "two properties have the id \"mode\""},
+    {"id-key", spoil_id_key, "a property has the id \"ends\", which is a key of every block in a scene"},
     {"quantity-twice", spoil_quantity_twice, "two quantities have the id \"tension\""},
     {"quantity-point", spoil_quantity_point, "the id of quantity 1 \"x.y\" must not contain \".\""},
     {"kind", spoil_kind, "property \"turns\": its kind is 7, 0 to 6 was expected"},

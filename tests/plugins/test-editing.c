@@ -94,6 +94,7 @@ static void test_box_hit(gconstpointer data)
     stage.instance.orientation = PI / 4;
     g_assert_cmpint(hit(&stage, 1 + 1.4, 2 + 1.4), ==, TINKER_PART_WHOLE);
     g_assert_cmpint(hit(&stage, 1 + 1.4, 2 - 1.4), ==, TINKER_PART_NONE);
+    g_assert_cmpint(hit(&stage, NAN, 2), ==, TINKER_PART_NONE);
 }
 
 static void test_dot_hit(void)

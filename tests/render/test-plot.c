@@ -218,6 +218,31 @@ static void test_band(void)
     g_assert_cmpfloat(outside[0] - inside[0], >, 0.1);
 }
 
+/* Where its borders are not known a band has a gap, and what follows hangs together with nothing before it. */
+static void test_band_with_gap(void)
+{
+    Data data;
+    double low[200], high[200];
+    fill(&data, same, 0, 10);
+    for (int i = 0; i < 200; i++) {
+        gboolean known = i < 80 || i > 130;
+        low[i] = known ? data.y[i] - 3 : NAN;
+        high[i] = known ? data.y[i] + 3 : NAN;
+    }
+    const TinkerCurve curve = {.x = data.x, .y = data.y, .low = low, .high = high, .count = 200};
+    const TinkerPlot plot = {.curves = &curve, .curve_count = 1};
+    g_autoptr(TestPicture) picture = draw(&plot);
+    double x, y, before[4], gap[4], after[4];
+    place(&plot, 2.3, 4.3, &x, &y);
+    test_picture_pixel(picture, (int)x, (int)y, before);
+    place(&plot, 5.3, 7.3, &x, &y);
+    test_picture_pixel(picture, (int)x, (int)y, gap);
+    place(&plot, 8.3, 10.3, &x, &y);
+    test_picture_pixel(picture, (int)x, (int)y, after);
+    g_assert_cmpfloat(gap[0] - before[0], >, 0.1);
+    g_assert_cmpfloat(gap[0] - after[0], >, 0.1);
+}
+
 /* Equal scales: a unit is as long in both directions. */
 static void test_equal_scales(void)
 {
@@ -319,6 +344,7 @@ int main(int argc, char **argv)
     g_test_add_func("/render/plot/gap", test_gap);
     g_test_add_func("/render/plot/degenerate", test_degenerate);
     g_test_add_func("/render/plot/band", test_band);
+    g_test_add_func("/render/plot/band-with-gap", test_band_with_gap);
     g_test_add_func("/render/plot/equal-scales", test_equal_scales);
     g_test_add_func("/render/plot/pick", test_pick);
     g_test_add_func("/render/plot/texts", test_texts);

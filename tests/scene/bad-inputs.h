@@ -22,7 +22,7 @@
     {"open-text", "{\"tinker\": 1, \"title\": \"abc", "1:24: not JSON: a text that begins here has no closing quote\n"},
     {"missing-colon", "{\"tinker\" 1}", "1:11: not JSON: ':' behind a key was expected, \"1\" found\n"},
     {"column-counts-characters", "{\"tinker\": 1, \"title\": \"\303\244\303\266\303\274\", x}",
-     "1:31: not JSON: a key in double quotes was expected, \"x\" found\n"},
+     "1:31: not JSON: a key in double quotes was expected, found x without quotes\n"},
     {"version-missing", "{\"title\": \"a\"}",
      "1:1: not a scene: the key \"tinker\" with the version of the format, 1, is missing\n"},
     {"version-wrong", "{\"tinker\": 2}", "1:12: tinker: the version of the format must be the number 1 (it is 2)\n"},
@@ -204,6 +204,13 @@
      "{\"tinker\": 1, \"blocks\": [{\"type\": \"mass\", \"name\": \"Mass 0\"}],\n"
      "\"graphs\": [{\"block\": \"Mass 0\", \"quantity\": \"y\", \"size\": [1, 0]}]}",
      "2:57: graphs[0]: size: both numbers must be greater than 0\n"},
+    {"warn-many-turns",
+     BLOCKS("{\"type\": \"support\", \"name\": \"Support 0\", \"orientation\": 180},\n"
+            "{\"type\": \"support\", \"name\": \"Support 1\", \"orientation\": -45},\n"
+            "{\"type\": \"support\", \"name\": \"Support 2\", \"orientation\": 6.2},\n"
+            "{\"type\": \"support\", \"name\": \"Support 3\", \"orientation\": \"720 deg\"}"),
+     "2:57: warning: Support 0: orientation: 180 rad is 28.6 turns (did you mean \"180 deg\"?)\n"
+     "3:57: warning: Support 1: orientation: -45 rad is 7.16 turns (did you mean \"-45 deg\"?)\n"},
     {"warn-unknown-type", BLOCKS("{\"type\": \"sping\", \"name\": \"Spring 0\"}"),
      "2:10: warning: Spring 0: no plugin provides the block type \"sping\" (did you mean \"spring\"?)\n"},
     {"warn-unknown-key", BLOCKS("{\"type\": \"mass\", \"name\": \"Mass 0\", \"mas\": 2}"),

@@ -73,6 +73,16 @@ static void test_ends(void)
 }
 
 /* An end may name a block without a name in the file by the name that it gets. */
+/* A key is the same however it is escaped. */
+static void test_escaped_keys(void)
+{
+    g_autoptr(TinkerScene) scene =
+        scene_fixture_read("{\"tinker\": 1, \"bl\\u006fcks\": [{\"type\": \"mass\"}], "
+                           "\"gr\\u0061phs\": [{\"block\": \"Mass 0\", \"quantity\": \"y\"}]}");
+    g_assert_cmpint(tinker_scene_block_count(scene), ==, 1);
+    g_assert_cmpuint(tinker_scene_graphs(scene)->len, ==, 1);
+}
+
 static void test_default_names(void)
 {
     g_autoptr(TinkerScene) scene =
@@ -183,6 +193,7 @@ static void add_tests(void)
     g_test_add_func("/scene/read/head", test_head);
     g_test_add_func("/scene/read/values", test_values);
     g_test_add_func("/scene/read/ends", test_ends);
+    g_test_add_func("/scene/read/escaped-keys", test_escaped_keys);
     g_test_add_func("/scene/read/default-names", test_default_names);
     g_test_add_func("/scene/read/tables", test_tables);
     g_test_add_func("/scene/read/file", test_file);

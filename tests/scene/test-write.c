@@ -2,9 +2,13 @@
 #include "scene-fixture.h"
 
 #include <cjson/cJSON.h>
+#include <fcntl.h>
+#include <glib/gstdio.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #define HEAD                                                                                                           \
     "{\n  \"tinker\": 1,\n  \"run\": {\"duration\": 10, \"interval\": 0.01, \"method\": \"auto\", \"step\": 0.01, "    \
@@ -183,6 +187,26 @@ static void test_table_source(void)
     g_assert_cmpint(remove(folder), ==, 0);
 }
 
+/* A pipe is written to; a file in its place would cut off who reads it. */
+static void test_pipe(void)
+{
+    g_autofree char *folder = g_dir_make_tmp("tinker-XXXXXX", NULL);
+    g_autofree char *path = g_build_filename(folder, "pipe", NULL);
+    g_assert_cmpint(mkfifo(path, 0600), ==, 0);
+    int reader = open(path, O_RDONLY | O_NONBLOCK);
+    g_assert_cmpint(reader, >=, 0);
+    g_autoptr(TinkerScene) scene = tinker_scene_new(scene_fixture_catalogue());
+    g_autoptr(GError) error = NULL;
+    g_assert_true(tinker_scene_write_file(scene, path, TINKER_WRITE_SI, &error));
+    g_assert_no_error(error);
+    char text[1024] = "";
+    g_assert_cmpint((int)read(reader, text, sizeof text - 1), >, 0);
+    g_assert_cmpstr(text, ==, HEAD "]\n}\n");
+    close(reader);
+    g_assert_cmpint(g_unlink(path), ==, 0);
+    g_assert_cmpint(g_rmdir(folder), ==, 0);
+}
+
 static void add_tests(void)
 {
     g_test_add_func("/scene/write/empty", test_empty);
@@ -194,6 +218,7 @@ static void add_tests(void)
     g_test_add_func("/scene/write/end-extras", test_end_extras);
     g_test_add_func("/scene/write/placeholder-names", test_placeholder_names);
     g_test_add_func("/scene/write/table-source", test_table_source);
+    g_test_add_func("/scene/write/pipe", test_pipe);
 }
 
 int main(int argc, char **argv)

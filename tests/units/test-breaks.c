@@ -34,6 +34,8 @@ static void test_affine(void)
     assert_breaks("min(t, 2) + abs(3 - t) + ramp(t - 4)", 0, 9, (double[]){2, 3, 4}, 3, 0);
     assert_breaks("step(floor(t) - 1.5)*(mod(t, 4) > 3)", 0, 3.5, (double[]){1, 2, 3}, 3, 0);
     assert_breaks("abs(mod(t, 2) - 0.5)", 0, 4, (double[]){0.5, 2, 2.5, 4}, 4, 0);
+    /* an angle that stands still below the cut: atan2(-1, -1) is -3/4 pi */
+    assert_breaks("step(t - 3 - atan2(-step(t + 1), -1))", 0, 2, (double[]){3 - 0.75 * G_PI}, 1, 1);
 }
 
 static void test_curved(void)

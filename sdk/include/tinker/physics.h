@@ -24,7 +24,7 @@ extern "C" {
 /* Body ----------------------------------------------------------------------------------------------------------- */
 
 #define TINKER_SHAPE_NONE  0 /* touches nothing */
-#define TINKER_SHAPE_BOX   1 /* collides as the thesis has it: a point whose centre stays height / 2 off a surface */
+#define TINKER_SHAPE_BOX   1 /* meets a surface when its centre is height / 2 from it, however it is turned */
 #define TINKER_SHAPE_PLATE 2 /* a segment of `width` with one solid side, +height / 2 along its own y axis */
 
 /* Something that connectors attach to. Its place, velocity, mass and size are the properties that carry the meanings

@@ -190,9 +190,11 @@ static inline int32_t tinker_box_hit(const TinkerInstance *instance, const Tinke
 {
     double own_x, own_y;
     tinker_box_to_own(instance, x, y, &own_x, &own_y);
-    const double beyond_x = fmax(fabs(own_x) - instance->columns[at->width] / 2.0, 0.0);
-    const double beyond_y = fmax(fabs(own_y) - instance->columns[at->height] / 2.0, 0.0);
-    return tinker_length(beyond_x, beyond_y) <= reach ? TINKER_PART_WHOLE : TINKER_PART_NONE;
+    const double beyond_x = fabs(own_x) - instance->columns[at->width] / 2.0;
+    const double beyond_y = fabs(own_y) - instance->columns[at->height] / 2.0;
+    /* Not fmax: it would drop a NaN, and the point would count as inside. */
+    const double distance = tinker_length(beyond_x < 0.0 ? 0.0 : beyond_x, beyond_y < 0.0 ? 0.0 : beyond_y);
+    return distance <= reach ? TINKER_PART_WHOLE : TINKER_PART_NONE;
 }
 
 static inline void tinker_box_bounds(const TinkerInstance *instance, const TinkerBoxColumns *at, double margin,
