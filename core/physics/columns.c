@@ -55,7 +55,7 @@ static char *list_names(const char *const *names)
 {
     const int most = 8;
     GString *list = g_string_new(NULL);
-    for (int i = 0; names[i] != NULL && i <= most; i++)
+    for (int i = 0; i <= most && names[i] != NULL; i++)
         g_string_append_printf(list, "%s%s", i > 0 ? ", " : "", i < most ? names[i] : "...");
     if (names[0] == NULL) g_string_append(list, "none");
     return g_string_free(list, FALSE);

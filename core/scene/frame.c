@@ -4,8 +4,14 @@
 
 #include <math.h>
 
+#include <tinker/shapes.h>
+
 #include "scene/batch.h"
+#include "scene/lanes.h"
 #include "scene/motions.h"
+
+/* Of the symbol size: the distance of two connectors side by side. */
+#define LANE_SHARE 1.2
 
 typedef struct {
     double x, y, orientation;
@@ -28,6 +34,7 @@ struct _TinkerFrame {
     double *columns;    /* of the instance handed out last */
     GArray *ends;       /* likewise, of TinkerEnd */
     double symbol_size; /* m, that instances report */
+    double *lanes;      /* by block id: see lanes.h */
 };
 
 static double meaning(const TinkerBlockBatch *batch, int32_t row, int32_t what, int component, double otherwise)
@@ -127,6 +134,7 @@ TinkerFrame *tinker_frame_new(TinkerScene *scene, GError **error)
     for (int32_t id = 0; id < frame->limit; id++)
         frame->placed[id] = frame->poses[id] = (Pose){NAN, NAN, 0};
     frame->motions = tinker_motions_new(frame->batches, frame->limit);
+    frame->lanes = tinker_lanes_new(scene);
     frame->locations = g_new0(Location, MAX(frame->limit, 1));
     frame->ends = g_array_new(FALSE, TRUE, sizeof(TinkerEnd));
     locate(frame);
@@ -149,6 +157,7 @@ void tinker_frame_free(TinkerFrame *frame)
     g_free(frame->placed);
     g_free(frame->poses);
     tinker_motions_free(frame->motions);
+    g_free(frame->lanes);
     g_free(frame->locations);
     g_free(frame->columns);
     g_array_unref(frame->ends);
@@ -203,6 +212,35 @@ void tinker_frame_centre(const TinkerFrame *frame, TinkerBlockId block, double *
     }
 }
 
+/* The lesser side of what an end is attached to; 0 where that has no size. */
+static double least_side(const TinkerFrame *frame, TinkerBlockId block)
+{
+    const Location *location = &frame->locations[block];
+    if (location->batch == NULL) return 0;
+    return fmin(meaning(location->batch, location->row, TINKER_MEANING_WIDTH, 0, 0),
+                meaning(location->batch, location->row, TINKER_MEANING_HEIGHT, 0, 0));
+}
+
+/* Moves both ends of a connector into its lane: across the line between them, without changing its length. */
+static void take_lane(TinkerFrame *frame, TinkerBlockId block, const TinkerSceneEnd *attached, TinkerInstance *instance)
+{
+    TinkerEnd *end = (TinkerEnd *)(void *)frame->ends->data;
+    double dx = end[1].x - end[0].x, dy = end[1].y - end[0].y, length = hypot(dx, dy);
+    if (!(length > 0)) return;
+    double spacing = LANE_SHARE * tinker_instance_symbol_size(instance);
+    for (int k = 0; k < 2; k++) {
+        double side = least_side(frame, attached[k].block);
+        if (side > 0) spacing = fmin(spacing, 0.5 * side);
+    }
+    double shift = frame->lanes[block] * spacing / length;
+    for (int k = 0; k < 2; k++) {
+        end[k].x -= shift * dy;
+        end[k].y += shift * dx;
+    }
+    instance->x -= shift * dy;
+    instance->y += shift * dx;
+}
+
 gboolean tinker_frame_instance(TinkerFrame *frame, TinkerBlockId block, TinkerInstance *instance)
 {
     const Location *location = &frame->locations[block];
@@ -225,6 +263,7 @@ gboolean tinker_frame_instance(TinkerFrame *frame, TinkerBlockId block, TinkerIn
     instance->columns = frame->columns;
     instance->ends = count;
     instance->end = count > 0 ? (const TinkerEnd *)(void *)frame->ends->data : NULL;
+    if (frame->lanes[block] != 0) take_lane(frame, block, &batch->end[first], instance);
     return TRUE;
 }
 

@@ -30,8 +30,9 @@ void tinker_frame_place(TinkerFrame *frame, TinkerBlockId block, double x, doubl
 /* Where a block's centre is; NAN for a block that has neither place nor ends. */
 void tinker_frame_centre(const TinkerFrame *frame, TinkerBlockId block, double *x, double *y, double *orientation);
 
-/* One block as plugins see it. Borrowed memory: valid until the next call with the same frame or until it changes. FALSE
- * for a placeholder, of which only name and centre (where its text tells one) are filled. */
+/* One block as drawing and editing see it; connectors between the same two places stand side by side. Borrowed memory:
+ * valid until the next call with the same frame or until it changes. FALSE for a placeholder, of which only name and centre
+ * (where its text tells one) are filled. */
 gboolean tinker_frame_instance(TinkerFrame *frame, TinkerBlockId block, TinkerInstance *instance);
 
 /* Sets the size of symbols (m) that instances report from now on: whoever draws the frame sets that of the style, so that

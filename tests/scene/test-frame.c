@@ -1,0 +1,100 @@
+/* Frames: where blocks stand at a time, and connectors side by side. */
+#include "scene-fixture.h"
+
+#include <math.h>
+
+#include "scene/frame.h"
+
+#define TWO_MASSES                                                                                                     \
+    "{\"type\": \"mass\", \"name\": \"A\", \"position\": [0, 0]}, {\"type\": \"mass\", \"name\": \"B\", "              \
+    "\"position\": [3, 4]}"
+
+static void ends_of(TinkerFrame *frame, const char *name, TinkerEnd ends[2])
+{
+    TinkerInstance instance;
+    TinkerBlockId block = tinker_scene_find_block(tinker_frame_scene(frame), name);
+    g_assert_true(tinker_frame_instance(frame, block, &instance));
+    g_assert_cmpint(instance.ends, ==, 2);
+    ends[0] = instance.end[0];
+    ends[1] = instance.end[1];
+}
+
+/* How far a point lies to the left of the line from A to B, along (3, 4) / 5. */
+static double left_of_line(const TinkerEnd *end)
+{
+    return (3 * end->y - 4 * end->x) / 5;
+}
+
+static void test_side_by_side(void)
+{
+    g_autoptr(TinkerScene) scene =
+        scene_fixture_read_blocks(TWO_MASSES ", {\"type\": \"spring\", \"name\": \"S\", \"ends\": [\"A\", \"B\"]},"
+                                             "{\"type\": \"damper\", \"name\": \"D\", \"ends\": [\"B\", \"A\"]}");
+    g_autoptr(TinkerFrame) frame = tinker_frame_new(scene, NULL);
+    TinkerEnd spring[2], damper[2];
+    ends_of(frame, "S", spring);
+    ends_of(frame, "D", damper);
+    /* Symmetric about the line whatever the order of their ends, as long as they are, and apart. */
+    g_assert_cmpfloat(fabs(left_of_line(&spring[0])), >, 0.05);
+    for (int k = 0; k < 2; k++) {
+        g_assert_cmpfloat_with_epsilon(left_of_line(&spring[k]), left_of_line(&spring[0]), 1e-12);
+        g_assert_cmpfloat_with_epsilon(left_of_line(&damper[k]), -left_of_line(&spring[0]), 1e-12);
+    }
+    g_assert_cmpfloat_with_epsilon(hypot(spring[1].x - spring[0].x, spring[1].y - spring[0].y), 5, 1e-12);
+    g_assert_cmpfloat_with_epsilon(hypot(damper[1].x - damper[0].x, damper[1].y - damper[0].y), 5, 1e-12);
+    g_assert_cmpfloat_with_epsilon(damper[1].x + spring[0].x, 0, 1e-12);
+}
+
+static void test_alone(void)
+{
+    g_autoptr(TinkerScene) scene = scene_fixture_read_blocks(
+        TWO_MASSES ", {\"type\": \"support\", \"name\": \"C\", \"position\": [3, 0]},"
+                   "{\"type\": \"spring\", \"name\": \"S\", \"ends\": [\"A\", \"B\"]},"
+                   "{\"type\": \"rod\", \"name\": \"R\", \"ends\": [\"A\", \"C\"]},"
+                   "{\"type\": \"damper\", \"name\": \"D\", \"ends\": [\"A\", {\"block\": \"C\", \"at\": [1, 0]}]}");
+    g_autoptr(TinkerFrame) frame = tinker_frame_new(scene, NULL);
+    static const char *const names[] = {"S", "R", "D"};
+    static const double places[][2] = {{3, 4}, {3, 0}, {4, 0}};
+    for (gsize i = 0; i < G_N_ELEMENTS(names); i++) {
+        TinkerEnd ends[2];
+        ends_of(frame, names[i], ends);
+        g_assert_cmpfloat(ends[0].x, ==, 0);
+        g_assert_cmpfloat(ends[0].y, ==, 0);
+        g_assert_cmpfloat_with_epsilon(ends[1].x, places[i][0], 1e-15);
+        g_assert_cmpfloat_with_epsilon(ends[1].y, places[i][1], 1e-15);
+    }
+}
+
+/* A support stands where its motion has it, at t = 0 too, and a length as placed is taken there. */
+static void test_moving_support(void)
+{
+    g_autoptr(TinkerScene) scene = scene_fixture_read_blocks(
+        "{\"type\": \"support\", \"name\": \"C\", \"position\": [1, 2]}, {\"type\": \"mass\", \"name\": \"A\"},"
+        "{\"type\": \"support-motion\", \"name\": \"M\", \"ends\": [\"C\"], \"waveform\": \"cosine\","
+        "\"amplitude\": 2, \"frequency\": 3}, {\"type\": \"spring\", \"name\": \"S\", \"ends\": [\"A\", \"C\"]}");
+    g_autoptr(TinkerFrame) frame = tinker_frame_new(scene, NULL);
+    TinkerBlockId support = tinker_scene_find_block(scene, "C"), spring = tinker_scene_find_block(scene, "S");
+    const TinkerBlockClass *block_class = tinker_scene_block_class(scene, spring);
+    int32_t rest = block_class->first_columns[tinker_block_class_property(block_class, "rest_length")];
+    double x, y, orientation;
+    tinker_frame_centre(frame, support, &x, &y, &orientation);
+    g_assert_cmpfloat_with_epsilon(x, 3, 1e-15);
+    g_assert_cmpfloat_with_epsilon(tinker_frame_column(frame, spring, rest), hypot(3, 2), 1e-15);
+    g_assert_true(tinker_frame_set_time(frame, 0.7, NULL));
+    tinker_frame_centre(frame, support, &x, &y, &orientation);
+    g_assert_cmpfloat_with_epsilon(x, 1 + 2 * cos(2.1), 1e-15);
+    g_assert_cmpfloat_with_epsilon(y, 2, 1e-15);
+    g_assert_cmpfloat_with_epsilon(tinker_frame_column(frame, spring, rest), hypot(3, 2), 1e-15);
+}
+
+static void add_tests(void)
+{
+    g_test_add_func("/scene/frame/side-by-side", test_side_by_side);
+    g_test_add_func("/scene/frame/alone", test_alone);
+    g_test_add_func("/scene/frame/moving-support", test_moving_support);
+}
+
+int main(int argc, char **argv)
+{
+    return scene_fixture_main(argc, argv, add_tests);
+}
