@@ -126,10 +126,23 @@ void scene_assign_name(TinkerScene *scene, TinkerBlockId block, const char *name
     g_hash_table_replace(scene->by_name, (gpointer)slot->name, GINT_TO_POINTER(block + 1));
 }
 
+/* What a type that is not installed is most likely titled, so that ends which count on its default name are found:
+ * "support-motion" is "Support Motion". (transfer full) */
+static char *likely_title(const char *type)
+{
+    char *title = g_strdup(type);
+    for (char *at = title; *at != '\0'; at++) {
+        if (*at == '-') *at = ' ';
+        if (at == title || at[-1] == ' ') *at = g_ascii_toupper(*at);
+    }
+    return title;
+}
+
 void scene_assign_default_name(TinkerScene *scene, TinkerBlockId block)
 {
     const TinkerBlockClass *block_class = tinker_scene_block_class(scene, block);
-    const char *title = block_class != NULL ? block_class->type->title : tinker_scene_block_type(scene, block);
+    g_autofree char *title =
+        block_class != NULL ? g_strdup(block_class->type->title) : likely_title(tinker_scene_block_type(scene, block));
     int number = GPOINTER_TO_INT(g_hash_table_lookup(scene->next_number, title));
     g_autofree char *name = g_strdup_printf("%s %d", title, number);
     while (g_hash_table_contains(scene->by_name, name)) {

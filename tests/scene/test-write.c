@@ -154,9 +154,9 @@ static void test_placeholder_names(void)
 
     check_written("{\"type\": \"pulley\"}", TINKER_WRITE_SI, "{\"type\": \"pulley\"}");
     check_written(
-        "{\"type\": \"pulley\"}, {\"type\": \"motor\", \"name\": \"M\", \"ends\": [\"pulley 0\"]}", TINKER_WRITE_SI,
-        "{\"type\": \"pulley\", \"name\": \"pulley 0\"},\n    {\"type\": \"motor\", \"name\": \"M\", \"ends\": "
-        "[\"pulley 0\"]}");
+        "{\"type\": \"pulley\"}, {\"type\": \"motor\", \"name\": \"M\", \"ends\": [\"Pulley 0\"]}", TINKER_WRITE_SI,
+        "{\"type\": \"pulley\", \"name\": \"Pulley 0\"},\n    {\"type\": \"motor\", \"name\": \"M\", \"ends\": "
+        "[\"Pulley 0\"]}");
 }
 
 /* A table comes back as the object that named it, also on another block that was given the same waveform. */
