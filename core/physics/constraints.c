@@ -105,10 +105,10 @@ TinkerStatus tinker_constraints_evaluate(TinkerModel *model)
 static void assemble(TinkerConstraints *all)
 {
     tinker_sparse_ldl_clear(all->ldl);
-    double *values = tinker_sparse_ldl_values(all->ldl);
+    double *restrict values = tinker_sparse_ldl_values(all->ldl);
     const double *restrict j = all->jacobian;
-    const TinkerProduct *products = (const TinkerProduct *)(const void *)all->products->data;
-    const TinkerProduct *p = products, *end = products + all->products->len;
+    const TinkerProduct *restrict p = (const TinkerProduct *)(const void *)all->products->data;
+    const TinkerProduct *end = p + all->products->len;
     while (p < end) {
         int32_t slot = p->slot;
         double sum = 0;
@@ -186,21 +186,23 @@ int32_t tinker_constraints_count_dependent(TinkerModel *model)
             LOOP((all)->row_starts[row], (all)->row_starts[row + 1])                                                   \
     } while (0)
 
-void tinker_constraints_add_impulse(TinkerModel *model, const double *x, double *target)
+void tinker_constraints_add_impulse(TinkerModel *model, const double *restrict x, double *restrict target)
 {
     const TinkerConstraints *all = &model->constraints;
-    const double *restrict j = all->jacobian;
-    const int32_t *restrict starts = all->body_starts, *restrict entries = all->body_entries,
-                            *restrict row = all->row_of;
-    for (int32_t i = 0; i < model->bodies; i++) {
+    const double *restrict j = all->jacobian, *restrict inverse_mass = model->inverse_mass;
+    const int32_t *restrict starts = all->body_starts, *restrict entries = all->body_entries;
+    const int32_t *restrict row = all->row_of;
+    int32_t bodies = model->bodies;
+    for (int32_t i = 0; i < bodies; i++) {
         double px = 0, py = 0;
         for (int32_t p = starts[i]; p < starts[i + 1]; p++) {
             int32_t e = entries[p];
-            px += x[row[e]] * j[2 * e];
-            py += x[row[e]] * j[2 * e + 1];
+            double force = x[row[e]];
+            px += force * j[2 * e];
+            py += force * j[2 * e + 1];
         }
-        target[2 * i] += px * model->inverse_mass[i];
-        target[2 * i + 1] += py * model->inverse_mass[i];
+        target[2 * i] += px * inverse_mass[i];
+        target[2 * i + 1] += py * inverse_mass[i];
     }
 }
 
