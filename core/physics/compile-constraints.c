@@ -23,12 +23,11 @@ static void add_constraint_batch(TinkerModel *model, TinkerBlockBatch *batch)
         .first_row = all->rows,
         .row_count = batch->count * constraint->rows,
         .first_entry = all->entries,
-        .entry_count = batch->end_count * constraint->rows,
         .view = tinker_block_batch_view(batch, 0.0),
     };
     memcpy(added.view.origin, model->origin, sizeof(model->origin));
     all->rows += added.row_count;
-    all->entries += added.entry_count;
+    all->entries += batch->end_count * constraint->rows;
     g_array_append_val(all->batches, added);
 }
 

@@ -127,7 +127,6 @@ static void add_driven(TinkerModel *model, const TinkerBlockBatch *batch, int32_
 static void add_constant(TinkerModel *model, int32_t point, const double *force)
 {
     if (force[0] == 0 && force[1] == 0) return;
-    model->constant_forces = TRUE;
     if (model->constant_force == NULL) model->constant_force = g_new0(double, 2 * (gsize)MAX(model->points, 1));
     model->constant_force[2 * point] += force[0];
     model->constant_force[2 * point + 1] += force[1];

@@ -8,19 +8,28 @@
 
 #include "physics/model-private.h"
 
+/* "Spring 0: its tension at t = 1 s ..." */
+static void note_failure(TinkerModel *model, const TinkerBlockBatch *batch, int32_t row, const char *what,
+                         const char *happened, const char *why)
+{
+    TinkerBlockId block = batch->ids[CLAMP(row, 0, batch->count - 1)];
+    g_snprintf(model->failure, sizeof(model->failure), "%s: its %s at t = %g s %s%s",
+               tinker_scene_block_name(model->scene, block), what, model->time, happened, why);
+}
+
 TinkerStatus tinker_model_fail(TinkerModel *model, const TinkerBlockBatch *batch, int32_t row, const char *what,
                                const char *why)
 {
-    model->failed_block = batch->ids[CLAMP(row, 0, batch->count - 1)];
-    g_snprintf(model->failure, sizeof(model->failure), "%s: its %s at t = %g s %s",
-               tinker_scene_block_name(model->scene, model->failed_block), what, model->time,
-               why != NULL ? why : "failed, and its plugin does not say why");
+    if (why != NULL)
+        note_failure(model, batch, row, what, "cannot be worked out: ", why);
+    else
+        note_failure(model, batch, row, what, "failed, and its plugin does not say why", "");
     return TINKER_FAILED;
 }
 
 TinkerStatus tinker_model_not_finite(TinkerModel *model, const TinkerBlockBatch *batch, int32_t row, const char *what)
 {
-    (void)tinker_model_fail(model, batch, row, what, "is not a number");
+    note_failure(model, batch, row, what, "is not a number", "");
     return TINKER_RETRY_SMALLER;
 }
 
@@ -54,9 +63,8 @@ TinkerStatus tinker_model_set_time(TinkerModel *model, double t)
     if (model->moving_supports == 0) return TINKER_OK;
     if (!tinker_motions_evaluate(model->motions, t)) {
         model->time = NAN; /* some supports are there, others not */
-        model->failed_block = tinker_motions_failure(model->motions);
         g_snprintf(model->failure, sizeof(model->failure), "%s: its motion at t = %g s is not a number",
-                   tinker_scene_block_name(model->scene, model->failed_block), t);
+                   tinker_scene_block_name(model->scene, tinker_motions_failure(model->motions)), t);
         return TINKER_RETRY_SMALLER;
     }
     for (guint i = 0; i < model->support_points->len; i++) {
@@ -169,7 +177,7 @@ static TinkerStatus add_driven_forces(TinkerModel *model, gboolean books)
         if (!isfinite(fx + fy)) return tinker_model_not_finite(model, driven->batch, driven->row, "force");
         push(model, driven->point, fx, fy, books);
     }
-    if (!books || !model->constant_forces) return TINKER_OK;
+    if (!books || model->constant_force == NULL) return TINKER_OK;
     for (int32_t i = 0; i < model->bodies; i++)
         model->book_power[TINKER_BOOK_MOTORS] +=
             model->constant_force[2 * i] * model->point[i].vx + model->constant_force[2 * i + 1] * model->point[i].vy;

@@ -7,6 +7,14 @@
 
 #define POWER_ITERATIONS 60
 
+/* The stiffest part of a model at its start. */
+typedef struct {
+    double frequency;     /* rad/s: of the largest natural frequency, were there no constraints; from below */
+    double damping_rate;  /* 1/s: of the largest damping over mass */
+    TinkerBlockId block;  /* the connector to blame; TINKER_NO_BLOCK where there is none */
+    const char *property; /* its property that makes it stiff */
+} Stiffness;
+
 static double norm(const TinkerModel *model, const double *x)
 {
     double sum = 0;
@@ -65,9 +73,9 @@ static double blame(TinkerModel *model, gboolean damping, TinkerBlockId *block, 
     return most;
 }
 
-TinkerStiffness tinker_guard_stiffness(TinkerModel *model)
+static Stiffness stiffness_of(TinkerModel *model)
 {
-    TinkerStiffness found = {.block = TINKER_NO_BLOCK};
+    Stiffness found = {.block = TINKER_NO_BLOCK};
     if (tinker_model_set_time(model, 0.0) != TINKER_OK) return found;
     tinker_model_set_state(model, model->q_start, model->v_start);
     found.frequency = sqrt(largest_eigenvalue(model, tinker_model_stiffness_product));
@@ -81,7 +89,8 @@ TinkerStiffness tinker_guard_stiffness(TinkerModel *model)
     return found;
 }
 
-double tinker_guard_stable_step(const TinkerStiffness *stiffness, const TinkerIntegrator *integrator)
+/* The largest stable step of a fixed-step explicit method; INFINITY where nothing limits it. */
+static double stable_step(const Stiffness *stiffness, const TinkerIntegrator *integrator)
 {
     double step = INFINITY;
     if (integrator->imaginary_limit >= 0 && stiffness->frequency > 0)
@@ -93,8 +102,8 @@ double tinker_guard_stable_step(const TinkerStiffness *stiffness, const TinkerIn
 
 char *tinker_guard_explain(TinkerModel *model, const TinkerIntegrator *integrator, double step)
 {
-    TinkerStiffness stiffness = tinker_guard_stiffness(model);
-    double stable = tinker_guard_stable_step(&stiffness, integrator);
+    Stiffness stiffness = stiffness_of(model);
+    double stable = stable_step(&stiffness, integrator);
     GString *text = g_string_new(NULL);
     if (stiffness.block != TINKER_NO_BLOCK)
         g_string_append_printf(text, "the %s of %s makes the fastest motion", stiffness.property,

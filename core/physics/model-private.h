@@ -57,8 +57,8 @@ typedef struct {
     const TinkerConstraint *constraint;
     const int32_t *end_points;
     int32_t first_row, row_count;
-    int32_t first_entry, entry_count; /* an entry is one end of one row */
-    TinkerBatch view;                 /* of the whole batch */
+    int32_t first_entry; /* an entry is one end of one row */
+    TinkerBatch view;    /* of the whole batch */
 } TinkerConstraintBatch;
 
 /* One product that is added up in S: inverse mass * J of one entry . J of another, on the same body. */
@@ -132,8 +132,7 @@ struct _TinkerModel {
     double *constant_acceleration; /* 2 per body: of fields and constant forces */
     double field_acceleration[2];  /* of linear fields: conservative */
     double field_force[2], field_drag;
-    gboolean constant_forces; /* some motor pushes without changing */
-    double *constant_force;   /* 2 per body, or NULL: of force elements */
+    double *constant_force; /* 2 per body, or NULL: of force elements */
     TinkerConstraints constraints;
     GPtrArray *waveform_batches; /* of TinkerBlockBatch: those with waveforms that are not motions */
     gboolean has_book[TINKER_BOOK_COUNT];
@@ -148,7 +147,6 @@ struct _TinkerModel {
     double time;                 /* that waveforms and supports were evaluated at */
     double book_power[TINKER_BOOK_COUNT];
     gint64 evaluations;
-    TinkerBlockId failed_block;
     char failure[512];
 };
 

@@ -115,7 +115,6 @@ TinkerModel *tinker_model_new(TinkerScene *scene, GError **error)
     model->column_views = g_new0(const double *, most_columns(model->batches));
     model->chunk_offsets = g_new0(int32_t, most_rows(model->batches) + 1);
     model->time = NAN;
-    model->failed_block = TINKER_NO_BLOCK;
     if (!compile(model, error)) g_clear_pointer(&model, tinker_model_free);
     return model;
 }
@@ -148,11 +147,6 @@ void tinker_model_free(TinkerModel *model)
         g_free(arrays[i]);
     g_ptr_array_unref(model->batches);
     g_free(model);
-}
-
-TinkerScene *tinker_model_scene(const TinkerModel *model)
-{
-    return model->scene;
 }
 
 const GPtrArray *tinker_model_warnings(const TinkerModel *model)

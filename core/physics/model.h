@@ -29,8 +29,6 @@ TinkerModel *tinker_model_new(TinkerScene *scene, GError **error);
 void tinker_model_free(TinkerModel *model);
 G_DEFINE_AUTOPTR_CLEANUP_FUNC(TinkerModel, tinker_model_free)
 
-TinkerScene *tinker_model_scene(const TinkerModel *model);
-
 /* Sizes of what was compiled. */
 typedef struct {
     int32_t bodies;             /* that can move */

@@ -11,6 +11,7 @@
 #include "physics/model-private.h"
 
 #define MOST_NEWTON_STEPS 25
+#define ROUNDING_MISS     1e-12
 /* At a singular place (a flat parallelogram) rows depend on each other, Newton steps only halve the miss, and no first-order
  * step removes the last of it. So much of a row's length may be left there: the motion leaves the place again, and
  * the next projections mend it. */
@@ -63,7 +64,6 @@ static TinkerStatus not_met(TinkerModel *model)
 {
     const TinkerConstraints *all = &model->constraints;
     int32_t worst = tinker_constraints_worst_row(model);
-    model->failed_block = all->blocks[worst];
     g_snprintf(model->failure, sizeof(model->failure),
                "%s: no position within reach satisfies it at t = %g s; it misses by %.3g m (the constraints contradict "
                "each other there, or the step is too large for this motion)",
@@ -97,6 +97,27 @@ static void move_positions(TinkerModel *model, const double *mu, double *restric
     model->constraints.work -= work[0] + work[1];
 }
 
+/* Evaluates the rows at a place, and where another Newton step is wanted, puts what it has to solve for into lambda. FALSE:
+ * *status is the answer. `before` is the miss of the step before, at first INFINITY. */
+static gboolean wants_step(TinkerModel *model, const double *q, const double *v, double *before, TinkerStatus *status)
+{
+    TinkerConstraints *all = &model->constraints;
+    tinker_model_set_state(model, q, v);
+    *status = tinker_constraints_evaluate(model);
+    if (*status != TINKER_OK || all_met(model)) return FALSE;
+    double miss = tinker_constraints_worst_miss(model);
+    /* Rounding may keep a row just above its bound; no step can then do better. */
+    if (!(miss < 0.5 * *before) && miss < ROUNDING_MISS) return FALSE;
+    if (!(miss < 4.0 * *before)) {
+        *status = stop_short(model);
+        return FALSE;
+    }
+    *before = miss;
+    for (int32_t row = 0; row < all->rows; row++)
+        all->lambda[row] = -all->g[row];
+    return TRUE;
+}
+
 TinkerStatus tinker_constraints_project_positions(TinkerModel *model, double t, double *q, const double *v,
                                                   gboolean *moved)
 {
@@ -105,17 +126,9 @@ TinkerStatus tinker_constraints_project_positions(TinkerModel *model, double t, 
     *moved = FALSE;
     all->work = 0;
     TinkerStatus status = tinker_model_set_time(model, t);
-    for (int step = 0; status == TINKER_OK && step < MOST_NEWTON_STEPS; step++) {
-        tinker_model_set_state(model, q, v);
-        status = tinker_constraints_evaluate(model);
-        if (status != TINKER_OK || all_met(model)) return status;
-        double miss = tinker_constraints_worst_miss(model);
-        /* Rounding may keep a row just above its bound; no step can then do better. */
-        if (!(miss < 0.5 * before) && miss < 1e-12) return TINKER_OK;
-        if (!(miss < 4.0 * before)) break;
-        before = miss;
-        for (int32_t row = 0; row < all->rows; row++)
-            all->lambda[row] = -all->g[row];
+    if (status != TINKER_OK) return status;
+    for (int step = 0; step < MOST_NEWTON_STEPS; step++) {
+        if (!wants_step(model, q, v, &before, &status)) return status;
         if (step == 0)
             tinker_constraints_solve_roughly(model, all->lambda);
         else
@@ -123,7 +136,7 @@ TinkerStatus tinker_constraints_project_positions(TinkerModel *model, double t, 
         move_positions(model, all->lambda, q);
         *moved = TRUE;
     }
-    return status == TINKER_OK ? stop_short(model) : status;
+    return stop_short(model);
 }
 
 /* The impulse mu gives mu . J (v + dv / 2), and J dv = -(J v + rate). */
@@ -185,19 +198,11 @@ TinkerStatus tinker_constraints_rattle(TinkerModel *model, double t_from, const 
     memcpy(all->turned, all->jacobian, 2 * (gsize)all->entries * sizeof(double));
     double *displacement = all->displacement;
     double before = INFINITY;
+    status = tinker_model_set_time(model, t);
+    if (status != TINKER_OK) return status;
     for (int step = 0; step < 2 * MOST_NEWTON_STEPS; step++) {
-        status = tinker_model_set_time(model, t);
-        if (status != TINKER_OK) return status;
-        tinker_model_set_state(model, q, v);
-        status = tinker_constraints_evaluate(model);
-        if (status != TINKER_OK || all_met(model)) return status;
-        double miss = tinker_constraints_worst_miss(model);
-        if (!(miss < 0.5 * before) && miss < 1e-12) return TINKER_OK;
-        if (!(miss < 4.0 * before)) break;
-        before = miss;
+        if (!wants_step(model, q, v, &before, &status)) return status;
         memcpy(all->jacobian, all->turned, 2 * (gsize)all->entries * sizeof(double));
-        for (int32_t row = 0; row < all->rows; row++)
-            all->lambda[row] = -all->g[row];
         tinker_constraints_solve(model, all->lambda);
         memset(displacement, 0, 2 * (gsize)model->bodies * sizeof(double));
         tinker_constraints_add_impulse(model, all->lambda, displacement);

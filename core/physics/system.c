@@ -107,6 +107,15 @@ static void widen(double *box, double x, double y)
     box[3] = MAX(box[3], y);
 }
 
+/* Widens the box by a state and by the points of supports that something attaches to. */
+static void widen_by_state(const TinkerModel *model, const double *q, double *box)
+{
+    for (int32_t i = 0; i < model->bodies; i++)
+        widen(box, q[2 * i], q[2 * i + 1]);
+    for (int32_t i = model->bodies; i < model->points; i++)
+        if (model->point_used[i]) widen(box, model->point[i].x, model->point[i].y);
+}
+
 /* A trial may be thrown away, so what it reaches is not kept: see tinker_model_system_keep. */
 static void scales(void *context, const double *q, const double *v, double *extent, double *speed)
 {
@@ -114,14 +123,9 @@ static void scales(void *context, const double *q, const double *v, double *exte
     const TinkerModel *model = self->model;
     double box[4], fastest = 0;
     memcpy(box, self->box, sizeof(box));
-    for (int32_t i = 0; i < model->bodies; i++) {
-        widen(box, q[2 * i], q[2 * i + 1]);
+    widen_by_state(model, q, box);
+    for (int32_t i = 0; i < model->bodies; i++)
         fastest = MAX(fastest, v[2 * i] * v[2 * i] + v[2 * i + 1] * v[2 * i + 1]);
-    }
-    for (guint i = 0; i < model->support_points->len; i++) {
-        const TinkerPoint *point = &model->point[model->bodies + (int32_t)i];
-        if (model->point_used[model->bodies + (int32_t)i]) widen(box, point->x, point->y);
-    }
     *extent = model->bodies > 0 ? hypot(box[2] - box[0], box[3] - box[1]) : 0;
     *speed = MAX(self->speed, sqrt(fastest));
 }
@@ -130,12 +134,7 @@ void tinker_model_system_keep(TinkerModelSystem *self, const double *q, const do
 {
     double extent;
     scales(self, q, v, &extent, &self->speed);
-    for (int32_t i = 0; i < self->model->bodies; i++)
-        widen(self->box, q[2 * i], q[2 * i + 1]);
-    for (guint i = 0; i < self->model->support_points->len; i++) {
-        const TinkerPoint *point = &self->model->point[self->model->bodies + (int32_t)i];
-        if (self->model->point_used[self->model->bodies + (int32_t)i]) widen(self->box, point->x, point->y);
-    }
+    widen_by_state(self->model, q, self->box);
 }
 
 static const char *failure(void *context)

@@ -119,7 +119,7 @@ TinkerBatch tinker_block_batch_view(TinkerBlockBatch *batch, double t)
     };
 }
 
-TinkerWaveformEvaluator *tinker_block_batch_evaluator(const TinkerBlockBatch *batch, int32_t waveform, int32_t row)
+static TinkerWaveformEvaluator *evaluator_of(const TinkerBlockBatch *batch, int32_t waveform, int32_t row)
 {
     return g_ptr_array_index(batch->evaluators, (guint)(waveform * batch->count + row));
 }
@@ -130,7 +130,7 @@ void tinker_block_batch_set_time(TinkerBlockBatch *batch, double t)
         double **columns = batch->columns + batch->waveform_columns[waveform];
         for (int32_t row = 0; row < batch->count; row++) {
             double result[3];
-            tinker_waveform_evaluate(tinker_block_batch_evaluator(batch, waveform, row), t, result);
+            tinker_waveform_evaluate(evaluator_of(batch, waveform, row), t, result);
             for (int derivative = 0; derivative < 3; derivative++)
                 columns[derivative][row] = result[derivative];
         }

@@ -33,9 +33,6 @@ GPtrArray *tinker_batches_new(TinkerScene *scene);
 /* The view of a whole batch that plugins get, at time t. */
 TinkerBatch tinker_block_batch_view(TinkerBlockBatch *batch, double t);
 
-/* The evaluator of one waveform of one block. */
-TinkerWaveformEvaluator *tinker_block_batch_evaluator(const TinkerBlockBatch *batch, int32_t waveform, int32_t row);
-
 /* Evaluates all waveforms of the batch at t into its columns. */
 void tinker_block_batch_set_time(TinkerBlockBatch *batch, double t);
 
