@@ -94,6 +94,16 @@
     static const TinkerPlugin tinker_the_plugin = {                                                                    \
         TINKER_PLUGIN_HEAD, id_, title_, version_, licence_, "", TINKER_SPAN(blocks_), TINKER_NO_SPAN,                 \
         TINKER_NO_SPAN,     NULL};                                                                                     \
+    TINKER_DEFINE_ENTRY
+
+/* Likewise of a plugin whose integrators stand in the static array `integrators_`. */
+#define TINKER_DEFINE_INTEGRATOR_PLUGIN(id_, title_, version_, licence_, integrators_)                                 \
+    static const TinkerPlugin tinker_the_plugin = {TINKER_PLUGIN_HEAD, id_, title_,         version_,                  \
+                                                   licence_,           "",  TINKER_NO_SPAN, TINKER_SPAN(integrators_), \
+                                                   TINKER_NO_SPAN,     NULL};                                          \
+    TINKER_DEFINE_ENTRY
+
+#define TINKER_DEFINE_ENTRY                                                                                            \
     const TinkerPlugin *tinker_plugin_v1(void)                                                                         \
     {                                                                                                                  \
         return &tinker_the_plugin;                                                                                     \

@@ -24,7 +24,69 @@ extern "C" {
 #define TINKER_SYSTEM_CONSTRAINED        (1u << 0) /* there are constraint rows */
 #define TINKER_SYSTEM_VELOCITY_DEPENDENT (1u << 1) /* f depends on v */
 
-/* The system, as functions over plain arrays. All are provided; arrays do not overlap unless it is said. Answers other
+/* Places of a sparse square matrix, compressed by rows, columns ascending, the diagonal included; as a pattern it is
+ * symmetric. Constant for the life of the system. */
+typedef struct TinkerPattern {
+    int32_t size;
+    int32_t entries;
+    const int32_t *row_starts; /* size + 1 */
+    const int32_t *columns;    /* entries */
+} TinkerPattern;
+
+/* Linear systems ------------------------------------------------------------------------------------------------- */
+
+/* A spring and a damper between two coordinates, or between one and an anchor. With d = x_b - x_a and s the sign of d,
+ * which stays until d reaches 0, it pulls a towards b with
+ *     s * tension + stiffness * (d - s * length) + damping * dd/dt. */
+typedef struct TinkerLinearEdge {
+    int32_t a, b; /* coordinate; -1 - k for anchor k */
+    double stiffness, length, damping, tension;
+} TinkerLinearEdge;
+
+/* An input: a function of time, in the form that it has between two breaks. */
+#define TINKER_SIGNAL_POLYNOMIAL 0 /* sum of coefficient[k] * (t - origin)^k */
+#define TINKER_SIGNAL_HARMONIC   1 /* coefficient[0] * sin(coefficient[1] * (t - origin) + coefficient[2]) */
+typedef struct TinkerSignal {
+    int32_t kind;
+    int32_t reserved;
+    double origin; /* s */
+    double coefficient[4];
+} TinkerSignal;
+
+/* Adds factor * signal to the force on a coordinate (N), or to the place of an anchor (m). */
+typedef struct TinkerSignalUse {
+    int32_t target; /* coordinate or anchor */
+    int32_t signal;
+    int32_t book; /* that the force's power is booked in; -1: none */
+    int32_t reserved;
+    double factor;
+} TinkerSignalUse;
+
+/* A constant force on a coordinate (N). */
+typedef struct TinkerConstantLoad {
+    int32_t target;
+    int32_t book; /* -1: conservative */
+    double force;
+} TinkerConstantLoad;
+
+/* M x'' = edges - drag x' + loads, coordinate by coordinate: what a system amounts to whose parts move on one line, or
+ * hang on springs without length. */
+typedef struct TinkerLinearSystem {
+    uint32_t struct_size;
+    int32_t size; /* coordinates: TinkerSystem.size */
+    int32_t edge_count, anchor_count, signal_count, load_count, force_count, motion_count;
+    const double *mass; /* size */
+    const double *drag; /* size, N s/m; NULL: none */
+    const TinkerLinearEdge *edges;
+    const double *anchors;                        /* place of each, unmoved */
+    const TinkerConstantLoad *loads;              /* load_count */
+    const TinkerSignalUse *forces;                /* force_count: on coordinates */
+    const TinkerSignalUse *motions;               /* motion_count: of anchors */
+    int32_t damper_book, drag_book, support_book; /* -1: none */
+    int32_t reserved;
+} TinkerLinearSystem;
+
+/* The system, as functions over plain arrays. All but those marked "may be NULL" are provided; arrays do not overlap unless it is said. Answers other
  * than TINKER_OK leave the outputs undefined. */
 typedef struct TinkerSystem {
     uint32_t struct_size;
@@ -55,6 +117,19 @@ typedef struct TinkerSystem {
     void (*scales)(void *context, const double *q, const double *v, double *extent, double *speed);
     /* Why the last function failed, as static or system-owned text; NULL where nothing is known. */
     const char *(*failure)(void *context);
+    /* The derivatives of the applied forces: stiffness = -df/dq (N/m) and damping = -df/dv (N s/m), `entries` values each in
+     * the order of the pattern. Exact where the blocks give theirs, differences elsewhere. */
+    const TinkerPattern *pattern;
+    TinkerStatus (*jacobian)(void *context, double t, const double *q, const double *v, double *stiffness,
+                             double *damping);
+    /* The same system in linear form; NULL where it has none. */
+    const TinkerLinearSystem *linear;
+    /* The form of every signal in the piece between breaks that the host entered last. NULL where `linear` is. */
+    TinkerStatus (*signals)(void *context, TinkerSignal *signals);
+    /* J^T W J at (t, q), `entries` values in the order of the pattern: W is diagonal, and holds the mass that moves along
+     * each row, 1 / (J M^-1 J^T). An implicit method adds a multiple of it, so that its linear solves leave the constraints
+     * alone. NULL where `jacobian` is, and on an unconstrained system. */
+    TinkerStatus (*row_masses)(void *context, double t, const double *q, double *values);
 } TinkerSystem;
 
 /* The state that a step advances; owned by the host. */
@@ -87,6 +162,8 @@ typedef struct TinkerStepReport {
 #define TINKER_INTEGRATOR_ADAPTIVE   (1u << 0) /* takes a tolerance; else a step */
 #define TINKER_INTEGRATOR_EXPLICIT   (1u << 1) /* stable only below a step */
 #define TINKER_INTEGRATOR_SYMPLECTIC (1u << 2) /* where the system is undamped */
+#define TINKER_INTEGRATOR_LINEAR     (1u << 3) /* needs TinkerSystem.linear */
+#define TINKER_INTEGRATOR_IMPLICIT   (1u << 4) /* asks for the jacobian */
 
 typedef struct TinkerIntegrator {
     uint32_t struct_size;
