@@ -1,0 +1,239 @@
+/* Edges whose ends pass each other: with a length or a tension of its own an edge pushes the other way beyond d =
+ * 0, so the equations hold up to there only.
+ *
+ * Mostly nothing has to be looked at: energy bounds the modes, these the way that d can go. Where d = 0 is within
+ * reach the step is halved until on each piece either d stays away from 0 (it leaves its chord by at most |d''|
+ * h^2 / 8), or d' keeps its sign and d has the same sign at both ends, so that no pair of passings is missed; the
+ * piece with the passing is halved until d changes by rounding only. States on the way come from exact
+ * propagators, one for each level of halving.
+ */
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+#include "numerics/exact-private.h"
+
+#define DEEPEST          60
+#define MOST_EVALUATIONS 200000
+
+/* How far each mode can get from where the constant force holds it, within h: energy, and what signals add to it. */
+typedef struct {
+    const TinkerExactPart *part;
+    double h;
+    double energy; /* of coupled modes: the root of twice all of it, per root of mass */
+    double forced; /* of coupled modes: bound on the force of the signals */
+} Reach;
+
+static double signal_force(const TinkerExactPart *part, int32_t j, double h)
+{
+    double force = 0.0;
+    for (int32_t s = 0; s < part->signal_count; s++) {
+        const TinkerExactSignal *signal = &part->signals[s];
+        const TinkerLinearInput *input = &part->inputs[signal->input];
+        TinkerExactValues rates;
+        tinker_exact_derivative(input, part->values[s], rates);
+        force += fabs(signal->by_value[j]) * tinker_exact_bound(input, part->values[s], h);
+        force += fabs(signal->by_rate[j]) * tinker_exact_bound(input, rates, h);
+    }
+    return force;
+}
+
+static double offset_of(const TinkerExactPart *part, int32_t j)
+{
+    return part->omega[j] > 0.0 ? part->z[j] - part->push[j] / part->omega[j] : 0.0;
+}
+
+/* The root of twice the energy that mode j can have about its place within h. */
+static double mode_energy(const Reach *reach, int32_t j)
+{
+    const TinkerExactPart *part = reach->part;
+    if (part->coupled) return reach->energy;
+    double force = signal_force(part, j, reach->h);
+    if (part->omega[j] == 0.0) force += fabs(part->push[j]);
+    double energy = hypot(offset_of(part, j), part->z[part->n + j]) + fabs(reach->h) * force;
+    return part->decay[j] < 0.0 ? energy * exp(-part->decay[j] * fabs(reach->h)) : energy;
+}
+
+static Reach reach_of(const TinkerExactPart *part, double h)
+{
+    Reach reach = {part, h, 0.0, 0.0};
+    if (!part->coupled) return reach;
+    for (int32_t j = 0; j < part->n; j++) {
+        double force = signal_force(part, j, h);
+        if (part->omega[j] == 0.0) force += fabs(part->push[j]);
+        reach.energy = hypot(reach.energy, hypot(offset_of(part, j), part->z[part->n + j]));
+        reach.forced = hypot(reach.forced, force);
+        if (part->decay[(gsize)j * (gsize)part->n + j] < 0.0) reach.energy = INFINITY;
+    }
+    reach.energy += fabs(h) * reach.forced;
+    return reach;
+}
+
+/* How much of d'' mode j can make. */
+static double mode_jerk(const Reach *reach, int32_t j, double energy)
+{
+    const TinkerExactPart *part = reach->part;
+    double force = part->omega[j] == 0.0 ? fabs(part->push[j]) : 0.0;
+    if (part->coupled) return part->rate * energy + reach->forced;
+    return (part->omega[j] + fabs(part->decay[j])) * energy + force + signal_force(part, j, reach->h);
+}
+
+/* Whether edge e can get to d = 0 within the reach, before the time t; sets the bound on d'' and how far rounding
+ * may move d, of the anchors by rounding of t. `*lasting` is cleared where the answer depends
+ * on h. */
+static gboolean can_pass(const Reach *reach, double t, int32_t e, gboolean *lasting)
+{
+    TinkerExactPart *part = (TinkerExactPart *)reach->part;
+    TinkerExactEdge *edge = &part->edges[e];
+    const double *row = part->elongation + (gsize)e * (gsize)part->n;
+    double centre = edge->place, way = 0.0, bend = 0.0, size = 0.0, drift = 0.0;
+    for (int32_t j = 0; j < part->n; j++) {
+        if (row[j] == 0.0) continue;
+        double energy = mode_energy(reach, j);
+        size += fabs(row[j] * (part->z[j] / tinker_linear_scale(part->omega[j])));
+        bend += fabs(row[j]) * mode_jerk(reach, j, energy);
+        if (part->omega[j] > 0.0) {
+            centre += row[j] * (part->push[j] / part->omega[j] / part->omega[j]);
+            way += fabs(row[j]) * (energy / part->omega[j]);
+        } else {
+            *lasting = FALSE;
+            centre += row[j] * part->z[j];
+            way += fabs(row[j]) * fabs(reach->h) * energy;
+        }
+    }
+    for (int32_t m = 0; m < part->move_count; m++) {
+        const TinkerExactMove *move = &part->moves[m];
+        if (move->edge != e) continue;
+        const TinkerLinearInput *input = &part->inputs[part->signals[move->signal].input];
+        TinkerExactValues rates, seconds;
+        tinker_exact_derivative(input, part->values[move->signal], rates);
+        tinker_exact_derivative(input, rates, seconds);
+        way += fabs(move->factor) * tinker_exact_bound(input, part->values[move->signal], reach->h);
+        bend += fabs(move->factor) * tinker_exact_bound(input, seconds, reach->h);
+        drift += fabs(move->factor) * tinker_exact_bound(input, rates, reach->h);
+    }
+    edge->limit = fmax(bend, DBL_MIN);
+    edge->noise = DBL_EPSILON * ((4.0 + part->n) * (fabs(edge->place) + size) + 8.0 * t * drift);
+    return !(edge->sign * centre > way);
+}
+
+/* d and d' (times the sign) of an edge in a state. */
+static void measure(const TinkerExactPart *part, int32_t e, const double *z, TinkerExactValues *values, double *d,
+                    double *rate)
+{
+    const TinkerExactEdge *edge = &part->edges[e];
+    gsize n = (gsize)part->n;
+    const double *row = part->elongation + (gsize)e * n;
+    *d = edge->place;
+    *rate = 0.0;
+    for (gsize j = 0; j < n; j++) {
+        *d += row[j] * (z[j] / tinker_linear_scale(part->omega[j]));
+        *rate += row[j] * z[n + j];
+    }
+    for (int32_t m = 0; edge->moved && m < part->move_count; m++) {
+        const TinkerExactMove *move = &part->moves[m];
+        if (move->edge != e) continue;
+        TinkerExactValues rates;
+        tinker_exact_derivative(&part->inputs[part->signals[move->signal].input], values[move->signal], rates);
+        *d += move->factor * values[move->signal][0];
+        *rate += move->factor * rates[0];
+    }
+    *d *= edge->sign;
+    *rate *= edge->sign;
+}
+
+typedef enum { STAYS, UNCLEAR, PASSES, PASSES_HERE } Verdict;
+
+/* Of a piece of the length h, from what edges measured at its start (now, rate) to what they measure at its end. A
+ * passing is found where the piece is so short that d changes by rounding only. */
+static Verdict judge(TinkerExactPart *part, const double *z, TinkerExactValues *values, double h)
+{
+    Verdict verdict = STAYS;
+    for (int32_t e = 0; e < part->edge_count; e++) {
+        TinkerExactEdge *edge = &part->edges[e];
+        if (!edge->watched || edge->limit == 0.0) continue;
+        double rate;
+        measure(part, e, z, values, &edge->ahead, &rate);
+        if (edge->ahead < -edge->noise) {
+            double change = fabs(h) * (fabs(edge->rate) + fabs(h) * edge->limit);
+            if (change > 0.5 * edge->noise) return PASSES;
+            verdict = PASSES_HERE;
+            continue;
+        }
+        gboolean away = fmin(edge->now, edge->ahead) + edge->noise > edge->limit * h * h / 8.0;
+        gboolean straight = edge->now >= -edge->noise && fabs(edge->rate) > edge->limit * fabs(h);
+        if (!away && !straight && verdict == STAYS) verdict = UNCLEAR;
+    }
+    return verdict;
+}
+
+/* Makes a state the start of what comes next. */
+static void stand_at(TinkerExactPart *part, const double *z, TinkerExactValues *values)
+{
+    for (int32_t e = 0; e < part->edge_count; e++)
+        if (part->edges[e].watched && part->edges[e].limit != 0.0)
+            measure(part, e, z, values, &part->edges[e].now, &part->edges[e].rate);
+}
+
+static void mark_passed(TinkerExactPart *part)
+{
+    for (int32_t e = 0; e < part->edge_count; e++) {
+        TinkerExactEdge *edge = &part->edges[e];
+        edge->due = edge->watched && edge->limit != 0.0 && edge->ahead < -edge->noise;
+    }
+}
+
+/* The search itself, as far as it gets with so many evaluations; the state at the start of the present piece is in the scratch, that at its end behind it. */
+static double search(TinkerExactPart *part, const TinkerSignal *signals, double t, double h)
+{
+    double *here = part->scratch, *there = here + 2 * part->n;
+    int level = 0;
+    int64_t at = 0, whole = (int64_t)1 << DEEPEST;
+    memcpy(here, part->z, 2 * (gsize)part->n * sizeof *here);
+    stand_at(part, here, part->values);
+    for (int32_t count = 0; at < whole && count < MOST_EVALUATIONS; count++) {
+        double length = ldexp(h, -level), start = t + h * ((double)at / (double)whole);
+        const TinkerExactSlot *slot = tinker_exact_slot(part, length, 0.0, TRUE, FALSE);
+        if (!slot) return h;
+        tinker_exact_part_values(part, signals, start, part->ahead);
+        tinker_exact_part_drive(part, part->ahead);
+        tinker_exact_part_advance(part, slot, here, there);
+        tinker_exact_part_values(part, signals, start + length, part->ahead);
+        Verdict verdict = judge(part, there, part->ahead, length);
+        if ((verdict == PASSES || verdict == UNCLEAR) && level < DEEPEST) {
+            level++;
+            continue;
+        }
+        at += whole >> level;
+        if (verdict == PASSES || verdict == PASSES_HERE) {
+            mark_passed(part);
+            part->landed = TRUE;
+            return h * ((double)at / (double)whole);
+        }
+        memcpy(here, there, 2 * (gsize)part->n * sizeof *here);
+        stand_at(part, here, part->ahead);
+        while (level > 0 && at % (whole >> (level - 1)) == 0)
+            level--;
+    }
+    return at > 0 ? h * ((double)at / (double)whole) : h;
+}
+
+double tinker_exact_part_passing(TinkerExactPart *part, const TinkerSignal *signals, double t, double h)
+{
+    part->landed = FALSE;
+    if (part->watched == 0 || part->quiet) return h;
+    Reach reach = reach_of(part, h);
+    gboolean any = FALSE, lasting = part->signal_count == 0;
+    for (int32_t e = 0; e < part->edge_count; e++) {
+        TinkerExactEdge *edge = &part->edges[e];
+        if (!edge->watched) continue;
+        gboolean can = can_pass(&reach, fabs(t) + fabs(h), e, &lasting);
+        if (!can) edge->limit = 0.0;
+        any = any || can;
+    }
+    if (any) return search(part, signals, t, h);
+    for (int32_t j = 0; j < part->n; j++)
+        if (part->decay[part->coupled ? (gsize)j * (gsize)part->n + j : (gsize)j] < 0.0) lasting = FALSE;
+    part->quiet = lasting;
+    return h;
+}

@@ -1,0 +1,31 @@
+/* The exact integrator: a linear system stepped to rounding, whatever the length of the step, and what that costs. */
+#ifndef TINKER_NUMERICS_EXACT_H
+#define TINKER_NUMERICS_EXACT_H
+
+#include <glib.h>
+#include <tinker/integrator.h>
+
+/* Whether the method takes the system: stiffness not negative, masses above 0, and no part with more coordinates
+ * than it has room for (1500; 400 where dampers couple the modes). */
+gboolean tinker_exact_suits(const TinkerLinearSystem *system);
+
+/* Whether every part is damped proportionally (Rayleigh: c = beta k on its edges, drag = alpha m on its masses),
+ * so that its modes stay apart. Other damping may leave them apart too; that shows only when the modes are known. */
+gboolean tinker_exact_is_proportional(const TinkerLinearSystem *system);
+
+/* Floating-point operations of `steps` equal steps without books; *setup, unless it is NULL, gets what comes once
+ * before them. Counts, not times: the same system has the same. The length of the steps enters by a logarithm
+ * only, and is taken as a typical one. INFINITY where the system does not suit. */
+double tinker_exact_operations(const TinkerLinearSystem *system, gint64 steps, double *setup);
+
+/* The error to expect after the time T, relative to the system's scales: rounding times omega T, with omega a
+ * bound on the system's rates, for what moves at that rate; at least a few roundings. */
+double tinker_exact_claimed_error(const TinkerLinearSystem *system, double T);
+
+/* The state at t0 + k dt for k = 0 ... count - 1, coordinate after coordinate for each time: x and u are count x
+ * size. Starts from q, v at t0. The signals must not break in between. Stops where an edge reaches d = 0; answers
+ * how many samples were written, 0 where the system does not suit. Books are not kept. */
+gint64 tinker_exact_samples(const TinkerSystem *system, double t0, const double *q, const double *v, double dt,
+                            gint64 count, double *x, double *u);
+
+#endif
