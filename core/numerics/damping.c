@@ -19,9 +19,22 @@ static double dot(const TinkerSystem *system, const double *x, const double *y)
     return sum;
 }
 
+static double greatest(int32_t n, const double *x)
+{
+    double most = 0.0;
+    for (int32_t i = 0; i < n; i++)
+        most = fmax(most, fabs(x[i]));
+    return most;
+}
+
+/* Of x over its greatest entry, so that the squares of a motion that has died away do not vanish. */
 static double norm(const TinkerSystem *system, const double *x)
 {
-    return sqrt(dot(system, x, x));
+    double scale = greatest(system->size, x), sum = 0.0;
+    if (!(scale > 0.0) || !isfinite(scale)) return scale;
+    for (int32_t i = 0; i < system->size; i++)
+        sum += system->mass[i] * (x[i] / scale) * (x[i] / scale);
+    return scale * sqrt(sum);
 }
 
 static TinkerStatus project(const TinkerSystem *system, double t, const double *q, double *v)
@@ -50,17 +63,18 @@ static TinkerStatus find_residual(TinkerDampingSolver *solver, double t, double 
     return TINKER_OK;
 }
 
-/* Solves (1 - h P D) correction = residual. Where the operator turns out not to be positive definite it stops with what
+/* Solves (1 - h P D) correction = residual, both over the residual's greatest entry (see norm). Where the operator turns out not to be positive definite it stops with what
  * it has, which is at least the residual itself: Newton's check decides what that is worth. */
 static TinkerStatus find_correction(TinkerDampingSolver *solver, double t, double h, const double *q, const double *v)
 {
     const TinkerSystem *system = solver->system;
     int32_t n = system->size;
     double *x = solver->correction, *r = solver->left, *p = solver->direction, *product = solver->product;
-    tinker_copy(n, solver->residual, r);
-    tinker_copy(n, solver->residual, p);
-    for (int32_t i = 0; i < n; i++)
+    double scale = greatest(n, solver->residual);
+    for (int32_t i = 0; i < n; i++) {
+        r[i] = p[i] = scale > 0.0 ? solver->residual[i] / scale : 0.0;
         x[i] = 0.0;
+    }
     double square = dot(system, r, r), goal = square * DBL_EPSILON * DBL_EPSILON;
     for (int iteration = 0; iteration < GRADIENT_CAP && square > goal; iteration++) {
         TinkerStatus status = system->damping_product(system->context, t, q, v, p, product);
@@ -71,7 +85,7 @@ static TinkerStatus find_correction(TinkerDampingSolver *solver, double t, doubl
         double curvature = dot(system, p, product);
         if (!(curvature > 0.0)) {
             if (iteration == 0) tinker_copy(n, r, x);
-            return TINKER_OK;
+            break;
         }
         double length = square / curvature, before = square;
         for (int32_t i = 0; i < n; i++) {
@@ -82,6 +96,8 @@ static TinkerStatus find_correction(TinkerDampingSolver *solver, double t, doubl
         for (int32_t i = 0; i < n; i++)
             p[i] = r[i] + square / before * p[i];
     }
+    for (int32_t i = 0; i < n; i++)
+        x[i] *= scale;
     return TINKER_OK;
 }
 
