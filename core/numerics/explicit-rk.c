@@ -14,13 +14,17 @@
 
 #define REJECTIONS_CAP 100
 #define BLOCK          8 /* entries that are summed side by side, in registers */
+#define PAIRS          (BLOCK / 2)
+
+/* Two numbers side by side. GCC 12 does not vectorise the sums by itself, as their inner loop is short; the operations
+ * and their order are those of the plain loop. */
+typedef double Pair __attribute__((vector_size(16)));
 
 /* A weighted sum of accelerations, one for q and one for v, without the terms that are 0. */
 typedef struct Row {
     int count;
     int stage[TINKER_RK_STAGES_CAP];
-    double q[TINKER_RK_STAGES_CAP]; /* times h^2 */
-    double v[TINKER_RK_STAGES_CAP]; /* times h */
+    Pair weight[TINKER_RK_STAGES_CAP]; /* for q, times h^2; for v, times h */
 } Row;
 
 typedef struct Stepper {
@@ -56,93 +60,85 @@ static Row make_row(const TinkerTableau *tableau, const double *weights)
         if (fabs(q) < 1e-14) q = 0.0; /* a simplifying assumption of the method, up to rounding */
         if (q == 0.0 && weights[j] == 0.0) continue;
         row.stage[row.count] = j;
-        row.q[row.count] = q;
-        row.v[row.count++] = weights[j];
+        row.weight[row.count++] = (Pair){q, weights[j]};
     }
     return row;
 }
 
-/* Two entries side by side. GCC 12 does not vectorise the sums by itself, as their inner loop is short; the operations
- * and their order are those of the plain loop. */
-typedef double Pair __attribute__((vector_size(16)));
-
-#define PAIRS (BLOCK / 2)
-
-/* q_sum = sum_j wq_j a_j and v_sum = sum_j wv_j a_j over BLOCK entries from `first` on. */
-static inline void sum_block(int count, const double *const *a, const double *wq, const double *wv, int32_t first,
-                             double *restrict q_sum, double *restrict v_sum)
+/* 2 `pairs` entries from `first` on: h^2 sum_j wq_j a_j, and h sum_j wv_j a_j. */
+static inline __attribute__((always_inline)) void sum_pairs(const Stepper *stepper, const Row *row, double h,
+                                                            int32_t first, const int pairs, Pair *q_sum, Pair *v_sum)
 {
     Pair q[PAIRS] = {{0.0}}, v[PAIRS] = {{0.0}};
-    for (int j = 0; j < count; j++) {
-        const double *each = a[j] + first;
-        for (int k = 0; k < PAIRS; k++) {
+    for (int j = 0; j < row->count; j++) {
+        const double *each = stepper->a[row->stage[j]] + first;
+        Pair of_q = {row->weight[j][0], row->weight[j][0]}, of_v = {row->weight[j][1], row->weight[j][1]};
+        for (int k = 0; k < pairs; k++) {
             Pair term;
             memcpy(&term, each + 2 * k, sizeof term);
-            q[k] += wq[j] * term;
-            v[k] += wv[j] * term;
+            q[k] += of_q * term;
+            v[k] += of_v * term;
         }
     }
-    memcpy(q_sum, q, sizeof q);
-    memcpy(v_sum, v, sizeof v);
-}
-
-/* The same for one entry. */
-static inline void sum_one(int count, const double *const *a, const double *wq, const double *wv, int32_t i,
-                           double *restrict q_sum, double *restrict v_sum)
-{
-    double q = 0.0, v = 0.0;
-    for (int j = 0; j < count; j++) {
-        q += wq[j] * a[j][i];
-        v += wv[j] * a[j][i];
+    for (int k = 0; k < pairs; k++) {
+        q_sum[k] = (h * h) * q[k];
+        v_sum[k] = h * v[k];
     }
-    *q_sum = q;
-    *v_sum = v;
 }
 
-/* The weights of a row for a step of length h, and the arrays they belong to. */
-typedef struct Terms {
-    int count;
-    const double *a[TINKER_RK_STAGES_CAP];
-    double q[TINKER_RK_STAGES_CAP], v[TINKER_RK_STAGES_CAP];
-} Terms;
-
-static void scale_row(const Stepper *stepper, const Row *row, double h, Terms *terms)
+/* The same for one entry: both sums side by side. */
+static inline Pair sum_one(const Stepper *stepper, const Row *row, double h, int32_t i)
 {
-    terms->count = row->count;
+    Pair sum = {0.0, 0.0};
     for (int j = 0; j < row->count; j++) {
-        terms->a[j] = stepper->a[row->stage[j]];
-        terms->q[j] = h * h * row->q[j];
-        terms->v[j] = h * row->v[j];
+        double term = stepper->a[row->stage[j]][i];
+        sum += row->weight[j] * (Pair){term, term};
     }
+    return sum * (Pair){h * h, h};
 }
+
+/* Where sums go: alone, or onto a state that drifts for a time. */
+typedef struct Onto {
+    const double *q, *v; /* NULL: alone */
+    double drift;
+    double *q_out, *v_out;
+} Onto;
 
 /* q_out = q + (drift v + sum), v_out = v + sum. */
-static void combine(int32_t n, const Terms *terms, double drift, const double *restrict q, const double *restrict v,
-                    double *restrict q_out, double *restrict v_out)
+static inline __attribute__((always_inline)) void put(const Onto *onto, int32_t i, double q_sum, double v_sum)
 {
-    double q_sum[BLOCK], v_sum[BLOCK];
-    int32_t i = 0;
-    for (; i + BLOCK <= n; i += BLOCK) {
-        sum_block(terms->count, terms->a, terms->q, terms->v, i, q_sum, v_sum);
-        for (int k = 0; k < BLOCK; k++) {
-            q_out[i + k] = q[i + k] + (drift * v[i + k] + q_sum[k]);
-            v_out[i + k] = v[i + k] + v_sum[k];
-        }
+    if (onto->q == NULL) {
+        onto->q_out[i] = q_sum;
+        onto->v_out[i] = v_sum;
+        return;
     }
-    for (; i < n; i++) {
-        sum_one(terms->count, terms->a, terms->q, terms->v, i, q_sum, v_sum);
-        q_out[i] = q[i] + (drift * v[i] + q_sum[0]);
-        v_out[i] = v[i] + v_sum[0];
-    }
+    onto->q_out[i] = onto->q[i] + (onto->drift * onto->v[i] + q_sum);
+    onto->v_out[i] = onto->v[i] + v_sum;
 }
 
-static void combine_alone(int32_t n, const Terms *terms, double *restrict q_out, double *restrict v_out)
+static inline __attribute__((always_inline)) void put_pairs(const Stepper *stepper, const Row *row, double h,
+                                                            const Onto *onto, int32_t first, const int pairs)
 {
-    int32_t i = 0;
+    Pair q_sum[PAIRS], v_sum[PAIRS];
+    sum_pairs(stepper, row, h, first, pairs, q_sum, v_sum);
+    for (int k = 0; k < 2 * pairs; k++)
+        put(onto, first + k, q_sum[k / 2][k % 2], v_sum[k / 2][k % 2]);
+}
+
+static inline __attribute__((always_inline)) void combine(const Stepper *stepper, const Row *row, double h,
+                                                          const Onto *onto)
+{
+    int32_t n = stepper->system->size, i = 0;
     for (; i + BLOCK <= n; i += BLOCK)
-        sum_block(terms->count, terms->a, terms->q, terms->v, i, q_out + i, v_out + i);
-    for (; i < n; i++)
-        sum_one(terms->count, terms->a, terms->q, terms->v, i, q_out + i, v_out + i);
+        put_pairs(stepper, row, h, onto, i, PAIRS);
+    if (i + BLOCK / 2 <= n) {
+        put_pairs(stepper, row, h, onto, i, PAIRS / 2);
+        i += BLOCK / 2;
+    }
+    for (; i < n; i++) {
+        Pair sum = sum_one(stepper, row, h, i);
+        put(onto, i, sum[0], sum[1]);
+    }
 }
 
 static void sum_powers(const Stepper *stepper, int stages, const double *weights, double h, const double *from,
@@ -170,10 +166,8 @@ static TinkerStatus evaluate(Stepper *stepper, int stage, double t, const double
 /* Leaves the state of a stage of the step from (t0, q0, v0) in (q, v); of stage `stages`, the state at its end. */
 static void place_stage(Stepper *stepper, int stage, double h)
 {
-    Terms terms;
-    scale_row(stepper, &stepper->rows[stage], h, &terms);
-    combine(stepper->system->size, &terms, stepper->tableau->c[stage] * h, stepper->q0, stepper->v0, stepper->q,
-            stepper->v);
+    Onto state = {stepper->q0, stepper->v0, stepper->tableau->c[stage] * h, stepper->q, stepper->v};
+    combine(stepper, &stepper->rows[stage], h, &state);
 }
 
 static TinkerStatus place_and_evaluate(Stepper *stepper, int stage, double h)
@@ -187,9 +181,7 @@ static TinkerStatus place_and_evaluate(Stepper *stepper, int stage, double h)
 static double measure(Stepper *stepper, const Row *row, double h, TinkerErrorScale scale)
 {
     int32_t n = stepper->system->size;
-    Terms terms;
-    scale_row(stepper, row, h, &terms);
-    combine_alone(n, &terms, stepper->error_q, stepper->error_v);
+    combine(stepper, row, h, &(Onto){.q_out = stepper->error_q, .v_out = stepper->error_v});
     double q = tinker_relative(tinker_largest(n, stepper->error_q), scale.q);
     double v = tinker_relative(tinker_largest(n, stepper->error_v), scale.v);
     return q > v || isnan(q) ? q : v;
@@ -397,11 +389,9 @@ TinkerStatus tinker_explicit_rk_interpolate(void *data, double t, double *q, dou
     if (status != TINKER_OK) return status;
 
     double weights[TINKER_RK_STAGES_CAP];
-    Terms terms;
     tinker_tableau_dense_weights(tableau, s, weights);
     Row row = make_row(tableau, weights);
-    scale_row(stepper, &row, h, &terms);
-    combine(stepper->system->size, &terms, s * h, stepper->q0, stepper->v0, q, v);
+    combine(stepper, &row, h, &(Onto){stepper->q0, stepper->v0, s * h, q, v});
     if (books) sum_powers(stepper, tableau->stages + 1 + tableau->extra_stages, weights, h, stepper->books0, books);
     return TINKER_OK;
 }

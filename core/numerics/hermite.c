@@ -36,7 +36,8 @@ static TinkerStatus find_slopes(const TinkerSystem *system, TinkerHermiteEnd *en
     return status;
 }
 
-static void quintic(const TinkerHermite *hermite, double h, double s, double *restrict q)
+/* rate may be NULL. */
+static void quintic(const TinkerHermite *hermite, double h, double s, double *restrict q, double *restrict rate)
 {
     const TinkerHermiteEnd *from = &hermite->from, *to = &hermite->to;
     double half_square = 0.5 * h * h, square = h * h;
@@ -49,6 +50,7 @@ static void quintic(const TinkerHermite *hermite, double h, double s, double *re
         double c4 = -15.0 * d + 7.0 * slope - 2.0 * curve;
         double c5 = 6.0 * d - 3.0 * slope + curve;
         q[i] = from->q[i] + s * (step + s * (bend + s * (c3 + s * (c4 + s * c5))));
+        if (rate != NULL) rate[i] = from->v[i] + s / h * (2.0 * bend + s * (3.0 * c3 + s * (4.0 * c4 + s * 5.0 * c5)));
     }
 }
 
@@ -110,16 +112,30 @@ void tinker_hermite_restore(const TinkerHermite *hermite, TinkerState *state)
     tinker_copy(hermite->system->books, hermite->from.books, state->books);
 }
 
+static TinkerStatus find_both_slopes(TinkerHermite *hermite)
+{
+    if (!hermite->from.values_known || !hermite->to.values_known) return TINKER_FAILED;
+    TinkerStatus status = find_slopes(hermite->system, &hermite->from);
+    return status == TINKER_OK ? find_slopes(hermite->system, &hermite->to) : status;
+}
+
 TinkerStatus tinker_hermite_interpolate(TinkerHermite *hermite, double t, double *q, double *v, double *books)
 {
-    TinkerHermiteEnd *from = &hermite->from, *to = &hermite->to;
-    if (!from->values_known || !to->values_known) return TINKER_FAILED;
-    TinkerStatus status = find_slopes(hermite->system, from);
-    if (status == TINKER_OK) status = find_slopes(hermite->system, to);
+    const TinkerHermiteEnd *from = &hermite->from, *to = &hermite->to;
+    TinkerStatus status = find_both_slopes(hermite);
     if (status != TINKER_OK) return status;
     double h = to->t - from->t, s = (t - from->t) / h;
-    quintic(hermite, h, s, q);
+    quintic(hermite, h, s, q, NULL);
     cubic(hermite->system->size, h, s, from->v, from->a, to->v, to->a, v);
     if (books) cubic(hermite->system->books, h, s, from->books, from->power, to->books, to->power, books);
+    return TINKER_OK;
+}
+
+TinkerStatus tinker_hermite_place_and_rate(TinkerHermite *hermite, double t, double *q, double *rate)
+{
+    TinkerStatus status = find_both_slopes(hermite);
+    if (status != TINKER_OK) return status;
+    double h = hermite->to.t - hermite->from.t;
+    quintic(hermite, h, (t - hermite->from.t) / h, q, rate);
     return TINKER_OK;
 }

@@ -45,4 +45,7 @@ void tinker_hermite_restore(const TinkerHermite *hermite, TinkerState *state);
 /* The state at t; `books` may be NULL. TINKER_FAILED where no step was made or an end cannot be evaluated. */
 TinkerStatus tinker_hermite_interpolate(TinkerHermite *hermite, double t, double *q, double *v, double *books);
 
+/* The place at t and its rate: the quintic and its derivative, whose error is h^5. Answers as the function above. */
+TinkerStatus tinker_hermite_place_and_rate(TinkerHermite *hermite, double t, double *q, double *rate);
+
 #endif

@@ -13,6 +13,10 @@ extern const TinkerIntegrator tinker_integrator_verlet;
 extern const TinkerIntegrator tinker_integrator_rk4;
 extern const TinkerIntegrator tinker_integrator_dopri5;
 extern const TinkerIntegrator tinker_integrator_dop853;
+extern const TinkerIntegrator tinker_integrator_exact;
+extern const TinkerIntegrator tinker_integrator_verlet6;
+extern const TinkerIntegrator tinker_integrator_newmark;
+extern const TinkerIntegrator tinker_integrator_generalized_alpha;
 
 /* Cuts `count` doubles off the memory at *next. */
 static inline double *tinker_take(double **next, size_t count)

@@ -11,6 +11,10 @@ static const TinkerIntegrator *const builtins[] = {
     &tinker_integrator_rk4,
     &tinker_integrator_dopri5,
     &tinker_integrator_dop853,
+    &tinker_integrator_verlet6,
+    &tinker_integrator_newmark,
+    &tinker_integrator_generalized_alpha,
+    &tinker_integrator_exact,
     NULL,
 };
 

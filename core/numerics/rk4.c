@@ -13,6 +13,7 @@
 
 #include "numerics/hermite.h"
 #include "numerics/integrator-private.h"
+#include "numerics/sharing.h"
 
 typedef struct Stepper {
     const TinkerSystem *system;
@@ -23,33 +24,48 @@ typedef struct Stepper {
     double memory[];
 } Stepper;
 
-static void first_stage(int32_t n, double h, const double *restrict q, const double *restrict v,
-                        const double *restrict a1, double *restrict q2, double *restrict v2, double *restrict q0,
-                        double *restrict v0)
+/* The arrays of a loop over coordinates, which is shared among threads where it is long. */
+typedef struct {
+    double h, haa, ha;
+    const double *q, *v, *a1, *a2, *a3, *a4;
+    double *to_q, *to_v, *kept_q, *kept_v;
+} Loop;
+
+static void first_stage(void *data, int32_t first, int32_t end)
 {
-    for (int32_t i = 0; i < n; i++) {
+    const Loop *loop = data;
+    const double *restrict q = loop->q, *restrict v = loop->v, *restrict a1 = loop->a1;
+    double *restrict q2 = loop->to_q, *restrict v2 = loop->to_v;
+    double *restrict q0 = loop->kept_q, *restrict v0 = loop->kept_v;
+    double half = 0.5 * loop->h;
+    for (int32_t i = first; i < end; i++) {
         q0[i] = q[i];
         v0[i] = v[i];
-        q2[i] = q[i] + 0.5 * h * v[i];
-        v2[i] = v[i] + 0.5 * h * a1[i];
+        q2[i] = q[i] + half * v[i];
+        v2[i] = v[i] + half * a1[i];
     }
 }
 
-/* (q + hv v + haa b, v + ha a): the stages 3 and 4. */
-static void later_stage(int32_t n, double hv, double haa, double ha, const double *restrict q, const double *restrict v,
-                        const double *restrict b, const double *restrict a, double *restrict qs, double *restrict vs)
+/* (q + h v + haa a1, v + ha a2): the stages 3 and 4, where a1 and a2 stand for the accelerations of two stages in turn. */
+static void later_stage(void *data, int32_t first, int32_t end)
 {
-    for (int32_t i = 0; i < n; i++) {
+    const Loop *loop = data;
+    const double *restrict q = loop->q, *restrict v = loop->v, *restrict b = loop->a1, *restrict a = loop->a2;
+    double *restrict qs = loop->to_q, *restrict vs = loop->to_v;
+    double hv = loop->h, haa = loop->haa, ha = loop->ha;
+    for (int32_t i = first; i < end; i++) {
         qs[i] = q[i] + (hv * v[i] + haa * b[i]);
         vs[i] = v[i] + ha * a[i];
     }
 }
 
-static void advance(int32_t n, double h, const double *restrict a1, const double *restrict a2,
-                    const double *restrict a3, const double *restrict a4, double *restrict q, double *restrict v)
+static void advance(void *data, int32_t first, int32_t end)
 {
-    double sixth = h / 6.0, square = h * h / 6.0;
-    for (int32_t i = 0; i < n; i++) {
+    const Loop *loop = data;
+    const double *restrict a1 = loop->a1, *restrict a2 = loop->a2, *restrict a3 = loop->a3, *restrict a4 = loop->a4;
+    double *restrict q = loop->to_q, *restrict v = loop->to_v;
+    double h = loop->h, sixth = h / 6.0, square = h * h / 6.0;
+    for (int32_t i = first; i < end; i++) {
         double middle = a2[i] + a3[i];
         q[i] += h * v[i] + square * (a1[i] + middle);
         v[i] += sixth * (a1[i] + 2.0 * middle + a4[i]);
@@ -60,7 +76,14 @@ static void advance(int32_t n, double h, const double *restrict a1, const double
 static void advance_all(const Stepper *stepper, double h, double *q, double *v, double *books)
 {
     const TinkerSystem *system = stepper->system;
-    advance(system->size, h, stepper->dense.from.a, stepper->a2, stepper->a3, stepper->a4, q, v);
+    Loop loop = {.h = h,
+                 .a1 = stepper->dense.from.a,
+                 .a2 = stepper->a2,
+                 .a3 = stepper->a3,
+                 .a4 = stepper->a4,
+                 .to_q = q,
+                 .to_v = v};
+    tinker_share_range(system->size, advance, &loop);
     for (int32_t i = 0; i < system->books; i++)
         books[i] +=
             h / 6.0 *
@@ -103,13 +126,23 @@ static TinkerStatus find_stages(Stepper *stepper, const TinkerState *state, doub
     TinkerStatus status =
         system->acceleration(system->context, state->t, state->q, state->v, from->a, books ? from->power : NULL);
     if (status != TINKER_OK) return status;
-    first_stage(n, h, state->q, state->v, from->a, q, v, from->q, from->v);
+    Loop loop = {.h = h,
+                 .q = state->q,
+                 .v = state->v,
+                 .a1 = from->a,
+                 .to_q = q,
+                 .to_v = v,
+                 .kept_q = from->q,
+                 .kept_v = from->v};
+    tinker_share_range(n, first_stage, &loop);
     status = system->acceleration(system->context, middle, q, v, stepper->a2, books ? stepper->power2 : NULL);
     if (status != TINKER_OK) return status;
-    later_stage(n, 0.5 * h, 0.25 * h * h, 0.5 * h, state->q, state->v, from->a, stepper->a2, q, v);
+    loop.h = loop.ha = 0.5 * h, loop.haa = 0.25 * h * h, loop.a2 = stepper->a2;
+    tinker_share_range(n, later_stage, &loop);
     status = system->acceleration(system->context, middle, q, v, stepper->a3, books ? stepper->power3 : NULL);
     if (status != TINKER_OK) return status;
-    later_stage(n, h, 0.5 * h * h, h, state->q, state->v, stepper->a2, stepper->a3, q, v);
+    loop.h = loop.ha = h, loop.haa = 0.5 * h * h, loop.a1 = stepper->a2, loop.a2 = stepper->a3;
+    tinker_share_range(n, later_stage, &loop);
     return system->acceleration(system->context, limit, q, v, stepper->a4, books ? stepper->power4 : NULL);
 }
 

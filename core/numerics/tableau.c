@@ -11,7 +11,8 @@ int tinker_tableau_ends_on_evaluation(const TinkerTableau *tableau)
 double tinker_tableau_join_errors(double error, double second_error)
 {
     if (error == 0.0) return 0.0;
-    return error * (error / hypot(error, 0.1 * second_error));
+    double share = second_error / error;
+    return error / sqrt(1.0 + 0.01 * share * share);
 }
 
 void tinker_tableau_dense_weights(const TinkerTableau *tableau, double s, double *weights)
