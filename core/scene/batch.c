@@ -52,11 +52,40 @@ static void copy_waveforms(TinkerBlockBatch *batch, TinkerScene *scene)
         batch->pieces[i] = (struct _TinkerPiece){NAN, NAN, NAN, FALSE};
 }
 
-static void copy_ends(TinkerBlockBatch *batch, const TinkerSceneTable *table)
+/* The rows of a table that are taken; their number is answered. */
+static int32_t choose_rows(const TinkerSceneTable *table, const gboolean *include, int32_t *rows)
 {
-    batch->end_offsets = g_memdup2(table->end_offsets, (gsize)(table->count + 1) * sizeof(int32_t));
-    batch->end_count = table->end_offsets[table->count];
-    batch->end = g_memdup2(table->ends, (gsize)batch->end_count * sizeof(TinkerSceneEnd));
+    int32_t count = 0;
+    for (int32_t row = 0; row < table->count; row++)
+        if (include == NULL || include[table->ids[row]]) rows[count++] = row;
+    return count;
+}
+
+static void copy_columns(TinkerBlockBatch *batch, const TinkerSceneTable *table, const int32_t *rows)
+{
+    gsize count = (gsize)batch->count;
+    batch->ids = g_new(TinkerBlockId, count);
+    for (gsize i = 0; i < count; i++)
+        batch->ids[i] = table->ids[rows[i]];
+    batch->columns = g_new0(double *, MAX(batch->block_class->column_count, 1));
+    for (int32_t column = 0; column < batch->block_class->column_count; column++) {
+        batch->columns[column] = g_new(double, count);
+        for (gsize i = 0; i < count; i++)
+            batch->columns[column][i] = table->columns[column][rows[i]];
+    }
+}
+
+static void copy_ends(TinkerBlockBatch *batch, const TinkerSceneTable *table, const int32_t *rows)
+{
+    batch->end_offsets = g_new0(int32_t, batch->count + 1);
+    for (int32_t i = 0; i < batch->count; i++)
+        batch->end_offsets[i + 1] =
+            batch->end_offsets[i] + table->end_offsets[rows[i] + 1] - table->end_offsets[rows[i]];
+    batch->end_count = batch->end_offsets[batch->count];
+    batch->end = g_new0(TinkerSceneEnd, MAX(batch->end_count, 1));
+    for (int32_t i = 0; i < batch->count; i++)
+        for (int32_t e = batch->end_offsets[i], from = table->end_offsets[rows[i]]; e < batch->end_offsets[i + 1];)
+            batch->end[e++] = table->ends[from++];
     const TinkerBlockType *type = table->block_class->type;
     batch->ends = type->least_ends == type->most_ends ? type->least_ends : -1;
 }
@@ -76,31 +105,30 @@ static void block_batch_free(TinkerBlockBatch *batch)
     g_free(batch);
 }
 
-static TinkerBlockBatch *block_batch_new(TinkerScene *scene, const TinkerSceneTable *table)
+static TinkerBlockBatch *block_batch_new(TinkerScene *scene, const TinkerSceneTable *table, const int32_t *rows,
+                                         int32_t count)
 {
     TinkerBlockBatch *batch = g_new0(TinkerBlockBatch, 1);
     const TinkerBlockClass *block_class = table->block_class;
-    gsize bytes = (gsize)table->count * sizeof(double);
     batch->block_class = block_class;
-    batch->count = table->count;
-    batch->ids = g_memdup2(table->ids, (gsize)table->count * sizeof(TinkerBlockId));
-    batch->columns = g_new0(double *, MAX(block_class->column_count, 1));
-    for (int32_t column = 0; column < block_class->column_count; column++)
-        batch->columns[column] = g_memdup2(table->columns[column], bytes);
-    copy_ends(batch, table);
+    batch->count = count;
+    copy_columns(batch, table, rows);
+    copy_ends(batch, table, rows);
     copy_waveforms(batch, scene);
     if (block_class->physics != NULL && block_class->physics->scratch_size > 0)
         batch->scratch = g_malloc0((gsize)block_class->physics->scratch_size);
     return batch;
 }
 
-GPtrArray *tinker_batches_new(TinkerScene *scene)
+GPtrArray *tinker_batches_new(TinkerScene *scene, const gboolean *include)
 {
     GPtrArray *batches = g_ptr_array_new_with_free_func((GDestroyNotify)block_batch_free);
     for (int32_t number = 0; number < tinker_scene_table_count(scene); number++) {
         TinkerSceneTable table;
         tinker_scene_table(scene, number, &table);
-        if (table.count > 0) g_ptr_array_add(batches, block_batch_new(scene, &table));
+        g_autofree int32_t *rows = g_new(int32_t, MAX(table.count, 1));
+        int32_t count = choose_rows(&table, include, rows);
+        if (count > 0) g_ptr_array_add(batches, block_batch_new(scene, &table, rows, count));
     }
     return batches;
 }
@@ -122,6 +150,13 @@ TinkerBatch tinker_block_batch_view(TinkerBlockBatch *batch, double t)
 static TinkerWaveformEvaluator *evaluator_of(const TinkerBlockBatch *batch, int32_t waveform, int32_t row)
 {
     return g_ptr_array_index(batch->evaluators, (guint)(waveform * batch->count + row));
+}
+
+const TinkerWaveformEvaluator *tinker_block_batch_evaluator(const TinkerBlockBatch *batch, int32_t column, int32_t row)
+{
+    for (int32_t waveform = 0; waveform < batch->waveforms; waveform++)
+        if (batch->waveform_columns[waveform] == column) return evaluator_of(batch, waveform, row);
+    return NULL;
 }
 
 void tinker_block_batch_set_time(TinkerBlockBatch *batch, double t)

@@ -26,15 +26,18 @@ struct _TinkerBlockBatch {
     void *scratch;               /* as the class's physics asked for */
 };
 
-/* A snapshot of every table with at least one block. "As placed" properties stay NaN. Element: TinkerBlockBatch *.
- * (transfer full) */
-GPtrArray *tinker_batches_new(TinkerScene *scene);
+/* A snapshot of every table with at least one block, of the blocks that `include` has TRUE for (by block id; NULL: all).
+ * "As placed" properties stay NaN. Element: TinkerBlockBatch *. (transfer full) */
+GPtrArray *tinker_batches_new(TinkerScene *scene, const gboolean *include);
 
 /* The view of a whole batch that plugins get, at time t. */
 TinkerBatch tinker_block_batch_view(TinkerBlockBatch *batch, double t);
 
 /* Evaluates all waveforms of the batch at t into its columns. */
 void tinker_block_batch_set_time(TinkerBlockBatch *batch, double t);
+
+/* The evaluator of the waveform whose first column is `column`; NULL where that is not the first column of one. Borrowed. */
+const TinkerWaveformEvaluator *tinker_block_batch_evaluator(const TinkerBlockBatch *batch, int32_t column, int32_t row);
 
 /* Enters the piece of every waveform that contains `inside`. */
 void tinker_block_batch_enter_piece(TinkerBlockBatch *batch, double inside);

@@ -127,7 +127,7 @@ TinkerFrame *tinker_frame_new(TinkerScene *scene, GError **error)
 {
     TinkerFrame *frame = g_new0(TinkerFrame, 1);
     frame->scene = scene;
-    frame->batches = tinker_batches_new(scene);
+    frame->batches = tinker_batches_new(scene, NULL);
     frame->limit = tinker_scene_id_limit(scene);
     frame->placed = g_new(Pose, MAX(frame->limit, 1));
     frame->poses = g_new(Pose, MAX(frame->limit, 1));

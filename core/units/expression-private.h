@@ -150,6 +150,10 @@ void tinker_program_select(TinkerProgramState *state, int root);
 TinkerJet tinker_program_evaluate(const TinkerProgramState *state, double t);
 TinkerRangeJet tinker_program_enclose(const TinkerProgramState *state, double low, double high);
 
+/* The degree that the program has as a polynomial of t within a piece, at most; more than any number of use where it is none,
+ * or none that is seen to be one. */
+int tinker_program_degree(const TinkerProgram *program);
+
 /* As tinker_waveform_next_break; changes the state's cells and selection. */
 double tinker_program_next_break(TinkerProgramState *state, double t, double horizon);
 

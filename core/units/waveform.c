@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "units/expression-private.h"
+#include "units/expression-form.h"
 #include "units/table-private.h"
 
 struct _TinkerWaveform {
@@ -197,6 +197,58 @@ void tinker_waveform_evaluate(const TinkerWaveformEvaluator *evaluator, double t
         return;
     case TINKER_WAVEFORM_NONE:
         memset(result, 0, 3 * sizeof *result);
+        return;
+    }
+}
+
+int tinker_waveform_signals(const TinkerWaveformEvaluator *evaluator)
+{
+    const TinkerProgram *program = evaluator->waveform->program;
+    return program == NULL ? 1 : 1 + tinker_program_harmonics(program);
+}
+
+/* The second derivative of a polynomial of degree 3 changes by 6 c3 in a unit of time. */
+static TinkerSignal table_form(const TinkerWaveformEvaluator *evaluator, double t)
+{
+    double here[3], ahead[3];
+    tinker_waveform_evaluate(evaluator, t, here);
+    tinker_waveform_evaluate(evaluator, t + 1.0, ahead);
+    return (TinkerSignal){TINKER_SIGNAL_POLYNOMIAL, 0, t, {here[0], here[1], here[2] / 2, (ahead[2] - here[2]) / 6}};
+}
+
+static TinkerSignal harmonic_form(const TinkerWaveformEvaluator *evaluator)
+{
+    const double quarter = evaluator->waveform->kind == TINKER_WAVEFORM_COSINE ? G_PI_2 : 0.0;
+    return (TinkerSignal){
+        TINKER_SIGNAL_HARMONIC, 0, 0.0, {evaluator->amplitude, evaluator->frequency, evaluator->phase + quarter, 0.0}};
+}
+
+static void expression_form(const TinkerWaveformEvaluator *evaluator, double t, TinkerSignal *signals)
+{
+    TinkerForm form;
+    tinker_program_form(&evaluator->piece, t, &form);
+    signals[0] = (TinkerSignal){TINKER_SIGNAL_POLYNOMIAL, 0, t, {0}};
+    memcpy(signals[0].coefficient, form.polynomial, sizeof(form.polynomial));
+    for (int i = 1; i < tinker_waveform_signals(evaluator); i++) {
+        TinkerHarmonic harmonic = i <= form.count ? form.harmonics[i - 1] : (TinkerHarmonic){0};
+        signals[i] =
+            (TinkerSignal){TINKER_SIGNAL_HARMONIC, 0, t, {harmonic.amplitude, harmonic.frequency, harmonic.phase, 0.0}};
+    }
+}
+
+void tinker_waveform_form(const TinkerWaveformEvaluator *evaluator, double t, TinkerSignal *signals)
+{
+    switch (evaluator->waveform->kind) {
+    case TINKER_WAVEFORM_SINE:
+    case TINKER_WAVEFORM_COSINE:
+        *signals = harmonic_form(evaluator);
+        return;
+    case TINKER_WAVEFORM_EXPRESSION:
+        expression_form(evaluator, t, signals);
+        return;
+    case TINKER_WAVEFORM_TABLE:
+    case TINKER_WAVEFORM_NONE:
+        *signals = table_form(evaluator, t);
         return;
     }
 }

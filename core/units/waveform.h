@@ -10,7 +10,7 @@
 
 #include <glib.h>
 
-#include <tinker/types.h>
+#include <tinker/integrator.h>
 
 typedef enum {
     TINKER_WAVEFORM_NONE,       /* 0 */
@@ -76,6 +76,13 @@ void tinker_waveform_enter_piece(TinkerWaveformEvaluator *evaluator, double insi
 
 /* Value, first and second derivative at t, by the switches of the piece entered last. */
 void tinker_waveform_evaluate(const TinkerWaveformEvaluator *evaluator, double t, double result[3]);
+
+/* As how many signals the waveform can be given in every one of its pieces: polynomials of t up to degree 3 and harmonics,
+ * which are added up; at least 1. 0 where it has no such form. Expressions have it where they are made of such terms. */
+int tinker_waveform_signals(const TinkerWaveformEvaluator *evaluator);
+
+/* Those signals in the piece entered last, about the time t, which is in the piece or at one of its ends. Allots memory. */
+void tinker_waveform_form(const TinkerWaveformEvaluator *evaluator, double t, TinkerSignal *signals);
 
 /* The first break after t and not after `horizon`; INFINITY where there is none. Switching arguments that are affine in
  * t are solved exactly; others by interval bisection, which finds every sign change that interval arithmetic cannot
