@@ -14,6 +14,17 @@ static double potential_of_origin(const TinkerModel *model)
     return -mass * (model->field_acceleration[0] * model->origin[0] + model->field_acceleration[1] * model->origin[1]);
 }
 
+/* A straight system does not leave its forces in the model. */
+static TinkerStatus evaluate_forces(TinkerModelSystem *system)
+{
+    TinkerModel *model = system->model;
+    if (system->system.size == 2 * model->bodies) return TINKER_OK;
+    gint64 evaluations = model->evaluations;
+    TinkerStatus status = tinker_model_applied(model, system->constrained, FALSE);
+    model->evaluations = evaluations;
+    return status;
+}
+
 /* Of the last evaluation. */
 static double sum_of_forces(const TinkerModel *model)
 {
@@ -59,7 +70,7 @@ static double largest_exchange(const TinkerBooks *books, const TinkerEnergy *now
     return largest;
 }
 
-TinkerStatus tinker_books_look(TinkerBooks *books, const TinkerState *state, TinkerSummary *summary)
+TinkerStatus tinker_books_look(TinkerBooks *books, const TinkerState *state, double extent, TinkerSummary *summary)
 {
     TinkerModel *model = books->system->model;
     TinkerEnergy now;
@@ -67,14 +78,13 @@ TinkerStatus tinker_books_look(TinkerBooks *books, const TinkerState *state, Tin
     if (status != TINKER_OK) return status;
     tinker_model_set_state(model, state->q, state->v);
     status = tinker_model_energy(model, &now);
+    if (status == TINKER_OK) status = evaluate_forces(books->system);
     if (status != TINKER_OK) return status;
     double sum = given(books, state, &now, summary);
     double missing = (now.kinetic - books->start.kinetic) + (now.potential - books->start.potential) - sum;
     books->exchanged = MAX(books->exchanged, largest_exchange(books, &now, summary));
     /* At rest nothing is exchanged but rounding: of the extent, times the forces that are balanced. */
     books->forces = fmax(books->forces, sum_of_forces(model));
-    double extent, speed;
-    books->system->system.scales(books->system, state->q, state->v, &extent, &speed);
     double scale = MAX(books->exchanged, REST * books->forces * extent);
     books->imbalance = scale > 0 ? fabs(missing) / scale : 0;
     books->missing = fmax(books->missing, fabs(missing));

@@ -33,16 +33,33 @@ static gboolean check_class(const TinkerBlockBatch *batch, GError **error)
     return FALSE;
 }
 
-/* The origin is moved only where the scene lies far away from it, and to a place with few bits, so that the subtraction is
- * exact. */
+/* By block id: whether it can move, or something hangs on it. */
+static gboolean *find_reach(const TinkerModel *model)
+{
+    gboolean *within = g_new0(gboolean, MAX(tinker_scene_id_limit(model->scene), 1));
+    for (guint i = 0; i < model->batches->len; i++) {
+        const TinkerBlockBatch *batch = g_ptr_array_index(model->batches, i);
+        const TinkerPhysics *physics = batch->block_class->physics;
+        gboolean can_move = body_of(batch) != NULL && body_of(batch)->degrees_of_freedom > 0;
+        for (int32_t row = 0; can_move && row < batch->count; row++)
+            within[batch->ids[row]] = TRUE;
+        for (int32_t e = 0; (physics == NULL || physics->motion == NULL) && e < batch->end_count; e++)
+            within[batch->end[e].block] = TRUE;
+    }
+    return within;
+}
+
+/* The origin is moved only where what is stepped lies far away from it, and to a place with few bits, so that the
+ * subtraction is exact. Supports that nothing hangs on have no say in it. */
 static void find_origin(TinkerModel *model)
 {
+    g_autofree gboolean *within = find_reach(model);
     double least[2] = {INFINITY, INFINITY}, greatest[2] = {-INFINITY, -INFINITY};
     for (guint i = 0; i < model->batches->len; i++) {
         const TinkerBlockBatch *batch = g_ptr_array_index(model->batches, i);
         if (body_of(batch) == NULL) continue;
         for (int32_t row = 0; row < batch->count; row++)
-            for (int32_t k = 0; k < 2; k++) {
+            for (int32_t k = 0; within[batch->ids[row]] && k < 2; k++) {
                 double place = meaning(batch, row, TINKER_MEANING_POSITION, k, 0);
                 least[k] = MIN(least[k], place);
                 greatest[k] = MAX(greatest[k], place);

@@ -2,7 +2,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "physics/model-private.h"
+#include "physics/row-chains.h"
 
 /* Beyond this many products a factorisation takes longer, and more memory, than anybody has. */
 #define MOST_PRODUCTS 2e7
@@ -186,7 +186,8 @@ gboolean tinker_model_compile_constraints(TinkerModel *model, GError **error)
             return FALSE;
         }
         add_constraint_batch(model, batch);
-        if (physics->constraint->prescribed_rate != NULL) model->has_book[TINKER_BOOK_MOTORS] = TRUE;
+        if (physics->constraint->prescribed_rate != NULL)
+            model->has_book[TINKER_BOOK_MOTORS] = model->more_than_lines = TRUE;
     }
     allot(model);
     if (all->rows == 0) return TRUE;
@@ -200,6 +201,7 @@ gboolean tinker_model_compile_constraints(TinkerModel *model, GError **error)
     if (!compile_pattern(model, error)) return FALSE;
     list_products(model);
     g_array_sort(all->products, compare_products);
+    all->chains = tinker_row_chains_new(model);
     return TRUE;
 }
 
@@ -208,6 +210,7 @@ void tinker_constraints_clear(TinkerConstraints *all)
     if (all->batches != NULL) g_array_unref(all->batches);
     if (all->products != NULL) g_array_unref(all->products);
     tinker_sparse_ldl_free(all->ldl);
+    tinker_row_chains_free(all->chains);
     gpointer arrays[] = {all->row_starts,
                          all->points,
                          all->scales,

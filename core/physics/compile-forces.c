@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "physics/model-private.h"
+#include "physics/line-parts.h"
 
 /* One linear law before merging. */
 typedef struct {
@@ -230,10 +230,14 @@ gboolean tinker_model_compile_forces(TinkerModel *model, GError **error)
             most_ends = MAX(most_ends, batch->end_offsets[row + 1] - batch->end_offsets[row]);
     }
     merge_lines(model, lines);
+    model->line_parts = tinker_line_parts_new(model);
     add_constant_accelerations(model);
     mark_used_points(model);
     gsize doubles = (gsize)TINKER_CHUNK * (8 + (gsize)most_ends * 6);
     model->chunk = g_new0(double, MAX(doubles, 8 * (gsize)MAX(model->bodies, 1)));
     model->has_book[TINKER_BOOK_SUPPORT_MOTION] = model->moving_supports > 0;
+    model->more_than_lines = model->asked_lines->len + model->asked_forces->len + model->asked_fields->len > 0 ||
+                             model->driven->len > 0 || model->constant_force != NULL || model->moving_supports > 0 ||
+                             model->has_book[TINKER_BOOK_FIELDS];
     return TRUE;
 }

@@ -9,7 +9,7 @@
  * Algorithms" (2014), section 4.1; tested by rank-deficient frames in tests/physics. A residual that stalls at a state on
  * the constraints means that the rows contradict each other. Masses in a ratio beyond 1e5 between dependent rods bring it
  * down as well; such a scene is refused at its start. */
-#include "physics/model-private.h"
+#include "physics/row-chains.h"
 
 #include <math.h>
 #include <string.h>
@@ -35,7 +35,7 @@ double tinker_greatest(const double *x, int32_t n)
     return MAX(MAX(most[0], most[1]), MAX(most[2], most[3]));
 }
 
-static TinkerStatus refuse_rows(TinkerModel *model, const TinkerConstraintBatch *part, TinkerStatus status)
+static G_NO_INLINE TinkerStatus refuse_rows(TinkerModel *model, const TinkerConstraintBatch *part, TinkerStatus status)
 {
     const TinkerConstraints *all = &model->constraints;
     if (status == TINKER_RETRY_SMALLER) return status;
@@ -47,36 +47,75 @@ static TinkerStatus refuse_rows(TinkerModel *model, const TinkerConstraintBatch 
     return tinker_model_not_finite(model, part->batch, (row - part->first_row) / part->constraint->rows, "constraint");
 }
 
-/* Sums of zeros, unless something is not finite; several of them, so that additions do not wait for each other. */
-static gboolean rows_are_finite(const TinkerConstraints *all, const TinkerConstraintBatch *part)
+/* Sums of zeros, unless something is not finite; several of them, so that additions do not wait for each other. Finds the
+ * largest miss on the way. */
+static gboolean look_at_rows(TinkerConstraints *all, const TinkerConstraintBatch *part)
 {
     const double *restrict g = all->g + part->first_row, *restrict drift = all->drift + part->first_row;
-    double sums[4] = {0, 0, 0, 0};
+    const double *restrict inverse = all->inverse_scales + part->first_row;
+    double sums[4] = {0, 0, 0, 0}, most[4] = {all->miss, 0, 0, 0};
     int32_t row = 0;
     for (; row + 4 <= part->row_count; row += 4)
-        for (int k = 0; k < 4; k++)
+        for (int k = 0; k < 4; k++) {
             sums[k] += 0.0 * (g[row + k] + drift[row + k]);
-    for (; row < part->row_count; row++)
+            most[k] = MAX(most[k], fabs(g[row + k]) * inverse[row + k]);
+        }
+    for (; row < part->row_count; row++) {
         sums[0] += 0.0 * (g[row] + drift[row]);
+        most[0] = MAX(most[0], fabs(g[row]) * inverse[row]);
+    }
+    all->miss = MAX(MAX(most[0], most[1]), MAX(most[2], most[3]));
     return sums[0] + sums[1] + sums[2] + sums[3] == 0;
 }
 
-static TinkerStatus evaluate_part(TinkerModel *model, TinkerConstraintBatch *part)
+static void gather(const TinkerModel *model, const int32_t *points, int32_t count)
+{
+    TinkerPoint *restrict ends = model->constraints.ends;
+    const TinkerPoint *restrict point = model->point;
+#pragma GCC unroll 4
+    for (int32_t e = 0; e < count; e++)
+        ends[e] = point[points[e]];
+}
+
+/* Asks for the rows of a range of blocks. */
+static inline TinkerStatus ask_rows(TinkerModel *model, const TinkerConstraintBatch *part, TinkerBatch *view)
 {
     TinkerConstraints *all = &model->constraints;
-    TinkerPoint *restrict ends = all->ends;
-    const TinkerPoint *restrict points = model->point;
-    for (int32_t e = 0; e < part->batch->end_count; e++)
-        ends[e] = points[part->end_points[e]];
-    TinkerBatch *view = &part->view;
-    view->time = model->time;
-    TinkerStatus status = part->constraint->rows_at(
-        view, ends, all->g + part->first_row, all->jacobian + 2 * part->first_entry, all->drift + part->first_row);
+    const int32_t *offsets = part->batch->end_offsets;
+    int32_t from = offsets[view->first], rows = part->constraint->rows;
+    int32_t first_row = part->first_row + view->first * rows;
+    gather(model, part->end_points + from, offsets[view->first + view->count] - from);
+    TinkerStatus status =
+        part->constraint->rows_at(view, all->ends, all->g + first_row,
+                                  all->jacobian + 2 * (part->first_entry + from * rows), all->drift + first_row);
     if (status == TINKER_OK && part->constraint->prescribed_rate != NULL) {
-        status = part->constraint->prescribed_rate(view, ends, all->rate + part->first_row);
+        status = part->constraint->prescribed_rate(view, all->ends, all->rate + first_row);
         all->prescribed = TRUE;
     }
-    return status == TINKER_OK && rows_are_finite(all, part) ? TINKER_OK : refuse_rows(model, part, status);
+    return status;
+}
+
+/* In chunks whose ends stay in the cache. */
+static G_NO_INLINE TinkerStatus ask_by_chunks(TinkerModel *model, TinkerConstraintBatch *part)
+{
+    TinkerStatus status = TINKER_OK;
+    for (int32_t first = 0; first < part->batch->count && status == TINKER_OK; first += TINKER_CHUNK) {
+        int32_t count = MIN(TINKER_CHUNK, part->batch->count - first);
+        TinkerBatch view = tinker_model_view(model, part->batch, first, count, model->column_views);
+        status = ask_rows(model, part, &view);
+        part->view.failure = view.failure;
+        part->view.failed_instance = first + view.failed_instance;
+    }
+    return status;
+}
+
+static inline TinkerStatus evaluate_part(TinkerModel *model, TinkerConstraintBatch *part)
+{
+    part->view.time = model->time;
+    TinkerStatus status =
+        part->batch->count > TINKER_CHUNK ? ask_by_chunks(model, part) : ask_rows(model, part, &part->view);
+    if (G_LIKELY(status == TINKER_OK && look_at_rows(&model->constraints, part))) return TINKER_OK;
+    return refuse_rows(model, part, status);
 }
 
 /* The Jacobian that was factored is kept by writing the next one elsewhere. */
@@ -93,6 +132,7 @@ TinkerStatus tinker_constraints_evaluate(TinkerModel *model)
 {
     TinkerConstraints *all = &model->constraints;
     turn_jacobians(all);
+    all->miss = 0;
     for (guint i = 0; i < all->batches->len; i++) {
         TinkerStatus status = evaluate_part(model, &g_array_index(all->batches, TinkerConstraintBatch, i));
         if (status != TINKER_OK) return status;
@@ -138,6 +178,7 @@ static double mean_diagonal(const TinkerConstraints *all)
 static gboolean is_factored(const TinkerConstraints *all)
 {
     if (!all->factored || all->keeps_factored) return all->factored;
+    if (all->jacobian[0] != all->factored_jacobian[0]) return FALSE;
     return memcmp(all->jacobian, all->factored_jacobian, 2 * (gsize)all->entries * sizeof(double)) == 0;
 }
 
@@ -284,29 +325,76 @@ static double solve_proximally(TinkerModel *model, double *b)
     return MAX(left, dropped);
 }
 
+/* Where the rows are chains without dependent ones, solves for a demand up to the last pass, with the factor of the rows
+ * evaluated last, or `roughly` with any. FALSE: the general way is left, with a shifted factor where the rows turned out
+ * to depend on each other here. */
+static gboolean solve_chains(TinkerConstraints *all, const TinkerRowDemand *demand, gboolean roughly)
+{
+    if (all->chains == NULL || all->redundant > 0) return FALSE;
+    if (all->factored && ((roughly && !all->shifted) || is_factored(all))) {
+        if (!all->shifted) tinker_row_chains_substitute(all->chains, all->jacobian, demand);
+        return !all->shifted;
+    }
+    all->factored = all->keeps_factored = TRUE;
+    all->shifted = FALSE;
+    if (tinker_row_chains_factor(all->chains, all->jacobian, DEPENDENT_PIVOT, demand)) return TRUE;
+    factor_shifted(all);
+    return FALSE;
+}
+
 double tinker_constraints_solve(TinkerModel *model, double *b)
 {
     TinkerConstraints *all = &model->constraints;
+    if (solve_chains(all, &(TinkerRowDemand){.extra = b, .sign = 1}, FALSE)) {
+        tinker_row_chains_finish(all->chains, all->jacobian, b, NULL, FALSE);
+        return 0;
+    }
     if (!is_factored(all) && factor_and_solve(all, b)) return 0;
     if (all->shifted) return solve_proximally(model, b);
     tinker_sparse_ldl_solve(all->ldl, b);
     return 0;
 }
 
-void tinker_constraints_solve_roughly(TinkerModel *model, double *b)
+void tinker_constraints_newton_step(TinkerModel *model, gboolean roughly)
 {
     TinkerConstraints *all = &model->constraints;
-    if (!all->factored || all->shifted)
-        tinker_constraints_solve(model, b);
+    double *displacement = all->displacement; /* 0 on bodies without rows */
+    if (solve_chains(all, &(TinkerRowDemand){.extra = all->g, .sign = -1}, roughly)) {
+        tinker_row_chains_finish(all->chains, all->jacobian, all->lambda, displacement, TRUE);
+        return;
+    }
+    for (int32_t row = 0; row < all->rows; row++)
+        all->lambda[row] = -all->g[row];
+    if (!roughly || !all->factored || all->shifted)
+        tinker_constraints_solve(model, all->lambda);
     else
-        tinker_sparse_ldl_solve(all->ldl, b);
+        tinker_sparse_ldl_solve(all->ldl, all->lambda);
+    memset(displacement, 0, 2 * (gsize)model->bodies * sizeof(double));
+    tinker_constraints_add_impulse(model, all->lambda, displacement);
+}
+
+void tinker_constraints_change_speeds(TinkerModel *model, const double *asked, double *v)
+{
+    TinkerConstraints *all = &model->constraints;
+    if (solve_chains(all, &(TinkerRowDemand){.extra = asked, .sign = 1}, FALSE)) {
+        tinker_row_chains_finish(all->chains, all->jacobian, all->lambda, v, FALSE);
+        return;
+    }
+    memcpy(all->lambda, asked, (gsize)all->rows * sizeof(double));
+    tinker_constraints_solve(model, all->lambda);
+    tinker_constraints_add_impulse(model, all->lambda, v);
 }
 
 double tinker_constraints_accelerate(TinkerModel *model, double *a)
 {
     TinkerConstraints *all = &model->constraints;
-    memcpy(model->point_acceleration, a, 2 * (gsize)model->bodies * sizeof(double));
-    tinker_constraints_rows_times(all, model->point_acceleration, all->lambda);
+    double *by_point = model->point_acceleration;
+    memcpy(by_point, a, 2 * (gsize)model->bodies * sizeof(double));
+    if (solve_chains(all, &(TinkerRowDemand){by_point, 2, all->drift, -1}, FALSE)) {
+        tinker_row_chains_finish(all->chains, all->jacobian, all->lambda, a, FALSE);
+        return 0;
+    }
+    tinker_constraints_rows_times(all, by_point, all->lambda);
     for (int32_t row = 0; row < all->rows; row++)
         all->lambda[row] = -all->lambda[row] - all->drift[row];
     double left = tinker_constraints_solve(model, all->lambda);

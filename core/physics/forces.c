@@ -6,7 +6,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "physics/model-private.h"
+#include "physics/line-parts.h"
 
 /* "Spring 0: its tension at t = 1 s ..." */
 static void note_failure(TinkerModel *model, const TinkerBlockBatch *batch, int32_t row, const char *what,
@@ -54,9 +54,8 @@ TinkerBatch tinker_model_view(const TinkerModel *model, const TinkerBlockBatch *
     };
 }
 
-TinkerStatus tinker_model_set_time(TinkerModel *model, double t)
+TinkerStatus tinker_model_change_time(TinkerModel *model, double t)
 {
-    if (t == model->time) return TINKER_OK;
     model->time = t;
     for (guint i = 0; i < model->waveform_batches->len; i++)
         tinker_block_batch_set_time(g_ptr_array_index(model->waveform_batches, i), t);
@@ -79,11 +78,23 @@ TinkerStatus tinker_model_set_time(TinkerModel *model, double t)
     return TINKER_OK;
 }
 
-void tinker_model_set_state(TinkerModel *model, const double *q, const double *v)
+typedef struct {
+    TinkerPoint *point;
+    const double *q, *v;
+} Packing;
+
+static void pack(void *data, int32_t first, int32_t end)
 {
-    TinkerPoint *point = model->point;
-    for (int32_t i = 0; i < model->bodies; i++)
+    const Packing *loop = data;
+    TinkerPoint *restrict point = loop->point;
+    const double *restrict q = loop->q, *restrict v = loop->v;
+    for (int32_t i = first; i < end; i++)
         point[i] = (TinkerPoint){q[2 * i], q[2 * i + 1], v[2 * i], v[2 * i + 1]};
+}
+
+void tinker_model_share_state(TinkerModel *model, const double *q, const double *v)
+{
+    tinker_share_range(model->bodies, pack, &(Packing){model->point, q, v});
 }
 
 /* Lines whose plugin is asked -------------------------------------------------------------------------------------- */
@@ -271,28 +282,43 @@ static TinkerStatus add_asked(TinkerModel *model, GArray *batches,
     return TINKER_OK;
 }
 
-static void accelerate(const TinkerModel *model, double *restrict a)
+typedef struct {
+    const TinkerModel *model;
+    double *a;
+} Acceleration;
+
+static void accelerate(void *data, int32_t first, int32_t end)
 {
+    const Acceleration *loop = data;
+    const TinkerModel *model = loop->model;
+    double *restrict a = loop->a;
     const double *restrict force = model->force, *restrict inverse = model->inverse_mass;
     const double *restrict constant = model->constant_acceleration;
-    for (int32_t i = 0; i < model->bodies; i++) {
+    for (int32_t i = first; i < end; i++) {
         a[2 * i] = constant[2 * i] + force[2 * i] * inverse[i];
         a[2 * i + 1] = constant[2 * i + 1] + force[2 * i + 1] * inverse[i];
     }
     if (model->field_drag == 0) return;
-    for (int32_t i = 0; i < model->bodies; i++) {
+    for (int32_t i = first; i < end; i++) {
         a[2 * i] -= model->field_drag * inverse[i] * model->point[i].vx;
         a[2 * i + 1] -= model->field_drag * inverse[i] * model->point[i].vy;
     }
 }
 
-TinkerStatus tinker_model_applied(TinkerModel *model, double *a, gboolean books)
+/* The forces of merged lines alone; answers the power that dampers take. */
+static inline double lines_forces(TinkerModel *model)
 {
-    model->evaluations++;
-    memset(model->force, 0, 2 * (gsize)model->points * sizeof(double));
-    if (books) memset(model->book_power, 0, sizeof(model->book_power));
-    tinker_lines_add_forces(&model->lines, model->point, model->force, &model->book_power[TINKER_BOOK_DAMPERS]);
-    model->book_power[TINKER_BOOK_DAMPERS] = -model->book_power[TINKER_BOOK_DAMPERS];
+    double taken = 0;
+    if (model->line_parts != NULL) return tinker_line_parts_forces(model);
+    if (model->lines.count > 0 || model->more_than_lines)
+        memset(model->force, 0, 2 * (gsize)model->points * sizeof(double));
+    if (model->lines.count > 0) tinker_lines_add_forces(&model->lines, model->point, model->force, &taken);
+    return taken;
+}
+
+/* Apart, so that models of lines alone do not carry its registers. */
+static G_NO_INLINE TinkerStatus add_more_than_lines(TinkerModel *model, gboolean books)
+{
     TinkerStatus status = add_asked(model, model->asked_lines, add_asked_lines, books);
     if (status == TINKER_OK) status = add_driven_forces(model, books);
     if (status == TINKER_OK) status = add_asked(model, model->asked_forces, add_asked_forces, books);
@@ -300,6 +326,15 @@ TinkerStatus tinker_model_applied(TinkerModel *model, double *a, gboolean books)
     if (status != TINKER_OK) return status;
     if (books && model->has_book[TINKER_BOOK_FIELDS]) add_linear_field_power(model);
     if (books && model->moving_supports > 0) add_support_power(model);
-    accelerate(model, a);
     return TINKER_OK;
+}
+
+TinkerStatus tinker_model_applied(TinkerModel *model, double *a, gboolean books)
+{
+    model->evaluations++;
+    if (books && model->more_than_lines) memset(model->book_power, 0, sizeof(model->book_power));
+    model->book_power[TINKER_BOOK_DAMPERS] = -lines_forces(model);
+    TinkerStatus status = model->more_than_lines ? add_more_than_lines(model, books) : TINKER_OK;
+    if (status == TINKER_OK) tinker_share_range(model->bodies, accelerate, &(Acceleration){model, a});
+    return status;
 }

@@ -1,120 +1,141 @@
-/* The largest frequency comes from power iteration on M^-1 K at the start; the connector to blame is the one that is
- * stiffest against the masses at its ends. */
+/* The block to blame is the one that holds most of the energy in the shape of the fastest mode; for a damper, that takes most
+ * of the power in the shape with the largest damping over mass. */
 #include "physics/guard.h"
 
 #include <math.h>
-#include <string.h>
 
-#define POWER_ITERATIONS 60
+#include "physics/derivatives-private.h"
+#include "physics/plan-private.h"
 
-/* The stiffest part of a model at its start. */
+/* Who is to blame for a shape so far. */
 typedef struct {
-    double frequency;     /* rad/s: of the largest natural frequency, were there no constraints; from below */
-    double damping_rate;  /* 1/s: of the largest damping over mass */
-    TinkerBlockId block;  /* the connector to blame; TINKER_NO_BLOCK where there is none */
-    const char *property; /* its property that makes it stiff */
-} Stiffness;
+    double most;         /* J or W, at the shape's own size */
+    TinkerBlockId block; /* TINKER_NO_BLOCK: nobody */
+} Blame;
 
-static double norm(const TinkerModel *model, const double *x)
+/* d . n of the displacements of a line's ends. */
+static double stretch(const TinkerModel *model, const double *shape, int32_t a, int32_t b, double x, double y)
 {
-    double sum = 0;
-    for (int32_t i = 0; i < 2 * model->bodies; i++)
-        sum += model->coordinate_mass[i] * x[i] * x[i];
-    return sqrt(sum);
+    double ax = a < model->bodies ? shape[2 * a] : 0, ay = a < model->bodies ? shape[2 * a + 1] : 0;
+    double bx = b < model->bodies ? shape[2 * b] : 0, by = b < model->bodies ? shape[2 * b + 1] : 0;
+    return x * (bx - ax) + y * (by - ay);
 }
 
-/* The largest eigenvalue (in size) of a product, by power iteration from a vector without symmetry. */
-static double largest_eigenvalue(TinkerModel *model, TinkerStatus (*product)(TinkerModel *, const double *, double *))
+static void consider(Blame *blame, TinkerBlockId block, double share)
 {
-    gsize n = 2 * (gsize)model->bodies;
-    g_autofree double *x = g_new(double, MAX(n, 1)), *y = g_new(double, MAX(n, 1));
-    for (gsize i = 0; i < n; i++)
-        x[i] = 1.0 + 0.5 * sin(12.9898 * (double)(i + 1));
-    double eigenvalue = 0;
-    for (int iteration = 0; iteration < POWER_ITERATIONS; iteration++) {
-        double size = norm(model, x);
-        if (!(size > 0) || !isfinite(size)) break;
-        for (gsize i = 0; i < n; i++)
-            x[i] /= size;
-        if (product(model, x, y) != TINKER_OK) break;
-        eigenvalue = norm(model, y);
-        memcpy(x, y, n * sizeof(double));
+    if (!(share > blame->most)) return;
+    blame->most = share;
+    blame->block = block;
+}
+
+static void consider_line(const TinkerModel *model, const double *shape, Blame *blame, TinkerBlockId block, int32_t a,
+                          int32_t b, double coefficient)
+{
+    TinkerLineDerivatives line;
+    double rate, length = tinker_line_geometry(model, a, b, &line, &rate);
+    double along = stretch(model, shape, a, b, line.x, line.y);
+    if (length == 0) /* pulls in every direction */
+        along = hypot(stretch(model, shape, a, b, 1, 0), stretch(model, shape, a, b, 0, 1));
+    consider(blame, block, coefficient * along * along);
+}
+
+static void consider_linear(TinkerModel *model, TinkerBlockBatch *batch, gboolean damping, const double *shape,
+                            Blame *blame)
+{
+    gsize n = (gsize)batch->count;
+    g_autofree double *values = g_new0(double, 4 * n);
+    const int32_t *points = tinker_model_end_points(model, batch);
+    TinkerBatch view = tinker_block_batch_view(batch, 0.0);
+    const TinkerLineLaw *law = batch->block_class->physics->line_law;
+    if (law->linear == NULL || law->linear(&view, values, values + n, values + 2 * n, values + 3 * n) != TINKER_OK)
+        return;
+    for (gsize row = 0; row < n; row++)
+        consider_line(model, shape, blame, batch->ids[row], points[2 * row], points[2 * row + 1],
+                      values[damping ? n + row : row]);
+}
+
+static void consider_asked(TinkerModel *model, const TinkerAskedBatch *asked, gboolean damping, const double *shape,
+                           Blame *blame)
+{
+    for (int32_t row = 0; row < asked->batch->count; row++) {
+        TinkerLineDerivatives line;
+        if (tinker_asked_line_derivatives(model, asked, row, &line) != TINKER_OK) continue;
+        consider_line(model, shape, blame, asked->batch->ids[row], asked->end_points[2 * row],
+                      asked->end_points[2 * row + 1], damping ? line.damping : line.along);
     }
-    return isfinite(eigenvalue) ? eigenvalue : 0;
 }
 
-static double mobility(const TinkerModel *model, int32_t point)
+static TinkerBlockId blame_for(TinkerModel *model, gboolean damping, const double *shape)
 {
-    return point < model->bodies ? model->inverse_mass[point] : 0.0;
-}
-
-/* Among all line laws, the block with the largest derivative over mass; answers that value. */
-static double blame(TinkerModel *model, gboolean damping, TinkerBlockId *block, const char **property)
-{
-    double most = 0;
+    Blame blame = {0, TINKER_NO_BLOCK};
+    if (shape == NULL || tinker_model_set_time(model, 0.0) != TINKER_OK) return TINKER_NO_BLOCK;
+    tinker_model_set_state(model, model->q_start, model->v_start);
     for (guint i = 0; i < model->batches->len; i++) {
         TinkerBlockBatch *batch = g_ptr_array_index(model->batches, i);
         const TinkerPhysics *physics = batch->block_class->physics;
-        if (physics == NULL || physics->line_law == NULL || physics->line_law->linear == NULL) continue;
-        gsize n = (gsize)batch->count;
-        g_autofree double *values = g_new0(double, 4 * n);
-        TinkerBatch view = tinker_block_batch_view(batch, 0.0);
-        if (physics->line_law->linear(&view, values, values + n, values + 2 * n, values + 3 * n) != TINKER_OK) continue;
-        const int32_t *points = tinker_model_end_points(model, batch);
-        for (gsize row = 0; row < n; row++) {
-            double rate = values[damping ? n + row : row] *
-                          (mobility(model, points[2 * row]) + mobility(model, points[2 * row + 1]));
-            if (!(rate > most)) continue;
-            most = rate;
-            *block = batch->ids[row];
-            *property = damping ? "damping" : "stiffness";
-        }
+        if (physics != NULL && physics->line_law != NULL) consider_linear(model, batch, damping, shape, &blame);
     }
-    return most;
+    for (guint i = 0; i < model->asked_lines->len; i++)
+        consider_asked(model, &g_array_index(model->asked_lines, TinkerAskedBatch, i), damping, shape, &blame);
+    return blame.block;
 }
 
-static Stiffness stiffness_of(TinkerModel *model)
+/* Whether it is damping rather than stiffness that limits the method. */
+static gboolean is_damping_to_blame(const TinkerSpectrum *spectrum, const TinkerIntegrator *method)
 {
-    Stiffness found = {.block = TINKER_NO_BLOCK};
-    if (tinker_model_set_time(model, 0.0) != TINKER_OK) return found;
-    tinker_model_set_state(model, model->q_start, model->v_start);
-    found.frequency = sqrt(largest_eigenvalue(model, tinker_model_stiffness_product));
-    found.damping_rate = largest_eigenvalue(model, tinker_model_damping_product);
-    TinkerBlockId stiff = TINKER_NO_BLOCK, damped = TINKER_NO_BLOCK;
-    const char *stiff_property = NULL, *damped_property = NULL;
-    double stiffness = sqrt(blame(model, FALSE, &stiff, &stiff_property));
-    double damping = blame(model, TRUE, &damped, &damped_property);
-    found.block = damping > stiffness ? damped : stiff;
-    found.property = damping > stiffness ? damped_property : stiff_property;
-    return found;
+    if (!(spectrum->damping_max > 0)) return FALSE;
+    if (method->real_limit < 0) return FALSE;
+    double by_damping = method->real_limit / spectrum->damping_max;
+    double by_stiffness = spectrum->omega_max > 0 ? fabs(method->imaginary_limit) / spectrum->omega_max : INFINITY;
+    return by_damping < by_stiffness;
 }
 
-/* The largest stable step of a fixed-step explicit method; INFINITY where nothing limits it. */
-static double stable_step(const Stiffness *stiffness, const TinkerIntegrator *integrator)
+static void append_blame(GString *text, TinkerModel *model, const TinkerSpectrum *spectrum,
+                         const TinkerIntegrator *method)
 {
-    double step = INFINITY;
-    if (integrator->imaginary_limit >= 0 && stiffness->frequency > 0)
-        step = integrator->imaginary_limit / stiffness->frequency;
-    if (integrator->real_limit >= 0 && stiffness->damping_rate > 0)
-        step = MIN(step, integrator->real_limit / stiffness->damping_rate);
-    return step;
-}
-
-char *tinker_guard_explain(TinkerModel *model, const TinkerIntegrator *integrator, double step)
-{
-    Stiffness stiffness = stiffness_of(model);
-    double stable = stable_step(&stiffness, integrator);
-    GString *text = g_string_new(NULL);
-    if (stiffness.block != TINKER_NO_BLOCK)
-        g_string_append_printf(text, "the %s of %s makes the fastest motion", stiffness.property,
-                               tinker_scene_block_name(model->scene, stiffness.block));
+    gboolean damping = is_damping_to_blame(spectrum, method);
+    TinkerBlockId block = blame_for(model, damping, damping ? spectrum->most_damped : spectrum->fastest);
+    if (block != TINKER_NO_BLOCK)
+        g_string_append_printf(text, "the %s of %s makes the fastest motion, %.3g %s",
+                               damping ? "damping" : "stiffness", tinker_scene_block_name(model->scene, block),
+                               damping ? spectrum->damping_max : spectrum->omega_max, damping ? "1/s" : "rad/s");
     else
         g_string_append(text, "no single connector is to blame");
-    if (!(integrator->flags & TINKER_INTEGRATOR_ADAPTIVE) && isfinite(stable) && stable > 0) {
-        g_string_append_printf(text, "; %s is stable up to a step of about %.3g s here", integrator->id, stable);
+}
+
+/* What `auto` takes here at the scene's own tolerance. */
+static void append_advice(GString *text, const TinkerIsland *island, const TinkerIntegrator *method, double stable)
+{
+    TinkerRunOptions options = tinker_run_options_of(island->model->scene);
+    TinkerChoice choice = {0};
+    options.method = "auto";
+    gboolean chosen = tinker_plan_choose(island, &options, &choice, NULL, NULL) && choice.method != method;
+    if (method->flags & TINKER_INTEGRATOR_ADAPTIVE)
+        g_string_append(text, "; use a smaller tolerance");
+    else if (isfinite(stable) && stable > 0)
+        g_string_append_printf(text, "; use a step of %g s", tinker_round_down(0.9 * stable));
+    else
+        g_string_append(text, "; use a smaller step");
+    if (!chosen) return;
+    g_string_append_printf(text, ", or the method %s", choice.method->id);
+    if (choice.step > 0) g_string_append_printf(text, " with a step of %g s", choice.step);
+    g_string_append(text, ", which is cheap here");
+}
+
+char *tinker_guard_explain(TinkerModel *model, const TinkerIntegrator *method, double step)
+{
+    GString *text = g_string_new(NULL);
+    TinkerIsland island = {.model = model, .joined = 1, .linear = tinker_linear_form_new(model)};
+    g_autoptr(TinkerSpectrum) spectrum = tinker_spectrum_new(&island);
+    double stable = INFINITY;
+    append_blame(text, model, spectrum, method);
+    if (tinker_is_fixed_explicit(method))
+        stable = tinker_spectrum_stable_step(spectrum->eigenvalues, spectrum->oscillators, method, 0.8);
+    if (isfinite(stable) && stable > 0) {
+        g_string_append_printf(text, "; %s is stable up to a step of about %.3g s here", method->id, stable);
         if (step > stable) g_string_append_printf(text, ", the step was %.3g s", step);
     }
-    g_string_append(text, integrator->flags & TINKER_INTEGRATOR_ADAPTIVE ? "; use a smaller tolerance"
-                                                                         : "; use a smaller step, or the method auto");
+    append_advice(text, &island, method, stable);
+    tinker_linear_form_free(island.linear);
     return g_string_free(text, FALSE);
 }

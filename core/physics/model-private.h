@@ -10,7 +10,10 @@
 #ifndef TINKER_CORE_MODEL_PRIVATE_H
 #define TINKER_CORE_MODEL_PRIVATE_H
 
+#include "numerics/sharing.h"
 #include "numerics/sparse-ldl.h"
+#include "physics/jacobian.h"
+#include "physics/linear-form.h"
 #include "physics/model.h"
 #include "physics/simulation.h"
 #include "scene/batch.h"
@@ -34,6 +37,8 @@ typedef struct {
     double *stiffness, *length, *damping, *tension;
     gboolean any_damping;
 } TinkerMergedLines;
+
+typedef struct _TinkerLineParts TinkerLineParts;
 
 /* Blocks of one class whose plugin is asked at every evaluation. */
 typedef struct {
@@ -61,6 +66,8 @@ typedef struct {
     TinkerBatch view;    /* of the whole batch */
 } TinkerConstraintBatch;
 
+typedef struct _TinkerRowChains TinkerRowChains;
+
 /* One product that is added up in S: inverse mass * J of one entry . J of another, on the same body. */
 typedef struct {
     int32_t slot, first_entry, second_entry;
@@ -80,14 +87,16 @@ typedef struct {
     TinkerBlockId *blocks; /* of each row */
     GArray *products;      /* of TinkerProduct */
     TinkerSparseLdl *ldl;
-    double work;       /* J: what the last projection of positions gave, by the applied forces evaluated last */
-    gboolean gave_way; /* a projection stopped short at a singular place; whoever reports it clears it */
-    int32_t redundant; /* rows that depend on others at the start: every solve is proximal */
+    TinkerRowChains *chains; /* of rows that hang together in chains alone; else NULL */
+    double work;             /* J: what the last projection of positions gave, by the applied forces evaluated last */
+    gboolean gave_way;       /* a projection stopped short at a singular place; whoever reports it clears it */
+    int32_t redundant;       /* rows that depend on others at the start: every solve is proximal */
 
     /* working state */
     TinkerPoint *ends; /* gathered, of the largest batch */
     double *jacobian;  /* 2 per entry */
     double *g, *drift, *rate;
+    double miss; /* the largest |g| relative to its row's length */
     double *lambda, *residual, *correction;
     double *asked;           /* of each row: the change of speed that a projection asks for */
     double *by_point;        /* 2 per point */
@@ -124,11 +133,13 @@ struct _TinkerModel {
 
     /* forces */
     TinkerMergedLines lines;
-    double merged_energy; /* J that merging took out of the lines' own energies, a constant */
-    GArray *asked_lines;  /* of TinkerAskedBatch */
+    TinkerLineParts *line_parts; /* where the lines are many: the parts that threads share; else NULL */
+    double merged_energy;        /* J that merging took out of the lines' own energies, a constant */
+    GArray *asked_lines;         /* of TinkerAskedBatch */
     GArray *asked_forces;
     GArray *asked_fields;
-    GArray *driven;                /* of TinkerDrivenForce */
+    GArray *driven;           /* of TinkerDrivenForce */
+    gboolean more_than_lines; /* there are forces or books beside those of merged lines and constant accelerations */
     double *constant_acceleration; /* 2 per body: of fields and constant forces */
     double field_acceleration[2];  /* of linear fields: conservative */
     double field_force[2], field_drag;
@@ -140,7 +151,7 @@ struct _TinkerModel {
     /* working state */
     TinkerPoint *point;
     double *point_acceleration;  /* 2 per point; of supports kept up to date, of bodies by whoever needs it */
-    double *force;               /* 2 per point */
+    double *force;               /* 2 per point, and behind them 2 per slot of the line parts */
     double *chunk;               /* six columns of TINKER_CHUNK and ends of a chunk */
     const double **column_views; /* room for the columns of any class */
     int32_t *chunk_offsets;      /* of the ends of a chunk, where blocks differ in their number */
@@ -149,6 +160,9 @@ struct _TinkerModel {
     gint64 evaluations;
     char failure[512];
 };
+
+/* A model of those blocks alone that `include` has TRUE for (by block id; NULL: all). (transfer full) */
+TinkerModel *tinker_model_new_part(TinkerScene *scene, const gboolean *include, GError **error);
 
 /* Compiling: each adds its part to the model. */
 gboolean tinker_model_compile_bodies(TinkerModel *model, GError **error);
@@ -171,13 +185,20 @@ TinkerStatus tinker_model_fail(TinkerModel *model, const TinkerBlockBatch *batch
  * cut; a method that cannot do so stops with what was recorded. */
 TinkerStatus tinker_model_not_finite(TinkerModel *model, const TinkerBlockBatch *batch, int32_t row, const char *what);
 
+/* The place of a book among those that are integrated; -1 where it is none. */
+int32_t tinker_model_book_index(const TinkerModel *model, TinkerBook book);
+
 /* Dynamics. All q and v are relative to the origin. */
 
 /* Brings waveforms, moving supports and their points to time t; does nothing where they are there already. */
-TinkerStatus tinker_model_set_time(TinkerModel *model, double t);
+static inline TinkerStatus tinker_model_set_time(TinkerModel *model, double t);
+/* The same where the time is another one. */
+TinkerStatus tinker_model_change_time(TinkerModel *model, double t);
 
 /* Packs q and v into the points. */
-void tinker_model_set_state(TinkerModel *model, const double *q, const double *v);
+static inline void tinker_model_set_state(TinkerModel *model, const double *q, const double *v);
+/* The same, shared among threads. */
+void tinker_model_share_state(TinkerModel *model, const double *q, const double *v);
 
 /* Adds up all applied forces by point, for the state in the points; a = M^-1 f. With `books` also the power that each book
  * gives, into model->book_power. */
@@ -214,8 +235,11 @@ double tinker_constraints_accelerate(TinkerModel *model, double *a);
 /* Solves S x = b, both of one entry a row; in place. Answers the largest residual: 0 where the rows are independent,
  * rounding where dependent rows agree, more where they contradict each other. Rows that no body feels get 0. */
 double tinker_constraints_solve(TinkerModel *model, double *b);
-/* Likewise with the factor at hand, whatever rows it is of: for iterations that bear an approximate matrix. */
-void tinker_constraints_solve_roughly(TinkerModel *model, double *b);
+/* A Newton step back to the constraints, S x = -g: leaves x in lambda and M^-1 J^T x in displacement. `roughly`: with the
+ * factor at hand. */
+void tinker_constraints_newton_step(TinkerModel *model, gboolean roughly);
+/* Solves S x = asked, of one entry a row: leaves x in lambda and adds M^-1 J^T x to v. */
+void tinker_constraints_change_speeds(TinkerModel *model, const double *asked, double *v);
 /* target += M^-1 J^T x. */
 void tinker_constraints_add_impulse(TinkerModel *model, const double *x, double *target);
 TinkerStatus tinker_constraints_project_positions(TinkerModel *model, double t, double *q, const double *v,
@@ -244,9 +268,11 @@ int32_t tinker_constraints_count_dependent(TinkerModel *model);
 void tinker_constraints_add_power(TinkerModel *model);
 void tinker_constraints_clear(TinkerConstraints *constraints);
 
-/* The system that integrators see, with the reach of the states that were kept so far. */
+/* The system that integrators see, with the reach of the states that were kept so far. Its coordinates are those of the
+ * linear form where that is straight, else those of the model. */
 typedef struct {
     TinkerModel *model;
+    TinkerLinearForm *form; /* NULL where the model is not linear */
     TinkerSystem system;
     int32_t book_of[TINKER_BOOK_COUNT]; /* books that are integrated, in order */
     double box[4];                      /* m: least x, least y, greatest x, greatest y */
@@ -254,14 +280,44 @@ typedef struct {
     double projection_work;             /* J that projections after steps have given so far */
     double position_error;              /* largest |g| relative to its length after any projection */
     double *constrained;                /* accelerations, where only the power is asked for */
+    TinkerJacobian *jacobian;           /* NULL: not offered */
 } TinkerModelSystem;
 
-void tinker_model_system_init(TinkerModelSystem *system, TinkerModel *model);
+/* `form` is the model's own, or NULL; borrowed. */
+void tinker_model_system_init(TinkerModelSystem *system, TinkerModel *model, TinkerLinearForm *form);
+/* Puts the functions of straight motion in place of those of the plane. */
+void tinker_straight_system_init(TinkerModelSystem *system);
+void tinker_straight_system_offer_jacobian(TinkerModelSystem *system);
+/* Notes the reach along the line. */
+void tinker_straight_system_keep(TinkerModelSystem *system, const double *x, const double *u);
+/* Gives the system its pattern and jacobian, for a method that asks for them: before its stepper is created. */
+void tinker_model_system_offer_jacobian(TinkerModelSystem *system);
 /* Notes how far and how fast an accepted state reaches: what errors are measured against from then on. */
 void tinker_model_system_keep(TinkerModelSystem *system, const double *q, const double *v);
 void tinker_model_system_clear(TinkerModelSystem *system);
 
 /* Kernels over merged lines: forces added up by point, and the power that dampers take (NULL: not asked). */
 void tinker_lines_add_forces(const TinkerMergedLines *lines, const TinkerPoint *points, double *force, double *taken);
+/* The lines from first to end - 1, with the forces on their second ends added up at `slots` in place of the points b;
+ * answers the power that dampers take. */
+double tinker_lines_add_range(const TinkerMergedLines *lines, const int32_t *slots, int32_t first, int32_t end,
+                              const TinkerPoint *points, double *force);
+
+/* Called several times an evaluation, so without a call. */
+static inline TinkerStatus tinker_model_set_time(TinkerModel *model, double t)
+{
+    return t == model->time ? TINKER_OK : tinker_model_change_time(model, t);
+}
+
+static inline void tinker_model_set_state(TinkerModel *model, const double *q, const double *v)
+{
+    TinkerPoint *point = model->point;
+    if (G_UNLIKELY(model->bodies >= TINKER_SHARE_LEAST)) {
+        tinker_model_share_state(model, q, v);
+        return;
+    }
+    for (int32_t i = 0; i < model->bodies; i++)
+        point[i] = (TinkerPoint){q[2 * i], q[2 * i + 1], v[2 * i], v[2 * i + 1]};
+}
 
 #endif

@@ -1,5 +1,5 @@
 /* Compiling a scene, in order: snapshot, lengths as placed, bodies and points, forces, constraints, start. */
-#include "physics/model-private.h"
+#include "physics/line-parts.h"
 
 #include <math.h>
 
@@ -101,9 +101,14 @@ static int32_t most_columns(const GPtrArray *batches)
 
 TinkerModel *tinker_model_new(TinkerScene *scene, GError **error)
 {
+    return tinker_model_new_part(scene, NULL, error);
+}
+
+TinkerModel *tinker_model_new_part(TinkerScene *scene, const gboolean *include, GError **error)
+{
     TinkerModel *model = g_new0(TinkerModel, 1);
     model->scene = scene;
-    model->batches = tinker_batches_new(scene);
+    model->batches = tinker_batches_new(scene, include);
     model->end_points = g_ptr_array_new_with_free_func(g_free);
     model->warnings = g_ptr_array_new_with_free_func(g_free);
     model->support_points = g_array_new(FALSE, TRUE, sizeof(TinkerSupportPoint));
@@ -123,6 +128,7 @@ void tinker_model_free(TinkerModel *model)
 {
     if (model == NULL) return;
     tinker_constraints_clear(&model->constraints);
+    tinker_line_parts_free(model->line_parts);
     tinker_motions_free(model->motions);
     g_ptr_array_unref(model->end_points);
     g_ptr_array_unref(model->warnings);

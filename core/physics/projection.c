@@ -32,6 +32,7 @@ static gboolean row_is_met(const TinkerModel *model, int32_t row)
 
 static gboolean all_met(const TinkerModel *model)
 {
+    if (model->constraints.miss <= 4 * DBL_EPSILON) return TRUE;
     for (int32_t row = 0; row < model->constraints.rows; row++)
         if (!row_is_met(model, row)) return FALSE;
     return TRUE;
@@ -53,11 +54,7 @@ int32_t tinker_constraints_worst_row(const TinkerModel *model)
 
 double tinker_constraints_worst_miss(const TinkerModel *model)
 {
-    const TinkerConstraints *all = &model->constraints;
-    double worst = 0;
-    for (int32_t row = 0; row < all->rows; row++)
-        worst = MAX(worst, miss_of(all, row));
-    return worst;
+    return model->constraints.miss;
 }
 
 static TinkerStatus not_met(TinkerModel *model)
@@ -80,15 +77,13 @@ static TinkerStatus stop_short(TinkerModel *model)
     return TINKER_OK;
 }
 
-/* q += M^-1 J^T mu. What moving against the applied forces stores is counted with those evaluated last, which stood within a
+/* q += displacement. What moving against the applied forces stores is counted with those evaluated last, which stood within a
  * step's error of here. */
-static void move_positions(TinkerModel *model, const double *mu, double *restrict q)
+static void move_positions(TinkerModel *model, double *restrict q)
 {
     const double *restrict move = model->constraints.displacement, *restrict force = model->force;
     const double *restrict mass = model->mass, *restrict constant = model->constant_acceleration;
     double work[2] = {0, 0};
-    memset(model->constraints.displacement, 0, 2 * (gsize)model->bodies * sizeof(double));
-    tinker_constraints_add_impulse(model, mu, model->constraints.displacement);
     for (int32_t i = 0; i < model->bodies; i++)
         for (int k = 0; k < 2; k++) {
             work[k] += (force[2 * i + k] + mass[i] * constant[2 * i + k]) * move[2 * i + k];
@@ -97,11 +92,10 @@ static void move_positions(TinkerModel *model, const double *mu, double *restric
     model->constraints.work -= work[0] + work[1];
 }
 
-/* Evaluates the rows at a place, and where another Newton step is wanted, puts what it has to solve for into lambda. FALSE:
- * *status is the answer. `before` is the miss of the step before, at first INFINITY. */
+/* Evaluates the rows at a place, and answers whether another Newton step is wanted. FALSE: *status is the answer. `before` is
+ * the miss of the step before, at first INFINITY. */
 static gboolean wants_step(TinkerModel *model, const double *q, const double *v, double *before, TinkerStatus *status)
 {
-    TinkerConstraints *all = &model->constraints;
     tinker_model_set_state(model, q, v);
     *status = tinker_constraints_evaluate(model);
     if (*status != TINKER_OK || all_met(model)) return FALSE;
@@ -113,8 +107,6 @@ static gboolean wants_step(TinkerModel *model, const double *q, const double *v,
         return FALSE;
     }
     *before = miss;
-    for (int32_t row = 0; row < all->rows; row++)
-        all->lambda[row] = -all->g[row];
     return TRUE;
 }
 
@@ -129,11 +121,8 @@ TinkerStatus tinker_constraints_project_positions(TinkerModel *model, double t, 
     if (status != TINKER_OK) return status;
     for (int step = 0; step < MOST_NEWTON_STEPS; step++) {
         if (!wants_step(model, q, v, &before, &status)) return status;
-        if (step == 0)
-            tinker_constraints_solve_roughly(model, all->lambda);
-        else
-            tinker_constraints_solve(model, all->lambda);
-        move_positions(model, all->lambda, q);
+        tinker_constraints_newton_step(model, step == 0);
+        move_positions(model, q);
         *moved = TRUE;
     }
     return stop_short(model);
@@ -153,7 +142,7 @@ static double work_of_impulse(const TinkerConstraints *all, const double *mu, co
 double tinker_constraints_correct_velocities(TinkerModel *model, double *v, gboolean homogeneous, gboolean *moved)
 {
     TinkerConstraints *all = &model->constraints;
-    double *mu = all->lambda, *asked = all->asked;
+    double *asked = all->asked;
     *moved = FALSE;
     if (homogeneous) {
         memcpy(all->by_point, v, 2 * (gsize)model->bodies * sizeof(double));
@@ -165,11 +154,10 @@ double tinker_constraints_correct_velocities(TinkerModel *model, double *v, gboo
     double most = tinker_greatest(asked, all->rows);
     if (most == 0 || most <= 2 * DBL_EPSILON * tinker_greatest(v, 2 * model->bodies)) return 0;
     for (int32_t row = 0; row < all->rows; row++)
-        mu[row] = asked[row] = -asked[row];
+        asked[row] = -asked[row];
     *moved = TRUE;
-    tinker_constraints_solve(model, mu);
-    tinker_constraints_add_impulse(model, mu, v);
-    return work_of_impulse(all, mu, asked);
+    tinker_constraints_change_speeds(model, asked, v);
+    return work_of_impulse(all, all->lambda, asked);
 }
 
 TinkerStatus tinker_constraints_project_velocities(TinkerModel *model, double t, const double *q, double *v,
@@ -203,9 +191,7 @@ TinkerStatus tinker_constraints_rattle(TinkerModel *model, double t_from, const 
     for (int step = 0; step < 2 * MOST_NEWTON_STEPS; step++) {
         if (!wants_step(model, q, v, &before, &status)) return status;
         memcpy(all->jacobian, all->turned, 2 * (gsize)all->entries * sizeof(double));
-        tinker_constraints_solve(model, all->lambda);
-        memset(displacement, 0, 2 * (gsize)model->bodies * sizeof(double));
-        tinker_constraints_add_impulse(model, all->lambda, displacement);
+        tinker_constraints_newton_step(model, FALSE);
         for (int32_t i = 0; i < 2 * model->bodies; i++) {
             q[i] += displacement[i];
             v[i] += displacement[i] / h;

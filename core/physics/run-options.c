@@ -21,6 +21,7 @@ TinkerRunOptions tinker_run_options_of(TinkerScene *scene)
         .step = run->step,
         .tolerance = run->tolerance,
         .spectral_radius = run->spectral_radius,
+        .estimate = TRUE,
     };
 }
 
@@ -74,6 +75,7 @@ gboolean tinker_run_options_check(const TinkerRunOptions *options, const TinkerI
     for (gsize i = 0; options->at != NULL && i < options->at_count; i++)
         if (!(options->at[i] >= 0) || !isfinite(options->at[i]))
             return refuse(error, "time of a sample", options->at[i], "0 s or more");
+    if (method == NULL || (method->flags & TINKER_INTEGRATOR_LINEAR)) return TRUE;
     if (method->flags & TINKER_INTEGRATOR_ADAPTIVE) {
         if (!(options->tolerance > 0) || !(options->tolerance < 1))
             return refuse(error, "tolerance", options->tolerance, "between 0 and 1, as in 1e-9");

@@ -1,32 +1,26 @@
-/* What the files of a run share. */
+/* What the files of a simulation share. */
 #ifndef TINKER_CORE_SIMULATION_PRIVATE_H
 #define TINKER_CORE_SIMULATION_PRIVATE_H
 
-#include "physics/books.h"
-#include "physics/passing.h"
-#include "physics/sample-times.h"
-#include "physics/simulation.h"
+#include "physics/estimate.h"
+#include "physics/island-run.h"
+#include "physics/sampler.h"
 
 struct _TinkerSimulation {
-    TinkerModel *model;
+    TinkerModel *model; /* the whole */
     TinkerRunOptions options;
-    const TinkerIntegrator *method;
-    void *stepper;
-    TinkerModelSystem system;
-    TinkerState state;
+    GPtrArray *islands; /* of TinkerIsland * */
+    GPtrArray *runs;    /* of TinkerIslandRun *, one an island */
     TinkerSampleTimes times;
-    TinkerTimeGrid step_grid;
-    gint64 next_step;       /* on the step grid, of a fixed-step method */
-    double piece_end;       /* the current piece ends here: */
-    gboolean ends_on_break; /* with a break, or only because nobody looked further */
-    TinkerBooks books;
-    TinkerPassing *passing;
-    gint64 looked_at; /* steps at the last look into the books */
-    double *sample_q, *sample_v;
+    double *sample_q, *sample_v; /* of the whole model's bodies */
+    double *part_q, *part_v;     /* room for those of one island */
     double sample_time;
-    int singular_steps; /* in a row */
+    double piece_end; /* of the whole model, where it is not stepped itself */
+    gint64 steps;     /* of all runs together */
+    TinkerSampler *sampler;
+    double *values;
+    TinkerEstimate *estimate; /* NULL where none is asked for, or none is needed */
     TinkerSummary summary;
-    gint64 started; /* µs, monotonic */
 };
 
 /* The integrator of this name: built in, or of a plugin; "auto" is the default one. NULL with
@@ -36,23 +30,17 @@ const TinkerIntegrator *tinker_run_method(TinkerScene *scene, const char *id, GE
 gboolean tinker_run_options_check(const TinkerRunOptions *options, const TinkerIntegrator *method, double duration,
                                   GError **error);
 
-/* Enters the piece that begins at the state's time: waveforms switch, a jump of a support is booked, and one that a
- * constraint feels is refused. */
-gboolean tinker_simulation_enter_piece(TinkerSimulation *simulation, double horizon, GError **error);
+/* A simulation that steps its islands as it is told (one choice an island; NULL: as the options say). */
+TinkerSimulation *tinker_simulation_new_chosen(TinkerModel *model, const TinkerRunOptions *options,
+                                               const TinkerChoice *choices, GError **error);
 
-/* After a step: counts it, and looks into the books now and then. FALSE where the run has to stop. */
-gboolean tinker_simulation_watch(TinkerSimulation *simulation, const TinkerStepReport *report, gboolean last,
-                                 GError **error);
+/* Brings all islands to time t at least, and the whole model's bodies to where they are then. */
+gboolean tinker_simulation_advance(TinkerSimulation *simulation, double t, GError **error);
 
-/* Notes an event at the state's time. `blocks` are names, joined by ", ". */
-void tinker_simulation_add_event(TinkerSimulation *simulation, const char *kind, const char *blocks);
+/* Evaluates the columns there. */
+TinkerStatus tinker_simulation_sample(TinkerSimulation *simulation, double t);
 
-/* Looks into the books at the state: where they balance, it vouches for all before it. */
-TinkerStatus tinker_simulation_vouch(TinkerSimulation *simulation);
-
-/* The error of a run that failed, and why (NULL or "" where nobody said). Answers FALSE. */
-gboolean tinker_simulation_fail(TinkerSimulation *simulation, const char *why, GError **error);
-/* Likewise where the state is still that of the last good step: what it vouches for is not lost. */
-gboolean tinker_simulation_fail_step(TinkerSimulation *simulation, const char *why, GError **error);
+/* Adds up what the islands' runs say. */
+void tinker_simulation_add_up(TinkerSimulation *simulation);
 
 #endif

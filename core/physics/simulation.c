@@ -1,8 +1,8 @@
-/* The run: pieces between breaks, steps within a piece, samples within a step. */
+/* The run of a whole scene: its islands are brought from sample to sample, each in steps of its own. */
 #include <math.h>
 #include <string.h>
 
-#include "physics/sampler.h"
+#include "physics/plan-private.h"
 #include "physics/simulation-private.h"
 
 /* Steps between two looks at whether the user has had enough. */
@@ -16,212 +16,210 @@ static void event_free(gpointer data)
     g_free(event);
 }
 
-void tinker_simulation_add_event(TinkerSimulation *simulation, const char *kind, const char *blocks)
+static void island_summary_free(gpointer data)
 {
-    TinkerEvent *event = g_new0(TinkerEvent, 1);
-    *event = (TinkerEvent){simulation->state.t, g_strdup(kind), g_strdup(blocks)};
-    g_ptr_array_add(simulation->summary.events, event);
+    TinkerIslandSummary *island = data;
+    g_array_unref(island->bodies);
+    g_free(island);
 }
 
 static void open_summary(TinkerSimulation *simulation)
 {
     TinkerSummary *summary = &simulation->summary;
     const TinkerModel *model = simulation->model;
-    summary->method = simulation->method->id;
-    summary->adaptive = (simulation->method->flags & TINKER_INTEGRATOR_ADAPTIVE) != 0;
-    summary->step = simulation->options.step;
-    summary->tolerance = simulation->options.tolerance;
     summary->start_impulse = model->start_impulse;
+    summary->error_estimate = NAN;
+    summary->predictable_until = INFINITY;
+    summary->islands = g_ptr_array_new_with_free_func(island_summary_free);
     summary->events = g_ptr_array_new_with_free_func(event_free);
     summary->warnings = g_ptr_array_new_with_free_func(g_free);
     for (guint i = 0; i < model->warnings->len; i++)
         g_ptr_array_add(summary->warnings, g_strdup(g_ptr_array_index(model->warnings, i)));
-    if (model->start_impulse > 0) tinker_simulation_add_event(simulation, "start", "");
 }
 
-static gboolean open_state(TinkerSimulation *simulation, GError **error)
+static void describe_island(TinkerSimulation *simulation, const TinkerIslandRun *run)
 {
-    TinkerModel *model = simulation->model;
+    TinkerIslandSummary *island = g_new0(TinkerIslandSummary, 1);
+    *island = (TinkerIslandSummary){g_array_new(FALSE, FALSE, sizeof(TinkerBlockId)), run->summary.method,
+                                    run->summary.adaptive, run->summary.step, run->summary.tolerance};
+    g_array_append_vals(island->bodies, run->model->body_blocks, (guint)run->model->bodies);
+    g_ptr_array_add(simulation->summary.islands, island);
+}
+
+static gboolean open_runs(TinkerSimulation *simulation, const TinkerChoice *choices, GError **error)
+{
+    double duration = simulation->times.duration;
+    simulation->runs = g_ptr_array_new_with_free_func((GDestroyNotify)tinker_island_run_free);
+    for (guint i = 0; i < simulation->islands->len; i++) {
+        const TinkerIsland *island = g_ptr_array_index(simulation->islands, i);
+        TinkerChoice choice;
+        if (choices != NULL)
+            choice = choices[i];
+        else if (!tinker_plan_choose(island, &simulation->options, &choice, simulation->summary.warnings, error))
+            return FALSE;
+        TinkerIslandRun *run = tinker_island_run_new(island, &choice, simulation->options.spectral_radius,
+                                                     MAX(duration, 1.0), &simulation->summary, error);
+        if (run == NULL) return FALSE;
+        g_ptr_array_add(simulation->runs, run);
+        describe_island(simulation, run);
+    }
+    if (simulation->model->start_impulse > 0)
+        tinker_island_run_add_event(g_ptr_array_index(simulation->runs, 0), "start", "");
+    return TRUE;
+}
+
+/* NULL and an error where the options are no good whatever the method: before anything is worked out with them. */
+static gboolean check_times(const TinkerRunOptions *options, GError **error)
+{
+    return tinker_run_options_check(options, NULL, tinker_options_duration(options), error);
+}
+
+TinkerSimulation *tinker_simulation_new_chosen(TinkerModel *model, const TinkerRunOptions *options,
+                                               const TinkerChoice *choices, GError **error)
+{
+    if (!check_times(options, error)) return NULL;
+    g_autoptr(TinkerSimulation) simulation = g_new0(TinkerSimulation, 1);
     gsize n = 2 * (gsize)MAX(model->bodies, 1);
-    tinker_model_system_init(&simulation->system, model);
-    simulation->state =
-        (TinkerState){0.0, g_memdup2(model->q_start, n * sizeof(double)), g_memdup2(model->v_start, n * sizeof(double)),
-                      g_new0(double, simulation->system.system.books + 1)};
+    simulation->model = model;
+    simulation->options = *options;
+    simulation->times =
+        tinker_sample_times(tinker_options_duration(options), options->interval, options->at, options->at_count);
+    simulation->times.duration = tinker_options_duration(options);
     simulation->sample_q = g_new0(double, n);
     simulation->sample_v = g_new0(double, n);
-    model->evaluations = 0;
-    TinkerIntegratorOptions options = {
-        .struct_size = sizeof(TinkerIntegratorOptions),
-        .tolerance = simulation->options.tolerance,
-        .spectral_radius = simulation->options.spectral_radius,
-    };
-    simulation->stepper = simulation->method->create(&simulation->system.system, &options);
-    if (simulation->stepper == NULL) {
-        g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_METHOD,
-                    "the method %s has not enough memory for %d coordinates", simulation->method->id,
-                    simulation->system.system.size);
-        return FALSE;
-    }
-    if (!tinker_simulation_enter_piece(simulation, MAX(simulation->times.duration, 1.0), error)) return FALSE;
-    if (tinker_books_open(&simulation->books, &simulation->system) != TINKER_OK)
-        return tinker_simulation_fail(simulation, model->failure, error);
-    simulation->passing = tinker_passing_new(model);
-    tinker_passing_look(simulation->passing, 0.0, simulation->summary.warnings);
-    return TRUE;
+    simulation->part_q = g_new0(double, n);
+    simulation->part_v = g_new0(double, n);
+    simulation->piece_end = -INFINITY;
+    open_summary(simulation);
+    simulation->islands = tinker_islands_new(model, error);
+    if (simulation->islands == NULL || !open_runs(simulation, choices, error)) return NULL;
+    return g_steal_pointer(&simulation);
 }
 
 TinkerSimulation *tinker_simulation_new(TinkerModel *model, const TinkerRunOptions *options, GError **error)
 {
-    g_autoptr(TinkerSimulation) simulation = g_new0(TinkerSimulation, 1);
-    simulation->model = model;
-    simulation->options = *options;
-    simulation->method = tinker_run_method(model->scene, options->method, error);
-    if (simulation->method == NULL) return NULL;
-    double duration = options->duration;
-    if (options->at != NULL) duration = 0;
-    for (gsize i = 0; options->at != NULL && i < options->at_count; i++)
-        duration = fmax(duration, options->at[i]);
-    if (!tinker_run_options_check(options, simulation->method, duration, error)) return NULL;
-    simulation->times = tinker_sample_times(duration, options->interval, options->at, options->at_count);
-    simulation->times.duration = duration;
-    simulation->step_grid = tinker_time_grid(options->step);
-    open_summary(simulation);
-    if (!open_state(simulation, error)) return NULL;
-    return g_steal_pointer(&simulation);
+    return tinker_simulation_new_chosen(model, options, NULL, error);
 }
 
 void tinker_simulation_free(TinkerSimulation *simulation)
 {
     if (simulation == NULL) return;
-    if (simulation->stepper != NULL) simulation->method->destroy(simulation->stepper);
-    tinker_model_system_clear(&simulation->system);
-    tinker_passing_free(simulation->passing);
+    tinker_estimate_free(simulation->estimate);
+    tinker_sampler_free(simulation->sampler);
+    g_clear_pointer(&simulation->runs, g_ptr_array_unref);
+    g_clear_pointer(&simulation->islands, g_ptr_array_unref);
     tinker_sample_times_clear(&simulation->times);
+    g_clear_pointer(&simulation->summary.islands, g_ptr_array_unref);
     g_clear_pointer(&simulation->summary.events, g_ptr_array_unref);
     g_clear_pointer(&simulation->summary.warnings, g_ptr_array_unref);
-    g_free(simulation->state.q);
-    g_free(simulation->state.v);
-    g_free(simulation->state.books);
-    g_free(simulation->sample_q);
-    g_free(simulation->sample_v);
+    gpointer arrays[] = {simulation->sample_q, simulation->sample_v, simulation->part_q, simulation->part_v,
+                         simulation->values};
+    for (gsize i = 0; i < G_N_ELEMENTS(arrays); i++)
+        g_free(arrays[i]);
     g_free(simulation);
 }
 
 /* Steps ------------------------------------------------------------------------------------------------------------ */
 
-/* The end of the next step: the next time of the grid, or the end of the piece or the run where that comes first or all but
- * coincides. */
-static double step_limit(TinkerSimulation *simulation, double run_end)
+static gboolean call_back(TinkerSimulation *simulation, TinkerIslandRun *run, GError **error)
 {
-    double t = simulation->state.t, end = MIN(simulation->piece_end, run_end);
-    if (simulation->method->flags & TINKER_INTEGRATOR_ADAPTIVE) return end;
-    double slack = 1e-9 * simulation->options.step, next;
-    while ((next = tinker_time_grid_at(&simulation->step_grid, simulation->next_step)) <= t + slack)
-        simulation->next_step++;
-    return next < end - slack ? next : end;
+    const TinkerRunOptions *options = &simulation->options;
+    if (++simulation->steps % STEPS_BETWEEN_CALLS != 0) return TRUE;
+    if (options->progress != NULL)
+        options->progress(tinker_simulation_time(simulation), simulation->times.duration, options->data);
+    if (options->cancelled == NULL || !options->cancelled(options->data)) return TRUE;
+    tinker_island_run_vouch(run);
+    g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_STOPPED, "stopped at t = %.6g s of %.6g s",
+                tinker_simulation_time(simulation), simulation->times.duration);
+    return FALSE;
 }
 
-static gboolean take_step(TinkerSimulation *simulation, double end, GError **error)
+/* Where the bodies of one island are at t, among all. */
+static TinkerStatus collect(TinkerSimulation *simulation, TinkerIslandRun *run, double t)
 {
-    TinkerStepReport report = {.struct_size = sizeof(TinkerStepReport)};
-    TinkerState *state = &simulation->state;
-    if (state->t >= simulation->piece_end && !tinker_simulation_enter_piece(simulation, end, error)) return FALSE;
-    simulation->model->failure[0] = '\0';
-    simulation->model->constraints.gave_way = FALSE;
-    double from = state->t;
-    TinkerStatus status = simulation->method->step(simulation->stepper, state, step_limit(simulation, end), &report);
-    if (status == TINKER_OK && !(state->t > from)) {
-        status = TINKER_FAILED;
-        report.failure = "the method answers that it made a step, but the time stands still (its plugin is at fault)";
+    const TinkerModel *whole = simulation->model, *part = run->model;
+    if (part == whole) return tinker_island_run_state_at(run, t, simulation->sample_q, simulation->sample_v);
+    TinkerStatus status = tinker_island_run_state_at(run, t, simulation->part_q, simulation->part_v);
+    for (int32_t i = 0; i < part->bodies; i++) {
+        int32_t body = 2 * run->island->body_of[i];
+        for (int k = 0; k < 2; k++) {
+            simulation->sample_q[body + k] = simulation->part_q[2 * i + k] + (part->origin[k] - whole->origin[k]);
+            simulation->sample_v[body + k] = simulation->part_v[2 * i + k];
+        }
     }
-    if (status != TINKER_OK) {
-        const char *why = simulation->model->failure[0] != '\0' ? simulation->model->failure : report.failure;
-        return tinker_simulation_fail_step(simulation, why, error);
+    return status;
+}
+
+/* A sample that falls on a break is taken behind it: at the instant of a jump the state after it counts. */
+gboolean tinker_simulation_advance(TinkerSimulation *simulation, double t, GError **error)
+{
+    double end = simulation->times.duration;
+    for (guint i = 0; i < simulation->runs->len; i++) {
+        TinkerIslandRun *run = g_ptr_array_index(simulation->runs, i);
+        while (run->state.t < t)
+            if (!tinker_island_run_step(run, t, end, error) || !call_back(simulation, run, error)) return FALSE;
+        if (t > 0 && run->state.t == t && !tinker_island_run_pass_break(run, end, error)) return FALSE;
+        gint64 evaluations = run->model->evaluations;
+        TinkerStatus status = collect(simulation, run, t);
+        run->model->evaluations = evaluations;
+        if (status != TINKER_OK) return tinker_island_run_fail(run, run->model->failure, error);
     }
-    return tinker_simulation_watch(simulation, &report, state->t >= end, error);
+    simulation->sample_time = t;
+    return TRUE;
 }
 
 gboolean tinker_simulation_step(TinkerSimulation *simulation, GError **error)
 {
-    double ahead = MAX(simulation->times.duration, 1.0);
-    return take_step(simulation, simulation->state.t + ahead, error);
+    TinkerIslandRun *behind = g_ptr_array_index(simulation->runs, 0);
+    for (guint i = 1; i < simulation->runs->len; i++) {
+        TinkerIslandRun *run = g_ptr_array_index(simulation->runs, i);
+        if (run->state.t < behind->state.t) behind = run;
+    }
+    double end = behind->state.t + MAX(simulation->times.duration, 1.0);
+    return tinker_island_run_step(behind, behind->state.t + simulation->options.interval, end, error);
 }
 
 /* Samples ---------------------------------------------------------------------------------------------------------- */
 
-typedef struct {
-    TinkerSampler *sampler;
-    double *values;
-    TinkerSampleFunc sample;
-    void *data;
-    gint64 next; /* number of the next sample */
-} Sampling;
-
-/* The state at time t within the last step, on the constraints. */
-static TinkerStatus state_at(TinkerSimulation *simulation, double t)
+/* The whole model has its own waveforms where it is not stepped itself: they enter the piece that t begins or lies in. */
+static void enter_piece_at(TinkerSimulation *simulation, double t)
 {
-    const TinkerState *state = &simulation->state;
-    double *q = simulation->sample_q, *v = simulation->sample_v;
-    gsize bytes = (gsize)simulation->system.system.size * sizeof(double);
-    simulation->sample_time = t;
-    memcpy(q, state->q, bytes);
-    memcpy(v, state->v, bytes);
-    if (t == state->t) return TINKER_OK;
-    TinkerStatus status = simulation->method->interpolate(simulation->stepper, t, q, v, NULL);
-    if (status != TINKER_OK || simulation->model->constraints.rows == 0) return status;
-    gboolean moved;
-    status = tinker_constraints_project_positions(simulation->model, t, q, v, &moved);
-    if (status == TINKER_OK) tinker_constraints_correct_velocities(simulation->model, v, FALSE, &moved);
+    const TinkerIslandRun *first = g_ptr_array_index(simulation->runs, 0);
+    if (first->model == simulation->model || t < simulation->piece_end) return;
+    double horizon = MAX(simulation->times.duration, t + 1.0);
+    double next = tinker_model_next_break(simulation->model, t, horizon);
+    simulation->piece_end = MIN(next, horizon);
+    tinker_model_enter_piece(simulation->model, 0.5 * (t + simulation->piece_end));
+}
+
+TinkerStatus tinker_simulation_sample(TinkerSimulation *simulation, double t)
+{
+    gint64 evaluations = simulation->model->evaluations;
+    enter_piece_at(simulation, t);
+    TinkerStatus status =
+        tinker_sampler_values(simulation->sampler, t, simulation->sample_q, simulation->sample_v, simulation->values);
+    simulation->model->evaluations = evaluations;
     return status;
 }
 
-/* Hands out all samples before `until`, or up to it. */
-static gboolean hand_out(TinkerSimulation *simulation, Sampling *sampling, double until, gboolean inclusive,
-                         GError **error)
+static gboolean run_to_end(TinkerSimulation *simulation, TinkerSampleFunc sample, void *data, GError **error)
 {
-    while (sampling->next < simulation->times.count) {
-        double t = tinker_sample_times_at(&simulation->times, sampling->next);
-        if (t > until || (t == until && !inclusive)) break;
-        sampling->next++;
-        gint64 evaluations = simulation->model->evaluations;
-        TinkerStatus status = state_at(simulation, t);
-        if (status == TINKER_OK)
-            status = tinker_sampler_values(sampling->sampler, t, simulation->sample_q, simulation->sample_v,
-                                           sampling->values);
-        simulation->model->evaluations = evaluations;
-        if (status != TINKER_OK) return tinker_simulation_fail(simulation, simulation->model->failure, error);
-        if (sampling->sample != NULL && !sampling->sample(simulation, t, sampling->values, sampling->data, error))
-            return FALSE;
+    for (gint64 i = 0; i < simulation->times.count; i++) {
+        double t = tinker_sample_times_at(&simulation->times, i);
+        if (!tinker_simulation_advance(simulation, t, error)) return FALSE;
+        if (tinker_simulation_sample(simulation, t) != TINKER_OK)
+            return tinker_island_run_fail(g_ptr_array_index(simulation->runs, 0), simulation->model->failure, error);
+        if (simulation->estimate != NULL && !tinker_estimate_look(simulation->estimate, t, error)) return FALSE;
+        if (sample != NULL && !sample(simulation, t, simulation->values, data, error)) return FALSE;
     }
     return TRUE;
 }
 
-static gboolean call_back(TinkerSimulation *simulation, GError **error)
+static gboolean all_exact(const TinkerSimulation *simulation)
 {
-    const TinkerRunOptions *options = &simulation->options;
-    if (simulation->summary.steps % STEPS_BETWEEN_CALLS != 0) return TRUE;
-    if (options->progress != NULL) options->progress(simulation->state.t, simulation->times.duration, options->data);
-    if (options->cancelled == NULL || !options->cancelled(options->data)) return TRUE;
-    tinker_simulation_vouch(simulation);
-    g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_STOPPED, "stopped at t = %.6g s of %.6g s",
-                simulation->state.t, simulation->times.duration);
-    return FALSE;
-}
-
-/* A sample that falls on a break is taken behind it: at the instant of a jump the state after it counts. */
-static gboolean run_to_end(TinkerSimulation *simulation, Sampling *sampling, GError **error)
-{
-    double end = simulation->times.duration;
-    if (!hand_out(simulation, sampling, 0.0, TRUE, error)) return FALSE;
-    while (simulation->state.t < end) {
-        if (!take_step(simulation, end, error)) return FALSE;
-        double t = simulation->state.t;
-        gboolean at_break = t >= simulation->piece_end && simulation->ends_on_break;
-        if (!hand_out(simulation, sampling, t, !at_break, error) || !call_back(simulation, error)) return FALSE;
-        if (!at_break) continue;
-        if (!tinker_simulation_enter_piece(simulation, MAX(end, t + 1.0), error) ||
-            !hand_out(simulation, sampling, t, TRUE, error))
-            return FALSE;
+    for (guint i = 0; i < simulation->runs->len; i++) {
+        const TinkerIslandRun *run = g_ptr_array_index(simulation->runs, i);
+        if (!(run->choice.method->flags & TINKER_INTEGRATOR_LINEAR)) return FALSE;
     }
     return TRUE;
 }
@@ -229,19 +227,20 @@ static gboolean run_to_end(TinkerSimulation *simulation, Sampling *sampling, GEr
 gboolean tinker_simulation_run(TinkerSimulation *simulation, const GArray *columns, TinkerSampleFunc sample, void *data,
                                GError **error)
 {
-    Sampling sampling = {
-        .sampler = tinker_sampler_new(simulation->model, columns),
-        .values = g_new0(double, columns != NULL ? columns->len + 1 : 1),
-        .sample = sample,
-        .data = data,
-    };
-    simulation->started = g_get_monotonic_time();
-    gboolean done = run_to_end(simulation, &sampling, error);
-    simulation->summary.wall_s = 1e-6 * (double)(g_get_monotonic_time() - simulation->started);
-    simulation->summary.evaluations = simulation->model->evaluations;
-    tinker_sampler_free(sampling.sampler);
-    g_free(sampling.values);
+    gint64 started = g_get_monotonic_time();
+    simulation->sampler = tinker_sampler_new(simulation->model, columns);
+    simulation->values = g_new0(double, columns != NULL ? columns->len + 1 : 1);
+    if (simulation->options.estimate && !all_exact(simulation))
+        simulation->estimate = tinker_estimate_new(simulation, columns);
+    gboolean done = run_to_end(simulation, sample, data, error);
+    simulation->summary.wall_s = 1e-6 * (double)(g_get_monotonic_time() - started);
+    tinker_simulation_add_up(simulation);
     return done;
+}
+
+const double *tinker_simulation_bands(TinkerSimulation *simulation)
+{
+    return simulation->estimate != NULL ? tinker_estimate_bands(simulation->estimate) : NULL;
 }
 
 gboolean tinker_simulation_place(TinkerSimulation *simulation, TinkerFrame *frame, GError **error)
@@ -259,23 +258,31 @@ gboolean tinker_simulation_place(TinkerSimulation *simulation, TinkerFrame *fram
 
 const TinkerSummary *tinker_simulation_summary(TinkerSimulation *simulation)
 {
+    tinker_simulation_add_up(simulation);
     return &simulation->summary;
 }
 
 double tinker_simulation_time(const TinkerSimulation *simulation)
 {
-    return simulation->state.t;
+    double t = INFINITY;
+    for (guint i = 0; i < simulation->runs->len; i++)
+        t = MIN(t, ((const TinkerIslandRun *)g_ptr_array_index(simulation->runs, i))->state.t);
+    return t;
 }
 
 gboolean tinker_simulation_state(TinkerSimulation *simulation, TinkerBlockId block, double position[2],
                                  double velocity[2])
 {
-    const TinkerModel *model = simulation->model;
-    int32_t point = model->centre_point[block];
-    if (point < 0 || point >= model->bodies) return FALSE;
-    for (int k = 0; k < 2; k++) {
-        position[k] = simulation->state.q[2 * point + k] + model->origin[k];
-        velocity[k] = simulation->state.v[2 * point + k];
+    for (guint r = 0; r < simulation->runs->len; r++) {
+        TinkerIslandRun *run = g_ptr_array_index(simulation->runs, r);
+        int32_t point = run->model->centre_point[block];
+        if (point < 0 || point >= run->model->bodies) continue;
+        tinker_island_run_place(run);
+        for (int k = 0; k < 2; k++) {
+            position[k] = run->q[2 * point + k] + run->model->origin[k];
+            velocity[k] = run->v[2 * point + k];
+        }
+        return TRUE;
     }
-    return TRUE;
+    return FALSE;
 }

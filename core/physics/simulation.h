@@ -17,6 +17,8 @@ typedef struct {
     double step;        /* s, of fixed-step methods */
     double tolerance;   /* of adaptive methods */
     double spectral_radius;
+    gboolean estimate;                                       /* run a companion for the error estimate */
+    gboolean bands;                                          /* and evaluate the columns on it too */
     gboolean (*cancelled)(void *data);                       /* asked now and then; TRUE stops the run. May be NULL */
     void (*progress)(double t, double duration, void *data); /* called now and then. May be NULL */
     void *data;                                              /* of the two */
@@ -43,9 +45,17 @@ typedef struct {
     char *blocks; /* names, joined by ", " */
 } TinkerEvent;
 
+/* How one island was stepped. */
 typedef struct {
-    const char *method; /* the one that was used */
-    gboolean adaptive;  /* which of step and tolerance counts */
+    GArray *bodies; /* of TinkerBlockId */
+    const char *method;
+    gboolean adaptive; /* which of step and tolerance counts */
+    double step, tolerance;
+} TinkerIslandSummary;
+
+typedef struct {
+    const char *method; /* the one that was used; "auto" where islands differ */
+    gboolean adaptive;  /* which of step and tolerance counts, where they do not differ */
     double step, tolerance;
     gint64 steps, rejected_steps, evaluations;
     double simulated_s, wall_s;
@@ -57,7 +67,11 @@ typedef struct {
     double energy_balance_error; /* largest, relative to the largest energy exchanged */
     double start_impulse;        /* N s: root of the sum of squares of the impulses, one a body, that brought the start
                                         velocities onto the constraints */
+    double error_estimate;       /* of the state: norm scaled by the island's extent and largest speed, running maximum;
+                                    NAN without an estimate */
+    double predictable_until;    /* s: where that passed a tenth; INFINITY where it did not */
     double valid_until;          /* s: as far as the record is to be believed; simulated_s where all of it is */
+    GPtrArray *islands;          /* of TinkerIslandSummary * */
     GPtrArray *events;           /* of TinkerEvent * */
     GPtrArray *warnings;         /* of char * */
 } TinkerSummary;
@@ -83,13 +97,17 @@ gboolean tinker_simulation_run(TinkerSimulation *simulation, const GArray *colum
 /* Inside a sample function: puts bodies and supports of the frame where they are at this sample. */
 gboolean tinker_simulation_place(TinkerSimulation *simulation, TinkerFrame *frame, GError **error);
 
-/* What has happened so far. Borrowed, kept up by the run. */
+/* Inside a sample function: how far each column may be off at this sample (the running maximum of its estimate), in the
+ * column's unit. NULL where `bands` was not asked for or there is no companion. Borrowed. */
+const double *tinker_simulation_bands(TinkerSimulation *simulation);
+
+/* What has happened so far, added up at every call and at the end of a run. Borrowed. */
 const TinkerSummary *tinker_simulation_summary(TinkerSimulation *simulation);
 
-/* One step of the method, without samples, for benchmarks and single stepping. */
+/* One step of the island that is farthest behind, without samples, for benchmarks and single stepping. */
 gboolean tinker_simulation_step(TinkerSimulation *simulation, GError **error);
 
-/* The time reached. */
+/* The time that all islands have reached. */
 double tinker_simulation_time(const TinkerSimulation *simulation);
 
 /* Where a body that can move is now, in the world; FALSE for any other block. */

@@ -99,6 +99,19 @@ static TinkerStatus damping_product(void *context, double t, const double *q, co
     return tinker_model_damping_product(self->model, dv, out);
 }
 
+static TinkerStatus jacobian(void *context, double t, const double *q, const double *v, double *stiffness,
+                             double *damping)
+{
+    const TinkerModelSystem *self = context;
+    return tinker_jacobian_evaluate(self->jacobian, t, q, v, stiffness, damping);
+}
+
+static TinkerStatus row_masses(void *context, double t, const double *q, double *values)
+{
+    const TinkerModelSystem *self = context;
+    return tinker_jacobian_row_masses(self->jacobian, t, q, values);
+}
+
 static void widen(double *box, double x, double y)
 {
     box[0] = MIN(box[0], x);
@@ -130,9 +143,18 @@ static void scales(void *context, const double *q, const double *v, double *exte
     *speed = MAX(self->speed, sqrt(fastest));
 }
 
+static gboolean is_straight(const TinkerModelSystem *self)
+{
+    return self->form != NULL && tinker_linear_form_is_straight(self->form, NULL);
+}
+
 void tinker_model_system_keep(TinkerModelSystem *self, const double *q, const double *v)
 {
     double extent;
+    if (is_straight(self)) {
+        tinker_straight_system_keep(self, q, v);
+        return;
+    }
     scales(self, q, v, &extent, &self->speed);
     widen_by_state(self->model, q, self->box);
 }
@@ -150,10 +172,25 @@ static gboolean velocity_dependent(const TinkerModel *model)
            model->asked_forces->len > 0 || model->asked_fields->len > 0;
 }
 
-void tinker_model_system_init(TinkerModelSystem *self, TinkerModel *model)
+int32_t tinker_model_book_index(const TinkerModel *model, TinkerBook book)
+{
+    int32_t index = 0;
+    for (TinkerBook before = 0; before < book; before++)
+        if (model->has_book[before]) index++;
+    return model->has_book[book] ? index : -1;
+}
+
+static TinkerStatus signals(void *context, TinkerSignal *out)
+{
+    const TinkerModelSystem *self = context;
+    return tinker_linear_form_signals(self->form, out);
+}
+
+void tinker_model_system_init(TinkerModelSystem *self, TinkerModel *model, TinkerLinearForm *form)
 {
     *self = (TinkerModelSystem){
         .model = model,
+        .form = form,
         .box = {INFINITY, INFINITY, -INFINITY, -INFINITY},
         .constrained = g_new0(double, 2 * (gsize)MAX(model->bodies, 1)),
     };
@@ -175,9 +212,27 @@ void tinker_model_system_init(TinkerModelSystem *self, TinkerModel *model)
     if (velocity_dependent(model)) self->system.flags |= TINKER_SYSTEM_VELOCITY_DEPENDENT;
     for (int book = 0; book < TINKER_BOOK_COUNT; book++)
         if (model->has_book[book]) self->book_of[self->system.books++] = book;
+    if (form == NULL) return;
+    self->system.linear = tinker_linear_form_system(form);
+    self->system.signals = signals;
+    if (is_straight(self)) tinker_straight_system_init(self);
+}
+
+void tinker_model_system_offer_jacobian(TinkerModelSystem *self)
+{
+    if (self->system.pattern != NULL) return;
+    if (is_straight(self)) {
+        tinker_straight_system_offer_jacobian(self);
+        return;
+    }
+    self->jacobian = tinker_jacobian_new(self->model);
+    self->system.pattern = tinker_jacobian_pattern(self->jacobian);
+    self->system.jacobian = jacobian;
+    if (self->model->constraints.rows > 0) self->system.row_masses = row_masses;
 }
 
 void tinker_model_system_clear(TinkerModelSystem *self)
 {
+    g_clear_pointer(&self->jacobian, tinker_jacobian_free);
     g_clear_pointer(&self->constrained, g_free);
 }

@@ -2,7 +2,7 @@
 #include <math.h>
 
 #include "physics/guard.h"
-#include "physics/simulation-private.h"
+#include "physics/island-run.h"
 
 #define WARN_IMBALANCE 0.01
 #define STOP_IMBALANCE 1.0
@@ -12,128 +12,141 @@
 #define FIRST_LOOKS         8
 #define MOST_SINGULAR_STEPS 30
 
-gboolean tinker_simulation_fail(TinkerSimulation *simulation, const char *why, GError **error)
+gboolean tinker_island_run_fail(TinkerIslandRun *run, const char *why, GError **error)
 {
-    TinkerSummary *summary = &simulation->summary;
-    summary->simulated_s = simulation->state.t;
+    TinkerSummary *summary = &run->summary;
+    summary->simulated_s = run->state.t;
     g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_RUN,
-                "the run stopped at t = %.6g s: %s; what was computed is to be believed up to t = %.6g s",
-                simulation->state.t,
+                "the run stopped at t = %.6g s: %s; what was computed is to be believed up to t = %.6g s", run->state.t,
                 why != NULL && why[0] != '\0' ? why : "a force or a constraint cannot be worked out there",
                 summary->valid_until);
     return FALSE;
 }
 
-static gboolean diverged(TinkerSimulation *simulation, const char *how, GError **error)
+static gboolean diverged(TinkerIslandRun *run, const char *how, GError **error)
 {
-    g_autofree char *advice = tinker_guard_explain(simulation->model, simulation->method, simulation->options.step);
+    g_autofree char *advice = tinker_guard_explain(run->model, run->choice.method, run->choice.step);
     g_autofree char *why = g_strdup_printf("it diverged: %s (%s)", how, advice);
-    return tinker_simulation_fail(simulation, why, error);
+    return tinker_island_run_fail(run, why, error);
 }
 
-static gboolean all_finite(const TinkerSimulation *simulation)
+static gboolean all_finite(const TinkerIslandRun *run)
 {
     /* A sum of zeros is 0 unless one factor is infinite or not a number. */
     double sum = 0;
-    for (int32_t i = 0; i < simulation->system.system.size; i++)
-        sum += 0.0 * simulation->state.q[i] + 0.0 * simulation->state.v[i];
+    for (int32_t i = 0; i < run->system.system.size; i++)
+        sum += 0.0 * run->state.q[i] + 0.0 * run->state.v[i];
     return sum == 0;
 }
 
-static gboolean watch_constraints(TinkerSimulation *simulation)
+static gboolean watch_constraints(TinkerIslandRun *run)
 {
-    TinkerModel *model = simulation->model;
-    TinkerSummary *summary = &simulation->summary;
+    TinkerModel *model = run->model;
+    TinkerSummary *summary = &run->summary;
     if (model->constraints.rows == 0) return TRUE;
     double position, velocity, extent, speed;
-    const TinkerState *state = &simulation->state;
+    const TinkerState *state = &run->state;
     if (tinker_constraints_errors(model, state->t, state->q, state->v, &position, &velocity) != TINKER_OK) return FALSE;
-    simulation->system.system.scales(&simulation->system, state->q, state->v, &extent, &speed);
+    run->system.system.scales(&run->system, state->q, state->v, &extent, &speed);
     for (int32_t i = model->bodies; i < model->points; i++)
         speed = fmax(speed, hypot(model->point[i].vx, model->point[i].vy));
-    position = fmax(position, simulation->system.position_error);
+    position = fmax(position, run->system.position_error);
     summary->constraint_position_error = fmax(summary->constraint_position_error, position);
     if (speed > 0) summary->constraint_velocity_error = fmax(summary->constraint_velocity_error, velocity / speed);
     return TRUE;
 }
 
-TinkerStatus tinker_simulation_vouch(TinkerSimulation *simulation)
+TinkerStatus tinker_island_run_vouch(TinkerIslandRun *run)
 {
-    TinkerSummary *summary = &simulation->summary;
-    simulation->looked_at = summary->steps;
-    tinker_model_system_keep(&simulation->system, simulation->state.q, simulation->state.v);
-    TinkerStatus status = tinker_books_look(&simulation->books, &simulation->state, summary);
-    if (status == TINKER_OK && simulation->books.imbalance <= WARN_IMBALANCE)
-        summary->valid_until = simulation->state.t;
+    TinkerSummary *summary = &run->summary;
+    run->looked_at = summary->steps;
+    tinker_model_system_keep(&run->system, run->state.q, run->state.v);
+    tinker_island_run_place(run);
+    double extent, speed;
+    run->system.system.scales(&run->system, run->state.q, run->state.v, &extent, &speed);
+    TinkerState plane = {run->state.t, run->q, run->v, run->state.books};
+    TinkerStatus status = tinker_books_look(&run->books, &plane, extent, summary);
+    if (status == TINKER_OK && run->books.imbalance <= WARN_IMBALANCE) summary->valid_until = run->state.t;
     return status;
 }
 
-gboolean tinker_simulation_fail_step(TinkerSimulation *simulation, const char *why, GError **error)
+gboolean tinker_island_run_fail_step(TinkerIslandRun *run, const char *why, GError **error)
 {
     g_autofree char *kept = g_strdup(why);
-    tinker_simulation_vouch(simulation);
-    return tinker_simulation_fail(simulation, kept, error);
+    tinker_island_run_vouch(run);
+    return tinker_island_run_fail(run, kept, error);
 }
 
 /* Judged at the end: in the first steps from rest nearly nothing has been exchanged, and any share of that is large. */
-static void warn_of_imbalance(TinkerSimulation *simulation)
+static void warn_of_imbalance(TinkerIslandRun *run)
 {
-    const TinkerSummary *summary = &simulation->summary;
+    const TinkerSummary *summary = &run->summary;
     if (summary->energy_balance_error <= WARN_IMBALANCE) return;
-    g_autofree char *advice = tinker_guard_explain(simulation->model, simulation->method, simulation->options.step);
+    g_autofree char *advice = tinker_guard_explain(run->model, run->choice.method, run->choice.step);
     g_ptr_array_add(summary->warnings,
                     g_strdup_printf("the energy is off by up to %.2g %% of the largest energy exchanged: %s",
                                     100 * summary->energy_balance_error, advice));
 }
 
-static gboolean look(TinkerSimulation *simulation, gboolean last, GError **error)
+static void watch_stability(TinkerIslandRun *run)
 {
-    TinkerModel *model = simulation->model;
-    if (tinker_simulation_vouch(simulation) != TINKER_OK || !watch_constraints(simulation))
-        return tinker_simulation_fail(simulation, model->failure, error);
-    tinker_passing_look(simulation->passing, simulation->state.t, simulation->summary.warnings);
-    double imbalance = simulation->books.imbalance;
+    double stable = tinker_stability_watch_look(run->stability);
+    if (!(stable > 0)) return;
+    g_ptr_array_add(
+        run->summary.warnings,
+        g_strdup_printf("from t = %.6g s on %s is stable up to a step of about %.3g s only, the step is %g s: "
+                        "the motion has become stiffer, and diverges if it goes on so",
+                        run->state.t, run->choice.method->id, stable, run->choice.step));
+}
+
+static gboolean look(TinkerIslandRun *run, gboolean last, GError **error)
+{
+    TinkerModel *model = run->model;
+    if (tinker_island_run_vouch(run) != TINKER_OK || !watch_constraints(run))
+        return tinker_island_run_fail(run, model->failure, error);
+    tinker_passing_look(run->passing, run->state.t, run->summary.warnings);
+    double imbalance = run->books.imbalance;
     if (imbalance > STOP_IMBALANCE || !isfinite(imbalance)) {
         g_autofree char *how =
             g_strdup_printf("its energy is off by %.3g times the largest energy exchanged", imbalance);
-        return diverged(simulation, how, error);
+        return diverged(run, how, error);
     }
-    if (last) warn_of_imbalance(simulation);
+    watch_stability(run);
+    if (last) warn_of_imbalance(run);
     return TRUE;
 }
 
 /* One event for a passage, however many steps it takes; a place that is not left is no passage. */
-static gboolean watch_singular_place(TinkerSimulation *simulation, GError **error)
+static gboolean watch_singular_place(TinkerIslandRun *run, GError **error)
 {
-    const TinkerConstraints *all = &simulation->model->constraints;
+    const TinkerConstraints *all = &run->model->constraints;
     if (!all->gave_way) {
-        simulation->singular_steps = 0;
+        run->singular_steps = 0;
         return TRUE;
     }
-    int32_t row = tinker_constraints_worst_row(simulation->model);
-    const char *name = tinker_scene_block_name(simulation->model->scene, all->blocks[row]);
-    simulation->singular_steps++;
-    if (simulation->singular_steps == 1) tinker_simulation_add_event(simulation, "bifurcation", name);
-    if (simulation->singular_steps <= MOST_SINGULAR_STEPS) return TRUE;
+    int32_t row = tinker_constraints_worst_row(run->model);
+    const char *name = tinker_scene_block_name(run->model->scene, all->blocks[row]);
+    run->singular_steps++;
+    if (run->singular_steps == 1) tinker_island_run_add_event(run, "bifurcation", name);
+    if (run->singular_steps <= MOST_SINGULAR_STEPS) return TRUE;
     g_autofree char *why =
         g_strdup_printf("%s and what it holds are stuck at a singular place, where no finite force in "
                         "them balances the load (move an end, or use a spring)",
                         name);
-    return tinker_simulation_fail(simulation, why, error);
+    return tinker_island_run_fail(run, why, error);
 }
 
-gboolean tinker_simulation_watch(TinkerSimulation *simulation, const TinkerStepReport *report, gboolean last,
-                                 GError **error)
+gboolean tinker_island_run_watch(TinkerIslandRun *run, const TinkerStepReport *report, gboolean last, GError **error)
 {
-    TinkerSummary *summary = &simulation->summary;
+    TinkerSummary *summary = &run->summary;
     summary->steps++;
     summary->rejected_steps += report->rejected;
-    summary->evaluations = simulation->model->evaluations;
-    summary->simulated_s = simulation->state.t;
-    if (!watch_singular_place(simulation, error)) return FALSE;
-    if (!all_finite(simulation)) return diverged(simulation, "a position or velocity is not a number", error);
-    if (summary->adaptive) tinker_model_system_keep(&simulation->system, simulation->state.q, simulation->state.v);
-    gint64 since = (summary->steps - simulation->looked_at) * simulation->method->evaluations_per_step;
+    summary->evaluations = run->model->evaluations;
+    summary->simulated_s = run->state.t;
+    if (!watch_singular_place(run, error)) return FALSE;
+    if (!all_finite(run)) return diverged(run, "a position or velocity is not a number", error);
+    if (summary->adaptive) tinker_model_system_keep(&run->system, run->state.q, run->state.v);
+    gint64 since = (summary->steps - run->looked_at) * run->choice.method->evaluations_per_step;
     gboolean looks = last || summary->steps <= FIRST_LOOKS || since >= EVALUATIONS_BETWEEN_LOOKS;
-    return !looks || look(simulation, last, error);
+    return !looks || look(run, last, error);
 }

@@ -1,0 +1,57 @@
+/* The summary of a whole run from those of its islands. */
+#include <math.h>
+
+#include "physics/simulation-private.h"
+
+static void add_energy(TinkerSummary *whole, const TinkerSummary *part)
+{
+    whole->kinetic_start += part->kinetic_start;
+    whole->kinetic_end += part->kinetic_end;
+    whole->potential_start += part->potential_start;
+    whole->potential_end += part->potential_end;
+    for (int book = 0; book < TINKER_BOOK_COUNT; book++)
+        whole->books[book] += part->books[book];
+    whole->energy_balance_error = fmax(whole->energy_balance_error, part->energy_balance_error);
+}
+
+static void add_run(TinkerSummary *whole, TinkerIslandRun *run)
+{
+    const TinkerSummary *part = &run->summary;
+    whole->steps += part->steps;
+    whole->rejected_steps += part->rejected_steps;
+    whole->evaluations += run->model->evaluations;
+    whole->simulated_s = fmin(whole->simulated_s, part->simulated_s);
+    whole->valid_until = fmin(whole->valid_until, part->valid_until);
+    whole->constraint_position_error = fmax(whole->constraint_position_error, part->constraint_position_error);
+    whole->constraint_velocity_error = fmax(whole->constraint_velocity_error, part->constraint_velocity_error);
+    add_energy(whole, part);
+    if (whole->method == NULL) {
+        whole->method = part->method;
+        whole->adaptive = part->adaptive;
+        whole->step = part->step;
+        whole->tolerance = part->tolerance;
+    } else if (!g_str_equal(whole->method, part->method)) {
+        whole->method = "auto";
+    }
+}
+
+void tinker_simulation_add_up(TinkerSimulation *simulation)
+{
+    TinkerSummary *whole = &simulation->summary, kept = *whole;
+    *whole = (TinkerSummary){
+        .simulated_s = INFINITY,
+        .valid_until = INFINITY,
+        .wall_s = kept.wall_s,
+        .start_impulse = kept.start_impulse,
+        .error_estimate = kept.error_estimate,
+        .predictable_until = kept.predictable_until,
+        .islands = kept.islands,
+        .events = kept.events,
+        .warnings = kept.warnings,
+    };
+    for (guint i = 0; i < simulation->runs->len; i++)
+        add_run(whole, g_ptr_array_index(simulation->runs, i));
+    if (simulation->estimate == NULL) return;
+    whole->error_estimate = tinker_estimate_error(simulation->estimate);
+    whole->predictable_until = tinker_estimate_predictable_until(simulation->estimate);
+}

@@ -1,0 +1,28 @@
+/* The estimate of a run's global error: from a companion run at half the step or a tenth of the tolerance.
+ *
+ * For a method of order p the companion at half the step is off by 2^-p of the error, so their distance is
+ * (1 - 2^-p) of it; for an adaptive method about nine tenths. Twice what follows from that is claimed. A method that steps
+ * exactly needs no companion: its error is that of rounding, which grows with the time and with the frequencies that
+ * move. Source: E. Hairer, S. P. Norsett, G. Wanner, Solving Ordinary Differential Equations I, 2nd ed., II.4
+ * (extrapolation), Springer 1993. */
+#ifndef TINKER_CORE_ESTIMATE_H
+#define TINKER_CORE_ESTIMATE_H
+
+#include "physics/simulation.h"
+
+typedef struct _TinkerEstimate TinkerEstimate;
+
+/* The estimate of this simulation, with a companion where one is needed; NULL where none can be made (transfer full). The
+ * simulation outlives it. */
+TinkerEstimate *tinker_estimate_new(TinkerSimulation *simulation, const GArray *columns);
+void tinker_estimate_free(TinkerEstimate *estimate);
+
+/* Brings the companion to t, where the simulation's sample is, and compares. FALSE only where the user stopped it. */
+gboolean tinker_estimate_look(TinkerEstimate *estimate, double t, GError **error);
+
+/* The largest error so far, relative to the scales of the islands; where it passed a tenth; and by column, or NULL. */
+double tinker_estimate_error(const TinkerEstimate *estimate);
+double tinker_estimate_predictable_until(const TinkerEstimate *estimate);
+const double *tinker_estimate_bands(const TinkerEstimate *estimate);
+
+#endif

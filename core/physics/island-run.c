@@ -1,0 +1,176 @@
+/* Steps within a piece, states within a step. */
+#include "physics/island-run.h"
+
+#include <string.h>
+
+static void open_summary(TinkerIslandRun *run, const TinkerSummary *whole)
+{
+    run->summary = (TinkerSummary){
+        .method = run->choice.method->id,
+        .adaptive = (run->choice.method->flags & TINKER_INTEGRATOR_ADAPTIVE) != 0,
+        .step = run->choice.step,
+        .tolerance = run->choice.tolerance,
+        .events = whole->events,
+        .warnings = whole->warnings,
+    };
+}
+
+static void open_state(TinkerIslandRun *run)
+{
+    const TinkerModel *model = run->model;
+    gsize n = 2 * (gsize)MAX(model->bodies, 1);
+    tinker_model_system_init(&run->system, run->model, run->island->linear);
+    run->state.q = g_memdup2(model->q_start, n * sizeof(double));
+    run->state.v = g_memdup2(model->v_start, n * sizeof(double));
+    run->state.books = g_new0(double, run->system.system.books + 1);
+    run->q = run->state.q;
+    run->v = run->state.v;
+    if (run->system.system.size != 2 * model->bodies) {
+        run->q = g_new0(double, n);
+        run->v = g_new0(double, n);
+        tinker_linear_form_reduce(run->island->linear, model->q_start, model->v_start, run->state.q, run->state.v);
+    }
+    run->sample_x = g_new0(double, n);
+    run->sample_u = g_new0(double, n);
+}
+
+static gboolean open_stepper(TinkerIslandRun *run, double spectral_radius, GError **error)
+{
+    const TinkerIntegrator *method = run->choice.method;
+    TinkerIntegratorOptions options = {
+        .struct_size = sizeof(TinkerIntegratorOptions),
+        .tolerance = run->choice.tolerance,
+        .spectral_radius = spectral_radius,
+    };
+    if (method->flags & TINKER_INTEGRATOR_IMPLICIT) tinker_model_system_offer_jacobian(&run->system);
+    if (!(method->flags & TINKER_INTEGRATOR_LINEAR) || run->system.system.linear != NULL)
+        run->stepper = method->create(&run->system.system, &options);
+    if (run->stepper != NULL) return TRUE;
+    if (method->flags & TINKER_INTEGRATOR_LINEAR)
+        g_set_error(
+            error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_METHOD,
+            "the method %s does not suit the part of the scene around %s, which is not linear or too large for it "
+            "(the method auto takes one that suits)",
+            method->id, tinker_scene_block_name(run->model->scene, run->model->body_blocks[0]));
+    else
+        g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_METHOD,
+                    "the method %s cannot be set up for %d coordinates (%s)", method->id, run->system.system.size,
+                    "there is not enough memory, or it refuses these options: spectral_radius is below 1 with "
+                    "constraints");
+    return FALSE;
+}
+
+static gboolean open_run(TinkerIslandRun *run, double spectral_radius, double horizon, GError **error)
+{
+    TinkerModel *model = run->model;
+    model->evaluations = 0;
+    open_state(run);
+    if (!open_stepper(run, spectral_radius, error)) return FALSE;
+    if (!tinker_island_run_enter_piece(run, horizon, error)) return FALSE;
+    if (tinker_books_open(&run->books, &run->system) != TINKER_OK)
+        return tinker_island_run_fail(run, model->failure, error);
+    run->stability = tinker_stability_watch_new(&run->system, run->choice.method, run->choice.step);
+    run->passing = tinker_passing_new(model);
+    tinker_passing_look(run->passing, 0.0, run->summary.warnings);
+    return TRUE;
+}
+
+TinkerIslandRun *tinker_island_run_new(const TinkerIsland *island, const TinkerChoice *choice, double spectral_radius,
+                                       double horizon, const TinkerSummary *whole, GError **error)
+{
+    TinkerIslandRun *run = g_new0(TinkerIslandRun, 1);
+    run->island = island;
+    run->model = island->model;
+    run->choice = *choice;
+    run->step_grid = tinker_time_grid(choice->step);
+    open_summary(run, whole);
+    if (!open_run(run, spectral_radius, horizon, error)) g_clear_pointer(&run, tinker_island_run_free);
+    return run;
+}
+
+void tinker_island_run_free(TinkerIslandRun *run)
+{
+    if (run == NULL) return;
+    if (run->stepper != NULL) run->choice.method->destroy(run->stepper);
+    tinker_model_system_clear(&run->system);
+    tinker_passing_free(run->passing);
+    tinker_stability_watch_free(run->stability);
+    if (run->q != run->state.q) {
+        g_free(run->q);
+        g_free(run->v);
+    }
+    gpointer arrays[] = {run->state.q, run->state.v, run->state.books, run->sample_x, run->sample_u};
+    for (gsize i = 0; i < G_N_ELEMENTS(arrays); i++)
+        g_free(arrays[i]);
+    g_free(run);
+}
+
+void tinker_island_run_place(TinkerIslandRun *run)
+{
+    if (run->q != run->state.q)
+        tinker_linear_form_expand(run->island->linear, run->state.q, run->state.v, run->q, run->v);
+}
+
+void tinker_island_run_add_event(TinkerIslandRun *run, const char *kind, const char *blocks)
+{
+    TinkerEvent *event = g_new0(TinkerEvent, 1);
+    *event = (TinkerEvent){run->state.t, g_strdup(kind), g_strdup(blocks)};
+    g_ptr_array_add(run->summary.events, event);
+}
+
+/* The end of the next step: the next time of the grid, or the end of the piece or the run where that comes first or all but
+ * coincides. */
+static double step_limit(TinkerIslandRun *run, double target, double run_end)
+{
+    double t = run->state.t, end = MIN(run->piece_end, run_end);
+    if (run->choice.method->flags & TINKER_INTEGRATOR_LINEAR) return MIN(end, target);
+    if (run->choice.method->flags & TINKER_INTEGRATOR_ADAPTIVE) return end;
+    double slack = 1e-9 * run->choice.step, next;
+    while ((next = tinker_time_grid_at(&run->step_grid, run->next_step)) <= t + slack)
+        run->next_step++;
+    return next < end - slack ? next : end;
+}
+
+gboolean tinker_island_run_step(TinkerIslandRun *run, double target, double end, GError **error)
+{
+    TinkerStepReport report = {.struct_size = sizeof(TinkerStepReport)};
+    TinkerState *state = &run->state;
+    if (state->t >= run->piece_end && !tinker_island_run_enter_piece(run, end, error)) return FALSE;
+    run->model->failure[0] = '\0';
+    run->model->constraints.gave_way = FALSE;
+    double from = state->t;
+    TinkerStatus status = run->choice.method->step(run->stepper, state, step_limit(run, target, end), &report);
+    if (status == TINKER_OK && !(state->t > from)) {
+        status = TINKER_FAILED;
+        report.failure = "the method answers that it made a step, but the time stands still (its plugin is at fault)";
+    }
+    if (status != TINKER_OK) {
+        const char *why = run->model->failure[0] != '\0' ? run->model->failure : report.failure;
+        return tinker_island_run_fail_step(run, why, error);
+    }
+    return tinker_island_run_watch(run, &report, state->t >= end, error);
+}
+
+gboolean tinker_island_run_pass_break(TinkerIslandRun *run, double end, GError **error)
+{
+    double t = run->state.t;
+    if (t < run->piece_end || !run->ends_on_break) return TRUE;
+    return tinker_island_run_enter_piece(run, MAX(end, t + 1.0), error);
+}
+
+TinkerStatus tinker_island_run_state_at(TinkerIslandRun *run, double t, double *q, double *v)
+{
+    gboolean own = run->q == run->state.q;
+    double *x = own ? q : run->sample_x, *u = own ? v : run->sample_u;
+    gsize bytes = (gsize)run->system.system.size * sizeof(double);
+    memcpy(x, run->state.q, bytes);
+    memcpy(u, run->state.v, bytes);
+    TinkerStatus status = TINKER_OK;
+    if (t != run->state.t) status = run->choice.method->interpolate(run->stepper, t, x, u, NULL);
+    if (!own) tinker_linear_form_expand(run->island->linear, x, u, q, v);
+    if (status != TINKER_OK || t == run->state.t || run->model->constraints.rows == 0) return status;
+    gboolean moved;
+    status = tinker_constraints_project_positions(run->model, t, q, v, &moved);
+    if (status == TINKER_OK) tinker_constraints_correct_velocities(run->model, v, FALSE, &moved);
+    return status;
+}

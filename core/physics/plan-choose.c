@@ -1,0 +1,226 @@
+/* The choice of a method: the one that is named, with warnings where its step does not suit; or the cheapest by counts that
+ * meets the tolerance. */
+#include <math.h>
+
+#include "numerics/integrators.h"
+#include "physics/model-private.h"
+#include "physics/plan-private.h"
+#include "physics/simulation-private.h"
+
+/* A part counts where it holds this share of the energy; it is resolved well where h omega is this. */
+#define WELL_RESOLVED  0.1
+#define CARRIES_ENERGY 1e-4
+/* The forecast's frequencies are from below: within this share of a limit it is looked at more closely. */
+#define NEAR_LIMIT 0.5
+/* Stiff: stability asks for this many times the steps that accuracy does. */
+#define STIFF 3.0
+
+double tinker_round_down(double x)
+{
+    if (!(x > 0) || !isfinite(x)) return x;
+    double unit = pow(10, floor(log10(x)) - 1), down = floor(x / unit * (1 + 1e-12)) * unit;
+    /* by its decimal text, so that it is the number that is typed */
+    g_autofree char *text = g_strdup_printf("%.1e", down);
+    return g_ascii_strtod(text, NULL);
+}
+
+/* Where the parts of a scene are stepped apart a message says which one it means. */
+static const char *place_of(const TinkerIsland *island, char **text)
+{
+    const TinkerModel *model = island->model;
+    if (!island->owns_model || model->bodies == 0) return *text = g_strdup("");
+    return *text = g_strdup_printf(" around %s", tinker_scene_block_name(model->scene, model->body_blocks[0]));
+}
+
+static gboolean is_fixed(const TinkerIntegrator *method)
+{
+    return (method->flags & (TINKER_INTEGRATOR_ADAPTIVE | TINKER_INTEGRATOR_LINEAR)) == 0;
+}
+
+/* Automatic -------------------------------------------------------------------------------------------------------- */
+
+/* Methods that `auto` takes: exact ones, adaptive explicit ones, and implicit ones where the island is stiff. Explicit ones of
+ * a fixed step are for those who ask for them: none is cheaper at an error that somebody wants. */
+static gboolean is_candidate(const TinkerIntegrator *method, gboolean stiff)
+{
+    if (method->flags & TINKER_INTEGRATOR_LINEAR) return TRUE;
+    if (method->flags & TINKER_INTEGRATOR_IMPLICIT) return stiff && is_fixed(method);
+    return (method->flags & TINKER_INTEGRATOR_ADAPTIVE) != 0;
+}
+
+/* Whether the fastest frequencies hold so little of the motion that explicit steps would be spent on them alone. That can be
+ * told only of what moves of its own accord and without constraints, whose tensions change with the motion. */
+static gboolean is_stiff(const TinkerIsland *island, const TinkerForecast *forecast)
+{
+    const TinkerModel *model = island->model;
+    gboolean driven = model->moving_supports > 0 || model->waveform_batches->len > 0;
+    if (driven || model->constraints.rows > 0 || forecast->count == 0) return FALSE;
+    double carried = fmax(forecast->speed_of_change, forecast->drive);
+    for (int32_t i = 0; i < forecast->count; i++)
+        if (forecast->parts[i].share > CARRIES_ENERGY) carried = fmax(carried, forecast->parts[i].omega);
+    return fmax(forecast->omega_max, forecast->damping_max) > STIFF * carried;
+}
+
+static void explain_automatic(TinkerDecision *decision, const TinkerForecast *forecast, gboolean stiff)
+{
+    const TinkerIntegrator *method = decision->choice.method;
+    GString *text = decision->reason;
+    if (text == NULL) return;
+    if (method->flags & TINKER_INTEGRATOR_LINEAR)
+        g_string_append(text, "the motion is linear, and its exact solution costs less than any method that steps");
+    else if (method->flags & TINKER_INTEGRATOR_IMPLICIT)
+        g_string_append_printf(text,
+                               "stiff: %.3g rad/s would force an explicit method to far smaller steps than what moves "
+                               "needs; %s is stable at any step, and %.3g s meets the tolerance",
+                               fmax(forecast->omega_max, forecast->damping_max), method->id, decision->choice.step);
+    else
+        g_string_append_printf(text, "%s: order %d needs the fewest evaluations at this tolerance",
+                               stiff ? "stiff, but the tolerance asks for small steps anyway" : "smooth and not stiff",
+                               method->order);
+}
+
+static void decide_automatically(const TinkerIsland *island, const TinkerRunOptions *options,
+                                 const TinkerForecast *forecast, TinkerDecision *decision)
+{
+    gboolean stiff = is_stiff(island, forecast);
+    decision->choice.method = tinker_integrator_builtin("dop853");
+    decision->choice.tolerance = options->tolerance;
+    tinker_cost_of(island, forecast, decision->choice.method, options, 0, options->tolerance, &decision->cost);
+    for (const TinkerIntegrator *const *each = tinker_integrator_builtins(); forecast->known && *each != NULL; each++) {
+        TinkerCost cost;
+        if (!is_candidate(*each, stiff)) continue;
+        if (!tinker_cost_of(island, forecast, *each, options, 0, options->tolerance, &cost)) continue;
+        if (is_fixed(*each) && cost.error > TINKER_MEETS * options->tolerance) continue;
+        if (!(cost.operations < decision->cost.operations)) continue;
+        decision->cost = cost;
+        decision->choice = (TinkerChoice){*each, is_fixed(*each) ? tinker_round_down(cost.step) : 0,
+                                          is_fixed(*each) ? 0 : options->tolerance};
+    }
+    explain_automatic(decision, forecast, stiff);
+}
+
+/* Named ------------------------------------------------------------------------------------------------------------ */
+
+/* What `auto` would take, as an option on the command line. (transfer full) */
+static char *cheap_method(const TinkerIsland *island, const TinkerRunOptions *options, const TinkerForecast *forecast)
+{
+    TinkerDecision other = {0};
+    decide_automatically(island, options, forecast, &other);
+    return g_strdup_printf("--method %s", other.choice.method->id);
+}
+
+static void warn_unstable(const TinkerIsland *island, const TinkerRunOptions *options, const TinkerForecast *forecast,
+                          const TinkerIntegrator *method, double stable, GPtrArray *warnings)
+{
+    g_autofree char *around = NULL, *other = cheap_method(island, options, forecast);
+    place_of(island, &around);
+    if (stable > 0)
+        g_ptr_array_add(warnings,
+                        g_strdup_printf("%s is stable up to a step of %.3g s here%s, the step is %g s: it will "
+                                        "diverge (--step %g, or %s)",
+                                        method->id, stable, around, options->step, tinker_round_down(stable), other));
+    else
+        g_ptr_array_add(warnings, g_strdup_printf("%s is stable at no step here%s: it will diverge (%s)", method->id,
+                                                  around, other));
+}
+
+/* The limit from the forecast: above the true one, as its frequencies are from below. */
+static double rough_limit(const TinkerForecast *forecast, const TinkerIntegrator *method)
+{
+    double limit = INFINITY;
+    if (method->imaginary_limit >= 0 && forecast->omega_max > 0) limit = method->imaginary_limit / forecast->omega_max;
+    if (method->real_limit >= 0 && forecast->damping_max > 0)
+        limit = fmin(limit, method->real_limit / forecast->damping_max);
+    return limit;
+}
+
+static double stable_step(const TinkerIsland *island, const TinkerRunOptions *options, const TinkerForecast *forecast,
+                          const TinkerSpectrum *spectrum, const TinkerIntegrator *method)
+{
+    double rough = rough_limit(forecast, method);
+    g_autoptr(TinkerSpectrum) own = NULL;
+    if (spectrum == NULL) {
+        gboolean small = 2 * island->model->bodies <= TINKER_DENSE_SPECTRUM;
+        if (options->step < NEAR_LIMIT * rough || !small) return rough;
+        spectrum = own = tinker_spectrum_new(island);
+    }
+    return tinker_spectrum_stable_step(spectrum->eigenvalues, spectrum->oscillators, method, options->spectral_radius);
+}
+
+static void warn_under_resolved(const TinkerIsland *island, const TinkerRunOptions *options,
+                                const TinkerForecast *forecast, const TinkerIntegrator *method, GPtrArray *warnings)
+{
+    double fastest = 0, share = 0;
+    for (int32_t i = 0; i < forecast->count; i++) {
+        const TinkerForecastPart *part = &forecast->parts[i];
+        if (part->share < CARRIES_ENERGY || part->omega * options->step <= TINKER_LEAST_RESOLVED) continue;
+        fastest = fmax(fastest, part->omega);
+        share += part->share;
+    }
+    if (fastest == 0) return;
+    g_autofree char *around = NULL;
+    place_of(island, &around);
+    g_ptr_array_add(warnings,
+                    g_strdup_printf("motion at up to %.3g rad/s%s, which holds %.2g %% of the energy, gets %.2g "
+                                    "steps a period: %s is stable there and wrong (--step %g resolves it)",
+                                    fastest, around, fmin(100 * share, 100), 2 * G_PI / (fastest * options->step),
+                                    method->id, tinker_round_down(WELL_RESOLVED / fastest)));
+}
+
+static void decide_named(const TinkerIsland *island, const TinkerRunOptions *options, const TinkerForecast *forecast,
+                         const TinkerSpectrum *spectrum, const TinkerIntegrator *method, TinkerDecision *decision,
+                         GPtrArray *warnings)
+{
+    gboolean fixed = is_fixed(method);
+    decision->choice = (TinkerChoice){method, fixed ? options->step : 0, fixed ? 0 : options->tolerance};
+    if (decision->reason != NULL) {
+        g_string_append(decision->reason, "asked for");
+        tinker_cost_of(island, forecast, method, options, decision->choice.step, options->tolerance, &decision->cost);
+    }
+    if (!fixed || !forecast->known || warnings == NULL) return;
+    gboolean explicit = (method->flags & TINKER_INTEGRATOR_EXPLICIT) != 0;
+    double stable = explicit ? stable_step(island, options, forecast, spectrum, method) : INFINITY;
+    if (options->step > stable)
+        warn_unstable(island, options, forecast, method, stable, warnings);
+    else
+        warn_under_resolved(island, options, forecast, method, warnings);
+}
+
+static gboolean refuse_not_linear(const TinkerIsland *island, const TinkerIntegrator *method, GError **error)
+{
+    const TinkerModel *model = island->model;
+    g_set_error(
+        error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_METHOD,
+        "the method %s does not suit the part of the scene around %s, which is not linear (the method auto takes "
+        "one that suits)",
+        method->id, model->bodies > 0 ? tinker_scene_block_name(model->scene, model->body_blocks[0]) : "its supports");
+    return FALSE;
+}
+
+gboolean tinker_decide(const TinkerIsland *island, const TinkerRunOptions *options, const TinkerSpectrum *spectrum,
+                       TinkerDecision *decision, GPtrArray *warnings, GError **error)
+{
+    gboolean automatic = g_str_equal(options->method, "auto");
+    const TinkerIntegrator *method = tinker_run_method(island->model->scene, options->method, error);
+    if (method == NULL || !tinker_run_options_check(options, method, tinker_options_duration(options), error))
+        return FALSE;
+    if (!automatic && (method->flags & TINKER_INTEGRATOR_LINEAR) && island->linear == NULL)
+        return refuse_not_linear(island, method, error);
+    gboolean fixed = is_fixed(method);
+    TinkerForecast forecast = {0};
+    if (automatic || fixed || decision->reason != NULL) tinker_forecast(island, &forecast);
+    if (automatic)
+        decide_automatically(island, options, &forecast, decision);
+    else
+        decide_named(island, options, &forecast, spectrum, method, decision, warnings);
+    return TRUE;
+}
+
+gboolean tinker_plan_choose(const TinkerIsland *island, const TinkerRunOptions *options, TinkerChoice *choice,
+                            GPtrArray *warnings, GError **error)
+{
+    TinkerDecision decision = {0};
+    if (!tinker_decide(island, options, NULL, &decision, warnings, error)) return FALSE;
+    *choice = decision.choice;
+    return TRUE;
+}

@@ -1,0 +1,53 @@
+/* What the files of the plan share. */
+#ifndef TINKER_CORE_PLAN_PRIVATE_H
+#define TINKER_CORE_PLAN_PRIVATE_H
+
+#include "physics/forecast.h"
+#include "physics/plan.h"
+
+/* What a method is expected to cost on an island, and to miss. */
+typedef struct {
+    double step;       /* s, of a fixed-step method: as asked for, or as the tolerance wants it */
+    double steps;      /* of the whole run */
+    double operations; /* likewise */
+    double error;      /* relative to the scales */
+} TinkerCost;
+
+/* Seconds that an operation takes on the machine that the counts were calibrated on. */
+#define TINKER_SECONDS_PER_OPERATION 2.5e-10
+
+/* A part is under-resolved where h omega is above this. */
+#define TINKER_LEAST_RESOLVED 0.5
+/* A method that misses the tolerance by more does not meet it. */
+#define TINKER_MEETS 2.0
+
+/* Operations of one evaluation of an island's accelerations. */
+double tinker_cost_evaluation(const TinkerIsland *island);
+
+/* Of a run to `duration` with `samples` samples. A fixed-step method with `step` 0 takes the one that `tolerance` wants.
+ * FALSE where the method does not suit the island. */
+gboolean tinker_cost_of(const TinkerIsland *island, const TinkerForecast *forecast, const TinkerIntegrator *method,
+                        const TinkerRunOptions *options, double step, double tolerance, TinkerCost *cost);
+
+/* The duration that options ask for (s), and their number of samples. */
+double tinker_options_duration(const TinkerRunOptions *options);
+double tinker_options_samples(const TinkerRunOptions *options);
+
+/* How a method was come by. */
+typedef struct {
+    TinkerChoice choice;
+    TinkerCost cost;
+    GString *reason; /* a sentence; NULL: not asked for */
+} TinkerDecision;
+
+/* As tinker_plan_choose. `spectrum` may be NULL: it is worked out where a step is near a limit. */
+gboolean tinker_decide(const TinkerIsland *island, const TinkerRunOptions *options, const TinkerSpectrum *spectrum,
+                       TinkerDecision *decision, GPtrArray *warnings, GError **error);
+
+/* The number of two digits below x, so that a message suggests a step that can be typed. */
+double tinker_round_down(double x);
+
+/* Sentences about a whole model. */
+void tinker_plan_describe(TinkerPlan *plan, TinkerModel *model, const TinkerRunOptions *options);
+
+#endif

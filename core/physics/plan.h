@@ -1,0 +1,58 @@
+/* The plan: what of a scene is modelled, how each island is stepped, and why. Worked out from the model and from operation
+ * counts, never from a clock: the same scene has the same plan on every machine. */
+#ifndef TINKER_CORE_PLAN_H
+#define TINKER_CORE_PLAN_H
+
+#include "physics/islands.h"
+#include "physics/simulation.h"
+#include "physics/spectrum.h"
+
+typedef struct {
+    GArray *blocks; /* of TinkerBlockId: bodies, then what acts on them, in scene order */
+    int32_t bodies, degrees_of_freedom, constraint_rows, redundant_rows, joined;
+    gboolean linear, straight;
+    double direction[2];      /* of a straight one */
+    double sideways_growth;   /* 1/s: straight motion is not stable; 0 */
+    double omega_max;         /* rad/s: largest undamped frequency, constraints included */
+    double damping_max;       /* 1/s: largest rate of decay */
+    double growth_max;        /* 1/s: how fast the start is left, where it is not stable; 0 */
+    GArray *edge_of_spectrum; /* of TinkerEigenvalue: those that can limit a step */
+    GArray *oscillators;      /* of TinkerOscillator: the same for methods that split places from velocities */
+    double spectral_radius;   /* of the run's options */
+    const TinkerIntegrator *method;
+    double step, tolerance; /* whichever counts for the method; the other is 0 */
+    char *reason;           /* a sentence: why this method */
+    double operations;      /* expected, of the whole run: floating-point operations as counted by the cost model */
+    double expected_s;      /* the same in seconds on the machine that the counts were calibrated on once */
+    double expected_error;  /* relative to the scales of the island */
+} TinkerIslandPlan;
+
+typedef struct {
+    GPtrArray *islands;                        /* of TinkerIslandPlan *, in the order of the islands */
+    GPtrArray *redundant;                      /* of char *: names of the blocks whose constraints depend on others */
+    GPtrArray *modelled, *left_out, *warnings; /* of char *: sentences */
+} TinkerPlan;
+
+/* Plans a run. `islands` are those of the model. Errors: TINKER_MODEL_ERROR_METHOD. (transfer full) */
+TinkerPlan *tinker_plan_new(TinkerModel *model, GPtrArray *islands, const TinkerRunOptions *options, GError **error);
+void tinker_plan_free(TinkerPlan *plan);
+G_DEFINE_AUTOPTR_CLEANUP_FUNC(TinkerPlan, tinker_plan_free)
+
+/* Whether a method has such a limit at all: it is explicit and takes a step. */
+gboolean tinker_is_fixed_explicit(const TinkerIntegrator *method);
+
+/* The largest step at which a fixed-step explicit method is stable on the linearised island; INFINITY where nothing limits
+ * it, 0 where no step is stable. */
+double tinker_plan_stable_step(const TinkerIslandPlan *island, const TinkerIntegrator *method);
+
+/* What a run of one island needs before it starts: the method of `options`, or the one that suits. Cheap: bounded by about
+ * thirty evaluations of the island's forces. Adds warnings (of char *): steps beyond the stable one, modes that carry
+ * energy and are under-resolved. */
+typedef struct {
+    const TinkerIntegrator *method;
+    double step, tolerance;
+} TinkerChoice;
+gboolean tinker_plan_choose(const TinkerIsland *island, const TinkerRunOptions *options, TinkerChoice *choice,
+                            GPtrArray *warnings, GError **error);
+
+#endif

@@ -1,0 +1,218 @@
+/* A model on a line as the system that integrators see: one coordinate a body, springs and dampers between coordinates or
+ * between one and an anchor. */
+#include <math.h>
+#include <string.h>
+
+#include "physics/linear-form-private.h"
+
+void tinker_linear_form_sort_edges(TinkerLinearForm *form)
+{
+    const TinkerLinearSystem *system = &form->system;
+    form->inner = g_new0(TinkerStraightEdge, system->edge_count + 1);
+    form->anchored = g_new0(TinkerStraightEdge, system->edge_count + 1);
+    form->anchor_place = g_memdup2(system->anchors, (gsize)system->anchor_count * sizeof(double));
+    form->anchor_speed = g_new0(double, system->anchor_count + 1);
+    form->load = g_new0(double, system->size);
+    for (int32_t i = 0; i < system->edge_count; i++) {
+        const TinkerLinearEdge *edge = &system->edges[i];
+        TinkerStraightEdge sorted = {edge->a, edge->b, edge->stiffness, edge->tension - edge->stiffness * edge->length,
+                                     edge->damping};
+        if (MIN(edge->a, edge->b) >= 0) {
+            form->inner[form->inner_count++] = sorted;
+            continue;
+        }
+        sorted.a = -1 - MIN(edge->a, edge->b);
+        sorted.b = MAX(edge->a, edge->b);
+        form->anchored[form->anchored_count++] = sorted;
+    }
+    for (int32_t i = 0; i < system->load_count; i++)
+        form->load[system->loads[i].target] += system->loads[i].force;
+}
+
+static double pull(const TinkerStraightEdge *edge, double d, double speed)
+{
+    return edge->stiffness * d + (d < 0 ? -edge->offset : edge->offset) + edge->damping * speed;
+}
+
+static void move_anchors(const TinkerLinearForm *form)
+{
+    const double *direction = form->line.direction;
+    for (int32_t i = 0; i < form->system.anchor_count; i++) {
+        const TinkerPoint *at = &form->model->point[form->anchor_points[i]];
+        form->anchor_place[i] = at->x * direction[0] + at->y * direction[1];
+        form->anchor_speed[i] = at->vx * direction[0] + at->vy * direction[1];
+    }
+}
+
+static void add_edges(const TinkerLinearForm *form, const double *restrict x, const double *restrict u,
+                      double *restrict force)
+{
+    for (int32_t i = 0; i < form->inner_count; i++) {
+        const TinkerStraightEdge *edge = &form->inner[i];
+        double f = pull(edge, x[edge->b] - x[edge->a], u[edge->b] - u[edge->a]);
+        force[edge->a] += f;
+        force[edge->b] -= f;
+    }
+    for (int32_t i = 0; i < form->anchored_count; i++) {
+        const TinkerStraightEdge *edge = &form->anchored[i];
+        force[edge->b] -=
+            pull(edge, x[edge->b] - form->anchor_place[edge->a], u[edge->b] - form->anchor_speed[edge->a]);
+    }
+}
+
+static void add_edge_power(const TinkerLinearForm *form, const double *x, const double *u, double *power)
+{
+    const TinkerLinearSystem *system = &form->system;
+    double taken = 0, given = 0;
+    for (int32_t i = 0; i < form->inner_count; i++) {
+        const TinkerStraightEdge *edge = &form->inner[i];
+        double speed = u[edge->b] - u[edge->a];
+        taken += edge->damping * speed * speed;
+    }
+    for (int32_t i = 0; i < form->anchored_count; i++) {
+        const TinkerStraightEdge *edge = &form->anchored[i];
+        double anchor_speed = form->anchor_speed[edge->a], speed = u[edge->b] - anchor_speed;
+        taken += edge->damping * speed * speed;
+        if (anchor_speed != 0) given -= pull(edge, x[edge->b] - form->anchor_place[edge->a], speed) * anchor_speed;
+    }
+    if (system->damper_book >= 0) power[system->damper_book] -= taken;
+    if (system->support_book >= 0) power[system->support_book] += given;
+}
+
+static void add_drives(const TinkerLinearForm *form, const double *u, double *force, double *power)
+{
+    for (guint i = 0; i < form->drives->len; i++) {
+        const TinkerDrive *drive = &g_array_index(form->drives, TinkerDrive, i);
+        const TinkerInput *input = &g_array_index(form->inputs, TinkerInput, (guint)drive->input);
+        double value[3];
+        tinker_waveform_evaluate(input->evaluator, form->model->time, value);
+        force[drive->target] += drive->factor * value[0];
+        if (power != NULL && drive->book >= 0) power[drive->book] += drive->factor * value[0] * u[drive->target];
+    }
+}
+
+static void add_drag(const TinkerLinearForm *form, const double *u, double *force, double *power)
+{
+    const TinkerLinearSystem *system = &form->system;
+    for (int32_t i = 0; system->drag != NULL && i < system->size; i++) {
+        force[i] -= system->drag[i] * u[i];
+        if (power != NULL && system->drag_book >= 0) power[system->drag_book] -= system->drag[i] * u[i] * u[i];
+    }
+}
+
+static void add_load_power(const TinkerLinearForm *form, const double *u, double *power)
+{
+    const TinkerLinearSystem *system = &form->system;
+    for (int32_t i = 0; i < system->load_count; i++) {
+        const TinkerConstantLoad *load = &system->loads[i];
+        if (load->book >= 0) power[load->book] += load->force * u[load->target];
+    }
+}
+
+static void find_power(const TinkerModelSystem *self, const double *x, const double *u, double *power)
+{
+    for (int32_t i = 0; i < self->system.books; i++)
+        power[i] = 0;
+    add_edge_power(self->form, x, u, power);
+    add_load_power(self->form, u, power);
+}
+
+static TinkerStatus acceleration(void *context, double t, const double *x, const double *u, double *a, double *power)
+{
+    TinkerModelSystem *self = context;
+    const TinkerLinearForm *form = self->form;
+    const TinkerLinearSystem *system = &form->system;
+    TinkerStatus status = tinker_model_set_time(self->model, t);
+    if (status != TINKER_OK) return status;
+    self->model->evaluations++;
+    if (self->model->moving_supports > 0) move_anchors(form);
+    for (int32_t i = 0; i < system->size; i++)
+        a[i] = form->load[i];
+    if (power != NULL) find_power(self, x, u, power);
+    add_edges(form, x, u, a);
+    add_drives(form, u, a, power);
+    add_drag(form, u, a, power);
+    for (int32_t i = 0; i < system->size; i++)
+        a[i] *= self->model->inverse_mass[i];
+    return TINKER_OK;
+}
+
+static TinkerStatus damping_product(void *context, double t, const double *x, const double *u, const double *du,
+                                    double *out)
+{
+    const TinkerModelSystem *self = context;
+    const TinkerLinearSystem *system = &self->form->system;
+    for (int32_t i = 0; i < system->size; i++)
+        out[i] = system->drag != NULL ? -system->drag[i] * du[i] : 0;
+    for (int32_t i = 0; i < system->edge_count; i++) {
+        const TinkerLinearEdge *edge = &system->edges[i];
+        double f = edge->damping * ((edge->b >= 0 ? du[edge->b] : 0) - (edge->a >= 0 ? du[edge->a] : 0));
+        if (edge->a >= 0) out[edge->a] += f;
+        if (edge->b >= 0) out[edge->b] -= f;
+    }
+    for (int32_t i = 0; i < system->size; i++)
+        out[i] *= self->model->inverse_mass[i];
+    return TINKER_OK;
+}
+
+static TinkerStatus jacobian(void *context, double t, const double *x, const double *u, double *stiffness,
+                             double *damping)
+{
+    const TinkerModelSystem *self = context;
+    const TinkerLinearForm *form = self->form;
+    gsize bytes = (gsize)form->pattern.entries * sizeof(double);
+    memcpy(stiffness, form->stiffness, bytes);
+    memcpy(damping, form->damping, bytes);
+    return TINKER_OK;
+}
+
+void tinker_straight_system_offer_jacobian(TinkerModelSystem *self)
+{
+    tinker_linear_form_differentiate(self->form);
+    self->system.pattern = &self->form->pattern;
+    self->system.jacobian = jacobian;
+}
+
+static void widen_by_state(const TinkerLinearForm *form, const double *x, double range[2])
+{
+    for (int32_t i = 0; i < form->system.size; i++) {
+        range[0] = MIN(range[0], x[i]);
+        range[1] = MAX(range[1], x[i]);
+    }
+    for (int32_t i = 0; i < form->system.anchor_count; i++) {
+        range[0] = MIN(range[0], form->anchor_place[i]);
+        range[1] = MAX(range[1], form->anchor_place[i]);
+    }
+}
+
+/* The box of the plane's system serves as the range along the line. */
+static void scales(void *context, const double *x, const double *u, double *extent, double *speed)
+{
+    const TinkerModelSystem *self = context;
+    double range[2] = {self->box[0], self->box[2]};
+    widen_by_state(self->form, x, range);
+    *extent = self->form->system.size > 0 ? range[1] - range[0] : 0;
+    *speed = self->speed;
+    for (int32_t i = 0; i < self->form->system.size; i++)
+        *speed = MAX(*speed, fabs(u[i]));
+}
+
+void tinker_straight_system_keep(TinkerModelSystem *self, const double *x, const double *u)
+{
+    double extent, range[2] = {self->box[0], self->box[2]};
+    scales(self, x, u, &extent, &self->speed);
+    widen_by_state(self->form, x, range);
+    self->box[0] = range[0];
+    self->box[2] = range[1];
+}
+
+void tinker_straight_system_init(TinkerModelSystem *self)
+{
+    TinkerSystem *system = &self->system;
+    system->size = self->form->system.size;
+    system->mass = self->model->mass;
+    system->acceleration = acceleration;
+    system->applied = acceleration;
+    system->damping_product = damping_product;
+    system->scales = scales;
+}
