@@ -1,0 +1,73 @@
+/* The results of a trade in words. */
+#include <math.h>
+
+#include "analysis/trade-private.h"
+
+/* "1.2 ms" */
+static char *duration_text(double seconds)
+{
+    static const struct {
+        double size;
+        const char *unit;
+    } units[] = {{1, "s"}, {1e-3, "ms"}, {1e-6, "µs"}, {0, "ns"}};
+    gsize i = 0;
+    while (seconds < 0.9995 * units[i].size)
+        i++;
+    double size = units[i].size > 0 ? units[i].size : 1e-9;
+    return g_strdup_printf("%.3g %s", seconds / size, units[i].unit);
+}
+
+/* "rk4 with a step of 0.01 s" */
+static char *setting_text(const TinkerTradeSetting *setting)
+{
+    if (setting->value == 0) return g_strdup(setting->method);
+    return setting->adaptive ? g_strdup_printf("%s with a tolerance of %g", setting->method, setting->value)
+                             : g_strdup_printf("%s with a step of %g s", setting->method, setting->value);
+}
+
+/* "an error of 1.2e-07", as far as it is known. */
+static char *error_text(const TinkerTrade *trade, const TinkerTradeRow *row)
+{
+    if (!row->at_limit) return g_strdup_printf("an error of %.2g", row->error);
+    return g_strdup_printf("an error of at most %.2g (the reference is confirmed to no less)", trade->reference.level);
+}
+
+char *tinker_trade_advice_text(const TinkerTrade *trade, const TinkerTradeOptions *options)
+{
+    const TinkerTradeRow *row = &trade->advice.row;
+    if (trade->advice.kind == TINKER_TRADE_ADVICE_NONE)
+        return g_strdup("No advice: no method ran this scene to its end.");
+    g_autofree char *setting = setting_text(&row->setting), *error = error_text(trade, row);
+    g_autofree char *wall = duration_text(row->wall_s), *motion = duration_text(trade->duration);
+    gboolean met = trade->advice.kind == TINKER_TRADE_ADVICE_MET;
+    if (options->budget > 0) {
+        g_autofree char *budget = duration_text(options->budget);
+        return met ? g_strdup_printf("Within %s the most accurate is %s: %s in %s, for %s of motion.", budget, setting,
+                                     error, wall, motion)
+                   : g_strdup_printf("Nothing measured runs within %s. The fastest is %s: %s in %s, for %s of motion.",
+                                     budget, setting, error, wall, motion);
+    }
+    return met ? g_strdup_printf("For an error of at most %g the cheapest is %s: %s in %s, for %s of motion.",
+                                 options->error, setting, error, wall, motion)
+               : g_strdup_printf(
+                     "Nothing measured keeps to an error of %g. The most accurate is %s: %s in %s, for %s of "
+                     "motion.",
+                     options->error, setting, error, wall, motion);
+}
+
+char *tinker_trade_reference_text(const TinkerTrade *trade)
+{
+    const TinkerTradeReference *reference = &trade->reference;
+    g_autofree char *truth = setting_text(&reference->truth), *witness = setting_text(&reference->witness);
+    if (reference->whole)
+        return g_strdup_printf("Errors are measured against %s; %s confirms it to %.2g of the extent (%.3g m) and the "
+                               "largest speed (%.3g m/s).",
+                               truth, witness, reference->level, reference->extent, reference->speed);
+    const char *why = reference->predictable
+                          ? "as there was no time to make them finer"
+                          : "as fine as they get: beyond, the motion is not predictable to what was wished for";
+    return g_strdup_printf(
+        "Errors are measured up to t = %.4g s of %.4g s, against %s. %s confirms it up to there, to %.2g of "
+        "the extent (%.3g m) and the largest speed (%.3g m/s); then the two part, %s.",
+        reference->until, trade->duration, truth, witness, reference->level, reference->extent, reference->speed, why);
+}
