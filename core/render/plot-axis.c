@@ -186,8 +186,34 @@ static void set_decade_ticks(TinkerAxis *axis, int most, const char *label)
         axis->ticks[axis->tick_count] = decade;
         axis->labels[axis->tick_count++] = g_string_free(text, FALSE);
     }
-    axis->has_decades = stride == 1;
+    axis->decade_stride = stride;
     axis->title = g_strdup(label ? label : "");
+}
+
+/* 1, 2 and 5 times powers of ten, as plain numbers. FALSE where fewer than three of them lie on the axis, or more than `most`
+ * do. */
+static gboolean set_one_two_five_ticks(TinkerAxis *axis, int most, const char *label)
+{
+    static const int mantissas[] = {1, 2, 5};
+    double values[TINKER_PLOT_MOST_TICKS];
+    int count = 0, lowest = (int)floor(axis->low), highest = (int)floor(axis->high);
+    if (lowest < LEAST_EXPONENT || highest > GREATEST_EXPONENT) return FALSE;
+    for (int decade = lowest; decade <= highest; decade++) {
+        for (gsize i = 0; i < G_N_ELEMENTS(mantissas); i++) {
+            double value = mantissas[i] * pow(10, decade), place = log10(value);
+            if (place < axis->low - 1e-9 || place > axis->high + 1e-9) continue;
+            if (count == most) return FALSE;
+            values[count++] = value;
+        }
+    }
+    if (count < 3) return FALSE;
+    for (int i = 0; i < count; i++) {
+        axis->ticks[i] = log10(values[i]);
+        axis->labels[i] = number_label(values[i], &(Shortening){0}, MAX(-decade_of(values[i]), 0));
+    }
+    axis->tick_count = count;
+    axis->title = g_strdup(label ? label : "");
+    return TRUE;
 }
 
 void tinker_axis_choose_ticks(TinkerAxis *axis, int most, const char *label)
@@ -195,7 +221,9 @@ void tinker_axis_choose_ticks(TinkerAxis *axis, int most, const char *label)
     tinker_axis_clear(axis);
     most = CLAMP(most, 2, TINKER_PLOT_MOST_TICKS);
     int decades = (int)floor(axis->high + 1e-9) - (int)ceil(axis->low - 1e-9) + 1;
-    axis->has_decades = FALSE;
+    axis->decade_stride = 0;
+    gboolean numbered = axis->logarithmic && axis->high - axis->low < 2;
+    if (numbered && set_one_two_five_ticks(axis, most, label)) return;
     if (axis->logarithmic && decades >= 2)
         set_decade_ticks(axis, most, label);
     else if (axis->logarithmic)

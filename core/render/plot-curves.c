@@ -6,6 +6,9 @@
 #include "render/plot-private.h"
 
 #define MARKER_SIZE   3.4
+#define RING_SIZE     7.5
+#define RING_LINE     2.0
+#define GUIDE_LINE    1.2
 #define BAND_ALPHA    0.22
 #define CURVE_COLOURS 8
 
@@ -100,15 +103,29 @@ static int colour_number(const TinkerCurve *curve)
 
 gboolean tinker_plot_has_markers(const TinkerCurve *curve)
 {
-    return curve->markers || curve->no_line || curve->count == 1;
+    return curve->markers || curve->no_line || curve->count == 1 || curve->role == TINKER_CURVE_RING;
+}
+
+gboolean tinker_plot_has_line(const TinkerCurve *curve)
+{
+    return !curve->no_line && curve->role != TINKER_CURVE_RING;
 }
 
 void tinker_plot_set_curve_style(cairo_t *cairo, const TinkerPlotLayout *layout, const TinkerCurve *curve)
 {
     static const double dashes[3][4] = {{7, 3, 7, 3}, {2, 3, 2, 3}, {8, 3, 2, 3}};
-    const double *c = layout->theme->curves[colour_number(curve)];
+    static const double guide_dashes[2] = {5, 4};
+    const double *c = curve->role == TINKER_CURVE_DATA    ? layout->theme->curves[colour_number(curve)]
+                      : curve->role == TINKER_CURVE_GUIDE ? layout->theme->axis
+                                                          : layout->theme->colours[TINKER_COLOUR_TEXT];
     cairo_set_source_rgba(cairo, c[0], c[1], c[2], c[3]);
     cairo_set_line_width(cairo, TINKER_PLOT_LINE);
+    if (curve->role == TINKER_CURVE_GUIDE) {
+        cairo_set_line_width(cairo, GUIDE_LINE);
+        cairo_set_line_cap(cairo, CAIRO_LINE_CAP_BUTT);
+        cairo_set_dash(cairo, guide_dashes, 2, 0);
+        return;
+    }
     cairo_set_line_join(cairo, CAIRO_LINE_JOIN_ROUND);
     cairo_set_line_cap(cairo, CAIRO_LINE_CAP_ROUND);
     /* More curves than colours: the next ones of a colour are dashed. */
@@ -125,7 +142,14 @@ void tinker_plot_draw_marker(cairo_t *cairo, const TinkerCurve *curve, double x,
 {
     double r = MARKER_SIZE;
     cairo_new_path(cairo);
-    switch (colour_number(curve) % 4) {
+    if (curve->role == TINKER_CURVE_RING) {
+        cairo_set_line_width(cairo, RING_LINE);
+        cairo_arc(cairo, x, y, RING_SIZE, 0, 2 * G_PI);
+        cairo_stroke(cairo);
+        return;
+    }
+    int turn = ABS(curve->colour) / CURVE_COLOURS;
+    switch ((colour_number(curve) + turn) % 4) {
     case 0:
         cairo_arc(cairo, x, y, r, 0, 2 * G_PI);
         break;
@@ -195,7 +219,7 @@ void tinker_plot_draw_curve(cairo_t *cairo, const TinkerPlotLayout *layout, cons
                             double column_width)
 {
     tinker_plot_set_curve_style(cairo, layout, curve);
-    if (!curve->no_line) {
+    if (tinker_plot_has_line(curve)) {
         cairo_new_path(cairo);
         tinker_plot_walk(layout, curve, column_width, draw_to, cairo);
         cairo_stroke(cairo);

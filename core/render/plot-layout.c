@@ -37,8 +37,9 @@ static void find_ranges(TinkerPlotLayout *layout)
     }
     layout->x.logarithmic = plot->x_logarithmic;
     layout->y.logarithmic = plot->y_logarithmic;
-    tinker_axis_set_range(&layout->x, x[0], x[1], marks ? X_MARGIN : 0);
-    tinker_axis_set_range(&layout->y, y[0], y[1], Y_MARGIN);
+    const double *across = plot->x_range ? plot->x_range : x, *up = plot->y_range ? plot->y_range : y;
+    tinker_axis_set_range(&layout->x, across[0], across[1], marks && !plot->x_range ? X_MARGIN : 0);
+    tinker_axis_set_range(&layout->y, up[0], up[1], plot->y_range ? 0 : Y_MARGIN);
 }
 
 static gboolean has_text(const TinkerPlotLayout *layout)

@@ -68,7 +68,7 @@ static void trace_curves(const TinkerPlotLayout *layout, Trace *trace)
 {
     for (int i = 0; i < layout->plot->curve_count; i++) {
         const TinkerCurve *curve = &layout->plot->curves[i];
-        if (!curve->no_line) tinker_plot_walk(layout, curve, 1, trace_to, trace);
+        if (tinker_plot_has_line(curve)) tinker_plot_walk(layout, curve, 1, trace_to, trace);
         if (tinker_plot_has_markers(curve)) trace_points(layout, curve, trace);
         if (!curve->low || !curve->high) continue;
         TinkerCurve border = *curve;
@@ -127,7 +127,7 @@ static void draw_entry(cairo_t *cairo, const TinkerPlotLayout *layout, int curve
 {
     const TinkerCurve *drawn = &layout->plot->curves[curve];
     tinker_plot_set_curve_style(cairo, layout, drawn);
-    if (!drawn->no_line && drawn->count != 1) {
+    if (tinker_plot_has_line(drawn) && drawn->count != 1) {
         cairo_move_to(cairo, x, y);
         cairo_line_to(cairo, x + SAMPLE, y);
         cairo_stroke(cairo);

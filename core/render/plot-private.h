@@ -21,8 +21,8 @@ typedef struct {
     int tick_count;
     double ticks[TINKER_PLOT_MOST_TICKS]; /* as `low` and `high` */
     char *labels[TINKER_PLOT_MOST_TICKS];
-    gboolean has_decades; /* of a logarithmic axis: ticks are powers of ten next to each other, 2 to 9 lie between */
-    char *title;          /* the label, with the factor and the offset that the ticks' labels leave out */
+    int decade_stride; /* of a logarithmic axis: from one power of ten with a label to the next; 0: ticks are numbers */
+    char *title;       /* the label, with the factor and the offset that the ticks' labels leave out */
 } TinkerAxis;
 
 /* Puts the box of all numbers into the axis; a range without extent is widened, and `margin` (a share) is added. */
@@ -76,6 +76,7 @@ void tinker_plot_draw_curve(cairo_t *cairo, const TinkerPlotLayout *layout, cons
 void tinker_plot_set_curve_style(cairo_t *cairo, const TinkerPlotLayout *layout, const TinkerCurve *curve);
 void tinker_plot_draw_marker(cairo_t *cairo, const TinkerCurve *curve, double x, double y);
 gboolean tinker_plot_has_markers(const TinkerCurve *curve);
+gboolean tinker_plot_has_line(const TinkerCurve *curve);
 
 /* Finds a place for the legend; OUTSIDE where the rectangle of the curves must give way for it. */
 void tinker_plot_place_legend(TinkerPlotLayout *layout);

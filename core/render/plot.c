@@ -6,9 +6,10 @@
 #include "render/plot-private.h"
 #include "render/surface-private.h"
 
-#define PAD         8.0
-#define TICK_LENGTH 4.0
-#define FINEST      0.5 /* of a device pixel: width of the columns that curves are thinned to */
+#define PAD             8.0
+#define TICK_LENGTH     4.0
+#define MOST_UNLABELLED 4   /* powers of ten from one label to the next, for lines at those between */
+#define FINEST          0.5 /* of a device pixel: width of the columns that curves are thinned to */
 
 static void set_colour(cairo_t *cairo, const double colour[4], double share)
 {
@@ -36,11 +37,13 @@ static void draw_grid_line(cairo_t *cairo, const TinkerPlotLayout *layout, const
     cairo_line_to(cairo, upright ? place : layout->right, upright ? layout->top : place);
 }
 
-/* The lines at 2 to 9 times each power of ten. */
+/* The lines at 2 to 9 times each power of ten; where not every power has a label, those at the others. */
 static void draw_minor_grid(cairo_t *cairo, const TinkerPlotLayout *layout, const TinkerAxis *axis)
 {
-    for (double decade = floor(axis->low); axis->has_decades && decade <= axis->high; decade++)
-        for (int digit = 2; digit <= 9; digit++) {
+    if (axis->decade_stride == 0 || axis->decade_stride > MOST_UNLABELLED) return;
+    int digits = axis->decade_stride == 1 ? 9 : 1;
+    for (double decade = floor(axis->low); decade <= axis->high; decade++)
+        for (int digit = digits > 1 ? 2 : 1; digit <= digits; digit++) {
             double tick = decade + log10(digit);
             if (tick >= axis->low && tick <= axis->high) draw_grid_line(cairo, layout, axis, tick);
         }

@@ -7,6 +7,13 @@
 
 #include "render/theme.h"
 
+/* What a curve is for. */
+typedef enum {
+    TINKER_CURVE_DATA,  /* in a colour of the theme's, by its number */
+    TINKER_CURVE_RING,  /* rings about points of other curves, to point them out; no line */
+    TINKER_CURVE_GUIDE, /* a dashed line in the axes' colour: a limit, a mean */
+} TinkerCurveRole;
+
 typedef struct {
     const char *label;        /* in the legend; NULL: none */
     const double *x, *y;      /* `count` points; a NaN interrupts the curve */
@@ -15,6 +22,7 @@ typedef struct {
     int colour;       /* number of the theme's curve colour */
     gboolean markers; /* a mark at every point */
     gboolean no_line;
+    TinkerCurveRole role;
 } TinkerCurve;
 
 typedef struct {
@@ -22,7 +30,8 @@ typedef struct {
     const char *x_label; /* "Time [s]" */
     const char *y_label;
     gboolean x_logarithmic, y_logarithmic;
-    gboolean equal_scales; /* of a path in the plane */
+    gboolean equal_scales;           /* of a path in the plane */
+    const double *x_range, *y_range; /* from, to: what an axis shows; NULL: all data */
     const TinkerCurve *curves;
     int curve_count;
     const TinkerTheme *theme;
