@@ -1,0 +1,73 @@
+/* What the parts of the integrator share: one run's memory. */
+#ifndef CVODE_BDF_STEPPER_PRIVATE_H
+#define CVODE_BDF_STEPPER_PRIVATE_H
+
+#include <cvodes/cvodes.h>
+#include <nvector/nvector_serial.h>
+#include <sundials/sundials_linearsolver.h>
+#include <sundials/sundials_matrix.h>
+
+#include <tinker/integrator.h>
+
+/* The unknowns are y = (q, v), 2n of them. */
+typedef struct Stepper {
+    const TinkerSystem *system;
+    double tolerance; /* that one step may spend, relative to the scales */
+    SUNContext context;
+    void *cvode;
+    N_Vector y, weights;
+    N_Vector books; /* NULL where the system has none */
+    double *work;   /* 2n */
+
+    /* Newton's matrix */
+    SUNMatrix matrix;
+    SUNLinearSolver solver;
+    double *stiffness, *damping; /* in the order of the pattern; NULL where no jacobian is offered */
+    sunindextype *row_starts;    /* of the sparse matrix: 2n + 1; NULL where it is dense */
+    sunindextype *columns;
+    double fastest; /* rad/s: bound of the frequencies, from the last jacobian; 0: not known */
+
+    /* the order */
+    int capped;             /* at order 2 */
+    long steps_since_cap;   /* steps */
+    long stability_reports; /* of CVODE, since its last start */
+
+    /* the last step */
+    int fresh; /* CVODE has to be started from the host's state */
+    int done;  /* there is a last step */
+    double first_step;
+    double start_extent, start_speed; /* that the motion was headed for at the last start */
+} Stepper;
+
+/* Length of y: 1 where nothing can move, as CVODE needs something to step. */
+static inline sunindextype stepper_unknowns(const TinkerSystem *system)
+{
+    return system->size > 0 ? 2 * (sunindextype)system->size : 1;
+}
+
+/* newton.c ------------------------------------------------------------------------------------------------------- */
+
+/* Allots Newton's matrix and its solver and hands them to CVODE. 0 where memory is short. */
+int stepper_newton_create(Stepper *stepper);
+void stepper_newton_destroy(Stepper *stepper);
+
+/* order-limit.c -------------------------------------------------------------------------------------------------- */
+
+/* CVODE was started anew. */
+void stepper_order_restart(Stepper *stepper);
+
+/* After a step: lowers or raises the order that CVODE may use. It must be started anew where this answers 1. */
+int stepper_order_watch(Stepper *stepper);
+
+/* scales.c ------------------------------------------------------------------------------------------------------- */
+
+/* Before CVODE is started: finds the scales that the motion is headed for, by what the accelerations `a` can bring about
+ * until `limit`. */
+void stepper_scales_start(Stepper *stepper, const TinkerState *state, double limit, const double *a);
+
+/* CVODE's weights, the inverse of what errors in q and in v are measured against, and its norm: the largest weighted
+ * entry, where CVODE's own is their root mean square. */
+int stepper_weights(N_Vector y, N_Vector weights, void *data);
+realtype stepper_norm(N_Vector errors, N_Vector weights);
+
+#endif
