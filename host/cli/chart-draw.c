@@ -11,15 +11,20 @@
 
 /* The points of one curve, thinned while they are read. */
 typedef struct {
-    GArray *x, *y; /* of double */
-    double low[2], high[2];
-    gboolean filled;
+    GArray *x, *y;          /* of double */
+    GArray *bottom, *top;   /* of double: the band; empty without one */
+    double low[3], high[3]; /* x, y, half the band's width */
+    gboolean filled, has_band;
 } CurvePoints;
 
-static void append_point(CurvePoints *points, const double point[2])
+static void append_point(CurvePoints *points, const double point[3])
 {
     g_array_append_val(points->x, point[0]);
     g_array_append_val(points->y, point[1]);
+    if (!points->has_band) return;
+    double bottom = point[1] - point[2], top = point[1] + point[2];
+    g_array_append_val(points->bottom, bottom);
+    g_array_append_val(points->top, top);
 }
 
 /* Hands on the bucket's extremes in the order of x, which is that of time. */
@@ -32,7 +37,7 @@ static void empty_bucket(CurvePoints *points)
     points->filled = FALSE;
 }
 
-static void fill_bucket(CurvePoints *points, const double point[2])
+static void fill_bucket(CurvePoints *points, const double point[3])
 {
     if (!points->filled || point[1] < points->low[1]) memcpy(points->low, point, sizeof points->low);
     if (!points->filled || point[1] > points->high[1]) memcpy(points->high, point, sizeof points->high);
@@ -41,7 +46,7 @@ static void fill_bucket(CurvePoints *points, const double point[2])
 
 static gboolean read_points(const TinkerChart *chart, TinkerChartCurve curve, CurvePoints *points, GError **error)
 {
-    guint width = chart->columns->len + 1;
+    guint width = tinker_chart_width(chart);
     double x_factor = tinker_chart_axis(chart, curve.x).per_si, y_factor = tinker_chart_axis(chart, curve.y).per_si;
     gsize count = chart->record == NULL ? 0 : tinker_record_rows(chart->record);
     gsize bucket = count / MOST_BUCKETS + 1;
@@ -50,7 +55,9 @@ static gboolean read_points(const TinkerChart *chart, TinkerChartCurve curve, Cu
         gsize place = row % ROWS_AT_ONCE;
         if (place == 0 && !tinker_record_read(chart->record, row, MIN(ROWS_AT_ONCE, count - row), rows, error))
             return FALSE;
-        double point[2] = {x_factor * rows[place * width + curve.x], y_factor * rows[place * width + curve.y]};
+        const double *values = rows + place * width;
+        double point[3] = {x_factor * values[curve.x], y_factor * values[curve.y], 0};
+        if (points->has_band) point[2] = y_factor * values[chart->columns->len + curve.y];
         if (bucket == 1 || (curve.x > 0 && row % bucket == 0))
             append_point(points, point);
         else if (curve.x == 0)
@@ -120,7 +127,24 @@ static void free_points(gpointer data)
     CurvePoints *points = data;
     g_array_unref(points->x);
     g_array_unref(points->y);
+    g_array_unref(points->bottom);
+    g_array_unref(points->top);
     g_free(points);
+}
+
+static CurvePoints *curve_points_new(gboolean has_band)
+{
+    CurvePoints *points = g_new0(CurvePoints, 1);
+    GArray **arrays[] = {&points->x, &points->y, &points->bottom, &points->top};
+    for (gsize i = 0; i < G_N_ELEMENTS(arrays); i++)
+        *arrays[i] = g_array_new(FALSE, FALSE, sizeof(double));
+    points->has_band = has_band;
+    return points;
+}
+
+static const double *numbers(const GArray *array)
+{
+    return (const double *)(gpointer)array->data;
 }
 
 gboolean tinker_chart_draw(TinkerChart *chart, const TinkerTheme *theme, int width, int height, const char *path,
@@ -132,16 +156,16 @@ gboolean tinker_chart_draw(TinkerChart *chart, const TinkerTheme *theme, int wid
     g_autoptr(GPtrArray) labels = g_ptr_array_new_with_free_func(g_free);
     for (guint i = 0; i < count; i++) {
         TinkerChartCurve curve = g_array_index(chart->curves, TinkerChartCurve, i);
-        CurvePoints *points = g_new0(CurvePoints, 1);
-        points->x = g_array_new(FALSE, FALSE, sizeof(double));
-        points->y = g_array_new(FALSE, FALSE, sizeof(double));
+        CurvePoints *points = curve_points_new(chart->has_bands && curve.x == 0);
         g_ptr_array_add(all_points, points);
         if (!read_points(chart, curve, points, error)) return FALSE;
         g_ptr_array_add(labels, legend_label(chart, curve));
         curves[i] = (TinkerCurve){
             .label = count > 1 ? g_ptr_array_index(labels, i) : NULL,
-            .x = (const double *)(gpointer)points->x->data,
-            .y = (const double *)(gpointer)points->y->data,
+            .x = numbers(points->x),
+            .y = numbers(points->y),
+            .low = points->has_band ? numbers(points->bottom) : NULL,
+            .high = points->has_band ? numbers(points->top) : NULL,
             .count = points->x->len,
             .colour = (int)i,
         };

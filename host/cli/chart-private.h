@@ -16,4 +16,7 @@ typedef struct {
 /* The axis at a place of the record's rows. */
 TinkerChartAxis tinker_chart_axis(const TinkerChart *chart, guint place);
 
+/* Numbers in a row of the record. */
+guint tinker_chart_width(const TinkerChart *chart);
+
 #endif

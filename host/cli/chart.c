@@ -97,22 +97,31 @@ gboolean tinker_chart_add_graphs_of_scene(TinkerChart *chart, GPtrArray *left_ou
     return TRUE;
 }
 
-gboolean tinker_chart_sample(TinkerChart *chart, double time, const double *values, GError **error)
+guint tinker_chart_width(const TinkerChart *chart)
 {
-    guint width = chart->columns->len + 1;
-    if (chart->record == NULL) chart->record = tinker_record_new(width, 0);
+    return 1 + (chart->has_bands ? 2 : 1) * chart->columns->len;
+}
+
+gboolean tinker_chart_sample(TinkerChart *chart, double time, const double *values, const double *bands, GError **error)
+{
+    guint columns = chart->columns->len;
+    if (chart->record == NULL) {
+        chart->has_bands = bands != NULL;
+        chart->record = tinker_record_new(tinker_chart_width(chart), 0);
+    }
     double few[16];
-    g_autofree double *many = width > G_N_ELEMENTS(few) ? g_new(double, width) : NULL;
+    g_autofree double *many = 2 * columns >= G_N_ELEMENTS(few) ? g_new(double, 2 * columns + 1) : NULL;
     double *row = many != NULL ? many : few;
     row[0] = time;
-    memcpy(row + 1, values, (width - 1) * sizeof(double));
+    memcpy(row + 1, values, columns * sizeof(double));
+    if (chart->has_bands) memcpy(row + 1 + columns, bands, columns * sizeof(double));
     return tinker_record_append(chart->record, row, error);
 }
 
 void tinker_chart_cut(TinkerChart *chart, double time)
 {
     if (chart->record == NULL) return;
-    g_autofree double *row = g_new(double, chart->columns->len + 1);
+    g_autofree double *row = g_new(double, tinker_chart_width(chart));
     gsize rows = tinker_record_rows(chart->record);
     while (rows > 0 && tinker_record_read(chart->record, rows - 1, 1, row, NULL) && row[0] > time)
         rows--;
@@ -157,7 +166,7 @@ static GArray *csv_places(const TinkerChart *chart)
 
 static gboolean write_rows(TinkerCsvWriter *writer, const TinkerChart *chart, const GArray *places, GError **error)
 {
-    guint width = chart->columns->len + 1;
+    guint width = tinker_chart_width(chart);
     g_autofree double *rows = g_new(double, (gsize)ROWS_AT_ONCE *width);
     g_autofree double *factors = g_new(double, places->len);
     for (guint i = 0; i < places->len; i++)

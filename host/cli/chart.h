@@ -13,10 +13,11 @@ typedef struct {
 } TinkerChartCurve;
 
 typedef struct {
-    TinkerScene *scene; /* borrowed */
-    GArray *columns;    /* of TinkerColumn: what is recorded */
-    GArray *curves;     /* of TinkerChartCurve */
-    TinkerRecord *record;
+    TinkerScene *scene;   /* borrowed */
+    GArray *columns;      /* of TinkerColumn: what is recorded */
+    GArray *curves;       /* of TinkerChartCurve */
+    TinkerRecord *record; /* rows of the time, the columns, and their bands where there are any */
+    gboolean has_bands;
     char *title;
 } TinkerChart;
 
@@ -33,8 +34,10 @@ gboolean tinker_chart_add(TinkerChart *chart, const char *name, const char *agai
  * const TinkerSceneGraph *. */
 gboolean tinker_chart_add_graphs_of_scene(TinkerChart *chart, GPtrArray *left_out, GError **error);
 
-/* Takes a sample of all columns, as a TinkerSampleFunc hands it out. */
-gboolean tinker_chart_sample(TinkerChart *chart, double time, const double *values, GError **error);
+/* Takes a sample of all columns, as a TinkerSampleFunc hands it out. `bands` says how far each may be off; NULL at all
+ * samples or at none. */
+gboolean tinker_chart_sample(TinkerChart *chart, double time, const double *values, const double *bands,
+                             GError **error);
 
 /* Forgets the samples later than `time`: what a failed run is not to be believed in. */
 void tinker_chart_cut(TinkerChart *chart, double time);

@@ -1,4 +1,4 @@
-/* A block type for people, as tables. Values are in SI, as in a scene; the unit they are displayed in stands beside. */
+/* Block types and integrators for people, as tables. Values are in SI, as in a scene; the unit they are displayed in stands beside. */
 #include "plugins-show.h"
 
 #include <string.h>
@@ -160,6 +160,45 @@ static char *interfaces_text(const TinkerBlockClass *block_class)
     return g_strjoinv(", ", (char **)names->pdata);
 }
 
+/* What an integrator's flags say. (transfer full) */
+static char *integrator_kind(const TinkerIntegrator *integrator)
+{
+    const gboolean adaptive = (integrator->flags & TINKER_INTEGRATOR_ADAPTIVE) != 0;
+    const struct {
+        guint32 flag;
+        const char *name;
+    } names[] = {
+        {TINKER_INTEGRATOR_EXPLICIT, "explicit"},
+        {TINKER_INTEGRATOR_IMPLICIT, "implicit"},
+        {TINKER_INTEGRATOR_SYMPLECTIC, "symplectic where undamped"},
+        {TINKER_INTEGRATOR_LINEAR, "for linear systems alone"},
+    };
+    g_autoptr(GString) kind = g_string_new(adaptive ? "adaptive (takes a tolerance)" : "fixed steps");
+    for (gsize i = 0; i < G_N_ELEMENTS(names); i++)
+        if (integrator->flags & names[i].flag) g_string_append_printf(kind, ", %s", names[i].name);
+    return g_strdup(kind->str);
+}
+
+/* "step * omega up to 2.828". (transfer full) */
+static char *limit_text(const char *what, double limit)
+{
+    if (limit < 0) return g_strdup("any step is stable");
+    if (limit == 0) return g_strdup("no step is stable");
+    return g_strdup_printf("%s up to %.4g", what, limit);
+}
+
+static void show_rows(const char *const (*rows)[2], gsize count, FILE *file)
+{
+    g_autoptr(TinkerTextTable) table = tinker_text_table_new("ll", 2);
+    for (gsize i = 0; i < count; i++) {
+        if (rows[i][1] == NULL) continue;
+        tinker_text_table_add(table, rows[i][0]);
+        tinker_text_table_add(table, rows[i][1]);
+    }
+    fputc('\n', file);
+    tinker_text_table_write(table, file);
+}
+
 void tinker_plugins_show(const TinkerBlockClass *block_class, FILE *file)
 {
     const TinkerBlockType *type = block_class->type;
@@ -174,14 +213,31 @@ void tinker_plugins_show(const TinkerBlockClass *block_class, FILE *file)
         {"interfaces", interfaces},     {"plugin", version},
         {"library", block_class->path}, {"help", type->help_link},
     };
-    g_autoptr(TinkerTextTable) table = tinker_text_table_new("ll", 2);
-    for (gsize i = 0; i < G_N_ELEMENTS(rows); i++) {
-        if (rows[i][1] == NULL) continue;
-        tinker_text_table_add(table, rows[i][0]);
-        tinker_text_table_add(table, rows[i][1]);
-    }
-    fputc('\n', file);
-    tinker_text_table_write(table, file);
+    show_rows(rows, G_N_ELEMENTS(rows), file);
     show_properties(block_class, file);
     show_quantities(block_class, file);
+}
+
+void tinker_plugins_show_integrator(const TinkerIntegrator *integrator, const TinkerLibraryEntry *library, FILE *file)
+{
+    g_autofree char *kind = integrator_kind(integrator);
+    g_autofree char *order = g_strdup_printf("%d; between steps %d", integrator->order, integrator->dense_order);
+    g_autofree char *undamped = limit_text("step * omega", integrator->imaginary_limit);
+    g_autofree char *damped = limit_text("step * c / m", integrator->real_limit);
+    g_autofree char *evaluations = g_strdup_printf("%d a step", integrator->evaluations_per_step);
+    g_autofree char *plugin =
+        library == NULL ? NULL : g_strdup_printf("%s %s, %s", library->id, library->version, library->licence);
+    fprintf(file, "%s: %s (integrator)\n", integrator->id, integrator->title);
+    if (integrator->summary != NULL) fprintf(file, "%s\n", integrator->summary);
+    const char *const rows[][2] = {
+        {"kind", kind},
+        {"order", order},
+        {"evaluations", evaluations},
+        {"undamped", undamped},
+        {"damper alone", damped},
+        {"source", integrator->source},
+        {"plugin", plugin},
+        {"library", library == NULL ? "built in" : library->path},
+    };
+    show_rows(rows, G_N_ELEMENTS(rows), file);
 }

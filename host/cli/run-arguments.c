@@ -36,6 +36,7 @@ gboolean tinker_run_arguments_apply(const TinkerRunArguments *arguments, TinkerS
                                                             TRUE, numbers[i].value, error))
             return FALSE;
     if (arguments->method != NULL) options->method = arguments->method;
+    if (arguments->no_estimate) options->estimate = FALSE;
     return TRUE;
 }
 
@@ -73,8 +74,7 @@ GArray *tinker_run_arguments_times(const char *text, GError **error)
     return g_steal_pointer(&times);
 }
 
-/* What the scene itself asks for in vain is the scene's fault, what the command line asks for the user's. */
-static void blame_command_line(const TinkerRunArguments *arguments, GError **error)
+void tinker_run_arguments_blame(const TinkerRunArguments *arguments, GError **error)
 {
     const char *const given[] = {arguments->duration, arguments->interval, arguments->method, arguments->step,
                                  arguments->tolerance};
@@ -98,7 +98,7 @@ gboolean tinker_scene_run_prepare(TinkerSceneRun *run, TinkerScene *scene, const
     run->model = tinker_model_new(scene, &reason);
     if (run->model != NULL) run->simulation = tinker_simulation_new(run->model, options, &reason);
     if (run->simulation != NULL) return TRUE;
-    blame_command_line(arguments, &reason);
+    tinker_run_arguments_blame(arguments, &reason);
     g_propagate_error(error, g_steal_pointer(&reason));
     return FALSE;
 }

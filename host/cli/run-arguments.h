@@ -9,6 +9,7 @@
 /* As given on the command line; NULL: the scene's own. */
 typedef struct {
     char *duration, *interval, *method, *step, *tolerance;
+    gboolean no_estimate;
 } TinkerRunArguments;
 
 void tinker_run_arguments_clear(TinkerRunArguments *arguments);
@@ -22,7 +23,14 @@ G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC(TinkerRunArguments, tinker_run_arguments_clear)
         "tolerance", 0, 0, G_OPTION_ARG_FILENAME, &(arguments).tolerance, "Tolerance of adaptive methods", "E"         \
     }
 #define TINKER_RUN_ENTRIES(arguments)                                                                                  \
-    {"duration", 0, 0, G_OPTION_ARG_FILENAME, &(arguments).duration, "How long to run", "S"},                          \
+    {"no-estimate",                                                                                                    \
+     0,                                                                                                                \
+     0,                                                                                                                \
+     G_OPTION_ARG_NONE,                                                                                                \
+     &(arguments).no_estimate,                                                                                         \
+     "Leave out the companion run that estimates the error",                                                           \
+     NULL},                                                                                                            \
+        {"duration", 0, 0, G_OPTION_ARG_FILENAME, &(arguments).duration, "How long to run", "S"},                      \
         {"interval", 0, 0, G_OPTION_ARG_FILENAME, &(arguments).interval, "Time between samples", "S"},                 \
         TINKER_RUN_METHOD_ENTRIES(arguments)
 
@@ -33,6 +41,10 @@ gboolean tinker_run_arguments_apply(const TinkerRunArguments *arguments, TinkerS
 
 /* Reads "T1,T2,..." of --at: ascending, each time once. (transfer full) */
 GArray *tinker_run_arguments_times(const char *text, GError **error);
+
+/* What the scene itself asks for in vain is the scene's fault, what the command line asks for the user's: turns an error of the
+ * method or its step into a usage error where any of the arguments was given. */
+void tinker_run_arguments_blame(const TinkerRunArguments *arguments, GError **error);
 
 /* A scene compiled and ready to run. */
 typedef struct {

@@ -50,18 +50,29 @@ static void add_events(cJSON *root, const TinkerSummary *run)
     }
 }
 
-/* One island until the model tells them apart: all blocks, stepped by the one method. */
+/* Whichever counts for the method; null for the other, and for both where islands differ or steps are exact. */
+static void add_step_or_tolerance(cJSON *object, const char *method, gboolean adaptive, double step, double tolerance)
+{
+    gboolean neither = g_str_equal(method, "auto") || g_str_equal(method, "exact");
+    add_number(object, "step", adaptive || neither ? NAN : step);
+    add_number(object, "tolerance", adaptive && !neither ? tolerance : NAN);
+}
+
 static void add_islands(cJSON *root, const TinkerRunReport *report)
 {
-    cJSON *island = cJSON_CreateObject();
-    cJSON *blocks = cJSON_AddArrayToObject(island, "blocks");
-    int32_t count = tinker_scene_block_count(report->scene);
-    for (int32_t place = 0; place < count; place++) {
-        const char *name = tinker_scene_block_name(report->scene, tinker_scene_block_at(report->scene, place));
-        cJSON_AddItemToArray(blocks, cJSON_CreateString(name));
+    cJSON *islands = cJSON_AddArrayToObject(root, "islands");
+    for (guint i = 0; i < report->run->islands->len; i++) {
+        const TinkerIslandSummary *run = g_ptr_array_index(report->run->islands, i);
+        cJSON *island = cJSON_CreateObject();
+        cJSON *blocks = cJSON_AddArrayToObject(island, "blocks");
+        for (guint b = 0; b < run->bodies->len; b++) {
+            TinkerBlockId id = g_array_index(run->bodies, TinkerBlockId, b);
+            cJSON_AddItemToArray(blocks, cJSON_CreateString(tinker_scene_block_name(report->scene, id)));
+        }
+        cJSON_AddStringToObject(island, "method", run->method);
+        add_step_or_tolerance(island, run->method, run->adaptive, run->step, run->tolerance);
+        cJSON_AddItemToArray(islands, island);
     }
-    cJSON_AddStringToObject(island, "method", report->run->method);
-    cJSON_AddItemToArray(cJSON_AddArrayToObject(root, "islands"), island);
 }
 
 static void add_texts(cJSON *root, const char *key, const GPtrArray *texts)
@@ -76,8 +87,7 @@ void tinker_summary_write_json(const TinkerRunReport *report, FILE *file)
     const TinkerSummary *run = report->run;
     cJSON *root = cJSON_CreateObject();
     cJSON_AddStringToObject(root, "method", run->method);
-    add_number(root, "step", run->adaptive ? NAN : run->step);
-    add_number(root, "tolerance", run->adaptive ? run->tolerance : NAN);
+    add_step_or_tolerance(root, run->method, run->adaptive, run->step, run->tolerance);
     add_number(root, "steps", (double)run->steps);
     add_number(root, "rejected_steps", (double)run->rejected_steps);
     add_number(root, "evaluations", (double)run->evaluations);
@@ -88,7 +98,7 @@ void tinker_summary_write_json(const TinkerRunReport *report, FILE *file)
     add_number(root, "constraint_velocity_error", run->constraint_velocity_error);
     add_energy(root, run);
     add_number(root, "energy_balance_error", run->energy_balance_error);
-    cJSON_AddNullToObject(root, "error_estimate");
+    add_number(root, "error_estimate", run->error_estimate);
     add_events(root, run);
     add_islands(root, report);
     add_texts(root, "libraries", report->libraries);

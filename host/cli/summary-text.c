@@ -26,11 +26,46 @@ static void add(TinkerTextTable *table, const char *label, const char *value)
     tinker_text_table_add(table, value);
 }
 
+static char *method_text(const char *method, gboolean adaptive, double step, double tolerance)
+{
+    if (g_str_equal(method, "exact") || g_str_equal(method, "auto")) return g_strdup(method);
+    return adaptive ? g_strdup_printf("%s, tolerance %g", method, tolerance)
+                    : g_strdup_printf("%s, step %g s", method, step);
+}
+
+/* Only where they differ: how many islands each way of stepping has. */
+static void add_islands(TinkerTextTable *table, const TinkerSummary *run)
+{
+    if (!g_str_equal(run->method, "auto")) return;
+    g_autoptr(GPtrArray) ways = g_ptr_array_new_with_free_func(g_free);
+    g_autoptr(GString) text = g_string_new(NULL);
+    for (guint i = 0; i < run->islands->len; i++) {
+        const TinkerIslandSummary *island = g_ptr_array_index(run->islands, i);
+        char *way = method_text(island->method, island->adaptive, island->step, island->tolerance);
+        g_ptr_array_add(ways, way);
+    }
+    for (guint i = 0; i < ways->len; i++) {
+        guint first, count = 0;
+        const char *way = g_ptr_array_index(ways, i);
+        if (g_ptr_array_find_with_equal_func(ways, way, g_str_equal, &first) && first < i) continue;
+        for (guint k = i; k < ways->len; k++)
+            if (g_str_equal(g_ptr_array_index(ways, k), way)) count++;
+        g_string_append_printf(text, "%s%u by %s", text->len > 0 ? "; " : "", count, way);
+    }
+    add(table, "islands", text->str);
+}
+
+static char *error_text(const TinkerSummary *run)
+{
+    if (isfinite(run->predictable_until))
+        return g_strdup_printf("not predictable beyond %.4g s", run->predictable_until);
+    return g_strdup_printf("about %.2g of the motion's size, estimated", run->error_estimate);
+}
+
 static void write_numbers(const TinkerSummary *run, FILE *file)
 {
     g_autoptr(TinkerTextTable) table = tinker_text_table_new("ll", 2);
-    g_autofree char *method = run->adaptive ? g_strdup_printf("%s, tolerance %g", run->method, run->tolerance)
-                                            : g_strdup_printf("%s, step %g s", run->method, run->step);
+    g_autofree char *method = method_text(run->method, run->adaptive, run->step, run->tolerance);
     g_autofree char *steps =
         run->rejected_steps > 0
             ? g_strdup_printf("%" G_GINT64_FORMAT " and %" G_GINT64_FORMAT " rejected", run->steps, run->rejected_steps)
@@ -38,6 +73,7 @@ static void write_numbers(const TinkerSummary *run, FILE *file)
     g_autofree char *evaluations = g_strdup_printf("%" G_GINT64_FORMAT, run->evaluations);
     g_autofree char *time = time_text(run);
     add(table, "method", method);
+    add_islands(table, run);
     add(table, "steps", steps);
     add(table, "evaluations", evaluations);
     add(table, "time", time);
@@ -45,6 +81,10 @@ static void write_numbers(const TinkerSummary *run, FILE *file)
         g_autofree char *error = g_strdup_printf("%.2g of length, %.2g of speed", run->constraint_position_error,
                                                  run->constraint_velocity_error);
         add(table, "constraint error", error);
+    }
+    if (isfinite(run->error_estimate)) {
+        g_autofree char *estimate = error_text(run);
+        add(table, "error", estimate);
     }
     tinker_text_table_write(table, file);
 }

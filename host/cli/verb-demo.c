@@ -43,7 +43,7 @@ static gboolean take_sample(TinkerSimulation *simulation, double time, const dou
 {
     Demo *demo = data;
     return tinker_csv_record_add(&demo->csv, time, values, error) &&
-           tinker_chart_sample(demo->chart, time, values + demo->record_columns->len, error);
+           tinker_chart_sample(demo->chart, time, values + demo->record_columns->len, NULL, error);
 }
 
 static gboolean demo_init(Demo *demo, TinkerScene *scene, const char *csv, GError **error)

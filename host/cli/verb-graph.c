@@ -88,7 +88,7 @@ static gboolean add_curves(TinkerChart *chart, const GraphOptions *options, char
 
 static gboolean take_sample(TinkerSimulation *simulation, double time, const double *values, void *data, GError **error)
 {
-    return tinker_chart_sample(data, time, values, error);
+    return tinker_chart_sample(data, time, values, tinker_simulation_bands(simulation), error);
 }
 
 /* What was recorded is written even when the run fails; its error is in `failure` then. */
@@ -101,6 +101,7 @@ static gboolean graph(const GraphOptions *options, const TinkerOpenScene *open, 
     g_autoptr(TinkerChart) chart = tinker_chart_new(open->scene);
     if (!read_form(options, &form, error) || !add_curves(chart, options, names, error)) return FALSE;
     if (!tinker_run_arguments_apply(&options->run, open->scene, &run_options, error)) return FALSE;
+    run_options.bands = !form.csv;
     if (!tinker_scene_run_prepare(&run, open->scene, &options->run, &run_options, error)) return FALSE;
     (void)tinker_scene_run_go(&run, chart->columns, take_sample, chart, failure);
     tinker_chart_cut(chart, tinker_simulation_summary(run.simulation)->valid_until);

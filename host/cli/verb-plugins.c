@@ -5,17 +5,19 @@
 #include <string.h>
 
 #include "exit-status.h"
+#include "numerics/integrators.h"
 #include "open-scene.h"
 #include "options.h"
 #include "output.h"
 #include "plugins-show.h"
 #include "text-table.h"
+#include "units/units.h"
 
 #define LIST_HELP                                                                                                      \
     "Lists the installed blocks by plugin: type, title, category, version and licence, the integrators, and what "     \
     "was\n"                                                                                                            \
     "refused or passed over. Other verbs of `tinker plugins`:\n\n"                                                     \
-    "  show TYPE         the properties, quantities and interfaces of a block\n"                                       \
+    "  show TYPE         the properties, quantities and interfaces of a block, or what a method is\n"                  \
     "  describe FILE.so  writes the manifest of a plugin file\n"                                                       \
     "  refused           lists the refused libraries; refused --clear forgets the refusals"
 
@@ -31,9 +33,12 @@ static const TinkerVerbHelp list_help = {
 static const TinkerVerbHelp show_help = {
     .verb = "plugins show",
     .operands = "TYPE...",
-    .summary = "Shows block types: properties with units, defaults and ranges, quantities, formula and interfaces.",
+    .summary =
+        "Shows block types: properties with units, defaults and ranges, quantities, formula and interfaces; and\n"
+        "integration methods, of plugins and built-in ones: order, limits of stability, source.",
     .examples = "  tinker plugins show spring\n"
-                "  tinker plugins show mass support",
+                "  tinker plugins show mass support\n"
+                "  tinker plugins show rk4",
     .least_operands = 1,
     .most_operands = -1,
 };
@@ -80,6 +85,17 @@ static void list_library(const TinkerLibraryEntry *library, TinkerTextTable *tab
     }
 }
 
+/* An integrator with the id of a built-in one cannot be named. */
+static void warn_of_built_in(const TinkerLibraryEntry *library)
+{
+    for (guint i = 0; i < library->integrators->len; i++) {
+        const char *id = g_ptr_array_index(library->integrators, i);
+        if (tinker_integrator_builtin(id) != NULL)
+            tinker_report_warning("the integrator \"%s\" of \"%s\" is never used: a built-in method has that id", id,
+                                  library->path);
+    }
+}
+
 static int list(int argc, char **argv)
 {
     const GOptionEntry entries[] = {G_OPTION_ENTRY_NULL};
@@ -98,6 +114,7 @@ static int list(int argc, char **argv)
         const TinkerLibraryEntry *library = g_ptr_array_index(libraries, i);
         if (library->refused != NULL || library->shadowed_by != NULL) continue;
         list_library(library, table);
+        warn_of_built_in(library);
         shown++;
     }
     if (shown > 0)
@@ -110,6 +127,62 @@ static int list(int argc, char **argv)
     return TINKER_EXIT_DONE;
 }
 
+/* The library that provides an integrator, or NULL. */
+static const TinkerLibraryEntry *integrator_library(TinkerCatalogue *catalogue, const char *id)
+{
+    const GPtrArray *libraries = tinker_catalogue_libraries(catalogue);
+    for (guint i = 0; i < libraries->len; i++) {
+        const TinkerLibraryEntry *library = g_ptr_array_index(libraries, i);
+        if (library->refused != NULL || library->shadowed_by != NULL) continue;
+        if (g_ptr_array_find_with_equal_func(library->integrators, id, g_str_equal, NULL)) return library;
+    }
+    return NULL;
+}
+
+/* The method that may be meant by an id that nobody has, or NULL. */
+static const char *nearest_method(TinkerCatalogue *catalogue, const char *id)
+{
+    const GPtrArray *libraries = tinker_catalogue_libraries(catalogue);
+    g_autoptr(GPtrArray) known = g_ptr_array_new();
+    for (const TinkerIntegrator *const *method = tinker_integrator_builtins(); *method != NULL; method++)
+        g_ptr_array_add(known, (gpointer)(*method)->id);
+    for (guint i = 0; i < libraries->len; i++) {
+        const TinkerLibraryEntry *library = g_ptr_array_index(libraries, i);
+        for (guint k = 0; k < library->integrators->len; k++)
+            g_ptr_array_add(known, g_ptr_array_index(library->integrators, k));
+    }
+    g_ptr_array_add(known, NULL);
+    return tinker_nearest_word(id, (const char *const *)known->pdata);
+}
+
+/* A block type, a built-in method or one of a plugin. */
+static gboolean show_one(TinkerCatalogue *catalogue, const char *id, GError **error)
+{
+    const TinkerIntegrator *integrator = tinker_integrator_builtin(id);
+    const TinkerLibraryEntry *library = integrator == NULL ? integrator_library(catalogue, id) : NULL;
+    if (library != NULL) {
+        integrator = tinker_catalogue_integrator(catalogue, id, error);
+        if (integrator == NULL) return FALSE;
+    }
+    if (integrator != NULL) {
+        tinker_plugins_show_integrator(integrator, library, stdout);
+        return TRUE;
+    }
+    g_autoptr(GError) missing = NULL;
+    const TinkerBlockClass *block_class = tinker_catalogue_type(catalogue, id, &missing);
+    if (block_class != NULL) {
+        tinker_plugins_show(block_class, stdout);
+        return TRUE;
+    }
+    const char *method = nearest_method(catalogue, id);
+    if (method != NULL && g_error_matches(missing, TINKER_PLUGIN_ERROR, TINKER_PLUGIN_ERROR_MISSING))
+        g_set_error(error, TINKER_PLUGIN_ERROR, TINKER_PLUGIN_ERROR_MISSING,
+                    "there is neither a block type nor a method \"%s\" (did you mean the method \"%s\"?)", id, method);
+    else
+        g_propagate_error(error, g_steal_pointer(&missing));
+    return FALSE;
+}
+
 static int show(int argc, char **argv)
 {
     const GOptionEntry entries[] = {G_OPTION_ENTRY_NULL};
@@ -118,15 +191,10 @@ static int show(int argc, char **argv)
     if (!tinker_command_line_read(&line, &show_help, entries, argc, argv, &status)) return status;
 
     g_autoptr(TinkerCatalogue) catalogue = tinker_open_catalogue(line.plugin_folders);
-    for (char **type = line.operands; *type != NULL; type++) {
+    for (char **id = line.operands; *id != NULL; id++) {
         g_autoptr(GError) error = NULL;
-        const TinkerBlockClass *block_class = tinker_catalogue_type(catalogue, *type, &error);
-        if (block_class == NULL) {
-            status = tinker_report_error(NULL, error);
-            continue;
-        }
-        if (type != line.operands) putchar('\n');
-        tinker_plugins_show(block_class, stdout);
+        if (id != line.operands) putchar('\n');
+        if (!show_one(catalogue, *id, &error)) status = tinker_report_error(NULL, error);
     }
     return status;
 }

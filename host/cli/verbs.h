@@ -8,7 +8,10 @@ int tinker_verb_render(int argc, char **argv);
 int tinker_verb_animate(int argc, char **argv);
 int tinker_verb_check(int argc, char **argv);
 int tinker_verb_convert(int argc, char **argv);
+int tinker_verb_plan(int argc, char **argv);
 int tinker_verb_plugins(int argc, char **argv);
+int tinker_verb_trade(int argc, char **argv);
+int tinker_verb_modes(int argc, char **argv);
 int tinker_verb_bench(int argc, char **argv);
 int tinker_verb_demo(int argc, char **argv);
 

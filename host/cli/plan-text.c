@@ -1,0 +1,131 @@
+/* The plan for people: what is there, island by island how it is stepped and why, then what is modelled and what is not. */
+#include <math.h>
+
+#include "numerics/integrators.h"
+#include "plan-report.h"
+#include "text-table.h"
+
+/* Of blocks in a line, and of islands; the JSON has them all. */
+#define MOST_BLOCKS  6
+#define MOST_ISLANDS 8
+
+static const char *plural(int32_t count)
+{
+    return count == 1 ? "" : "s";
+}
+
+/* "12 µs", "0.5 ms", "3 s". (transfer full) */
+static char *time_text(double seconds)
+{
+    if (seconds < 1e-3) return g_strdup_printf("%.2g µs", seconds * 1e6);
+    if (seconds < 1) return g_strdup_printf("%.2g ms", seconds * 1e3);
+    return g_strdup_printf("%.3g s", seconds);
+}
+
+static void add(TinkerTextTable *table, const char *label, const char *value)
+{
+    tinker_text_table_add(table, label);
+    tinker_text_table_add(table, value);
+}
+
+static char *blocks_text(const TinkerPlanReport *report, const TinkerIslandPlan *island)
+{
+    g_autoptr(GString) text = g_string_new(NULL);
+    guint count = island->blocks->len, shown = count > MOST_BLOCKS + 1 ? MOST_BLOCKS : count;
+    for (guint i = 0; i < shown; i++)
+        g_string_append_printf(text, "%s%s", i > 0 ? ", " : "",
+                               tinker_scene_block_name(report->scene, g_array_index(island->blocks, TinkerBlockId, i)));
+    if (shown < count) g_string_append_printf(text, " and %u more", count - shown);
+    if (count == 0) g_string_append(text, "nothing that moves");
+    return g_string_free(g_steal_pointer(&text), FALSE);
+}
+
+static char *kind_text(const TinkerIslandPlan *island)
+{
+    g_autoptr(GString) text = g_string_new(NULL);
+    g_string_append_printf(text, "%d %s, %d degree%s of freedom, %s", island->bodies,
+                           island->bodies == 1 ? "body" : "bodies", island->degrees_of_freedom,
+                           plural(island->degrees_of_freedom), island->linear ? "linear" : "nonlinear");
+    if (island->straight) g_string_append(text, ", stepped along one line");
+    if (island->constraint_rows > 0)
+        g_string_append_printf(text, ", %d constraint%s", island->constraint_rows, plural(island->constraint_rows));
+    if (island->redundant_rows > 0) g_string_append_printf(text, " (%d redundant)", island->redundant_rows);
+    if (island->joined > 1) g_string_append_printf(text, ", %d islands stepped together", island->joined);
+    return g_string_free(g_steal_pointer(&text), FALSE);
+}
+
+static char *speed_text(const TinkerIslandPlan *island)
+{
+    g_autoptr(GString) text = g_string_new(NULL);
+    if (island->omega_max > 0)
+        g_string_append_printf(text, "%.4g rad/s (period %.3g s)", island->omega_max, 2 * G_PI / island->omega_max);
+    else
+        g_string_append(text, island->linear ? "nothing swings" : "nothing swings about the start");
+    if (island->damping_max > 0) g_string_append_printf(text, "; fastest decay %.4g/s", island->damping_max);
+    if (island->growth_max > 0) g_string_append_printf(text, "; fastest growth %.4g/s", island->growth_max);
+    return g_string_free(g_steal_pointer(&text), FALSE);
+}
+
+/* "verlet 0.2 s, rk4 0.283 s". */
+static char *limits_text(const TinkerIslandPlan *island)
+{
+    g_autoptr(GString) text = g_string_new(NULL);
+    for (const TinkerIntegrator *const *each = tinker_integrator_builtins(); *each != NULL; each++) {
+        if (!tinker_is_fixed_explicit(*each)) continue;
+        double step = tinker_plan_stable_step(island, *each);
+        g_string_append_printf(text, "%s%s ", text->len > 0 ? ", " : "", (*each)->id);
+        if (step > 0 && isfinite(step))
+            g_string_append_printf(text, "%.3g s", step);
+        else
+            g_string_append(text, step > 0 ? "any" : "none");
+    }
+    if (!island->linear) g_string_append(text, " (near the start)");
+    return g_string_free(g_steal_pointer(&text), FALSE);
+}
+
+static void write_island(const TinkerPlanReport *report, guint number, FILE *file)
+{
+    const TinkerIslandPlan *island = g_ptr_array_index(report->plan->islands, number);
+    g_autoptr(TinkerTextTable) table = tinker_text_table_new("ll", 2);
+    g_autofree char *blocks = blocks_text(report, island), *kind = kind_text(island), *speed = speed_text(island);
+    g_autofree char *limits = limits_text(island), *time = time_text(island->expected_s);
+    g_autofree char *method = island->step > 0
+                                  ? g_strdup_printf("%s, step %.4g s", island->method->id, island->step)
+                                  : g_strdup_printf("%s, tolerance %g", island->method->id, island->tolerance);
+    g_autofree char *expected =
+        g_strdup_printf("about %s, error about %.1g of the motion's extent", time, island->expected_error);
+    add(table, "what", kind);
+    add(table, "method", method);
+    add(table, "why", island->reason);
+    if (island->bodies > 0) {
+        add(table, "fastest", speed);
+        add(table, "stable up to", limits);
+        add(table, "expected", expected);
+    }
+    fprintf(file, "\nIsland %u: %s\n", number + 1, blocks);
+    tinker_text_table_write(table, file);
+}
+
+static void write_list(const char *title, const GPtrArray *sentences, FILE *file)
+{
+    if (sentences->len == 0) return;
+    fprintf(file, "\n%s\n", title);
+    for (guint i = 0; i < sentences->len; i++)
+        fprintf(file, "  %s\n", (const char *)g_ptr_array_index(sentences, i));
+}
+
+void tinker_plan_write_text(const TinkerPlanReport *report, FILE *file)
+{
+    const char *title = tinker_scene_head(report->scene)->title;
+    guint islands = report->plan->islands->len;
+    fprintf(file, "%s\n", title[0] != '\0' ? title : report->scene_name);
+    for (guint i = 0; i < MIN(islands, MOST_ISLANDS); i++)
+        write_island(report, i, file);
+    if (islands > MOST_ISLANDS)
+        fprintf(file, "\nand %u more islands (all of them: --json FILE)\n", islands - MOST_ISLANDS);
+    write_list("Modelled", report->plan->modelled, file);
+    write_list("Left out", report->plan->left_out, file);
+    if (report->warnings->len > 0) fputc('\n', file);
+    for (guint i = 0; i < report->warnings->len; i++)
+        fprintf(file, "warning: %s\n", (const char *)g_ptr_array_index(report->warnings, i));
+}
