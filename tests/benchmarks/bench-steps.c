@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "floors.h"
+#include "numerics/sharing.h"
 #include "report.h"
 #include "scene-text.h"
 #include "subject.h"
@@ -87,7 +88,7 @@ static void measure_oscillator(BenchmarkReport *report, const char *scene, gbool
     BenchmarkSubject subject = benchmark_subject(text, METHOD, h);
     Floor floor = {.step = h};
     subject.lap = 100;
-    measure(report, (BenchmarkStep){.scene = scene, .elements = 1, .goal = 200}, &subject, time_oscillator, &floor);
+    measure(report, (BenchmarkStep){.scene = scene, .elements = 1, .goal = 80}, &subject, time_oscillator, &floor);
     benchmark_subject_clear(&subject);
 }
 
@@ -100,7 +101,7 @@ static void measure_double_pendulum(BenchmarkReport *report)
     BenchmarkSubject subject = benchmark_subject(text, METHOD, 1e-3);
     Floor floor = {.step = 1e-3};
     subject.lap = 5;
-    measure(report, (BenchmarkStep){.scene = scene, .elements = 1, .goal = 400}, &subject, time_pendulum, &floor);
+    measure(report, (BenchmarkStep){.scene = scene, .elements = 1, .goal = 260}, &subject, time_pendulum, &floor);
     benchmark_subject_clear(&subject);
 }
 
@@ -126,7 +127,7 @@ static void measure_chain(BenchmarkReport *report, int rods, double *angles, con
                    .lap = isinf(lap) ? G_MAXLONG : lround(lap / h),
                    .chain = floor_chain_new(rods, angles, 10.0 / rods)};
     subject.lap = lap;
-    BenchmarkStep step = {.scene = scene, .elements = rods, .goal = 100, .error_kind = "length error"};
+    BenchmarkStep step = {.scene = scene, .elements = rods, .goal = 80, .error_kind = "length error"};
     step.error = chain_error(&subject);
     floor_chain_steps(floor.chain, h, ERROR_STEPS);
     floor.done = ERROR_STEPS;
@@ -161,7 +162,8 @@ static void measure_lattice(BenchmarkReport *report, int n)
     g_autofree double *places = benchmark_lattice_places(n);
     BenchmarkSubject subject = benchmark_subject(text, METHOD, 1e-3);
     Floor floor = {.step = 1e-3, .lattice = floor_lattice_new(n, places)};
-    BenchmarkStep step = {.scene = scene, .goal = 25, .error_kind = "off the floor's places by m", .floor_error = NAN};
+    BenchmarkStep step = {
+        .scene = scene, .goal = n > 300 ? 25 : 14, .error_kind = "off the floor's places by m", .floor_error = NAN};
     step.elements = floor_lattice_springs(floor.lattice);
     step.error = lattice_difference(&subject, floor.lattice, n);
     measure(report, step, &subject, time_lattice, &floor);
@@ -172,6 +174,7 @@ static void measure_lattice(BenchmarkReport *report, int n)
 int main(int argc, char **argv)
 {
     BenchmarkReport *report = benchmark_report_new(argc, argv);
+    tinker_share_set_threads(1);
     measure_oscillator(report, "S1 oscillator, 1/1000 s", FALSE, 1e-3);
     measure_oscillator(report, "S1 oscillator, 1/100 s", FALSE, 1e-2);
     measure_oscillator(report, "S1 hanging, solid, 1/1000 s", TRUE, 1e-3);

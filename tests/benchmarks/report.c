@@ -1,14 +1,13 @@
 /* Table and JSON; see the header. */
 #include "report.h"
 
-#include <cjson/cJSON.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
 struct _BenchmarkReport {
     char *json_path, *only;
-    cJSON *steps, *figures;
+    cJSON *steps, *figures, *whole;
 };
 
 BenchmarkReport *benchmark_report_new(int argc, char **argv)
@@ -30,6 +29,9 @@ BenchmarkReport *benchmark_report_new(int argc, char **argv)
     }
     report->steps = cJSON_CreateArray();
     report->figures = cJSON_CreateArray();
+    report->whole = cJSON_CreateObject();
+    cJSON_AddItemToObject(report->whole, "steps", report->steps);
+    cJSON_AddItemToObject(report->whole, "figures", report->figures);
     setvbuf(stdout, NULL, _IOLBF, 0);
     return report;
 }
@@ -37,15 +39,12 @@ BenchmarkReport *benchmark_report_new(int argc, char **argv)
 int benchmark_report_end(BenchmarkReport *report)
 {
     g_autoptr(GError) error = NULL;
-    cJSON *whole = cJSON_CreateObject();
-    cJSON_AddItemToObject(whole, "steps", report->steps);
-    cJSON_AddItemToObject(whole, "figures", report->figures);
     if (report->json_path != NULL) {
-        char *text = cJSON_Print(whole);
+        char *text = cJSON_Print(report->whole);
         if (!g_file_set_contents(report->json_path, text, -1, &error)) fprintf(stderr, "%s\n", error->message);
         cJSON_free(text);
     }
-    cJSON_Delete(whole);
+    cJSON_Delete(report->whole);
     g_free(report->json_path);
     g_free(report->only);
     g_free(report);
@@ -127,4 +126,11 @@ void benchmark_report_figure(BenchmarkReport *report, const char *scene, const c
     cJSON_AddStringToObject(item, "unit", unit);
     add_number(item, "at_most", goal);
     cJSON_AddItemToArray(report->figures, item);
+}
+
+void benchmark_report_add(BenchmarkReport *report, const char *list, cJSON *item)
+{
+    cJSON *array = cJSON_GetObjectItem(report->whole, list);
+    if (array == NULL) array = cJSON_AddArrayToObject(report->whole, list);
+    cJSON_AddItemToArray(array, item);
 }

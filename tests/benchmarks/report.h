@@ -2,6 +2,7 @@
 #ifndef BENCHMARK_REPORT_H
 #define BENCHMARK_REPORT_H
 
+#include <cjson/cJSON.h>
 #include <glib.h>
 
 #include "measure.h"
@@ -31,5 +32,8 @@ void benchmark_report_step(BenchmarkReport *report, const BenchmarkStep *step);
 /* Any other figure, with the bound it is to stay below; NAN for none. */
 void benchmark_report_figure(BenchmarkReport *report, const char *scene, const char *what, double value,
                              const char *unit, double goal);
+
+/* Adds to a list of the JSON, which prints nothing. (transfer full) */
+void benchmark_report_add(BenchmarkReport *report, const char *list, cJSON *item);
 
 #endif

@@ -121,6 +121,38 @@ char *benchmark_lattice(int n)
     return end_text(text);
 }
 
+static const double stiff_chain_spacing = 10.0; /* m: far from any passing */
+
+double *benchmark_stiff_chain_rests(void)
+{
+    double *rests = g_new(double, BENCHMARK_STIFF_MASSES);
+    for (int i = 0; i < BENCHMARK_STIFF_MASSES; i++)
+        rests[i] = stiff_chain_spacing * (i + 1);
+    return rests;
+}
+
+char *benchmark_stiff_chain(void)
+{
+    GString *text = g_string_new(head);
+    g_autofree double *rests = benchmark_stiff_chain_rests();
+    g_string_append(text, "{\"type\": \"support\", \"name\": \"S\", \"solid\": false},\n");
+    for (int i = 0; i < BENCHMARK_STIFF_MASSES; i++)
+        add_mass(text, i, rests[i] + (i / 2 + 1) / 25.0, 0.0);
+    for (int i = 0; i < BENCHMARK_STIFF_MASSES; i++) {
+        g_autofree char *behind = i == 0 ? g_strdup("S") : g_strdup_printf("M%d", i - 1);
+        double stiffness = i % 2 == 0 ? 1e2 : 1e8;
+        g_string_append_printf(text, "{\"type\": \"spring\", \"ends\": [\"%s\", \"M%d\"], \"stiffness\": ", behind, i);
+        add_number(text, stiffness);
+        g_string_append(text, ", \"rest_length\": ");
+        add_number(text, stiff_chain_spacing);
+        g_string_append_printf(text, "},\n{\"type\": \"damper\", \"ends\": [\"%s\", \"M%d\"], \"damping\": ", behind,
+                               i);
+        add_number(text, 0.02 * sqrt(stiffness));
+        g_string_append(text, "},\n");
+    }
+    return end_text(text);
+}
+
 /* Neighbours right, above and in both diagonals; at the edges the count goes on, so that every mass has four springs. */
 void benchmark_write_large(FILE *file, int masses)
 {

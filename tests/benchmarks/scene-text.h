@@ -17,6 +17,13 @@ char *benchmark_chain(int rods, const double *angles, double rod_length);
 char *benchmark_lattice(int n);
 double *benchmark_lattice_places(int n);
 
+/* BENCHMARK_STIFF_MASSES masses of 1 kg in a line from a support at the origin, the last one free: springs of 1e2 and 1e8 N/m
+ * in turns, each with a damper of 0.02 sqrt(k). At rest at first, with the pairs on stiff springs displaced together on a
+ * ramp up to 1 m. Where they would rest is benchmark_stiff_chain_rests. */
+#define BENCHMARK_STIFF_MASSES 50
+char *benchmark_stiff_chain(void);
+double *benchmark_stiff_chain_rests(void);
+
 /* Writes a scene of `masses` masses and four springs for each of them. */
 void benchmark_write_large(FILE *file, int masses);
 

@@ -5,9 +5,10 @@
 
 static void test_help(CliFixture *fixture, gconstpointer data)
 {
-    static const char *const verbs[] = {"run",     "graph",   "render",       "animate",          "check",
-                                        "convert", "plugins", "plugins show", "plugins describe", "plugins refused",
-                                        "bench",   "demo"};
+    static const char *const verbs[] = {
+        "run",     "graph",        "render",           "animate",         "check", "convert",
+        "plugins", "plugins show", "plugins describe", "plugins refused", "bench", "plan",
+        "demo",    "trade"};
     g_autoptr(TestProgram) all = cli_run_well(fixture, "--help");
     for (gsize i = 0; i < G_N_ELEMENTS(verbs); i++) {
         g_autofree char *words = g_strdup_printf("%s --help", verbs[i]);
@@ -304,8 +305,15 @@ static void test_plugins(CliFixture *fixture, gconstpointer data)
                                         "as placed", "tension",   "line law", "MIT"};
     for (gsize i = 0; i < G_N_ELEMENTS(parts); i++)
         cli_assert_holds(show->output, parts[i]);
+    g_autoptr(TestProgram) method = cli_run_well(fixture, "plugins show rk4 spring");
+    static const char *const method_parts[] = {
+        "rk4", "fixed steps, explicit", "2.828", "2.785", "built in", "Kutta", "stiffness"};
+    for (gsize i = 0; i < G_N_ELEMENTS(method_parts); i++)
+        cli_assert_holds(method->output, method_parts[i]);
     g_autoptr(TestProgram) unknown = cli_run_badly(fixture, "plugins show sprng", 4);
     cli_assert_holds(unknown->error, "did you mean \"spring\"");
+    g_autoptr(TestProgram) unknown_method = cli_run_badly(fixture, "plugins show dop583", 4);
+    cli_assert_holds(unknown_method->error, "did you mean the method \"dop853\"");
     g_autoptr(TestProgram) verb = cli_run_badly(fixture, "plugins shwo spring", 2);
     cli_assert_holds(verb->error, "did you mean \"show\"");
     g_autoptr(TestProgram) refused = cli_run_well(fixture, "plugins refused --clear");

@@ -1,7 +1,8 @@
 /* The documentation holds: its listings are the files they name and its outputs what the program prints, its links lead
- * somewhere, and the plugin that it teaches builds with the SDK alone and moves a mass as it should. */
+ * somewhere, and the plugins that it teaches build with the SDK alone and move a mass as they should. */
 #include <glib.h>
 #include <glib/gstdio.h>
+#include <math.h>
 #include <string.h>
 #include <unistd.h>
 
@@ -162,38 +163,91 @@ static void stage_sdk(const char *folder)
     g_assert_cmpint(symlink(headers, include), ==, 0);
 }
 
-static void run_make(const char *folder)
+/* Runs a tool of a plugin's author, to whom the staged SDK is what pkg-config finds; it has nothing to complain of. */
+static void run_tool(const char *folder, const char *const *arguments)
 {
     g_autoptr(GError) error = NULL;
-    g_autofree char *makefile = source_path("docs/examples/constant-force/Makefile");
-    g_autofree char *sources = source_path("docs/examples/constant-force");
-    g_autofree char *search = g_strconcat("VPATH=", sources, NULL);
-    const char *arguments[] = {"make", "-s", "-C", folder, "-f", makefile, search, NULL};
     g_auto(GStrv) environment = g_environ_setenv(g_get_environ(), "PKG_CONFIG_PATH", folder, TRUE);
-    g_autofree char *message = NULL;
+    g_autofree char *output = NULL, *message = NULL;
     int wait_status = 0;
-    g_spawn_sync(NULL, (char **)arguments, environment, G_SPAWN_SEARCH_PATH, NULL, NULL, NULL, &message, &wait_status,
-                 &error);
+    g_spawn_sync(NULL, (char **)arguments, environment, G_SPAWN_SEARCH_PATH, NULL, NULL, &output, &message,
+                 &wait_status, &error);
     g_assert_no_error(error);
     g_assert_cmpstr(message, ==, "");
+    if (!g_spawn_check_wait_status(wait_status, NULL)) g_test_message("%s", output);
     g_assert_true(g_spawn_check_wait_status(wait_status, NULL));
+}
+
+static void remove_all(const char *path)
+{
+    if (g_file_test(path, G_FILE_TEST_IS_DIR) && !g_file_test(path, G_FILE_TEST_IS_SYMLINK)) {
+        g_autoptr(GDir) dir = g_dir_open(path, 0, NULL);
+        for (const char *name = g_dir_read_name(dir); name != NULL; name = g_dir_read_name(dir)) {
+            g_autofree char *inside = g_build_filename(path, name, NULL);
+            remove_all(inside);
+        }
+    }
+    g_assert_cmpint(g_remove(path), ==, 0);
+}
+
+/* A folder with the staged SDK. (transfer full) */
+static char *author_folder(void)
+{
+    g_autoptr(GError) error = NULL;
+    char *folder = g_dir_make_tmp("tinker-plugin-XXXXXX", &error);
+    g_assert_no_error(error);
+    stage_sdk(folder);
+    return folder;
 }
 
 /* The makefile, as the author of a plugin uses it, in a folder of its own. */
 static void test_makefile_builds(void)
 {
-    static const char *const leftovers[] = {"tinker-constant-force.so", "tinker-sdk.pc", "include"};
-    g_autoptr(GError) error = NULL;
-    g_autofree char *folder = g_dir_make_tmp("tinker-plugin-XXXXXX", &error);
-    g_assert_no_error(error);
-    stage_sdk(folder);
-    run_make(folder);
+    g_autofree char *folder = author_folder();
+    g_autofree char *makefile = source_path("docs/examples/constant-force/Makefile");
+    g_autofree char *sources = source_path("docs/examples/constant-force");
+    g_autofree char *search = g_strconcat("VPATH=", sources, NULL);
+    const char *make[] = {"make", "-s", "-C", folder, "-f", makefile, search, NULL};
+    run_tool(folder, make);
     check_constant_force(folder);
-    for (gsize i = 0; i < G_N_ELEMENTS(leftovers); i++) {
-        g_autofree char *path = g_build_filename(folder, leftovers[i], NULL);
-        g_assert_cmpint(g_remove(path), ==, 0);
+    remove_all(folder);
+}
+
+/* The largest error of x = 2 + 0.5 e^(-t/5) (cos wt + sin(wt) / 5w), w^2 = 4 - 1/25, with this step. */
+static double oscillator_error(const char *plugin_folder, const char *step)
+{
+    const double omega = sqrt(4.0 - 0.04);
+    g_autofree char *scene = source_path("docs/examples/adams-bashforth/oscillator.tinker.json");
+    const char *options[] = {"--plugins", plugin_folder, "--step", step, "--columns", "Mass 0.x", NULL};
+    g_autoptr(TestSceneRun) run = test_scene_run(scene, options);
+    double largest = 0.0;
+    g_assert_cmpuint(run->record->rows, ==, 51);
+    for (gsize row = 0; row < run->record->rows; row++) {
+        const double t = test_table_value(run->record, row, "time");
+        const double exact = 2.0 + 0.5 * exp(-0.2 * t) * (cos(omega * t) + 0.2 / omega * sin(omega * t));
+        largest = fmax(largest, fabs(test_table_value(run->record, row, "Mass 0.x") - exact));
     }
-    g_rmdir(folder);
+    return largest;
+}
+
+/* The integrator, built as its author does, keeps its order: between its steps, too, as 0.1 s is no multiple of them. */
+static void test_integrator_builds(void)
+{
+    static const char *const steps[] = {"0.016", "0.008", "0.004", "0.002"};
+    g_autofree char *folder = author_folder(), *build = g_build_filename(folder, "build", NULL);
+    g_autofree char *sources = source_path("docs/examples/adams-bashforth");
+    const char *setup[] = {"meson", "setup", build, sources, NULL},
+               *compile[] = {"meson", "compile", "-C", build, NULL};
+    run_tool(folder, setup);
+    run_tool(folder, compile);
+    double last = 0.0;
+    for (gsize i = 0; i < G_N_ELEMENTS(steps); i++) {
+        const double error = oscillator_error(build, steps[i]);
+        g_test_message("step %s s: error %.2e m", steps[i], error);
+        if (i > 0) g_assert_cmpfloat_with_epsilon(log2(last / error), 2.0, 0.15);
+        last = error;
+    }
+    remove_all(folder);
 }
 
 /* The scenes of the tutorial run, but for the one with the mistake. */
@@ -219,5 +273,6 @@ int main(int argc, char **argv)
     g_test_add_func("/docs/example/runs", test_example_runs);
     g_test_add_func("/docs/example/is-drawn", test_example_is_drawn);
     g_test_add_func("/docs/example/makefile-builds", test_makefile_builds);
+    g_test_add_func("/docs/integrator/builds", test_integrator_builds);
     return g_test_run();
 }

@@ -38,6 +38,20 @@ static TinkerStatus oscillator_damping(void *context, double t, const double *q,
     return TINKER_OK;
 }
 
+static const int32_t oscillator_row_starts[] = {0, 1, 2}, oscillator_columns[] = {0, 1};
+static const TinkerPattern oscillator_pattern = {2, 2, oscillator_row_starts, oscillator_columns};
+
+static TinkerStatus oscillator_jacobian(void *context, double t, const double *q, const double *v, double *stiffness,
+                                        double *damping)
+{
+    const Oscillator *o = context;
+    for (int i = 0; i < TEST_SIZE; i++) {
+        stiffness[i] = o->omega * o->omega;
+        damping[i] = o->gamma;
+    }
+    return TINKER_OK;
+}
+
 static TinkerStatus no_projection(void *context, double t, double *q, double *v, int32_t *moved)
 {
     *moved = 0;
@@ -83,6 +97,8 @@ void oscillator_init(Oscillator *o, double omega, double gamma, double drive, do
         .constrain_step = no_constrain_step,
         .project_velocity = no_velocity_projection,
         .damping_product = oscillator_damping,
+        .pattern = &oscillator_pattern,
+        .jacobian = oscillator_jacobian,
         .scales = largest_scales,
         .failure = no_failure,
     };
@@ -179,6 +195,28 @@ static TinkerStatus pendulum_damping(void *context, double t, const double *q, c
     return TINKER_OK;
 }
 
+static const int32_t pendulum_row_starts[] = {0, 2, 4}, pendulum_columns[] = {0, 1, 0, 1};
+static const TinkerPattern pendulum_pattern = {2, 4, pendulum_row_starts, pendulum_columns};
+
+static TinkerStatus pendulum_jacobian(void *context, double t, const double *q, const double *v, double *stiffness,
+                                      double *damping)
+{
+    const Pendulum *p = context;
+    for (int k = 0; k < 4; k++) {
+        stiffness[k] = 0.0;
+        damping[k] = k % 3 == 0 ? p->drag : 0.0;
+    }
+    return TINKER_OK;
+}
+
+static TinkerStatus pendulum_row_masses(void *context, double t, const double *q, double *values)
+{
+    double square = q[0] * q[0] + q[1] * q[1];
+    for (int k = 0; k < 4; k++)
+        values[k] = q[k / 2] * q[k % 2] / square;
+    return TINKER_OK;
+}
+
 void pendulum_init(Pendulum *p, double length, double gravity, double theta0, double drag)
 {
     *p = (Pendulum){.length = length, .gravity = gravity, .theta0 = theta0, .drag = drag};
@@ -195,6 +233,9 @@ void pendulum_init(Pendulum *p, double length, double gravity, double theta0, do
         .constrain_step = pendulum_constrain_step,
         .project_velocity = pendulum_project_velocity,
         .damping_product = pendulum_damping,
+        .pattern = &pendulum_pattern,
+        .jacobian = pendulum_jacobian,
+        .row_masses = pendulum_row_masses,
         .scales = largest_scales,
         .failure = no_failure,
     };

@@ -61,6 +61,8 @@ static PhysicsRun *prepare(const PhysicsOptions *options, const char *blocks)
         .step = options->step > 0 ? options->step : 0.01,
         .tolerance = options->tolerance > 0 ? options->tolerance : 1e-12,
         .spectral_radius = 0.8,
+        .estimate = options->estimate,
+        .bands = options->bands,
     };
     run->simulation = tinker_simulation_new(run->model, &how, &run->error);
     if (run->simulation != NULL) run->summary = tinker_simulation_summary(run->simulation);

@@ -17,7 +17,9 @@ typedef struct {
     const char *columns; /* as on a command line; NULL: none */
     const double *at;
     gsize at_count;
-    const char *path; /* what the scene's file is called: tables are looked for beside it */
+    const char *path;  /* what the scene's file is called: tables are looked for beside it */
+    gboolean estimate; /* run a companion for the error estimate */
+    gboolean bands;    /* and evaluate the columns on it too */
 } PhysicsOptions;
 
 typedef struct {

@@ -30,7 +30,7 @@ static void test_fault(gconstpointer data)
     int mode = GPOINTER_TO_INT(data);
     for (gsize m = 0; m < G_N_ELEMENTS(methods); m++) {
         g_autoptr(PhysicsRun) run = with_fault(methods[m], mode);
-        const char *who = mode == MODE_FAILS_SILENTLY ? ": its force at t = 1" : "Faulty 1: its force at t = 1";
+        const char *who = mode == MODE_FAILS_SILENTLY ? ": its force at t = " : "Faulty 1: its force at t = ";
         physics_assert_refused(run, TINKER_MODEL_ERROR_RUN, "Faulty", who, words[mode], NULL);
         /* A method that looks at the start of its steps alone notices a step later. */
         g_assert_cmpfloat(run->summary->simulated_s, <=, 1.125);

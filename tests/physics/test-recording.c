@@ -55,6 +55,30 @@ static void test_looking_changes_nothing(gconstpointer data)
     }
 }
 
+/* What steps from sample to sample agrees to rounding, however many samples there are. */
+static void test_exact(void)
+{
+    static const char scene[] =
+        "{'type': 'support'}, {'type': 'mass', 'position': [2, 0]},"
+        "{'type': 'spring', 'ends': ['Support 0', 'Mass 0'], 'rest_length': 1, 'stiffness': 30}, {'type': 'damper', "
+        "'ends': ['Support 0', 'Mass 0'], 'damping': 0.2}, {'type': 'motor', 'ends': ['Mass 0'], 'frequency': 5},"
+        "{'type': 'support-motion', 'ends': ['Support 0'], 'amplitude': 0.1, 'frequency': 3},"
+        "{'type': 'motor', 'ends': ['Mass 0'], 'waveform': {'expression': '5*square(3*t) + t^2 - 2*sin(t)^2'}}";
+    g_autoptr(PhysicsRun) once =
+        physics_run(&(PhysicsOptions){.method = "exact", .duration = 20, .interval = 20, .columns = "Mass 0.x"}, scene);
+    g_autoptr(PhysicsRun) often = physics_run(
+        &(PhysicsOptions){.method = "exact", .duration = 20, .interval = 0.001, .columns = "Mass 0.x"}, scene);
+    g_autoptr(PhysicsRun) other = physics_run(
+        &(PhysicsOptions){
+            .method = "dop853", .tolerance = 1e-13, .duration = 20, .interval = 20, .columns = "Mass 0.x"},
+        scene);
+    double x = physics_value(once, 1, 0);
+    physics_assert_near("x of many samples", physics_value(often, 20000, 0), x, 1e-11);
+    physics_assert_near("x by another method", physics_value(other, 1, 0), x, 1e-9);
+    g_assert_cmpfloat(once->summary->energy_balance_error, <, 1e-11);
+    g_assert_cmpfloat(often->summary->energy_balance_error, <, 1e-11);
+}
+
 /* Single steps without samples are the steps of a run. */
 static void test_single_steps(void)
 {
@@ -117,9 +141,11 @@ static void test_published_rows(void)
 static void add_tests(void)
 {
     for (const TinkerIntegrator *const *method = tinker_integrator_builtins(); *method != NULL; method++) {
+        if ((*method)->flags & TINKER_INTEGRATOR_LINEAR) continue; /* steps from sample to sample: see below */
         g_autofree char *name = g_strdup_printf("/physics/recording/looking-changes-nothing/%s", (*method)->id);
         g_test_add_data_func(name, *method, test_looking_changes_nothing);
     }
+    g_test_add_func("/physics/recording/exact", test_exact);
     g_test_add_func("/physics/recording/single-steps", test_single_steps);
     g_test_add_func("/physics/recording/times-in-any-order", test_times_in_any_order);
     g_test_add_func("/physics/recording/grid-of-times", test_grid_of_times);

@@ -43,6 +43,13 @@ const TinkerBlockType *block_open(const char *block_name)
     return span_item(&plugin->blocks, 0);
 }
 
+const TinkerIntegrator *integrator_open(const char *name)
+{
+    const TinkerPlugin *plugin = plugin_open(name);
+    g_assert_cmpint(plugin->integrators.count, ==, 1);
+    return span_item(&plugin->integrators, 0);
+}
+
 const void *block_interface(const TinkerBlockType *block, const char *id)
 {
     for (int32_t i = 0; i < block->interfaces.count; i++) {

@@ -20,6 +20,9 @@ const TinkerPlugin *plugin_open(const char *block_name);
 /* Its one block type. */
 const TinkerBlockType *block_open(const char *block_name);
 
+/* The one integrator of a plugin of that name. */
+const TinkerIntegrator *integrator_open(const char *name);
+
 /* An interface of a block type, or NULL. */
 const void *block_interface(const TinkerBlockType *block, const char *id);
 const TinkerPhysics *block_physics(const TinkerBlockType *block);

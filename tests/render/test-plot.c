@@ -92,6 +92,59 @@ static void test_logarithmic(void)
     }
 }
 
+/* Where labels stand at every other power of ten, lines stand at all of them. */
+static void test_decades_without_labels(void)
+{
+    double x[2] = {1, 10}, y[2] = {1e-15, 1};
+    const TinkerCurve curve = {.x = x, .y = y, .count = 2, .markers = TRUE, .no_line = TRUE};
+    const TinkerPlot plot = {
+        .curves = &curve, .curve_count = 1, .x_logarithmic = TRUE, .y_logarithmic = TRUE, .y_label = "Y"};
+    g_autoptr(TestPicture) picture = draw(&plot);
+    for (int decade = -14; decade < 0; decade++) {
+        double right, line, ground[4], between[4];
+        place(&plot, 6.5, pow(10, decade), &right, &line);
+        test_picture_pixel(picture, (int)right, (int)floor(line), ground);
+        test_picture_pixel(picture, (int)right, (int)floor(line) + 6, between);
+        g_assert_cmpfloat(ground[0], <, between[0] - 0.02);
+    }
+}
+
+/* A ring leaves the point that it is about to be seen; a guide is dashed and in no curve's colour. */
+static void test_roles(void)
+{
+    double x[2] = {1e-6, 1e-2}, y[2] = {1e-9, 1e-3}, level[2] = {1e-6, 1e-6};
+    const TinkerCurve curves[] = {
+        {.x = x, .y = y, .count = 2, .markers = TRUE},
+        {.x = x + 1, .y = y + 1, .count = 1, .role = TINKER_CURVE_RING},
+        {.x = x, .y = level, .count = 2, .role = TINKER_CURVE_GUIDE},
+    };
+    const TinkerPlot plot = {.curves = curves, .curve_count = 3, .x_logarithmic = TRUE, .y_logarithmic = TRUE};
+    g_autoptr(TestPicture) picture = draw(&plot);
+    const TinkerTheme *theme = tinker_theme_find("light");
+    double ring_x, ring_y, from, to, line;
+    place(&plot, x[1], y[1], &ring_x, &ring_y);
+    g_assert_true(test_picture_shows(picture, ring_x, ring_y, 1, colour_of(0)));
+    for (int i = 0; i < 8; i++) {
+        double angle = (i + 0.5) * G_PI / 4;
+        g_assert_true(test_picture_shows(picture, ring_x + 7.5 * cos(angle), ring_y + 7.5 * sin(angle), 1,
+                                         theme->colours[TINKER_COLOUR_TEXT]));
+    }
+    place(&plot, 1e-5, 1e-6, &from, &line);
+    place(&plot, 3e-5, 1e-6, &to, &line);
+    int dark = 0, light = 0;
+    for (double place_x = from; place_x < to; place_x++) {
+        double darkest = 1;
+        for (int row = -1; row <= 1; row++) {
+            double pixel[4];
+            test_picture_pixel(picture, (int)place_x, (int)line + row, pixel);
+            darkest = fmin(darkest, pixel[0]);
+        }
+        *(darkest < 0.7 ? &dark : &light) += 1;
+    }
+    g_assert_cmpint(dark, >, 8);
+    g_assert_cmpint(light, >, 4);
+}
+
 /* One sample among a million stands out of the line. */
 static void test_spike(void)
 {
@@ -339,6 +392,8 @@ int main(int argc, char **argv)
     g_test_init(&argc, &argv, NULL);
     g_test_add_func("/render/plot/diagonal", test_diagonal);
     g_test_add_func("/render/plot/logarithmic", test_logarithmic);
+    g_test_add_func("/render/plot/decades-without-labels", test_decades_without_labels);
+    g_test_add_func("/render/plot/roles", test_roles);
     g_test_add_func("/render/plot/spike", test_spike);
     g_test_add_func("/render/plot/thinning", test_thinning);
     g_test_add_func("/render/plot/gap", test_gap);

@@ -56,7 +56,7 @@ AT(TinkerInstance, columns, 16) AT(TinkerInstance, end, 24) AT(TinkerInstance, x
 AT(TinkerInstance, orientation, 48) AT(TinkerInstance, time, 56) AT(TinkerInstance, symbol_size, 64)
 
 /* integrator.h */
-SIZE(TinkerSystem, 96) AT(TinkerSystem, struct_size, 0) AT(TinkerSystem, flags, 4) AT(TinkerSystem, size, 8)
+SIZE(TinkerSystem, 136) AT(TinkerSystem, struct_size, 0) AT(TinkerSystem, flags, 4) AT(TinkerSystem, size, 8)
 AT(TinkerSystem, books, 12) AT(TinkerSystem, context, 16) AT(TinkerSystem, mass, 24)
 AT(TinkerSystem, acceleration, 32) AT(TinkerSystem, applied, 40) AT(TinkerSystem, project, 48)
 AT(TinkerSystem, constrain_step, 56) AT(TinkerSystem, project_velocity, 64) AT(TinkerSystem, damping_product, 72)

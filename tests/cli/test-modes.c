@@ -1,0 +1,144 @@
+/* tinker modes: tables, JSON, pictures and responses. */
+#include <math.h>
+#include <string.h>
+
+#include "fixture.h"
+
+/* 1 kg on 100 N/m and 2 N s/m: 10 rad/s, damping ratio 0.1; driven by a motor. */
+#define DAMPED                                                                                                         \
+    "{\"tinker\": 1, \"blocks\": [{\"type\": \"support\", \"position\": [0, 0]},"                                      \
+    " {\"type\": \"mass\", \"position\": [2, 0]},"                                                                     \
+    " {\"type\": \"spring\", \"ends\": [\"Support 0\", \"Mass 0\"], \"stiffness\": 100},"                              \
+    " {\"type\": \"damper\", \"ends\": [\"Support 0\", \"Mass 0\"], \"damping\": 2},"                                  \
+    " {\"type\": \"motor\", \"ends\": [\"Mass 0\"], \"waveform\": \"sine\"}]}\n"
+
+static gboolean exists(const CliFixture *fixture, const char *name)
+{
+    g_autofree char *path = cli_path(fixture, name);
+    return g_file_test(path, G_FILE_TEST_EXISTS);
+}
+
+static void test_table(CliFixture *fixture, gconstpointer data)
+{
+    g_autofree char *scene = cli_write(fixture, "scene.json", DAMPED);
+    g_autoptr(TestProgram) program = cli_run_well(fixture, "modes @scene.json");
+    cli_assert_holds(program->output, "degrees of freedom:  2");
+    cli_assert_holds(program->output, "stable:              yes");
+    cli_assert_holds(program->output, "1.59155");
+    cli_assert_holds(program->output, "oscillation");
+    cli_assert_holds(program->output, "rigid");
+    g_autoptr(TestProgram) one = cli_run_well(fixture, "modes @scene.json --count 1");
+    cli_assert_holds(one->output, "and 1 more");
+    g_assert_null(strstr(one->output, "oscillation"));
+}
+
+static void test_json(CliFixture *fixture, gconstpointer data)
+{
+    static const char *const keys[] = {"state",
+                                       "stable",
+                                       "growth_rate",
+                                       "unbalanced_force",
+                                       "places",
+                                       "modes",
+                                       "mode",
+                                       "kind",
+                                       "frequency_hz",
+                                       "damping_ratio",
+                                       "angular_frequency",
+                                       "damped_frequency_hz",
+                                       "period",
+                                       "decay_rate",
+                                       "shape",
+                                       "undamped_frequencies_hz",
+                                       "warnings"};
+    g_autofree char *scene = cli_write(fixture, "scene.json", DAMPED);
+    g_autoptr(TestProgram) program = cli_run_well(fixture, "modes @scene.json --json -");
+    for (gsize i = 0; i < G_N_ELEMENTS(keys); i++) {
+        g_autofree char *key = g_strdup_printf("\"%s\":", keys[i]);
+        cli_assert_holds(program->output, key);
+    }
+    cli_assert_holds(program->output, "\"rest\"");
+    cli_assert_holds(program->error, "1.59155"); /* the table, for people */
+    g_autoptr(TestProgram) response =
+        cli_run_well(fixture, "modes @scene.json --response 'Motor 0' 'Mass 0.x' --json -");
+    static const char *const more[] = {"\"response\":", "\"input\":", "\"peaks\":", "\"amplitude\":", "\"m/N\""};
+    for (gsize i = 0; i < G_N_ELEMENTS(more); i++)
+        cli_assert_holds(response->output, more[i]);
+}
+
+static void test_pictures(CliFixture *fixture, gconstpointer data)
+{
+    g_autofree char *scene = cli_write(fixture, "scene.json", DAMPED);
+    g_autoptr(TestProgram) program = cli_run_well(fixture, "modes @scene.json -o @shape.png --size 300x200");
+    g_assert_true(exists(fixture, "shape-1.png") && exists(fixture, "shape-2.png"));
+    g_assert_false(exists(fixture, "shape-3.png") || exists(fixture, "shape.png"));
+    g_autoptr(TestProgram) drawing = cli_run_well(fixture, "modes @scene.json -o @shape.svg --count 2");
+    g_autofree char *svg = cli_read(fixture, "shape-2.svg");
+    cli_assert_holds(svg, "<svg");
+    g_autoptr(TestProgram) plot =
+        cli_run_well(fixture, "modes --response 'Motor 0' 'Mass 0.x' @scene.json -o @response.svg --linear");
+    g_assert_true(exists(fixture, "response.svg"));
+}
+
+/* Every row of the CSV against 1 / (100 - omega^2 + 2 i omega). */
+static void test_response_csv(CliFixture *fixture, gconstpointer data)
+{
+    g_autofree char *scene = cli_write(fixture, "scene.json", DAMPED);
+    g_autoptr(TestProgram) program = cli_run_well(
+        fixture, "modes @scene.json --response 'Motor 0' 'Mass 0.x' --from 0.5 --to '20 rad/s' --points 20 -o -");
+    g_auto(GStrv) lines = g_strsplit(program->output, "\n", -1);
+    g_assert_cmpstr(lines[0], ==, "frequency [Hz],amplitude [m/N],phase [deg]");
+    guint rows = 0;
+    for (char **line = lines + 1; **line != '\0'; line++, rows++) {
+        g_auto(GStrv) fields = g_strsplit(*line, ",", -1);
+        double omega = 2 * G_PI * g_ascii_strtod(fields[0], NULL), real = 100 - omega * omega;
+        g_assert_cmpfloat_with_epsilon(g_ascii_strtod(fields[1], NULL) * hypot(real, 2 * omega), 1, 1e-10);
+        g_assert_cmpfloat_with_epsilon(g_ascii_strtod(fields[2], NULL), -atan2(2 * omega, real) * 180 / G_PI, 1e-8);
+    }
+    g_assert_cmpuint(rows, >=, 20);
+    g_assert_true(g_str_has_prefix(lines[1], "0.5,"));
+}
+
+static void test_no_rest(CliFixture *fixture, gconstpointer data)
+{
+    g_autofree char *scene = cli_write(fixture, "fall.json", FREE_FALL);
+    g_autoptr(TestProgram) program = cli_run_well(fixture, "modes @fall.json");
+    cli_assert_holds(program->error, "no rest state was found");
+    cli_assert_holds(program->output, "balanced:            no");
+    g_autoptr(TestProgram) start = cli_run_well(fixture, "modes @fall.json --state start");
+    g_assert_cmpstr(start->error, ==, "");
+}
+
+static void test_refusals(CliFixture *fixture, gconstpointer data)
+{
+    static const struct {
+        const char *words, *says;
+    } rows[] = {
+        {"modes @scene.json --response 'Motor 0'", "the quantity that answers is missing"},
+        {"modes @scene.json 'Mass 0.x'", "no --response"},
+        {"modes @scene.json --response 'Spring 0' 'Mass 0.x'", "\"Motor 0\""},
+        {"modes @scene.json --response 'Motor 0' 'Mass 0.z'", "it has x, y"},
+        {"modes @scene.json --response 'Motor 0' 'Mass 0.x' --from 3 --to 2", "below its end"},
+        {"modes @scene.json --from 3", "belong to a --response"},
+        {"modes @scene.json --state moving", "--state"},
+        {"modes @scene.json -o shapes.gif", ".png"},
+        {"modes @scene.json --count 0", "--count"},
+    };
+    g_autofree char *scene = cli_write(fixture, "scene.json", DAMPED);
+    for (gsize i = 0; i < G_N_ELEMENTS(rows); i++) {
+        g_autoptr(TestProgram) program = cli_run_badly(fixture, rows[i].words, 2);
+        cli_assert_holds(program->error, rows[i].says);
+    }
+}
+
+int main(int argc, char **argv)
+{
+    g_test_init(&argc, &argv, NULL);
+    cli_test_add("/cli/modes/table", test_table);
+    cli_test_add("/cli/modes/json", test_json);
+    cli_test_add("/cli/modes/pictures", test_pictures);
+    cli_test_add("/cli/modes/response-csv", test_response_csv);
+    cli_test_add("/cli/modes/no-rest", test_no_rest);
+    cli_test_add("/cli/modes/refusals", test_refusals);
+    return g_test_run();
+}

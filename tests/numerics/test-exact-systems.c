@@ -1,0 +1,442 @@
+/* The exact method on several masses: modes of graded systems, dampers that couple modes, energies, samples in
+ * bulk; truth is closed forms and Taylor series in quadruple precision. */
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+#include "allotments.h"
+#include "linear-case.h"
+#include "numerics/exact.h"
+#include "numerics/integrators.h"
+#include "numerics/linear-modes.h"
+
+static void copy_case(LinearCase *to, const LinearCase *from)
+{
+    *to = *from;
+    to->system.context = to;
+    to->system.linear = &to->linear;
+    to->system.mass = to->linear.mass = to->mass;
+    to->linear.drag = to->drag;
+    to->linear.edges = to->edges;
+    to->linear.anchors = to->anchors;
+    to->linear.loads = to->loads;
+    to->linear.forces = to->forces;
+    to->linear.motions = to->motions;
+}
+
+/* --- modes --- */
+
+static int ascending(const void *left, const void *right)
+{
+    double a = *(const double *)left, b = *(const double *)right;
+    return (a > b) - (a < b);
+}
+
+/* The frequencies of a line of masses, spring i before mass i, spring n behind the last one; checks that shapes
+ * are modes and normalised. Sorted. */
+static void line_modes(int32_t n, const double *mass, const double *springs, double *omega)
+{
+    g_autofree double *weights = g_new0(double, n *n), *ground = g_new0(double, n), *shape = g_new0(double, n *n);
+    g_autofree double *work = g_new0(double, tinker_linear_modes_work(n));
+    ground[0] += springs[0];
+    ground[n - 1] += springs[n];
+    for (int32_t i = 1; i < n; i++)
+        weights[i * n + i - 1] = weights[(i - 1) * n + i] = springs[i];
+    g_assert_true(tinker_linear_modes(n, mass, weights, ground, omega, shape, work));
+    for (int32_t j = 0; j < n; j++) {
+        for (int32_t k = 0; k <= j; k++) {
+            double product = 0.0;
+            for (int32_t i = 0; i < n; i++)
+                product += shape[i * n + j] * mass[i] * shape[i * n + k];
+            assert_near(product, j == k ? 1.0 : 0.0, 4.0 * n * DBL_EPSILON);
+        }
+    }
+    qsort(omega, (size_t)n, sizeof *omega, ascending);
+}
+
+/* Fixed at one end: omega = 2 sqrt(k/m) sin((2j - 1) pi / (4n + 2)); free at both: 2 sqrt(k/m) sin(j pi / 2n). */
+static void test_uniform_chains(void)
+{
+    static const int32_t sizes[] = {1, 2, 10, 50, 200};
+    for (gsize s = 0; s < G_N_ELEMENTS(sizes); s++) {
+        int32_t n = sizes[s];
+        g_autofree double *mass = g_new0(double, n), *springs = g_new0(double, n + 1), *omega = g_new0(double, n);
+        for (int32_t i = 0; i < n; i++) {
+            mass[i] = 2.0;
+            springs[i] = 800.0;
+        }
+        line_modes(n, mass, springs, omega);
+        for (int32_t j = 0; j < n; j++) {
+            double truth = (double)(40.0L * sinl((2 * j + 1) * acosl(-1.0L) / (4 * n + 2)));
+            assert_near(omega[j] / truth, 1.0, (8.0 + n) * DBL_EPSILON);
+        }
+        springs[0] = 0.0;
+        line_modes(n, mass, springs, omega);
+        g_assert_cmpfloat(omega[0], ==, 0.0);
+        for (int32_t j = 1; j < n; j++) {
+            double truth = (double)(40.0L * sinl(j * acosl(-1.0L) / (2 * n)));
+            assert_near(omega[j] / truth, 1.0, (8.0 + n) * DBL_EPSILON);
+        }
+    }
+}
+
+/* Two masses, anything but alike: both frequencies to rounding of their own. With springs k1 to the ground and k2
+ * between, their product is sqrt(k1 k2 / (m1 m2)), the larger one has nothing that cancels. */
+static void test_graded_pairs(void)
+{
+    for (double k1 = 1e-6; k1 < 2e12; k1 *= 1e3) {
+        for (double k2 = 1e-6; k2 < 2e12; k2 *= 1e3) {
+            for (double m2 = 1e-9; m2 < 2e9; m2 *= 1e3) {
+                double mass[2] = {1.0, m2}, springs[3] = {k1, k2, 0.0}, omega[2];
+                long double a = (long double)k1 + k2, b = (long double)k2 / m2;
+                long double large = (a + b + sqrtl((a - b) * (a - b) + 4.0L * k2 * b)) / 2.0L;
+                line_modes(2, mass, springs, omega);
+                assert_near(omega[1] / (double)sqrtl(large), 1.0, 16.0 * DBL_EPSILON);
+                assert_near(omega[0] / (double)sqrtl((long double)k1 * k2 / m2 / large), 1.0, 16.0 * DBL_EPSILON);
+                springs[0] = 0.0;
+                line_modes(2, mass, springs, omega);
+                g_assert_cmpfloat(omega[0], ==, 0.0);
+                assert_near(omega[1] / (double)sqrtl(k2 * (1.0L + 1.0L / m2)), 1.0, 16.0 * DBL_EPSILON);
+            }
+        }
+    }
+}
+
+/* Stiff and soft springs in turn: pairs that move as one are a chain of their own; its frequencies to first order
+ * in the ratio of stiffness. */
+static void test_graded_chain(void)
+{
+    int32_t n = 10;
+    double mass[10], springs[11] = {0}, omega[10], ratio = 1e-13;
+    for (int32_t i = 0; i < n; i++) {
+        mass[i] = 1.0;
+        springs[i] = i % 2 ? 1.0 / ratio : 1.0;
+    }
+    line_modes(n, mass, springs, omega);
+    for (int32_t j = 0; j < n / 2; j++) {
+        double truth = sqrt(0.5) * 2.0 * sin((2 * j + 1) * G_PI / (2 * n + 2));
+        assert_near(omega[j] / truth, 1.0, 10.0 * ratio + 32.0 * DBL_EPSILON);
+    }
+}
+
+/* --- motion --- */
+
+/* Ten masses between two walls in their third mode: x_i = sin(3 pi i / 11) cos(omega t). */
+static void test_chain_in_one_mode(void)
+{
+    LinearCase test;
+    int32_t n = 10;
+    case_init(&test, n);
+    int32_t wall = case_anchor(&test, 0.0);
+    for (int32_t i = 0; i <= n; i++)
+        case_edge(&test, i == 0 ? -1 : i - 1, i == n ? wall : i, 100.0, 0.0);
+    for (int32_t i = 0; i < n; i++)
+        test.q[i] = sin(3.0 * G_PI * (i + 1) / (n + 1));
+    long double omega = 20.0L * sinl(3.0L * acosl(-1.0L) / (2 * n + 2)), T = 50.0L;
+    case_run(&test, 50.0, 7);
+    for (int32_t i = 0; i < n; i++)
+        assert_near(test.q[i], (double)(sinl(3.0L * acosl(-1.0L) * (i + 1) / (n + 1)) * cosl(omega * T)),
+                    16.0 * DBL_EPSILON * (double)(omega * T));
+}
+
+/* Two free masses, 1 and 1e9, on a spring with a length, flying: centre of mass and vibration in closed form. */
+static void test_unequal_pair(void)
+{
+    LinearCase test;
+    case_init(&test, 2);
+    test.mass[1] = 1e9;
+    case_edge(&test, 0, 1, 50.0, 0.0)->length = 1.0;
+    test.q[0] = 10.0;
+    test.q[1] = 11.25;
+    test.v[0] = 0.5;
+    test.v[1] = 0.1;
+    long double m = 1.0L + 1e9L, centre = (10.0L + 1e9L * 11.25L) / m,
+                drift = (0.5L + 1e9L * (long double)test.v[1]) / m;
+    long double omega = sqrtl(50.0L * m / 1e9L), rate = (long double)test.v[1] - 0.5L, T = 20.0L;
+    long double d = 1.0L + 0.25L * cosl(omega * T) + rate / omega * sinl(omega * T);
+    case_run(&test, 20.0, 11);
+    assert_near(test.q[0], (double)(centre + drift * T - d * 1e9L / m), 16.0 * DBL_EPSILON * 150.0);
+    assert_near(test.q[1], (double)(centre + drift * T + d / m), 16.0 * DBL_EPSILON * 15.0);
+}
+
+typedef struct {
+    int32_t size;
+    gboolean rayleigh, held, drag, signals;
+    double stiffest;
+} Recipe;
+
+/* A line with some cross links, all numbers from the seed. */
+static void cook(LinearCase *test, const Recipe *recipe, guint32 seed)
+{
+    g_autoptr(GRand) rand = g_rand_new_with_seed(seed);
+    case_init(test, recipe->size);
+    case_keep_books(test);
+    int32_t moving = case_anchor(test, 0.25);
+    for (int32_t i = 0; i < recipe->size; i++) {
+        test->mass[i] = exp(g_rand_double_range(rand, -2.0, 2.0));
+        test->drag[i] = recipe->drag ? test->mass[i] * (recipe->rayleigh ? 0.3 : g_rand_double(rand)) : 0.0;
+        test->q[i] = 1.0 + i + g_rand_double_range(rand, -0.1, 0.1);
+        test->v[i] = g_rand_double_range(rand, -0.3, 0.3);
+    }
+    for (int32_t i = 0; i < recipe->size; i++) {
+        if (i == 0 && !recipe->held) continue;
+        double k = i % 2 ? recipe->stiffest : exp(g_rand_double_range(rand, 1.0, 3.0));
+        double c = recipe->rayleigh ? 0.01 * k : g_rand_double(rand);
+        case_edge(test, i == 0 ? moving : i - 1, i, k, c)->length = 0.9;
+    }
+    if (recipe->size > 3) case_edge(test, 0, 3, 3.0, recipe->rayleigh ? 0.03 : 0.5)->length = 3.2;
+    case_load(test, recipe->size - 1, 3, 0.7);
+    case_load(test, 0, -1, -0.4);
+    if (!recipe->signals) return;
+    int32_t wave = case_harmonic(test, 0.3, 2.3, 0.2), ramp = case_polynomial(test, 0.1, -0.05, 0.02, 0.003);
+    case_force(test, recipe->size - 1, wave, 4, 1.5);
+    case_force(test, 0, wave, 5, -0.5);
+    case_force(test, recipe->size / 2, ramp, 4, 0.8);
+    case_motion(test, moving, case_harmonic(test, 0.05, 7.0, 1.0), 1.0);
+    case_motion(test, moving, ramp, 0.1);
+}
+
+static double largest_energy(const LinearCase *test)
+{
+    double size = fabs(case_energy(test));
+    for (int b = 0; b < CASE_BOOKS; b++)
+        size = fmax(size, fabs(test->books[b]));
+    return size;
+}
+
+/* The state against the series, books against the series, and the balance of the energies. */
+static void assert_like(LinearCase *test, const LinearCase *truth, double T, int steps, double rate)
+{
+    int32_t n = test->linear.size;
+    double before = case_energy(test), unit = DBL_EPSILON * (10.0 + rate * T), place = n, speed = n;
+    case_run(test, T, steps);
+    for (int32_t i = 0; i < n; i++) {
+        place = fmax(place, fabs(truth->q[i]));
+        speed = fmax(speed, fabs(truth->v[i]));
+    }
+    for (int32_t i = 0; i < n; i++) {
+        assert_near(test->q[i], truth->q[i], 16.0 * unit * place);
+        assert_near(test->v[i], truth->v[i], 16.0 * unit * (speed + place));
+    }
+    double size = largest_energy(truth), change = case_energy(test) - before;
+    for (int b = 0; b < CASE_BOOKS; b++) {
+        assert_near(test->books[b], truth->books[b], 32.0 * unit * size);
+        change -= test->books[b];
+    }
+    assert_near(change, 0.0, 64.0 * unit * size);
+}
+
+static void assert_like_series(const Recipe *recipe, guint32 seed)
+{
+    LinearCase one, many, truth;
+    cook(&one, recipe, seed);
+    copy_case(&many, &one);
+    copy_case(&truth, &one);
+    double T = 3.0, rate = 20.0;
+    case_run_by_series(&truth, T, 200);
+    assert_like(&one, &truth, T, 1, rate);
+    assert_like(&many, &truth, T, 25, rate);
+}
+
+static void test_like_series(void)
+{
+    static const Recipe recipes[] = {
+        {1, FALSE, TRUE, TRUE, TRUE, 10.0},  {1, FALSE, FALSE, TRUE, TRUE, 10.0}, {1, FALSE, FALSE, FALSE, TRUE, 1.0},
+        {2, TRUE, TRUE, FALSE, TRUE, 10.0},  {2, FALSE, TRUE, TRUE, FALSE, 30.0}, {3, FALSE, FALSE, FALSE, TRUE, 9.0},
+        {4, TRUE, TRUE, TRUE, TRUE, 20.0},   {4, FALSE, TRUE, TRUE, TRUE, 20.0},  {4, TRUE, FALSE, TRUE, TRUE, 20.0},
+        {5, FALSE, FALSE, TRUE, TRUE, 25.0}, {6, FALSE, TRUE, FALSE, TRUE, 15.0}, {5, FALSE, FALSE, FALSE, FALSE, 9.0},
+    };
+    for (gsize i = 0; i < G_N_ELEMENTS(recipes); i++) {
+        for (guint32 seed = 1; seed <= 2; seed++)
+            assert_like_series(&recipes[i], seed);
+    }
+}
+
+/* A stiff line whose dampers couple the modes: the soft motion does not feel the rounding of the stiff. */
+static void test_stiff_line(void)
+{
+    LinearCase test, truth;
+    case_init(&test, 8);
+    for (int32_t i = 0; i < 8; i++) {
+        double k = i % 2 ? 1e8 : 1e2;
+        case_edge(&test, i - 1, i, k, 0.02 * sqrt(k));
+        test.q[i] = (i / 2 + 1) / 4.0;
+    }
+    copy_case(&truth, &test);
+    g_assert_false(tinker_exact_is_proportional(&test.linear));
+    case_run_by_series(&truth, 0.25, 12000);
+    case_run(&test, 0.25, 1);
+    for (int32_t i = 0; i < 8; i++) {
+        assert_near(test.q[i], truth.q[i], 64.0 * DBL_EPSILON);
+        assert_near(test.v[i], truth.v[i], tinker_exact_claimed_error(&test.linear, 0.25) * 100.0);
+    }
+}
+
+/* Proportional or not, the answers agree where both ways can go: dampers off Rayleigh's by a rounding that still
+ * counts. */
+static void test_coupled_like_apart(void)
+{
+    LinearCase apart, coupled;
+    Recipe recipe = {5, TRUE, TRUE, TRUE, TRUE, 20.0};
+    cook(&apart, &recipe, 7);
+    copy_case(&coupled, &apart);
+    coupled.edges[1].damping *= 1.0 + 1e-11;
+    g_assert_true(tinker_exact_is_proportional(&apart.linear));
+    g_assert_false(tinker_exact_is_proportional(&coupled.linear));
+    case_run(&apart, 5.0, 10);
+    case_run(&coupled, 5.0, 10);
+    for (int32_t i = 0; i < 5; i++)
+        assert_near(coupled.q[i], apart.q[i], 1e-11);
+    for (int b = 0; b < CASE_BOOKS; b++)
+        assert_near(coupled.books[b], apart.books[b], 2e-11);
+}
+
+/* Two free masses that a damper alone joins: the difference of speeds dies, the sum stays. */
+static void test_damper_alone(void)
+{
+    LinearCase test;
+    case_init(&test, 2);
+    test.mass[1] = 3.0;
+    case_edge(&test, 0, 1, 0.0, 0.6);
+    test.v[0] = 1.0;
+    double rate = 0.6 * (1.0 + 1.0 / 3.0), T = 5.0, mean = 0.25, way = -expm1(-rate * T) / rate;
+    case_run(&test, T, 3);
+    assert_near(test.v[0], mean + 0.75 * exp(-rate * T), 16.0 * DBL_EPSILON);
+    assert_near(test.q[0], mean * T + 0.75 * way, 32.0 * DBL_EPSILON);
+    assert_near(test.q[1], mean * T - 0.25 * way, 32.0 * DBL_EPSILON);
+}
+
+/* Inside a step, books too: as if a step had ended there. */
+static void test_inside_a_step(void)
+{
+    static const Recipe recipes[] = {{4, TRUE, TRUE, TRUE, TRUE, 20.0}, {4, FALSE, TRUE, TRUE, TRUE, 20.0}};
+    const TinkerIntegrator *exact = tinker_integrator_builtin("exact");
+    TinkerIntegratorOptions options = {.struct_size = sizeof options};
+    TinkerStepReport report = {.struct_size = sizeof report};
+    for (gsize r = 0; r < G_N_ELEMENTS(recipes); r++) {
+        LinearCase test, truth;
+        cook(&test, &recipes[r], 11);
+        copy_case(&truth, &test);
+        case_run_by_series(&truth, 1.3, 90);
+        void *stepper = exact->create(&test.system, &options);
+        TinkerState state = {0.0, test.q, test.v, test.books};
+        g_assert_cmpint(exact->step(stepper, &state, 1.3, &report), ==, TINKER_OK);
+        g_assert_cmpint(exact->step(stepper, &state, 2.9, &report), ==, TINKER_OK);
+        for (int i = 0; i <= 16; i++) {
+            double q[4], v[4], books[CASE_BOOKS], t = fmin(1.3 + 0.1 * i, 2.9);
+            if (i > 0) case_run_by_series(&truth, t, 7);
+            g_assert_cmpint(exact->interpolate(stepper, t, q, v, books), ==, TINKER_OK);
+            for (int k = 0; k < 4; k++) {
+                assert_near(q[k], truth.q[k], 3e-14);
+                assert_near(v[k], truth.v[k], 1e-13);
+            }
+            for (int b = 0; b < CASE_BOOKS; b++)
+                assert_near(books[b], truth.books[b], 1e-13);
+        }
+        exact->destroy(stepper);
+    }
+}
+
+/* --- bulk, memory --- */
+
+static void test_samples(void)
+{
+    gint64 count = 6000;
+    g_autofree double *x = g_new(double, count), *u = g_new(double, count);
+    LinearCase test;
+    case_init(&test, 1);
+    case_edge(&test, -1, 0, 25.0, 0.4);
+    test.q[0] = 1.0;
+    double dt = 100.0 / (double)count;
+    g_assert_cmpint(tinker_exact_samples(&test.system, 0.0, test.q, test.v, dt, count, x, u), ==, count);
+    long double g = (long double)0.4 / 2.0L, w = sqrtl(25.0L - g * g);
+    for (gint64 k = 0; k < count; k++) {
+        long double t = k * (long double)dt;
+        assert_near(x[k], (double)(expl(-g * t) * (cosl(w * t) + g / w * sinl(w * t))), 1e-13);
+        assert_near(u[k], (double)(-25.0L / w * expl(-g * t) * sinl(w * t)), 5e-13);
+    }
+}
+
+static void test_samples_like_steps(void)
+{
+    static const Recipe recipes[] = {{5, TRUE, TRUE, TRUE, FALSE, 20.0},
+                                     {5, TRUE, FALSE, TRUE, FALSE, 20.0},
+                                     {4, FALSE, TRUE, TRUE, FALSE, 20.0},
+                                     {4, TRUE, TRUE, TRUE, TRUE, 20.0}};
+    enum { COUNT = 301 };
+    for (gsize r = 0; r < G_N_ELEMENTS(recipes); r++) {
+        int32_t n = recipes[r].size;
+        g_autofree double *x = g_new(double, COUNT *n), *u = g_new(double, COUNT *n);
+        LinearCase test;
+        cook(&test, &recipes[r], 3);
+        g_assert_cmpint(tinker_exact_samples(&test.system, 0.0, test.q, test.v, 0.01, COUNT, x, u), ==, COUNT);
+        case_run(&test, 3.0, 300);
+        for (int32_t i = 0; i < n; i++) {
+            assert_near(x[300 * n + i], test.q[i], 1e-12);
+            assert_near(u[300 * n + i], test.v[i], 1e-12);
+        }
+    }
+}
+
+static void test_no_allotment(void)
+{
+    const TinkerIntegrator *exact = tinker_integrator_builtin("exact");
+    TinkerIntegratorOptions options = {.struct_size = sizeof options};
+    TinkerStepReport report = {.struct_size = sizeof report};
+    static const Recipe recipes[] = {{4, TRUE, TRUE, TRUE, TRUE, 20.0}, {4, FALSE, TRUE, TRUE, TRUE, 20.0}};
+    for (gsize r = 0; r < G_N_ELEMENTS(recipes); r++) {
+        LinearCase test;
+        double q[4], v[4], books[CASE_BOOKS];
+        cook(&test, &recipes[r], 5);
+        void *stepper = exact->create(&test.system, &options);
+        exact->restart(stepper);
+        TinkerState state = {0.0, test.q, test.v, test.books};
+        int before = allotments;
+        TinkerStatus status = TINKER_OK;
+        for (int i = 1; i < 50 && status == TINKER_OK; i++) {
+            status = exact->step(stepper, &state, 0.02 * i, &report);
+            if (status == TINKER_OK) status = exact->interpolate(stepper, report.t_from + 0.007, q, v, books);
+            if (i % 10 == 0) exact->restart(stepper);
+        }
+        int after = allotments;
+        g_assert_cmpint(status, ==, TINKER_OK);
+        g_assert_cmpint(after, ==, before);
+        exact->destroy(stepper);
+    }
+}
+
+static void test_cost(void)
+{
+    LinearCase small, large;
+    Recipe recipe = {3, FALSE, TRUE, TRUE, FALSE, 9.0};
+    cook(&small, &recipe, 1);
+    recipe.size = 30;
+    cook(&large, &recipe, 1);
+    double setup, larger;
+    g_assert_cmpfloat(tinker_exact_operations(&small.linear, 10, &setup), >, 0.0);
+    g_assert_cmpfloat(tinker_exact_operations(&large.linear, 10, &larger), >, 0.0);
+    g_assert_cmpfloat(larger, >, 100.0 * setup);
+    small.edges[0].stiffness = -1.0;
+    tinker_exact_operations(&small.linear, 10, &setup);
+    g_assert_true(isinf(setup));
+}
+
+int main(int argc, char **argv)
+{
+    g_test_init(&argc, &argv, NULL);
+    g_test_add_func("/numerics/exact-systems/uniform-chains", test_uniform_chains);
+    g_test_add_func("/numerics/exact-systems/graded-pairs", test_graded_pairs);
+    g_test_add_func("/numerics/exact-systems/graded-chain", test_graded_chain);
+    g_test_add_func("/numerics/exact-systems/chain-in-one-mode", test_chain_in_one_mode);
+    g_test_add_func("/numerics/exact-systems/unequal-pair", test_unequal_pair);
+    g_test_add_func("/numerics/exact-systems/like-series", test_like_series);
+    g_test_add_func("/numerics/exact-systems/stiff-line", test_stiff_line);
+    g_test_add_func("/numerics/exact-systems/coupled-like-apart", test_coupled_like_apart);
+    g_test_add_func("/numerics/exact-systems/damper-alone", test_damper_alone);
+    g_test_add_func("/numerics/exact-systems/inside-a-step", test_inside_a_step);
+    g_test_add_func("/numerics/exact-systems/samples", test_samples);
+    g_test_add_func("/numerics/exact-systems/samples-like-steps", test_samples_like_steps);
+    g_test_add_func("/numerics/exact-systems/no-allotment", test_no_allotment);
+    g_test_add_func("/numerics/exact-systems/cost", test_cost);
+    return g_test_run();
+}

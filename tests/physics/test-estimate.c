@@ -1,0 +1,358 @@
+/* The estimate of the global error against the true one, on motions with a closed form; and what else it promises. */
+#include "physics-fixture.h"
+
+#include "closed-form-motions.h"
+#include "numerics/integrators.h"
+
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+#define SAMPLES 50
+/* For how far and how fast the motion reaches. */
+#define TIMES_BETWEEN 64
+/* Errors below this share of the scales are rounding. */
+#define FLOOR (100 * DBL_EPSILON)
+
+/* --- estimate and truth --- */
+
+/* One run: what it claims beside what is true, sample by sample. */
+typedef struct {
+    const ClosedForm *problem;
+    double time, box[4], speed; /* reached so far */
+    double error;               /* the largest so far */
+    GArray *claimed, *true_error;
+} Comparison;
+
+static void widen(Comparison *comparison, double x, double y)
+{
+    double *box = comparison->box;
+    box[0] = fmin(box[0], x);
+    box[1] = fmin(box[1], y);
+    box[2] = fmax(box[2], x);
+    box[3] = fmax(box[3], y);
+}
+
+/* The motion reaches farthest and goes fastest between samples, too. */
+static void reach(Comparison *comparison, double from, double to)
+{
+    for (int k = 1; k <= TIMES_BETWEEN; k++) {
+        Motion truth = {0};
+        comparison->problem->truth(from + (to - from) * k / TIMES_BETWEEN, &truth);
+        for (int i = 0; i < comparison->problem->bodies; i++) {
+            widen(comparison, truth.q[2 * i], truth.q[2 * i + 1]);
+            comparison->speed = fmax(comparison->speed, hypot(truth.v[2 * i], truth.v[2 * i + 1]));
+        }
+    }
+}
+
+/* Of the state, in units of how far and how fast the motion has reached. */
+static double true_error(const Comparison *comparison, double time, const double *values)
+{
+    Motion truth = {0};
+    double apart = 0, faster = 0;
+    comparison->problem->truth(time, &truth);
+    for (int i = 0; i < comparison->problem->bodies; i++) {
+        const double *body = values + 4 * i;
+        apart = fmax(apart, hypot(body[0] - truth.q[2 * i], body[1] - truth.q[2 * i + 1]));
+        faster = fmax(faster, hypot(body[2] - truth.v[2 * i], body[3] - truth.v[2 * i + 1]));
+    }
+    const double *box = comparison->box;
+    double extent = hypot(box[2] - box[0], box[3] - box[1]);
+    double places = extent > 0 ? apart / extent : 0, speeds = comparison->speed > 0 ? faster / comparison->speed : 0;
+    return fmax(places, speeds);
+}
+
+static gboolean compare(TinkerSimulation *simulation, double time, const double *values, void *data, GError **error)
+{
+    Comparison *comparison = data;
+    reach(comparison, comparison->time, time);
+    comparison->time = time;
+    comparison->error = fmax(comparison->error, true_error(comparison, time, values));
+    const TinkerSummary *summary = tinker_simulation_summary(simulation);
+    if (time == 0 || isfinite(summary->predictable_until)) return TRUE;
+    double actual = fmax(comparison->error, FLOOR);
+    g_assert_cmpfloat(summary->error_estimate, >=, FLOOR);
+    g_array_append_val(comparison->claimed, summary->error_estimate);
+    g_array_append_val(comparison->true_error, actual);
+    return TRUE;
+}
+
+static void compare_run(const ClosedForm *problem, const char *method, double step, double tolerance, GArray *claimed,
+                        GArray *true_errors)
+{
+    Comparison comparison = {.problem = problem,
+                             .box = {INFINITY, INFINITY, -INFINITY, -INFINITY},
+                             .claimed = claimed,
+                             .true_error = true_errors};
+    for (int i = 0; i < problem->anchors; i++)
+        widen(&comparison, problem->anchor[i][0], problem->anchor[i][1]);
+    GString *columns = g_string_new(NULL);
+    for (int i = 0; i < problem->bodies; i++)
+        g_string_append_printf(columns, "%sMass %d.x, Mass %d.y, Mass %d.vx, Mass %d.vy", i > 0 ? ", " : "", i, i, i,
+                               i);
+    g_autofree char *blocks = closed_form_blocks(problem);
+    g_autoptr(PhysicsRun) run = physics_prepare(&(PhysicsOptions){.method = method,
+                                                                  .step = step,
+                                                                  .tolerance = tolerance,
+                                                                  .duration = problem->duration,
+                                                                  .interval = problem->duration / SAMPLES,
+                                                                  .columns = columns->str,
+                                                                  .estimate = TRUE},
+                                                "%s", blocks);
+    g_string_free(columns, TRUE);
+    guint before = claimed->len;
+    g_autoptr(GError) error = NULL;
+    gboolean done = tinker_simulation_run(run->simulation, run->columns, compare, &comparison, &error);
+    g_assert_no_error(error);
+    g_assert_true(done);
+    if (claimed->len == before) return;
+    g_test_message("%-21s step %-8.3g tolerance %-6.1g: error %.2e, estimate %.2e", problem->name, step, tolerance,
+                   g_array_index(true_errors, double, true_errors->len - 1),
+                   g_array_index(claimed, double, claimed->len - 1));
+}
+
+static int by_value(const void *left, const void *right)
+{
+    double l = *(const double *)left, r = *(const double *)right;
+    return (l > r) - (l < r);
+}
+
+/* Inside in 95 % of the samples, and no more than 5 and 20 times too large in half and 95 % of them. */
+static void judge(const char *what, const GArray *claimed, const GArray *true_errors)
+{
+    guint count = claimed->len, inside = 0;
+    g_assert_cmpuint(count, >, 1000);
+    g_autofree double *ratios = g_new(double, count);
+    for (guint i = 0; i < count; i++) {
+        ratios[i] = g_array_index(claimed, double, i) / g_array_index(true_errors, double, i);
+        if (ratios[i] >= 1) inside++;
+    }
+    qsort(ratios, count, sizeof(double), by_value);
+    double median = ratios[count / 2], high = ratios[(gsize)(0.95 * count)];
+    g_test_message("%s: %.2f %% of %u samples inside; estimate over truth: least %.3g, median %.3g, 95 %% below %.3g",
+                   what, 100.0 * inside / count, count, ratios[0], median, high);
+    g_assert_cmpfloat(inside, >=, 0.95 * count);
+    g_assert_cmpfloat(median, <, 5);
+    g_assert_cmpfloat(high, <, 20);
+}
+
+static const char *const methods[] = {"rk4",     "verlet",  "semi-implicit-euler", "dopri5", "dop853",
+                                      "verlet6", "newmark", "generalized-alpha"};
+
+static void test_closed_forms(void)
+{
+    /* Of the fastest motion, a step; order 1 takes a tenth of it. */
+    static const double angles[] = {0.2, 0.1, 0.05, 0.02};
+    static const double tolerances[] = {1e-4, 1e-6, 1e-8, 1e-10, 1e-12, 1e-14};
+    g_autoptr(GArray) claimed = g_array_new(FALSE, FALSE, sizeof(double));
+    g_autoptr(GArray) true_errors = g_array_new(FALSE, FALSE, sizeof(double));
+    for (gsize m = 0; m < G_N_ELEMENTS(methods); m++) {
+        g_autoptr(GArray) ours = g_array_new(FALSE, FALSE, sizeof(double));
+        g_autoptr(GArray) theirs = g_array_new(FALSE, FALSE, sizeof(double));
+        const TinkerIntegrator *method = tinker_integrator_builtin(methods[m]);
+        gboolean adaptive = (method->flags & TINKER_INTEGRATOR_ADAPTIVE) != 0;
+        double share = method->order == 1 ? 0.1 : 1.0;
+        g_test_message("%s", methods[m]);
+        for (const ClosedForm *form = closed_forms; form->name != NULL; form++)
+            for (gsize i = 0; i < (adaptive ? G_N_ELEMENTS(tolerances) : G_N_ELEMENTS(angles)); i++)
+                compare_run(form, methods[m], adaptive ? 0 : share * angles[i] / form->rate,
+                            adaptive ? tolerances[i] : 0, ours, theirs);
+        judge(methods[m], ours, theirs);
+        g_array_append_vals(claimed, ours->data, ours->len);
+        g_array_append_vals(true_errors, theirs->data, theirs->len);
+    }
+    judge("all methods", claimed, true_errors);
+}
+
+/* --- bands around columns --- */
+
+typedef struct {
+    const ClosedForm *problem;
+    double off[4]; /* so far */
+    int inside, count;
+} BandCheck;
+
+static gboolean check_bands(TinkerSimulation *simulation, double time, const double *values, void *data, GError **error)
+{
+    BandCheck *check = data;
+    Motion truth = {0};
+    check->problem->truth(time, &truth);
+    const double *bands = tinker_simulation_bands(simulation);
+    const double state[4] = {truth.q[0], truth.q[1], truth.v[0], truth.v[1]};
+    g_assert_nonnull(bands);
+    for (int k = 0; k < 4 && bands != NULL; k++) {
+        check->off[k] = fmax(check->off[k], fabs(values[k] - state[k]));
+        if (check->off[k] <= bands[k] + 1e-14) check->inside++;
+        check->count++;
+    }
+    return TRUE;
+}
+
+static void test_bands(void)
+{
+    int inside = 0, count = 0;
+    for (const ClosedForm *form = closed_forms; form->name != NULL; form++) {
+        if (form->bodies > 1) continue;
+        BandCheck check = {.problem = form};
+        g_autoptr(PhysicsRun) run =
+            physics_prepare(&(PhysicsOptions){.method = "rk4",
+                                              .step = 0.05 / form->rate,
+                                              .duration = form->duration,
+                                              .interval = form->duration / SAMPLES,
+                                              .columns = "Mass 0.x, Mass 0.y, Mass 0.vx, Mass 0.vy",
+                                              .estimate = TRUE,
+                                              .bands = TRUE},
+                            "%s", form->blocks);
+        g_assert_true(tinker_simulation_run(run->simulation, run->columns, check_bands, &check, NULL));
+        inside += check.inside;
+        count += check.count;
+    }
+    g_test_message("%d of %d bands hold", inside, count);
+    g_assert_cmpint(inside, >=, (int)(0.95 * count));
+}
+
+/* --- beyond predictability --- */
+
+#define DOUBLE_PENDULUM                                                                                                \
+    "{'type': 'support'}, {'type': 'gravity'}, {'type': 'mass', 'position': [1, 0]},"                                  \
+    "{'type': 'mass', 'position': [2, 0.1]}, {'type': 'rod', 'ends': ['Support 0', 'Mass 0']},"                        \
+    "{'type': 'rod', 'ends': ['Mass 0', 'Mass 1']}"
+
+static int count_warnings(const PhysicsRun *run, const char *words)
+{
+    int count = 0;
+    for (guint i = 0; i < run->summary->warnings->len; i++)
+        if (strstr(g_ptr_array_index(run->summary->warnings, i), words) != NULL) count++;
+    return count;
+}
+
+static PhysicsRun *run_chaos(const char *method, double tolerance, gboolean estimate)
+{
+    return physics_run(&(PhysicsOptions){.method = method,
+                                         .tolerance = tolerance,
+                                         .step = tolerance,
+                                         .duration = 60,
+                                         .interval = 0.1,
+                                         .columns = "Mass 0.x, Mass 0.y, Mass 1.x, Mass 1.y",
+                                         .estimate = estimate},
+                       DOUBLE_PENDULUM);
+}
+
+/* The first time at which the two runs are a tenth of 4 m apart. */
+static double parted_at(const PhysicsRun *left, const PhysicsRun *right)
+{
+    for (gsize i = 0; i < physics_samples(left); i++)
+        for (gsize k = 0; k < 4; k++)
+            if (fabs(physics_value(left, i, k) - physics_value(right, i, k)) > 0.1 * 4) return physics_time(left, i);
+    return INFINITY;
+}
+
+/* It says so before the truth is lost, and not much earlier: errors grow tenfold in one or two seconds here. */
+static void test_chaos(void)
+{
+    static const struct {
+        const char *method;
+        double tolerance;
+    } cases[] = {{"dop853", 1e-6}, {"dop853", 1e-9}, {"dopri5", 1e-7}, {"rk4", 1e-3}};
+    g_autoptr(PhysicsRun) finest = run_chaos("dop853", 1e-13, FALSE);
+    for (gsize i = 0; i < G_N_ELEMENTS(cases); i++) {
+        g_autoptr(PhysicsRun) run = run_chaos(cases[i].method, cases[i].tolerance, TRUE);
+        double parted = parted_at(run, finest), said = run->summary->predictable_until;
+        g_test_message("%s at %g: predictable until %g s, parted at %g s", cases[i].method, cases[i].tolerance, said,
+                       parted);
+        g_assert_cmpfloat(said, <=, parted + 1e-9);
+        g_assert_cmpfloat(said, >, parted - 5);
+        g_assert_cmpfloat(run->summary->error_estimate, >, 0.1);
+        g_assert_cmpint(count_warnings(run, "not predictable beyond t = "), ==, 1);
+    }
+}
+
+/* --- what an estimate must not do --- */
+
+/* A double pendulum, an oscillator that swings on a moving support, one along a line. */
+#define BUSY_SCENE                                                                                                     \
+    DOUBLE_PENDULUM                                                                                                    \
+    ", {'type': 'support', 'position': [5, 0]}, {'type': 'mass', 'position': [5, -1.2]},"                              \
+    "{'type': 'spring', 'ends': ['Support 1', 'Mass 2'], 'rest_length': 1},"                                           \
+    "{'type': 'support-motion', 'ends': ['Support 1'], 'amplitude': 0.1, 'frequency': 3},"                             \
+    "{'type': 'motor', 'ends': ['Mass 2'], 'waveform': {'expression': 'step(t-0.7)'}},"                                \
+    "{'type': 'support', 'position': [9, 0]}, {'type': 'mass', 'position': [9, -1.5]},"                                \
+    "{'type': 'spring', 'ends': ['Support 2', 'Mass 3'], 'rest_length': 1, 'stiffness': 1000},"                        \
+    "{'type': 'motor', 'ends': ['Mass 3'], 'angle': '90 deg', 'waveform': {'expression': 'step(t-0.7)'}}"
+
+static void assert_same_record(const PhysicsRun *left, const PhysicsRun *right)
+{
+    g_assert_cmpmem(left->samples->data, left->samples->len * sizeof(double), right->samples->data,
+                    right->samples->len * sizeof(double));
+    physics_assert_same_bits(left, right);
+    const TinkerSummary *l = left->summary, *r = right->summary;
+    g_assert_cmpint(l->steps, ==, r->steps);
+    g_assert_cmpint(l->evaluations, ==, r->evaluations);
+    g_assert_cmpfloat(l->energy_balance_error, ==, r->energy_balance_error);
+    g_assert_cmpfloat(l->kinetic_end, ==, r->kinetic_end);
+    g_assert_cmpfloat(l->constraint_position_error, ==, r->constraint_position_error);
+    g_assert_cmpmem(l->books, sizeof(l->books), r->books, sizeof(r->books));
+    g_assert_cmpuint(l->events->len, ==, r->events->len);
+}
+
+static void test_no_bit_changes(void)
+{
+    for (gsize m = 0; m <= G_N_ELEMENTS(methods); m++) {
+        PhysicsOptions options = {
+            .method = m < G_N_ELEMENTS(methods) ? methods[m] : "auto",
+            .duration = 2,
+            .interval = 0.03,
+            .step = 2e-3,
+            .tolerance = 1e-8,
+            .columns =
+                "Mass 0.x, Mass 1.y, Mass 2.y, Mass 2.vy, Mass 3.y, Rod 0.tension, Spring 0.tension, Support 1.y"};
+        g_autoptr(PhysicsRun) without = physics_run(&options, BUSY_SCENE);
+        options.estimate = options.bands = TRUE;
+        g_autoptr(PhysicsRun) with = physics_run(&options, BUSY_SCENE);
+        assert_same_record(with, without);
+        g_assert_true(isnan(without->summary->error_estimate));
+        g_assert_true(isinf(without->summary->predictable_until));
+        g_assert_cmpfloat(with->summary->error_estimate, >, FLOOR);
+        g_assert_cmpfloat(with->summary->error_estimate, <, 0.1);
+        g_assert_cmpuint(with->summary->warnings->len, ==, without->summary->warnings->len);
+    }
+}
+
+/* A wall that a coarse step happens to stop short of and a finer one runs into: the run does as without a companion. */
+static void test_failing_companion(void)
+{
+    int lost = 0;
+    for (int i = 0; i < 40; i++) {
+        PhysicsOptions options = {
+            .method = "semi-implicit-euler", .step = 0.4, .duration = 1, .columns = "Mass 0.x, Mass 0.vx"};
+        g_autofree char *scene = g_strdup_printf(
+            "{'type': 'mass', 'velocity': [%g, 0]}, {'type': 'faulty', 'ends': ['Mass 0'], 'mode': 4}", 1 + 0.05 * i);
+        g_autoptr(PhysicsRun) without = physics_try(&options, "%s", scene);
+        options.estimate = TRUE;
+        g_autoptr(PhysicsRun) with = physics_try(&options, "%s", scene);
+        g_assert_true((with->error == NULL) == (without->error == NULL));
+        if (with->error != NULL) g_assert_cmpstr(with->error->message, ==, without->error->message);
+        g_assert_cmpmem(with->samples->data, with->samples->len * sizeof(double), without->samples->data,
+                        without->samples->len * sizeof(double));
+        int warnings = count_warnings(with, "there is no error estimate beyond t = ");
+        g_assert_cmpint(warnings, <=, 1);
+        lost += with->error == NULL && warnings == 1;
+    }
+    g_test_message("%d of 40 companions failed in a run that did not", lost);
+    g_assert_cmpint(lost, >, 0);
+}
+
+static void add_tests(void)
+{
+    g_test_add_func("/physics/estimate/closed-forms", test_closed_forms);
+    g_test_add_func("/physics/estimate/bands", test_bands);
+    g_test_add_func("/physics/estimate/chaos", test_chaos);
+    g_test_add_func("/physics/estimate/no-bit-changes", test_no_bit_changes);
+    g_test_add_func("/physics/estimate/failing-companion", test_failing_companion);
+}
+
+int main(int argc, char **argv)
+{
+    return physics_main(argc, argv, add_tests);
+}
