@@ -7,8 +7,8 @@
  *
  * It converges to the solution of least norm, since it never leaves the range of S. Source: Parikh, Boyd, "Proximal
  * Algorithms" (2014), section 4.1; tested by rank-deficient frames in tests/physics. A residual that stalls at a state on
- * the constraints means that the rows contradict each other. Masses in a ratio beyond 1e5 between dependent rods bring it
- * down as well; such a scene is refused at its start. */
+ * the constraints means that the rows contradict each other. Where masses differ widely, eps is a share of each row's own
+ * diagonal entry: dependent rods between masses in a ratio of 1e9 are solved. */
 #include "physics/row-chains.h"
 
 #include <math.h>
@@ -22,6 +22,8 @@
  * rounding is magnified by its reciprocal. */
 #define PROXIMAL_SHIFT           1e-5
 #define MOST_PROXIMAL_ITERATIONS 60
+/* Rows whose diagonal entries differ by no more than this share one shift. */
+#define EVEN_ROWS 1e3
 
 double tinker_greatest(const double *x, int32_t n)
 {
@@ -182,10 +184,32 @@ static gboolean is_factored(const TinkerConstraints *all)
     return memcmp(all->jacobian, all->factored_jacobian, 2 * (gsize)all->entries * sizeof(double)) == 0;
 }
 
+/* Masses may differ so much that one shift for all rows drowns those of the heavy ones. Then every row is shifted by a share
+ * of its own diagonal: the solution is the same motion, of least norm with the multipliers weighed by that. Answers what is
+ * left to be added to all of them, which is no more than the least row's share. */
+static double shift_rows(TinkerConstraints *all)
+{
+    double *values = tinker_sparse_ldl_values(all->ldl), least = INFINITY, greatest = 0;
+    const TinkerProduct *products = (const TinkerProduct *)(const void *)all->products->data;
+    for (guint i = 0; i < all->products->len; i++) {
+        if (products[i].first_entry != products[i].second_entry) continue;
+        least = MIN(least, values[products[i].slot]);
+        greatest = MAX(greatest, values[products[i].slot]);
+    }
+    if (!(greatest > EVEN_ROWS * least)) return PROXIMAL_SHIFT * mean_diagonal(all);
+    int32_t last = -1;
+    for (guint i = 0; i < all->products->len; i++) {
+        if (products[i].first_entry != products[i].second_entry || products[i].slot == last) continue;
+        last = products[i].slot;
+        values[last] *= 1 + PROXIMAL_SHIFT;
+    }
+    return PROXIMAL_SHIFT * least;
+}
+
 static void factor_shifted(TinkerConstraints *all)
 {
-    double shift = PROXIMAL_SHIFT * mean_diagonal(all);
     assemble(all);
+    double shift = shift_rows(all);
     all->shifted = TRUE;
     /* Rows between supports alone have no diagonal at all: the shift stands for all of it. */
     tinker_sparse_ldl_factor(all->ldl, shift > 0 ? shift : 1.0, 0.0);

@@ -3,6 +3,11 @@
 
 #include <string.h>
 
+/* A run that needs more steps than this of the size that it takes would not end in a lifetime: it is given up once so many
+ * have been that small, one after the other. A stiff start has a few of them. */
+#define MOST_STEPS_TO_COME 1e12
+#define MOST_TINY_STEPS    10000
+
 static void open_summary(TinkerIslandRun *run, const TinkerSummary *whole)
 {
     run->summary = (TinkerSummary){
@@ -131,6 +136,14 @@ static double step_limit(TinkerIslandRun *run, double target, double run_end)
     return next < end - slack ? next : end;
 }
 
+/* Whether the steps of an adaptive method are too small for the run to end. */
+static gboolean is_hopeless(TinkerIslandRun *run, double step, double left)
+{
+    if (!(run->choice.method->flags & TINKER_INTEGRATOR_ADAPTIVE)) return FALSE;
+    run->tiny_steps = left > MOST_STEPS_TO_COME * step ? run->tiny_steps + 1 : 0;
+    return run->tiny_steps > MOST_TINY_STEPS;
+}
+
 gboolean tinker_island_run_step(TinkerIslandRun *run, double target, double end, GError **error)
 {
     TinkerStepReport report = {.struct_size = sizeof(TinkerStepReport)};
@@ -148,6 +161,11 @@ gboolean tinker_island_run_step(TinkerIslandRun *run, double target, double end,
         const char *why = run->model->failure[0] != '\0' ? run->model->failure : report.failure;
         return tinker_island_run_fail_step(run, why, error);
     }
+    if (is_hopeless(run, state->t - from, end - state->t))
+        return tinker_island_run_fail_step(run,
+                                           "the motion asks for steps so small that the run would take more than 1e12 "
+                                           "of them (some speed, force or frequency is out of all proportion)",
+                                           error);
     return tinker_island_run_watch(run, &report, state->t >= end, error);
 }
 

@@ -28,6 +28,7 @@ typedef struct {
     TinkerStabilityWatch *stability;
     gint64 looked_at;      /* steps at the last look into the books */
     int singular_steps;    /* in a row */
+    int tiny_steps;        /* likewise: of which the rest of the run would take too many */
     TinkerSummary summary; /* of this island; events and warnings are those of the whole run, borrowed */
 } TinkerIslandRun;
 

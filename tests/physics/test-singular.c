@@ -27,6 +27,8 @@ static void test_coincident_ends(void)
                                           .columns = "Mass 0.x, Mass 0.y, Spring 0.tension, Spring 0.length"},
                         "{'type': 'support'}, {'type': 'mass', 'velocity': [3, 4]},"
                         "{'type': 'spring', 'ends': ['Support 0', 'Mass 0'], 'rest_length': 0, 'stiffness': 4}");
+        for (guint i = 0; i < none->summary->warnings->len; i++)
+            g_assert_null(strstr(g_ptr_array_index(none->summary->warnings, i), "at one place"));
         for (gsize i = 0; i < physics_samples(none); i++) {
             physics_assert_near("x", physics_value(none, i, 0), 1.5 * sin(2 * physics_time(none, i)), 1e-5);
             physics_assert_near("y", physics_value(none, i, 1), 2 * sin(2 * physics_time(none, i)), 1e-5);
@@ -37,8 +39,8 @@ static void test_coincident_ends(void)
             "{'type': 'support'}, {'type': 'mass'},"
             "{'type': 'spring', 'ends': ['Support 0', 'Mass 0'], 'rest_length': 1, 'stiffness': 4}");
         assert_clear(rest, "Spring 0");
-        for (guint i = 0; i < rest->summary->warnings->len; i++)
-            g_test_message("rest: %s", (char *)g_ptr_array_index(rest->summary->warnings, i));
+        g_assert_cmpuint(rest->summary->warnings->len, >=, 1);
+        g_assert_nonnull(strstr(g_ptr_array_index(rest->summary->warnings, 0), "Spring 0: its ends are at one place"));
         g_autoptr(PhysicsRun) through =
             physics_try(&(PhysicsOptions){.method = methods[m],
                                           .duration = 2,
@@ -94,6 +96,38 @@ static void test_dead_points(void)
                    run->summary->energy_balance_error);
     g_assert_cmpfloat(run->summary->constraint_position_error, <, 1e-10);
     g_assert_cmpfloat(run->summary->energy_balance_error, <, 1e-6);
+}
+
+/* A parallelogram with a third crank in which one mass is far heavier or lighter than the others: without gravity it turns as
+ * evenly as ever. */
+static void test_heavy_parallelogram(void)
+{
+    for (int decade = -9; decade <= 9; decade += 3) {
+        for (int heavy = 0; heavy < 3; heavy++) {
+            double masses[3] = {1, 4, 0.5};
+            masses[heavy] *= pow(10, decade);
+            g_autoptr(PhysicsRun) run = physics_run(
+                &(PhysicsOptions){
+                    .duration = 2, .tolerance = 1e-11, .columns = "Mass 0.x, Mass 0.y, Mass 1.x, Mass 1.y, Mass 2.x"},
+                "{'type': 'support'}, {'type': 'support', 'position': [2, 0]}, {'type': 'support', 'position': [3, 0]},"
+                "{'type': 'mass', 'mass': %.17g, 'position': [0.6, 0.8], 'velocity': [1.6, -1.2]},"
+                "{'type': 'mass', 'mass': %.17g, 'position': [2.6, 0.8], 'velocity': [1.6, -1.2]},"
+                "{'type': 'mass', 'mass': %.17g, 'position': [3.6, 0.8], 'velocity': [1.6, -1.2]},"
+                "{'type': 'rod', 'ends': ['Support 0', 'Mass 0']}, {'type': 'rod', 'ends': ['Support 1', 'Mass 1']},"
+                "{'type': 'rod', 'ends': ['Support 2', 'Mass 2']}, {'type': 'rod', 'ends': ['Mass 0', 'Mass 1']},"
+                "{'type': 'rod', 'ends': ['Mass 1', 'Mass 2']}, {'type': 'rod', 'ends': ['Mass 0', 'Mass 2']}",
+                masses[0], masses[1], masses[2]);
+            for (gsize i = 0; i < physics_samples(run); i++) {
+                double angle = atan2(0.6, 0.8) + 2 * physics_time(run, i), x = sin(angle), y = cos(angle);
+                physics_assert_near("first x", physics_value(run, i, 0), x, 1e-8);
+                physics_assert_near("first y", physics_value(run, i, 1), y, 1e-8);
+                physics_assert_near("second x", physics_value(run, i, 2), 2 + x, 1e-8);
+                physics_assert_near("second y", physics_value(run, i, 3), y, 1e-8);
+                physics_assert_near("third x", physics_value(run, i, 4), 3 + x, 1e-8);
+            }
+            g_assert_cmpfloat(run->summary->constraint_position_error, <, 1e-10);
+        }
+    }
 }
 
 /* A crank of 1 m, a coupler of 3 m and a rocker of 2 m on hinges 3 m apart, 1 kg and 2 kg at the pins: where crank and
@@ -199,6 +233,20 @@ static void test_hopeless_plugins(void)
     }
 }
 
+/* A mass that turns about another at 1e150 m/s would take as many steps: the run is given up, not the user. */
+static void test_out_of_proportion(void)
+{
+    static const char *const methods[] = {"auto", "dopri5", "dop853"};
+    for (gsize m = 0; m < G_N_ELEMENTS(methods); m++) {
+        g_autoptr(PhysicsRun) run =
+            physics_try(&(PhysicsOptions){.method = methods[m], .tolerance = 1e-6, .columns = "Mass 0.x"},
+                        "{'type': 'support'}, {'type': 'mass', 'position': [1, 0], 'velocity': [0, 1e150]},"
+                        "{'type': 'rod', 'ends': ['Support 0', 'Mass 0']}, {'type': 'gravity'}");
+        physics_assert_refused(run, TINKER_MODEL_ERROR_RUN, "out of all proportion", NULL);
+        g_assert_cmpint(run->summary->evaluations, <, 200000);
+    }
+}
+
 static void test_contradictory_rods(void)
 {
     g_autoptr(PhysicsRun) run = physics_try(
@@ -216,9 +264,11 @@ static void add_tests(void)
     g_test_add_func("/physics/singular/coincident-ends", test_coincident_ends);
     g_test_add_func("/physics/singular/rod-without-length", test_rod_without_length);
     g_test_add_func("/physics/singular/dead-points", test_dead_points);
+    g_test_add_func("/physics/singular/heavy-parallelogram", test_heavy_parallelogram);
     g_test_add_func("/physics/singular/four-bar", test_four_bar);
     g_test_add_func("/physics/singular/collapse", test_collapse);
     g_test_add_func("/physics/singular/hopeless-plugins", test_hopeless_plugins);
+    g_test_add_func("/physics/singular/out-of-proportion", test_out_of_proportion);
     g_test_add_func("/physics/singular/contradictory-rods", test_contradictory_rods);
 }
 
