@@ -31,6 +31,21 @@ static gboolean prepare(TinkerModel *model, TinkerBlockBatch *batch, GError **er
 
 /* Lines ---------------------------------------------------------------------------------------------------------- */
 
+/* A pull at length 0 has no direction to act in. */
+static void warn_without_direction(TinkerModel *model, const TinkerBlockBatch *batch, int32_t row, int32_t a, int32_t b,
+                                   double tension)
+{
+    double place_a[2], place_b[2];
+    tinker_model_start_place(model, a, place_a);
+    tinker_model_start_place(model, b, place_b);
+    if (tension == 0 || place_a[0] != place_b[0] || place_a[1] != place_b[1]) return;
+    g_ptr_array_add(
+        model->warnings,
+        g_strdup_printf("%s: its ends are at one place, so its force of %.3g N has no direction: it acts on "
+                        "nothing until they part (place them apart, or make its rest length 0)",
+                        tinker_scene_block_name(model->scene, batch->ids[row]), fabs(tension)));
+}
+
 static gboolean add_linear_lines(TinkerModel *model, TinkerBlockBatch *batch, const int32_t *points, GArray *lines)
 {
     const TinkerLineLaw *law = batch->block_class->physics->line_law;
@@ -42,6 +57,7 @@ static gboolean add_linear_lines(TinkerModel *model, TinkerBlockBatch *batch, co
     for (gsize i = 0; i < n; i++) {
         int32_t a = points[2 * i], b = points[2 * i + 1];
         if (a == b || (a >= model->bodies && b >= model->bodies && model->moving_supports == 0)) continue;
+        warn_without_direction(model, batch, (int32_t)i, a, b, values[3 * n + i] - values[i] * values[2 * n + i]);
         LinearLine line = {MIN(a, b),         MAX(a, b),     (int32_t)lines->len, values[i],
                            values[2 * n + i], values[n + i], values[3 * n + i]};
         g_array_append_val(lines, line);

@@ -10,13 +10,11 @@ typedef struct {
     double x, y;
 } Place;
 
-/* Supports where they are unmoved. */
 static Place place_of(const TinkerModel *model, int32_t point)
 {
-    if (point < model->bodies) return (Place){model->q_start[2 * point], model->q_start[2 * point + 1]};
-    const TinkerSupportPoint *support =
-        &g_array_index(model->support_points, TinkerSupportPoint, (guint)(point - model->bodies));
-    return (Place){support->x, support->y};
+    double place[2];
+    tinker_model_start_place(model, point, place);
+    return (Place){place[0], place[1]};
 }
 
 /* Along the line from a point to the one farthest from it; along an axis where it is one but for rounding. */

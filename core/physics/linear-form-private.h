@@ -66,6 +66,9 @@ void tinker_linear_form_differentiate(TinkerLinearForm *form);
  * loads. FALSE where there is none. */
 gboolean tinker_model_find_line(TinkerModel *model, TinkerLine *line);
 
+/* The steady part of a driven force at the start (in units of its direction): its waveform without what swings about 0. */
+double tinker_driven_steady(const TinkerDrivenForce *driven);
+
 /* The direction of a motion at each row of its batch, and the waveform column that drives it; FALSE where a row is driven
  * otherwise. */
 gboolean tinker_motion_directions(const TinkerBlockBatch *batch, double *direction, int32_t *columns);

@@ -97,6 +97,23 @@ static int32_t column_of(const TinkerDrivenForce *driven)
     return -1;
 }
 
+double tinker_driven_steady(const TinkerDrivenForce *driven)
+{
+    const TinkerWaveformEvaluator *evaluator =
+        tinker_block_batch_evaluator(driven->batch, column_of(driven), driven->row);
+    int signals = evaluator != NULL ? tinker_waveform_signals(evaluator) : 0;
+    double steady = 0;
+    if (signals == 0) return 0;
+    g_autofree TinkerSignal *forms = g_new(TinkerSignal, signals);
+    tinker_waveform_form(evaluator, 0.0, forms);
+    for (int i = 0; i < signals; i++) {
+        const double *c = forms[i].coefficient;
+        if (forms[i].kind == TINKER_SIGNAL_POLYNOMIAL) steady += c[0];
+        if (forms[i].kind == TINKER_SIGNAL_HARMONIC && c[1] == 0) steady += c[0] * sin(c[2]);
+    }
+    return steady;
+}
+
 static gboolean add_driven(TinkerLinearForm *form)
 {
     const TinkerModel *model = form->model;
@@ -122,8 +139,8 @@ static int32_t anchor_of(TinkerLinearForm *form, int32_t *anchors, int32_t point
     const TinkerModel *model = form->model;
     int32_t number = point - model->bodies;
     if (anchors[number] >= 0) return anchors[number];
-    const TinkerSupportPoint *support = &g_array_index(model->support_points, TinkerSupportPoint, (guint)number);
-    double place[2] = {support->x, support->y};
+    double place[2];
+    tinker_model_start_place(model, point, place);
     anchors[number] = (int32_t)form->anchors->len;
     for (int32_t axis = 0; axis < axes(form); axis++) {
         double at = component(form, place, axis);

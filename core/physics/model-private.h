@@ -170,6 +170,9 @@ gboolean tinker_model_compile_forces(TinkerModel *model, GError **error);
 gboolean tinker_model_compile_constraints(TinkerModel *model, GError **error);
 gboolean tinker_model_check_start(TinkerModel *model, GError **error);
 
+/* Where a point is at the start, relative to the origin; of supports where they are unmoved. */
+void tinker_model_start_place(const TinkerModel *model, int32_t point, double place[2]);
+
 /* The points of a batch's ends, or NULL. */
 const int32_t *tinker_model_end_points(const TinkerModel *model, const TinkerBlockBatch *batch);
 

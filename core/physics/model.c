@@ -160,6 +160,19 @@ const GPtrArray *tinker_model_warnings(const TinkerModel *model)
     return model->warnings;
 }
 
+void tinker_model_start_place(const TinkerModel *model, int32_t point, double place[2])
+{
+    if (point < model->bodies) {
+        place[0] = model->q_start[2 * point];
+        place[1] = model->q_start[2 * point + 1];
+        return;
+    }
+    const TinkerSupportPoint *support =
+        &g_array_index(model->support_points, TinkerSupportPoint, (guint)(point - model->bodies));
+    place[0] = support->x;
+    place[1] = support->y;
+}
+
 const int32_t *tinker_model_end_points(const TinkerModel *model, const TinkerBlockBatch *batch)
 {
     guint number;

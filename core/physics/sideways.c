@@ -1,7 +1,7 @@
 /* Whether motion along a line is stable across it.
  *
  * Across the line a connector acts as a spring of stiffness T / L, with T its tension and L its length at rest: pressed ones
- * push bodies off the line. Rest is found along the line under the constant loads; a part that hangs on nothing is taken
+ * push bodies off the line. Rest is found along the line under the steady loads; a part that hangs on nothing is taken
  * in the frame that falls with it. The smallest eigenvalue of M^-1/2 K M^-1/2, with K the stiffness across, comes from
  * power iteration on its distance to Gershgorin's upper bound. */
 #include <math.h>
@@ -24,12 +24,9 @@ typedef struct {
 static double along(const Rest *rest, int32_t point)
 {
     const double *direction = rest->line->direction;
-    const TinkerModel *model = rest->model;
-    if (point < model->bodies)
-        return model->q_start[2 * point] * direction[0] + model->q_start[2 * point + 1] * direction[1];
-    const TinkerSupportPoint *support =
-        &g_array_index(model->support_points, TinkerSupportPoint, (guint)(point - model->bodies));
-    return support->x * direction[0] + support->y * direction[1];
+    double place[2];
+    tinker_model_start_place(rest->model, point, place);
+    return place[0] * direction[0] + place[1] * direction[1];
 }
 
 static double distance(const Rest *rest, int32_t i)
@@ -81,6 +78,11 @@ static void find_loads(const Rest *rest, double *load)
     g_autofree double *sum = g_new0(double, model->bodies), *mass = g_new0(double, model->bodies);
     for (int32_t i = 0; i < model->bodies; i++)
         load[i] = model->mass[i] * (constant[2 * i] * direction[0] + constant[2 * i + 1] * direction[1]);
+    for (guint i = 0; i < model->driven->len; i++) {
+        const TinkerDrivenForce *driven = &g_array_index(model->driven, TinkerDrivenForce, i);
+        double along_line = driven->direction[0] * direction[0] + driven->direction[1] * direction[1];
+        if (driven->point < model->bodies) load[driven->point] += tinker_driven_steady(driven) * along_line;
+    }
     for (int32_t i = 0; i < model->lines.count; i++) {
         double d = distance(rest, i), pull = copysign(tension(rest, i, d), d * tension(rest, i, d));
         if (model->lines.a[i] < model->bodies) load[model->lines.a[i]] += pull;

@@ -215,23 +215,13 @@ static gboolean run_to_end(TinkerSimulation *simulation, TinkerSampleFunc sample
     return TRUE;
 }
 
-static gboolean all_exact(const TinkerSimulation *simulation)
-{
-    for (guint i = 0; i < simulation->runs->len; i++) {
-        const TinkerIslandRun *run = g_ptr_array_index(simulation->runs, i);
-        if (!(run->choice.method->flags & TINKER_INTEGRATOR_LINEAR)) return FALSE;
-    }
-    return TRUE;
-}
-
 gboolean tinker_simulation_run(TinkerSimulation *simulation, const GArray *columns, TinkerSampleFunc sample, void *data,
                                GError **error)
 {
     gint64 started = g_get_monotonic_time();
     simulation->sampler = tinker_sampler_new(simulation->model, columns);
     simulation->values = g_new0(double, columns != NULL ? columns->len + 1 : 1);
-    if (simulation->options.estimate && !all_exact(simulation))
-        simulation->estimate = tinker_estimate_new(simulation, columns);
+    if (simulation->options.estimate) simulation->estimate = tinker_estimate_new(simulation, columns);
     gboolean done = run_to_end(simulation, sample, data, error);
     simulation->summary.wall_s = 1e-6 * (double)(g_get_monotonic_time() - started);
     tinker_simulation_add_up(simulation);

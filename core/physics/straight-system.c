@@ -44,37 +44,71 @@ static void move_anchors(const TinkerLinearForm *form)
     }
 }
 
-static void add_edges(const TinkerLinearForm *form, const double *restrict x, const double *restrict u,
-                      double *restrict force)
+/* Sums that take turns, so that an addition need not wait for the one before. */
+#define TURNS 4
+
+/* The forces of the edges between coordinates; answers the power that their dampers take, where that is asked for. What ends at
+ * the coordinate that the next edge starts from is added with that one's: along a chain no sum waits for memory. */
+static inline __attribute__((always_inline)) double add_inner_edges(const TinkerLinearForm *form,
+                                                                    const double *restrict x, const double *restrict u,
+                                                                    double *restrict force, const gboolean books)
 {
+    double taken[TURNS] = {0}, carried = 0;
+    int32_t at = form->inner_count > 0 ? form->inner[0].a : 0;
     for (int32_t i = 0; i < form->inner_count; i++) {
         const TinkerStraightEdge *edge = &form->inner[i];
-        double f = pull(edge, x[edge->b] - x[edge->a], u[edge->b] - u[edge->a]);
-        force[edge->a] += f;
-        force[edge->b] -= f;
+        double speed = u[edge->b] - u[edge->a], f = pull(edge, x[edge->b] - x[edge->a], speed);
+        if (books) {
+            double sum = taken[0] + edge->damping * speed * speed;
+            for (int k = 0; k < TURNS - 1; k++)
+                taken[k] = taken[k + 1];
+            taken[TURNS - 1] = sum;
+        }
+        if (edge->a != at) {
+            force[at] += carried;
+            at = edge->a;
+            carried = 0;
+        }
+        force[at] += carried + f;
+        at = edge->b;
+        carried = -f;
     }
-    for (int32_t i = 0; i < form->anchored_count; i++) {
-        const TinkerStraightEdge *edge = &form->anchored[i];
-        force[edge->b] -=
-            pull(edge, x[edge->b] - form->anchor_place[edge->a], u[edge->b] - form->anchor_speed[edge->a]);
-    }
+    if (form->inner_count > 0) force[at] += carried;
+    return (taken[0] + taken[1]) + (taken[2] + taken[3]);
 }
 
-static void add_edge_power(const TinkerLinearForm *form, const double *x, const double *u, double *power)
+/* The same for the edges at anchors; *given gets what the motion of the anchors gives. */
+static inline __attribute__((always_inline)) double add_anchored_edges(const TinkerLinearForm *form,
+                                                                       const double *restrict x,
+                                                                       const double *restrict u, double *restrict force,
+                                                                       const gboolean books, double *given)
 {
-    const TinkerLinearSystem *system = &form->system;
-    double taken = 0, given = 0;
-    for (int32_t i = 0; i < form->inner_count; i++) {
-        const TinkerStraightEdge *edge = &form->inner[i];
-        double speed = u[edge->b] - u[edge->a];
-        taken += edge->damping * speed * speed;
-    }
+    double taken = 0;
+    *given = 0;
     for (int32_t i = 0; i < form->anchored_count; i++) {
         const TinkerStraightEdge *edge = &form->anchored[i];
         double anchor_speed = form->anchor_speed[edge->a], speed = u[edge->b] - anchor_speed;
+        double f = pull(edge, x[edge->b] - form->anchor_place[edge->a], speed);
+        force[edge->b] -= f;
+        if (!books) continue;
         taken += edge->damping * speed * speed;
-        if (anchor_speed != 0) given -= pull(edge, x[edge->b] - form->anchor_place[edge->a], speed) * anchor_speed;
+        *given -= f * anchor_speed;
     }
+    return taken;
+}
+
+/* Forces into `force`, which holds the loads; power into `power`, unless that is NULL. */
+static void add_edges(const TinkerLinearForm *form, const double *x, const double *u, double *force, double *power)
+{
+    const TinkerLinearSystem *system = &form->system;
+    double given, taken;
+    if (power == NULL) {
+        add_inner_edges(form, x, u, force, FALSE);
+        add_anchored_edges(form, x, u, force, FALSE, &given);
+        return;
+    }
+    taken = add_inner_edges(form, x, u, force, TRUE);
+    taken += add_anchored_edges(form, x, u, force, TRUE, &given);
     if (system->damper_book >= 0) power[system->damper_book] -= taken;
     if (system->support_book >= 0) power[system->support_book] += given;
 }
@@ -109,14 +143,6 @@ static void add_load_power(const TinkerLinearForm *form, const double *u, double
     }
 }
 
-static void find_power(const TinkerModelSystem *self, const double *x, const double *u, double *power)
-{
-    for (int32_t i = 0; i < self->system.books; i++)
-        power[i] = 0;
-    add_edge_power(self->form, x, u, power);
-    add_load_power(self->form, u, power);
-}
-
 static TinkerStatus acceleration(void *context, double t, const double *x, const double *u, double *a, double *power)
 {
     TinkerModelSystem *self = context;
@@ -128,8 +154,10 @@ static TinkerStatus acceleration(void *context, double t, const double *x, const
     if (self->model->moving_supports > 0) move_anchors(form);
     for (int32_t i = 0; i < system->size; i++)
         a[i] = form->load[i];
-    if (power != NULL) find_power(self, x, u, power);
-    add_edges(form, x, u, a);
+    for (int32_t i = 0; power != NULL && i < self->system.books; i++)
+        power[i] = 0;
+    add_edges(form, x, u, a, power);
+    if (power != NULL) add_load_power(form, u, power);
     add_drives(form, u, a, power);
     add_drag(form, u, a, power);
     for (int32_t i = 0; i < system->size; i++)

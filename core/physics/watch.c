@@ -108,7 +108,9 @@ static gboolean look(TinkerIslandRun *run, gboolean last, GError **error)
     double imbalance = run->books.imbalance;
     if (imbalance > STOP_IMBALANCE || !isfinite(imbalance)) {
         g_autofree char *how =
-            g_strdup_printf("its energy is off by %.3g times the largest energy exchanged", imbalance);
+            isfinite(imbalance)
+                ? g_strdup_printf("its energy is off by %.3g times the largest energy exchanged", imbalance)
+                : g_strdup("its energy is beyond all numbers");
         return diverged(run, how, error);
     }
     watch_stability(run);

@@ -98,3 +98,20 @@ void tinker_number_to_text(double value, char *text, gsize room)
     if (print_digits_above(value, text, room)) return;
     print_digits(value, DBL_DECIMAL_DIG, text, room);
 }
+
+/* Rounded to the digits first, so that %g never has need of an exponent. */
+char *tinker_duration_text(double seconds, int digits)
+{
+    static const struct {
+        double size;
+        const char *unit;
+    } units[] = {{1, "s"}, {1e-3, "ms"}, {1e-6, "µs"}, {1e-9, "ns"}};
+    char text[64];
+    gsize i = 0;
+    print_digits(seconds, digits, text, sizeof text);
+    double rounded = g_ascii_strtod(text, NULL);
+    while (i + 1 < G_N_ELEMENTS(units) && fabs(rounded) < (i == 0 ? 0.1 : 1) * units[i].size)
+        i++;
+    print_digits(rounded / units[i].size, 12, text, sizeof text);
+    return g_strdup_printf("%s %s", text, units[i].unit);
+}

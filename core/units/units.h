@@ -58,6 +58,10 @@ char *tinker_quantity_to_text(double si, TinkerDimension dimension, TinkerUnitSy
 /* The shortest decimal text that reads back as the same double, '.' whatever the locale. `room` is at least 32. */
 void tinker_number_to_text(double value, char *text, gsize room);
 
+/* A length of time for people, in the unit that suits its size and without a power of ten: "680 ns", "49.1 µs", "0.5 s", "12
+ * s" from there on. `digits` significant ones, 1 to 6. (transfer full) */
+char *tinker_duration_text(double seconds, int digits);
+
 gboolean tinker_dimension_equal(TinkerDimension a, TinkerDimension b);
 
 /* What a dimension is called: "mass", "length", "stiffness", "damping"; its SI symbol where it has no name. Interned. */

@@ -165,6 +165,41 @@ static void test_closed_forms(void)
     judge("all methods", claimed, true_errors);
 }
 
+/* Unit mass and 1 N/m: time in radians, so that the truth is known to the last place of cos and sin. */
+static void slow_oscillator(double t, Motion *motion)
+{
+    motion->q[0] = 0.25 * cos(t) + 0.5 * sin(t);
+    motion->v[0] = 0.5 * cos(t) - 0.25 * sin(t);
+}
+
+static void check_exact(const ClosedForm *problem)
+{
+    g_autoptr(GArray) claimed = g_array_new(FALSE, FALSE, sizeof(double));
+    g_autoptr(GArray) true_errors = g_array_new(FALSE, FALSE, sizeof(double));
+    compare_run(problem, "exact", 0, 0, claimed, true_errors);
+    g_assert_cmpuint(claimed->len, ==, SAMPLES);
+    for (guint i = 0; i < claimed->len; i++)
+        g_assert_cmpfloat(g_array_index(claimed, double, i), >=, g_array_index(true_errors, double, i));
+    g_assert_cmpfloat(g_array_index(claimed, double, SAMPLES - 1), <,
+                      20 * g_array_index(true_errors, double, SAMPLES - 1));
+}
+
+/* What is claimed of an exact solution holds over a million periods, too. */
+static void test_exact(void)
+{
+    for (int decade = 0; decade <= 6; decade += 2) {
+        ClosedForm problem = {"slow", 1, 1, 2 * G_PI * pow(10, decade), slow_oscillator, NULL, 1, {{-1, 0}}};
+        problem.blocks = "{'type': 'support', 'position': [-1, 0]},"
+                         "{'type': 'mass', 'position': [0.25, 0], 'velocity': [0.5, 0]},"
+                         "{'type': 'spring', 'ends': ['Support 0', 'Mass 0'], 'rest_length': 1, 'stiffness': 1}";
+        check_exact(&problem);
+    }
+    for (const ClosedForm *form = closed_forms; form->name != NULL; form++)
+        if (strstr("undamped, under-damped, over-damped, forced, resonance, fall, ellipse, two masses, chain",
+                   form->name))
+            check_exact(form);
+}
+
 /* --- bands around columns --- */
 
 typedef struct {
@@ -346,6 +381,7 @@ static void test_failing_companion(void)
 static void add_tests(void)
 {
     g_test_add_func("/physics/estimate/closed-forms", test_closed_forms);
+    g_test_add_func("/physics/estimate/exact", test_exact);
     g_test_add_func("/physics/estimate/bands", test_bands);
     g_test_add_func("/physics/estimate/chaos", test_chaos);
     g_test_add_func("/physics/estimate/no-bit-changes", test_no_bit_changes);

@@ -54,6 +54,23 @@ static void test_display(void)
     g_assert_cmpuint(strlen(huge), ==, 1 + 309 + 1 + 20 + 2);
 }
 
+static void test_durations(void)
+{
+    static const struct {
+        double seconds;
+        int digits;
+        const char *text;
+    } cases[] = {
+        {0.0004, 2, "400 µs"},    {4.96e-4, 2, "500 µs"}, {9.996e-4, 3, "1 ms"}, {6.81e-7, 3, "681 ns"},
+        {49.12e-6, 3, "49.1 µs"}, {1234.6, 3, "1230 s"},  {0.5, 3, "0.5 s"},     {0.05, 3, "50 ms"},
+        {0, 3, "0 ns"},           {2e-12, 2, "0.002 ns"}, {1, 2, "1 s"},         {0.0996, 2, "0.1 s"},
+    };
+    for (gsize i = 0; i < G_N_ELEMENTS(cases); i++) {
+        g_autofree char *text = tinker_duration_text(cases[i].seconds, cases[i].digits);
+        g_assert_cmpstr(text, ==, cases[i].text);
+    }
+}
+
 static void test_names(void)
 {
     g_assert_cmpstr(tinker_unit_for(stiffness, TINKER_UNIT_SYSTEM_SI), ==, "N/m");
@@ -209,6 +226,7 @@ int main(int argc, char **argv)
 {
     g_test_init(&argc, &argv, NULL);
     g_test_add_func("/units/display", test_display);
+    g_test_add_func("/units/durations", test_durations);
     g_test_add_func("/units/names", test_names);
     g_test_add_func("/units/every-symbol-reads-back", test_every_symbol_reads_back);
     g_test_add_func("/units/parse", test_parse);
