@@ -196,13 +196,29 @@ static gboolean find_modes(Work *work)
 
 /* Finishing ---------------------------------------------------------------------------------------------------------- */
 
+/* The largest that a part alone can make of a square: what its rounding is measured by. */
+static double strongest(const TinkerLinearisation *linear, const GArray *terms)
+{
+    double most = 0;
+    for (guint i = 0; i < terms->len; i++) {
+        const TinkerLinearTerm *term = &g_array_index(terms, TinkerLinearTerm, i);
+        double sum = 0;
+        for (guint k = 0; k < term->count; k++) {
+            const TinkerLinearEntry *entry = &g_array_index(linear->entries, TinkerLinearEntry, term->first + k);
+            if (entry->coordinate < linear->size) sum += entry->value * entry->value / linear->mass[entry->coordinate];
+        }
+        most = fmax(most, fabs(term->weight) * sum);
+    }
+    return most;
+}
+
 /* A square that is what cancelling parts left over is 0: the sums of the parts' absolute values tell. */
 static void drop_rounding(Work *work)
 {
     const TinkerLinearisation *linear = work->linear;
     gsize m = (gsize)work->m, n = (gsize)work->n;
     g_autofree double *row = g_new0(double, m), *total = g_new0(double, m);
-    double most = 0;
+    double most = 0, least = LEAST_SINGULAR * LEAST_SINGULAR * strongest(linear, linear->stiffness);
     for (guint i = 0; i < linear->stiffness->len; i++) {
         const TinkerLinearTerm *term = &g_array_index(linear->stiffness, TinkerLinearTerm, i);
         row_times(work, term, 1, row, 1);
@@ -215,7 +231,7 @@ static void drop_rounding(Work *work)
                 total[c] += fabs(linear->other_stiffness[i + n * k] * work->basis[i + n * c] * work->basis[k + n * c]);
     for (gsize c = 0; c < m; c++)
         most = fmax(most, fabs(work->squares[c]));
-    double floor = work->m <= MOST_FOR_JACOBI ? LEAST_SINGULAR * LEAST_SINGULAR * most : LEAST_SINGULAR * most;
+    double floor = fmax(least, most * LEAST_SINGULAR * (work->m <= MOST_FOR_JACOBI ? LEAST_SINGULAR : 1));
     for (gsize c = 0; c < m; c++)
         if (fabs(work->squares[c]) <= CANCELLED * total[c] || fabs(work->squares[c]) <= floor) work->squares[c] = 0;
 }
@@ -251,9 +267,12 @@ static void add_damping(const Work *work, TinkerModalBasis *basis)
     if (m == 0) return;
     if (linear->damping->len > 0 || linear->other_damping != NULL) {
         g_autofree double *row = g_new0(double, m), *gyration = g_new0(double, m *m);
+        double least = LEAST_SINGULAR * LEAST_SINGULAR * strongest(linear, linear->damping);
         basis->damping = g_new0(double, m *m);
         for (guint i = 0; i < linear->damping->len; i++)
             add_square(work, &g_array_index(linear->damping, TinkerLinearTerm, i), basis->damping, row);
+        for (gsize i = 0; i < m * m; i++)
+            if (fabs(basis->damping[i]) <= least) basis->damping[i] = 0;
         if (linear->other_damping != NULL && add_dense(work, linear->other_damping, basis->damping, gyration) > 0)
             for (gsize i = 0; i < m * m; i++)
                 basis->damping[i] += gyration[i];

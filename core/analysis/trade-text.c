@@ -3,20 +3,6 @@
 
 #include "analysis/trade-private.h"
 
-/* "1.2 ms" */
-static char *duration_text(double seconds)
-{
-    static const struct {
-        double size;
-        const char *unit;
-    } units[] = {{1, "s"}, {1e-3, "ms"}, {1e-6, "µs"}, {0, "ns"}};
-    gsize i = 0;
-    while (seconds < 0.9995 * units[i].size)
-        i++;
-    double size = units[i].size > 0 ? units[i].size : 1e-9;
-    return g_strdup_printf("%.3g %s", seconds / size, units[i].unit);
-}
-
 /* "rk4 with a step of 0.01 s" */
 static char *setting_text(const TinkerTradeSetting *setting)
 {
@@ -38,10 +24,10 @@ char *tinker_trade_advice_text(const TinkerTrade *trade, const TinkerTradeOption
     if (trade->advice.kind == TINKER_TRADE_ADVICE_NONE)
         return g_strdup("No advice: no method ran this scene to its end.");
     g_autofree char *setting = setting_text(&row->setting), *error = error_text(trade, row);
-    g_autofree char *wall = duration_text(row->wall_s), *motion = duration_text(trade->duration);
+    g_autofree char *wall = tinker_duration_text(row->wall_s, 3), *motion = tinker_duration_text(trade->duration, 3);
     gboolean met = trade->advice.kind == TINKER_TRADE_ADVICE_MET;
     if (options->budget > 0) {
-        g_autofree char *budget = duration_text(options->budget);
+        g_autofree char *budget = tinker_duration_text(options->budget, 3);
         return met ? g_strdup_printf("Within %s the most accurate is %s: %s in %s, for %s of motion.", budget, setting,
                                      error, wall, motion)
                    : g_strdup_printf("Nothing measured runs within %s. The fastest is %s: %s in %s, for %s of motion.",

@@ -15,11 +15,11 @@
 #define MOST_DAMPING    1e5
 #define FOLLOWS_DAMPING 100.0
 
-/* A long run is looked at in windows of so many steps; how far it may die away or grow. */
-#define WINDOW       40
-#define MOST_WINDOWS 8
-#define LEAST_SWING  1e-200
-#define MOST_SWING   1e200
+/* Steps of a long run, those of them in which a start is forgotten, and how far it may die away or grow. */
+#define LONG_RUN    300
+#define SETTLING    10
+#define LEAST_SWING 1e-200
+#define MOST_SWING  1e200
 
 /* One oscillator as a system of one coordinate ------------------------------------------------------------------- */
 
@@ -158,35 +158,29 @@ static double swing(const Probe *probe, double x, double v)
     return hypot(sqrt(fmax(probe->oscillator.stiffness, 0)) * x, v);
 }
 
-/* The largest swing of a window of steps, whose end is awaited; FALSE where it grows or dies beyond numbers before. */
-static gboolean largest_swing(Probe *probe, TinkerState *state, double step, int steps, double *largest)
-{
-    TinkerStepReport report = {.struct_size = sizeof(TinkerStepReport)};
-    *largest = 0;
-    for (int i = 0; i < steps; i++) {
-        *largest = fmax(*largest, swing(probe, state->q[0], state->v[0]));
-        if (probe->method->step(probe->stepper, state, state->t + step, &report) != TINKER_OK) *largest = INFINITY;
-        if (!(*largest > LEAST_SWING && *largest < MOST_SWING)) return FALSE;
-    }
-    return TRUE;
-}
-
+/* The slope of the swing's logarithm by least squares: what it does besides growing comes and goes and is evened out. */
 double tinker_long_run_growth(const TinkerIntegrator *method, double spectral_radius, TinkerOscillator oscillator,
                               double step)
 {
     g_auto(Probe) probe = {0};
     if (!probe_open(&probe, method, spectral_radius, oscillator)) return INFINITY;
-    double x = 1, v = 1, before, after;
+    double x = 1, v = 1, size, n = 0, steps = 0, squares = 0, logarithms = 0, products = 0;
     TinkerState state = {0.0, &x, &v, NULL};
+    TinkerStepReport report = {.struct_size = sizeof(TinkerStepReport)};
     method->restart(probe.stepper);
-    gboolean settled =
-        largest_swing(&probe, &state, step, WINDOW, &before) && largest_swing(&probe, &state, step, WINDOW, &before);
-    double growth = settled || before < 1 ? 0 : INFINITY;
-    for (int windows = 1; settled && windows <= MOST_WINDOWS; windows++) {
-        settled = largest_swing(&probe, &state, step, WINDOW, &after);
-        if (settled) growth = pow(after / before, 1.0 / (windows * WINDOW));
+    for (int i = 0; i < LONG_RUN; i++) {
+        if (method->step(probe.stepper, &state, state.t + step, &report) != TINKER_OK) return INFINITY;
+        size = swing(&probe, x, v);
+        if (!(size > LEAST_SWING && size < MOST_SWING)) break;
+        if (i < SETTLING) continue;
+        n += 1;
+        steps += i;
+        squares += (double)i * i;
+        logarithms += log(size);
+        products += i * log(size);
     }
-    return growth;
+    if (n < 2) return size < 1 ? 0 : INFINITY;
+    return exp((n * products - steps * logarithms) / (n * squares - steps * steps));
 }
 
 static gboolean is_stable(Probe *probe, double step)

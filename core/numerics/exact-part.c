@@ -196,7 +196,7 @@ static gboolean allot_part(TinkerExactPart *part, const TinkerLinearParts *parts
     gsize n = (gsize)part->n, edges = (gsize)part->edge_count;
     gsize signals = (gsize)linear->signal_count;
     gsize moves = linear->motion_count > 0 ? 2 * edges * (gsize)linear->motion_count : 0;
-    double *doubles = tinker_exact_allot(memory, 2 * n * n + (edges + 17) * n, sizeof(double));
+    double *doubles = tinker_exact_allot(memory, 2 * n * n + (edges + 19) * n, sizeof(double));
     part->edges = tinker_exact_allot(memory, edges, sizeof *part->edges);
     part->moves = tinker_exact_allot(memory, moves, sizeof *part->moves);
     part->signals = tinker_exact_allot(memory, signals, sizeof *part->signals);
@@ -208,10 +208,10 @@ static gboolean allot_part(TinkerExactPart *part, const TinkerLinearParts *parts
     if (!doubles || !part->edges || !part->moves || !part->signals || !part->powers || !part->booked_loads ||
         !part->power_sums || !part->values || !part->ahead)
         return FALSE;
-    double **each[] = {&part->shape,  &part->weigh,     &part->elongation, &part->omega, &part->decay,
-                       &part->load,   &part->reference, &part->push,       &part->place, &part->speed,
-                       &part->before, &part->unit,      &part->z,          &part->from,  &part->scratch};
-    gsize sizes[] = {n * n, n * n, edges * n, n, n, n, n, n, n, n, n, n, 2 * n, 2 * n, 4 * n};
+    double **each[] = {&part->shape,     &part->weigh, &part->elongation, &part->omega, &part->decay,  &part->load,
+                       &part->reference, &part->push,  &part->place,      &part->speed, &part->before, &part->energy,
+                       &part->bend,      &part->unit,  &part->z,          &part->from,  &part->scratch};
+    gsize sizes[] = {n * n, n * n, edges * n, n, n, n, n, n, n, n, n, n, n, n, 2 * n, 2 * n, 4 * n};
     for (gsize i = 0; i < G_N_ELEMENTS(each); i++) {
         *each[i] = doubles;
         doubles += sizes[i];

@@ -16,105 +16,114 @@
 #define DEEPEST          60
 #define MOST_EVALUATIONS 200000
 
-/* How far each mode can get from where the constant force holds it, within h: energy, and what signals add to it. */
+/* From a state, the signals having `values` there, on for h. */
 typedef struct {
-    const TinkerExactPart *part;
+    TinkerExactPart *part;
+    const double *z;
+    TinkerExactValues *values;
     double h;
-    double energy; /* of coupled modes: the root of twice all of it, per root of mass */
-    double forced; /* of coupled modes: bound on the force of the signals */
 } Reach;
 
-static double signal_force(const TinkerExactPart *part, int32_t j, double h)
+static double signal_force(const Reach *reach, int32_t j)
 {
+    const TinkerExactPart *part = reach->part;
     double force = 0.0;
     for (int32_t s = 0; s < part->signal_count; s++) {
         const TinkerExactSignal *signal = &part->signals[s];
         const TinkerLinearInput *input = &part->inputs[signal->input];
         TinkerExactValues rates;
-        tinker_exact_derivative(input, part->values[s], rates);
-        force += fabs(signal->by_value[j]) * tinker_exact_bound(input, part->values[s], h);
-        force += fabs(signal->by_rate[j]) * tinker_exact_bound(input, rates, h);
+        tinker_exact_derivative(input, reach->values[s], rates);
+        force += fabs(signal->by_value[j]) * tinker_exact_bound(input, reach->values[s], reach->h);
+        force += fabs(signal->by_rate[j]) * tinker_exact_bound(input, rates, reach->h);
     }
     return force;
 }
 
-static double offset_of(const TinkerExactPart *part, int32_t j)
-{
-    return part->omega[j] > 0.0 ? part->z[j] - part->push[j] / part->omega[j] : 0.0;
-}
-
-/* The root of twice the energy that mode j can have about its place within h. */
+/* The root of twice the energy that mode j has about where the constant force holds it. */
 static double mode_energy(const Reach *reach, int32_t j)
 {
     const TinkerExactPart *part = reach->part;
-    if (part->coupled) return reach->energy;
-    double force = signal_force(part, j, reach->h);
-    if (part->omega[j] == 0.0) force += fabs(part->push[j]);
-    double energy = hypot(offset_of(part, j), part->z[part->n + j]) + fabs(reach->h) * force;
-    return part->decay[j] < 0.0 ? energy * exp(-part->decay[j] * fabs(reach->h)) : energy;
+    double offset = part->omega[j] > 0.0 ? reach->z[j] - part->push[j] / part->omega[j] : 0.0;
+    return hypot(offset, reach->z[part->n + j]);
 }
 
-static Reach reach_of(const TinkerExactPart *part, double h)
+/* How much energy every mode can have within the reach, and how much of d'' it can make: by its own energy, and what
+ * signals add to it; of coupled modes by that of all. */
+static void bound_modes(const Reach *reach)
 {
-    Reach reach = {part, h, 0.0, 0.0};
-    if (!part->coupled) return reach;
+    TinkerExactPart *part = reach->part;
+    double h = fabs(reach->h), all = 0.0, forced = 0.0;
+    gboolean grows = FALSE;
     for (int32_t j = 0; j < part->n; j++) {
-        double force = signal_force(part, j, h);
+        double force = signal_force(reach, j), energy = mode_energy(reach, j);
         if (part->omega[j] == 0.0) force += fabs(part->push[j]);
-        reach.energy = hypot(reach.energy, hypot(offset_of(part, j), part->z[part->n + j]));
-        reach.forced = hypot(reach.forced, force);
-        if (part->decay[(gsize)j * (gsize)part->n + j] < 0.0) reach.energy = INFINITY;
+        if (part->coupled) {
+            all = hypot(all, energy);
+            forced = hypot(forced, force);
+            grows = grows || part->decay[(gsize)j * (gsize)part->n + j] < 0.0;
+            continue;
+        }
+        energy += h * force;
+        if (part->decay[j] < 0.0) energy *= exp(-part->decay[j] * h);
+        part->energy[j] = energy;
+        part->bend[j] = (part->omega[j] + fabs(part->decay[j])) * energy + force;
     }
-    reach.energy += fabs(h) * reach.forced;
-    return reach;
+    for (int32_t j = 0; part->coupled && j < part->n; j++) {
+        part->energy[j] = grows ? INFINITY : all + h * forced;
+        part->bend[j] = part->rate * part->energy[j] + forced;
+    }
 }
 
-/* How much of d'' mode j can make. */
-static double mode_jerk(const Reach *reach, int32_t j, double energy)
-{
-    const TinkerExactPart *part = reach->part;
-    double force = part->omega[j] == 0.0 ? fabs(part->push[j]) : 0.0;
-    if (part->coupled) return part->rate * energy + reach->forced;
-    return (part->omega[j] + fabs(part->decay[j])) * energy + force + signal_force(part, j, reach->h);
-}
-
-/* Whether edge e can get to d = 0 within the reach, before the time t; sets the bound on d'' and how far rounding
- * may move d, of the anchors by rounding of t. `*lasting` is cleared where the answer depends
- * on h. */
+/* Whether edge e can get to d = 0 within the reach of bounded modes, before the time t; sets the bound on d'' and how far
+ * rounding may move d, of the anchors by rounding of t. `*lasting` is cleared where the answer depends on h. */
 static gboolean can_pass(const Reach *reach, double t, int32_t e, gboolean *lasting)
 {
-    TinkerExactPart *part = (TinkerExactPart *)reach->part;
-    TinkerExactEdge *edge = &part->edges[e];
+    const TinkerExactPart *part = reach->part;
+    TinkerExactEdge *edge = &reach->part->edges[e];
     const double *row = part->elongation + (gsize)e * (gsize)part->n;
     double centre = edge->place, way = 0.0, bend = 0.0, size = 0.0, drift = 0.0;
     for (int32_t j = 0; j < part->n; j++) {
         if (row[j] == 0.0) continue;
-        double energy = mode_energy(reach, j);
-        size += fabs(row[j] * (part->z[j] / tinker_linear_scale(part->omega[j])));
-        bend += fabs(row[j]) * mode_jerk(reach, j, energy);
+        size += fabs(row[j] * (reach->z[j] / tinker_linear_scale(part->omega[j])));
+        bend += fabs(row[j]) * part->bend[j];
         if (part->omega[j] > 0.0) {
             centre += row[j] * (part->push[j] / part->omega[j] / part->omega[j]);
-            way += fabs(row[j]) * (energy / part->omega[j]);
+            way += fabs(row[j]) * (part->energy[j] / part->omega[j]);
         } else {
             *lasting = FALSE;
-            centre += row[j] * part->z[j];
-            way += fabs(row[j]) * fabs(reach->h) * energy;
+            centre += row[j] * reach->z[j];
+            way += fabs(row[j]) * fabs(reach->h) * part->energy[j];
         }
     }
-    for (int32_t m = 0; m < part->move_count; m++) {
+    for (int32_t m = 0; edge->moved && m < part->move_count; m++) {
         const TinkerExactMove *move = &part->moves[m];
         if (move->edge != e) continue;
         const TinkerLinearInput *input = &part->inputs[part->signals[move->signal].input];
         TinkerExactValues rates, seconds;
-        tinker_exact_derivative(input, part->values[move->signal], rates);
+        tinker_exact_derivative(input, reach->values[move->signal], rates);
         tinker_exact_derivative(input, rates, seconds);
-        way += fabs(move->factor) * tinker_exact_bound(input, part->values[move->signal], reach->h);
+        way += fabs(move->factor) * tinker_exact_bound(input, reach->values[move->signal], reach->h);
         bend += fabs(move->factor) * tinker_exact_bound(input, seconds, reach->h);
         drift += fabs(move->factor) * tinker_exact_bound(input, rates, reach->h);
     }
     edge->limit = fmax(bend, DBL_MIN);
     edge->noise = DBL_EPSILON * ((4.0 + part->n) * (fabs(edge->place) + size) + 8.0 * t * drift);
     return !(edge->sign * centre > way);
+}
+
+/* Whether any edge can; those that cannot get a limit of 0. */
+static gboolean look_ahead(const Reach *reach, double t, gboolean *lasting)
+{
+    TinkerExactPart *part = reach->part;
+    gboolean any = FALSE;
+    bound_modes(reach);
+    for (int32_t e = 0; e < part->edge_count; e++) {
+        if (!part->edges[e].watched) continue;
+        gboolean can = can_pass(reach, t, e, lasting);
+        if (!can) part->edges[e].limit = 0.0;
+        any = any || can;
+    }
+    return any;
 }
 
 /* d and d' (times the sign) of an edge in a state. */
@@ -183,19 +192,23 @@ static void mark_passed(TinkerExactPart *part)
     }
 }
 
-/* The search itself, as far as it gets with so many evaluations; the state at the start of the present piece is in the scratch, that at its end behind it. */
+/* The search itself, as far as it gets with so many evaluations; the state at the start of the present piece is in the
+ * scratch, that at its end behind it. What is within reach is bounded anew for every piece: over a long step a signal or a
+ * fast motion that dies away would leave bounds, and so pieces, that are far too small. */
 static double search(TinkerExactPart *part, const TinkerSignal *signals, double t, double h)
 {
     double *here = part->scratch, *there = here + 2 * part->n;
     int level = 0;
     int64_t at = 0, whole = (int64_t)1 << DEEPEST;
     memcpy(here, part->z, 2 * (gsize)part->n * sizeof *here);
-    stand_at(part, here, part->values);
     for (int32_t count = 0; at < whole && count < MOST_EVALUATIONS; count++) {
         double length = ldexp(h, -level), start = t + h * ((double)at / (double)whole);
         const TinkerExactSlot *slot = tinker_exact_slot(part, length, 0.0, TRUE, FALSE);
         if (!slot) return h;
         tinker_exact_part_values(part, signals, start, part->ahead);
+        gboolean lasting = FALSE;
+        if (look_ahead(&(Reach){part, here, part->ahead, length}, fabs(t) + fabs(h), &lasting))
+            stand_at(part, here, part->ahead);
         tinker_exact_part_drive(part, part->ahead);
         tinker_exact_part_advance(part, slot, here, there);
         tinker_exact_part_values(part, signals, start + length, part->ahead);
@@ -211,7 +224,6 @@ static double search(TinkerExactPart *part, const TinkerSignal *signals, double 
             return h * ((double)at / (double)whole);
         }
         memcpy(here, there, 2 * (gsize)part->n * sizeof *here);
-        stand_at(part, here, part->ahead);
         while (level > 0 && at % (whole >> (level - 1)) == 0)
             level--;
     }
@@ -222,16 +234,9 @@ double tinker_exact_part_passing(TinkerExactPart *part, const TinkerSignal *sign
 {
     part->landed = FALSE;
     if (part->watched == 0 || part->quiet) return h;
-    Reach reach = reach_of(part, h);
-    gboolean any = FALSE, lasting = part->signal_count == 0;
-    for (int32_t e = 0; e < part->edge_count; e++) {
-        TinkerExactEdge *edge = &part->edges[e];
-        if (!edge->watched) continue;
-        gboolean can = can_pass(&reach, fabs(t) + fabs(h), e, &lasting);
-        if (!can) edge->limit = 0.0;
-        any = any || can;
-    }
-    if (any) return search(part, signals, t, h);
+    gboolean lasting = part->signal_count == 0;
+    if (look_ahead(&(Reach){part, part->z, part->values, h}, fabs(t) + fabs(h), &lasting))
+        return search(part, signals, t, h);
     for (int32_t j = 0; j < part->n; j++)
         if (part->decay[part->coupled ? (gsize)j * (gsize)part->n + j : (gsize)j] < 0.0) lasting = FALSE;
     part->quiet = lasting;

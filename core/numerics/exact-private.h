@@ -109,6 +109,7 @@ typedef struct {
     double *scratch;      /* 4n: states on the way */
     double *amplitude;    /* entries x n of modes, else entries */
     double *place, *speed, *before;
+    double *energy, *bend;             /* n: bounds on what each mode can do in a search, see exact-passing.c */
     double *power_sums;                /* power_count */
     TinkerExactValues *values, *ahead; /* of the signals at the start and end of a step */
     gboolean landed;                   /* the step ends where the search for a passing left the state */

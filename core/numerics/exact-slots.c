@@ -218,13 +218,13 @@ static gboolean build(TinkerExactPart *part, double h, gboolean with_books, Tink
 const TinkerExactSlot *tinker_exact_slot(TinkerExactPart *part, double h, double tolerance, gboolean scratch,
                                          gboolean with_books)
 {
-    TinkerExactSlot *oldest = NULL, *nearest = NULL;
     int32_t first = scratch ? part->step_slots : 0, end = scratch ? part->slot_count : part->step_slots;
+    TinkerExactSlot *oldest = &part->slots[first], *nearest = NULL;
     for (int32_t i = 0; i < part->slot_count; i++) {
         TinkerExactSlot *slot = &part->slots[i];
         gboolean usable = slot->h != 0.0 && fabs(slot->h - h) <= tolerance && (slot->with_books || !with_books);
         if (usable && (!nearest || fabs(slot->h - h) < fabs(nearest->h - h))) nearest = slot;
-        if (i >= first && i < end && (!oldest || slot->used < oldest->used)) oldest = slot;
+        if (i >= first && i < end && slot->used < oldest->used) oldest = slot;
     }
     if (!nearest) {
         if (!build(part, h, with_books, oldest)) return NULL;

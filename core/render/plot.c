@@ -179,17 +179,25 @@ static double column_width(cairo_t *cairo)
     return FINEST / (isfinite(pixels) && pixels > 0.01 ? pixels : 1);
 }
 
+static void clip_to_frame(cairo_t *cairo, const TinkerPlotLayout *layout, double beyond)
+{
+    cairo_rectangle(cairo, layout->left - beyond, layout->top - beyond, layout->right - layout->left + 2 * beyond,
+                    layout->bottom - layout->top + 2 * beyond);
+    cairo_clip(cairo);
+}
+
 static void draw_curves(cairo_t *cairo, const TinkerPlotLayout *layout)
 {
     const TinkerPlot *plot = layout->plot;
     double column = column_width(cairo);
     cairo_save(cairo);
-    /* Half a line's width beyond the frame, so that a curve along it is not cut in two. */
-    cairo_rectangle(cairo, layout->left - 2, layout->top - 2, layout->right - layout->left + 4,
-                    layout->bottom - layout->top + 4);
-    cairo_clip(cairo);
+    clip_to_frame(cairo, layout, 0);
     for (int i = 0; i < plot->curve_count; i++)
         tinker_plot_draw_band(cairo, layout, &plot->curves[i], column);
+    cairo_restore(cairo);
+    cairo_save(cairo);
+    /* Half a line's width beyond the frame, so that a curve along it is not cut in two. */
+    clip_to_frame(cairo, layout, 2);
     for (int i = 0; i < plot->curve_count; i++)
         tinker_plot_draw_curve(cairo, layout, &plot->curves[i], column);
     cairo_restore(cairo);

@@ -279,6 +279,19 @@ static void test_pressed_springs(void)
     assert_frequencies(a, (double[]){sqrt(200)}, 1);
 }
 
+/* A stretched spring beside a rod pulls against it, and moves nothing: the pair drifts and turns. */
+static void test_spring_beside_rod(void)
+{
+    g_autoptr(ModesFixture) a =
+        analyse("{'type': 'mass', 'mass': 0.07, 'position': [5.48, -0.11]},"
+                "{'type': 'mass', 'mass': 0.11, 'position': [2.1, 3.08]},"
+                "{'type': 'spring', 'ends': ['Mass 1', 'Mass 0'], 'stiffness': 4191.9, 'rest_length': 2.94},"
+                "{'type': 'damper', 'ends': ['Mass 1', 'Mass 0'], 'damping': 11.8},"
+                "{'type': 'rod', 'ends': ['Mass 1', 'Mass 0']}");
+    g_assert_cmpuint(count_kind(a, TINKER_MODE_RIGID), ==, 3);
+    g_assert_cmpuint(a->analysis->modes->len, ==, 3);
+}
+
 /* In free fall there is no rest, and it says so; the modes are those of the start. */
 static void test_no_rest(void)
 {
@@ -374,6 +387,7 @@ static void add_tests(void)
     g_test_add_func("/modes/damped-two-masses", test_damped_two_masses);
     g_test_add_func("/modes/free-damper", test_free_damper);
     g_test_add_func("/modes/pressed-springs", test_pressed_springs);
+    g_test_add_func("/modes/spring-beside-rod", test_spring_beside_rod);
     g_test_add_func("/modes/no-rest", test_no_rest);
     g_test_add_func("/modes/given-state", test_given_state);
     g_test_add_func("/modes/scales", test_scales);

@@ -84,6 +84,24 @@ static void test_parts(void)
     assert_near(both.q[0], alone.q[0], 100.0 * DBL_EPSILON);
 }
 
+/* Stiff, damped and driven: after a moment nothing moves faster than the drive. The ends of the springs stay metres apart, and
+ * one long step finds that out. The anchor's spring hardly gives: x = -6 + 0.8 sin 10 t to (10 / 3e4)^2. */
+static void test_out_of_reach(void)
+{
+    LinearCase test;
+    case_init(&test, 2);
+    test.mass[0] = 0.02;
+    test.mass[1] = 0.05;
+    test.q[0] = -10.0;
+    test.q[1] = -6.0;
+    int32_t wall = case_anchor(&test, 40.0);
+    case_edge(&test, 0, 1, 600.0, 160.0)->length = 4.0;
+    case_edge(&test, 1, wall, 5e7, 0.0)->length = 46.0;
+    case_motion(&test, wall, case_harmonic(&test, 0.8, 10.0, 0.0), 1.0);
+    g_assert_cmpint(case_run(&test, 1.0, 1), ==, 1);
+    assert_near(test.q[1], -6.0 + 0.8 * sin(10.0), 1e-6);
+}
+
 /* Samples end before the first passing. */
 static void test_samples_until_passing(void)
 {
@@ -102,6 +120,7 @@ int main(int argc, char **argv)
     g_test_add_func("/numerics/exact-passing/grazing", test_grazing);
     g_test_add_func("/numerics/exact-passing/constant-tension", test_constant_tension);
     g_test_add_func("/numerics/exact-passing/parts", test_parts);
+    g_test_add_func("/numerics/exact-passing/out-of-reach", test_out_of_reach);
     g_test_add_func("/numerics/exact-passing/samples", test_samples_until_passing);
     return g_test_run();
 }
