@@ -14,14 +14,6 @@ static const char *plural(int32_t count)
     return count == 1 ? "" : "s";
 }
 
-/* "12 µs", "0.5 ms", "3 s". (transfer full) */
-static char *time_text(double seconds)
-{
-    if (seconds < 1e-3) return g_strdup_printf("%.2g µs", seconds * 1e6);
-    if (seconds < 1) return g_strdup_printf("%.2g ms", seconds * 1e3);
-    return g_strdup_printf("%.3g s", seconds);
-}
-
 static void add(TinkerTextTable *table, const char *label, const char *value)
 {
     tinker_text_table_add(table, label);
@@ -88,7 +80,7 @@ static void write_island(const TinkerPlanReport *report, guint number, FILE *fil
     const TinkerIslandPlan *island = g_ptr_array_index(report->plan->islands, number);
     g_autoptr(TinkerTextTable) table = tinker_text_table_new("ll", 2);
     g_autofree char *blocks = blocks_text(report, island), *kind = kind_text(island), *speed = speed_text(island);
-    g_autofree char *limits = limits_text(island), *time = time_text(island->expected_s);
+    g_autofree char *limits = limits_text(island), *time = tinker_duration_text(island->expected_s, 2);
     g_autofree char *method = island->step > 0
                                   ? g_strdup_printf("%s, step %.4g s", island->method->id, island->step)
                                   : g_strdup_printf("%s, tolerance %g", island->method->id, island->tolerance);

@@ -4,16 +4,9 @@
 #include "summary.h"
 #include "text-table.h"
 
-static char *duration_text(double seconds)
-{
-    if (seconds < 1e-3) return g_strdup_printf("%.3g µs", seconds * 1e6);
-    if (seconds < 1) return g_strdup_printf("%.3g ms", seconds * 1e3);
-    return g_strdup_printf("%.4g s", seconds);
-}
-
 static char *time_text(const TinkerSummary *run)
 {
-    g_autofree char *wall = duration_text(run->wall_s);
+    g_autofree char *wall = tinker_duration_text(run->wall_s, 3);
     double factor = run->simulated_s / run->wall_s;
     if (!isfinite(factor)) return g_strdup_printf("%g s simulated in %s", run->simulated_s, wall);
     return g_strdup_printf("%g s simulated in %s, %.*f times real time", run->simulated_s, wall, factor < 10 ? 2 : 0,

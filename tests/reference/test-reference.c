@@ -262,10 +262,6 @@ static void test_problem(gconstpointer data)
 {
     const cJSON *problem = data;
     g_autofree char *path = scene_path(problem);
-    if (member(problem, "waits_for") != NULL) {
-        g_test_skip(text(problem, "waits_for"));
-        return;
-    }
     if (member(problem, "beside") != NULL) {
         g_autofree char *folder = assemble(problem, path), *name = g_path_get_basename(path);
         g_autofree char *copy = g_build_filename(folder, name, NULL);
