@@ -135,7 +135,7 @@ static void judge(const Contest *contest, BenchmarkReport *report, gboolean with
     const char *which = with_exact ? "all methods" : "without exact";
     double nearest = INFINITY;
     g_autofree char *nearest_text = NULL;
-    int faster = 0;
+    int faster = 0, all = 0;
     for (guint i = 0; i < contest->contestants->len; i++) {
         const Contestant *peer = &g_array_index(contest->contestants, Contestant, i);
         const char *solver = "none of ours";
@@ -143,17 +143,18 @@ static void judge(const Contest *contest, BenchmarkReport *report, gboolean with
         double ratio = peer->timing.minimum / our_time(contest, peer->error, with_exact, &solver);
         g_autofree char *text = g_strdup_printf("%s at an error of %.1e takes %.2f times as long as %s", peer->solver,
                                                 peer->error, ratio, solver);
-        if (ratio < 1.0) printf("%s, %s: %s\n", contest->scene, which, text);
         faster += ratio < 1.0;
+        all++;
         if (ratio >= nearest) continue;
         nearest = ratio;
         g_free(nearest_text);
         nearest_text = g_steal_pointer(&text);
     }
-    g_autofree char *verdict = nearest_text == NULL ? g_strdup("there was no peer")
-                               : faster > 0
-                                   ? g_strdup_printf("peers are faster at %d of their errors; %s", faster, nearest_text)
-                                   : g_strdup_printf("no peer is faster at any error; the nearest, %s", nearest_text);
+    g_autofree char *verdict =
+        nearest_text == NULL ? g_strdup("there was no peer")
+        : faster > 0
+            ? g_strdup_printf("peers are faster at %d of their %d points; the fastest, %s", faster, all, nearest_text)
+            : g_strdup_printf("no peer is faster at any error; the nearest, %s", nearest_text);
     printf("%s, %s: %s\n", contest->scene, which, verdict);
     cJSON *item = cJSON_CreateObject();
     cJSON_AddStringToObject(item, "scene", contest->scene);

@@ -88,14 +88,12 @@ def chain():
     start[0::2] = [(i // 2 + 1) / 25 for i in range(n)]
     median, least, end = timed(lambda: expm(10 * matrix) @ start)
     show("S6", "Cartesian", "expm", 0, median, least, end=end.tolist())
-    for method, how in [("Radau", dict(jac=matrix)), ("BDF", dict(jac=matrix)), ("LSODA", dict(uband=3, lband=3))]:
-        for tolerance in [1e-3, 1e-4, 1e-5, 1e-6]:
-            median, least, solved = timed(
-                lambda: solve_ivp(lambda t, y: matrix @ y, (0, 10), start, method=method, rtol=tolerance,
-                                  atol=0.01 * tolerance, **how), 3)
-            show("S6", "Cartesian", method, tolerance, median, least, end=solved.y[:, -1].tolist())
-            if median > 2:
-                break
+    # BDF and LSODA are no match: 22 s and 4 s at the loosest of these tolerances
+    for tolerance in [1e-3, 1e-4, 1e-5]:
+        median, least, solved = timed(
+            lambda: solve_ivp(lambda t, y: matrix @ y, (0, 10), start, method="Radau", rtol=tolerance,
+                              atol=0.01 * tolerance, jac=matrix), 3)
+        show("S6", "Cartesian", "Radau", tolerance, median, least, end=solved.y[:, -1].tolist())
 
 
 scene = sys.argv[1]

@@ -110,6 +110,60 @@ static void test_links(void)
     }
 }
 
+/* What a page of a method must tell; that of auto, which is no method of its own, needs no equation. */
+static void check_method_page(const char *name, const char *page, const char *overview)
+{
+    static const char *const parts[] = {"\n## Order", "\n## Cost\n", "\n## When to take it", "\n## Source\n"};
+    const gboolean chosen = strcmp(name, "auto") == 0;
+    for (gsize i = 0; i < G_N_ELEMENTS(parts); i++) {
+        if (strstr(page, parts[i]) == NULL) g_test_message("%s: no part%s", name, parts[i]);
+        g_assert_nonnull(strstr(page, parts[i]));
+    }
+    g_autofree char *picture = g_strconcat("(../images/stability-", name, ".png)", NULL);
+    g_assert_true(chosen || (strstr(page, picture) != NULL && strstr(page, "\n## Equation\n") != NULL));
+    g_autofree char *link = g_strconcat("(../methods/", name, ".md)", NULL);
+    g_assert_nonnull(strstr(overview, link));
+    if (chosen) return;
+    const char *arguments[] = {"plugins", "show", name, NULL};
+    g_autoptr(TestProgram) program = test_program_run(arguments);
+    g_assert_cmpint(program->status, ==, 0);
+}
+
+/* The methods that are linked in: the program tells them where it does not know one. (transfer full) */
+static GStrv builtin_methods(void)
+{
+    g_autofree char *scene = source_path("host/scenes/pendulum.tinker.json");
+    const char *arguments[] = {"run", scene, "--method", "unheard-of", NULL};
+    g_autoptr(TestProgram) program = test_program_run(arguments);
+    const char *first = strstr(program->error, "(there are "), *end = strstr(program->error, ", and those of");
+    g_assert_true(first != NULL && end != NULL);
+    first += strlen("(there are ");
+    g_autofree char *names = g_strndup(first, (gsize)(end - first));
+    return g_strsplit(names, ", ", -1);
+}
+
+/* Each method that is linked in has a page, and each page tells of a method that the program knows. */
+static void test_methods(void)
+{
+    g_auto(GStrv) names = builtin_methods();
+    g_autofree char *overview_path = source_path("docs/reference/methods.md"), *folder = source_path("docs/methods");
+    g_autofree char *overview = test_read_file(overview_path);
+    for (char **name = names; *name != NULL; name++) {
+        g_autofree char *file = g_strconcat(*name, ".md", NULL), *path = g_build_filename(folder, file, NULL);
+        if (!g_file_test(path, G_FILE_TEST_EXISTS)) g_test_message("no page %s", path);
+        g_assert_true(g_file_test(path, G_FILE_TEST_EXISTS));
+    }
+    g_autoptr(GError) error = NULL;
+    g_autoptr(GDir) pages = g_dir_open(folder, 0, &error);
+    g_assert_no_error(error);
+    for (const char *file = g_dir_read_name(pages); file != NULL; file = g_dir_read_name(pages)) {
+        g_assert_true(g_str_has_suffix(file, ".md"));
+        g_autofree char *name = g_strndup(file, strlen(file) - 3), *path = g_build_filename(folder, file, NULL);
+        g_autofree char *page = test_read_file(path);
+        check_method_page(name, page, overview);
+    }
+}
+
 /* 2 kg pushed with (3, 4) N from rest: x = 0.75 t^2, y = t^2, and the power is F . v = 1.5 * 3 t + 2 * 4 t. */
 static void check_constant_force(const char *plugin_folder)
 {
@@ -269,6 +323,7 @@ int main(int argc, char **argv)
     g_test_add_func("/docs/listings", test_listings);
     g_test_add_func("/docs/outputs", test_outputs);
     g_test_add_func("/docs/links", test_links);
+    g_test_add_func("/docs/methods", test_methods);
     g_test_add_func("/docs/tutorial/runs", test_tutorial_runs);
     g_test_add_func("/docs/example/runs", test_example_runs);
     g_test_add_func("/docs/example/is-drawn", test_example_is_drawn);

@@ -309,6 +309,32 @@ static void test_equal_scales(void)
     g_assert_cmpfloat_with_epsilon(x1 - x0, y0 - y1, 1e-9);
 }
 
+/* An axis shows just what it is told to, whatever the data. */
+static void test_ranges(void)
+{
+    Data data;
+    fill(&data, sin, 0, 10);
+    const double across[2] = {2, 4}, up[2] = {-3, 1};
+    const TinkerCurve curve = {.x = data.x, .y = data.y, .count = 200};
+    const TinkerPlot plot = {.curves = &curve, .curve_count = 1, .x_range = across, .y_range = up};
+    double left, bottom, right, top, middle, centre;
+    place(&plot, 2, -3, &left, &bottom);
+    place(&plot, 4, 1, &right, &top);
+    place(&plot, 3, -1, &middle, &centre);
+    g_assert_cmpfloat(left, >, 0);
+    g_assert_cmpfloat(right - left, >, 0.7 * WIDTH);
+    g_assert_cmpfloat(bottom - top, >, 0.7 * HEIGHT);
+    g_assert_cmpfloat_with_epsilon(middle, 0.5 * (left + right), 1e-9);
+    g_assert_cmpfloat_with_epsilon(centre, 0.5 * (bottom + top), 1e-9);
+    TinkerTextPen pen = TINKER_TEXT_PEN_INIT;
+    TinkerPlotLayout layout;
+    tinker_plot_lay_out(&layout, &plot, &pen, WIDTH, HEIGHT);
+    g_assert_cmpfloat_with_epsilon(layout.left, left, 1e-9);
+    g_assert_cmpfloat_with_epsilon(layout.right, right, 1e-9);
+    tinker_plot_layout_clear(&layout);
+    tinker_text_pen_clear(&pen);
+}
+
 static void test_pick(void)
 {
     Data data;
@@ -401,6 +427,7 @@ int main(int argc, char **argv)
     g_test_add_func("/render/plot/band", test_band);
     g_test_add_func("/render/plot/band-with-gap", test_band_with_gap);
     g_test_add_func("/render/plot/equal-scales", test_equal_scales);
+    g_test_add_func("/render/plot/ranges", test_ranges);
     g_test_add_func("/render/plot/pick", test_pick);
     g_test_add_func("/render/plot/texts", test_texts);
     g_test_add_func("/render/plot/tiny", test_tiny);
