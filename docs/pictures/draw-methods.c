@@ -198,9 +198,9 @@ static gboolean draw_bdf(const char *folder, const Method *first, const double *
 
 static gboolean draw_method(const char *folder, const Method *method, GError **error)
 {
-    static const View roots = {-7.5, 1.5, -6.8, 6.8}, formulas = {-6, 20, -13, 13}, explicit = {0, 3.6, 0, 3.6},
+    static const View roots = {-10, 1.5, -6.8, 6.8}, formulas = {-6, 20, -13, 13}, explicit = {0, 3.6, 0, 3.6},
                       implicit = {0, 20, 0, 20};
-    static const double tall[2] = {560, 780}, square[2] = {640, 660};
+    static const double tall[2] = {640, 780}, square[2] = {640, 660};
     if (method->order > 0) return method->order > 1 || draw_bdf(folder, method, formulas, square, error);
     if (method->plane == PLANE_OF_ROOTS) return draw_region(folder, method, roots, tall, error);
     const TinkerIntegrator *integrator = docs_integrator(method);

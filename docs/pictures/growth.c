@@ -157,7 +157,7 @@ double docs_undamped_growth(const char *id, double spectral_radius, double turn)
 }
 
 const Method docs_methods[] = {
-    {"semi-implicit-euler", PLANE_OF_DAMPING, map_growth, map_error, 0},
+    {"semi-implicit-euler", PLANE_OF_DAMPING, map_growth, NULL, 0},
     {"verlet", PLANE_OF_DAMPING, map_growth, map_error, 0},
     {"verlet6", PLANE_OF_DAMPING, map_growth, map_error, 0},
     {"rk4", PLANE_OF_ROOTS, map_growth, map_error, 0},
