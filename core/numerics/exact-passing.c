@@ -81,20 +81,31 @@ static gboolean can_pass(const Reach *reach, double t, int32_t e, gboolean *last
     const TinkerExactPart *part = reach->part;
     TinkerExactEdge *edge = &reach->part->edges[e];
     const double *row = part->elongation + (gsize)e * (gsize)part->n;
-    double centre = edge->place, way = 0.0, bend = 0.0, size = 0.0, drift = 0.0;
+    double centre = edge->place, here = edge->place, way = 0.0, bend = 0.0, size = 0.0, drift = 0.0;
+    double free_way = 0.0, square_way = 0.0, square_speed = 0.0, speed = 0.0;
     for (int32_t j = 0; j < part->n; j++) {
         if (row[j] == 0.0) continue;
-        size += fabs(row[j] * (reach->z[j] / tinker_linear_scale(part->omega[j])));
+        double share = row[j] * (reach->z[j] / tinker_linear_scale(part->omega[j]));
+        here += share;
+        size += fabs(share);
         bend += fabs(row[j]) * part->bend[j];
+        speed += fabs(row[j]) * part->energy[j];
+        square_speed += row[j] * row[j];
         if (part->omega[j] > 0.0) {
             centre += row[j] * (part->push[j] / part->omega[j] / part->omega[j]);
             way += fabs(row[j]) * (part->energy[j] / part->omega[j]);
+            square_way += row[j] / part->omega[j] * (row[j] / part->omega[j]);
         } else {
             *lasting = FALSE;
             centre += row[j] * reach->z[j];
-            way += fabs(row[j]) * fabs(reach->h) * part->energy[j];
+            free_way += fabs(row[j]) * fabs(reach->h) * part->energy[j];
         }
     }
+    if (part->coupled && part->n > 0) { /* all modes share one energy: by Cauchy and Schwarz */
+        way = part->energy[0] * sqrt(square_way);
+        speed = part->energy[0] * sqrt(square_speed);
+    }
+    way += free_way;
     for (int32_t m = 0; edge->moved && m < part->move_count; m++) {
         const TinkerExactMove *move = &part->moves[m];
         if (move->edge != e) continue;
@@ -105,10 +116,13 @@ static gboolean can_pass(const Reach *reach, double t, int32_t e, gboolean *last
         way += fabs(move->factor) * tinker_exact_bound(input, reach->values[move->signal], reach->h);
         bend += fabs(move->factor) * tinker_exact_bound(input, seconds, reach->h);
         drift += fabs(move->factor) * tinker_exact_bound(input, rates, reach->h);
+        here += move->factor * reach->values[move->signal][0];
     }
     edge->limit = fmax(bend, DBL_MIN);
     edge->noise = DBL_EPSILON * ((4.0 + part->n) * (fabs(edge->place) + size) + 8.0 * t * drift);
-    return !(edge->sign * centre > way);
+    if (edge->sign * centre > way) return FALSE;
+    *lasting = FALSE; /* what it cannot reach within h it may reach later */
+    return !(edge->sign * here - edge->noise > fabs(reach->h) * (speed + drift));
 }
 
 /* Whether any edge can; those that cannot get a limit of 0. */

@@ -25,6 +25,7 @@ struct _TinkerEstimate {
     guint columns;
     double *bands;         /* by column, or NULL */
     double *factors;       /* of each island: error over distance; 0 where it is stepped exactly */
+    double *apart;         /* m, m/s: of each island, the largest distances so far, of places and of velocities */
     double *accelerations; /* m/s^2: of each island, the largest so far */
     double *scratch;       /* room for the accelerations of an island */
     double error, predictable_until;
@@ -102,6 +103,7 @@ TinkerEstimate *tinker_estimate_new(TinkerSimulation *simulation, const GArray *
     estimate->predictable_until = INFINITY;
     estimate->factors = g_new(double, simulation->runs->len);
     estimate->accelerations = g_new0(double, simulation->runs->len);
+    estimate->apart = g_new0(double, 2 * (gsize)simulation->runs->len);
     estimate->scratch = g_new0(double, 2 * (gsize)simulation->model->bodies + 1);
     for (guint i = 0; i < simulation->runs->len; i++)
         estimate->factors[i] = factor_of(g_ptr_array_index(simulation->runs, i));
@@ -114,7 +116,8 @@ void tinker_estimate_free(TinkerEstimate *estimate)
     if (estimate == NULL) return;
     tinker_simulation_free(estimate->companion);
     tinker_model_free(estimate->model);
-    gpointer arrays[] = {estimate->bands, estimate->factors, estimate->accelerations, estimate->scratch};
+    gpointer arrays[] = {estimate->bands, estimate->factors, estimate->apart, estimate->accelerations,
+                         estimate->scratch};
     for (gsize i = 0; i < G_N_ELEMENTS(arrays); i++)
         g_free(arrays[i]);
     g_free(estimate);
@@ -137,21 +140,22 @@ static double rounding(TinkerEstimate *estimate, guint number, double t)
     return DBL_EPSILON * t * fmax(places, speeds);
 }
 
-/* Distance of the two states of an island, scaled. */
+/* The largest distance of the two states of an island so far, by its present scales: what was much beside the first slow
+ * moments may be little beside what follows. */
 static double distance(const TinkerEstimate *estimate, guint number)
 {
     TinkerIslandRun *run = g_ptr_array_index(estimate->simulation->runs, number);
     const TinkerSimulation *ours = estimate->simulation, *theirs = estimate->companion;
-    double extent, speed, apart = 0, faster = 0;
+    double extent, speed, *apart = &estimate->apart[2 * number], *faster = apart + 1;
     run->system.system.scales(&run->system, run->state.q, run->state.v, &extent, &speed);
     for (int32_t i = 0; i < run->model->bodies; i++) {
         int32_t body = 2 * run->island->body_of[i];
-        apart = fmax(apart, hypot(ours->sample_q[body] - theirs->sample_q[body],
-                                  ours->sample_q[body + 1] - theirs->sample_q[body + 1]));
-        faster = fmax(faster, hypot(ours->sample_v[body] - theirs->sample_v[body],
-                                    ours->sample_v[body + 1] - theirs->sample_v[body + 1]));
+        *apart = fmax(*apart, hypot(ours->sample_q[body] - theirs->sample_q[body],
+                                    ours->sample_q[body + 1] - theirs->sample_q[body + 1]));
+        *faster = fmax(*faster, hypot(ours->sample_v[body] - theirs->sample_v[body],
+                                      ours->sample_v[body + 1] - theirs->sample_v[body + 1]));
     }
-    double places = extent > 0 ? apart / extent : 0, speeds = speed > 0 ? faster / speed : 0;
+    double places = extent > 0 ? *apart / extent : 0, speeds = speed > 0 ? *faster / speed : 0;
     return estimate->factors[number] * fmax(places, speeds);
 }
 
@@ -171,15 +175,15 @@ static gboolean give_up(TinkerEstimate *estimate, double t, GError *failed, GErr
     return TRUE;
 }
 
-static void warn_unpredictable(TinkerEstimate *estimate, double t)
+void tinker_estimate_close(TinkerEstimate *estimate)
 {
-    estimate->predictable_until = t;
+    if (isinf(estimate->predictable_until)) return;
     g_ptr_array_add(
         estimate->simulation->summary.warnings,
         g_strdup_printf("not predictable beyond t = %.6g s: there the estimated error passes a tenth of the "
                         "motion's own size (a smaller step or tolerance moves that time out; chaos sets "
                         "it an end)",
-                        t));
+                        estimate->predictable_until));
 }
 
 static void widen_bands(TinkerEstimate *estimate, double t)
@@ -200,11 +204,15 @@ gboolean tinker_estimate_look(TinkerEstimate *estimate, double t, GError **error
     if (estimate->failed) return TRUE;
     if (estimate->companion != NULL && !tinker_simulation_advance(estimate->companion, t, &failed))
         return give_up(estimate, t, failed, error);
+    estimate->error = FLOOR;
     for (guint i = 0; i < estimate->simulation->runs->len; i++) {
         double off = estimate->factors[i] > 0 ? distance(estimate, i) : rounding(estimate, i, t);
-        estimate->error = fmax(estimate->error, fmax(off, FLOOR));
+        estimate->error = fmax(estimate->error, off);
     }
-    if (estimate->error > UNPREDICTABLE && isinf(estimate->predictable_until)) warn_unpredictable(estimate, t);
+    if (!(estimate->error > UNPREDICTABLE))
+        estimate->predictable_until = INFINITY;
+    else if (isinf(estimate->predictable_until))
+        estimate->predictable_until = t;
     if (estimate->bands != NULL) widen_bands(estimate, t);
     return TRUE;
 }

@@ -20,6 +20,9 @@ void tinker_estimate_free(TinkerEstimate *estimate);
 /* Brings the companion to t, where the simulation's sample is, and compares. FALSE only where the user stopped it. */
 gboolean tinker_estimate_look(TinkerEstimate *estimate, double t, GError **error);
 
+/* At the end of the run: warns where the motion was not predictable to its end. */
+void tinker_estimate_close(TinkerEstimate *estimate);
+
 /* The largest error so far, relative to the scales of the islands; where it passed a tenth; and by column, or NULL. */
 double tinker_estimate_error(const TinkerEstimate *estimate);
 double tinker_estimate_predictable_until(const TinkerEstimate *estimate);

@@ -223,6 +223,7 @@ gboolean tinker_simulation_run(TinkerSimulation *simulation, const GArray *colum
     simulation->values = g_new0(double, columns != NULL ? columns->len + 1 : 1);
     if (simulation->options.estimate) simulation->estimate = tinker_estimate_new(simulation, columns);
     gboolean done = run_to_end(simulation, sample, data, error);
+    if (simulation->estimate != NULL) tinker_estimate_close(simulation->estimate);
     simulation->summary.wall_s = 1e-6 * (double)(g_get_monotonic_time() - started);
     tinker_simulation_add_up(simulation);
     return done;

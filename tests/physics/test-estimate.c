@@ -20,7 +20,8 @@
 typedef struct {
     const ClosedForm *problem;
     double time, box[4], speed; /* reached so far */
-    double error;               /* the largest so far */
+    double apart, faster;       /* m, m/s: the largest errors so far */
+    double error;               /* the same in units of what was reached */
     GArray *claimed, *true_error;
 } Comparison;
 
@@ -46,17 +47,17 @@ static void reach(Comparison *comparison, double from, double to)
     }
 }
 
-/* Of the state, in units of how far and how fast the motion has reached. */
-static double true_error(const Comparison *comparison, double time, const double *values)
+/* Of the state, the largest so far, in units of how far and how fast the motion has reached. */
+static double true_error(Comparison *comparison, double time, const double *values)
 {
     Motion truth = {0};
-    double apart = 0, faster = 0;
     comparison->problem->truth(time, &truth);
     for (int i = 0; i < comparison->problem->bodies; i++) {
         const double *body = values + 4 * i;
-        apart = fmax(apart, hypot(body[0] - truth.q[2 * i], body[1] - truth.q[2 * i + 1]));
-        faster = fmax(faster, hypot(body[2] - truth.v[2 * i], body[3] - truth.v[2 * i + 1]));
+        comparison->apart = fmax(comparison->apart, hypot(body[0] - truth.q[2 * i], body[1] - truth.q[2 * i + 1]));
+        comparison->faster = fmax(comparison->faster, hypot(body[2] - truth.v[2 * i], body[3] - truth.v[2 * i + 1]));
     }
+    double apart = comparison->apart, faster = comparison->faster;
     const double *box = comparison->box;
     double extent = hypot(box[2] - box[0], box[3] - box[1]);
     double places = extent > 0 ? apart / extent : 0, speeds = comparison->speed > 0 ? faster / comparison->speed : 0;
@@ -68,7 +69,7 @@ static gboolean compare(TinkerSimulation *simulation, double time, const double 
     Comparison *comparison = data;
     reach(comparison, comparison->time, time);
     comparison->time = time;
-    comparison->error = fmax(comparison->error, true_error(comparison, time, values));
+    comparison->error = true_error(comparison, time, values);
     const TinkerSummary *summary = tinker_simulation_summary(simulation);
     if (time == 0 || isfinite(summary->predictable_until)) return TRUE;
     double actual = fmax(comparison->error, FLOOR);
