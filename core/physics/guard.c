@@ -103,8 +103,10 @@ static void append_blame(GString *text, TinkerModel *model, const TinkerSpectrum
         g_string_append(text, "no single connector is to blame");
 }
 
-/* What `auto` takes here at the scene's own tolerance. */
-static void append_advice(GString *text, const TinkerIsland *island, const TinkerIntegrator *method, double stable)
+/* A step that is stable, or that is finer than a stable one which was not good enough; and what `auto` takes here at the scene's
+ * own tolerance. */
+static void append_advice(GString *text, const TinkerIsland *island, const TinkerIntegrator *method, double step,
+                          double stable)
 {
     TinkerRunOptions options = tinker_run_options_of(island->model->scene);
     TinkerChoice choice = {0};
@@ -113,7 +115,7 @@ static void append_advice(GString *text, const TinkerIsland *island, const Tinke
     if (method->flags & TINKER_INTEGRATOR_ADAPTIVE)
         g_string_append(text, "; use a smaller tolerance");
     else if (isfinite(stable) && stable > 0)
-        g_string_append_printf(text, "; use a step of %g s", tinker_round_down(0.9 * stable));
+        g_string_append_printf(text, "; use a step of %g s", tinker_round_down(fmin(0.9 * stable, 0.25 * step)));
     else
         g_string_append(text, "; use a smaller step");
     if (!chosen) return;
@@ -135,7 +137,7 @@ char *tinker_guard_explain(TinkerModel *model, const TinkerIntegrator *method, d
         g_string_append_printf(text, "; %s is stable up to a step of about %.3g s here", method->id, stable);
         if (step > stable) g_string_append_printf(text, ", the step was %.3g s", step);
     }
-    append_advice(text, &island, method, stable);
+    append_advice(text, &island, method, step, stable);
     tinker_linear_form_free(island.linear);
     return g_string_free(text, FALSE);
 }

@@ -161,7 +161,7 @@ static void warn_under_resolved(const TinkerIsland *island, const TinkerRunOptio
     g_autofree char *around = NULL;
     place_of(island, &around);
     g_ptr_array_add(warnings,
-                    g_strdup_printf("motion at up to %.3g rad/s%s, which holds %.2g %% of the energy, gets %.2g "
+                    g_strdup_printf("motion at up to %.3g rad/s%s, which holds %.3g %% of the energy, gets %.2g "
                                     "steps a period: %s is stable there and wrong (--step %g resolves it)",
                                     fastest, around, fmin(100 * share, 100), 2 * G_PI / (fastest * options->step),
                                     method->id, tinker_round_down(WELL_RESOLVED / fastest)));

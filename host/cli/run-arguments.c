@@ -90,6 +90,7 @@ gboolean tinker_scene_run_prepare(TinkerSceneRun *run, TinkerScene *scene, const
                                   TinkerRunOptions *options, GError **error)
 {
     run->progress = tinker_progress_start("running");
+    run->automatic = g_str_equal(options->method, "auto");
     options->cancelled = tinker_progress_interrupted;
     options->progress = tinker_progress_of_run;
     options->data = &run->progress;
@@ -125,6 +126,23 @@ static void add_once(GPtrArray *texts, const GPtrArray *more)
             g_ptr_array_add(texts, g_strdup(g_ptr_array_index(more, i)));
 }
 
+/* The step or the tolerance of the command line where the method does not take it. */
+static void add_idle_options(GPtrArray *warnings, const TinkerSceneRun *run, const TinkerSummary *summary,
+                             const TinkerRunArguments *arguments)
+{
+    gboolean neither = g_str_equal(summary->method, "exact");
+    if (arguments->step != NULL && run->automatic)
+        g_ptr_array_add(warnings, g_strdup("--step has no effect: auto chooses steps by --tolerance"));
+    else if (arguments->step != NULL && neither)
+        g_ptr_array_add(warnings, g_strdup("--step has no effect: exact goes from sample to sample"));
+    else if (arguments->step != NULL && summary->adaptive)
+        g_ptr_array_add(warnings,
+                        g_strdup_printf("--step has no effect: %s chooses its steps by --tolerance", summary->method));
+    if (arguments->tolerance == NULL || run->automatic || summary->adaptive) return;
+    g_ptr_array_add(warnings, neither ? g_strdup("--tolerance has no effect: exact is as good as rounding allows")
+                                      : g_strdup_printf("--tolerance has no effect: %s takes --step", summary->method));
+}
+
 GPtrArray *tinker_scene_run_warnings(const TinkerSceneRun *run, const TinkerOpenScene *open,
                                      const TinkerRunArguments *arguments)
 {
@@ -133,11 +151,7 @@ GPtrArray *tinker_scene_run_warnings(const TinkerSceneRun *run, const TinkerOpen
     add_once(warnings, open->warnings);
     add_once(warnings, tinker_model_warnings(run->model));
     add_once(warnings, summary->warnings);
-    if (summary->adaptive && arguments->step != NULL)
-        g_ptr_array_add(warnings,
-                        g_strdup_printf("--step has no effect: %s chooses its steps by --tolerance", summary->method));
-    if (!summary->adaptive && arguments->tolerance != NULL)
-        g_ptr_array_add(warnings, g_strdup_printf("--tolerance has no effect: %s takes --step", summary->method));
+    add_idle_options(warnings, run, summary, arguments);
     return warnings;
 }
 

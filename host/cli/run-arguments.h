@@ -50,6 +50,7 @@ void tinker_run_arguments_blame(const TinkerRunArguments *arguments, GError **er
 typedef struct {
     TinkerModel *model;
     TinkerSimulation *simulation;
+    gboolean automatic; /* the method was chosen, not named */
     TinkerProgress progress;
 } TinkerSceneRun;
 
