@@ -32,7 +32,7 @@ static void *create(const TinkerSystem *system, const TinkerIntegratorOptions *o
 
 const TinkerIntegrator tinker_integrator_generalized_alpha = {
     .struct_size = sizeof(TinkerIntegrator),
-    .flags = TINKER_INTEGRATOR_IMPLICIT,
+    .flags = TINKER_INTEGRATOR_IMPLICIT | TINKER_INTEGRATOR_DISSIPATES,
     .id = "generalized-alpha",
     .title = "Generalized-alpha, order 2",
     .summary = "Stiff scenes at any step: damps what moves faster than the step, by spectral_radius a step.",

@@ -18,15 +18,13 @@ static int32_t degree(const TinkerPattern *pattern, int32_t row)
     return pattern->row_starts[row + 1] - pattern->row_starts[row];
 }
 
-/* Sorts what was appended to the queue by degree: there are few. */
-static void sort_by_degree(const TinkerPattern *pattern, int32_t *queue, int32_t count)
+/* Of equal degree, in the order of their rows. */
+static int compare_degrees(const void *left, const void *right, void *data)
 {
-    for (int32_t i = 1; i < count; i++) {
-        int32_t row = queue[i], k = i;
-        for (; k > 0 && degree(pattern, queue[k - 1]) > degree(pattern, row); k--)
-            queue[k] = queue[k - 1];
-        queue[k] = row;
-    }
+    const TinkerPattern *pattern = data;
+    int32_t l = *(const int32_t *)left, r = *(const int32_t *)right;
+    int32_t difference = degree(pattern, l) - degree(pattern, r);
+    return difference != 0 ? difference : l - r;
 }
 
 /* Reaches the component of `start`, into the queue from `first` on; answers where the queue ends. */
@@ -44,7 +42,7 @@ static int32_t reach(Search *search, int32_t start, int32_t first)
             search->level[other] = search->level[row] + 1;
             search->queue[end++] = other;
         }
-        sort_by_degree(pattern, search->queue + before, end - before);
+        g_qsort_with_data(search->queue + before, end - before, sizeof(int32_t), compare_degrees, (void *)pattern);
     }
     return end;
 }

@@ -1,10 +1,13 @@
 /* Balance: energy now - energy at the start - everything given, relative to the largest energy exchanged so far. */
 #include "physics/books.h"
 
+#include <float.h>
 #include <math.h>
 
 /* Energies below this share of forces times extent are errors of place that every tolerance allows. */
 #define REST 1e-9
+/* And differences of energies below this share of them are rounding. */
+#define ROUNDING (1e4 * DBL_EPSILON)
 
 static double potential_of_origin(const TinkerModel *model)
 {
@@ -86,7 +89,10 @@ TinkerStatus tinker_books_look(TinkerBooks *books, const TinkerState *state, dou
     /* At rest nothing is exchanged but rounding: of the extent, times the forces that are balanced. */
     books->forces = fmax(books->forces, sum_of_forces(model));
     double scale = MAX(books->exchanged, REST * books->forces * extent);
-    books->imbalance = scale > 0 ? fabs(missing) / scale : 0;
+    scale = MAX(scale, ROUNDING * (now.kinetic + fabs(now.potential)));
+    double excess = books->allows_loss ? MAX(missing, 0) : fabs(missing);
+    books->imbalance = scale > 0 ? excess / scale : 0;
+    if (isnan(missing)) books->imbalance = NAN;
     books->missing = fmax(books->missing, fabs(missing));
     summary->kinetic_start = books->start.kinetic;
     summary->potential_start = books->start.potential + books->world_offset;

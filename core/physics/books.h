@@ -10,8 +10,10 @@ typedef struct {
     double world_offset; /* J: potential relative to the world's origin less that relative to the model's */
     double exchanged;    /* J: the largest energy moved so far */
     double missing;      /* J: largest */
-    double imbalance;    /* of the last look, relative to what is exchanged */
-    double forces;       /* N: the largest sum of applied forces on all bodies so far */
+    double
+        imbalance; /* of the last look, relative to what is exchanged; only what is gained where losses are allowed */
+    gboolean allows_loss; /* the method dissipates on purpose */
+    double forces;        /* N: the largest sum of applied forces on all bodies so far */
 } TinkerBooks;
 
 /* Opens the books at the model's start. */

@@ -74,6 +74,7 @@ static gboolean open_run(TinkerIslandRun *run, double spectral_radius, double ho
     if (!tinker_island_run_enter_piece(run, horizon, error)) return FALSE;
     if (tinker_books_open(&run->books, &run->system) != TINKER_OK)
         return tinker_island_run_fail(run, model->failure, error);
+    run->books.allows_loss = (run->choice.method->flags & TINKER_INTEGRATOR_DISSIPATES) != 0;
     run->stability = tinker_stability_watch_new(&run->system, run->choice.method, run->choice.step);
     run->passing = tinker_passing_new(model);
     tinker_passing_look(run->passing, 0.0, run->summary.warnings);

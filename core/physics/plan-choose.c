@@ -188,12 +188,15 @@ static void decide_named(const TinkerIsland *island, const TinkerRunOptions *opt
 
 static gboolean refuse_not_linear(const TinkerIsland *island, const TinkerIntegrator *method, GError **error)
 {
-    const TinkerModel *model = island->model;
+    TinkerModel *model = island->model;
+    const char *where =
+        model->bodies > 0 ? tinker_scene_block_name(model->scene, model->body_blocks[0]) : "its supports";
+    double growth = tinker_model_sideways_growth(model);
+    g_autofree char *why = g_strdup_printf("whose straight motion is unstable and grows sideways at %.3g 1/s", growth);
     g_set_error(
         error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_METHOD,
-        "the method %s does not suit the part of the scene around %s, which is not linear (the method auto takes "
-        "one that suits)",
-        method->id, model->bodies > 0 ? tinker_scene_block_name(model->scene, model->body_blocks[0]) : "its supports");
+        "the method %s does not suit the part of the scene around %s, %s (the method auto takes one that suits)",
+        method->id, where, growth > 0 ? why : "which is not linear");
     return FALSE;
 }
 

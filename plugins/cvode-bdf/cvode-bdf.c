@@ -336,7 +336,7 @@ static TinkerStatus interpolate(void *data, double t, double *q, double *v, doub
 
 static const TinkerIntegrator integrators[] = {{
     .struct_size = sizeof(TinkerIntegrator),
-    .flags = TINKER_INTEGRATOR_ADAPTIVE | TINKER_INTEGRATOR_IMPLICIT,
+    .flags = TINKER_INTEGRATOR_ADAPTIVE | TINKER_INTEGRATOR_IMPLICIT | TINKER_INTEGRATOR_DISSIPATES,
     .id = "cvode-bdf",
     .title = "Backward differentiation formulas of CVODE",
     .summary = "Stiff scenes, and a check by somebody else's code: implicit, of variable order.",

@@ -48,7 +48,8 @@ static void test_descriptor(void)
     const TinkerIntegrator *method = cvode();
     g_assert_cmpuint(method->struct_size, ==, sizeof(TinkerIntegrator));
     g_assert_cmpstr(method->id, ==, "cvode-bdf");
-    g_assert_cmpuint(method->flags, ==, TINKER_INTEGRATOR_ADAPTIVE | TINKER_INTEGRATOR_IMPLICIT);
+    g_assert_cmpuint(method->flags, ==,
+                     TINKER_INTEGRATOR_ADAPTIVE | TINKER_INTEGRATOR_IMPLICIT | TINKER_INTEGRATOR_DISSIPATES);
 }
 
 /* The error falls with the tolerance, which every one of some hundred steps may spend a tenth of; so does what is

@@ -164,6 +164,7 @@ typedef struct TinkerStepReport {
 #define TINKER_INTEGRATOR_SYMPLECTIC (1u << 2) /* where the system is undamped */
 #define TINKER_INTEGRATOR_LINEAR     (1u << 3) /* needs TinkerSystem.linear */
 #define TINKER_INTEGRATOR_IMPLICIT   (1u << 4) /* asks for the jacobian */
+#define TINKER_INTEGRATOR_DISSIPATES (1u << 5) /* takes energy from motion that its steps do not resolve, on purpose */
 
 typedef struct TinkerIntegrator {
     uint32_t struct_size;
