@@ -12,6 +12,15 @@ static int32_t ends_of(const TinkerBlockBatch *batch, int32_t row)
     return batch->end_offsets[row + 1] - batch->end_offsets[row];
 }
 
+/* The distances that the rows keep, where they do nothing else and say so; else NULL. (transfer full) */
+static double *distances_of(const TinkerConstraint *constraint, TinkerBatch *view)
+{
+    if (constraint->distance == NULL || constraint->prescribed_rate != NULL) return NULL;
+    if (constraint->rows != 1 || view->ends != 2) return NULL;
+    g_autofree double *length = g_new0(double, view->count);
+    return constraint->distance(view, length) == TINKER_OK ? g_steal_pointer(&length) : NULL;
+}
+
 static void add_constraint_batch(TinkerModel *model, TinkerBlockBatch *batch)
 {
     TinkerConstraints *all = &model->constraints;
@@ -26,6 +35,7 @@ static void add_constraint_batch(TinkerModel *model, TinkerBlockBatch *batch)
         .view = tinker_block_batch_view(batch, 0.0),
     };
     memcpy(added.view.origin, model->origin, sizeof(model->origin));
+    added.distances = distances_of(constraint, &added.view);
     all->rows += added.row_count;
     all->entries += batch->end_count * constraint->rows;
     g_array_append_val(all->batches, added);
@@ -207,6 +217,8 @@ gboolean tinker_model_compile_constraints(TinkerModel *model, GError **error)
 
 void tinker_constraints_clear(TinkerConstraints *all)
 {
+    for (guint i = 0; all->batches != NULL && i < all->batches->len; i++)
+        g_free(g_array_index(all->batches, TinkerConstraintBatch, i).distances);
     if (all->batches != NULL) g_array_unref(all->batches);
     if (all->products != NULL) g_array_unref(all->products);
     tinker_sparse_ldl_free(all->ldl);

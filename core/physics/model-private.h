@@ -63,6 +63,7 @@ typedef struct {
     const int32_t *end_points;
     int32_t first_row, row_count;
     int32_t first_entry; /* an entry is one end of one row */
+    double *distances;   /* of rows that keep a constant distance, which the host works out: one each; else NULL */
     TinkerBatch view;    /* of the whole batch */
 } TinkerConstraintBatch;
 

@@ -29,7 +29,6 @@ static const Layer layers[] = {
      {"analysis", "physics", "numerics", "render", "edit", "scene", "plugin", "units"},
      {"tinker/", "glib", "gmodule", "cairo", "pango/", "cjson/"}},
     {"plugins", {NULL}, {"tinker/"}},
-    {"plugins/rod", {NULL}, {"tinker/", "immintrin.h"}},
     {"plugins/cvode-bdf", {NULL}, {"tinker/", "cvodes/", "nvector/", "sundials/", "sunlinsol/", "sunmatrix/"}},
     {"docs/examples", {NULL}, {"tinker/"}},
     {"sdk/include/tinker", {NULL}, {NULL}},

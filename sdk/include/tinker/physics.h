@@ -141,6 +141,10 @@ typedef struct TinkerConstraint {
     /* Checks the properties, once before a run. TINKER_FAILED names the instance. */
     TinkerStatus (*check)(TinkerBatch *batch);
     double (*next_break)(TinkerBatch *batch); /* as for a line law */
+    /* Where every row says g = L - length between its two ends, with a constant length (m): the length of each instance;
+     * the host then works the rows out itself and calls nothing in the loop. For one row an instance, with nothing
+     * prescribed. TINKER_RETRY_SMALLER: not of that form; all of the type then go through rows_at. */
+    TinkerStatus (*distance)(TinkerBatch *batch, double *length);
 } TinkerConstraint;
 
 /* Motion --------------------------------------------------------------------------------------------------------- */
