@@ -81,7 +81,7 @@ static gboolean can_pass(const Reach *reach, double t, int32_t e, gboolean *last
     const TinkerExactPart *part = reach->part;
     TinkerExactEdge *edge = &reach->part->edges[e];
     const double *row = part->elongation + (gsize)e * (gsize)part->n;
-    double centre = edge->place, here = edge->place, way = 0.0, bend = 0.0, size = 0.0, drift = 0.0;
+    double centre = edge->place, here = centre, way = 0.0, bend = 0.0, size = 0.0, drift = 0.0;
     double free_way = 0.0, square_way = 0.0, square_speed = 0.0, speed = 0.0;
     for (int32_t j = 0; j < part->n; j++) {
         if (row[j] == 0.0) continue;

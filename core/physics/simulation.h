@@ -67,7 +67,7 @@ typedef struct {
     double energy_balance_error; /* largest, relative to the largest energy exchanged */
     double start_impulse;        /* N s: root of the sum of squares of the impulses, one a body, that brought the start
                                         velocities onto the constraints */
-    double error_estimate;       /* of the state: norm running maximum over the island's extent and largest speed so far;
+    double error_estimate;       /* of the state: the largest so far, over the island's extent and largest speed;
                                     NAN without an estimate */
     double predictable_until;    /* s: where that passed a tenth; INFINITY where it did not */
     double valid_until;          /* s: as far as the record is to be believed; simulated_s where all of it is */
