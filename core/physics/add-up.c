@@ -52,6 +52,7 @@ void tinker_simulation_add_up(TinkerSimulation *simulation)
     for (guint i = 0; i < simulation->runs->len; i++)
         add_run(whole, g_ptr_array_index(simulation->runs, i));
     if (simulation->estimate == NULL) return;
-    whole->error_estimate = tinker_estimate_error(simulation->estimate);
+    /* at the start alone there is no error yet: a run that got no further has no estimate */
+    if (simulation->sample_time > 0) whole->error_estimate = tinker_estimate_error(simulation->estimate);
     whole->predictable_until = tinker_estimate_predictable_until(simulation->estimate);
 }

@@ -4,6 +4,7 @@
 #include <float.h>
 #include <math.h>
 
+#include "physics/linear-form.h"
 #include "physics/simulation-private.h"
 
 /* The distance from the companion is most of the error, not all: what is claimed is this much of it. */
@@ -16,15 +17,18 @@
  * is ten times coarser instead. It is off by up to ten times the error; less, the more of that is rounding. */
 #define LEAST_TOLERANCE 0.99e-14
 #define COARSER_FACTOR  1.0
+/* Where ends may pass each other an exact solution is exact from passing to passing only, and rounding may grow from each to
+ * the next: its companion starts off by this share of the scales. */
+#define START_OFF (6 * DBL_EPSILON)
 
 struct _TinkerEstimate {
     TinkerSimulation *simulation;
     TinkerModel *model;          /* of the companion */
-    TinkerSimulation *companion; /* NULL where every island is stepped exactly, and once it has failed */
+    TinkerSimulation *companion; /* NULL where no island needs one, and once it has failed */
     gboolean failed;
     guint columns;
     double *bands;         /* by column, or NULL */
-    double *factors;       /* of each island: error over distance; 0 where it is stepped exactly */
+    double *factors;       /* of each island: error over distance; 0 where rounding is all there is */
     double *apart;         /* m, m/s: of each island, the largest distances so far, of places and of velocities */
     double *accelerations; /* m/s^2: of each island, the largest so far */
     double *scratch;       /* room for the accelerations of an island */
@@ -34,6 +38,15 @@ struct _TinkerEstimate {
 static gboolean is_exact(const TinkerIslandRun *run)
 {
     return (run->choice.method->flags & TINKER_INTEGRATOR_LINEAR) != 0;
+}
+
+/* Whether the ends of a connector may pass each other, with a length or a tension that pushes the other way then. */
+static gboolean may_pass(const TinkerIslandRun *run)
+{
+    const TinkerLinearSystem *linear = tinker_linear_form_system(run->island->linear);
+    for (int32_t i = 0; i < linear->edge_count; i++)
+        if (linear->edges[i].stiffness * linear->edges[i].length != 0 || linear->edges[i].tension != 0) return TRUE;
+    return FALSE;
 }
 
 static gboolean is_adaptive(const TinkerIslandRun *run)
@@ -57,7 +70,7 @@ static TinkerChoice choice_of_companion(const TinkerIslandRun *run)
 /* Error over distance from the companion. */
 static double factor_of(const TinkerIslandRun *run)
 {
-    if (is_exact(run)) return 0.0;
+    if (is_exact(run)) return may_pass(run) ? SAFETY : 0.0;
     if (!can_be_finer(run)) return COARSER_FACTOR;
     double less = is_adaptive(run) ? 0.1 : exp2(-run->choice.method->order);
     return SAFETY / (1.0 - less);
@@ -74,11 +87,17 @@ static TinkerSimulation *companion_of(TinkerSimulation *simulation, TinkerModel 
     return tinker_simulation_new_chosen(model, &options, choices, NULL);
 }
 
-static gboolean all_exact(const TinkerSimulation *simulation)
+/* Turns by turns, so that bodies do not move as one. */
+static void start_off(TinkerIslandRun *run)
 {
-    for (guint i = 0; i < simulation->runs->len; i++)
-        if (!is_exact(g_ptr_array_index(simulation->runs, i))) return FALSE;
-    return TRUE;
+    double extent, speed;
+    run->system.system.scales(&run->system, run->state.q, run->state.v, &extent, &speed);
+    for (int32_t i = 0; i < run->system.system.size; i++) {
+        double turn = i % 2 == 0 ? START_OFF : -START_OFF;
+        run->state.q[i] += turn * extent;
+        run->state.v[i] += turn * speed;
+    }
+    run->choice.method->restart(run->stepper);
 }
 
 static gboolean open_companion(TinkerEstimate *estimate, const GArray *columns)
@@ -88,6 +107,9 @@ static gboolean open_companion(TinkerEstimate *estimate, const GArray *columns)
     if (estimate->model == NULL) return FALSE;
     TinkerSimulation *companion = estimate->companion = companion_of(simulation, estimate->model);
     if (companion == NULL || companion->runs->len != simulation->runs->len) return FALSE;
+    for (guint i = 0; i < companion->runs->len; i++)
+        if (is_exact(g_ptr_array_index(companion->runs, i)) && estimate->factors[i] > 0)
+            start_off(g_ptr_array_index(companion->runs, i));
     if (columns == NULL || !simulation->options.bands) return TRUE;
     estimate->columns = columns->len;
     estimate->bands = g_new0(double, columns->len + 1);
@@ -105,9 +127,12 @@ TinkerEstimate *tinker_estimate_new(TinkerSimulation *simulation, const GArray *
     estimate->accelerations = g_new0(double, simulation->runs->len);
     estimate->apart = g_new0(double, 2 * (gsize)simulation->runs->len);
     estimate->scratch = g_new0(double, 2 * (gsize)simulation->model->bodies + 1);
-    for (guint i = 0; i < simulation->runs->len; i++)
+    gboolean compares = FALSE;
+    for (guint i = 0; i < simulation->runs->len; i++) {
         estimate->factors[i] = factor_of(g_ptr_array_index(simulation->runs, i));
-    if (!all_exact(simulation) && !open_companion(estimate, columns)) g_clear_pointer(&estimate, tinker_estimate_free);
+        compares |= estimate->factors[i] > 0;
+    }
+    if (compares && !open_companion(estimate, columns)) g_clear_pointer(&estimate, tinker_estimate_free);
     return estimate;
 }
 
@@ -140,6 +165,13 @@ static double rounding(TinkerEstimate *estimate, guint number, double t)
     return DBL_EPSILON * t * fmax(places, speeds);
 }
 
+/* Where a tolerance is so loose that breaks and samples alone make the steps, a tighter one makes the same, and says
+ * nothing. */
+static gboolean same_steps(const TinkerIslandRun *run, const TinkerIslandRun *companion)
+{
+    return is_adaptive(run) && companion->summary.steps == run->summary.steps && run->summary.steps > 0;
+}
+
 /* The largest distance of the two states of an island so far, by its present scales: what was much beside the first slow
  * moments may be little beside what follows. */
 static double distance(const TinkerEstimate *estimate, guint number)
@@ -155,8 +187,10 @@ static double distance(const TinkerEstimate *estimate, guint number)
         *faster = fmax(*faster, hypot(ours->sample_v[body] - theirs->sample_v[body],
                                       ours->sample_v[body + 1] - theirs->sample_v[body + 1]));
     }
-    double places = extent > 0 ? *apart / extent : 0, speeds = speed > 0 ? *faster / speed : 0;
-    return estimate->factors[number] * fmax(places, speeds);
+    double places = extent > 0 ? *apart / extent : 0, speeds = 0;
+    if (speed > tinker_island_run_speed_noise(run, extent)) speeds = *faster / speed;
+    double off = estimate->factors[number] * fmax(places, speeds);
+    return same_steps(run, g_ptr_array_index(theirs->runs, number)) ? fmax(off, run->choice.tolerance) : off;
 }
 
 /* A companion that cannot go on leaves everything behind it without an estimate. */
@@ -206,8 +240,9 @@ gboolean tinker_estimate_look(TinkerEstimate *estimate, double t, GError **error
         return give_up(estimate, t, failed, error);
     estimate->error = FLOOR;
     for (guint i = 0; i < estimate->simulation->runs->len; i++) {
-        double off = estimate->factors[i] > 0 ? distance(estimate, i) : rounding(estimate, i, t);
-        estimate->error = fmax(estimate->error, off);
+        TinkerIslandRun *run = g_ptr_array_index(estimate->simulation->runs, i);
+        if (is_exact(run)) estimate->error = fmax(estimate->error, rounding(estimate, i, t));
+        if (estimate->factors[i] > 0) estimate->error = fmax(estimate->error, distance(estimate, i));
     }
     if (!(estimate->error > UNPREDICTABLE))
         estimate->predictable_until = INFINITY;
@@ -219,7 +254,7 @@ gboolean tinker_estimate_look(TinkerEstimate *estimate, double t, GError **error
 
 double tinker_estimate_error(const TinkerEstimate *estimate)
 {
-    return estimate->error;
+    return estimate->failed ? NAN : estimate->error;
 }
 
 double tinker_estimate_predictable_until(const TinkerEstimate *estimate)

@@ -68,6 +68,7 @@ static void add_vector(TinkerForecast *forecast, TinkerStartMatrices *matrices, 
         forecast->omega_max = fmax(forecast->omega_max, omega);
         forecast->damping_max = fmax(forecast->damping_max, found.forms[k]);
         if (omega <= LEAST_FREQUENCY * forecast->omega_max) omega = 0;
+        if (omega == 0) forecast->fading = fmax(forecast->fading, found.forms[k]);
         if (bent && omega == 0) continue;
         add_part(forecast, measures, omega, found.forms[k], square * found.weights[k] / (bent ? omega * omega : 1));
     }

@@ -27,6 +27,7 @@ typedef struct {
     double damping_max;     /* 1/s: largest damping over mass, from below */
     double speed_of_change; /* rad/s: how fast the state changes whatever the stiffness: sqrt(a / extent), v / extent */
     double drive;           /* rad/s: fastest harmonic input; 0 */
+    double fading;          /* 1/s: how fast motion that nothing holds is slowed down; 0 where nothing slows it */
     double turning;         /* rad/s: of a motion that is not linear, which no mode at the start knows of; else 0 */
     int32_t count;
     TinkerForecastPart parts[2 * TINKER_FORECAST_STEPS + 1];

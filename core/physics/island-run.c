@@ -1,12 +1,15 @@
 /* Steps within a piece, states within a step. */
 #include "physics/island-run.h"
 
+#include <float.h>
 #include <string.h>
 
 /* A run that needs more steps than this of the size that it takes would not end in a lifetime: it is given up once so many
  * have been that small, one after the other. A stiff start has a few of them. */
 #define MOST_STEPS_TO_COME 1e12
 #define MOST_TINY_STEPS    10000
+/* Of the extent. */
+#define ROUNDING (100 * DBL_EPSILON)
 
 static void open_summary(TinkerIslandRun *run, const TinkerSummary *whole)
 {
@@ -109,6 +112,12 @@ void tinker_island_run_free(TinkerIslandRun *run)
     for (gsize i = 0; i < G_N_ELEMENTS(arrays); i++)
         g_free(arrays[i]);
     g_free(run);
+}
+
+double tinker_island_run_speed_noise(const TinkerIslandRun *run, double extent)
+{
+    if (!(run->state.t > 0)) return 0;
+    return ROUNDING * extent * (double)run->summary.steps / run->state.t;
 }
 
 void tinker_island_run_place(TinkerIslandRun *run)

@@ -47,6 +47,9 @@ gboolean tinker_island_run_pass_break(TinkerIslandRun *run, double end, GError *
 /* The state of the model's bodies (relative to its origin) at time t, within the last step, on the constraints. */
 TinkerStatus tinker_island_run_state_at(TinkerIslandRun *run, double t, double *q, double *v);
 
+/* Speeds (m/s) up to here are rounding of places from step to step: what is at rest has them. */
+double tinker_island_run_speed_noise(const TinkerIslandRun *run, double extent);
+
 /* Brings q and v to the state. */
 void tinker_island_run_place(TinkerIslandRun *run);
 

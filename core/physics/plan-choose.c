@@ -37,15 +37,21 @@ static gboolean is_fixed(const TinkerIntegrator *method)
     return (method->flags & (TINKER_INTEGRATOR_ADAPTIVE | TINKER_INTEGRATOR_LINEAR)) == 0;
 }
 
+static gboolean is_adaptive(const TinkerIntegrator *method)
+{
+    return (method->flags & TINKER_INTEGRATOR_ADAPTIVE) != 0;
+}
+
 /* Automatic -------------------------------------------------------------------------------------------------------- */
 
-/* Methods that `auto` takes: exact ones, adaptive explicit ones, and implicit ones where the island is stiff. Explicit ones of
- * a fixed step are for those who ask for them: none is cheaper at an error that somebody wants. */
-static gboolean is_candidate(const TinkerIntegrator *method, gboolean stiff)
+/* Methods that `auto` takes: exact ones, adaptive explicit ones, and implicit ones where the island is stiff and linear, so that
+ * the error of a long step can be told beforehand. Explicit ones of a fixed step are for those who ask for them: none is
+ * cheaper at an error that somebody wants. */
+static gboolean is_candidate(const TinkerIsland *island, const TinkerIntegrator *method, gboolean stiff)
 {
     if (method->flags & TINKER_INTEGRATOR_LINEAR) return TRUE;
-    if (method->flags & TINKER_INTEGRATOR_IMPLICIT) return stiff && is_fixed(method);
-    return (method->flags & TINKER_INTEGRATOR_ADAPTIVE) != 0;
+    if (method->flags & TINKER_INTEGRATOR_IMPLICIT) return stiff && is_fixed(method) && island->linear != NULL;
+    return is_adaptive(method);
 }
 
 /* Whether the fastest frequencies hold so little of the motion that explicit steps would be spent on them alone. That can be
@@ -55,13 +61,14 @@ static gboolean is_stiff(const TinkerIsland *island, const TinkerForecast *forec
     const TinkerModel *model = island->model;
     gboolean driven = model->moving_supports > 0 || model->waveform_batches->len > 0;
     if (driven || model->constraints.rows > 0 || forecast->count == 0) return FALSE;
-    double carried = fmax(forecast->speed_of_change, forecast->drive);
+    double carried = fmax(fmax(forecast->speed_of_change, forecast->drive), forecast->fading);
     for (int32_t i = 0; i < forecast->count; i++)
         if (forecast->parts[i].share > CARRIES_ENERGY) carried = fmax(carried, forecast->parts[i].omega);
     return fmax(forecast->omega_max, forecast->damping_max) > STIFF * carried;
 }
 
-static void explain_automatic(TinkerDecision *decision, const TinkerForecast *forecast, gboolean stiff)
+static void explain_automatic(TinkerDecision *decision, const TinkerRunOptions *options, const TinkerForecast *forecast,
+                              gboolean stiff)
 {
     const TinkerIntegrator *method = decision->choice.method;
     GString *text = decision->reason;
@@ -70,9 +77,16 @@ static void explain_automatic(TinkerDecision *decision, const TinkerForecast *fo
         g_string_append(text, "the motion is linear, and its exact solution costs less than any method that steps");
     else if (method->flags & TINKER_INTEGRATOR_IMPLICIT)
         g_string_append_printf(text,
-                               "stiff: %.3g rad/s would force an explicit method to far smaller steps than what moves "
-                               "needs; %s is stable at any step, and %.3g s meets the tolerance",
-                               fmax(forecast->omega_max, forecast->damping_max), method->id, decision->choice.step);
+                               "stiff: %.3g %s would force an explicit method to far smaller steps than what moves "
+                               "needs; %s is stable at any step, and %.3g s meets the tolerance in place",
+                               fmax(forecast->omega_max, forecast->damping_max),
+                               forecast->damping_max > forecast->omega_max ? "1/s" : "rad/s", method->id,
+                               decision->choice.step);
+    else if (decision->choice.tolerance < options->tolerance)
+        g_string_append_printf(text,
+                               "order %d needs the fewest evaluations; its steps are those that stability allows, at "
+                               "which a tolerance of %.2g costs no more than %g",
+                               method->order, decision->choice.tolerance, options->tolerance);
     else
         g_string_append_printf(text, "%s: order %d needs the fewest evaluations at this tolerance",
                                stiff ? "stiff, but the tolerance asks for small steps anyway" : "smooth and not stiff",
@@ -83,20 +97,23 @@ static void decide_automatically(const TinkerIsland *island, const TinkerRunOpti
                                  const TinkerForecast *forecast, TinkerDecision *decision)
 {
     gboolean stiff = is_stiff(island, forecast);
-    decision->choice.method = tinker_integrator_builtin("dop853");
-    decision->choice.tolerance = options->tolerance;
-    tinker_cost_of(island, forecast, decision->choice.method, options, 0, options->tolerance, &decision->cost);
+    TinkerChoice *choice = &decision->choice;
+    choice->method = tinker_integrator_builtin("dop853");
+    choice->tolerance = tinker_free_tolerance(island, forecast, choice->method, options->tolerance);
+    tinker_cost_of(island, forecast, choice->method, options, 0, choice->tolerance, &decision->cost);
     for (const TinkerIntegrator *const *each = tinker_integrator_builtins(); forecast->known && *each != NULL; each++) {
         TinkerCost cost;
-        if (!is_candidate(*each, stiff)) continue;
-        if (!tinker_cost_of(island, forecast, *each, options, 0, options->tolerance, &cost)) continue;
+        if (!is_candidate(island, *each, stiff)) continue;
+        double tolerance = is_adaptive(*each) ? tinker_free_tolerance(island, forecast, *each, options->tolerance)
+                                              : options->tolerance;
+        if (!tinker_cost_of(island, forecast, *each, options, 0, tolerance, &cost)) continue;
         if (is_fixed(*each) && cost.error > TINKER_MEETS * options->tolerance) continue;
         if (!(cost.operations < decision->cost.operations)) continue;
         decision->cost = cost;
-        decision->choice = (TinkerChoice){*each, is_fixed(*each) ? tinker_round_down(cost.step) : 0,
-                                          is_fixed(*each) ? 0 : options->tolerance};
+        *choice =
+            (TinkerChoice){*each, is_fixed(*each) ? tinker_round_down(cost.step) : 0, is_fixed(*each) ? 0 : tolerance};
     }
-    explain_automatic(decision, forecast, stiff);
+    explain_automatic(decision, options, forecast, stiff);
 }
 
 /* Named ------------------------------------------------------------------------------------------------------------ */

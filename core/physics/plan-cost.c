@@ -30,6 +30,8 @@
 #define NONLINEAR_HASTE 4.0
 /* Local errors that a run adds up are measured over this many radians. */
 #define CALIBRATION_RADIANS 628.0
+/* As tight as a tolerance is made where that costs nothing. */
+#define FREE_TOLERANCE 1e-6
 
 /* Of adaptive methods, measured on an oscillator: steps a radian at the tolerance 1e-9, which go with the tolerance to the
  * power -1 / root; and the error after CALIBRATION_RADIANS in units of the tolerance. */
@@ -144,6 +146,18 @@ static void cost_adaptive(const TinkerIsland *island, const TinkerForecast *fore
     cost->error = tolerance * known.error * fmax(1.0, frequency * duration / CALIBRATION_RADIANS);
 }
 
+double tinker_free_tolerance(const TinkerIsland *island, const TinkerForecast *forecast, const TinkerIntegrator *method,
+                             double tolerance)
+{
+    Adaptive known = adaptive_of(method);
+    if (!(method->flags & TINKER_INTEGRATOR_EXPLICIT) || tolerance <= FREE_TOLERANCE) return tolerance;
+    double stability = stability_rate(forecast, method);
+    double accuracy = known.steps * deciding_frequency(island, forecast, known.root, tolerance);
+    if (!(stability > accuracy * pow(1e-9 / tolerance, 1 / known.root))) return tolerance;
+    double free = tinker_round_down(1e-9 * pow(accuracy / stability, known.root));
+    return fmin(tolerance, fmax(FREE_TOLERANCE, free));
+}
+
 /* Fixed steps ------------------------------------------------------------------------------------------------------- */
 
 /* Of displacements, relative to those of the motion. Velocities of parts that are fast and hold little are off by more, which is
@@ -159,9 +173,11 @@ static double fixed_error(const TinkerForecast *forecast, const TinkerIntegrator
         double error = tinker_step_error(method, options->spectral_radius, oscillator, step, duration);
         square += part->reach * fmin(error * error, 4);
     }
-    if (forecast->turning > 0) {
-        TinkerOscillator oscillator = {forecast->turning * forecast->turning, 0};
-        double error = tinker_step_error(method, options->spectral_radius, oscillator, step, duration);
+    /* what no part says: the motion turns, and what nothing holds is slowed down */
+    const TinkerOscillator whole[] = {{forecast->turning * forecast->turning, 0}, {0, forecast->fading}};
+    for (gsize i = 0; i < G_N_ELEMENTS(whole); i++) {
+        if (whole[i].stiffness == 0 && whole[i].damping == 0) continue;
+        double error = tinker_step_error(method, options->spectral_radius, whole[i], step, duration);
         square += fmin(error * error, 4);
     }
     return fmax(sqrt(square), 0x1p-52 * duration / step);
@@ -170,7 +186,7 @@ static double fixed_error(const TinkerForecast *forecast, const TinkerIntegrator
 /* The fastest part whose error would be seen at all. */
 static double fastest_seen(const TinkerForecast *forecast, double tolerance)
 {
-    double fastest = fmax(forecast->drive, fmax(forecast->speed_of_change, forecast->turning));
+    double fastest = fmax(fmax(forecast->drive, forecast->fading), fmax(forecast->speed_of_change, forecast->turning));
     for (int32_t i = 0; i < forecast->count; i++)
         if (sqrt(forecast->parts[i].reach) > tolerance) fastest = fmax(fastest, forecast->parts[i].omega);
     return fastest;

@@ -24,6 +24,11 @@ typedef struct {
 /* Operations of one evaluation of an island's accelerations. */
 double tinker_cost_evaluation(const TinkerIsland *island);
 
+/* The tolerance that an explicit adaptive method keeps at the same cost, as stability makes its steps small anyway: at most
+ * the one asked for. Energies that strong dampers take are known far worse than places are at a loose one. */
+double tinker_free_tolerance(const TinkerIsland *island, const TinkerForecast *forecast, const TinkerIntegrator *method,
+                             double tolerance);
+
 /* Of a run to `duration` with `samples` samples. A fixed-step method with `step` 0 takes the one that `tolerance` wants.
  * FALSE where the method does not suit the island. */
 gboolean tinker_cost_of(const TinkerIsland *island, const TinkerForecast *forecast, const TinkerIntegrator *method,

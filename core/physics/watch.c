@@ -52,7 +52,8 @@ static gboolean watch_constraints(TinkerIslandRun *run)
         speed = fmax(speed, hypot(model->point[i].vx, model->point[i].vy));
     position = fmax(position, run->system.position_error);
     summary->constraint_position_error = fmax(summary->constraint_position_error, position);
-    if (speed > 0) summary->constraint_velocity_error = fmax(summary->constraint_velocity_error, velocity / speed);
+    if (speed > tinker_island_run_speed_noise(run, extent))
+        summary->constraint_velocity_error = fmax(summary->constraint_velocity_error, velocity / speed);
     return TRUE;
 }
 

@@ -379,6 +379,54 @@ static void test_failing_companion(void)
     g_assert_cmpint(lost, >, 0);
 }
 
+/* What hangs at rest stays there: its speeds are rounding, and so is what two runs of them differ by. */
+static void test_rest(void)
+{
+    const char *const all[] = {"rk4", "verlet6", "newmark", "dop853"};
+    for (gsize i = 0; i < G_N_ELEMENTS(all); i++) {
+        PhysicsOptions options = {.method = all[i], .step = 1e-3, .duration = 3, .tolerance = 1e-13, .estimate = TRUE};
+        g_autoptr(PhysicsRun) run =
+            physics_run(&options, "{'type': 'mass', 'position': [-1.6828098921791184, -0.2876739612022381]},"
+                                  "{'type': 'mass', 'position': [-0.9875696021116536, 1.2445711576479659]},"
+                                  "{'type': 'spring', 'ends': ['Mass 0', 'Mass 1'], 'stiffness': 1000},"
+                                  "{'type': 'damper', 'ends': ['Mass 0', 'Mass 1'], 'damping': 2}");
+        g_assert_cmpfloat(run->summary->error_estimate, <, 1e-9);
+        g_assert_cmpuint(run->summary->warnings->len, ==, 0);
+    }
+}
+
+/* One step takes a loose run to its end, and its companion too: that they agree says nothing. Against x = (t - sin t). */
+static void test_equal_steps(void)
+{
+    PhysicsOptions options = {
+        .method = "dop853", .duration = 1.5, .tolerance = 1e-3, .columns = "Mass 0.x", .estimate = TRUE};
+    g_autoptr(PhysicsRun) run = physics_run(
+        &options, "{'type': 'mass'}, {'type': 'motor', 'ends': ['Mass 0'], 'waveform': 'sine', 'frequency': 1}");
+    double error = fabs(physics_last(run, 0) - (1.5 - sin(1.5))) / (1.5 - sin(1.5));
+    g_assert_cmpint(run->summary->steps, ==, 1);
+    g_assert_cmpfloat(run->summary->error_estimate, >=, error);
+}
+
+/* Masses on a line whose ends pass each other again and again: what rounding starts grows there by far more than the time.
+ * Runs that meet other samples round otherwise, and part by no more than both claim. */
+static void test_passing(void)
+{
+    const char *scene = "{'type': 'support'},"
+                        "{'type': 'mass', 'position': [1, 0], 'mass': 0.12, 'velocity': [-0.7, 0]},"
+                        "{'type': 'mass', 'position': [2, 0]},"
+                        "{'type': 'spring', 'ends': ['Support 0', 'Mass 0'], 'stiffness': 20000, 'rest_length': 0},"
+                        "{'type': 'spring', 'ends': ['Mass 0', 'Mass 1'], 'stiffness': 5000, 'rest_length': 1}";
+    PhysicsOptions options = {.method = "exact", .duration = 3, .interval = 0.1, .columns = "Mass 0.x, Mass 1.x"};
+    options.estimate = TRUE;
+    g_autoptr(PhysicsRun) coarse = physics_run(&options, "%s", scene);
+    options.interval = 0.01;
+    g_autoptr(PhysicsRun) fine = physics_run(&options, "%s", scene);
+    double claimed = coarse->summary->error_estimate + fine->summary->error_estimate;
+    for (gsize i = 0; i < 2; i++) /* the extent is about 2.5 m */
+        physics_assert_near("x", physics_last(coarse, i), physics_last(fine, i), 2.5 * claimed);
+    g_assert_cmpfloat(claimed, >, 1e-8);
+}
+
 static void add_tests(void)
 {
     g_test_add_func("/physics/estimate/closed-forms", test_closed_forms);
@@ -387,6 +435,9 @@ static void add_tests(void)
     g_test_add_func("/physics/estimate/chaos", test_chaos);
     g_test_add_func("/physics/estimate/no-bit-changes", test_no_bit_changes);
     g_test_add_func("/physics/estimate/failing-companion", test_failing_companion);
+    g_test_add_func("/physics/estimate/rest", test_rest);
+    g_test_add_func("/physics/estimate/equal-steps", test_equal_steps);
+    g_test_add_func("/physics/estimate/passing", test_passing);
 }
 
 int main(int argc, char **argv)

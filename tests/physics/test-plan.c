@@ -271,6 +271,32 @@ static void test_stiff_chain_meets_tolerance(void)
         physics_assert_near("place", physics_last(run, column), physics_last(truth, column), 1e-4);
 }
 
+/* Air that slows a falling mass is motion itself: no step may be so large that it is not resolved. Against the closed form
+ * y = -(m g / c) t + (m / c)^2 g (1 - exp(-c t / m)). */
+static void test_falling_in_air(void)
+{
+    const double m = 5, c = 0.1, t = 3, g = 9.81, decay = c / m;
+    g_autoptr(PhysicsRun) run =
+        physics_run(&(PhysicsOptions){.method = "auto", .duration = t, .columns = "Mass 0.y"},
+                    "{'type': 'gravity'}, {'type': 'wind', 'drag': 0.1}, {'type': 'mass', 'mass': 5}");
+    physics_assert_near("y", physics_last(run, 0), g / decay * (-expm1(-decay * t) / decay - t), 1e-7);
+}
+
+/* A damper so strong that its steps are those of stability: a loose tolerance saves none, and would lose the energy that the
+ * damper takes. */
+static void test_strong_damper(void)
+{
+    const char *scene =
+        "{'type': 'mass', 'position': [0, 0], 'velocity': [0, 1]}, {'type': 'mass', 'position': [1, 0.5]},"
+        "{'type': 'damper', 'ends': ['Mass 0', 'Mass 1'], 'damping': 1e5}";
+    TinkerRunOptions options = options_of("auto", 0.01, 1e-2, 1);
+    g_auto(Planned) planned = plan(scene, &options);
+    g_assert_cmpfloat(island(&planned, 0)->tolerance, <, 1e-3);
+    g_autoptr(PhysicsRun) run =
+        physics_run(&(PhysicsOptions){.method = "auto", .tolerance = 1e-2, .duration = 1}, "%s", scene);
+    g_assert_cmpfloat(run->summary->energy_balance_error, <, 1e-3);
+}
+
 static void test_smooth(void)
 {
     TinkerRunOptions options = options_of("auto", 0.01, 1e-9, 10);
@@ -294,6 +320,8 @@ static void add_tests(void)
     g_test_add_func("/physics/plan/refused", test_refused);
     g_test_add_func("/physics/plan/stiff-chain", test_stiff_chain);
     g_test_add_func("/physics/plan/stiff-chain-meets-tolerance", test_stiff_chain_meets_tolerance);
+    g_test_add_func("/physics/plan/falling-in-air", test_falling_in_air);
+    g_test_add_func("/physics/plan/strong-damper", test_strong_damper);
     g_test_add_func("/physics/plan/smooth", test_smooth);
 }
 
