@@ -5,7 +5,7 @@
 
 #include "analysis/trade-private.h"
 
-#define SAMPLES          32 /* equally spaced, where no times are given */
+#define SAMPLES          500 /* equally spaced, where no times are given: enough to see how far and how fast the motion goes */
 #define LEAST_SAMPLES    8
 #define MOST_NUMBERS     4000000 /* of one trajectory: larger scenes are sampled less often */
 #define LEAST_REPEATS    3

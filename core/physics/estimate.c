@@ -215,8 +215,8 @@ void tinker_estimate_close(TinkerEstimate *estimate)
     g_ptr_array_add(
         estimate->simulation->summary.warnings,
         g_strdup_printf("not predictable beyond t = %.6g s: there the estimated error passes a tenth of the "
-                        "motion's own size (a smaller step or tolerance moves that time out; chaos sets "
-                        "it an end)",
+                        "motion's own size (a smaller step or tolerance moves that time out, in "
+                        "chaotic motion only a little)",
                         estimate->predictable_until));
 }
 

@@ -110,12 +110,15 @@ static void append_advice(GString *text, const TinkerIsland *island, const Tinke
 {
     TinkerRunOptions options = tinker_run_options_of(island->model->scene);
     TinkerChoice choice = {0};
+    TinkerForecast forecast;
+    tinker_forecast(island, &forecast);
     options.method = "auto";
     gboolean chosen = tinker_plan_choose(island, &options, &choice, NULL, NULL) && choice.method != method;
     if (method->flags & TINKER_INTEGRATOR_ADAPTIVE)
         g_string_append(text, "; use a smaller tolerance");
     else if (isfinite(stable) && stable > 0)
-        g_string_append_printf(text, "; use a step of %g s", tinker_round_down(fmin(0.9 * stable, 0.25 * step)));
+        g_string_append_printf(text, "; use a step of %g s",
+                               fmin(tinker_advised_step(&forecast, stable), tinker_round_down(0.25 * step)));
     else
         g_string_append(text, "; use a smaller step");
     if (!chosen) return;

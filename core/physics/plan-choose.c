@@ -14,6 +14,8 @@
 #define NEAR_LIMIT 0.5
 /* Stiff: stability asks for this many times the steps that accuracy does. */
 #define STIFF 3.0
+/* An exact solution is taken at up to this many times the cost of an approximation that meets the tolerance. */
+#define EXACT_IS_WORTH 3.0
 
 double tinker_round_down(double x)
 {
@@ -108,7 +110,9 @@ static void decide_automatically(const TinkerIsland *island, const TinkerRunOpti
                                               : options->tolerance;
         if (!tinker_cost_of(island, forecast, *each, options, 0, tolerance, &cost)) continue;
         if (is_fixed(*each) && cost.error > TINKER_MEETS * options->tolerance) continue;
-        if (!(cost.operations < decision->cost.operations)) continue;
+        /* what is right to rounding may cost a little more */
+        double worth = (*each)->flags & TINKER_INTEGRATOR_LINEAR ? EXACT_IS_WORTH : 1;
+        if (!(cost.operations < worth * decision->cost.operations)) continue;
         decision->cost = cost;
         *choice =
             (TinkerChoice){*each, is_fixed(*each) ? tinker_round_down(cost.step) : 0, is_fixed(*each) ? 0 : tolerance};
@@ -126,6 +130,15 @@ static char *cheap_method(const TinkerIsland *island, const TinkerRunOptions *op
     return g_strdup_printf("--method %s", other.choice.method->id);
 }
 
+double tinker_advised_step(const TinkerForecast *forecast, double stable)
+{
+    double fastest = 0;
+    for (int32_t i = 0; i < forecast->count; i++)
+        if (forecast->parts[i].share >= CARRIES_ENERGY) fastest = fmax(fastest, forecast->parts[i].omega);
+    double resolved = fastest > 0 ? WELL_RESOLVED / fastest : INFINITY;
+    return tinker_round_down(fmin(0.9 * stable, resolved));
+}
+
 static void warn_unstable(const TinkerIsland *island, const TinkerRunOptions *options, const TinkerForecast *forecast,
                           const TinkerIntegrator *method, double stable, GPtrArray *warnings)
 {
@@ -135,7 +148,8 @@ static void warn_unstable(const TinkerIsland *island, const TinkerRunOptions *op
         g_ptr_array_add(warnings,
                         g_strdup_printf("%s is stable up to a step of %.3g s here%s, the step is %g s: it will "
                                         "diverge (--step %g, or %s)",
-                                        method->id, stable, around, options->step, tinker_round_down(stable), other));
+                                        method->id, stable, around, options->step,
+                                        tinker_advised_step(forecast, stable), other));
     else
         g_ptr_array_add(warnings, g_strdup_printf("%s is stable at no step here%s: it will diverge (%s)", method->id,
                                                   around, other));

@@ -49,6 +49,9 @@ typedef struct {
 gboolean tinker_decide(const TinkerIsland *island, const TinkerRunOptions *options, const TinkerSpectrum *spectrum,
                        TinkerDecision *decision, GPtrArray *warnings, GError **error);
 
+/* A step (s) that is stable and resolves what carries energy; `stable` may be INFINITY. */
+double tinker_advised_step(const TinkerForecast *forecast, double stable);
+
 /* The number of two digits below x, so that a message suggests a step that can be typed. */
 double tinker_round_down(double x);
 

@@ -93,7 +93,7 @@ static void warn_of_imbalance(TinkerIslandRun *run)
     }
     g_autofree char *advice = tinker_guard_explain(run->model, run->choice.method, run->choice.step);
     g_ptr_array_add(summary->warnings,
-                    g_strdup_printf("the energy is off by up to %.2g %% of the largest energy exchanged: %s",
+                    g_strdup_printf("the energy is off by up to %.3g %% of the largest energy exchanged: %s",
                                     100 * summary->energy_balance_error, advice));
 }
 

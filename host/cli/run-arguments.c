@@ -132,7 +132,8 @@ static void add_idle_options(GPtrArray *warnings, const TinkerSceneRun *run, con
 {
     gboolean neither = g_str_equal(summary->method, "exact");
     if (arguments->step != NULL && run->automatic)
-        g_ptr_array_add(warnings, g_strdup("--step has no effect: auto chooses steps by --tolerance"));
+        g_ptr_array_add(warnings, g_strdup("--step has no effect: auto chooses steps by --tolerance (name a method "
+                                           "that takes one: --method rk4)"));
     else if (arguments->step != NULL && neither)
         g_ptr_array_add(warnings, g_strdup("--step has no effect: exact goes from sample to sample"));
     else if (arguments->step != NULL && summary->adaptive)

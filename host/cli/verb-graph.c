@@ -104,7 +104,7 @@ static gboolean graph(const GraphOptions *options, const TinkerOpenScene *open, 
     run_options.bands = !form.csv;
     if (!tinker_scene_run_prepare(&run, open->scene, &options->run, &run_options, error)) return FALSE;
     (void)tinker_scene_run_go(&run, chart->columns, take_sample, chart, failure);
-    tinker_chart_cut(chart, tinker_simulation_summary(run.simulation)->valid_until);
+    if (*failure != NULL) tinker_chart_cut(chart, tinker_simulation_summary(run.simulation)->valid_until);
     tinker_scene_run_report_warnings(&run, open, &options->run);
     if (form.csv) return tinker_chart_write_csv(chart, form.decimals, options->output, open->path, error);
     return tinker_chart_draw(chart, form.theme, form.width, form.height, options->output, error);

@@ -7,7 +7,7 @@
 #include "physics-fixture.h"
 #include "test-systems.h"
 
-#define SAMPLES    32   /* of a trade that was given no times */
+#define SAMPLES    500  /* of a trade that was given no times */
 #define MOST_RERUN 0.02 /* s: slower rows are not run again */
 
 /* A scene whose motion is known: place and velocity of "Mass 0", extent of the motion and largest speed. */
