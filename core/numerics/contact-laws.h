@@ -1,0 +1,75 @@
+/* The laws of unilateral contact with Coulomb friction, for several contacts at once, as complementarity problems.
+ *
+ * Contact k has a normal and a tangential direction. Vectors hold normal and tangential entries by turns: n0, t0, n1, t1, ...;
+ * u are relative velocities (normal: positive where it opens), a relative accelerations, p impulses, f forces, of what
+ * touches. W, the Delassus matrix, is symmetric positive semidefinite, 2m x 2m by rows: what one unit of impulse at one
+ * contact changes in the relative velocity at another. A contact without friction may leave its tangential row and column 0.
+ *
+ * Sources: Anitescu, Potra, "Formulating dynamic multi-rigid-body contact problems with friction as solvable linear
+ * complementarity problems", Nonlinear Dynamics 14 (1997) 231-247; Glocker, Pfeiffer, "Multibody Dynamics with Unilateral
+ * Contacts" (1996); Genot, Brogliato, "New results on Painleve paradoxes", Eur. J. Mech. A 18 (1999) 653-677. */
+#ifndef TINKER_NUMERICS_CONTACT_LAWS_H
+#define TINKER_NUMERICS_CONTACT_LAWS_H
+
+#include <stdint.h>
+
+typedef enum {
+    TINKER_CONTACT_OPEN,
+    TINKER_CONTACT_STICK,
+    TINKER_CONTACT_SLIP_FORWARD,  /* u_t > 0, or about to be: friction is -mu f_n */
+    TINKER_CONTACT_SLIP_BACKWARD, /* u_t < 0: friction is +mu f_n */
+} TinkerContactMode;
+
+typedef enum {
+    TINKER_CONTACT_SOLVED,
+    TINKER_CONTACT_NO_ACCELERATION, /* no finite forces satisfy the laws: Painleve's paradox, an impulse has to act; or a
+                                       contact closes whose normal direction (W_nn = 0) nothing can move along */
+    TINKER_CONTACT_GAVE_UP,
+} TinkerContactResult;
+
+/* Impact. After it, for every contact:
+ *     u_n' >= least_n,  p_n >= 0,  p_n (u_n' - least_n) = 0,
+ *     |p_t| <= friction p_n;  u_t' = 0, or p_t = -friction p_n sign(u_t').
+ * least_n is -restitution * u_n where the contact closes (u_n < 0), else 0 for contacts that rest. */
+typedef struct {
+    int32_t count;             /* m */
+    const double *delassus;    /* 2m x 2m */
+    const double *velocity;    /* 2m, before */
+    const double *restitution; /* m */
+    const double *friction;    /* m: dynamic coefficients */
+    const double *least;       /* m: least normal velocities after the impact, in place of those that restitution
+                                  gives; or NULL */
+} TinkerImpact;
+
+/* Writes the impulses p (2m). No impact adds energy: where Newton's restitution together with friction would (the sum of
+ * p . (u + u') / 2 over all contacts > 0), all coefficients of restitution are taken as smaller by one common factor, the
+ * largest that does not. That does not apply to `least`, for which restitution may be NULL. Where the laws leave
+ * several answers, a contact by itself sticks if it can. */
+TinkerContactResult tinker_impact_solve(const TinkerImpact *impact, double *impulses);
+
+/* Contacts that are closed (gap 0, u_n = 0) and their forces. */
+typedef struct {
+    int32_t count;                  /* m */
+    const double *delassus;         /* 2m x 2m */
+    const double *acceleration;     /* 2m: relative accelerations without any contact force */
+    const int8_t *sliding;          /* m: sign of u_t; 0: at rest along the top, and it may stick */
+    const double *static_friction;  /* m */
+    const double *dynamic_friction; /* m: at most the static ones */
+    double noise;                   /* m/s^2: accelerations up to this are rounding */
+} TinkerClosedContacts;
+
+/* Finds what every contact does from here on, and its forces f (2m):
+ *     a_n >= 0,  f_n >= 0,  f_n a_n = 0;
+ *     sliding: f_t = -dynamic f_n sign(u_t);
+ *     at rest: a_t = 0 and |f_t| <= static f_n, or it begins to slip against f_t = -dynamic f_n sign(a_t).
+ * Whoever begins to slip rubs with its dynamic coefficient from then on: where with that it holds after all, it sticks.
+ * A contact that neither presses nor parts (f_n = 0, a_n within the noise) counts as closed. Where many forces do the same (a
+ * mass held twice over), any that keep the laws is taken. */
+TinkerContactResult tinker_contact_modes(const TinkerClosedContacts *closed, TinkerContactMode *modes, double *forces);
+
+/* Where tinker_contact_modes has no solution: the impulses (2m), without any approach, that end the sliding of the contacts
+ * that jam. `velocity` as in TinkerImpact; its normal entries count as 0. They keep the laws of an impact without restitution:
+ * where p_n > 0, u_n' = 0, and u_t' = 0 or p_t = -friction p_n sign(u_t'); static coefficients at contacts at rest. */
+TinkerContactResult tinker_contact_jam(const TinkerClosedContacts *closed, const double *velocity, double *impulses);
+
+#endif

@@ -1,0 +1,21 @@
+/* Small dense systems A x = b that may be singular: by elimination where they are not, by the solution of least norm (least
+ * squares, where they contradict themselves) where they are. Scale A so that its entries are about 1. */
+#ifndef TINKER_NUMERICS_DENSE_SOLVE_H
+#define TINKER_NUMERICS_DENSE_SOLVE_H
+
+#include <stdint.h>
+
+typedef struct TinkerDenseSolve TinkerDenseSolve;
+
+/* Room for systems of n unknowns; a program that has no memory ends. (transfer full) */
+TinkerDenseSolve *tinker_dense_solve_new(int32_t n);
+void tinker_dense_solve_free(TinkerDenseSolve *solve);
+
+/* Takes a matrix, n x n by rows. Answers 0 where its rank is not full. Allots nothing. */
+int tinker_dense_solve_factor(TinkerDenseSolve *solve, const double *matrix);
+
+/* Solves for the matrix taken last, in place of b. Singular values below 1e-10 of the largest count as 0. Source: LAPACK Users'
+ * Guide, xGELSY (Quintana-Orti, Sun, Bischof). Allots nothing. */
+void tinker_dense_solve(TinkerDenseSolve *solve, double *b);
+
+#endif

@@ -1,0 +1,27 @@
+/* Bodies and contacts of chance, and the laws of contact worked out by themselves. */
+#ifndef TINKER_TESTS_CONTACT_CASE_H
+#define TINKER_TESTS_CONTACT_CASE_H
+
+#include <glib.h>
+
+enum { CASE_CONTACTS = 10, CASE_WIDTH = 2 * CASE_CONTACTS };
+
+typedef struct {
+    int32_t count;
+    double delassus[CASE_WIDTH * CASE_WIDTH], before[CASE_WIDTH];
+    double friction[CASE_CONTACTS];
+    int8_t sliding[CASE_CONTACTS];
+} ContactCase;
+
+/* W = J M^-1 J^T for a random J over `freedoms` coordinates, of whole numbers or not, and masses that differ by up to
+ * 10^spread; before = J v. */
+void contact_case_fill(ContactCase *self, GRand *random, int32_t count, int32_t freedoms, gboolean whole,
+                       double spread);
+
+/* before + W p, and what is rounding in it. */
+void contact_case_after(const ContactCase *self, const double *p, double *after, double *rounding);
+
+/* Whether any of all combinations of open, sticking and sliding solves, with v = before + W p, what contact-private.h says. */
+gboolean contact_case_has_solution(const ContactCase *self);
+
+#endif
