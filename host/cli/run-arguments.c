@@ -4,6 +4,9 @@
 #include "exit-status.h"
 #include "options.h"
 
+/* What the summary calls the method of contact as impulses. */
+#define IMPULSE "impulse"
+
 static const TinkerDimension time_dimension = TINKER_DIMENSION_TIME;
 static const TinkerDimension no_dimension = TINKER_DIMENSION_NONE;
 
@@ -12,8 +15,17 @@ void tinker_run_arguments_clear(TinkerRunArguments *arguments)
     g_clear_pointer(&arguments->duration, g_free);
     g_clear_pointer(&arguments->interval, g_free);
     g_clear_pointer(&arguments->method, g_free);
+    g_clear_pointer(&arguments->contacts, g_free);
     g_clear_pointer(&arguments->step, g_free);
     g_clear_pointer(&arguments->tolerance, g_free);
+}
+
+static gboolean apply_contacts(const char *text, TinkerRunOptions *options, GError **error)
+{
+    options->impulses = g_str_equal(text, "impulse");
+    if (options->impulses || g_str_equal(text, "events")) return TRUE;
+    g_set_error(error, TINKER_CLI_ERROR, TINKER_CLI_ERROR_USAGE, "--contacts is \"%s\" (it must be events or impulse)", text);
+    return FALSE;
 }
 
 gboolean tinker_run_arguments_apply(const TinkerRunArguments *arguments, TinkerScene *scene, TinkerRunOptions *options,
@@ -36,6 +48,7 @@ gboolean tinker_run_arguments_apply(const TinkerRunArguments *arguments, TinkerS
                                                             TRUE, numbers[i].value, error))
             return FALSE;
     if (arguments->method != NULL) options->method = arguments->method;
+    if (arguments->contacts != NULL && !apply_contacts(arguments->contacts, options, error)) return FALSE;
     if (arguments->no_estimate) options->estimate = FALSE;
     return TRUE;
 }
@@ -98,7 +111,10 @@ gboolean tinker_scene_run_prepare(TinkerSceneRun *run, TinkerScene *scene, const
     g_autoptr(GError) reason = NULL;
     run->model = tinker_model_new(scene, &reason);
     if (run->model != NULL) run->simulation = tinker_simulation_new(run->model, options, &reason);
-    if (run->simulation != NULL) return TRUE;
+    if (run->simulation != NULL) {
+        run->automatic &= !g_str_equal(tinker_simulation_summary(run->simulation)->method, IMPULSE);
+        return TRUE;
+    }
     tinker_run_arguments_blame(arguments, &reason);
     g_propagate_error(error, g_steal_pointer(&reason));
     return FALSE;
@@ -131,6 +147,8 @@ static void add_idle_options(GPtrArray *warnings, const TinkerSceneRun *run, con
                              const TinkerRunArguments *arguments)
 {
     gboolean neither = g_str_equal(summary->method, "exact");
+    if (arguments->method != NULL && g_str_equal(summary->method, IMPULSE))
+        g_ptr_array_add(warnings, g_strdup("--method has no effect: contact is asked for as impulses (--contacts events)"));
     if (arguments->step != NULL && run->automatic)
         g_ptr_array_add(warnings, g_strdup("--step has no effect: auto chooses steps by --tolerance (name a method "
                                            "that takes one: --method rk4)"));

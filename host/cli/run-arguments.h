@@ -8,7 +8,7 @@
 
 /* As given on the command line; NULL: the scene's own. */
 typedef struct {
-    char *duration, *interval, *method, *step, *tolerance;
+    char *duration, *interval, *method, *contacts, *step, *tolerance;
     gboolean no_estimate;
 } TinkerRunArguments;
 
@@ -18,6 +18,7 @@ G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC(TinkerRunArguments, tinker_run_arguments_clear)
 /* Rows of a table of options. */
 #define TINKER_RUN_METHOD_ENTRIES(arguments)                                                                           \
     {"method", 0, 0, G_OPTION_ARG_FILENAME, &(arguments).method, "Integrator: auto, rk4, dop853, verlet, ...", "M"},   \
+        {"contacts", 0, 0, G_OPTION_ARG_FILENAME, &(arguments).contacts, "Contact by events, or as impulse", "C"},     \
         {"step", 0, 0, G_OPTION_ARG_FILENAME, &(arguments).step, "Step of fixed-step methods", "S"},                   \
     {                                                                                                                  \
         "tolerance", 0, 0, G_OPTION_ARG_FILENAME, &(arguments).tolerance, "Tolerance of adaptive methods", "E"         \

@@ -137,6 +137,10 @@ static gboolean measure(Stepper *stepper, double seconds, Measurement *measureme
     measurement->evaluations_per_step =
         (double)(stepper->evaluations + summary->evaluations) / (double)(stepper->steps + summary->steps);
     measurement->step = summary->adaptive ? NAN : summary->step;
+    if (stepper->options.impulses) { /* whatever method is named */
+        g_free(measurement->method);
+        measurement->method = g_strdup(summary->method);
+    }
     return TRUE;
 }
 
@@ -216,7 +220,7 @@ static void write_json(const GArray *measurements, int32_t blocks, gboolean sing
 static gboolean measure_all(TinkerModel *model, const TinkerRunOptions *options, const TinkerRunArguments *arguments,
                             double seconds, GArray *measurements, GError **error)
 {
-    if (arguments->method != NULL) {
+    if (arguments->method != NULL || options->impulses) {
         g_array_set_size(measurements, 1);
         Measurement *only = &g_array_index(measurements, Measurement, 0);
         if (measure_method(model, options, options->method, seconds, only, error)) return TRUE;

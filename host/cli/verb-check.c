@@ -9,6 +9,7 @@
 #include "options.h"
 #include "output.h"
 #include "physics/simulation.h"
+#include "scene/overlaps.h"
 
 static const TinkerVerbHelp help = {
     .verb = "check",
@@ -116,6 +117,14 @@ static void add_of_run(Findings *findings, TinkerScene *scene, TinkerModel *mode
     if (simulation == NULL) add_refusal(findings, name, error);
 }
 
+static void add_warnings(Findings *findings, const GPtrArray *warnings, const char *name)
+{
+    for (guint i = 0; i < warnings->len; i++) {
+        g_autofree char *text = g_strdup_printf("%s: warning: %s", name, (const char *)g_ptr_array_index(warnings, i));
+        add_warning(findings, text);
+    }
+}
+
 static void add_of_model(Findings *findings, TinkerScene *scene, const char *name)
 {
     g_autoptr(GError) error = NULL;
@@ -124,11 +133,10 @@ static void add_of_model(Findings *findings, TinkerScene *scene, const char *nam
         add_refusal(findings, name, error);
         return;
     }
-    const GPtrArray *warnings = tinker_model_warnings(model);
-    for (guint i = 0; i < warnings->len; i++) {
-        g_autofree char *text = g_strdup_printf("%s: warning: %s", name, (const char *)g_ptr_array_index(warnings, i));
-        add_warning(findings, text);
-    }
+    g_autoptr(GPtrArray) overlaps = g_ptr_array_new_with_free_func(g_free);
+    tinker_overlaps_tell(scene, overlaps);
+    add_warnings(findings, tinker_model_warnings(model), name);
+    add_warnings(findings, overlaps, name);
     add_of_run(findings, scene, model, name);
 }
 

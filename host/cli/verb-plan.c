@@ -8,6 +8,7 @@
 #include "output.h"
 #include "plan-report.h"
 #include "run-arguments.h"
+#include "scene/overlaps.h"
 
 static const TinkerVerbHelp help = {
     .verb = "plan",
@@ -59,7 +60,7 @@ static gboolean prepare(PlanJob *job, const PlanOptions *options, const TinkerOp
     g_autoptr(GError) reason = NULL;
     if (!tinker_run_arguments_apply(&options->run, open->scene, &job->options, error)) return FALSE;
     job->model = tinker_model_new(open->scene, &reason);
-    if (job->model != NULL) job->islands = tinker_islands_new(job->model, &reason);
+    if (job->model != NULL) job->islands = tinker_islands_for(job->model, job->options.impulses, &reason);
     if (job->islands != NULL) job->plan = tinker_plan_new(job->model, job->islands, &job->options, &reason);
     if (job->plan == NULL) {
         tinker_run_arguments_blame(&options->run, &reason);
@@ -97,6 +98,7 @@ static int plan(const PlanOptions *options, const TinkerCommandLine *line)
     g_auto(PlanJob) job = {0};
     g_autoptr(GError) error = NULL;
     if (!prepare(&job, options, &open, &error)) return tinker_open_scene_report_error(&open, error);
+    tinker_overlaps_tell(open.scene, open.warnings);
     return write_plan(&job, options, &open, &error) ? TINKER_EXIT_DONE : tinker_report_error(open.name, error);
 }
 

@@ -1,7 +1,7 @@
 /* Mass: a point with inertia that forces act on, drawn as a box, or as a dot where its size is 0.
  *
  * The host integrates it (m a = F); the block only says what it is. Its box matters in one way: the centre stands off
- * what it touches by half its height. */
+ * the top of a solid support that it touches by half its height, however either is turned. */
 #include <tinker/sdk.h>
 
 enum {
@@ -16,7 +16,7 @@ enum {
 };
 
 /* Behind the six quantities of a point. */
-enum { QUANTITY_SPEED = 6, QUANTITY_KINETIC_ENERGY, QUANTITY_X_MOMENTUM, QUANTITY_Y_MOMENTUM };
+enum { QUANTITY_SPEED = 6, QUANTITY_KINETIC_ENERGY, QUANTITY_X_MOMENTUM, QUANTITY_Y_MOMENTUM, QUANTITY_CONTACTS };
 
 static const TinkerBoxColumns box_columns = {COLUMN_POSITION, COLUMN_LOCAL_ORIGIN, COLUMN_ORIENTATION, COLUMN_WIDTH,
                                              COLUMN_HEIGHT};
@@ -61,6 +61,7 @@ static int32_t handles(const TinkerInstance *instance, TinkerHandle *list, int32
 static TinkerStatus values(TinkerBatch *batch, const TinkerGraphInput *input, int32_t quantity, double *result)
 {
     if (quantity < QUANTITY_SPEED) return tinker_point_values(batch, input, quantity, result);
+    if (quantity >= QUANTITY_CONTACTS) return tinker_contact_values(batch, input, quantity - QUANTITY_CONTACTS, result);
     const double *mass = tinker_column(batch, COLUMN_MASS);
     for (int32_t i = 0; i < batch->count; i++) {
         const double vx = input->ends[i].vx, vy = input->ends[i].vy;
@@ -101,13 +102,13 @@ static const TinkerPropertyType properties[] = {
      .description = "Where its offset is measured from; the motion does not depend on it"},
     {TINKER_REAL_PROPERTY("orientation", "Orientation", "Properties", TINKER_DIMENSION_ANGLE),
      TINKER_ANY_VALUE(0, -TINKER_PI, TINKER_PI), .meaning = TINKER_MEANING_ORIENTATION, .variability = TINKER_INITIAL,
-     .description = "How it is drawn at the start, counter-clockwise; a point does not turn"},
+     .description = "How it is drawn at the start, counter-clockwise; landing on a support turns it along the top"},
     {TINKER_REAL_PROPERTY("width", "Width", "Size", TINKER_DIMENSION_LENGTH), TINKER_NOT_NEGATIVE(0, 4.0),
      .default_value = {0.8}, .meaning = TINKER_MEANING_WIDTH, .variability = TINKER_STRUCTURAL,
-     .description = "Width of its box; with a height of 0 it is drawn as a dot"},
+     .description = "Width of its box, for the drawing; with a height of 0 it is a dot"},
     {TINKER_REAL_PROPERTY("height", "Height", "Size", TINKER_DIMENSION_LENGTH), TINKER_NOT_NEGATIVE(0, 4.0),
      .default_value = {0.8}, .meaning = TINKER_MEANING_HEIGHT, .variability = TINKER_STRUCTURAL,
-     .description = "Height of its box: its centre stays half of it off what it touches"},
+     .description = "Height of its box: its centre stands half of it off what it touches"},
 };
 
 static const TinkerQuantityType quantities[] = {
@@ -116,6 +117,7 @@ static const TinkerQuantityType quantities[] = {
     TINKER_QUANTITY(0, "kinetic energy", "Kinetic Energy", "m v^2 / 2", TINKER_DIMENSION_ENERGY),
     TINKER_QUANTITY(0, "x momentum", "X Momentum", "m vx", TINKER_DIMENSION_MOMENTUM),
     TINKER_QUANTITY(0, "y momentum", "Y Momentum", "m vy", TINKER_DIMENSION_MOMENTUM),
+    TINKER_CONTACT_QUANTITIES,
 };
 
 static const TinkerBody body = {sizeof(TinkerBody), 2, TINKER_SHAPE_BOX, 0};

@@ -1,8 +1,8 @@
 /* Support: a place that does not give way, and a plate with one solid side.
  *
- * Forces do not move it. Its solid side is its top, the +y side of its own axes; contact is not modelled yet, so masses
- * pass through it, and friction and restitution are kept without effect. It is drawn as a slab whose solid line is the
- * top; one that is not solid as a pin. */
+ * Forces do not move it. Its solid side is its top, the +y side of its own axes: masses that come from above stop there
+ * or bounce, rest and slide with friction; from below and from the ends they pass. The host works out the contacts; the
+ * block only says what it is. It is drawn as a slab whose solid line is the top; one that is not solid as a pin. */
 #include <tinker/sdk.h>
 
 enum {
@@ -17,6 +17,9 @@ enum {
     COLUMN_RESTITUTION,
     COLUMN_SOLID,
 };
+
+/* Of a point; those of its contacts follow. */
+enum { POINT_QUANTITIES = 6 };
 
 static const TinkerBoxColumns box_columns = {COLUMN_POSITION, COLUMN_LOCAL_ORIGIN, COLUMN_ORIENTATION, COLUMN_WIDTH,
                                              COLUMN_HEIGHT};
@@ -108,6 +111,14 @@ static int32_t handles(const TinkerInstance *instance, TinkerHandle *list, int32
     return tinker_box_handles(instance, &box_columns, list, room);
 }
 
+/* Graphs */
+
+static TinkerStatus values(TinkerBatch *batch, const TinkerGraphInput *input, int32_t quantity, double *result)
+{
+    if (quantity < POINT_QUANTITIES) return tinker_point_values(batch, input, quantity, result);
+    return tinker_contact_values(batch, input, quantity - POINT_QUANTITIES, result);
+}
+
 /* Tables */
 
 static const TinkerPropertyType properties[] = {
@@ -124,32 +135,33 @@ static const TinkerPropertyType properties[] = {
      .variability = TINKER_STRUCTURAL, .description = "Counter-clockwise; at 0 its top faces up"},
     {TINKER_REAL_PROPERTY("width", "Width", "Size", TINKER_DIMENSION_LENGTH), TINKER_NOT_NEGATIVE(0, 20.0),
      .default_value = {4.0}, .meaning = TINKER_MEANING_WIDTH, .variability = TINKER_STRUCTURAL,
-     .description = "Length of its top"},
+     .description = "Length of its top: a mass touches while its centre is over it"},
     {TINKER_REAL_PROPERTY("height", "Height", "Size", TINKER_DIMENSION_LENGTH), TINKER_NOT_NEGATIVE(0, 4.0),
      .default_value = {0.4}, .meaning = TINKER_MEANING_HEIGHT, .variability = TINKER_STRUCTURAL,
      .description = "Its top lies half of it above the centre"},
     {TINKER_REAL_PROPERTY("static_friction", "Static coefficient", "Friction", TINKER_DIMENSION_NONE),
      TINKER_NOT_NEGATIVE(0, 1.0), .default_value = {0.5}, .symbol = "µs", .meaning = TINKER_MEANING_STATIC_FRICTION,
      .variability = TINKER_TUNABLE,
-     .description = "Friction that holds a mass at rest, per normal force; no effect yet"},
+     .description = "Friction that holds a mass at rest on it, at most, per normal force"},
     {TINKER_REAL_PROPERTY("dynamic_friction", "Dynamic coefficient", "Friction", TINKER_DIMENSION_NONE),
      TINKER_NOT_NEGATIVE(0, 1.0), .default_value = {0.5}, .symbol = "µd", .meaning = TINKER_MEANING_DYNAMIC_FRICTION,
      .variability = TINKER_TUNABLE,
-     .description = "Friction on a sliding mass, per normal force; at most the static coefficient; no effect yet"},
+     .description = "Friction on a mass that slides on it, per normal force; at most the static coefficient"},
     {TINKER_REAL_PROPERTY("restitution", "Restitution", "Properties", TINKER_DIMENSION_NONE),
      TINKER_BETWEEN(0, 0.0, 1.0), .symbol = "e", .meaning = TINKER_MEANING_RESTITUTION, .variability = TINKER_TUNABLE,
-     .description = "How much of its normal velocity a mass keeps when it bounces: 0 none, 1 all; no effect yet"},
+     .description = "How much of its normal velocity a mass keeps when it bounces: 0 none, 1 all"},
     {TINKER_SWITCH_PROPERTY("solid", "Solid", "Properties"), .default_value = {1.0}, .meaning = TINKER_MEANING_SOLID,
-     .variability = TINKER_STRUCTURAL, .description = "Off: a mere anchor, drawn as a pin"},
+     .variability = TINKER_STRUCTURAL,
+     .description = "On: masses cannot pass its top from above; off: a mere anchor, drawn as a pin"},
 };
 
-static const TinkerQuantityType quantities[] = {TINKER_POINT_QUANTITIES(0)};
+static const TinkerQuantityType quantities[] = {TINKER_POINT_QUANTITIES(0), TINKER_CONTACT_QUANTITIES};
 
 static const TinkerBody body = {sizeof(TinkerBody), 0, TINKER_SHAPE_PLATE, 0};
 static const TinkerPhysics physics = {.struct_size = sizeof(TinkerPhysics), .body = &body, .prepare = prepare};
 static const TinkerRender render = {sizeof(TinkerRender), 0, draw, bounds};
 static const TinkerEdit edit = {sizeof(TinkerEdit), 0, hit, move, move_absolute, handles};
-static const TinkerGraph graph = {sizeof(TinkerGraph), 0, tinker_point_values};
+static const TinkerGraph graph = {sizeof(TinkerGraph), 0, values};
 
 static const TinkerUnitChoice unit_choices[] = {{"orientation", "deg", "deg"}};
 static const TinkerUnits units = {sizeof(TinkerUnits), 0, TINKER_SPAN(unit_choices)};
@@ -161,7 +173,7 @@ static const TinkerInterface interfaces[] = {
 
 static const TinkerBlockType blocks[] = {
     {TINKER_BLOCK("support", "Support", TINKER_CONNECTABLE),
-     .summary = "A fixed place to attach to; masses pass through it", .formula = "x = const",
+     .summary = "A fixed place to attach to, with a top that masses land on", .formula = "x = const",
      .properties = TINKER_SPAN(properties), .quantities = TINKER_SPAN(quantities),
      .interfaces = TINKER_SPAN(interfaces)},
 };

@@ -36,6 +36,51 @@ static void test_support(void)
     }
 }
 
+/* Of both blocks alike: pressed with 12 N, pushed by 5 N along a top that is turned by 90 degrees. */
+static void check_contact(const char *block)
+{
+    g_autoptr(BlockBatch) batch = block_batch_new(block_open(block), 1);
+    const TinkerPoint centre = {0, 0, 0, 0};
+    const double contacts[4] = {12, -5, -12, -5};
+    TinkerGraphInput input = {.struct_size = sizeof(TinkerGraphInput), .ends = &centre, .contacts = contacts};
+    g_assert_cmpfloat(block_quantity_value(batch, &input, "normal force"), ==, 12);
+    g_assert_cmpfloat(block_quantity_value(batch, &input, "friction force"), ==, -5);
+    g_assert_cmpfloat(block_quantity_value(batch, &input, "contact force"), ==, 13);
+
+    static const char *const ids[] = {"normal force", "friction force", "contact force"};
+    for (size_t i = 0; i < G_N_ELEMENTS(ids); i++) {
+        /* A host that was built before there were contacts, and one that has none to tell of. */
+        input.contacts = contacts;
+        input.struct_size = offsetof(TinkerGraphInput, contacts);
+        g_assert_cmpfloat(block_quantity_value(batch, &input, ids[i]), ==, 0);
+        input.contacts = NULL;
+        input.struct_size = sizeof(TinkerGraphInput);
+        g_assert_cmpfloat(block_quantity_value(batch, &input, ids[i]), ==, 0);
+        g_assert_cmpstr(block_quantity(batch->block, block_quantity_number(batch->block, ids[i]))->id, ==, ids[i]);
+    }
+}
+
+/* Each instance has numbers of its own. */
+static void test_contact(void)
+{
+    check_contact("mass");
+    check_contact("support");
+    g_autoptr(BlockBatch) batch = block_batch_new(block_open("mass"), 2);
+    const TinkerPoint centres[2] = {{0, 0, 0, 0}, {1, 0, 0, 0}};
+    const double contacts[8] = {1, 2, 3, 4, 5, 6, 8, 15};
+    const TinkerGraphInput input = {.struct_size = sizeof(TinkerGraphInput), .ends = centres, .contacts = contacts};
+    const TinkerGraph *graph = block_interface(batch->block, TINKER_GRAPH_INTERFACE);
+    const double expected[3][2] = {{1, 5}, {2, 6}, {5, 17}};
+    const int32_t first = block_quantity_number(batch->block, "normal force");
+    for (int k = 0; k < 3; k++) {
+        TinkerBatch view = block_batch_view(batch, 0, 2);
+        double value[2];
+        g_assert_cmpint(graph->values(&view, &input, first + k, value), ==, TINKER_OK);
+        g_assert_cmpfloat(value[0], ==, expected[k][0]);
+        g_assert_cmpfloat(value[1], ==, expected[k][1]);
+    }
+}
+
 /* What the host does not know yet is refused, not made up. */
 static void test_unknown(void)
 {
@@ -135,6 +180,7 @@ int main(int argc, char **argv)
     g_test_init(&argc, &argv, NULL);
     g_test_add_func("/plugins/quantities/mass", test_mass);
     g_test_add_func("/plugins/quantities/support", test_support);
+    g_test_add_func("/plugins/quantities/contact", test_contact);
     g_test_add_func("/plugins/quantities/unknown", test_unknown);
     g_test_add_func("/plugins/quantities/connectors", test_connectors);
     g_test_add_func("/plugins/quantities/coinciding-ends", test_coinciding_ends);

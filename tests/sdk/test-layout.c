@@ -43,10 +43,10 @@ SIZE(TinkerEdit, 40) AT(TinkerEdit, struct_size, 0) AT(TinkerEdit, reserved, 4) 
 AT(TinkerEdit, move, 16) AT(TinkerEdit, move_absolute, 24) AT(TinkerEdit, handles, 32)
 
 /* graph.h */
-SIZE(TinkerGraphInput, 64) AT(TinkerGraphInput, struct_size, 0) AT(TinkerGraphInput, reserved, 4)
+SIZE(TinkerGraphInput, 72) AT(TinkerGraphInput, struct_size, 0) AT(TinkerGraphInput, reserved, 4)
 AT(TinkerGraphInput, ends, 8) AT(TinkerGraphInput, accelerations, 16) AT(TinkerGraphInput, multipliers, 24)
 AT(TinkerGraphInput, forces, 32) AT(TinkerGraphInput, bodies, 40) AT(TinkerGraphInput, masses, 48)
-AT(TinkerGraphInput, body_count, 56) AT(TinkerGraphInput, reserved2, 60)
+AT(TinkerGraphInput, body_count, 56) AT(TinkerGraphInput, reserved2, 60) AT(TinkerGraphInput, contacts, 64)
 SIZE(TinkerGraph, 16) AT(TinkerGraph, struct_size, 0) AT(TinkerGraph, reserved, 4) AT(TinkerGraph, values, 8)
 
 /* instance.h */

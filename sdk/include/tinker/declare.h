@@ -84,6 +84,17 @@
         TINKER_QUANTITY(0, "ax", "X Acceleration", "Horizontal acceleration", TINKER_DIMENSION_ACCELERATION),          \
         TINKER_QUANTITY(0, "ay", "Y Acceleration", "Vertical acceleration", TINKER_DIMENSION_ACCELERATION)
 
+/* The three quantities of what stands on something, or is stood on, that tinker_contact_values (kernels.h) works out, in
+ * its order. */
+#define TINKER_CONTACT_QUANTITIES                                                                                      \
+    TINKER_QUANTITY(0, "normal force", "Normal Force", "What presses across the tops in contact; never negative",      \
+                    TINKER_DIMENSION_FORCE),                                                                           \
+        TINKER_QUANTITY(0, "friction force", "Friction Force",                                                         \
+                        "Friction in contacts, positive towards +x of the support's own axes",                         \
+                        TINKER_DIMENSION_FORCE),                                                                       \
+        TINKER_QUANTITY(0, "contact force", "Contact Force", "Magnitude of the whole force of all contacts",           \
+                        TINKER_DIMENSION_FORCE)
+
 /* The first members of a block type. */
 #define TINKER_BLOCK(id_, title_, category_)                                                                           \
     .struct_size = (uint32_t)sizeof(TinkerBlockType), .schema_version = 1, .id = id_, .title = title_,                 \

@@ -27,6 +27,10 @@ typedef struct TinkerGraphInput {
     const double *masses;        /* likewise their masses */
     int32_t body_count;
     int32_t reserved2;
+    /* Of a body or a plate: four numbers an instance (N), of what acts on it through its contacts. The sum of the normal
+     * forces, which is not negative; the friction along the tops, positive towards +x of the plate's own axes (the force
+     * on the body, or of a plate that on the plate); the whole force in x and in y. NULL where nothing is solid. */
+    const double *contacts;
 } TinkerGraphInput;
 
 typedef struct TinkerGraph {

@@ -102,6 +102,24 @@ static inline TinkerStatus tinker_point_values(TinkerBatch *batch, const TinkerG
     return TINKER_OK;
 }
 
+/* Component 0 to 2 (normal force, friction force, magnitude of the whole) of what acts on every instance through its
+ * contacts; 0 from a host that tells of none. */
+static inline TinkerStatus tinker_contact_values(TinkerBatch *batch, const TinkerGraphInput *input, int32_t component,
+                                                 double *values)
+{
+    const double *contacts = TINKER_HAS(TinkerGraphInput, input, contacts) ? input->contacts : NULL;
+    for (int32_t i = 0; i < batch->count; i++) {
+        if (contacts == NULL) {
+            values[i] = 0.0;
+        } else if (component < 2) {
+            values[i] = contacts[4 * i + component];
+        } else {
+            values[i] = tinker_length(contacts[4 * i + 2], contacts[4 * i + 3]);
+        }
+    }
+    return TINKER_OK;
+}
+
 /* Defines the loop of a line law with two properties as a function
  *     static void name(int32_t count, const double *p, const double *q, const double *length, const double *rate,
  *                      double *result)
