@@ -4,6 +4,7 @@
 #include <time.h>
 
 #include "analysis/trade-private.h"
+#include "physics/impulse.h"
 
 #define SAMPLES          500 /* equally spaced, where no times are given: enough to see how far and how fast the motion goes */
 #define LEAST_SAMPLES    8
@@ -121,6 +122,7 @@ static TinkerSimulation *prepare(TinkerTradeBench *bench, TinkerTradeSetting set
 {
     TinkerRunOptions run = bench->options->run;
     run.method = setting.method;
+    run.impulses = g_str_equal(setting.method, tinker_integrator_impulse.id);
     if (setting.value > 0) *(setting.adaptive ? &run.tolerance : &run.step) = setting.value;
     run.at = sampled ? bench->times : &bench->duration;
     run.at_count = sampled ? bench->time_count : 1;
@@ -187,6 +189,7 @@ static void close_trajectory(TinkerTrajectory *trajectory, const TinkerSummary *
     trajectory->extent = box[0] <= box[1] ? hypot(box[1] - box[0], box[3] - box[2]) : 0;
     trajectory->steps = summary->steps;
     trajectory->evaluations = summary->evaluations;
+    trajectory->touches = summary->contact_changes > 0;
     trajectory->energy_error = summary->energy_balance_error;
     trajectory->constraint_error = fmax(summary->constraint_position_error, summary->constraint_velocity_error);
     trajectory->wall_s = summary->wall_s;

@@ -26,6 +26,7 @@ typedef struct {
     double *states;
     double extent, speed; /* of the motion */
     gint64 steps, evaluations;
+    gboolean touches; /* bodies touched plates */
     double energy_error, constraint_error;
     double wall_s; /* with the samples */
 } TinkerTrajectory;

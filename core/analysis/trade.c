@@ -5,6 +5,7 @@
 
 #include "analysis/trade-private.h"
 #include "numerics/integrators.h"
+#include "physics/impulse.h"
 #include "units/units.h"
 
 #define REFERENCE_TIME 0.3  /* of the time for measuring: at most */
@@ -84,7 +85,8 @@ static gboolean pick_methods(TinkerTrade *trade, const TinkerTradeOptions *optio
     for (guint i = 0; options->methods == NULL && i < all->len; i++)
         add_method(trade, g_ptr_array_index(all, i));
     for (const char *const *id = options->methods; id != NULL && *id != NULL; id++) {
-        const TinkerIntegrator *integrator = find_integrator(all, *id);
+        gboolean impulses = g_str_equal(*id, tinker_integrator_impulse.id);
+        const TinkerIntegrator *integrator = impulses ? &tinker_integrator_impulse : find_integrator(all, *id);
         if (integrator == NULL) return unknown_method(all, *id, error);
         add_method(trade, integrator);
     }
@@ -124,6 +126,8 @@ TinkerTrade *tinker_trade_new(TinkerScene *scene, const TinkerTradeOptions *opti
         tinker_trade_bench_enter(&bench, 0, REFERENCE_WORK, seconds);
         ready = tinker_trade_find_reference(&bench, all, seconds, &trade->reference, &truth, &standard.samples, error);
     }
+    /* it differs from the others by how it takes contact alone */
+    if (ready && options->methods == NULL && truth.touches) add_method(trade, &tinker_integrator_impulse);
     if (ready) {
         sweep_all(&bench, &standard, trade);
         tinker_trade_advise(&bench, &standard, trade);
@@ -146,7 +150,12 @@ void tinker_trade_apply(const TinkerTrade *trade, TinkerScene *scene)
     TinkerRunSettings *run = &tinker_scene_head(scene)->run;
     const TinkerTradeSetting *setting = &trade->advice.row.setting;
     if (trade->advice.kind == TINKER_TRADE_ADVICE_NONE) return;
-    g_free(run->method);
-    run->method = g_strdup(setting->method);
+    gboolean impulses = g_str_equal(setting->method, tinker_integrator_impulse.id);
+    g_free(run->contacts);
+    run->contacts = g_strdup(impulses ? "impulse" : "events");
+    if (!impulses) { /* which leave the method as it is, for a scene that has contact by events again */
+        g_free(run->method);
+        run->method = g_strdup(setting->method);
+    }
     if (setting->value > 0) *(setting->adaptive ? &run->tolerance : &run->step) = setting->value;
 }

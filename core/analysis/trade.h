@@ -23,7 +23,7 @@ typedef struct {
 
 /* What a run is to use. */
 typedef struct {
-    const char *method; /* id, static or the catalogue's */
+    const char *method; /* id, static or the catalogue's; "impulse": contact as impulses */
     gboolean adaptive;  /* `value` is a tolerance; else a step in s */
     double value;       /* 0: the method takes neither */
 } TinkerTradeSetting;
@@ -94,7 +94,7 @@ char *tinker_trade_advice_text(const TinkerTrade *trade, const TinkerTradeOption
 /* What errors were measured against, as a sentence. (transfer full) */
 char *tinker_trade_reference_text(const TinkerTrade *trade);
 
-/* Puts the advised method and its step or tolerance into the scene's run settings. */
+/* Puts the advised method and its step or tolerance into the scene's run settings, and contact by events or as impulses. */
 void tinker_trade_apply(const TinkerTrade *trade, TinkerScene *scene);
 
 #endif

@@ -1,5 +1,6 @@
 /* The summary of a whole run from those of its islands. */
 #include <math.h>
+#include <string.h>
 
 #include "physics/simulation-private.h"
 
@@ -20,6 +21,7 @@ static void add_run(TinkerSummary *whole, TinkerIslandRun *run)
     whole->steps += part->steps;
     whole->rejected_steps += part->rejected_steps;
     whole->evaluations += run->model->evaluations;
+    if (run->contacts != NULL) whole->contact_changes += tinker_contact_run_changes(run->contacts);
     whole->simulated_s = fmin(whole->simulated_s, part->simulated_s);
     whole->valid_until = fmin(whole->valid_until, part->valid_until);
     whole->constraint_position_error = fmax(whole->constraint_position_error, part->constraint_position_error);
@@ -33,6 +35,24 @@ static void add_run(TinkerSummary *whole, TinkerIslandRun *run)
     } else if (!g_str_equal(whole->method, part->method)) {
         whole->method = "auto";
     }
+}
+
+/* A contact may have changed it. */
+static void name_method(TinkerIslandSummary *island, const TinkerSummary *part)
+{
+    island->method = part->method;
+    island->adaptive = part->adaptive;
+    island->step = part->step;
+    island->tolerance = part->tolerance;
+}
+
+/* Islands run one after another between samples: events are told in the order of their times, whatever the samples are. */
+static int by_time(const void *left, const void *right)
+{
+    const TinkerEvent *l = *(TinkerEvent *const *)left, *r = *(TinkerEvent *const *)right;
+    if (l->time != r->time) return l->time < r->time ? -1 : 1;
+    int order = strcmp(l->blocks, r->blocks);
+    return order != 0 ? order : strcmp(l->kind, r->kind);
 }
 
 void tinker_simulation_add_up(TinkerSimulation *simulation)
@@ -49,8 +69,12 @@ void tinker_simulation_add_up(TinkerSimulation *simulation)
         .events = kept.events,
         .warnings = kept.warnings,
     };
-    for (guint i = 0; i < simulation->runs->len; i++)
-        add_run(whole, g_ptr_array_index(simulation->runs, i));
+    g_ptr_array_sort(whole->events, by_time);
+    for (guint i = 0; i < simulation->runs->len; i++) {
+        TinkerIslandRun *run = g_ptr_array_index(simulation->runs, i);
+        add_run(whole, run);
+        name_method(g_ptr_array_index(whole->islands, i), &run->summary);
+    }
     if (simulation->estimate == NULL) return;
     /* at the start alone there is no error yet: a run that got no further has no estimate */
     if (simulation->sample_time > 0) whole->error_estimate = tinker_estimate_error(simulation->estimate);

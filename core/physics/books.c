@@ -61,7 +61,7 @@ static double given(const TinkerBooks *books, const TinkerState *state, const Ti
     summary->books[TINKER_BOOK_PROJECTION] = system->projection_work;
     double sum = 0;
     for (int book = 0; book < TINKER_BOOK_COUNT; book++)
-        sum += summary->books[book];
+        sum += summary->books[book] += system->impact_work[book];
     return sum;
 }
 

@@ -4,6 +4,7 @@
 #include <float.h>
 #include <math.h>
 
+#include "physics/impulse.h"
 #include "physics/linear-form.h"
 #include "physics/simulation-private.h"
 
@@ -20,6 +21,10 @@
 /* Where ends may pass each other an exact solution is exact from passing to passing only, and rounding may grow from each to
  * the next: its companion starts off by this share of the scales. */
 #define START_OFF (6 * DBL_EPSILON)
+/* Samples so near to an impact (a share of the time) may lie on either side of it. */
+#define NEAR_IMPACT 1e-6
+/* Or of so many steps, where an impact is one of a whole step. */
+#define STEPS_NEAR_IMPACT 3
 
 struct _TinkerEstimate {
     TinkerSimulation *simulation;
@@ -172,18 +177,30 @@ static gboolean same_steps(const TinkerIslandRun *run, const TinkerIslandRun *co
     return is_adaptive(run) && companion->summary.steps == run->summary.steps && run->summary.steps > 0;
 }
 
+/* Within the reach of an impact the two may stand on its two sides, where velocities tell nothing. */
+static gboolean strikes_near(const TinkerIslandRun *run, double t)
+{
+    if (run->choice.method == &tinker_integrator_impulse)
+        return fabs(tinker_impulse_last_impact(run->stepper) - t) <= STEPS_NEAR_IMPACT * run->choice.step;
+    if (run->contacts == NULL) return FALSE;
+    return fabs(tinker_contact_run_last_impact(run->contacts) - t) <= NEAR_IMPACT * t;
+}
+
 /* The largest distance of the two states of an island so far, by its present scales: what was much beside the first slow
  * moments may be little beside what follows. */
 static double distance(const TinkerEstimate *estimate, guint number)
 {
     TinkerIslandRun *run = g_ptr_array_index(estimate->simulation->runs, number);
     const TinkerSimulation *ours = estimate->simulation, *theirs = estimate->companion;
+    const TinkerIslandRun *other = g_ptr_array_index(theirs->runs, number);
+    gboolean strikes = strikes_near(run, ours->sample_time) || strikes_near(other, ours->sample_time);
     double extent, speed, *apart = &estimate->apart[2 * number], *faster = apart + 1;
     run->system.system.scales(&run->system, run->state.q, run->state.v, &extent, &speed);
     for (int32_t i = 0; i < run->model->bodies; i++) {
         int32_t body = 2 * run->island->body_of[i];
         *apart = fmax(*apart, hypot(ours->sample_q[body] - theirs->sample_q[body],
                                     ours->sample_q[body + 1] - theirs->sample_q[body + 1]));
+        if (strikes) continue;
         *faster = fmax(*faster, hypot(ours->sample_v[body] - theirs->sample_v[body],
                                       ours->sample_v[body + 1] - theirs->sample_v[body + 1]));
     }

@@ -1,8 +1,11 @@
 /* Steps within a piece, states within a step. */
-#include "physics/island-run.h"
+#include "physics/contact-run.h"
 
 #include <float.h>
 #include <string.h>
+
+#include "numerics/integrators.h"
+#include "physics/impulse.h"
 
 /* A run that needs more steps than this of the size that it takes would not end in a lifetime: it is given up once so many
  * have been that small, one after the other. A stiff start has a few of them. */
@@ -10,17 +13,21 @@
 #define MOST_TINY_STEPS    10000
 /* Of the extent. */
 #define ROUNDING (100 * DBL_EPSILON)
+/* What goes on where an exact solution ends with the first contact. */
+#define METHOD_OF_CONTACTS "dop853"
+
+static void open_method(TinkerIslandRun *run)
+{
+    run->summary.method = run->choice.method->id;
+    run->summary.adaptive = (run->choice.method->flags & TINKER_INTEGRATOR_ADAPTIVE) != 0;
+    run->summary.step = run->choice.step;
+    run->summary.tolerance = run->choice.tolerance;
+}
 
 static void open_summary(TinkerIslandRun *run, const TinkerSummary *whole)
 {
-    run->summary = (TinkerSummary){
-        .method = run->choice.method->id,
-        .adaptive = (run->choice.method->flags & TINKER_INTEGRATOR_ADAPTIVE) != 0,
-        .step = run->choice.step,
-        .tolerance = run->choice.tolerance,
-        .events = whole->events,
-        .warnings = whole->warnings,
-    };
+    run->summary = (TinkerSummary){.events = whole->events, .warnings = whole->warnings};
+    open_method(run);
 }
 
 static void open_state(TinkerIslandRun *run)
@@ -42,13 +49,13 @@ static void open_state(TinkerIslandRun *run)
     run->sample_u = g_new0(double, n);
 }
 
-static gboolean open_stepper(TinkerIslandRun *run, double spectral_radius, GError **error)
+static gboolean open_stepper(TinkerIslandRun *run, GError **error)
 {
     const TinkerIntegrator *method = run->choice.method;
     TinkerIntegratorOptions options = {
         .struct_size = sizeof(TinkerIntegratorOptions),
         .tolerance = run->choice.tolerance,
-        .spectral_radius = spectral_radius,
+        .spectral_radius = run->spectral_radius,
     };
     if (method->flags & TINKER_INTEGRATOR_IMPLICIT) tinker_model_system_offer_jacobian(&run->system);
     if (!(method->flags & TINKER_INTEGRATOR_LINEAR) || run->system.system.linear != NULL)
@@ -68,20 +75,20 @@ static gboolean open_stepper(TinkerIslandRun *run, double spectral_radius, GErro
     return FALSE;
 }
 
-static gboolean open_run(TinkerIslandRun *run, double spectral_radius, double horizon, GError **error)
+static gboolean open_run(TinkerIslandRun *run, double horizon, GError **error)
 {
     TinkerModel *model = run->model;
     model->evaluations = 0;
     open_state(run);
-    if (!open_stepper(run, spectral_radius, error)) return FALSE;
+    if (!open_stepper(run, error)) return FALSE;
     if (!tinker_island_run_enter_piece(run, horizon, error)) return FALSE;
     if (tinker_books_open(&run->books, &run->system) != TINKER_OK)
         return tinker_island_run_fail(run, model->failure, error);
     run->books.allows_loss = (run->choice.method->flags & TINKER_INTEGRATOR_DISSIPATES) != 0;
     run->stability = tinker_stability_watch_new(&run->system, run->choice.method, run->choice.step);
-    run->passing = tinker_passing_new(model);
-    tinker_passing_look(run->passing, 0.0, run->summary.warnings);
-    return TRUE;
+    if (run->choice.method == &tinker_integrator_impulse) return TRUE;
+    run->contacts = tinker_contact_run_new(run);
+    return run->contacts == NULL || tinker_contact_run_start(run->contacts, error);
 }
 
 TinkerIslandRun *tinker_island_run_new(const TinkerIsland *island, const TinkerChoice *choice, double spectral_radius,
@@ -93,7 +100,8 @@ TinkerIslandRun *tinker_island_run_new(const TinkerIsland *island, const TinkerC
     run->choice = *choice;
     run->step_grid = tinker_time_grid(choice->step);
     open_summary(run, whole);
-    if (!open_run(run, spectral_radius, horizon, error)) g_clear_pointer(&run, tinker_island_run_free);
+    run->spectral_radius = spectral_radius;
+    if (!open_run(run, horizon, error)) g_clear_pointer(&run, tinker_island_run_free);
     return run;
 }
 
@@ -102,7 +110,7 @@ void tinker_island_run_free(TinkerIslandRun *run)
     if (run == NULL) return;
     if (run->stepper != NULL) run->choice.method->destroy(run->stepper);
     tinker_model_system_clear(&run->system);
-    tinker_passing_free(run->passing);
+    tinker_contact_run_free(run->contacts);
     tinker_stability_watch_free(run->stability);
     if (run->q != run->state.q) {
         g_free(run->q);
@@ -118,6 +126,46 @@ double tinker_island_run_speed_noise(const TinkerIslandRun *run, double extent)
 {
     if (!(run->state.t > 0)) return 0;
     return ROUNDING * extent * (double)run->summary.steps / run->state.t;
+}
+
+/* The books go on by what they hold, not by their places: contacts have opened others. */
+static void carry_books(TinkerIslandRun *run, const double *kept)
+{
+    g_free(run->state.books);
+    run->state.books = g_new0(double, run->system.system.books + 1);
+    for (int32_t i = 0; i < run->system.system.books; i++)
+        run->state.books[i] = kept[run->system.book_of[i]];
+}
+
+gboolean tinker_island_run_enter_plane(TinkerIslandRun *run, GError **error)
+{
+    double kept[TINKER_BOOK_COUNT] = {0}, speed = run->system.speed;
+    double projection_work = run->system.projection_work, position_error = run->system.position_error;
+    for (int32_t i = 0; i < run->system.system.books; i++)
+        kept[run->system.book_of[i]] = run->state.books[i];
+    tinker_island_run_place(run);
+    if (run->q != run->state.q) {
+        g_free(run->state.q);
+        g_free(run->state.v);
+        run->state.q = run->q;
+        run->state.v = run->v;
+    }
+    run->choice.method->destroy(run->stepper);
+    run->stepper = NULL;
+    tinker_model_system_clear(&run->system);
+    tinker_model_system_init(&run->system, run->model, NULL);
+    tinker_model_system_expect_contacts(&run->system);
+    run->system.speed = speed;
+    run->system.projection_work = projection_work;
+    run->system.position_error = position_error;
+    tinker_model_system_keep(&run->system, run->model->q_start, run->model->v_start);
+    tinker_model_system_keep(&run->system, run->state.q, run->state.v);
+    carry_books(run, kept);
+    g_clear_pointer(&run->stability, tinker_stability_watch_free);
+    if (run->choice.method->flags & TINKER_INTEGRATOR_LINEAR)
+        run->choice.method = tinker_integrator_builtin(METHOD_OF_CONTACTS);
+    open_method(run);
+    return open_stepper(run, error);
 }
 
 void tinker_island_run_place(TinkerIslandRun *run)
@@ -154,15 +202,25 @@ static gboolean is_hopeless(TinkerIslandRun *run, double step, double left)
     return run->tiny_steps > MOST_TINY_STEPS;
 }
 
+/* One step of the method, that ends where contacts change. */
+static TinkerStatus step_once(TinkerIslandRun *run, double limit, TinkerStepReport *report)
+{
+    if (run->contacts == NULL) return run->choice.method->step(run->stepper, &run->state, limit, report);
+    limit = tinker_contact_run_begin(run->contacts, limit);
+    TinkerStatus status = run->choice.method->step(run->stepper, &run->state, limit, report);
+    return status == TINKER_OK ? tinker_contact_run_look(run->contacts, report) : status;
+}
+
 gboolean tinker_island_run_step(TinkerIslandRun *run, double target, double end, GError **error)
 {
     TinkerStepReport report = {.struct_size = sizeof(TinkerStepReport)};
     TinkerState *state = &run->state;
+    if (run->contacts != NULL && !tinker_contact_run_pass(run->contacts, error)) return FALSE;
     if (state->t >= run->piece_end && !tinker_island_run_enter_piece(run, end, error)) return FALSE;
     run->model->failure[0] = '\0';
     run->model->constraints.gave_way = FALSE;
     double from = state->t;
-    TinkerStatus status = run->choice.method->step(run->stepper, state, step_limit(run, target, end), &report);
+    TinkerStatus status = step_once(run, step_limit(run, target, end), &report);
     if (status == TINKER_OK && !(state->t > from)) {
         status = TINKER_FAILED;
         report.failure = "the method answers that it made a step, but the time stands still (its plugin is at fault)";
@@ -179,9 +237,10 @@ gboolean tinker_island_run_step(TinkerIslandRun *run, double target, double end,
     return tinker_island_run_watch(run, &report, state->t >= end, error);
 }
 
-gboolean tinker_island_run_pass_break(TinkerIslandRun *run, double end, GError **error)
+gboolean tinker_island_run_pass_instant(TinkerIslandRun *run, double end, GError **error)
 {
     double t = run->state.t;
+    if (run->contacts != NULL && !tinker_contact_run_pass(run->contacts, error)) return FALSE;
     if (t < run->piece_end || !run->ends_on_break) return TRUE;
     return tinker_island_run_enter_piece(run, MAX(end, t + 1.0), error);
 }
@@ -196,8 +255,15 @@ TinkerStatus tinker_island_run_state_at(TinkerIslandRun *run, double t, double *
     TinkerStatus status = TINKER_OK;
     if (t != run->state.t) status = run->choice.method->interpolate(run->stepper, t, x, u, NULL);
     if (!own) tinker_linear_form_expand(run->island->linear, x, u, q, v);
-    if (status != TINKER_OK || t == run->state.t || run->model->constraints.rows == 0) return status;
+    if (status != TINKER_OK || t == run->state.t) return status;
     gboolean moved;
+    if (tinker_contacts_act(run->model->contacts)) {
+        double work;
+        status = tinker_contacts_project_positions(run->model->contacts, t, q, v, &moved, &work);
+        if (status == TINKER_OK) tinker_contacts_correct_velocities(run->model->contacts, v, FALSE, &moved);
+        return status;
+    }
+    if (run->model->constraints.rows == 0) return TINKER_OK;
     status = tinker_constraints_project_positions(run->model, t, q, v, &moved);
     if (status == TINKER_OK) tinker_constraints_correct_velocities(run->model, v, FALSE, &moved);
     return status;

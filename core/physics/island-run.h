@@ -4,11 +4,12 @@
 
 #include "physics/books.h"
 #include "physics/islands.h"
-#include "physics/passing.h"
 #include "physics/plan.h"
 #include "physics/sample-times.h"
 #include "physics/simulation.h"
 #include "physics/stability-watch.h"
+
+struct _TinkerContactRun;
 
 typedef struct {
     const TinkerIsland *island;
@@ -24,11 +25,12 @@ typedef struct {
     double piece_end;       /* the current piece ends here: */
     gboolean ends_on_break; /* with a break, or only because nobody looked further */
     TinkerBooks books;
-    TinkerPassing *passing;
+    struct _TinkerContactRun *contacts; /* NULL where nothing can touch anything */
     TinkerStabilityWatch *stability;
-    gint64 looked_at;      /* steps at the last look into the books */
-    int singular_steps;    /* in a row */
-    int tiny_steps;        /* likewise: of which the rest of the run would take too many */
+    gint64 looked_at;   /* steps at the last look into the books */
+    int singular_steps; /* in a row */
+    int tiny_steps;     /* likewise: of which the rest of the run would take too many */
+    double spectral_radius;
     TinkerSummary summary; /* of this island; events and warnings are those of the whole run, borrowed */
 } TinkerIslandRun;
 
@@ -41,8 +43,13 @@ void tinker_island_run_free(TinkerIslandRun *run);
 /* One step, not beyond `end`; a method that steps exactly goes to `target` where that comes first. */
 gboolean tinker_island_run_step(TinkerIslandRun *run, double target, double end, GError **error);
 
-/* Enters the next piece where the state stands on a break. */
-gboolean tinker_island_run_pass_break(TinkerIslandRun *run, double end, GError **error);
+/* Where the state stands on a break enters the next piece, and where on an event of contact passes it: at the instant of a
+ * jump the state after it counts. */
+gboolean tinker_island_run_pass_instant(TinkerIslandRun *run, double end, GError **error);
+
+/* Bodies are going to rest on plates: from the present state on the run is stepped in the plane, by a method that takes
+ * constraints. */
+gboolean tinker_island_run_enter_plane(TinkerIslandRun *run, GError **error);
 
 /* The state of the model's bodies (relative to its origin) at time t, within the last step, on the constraints. */
 TinkerStatus tinker_island_run_state_at(TinkerIslandRun *run, double t, double *q, double *v);

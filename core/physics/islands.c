@@ -2,7 +2,7 @@
  * on and what moves those, is compiled into a model of its own. */
 #include "physics/islands.h"
 
-#include "physics/model-private.h"
+#include "physics/contacts.h"
 
 static int32_t root_of(int32_t *parent, int32_t body)
 {
@@ -97,20 +97,11 @@ static int32_t join_smallest(const TinkerModel *model, int32_t *set_of, int32_t 
     return rest;
 }
 
-/* Plates that nothing moves are in every part: a body may come upon them wherever it is. */
+/* Solid plates are in every part: a body may come upon them wherever it is. */
 static void include_plates(const TinkerModel *model, gboolean *include)
 {
-    int32_t count;
-    const TinkerBlockId *moved = tinker_motions_blocks(model->motions, &count);
-    for (guint b = 0; b < model->batches->len; b++) {
-        const TinkerBlockBatch *batch = g_ptr_array_index(model->batches, b);
-        const TinkerPhysics *physics = batch->block_class->physics;
-        if (physics == NULL || physics->body == NULL || physics->body->shape != TINKER_SHAPE_PLATE) continue;
-        for (int32_t row = 0; row < batch->count; row++)
-            include[batch->ids[row]] = TRUE;
-    }
-    for (int32_t k = 0; k < count; k++)
-        include[moved[k]] = FALSE;
+    for (int32_t i = 0; model->contacts != NULL && i < model->contacts->plate_count; i++)
+        include[model->contacts->plates[i].block] = TRUE;
 }
 
 /* The blocks of a set: its bodies, whatever has an end on one of them and the blocks at its other ends, what moves those, and
@@ -151,7 +142,7 @@ static void island_free(gpointer data)
 }
 
 /* Bodies keep their order in a part. */
-static TinkerIsland *island_new(TinkerModel *model, gboolean owns_model, const TinkerModel *whole)
+static TinkerIsland *island_new(TinkerModel *model, gboolean owns_model, const TinkerModel *whole, gboolean in_plane)
 {
     TinkerIsland *island = g_new0(TinkerIsland, 1);
     island->model = model;
@@ -160,7 +151,8 @@ static TinkerIsland *island_new(TinkerModel *model, gboolean owns_model, const T
     island->body_of = g_new0(int32_t, MAX(model->bodies, 1));
     for (int32_t i = 0; i < model->bodies; i++)
         island->body_of[i] = whole->centre_point[model->body_blocks[i]];
-    island->linear = tinker_linear_form_new(model);
+    if (!in_plane && (model->contacts == NULL || !tinker_contacts_touch(model->contacts)))
+        island->linear = tinker_linear_form_new(model);
     return island;
 }
 
@@ -170,7 +162,7 @@ GPtrArray *tinker_islands_new(TinkerModel *whole, GError **error)
     g_autofree int32_t *set_of = g_new0(int32_t, MAX(whole->bodies, 1));
     int32_t found = find_sets(whole, set_of), sets = found;
     if (sets <= 1) {
-        g_ptr_array_add(islands, island_new(whole, FALSE, whole));
+        g_ptr_array_add(islands, island_new(whole, FALSE, whole, FALSE));
         return g_steal_pointer(&islands);
     }
     int32_t rest = join_smallest(whole, set_of, &sets);
@@ -178,9 +170,17 @@ GPtrArray *tinker_islands_new(TinkerModel *whole, GError **error)
         g_autofree gboolean *include = blocks_of(whole, set_of, set);
         TinkerModel *part = tinker_model_new_part(whole->scene, include, error);
         if (part == NULL) return NULL;
-        TinkerIsland *island = island_new(part, TRUE, whole);
+        TinkerIsland *island = island_new(part, TRUE, whole, FALSE);
         if (set == rest) island->joined = found - sets + 1;
         g_ptr_array_add(islands, island);
     }
     return g_steal_pointer(&islands);
+}
+
+GPtrArray *tinker_islands_for(TinkerModel *whole, gboolean impulses, GError **error)
+{
+    if (!impulses || whole->contacts == NULL) return tinker_islands_new(whole, error);
+    GPtrArray *islands = g_ptr_array_new_with_free_func(island_free);
+    g_ptr_array_add(islands, island_new(whole, FALSE, whole, TRUE));
+    return islands;
 }

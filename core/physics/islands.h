@@ -22,4 +22,8 @@ typedef struct {
  * of the model where a part does not compile. (transfer full) */
 GPtrArray *tinker_islands_new(TinkerModel *whole, GError **error);
 
+/* Likewise for a run. With contact as `impulses` a model that has contacts is one island, stepped in the plane: its parts
+ * cost less together than apart. */
+GPtrArray *tinker_islands_for(TinkerModel *whole, gboolean impulses, GError **error);
+
 #endif

@@ -1,6 +1,7 @@
 /* The derivatives of the applied forces as sparse matrices: the pattern, lines, and all of it together. */
 #include <string.h>
 
+#include "physics/contacts.h"
 #include "physics/derivatives-private.h"
 #include "physics/jacobian-private.h"
 
@@ -268,6 +269,21 @@ static void add_row_mass(const TinkerJacobian *self, int32_t row, double *values
         }
 }
 
+/* A body on a plate moves along its top, or not at all. */
+static void add_contact_masses(const TinkerJacobian *self, double *values)
+{
+    const TinkerContacts *contacts = self->model->contacts;
+    for (guint i = 0; i < contacts->closed->len; i++) {
+        const TinkerContact *contact = tinker_contacts_closed(contacts, i);
+        const double *n = contacts->plates[contact->plate].normal;
+        double stuck = contact->mode == TINKER_CONTACT_STICK ? 1.0 : 0.0;
+        double block[4] = {n[0] * n[0] + stuck * n[1] * n[1], (1 - stuck) * n[0] * n[1], (1 - stuck) * n[0] * n[1],
+                           n[1] * n[1] + stuck * n[0] * n[0]};
+        tinker_jacobian_add(self, values, contact->body, tinker_jacobian_find(self, contact->body, contact->body),
+                            self->model->mass[contact->body], block);
+    }
+}
+
 /* Rows depend on places alone: the velocities are those of the state set last. */
 TinkerStatus tinker_jacobian_row_masses(TinkerJacobian *self, double t, const double *q, double *values)
 {
@@ -283,5 +299,6 @@ TinkerStatus tinker_jacobian_row_masses(TinkerJacobian *self, double t, const do
     memset(values, 0, sizeof(double) * (gsize)self->pattern.entries);
     for (int32_t row = 0; row < model->constraints.rows; row++)
         add_row_mass(self, row, values);
+    if (tinker_contacts_act(model->contacts)) add_contact_masses(self, values);
     return TINKER_OK;
 }

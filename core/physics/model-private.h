@@ -110,6 +110,8 @@ typedef struct {
     double *factored_jacobian;
 } TinkerConstraints;
 
+typedef struct _TinkerContacts TinkerContacts;
+
 struct _TinkerModel {
     TinkerScene *scene;
     GPtrArray *batches;    /* of TinkerBlockBatch */
@@ -146,6 +148,7 @@ struct _TinkerModel {
     double field_force[2], field_drag;
     double *constant_force; /* 2 per body, or NULL: of force elements */
     TinkerConstraints constraints;
+    TinkerContacts *contacts;    /* NULL where nothing can touch anything */
     GPtrArray *waveform_batches; /* of TinkerBlockBatch: those with waveforms that are not motions */
     gboolean has_book[TINKER_BOOK_COUNT];
 
@@ -278,13 +281,14 @@ typedef struct {
     TinkerModel *model;
     TinkerLinearForm *form; /* NULL where the model is not linear */
     TinkerSystem system;
-    int32_t book_of[TINKER_BOOK_COUNT]; /* books that are integrated, in order */
-    double box[4];                      /* m: least x, least y, greatest x, greatest y */
-    double speed;                       /* m/s */
-    double projection_work;             /* J that projections after steps have given so far */
-    double position_error;              /* largest |g| relative to its length after any projection */
-    double *constrained;                /* accelerations, where only the power is asked for */
-    TinkerJacobian *jacobian;           /* NULL: not offered */
+    int32_t book_of[TINKER_BOOK_COUNT];    /* books that are integrated, in order */
+    double box[4];                         /* m: least x, least y, greatest x, greatest y */
+    double speed;                          /* m/s */
+    double projection_work;                /* J that projections after steps have given so far */
+    double impact_work[TINKER_BOOK_COUNT]; /* J that impacts have given so far, by book */
+    double position_error;                 /* largest |g| relative to its length after any projection */
+    double *constrained;                   /* accelerations, where only the power is asked for */
+    TinkerJacobian *jacobian;              /* NULL: not offered */
 } TinkerModelSystem;
 
 /* `form` is the model's own, or NULL; borrowed. */
@@ -294,6 +298,8 @@ void tinker_straight_system_init(TinkerModelSystem *system);
 void tinker_straight_system_offer_jacobian(TinkerModelSystem *system);
 /* Notes the reach along the line. */
 void tinker_straight_system_keep(TinkerModelSystem *system, const double *x, const double *u);
+/* From here on bodies may rest on plates: to a method that is created now the system has constraints. */
+void tinker_model_system_expect_contacts(TinkerModelSystem *system);
 /* Gives the system its pattern and jacobian, for a method that asks for them: before its stepper is created. */
 void tinker_model_system_offer_jacobian(TinkerModelSystem *system);
 /* Notes how far and how fast an accepted state reaches: what errors are measured against from then on. */

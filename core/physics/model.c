@@ -1,4 +1,5 @@
 /* Compiling a scene, in order: snapshot, lengths as placed, bodies and points, forces, constraints, start. */
+#include "physics/contacts.h"
 #include "physics/line-parts.h"
 
 #include <math.h>
@@ -80,6 +81,7 @@ static gboolean compile(TinkerModel *model, GError **error)
     if (!tinker_model_compile_bodies(model, error) || !tinker_model_compile_forces(model, error) ||
         !tinker_model_compile_constraints(model, error))
         return FALSE;
+    model->contacts = tinker_contacts_new(model);
     return tinker_model_check_start(model, error);
 }
 
@@ -127,6 +129,7 @@ TinkerModel *tinker_model_new_part(TinkerScene *scene, const gboolean *include, 
 void tinker_model_free(TinkerModel *model)
 {
     if (model == NULL) return;
+    tinker_contacts_free(model->contacts);
     tinker_constraints_clear(&model->constraints);
     tinker_line_parts_free(model->line_parts);
     tinker_motions_free(model->motions);

@@ -2,18 +2,22 @@
 #include <math.h>
 #include <string.h>
 
-#include "physics/island-run.h"
+#include "physics/contact-run.h"
 
 /* A support's place and speed may change by this much of the scales at a break without a rod feeling a jump. */
 #define JUMP_TOLERANCE 1e-9
 
-/* The block of a constraint that is attached to the point, or TINKER_NO_BLOCK. */
+/* The block of a constraint that is attached to the point, or a body that rests on its plate; or TINKER_NO_BLOCK. */
 static TinkerBlockId constraint_at(const TinkerModel *model, int32_t point)
 {
     const TinkerConstraints *all = &model->constraints;
     for (int32_t row = 0; row < all->rows; row++)
         for (int32_t e = all->row_starts[row]; e < all->row_starts[row + 1]; e++)
             if (all->points[e] == point) return all->blocks[row];
+    for (guint i = 0; model->contacts != NULL && i < model->contacts->closed->len; i++) {
+        const TinkerContact *contact = tinker_contacts_closed(model->contacts, i);
+        if (model->contacts->plates[contact->plate].point == point) return model->body_blocks[contact->body];
+    }
     return TINKER_NO_BLOCK;
 }
 
@@ -132,6 +136,7 @@ gboolean tinker_island_run_enter_piece(TinkerIslandRun *run, double horizon, GEr
 {
     TinkerModel *model = run->model;
     tinker_island_run_place(run);
+    gboolean on_break = run->state.t > 0 && run->ends_on_break;
     double t = run->state.t, next = tinker_model_next_break(model, t, horizon);
     run->ends_on_break = isfinite(next);
     run->piece_end = run->ends_on_break ? next : horizon;
@@ -141,6 +146,7 @@ gboolean tinker_island_run_enter_piece(TinkerIslandRun *run, double horizon, GEr
     tinker_model_enter_piece(model, inside);
     if (tinker_model_set_time(model, t) != TINKER_OK) return tinker_island_run_fail(run, model->failure, error);
     if (t > 0 && !look_behind(run, &before, error)) return FALSE;
+    if (on_break && run->contacts != NULL && !tinker_contact_run_think_again(run->contacts, error)) return FALSE;
     run->choice.method->restart(run->stepper);
     return TRUE;
 }

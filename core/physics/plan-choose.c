@@ -3,7 +3,7 @@
 #include <math.h>
 
 #include "numerics/integrators.h"
-#include "physics/model-private.h"
+#include "physics/impulse.h"
 #include "physics/plan-private.h"
 #include "physics/simulation-private.h"
 
@@ -205,7 +205,9 @@ static void decide_named(const TinkerIsland *island, const TinkerRunOptions *opt
     gboolean fixed = is_fixed(method);
     decision->choice = (TinkerChoice){method, fixed ? options->step : 0, fixed ? 0 : options->tolerance};
     if (decision->reason != NULL) {
-        g_string_append(decision->reason, "asked for");
+        g_string_append(decision->reason, method == &tinker_integrator_impulse
+                                              ? "contacts are asked for as impulses: one velocity solve a step, order 1"
+                                              : "asked for");
         tinker_cost_of(island, forecast, method, options, decision->choice.step, options->tolerance, &decision->cost);
     }
     if (!fixed || !forecast->known || warnings == NULL) return;
@@ -234,8 +236,10 @@ static gboolean refuse_not_linear(const TinkerIsland *island, const TinkerIntegr
 gboolean tinker_decide(const TinkerIsland *island, const TinkerRunOptions *options, const TinkerSpectrum *spectrum,
                        TinkerDecision *decision, GPtrArray *warnings, GError **error)
 {
-    gboolean automatic = g_str_equal(options->method, "auto");
-    const TinkerIntegrator *method = tinker_run_method(island->model->scene, options->method, error);
+    gboolean impulses = options->impulses && island->model->contacts != NULL;
+    gboolean automatic = !impulses && g_str_equal(options->method, "auto");
+    const TinkerIntegrator *method = &tinker_integrator_impulse;
+    if (!impulses) method = tinker_run_method(island->model->scene, options->method, error);
     if (method == NULL || !tinker_run_options_check(options, method, tinker_options_duration(options), error))
         return FALSE;
     if (!automatic && (method->flags & TINKER_INTEGRATOR_LINEAR) && island->linear == NULL)

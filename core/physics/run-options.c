@@ -21,6 +21,7 @@ TinkerRunOptions tinker_run_options_of(TinkerScene *scene)
         .step = run->step,
         .tolerance = run->tolerance,
         .spectral_radius = run->spectral_radius,
+        .impulses = g_strcmp0(run->contacts, "impulse") == 0,
         .estimate = TRUE,
     };
 }

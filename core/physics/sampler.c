@@ -4,6 +4,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "physics/impulse.h"
+
 /* One quantity of one class: which rows go to which columns. */
 typedef struct {
     TinkerBlockBatch *batch;
@@ -19,7 +21,8 @@ struct _TinkerSampler {
     double *acceleration;
     TinkerPoint *ends; /* of the largest batch, in the world */
     double *end_accelerations, *forces, *values;
-    TinkerPoint *bodies; /* in the world */
+    TinkerPoint *bodies;         /* in the world */
+    double *contacts, *by_point; /* four numbers each, of the largest batch and of all points; NULL without contact */
 };
 
 static void wanted_free(gpointer data)
@@ -100,6 +103,10 @@ TinkerSampler *tinker_sampler_new(TinkerModel *model, const GArray *columns)
     sampler->forces = g_new0(double, 2 * most);
     sampler->values = g_new0(double, most);
     sampler->bodies = g_new0(TinkerPoint, MAX(model->bodies, 1));
+    if (model->contacts != NULL) {
+        sampler->contacts = g_new0(double, 4 * most);
+        sampler->by_point = g_new0(double, 4 * (gsize)MAX(model->points, 1));
+    }
     return sampler;
 }
 
@@ -107,8 +114,8 @@ void tinker_sampler_free(TinkerSampler *sampler)
 {
     if (sampler == NULL) return;
     g_ptr_array_unref(sampler->wanted);
-    gpointer arrays[] = {sampler->acceleration, sampler->ends,   sampler->end_accelerations,
-                         sampler->forces,       sampler->values, sampler->bodies};
+    gpointer arrays[] = {sampler->acceleration, sampler->ends,   sampler->end_accelerations, sampler->forces,
+                         sampler->values,       sampler->bodies, sampler->contacts,          sampler->by_point};
     for (gsize i = 0; i < G_N_ELEMENTS(arrays); i++)
         g_free(arrays[i]);
     g_free(sampler);
@@ -148,6 +155,15 @@ static const double *multipliers_of(const TinkerModel *model, const TinkerBlockB
     return NULL;
 }
 
+/* Of a class that is a body or a plate. */
+static void gather_contacts(TinkerSampler *sampler, const TinkerBlockBatch *batch)
+{
+    for (int32_t row = 0; row < batch->count; row++) {
+        int32_t point = sampler->model->centre_point[batch->ids[row]];
+        if (point >= 0) memcpy(sampler->contacts + 4 * row, sampler->by_point + 4 * point, 4 * sizeof(double));
+    }
+}
+
 static TinkerGraphInput input_of(TinkerSampler *sampler, TinkerBlockBatch *batch, TinkerBatch *view)
 {
     const TinkerPhysics *physics = batch->block_class->physics;
@@ -158,6 +174,10 @@ static TinkerGraphInput input_of(TinkerSampler *sampler, TinkerBlockBatch *batch
         .accelerations = sampler->end_accelerations,
         .multipliers = multipliers_of(sampler->model, batch),
     };
+    if (sampler->contacts != NULL && physics != NULL && physics->body != NULL) {
+        gather_contacts(sampler, batch);
+        input.contacts = sampler->contacts;
+    }
     if (physics != NULL && physics->force_element != NULL &&
         physics->force_element->force(view, sampler->ends, sampler->forces) == TINKER_OK)
         input.forces = sampler->forces;
@@ -178,10 +198,14 @@ static TinkerStatus accelerations_at(TinkerSampler *sampler, double t, const dou
     gint64 evaluations = model->evaluations;
     status = tinker_model_applied(model, sampler->acceleration, FALSE);
     model->evaluations = evaluations; /* looking costs the method nothing */
-    if (status == TINKER_OK && model->constraints.rows > 0) {
-        status = tinker_constraints_evaluate(model);
-        if (status == TINKER_OK) tinker_constraints_accelerate(model, sampler->acceleration);
-    }
+    if (status == TINKER_OK && model->constraints.rows > 0) status = tinker_constraints_evaluate(model);
+    if (model->contacts != NULL && model->contacts->impulses)
+        tinker_impulse_add_accelerations(model->contacts, sampler->acceleration);
+    if (status == TINKER_OK && tinker_contacts_act(model->contacts))
+        tinker_contacts_accelerate(model->contacts, sampler->acceleration);
+    else if (status == TINKER_OK && model->constraints.rows > 0)
+        tinker_constraints_accelerate(model, sampler->acceleration);
+    if (sampler->by_point != NULL) tinker_contacts_sum_forces(model->contacts, sampler->by_point);
     memcpy(model->point_acceleration, sampler->acceleration, 2 * (gsize)model->bodies * sizeof(double));
     for (int32_t i = 0; i < model->bodies; i++)
         sampler->bodies[i] = in_world(model, i);

@@ -2,6 +2,7 @@
 #ifndef TINKER_CORE_SIMULATION_PRIVATE_H
 #define TINKER_CORE_SIMULATION_PRIVATE_H
 
+#include "physics/contact-run.h"
 #include "physics/estimate.h"
 #include "physics/island-run.h"
 #include "physics/sampler.h"
@@ -14,9 +15,11 @@ struct _TinkerSimulation {
     TinkerSampleTimes times;
     double *sample_q, *sample_v; /* of the whole model's bodies */
     double *part_q, *part_v;     /* room for those of one island */
+    double *orientation;         /* rad: of bodies that were turned by what they touched; else NAN */
     double sample_time;
-    double piece_end; /* of the whole model, where it is not stepped itself */
-    gint64 steps;     /* of all runs together */
+    gint64 contact_changes; /* of all runs, when the whole model's closed contacts were gathered */
+    double piece_end;       /* of the whole model, where it is not stepped itself */
+    gint64 steps;           /* of all runs together */
     TinkerSampler *sampler;
     double *values;
     TinkerEstimate *estimate; /* NULL where none is asked for, or none is needed */

@@ -2,6 +2,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "physics/impulse.h"
 #include "physics/plan-private.h"
 #include "physics/simulation-private.h"
 
@@ -89,9 +90,13 @@ TinkerSimulation *tinker_simulation_new_chosen(TinkerModel *model, const TinkerR
     simulation->sample_v = g_new0(double, n);
     simulation->part_q = g_new0(double, n);
     simulation->part_v = g_new0(double, n);
+    simulation->orientation = g_new(double, n);
+    for (gsize i = 0; i < n; i++)
+        simulation->orientation[i] = NAN;
     simulation->piece_end = -INFINITY;
     open_summary(simulation);
-    simulation->islands = tinker_islands_new(model, error);
+    if (model->contacts != NULL) model->contacts->impulses = FALSE; /* whatever ran before */
+    simulation->islands = tinker_islands_for(model, options->impulses, error);
     if (simulation->islands == NULL || !open_runs(simulation, choices, error)) return NULL;
     return g_steal_pointer(&simulation);
 }
@@ -112,8 +117,8 @@ void tinker_simulation_free(TinkerSimulation *simulation)
     g_clear_pointer(&simulation->summary.islands, g_ptr_array_unref);
     g_clear_pointer(&simulation->summary.events, g_ptr_array_unref);
     g_clear_pointer(&simulation->summary.warnings, g_ptr_array_unref);
-    gpointer arrays[] = {simulation->sample_q, simulation->sample_v, simulation->part_q, simulation->part_v,
-                         simulation->values};
+    gpointer arrays[] = {simulation->sample_q, simulation->sample_v, simulation->part_q,
+                         simulation->part_v,   simulation->values,   simulation->orientation};
     for (gsize i = 0; i < G_N_ELEMENTS(arrays); i++)
         g_free(arrays[i]);
     g_free(simulation);
@@ -134,6 +139,15 @@ static gboolean call_back(TinkerSimulation *simulation, TinkerIslandRun *run, GE
     return FALSE;
 }
 
+/* How the bodies of one island were turned by what they touched, among all. */
+static void collect_orientations(TinkerSimulation *simulation, const TinkerIslandRun *run)
+{
+    gboolean impulses = run->choice.method == &tinker_integrator_impulse;
+    for (int32_t i = 0; (run->contacts != NULL || impulses) && i < run->model->bodies; i++)
+        simulation->orientation[run->island->body_of[i]] =
+            impulses ? tinker_impulse_orientation(run->stepper, i) : tinker_contact_run_orientation(run->contacts, i);
+}
+
 /* Where the bodies of one island are at t, among all. */
 static TinkerStatus collect(TinkerSimulation *simulation, TinkerIslandRun *run, double t)
 {
@@ -150,6 +164,46 @@ static TinkerStatus collect(TinkerSimulation *simulation, TinkerIslandRun *run, 
     return status;
 }
 
+static int32_t plate_of_block(const TinkerContacts *contacts, TinkerBlockId block)
+{
+    int32_t plate = 0;
+    while (contacts->plates[plate].block != block)
+        plate++;
+    return plate;
+}
+
+static gint64 count_contact_changes(const TinkerSimulation *simulation)
+{
+    gint64 changes = 0;
+    for (guint i = 0; i < simulation->runs->len; i++) {
+        const TinkerIslandRun *run = g_ptr_array_index(simulation->runs, i);
+        if (run->contacts != NULL) changes += tinker_contact_run_changes(run->contacts);
+    }
+    return changes;
+}
+
+/* Where the islands are stepped apart, the whole model's contacts are closed as theirs are. */
+static void gather_contacts(TinkerSimulation *simulation)
+{
+    TinkerContacts *all = simulation->model->contacts;
+    if (all == NULL || simulation->runs->len < 2) return;
+    gint64 changes = count_contact_changes(simulation);
+    if (changes == simulation->contact_changes) return;
+    simulation->contact_changes = changes;
+    g_array_set_size(all->closed, 0);
+    for (guint i = 0; i < simulation->runs->len; i++) {
+        const TinkerIslandRun *run = g_ptr_array_index(simulation->runs, i);
+        const TinkerContacts *part = run->model->contacts;
+        for (guint k = 0; part != NULL && k < part->closed->len; k++) {
+            TinkerContact contact = *tinker_contacts_closed(part, k);
+            contact.body = run->island->body_of[contact.body];
+            contact.plate = plate_of_block(all, part->plates[contact.plate].block);
+            g_array_append_val(all->closed, contact);
+        }
+    }
+    tinker_contacts_list_rows(all);
+}
+
 /* A sample that falls on a break is taken behind it: at the instant of a jump the state after it counts. */
 gboolean tinker_simulation_advance(TinkerSimulation *simulation, double t, GError **error)
 {
@@ -158,13 +212,15 @@ gboolean tinker_simulation_advance(TinkerSimulation *simulation, double t, GErro
         TinkerIslandRun *run = g_ptr_array_index(simulation->runs, i);
         while (run->state.t < t)
             if (!tinker_island_run_step(run, t, end, error) || !call_back(simulation, run, error)) return FALSE;
-        if (t > 0 && run->state.t == t && !tinker_island_run_pass_break(run, end, error)) return FALSE;
+        if (t > 0 && run->state.t == t && !tinker_island_run_pass_instant(run, end, error)) return FALSE;
         gint64 evaluations = run->model->evaluations;
         TinkerStatus status = collect(simulation, run, t);
         run->model->evaluations = evaluations;
         if (status != TINKER_OK) return tinker_island_run_fail(run, run->model->failure, error);
+        collect_orientations(simulation, run);
     }
     simulation->sample_time = t;
+    gather_contacts(simulation);
     return TRUE;
 }
 
@@ -239,8 +295,9 @@ gboolean tinker_simulation_place(TinkerSimulation *simulation, TinkerFrame *fram
     const TinkerModel *model = simulation->model;
     if (!tinker_frame_set_time(frame, simulation->sample_time, error)) return FALSE;
     for (int32_t i = 0; i < model->bodies; i++) {
-        double x, y, orientation;
+        double x, y, orientation, turned = simulation->orientation[i];
         tinker_frame_centre(frame, model->body_blocks[i], &x, &y, &orientation);
+        if (!isnan(turned)) orientation = turned;
         tinker_frame_place(frame, model->body_blocks[i], simulation->sample_q[2 * i] + model->origin[0],
                            simulation->sample_q[2 * i + 1] + model->origin[1], orientation);
     }

@@ -17,6 +17,7 @@ typedef struct {
     double step;        /* s, of fixed-step methods */
     double tolerance;   /* of adaptive methods */
     double spectral_radius;
+    gboolean impulses;                                       /* contact as impulses, in steps of `step`, whatever `method` */
     gboolean estimate;                                       /* run a companion for the error estimate */
     gboolean bands;                                          /* and evaluate the columns on it too */
     gboolean (*cancelled)(void *data);                       /* asked now and then; TRUE stops the run. May be NULL */
@@ -58,6 +59,7 @@ typedef struct {
     gboolean adaptive;  /* which of step and tolerance counts, where they do not differ */
     double step, tolerance;
     gint64 steps, rejected_steps, evaluations;
+    gint64 contact_changes; /* events at which contacts closed, opened, stuck or slipped; 0 with `impulses` */
     double simulated_s, wall_s;
     double constraint_position_error,
         constraint_velocity_error; /* largest at any step's end, relative to lengths and speed

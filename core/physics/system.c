@@ -2,7 +2,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "physics/model-private.h"
+#include "physics/contacts.h"
 
 static void write_books(const TinkerModelSystem *self, double *power)
 {
@@ -19,28 +19,48 @@ static TinkerStatus applied_at(TinkerModelSystem *self, double t, const double *
     return tinker_model_applied(self->model, a, books);
 }
 
-/* Adds the constraint accelerations, and what constraints give by what is prescribed to them. */
+static gboolean constraints_give(const TinkerModel *model)
+{
+    return model->constraints.rows > 0 && (model->moving_supports > 0 || model->constraints.prescribed);
+}
+
+static TinkerStatus constrain_with_contacts(TinkerModel *model, double *a, gboolean books)
+{
+    TinkerStatus status = model->constraints.rows > 0 ? tinker_constraints_evaluate(model) : TINKER_OK;
+    if (status != TINKER_OK) return status;
+    tinker_contacts_accelerate(model->contacts, a);
+    if (books) tinker_contacts_add_power(model->contacts);
+    if (books && constraints_give(model)) tinker_constraints_add_power(model);
+    return TINKER_OK;
+}
+
+/* Adds the accelerations by constraints and contacts, and what they give by what is prescribed to them. */
 static TinkerStatus constrain(TinkerModel *model, double *a, gboolean books)
 {
+    if (tinker_contacts_act(model->contacts)) return constrain_with_contacts(model, a, books);
     if (model->constraints.rows == 0) return TINKER_OK;
     TinkerStatus status = tinker_constraints_evaluate(model);
     if (status != TINKER_OK) return status;
     tinker_constraints_accelerate(model, a);
-    if (books) tinker_constraints_add_power(model);
+    if (books && constraints_give(model)) tinker_constraints_add_power(model);
     return TINKER_OK;
-}
-
-static gboolean constraints_give(const TinkerModel *model)
-{
-    return model->constraints.rows > 0 && (model->moving_supports > 0 || model->constraints.prescribed);
 }
 
 static TinkerStatus acceleration(void *context, double t, const double *q, const double *v, double *a, double *power)
 {
     TinkerModelSystem *self = context;
     TinkerStatus status = applied_at(self, t, q, v, a, power != NULL);
-    if (status == TINKER_OK) status = constrain(self->model, a, power != NULL && constraints_give(self->model));
+    if (status == TINKER_OK) status = constrain(self->model, a, power != NULL);
     if (status == TINKER_OK && power != NULL) write_books(self, power);
+    return status;
+}
+
+/* Friction is applied, but follows from the normal forces, which the constrained accelerations tell. */
+static TinkerStatus apply_friction(TinkerModelSystem *self, double *a, gboolean books)
+{
+    memcpy(self->constrained, a, 2 * (gsize)self->model->bodies * sizeof(double));
+    TinkerStatus status = constrain_with_contacts(self->model, self->constrained, books);
+    if (status == TINKER_OK) tinker_contacts_add_friction(self->model->contacts, a);
     return status;
 }
 
@@ -49,7 +69,13 @@ static TinkerStatus applied(void *context, double t, const double *q, const doub
 {
     TinkerModelSystem *self = context;
     TinkerStatus status = applied_at(self, t, q, v, a, power != NULL);
-    if (status != TINKER_OK || power == NULL) return status;
+    if (status != TINKER_OK) return status;
+    if (tinker_contacts_act(self->model->contacts)) {
+        status = apply_friction(self, a, power != NULL);
+        if (power != NULL) write_books(self, power);
+        return status;
+    }
+    if (power == NULL) return status;
     if (constraints_give(self->model)) {
         memcpy(self->constrained, a, 2 * (gsize)self->model->bodies * sizeof(double));
         status = constrain(self->model, self->constrained, TRUE);
@@ -58,12 +84,27 @@ static TinkerStatus applied(void *context, double t, const double *q, const doub
     return status;
 }
 
+static TinkerStatus project_with_contacts(TinkerModelSystem *self, double t, double *q, double *v, int32_t *moved)
+{
+    TinkerModel *model = self->model;
+    gboolean placed, turned = FALSE;
+    double work;
+    TinkerStatus status = tinker_contacts_project_positions(model->contacts, t, q, v, &placed, &work);
+    if (status != TINKER_OK) return status;
+    self->projection_work += work + tinker_contacts_correct_velocities(model->contacts, v, FALSE, &turned);
+    if (model->constraints.rows > 0)
+        self->position_error = fmax(self->position_error, tinker_constraints_worst_miss(model));
+    *moved = placed || turned;
+    return TINKER_OK;
+}
+
 static TinkerStatus project(void *context, double t, double *q, double *v, int32_t *moved)
 {
     TinkerModelSystem *self = context;
     TinkerModel *model = self->model;
     gboolean placed = FALSE, turned = FALSE;
     *moved = 0;
+    if (tinker_contacts_act(model->contacts)) return project_with_contacts(self, t, q, v, moved);
     if (model->constraints.rows == 0) return TINKER_OK;
     TinkerStatus status = tinker_constraints_project_positions(model, t, q, v, &placed);
     if (status != TINKER_OK) return status;
@@ -77,14 +118,30 @@ static TinkerStatus constrain_step(void *context, double t_from, const double *q
                                    double *v)
 {
     TinkerModelSystem *self = context;
+    if (tinker_contacts_act(self->model->contacts))
+        return tinker_contacts_rattle(self->model->contacts, t_from, q_from, t, h, q, v);
     if (self->model->constraints.rows == 0) return TINKER_OK;
     return tinker_constraints_rattle(self->model, t_from, q_from, t, h, q, v);
+}
+
+static TinkerStatus project_velocity_with_contacts(TinkerModel *model, double t, const double *q, double *v,
+                                                   gboolean homogeneous)
+{
+    gboolean moved;
+    TinkerStatus status = tinker_model_set_time(model, t);
+    if (status != TINKER_OK) return status;
+    tinker_model_set_state(model, q, v);
+    if (model->constraints.rows > 0) status = tinker_constraints_evaluate(model);
+    if (status == TINKER_OK) tinker_contacts_correct_velocities(model->contacts, v, homogeneous, &moved);
+    return status;
 }
 
 static TinkerStatus project_velocity(void *context, double t, const double *q, double *v, int32_t homogeneous)
 {
     TinkerModelSystem *self = context;
     gboolean moved;
+    if (tinker_contacts_act(self->model->contacts))
+        return project_velocity_with_contacts(self->model, t, q, v, homogeneous != 0);
     if (self->model->constraints.rows == 0) return TINKER_OK;
     return tinker_constraints_project_velocities(self->model, t, q, v, homogeneous != 0, &moved);
 }
@@ -218,6 +275,13 @@ void tinker_model_system_init(TinkerModelSystem *self, TinkerModel *model, Tinke
     if (is_straight(self)) tinker_straight_system_init(self);
 }
 
+void tinker_model_system_expect_contacts(TinkerModelSystem *self)
+{
+    /* what presses depends on the speeds of what constraints hold, and friction on what presses */
+    if (self->model->constraints.rows > 0) self->system.flags |= TINKER_SYSTEM_VELOCITY_DEPENDENT;
+    self->system.flags |= TINKER_SYSTEM_CONSTRAINED;
+}
+
 void tinker_model_system_offer_jacobian(TinkerModelSystem *self)
 {
     if (self->system.pattern != NULL) return;
@@ -228,7 +292,7 @@ void tinker_model_system_offer_jacobian(TinkerModelSystem *self)
     self->jacobian = tinker_jacobian_new(self->model);
     self->system.pattern = tinker_jacobian_pattern(self->jacobian);
     self->system.jacobian = jacobian;
-    if (self->model->constraints.rows > 0) self->system.row_masses = row_masses;
+    if (self->system.flags & TINKER_SYSTEM_CONSTRAINED) self->system.row_masses = row_masses;
 }
 
 void tinker_model_system_clear(TinkerModelSystem *self)

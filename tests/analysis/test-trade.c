@@ -38,11 +38,12 @@ static void pendulum_state(double t, double state[4])
  * side at 2 rad to the bottom. Speeds: 2 sqrt(0.26) m/s; that of a fall of 1.3 (1 - cos 2) m. */
 static const KnownMotion motions[] = {
     {"oscillator",
-     "{'type': 'support', 'position': [-2, 0]}, {'type': 'mass', 'position': [0.5, 0], 'velocity': [0.2, 0]},"
+     "{'type': 'support', 'solid': false, 'position': [-2, 0]}, {'type': 'mass', 'position': [0.5, 0], 'velocity': "
+     "[0.2, 0]},"
      "{'type': 'spring', 'ends': ['Support 0', 'Mass 0'], 'rest_length': 2, 'stiffness': 4}",
      6, oscillator_state, 2.509902, 1.019804},
     {"pendulum",
-     "{'type': 'support'}, {'type': 'gravity'},"
+     "{'type': 'support', 'solid': false}, {'type': 'gravity'},"
      "{'type': 'mass', 'position': [1.1820866548733862, 0.5409908875112851]},"
      "{'type': 'rod', 'ends': ['Support 0', 'Mass 0'], 'length': 1.3}",
      6, pendulum_state, 3.186, 6.010},
@@ -174,7 +175,7 @@ static void test_errors(gconstpointer data)
 static void test_unpredictable(void)
 {
     g_autoptr(TinkerScene) scene = physics_scene(
-        NULL, "{'type': 'support'}, {'type': 'gravity'}, {'type': 'mass', 'position': [1, 1]},"
+        NULL, "{'type': 'support', 'solid': false}, {'type': 'gravity'}, {'type': 'mass', 'position': [1, 1]},"
               "{'type': 'mass', 'position': [1.5, 1.8]}, {'type': 'rod', 'ends': ['Support 0', 'Mass 0']},"
               "{'type': 'rod', 'ends': ['Mass 0', 'Mass 1']}");
     TinkerTradeOptions options = options_for(60);
@@ -294,7 +295,7 @@ static void test_budget(void)
 static void test_diverging(void)
 {
     g_autoptr(TinkerScene) scene =
-        physics_scene(NULL, "{'type': 'support'}, {'type': 'mass', 'position': [1.1, 0]},"
+        physics_scene(NULL, "{'type': 'support', 'solid': false}, {'type': 'mass', 'position': [1.1, 0]},"
                             "{'type': 'spring', 'ends': ['Support 0', 'Mass 0'], 'rest_length': 1, 'stiffness': 1e6}");
     static const char *const methods[] = {"rk4", NULL};
     TinkerTradeOptions options = options_for(1);

@@ -140,13 +140,14 @@ static void kepler(double t, Motion *motion)
 }
 
 #define OSCILLATOR                                                                                                     \
-    "{'type': 'support', 'position': [-2, 0]}, {'type': 'mass', 'position': [0.6, 0], 'velocity': [-0.4, 0]},"         \
+    "{'type': 'support', 'solid': false, 'position': [-2, 0]}, {'type': 'mass', 'position': [0.6, 0], 'velocity': "    \
+    "[-0.4, 0]},"                                                                                                      \
     "{'type': 'spring', 'ends': ['Support 0', 'Mass 0'], 'rest_length': 2, 'stiffness': 25}"
 #define DAMPER(c) ",{'type': 'damper', 'ends': ['Support 0', 'Mass 0'], 'damping': " #c "}"
 #define MOTOR(f, w)                                                                                                    \
     ",{'type': 'motor', 'ends': ['Mass 0'], 'waveform': 'cosine', 'amplitude': " #f ", 'frequency': " #w "}"
 #define PENDULUM(x, y)                                                                                                 \
-    "{'type': 'support'}, {'type': 'gravity', 'acceleration': 9.81},"                                                  \
+    "{'type': 'support', 'solid': false}, {'type': 'gravity', 'acceleration': 9.81},"                                  \
     "{'type': 'mass', 'position': [" #x ", " #y "]}, {'type': 'rod', 'ends': ['Support 0', 'Mass 0'], 'length': 1}"
 
 /* Starts where the closed form does. */
@@ -154,7 +155,8 @@ static char *chain_blocks(void)
 {
     Motion start = {0};
     chain(0, &start);
-    GString *text = g_string_new("{'type': 'support'}, {'type': 'support', 'position': [9, 0]}");
+    GString *text =
+        g_string_new("{'type': 'support', 'solid': false}, {'type': 'support', 'solid': false, 'position': [9, 0]}");
     for (int i = 0; i < 8; i++)
         g_string_append_printf(text, ",{'type': 'mass', 'position': [%.17g, 0]}", start.q[2 * i]);
     for (int i = 0; i <= 8; i++) {
@@ -209,7 +211,8 @@ const ClosedForm closed_forms[] = {
      5,
      10,
      circle,
-     "{'type': 'support'}, {'type': 'mass', 'mass': 2, 'position': [1.5, 0], 'velocity': [0, 4.3301270189221932]},"
+     "{'type': 'support', 'solid': false}, {'type': 'mass', 'mass': 2, 'position': [1.5, 0], 'velocity': [0, "
+     "4.3301270189221932]},"
      "{'type': 'spring', 'ends': ['Support 0', 'Mass 0'], 'rest_length': 1, 'stiffness': 50}",
      1,
      {{0, 0}}},
@@ -218,7 +221,7 @@ const ClosedForm closed_forms[] = {
      4,
      10,
      ellipse,
-     "{'type': 'support'}, {'type': 'mass', 'position': [1, 0], 'velocity': [0, 2]},"
+     "{'type': 'support', 'solid': false}, {'type': 'mass', 'position': [1, 0], 'velocity': [0, 2]},"
      "{'type': 'spring', 'ends': ['Support 0', 'Mass 0'], 'rest_length': 0, 'stiffness': 16}",
      1,
      {{0, 0}}},
@@ -227,8 +230,9 @@ const ClosedForm closed_forms[] = {
      5.5,
      10,
      two,
-     "{'type': 'support'}, {'type': 'mass', 'position': [1.3, 0]}, {'type': 'mass', 'position': [2.1, 0]},"
-     "{'type': 'support', 'position': [3, 0]},"
+     "{'type': 'support', 'solid': false}, {'type': 'mass', 'position': [1.3, 0]}, {'type': 'mass', 'position': [2.1, "
+     "0]},"
+     "{'type': 'support', 'solid': false, 'position': [3, 0]},"
      "{'type': 'spring', 'ends': ['Support 0', 'Mass 0'], 'rest_length': 1, 'stiffness': 20},"
      "{'type': 'spring', 'ends': ['Mass 0', 'Mass 1'], 'rest_length': 1, 'stiffness': 5},"
      "{'type': 'spring', 'ends': ['Mass 1', 'Support 1'], 'rest_length': 1, 'stiffness': 20}",

@@ -63,6 +63,7 @@ static PhysicsRun *prepare(const PhysicsOptions *options, const char *blocks)
         .spectral_radius = 0.8,
         .estimate = options->estimate,
         .bands = options->bands,
+        .impulses = options->impulses,
     };
     run->simulation = tinker_simulation_new(run->model, &how, &run->error);
     if (run->simulation != NULL) run->summary = tinker_simulation_summary(run->simulation);

@@ -20,6 +20,7 @@ typedef struct {
     const char *path;  /* what the scene's file is called: tables are looked for beside it */
     gboolean estimate; /* run a companion for the error estimate */
     gboolean bands;    /* and evaluate the columns on it too */
+    gboolean impulses; /* contact as impulses, in steps of `step` */
 } PhysicsOptions;
 
 typedef struct {

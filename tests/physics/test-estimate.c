@@ -190,7 +190,7 @@ static void test_exact(void)
 {
     for (int decade = 0; decade <= 6; decade += 2) {
         ClosedForm problem = {"slow", 1, 1, 2 * G_PI * pow(10, decade), slow_oscillator, NULL, 1, {{-1, 0}}};
-        problem.blocks = "{'type': 'support', 'position': [-1, 0]},"
+        problem.blocks = "{'type': 'support', 'solid': false, 'position': [-1, 0]},"
                          "{'type': 'mass', 'position': [0.25, 0], 'velocity': [0.5, 0]},"
                          "{'type': 'spring', 'ends': ['Support 0', 'Mass 0'], 'rest_length': 1, 'stiffness': 1}";
         check_exact(&problem);
@@ -251,7 +251,7 @@ static void test_bands(void)
 /* --- beyond predictability --- */
 
 #define DOUBLE_PENDULUM                                                                                                \
-    "{'type': 'support'}, {'type': 'gravity'}, {'type': 'mass', 'position': [1, 0]},"                                  \
+    "{'type': 'support', 'solid': false}, {'type': 'gravity'}, {'type': 'mass', 'position': [1, 0]},"                  \
     "{'type': 'mass', 'position': [2, 0.1]}, {'type': 'rod', 'ends': ['Support 0', 'Mass 0']},"                        \
     "{'type': 'rod', 'ends': ['Mass 0', 'Mass 1']}"
 
@@ -309,11 +309,11 @@ static void test_chaos(void)
 /* A double pendulum, an oscillator that swings on a moving support, one along a line. */
 #define BUSY_SCENE                                                                                                     \
     DOUBLE_PENDULUM                                                                                                    \
-    ", {'type': 'support', 'position': [5, 0]}, {'type': 'mass', 'position': [5, -1.2]},"                              \
+    ", {'type': 'support', 'solid': false, 'position': [5, 0]}, {'type': 'mass', 'position': [5, -1.2]},"              \
     "{'type': 'spring', 'ends': ['Support 1', 'Mass 2'], 'rest_length': 1},"                                           \
     "{'type': 'support-motion', 'ends': ['Support 1'], 'amplitude': 0.1, 'frequency': 3},"                             \
     "{'type': 'motor', 'ends': ['Mass 2'], 'waveform': {'expression': 'step(t-0.7)'}},"                                \
-    "{'type': 'support', 'position': [9, 0]}, {'type': 'mass', 'position': [9, -1.5]},"                                \
+    "{'type': 'support', 'solid': false, 'position': [9, 0]}, {'type': 'mass', 'position': [9, -1.5]},"                \
     "{'type': 'spring', 'ends': ['Support 2', 'Mass 3'], 'rest_length': 1, 'stiffness': 1000},"                        \
     "{'type': 'motor', 'ends': ['Mass 3'], 'angle': '90 deg', 'waveform': {'expression': 'step(t-0.7)'}}"
 
@@ -411,7 +411,7 @@ static void test_equal_steps(void)
  * Runs that meet other samples round otherwise, and part by no more than both claim. */
 static void test_passing(void)
 {
-    const char *scene = "{'type': 'support'},"
+    const char *scene = "{'type': 'support', 'solid': false},"
                         "{'type': 'mass', 'position': [1, 0], 'mass': 0.12, 'velocity': [-0.7, 0]},"
                         "{'type': 'mass', 'position': [2, 0]},"
                         "{'type': 'spring', 'ends': ['Support 0', 'Mass 0'], 'stiffness': 20000, 'rest_length': 0},"

@@ -13,7 +13,7 @@ static void check_stiffness(double k)
     double w = sqrt(k / 0.5), turn = sqrt(k / 3 / 0.5);
     g_autoptr(PhysicsRun) line =
         physics_run(&(PhysicsOptions){.method = "auto", .duration = 40 * G_PI / w, .columns = "Mass 0.x, Mass 0.vx"},
-                    "{'type': 'support'}, {'type': 'mass', 'mass': 0.5, 'position': [1.25, 0]},"
+                    "{'type': 'support', 'solid': false}, {'type': 'mass', 'mass': 0.5, 'position': [1.25, 0]},"
                     "{'type': 'spring', 'ends': ['Support 0', 'Mass 0'], 'rest_length': 1, 'stiffness': %.17g}",
                     k);
     for (gsize i = 0; i < physics_samples(line); i++) {
@@ -24,7 +24,8 @@ static void check_stiffness(double k)
     g_autoptr(PhysicsRun) circle = physics_run(
         &(PhysicsOptions){
             .method = "auto", .tolerance = 1e-11, .duration = 20 * G_PI / turn, .columns = "Mass 0.x, Mass 0.y"},
-        "{'type': 'support'}, {'type': 'mass', 'mass': 0.5, 'position': [1.5, 0], 'velocity': [0, %.17g]},"
+        "{'type': 'support', 'solid': false}, {'type': 'mass', 'mass': 0.5, 'position': [1.5, 0], 'velocity': [0, "
+        "%.17g]},"
         "{'type': 'spring', 'ends': ['Support 0', 'Mass 0'], 'rest_length': 1, 'stiffness': %.17g}",
         1.5 * turn, k);
     for (gsize i = 0; i < physics_samples(circle); i++) {
@@ -90,7 +91,7 @@ static PhysicsRun *scaled(const char *method, double unit, double x, double y)
     return physics_run(
         &(PhysicsOptions){
             .method = method, .duration = 4, .step = 0.005, .tolerance = 1e-10, .interval = 0.16, .columns = columns},
-        "{'type': 'gravity', 'acceleration': %.17g}, {'type': 'support', 'position': [%.17g, %.17g]},"
+        "{'type': 'gravity', 'acceleration': %.17g}, {'type': 'support', 'solid': false, 'position': [%.17g, %.17g]},"
         "{'type': 'mass', 'position': [%.17g, %.17g]}, {'type': 'mass', 'mass': 2, 'position': [%.17g, %.17g]},"
         "{'type': 'rod', 'ends': ['Support 0', 'Mass 0']}, {'type': 'rod', 'ends': ['Mass 0', 'Mass 1']},"
         "{'type': 'mass', 'position': [%.17g, %.17g]},"
@@ -128,15 +129,15 @@ static void test_unit_of_length(gconstpointer method)
 static void test_typed_units(gconstpointer method)
 {
     static const char *const scenes[] = {
-        "{'type': 'support', 'position': ['250 mm', '-500 mm']}, {'type': 'gravity'},"
+        "{'type': 'support', 'solid': false, 'position': ['250 mm', '-500 mm']}, {'type': 'gravity'},"
         "{'type': 'mass', 'position': ['1250 mm', '-500 mm']}, {'type': 'rod', 'ends': ['Support 0', 'Mass 0']},"
         "{'type': 'mass', 'position': ['1250 mm', '-1500 mm']},"
         "{'type': 'spring', 'ends': ['Mass 0', 'Mass 1'], 'rest_length': '750 mm', 'stiffness': '0.05 N/mm'}",
-        "{'type': 'support', 'position': [0.25, -0.5]}, {'type': 'gravity'},"
+        "{'type': 'support', 'solid': false, 'position': [0.25, -0.5]}, {'type': 'gravity'},"
         "{'type': 'mass', 'position': [1.25, -0.5]}, {'type': 'rod', 'ends': ['Support 0', 'Mass 0']},"
         "{'type': 'mass', 'position': [1.25, -1.5]},"
         "{'type': 'spring', 'ends': ['Mass 0', 'Mass 1'], 'rest_length': 0.75, 'stiffness': 50}",
-        "{'type': 'support', 'position': ['0.00025 km', '-0.0005 km']}, {'type': 'gravity'},"
+        "{'type': 'support', 'solid': false, 'position': ['0.00025 km', '-0.0005 km']}, {'type': 'gravity'},"
         "{'type': 'mass', 'position': ['0.00125 km', '-0.0005 km']}, {'type': 'rod', 'ends': ['Support 0', 'Mass 0']},"
         "{'type': 'mass', 'position': ['0.00125 km', '-0.0015 km']},"
         "{'type': 'spring', 'ends': ['Mass 0', 'Mass 1'], 'rest_length': '0.00075 km', 'stiffness': '50 N/m'}",
@@ -173,7 +174,7 @@ static void test_steps(gconstpointer method)
                                           .step = steps[i],
                                           .duration = 1000 * steps[i],
                                           .columns = "Mass 0.x, Mass 0.vx, Mass 1.x"},
-                        "{'type': 'support'}, {'type': 'mass', 'position': [1.25, 0]},"
+                        "{'type': 'support', 'solid': false}, {'type': 'mass', 'position': [1.25, 0]},"
                         "{'type': 'spring', 'ends': ['Support 0', 'Mass 0'], 'rest_length': 1, 'stiffness': %.17g},"
                         "{'type': 'mass', 'position': [1.25, 0], 'velocity': [0, %.17g]},"
                         "{'type': 'spring', 'ends': ['Support 0', 'Mass 1'], 'rest_length': 1, 'stiffness': %.17g}",
@@ -194,7 +195,7 @@ static void test_million_periods(void)
     g_autoptr(PhysicsRun) run = physics_run(
         &(PhysicsOptions){
             .method = "auto", .duration = 2e6 * G_PI, .interval = 1e4 * G_PI, .columns = "Mass 0.x, Mass 0.vx"},
-        "{'type': 'support'}, {'type': 'mass', 'position': [1.25, 0], 'velocity': [0.5, 0]},"
+        "{'type': 'support', 'solid': false}, {'type': 'mass', 'position': [1.25, 0], 'velocity': [0.5, 0]},"
         "{'type': 'spring', 'ends': ['Support 0', 'Mass 0'], 'rest_length': 1, 'stiffness': 1}");
     double most = 0;
     for (gsize i = 0; i < physics_samples(run); i++) {
@@ -211,13 +212,14 @@ static void test_verlet_keeps_its_energy(void)
 {
     g_autoptr(PhysicsRun) run =
         physics_run(&(PhysicsOptions){.method = "verlet", .duration = 2e5 * G_PI, .step = 0.2, .columns = "Mass 0.x"},
-                    "{'type': 'support'}, {'type': 'mass', 'position': [1.25, 0]},"
+                    "{'type': 'support', 'solid': false}, {'type': 'mass', 'position': [1.25, 0]},"
                     "{'type': 'spring', 'ends': ['Support 0', 'Mass 0'], 'rest_length': 1, 'stiffness': 1}");
     g_test_message("energy off by %.3g", run->summary->energy_balance_error);
     g_assert_cmpfloat(run->summary->energy_balance_error, <, 1.001 * 0.2 * 0.2 / 4);
     g_autoptr(PhysicsRun) pendulum = physics_run(
         &(PhysicsOptions){.method = "verlet", .duration = 4e4, .step = 0.05, .columns = "Rod 0.length error"},
-        "{'type': 'support'}, {'type': 'gravity', 'acceleration': 1}, {'type': 'mass', 'position': [1, 0]},"
+        "{'type': 'support', 'solid': false}, {'type': 'gravity', 'acceleration': 1}, {'type': 'mass', 'position': [1, "
+        "0]},"
         "{'type': 'rod', 'ends': ['Support 0', 'Mass 0']}");
     g_test_message("energy of the pendulum off by %.3g", pendulum->summary->energy_balance_error);
     g_assert_cmpfloat(pendulum->summary->energy_balance_error, <, 0.05 * 0.05);
@@ -228,7 +230,7 @@ static void test_verlet_keeps_its_energy(void)
 
 static char *chain_of(int links, double length, double angle)
 {
-    GString *text = g_string_new("{'type': 'gravity', 'acceleration': 9.81}, {'type': 'support'}");
+    GString *text = g_string_new("{'type': 'gravity', 'acceleration': 9.81}, {'type': 'support', 'solid': false}");
     double x = cos(angle) * length / links, y = sin(angle) * length / links;
     for (int i = 1; i <= links; i++)
         g_string_append_printf(text, ",{'type': 'mass', 'mass': 0.1, 'position': [%.17g, %.17g]}", i * x, i * y);
@@ -293,7 +295,8 @@ static void test_denormals(void)
             &(PhysicsOptions){.method = methods[m],
                               .duration = 1,
                               .columns = "Mass 0.x, Mass 0.vx, Mass 1.x, Mass 2.x, Mass 2.y, Spring 1.tension"},
-            "{'type': 'support'}, {'type': 'mass', 'mass': 1e-290, 'position': [1, 0], 'velocity': [1e-310, 0]},"
+            "{'type': 'support', 'solid': false}, {'type': 'mass', 'mass': 1e-290, 'position': [1, 0], 'velocity': "
+            "[1e-310, 0]},"
             "{'type': 'spring', 'ends': ['Support 0', 'Mass 0'], 'rest_length': 1, 'stiffness': 1e-288},"
             "{'type': 'mass', 'position': [5e-324, 1], 'velocity': [1e-310, 1e-310]},"
             "{'type': 'spring', 'ends': ['Support 0', 'Mass 1'], 'rest_length': 1, 'stiffness': 1e-310},"

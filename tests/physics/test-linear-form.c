@@ -25,7 +25,8 @@ static char *line_scene(double angle, const char *more)
 {
     double c = cos(angle), s = sin(angle);
     return g_strdup_printf(
-        "{'type': 'support', 'position': [2, 3]}, {'type': 'support', 'position': [%.17g, %.17g]},"
+        "{'type': 'support', 'solid': false, 'position': [2, 3]}, {'type': 'support', 'solid': false, 'position': "
+        "[%.17g, %.17g]},"
         "{'type': 'mass', 'position': [%.17g, %.17g], 'velocity': [%.17g, %.17g]},"
         "{'type': 'mass', 'mass': 2, 'position': [%.17g, %.17g]},"
         "{'type': 'spring', 'ends': ['Support 0', 'Mass 0'], 'rest_length': 1, 'stiffness': 30},"
@@ -73,7 +74,7 @@ static void test_not_straight(void)
         ",{'type': 'mass', 'position': [5, 3], 'velocity': [0, 1e-6]}, {'type': 'spring', 'ends': ['Mass 2', 'Mass "
         "0']}",
         ",{'type': 'mass', 'position': [5, 3]}, {'type': 'rod', 'ends': ['Mass 2', 'Mass 0']}",
-        ",{'type': 'support', 'position': [4, 9]}, {'type': 'damper', 'ends': ['Support 2', 'Mass 0']}",
+        ",{'type': 'support', 'solid': false, 'position': [4, 9]}, {'type': 'damper', 'ends': ['Support 2', 'Mass 0']}",
         ",{'type': 'torsion', 'ends': ['Support 0', 'Mass 0', 'Mass 1']}",
     };
     for (gsize i = 0; i < G_N_ELEMENTS(across); i++) {
@@ -105,7 +106,8 @@ static void test_pressed_mass(void)
 {
     double across = -(20 * 0.5 / 1 + 40 * 0.25 / 2), growth = sqrt(-across / 2);
     static const char pressed[] =
-        "{'type': 'support'}, {'type': 'support', 'position': [3, 0]}, {'type': 'mass', 'mass': 2, 'position': [1, "
+        "{'type': 'support', 'solid': false}, {'type': 'support', 'solid': false, 'position': [3, 0]}, {'type': "
+        "'mass', 'mass': 2, 'position': [1, "
         "%s]},"
         "{'type': 'spring', 'ends': ['Support 0', 'Mass 0'], 'rest_length': 1.5, 'stiffness': 20},"
         "{'type': 'spring', 'ends': ['Support 1', 'Mass 0'], 'rest_length': 2.25, 'stiffness': 40}";
@@ -126,19 +128,19 @@ static void test_columns(void)
 {
     physics_assert_near(
         "standing",
-        growth_of("{'type': 'support'}, {'type': 'mass', 'position': [0, 1]}, {'type': 'gravity',"
+        growth_of("{'type': 'support', 'solid': false}, {'type': 'mass', 'position': [0, 1]}, {'type': 'gravity',"
                   "'acceleration': 9.81},"
                   "{'type': 'spring', 'ends': ['Support 0', 'Mass 0'], 'rest_length': 1, 'stiffness': 50}"),
         sqrt(9.81 / (1 - 0.1962)), 1e-9);
     physics_assert_near(
         "hanging",
-        growth_of("{'type': 'support'}, {'type': 'mass', 'position': [0, -1]}, {'type': 'gravity'},"
+        growth_of("{'type': 'support', 'solid': false}, {'type': 'mass', 'position': [0, -1]}, {'type': 'gravity'},"
                   "{'type': 'spring', 'ends': ['Support 0', 'Mass 0'], 'rest_length': 1, 'stiffness': 50}"),
         0, 0);
     physics_assert_near(
         "guyed",
-        growth_of("{'type': 'support'}, {'type': 'mass', 'position': [0, 1]}, {'type': 'gravity'},"
-                  "{'type': 'support', 'position': [0, 3]},"
+        growth_of("{'type': 'support', 'solid': false}, {'type': 'mass', 'position': [0, 1]}, {'type': 'gravity'},"
+                  "{'type': 'support', 'solid': false, 'position': [0, 3]},"
                   "{'type': 'spring', 'ends': ['Support 0', 'Mass 0'], 'rest_length': 1, 'stiffness': 50},"
                   "{'type': 'spring', 'ends': ['Support 1', 'Mass 0'], 'rest_length': 0.5, 'stiffness': 50}"),
         0, 0);
@@ -150,10 +152,11 @@ static void test_standing_pair(void)
 {
     double a = -20 / 0.8 - 10 / 0.9, b = 10 / 0.9, d = -10 / 0.9;
     double least = (a + d) / 2 - sqrt((a - d) * (a - d) / 4 + b * b);
-    double growth = growth_of("{'type': 'support'}, {'type': 'mass', 'position': [0, 1]}, {'type': 'mass', 'position':"
-                              "[0, 2]}, {'type': 'gravity', 'acceleration': 10},"
-                              "{'type': 'spring', 'ends': ['Support 0', 'Mass 0'], 'rest_length': 1, 'stiffness': 100},"
-                              "{'type': 'spring', 'ends': ['Mass 0', 'Mass 1'], 'rest_length': 1, 'stiffness': 100}");
+    double growth = growth_of(
+        "{'type': 'support', 'solid': false}, {'type': 'mass', 'position': [0, 1]}, {'type': 'mass', 'position':"
+        "[0, 2]}, {'type': 'gravity', 'acceleration': 10},"
+        "{'type': 'spring', 'ends': ['Support 0', 'Mass 0'], 'rest_length': 1, 'stiffness': 100},"
+        "{'type': 'spring', 'ends': ['Mass 0', 'Mass 1'], 'rest_length': 1, 'stiffness': 100}");
     physics_assert_near("growth", growth, sqrt(-least), 1e-6);
 }
 
@@ -296,7 +299,7 @@ static void through_anchor(double t, double *x, double *v)
 }
 
 #define THROUGH                                                                                                        \
-    "{'type': 'support'}, {'type': 'mass', 'position': [0, 1.2], 'velocity': [0, -5]},"                                \
+    "{'type': 'support', 'solid': false}, {'type': 'mass', 'position': [0, 1.2], 'velocity': [0, -5]},"                \
     "{'type': 'spring', 'ends': ['Support 0', 'Mass 0'], 'rest_length': 1, 'stiffness': 4}"
 
 static void test_through_anchor(void)

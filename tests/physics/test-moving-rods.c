@@ -22,7 +22,7 @@ static void check_shaken(const Shaken *s, double theta, double duration, int ste
         &(PhysicsOptions){.duration = duration,
                           .interval = duration / 20,
                           .columns = "Mass 0.x, Mass 0.y, Mass 0.vx, Mass 0.vy, Rod 0.tension"},
-        "{'type': 'support'}, {'type': 'gravity', 'acceleration': %.17g},"
+        "{'type': 'support', 'solid': false}, {'type': 'gravity', 'acceleration': %.17g},"
         "{'type': 'mass', 'position': [%.17g, %.17g], 'velocity': [0, %.17g]},"
         "{'type': 'rod', 'ends': ['Support 0', 'Mass 0'], 'length': %.17g},"
         "{'type': 'support-motion', 'ends': ['Support 0'], 'amplitude': %.17g, 'frequency': %.17g, 'angle': '90 deg'}",
@@ -67,7 +67,7 @@ static void test_length_on_moving_support(void)
                               .duration = 50,
                               .interval = 0.137,
                               .columns = "Rod 0.length error, Rod 1.length error"},
-            "{'type': 'support'}, {'type': 'gravity'}, {'type': 'mass', 'position': [0, -1]},"
+            "{'type': 'support', 'solid': false}, {'type': 'gravity'}, {'type': 'mass', 'position': [0, -1]},"
             "{'type': 'mass', 'position': [0.5, -2]}, {'type': 'rod', 'ends': ['Support 0', 'Mass 0']},"
             "{'type': 'rod', 'ends': ['Mass 1', 'Mass 0']},"
             "{'type': 'support-motion', 'ends': ['Support 0'], 'amplitude': 0.5, 'frequency': 3, 'waveform': 'cosine'},"
@@ -84,7 +84,7 @@ static void test_length_on_moving_support(void)
 static PhysicsRun *with_motion(const char *expression)
 {
     return physics_try(&(PhysicsOptions){.duration = 2},
-                       "{'type': 'support', 'name': 'Ceiling'}, {'type': 'mass', 'position': [0, -1]},"
+                       "{'type': 'support', 'solid': false, 'name': 'Ceiling'}, {'type': 'mass', 'position': [0, -1]},"
                        "{'type': 'rod', 'name': 'Stick', 'ends': ['Ceiling', 'Mass 0']},"
                        "{'type': 'support-motion', 'ends': ['Ceiling'], 'waveform': {'expression': '%s'}}",
                        expression);
@@ -104,7 +104,7 @@ static void test_displaced_at_start(void)
 {
     g_autoptr(PhysicsRun) run =
         physics_run(&(PhysicsOptions){.columns = "Rod 0.length error, Mass 0.x, Mass 0.y"},
-                    "{'type': 'support'}, {'type': 'mass', 'position': [3.5, -4]},"
+                    "{'type': 'support', 'solid': false}, {'type': 'mass', 'position': [3.5, -4]},"
                     "{'type': 'rod', 'ends': ['Support 0', 'Mass 0'], 'length': 5},"
                     "{'type': 'support-motion', 'ends': ['Support 0'], 'waveform': 'cosine', 'amplitude': 0.5}");
     physics_assert_near("x", physics_last(run, 1), 3.5, 1e-14);

@@ -6,8 +6,8 @@
 #include <math.h>
 
 static const char rods_and_springs[] =
-    "{'type': 'gravity'}, {'type': 'wind', 'drag': 0.05, 'drag_quadratic': 0.02}, {'type': 'support'},"
-    "{'type': 'support', 'position': [4, 1]}, {'type': 'mass', 'position': [1, 0.3]},"
+    "{'type': 'gravity'}, {'type': 'wind', 'drag': 0.05, 'drag_quadratic': 0.02}, {'type': 'support', 'solid': false},"
+    "{'type': 'support', 'solid': false, 'position': [4, 1]}, {'type': 'mass', 'position': [1, 0.3]},"
     "{'type': 'mass', 'mass': 2, 'position': [2.1, -0.4]}, {'type': 'mass', 'mass': 0.5, 'position': [3, 0]},"
     "{'type': 'rod', 'ends': ['Support 0', 'Mass 0']}, {'type': 'rod', 'ends': ['Mass 0', 'Mass 1']},"
     "{'type': 'spring', 'ends': ['Mass 1', 'Mass 2'], 'rest_length': 1}, {'type': 'rod', 'ends': ['Mass 2', 'Support "
@@ -59,7 +59,7 @@ static void test_looking_changes_nothing(gconstpointer data)
 static void test_exact(void)
 {
     static const char scene[] =
-        "{'type': 'support'}, {'type': 'mass', 'position': [2, 0]},"
+        "{'type': 'support', 'solid': false}, {'type': 'mass', 'position': [2, 0]},"
         "{'type': 'spring', 'ends': ['Support 0', 'Mass 0'], 'rest_length': 1, 'stiffness': 30}, {'type': 'damper', "
         "'ends': ['Support 0', 'Mass 0'], 'damping': 0.2}, {'type': 'motor', 'ends': ['Mass 0'], 'frequency': 5},"
         "{'type': 'support-motion', 'ends': ['Support 0'], 'amplitude': 0.1, 'frequency': 3},"

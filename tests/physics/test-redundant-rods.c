@@ -18,7 +18,7 @@ static void check_parallelogram(const char *method, double across, double start,
     for (int k = 0; k < 3; k++) {
         double x = hung_at[k] * along[0], y = hung_at[k] * along[1];
         g_string_append_printf(text,
-                               ",{'type': 'support', 'position': [%.17g, %.17g]},"
+                               ",{'type': 'support', 'solid': false, 'position': [%.17g, %.17g]},"
                                "{'type': 'mass', 'mass': %g, 'position': [%.17g, %.17g]},"
                                "{'type': 'rod', 'ends': ['Support %d', 'Mass %d']},"
                                "{'type': 'rod', 'ends': ['Mass %d', 'Mass %d']}",
@@ -73,7 +73,8 @@ static void test_equal_shares(void)
     g_autoptr(PhysicsRun) run = physics_run(
         &(PhysicsOptions){
             .duration = 4, .interval = 0.1, .columns = "Rod 0.tension, Rod 1.tension, Rod 2.tension, Mass 0.x"},
-        "{'type': 'gravity'}, {'type': 'support'}, {'type': 'mass', 'mass': 3, 'position': [%.17g, %.17g]},"
+        "{'type': 'gravity'}, {'type': 'support', 'solid': false}, {'type': 'mass', 'mass': 3, 'position': [%.17g, "
+        "%.17g]},"
         "{'type': 'rod', 'ends': ['Support 0', 'Mass 0']}, {'type': 'rod', 'ends': ['Mass 0', 'Support 0']},"
         "{'type': 'rod', 'ends': ['Support 0', 'Mass 0']}",
         2 * sin(1), -2 * cos(1));
@@ -134,7 +135,8 @@ static void test_rod_between_supports(void)
     pendulum_init(&p, 1.0, 9.81, G_PI / 2, 0.0);
     g_autoptr(PhysicsRun) run = physics_run(
         &(PhysicsOptions){.duration = 3, .columns = "Mass 0.x, Mass 0.y, Rod 0.tension, Rod 0.length error"},
-        "{'type': 'gravity'}, {'type': 'support'}, {'type': 'support', 'position': [0.1, 0.2]},"
+        "{'type': 'gravity'}, {'type': 'support', 'solid': false}, {'type': 'support', 'solid': false, 'position': "
+        "[0.1, 0.2]},"
         "{'type': 'mass', 'position': [1, 0]}, {'type': 'rod', 'ends': ['Support 0', 'Support 1']},"
         "{'type': 'rod', 'ends': ['Support 0', 'Mass 0']}");
     for (gsize i = 0; i < physics_samples(run); i++) {
@@ -151,7 +153,8 @@ static void test_rod_between_supports(void)
 static void test_rod_between_parting_supports(void)
 {
     g_autoptr(PhysicsRun) run = physics_try(
-        &(PhysicsOptions){0}, "{'type': 'support'}, {'type': 'support', 'position': [1, 0]}, {'type': 'mass'},"
+        &(PhysicsOptions){0}, "{'type': 'support', 'solid': false}, {'type': 'support', 'solid': false, 'position': "
+                              "[1, 0]}, {'type': 'mass'},"
                               "{'type': 'rod', 'ends': ['Support 0', 'Support 1']},"
                               "{'type': 'support-motion', 'ends': ['Support 1'], 'amplitude': 0.1, 'frequency': 1}");
     g_assert_nonnull(run->error);
@@ -167,7 +170,8 @@ static void test_straight_singular_mass(void)
         g_autoptr(PhysicsRun) run = physics_try(
             &(PhysicsOptions){
                 .method = methods[m], .tolerance = 1e-9, .columns = "Mass 0.x, Mass 0.y, Mass 0.vx, Mass 0.vy"},
-            "{'type': 'gravity'}, {'type': 'support', 'position': [-1, 0]}, {'type': 'support', 'position': [1, 0]},"
+            "{'type': 'gravity'}, {'type': 'support', 'solid': false, 'position': [-1, 0]}, {'type': 'support', "
+            "'solid': false, 'position': [1, 0]},"
             "{'type': 'mass'}, {'type': 'rod', 'ends': ['Support 0', 'Mass 0']},"
             "{'type': 'rod', 'ends': ['Mass 0', 'Support 1']}");
         if (run->error != NULL) {

@@ -15,7 +15,7 @@ static void test_cubic_line(void)
 {
     g_autoptr(PhysicsRun) run = physics_run(
         &(PhysicsOptions){.duration = 6, .interval = 0.3, .tolerance = 1e-11, .columns = "Mass 0.x, Mass 0.vx"},
-        "{'type': 'support', 'position': [-2, 0]}, {'type': 'mass', 'position': [0.8, 0]},"
+        "{'type': 'support', 'solid': false, 'position': [-2, 0]}, {'type': 'mass', 'position': [0.8, 0]},"
         "{'type': 'cubic', 'ends': ['Support 0', 'Mass 0'], 'stiffness': 7, 'length': 2}");
     g_assert_cmpint(tinker_model_sizes(run->model).nonlinear_lines, ==, 1);
     for (gsize i = 0; i < physics_samples(run); i++) {
@@ -35,7 +35,7 @@ static void test_torsion(void)
     const double start = 1.1, rate = sqrt(5 / (0.7 * 4));
     g_autoptr(PhysicsRun) run = physics_run(
         &(PhysicsOptions){.duration = 7, .tolerance = 1e-11, .columns = "Mass 0.x, Mass 0.y"},
-        "{'type': 'support'}, {'type': 'support', 'position': [3, 0]},"
+        "{'type': 'support', 'solid': false}, {'type': 'support', 'solid': false, 'position': [3, 0]},"
         "{'type': 'mass', 'mass': 0.7, 'position': [%.17g, %.17g]}, {'type': 'rod', 'ends': ['Support 0', 'Mass 0']},"
         "{'type': 'torsion', 'ends': ['Support 1', 'Support 0', 'Mass 0'], 'stiffness': 5}",
         2 * cos(start), 2 * sin(start));
@@ -126,7 +126,7 @@ static void test_actuator(void)
     double y[2] = {0.5, 0}, start = energy_of(0, y);
     g_autoptr(PhysicsRun) run = physics_run(
         &(PhysicsOptions){.duration = 5, .interval = 0.25, .columns = "Mass 0.x, Mass 0.y, Mass 0.vx"},
-        "{'type': 'gravity'}, {'type': 'support'},"
+        "{'type': 'gravity'}, {'type': 'support', 'solid': false},"
         "{'type': 'mass', 'mass': 2, 'position': [%.17g, %.17g], 'velocity': [%.17g, %.17g]},"
         "{'type': 'actuator', 'ends': ['Support 0', 'Mass 0'], 'waveform': {'expression': '1 + 0.3*sin(2*t)'}}",
         sin(0.5), -cos(0.5), 0.6 * sin(0.5), -0.6 * cos(0.5));
@@ -152,7 +152,7 @@ static void test_orbit(void)
                           .interval = 0.25,
                           .tolerance = 1e-11,
                           .columns = "Mass 0.x, Mass 0.y, Support 0.x, Support 0.y, Support 0.vx, Support 0.vy"},
-        "{'type': 'support', 'position': [1, 2]}, {'type': 'mass', 'position': [1, 2]},"
+        "{'type': 'support', 'solid': false, 'position': [1, 2]}, {'type': 'mass', 'position': [1, 2]},"
         "{'type': 'spring', 'ends': ['Support 0', 'Mass 0'], 'rest_length': 0},"
         "{'type': 'orbit', 'ends': ['Support 0'], 'radius': 0.4, 'rate': 2}");
     for (gsize i = 0; i < physics_samples(run); i++) {

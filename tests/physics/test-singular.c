@@ -25,7 +25,7 @@ static void test_coincident_ends(void)
                                           .duration = 2,
                                           .step = 1e-3,
                                           .columns = "Mass 0.x, Mass 0.y, Spring 0.tension, Spring 0.length"},
-                        "{'type': 'support'}, {'type': 'mass', 'velocity': [3, 4]},"
+                        "{'type': 'support', 'solid': false}, {'type': 'mass', 'velocity': [3, 4]},"
                         "{'type': 'spring', 'ends': ['Support 0', 'Mass 0'], 'rest_length': 0, 'stiffness': 4}");
         for (guint i = 0; i < none->summary->warnings->len; i++)
             g_assert_null(strstr(g_ptr_array_index(none->summary->warnings, i), "at one place"));
@@ -36,19 +36,19 @@ static void test_coincident_ends(void)
         g_autoptr(PhysicsRun) rest = physics_try(
             &(PhysicsOptions){
                 .method = methods[m], .duration = 2, .step = 1e-3, .columns = "Mass 0.x, Mass 0.y, Spring 0.tension"},
-            "{'type': 'support'}, {'type': 'mass'},"
+            "{'type': 'support', 'solid': false}, {'type': 'mass'},"
             "{'type': 'spring', 'ends': ['Support 0', 'Mass 0'], 'rest_length': 1, 'stiffness': 4}");
         assert_clear(rest, "Spring 0");
         g_assert_cmpuint(rest->summary->warnings->len, >=, 1);
         g_assert_nonnull(strstr(g_ptr_array_index(rest->summary->warnings, 0), "Spring 0: its ends are at one place"));
-        g_autoptr(PhysicsRun) through =
-            physics_try(&(PhysicsOptions){.method = methods[m],
-                                          .duration = 2,
-                                          .step = 1e-3,
-                                          .tolerance = 1e-9,
-                                          .columns = "Mass 0.x, Mass 0.y, Spring 0.tension"},
-                        "{'type': 'support'}, {'type': 'mass', 'position': [0, 1.2], 'velocity': [0, -5]},"
-                        "{'type': 'spring', 'ends': ['Support 0', 'Mass 0'], 'rest_length': 1, 'stiffness': 4}");
+        g_autoptr(PhysicsRun) through = physics_try(
+            &(PhysicsOptions){.method = methods[m],
+                              .duration = 2,
+                              .step = 1e-3,
+                              .tolerance = 1e-9,
+                              .columns = "Mass 0.x, Mass 0.y, Spring 0.tension"},
+            "{'type': 'support', 'solid': false}, {'type': 'mass', 'position': [0, 1.2], 'velocity': [0, -5]},"
+            "{'type': 'spring', 'ends': ['Support 0', 'Mass 0'], 'rest_length': 1, 'stiffness': 4}");
         assert_clear(through, "Spring 0");
         g_test_message("%s: %g s; %g evaluations, through the anchor %g", methods[m], through->summary->simulated_s,
                        (double)rest->summary->evaluations, (double)through->summary->evaluations);
@@ -62,7 +62,7 @@ static void test_coincident_ends(void)
 static void test_rod_without_length(void)
 {
     g_autoptr(PhysicsRun) run =
-        physics_try(&(PhysicsOptions){.columns = "Mass 0.x"}, "{'type': 'support'}, {'type': 'mass'},"
+        physics_try(&(PhysicsOptions){.columns = "Mass 0.x"}, "{'type': 'support', 'solid': false}, {'type': 'mass'},"
                                                               "{'type': 'rod', 'ends': ['Support 0', 'Mass 0']}");
     g_assert_nonnull(run->error);
     g_test_message("%s", run->error != NULL ? run->error->message : "");
@@ -77,7 +77,8 @@ static void test_dead_points(void)
                           .duration = 10,
                           .tolerance = 1e-10,
                           .columns = "Mass 0.x, Mass 0.y, Mass 1.x, Mass 1.y, Mass 2.x, Mass 2.y"},
-        "{'type': 'support'}, {'type': 'support', 'position': [2, 0]}, {'type': 'support', 'position': [1, 0]},"
+        "{'type': 'support', 'solid': false}, {'type': 'support', 'solid': false, 'position': [2, 0]}, {'type': "
+        "'support', 'solid': false, 'position': [1, 0]},"
         "{'type': 'mass', 'position': [0, 1], 'velocity': [2, 0]},"
         "{'type': 'mass', 'position': [2, 1], 'velocity': [2, 0]},"
         "{'type': 'mass', 'position': [1, 1], 'velocity': [2, 0]},"
@@ -109,7 +110,8 @@ static void test_heavy_parallelogram(void)
             g_autoptr(PhysicsRun) run = physics_run(
                 &(PhysicsOptions){
                     .duration = 2, .tolerance = 1e-11, .columns = "Mass 0.x, Mass 0.y, Mass 1.x, Mass 1.y, Mass 2.x"},
-                "{'type': 'support'}, {'type': 'support', 'position': [2, 0]}, {'type': 'support', 'position': [3, 0]},"
+                "{'type': 'support', 'solid': false}, {'type': 'support', 'solid': false, 'position': [2, 0]}, "
+                "{'type': 'support', 'solid': false, 'position': [3, 0]},"
                 "{'type': 'mass', 'mass': %.17g, 'position': [0.6, 0.8], 'velocity': [1.6, -1.2]},"
                 "{'type': 'mass', 'mass': %.17g, 'position': [2.6, 0.8], 'velocity': [1.6, -1.2]},"
                 "{'type': 'mass', 'mass': %.17g, 'position': [3.6, 0.8], 'velocity': [1.6, -1.2]},"
@@ -166,7 +168,7 @@ static void test_four_bar(void)
                           .interval = 0.25,
                           .tolerance = 1e-11,
                           .columns = "Mass 0.x, Mass 0.y, Mass 1.x, Mass 1.y"},
-        "{'type': 'support'}, {'type': 'support', 'position': [3, 0]},"
+        "{'type': 'support', 'solid': false}, {'type': 'support', 'solid': false, 'position': [3, 0]},"
         "{'type': 'mass', 'position': [0, 1], 'velocity': [-3, 0]},"
         "{'type': 'mass', 'mass': 2, 'position': [%.17g, %.17g], 'velocity': [%.17g, %.17g]},"
         "{'type': 'rod', 'ends': ['Support 0', 'Mass 0']}, {'type': 'rod', 'ends': ['Support 1', 'Mass 1']},"
@@ -219,7 +221,7 @@ static void test_hopeless_plugins(void)
             g_autoptr(PhysicsRun) run = physics_try(
                 &(PhysicsOptions){
                     .method = methods[m], .duration = mode == 6 ? 1 : 3, .step = 0.01, .columns = "Mass 0.x"},
-                "{'type': 'support', 'position': [0, 1]}, {'type': 'mass', 'velocity': [1, 0]},"
+                "{'type': 'support', 'solid': false, 'position': [0, 1]}, {'type': 'mass', 'velocity': [1, 0]},"
                 "{'type': 'spring', 'ends': ['Support 0', 'Mass 0']},"
                 "{'type': 'faulty', 'ends': ['Mass 0'], 'mode': %d}",
                 mode);
@@ -238,10 +240,10 @@ static void test_out_of_proportion(void)
 {
     static const char *const methods[] = {"auto", "dopri5", "dop853"};
     for (gsize m = 0; m < G_N_ELEMENTS(methods); m++) {
-        g_autoptr(PhysicsRun) run =
-            physics_try(&(PhysicsOptions){.method = methods[m], .tolerance = 1e-6, .columns = "Mass 0.x"},
-                        "{'type': 'support'}, {'type': 'mass', 'position': [1, 0], 'velocity': [0, 1e150]},"
-                        "{'type': 'rod', 'ends': ['Support 0', 'Mass 0']}, {'type': 'gravity'}");
+        g_autoptr(PhysicsRun) run = physics_try(
+            &(PhysicsOptions){.method = methods[m], .tolerance = 1e-6, .columns = "Mass 0.x"},
+            "{'type': 'support', 'solid': false}, {'type': 'mass', 'position': [1, 0], 'velocity': [0, 1e150]},"
+            "{'type': 'rod', 'ends': ['Support 0', 'Mass 0']}, {'type': 'gravity'}");
         physics_assert_refused(run, TINKER_MODEL_ERROR_RUN, "out of all proportion", NULL);
         g_assert_cmpint(run->summary->evaluations, <, 200000);
     }
@@ -251,7 +253,8 @@ static void test_contradictory_rods(void)
 {
     g_autoptr(PhysicsRun) run = physics_try(
         &(PhysicsOptions){.columns = "Mass 0.x"},
-        "{'type': 'support'}, {'type': 'support', 'position': [3, 0]}, {'type': 'mass', 'position': [1, 0]},"
+        "{'type': 'support', 'solid': false}, {'type': 'support', 'solid': false, 'position': [3, 0]}, {'type': "
+        "'mass', 'position': [1, 0]},"
         "{'type': 'support-motion', 'ends': ['Support 1'], 'amplitude': 0.5, 'frequency': 2},"
         "{'type': 'rod', 'ends': ['Support 0', 'Mass 0']}, {'type': 'rod', 'ends': ['Support 1', 'Mass 0']}");
     g_assert_nonnull(run->error);

@@ -215,6 +215,37 @@ static void check_peaks(const cJSON *problem, const char *path)
     }
 }
 
+/* Whether one of the run's events is of this kind and at this time. */
+static gboolean happened(const cJSON *events, const cJSON *expected)
+{
+    const cJSON *event;
+    cJSON_ArrayForEach(event, events)
+    {
+        if (g_str_equal(text(event, "kind"), text(expected, "kind")) &&
+            fabs(number(event, "time") - number(expected, "time")) <= number(expected, "limit"))
+            return TRUE;
+    }
+    return FALSE;
+}
+
+/* What the run tells of itself: when contacts changed, and that its energy books close. */
+static void check_summary(const cJSON *problem, const char *path)
+{
+    const char *options[] = {"--tolerance", TOLERANCE, NULL};
+    g_autoptr(TestSceneRun) run = test_scene_run(path, options);
+    const cJSON *expected, *events = member(run->summary, "events");
+    cJSON_ArrayForEach(expected, member(problem, "events"))
+    {
+        if (!happened(events, expected)) {
+            g_autofree char *all = cJSON_PrintUnformatted(events);
+            g_test_message("events: %s", all);
+            g_test_fail_printf("no %s at %.17g s", text(expected, "kind"), number(expected, "time"));
+        }
+    }
+    if (member(problem, "balance") != NULL)
+        g_assert_cmpfloat(test_summary_number(run, "energy_balance_error"), <=, number(problem, "balance"));
+}
+
 /* A scene whose tables lie elsewhere, put beside them in a folder of its own. (transfer full) */
 static char *assemble(const cJSON *problem, const char *path)
 {
@@ -256,6 +287,7 @@ static void check_all(const cJSON *problem, const char *path)
     if (member(problem, "values") != NULL) check_values(problem, path);
     if (member(problem, "steady") != NULL) check_steady(problem, path);
     if (member(problem, "peaks") != NULL) check_peaks(problem, path);
+    if (member(problem, "events") != NULL || member(problem, "balance") != NULL) check_summary(problem, path);
 }
 
 static void test_problem(gconstpointer data)

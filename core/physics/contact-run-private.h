@@ -1,0 +1,107 @@
+/* What the files of contact in a run share. */
+#ifndef TINKER_CORE_CONTACT_RUN_PRIVATE_H
+#define TINKER_CORE_CONTACT_RUN_PRIVATE_H
+
+#include "numerics/step-roots.h"
+#include "physics/contact-neighbours.h"
+#include "physics/contact-run.h"
+
+/* What ends a phase of a contact when it falls below zero. */
+typedef enum {
+    TINKER_TRIGGER_NONE,
+    TINKER_TRIGGER_GAP,       /* an open contact: the gap, over the plate, */
+    TINKER_TRIGGER_LEAVING,   /* or of one that has just opened: the acceleration that parts it */
+    TINKER_TRIGGER_NORMAL,    /* a closed one: the normal force */
+    TINKER_TRIGGER_FORWARD,   /* one that sticks: mu N - T, */
+    TINKER_TRIGGER_BACKWARD,  /* and mu N + T */
+    TINKER_TRIGGER_SPEED,     /* one that slips: its speed along the top, */
+    TINKER_TRIGGER_END,       /* what is left of the top towards +x, */
+    TINKER_TRIGGER_BEGINNING, /* and towards -x */
+} TinkerTriggerKind;
+
+typedef struct {
+    TinkerTriggerKind kind;
+    int32_t body, plate;
+    int32_t closed; /* the number of a closed contact; else -1 */
+    double level;   /* what falls below it has passed 0; rounding is above it */
+} TinkerTrigger;
+
+typedef struct {
+    int32_t body, plate;
+} TinkerContactPair;
+
+struct _TinkerContactRun {
+    TinkerIslandRun *run;
+    TinkerContacts *contacts;
+    TinkerModel *model;
+    gboolean in_plane; /* the island is stepped in the plane: contacts may be closed */
+    gint64 changes;
+    double *orientation; /* by body */
+    double last_impact;
+
+    /* the step in progress */
+    TinkerState from; /* where it began; the books included */
+    double hint;      /* an event is known to come then; INFINITY */
+    TinkerTrigger hint_trigger;
+    double hint_slope;
+    double limit;     /* of the step, but for that */
+    gboolean pending; /* the state stands on it */
+    TinkerTrigger pending_trigger;
+
+    /* an endless sequence of events */
+    double crowd_began;
+    int crowd;
+
+    /* the search */
+    double highest_frequency; /* rad/s: of an island that is solved exactly; 0 */
+    int32_t degree;
+    GArray *near; /* of TinkerContactPair: those that a step comes close to */
+    /* Of TinkerContactPair: those that opened without a blow and are not clear of each other yet. Their gap grows with the third
+     * power of time, less than the error of a method of low order: what tells whether they part is the acceleration. */
+    GArray *leaving;
+    GArray *triggers; /* of TinkerTrigger: those of the step */
+    double *values;   /* of triggers, node by node */
+    gsize values_room;
+    double *node_x, *node_u; /* in the system's coordinates */
+    double *node_q, *node_v; /* of the bodies */
+    double *force;           /* accelerations, for work */
+    double *force_scale;     /* by closed contact: N, the largest of the step */
+    gsize closed_room;
+    TinkerContactNeighbours neighbours;
+    double *quiet_x; /* coordinates of the system, where ... */
+    double quiet;    /* ... no plate was nearer to any body than this; 0 where one moves */
+};
+
+/* Lists the pairs whose gap may close on the way of the bodies from q_from to q_to, which leads no farther than `travel` (m)
+ * away from either. */
+void tinker_contact_run_find_near(TinkerContactRun *contact_run, const double *q_from, const double *q_to,
+                                  double travel);
+/* Whether nothing can come near a plate within `travel` (m) of the state x (in the system's coordinates). */
+gboolean tinker_contact_run_is_quiet(const TinkerContactRun *contact_run, const double *x, double travel);
+/* Notes the state as one that is quiet, as far as it is. */
+void tinker_contact_run_note_quiet(TinkerContactRun *contact_run, const double *x, const double *q);
+
+/* How fast a plate swings (rad/s) between two times, as far as it shows at a few. */
+double tinker_contact_run_swing(TinkerContactRun *contact_run, int32_t point, double from, double to);
+
+/* The first fall of any trigger in the last step; its kind is NONE where there is none. *place gets its time and *slope how
+ * fast it falls (per second). */
+TinkerStatus tinker_contact_run_search(TinkerContactRun *contact_run, double from, double to, TinkerTrigger *found,
+                                       double *time, double *slope);
+
+/* The value of a trigger for a state of the bodies. */
+TinkerStatus tinker_contact_run_value(TinkerContactRun *contact_run, double t, const double *q, const double *v,
+                                      const TinkerTrigger *trigger, double *value);
+
+/* Room for what is watched while these contacts are closed, so that steps allot nothing. */
+void tinker_contact_run_make_room(TinkerContactRun *contact_run);
+
+/* Whether the pair has just opened. */
+gboolean tinker_contact_run_leaves(const TinkerContactRun *contact_run, int32_t body, int32_t plate);
+
+/* Passes an event at the state of the run: impacts, and what is closed from here on. `tolerance` (m): within it a gap is
+ * closed. */
+gboolean tinker_contact_run_change(TinkerContactRun *contact_run, const TinkerTrigger *trigger, double tolerance,
+                                   double slow, GError **error);
+
+#endif

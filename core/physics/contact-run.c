@@ -1,0 +1,336 @@
+/* Contact in the run of an island: begins and ends steps, and passes events. */
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+#include "physics/contact-run-private.h"
+
+/* In a run a gap is closed within this share of the extent: rounding, or another body at the same instant. */
+#define CLOSED_GAP 1e-13
+/* rad that a plate may swing within a step while bodies rest on it. */
+#define LONGEST_SWING 0.4
+/* Beyond this share of the extent bodies that leave a plate are clear of it. */
+#define CLEAR 1e-9
+/* A start that slides along a top slower than this share of the largest speed may stick. */
+#define START_SLOW 1e-9
+/* So many events within so short a time (a share of the time) never end. */
+#define CROWD       2000
+#define CROWDED     1e-9
+#define MOST_TRIALS 12
+/* Of a step: an event so near to its start is at its start. */
+#define AT_ONCE 1e-12
+/* Near pairs that there is room for at first. */
+#define MOST_EXPECTED 16
+
+static void allot(TinkerContactRun *self)
+{
+    gsize n = 2 * (gsize)MAX(self->model->bodies, 1);
+    double **arrays[] = {&self->from.q, &self->from.v, &self->node_x, &self->node_u,
+                         &self->node_q, &self->node_v, &self->force,  &self->quiet_x};
+    for (gsize i = 0; i < G_N_ELEMENTS(arrays); i++)
+        *arrays[i] = g_new0(double, n);
+    self->from.books = g_new0(double, TINKER_BOOK_COUNT + 1);
+    tinker_contact_neighbours_init(&self->neighbours, self->contacts);
+    self->orientation = g_new(double, n);
+    for (int32_t i = 0; i < self->model->bodies; i++)
+        self->orientation[i] = NAN;
+    guint pairs = MIN(MOST_EXPECTED, (guint)(self->model->bodies * (gint64)self->contacts->plate_count));
+    self->near = g_array_sized_new(FALSE, FALSE, sizeof(TinkerContactPair), pairs);
+    self->leaving = g_array_sized_new(FALSE, FALSE, sizeof(TinkerContactPair), pairs);
+    self->triggers = g_array_sized_new(FALSE, FALSE, sizeof(TinkerTrigger), 2 * pairs);
+    self->values_room = 2 * pairs * (gsize)(TINKER_MOST_DEGREE + 1);
+    self->values = g_new0(double, self->values_room);
+}
+
+/* A bound of the frequencies of a linear system: no mode is faster than the stiffest coordinate with all that it hangs on. */
+static double highest_frequency_of(const TinkerLinearForm *form)
+{
+    if (form == NULL) return 0;
+    const TinkerLinearSystem *linear = tinker_linear_form_system(form);
+    g_autofree double *stiffness = g_new0(double, linear->size + 1);
+    double highest = 0;
+    for (int32_t i = 0; i < linear->edge_count; i++) {
+        const TinkerLinearEdge *edge = &linear->edges[i];
+        for (int k = 0; k < 2; k++) {
+            int32_t end = k == 0 ? edge->a : edge->b;
+            if (end >= 0) stiffness[end] += 2 * edge->stiffness;
+        }
+    }
+    for (int32_t i = 0; i < linear->size; i++)
+        highest = fmax(highest, stiffness[i] / linear->mass[i]);
+    return sqrt(highest);
+}
+
+TinkerContactRun *tinker_contact_run_new(TinkerIslandRun *run)
+{
+    if (run->model->contacts == NULL) return NULL;
+    TinkerContactRun *self = g_new0(TinkerContactRun, 1);
+    *self = (TinkerContactRun){
+        .run = run,
+        .contacts = run->model->contacts,
+        .model = run->model,
+        .last_impact = -INFINITY,
+        .hint = INFINITY,
+        .crowd_began = -INFINITY,
+        .degree = run->choice.method->dense_order <= 3 ? 4 : 8,
+    };
+    if (run->choice.method->flags & TINKER_INTEGRATOR_LINEAR)
+        self->highest_frequency = highest_frequency_of(run->island->linear);
+    g_array_set_size(self->contacts->closed, 0);
+    tinker_contacts_list_rows(self->contacts);
+    allot(self);
+    return self;
+}
+
+void tinker_contact_run_free(TinkerContactRun *self)
+{
+    if (self == NULL) return;
+    tinker_contact_neighbours_clear(&self->neighbours);
+    g_array_unref(self->near);
+    g_array_unref(self->leaving);
+    g_array_unref(self->triggers);
+    gpointer arrays[] = {self->from.q, self->from.v, self->from.books,  self->node_x,  self->node_u, self->node_q,
+                         self->node_v, self->force,  self->orientation, self->quiet_x, self->values, self->force_scale};
+    for (gsize i = 0; i < G_N_ELEMENTS(arrays); i++)
+        g_free(arrays[i]);
+    g_free(self);
+}
+
+double tinker_contact_run_orientation(const TinkerContactRun *self, int32_t body)
+{
+    return self->orientation[body];
+}
+
+double tinker_contact_run_last_impact(const TinkerContactRun *self)
+{
+    return self->last_impact;
+}
+
+gint64 tinker_contact_run_changes(const TinkerContactRun *self)
+{
+    return self->changes;
+}
+
+/* Events ----------------------------------------------------------------------------------------------------------- */
+
+/* From here on the island is stepped in the plane, by a method that takes constraints. */
+static gboolean enter_plane(TinkerContactRun *self, GError **error)
+{
+    if (self->in_plane) return TRUE;
+    tinker_contacts_open_books(self->contacts);
+    if (!tinker_island_run_enter_plane(self->run, error)) return FALSE;
+    self->in_plane = TRUE;
+    self->highest_frequency = 0;
+    self->degree = self->run->choice.method->dense_order <= 3 ? 4 : 8;
+    return TRUE;
+}
+
+static gboolean is_crowded(TinkerContactRun *self)
+{
+    double t = self->run->state.t;
+    if (t - self->crowd_began > CROWDED * fabs(t)) {
+        self->crowd_began = t;
+        self->crowd = 0;
+    }
+    return ++self->crowd > CROWD;
+}
+
+static double closed_gap(TinkerContactRun *self)
+{
+    double extent, speed;
+    TinkerIslandRun *run = self->run;
+    run->system.system.scales(&run->system, run->state.q, run->state.v, &extent, &speed);
+    return CLOSED_GAP * (extent + tinker_greatest(run->state.q, run->system.system.size));
+}
+
+gboolean tinker_contact_run_start(TinkerContactRun *self, GError **error)
+{
+    TinkerIslandRun *run = self->run;
+    TinkerTrigger none = {.kind = TINKER_TRIGGER_NONE};
+    tinker_island_run_place(run);
+    if (tinker_model_set_time(self->model, 0.0) != TINKER_OK)
+        return tinker_island_run_fail(run, self->model->failure, error);
+    tinker_model_set_state(self->model, run->q, run->v);
+    if (!tinker_contacts_touch(self->contacts)) return TRUE;
+    if (!enter_plane(self, error)) return FALSE;
+    if (!tinker_contact_run_change(self, &none, TINKER_TOUCHING, START_SLOW, error)) return FALSE;
+    run->choice.method->restart(run->stepper);
+    return TRUE;
+}
+
+gboolean tinker_contact_run_think_again(TinkerContactRun *self, GError **error)
+{
+    TinkerTrigger none = {.kind = TINKER_TRIGGER_NONE};
+    if (self->contacts->closed->len == 0) return TRUE;
+    return tinker_contact_run_change(self, &none, closed_gap(self), 0, error);
+}
+
+gboolean tinker_contact_run_pass(TinkerContactRun *self, GError **error)
+{
+    TinkerIslandRun *run = self->run;
+    if (!self->pending) return TRUE;
+    self->pending = FALSE;
+    self->quiet = 0;
+    if (is_crowded(self))
+        return tinker_island_run_fail_step(run,
+                                           "contacts open and close without end there (a little friction, or a "
+                                           "restitution below 1, ends such a sequence)",
+                                           error);
+    if (!enter_plane(self, error)) return FALSE;
+    if (!tinker_contact_run_change(self, &self->pending_trigger, closed_gap(self), 0, error)) return FALSE;
+    run->choice.method->restart(run->stepper);
+    return TRUE;
+}
+
+gboolean tinker_contact_run_leaves(const TinkerContactRun *self, int32_t body, int32_t plate)
+{
+    for (guint i = 0; i < self->leaving->len; i++) {
+        const TinkerContactPair *pair = &g_array_index(self->leaving, TinkerContactPair, i);
+        if (pair->body == body && pair->plate == plate) return TRUE;
+    }
+    return FALSE;
+}
+
+/* Steps ------------------------------------------------------------------------------------------------------------ */
+
+/* Forgets pairs that are clear of each other. */
+static void let_leave(TinkerContactRun *self)
+{
+    TinkerIslandRun *run = self->run;
+    if (tinker_model_set_time(self->model, run->state.t) != TINKER_OK) return;
+    tinker_model_set_state(self->model, run->state.q, run->state.v);
+    double clear = CLEAR * (closed_gap(self) / CLOSED_GAP);
+    for (guint i = self->leaving->len; i-- > 0;) {
+        const TinkerContactPair *pair = &g_array_index(self->leaving, TinkerContactPair, i);
+        TinkerContactPlace place = tinker_contact_place(self->contacts, pair->body, pair->plate);
+        if (place.gap > clear || fabs(place.along) > self->contacts->plates[pair->plate].half_width)
+            g_array_remove_index_fast(self->leaving, i);
+    }
+}
+
+/* What a moving plate does to a body that rests on it is a function of time that no error control sees, since the body goes
+ * along: its work needs steps that resolve it. */
+static double resolved_limit(TinkerContactRun *self, double limit)
+{
+    double from = self->run->state.t;
+    for (guint i = 0; i < self->contacts->closed->len; i++) {
+        const TinkerPlate *plate = &self->contacts->plates[tinker_contacts_closed(self->contacts, i)->plate];
+        if (!plate->moving) continue;
+        double swing = tinker_contact_run_swing(self, plate->point, from, limit);
+        if (swing > 0) limit = MIN(limit, from + LONGEST_SWING / swing);
+    }
+    return limit;
+}
+
+double tinker_contact_run_begin(TinkerContactRun *self, double limit)
+{
+    const TinkerIslandRun *run = self->run;
+    if (self->contacts->moving_plates > 0 && (run->choice.method->flags & TINKER_INTEGRATOR_ADAPTIVE))
+        limit = resolved_limit(self, limit);
+    if (self->leaving->len > 0) let_leave(self);
+    gsize bytes = (gsize)run->system.system.size * sizeof(double);
+    self->from.t = run->state.t;
+    memcpy(self->from.q, run->state.q, bytes);
+    memcpy(self->from.v, run->state.v, bytes);
+    memcpy(self->from.books, run->state.books, (gsize)run->system.system.books * sizeof(double));
+    self->limit = limit;
+    return MIN(limit, self->hint);
+}
+
+static void go_back(TinkerContactRun *self)
+{
+    TinkerIslandRun *run = self->run;
+    gsize bytes = (gsize)run->system.system.size * sizeof(double);
+    run->state.t = self->from.t;
+    memcpy(run->state.q, self->from.q, bytes);
+    memcpy(run->state.v, self->from.v, bytes);
+    memcpy(run->state.books, self->from.books, (gsize)run->system.system.books * sizeof(double));
+    run->choice.method->restart(run->stepper);
+}
+
+/* A trial of the time of an event: what the trigger's value was there. */
+typedef struct {
+    double time, value;
+} Trial;
+
+/* Where the secant through two trials falls through 0; the first knows its slope from dense output. */
+static double next_trial(const Trial *trial, const Trial *before, double *slope)
+{
+    if (trial->time != before->time) *slope = (trial->value - before->value) / (trial->time - before->time);
+    return *slope < 0 ? trial->time - trial->value / *slope : trial->time;
+}
+
+/* The step is made again, to the event: dense output says when it is, the step itself how far it is off there. Where the
+ * method makes several steps of it, the last of them goes on from here. */
+static TinkerStatus step_to_event(TinkerContactRun *self, const TinkerTrigger *trigger, double time, double slope,
+                                  TinkerStepReport *report)
+{
+    TinkerIslandRun *run = self->run;
+    double from = self->from.t, end = self->limit;
+    double first = MIN(from + fmax(AT_ONCE * (run->state.t - from), 4 * DBL_EPSILON * fabs(from)), end);
+    Trial trial = {CLAMP(time, first, end), 0}, before = trial;
+    for (int k = 0; k < MOST_TRIALS; k++) {
+        TinkerStatus status = TINKER_OK;
+        self->hint = trial.time;
+        if (run->state.t != trial.time) {
+            go_back(self);
+            status = run->choice.method->step(run->stepper, &run->state, trial.time, report);
+        }
+        if (status != TINKER_OK || run->state.t < trial.time) {
+            self->hint_trigger = *trigger;
+            self->hint_slope = slope;
+            return status;
+        }
+        tinker_island_run_place(run);
+        status = tinker_contact_run_value(self, run->state.t, run->q, run->v, trigger, &trial.value);
+        if (status != TINKER_OK) return status;
+        double next = CLAMP(next_trial(&trial, &before, &slope), first, end);
+        if (fabs(next - trial.time) <= 2 * DBL_EPSILON * fabs(next)) break;
+        before = trial;
+        trial.time = next;
+    }
+    self->hint = INFINITY;
+    self->pending = TRUE;
+    self->pending_trigger = *trigger;
+    if (trigger->kind == TINKER_TRIGGER_GAP) self->last_impact = run->state.t;
+    return TINKER_OK;
+}
+
+/* How far (m) anything may have gone from either end of the step. */
+static double travel_of(const TinkerContactRun *self)
+{
+    const TinkerIslandRun *run = self->run;
+    double fastest = run->system.speed * run->system.speed;
+    int32_t n = run->system.system.size;
+    for (int32_t i = 0; i < n; i++) {
+        fastest = MAX(fastest, 2 * run->state.v[i] * run->state.v[i]);
+        fastest = MAX(fastest, 2 * self->from.v[i] * self->from.v[i]);
+    }
+    return 0.75 * (run->state.t - self->from.t) * sqrt(fastest);
+}
+
+TinkerStatus tinker_contact_run_look(TinkerContactRun *self, TinkerStepReport *report)
+{
+    TinkerIslandRun *run = self->run;
+    double travel = travel_of(self), time, slope, *from = self->from.q;
+    TinkerTrigger found;
+    if (run->state.t == self->hint) {
+        found = self->hint_trigger;
+        return step_to_event(self, &found, self->hint, self->hint_slope, report);
+    }
+    self->hint = INFINITY;
+    if (tinker_contact_run_is_quiet(self, run->state.q, travel)) return TINKER_OK;
+    tinker_island_run_place(run);
+    if (!self->in_plane && run->q != run->state.q) {
+        tinker_linear_form_expand(run->island->linear, self->from.q, self->from.v, self->node_q, self->node_v);
+        from = self->node_q;
+    }
+    TinkerStatus status = tinker_model_set_time(self->model, run->state.t);
+    if (status != TINKER_OK) return status;
+    tinker_contact_run_find_near(self, from, run->q, travel);
+    status = tinker_contact_run_search(self, self->from.t, run->state.t, &found, &time, &slope);
+    if (status != TINKER_OK) return status;
+    if (found.kind != TINKER_TRIGGER_NONE) return step_to_event(self, &found, time, slope, report);
+    if (self->near->len == 0) tinker_contact_run_note_quiet(self, run->state.q, run->q);
+    return TINKER_OK;
+}

@@ -1,0 +1,238 @@
+/* What may touch what: compiling, and the list of the equations of closed contacts. */
+#include "physics/contacts.h"
+
+#include <math.h>
+
+static double meaning(const TinkerBlockBatch *batch, int32_t row, int32_t what, double otherwise)
+{
+    int32_t column = tinker_block_class_meaning_column(batch->block_class, what);
+    return column < 0 ? otherwise : batch->columns[column][row];
+}
+
+static int32_t shape_of(const TinkerBlockBatch *batch)
+{
+    const TinkerPhysics *physics = batch->block_class->physics;
+    return physics != NULL && physics->body != NULL ? physics->body->shape : TINKER_SHAPE_NONE;
+}
+
+static gboolean is_solid(const TinkerBlockBatch *batch, int32_t row)
+{
+    return meaning(batch, row, TINKER_MEANING_SOLID, 1) != 0 && meaning(batch, row, TINKER_MEANING_WIDTH, 0) > 0;
+}
+
+static void add_plate(TinkerContacts *contacts, const TinkerBlockBatch *batch, int32_t row)
+{
+    double angle = meaning(batch, row, TINKER_MEANING_ORIENTATION, 0);
+    TinkerPlate *plate = &contacts->plates[contacts->plate_count++];
+    *plate = (TinkerPlate){
+        .block = batch->ids[row],
+        .point = contacts->model->centre_point[batch->ids[row]],
+        .orientation = angle,
+        .normal = {-sin(angle), cos(angle)},
+        .half_height = 0.5 * meaning(batch, row, TINKER_MEANING_HEIGHT, 0),
+        .half_width = 0.5 * meaning(batch, row, TINKER_MEANING_WIDTH, 0),
+        .static_friction = meaning(batch, row, TINKER_MEANING_STATIC_FRICTION, 0),
+        .dynamic_friction = meaning(batch, row, TINKER_MEANING_DYNAMIC_FRICTION, 0),
+        .restitution = meaning(batch, row, TINKER_MEANING_RESTITUTION, 0),
+    };
+    plate->moving = g_array_index(contacts->model->support_points, TinkerSupportPoint,
+                                  (guint)(plate->point - contacts->model->bodies))
+                        .moving;
+    contacts->moving_plates += plate->moving;
+}
+
+/* How many plates are solid, and whether any body has a shape. */
+static int32_t count_plates(const TinkerModel *model, gboolean *any_body)
+{
+    int32_t plates = 0;
+    for (guint i = 0; i < model->batches->len; i++) {
+        const TinkerBlockBatch *batch = g_ptr_array_index(model->batches, i);
+        if (shape_of(batch) == TINKER_SHAPE_BOX && batch->count > 0) *any_body = TRUE;
+        for (int32_t row = 0; shape_of(batch) == TINKER_SHAPE_PLATE && row < batch->count; row++)
+            plates += is_solid(batch, row);
+    }
+    return plates;
+}
+
+static void find_shapes(TinkerContacts *contacts)
+{
+    const TinkerModel *model = contacts->model;
+    for (int32_t i = 0; i < model->bodies; i++)
+        contacts->half_height[i] = NAN;
+    for (guint i = 0; i < model->batches->len; i++) {
+        const TinkerBlockBatch *batch = g_ptr_array_index(model->batches, i);
+        for (int32_t row = 0; row < batch->count; row++) {
+            int32_t point = model->centre_point[batch->ids[row]];
+            if (shape_of(batch) == TINKER_SHAPE_BOX && point >= 0 && point < model->bodies)
+                contacts->half_height[point] = 0.5 * meaning(batch, row, TINKER_MEANING_HEIGHT, 0);
+            else if (shape_of(batch) == TINKER_SHAPE_PLATE && is_solid(batch, row))
+                add_plate(contacts, batch, row);
+        }
+    }
+}
+
+static int32_t root_of(const int32_t *group, int32_t body)
+{
+    while (group[body] != body)
+        body = group[body];
+    return body;
+}
+
+/* What constraints tie together. The first body of each group is its root; chains that the search leaves behind are cut. */
+static void find_groups(TinkerContacts *contacts)
+{
+    const TinkerModel *model = contacts->model;
+    const TinkerConstraints *all = &model->constraints;
+    for (int32_t i = 0; i < model->bodies; i++)
+        contacts->group[i] = i;
+    for (int32_t row = 0; row < all->rows; row++) {
+        int32_t first = -1;
+        for (int32_t e = all->row_starts[row]; e < all->row_starts[row + 1]; e++) {
+            if (all->points[e] >= model->bodies) continue;
+            int32_t root = root_of(contacts->group, all->points[e]);
+            contacts->held[all->points[e]] = TRUE;
+            if (first < 0) first = root;
+            contacts->group[MAX(first, root)] = MIN(first, root);
+            first = MIN(first, root);
+        }
+    }
+    for (int32_t i = 0; i < model->bodies; i++)
+        contacts->group[i] = contacts->group[contacts->group[i]];
+}
+
+TinkerContacts *tinker_contacts_new(TinkerModel *model)
+{
+    gboolean any_body = FALSE;
+    int32_t plates = count_plates(model, &any_body);
+    if (plates == 0 || !any_body) return NULL;
+    TinkerContacts *contacts = g_new0(TinkerContacts, 1);
+    contacts->model = model;
+    contacts->plates = g_new0(TinkerPlate, plates);
+    contacts->half_height = g_new0(double, MAX(model->bodies, 1));
+    contacts->held = g_new0(gboolean, MAX(model->bodies, 1));
+    contacts->group = g_new0(int32_t, MAX(model->bodies, 1));
+    contacts->closed = g_array_new(FALSE, TRUE, sizeof(TinkerContact));
+    contacts->rows = g_array_new(FALSE, TRUE, sizeof(TinkerContactRow));
+    contacts->simple = g_array_new(FALSE, TRUE, sizeof(int32_t));
+    contacts->column = g_new0(double, 2 * (gsize)MAX(model->bodies, 1));
+    contacts->before = g_new0(double, 2 * (gsize)MAX(model->bodies, 1));
+    contacts->accelerations = g_new0(double, 2 * (gsize)MAX(model->bodies, 1));
+    find_shapes(contacts);
+    find_groups(contacts);
+    return contacts;
+}
+
+void tinker_contacts_free(TinkerContacts *contacts)
+{
+    if (contacts == NULL) return;
+    g_array_unref(contacts->closed);
+    g_array_unref(contacts->rows);
+    g_array_unref(contacts->simple);
+    tinker_dense_solve_free(contacts->forces);
+    tinker_dense_solve_free(contacts->moves);
+    gpointer arrays[] = {contacts->plates,        contacts->half_height, contacts->held,
+                         contacts->group,         contacts->delassus,    contacts->demand,
+                         contacts->accelerations, contacts->column,      contacts->before};
+    for (gsize i = 0; i < G_N_ELEMENTS(arrays); i++)
+        g_free(arrays[i]);
+    g_free(contacts);
+}
+
+void tinker_contacts_open_books(TinkerContacts *contacts)
+{
+    TinkerModel *model = contacts->model;
+    for (int32_t k = 0; k < contacts->plate_count; k++) {
+        const TinkerPlate *plate = &contacts->plates[k];
+        if (plate->dynamic_friction > 0) model->has_book[TINKER_BOOK_FRICTION] = TRUE;
+        if (plate->moving) model->has_book[TINKER_BOOK_SUPPORT_MOTION] = model->more_than_lines = TRUE;
+    }
+}
+
+gboolean tinker_contacts_touch(const TinkerContacts *contacts)
+{
+    for (int32_t body = 0; body < contacts->model->bodies; body++)
+        for (int32_t k = 0; k < contacts->plate_count; k++) {
+            TinkerContactPlace place = tinker_contact_place(contacts, body, k);
+            double beside = fabs(place.along) - contacts->plates[k].half_width;
+            double still = 1e-12 * fabs(place.tangential_speed);
+            if (fabs(place.gap) <= TINKER_TOUCHING && beside <= TINKER_TOUCHING && place.normal_speed <= still)
+                return TRUE;
+        }
+    return FALSE;
+}
+
+double tinker_contacts_extent(const TinkerContacts *contacts)
+{
+    double extent = 0;
+    for (guint i = 0; i < contacts->closed->len; i++) {
+        const TinkerContact *contact = tinker_contacts_closed(contacts, i);
+        const TinkerPoint *at = &contacts->model->point[contact->body];
+        const TinkerPoint *base = &contacts->model->point[contacts->plates[contact->plate].point];
+        extent = fmax(extent, hypot(at->x - base->x, at->y - base->y));
+    }
+    return extent;
+}
+
+/* Equations -------------------------------------------------------------------------------------------------------- */
+
+static int by_body(const void *left, const void *right)
+{
+    const TinkerContact *l = left, *r = right;
+    if (l->body != r->body) return l->body < r->body ? -1 : 1;
+    return l->plate < r->plate ? -1 : l->plate > r->plate;
+}
+
+static gboolean stands_alone(const TinkerContacts *contacts, guint number)
+{
+    const GArray *closed = contacts->closed;
+    int32_t body = g_array_index(closed, TinkerContact, number).body;
+    if (contacts->held[body]) return FALSE;
+    if (number > 0 && g_array_index(closed, TinkerContact, number - 1).body == body) return FALSE;
+    return number + 1 == closed->len || g_array_index(closed, TinkerContact, number + 1).body != body;
+}
+
+static void add_rows(TinkerContacts *contacts, int32_t number)
+{
+    const TinkerContact *contact = tinker_contacts_closed(contacts, (guint)number);
+    const TinkerPlate *plate = &contacts->plates[contact->plate];
+    double nx = plate->normal[0], ny = plate->normal[1], share = tinker_contact_slip_share(plate, contact->mode);
+    double weight = sqrt(contacts->model->mass[contact->body]);
+    TinkerContactRow normal = {number, FALSE, {nx, ny}, {nx + share * ny, ny - share * nx}, weight};
+    g_array_append_val(contacts->rows, normal);
+    contacts->rows_held |= contacts->held[contact->body];
+    if (contact->mode != TINKER_CONTACT_STICK) return;
+    TinkerContactRow tangential = {number, TRUE, {ny, -nx}, {ny, -nx}, weight};
+    g_array_append_val(contacts->rows, tangential);
+}
+
+static void allot_rows(TinkerContacts *contacts)
+{
+    gsize rows = contacts->rows->len;
+    contacts->factored[FALSE] = contacts->factored[TRUE] = FALSE;
+    tinker_dense_solve_free(contacts->forces);
+    tinker_dense_solve_free(contacts->moves);
+    contacts->forces = rows > 0 ? tinker_dense_solve_new((int32_t)rows) : NULL;
+    contacts->moves = rows > 0 ? tinker_dense_solve_new((int32_t)rows) : NULL;
+    contacts->delassus = g_renew(double, contacts->delassus, MAX(rows * rows, 1));
+    contacts->demand = g_renew(double, contacts->demand, MAX(rows, 1));
+}
+
+void tinker_contacts_list_rows(TinkerContacts *contacts)
+{
+    g_array_sort(contacts->closed, by_body);
+    g_array_set_size(contacts->rows, 0);
+    g_array_set_size(contacts->simple, 0);
+    contacts->any_slip_friction = contacts->rows_held = FALSE;
+    contacts->model->book_power[TINKER_BOOK_FRICTION] = 0;
+    for (guint i = 0; i < contacts->closed->len; i++) {
+        const TinkerContact *contact = tinker_contacts_closed(contacts, i);
+        int32_t number = (int32_t)i;
+        if (tinker_contact_slip_share(&contacts->plates[contact->plate], contact->mode) != 0)
+            contacts->any_slip_friction = TRUE;
+        if (stands_alone(contacts, i))
+            g_array_append_val(contacts->simple, number);
+        else
+            add_rows(contacts, number);
+    }
+    allot_rows(contacts);
+}

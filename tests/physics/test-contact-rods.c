@@ -1,0 +1,163 @@
+/* Impacts together with rods: they act through them. */
+#include "contact-checks.h"
+
+#include <math.h>
+
+static const double g = CONTACT_GRAVITY;
+
+/* --- a pendulum against a wall --- */
+
+/* A quarter of the period of a pendulum of 1 m, by the arithmetic-geometric mean. */
+static double quarter_period(double amplitude)
+{
+    double a = 1, b = cos(amplitude / 2);
+    for (int i = 0; i < 8; i++) {
+        double mean = 0.5 * (a + b);
+        b = sqrt(a * b);
+        a = mean;
+    }
+    return G_PI / 2 / a / sqrt(g);
+}
+
+/* Let go at `amplitude` to the left of the lowest place; the wall's top faces left and stands at x. */
+static PhysicsRun *swing(const PhysicsOptions *options, double amplitude, double x, const char *wall_is)
+{
+    g_autofree char *wall = contact_plate(x, -1, G_PI / 2, 1.5, wall_is);
+    return physics_run(options,
+                       CONTACT_WEIGHT "%s, {'type': 'support', 'solid': false}, " CONTACT_POINT
+                                      ", 'position': [%.17g, %.17g]}, {'type': 'rod', 'ends': ['Support 1', 'Mass 0']}",
+                       wall, -sin(amplitude), -cos(amplitude));
+}
+
+/* Thrown back with e of its speed it swings to 1 - cos = e^2 (1 - cos amplitude). */
+static void check_lowest(double e)
+{
+    const double amplitude = G_PI / 3;
+    double back = acos(1 - e * e * (1 - cos(amplitude))), touch = quarter_period(amplitude);
+    g_autofree char *more = g_strdup_printf(CONTACT_SMOOTH ", 'restitution': %g", e);
+    for (gsize i = 0; i < CONTACT_METHODS; i++) {
+        PhysicsOptions options = contact_options(&contact_methods[i], touch + quarter_period(back), NULL);
+        g_autoptr(PhysicsRun) run = swing(&options, amplitude, 0, more);
+        double bound = contact_methods[i].smooth;
+        contact_assert_state(run, "Mass 0", (double[]){-sin(back), -cos(back), 0, 0}, 10 * bound);
+        contact_assert_event(run, "impact", "Mass 0, Support 0", touch, i < 2 ? 1e-10 : bound);
+        contact_assert_taken(run, 0, (1 - e * e) * g * (1 - cos(amplitude)), 30 * bound);
+    }
+}
+
+static void test_pendulum_at_its_lowest(void)
+{
+    check_lowest(1);
+    check_lowest(0.6);
+}
+
+/* Where the way stands oblique to the wall, the rod takes part: with one freedom left the speed along the way becomes -e
+ * times itself, with and without friction. */
+static void test_pendulum_oblique(void)
+{
+    static const char *const walls[] = {CONTACT_SMOOTH ", 'restitution': 0.5",
+                                        "'static_friction': 0.3, 'dynamic_friction': 0.3, 'restitution': 0.5"};
+    double speed = 2 * g * (cos(G_PI / 6) - cos(G_PI / 3)), back = acos(cos(G_PI / 6) - 0.25 * speed / 2 / g);
+    for (gsize w = 0; w < G_N_ELEMENTS(walls); w++) {
+        PhysicsOptions options = contact_options(&contact_methods[0], 0.5, NULL);
+        g_autoptr(PhysicsRun) run = swing(&options, G_PI / 3, -0.5, walls[w]);
+        double state[4];
+        physics_state(run, "Mass 0", state);
+        physics_assert_near("energy", 0.5 * (state[2] * state[2] + state[3] * state[3]) + g * state[1], -g * cos(back),
+                            1e-9);
+        g_assert_cmpfloat(state[0], <, -0.5);
+        contact_assert_count(run, "impact", 1);
+        contact_assert_taken(run, 0, 0.75 * speed / 2, 1e-9);
+    }
+}
+
+/* It stays at such a wall, which then bears m g tan 30 degrees. */
+static void test_pendulum_leans(void)
+{
+    for (gsize i = 0; i < CONTACT_METHODS; i++) {
+        PhysicsOptions options = contact_options(&contact_methods[i], 1.5, "Mass 0.normal force, Rod 0.tension");
+        g_autoptr(PhysicsRun) run = swing(&options, G_PI / 3, -0.5, CONTACT_SMOOTH);
+        contact_assert_state(run, "Mass 0", (double[]){-0.5, -cos(G_PI / 6), 0, 0}, 1e-10);
+        physics_assert_near("normal force", physics_last(run, 0), g * tan(G_PI / 6), 1e-8);
+        physics_assert_near("tension", physics_last(run, 1), g / cos(G_PI / 6), 1e-8);
+        contact_assert_taken(run, 0, g * (cos(G_PI / 6) - cos(G_PI / 3)), 20 * contact_methods[i].smooth);
+    }
+}
+
+/* --- dumbbells --- */
+
+/* Flat: both ends at once. */
+static void test_dumbbell_flat(void)
+{
+    const double landing = sqrt(2 / g), after = 0.1, v = 0.6 * g * landing;
+    for (gsize i = 0; i < CONTACT_METHODS; i++) {
+        for (int bounces = 0; bounces < 2; bounces++) {
+            PhysicsOptions options = contact_options(&contact_methods[i], landing + after,
+                                                     "Mass 0.normal force, Mass 1.normal force, Rod 0.tension");
+            g_autoptr(PhysicsRun) run =
+                physics_run(&options,
+                            CONTACT_WEIGHT CONTACT_FLOOR ", 'restitution': %g}, " CONTACT_POINT
+                                                         ", 'position': [0, 1]}, " CONTACT_POINT
+                                                         ", 'mass': 3, 'position': [1, 1]}, {'type': "
+                                                         "'rod', 'ends': ['Mass 0', 'Mass 1']}",
+                            bounces ? 0.6 : 0.0);
+            double y = bounces ? v * after - g / 2 * after * after : 0, rate = bounces ? v - g * after : 0;
+            contact_assert_state(run, "Mass 0", (double[]){0, y, 0, rate}, contact_methods[i].polynomial);
+            contact_assert_state(run, "Mass 1", (double[]){1, y, 0, rate}, contact_methods[i].polynomial);
+            physics_assert_near("on the first", physics_last(run, 0), bounces ? 0 : g, 1e-8);
+            physics_assert_near("on the second", physics_last(run, 1), bounces ? 0 : 3 * g, 1e-8);
+            physics_assert_near("tension", physics_last(run, 2), 0, 1e-8);
+            contact_assert_count(run, bounces ? "impact" : "rest", 2);
+            contact_assert_taken(run, 0, 4 * g * (bounces ? 0.64 : 1), 100 * contact_methods[i].polynomial);
+        }
+    }
+}
+
+/* Tilted, without weight, its lower end first: the impulse (1 + e) v 2 m / (1 + cos^2 tilt) there moves the middle and turns
+ * the rod; then it flies on turning evenly. */
+static void test_dumbbell_tilted(void)
+{
+    static const double restitutions[] = {0, 0.5, 1};
+    const double tilt = G_PI / 6, v = 2, touch = 0.25, after = 0.1;
+    for (gsize r = 0; r < G_N_ELEMENTS(restitutions); r++) {
+        double e = restitutions[r], impulse = (1 + e) * v * 2 / (1 + cos(tilt) * cos(tilt));
+        double rise = impulse / 2 - v, turn = -impulse * cos(tilt), angle = tilt + turn * after;
+        double middle[2] = {cos(tilt) / 2, sin(tilt) / 2 + rise * after};
+        double lower[4], upper[4], arm[2] = {cos(angle) / 2, sin(angle) / 2};
+        for (int k = 0; k < 2; k++) {
+            double speed = k == 0 ? -arm[1] * turn : arm[0] * turn;
+            lower[k] = middle[k] - arm[k];
+            upper[k] = middle[k] + arm[k];
+            lower[2 + k] = (k == 1 ? rise : 0) - speed;
+            upper[2 + k] = (k == 1 ? rise : 0) + speed;
+        }
+        for (gsize i = 0; i < CONTACT_METHODS; i++) {
+            PhysicsOptions options = contact_options(&contact_methods[i], touch + after, NULL);
+            g_autoptr(PhysicsRun) run =
+                physics_run(&options,
+                            CONTACT_FLOOR ", 'restitution': %g, " CONTACT_SMOOTH "}, " CONTACT_POINT
+                                          ", 'position': [0, 0.5], 'velocity': [0, -2]}, " CONTACT_POINT
+                                          ", 'position': [%.17g, %.17g], 'velocity': [0, -2]}, {'type': 'rod', 'ends': "
+                                          "['Mass 0', 'Mass 1']}",
+                            e, cos(tilt), 0.5 + sin(tilt));
+            double bound = contact_methods[i].smooth;
+            contact_assert_state(run, "Mass 0", lower, bound);
+            contact_assert_state(run, "Mass 1", upper, bound);
+            contact_assert_taken(run, 0, impulse * v * (1 - e) / 2, 1e-9);
+        }
+    }
+}
+
+static void add_tests(void)
+{
+    g_test_add_func("/physics/contact-rods/pendulum-at-its-lowest", test_pendulum_at_its_lowest);
+    g_test_add_func("/physics/contact-rods/pendulum-oblique", test_pendulum_oblique);
+    g_test_add_func("/physics/contact-rods/pendulum-leans", test_pendulum_leans);
+    g_test_add_func("/physics/contact-rods/dumbbell-flat", test_dumbbell_flat);
+    g_test_add_func("/physics/contact-rods/dumbbell-tilted", test_dumbbell_tilted);
+}
+
+int main(int argc, char **argv)
+{
+    return physics_main(argc, argv, add_tests);
+}

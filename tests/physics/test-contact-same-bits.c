@@ -1,0 +1,133 @@
+/* Contact changes nothing where nobody asked for it, and recording changes nothing where somebody did. */
+#include "contact-checks.h"
+
+#include <string.h>
+
+/* --- only when asked for --- */
+
+/* Masses on springs, dampers and rods that swing through where a support would be. */
+static const char swinging[] =
+    CONTACT_WEIGHT "{'type': 'support', 'position': [0, 2], 'solid': false}, " CONTACT_POINT
+                   ", 'position': [1, 2]}, {'type': 'mass', 'position': [2, 2.5], 'mass': 0.5},"
+                   "{'type': 'rod', 'ends': ['Support 0', 'Mass 0']}, {'type': 'spring', 'ends': ['Mass 0', 'Mass 1']},"
+                   "{'type': 'damper', 'ends': ['Mass 0', 'Mass 1'], 'damping': 0.1}";
+
+static void test_without_solid_supports(void)
+{
+    for (gsize i = 0; i < CONTACT_METHODS; i++) {
+        PhysicsOptions options = contact_options(&contact_methods[i], 3, NULL);
+        options.interval = 0.3;
+        g_autoptr(PhysicsRun) bare = physics_run(&options, "%s", swinging);
+        g_autoptr(PhysicsRun) anchor =
+            physics_run(&options, "%s, {'type': 'support', 'position': [0, 1], 'width': 9, 'solid': false}", swinging);
+        physics_assert_same_bits(bare, anchor);
+        physics_assert_near("steps", (double)anchor->summary->steps, (double)bare->summary->steps, 0);
+        physics_assert_near("evaluations", (double)anchor->summary->evaluations, (double)bare->summary->evaluations, 0);
+        contact_assert_taken(bare, 0, 0, 0);
+    }
+}
+
+/* A solid support that nothing reaches changes the state by no more than the method may be off. */
+static void test_far_from_solid_supports(void)
+{
+    for (gsize i = 0; i < 2; i++) {
+        PhysicsOptions options = contact_options(&contact_methods[i], 3, NULL);
+        g_autoptr(PhysicsRun) bare = physics_run(&options, "%s", swinging);
+        g_autoptr(PhysicsRun) solid = physics_run(&options, "%s, {'type': 'support', 'position': [0, -50]}", swinging);
+        double state[4];
+        for (int k = 0; k < 2; k++) {
+            const char *mass = k == 0 ? "Mass 0" : "Mass 1";
+            physics_state(bare, mass, state);
+            contact_assert_state(solid, mass, state, 1e-8);
+        }
+        g_assert_cmpuint(solid->summary->events->len, ==, 0);
+    }
+}
+
+/* --- determinism --- */
+
+/* Bounces, slides, sticks, slips and takes off. */
+static const char everything[] = CONTACT_WEIGHT CONTACT_FLOOR
+    ", 'width': 8, 'restitution': 0.6, 'static_friction': 0.5, 'dynamic_friction': 0.3},"
+    "{'type': 'support', 'position': [3, 0], 'orientation': 1.2, 'restitution': 0.4},"
+    "{'type': 'support-motion', 'ends': ['Support 0'], 'amplitude': 0.08, 'frequency': 9},"
+    "{'type': 'support-motion', 'ends': ['Support 0'], 'amplitude': 0.02, 'frequency': 31, 'angle': 1.5708},"
+    "{'type': 'mass', 'position': [0, 1.5], 'velocity': [1.1, 0]}," CONTACT_POINT
+    ", 'position': [1, 2], 'velocity': [0.5, 1]}, {'type': 'spring', 'ends': ['Mass 0', 'Mass 1'], 'stiffness': "
+    "12}, {'type': 'mass', 'mass': 0.3, 'position': [-1, 0.9]}, {'type': 'mass', 'position': [-2, 1.1]},"
+    "{'type': 'rod', 'ends': ['Mass 2', 'Mass 3']}";
+
+static void assert_same_events(const PhysicsRun *left, const PhysicsRun *right)
+{
+    g_assert_cmpuint(left->summary->events->len, ==, right->summary->events->len);
+    for (guint i = 0; i < MIN(left->summary->events->len, right->summary->events->len); i++) {
+        const TinkerEvent *l = g_ptr_array_index(left->summary->events, i);
+        const TinkerEvent *r = g_ptr_array_index(right->summary->events, i);
+        g_assert_cmpmem(&l->time, sizeof(double), &r->time, sizeof(double));
+        g_assert_cmpstr(l->kind, ==, r->kind);
+        g_assert_cmpstr(l->blocks, ==, r->blocks);
+    }
+}
+
+static void test_recording(void)
+{
+    static const double intervals[] = {0.5, 0.00371, 1.0 / 60};
+    const double at[] = {0.1, 1.0 / 3, 2};
+    for (gsize i = 0; i < CONTACT_METHODS; i++) {
+        PhysicsOptions options =
+            contact_options(&contact_methods[i], 2, "Mass 0.x, Mass 0.normal force, Mass 2.contact force");
+        g_autoptr(PhysicsRun) once = physics_run(&options, "%s", everything);
+        g_assert_cmpuint(once->summary->events->len, >, 5);
+        g_autoptr(PhysicsRun) again = physics_run(&options, "%s", everything);
+        physics_assert_same_bits(once, again);
+        assert_same_events(once, again);
+        for (gsize k = 0; k < G_N_ELEMENTS(intervals); k++) {
+            options.interval = intervals[k];
+            g_autoptr(PhysicsRun) other = physics_run(&options, "%s", everything);
+            physics_assert_same_bits(once, other);
+            assert_same_events(once, other);
+        }
+        options.at = at;
+        options.at_count = G_N_ELEMENTS(at);
+        g_autoptr(PhysicsRun) listed = physics_run(&options, "%s", everything);
+        physics_assert_same_bits(once, listed);
+        assert_same_events(once, listed);
+    }
+}
+
+/* The same scene by two methods at fine tolerance or step: what has no closed form agrees. The books close. */
+static void test_two_methods(void)
+{
+    PhysicsOptions options = contact_options(&contact_methods[0], 0.8, NULL);
+    g_autoptr(PhysicsRun) automatic = physics_run(&options, "%s", everything);
+    g_assert_cmpuint(automatic->summary->events->len, >, 5);
+    static const struct {
+        const char *method;
+        double step, bound;
+    } others[] = {{"dop853", 0, 1e-8}, {"rk4", 0.0003, 1e-6}, {"verlet6", 0.001, 1e-6}, {"newmark", 0.00005, 1e-4}};
+    for (gsize i = 0; i < G_N_ELEMENTS(others); i++) {
+        PhysicsOptions how = {.method = others[i].method, .step = others[i].step, .tolerance = 1e-12, .duration = 0.8};
+        g_autoptr(PhysicsRun) run = physics_run(&how, "%s", everything);
+        for (int k = 0; k < 4; k++) {
+            g_autofree char *mass = g_strdup_printf("Mass %d", k);
+            double state[4];
+            physics_state(automatic, mass, state);
+            contact_assert_state(run, mass, state, others[i].bound);
+        }
+        physics_assert_near("the error of the books", run->summary->energy_balance_error, 0, i == 0 ? 1e-9 : 1e-4);
+    }
+    physics_assert_near("the error of the books", automatic->summary->energy_balance_error, 0, 1e-9);
+}
+
+static void add_tests(void)
+{
+    g_test_add_func("/physics/contact-same-bits/without-solid-supports", test_without_solid_supports);
+    g_test_add_func("/physics/contact-same-bits/far-from-solid-supports", test_far_from_solid_supports);
+    g_test_add_func("/physics/contact-same-bits/recording", test_recording);
+    g_test_add_func("/physics/contact-same-bits/two-methods", test_two_methods);
+}
+
+int main(int argc, char **argv)
+{
+    return physics_main(argc, argv, add_tests);
+}

@@ -1,0 +1,251 @@
+/* Several contacts at once: corners, grooves, pushers, and from one support onto the next. */
+#include "contact-checks.h"
+
+#include <math.h>
+
+static const double g = CONTACT_GRAVITY;
+
+/* --- corners --- */
+
+/* Along a floor into a wall, which throws it back at half its speed; then friction stops it. */
+static void test_into_a_wall(void)
+{
+    const double v = 3, friction = 0.2, brake = friction * g, way = 1;
+    double hit = sqrt(v * v - 2 * brake * way), touch = (v - hit) / brake, back = 0.5 * hit;
+    g_autofree char *wall = contact_plate(1, 0, G_PI / 2, 3, CONTACT_SMOOTH ", 'restitution': 0.5");
+    for (gsize i = 0; i < CONTACT_METHODS; i++) {
+        PhysicsOptions options = contact_options(&contact_methods[i], 3, NULL);
+        g_autoptr(PhysicsRun) run = physics_run(&options,
+                                                CONTACT_WEIGHT CONTACT_FLOOR
+                                                ", 'static_friction': 0.2, 'dynamic_friction': 0.2}, %s, " CONTACT_POINT
+                                                ", 'velocity': [3, 0]}",
+                                                wall);
+        double bound = 2 * contact_methods[i].polynomial;
+        contact_assert_state(run, "Mass 0", (double[]){1 - back * back / 2 / brake, 0, 0, 0}, bound);
+        contact_assert_event(run, "impact", "Mass 0, Support 1", touch, bound);
+        contact_assert_event(run, "stick", "Mass 0, Support 0", touch + back / brake, bound);
+        contact_assert_count(run, "take-off", 0);
+        contact_assert_taken(run, brake * way + back * back / 2, (hit * hit - back * back) / 2, 10 * bound);
+    }
+}
+
+/* Dropped into a corner and pushed there: each side bears its share. */
+static void test_pushed_into_a_corner(void)
+{
+    const double push = 20, angle = -G_PI / 6;
+    g_autofree char *wall = contact_plate(1, 0, G_PI / 2, 3, CONTACT_SMOOTH);
+    for (gsize i = 0; i < CONTACT_METHODS; i++) {
+        PhysicsOptions options = contact_options(&contact_methods[i], 2,
+                                                 "Support 0.normal force, Support 1.normal force, Mass "
+                                                 "0.normal force, Mass 0.contact force");
+        g_autoptr(PhysicsRun) run =
+            physics_run(&options,
+                        CONTACT_WEIGHT CONTACT_FLOOR ", " CONTACT_SMOOTH "}, %s," CONTACT_POINT
+                                                     ", 'mass': 2, 'position': [0.5, 0.1]},"
+                                                     "{'type': 'motor', 'ends': ['Mass 0'], 'amplitude': "
+                                                     "20, 'frequency': 0, 'angle': %.17g}",
+                        wall, angle);
+        double floor = 2 * g - push * sin(angle), side = push * cos(angle);
+        contact_assert_state(run, "Mass 0", (double[]){1, 0, 0, 0}, 1e-12);
+        physics_assert_near("on the floor", physics_last(run, 0), floor, 1e-9);
+        physics_assert_near("on the wall", physics_last(run, 1), side, 1e-9);
+        physics_assert_near("the sum of both", physics_last(run, 2), floor + side, 1e-9);
+        physics_assert_near("contact force", physics_last(run, 3), hypot(floor, side), 1e-9);
+        contact_assert_event(run, "rest", "Mass 0, Support 1", sqrt(2 * 0.5 / (side / 2)),
+                             contact_methods[i].polynomial);
+    }
+}
+
+/* --- grooves --- */
+
+/* Two plates that cross at the origin, rising by `left` to the left and by `right` to the right. (transfer full) */
+static char *groove(double left, double right, const char *more)
+{
+    g_autofree char *one = contact_plate(0, 0, -left, 8, more), *other = contact_plate(0, 0, right, 8, more);
+    return g_strdup_printf("%s, %s", one, other);
+}
+
+/* Into the very bottom: both at once. Without friction each side bears what statics gives it. */
+static void check_groove(double left, double right, double mass)
+{
+    g_autofree char *plates = groove(left, right, CONTACT_SMOOTH);
+    for (gsize i = 0; i < CONTACT_METHODS; i++) {
+        PhysicsOptions options = contact_options(&contact_methods[i], 1,
+                                                 "Support 0.normal force, Support 1.normal force, Mass "
+                                                 "0.contact force, Mass 0.y");
+        g_autoptr(PhysicsRun) run =
+            physics_run(&options, CONTACT_WEIGHT "%s," CONTACT_POINT ", 'mass': %g, 'position': [0, 1]}", plates, mass);
+        contact_assert_state(run, "Mass 0", (double[]){0, 0, 0, 0}, 1e-12);
+        physics_assert_near("left", physics_last(run, 0), mass * g * sin(right) / sin(left + right), 1e-9 * mass);
+        physics_assert_near("right", physics_last(run, 1), mass * g * sin(left) / sin(left + right), 1e-9 * mass);
+        physics_assert_near("both", physics_last(run, 2), mass * g, 1e-9 * mass);
+        contact_assert_taken(run, 0, mass * g, 20 * mass * contact_methods[i].polynomial);
+    }
+}
+
+static void test_grooves(void)
+{
+    check_groove(G_PI / 4, G_PI / 4, 1);
+    check_groove(G_PI / 6, G_PI / 3, 2);
+    check_groove(0.2, 1.3, 5);
+    check_groove(0.001, 0.001, 1);
+}
+
+/* With friction the shares are indeterminate; their sum is not. */
+static void test_rough_groove(void)
+{
+    g_autofree char *plates = groove(G_PI / 4, G_PI / 3, "");
+    PhysicsOptions options = contact_options(&contact_methods[0], 1, "Mass 0.contact force");
+    g_autoptr(PhysicsRun) run =
+        physics_run(&options, CONTACT_WEIGHT "%s," CONTACT_POINT ", 'mass': 3, 'position': [0, 0.5]}", plates);
+    contact_assert_state(run, "Mass 0", (double[]){0, 0, 0, 0}, 1e-12);
+    physics_assert_near("contact force", physics_last(run, 0), 3 * g, 1e-9);
+}
+
+/* Beside the bottom: along one side first, then straight against the other. */
+static void test_slides_to_the_bottom(void)
+{
+    const double fall = 0.5, side = 0.3, slope = G_PI / 4;
+    double landing = sqrt(2 * fall / g), v = g * landing * sin(slope), a = g * sin(slope), way = side / cos(slope);
+    double end = landing + (sqrt(v * v + 2 * a * way) - v) / a;
+    g_autofree char *plates = groove(slope, slope, CONTACT_SMOOTH);
+    for (gsize i = 0; i < CONTACT_METHODS; i++) {
+        PhysicsOptions options = contact_options(&contact_methods[i], 1.5, NULL);
+        g_autoptr(PhysicsRun) run = physics_run(
+            &options, CONTACT_WEIGHT "%s," CONTACT_POINT ", 'position': [0.3, %.17g]}", plates, side + fall);
+        contact_assert_state(run, "Mass 0", (double[]){0, 0, 0, 0}, 1e-11);
+        contact_assert_event(run, "rest", "Mass 0, Support 1", landing, contact_methods[i].polynomial);
+        contact_assert_event(run, "rest", "Mass 0, Support 0", end, 2 * contact_methods[i].polynomial);
+        contact_assert_taken(run, 0, g * (fall + side), 20 * contact_methods[i].polynomial);
+    }
+}
+
+/* --- pushers --- */
+
+/* A leaning plate that accelerates by 2 m/s^2 pushes a mass along the floor: without friction, it also lifts. */
+static void check_pusher(const ContactMethod *method, double gap, double bound)
+{
+    const double lean = G_PI / 3, a = 2, duration = 1.25, pushed = 3 * a / sin(lean);
+    g_autofree char *plate = contact_plate(-gap, 0, -lean, 4, CONTACT_SMOOTH);
+    PhysicsOptions options = contact_options(method, duration, "Support 0.normal force, Support 1.normal force");
+    g_autoptr(PhysicsRun) run =
+        physics_run(&options,
+                    CONTACT_WEIGHT CONTACT_FLOOR ", 'width': 20, " CONTACT_SMOOTH "}, %s," CONTACT_POINT
+                                                 ", 'mass': 3}, {'type': 'support-motion', 'ends': ['Support 1'], "
+                                                 "'waveform': {'expression': 't^2'}}",
+                    plate);
+    contact_assert_state(run, "Mass 0", (double[]){a / 2 * duration * duration - gap, 0, a * duration, 0}, bound);
+    physics_assert_near("on the plate", physics_last(run, 1), pushed, 1e-8);
+    physics_assert_near("on the floor", physics_last(run, 0), 3 * g - pushed * cos(lean), 1e-8);
+}
+
+static void test_pusher(void)
+{
+    for (gsize i = 0; i < CONTACT_METHODS; i++)
+        check_pusher(&contact_methods[i], 0, 1e-9);
+}
+
+/* Where it comes up with the mass at 1 m/s, it throws it off the floor, the floor throws it off the plate, and so on, every
+ * time a quarter as long: that ends at about 1.011 s, and from then on it pushes. */
+static void test_pusher_catches_up(void)
+{
+    check_pusher(&contact_methods[0], 0.25, 1e-8);
+    check_pusher(&contact_methods[1], 0.25, 1e-8);
+}
+
+/* --- from one support onto the next --- */
+
+/* From a floor onto a ramp: what goes across the ramp is lost, up and down again, and what goes across the floor. The centre
+ * turns where it stands height / 2 off both. */
+static void check_ramp(double height)
+{
+    const double slope = 20 * G_PI / 180, v = 3, from = -1.5;
+    double corner[2] = {-height / 2 * tan(slope / 2), height / 2}, up = v * cos(slope), pull = g * sin(slope);
+    double touch = (corner[0] - from) / v, again = touch + 2 * up / pull, climbing = 0.3, back = 0.25;
+    double way = up * climbing - pull / 2 * climbing * climbing, speed = up - pull * climbing;
+    double high[4] = {corner[0] + way * cos(slope), corner[1] + way * sin(slope), speed * cos(slope),
+                      speed * sin(slope)};
+    double end[4] = {corner[0] - up * cos(slope) * back, corner[1], -up * cos(slope), 0};
+    g_autofree char *floor = contact_plate(-2, 0, 0, 6, CONTACT_SMOOTH);
+    g_autofree char *ramp = contact_plate(3 * cos(slope), 3 * sin(slope), slope, 7, CONTACT_SMOOTH);
+    for (gsize i = 0; i < CONTACT_METHODS; i++) {
+        for (int k = 0; k < 2; k++) {
+            PhysicsOptions options =
+                contact_options(&contact_methods[i], k == 0 ? touch + climbing : again + back, NULL);
+            g_autoptr(PhysicsRun) run = physics_run(
+                &options,
+                CONTACT_WEIGHT "%s, %s, {'type': 'mass', 'height': %g, 'position': [%.17g, %.17g], 'velocity': [3, 0]}",
+                floor, ramp, height, from, height / 2);
+            double bound = 5 * contact_methods[i].polynomial, lost = v * v - up * up;
+            contact_assert_state(run, "Mass 0", k == 0 ? high : end, bound);
+            contact_assert_event(run, "rest", "Mass 0, Support 1", touch, bound);
+            if (k == 1) {
+                contact_assert_event(run, "rest", "Mass 0, Support 0", again, bound);
+                lost = v * v - end[2] * end[2];
+            }
+            contact_assert_taken(run, 0, lost / 2, 5 * bound);
+        }
+    }
+}
+
+static void test_onto_a_ramp(void)
+{
+    check_ramp(0);
+    check_ramp(0.8);
+}
+
+/* Two plates end to end: no jolt at the seam, at any angle. */
+static void check_seam(double slope, double height)
+{
+    const double friction = 0.1, v = 2, from = -1, duration = 1.1;
+    double a = -g * (sin(slope) + friction * cos(slope)), s = from + v * duration + a / 2 * duration * duration;
+    double now = v + a * duration, tangent[2] = {cos(slope), sin(slope)}, normal[2] = {-sin(slope), cos(slope)};
+    g_assert_cmpfloat(s, >, 0);
+    static const char more[] = "'static_friction': 0.1, 'dynamic_friction': 0.1";
+    g_autofree char *lower = contact_plate(-2 * tangent[0], -2 * tangent[1], slope, 4, more);
+    g_autofree char *upper = contact_plate(2 * tangent[0], 2 * tangent[1], slope, 4, more);
+    double start[2], state[4];
+    for (int k = 0; k < 2; k++) {
+        start[k] = from * tangent[k] + height / 2 * normal[k];
+        state[k] = s * tangent[k] + height / 2 * normal[k];
+        state[2 + k] = now * tangent[k];
+    }
+    for (gsize i = 0; i < CONTACT_METHODS; i++) {
+        PhysicsOptions options = contact_options(&contact_methods[i], duration, NULL);
+        g_autoptr(PhysicsRun) run =
+            physics_run(&options,
+                        CONTACT_WEIGHT "%s, %s, {'type': 'mass', 'height': %g, 'position': [%.17g, "
+                                       "%.17g], 'velocity': [%.17g, %.17g]}",
+                        lower, upper, height, start[0], start[1], v * tangent[0], v * tangent[1]);
+        contact_assert_state(run, "Mass 0", state, contact_methods[i].polynomial);
+        contact_assert_count(run, "impact", 0);
+        contact_assert_taken(run, friction * g * cos(slope) * (s - from), 0, 20 * contact_methods[i].polynomial);
+    }
+}
+
+static void test_seams(void)
+{
+    static const double slopes[] = {0, -20, -7.3, 1.7, -25};
+    for (gsize i = 0; i < G_N_ELEMENTS(slopes); i++) {
+        check_seam(slopes[i] * G_PI / 180, 0);
+        check_seam(slopes[i] * G_PI / 180, 0.8);
+    }
+}
+
+static void add_tests(void)
+{
+    g_test_add_func("/physics/contact-several/into-a-wall", test_into_a_wall);
+    g_test_add_func("/physics/contact-several/pushed-into-a-corner", test_pushed_into_a_corner);
+    g_test_add_func("/physics/contact-several/grooves", test_grooves);
+    g_test_add_func("/physics/contact-several/rough-groove", test_rough_groove);
+    g_test_add_func("/physics/contact-several/slides-to-the-bottom", test_slides_to_the_bottom);
+    g_test_add_func("/physics/contact-several/pusher", test_pusher);
+    g_test_add_func("/physics/contact-several/pusher-catches-up", test_pusher_catches_up);
+    g_test_add_func("/physics/contact-several/onto-a-ramp", test_onto_a_ramp);
+    g_test_add_func("/physics/contact-several/seams", test_seams);
+}
+
+int main(int argc, char **argv)
+{
+    return physics_main(argc, argv, add_tests);
+}

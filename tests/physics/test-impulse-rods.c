@@ -1,0 +1,142 @@
+/* Contact as impulses on bodies that rods hold, against contact by events, which runs to 1e-11. */
+#include "contact-checks.h"
+
+#include <math.h>
+
+static const double g = CONTACT_GRAVITY;
+
+/* The largest distance, over all samples, of two runs whose columns are places. */
+static double apart(const PhysicsRun *left, const PhysicsRun *right)
+{
+    double most = 0;
+    for (gsize k = 0; k < physics_samples(left); k++)
+        for (gsize c = 0; c < left->columns->len; c++)
+            most = fmax(most, fabs(physics_value(left, k, c) - physics_value(right, k, c)));
+    return most;
+}
+
+/* Steps get shorter, and the motion comes near that of events, by `slope` times the step. */
+static void check_converges(const char *blocks, const char *columns, double duration, double coarsest, double slope)
+{
+    PhysicsOptions exactly = {.method = "dop853", .tolerance = 1e-11, .duration = duration, .columns = columns};
+    g_autoptr(PhysicsRun) events = physics_run(&exactly, "%s", blocks);
+    for (double step = coarsest; step > 2e-5; step /= 4) {
+        PhysicsOptions options = {.impulses = TRUE, .step = step, .duration = duration, .columns = columns};
+        g_autoptr(PhysicsRun) run = physics_run(&options, "%s", blocks);
+        g_autofree char *what = g_strdup_printf("the distance from events at steps of %g s", step);
+        physics_assert_near(what, apart(run, events), 0, slope * step);
+    }
+}
+
+/* One end rests on a slope, the other in a corner with a wall; it slides down. */
+static void test_dumbbell_in_a_corner(void)
+{
+    g_autofree char *floor = contact_plate(0, 0, 0, 20, "'static_friction': 0.2, 'dynamic_friction': 0.1");
+    g_autofree char *wall = contact_plate(-1, 0, -G_PI / 2, 20, CONTACT_SMOOTH);
+    g_autofree char *blocks =
+        g_strdup_printf(CONTACT_WEIGHT "%s, %s, " CONTACT_POINT ", 'position': [-1, 1.5]}, " CONTACT_POINT
+                                       ", 'position': [-0.2, 0]}, {'type': 'rod', 'ends': ['Mass 0', 'Mass 1']}",
+                        floor, wall);
+    check_converges(blocks, "Mass 0.x, Mass 0.y, Mass 1.x, Mass 1.y", 0.4, 4e-3, 10);
+}
+
+/* A dumbbell falls askew: one end strikes, then the other. */
+static void test_dumbbell_falls(void)
+{
+    check_converges(CONTACT_WEIGHT CONTACT_FLOOR
+                    ", 'width': 20}, " CONTACT_POINT ", 'position': [0, 1]}, " CONTACT_POINT
+                    ", 'position': [0.8, 1.6]}, {'type': 'rod', 'ends': ['Mass 0', 'Mass 1']}",
+                    "Mass 0.x, Mass 0.y, Mass 1.x, Mass 1.y", 1.5, 4e-3, 10);
+}
+
+/* And lies at the end, without moving by a bit. */
+static void test_dumbbell_rests(void)
+{
+    PhysicsOptions options = {.impulses = TRUE,
+                              .step = 1e-3,
+                              .duration = 60,
+                              .interval = 0.1,
+                              .columns = "Mass 0.x, Mass 0.y, Mass 1.x, Mass 1.y, Mass 0.normal force, Rod 0.tension"};
+    g_autofree char *slope = contact_plate(0, 0, 0.3, 20, "'static_friction': 0.5, 'dynamic_friction': 0.4");
+    g_autoptr(PhysicsRun) run =
+        physics_run(&options,
+                    CONTACT_WEIGHT "%s, " CONTACT_POINT ", 'position': [0, 0.5]}, " CONTACT_POINT
+                                   ", 'position': [0.8, 0.9]}, {'type': 'rod', 'ends': ['Mass 0', 'Mass 1']}",
+                    slope);
+    for (gsize k = physics_samples(run) - 500; k < physics_samples(run); k++)
+        for (gsize c = 0; c < 4; c++)
+            physics_assert_near("a place", physics_value(run, k, c), physics_last(run, c), 0);
+    physics_assert_near("what presses", physics_last(run, 4), g * cos(0.3), 1e-9);
+    physics_assert_near("what the rod holds", physics_last(run, 5), 0, 10);
+}
+
+/* A chain of twenty falls onto the floor: many contacts of one group. */
+static PhysicsRun *chain_on_the_floor(const char *friction, double duration, const char *columns)
+{
+    g_autoptr(GString) blocks = g_string_new(CONTACT_WEIGHT CONTACT_FLOOR ", 'width': 100, ");
+    g_string_append_printf(blocks, "%s}", friction);
+    for (int i = 0; i < 20; i++)
+        g_string_append_printf(blocks, ", " CONTACT_POINT ", 'position': [%d, %g], 'velocity': [2, 0]}", i,
+                               i % 2 * 0.3);
+    for (int i = 1; i < 20; i++)
+        g_string_append_printf(blocks, ", {'type': 'rod', 'ends': ['Mass %d', 'Mass %d']}", i - 1, i);
+    PhysicsOptions options = {.impulses = TRUE, .step = 1e-3, .duration = duration, .columns = columns};
+    return physics_run(&options, "%s", blocks->str);
+}
+
+static void test_chain_comes_to_rest(void)
+{
+    g_autoptr(PhysicsRun) run =
+        chain_on_the_floor("'static_friction': 0.5, 'dynamic_friction': 0.4", 3,
+                           "Mass 0.y, Mass 7.y, Mass 19.y, Mass 0.x, Mass 19.x, Mass 0.vx, Mass 9.vy");
+    for (gsize k = 0; k < physics_samples(run); k++)
+        for (gsize c = 0; c < 3; c++)
+            g_assert_cmpfloat(physics_value(run, k, c), >=, -1e-5);
+    for (gsize c = 3; c < 5; c++)
+        physics_assert_near("x", physics_last(run, c), physics_value(run, physics_samples(run) - 2, c), 1e-12);
+    for (gsize c = 5; c < 7; c++)
+        physics_assert_near("a speed", physics_last(run, c), 0, 1e-9);
+}
+
+/* Without friction nothing changes what moves along, and no impact adds energy. */
+static void test_chain_keeps_its_momentum(void)
+{
+    g_autoptr(PhysicsRun) run = chain_on_the_floor(CONTACT_SMOOTH, 1, NULL);
+    double sum = 0, state[4];
+    for (int i = 0; i < 20; i++) {
+        g_autofree char *name = g_strdup_printf("Mass %d", i);
+        physics_state(run, name, state);
+        g_assert_cmpfloat(state[1], >=, -1e-5);
+        sum += state[2];
+    }
+    physics_assert_near("momentum along", sum, 40, 1e-9);
+    g_assert_cmpfloat(run->summary->kinetic_end + run->summary->potential_end, <,
+                      run->summary->kinetic_start + run->summary->potential_start);
+    g_assert_cmpfloat(run->summary->books[TINKER_BOOK_CONTACTS], <, 0);
+}
+
+/* A pendulum that strikes a floor with its bob, with a bounce. */
+static void test_pendulum_bounces(void)
+{
+    check_converges(
+        CONTACT_WEIGHT
+        "{'type': 'support', 'position': [0, 0], 'solid': false}, {'type': 'support', 'position': [0, -1.1], 'width': "
+        "5, 'restitution': 0.5, " CONTACT_SMOOTH "}, " CONTACT_POINT
+        ", 'position': [1, 0]}, {'type': 'rod', 'ends': ['Support 0', 'Mass 0']}",
+        "Mass 0.x, Mass 0.y", 0.7, 2e-3, 20);
+}
+
+static void add_tests(void)
+{
+    g_test_add_func("/physics/impulse-rods/dumbbell-in-a-corner", test_dumbbell_in_a_corner);
+    g_test_add_func("/physics/impulse-rods/dumbbell-falls", test_dumbbell_falls);
+    g_test_add_func("/physics/impulse-rods/dumbbell-rests", test_dumbbell_rests);
+    g_test_add_func("/physics/impulse-rods/chain-comes-to-rest", test_chain_comes_to_rest);
+    g_test_add_func("/physics/impulse-rods/chain-keeps-its-momentum", test_chain_keeps_its_momentum);
+    g_test_add_func("/physics/impulse-rods/pendulum-bounces", test_pendulum_bounces);
+}
+
+int main(int argc, char **argv)
+{
+    return physics_main(argc, argv, add_tests);
+}
