@@ -6,6 +6,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "contact-cases.h"
 #include "measures.h"
 #include "program.h"
 
@@ -303,21 +304,30 @@ static void check_spring_pendulum(const char *path)
 static const SceneCase scene_cases[] = {
     {"base-excitation", "10", check_base_excitation},
     {"beats", "10", check_beats},
+    {"bouncing-balls", "8", check_bouncing_balls},
     {"double-pendulum", "10", check_double_pendulum},
+    {"el-centro-block", "10", check_el_centro_block},
     {"falling-chain", "1", check_falling_chain},
     {"four-bar-linkage", "10", check_four_bar},
     {"free-fall", "1", check_free_fall},
+    {"friction-incline", "10", check_friction_incline},
+    {"friction-oscillator", "6", check_friction_oscillator},
     {"hanging-cable", "3", check_hanging_cable},
+    {"incline-landing", "4", check_incline_landing},
     {"kapitza-pendulum", "4", check_kapitza},
+    {"lift-off", "4", check_lift_off},
     {"motor-on-mass", "10", check_motor_on_mass},
+    {"one-sided-support", "1.5", check_one_sided_support},
     {"pendulum", "10", check_pendulum},
     {"pendulum-wave", "10", check_pendulum_wave},
     {"projectiles", "2.5", check_projectiles},
     {"resonance", "10", check_resonance},
     {"rotating-spring-square", "10", check_rotating_square},
+    {"sliding-ladder", "3", check_sliding_ladder},
     {"spring-mass", "10", check_spring_mass},
     {"spring-mass-network", "5", check_network},
     {"spring-pendulum", "10", check_spring_pendulum},
+    {"stick-slip-belt", "12", check_stick_slip_belt},
     {"stiff-chain", "10", check_stiff_chain},
     {"support-motion", "10", check_support_motion},
     {"terminal-velocity", "5", check_terminal_velocity},
