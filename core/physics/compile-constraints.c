@@ -180,6 +180,30 @@ static int compare_products(const void *left, const void *right)
     return l->second_entry < r->second_entry ? -1 : 1;
 }
 
+/* Where any row holds in one direction only. */
+static void allot_unilateral(TinkerConstraints *all)
+{
+    gboolean any = FALSE;
+    gsize rows = (gsize)all->rows;
+    for (guint i = 0; i < all->batches->len; i++)
+        any |= g_array_index(all->batches, TinkerConstraintBatch, i).constraint->unilateral != 0;
+    if (!any) return;
+    all->unilateral = g_new0(gboolean, rows);
+    all->slack = g_new0(gboolean, rows);
+    all->diagonal = g_new0(int32_t, rows);
+    all->own_g = g_new0(double, rows);
+    all->own_drift = g_new0(double, rows);
+    all->own_rate = g_new0(double, rows);
+    all->own_jacobian = g_new0(double, 2 * (gsize)all->entries);
+    for (guint i = 0; i < all->batches->len; i++) {
+        const TinkerConstraintBatch *part = &g_array_index(all->batches, TinkerConstraintBatch, i);
+        for (int32_t row = part->first_row; row < part->first_row + part->row_count; row++) {
+            all->unilateral[row] = part->constraint->unilateral != 0;
+            all->diagonal[row] = tinker_sparse_ldl_slot(all->ldl, row, row);
+        }
+    }
+}
+
 gboolean tinker_model_compile_constraints(TinkerModel *model, GError **error)
 {
     TinkerConstraints *all = &model->constraints;
@@ -189,12 +213,6 @@ gboolean tinker_model_compile_constraints(TinkerModel *model, GError **error)
         TinkerBlockBatch *batch = g_ptr_array_index(model->batches, i);
         const TinkerPhysics *physics = batch->block_class->physics;
         if (physics == NULL || physics->constraint == NULL) continue;
-        if (physics->constraint->unilateral) {
-            g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_PLUGIN,
-                        "the block type \"%s\" holds in one direction only, which this version cannot run",
-                        batch->block_class->type->id);
-            return FALSE;
-        }
         add_constraint_batch(model, batch);
         if (physics->constraint->prescribed_rate != NULL)
             model->has_book[TINKER_BOOK_MOTORS] = model->more_than_lines = TRUE;
@@ -211,7 +229,8 @@ gboolean tinker_model_compile_constraints(TinkerModel *model, GError **error)
     if (!compile_pattern(model, error)) return FALSE;
     list_products(model);
     g_array_sort(all->products, compare_products);
-    all->chains = tinker_row_chains_new(model);
+    allot_unilateral(all);
+    if (all->unilateral == NULL) all->chains = tinker_row_chains_new(model);
     return TRUE;
 }
 
@@ -243,7 +262,14 @@ void tinker_constraints_clear(TinkerConstraints *all)
                          all->body_entries,
                          all->factored_jacobian,
                          all->inverse_scales,
-                         all->asked};
+                         all->asked,
+                         all->unilateral,
+                         all->slack,
+                         all->diagonal,
+                         all->own_g,
+                         all->own_drift,
+                         all->own_rate,
+                         all->own_jacobian};
     for (gsize i = 0; i < G_N_ELEMENTS(arrays); i++)
         g_free(arrays[i]);
 }

@@ -120,5 +120,6 @@ TinkerStatus tinker_constraints_evaluate(TinkerModel *model)
         TinkerStatus status = part->distances != NULL ? evaluate_distances(model, part) : evaluate_asked(model, part);
         if (status != TINKER_OK) return status;
     }
+    if (G_UNLIKELY(all->unilateral != NULL)) tinker_constraints_hide_slack(all);
     return TINKER_OK;
 }

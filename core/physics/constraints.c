@@ -55,6 +55,8 @@ static void assemble(TinkerConstraints *all)
         } while (++p < end && p->slot == slot);
         values[slot] = sum;
     }
+    for (int32_t row = 0; all->unilateral != NULL && row < all->rows; row++)
+        if (all->slack[row]) values[all->diagonal[row]] = 1.0;
 }
 
 static double mean_diagonal(const TinkerConstraints *all)

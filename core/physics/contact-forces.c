@@ -9,6 +9,15 @@ static const double *acceleration_of(const TinkerContacts *contacts, const Tinke
     return contacts->model->point_acceleration + 2 * contacts->plates[contact->plate].point;
 }
 
+void tinker_contacts_let_constraints_answer(TinkerContacts *contacts, double *v)
+{
+    TinkerConstraints *all = &contacts->model->constraints;
+    tinker_constraints_rows_times(all, all->by_point, all->asked);
+    for (int32_t row = 0; row < all->rows; row++)
+        all->asked[row] = -all->asked[row];
+    tinker_constraints_change_speeds(contacts->model, all->asked, v);
+}
+
 void tinker_contacts_push(TinkerContacts *contacts, int32_t body, double px, double py, double *v)
 {
     TinkerModel *model = contacts->model;
@@ -20,10 +29,7 @@ void tinker_contacts_push(TinkerContacts *contacts, int32_t body, double px, dou
     memset(all->by_point, 0, 2 * (gsize)model->points * sizeof(double));
     all->by_point[2 * body] = change[0];
     all->by_point[2 * body + 1] = change[1];
-    tinker_constraints_rows_times(all, all->by_point, all->asked);
-    for (int32_t row = 0; row < all->rows; row++)
-        all->asked[row] = -all->asked[row];
-    tinker_constraints_change_speeds(model, all->asked, v);
+    tinker_contacts_let_constraints_answer(contacts, v);
 }
 
 /* What a push in a direction does to all bodies, in contacts->column. */

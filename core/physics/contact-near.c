@@ -58,7 +58,7 @@ void tinker_contact_run_find_near(TinkerContactRun *self, const double *q_from, 
         if (!tinker_contact_neighbours_hold(&self->neighbours, i, from, to, travel))
             tinker_contact_neighbours_list(&self->neighbours, i, from, to, reach);
         for (guint k = 0; k < self->neighbours.lists[i]->len; k++) {
-            TinkerContactPair pair = {i, g_array_index(self->neighbours.lists[i], int32_t, k)};
+            TinkerContactPair pair = {i, g_array_index(self->neighbours.lists[i], int32_t, k), -1};
             if (may_touch(contacts, i, pair.plate, from, to, travel) && !is_closed(contacts, i, pair.plate, next))
                 g_array_append_val(self->near, pair);
         }

@@ -23,11 +23,13 @@ typedef struct {
     TinkerTriggerKind kind;
     int32_t body, plate;
     int32_t closed; /* the number of a closed contact; else -1 */
+    int32_t row;    /* a constraint row that holds in one direction only, in place of a plate; else -1 */
     double level;   /* what falls below it has passed 0; rounding is above it */
 } TinkerTrigger;
 
 typedef struct {
     int32_t body, plate;
+    int32_t row; /* -1: a plate */
 } TinkerContactPair;
 
 struct _TinkerContactRun {
@@ -81,6 +83,19 @@ gboolean tinker_contact_run_is_quiet(const TinkerContactRun *contact_run, const 
 /* Notes the state as one that is quiet, as far as it is. */
 void tinker_contact_run_note_quiet(TinkerContactRun *contact_run, const double *x, const double *q);
 
+/* The bodies at time t within the last step; borrowed until the next call. */
+TinkerStatus tinker_contact_run_state_at(TinkerContactRun *contact_run, double t, double **q, double **v);
+/* Brings the model to a state, and works out what triggers ask for: forces of closed contacts, accelerations. */
+TinkerStatus tinker_contact_run_look_at(TinkerContactRun *contact_run, double t, const double *q, const double *v);
+/* All triggers of a step with these near pairs. */
+void tinker_contact_run_list_triggers(TinkerContactRun *contact_run);
+/* Their values, for the state looked at last; and the level below which one has passed 0, once forces were noted at all nodes
+ * (speed, m/s: the largest). */
+double tinker_trigger_value(const TinkerContactRun *contact_run, const TinkerTrigger *trigger);
+double tinker_trigger_level(const TinkerContactRun *contact_run, const TinkerTrigger *trigger, double speed);
+double tinker_trigger_place_rounding(const TinkerContactRun *contact_run, const TinkerTrigger *trigger);
+void tinker_contact_run_note_force_scales(TinkerContactRun *contact_run);
+
 /* How fast a plate swings (rad/s) between two times, as far as it shows at a few. */
 double tinker_contact_run_swing(TinkerContactRun *contact_run, int32_t point, double from, double to);
 
@@ -97,7 +112,7 @@ TinkerStatus tinker_contact_run_value(TinkerContactRun *contact_run, double t, c
 void tinker_contact_run_make_room(TinkerContactRun *contact_run);
 
 /* Whether the pair has just opened. */
-gboolean tinker_contact_run_leaves(const TinkerContactRun *contact_run, int32_t body, int32_t plate);
+gboolean tinker_contact_run_leaves(const TinkerContactRun *contact_run, const TinkerContactPair *pair);
 
 /* Passes an event at the state of the run: impacts, and what is closed from here on. `tolerance` (m): within it a gap is
  * closed. */

@@ -146,12 +146,12 @@ static double closed_gap(TinkerContactRun *self)
 gboolean tinker_contact_run_start(TinkerContactRun *self, GError **error)
 {
     TinkerIslandRun *run = self->run;
-    TinkerTrigger none = {.kind = TINKER_TRIGGER_NONE};
+    TinkerTrigger none = {.kind = TINKER_TRIGGER_NONE, .row = -1};
     tinker_island_run_place(run);
     if (tinker_model_set_time(self->model, 0.0) != TINKER_OK)
         return tinker_island_run_fail(run, self->model->failure, error);
     tinker_model_set_state(self->model, run->q, run->v);
-    if (!tinker_contacts_touch(self->contacts)) return TRUE;
+    if (self->model->constraints.unilateral == NULL && !tinker_contacts_touch(self->contacts)) return TRUE;
     if (!enter_plane(self, error)) return FALSE;
     if (!tinker_contact_run_change(self, &none, TINKER_TOUCHING, START_SLOW, error)) return FALSE;
     run->choice.method->restart(run->stepper);
@@ -160,8 +160,8 @@ gboolean tinker_contact_run_start(TinkerContactRun *self, GError **error)
 
 gboolean tinker_contact_run_think_again(TinkerContactRun *self, GError **error)
 {
-    TinkerTrigger none = {.kind = TINKER_TRIGGER_NONE};
-    if (self->contacts->closed->len == 0) return TRUE;
+    TinkerTrigger none = {.kind = TINKER_TRIGGER_NONE, .row = -1};
+    if (self->contacts->closed->len == 0 && self->model->constraints.unilateral == NULL) return TRUE;
     return tinker_contact_run_change(self, &none, closed_gap(self), 0, error);
 }
 
@@ -182,11 +182,11 @@ gboolean tinker_contact_run_pass(TinkerContactRun *self, GError **error)
     return TRUE;
 }
 
-gboolean tinker_contact_run_leaves(const TinkerContactRun *self, int32_t body, int32_t plate)
+gboolean tinker_contact_run_leaves(const TinkerContactRun *self, const TinkerContactPair *sought)
 {
     for (guint i = 0; i < self->leaving->len; i++) {
         const TinkerContactPair *pair = &g_array_index(self->leaving, TinkerContactPair, i);
-        if (pair->body == body && pair->plate == plate) return TRUE;
+        if (pair->body == sought->body && pair->plate == sought->plate && pair->row == sought->row) return TRUE;
     }
     return FALSE;
 }
@@ -199,12 +199,18 @@ static void let_leave(TinkerContactRun *self)
     TinkerIslandRun *run = self->run;
     if (tinker_model_set_time(self->model, run->state.t) != TINKER_OK) return;
     tinker_model_set_state(self->model, run->state.q, run->state.v);
+    if (self->model->constraints.unilateral != NULL && tinker_constraints_evaluate(self->model) != TINKER_OK) return;
     double clear = CLEAR * (closed_gap(self) / CLOSED_GAP);
     for (guint i = self->leaving->len; i-- > 0;) {
         const TinkerContactPair *pair = &g_array_index(self->leaving, TinkerContactPair, i);
-        TinkerContactPlace place = tinker_contact_place(self->contacts, pair->body, pair->plate);
-        if (place.gap > clear || fabs(place.along) > self->contacts->plates[pair->plate].half_width)
-            g_array_remove_index_fast(self->leaving, i);
+        gboolean left;
+        if (pair->row >= 0) {
+            left = -self->model->constraints.own_g[pair->row] > clear;
+        } else {
+            TinkerContactPlace place = tinker_contact_place(self->contacts, pair->body, pair->plate);
+            left = place.gap > clear || fabs(place.along) > self->contacts->plates[pair->plate].half_width;
+        }
+        if (left) g_array_remove_index_fast(self->leaving, i);
     }
 }
 
@@ -331,6 +337,7 @@ TinkerStatus tinker_contact_run_look(TinkerContactRun *self, TinkerStepReport *r
     status = tinker_contact_run_search(self, self->from.t, run->state.t, &found, &time, &slope);
     if (status != TINKER_OK) return status;
     if (found.kind != TINKER_TRIGGER_NONE) return step_to_event(self, &found, time, slope, report);
-    if (self->near->len == 0) tinker_contact_run_note_quiet(self, run->state.q, run->q);
+    if (self->near->len == 0 && self->model->constraints.unilateral == NULL)
+        tinker_contact_run_note_quiet(self, run->state.q, run->q);
     return TINKER_OK;
 }

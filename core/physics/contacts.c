@@ -54,7 +54,7 @@ static int32_t count_plates(const TinkerModel *model, gboolean *any_body)
     return plates;
 }
 
-static void find_shapes(TinkerContacts *contacts)
+static void find_shapes(TinkerContacts *contacts, gboolean any_body)
 {
     const TinkerModel *model = contacts->model;
     for (int32_t i = 0; i < model->bodies; i++)
@@ -65,7 +65,7 @@ static void find_shapes(TinkerContacts *contacts)
             int32_t point = model->centre_point[batch->ids[row]];
             if (shape_of(batch) == TINKER_SHAPE_BOX && point >= 0 && point < model->bodies)
                 contacts->half_height[point] = 0.5 * meaning(batch, row, TINKER_MEANING_HEIGHT, 0);
-            else if (shape_of(batch) == TINKER_SHAPE_PLATE && is_solid(batch, row))
+            else if (any_body && shape_of(batch) == TINKER_SHAPE_PLATE && is_solid(batch, row))
                 add_plate(contacts, batch, row);
         }
     }
@@ -104,10 +104,11 @@ TinkerContacts *tinker_contacts_new(TinkerModel *model)
 {
     gboolean any_body = FALSE;
     int32_t plates = count_plates(model, &any_body);
-    if (plates == 0 || !any_body) return NULL;
+    if (!any_body) plates = 0;
+    if (plates == 0 && model->constraints.unilateral == NULL) return NULL;
     TinkerContacts *contacts = g_new0(TinkerContacts, 1);
     contacts->model = model;
-    contacts->plates = g_new0(TinkerPlate, plates);
+    contacts->plates = g_new0(TinkerPlate, MAX(plates, 1));
     contacts->half_height = g_new0(double, MAX(model->bodies, 1));
     contacts->held = g_new0(gboolean, MAX(model->bodies, 1));
     contacts->group = g_new0(int32_t, MAX(model->bodies, 1));
@@ -117,7 +118,7 @@ TinkerContacts *tinker_contacts_new(TinkerModel *model)
     contacts->column = g_new0(double, 2 * (gsize)MAX(model->bodies, 1));
     contacts->before = g_new0(double, 2 * (gsize)MAX(model->bodies, 1));
     contacts->accelerations = g_new0(double, 2 * (gsize)MAX(model->bodies, 1));
-    find_shapes(contacts);
+    find_shapes(contacts, any_body);
     find_groups(contacts);
     return contacts;
 }

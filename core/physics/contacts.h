@@ -72,7 +72,8 @@ struct _TinkerContacts {
     gint64 evaluations;                      /* of closed contacts, ever: 0 where nothing touched */
 };
 
-/* The contacts that a model may have; NULL where no plate is solid or no body has a shape. (transfer full) */
+/* The contacts that a model may have; NULL where no plate is solid or no body has a shape, and no constraint holds in one
+ * direction only. (transfer full) */
 TinkerContacts *tinker_contacts_new(TinkerModel *model);
 void tinker_contacts_free(TinkerContacts *contacts);
 
@@ -156,6 +157,13 @@ TinkerStatus tinker_contacts_rattle(TinkerContacts *contacts, double t_from, con
 void tinker_contacts_delassus(TinkerContacts *contacts, const TinkerContact *touching, int32_t count, double *delassus);
 /* v += what an impulse on a body does to all of them, constraints included. */
 void tinker_contacts_push(TinkerContacts *contacts, int32_t body, double px, double py, double *v);
+
+/* The first body of a constraint row; -1 for none. */
+int32_t tinker_contacts_row_body(const TinkerContacts *contacts, int32_t row);
+/* v += what the multiplier `lambda` of a row that holds in one direction only, slack or not, does to all bodies. */
+void tinker_contacts_pull(TinkerContacts *contacts, int32_t row, double lambda, double *v);
+/* Adds what the constraints answer to the change of velocities in constraints.by_point. */
+void tinker_contacts_let_constraints_answer(TinkerContacts *contacts, double *v);
 
 /* What contacts do to the points of bodies and plates, for the sampler: normal force, friction, fx, fy of each point. */
 void tinker_contacts_sum_forces(const TinkerContacts *contacts, double *by_point);

@@ -9,16 +9,6 @@
 /* A gap (of what it is the difference of) that is rounding. */
 #define ROUNDING (64 * DBL_EPSILON)
 
-static double dot(const double a[2], const double b[2])
-{
-    return a[0] * b[0] + a[1] * b[1];
-}
-
-static double cross(const double n[2], const double a[2])
-{
-    return n[1] * a[0] - n[0] * a[1];
-}
-
 static TinkerImpulseTouch *held(const TinkerImpulses *self, guint number)
 {
     return &g_array_index(self->held, TinkerImpulseTouch, number);
@@ -28,14 +18,14 @@ static TinkerImpulseTouch *held(const TinkerImpulses *self, guint number)
 static void find_least(const TinkerImpulses *self, TinkerImpulseTouch *touch, const double *q)
 {
     const TinkerImpulsePlate *plate = &self->plates[touch->plate];
-    const double *n = plate->normal, *x = q + 2 * touch->body, rest = dot(n, plate->velocity);
+    const double *n = plate->normal, *x = q + 2 * touch->body, rest = tinker_dot(n, plate->velocity);
     const double gap = tinker_impulse_gap(self, plate, touch->body, x, 1);
     const double rounding =
         ROUNDING * (fabs(x[0]) + fabs(x[1]) + fabs(plate->top[1]) + self->contacts->half_height[touch->body]);
     touch->least = fabs(gap) <= rounding ? 0 : -gap / self->h;
     if (touch->was != TINKER_CONTACT_OPEN || touch->share > 1) return;
-    const double approach = dot(n, self->from.v + 2 * touch->body) - rest;
-    touch->strikes = approach < -self->h * fabs(dot(n, self->a + 2 * touch->body));
+    const double approach = tinker_dot(n, self->from.v + 2 * touch->body) - rest;
+    touch->strikes = approach < -self->h * fabs(tinker_dot(n, self->a + 2 * touch->body));
     if (!touch->strikes) return;
     touch->bounces = plate->restitution > 0 && -plate->restitution * approach + rest > touch->least;
     if (touch->bounces) touch->least = rest - plate->restitution * approach;
@@ -117,7 +107,7 @@ static void push(TinkerImpulses *self, const TinkerImpulseTouch *touch, double *
 static void settle(const TinkerImpulses *self, const TinkerImpulseTouch *touch, double *v)
 {
     const TinkerImpulsePlate *plate = &self->plates[touch->plate];
-    if (touch->is == TINKER_CONTACT_STICK && touch->least == dot(plate->normal, plate->velocity))
+    if (touch->is == TINKER_CONTACT_STICK && touch->least == tinker_dot(plate->normal, plate->velocity))
         memcpy(v + 2 * touch->body, plate->velocity, 2 * sizeof(double));
 }
 
@@ -132,8 +122,8 @@ static gboolean solve_group(TinkerImpulses *self, double *v)
         TinkerImpulseTouch *touch = touches[k] = held(self, (guint)g_array_index(self->chosen, int32_t, k));
         const TinkerImpulsePlate *plate = &self->plates[touch->plate];
         const double *at = v + 2 * touch->body;
-        velocity[2 * k] = dot(plate->normal, at);
-        velocity[2 * k + 1] = cross(plate->normal, at) - cross(plate->normal, plate->velocity);
+        velocity[2 * k] = tinker_dot(plate->normal, at);
+        velocity[2 * k + 1] = tinker_along(plate->normal, at) - tinker_along(plate->normal, plate->velocity);
         least[k] = touch->least;
     }
     tinker_contacts_delassus(self->contacts, (const TinkerContact *)(const void *)self->laws->data, (int32_t)count,

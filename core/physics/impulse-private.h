@@ -59,18 +59,55 @@ typedef struct {
     gsize room_size;
 } TinkerImpulses;
 
+/* TinkerIntegrator.create and .destroy. */
+void *tinker_impulse_create(const TinkerSystem *system, const TinkerIntegratorOptions *options);
+void tinker_impulse_destroy(void *stepper);
+/* At the first step: what touches and does not part rests, or slides. */
+void tinker_impulse_start(TinkerImpulses *self, const TinkerState *state);
+/* Notes where plates that move are, and how fast: at the start (0) and at the end (1) of the step. */
+void tinker_impulse_read_plates(TinkerImpulses *self, int end);
+
+/* A body by itself on its way through a step. */
+typedef struct {
+    TinkerImpulses *run;
+    int32_t body;
+    guint next;        /* see tinker_impulse_closed */
+    double x[2], v[2]; /* where it is when `share` of the step is over, and its velocity from there on */
+    double base[2];    /* v but for the contacts that touch */
+    double start[2];   /* its velocity at the start of the step */
+    double share;
+    TinkerImpulseTouch touches[TINKER_MOST_TOUCHES]; /* that touch now, whether or not they press */
+    int32_t count;
+} TinkerImpulseWay;
+
+static inline const TinkerImpulsePlate *tinker_impulse_plate(const TinkerImpulseWay *way,
+                                                             const TinkerImpulseTouch *touch)
+{
+    return &way->run->plates[touch->plate];
+}
+
+static inline double tinker_dot(const double a[2], const double b[2])
+{
+    return a[0] * b[0] + a[1] * b[1];
+}
+
+/* t . a, along the top whose normal is n. */
+static inline double tinker_along(const double n[2], const double a[2])
+{
+    return n[1] * a[0] - n[0] * a[1];
+}
+
 /* The gap of a body at a place, `share` of the step being over (m). */
 static inline double tinker_impulse_gap(const TinkerImpulses *self, const TinkerImpulsePlate *plate, int32_t body,
                                         const double x[2], double share)
 {
-    return plate->normal[0] * x[0] + plate->normal[1] * x[1] -
-           (plate->top[0] + share * (plate->top[1] - plate->top[0])) - self->contacts->half_height[body];
+    return tinker_dot(plate->normal, x) - (plate->top[0] + share * (plate->top[1] - plate->top[0])) -
+           self->contacts->half_height[body];
 }
 
 static inline double tinker_impulse_along(const TinkerImpulsePlate *plate, const double x[2], double share)
 {
-    return plate->normal[1] * x[0] - plate->normal[0] * x[1] -
-           (plate->middle[0] + share * (plate->middle[1] - plate->middle[0]));
+    return tinker_along(plate->normal, x) - (plate->middle[0] + share * (plate->middle[1] - plate->middle[0]));
 }
 
 /* The closed contact of a body with a plate at the start of the step, or NULL; `next` is the number of the first closed
@@ -115,6 +152,9 @@ void tinker_impulse_close(TinkerImpulses *self, const TinkerImpulseTouch *touch,
 /* Brings a body that no constraint holds to the end of the step. FALSE, with the model's failure set, where no impulses
  * satisfy the laws. */
 gboolean tinker_impulse_move_free(TinkerImpulses *self, int32_t body, guint next, double *q, double *v);
+
+/* Sets the velocity from here on, and the impulses of all that touches, by the laws. FALSE where nothing satisfies them. */
+gboolean tinker_impulse_solve_way(TinkerImpulseWay *way);
 
 /* Changes the velocities (v* of all bodies) of what is held by constraints by the impulses of its contacts. */
 gboolean tinker_impulse_solve_held(TinkerImpulses *self, const double *q, double *v);

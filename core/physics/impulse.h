@@ -23,6 +23,10 @@
  * its name: a run asks for `impulses`. */
 extern const TinkerIntegrator tinker_integrator_impulse;
 
+/* The method of the same steps where nothing touches: what is found out about a method by trying it on oscillators is that
+ * one's. Any other method is its own. */
+const TinkerIntegrator *tinker_method_without_contact(const TinkerIntegrator *method);
+
 /* Of a stepper of it: how a body has been turned by what it touched (rad; NAN: as it was placed), and the end of the last
  * step in which a body struck a plate (s; -INFINITY: none did). */
 double tinker_impulse_orientation(const void *stepper, int32_t body);

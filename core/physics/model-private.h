@@ -86,6 +86,11 @@ typedef struct {
     double *scales;                      /* of each row: the length its error is measured against */
     double *inverse_scales;
     TinkerBlockId *blocks; /* of each row */
+    /* Of rows that hold in one direction only, g <= 0; NULL where there are none. Slack rows do not act: their entries in the
+     * arrays below are 0, and what they would be is kept as their own. */
+    gboolean *unilateral, *slack; /* by row */
+    int32_t *diagonal;            /* by row: its slot in S */
+    double *own_g, *own_drift, *own_rate, *own_jacobian;
     GArray *products;      /* of TinkerProduct */
     TinkerSparseLdl *ldl;
     TinkerRowChains *chains; /* of rows that hang together in chains alone; else NULL */
@@ -268,6 +273,16 @@ TinkerStatus tinker_constraints_errors(TinkerModel *model, double t, const doubl
 double tinker_constraints_worst_miss(const TinkerModel *model);
 /* And the row. */
 int32_t tinker_constraints_worst_row(const TinkerModel *model);
+/* Of rows that hold in one direction only: whether one acts from the next evaluation on. */
+void tinker_constraints_set_slack(TinkerModel *model, int32_t row, gboolean slack);
+/* Whether it acts or not, for the rows evaluated last: dg/dt with the velocities in the points; J x of bodies alone (2 per
+ * body); and what d2g/dt2 is beside J a of the bodies. */
+double tinker_constraints_own_rate(const TinkerModel *model, int32_t row);
+double tinker_constraints_own_row_times(const TinkerModel *model, int32_t row, const double *by_body);
+double tinker_constraints_own_drift(const TinkerModel *model, int32_t row);
+/* Keeps what the rows are as their own, and takes the slack ones out. Called by tinker_constraints_evaluate. */
+void tinker_constraints_hide_slack(TinkerConstraints *constraints);
+
 /* How many rows depend on others, at the rows evaluated last. */
 int32_t tinker_constraints_count_dependent(TinkerModel *model);
 /* Adds the power that moving supports and prescribed rows give through the constraints to model->book_power, with the

@@ -4,7 +4,7 @@
 #include <math.h>
 
 #include "numerics/exact.h"
-#include "physics/model-private.h"
+#include "physics/impulse.h"
 #include "physics/plan-private.h"
 
 /* Of one evaluation: whatever there is, and for each part of the model. */
@@ -166,6 +166,7 @@ static double fixed_error(const TinkerForecast *forecast, const TinkerIntegrator
                           const TinkerRunOptions *options, double step)
 {
     double square = 0, duration = tinker_options_duration(options);
+    method = tinker_method_without_contact(method);
     for (int32_t i = 0; i < forecast->count; i++) {
         const TinkerForecastPart *part = &forecast->parts[i];
         if (part->omega == 0) continue;

@@ -172,6 +172,26 @@ static int32_t plate_of_block(const TinkerContacts *contacts, TinkerBlockId bloc
     return plate;
 }
 
+/* The whole model's rows that hold in one direction only are slack as those of the islands; the rows of one block have one
+ * order in all models. */
+static void gather_slack(TinkerSimulation *simulation)
+{
+    TinkerConstraints *all = &simulation->model->constraints;
+    if (all->unilateral == NULL) return;
+    g_autofree int32_t *next = g_new0(int32_t, simulation->runs->len + 1);
+    for (int32_t row = 0; row < all->rows; row++) {
+        for (guint i = 0; all->unilateral[row] && i < simulation->runs->len; i++) {
+            const TinkerIslandRun *run = g_ptr_array_index(simulation->runs, i);
+            const TinkerConstraints *part = &run->model->constraints;
+            while (next[i] < part->rows && part->blocks[next[i]] != all->blocks[row] &&
+                   !(part->unilateral != NULL && part->unilateral[next[i]]))
+                next[i]++;
+            if (next[i] >= part->rows || part->blocks[next[i]] != all->blocks[row]) continue;
+            tinker_constraints_set_slack(simulation->model, row, part->slack[next[i]++]);
+        }
+    }
+}
+
 static gint64 count_contact_changes(const TinkerSimulation *simulation)
 {
     gint64 changes = 0;
@@ -202,6 +222,7 @@ static void gather_contacts(TinkerSimulation *simulation)
         }
     }
     tinker_contacts_list_rows(all);
+    gather_slack(simulation);
 }
 
 /* A sample that falls on a break is taken behind it: at the instant of a jump the state after it counts. */

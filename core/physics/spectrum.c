@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "numerics/eigen.h"
+#include "physics/impulse.h"
 #include "physics/start-matrices.h"
 
 #define COMMUTES  1e-10
@@ -419,6 +420,7 @@ static GArray *oscillators_of(const GArray *eigenvalues)
 double tinker_spectrum_stable_step(const GArray *eigenvalues, const GArray *oscillators, const TinkerIntegrator *method,
                                    double spectral_radius)
 {
+    method = tinker_method_without_contact(method);
     gboolean splits = (method->flags & TINKER_INTEGRATOR_SYMPLECTIC) != 0;
     g_autoptr(GArray) of_roots = splits ? NULL : oscillators_of(eigenvalues);
     const GArray *list = splits ? oscillators : of_roots;

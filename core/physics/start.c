@@ -45,7 +45,9 @@ static gboolean check_positions(TinkerModel *model, GError **error)
             return FALSE;
         }
         for (int32_t row = part->first_row; row < part->first_row + part->row_count; row++)
-            if (!(fabs(all->g[row]) <= START_TOLERANCE * all->scales[row])) return refuse_row(model, part, row, error);
+            if (part->constraint->unilateral ? !(all->g[row] <= START_TOLERANCE * all->scales[row])
+                                             : !(fabs(all->g[row]) <= START_TOLERANCE * all->scales[row]))
+                return refuse_row(model, part, row, error);
     }
     return TRUE;
 }
@@ -130,6 +132,15 @@ static gboolean check_accelerations(TinkerModel *model, GError **error)
     return refuse_contradiction(model, a, error);
 }
 
+/* Rows that hold in one direction only are slack until a run asks which of them are not, but for what is `stretched`: that is
+ * brought back with the start positions. */
+static void slacken(TinkerModel *model, gboolean stretched)
+{
+    const TinkerConstraints *all = &model->constraints;
+    for (int32_t row = 0; all->unilateral != NULL && row < all->rows; row++)
+        if (all->unilateral[row]) tinker_constraints_set_slack(model, row, !stretched || all->own_g[row] <= 0);
+}
+
 gboolean tinker_model_check_start(TinkerModel *model, GError **error)
 {
     TinkerConstraints *all = &model->constraints;
@@ -140,8 +151,12 @@ gboolean tinker_model_check_start(TinkerModel *model, GError **error)
     if (!check_positions(model, error)) return FALSE;
     all->redundant = tinker_constraints_count_dependent(model);
     gboolean moved;
+    slacken(model, TRUE);
     if (tinker_constraints_project_positions(model, 0.0, model->q_start, model->v_start, &moved) != TINKER_OK)
         return run_error(model, TINKER_MODEL_ERROR_CONTRADICTION, error);
+    slacken(model, FALSE);
+    if (all->unilateral != NULL && tinker_constraints_evaluate(model) != TINKER_OK)
+        return run_error(model, TINKER_MODEL_ERROR_RUN, error);
     g_autofree double *given = g_memdup2(model->v_start, 2 * (gsize)MAX(model->bodies, 1) * sizeof(double));
     tinker_constraints_correct_velocities(model, model->v_start, FALSE, &moved);
     if (moved) warn_start_velocity(model, given);

@@ -149,6 +149,8 @@ static void add_idle_options(GPtrArray *warnings, const TinkerSceneRun *run, con
     gboolean neither = g_str_equal(summary->method, "exact");
     if (arguments->method != NULL && g_str_equal(summary->method, IMPULSE))
         g_ptr_array_add(warnings, g_strdup("--method has no effect: contact is asked for as impulses (--contacts events)"));
+    if (g_strcmp0(arguments->contacts, IMPULSE) == 0 && !g_str_equal(summary->method, IMPULSE))
+        g_ptr_array_add(warnings, g_strdup("--contacts has no effect: there is nothing that could touch"));
     if (arguments->step != NULL && run->automatic)
         g_ptr_array_add(warnings, g_strdup("--step has no effect: auto chooses steps by --tolerance (name a method "
                                            "that takes one: --method rk4)"));

@@ -126,8 +126,22 @@ static void test_pendulum_bounces(void)
         "Mass 0.x, Mass 0.y", 0.7, 2e-3, 20);
 }
 
+/* No rods: a mass slides down one side of a rough V, up the other and back, ever less, and rests at the bottom. */
+static void test_free_mass_in_a_corner(void)
+{
+    g_autofree char *left = contact_plate(-1, 1, -G_PI / 4, 4, "'static_friction': 0.3, 'dynamic_friction': 0.3");
+    g_autofree char *right = contact_plate(2, 1, atan(0.5), 8, "'static_friction': 0.1, 'dynamic_friction': 0.1");
+    g_autofree char *blocks =
+        g_strdup_printf(CONTACT_WEIGHT "%s, %s, " CONTACT_POINT ", 'position': [1, 2]}", left, right);
+    check_converges(blocks, "Mass 0.x, Mass 0.y", 0.98, 4e-3, 30);
+    PhysicsOptions options = {.impulses = TRUE, .step = 1e-3, .duration = 2};
+    g_autoptr(PhysicsRun) run = physics_run(&options, "%s", blocks);
+    contact_assert_state(run, "Mass 0", (double[]){0, 0, 0, 0}, 1e-14);
+}
+
 static void add_tests(void)
 {
+    g_test_add_func("/physics/impulse-rods/free-mass-in-a-corner", test_free_mass_in_a_corner);
     g_test_add_func("/physics/impulse-rods/dumbbell-in-a-corner", test_dumbbell_in_a_corner);
     g_test_add_func("/physics/impulse-rods/dumbbell-falls", test_dumbbell_falls);
     g_test_add_func("/physics/impulse-rods/dumbbell-rests", test_dumbbell_rests);

@@ -2,6 +2,7 @@
 #include "contact-checks.h"
 
 #include <math.h>
+#include <string.h>
 
 static const double g = CONTACT_GRAVITY;
 
@@ -251,6 +252,42 @@ static void test_belt(void)
     check_belt(5);
 }
 
+/* --- springs --- */
+
+/* A mass that a spring presses onto a rough floor: it slides, swings and stops, as events tell. */
+static void test_spring(void)
+{
+    static const char blocks[] = CONTACT_WEIGHT CONTACT_FLOOR
+        ", 'width': 20, 'static_friction': 0.3, 'dynamic_friction': 0.2}, {'type': 'support', 'solid': false, "
+        "'position': "
+        "[0, 2]}, " CONTACT_POINT ", 'position': [1.7, 0]}, {'type': 'spring', 'ends': ['Support 1', 'Mass 0'], "
+        "'stiffness': 30, 'rest_length': 2.2}";
+    PhysicsOptions exactly = {.method = "dop853", .tolerance = 1e-11, .duration = 4, .columns = "Mass 0.x, Mass 0.y"};
+    g_autoptr(PhysicsRun) events = physics_run(&exactly, "%s", blocks);
+    for (double step = 4e-3; step > 1e-5; step /= 8) {
+        PhysicsOptions options = options_of(step, 4, "Mass 0.x, Mass 0.y");
+        g_autoptr(PhysicsRun) run = physics_run(&options, "%s", blocks);
+        for (gsize k = 0; k < physics_samples(run); k++)
+            for (gsize c = 0; c < 2; c++)
+                physics_assert_near("place", physics_value(run, k, c), physics_value(events, k, c), 8 * step);
+    }
+}
+
+/* A step beyond what is stable is told before the run, and stops it. */
+static void test_unstable_step(void)
+{
+    PhysicsOptions options = options_of(0.01, 5, NULL);
+    g_autoptr(PhysicsRun) run =
+        physics_try(&options, CONTACT_FLOOR "}, " CONTACT_POINT ", 'position': [0, 1]}, " CONTACT_POINT
+                                            ", 'position': [0.5, 1.6]}, {'type': 'spring', 'ends': ['Mass 0', "
+                                            "'Mass 1'], 'stiffness': 1e6, 'rest_length': 0.7}");
+    physics_assert_refused(run, TINKER_MODEL_ERROR_RUN, "diverged", "impulse is stable up to a step of about 0.0014",
+                           NULL);
+    g_assert_cmpuint(run->summary->warnings->len, >, 0);
+    g_assert_nonnull(
+        strstr(g_ptr_array_index(run->summary->warnings, 0), "impulse is stable up to a step of 0.00141 s"));
+}
+
 /* --- several plates --- */
 
 /* In a V between two tops, smooth and rough: there it stays, to the last bit. */
@@ -313,6 +350,8 @@ static void add_tests(void)
     g_test_add_func("/physics/impulse/bounces-go-on-or-end", test_bounces_go_on_or_end);
     g_test_add_func("/physics/impulse/lift", test_lift);
     g_test_add_func("/physics/impulse/belt", test_belt);
+    g_test_add_func("/physics/impulse/spring", test_spring);
+    g_test_add_func("/physics/impulse/unstable-step", test_unstable_step);
     g_test_add_func("/physics/impulse/corner", test_corner);
     g_test_add_func("/physics/impulse/wall", test_wall);
 }

@@ -1,0 +1,123 @@
+/* Impacts at an event. */
+#include <math.h>
+
+#include "physics/contact-change-private.h"
+
+/* A rebound below this share of the largest speed ends in rest, but for one that loses nothing. */
+#define LEAST_REBOUND 1e-6
+
+static double kinetic_change(const TinkerModel *model, const double *before, const double *after)
+{
+    double sum = 0;
+    for (int32_t i = 0; i < 2 * model->bodies; i++)
+        sum += 0.5 * model->coordinate_mass[i] * (after[i] - before[i]) * (after[i] + before[i]);
+    return sum;
+}
+
+/* What contacts take goes into their book, the rest is by what moves. */
+gboolean tinker_change_push_all(TinkerContactChange *change, const double *impulses)
+{
+    TinkerModel *model = change->model;
+    TinkerContactRun *self = change->run;
+    double *v = self->run->state.v, *work = self->run->system.impact_work;
+    g_autofree double *before = g_memdup2(v, 2 * (gsize)model->bodies * sizeof(double));
+    g_autofree TinkerContactPlace *was = g_new(TinkerContactPlace, change->touches->len);
+    for (guint i = 0; i < change->touches->len; i++) {
+        was[i] = tinker_touch(change, i)->place;
+        if (impulses[2 * i] != 0 || impulses[2 * i + 1] != 0)
+            tinker_change_push(change, i, impulses[2 * i], impulses[2 * i + 1], v);
+    }
+    if (tinker_change_set_state(change) != TINKER_OK) return FALSE;
+    tinker_change_measure(change);
+    double rest = kinetic_change(model, before, v);
+    for (guint i = 0; i < change->touches->len; i++) {
+        const TinkerContactPlace *is = &tinker_touch(change, i)->place;
+        double taken = 0.5 * impulses[2 * i] * (was[i].normal_speed + is->normal_speed) +
+                       0.5 * impulses[2 * i + 1] * (was[i].tangential_speed + is->tangential_speed);
+        work[TINKER_BOOK_CONTACTS] += taken;
+        rest -= taken;
+    }
+    work[model->moving_supports > 0 ? TINKER_BOOK_SUPPORT_MOTION : TINKER_BOOK_CONTACTS] += rest;
+    self->last_impact = self->run->state.t;
+    return TRUE;
+}
+
+static double restitution_of(const TinkerContactChange *change, guint number)
+{
+    const TinkerPlate *plate = tinker_touch_plate(change, number);
+    return plate != NULL ? plate->restitution : 0;
+}
+
+/* Parts, but too slowly to be seen. */
+static gboolean lingers(const TinkerContactChange *change, guint number)
+{
+    double speed = tinker_touch(change, number)->place.normal_speed;
+    return speed > TINKER_STILL * change->speed && speed < LEAST_REBOUND * change->speed &&
+           restitution_of(change, number) < 1;
+}
+
+/* Bodies that constraints couple may strike by turns, each blow throwing up the other less and less, infinitely often in
+ * finite time: what parts too slowly to be seen does not part. Taking speeds away along normals takes energy only. */
+static gboolean settle(TinkerContactChange *change)
+{
+    guint m = change->touches->len;
+    g_autofree gboolean *rests = g_new0(gboolean, m);
+    gboolean any = FALSE;
+    for (guint i = 0; i < m; i++) {
+        rests[i] = tinker_touch(change, i)->place.normal_speed < LEAST_REBOUND * change->speed;
+        any |= lingers(change, i);
+    }
+    if (!any) return TRUE;
+    g_auto(TinkerContactLaws) laws = tinker_contact_laws_of(change);
+    g_autofree double *matrix = g_new0(double, (gsize)m *m);
+    for (guint i = 0; i < m; i++)
+        for (guint k = 0; k < m; k++)
+            matrix[i * m + k] = rests[i] && rests[k] ? laws.delassus[2 * i * 2 * m + 2 * k] : i == k;
+    for (guint i = 0; i < m; i++)
+        laws.first[i] = rests[i] ? -tinker_touch(change, i)->place.normal_speed : 0;
+    TinkerDenseSolve *solve = tinker_dense_solve_new((int32_t)m);
+    tinker_dense_solve_factor(solve, matrix);
+    tinker_dense_solve(solve, laws.first);
+    tinker_dense_solve_free(solve);
+    for (guint i = 0; i < m; i++)
+        laws.answers[2 * i] = laws.first[i];
+    return tinker_change_push_all(change, laws.answers);
+}
+
+static gboolean approaches(const TinkerContactChange *change)
+{
+    for (guint i = 0; i < change->touches->len; i++)
+        if (tinker_touch(change, i)->place.normal_speed < -TINKER_STILL * change->speed) return TRUE;
+    return FALSE;
+}
+
+/* A rebound that would be too slow to be seen is none: else infinitely many follow. */
+static double seen_restitution(const TinkerContactChange *change, guint number)
+{
+    double e = restitution_of(change, number), approach = -tinker_touch(change, number)->place.normal_speed;
+    return e < 1 && e * approach < LEAST_REBOUND * change->speed ? 0 : e;
+}
+
+gboolean tinker_change_strike(TinkerContactChange *change, GError **error)
+{
+    if (!approaches(change)) return TRUE;
+    g_auto(TinkerContactLaws) laws = tinker_contact_laws_of(change);
+    for (guint i = 0; i < laws.count; i++) {
+        const TinkerPlate *plate = tinker_touch_plate(change, i);
+        laws.pairs[2 * i] = tinker_touch(change, i)->place.normal_speed;
+        laws.pairs[2 * i + 1] = tinker_touch(change, i)->place.tangential_speed;
+        laws.first[i] = seen_restitution(change, i);
+        laws.second[i] = plate != NULL ? plate->dynamic_friction : 0;
+    }
+    TinkerImpact impact = {(int32_t)laws.count, laws.delassus, laws.pairs, laws.first, laws.second, NULL};
+    if (tinker_impact_solve(&impact, laws.answers) != TINKER_CONTACT_SOLVED)
+        return tinker_change_refuse(change, "no impulses satisfy the laws of impact for all bodies that touch there",
+                                    error);
+    for (guint i = 0; i < laws.count; i++) {
+        TinkerTouch *at = tinker_touch(change, i);
+        at->struck = laws.answers[2 * i] > 0;
+        if (at->struck) at->contact.normal = laws.answers[2 * i];
+    }
+    if (tinker_change_push_all(change, laws.answers) && settle(change)) return TRUE;
+    return tinker_change_refuse(change, change->model->failure, error);
+}
