@@ -118,3 +118,18 @@ void tinker_dense_solve(TinkerDenseSolve *solve, double *b)
                             solve->room) != 0)
         memset(b, 0, (gsize)n * sizeof(double));
 }
+
+void tinker_dense_solve_near(TinkerDenseSolve *solve, const double *near, double *b)
+{
+    int32_t n = solve->n;
+    if (solve->full) {
+        substitute(solve, b);
+        return;
+    }
+    for (int32_t j = 0; j < n; j++)
+        for (int32_t i = 0; i < n; i++)
+            b[i] -= solve->given[j * n + i] * near[j];
+    tinker_dense_solve(solve, b);
+    for (int32_t i = 0; i < n; i++)
+        b[i] += near[i];
+}

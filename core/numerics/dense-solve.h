@@ -18,4 +18,7 @@ int tinker_dense_solve_factor(TinkerDenseSolve *solve, const double *matrix);
  * Guide, xGELSY (Quintana-Orti, Sun, Bischof). Allots nothing. */
 void tinker_dense_solve(TinkerDenseSolve *solve, double *b);
 
+/* The same, nearest to `near` where the matrix is singular: its parts that nothing determines are those of `near`. */
+void tinker_dense_solve_near(TinkerDenseSolve *solve, const double *near, double *b);
+
 #endif

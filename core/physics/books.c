@@ -4,7 +4,8 @@
 #include <float.h>
 #include <math.h>
 
-/* Energies below this share of forces times extent are errors of place that every tolerance allows. */
+/* Energies below this share of forces times extent are errors of place that every tolerance allows: where no more was
+ * exchanged, the balance is relative to forces times extent itself. */
 #define REST 1e-9
 /* And differences of energies below this share of them are rounding. */
 #define ROUNDING (1e4 * DBL_EPSILON)
@@ -88,7 +89,7 @@ TinkerStatus tinker_books_look(TinkerBooks *books, const TinkerState *state, dou
     books->exchanged = MAX(books->exchanged, largest_exchange(books, &now, summary));
     /* At rest nothing is exchanged but rounding: of the extent, times the forces that are balanced. */
     books->forces = fmax(books->forces, sum_of_forces(model));
-    double scale = MAX(books->exchanged, REST * books->forces * extent);
+    double rest = books->forces * extent, scale = books->exchanged > REST * rest ? books->exchanged : rest;
     scale = MAX(scale, ROUNDING * (now.kinetic + fabs(now.potential)));
     double excess = books->allows_loss ? MAX(missing, 0) : fabs(missing);
     books->imbalance = scale > 0 ? excess / scale : 0;

@@ -5,6 +5,8 @@
 
 /* A rebound below this share of the largest speed ends in rest, but for one that loses nothing. */
 #define LEAST_REBOUND 1e-6
+/* What closes faster than this share of the largest speed after an impact cannot be kept out. */
+#define SQUEEZED 1e-6
 
 static double kinetic_change(const TinkerModel *model, const double *before, const double *after)
 {
@@ -48,12 +50,21 @@ static double restitution_of(const TinkerContactChange *change, guint number)
     return plate != NULL ? plate->restitution : 0;
 }
 
+/* Rebounds below this (m/s) are none. Without any loss along the normal a bounce never ends, but for one to and fro between
+ * rough plates, where friction takes something each time. */
+static double least_rebound(const TinkerContactChange *change, guint number)
+{
+    const TinkerPlate *plate = tinker_touch_plate(change, number);
+    if (restitution_of(change, number) < 1) return LEAST_REBOUND * change->speed;
+    gboolean between = change->run->neighbours.lists[tinker_touch(change, number)->contact.body]->len > 1;
+    return between && plate->dynamic_friction > 0 ? LEAST_REBOUND * change->speed : 0;
+}
+
 /* Parts, but too slowly to be seen. */
 static gboolean lingers(const TinkerContactChange *change, guint number)
 {
     double speed = tinker_touch(change, number)->place.normal_speed;
-    return speed > TINKER_STILL * change->speed && speed < LEAST_REBOUND * change->speed &&
-           restitution_of(change, number) < 1;
+    return speed > TINKER_STILL * change->speed && speed < least_rebound(change, number);
 }
 
 /* Bodies that constraints couple may strike by turns, each blow throwing up the other less and less, infinitely often in
@@ -64,7 +75,7 @@ static gboolean settle(TinkerContactChange *change)
     g_autofree gboolean *rests = g_new0(gboolean, m);
     gboolean any = FALSE;
     for (guint i = 0; i < m; i++) {
-        rests[i] = tinker_touch(change, i)->place.normal_speed < LEAST_REBOUND * change->speed;
+        rests[i] = tinker_touch(change, i)->place.normal_speed < least_rebound(change, i);
         any |= lingers(change, i);
     }
     if (!any) return TRUE;
@@ -95,7 +106,26 @@ static gboolean approaches(const TinkerContactChange *change)
 static double seen_restitution(const TinkerContactChange *change, guint number)
 {
     double e = restitution_of(change, number), approach = -tinker_touch(change, number)->place.normal_speed;
-    return e < 1 && e * approach < LEAST_REBOUND * change->speed ? 0 : e;
+    return e * approach < least_rebound(change, number) ? 0 : e;
+}
+
+/* Whether something goes on closing after the impact. */
+static gboolean is_squeezed(const TinkerContactChange *change)
+{
+    for (guint i = 0; i < change->touches->len; i++)
+        if (tinker_touch(change, i)->place.normal_speed < -SQUEEZED * change->speed) return TRUE;
+    return FALSE;
+}
+
+static gboolean refuse_squeezed(TinkerContactChange *change, GError **error)
+{
+    TinkerScene *scene = change->model->scene;
+    g_autofree char *why = g_strdup_printf(
+        "%s is squeezed: it is held from both sides by what closes on it, and no motion leaves it room (give the "
+        "supports "
+        "motions that do)",
+        tinker_scene_block_name(scene, change->model->body_blocks[tinker_touch(change, 0)->contact.body]));
+    return tinker_change_refuse(change, why, error);
 }
 
 gboolean tinker_change_strike(TinkerContactChange *change, GError **error)
@@ -118,6 +148,8 @@ gboolean tinker_change_strike(TinkerContactChange *change, GError **error)
         at->struck = laws.answers[2 * i] > 0;
         if (at->struck) at->contact.normal = laws.answers[2 * i];
     }
-    if (tinker_change_push_all(change, laws.answers) && settle(change)) return TRUE;
+    gboolean pushed = tinker_change_push_all(change, laws.answers);
+    if (pushed && is_squeezed(change)) return refuse_squeezed(change, error);
+    if (pushed && settle(change)) return TRUE;
     return tinker_change_refuse(change, change->model->failure, error);
 }

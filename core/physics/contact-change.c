@@ -9,6 +9,8 @@
 #include "physics/contact-change-private.h"
 
 #define MOST_JAMS 8
+/* What an event finds at this share of the largest speed has stopped. */
+#define STOPPED 1e-10
 /* Forces below this share of what acts are rounding. */
 #define FORCE_NOISE 1e-10
 
@@ -24,7 +26,7 @@ static int8_t sliding_of(const TinkerContactChange *change, guint number, double
     if (tinker_change_is_trigger(change, at) && !at->struck) {
         if (change->trigger.kind == TINKER_TRIGGER_FORWARD) return -1;
         if (change->trigger.kind == TINKER_TRIGGER_BACKWARD) return 1;
-        if (change->trigger.kind == TINKER_TRIGGER_SPEED) return 0;
+        if (change->trigger.kind == TINKER_TRIGGER_SPEED && fabs(speed) <= STOPPED * change->speed) return 0;
     }
     if (plate->static_friction == 0) return 1;
     if (at->was == TINKER_CONTACT_STICK && !at->struck) return 0;
@@ -82,6 +84,8 @@ static void note_modes(TinkerContactChange *change, const TinkerContactLaws *law
         double mass = change->model->mass[at->contact.body];
         at->contact.mode = laws->modes[i];
         if (!at->struck) at->contact.normal = laws->answers[2 * i];
+        at->contact.base_normal = laws->answers[2 * i];
+        at->contact.base_friction = laws->answers[2 * i + 1];
         if (lets_go(change, at, laws->answers[2 * i], mass * scale)) at->contact.mode = TINKER_CONTACT_OPEN;
     }
 }

@@ -91,7 +91,7 @@ static void accelerate_rows(TinkerContacts *contacts, double *a)
         demand[i] = -(rows[i].row[0] * (at[0] - plate[0]) + rows[i].row[1] * (at[1] - plate[1])) * rows[i].weight;
     }
     tinker_contacts_factor(contacts, FALSE);
-    tinker_dense_solve(contacts->forces, demand);
+    tinker_dense_solve_near(contacts->forces, contacts->base, demand);
     for (guint i = 0; i < contacts->rows->len; i++) {
         TinkerContact *contact = tinker_contacts_closed(contacts, (guint)rows[i].contact);
         double force = demand[i] * rows[i].weight, *at = a + 2 * contact->body;

@@ -46,7 +46,9 @@ struct _TinkerContactRun {
     double hint;      /* an event is known to come then; INFINITY */
     TinkerTrigger hint_trigger;
     double hint_slope;
-    double limit;     /* of the step, but for that */
+    double limit; /* of the step, but for that */
+    double
+        speed_bound; /* m/s: up to here nothing can come near anything in this step, whose start was not kept; 0: it was */
     gboolean pending; /* the state stands on it */
     TinkerTrigger pending_trigger;
 

@@ -7,6 +7,8 @@
 
 /* In a run a gap is closed within this share of the extent: rounding, or another body at the same instant. */
 #define CLOSED_GAP 1e-13
+/* In a step that nothing comes near in nobody gets faster than so many times as fast. */
+#define FASTER 4.0
 /* rad that a plate may swing within a step while bodies rest on it. */
 #define LONGEST_SWING 0.4
 /* Beyond this share of the extent bodies that leave a plate are clear of it. */
@@ -228,18 +230,41 @@ static double resolved_limit(TinkerContactRun *self, double limit)
     return limit;
 }
 
+/* The greatest speed (m/s) of any body, at most. */
+static double fastest(const TinkerContactRun *self, const double *v)
+{
+    return G_SQRT2 * tinker_greatest(v, self->run->system.system.size);
+}
+
+/* How far (m) anything may go from either end of a step at a speed. */
+static double travel_at(double speed, double step)
+{
+    return 0.75 * speed * step;
+}
+
+static void keep_start(TinkerContactRun *self, const TinkerState *state)
+{
+    gsize bytes = (gsize)self->run->system.system.size * sizeof(double);
+    memcpy(self->from.q, state->q, bytes);
+    memcpy(self->from.v, state->v, bytes);
+    memcpy(self->from.books, state->books, (gsize)self->run->system.system.books * sizeof(double));
+}
+
 double tinker_contact_run_begin(TinkerContactRun *self, double limit)
 {
     const TinkerIslandRun *run = self->run;
-    if (self->contacts->moving_plates > 0 && (run->choice.method->flags & TINKER_INTEGRATOR_ADAPTIVE))
-        limit = resolved_limit(self, limit);
+    gboolean adaptive = (run->choice.method->flags & TINKER_INTEGRATOR_ADAPTIVE) != 0;
     if (self->leaving->len > 0) let_leave(self);
-    gsize bytes = (gsize)run->system.system.size * sizeof(double);
-    self->from.t = run->state.t;
-    memcpy(self->from.q, run->state.q, bytes);
-    memcpy(self->from.v, run->state.v, bytes);
-    memcpy(self->from.books, run->state.books, (gsize)run->system.system.books * sizeof(double));
+    if (adaptive && self->contacts->moving_plates > 0) limit = resolved_limit(self, limit);
     self->limit = limit;
+    self->from.t = run->state.t;
+    self->speed_bound = 0;
+    if (!adaptive && self->quiet > 0) {
+        double speed = FASTER * fastest(self, run->state.v);
+        if (tinker_contact_run_is_quiet(self, run->state.q, travel_at(speed, limit - run->state.t)))
+            self->speed_bound = speed;
+    }
+    if (!(self->speed_bound > 0)) keep_start(self, &run->state);
     return MIN(limit, self->hint);
 }
 
@@ -302,24 +327,32 @@ static TinkerStatus step_to_event(TinkerContactRun *self, const TinkerTrigger *t
     return TINKER_OK;
 }
 
-/* How far (m) anything may have gone from either end of the step. */
-static double travel_of(const TinkerContactRun *self)
+/* Of a step that was taken for quiet and turned out too fast for that: its start, from dense output. */
+static TinkerStatus recall_start(TinkerContactRun *self)
 {
-    const TinkerIslandRun *run = self->run;
-    double fastest = run->system.speed * run->system.speed;
-    int32_t n = run->system.system.size;
-    for (int32_t i = 0; i < n; i++) {
-        fastest = MAX(fastest, 2 * run->state.v[i] * run->state.v[i]);
-        fastest = MAX(fastest, 2 * self->from.v[i] * self->from.v[i]);
-    }
-    return 0.75 * (run->state.t - self->from.t) * sqrt(fastest);
+    TinkerIslandRun *run = self->run;
+    TinkerState start = {self->from.t, self->from.q, self->from.v, self->from.books};
+    self->speed_bound = 0;
+    return run->choice.method->interpolate(run->stepper, start.t, start.q, start.v, start.books);
 }
 
 TinkerStatus tinker_contact_run_look(TinkerContactRun *self, TinkerStepReport *report)
 {
     TinkerIslandRun *run = self->run;
-    double travel = travel_of(self), time, slope, *from = self->from.q;
+    TinkerStatus status = TINKER_OK;
+    double time, slope, *from = self->from.q;
     TinkerTrigger found;
+    if (self->speed_bound > 0) {
+        self->hint = INFINITY;
+        double speed = fastest(self, run->state.v);
+        if (speed <= self->speed_bound) return TINKER_OK;
+        if (tinker_contact_run_is_quiet(self, run->state.q, travel_at(speed, run->state.t - self->from.t)))
+            return TINKER_OK;
+        status = recall_start(self);
+        if (status != TINKER_OK) return status;
+    }
+    double speed = fmax(run->system.speed, fmax(fastest(self, run->state.v), fastest(self, self->from.v)));
+    double travel = travel_at(speed, run->state.t - self->from.t);
     if (run->state.t == self->hint) {
         found = self->hint_trigger;
         return step_to_event(self, &found, self->hint, self->hint_slope, report);
@@ -331,7 +364,7 @@ TinkerStatus tinker_contact_run_look(TinkerContactRun *self, TinkerStepReport *r
         tinker_linear_form_expand(run->island->linear, self->from.q, self->from.v, self->node_q, self->node_v);
         from = self->node_q;
     }
-    TinkerStatus status = tinker_model_set_time(self->model, run->state.t);
+    status = tinker_model_set_time(self->model, run->state.t);
     if (status != TINKER_OK) return status;
     tinker_contact_run_find_near(self, from, run->q, travel);
     status = tinker_contact_run_search(self, self->from.t, run->state.t, &found, &time, &slope);

@@ -82,6 +82,16 @@ static gboolean meets_now(const TinkerContactChange *change, const TinkerTouch *
            (change->trigger.kind == TINKER_TRIGGER_GAP || change->trigger.kind == TINKER_TRIGGER_LEAVING);
 }
 
+/* One that has just opened is watched by its acceleration, so that it is not taken for closed on the way; a blow on another
+ * body may throw it back all the same. */
+static gboolean is_closed(const TinkerContactChange *change, const TinkerTouch *of, double tolerance)
+{
+    const TinkerContactPair pair = {of->contact.body, of->contact.plate, of->row};
+    double noise = TINKER_STILL * change->speed;
+    if (fabs(of->place.gap) > tolerance || of->place.normal_speed > noise) return FALSE;
+    return of->place.normal_speed < -noise || !tinker_contact_run_leaves(change->run, &pair);
+}
+
 static void take_open(TinkerContactChange *change, double tolerance)
 {
     const TinkerContactRun *self = change->run;
@@ -90,8 +100,7 @@ static void take_open(TinkerContactChange *change, double tolerance)
         if (self->contacts->group[pair->body] != change->group) continue;
         TinkerTouch taken = {.contact = {.body = pair->body, .plate = pair->plate}, .row = -1};
         taken.place = place_of(change, &taken);
-        gboolean closed = fabs(taken.place.gap) <= tolerance &&
-                          taken.place.normal_speed <= TINKER_STILL * change->speed &&
+        gboolean closed = is_closed(change, &taken, tolerance) &&
                           tinker_contact_is_over(&self->contacts->plates[pair->plate], &taken.place, tolerance);
         if (closed || meets_now(change, &taken)) g_array_append_val(change->touches, taken);
     }
@@ -110,9 +119,7 @@ static void take_rows(TinkerContactChange *change, double tolerance)
         taken.was = all->slack[row] ? TINKER_CONTACT_OPEN : TINKER_CONTACT_SLIP_FORWARD;
         tinker_constraints_set_slack(change->model, row, TRUE);
         taken.place = place_of(change, &taken);
-        gboolean closed =
-            fabs(taken.place.gap) <= tolerance && taken.place.normal_speed <= TINKER_STILL * change->speed;
-        if (taken.was != TINKER_CONTACT_OPEN || closed || meets_now(change, &taken))
+        if (taken.was != TINKER_CONTACT_OPEN || is_closed(change, &taken, tolerance) || meets_now(change, &taken))
             g_array_append_val(change->touches, taken);
     }
 }

@@ -172,7 +172,7 @@ void tinker_contact_run_list_triggers(TinkerContactRun *self)
     }
     watch_rows(self);
     tinker_contact_run_make_room(self);
-    memset(self->force_scale, 0, self->contacts->closed->len * sizeof(double));
+    if (self->contacts->closed->len > 0) memset(self->force_scale, 0, self->contacts->closed->len * sizeof(double));
 }
 
 double tinker_trigger_place_rounding(const TinkerContactRun *self, const TinkerTrigger *trigger)

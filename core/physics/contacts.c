@@ -131,9 +131,9 @@ void tinker_contacts_free(TinkerContacts *contacts)
     g_array_unref(contacts->simple);
     tinker_dense_solve_free(contacts->forces);
     tinker_dense_solve_free(contacts->moves);
-    gpointer arrays[] = {contacts->plates,        contacts->half_height, contacts->held,
-                         contacts->group,         contacts->delassus,    contacts->demand,
-                         contacts->accelerations, contacts->column,      contacts->before};
+    gpointer arrays[] = {contacts->plates,   contacts->half_height, contacts->held,          contacts->group,
+                         contacts->delassus, contacts->demand,      contacts->accelerations, contacts->column,
+                         contacts->before,   contacts->base};
     for (gsize i = 0; i < G_N_ELEMENTS(arrays); i++)
         g_free(arrays[i]);
     g_free(contacts);
@@ -216,6 +216,12 @@ static void allot_rows(TinkerContacts *contacts)
     contacts->moves = rows > 0 ? tinker_dense_solve_new((int32_t)rows) : NULL;
     contacts->delassus = g_renew(double, contacts->delassus, MAX(rows * rows, 1));
     contacts->demand = g_renew(double, contacts->demand, MAX(rows, 1));
+    contacts->base = g_renew(double, contacts->base, MAX(rows, 1));
+    for (gsize i = 0; i < rows; i++) {
+        const TinkerContactRow *row = &g_array_index(contacts->rows, TinkerContactRow, i);
+        const TinkerContact *contact = tinker_contacts_closed(contacts, (guint)row->contact);
+        contacts->base[i] = (row->tangential ? contact->base_friction : contact->base_normal) / row->weight;
+    }
 }
 
 void tinker_contacts_list_rows(TinkerContacts *contacts)

@@ -37,6 +37,9 @@ typedef struct {
     TinkerContactMode mode;  /* not OPEN */
     double anchor;           /* along the top, of one that sticks */
     double normal, friction; /* N, on the body along n and t: as worked out last */
+    /* Where contacts hold a body more than once nothing determines how they share its load: the share stays as near to this
+     * one (N) as the load allows, which the laws of contact gave. */
+    double base_normal, base_friction;
 } TinkerContact;
 
 /* One equation of the closed contacts that are solved together: `row` is what it keeps at 0, `force` the direction of the
@@ -67,7 +70,7 @@ struct _TinkerContacts {
     TinkerDenseSolve *forces, *moves; /* W of the rows, with the directions of their forces; with those of the rows */
     gboolean rows_held;               /* some row's body is held: W changes with the constraints */
     gboolean factored[2];             /* of the two: else it is factored once */
-    double *delassus, *demand;        /* rows x rows, rows */
+    double *delassus, *demand, *base; /* rows x rows, rows, rows */
     double *column, *accelerations, *before; /* 2 per body */
     gint64 evaluations;                      /* of closed contacts, ever: 0 where nothing touched */
 };

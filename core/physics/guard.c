@@ -5,6 +5,7 @@
 #include <math.h>
 
 #include "physics/derivatives-private.h"
+#include "physics/impulse.h"
 #include "physics/plan-private.h"
 
 /* Who is to blame for a shape so far. */
@@ -113,7 +114,9 @@ static void append_advice(GString *text, const TinkerIsland *island, const Tinke
     TinkerForecast forecast;
     tinker_forecast(island, &forecast);
     options.method = "auto";
-    gboolean chosen = tinker_plan_choose(island, &options, &choice, NULL, NULL) && choice.method != method;
+    options.impulses = FALSE;
+    gboolean impulses = method == &tinker_integrator_impulse;
+    gboolean chosen = !impulses && tinker_plan_choose(island, &options, &choice, NULL, NULL) && choice.method != method;
     if (method->flags & TINKER_INTEGRATOR_ADAPTIVE)
         g_string_append(text, "; use a smaller tolerance");
     else if (isfinite(stable) && stable > 0)
@@ -121,6 +124,7 @@ static void append_advice(GString *text, const TinkerIsland *island, const Tinke
                                fmin(tinker_advised_step(&forecast, stable), tinker_round_down(0.25 * step)));
     else
         g_string_append(text, "; use a smaller step");
+    if (impulses) g_string_append(text, ", or contact by events");
     if (!chosen) return;
     g_string_append_printf(text, ", or the method %s", choice.method->id);
     if (choice.step > 0) g_string_append_printf(text, " with a step of %g s", choice.step);

@@ -142,7 +142,9 @@ double tinker_advised_step(const TinkerForecast *forecast, double stable)
 static void warn_unstable(const TinkerIsland *island, const TinkerRunOptions *options, const TinkerForecast *forecast,
                           const TinkerIntegrator *method, double stable, GPtrArray *warnings)
 {
-    g_autofree char *around = NULL, *other = cheap_method(island, options, forecast);
+    g_autofree char *around = NULL, *other = method == &tinker_integrator_impulse
+                                                 ? g_strdup("--contacts events")
+                                                 : cheap_method(island, options, forecast);
     place_of(island, &around);
     if (stable > 0)
         g_ptr_array_add(warnings,
@@ -226,10 +228,14 @@ static gboolean refuse_not_linear(const TinkerIsland *island, const TinkerIntegr
         model->bodies > 0 ? tinker_scene_block_name(model->scene, model->body_blocks[0]) : "its supports";
     double growth = tinker_model_sideways_growth(model);
     g_autofree char *why = g_strdup_printf("whose straight motion is unstable and grows sideways at %.3g 1/s", growth);
+    gboolean touches = model->contacts != NULL && tinker_contacts_touch(model->contacts);
     g_set_error(
         error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_METHOD,
         "the method %s does not suit the part of the scene around %s, %s (the method auto takes one that suits)",
-        method->id, where, growth > 0 ? why : "which is not linear");
+        method->id, where,
+        touches      ? "which rests on a solid support from the start"
+        : growth > 0 ? why
+                     : "which is not linear");
     return FALSE;
 }
 

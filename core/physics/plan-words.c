@@ -3,7 +3,7 @@
 #include <math.h>
 #include <stdarg.h>
 
-#include "physics/model-private.h"
+#include "physics/contacts.h"
 #include "physics/plan-private.h"
 
 static void say(GPtrArray *sentences, const char *format, ...) G_GNUC_PRINTF(2, 3);
@@ -145,21 +145,38 @@ static void describe_supports(TinkerPlan *plan, TinkerModel *model)
 }
 
 /* Bodies that could meet a solid side. */
-static void describe_contact(TinkerPlan *plan, const TinkerModel *model)
+static int32_t count_shapes(const TinkerContacts *contacts)
 {
-    int32_t plates = 0;
-    for (guint i = 0; i < model->batches->len; i++) {
-        const TinkerBlockBatch *batch = g_ptr_array_index(model->batches, i);
-        const TinkerPhysics *physics = batch->block_class->physics;
-        if (physics == NULL || physics->body == NULL || physics->body->shape != TINKER_SHAPE_PLATE) continue;
-        int32_t solid = tinker_block_class_meaning_column(batch->block_class, TINKER_MEANING_SOLID);
-        for (int32_t row = 0; row < batch->count; row++)
-            plates += solid < 0 || batch->columns[solid][row] != 0;
+    int32_t count = 0;
+    for (int32_t i = 0; i < contacts->model->bodies; i++)
+        count += !isnan(contacts->half_height[i]);
+    return count;
+}
+
+static gboolean is_rough(const TinkerModel *model)
+{
+    const TinkerContacts *contacts = model->contacts;
+    for (int32_t i = 0; contacts != NULL && i < contacts->plate_count; i++)
+        if (contacts->plates[i].static_friction > 0) return TRUE;
+    return FALSE;
+}
+
+static void describe_contact(TinkerPlan *plan, TinkerModel *model, const TinkerRunOptions *options)
+{
+    char bodies[64], plates[64];
+    const TinkerContacts *contacts = model->contacts;
+    if (contacts == NULL || contacts->plate_count == 0) {
+        say(plan->left_out, "contact and friction: nothing has a solid side that a body could meet");
+        return;
     }
-    if (plates == 0)
-        say(plan->left_out, "contact and friction: nothing has a solid side");
-    else
-        say(plan->left_out, "contact and friction: bodies pass through solid sides (a run says where)");
+    say(plan->modelled, "contact of %s with %s%s: %s", counted(bodies, count_shapes(contacts), "body", "bodies"),
+        counted(plates, contacts->plate_count, "solid side", "solid sides"), is_rough(model) ? ", with friction" : "",
+        options->impulses ? "impulses, once a step"
+                          : "what comes near is watched, impacts and changes of friction are events within the steps");
+    if (!is_rough(model)) say(plan->left_out, "friction: every solid side is smooth");
+    tinker_model_set_state(model, model->q_start, model->v_start);
+    if (!tinker_contacts_touch(contacts) && !options->impulses)
+        say(plan->left_out, "forces of contact: nothing touches at the start; they enter when something does");
 }
 
 static gboolean any_nonlinear(const TinkerPlan *plan)
@@ -206,7 +223,7 @@ void tinker_plan_describe(TinkerPlan *plan, TinkerModel *model, const TinkerRunO
     describe_forces(plan, model);
     describe_constraints(plan, model);
     describe_supports(plan, model);
-    describe_contact(plan, model);
-    if (!is_damped(model)) say(plan->left_out, "damping: no block takes energy");
+    describe_contact(plan, model, options);
+    if (!is_damped(model) && !is_rough(model)) say(plan->left_out, "damping: no block takes energy");
     if (!options->estimate) say(plan->left_out, "the error estimate: it is switched off");
 }

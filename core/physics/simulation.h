@@ -17,10 +17,10 @@ typedef struct {
     double step;        /* s, of fixed-step methods */
     double tolerance;   /* of adaptive methods */
     double spectral_radius;
-    gboolean impulses;                                       /* contact as impulses, in steps of `step`, whatever `method` */
-    gboolean estimate;                                       /* run a companion for the error estimate */
-    gboolean bands;                                          /* and evaluate the columns on it too */
-    gboolean (*cancelled)(void *data);                       /* asked now and then; TRUE stops the run. May be NULL */
+    gboolean impulses;                 /* contact as impulses, in steps of `step`, whatever `method` */
+    gboolean estimate;                 /* run a companion for the error estimate */
+    gboolean bands;                    /* and evaluate the columns on it too */
+    gboolean (*cancelled)(void *data); /* asked now and then; TRUE stops the run. May be NULL */
     void (*progress)(double t, double duration, void *data); /* called now and then. May be NULL */
     void *data;                                              /* of the two */
 } TinkerRunOptions;

@@ -24,7 +24,8 @@ static gboolean apply_contacts(const char *text, TinkerRunOptions *options, GErr
 {
     options->impulses = g_str_equal(text, "impulse");
     if (options->impulses || g_str_equal(text, "events")) return TRUE;
-    g_set_error(error, TINKER_CLI_ERROR, TINKER_CLI_ERROR_USAGE, "--contacts is \"%s\" (it must be events or impulse)", text);
+    g_set_error(error, TINKER_CLI_ERROR, TINKER_CLI_ERROR_USAGE, "--contacts is \"%s\" (it must be events or impulse)",
+                text);
     return FALSE;
 }
 
@@ -148,7 +149,8 @@ static void add_idle_options(GPtrArray *warnings, const TinkerSceneRun *run, con
 {
     gboolean neither = g_str_equal(summary->method, "exact");
     if (arguments->method != NULL && g_str_equal(summary->method, IMPULSE))
-        g_ptr_array_add(warnings, g_strdup("--method has no effect: contact is asked for as impulses (--contacts events)"));
+        g_ptr_array_add(warnings,
+                        g_strdup("--method has no effect: contact is asked for as impulses (--contacts events)"));
     if (g_strcmp0(arguments->contacts, IMPULSE) == 0 && !g_str_equal(summary->method, IMPULSE))
         g_ptr_array_add(warnings, g_strdup("--contacts has no effect: there is nothing that could touch"));
     if (arguments->step != NULL && run->automatic)

@@ -282,8 +282,9 @@ static void test_unstable_step(void)
                                             ", 'position': [0.5, 1.6]}, {'type': 'spring', 'ends': ['Mass 0', "
                                             "'Mass 1'], 'stiffness': 1e6, 'rest_length': 0.7}");
     physics_assert_refused(run, TINKER_MODEL_ERROR_RUN, "diverged", "impulse is stable up to a step of about 0.0014",
-                           NULL);
+                           "or contact by events", NULL);
     g_assert_cmpuint(run->summary->warnings->len, >, 0);
+    g_assert_nonnull(strstr(g_ptr_array_index(run->summary->warnings, 0), "--contacts events"));
     g_assert_nonnull(
         strstr(g_ptr_array_index(run->summary->warnings, 0), "impulse is stable up to a step of 0.00141 s"));
 }

@@ -144,6 +144,27 @@ static void test_bare(void)
     assert_holds(full.plan->modelled, "9.81 m/s");
 }
 
+/* Contact is modelled where a body could meet a solid side, and its forces only where something touches. */
+static void test_contact(void)
+{
+    static const char *const scene = "{'type': 'gravity'}, {'type': 'support', 'position': [0, -0.2], %s},"
+                                     "{'type': 'mass', 'position': [0, %g]}";
+    TinkerRunOptions options = options_of("auto", 0.01, 1e-9, 1);
+    g_autofree char *above = g_strdup_printf(scene, "'solid': true", 2.0);
+    g_auto(Planned) falls = plan(above, &options);
+    assert_holds(falls.plan->modelled, "contact of 1 body with 1 solid side, with friction");
+    assert_holds(falls.plan->left_out, "nothing touches at the start");
+    g_assert_cmpstr(island(&falls, 0)->method->id, ==, "exact");
+    g_autofree char *smooth = g_strdup_printf(scene, "'static_friction': 0, 'dynamic_friction': 0", 0.4);
+    g_auto(Planned) rests = plan(smooth, &options);
+    assert_holds(rests.plan->left_out, "every solid side is smooth");
+    g_assert_cmpint(count_holding(rests.plan->left_out, "nothing touches"), ==, 0);
+    g_assert_cmpstr(island(&rests, 0)->method->id, !=, "exact");
+    g_autofree char *open = g_strdup_printf(scene, "'solid': false", 0.4);
+    g_auto(Planned) passes = plan(open, &options);
+    assert_holds(passes.plan->left_out, "nothing has a solid side");
+}
+
 /* omega = 10: rk4 is stable up to 0.2828 s. Above it the warning names the limit; where h omega is above 0.5 the step is stable
  * and wrong; below that nothing is said. Implicit methods have no limit, but resolve no more. */
 static void test_warnings(void)
@@ -314,6 +335,7 @@ static void add_tests(void)
     g_test_add_func("/physics/plan/islands", test_islands);
     g_test_add_func("/physics/plan/redundant", test_redundant);
     g_test_add_func("/physics/plan/bare", test_bare);
+    g_test_add_func("/physics/plan/contact", test_contact);
     g_test_add_func("/physics/plan/warnings", test_warnings);
     g_test_add_func("/physics/plan/still-stiffness", test_still_stiffness);
     g_test_add_func("/physics/plan/sideways", test_sideways);
