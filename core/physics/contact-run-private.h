@@ -59,6 +59,11 @@ struct _TinkerContactRun {
     /* the search */
     double highest_frequency; /* rad/s: of an island that is solved exactly; 0 */
     int32_t degree;
+    double nodes[TINKER_MOST_DEGREE + 1];
+    double *plate_speed; /* by point of a support: m/s, the largest so far */
+    double *end_values;  /* of triggers, at the end of the last step that had no event */
+    double end_time;
+    gint64 end_changes;
     GArray *near; /* of TinkerContactPair: those that a step comes close to */
     /* Of TinkerContactPair: those that opened without a blow and are not clear of each other yet. Their gap grows with the third
      * power of time, less than the error of a method of low order: what tells whether they part is the acceleration. */
@@ -98,7 +103,8 @@ double tinker_trigger_level(const TinkerContactRun *contact_run, const TinkerTri
 double tinker_trigger_place_rounding(const TinkerContactRun *contact_run, const TinkerTrigger *trigger);
 void tinker_contact_run_note_force_scales(TinkerContactRun *contact_run);
 
-/* How fast a plate swings (rad/s) between two times, as far as it shows at a few. */
+/* How fast a plate swings (rad/s) between two times, as far as it shows at a few: its accelerations then beside its largest
+ * speed so far. */
 double tinker_contact_run_swing(TinkerContactRun *contact_run, int32_t point, double from, double to);
 
 /* The first fall of any trigger in the last step; its kind is NONE where there is none. *place gets its time and *slope how

@@ -10,7 +10,7 @@
 /* In a step that nothing comes near in nobody gets faster than so many times as fast. */
 #define FASTER 4.0
 /* rad that a plate may swing within a step while bodies rest on it. */
-#define LONGEST_SWING 0.4
+#define LONGEST_SWING 0.2
 /* Beyond this share of the extent bodies that leave a plate are clear of it. */
 #define CLEAR 1e-9
 /* A start that slides along a top slower than this share of the largest speed may stick. */
@@ -42,6 +42,8 @@ static void allot(TinkerContactRun *self)
     self->triggers = g_array_sized_new(FALSE, FALSE, sizeof(TinkerTrigger), 2 * pairs);
     self->values_room = 2 * pairs * (gsize)(TINKER_MOST_DEGREE + 1);
     self->values = g_new0(double, self->values_room);
+    self->end_values = g_new0(double, self->values_room);
+    self->plate_speed = g_new0(double, self->model->support_points->len + 1);
 }
 
 /* A bound of the frequencies of a linear system: no mode is faster than the stiffest coordinate with all that it hangs on. */
@@ -63,6 +65,13 @@ static double highest_frequency_of(const TinkerLinearForm *form)
     return sqrt(highest);
 }
 
+/* As many as dense output has degrees, and one to spare. */
+static void choose_nodes(TinkerContactRun *self)
+{
+    self->degree = self->run->choice.method->dense_order <= 3 ? 4 : 8;
+    tinker_step_nodes(self->degree, self->nodes);
+}
+
 TinkerContactRun *tinker_contact_run_new(TinkerIslandRun *run)
 {
     if (run->model->contacts == NULL) return NULL;
@@ -74,12 +83,13 @@ TinkerContactRun *tinker_contact_run_new(TinkerIslandRun *run)
         .last_impact = -INFINITY,
         .hint = INFINITY,
         .crowd_began = -INFINITY,
-        .degree = run->choice.method->dense_order <= 3 ? 4 : 8,
+        .end_time = NAN,
     };
     if (run->choice.method->flags & TINKER_INTEGRATOR_LINEAR)
         self->highest_frequency = highest_frequency_of(run->island->linear);
     g_array_set_size(self->contacts->closed, 0);
     tinker_contacts_list_rows(self->contacts);
+    choose_nodes(self);
     allot(self);
     return self;
 }
@@ -91,8 +101,9 @@ void tinker_contact_run_free(TinkerContactRun *self)
     g_array_unref(self->near);
     g_array_unref(self->leaving);
     g_array_unref(self->triggers);
-    gpointer arrays[] = {self->from.q, self->from.v, self->from.books,  self->node_x,  self->node_u, self->node_q,
-                         self->node_v, self->force,  self->orientation, self->quiet_x, self->values, self->force_scale};
+    gpointer arrays[] = {self->from.q, self->from.v,      self->from.books, self->node_x,      self->node_u,
+                         self->node_q, self->node_v,      self->force,      self->orientation, self->quiet_x,
+                         self->values, self->force_scale, self->end_values, self->plate_speed};
     for (gsize i = 0; i < G_N_ELEMENTS(arrays); i++)
         g_free(arrays[i]);
     g_free(self);
@@ -123,7 +134,7 @@ static gboolean enter_plane(TinkerContactRun *self, GError **error)
     if (!tinker_island_run_enter_plane(self->run, error)) return FALSE;
     self->in_plane = TRUE;
     self->highest_frequency = 0;
-    self->degree = self->run->choice.method->dense_order <= 3 ? 4 : 8;
+    choose_nodes(self);
     return TRUE;
 }
 

@@ -1,6 +1,7 @@
 /* The first event in a step: what must not fall below zero is worked out at a few nodes of the step, from dense output; the
  * polynomials through these values have all their roots found. */
 #include <math.h>
+#include <string.h>
 
 #include "physics/contact-run-private.h"
 
@@ -13,12 +14,14 @@
 /* What rises and falls within so small a share of a step is looked at as closely as this many times. */
 #define DEEPEST     12
 #define FIRST_SHARE 1e-3
+/* Beside what it changes by within a step a value that is so many times as large does not reach 0. */
+#define SURELY 8.0
 
 static TinkerStatus fill_values(TinkerContactRun *self, double from, double to)
 {
-    double nodes[TINKER_MOST_DEGREE + 1], speed = self->run->system.speed;
+    const double *nodes = self->nodes;
+    double speed = self->run->system.speed;
     int32_t count = self->degree + 1;
-    tinker_step_nodes(self->degree, nodes);
     for (int32_t k = 0; k < count; k++) {
         double t = k == 0 ? from : k == count - 1 ? to : from + nodes[k] * (to - from), *q, *v;
         TinkerStatus status = tinker_contact_run_state_at(self, t, &q, &v);
@@ -111,21 +114,19 @@ static TinkerStatus search_part(TinkerContactRun *self, double from, double to, 
     if (depth == 0) return TINKER_OK;
     found->kind = TINKER_TRIGGER_NONE;
     *time = INFINITY;
-    double nodes[TINKER_MOST_DEGREE + 1];
-    tinker_step_nodes(self->degree, nodes);
-    return search_part(self, from, from + nodes[1] * (to - from), depth - 1, found, time);
+    return search_part(self, from, from + self->nodes[1] * (to - from), depth - 1, found, time);
 }
 
 double tinker_contact_run_swing(TinkerContactRun *self, int32_t point, double from, double to)
 {
-    double speed = 0, change = 0;
+    double *speed = &self->plate_speed[point - self->model->bodies], change = 0;
     for (int k = 0; k <= 8; k++) {
         if (tinker_model_set_time(self->model, from + k * (to - from) / 8) != TINKER_OK) return 0;
         const double *a = self->model->point_acceleration + 2 * point;
-        speed = fmax(speed, hypot(self->model->point[point].vx, self->model->point[point].vy));
+        *speed = fmax(*speed, hypot(self->model->point[point].vx, self->model->point[point].vy));
         change = fmax(change, hypot(a[0], a[1]));
     }
-    return speed > 0 ? change / speed : 0;
+    return *speed > 0 ? change / *speed : 0;
 }
 
 /* The fastest swing of what is watched: of moving plates, and of the island where it is solved exactly. */
@@ -154,14 +155,58 @@ static TinkerStatus find_slope(TinkerContactRun *self, const TinkerTrigger *trig
     return TINKER_OK;
 }
 
+/* Whether all that acts varies as slowly as the steps resolve, so that the ends of a step tell of what is between them: what
+ * waveforms and moving plates do might repeat itself from end to end. */
+static gboolean varies_slowly(const TinkerContactRun *self)
+{
+    const TinkerModel *model = self->model;
+    return model->waveform_batches->len == 0 && model->asked_forces->len == 0 && self->contacts->moving_plates == 0 &&
+           model->constraints.unilateral == NULL && self->highest_frequency == 0 && self->near->len == 0;
+}
+
+static TinkerStatus fill_ends(TinkerContactRun *self, double t, double *values)
+{
+    double *q, *v;
+    TinkerStatus status = tinker_contact_run_state_at(self, t, &q, &v);
+    if (status == TINKER_OK) status = tinker_contact_run_look_at(self, t, q, v);
+    for (guint i = 0; status == TINKER_OK && i < self->triggers->len; i++)
+        values[i] = tinker_trigger_value(self, &g_array_index(self->triggers, TinkerTrigger, i));
+    return status;
+}
+
+/* Whether no trigger comes near its level, by far: at the ends of the step it is away from it by many times of what it changes
+ * by. The values at the end serve the next step as those of its start. */
+static TinkerStatus look_at_ends(TinkerContactRun *self, double from, double to, gboolean *clear)
+{
+    TinkerStatus status = TINKER_OK;
+    double *first = self->values, *last = self->values + self->triggers->len;
+    *clear = FALSE;
+    if (self->end_time == from && self->end_changes == self->changes)
+        memcpy(first, self->end_values, self->triggers->len * sizeof(double));
+    else
+        status = fill_ends(self, from, first);
+    if (status == TINKER_OK) status = fill_ends(self, to, last);
+    if (status != TINKER_OK) return status;
+    self->end_time = to;
+    self->end_changes = self->changes;
+    memcpy(self->end_values, last, self->triggers->len * sizeof(double));
+    for (guint i = 0; i < self->triggers->len; i++)
+        if (!(fmin(first[i], last[i]) > SURELY * fabs(last[i] - first[i]))) return TINKER_OK;
+    *clear = TRUE;
+    return TINKER_OK;
+}
+
 TinkerStatus tinker_contact_run_search(TinkerContactRun *self, double from, double to, TinkerTrigger *found,
                                        double *time, double *slope)
 {
     TinkerStatus status = TINKER_OK;
+    gboolean clear = FALSE;
     found->kind = TINKER_TRIGGER_NONE;
     *time = INFINITY;
     tinker_contact_run_list_triggers(self);
     if (self->triggers->len == 0) return TINKER_OK;
+    if (varies_slowly(self)) status = look_at_ends(self, from, to, &clear);
+    if (clear || status != TINKER_OK) return status;
     double arc = highest_frequency(self, from, to) * (to - from);
     int parts = (int)CLAMP(ceil(arc / LONGEST_ARC), 1, MOST_PARTS);
     for (int k = 0; k < parts && status == TINKER_OK && found->kind == TINKER_TRIGGER_NONE; k++) {

@@ -153,6 +153,7 @@ void tinker_contact_run_make_room(TinkerContactRun *self)
     if (room > self->values_room) {
         self->values_room = 2 * room;
         self->values = g_renew(double, self->values, self->values_room);
+        self->end_values = g_renew(double, self->end_values, self->values_room);
     }
     if (closed > self->closed_room) {
         self->closed_room = 2 * closed;

@@ -23,6 +23,8 @@
 #define START_OFF (6 * DBL_EPSILON)
 /* Samples so near to an impact (a share of the time) may lie on either side of it. */
 #define NEAR_IMPACT 1e-6
+/* Of how far bodies are from the middle of what they rest on. */
+#define REST 1e-9
 /* Or of so many steps, where an impact is one of a whole step. */
 #define STEPS_NEAR_IMPACT 3
 
@@ -186,6 +188,13 @@ static gboolean strikes_near(const TinkerIslandRun *run, double t)
     return fabs(tinker_contact_run_last_impact(run->contacts) - t) <= NEAR_IMPACT * t;
 }
 
+/* Whether an island does nothing but rest on plates: what moves there is rounding, and has no scale. */
+static gboolean rests(const TinkerIslandRun *run, double extent)
+{
+    const TinkerContacts *contacts = run->model->contacts;
+    return tinker_contacts_act(contacts) && extent < REST * tinker_contacts_extent(contacts);
+}
+
 /* The largest distance of the two states of an island so far, by its present scales: what was much beside the first slow
  * moments may be little beside what follows. */
 static double distance(const TinkerEstimate *estimate, guint number)
@@ -196,6 +205,7 @@ static double distance(const TinkerEstimate *estimate, guint number)
     gboolean strikes = strikes_near(run, ours->sample_time) || strikes_near(other, ours->sample_time);
     double extent, speed, *apart = &estimate->apart[2 * number], *faster = apart + 1;
     run->system.system.scales(&run->system, run->state.q, run->state.v, &extent, &speed);
+    if (rests(run, extent)) return 0;
     for (int32_t i = 0; i < run->model->bodies; i++) {
         int32_t body = 2 * run->island->body_of[i];
         *apart = fmax(*apart, hypot(ours->sample_q[body] - theirs->sample_q[body],
