@@ -4,6 +4,9 @@
 
 #include "physics/contacts.h"
 
+#define MOST_BLOCKS_ASKED  20000000
+#define LEAST_MOST_ISLANDS 256
+
 static int32_t root_of(int32_t *parent, int32_t body)
 {
     while (parent[body] != body) {
@@ -75,10 +78,18 @@ static int by_size(const void *left, const void *right)
     return l->set - r->set;
 }
 
+/* Every island is found in all blocks of the scene: so many of them may be asked in all. */
+static int32_t most_islands(const TinkerModel *model)
+{
+    int32_t blocks = MAX(tinker_scene_id_limit(model->scene), 1);
+    return CLAMP(MOST_BLOCKS_ASKED / blocks, LEAST_MOST_ISLANDS, TINKER_MOST_ISLANDS);
+}
+
 /* Behind the largest, all sets become one; its number is answered, or -1 where none were joined. */
 static int32_t join_smallest(const TinkerModel *model, int32_t *set_of, int32_t *sets)
 {
-    if (*sets <= TINKER_MOST_ISLANDS) return -1;
+    const int32_t most = most_islands(model);
+    if (*sets <= most) return -1;
     g_autofree SetSize *sizes = g_new0(SetSize, *sets);
     g_autofree int32_t *renumbered = g_new0(int32_t, *sets);
     for (int32_t i = 0; i < *sets; i++)
@@ -86,14 +97,14 @@ static int32_t join_smallest(const TinkerModel *model, int32_t *set_of, int32_t 
     for (int32_t i = 0; i < model->bodies; i++)
         sizes[set_of[i]].size++;
     qsort(sizes, (gsize)*sets, sizeof(SetSize), by_size);
-    int32_t rest = TINKER_MOST_ISLANDS - 1;
+    int32_t rest = most - 1;
     for (int32_t i = rest; i < *sets; i++)
         renumbered[sizes[i].set] = -1;
     for (int32_t i = 0, number = 0; i < *sets; i++)
         renumbered[i] = renumbered[i] < 0 ? rest : number++;
     for (int32_t i = 0; i < model->bodies; i++)
         set_of[i] = renumbered[set_of[i]];
-    *sets = TINKER_MOST_ISLANDS;
+    *sets = most;
     return rest;
 }
 

@@ -1,14 +1,15 @@
 /* Islands: the parts of a model that nothing ties together. Each is a small model of its own, planned and stepped apart.
  *
  * Bodies belong to one island where a connector, a constraint or a field that couples bodies links them; a support links
- * nobody. Where there are more than TINKER_MOST_ISLANDS of them, the smallest are stepped together as one. */
+ * nobody. Where there are more than TINKER_MOST_ISLANDS of them, fewer in a scene of very many blocks, the smallest are
+ * stepped together as one. */
 #ifndef TINKER_CORE_ISLANDS_H
 #define TINKER_CORE_ISLANDS_H
 
 #include "physics/linear-form.h"
 #include "physics/model.h"
 
-#define TINKER_MOST_ISLANDS 256
+#define TINKER_MOST_ISLANDS 1024
 
 typedef struct {
     TinkerModel *model;       /* of this island alone; the whole model where it is the only one */
