@@ -55,7 +55,7 @@ static double restitution_of(const TinkerContactChange *change, guint number)
 static double least_rebound(const TinkerContactChange *change, guint number)
 {
     const TinkerPlate *plate = tinker_touch_plate(change, number);
-    if (restitution_of(change, number) < 1) return LEAST_REBOUND * change->speed;
+    if (restitution_of(change, number) < 1) return fmax(LEAST_REBOUND * change->speed, change->least_rise);
     gboolean between = change->run->neighbours.lists[tinker_touch(change, number)->contact.body]->len > 1;
     return between && plate->dynamic_friction > 0 ? LEAST_REBOUND * change->speed : 0;
 }
@@ -131,7 +131,11 @@ static gboolean refuse_squeezed(TinkerContactChange *change, GError **error)
 gboolean tinker_change_strike(TinkerContactChange *change, GError **error)
 {
     if (!approaches(change)) return TRUE;
+    double scale;
     g_auto(TinkerContactLaws) laws = tinker_contact_laws_of(change);
+    if (!tinker_change_accelerations(change, laws.pairs, &scale))
+        return tinker_change_refuse(change, change->model->failure, error);
+    change->least_rise = 2 * sqrt(scale * change->tolerance);
     for (guint i = 0; i < laws.count; i++) {
         const TinkerPlate *plate = tinker_touch_plate(change, i);
         laws.pairs[2 * i] = tinker_touch(change, i)->place.normal_speed;

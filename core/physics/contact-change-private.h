@@ -22,8 +22,10 @@ typedef struct {
     TinkerModel *model;
     TinkerTrigger trigger;
     int32_t group;
-    GArray *touches; /* of TinkerTouch: of this group of bodies */
-    double speed, slow;
+    GArray *touches;    /* of TinkerTouch: of this group of bodies */
+    double tolerance;   /* m: within it a gap is closed */
+    double speed, slow; /* m/s: the largest; the share of it that is still */
+    double least_rise;  /* m/s: what rises to no more than the tolerance is that slow */
 } TinkerContactChange;
 
 static inline TinkerTouch *tinker_touch(const TinkerContactChange *change, guint number)

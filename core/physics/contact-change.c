@@ -217,7 +217,14 @@ static gboolean change_group(TinkerContactRun *self, const TinkerTrigger *trigge
     TinkerIslandRun *run = self->run;
     double extent;
     TinkerContactChange change = {
-        self, self->model, *trigger, group, g_array_new(FALSE, TRUE, sizeof(TinkerTouch)), 0, fmax(slow, TINKER_STILL)};
+        .run = self,
+        .model = self->model,
+        .trigger = *trigger,
+        .group = group,
+        .touches = g_array_new(FALSE, TRUE, sizeof(TinkerTouch)),
+        .tolerance = fmin(tolerance, tinker_contact_run_closed_gap(self)),
+        .slow = fmax(slow, TINKER_STILL),
+    };
     run->system.system.scales(&run->system, run->state.q, run->state.v, &extent, &change.speed);
     gboolean done =
         tinker_change_set_state(&change) == TINKER_OK || tinker_change_refuse(&change, self->model->failure, error);

@@ -119,6 +119,9 @@ TinkerStatus tinker_contact_run_value(TinkerContactRun *contact_run, double t, c
 /* Room for what is watched while these contacts are closed, so that steps allot nothing. */
 void tinker_contact_run_make_room(TinkerContactRun *contact_run);
 
+/* Within this (m) of 0 a gap is closed: rounding, or another body at the same instant. */
+double tinker_contact_run_closed_gap(const TinkerContactRun *contact_run);
+
 /* Whether the pair has just opened. */
 gboolean tinker_contact_run_leaves(const TinkerContactRun *contact_run, const TinkerContactPair *pair);
 

@@ -148,7 +148,7 @@ static gboolean is_crowded(TinkerContactRun *self)
     return ++self->crowd > CROWD;
 }
 
-static double closed_gap(TinkerContactRun *self)
+double tinker_contact_run_closed_gap(const TinkerContactRun *self)
 {
     double extent, speed;
     TinkerIslandRun *run = self->run;
@@ -175,7 +175,7 @@ gboolean tinker_contact_run_think_again(TinkerContactRun *self, GError **error)
 {
     TinkerTrigger none = {.kind = TINKER_TRIGGER_NONE, .row = -1};
     if (self->contacts->closed->len == 0 && self->model->constraints.unilateral == NULL) return TRUE;
-    return tinker_contact_run_change(self, &none, closed_gap(self), 0, error);
+    return tinker_contact_run_change(self, &none, tinker_contact_run_closed_gap(self), 0, error);
 }
 
 gboolean tinker_contact_run_pass(TinkerContactRun *self, GError **error)
@@ -190,7 +190,8 @@ gboolean tinker_contact_run_pass(TinkerContactRun *self, GError **error)
                                            "restitution below 1, ends such a sequence)",
                                            error);
     if (!enter_plane(self, error)) return FALSE;
-    if (!tinker_contact_run_change(self, &self->pending_trigger, closed_gap(self), 0, error)) return FALSE;
+    if (!tinker_contact_run_change(self, &self->pending_trigger, tinker_contact_run_closed_gap(self), 0, error))
+        return FALSE;
     run->choice.method->restart(run->stepper);
     return TRUE;
 }
@@ -213,7 +214,7 @@ static void let_leave(TinkerContactRun *self)
     if (tinker_model_set_time(self->model, run->state.t) != TINKER_OK) return;
     tinker_model_set_state(self->model, run->state.q, run->state.v);
     if (self->model->constraints.unilateral != NULL && tinker_constraints_evaluate(self->model) != TINKER_OK) return;
-    double clear = CLEAR * (closed_gap(self) / CLOSED_GAP);
+    double clear = CLEAR * (tinker_contact_run_closed_gap(self) / CLOSED_GAP);
     for (guint i = self->leaving->len; i-- > 0;) {
         const TinkerContactPair *pair = &g_array_index(self->leaving, TinkerContactPair, i);
         gboolean left;

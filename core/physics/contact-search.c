@@ -61,7 +61,8 @@ static gboolean falls_soon(const TinkerContactRun *self, const TinkerTrigger *tr
     for (int32_t k = 0; k <= self->degree; k++)
         most = fmax(most, fabs(values[k]));
     if (!(values[1] < trigger->level) || values[0] > NOTHING * most) return FALSE;
-    return trigger->kind != TINKER_TRIGGER_GAP || values[0] >= trigger->level; /* from behind it passes */
+    return trigger->kind != TINKER_TRIGGER_GAP ||
+           values[0] >= -tinker_contact_run_closed_gap(self); /* else from behind */
 }
 
 /* Whether it rises first, by less than the polynomial resolves. */
@@ -78,9 +79,10 @@ static gboolean rises_first(TinkerContactRun *self, const TinkerTrigger *trigger
     return tinker_contact_run_value(self, t, q, v, trigger, &soon) == TINKER_OK && soon > at_first;
 }
 
-/* The first fall of one trigger between two times; INFINITY for none, NAN where it has to be looked at more closely. */
+/* The first fall of one trigger between two times and before one that is known; INFINITY for none, NAN where it has to be
+ * looked at more closely. */
 static double first_fall(TinkerContactRun *self, const TinkerTrigger *trigger, const double *values, double from,
-                         double to)
+                         double to, double known)
 {
     double places[MOST_FALLS];
     if (tinker_step_least(self->degree, values) > trigger->level) return INFINITY;
@@ -89,6 +91,7 @@ static double first_fall(TinkerContactRun *self, const TinkerTrigger *trigger, c
     int32_t falls = tinker_step_falls(self->degree, values, trigger->level, places, MOST_FALLS);
     for (int32_t k = 0; k < falls; k++) {
         double t = from + places[k] * (to - from);
+        if (!(t < known)) break;
         if (meets(self, trigger, t)) return t;
     }
     return INFINITY;
@@ -102,7 +105,7 @@ static TinkerStatus search_part(TinkerContactRun *self, double from, double to, 
     TinkerTrigger unclear = {.kind = TINKER_TRIGGER_NONE};
     for (guint i = 0; status == TINKER_OK && i < self->triggers->len; i++) {
         const TinkerTrigger *trigger = &g_array_index(self->triggers, TinkerTrigger, i);
-        double t = first_fall(self, trigger, self->values + i * (guint)(self->degree + 1), from, to);
+        double t = first_fall(self, trigger, self->values + i * (guint)(self->degree + 1), from, to, *time);
         if (isnan(t)) unclear = *trigger;
         if (!(t < *time)) continue;
         *time = t;

@@ -91,7 +91,7 @@ typedef struct {
     gboolean *unilateral, *slack; /* by row */
     int32_t *diagonal;            /* by row: its slot in S */
     double *own_g, *own_drift, *own_rate, *own_jacobian;
-    GArray *products;      /* of TinkerProduct */
+    GArray *products; /* of TinkerProduct */
     TinkerSparseLdl *ldl;
     TinkerRowChains *chains; /* of rows that hang together in chains alone; else NULL */
     double work;             /* J: what the last projection of positions gave, by the applied forces evaluated last */
