@@ -105,6 +105,11 @@ static void substitute(const TinkerDenseSolve *solve, double *b)
     }
 }
 
+int tinker_dense_solve_is_full(const TinkerDenseSolve *solve)
+{
+    return solve->full;
+}
+
 void tinker_dense_solve(TinkerDenseSolve *solve, double *b)
 {
     if (solve->full) {

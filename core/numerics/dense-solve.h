@@ -14,6 +14,9 @@ void tinker_dense_solve_free(TinkerDenseSolve *solve);
 /* Takes a matrix, n x n by rows. Answers 0 where its rank is not full. Allots nothing. */
 int tinker_dense_solve_factor(TinkerDenseSolve *solve, const double *matrix);
 
+/* Whether the rank of the matrix taken last was full; 0 before the first. */
+int tinker_dense_solve_is_full(const TinkerDenseSolve *solve);
+
 /* Solves for the matrix taken last, in place of b. Singular values below 1e-10 of the largest count as 0. Source: LAPACK Users'
  * Guide, xGELSY (Quintana-Orti, Sun, Bischof). Allots nothing. */
 void tinker_dense_solve(TinkerDenseSolve *solve, double *b);

@@ -22,8 +22,9 @@ typedef struct {
     TinkerModel *model;
     TinkerTrigger trigger;
     int32_t group;
-    GArray *touches;    /* of TinkerTouch: of this group of bodies */
-    double tolerance;   /* m: within it a gap is closed */
+    GArray *touches;  /* of TinkerTouch: of this group of bodies */
+    gboolean forced;  /* what was found to reach the limit of sticking slips, whatever the laws could share otherwise */
+    double tolerance; /* m: within it a gap is closed */
     double speed, slow; /* m/s: the largest; the share of it that is still */
     double least_rise;  /* m/s: what rises to no more than the tolerance is that slow */
 } TinkerContactChange;

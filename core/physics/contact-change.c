@@ -5,6 +5,7 @@
  * 3. Of those that do not part by then, the laws at the level of accelerations tell the modes from here on.
  * 4. Where no acceleration satisfies them (Painleve), an impulse ends the sliding that jams, and 3. is asked again. */
 #include <math.h>
+#include <string.h>
 
 #include "physics/contact-change-private.h"
 
@@ -24,8 +25,8 @@ static int8_t sliding_of(const TinkerContactChange *change, guint number, double
     double speed = at->place.tangential_speed;
     if (plate == NULL) return 1; /* without friction either way is the same */
     if (tinker_change_is_trigger(change, at) && !at->struck) {
-        if (change->trigger.kind == TINKER_TRIGGER_FORWARD) return -1;
-        if (change->trigger.kind == TINKER_TRIGGER_BACKWARD) return 1;
+        if (change->forced && change->trigger.kind == TINKER_TRIGGER_FORWARD) return -1;
+        if (change->forced && change->trigger.kind == TINKER_TRIGGER_BACKWARD) return 1;
         if (change->trigger.kind == TINKER_TRIGGER_SPEED && fabs(speed) <= STOPPED * change->speed) return 0;
     }
     if (plate->static_friction == 0) return 1;
@@ -194,10 +195,8 @@ static gboolean close_contacts(TinkerContactChange *change, GError **error)
     for (guint i = contacts->closed->len; i-- > 0;)
         if (contacts->group[tinker_contacts_closed(contacts, i)->body] == change->group)
             g_array_remove_index(contacts->closed, i);
-    for (guint i = 0; i < change->touches->len; i++) {
-        name_change(change, i);
+    for (guint i = 0; i < change->touches->len; i++)
         close_one(change, i);
-    }
     tinker_contacts_list_rows(contacts);
     tinker_contact_run_make_room(self);
     self->changes++;
@@ -207,6 +206,65 @@ static gboolean close_contacts(TinkerContactChange *change, GError **error)
     gboolean acts = contacts->closed->len > 0 || change->model->constraints.unilateral != NULL;
     if (acts && system->project(system->context, state->t, state->q, state->v, &moved) != TINKER_OK)
         return tinker_change_refuse(change, change->model->failure, error);
+    return TRUE;
+}
+
+/* Shares of a load -------------------------------------------------------------------------------------------------- */
+
+static gboolean keeps_laws(const TinkerContacts *contacts, const TinkerContact *contact)
+{
+    double most = contacts->plates[contact->plate].static_friction * contact->normal;
+    return contact->normal >= 0 && (contact->mode != TINKER_CONTACT_STICK || fabs(contact->friction) <= most);
+}
+
+/* Where contacts hold bodies more than once: whether the even share, that of least norm, keeps the laws. It is taken where it
+ * does; else the share that the laws gave, which may stand at a limit. */
+static gboolean share_evenly(TinkerContactChange *change)
+{
+    TinkerContactRun *self = change->run;
+    TinkerContacts *contacts = self->contacts;
+    const TinkerState *state = &self->run->state;
+    gboolean even = TRUE;
+    g_autofree TinkerContact *kept = g_memdup2(contacts->closed->data, contacts->closed->len * sizeof(TinkerContact));
+    for (guint i = 0; i < contacts->closed->len; i++) {
+        TinkerContact *contact = tinker_contacts_closed(contacts, i);
+        if (contacts->group[contact->body] == change->group) contact->base_normal = contact->base_friction = 0;
+    }
+    tinker_contacts_list_rows(contacts);
+    if (tinker_contact_run_look_at(self, state->t, state->q, state->v) != TINKER_OK) even = FALSE;
+    for (guint i = 0; even && i < contacts->closed->len; i++)
+        if (contacts->group[kept[i].body] == change->group)
+            even = keeps_laws(contacts, tinker_contacts_closed(contacts, i));
+    if (even) return TRUE;
+    memcpy(contacts->closed->data, kept, contacts->closed->len * sizeof(TinkerContact));
+    tinker_contacts_list_rows(contacts);
+    return FALSE;
+}
+
+/* Whether nothing determines how the closed contacts share their load. */
+static gboolean shares_load(const TinkerContactChange *change)
+{
+    const TinkerContacts *contacts = change->run->contacts;
+    return contacts->rows->len > 0 && !tinker_dense_solve_is_full(contacts->forces);
+}
+
+/* Steps 3 and 4, and what is closed from here on. A contact that reaches the limit of sticking only by its share does not slip
+ * where another share holds it. */
+static gboolean settle_contacts(TinkerContactChange *change, GError **error)
+{
+    gboolean limit = change->trigger.kind == TINKER_TRIGGER_FORWARD || change->trigger.kind == TINKER_TRIGGER_BACKWARD;
+    change->forced = !(limit && shares_load(change));
+    if (!decide(change, error) || !close_contacts(change, error)) return FALSE;
+    gboolean even = !shares_load(change) || share_evenly(change);
+    if (change->forced || even) return TRUE;
+    change->forced = TRUE;
+    for (guint i = 0; i < change->touches->len; i++)
+        if (tinker_touch(change, i)->row >= 0)
+            tinker_constraints_set_slack(change->model, tinker_touch(change, i)->row, TRUE);
+    if (tinker_change_set_state(change) != TINKER_OK)
+        return tinker_change_refuse(change, change->model->failure, error);
+    if (!decide(change, error) || !close_contacts(change, error)) return FALSE;
+    if (shares_load(change)) share_evenly(change);
     return TRUE;
 }
 
@@ -233,10 +291,11 @@ static gboolean change_group(TinkerContactRun *self, const TinkerTrigger *trigge
         done = tinker_change_set_state(&change) == TINKER_OK && tinker_change_strike(&change, error);
     }
     if (done) turn_bodies(&change);
-    done = done && decide(&change, error);
+    done = done && settle_contacts(&change, error);
+    for (guint i = 0; done && i < change.touches->len; i++)
+        name_change(&change, i);
     if (done) turn_bodies(&change);
     if (done) note_leaving(&change);
-    done = done && close_contacts(&change, error);
     g_array_unref(change.touches);
     return done;
 }
