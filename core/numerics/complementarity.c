@@ -14,8 +14,10 @@
 #define SMALLEST_PIVOT    1e-12
 #define SMALLEST_CONSTANT 1e-13
 
-/* What a solution may miss an inequality by, as a share of the terms that meet in it. */
+/* What a solution may miss an inequality by, as a share of the terms that meet in it; if none keeps to that,
+ * then by a share of the largest constant, since those below SMALLEST_CONSTANT are taken as 0 on the way. */
 #define TOLERANCE 1e-11
+#define FLOOR     (10 * SMALLEST_CONSTANT)
 
 /* Unknown 0 .. n-1 is w, n .. 2n-1 is z, 2n the covering one. */
 typedef struct {
@@ -150,9 +152,10 @@ static TinkerLcpResult walk(Dictionary *self)
     return TINKER_LCP_GAVE_UP;
 }
 
-/* z is cleared of rounding below 0; FALSE where it is no solution. */
-static gboolean holds(int32_t n, const double *matrix, const double *q, double *z)
+/* z is cleared of rounding below 0; FALSE where it is no solution. `floor` is what (scaled) rows may miss in any case. */
+static gboolean holds(const Dictionary *self, const double *matrix, const double *q, double floor, double *z)
 {
+    int32_t n = self->n;
     for (int32_t i = 0; i < n; i++)
         z[i] = z[i] > 0 ? z[i] : 0;
     for (int32_t i = 0; i < n; i++) {
@@ -162,7 +165,8 @@ static gboolean holds(int32_t n, const double *matrix, const double *q, double *
             w += term;
             size += fabs(term);
         }
-        if (!(z[i] > 0 ? fabs(w) <= TOLERANCE * size : w >= -TOLERANCE * size)) return FALSE;
+        double slack = TOLERANCE * size + floor / self->scale[i];
+        if (!(z[i] > 0 ? fabs(w) <= slack : w >= -slack)) return FALSE;
     }
     return TRUE;
 }
@@ -192,9 +196,15 @@ static gboolean finish(Dictionary *self, const double *matrix, const double *q, 
     if (tinker_pivoted_solve(count, system, right, order, SMALLEST_PIVOT) == count)
         for (int32_t i = 0; i < count; i++)
             solved[chosen[i]] = right[i] * self->scale[chosen[i]];
-    if (!holds(n, matrix, q, solved)) return holds(n, matrix, q, z);
-    memcpy(z, solved, (size_t)n * sizeof *z);
-    return TRUE;
+    for (int32_t pass = 0; pass < 2; pass++) {
+        double floor = pass == 0 ? 0 : FLOOR * unit;
+        if (holds(self, matrix, q, floor, solved))
+            memcpy(z, solved, (size_t)n * sizeof *z);
+        else if (!holds(self, matrix, q, floor, z))
+            continue;
+        return TRUE;
+    }
+    return FALSE;
 }
 
 TinkerLcpResult tinker_lcp_solve(int32_t n, const double *matrix, const double *q, double *z, double *room)

@@ -12,7 +12,8 @@
 typedef enum {
     TINKER_LCP_SOLVED,
     TINKER_LCP_RAY,     /* the path ends in a ray: of a copositive-plus M that means that there is no solution */
-    TINKER_LCP_GAVE_UP, /* more pivots than the cap, or a number that is none */
+    TINKER_LCP_GAVE_UP, /* more pivots than the cap, or a number that is none (then z is 0); or a solution that is so by the
+                           path alone, and not by the matrix, to rounding: z is that */
 } TinkerLcpResult;
 
 /* Doubles of room that a problem of n unknowns needs. */

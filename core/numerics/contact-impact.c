@@ -12,7 +12,8 @@ typedef struct {
     TinkerContactResult result;
 } Trial;
 
-/* Impulses with a share of the restitution, and what energy they take from the bodies (0 where that is rounding). */
+/* Impulses with a share of the restitution, and what energy they take from the bodies (0 where that is rounding); -1 where
+ * there are none: bodies that wedge cannot part against their friction. */
 static double lost_energy(void *data, double share)
 {
     Trial *trial = data;
@@ -27,7 +28,8 @@ static double lost_energy(void *data, double share)
         trial->offset[2 * k + 1] = impact->velocity[2 * k + 1];
     }
     trial->result = tinker_contact_solve(&problem, trial->impulses);
-    if (trial->result != TINKER_CONTACT_SOLVED || impact->least != NULL) return 0;
+    if (trial->result != TINKER_CONTACT_SOLVED) return -1;
+    if (impact->least != NULL) return 0;
     double gained = 0, size = 0;
     for (int32_t i = 0; i < 2 * impact->count; i++) {
         /* offsets differ from velocities by what is asked for */
@@ -52,7 +54,11 @@ TinkerContactResult tinker_impact_solve(const TinkerImpact *impact, double *impu
     int32_t m = impact->count;
     g_autofree double *many = m > 8 ? g_new(double, 2 * (gsize)m) : NULL;
     Trial trial = {impact, many != NULL ? many : few, impulses, TINKER_CONTACT_SOLVED};
-    if (lost_energy(&trial, 1) >= 0) return trial.result;
+    if (lost_energy(&trial, 1) >= 0 || impact->least != NULL) return trial.result;
+    if (lost_energy(&trial, 0) < 0 && trial.result != TINKER_CONTACT_SOLVED) {
+        lost_energy(&trial, 1); /* of others, where one is blocked */
+        return trial.result;
+    }
     double share = tinker_step_refine(0, 1, lost_or_none, &trial);
     for (double back = 1e-15; lost_energy(&trial, share) < 0 && share > 0; back *= 4)
         share = MAX(share - back, 0);

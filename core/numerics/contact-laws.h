@@ -23,8 +23,9 @@ typedef enum {
 typedef enum {
     TINKER_CONTACT_SOLVED,
     TINKER_CONTACT_NO_ACCELERATION, /* no finite forces satisfy the laws: Painleve's paradox, an impulse has to act; or a
-                                       contact closes whose normal direction (W_nn = 0) nothing can move along */
-    TINKER_CONTACT_GAVE_UP,
+                                       contact closes whose normal direction (W_nn = 0) nothing can move along, or
+                                       bodies are squeezed, or wedge where they should part */
+    TINKER_CONTACT_GAVE_UP,         /* a number that is none */
 } TinkerContactResult;
 
 /* Impact. After it, for every contact:
@@ -43,8 +44,9 @@ typedef struct {
 
 /* Writes the impulses p (2m). No impact adds energy: where Newton's restitution together with friction would (the sum of
  * p . (u + u') / 2 over all contacts > 0), all coefficients of restitution are taken as smaller by one common factor, the
- * largest that does not. That does not apply to `least`, for which restitution may be NULL. Where the laws leave
- * several answers, a contact by itself sticks if it can. */
+ * largest that does not; so too where bodies wedge, so that no impulses make them rebound as much. That does not apply to
+ * `least`, for which restitution may be NULL. Where the laws leave several answers, a contact by itself sticks if it can.
+ * Velocities that miss what W can do by rounding are met to 1e-10 of the largest. */
 TinkerContactResult tinker_impact_solve(const TinkerImpact *impact, double *impulses);
 
 /* Contacts that are closed (gap 0, u_n = 0) and their forces. */

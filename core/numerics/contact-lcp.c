@@ -35,20 +35,26 @@ static void fill_row(const TinkerContactProblem *problem, int32_t entry, double 
     }
 }
 
-static int32_t fill(const TinkerContactProblem *problem, double softening, double *matrix, double *q)
+static double offset_of(const TinkerContactProblem *problem, int32_t i, double softening, const double *centre)
+{
+    return problem->offset[i] - (centre != NULL ? softening * centre[i] : 0);
+}
+
+static int32_t fill(const TinkerContactProblem *problem, double softening, const double *centre, double *matrix,
+                    double *q)
 {
     int32_t size = 0, at = 0;
     for (int32_t k = 0; k < problem->count; k++)
         size += tinker_contact_grips(problem, k) ? 4 : 1;
     for (int32_t k = 0; k < problem->count; k++) {
-        q[at] = problem->offset[2 * k];
+        q[at] = offset_of(problem, 2 * k, softening, centre);
         fill_row(problem, 2 * k, 1, softening, matrix + (gsize)at * (gsize)size);
         if (!tinker_contact_grips(problem, k)) {
             at++;
             continue;
         }
         double *row = matrix + (gsize)(at + 1) * (gsize)size;
-        q[at + 1] = problem->offset[2 * k + 1];
+        q[at + 1] = offset_of(problem, 2 * k + 1, softening, centre);
         q[at + 2] = -q[at + 1];
         q[at + 3] = 0;
         fill_row(problem, 2 * k + 1, 1, softening, row);
@@ -63,12 +69,13 @@ static int32_t fill(const TinkerContactProblem *problem, double softening, doubl
     return size;
 }
 
-gboolean tinker_contact_by_complementarity(TinkerContactWork *work, double softening)
+gboolean tinker_contact_by_complementarity(TinkerContactWork *work, double softening, const double *centre)
 {
     const TinkerContactProblem *problem = &work->problem;
     double *q = work->lcp_room, *z = q + 4 * problem->count, *room = z + 4 * problem->count;
-    int32_t size = fill(problem, softening, work->lcp, q);
-    if (tinker_lcp_solve(size, work->lcp, q, z, room) != TINKER_LCP_SOLVED) return FALSE;
+    int32_t size = fill(problem, softening, centre, work->lcp, q);
+    /* where the solver gives up, it is the contacts' own check that judges what it has */
+    if (tinker_lcp_solve(size, work->lcp, q, z, room) == TINKER_LCP_RAY) return FALSE;
     for (int32_t k = 0, at = 0; k < problem->count; k++) {
         gboolean grips = tinker_contact_grips(problem, k);
         work->p[2 * k] = z[at];

@@ -40,7 +40,9 @@ typedef struct {
     TinkerContactProblem problem; /* scaled */
     double *scale;                /* m: p = scaled p * scale * unit */
     double unit;
+    double floor;         /* what counts as meeting in every v, besides what does */
     gboolean blocked;     /* b_n < 0 where nothing moves: that contact is left out */
+    double *centre;       /* 2m: of a proximal point */
     double *p, *v, *size; /* 2m */
     double *system;       /* 2m x 2m */
     double *right;        /* 2m */
@@ -58,8 +60,9 @@ gboolean tinker_contact_check(TinkerContactWork *work, double tolerance, TinkerC
 /* The same with the p that solves W p = -b as the states have it. */
 gboolean tinker_contact_try_states(TinkerContactWork *work, double tolerance, TinkerContactState *next);
 
-/* The same problem as a linear complementarity problem; softened by `softening` on the diagonal of W. Leaves p and state. */
-gboolean tinker_contact_by_complementarity(TinkerContactWork *work, double softening);
+/* The same problem as a linear complementarity problem, with softening (p - centre) added to v; centre may be NULL: 0. Leaves
+ * p and state. */
+gboolean tinker_contact_by_complementarity(TinkerContactWork *work, double softening, const double *centre);
 
 /* Whether contact k may hold by friction. */
 static inline gboolean tinker_contact_grips(const TinkerContactProblem *problem, int32_t k)

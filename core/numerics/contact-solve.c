@@ -1,5 +1,5 @@
 /* One contact is solved in closed form. Of several, most problems are settled by a few guesses at what each does; else by
- * Lemke's method; where that ends in a ray, by trying all states of few contacts, or with W softened a little. */
+ * Lemke's method; where that ends in a ray, by trying all states of few contacts, or by proximal points. */
 #include <math.h>
 #include <string.h>
 
@@ -14,7 +14,11 @@
 #define FEW 4
 
 #define ROUNDING 2e-14 /* of guesses */
-#define LOOSE    1e-10 /* of what the other ways find */
+#define LOOSE    1e-10 /* of what is found no better */
+
+/* Of proximal points: where small ones leave W too nearly singular, large ones take more passes. */
+static const double softenings[] = {1e-6, 3e-5, 1e-3};
+#define MOST_PASSES 20
 
 /* A normal direction that nothing moves along has W_nn of rounding alone. */
 #define IMMOVABLE 1e-13
@@ -36,13 +40,13 @@ static gboolean slide_single(const TinkerContactProblem *problem, double sigma, 
     return TRUE;
 }
 
-static gboolean stick_single(const TinkerContactProblem *problem, double *p)
+static gboolean stick_single(const TinkerContactProblem *problem, double tolerance, double *p)
 {
     const double *w = problem->delassus, *b = problem->offset;
     double coupling = w[2] / w[0], along = b[1] - coupling * b[0], left = w[3] - coupling * w[1];
-    double noise = ROUNDING * (fabs(b[1]) + fabs(coupling * b[0]));
+    double noise = tolerance * (fabs(b[1]) + fabs(coupling * b[0]));
     /* along a guide both directions are one */
-    p[1] = left > ROUNDING * w[3] ? -along / left : 0;
+    p[1] = left > tolerance * w[3] ? -along / left : 0;
     p[0] = -(b[0] + w[1] * p[1]) / w[0];
     double most = problem->friction[0] * p[0];
     if ((p[1] == 0 && fabs(along) > noise) || !(fabs(p[1]) <= most * (1 + 4e-16))) return FALSE;
@@ -50,9 +54,23 @@ static gboolean stick_single(const TinkerContactProblem *problem, double *p)
     return TRUE;
 }
 
-static TinkerContactResult solve_single(const TinkerContactProblem *problem, double *p)
+/* A contact that may hold by friction: it sticks, or it slides the way that friction lets it. */
+static gboolean grip_single(const TinkerContactProblem *problem, double tolerance, double *p)
 {
     const double *w = problem->delassus, *b = problem->offset;
+    if (stick_single(problem, tolerance, p)) return TRUE;
+    double sigma = b[1] - w[2] / w[0] * b[0] >= 0 ? 1 : -1;
+    for (int32_t side = 0; side < 2; side++, sigma = -sigma) {
+        if (!slide_single(problem, sigma, p)) continue;
+        double size, along = tinker_contact_velocity(problem, p, 1, &size);
+        if (sigma * along >= -tolerance * size) return TRUE;
+    }
+    return FALSE;
+}
+
+static TinkerContactResult solve_single(const TinkerContactProblem *problem, double *p)
+{
+    const double *b = problem->offset;
     p[0] = p[1] = 0;
     if (b[0] >= 0) return TINKER_CONTACT_SOLVED;
     if (!isfinite(b[0]) || !isfinite(b[1])) return TINKER_CONTACT_GAVE_UP;
@@ -61,20 +79,15 @@ static TinkerContactResult solve_single(const TinkerContactProblem *problem, dou
         double sigma = problem->sliding == NULL ? 0 : problem->sliding[0];
         return slide_single(problem, sigma, p) ? TINKER_CONTACT_SOLVED : TINKER_CONTACT_NO_ACCELERATION;
     }
-    if (stick_single(problem, p)) return TINKER_CONTACT_SOLVED;
-    double sigma = b[1] - w[2] / w[0] * b[0] >= 0 ? 1 : -1;
-    for (int32_t side = 0; side < 2; side++, sigma = -sigma) {
-        if (!slide_single(problem, sigma, p)) continue;
-        double size, along = tinker_contact_velocity(problem, p, 1, &size);
-        if (sigma * along >= -ROUNDING * size) return TINKER_CONTACT_SOLVED;
-    }
-    return TINKER_CONTACT_GAVE_UP;
+    if (grip_single(problem, ROUNDING, p) || grip_single(problem, LOOSE, p)) return TINKER_CONTACT_SOLVED;
+    p[0] = p[1] = 0;
+    return TINKER_CONTACT_NO_ACCELERATION;
 }
 
 static gsize room_of(int32_t m)
 {
     gsize n = (gsize)m;
-    return 4 * n * n + 2 * n + n + 6 * n + 4 * n * n + 2 * n + 16 * n * n + 8 * n + (gsize)tinker_lcp_room(4 * m) +
+    return 4 * n * n + 2 * n + n + 8 * n + 4 * n * n + 2 * n + 16 * n * n + 8 * n + (gsize)tinker_lcp_room(4 * m) +
            4 * n;
 }
 
@@ -86,7 +99,8 @@ static void set_up(TinkerContactWork *work, const TinkerContactProblem *problem,
     work->problem.delassus = delassus;
     work->problem.offset = offset;
     work->scale = offset + width;
-    work->p = work->scale + m;
+    work->centre = work->scale + m;
+    work->p = work->centre + width;
     work->v = work->p + width;
     work->size = work->v + width;
     work->system = work->size + width;
@@ -105,6 +119,7 @@ static void set_up(TinkerContactWork *work, const TinkerContactProblem *problem,
         for (gsize i = 2 * k; i < 2 * k + 2; i++)
             largest = MAX(largest, fabs(problem->offset[i]) * work->scale[k]);
     }
+    work->floor = 1e-3;
     work->unit = largest > 0 ? tinker_power_of_two(largest) : 1;
     for (gsize i = 0; i < width; i++) {
         offset[i] = problem->offset[i] * work->scale[i / 2] / work->unit;
@@ -119,7 +134,7 @@ static void set_up(TinkerContactWork *work, const TinkerContactProblem *problem,
 }
 
 /* From what the offsets alone ask for, every contact by turns to what fits what the last guess gave. */
-static gboolean guess(TinkerContactWork *work, TinkerContactState *next)
+static gboolean guess(TinkerContactWork *work, double tolerance, TinkerContactState *next)
 {
     const TinkerContactProblem *problem = &work->problem;
     for (int32_t k = 0; k < problem->count; k++)
@@ -127,23 +142,43 @@ static gboolean guess(TinkerContactWork *work, TinkerContactState *next)
                          : tinker_contact_grips(problem, k) ? TINKER_STATE_STICK
                                                             : TINKER_STATE_FREE;
     for (int32_t tries = 0; tries < problem->count + 6; tries++) {
-        if (tinker_contact_try_states(work, ROUNDING, next)) return TRUE;
+        if (tinker_contact_try_states(work, tolerance, next)) return TRUE;
         if (memcmp(next, work->state, (gsize)problem->count * sizeof *next) == 0) return FALSE;
         memcpy(work->state, next, (gsize)problem->count * sizeof *next);
     }
     return FALSE;
 }
 
-/* Lemke's impulses, or better those of the states that they tell. */
-static gboolean by_complementarity(TinkerContactWork *work, double softening, double tolerance)
+/* The impulses that the states found so far ask for, or else those that they were found with. */
+static gboolean settle(TinkerContactWork *work, double tolerance)
 {
-    int32_t m = work->problem.count;
-    if (!tinker_contact_by_complementarity(work, softening)) return FALSE;
+    gsize bytes = 2 * (gsize)work->problem.count * sizeof *work->p;
     double *kept = work->lcp;
-    memcpy(kept, work->p, 2 * (gsize)m * sizeof *kept);
+    memcpy(kept, work->p, bytes);
     if (tinker_contact_try_states(work, tolerance, NULL)) return TRUE;
-    memcpy(work->p, kept, 2 * (gsize)m * sizeof *kept);
+    memcpy(work->p, kept, bytes);
     return tinker_contact_check(work, tolerance, NULL);
+}
+
+static gboolean by_complementarity(TinkerContactWork *work, double tolerance)
+{
+    return tinker_contact_by_complementarity(work, 0, NULL) && settle(work, tolerance);
+}
+
+/* The proximal point method: the softened problem again and again, with the springs that soften it at rest where the last
+ * impulses were, so that they press no more in the end. Each solve is well posed however singular W is. Source: Rockafellar,
+ * "Monotone operators and the proximal point algorithm", SIAM J. Control Optim. 14 (1976) 877-898. */
+static gboolean by_proximal_points(TinkerContactWork *work, double softening, double tolerance)
+{
+    double *centre = work->centre;
+    gsize width = 2 * (gsize)work->problem.count;
+    memset(centre, 0, width * sizeof *centre);
+    for (int32_t pass = 0; pass < MOST_PASSES; pass++) {
+        if (!tinker_contact_by_complementarity(work, softening, centre)) return FALSE;
+        memcpy(centre, work->p, width * sizeof *centre);
+        if (settle(work, tolerance)) return TRUE;
+    }
+    return FALSE;
 }
 
 static gboolean try_all(TinkerContactWork *work, double tolerance)
@@ -166,20 +201,19 @@ static gboolean try_all(TinkerContactWork *work, double tolerance)
 static TinkerContactResult solve_several(TinkerContactWork *work, TinkerContactState *next)
 {
     const TinkerContactProblem *problem = &work->problem;
-    gboolean rubs = FALSE, finite = isfinite(work->unit);
-    for (int32_t k = 0; k < problem->count; k++)
-        rubs |= problem->sliding != NULL && problem->sliding[k] != 0 && problem->friction[k] > 0;
-    if (!finite) return TINKER_CONTACT_GAVE_UP;
-    if (guess(work, next)) return TINKER_CONTACT_SOLVED;
+    if (!isfinite(work->unit)) return TINKER_CONTACT_GAVE_UP;
     /* to rounding, else near enough: where one contact is about to do something else, a loose answer is a poor one */
     for (int32_t pass = 0; pass < 2; pass++) {
         double tolerance = pass == 0 ? ROUNDING : LOOSE;
-        if (by_complementarity(work, 0, tolerance)) return TINKER_CONTACT_SOLVED;
+        if (guess(work, tolerance, next)) return TINKER_CONTACT_SOLVED;
+        if (by_complementarity(work, tolerance)) return TINKER_CONTACT_SOLVED;
         if (problem->count <= FEW && try_all(work, tolerance)) return TINKER_CONTACT_SOLVED;
     }
-    for (double softening = 1e-13; softening < 1e-8; softening *= 100)
-        if (by_complementarity(work, softening, LOOSE)) return TINKER_CONTACT_SOLVED;
-    return rubs ? TINKER_CONTACT_NO_ACCELERATION : TINKER_CONTACT_GAVE_UP;
+    /* rods tie contacts together: velocities that contradict one another by rounding have no better answer */
+    work->floor = 1;
+    for (gsize i = 0; i < G_N_ELEMENTS(softenings); i++)
+        if (by_proximal_points(work, softenings[i], LOOSE)) return TINKER_CONTACT_SOLVED;
+    return TINKER_CONTACT_NO_ACCELERATION;
 }
 
 TinkerContactResult tinker_contact_solve(const TinkerContactProblem *problem, double *p)

@@ -53,7 +53,7 @@ double tinker_contact_velocity(const TinkerContactProblem *problem, const double
 /* What is rounding in entry i of v. */
 static double slack(const TinkerContactWork *work, int32_t i, double tolerance)
 {
-    return tolerance * (work->size[i] + 1e-3);
+    return tolerance * (work->size[i] + work->floor);
 }
 
 /* What contact k should do rather than what it does, if that breaks a law by more than `tolerance`. */

@@ -50,14 +50,15 @@ static double restitution_of(const TinkerContactChange *change, guint number)
     return plate != NULL ? plate->restitution : 0;
 }
 
-/* Rebounds below this (m/s) are none. Without any loss along the normal a bounce never ends, but for one to and fro between
- * rough plates, where friction takes something each time. */
+/* Rebounds below this (m/s) are none. Without any loss along the normal a bounce never ends, but where something else takes
+ * energy: friction, to and fro between rough plates, or a damper or the air on the way. */
 static double least_rebound(const TinkerContactChange *change, guint number)
 {
     const TinkerPlate *plate = tinker_touch_plate(change, number);
     if (restitution_of(change, number) < 1) return fmax(LEAST_REBOUND * change->speed, change->least_rise);
     gboolean between = change->run->neighbours.lists[tinker_touch(change, number)->contact.body]->len > 1;
-    return between && plate->dynamic_friction > 0 ? LEAST_REBOUND * change->speed : 0;
+    gboolean damped = change->model->lines.any_damping || change->model->field_drag != 0;
+    return damped || (between && plate->dynamic_friction > 0) ? LEAST_REBOUND * change->speed : 0;
 }
 
 /* Parts, but too slowly to be seen. */

@@ -245,7 +245,13 @@ static gboolean share_evenly(TinkerContactChange *change)
 static gboolean shares_load(const TinkerContactChange *change)
 {
     const TinkerContacts *contacts = change->run->contacts;
-    return contacts->rows->len > 0 && !tinker_dense_solve_is_full(contacts->forces);
+    for (guint i = 0; i < contacts->blocks->len; i++) {
+        const TinkerContactBlock *block = &g_array_index(contacts->blocks, TinkerContactBlock, i);
+        int32_t contact = g_array_index(contacts->rows, TinkerContactRow, (guint)block->first).contact;
+        if (contacts->group[tinker_contacts_closed(contacts, (guint)contact)->body] == change->group)
+            return !tinker_dense_solve_is_full(block->solve[FALSE]);
+    }
+    return FALSE;
 }
 
 /* Steps 3 and 4, and what is closed from here on. A contact that reaches the limit of sticking only by its share does not slip

@@ -61,21 +61,37 @@ static int32_t body_of(const TinkerContacts *contacts, const TinkerContactRow *r
     return tinker_contacts_closed(contacts, (guint)row->contact)->body;
 }
 
-void tinker_contacts_factor(TinkerContacts *contacts, gboolean moves)
+static void factor_block(TinkerContacts *contacts, TinkerContactBlock *block, gboolean moves)
 {
-    const TinkerContactRow *rows = (const TinkerContactRow *)(const void *)contacts->rows->data;
-    int32_t count = (int32_t)contacts->rows->len;
-    if (contacts->factored[moves]) return;
-    for (int32_t j = 0; j < count; j++) {
+    const TinkerContactRow *rows = (const TinkerContactRow *)(const void *)contacts->rows->data + block->first;
+    for (int32_t j = 0; j < block->count; j++) {
         const double *change = answer_to(contacts, body_of(contacts, &rows[j]), moves ? rows[j].row : rows[j].force);
-        for (int32_t i = 0; i < count; i++) {
+        for (int32_t i = 0; i < block->count; i++) {
             const double *at = change + 2 * body_of(contacts, &rows[i]);
-            contacts->delassus[i * count + j] =
+            contacts->delassus[i * block->count + j] =
                 (rows[i].row[0] * at[0] + rows[i].row[1] * at[1]) * (rows[i].weight * rows[j].weight);
         }
     }
-    tinker_dense_solve_factor(moves ? contacts->moves : contacts->forces, contacts->delassus);
-    contacts->factored[moves] = !contacts->rows_held;
+    tinker_dense_solve_factor(block->solve[moves], contacts->delassus);
+    block->factored[moves] = !block->held;
+}
+
+void tinker_contacts_solve_moves(TinkerContacts *contacts)
+{
+    for (guint i = 0; i < contacts->blocks->len; i++) {
+        TinkerContactBlock *block = &g_array_index(contacts->blocks, TinkerContactBlock, i);
+        if (!block->factored[TRUE]) factor_block(contacts, block, TRUE);
+        tinker_dense_solve(block->solve[TRUE], contacts->demand + block->first);
+    }
+}
+
+static void solve_forces(TinkerContacts *contacts)
+{
+    for (guint i = 0; i < contacts->blocks->len; i++) {
+        TinkerContactBlock *block = &g_array_index(contacts->blocks, TinkerContactBlock, i);
+        if (!block->factored[FALSE]) factor_block(contacts, block, FALSE);
+        tinker_dense_solve_near(block->solve[FALSE], contacts->base + block->first, contacts->demand + block->first);
+    }
 }
 
 static void accelerate_rows(TinkerContacts *contacts, double *a)
@@ -90,8 +106,7 @@ static void accelerate_rows(TinkerContacts *contacts, double *a)
         const double *plate = acceleration_of(contacts, tinker_contacts_closed(contacts, (guint)rows[i].contact));
         demand[i] = -(rows[i].row[0] * (at[0] - plate[0]) + rows[i].row[1] * (at[1] - plate[1])) * rows[i].weight;
     }
-    tinker_contacts_factor(contacts, FALSE);
-    tinker_dense_solve_near(contacts->forces, contacts->base, demand);
+    solve_forces(contacts);
     for (guint i = 0; i < contacts->rows->len; i++) {
         TinkerContact *contact = tinker_contacts_closed(contacts, (guint)rows[i].contact);
         double force = demand[i] * rows[i].weight, *at = a + 2 * contact->body;

@@ -84,8 +84,7 @@ static double measure_rows(TinkerContacts *contacts)
 /* Solves for the demand, and adds what the rows' pushes do to all bodies to x. */
 static void push_rows(TinkerContacts *contacts, double *x)
 {
-    tinker_contacts_factor(contacts, TRUE);
-    tinker_dense_solve(contacts->moves, contacts->demand);
+    tinker_contacts_solve_moves(contacts);
     for (guint i = 0; i < contacts->rows->len; i++) {
         const TinkerContactRow *row = &g_array_index(contacts->rows, TinkerContactRow, i);
         double push = contacts->demand[i] * row->weight;

@@ -6,6 +6,9 @@
 #include "physics/contact-neighbours.h"
 #include "physics/contact-run.h"
 
+/* A polynomial follows so much of a swing (rad) to rounding. */
+#define TINKER_LONGEST_ARC 1.5
+
 /* What ends a phase of a contact when it falls below zero. */
 typedef enum {
     TINKER_TRIGGER_NONE,
@@ -57,7 +60,9 @@ struct _TinkerContactRun {
     int crowd;
 
     /* the search */
-    double highest_frequency; /* rad/s: of an island that is solved exactly; 0 */
+    gboolean
+        exact; /* the island is solved exactly: its steps resolve nothing, and are limited to what its motion swings by */
+    double fastest, strongest; /* of those: m/s and m/s^2, the largest speed and acceleration so far */
     int32_t degree;
     double nodes[TINKER_MOST_DEGREE + 1];
     double *plate_speed; /* by point of a support: m/s, the largest so far */

@@ -9,6 +9,8 @@
 #define CLOSED_GAP 1e-13
 /* In a step that nothing comes near in nobody gets faster than so many times as fast. */
 #define FASTER 4.0
+/* Of the way to the limit: the first step of an exact island from rest. */
+#define FIRST_SHARE 1e-4
 /* rad that a plate may swing within a step while bodies rest on it. */
 #define LONGEST_SWING 0.2
 /* Beyond this share of the extent bodies that leave a plate are clear of it. */
@@ -46,25 +48,6 @@ static void allot(TinkerContactRun *self)
     self->plate_speed = g_new0(double, self->model->support_points->len + 1);
 }
 
-/* A bound of the frequencies of a linear system: no mode is faster than the stiffest coordinate with all that it hangs on. */
-static double highest_frequency_of(const TinkerLinearForm *form)
-{
-    if (form == NULL) return 0;
-    const TinkerLinearSystem *linear = tinker_linear_form_system(form);
-    g_autofree double *stiffness = g_new0(double, linear->size + 1);
-    double highest = 0;
-    for (int32_t i = 0; i < linear->edge_count; i++) {
-        const TinkerLinearEdge *edge = &linear->edges[i];
-        for (int k = 0; k < 2; k++) {
-            int32_t end = k == 0 ? edge->a : edge->b;
-            if (end >= 0) stiffness[end] += 2 * edge->stiffness;
-        }
-    }
-    for (int32_t i = 0; i < linear->size; i++)
-        highest = fmax(highest, stiffness[i] / linear->mass[i]);
-    return sqrt(highest);
-}
-
 /* As many as dense output has degrees, and one to spare. */
 static void choose_nodes(TinkerContactRun *self)
 {
@@ -85,8 +68,7 @@ TinkerContactRun *tinker_contact_run_new(TinkerIslandRun *run)
         .crowd_began = -INFINITY,
         .end_time = NAN,
     };
-    if (run->choice.method->flags & TINKER_INTEGRATOR_LINEAR)
-        self->highest_frequency = highest_frequency_of(run->island->linear);
+    self->exact = (run->choice.method->flags & TINKER_INTEGRATOR_LINEAR) != 0;
     g_array_set_size(self->contacts->closed, 0);
     tinker_contacts_list_rows(self->contacts);
     choose_nodes(self);
@@ -133,7 +115,7 @@ static gboolean enter_plane(TinkerContactRun *self, GError **error)
     tinker_contacts_open_books(self->contacts);
     if (!tinker_island_run_enter_plane(self->run, error)) return FALSE;
     self->in_plane = TRUE;
-    self->highest_frequency = 0;
+    self->exact = FALSE;
     choose_nodes(self);
     return TRUE;
 }
@@ -262,12 +244,30 @@ static void keep_start(TinkerContactRun *self, const TinkerState *state)
     memcpy(self->from.books, state->books, (gsize)self->run->system.system.books * sizeof(double));
 }
 
+/* How fast the motion swings that holds the energy: its largest acceleration beside its largest speed. From rest the speed is at
+ * first what one short step makes of the acceleration, so that steps grow as fast as the motion does. */
+static double swing_limit(TinkerContactRun *self, double limit)
+{
+    TinkerIslandRun *run = self->run;
+    TinkerSystem *system = &run->system.system;
+    const TinkerState *state = &run->state;
+    gint64 evaluations = self->model->evaluations;
+    if (system->acceleration(system->context, state->t, state->q, state->v, self->force, NULL) == TINKER_OK)
+        self->strongest = fmax(self->strongest, tinker_greatest(self->force, system->size));
+    self->model->evaluations = evaluations;
+    self->fastest = fmax(self->fastest, tinker_greatest(state->v, system->size));
+    if (!(self->strongest > 0)) return limit;
+    double share = FIRST_SHARE * (limit - state->t);
+    return fmin(limit, state->t + fmax(share, TINKER_LONGEST_ARC * self->fastest / self->strongest));
+}
+
 double tinker_contact_run_begin(TinkerContactRun *self, double limit)
 {
     const TinkerIslandRun *run = self->run;
     gboolean adaptive = (run->choice.method->flags & TINKER_INTEGRATOR_ADAPTIVE) != 0;
     if (self->leaving->len > 0) let_leave(self);
     if (adaptive && self->contacts->moving_plates > 0) limit = resolved_limit(self, limit);
+    if (self->exact) limit = swing_limit(self, limit);
     self->limit = limit;
     self->from.t = run->state.t;
     self->speed_bound = 0;

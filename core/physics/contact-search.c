@@ -6,11 +6,9 @@
 #include "physics/contact-run-private.h"
 
 /* Of the largest value in a step: what a polynomial through them does not resolve. */
-#define NOTHING 1e-13
-/* A polynomial follows so much of a swing (rad) to rounding. */
-#define LONGEST_ARC 1.5
-#define MOST_PARTS  256
-#define MOST_FALLS  8
+#define NOTHING    1e-13
+#define MOST_PARTS 256
+#define MOST_FALLS 8
 /* What rises and falls within so small a share of a step is looked at as closely as this many times. */
 #define DEEPEST     12
 #define FIRST_SHARE 1e-3
@@ -132,11 +130,11 @@ double tinker_contact_run_swing(TinkerContactRun *self, int32_t point, double fr
     return *speed > 0 ? change / *speed : 0;
 }
 
-/* The fastest swing of what is watched: of moving plates, and of the island where it is solved exactly. */
+/* The fastest swing of moving plates. */
 static double highest_frequency(TinkerContactRun *self, double from, double to)
 {
     const TinkerContacts *contacts = self->contacts;
-    double highest = self->highest_frequency;
+    double highest = 0;
     for (int32_t i = 0; contacts->moving_plates > 0 && i < contacts->plate_count; i++)
         if (contacts->plates[i].moving)
             highest = fmax(highest, tinker_contact_run_swing(self, contacts->plates[i].point, from, to));
@@ -158,16 +156,17 @@ static TinkerStatus find_slope(TinkerContactRun *self, const TinkerTrigger *trig
     return TINKER_OK;
 }
 
-/* Whether all that acts varies as slowly as the steps resolve, so that the ends of a step tell of what is between them: what
- * waveforms and moving plates do might repeat itself from end to end. */
+/* Whether all that acts varies as slowly as the steps resolve, so that a few values tell of what is between them: what
+ * waveforms and supports do might repeat itself from end to end, and adaptive steps may be as long as a swing. */
 static gboolean varies_slowly(const TinkerContactRun *self)
 {
     const TinkerModel *model = self->model;
-    return model->waveform_batches->len == 0 && model->asked_forces->len == 0 && self->contacts->moving_plates == 0 &&
-           model->constraints.unilateral == NULL && self->highest_frequency == 0 && self->near->len == 0;
+    gboolean fixed = (self->run->choice.method->flags & (TINKER_INTEGRATOR_ADAPTIVE | TINKER_INTEGRATOR_LINEAR)) == 0;
+    return fixed && model->waveform_batches->len == 0 && model->asked_forces->len == 0 && model->moving_supports == 0 &&
+           model->constraints.unilateral == NULL && self->near->len == 0;
 }
 
-static TinkerStatus fill_ends(TinkerContactRun *self, double t, double *values)
+static TinkerStatus fill_place(TinkerContactRun *self, double t, double *values)
 {
     double *q, *v;
     TinkerStatus status = tinker_contact_run_state_at(self, t, &q, &v);
@@ -177,25 +176,29 @@ static TinkerStatus fill_ends(TinkerContactRun *self, double t, double *values)
     return status;
 }
 
-/* Whether no trigger comes near its level, by far: at the ends of the step it is away from it by many times of what it changes
- * by. The values at the end serve the next step as those of its start. */
-static TinkerStatus look_at_ends(TinkerContactRun *self, double from, double to, gboolean *clear)
+/* Whether no trigger comes near its level, by far: at the start, in the middle and at the end of the step it is away from it by
+ * many times of what it changes by, in this step and in the one before: one step may happen to end as it began, two do
+ * not. The values at the end serve the next step as those of its start. */
+static TinkerStatus look_at_places(TinkerContactRun *self, double from, double to, gboolean *clear)
 {
-    TinkerStatus status = TINKER_OK;
-    double *first = self->values, *last = self->values + self->triggers->len;
-    *clear = FALSE;
-    if (self->end_time == from && self->end_changes == self->changes)
-        memcpy(first, self->end_values, self->triggers->len * sizeof(double));
-    else
-        status = fill_ends(self, from, first);
-    if (status == TINKER_OK) status = fill_ends(self, to, last);
+    guint count = self->triggers->len;
+    double *first = self->values, *middle = first + count, *last = middle + count;
+    double *kept = self->end_values, *changes = kept + count;
+    gboolean follows = self->end_time == from && self->end_changes == self->changes;
+    *clear = follows;
+    if (follows) memcpy(first, kept, count * sizeof(double));
+    TinkerStatus status = follows ? TINKER_OK : fill_place(self, from, first);
+    if (status == TINKER_OK) status = fill_place(self, 0.5 * (from + to), middle);
+    if (status == TINKER_OK) status = fill_place(self, to, last);
     if (status != TINKER_OK) return status;
     self->end_time = to;
     self->end_changes = self->changes;
-    memcpy(self->end_values, last, self->triggers->len * sizeof(double));
-    for (guint i = 0; i < self->triggers->len; i++)
-        if (!(fmin(first[i], last[i]) > SURELY * fabs(last[i] - first[i]))) return TINKER_OK;
-    *clear = TRUE;
+    for (guint i = 0; i < count; i++) {
+        double least = fmin(fmin(first[i], middle[i]), last[i]), most = fmax(fmax(first[i], middle[i]), last[i]);
+        *clear &= least > SURELY * fmax(most - least, follows ? changes[i] : 0);
+        kept[i] = last[i];
+        changes[i] = most - least;
+    }
     return TINKER_OK;
 }
 
@@ -208,10 +211,10 @@ TinkerStatus tinker_contact_run_search(TinkerContactRun *self, double from, doub
     *time = INFINITY;
     tinker_contact_run_list_triggers(self);
     if (self->triggers->len == 0) return TINKER_OK;
-    if (varies_slowly(self)) status = look_at_ends(self, from, to, &clear);
+    if (varies_slowly(self)) status = look_at_places(self, from, to, &clear);
     if (clear || status != TINKER_OK) return status;
     double arc = highest_frequency(self, from, to) * (to - from);
-    int parts = (int)CLAMP(ceil(arc / LONGEST_ARC), 1, MOST_PARTS);
+    int parts = (int)CLAMP(ceil(arc / TINKER_LONGEST_ARC), 1, MOST_PARTS);
     for (int k = 0; k < parts && status == TINKER_OK && found->kind == TINKER_TRIGGER_NONE; k++) {
         double begin = from + k * (to - from) / parts, end = k == parts - 1 ? to : from + (k + 1) * (to - from) / parts;
         status = search_part(self, begin, end, DEEPEST, found, time);

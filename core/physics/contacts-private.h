@@ -4,8 +4,7 @@
 
 #include "physics/contacts.h"
 
-/* Factors W of the rows that are solved together, for the constraint rows evaluated last: for forces, or for `moves`, which
- * go along the rows themselves. */
-void tinker_contacts_factor(TinkerContacts *contacts, gboolean moves);
+/* Solves for the demand of all rows, for the constraint rows evaluated last: how far each row is to push along itself. */
+void tinker_contacts_solve_moves(TinkerContacts *contacts);
 
 #endif

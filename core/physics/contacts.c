@@ -100,6 +100,13 @@ static void find_groups(TinkerContacts *contacts)
         contacts->group[i] = contacts->group[contacts->group[i]];
 }
 
+static void block_clear(gpointer data)
+{
+    TinkerContactBlock *block = data;
+    tinker_dense_solve_free(block->solve[FALSE]);
+    tinker_dense_solve_free(block->solve[TRUE]);
+}
+
 TinkerContacts *tinker_contacts_new(TinkerModel *model)
 {
     gboolean any_body = FALSE;
@@ -115,6 +122,8 @@ TinkerContacts *tinker_contacts_new(TinkerModel *model)
     contacts->closed = g_array_new(FALSE, TRUE, sizeof(TinkerContact));
     contacts->rows = g_array_new(FALSE, TRUE, sizeof(TinkerContactRow));
     contacts->simple = g_array_new(FALSE, TRUE, sizeof(int32_t));
+    contacts->blocks = g_array_new(FALSE, TRUE, sizeof(TinkerContactBlock));
+    g_array_set_clear_func(contacts->blocks, block_clear);
     contacts->column = g_new0(double, 2 * (gsize)MAX(model->bodies, 1));
     contacts->before = g_new0(double, 2 * (gsize)MAX(model->bodies, 1));
     contacts->accelerations = g_new0(double, 2 * (gsize)MAX(model->bodies, 1));
@@ -129,8 +138,7 @@ void tinker_contacts_free(TinkerContacts *contacts)
     g_array_unref(contacts->closed);
     g_array_unref(contacts->rows);
     g_array_unref(contacts->simple);
-    tinker_dense_solve_free(contacts->forces);
-    tinker_dense_solve_free(contacts->moves);
+    g_array_unref(contacts->blocks);
     gpointer arrays[] = {contacts->plates,   contacts->half_height, contacts->held,          contacts->group,
                          contacts->delassus, contacts->demand,      contacts->accelerations, contacts->column,
                          contacts->before,   contacts->base};
@@ -200,21 +208,53 @@ static void add_rows(TinkerContacts *contacts, int32_t number)
     double weight = sqrt(contacts->model->mass[contact->body]);
     TinkerContactRow normal = {number, FALSE, {nx, ny}, {nx + share * ny, ny - share * nx}, weight};
     g_array_append_val(contacts->rows, normal);
-    contacts->rows_held |= contacts->held[contact->body];
     if (contact->mode != TINKER_CONTACT_STICK) return;
     TinkerContactRow tangential = {number, TRUE, {ny, -nx}, {ny, -nx}, weight};
     g_array_append_val(contacts->rows, tangential);
 }
 
+static int32_t group_of(const TinkerContacts *contacts, guint row)
+{
+    int32_t contact = g_array_index(contacts->rows, TinkerContactRow, row).contact;
+    return contacts->group[tinker_contacts_closed(contacts, (guint)contact)->body];
+}
+
+static int by_group(const void *left, const void *right, void *data)
+{
+    const TinkerContactRow *l = left, *r = right;
+    const TinkerContacts *contacts = data;
+    int32_t of_l = contacts->group[tinker_contacts_closed(contacts, (guint)l->contact)->body];
+    int32_t of_r = contacts->group[tinker_contacts_closed(contacts, (guint)r->contact)->body];
+    if (of_l != of_r) return of_l < of_r ? -1 : 1;
+    if (l->contact != r->contact) return l->contact < r->contact ? -1 : 1;
+    return l->tangential - r->tangential;
+}
+
+/* Rows of one group stand together and are solved together. Answers the rows of the largest. */
+static gsize find_blocks(TinkerContacts *contacts)
+{
+    gsize most = 1;
+    g_array_set_size(contacts->blocks, 0);
+    g_array_sort_with_data(contacts->rows, by_group, contacts);
+    for (guint first = 0, end; first < contacts->rows->len; first = end) {
+        int32_t group = group_of(contacts, first),
+                contact = g_array_index(contacts->rows, TinkerContactRow, first).contact;
+        for (end = first + 1; end < contacts->rows->len && group_of(contacts, end) == group;)
+            end++;
+        TinkerContactBlock block = {.first = (int32_t)first, .count = (int32_t)(end - first)};
+        block.held = contacts->held[tinker_contacts_closed(contacts, (guint)contact)->body];
+        block.solve[FALSE] = tinker_dense_solve_new(block.count);
+        block.solve[TRUE] = tinker_dense_solve_new(block.count);
+        g_array_append_val(contacts->blocks, block);
+        most = MAX(most, end - first);
+    }
+    return most;
+}
+
 static void allot_rows(TinkerContacts *contacts)
 {
-    gsize rows = contacts->rows->len;
-    contacts->factored[FALSE] = contacts->factored[TRUE] = FALSE;
-    tinker_dense_solve_free(contacts->forces);
-    tinker_dense_solve_free(contacts->moves);
-    contacts->forces = rows > 0 ? tinker_dense_solve_new((int32_t)rows) : NULL;
-    contacts->moves = rows > 0 ? tinker_dense_solve_new((int32_t)rows) : NULL;
-    contacts->delassus = g_renew(double, contacts->delassus, MAX(rows * rows, 1));
+    gsize rows = contacts->rows->len, most = find_blocks(contacts);
+    contacts->delassus = g_renew(double, contacts->delassus, most *most);
     contacts->demand = g_renew(double, contacts->demand, MAX(rows, 1));
     contacts->base = g_renew(double, contacts->base, MAX(rows, 1));
     for (gsize i = 0; i < rows; i++) {
@@ -229,7 +269,7 @@ void tinker_contacts_list_rows(TinkerContacts *contacts)
     g_array_sort(contacts->closed, by_body);
     g_array_set_size(contacts->rows, 0);
     g_array_set_size(contacts->simple, 0);
-    contacts->any_slip_friction = contacts->rows_held = FALSE;
+    contacts->any_slip_friction = FALSE;
     contacts->model->book_power[TINKER_BOOK_FRICTION] = 0;
     for (guint i = 0; i < contacts->closed->len; i++) {
         const TinkerContact *contact = tinker_contacts_closed(contacts, i);

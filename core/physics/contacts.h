@@ -51,6 +51,14 @@ typedef struct {
     double weight; /* root of the body's mass: W is scaled by it to about 1 */
 } TinkerContactRow;
 
+/* Rows of one group of bodies, behind one another: no other row changes what they ask for. */
+typedef struct {
+    int32_t first, count;
+    gboolean held;              /* W changes with the constraints; else it is factored once */
+    TinkerDenseSolve *solve[2]; /* W with the directions of the rows' forces; with those of the rows themselves */
+    gboolean factored[2];
+} TinkerContactBlock;
+
 struct _TinkerContacts {
     TinkerModel *model;
     int32_t plate_count, moving_plates;
@@ -67,10 +75,8 @@ struct _TinkerContacts {
     gboolean any_slip_friction;
 
     /* working state; what depends on the rows is allotted when they change */
-    TinkerDenseSolve *forces, *moves; /* W of the rows, with the directions of their forces; with those of the rows */
-    gboolean rows_held;               /* some row's body is held: W changes with the constraints */
-    gboolean factored[2];             /* of the two: else it is factored once */
-    double *delassus, *demand, *base; /* rows x rows, rows, rows */
+    GArray *blocks;                          /* of TinkerContactBlock */
+    double *delassus, *demand, *base;        /* of the largest block, rows x rows; of all rows; likewise */
     double *column, *accelerations, *before; /* 2 per body */
     gint64 evaluations;                      /* of closed contacts, ever: 0 where nothing touched */
 };

@@ -239,13 +239,28 @@ static gboolean refuse_not_linear(const TinkerIsland *island, const TinkerIntegr
     return FALSE;
 }
 
+static gboolean refuse_ropes(const TinkerIsland *island, GError **error)
+{
+    const TinkerConstraints *all = &island->model->constraints;
+    int32_t row = 0;
+    while (!all->unilateral[row])
+        row++;
+    g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_METHOD,
+                "%s holds in one direction only, which contacts as impulses do not know (--contacts events, or leave "
+                "\"contacts\" out of the scene's run)",
+                tinker_scene_block_name(island->model->scene, all->blocks[row]));
+    return FALSE;
+}
+
 gboolean tinker_decide(const TinkerIsland *island, const TinkerRunOptions *options, const TinkerSpectrum *spectrum,
                        TinkerDecision *decision, GPtrArray *warnings, GError **error)
 {
-    gboolean impulses = options->impulses && island->model->contacts != NULL;
+    const TinkerContacts *contacts = island->model->contacts;
+    gboolean impulses = options->impulses && contacts != NULL && contacts->plate_count > 0;
     gboolean automatic = !impulses && g_str_equal(options->method, "auto");
     const TinkerIntegrator *method = &tinker_integrator_impulse;
     if (!impulses) method = tinker_run_method(island->model->scene, options->method, error);
+    if (options->impulses && island->model->constraints.unilateral != NULL) return refuse_ropes(island, error);
     if (method == NULL || !tinker_run_options_check(options, method, tinker_options_duration(options), error))
         return FALSE;
     if (!automatic && (method->flags & TINKER_INTEGRATOR_LINEAR) && island->linear == NULL)

@@ -66,6 +66,89 @@ static gboolean eliminate(int32_t n, long double a[CASE_WIDTH][CASE_WIDTH + 1])
     return TRUE;
 }
 
+typedef struct {
+    int32_t masses;
+    double inverse_mass[CASE_CONTACTS], rods[CASE_CONTACTS][2]; /* directions */
+} Chain;
+
+/* x, velocities of the masses, changed as little as the rods ask for. */
+static void project(const Chain *chain, double x[CASE_CONTACTS][2])
+{
+    long double system[CASE_WIDTH][CASE_WIDTH + 1] = {{0}};
+    int32_t count = chain->masses - 1;
+    for (int32_t i = 0; i < count; i++) {
+        const double *rod = chain->rods[i], *last = i > 0 ? chain->rods[i - 1] : rod;
+        double between = i > 0 ? -chain->inverse_mass[i] * (rod[0] * last[0] + rod[1] * last[1]) : 0;
+        system[i][i] = chain->inverse_mass[i] + chain->inverse_mass[i + 1];
+        if (i > 0) system[i][i - 1] = system[i - 1][i] = between;
+        system[i][count] = rod[0] * (x[i + 1][0] - x[i][0]) + rod[1] * (x[i + 1][1] - x[i][1]);
+    }
+    g_assert_true(eliminate(count, system));
+    for (int32_t i = 0; i < count; i++)
+        for (int32_t k = 0; k < 2; k++) {
+            x[i][k] += chain->inverse_mass[i] * chain->rods[i][k] * (double)system[i][count];
+            x[i + 1][k] -= chain->inverse_mass[i + 1] * chain->rods[i][k] * (double)system[i][count];
+        }
+}
+
+static void fill_chain(Chain *chain, GRand *random)
+{
+    double last = 0, spread = g_rand_int_range(random, 0, 4);
+    gboolean level = g_rand_boolean(random);
+    chain->masses = g_rand_int_range(random, 1, 9);
+    for (int32_t i = 0; i < chain->masses; i++) {
+        int32_t kind = level ? 0 : g_rand_int_range(random, 0, 5);
+        double angle = kind == 0   ? 0
+                       : kind == 1 ? G_PI / 2
+                       : kind == 2 ? G_PI / 6
+                       : kind == 3 ? last + g_rand_double_range(random, -1e-5, 1e-5)
+                                   : g_rand_double_range(random, -G_PI, G_PI);
+        chain->inverse_mass[i] = pow(10, g_rand_double_range(random, -0.5, 0.5) * spread);
+        chain->rods[i][0] = kind == 1 ? 0 : cos(angle);
+        chain->rods[i][1] = sin(angle);
+        last = angle;
+    }
+}
+
+void contact_case_fill_chain(ContactCase *self, GRand *random, double noise)
+{
+    Chain chain;
+    int32_t mass[CASE_CONTACTS] = {0}, width;
+    double direction[CASE_WIDTH][2], velocity[CASE_CONTACTS][2];
+    double slope = g_rand_boolean(random) ? 0 : g_rand_double_range(random, -1, 1);
+    memset(self, 0, sizeof *self);
+    fill_chain(&chain, random);
+    for (int32_t i = 0; i < chain.masses; i++) {
+        for (int32_t wall = 0; wall < 2; wall++) {
+            if (self->count == CASE_CONTACTS || g_rand_int_range(random, 0, 8) >= (wall ? 1 : 6)) continue;
+            double angle = wall ? slope - 1.5 : slope, n[2] = {-sin(angle), cos(angle)};
+            memcpy(direction[2 * self->count], n, sizeof n);
+            direction[2 * self->count + 1][0] = n[1];
+            direction[2 * self->count + 1][1] = -n[0];
+            mass[self->count++] = i;
+        }
+        for (int32_t k = 0; k < 2; k++)
+            velocity[i][k] = g_rand_double_range(random, -1, 1);
+    }
+    width = 2 * self->count;
+    for (int32_t j = 0; j < width; j++) {
+        double x[CASE_CONTACTS][2] = {{0}};
+        for (int32_t k = 0; k < 2; k++)
+            x[mass[j / 2]][k] = chain.inverse_mass[mass[j / 2]] * direction[j][k];
+        project(&chain, x);
+        for (int32_t i = 0; i < width; i++)
+            self->delassus[i * width + j] = direction[i][0] * x[mass[i / 2]][0] + direction[i][1] * x[mass[i / 2]][1];
+    }
+    project(&chain, velocity);
+    gboolean blow = g_rand_boolean(random) && width > 0;
+    int32_t at = blow ? 2 * g_rand_int_range(random, 0, self->count) : 0;
+    for (int32_t i = 0; i < width; i++)
+        self->before[i] =
+            (blow ? -self->delassus[i * width + at]
+                  : direction[i][0] * velocity[mass[i / 2]][0] + direction[i][1] * velocity[mass[i / 2]][1]) +
+            noise * g_rand_double_range(random, -1, 1);
+}
+
 enum { OPEN, STICK, PLUS, MINUS };
 
 /* p_t / p_n where contact k moves along +t or -t, or slides already. */

@@ -18,6 +18,10 @@ typedef struct {
 void contact_case_fill(ContactCase *self, GRand *random, int32_t count, int32_t freedoms, gboolean whole,
                        double spread);
 
+/* A chain of masses and rods on a plane and beside a wall, rods often level, upright or in line: W = J P M^-1 J^T with P that
+ * keeps the rods' lengths. Velocities keep them too, often those of a single blow, and miss by up to `noise`. */
+void contact_case_fill_chain(ContactCase *self, GRand *random, double noise);
+
 /* before + W p, and what is rounding in it. */
 void contact_case_after(const ContactCase *self, const double *p, double *after, double *rounding);
 
