@@ -15,6 +15,7 @@ typedef struct {
     TinkerContactPlace place;
     TinkerContactMode was; /* before the event; OPEN where it was not closed */
     gboolean struck;
+    gboolean at_end; /* of the top: it ends unless something stops the body there */
 } TinkerTouch;
 
 typedef struct {

@@ -14,6 +14,8 @@
 #define STOPPED 1e-10
 /* Forces below this share of what acts are rounding. */
 #define FORCE_NOISE 1e-10
+/* What was found to press no more, at an instant that is known no better, presses by no more than this share. */
+#define LET_GO 1e-7
 
 /* Steps 3 and 4 ---------------------------------------------------------------------------------------------------- */
 
@@ -33,16 +35,28 @@ static int8_t sliding_of(const TinkerContactChange *change, guint number, double
     if (at->was == TINKER_CONTACT_STICK && !at->struck) return 0;
     /* what falls over the length of the plate is a scale for what is the only thing that moves */
     double scale = change->speed + sqrt(acceleration * (plate->half_width + plate->half_height));
-    return fabs(speed) <= change->slow * scale ? 0 : speed > 0 ? 1 : -1;
+    if (fabs(speed) > change->slow * scale) return speed > 0 ? 1 : -1;
+    /* one that has just begun to slip goes on, until an event of its own says that it stops */
+    gboolean stops = tinker_change_is_trigger(change, at) || at->struck || at->was == TINKER_CONTACT_OPEN;
+    return stops ? 0 : at->was == TINKER_CONTACT_SLIP_FORWARD ? 1 : -1;
 }
 
-/* What parts is not asked. */
+static gboolean goes_over_end(const TinkerContactChange *change, const TinkerTouch *at)
+{
+    double outwards = at->place.along > 0 ? at->place.tangential_speed : -at->place.tangential_speed;
+    return at->at_end && outwards > TINKER_STILL * change->speed;
+}
+
+/* What parts, or goes over an end of its top, is not asked. */
 static void drop_parting(TinkerContactChange *change)
 {
     for (guint i = change->touches->len; i-- > 0;) {
         const TinkerTouch *at = tinker_touch(change, i);
-        if (!(at->place.normal_speed > TINKER_STILL * change->speed)) continue;
-        if (at->was != TINKER_CONTACT_OPEN)
+        gboolean over = goes_over_end(change, at);
+        if (!over && !(at->place.normal_speed > TINKER_STILL * change->speed)) continue;
+        if (over)
+            tinker_change_add_event(change, "end", at);
+        else if (at->was != TINKER_CONTACT_OPEN)
             tinker_change_add_event(change, at->row < 0 ? "take-off" : "slack", at);
         else if (at->struck)
             tinker_change_add_event(change, at->row < 0 ? "impact" : "jerk", at);
@@ -75,7 +89,7 @@ static TinkerContactResult ask_modes(TinkerContactChange *change, TinkerContactL
 static gboolean lets_go(const TinkerContactChange *change, const TinkerTouch *at, double force, double noise)
 {
     return tinker_change_is_trigger(change, at) && change->trigger.kind == TINKER_TRIGGER_NORMAL &&
-           force <= FORCE_NOISE * noise;
+           force <= LET_GO * noise;
 }
 
 static void note_modes(TinkerContactChange *change, const TinkerContactLaws *laws, double scale)

@@ -68,10 +68,8 @@ static void take_closed(TinkerContactChange *change)
         if (contacts->group[taken.contact.body] != change->group) continue;
         taken.was = taken.contact.mode;
         taken.place = place_of(change, &taken);
-        if (ends_now(change, &taken))
-            tinker_change_add_event(change, "end", &taken);
-        else
-            g_array_append_val(change->touches, taken);
+        taken.at_end = ends_now(change, &taken);
+        g_array_append_val(change->touches, taken);
     }
 }
 

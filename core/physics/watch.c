@@ -119,7 +119,8 @@ static gboolean look(TinkerIslandRun *run, gboolean last, GError **error)
     if (tinker_island_run_vouch(run) != TINKER_OK || !watch_constraints(run))
         return tinker_island_run_fail(run, model->failure, error);
     double imbalance = run->books.imbalance;
-    double most = run->summary.steps <= FIRST_STEPS ? STOP_AT_FIRST : STOP_IMBALANCE;
+    gboolean first = run->summary.steps <= FIRST_STEPS && run->choice.method->order == 1;
+    double most = first ? STOP_AT_FIRST : STOP_IMBALANCE;
     if (imbalance > most || !isfinite(imbalance)) {
         g_autofree char *how =
             isfinite(imbalance)
