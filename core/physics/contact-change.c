@@ -32,13 +32,13 @@ static int8_t sliding_of(const TinkerContactChange *change, guint number, double
         if (change->trigger.kind == TINKER_TRIGGER_SPEED && fabs(speed) <= STOPPED * change->speed) return 0;
     }
     if (plate->static_friction == 0) return 1;
-    if (at->was == TINKER_CONTACT_STICK && !at->struck) return 0;
     /* what falls over the length of the plate is a scale for what is the only thing that moves */
     double scale = change->speed + sqrt(acceleration * (plate->half_width + plate->half_height));
     if (fabs(speed) > change->slow * scale) return speed > 0 ? 1 : -1;
     /* one that has just begun to slip goes on, until an event of its own says that it stops */
-    gboolean stops = tinker_change_is_trigger(change, at) || at->struck || at->was == TINKER_CONTACT_OPEN;
-    return stops ? 0 : at->was == TINKER_CONTACT_SLIP_FORWARD ? 1 : -1;
+    gboolean stops = tinker_change_is_trigger(change, at) || at->struck;
+    if (stops || at->was == TINKER_CONTACT_OPEN || at->was == TINKER_CONTACT_STICK) return 0;
+    return at->was == TINKER_CONTACT_SLIP_FORWARD ? 1 : -1;
 }
 
 static gboolean goes_over_end(const TinkerContactChange *change, const TinkerTouch *at)
@@ -344,7 +344,7 @@ gboolean tinker_contact_run_change(TinkerContactRun *self, const TinkerTrigger *
     if (tinker_model_set_time(self->model, self->run->state.t) != TINKER_OK)
         return tinker_island_run_fail(self->run, self->model->failure, error);
     tinker_model_set_state(self->model, self->run->state.q, self->run->state.v);
-    if (trigger->kind == TINKER_TRIGGER_GAP)
+    if (trigger->kind == TINKER_TRIGGER_GAP && trigger->row < 0)
         reach += 2 * fabs(tinker_contact_place(self->contacts, trigger->body, trigger->plate).gap);
     tinker_contact_run_find_near(self, self->run->state.q, self->run->state.q, reach);
     if (trigger->kind != TINKER_TRIGGER_NONE)

@@ -45,8 +45,9 @@ struct _TinkerContactRun {
     double last_impact;
 
     /* the step in progress */
-    TinkerState from; /* where it began; the books included */
-    double hint;      /* an event is known to come then; INFINITY */
+    TinkerState from;                       /* where it began; the books included */
+    double projection_work, position_error; /* of the system, there */
+    double hint;                            /* an event is known to come then; INFINITY */
     TinkerTrigger hint_trigger;
     double hint_slope;
     double limit; /* of the step, but for that */

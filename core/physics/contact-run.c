@@ -7,6 +7,8 @@
 
 /* In a run a gap is closed within this share of the extent: rounding, or another body at the same instant. */
 #define CLOSED_GAP 1e-13
+/* Of the time: an instant is known no better. */
+#define INSTANT (8 * DBL_EPSILON)
 /* In a step that nothing comes near in nobody gets faster than so many times as fast. */
 #define FASTER 4.0
 /* Of the way to the limit: the first step of an exact island from rest. */
@@ -18,11 +20,11 @@
 /* A start that slides along a top slower than this share of the largest speed may stick. */
 #define START_SLOW 1e-9
 /* So many events within so short a time (a share of the time) never end. */
-#define CROWD       2000
+#define CROWD       500
 #define CROWDED     1e-9
 #define MOST_TRIALS 12
 /* Of a step: an event so near to its start is at its start. */
-#define AT_ONCE 1e-12
+#define AT_ONCE 1e-15
 /* Near pairs that there is room for at first. */
 #define MOST_EXPECTED 16
 
@@ -130,12 +132,14 @@ static gboolean is_crowded(TinkerContactRun *self)
     return ++self->crowd > CROWD;
 }
 
+/* Rounding of places, and of the instant of an event at the speed of what moves. */
 double tinker_contact_run_closed_gap(const TinkerContactRun *self)
 {
     double extent, speed;
     TinkerIslandRun *run = self->run;
     run->system.system.scales(&run->system, run->state.q, run->state.v, &extent, &speed);
-    return CLOSED_GAP * (extent + tinker_greatest(run->state.q, run->system.system.size));
+    double size = extent + tinker_greatest(run->state.q, run->system.system.size) + self->contacts->thickness;
+    return CLOSED_GAP * size + INSTANT * fabs(run->state.t) * fmax(speed, self->contacts->plate_speed);
 }
 
 gboolean tinker_contact_run_start(TinkerContactRun *self, GError **error)
@@ -210,15 +214,15 @@ static void let_leave(TinkerContactRun *self)
     }
 }
 
-/* What a moving plate does to a body that rests on it is a function of time that no error control sees, since the body goes
+/* What supports that move do to bodies that rest is a function of time that no error control sees, since the bodies stay or go
  * along: its work needs steps that resolve it. */
 static double resolved_limit(TinkerContactRun *self, double limit)
 {
+    const TinkerModel *model = self->model;
     double from = self->run->state.t;
-    for (guint i = 0; i < self->contacts->closed->len; i++) {
-        const TinkerPlate *plate = &self->contacts->plates[tinker_contacts_closed(self->contacts, i)->plate];
-        if (!plate->moving) continue;
-        double swing = tinker_contact_run_swing(self, plate->point, from, limit);
+    for (guint i = 0; self->contacts->closed->len > 0 && i < model->support_points->len; i++) {
+        if (!g_array_index(model->support_points, TinkerSupportPoint, i).moving) continue;
+        double swing = tinker_contact_run_swing(self, model->bodies + (int32_t)i, from, limit);
         if (swing > 0) limit = MIN(limit, from + LONGEST_SWING / swing);
     }
     return limit;
@@ -266,10 +270,12 @@ double tinker_contact_run_begin(TinkerContactRun *self, double limit)
     const TinkerIslandRun *run = self->run;
     gboolean adaptive = (run->choice.method->flags & TINKER_INTEGRATOR_ADAPTIVE) != 0;
     if (self->leaving->len > 0) let_leave(self);
-    if (adaptive && self->contacts->moving_plates > 0) limit = resolved_limit(self, limit);
+    if (adaptive && self->model->moving_supports > 0) limit = resolved_limit(self, limit);
     if (self->exact) limit = swing_limit(self, limit);
     self->limit = limit;
     self->from.t = run->state.t;
+    self->projection_work = run->system.projection_work;
+    self->position_error = run->system.position_error;
     self->speed_bound = 0;
     if (!adaptive && self->quiet > 0) {
         double speed = FASTER * fastest(self, run->state.v);
@@ -283,6 +289,8 @@ double tinker_contact_run_begin(TinkerContactRun *self, double limit)
 static void go_back(TinkerContactRun *self)
 {
     TinkerIslandRun *run = self->run;
+    run->system.projection_work = self->projection_work;
+    run->system.position_error = self->position_error;
     gsize bytes = (gsize)run->system.system.size * sizeof(double);
     run->state.t = self->from.t;
     memcpy(run->state.q, self->from.q, bytes);

@@ -12,8 +12,14 @@
 /* What rises and falls within so small a share of a step is looked at as closely as this many times. */
 #define DEEPEST     12
 #define FIRST_SHARE 1e-3
+/* Of a part of a step: between two nodes of either number. */
+#define PLACE_BETWEEN 0.317
+/* What the polynomial may miss there: of what it changes by, and of its size. */
+#define RESOLVED 1e-3
+#define NOTICED  1e-7
 /* Beside what it changes by within a step a value that is so many times as large does not reach 0. */
-#define SURELY 8.0
+#define SURELY      8.0
+#define MOST_SURELY 100.0
 
 static TinkerStatus fill_values(TinkerContactRun *self, double from, double to)
 {
@@ -95,13 +101,66 @@ static double first_fall(TinkerContactRun *self, const TinkerTrigger *trigger, c
     return INFINITY;
 }
 
-/* `depth`: how often it may look more closely at the first part. */
+/* The polynomial through the values at the nodes. Source: Berrut, Trefethen, "Barycentric Lagrange interpolation", SIAM Review 46
+ * (2004) 501-517, (5.4). */
+static double interpolated(const TinkerContactRun *self, const double *values, double place)
+{
+    double sum = 0, weights = 0;
+    for (int32_t k = 0; k <= self->degree; k++) {
+        double weight =
+            (k % 2 == 0 ? 1.0 : -1.0) * (k == 0 || k == self->degree ? 0.5 : 1.0) / (place - self->nodes[k]);
+        sum += weight * values[k];
+        weights += weight;
+    }
+    return sum / weights;
+}
+
+/* Whether the polynomials tell what is between the nodes: at a place that is none of them. What drives bodies that rest may
+ * swing many times within a step that they themselves do not limit. */
+static TinkerStatus check_between(TinkerContactRun *self, double from, double to, gboolean *resolved)
+{
+    double *q, *v, t = from + PLACE_BETWEEN * (to - from);
+    *resolved = TRUE;
+    TinkerStatus status = tinker_contact_run_state_at(self, t, &q, &v);
+    if (status == TINKER_OK) status = tinker_contact_run_look_at(self, t, q, v);
+    for (guint i = 0; status == TINKER_OK && i < self->triggers->len; i++) {
+        const double *values = self->values + i * (guint)(self->degree + 1);
+        double least = values[0], most = values[0];
+        for (int32_t k = 1; k <= self->degree; k++) {
+            least = fmin(least, values[k]);
+            most = fmax(most, values[k]);
+        }
+        double value = tinker_trigger_value(self, &g_array_index(self->triggers, TinkerTrigger, i));
+        double miss = fabs(value - interpolated(self, values, PLACE_BETWEEN));
+        *resolved &= miss <= RESOLVED * (most - least) + NOTICED * fmax(fabs(least), fabs(most));
+    }
+    return status;
+}
+
+static TinkerStatus search_part(TinkerContactRun *self, double from, double to, int depth, TinkerTrigger *found,
+                                double *time);
+
+/* The first half, and where nothing is found there, the second. */
+static TinkerStatus search_halves(TinkerContactRun *self, double from, double to, int depth, TinkerTrigger *found,
+                                  double *time)
+{
+    double middle = 0.5 * (from + to);
+    TinkerStatus status = search_part(self, from, middle, depth - 1, found, time);
+    if (status != TINKER_OK || found->kind != TINKER_TRIGGER_NONE) return status;
+    return search_part(self, middle, to, depth - 1, found, time);
+}
+
+/* `depth`: how often it may look more closely at a part. */
 static TinkerStatus search_part(TinkerContactRun *self, double from, double to, int depth, TinkerTrigger *found,
                                 double *time)
 {
+    gboolean resolved = TRUE;
     TinkerStatus status = fill_values(self, from, to);
+    if (status == TINKER_OK && depth > 0) status = check_between(self, from, to, &resolved);
+    if (status != TINKER_OK) return status;
+    if (!resolved) return search_halves(self, from, to, depth, found, time);
     TinkerTrigger unclear = {.kind = TINKER_TRIGGER_NONE};
-    for (guint i = 0; status == TINKER_OK && i < self->triggers->len; i++) {
+    for (guint i = 0; i < self->triggers->len; i++) {
         const TinkerTrigger *trigger = &g_array_index(self->triggers, TinkerTrigger, i);
         double t = first_fall(self, trigger, self->values + i * (guint)(self->degree + 1), from, to, *time);
         if (isnan(t)) unclear = *trigger;
@@ -109,7 +168,7 @@ static TinkerStatus search_part(TinkerContactRun *self, double from, double to, 
         *time = t;
         *found = *trigger;
     }
-    if (status != TINKER_OK || unclear.kind == TINKER_TRIGGER_NONE || *time == from) return status;
+    if (unclear.kind == TINKER_TRIGGER_NONE || *time == from) return TINKER_OK;
     *time = from;
     *found = unclear;
     if (depth == 0) return TINKER_OK;
@@ -127,6 +186,7 @@ double tinker_contact_run_swing(TinkerContactRun *self, int32_t point, double fr
         *speed = fmax(*speed, hypot(self->model->point[point].vx, self->model->point[point].vy));
         change = fmax(change, hypot(a[0], a[1]));
     }
+    self->contacts->plate_speed = fmax(self->contacts->plate_speed, *speed);
     return *speed > 0 ? change / *speed : 0;
 }
 
@@ -176,30 +236,46 @@ static TinkerStatus fill_place(TinkerContactRun *self, double t, double *values)
     return status;
 }
 
-/* Whether no trigger comes near its level, by far: at the start, in the middle and at the end of the step it is away from it by
- * many times of what it changes by, in this step and in the one before: one step may happen to end as it began, two do
- * not. The values at the end serve the next step as those of its start. */
+/* Whether the least of some values is `times` as large as what they change by, in this step and in the one before: one step may
+ * happen to end as it began, two do not. */
+static gboolean is_far_off(const TinkerContactRun *self, guint places, double times)
+{
+    guint count = self->triggers->len;
+    for (guint i = 0; i < count; i++) {
+        double least = self->values[i], most = least;
+        for (guint k = 1; k < places; k++) {
+            least = fmin(least, self->values[k * count + i]);
+            most = fmax(most, self->values[k * count + i]);
+        }
+        if (!(least > times * fmax(most - least, self->end_values[count + i]))) return FALSE;
+    }
+    return TRUE;
+}
+
+/* Whether no trigger comes near its level, by far: from the values at the ends of the step, and where these change from the one
+ * in its middle as well. What is at the end serves the next step as what is at its start. */
 static TinkerStatus look_at_places(TinkerContactRun *self, double from, double to, gboolean *clear)
 {
     guint count = self->triggers->len;
-    double *first = self->values, *middle = first + count, *last = middle + count;
-    double *kept = self->end_values, *changes = kept + count;
+    double *first = self->values, *last = first + count, *middle = last + count, *kept = self->end_values;
     gboolean follows = self->end_time == from && self->end_changes == self->changes;
-    *clear = follows;
+    *clear = FALSE;
     if (follows) memcpy(first, kept, count * sizeof(double));
     TinkerStatus status = follows ? TINKER_OK : fill_place(self, from, first);
-    if (status == TINKER_OK) status = fill_place(self, 0.5 * (from + to), middle);
     if (status == TINKER_OK) status = fill_place(self, to, last);
     if (status != TINKER_OK) return status;
+    *clear = follows && is_far_off(self, 2, MOST_SURELY);
+    if (follows && !*clear) {
+        status = fill_place(self, 0.5 * (from + to), middle);
+        *clear = status == TINKER_OK && is_far_off(self, 3, SURELY);
+    }
     self->end_time = to;
     self->end_changes = self->changes;
     for (guint i = 0; i < count; i++) {
-        double least = fmin(fmin(first[i], middle[i]), last[i]), most = fmax(fmax(first[i], middle[i]), last[i]);
-        *clear &= least > SURELY * fmax(most - least, follows ? changes[i] : 0);
         kept[i] = last[i];
-        changes[i] = most - least;
+        kept[count + i] = fabs(last[i] - first[i]);
     }
-    return TINKER_OK;
+    return status;
 }
 
 TinkerStatus tinker_contact_run_search(TinkerContactRun *self, double from, double to, TinkerTrigger *found,

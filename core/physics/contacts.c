@@ -107,6 +107,16 @@ static void block_clear(gpointer data)
     tinker_dense_solve_free(block->solve[TRUE]);
 }
 
+static void measure_thickness(TinkerContacts *contacts)
+{
+    double plate = 0, body = 0;
+    for (int32_t i = 0; i < contacts->plate_count; i++)
+        plate = fmax(plate, contacts->plates[i].half_height);
+    for (int32_t i = 0; i < contacts->model->bodies; i++)
+        body = fmax(body, contacts->half_height[i]); /* fmax passes over what is no number */
+    contacts->thickness = plate + body;
+}
+
 TinkerContacts *tinker_contacts_new(TinkerModel *model)
 {
     gboolean any_body = FALSE;
@@ -129,6 +139,7 @@ TinkerContacts *tinker_contacts_new(TinkerModel *model)
     contacts->accelerations = g_new0(double, 2 * (gsize)MAX(model->bodies, 1));
     find_shapes(contacts, any_body);
     find_groups(contacts);
+    measure_thickness(contacts);
     return contacts;
 }
 

@@ -6,7 +6,7 @@
  *     along = t . (x - c),         t = (n_y, -n_x), the plate's own +x; over the plate where |along| <= width / 2
  *
  * A contact is closed while the body rests on the top or slides along it. Which contacts are closed and whether they stick
- * changes at events alone (contact-changes.h); between them closed contacts are equations, solved here together with the
+ * changes at events alone (contact-change-private.h); between them closed contacts are equations, solved here together with the
  * constraint rows:
  *
  *     n . (a - a_c) = 0;   sticking: t . (a - a_c) = 0;   slipping: friction -mu N sign(u_t) along t.
@@ -62,6 +62,8 @@ typedef struct {
 struct _TinkerContacts {
     TinkerModel *model;
     int32_t plate_count, moving_plates;
+    double thickness;   /* m: the largest half heights of a plate and a body */
+    double plate_speed; /* m/s: of moving plates, the largest so far */
     TinkerPlate *plates;
     double *half_height; /* of each body; NAN: it touches nothing */
     gboolean *held;      /* by body: a constraint acts on it */

@@ -165,7 +165,9 @@ gboolean tinker_island_run_enter_plane(TinkerIslandRun *run, GError **error)
     if (run->choice.method->flags & TINKER_INTEGRATOR_LINEAR)
         run->choice.method = tinker_integrator_builtin(METHOD_OF_CONTACTS);
     open_method(run);
-    return open_stepper(run, error);
+    if (!open_stepper(run, error)) return FALSE;
+    run->stability = tinker_stability_watch_new(&run->system, run->choice.method, run->choice.step);
+    return TRUE;
 }
 
 void tinker_island_run_place(TinkerIslandRun *run)

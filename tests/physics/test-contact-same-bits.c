@@ -1,6 +1,8 @@
 /* Contact changes nothing where nobody asked for it, and recording changes nothing where somebody did. */
 #include "contact-checks.h"
 
+#include "physics/contacts.h"
+
 #include <string.h>
 
 /* --- only when asked for --- */
@@ -119,10 +121,24 @@ static void test_two_methods(void)
     physics_assert_near("the error of the books", automatic->summary->energy_balance_error, 0, 1e-9);
 }
 
+/* What is not solid has no contact code at all; what nothing touches is asked for no force of contact. */
+static void test_only_when_asked_for(void)
+{
+    PhysicsOptions options = contact_options(&contact_methods[0], 3, NULL);
+    g_autoptr(PhysicsRun) bare = physics_run(&options, "%s", swinging);
+    g_assert_null(bare->model->contacts);
+    g_autoptr(PhysicsRun) far = physics_run(&options, "%s, {'type': 'support', 'position': [0, -50]}", swinging);
+    g_assert_nonnull(far->model->contacts);
+    g_assert_cmpint(far->model->contacts->evaluations, ==, 0);
+    g_autoptr(PhysicsRun) lands = physics_run(&options, CONTACT_WEIGHT CONTACT_FLOOR "}, " CONTACT_POINT "}");
+    g_assert_cmpint(lands->model->contacts->evaluations, >, 0);
+}
+
 static void add_tests(void)
 {
     g_test_add_func("/physics/contact-same-bits/without-solid-supports", test_without_solid_supports);
     g_test_add_func("/physics/contact-same-bits/far-from-solid-supports", test_far_from_solid_supports);
+    g_test_add_func("/physics/contact-same-bits/only-when-asked-for", test_only_when_asked_for);
     g_test_add_func("/physics/contact-same-bits/recording", test_recording);
     g_test_add_func("/physics/contact-same-bits/two-methods", test_two_methods);
 }
