@@ -288,6 +288,15 @@ static gboolean settle_contacts(TinkerContactChange *change, GError **error)
     return TRUE;
 }
 
+/* What is at rest may be struck by what moves: that is a scale, too. */
+static void include_relative_speeds(TinkerContactChange *change)
+{
+    for (guint i = 0; i < change->touches->len; i++) {
+        const TinkerContactPlace *place = &tinker_touch(change, i)->place;
+        change->speed = fmax(change->speed, hypot(place->normal_speed, place->tangential_speed));
+    }
+}
+
 /* Takes what touches of one group through all four steps. */
 static gboolean change_group(TinkerContactRun *self, const TinkerTrigger *trigger, int32_t group, double tolerance,
                              double slow, GError **error)
@@ -308,6 +317,7 @@ static gboolean change_group(TinkerContactRun *self, const TinkerTrigger *trigge
         tinker_change_set_state(&change) == TINKER_OK || tinker_change_refuse(&change, self->model->failure, error);
     if (done) {
         tinker_change_take(&change, tolerance);
+        include_relative_speeds(&change);
         done = tinker_change_set_state(&change) == TINKER_OK && tinker_change_strike(&change, error);
     }
     if (done) turn_bodies(&change);

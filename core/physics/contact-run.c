@@ -11,6 +11,8 @@
 #define INSTANT (8 * DBL_EPSILON)
 /* In a step that nothing comes near in nobody gets faster than so many times as fast. */
 #define FASTER 4.0
+/* What was large and is no more loses so much of its say in every step. */
+#define FADING 0.9
 /* Of the way to the limit: the first step of an exact island from rest. */
 #define FIRST_SHARE 1e-4
 /* rad that a plate may swing within a step while bodies rest on it. */
@@ -248,7 +250,7 @@ static void keep_start(TinkerContactRun *self, const TinkerState *state)
     memcpy(self->from.books, state->books, (gsize)self->run->system.system.books * sizeof(double));
 }
 
-/* How fast the motion swings that holds the energy: its largest acceleration beside its largest speed. From rest the speed is at
+/* How fast the motion swings that holds the energy: its largest acceleration beside its largest speed, of late. From rest the speed is at
  * first what one short step makes of the acceleration, so that steps grow as fast as the motion does. */
 static double swing_limit(TinkerContactRun *self, double limit)
 {
@@ -257,9 +259,9 @@ static double swing_limit(TinkerContactRun *self, double limit)
     const TinkerState *state = &run->state;
     gint64 evaluations = self->model->evaluations;
     if (system->acceleration(system->context, state->t, state->q, state->v, self->force, NULL) == TINKER_OK)
-        self->strongest = fmax(self->strongest, tinker_greatest(self->force, system->size));
+        self->strongest = fmax(FADING * self->strongest, tinker_greatest(self->force, system->size));
     self->model->evaluations = evaluations;
-    self->fastest = fmax(self->fastest, tinker_greatest(state->v, system->size));
+    self->fastest = fmax(FADING * self->fastest, tinker_greatest(state->v, system->size));
     if (!(self->strongest > 0)) return limit;
     double share = FIRST_SHARE * (limit - state->t);
     return fmin(limit, state->t + fmax(share, TINKER_LONGEST_ARC * self->fastest / self->strongest));

@@ -17,6 +17,10 @@
 /* What the polynomial may miss there: of what it changes by, and of its size. */
 #define RESOLVED 1e-3
 #define NOTICED  1e-7
+/* Of the level of a trigger, which is rounding: what it may miss all the same. */
+#define NOISE 1e3
+/* A step is cut into no more than 2 to the power of this many parts for that. */
+#define MOST_HALVINGS 6
 /* Beside what it changes by within a step a value that is so many times as large does not reach 0. */
 #define SURELY      8.0
 #define MOST_SURELY 100.0
@@ -130,9 +134,10 @@ static TinkerStatus check_between(TinkerContactRun *self, double from, double to
             least = fmin(least, values[k]);
             most = fmax(most, values[k]);
         }
-        double value = tinker_trigger_value(self, &g_array_index(self->triggers, TinkerTrigger, i));
+        const TinkerTrigger *trigger = &g_array_index(self->triggers, TinkerTrigger, i);
+        double value = tinker_trigger_value(self, trigger), noise = NOISE * fabs(trigger->level);
         double miss = fabs(value - interpolated(self, values, PLACE_BETWEEN));
-        *resolved &= miss <= RESOLVED * (most - least) + NOTICED * fmax(fabs(least), fabs(most));
+        *resolved &= miss <= RESOLVED * (most - least) + NOTICED * fmax(fabs(least), fabs(most)) + noise;
     }
     return status;
 }
@@ -156,7 +161,7 @@ static TinkerStatus search_part(TinkerContactRun *self, double from, double to, 
 {
     gboolean resolved = TRUE;
     TinkerStatus status = fill_values(self, from, to);
-    if (status == TINKER_OK && depth > 0) status = check_between(self, from, to, &resolved);
+    if (status == TINKER_OK && depth > DEEPEST - MOST_HALVINGS) status = check_between(self, from, to, &resolved);
     if (status != TINKER_OK) return status;
     if (!resolved) return search_halves(self, from, to, depth, found, time);
     TinkerTrigger unclear = {.kind = TINKER_TRIGGER_NONE};
