@@ -6,9 +6,10 @@
 #include "physics/contact-run-private.h"
 
 /* Below this share of what it is made of a value is rounding. */
-#define FORCE_ROUNDING 1e-11
-#define SPEED_ROUNDING 1e-13
-#define PLACE_ROUNDING (16 * DBL_EPSILON)
+#define FORCE_ROUNDING          1e-11
+#define SPEED_ROUNDING          1e-13
+#define SPEED_ROUNDING_OF_STEPS 1e-11
+#define PLACE_ROUNDING          (16 * DBL_EPSILON)
 /* Triggers of one closed contact. */
 #define MOST_OF_ONE 4
 
@@ -210,6 +211,14 @@ static double acceleration_scale(const TinkerContactRun *self, const TinkerTrigg
            (fabs(self->model->force[k]) + fabs(self->model->force[k + 1])) * self->model->inverse_mass[trigger->body];
 }
 
+/* What dense output makes of a speed that is held at 0, as a share of the largest. */
+static double speed_noise(const TinkerContactRun *self)
+{
+    const TinkerIslandRun *run = self->run;
+    gboolean adaptive = (run->choice.method->flags & TINKER_INTEGRATOR_ADAPTIVE) != 0;
+    return adaptive ? fmax(SPEED_ROUNDING, 0.1 * run->choice.tolerance) : SPEED_ROUNDING_OF_STEPS;
+}
+
 double tinker_trigger_level(const TinkerContactRun *self, const TinkerTrigger *trigger, double speed)
 {
     switch (trigger->kind) {
@@ -218,7 +227,7 @@ double tinker_trigger_level(const TinkerContactRun *self, const TinkerTrigger *t
     case TINKER_TRIGGER_BEGINNING:
         return -tinker_trigger_place_rounding(self, trigger);
     case TINKER_TRIGGER_SPEED:
-        return -SPEED_ROUNDING * speed;
+        return -speed_noise(self) * speed;
     case TINKER_TRIGGER_LEAVING:
         return -FORCE_ROUNDING * acceleration_scale(self, trigger);
     default:
