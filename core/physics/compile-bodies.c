@@ -8,12 +8,6 @@ static const TinkerBody *body_of(const TinkerBlockBatch *batch)
     return batch->block_class->physics != NULL ? batch->block_class->physics->body : NULL;
 }
 
-static double meaning(const TinkerBlockBatch *batch, int32_t row, int32_t what, int32_t component, double otherwise)
-{
-    int32_t column = tinker_block_class_meaning_column(batch->block_class, what);
-    return column < 0 ? otherwise : batch->columns[column + component][row];
-}
-
 static gboolean check_class(const TinkerBlockBatch *batch, GError **error)
 {
     const TinkerBlockClass *block_class = batch->block_class;
@@ -60,7 +54,7 @@ static void find_origin(TinkerModel *model)
         if (body_of(batch) == NULL) continue;
         for (int32_t row = 0; row < batch->count; row++)
             for (int32_t k = 0; within[batch->ids[row]] && k < 2; k++) {
-                double place = meaning(batch, row, TINKER_MEANING_POSITION, k, 0);
+                double place = tinker_block_batch_meaning(batch, row, TINKER_MEANING_POSITION, k, 0);
                 least[k] = MIN(least[k], place);
                 greatest[k] = MAX(greatest[k], place);
             }
@@ -77,14 +71,15 @@ static void find_origin(TinkerModel *model)
 
 static void add_body(TinkerModel *model, const TinkerBlockBatch *batch, int32_t row, int32_t number)
 {
-    double mass = meaning(batch, row, TINKER_MEANING_MASS, 0, 1.0);
+    double mass = tinker_block_batch_meaning(batch, row, TINKER_MEANING_MASS, 0, 1.0);
     model->body_blocks[number] = batch->ids[row];
     model->mass[number] = mass;
     model->inverse_mass[number] = 1.0 / mass;
     for (int32_t k = 0; k < 2; k++) {
         model->coordinate_mass[2 * number + k] = mass;
-        model->q_start[2 * number + k] = meaning(batch, row, TINKER_MEANING_POSITION, k, 0) - model->origin[k];
-        model->v_start[2 * number + k] = meaning(batch, row, TINKER_MEANING_VELOCITY, k, 0);
+        model->q_start[2 * number + k] =
+            tinker_block_batch_meaning(batch, row, TINKER_MEANING_POSITION, k, 0) - model->origin[k];
+        model->v_start[2 * number + k] = tinker_block_batch_meaning(batch, row, TINKER_MEANING_VELOCITY, k, 0);
     }
     model->centre_point[batch->ids[row]] = number;
 }
@@ -128,9 +123,10 @@ static gboolean check_masses(const TinkerModel *model, GError **error)
 /* A point of a support: its place, with the support unmoved. */
 static int32_t add_support_point(TinkerModel *model, const TinkerBlockBatch *batch, int32_t row, double x, double y)
 {
-    double angle = meaning(batch, row, TINKER_MEANING_ORIENTATION, 0, 0), c = cos(angle), s = sin(angle);
-    double place[2] = {meaning(batch, row, TINKER_MEANING_POSITION, 0, 0),
-                       meaning(batch, row, TINKER_MEANING_POSITION, 1, 0)};
+    double angle = tinker_block_batch_meaning(batch, row, TINKER_MEANING_ORIENTATION, 0, 0), c = cos(angle),
+           s = sin(angle);
+    double place[2] = {tinker_block_batch_meaning(batch, row, TINKER_MEANING_POSITION, 0, 0),
+                       tinker_block_batch_meaning(batch, row, TINKER_MEANING_POSITION, 1, 0)};
     TinkerSupportPoint point = {
         .support = batch->ids[row],
         .x = place[0] - model->origin[0] + (x == 0 && y == 0 ? 0 : c * x - s * y),

@@ -8,14 +8,6 @@
 /* What closes faster than this share of the largest speed after an impact cannot be kept out. */
 #define SQUEEZED 1e-6
 
-static double kinetic_change(const TinkerModel *model, const double *before, const double *after)
-{
-    double sum = 0;
-    for (int32_t i = 0; i < 2 * model->bodies; i++)
-        sum += 0.5 * model->coordinate_mass[i] * (after[i] - before[i]) * (after[i] + before[i]);
-    return sum;
-}
-
 /* What contacts take goes into their book, the rest is by what moves. */
 gboolean tinker_change_push_all(TinkerContactChange *change, const double *impulses)
 {
@@ -31,7 +23,7 @@ gboolean tinker_change_push_all(TinkerContactChange *change, const double *impul
     }
     if (tinker_change_set_state(change) != TINKER_OK) return FALSE;
     tinker_change_measure(change);
-    double rest = kinetic_change(model, before, v);
+    double rest = tinker_model_kinetic_change(model, before, v);
     for (guint i = 0; i < change->touches->len; i++) {
         const TinkerContactPlace *is = &tinker_touch(change, i)->place;
         double taken = 0.5 * impulses[2 * i] * (was[i].normal_speed + is->normal_speed) +
@@ -123,8 +115,7 @@ static gboolean refuse_squeezed(TinkerContactChange *change, GError **error)
     TinkerScene *scene = change->model->scene;
     g_autofree char *why = g_strdup_printf(
         "%s is squeezed: it is held from both sides by what closes on it, and no motion leaves it room (give the "
-        "supports "
-        "motions that do)",
+        "supports motions that do)",
         tinker_scene_block_name(scene, change->model->body_blocks[tinker_touch(change, 0)->contact.body]));
     return tinker_change_refuse(change, why, error);
 }

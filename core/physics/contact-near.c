@@ -6,8 +6,6 @@
 
 /* A neighbourhood reaches as far as so many steps like this one lead. */
 #define STEPS_AHEAD 32
-/* And at least this share of the island. */
-#define LEAST_SHARE 1e-3
 
 /* Whether the pair is closed; `next` is where to look: closed contacts are in the order of their bodies. */
 static gboolean is_closed(const TinkerContacts *contacts, int32_t body, int32_t plate, guint next)
@@ -47,7 +45,7 @@ void tinker_contact_run_find_near(TinkerContactRun *self, const double *q_from, 
     const TinkerContacts *contacts = self->contacts;
     double extent =
         hypot(self->run->system.box[2] - self->run->system.box[0], self->run->system.box[3] - self->run->system.box[1]);
-    double reach = fmax(STEPS_AHEAD * travel, isfinite(extent) ? LEAST_SHARE * extent : 0);
+    double reach = fmax(STEPS_AHEAD * travel, isfinite(extent) ? TINKER_LEAST_NEIGHBOURHOOD * extent : 0);
     guint next = 0;
     g_array_set_size(self->near, 0);
     for (int32_t i = 0; i < self->model->bodies; i++) {

@@ -7,6 +7,9 @@
 
 #include "physics/contacts.h"
 
+/* A neighbourhood reaches at least this share of the island. */
+#define TINKER_LEAST_NEIGHBOURHOOD 1e-3
+
 typedef struct {
     const TinkerContacts *contacts;
     double *centre; /* 2 by body: where the body was when its neighbours were listed */

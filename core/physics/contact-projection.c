@@ -24,27 +24,21 @@ static void set_state(TinkerContacts *contacts, const double *q, const double *v
     tinker_model_set_state(contacts->model, q, v);
 }
 
-/* Moves a body by dn along the normal and dt along the top. */
-static void shift(const TinkerContacts *contacts, const TinkerContact *contact, double dn, double dt, double *x)
+/* Adds a move by dn along the normal and dt along the top. */
+static void shift(const TinkerPlate *plate, double dn, double dt, double x[2])
 {
-    const double *n = contacts->plates[contact->plate].normal;
-    x[2 * contact->body] += dn * n[0] + dt * n[1];
-    x[2 * contact->body + 1] += dn * n[1] - dt * n[0];
+    const double *n = plate->normal;
+    x[0] += dn * n[0] + dt * n[1];
+    x[1] += dn * n[1] - dt * n[0];
 }
 
-/* What the applied forces that were evaluated last do along a move; booked as the rods' own moves are. */
-static double work_along(const TinkerContacts *contacts, const TinkerContact *contact, double dn, double dt)
+/* What the applied forces that were evaluated last do along the moves of bodies from `first` to `end` - 1 (`moves` begins with
+ * the first's); booked as the rods' own moves are. */
+static double work_of_moves(const TinkerModel *model, int32_t first, int32_t end, const double *moves)
 {
-    const TinkerModel *model = contacts->model;
-    double move[2] = {0, 0};
-    TinkerContact at_origin = *contact;
-    at_origin.body = 0;
-    shift(contacts, &at_origin, dn, dt, move);
     double work = 0;
-    for (int32_t k = 0; k < 2; k++) {
-        int32_t i = 2 * contact->body + k;
-        work += (model->force[i] + model->coordinate_mass[i] * model->constant_acceleration[i]) * move[k];
-    }
+    for (int32_t i = 2 * first; i < 2 * end; i++)
+        work += (model->force[i] + model->coordinate_mass[i] * model->constant_acceleration[i]) * moves[i - 2 * first];
     return work;
 }
 
@@ -58,9 +52,12 @@ static gboolean place_alone(TinkerContacts *contacts, double *q, double *v, doub
         TinkerContactPlace place = tinker_contact_place(contacts, contact->body, contact->plate);
         double dn = -place.gap, dt = contact->mode == TINKER_CONTACT_STICK ? contact->anchor - place.along : 0.0;
         if (fmax(fabs(dn), fabs(dt)) <= rounding_of(contacts, contact)) continue;
-        *work -= work_along(contacts, contact, dn, dt);
-        shift(contacts, contact, dn, dt, q);
-        if (rate != 0) shift(contacts, contact, dn * rate, dt * rate, v);
+        const TinkerPlate *plate = &contacts->plates[contact->plate];
+        double move[2] = {0, 0};
+        shift(plate, dn, dt, move);
+        *work -= work_of_moves(contacts->model, contact->body, contact->body + 1, move);
+        shift(plate, dn, dt, q + 2 * contact->body);
+        if (rate != 0) shift(plate, dn * rate, dt * rate, v + 2 * contact->body);
         moved = TRUE;
     }
     return moved;
@@ -93,15 +90,6 @@ static void push_rows(TinkerContacts *contacts, double *x)
     }
 }
 
-static double work_of_moves(const TinkerContacts *contacts, const double *moves)
-{
-    const TinkerModel *model = contacts->model;
-    double work = 0;
-    for (int32_t i = 0; i < 2 * model->bodies; i++)
-        work += (model->force[i] + model->coordinate_mass[i] * model->constant_acceleration[i]) * moves[i];
-    return work;
-}
-
 /* Moves the bodies of rows once; FALSE where nothing is to be gained any more. */
 static gboolean move_rows(TinkerContacts *contacts, double *q, double *v, double rate, double *before, double *work)
 {
@@ -111,7 +99,7 @@ static gboolean move_rows(TinkerContacts *contacts, double *q, double *v, double
     int32_t n = 2 * contacts->model->bodies;
     memset(moves, 0, (gsize)n * sizeof(double));
     push_rows(contacts, moves);
-    *work -= work_of_moves(contacts, moves);
+    *work -= work_of_moves(contacts->model, 0, contacts->model->bodies, moves);
     for (int32_t i = 0; i < n; i++) {
         q[i] += moves[i];
         if (rate != 0) v[i] += rate * moves[i];
@@ -202,7 +190,7 @@ static void correct_rows(TinkerContacts *contacts, double *v, gboolean homogeneo
 double tinker_contacts_correct_velocities(TinkerContacts *contacts, double *v, gboolean homogeneous, gboolean *moved)
 {
     TinkerModel *model = contacts->model;
-    double *before = contacts->before, work = 0, most = 0;
+    double *before = contacts->before, most = 0;
     gsize n = 2 * (gsize)model->bodies;
     memcpy(before, v, n * sizeof(double));
     correct_alone(contacts, v, homogeneous);
@@ -214,10 +202,8 @@ double tinker_contacts_correct_velocities(TinkerContacts *contacts, double *v, g
         tinker_constraints_correct_velocities(model, v, homogeneous, moved);
     }
     if (contacts->rows->len > 0) correct_rows(contacts, v, homogeneous);
-    for (gsize i = 0; i < n; i++) {
-        work += 0.5 * model->coordinate_mass[i] * (v[i] - before[i]) * (v[i] + before[i]);
+    for (gsize i = 0; i < n; i++)
         most = fmax(most, fabs(v[i] - before[i]));
-    }
     *moved = most > 2 * DBL_EPSILON * tinker_greatest(v, (int32_t)n);
-    return work;
+    return tinker_model_kinetic_change(model, before, v);
 }

@@ -19,8 +19,6 @@
 #define LONGEST_SWING 0.2
 /* Beyond this share of the extent bodies that leave a plate are clear of it. */
 #define CLEAR 1e-9
-/* A start that slides along a top slower than this share of the largest speed may stick. */
-#define START_SLOW 1e-9
 /* So many events within so short a time (a share of the time) never end. */
 #define CROWD       500
 #define CROWDED     1e-9
@@ -154,7 +152,7 @@ gboolean tinker_contact_run_start(TinkerContactRun *self, GError **error)
     tinker_model_set_state(self->model, run->q, run->v);
     if (self->model->constraints.unilateral == NULL && !tinker_contacts_touch(self->contacts)) return TRUE;
     if (!enter_plane(self, error)) return FALSE;
-    if (!tinker_contact_run_change(self, &none, TINKER_TOUCHING, START_SLOW, error)) return FALSE;
+    if (!tinker_contact_run_change(self, &none, TINKER_TOUCHING, TINKER_START_SLOW, error)) return FALSE;
     run->choice.method->restart(run->stepper);
     return TRUE;
 }
@@ -250,8 +248,8 @@ static void keep_start(TinkerContactRun *self, const TinkerState *state)
     memcpy(self->from.books, state->books, (gsize)self->run->system.system.books * sizeof(double));
 }
 
-/* How fast the motion swings that holds the energy: its largest acceleration beside its largest speed, of late. From rest the speed is at
- * first what one short step makes of the acceleration, so that steps grow as fast as the motion does. */
+/* How fast the motion swings that holds the energy: its largest acceleration beside its largest speed, of late. From rest the
+ * speed is at first what one short step makes of the acceleration, so that steps grow as fast as the motion does. */
 static double swing_limit(TinkerContactRun *self, double limit)
 {
     TinkerIslandRun *run = self->run;

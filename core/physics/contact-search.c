@@ -25,15 +25,30 @@
 #define SURELY      8.0
 #define MOST_SURELY 100.0
 
+/* Brings the model to a time within the last step; *v gets the velocities of the bodies then. */
+static TinkerStatus look_at_time(TinkerContactRun *self, double t, double **v)
+{
+    double *q;
+    TinkerStatus status = tinker_contact_run_state_at(self, t, &q, v);
+    return status == TINKER_OK ? tinker_contact_run_look_at(self, t, q, *v) : status;
+}
+
+static TinkerStatus value_at(TinkerContactRun *self, double t, const TinkerTrigger *trigger, double *value)
+{
+    double *v;
+    TinkerStatus status = look_at_time(self, t, &v);
+    if (status == TINKER_OK) *value = tinker_trigger_value(self, trigger);
+    return status;
+}
+
 static TinkerStatus fill_values(TinkerContactRun *self, double from, double to)
 {
     const double *nodes = self->nodes;
     double speed = self->run->system.speed;
     int32_t count = self->degree + 1;
     for (int32_t k = 0; k < count; k++) {
-        double t = k == 0 ? from : k == count - 1 ? to : from + nodes[k] * (to - from), *q, *v;
-        TinkerStatus status = tinker_contact_run_state_at(self, t, &q, &v);
-        if (status == TINKER_OK) status = tinker_contact_run_look_at(self, t, q, v);
+        double t = k == 0 ? from : k == count - 1 ? to : from + nodes[k] * (to - from), *v;
+        TinkerStatus status = look_at_time(self, t, &v);
         if (status != TINKER_OK) return status;
         tinker_contact_run_note_force_scales(self);
         for (guint i = 0; i < self->triggers->len; i++)
@@ -76,15 +91,13 @@ static gboolean falls_soon(const TinkerContactRun *self, const TinkerTrigger *tr
 /* Whether it rises first, by less than the polynomial resolves. */
 static gboolean rises_first(TinkerContactRun *self, const TinkerTrigger *trigger, double from, double to)
 {
-    double *q, *v, at_first, soon, t = from + FIRST_SHARE * (to - from);
-    if (tinker_contact_run_state_at(self, from, &q, &v) != TINKER_OK) return FALSE;
-    if (tinker_contact_run_value(self, from, q, v, trigger, &at_first) != TINKER_OK) return FALSE;
+    double at_first, soon;
+    if (value_at(self, from, trigger, &at_first) != TINKER_OK) return FALSE;
     if (trigger->kind == TINKER_TRIGGER_GAP && trigger->row >= 0)
         return tinker_constraints_own_rate(self->model, trigger->row) < 0;
     if (trigger->kind == TINKER_TRIGGER_GAP)
         return tinker_contact_place(self->contacts, trigger->body, trigger->plate).normal_speed > 0;
-    if (tinker_contact_run_state_at(self, t, &q, &v) != TINKER_OK) return FALSE;
-    return tinker_contact_run_value(self, t, q, v, trigger, &soon) == TINKER_OK && soon > at_first;
+    return value_at(self, from + FIRST_SHARE * (to - from), trigger, &soon) == TINKER_OK && soon > at_first;
 }
 
 /* The first fall of one trigger between two times and before one that is known; INFINITY for none, NAN where it has to be
@@ -123,10 +136,9 @@ static double interpolated(const TinkerContactRun *self, const double *values, d
  * swing many times within a step that they themselves do not limit. */
 static TinkerStatus check_between(TinkerContactRun *self, double from, double to, gboolean *resolved)
 {
-    double *q, *v, t = from + PLACE_BETWEEN * (to - from);
+    double *v;
     *resolved = TRUE;
-    TinkerStatus status = tinker_contact_run_state_at(self, t, &q, &v);
-    if (status == TINKER_OK) status = tinker_contact_run_look_at(self, t, q, v);
+    TinkerStatus status = look_at_time(self, from + PLACE_BETWEEN * (to - from), &v);
     for (guint i = 0; status == TINKER_OK && i < self->triggers->len; i++) {
         const double *values = self->values + i * (guint)(self->degree + 1);
         double least = values[0], most = values[0];
@@ -212,9 +224,7 @@ static TinkerStatus find_slope(TinkerContactRun *self, const TinkerTrigger *trig
 {
     double near = 1e-4 * (to - from), at[2] = {fmax(t - near, from), fmin(t + near, to)}, value[2] = {0, 0};
     for (int k = 0; k < 2; k++) {
-        double *q, *v;
-        TinkerStatus status = tinker_contact_run_state_at(self, at[k], &q, &v);
-        if (status == TINKER_OK) status = tinker_contact_run_value(self, at[k], q, v, trigger, &value[k]);
+        TinkerStatus status = value_at(self, at[k], trigger, &value[k]);
         if (status != TINKER_OK) return status;
     }
     *slope = (value[1] - value[0]) / (at[1] - at[0]);
@@ -233,9 +243,8 @@ static gboolean varies_slowly(const TinkerContactRun *self)
 
 static TinkerStatus fill_place(TinkerContactRun *self, double t, double *values)
 {
-    double *q, *v;
-    TinkerStatus status = tinker_contact_run_state_at(self, t, &q, &v);
-    if (status == TINKER_OK) status = tinker_contact_run_look_at(self, t, q, v);
+    double *v;
+    TinkerStatus status = look_at_time(self, t, &v);
     for (guint i = 0; status == TINKER_OK && i < self->triggers->len; i++)
         values[i] = tinker_trigger_value(self, &g_array_index(self->triggers, TinkerTrigger, i));
     return status;

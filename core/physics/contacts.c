@@ -3,11 +3,7 @@
 
 #include <math.h>
 
-static double meaning(const TinkerBlockBatch *batch, int32_t row, int32_t what, double otherwise)
-{
-    int32_t column = tinker_block_class_meaning_column(batch->block_class, what);
-    return column < 0 ? otherwise : batch->columns[column][row];
-}
+#include "physics/disjoint-sets.h"
 
 static int32_t shape_of(const TinkerBlockBatch *batch)
 {
@@ -17,23 +13,24 @@ static int32_t shape_of(const TinkerBlockBatch *batch)
 
 static gboolean is_solid(const TinkerBlockBatch *batch, int32_t row)
 {
-    return meaning(batch, row, TINKER_MEANING_SOLID, 1) != 0 && meaning(batch, row, TINKER_MEANING_WIDTH, 0) > 0;
+    return tinker_block_batch_meaning(batch, row, TINKER_MEANING_SOLID, 0, 1) != 0 &&
+           tinker_block_batch_meaning(batch, row, TINKER_MEANING_WIDTH, 0, 0) > 0;
 }
 
 static void add_plate(TinkerContacts *contacts, const TinkerBlockBatch *batch, int32_t row)
 {
-    double angle = meaning(batch, row, TINKER_MEANING_ORIENTATION, 0);
+    double angle = tinker_block_batch_meaning(batch, row, TINKER_MEANING_ORIENTATION, 0, 0);
     TinkerPlate *plate = &contacts->plates[contacts->plate_count++];
     *plate = (TinkerPlate){
         .block = batch->ids[row],
         .point = contacts->model->centre_point[batch->ids[row]],
         .orientation = angle,
         .normal = {-sin(angle), cos(angle)},
-        .half_height = 0.5 * meaning(batch, row, TINKER_MEANING_HEIGHT, 0),
-        .half_width = 0.5 * meaning(batch, row, TINKER_MEANING_WIDTH, 0),
-        .static_friction = meaning(batch, row, TINKER_MEANING_STATIC_FRICTION, 0),
-        .dynamic_friction = meaning(batch, row, TINKER_MEANING_DYNAMIC_FRICTION, 0),
-        .restitution = meaning(batch, row, TINKER_MEANING_RESTITUTION, 0),
+        .half_height = 0.5 * tinker_block_batch_meaning(batch, row, TINKER_MEANING_HEIGHT, 0, 0),
+        .half_width = 0.5 * tinker_block_batch_meaning(batch, row, TINKER_MEANING_WIDTH, 0, 0),
+        .static_friction = tinker_block_batch_meaning(batch, row, TINKER_MEANING_STATIC_FRICTION, 0, 0),
+        .dynamic_friction = tinker_block_batch_meaning(batch, row, TINKER_MEANING_DYNAMIC_FRICTION, 0, 0),
+        .restitution = tinker_block_batch_meaning(batch, row, TINKER_MEANING_RESTITUTION, 0, 0),
     };
     plate->moving = g_array_index(contacts->model->support_points, TinkerSupportPoint,
                                   (guint)(plate->point - contacts->model->bodies))
@@ -64,40 +61,31 @@ static void find_shapes(TinkerContacts *contacts, gboolean any_body)
         for (int32_t row = 0; row < batch->count; row++) {
             int32_t point = model->centre_point[batch->ids[row]];
             if (shape_of(batch) == TINKER_SHAPE_BOX && point >= 0 && point < model->bodies)
-                contacts->half_height[point] = 0.5 * meaning(batch, row, TINKER_MEANING_HEIGHT, 0);
+                contacts->half_height[point] =
+                    0.5 * tinker_block_batch_meaning(batch, row, TINKER_MEANING_HEIGHT, 0, 0);
             else if (any_body && shape_of(batch) == TINKER_SHAPE_PLATE && is_solid(batch, row))
                 add_plate(contacts, batch, row);
         }
     }
 }
 
-static int32_t root_of(const int32_t *group, int32_t body)
-{
-    while (group[body] != body)
-        body = group[body];
-    return body;
-}
-
-/* What constraints tie together. The first body of each group is its root; chains that the search leaves behind are cut. */
+/* What constraints tie together, known by the first of them. */
 static void find_groups(TinkerContacts *contacts)
 {
     const TinkerModel *model = contacts->model;
     const TinkerConstraints *all = &model->constraints;
-    for (int32_t i = 0; i < model->bodies; i++)
-        contacts->group[i] = i;
+    tinker_sets_begin(contacts->group, model->bodies);
     for (int32_t row = 0; row < all->rows; row++) {
         int32_t first = -1;
         for (int32_t e = all->row_starts[row]; e < all->row_starts[row + 1]; e++) {
             if (all->points[e] >= model->bodies) continue;
-            int32_t root = root_of(contacts->group, all->points[e]);
             contacts->held[all->points[e]] = TRUE;
-            if (first < 0) first = root;
-            contacts->group[MAX(first, root)] = MIN(first, root);
-            first = MIN(first, root);
+            if (first >= 0) tinker_sets_join(contacts->group, first, all->points[e]);
+            first = all->points[e];
         }
     }
     for (int32_t i = 0; i < model->bodies; i++)
-        contacts->group[i] = contacts->group[contacts->group[i]];
+        contacts->group[i] = tinker_sets_first(contacts->group, i);
 }
 
 static void block_clear(gpointer data)

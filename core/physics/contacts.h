@@ -19,9 +19,10 @@
 #include "numerics/contact-laws.h"
 #include "numerics/dense-solve.h"
 #include "physics/model-private.h"
+#include "scene/overlaps.h"
 
-/* A start this near to a top touches it (m); one farther behind it passes as from behind. */
-#define TINKER_TOUCHING 1e-9
+/* A start that slides along a top slower than this share of the largest speed may stick. */
+#define TINKER_START_SLOW 1e-9
 
 typedef struct {
     TinkerBlockId block;

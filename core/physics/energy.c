@@ -109,3 +109,12 @@ TinkerStatus tinker_model_energy(TinkerModel *model, TinkerEnergy *energy)
                         energy->stored_in_fields;
     return status;
 }
+
+/* As a product, so that a small change of much energy loses no digits. */
+double tinker_model_kinetic_change(const TinkerModel *model, const double *before, const double *after)
+{
+    double sum = 0;
+    for (int32_t i = 0; i < 2 * model->bodies; i++)
+        sum += 0.5 * model->coordinate_mass[i] * (after[i] - before[i]) * (after[i] + before[i]);
+    return sum;
+}

@@ -83,11 +83,11 @@ static void make_room(TinkerImpulses *self, gsize count)
 /* Contacts of one group, from `first` on. */
 static void choose_group(TinkerImpulses *self, guint first)
 {
-    const int32_t group = self->group[held(self, first)->body];
+    const int32_t group = self->contacts->group[held(self, first)->body];
     g_array_set_size(self->chosen, 0);
     g_array_set_size(self->laws, 0);
     for (guint i = first; i < self->held->len; i++) {
-        if (self->group[held(self, i)->body] != group) continue;
+        if (self->contacts->group[held(self, i)->body] != group) continue;
         const int32_t number = (int32_t)i;
         const TinkerContact contact = {.body = held(self, i)->body, .plate = held(self, i)->plate};
         g_array_append_val(self->chosen, number);
@@ -142,7 +142,7 @@ gboolean tinker_impulse_solve_held(TinkerImpulses *self, const double *q, double
     for (guint i = 0; i < self->held->len; i++) {
         gboolean solved = FALSE;
         for (guint k = 0; k < i && !solved; k++)
-            solved = self->group[held(self, k)->body] == self->group[held(self, i)->body];
+            solved = self->contacts->group[held(self, k)->body] == self->contacts->group[held(self, i)->body];
         if (solved) continue;
         choose_group(self, i);
         if (!solve_group(self, v)) return FALSE;

@@ -51,7 +51,6 @@ typedef struct {
     double work[TINKER_BOOK_COUNT];
 
     /* bodies on constraints */
-    int32_t *group; /* by body: which are joined by constraints */
     GArray *held;   /* of TinkerImpulseTouch, by body */
     GArray *chosen; /* of int32_t: those of one group */
     GArray *laws;   /* of TinkerContact: the same, for the Delassus matrix */

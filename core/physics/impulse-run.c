@@ -3,12 +3,6 @@
 
 #include "physics/impulse-private.h"
 
-/* Of the extent: see TinkerContactNeighbours. */
-#define LEAST_SHARE 1e-3
-/* A start that slides along a top slower than this share of the largest speed may stick. */
-#define START_SLOW 1e-9
-/* And one that parts slower than this rests. */
-#define STILL 1e-12
 /* Contacts that there is room for at first, beside one a body. */
 #define EXPECTED 16
 
@@ -46,28 +40,6 @@ static void open_plates(TinkerImpulses *self)
     }
 }
 
-/* Bodies that constraints join, known by the first of them. */
-static void find_groups(TinkerImpulses *self)
-{
-    const TinkerConstraints *all = &self->model->constraints;
-    gboolean changed = all->rows > 0;
-    for (int32_t i = 0; i < self->model->bodies; i++)
-        self->group[i] = i;
-    while (changed) {
-        changed = FALSE;
-        for (int32_t row = 0; row < all->rows; row++) {
-            int32_t least = G_MAXINT32;
-            for (int32_t e = all->row_starts[row]; e < all->row_starts[row + 1]; e++)
-                if (all->points[e] < self->model->bodies) least = MIN(least, self->group[all->points[e]]);
-            for (int32_t e = all->row_starts[row]; e < all->row_starts[row + 1]; e++) {
-                if (all->points[e] >= self->model->bodies || self->group[all->points[e]] == least) continue;
-                self->group[all->points[e]] = least;
-                changed = TRUE;
-            }
-        }
-    }
-}
-
 static void allot(TinkerImpulses *self)
 {
     const gsize n = 2 * (gsize)MAX(self->model->bodies, 1);
@@ -79,7 +51,6 @@ static void allot(TinkerImpulses *self)
     self->orientation = g_new(double, n);
     for (gsize i = 0; i < n; i++)
         self->orientation[i] = NAN;
-    self->group = g_new(int32_t, n);
     guint room = (guint)self->model->bodies + EXPECTED;
     self->next = g_array_sized_new(FALSE, TRUE, sizeof(TinkerContact), room);
     self->held = g_array_sized_new(FALSE, TRUE, sizeof(TinkerImpulseTouch), EXPECTED);
@@ -104,7 +75,6 @@ void *tinker_impulse_create(const TinkerSystem *system, const TinkerIntegratorOp
     self->contacts->impulses = TRUE;
     allot(self);
     open_plates(self);
-    find_groups(self);
     tinker_contact_neighbours_init(&self->neighbours, self->contacts);
     return self;
 }
@@ -117,7 +87,7 @@ void tinker_impulse_destroy(void *data)
     for (gsize i = 0; i < G_N_ELEMENTS(lists); i++)
         g_array_unref(lists[i]);
     gpointer arrays[] = {self->plates, self->orientation, self->from.q, self->from.v, self->from.books, self->to.q,
-                         self->to.v,   self->a,           self->power,  self->group,  self->room,       self->velocity};
+                         self->to.v,   self->a,           self->power,  self->room,   self->velocity};
     for (gsize i = 0; i < G_N_ELEMENTS(arrays); i++)
         g_free(arrays[i]);
     g_free(self);
@@ -129,8 +99,8 @@ void tinker_impulse_start(TinkerImpulses *self, const TinkerState *state)
     TinkerContacts *contacts = self->contacts;
     const double extent =
         hypot(self->context->box[2] - self->context->box[0], self->context->box[3] - self->context->box[1]);
-    double slow = START_SLOW * self->context->speed;
-    self->least_reach = isfinite(extent) ? LEAST_SHARE * extent : 0;
+    double slow = TINKER_START_SLOW * self->context->speed;
+    self->least_reach = isfinite(extent) ? TINKER_LEAST_NEIGHBOURHOOD * extent : 0;
     g_array_set_size(contacts->closed, 0);
     for (int32_t i = 0; i < self->model->bodies; i++) {
         if (isnan(contacts->half_height[i])) continue;
@@ -141,7 +111,7 @@ void tinker_impulse_start(TinkerImpulses *self, const TinkerState *state)
             const double along = n[1] * u[0] - n[0] * u[1], middle = tinker_impulse_along(plate, x, 0);
             gboolean touches = fabs(tinker_impulse_gap(self, plate, i, x, 0)) <= TINKER_TOUCHING &&
                                fabs(middle) <= plate->half_width + TINKER_TOUCHING &&
-                               fabs(n[0] * u[0] + n[1] * u[1]) <= fmax(STILL * self->context->speed, slow);
+                               fabs(n[0] * u[0] + n[1] * u[1]) <= slow;
             if (!touches) continue;
             TinkerContactMode mode = along > 0 ? TINKER_CONTACT_SLIP_FORWARD : TINKER_CONTACT_SLIP_BACKWARD;
             if (fabs(along) <= slow && plate->static_friction > 0) mode = TINKER_CONTACT_STICK;

@@ -3,25 +3,10 @@
 #include "physics/islands.h"
 
 #include "physics/contacts.h"
+#include "physics/disjoint-sets.h"
 
 #define MOST_BLOCKS_ASKED  20000000
 #define LEAST_MOST_ISLANDS 256
-
-static int32_t root_of(int32_t *parent, int32_t body)
-{
-    while (parent[body] != body) {
-        parent[body] = parent[parent[body]];
-        body = parent[body];
-    }
-    return body;
-}
-
-/* The smaller number becomes the root, so that a set is known by its first body. */
-static void join(int32_t *parent, int32_t a, int32_t b)
-{
-    int32_t first = root_of(parent, a), second = root_of(parent, b);
-    parent[MAX(first, second)] = MIN(first, second);
-}
 
 static void join_ends(const TinkerModel *model, const TinkerBlockBatch *batch, int32_t *parent)
 {
@@ -30,7 +15,7 @@ static void join_ends(const TinkerModel *model, const TinkerBlockBatch *batch, i
         int32_t first = -1;
         for (int32_t e = batch->end_offsets[row]; e < batch->end_offsets[row + 1]; e++) {
             if (points[e] >= model->bodies) continue;
-            if (first >= 0) join(parent, first, points[e]);
+            if (first >= 0) tinker_sets_join(parent, first, points[e]);
             first = points[e];
         }
     }
@@ -50,18 +35,17 @@ static gboolean is_motion(const TinkerBlockBatch *batch)
 static int32_t find_sets(const TinkerModel *model, int32_t *set_of)
 {
     g_autofree int32_t *parent = g_new(int32_t, MAX(model->bodies, 1));
-    for (int32_t i = 0; i < model->bodies; i++)
-        parent[i] = i;
+    tinker_sets_begin(parent, model->bodies);
     for (guint i = 0; i < model->batches->len; i++) {
         const TinkerBlockBatch *batch = g_ptr_array_index(model->batches, i);
         if (batch->end_count > 0) join_ends(model, batch, parent);
         if (!is_field(batch) || !batch->block_class->physics->field->couples_bodies) continue;
         for (int32_t body = 1; body < model->bodies; body++)
-            join(parent, 0, body);
+            tinker_sets_join(parent, 0, body);
     }
     int32_t sets = 0;
     for (int32_t i = 0; i < model->bodies; i++) {
-        int32_t root = root_of(parent, i);
+        int32_t root = tinker_sets_first(parent, i);
         set_of[i] = root == i ? sets++ : set_of[root];
     }
     return sets;

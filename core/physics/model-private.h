@@ -225,6 +225,9 @@ typedef struct {
 } TinkerEnergy;
 TinkerStatus tinker_model_energy(TinkerModel *model, TinkerEnergy *energy);
 
+/* What a change of velocities gives (J); 2 entries a body each. */
+double tinker_model_kinetic_change(const TinkerModel *model, const double *before, const double *after);
+
 /* The next time after t, not after the horizon, at which a derivative of anything jumps; INFINITY for none. */
 double tinker_model_next_break(TinkerModel *model, double t, double horizon);
 /* Enters the piece of all waveforms that contains `inside`. */

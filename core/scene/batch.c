@@ -159,6 +159,13 @@ const TinkerWaveformEvaluator *tinker_block_batch_evaluator(const TinkerBlockBat
     return NULL;
 }
 
+double tinker_block_batch_meaning(const TinkerBlockBatch *batch, int32_t row, int32_t meaning, int32_t component,
+                                  double otherwise)
+{
+    int32_t column = tinker_block_class_meaning_column(batch->block_class, meaning);
+    return column < 0 ? otherwise : batch->columns[column + component][row];
+}
+
 void tinker_block_batch_set_time(TinkerBlockBatch *batch, double t)
 {
     for (int32_t waveform = 0; waveform < batch->waveforms; waveform++) {

@@ -33,6 +33,10 @@ GPtrArray *tinker_batches_new(TinkerScene *scene, const gboolean *include);
 /* The view of a whole batch that plugins get, at time t. */
 TinkerBatch tinker_block_batch_view(TinkerBlockBatch *batch, double t);
 
+/* The entry of a block's row that has a meaning (TINKER_MEANING_...), by component; `otherwise` where no property has it. */
+double tinker_block_batch_meaning(const TinkerBlockBatch *batch, int32_t row, int32_t meaning, int32_t component,
+                                  double otherwise);
+
 /* Evaluates all waveforms of the batch at t into its columns. */
 void tinker_block_batch_set_time(TinkerBlockBatch *batch, double t);
 

@@ -37,12 +37,6 @@ struct _TinkerFrame {
     double *lanes;      /* by block id: see lanes.h */
 };
 
-static double meaning(const TinkerBlockBatch *batch, int32_t row, int32_t what, int component, double otherwise)
-{
-    int32_t column = tinker_block_class_meaning_column(batch->block_class, what);
-    return column < 0 ? otherwise : batch->columns[column + component][row];
-}
-
 static void locate(TinkerFrame *frame)
 {
     for (guint i = 0; i < frame->batches->len; i++) {
@@ -50,9 +44,9 @@ static void locate(TinkerFrame *frame)
         for (int32_t row = 0; row < batch->count; row++) {
             TinkerBlockId id = batch->ids[row];
             frame->locations[id] = (Location){batch, row};
-            frame->placed[id] = (Pose){meaning(batch, row, TINKER_MEANING_POSITION, 0, NAN),
-                                       meaning(batch, row, TINKER_MEANING_POSITION, 1, NAN),
-                                       meaning(batch, row, TINKER_MEANING_ORIENTATION, 0, 0.0)};
+            frame->placed[id] = (Pose){tinker_block_batch_meaning(batch, row, TINKER_MEANING_POSITION, 0, NAN),
+                                       tinker_block_batch_meaning(batch, row, TINKER_MEANING_POSITION, 1, NAN),
+                                       tinker_block_batch_meaning(batch, row, TINKER_MEANING_ORIENTATION, 0, 0.0)};
             frame->poses[id] = frame->placed[id];
         }
     }
@@ -217,8 +211,8 @@ static double least_side(const TinkerFrame *frame, TinkerBlockId block)
 {
     const Location *location = &frame->locations[block];
     if (location->batch == NULL) return 0;
-    return fmin(meaning(location->batch, location->row, TINKER_MEANING_WIDTH, 0, 0),
-                meaning(location->batch, location->row, TINKER_MEANING_HEIGHT, 0, 0));
+    return fmin(tinker_block_batch_meaning(location->batch, location->row, TINKER_MEANING_WIDTH, 0, 0),
+                tinker_block_batch_meaning(location->batch, location->row, TINKER_MEANING_HEIGHT, 0, 0));
 }
 
 /* Moves both ends of a connector into its lane: across the line between them, without changing its length. */

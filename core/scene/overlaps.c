@@ -8,9 +8,6 @@
 
 #include <tinker/physics.h>
 
-/* m: what lies in no deeper is touching. */
-#define TOUCHING 1e-9
-
 /* A body in the order of x, or a plate. */
 typedef struct {
     TinkerBlockId block;
@@ -89,7 +86,7 @@ static void look(const Box *plate, const Box *body, GArray *overlaps)
     const double along = normal[1] * dx - normal[0] * dy;
     const double gap = normal[0] * dx + normal[1] * dy - 0.5 * plate->height - 0.5 * body->height;
     const double above_underside = gap + body->height + plate->height;
-    if (fabs(along) > 0.5 * plate->width || !(gap < -TOUCHING && above_underside > TOUCHING)) return;
+    if (fabs(along) > 0.5 * plate->width || !(gap < -TINKER_TOUCHING && above_underside > TINKER_TOUCHING)) return;
     TinkerOverlap overlap = {body->block, plate->block, -gap, {normal[0], normal[1]}};
     g_array_append_val(overlaps, overlap);
 }
@@ -120,7 +117,7 @@ GArray *tinker_overlaps_new(const TinkerFrame *frame)
 /* What a cosine of 90 degrees leaves of a distance is no distance; adding 0 makes 0 of -0. */
 static double shown(double distance)
 {
-    return round(distance / TOUCHING) * TOUCHING + 0.0;
+    return round(distance / TINKER_TOUCHING) * TINKER_TOUCHING + 0.0;
 }
 
 static char *text_of(const TinkerFrame *frame, const TinkerOverlap *overlap)

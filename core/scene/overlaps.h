@@ -4,6 +4,9 @@
 
 #include "scene/frame.h"
 
+/* A start this near to a top touches it (m); one farther behind it passes as from behind. */
+#define TINKER_TOUCHING 1e-9
+
 typedef struct {
     TinkerBlockId body, plate;
     double depth;     /* m: how far the body's nearest side lies below the top */
@@ -11,10 +14,10 @@ typedef struct {
 } TinkerOverlap;
 
 /* Every pair of a body and a plate with a solid side that overlap where the frame has them, plate by plate and body by body
- * in the order of creation. A body counts with its height, whatever its angle, because that is what contact goes by; it
- * overlaps a plate while the foot of its centre lies within the plate's width and some of its height, by more than 1e-9 m,
- * lies between the plate's top and its underside. One that is wholly in front or wholly behind does not. Costs what the
- * plates' boxes cover, not the product. Element: TinkerOverlap. (transfer full) */
+ * in the order of creation. A body counts with its height, whatever its angle, because that is what contact goes by;
+ * it overlaps a plate while the foot of its centre lies within the plate's width and some of its height, by more than
+ * TINKER_TOUCHING, lies between the plate's top and its underside. One that is wholly in front or wholly behind does
+ * not. Costs what the plates' boxes cover, not the product. Element: TinkerOverlap. (transfer full) */
 GArray *tinker_overlaps_new(const TinkerFrame *frame);
 
 /* Adds a warning (of char *) for every overlap at t = 0, with what would be right. A scene whose motions fail there has

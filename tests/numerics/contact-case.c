@@ -41,8 +41,7 @@ void contact_case_after(const ContactCase *self, const double *p, double *after,
     }
 }
 
-/* Solves by partial pivoting, in long double; FALSE where the system is singular. */
-static gboolean eliminate(int32_t n, long double a[CASE_WIDTH][CASE_WIDTH + 1])
+gboolean contact_case_eliminate(int32_t n, long double a[CASE_WIDTH][CASE_WIDTH + 1])
 {
     for (int32_t k = 0; k < n; k++) {
         int32_t best = k;
@@ -83,7 +82,7 @@ static void project(const Chain *chain, double x[CASE_CONTACTS][2])
         if (i > 0) system[i][i - 1] = system[i - 1][i] = between;
         system[i][count] = rod[0] * (x[i + 1][0] - x[i][0]) + rod[1] * (x[i + 1][1] - x[i][1]);
     }
-    g_assert_true(eliminate(count, system));
+    g_assert_true(contact_case_eliminate(count, system));
     for (int32_t i = 0; i < count; i++)
         for (int32_t k = 0; k < 2; k++) {
             x[i][k] += chain->inverse_mass[i] * chain->rods[i][k] * (double)system[i][count];
@@ -189,7 +188,7 @@ static gboolean solve_states(const ContactCase *self, const int32_t *state, doub
         }
         system[i][count] = -(long double)self->before[unknown[i]];
     }
-    if (!eliminate(count, system)) return FALSE;
+    if (!contact_case_eliminate(count, system)) return FALSE;
     memset(p, 0, (size_t)width * sizeof *p);
     for (int32_t i = 0; i < count; i++)
         p[unknown[i]] = (double)system[i][count];

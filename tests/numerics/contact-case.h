@@ -6,6 +6,10 @@
 
 enum { CASE_CONTACTS = 10, CASE_WIDTH = 2 * CASE_CONTACTS };
 
+/* Solves n equations, the right side in column n, by partial pivoting; the solution is left there. FALSE where the system is
+ * singular. */
+gboolean contact_case_eliminate(int32_t n, long double a[CASE_WIDTH][CASE_WIDTH + 1]);
+
 typedef struct {
     int32_t count;
     double delassus[CASE_WIDTH * CASE_WIDTH], before[CASE_WIDTH];

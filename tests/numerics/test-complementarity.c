@@ -1,43 +1,19 @@
-/* Lemke's method against a search through all 2^n bases, which is solved in long double by its own elimination. */
+/* Lemke's method against a search through all 2^n bases, which are solved in long double. */
 #include <math.h>
 #include <string.h>
 
 #include <glib.h>
 
+#include "contact-case.h"
 #include "numerics/complementarity.h"
 
 enum { MOST = 8 };
-
-/* Solves a system of n unknowns by partial pivoting; FALSE where it is singular. */
-static gboolean eliminate(int32_t n, long double a[MOST][MOST + 1])
-{
-    for (int32_t k = 0; k < n; k++) {
-        int32_t best = k;
-        for (int32_t i = k + 1; i < n; i++)
-            if (fabsl(a[i][k]) > fabsl(a[best][k])) best = i;
-        if (fabsl(a[best][k]) < 1e-12L) return FALSE;
-        for (int32_t j = 0; j <= n; j++) {
-            long double kept = a[k][j];
-            a[k][j] = a[best][j];
-            a[best][j] = kept;
-        }
-        for (int32_t i = 0; i < n; i++) {
-            if (i == k) continue;
-            long double factor = a[i][k] / a[k][k];
-            for (int32_t j = k; j <= n; j++)
-                a[i][j] -= factor * a[k][j];
-        }
-    }
-    for (int32_t k = 0; k < n; k++)
-        a[k][n] /= a[k][k];
-    return TRUE;
-}
 
 /* The solution of the basis whose members are the bits of `code`; FALSE where it is none. */
 static gboolean solve_basis(int32_t n, const double *matrix, const double *q, int32_t code, double *z)
 {
     int32_t chosen[MOST], count = 0;
-    long double system[MOST][MOST + 1];
+    long double system[CASE_WIDTH][CASE_WIDTH + 1];
     for (int32_t i = 0; i < n; i++)
         if (code >> i & 1) chosen[count++] = i;
     for (int32_t i = 0; i < count; i++) {
@@ -45,7 +21,7 @@ static gboolean solve_basis(int32_t n, const double *matrix, const double *q, in
             system[i][j] = matrix[chosen[i] * n + chosen[j]];
         system[i][count] = -(long double)q[chosen[i]];
     }
-    if (!eliminate(count, system)) return FALSE;
+    if (!contact_case_eliminate(count, system)) return FALSE;
     memset(z, 0, (size_t)n * sizeof *z);
     for (int32_t i = 0; i < count; i++) {
         if (system[i][count] < -1e-12L) return FALSE;
