@@ -325,6 +325,17 @@ gboolean tinker_simulation_place(TinkerSimulation *simulation, TinkerFrame *fram
     return TRUE;
 }
 
+gboolean tinker_simulation_body(const TinkerSimulation *simulation, TinkerBlockId block, TinkerBodySample *sample)
+{
+    const TinkerModel *model = simulation->model;
+    int32_t body = model->centre_point[block];
+    if (body < 0 || body >= model->bodies) return FALSE;
+    *sample = (TinkerBodySample){simulation->sample_q[2 * body] + model->origin[0],
+                                 simulation->sample_q[2 * body + 1] + model->origin[1], simulation->sample_v[2 * body],
+                                 simulation->sample_v[2 * body + 1], simulation->orientation[body]};
+    return TRUE;
+}
+
 const TinkerSummary *tinker_simulation_summary(TinkerSimulation *simulation)
 {
     tinker_simulation_add_up(simulation);

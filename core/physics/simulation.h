@@ -99,6 +99,16 @@ gboolean tinker_simulation_run(TinkerSimulation *simulation, const GArray *colum
 /* Inside a sample function: puts bodies and supports of the frame where they are at this sample. */
 gboolean tinker_simulation_place(TinkerSimulation *simulation, TinkerFrame *frame, GError **error);
 
+/* A body that can move, at a sample. */
+typedef struct {
+    double x, y;        /* m, in the world */
+    double vx, vy;      /* m/s */
+    double orientation; /* rad; NAN where nothing has turned it since the start */
+} TinkerBodySample;
+
+/* Inside a sample function: a body's state at this sample. FALSE for a block that is no body that can move. */
+gboolean tinker_simulation_body(const TinkerSimulation *simulation, TinkerBlockId block, TinkerBodySample *sample);
+
 /* Inside a sample function: how far each column may be off at this sample (the running maximum of its estimate), in the
  * column's unit. NULL where `bands` was not asked for or there is no companion. Borrowed. */
 const double *tinker_simulation_bands(TinkerSimulation *simulation);

@@ -1,33 +1,11 @@
-/* Where plugins and bundled scenes are, and opening a scene with one line for everything that is wrong. */
+/* Opening a scene with one line for everything that is wrong. */
 #include "open-scene.h"
 
 #include <string.h>
 
 #include "exit-status.h"
+#include "installation.h"
 #include "output.h"
-
-/* The program itself, without links. NULL where the system does not tell. */
-static char *own_path(void)
-{
-    return g_file_read_link("/proc/self/exe", NULL);
-}
-
-/* A folder of the installation: in a build tree `in_build_tree`, relative to the program's folder; else `in_prefix`
- * below the prefix the program lies in (bin/ of it), so that a moved installation works; else the place it was
- * configured for. */
-static char *installation_folder(const char *in_build_tree, const char *in_prefix, const char *configured)
-{
-    g_autofree char *program = own_path();
-    if (program != NULL) {
-        g_autofree char *folder = g_path_get_dirname(program);
-        gboolean built = g_str_has_suffix(folder, "/host/cli");
-        g_autofree char *near_program =
-            built ? g_build_filename(folder, in_build_tree, NULL) : g_build_filename(folder, "..", in_prefix, NULL);
-        g_autofree char *plain = g_canonicalize_filename(near_program, "/");
-        if (g_file_test(plain, G_FILE_TEST_IS_DIR)) return g_steal_pointer(&plain);
-    }
-    return g_strdup(configured);
-}
 
 /* The catalogue takes absolute folders only; on the command line one may be given from the current folder. */
 static char **absolute_folders(char **folders)
@@ -46,21 +24,7 @@ static char **absolute_folders(char **folders)
 TinkerCatalogue *tinker_open_catalogue(char **plugin_folders)
 {
     g_auto(GStrv) folders = absolute_folders(plugin_folders);
-    g_autofree char *installed =
-        installation_folder("../../plugins", TINKER_PLUGIN_FOLDER_IN_PREFIX, TINKER_PLUGIN_FOLDER);
-    g_autofree char *program = own_path();
-    TinkerCatalogueOptions options = {
-        .folders = (const char *const *)folders,
-        .installed_folder = installed,
-        .probe_program = program,
-    };
-    return tinker_catalogue_new(&options);
-}
-
-char *tinker_bundled_scene(const char *name)
-{
-    g_autofree char *folder = installation_folder(".", TINKER_SCENE_FOLDER_IN_PREFIX, TINKER_SCENE_FOLDER);
-    return g_build_filename(folder, name, NULL);
+    return tinker_installation_catalogue((const char *const *)folders);
 }
 
 char *tinker_finding_text(const TinkerFinding *finding, const char *name)

@@ -5,13 +5,9 @@
 #include "plugin/catalogue.h"
 #include "scene/scene-json.h"
 
-/* The catalogue: folders of --plugins (NULL: none), TINKER_PLUGIN_PATH, the user's and the installed one. In a build
- * tree that is not installed, the installed folder is the tree's own. Libraries without a manifest are probed by this
- * very program. (transfer full) */
+/* The catalogue, with the folders of --plugins (NULL: none) searched first; tells of those that are not there.
+ * (transfer full) */
 TinkerCatalogue *tinker_open_catalogue(char **plugin_folders);
-
-/* Path of a bundled scene, "spring-mass.tinker.json". (transfer full) */
-char *tinker_bundled_scene(const char *name);
 
 /* A scene together with what it came from. */
 typedef struct {

@@ -9,6 +9,7 @@
 #include "chart.h"
 #include "csv-record.h"
 #include "exit-status.h"
+#include "installation.h"
 #include "options.h"
 #include "render/painter.h"
 #include "run-arguments.h"
@@ -110,7 +111,7 @@ int tinker_verb_demo(int argc, char **argv)
         tinker_report_note("%s: cannot be made: %s", folder, g_strerror(errno));
         return TINKER_EXIT_FILE;
     }
-    g_autofree char *scene = tinker_bundled_scene(DEMO ".tinker.json");
+    g_autofree char *scene = tinker_installation_scene(DEMO ".tinker.json");
     g_auto(TinkerOpenScene) open = {0};
     status = tinker_open_scene(&open, line.plugin_folders, scene);
     if (status != TINKER_EXIT_DONE) return status;

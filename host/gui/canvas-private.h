@@ -1,0 +1,53 @@
+/* What the files of the canvas share. */
+#ifndef TINKER_GUI_CANVAS_PRIVATE_H
+#define TINKER_GUI_CANVAS_PRIVATE_H
+
+#include "canvas.h"
+#include "edit/drag.h"
+
+#define CANVAS_REACH 8.0 /* widget units: how near to a thing is on it */
+
+/* What a press with the first button has become. */
+typedef enum {
+    CANVAS_IDLE,
+    CANVAS_DRAG,  /* of a part of one block */
+    CANVAS_GROUP, /* of all that is selected */
+    CANVAS_BAND,  /* around blocks that are to be selected */
+    CANVAS_PAN,
+} CanvasGesture;
+
+struct _TinkerCanvas {
+    GtkWidget parent_instance;
+    TinkerDocument *document;
+    TinkerPlayer *player;
+    gboolean show_labels, show_forces, show_local_origins, show_grid;
+
+    TinkerView view;
+    gboolean view_is_set;
+    TinkerPaintMemory *memory;
+
+    CanvasGesture gesture;
+    TinkerHit pressed;
+    double press[2], pointer[2]; /* widget units */
+    gboolean pointer_inside, moved;
+    TinkerDrag *drag;
+    TinkerBlockId highlighted;
+    double group_moved[2]; /* m: so far */
+    guint group_number;    /* of the drag, for merging its steps */
+
+    TinkerBlockId placing; /* the block on its way from the palette */
+};
+
+/* Reach in m. */
+double canvas_reach(TinkerCanvas *canvas);
+/* The grid to snap to (m), or 0. */
+double canvas_grid(TinkerCanvas *canvas, GdkModifierType modifiers);
+void canvas_to_world(TinkerCanvas *canvas, double x, double y, double world[2]);
+void canvas_view_changed(TinkerCanvas *canvas);
+
+/* Sets up gestures, controllers and keys; canvas-input.c. */
+void canvas_add_input(TinkerCanvas *canvas);
+/* Ends whatever gesture is under way without an effect. */
+void canvas_cancel_gesture(TinkerCanvas *canvas);
+
+#endif

@@ -1,0 +1,290 @@
+/* The canvas paints into an image of its own and shows that: a drawing area would record everything and play it back. */
+#include "canvas-private.h"
+
+#include <adwaita.h>
+#include <math.h>
+
+#define LEAST_SCALE    1e-6 /* widget units per m */
+#define GREATEST_SCALE 1e9
+#define FIT_MARGIN     48.0
+
+G_DEFINE_FINAL_TYPE(TinkerCanvas, tinker_canvas, GTK_TYPE_WIDGET)
+
+enum { PROP_0, PROP_SHOW_LABELS, PROP_SHOW_FORCES, PROP_SHOW_LOCAL_ORIGINS, PROP_SHOW_GRID, PROPERTIES };
+static GParamSpec *properties[PROPERTIES];
+static guint view_changed_signal;
+
+/* The view ------------------------------------------------------------------------------------------------------------ */
+
+const TinkerView *tinker_canvas_view(TinkerCanvas *canvas)
+{
+    return &canvas->view;
+}
+
+double canvas_reach(TinkerCanvas *canvas)
+{
+    return CANVAS_REACH / canvas->view.scale;
+}
+
+double canvas_grid(TinkerCanvas *canvas, GdkModifierType modifiers)
+{
+    const TinkerSceneHead *head = tinker_scene_head(tinker_document_scene(canvas->document));
+    return head->canvas_snap && !(modifiers & GDK_ALT_MASK) ? head->canvas_grid : 0;
+}
+
+void canvas_to_world(TinkerCanvas *canvas, double x, double y, double world[2])
+{
+    tinker_view_to_world(&canvas->view, x, y, &world[0], &world[1]);
+}
+
+void canvas_view_changed(TinkerCanvas *canvas)
+{
+    canvas->view.scale = CLAMP(canvas->view.scale, LEAST_SCALE, GREATEST_SCALE);
+    gtk_widget_queue_draw(GTK_WIDGET(canvas));
+    g_signal_emit(canvas, view_changed_signal, 0);
+}
+
+void tinker_canvas_zoom(TinkerCanvas *canvas, double factor)
+{
+    tinker_view_zoom(&canvas->view, factor, canvas->view.width / 2, canvas->view.height / 2);
+    canvas_view_changed(canvas);
+}
+
+static void show_box(TinkerCanvas *canvas, const double box[4], double margin)
+{
+    double width = canvas->view.width, height = canvas->view.height;
+    if (!(width > 0) || !(height > 0)) return;
+    canvas->view = tinker_view_fit(box, width, height, margin);
+    canvas->view_is_set = TRUE;
+    canvas_view_changed(canvas);
+}
+
+void tinker_canvas_fit(TinkerCanvas *canvas)
+{
+    TinkerFrame *frame = tinker_player_frame(canvas->player);
+    double box[4];
+    if (frame == NULL) return;
+    tinker_painter_bounds(frame, box);
+    show_box(canvas, box, FIT_MARGIN);
+}
+
+void tinker_canvas_show_width(TinkerCanvas *canvas)
+{
+    double half = tinker_scene_head(tinker_document_scene(canvas->document))->canvas_width / 2;
+    show_box(canvas, (double[]){-half, 0, half, 0}, 0);
+}
+
+/* A scene is first shown as wide as it says, or wholly where that is not enough. */
+static void show_first(TinkerCanvas *canvas)
+{
+    TinkerFrame *frame = tinker_player_frame(canvas->player);
+    if (frame == NULL || tinker_scene_block_count(tinker_frame_scene(frame)) == 0 ||
+        tinker_document_path(canvas->document) == NULL)
+        tinker_canvas_show_width(canvas);
+    else
+        tinker_canvas_fit(canvas);
+}
+
+static void tinker_canvas_size_allocate(GtkWidget *widget, int width, int height, int baseline)
+{
+    TinkerCanvas *canvas = TINKER_CANVAS(widget);
+    if (width == (int)canvas->view.width && height == (int)canvas->view.height) return;
+    tinker_view_pan(&canvas->view, (width - canvas->view.width) / 2, (height - canvas->view.height) / 2);
+    canvas->view.width = width;
+    canvas->view.height = height;
+    if (!canvas->view_is_set && canvas->document != NULL) show_first(canvas);
+    canvas_view_changed(canvas);
+}
+
+void tinker_canvas_pointer(TinkerCanvas *canvas, double place[2])
+{
+    gboolean inside = canvas->pointer_inside;
+    canvas_to_world(canvas, inside ? canvas->pointer[0] : canvas->view.width / 2,
+                    inside ? canvas->pointer[1] : canvas->view.height / 2, place);
+    tinker_snap(canvas_grid(canvas, 0), &place[0], &place[1]);
+}
+
+/* Painting ------------------------------------------------------------------------------------------------------------ */
+
+static const TinkerTheme *theme_of_desktop(void)
+{
+    AdwStyleManager *manager = adw_style_manager_get_default();
+    return tinker_theme_find(adw_style_manager_get_dark(manager) ? "dark" : "light");
+}
+
+static TinkerPaintOptions paint_options(TinkerCanvas *canvas)
+{
+    TinkerPaintOptions options = tinker_paint_options_default();
+    options.theme = theme_of_desktop();
+    options.show_labels = canvas->show_labels;
+    options.show_grid = canvas->show_grid;
+    options.show_local_origins = canvas->show_local_origins;
+    options.highlighted = canvas->highlighted;
+    options.selected = tinker_document_selection(canvas->document, &options.selected_count);
+    options.quick = TRUE;
+    options.memory = canvas->memory;
+    return options;
+}
+
+static void paint_band(TinkerCanvas *canvas, cairo_t *cairo, const TinkerTheme *theme)
+{
+    const double *colour = theme->colours[TINKER_COLOUR_SELECTED];
+    cairo_rectangle(cairo, canvas->press[0], canvas->press[1], canvas->pointer[0] - canvas->press[0],
+                    canvas->pointer[1] - canvas->press[1]);
+    cairo_set_source_rgba(cairo, colour[0], colour[1], colour[2], 0.15);
+    cairo_fill_preserve(cairo);
+    cairo_set_source_rgba(cairo, colour[0], colour[1], colour[2], 0.9);
+    cairo_set_line_width(cairo, 1);
+    cairo_stroke(cairo);
+}
+
+static void paint(TinkerCanvas *canvas, cairo_t *cairo)
+{
+    TinkerFrame *frame = tinker_player_frame(canvas->player);
+    TinkerPaintOptions options = paint_options(canvas);
+    if (frame == NULL) return;
+    tinker_paint_scene(cairo, frame, &canvas->view, &options);
+    if (canvas->gesture == CANVAS_BAND && canvas->moved) paint_band(canvas, cairo, options.theme);
+}
+
+static GdkTexture *texture_of(cairo_surface_t *surface, int width, int height)
+{
+    cairo_surface_flush(surface);
+    gsize stride = (gsize)cairo_image_surface_get_stride(surface);
+    g_autoptr(GBytes) bytes =
+        g_bytes_new_with_free_func(cairo_image_surface_get_data(surface), stride * (gsize)height,
+                                   (GDestroyNotify)cairo_surface_destroy, surface);
+    return gdk_memory_texture_new(width, height, GDK_MEMORY_DEFAULT, bytes, stride);
+}
+
+static void tinker_canvas_snapshot(GtkWidget *widget, GtkSnapshot *snapshot)
+{
+    TinkerCanvas *canvas = TINKER_CANVAS(widget);
+    if (canvas->player == NULL || !(canvas->view.width > 0) || !(canvas->view.height > 0)) return;
+    int factor = gtk_widget_get_scale_factor(widget);
+    int width = (int)canvas->view.width * factor, height = (int)canvas->view.height * factor;
+    cairo_surface_t *surface = cairo_image_surface_create(CAIRO_FORMAT_ARGB32, width, height);
+    cairo_surface_set_device_scale(surface, factor, factor);
+    cairo_t *cairo = cairo_create(surface);
+    paint(canvas, cairo);
+    cairo_destroy(cairo);
+    g_autoptr(GdkTexture) texture = texture_of(surface, width, height);
+    graphene_rect_t bounds = GRAPHENE_RECT_INIT(0, 0, (float)canvas->view.width, (float)canvas->view.height);
+    gtk_snapshot_append_texture(snapshot, texture, &bounds);
+}
+
+/* The widget ---------------------------------------------------------------------------------------------------------- */
+
+static void renew_memory(TinkerCanvas *canvas)
+{
+    tinker_paint_memory_free(canvas->memory);
+    canvas->memory = tinker_paint_memory_new();
+}
+
+static void on_replaced(TinkerCanvas *canvas)
+{
+    canvas_cancel_gesture(canvas);
+    canvas->placing = canvas->highlighted = TINKER_NO_BLOCK;
+    renew_memory(canvas);
+    canvas->view_is_set = FALSE;
+}
+
+static void on_changed(TinkerCanvas *canvas)
+{
+    if (!canvas->view_is_set) show_first(canvas);
+    gtk_widget_queue_draw(GTK_WIDGET(canvas));
+}
+
+void tinker_canvas_set_player(TinkerCanvas *canvas, TinkerDocument *document, TinkerPlayer *player)
+{
+    canvas->document = g_object_ref(document);
+    canvas->player = g_object_ref(player);
+    g_signal_connect_object(document, "replaced", G_CALLBACK(on_replaced), canvas, G_CONNECT_SWAPPED);
+    g_signal_connect_object(document, "changed", G_CALLBACK(on_changed), canvas, G_CONNECT_SWAPPED);
+    g_signal_connect_object(document, "selection-changed", G_CALLBACK(gtk_widget_queue_draw), canvas,
+                            G_CONNECT_SWAPPED);
+    g_signal_connect_object(player, "moved", G_CALLBACK(gtk_widget_queue_draw), canvas, G_CONNECT_SWAPPED);
+    AdwStyleManager *manager = adw_style_manager_get_default();
+    g_signal_connect_object(manager, "notify::dark", G_CALLBACK(gtk_widget_queue_draw), canvas, G_CONNECT_SWAPPED);
+    g_signal_connect_object(manager, "notify::high-contrast", G_CALLBACK(gtk_widget_queue_draw), canvas,
+                            G_CONNECT_SWAPPED);
+}
+
+static gboolean *switch_of(TinkerCanvas *canvas, guint property)
+{
+    switch (property) {
+    case PROP_SHOW_LABELS:
+        return &canvas->show_labels;
+    case PROP_SHOW_FORCES:
+        return &canvas->show_forces;
+    case PROP_SHOW_LOCAL_ORIGINS:
+        return &canvas->show_local_origins;
+    default:
+        return &canvas->show_grid;
+    }
+}
+
+static void tinker_canvas_get_property(GObject *object, guint property, GValue *value, GParamSpec *spec)
+{
+    g_value_set_boolean(value, *switch_of(TINKER_CANVAS(object), property));
+}
+
+static void tinker_canvas_set_property(GObject *object, guint property, const GValue *value, GParamSpec *spec)
+{
+    *switch_of(TINKER_CANVAS(object), property) = g_value_get_boolean(value);
+    gtk_widget_queue_draw(GTK_WIDGET(object));
+}
+
+static void tinker_canvas_dispose(GObject *object)
+{
+    TinkerCanvas *canvas = TINKER_CANVAS(object);
+    GtkWidget *child;
+    if (canvas->document != NULL) canvas_cancel_gesture(canvas);
+    while ((child = gtk_widget_get_first_child(GTK_WIDGET(canvas))) != NULL)
+        gtk_widget_unparent(child);
+    g_clear_object(&canvas->player);
+    g_clear_object(&canvas->document);
+    G_OBJECT_CLASS(tinker_canvas_parent_class)->dispose(object);
+}
+
+static void tinker_canvas_finalize(GObject *object)
+{
+    tinker_paint_memory_free(TINKER_CANVAS(object)->memory);
+    G_OBJECT_CLASS(tinker_canvas_parent_class)->finalize(object);
+}
+
+static void tinker_canvas_class_init(TinkerCanvasClass *class)
+{
+    GObjectClass *object_class = G_OBJECT_CLASS(class);
+    GtkWidgetClass *widget_class = GTK_WIDGET_CLASS(class);
+    object_class->get_property = tinker_canvas_get_property;
+    object_class->set_property = tinker_canvas_set_property;
+    object_class->dispose = tinker_canvas_dispose;
+    object_class->finalize = tinker_canvas_finalize;
+    widget_class->size_allocate = tinker_canvas_size_allocate;
+    widget_class->snapshot = tinker_canvas_snapshot;
+    const GParamFlags flags = G_PARAM_READWRITE | G_PARAM_STATIC_STRINGS;
+    properties[PROP_SHOW_LABELS] = g_param_spec_boolean("show-labels", NULL, NULL, TRUE, flags);
+    properties[PROP_SHOW_FORCES] = g_param_spec_boolean("show-forces", NULL, NULL, FALSE, flags);
+    properties[PROP_SHOW_LOCAL_ORIGINS] = g_param_spec_boolean("show-local-origins", NULL, NULL, FALSE, flags);
+    properties[PROP_SHOW_GRID] = g_param_spec_boolean("show-grid", NULL, NULL, TRUE, flags);
+    g_object_class_install_properties(object_class, PROPERTIES, properties);
+    view_changed_signal =
+        g_signal_new("view-changed", TINKER_TYPE_CANVAS, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL, G_TYPE_NONE, 0);
+    g_signal_new("menu", TINKER_TYPE_CANVAS, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL, G_TYPE_NONE, 2, G_TYPE_DOUBLE,
+                 G_TYPE_DOUBLE);
+    gtk_widget_class_set_css_name(widget_class, "canvas");
+    gtk_widget_class_set_accessible_role(widget_class, GTK_ACCESSIBLE_ROLE_IMG);
+}
+
+static void tinker_canvas_init(TinkerCanvas *canvas)
+{
+    canvas->show_labels = canvas->show_grid = TRUE;
+    canvas->view = (TinkerView){.scale = 100, .origin_x = 0, .origin_y = 0};
+    canvas->highlighted = canvas->placing = canvas->pressed.block = TINKER_NO_BLOCK;
+    canvas->memory = tinker_paint_memory_new();
+    gtk_widget_set_focusable(GTK_WIDGET(canvas), TRUE);
+    gtk_widget_set_overflow(GTK_WIDGET(canvas), GTK_OVERFLOW_HIDDEN);
+    gtk_accessible_update_property(GTK_ACCESSIBLE(canvas), GTK_ACCESSIBLE_PROPERTY_LABEL, "Canvas", -1);
+    canvas_add_input(canvas);
+}

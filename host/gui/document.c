@@ -1,0 +1,306 @@
+/* The document keeps the selection valid: whatever removes a block, it is no longer selected afterwards. */
+#include "document.h"
+
+#include <math.h>
+
+struct _TinkerDocument {
+    GObject parent_instance;
+    TinkerCatalogue *catalogue;
+    TinkerScene *scene;
+    TinkerHistory *history;
+    char *path;
+    gboolean recovered; /* counts as modified until it is saved */
+    GArray *selection;  /* of TinkerBlockId */
+};
+
+G_DEFINE_FINAL_TYPE(TinkerDocument, tinker_document, G_TYPE_OBJECT)
+
+enum { CHANGED, REPLACED, SELECTION_CHANGED, FILE_CHANGED, SIGNALS };
+static guint signals[SIGNALS];
+
+static void emit(TinkerDocument *document, int signal)
+{
+    g_signal_emit(document, signals[signal], 0);
+}
+
+static void tinker_document_finalize(GObject *object)
+{
+    TinkerDocument *document = TINKER_DOCUMENT(object);
+    tinker_history_free(document->history);
+    tinker_scene_free(document->scene);
+    g_free(document->path);
+    g_array_unref(document->selection);
+    G_OBJECT_CLASS(tinker_document_parent_class)->finalize(object);
+}
+
+static void tinker_document_class_init(TinkerDocumentClass *class)
+{
+    static const char *const names[SIGNALS] = {"changed", "replaced", "selection-changed", "file-changed"};
+    G_OBJECT_CLASS(class)->finalize = tinker_document_finalize;
+    for (int i = 0; i < SIGNALS; i++)
+        signals[i] = g_signal_new(names[i], TINKER_TYPE_DOCUMENT, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL, G_TYPE_NONE, 0);
+}
+
+static void tinker_document_init(TinkerDocument *document)
+{
+    document->selection = g_array_new(FALSE, FALSE, sizeof(TinkerBlockId));
+}
+
+TinkerDocument *tinker_document_new(TinkerCatalogue *catalogue)
+{
+    TinkerDocument *document = g_object_new(TINKER_TYPE_DOCUMENT, NULL);
+    document->catalogue = catalogue;
+    document->scene = tinker_scene_new(catalogue);
+    document->history = tinker_history_new(document->scene);
+    return document;
+}
+
+TinkerCatalogue *tinker_document_catalogue(TinkerDocument *document)
+{
+    return document->catalogue;
+}
+
+TinkerScene *tinker_document_scene(TinkerDocument *document)
+{
+    return document->scene;
+}
+
+TinkerHistory *tinker_document_history(TinkerDocument *document)
+{
+    return document->history;
+}
+
+/* Files ------------------------------------------------------------------------------------------------------------ */
+
+static void set_path(TinkerDocument *document, const char *path)
+{
+    char *copy = g_strdup(path);
+    g_free(document->path);
+    document->path = copy;
+}
+
+/* Goes on with another scene. (transfer full) */
+static void replace(TinkerDocument *document, TinkerScene *scene, const char *path)
+{
+    TinkerScene *last = document->scene;
+    tinker_history_free(document->history);
+    document->scene = scene;
+    document->history = tinker_history_new(scene);
+    document->recovered = FALSE;
+    set_path(document, path);
+    g_array_set_size(document->selection, 0);
+    emit(document, REPLACED);
+    tinker_scene_free(last);
+    emit(document, SELECTION_CHANGED);
+    emit(document, CHANGED);
+    emit(document, FILE_CHANGED);
+}
+
+gboolean tinker_document_start(TinkerDocument *document, const char *text, gsize length, const char *path,
+                               GError **error)
+{
+    TinkerScene *scene = tinker_scene_read_text(document->catalogue, text, length, path, NULL, error);
+    if (scene == NULL) return FALSE;
+    replace(document, scene, NULL);
+    return TRUE;
+}
+
+gboolean tinker_document_open(TinkerDocument *document, const char *path, GPtrArray *findings, GError **error)
+{
+    TinkerScene *scene = tinker_scene_read_file(document->catalogue, path, findings, error);
+    if (scene == NULL) return FALSE;
+    replace(document, scene, path);
+    return TRUE;
+}
+
+gboolean tinker_document_save(TinkerDocument *document, const char *path, GError **error)
+{
+    if (!tinker_scene_write_file(document->scene, path, TINKER_WRITE_SI, error)) return FALSE;
+    set_path(document, path);
+    document->recovered = FALSE;
+    tinker_history_mark_saved(document->history);
+    emit(document, FILE_CHANGED);
+    return TRUE;
+}
+
+const char *tinker_document_path(TinkerDocument *document)
+{
+    return document->path;
+}
+
+void tinker_document_set_path(TinkerDocument *document, const char *path)
+{
+    set_path(document, path);
+    emit(document, FILE_CHANGED);
+}
+
+char *tinker_document_name(TinkerDocument *document)
+{
+    const char *title = tinker_scene_head(document->scene)->title;
+    if (title[0] != '\0') return g_strdup(title);
+    return document->path != NULL ? g_path_get_basename(document->path) : g_strdup("Untitled");
+}
+
+gboolean tinker_document_is_modified(TinkerDocument *document)
+{
+    return document->recovered || !tinker_history_is_saved(document->history);
+}
+
+void tinker_document_mark_modified(TinkerDocument *document)
+{
+    document->recovered = TRUE;
+    emit(document, FILE_CHANGED);
+}
+
+/* Editing ----------------------------------------------------------------------------------------------------------- */
+
+static void drop_removed(TinkerDocument *document)
+{
+    gboolean dropped = FALSE;
+    for (guint i = document->selection->len; i-- > 0;) {
+        if (tinker_scene_has_block(document->scene, g_array_index(document->selection, TinkerBlockId, i))) continue;
+        g_array_remove_index(document->selection, i);
+        dropped = TRUE;
+    }
+    if (dropped) emit(document, SELECTION_CHANGED);
+}
+
+void tinker_document_touch(TinkerDocument *document)
+{
+    drop_removed(document);
+    emit(document, CHANGED);
+    emit(document, FILE_CHANGED);
+}
+
+void tinker_document_begin(TinkerDocument *document, const char *title, const char *merge)
+{
+    tinker_history_begin(document->history, title, merge);
+}
+
+void tinker_document_end(TinkerDocument *document)
+{
+    tinker_history_end(document->history);
+    tinker_document_touch(document);
+}
+
+void tinker_document_abort(TinkerDocument *document)
+{
+    tinker_history_abort(document->history);
+    tinker_document_touch(document);
+}
+
+void tinker_document_undo(TinkerDocument *document)
+{
+    tinker_history_undo(document->history);
+    tinker_document_touch(document);
+}
+
+void tinker_document_redo(TinkerDocument *document)
+{
+    tinker_history_redo(document->history);
+    tinker_document_touch(document);
+}
+
+void tinker_document_place(TinkerDocument *document, TinkerBlockId block, const double place[2], double reach)
+{
+    const TinkerBlockClass *block_class = tinker_scene_block_class(document->scene, block);
+    int32_t position = block_class->meanings[TINKER_MEANING_POSITION];
+    if (position >= 0) tinker_history_set(document->history, block, position, place, NULL);
+    int32_t ends = tinker_scene_end_count(document->scene, block);
+    for (int32_t end = 0; end < ends; end++) {
+        if (tinker_scene_end(document->scene, block, end).block != TINKER_NO_BLOCK) continue;
+        double along = ends < 2 ? 0 : reach * (2.0 * end / (ends - 1) - 1);
+        TinkerSceneEnd detached = {TINKER_NO_BLOCK, place[0] + along, place[1]};
+        tinker_history_set_end(document->history, block, end, detached, NULL);
+    }
+}
+
+void tinker_document_remove_selected(TinkerDocument *document)
+{
+    guint count = document->selection->len;
+    if (count == 0) return;
+    TinkerBlockId first = g_array_index(document->selection, TinkerBlockId, 0);
+    g_autofree char *title = count == 1
+                                 ? g_strdup_printf("Delete %s", tinker_scene_block_name(document->scene, first))
+                                 : g_strdup_printf("Delete %u Blocks", count);
+    tinker_document_begin(document, title, NULL);
+    for (guint i = 0; i < count; i++)
+        tinker_history_remove_block(document->history, g_array_index(document->selection, TinkerBlockId, i));
+    tinker_document_end(document);
+}
+
+static void move_block(TinkerDocument *document, TinkerBlockId block, double dx, double dy)
+{
+    const TinkerBlockClass *block_class = tinker_scene_block_class(document->scene, block);
+    if (block_class == NULL) return;
+    int32_t column = tinker_block_class_meaning_column(block_class, TINKER_MEANING_POSITION);
+    if (column >= 0) {
+        double place[2] = {tinker_scene_get(document->scene, block, column) + dx,
+                           tinker_scene_get(document->scene, block, column + 1) + dy};
+        tinker_history_set(document->history, block, block_class->meanings[TINKER_MEANING_POSITION], place, NULL);
+    }
+    for (int32_t i = 0; i < tinker_scene_end_count(document->scene, block); i++) {
+        TinkerSceneEnd end = tinker_scene_end(document->scene, block, i);
+        if (end.block != TINKER_NO_BLOCK) continue;
+        end.x += dx;
+        end.y += dy;
+        tinker_history_set_end(document->history, block, i, end, NULL);
+    }
+}
+
+void tinker_document_move_selected(TinkerDocument *document, double dx, double dy, const char *merge)
+{
+    if (document->selection->len == 0) return;
+    tinker_document_begin(document, "Move", merge);
+    for (guint i = 0; i < document->selection->len; i++)
+        move_block(document, g_array_index(document->selection, TinkerBlockId, i), dx, dy);
+    tinker_document_end(document);
+}
+
+/* Selection --------------------------------------------------------------------------------------------------------- */
+
+const TinkerBlockId *tinker_document_selection(TinkerDocument *document, int *count)
+{
+    *count = (int)document->selection->len;
+    return (const TinkerBlockId *)(gpointer)document->selection->data;
+}
+
+TinkerBlockId tinker_document_selected(TinkerDocument *document)
+{
+    return document->selection->len == 1 ? g_array_index(document->selection, TinkerBlockId, 0) : TINKER_NO_BLOCK;
+}
+
+gboolean tinker_document_is_selected(TinkerDocument *document, TinkerBlockId block)
+{
+    for (guint i = 0; i < document->selection->len; i++)
+        if (g_array_index(document->selection, TinkerBlockId, i) == block) return TRUE;
+    return FALSE;
+}
+
+void tinker_document_select(TinkerDocument *document, TinkerBlockId block)
+{
+    tinker_document_select_all_of(document, &block, block != TINKER_NO_BLOCK);
+}
+
+void tinker_document_select_all_of(TinkerDocument *document, const TinkerBlockId *blocks, int count)
+{
+    gboolean same = (int)document->selection->len == count;
+    for (int i = 0; same && i < count; i++)
+        same = g_array_index(document->selection, TinkerBlockId, i) == blocks[i];
+    if (same) return;
+    g_array_set_size(document->selection, 0);
+    if (count > 0) g_array_append_vals(document->selection, blocks, (guint)count);
+    emit(document, SELECTION_CHANGED);
+}
+
+void tinker_document_toggle(TinkerDocument *document, TinkerBlockId block)
+{
+    guint i = 0;
+    while (i < document->selection->len && g_array_index(document->selection, TinkerBlockId, i) != block)
+        i++;
+    if (i < document->selection->len)
+        g_array_remove_index(document->selection, i);
+    else
+        g_array_append_val(document->selection, block);
+    emit(document, SELECTION_CHANGED);
+}

@@ -1,0 +1,88 @@
+/* A document: what one window edits. A scene, its history, its file, and which of its blocks are selected. No widget.
+ *
+ * Changes go through the history, between tinker_document_begin and tinker_document_end. Signals:
+ *   "changed"            the scene is another than before: an edit, undo, redo, or another scene altogether
+ *   "replaced"           another scene altogether, before "changed": forget everything that came from the last one
+ *   "selection-changed"
+ *   "file-changed"       the path, or whether there is something to save
+ */
+#ifndef TINKER_GUI_DOCUMENT_H
+#define TINKER_GUI_DOCUMENT_H
+
+#include <gio/gio.h>
+
+#include "scene/history.h"
+#include "scene/scene-json.h"
+
+#define TINKER_TYPE_DOCUMENT (tinker_document_get_type())
+G_DECLARE_FINAL_TYPE(TinkerDocument, tinker_document, TINKER, DOCUMENT, GObject)
+
+/* With an empty scene. The catalogue is borrowed and outlives it. (transfer full) */
+TinkerDocument *tinker_document_new(TinkerCatalogue *catalogue);
+
+TinkerCatalogue *tinker_document_catalogue(TinkerDocument *document);
+/* Both are the document's, and are others after "replaced". */
+TinkerScene *tinker_document_scene(TinkerDocument *document);
+TinkerHistory *tinker_document_history(TinkerDocument *document);
+
+/* Files ------------------------------------------------------------------------------------------------------------ */
+
+/* A scene that has never been saved, read from text: `path` (may be NULL) is where its tables are looked for. */
+gboolean tinker_document_start(TinkerDocument *document, const char *text, gsize length, const char *path,
+                               GError **error);
+
+/* Opens a file; warnings of the reader are added to `findings` (of TinkerFinding *, may be NULL). On failure the document
+ * stays as it was. */
+gboolean tinker_document_open(TinkerDocument *document, const char *path, GPtrArray *findings, GError **error);
+
+/* Saves atomically, and goes on with that path. */
+gboolean tinker_document_save(TinkerDocument *document, const char *path, GError **error);
+
+/* NULL for a scene that has never been saved. */
+const char *tinker_document_path(TinkerDocument *document);
+/* The path from now on, without saving: of a scene that was recovered. */
+void tinker_document_set_path(TinkerDocument *document, const char *path);
+/* What the title bar calls it: the scene's title, else the file's name, else "Untitled". (transfer full) */
+char *tinker_document_name(TinkerDocument *document);
+gboolean tinker_document_is_modified(TinkerDocument *document);
+/* Makes it count as modified although nothing was edited since it was read: it was recovered. */
+void tinker_document_mark_modified(TinkerDocument *document);
+
+/* Editing ----------------------------------------------------------------------------------------------------------- */
+
+/* One step for undo; steps do not nest. `merge` as in history.h. */
+void tinker_document_begin(TinkerDocument *document, const char *title, const char *merge);
+void tinker_document_end(TinkerDocument *document);
+void tinker_document_abort(TinkerDocument *document);
+/* Tells that the scene has changed where somebody else (a drag) keeps the step. */
+void tinker_document_touch(TinkerDocument *document);
+
+void tinker_document_undo(TinkerDocument *document);
+void tinker_document_redo(TinkerDocument *document);
+
+/* Inside a step: puts a block's centre at `place` (m), or the middle of its free ends, which lie `reach` (m) to the left and
+ * right. */
+void tinker_document_place(TinkerDocument *document, TinkerBlockId block, const double place[2], double reach);
+
+/* Removes what is selected. */
+void tinker_document_remove_selected(TinkerDocument *document);
+
+/* Moves what is selected, bodies and detached ends, by (dx, dy) m. `merge` as in history.h. */
+void tinker_document_move_selected(TinkerDocument *document, double dx, double dy, const char *merge);
+
+/* Selection --------------------------------------------------------------------------------------------------------- */
+
+/* In the order in which they were selected. Borrowed, valid until the selection changes. */
+const TinkerBlockId *tinker_document_selection(TinkerDocument *document, int *count);
+/* The one block that is selected, or TINKER_NO_BLOCK where there are none or several. */
+TinkerBlockId tinker_document_selected(TinkerDocument *document);
+gboolean tinker_document_is_selected(TinkerDocument *document, TinkerBlockId block);
+
+/* Selects one block alone; TINKER_NO_BLOCK: none. */
+void tinker_document_select(TinkerDocument *document, TinkerBlockId block);
+/* Selects these blocks alone. */
+void tinker_document_select_all_of(TinkerDocument *document, const TinkerBlockId *blocks, int count);
+/* Adds it to the selection, or takes it out. */
+void tinker_document_toggle(TinkerDocument *document, TinkerBlockId block);
+
+#endif

@@ -1,0 +1,507 @@
+/* What was recorded is a row of segments: each is a run, and counts from its start to that of the next. There is more than
+ * one only where a property was changed on the way. */
+#include "player.h"
+
+#include <math.h>
+
+#include "scene/continued.h"
+#include "scene/difference.h"
+
+#define MOST_COLUMNS 4000 /* that are recorded although nobody asked for them */
+#define PACE_MEMORY  0.5  /* s: over which the pace is averaged */
+
+typedef struct {
+    TinkerRunTask *task;
+    double start; /* s */
+    gboolean failure_told;
+} Segment;
+
+struct _TinkerPlayer {
+    GObject parent_instance;
+    TinkerDocument *document;
+    TinkerPlayerState state;
+    double time, speed, pace;
+    GArray *segments; /* of Segment */
+    TinkerScene *ran; /* the scene as the last segment has it; NULL where there is none */
+    TinkerFrame *frame;
+    GHashTable *asked; /* names of columns that were asked for in vain */
+    guint generation;
+};
+
+G_DEFINE_FINAL_TYPE(TinkerPlayer, tinker_player, G_TYPE_OBJECT)
+
+enum { STATE_CHANGED, MOVED, REWOUND, FAILED, SIGNALS };
+static guint signals[SIGNALS];
+
+/* The record ---------------------------------------------------------------------------------------------------------- */
+
+static Segment *last_segment(TinkerPlayer *player)
+{
+    return player->segments->len == 0 ? NULL : &g_array_index(player->segments, Segment, player->segments->len - 1);
+}
+
+static Segment *segment_at(TinkerPlayer *player, double time)
+{
+    for (guint i = player->segments->len; i-- > 0;) {
+        Segment *segment = &g_array_index(player->segments, Segment, i);
+        if (segment->start <= time || i == 0) return segment;
+    }
+    return NULL;
+}
+
+static double segment_end(TinkerPlayer *player, guint number)
+{
+    return number + 1 < player->segments->len ? g_array_index(player->segments, Segment, number + 1).start : INFINITY;
+}
+
+static void segment_clear(Segment *segment)
+{
+    tinker_run_task_free(segment->task);
+}
+
+static void forget_record(TinkerPlayer *player)
+{
+    g_array_set_size(player->segments, 0);
+    g_clear_pointer(&player->ran, tinker_scene_free);
+    player->generation++;
+}
+
+static void add_quantities(GPtrArray *names, TinkerScene *scene, TinkerBlockId block)
+{
+    const TinkerBlockClass *block_class = tinker_scene_block_class(scene, block);
+    for (int32_t q = 0; block_class != NULL && block_class->graph != NULL && q < block_class->quantity_count; q++)
+        g_ptr_array_add(names, g_strdup_printf("%s.%s", tinker_scene_block_name(scene, block),
+                                               block_class->quantities[q].id));
+}
+
+/* Everything, where that is not much; else what graphs and the selection show, and what was asked for. */
+static GPtrArray *wanted_columns(TinkerPlayer *player)
+{
+    TinkerScene *scene = tinker_document_scene(player->document);
+    GPtrArray *names = g_ptr_array_new_with_free_func(g_free);
+    int32_t count = tinker_scene_block_count(scene);
+    for (int32_t place = 0; place < count && names->len <= MOST_COLUMNS; place++)
+        add_quantities(names, scene, tinker_scene_block_at(scene, place));
+    if (names->len <= MOST_COLUMNS) return names;
+    g_ptr_array_set_size(names, 0);
+    GPtrArray *graphs = tinker_scene_graphs(scene);
+    for (guint i = 0; i < graphs->len; i++) {
+        const TinkerSceneGraph *graph = g_ptr_array_index(graphs, i);
+        g_ptr_array_add(names, g_strdup_printf("%s.%s", graph->block, graph->quantity));
+        g_ptr_array_add(names, g_strdup_printf("%s.%s", graph->block, graph->against));
+    }
+    int selected;
+    const TinkerBlockId *selection = tinker_document_selection(player->document, &selected);
+    for (int i = 0; i < selected; i++)
+        add_quantities(names, scene, selection[i]);
+    GHashTableIter iter;
+    gpointer name;
+    g_hash_table_iter_init(&iter, player->asked);
+    while (g_hash_table_iter_next(&iter, &name, NULL))
+        g_ptr_array_add(names, g_strdup(name));
+    return names;
+}
+
+static void add_segment(TinkerPlayer *player, TinkerScene *scene, double start)
+{
+    g_autoptr(GPtrArray) columns = wanted_columns(player);
+    Segment segment = {tinker_run_task_new(scene, start, columns), start, FALSE};
+    g_array_append_val(player->segments, segment);
+    g_clear_pointer(&player->ran, tinker_scene_free);
+    player->ran = tinker_scene_copy(tinker_document_scene(player->document));
+}
+
+static void record_from_start(TinkerPlayer *player)
+{
+    forget_record(player);
+    add_segment(player, tinker_scene_copy(tinker_document_scene(player->document)), 0);
+}
+
+/* The frame ----------------------------------------------------------------------------------------------------------- */
+
+static void place_body(TinkerFrame *frame, TinkerBlockId block, const TinkerBodySample *a, const TinkerBodySample *b,
+                       double share)
+{
+    double x, y, orientation;
+    tinker_frame_centre(frame, block, &x, &y, &orientation);
+    if (!isnan(a->orientation)) orientation = a->orientation;
+    tinker_frame_place(frame, block, a->x + share * (b->x - a->x), a->y + share * (b->y - a->y), orientation);
+}
+
+/* Puts the bodies where the record has them, straight between two samples. */
+static void place_bodies(TinkerPlayer *player, TinkerRunTask *task, gsize row)
+{
+    int count;
+    const TinkerBlockId *bodies = tinker_run_task_bodies(task, &count);
+    g_autofree TinkerBodySample *a = g_new(TinkerBodySample, (gsize)count + 1);
+    g_autofree TinkerBodySample *b = g_new(TinkerBodySample, (gsize)count + 1);
+    double before, after, share = 0;
+    if (!tinker_run_task_read(task, row, &before, a, NULL)) return;
+    gboolean between = player->time > before && tinker_run_task_read(task, row + 1, &after, b, NULL) && after > before;
+    if (between) share = fmin((player->time - before) / (after - before), 1);
+    TinkerScene *scene = tinker_frame_scene(player->frame);
+    for (int i = 0; i < count; i++)
+        if (tinker_scene_has_block(scene, bodies[i]))
+            place_body(player->frame, bodies[i], &a[i], between ? &b[i] : &a[i], share);
+}
+
+static void update_frame(TinkerPlayer *player)
+{
+    if (player->frame == NULL) return;
+    const Segment *segment = segment_at(player, player->time);
+    gsize row;
+    if (!tinker_frame_set_time(player->frame, player->time, NULL)) return;
+    if (segment != NULL && tinker_run_task_find(segment->task, player->time, &row))
+        place_bodies(player, segment->task, row);
+}
+
+static void renew_frame(TinkerPlayer *player)
+{
+    g_clear_pointer(&player->frame, tinker_frame_free);
+    player->frame = tinker_frame_new(tinker_document_scene(player->document), NULL);
+    update_frame(player);
+}
+
+static void moved(TinkerPlayer *player)
+{
+    update_frame(player);
+    g_signal_emit(player, signals[MOVED], 0);
+}
+
+static void set_state(TinkerPlayer *player, TinkerPlayerState state)
+{
+    if (player->state == state) return;
+    player->state = state;
+    g_signal_emit(player, signals[STATE_CHANGED], 0);
+}
+
+/* Edits --------------------------------------------------------------------------------------------------------------- */
+
+/* Goes on from the sample shown now, with the scene as it has become. What it has become may be impossible to go on with: then
+ * the run begins anew. */
+static gboolean go_on(TinkerPlayer *player)
+{
+    Segment *segment = segment_at(player, player->time);
+    TinkerScene *scene = tinker_document_scene(player->document);
+    gsize row;
+    if (player->frame == NULL || !tinker_run_task_find(segment->task, player->time, &row)) return FALSE;
+    int count;
+    const TinkerBlockId *bodies = tinker_run_task_bodies(segment->task, &count);
+    g_autofree TinkerBodySample *samples = g_new0(TinkerBodySample, (gsize)count + 1);
+    g_autofree double *velocities = g_new0(double, 2 * (gsize)tinker_scene_id_limit(scene) + 2);
+    if (!tinker_run_task_read(segment->task, row, &player->time, samples, NULL)) return FALSE;
+    for (int i = 0; i < count; i++) {
+        velocities[2 * bodies[i]] = samples[i].vx;
+        velocities[2 * bodies[i] + 1] = samples[i].vy;
+    }
+    update_frame(player);
+    TinkerScene *continued = tinker_scene_continued(scene, player->frame, player->time, velocities, NULL);
+    if (continued == NULL) return FALSE;
+    tinker_scene_head(continued)->run.duration = fmax(tinker_player_duration(player) - player->time, 0);
+    guint keep = 0;
+    while (keep < player->segments->len && g_array_index(player->segments, Segment, keep).start < player->time)
+        keep++;
+    g_array_set_size(player->segments, keep);
+    player->generation++;
+    add_segment(player, continued, player->time);
+    return TRUE;
+}
+
+static void rewind_after_edit(TinkerPlayer *player)
+{
+    gboolean under_way = player->time > 0;
+    forget_record(player);
+    player->time = 0;
+    set_state(player, TINKER_PLAYER_SETUP);
+    renew_frame(player);
+    if (under_way) g_signal_emit(player, signals[REWOUND], 0);
+}
+
+static void on_changed(TinkerPlayer *player)
+{
+    TinkerDifference difference =
+        player->ran == NULL ? TINKER_DIFFERENCE_DRAWING
+                            : tinker_scene_difference(player->ran, tinker_document_scene(player->document));
+    gboolean under_way = player->time > 0;
+    renew_frame(player);
+    if (difference == TINKER_DIFFERENCE_START || (difference == TINKER_DIFFERENCE_TUNABLE && !under_way))
+        rewind_after_edit(player);
+    else if (difference == TINKER_DIFFERENCE_TUNABLE && !go_on(player))
+        rewind_after_edit(player);
+    g_signal_emit(player, signals[MOVED], 0);
+}
+
+static void on_replaced(TinkerPlayer *player)
+{
+    g_clear_pointer(&player->frame, tinker_frame_free);
+    forget_record(player);
+    g_hash_table_remove_all(player->asked);
+    player->time = 0;
+    set_state(player, TINKER_PLAYER_SETUP);
+}
+
+/* Playing ------------------------------------------------------------------------------------------------------------- */
+
+static gboolean can_run(TinkerPlayer *player, TinkerBlockId *culprit, GError **error)
+{
+    TinkerScene *scene = tinker_document_scene(player->document);
+    *culprit = tinker_scene_first_placeholder(scene);
+    if (*culprit != TINKER_NO_BLOCK) {
+        g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_PLUGIN,
+                    "%s is a block of the type “%s”, which no installed plugin provides. Install the plugin, or delete "
+                    "the block.",
+                    tinker_scene_block_name(scene, *culprit), tinker_scene_block_type(scene, *culprit));
+        return FALSE;
+    }
+    *culprit = tinker_scene_first_detached(scene);
+    if (*culprit == TINKER_NO_BLOCK) return TRUE;
+    g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_SCENE,
+                "%s is not connected. Drag its loose end onto a block, or delete it.",
+                tinker_scene_block_name(scene, *culprit));
+    return FALSE;
+}
+
+/* Makes sure that there is a record, or one in the making. */
+static gboolean have_record(TinkerPlayer *player, TinkerBlockId *culprit, GError **error)
+{
+    if (player->segments->len > 0) return TRUE;
+    if (!can_run(player, culprit, error)) return FALSE;
+    record_from_start(player);
+    return TRUE;
+}
+
+gboolean tinker_player_play(TinkerPlayer *player, TinkerBlockId *culprit, GError **error)
+{
+    *culprit = TINKER_NO_BLOCK;
+    TinkerRunStatus status;
+    gboolean at_end = tinker_player_status(player, &status) && status.finished && player->time >= status.reached;
+    if (at_end && last_segment(player)->failure_told)
+        tinker_player_reset(player);
+    else if (at_end)
+        player->time = 0;
+    if (!have_record(player, culprit, error)) return FALSE;
+    player->pace = 1;
+    set_state(player, TINKER_PLAYER_PLAYING);
+    return TRUE;
+}
+
+void tinker_player_pause(TinkerPlayer *player)
+{
+    if (player->state == TINKER_PLAYER_PLAYING) set_state(player, TINKER_PLAYER_PAUSED);
+}
+
+gboolean tinker_player_step(TinkerPlayer *player, gboolean forward, TinkerBlockId *culprit, GError **error)
+{
+    *culprit = TINKER_NO_BLOCK;
+    if (!have_record(player, culprit, error)) return FALSE;
+    double interval = tinker_scene_head(tinker_document_scene(player->document))->run.interval;
+    double number = forward ? floor(player->time / interval + 1e-6) + 1 : ceil(player->time / interval - 1e-6) - 1;
+    set_state(player, TINKER_PLAYER_PAUSED);
+    if (!tinker_player_wait(player, number * interval, error)) return FALSE;
+    tinker_player_seek(player, number * interval);
+    return TRUE;
+}
+
+void tinker_player_seek(TinkerPlayer *player, double time)
+{
+    if (player->segments->len == 0) return;
+    player->time = CLAMP(time, 0, tinker_player_reached(player));
+    if (player->state == TINKER_PLAYER_SETUP) set_state(player, TINKER_PLAYER_PAUSED);
+    moved(player);
+}
+
+void tinker_player_reset(TinkerPlayer *player)
+{
+    forget_record(player);
+    player->time = 0;
+    set_state(player, TINKER_PLAYER_SETUP);
+    renew_frame(player);
+    g_signal_emit(player, signals[MOVED], 0);
+}
+
+void tinker_player_rewind(TinkerPlayer *player)
+{
+    tinker_player_reset(player);
+    g_signal_emit(player, signals[REWOUND], 0);
+}
+
+static void tell_failure(TinkerPlayer *player)
+{
+    Segment *segment = last_segment(player);
+    g_autoptr(GError) error = tinker_run_task_error(segment->task);
+    if (error == NULL || segment->failure_told) return;
+    segment->failure_told = TRUE;
+    g_signal_emit(player, signals[FAILED], 0, error->message);
+}
+
+void tinker_player_advance(TinkerPlayer *player, double seconds)
+{
+    if (player->state != TINKER_PLAYER_PLAYING) return;
+    TinkerRunStatus status = tinker_run_task_status(last_segment(player)->task);
+    double wanted = player->time + seconds * player->speed, before = player->time;
+    player->time = fmin(wanted, status.reached);
+    gboolean over = status.finished && wanted >= status.reached;
+    if (!over && wanted > before) {
+        double weight = fmin(seconds / PACE_MEMORY, 1);
+        player->pace += weight * ((player->time - before) / (wanted - before) - player->pace);
+    }
+    moved(player);
+    if (!over) return;
+    set_state(player, TINKER_PLAYER_PAUSED);
+    tell_failure(player);
+}
+
+gboolean tinker_player_wait(TinkerPlayer *player, double time, GError **error)
+{
+    if (player->segments->len == 0) return TRUE;
+    TinkerRunTask *task = last_segment(player)->task;
+    for (;;) {
+        TinkerRunStatus status = tinker_run_task_status(task);
+        if (status.rows > 0 && status.reached >= time) return TRUE;
+        if (status.finished) break;
+        g_usleep(500);
+    }
+    GError *failure = tinker_run_task_error(task);
+    if (failure == NULL) return TRUE;
+    last_segment(player)->failure_told = TRUE;
+    g_propagate_error(error, failure);
+    return FALSE;
+}
+
+/* What there is to see ------------------------------------------------------------------------------------------------ */
+
+TinkerPlayerState tinker_player_state(TinkerPlayer *player)
+{
+    return player->state;
+}
+
+double tinker_player_time(TinkerPlayer *player)
+{
+    return player->time;
+}
+
+double tinker_player_reached(TinkerPlayer *player)
+{
+    const Segment *last = last_segment(player);
+    return last == NULL ? 0 : tinker_run_task_status(last->task).reached;
+}
+
+double tinker_player_duration(TinkerPlayer *player)
+{
+    return tinker_scene_head(tinker_document_scene(player->document))->run.duration;
+}
+
+double tinker_player_speed(TinkerPlayer *player)
+{
+    return player->speed;
+}
+
+void tinker_player_set_speed(TinkerPlayer *player, double speed)
+{
+    player->speed = speed;
+    player->pace = 1;
+    g_signal_emit(player, signals[STATE_CHANGED], 0);
+}
+
+double tinker_player_pace(TinkerPlayer *player)
+{
+    return player->state == TINKER_PLAYER_PLAYING ? player->pace : 1;
+}
+
+TinkerFrame *tinker_player_frame(TinkerPlayer *player)
+{
+    return player->frame;
+}
+
+gboolean tinker_player_value(TinkerPlayer *player, TinkerBlockId block, int32_t quantity, double *value)
+{
+    const Segment *segment = segment_at(player, player->time);
+    TinkerScene *scene = tinker_document_scene(player->document);
+    const TinkerBlockClass *block_class = tinker_scene_block_class(scene, block);
+    gsize row;
+    if (segment == NULL || !tinker_run_task_find(segment->task, player->time, &row)) return FALSE;
+    g_autofree char *name =
+        g_strdup_printf("%s.%s", tinker_scene_block_name(scene, block), block_class->quantities[quantity].id);
+    int column = tinker_run_task_column(segment->task, name);
+    return column >= 0 && tinker_run_task_value(segment->task, row, column, value);
+}
+
+gboolean tinker_player_status(TinkerPlayer *player, TinkerRunStatus *status)
+{
+    const Segment *last = last_segment(player);
+    if (last == NULL) return FALSE;
+    *status = tinker_run_task_status(last->task);
+    return TRUE;
+}
+
+GPtrArray *tinker_player_warnings(TinkerPlayer *player)
+{
+    const Segment *last = last_segment(player);
+    return last == NULL ? g_ptr_array_new_with_free_func(g_free) : tinker_run_task_warnings(last->task);
+}
+
+guint tinker_player_generation(TinkerPlayer *player)
+{
+    return player->generation;
+}
+
+gboolean tinker_player_series(TinkerPlayer *player, const char *name, TinkerSeriesCursor *cursor, GArray *times,
+                              GArray *values)
+{
+    for (; cursor->segment < player->segments->len; cursor->segment++, cursor->row = 0) {
+        TinkerRunTask *task = g_array_index(player->segments, Segment, cursor->segment).task;
+        int column = tinker_run_task_column(task, name);
+        if (column < 0) {
+            g_hash_table_add(player->asked, g_strdup(name));
+            return FALSE;
+        }
+        double end = segment_end(player, cursor->segment);
+        cursor->row = tinker_run_task_series(task, column, cursor->row, nextafter(end, 0), times, values);
+        if (isinf(end)) break;
+    }
+    return TRUE;
+}
+
+/* The object ---------------------------------------------------------------------------------------------------------- */
+
+static void tinker_player_finalize(GObject *object)
+{
+    TinkerPlayer *player = TINKER_PLAYER(object);
+    g_clear_pointer(&player->frame, tinker_frame_free);
+    g_array_unref(player->segments);
+    g_clear_pointer(&player->ran, tinker_scene_free);
+    g_hash_table_unref(player->asked);
+    g_object_unref(player->document);
+    G_OBJECT_CLASS(tinker_player_parent_class)->finalize(object);
+}
+
+static void tinker_player_class_init(TinkerPlayerClass *class)
+{
+    G_OBJECT_CLASS(class)->finalize = tinker_player_finalize;
+    signals[STATE_CHANGED] = g_signal_new("state-changed", TINKER_TYPE_PLAYER, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL,
+                                          G_TYPE_NONE, 0);
+    signals[MOVED] =
+        g_signal_new("moved", TINKER_TYPE_PLAYER, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL, G_TYPE_NONE, 0);
+    signals[REWOUND] =
+        g_signal_new("rewound", TINKER_TYPE_PLAYER, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL, G_TYPE_NONE, 0);
+    signals[FAILED] = g_signal_new("failed", TINKER_TYPE_PLAYER, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL, G_TYPE_NONE, 1,
+                                   G_TYPE_STRING);
+}
+
+static void tinker_player_init(TinkerPlayer *player)
+{
+    player->speed = player->pace = 1;
+    player->segments = g_array_new(FALSE, FALSE, sizeof(Segment));
+    g_array_set_clear_func(player->segments, (GDestroyNotify)segment_clear);
+    player->asked = g_hash_table_new_full(g_str_hash, g_str_equal, g_free, NULL);
+}
+
+TinkerPlayer *tinker_player_new(TinkerDocument *document)
+{
+    TinkerPlayer *player = g_object_new(TINKER_TYPE_PLAYER, NULL);
+    player->document = g_object_ref(document);
+    g_signal_connect_object(document, "changed", G_CALLBACK(on_changed), player, G_CONNECT_SWAPPED);
+    g_signal_connect_object(document, "replaced", G_CALLBACK(on_replaced), player, G_CONNECT_SWAPPED);
+    renew_frame(player);
+    return player;
+}

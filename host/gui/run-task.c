@@ -1,0 +1,297 @@
+/* The task is shared by the thread and its owner, and freed by whichever lets go last. The record lies behind a mutex that is
+ * held only to append or to read a row, so that neither waits for the other. */
+#include "run-task.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "physics/record.h"
+
+#define STATE            5                 /* doubles of a body in a row: x, y, vx, vy, orientation */
+#define LATELY           0.5               /* s: over which the rate is measured */
+#define RECORD_IN_MEMORY ((gsize)256 << 20) /* bytes; beyond, a temporary file */
+
+struct _TinkerRunTask {
+    gatomicrefcount references;
+    TinkerScene *scene;
+    double start;
+    GArray *columns; /* of TinkerColumn */
+    GArray *bodies;  /* of TinkerBlockId */
+    gint cancelled;  /* atomic */
+
+    GMutex mutex; /* of what follows */
+    TinkerRecord *record;
+    GArray *times; /* of double, one a row */
+    TinkerRunStatus status;
+    GError *error;
+    GPtrArray *warnings;
+
+    /* The thread's own. */
+    double *row;
+    gint64 rate_began; /* us */
+    double rate_from;  /* s */
+};
+
+static void unref(TinkerRunTask *task)
+{
+    if (!g_atomic_ref_count_dec(&task->references)) return;
+    tinker_scene_free(task->scene);
+    g_array_unref(task->columns);
+    g_array_unref(task->bodies);
+    g_array_unref(task->times);
+    g_clear_error(&task->error);
+    g_ptr_array_unref(task->warnings);
+    tinker_record_free(task->record);
+    g_mutex_clear(&task->mutex);
+    g_free(task->row);
+    g_free(task);
+}
+
+static gsize row_width(const TinkerRunTask *task)
+{
+    return 1 + STATE * (gsize)task->bodies->len + task->columns->len;
+}
+
+/* The thread ---------------------------------------------------------------------------------------------------------- */
+
+static gboolean is_cancelled(void *data)
+{
+    return g_atomic_int_get(&((TinkerRunTask *)data)->cancelled);
+}
+
+static void fill_row(TinkerRunTask *task, TinkerSimulation *simulation, double time, const double *values)
+{
+    double *row = task->row;
+    *row++ = time;
+    for (guint i = 0; i < task->bodies->len; i++, row += STATE) {
+        TinkerBodySample body = {0};
+        tinker_simulation_body(simulation, g_array_index(task->bodies, TinkerBlockId, i), &body);
+        memcpy(row, (double[]){body.x, body.y, body.vx, body.vy, body.orientation}, STATE * sizeof(double));
+    }
+    if (task->columns->len > 0) memcpy(row, values, task->columns->len * sizeof(double));
+}
+
+/* Called with the mutex held. */
+static void note_summary(TinkerRunTask *task, TinkerSimulation *simulation)
+{
+    const TinkerSummary *summary = tinker_simulation_summary(simulation);
+    TinkerRunStatus *status = &task->status;
+    g_strlcpy(status->method, summary->method != NULL ? summary->method : "", sizeof status->method);
+    status->adaptive = summary->adaptive;
+    status->step = summary->step;
+    status->tolerance = summary->tolerance;
+    status->error_estimate = summary->error_estimate;
+    status->energy_balance_error = summary->energy_balance_error;
+    status->constraint_error = summary->constraint_position_error;
+    status->predictable_until = task->start + summary->predictable_until;
+    status->valid_until = task->start + summary->valid_until;
+}
+
+static void note_rate(TinkerRunTask *task, TinkerSimulation *simulation, double time)
+{
+    gint64 now = g_get_monotonic_time();
+    double elapsed = 1e-6 * (double)(now - task->rate_began);
+    if (elapsed < LATELY) return;
+    task->status.rate = (time - task->rate_from) / elapsed;
+    task->rate_began = now;
+    task->rate_from = time;
+    note_summary(task, simulation);
+}
+
+static gboolean take_sample(TinkerSimulation *simulation, double time, const double *values, void *data, GError **error)
+{
+    TinkerRunTask *task = data;
+    time += task->start;
+    fill_row(task, simulation, time, values);
+    g_mutex_lock(&task->mutex);
+    gboolean done = tinker_record_append(task->record, task->row, error);
+    if (done) {
+        g_array_append_val(task->times, time);
+        task->status.reached = time;
+        task->status.rows = task->times->len;
+        note_rate(task, simulation, time);
+    }
+    g_mutex_unlock(&task->mutex);
+    return done && !is_cancelled(task);
+}
+
+static void note_warnings(TinkerRunTask *task, const TinkerSummary *summary)
+{
+    for (guint i = 0; i < summary->warnings->len; i++)
+        g_ptr_array_add(task->warnings, g_strdup(g_ptr_array_index(summary->warnings, i)));
+}
+
+static gboolean run_scene(TinkerRunTask *task, GError **error)
+{
+    g_autoptr(TinkerModel) model = tinker_model_new(task->scene, error);
+    if (model == NULL) return FALSE;
+    TinkerRunOptions options = tinker_run_options_of(task->scene);
+    options.cancelled = is_cancelled;
+    options.data = task;
+    g_autoptr(TinkerSimulation) simulation = tinker_simulation_new(model, &options, error);
+    if (simulation == NULL) return FALSE;
+    gboolean done = tinker_simulation_run(simulation, task->columns, take_sample, task, error);
+    g_mutex_lock(&task->mutex);
+    note_summary(task, simulation);
+    note_warnings(task, tinker_simulation_summary(simulation));
+    g_mutex_unlock(&task->mutex);
+    return done;
+}
+
+static gpointer run_in_thread(gpointer data)
+{
+    TinkerRunTask *task = data;
+    GError *error = NULL;
+    task->row = g_new0(double, row_width(task));
+    task->rate_began = g_get_monotonic_time();
+    task->rate_from = task->start;
+    if (!run_scene(task, &error) && is_cancelled(task)) g_clear_error(&error);
+    g_mutex_lock(&task->mutex);
+    task->error = error;
+    task->status.finished = TRUE;
+    g_mutex_unlock(&task->mutex);
+    unref(task);
+    return NULL;
+}
+
+/* The owner ----------------------------------------------------------------------------------------------------------- */
+
+static GArray *movable_bodies(const TinkerScene *scene)
+{
+    GArray *bodies = g_array_new(FALSE, FALSE, sizeof(TinkerBlockId));
+    for (int32_t place = 0; place < tinker_scene_block_count(scene); place++) {
+        TinkerBlockId block = tinker_scene_block_at(scene, place);
+        const TinkerBlockClass *block_class = tinker_scene_block_class(scene, block);
+        if (block_class == NULL || block_class->physics == NULL || block_class->physics->body == NULL) continue;
+        if (block_class->physics->body->degrees_of_freedom > 0) g_array_append_val(bodies, block);
+    }
+    return bodies;
+}
+
+TinkerRunTask *tinker_run_task_new(TinkerScene *scene, double start, const GPtrArray *columns)
+{
+    TinkerRunTask *task = g_new0(TinkerRunTask, 1);
+    g_atomic_ref_count_init(&task->references);
+    g_mutex_init(&task->mutex);
+    task->scene = scene;
+    task->start = start;
+    task->columns = tinker_columns_new();
+    for (guint i = 0; i < columns->len; i++)
+        tinker_columns_add(task->columns, scene, g_ptr_array_index(columns, i), NULL);
+    task->bodies = movable_bodies(scene);
+    task->times = g_array_new(FALSE, FALSE, sizeof(double));
+    task->warnings = g_ptr_array_new_with_free_func(g_free);
+    task->record = tinker_record_new(row_width(task), RECORD_IN_MEMORY);
+    task->status.reached = start;
+    task->status.error_estimate = NAN;
+    task->status.predictable_until = task->status.valid_until = INFINITY;
+    g_atomic_ref_count_inc(&task->references);
+    g_thread_unref(g_thread_new("run", run_in_thread, task));
+    return task;
+}
+
+void tinker_run_task_free(TinkerRunTask *task)
+{
+    if (task == NULL) return;
+    g_atomic_int_set(&task->cancelled, TRUE);
+    unref(task);
+}
+
+TinkerRunStatus tinker_run_task_status(TinkerRunTask *task)
+{
+    g_mutex_lock(&task->mutex);
+    TinkerRunStatus status = task->status;
+    g_mutex_unlock(&task->mutex);
+    return status;
+}
+
+GError *tinker_run_task_error(TinkerRunTask *task)
+{
+    g_mutex_lock(&task->mutex);
+    GError *error = task->error != NULL ? g_error_copy(task->error) : NULL;
+    g_mutex_unlock(&task->mutex);
+    return error;
+}
+
+GPtrArray *tinker_run_task_warnings(TinkerRunTask *task)
+{
+    GPtrArray *copy = g_ptr_array_new_with_free_func(g_free);
+    g_mutex_lock(&task->mutex);
+    for (guint i = 0; i < task->warnings->len; i++)
+        g_ptr_array_add(copy, g_strdup(g_ptr_array_index(task->warnings, i)));
+    g_mutex_unlock(&task->mutex);
+    return copy;
+}
+
+const TinkerBlockId *tinker_run_task_bodies(TinkerRunTask *task, int *count)
+{
+    *count = (int)task->bodies->len;
+    return (const TinkerBlockId *)(gpointer)task->bodies->data;
+}
+
+int tinker_run_task_column(TinkerRunTask *task, const char *name)
+{
+    for (guint i = 0; i < task->columns->len; i++)
+        if (strcmp(g_array_index(task->columns, TinkerColumn, i).name, name) == 0) return (int)i;
+    return -1;
+}
+
+/* Rows before `rows` are not changed any more, but the record may move while it grows: it is read under the mutex. */
+static gboolean read_rows(TinkerRunTask *task, gsize first, gsize count, double *rows)
+{
+    g_mutex_lock(&task->mutex);
+    gboolean done =
+        first + count <= task->status.rows && tinker_record_read(task->record, first, count, rows, NULL);
+    g_mutex_unlock(&task->mutex);
+    return done;
+}
+
+gboolean tinker_run_task_read(TinkerRunTask *task, gsize row, double *time, TinkerBodySample *bodies, double *values)
+{
+    g_autofree double *numbers = g_new(double, row_width(task));
+    if (!read_rows(task, row, 1, numbers)) return FALSE;
+    *time = numbers[0];
+    const double *next = numbers + 1;
+    for (guint i = 0; i < task->bodies->len; i++, next += STATE)
+        bodies[i] = (TinkerBodySample){next[0], next[1], next[2], next[3], next[4]};
+    if (values != NULL && task->columns->len > 0) memcpy(values, next, task->columns->len * sizeof(double));
+    return TRUE;
+}
+
+gboolean tinker_run_task_value(TinkerRunTask *task, gsize row, int column, double *value)
+{
+    gsize width = row_width(task);
+    g_autofree double *numbers = g_new(double, width);
+    if (!read_rows(task, row, 1, numbers)) return FALSE;
+    *value = numbers[width - task->columns->len + (gsize)column];
+    return TRUE;
+}
+
+gboolean tinker_run_task_find(TinkerRunTask *task, double time, gsize *row)
+{
+    g_mutex_lock(&task->mutex);
+    gsize low = 0, high = task->times->len;
+    while (low < high) {
+        gsize middle = low + (high - low) / 2;
+        if (g_array_index(task->times, double, middle) <= time)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    g_mutex_unlock(&task->mutex);
+    *row = low - 1;
+    return low > 0;
+}
+
+gsize tinker_run_task_series(TinkerRunTask *task, int column, gsize first, double until, GArray *times, GArray *values)
+{
+    gsize width = row_width(task), last;
+    if (!tinker_run_task_find(task, until, &last)) return first;
+    g_autofree double *row = g_new(double, width);
+    for (; first <= last; first++) {
+        if (!read_rows(task, first, 1, row)) break;
+        g_array_append_val(times, row[0]);
+        g_array_append_val(values, row[width - task->columns->len + (gsize)column]);
+    }
+    return first;
+}

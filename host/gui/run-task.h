@@ -1,0 +1,55 @@
+/* A run in a thread of its own, which records as far ahead as it can. No widget.
+ *
+ * The thread works on a scene of its own; everything here may be called from the main thread at any time. A row of the
+ * record is a sample: the bodies' states, and the values of the columns. */
+#ifndef TINKER_GUI_RUN_TASK_H
+#define TINKER_GUI_RUN_TASK_H
+
+#include "physics/simulation.h"
+
+typedef struct _TinkerRunTask TinkerRunTask;
+
+/* What is known of a run that is under way or over. */
+typedef struct {
+    gboolean finished;    /* nothing more will come */
+    double reached;       /* s: time of the last sample */
+    gsize rows;           /* samples so far */
+    double rate;          /* s of motion a second of work, lately */
+    char method[32];      /* empty until it is known */
+    gboolean adaptive;    /* whether `step` or `tolerance` counts */
+    double step, tolerance;
+    double error_estimate, energy_balance_error, constraint_error; /* relative; the first is NAN without one */
+    double predictable_until, valid_until;                         /* s */
+} TinkerRunStatus;
+
+/* Starts a run whose first sample is called `start` (s). `scene` is the task's from now on; `columns` are
+ * "Mass 0.x" and the like, quantities that are to be recorded (copied; unknown ones are passed over). (transfer full) */
+TinkerRunTask *tinker_run_task_new(TinkerScene *scene, double start, const GPtrArray *columns);
+
+/* Stops it, if it still runs, and frees it. Does not wait: the thread frees what it uses. */
+void tinker_run_task_free(TinkerRunTask *task);
+
+TinkerRunStatus tinker_run_task_status(TinkerRunTask *task);
+/* Why it failed, or NULL; and what it warned of (of char *). (transfer full) */
+GError *tinker_run_task_error(TinkerRunTask *task);
+GPtrArray *tinker_run_task_warnings(TinkerRunTask *task);
+
+/* The bodies of a row, in order, and the columns. Borrowed; fixed from the start. */
+const TinkerBlockId *tinker_run_task_bodies(TinkerRunTask *task, int *count);
+/* Place of a column in a row, by its name; -1 where it is not recorded. */
+int tinker_run_task_column(TinkerRunTask *task, const char *name);
+
+/* Reads one sample: its time, the bodies' states, and (where `values` is not NULL) the columns. */
+gboolean tinker_run_task_read(TinkerRunTask *task, gsize row, double *time, TinkerBodySample *bodies, double *values);
+
+/* The value of one column in one sample. */
+gboolean tinker_run_task_value(TinkerRunTask *task, gsize row, int column, double *value);
+
+/* The last row that is not later than `time`, if there is any. */
+gboolean tinker_run_task_find(TinkerRunTask *task, double time, gsize *row);
+
+/* Appends the column's values, and their times, of the rows from `first` on that are not later than `until`, to arrays of
+ * double; answers the first row that it did not take. */
+gsize tinker_run_task_series(TinkerRunTask *task, int column, gsize first, double until, GArray *times, GArray *values);
+
+#endif

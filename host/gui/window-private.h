@@ -1,0 +1,49 @@
+/* What the files of the window share. */
+#ifndef TINKER_GUI_WINDOW_PRIVATE_H
+#define TINKER_GUI_WINDOW_PRIVATE_H
+
+#include "canvas.h"
+#include "palette.h"
+#include "playbar.h"
+#include "window.h"
+
+struct _TinkerWindow {
+    AdwApplicationWindow parent_instance;
+    TinkerDocument *document;
+    TinkerPlayer *player;
+    guint ticks;        /* id of the tick callback while it plays, or 0 */
+    gint64 last_tick;   /* us; 0: none yet */
+    gboolean may_close; /* the user has said so */
+
+    /* Parts of window.ui. */
+    TinkerCanvas *canvas;
+    TinkerPalette *palette;
+    TinkerPlaybar *playbar;
+    AdwToastOverlay *toasts;
+    AdwWindowTitle *title;
+    AdwViewStack *pages;
+    GtkBox *panel;
+    GtkBox *dock;
+    GtkBox *status;
+    GtkBox *banners;
+    GtkOverlay *canvas_overlay;
+};
+
+/* Actions win.*; window-actions.c. */
+void window_add_actions(TinkerWindow *window);
+/* Enables those that can do something now. */
+void window_update_actions(TinkerWindow *window);
+
+/* A line that goes by itself. */
+void window_toast(TinkerWindow *window, const char *text);
+/* A message that has to be read. */
+void window_message(TinkerWindow *window, const char *heading, const char *body);
+
+/* Files; window-files.c. Each asks first about changes that are not saved. */
+void window_new_scene(TinkerWindow *window);
+void window_choose_file(TinkerWindow *window);
+void window_save(TinkerWindow *window, gboolean under_another_name);
+/* Asks whether to save; then closes. */
+void window_ask_to_close(TinkerWindow *window);
+
+#endif

@@ -1,0 +1,166 @@
+/* Puts the parts together, and passes time on to the player while it plays. */
+#include "window-private.h"
+
+#include <glib/gi18n.h>
+
+G_DEFINE_FINAL_TYPE(TinkerWindow, tinker_window, ADW_TYPE_APPLICATION_WINDOW)
+
+#define LONGEST_TICK 0.1 /* s: after a hang, play-back goes on from where it was */
+
+void window_toast(TinkerWindow *window, const char *text)
+{
+    AdwToast *toast = adw_toast_new(text);
+    adw_toast_set_timeout(toast, 4);
+    adw_toast_overlay_add_toast(window->toasts, toast);
+}
+
+void window_message(TinkerWindow *window, const char *heading, const char *body)
+{
+    GtkWidget *dialog = adw_message_dialog_new(GTK_WINDOW(window), heading, body);
+    adw_message_dialog_add_response(ADW_MESSAGE_DIALOG(dialog), "close", _("_Close"));
+    gtk_window_present(GTK_WINDOW(dialog));
+}
+
+/* Playing ------------------------------------------------------------------------------------------------------------- */
+
+static gboolean on_tick(GtkWidget *widget, GdkFrameClock *clock, gpointer data)
+{
+    TinkerWindow *window = TINKER_WINDOW(widget);
+    gint64 now = gdk_frame_clock_get_frame_time(clock);
+    double seconds = window->last_tick == 0 ? 0 : 1e-6 * (double)(now - window->last_tick);
+    window->last_tick = now;
+    tinker_player_advance(window->player, MIN(seconds, LONGEST_TICK));
+    return G_SOURCE_CONTINUE;
+}
+
+static void on_state_changed(TinkerWindow *window)
+{
+    gboolean playing = tinker_player_state(window->player) == TINKER_PLAYER_PLAYING;
+    if (playing && window->ticks == 0) {
+        window->last_tick = 0;
+        window->ticks = gtk_widget_add_tick_callback(GTK_WIDGET(window), on_tick, NULL, NULL);
+    } else if (!playing && window->ticks != 0) {
+        gtk_widget_remove_tick_callback(GTK_WIDGET(window), window->ticks);
+        window->ticks = 0;
+    }
+    window_update_actions(window);
+}
+
+static void on_failed(TinkerPlayer *player, const char *message, TinkerWindow *window)
+{
+    window_message(window, _("The Run Stopped"), message);
+}
+
+static void on_rewound(TinkerWindow *window)
+{
+    window_toast(window, _("Back at the start, which is what you edit"));
+}
+
+/* The document -------------------------------------------------------------------------------------------------------- */
+
+static void on_file_changed(TinkerWindow *window)
+{
+    g_autofree char *name = tinker_document_name(window->document);
+    g_autofree char *title =
+        g_strdup_printf("%s%s", tinker_document_is_modified(window->document) ? "• " : "", name);
+    const char *path = tinker_document_path(window->document);
+    g_autofree char *folder = path != NULL ? g_path_get_dirname(path) : NULL;
+    adw_window_title_set_title(window->title, title);
+    adw_window_title_set_subtitle(window->title, folder != NULL ? folder : "");
+    gtk_window_set_title(GTK_WINDOW(window), title);
+    window_update_actions(window);
+}
+
+gboolean tinker_window_is_untouched(TinkerWindow *window)
+{
+    return tinker_document_path(window->document) == NULL && !tinker_document_is_modified(window->document);
+}
+
+static gboolean tinker_window_close_request(GtkWindow *base)
+{
+    TinkerWindow *window = TINKER_WINDOW(base);
+    if (!window->may_close && tinker_document_is_modified(window->document)) {
+        window_ask_to_close(window);
+        return TRUE;
+    }
+    return GTK_WINDOW_CLASS(tinker_window_parent_class)->close_request(base);
+}
+
+/* The menu of the canvas ---------------------------------------------------------------------------------------------- */
+
+static void on_canvas_menu(TinkerCanvas *canvas, double x, double y, TinkerWindow *window)
+{
+    g_autoptr(GtkBuilder) builder = gtk_builder_new_from_resource("/org/tinker/Tinker/menus.ui");
+    GMenuModel *model = G_MENU_MODEL(gtk_builder_get_object(builder, "canvas_menu"));
+    GtkWidget *menu = gtk_popover_menu_new_from_model(model);
+    gtk_widget_set_parent(menu, GTK_WIDGET(canvas));
+    gtk_popover_set_has_arrow(GTK_POPOVER(menu), FALSE);
+    gtk_popover_set_pointing_to(GTK_POPOVER(menu), &(GdkRectangle){(int)x, (int)y, 1, 1});
+    gtk_widget_set_halign(menu, GTK_ALIGN_START);
+    gtk_popover_popup(GTK_POPOVER(menu));
+}
+
+/* Life ---------------------------------------------------------------------------------------------------------------- */
+
+static void connect_parts(TinkerWindow *window)
+{
+    tinker_canvas_set_player(window->canvas, window->document, window->player);
+    tinker_palette_set_canvas(window->palette, tinker_document_catalogue(window->document), window->canvas);
+    tinker_playbar_set_player(window->playbar, window->player);
+    g_signal_connect_object(window->player, "state-changed", G_CALLBACK(on_state_changed), window, G_CONNECT_SWAPPED);
+    g_signal_connect_object(window->player, "failed", G_CALLBACK(on_failed), window, 0);
+    g_signal_connect_object(window->player, "rewound", G_CALLBACK(on_rewound), window, G_CONNECT_SWAPPED);
+    g_signal_connect_object(window->document, "file-changed", G_CALLBACK(on_file_changed), window, G_CONNECT_SWAPPED);
+    g_signal_connect_object(window->document, "selection-changed", G_CALLBACK(window_update_actions), window,
+                            G_CONNECT_SWAPPED);
+    g_signal_connect_object(window->canvas, "menu", G_CALLBACK(on_canvas_menu), window, 0);
+}
+
+TinkerWindow *tinker_window_new(TinkerApplication *application)
+{
+    TinkerWindow *window = g_object_new(TINKER_TYPE_WINDOW, "application", application, NULL);
+    window->document = tinker_document_new(tinker_application_catalogue(application));
+    window->player = tinker_player_new(window->document);
+    window_add_actions(window);
+    connect_parts(window);
+    on_file_changed(window);
+    return window;
+}
+
+static void tinker_window_dispose(GObject *object)
+{
+    TinkerWindow *window = TINKER_WINDOW(object);
+    gtk_widget_dispose_template(GTK_WIDGET(window), TINKER_TYPE_WINDOW);
+    g_clear_object(&window->player);
+    g_clear_object(&window->document);
+    G_OBJECT_CLASS(tinker_window_parent_class)->dispose(object);
+}
+
+#define BIND(part) gtk_widget_class_bind_template_child(widget_class, TinkerWindow, part)
+
+static void tinker_window_class_init(TinkerWindowClass *class)
+{
+    GtkWidgetClass *widget_class = GTK_WIDGET_CLASS(class);
+    G_OBJECT_CLASS(class)->dispose = tinker_window_dispose;
+    GTK_WINDOW_CLASS(class)->close_request = tinker_window_close_request;
+    gtk_widget_class_set_template_from_resource(widget_class, "/org/tinker/Tinker/window.ui");
+    BIND(canvas);
+    BIND(palette);
+    BIND(playbar);
+    BIND(toasts);
+    BIND(title);
+    BIND(pages);
+    BIND(panel);
+    BIND(dock);
+    BIND(status);
+    BIND(banners);
+    BIND(canvas_overlay);
+}
+
+static void tinker_window_init(TinkerWindow *window)
+{
+    g_type_ensure(TINKER_TYPE_CANVAS);
+    g_type_ensure(TINKER_TYPE_PALETTE);
+    g_type_ensure(TINKER_TYPE_PLAYBAR);
+    gtk_widget_init_template(GTK_WIDGET(window));
+}

@@ -1,0 +1,24 @@
+/* The window: one document, with everything to look at it, edit it and run it. */
+#ifndef TINKER_GUI_WINDOW_H
+#define TINKER_GUI_WINDOW_H
+
+#include <adwaita.h>
+
+#include "application.h"
+
+#define TINKER_TYPE_WINDOW (tinker_window_get_type())
+G_DECLARE_FINAL_TYPE(TinkerWindow, tinker_window, TINKER, WINDOW, AdwApplicationWindow)
+
+/* With an empty scene. (transfer none: the application keeps it) */
+TinkerWindow *tinker_window_new(TinkerApplication *application);
+
+/* Whether nothing has been done in it, so that a file may be opened here. */
+gboolean tinker_window_is_untouched(TinkerWindow *window);
+
+/* Opens a file; says what is wrong with it. */
+void tinker_window_open(TinkerWindow *window, const char *path);
+
+/* The keys of all actions. */
+void tinker_window_set_accels(GtkApplication *application);
+
+#endif
