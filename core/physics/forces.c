@@ -99,33 +99,9 @@ void tinker_model_share_state(TinkerModel *model, const double *q, const double 
 
 /* Lines whose plugin is asked -------------------------------------------------------------------------------------- */
 
-typedef struct {
-    double *length, *rate, *tension, *still, *x, *y; /* of a chunk; x, y: unit vector from a to b */
-} LineChunk;
-
-static LineChunk line_chunk(const TinkerModel *model)
-{
-    double *c = model->chunk;
-    return (LineChunk){
-        c, c + TINKER_CHUNK, c + 2 * TINKER_CHUNK, c + 3 * TINKER_CHUNK, c + 4 * TINKER_CHUNK, c + 5 * TINKER_CHUNK};
-}
-
-static void chunk_geometry(const TinkerModel *model, const int32_t *points, int32_t count, const LineChunk *chunk)
-{
-    for (int32_t i = 0; i < count; i++) {
-        const TinkerPoint *a = &model->point[points[2 * i]], *b = &model->point[points[2 * i + 1]];
-        double dx = b->x - a->x, dy = b->y - a->y, square = dx * dx + dy * dy;
-        double length = sqrt(square), inverse = square > 0 ? 1.0 / length : 0.0;
-        chunk->length[i] = length;
-        chunk->x[i] = dx * inverse;
-        chunk->y[i] = dy * inverse;
-        chunk->rate[i] = chunk->x[i] * (b->vx - a->vx) + chunk->y[i] * (b->vy - a->vy);
-    }
-}
-
 /* What dampers take: the part of the tension that is not there at rate 0. */
 static TinkerStatus take_line_power(TinkerModel *model, const TinkerAskedBatch *asked, TinkerBatch *view,
-                                    const LineChunk *chunk)
+                                    const TinkerLineChunk *chunk)
 {
     const TinkerLineLaw *law = asked->batch->block_class->physics->line_law;
     memset(chunk->still, 0, sizeof(double) * TINKER_CHUNK);
@@ -144,22 +120,19 @@ static TinkerStatus take_line_power(TinkerModel *model, const TinkerAskedBatch *
 static TinkerStatus add_asked_lines(TinkerModel *model, const TinkerAskedBatch *asked, gboolean books)
 {
     const TinkerBlockBatch *batch = asked->batch;
-    const TinkerLineLaw *law = batch->block_class->physics->line_law;
-    const double **columns = model->column_views;
-    LineChunk chunk = line_chunk(model);
     for (int32_t first = 0; first < batch->count; first += TINKER_CHUNK) {
         int32_t count = MIN(TINKER_CHUNK, batch->count - first);
         const int32_t *points = asked->end_points + 2 * first;
-        TinkerBatch view = tinker_model_view(model, batch, first, count, columns);
-        chunk_geometry(model, points, count, &chunk);
-        TinkerStatus status = law->tension(&view, chunk.length, chunk.rate, chunk.tension);
-        if (status == TINKER_OK && books) status = take_line_power(model, asked, &view, &chunk);
-        if (status == TINKER_RETRY_SMALLER) return status;
-        if (status != TINKER_OK)
-            return tinker_model_fail(model, batch, first + view.failed_instance, "tension", view.failure);
+        TinkerLineChunk chunk;
+        TinkerBatch view = tinker_model_view(model, batch, first, count, model->column_views);
+        TinkerStatus status = tinker_model_ask_lines(model, batch, points, &view, &chunk);
+        if (status == TINKER_OK && books) {
+            status = take_line_power(model, asked, &view, &chunk);
+            if (status != TINKER_OK) return tinker_model_refuse_forces(model, batch, &view, status, "tension");
+        }
+        if (status != TINKER_OK) return status;
         for (int32_t i = 0; i < count; i++) {
             double fx = chunk.tension[i] * chunk.x[i], fy = chunk.tension[i] * chunk.y[i];
-            if (!isfinite(fx + fy)) return tinker_model_not_finite(model, batch, first + i, "tension");
             double *on_a = model->force + 2 * points[2 * i], *on_b = model->force + 2 * points[2 * i + 1];
             on_a[0] += fx;
             on_a[1] += fy;
@@ -195,36 +168,17 @@ static TinkerStatus add_driven_forces(TinkerModel *model, gboolean books)
     return TINKER_OK;
 }
 
-static int32_t row_of_end(const TinkerBlockBatch *batch, int32_t end)
-{
-    int32_t row = 0;
-    while (batch->end_offsets[row + 1] <= end)
-        row++;
-    return row;
-}
-
 static TinkerStatus add_asked_forces(TinkerModel *model, const TinkerAskedBatch *asked, gboolean books)
 {
     const TinkerBlockBatch *batch = asked->batch;
-    const TinkerForceElement *element = batch->block_class->physics->force_element;
-    const double **columns = model->column_views;
     for (int32_t first = 0; first < batch->count; first += TINKER_CHUNK) {
         int32_t count = MIN(TINKER_CHUNK, batch->count - first);
-        int32_t from = batch->end_offsets[first], ends = batch->end_offsets[first + count] - from;
-        TinkerPoint *gathered = (TinkerPoint *)(void *)model->chunk;
-        double *force = (double *)(void *)(gathered + ends);
-        for (int32_t e = 0; e < ends; e++)
-            gathered[e] = model->point[asked->end_points[from + e]];
-        TinkerBatch view = tinker_model_view(model, batch, first, count, columns);
-        TinkerStatus status = element->force(&view, gathered, force);
-        if (status == TINKER_RETRY_SMALLER) return status;
-        if (status != TINKER_OK)
-            return tinker_model_fail(model, batch, first + view.failed_instance, "force", view.failure);
-        for (int32_t e = 0; e < ends; e++) {
-            if (!isfinite(force[2 * e] + force[2 * e + 1]))
-                return tinker_model_not_finite(model, batch, row_of_end(batch, from + e), "force");
-            push(model, asked->end_points[from + e], force[2 * e], force[2 * e + 1], books);
-        }
+        const int32_t *points = asked->end_points + batch->end_offsets[first];
+        const double *force;
+        TinkerStatus status = tinker_model_ask_element(model, batch, points, first, count, &force);
+        if (status != TINKER_OK) return status;
+        for (int32_t e = 0; e < batch->end_offsets[first + count] - batch->end_offsets[first]; e++)
+            push(model, points[e], force[2 * e], force[2 * e + 1], books);
     }
     return TINKER_OK;
 }
@@ -233,17 +187,11 @@ static TinkerStatus add_asked_forces(TinkerModel *model, const TinkerAskedBatch 
 
 static TinkerStatus add_asked_field(TinkerModel *model, const TinkerAskedBatch *asked, gboolean books)
 {
-    const TinkerBlockBatch *batch = asked->batch;
-    const double **columns = model->column_views;
-    double *force = model->chunk;
-    TinkerBodies bodies = {sizeof(TinkerBodies), model->bodies, model->point, model->mass, 0, model->bodies};
-    TinkerBatch view = tinker_model_view(model, batch, 0, batch->count, columns);
-    TinkerStatus status = batch->block_class->physics->field->force(&view, &bodies, force);
-    if (status == TINKER_RETRY_SMALLER) return status;
-    if (status != TINKER_OK) return tinker_model_fail(model, batch, view.failed_instance, "force", view.failure);
+    const double *force;
+    TinkerStatus status = tinker_model_ask_field(model, asked->batch, 0, asked->batch->count, &force);
+    if (status != TINKER_OK) return status;
     for (int32_t i = 0; i < model->bodies; i++) {
         double fx = force[2 * i], fy = force[2 * i + 1];
-        if (!isfinite(fx + fy)) return tinker_model_not_finite(model, batch, 0, "force");
         model->force[2 * i] += fx;
         model->force[2 * i + 1] += fy;
         if (books) model->book_power[TINKER_BOOK_FIELDS] += fx * model->point[i].vx + fy * model->point[i].vy;

@@ -212,6 +212,29 @@ static inline void tinker_model_set_state(TinkerModel *model, const double *q, c
 /* The same, shared among threads. */
 void tinker_model_share_state(TinkerModel *model, const double *q, const double *v);
 
+/* Asking plugins for forces, for the state in the points. What is answered lies in the model's chunk until the next call. A
+ * force that is not finite is a failure, which is recorded. */
+
+/* Of lines: lengths (m), their rates (m/s), tensions (N), and unit vectors from the first ends to the second, 0 at length
+ * 0; with room for one more column. */
+typedef struct {
+    double *length, *rate, *tension, *still, *x, *y;
+} TinkerLineChunk;
+
+/* Of the lines of a view, at most TINKER_CHUNK of them; `points` are those of their ends. */
+TinkerStatus tinker_model_ask_lines(TinkerModel *model, const TinkerBlockBatch *batch, const int32_t *points,
+                                    TinkerBatch *view, TinkerLineChunk *chunk);
+/* Of `count` force elements from `first` on, at most TINKER_CHUNK: the force (N) on each of their ends, which lie on
+ * `points`. */
+TinkerStatus tinker_model_ask_element(TinkerModel *model, const TinkerBlockBatch *batch, const int32_t *points,
+                                      int32_t first, int32_t count, const double **force);
+/* Of `count` fields from `first` on: the force (N) of all of them on each body. */
+TinkerStatus tinker_model_ask_field(TinkerModel *model, const TinkerBlockBatch *batch, int32_t first, int32_t count,
+                                    const double **force);
+/* Records why a plugin gave no `what`, where `status` is a failure; answers the status to go on with. */
+TinkerStatus tinker_model_refuse_forces(TinkerModel *model, const TinkerBlockBatch *batch, const TinkerBatch *view,
+                                        TinkerStatus status, const char *what);
+
 /* Adds up all applied forces by point, for the state in the points; a = M^-1 f. With `books` also the power that each book
  * gives, into model->book_power. */
 TinkerStatus tinker_model_applied(TinkerModel *model, double *a, gboolean books);

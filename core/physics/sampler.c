@@ -189,22 +189,28 @@ static TinkerGraphInput input_of(TinkerSampler *sampler, TinkerBlockBatch *batch
     return input;
 }
 
-static TinkerStatus accelerations_at(TinkerSampler *sampler, double t, const double *q, const double *v)
+TinkerStatus tinker_sampler_look_at(TinkerModel *model, double t, const double *q, const double *v, double *a)
 {
-    TinkerModel *model = sampler->model;
     TinkerStatus status = tinker_model_set_time(model, t);
     if (status != TINKER_OK) return status;
     tinker_model_set_state(model, q, v);
     gint64 evaluations = model->evaluations;
-    status = tinker_model_applied(model, sampler->acceleration, FALSE);
+    status = tinker_model_applied(model, a, FALSE);
     model->evaluations = evaluations; /* looking costs the method nothing */
     if (status == TINKER_OK && model->constraints.rows > 0) status = tinker_constraints_evaluate(model);
-    if (model->contacts != NULL && model->contacts->impulses)
-        tinker_impulse_add_accelerations(model->contacts, sampler->acceleration);
+    if (model->contacts != NULL && model->contacts->impulses) tinker_impulse_add_accelerations(model->contacts, a);
     if (status == TINKER_OK && tinker_contacts_act(model->contacts))
-        tinker_contacts_accelerate(model->contacts, sampler->acceleration);
+        tinker_contacts_accelerate(model->contacts, a);
     else if (status == TINKER_OK && model->constraints.rows > 0)
-        tinker_constraints_accelerate(model, sampler->acceleration);
+        tinker_constraints_accelerate(model, a);
+    return status;
+}
+
+static TinkerStatus accelerations_at(TinkerSampler *sampler, double t, const double *q, const double *v)
+{
+    TinkerModel *model = sampler->model;
+    TinkerStatus status = tinker_sampler_look_at(model, t, q, v, sampler->acceleration);
+    if (status != TINKER_OK) return status;
     if (sampler->by_point != NULL) tinker_contacts_sum_forces(model->contacts, sampler->by_point);
     memcpy(model->point_acceleration, sampler->acceleration, 2 * (gsize)model->bodies * sizeof(double));
     for (int32_t i = 0; i < model->bodies; i++)
