@@ -1,0 +1,224 @@
+/* Arrows of forces: where they lie, how long they are, where their labels stand. */
+#include <math.h>
+#include <string.h>
+
+#include "picture.h"
+#include "render/arrows-private.h"
+#include "render/text-private.h"
+
+#define WIDTH  600
+#define HEIGHT 400
+
+static const TinkerView view = {
+    .scale = 50, .origin_x = WIDTH / 2, .origin_y = HEIGHT / 2, .width = WIDTH, .height = HEIGHT};
+
+typedef struct {
+    TestPicture *picture;
+    GPtrArray *written; /* of TinkerWrittenText */
+    TinkerArrowOptions options;
+} Stage;
+
+static void stage_open(Stage *stage, const char *theme, double scale)
+{
+    stage->picture = test_picture_new(WIDTH, HEIGHT);
+    stage->written = tinker_written_texts_new();
+    stage->options = (TinkerArrowOptions){.theme = tinker_theme_find(theme), .scale = scale};
+    const double *ground = stage->options.theme->background;
+    cairo_set_source_rgb(stage->picture->cairo, ground[0], ground[1], ground[2]);
+    cairo_paint(stage->picture->cairo);
+}
+
+static void stage_draw(Stage *stage, const TinkerForceArrow *arrows, gsize count)
+{
+    cairo_matrix_t before, after;
+    cairo_get_matrix(stage->picture->cairo, &before);
+    tinker_arrows_draw_noting(stage->picture->cairo, &view, arrows, count, &stage->options, stage->written);
+    cairo_get_matrix(stage->picture->cairo, &after);
+    g_assert_cmpmem(&before, sizeof before, &after, sizeof after);
+}
+
+static void stage_close(Stage *stage)
+{
+    g_ptr_array_unref(stage->written);
+    test_picture_free(stage->picture);
+}
+
+static const TinkerWrittenText *written(const Stage *stage, guint i)
+{
+    return g_ptr_array_index(stage->written, i);
+}
+
+static double distance_to(const double box[4], double x, double y)
+{
+    return hypot(fmax(fmax(box[0] - x, x - box[2]), 0), fmax(fmax(box[1] - y, y - box[3]), 0));
+}
+
+static void assert_inside_and_apart(const Stage *stage)
+{
+    for (guint i = 0; i < stage->written->len; i++) {
+        const double *a = written(stage, i)->box;
+        g_assert_true(a[0] >= 0 && a[1] >= 0 && a[2] <= WIDTH && a[3] <= HEIGHT);
+        for (guint n = 0; n < i; n++) {
+            const double *b = written(stage, n)->box;
+            g_assert_true(a[2] <= b[0] || b[2] <= a[0] || a[3] <= b[1] || b[3] <= a[1]);
+        }
+    }
+}
+
+/* From where it acts, force times scale long, in its curve's colour in every theme; the label by its head. */
+static void test_place(gconstpointer theme)
+{
+    for (int i = 0; i < 24; i++) {
+        double angle = i * G_PI / 12 + 0.02, ux = cos(angle), uy = sin(angle);
+        Stage stage;
+        stage_open(&stage, theme, 0.02);
+        int colour = i % 8;
+        TinkerForceArrow arrow = {0.5, -0.25, 100 * ux, 100 * uy, "Spring 0  100 N", colour};
+        stage_draw(&stage, &arrow, 1);
+        const double *wanted = stage.options.theme->curves[colour], x = WIDTH / 2 + 25, y = HEIGHT / 2 + 12.5;
+        for (double s = 2; s < 98; s += 3)
+            g_assert_true(test_picture_shows(stage.picture, x + s * ux, y - s * uy, 1, wanted));
+        /* nothing before it and nothing but text behind its head */
+        g_assert_false(test_picture_shows(stage.picture, x - 5 * ux, y + 5 * uy, 1, wanted));
+        g_assert_false(test_picture_shows(stage.picture, x + 103 * ux, y - 103 * uy, 1, wanted));
+        g_assert_cmpuint(stage.written->len, ==, 1);
+        g_assert_cmpstr(written(&stage, 0)->text, ==, arrow.label);
+        g_assert_cmpfloat(distance_to(written(&stage, 0)->box, x + 100 * ux, y - 100 * uy), >, 1);
+        g_assert_cmpfloat(distance_to(written(&stage, 0)->box, x + 100 * ux, y - 100 * uy), <, 12);
+        stage_close(&stage);
+    }
+}
+
+/* The greatest are labelled first, and their labels are apart; near the edges too. */
+static void test_crowd(void)
+{
+    enum { COUNT = 80 };
+    TinkerForceArrow arrows[COUNT];
+    char labels[COUNT][32];
+    for (int i = 0; i < COUNT; i++) {
+        g_snprintf(labels[i], sizeof(labels[i]), "Spring %d  %.1f N", i, 1.5 * i);
+        arrows[i] = (TinkerForceArrow){g_test_rand_double_range(-6, 6),
+                                       g_test_rand_double_range(-4, 4),
+                                       g_test_rand_double_range(-50, 50),
+                                       g_test_rand_double_range(-50, 50),
+                                       labels[i],
+                                       i};
+    }
+    arrows[7] = (TinkerForceArrow){0, 0, 90, 0, labels[7], 0};
+    Stage stage;
+    stage_open(&stage, "light", 0.02);
+    stage_draw(&stage, arrows, COUNT);
+    g_assert_cmpuint(stage.written->len, >, COUNT / 3);
+    g_assert_cmpstr(written(&stage, 0)->text, ==, labels[7]);
+    assert_inside_and_apart(&stage);
+    stage_close(&stage);
+}
+
+/* A few forces on one body are all labelled. */
+static void test_one_body(void)
+{
+    Stage stage;
+    stage_open(&stage, "dark", 0.05);
+    const TinkerForceArrow arrows[] = {{0, 0, 0, -19.6, "Gravity 0  19.6 N", 0}, {0, 0, 9, 3, "Spring 0  9.5 N", 1},
+                                       {0, 0, 8.8, 3, "Spring 1  9.3 N", 2},     {0, 0, 8.6, 3, "Spring 2  9.1 N", 3},
+                                       {0, 0, -4, 17, "Normal  17.5 N", 4},      {0, 0, -8, -2, "Friction  8.2 N", 5}};
+    stage_draw(&stage, arrows, G_N_ELEMENTS(arrows));
+    g_assert_cmpuint(stage.written->len, ==, G_N_ELEMENTS(arrows));
+    assert_inside_and_apart(&stage);
+    /* those that would lie on each other are seen apart */
+    for (gsize i = 0; i < G_N_ELEMENTS(arrows); i++)
+        g_assert_cmpint(test_picture_count(stage.picture, stage.options.theme->curves[i]), >, 40);
+    stage_close(&stage);
+}
+
+/* An arrow that leaves the picture is labelled inside it; one that is out of it is not. Labels keep clear of what is taken. */
+static void test_edges(void)
+{
+    const TinkerForceArrow out[] = {{5, 3, 1e4, 3e3, "A", 0}, {-5, 0, -1e150, 0, "B", 1}, {0, -3.9, 0, -3, "C", 2}};
+    const TinkerForceArrow away[] = {{20, 0, 1, 0, "D", 0}, {1e300, 0, 1, 0, "E", 0}, {0, -5, 0, -30, "F", 0}};
+    Stage stage;
+    stage_open(&stage, "light", 0.02);
+    stage_draw(&stage, out, G_N_ELEMENTS(out));
+    g_assert_cmpuint(stage.written->len, ==, 3);
+    assert_inside_and_apart(&stage);
+    g_assert_true(test_picture_shows(stage.picture, 10, HEIGHT / 2, 1, stage.options.theme->curves[1]));
+    stage_draw(&stage, away, G_N_ELEMENTS(away));
+    g_assert_cmpuint(stage.written->len, ==, 3);
+    stage_close(&stage);
+    static const double taken[][4] = {{310, 0, WIDTH, HEIGHT}};
+    const TinkerForceArrow right = {-0.5, 0, 30, 0, "Right", 0};
+    stage_open(&stage, "light", 0.02);
+    stage.options.taken = taken;
+    stage.options.taken_count = 1;
+    stage_draw(&stage, &right, 1);
+    g_assert_cmpuint(stage.written->len, ==, 1);
+    g_assert_cmpfloat(written(&stage, 0)->box[2], <=, 312);
+    stage_close(&stage);
+}
+
+/* What is no force leaves no trace. */
+static void test_odd_forces(void)
+{
+    const TinkerForceArrow odd[] = {{0, 0, 0, 0, "zero", 0},           {0, 0, NAN, 1, "no number", 0},
+                                    {0, 0, 1, INFINITY, "endless", 0}, {NAN, 0, 1, 0, "where", 0},
+                                    {0, 0, 1e-9, 0, "tiny", 0},        {INFINITY, 0, 5, 0, "far", G_MININT},
+                                    {0, 0, 1e308, 1e308, "", 0}};
+    Stage stage;
+    stage_open(&stage, "light", 0.02);
+    stage_draw(&stage, odd, G_N_ELEMENTS(odd) - 1);
+    stage_draw(&stage, NULL, 0);
+    const double *ground = stage.options.theme->background;
+    g_assert_cmpint(test_picture_count(stage.picture, ground), ==, WIDTH * HEIGHT);
+    stage_draw(&stage, odd, G_N_ELEMENTS(odd));
+    g_assert_cmpuint(stage.written->len, ==, 0);
+    stage.options.scale = NAN;
+    stage_draw(&stage, &(TinkerForceArrow){0, 0, 1, 0, "a", -3}, 1);
+    stage.options.scale = 1;
+    stage_draw(&stage, &(TinkerForceArrow){0, 0, 1, 0, "colours go round", -3}, 1);
+    stage_draw(&stage, &(TinkerForceArrow){0, 1, 1, 0, "\xff not text", G_MAXINT}, 1);
+    stage_close(&stage);
+}
+
+static double scale_for(double force, double previous)
+{
+    const TinkerForceArrow arrows[] = {{0, 0, 0.1 * force, 0, NULL, 0}, {3, 1, -0.6 * force, 0.8 * force, NULL, 0}};
+    return tinker_arrows_scale(arrows, 2, &view, previous);
+}
+
+/* Round, a tenth of the view, and slow to change. */
+static void test_scale(void)
+{
+    for (double force = 1e-6; force < 1e9; force *= 1.37) {
+        double scale = scale_for(force, 0), share = scale * force * view.scale / WIDTH;
+        g_assert_cmpfloat(share, >, 0.1 / sqrt(2.5) * 0.999);
+        g_assert_cmpfloat(share, <, 0.1 * sqrt(2.5) * 1.001);
+        double mantissa = scale / pow(10, floor(log10(scale) + 1e-9));
+        g_assert_true(fabs(mantissa - 1) < 1e-9 || fabs(mantissa - 2) < 1e-9 || fabs(mantissa - 5) < 1e-9);
+    }
+    double wanted = 1.2; /* m: a tenth of 600 / 50 m */
+    g_assert_cmpfloat(scale_for(wanted / 0.01, 0.029), ==, 0.029);
+    g_assert_cmpfloat(scale_for(wanted / 0.01, 0.0034), ==, 0.0034);
+    g_assert_cmpfloat(fabs(scale_for(wanted / 0.01, 0.031) - 0.01), <, 1e-12);
+    g_assert_cmpfloat(fabs(scale_for(wanted / 0.01, 0.0033) - 0.01), <, 1e-12);
+    g_assert_cmpfloat(scale_for(0, 0.7), ==, 0.7);
+    g_assert_cmpfloat(scale_for(NAN, 0.7), ==, 0.7);
+    static const double odd[] = {0, NAN, INFINITY, 5e-324, 1e308};
+    for (gsize i = 0; i < G_N_ELEMENTS(odd); i++) {
+        g_assert_true(scale_for(odd[i], 0) > 0 && isfinite(scale_for(odd[i], 0)));
+        g_assert_true(scale_for(odd[i], NAN) > 0 && isfinite(scale_for(odd[i], NAN)));
+    }
+    g_assert_true(tinker_arrows_scale(NULL, 0, &view, 0) > 0);
+}
+
+int main(int argc, char **argv)
+{
+    g_test_init(&argc, &argv, NULL);
+    g_test_add_data_func("/render/arrows/place/light", "light", test_place);
+    g_test_add_data_func("/render/arrows/place/dark", "dark", test_place);
+    g_test_add_func("/render/arrows/crowd", test_crowd);
+    g_test_add_func("/render/arrows/one-body", test_one_body);
+    g_test_add_func("/render/arrows/edges", test_edges);
+    g_test_add_func("/render/arrows/odd-forces", test_odd_forces);
+    g_test_add_func("/render/arrows/scale", test_scale);
+    return g_test_run();
+}
