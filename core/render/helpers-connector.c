@@ -10,7 +10,7 @@
 #define GREATEST_TURNS  16
 #define LEAD_SHARE      0.12 /* of the length: the straight piece at each end of a coil */
 #define LEAST_TOOTH     1.5  /* canvas units of half a turn */
-#define LEAST_SYMBOL    4.0  /* canvas units: below, symbols become lines */
+#define LEAST_LENGTH    4.0  /* canvas units: below, symbols become lines */
 #define GREATEST_LENGTH 1e5  /* device pixels: beyond, likewise */
 #define CYLINDER_LENGTH 1.6  /* of the symbol size */
 #define CYLINDER_HALF   0.36
@@ -22,8 +22,7 @@ static gboolean enter(const TinkerStyle *style, cairo_t *cairo, int32_t colour, 
     *length = hypot(line[2] - line[0], line[3] - line[1]);
     if (!tinker_style_finite(line, 4) || !isfinite(*length)) return FALSE;
     double unit = tinker_style_unit(style);
-    if (style->symbol_size < LEAST_SYMBOL * unit || *length < LEAST_SYMBOL * unit ||
-        *length > GREATEST_LENGTH * style->pixel) {
+    if (tinker_style_is_tiny(style) || *length < LEAST_LENGTH * unit || *length > GREATEST_LENGTH * style->pixel) {
         tinker_helper_line(style, cairo, colour, line[0], line[1], line[2], line[3]);
         return FALSE;
     }

@@ -68,6 +68,7 @@ void tinker_helper_hatch(const TinkerStyle *style, cairo_t *cairo, int32_t colou
     const double line[4] = {x1, y1, x2, y2};
     double from, to, length = hypot(x2 - x1, y2 - y1);
     if (!tinker_style_finite(line, 4) || !isfinite(length) || !tinker_style_clip(style, line, &from, &to)) return;
+    if (tinker_style_is_tiny(style)) return;
     double stroke = HATCH_SHARE * style->symbol_size;
     double spacing = fmax(stroke, LEAST_HATCH_UNITS * tinker_style_unit(style));
     /* Where a stroke's distance is lost in the digits of the length, strokes would never come to its end. */
@@ -113,7 +114,7 @@ void tinker_helper_arrow(const TinkerStyle *style, cairo_t *cairo, int32_t colou
 void tinker_helper_end_mark(const TinkerStyle *style, cairo_t *cairo, double x, double y, int32_t attached)
 {
     double half = MARK_SHARE * style->symbol_size;
-    if (!isfinite(x) || !isfinite(y)) return;
+    if (!isfinite(x) || !isfinite(y) || tinker_style_is_tiny(style)) return;
     /* An end has its own state: the attached end of a detached connector is marked as attached. */
     TinkerStyle plain = *style;
     plain.state &= ~TINKER_STATE_DETACHED;

@@ -117,6 +117,7 @@ void tinker_picture_draw_fields(const TinkerPicture *picture, double corner_box[
     TinkerPicture corner;
     begin_corner(&corner, picture->cairo, picture->frame, picture->view, picture->options);
     corner.brush.pen.written = picture->brush.pen.written;
+    corner.brush.pen.memory = picture->brush.pen.memory;
     Slots found = find_slots(&corner);
     for (guint i = 0; i < found.slots->len; i++) {
         const Slot *slot = &g_array_index(found.slots, Slot, i);

@@ -4,22 +4,26 @@
 #include "render/painter-private.h"
 
 #include <math.h>
+#include <string.h>
 
 #include <tinker/shapes.h>
 
 #include "render/occupancy-private.h"
+#include "render/paint-memory-private.h"
 
-#define CELL          4.0 /* canvas units */
-#define GAP           5.0 /* between a body and its name */
-#define MOST_LABELS   300
-#define LEAST_SYMBOL  5.0 /* canvas units: in a scene drawn smaller, names are left out */
-#define NAME_LIMIT    160.0
-#define FARTHEST_STEP 3
-#define KEEPS         1.0 /* what a name may cover of a drawing before it leaves its place in a film */
+#define CELL         4.0 /* canvas units */
+#define GAP          5.0 /* between a body and its name */
+#define MOST_LABELS  300
+#define LEAST_SYMBOL 5.0 /* canvas units: in a scene drawn smaller, names are left out */
+#define NAME_LIMIT   160.0
+#define DIRECTIONS   8
+#define PLACES       (4 * DIRECTIONS) /* a name tries: four steps outwards in each direction */
+#define KEEPS        1.0              /* what a name may cover of a drawing before it leaves its place in a film */
 
 typedef struct {
     TinkerPicture *picture;
     TinkerOccupancy map;
+    signed char *places; /* by block id: 1 + the place in the picture before; or NULL */
     int written;
 } Labels;
 
@@ -73,42 +77,87 @@ static void take_piece(Labels *labels, const TinkerPiece *piece)
     }
 }
 
-/* How far it is from a body's centre to its edge in this direction of the canvas. */
-static double reach_of(const Labels *labels, const TinkerPiece *piece, double direction)
+/* A body whose name is being placed: what is the same for all its places. */
+typedef struct {
+    const TinkerPiece *piece;
+    double x, y;                    /* canvas units */
+    double half_width, half_height; /* canvas units, of the body or of its drawing */
+    double round;                   /* the drawing is far smaller than the body: its reach in any direction; else 0 */
+    double dot;                     /* reach in any direction, at least */
+    double name_width, name_height;
+} Named;
+
+static Named named_of(const Labels *labels, const TinkerPiece *piece)
 {
-    double scale = labels->picture->view->scale;
-    double half_width = piece->width * scale / 2, half_height = piece->height * scale / 2;
-    double dot = 0.5 * labels->picture->brush.style.symbol_size * scale;
-    /* y is down on the canvas: a turn to the left is negative. */
-    double angle = direction + piece->instance.orientation;
-    double c = fabs(cos(angle)), s = fabs(sin(angle));
-    double reach = fmin(c > 1e-9 ? half_width / c : INFINITY, s > 1e-9 ? half_height / s : INFINITY);
+    double scale = labels->picture->view->scale, half_x, half_y;
+    Named named = {.piece = piece,
+                   .half_width = piece->width * scale / 2,
+                   .half_height = piece->height * scale / 2,
+                   .dot = 0.5 * labels->picture->brush.style.symbol_size * scale};
+    tinker_view_to_canvas(labels->picture->view, piece->instance.x, piece->instance.y, &named.x, &named.y);
     if (is_drawn_small(labels, piece)) {
-        half_box(labels, piece, &half_width, &half_height);
-        reach = fmax(half_width, half_height);
+        half_box(labels, piece, &half_x, &half_y);
+        named.round = fmax(half_x, half_y);
     }
-    return fmax(isfinite(reach) ? reach : 0, dot);
+    return named;
 }
 
-/* The place, number `i` of 8 around the body and a step outwards: the name's box, and the cost of its being there. */
-static double place_cost(const Labels *labels, const TinkerPiece *piece, int i, int step, double width, double height,
-                         double box[4])
+/* How far it is from a body's centre to its edge in this direction of the canvas. */
+static double reach_of(const Named *named, double direction)
+{
+    /* y is down on the canvas: a turn to the left is negative. */
+    double angle = direction + named->piece->instance.orientation;
+    double c = fabs(cos(angle)), s = fabs(sin(angle));
+    double reach = fmin(c > 1e-9 ? named->half_width / c : INFINITY, s > 1e-9 ? named->half_height / s : INFINITY);
+    if (named->round > 0) reach = named->round;
+    return fmax(isfinite(reach) ? reach : 0, named->dot);
+}
+
+/* What a place costs where nothing is in the way: near ones are better, and above is better than below. */
+static double free_cost(int number)
+{
+    return 0.001 * (number % DIRECTIONS) + 0.01 * (number / DIRECTIONS);
+}
+
+/* A place, number `number % DIRECTIONS` around the body and some steps outwards: the name's box, and the cost of its being
+ * there. */
+static double place_cost(const Labels *labels, const Named *named, int number, double box[4])
 {
     /* Above, below, right, left, then the corners; y down. */
-    static const double directions[8][2] = {{0, -1}, {0, 1}, {1, 0}, {-1, 0}, {1, -1}, {-1, -1}, {1, 1}, {-1, 1}};
-    double across = directions[i][0], down = directions[i][1];
-    double x, y, reach = reach_of(labels, piece, atan2(down, across)) + GAP + 2.5 * GAP * step;
-    double norm = hypot(across, down);
-    tinker_view_to_canvas(labels->picture->view, piece->instance.x, piece->instance.y, &x, &y);
-    x += across / norm * reach;
-    y += down / norm * reach;
-    box[0] = x + (across - 1) / 2 * width;
-    box[1] = y + (down - 1) / 2 * height;
-    box[2] = box[0] + width;
-    box[3] = box[1] + height;
+    static const double directions[DIRECTIONS][2] = {{0, -1}, {0, 1},   {1, 0}, {-1, 0},
+                                                     {1, -1}, {-1, -1}, {1, 1}, {-1, 1}};
+    double across = directions[number % DIRECTIONS][0], down = directions[number % DIRECTIONS][1];
+    double step = number / DIRECTIONS, norm = hypot(across, down);
+    double reach = reach_of(named, atan2(down, across)) + GAP + 2.5 * GAP * step;
+    box[0] = named->x + across / norm * reach + (across - 1) / 2 * named->name_width;
+    box[1] = named->y + down / norm * reach + (down - 1) / 2 * named->name_height;
+    box[2] = box[0] + named->name_width;
+    box[3] = box[1] + named->name_height;
     double drawing = tinker_occupancy_share(&labels->map, box, TINKER_TAKEN_BY_DRAWING);
     double text = tinker_occupancy_share(&labels->map, box, TINKER_TAKEN_BY_TEXT);
-    return 10 * text + drawing + 0.001 * i + 0.01 * step;
+    return 10 * text + drawing + free_cost(number);
+}
+
+/* The cheapest place; the one of the picture before, `kept`, stays unless something has come into its way. */
+static int choose_place(const Labels *labels, const Named *named, int kept, double best[4])
+{
+    int chosen = 0;
+    double least = INFINITY;
+    if (kept >= 0) {
+        least = place_cost(labels, named, kept, best) - KEEPS;
+        chosen = kept;
+    }
+    /* What follows costs more than a place that is free. */
+    for (int number = 0; number < PLACES && least > free_cost(number); number++) {
+        double box[4];
+        if (number == kept) continue;
+        double cost = place_cost(labels, named, number, box);
+        if (cost >= least) continue;
+        least = cost;
+        chosen = number;
+        memcpy(best, box, sizeof box);
+    }
+    return chosen;
 }
 
 static void write_name(Labels *labels, const TinkerPiece *piece, gboolean wanted)
@@ -117,27 +166,18 @@ static void write_name(Labels *labels, const TinkerPiece *piece, gboolean wanted
     TinkerText name = {.text = tinker_scene_block_name(tinker_frame_scene(picture->frame), piece->block),
                        .size = TINKER_STYLE_TEXT,
                        .limit = NAME_LIMIT};
-    double width, height, best[4] = {0}, least = INFINITY;
-    signed char *kept = picture->options->label_places, chosen = 0;
-    tinker_text_measure(&picture->brush.pen, &name, &width, &height);
-    for (int step = 0; step <= FARTHEST_STEP; step++)
-        for (int i = 0; i < 8; i++) {
-            signed char number = (signed char)(1 + i + 8 * step);
-            double box[4], cost = place_cost(labels, piece, i, step, width, height, box);
-            if (kept != NULL && kept[piece->block] == number) cost -= KEEPS;
-            if (cost >= least) continue;
-            least = cost;
-            chosen = number;
-            for (int side = 0; side < 4; side++)
-                best[side] = box[side];
-        }
-    if (kept != NULL) kept[piece->block] = chosen;
+    Named named = named_of(labels, piece);
+    double best[4];
+    signed char *kept = labels->places;
+    tinker_text_measure(&picture->brush.pen, &name, &named.name_width, &named.name_height);
+    int chosen = choose_place(labels, &named, kept != NULL ? kept[piece->block] - 1 : -1, best);
+    if (kept != NULL) kept[piece->block] = (signed char)(1 + chosen);
     gboolean covers_text = tinker_occupancy_share(&labels->map, best, TINKER_TAKEN_BY_TEXT) > 0;
     if (covers_text && !wanted) return;
     if (tinker_occupancy_share(&labels->map, best, TINKER_TAKEN_BY_DRAWING) > 0) {
         const double *ground = picture->options->theme->background;
         cairo_set_source_rgba(picture->cairo, ground[0], ground[1], ground[2], 0.75);
-        cairo_rectangle(picture->cairo, best[0] - 2, best[1], width + 4, height);
+        cairo_rectangle(picture->cairo, best[0] - 2, best[1], named.name_width + 4, named.name_height);
         cairo_fill(picture->cairo);
     }
     const double *c = picture->options->theme->colours[TINKER_COLOUR_TEXT];
@@ -147,16 +187,24 @@ static void write_name(Labels *labels, const TinkerPiece *piece, gboolean wanted
     labels->written++;
 }
 
+static void take_layer(Labels *labels, const GArray *blocks)
+{
+    for (guint i = 0; i < blocks->len; i++) {
+        TinkerPiece piece;
+        tinker_piece_init(&piece, labels->picture->frame, g_array_index(blocks, TinkerBlockId, i));
+        take_piece(labels, &piece);
+    }
+}
+
 /* Names of the chosen blocks come first, then all others. */
 static void write_names(Labels *labels, gboolean chosen)
 {
     TinkerPicture *picture = labels->picture;
-    TinkerScene *scene = tinker_frame_scene(picture->frame);
-    for (int32_t place = 0; place < picture->block_count && labels->written < MOST_LABELS; place++) {
-        TinkerBlockId block = tinker_scene_block_at(scene, place);
+    const TinkerPaintOptions *options = picture->options;
+    if (chosen && options->selected_count == 0 && options->highlighted == TINKER_NO_BLOCK) return;
+    for (guint i = 0; i < picture->bodies->len && labels->written < MOST_LABELS; i++) {
         TinkerPiece piece;
-        tinker_piece_init(&piece, picture->frame, block);
-        if (piece.kind != TINKER_PIECE_BODY && piece.kind != TINKER_PIECE_UNKNOWN) continue;
+        tinker_piece_init(&piece, picture->frame, g_array_index(picture->bodies, TinkerBlockId, i));
         if ((tinker_picture_state(picture, &piece) != 0) != chosen) continue;
         double x, y;
         tinker_view_to_canvas(picture->view, piece.instance.x, piece.instance.y, &x, &y);
@@ -170,16 +218,14 @@ void tinker_picture_draw_labels(TinkerPicture *picture, double (*taken)[4], int 
     const TinkerView *view = picture->view;
     gboolean small = picture->brush.style.symbol_size * view->scale < LEAST_SYMBOL;
     if (small && picture->options->selected_count == 0) return;
-    Labels labels = {.picture = picture};
     TinkerScene *scene = tinker_frame_scene(picture->frame);
+    Labels labels = {.picture = picture};
+    labels.places = tinker_paint_memory_places(picture->options->memory, tinker_scene_id_limit(scene));
     tinker_occupancy_init(&labels.map, 0, 0, view->width, view->height, CELL);
     for (int i = 0; i < taken_count; i++)
         tinker_occupancy_take_box(&labels.map, taken[i], TINKER_TAKEN_BY_TEXT);
-    for (int32_t place = 0; place < picture->block_count; place++) {
-        TinkerPiece piece;
-        tinker_piece_init(&piece, picture->frame, tinker_scene_block_at(scene, place));
-        if (piece.kind != TINKER_PIECE_FIELD) take_piece(&labels, &piece);
-    }
+    for (int layer = 0; layer < TINKER_PICTURE_LAYERS; layer++)
+        take_layer(&labels, picture->visible[layer]);
     write_names(&labels, TRUE);
     if (!small) write_names(&labels, FALSE);
     tinker_occupancy_clear(&labels.map);

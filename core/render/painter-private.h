@@ -22,6 +22,8 @@ typedef struct {
     double width, height; /* m, of a body */
 } TinkerPiece;
 
+#define TINKER_PICTURE_LAYERS 4
+
 /* A picture in the making. */
 typedef struct {
     cairo_t *cairo;
@@ -30,6 +32,8 @@ typedef struct {
     const TinkerPaintOptions *options;
     TinkerStyleBrush brush;
     int32_t block_count;
+    GArray *visible[TINKER_PICTURE_LAYERS]; /* of TinkerBlockId: what lies on the canvas, in drawing order */
+    GArray *bodies;                         /* likewise: those of them with a place, in the scene's order */
 } TinkerPicture;
 
 /* Looks a block up. */

@@ -5,10 +5,10 @@
 #include <math.h>
 #include <string.h>
 
+#include "render/paint-memory-private.h"
 #include "render/surface-private.h"
 
 #define GRID_UNITS   24.0 /* canvas units between grid lines, at least */
-#define LAYERS       4
 #define CORNER       12.0
 #define TITLE_SIZE   15.0
 #define TIME_SIZE    13.0
@@ -101,23 +101,42 @@ static gboolean is_visible(const TinkerPicture *picture, const TinkerPiece *piec
            box[1] <= view[3] && box[3] >= view[1];
 }
 
-static int layer_of(const TinkerScene *scene, TinkerBlockId block)
+static int layer_of(const TinkerPiece *piece)
 {
-    const TinkerBlockClass *block_class = tinker_scene_block_class(scene, block);
-    if (block_class && block_class->render) return CLAMP(block_class->render->layer, 0, LAYERS - 1);
+    const TinkerBlockClass *block_class = piece->block_class;
+    if (block_class && block_class->render) return CLAMP(block_class->render->layer, 0, TINKER_PICTURE_LAYERS - 1);
     return block_class && block_class->type->least_ends > 0 ? 2 : 1;
 }
 
-static void draw_layer(TinkerPicture *picture, int layer)
+/* Looks every block up once: what is out of sight is not looked at again. */
+static void find_visible(TinkerPicture *picture)
 {
     TinkerScene *scene = tinker_frame_scene(picture->frame);
-    TinkerStyle *style = &picture->brush.style;
+    for (int layer = 0; layer < TINKER_PICTURE_LAYERS; layer++)
+        picture->visible[layer] = g_array_new(FALSE, FALSE, sizeof(TinkerBlockId));
+    picture->bodies = g_array_new(FALSE, FALSE, sizeof(TinkerBlockId));
     for (int32_t place = 0; place < picture->block_count; place++) {
-        TinkerBlockId block = tinker_scene_block_at(scene, place);
-        if (layer_of(scene, block) != layer) continue;
         TinkerPiece piece;
-        tinker_piece_init(&piece, picture->frame, block);
+        tinker_piece_init(&piece, picture->frame, tinker_scene_block_at(scene, place));
         if (piece.kind == TINKER_PIECE_FIELD || !is_visible(picture, &piece)) continue;
+        g_array_append_val(picture->visible[layer_of(&piece)], piece.block);
+        if (piece.kind != TINKER_PIECE_CONNECTOR) g_array_append_val(picture->bodies, piece.block);
+    }
+}
+
+static void forget_visible(TinkerPicture *picture)
+{
+    for (int layer = 0; layer < TINKER_PICTURE_LAYERS; layer++)
+        g_array_unref(picture->visible[layer]);
+    g_array_unref(picture->bodies);
+}
+
+static void draw_layer(TinkerPicture *picture, const GArray *blocks)
+{
+    TinkerStyle *style = &picture->brush.style;
+    for (guint i = 0; i < blocks->len; i++) {
+        TinkerPiece piece;
+        tinker_piece_init(&piece, picture->frame, g_array_index(blocks, TinkerBlockId, i));
         style->state = tinker_picture_state(picture, &piece);
         tinker_piece_draw(&piece, picture->cairo, style);
     }
@@ -201,7 +220,7 @@ static void draw_time(TinkerPicture *picture, double box[4])
     g_autoptr(GString) words = g_string_new("t = ");
     tinker_text_append_number(words, number);
     g_string_append(words, " s");
-    TinkerText text = {.text = words->str, .size = TIME_SIZE, .anchor_y = 1};
+    TinkerText text = {.text = words->str, .size = TIME_SIZE, .anchor_y = 1, .passing = TRUE};
     write_text(picture, &text, CORNER, picture->view->height - CORNER, box);
 }
 
@@ -220,8 +239,8 @@ static void draw_canvas(TinkerPicture *picture)
 static void draw_world(TinkerPicture *picture)
 {
     tinker_style_enter_world(&picture->brush.style, picture->cairo);
-    for (int layer = 0; layer < LAYERS; layer++)
-        draw_layer(picture, layer);
+    for (int layer = 0; layer < TINKER_PICTURE_LAYERS; layer++)
+        draw_layer(picture, picture->visible[layer]);
     if (picture->options->show_local_origins) draw_local_origins(picture);
     draw_handles(picture);
     cairo_restore(picture->cairo);
@@ -236,12 +255,16 @@ void tinker_paint_scene_noting(cairo_t *cairo, TinkerFrame *frame, const TinkerV
     tinker_frame_set_symbol_size(frame, symbol);
     tinker_style_begin(&picture.brush, cairo, options->theme, view, symbol);
     picture.brush.pen.written = written;
+    picture.brush.pen.memory = tinker_paint_memory_texts(options->memory);
     cairo_save(cairo);
+    if (options->quick || tinker_style_is_tiny(&picture.brush.style)) cairo_set_antialias(cairo, CAIRO_ANTIALIAS_FAST);
+    find_visible(&picture);
     draw_background(&picture);
     if (options->show_grid) draw_grid(&picture);
     draw_world(&picture);
     draw_canvas(&picture);
     cairo_restore(cairo);
+    forget_visible(&picture);
     tinker_style_end(&picture.brush);
 }
 

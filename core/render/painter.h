@@ -4,6 +4,7 @@
 
 #include <cairo.h>
 
+#include "render/paint-memory.h"
 #include "render/theme.h"
 #include "render/view.h"
 #include "scene/frame.h"
@@ -18,9 +19,10 @@ typedef struct {
     TinkerBlockId highlighted; /* or TINKER_NO_BLOCK */
     const TinkerBlockId *selected;
     int selected_count;
-    signed char
-        *label_places; /* by block id, zeros at first, the caller's: where each name was put, so that in a film it
-                                  stays on its side of its body. NULL: every picture places its names anew */
+    gboolean quick; /* for a window: edges in coarser shades, at less than half the cost */
+    TinkerPaintMemory
+        *memory; /* that all pictures of a film or a window share: each takes less time, and a name stays on
+                                  its side of its body. NULL: every picture is made by itself */
 } TinkerPaintOptions;
 
 /* The light theme, grid and labels on, time and title off, nothing selected. */

@@ -7,6 +7,9 @@
 /* Length of one canvas unit in m. */
 double tinker_style_unit(const TinkerStyle *style);
 
+/* Whether symbols are too small on the canvas to be told from lines and dots: marks and hatching are left out then. */
+gboolean tinker_style_is_tiny(const TinkerStyle *style);
+
 /* The width of ordinary lines in m: never below a device pixel. */
 double tinker_style_line_width(const TinkerStyle *style);
 

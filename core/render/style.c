@@ -5,14 +5,20 @@
 #include <math.h>
 #include <string.h>
 
-#define SYMBOL_UNITS    20.0 /* canvas units of a symbol, unless that is large beside the blocks */
-#define SYMBOL_SHARE    0.36 /* of a typical block, at most */
-#define HALO_UNITS      6.0
-#define GREATEST_DASHES 2000.0
+#define SYMBOL_UNITS       20.0 /* canvas units of a symbol, unless that is large beside the blocks */
+#define SYMBOL_SHARE       0.36 /* of a typical block, at most */
+#define HALO_UNITS         6.0
+#define LEAST_SYMBOL_UNITS 4.0
+#define GREATEST_DASHES    2000.0
 
 double tinker_style_unit(const TinkerStyle *style)
 {
     return 1 / hypot(style->transform[0], style->transform[3]);
+}
+
+gboolean tinker_style_is_tiny(const TinkerStyle *style)
+{
+    return style->symbol_size < LEAST_SYMBOL_UNITS * tinker_style_unit(style);
 }
 
 double tinker_style_line_width(const TinkerStyle *style)
@@ -74,14 +80,16 @@ void tinker_style_stroke(const TinkerStyle *style, cairo_t *cairo, int32_t colou
     double width = fmax(factor * style->line_width, style->pixel);
     tinker_style_halo(style, cairo, width);
     const double *c = colour_of(style, colour);
+    /* Ends and corners of a line one pixel wide look the same whatever their shape, and round ones take the most time. */
+    gboolean hairline = width <= style->pixel;
     cairo_set_line_width(cairo, width);
-    cairo_set_line_join(cairo, CAIRO_LINE_JOIN_ROUND);
+    cairo_set_line_join(cairo, hairline ? CAIRO_LINE_JOIN_BEVEL : CAIRO_LINE_JOIN_ROUND);
     cairo_set_source_rgba(cairo, c[0], c[1], c[2], c[3]);
     if (style->state & TINKER_STATE_DETACHED) {
         set_dashes(style, cairo, width);
     } else {
         cairo_set_dash(cairo, NULL, 0, 0);
-        cairo_set_line_cap(cairo, CAIRO_LINE_CAP_ROUND);
+        cairo_set_line_cap(cairo, hairline ? CAIRO_LINE_CAP_BUTT : CAIRO_LINE_CAP_ROUND);
     }
     cairo_stroke(cairo);
 }

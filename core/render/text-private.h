@@ -12,14 +12,20 @@ typedef struct {
     char *text;
 } TinkerWrittenText;
 
+/* Texts that have been laid out, for pens that write the same ones again and again. */
+typedef struct _TinkerTextMemory TinkerTextMemory;
+TinkerTextMemory *tinker_text_memory_new(void);
+void tinker_text_memory_free(TinkerTextMemory *memory);
+
 /* What it takes to write. Begin with TINKER_TEXT_PEN_INIT and end with tinker_text_pen_clear. */
 typedef struct {
-    void *layout;       /* PangoLayout, made at the first text */
-    GPtrArray *written; /* of TinkerWrittenText, for whoever wants to know; or NULL. Borrowed */
+    void *layout;             /* PangoLayout, made at the first text */
+    GPtrArray *written;       /* of TinkerWrittenText, for whoever wants to know; or NULL. Borrowed */
+    TinkerTextMemory *memory; /* or NULL. Borrowed */
 } TinkerTextPen;
 #define TINKER_TEXT_PEN_INIT                                                                                           \
     {                                                                                                                  \
-        NULL, NULL                                                                                                     \
+        NULL, NULL, NULL                                                                                               \
     }
 
 /* One text. */
@@ -31,6 +37,7 @@ typedef struct {
     int lines;                 /* where there is a limit, lines that it may be broken into; 0 and 1: one */
     double angle;              /* rad, clockwise on the canvas */
     double anchor_x, anchor_y; /* the point of the text's own box that lies at the place: 0, 0 its upper left corner */
+    gboolean passing;          /* will hardly be written again: no memory keeps it */
 } TinkerText;
 
 void tinker_text_pen_clear(TinkerTextPen *pen);

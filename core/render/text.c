@@ -1,13 +1,19 @@
-/* One PangoLayout is kept by a pen and set anew for every text: layouts are dear to make and cheap to change. It belongs
- * to a context of our own and not to the cairo context's, so that measuring needs no surface and the settings of a
- * desktop (hinting, resolution) change no picture. */
+/* One PangoLayout is kept by a pen and set anew for every text: layouts are dear to make and cheap to change. Where texts
+ * come again in the next picture, a memory keeps one of each. Layouts belong to a context of our own and not to the cairo
+ * context's, so that measuring needs no surface and the settings of a desktop (hinting, resolution) change no picture. */
 #include "render/text-private.h"
 
 #include <math.h>
 #include <pango/pangocairo.h>
 #include <string.h>
 
-#define FAMILY "DejaVu Sans, Sans"
+#define FAMILY    "DejaVu Sans, Sans"
+#define MOST_KEPT 2000 /* layouts in a memory, before it begins anew */
+
+struct _TinkerTextMemory {
+    PangoLayout *layout; /* of texts that are not kept */
+    GHashTable *kept;    /* of PangoLayout, by what was asked for: see key_of */
+};
 
 static void written_text_free(gpointer data)
 {
@@ -36,11 +42,31 @@ static PangoLayout *new_layout(void)
     return layout;
 }
 
-/* The pen's layout, set to this text. */
-static PangoLayout *lay_out(TinkerTextPen *pen, const TinkerText *text)
+TinkerTextMemory *tinker_text_memory_new(void)
 {
-    if (!pen->layout) pen->layout = new_layout();
-    PangoLayout *layout = pen->layout;
+    TinkerTextMemory *memory = g_new0(TinkerTextMemory, 1);
+    memory->layout = new_layout();
+    memory->kept = g_hash_table_new_full(g_str_hash, g_str_equal, g_free, g_object_unref);
+    return memory;
+}
+
+void tinker_text_memory_free(TinkerTextMemory *memory)
+{
+    if (!memory) return;
+    g_hash_table_unref(memory->kept);
+    g_object_unref(memory->layout);
+    g_free(memory);
+}
+
+/* Everything that a layout depends on, as one string. */
+static void write_key(const TinkerText *text, char *key, gsize size)
+{
+    g_snprintf(key, (gulong)size, "%a %a %d %d %d %s", text->size, text->limit, text->bold, text->lines,
+               text->anchor_x == 0.5, text->text ? text->text : "");
+}
+
+static void set_text(PangoLayout *layout, const TinkerText *text)
+{
     PangoFontDescription *font = pango_font_description_new();
     pango_font_description_set_family_static(font, FAMILY);
     pango_font_description_set_weight(font, text->bold ? PANGO_WEIGHT_BOLD : PANGO_WEIGHT_NORMAL);
@@ -63,6 +89,35 @@ static PangoLayout *lay_out(TinkerTextPen *pen, const TinkerText *text)
         g_autofree char *valid = g_utf8_make_valid(utf8, -1);
         pango_layout_set_text(layout, valid, -1);
     }
+}
+
+/* The layout of this text that the memory keeps; NULL where it keeps none of such a length. */
+static PangoLayout *recall(TinkerTextMemory *memory, const TinkerText *text)
+{
+    char key[256];
+    write_key(text, key, sizeof key);
+    if (strlen(key) + 1 == sizeof key) return NULL;
+    PangoLayout *layout = g_hash_table_lookup(memory->kept, key);
+    if (layout) return layout;
+    if (g_hash_table_size(memory->kept) >= MOST_KEPT) g_hash_table_remove_all(memory->kept);
+    layout = pango_layout_new(pango_layout_get_context(memory->layout));
+    set_text(layout, text);
+    g_hash_table_insert(memory->kept, g_strdup(key), layout);
+    return layout;
+}
+
+/* A layout of this text: valid until the pen's next one. */
+static PangoLayout *lay_out(TinkerTextPen *pen, const TinkerText *text)
+{
+    PangoLayout *layout = pen->memory && !text->passing ? recall(pen->memory, text) : NULL;
+    if (layout) return layout;
+    if (pen->memory) {
+        layout = pen->memory->layout;
+    } else {
+        if (!pen->layout) pen->layout = new_layout();
+        layout = pen->layout;
+    }
+    set_text(layout, text);
     return layout;
 }
 

@@ -226,8 +226,8 @@ static gboolean animate(const AnimateOptions *options, const TinkerOpenScene *op
 
     g_auto(Motion) motion = {0};
     if (!run_motion(&motion, options, open, speed / fps, failure, error)) return FALSE;
-    g_autofree signed char *label_places = g_new0(signed char, tinker_scene_id_limit(open->scene) + 1);
-    paint.label_places = label_places;
+    g_autoptr(TinkerPaintMemory) memory = tinker_paint_memory_new();
+    paint.memory = memory;
     g_autoptr(TinkerFilm) film = tinker_film_new(options->output, width, height, fps, error);
     if (film == NULL) return FALSE;
     TinkerProgress progress = tinker_progress_start("drawing");

@@ -78,6 +78,47 @@ double *benchmark_level_angles(int count)
     return angles;
 }
 
+/* A body that is seen. */
+static void add_body(GString *text, const char *type, const char *letter, int number, double x, double y)
+{
+    g_string_append_printf(text, "{\"type\": \"%s\", \"name\": \"%s%d\", \"position\": [", type, letter, number);
+    add_number(text, x);
+    g_string_append(text, ", ");
+    add_number(text, y);
+    g_string_append(text, "], \"width\": 0.3, \"height\": 0.3},\n");
+}
+
+char *benchmark_net(int n)
+{
+    GString *text = g_string_new(head);
+    for (int i = 0; i < n; i++)
+        add_body(text, "support", "S", i, i, n);
+    for (int i = 0; i < n * n; i++)
+        add_body(text, "mass", "M", i, i % n, n - 1 - i / n);
+    for (int i = 0; i < n * n; i++) {
+        g_autofree char *above = i < n ? g_strdup_printf("S%d", i) : g_strdup_printf("M%d", i - n);
+        g_string_append_printf(text, "{\"type\": \"spring\", \"ends\": [\"%s\", \"M%d\"], \"rest_length\": 1},\n",
+                               above, i);
+        if (i % n == n - 1) continue;
+        g_string_append_printf(text, "{\"type\": \"spring\", \"ends\": [\"M%d\", \"M%d\"], \"rest_length\": 1},\n", i,
+                               i + 1);
+    }
+    return end_text(text);
+}
+
+char *benchmark_pendulums(int count)
+{
+    GString *text = g_string_new(head);
+    int columns = MAX((int)ceil(sqrt(2.0 * count)), 1);
+    for (int i = 0; i < count; i++) {
+        double x = 1.0 * (i % columns), y = -1.6 * (i / columns), angle = 0.5 * sin(i);
+        add_body(text, "support", "S", i, x, y);
+        add_body(text, "mass", "M", i, x + sin(angle), y - cos(angle));
+        g_string_append_printf(text, "{\"type\": \"rod\", \"ends\": [\"S%d\", \"M%d\"]},\n", i, i);
+    }
+    return end_text(text);
+}
+
 /* Between -1 and 1, without a pattern: the fractions of multiples of an irrational number. */
 static double scatter(int number)
 {

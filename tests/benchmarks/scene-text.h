@@ -24,6 +24,13 @@ double *benchmark_lattice_places(int n);
 char *benchmark_stiff_chain(void);
 double *benchmark_stiff_chain_rests(void);
 
+/* For pictures: a square of n times n masses of some size, 1 m apart, with a spring to each of its four neighbours, hung from
+ * a row of supports. */
+char *benchmark_net(int n);
+
+/* Likewise: pendulums of 1 m, each with a support of its own, in a field half as high as it is wide. */
+char *benchmark_pendulums(int count);
+
 /* Writes a scene of `masses` masses and four springs for each of them. */
 void benchmark_write_large(FILE *file, int masses);
 
