@@ -6,6 +6,7 @@
 
 #define COIL_HALF_WIDTH 0.42 /* of the symbol size */
 #define COIL_PITCH      0.6  /* length of a turn at rest, likewise, where the number of turns is not limited */
+#define LEAST_PITCH     7.0  /* canvas units: likewise, at least */
 #define LEAST_TURNS     4
 #define GREATEST_TURNS  16
 #define LEAD_SHARE      0.12 /* of the length: the straight piece at each end of a coil */
@@ -43,8 +44,9 @@ static void leave(const TinkerStyle *style, cairo_t *cairo, int32_t colour)
 static int turns_of(const TinkerStyle *style, double length, double rest_length)
 {
     double rest = isfinite(rest_length) && rest_length > 0 ? rest_length : length;
-    double turns = CLAMP(round(rest / (COIL_PITCH * style->symbol_size)), LEAST_TURNS, GREATEST_TURNS);
-    double visible = (1 - 2 * LEAD_SHARE) * length / (2 * LEAST_TOOTH * tinker_style_unit(style));
+    double unit = tinker_style_unit(style), pitch = fmax(COIL_PITCH * style->symbol_size, LEAST_PITCH * unit);
+    double turns = CLAMP(round(rest / pitch), LEAST_TURNS, GREATEST_TURNS);
+    double visible = (1 - 2 * LEAD_SHARE) * length / (2 * LEAST_TOOTH * unit);
     return (int)fmax(1, fmin(turns, floor(visible)));
 }
 

@@ -6,11 +6,9 @@
 
 #include "render/plot-private.h"
 
-#define GREATEST_VALUE    1e300
-#define LEAST_VALUE       1e-300 /* of a logarithmic axis */
-#define CONSTANT_RANGE    1e-12  /* of the values: what varies less is rounding, and shown as constant */
-#define MOST_DIGITS       5      /* of a label, before an offset is taken off */
-#define LEAST_EXPONENT    (-2)   /* of the greatest label, without a factor */
+#define CONSTANT_RANGE    1e-12 /* of the values: what varies less is rounding, and shown as constant */
+#define MOST_DIGITS       5     /* of a label, before an offset is taken off */
+#define LEAST_EXPONENT    (-2)  /* of the greatest label, without a factor */
 #define GREATEST_EXPONENT 4
 
 /* How labels are shortened: shown = (value - offset) / 10^exponent. */
@@ -29,17 +27,17 @@ void tinker_axis_set_range(TinkerAxis *axis, double least, double greatest, doub
         margin = 0;
     }
     if (axis->logarithmic) {
-        axis->low = log10(CLAMP(least, LEAST_VALUE, GREATEST_VALUE));
-        axis->high = log10(CLAMP(greatest, LEAST_VALUE, GREATEST_VALUE));
+        axis->low = log10(CLAMP(least, TINKER_AXIS_LEAST, TINKER_AXIS_GREATEST));
+        axis->high = log10(CLAMP(greatest, TINKER_AXIS_LEAST, TINKER_AXIS_GREATEST));
         if (axis->high - axis->low < 1e-9) {
             axis->low -= 0.5;
             axis->high += 0.5;
         }
     } else {
-        axis->low = CLAMP(least, -GREATEST_VALUE, GREATEST_VALUE);
-        axis->high = CLAMP(greatest, -GREATEST_VALUE, GREATEST_VALUE);
+        axis->low = CLAMP(least, -TINKER_AXIS_GREATEST, TINKER_AXIS_GREATEST);
+        axis->high = CLAMP(greatest, -TINKER_AXIS_GREATEST, TINKER_AXIS_GREATEST);
         double size = fmax(fabs(axis->low), fabs(axis->high));
-        if (size < LEAST_VALUE) {
+        if (size < TINKER_AXIS_LEAST) {
             axis->low = -1;
             axis->high = 1;
         } else if (axis->high - axis->low <= CONSTANT_RANGE * size) {
@@ -51,14 +49,6 @@ void tinker_axis_set_range(TinkerAxis *axis, double least, double greatest, doub
     double room = margin * (axis->high - axis->low);
     axis->low -= room;
     axis->high += room;
-}
-
-double tinker_axis_place(const TinkerAxis *axis, double value)
-{
-    if (axis->logarithmic) value = value > 0 ? log10(fmax(value, LEAST_VALUE)) : NAN;
-    if (!isfinite(value)) return NAN;
-    value = CLAMP(value, -GREATEST_VALUE, GREATEST_VALUE);
-    return axis->start + (value - axis->low) / (axis->high - axis->low) * axis->length;
 }
 
 void tinker_axis_clear(TinkerAxis *axis)

@@ -16,7 +16,7 @@
 typedef struct {
     TinkerPathFunction path;
     gpointer data;
-    double column_width, column;
+    double column_width, from, to; /* the open column's borders */
     gboolean open, starts;
     double first[2], low[2], high[2], last[2];
     gsize low_at, high_at, count;
@@ -49,11 +49,11 @@ static void set_point(double to[2], double x, double y)
 
 static void add_point(Thinner *thinner, double x, double y)
 {
-    double column = floor(x / thinner->column_width);
-    if (!thinner->open || column != thinner->column) {
+    if (!thinner->open || x < thinner->from || x >= thinner->to) {
         close_column(thinner);
         thinner->open = TRUE;
-        thinner->column = column;
+        thinner->from = floor(x / thinner->column_width) * thinner->column_width;
+        thinner->to = thinner->from + thinner->column_width;
         thinner->count = thinner->low_at = thinner->high_at = 0;
         set_point(thinner->first, x, y);
         set_point(thinner->low, x, y);
@@ -174,32 +174,53 @@ void tinker_plot_draw_marker(cairo_t *cairo, const TinkerCurve *curve, double x,
 
 /* Drawing -------------------------------------------------------------------------------------------------------------- */
 
+/* A curve on its way to the path. */
+typedef struct {
+    cairo_t *cairo;
+    double x, y;      /* the point before */
+    gsize run;        /* points since the pen came down */
+    GArray *isolated; /* of x and y in turns: points between two gaps; made at the first */
+} Pen;
+
+/* The pen goes up: a lone point is noted. */
+static void lift(Pen *pen)
+{
+    if (pen->run == 1) {
+        if (!pen->isolated) pen->isolated = g_array_new(FALSE, FALSE, sizeof(double));
+        g_array_append_vals(pen->isolated, (double[]){pen->x, pen->y}, 2);
+    }
+    pen->run = 0;
+}
+
 static void draw_to(double x, double y, gboolean starts, gpointer data)
 {
-    if (starts)
-        cairo_move_to(data, x, y);
-    else
-        cairo_line_to(data, x, y);
+    Pen *pen = data;
+    if (starts) {
+        lift(pen);
+        cairo_move_to(pen->cairo, x, y);
+    } else {
+        cairo_line_to(pen->cairo, x, y);
+    }
+    pen->x = x;
+    pen->y = y;
+    pen->run++;
 }
 
 /* A sample between two gaps has no line: it is a dot, a little wider than the line so that it is seen. */
-static void draw_isolated(cairo_t *cairo, const TinkerPlotLayout *layout, const TinkerCurve *curve)
+static void draw_line(cairo_t *cairo, const TinkerPlotLayout *layout, const TinkerCurve *curve, double column_width)
 {
-    gboolean before = FALSE, here = FALSE;
-    double x = 0, y = 0, next_x, next_y;
-    for (gsize i = 0; i <= curve->count; i++) {
-        gboolean next = i < curve->count && tinker_plot_place(layout, curve, i, &next_x, &next_y);
-        if (here && !before && !next) {
-            cairo_arc(cairo, x, y, TINKER_PLOT_LINE, 0, 2 * G_PI);
-            cairo_fill(cairo);
-        }
-        before = here;
-        here = next;
-        if (next) {
-            x = next_x;
-            y = next_y;
-        }
+    Pen pen = {.cairo = cairo};
+    cairo_new_path(cairo);
+    tinker_plot_walk(layout, curve, column_width, draw_to, &pen);
+    lift(&pen);
+    cairo_stroke(cairo);
+    if (!pen.isolated) return;
+    for (guint i = 0; i < pen.isolated->len; i += 2) {
+        const double *point = &g_array_index(pen.isolated, double, i);
+        cairo_arc(cairo, point[0], point[1], TINKER_PLOT_LINE, 0, 2 * G_PI);
+        cairo_fill(cairo);
     }
+    g_array_unref(pen.isolated);
 }
 
 static void draw_markers(cairo_t *cairo, const TinkerPlotLayout *layout, const TinkerCurve *curve)
@@ -219,12 +240,7 @@ void tinker_plot_draw_curve(cairo_t *cairo, const TinkerPlotLayout *layout, cons
                             double column_width)
 {
     tinker_plot_set_curve_style(cairo, layout, curve);
-    if (tinker_plot_has_line(curve)) {
-        cairo_new_path(cairo);
-        tinker_plot_walk(layout, curve, column_width, draw_to, cairo);
-        cairo_stroke(cairo);
-        draw_isolated(cairo, layout, curve);
-    }
+    if (tinker_plot_has_line(curve)) draw_line(cairo, layout, curve, column_width);
     if (tinker_plot_has_markers(curve)) draw_markers(cairo, layout, curve);
 }
 

@@ -5,10 +5,7 @@
 #include "render/occupancy-private.h"
 #include "render/plot-private.h"
 
-#define ROW          17.0 /* canvas units */
-#define SAMPLE       26.0 /* length of a curve's sample */
-#define INNER        7.0  /* between frame and content */
-#define INSET        9.0  /* between the legend and the plot's frame */
+#define INNER        7.0 /* canvas units: between frame and content */
 #define CELL         4.0
 #define WIDEST       0.45 /* of the plot: labels are cut beyond */
 #define WIDEST_ASIDE 0.3  /* of the picture: likewise of a legend beside the plot */
@@ -34,7 +31,7 @@ static double widest_label(TinkerPlotLayout *layout, double limit)
     for (int i = 0; i < layout->plot->curve_count; i++) {
         if (!label_of(layout, i)) continue;
         double width, height;
-        TinkerText text = {.text = label_of(layout, i), .size = TINKER_PLOT_TICK_TEXT, .limit = limit};
+        TinkerText text = {.text = label_of(layout, i), .size = layout->sizes->tick_text, .limit = limit};
         tinker_text_measure(layout->pen, &text, &width, &height);
         widest = fmax(widest, width);
     }
@@ -84,14 +81,15 @@ static double find_inside(TinkerPlotLayout *layout, double width, double height)
 {
     static const double spots[8][2] = {{1, 0}, {0, 0}, {1, 1}, {0, 1}, {1, 0.5}, {0, 0.5}, {0.5, 0}, {0.5, 1}};
     Trace trace;
-    double across = layout->right - layout->left - 2 * INSET - width;
-    double down = layout->bottom - layout->top - 2 * INSET - height;
+    double across = layout->right - layout->left - 2 * layout->sizes->legend_inset - width;
+    double down = layout->bottom - layout->top - 2 * layout->sizes->legend_inset - height;
     tinker_occupancy_init(&trace.map, layout->left, layout->top, layout->right - layout->left,
                           layout->bottom - layout->top, CELL);
     trace_curves(layout, &trace);
     double best = INFINITY;
     for (int i = 0; i < 8 && best > 0; i++) {
-        double x = layout->left + INSET + spots[i][0] * across, y = layout->top + INSET + spots[i][1] * down;
+        double x = layout->left + layout->sizes->legend_inset + spots[i][0] * across,
+               y = layout->top + layout->sizes->legend_inset + spots[i][1] * down;
         const double box[4] = {x, y, x + width, y + height};
         double share = tinker_occupancy_share(&trace.map, box, TINKER_TAKEN_BY_DRAWING);
         if (share >= best) continue;
@@ -107,19 +105,20 @@ void tinker_plot_place_legend(TinkerPlotLayout *layout)
 {
     TinkerLegend *legend = &layout->legend;
     int entries = count_entries(layout);
-    double room = layout->bottom - layout->top - 2 * INSET - 2 * INNER;
-    int rows = MIN(entries, (int)floor(room / ROW));
+    double room = layout->bottom - layout->top - 2 * layout->sizes->legend_inset - 2 * INNER;
+    int rows = MIN(entries, (int)floor(room / layout->sizes->legend_row));
     legend->kind = TINKER_LEGEND_NONE;
     if (rows < 1) return;
     legend->entries = rows < entries ? rows - 1 : entries;
-    legend->limit = fmax(WIDEST * (layout->right - layout->left) - SAMPLE - 3 * INNER, 20);
-    double width = widest_label(layout, legend->limit) + SAMPLE + 3 * INNER, height = rows * ROW + 2 * INNER - 3;
+    legend->limit = fmax(WIDEST * (layout->right - layout->left) - layout->sizes->legend_sample - 3 * INNER, 20);
+    double width = widest_label(layout, legend->limit) + layout->sizes->legend_sample + 3 * INNER,
+           height = rows * layout->sizes->legend_row + 2 * INNER - 3;
     double share = find_inside(layout, width, height);
     double aside = fmin(width, WIDEST_ASIDE * layout->width);
     legend->kind = TINKER_LEGEND_INSIDE;
     if (share <= 0 || aside < fmin(width, LEAST_ASIDE)) return;
     legend->kind = TINKER_LEGEND_OUTSIDE;
-    legend->limit = fmin(legend->limit, aside - SAMPLE - 3 * INNER);
+    legend->limit = fmin(legend->limit, aside - layout->sizes->legend_sample - 3 * INNER);
     legend->box[2] = legend->box[0] + aside;
 }
 
@@ -129,18 +128,18 @@ static void draw_entry(cairo_t *cairo, const TinkerPlotLayout *layout, int curve
     tinker_plot_set_curve_style(cairo, layout, drawn);
     if (tinker_plot_has_line(drawn) && drawn->count != 1) {
         cairo_move_to(cairo, x, y);
-        cairo_line_to(cairo, x + SAMPLE, y);
+        cairo_line_to(cairo, x + layout->sizes->legend_sample, y);
         cairo_stroke(cairo);
     }
-    if (tinker_plot_has_markers(drawn)) tinker_plot_draw_marker(cairo, drawn, x + SAMPLE / 2, y);
+    if (tinker_plot_has_markers(drawn)) tinker_plot_draw_marker(cairo, drawn, x + layout->sizes->legend_sample / 2, y);
 }
 
 static void draw_label(cairo_t *cairo, const TinkerPlotLayout *layout, const char *label, double x, double y)
 {
     const double *c = layout->theme->colours[TINKER_COLOUR_TEXT];
-    TinkerText text = {.text = label, .size = TINKER_PLOT_TICK_TEXT, .limit = layout->legend.limit, .anchor_y = 0.5};
+    TinkerText text = {.text = label, .size = layout->sizes->tick_text, .limit = layout->legend.limit, .anchor_y = 0.5};
     cairo_set_source_rgba(cairo, c[0], c[1], c[2], c[3]);
-    tinker_text_draw(layout->pen, cairo, &text, x + SAMPLE + INNER, y);
+    tinker_text_draw(layout->pen, cairo, &text, x + layout->sizes->legend_sample + INNER, y);
 }
 
 void tinker_plot_draw_legend(cairo_t *cairo, const TinkerPlotLayout *layout)
@@ -153,15 +152,16 @@ void tinker_plot_draw_legend(cairo_t *cairo, const TinkerPlotLayout *layout)
     cairo_fill_preserve(cairo);
     cairo_set_source_rgba(cairo, edge[0], edge[1], edge[2], edge[3]);
     cairo_set_line_width(cairo, 1);
-    cairo_stroke(cairo);
+    if (!layout->plot->compact) cairo_stroke(cairo);
+    cairo_new_path(cairo);
 
-    double x = box[0] + INNER, y = box[1] + INNER - 1.5 + ROW / 2;
+    double x = box[0] + INNER, y = box[1] + INNER - 1.5 + layout->sizes->legend_row / 2;
     int shown = 0;
     for (int i = 0; i < layout->plot->curve_count && shown < legend->entries; i++) {
         if (!label_of(layout, i)) continue;
         draw_entry(cairo, layout, i, x, y);
         draw_label(cairo, layout, label_of(layout, i), x, y);
-        y += ROW;
+        y += layout->sizes->legend_row;
         shown++;
     }
     int left_out = count_entries(layout) - shown;

@@ -2,15 +2,25 @@
 #ifndef TINKER_RENDER_PLOT_PRIVATE_H
 #define TINKER_RENDER_PLOT_PRIVATE_H
 
+#include <math.h>
+
 #include "render/plot.h"
 #include "render/text-private.h"
 
-#define TINKER_PLOT_TEXT       12.0 /* sizes, canvas units */
-#define TINKER_PLOT_TITLE      15.0
-#define TINKER_PLOT_TICK_TEXT  11.0
-#define TINKER_PLOT_LINE       1.8
-#define TINKER_PLOT_TICK_GAP   7.0 /* between the frame and tick labels: those of both axes meet in the corner */
+#define TINKER_PLOT_LINE       1.8 /* canvas units */
 #define TINKER_PLOT_MOST_TICKS 24
+
+/* Sizes of texts and of the room about them, canvas units. */
+typedef struct {
+    double text, title, tick_text;
+    double pad;         /* between parts */
+    double tick_gap;    /* between the frame and tick labels: those of both axes meet in the corner */
+    double label_room;  /* between tick labels of the x axis, at least */
+    double column, row; /* what one tick of the x axis gets at least, and one of the y axis */
+    double legend_row;
+    double legend_sample; /* length of a curve's sample */
+    double legend_inset;  /* between the legend and the plot's frame */
+} TinkerPlotSizes;
 
 /* One axis. `low` and `high` are what it shows, as common logarithms where it is logarithmic. */
 typedef struct {
@@ -33,8 +43,17 @@ void tinker_axis_choose_ticks(TinkerAxis *axis, int most, const char *label);
 
 void tinker_axis_clear(TinkerAxis *axis);
 
+#define TINKER_AXIS_GREATEST 1e300
+#define TINKER_AXIS_LEAST    1e-300 /* of a logarithmic axis */
+
 /* Where a number of the data lies on the canvas; NAN where it cannot be shown. */
-double tinker_axis_place(const TinkerAxis *axis, double value);
+static inline double tinker_axis_place(const TinkerAxis *axis, double value)
+{
+    if (axis->logarithmic) value = value > 0 ? log10(fmax(value, TINKER_AXIS_LEAST)) : NAN;
+    if (!isfinite(value)) return NAN;
+    value = CLAMP(value, -TINKER_AXIS_GREATEST, TINKER_AXIS_GREATEST);
+    return axis->start + (value - axis->low) / (axis->high - axis->low) * axis->length;
+}
 
 /* Where the legend stands. */
 typedef enum { TINKER_LEGEND_NONE, TINKER_LEGEND_INSIDE, TINKER_LEGEND_OUTSIDE } TinkerLegendKind;
@@ -49,9 +68,12 @@ typedef struct {
 typedef struct {
     const TinkerPlot *plot;
     const TinkerTheme *theme;
+    const TinkerPlotSizes *sizes;
     TinkerTextPen *pen;
     double width, height;
     double left, top, right, bottom; /* the rectangle of the curves */
+    double x_range[2], y_range[2]; /* from, to: of the data, or as the plot asks for; from > to where there are none */
+    gboolean with_marks;           /* curves have marks, which need room at the sides */
     TinkerAxis x, y;
     TinkerLegend legend;
 } TinkerPlotLayout;
@@ -81,6 +103,12 @@ gboolean tinker_plot_has_line(const TinkerCurve *curve);
 /* Finds a place for the legend; OUTSIDE where the rectangle of the curves must give way for it. */
 void tinker_plot_place_legend(TinkerPlotLayout *layout);
 void tinker_plot_draw_legend(cairo_t *cairo, const TinkerPlotLayout *layout);
+
+/* The cursor with its dots, and the point that is read with its bubble, whose box `box` is; plot-marks.c. FALSE where there is
+ * no such point on the plot. */
+void tinker_plot_draw_cursor(cairo_t *cairo, const TinkerPlotLayout *layout);
+gboolean tinker_plot_place_reading(const TinkerPlotLayout *layout, double box[4]);
+void tinker_plot_draw_reading(cairo_t *cairo, const TinkerPlotLayout *layout);
 
 /* tinker_plot_draw, which also notes every text it writes in `written` (may be NULL). */
 void tinker_plot_draw_noting(cairo_t *cairo, const TinkerPlot *plot, double width, double height, GPtrArray *written);

@@ -1,15 +1,16 @@
-/* The plot's ink: ground, grid, bands, curves, frame and ticks, texts, legend, in this order. */
+/* The plot's ink: ground, grid, bands, curves, frame and ticks, legend, cursor, texts, reading, in this order. */
 #include "render/plot.h"
 
 #include <math.h>
 
+#include "render/paint-memory-private.h"
 #include "render/plot-private.h"
 #include "render/surface-private.h"
 
-#define PAD             8.0
 #define TICK_LENGTH     4.0
 #define MOST_UNLABELLED 4   /* powers of ten from one label to the next, for lines at those between */
-#define FINEST          0.5 /* of a device pixel: width of the columns that curves are thinned to */
+#define FINEST          0.5 /* device pixels: width of the columns that curves are thinned to */
+#define COARSE          1.0 /* likewise where it has to be quick */
 
 static void set_colour(cairo_t *cairo, const double colour[4], double share)
 {
@@ -97,18 +98,18 @@ static void draw_frame(cairo_t *cairo, const TinkerPlotLayout *layout)
 
 static void draw_tick_labels(cairo_t *cairo, const TinkerPlotLayout *layout)
 {
-    TinkerText text = {.size = TINKER_PLOT_TICK_TEXT, .anchor_x = 0.5};
+    TinkerText text = {.size = layout->sizes->tick_text, .anchor_x = 0.5};
     for (int i = 0; i < layout->x.tick_count; i++) {
         text.text = layout->x.labels[i];
         double x = place_of_tick(&layout->x, layout->x.ticks[i]);
-        tinker_text_draw(layout->pen, cairo, &text, x, layout->bottom + TINKER_PLOT_TICK_GAP);
+        tinker_text_draw(layout->pen, cairo, &text, x, layout->bottom + layout->sizes->tick_gap);
     }
     text.anchor_x = 1;
     text.anchor_y = 0.5;
     for (int i = 0; i < layout->y.tick_count; i++) {
         text.text = layout->y.labels[i];
         double y = place_of_tick(&layout->y, layout->y.ticks[i]);
-        tinker_text_draw(layout->pen, cairo, &text, layout->left - TINKER_PLOT_TICK_GAP, y);
+        tinker_text_draw(layout->pen, cairo, &text, layout->left - layout->sizes->tick_gap, y);
     }
 }
 
@@ -122,36 +123,39 @@ static double held_between(double middle, double width, double from, double to)
 static double draw_title(cairo_t *cairo, const TinkerPlotLayout *layout)
 {
     TinkerText title = {.text = layout->plot->title,
-                        .size = TINKER_PLOT_TITLE,
+                        .size = layout->sizes->title,
                         .bold = TRUE,
-                        .limit = layout->width - 2 * PAD,
+                        .limit = layout->width - 2 * layout->sizes->pad,
                         .lines = 2,
                         .anchor_x = 0.5};
     double width, height, middle = (layout->left + layout->right) / 2;
     if (!title.text || !*title.text) return 0;
     tinker_text_measure(layout->pen, &title, &width, &height);
-    tinker_text_draw(layout->pen, cairo, &title, held_between(middle, width, PAD, layout->width - PAD), PAD);
-    return PAD + height;
+    tinker_text_draw(layout->pen, cairo, &title,
+                     held_between(middle, width, layout->sizes->pad, layout->width - layout->sizes->pad),
+                     layout->sizes->pad);
+    return layout->sizes->pad + height;
 }
 
 static void draw_axis_titles(cairo_t *cairo, const TinkerPlotLayout *layout, double top)
 {
     double width, height, middle = (layout->left + layout->right) / 2, centre = (layout->top + layout->bottom) / 2;
-    double right = layout->width - PAD, bottom = layout->height - PAD;
+    double right = layout->width - layout->sizes->pad, bottom = layout->height - layout->sizes->pad;
     TinkerText across = {.text = layout->x.title,
-                         .size = TINKER_PLOT_TEXT,
-                         .limit = fmax(right - layout->left, PAD),
+                         .size = layout->sizes->text,
+                         .limit = fmax(right - layout->left, layout->sizes->pad),
                          .anchor_x = 0.5,
                          .anchor_y = 1};
     tinker_text_measure(layout->pen, &across, &width, &height);
     tinker_text_draw(layout->pen, cairo, &across, held_between(middle, width, layout->left, right), bottom);
     TinkerText up = {.text = layout->y.title,
-                     .size = TINKER_PLOT_TEXT,
-                     .limit = fmax(bottom - top - PAD / 2, PAD),
+                     .size = layout->sizes->text,
+                     .limit = fmax(bottom - top - layout->sizes->pad / 2, layout->sizes->pad),
                      .angle = -G_PI / 2,
                      .anchor_x = 0.5};
     tinker_text_measure(layout->pen, &up, &width, &height);
-    tinker_text_draw(layout->pen, cairo, &up, PAD, held_between(centre, width, top + PAD / 2, bottom));
+    tinker_text_draw(layout->pen, cairo, &up, layout->sizes->pad,
+                     held_between(centre, width, top + layout->sizes->pad / 2, bottom));
 }
 
 static void draw_texts(cairo_t *cairo, const TinkerPlotLayout *layout)
@@ -163,20 +167,20 @@ static void draw_texts(cairo_t *cairo, const TinkerPlotLayout *layout)
 
 static void draw_no_data(cairo_t *cairo, const TinkerPlotLayout *layout)
 {
-    TinkerText text = {.text = "no data", .size = TINKER_PLOT_TITLE, .anchor_x = 0.5, .anchor_y = 0.5};
+    TinkerText text = {.text = "no data", .size = layout->sizes->title, .anchor_x = 0.5, .anchor_y = 0.5};
     set_colour(cairo, layout->theme->colours[TINKER_COLOUR_DETACHED], 1);
     tinker_text_draw(layout->pen, cairo, &text, (layout->left + layout->right) / 2, (layout->top + layout->bottom) / 2);
 }
 
 /* Curves --------------------------------------------------------------------------------------------------------------- */
 
-static double column_width(cairo_t *cairo)
+static double column_width(cairo_t *cairo, gboolean quick)
 {
     double across = 1, down = 0, device_x = 1, device_y = 1;
     cairo_user_to_device_distance(cairo, &across, &down);
     cairo_surface_get_device_scale(cairo_get_group_target(cairo), &device_x, &device_y);
     double pixels = hypot(across, down) * device_x;
-    return FINEST / (isfinite(pixels) && pixels > 0.01 ? pixels : 1);
+    return (quick ? COARSE : FINEST) / (isfinite(pixels) && pixels > 0.01 ? pixels : 1);
 }
 
 static void clip_to_frame(cairo_t *cairo, const TinkerPlotLayout *layout, double beyond)
@@ -189,7 +193,7 @@ static void clip_to_frame(cairo_t *cairo, const TinkerPlotLayout *layout, double
 static void draw_curves(cairo_t *cairo, const TinkerPlotLayout *layout)
 {
     const TinkerPlot *plot = layout->plot;
-    double column = column_width(cairo);
+    double column = column_width(cairo, plot->quick);
     cairo_save(cairo);
     clip_to_frame(cairo, layout, 0);
     for (int i = 0; i < plot->curve_count; i++)
@@ -205,11 +209,12 @@ static void draw_curves(cairo_t *cairo, const TinkerPlotLayout *layout)
 
 void tinker_plot_draw_noting(cairo_t *cairo, const TinkerPlot *plot, double width, double height, GPtrArray *written)
 {
-    TinkerTextPen pen = {.written = written};
+    TinkerTextPen pen = {.written = written, .memory = tinker_paint_memory_texts(plot->memory)};
     TinkerPlotLayout layout;
     tinker_plot_lay_out(&layout, plot, &pen, width, height);
     gboolean has_text = layout.left > 2;
     cairo_save(cairo);
+    if (plot->quick) cairo_set_antialias(cairo, CAIRO_ANTIALIAS_FAST);
     set_colour(cairo, layout.theme->background, 1);
     cairo_rectangle(cairo, 0, 0, width, height);
     cairo_fill(cairo);
@@ -220,8 +225,10 @@ void tinker_plot_draw_noting(cairo_t *cairo, const TinkerPlot *plot, double widt
     } else {
         draw_curves(cairo, &layout);
         tinker_plot_draw_legend(cairo, &layout);
+        tinker_plot_draw_cursor(cairo, &layout);
     }
     if (has_text) draw_texts(cairo, &layout);
+    if (!layout.x.empty && !layout.y.empty) tinker_plot_draw_reading(cairo, &layout);
     cairo_restore(cairo);
     tinker_plot_layout_clear(&layout);
     tinker_text_pen_clear(&pen);
@@ -246,7 +253,7 @@ gboolean tinker_plot_to_file(const TinkerPlot *plot, int width, int height, cons
 gboolean tinker_plot_pick(const TinkerPlot *plot, double width, double height, double canvas_x, double canvas_y,
                           double reach, TinkerPlotPoint *found)
 {
-    TinkerTextPen pen = TINKER_TEXT_PEN_INIT;
+    TinkerTextPen pen = {.memory = tinker_paint_memory_texts(plot->memory)};
     TinkerPlotLayout layout;
     double nearest = reach;
     gboolean any = FALSE;

@@ -5,6 +5,7 @@
 #include <cairo.h>
 #include <glib.h>
 
+#include "render/paint-memory.h"
 #include "render/theme.h"
 
 /* What a curve is for. */
@@ -25,6 +26,13 @@ typedef struct {
     TinkerCurveRole role;
 } TinkerCurve;
 
+/* A point of a curve that is pointed out, with its values in a bubble beside it. */
+typedef struct {
+    int curve;
+    gsize point;
+    const char *x, *y; /* the bubble's lines, "t = 1.25 s"; NULL: left out */
+} TinkerPlotReading;
+
 typedef struct {
     const char *title;   /* may be NULL */
     const char *x_label; /* "Time [s]" */
@@ -35,6 +43,12 @@ typedef struct {
     const TinkerCurve *curves;
     int curve_count;
     const TinkerTheme *theme;
+    gboolean compact; /* for a small graph among others: smaller texts and margins, fewer ticks, a bare legend */
+    /* Of a graph in a window */
+    const double *cursor;             /* x of an upright line with a dot on every curve there: "now"; NULL: none */
+    const TinkerPlotReading *reading; /* NULL: none */
+    gboolean quick;                   /* edges in coarser shades, at less than half the cost */
+    TinkerPaintMemory *memory;        /* that all pictures of the graph share, so that each takes less time; or NULL */
 } TinkerPlot;
 
 /* Draws the plot into the rectangle (0, 0, width, height) of the context. Long records are thinned to what pixels can

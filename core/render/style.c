@@ -9,6 +9,8 @@
 #define SYMBOL_SHARE       0.36 /* of a typical block, at most */
 #define HALO_UNITS         6.0
 #define LEAST_SYMBOL_UNITS 4.0
+#define THIN_PIXELS_COARSE 2.0
+#define THIN_PIXELS        1.4
 #define GREATEST_DASHES    2000.0
 
 double tinker_style_unit(const TinkerStyle *style)
@@ -80,10 +82,11 @@ void tinker_style_stroke(const TinkerStyle *style, cairo_t *cairo, int32_t colou
     double width = fmax(factor * style->line_width, style->pixel);
     tinker_style_halo(style, cairo, width);
     const double *c = colour_of(style, colour);
-    /* Ends and corners of a line one pixel wide look the same whatever their shape, and round ones take the most time. */
-    gboolean hairline = width <= style->pixel;
+    /* Ends and corners of a thin line look the same whatever their shape, and round ones take the most time. */
+    gboolean hairline = width <= style->pixel, coarse = cairo_get_antialias(cairo) == CAIRO_ANTIALIAS_FAST;
+    gboolean thin = width <= (coarse ? THIN_PIXELS_COARSE : THIN_PIXELS) * style->pixel;
     cairo_set_line_width(cairo, width);
-    cairo_set_line_join(cairo, hairline ? CAIRO_LINE_JOIN_BEVEL : CAIRO_LINE_JOIN_ROUND);
+    cairo_set_line_join(cairo, thin ? CAIRO_LINE_JOIN_BEVEL : CAIRO_LINE_JOIN_ROUND);
     cairo_set_source_rgba(cairo, c[0], c[1], c[2], c[3]);
     if (style->state & TINKER_STATE_DETACHED) {
         set_dashes(style, cairo, width);

@@ -165,10 +165,15 @@ static double report_graph(BenchmarkReport *report, gsize points, double goal)
     }
     cairo_surface_t *surface = cairo_image_surface_create(CAIRO_FORMAT_ARGB32, PLOT_WIDTH, PLOT_HEIGHT);
     Graph graph = {.curve = {.label = "y", .x = t, .y = y, .count = points}, .cairo = cairo_create(surface)};
-    graph.plot =
-        (TinkerPlot){.x_label = "Time [s]", .y_label = "Y Position [m]", .curves = &graph.curve, .curve_count = 1};
+    graph.plot = (TinkerPlot){.x_label = "Time [s]",
+                              .y_label = "Y Position [m]",
+                              .curves = &graph.curve,
+                              .curve_count = 1,
+                              .quick = TRUE,
+                              .memory = tinker_paint_memory_new()};
     ms = milliseconds(work_plotting, work_plotting, &graph, &ignored);
     benchmark_report_figure(report, name, "drawn", ms, "ms", goal);
+    tinker_paint_memory_free(graph.plot.memory);
     cairo_destroy(graph.cairo);
     cairo_surface_destroy(surface);
     return ms;
