@@ -29,6 +29,11 @@ void tinker_model_start_places(const TinkerModel *model, double *q)
     memcpy(q, model->q_start, 2 * (gsize)model->bodies * sizeof(double));
 }
 
+void tinker_model_start_velocities(const TinkerModel *model, double *v)
+{
+    memcpy(v, model->v_start, 2 * (gsize)model->bodies * sizeof(double));
+}
+
 TinkerBlockId tinker_model_body_block(const TinkerModel *model, int32_t body)
 {
     return model->body_blocks[body];

@@ -49,8 +49,10 @@ TinkerLinearisation *tinker_linearise(TinkerModel *model, const double *q, GErro
 void tinker_linearisation_free(TinkerLinearisation *linear);
 G_DEFINE_AUTOPTR_CLEANUP_FUNC(TinkerLinearisation, tinker_linearisation_free)
 
-/* The start places (2 entries a body); the bodies' blocks; the origin that places are relative to. */
+/* The start places and velocities, as the constraints have them (2 entries a body); the bodies' blocks; the origin that places
+ * are relative to. */
 void tinker_model_start_places(const TinkerModel *model, double *q);
+void tinker_model_start_velocities(const TinkerModel *model, double *v);
 TinkerBlockId tinker_model_body_block(const TinkerModel *model, int32_t body);
 void tinker_model_origin(const TinkerModel *model, double origin[2]);
 

@@ -170,9 +170,6 @@ struct _TinkerModel {
     char failure[512];
 };
 
-/* A model of those blocks alone that `include` has TRUE for (by block id; NULL: all). (transfer full) */
-TinkerModel *tinker_model_new_part(TinkerScene *scene, const gboolean *include, GError **error);
-
 /* Compiling: each adds its part to the model. */
 gboolean tinker_model_compile_bodies(TinkerModel *model, GError **error);
 gboolean tinker_model_compile_forces(TinkerModel *model, GError **error);

@@ -271,3 +271,19 @@ double tinker_frame_column(const TinkerFrame *frame, TinkerBlockId block, int32_
     const Location *location = &frame->locations[block];
     return location->batch == NULL ? NAN : location->batch->columns[column][location->row];
 }
+
+double tinker_frame_meaning(const TinkerFrame *frame, TinkerBlockId block, int32_t meaning, int32_t component,
+                            double otherwise)
+{
+    const Location *location = &frame->locations[block];
+    if (location->batch == NULL) return otherwise;
+    return tinker_block_batch_meaning(location->batch, location->row, meaning, component, otherwise);
+}
+
+void tinker_frame_end(const TinkerFrame *frame, TinkerSceneEnd end, double place[2])
+{
+    TinkerEnd at;
+    end_place(frame, &end, &at);
+    place[0] = at.x;
+    place[1] = at.y;
+}

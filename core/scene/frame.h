@@ -42,4 +42,11 @@ void tinker_frame_set_symbol_size(TinkerFrame *frame, double symbol_size);
 /* A column of a block now: the snapshot's value, "as placed" lengths resolved from the ends at t = 0. */
 double tinker_frame_column(const TinkerFrame *frame, TinkerBlockId block, int32_t column);
 
+/* The column that has a meaning (TINKER_MEANING_...), by component; `otherwise` where the block has none such. */
+double tinker_frame_meaning(const TinkerFrame *frame, TinkerBlockId block, int32_t meaning, int32_t component,
+                            double otherwise);
+
+/* Where an end is, connectors side by side not moved apart. */
+void tinker_frame_end(const TinkerFrame *frame, TinkerSceneEnd end, double place[2]);
+
 #endif

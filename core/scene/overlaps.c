@@ -14,13 +14,6 @@ typedef struct {
     double x, y, angle, width, height;
 } Box;
 
-static double column_of(const TinkerFrame *frame, TinkerBlockId block, int32_t meaning, double otherwise)
-{
-    const TinkerBlockClass *block_class = tinker_scene_block_class(tinker_frame_scene(frame), block);
-    int32_t column = tinker_block_class_meaning_column(block_class, meaning);
-    return column < 0 ? otherwise : tinker_frame_column(frame, block, column);
-}
-
 static int32_t shape_of(const TinkerFrame *frame, TinkerBlockId block)
 {
     const TinkerBlockClass *block_class = tinker_scene_block_class(tinker_frame_scene(frame), block);
@@ -34,10 +27,10 @@ static GArray *boxes_of(const TinkerFrame *frame, int32_t shape)
     GArray *boxes = g_array_new(FALSE, FALSE, sizeof(Box));
     for (TinkerBlockId id = 0; id < tinker_scene_id_limit(tinker_frame_scene(frame)); id++) {
         if (!tinker_scene_has_block(tinker_frame_scene(frame), id) || shape_of(frame, id) != shape) continue;
-        if (shape == TINKER_SHAPE_PLATE && column_of(frame, id, TINKER_MEANING_SOLID, 1) == 0) continue;
+        if (shape == TINKER_SHAPE_PLATE && tinker_frame_meaning(frame, id, TINKER_MEANING_SOLID, 0, 1) == 0) continue;
         Box box = {.block = id,
-                   .width = column_of(frame, id, TINKER_MEANING_WIDTH, 0),
-                   .height = column_of(frame, id, TINKER_MEANING_HEIGHT, 0)};
+                   .width = tinker_frame_meaning(frame, id, TINKER_MEANING_WIDTH, 0, 0),
+                   .height = tinker_frame_meaning(frame, id, TINKER_MEANING_HEIGHT, 0, 0)};
         tinker_frame_centre(frame, id, &box.x, &box.y, &box.angle);
         if (shape == TINKER_SHAPE_PLATE && !(box.width > 0)) continue;
         g_array_append_val(boxes, box);

@@ -1,0 +1,88 @@
+/* Repairs: each is what its button says, within one undo step. */
+#include <math.h>
+
+#include "analysis/advice.h"
+#include "analysis/start-private.h"
+
+static gboolean connect_end(TinkerHistory *history, TinkerScene *scene, const TinkerAdvice *advice, GError **error)
+{
+    TinkerBlockId connector = g_array_index(advice->blocks, TinkerBlockId, 0);
+    TinkerSceneEnd to = {advice->target, 0, 0};
+    return tinker_history_set_end(history, connector, advice->end, to, error);
+}
+
+static gboolean set_vectors(TinkerHistory *history, TinkerScene *scene, const TinkerAdvice *advice, int32_t meaning,
+                            gboolean add, GError **error)
+{
+    for (guint i = 0; i < advice->vectors->len; i++) {
+        const TinkerAdviceVector *vector = &g_array_index(advice->vectors, TinkerAdviceVector, i);
+        const TinkerBlockClass *block_class = tinker_scene_block_class(scene, vector->block);
+        int32_t column = tinker_block_class_meaning_column(block_class, meaning);
+        double values[2] = {vector->x, vector->y};
+        for (int32_t k = 0; add && column >= 0 && k < 2; k++)
+            values[k] += tinker_scene_get(scene, vector->block, column + k);
+        if (!start_set_meaning(history, scene, vector->block, meaning, values, error)) return FALSE;
+    }
+    return TRUE;
+}
+
+static void set_text(char **text, const char *value)
+{
+    g_free(*text);
+    *text = g_strdup(value);
+}
+
+/* Settings of a scene's head are no part of its history. */
+static void set_run_method(TinkerHistory *history, TinkerScene *scene, const TinkerAdvice *advice)
+{
+    TinkerRunSettings *run = &tinker_scene_head(scene)->run;
+    set_text(&run->method, "auto");
+    if (advice->contacts_apart) set_text(&run->contacts, "events");
+}
+
+static gboolean do_repair(TinkerHistory *history, TinkerScene *scene, const TinkerAdvice *advice, GError **error)
+{
+    switch (advice->kind) {
+    case TINKER_ADVICE_DETACHED_END:
+        return connect_end(history, scene, advice, error);
+    case TINKER_ADVICE_LENGTH:
+        return start_set_meaning(history, scene, g_array_index(advice->blocks, TinkerBlockId, 0), TINKER_MEANING_LENGTH,
+                                 &advice->length, error);
+    case TINKER_ADVICE_VELOCITY:
+        return set_vectors(history, scene, advice, TINKER_MEANING_VELOCITY, FALSE, error);
+    case TINKER_ADVICE_OVERLAP:
+        return set_vectors(history, scene, advice, TINKER_MEANING_POSITION, TRUE, error);
+    default:
+        set_run_method(history, scene, advice);
+        return TRUE;
+    }
+}
+
+/* The scene may have been edited since the advice was given. */
+static gboolean still_stands(TinkerScene *scene, const TinkerAdvice *advice)
+{
+    for (guint i = 0; i < advice->blocks->len; i++) {
+        TinkerBlockId block = g_array_index(advice->blocks, TinkerBlockId, i);
+        if (!tinker_scene_has_block(scene, block) || tinker_scene_block_class(scene, block) == NULL) return FALSE;
+    }
+    if (advice->kind != TINKER_ADVICE_DETACHED_END) return TRUE;
+    return tinker_scene_has_block(scene, advice->target) &&
+           advice->end < tinker_scene_end_count(scene, g_array_index(advice->blocks, TinkerBlockId, 0));
+}
+
+gboolean tinker_advice_repair(TinkerHistory *history, TinkerScene *scene, const TinkerAdvice *advice, GError **error)
+{
+    if (advice->repair == NULL || !still_stands(scene, advice)) {
+        g_set_error(error, TINKER_SCENE_ERROR, TINKER_SCENE_ERROR_VALUE, "%s",
+                    advice->repair == NULL ? "this cannot be repaired by itself (see what the message says)"
+                                           : "the scene has changed since this was found (look at what is said now)");
+        return FALSE;
+    }
+    tinker_history_begin(history, advice->repair, NULL);
+    gboolean repaired = do_repair(history, scene, advice, error);
+    if (repaired)
+        tinker_history_end(history);
+    else
+        tinker_history_abort(history);
+    return repaired;
+}

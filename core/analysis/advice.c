@@ -1,0 +1,219 @@
+/* Looking a scene over: first what keeps it from being compiled, block by block; then what compiling it says. */
+#include <math.h>
+#include <string.h>
+
+#include "analysis/advice-private.h"
+#include "analysis/start-private.h"
+#include "scene/overlaps.h"
+
+/* Of the canvas's width: how far a loose end may be from what it is likely meant for. */
+#define NEAR_BY 0.1
+
+static const TinkerDimension length_dimension = TINKER_DIMENSION_LENGTH;
+
+static void advice_free(gpointer data)
+{
+    TinkerAdvice *advice = data;
+    g_free(advice->message);
+    g_free(advice->repair);
+    g_array_unref(advice->blocks);
+    g_clear_pointer(&advice->vectors, g_array_unref);
+    g_free(advice);
+}
+
+GPtrArray *advice_array_new(void)
+{
+    return g_ptr_array_new_with_free_func(advice_free);
+}
+
+TinkerAdvice *advice_add(GPtrArray *all, TinkerAdviceKind kind, gboolean blocks_run, char *message)
+{
+    TinkerAdvice *advice = g_new0(TinkerAdvice, 1);
+    *advice = (TinkerAdvice){.kind = kind, .blocks_run = blocks_run, .message = message, .target = TINKER_NO_BLOCK};
+    advice->blocks = g_array_new(FALSE, FALSE, sizeof(TinkerBlockId));
+    g_ptr_array_add(all, advice);
+    return advice;
+}
+
+void advice_add_block(TinkerAdvice *advice, TinkerBlockId block)
+{
+    g_array_append_val(advice->blocks, block);
+}
+
+void advice_add_vector(TinkerAdvice *advice, TinkerBlockId block, double x, double y)
+{
+    TinkerAdviceVector vector = {block, x, y};
+    if (advice->vectors == NULL) advice->vectors = g_array_new(FALSE, FALSE, sizeof(TinkerAdviceVector));
+    g_array_append_val(advice->vectors, vector);
+}
+
+/* Missing types and loose ends ------------------------------------------------------------------------------------- */
+
+static void on_placeholder(GPtrArray *all, TinkerScene *scene, TinkerBlockId block)
+{
+    g_autoptr(GError) missing = NULL;
+    tinker_catalogue_type(tinker_scene_catalogue(scene), tinker_scene_block_type(scene, block), &missing);
+    char *message = g_strdup_printf("%s: %s", tinker_scene_block_name(scene, block),
+                                    missing != NULL ? missing->message
+                                                    : "its plugin was installed since the scene was read (open it "
+                                                      "again)");
+    advice_add_block(advice_add(all, TINKER_ADVICE_MISSING_TYPE, TRUE, message), block);
+}
+
+static gboolean accepts(const TinkerBlockClass *connector, const TinkerBlockClass *target)
+{
+    if (target == NULL || target->physics == NULL || target->physics->body == NULL) return FALSE;
+    uint32_t needed = target->physics->body->degrees_of_freedom == 0 ? TINKER_ACCEPTS_SUPPORT : TINKER_ACCEPTS_BODY;
+    return (connector->type->end_accepts & needed) != 0;
+}
+
+/* The distance of a place from a body's box; 0 inside. */
+static double distance_from(const TinkerFrame *frame, TinkerBlockId body, const double place[2])
+{
+    double x, y, angle;
+    tinker_frame_centre(frame, body, &x, &y, &angle);
+    double c = cos(angle), s = sin(angle), dx = place[0] - x, dy = place[1] - y;
+    double across = fabs(c * dx + s * dy) - 0.5 * tinker_frame_meaning(frame, body, TINKER_MEANING_WIDTH, 0, 0);
+    double up = fabs(c * dy - s * dx) - 0.5 * tinker_frame_meaning(frame, body, TINKER_MEANING_HEIGHT, 0, 0);
+    return hypot(fmax(across, 0), fmax(up, 0));
+}
+
+static gboolean has_end_on(TinkerScene *scene, TinkerBlockId connector, TinkerBlockId target)
+{
+    for (int32_t e = 0; e < tinker_scene_end_count(scene, connector); e++)
+        if (tinker_scene_end(scene, connector, e).block == target) return TRUE;
+    return FALSE;
+}
+
+/* The nearest block that an end of the connector accepts and that it is not on yet, within `reach`. */
+static TinkerBlockId nearest_target(const TinkerFrame *frame, TinkerBlockId connector, const double place[2],
+                                    double reach)
+{
+    TinkerScene *scene = tinker_frame_scene(frame);
+    const TinkerBlockClass *block_class = tinker_scene_block_class(scene, connector);
+    TinkerBlockId nearest = TINKER_NO_BLOCK;
+    for (int32_t i = 0; i < tinker_scene_block_count(scene); i++) {
+        TinkerBlockId block = tinker_scene_block_at(scene, i);
+        if (!accepts(block_class, tinker_scene_block_class(scene, block))) continue;
+        double distance = distance_from(frame, block, place);
+        if (!(distance <= reach) || (nearest != TINKER_NO_BLOCK && distance == reach)) continue;
+        if (has_end_on(scene, connector, block)) continue;
+        reach = distance;
+        nearest = block;
+    }
+    return nearest;
+}
+
+static void on_loose_ends(GPtrArray *all, const TinkerFrame *frame, TinkerBlockId block)
+{
+    TinkerScene *scene = tinker_frame_scene(frame);
+    for (int32_t e = 0; e < tinker_scene_end_count(scene, block); e++) {
+        TinkerSceneEnd end = tinker_scene_end(scene, block, e);
+        if (end.block != TINKER_NO_BLOCK) continue;
+        TinkerAdvice *advice = advice_add(
+            all, TINKER_ADVICE_DETACHED_END, TRUE,
+            g_strdup_printf("%s: end %d is not connected (attach it to a block; nothing runs while an end is loose)",
+                            tinker_scene_block_name(scene, block), e + 1));
+        advice_add_block(advice, block);
+        advice->end = e;
+        advice->target =
+            nearest_target(frame, block, (double[]){end.x, end.y}, NEAR_BY * tinker_scene_head(scene)->canvas_width);
+        if (advice->target != TINKER_NO_BLOCK)
+            advice->repair = g_strdup_printf("Connect it to %s", tinker_scene_block_name(scene, advice->target));
+    }
+}
+
+/* Lengths and plates ----------------------------------------------------------------------------------------------- */
+
+static void on_length(GPtrArray *all, const TinkerFrame *frame, TinkerBlockId block)
+{
+    TinkerScene *scene = tinker_frame_scene(frame);
+    const TinkerBlockClass *block_class = tinker_scene_block_class(scene, block);
+    if (!start_keeps_length(block_class)) return;
+    TinkerSceneEnd first = tinker_scene_end(scene, block, 0), second = tinker_scene_end(scene, block, 1);
+    if (first.block == TINKER_NO_BLOCK || second.block == TINKER_NO_BLOCK) return;
+    double length = tinker_frame_meaning(frame, block, TINKER_MEANING_LENGTH, 0, NAN);
+    double drawn = start_distance(frame, first, second);
+    double excess = start_is_rigid(block_class) ? fabs(drawn - length) : drawn - length;
+    if (!(excess > START_FITS * length)) return;
+    g_autofree char *given = start_quantity_text(scene, length, length_dimension);
+    g_autofree char *apart = start_quantity_text(scene, drawn, length_dimension);
+    TinkerAdvice *advice = advice_add(
+        all, TINKER_ADVICE_LENGTH, TRUE,
+        g_strdup_printf(
+            "%s: its length is %s, but its ends are %s apart at the start (move an end, or change the length)",
+            tinker_scene_block_name(scene, block), given, apart));
+    advice_add_block(advice, block);
+    advice->length = drawn;
+    if (drawn > 0) advice->repair = g_strdup("Use the length as drawn");
+}
+
+static void on_overlaps(GPtrArray *all, const TinkerFrame *frame)
+{
+    TinkerScene *scene = tinker_frame_scene(frame);
+    g_autoptr(GArray) overlaps = tinker_overlaps_new(frame);
+    for (guint i = 0; i < overlaps->len; i++) {
+        const TinkerOverlap *overlap = &g_array_index(overlaps, TinkerOverlap, i);
+        g_autofree char *depth = start_quantity_text(scene, overlap->depth, length_dimension);
+        TinkerAdvice *advice = advice_add(
+            all, TINKER_ADVICE_OVERLAP, FALSE,
+            g_strdup_printf("%s starts %s below the top of %s, and so passes it as from behind (it would have "
+                            "to start on the top or in front of it)",
+                            tinker_scene_block_name(scene, overlap->body), depth,
+                            tinker_scene_block_name(scene, overlap->plate)));
+        advice_add_block(advice, overlap->body);
+        advice_add_block(advice, overlap->plate);
+        advice_add_vector(advice, overlap->body, overlap->depth * overlap->normal[0],
+                          overlap->depth * overlap->normal[1]);
+        advice->repair = g_strdup_printf("Move it out by %s", depth);
+    }
+}
+
+/* The model -------------------------------------------------------------------------------------------------------- */
+
+/* The model's messages begin with the names of the blocks at fault, "Rod 0, Rod 1: ...". */
+static void add_named_blocks(TinkerAdvice *advice, TinkerScene *scene)
+{
+    const char *colon = strstr(advice->message, ": ");
+    if (colon == NULL) return;
+    g_autofree char *names = g_strndup(advice->message, (gsize)(colon - advice->message));
+    g_auto(GStrv) parts = g_strsplit(names, ", ", -1);
+    for (char **part = parts; *part != NULL; part++) {
+        TinkerBlockId block = tinker_scene_find_block(scene, *part);
+        if (block != TINKER_NO_BLOCK) advice_add_block(advice, block);
+    }
+}
+
+static void on_model(GPtrArray *all, const TinkerFrame *frame)
+{
+    TinkerScene *scene = tinker_frame_scene(frame);
+    g_autoptr(GError) error = NULL;
+    g_autoptr(TinkerModel) model = tinker_model_new(scene, &error);
+    if (model != NULL)
+        advice_on_velocities(all, frame, model);
+    else
+        add_named_blocks(advice_add(all, TINKER_ADVICE_MODEL, TRUE, g_strdup(error->message)), scene);
+}
+
+GPtrArray *tinker_advice_new(TinkerScene *scene)
+{
+    GPtrArray *all = advice_array_new();
+    g_autoptr(GError) error = NULL;
+    g_autoptr(TinkerFrame) frame = tinker_frame_new(scene, &error);
+    for (int32_t i = 0; i < tinker_scene_block_count(scene); i++) {
+        TinkerBlockId block = tinker_scene_block_at(scene, i);
+        if (tinker_scene_block_class(scene, block) == NULL)
+            on_placeholder(all, scene, block);
+        else if (frame != NULL)
+            on_loose_ends(all, frame, block);
+    }
+    if (frame == NULL) {
+        add_named_blocks(advice_add(all, TINKER_ADVICE_MODEL, TRUE, g_strdup(error->message)), scene);
+        return all;
+    }
+    for (int32_t i = 0; i < tinker_scene_block_count(scene); i++)
+        on_length(all, frame, tinker_scene_block_at(scene, i));
+    if (all->len == 0) on_model(all, frame); /* which would say the first of these again */
+    on_overlaps(all, frame);
+    return all;
+}

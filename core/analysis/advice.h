@@ -1,0 +1,49 @@
+/* Advice: what is wrong or doubtful with a start or with the run settings, where it is, and the nearest repair. */
+#ifndef TINKER_CORE_ADVICE_H
+#define TINKER_CORE_ADVICE_H
+
+#include "scene/history.h"
+
+typedef enum {
+    TINKER_ADVICE_DETACHED_END, /* repair: connects it to the nearest block that it accepts */
+    TINKER_ADVICE_MISSING_TYPE, /* no repair */
+    TINKER_ADVICE_LENGTH,       /* a given length that is not as drawn; repair: as drawn */
+    TINKER_ADVICE_VELOCITY,     /* start velocities that constraints do not allow; repair: what they leave of them */
+    TINKER_ADVICE_MODEL,        /* whatever else keeps the scene from running; no repair */
+    TINKER_ADVICE_OVERLAP,      /* a body that starts in a plate; repair: out of it */
+    TINKER_ADVICE_METHOD,       /* a method or step that does not suit; repair: chosen automatically */
+} TinkerAdviceKind;
+
+/* A vector that belongs to a block: a velocity (m/s) or a shift (m). */
+typedef struct {
+    TinkerBlockId block;
+    double x, y;
+} TinkerAdviceVector;
+
+typedef struct {
+    TinkerAdviceKind kind;
+    gboolean blocks_run; /* nothing runs before it is repaired; else a warning */
+    char *message;       /* one sentence: where, what, what would be right */
+    GArray *blocks;      /* of TinkerBlockId: to select and to mark; the first is the one that it is about */
+    char *repair;        /* label of the button; NULL: nothing that the program could do by itself */
+    /* what the repair needs */
+    int32_t end;             /* of the first block */
+    TinkerBlockId target;    /* to connect it to */
+    double length;           /* m */
+    GArray *vectors;         /* of TinkerAdviceVector; NULL: none */
+    gboolean contacts_apart; /* contacts are to be events again */
+} TinkerAdvice;
+
+/* All that can be told without planning a run, worst first, at the price of compiling the scene once; of TinkerAdvice *.
+ * (transfer full) */
+GPtrArray *tinker_advice_new(TinkerScene *scene);
+
+/* What the plan of a run has to say about the scene's method and step. Empty where the scene does not compile, of which
+ * tinker_advice_new tells. Costs what tinker_plan_choose does for every island: for a pause in editing. (transfer full) */
+GPtrArray *tinker_advice_plan_new(TinkerScene *scene);
+
+/* Does what the button says, as one undo step. Errors: TINKER_SCENE_ERROR, where the scene has changed since; then nothing has
+ * changed. */
+gboolean tinker_advice_repair(TinkerHistory *history, TinkerScene *scene, const TinkerAdvice *advice, GError **error);
+
+#endif
