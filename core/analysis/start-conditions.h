@@ -42,7 +42,7 @@ GPtrArray *tinker_start_options_new(TinkerScene *scene, TinkerBlockId block);
 
 /* Makes it so, as one undo step. Rest lengths stay what they were: one that was left to the drawing is given first where it
  * would change. On failure nothing has changed, and the message says what is in the way: no equilibrium, a rod that would
- * have to change its length, a place within a plate. Errors: TINKER_MODEL_ERROR, TINKER_SCENE_ERROR. */
+ * have to change its length, a plate. Errors: TINKER_MODEL_ERROR, TINKER_SCENE_ERROR. */
 gboolean tinker_start_apply(TinkerHistory *history, TinkerScene *scene, const TinkerStartOption *option, double value,
                             GError **error);
 

@@ -18,8 +18,8 @@ typedef struct {
 } Span;
 
 typedef struct {
-    GArray *spans;    /* of Span */
-    GArray *overlaps; /* of TinkerOverlap */
+    GArray *spans;   /* of Span */
+    GArray *centres; /* of StartPlace: of the same bodies */
 } Before;
 
 double start_distance(const TinkerFrame *frame, TinkerSceneEnd a, TinkerSceneEnd b)
@@ -68,6 +68,17 @@ static GArray *note_spans(const TinkerFrame *frame, const GArray *places)
         g_array_append_val(spans, span);
     }
     return spans;
+}
+
+static GArray *note_centres(const TinkerFrame *frame, const GArray *places)
+{
+    GArray *centres = g_array_new(FALSE, FALSE, sizeof(StartPlace));
+    for (guint i = 0; i < places->len; i++) {
+        StartPlace centre = START_PLACE_AS_IT_IS(g_array_index(places, StartPlace, i).body);
+        tinker_frame_centre(frame, centre.body, &centre.place[0], &centre.place[1], &centre.orientation);
+        g_array_append_val(centres, centre);
+    }
+    return centres;
 }
 
 static gboolean write_place(TinkerHistory *history, TinkerScene *scene, const StartPlace *place, GError **error)
@@ -134,27 +145,33 @@ static gboolean check_lengths(const TinkerFrame *after, GArray *spans, GError **
     return TRUE;
 }
 
-static gboolean had_overlap(const GArray *overlaps, const TinkerOverlap *overlap)
+/* How far a body's side was in front of the top that it overlaps now; plates do not move. */
+static double gap_before(const TinkerFrame *after, const GArray *centres, const TinkerOverlap *overlap)
 {
-    for (guint i = 0; i < overlaps->len; i++) {
-        const TinkerOverlap *earlier = &g_array_index(overlaps, TinkerOverlap, i);
-        if (earlier->body == overlap->body && earlier->plate == overlap->plate) return TRUE;
+    for (guint i = 0; i < centres->len; i++) {
+        const StartPlace *before = &g_array_index(centres, StartPlace, i);
+        double x, y, orientation;
+        if (before->body != overlap->body) continue;
+        tinker_frame_centre(after, overlap->body, &x, &y, &orientation);
+        return -overlap->depth - overlap->normal[0] * (x - before->place[0]) -
+               overlap->normal[1] * (y - before->place[1]);
     }
-    return FALSE;
+    return -overlap->depth;
 }
 
-static gboolean check_plates(const TinkerFrame *after, const GArray *overlaps_before, GError **error)
+/* No body goes from the front of a plate into it. One that hangs behind may: it passes plates from there. */
+static gboolean check_plates(const TinkerFrame *after, const GArray *centres, GError **error)
 {
     TinkerScene *scene = tinker_frame_scene(after);
     g_autoptr(GArray) overlaps = tinker_overlaps_new(after);
     for (guint i = 0; i < overlaps->len; i++) {
         const TinkerOverlap *overlap = &g_array_index(overlaps, TinkerOverlap, i);
-        if (had_overlap(overlaps_before, overlap)) continue;
+        if (gap_before(after, centres, overlap) < -TINKER_TOUCHING) continue;
+        const char *plate = tinker_scene_block_name(scene, overlap->plate);
         g_autofree char *depth = start_quantity_text(scene, overlap->depth, (TinkerDimension)TINKER_DIMENSION_LENGTH);
         g_set_error(error, TINKER_SCENE_ERROR, TINKER_SCENE_ERROR_VALUE,
                     "%s would start %s below the top of %s (ask for a place in front of it, or move %s out of the way)",
-                    tinker_scene_block_name(scene, overlap->body), depth,
-                    tinker_scene_block_name(scene, overlap->plate), tinker_scene_block_name(scene, overlap->plate));
+                    tinker_scene_block_name(scene, overlap->body), depth, plate, plate);
         return FALSE;
     }
     return TRUE;
@@ -167,7 +184,7 @@ static gboolean write_all(TinkerHistory *history, TinkerScene *scene, const GArr
         if (!write_place(history, scene, &g_array_index(places, StartPlace, i), error)) return FALSE;
     TinkerFrame *after = tinker_frame_new(scene, error);
     gboolean fits =
-        after != NULL && check_plates(after, before->overlaps, error) && check_lengths(after, before->spans, error);
+        after != NULL && check_plates(after, before->centres, error) && check_lengths(after, before->spans, error);
     tinker_frame_free(after);
     for (guint i = 0; fits && i < before->spans->len; i++) {
         const Span *span = &g_array_index(before->spans, Span, i);
@@ -183,8 +200,8 @@ gboolean start_places_write(TinkerHistory *history, TinkerScene *scene, const ch
 {
     TinkerFrame *frame = tinker_frame_new(scene, error);
     if (frame == NULL) return FALSE;
-    g_autoptr(GArray) spans = note_spans(frame, places), overlaps = tinker_overlaps_new(frame);
-    const Before before = {spans, overlaps};
+    g_autoptr(GArray) spans = note_spans(frame, places), centres = note_centres(frame, places);
+    const Before before = {spans, centres};
     tinker_frame_free(frame);
     tinker_history_begin(history, title, NULL);
     gboolean written = write_all(history, scene, places, &before, error);

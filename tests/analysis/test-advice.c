@@ -1,0 +1,245 @@
+/* Advice: every kind is found where it is and nowhere else; after its repair it is gone, the scene compiles, and one undo
+ * brings the text back. */
+#include <math.h>
+#include <string.h>
+
+#include "analysis/advice.h"
+#include "start-fixture.h"
+
+static const TinkerAdvice *only(const GPtrArray *all, TinkerAdviceKind kind)
+{
+    if (all->len != 1) {
+        for (guint i = 0; i < all->len; i++)
+            g_test_message("%s", ((const TinkerAdvice *)g_ptr_array_index(all, i))->message);
+        g_error("%u pieces of advice", all->len);
+    }
+    const TinkerAdvice *advice = g_ptr_array_index(all, 0);
+    g_test_message("%s [%s]", advice->message, advice->repair == NULL ? "-" : advice->repair);
+    g_assert_cmpint(advice->kind, ==, kind);
+    g_assert_cmpuint(advice->blocks->len, >, 0);
+    return advice;
+}
+
+/* The one piece of advice has these words and is about this block; NULL: no such repair. */
+static void assert_only(const StartFixture *f, TinkerAdviceKind kind, gboolean blocks_run, const char *block,
+                        const char *part, const char *repair)
+{
+    g_autoptr(GPtrArray) all = tinker_advice_new(f->scene);
+    const TinkerAdvice *advice = only(all, kind);
+    g_assert_cmpint(advice->blocks_run, ==, blocks_run);
+    g_assert_cmpint(g_array_index(advice->blocks, TinkerBlockId, 0), ==, start_fixture_block(f, block));
+    g_assert_nonnull(strstr(advice->message, block));
+    g_assert_nonnull(strstr(advice->message, part));
+    g_assert_cmpstr(advice->repair, ==, repair);
+}
+
+/* Repairs the one piece of advice; then there is none. */
+static void repair(StartFixture *f)
+{
+    g_autoptr(GError) error = NULL;
+    g_autoptr(GPtrArray) all = tinker_advice_new(f->scene);
+    g_assert_cmpuint(all->len, ==, 1);
+    g_assert_true(tinker_advice_repair(f->history, f->scene, g_ptr_array_index(all, 0), &error));
+    g_assert_no_error(error);
+    start_fixture_assert_one_step(f);
+    g_autoptr(GPtrArray) left = tinker_advice_new(f->scene);
+    g_assert_cmpuint(left->len, ==, 0);
+    g_autoptr(TinkerModel) model = tinker_model_new(f->scene, &error);
+    g_assert_no_error(error);
+    g_assert_cmpuint(tinker_model_warnings(model)->len, ==, 0);
+}
+
+static void test_nothing_wrong(void)
+{
+    g_autoptr(StartFixture) f = start_fixture_new(
+        "{'type': 'gravity'}, {'type': 'support'}, {'type': 'mass', 'position': [3, -4], 'velocity': [4, 3]},"
+        "{'type': 'rod', 'ends': ['Mass 0', 'Support 0'], 'length': 5},"
+        "{'type': 'spring', 'ends': ['Mass 0', 'Support 0'], 'rest_length': 1}");
+    g_autoptr(GPtrArray) all = tinker_advice_new(f->scene);
+    g_assert_cmpuint(all->len, ==, 0);
+}
+
+/* Two masses, a box of half width 0.2 about x = 3.2 and a point, and a spring whose second end is loose at (x, 0). */
+static StartFixture *with_loose_end(double x)
+{
+    g_autofree char *blocks =
+        g_strdup_printf("{'type': 'support', 'name': 'Far', 'position': [0, 0]},"
+                        "{'type': 'mass', 'name': 'Near', 'position': [3.2, 0], 'width': 0.4},"
+                        "{'type': 'mass', 'name': 'Point', 'position': [2.7, 0.4], 'width': 0, 'height': 0},"
+                        "{'type': 'spring', 'ends': ['Far', [%g, 0]]}",
+                        x);
+    return start_fixture_new(blocks);
+}
+
+static void test_detached_end(void)
+{
+    g_autoptr(StartFixture) f = with_loose_end(2.8);
+    assert_only(f, TINKER_ADVICE_DETACHED_END, TRUE, "Spring 0", "end 2", "Connect it to Near");
+    g_autoptr(StartFixture) g = with_loose_end(3.1);
+    repair(g);
+    g_assert_cmpint(tinker_scene_end(g->scene, start_fixture_block(g, "Spring 0"), 1).block, ==,
+                    start_fixture_block(g, "Near"));
+    g_autoptr(StartFixture) h = with_loose_end(1e3);
+    assert_only(h, TINKER_ADVICE_DETACHED_END, TRUE, "Spring 0", "end 2", NULL);
+    g_autoptr(GPtrArray) all = tinker_advice_new(h->scene);
+    g_autoptr(GError) error = NULL;
+    g_assert_false(tinker_advice_repair(h->history, h->scene, g_ptr_array_index(all, 0), &error));
+    start_fixture_assert_untouched(h);
+}
+
+static void test_missing_type(void)
+{
+    g_autoptr(StartFixture) f = start_fixture_new("{'type': 'mass'}, {'type': 'masss', 'name': 'Odd'}");
+    assert_only(f, TINKER_ADVICE_MISSING_TYPE, TRUE, "Odd", "mass", NULL);
+}
+
+/* (3, 1) along a rod of direction (0.6, 0.8) has 2.6 along it; what is left is (3, 1) - 2.6 (0.6, 0.8) = (1.44, -1.08),
+ * of size 1.8. */
+static void test_velocity(void)
+{
+    g_autoptr(StartFixture) f =
+        start_fixture_new("{'type': 'support'}, {'type': 'mass', 'position': [0.6, 0.8], "
+                          "'velocity': [3, 1]}, {'type': 'rod', 'ends': ['Support 0', 'Mass 0']}");
+    assert_only(f, TINKER_ADVICE_VELOCITY, FALSE, "Mass 0", "2.6 m/s along Rod 0",
+                "Set the velocity to 1.8 m/s across");
+    repair(f);
+    physics_assert_near("vx", start_fixture_get(f, "Mass 0", TINKER_MEANING_VELOCITY, 0), 1.44, 1e-14);
+    physics_assert_near("vy", start_fixture_get(f, "Mass 0", TINKER_MEANING_VELOCITY, 1), -1.08, 1e-14);
+}
+
+/* On a rod between 1 and 3 kg of which one is pushed along it with 4 m/s both move with 1, by momentum; a second such pair is
+ * advice of its own. */
+static void test_velocity_of_two(void)
+{
+    g_autoptr(StartFixture) f = start_fixture_new(
+        "{'type': 'mass', 'velocity': [4, 0.5]}, {'type': 'mass', 'mass': 3, 'position': [2, 0]},"
+        "{'type': 'rod', 'ends': ['Mass 1', 'Mass 0']}, {'type': 'mass', 'position': [0, 5]},"
+        "{'type': 'mass', 'position': [0, 6], 'velocity': [0, 1]}, {'type': 'rod', 'ends': ['Mass 2', 'Mass 3']}");
+    g_autoptr(GPtrArray) all = tinker_advice_new(f->scene);
+    g_assert_cmpuint(all->len, ==, 2);
+    for (guint i = 0; i < 2; i++)
+        g_assert_true(tinker_advice_repair(f->history, f->scene, g_ptr_array_index(all, i), NULL));
+    physics_assert_near("v0", start_fixture_get(f, "Mass 0", TINKER_MEANING_VELOCITY, 0), 1, 1e-14);
+    physics_assert_near("v0 across", start_fixture_get(f, "Mass 0", TINKER_MEANING_VELOCITY, 1), 0.5, 1e-14);
+    physics_assert_near("v1", start_fixture_get(f, "Mass 1", TINKER_MEANING_VELOCITY, 0), 1, 1e-14);
+    physics_assert_near("v2", start_fixture_get(f, "Mass 2", TINKER_MEANING_VELOCITY, 1), 0.5, 1e-14);
+    g_autoptr(GPtrArray) left = tinker_advice_new(f->scene);
+    g_assert_cmpuint(left->len, ==, 0);
+}
+
+static void test_length(void)
+{
+    g_autoptr(StartFixture) f = start_fixture_new("{'type': 'support'}, {'type': 'mass', 'position': [3, 4]},"
+                                                  "{'type': 'rod', 'ends': ['Support 0', 'Mass 0'], 'length': 4}");
+    assert_only(f, TINKER_ADVICE_LENGTH, TRUE, "Rod 0", "5 m apart", "Use the length as drawn");
+    repair(f);
+    physics_assert_near("length", start_fixture_get(f, "Rod 0", TINKER_MEANING_LENGTH, 0), 5, 0);
+}
+
+/* Between two rods in one line, with its weight across them: no motion satisfies both. */
+static void test_contradiction(void)
+{
+    g_autoptr(StartFixture) f = start_fixture_new(
+        "{'type': 'gravity'}, {'type': 'support', 'solid': false},"
+        "{'type': 'support', 'solid': false, 'position': [2, 0]},"
+        "{'type': 'mass', 'position': [1, 0], 'velocity': [0, 1]},"
+        "{'type': 'rod', 'ends': ['Support 0', 'Mass 0']}, {'type': 'rod', 'ends': ['Support 1', 'Mass 0']}");
+    g_autoptr(GPtrArray) all = tinker_advice_new(f->scene);
+    const TinkerAdvice *advice = only(all, TINKER_ADVICE_MODEL);
+    g_assert_true(advice->blocks_run);
+    g_assert_null(advice->repair);
+    g_assert_cmpint(g_array_index(advice->blocks, TinkerBlockId, 0), ==, start_fixture_block(f, "Rod 0"));
+}
+
+/* The top lies at 0.2, the mass reaches down to -0.1. */
+static void test_overlap(void)
+{
+    g_autoptr(StartFixture) f =
+        start_fixture_new("{'type': 'support', 'name': 'Floor', 'position': [0, 0], 'width': 4, 'height': 0.4},"
+                          "{'type': 'mass', 'position': [0, 0.3], 'height': 0.8}");
+    assert_only(f, TINKER_ADVICE_OVERLAP, FALSE, "Mass 0", "Floor", "Move it out by 0.3 m");
+    repair(f);
+    physics_assert_near("y", start_fixture_get(f, "Mass 0", TINKER_MEANING_POSITION, 1), 0.6, 1e-15);
+}
+
+/* omega = 100 rad/s: the explicit midpoint of velocities (verlet) is stable up to 2 / omega = 0.02 s. */
+static void test_method(void)
+{
+    static const struct {
+        double step;
+        guint found;
+    } rows[] = {{0.03, 1}, {0.015, 1}, {0.0005, 0}}; /* unstable, stable but under-resolved, good */
+    for (gsize i = 0; i < G_N_ELEMENTS(rows); i++) {
+        g_autoptr(StartFixture) f = start_fixture_new(
+            "{'type': 'support'}, {'type': 'mass', 'position': [2, 0]},"
+            "{'type': 'spring', 'ends': ['Support 0', 'Mass 0'], 'stiffness': 10000, 'rest_length': 1}");
+        TinkerRunSettings *run = &tinker_scene_head(f->scene)->run;
+        g_free(run->method);
+        run->method = g_strdup("verlet");
+        run->step = rows[i].step;
+        g_autoptr(GPtrArray) all = tinker_advice_plan_new(f->scene);
+        g_assert_cmpuint(all->len, ==, rows[i].found);
+        if (all->len == 0) continue;
+        const TinkerAdvice *advice = only(all, TINKER_ADVICE_METHOD);
+        g_assert_cmpint(g_array_index(advice->blocks, TinkerBlockId, 0), ==, start_fixture_block(f, "Mass 0"));
+        g_assert_true(tinker_advice_repair(f->history, f->scene, advice, NULL));
+        g_assert_cmpstr(tinker_scene_head(f->scene)->run.method, ==, "auto");
+        g_autoptr(GPtrArray) left = tinker_advice_plan_new(f->scene);
+        g_assert_cmpuint(left->len, ==, 0);
+    }
+}
+
+/* Advice outlives the scene that it was given for. */
+static void test_stale(void)
+{
+    g_autoptr(StartFixture) f = start_fixture_new("{'type': 'support'}, {'type': 'mass', 'position': [3, 4]},"
+                                                  "{'type': 'rod', 'ends': ['Support 0', 'Mass 0'], 'length': 4}");
+    g_autoptr(GPtrArray) all = tinker_advice_new(f->scene);
+    g_autoptr(GError) error = NULL;
+    tinker_scene_remove_block(f->scene, start_fixture_block(f, "Rod 0"));
+    g_assert_false(tinker_advice_repair(f->history, f->scene, g_ptr_array_index(all, 0), &error));
+    g_assert_error(error, TINKER_SCENE_ERROR, TINKER_SCENE_ERROR_VALUE);
+    g_assert_null(tinker_history_can_undo(f->history));
+}
+
+/* 100 masses, every second pushed along its rod, 200 connectors and bodies in all: looked over within 5 ms, of which this
+ * bound leaves room for a loaded machine and sanitizers. */
+static void test_time(void)
+{
+    g_autoptr(GString) blocks = g_string_new("{'type': 'support', 'solid': false, 'name': 'M0'}");
+    for (int i = 1; i <= 100; i++)
+        g_string_append_printf(blocks,
+                               ", {'type': 'mass', 'name': 'M%d', 'position': [%d, 0], 'velocity': [%d, 0]},"
+                               "{'type': '%s', 'ends': ['M%d', 'M%d']}",
+                               i, i, i % 2, i % 2 ? "spring" : "rod", i - 1, i);
+    g_autoptr(StartFixture) f = start_fixture_new(blocks->str);
+    double least = INFINITY;
+    for (int i = 0; i < 5; i++) {
+        gint64 from = g_get_monotonic_time();
+        g_autoptr(GPtrArray) all = tinker_advice_new(f->scene);
+        least = fmin(least, 1e-6 * (double)(g_get_monotonic_time() - from));
+        g_assert_cmpuint(all->len, ==, 50);
+    }
+    g_test_message("%g ms", 1e3 * least);
+    g_assert_cmpfloat(least, <, 0.05);
+}
+
+static void add_tests(void)
+{
+    g_test_add_func("/advice/nothing-wrong", test_nothing_wrong);
+    g_test_add_func("/advice/detached-end", test_detached_end);
+    g_test_add_func("/advice/missing-type", test_missing_type);
+    g_test_add_func("/advice/velocity", test_velocity);
+    g_test_add_func("/advice/velocity-of-two", test_velocity_of_two);
+    g_test_add_func("/advice/length", test_length);
+    g_test_add_func("/advice/contradiction", test_contradiction);
+    g_test_add_func("/advice/overlap", test_overlap);
+    g_test_add_func("/advice/method", test_method);
+    g_test_add_func("/advice/stale", test_stale);
+    g_test_add_func("/advice/time", test_time);
+}
+
+int main(int argc, char **argv)
+{
+    return physics_main(argc, argv, add_tests);
+}
