@@ -103,6 +103,11 @@ StartRest *start_rest_new(TinkerScene *scene, TinkerBlockId body, GError **error
 void start_rest_free(StartRest *rest);
 G_DEFINE_AUTOPTR_CLEANUP_FUNC(StartRest, start_rest_free)
 
+/* Moves the places q of a held model, all of whose bodies lie on these tops with their feet so far from the middles, along them
+ * to rest. `why`: there is none; NULL where q is at rest. FALSE with an error where forces cannot be worked out. */
+gboolean start_settle_on_tops(TinkerModel *model, const StartTop *tops, const double *feet, double *q, const char **why,
+                              GError **error);
+
 /* The direction in which a body is displaced from rest: along its first connector with a rest length, away from the far end;
  * down where there is none; along the top of a plate that it touches. */
 void start_direction_at(TinkerScene *scene, const TinkerFrame *frame, TinkerBlockId body, const StartRest *rest,

@@ -1,15 +1,14 @@
 /* The rest state of a part of a scene, and the direction in which one leaves it.
  *
- * The search for equilibrium knows no contacts. A single body that touches a plate is therefore brought to rest along its
- * top: the place where the force along it vanishes, by the secant method, and where the force presses it on. */
+ * The search for equilibrium knows no contacts. Bodies that all lie on plates are brought to rest along their tops instead; a
+ * part of which only some do is refused. */
 #include <math.h>
 
 #include "analysis/start-private.h"
 #include "physics/linearise.h"
 
-#define MOST_ROUNDS 60
-/* Of the largest force. */
-#define BALANCED 1e-12
+/* Bodies on plates; each costs two evaluations a round. */
+#define MOST_ON_TOPS 100
 
 /* The blocks that a model of the part needs. (transfer full) */
 static gboolean *blocks_of_part(TinkerScene *scene, TinkerBlockId body)
@@ -45,67 +44,35 @@ static gboolean refuse(TinkerScene *scene, TinkerBlockId body, const char *why, 
     return FALSE;
 }
 
-/* The force on a single body at q. FALSE where it cannot be worked out. */
-static gboolean force_at(TinkerModel *model, const double *q, double force[2], double *scale, GError **error)
-{
-    g_autoptr(TinkerLinearisation) linear = tinker_linearise(model, q, error);
-    if (linear == NULL) return FALSE;
-    force[0] = linear->force[0];
-    force[1] = linear->force[1];
-    *scale = fmax(linear->force_scale, hypot(force[0], force[1]));
-    return TRUE;
-}
-
-static gboolean settle_along(TinkerModel *model, const StartTop *top, double foot, double *q, const char **why,
-                             GError **error)
-{
-    const double from[2] = {q[0], q[1]};
-    double force[2], scale, s = 0, before = 0, f_before = 0;
-    *why = "no place along the top balances it";
-    for (int round = 0; round < MOST_ROUNDS; round++) {
-        q[0] = from[0] + s * top->along[0];
-        q[1] = from[1] + s * top->along[1];
-        if (!force_at(model, q, force, &scale, error)) return FALSE;
-        double f = force[0] * top->along[0] + force[1] * top->along[1];
-        if (fabs(f) <= BALANCED * scale) {
-            *why = NULL;
-            break;
-        }
-        double next = round == 0 ? s + 1e-3 * fmax(top->half_width, 1e-3) : s - f * (s - before) / (f - f_before);
-        if (!isfinite(next) || next == s || fabs(foot + next) > 4 * top->half_width) break;
-        before = s;
-        f_before = f;
-        s = next;
-    }
-    if (*why != NULL) return TRUE;
-    if (fabs(foot + s) > top->half_width) *why = "it would lie beyond the end of the top";
-    if (force[0] * top->normal[0] + force[1] * top->normal[1] > BALANCED * scale) *why = "it is pulled off the top";
-    return TRUE;
-}
-
 /* Brings the places to rest. */
-static gboolean settle(TinkerModel *model, TinkerScene *scene, TinkerBlockId body, double *q, GError **error)
+static gboolean settle(TinkerModel *model, const TinkerFrame *frame, TinkerBlockId body, double *q, GError **error)
 {
-    const int32_t bodies = tinker_model_sizes(model).bodies;
-    g_autoptr(TinkerFrame) frame = tinker_frame_new(scene, error);
-    if (frame == NULL) return FALSE;
-    for (int32_t i = 0; i < bodies; i++) {
+    TinkerScene *scene = tinker_frame_scene(frame);
+    const TinkerModelSizes sizes = tinker_model_sizes(model);
+    g_autofree StartTop *tops = g_new0(StartTop, MAX(sizes.bodies, 1));
+    g_autofree double *feet = g_new0(double, MAX(sizes.bodies, 1));
+    int32_t touching = 0;
+    for (int32_t i = 0; i < sizes.bodies; i++) {
         TinkerBlockId block = tinker_model_body_block(model, i);
-        StartTop top = start_nearest_top(frame, block);
-        if (!start_touches(frame, &top, block)) continue;
-        if (bodies > 1 || tinker_model_sizes(model).constraint_rows > 0)
-            return refuse(scene, body,
-                          "one of several bodies that hang together rests on a plate, where it is not looked for",
-                          error);
-        const char *why;
-        double along, gap;
-        start_foot(frame, &top, block, &along, &gap);
-        if (!settle_along(model, &top, along, q, &why, error)) return FALSE;
-        return why == NULL || refuse(scene, body, why, error);
+        double gap;
+        tops[i] = start_nearest_top(frame, block);
+        if (!start_touches(frame, &tops[i], block)) continue;
+        start_foot(frame, &tops[i], block, &feet[i], &gap);
+        touching++;
     }
-    TinkerEquilibrium found;
-    if (!tinker_equilibrium_find(model, q, &found, error)) return FALSE;
-    return found.found || refuse(scene, body, found.why, error);
+    if (touching == 0) {
+        TinkerEquilibrium rest;
+        if (!tinker_equilibrium_find(model, q, &rest, error)) return FALSE;
+        return rest.found || refuse(scene, body, rest.why, error);
+    }
+    if (touching < sizes.bodies || sizes.constraint_rows > 0 || touching > MOST_ON_TOPS)
+        return refuse(scene, body,
+                      "where plates carry a part of what hangs together, or bodies with constraints, it is not "
+                      "looked for (place the bodies by hand)",
+                      error);
+    const char *why;
+    if (!start_settle_on_tops(model, tops, feet, q, &why, error)) return FALSE;
+    return why == NULL || refuse(scene, body, why, error);
 }
 
 StartRest *start_rest_new(TinkerScene *scene, TinkerBlockId body, GError **error)
@@ -120,7 +87,8 @@ StartRest *start_rest_new(TinkerScene *scene, TinkerBlockId body, GError **error
         refuse(scene, body, "its supports have no place at the start", error);
         return NULL;
     }
-    if (!settle(model, scene, body, q, error)) return NULL;
+    g_autoptr(TinkerFrame) frame = tinker_frame_new(scene, error);
+    if (frame == NULL || !settle(model, frame, body, q, error)) return NULL;
     double origin[2];
     tinker_model_origin(model, origin);
     StartRest *rest = g_new0(StartRest, 1);

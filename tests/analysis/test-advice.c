@@ -224,6 +224,36 @@ static void test_time(void)
     g_assert_cmpfloat(least, <, 0.05);
 }
 
+/* What is bundled runs, and is well set up. */
+static void test_bundled_scenes(void)
+{
+    g_autofree char *folder = g_build_filename(g_getenv("TINKER_SOURCES"), "host", "scenes", NULL);
+    g_autoptr(GDir) dir = g_dir_open(folder, 0, NULL);
+    g_assert_nonnull(dir);
+    int scenes = 0;
+    for (const char *name = g_dir_read_name(dir); name != NULL; name = g_dir_read_name(dir)) {
+        if (!g_str_has_suffix(name, ".tinker.json")) continue;
+        g_autofree char *path = g_build_filename(folder, name, NULL);
+        g_autoptr(GError) error = NULL;
+        g_autoptr(TinkerScene) scene = tinker_scene_read_file(scene_fixture_catalogue(), path, NULL, &error);
+        g_assert_no_error(error);
+        gint64 from = g_get_monotonic_time();
+        g_autoptr(GPtrArray) all = tinker_advice_new(scene);
+        gint64 then = g_get_monotonic_time();
+        g_autoptr(GPtrArray) plan = tinker_advice_plan_new(scene);
+        g_test_message("%s: %g ms, plan %g ms", name, 1e-3 * (double)(then - from),
+                       1e-3 * (double)(g_get_monotonic_time() - then));
+        g_ptr_array_extend_and_steal(all, g_steal_pointer(&plan));
+        for (guint i = 0; i < all->len; i++) {
+            const TinkerAdvice *advice = g_ptr_array_index(all, i);
+            g_test_message("%s", advice->message);
+            g_assert_false(advice->blocks_run);
+        }
+        scenes++;
+    }
+    g_assert_cmpint(scenes, >, 20);
+}
+
 static void add_tests(void)
 {
     g_test_add_func("/advice/nothing-wrong", test_nothing_wrong);
@@ -237,6 +267,7 @@ static void add_tests(void)
     g_test_add_func("/advice/method", test_method);
     g_test_add_func("/advice/stale", test_stale);
     g_test_add_func("/advice/time", test_time);
+    g_test_add_func("/advice/bundled-scenes", test_bundled_scenes);
 }
 
 int main(int argc, char **argv)

@@ -193,6 +193,28 @@ static void test_rest_on_incline(void)
     assert_at(g, "Mass 0", (along - 0.3) * c - 0.3 * s, (along - 0.3) * s + 0.3 * c);
 }
 
+/* Wall, two masses on a floor, springs of 30 and 10 N/m: nothing pulls, so both are at their rest lengths, in spite of gravity;
+ * without the wall the distance alone is given, and the middle stays. */
+static void test_rest_on_floor(void)
+{
+    const char *blocks = G "{'type': 'support', 'name': 'Floor', 'position': [3, -0.6], 'width': 20, 'height': 0.4},"
+                           "{'type': 'mass', 'position': [1.5, 0]}, {'type': 'mass', 'position': [4, 0]},"
+                           "{'type': 'spring', 'ends': ['Mass 0', 'Mass 1'], 'stiffness': 10, 'rest_length': 2}";
+    g_autofree char *held = g_strconcat(blocks,
+                                        ", {'type': 'support', 'name': 'Wall', 'solid': false, 'position': [0, 0]},"
+                                        "{'type': 'spring', 'ends': ['Wall', 'Mass 0'], 'stiffness': 30, "
+                                        "'rest_length': 1}",
+                                        NULL);
+    g_autoptr(StartFixture) f = start_fixture_new(held);
+    apply(f, "Mass 1", TINKER_START_FROM_EQUILIBRIUM, NULL, 0.25);
+    assert_at(f, "Mass 0", 1, 0);
+    assert_at(f, "Mass 1", 3.25, 0);
+    g_autoptr(StartFixture) g = start_fixture_new(blocks);
+    apply(g, "Mass 1", TINKER_START_AT_EQUILIBRIUM, NULL, 0);
+    assert_at(g, "Mass 0", 1.75, 0);
+    assert_at(g, "Mass 1", 3.75, 0);
+}
+
 /* L sin, -L cos; the length stays what it is, whether given or drawn. */
 static void test_pendulum(void)
 {
@@ -340,6 +362,56 @@ static void test_nothing_to_offer(void)
     }
 }
 
+/* Every offer for every block of a bundled scene: applied with the value that it shows it is one step or changes nothing; what
+ * it shows then is that value. */
+static void try_all_offers(StartFixture *f, TinkerBlockId block)
+{
+    g_autoptr(GPtrArray) options = tinker_start_options_new(f->scene, block);
+    for (guint i = 0; i < options->len; i++) {
+        const TinkerStartOption *option = g_ptr_array_index(options, i);
+        g_autoptr(GError) error = NULL;
+        g_assert_true(isfinite(option->value));
+        if (tinker_start_apply(f->history, f->scene, option, option->value, &error)) {
+            g_autoptr(GPtrArray) after = tinker_start_options_new(f->scene, block);
+            const TinkerStartOption *again =
+                option->other == TINKER_NO_BLOCK
+                    ? find(f, after, option->kind, NULL)
+                    : find(f, after, option->kind, tinker_scene_block_name(f->scene, option->other));
+            if (again != NULL) physics_assert_near(option->label, again->value, option->value, 1e-8);
+            while (tinker_history_can_undo(f->history) != NULL)
+                tinker_history_undo(f->history);
+        } else {
+            g_assert_nonnull(error);
+            g_test_message("%s", error->message);
+        }
+        g_autofree char *now = tinker_scene_to_text(f->scene, TINKER_WRITE_SI);
+        g_assert_cmpstr(now, ==, f->text);
+    }
+}
+
+static void test_bundled_scenes(void)
+{
+    g_autofree char *folder = g_build_filename(g_getenv("TINKER_SOURCES"), "host", "scenes", NULL);
+    g_autoptr(GDir) dir = g_dir_open(folder, 0, NULL);
+    g_assert_nonnull(dir);
+    int scenes = 0;
+    for (const char *name = g_dir_read_name(dir); name != NULL; name = g_dir_read_name(dir)) {
+        if (!g_str_has_suffix(name, ".tinker.json")) continue;
+        g_autofree char *path = g_build_filename(folder, name, NULL);
+        g_autoptr(GError) error = NULL;
+        g_autoptr(StartFixture) f = g_new0(StartFixture, 1);
+        f->scene = tinker_scene_read_file(scene_fixture_catalogue(), path, NULL, &error);
+        g_assert_no_error(error);
+        f->history = tinker_history_new(f->scene);
+        f->text = tinker_scene_to_text(f->scene, TINKER_WRITE_SI);
+        g_test_message("%s", name);
+        for (int32_t i = 0; i < MIN(tinker_scene_block_count(f->scene), 40); i++)
+            try_all_offers(f, tinker_scene_block_at(f->scene, i));
+        scenes++;
+    }
+    g_assert_cmpint(scenes, >, 20);
+}
+
 static void add_tests(void)
 {
     g_test_add_func("/start/equilibrium", test_equilibrium);
@@ -347,6 +419,7 @@ static void add_tests(void)
     g_test_add_func("/start/equilibrium-of-chain", test_equilibrium_of_chain);
     g_test_add_func("/start/incline", test_incline);
     g_test_add_func("/start/rest-on-incline", test_rest_on_incline);
+    g_test_add_func("/start/rest-on-floor", test_rest_on_floor);
     g_test_add_func("/start/pendulum", test_pendulum);
     g_test_add_func("/start/double-pendulum", test_double_pendulum);
     g_test_add_func("/start/stretched-with-rods", test_stretched_with_rods);
@@ -355,6 +428,7 @@ static void add_tests(void)
     g_test_add_func("/start/plate-in-the-way", test_plate_in_the_way);
     g_test_add_func("/start/lengths-of-connectors", test_lengths_of_connectors);
     g_test_add_func("/start/nothing-to-offer", test_nothing_to_offer);
+    g_test_add_func("/start/bundled-scenes", test_bundled_scenes);
 }
 
 int main(int argc, char **argv)
