@@ -13,6 +13,7 @@
 #define USUAL_PROBE_SECONDS 5.0
 
 struct _TinkerCatalogue {
+    GMutex opening;          /* held while a library is looked for and opened: runs in several threads may ask */
     GPtrArray *libraries;    /* of TinkerFound, in search order */
     GPtrArray *warnings;     /* of char * */
     GPtrArray *opened;       /* of char *, borrowed from the libraries */
@@ -129,9 +130,9 @@ static char *explain_missing(const TinkerCatalogue *catalogue, GHashTable *table
     return nearest == NULL ? g_strdup("") : g_strdup_printf(" (did you mean \"%s\"?)", nearest);
 }
 
-/* The opened library that provides the id, or NULL. */
-static TinkerFound *open_provider(TinkerCatalogue *catalogue, GHashTable *table, const char *what, const char *id,
-                                  GError **error)
+/* The opened library that provides the id, or NULL; called with the lock held. */
+static TinkerFound *open_locked(TinkerCatalogue *catalogue, GHashTable *table, const char *what, const char *id,
+                                GError **error)
 {
     TinkerFound *found = g_hash_table_lookup(table, id);
     if (found == NULL) {
@@ -149,6 +150,14 @@ static TinkerFound *open_provider(TinkerCatalogue *catalogue, GHashTable *table,
     return found;
 }
 
+static TinkerFound *open_provider(TinkerCatalogue *catalogue, GHashTable *table, const char *what, const char *id,
+                                  GError **error)
+{
+    g_autoptr(GMutexLocker) locker = g_mutex_locker_new(&catalogue->opening);
+    (void)locker;
+    return open_locked(catalogue, table, what, id, error);
+}
+
 /* The manifest promised something that the library does not have. */
 static void refuse_broken_promise(const TinkerFound *found, const char *what, const char *id, GError **error)
 {
@@ -159,6 +168,7 @@ static void refuse_broken_promise(const TinkerFound *found, const char *what, co
 TinkerCatalogue *tinker_catalogue_new(const TinkerCatalogueOptions *options)
 {
     TinkerCatalogue *catalogue = g_new0(TinkerCatalogue, 1);
+    g_mutex_init(&catalogue->opening);
     catalogue->libraries = g_ptr_array_new_with_free_func(tinker_found_free);
     catalogue->warnings = g_ptr_array_new_with_free_func(g_free);
     catalogue->opened = g_ptr_array_new();
@@ -184,6 +194,7 @@ void tinker_catalogue_free(TinkerCatalogue *catalogue)
     g_ptr_array_unref(catalogue->folders);
     tinker_plugin_cache_free(catalogue->cache);
     g_free(catalogue->probe_program);
+    g_mutex_clear(&catalogue->opening);
     g_free(catalogue);
 }
 
@@ -226,6 +237,8 @@ const GPtrArray *tinker_catalogue_opened(TinkerCatalogue *catalogue)
 
 gboolean tinker_catalogue_clear_refused(TinkerCatalogue *catalogue, GError **error)
 {
+    g_autoptr(GMutexLocker) locker = g_mutex_locker_new(&catalogue->opening);
+    (void)locker;
     tinker_plugin_cache_clear_refused(catalogue->cache);
     return tinker_plugin_cache_write(catalogue->cache, error);
 }

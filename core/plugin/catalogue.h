@@ -103,7 +103,8 @@ const GPtrArray *tinker_catalogue_libraries(TinkerCatalogue *catalogue);
 const GPtrArray *tinker_catalogue_warnings(TinkerCatalogue *catalogue);
 
 /* The type of this id; opens its library if it is not open yet. NULL with TINKER_PLUGIN_ERROR_MISSING (the message names
- * the nearest type, and the reason where the library that has it was refused) or _REFUSED. (transfer none) */
+ * the nearest type, and the reason where the library that has it was refused) or _REFUSED. May be called from any thread,
+ * also at the same time; lists of the catalogue are read in one that knows of no such call. (transfer none) */
 const TinkerBlockClass *tinker_catalogue_type(TinkerCatalogue *catalogue, const char *id, GError **error);
 
 /* Likewise an integrator of a plugin. */
