@@ -12,16 +12,18 @@
 #include "units/expression-private.h"
 #include "units/units.h"
 
-#define PI                3.14159265358979323846
-#define LONGEST_TEXT      65536 /* bytes */
-#define MOST_INSTRUCTIONS 32768
-#define DEEPEST           200 /* levels of brackets, signs and powers */
-#define LONGEST_NAME      32
+#define PI                 3.14159265358979323846
+#define LONGEST_TEXT       65536 /* bytes */
+#define MOST_INSTRUCTIONS  32768
+#define SHIFT_INSTRUCTIONS 3   /* of a shifted time, so that what was read once can be shifted */
+#define DEEPEST            200 /* levels of brackets, signs and powers */
+#define LONGEST_NAME       32
 
 typedef struct {
     const char *text;
     const char *at;
     TinkerBuilder builder;
+    int time; /* the instruction that `t` means where time is shifted; -1 where it is not */
     int depth;
     GError **error;
 } Parser;
@@ -101,7 +103,7 @@ static gboolean enter(Parser *parser)
         fail(parser, TINKER_WAVEFORM_ERROR_SYNTAX, parser->at, "nested more than %d levels deep", DEEPEST);
         return FALSE;
     }
-    if (parser->builder.program->code->len > MOST_INSTRUCTIONS) {
+    if (parser->builder.program->code->len > MOST_INSTRUCTIONS + (parser->time >= 0 ? SHIFT_INSTRUCTIONS : 0)) {
         fail(parser, TINKER_WAVEFORM_ERROR_SYNTAX, parser->at, "the expression is too long");
         return FALSE;
     }
@@ -205,6 +207,7 @@ static int parse_name(Parser *parser)
     const gsize length = name_length(start);
     g_autofree char *name = g_strndup(start, length);
     parser->at += length;
+    if (strcmp(name, "t") == 0 && parser->time >= 0) return parser->time;
     if (strcmp(name, "t") == 0) return tinker_build(&parser->builder, TINKER_OP_TIME, -1, -1, -1, 0);
     if (strcmp(name, "pi") == 0) return tinker_build(&parser->builder, TINKER_OP_CONSTANT, -1, -1, -1, PI);
     const TinkerFunction *function = tinker_function_lookup(name);
@@ -311,6 +314,14 @@ static int fail_behind(Parser *parser)
     return fail_unexpected(parser, "an operator or the end");
 }
 
+/* t + shift, once for all places that name t. */
+static void build_shifted_time(Parser *parser, double shift)
+{
+    const int time = tinker_build(&parser->builder, TINKER_OP_TIME, -1, -1, -1, 0);
+    const int offset = tinker_build(&parser->builder, TINKER_OP_CONSTANT, -1, -1, -1, shift);
+    parser->time = tinker_build(&parser->builder, TINKER_OP_ADD, time, offset, -1, 0);
+}
+
 static gboolean check_text(Parser *parser)
 {
     const char *end;
@@ -324,11 +335,12 @@ static gboolean check_text(Parser *parser)
     return FALSE;
 }
 
-TinkerProgram *tinker_program_parse(const char *text, GError **error)
+TinkerProgram *tinker_program_parse(const char *text, double shift, GError **error)
 {
     g_autoptr(TinkerProgram) program = tinker_program_new();
-    Parser parser = {.text = text, .at = text, .builder = {program, -1}, .error = error};
+    Parser parser = {.text = text, .at = text, .builder = {program, -1}, .time = -1, .error = error};
     if (!check_text(&parser)) return NULL;
+    if (shift != 0) build_shifted_time(&parser, shift);
     const int value = parse_comparison(&parser);
     if (value == FAILED) return NULL;
     skip_blanks(&parser);

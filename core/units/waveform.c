@@ -10,9 +10,11 @@
 struct _TinkerWaveform {
     gatomicrefcount references;
     TinkerWaveformKind kind;
+    TinkerWaveform *origin; /* that this one is a shift of, or NULL */
+    double shift;           /* s: the origin is evaluated at t + shift */
     char *text;             /* of an expression */
-    TinkerProgram *program; /* of an expression */
-    TinkerTable *table;     /* of a table */
+    TinkerProgram *program; /* of an expression; it has the shift in it */
+    TinkerTable *table;     /* of a table; the origin's where there is one */
 };
 
 struct _TinkerWaveformEvaluator {
@@ -49,17 +51,32 @@ static void store(TinkerJet jet, double result[3])
     result[2] = jet.second;
 }
 
-/* The first row after t. */
-static double next_row(const TinkerTable *table, double t, double horizon)
+/* The number of rows up to and including t. By the rows' own shifted times, so that a break that was reported is met. */
+static gsize table_piece(const TinkerWaveform *waveform, double t)
 {
-    const gsize row = tinker_table_piece(table, t);
-    return row < table->rows && table->times[row] <= horizon ? table->times[row] : INFINITY;
+    const TinkerTable *table = waveform->table;
+    gsize piece = tinker_table_piece(table, t + waveform->shift);
+    while (piece < table->rows && table->times[piece] - waveform->shift <= t)
+        piece++;
+    while (piece > 0 && table->times[piece - 1] - waveform->shift > t)
+        piece--;
+    return piece;
+}
+
+/* The first row after t. */
+static double next_row(const TinkerWaveform *waveform, double t, double horizon)
+{
+    const gsize row = table_piece(waveform, t);
+    if (row == waveform->table->rows) return INFINITY;
+    const double next = waveform->table->times[row] - waveform->shift;
+    return next <= horizon ? next : INFINITY;
 }
 
 /* A time left of t with no break between them. */
 static double inside_left(const TinkerWaveformEvaluator *evaluator, double t)
 {
-    const double smallest = 64 * (nextafter(fabs(t), INFINITY) - fabs(t));
+    const double size = fmax(fabs(t), fabs(evaluator->waveform->shift));
+    const double smallest = 64 * (nextafter(size, INFINITY) - size);
     for (double width = fmax(1e-3, fabs(t) / 1024); width > smallest; width /= 8) {
         const double before = tinker_waveform_next_break(evaluator, t - width, t - smallest / 4);
         if (!isfinite(before)) return t - width / 2;
@@ -92,7 +109,7 @@ TinkerWaveform *tinker_waveform_new_harmonic(TinkerWaveformKind kind)
 
 TinkerWaveform *tinker_waveform_new_expression(const char *text, GError **error)
 {
-    TinkerProgram *program = tinker_program_parse(text, error);
+    TinkerProgram *program = tinker_program_parse(text, 0.0, error);
     if (program == NULL) return NULL;
     TinkerWaveform *waveform = waveform_new(TINKER_WAVEFORM_EXPRESSION);
     waveform->text = g_strdup(text);
@@ -113,6 +130,23 @@ TinkerWaveform *tinker_waveform_new_table_file(const char *path, int column, dou
     return waveform_of_table(tinker_table_read(path, column, scale, kind, error));
 }
 
+TinkerWaveform *tinker_waveform_shifted(TinkerWaveform *waveform, double by)
+{
+    g_return_val_if_fail(isfinite(waveform->shift + by), NULL);
+    TinkerWaveform *origin = waveform->origin == NULL ? waveform : waveform->origin;
+    const double shift = waveform->shift + by;
+    if (shift == 0 || origin->kind == TINKER_WAVEFORM_NONE) return tinker_waveform_ref(origin);
+    TinkerWaveform *shifted = waveform_new(origin->kind);
+    shifted->origin = tinker_waveform_ref(origin);
+    shifted->shift = shift;
+    shifted->table = origin->table;
+    if (origin->kind != TINKER_WAVEFORM_EXPRESSION) return shifted;
+    shifted->text = tinker_expression_shift_text(origin->text, shift);
+    shifted->program = tinker_program_parse(origin->text, shift, NULL);
+    g_assert(shifted->program != NULL); /* the text was read before */
+    return shifted;
+}
+
 TinkerWaveform *tinker_waveform_ref(TinkerWaveform *waveform)
 {
     g_atomic_ref_count_inc(&waveform->references);
@@ -124,7 +158,8 @@ void tinker_waveform_unref(TinkerWaveform *waveform)
     if (!g_atomic_ref_count_dec(&waveform->references)) return;
     g_free(waveform->text);
     g_clear_pointer(&waveform->program, tinker_program_free);
-    g_clear_pointer(&waveform->table, tinker_table_free);
+    if (waveform->origin == NULL) g_clear_pointer(&waveform->table, tinker_table_free);
+    g_clear_pointer(&waveform->origin, tinker_waveform_unref);
     g_free(waveform);
 }
 
@@ -145,7 +180,7 @@ TinkerWaveformEvaluator *tinker_waveform_evaluator_new(TinkerWaveform *waveform,
     evaluator->waveform = tinker_waveform_ref(waveform);
     evaluator->amplitude = amplitude;
     evaluator->frequency = frequency;
-    evaluator->phase = phase;
+    evaluator->phase = waveform->shift == 0 ? phase : phase + frequency * waveform->shift;
     evaluator->smooth =
         smooth && waveform->kind == TINKER_WAVEFORM_TABLE && waveform->table->kind == TINKER_TABLE_VALUE;
     if (evaluator->smooth) tinker_table_prepare_spline(waveform->table);
@@ -172,7 +207,7 @@ void tinker_waveform_enter_piece(TinkerWaveformEvaluator *evaluator, double insi
     if (evaluator->waveform->kind == TINKER_WAVEFORM_EXPRESSION) {
         tinker_program_decide(&evaluator->piece, inside);
     } else if (evaluator->waveform->kind == TINKER_WAVEFORM_TABLE) {
-        evaluator->table_piece = tinker_table_piece(evaluator->waveform->table, inside);
+        evaluator->table_piece = table_piece(evaluator->waveform, inside);
     }
 }
 
@@ -193,7 +228,7 @@ void tinker_waveform_evaluate(const TinkerWaveformEvaluator *evaluator, double t
         store(tinker_program_evaluate(&evaluator->piece, t), result);
         return;
     case TINKER_WAVEFORM_TABLE:
-        tinker_table_evaluate(waveform->table, evaluator->table_piece, evaluator->smooth, t, result);
+        tinker_table_evaluate(waveform->table, evaluator->table_piece, evaluator->smooth, t + waveform->shift, result);
         return;
     case TINKER_WAVEFORM_NONE:
         memset(result, 0, 3 * sizeof *result);
@@ -256,7 +291,7 @@ void tinker_waveform_form(const TinkerWaveformEvaluator *evaluator, double t, Ti
 double tinker_waveform_next_break(const TinkerWaveformEvaluator *evaluator, double t, double horizon)
 {
     if (!isfinite(t) || !(horizon > t)) return INFINITY;
-    if (evaluator->waveform->kind == TINKER_WAVEFORM_TABLE) return next_row(evaluator->waveform->table, t, horizon);
+    if (evaluator->waveform->kind == TINKER_WAVEFORM_TABLE) return next_row(evaluator->waveform, t, horizon);
     if (evaluator->waveform->kind != TINKER_WAVEFORM_EXPRESSION) return INFINITY;
     TinkerProgramState search = evaluator->search;
     return tinker_program_next_break(&search, t, horizon);
@@ -267,10 +302,10 @@ void tinker_waveform_jump(TinkerWaveformEvaluator *evaluator, double t, double j
     const TinkerWaveform *waveform = evaluator->waveform;
     double left[3] = {0}, right[3] = {0};
     if (waveform->kind == TINKER_WAVEFORM_TABLE) {
-        const gsize piece_left = tinker_table_piece(waveform->table, nextafter(t, -INFINITY));
-        const gsize piece_right = tinker_table_piece(waveform->table, t);
-        tinker_table_evaluate(waveform->table, piece_left, evaluator->smooth, t, left);
-        tinker_table_evaluate(waveform->table, piece_right, evaluator->smooth, t, right);
+        const gsize piece_left = table_piece(waveform, nextafter(t, -INFINITY));
+        const gsize piece_right = table_piece(waveform, t);
+        tinker_table_evaluate(waveform->table, piece_left, evaluator->smooth, t + waveform->shift, left);
+        tinker_table_evaluate(waveform->table, piece_right, evaluator->smooth, t + waveform->shift, right);
     } else if (waveform->kind == TINKER_WAVEFORM_EXPRESSION) {
         evaluate_beside(evaluator, inside_left(evaluator, t), t, left);
         evaluate_beside(evaluator, inside_right(evaluator, t), t, right);

@@ -25,6 +25,7 @@ typedef enum {
     TINKER_TABLE_ACCELERATION, /* integrated exactly to velocity and displacement from rest */
 } TinkerTableKind;
 
+/* Never changes, and may be used by any number of threads. */
 typedef struct _TinkerWaveform TinkerWaveform;
 
 typedef enum {
@@ -53,13 +54,18 @@ TinkerWaveform *tinker_waveform_new_table(const double *times, const double *val
 TinkerWaveform *tinker_waveform_new_table_file(const char *path, int column, double scale, TinkerTableKind kind,
                                                GError **error);
 
+/* The waveform as it is `by` (s, finite) later: f(t + by), with everything that belongs to it: breaks, jumps, forms, and the
+ * velocity and displacement that a table of accelerations has grown to. A harmonic's phase advances by frequency * by. What
+ * was shifted once can be shifted again. (transfer full) */
+TinkerWaveform *tinker_waveform_shifted(TinkerWaveform *waveform, double by);
+
 TinkerWaveform *tinker_waveform_ref(TinkerWaveform *waveform);
 void tinker_waveform_unref(TinkerWaveform *waveform);
 G_DEFINE_AUTOPTR_CLEANUP_FUNC(TinkerWaveform, tinker_waveform_unref)
 
 TinkerWaveformKind tinker_waveform_kind(const TinkerWaveform *waveform);
 
-/* The text of an expression, else NULL. Borrowed. */
+/* The text of an expression, of a shifted one as a function of the new t; else NULL. Borrowed. */
 const char *tinker_waveform_expression(const TinkerWaveform *waveform);
 
 /* An evaluator: one waveform in use by one run, with its scaling and the switches of the piece it is in. Not shared
