@@ -1,18 +1,19 @@
-/* The history: every change is kept as what the blocks it touched were before and after, so that undo and redo need to
- * know nothing of the kinds of change. */
-#include "scene/history.h"
+/* The history: every change is kept as what the thing it touched was before and after, so that undo and redo need to know
+ * nothing of the kinds of change. The setters are in history-blocks.c and history-scene.c. */
+#include "scene/history-private.h"
 
-#include "scene/scene-private.h"
-
-/* One block; NULL where it was not there. */
 typedef struct {
-    TinkerBlockId id;
-    SceneSnapshot *before, *after;
+    const HistoryKind *kind;
+    int32_t id;
+    gpointer before, after; /* NULL where it was not there */
+    gboolean renames;       /* of a block: its name is another one */
 } Change;
 
+/* A state of the scene has a number, which no other state has. */
 typedef struct {
     char *title, *merge;
     GArray *changes; /* of Change, in the order they were made */
+    guint64 from, to;
 } Step;
 
 struct _TinkerHistory {
@@ -20,12 +21,20 @@ struct _TinkerHistory {
     GPtrArray *steps; /* of Step */
     guint done;       /* of them; those behind can be redone */
     Step *open;       /* between begin and end, else NULL */
+    guint64 revision;
+    guint64 state, saved; /* the state that the scene is in, and the one that was marked */
 };
 
 static void change_clear(Change *change)
 {
-    scene_snapshot_free(change->before);
-    scene_snapshot_free(change->after);
+    if (change->kind->free == NULL) return;
+    if (change->before != NULL) change->kind->free(change->before);
+    if (change->after != NULL) change->kind->free(change->after);
+}
+
+static gboolean alters(const Change *change)
+{
+    return change->before != NULL && change->after != NULL;
 }
 
 static void step_free(Step *step)
@@ -36,45 +45,49 @@ static void step_free(Step *step)
     g_free(step);
 }
 
-static Step *step_new(const char *title, const char *merge)
+static Step *step_new(const char *title, const char *merge, guint64 state)
 {
     Step *step = g_new0(Step, 1);
     step->title = g_strdup(title);
     step->merge = g_strdup(merge);
     step->changes = g_array_new(FALSE, FALSE, sizeof(Change));
     g_array_set_clear_func(step->changes, (GDestroyNotify)change_clear);
+    step->from = step->to = state;
     return step;
 }
 
-/* Adds a change to a step; one that only alters a block whose last change here only altered it too becomes part of
- * that. Alterations touch nothing but their block, so they may change places with those of others. */
-static void step_add(Step *step, Change change)
+/* Whether the order of two changes does not matter. Alterations touch nothing but their block, except that names are taken
+ * and given free, and that graphs follow them. */
+static gboolean commute(const Change *a, const Change *b)
 {
-    for (guint i = step->changes->len; change.before != NULL && change.after != NULL && i-- > 0;) {
-        Change *earlier = &g_array_index(step->changes, Change, i);
-        if (earlier->id != change.id) continue;
-        if (earlier->before == NULL || earlier->after == NULL) break;
-        scene_snapshot_free(earlier->after);
-        scene_snapshot_free(change.before);
-        earlier->after = change.after;
-        return;
-    }
-    g_array_append_val(step->changes, change);
+    if (a->kind == &history_head || b->kind == &history_head) return TRUE;
+    return a->kind == &history_block && b->kind == &history_block && alters(a) && alters(b) && !a->renames &&
+           !b->renames;
 }
 
-static void make(TinkerScene *scene, TinkerBlockId id, const SceneSnapshot *state)
+/* Adds a change to a step; one that only alters a thing which was altered here before becomes part of that, where it could
+ * as well have been made right behind it. */
+static void step_add(Step *step, Change change)
 {
-    if (state != NULL)
-        scene_snapshot_restore(scene, state);
-    else
-        scene_take_out(scene, id);
+    for (guint i = step->changes->len; alters(&change) && i-- > 0;) {
+        Change *earlier = &g_array_index(step->changes, Change, i);
+        if (earlier->kind == change.kind && earlier->id == change.id) {
+            if (!alters(earlier)) break;
+            change_clear(&(Change){earlier->kind, earlier->id, change.before, earlier->after, FALSE});
+            earlier->after = change.after;
+            earlier->renames = earlier->renames || change.renames;
+            return;
+        }
+        if (!commute(earlier, &change)) break;
+    }
+    g_array_append_val(step->changes, change);
 }
 
 static void step_undo(const Step *step, TinkerScene *scene)
 {
     for (guint i = step->changes->len; i-- > 0;) {
         const Change *change = &g_array_index(step->changes, Change, i);
-        make(scene, change->id, change->before);
+        change->kind->make(scene, change->id, change->after, change->before);
     }
 }
 
@@ -82,12 +95,22 @@ static void step_redo(const Step *step, TinkerScene *scene)
 {
     for (guint i = 0; i < step->changes->len; i++) {
         const Change *change = &g_array_index(step->changes, Change, i);
-        make(scene, change->id, change->after);
+        change->kind->make(scene, change->id, change->before, change->after);
     }
 }
 
-/* Whether recording went into the open step; if not, the change is a step of its own. */
-static gboolean open_own(TinkerHistory *history, const char *verb, const char *name)
+static void enter_state(TinkerHistory *history, guint64 state)
+{
+    history->state = state;
+    history->revision++;
+}
+
+TinkerScene *history_scene(TinkerHistory *history)
+{
+    return history->scene;
+}
+
+gboolean history_open_own(TinkerHistory *history, const char *verb, const char *name)
 {
     if (history->open != NULL) return FALSE;
     g_autofree char *title = g_strdup_printf("%s %s", verb, name);
@@ -95,22 +118,12 @@ static gboolean open_own(TinkerHistory *history, const char *verb, const char *n
     return TRUE;
 }
 
-static void record(TinkerHistory *history, const char *verb, TinkerBlockId id, SceneSnapshot *before)
+void history_add(TinkerHistory *history, const HistoryKind *kind, int32_t id, gpointer before, gpointer after)
 {
-    gboolean own = open_own(history, verb, tinker_scene_block_name(history->scene, id));
-    step_add(history->open, (Change){id, before, scene_snapshot_take(history->scene, id)});
-    if (own) tinker_history_end(history);
-}
-
-/* Keeps a change that was made, or drops the snapshot of one that was refused. */
-static gboolean record_if(gboolean made, TinkerHistory *history, const char *verb, TinkerBlockId id,
-                          SceneSnapshot *before)
-{
-    if (made)
-        record(history, verb, id, before);
-    else
-        scene_snapshot_free(before);
-    return made;
+    Change change = {kind, id, before, after, FALSE};
+    change.renames = kind == &history_block && alters(&change) && scene_snapshot_renames(before, after);
+    step_add(history->open, change);
+    enter_state(history, history->revision + 1); /* a number that no state had before */
 }
 
 TinkerHistory *tinker_history_new(TinkerScene *scene)
@@ -132,7 +145,14 @@ void tinker_history_free(TinkerHistory *history)
 void tinker_history_begin(TinkerHistory *history, const char *title, const char *merge)
 {
     g_assert(history->open == NULL);
-    history->open = step_new(title, merge);
+    history->open = step_new(title, merge, history->state);
+}
+
+/* Whether a step is to become part of the one before: not across a saved state, which undo is to find again. */
+static gboolean is_continued(const TinkerHistory *history, const Step *last, const Step *step)
+{
+    return history->done == history->steps->len && last->to != history->saved && step->merge != NULL &&
+           g_strcmp0(last->merge, step->merge) == 0;
 }
 
 void tinker_history_end(TinkerHistory *history)
@@ -143,16 +163,17 @@ void tinker_history_end(TinkerHistory *history)
         step_free(step);
         return;
     }
-    gboolean nothing_to_redo = history->done == history->steps->len;
-    g_ptr_array_set_size(history->steps, (int)history->done);
+    step->to = history->state;
     Step *last = history->done == 0 ? NULL : g_ptr_array_index(history->steps, history->done - 1);
-    if (nothing_to_redo && last != NULL && step->merge != NULL && g_strcmp0(last->merge, step->merge) == 0) {
+    if (last != NULL && is_continued(history, last, step)) {
         for (guint i = 0; i < step->changes->len; i++)
             step_add(last, g_array_index(step->changes, Change, i));
+        last->to = step->to;
         g_array_set_clear_func(step->changes, NULL); /* they are the last step's now */
         step_free(step);
         return;
     }
+    g_ptr_array_set_size(history->steps, (int)history->done);
     g_ptr_array_add(history->steps, step);
     history->done++;
 }
@@ -161,76 +182,8 @@ void tinker_history_abort(TinkerHistory *history)
 {
     g_assert(history->open != NULL);
     step_undo(history->open, history->scene);
+    if (history->open->changes->len > 0) enter_state(history, history->open->from);
     g_clear_pointer(&history->open, step_free);
-}
-
-TinkerBlockId tinker_history_add_block(TinkerHistory *history, const TinkerBlockClass *block_class, const char *name,
-                                       GError **error)
-{
-    TinkerBlockId id = tinker_scene_add_block(history->scene, block_class, name, error);
-    if (id != TINKER_NO_BLOCK) record(history, "Add", id, NULL);
-    return id;
-}
-
-void tinker_history_remove_block(TinkerHistory *history, TinkerBlockId block)
-{
-    gboolean own = open_own(history, "Remove", tinker_scene_block_name(history->scene, block));
-    g_autoptr(GArray) attached = scene_attached_to(history->scene, block);
-    g_autofree SceneSnapshot **before = g_new(SceneSnapshot *, attached->len + 1);
-    for (guint i = 0; i < attached->len; i++)
-        before[i] = scene_snapshot_take(history->scene, g_array_index(attached, TinkerBlockId, i));
-    Change removal = {block, scene_snapshot_take(history->scene, block), NULL};
-
-    tinker_scene_remove_block(history->scene, block);
-    for (guint i = 0; i < attached->len; i++) {
-        TinkerBlockId id = g_array_index(attached, TinkerBlockId, i);
-        step_add(history->open, (Change){id, before[i], scene_snapshot_take(history->scene, id)});
-    }
-    step_add(history->open, removal);
-    if (own) tinker_history_end(history);
-}
-
-gboolean tinker_history_rename_block(TinkerHistory *history, TinkerBlockId block, const char *name, GError **error)
-{
-    SceneSnapshot *before = scene_snapshot_take(history->scene, block);
-    return record_if(tinker_scene_rename_block(history->scene, block, name, error), history, "Rename", block, before);
-}
-
-gboolean tinker_history_set(TinkerHistory *history, TinkerBlockId block, int32_t property, const double *values,
-                            GError **error)
-{
-    SceneSnapshot *before = scene_snapshot_take(history->scene, block);
-    return record_if(tinker_scene_set(history->scene, block, property, values, error), history, "Change", block,
-                     before);
-}
-
-void tinker_history_unset(TinkerHistory *history, TinkerBlockId block, int32_t property)
-{
-    SceneSnapshot *before = scene_snapshot_take(history->scene, block);
-    tinker_scene_unset(history->scene, block, property);
-    record(history, "Change", block, before);
-}
-
-void tinker_history_set_waveform(TinkerHistory *history, TinkerBlockId block, int32_t property,
-                                 TinkerWaveform *waveform)
-{
-    SceneSnapshot *before = scene_snapshot_take(history->scene, block);
-    tinker_scene_set_waveform(history->scene, block, property, waveform);
-    record(history, "Change", block, before);
-}
-
-void tinker_history_set_text(TinkerHistory *history, TinkerBlockId block, int32_t property, const char *text)
-{
-    SceneSnapshot *before = scene_snapshot_take(history->scene, block);
-    tinker_scene_set_text(history->scene, block, property, text);
-    record(history, "Change", block, before);
-}
-
-gboolean tinker_history_set_end(TinkerHistory *history, TinkerBlockId block, int32_t end, TinkerSceneEnd to,
-                                GError **error)
-{
-    SceneSnapshot *before = scene_snapshot_take(history->scene, block);
-    return record_if(tinker_scene_set_end(history->scene, block, end, to, error), history, "Connect", block, before);
 }
 
 const char *tinker_history_can_undo(const TinkerHistory *history)
@@ -249,12 +202,31 @@ void tinker_history_undo(TinkerHistory *history)
 {
     g_assert(history->open == NULL);
     if (history->done == 0) return;
-    step_undo(g_ptr_array_index(history->steps, --history->done), history->scene);
+    const Step *step = g_ptr_array_index(history->steps, --history->done);
+    step_undo(step, history->scene);
+    enter_state(history, step->from);
 }
 
 void tinker_history_redo(TinkerHistory *history)
 {
     g_assert(history->open == NULL);
     if (history->done == history->steps->len) return;
-    step_redo(g_ptr_array_index(history->steps, history->done++), history->scene);
+    const Step *step = g_ptr_array_index(history->steps, history->done++);
+    step_redo(step, history->scene);
+    enter_state(history, step->to);
+}
+
+gboolean tinker_history_is_saved(const TinkerHistory *history)
+{
+    return history->state == history->saved;
+}
+
+void tinker_history_mark_saved(TinkerHistory *history)
+{
+    history->saved = history->state;
+}
+
+guint64 tinker_history_revision(const TinkerHistory *history)
+{
+    return history->revision;
 }

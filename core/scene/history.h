@@ -1,6 +1,7 @@
 /* Undo and redo: a history of changes to a scene.
  *
  * Changes go through the history instead of the scene itself; those between begin and end are one step for the user.
+ * Whatever bypasses it (tinker_scene_head, tinker_scene_graphs) is not taken back, and must not be mixed with it.
  */
 #ifndef TINKER_CORE_HISTORY_H
 #define TINKER_CORE_HISTORY_H
@@ -35,11 +36,33 @@ void tinker_history_set_text(TinkerHistory *history, TinkerBlockId block, int32_
 gboolean tinker_history_set_end(TinkerHistory *history, TinkerBlockId block, int32_t end, TinkerSceneEnd to,
                                 GError **error);
 
+/* Takes over all of the head: title, units, canvas, run settings; ranges are those of the format. Texts are copied. */
+gboolean tinker_history_set_head(TinkerHistory *history, const TinkerSceneHead *head, GError **error);
+
+/* Adds a graph behind the others and answers its index in tinker_scene_graphs, or -1 where its block, a quantity or its size is
+ * not good. Graphs are copied. */
+int32_t tinker_history_add_graph(TinkerHistory *history, const TinkerSceneGraph *graph, GError **error);
+void tinker_history_remove_graph(TinkerHistory *history, int32_t index);
+gboolean tinker_history_change_graph(TinkerHistory *history, int32_t index, const TinkerSceneGraph *graph,
+                                     GError **error);
+
+/* Moves a block to the end of the drawing order, on top of all others, or to its beginning. */
+void tinker_history_raise(TinkerHistory *history, TinkerBlockId block);
+void tinker_history_lower(TinkerHistory *history, TinkerBlockId block);
+
 /* Titles of what undo and redo would do; NULL where there is nothing. */
 const char *tinker_history_can_undo(const TinkerHistory *history);
 const char *tinker_history_can_redo(const TinkerHistory *history);
 /* An undone removal brings the block back under its old id, name and place in the drawing order, ends included. */
 void tinker_history_undo(TinkerHistory *history);
 void tinker_history_redo(TinkerHistory *history);
+
+/* Whether the scene is as it was when it was marked last, or at the beginning where it was not: also after undo and redo that
+ * lead back to that state. Steps with the same `merge` key stay apart where the state between them was marked. */
+gboolean tinker_history_is_saved(const TinkerHistory *history);
+void tinker_history_mark_saved(TinkerHistory *history);
+
+/* A number that grows with every change, undo and redo, also inside an open step. */
+guint64 tinker_history_revision(const TinkerHistory *history);
 
 #endif

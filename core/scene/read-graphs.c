@@ -18,8 +18,8 @@ static void take_text(SceneReader *reader, const cJSON *json, JsonAt at, char **
 static gboolean read_size(SceneReader *reader, const cJSON *json, JsonAt at, double size[2])
 {
     if (!reader_vector(reader, json, at, "size", reader_length, size)) return FALSE;
-    if (size[0] > 0 && size[1] > 0) return TRUE;
-    return reader_error(reader, at, TINKER_SCENE_ERROR_VALUE, "size: both numbers must be greater than 0");
+    g_autofree char *fault = scene_graph_size_fault(size);
+    return fault == NULL || reader_error(reader, at, TINKER_SCENE_ERROR_VALUE, "%s", fault);
 }
 
 static void read_member(SceneReader *reader, const cJSON *json, JsonAt at, ReadGraph *read, GString **unknown)
@@ -49,16 +49,8 @@ static void read_member(SceneReader *reader, const cJSON *json, JsonAt at, ReadG
 static void check_quantity(SceneReader *reader, JsonAt at, const char *what, const TinkerBlockClass *block_class,
                            const char *quantity)
 {
-    if (tinker_block_class_quantity(block_class, quantity) >= 0) return;
-    g_autofree const char **names = g_new0(const char *, (gsize)block_class->quantity_count + 1);
-    for (int32_t q = 0; q < block_class->quantity_count; q++)
-        names[q] = block_class->quantities[q].id;
-    g_autofree char *list = g_strjoinv("\", \"", (char **)names);
-    g_autofree char *otherwise =
-        names[0] == NULL ? g_strdup(" (it has none)") : g_strdup_printf(" (it has \"%s\")", list);
-    g_autofree char *suggestion = reader_suggestion(quantity, names, otherwise);
-    reader_error(reader, at, TINKER_SCENE_ERROR_VALUE, "%s: a %s has no quantity \"%s\"%s", what, block_class->type->id,
-                 quantity, suggestion);
+    g_autofree char *fault = scene_quantity_fault(block_class, quantity);
+    if (fault != NULL) reader_error(reader, at, TINKER_SCENE_ERROR_VALUE, "%s: %s", what, fault);
 }
 
 static void check_graph(SceneReader *reader, JsonAt at, const ReadGraph *read)

@@ -3,40 +3,19 @@
 
 #include "scene/reader-private.h"
 
-/* A number of the head, described as a property is, and where it goes. */
-typedef struct {
-    TinkerPropertyType type;
-    gsize offset; /* in TinkerSceneHead */
-} HeadNumber;
-
-#define POSITIVE TINKER_HAS_MINIMUM | TINKER_OPEN_MINIMUM
-static const HeadNumber canvas_numbers[] = {
-    {{.id = "width", .dimension = {.length = 1}, .flags = POSITIVE}, G_STRUCT_OFFSET(TinkerSceneHead, canvas_width)},
-    {{.id = "grid", .dimension = {.length = 1}, .flags = POSITIVE}, G_STRUCT_OFFSET(TinkerSceneHead, canvas_grid)},
-};
-static const HeadNumber run_numbers[] = {
-    {{.id = "duration", .dimension = {.time = 1}, .flags = POSITIVE}, G_STRUCT_OFFSET(TinkerSceneHead, run.duration)},
-    {{.id = "interval", .dimension = {.time = 1}, .flags = POSITIVE}, G_STRUCT_OFFSET(TinkerSceneHead, run.interval)},
-    {{.id = "step", .dimension = {.time = 1}, .flags = POSITIVE}, G_STRUCT_OFFSET(TinkerSceneHead, run.step)},
-    {{.id = "tolerance", .flags = POSITIVE | TINKER_HAS_MAXIMUM | TINKER_OPEN_MAXIMUM, .hard_maximum = 1},
-     G_STRUCT_OFFSET(TinkerSceneHead, run.tolerance)},
-    {{.id = "spectral_radius", .flags = TINKER_HAS_MINIMUM | TINKER_HAS_MAXIMUM, .hard_maximum = 1},
-     G_STRUCT_OFFSET(TinkerSceneHead, run.spectral_radius)},
-};
-
 /* Reads the number of this name, if it is one of them. */
-static gboolean head_number(SceneReader *reader, const cJSON *json, JsonAt at, const HeadNumber *numbers, gsize count)
+static gboolean head_number(SceneReader *reader, const cJSON *json, JsonAt at, const char *part)
 {
-    for (gsize i = 0; i < count; i++) {
-        const TinkerPropertyType *type = &numbers[i].type;
-        if (!g_str_equal(json->string, type->id)) continue;
+    for (const SceneHeadNumber *number = scene_head_numbers; number->part != NULL; number++) {
+        const TinkerPropertyType *type = &number->type;
+        if (!g_str_equal(number->part, part) || !g_str_equal(json->string, type->id)) continue;
         double value;
         if (!reader_number(reader, json, at, type->id, type->dimension, &value)) return TRUE;
         g_autofree char *fault = scene_value_fault(type, &value);
         if (fault != NULL)
             reader_error(reader, at, TINKER_SCENE_ERROR_VALUE, "%s", fault);
         else
-            G_STRUCT_MEMBER(double, &reader->scene->head, numbers[i].offset) = value;
+            G_STRUCT_MEMBER(double, &reader->scene->head, number->offset) = value;
         return TRUE;
     }
     return FALSE;
@@ -56,25 +35,24 @@ static gboolean canvas_member(SceneReader *reader, const cJSON *json, JsonAt at)
         reader_switch(reader, json, at, "snap", &reader->scene->head.canvas_snap);
         return TRUE;
     }
-    return head_number(reader, json, at, canvas_numbers, G_N_ELEMENTS(canvas_numbers));
+    return head_number(reader, json, at, "canvas");
 }
 
 static gboolean run_member(SceneReader *reader, const cJSON *json, JsonAt at)
 {
-    static const char *const contacts[] = {"events", "impulse", NULL};
     TinkerRunSettings *run = &reader->scene->head.run;
     if (g_str_equal(json->string, "method")) {
         head_text(reader, json, at, "method", &run->method);
         return TRUE;
     }
     if (g_str_equal(json->string, "contacts")) {
-        int choice = reader_choice(reader, json, at, "contacts", contacts);
+        int choice = reader_choice(reader, json, at, "contacts", scene_contacts);
         if (choice < 0) return TRUE;
         g_free(run->contacts);
-        run->contacts = g_strdup(contacts[choice]);
+        run->contacts = g_strdup(scene_contacts[choice]);
         return TRUE;
     }
-    return head_number(reader, json, at, run_numbers, G_N_ELEMENTS(run_numbers));
+    return head_number(reader, json, at, "run");
 }
 
 typedef gboolean (*ReadMember)(SceneReader *reader, const cJSON *json, JsonAt at);

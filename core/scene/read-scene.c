@@ -98,11 +98,12 @@ static void read_document(SceneReader *reader)
     report_other_duplicates(reader);
 }
 
-TinkerScene *tinker_scene_read_text(TinkerCatalogue *catalogue, const char *text, gsize length, const char *path,
-                                    GPtrArray *findings, GError **error)
+TinkerScene *reader_read_text(TinkerCatalogue *catalogue, const char *text, gsize length, const char *path,
+                              GHashTable *waveforms, GPtrArray *findings, GError **error)
 {
     SceneReader reader;
     reader_init(&reader, catalogue, text, length, path);
+    reader.known_waveforms = waveforms;
     read_document(&reader);
     gboolean good = reader_conclude(&reader, findings, error);
     TinkerScene *scene = g_steal_pointer(&reader.scene);
@@ -110,6 +111,12 @@ TinkerScene *tinker_scene_read_text(TinkerCatalogue *catalogue, const char *text
     if (good) return scene;
     tinker_scene_free(scene);
     return NULL;
+}
+
+TinkerScene *tinker_scene_read_text(TinkerCatalogue *catalogue, const char *text, gsize length, const char *path,
+                                    GPtrArray *findings, GError **error)
+{
+    return reader_read_text(catalogue, text, length, path, NULL, findings, error);
 }
 
 /* A file that could not be read is a finding without a place. */

@@ -172,6 +172,8 @@ TinkerWaveform *reader_waveform(SceneReader *reader, const cJSON *json, JsonAt a
     /* The same object means the same waveform: its text or file is read once. */
     char *text = object_text(reader, at);
     TinkerWaveform *waveform = g_hash_table_lookup(reader->waveforms, text);
+    if (waveform == NULL && reader->known_waveforms != NULL)
+        waveform = g_hash_table_lookup(reader->known_waveforms, text);
     if (waveform != NULL) {
         g_free(text);
         return tinker_waveform_ref(waveform);

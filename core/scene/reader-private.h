@@ -79,13 +79,14 @@ typedef struct {
         GArray *parts;
     } split[READER_MOST_STEPS];
 
-    GHashTable *types;       /* id to ReaderType */
-    GHashTable *waveforms;   /* the JSON object to the waveform */
-    GArray *unnamed;         /* of TinkerBlockId */
-    GArray *later_ends;      /* of ReaderEnd */
-    GStringChunk *end_names; /* theirs */
-    GPtrArray *block_names;  /* all, for suggestions; made when first needed */
-    gint64 suggestions_left; /* names that may still be compared */
+    GHashTable *types;           /* id to ReaderType */
+    GHashTable *waveforms;       /* the JSON object to the waveform */
+    GHashTable *known_waveforms; /* likewise, given by whoever reads; NULL: none */
+    GArray *unnamed;             /* of TinkerBlockId */
+    GArray *later_ends;          /* of ReaderEnd */
+    GStringChunk *end_names;     /* theirs */
+    GPtrArray *block_names;      /* all, for suggestions; made when first needed */
+    gint64 suggestions_left;     /* names that may still be compared */
 } SceneReader;
 
 /* Findings ----------------------------------------------------------------------------------------------------- */
@@ -133,10 +134,18 @@ TinkerWaveform *reader_waveform(SceneReader *reader, const cJSON *json, JsonAt a
 /* The file of a table, absolute and without links, which lies in or under the scene's folder. (transfer full) */
 char *reader_table_path(const char *folder, const char *file, GError **error);
 
+/* As tinker_scene_read_text; `waveforms` (may be NULL) has the waveforms that are not to be read, by their JSON object on
+ * one line. */
+TinkerScene *reader_read_text(TinkerCatalogue *catalogue, const char *text, gsize length, const char *path,
+                              GHashTable *waveforms, GPtrArray *findings, GError **error);
+
 /* Parts of a scene --------------------------------------------------------------------------------------------- */
 
 /* A value of its own in the text. (transfer full) */
 cJSON *reader_parse(SceneReader *reader, const JsonPart *part);
+
+/* Names in the ends of a placeholder follow: old name to new name. */
+void scene_placeholder_rename_ends(ScenePlaceholder *placeholder, GHashTable *names);
 
 void reader_head(SceneReader *reader);
 void reader_block(SceneReader *reader, int number);

@@ -72,8 +72,29 @@ static inline SceneTable *scene_table_of(const TinkerScene *scene, TinkerBlockId
 
 void scene_head_init(TinkerSceneHead *head);
 void scene_head_clear(TinkerSceneHead *head);
+TinkerSceneHead *scene_head_copy(const TinkerSceneHead *head);
+void scene_head_free(TinkerSceneHead *head);
+/* What a head may not hold, in words ("run: duration must be ..."), or NULL. (transfer full) */
+char *scene_head_fault(const TinkerSceneHead *head);
+
+/* A number of the head, described as a property is, and where it goes. */
+typedef struct {
+    const char *part; /* "canvas" or "run": the object that it stands in */
+    TinkerPropertyType type;
+    gsize offset; /* in TinkerSceneHead */
+} SceneHeadNumber;
+extern const SceneHeadNumber scene_head_numbers[]; /* ends with an entry without part */
+extern const char *const scene_contacts[];         /* what "contacts" may be; ends with NULL */
+
+/* Graphs ------------------------------------------------------------------------------------------------------- */
+
 TinkerSceneGraph *scene_graph_copy(const TinkerSceneGraph *graph);
 void scene_graph_free(TinkerSceneGraph *graph);
+/* What is wrong with a graph in this scene, or NULL. (transfer full) */
+char *scene_graph_fault(const TinkerScene *scene, const TinkerSceneGraph *graph);
+char *scene_graph_size_fault(const double size[2]);
+/* That blocks of this class do not have the quantity, with a suggestion, or NULL. (transfer full) */
+char *scene_quantity_fault(const TinkerBlockClass *block_class, const char *quantity);
 
 /* Tables ------------------------------------------------------------------------------------------------------- */
 
@@ -108,7 +129,12 @@ void scene_table_resolve(SceneTable *table, int32_t row);
  * `placeholder`. */
 TinkerBlockId scene_append(TinkerScene *scene, const TinkerBlockClass *block_class, int32_t end_count,
                            ScenePlaceholder *placeholder);
+ScenePlaceholder *scene_placeholder_copy(const ScenePlaceholder *placeholder);
 void scene_placeholder_free(ScenePlaceholder *placeholder);
+
+/* The place of a block in the drawing order, 0 for the one that is drawn first; and moving it to another. */
+int32_t scene_order_of(const TinkerScene *scene, TinkerBlockId block);
+void scene_move_in_order(TinkerScene *scene, TinkerBlockId block, int32_t place);
 
 /* What is wrong with a name, or NULL. (transfer full) */
 char *scene_name_fault(const TinkerScene *scene, const char *name);
@@ -148,8 +174,12 @@ GArray *scene_attached_to(const TinkerScene *scene, TinkerBlockId block);
 typedef struct _SceneSnapshot SceneSnapshot;
 SceneSnapshot *scene_snapshot_take(const TinkerScene *scene, TinkerBlockId block);
 void scene_snapshot_free(SceneSnapshot *snapshot);
+/* Whether two snapshots of one block have different names. */
+gboolean scene_snapshot_renames(const SceneSnapshot *before, const SceneSnapshot *after);
 /* Makes the block what it was; one that was removed comes back under its id, at its place in the drawing order. */
 void scene_snapshot_restore(TinkerScene *scene, const SceneSnapshot *snapshot);
+/* Gives a block all values and ends of one of the same class in another scene; ends keep the ids of that scene. */
+void scene_copy_row(const TinkerScene *from, TinkerBlockId block, TinkerScene *to, TinkerBlockId copy);
 /* Takes a block out as tinker_scene_remove_block does, but leaves the ends on it to the caller. */
 void scene_take_out(TinkerScene *scene, TinkerBlockId block);
 

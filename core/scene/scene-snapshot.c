@@ -22,13 +22,6 @@ struct _SceneSnapshot {
     GArray *graphs; /* of SnapshotGraph, last first */
 };
 
-static int32_t order_of(const TinkerScene *scene, TinkerBlockId block)
-{
-    for (guint place = 0; place < scene->order->len; place++)
-        if (g_array_index(scene->order, TinkerBlockId, place) == block) return (int32_t)place;
-    return (int32_t)scene->order->len;
-}
-
 static void take_row(SceneSnapshot *snapshot, const SceneTable *table, int32_t row)
 {
     snapshot->column_count = table->block_class->column_count;
@@ -101,7 +94,7 @@ SceneSnapshot *scene_snapshot_take(const TinkerScene *scene, TinkerBlockId block
     const SceneSlot *slot = scene_slot(scene, block);
     snapshot->id = block;
     snapshot->name = g_strdup(slot->name);
-    snapshot->order = order_of(scene, block);
+    snapshot->order = scene_order_of(scene, block);
     snapshot->table = slot->table;
     const SceneTable *table = scene_table_of(scene, block);
     if (table != NULL) take_row(snapshot, table, slot->row);
@@ -135,6 +128,11 @@ void scene_snapshot_free(SceneSnapshot *snapshot)
     g_free(snapshot);
 }
 
+gboolean scene_snapshot_renames(const SceneSnapshot *before, const SceneSnapshot *after)
+{
+    return g_strcmp0(before->name, after->name) != 0;
+}
+
 void scene_snapshot_restore(TinkerScene *scene, const SceneSnapshot *snapshot)
 {
     if (!tinker_scene_has_block(scene, snapshot->id)) bring_back(scene, snapshot);
@@ -142,4 +140,11 @@ void scene_snapshot_restore(TinkerScene *scene, const SceneSnapshot *snapshot)
         scene_assign_name(scene, snapshot->id, snapshot->name);
     SceneTable *table = scene_table_of(scene, snapshot->id);
     if (table != NULL) restore_row(snapshot, table, scene_slot(scene, snapshot->id)->row);
+}
+
+void scene_copy_row(const TinkerScene *from, TinkerBlockId block, TinkerScene *to, TinkerBlockId copy)
+{
+    SceneSnapshot *snapshot = scene_snapshot_take(from, block);
+    restore_row(snapshot, scene_table_of(to, copy), scene_slot(to, copy)->row);
+    scene_snapshot_free(snapshot);
 }

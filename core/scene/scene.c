@@ -1,5 +1,5 @@
-/* Scenes: the head, the list of blocks with their names, and the drawing order. Rows of blocks are in scene-table.c,
- * values in scene-properties.c, ends in scene-ends.c. */
+/* Scenes: the list of blocks with their names, and the drawing order. Rows of blocks are in scene-table.c, values in
+ * scene-properties.c, ends in scene-ends.c, head and graphs in scene-head.c. */
 #include <string.h>
 
 #include "scene/scene-private.h"
@@ -7,57 +7,12 @@
 
 G_DEFINE_QUARK(tinker_scene_error_quark, tinker_scene_error)
 
-/* Head --------------------------------------------------------------------------------------------------------- */
-
-void scene_head_init(TinkerSceneHead *head)
+ScenePlaceholder *scene_placeholder_copy(const ScenePlaceholder *placeholder)
 {
-    *head = (TinkerSceneHead){
-        .title = g_strdup(""),
-        .description = g_strdup(""),
-        .author = g_strdup(""),
-        .units = TINKER_UNIT_SYSTEM_SI,
-        .canvas_width = 10,
-        .canvas_grid = 0.2,
-        .canvas_snap = TRUE,
-        .run = {.duration = 10,
-                .interval = 0.01,
-                .method = g_strdup("auto"),
-                .step = 0.01,
-                .tolerance = 1e-9,
-                .contacts = g_strdup("events"),
-                .spectral_radius = 0.8},
-    };
-}
-
-void scene_head_clear(TinkerSceneHead *head)
-{
-    g_free(head->title);
-    g_free(head->description);
-    g_free(head->author);
-    g_free(head->run.method);
-    g_free(head->run.contacts);
-}
-
-TinkerSceneGraph *scene_graph_copy(const TinkerSceneGraph *graph)
-{
-    TinkerSceneGraph *copy = g_new(TinkerSceneGraph, 1);
-    *copy = *graph;
-    copy->block = g_strdup(graph->block);
-    copy->quantity = g_strdup(graph->quantity);
-    copy->against = g_strdup(graph->against);
-    copy->title = g_strdup(graph->title);
-    copy->extras = g_strdup(graph->extras);
+    ScenePlaceholder *copy = g_new(ScenePlaceholder, 1);
+    *copy = (ScenePlaceholder){g_strdup(placeholder->type), g_strdup(placeholder->text), g_strdup(placeholder->name),
+                               placeholder->named};
     return copy;
-}
-
-void scene_graph_free(TinkerSceneGraph *graph)
-{
-    g_free(graph->block);
-    g_free(graph->quantity);
-    g_free(graph->against);
-    g_free(graph->title);
-    g_free(graph->extras);
-    g_free(graph);
 }
 
 void scene_placeholder_free(ScenePlaceholder *placeholder)
@@ -171,6 +126,20 @@ TinkerBlockId scene_append(TinkerScene *scene, const TinkerBlockClass *block_cla
     return id;
 }
 
+int32_t scene_order_of(const TinkerScene *scene, TinkerBlockId block)
+{
+    guint place = 0;
+    while (g_array_index(scene->order, TinkerBlockId, place) != block)
+        place++;
+    return (int32_t)place;
+}
+
+void scene_move_in_order(TinkerScene *scene, TinkerBlockId block, int32_t place)
+{
+    g_array_remove_index(scene->order, (guint)scene_order_of(scene, block));
+    g_array_insert_val(scene->order, (guint)place, block);
+}
+
 GArray *scene_graphs_of(const TinkerScene *scene, TinkerBlockId block)
 {
     GArray *places = g_array_new(FALSE, FALSE, sizeof(guint));
@@ -188,11 +157,7 @@ void scene_take_out(TinkerScene *scene, TinkerBlockId block)
         g_ptr_array_remove_index(scene->graphs, g_array_index(graphs, guint, i));
 
     scene_forget_name(scene, block);
-    for (guint place = 0; place < scene->order->len; place++) {
-        if (g_array_index(scene->order, TinkerBlockId, place) != block) continue;
-        g_array_remove_index(scene->order, place);
-        break;
-    }
+    g_array_remove_index(scene->order, (guint)scene_order_of(scene, block));
     SceneTable *table = scene_table_of(scene, block);
     if (table != NULL) scene_table_remove(scene, table, scene_slot(scene, block)->row);
     scene_slot(scene, block)->table = SCENE_REMOVED;

@@ -65,6 +65,9 @@ typedef struct _TinkerScene TinkerScene;
 
 /* An empty scene with the defaults of the format. The catalogue is borrowed and outlives it. (transfer full) */
 TinkerScene *tinker_scene_new(TinkerCatalogue *catalogue);
+/* The same scene in memory of its own: ids, names, order, placeholders, graphs, head. It may be used by another thread than
+ * the original, also while that is edited. (transfer full) */
+TinkerScene *tinker_scene_copy(const TinkerScene *scene);
 void tinker_scene_free(TinkerScene *scene);
 G_DEFINE_AUTOPTR_CLEANUP_FUNC(TinkerScene, tinker_scene_free)
 

@@ -66,14 +66,32 @@ void scene_write_extras(SceneWriter *writer, const char *extras)
 /* Whether a waveform has a form in a file: a table that was not read from one has none. */
 static gboolean has_text(const SceneWriter *writer, TinkerWaveform *waveform)
 {
-    return tinker_waveform_kind(waveform) != TINKER_WAVEFORM_TABLE ||
+    return tinker_waveform_kind(waveform) != TINKER_WAVEFORM_TABLE || writer->texts != NULL ||
            g_hash_table_contains(writer->scene->sources, waveform);
+}
+
+/* A fragment's waveforms are told apart by their texts, so that whoever reads it in the same process gets the waveforms
+ * themselves: a table's file need not be there. */
+static void write_kept(SceneWriter *writer, const char *source, TinkerWaveform *waveform)
+{
+    const SceneKeptWaveform *kept = source == NULL ? NULL : g_hash_table_lookup(writer->texts, source);
+    gboolean plain = source != NULL && (kept == NULL || kept->waveform == waveform);
+    char *text = plain ? g_strdup(source)
+                       : g_strdup_printf("{\"table\": \"in memory %u\"}", g_hash_table_size(writer->texts) + 1);
+    g_string_append(writer->out, text);
+    SceneKeptWaveform *keep = g_new(SceneKeptWaveform, 1);
+    *keep = (SceneKeptWaveform){tinker_waveform_ref(waveform), g_strdup(source)};
+    g_hash_table_replace(writer->texts, text, keep);
 }
 
 static void write_waveform(SceneWriter *writer, TinkerWaveform *waveform)
 {
     const char *source = g_hash_table_lookup(writer->scene->sources, waveform);
     TinkerWaveformKind kind = tinker_waveform_kind(waveform);
+    if (writer->texts != NULL && (source != NULL || kind == TINKER_WAVEFORM_TABLE)) {
+        write_kept(writer, source, waveform);
+        return;
+    }
     if (source != NULL) {
         g_string_append(writer->out, source);
     } else if (kind == TINKER_WAVEFORM_EXPRESSION) {
@@ -120,7 +138,9 @@ static void write_end(SceneWriter *writer, TinkerBlockId id, int32_t number)
     static const TinkerDimension length = {.length = 1};
     TinkerSceneEnd end = tinker_scene_end(writer->scene, id, number);
     double place[2] = {end.x, end.y};
-    if (end.block == TINKER_NO_BLOCK) {
+    gboolean cut = end.block != TINKER_NO_BLOCK && writer->only != NULL && !writer->only[end.block];
+    if (cut) scene_end_place(writer->scene, end, place);
+    if (cut || end.block == TINKER_NO_BLOCK) {
         scene_write_vector(writer, place, length);
         return;
     }

@@ -6,12 +6,26 @@
 #include "scene/scene-json.h"
 #include "scene/scene-private.h"
 
+/* A waveform that a fragment's text does not hold all of. */
+typedef struct {
+    TinkerWaveform *waveform;
+    char *source; /* see TinkerScene; NULL: none */
+} SceneKeptWaveform;
+
 typedef struct {
     TinkerScene *scene;
     TinkerWriteUnits units;
     GString *out;
     guint8 *named; /* by id: some end or graph names the block; made when first needed */
+
+    /* Of a fragment, else NULL. */
+    const guint8 *only; /* by id: whether the block is in it */
+    GHashTable *texts;  /* what a waveform that needs its source is written as, to the SceneKeptWaveform; both owned */
 } SceneWriter;
+
+/* The members "blocks" and "graphs" of the top level, each on a line of its own, with a comma in front. */
+void scene_write_blocks(SceneWriter *writer);
+void scene_write_graphs(SceneWriter *writer);
 
 /* A number; in English units where the text reads back to the same bits. */
 void scene_write_number(SceneWriter *writer, double value, TinkerDimension dimension);

@@ -86,29 +86,40 @@ static void list_entry(SceneWriter *writer, int32_t place)
     g_string_append(writer->out, place == 0 ? "\n    " : ",\n    ");
 }
 
-static void write_blocks(SceneWriter *writer)
+static gboolean is_written(const SceneWriter *writer, TinkerBlockId id)
 {
-    int32_t count = tinker_scene_block_count(writer->scene);
+    return writer->only == NULL || (id != TINKER_NO_BLOCK && writer->only[id]);
+}
+
+void scene_write_blocks(SceneWriter *writer)
+{
+    int32_t count = tinker_scene_block_count(writer->scene), written = 0;
     top_key(writer, "blocks");
     g_string_append_c(writer->out, '[');
     for (int32_t place = 0; place < count; place++) {
-        list_entry(writer, place);
-        scene_write_block(writer, tinker_scene_block_at(writer->scene, place));
+        TinkerBlockId id = tinker_scene_block_at(writer->scene, place);
+        if (!is_written(writer, id)) continue;
+        list_entry(writer, written++);
+        scene_write_block(writer, id);
     }
-    g_string_append(writer->out, count == 0 ? "]" : "\n  ]");
+    g_string_append(writer->out, written == 0 ? "]" : "\n  ]");
 }
 
-static void write_graphs(SceneWriter *writer)
+void scene_write_graphs(SceneWriter *writer)
 {
     const GPtrArray *graphs = writer->scene->graphs;
-    if (graphs->len == 0) return;
-    top_key(writer, "graphs");
-    g_string_append_c(writer->out, '[');
+    int32_t written = 0;
     for (guint i = 0; i < graphs->len; i++) {
-        list_entry(writer, (int32_t)i);
-        write_graph(writer, g_ptr_array_index(graphs, i));
+        const TinkerSceneGraph *graph = g_ptr_array_index(graphs, i);
+        if (!is_written(writer, tinker_scene_find_block(writer->scene, graph->block))) continue;
+        if (written == 0) {
+            top_key(writer, "graphs");
+            g_string_append_c(writer->out, '[');
+        }
+        list_entry(writer, written++);
+        write_graph(writer, graph);
     }
-    g_string_append(writer->out, "\n  ]");
+    if (written > 0) g_string_append(writer->out, "\n  ]");
 }
 
 static void write_document(SceneWriter *writer)
@@ -123,8 +134,8 @@ static void write_document(SceneWriter *writer)
     if (head->units == TINKER_UNIT_SYSTEM_ENGLISH) top_text(writer, "units", "English");
     write_canvas(writer, &defaults);
     write_run(writer, &defaults);
-    write_blocks(writer);
-    write_graphs(writer);
+    scene_write_blocks(writer);
+    scene_write_graphs(writer);
     if (writer->scene->head_extras != NULL) g_string_append_printf(writer->out, ",\n  %s", writer->scene->head_extras);
     g_string_append(writer->out, "\n}\n");
     scene_head_clear(&defaults);
@@ -132,7 +143,7 @@ static void write_document(SceneWriter *writer)
 
 char *tinker_scene_to_text(TinkerScene *scene, TinkerWriteUnits units)
 {
-    SceneWriter writer = {scene, units, g_string_new(NULL), NULL};
+    SceneWriter writer = {.scene = scene, .units = units, .out = g_string_new(NULL)};
     write_document(&writer);
     g_free(writer.named);
     return g_string_free(writer.out, FALSE);

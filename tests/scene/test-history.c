@@ -1,6 +1,7 @@
 /* Undo and redo: whatever was done, taking all of it back gives the same text, and doing it again too. */
 #include "scene/history.h"
 
+#include <math.h>
 #include <string.h>
 
 #include "scene-fixture.h"
@@ -99,17 +100,64 @@ static void random_property(TinkerScene *scene, TinkerHistory *history, GRand *r
     }
 }
 
+/* Texts are borrowed. */
+static TinkerSceneGraph graph_of(const char *block, const char *quantity)
+{
+    return (TinkerSceneGraph){.block = (char *)block, .quantity = (char *)quantity, .against = (char *)"time"};
+}
+
+/* A graph of some block with quantities; FALSE where it has none. */
+static gboolean random_graph(TinkerScene *scene, GRand *random, TinkerSceneGraph *graph)
+{
+    TinkerBlockId id = random_block(scene, random);
+    const TinkerBlockClass *block_class = tinker_scene_block_class(scene, id);
+    if (block_class == NULL || block_class->quantity_count == 0) return FALSE;
+    int32_t quantity = g_rand_int_range(random, 0, block_class->quantity_count);
+    *graph = graph_of(tinker_scene_block_name(scene, id), block_class->quantities[quantity].id);
+    graph->has_place = TRUE;
+    graph->place[0] = g_rand_double(random);
+    return TRUE;
+}
+
+static void random_other(TinkerScene *scene, TinkerHistory *history, GRand *random)
+{
+    TinkerSceneGraph graph;
+    int32_t graphs = (int32_t)tinker_scene_graphs(scene)->len;
+    int what = g_rand_int_range(random, 0, 6);
+    if (what == 0 || (what < 3 && graphs == 0)) {
+        if (random_graph(scene, random, &graph))
+            g_assert_cmpint(tinker_history_add_graph(history, &graph, NULL), ==, graphs);
+    } else if (what == 1) {
+        tinker_history_remove_graph(history, g_rand_int_range(random, 0, graphs));
+    } else if (what == 2) {
+        if (random_graph(scene, random, &graph))
+            g_assert_true(tinker_history_change_graph(history, g_rand_int_range(random, 0, graphs), &graph, NULL));
+    } else if (what == 3) {
+        TinkerSceneHead head = *tinker_scene_head(scene);
+        g_autofree char *title = g_strdup_printf("Title %d", g_rand_int_range(random, 0, 9));
+        head.title = title;
+        head.run.duration = g_rand_int_range(random, 1, 9);
+        g_assert_true(tinker_history_set_head(history, &head, NULL));
+    } else if (what == 4) {
+        tinker_history_raise(history, random_block(scene, random));
+    } else {
+        tinker_history_lower(history, random_block(scene, random));
+    }
+}
+
 static void random_edit(TinkerScene *scene, TinkerHistory *history, GRand *random)
 {
     const char *types[] = {"mass", "support", "spring", "motor", "damper", "every-kind"};
-    int what = g_rand_int_range(random, 0, 10);
+    int what = g_rand_int_range(random, 0, 14);
     if (what < 3 || tinker_scene_block_count(scene) == 0) {
         const char *type = types[g_rand_int_range(random, 0, G_N_ELEMENTS(types))];
         tinker_history_add_block(history, scene_fixture_class(type), NULL, NULL);
         return;
     }
     TinkerBlockId id = random_block(scene, random);
-    if (what == 3) {
+    if (what >= 10) {
+        random_other(scene, history, random);
+    } else if (what == 3) {
         tinker_history_remove_block(history, id);
     } else if (what == 4) {
         g_autofree char *name = g_strdup_printf("Mass %d", g_rand_int_range(random, 0, 20));
@@ -131,8 +179,13 @@ static void test_random_edits(void)
         g_autoptr(TinkerHistory) history = tinker_history_new(scene);
         g_autoptr(GPtrArray) states = g_ptr_array_new_with_free_func(g_free);
         g_ptr_array_add(states, text_of(scene));
+        guint saved = 0;
         for (int step = 0; step < 60; step++) {
             g_autofree char *title = g_strdup_printf("Step %d", step);
+            if (step == 30) {
+                tinker_history_mark_saved(history);
+                saved = states->len - 1;
+            }
             tinker_history_begin(history, title, NULL);
             int edits = g_rand_int_range(random, 1, 6);
             for (int i = 0; i < edits; i++)
@@ -144,15 +197,184 @@ static void test_random_edits(void)
             tinker_history_undo(history);
             g_autofree char *text = text_of(scene);
             g_assert_cmpstr(text, ==, g_ptr_array_index(states, i));
+            g_assert_true(tinker_history_is_saved(history) == (i == saved));
         }
         g_assert_null(tinker_history_can_undo(history));
         for (guint i = 1; i < states->len; i++) {
             tinker_history_redo(history);
             g_autofree char *text = text_of(scene);
             g_assert_cmpstr(text, ==, g_ptr_array_index(states, i));
+            g_assert_true(tinker_history_is_saved(history) == (i == saved));
         }
         g_assert_null(tinker_history_can_redo(history));
     }
+}
+
+/* Two blocks that change names in one step, with graphs, which must not change owners on the way. */
+static void test_swapped_names(void)
+{
+    g_autoptr(TinkerScene) scene =
+        scene_fixture_read("{\"tinker\": 1, \"blocks\": [{\"type\": \"mass\", \"name\": \"A\"}, {\"type\": \"mass\", "
+                           "\"name\": \"B\"}], \"graphs\": [{\"block\": \"A\", \"quantity\": \"x\"}, {\"block\": "
+                           "\"B\", \"quantity\": \"y\"}]}");
+    g_autoptr(TinkerHistory) history = tinker_history_new(scene);
+    TinkerBlockId a = tinker_scene_find_block(scene, "A"), b = tinker_scene_find_block(scene, "B");
+    g_autofree char *before = text_of(scene);
+    tinker_history_begin(history, "Swap", NULL);
+    g_assert_true(tinker_history_rename_block(history, a, "C", NULL));
+    g_assert_true(tinker_history_rename_block(history, b, "A", NULL));
+    g_assert_true(tinker_history_rename_block(history, a, "B", NULL));
+    tinker_history_end(history);
+    g_autofree char *after = text_of(scene);
+    tinker_history_undo(history);
+    g_autofree char *undone = text_of(scene);
+    tinker_history_redo(history);
+    g_autofree char *redone = text_of(scene);
+    g_assert_cmpstr(undone, ==, before);
+    g_assert_cmpstr(redone, ==, after);
+    const TinkerSceneGraph *graph = g_ptr_array_index(tinker_scene_graphs(scene), 0);
+    g_assert_cmpstr(graph->block, ==, "B");
+}
+
+static void assert_head_refused(TinkerHistory *history, const TinkerSceneHead *head, const char *message)
+{
+    g_autoptr(GError) error = NULL;
+    guint64 revision = tinker_history_revision(history);
+    g_assert_false(tinker_history_set_head(history, head, &error));
+    g_assert_error(error, TINKER_SCENE_ERROR, TINKER_SCENE_ERROR_VALUE);
+    g_assert_cmpstr(error->message, ==, message);
+    g_assert_cmpuint(tinker_history_revision(history), ==, revision);
+}
+
+static void test_head(void)
+{
+    g_autoptr(TinkerScene) scene = scene_fixture_read(scene_fixture_example);
+    g_autoptr(TinkerHistory) history = tinker_history_new(scene);
+    TinkerSceneHead head = *tinker_scene_head(scene), bad = head;
+    bad.run.duration = -1;
+    assert_head_refused(history, &bad, "run: duration must be greater than 0 s (it is -1 s)");
+    bad = head;
+    bad.run.tolerance = 1;
+    assert_head_refused(history, &bad, "run: tolerance must be less than 1 (it is 1)");
+    bad = head;
+    bad.canvas_grid = NAN;
+    assert_head_refused(history, &bad, "canvas: grid must be a finite number");
+    bad = head;
+    bad.run.contacts = (char *)"magic";
+    assert_head_refused(history, &bad, "run: contacts must be \"events\" or \"impulse\" (it is \"magic\")");
+    bad = head;
+    bad.title = (char *)"\xff";
+    assert_head_refused(history, &bad, "title must be UTF-8 text");
+
+    g_autofree char *old_title = g_strdup(head.title);
+    head.title = (char *)"Another";
+    head.units = TINKER_UNIT_SYSTEM_SI;
+    head.canvas_width = 7;
+    g_assert_true(tinker_history_set_head(history, &head, NULL));
+    g_assert_cmpstr(tinker_history_can_undo(history), ==, "Change Scene");
+    g_assert_cmpstr(tinker_scene_head(scene)->title, ==, "Another");
+    g_assert_cmpfloat(tinker_scene_head(scene)->canvas_width, ==, 7);
+    tinker_history_undo(history);
+    g_assert_cmpstr(tinker_scene_head(scene)->title, ==, old_title);
+    g_assert_cmpint(tinker_scene_head(scene)->units, ==, TINKER_UNIT_SYSTEM_ENGLISH);
+}
+
+static void test_graphs(void)
+{
+    g_autoptr(TinkerScene) scene = scene_fixture_read(scene_fixture_example);
+    g_autoptr(TinkerHistory) history = tinker_history_new(scene);
+    TinkerSceneGraph graph = graph_of("Mass 0", "vy"), flat = graph;
+    graph.title = (char *)"Speed";
+    flat.has_size = TRUE;
+    flat.size[0] = 1;
+    g_assert_cmpint(tinker_history_add_graph(history, &graph, NULL), ==, 1);
+    g_assert_cmpstr(tinker_history_can_undo(history), ==, "Add Graph of Mass 0");
+
+    const struct {
+        TinkerSceneGraph graph;
+        const char *message;
+    } bad[] = {
+        {graph_of("Mass 9", "y"), "graph: there is no block \"Mass 9\""},
+        {graph_of("Mass 0", "vz"), "graph: a mass has no quantity \"vz\" (did you mean \"vx\"?)"},
+        {flat, "graph: size: both numbers must be greater than 0"},
+    };
+    for (gsize i = 0; i < G_N_ELEMENTS(bad); i++) {
+        g_autoptr(GError) error = NULL;
+        g_assert_cmpint(tinker_history_add_graph(history, &bad[i].graph, &error), ==, -1);
+        g_assert_cmpstr(error->message, ==, bad[i].message);
+        g_assert_false(tinker_history_change_graph(history, 0, &bad[i].graph, NULL));
+    }
+
+    /* a drag of a graph is one step */
+    for (int i = 1; i <= 3; i++) {
+        graph.has_place = TRUE;
+        graph.place[0] = i;
+        tinker_history_begin(history, "Move Graph", "drag");
+        g_assert_true(tinker_history_change_graph(history, 1, &graph, NULL));
+        tinker_history_end(history);
+    }
+    tinker_history_undo(history);
+    const TinkerSceneGraph *shown = g_ptr_array_index(tinker_scene_graphs(scene), 1);
+    g_assert_false(shown->has_place);
+    tinker_history_remove_graph(history, 0);
+    g_assert_cmpuint(tinker_scene_graphs(scene)->len, ==, 1);
+    tinker_history_undo(history);
+    shown = g_ptr_array_index(tinker_scene_graphs(scene), 0);
+    g_assert_cmpstr(shown->quantity, ==, "y");
+    g_assert_cmpstr(shown->extras, ==, "\"pen\": 3");
+}
+
+static void test_order(void)
+{
+    g_autoptr(TinkerScene) scene = scene_fixture_read(scene_fixture_example);
+    g_autoptr(TinkerHistory) history = tinker_history_new(scene);
+    TinkerBlockId spring = tinker_scene_find_block(scene, "Spring 0");
+    tinker_history_raise(history, spring);
+    g_assert_cmpint(tinker_scene_block_at(scene, tinker_scene_block_count(scene) - 1), ==, spring);
+    tinker_history_lower(history, spring);
+    g_assert_cmpint(tinker_scene_block_at(scene, 0), ==, spring);
+    g_assert_cmpstr(tinker_history_can_undo(history), ==, "Lower Spring 0");
+    tinker_history_undo(history);
+    tinker_history_undo(history);
+    g_assert_cmpint(tinker_scene_block_at(scene, 2), ==, spring);
+}
+
+static void test_saved_and_revision(void)
+{
+    g_autoptr(TinkerScene) scene = scene_fixture_read(scene_fixture_example);
+    g_autoptr(TinkerHistory) history = tinker_history_new(scene);
+    TinkerBlockId mass = tinker_scene_find_block(scene, "Mass 0");
+    int32_t position = tinker_block_class_property(tinker_scene_block_class(scene, mass), "position");
+    guint64 revision = tinker_history_revision(history);
+    g_assert_true(tinker_history_is_saved(history));
+    for (int i = 0; i < 4; i++) { /* a drag, saved in its middle */
+        tinker_history_begin(history, "Move", "drag");
+        g_assert_cmpuint(tinker_history_revision(history), ==, revision);
+        tinker_history_set(history, mass, position, (double[2]){i, i}, NULL);
+        g_assert_cmpuint(tinker_history_revision(history), >, revision);
+        g_assert_false(tinker_history_is_saved(history));
+        revision = tinker_history_revision(history);
+        tinker_history_end(history);
+        if (i == 1) tinker_history_mark_saved(history);
+    }
+    tinker_history_undo(history);
+    g_assert_cmpuint(tinker_history_revision(history), >, revision);
+    g_assert_true(tinker_history_is_saved(history));
+    tinker_history_undo(history);
+    g_assert_false(tinker_history_is_saved(history));
+    tinker_history_redo(history);
+    g_assert_true(tinker_history_is_saved(history));
+    revision = tinker_history_revision(history);
+    tinker_history_begin(history, "Much", NULL);
+    tinker_history_remove_block(history, mass);
+    tinker_history_abort(history);
+    g_assert_true(tinker_history_is_saved(history));
+    g_assert_cmpuint(tinker_history_revision(history), >, revision);
+    tinker_history_undo(history);
+    tinker_history_remove_block(history, mass); /* the saved state is gone for good */
+    tinker_history_undo(history);
+    g_assert_false(tinker_history_is_saved(history));
+    g_assert_false(tinker_history_set(history, mass, position, (double[2]){NAN, 0}, NULL));
 }
 
 static void add_tests(void)
@@ -160,6 +382,11 @@ static void add_tests(void)
     g_test_add_func("/scene/history/titles-and-merging", test_titles_and_merging);
     g_test_add_func("/scene/history/abort", test_abort);
     g_test_add_func("/scene/history/removal", test_removal);
+    g_test_add_func("/scene/history/swapped-names", test_swapped_names);
+    g_test_add_func("/scene/history/head", test_head);
+    g_test_add_func("/scene/history/graphs", test_graphs);
+    g_test_add_func("/scene/history/order", test_order);
+    g_test_add_func("/scene/history/saved-and-revision", test_saved_and_revision);
     g_test_add_func("/scene/history/random-edits", test_random_edits);
 }
 

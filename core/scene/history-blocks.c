@@ -1,0 +1,108 @@
+/* The recorded setters of blocks. Every change is kept as what the block was before and after. */
+#include "scene/history-private.h"
+
+static void make(TinkerScene *scene, int32_t id, gconstpointer from, gconstpointer to)
+{
+    (void)from;
+    if (to != NULL)
+        scene_snapshot_restore(scene, to);
+    else
+        scene_take_out(scene, id);
+}
+
+static void free_state(gpointer state)
+{
+    scene_snapshot_free(state);
+}
+
+const HistoryKind history_block = {make, free_state};
+
+static void record(TinkerHistory *history, const char *verb, TinkerBlockId id, SceneSnapshot *before)
+{
+    TinkerScene *scene = history_scene(history);
+    gboolean own = history_open_own(history, verb, tinker_scene_block_name(scene, id));
+    history_add(history, &history_block, id, before, scene_snapshot_take(scene, id));
+    if (own) tinker_history_end(history);
+}
+
+/* Keeps a change that was made, or drops the snapshot of one that was refused. */
+static gboolean record_if(gboolean made, TinkerHistory *history, const char *verb, TinkerBlockId id,
+                          SceneSnapshot *before)
+{
+    if (made)
+        record(history, verb, id, before);
+    else
+        scene_snapshot_free(before);
+    return made;
+}
+
+TinkerBlockId tinker_history_add_block(TinkerHistory *history, const TinkerBlockClass *block_class, const char *name,
+                                       GError **error)
+{
+    TinkerBlockId id = tinker_scene_add_block(history_scene(history), block_class, name, error);
+    if (id != TINKER_NO_BLOCK) record(history, "Add", id, NULL);
+    return id;
+}
+
+void tinker_history_remove_block(TinkerHistory *history, TinkerBlockId block)
+{
+    gboolean own = history_open_own(history, "Remove", tinker_scene_block_name(history_scene(history), block));
+    g_autoptr(GArray) attached = scene_attached_to(history_scene(history), block);
+    g_autofree SceneSnapshot **before = g_new(SceneSnapshot *, attached->len + 1);
+    for (guint i = 0; i < attached->len; i++)
+        before[i] = scene_snapshot_take(history_scene(history), g_array_index(attached, TinkerBlockId, i));
+    SceneSnapshot *removed = scene_snapshot_take(history_scene(history), block);
+
+    tinker_scene_remove_block(history_scene(history), block);
+    for (guint i = 0; i < attached->len; i++) {
+        TinkerBlockId id = g_array_index(attached, TinkerBlockId, i);
+        history_add(history, &history_block, id, before[i], scene_snapshot_take(history_scene(history), id));
+    }
+    history_add(history, &history_block, block, removed, NULL);
+    if (own) tinker_history_end(history);
+}
+
+gboolean tinker_history_rename_block(TinkerHistory *history, TinkerBlockId block, const char *name, GError **error)
+{
+    SceneSnapshot *before = scene_snapshot_take(history_scene(history), block);
+    return record_if(tinker_scene_rename_block(history_scene(history), block, name, error), history, "Rename", block,
+                     before);
+}
+
+gboolean tinker_history_set(TinkerHistory *history, TinkerBlockId block, int32_t property, const double *values,
+                            GError **error)
+{
+    SceneSnapshot *before = scene_snapshot_take(history_scene(history), block);
+    return record_if(tinker_scene_set(history_scene(history), block, property, values, error), history, "Change", block,
+                     before);
+}
+
+void tinker_history_unset(TinkerHistory *history, TinkerBlockId block, int32_t property)
+{
+    SceneSnapshot *before = scene_snapshot_take(history_scene(history), block);
+    tinker_scene_unset(history_scene(history), block, property);
+    record(history, "Change", block, before);
+}
+
+void tinker_history_set_waveform(TinkerHistory *history, TinkerBlockId block, int32_t property,
+                                 TinkerWaveform *waveform)
+{
+    SceneSnapshot *before = scene_snapshot_take(history_scene(history), block);
+    tinker_scene_set_waveform(history_scene(history), block, property, waveform);
+    record(history, "Change", block, before);
+}
+
+void tinker_history_set_text(TinkerHistory *history, TinkerBlockId block, int32_t property, const char *text)
+{
+    SceneSnapshot *before = scene_snapshot_take(history_scene(history), block);
+    tinker_scene_set_text(history_scene(history), block, property, text);
+    record(history, "Change", block, before);
+}
+
+gboolean tinker_history_set_end(TinkerHistory *history, TinkerBlockId block, int32_t end, TinkerSceneEnd to,
+                                GError **error)
+{
+    SceneSnapshot *before = scene_snapshot_take(history_scene(history), block);
+    return record_if(tinker_scene_set_end(history_scene(history), block, end, to, error), history, "Connect", block,
+                     before);
+}

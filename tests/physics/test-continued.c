@@ -1,0 +1,294 @@
+/* Runs that are interrupted and continued, and runs of copies in several threads: both are the run in one go. */
+#include "scene/continued.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "physics-fixture.h"
+
+typedef struct {
+    TinkerModel *model;
+    TinkerSimulation *simulation;
+    TinkerFrame *frame; /* at the end; NULL: not wanted */
+} Run;
+
+static void run_clear(Run *run)
+{
+    tinker_frame_free(run->frame);
+    tinker_simulation_free(run->simulation);
+    tinker_model_free(run->model);
+}
+G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC(Run, run_clear)
+
+static gboolean place(TinkerSimulation *simulation, double time, const double *values, void *data, GError **error)
+{
+    TinkerFrame *frame = data;
+    (void)time, (void)values;
+    return frame == NULL || tinker_simulation_place(simulation, frame, error);
+}
+
+/* By the scene's own settings but for the length and, where it is not NULL, the method. */
+static gboolean run(Run *run, TinkerScene *scene, const char *method, double duration, gboolean framed, GError **error)
+{
+    TinkerRunOptions options = tinker_run_options_of(scene);
+    options.at = &duration;
+    options.at_count = 1;
+    if (method != NULL) options.method = method;
+    options.tolerance = fmin(options.tolerance, 1e-11);
+    run->model = tinker_model_new(scene, error);
+    if (run->model == NULL) return FALSE;
+    run->simulation = tinker_simulation_new(run->model, &options, error);
+    if (run->simulation == NULL) return FALSE;
+    if (framed) run->frame = tinker_frame_new(scene, error);
+    return tinker_simulation_run(run->simulation, NULL, place, run->frame, error);
+}
+
+/* Velocities by block id as a run leaves them; NaN for what does not move. (transfer full) */
+static double *velocities_of(TinkerSimulation *simulation, TinkerScene *scene)
+{
+    double *velocities = g_new(double, 2 * (gsize)tinker_scene_id_limit(scene) + 1), position[2];
+    for (int32_t id = 0; id < tinker_scene_id_limit(scene); id++)
+        if (!tinker_simulation_state(simulation, id, position, &velocities[2 * id]))
+            velocities[2 * id] = velocities[2 * id + 1] = NAN;
+    return velocities;
+}
+
+static TinkerScene *continued(const Run *first, TinkerScene *scene, double t)
+{
+    g_autofree double *velocities = velocities_of(first->simulation, scene);
+    g_autoptr(GError) error = NULL;
+    TinkerScene *later = tinker_scene_continued(scene, first->frame, t, velocities, &error);
+    g_assert_no_error(error);
+    return later;
+}
+
+/* Bodies of both runs are in the same places with the same velocities, to `bound` of the largest there are. */
+static void assert_same_state(const char *what, TinkerScene *scene, TinkerSimulation *left, TinkerSimulation *right,
+                              double bound)
+{
+    double size = 1, worst = 0;
+    int compared = 0;
+    for (int32_t id = 0; id < tinker_scene_id_limit(scene); id++) {
+        double l[4], r[4];
+        if (!tinker_simulation_state(left, id, l, l + 2)) continue;
+        g_assert_true(tinker_simulation_state(right, id, r, r + 2));
+        for (int k = 0; k < 4; k++) {
+            size = fmax(size, fabs(l[k]));
+            worst = fmax(worst, fabs(l[k] - r[k]));
+        }
+        compared++;
+    }
+    g_assert_cmpint(compared, >, 0);
+    g_test_message("%s: off by %.2g of %.3g", what, worst, size);
+    if (!(worst <= bound * size)) g_test_fail_printf("%s: off by %.3g, more than %.3g", what, worst, bound * size);
+}
+
+/* To 2 T in one go, and to T and on to 2 T. */
+static void assert_continues(const char *what, TinkerScene *scene, const char *method, double T, double bound)
+{
+    g_autoptr(GError) error = NULL;
+    g_auto(Run) whole = {0}, first = {0}, second = {0};
+    g_assert_true(run(&whole, scene, method, 2 * T, FALSE, &error));
+    g_assert_true(run(&first, scene, method, T, TRUE, &error));
+    g_autoptr(TinkerScene) later = continued(&first, scene, T);
+    gboolean ran = run(&second, later, method, T, FALSE, &error);
+    if (!ran) g_test_fail_printf("%s: %s", what, error->message);
+    if (ran) assert_same_state(what, scene, whole.simulation, second.simulation, bound);
+}
+
+/* Half the time at which each bundled scene is compared; at most 1 s, so that what is chaotic is not yet. */
+static double half_time(TinkerScene *scene)
+{
+    return fmin(1.0, tinker_scene_head(scene)->run.duration / 4);
+}
+
+static void test_bundled(gconstpointer data)
+{
+    const char *name = data;
+    g_autofree char *path = g_build_filename(g_getenv("TINKER_SCENES"), name, NULL);
+    g_autoptr(GError) error = NULL;
+    g_autoptr(TinkerScene) scene = tinker_scene_read_file(scene_fixture_catalogue(), path, NULL, &error);
+    g_assert_no_error(error);
+    double T = half_time(scene);
+    assert_continues(name, scene, NULL, T, 1e-6);
+}
+
+static void assert_blocks_continue(const char *what, const char *blocks, double T)
+{
+    g_autoptr(TinkerScene) scene = physics_scene(NULL, blocks);
+    assert_continues(what, scene, "dop853", T, 1e-9);
+}
+
+#define SPRUNG                                                                                                         \
+    "{'type': 'support', 'name': 'S', 'position': [0, 3], 'solid': false},"                                            \
+    "{'type': 'mass', 'name': 'M', 'position': [0.3, 1]},"                                                             \
+    "{'type': 'spring', 'ends': ['S', 'M'], 'stiffness': 20},"
+
+static void test_motors(void)
+{
+    static const char *const waveforms[] = {
+        "'cosine', 'amplitude': 3, 'frequency': 4, 'phase': 0.3", "'sine', 'amplitude': 3, 'frequency': 4",
+        "{'expression': '5*square(3*t) + t'}", "{'expression': '20*pulse(t, 0.9, 1.1)'}",
+        "{'expression': 'if(sin(5*t) > 0.3, 4, -t)'}"};
+    for (gsize i = 0; i < G_N_ELEMENTS(waveforms); i++) {
+        g_autofree char *blocks =
+            g_strdup_printf(SPRUNG "{'type': 'motor', 'ends': ['M'], 'angle': 1, 'waveform': %s}", waveforms[i]);
+        assert_blocks_continue(waveforms[i], blocks, 0.7);
+        assert_blocks_continue(waveforms[i], blocks, 1.0);
+    }
+}
+
+static void test_motions(void)
+{
+    static const char *const waveforms[] = {"'cosine', 'amplitude': 0.3, 'frequency': 4",
+                                            "{'expression': '0.2*t*sin(3*t)'}"};
+    for (gsize i = 0; i < G_N_ELEMENTS(waveforms); i++) {
+        g_autofree char *hung =
+            g_strdup_printf(SPRUNG "{'type': 'support-motion', 'ends': ['S'], 'waveform': %s}", waveforms[i]);
+        assert_blocks_continue(waveforms[i], hung, 0.7);
+        g_autofree char *pendulum =
+            g_strdup_printf("{'type': 'gravity'}, {'type': 'support', 'name': 'S', 'position': [0, 3], 'solid': false},"
+                            "{'type': 'mass', 'name': 'M', 'position': [0.8, 1.5], 'velocity': [1.5, 0.8]},"
+                            "{'type': 'rod', 'ends': ['S', 'M']},"
+                            "{'type': 'support-motion', 'ends': ['S'], 'angle': 1, 'waveform': %s}",
+                            waveforms[i]);
+        assert_blocks_continue(waveforms[i], pendulum, 0.7);
+    }
+}
+
+/* Several interruptions, and a table of values and of accelerations that go on through them. */
+static void test_tables(void)
+{
+    const double times[] = {0, 0.35, 0.8, 1.4, 2.2}, values[] = {0, 0.2, -0.1, 0.3, 0};
+    for (int kind = TINKER_TABLE_VALUE; kind <= TINKER_TABLE_ACCELERATION; kind++) {
+        g_autoptr(TinkerScene) scene =
+            physics_scene(NULL, SPRUNG "{'type': 'support-motion', 'name': 'U', 'ends': ['S'], 'angle': 0.5}");
+        g_autoptr(TinkerWaveform) table =
+            tinker_waveform_new_table(times, values, G_N_ELEMENTS(times), (TinkerTableKind)kind, NULL);
+        TinkerBlockId motion = tinker_scene_find_block(scene, "U");
+        const TinkerBlockClass *block_class = tinker_scene_block_class(scene, motion);
+        tinker_scene_set_waveform(scene, motion, tinker_block_class_property(block_class, "waveform"), table);
+        g_autoptr(GError) error = NULL;
+        g_auto(Run) whole = {0};
+        g_assert_true(run(&whole, scene, "dop853", 3, FALSE, &error));
+        g_autoptr(TinkerScene) now = tinker_scene_copy(scene);
+        for (int part = 0; part < 5; part++) {
+            g_auto(Run) some = {0};
+            g_assert_true(run(&some, now, "dop853", 0.6, TRUE, &error));
+            if (part == 4) assert_same_state("table", scene, whole.simulation, some.simulation, 1e-9);
+            TinkerScene *later = continued(&some, now, 0.6);
+            tinker_scene_free(now);
+            now = later;
+        }
+    }
+}
+
+/* What the user sees and sets: places, local origins, lengths; and a block that was added while the run stood still. */
+static void test_properties(void)
+{
+    g_autoptr(TinkerScene) scene =
+        physics_scene(NULL, "{'type': 'gravity'}," SPRUNG "{'type': 'damper', 'ends': ['S', 'M']}");
+    g_autoptr(GError) error = NULL;
+    g_auto(Run) first = {0};
+    g_assert_true(run(&first, scene, "dop853", 0.5, TRUE, &error));
+    TinkerBlockId mass = tinker_scene_find_block(scene, "M"), spring = tinker_scene_find_block(scene, "Spring 0");
+    double position[2], velocity[2];
+    g_assert_true(tinker_simulation_state(first.simulation, mass, position, velocity));
+
+    g_autoptr(TinkerScene) edited = tinker_scene_copy(scene);
+    TinkerBlockId added = tinker_scene_add_block(edited, tinker_scene_block_class(scene, mass), NULL, NULL);
+    g_autoptr(TinkerScene) later = continued(&first, edited, 0.5);
+    const TinkerBlockClass *masses = tinker_scene_block_class(scene, mass);
+    int32_t place = tinker_block_class_meaning_column(masses, TINKER_MEANING_POSITION);
+    int32_t speed = tinker_block_class_meaning_column(masses, TINKER_MEANING_VELOCITY);
+    int32_t origin = tinker_block_class_meaning_column(masses, TINKER_MEANING_LOCAL_ORIGIN);
+    int32_t length = tinker_block_class_meaning_column(tinker_scene_block_class(scene, spring), TINKER_MEANING_LENGTH);
+    for (int k = 0; k < 2; k++) {
+        g_assert_cmpfloat(tinker_scene_get(later, mass, place + k), ==, position[k]);
+        g_assert_cmpfloat(tinker_scene_get(later, mass, speed + k), ==, velocity[k]);
+        g_assert_cmpfloat(tinker_scene_get(later, mass, origin + k), ==, k == 0 ? 0.3 : 1);
+        g_assert_cmpfloat(tinker_scene_get(later, added, place + k), ==, 0);
+        g_assert_cmpfloat(tinker_scene_get(scene, mass, place + k), ==, k == 0 ? 0.3 : 1); /* the scene is as it was */
+    }
+    g_assert_cmpfloat(fabs(position[1] - 1), >, 0.1);
+    g_assert_cmpfloat_with_epsilon(tinker_scene_get(later, spring, length), hypot(0.3, 2), 1e-15);
+}
+
+/* Runs a copy of a scene of its own, in a thread of its own. */
+typedef struct {
+    TinkerScene *scene;
+    Run run;
+    gboolean done;
+} Job;
+
+static gpointer work(gpointer data)
+{
+    Job *job = data;
+    job->done = run(&job->run, job->scene, NULL, 1.0, TRUE, NULL);
+    return NULL;
+}
+
+/* Copies share waveforms, tables that are made ready at first use, classes and the catalogue. */
+static void test_threads(void)
+{
+    enum { JOBS = 4 };
+    const double times[] = {0, 0.35, 0.8, 1.4, 2.2}, values[] = {0, 0.2, -0.1, 0.3, 0};
+    for (int round = 0; round < 5; round++) {
+        g_autoptr(TinkerScene) scene =
+            physics_scene(NULL, "{'type': 'gravity'}," SPRUNG "{'type': 'support-motion', 'name': 'U', 'ends': ['S']},"
+                                "{'type': 'motor', 'ends': ['M'], 'waveform': {'expression': 'square(9*t)'}}");
+        g_autoptr(TinkerWaveform) table =
+            tinker_waveform_new_table(times, values, G_N_ELEMENTS(times), TINKER_TABLE_VALUE, NULL);
+        TinkerBlockId motion = tinker_scene_find_block(scene, "U");
+        int32_t property = tinker_block_class_property(tinker_scene_block_class(scene, motion), "waveform");
+        tinker_scene_set_waveform(scene, motion, property, table);
+
+        Job jobs[JOBS] = {0};
+        GThread *threads[JOBS];
+        for (int i = 0; i < JOBS; i++)
+            jobs[i].scene = tinker_scene_copy(scene);
+        for (int i = 0; i < JOBS; i++)
+            threads[i] = g_thread_new("run", work, &jobs[i]);
+        /* the original is edited meanwhile */
+        g_autoptr(TinkerScene) serial = tinker_scene_copy(scene);
+        tinker_scene_rename_block(scene, motion, "V", NULL);
+        tinker_scene_unset(scene, motion, property);
+        tinker_scene_remove_block(scene, tinker_scene_find_block(scene, "M"));
+        for (int i = 0; i < JOBS; i++)
+            g_thread_join(threads[i]);
+
+        g_autoptr(GError) error = NULL;
+        g_auto(Run) alone = {0};
+        g_assert_true(run(&alone, serial, NULL, 1.0, TRUE, &error));
+        for (int i = 0; i < JOBS; i++) {
+            g_assert_true(jobs[i].done);
+            double left[4], right[4];
+            TinkerBlockId mass = tinker_scene_find_block(serial, "M");
+            g_assert_true(tinker_simulation_state(alone.simulation, mass, left, left + 2));
+            g_assert_true(tinker_simulation_state(jobs[i].run.simulation, mass, right, right + 2));
+            g_assert_cmpmem(left, sizeof left, right, sizeof right);
+            run_clear(&jobs[i].run);
+            tinker_scene_free(jobs[i].scene);
+        }
+    }
+}
+
+static void add_tests(void)
+{
+    g_test_add_func("/physics/continued/properties", test_properties);
+    g_test_add_func("/physics/continued/motors", test_motors);
+    g_test_add_func("/physics/continued/motions", test_motions);
+    g_test_add_func("/physics/continued/tables", test_tables);
+    g_test_add_func("/physics/continued/threads", test_threads);
+    g_autoptr(GDir) folder = g_dir_open(g_getenv("TINKER_SCENES"), 0, NULL);
+    for (const char *name = g_dir_read_name(folder); name != NULL; name = g_dir_read_name(folder)) {
+        if (!g_str_has_suffix(name, ".tinker.json")) continue;
+        g_autofree char *path = g_strdup_printf("/physics/continued/bundled/%s", name);
+        g_test_add_data_func_full(path, g_strdup(name), test_bundled, g_free);
+    }
+}
+
+int main(int argc, char **argv)
+{
+    return physics_main(argc, argv, add_tests);
+}
