@@ -14,6 +14,19 @@ static double column_of(const TinkerPiece *piece, int32_t meaning)
     return isfinite(value) ? fabs(value) : 0;
 }
 
+void tinker_piece_classify(TinkerPiece *piece)
+{
+    gboolean placed = isfinite(piece->instance.x) && isfinite(piece->instance.y);
+    if (piece->instance.ends > 0) {
+        piece->kind = TINKER_PIECE_CONNECTOR;
+        return;
+    }
+    gboolean has_place = piece->block_class->meanings[TINKER_MEANING_POSITION] >= 0;
+    piece->kind = has_place || placed ? TINKER_PIECE_BODY : TINKER_PIECE_FIELD;
+    piece->width = column_of(piece, TINKER_MEANING_WIDTH);
+    piece->height = column_of(piece, TINKER_MEANING_HEIGHT);
+}
+
 void tinker_piece_init(TinkerPiece *piece, TinkerFrame *frame, TinkerBlockId block)
 {
     *piece = (TinkerPiece){.block = block};
@@ -26,14 +39,7 @@ void tinker_piece_init(TinkerPiece *piece, TinkerFrame *frame, TinkerBlockId blo
         piece->kind = placed ? TINKER_PIECE_UNKNOWN : TINKER_PIECE_FIELD;
         return;
     }
-    if (piece->instance.ends > 0) {
-        piece->kind = TINKER_PIECE_CONNECTOR;
-        return;
-    }
-    gboolean has_place = piece->block_class->meanings[TINKER_MEANING_POSITION] >= 0;
-    piece->kind = has_place || placed ? TINKER_PIECE_BODY : TINKER_PIECE_FIELD;
-    piece->width = column_of(piece, TINKER_MEANING_WIDTH);
-    piece->height = column_of(piece, TINKER_MEANING_HEIGHT);
+    tinker_piece_classify(piece);
 }
 
 static void extend(double box[4], double x, double y, double room_x, double room_y)

@@ -36,6 +36,9 @@ typedef struct {
     GArray *bodies;                         /* likewise: those of them with a place, in the scene's order */
 } TinkerPicture;
 
+/* Kind and size by class and instance, which are known. */
+void tinker_piece_classify(TinkerPiece *piece);
+
 /* Looks a block up. */
 void tinker_piece_init(TinkerPiece *piece, TinkerFrame *frame, TinkerBlockId block);
 
