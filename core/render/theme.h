@@ -7,7 +7,7 @@
 #include <tinker/render.h>
 
 typedef struct {
-    const char *id; /* "light", "dark", "print" */
+    const char *id; /* "light", "dark", "print", "contrast-light", "contrast-dark" */
     double background[4];
     double grid[4];
     double axis[4];
@@ -17,5 +17,8 @@ typedef struct {
 
 /* NULL for an unknown id. Borrowed. */
 const TinkerTheme *tinker_theme_find(const char *id);
+
+/* All ids, ended by NULL. */
+const char *const *tinker_theme_ids(void);
 
 #endif

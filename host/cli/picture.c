@@ -29,7 +29,7 @@ static gboolean read_size(const char *text, int *width, int *height, GError **er
 gboolean tinker_picture_arguments_read(const TinkerPictureArguments *arguments, int *width, int *height,
                                        const TinkerTheme **theme, GError **error)
 {
-    static const char *const themes[] = {"light", "dark", "print", NULL};
+    const char *const *themes = tinker_theme_ids();
     int place = 0;
     if (arguments->size != NULL && !read_size(arguments->size, width, height, error)) return FALSE;
     if (arguments->theme != NULL && !tinker_option_choice("theme", arguments->theme, themes, &place, error))

@@ -15,7 +15,8 @@ G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC(TinkerPictureArguments, tinker_picture_argument
 #define TINKER_PICTURE_ENTRIES(arguments, size_)                                                                       \
     {"size", 0, 0, G_OPTION_ARG_FILENAME, &(arguments).size, "Width and height in pixels (" size_ ")", "WxH"},         \
     {                                                                                                                  \
-        "theme", 0, 0, G_OPTION_ARG_FILENAME, &(arguments).theme, "Colours: light, dark or print (light)", "NAME"      \
+        "theme", 0, 0, G_OPTION_ARG_FILENAME, &(arguments).theme,                                                      \
+            "Colours: light, dark, print, contrast-light or contrast-dark (light)", "NAME"                             \
     }
 
 /* Reads size and theme; `width` and `height` keep what they hold where no size is given. Errors:
