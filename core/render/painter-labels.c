@@ -11,10 +11,10 @@
 #include "render/occupancy-private.h"
 #include "render/paint-memory-private.h"
 
-#define CELL         4.0 /* canvas units */
-#define GAP          5.0 /* between a body and its name */
-#define MOST_LABELS  300
-#define LEAST_SYMBOL 5.0 /* canvas units: in a scene drawn smaller, names are left out */
+#define CELL         4.0    /* canvas units */
+#define GAP          5.0    /* between a body and its name */
+#define LABEL_ROOM   3000.0 /* square canvas units for each body in sight: where there is less, names would cover all */
+#define LEAST_SYMBOL 5.0    /* canvas units: in a scene drawn smaller, names are left out */
 #define NAME_LIMIT   160.0
 #define DIRECTIONS   8
 #define PLACES       (4 * DIRECTIONS) /* a name tries: four steps outwards in each direction */
@@ -24,7 +24,6 @@ typedef struct {
     TinkerPicture *picture;
     TinkerOccupancy map;
     signed char *places; /* by block id: 1 + the place in the picture before; or NULL */
-    int written;
 } Labels;
 
 /* Half the declared box of a drawing, canvas units, without the room for marks that declared boxes have. */
@@ -184,7 +183,6 @@ static void write_name(Labels *labels, const TinkerPiece *piece, gboolean wanted
     cairo_set_source_rgba(picture->cairo, c[0], c[1], c[2], c[3]);
     tinker_text_draw(&picture->brush.pen, picture->cairo, &name, best[0], best[1]);
     tinker_occupancy_take_box(&labels->map, best, TINKER_TAKEN_BY_TEXT);
-    labels->written++;
 }
 
 static void take_layer(Labels *labels, const GArray *blocks)
@@ -202,7 +200,7 @@ static void write_names(Labels *labels, gboolean chosen)
     TinkerPicture *picture = labels->picture;
     const TinkerPaintOptions *options = picture->options;
     if (chosen && options->selected_count == 0 && options->highlighted == TINKER_NO_BLOCK) return;
-    for (guint i = 0; i < picture->bodies->len && labels->written < MOST_LABELS; i++) {
+    for (guint i = 0; i < picture->bodies->len; i++) {
         TinkerPiece piece;
         tinker_piece_init(&piece, picture->frame, g_array_index(picture->bodies, TinkerBlockId, i));
         if ((tinker_picture_state(picture, &piece) != 0) != chosen) continue;
@@ -217,7 +215,8 @@ void tinker_picture_draw_labels(TinkerPicture *picture, double (*taken)[4], int 
 {
     const TinkerView *view = picture->view;
     gboolean small = picture->brush.style.symbol_size * view->scale < LEAST_SYMBOL;
-    if (small && picture->options->selected_count == 0) return;
+    gboolean crowded = picture->bodies->len * LABEL_ROOM > view->width * view->height;
+    if ((small || crowded) && picture->options->selected_count == 0) return;
     TinkerScene *scene = tinker_frame_scene(picture->frame);
     Labels labels = {.picture = picture};
     labels.places = tinker_paint_memory_places(picture->options->memory, tinker_scene_id_limit(scene));
@@ -227,6 +226,6 @@ void tinker_picture_draw_labels(TinkerPicture *picture, double (*taken)[4], int 
     for (int layer = 0; layer < TINKER_PICTURE_LAYERS; layer++)
         take_layer(&labels, picture->visible[layer]);
     write_names(&labels, TRUE);
-    if (!small) write_names(&labels, FALSE);
+    if (!small && !crowded) write_names(&labels, FALSE);
     tinker_occupancy_clear(&labels.map);
 }

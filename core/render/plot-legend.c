@@ -5,11 +5,12 @@
 #include "render/occupancy-private.h"
 #include "render/plot-private.h"
 
-#define INNER        7.0 /* canvas units: between frame and content */
-#define CELL         4.0
-#define WIDEST       0.45 /* of the plot: labels are cut beyond */
-#define WIDEST_ASIDE 0.3  /* of the picture: likewise of a legend beside the plot */
-#define LEAST_ASIDE  90.0 /* a narrower legend beside the plot says too little */
+#define INNER          7.0 /* canvas units: between frame and content */
+#define CELL           4.0
+#define WIDEST         0.45 /* of the plot: labels are cut beyond */
+#define WIDEST_COMPACT 0.65
+#define WIDEST_ASIDE   0.3  /* of the picture: likewise of a legend beside the plot */
+#define LEAST_ASIDE    90.0 /* a narrower legend beside the plot says too little */
 
 static const char *label_of(const TinkerPlotLayout *layout, int curve)
 {
@@ -110,13 +111,14 @@ void tinker_plot_place_legend(TinkerPlotLayout *layout)
     legend->kind = TINKER_LEGEND_NONE;
     if (rows < 1) return;
     legend->entries = rows < entries ? rows - 1 : entries;
-    legend->limit = fmax(WIDEST * (layout->right - layout->left) - layout->sizes->legend_sample - 3 * INNER, 20);
+    double widest = layout->plot->compact ? WIDEST_COMPACT : WIDEST;
+    legend->limit = fmax(widest * (layout->right - layout->left) - layout->sizes->legend_sample - 3 * INNER, 20);
     double width = widest_label(layout, legend->limit) + layout->sizes->legend_sample + 3 * INNER,
            height = rows * layout->sizes->legend_row + 2 * INNER - 3;
     double share = find_inside(layout, width, height);
     double aside = fmin(width, WIDEST_ASIDE * layout->width);
     legend->kind = TINKER_LEGEND_INSIDE;
-    if (share <= 0 || aside < fmin(width, LEAST_ASIDE)) return;
+    if (share <= 0 || layout->plot->compact || aside < fmin(width, LEAST_ASIDE)) return;
     legend->kind = TINKER_LEGEND_OUTSIDE;
     legend->limit = fmin(legend->limit, aside - layout->sizes->legend_sample - 3 * INNER);
     legend->box[2] = legend->box[0] + aside;
@@ -148,7 +150,7 @@ void tinker_plot_draw_legend(cairo_t *cairo, const TinkerPlotLayout *layout)
     const double *ground = layout->theme->background, *edge = layout->theme->grid, *box = legend->box;
     if (legend->kind == TINKER_LEGEND_NONE) return;
     cairo_rectangle(cairo, floor(box[0]) + 0.5, floor(box[1]) + 0.5, round(box[2] - box[0]), round(box[3] - box[1]));
-    cairo_set_source_rgba(cairo, ground[0], ground[1], ground[2], 0.85);
+    cairo_set_source_rgba(cairo, ground[0], ground[1], ground[2], layout->plot->compact ? 0.7 : 0.85);
     cairo_fill_preserve(cairo);
     cairo_set_source_rgba(cairo, edge[0], edge[1], edge[2], edge[3]);
     cairo_set_line_width(cairo, 1);
