@@ -8,6 +8,7 @@
 #define HEAD_LENGTH       0.8 /* likewise: of arrow heads */
 #define HEAD_WIDTH        0.6
 #define MARK_SHARE        0.24 /* half the size of an end mark */
+#define LEAST_CROSS_UNITS 1.7
 #define GREATEST_RADIUS   1e6  /* device pixels of a circle */
 #define DOT_SHARE         0.25 /* radius of a body without size */
 #define LEAST_DOT_UNITS   2.5
@@ -115,6 +116,8 @@ void tinker_helper_end_mark(const TinkerStyle *style, cairo_t *cairo, double x, 
 {
     double half = MARK_SHARE * style->symbol_size;
     if (!isfinite(x) || !isfinite(y) || tinker_style_is_tiny(style)) return;
+    /* A cross of a few pixels would hide the colour of its connector. */
+    if (attached && half < LEAST_CROSS_UNITS * tinker_style_unit(style)) return;
     /* An end has its own state: the attached end of a detached connector is marked as attached. */
     TinkerStyle plain = *style;
     plain.state &= ~TINKER_STATE_DETACHED;

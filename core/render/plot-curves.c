@@ -12,64 +12,18 @@
 #define BAND_ALPHA    0.22
 #define CURVE_COLOURS 8
 
-/* The points of one column. */
+/* The points of one column, by their numbers. They are compared as numbers of the data: only those that are kept are placed on
+ * the canvas. */
 typedef struct {
+    const TinkerPlotLayout *layout;
+    const TinkerCurve *curve;
     TinkerPathFunction path;
     gpointer data;
-    double column_width, from, to; /* the open column's borders */
+    double column_width;
+    double from, to; /* x of the data at the column's borders */
     gboolean open, starts;
-    double first[2], low[2], high[2], last[2];
-    gsize low_at, high_at, count;
+    gsize first, least, greatest, last;
 } Thinner;
-
-static void emit(Thinner *thinner, const double point[2])
-{
-    thinner->path(point[0], point[1], thinner->starts, thinner->data);
-    thinner->starts = FALSE;
-}
-
-static void close_column(Thinner *thinner)
-{
-    if (!thinner->open) return;
-    thinner->open = FALSE;
-    emit(thinner, thinner->first);
-    gboolean low_first = thinner->low_at < thinner->high_at;
-    const double *early = low_first ? thinner->low : thinner->high, *late = low_first ? thinner->high : thinner->low;
-    gsize early_at = MIN(thinner->low_at, thinner->high_at), late_at = MAX(thinner->low_at, thinner->high_at);
-    if (early_at > 0 && early_at + 1 < thinner->count) emit(thinner, early);
-    if (late_at > early_at && late_at + 1 < thinner->count) emit(thinner, late);
-    if (thinner->count > 1) emit(thinner, thinner->last);
-}
-
-static void set_point(double to[2], double x, double y)
-{
-    to[0] = x;
-    to[1] = y;
-}
-
-static void add_point(Thinner *thinner, double x, double y)
-{
-    if (!thinner->open || x < thinner->from || x >= thinner->to) {
-        close_column(thinner);
-        thinner->open = TRUE;
-        thinner->from = floor(x / thinner->column_width) * thinner->column_width;
-        thinner->to = thinner->from + thinner->column_width;
-        thinner->count = thinner->low_at = thinner->high_at = 0;
-        set_point(thinner->first, x, y);
-        set_point(thinner->low, x, y);
-        set_point(thinner->high, x, y);
-    }
-    if (y < thinner->low[1]) {
-        set_point(thinner->low, x, y);
-        thinner->low_at = thinner->count;
-    }
-    if (y > thinner->high[1]) {
-        set_point(thinner->high, x, y);
-        thinner->high_at = thinner->count;
-    }
-    set_point(thinner->last, x, y);
-    thinner->count++;
-}
 
 gboolean tinker_plot_place(const TinkerPlotLayout *layout, const TinkerCurve *curve, gsize i, double *x, double *y)
 {
@@ -78,14 +32,64 @@ gboolean tinker_plot_place(const TinkerPlotLayout *layout, const TinkerCurve *cu
     return isfinite(*x) && isfinite(*y);
 }
 
+/* The number that lies at a place of the canvas. */
+static double number_at(const TinkerAxis *axis, double place)
+{
+    double value = axis->low + (place - axis->start) / axis->length * (axis->high - axis->low);
+    return axis->logarithmic ? pow(10, value) : value;
+}
+
+static void emit(Thinner *thinner, gsize i)
+{
+    double x, y;
+    if (!tinker_plot_place(thinner->layout, thinner->curve, i, &x, &y)) return;
+    thinner->path(x, y, thinner->starts, thinner->data);
+    thinner->starts = FALSE;
+}
+
+static void close_column(Thinner *thinner)
+{
+    if (!thinner->open) return;
+    thinner->open = FALSE;
+    gsize early = MIN(thinner->least, thinner->greatest), late = MAX(thinner->least, thinner->greatest);
+    emit(thinner, thinner->first);
+    if (early > thinner->first && early < thinner->last) emit(thinner, early);
+    if (late > early && late < thinner->last) emit(thinner, late);
+    if (thinner->last > thinner->first) emit(thinner, thinner->last);
+}
+
+static void open_column(Thinner *thinner, gsize i)
+{
+    const TinkerAxis *axis = &thinner->layout->x;
+    double column = floor(tinker_axis_place(axis, thinner->curve->x[i]) / thinner->column_width);
+    thinner->from = number_at(axis, column * thinner->column_width);
+    thinner->to = number_at(axis, (column + 1) * thinner->column_width);
+    thinner->first = thinner->least = thinner->greatest = i;
+    thinner->open = TRUE;
+}
+
+static void add_point(Thinner *thinner, gsize i)
+{
+    const double *y = thinner->curve->y, x = thinner->curve->x[i];
+    if (!thinner->open || x < thinner->from || x >= thinner->to) {
+        close_column(thinner);
+        open_column(thinner, i);
+    }
+    if (y[i] < y[thinner->least]) thinner->least = i;
+    if (y[i] > y[thinner->greatest]) thinner->greatest = i;
+    thinner->last = i;
+}
+
 void tinker_plot_walk(const TinkerPlotLayout *layout, const TinkerCurve *curve, double column_width,
                       TinkerPathFunction path, gpointer data)
 {
-    Thinner thinner = {.path = path, .data = data, .column_width = column_width, .starts = TRUE};
+    Thinner thinner = {
+        .layout = layout, .curve = curve, .path = path, .data = data, .column_width = column_width, .starts = TRUE};
+    gboolean positive_x = layout->x.logarithmic, positive_y = layout->y.logarithmic;
     for (gsize i = 0; i < curve->count; i++) {
-        double x, y;
-        if (tinker_plot_place(layout, curve, i, &x, &y)) {
-            add_point(&thinner, x, y);
+        double x = curve->x[i], y = curve->y[i];
+        if (isfinite(x) && isfinite(y) && !(positive_x && x <= 0) && !(positive_y && y <= 0)) {
+            add_point(&thinner, i);
         } else {
             close_column(&thinner);
             thinner.starts = TRUE;

@@ -10,7 +10,6 @@
 #define HALO_UNITS         6.0
 #define LEAST_SYMBOL_UNITS 4.0
 #define THIN_PIXELS_COARSE 2.0
-#define THIN_PIXELS        1.4
 #define GREATEST_DASHES    2000.0
 
 double tinker_style_unit(const TinkerStyle *style)
@@ -83,8 +82,8 @@ void tinker_style_stroke(const TinkerStyle *style, cairo_t *cairo, int32_t colou
     tinker_style_halo(style, cairo, width);
     const double *c = colour_of(style, colour);
     /* Ends and corners of a thin line look the same whatever their shape, and round ones take the most time. */
-    gboolean hairline = width <= style->pixel, coarse = cairo_get_antialias(cairo) == CAIRO_ANTIALIAS_FAST;
-    gboolean thin = width <= (coarse ? THIN_PIXELS_COARSE : THIN_PIXELS) * style->pixel;
+    gboolean coarse = cairo_get_antialias(cairo) == CAIRO_ANTIALIAS_FAST;
+    gboolean thin = width <= (coarse ? THIN_PIXELS_COARSE : 1) * style->pixel;
     cairo_set_line_width(cairo, width);
     cairo_set_line_join(cairo, thin ? CAIRO_LINE_JOIN_BEVEL : CAIRO_LINE_JOIN_ROUND);
     cairo_set_source_rgba(cairo, c[0], c[1], c[2], c[3]);
@@ -92,7 +91,7 @@ void tinker_style_stroke(const TinkerStyle *style, cairo_t *cairo, int32_t colou
         set_dashes(style, cairo, width);
     } else {
         cairo_set_dash(cairo, NULL, 0, 0);
-        cairo_set_line_cap(cairo, hairline ? CAIRO_LINE_CAP_BUTT : CAIRO_LINE_CAP_ROUND);
+        cairo_set_line_cap(cairo, thin ? CAIRO_LINE_CAP_SQUARE : CAIRO_LINE_CAP_ROUND);
     }
     cairo_stroke(cairo);
 }

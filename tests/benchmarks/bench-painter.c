@@ -185,11 +185,11 @@ static double report_graph(BenchmarkReport *report, gsize points, double goal)
 int main(int argc, char **argv)
 {
     BenchmarkReport *report = benchmark_report_new(argc, argv);
-    report_scene(report, "lattice of about 200 blocks", benchmark_net(8), 5);
+    report_scene(report, "lattice of about 200 blocks", benchmark_net(8), 6);
     report_scene(report, "lattice of about 5000 blocks", benchmark_net(41), 25);
-    report_scene(report, "pendulums, about 200 blocks", benchmark_pendulums(67), 5);
+    report_scene(report, "pendulums, about 200 blocks", benchmark_pendulums(67), 6);
     report_scene(report, "pendulums, about 5000 blocks", benchmark_pendulums(1667), 25);
-    report_graph(report, 1000, 1.5);
+    report_graph(report, 1000, 1);
     report_graph(report, 100000, 2);
     return benchmark_report_end(report);
 }
