@@ -15,6 +15,18 @@ static void set_highlighted(TinkerCanvas *canvas, TinkerBlockId block)
     gtk_widget_queue_draw(GTK_WIDGET(canvas));
 }
 
+/* An end that is attached lies over the body it is on: that is meant, unless the connector is selected. */
+static TinkerHit body_rather_than_end(TinkerCanvas *canvas, TinkerFrame *frame, TinkerHit hit, const double world[2])
+{
+    TinkerScene *scene = tinker_frame_scene(frame);
+    gboolean is_end = hit.part >= 0 && hit.part < tinker_scene_end_count(scene, hit.block);
+    if (!is_end || tinker_document_is_selected(canvas->document, hit.block)) return hit;
+    TinkerBlockId body = tinker_scene_end(scene, hit.block, hit.part).block;
+    if (body == TINKER_NO_BLOCK) return hit;
+    TinkerBlockId under = tinker_hit_connectable(frame, hit.block, world[0], world[1], 0);
+    return under == body ? (TinkerHit){body, TINKER_PART_WHOLE} : hit;
+}
+
 /* What lies under a point: handles of what is selected first, for only those are drawn, and fields in their corner. */
 static TinkerHit hit_at(TinkerCanvas *canvas, double x, double y)
 {
@@ -27,7 +39,7 @@ static TinkerHit hit_at(TinkerCanvas *canvas, double x, double y)
     TinkerBlockId selected = tinker_document_selected(canvas->document);
     if (selected != TINKER_NO_BLOCK) hit = tinker_hit_handle(frame, selected, world[0], world[1], canvas_reach(canvas));
     if (hit.block == TINKER_NO_BLOCK) hit = tinker_hit(frame, world[0], world[1], canvas_reach(canvas), TINKER_NO_BLOCK);
-    if (hit.block != TINKER_NO_BLOCK) return hit;
+    if (hit.block != TINKER_NO_BLOCK) return body_rather_than_end(canvas, frame, hit, world);
     return (TinkerHit){tinker_painter_field_at(frame, &canvas->view, x, y), TINKER_PART_NONE};
 }
 
