@@ -2,6 +2,7 @@
 #ifndef TINKER_GUI_CANVAS_PRIVATE_H
 #define TINKER_GUI_CANVAS_PRIVATE_H
 
+#include "canvas-forces.h"
 #include "canvas.h"
 #include "edit/drag.h"
 
@@ -25,6 +26,7 @@ struct _TinkerCanvas {
     TinkerView view;
     gboolean view_is_set;
     TinkerPaintMemory *memory;
+    CanvasForces *forces;
 
     CanvasGesture gesture;
     TinkerHit pressed;

@@ -1,8 +1,9 @@
 /* The canvas paints into an image of its own and shows that: a drawing area would record everything and play it back. */
 #include "canvas-private.h"
 
-#include <adwaita.h>
 #include <math.h>
+
+#include "desktop-theme.h"
 
 #define LEAST_SCALE    1e-6 /* widget units per m */
 #define GREATEST_SCALE 1e9
@@ -106,17 +107,11 @@ void tinker_canvas_pointer(TinkerCanvas *canvas, double place[2])
 
 /* Painting ------------------------------------------------------------------------------------------------------------ */
 
-static const TinkerTheme *theme_of_desktop(void)
-{
-    AdwStyleManager *manager = adw_style_manager_get_default();
-    return tinker_theme_find(adw_style_manager_get_dark(manager) ? "dark" : "light");
-}
-
 static TinkerPaintOptions paint_options(TinkerCanvas *canvas)
 {
     TinkerPaintOptions options = tinker_paint_options_default();
-    options.theme = theme_of_desktop();
-    options.show_labels = canvas->show_labels;
+    options.theme = tinker_desktop_theme();
+    options.show_labels = canvas->show_labels && !canvas->show_forces; /* arrows have labels of their own */
     options.show_grid = canvas->show_grid;
     options.show_local_origins = canvas->show_local_origins;
     options.highlighted = canvas->highlighted;
@@ -144,6 +139,8 @@ static void paint(TinkerCanvas *canvas, cairo_t *cairo)
     TinkerPaintOptions options = paint_options(canvas);
     if (frame == NULL) return;
     tinker_paint_scene(cairo, frame, &canvas->view, &options);
+    if (canvas->show_forces)
+        canvas_forces_draw(canvas->forces, cairo, canvas->document, canvas->player, &canvas->view, options.theme);
     if (canvas->gesture == CANVAS_BAND && canvas->moved) paint_band(canvas, cairo, options.theme);
 }
 
@@ -204,10 +201,7 @@ void tinker_canvas_set_player(TinkerCanvas *canvas, TinkerDocument *document, Ti
     g_signal_connect_object(document, "selection-changed", G_CALLBACK(gtk_widget_queue_draw), canvas,
                             G_CONNECT_SWAPPED);
     g_signal_connect_object(player, "moved", G_CALLBACK(gtk_widget_queue_draw), canvas, G_CONNECT_SWAPPED);
-    AdwStyleManager *manager = adw_style_manager_get_default();
-    g_signal_connect_object(manager, "notify::dark", G_CALLBACK(gtk_widget_queue_draw), canvas, G_CONNECT_SWAPPED);
-    g_signal_connect_object(manager, "notify::high-contrast", G_CALLBACK(gtk_widget_queue_draw), canvas,
-                            G_CONNECT_SWAPPED);
+    tinker_desktop_theme_redraws(GTK_WIDGET(canvas));
 }
 
 static gboolean *switch_of(TinkerCanvas *canvas, guint property)
@@ -250,6 +244,7 @@ static void tinker_canvas_dispose(GObject *object)
 static void tinker_canvas_finalize(GObject *object)
 {
     tinker_paint_memory_free(TINKER_CANVAS(object)->memory);
+    canvas_forces_free(TINKER_CANVAS(object)->forces);
     G_OBJECT_CLASS(tinker_canvas_parent_class)->finalize(object);
 }
 
@@ -283,6 +278,7 @@ static void tinker_canvas_init(TinkerCanvas *canvas)
     canvas->view = (TinkerView){.scale = 100, .origin_x = 0, .origin_y = 0};
     canvas->highlighted = canvas->placing = canvas->pressed.block = TINKER_NO_BLOCK;
     canvas->memory = tinker_paint_memory_new();
+    canvas->forces = canvas_forces_new();
     gtk_widget_set_focusable(GTK_WIDGET(canvas), TRUE);
     gtk_widget_set_overflow(GTK_WIDGET(canvas), GTK_OVERFLOW_HIDDEN);
     gtk_accessible_update_property(GTK_ACCESSIBLE(canvas), GTK_ACCESSIBLE_PROPERTY_LABEL, "Canvas", -1);

@@ -2,10 +2,10 @@
  * opened for its icon. A drag is followed by a gesture of our own, so that the block itself can be seen on its way. */
 #include "palette.h"
 
-#include <adwaita.h>
 #include <glib/gi18n.h>
 #include <string.h>
 
+#include "desktop-theme.h"
 #include "render/icon.h"
 
 #define ICON_WIDTH     48
@@ -85,8 +85,7 @@ static void on_drag_cancel(GtkGesture *gesture, GdkEventSequence *sequence, Item
 static void draw_icon(GtkDrawingArea *area, cairo_t *cairo, int width, int height, gpointer data)
 {
     const Item *item = data;
-    gboolean dark = adw_style_manager_get_dark(adw_style_manager_get_default());
-    tinker_paint_block_icon(cairo, item->block_class, width, height, tinker_theme_find(dark ? "dark" : "light"));
+    tinker_paint_block_icon(cairo, item->block_class, width, height, tinker_desktop_theme());
 }
 
 static GtkWidget *icon_of(Item *item)
@@ -95,8 +94,7 @@ static GtkWidget *icon_of(Item *item)
     gtk_drawing_area_set_content_width(GTK_DRAWING_AREA(icon), ICON_WIDTH);
     gtk_drawing_area_set_content_height(GTK_DRAWING_AREA(icon), ICON_HEIGHT);
     gtk_drawing_area_set_draw_func(GTK_DRAWING_AREA(icon), draw_icon, item, NULL);
-    g_signal_connect_object(adw_style_manager_get_default(), "notify::dark", G_CALLBACK(gtk_widget_queue_draw), icon,
-                            G_CONNECT_SWAPPED);
+    tinker_desktop_theme_redraws(icon);
     return icon;
 }
 

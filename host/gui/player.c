@@ -177,25 +177,32 @@ static void set_state(TinkerPlayer *player, TinkerPlayerState state)
 
 /* Edits --------------------------------------------------------------------------------------------------------------- */
 
-/* Goes on from the sample shown now, with the scene as it has become. What it has become may be impossible to go on with: then
- * the run begins anew. */
-static gboolean go_on(TinkerPlayer *player)
+/* The scene as it is in the document, started from the sample shown now, to which the time is set. NULL where what the scene
+ * has become cannot go on from there. (transfer full) */
+static TinkerScene *continued_scene(TinkerPlayer *player)
 {
-    Segment *segment = segment_at(player, player->time);
+    const Segment *segment = segment_at(player, player->time);
     TinkerScene *scene = tinker_document_scene(player->document);
     gsize row;
-    if (player->frame == NULL || !tinker_run_task_find(segment->task, player->time, &row)) return FALSE;
+    if (player->frame == NULL || !tinker_run_task_find(segment->task, player->time, &row)) return NULL;
     int count;
     const TinkerBlockId *bodies = tinker_run_task_bodies(segment->task, &count);
     g_autofree TinkerBodySample *samples = g_new0(TinkerBodySample, (gsize)count + 1);
     g_autofree double *velocities = g_new0(double, 2 * (gsize)tinker_scene_id_limit(scene) + 2);
-    if (!tinker_run_task_read(segment->task, row, &player->time, samples, NULL)) return FALSE;
+    double time = player->time;
+    if (!tinker_run_task_read(segment->task, row, &player->time, samples, NULL)) return NULL;
     for (int i = 0; i < count; i++) {
         velocities[2 * bodies[i]] = samples[i].vx;
         velocities[2 * bodies[i] + 1] = samples[i].vy;
     }
-    update_frame(player);
-    TinkerScene *continued = tinker_scene_continued(scene, player->frame, player->time, velocities, NULL);
+    if (time != player->time) update_frame(player);
+    return tinker_scene_continued(scene, player->frame, player->time, velocities, NULL);
+}
+
+/* Goes on from the sample shown now, with the scene as it has become. */
+static gboolean go_on(TinkerPlayer *player)
+{
+    TinkerScene *continued = continued_scene(player);
     if (continued == NULL) return FALSE;
     tinker_scene_head(continued)->run.duration = fmax(tinker_player_duration(player) - player->time, 0);
     guint keep = 0;
@@ -205,6 +212,17 @@ static gboolean go_on(TinkerPlayer *player)
     player->generation++;
     add_segment(player, continued, player->time);
     return TRUE;
+}
+
+TinkerScene *tinker_player_scene_now(TinkerPlayer *player)
+{
+    if (player->segments->len == 0 || player->time == 0)
+        return tinker_scene_copy(tinker_document_scene(player->document));
+    double time = player->time;
+    TinkerScene *scene = continued_scene(player);
+    player->time = time;
+    update_frame(player);
+    return scene;
 }
 
 static void rewind_after_edit(TinkerPlayer *player)

@@ -60,6 +60,10 @@ gboolean tinker_player_wait(TinkerPlayer *player, double time, GError **error);
  * document changes. */
 TinkerFrame *tinker_player_frame(TinkerPlayer *player);
 
+/* A scene whose start is what is shown now (or the sample before it); NULL where it cannot go on from there. (transfer
+ * full) */
+TinkerScene *tinker_player_scene_now(TinkerPlayer *player);
+
 /* What a quantity is now, SI. FALSE where it is not recorded. */
 gboolean tinker_player_value(TinkerPlayer *player, TinkerBlockId block, int32_t quantity, double *value);
 
