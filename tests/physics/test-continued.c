@@ -104,7 +104,7 @@ static void test_bundled(gconstpointer data)
     g_autoptr(TinkerScene) scene = tinker_scene_read_file(scene_fixture_catalogue(), path, NULL, &error);
     g_assert_no_error(error);
     const double duration = tinker_scene_head(scene)->run.duration;
-    assert_continues(name, scene, NULL, fmin(1.5, duration / 2), 1e-9);
+    assert_continues(name, scene, NULL, fmin(1.0, duration / 2), 1e-9);
 }
 
 static void assert_blocks_continue(const char *what, const char *blocks, double T)
