@@ -68,7 +68,7 @@ TinkerDifference tinker_scene_difference(const TinkerScene *before, const Tinker
     if (!same_run(&before->head.run, &after->head.run) || !same_blocks(before, after)) return TINKER_DIFFERENCE_START;
     TinkerDifference difference = TINKER_DIFFERENCE_DRAWING;
     for (guint t = 0; t < before->tables->len; t++)
-        difference = MAX(difference, table_difference(g_ptr_array_index(before->tables, t),
-                                                      g_ptr_array_index(after->tables, t)));
+        difference = MAX(difference,
+                         table_difference(g_ptr_array_index(before->tables, t), g_ptr_array_index(after->tables, t)));
     return difference;
 }

@@ -79,9 +79,10 @@ static void tinker_application_open(GApplication *base, GFile **files, int count
 {
     for (int i = 0; i < count; i++) {
         GtkWindow *active = gtk_application_get_active_window(GTK_APPLICATION(base));
-        TinkerWindow *window = active != NULL && TINKER_IS_WINDOW(active) && tinker_window_is_untouched(TINKER_WINDOW(active))
-                                   ? TINKER_WINDOW(active)
-                                   : new_window(TINKER_APPLICATION(base));
+        TinkerWindow *window =
+            active != NULL && TINKER_IS_WINDOW(active) && tinker_window_is_untouched(TINKER_WINDOW(active))
+                ? TINKER_WINDOW(active)
+                : new_window(TINKER_APPLICATION(base));
         g_autofree char *path = g_file_get_path(files[i]);
         tinker_window_open(window, path);
     }

@@ -40,7 +40,8 @@ static void update(CanvasForces *forces, TinkerDocument *document, TinkerPlayer 
     gboolean playing = tinker_player_state(player) == TINKER_PLAYER_PLAYING;
     if (same_scene && playing && began < forces->stale_at) return;
     g_autoptr(TinkerScene) scene = tinker_player_scene_now(player);
-    if (scene == NULL || !tinker_acting_forces_at_start(scene, forces->acting, NULL)) g_array_set_size(forces->acting, 0);
+    if (scene == NULL || !tinker_acting_forces_at_start(scene, forces->acting, NULL))
+        g_array_set_size(forces->acting, 0);
     forces->known = TRUE;
     forces->revision = revision;
     forces->time = time;
@@ -70,8 +71,8 @@ static char *label_of(TinkerScene *scene, const TinkerActingForce *force)
     static const TinkerDimension dimension = TINKER_DIMENSION_FORCE;
     g_autofree char *value =
         tinker_quantity_format(hypot(force->fx, force->fy), dimension, NULL, tinker_scene_head(scene)->units, 2);
-    static const char *const of_contacts[] = {[TINKER_ACTING_NORMAL] = "normal force",
-                                              [TINKER_ACTING_FRICTION] = "friction"};
+    static const char *const of_contacts[] = {
+        [TINKER_ACTING_NORMAL] = "normal force", [TINKER_ACTING_FRICTION] = "friction"};
     gboolean contact = force->kind == TINKER_ACTING_NORMAL || force->kind == TINKER_ACTING_FRICTION;
     const char *by = tinker_scene_block_name(scene, force->by);
     return contact ? g_strdup_printf("%s (%s) %s", by, of_contacts[force->kind], value)
@@ -89,8 +90,8 @@ void canvas_forces_draw(CanvasForces *forces, cairo_t *cairo, TinkerDocument *do
         const TinkerActingForce *force = &g_array_index(forces->acting, TinkerActingForce, i);
         if (!shows(document, force)) continue;
         g_ptr_array_add(labels, label_of(scene, force));
-        TinkerForceArrow arrow = {force->x, force->y, force->fx, force->fy,
-                                  g_ptr_array_index(labels, labels->len - 1), (int)force->by};
+        TinkerForceArrow arrow = {
+            force->x, force->y, force->fx, force->fy, g_ptr_array_index(labels, labels->len - 1), (int)force->by};
         g_array_append_val(arrows, arrow);
     }
     const TinkerForceArrow *list = (const TinkerForceArrow *)(gpointer)arrows->data;

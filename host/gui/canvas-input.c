@@ -3,10 +3,10 @@
 
 #include "canvas-private.h"
 
-#define THRESHOLD   4.0  /* widget units: a press that moves less is a click */
-#define WHEEL_ZOOM  1.15 /* by one notch */
-#define WHEEL_PAN   60.0 /* widget units by one notch */
-#define FINE_NUDGE  1.0  /* widget units: an arrow key with Alt */
+#define THRESHOLD  4.0  /* widget units: a press that moves less is a click */
+#define WHEEL_ZOOM 1.15 /* by one notch */
+#define WHEEL_PAN  60.0 /* widget units by one notch */
+#define FINE_NUDGE 1.0  /* widget units: an arrow key with Alt */
 
 static void set_highlighted(TinkerCanvas *canvas, TinkerBlockId block)
 {
@@ -38,7 +38,8 @@ static TinkerHit hit_at(TinkerCanvas *canvas, double x, double y)
     tinker_frame_set_symbol_size(frame, tinker_painter_symbol_size(frame, canvas->view.scale));
     TinkerBlockId selected = tinker_document_selected(canvas->document);
     if (selected != TINKER_NO_BLOCK) hit = tinker_hit_handle(frame, selected, world[0], world[1], canvas_reach(canvas));
-    if (hit.block == TINKER_NO_BLOCK) hit = tinker_hit(frame, world[0], world[1], canvas_reach(canvas), TINKER_NO_BLOCK);
+    if (hit.block == TINKER_NO_BLOCK)
+        hit = tinker_hit(frame, world[0], world[1], canvas_reach(canvas), TINKER_NO_BLOCK);
     if (hit.block != TINKER_NO_BLOCK) return body_rather_than_end(canvas, frame, hit, world);
     return (TinkerHit){tinker_painter_field_at(frame, &canvas->view, x, y), TINKER_PART_NONE};
 }
@@ -69,10 +70,9 @@ static void drag_part(TinkerCanvas *canvas, GdkModifierType modifiers)
     double world[2];
     TinkerFrame *frame = tinker_player_frame(canvas->player);
     canvas_to_world(canvas, canvas->pointer[0], canvas->pointer[1], world);
-    if (frame != NULL)
-        tinker_drag_set_symbol_size(canvas->drag, tinker_painter_symbol_size(frame, canvas->view.scale));
-    TinkerBlockId target = tinker_drag_to(canvas->drag, world[0], world[1], canvas_grid(canvas, modifiers),
-                                          canvas_reach(canvas));
+    if (frame != NULL) tinker_drag_set_symbol_size(canvas->drag, tinker_painter_symbol_size(frame, canvas->view.scale));
+    TinkerBlockId target =
+        tinker_drag_to(canvas->drag, world[0], world[1], canvas_grid(canvas, modifiers), canvas_reach(canvas));
     tinker_document_touch(canvas->document);
     set_highlighted(canvas, target);
 }

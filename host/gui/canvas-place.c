@@ -138,8 +138,7 @@ TinkerBlockId tinker_canvas_add(TinkerCanvas *canvas, const TinkerBlockClass *bl
     if (tinker_player_time(canvas->player) > 0) tinker_player_rewind(canvas->player);
     g_autofree char *title = g_strdup_printf("Add %s", block_class->type->title);
     tinker_document_begin(canvas->document, title, NULL);
-    TinkerBlockId block =
-        tinker_history_add_block(tinker_document_history(canvas->document), block_class, NULL, NULL);
+    TinkerBlockId block = tinker_history_add_block(tinker_document_history(canvas->document), block_class, NULL, NULL);
     double place[2];
     find_room(canvas, block, place);
     if (connect_to(canvas, block, targets, count) > 0) free_end_beside(canvas, block, place);

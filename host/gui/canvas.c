@@ -148,9 +148,8 @@ static GdkTexture *texture_of(cairo_surface_t *surface, int width, int height)
 {
     cairo_surface_flush(surface);
     gsize stride = (gsize)cairo_image_surface_get_stride(surface);
-    g_autoptr(GBytes) bytes =
-        g_bytes_new_with_free_func(cairo_image_surface_get_data(surface), stride * (gsize)height,
-                                   (GDestroyNotify)cairo_surface_destroy, surface);
+    g_autoptr(GBytes) bytes = g_bytes_new_with_free_func(cairo_image_surface_get_data(surface), stride * (gsize)height,
+                                                         (GDestroyNotify)cairo_surface_destroy, surface);
     return gdk_memory_texture_new(width, height, GDK_MEMORY_DEFAULT, bytes, stride);
 }
 

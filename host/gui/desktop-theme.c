@@ -7,7 +7,8 @@ const TinkerTheme *tinker_desktop_theme(void)
 {
     AdwStyleManager *manager = adw_style_manager_get_default();
     gboolean dark = adw_style_manager_get_dark(manager);
-    if (adw_style_manager_get_high_contrast(manager)) return tinker_theme_find(dark ? "contrast-dark" : "contrast-light");
+    if (adw_style_manager_get_high_contrast(manager))
+        return tinker_theme_find(dark ? "contrast-dark" : "contrast-light");
     return tinker_theme_find(dark ? "dark" : "light");
 }
 

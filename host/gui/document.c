@@ -38,7 +38,8 @@ static void tinker_document_class_init(TinkerDocumentClass *class)
     static const char *const names[SIGNALS] = {"changed", "replaced", "selection-changed", "file-changed"};
     G_OBJECT_CLASS(class)->finalize = tinker_document_finalize;
     for (int i = 0; i < SIGNALS; i++)
-        signals[i] = g_signal_new(names[i], TINKER_TYPE_DOCUMENT, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL, G_TYPE_NONE, 0);
+        signals[i] =
+            g_signal_new(names[i], TINKER_TYPE_DOCUMENT, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL, G_TYPE_NONE, 0);
 }
 
 static void tinker_document_init(TinkerDocument *document)
@@ -220,9 +221,8 @@ void tinker_document_remove_selected(TinkerDocument *document)
     guint count = document->selection->len;
     if (count == 0) return;
     TinkerBlockId first = g_array_index(document->selection, TinkerBlockId, 0);
-    g_autofree char *title = count == 1
-                                 ? g_strdup_printf("Delete %s", tinker_scene_block_name(document->scene, first))
-                                 : g_strdup_printf("Delete %u Blocks", count);
+    g_autofree char *title = count == 1 ? g_strdup_printf("Delete %s", tinker_scene_block_name(document->scene, first))
+                                        : g_strdup_printf("Delete %u Blocks", count);
     tinker_document_begin(document, title, NULL);
     for (guint i = 0; i < count; i++)
         tinker_history_remove_block(document->history, g_array_index(document->selection, TinkerBlockId, i));

@@ -70,8 +70,8 @@ static void add_quantities(GPtrArray *names, TinkerScene *scene, TinkerBlockId b
 {
     const TinkerBlockClass *block_class = tinker_scene_block_class(scene, block);
     for (int32_t q = 0; block_class != NULL && block_class->graph != NULL && q < block_class->quantity_count; q++)
-        g_ptr_array_add(names, g_strdup_printf("%s.%s", tinker_scene_block_name(scene, block),
-                                               block_class->quantities[q].id));
+        g_ptr_array_add(names,
+                        g_strdup_printf("%s.%s", tinker_scene_block_name(scene, block), block_class->quantities[q].id));
 }
 
 /* Everything, where that is not much; else what graphs and the selection show, and what was asked for. */
@@ -237,9 +237,9 @@ static void rewind_after_edit(TinkerPlayer *player)
 
 static void on_changed(TinkerPlayer *player)
 {
-    TinkerDifference difference =
-        player->ran == NULL ? TINKER_DIFFERENCE_DRAWING
-                            : tinker_scene_difference(player->ran, tinker_document_scene(player->document));
+    TinkerDifference difference = player->ran == NULL
+                                      ? TINKER_DIFFERENCE_DRAWING
+                                      : tinker_scene_difference(player->ran, tinker_document_scene(player->document));
     gboolean under_way = player->time > 0;
     renew_frame(player);
     if (difference == TINKER_DIFFERENCE_START || (difference == TINKER_DIFFERENCE_TUNABLE && !under_way))
@@ -496,10 +496,9 @@ static void tinker_player_finalize(GObject *object)
 static void tinker_player_class_init(TinkerPlayerClass *class)
 {
     G_OBJECT_CLASS(class)->finalize = tinker_player_finalize;
-    signals[STATE_CHANGED] = g_signal_new("state-changed", TINKER_TYPE_PLAYER, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL,
-                                          G_TYPE_NONE, 0);
-    signals[MOVED] =
-        g_signal_new("moved", TINKER_TYPE_PLAYER, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL, G_TYPE_NONE, 0);
+    signals[STATE_CHANGED] =
+        g_signal_new("state-changed", TINKER_TYPE_PLAYER, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL, G_TYPE_NONE, 0);
+    signals[MOVED] = g_signal_new("moved", TINKER_TYPE_PLAYER, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL, G_TYPE_NONE, 0);
     signals[REWOUND] =
         g_signal_new("rewound", TINKER_TYPE_PLAYER, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL, G_TYPE_NONE, 0);
     signals[FAILED] = g_signal_new("failed", TINKER_TYPE_PLAYER, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL, G_TYPE_NONE, 1,

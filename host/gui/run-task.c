@@ -7,8 +7,8 @@
 
 #include "physics/record.h"
 
-#define STATE            5                 /* doubles of a body in a row: x, y, vx, vy, orientation */
-#define LATELY           0.5               /* s: over which the rate is measured */
+#define STATE            5                  /* doubles of a body in a row: x, y, vx, vy, orientation */
+#define LATELY           0.5                /* s: over which the rate is measured */
 #define RECORD_IN_MEMORY ((gsize)256 << 20) /* bytes; beyond, a temporary file */
 
 struct _TinkerRunTask {
@@ -138,6 +138,19 @@ static gboolean run_scene(TinkerRunTask *task, GError **error)
     return done;
 }
 
+/* What a failed run is not to be believed in is forgotten. Called with the mutex held. */
+static void forget_invalid(TinkerRunTask *task)
+{
+    gsize rows = task->times->len;
+    while (rows > 1 && g_array_index(task->times, double, rows - 1) > task->status.valid_until)
+        rows--;
+    if (rows == task->times->len) return;
+    g_array_set_size(task->times, (guint)rows);
+    tinker_record_cut(task->record, rows);
+    task->status.rows = rows;
+    task->status.reached = g_array_index(task->times, double, rows - 1);
+}
+
 static gpointer run_in_thread(gpointer data)
 {
     TinkerRunTask *task = data;
@@ -148,6 +161,7 @@ static gpointer run_in_thread(gpointer data)
     if (!run_scene(task, &error) && is_cancelled(task)) g_clear_error(&error);
     g_mutex_lock(&task->mutex);
     task->error = error;
+    if (error != NULL) forget_invalid(task);
     task->status.finished = TRUE;
     g_mutex_unlock(&task->mutex);
     unref(task);
@@ -240,8 +254,7 @@ int tinker_run_task_column(TinkerRunTask *task, const char *name)
 static gboolean read_rows(TinkerRunTask *task, gsize first, gsize count, double *rows)
 {
     g_mutex_lock(&task->mutex);
-    gboolean done =
-        first + count <= task->status.rows && tinker_record_read(task->record, first, count, rows, NULL);
+    gboolean done = first + count <= task->status.rows && tinker_record_read(task->record, first, count, rows, NULL);
     g_mutex_unlock(&task->mutex);
     return done;
 }

@@ -11,12 +11,12 @@ typedef struct _TinkerRunTask TinkerRunTask;
 
 /* What is known of a run that is under way or over. */
 typedef struct {
-    gboolean finished;    /* nothing more will come */
-    double reached;       /* s: time of the last sample */
-    gsize rows;           /* samples so far */
-    double rate;          /* s of motion a second of work, lately */
-    char method[32];      /* empty until it is known */
-    gboolean adaptive;    /* whether `step` or `tolerance` counts */
+    gboolean finished; /* nothing more will come */
+    double reached;    /* s: time of the last sample */
+    gsize rows;        /* samples so far */
+    double rate;       /* s of motion a second of work, lately */
+    char method[32];   /* empty until it is known */
+    gboolean adaptive; /* whether `step` or `tolerance` counts */
     double step, tolerance;
     double error_estimate, energy_balance_error, constraint_error; /* relative; the first is NAN without one */
     double predictable_until, valid_until;                         /* s */

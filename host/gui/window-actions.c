@@ -222,8 +222,7 @@ static void add_canvas_keys(TinkerWindow *window)
             g_autofree char *action = g_strconcat("win.", commands[i].name, NULL);
             gtk_shortcut_controller_add_shortcut(
                 GTK_SHORTCUT_CONTROLLER(controller),
-                gtk_shortcut_new(gtk_shortcut_trigger_parse_string(commands[i].keys[k]),
-                                 gtk_named_action_new(action)));
+                gtk_shortcut_new(gtk_shortcut_trigger_parse_string(commands[i].keys[k]), gtk_named_action_new(action)));
         }
     gtk_widget_add_controller(GTK_WIDGET(window->canvas), controller);
 }

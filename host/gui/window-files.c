@@ -41,7 +41,8 @@ static void on_save_name(GtkNativeDialog *dialog, int response, Question *questi
     if (response == GTK_RESPONSE_ACCEPT) {
         g_autoptr(GFile) file = gtk_file_chooser_get_file(GTK_FILE_CHOOSER(dialog));
         g_autofree char *chosen = g_file_get_path(file);
-        g_autofree char *path = g_str_has_suffix(chosen, ".json") ? g_strdup(chosen) : g_strconcat(chosen, ENDING, NULL);
+        g_autofree char *path =
+            g_str_has_suffix(chosen, ".json") ? g_strdup(chosen) : g_strconcat(chosen, ENDING, NULL);
         if (save_to(question->window, path) && question->then != NULL) question->then(question->window);
     }
     question_free(question);

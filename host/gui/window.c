@@ -61,8 +61,7 @@ static void on_rewound(TinkerWindow *window)
 static void on_file_changed(TinkerWindow *window)
 {
     g_autofree char *name = tinker_document_name(window->document);
-    g_autofree char *title =
-        g_strdup_printf("%s%s", tinker_document_is_modified(window->document) ? "• " : "", name);
+    g_autofree char *title = g_strdup_printf("%s%s", tinker_document_is_modified(window->document) ? "• " : "", name);
     const char *path = tinker_document_path(window->document);
     g_autofree char *folder = path != NULL ? g_path_get_dirname(path) : NULL;
     adw_window_title_set_title(window->title, title);

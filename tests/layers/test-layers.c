@@ -9,7 +9,7 @@
 typedef struct {
     const char *folder;
     const char *core[9];
-    const char *libraries[8];
+    const char *libraries[12];
 } Layer;
 
 static const Layer layers[] = {
@@ -25,9 +25,15 @@ static const Layer layers[] = {
     {"core/analysis",
      {"analysis", "physics", "numerics", "scene", "plugin", "units"},
      {"tinker/", "glib", "lapacke.h"}},
+    {"host/common",
+     {"analysis", "physics", "numerics", "render", "edit", "scene", "plugin", "units"},
+     {"tinker/", "glib", "gmodule", "cairo", "cjson/"}},
     {"host/cli",
      {"analysis", "physics", "numerics", "render", "edit", "scene", "plugin", "units"},
      {"tinker/", "glib", "gmodule", "cairo", "pango/", "cjson/"}},
+    {"host/gui",
+     {"analysis", "physics", "numerics", "render", "edit", "scene", "plugin", "units"},
+     {"tinker/", "glib", "gio/", "gtk/", "adwaita.h", "graphene", "libintl.h", "cairo", "cjson/"}},
     {"plugins", {NULL}, {"tinker/"}},
     {"plugins/cvode-bdf", {NULL}, {"tinker/", "cvodes/", "nvector/", "sundials/", "sunlinsol/", "sunmatrix/"}},
     {"docs/examples", {NULL}, {"tinker/"}},
@@ -65,11 +71,19 @@ static gboolean library_is_allowed(const Layer *layer, const char *header)
     return !bound_to_c && begins_with_one_of(header, system_headers);
 }
 
+/* What both programs share. */
+static gboolean is_of_hosts(const Layer *layer, const char *header)
+{
+    g_autofree char *common = source_path("host/common"), *path = g_build_filename(common, header, NULL);
+    return g_str_has_prefix(layer->folder, "host/") && g_file_test(path, G_FILE_TEST_EXISTS);
+}
+
 /* "scene/scene.h" of core; "x.h" beside the file itself; a private header only within its own folder. */
 static gboolean own_is_allowed(const Layer *layer, const char *file_folder, const char *header)
 {
     g_autofree char *beside = g_build_filename(file_folder, header, NULL);
     if (strchr(header, '/') == NULL && g_file_test(beside, G_FILE_TEST_EXISTS)) return TRUE;
+    if (is_of_hosts(layer, header)) return TRUE;
     g_auto(GStrv) parts = g_strsplit(header, "/", 2);
     if (parts[1] == NULL || !g_strv_contains(layer->core, parts[0])) return FALSE;
     const gboolean own_folder = g_str_has_suffix(layer->folder, parts[0]);

@@ -1,0 +1,140 @@
+/* What the real window does: the time from its start to the first frame, frames a second while a scene plays, how long a whole
+ * frame takes (from before-paint to after-paint), and how long the main loop lets an event wait. Needs a display; with no
+ * graphics processor, GSK_RENDERER=cairo.
+ *
+ * bench-window runs itself once for each case, as `bench-window --case NAME SCENE`, so that every window is the first. */
+#include <glib/gstdio.h>
+#include <math.h>
+#include <stdlib.h>
+
+#include "application.h"
+#include "report.h"
+#include "scene-text.h"
+#include "window.h"
+
+#define WARM_UP  1.0 /* s of playing that do not count */
+#define MEASURED 4.0 /* s that do */
+#define TICK_MS  5   /* between events that ask whether the main loop answers */
+
+typedef struct {
+    GtkApplication *application;
+    gint64 started;      /* us */
+    gint64 first_frame;  /* us; 0: not yet */
+    gint64 measure_from; /* us; 0: not yet */
+    gint64 paint_began, last_event;
+    GArray *frames;      /* of double: ms each */
+    double longest_wait; /* ms */
+    gint64 measured_until;
+} Measurement;
+
+static void on_before_paint(GdkFrameClock *clock, Measurement *measurement)
+{
+    measurement->paint_began = g_get_monotonic_time();
+}
+
+static void print_and_quit(Measurement *measurement)
+{
+    BenchmarkTiming frame =
+        benchmark_summarize((double *)(gpointer)measurement->frames->data, measurement->frames->len);
+    double seconds = 1e-6 * (double)(measurement->measured_until - measurement->measure_from);
+    g_print("%.17g %.17g %.17g %.17g\n", 1e-3 * (double)(measurement->first_frame - measurement->started),
+            measurement->frames->len / seconds, frame.median, measurement->longest_wait);
+    fflush(stdout);
+    _Exit(0);
+}
+
+static void on_after_paint(GdkFrameClock *clock, Measurement *measurement)
+{
+    gint64 now = g_get_monotonic_time();
+    if (measurement->first_frame == 0) {
+        measurement->first_frame = now;
+        GtkWindow *window = gtk_application_get_active_window(measurement->application);
+        g_action_group_activate_action(G_ACTION_GROUP(window), "play", NULL);
+        return;
+    }
+    gint64 playing = now - measurement->first_frame;
+    if (playing < (gint64)(1e6 * WARM_UP)) return;
+    if (measurement->measure_from == 0) {
+        measurement->measure_from = measurement->last_event = now;
+        measurement->longest_wait = 0;
+        return;
+    }
+    double ms = 1e-3 * (double)(now - measurement->paint_began);
+    g_array_append_val(measurement->frames, ms);
+    measurement->measured_until = now;
+    if (now - measurement->measure_from > (gint64)(1e6 * MEASURED)) print_and_quit(measurement);
+}
+
+/* As long as this is late, the user's next key would have waited. */
+static gboolean on_event(gpointer data)
+{
+    Measurement *measurement = data;
+    gint64 now = g_get_monotonic_time();
+    if (measurement->measure_from > 0)
+        measurement->longest_wait =
+            fmax(measurement->longest_wait, 1e-3 * (double)(now - measurement->last_event) - TICK_MS);
+    measurement->last_event = now;
+    return G_SOURCE_CONTINUE;
+}
+
+static void on_window_added(GtkApplication *application, GtkWindow *window, Measurement *measurement)
+{
+    gtk_widget_realize(GTK_WIDGET(window));
+    GdkFrameClock *clock = gtk_widget_get_frame_clock(GTK_WIDGET(window));
+    g_signal_connect(clock, "before-paint", G_CALLBACK(on_before_paint), measurement);
+    g_signal_connect_after(clock, "after-paint", G_CALLBACK(on_after_paint), measurement);
+    g_timeout_add(TICK_MS, on_event, measurement);
+}
+
+/* One case, in a process of its own. */
+static int measure(char *program, char *scene)
+{
+    Measurement measurement = {.started = g_get_monotonic_time(), .frames = g_array_new(FALSE, FALSE, sizeof(double))};
+    gtk_disable_setlocale();
+    g_autoptr(TinkerApplication) application = tinker_application_new();
+    g_application_set_flags(G_APPLICATION(application), G_APPLICATION_HANDLES_OPEN | G_APPLICATION_NON_UNIQUE);
+    measurement.application = GTK_APPLICATION(application);
+    g_signal_connect_after(application, "window-added", G_CALLBACK(on_window_added), &measurement);
+    char *arguments[] = {program, scene, NULL};
+    return g_application_run(G_APPLICATION(application), 2, arguments);
+}
+
+static void report_case(BenchmarkReport *report, char *program, const char *name, const char *path, double frames_goal)
+{
+    const char *const arguments[] = {program, "--case", path, NULL};
+    g_autofree char *output = NULL;
+    double values[4];
+    if (!benchmark_report_wants(report, name)) return;
+    if (!g_spawn_sync(NULL, (char **)arguments, NULL, G_SPAWN_DEFAULT, NULL, NULL, &output, NULL, NULL, NULL)) return;
+    char *next = output;
+    for (int i = 0; i < 4; i++)
+        values[i] = g_ascii_strtod(next, &next);
+    benchmark_report_figure(report, name, "first frame after", values[0], "ms", 300);
+    benchmark_report_figure(report, name, "frames a second", values[1], "1/s", NAN);
+    benchmark_report_figure(report, name, "whole frame", values[2], "ms", 1e3 / frames_goal);
+    benchmark_report_figure(report, name, "longest wait for an event", values[3], "ms", 50);
+}
+
+/* A generated scene with two graphs that are docked. */
+static void report_text(BenchmarkReport *report, char *program, const char *name, char *text, double frames_goal)
+{
+    g_autofree char *owned = text, *path = g_build_filename(g_get_tmp_dir(), "bench-window.tinker.json", NULL);
+    char *end = g_strrstr(owned, "}");
+    *end = '\0';
+    g_autofree char *whole = g_strconcat(owned,
+                                         ", \"graphs\": [{\"block\": \"M1\", \"quantity\": \"y\"}, "
+                                         "{\"block\": \"M2\", \"quantity\": \"y\"}]}",
+                                         NULL);
+    if (!g_file_set_contents(path, whole, -1, NULL)) return;
+    report_case(report, program, name, path, frames_goal);
+    g_unlink(path);
+}
+
+int main(int argc, char **argv)
+{
+    if (argc == 3 && g_str_equal(argv[1], "--case")) return measure(argv[0], argv[2]);
+    BenchmarkReport *report = benchmark_report_new(argc, argv);
+    report_text(report, argv[0], "200 blocks, two graphs", benchmark_net(8), 60);
+    report_text(report, argv[0], "5000 blocks", benchmark_net(41), 20);
+    return benchmark_report_end(report);
+}

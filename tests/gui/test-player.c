@@ -1,0 +1,280 @@
+/* The player against closed forms: a mass of 1 kg on a spring of 25 N/m swings about its equilibrium with 5 rad/s. */
+#include "gui-fixture.h"
+
+#include <math.h>
+
+#define OMEGA 5.0  /* rad/s */
+#define CLOSE 1e-7 /* m: of tolerance 1e-9 */
+
+/* Without gravity, let go 1 m below its rest at y = 2; a support 2 m above. */
+#define OSCILLATOR                                                                                                     \
+    "\"run\": {\"duration\": 4, \"interval\": 0.01}, \"blocks\": ["                                                    \
+    "{\"type\": \"support\", \"name\": \"S\", \"position\": [0, 4], \"orientation\": \"180 deg\"},"                    \
+    "{\"type\": \"mass\", \"name\": \"M\", \"position\": [0, 1]},"                                                     \
+    "{\"type\": \"spring\", \"name\": \"K\", \"ends\": [\"S\", \"M\"], \"stiffness\": 25, \"rest_length\": 2}]"
+
+typedef struct {
+    TinkerDocument *document;
+    TinkerPlayer *player;
+    int rewound, failed;
+} Fixture;
+
+static void on_rewound(Fixture *fixture)
+{
+    fixture->rewound++;
+}
+
+static void on_failed(TinkerPlayer *player, const char *message, Fixture *fixture)
+{
+    fixture->failed++;
+}
+
+static Fixture *fixture_new(const char *members)
+{
+    Fixture *fixture = g_new0(Fixture, 1);
+    fixture->document = gui_fixture_document(members);
+    fixture->player = tinker_player_new(fixture->document);
+    g_signal_connect_swapped(fixture->player, "rewound", G_CALLBACK(on_rewound), fixture);
+    g_signal_connect(fixture->player, "failed", G_CALLBACK(on_failed), fixture);
+    return fixture;
+}
+
+static void fixture_free(Fixture *fixture)
+{
+    g_object_unref(fixture->player);
+    g_object_unref(fixture->document);
+    g_free(fixture);
+}
+G_DEFINE_AUTOPTR_CLEANUP_FUNC(Fixture, fixture_free)
+
+static void play(Fixture *fixture)
+{
+    TinkerBlockId culprit;
+    g_autoptr(GError) error = NULL;
+    tinker_player_play(fixture->player, &culprit, &error);
+    g_assert_no_error(error);
+}
+
+static void wait_until(Fixture *fixture, double time)
+{
+    g_autoptr(GError) error = NULL;
+    tinker_player_wait(fixture->player, time, &error);
+    g_assert_no_error(error);
+}
+
+static double height(Fixture *fixture)
+{
+    double x, y, orientation;
+    tinker_frame_centre(tinker_player_frame(fixture->player), gui_fixture_block(fixture->document, "M"), &x, &y,
+                        &orientation);
+    return y;
+}
+
+static void assert_close(double value, double expected, double tolerance)
+{
+    if (fabs(value - expected) > tolerance) g_test_message("%.12g is not %.12g", value, expected);
+    g_assert_cmpfloat(fabs(value - expected), <=, tolerance);
+}
+
+/* However the seconds come in, the motion is the same: every frame lies on the closed form. */
+static void test_frame_rates(void)
+{
+    static const double ticks[] = {0.004, 1.0 / 60, 0.1, 0.37};
+    for (gsize i = 0; i < G_N_ELEMENTS(ticks); i++) {
+        g_autoptr(Fixture) fixture = fixture_new(OSCILLATOR);
+        play(fixture);
+        wait_until(fixture, 4);
+        double time = 0;
+        while (tinker_player_state(fixture->player) == TINKER_PLAYER_PLAYING) {
+            tinker_player_advance(fixture->player, ticks[i]);
+            time = fmin(time + ticks[i], 4);
+            assert_close(tinker_player_time(fixture->player), time, 1e-12);
+            /* Straight between samples: off by h^2 / 8 times the acceleration at most. */
+            assert_close(height(fixture), 2 - cos(OMEGA * time), CLOSE + 1e-4 / 8 * OMEGA * OMEGA);
+        }
+        g_assert_cmpint(tinker_player_state(fixture->player), ==, TINKER_PLAYER_PAUSED);
+        assert_close(tinker_player_time(fixture->player), 4, 0);
+    }
+}
+
+static void test_speed(void)
+{
+    g_autoptr(Fixture) fixture = fixture_new(OSCILLATOR);
+    tinker_player_set_speed(fixture->player, 0.25);
+    play(fixture);
+    wait_until(fixture, 4);
+    tinker_player_advance(fixture->player, 2);
+    assert_close(tinker_player_time(fixture->player), 0.5, 1e-12);
+}
+
+static void test_step_and_seek(void)
+{
+    g_autoptr(Fixture) fixture = fixture_new(OSCILLATOR);
+    TinkerBlockId culprit;
+    for (int i = 1; i <= 3; i++) {
+        g_assert_true(tinker_player_step(fixture->player, TRUE, &culprit, NULL));
+        assert_close(tinker_player_time(fixture->player), 0.01 * i, 1e-12);
+        assert_close(height(fixture), 2 - cos(OMEGA * 0.01 * i), CLOSE);
+    }
+    g_assert_true(tinker_player_step(fixture->player, FALSE, &culprit, NULL));
+    assert_close(tinker_player_time(fixture->player), 0.02, 1e-12);
+    wait_until(fixture, 4);
+    tinker_player_seek(fixture->player, 3.5);
+    assert_close(height(fixture), 2 - cos(OMEGA * 3.5), CLOSE);
+    tinker_player_seek(fixture->player, 99);
+    assert_close(tinker_player_time(fixture->player), 4, 0);
+    tinker_player_reset(fixture->player);
+    g_assert_cmpint(tinker_player_state(fixture->player), ==, TINKER_PLAYER_SETUP);
+    assert_close(height(fixture), 1, 0);
+}
+
+/* At the lowest place of its swing the stiffness is quartered: it goes on about the same rest, half as fast. */
+static void test_change_on_the_way(void)
+{
+    g_autoptr(Fixture) fixture = fixture_new(OSCILLATOR);
+    double turn = 2 * G_PI / OMEGA;
+    play(fixture);
+    wait_until(fixture, 4);
+    tinker_player_seek(fixture->player, turn);
+    tinker_player_pause(fixture->player);
+    double shown = tinker_player_time(fixture->player);
+    gui_fixture_set(fixture->document, "K", "stiffness", 6.25, 0);
+    g_assert_cmpint(fixture->rewound, ==, 0);
+    double start = tinker_player_time(fixture->player); /* the sample before what was shown */
+    g_assert_cmpfloat(shown - start, <, 0.01);
+    double phase = OMEGA * start;
+    wait_until(fixture, 4);
+    for (double t = 1.3; t < 4; t += 0.3) {
+        tinker_player_seek(fixture->player, t);
+        double since = 0.5 * OMEGA * (t - start);
+        /* y - 2 and its rate at the change, carried on with half the frequency. */
+        double expected = -cos(phase) * cos(since) + 2 * sin(phase) * sin(since);
+        assert_close(height(fixture), 2 + expected, 1e-5 + 1e-4 / 8 * OMEGA * OMEGA);
+    }
+    tinker_player_seek(fixture->player, 0.5); /* before the change all is as it was */
+    assert_close(height(fixture), 2 - cos(OMEGA * 0.5), CLOSE);
+}
+
+/* A start that was edited takes back to it. */
+static void test_rewinds(void)
+{
+    g_autoptr(Fixture) fixture = fixture_new(OSCILLATOR);
+    play(fixture);
+    wait_until(fixture, 1);
+    tinker_player_seek(fixture->player, 1);
+    gui_fixture_set(fixture->document, "M", "position", 0, 1.5);
+    g_assert_cmpint(fixture->rewound, ==, 1);
+    g_assert_cmpint(tinker_player_state(fixture->player), ==, TINKER_PLAYER_SETUP);
+    assert_close(tinker_player_time(fixture->player), 0, 0);
+    assert_close(height(fixture), 1.5, 0);
+    play(fixture);
+    wait_until(fixture, 4);
+    tinker_player_seek(fixture->player, 2);
+    assert_close(height(fixture), 2 - 0.5 * cos(OMEGA * 2), CLOSE);
+    tinker_document_undo(fixture->document);
+    g_assert_cmpint(fixture->rewound, ==, 2);
+    assert_close(height(fixture), 1, 0);
+}
+
+/* A name is no part of the motion. */
+static void test_drawing_goes_on(void)
+{
+    g_autoptr(Fixture) fixture = fixture_new(OSCILLATOR);
+    play(fixture);
+    wait_until(fixture, 4);
+    tinker_player_seek(fixture->player, 2);
+    guint generation = tinker_player_generation(fixture->player);
+    tinker_document_begin(fixture->document, "Rename", NULL);
+    g_assert_true(tinker_history_rename_block(tinker_document_history(fixture->document),
+                                              gui_fixture_block(fixture->document, "S"), "Ceiling", NULL));
+    tinker_document_end(fixture->document);
+    g_assert_cmpuint(tinker_player_generation(fixture->player), ==, generation);
+    assert_close(height(fixture), 2 - cos(OMEGA * 2), CLOSE);
+}
+
+static void test_series(void)
+{
+    g_autoptr(Fixture) fixture = fixture_new(OSCILLATOR);
+    g_autoptr(GArray) times = g_array_new(FALSE, FALSE, sizeof(double));
+    g_autoptr(GArray) values = g_array_new(FALSE, FALSE, sizeof(double));
+    TinkerSeriesCursor cursor = {0};
+    play(fixture);
+    while (times->len < 401)
+        g_assert_true(tinker_player_series(fixture->player, "M.vy", &cursor, times, values));
+    g_assert_cmpuint(times->len, ==, 401);
+    g_assert_cmpuint(values->len, ==, 401);
+    for (guint i = 0; i < times->len; i++) {
+        assert_close(g_array_index(times, double, i), 0.01 * i, 1e-12);
+        assert_close(g_array_index(values, double, i), OMEGA * sin(OMEGA * 0.01 * i), OMEGA * CLOSE);
+    }
+    g_assert_false(tinker_player_series(fixture->player, "M.nothing", &(TinkerSeriesCursor){0}, times, values));
+}
+
+/* The series of a run that was changed on the way has every sample once. */
+static void test_series_over_a_change(void)
+{
+    g_autoptr(Fixture) fixture = fixture_new(OSCILLATOR);
+    play(fixture);
+    wait_until(fixture, 4);
+    tinker_player_seek(fixture->player, 1.5);
+    gui_fixture_set(fixture->document, "K", "stiffness", 20, 0);
+    wait_until(fixture, 4);
+    g_autoptr(GArray) times = g_array_new(FALSE, FALSE, sizeof(double));
+    g_autoptr(GArray) values = g_array_new(FALSE, FALSE, sizeof(double));
+    g_assert_true(tinker_player_series(fixture->player, "M.y", &(TinkerSeriesCursor){0}, times, values));
+    g_assert_cmpuint(times->len, ==, 401);
+    for (guint i = 0; i < times->len; i++)
+        assert_close(g_array_index(times, double, i), 0.01 * i, 1e-9);
+}
+
+static void test_refusal(void)
+{
+    g_autoptr(Fixture) fixture = fixture_new("\"blocks\": [{\"type\": \"mass\", \"name\": \"M\"}, "
+                                             "{\"type\": \"spring\", \"name\": \"K\", \"ends\": [\"M\", [1, 1]]}]");
+    TinkerBlockId culprit;
+    g_autoptr(GError) error = NULL;
+    g_assert_false(tinker_player_play(fixture->player, &culprit, &error));
+    g_assert_cmpint(culprit, ==, gui_fixture_block(fixture->document, "K"));
+    g_assert_nonnull(strstr(error->message, "K"));
+    g_assert_cmpint(tinker_player_state(fixture->player), ==, TINKER_PLAYER_SETUP);
+}
+
+/* A run that fails, with a force that is no number behind t = 2, keeps what it has and says so once. */
+static void test_failure(void)
+{
+    g_autoptr(Fixture) fixture =
+        fixture_new("\"blocks\": [{\"type\": \"mass\", \"name\": \"M\"}, {\"type\": \"motor\", \"name\": \"F\", "
+                    "\"ends\": [\"M\"], \"waveform\": {\"expression\": \"sqrt(2 - t)\"}}]");
+    play(fixture);
+    for (int i = 0; i < 10000 && tinker_player_state(fixture->player) == TINKER_PLAYER_PLAYING; i++) {
+        tinker_player_advance(fixture->player, 1);
+        g_usleep(1000);
+    }
+    g_assert_cmpint(tinker_player_state(fixture->player), ==, TINKER_PLAYER_PAUSED);
+    g_assert_cmpint(fixture->failed, ==, 1);
+    double end = tinker_player_time(fixture->player);
+    g_assert_cmpfloat(end, >, 1.9);
+    g_assert_cmpfloat(end, <=, 2);
+    tinker_player_seek(fixture->player, 0.5 * end);
+    assert_close(tinker_player_time(fixture->player), 0.5 * end, 0);
+    g_assert_cmpint(fixture->failed, ==, 1);
+}
+
+static void add_tests(void)
+{
+    g_test_add_func("/player/frame-rates", test_frame_rates);
+    g_test_add_func("/player/speed", test_speed);
+    g_test_add_func("/player/step-and-seek", test_step_and_seek);
+    g_test_add_func("/player/change-on-the-way", test_change_on_the_way);
+    g_test_add_func("/player/rewinds", test_rewinds);
+    g_test_add_func("/player/drawing-goes-on", test_drawing_goes_on);
+    g_test_add_func("/player/series", test_series);
+    g_test_add_func("/player/series-over-a-change", test_series_over_a_change);
+    g_test_add_func("/player/refusal", test_refusal);
+    g_test_add_func("/player/failure", test_failure);
+}
+
+int main(int argc, char **argv)
+{
+    return gui_fixture_main(argc, argv, add_tests);
+}
