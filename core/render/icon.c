@@ -157,7 +157,7 @@ static Fit first_fit(const Mock *mock, double width, double height)
 void tinker_paint_block_icon(cairo_t *cairo, const TinkerBlockClass *block_class, double width, double height,
                              const TinkerTheme *theme)
 {
-    if (!(width >= 4) || !(height >= 4)) return;
+    if (!(width >= 4) || !(height >= 4) || !isfinite(width) || !isfinite(height)) return;
     Mock mock;
     double box[4], margin = MARGIN * fmin(width, height), room_x = width - 2 * margin, room_y = height - 2 * margin;
     mock_init(&mock, block_class, LINE_SHARE * width);

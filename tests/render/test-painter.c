@@ -3,68 +3,8 @@
 #include <math.h>
 #include <string.h>
 
-#include "picture.h"
-#include "render/painter-private.h"
 #include "scene-fixture.h"
-
-#define WIDTH  600
-#define HEIGHT 400
-
-typedef struct {
-    TinkerScene *scene;
-    TinkerFrame *frame;
-    TestPicture *picture;
-    TinkerView view;
-    TinkerPaintOptions options;
-    GPtrArray *written;
-} Stage;
-
-static void stage_open(Stage *stage, const char *blocks)
-{
-    g_autoptr(GError) error = NULL;
-    stage->scene = scene_fixture_read_blocks(blocks);
-    stage->frame = tinker_frame_new(stage->scene, &error);
-    g_assert_no_error(error);
-    stage->picture = test_picture_new(WIDTH, HEIGHT);
-    stage->view =
-        (TinkerView){.scale = 50, .origin_x = WIDTH / 2, .origin_y = HEIGHT / 2, .width = WIDTH, .height = HEIGHT};
-    stage->options = tinker_paint_options_default();
-    stage->options.show_grid = FALSE;
-    stage->options.show_labels = FALSE;
-    stage->written = tinker_written_texts_new();
-}
-
-static void stage_paint(Stage *stage)
-{
-    cairo_matrix_t before, after;
-    cairo_get_matrix(stage->picture->cairo, &before);
-    g_ptr_array_set_size(stage->written, 0);
-    tinker_paint_scene_noting(stage->picture->cairo, stage->frame, &stage->view, &stage->options, stage->written);
-    cairo_get_matrix(stage->picture->cairo, &after);
-    g_assert_cmpmem(&before, sizeof before, &after, sizeof after);
-}
-
-static void stage_close(Stage *stage)
-{
-    g_ptr_array_unref(stage->written);
-    test_picture_free(stage->picture);
-    tinker_frame_free(stage->frame);
-    tinker_scene_free(stage->scene);
-}
-
-static int shown(const Stage *stage, int colour)
-{
-    return test_picture_count(stage->picture, stage->options.theme->colours[colour]);
-}
-
-static const TinkerWrittenText *text_of(const Stage *stage, const char *text)
-{
-    for (guint i = 0; i < stage->written->len; i++) {
-        const TinkerWrittenText *written = g_ptr_array_index(stage->written, i);
-        if (g_str_equal(written->text, text)) return written;
-    }
-    return NULL;
-}
+#include "stage.h"
 
 /* A spring between two points that are masses without size, which leave its colour alone in the middle. */
 static void check_spring(double rest_length, const char *theme, int colour)
@@ -74,20 +14,21 @@ static void check_spring(double rest_length, const char *theme, int colour)
                         "{\"type\": \"mass\", \"name\": \"B\", \"position\": [2, 0], \"width\": 0, \"height\": 0},"
                         "{\"type\": \"spring\", \"ends\": [\"A\", \"B\"], \"rest_length\": %g}",
                         rest_length);
-    Stage stage;
-    stage_open(&stage, blocks);
+    TestStage stage;
+    test_stage_open(&stage, blocks);
     stage.options.theme = tinker_theme_find(theme);
-    stage_paint(&stage);
+    test_stage_paint(&stage);
     const double *wanted = stage.options.theme->colours[colour];
     int middle = 0;
-    for (int x = WIDTH / 2 - 50; x < WIDTH / 2 + 50; x++)
-        middle += test_picture_shows(stage.picture, x, HEIGHT / 2, 0, wanted);
+    for (int x = TEST_STAGE_WIDTH / 2 - 50; x < TEST_STAGE_WIDTH / 2 + 50; x++)
+        middle += test_picture_shows(stage.picture, x, TEST_STAGE_HEIGHT / 2, 0, wanted);
     g_assert_cmpint(middle, >, 5);
     for (int other = TINKER_COLOUR_CONNECTOR; other <= TINKER_COLOUR_DETACHED; other++)
-        for (int x = WIDTH / 2 - 50; x < WIDTH / 2 + 50 && other != colour; x++)
-            g_assert_false(test_picture_shows(stage.picture, x, HEIGHT / 2, 0, stage.options.theme->colours[other]) &&
-                           other != TINKER_COLOUR_DETACHED);
-    stage_close(&stage);
+        for (int x = TEST_STAGE_WIDTH / 2 - 50; x < TEST_STAGE_WIDTH / 2 + 50 && other != colour; x++)
+            g_assert_false(
+                test_picture_shows(stage.picture, x, TEST_STAGE_HEIGHT / 2, 0, stage.options.theme->colours[other]) &&
+                other != TINKER_COLOUR_DETACHED);
+    test_stage_close(&stage);
 }
 
 static void test_spring_states(void)
@@ -106,56 +47,56 @@ static void test_detached(void)
     static const char *const types[] = {"spring", "damper", "rod"};
     for (gsize i = 0; i < G_N_ELEMENTS(types); i++) {
         g_autofree char *blocks = g_strdup_printf("{\"type\": \"%s\", \"ends\": [[-2, 0], [2, 0]]}", types[i]);
-        Stage stage;
-        stage_open(&stage, blocks);
-        stage_paint(&stage);
-        g_assert_cmpint(shown(&stage, TINKER_COLOUR_DETACHED), >, 30);
-        g_assert_cmpint(shown(&stage, TINKER_COLOUR_CONNECTOR), ==, 0);
-        g_assert_cmpint(shown(&stage, TINKER_COLOUR_COMPRESSED), ==, 0);
-        stage_close(&stage);
+        TestStage stage;
+        test_stage_open(&stage, blocks);
+        test_stage_paint(&stage);
+        g_assert_cmpint(test_stage_shown(&stage, TINKER_COLOUR_DETACHED), >, 30);
+        g_assert_cmpint(test_stage_shown(&stage, TINKER_COLOUR_CONNECTOR), ==, 0);
+        g_assert_cmpint(test_stage_shown(&stage, TINKER_COLOUR_COMPRESSED), ==, 0);
+        test_stage_close(&stage);
     }
 }
 
 static void test_motor(void)
 {
-    Stage stage;
-    stage_open(&stage, "{\"type\": \"mass\", \"name\": \"A\", \"position\": [0, 0]},"
-                       "{\"type\": \"motor\", \"ends\": [\"A\"], \"amplitude\": 1}");
-    stage_paint(&stage);
-    g_assert_cmpint(shown(&stage, TINKER_COLOUR_FORCE), >, 30);
-    stage_close(&stage);
+    TestStage stage;
+    test_stage_open(&stage, "{\"type\": \"mass\", \"name\": \"A\", \"position\": [0, 0]},"
+                            "{\"type\": \"motor\", \"ends\": [\"A\"], \"amplitude\": 1}");
+    test_stage_paint(&stage);
+    g_assert_cmpint(test_stage_shown(&stage, TINKER_COLOUR_FORCE), >, 30);
+    test_stage_close(&stage);
 }
 
 /* What is later in the scene covers what is earlier, within a layer; connectors lie over bodies. */
 static void test_order(void)
 {
-    Stage stage;
-    stage_open(&stage, "{\"type\": \"spring\", \"ends\": [[-3, 0], [3, 0]]},"
-                       "{\"type\": \"mass\", \"name\": \"A\", \"position\": [0, 0], \"width\": 2, \"height\": 2}");
-    stage_paint(&stage);
+    TestStage stage;
+    test_stage_open(&stage, "{\"type\": \"spring\", \"ends\": [[-3, 0], [3, 0]]},"
+                            "{\"type\": \"mass\", \"name\": \"A\", \"position\": [0, 0], \"width\": 2, \"height\": 2}");
+    test_stage_paint(&stage);
     const double *grey = stage.options.theme->colours[TINKER_COLOUR_DETACHED];
     int over = 0;
-    for (int x = WIDTH / 2 - 40; x < WIDTH / 2 + 40; x++)
-        over += test_picture_shows(stage.picture, x, HEIGHT / 2, 0, grey);
+    for (int x = TEST_STAGE_WIDTH / 2 - 40; x < TEST_STAGE_WIDTH / 2 + 40; x++)
+        over += test_picture_shows(stage.picture, x, TEST_STAGE_HEIGHT / 2, 0, grey);
     g_assert_cmpint(over, >, 3);
-    stage_close(&stage);
+    test_stage_close(&stage);
 }
 
 /* Fields stand side by side in the upper left corner and are found there. */
 static void test_fields(void)
 {
-    Stage stage;
-    stage_open(&stage, "{\"type\": \"gravity\", \"name\": \"Down\"}, {\"type\": \"mass\", \"position\": [0, 0]},"
-                       "{\"type\": \"wind\", \"name\": \"Breeze\", \"velocity\": [1, 0]}");
+    TestStage stage;
+    test_stage_open(&stage, "{\"type\": \"gravity\", \"name\": \"Down\"}, {\"type\": \"mass\", \"position\": [0, 0]},"
+                            "{\"type\": \"wind\", \"name\": \"Breeze\", \"velocity\": [1, 0]}");
     stage.options.show_labels = TRUE;
-    stage_paint(&stage);
-    g_assert_cmpint(shown(&stage, TINKER_COLOUR_FIELD), >, 60);
-    const TinkerWrittenText *down = text_of(&stage, "Down"), *breeze = text_of(&stage, "Breeze");
+    test_stage_paint(&stage);
+    g_assert_cmpint(test_stage_shown(&stage, TINKER_COLOUR_FIELD), >, 60);
+    const TinkerWrittenText *down = test_stage_text(&stage, "Down"), *breeze = test_stage_text(&stage, "Breeze");
     g_assert_nonnull(down);
     g_assert_nonnull(breeze);
     g_assert_cmpfloat(down->box[2], <, breeze->box[0]);
-    g_assert_cmpfloat(breeze->box[2], <, WIDTH / 2);
-    g_assert_cmpfloat(down->box[3], <, HEIGHT / 3);
+    g_assert_cmpfloat(breeze->box[2], <, TEST_STAGE_WIDTH / 2);
+    g_assert_cmpfloat(down->box[3], <, TEST_STAGE_HEIGHT / 3);
     double above = down->box[1] - 20;
     TinkerBlockId gravity = tinker_scene_find_block(stage.scene, "Down");
     TinkerBlockId wind = tinker_scene_find_block(stage.scene, "Breeze");
@@ -163,8 +104,9 @@ static void test_fields(void)
                     gravity);
     g_assert_cmpint(tinker_painter_field_at(stage.frame, &stage.view, (breeze->box[0] + breeze->box[2]) / 2, above), ==,
                     wind);
-    g_assert_cmpint(tinker_painter_field_at(stage.frame, &stage.view, WIDTH - 5, HEIGHT - 5), ==, TINKER_NO_BLOCK);
-    stage_close(&stage);
+    g_assert_cmpint(tinker_painter_field_at(stage.frame, &stage.view, TEST_STAGE_WIDTH - 5, TEST_STAGE_HEIGHT - 5), ==,
+                    TINKER_NO_BLOCK);
+    test_stage_close(&stage);
 }
 
 /* Names of a crowd: none over another, all on the canvas; and none at all where the crowd is drawn too small. */
@@ -174,10 +116,10 @@ static void test_names(void)
     for (int i = 0; i < 60; i++)
         g_string_append_printf(blocks, "%s{\"type\": \"mass\", \"name\": \"Body %d\", \"position\": [%g, %g]}",
                                i ? "," : "", i, g_test_rand_double_range(-5, 5), g_test_rand_double_range(-3, 3));
-    Stage stage;
-    stage_open(&stage, blocks->str);
+    TestStage stage;
+    test_stage_open(&stage, blocks->str);
     stage.options.show_labels = stage.options.show_time = TRUE;
-    stage_paint(&stage);
+    test_stage_paint(&stage);
     g_assert_cmpuint(stage.written->len, >, 20);
     for (guint i = 0; i < stage.written->len; i++) {
         const TinkerWrittenText *a = g_ptr_array_index(stage.written, i);
@@ -187,109 +129,109 @@ static void test_names(void)
                           b->box[3] <= a->box[1]);
         }
     }
-    g_assert_nonnull(text_of(&stage, "t = 0.00 s"));
+    g_assert_nonnull(test_stage_text(&stage, "t = 0.00 s"));
     stage.view.scale = 2;
-    stage_paint(&stage);
+    test_stage_paint(&stage);
     g_assert_cmpuint(stage.written->len, ==, 1);
-    stage_close(&stage);
+    test_stage_close(&stage);
 }
 
 static void test_lone_name(void)
 {
-    Stage stage;
-    stage_open(&stage, "{\"type\": \"mass\", \"name\": \"Lone\", \"position\": [0, 0]}");
+    TestStage stage;
+    test_stage_open(&stage, "{\"type\": \"mass\", \"name\": \"Lone\", \"position\": [0, 0]}");
     stage.options.show_labels = TRUE;
-    stage_paint(&stage);
-    const TinkerWrittenText *name = text_of(&stage, "Lone");
+    test_stage_paint(&stage);
+    const TinkerWrittenText *name = test_stage_text(&stage, "Lone");
     g_assert_nonnull(name);
     /* Beside its body, whose half side is 20 pixels, and near it. */
-    double x = fmax(fmax(name->box[0] - WIDTH / 2, WIDTH / 2 - name->box[2]), 0);
-    double y = fmax(fmax(name->box[1] - HEIGHT / 2, HEIGHT / 2 - name->box[3]), 0);
+    double x = fmax(fmax(name->box[0] - TEST_STAGE_WIDTH / 2, TEST_STAGE_WIDTH / 2 - name->box[2]), 0);
+    double y = fmax(fmax(name->box[1] - TEST_STAGE_HEIGHT / 2, TEST_STAGE_HEIGHT / 2 - name->box[3]), 0);
     g_assert_cmpfloat(fmax(x, y), >, 20);
     g_assert_cmpfloat(fmax(x, y), <, 50);
-    stage_close(&stage);
+    test_stage_close(&stage);
 }
 
 static void test_selection(void)
 {
-    Stage stage;
-    stage_open(&stage, "{\"type\": \"mass\", \"name\": \"A\", \"position\": [0, 0]}");
+    TestStage stage;
+    test_stage_open(&stage, "{\"type\": \"mass\", \"name\": \"A\", \"position\": [0, 0]}");
     TinkerBlockId block = tinker_scene_find_block(stage.scene, "A");
-    stage_paint(&stage);
+    test_stage_paint(&stage);
     double plain[4], selected[4], highlighted[4];
-    int x = WIDTH / 2 + 23, y = HEIGHT / 2; /* just outside the box's edge */
+    int x = TEST_STAGE_WIDTH / 2 + 23, y = TEST_STAGE_HEIGHT / 2; /* just outside the box's edge */
     test_picture_pixel(stage.picture, x, y, plain);
     stage.options.selected = &block;
     stage.options.selected_count = 1;
-    stage_paint(&stage);
+    test_stage_paint(&stage);
     test_picture_pixel(stage.picture, x, y, selected);
     stage.options.selected_count = 0;
     stage.options.highlighted = block;
-    stage_paint(&stage);
+    test_stage_paint(&stage);
     test_picture_pixel(stage.picture, x, y, highlighted);
     g_assert_cmpfloat(plain[0], >, selected[0] + 0.2);
     g_assert_cmpfloat(plain[0], >, highlighted[0] + 0.2);
     g_assert_cmpfloat(fabs(selected[2] - highlighted[2]), >, 0.1);
-    stage_close(&stage);
+    test_stage_close(&stage);
 }
 
 /* A view that has gone astray is painted too. */
 static void test_wild_views(void)
 {
     static const double odd[] = {1e-9, 1e9, 1e300, -1e300, 0, 300};
-    Stage stage;
-    stage_open(&stage,
-               "{\"type\": \"support\", \"name\": \"S\", \"position\": [1, 2]},"
-               "{\"type\": \"mass\", \"name\": \"A\", \"position\": [1e6, -1e6]},"
-               "{\"type\": \"spring\", \"ends\": [\"S\", \"A\"]}, {\"type\": \"rod\", \"ends\": [\"A\", [4, -2]]}");
+    TestStage stage;
+    test_stage_open(
+        &stage, "{\"type\": \"support\", \"name\": \"S\", \"position\": [1, 2]},"
+                "{\"type\": \"mass\", \"name\": \"A\", \"position\": [1e6, -1e6]},"
+                "{\"type\": \"spring\", \"ends\": [\"S\", \"A\"]}, {\"type\": \"rod\", \"ends\": [\"A\", [4, -2]]}");
     stage.options.show_grid = stage.options.show_labels = TRUE;
     for (gsize i = 0; i < G_N_ELEMENTS(odd); i++)
         for (gsize n = 0; n < 2; n++) {
             stage.view.scale = n ? 1e9 : 1e-9;
             stage.view.origin_x = odd[i];
             stage.view.origin_y = -odd[i];
-            stage_paint(&stage);
+            test_stage_paint(&stage);
         }
-    stage_close(&stage);
+    test_stage_close(&stage);
 }
 
 /* A block of an unknown type is shown with its name. */
 static void test_placeholder(void)
 {
-    Stage stage;
-    stage_open(&stage, "{\"type\": \"pulley\", \"name\": \"Pulley 0\"}");
+    TestStage stage;
+    test_stage_open(&stage, "{\"type\": \"pulley\", \"name\": \"Pulley 0\"}");
     stage.options.show_labels = TRUE;
-    stage_paint(&stage);
-    g_assert_nonnull(text_of(&stage, "Pulley 0"));
-    g_assert_cmpint(shown(&stage, TINKER_COLOUR_WARNING), >, 20);
-    stage_close(&stage);
+    test_stage_paint(&stage);
+    g_assert_nonnull(test_stage_text(&stage, "Pulley 0"));
+    g_assert_cmpint(test_stage_shown(&stage, TINKER_COLOUR_WARNING), >, 20);
+    test_stage_close(&stage);
 }
 
 /* The bounds hold everything that is drawn. */
 static void test_bounds(void)
 {
-    Stage stage;
-    stage_open(&stage,
-               "{\"type\": \"support\", \"name\": \"S\", \"position\": [1, 2], \"orientation\": \"30 deg\"},"
-               "{\"type\": \"mass\", \"name\": \"A\", \"position\": [-3, -1]},"
-               "{\"type\": \"spring\", \"ends\": [\"S\", \"A\"]}, {\"type\": \"rod\", \"ends\": [\"A\", [4, -2]]},"
-               "{\"type\": \"motor\", \"ends\": [\"A\"]}");
+    TestStage stage;
+    test_stage_open(&stage,
+                    "{\"type\": \"support\", \"name\": \"S\", \"position\": [1, 2], \"orientation\": \"30 deg\"},"
+                    "{\"type\": \"mass\", \"name\": \"A\", \"position\": [-3, -1]},"
+                    "{\"type\": \"spring\", \"ends\": [\"S\", \"A\"]}, {\"type\": \"rod\", \"ends\": [\"A\", [4, -2]]},"
+                    "{\"type\": \"motor\", \"ends\": [\"A\"]}");
     double box[4];
     tinker_painter_bounds(stage.frame, box);
-    stage.view = tinker_view_fit(box, WIDTH, HEIGHT, 10);
-    stage_paint(&stage);
-    for (int x = 0; x < WIDTH; x++)
+    stage.view = tinker_view_fit(box, TEST_STAGE_WIDTH, TEST_STAGE_HEIGHT, 10);
+    test_stage_paint(&stage);
+    for (int x = 0; x < TEST_STAGE_WIDTH; x++)
         for (int y = 0; y < 8; y++) {
             double top[4], bottom[4];
             test_picture_pixel(stage.picture, x, y, top);
-            test_picture_pixel(stage.picture, x, HEIGHT - 1 - y, bottom);
+            test_picture_pixel(stage.picture, x, TEST_STAGE_HEIGHT - 1 - y, bottom);
             g_assert_cmpfloat(top[0] + top[1] + top[2] + bottom[0] + bottom[1] + bottom[2], ==, 6);
         }
-    stage_close(&stage);
-    stage_open(&stage, "");
+    test_stage_close(&stage);
+    test_stage_open(&stage, "");
     tinker_painter_bounds(stage.frame, box);
     g_assert_true(box[0] < box[2] && box[1] < box[3]);
-    stage_close(&stage);
+    test_stage_close(&stage);
 }
 
 static void test_file_is_deterministic(void)
