@@ -47,7 +47,9 @@ static void stage_open(Stage *stage, const char *text)
     for (int32_t place = 0; place < tinker_scene_block_count(stage->scene); place++) {
         TinkerBlockId block = tinker_scene_block_at(stage->scene, place);
         double centre[3];
-        if (tinker_scene_block_class(stage->scene, block)->meanings[TINKER_MEANING_MASS] < 0) continue;
+        const TinkerBlockClass *block_class = tinker_scene_block_class(stage->scene, block);
+        if (block_class == NULL) g_error("%s: its plugin is missing", tinker_scene_block_name(stage->scene, block));
+        if (block_class->meanings[TINKER_MEANING_MASS] < 0) continue;
         tinker_frame_centre(stage->frame, block, &centre[0], &centre[1], &centre[2]);
         g_array_append_val(stage->bodies, block);
         g_array_append_vals(stage->places, centre, 2);
