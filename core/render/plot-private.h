@@ -104,9 +104,10 @@ gboolean tinker_plot_has_line(const TinkerCurve *curve);
 void tinker_plot_place_legend(TinkerPlotLayout *layout);
 void tinker_plot_draw_legend(cairo_t *cairo, const TinkerPlotLayout *layout);
 
-/* The cursor with its dots, and the point that is read with its bubble, whose box `box` is; plot-marks.c. FALSE where there is
- * no such point on the plot. */
+/* The cursor with its dots; plot-marks.c. */
 void tinker_plot_draw_cursor(cairo_t *cairo, const TinkerPlotLayout *layout);
+
+/* The bubble of the point that is read. FALSE where there is no such point on the plot. */
 gboolean tinker_plot_place_reading(const TinkerPlotLayout *layout, double box[4]);
 void tinker_plot_draw_reading(cairo_t *cairo, const TinkerPlotLayout *layout);
 
