@@ -9,7 +9,7 @@
 #define SYMBOL_SHARE       0.36 /* of a typical block, at most */
 #define HALO_UNITS         6.0
 #define LEAST_SYMBOL_UNITS 4.0
-#define THIN_PIXELS_COARSE 2.0
+#define THIN_PIXELS_COARSE 2.1 /* up to the crosses of ends */
 #define GREATEST_DASHES    2000.0
 
 double tinker_style_unit(const TinkerStyle *style)
