@@ -27,8 +27,9 @@ static TinkerHit body_rather_than_end(TinkerCanvas *canvas, TinkerFrame *frame, 
     return under == body ? (TinkerHit){body, TINKER_PART_WHOLE} : hit;
 }
 
-/* What lies under a point: handles of what is selected first, for only those are drawn, and fields in their corner. */
-static TinkerHit hit_at(TinkerCanvas *canvas, double x, double y)
+/* What lies under a point, fields in their corner too. `handles`: those of what is selected come first, for only they are
+ * drawn. */
+static TinkerHit hit_at(TinkerCanvas *canvas, double x, double y, gboolean handles)
 {
     TinkerFrame *frame = tinker_player_frame(canvas->player);
     TinkerHit hit = {TINKER_NO_BLOCK, TINKER_PART_NONE};
@@ -37,7 +38,8 @@ static TinkerHit hit_at(TinkerCanvas *canvas, double x, double y)
     canvas_to_world(canvas, x, y, world);
     tinker_frame_set_symbol_size(frame, tinker_painter_symbol_size(frame, canvas->view.scale));
     TinkerBlockId selected = tinker_document_selected(canvas->document);
-    if (selected != TINKER_NO_BLOCK) hit = tinker_hit_handle(frame, selected, world[0], world[1], canvas_reach(canvas));
+    if (handles && selected != TINKER_NO_BLOCK)
+        hit = tinker_hit_handle(frame, selected, world[0], world[1], canvas_reach(canvas));
     if (hit.block == TINKER_NO_BLOCK)
         hit = tinker_hit(frame, world[0], world[1], canvas_reach(canvas), TINKER_NO_BLOCK);
     if (hit.block != TINKER_NO_BLOCK) return body_rather_than_end(canvas, frame, hit, world);
@@ -118,9 +120,9 @@ static void on_press(GtkGestureDrag *gesture, double x, double y, TinkerCanvas *
     canvas->press[0] = canvas->pointer[0] = x;
     canvas->press[1] = canvas->pointer[1] = y;
     canvas->moved = FALSE;
-    canvas->pressed = hit_at(canvas, x, y);
-    TinkerBlockId block = canvas->pressed.block;
     gboolean several = (modifiers & (GDK_CONTROL_MASK | GDK_SHIFT_MASK)) != 0;
+    canvas->pressed = hit_at(canvas, x, y, !several);
+    TinkerBlockId block = canvas->pressed.block;
     if (several && block != TINKER_NO_BLOCK)
         tinker_document_toggle(canvas->document, block);
     else if (!several && !(block != TINKER_NO_BLOCK && tinker_document_is_selected(canvas->document, block)))
@@ -238,7 +240,7 @@ static void on_pinch_begin(GtkGesture *gesture, GdkEventSequence *sequence, Tink
 static void on_menu(GtkGestureClick *gesture, int presses, double x, double y, TinkerCanvas *canvas)
 {
     gtk_widget_grab_focus(GTK_WIDGET(canvas));
-    TinkerHit hit = hit_at(canvas, x, y);
+    TinkerHit hit = hit_at(canvas, x, y, FALSE);
     if (!tinker_document_is_selected(canvas->document, hit.block)) tinker_document_select(canvas->document, hit.block);
     canvas->pointer[0] = x;
     canvas->pointer[1] = y;

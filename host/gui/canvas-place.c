@@ -5,6 +5,7 @@
 
 #define HALF_CONNECTOR 60.0 /* widget units: half the length of a connector that lies free */
 #define ROOM           0.25 /* of a m: between a new block and what is there */
+#define GRIDS_APART    10   /* grid lines between the places that are looked at */
 #define MOST_PLACES    400  /* that are looked at */
 
 static double half_connector(TinkerCanvas *canvas)
@@ -91,7 +92,7 @@ static void find_room(TinkerCanvas *canvas, TinkerBlockId block, double place[2]
     TinkerScene *scene = tinker_document_scene(canvas->document);
     const TinkerBlockClass *block_class = tinker_scene_block_class(scene, block);
     g_autoptr(TinkerFrame) frame = tinker_frame_new(scene, NULL);
-    double middle[2], half[2] = {0, 0}, step = 5 * tinker_scene_head(scene)->canvas_grid;
+    double middle[2], half[2] = {0, 0}, step = GRIDS_APART * tinker_scene_head(scene)->canvas_grid;
     canvas_to_world(canvas, canvas->view.width / 2, canvas->view.height / 3, middle);
     tinker_snap(canvas_grid(canvas, 0), &middle[0], &middle[1]);
     for (int k = 0; k < 2; k++) {

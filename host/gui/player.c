@@ -21,6 +21,7 @@ struct _TinkerPlayer {
     TinkerDocument *document;
     TinkerPlayerState state;
     double time, speed, pace;
+    double step_to;   /* s: as soon as this is recorded it is shown, and time stands still; NAN while it plays freely */
     GArray *segments; /* of Segment */
     TinkerScene *ran; /* the scene as the last segment has it; NULL where there is none */
     TinkerFrame *frame;
@@ -299,6 +300,7 @@ gboolean tinker_player_play(TinkerPlayer *player, TinkerBlockId *culprit, GError
         player->time = 0;
     if (!have_record(player, culprit, error)) return FALSE;
     player->pace = 1;
+    player->step_to = NAN;
     set_state(player, TINKER_PLAYER_PLAYING);
     return TRUE;
 }
@@ -314,9 +316,9 @@ gboolean tinker_player_step(TinkerPlayer *player, gboolean forward, TinkerBlockI
     if (!have_record(player, culprit, error)) return FALSE;
     double interval = tinker_scene_head(tinker_document_scene(player->document))->run.interval;
     double number = forward ? floor(player->time / interval + 1e-6) + 1 : ceil(player->time / interval - 1e-6) - 1;
-    set_state(player, TINKER_PLAYER_PAUSED);
-    if (!tinker_player_wait(player, number * interval, error)) return FALSE;
-    tinker_player_seek(player, number * interval);
+    player->step_to = fmax(number * interval, 0);
+    set_state(player, TINKER_PLAYER_PLAYING);
+    tinker_player_advance(player, 0);
     return TRUE;
 }
 
@@ -352,21 +354,23 @@ static void tell_failure(TinkerPlayer *player)
     g_signal_emit(player, signals[FAILED], 0, error->message);
 }
 
+static void note_pace(TinkerPlayer *player, double seconds, double pace)
+{
+    player->pace += fmin(seconds / PACE_MEMORY, 1) * (pace - player->pace);
+}
+
 void tinker_player_advance(TinkerPlayer *player, double seconds)
 {
     if (player->state != TINKER_PLAYER_PLAYING) return;
     TinkerRunStatus status = tinker_run_task_status(last_segment(player)->task);
-    double wanted = player->time + seconds * player->speed, before = player->time;
-    player->time = fmin(wanted, status.reached);
-    gboolean over = status.finished && wanted >= status.reached;
-    if (!over && wanted > before) {
-        double weight = fmin(seconds / PACE_MEMORY, 1);
-        player->pace += weight * ((player->time - before) / (wanted - before) - player->pace);
-    }
+    gboolean steps = !isnan(player->step_to);
+    double before = player->time, wanted = steps ? player->step_to : before + seconds * player->speed;
+    gboolean recorded = status.rows > 0 && wanted <= status.reached, over = status.finished && !recorded;
+    if (!steps || recorded || over) player->time = fmin(wanted, status.reached);
+    if (!steps && !over && wanted > before) note_pace(player, seconds, (player->time - before) / (wanted - before));
     moved(player);
-    if (!over) return;
-    set_state(player, TINKER_PLAYER_PAUSED);
-    tell_failure(player);
+    if (over || (steps && recorded)) set_state(player, TINKER_PLAYER_PAUSED);
+    if (over) tell_failure(player);
 }
 
 gboolean tinker_player_wait(TinkerPlayer *player, double time, GError **error)
@@ -508,6 +512,7 @@ static void tinker_player_class_init(TinkerPlayerClass *class)
 static void tinker_player_init(TinkerPlayer *player)
 {
     player->speed = player->pace = 1;
+    player->step_to = NAN;
     player->segments = g_array_new(FALSE, FALSE, sizeof(Segment));
     g_array_set_clear_func(player->segments, (GDestroyNotify)segment_clear);
     player->asked = g_hash_table_new_full(g_str_hash, g_str_equal, g_free, NULL);

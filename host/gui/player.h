@@ -41,7 +41,7 @@ double tinker_player_pace(TinkerPlayer *player);
  * `culprit` is the block that is to blame, or TINKER_NO_BLOCK. */
 gboolean tinker_player_play(TinkerPlayer *player, TinkerBlockId *culprit, GError **error);
 void tinker_player_pause(TinkerPlayer *player);
-/* Pauses and goes on by one sample (`forward`) or back by one. */
+/* Goes on by one sample (`forward`) or back by one and pauses there: at once, or when it has been recorded. */
 gboolean tinker_player_step(TinkerPlayer *player, gboolean forward, TinkerBlockId *culprit, GError **error);
 /* Goes to a time, not beyond what is recorded; goes on playing if it does. */
 void tinker_player_seek(TinkerPlayer *player, double time);

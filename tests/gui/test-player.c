@@ -113,6 +113,9 @@ static void test_step_and_seek(void)
     TinkerBlockId culprit;
     for (int i = 1; i <= 3; i++) {
         g_assert_true(tinker_player_step(fixture->player, TRUE, &culprit, NULL));
+        wait_until(fixture, 0.01 * i);
+        tinker_player_advance(fixture->player, 1);
+        g_assert_cmpint(tinker_player_state(fixture->player), ==, TINKER_PLAYER_PAUSED);
         assert_close(tinker_player_time(fixture->player), 0.01 * i, 1e-12);
         assert_close(height(fixture), 2 - cos(OMEGA * 0.01 * i), CLOSE);
     }
