@@ -68,58 +68,51 @@ static gboolean read_points(const TinkerChart *chart, TinkerChartCurve curve, Cu
     return TRUE;
 }
 
-static char *axis_label(const char *title, const char *unit)
-{
-    return unit[0] != '\0' ? g_strdup_printf("%s [%s]", title, unit) : g_strdup(title);
-}
-
 /* The label of a lone curve's axis. It names the block, but on the x axis only where y is another's. */
 static char *lone_label(const TinkerChart *chart, gboolean of_x)
 {
     TinkerChartCurve curve = g_array_index(chart->curves, TinkerChartCurve, 0);
-    TinkerChartAxis x = tinker_chart_axis(chart, curve.x), y = tinker_chart_axis(chart, curve.y);
-    TinkerChartAxis axis = of_x ? x : y;
-    if (axis.block == TINKER_NO_BLOCK || (of_x && x.block == y.block)) return axis_label(axis.title, axis.unit);
+    TinkerGraphAxis x = tinker_chart_axis(chart, curve.x), y = tinker_chart_axis(chart, curve.y);
+    TinkerGraphAxis axis = of_x ? x : y;
+    if (axis.block == TINKER_NO_BLOCK || (of_x && x.block == y.block)) return tinker_axis_label(axis.title, axis.unit);
     g_autofree char *title = g_strdup_printf("%s: %s", tinker_scene_block_name(chart->scene, axis.block), axis.title);
-    return axis_label(title, axis.unit);
+    return tinker_axis_label(title, axis.unit);
 }
 
 /* The label that all curves share on one axis: up to two titles, or what is measured, and the unit. */
 static char *common_label(const TinkerChart *chart, gboolean of_x)
 {
     TinkerChartCurve first = g_array_index(chart->curves, TinkerChartCurve, 0);
-    TinkerChartAxis axis = tinker_chart_axis(chart, of_x ? first.x : first.y);
+    TinkerGraphAxis axis = tinker_chart_axis(chart, of_x ? first.x : first.y);
     const char *second = NULL; /* title */
     gboolean two_titles = TRUE, same_unit = TRUE;
     for (guint i = 1; i < chart->curves->len; i++) {
         TinkerChartCurve curve = g_array_index(chart->curves, TinkerChartCurve, i);
-        TinkerChartAxis other = tinker_chart_axis(chart, of_x ? curve.x : curve.y);
+        TinkerGraphAxis other = tinker_chart_axis(chart, of_x ? curve.x : curve.y);
         if (second == NULL && strcmp(axis.title, other.title) != 0) second = other.title;
         if (strcmp(axis.title, other.title) != 0 && strcmp(second, other.title) != 0) two_titles = FALSE;
         if (strcmp(axis.unit, other.unit) != 0) same_unit = FALSE;
     }
     if (!same_unit) return g_strdup("units as in the legend");
-    if (second == NULL) return axis_label(axis.title, axis.unit);
+    if (second == NULL) return tinker_axis_label(axis.title, axis.unit);
     g_autofree char *name =
         two_titles ? g_strdup_printf("%s, %s", axis.title, second) : g_strdup(tinker_dimension_name(axis.dimension));
     if (!two_titles) name[0] = g_ascii_toupper(name[0]);
-    return axis_label(name, axis.unit);
+    return tinker_axis_label(name, axis.unit);
 }
 
-/* A path in the plane: one length against another. */
 static gboolean is_path(const TinkerChart *chart)
 {
-    static const TinkerDimension length = TINKER_DIMENSION_LENGTH;
     TinkerChartCurve first = g_array_index(chart->curves, TinkerChartCurve, 0);
-    return tinker_dimension_equal(tinker_chart_axis(chart, first.x).dimension, length) &&
-           tinker_dimension_equal(tinker_chart_axis(chart, first.y).dimension, length);
+    TinkerGraphAxis x = tinker_chart_axis(chart, first.x), y = tinker_chart_axis(chart, first.y);
+    return tinker_graph_axes_of_path(&x, &y);
 }
 
 static char *legend_label(const TinkerChart *chart, TinkerChartCurve curve)
 {
     const TinkerColumn *column = &g_array_index(chart->columns, TinkerColumn, curve.y - 1);
-    TinkerChartAxis axis = tinker_chart_axis(chart, curve.y);
-    return axis_label(column->name, axis.unit);
+    TinkerGraphAxis axis = tinker_chart_axis(chart, curve.y);
+    return tinker_axis_label(column->name, axis.unit);
 }
 
 static void free_points(gpointer data)

@@ -3,7 +3,6 @@
 
 #include <string.h>
 
-#include "csv-writer.h"
 #include "exit-status.h"
 #include "output.h"
 
@@ -128,28 +127,11 @@ void tinker_chart_cut(TinkerChart *chart, double time)
     tinker_record_cut(chart->record, rows);
 }
 
-TinkerChartAxis tinker_chart_axis(const TinkerChart *chart, guint place)
+TinkerGraphAxis tinker_chart_axis(const TinkerChart *chart, guint place)
 {
-    if (place == 0) return (TinkerChartAxis){"Time", "s", 1, TINKER_DIMENSION_TIME, TINKER_NO_BLOCK};
+    if (place == 0) return tinker_graph_axis_time();
     const TinkerColumn *column = &g_array_index(chart->columns, TinkerColumn, place - 1);
-    const TinkerBlockClass *block_class = tinker_scene_block_class(chart->scene, column->block);
-    gboolean english = tinker_scene_head(chart->scene)->units == TINKER_UNIT_SYSTEM_ENGLISH;
-    const char *id = block_class->quantities[column->quantity].id;
-    const char *name = tinker_block_class_unit(block_class, id, column->dimension, english);
-    TinkerUnit unit = {1, column->dimension};
-    if (name[0] != '\0' && !tinker_unit_parse(name, &unit, NULL)) unit.factor = 1;
-    return (TinkerChartAxis){column->title, name, 1 / unit.factor, column->dimension, column->block};
-}
-
-static void write_heading(TinkerCsvWriter *writer, const TinkerChart *chart, guint place)
-{
-    TinkerChartAxis axis = tinker_chart_axis(chart, place);
-    if (chart->curves->len == 1 || axis.block == TINKER_NO_BLOCK) {
-        tinker_csv_text(writer, axis.title);
-        return;
-    }
-    g_autofree char *heading = g_strdup_printf("%s %s", tinker_scene_block_name(chart->scene, axis.block), axis.title);
-    tinker_csv_text(writer, heading);
+    return tinker_graph_axis(chart->scene, column->block, column->quantity);
 }
 
 /* The places of a row that are written, in order: the time once, if any curve is over it. */
@@ -191,8 +173,10 @@ gboolean tinker_chart_write_csv(TinkerChart *chart, int decimals, const char *pa
     if (!tinker_output_open(&output, path, scene_path, error)) return FALSE;
     TinkerCsvWriter writer = tinker_csv_writer_graph(output.file, decimals);
     g_autoptr(GArray) places = csv_places(chart);
-    for (guint i = 0; i < places->len; i++)
-        write_heading(&writer, chart, g_array_index(places, guint, i));
+    for (guint i = 0; i < places->len; i++) {
+        TinkerGraphAxis axis = tinker_chart_axis(chart, g_array_index(places, guint, i));
+        tinker_csv_axis(&writer, chart->scene, &axis, chart->curves->len > 1);
+    }
     tinker_csv_end_row(&writer);
     if (!write_rows(&writer, chart, places, error)) return FALSE;
     return tinker_output_close(&output, error);

@@ -1,7 +1,7 @@
 /* CSV by RFC 4180, streamed: fields are separated by commas, lines end with LF, '.' is the decimal point whatever the
  * locale. */
-#ifndef TINKER_CLI_CSV_WRITER_H
-#define TINKER_CLI_CSV_WRITER_H
+#ifndef TINKER_COMMON_CSV_WRITER_H
+#define TINKER_COMMON_CSV_WRITER_H
 
 #include <stdio.h>
 

@@ -1,0 +1,39 @@
+/* The axes of graphs: title, unit and factor come from the block's class and the scene's system of units. */
+#include "graph-axis.h"
+
+TinkerGraphAxis tinker_graph_axis_time(void)
+{
+    return (TinkerGraphAxis){"Time", "s", 1, TINKER_DIMENSION_TIME, TINKER_NO_BLOCK};
+}
+
+TinkerGraphAxis tinker_graph_axis(TinkerScene *scene, TinkerBlockId block, int32_t quantity)
+{
+    const TinkerBlockClass *block_class = tinker_scene_block_class(scene, block);
+    const TinkerQuantityType *type = &block_class->quantities[quantity];
+    gboolean english = tinker_scene_head(scene)->units == TINKER_UNIT_SYSTEM_ENGLISH;
+    const char *name = tinker_block_class_unit(block_class, type->id, type->dimension, english);
+    TinkerUnit unit = {1, type->dimension};
+    if (name[0] != '\0' && !tinker_unit_parse(name, &unit, NULL)) unit.factor = 1;
+    return (TinkerGraphAxis){type->title, name, 1 / unit.factor, type->dimension, block};
+}
+
+char *tinker_axis_label(const char *title, const char *unit)
+{
+    return unit[0] != '\0' ? g_strdup_printf("%s [%s]", title, unit) : g_strdup(title);
+}
+
+gboolean tinker_graph_axes_of_path(const TinkerGraphAxis *x, const TinkerGraphAxis *y)
+{
+    static const TinkerDimension length = TINKER_DIMENSION_LENGTH;
+    return tinker_dimension_equal(x->dimension, length) && tinker_dimension_equal(y->dimension, length);
+}
+
+void tinker_csv_axis(TinkerCsvWriter *writer, const TinkerScene *scene, const TinkerGraphAxis *axis, gboolean several)
+{
+    if (!several || axis->block == TINKER_NO_BLOCK) {
+        tinker_csv_text(writer, axis->title);
+        return;
+    }
+    g_autofree char *heading = g_strdup_printf("%s %s", tinker_scene_block_name(scene, axis->block), axis->title);
+    tinker_csv_text(writer, heading);
+}
