@@ -1,9 +1,10 @@
-/* The canvas paints into an image of its own and shows that: a drawing area would record everything and play it back. */
+/* The canvas paints into an image of its own and shows that. */
 #include "canvas-private.h"
 
 #include <math.h>
 
 #include "desktop-theme.h"
+#include "image-texture.h"
 
 #define LEAST_SCALE    1e-6 /* widget units per m */
 #define GREATEST_SCALE 1e9
@@ -144,27 +145,16 @@ static void paint(TinkerCanvas *canvas, cairo_t *cairo)
     if (canvas->gesture == CANVAS_BAND && canvas->moved) paint_band(canvas, cairo, options.theme);
 }
 
-static GdkTexture *texture_of(cairo_surface_t *surface, int width, int height)
-{
-    cairo_surface_flush(surface);
-    gsize stride = (gsize)cairo_image_surface_get_stride(surface);
-    g_autoptr(GBytes) bytes = g_bytes_new_with_free_func(cairo_image_surface_get_data(surface), stride * (gsize)height,
-                                                         (GDestroyNotify)cairo_surface_destroy, surface);
-    return gdk_memory_texture_new(width, height, GDK_MEMORY_DEFAULT, bytes, stride);
-}
-
 static void tinker_canvas_snapshot(GtkWidget *widget, GtkSnapshot *snapshot)
 {
     TinkerCanvas *canvas = TINKER_CANVAS(widget);
     if (canvas->player == NULL || !(canvas->view.width > 0) || !(canvas->view.height > 0)) return;
-    int factor = gtk_widget_get_scale_factor(widget);
-    int width = (int)canvas->view.width * factor, height = (int)canvas->view.height * factor;
-    cairo_surface_t *surface = cairo_image_surface_create(CAIRO_FORMAT_ARGB32, width, height);
-    cairo_surface_set_device_scale(surface, factor, factor);
-    cairo_t *cairo = cairo_create(surface);
+    cairo_surface_t *image = tinker_image_new((int)canvas->view.width, (int)canvas->view.height,
+                                              gtk_widget_get_scale_factor(widget));
+    cairo_t *cairo = cairo_create(image);
     paint(canvas, cairo);
     cairo_destroy(cairo);
-    g_autoptr(GdkTexture) texture = texture_of(surface, width, height);
+    g_autoptr(GdkTexture) texture = tinker_image_to_texture(image);
     graphene_rect_t bounds = GRAPHENE_RECT_INIT(0, 0, (float)canvas->view.width, (float)canvas->view.height);
     gtk_snapshot_append_texture(snapshot, texture, &bounds);
 }

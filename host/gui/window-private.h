@@ -3,6 +3,7 @@
 #define TINKER_GUI_WINDOW_PRIVATE_H
 
 #include "canvas.h"
+#include "graph-layer.h"
 #include "palette.h"
 #include "playbar.h"
 #include "window.h"
@@ -27,6 +28,7 @@ struct _TinkerWindow {
     GtkBox *status;
     GtkBox *banners;
     GtkOverlay *canvas_overlay;
+    TinkerGraphLayer *graph_layer;
 };
 
 /* Actions win.*; window-actions.c. */
@@ -38,6 +40,11 @@ void window_update_actions(TinkerWindow *window);
 void window_toast(TinkerWindow *window, const char *text);
 /* A message that has to be read. */
 void window_message(TinkerWindow *window, const char *heading, const char *body);
+
+/* Graphs, where they are shown and their commands; window-graphs.c. */
+void window_add_graphs(TinkerWindow *window);
+/* Appends what graphs the selected block can have, if it can have any. */
+void window_append_graph_menu(TinkerWindow *window, GMenu *menu);
 
 /* Files; window-files.c. Each asks first about changes that are not saved. */
 void window_new_scene(TinkerWindow *window);

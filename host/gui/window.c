@@ -90,8 +90,9 @@ static gboolean tinker_window_close_request(GtkWindow *base)
 static void on_canvas_menu(TinkerCanvas *canvas, double x, double y, TinkerWindow *window)
 {
     g_autoptr(GtkBuilder) builder = gtk_builder_new_from_resource("/org/tinker/Tinker/menus.ui");
-    GMenuModel *model = G_MENU_MODEL(gtk_builder_get_object(builder, "canvas_menu"));
-    GtkWidget *menu = gtk_popover_menu_new_from_model(model);
+    GMenu *model = G_MENU(gtk_builder_get_object(builder, "canvas_menu"));
+    window_append_graph_menu(window, model);
+    GtkWidget *menu = gtk_popover_menu_new_from_model(G_MENU_MODEL(model));
     gtk_widget_set_parent(menu, GTK_WIDGET(canvas));
     gtk_popover_set_has_arrow(GTK_POPOVER(menu), FALSE);
     gtk_popover_set_pointing_to(GTK_POPOVER(menu), &(GdkRectangle){(int)x, (int)y, 1, 1});
@@ -106,6 +107,7 @@ static void connect_parts(TinkerWindow *window)
     tinker_canvas_set_player(window->canvas, window->document, window->player);
     tinker_palette_set_canvas(window->palette, tinker_document_catalogue(window->document), window->canvas);
     tinker_playbar_set_player(window->playbar, window->player);
+    window_add_graphs(window);
     g_signal_connect_object(window->player, "state-changed", G_CALLBACK(on_state_changed), window, G_CONNECT_SWAPPED);
     g_signal_connect_object(window->player, "failed", G_CALLBACK(on_failed), window, 0);
     g_signal_connect_object(window->player, "rewound", G_CALLBACK(on_rewound), window, G_CONNECT_SWAPPED);
@@ -154,11 +156,13 @@ static void tinker_window_class_init(TinkerWindowClass *class)
     BIND(status);
     BIND(banners);
     BIND(canvas_overlay);
+    BIND(graph_layer);
 }
 
 static void tinker_window_init(TinkerWindow *window)
 {
     g_type_ensure(TINKER_TYPE_CANVAS);
+    g_type_ensure(TINKER_TYPE_GRAPH_LAYER);
     g_type_ensure(TINKER_TYPE_PALETTE);
     g_type_ensure(TINKER_TYPE_PLAYBAR);
     gtk_widget_init_template(GTK_WIDGET(window));
