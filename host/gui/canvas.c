@@ -61,12 +61,28 @@ static void show_box(TinkerCanvas *canvas, const double box[4], double margin)
     canvas_view_changed(canvas);
 }
 
+/* Graphs that float are part of what there is to see. */
+static void include_graphs(TinkerScene *scene, double box[4])
+{
+    GPtrArray *graphs = tinker_scene_graphs(scene);
+    for (guint i = 0; i < graphs->len; i++) {
+        const TinkerSceneGraph *graph = g_ptr_array_index(graphs, i);
+        double width = graph->has_size ? graph->size[0] : 0, height = graph->has_size ? graph->size[1] : 0;
+        if (!graph->has_place) continue;
+        box[0] = fmin(box[0], graph->place[0]);
+        box[1] = fmin(box[1], graph->place[1] - height);
+        box[2] = fmax(box[2], graph->place[0] + width);
+        box[3] = fmax(box[3], graph->place[1]);
+    }
+}
+
 void tinker_canvas_fit(TinkerCanvas *canvas)
 {
     TinkerFrame *frame = tinker_player_frame(canvas->player);
     double box[4];
     if (frame == NULL) return;
     tinker_painter_bounds(frame, box);
+    include_graphs(tinker_frame_scene(frame), box);
     show_box(canvas, box, FIT_MARGIN);
 }
 

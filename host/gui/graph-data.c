@@ -28,7 +28,7 @@ struct _TinkerGraphData {
     /* What a plot borrows. */
     TinkerCurve curves[2];
     double now, now_x, now_y;
-    double axes_x[2], axes_y[2];
+    double axes_x[2], axes_y[2], floor_y[2];
 };
 
 static void forget_points(TinkerGraphData *data)
@@ -162,7 +162,7 @@ gboolean tinker_graph_data_present(const TinkerGraphData *data, gsize *point)
 
 /* The plot ------------------------------------------------------------------------------------------------------------ */
 
-/* Nothing is drawn of this curve: it spans the axes. */
+/* A plot without a point has no axes: this curve lies on the frame, where nobody sees it. */
 static void fill_bare_axes(TinkerGraphData *data, TinkerPlot *plot)
 {
     double duration = tinker_player_duration(data->player);
@@ -170,8 +170,12 @@ static void fill_bare_axes(TinkerGraphData *data, TinkerPlot *plot)
     data->axes_x[1] = data->against == NULL && duration > 0 ? duration : 1;
     data->axes_y[0] = data->is_path || data->against != NULL ? -1 : 0;
     data->axes_y[1] = 1;
-    data->curves[0] = (TinkerCurve){.x = data->axes_x, .y = data->axes_y, .count = 2, .no_line = TRUE};
+    data->floor_y[0] = data->floor_y[1] = data->axes_y[0];
+    data->curves[0] =
+        (TinkerCurve){.x = data->axes_x, .y = data->floor_y, .count = 2, .role = TINKER_CURVE_GUIDE};
     plot->curve_count = 1;
+    plot->x_range = data->axes_x;
+    plot->y_range = data->axes_y;
 }
 
 /* The present point of a phase plot, straight between two samples; over time the cursor marks it. */

@@ -8,6 +8,7 @@
 
 struct _TinkerGraphDock {
     TinkerGraphBoard parent_instance;
+    gboolean settled;
 };
 
 G_DEFINE_FINAL_TYPE(TinkerGraphDock, tinker_graph_dock, TINKER_TYPE_GRAPH_BOARD)
@@ -25,7 +26,7 @@ static void tinker_graph_dock_measure(GtkWidget *widget, GtkOrientation orientat
     if (orientation == GTK_ORIENTATION_HORIZONTAL) {
         *least = *natural = count * (LEAST_WIDTH + GAP);
     } else {
-        *least = LEAST_HEIGHT;
+        *least = TINKER_GRAPH_DOCK(widget)->settled ? LEAST_HEIGHT : NATURAL_HEIGHT;
         *natural = NATURAL_HEIGHT;
     }
 }
@@ -52,6 +53,12 @@ static void tinker_graph_dock_class_init(TinkerGraphDockClass *class)
 }
 
 static void tinker_graph_dock_init(TinkerGraphDock *dock) {}
+
+void tinker_graph_dock_settle(TinkerGraphDock *dock)
+{
+    dock->settled = TRUE;
+    gtk_widget_queue_resize(GTK_WIDGET(dock));
+}
 
 GtkWidget *tinker_graph_dock_new(void)
 {

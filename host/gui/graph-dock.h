@@ -10,4 +10,7 @@ G_DECLARE_FINAL_TYPE(TinkerGraphDock, tinker_graph_dock, TINKER, GRAPH_DOCK, Tin
 /* Before tinker_graph_board_set_player it shows nothing. (transfer floating) */
 GtkWidget *tinker_graph_dock_new(void);
 
+/* From now on it may be made lower than it was at first. */
+void tinker_graph_dock_settle(TinkerGraphDock *dock);
+
 #endif

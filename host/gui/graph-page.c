@@ -145,7 +145,7 @@ static void add_stack(TinkerGraphPage *page, TinkerPlayer *player)
     page->stack = gtk_stack_new();
     gtk_widget_set_vexpand(page->stack, TRUE);
     GtkWidget *none = adw_status_page_new(), *scroller = gtk_scrolled_window_new(), *grid = tinker_graph_grid_new();
-    adw_status_page_set_icon_name(ADW_STATUS_PAGE(none), "utilities-system-monitor-symbolic");
+    adw_status_page_set_icon_name(ADW_STATUS_PAGE(none), "tinker-graph-symbolic");
     adw_status_page_set_title(ADW_STATUS_PAGE(none), _("No Graphs Yet"));
     adw_status_page_set_description(ADW_STATUS_PAGE(none),
                                     _("Choose a block and a quantity above, or right-click a block on the canvas and "

@@ -87,6 +87,21 @@ void window_append_graph_menu(TinkerWindow *window, GMenu *menu)
 
 /* Parts --------------------------------------------------------------------------------------------------------------- */
 
+/* A pane gives its lower part the least height until somebody has set the border: it stays where it was put at first. */
+static gboolean keep_height(gpointer dock)
+{
+    GtkWidget *pane = gtk_widget_get_ancestor(dock, GTK_TYPE_PANED);
+    if (pane == NULL || !gtk_widget_get_mapped(dock)) return G_SOURCE_REMOVE;
+    gtk_paned_set_position(GTK_PANED(pane), gtk_paned_get_position(GTK_PANED(pane)));
+    tinker_graph_dock_settle(TINKER_GRAPH_DOCK(dock));
+    return G_SOURCE_REMOVE;
+}
+
+static void on_dock_shown(GtkWidget *dock)
+{
+    g_timeout_add_full(G_PRIORITY_LOW, 100, keep_height, g_object_ref(dock), g_object_unref);
+}
+
 static void add_dock(TinkerWindow *window)
 {
     GtkWidget *dock = tinker_graph_dock_new(), *scroller = gtk_scrolled_window_new();
@@ -94,6 +109,7 @@ static void add_dock(TinkerWindow *window)
     gtk_scrolled_window_set_child(GTK_SCROLLED_WINDOW(scroller), dock);
     gtk_widget_set_hexpand(scroller, TRUE);
     gtk_box_append(window->dock, scroller);
+    g_signal_connect(dock, "map", G_CALLBACK(on_dock_shown), NULL);
     g_object_bind_property(dock, "visible", window->dock, "visible", G_BINDING_SYNC_CREATE);
     tinker_graph_board_set_player(TINKER_GRAPH_BOARD(dock), window->document, window->player);
 }
@@ -102,7 +118,7 @@ static void add_page(TinkerWindow *window)
 {
     GtkWidget *graphs = tinker_graph_page_new(window->document, window->player);
     AdwViewStackPage *page = adw_view_stack_add_titled(window->pages, graphs, PAGE, _("Graphs"));
-    adw_view_stack_page_set_icon_name(page, "utilities-system-monitor-symbolic");
+    adw_view_stack_page_set_icon_name(page, "tinker-graph-symbolic");
 }
 
 void window_add_graphs(TinkerWindow *window)

@@ -1,0 +1,302 @@
+/* Graphs of the window: their values against closed forms and the published table of a free fall, and that every edit of them is
+ * one step that can be taken back. */
+#include <string.h>
+
+#include <glib/gstdio.h>
+
+#include "graph-data.h"
+#include "graph-edit.h"
+#include "installation.h"
+#include "render/theme.h"
+
+#define GRAVITY 9.81
+
+static TinkerCatalogue *catalogue;
+
+typedef struct {
+    TinkerDocument *document;
+    TinkerPlayer *player;
+} Fixture;
+
+static void open_scene(Fixture *fixture, const char *units, const char *graphs)
+{
+    g_autoptr(GError) error = NULL;
+    g_autofree char *text = g_strdup_printf("{\"tinker\": 1, \"units\": \"%s\", \"run\": {\"duration\": 0.5, \"interval\": "
+                                            "0.01}, \"blocks\": [{\"type\": \"gravity\", \"name\": \"Gravity\"}, "
+                                            "{\"type\": \"mass\", \"name\": \"Mass 0\", \"mass\": 1, \"position\": [0, 0]}], "
+                                            "\"graphs\": [%s]}",
+                                            units, graphs);
+    fixture->document = tinker_document_new(catalogue);
+    fixture->player = tinker_player_new(fixture->document);
+    tinker_document_start(fixture->document, text, strlen(text), NULL, &error);
+    g_assert_no_error(error);
+}
+
+static void close_scene(Fixture *fixture)
+{
+    g_object_unref(fixture->player);
+    g_object_unref(fixture->document);
+}
+G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC(Fixture, close_scene)
+
+static void run_until(Fixture *fixture, double time)
+{
+    TinkerBlockId culprit;
+    g_autoptr(GError) error = NULL;
+    g_assert_true(tinker_player_play(fixture->player, &culprit, &error));
+    g_assert_no_error(error);
+    g_assert_true(tinker_player_wait(fixture->player, time, &error));
+    g_assert_no_error(error);
+    tinker_player_pause(fixture->player);
+    tinker_player_seek(fixture->player, time);
+}
+
+/* Data of the scene's first graph. (transfer full) */
+static TinkerGraphData *data_of(Fixture *fixture)
+{
+    TinkerGraphData *data = tinker_graph_data_new(fixture->document, fixture->player);
+    tinker_graph_data_set_graph(data, g_ptr_array_index(tinker_scene_graphs(tinker_document_scene(fixture->document)), 0));
+    tinker_graph_data_update(data);
+    return data;
+}
+
+static TinkerBlockId mass_of(Fixture *fixture)
+{
+    return tinker_scene_find_block(tinker_document_scene(fixture->document), "Mass 0");
+}
+
+static char *text_of(Fixture *fixture)
+{
+    return tinker_scene_to_text(tinker_document_scene(fixture->document), TINKER_WRITE_SI);
+}
+
+/* The file that the menu exports, as far as the first ten steps. */
+static void test_published_table(void)
+{
+    g_auto(Fixture) fixture = {0};
+    g_autoptr(GError) error = NULL;
+    g_autofree char *path = g_build_filename(g_get_tmp_dir(), "tinker-free-fall.csv", NULL), *text = NULL;
+    open_scene(&fixture, "SI", "{\"block\": \"Mass 0\", \"quantity\": \"y\"}");
+    run_until(&fixture, 0.5);
+    g_autoptr(TinkerGraphData) data = data_of(&fixture);
+    g_assert_cmpuint(tinker_graph_data_count(data), ==, 51);
+    g_assert_true(tinker_graph_data_write_csv(data, path, 5, &error));
+    g_assert_true(g_file_get_contents(path, &text, NULL, &error));
+    static const char expected[] = "Time,Y Position\n0,0\n0.01,-0.00049\n0.02,-0.00196\n0.03,-0.00441\n0.04,-0.00785\n"
+                                   "0.05,-0.01226\n0.06,-0.01766\n0.07,-0.02403\n0.08,-0.03139\n0.09,-0.03973\n"
+                                   "0.1,-0.04905\n";
+    g_assert_true(g_str_has_prefix(text, expected));
+    g_remove(path);
+    g_assert_false(tinker_graph_data_write_csv(data, "/nowhere/at/all.csv", 5, &error));
+    g_assert_error(error, G_FILE_ERROR, G_FILE_ERROR_NOENT);
+}
+
+/* v^2 = -2 g y all along the fall, whatever the time. */
+static void test_phase_plot(void)
+{
+    g_auto(Fixture) fixture = {0};
+    open_scene(&fixture, "SI", "{\"block\": \"Mass 0\", \"quantity\": \"vy\", \"against\": \"y\"}");
+    run_until(&fixture, 0.3);
+    g_autoptr(TinkerGraphData) data = data_of(&fixture);
+    const double *y = tinker_graph_data_x(data), *v = tinker_graph_data_y(data);
+    gsize count = tinker_graph_data_count(data), present;
+    g_assert_cmpuint(count, >=, 31);
+    for (gsize i = 0; i < count; i++)
+        g_assert_cmpfloat_with_epsilon(v[i] * v[i], -2 * GRAVITY * y[i], 1e-9);
+    g_assert_true(tinker_graph_data_present(data, &present));
+    g_assert_cmpfloat_with_epsilon(v[present], -GRAVITY * 0.3, 1e-9);
+    g_assert_cmpstr(tinker_graph_data_title(data), ==, "Mass 0: Y Velocity over Y Position");
+    g_autofree char *x_text = tinker_graph_data_x_text(data, 10), *y_text = tinker_graph_data_y_text(data, 10);
+    g_assert_cmpstr(x_text, ==, "t = 0.1 s, y = −0.04905 m");
+    g_assert_cmpstr(y_text, ==, "vy = −0.981 m/s");
+    TinkerPlot plot = {.theme = tinker_theme_find("light")};
+    tinker_graph_data_fill_plot(data, &plot);
+    g_assert_null(plot.cursor);
+    g_assert_cmpint(plot.curve_count, ==, 2);
+    g_assert_cmpint(plot.curves[1].role, ==, TINKER_CURVE_RING);
+    g_assert_cmpfloat_with_epsilon(plot.curves[1].x[0], -0.5 * GRAVITY * 0.09, 1e-9);
+}
+
+/* 1 ft = 0.3048 m by definition. Changing the units converts what is recorded. */
+static void test_english_units(void)
+{
+    g_auto(Fixture) fixture = {0};
+    open_scene(&fixture, "SI", "{\"block\": \"Mass 0\", \"quantity\": \"y\"}");
+    run_until(&fixture, 0.5);
+    g_autoptr(TinkerGraphData) data = data_of(&fixture);
+    gsize count = tinker_graph_data_count(data);
+    g_assert_cmpfloat_with_epsilon(tinker_graph_data_y(data)[50], -0.5 * GRAVITY * 0.25, 1e-12);
+    TinkerPlot plot = {0};
+    tinker_graph_data_fill_plot(data, &plot);
+    g_assert_cmpstr(plot.x_label, ==, "Time [s]");
+    g_assert_cmpstr(plot.y_label, ==, "Y Position [m]");
+    g_assert_cmpfloat(*plot.cursor, ==, 0.5);
+
+    TinkerScene *scene = tinker_document_scene(fixture.document);
+    TinkerSceneHead head = *tinker_scene_head(scene);
+    head.units = TINKER_UNIT_SYSTEM_ENGLISH;
+    tinker_document_begin(fixture.document, "Units", NULL);
+    tinker_history_set_head(tinker_document_history(fixture.document), &head, NULL);
+    tinker_document_end(fixture.document);
+    tinker_graph_data_set_graph(data, g_ptr_array_index(tinker_scene_graphs(scene), 0));
+    tinker_graph_data_update(data);
+    g_assert_cmpuint(tinker_graph_data_count(data), ==, count);
+    g_assert_cmpfloat_with_epsilon(tinker_graph_data_y(data)[50], -0.5 * GRAVITY * 0.25 / 0.3048, 1e-12);
+    tinker_graph_data_fill_plot(data, &plot);
+    g_assert_cmpstr(plot.y_label, ==, "Y Position [ft]");
+}
+
+/* Before a run there are axes and no point; a reset forgets what was recorded; another run fills it anew. */
+static void test_generations(void)
+{
+    g_auto(Fixture) fixture = {0};
+    gsize point;
+    TinkerPlot plot = {0};
+    open_scene(&fixture, "SI", "{\"block\": \"Mass 0\", \"quantity\": \"y\"}");
+    g_autoptr(TinkerGraphData) data = data_of(&fixture);
+    g_assert_cmpuint(tinker_graph_data_count(data), ==, 0);
+    g_assert_false(tinker_graph_data_present(data, &point));
+    tinker_graph_data_fill_plot(data, &plot);
+    g_assert_cmpfloat(plot.x_range[1], ==, 0.5);
+    g_assert_cmpint(plot.curve_count, ==, 1);
+
+    guint64 before = tinker_graph_data_update(data);
+    g_assert_cmpuint(tinker_graph_data_update(data), ==, before);
+    run_until(&fixture, 0.5);
+    guint64 filled = tinker_graph_data_update(data);
+    g_assert_cmpuint(filled, !=, before);
+    g_assert_cmpuint(tinker_graph_data_update(data), ==, filled);
+    g_assert_cmpuint(tinker_graph_data_count(data), ==, 51);
+    tinker_player_seek(fixture.player, 0.2);
+    g_assert_cmpuint(tinker_graph_data_update(data), !=, filled);
+
+    tinker_player_reset(fixture.player);
+    tinker_graph_data_update(data);
+    g_assert_cmpuint(tinker_graph_data_count(data), ==, 0);
+    TinkerScene *scene = tinker_document_scene(fixture.document);
+    const TinkerBlockClass *block_class = tinker_scene_block_class(scene, mass_of(&fixture));
+    int32_t position = block_class->meanings[TINKER_MEANING_POSITION];
+    tinker_document_begin(fixture.document, "Move", NULL);
+    tinker_history_set(tinker_document_history(fixture.document), mass_of(&fixture), position, (double[]){0, 2}, NULL);
+    tinker_document_end(fixture.document);
+    run_until(&fixture, 0.5);
+    tinker_graph_data_update(data);
+    g_assert_cmpuint(tinker_graph_data_count(data), ==, 51);
+    g_assert_cmpfloat_with_epsilon(tinker_graph_data_y(data)[50], 2 - 0.5 * GRAVITY * 0.25, 1e-12);
+}
+
+/* Every edit is one step: as many undos lead back through the same texts, as many redos forward again. */
+static void test_edits_are_steps(void)
+{
+    g_auto(Fixture) fixture = {0};
+    g_autoptr(GPtrArray) texts = g_ptr_array_new_with_free_func(g_free);
+    open_scene(&fixture, "SI", "{\"block\": \"Mass 0\", \"quantity\": \"y\", \"pen\": 3}");
+    TinkerBlockId mass = mass_of(&fixture);
+    TinkerDocument *document = fixture.document;
+    g_ptr_array_add(texts, text_of(&fixture));
+    g_assert_cmpint(tinker_graph_add(document, mass, "vy", "y", (double[]){1, 2}, (double[]){3, 4}, NULL), ==, 1);
+    g_ptr_array_add(texts, text_of(&fixture));
+    g_assert_cmpint(tinker_graph_move(document, 1, (double[]){5, 6}, NULL, TRUE, NULL), ==, 1);
+    g_ptr_array_add(texts, text_of(&fixture));
+    g_assert_cmpint(tinker_graph_move(document, 0, (double[]){0, 1}, (double[]){2, 1}, TRUE, NULL), ==, 1);
+    g_ptr_array_add(texts, text_of(&fixture));
+    tinker_graph_dock(document, 0);
+    g_ptr_array_add(texts, text_of(&fixture));
+    tinker_graph_remove(document, 0);
+    g_ptr_array_add(texts, text_of(&fixture));
+    g_assert_cmpint(tinker_graph_move(document, 0, (double[]){0, 1}, (double[]){2, 1}, TRUE, NULL), ==, 0);
+    g_assert_cmpstr(tinker_history_can_undo(tinker_document_history(document)), ==, "Delete Graph");
+    for (guint i = texts->len - 1; i-- > 0;) {
+        tinker_document_undo(document);
+        g_autofree char *text = text_of(&fixture);
+        g_assert_cmpstr(text, ==, g_ptr_array_index(texts, i));
+    }
+    g_assert_null(tinker_history_can_undo(tinker_document_history(document)));
+    for (guint i = 1; i < texts->len; i++) {
+        tinker_document_redo(document);
+        g_autofree char *text = text_of(&fixture);
+        g_assert_cmpstr(text, ==, g_ptr_array_index(texts, i));
+    }
+}
+
+static void assert_graph(const TinkerSceneGraph *graph, const char *quantity, const char *against, gboolean floats)
+{
+    g_assert_cmpstr(graph->block, ==, "Mass 0");
+    g_assert_cmpstr(graph->quantity, ==, quantity);
+    g_assert_cmpstr(graph->against, ==, against);
+    g_assert_cmpint(graph->has_place, ==, floats);
+}
+
+/* Size, place and order come back from the file; what is not good is refused and leaves no step. */
+static void test_saved_and_read(void)
+{
+    g_auto(Fixture) fixture = {0};
+    g_autoptr(GError) error = NULL;
+    g_autofree char *path = g_build_filename(g_get_tmp_dir(), "tinker-graphs.tinker.json", NULL);
+    open_scene(&fixture, "SI", "");
+    TinkerBlockId mass = mass_of(&fixture);
+    g_assert_cmpint(tinker_graph_add(fixture.document, mass, "sideways", NULL, NULL, NULL, &error), ==, -1);
+    g_assert_error(error, TINKER_SCENE_ERROR, TINKER_SCENE_ERROR_VALUE);
+    g_clear_error(&error);
+    g_assert_null(tinker_history_can_undo(tinker_document_history(fixture.document)));
+    tinker_graph_add(fixture.document, mass, "y", NULL, (double[]){0.1, -0.7}, (double[]){2.25, 1.5}, NULL);
+    tinker_graph_add(fixture.document, mass, "x", NULL, NULL, NULL, NULL);
+    tinker_graph_add(fixture.document, mass, "vy", "y", (double[]){1, 1}, (double[]){2, 2}, NULL);
+    tinker_graph_move(fixture.document, 0, NULL, NULL, TRUE, NULL);
+    g_assert_true(tinker_document_save(fixture.document, path, &error));
+    g_assert_true(tinker_document_open(fixture.document, path, NULL, &error));
+    g_remove(path);
+    GPtrArray *graphs = tinker_scene_graphs(tinker_document_scene(fixture.document));
+    g_assert_cmpuint(graphs->len, ==, 3);
+    assert_graph(g_ptr_array_index(graphs, 0), "x", "time", FALSE);
+    assert_graph(g_ptr_array_index(graphs, 1), "vy", "y", TRUE);
+    const TinkerSceneGraph *front = g_ptr_array_index(graphs, 2);
+    assert_graph(front, "y", "time", TRUE);
+    g_assert_cmpfloat(front->place[0], ==, 0.1);
+    g_assert_cmpfloat(front->place[1], ==, -0.7);
+    g_assert_cmpfloat(front->size[0], ==, 2.25);
+    g_assert_cmpfloat(front->size[1], ==, 1.5);
+}
+
+static gboolean apart(const TinkerGraphBox *a, const TinkerGraphBox *b)
+{
+    return a->x + a->width <= b->x || b->x + b->width <= a->x || a->y + a->height <= b->y || b->y + b->height <= a->y;
+}
+
+/* As long as there is room, new graphs stay clear of one another and inside the area. */
+static void test_room(void)
+{
+    TinkerGraphBox taken[4];
+    for (int i = 0; i < 4; i++) {
+        taken[i] = (TinkerGraphBox){0, 0, 340, 230};
+        tinker_graph_find_room(&taken[i], 800, 600, taken, i);
+        g_assert_cmpfloat(taken[i].x, >=, 0);
+        g_assert_cmpfloat(taken[i].y, >=, 0);
+        g_assert_cmpfloat(taken[i].x + 340, <=, 800);
+        g_assert_cmpfloat(taken[i].y + 230, <=, 600);
+        for (int k = 0; k < i; k++)
+            g_assert_true(apart(&taken[i], &taken[k]));
+    }
+    g_assert_cmpfloat(taken[0].x, >, 400); /* the first: upper right */
+    g_assert_cmpfloat(taken[0].y, <, 100);
+    TinkerGraphBox large = {0, 0, 900, 700};
+    tinker_graph_find_room(&large, 800, 600, taken, 4);
+    g_assert_cmpfloat(large.x, ==, 0);
+    g_assert_cmpfloat(large.y, ==, 0);
+}
+
+int main(int argc, char **argv)
+{
+    g_test_init(&argc, &argv, NULL);
+    catalogue = tinker_installation_catalogue(NULL);
+    g_test_add_func("/gui/graph-data/published-table", test_published_table);
+    g_test_add_func("/gui/graph-data/phase-plot", test_phase_plot);
+    g_test_add_func("/gui/graph-data/english-units", test_english_units);
+    g_test_add_func("/gui/graph-data/generations", test_generations);
+    g_test_add_func("/gui/graph-edit/steps", test_edits_are_steps);
+    g_test_add_func("/gui/graph-edit/saved-and-read", test_saved_and_read);
+    g_test_add_func("/gui/graph-edit/room", test_room);
+    int status = g_test_run();
+    tinker_catalogue_free(catalogue);
+    return status;
+}
