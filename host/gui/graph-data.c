@@ -166,11 +166,9 @@ gboolean tinker_graph_data_present(const TinkerGraphData *data, gsize *point)
 static void fill_bare_axes(TinkerGraphData *data, TinkerPlot *plot)
 {
     double duration = tinker_player_duration(data->player);
-    data->axes_x[0] = data->is_path ? -1 : 0;
+    data->axes_x[0] = data->axes_y[0] = data->floor_y[0] = data->floor_y[1] = 0;
     data->axes_x[1] = data->against == NULL && duration > 0 ? duration : 1;
-    data->axes_y[0] = data->is_path || data->against != NULL ? -1 : 0;
     data->axes_y[1] = 1;
-    data->floor_y[0] = data->floor_y[1] = data->axes_y[0];
     data->curves[0] =
         (TinkerCurve){.x = data->axes_x, .y = data->floor_y, .count = 2, .role = TINKER_CURVE_GUIDE};
     plot->curve_count = 1;

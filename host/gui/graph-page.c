@@ -6,6 +6,7 @@
 
 #include "graph-grid.h"
 #include "graph-menu.h"
+#include "playbar.h"
 
 struct _TinkerGraphPage {
     GtkWidget parent_instance;
@@ -41,14 +42,23 @@ static gboolean same_texts(GListModel *list, const GPtrArray *texts)
     return same;
 }
 
-/* Shows these texts, of const char *; what was chosen stays where they are the same as before. */
-static void set_texts(GtkWidget *list, GPtrArray *texts)
+/* Shows these texts, of const char *; what was chosen stays, and FALSE is the answer, where they are the same as before. */
+static gboolean set_texts(GtkWidget *list, GPtrArray *texts)
 {
-    if (same_texts(gtk_drop_down_get_model(GTK_DROP_DOWN(list)), texts)) return;
+    if (same_texts(gtk_drop_down_get_model(GTK_DROP_DOWN(list)), texts)) return FALSE;
     g_autoptr(GtkStringList) model = gtk_string_list_new(NULL);
     for (guint i = 0; i < texts->len; i++)
         gtk_string_list_append(model, g_ptr_array_index(texts, i));
     gtk_drop_down_set_model(GTK_DROP_DOWN(list), G_LIST_MODEL(model));
+    return TRUE;
+}
+
+/* The first quantity that stands in a record, or -1. */
+static int first_recorded(const TinkerBlockClass *block_class)
+{
+    for (int32_t i = 0; block_class != NULL && i < block_class->quantity_count; i++)
+        if (block_class->quantities[i].flags & TINKER_RECORDED) return i;
+    return -1;
 }
 
 static void list_quantities(TinkerGraphPage *page)
@@ -57,7 +67,8 @@ static void list_quantities(TinkerGraphPage *page)
     g_autoptr(GPtrArray) titles = g_ptr_array_new();
     for (int32_t i = 0; block_class != NULL && i < block_class->quantity_count; i++)
         g_ptr_array_add(titles, (gpointer)block_class->quantities[i].title);
-    set_texts(page->quantity, titles);
+    if (set_texts(page->quantity, titles))
+        gtk_drop_down_set_selected(GTK_DROP_DOWN(page->quantity), (guint)MAX(first_recorded(block_class), 0));
     g_ptr_array_insert(titles, 0, _("Time"));
     set_texts(page->against, titles);
 }
@@ -71,7 +82,7 @@ static void choose_block(TinkerGraphPage *page, TinkerBlockId block)
 
 static void on_block_chosen(TinkerGraphPage *page)
 {
-    if (!page->updating) list_quantities(page);
+    if (!page->updating && page->document != NULL) list_quantities(page);
 }
 
 static void on_selection_changed(TinkerGraphPage *page)
@@ -82,18 +93,22 @@ static void on_selection_changed(TinkerGraphPage *page)
 static void on_changed(TinkerGraphPage *page)
 {
     TinkerScene *scene = tinker_document_scene(page->document);
-    TinkerBlockId chosen = chosen_block(page);
+    TinkerBlockId chosen = chosen_block(page), likely = TINKER_NO_BLOCK;
     g_autoptr(GPtrArray) names = g_ptr_array_new();
     page->updating = TRUE;
     g_array_set_size(page->blocks, 0);
     for (int32_t i = 0; i < tinker_scene_block_count(scene); i++) {
         TinkerBlockId block = tinker_scene_block_at(scene, i);
-        if (!tinker_block_class_has_graphs(tinker_scene_block_class(scene, block))) continue;
+        const TinkerBlockClass *block_class = tinker_scene_block_class(scene, block);
+        if (!tinker_block_class_has_graphs(block_class)) continue;
+        if (likely == TINKER_NO_BLOCK && first_recorded(block_class) >= 0) likely = block;
         g_array_append_val(page->blocks, block);
         g_ptr_array_add(names, (gpointer)tinker_scene_block_name(scene, block));
     }
-    set_texts(page->block, names);
-    choose_block(page, chosen);
+    if (set_texts(page->block, names)) {
+        choose_block(page, likely);
+        choose_block(page, chosen);
+    }
     page->updating = FALSE;
     list_quantities(page);
     gtk_widget_set_sensitive(page->row, page->blocks->len > 0);
@@ -158,6 +173,13 @@ static void add_stack(TinkerGraphPage *page, TinkerPlayer *player)
     gtk_widget_set_parent(page->stack, GTK_WIDGET(page));
 }
 
+static void add_playbar(TinkerGraphPage *page, TinkerPlayer *player)
+{
+    GtkWidget *playbar = g_object_new(TINKER_TYPE_PLAYBAR, "halign", GTK_ALIGN_CENTER, "margin-bottom", 12, NULL);
+    tinker_playbar_set_player(TINKER_PLAYBAR(playbar), player);
+    gtk_widget_set_parent(playbar, GTK_WIDGET(page));
+}
+
 static void tinker_graph_page_dispose(GObject *object)
 {
     TinkerGraphPage *page = TINKER_GRAPH_PAGE(object);
@@ -190,6 +212,7 @@ GtkWidget *tinker_graph_page_new(TinkerDocument *document, TinkerPlayer *player)
     page->document = g_object_ref(document);
     add_row(page);
     add_stack(page, player);
+    add_playbar(page, player);
     g_signal_connect_object(document, "changed", G_CALLBACK(on_changed), page, G_CONNECT_SWAPPED);
     g_signal_connect_object(document, "selection-changed", G_CALLBACK(on_selection_changed), page, G_CONNECT_SWAPPED);
     on_changed(page);

@@ -11,6 +11,7 @@
 #define REACH          24.0 /* widget units: how near to the curve the pointer reads it */
 #define COMPACT_WIDTH  700  /* widget units: below either, texts are smaller */
 #define COMPACT_HEIGHT 420
+#define HINT_LEFT      48  /* widget units, beyond the labels of the upright axis */
 #define RECORDING_MS   100 /* how often the picture is renewed while the record grows and nothing plays */
 
 /* What a picture depends on. */
@@ -65,8 +66,11 @@ static void paint_hint(TinkerGraphPlot *plot, cairo_t *cairo)
     g_autoptr(PangoLayout) layout =
         gtk_widget_create_pango_layout(GTK_WIDGET(plot), _("Press Play to see the curve"));
     const double *colour = plot->picture.theme->colours[TINKER_COLOUR_TEXT];
-    int width, height, left = plot->picture.width / 8;
-    pango_layout_set_width(layout, (plot->picture.width - left - 8) * PANGO_SCALE);
+    int width, height, left = HINT_LEFT;
+    g_autoptr(PangoAttrList) attributes = pango_attr_list_new();
+    pango_attr_list_insert(attributes, pango_attr_scale_new(PANGO_SCALE_SMALL));
+    pango_layout_set_attributes(layout, attributes);
+    pango_layout_set_width(layout, MAX(plot->picture.width - left - HINT_LEFT / 2, 1) * PANGO_SCALE);
     pango_layout_set_alignment(layout, PANGO_ALIGN_CENTER);
     pango_layout_get_pixel_size(layout, &width, &height);
     cairo_set_source_rgba(cairo, colour[0], colour[1], colour[2], 0.7);
