@@ -26,18 +26,14 @@ static gboolean set_vectors(TinkerHistory *history, TinkerScene *scene, const Ti
     return TRUE;
 }
 
-static void set_text(char **text, const char *value)
+/* The history copies the head's texts, so that these need not be the scene's. */
+static gboolean set_run_method(TinkerHistory *history, TinkerScene *scene, const TinkerAdvice *advice, GError **error)
 {
-    g_free(*text);
-    *text = g_strdup(value);
-}
-
-/* Settings of a scene's head are no part of its history. */
-static void set_run_method(TinkerHistory *history, TinkerScene *scene, const TinkerAdvice *advice)
-{
-    TinkerRunSettings *run = &tinker_scene_head(scene)->run;
-    set_text(&run->method, "auto");
-    if (advice->contacts_apart) set_text(&run->contacts, "events");
+    char automatic[] = "auto", events[] = "events";
+    TinkerSceneHead head = *tinker_scene_head(scene);
+    head.run.method = automatic;
+    if (advice->contacts_apart) head.run.contacts = events;
+    return tinker_history_set_head(history, &head, error);
 }
 
 static gboolean do_repair(TinkerHistory *history, TinkerScene *scene, const TinkerAdvice *advice, GError **error)
@@ -53,8 +49,7 @@ static gboolean do_repair(TinkerHistory *history, TinkerScene *scene, const Tink
     case TINKER_ADVICE_OVERLAP:
         return set_vectors(history, scene, advice, TINKER_MEANING_POSITION, TRUE, error);
     default:
-        set_run_method(history, scene, advice);
-        return TRUE;
+        return set_run_method(history, scene, advice, error);
     }
 }
 

@@ -122,12 +122,12 @@ static void decide_automatically(const TinkerIsland *island, const TinkerRunOpti
 
 /* Named ------------------------------------------------------------------------------------------------------------ */
 
-/* What `auto` would take, as an option on the command line. (transfer full) */
+/* What `auto` would take. (transfer full) */
 static char *cheap_method(const TinkerIsland *island, const TinkerRunOptions *options, const TinkerForecast *forecast)
 {
     TinkerDecision other = {0};
     decide_automatically(island, options, forecast, &other);
-    return g_strdup_printf("--method %s", other.choice.method->id);
+    return g_strdup_printf("the method %s", other.choice.method->id);
 }
 
 double tinker_advised_step(const TinkerForecast *forecast, double stable)
@@ -143,18 +143,18 @@ static void warn_unstable(const TinkerIsland *island, const TinkerRunOptions *op
                           const TinkerIntegrator *method, double stable, GPtrArray *warnings)
 {
     g_autofree char *around = NULL, *other = method == &tinker_integrator_impulse
-                                                 ? g_strdup("--contacts events")
+                                                 ? g_strdup("contacts as events")
                                                  : cheap_method(island, options, forecast);
     place_of(island, &around);
     if (stable > 0)
         g_ptr_array_add(warnings,
                         g_strdup_printf("%s is stable up to a step of %.3g s here%s, the step is %g s: it will "
-                                        "diverge (--step %g, or %s)",
+                                        "diverge (a step of %g s, or %s)",
                                         method->id, stable, around, options->step,
                                         tinker_advised_step(forecast, stable), other));
     else
-        g_ptr_array_add(warnings, g_strdup_printf("%s is stable at no step here%s: it will diverge (%s)", method->id,
-                                                  around, other));
+        g_ptr_array_add(warnings, g_strdup_printf("%s is stable at no step here%s: it will diverge (it takes %s)",
+                                                  method->id, around, other));
 }
 
 /* The limit from the forecast: above the true one, as its frequencies are from below. */
@@ -195,7 +195,7 @@ static void warn_under_resolved(const TinkerIsland *island, const TinkerRunOptio
     place_of(island, &around);
     g_ptr_array_add(warnings,
                     g_strdup_printf("motion at up to %.3g rad/s%s, which holds %.3g %% of the energy, gets %.2g "
-                                    "steps a period: %s is stable there and wrong (--step %g resolves it)",
+                                    "steps a period: %s is stable there and wrong (a step of %g s resolves it)",
                                     fastest, around, fmin(100 * share, 100), 2 * G_PI / (fastest * options->step),
                                     method->id, tinker_round_down(WELL_RESOLVED / fastest)));
 }
@@ -246,8 +246,8 @@ static gboolean refuse_ropes(const TinkerIsland *island, GError **error)
     while (!all->unilateral[row])
         row++;
     g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_METHOD,
-                "%s holds in one direction only, which contacts as impulses do not know (--contacts events, or leave "
-                "\"contacts\" out of the scene's run)",
+                "%s holds in one direction only, which contacts as impulses do not know (treat contacts as events: "
+                "leave \"contacts\" out of the scene's run)",
                 tinker_scene_block_name(island->model->scene, all->blocks[row]));
     return FALSE;
 }

@@ -38,8 +38,8 @@ static const TinkerIntegrator *unknown_method(const char *id, GError **error)
     const TinkerIntegrator *const *builtins = tinker_integrator_builtins();
     if (g_str_equal(id, "impulse")) {
         g_set_error_literal(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_METHOD,
-                            "\"impulse\" is no method, but a way to treat contacts (--contacts impulse, or "
-                            "\"contacts\": \"impulse\" in the scene's run)");
+                            "\"impulse\" is no method, but a way to treat contacts (\"contacts\": \"impulse\" in "
+                            "the scene's run)");
         return NULL;
     }
     g_autoptr(GPtrArray) names = g_ptr_array_new();
