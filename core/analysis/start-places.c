@@ -38,10 +38,7 @@ void start_velocity_of(const TinkerFrame *frame, TinkerBlockId body, double velo
 
 char *start_quantity_text(TinkerScene *scene, double si, TinkerDimension dimension)
 {
-    const char *unit = tinker_unit_for(dimension, tinker_scene_head(scene)->units);
-    TinkerUnit parsed = {.factor = 1};
-    if (unit[0] != '\0') tinker_unit_parse(unit, &parsed, NULL);
-    return g_strdup_printf("%.4g%s%s", si / parsed.factor + 0.0, unit[0] != '\0' ? " " : "", unit);
+    return tinker_quantity_brief(si, dimension, tinker_scene_head(scene)->units);
 }
 
 /* Every connector with a length of which an end is on one of the bodies. */

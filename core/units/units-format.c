@@ -47,6 +47,14 @@ static gboolean print_digits_above(double value, char *text, gsize room)
     return TRUE;
 }
 
+/* A zero has no sign for people. */
+static char *number_with_unit(const char *number, const char *unit)
+{
+    const char *digits = number;
+    if (*digits == '-' && strspn(digits + 1, "0.") == strlen(digits + 1)) digits++;
+    return *unit != '\0' ? g_strdup_printf("%s %s", digits, unit) : g_strdup(digits);
+}
+
 char *tinker_quantity_format(double si, TinkerDimension dimension, const char *unit, TinkerUnitSystem system,
                              int decimals)
 {
@@ -57,11 +65,15 @@ char *tinker_quantity_format(double si, TinkerDimension dimension, const char *u
     char number[FIXED_ROOM];
     g_snprintf(format, sizeof format, "%%.%df", CLAMP(decimals, 0, MOST_DECIMALS));
     g_ascii_formatd(number, sizeof number, format, si / factor);
+    return number_with_unit(number, shown);
+}
 
-    /* a zero has no sign for people */
-    const char *digits = number;
-    if (*digits == '-' && strspn(digits + 1, "0.") == strlen(digits + 1)) digits++;
-    return *shown != '\0' ? g_strdup_printf("%s %s", digits, shown) : g_strdup(digits);
+char *tinker_quantity_brief(double si, TinkerDimension dimension, TinkerUnitSystem system)
+{
+    const char *shown;
+    const double factor = factor_of(tinker_unit_for(dimension, system), dimension, &shown);
+    char number[G_ASCII_DTOSTR_BUF_SIZE];
+    return number_with_unit(g_ascii_formatd(number, sizeof number, "%.4g", si / factor), shown);
 }
 
 char *tinker_quantity_to_text(double si, TinkerDimension dimension, TinkerUnitSystem system)

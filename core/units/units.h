@@ -51,6 +51,9 @@ const char *tinker_unit_si_symbol(TinkerDimension dimension);
 char *tinker_quantity_format(double si, TinkerDimension dimension, const char *unit, TinkerUnitSystem system,
                              int decimals);
 
+/* A value within a sentence or on a picture: four significant digits and the unit, "2.6 m/s". (transfer full) */
+char *tinker_quantity_brief(double si, TinkerDimension dimension, TinkerUnitSystem system);
+
 /* A value for a file: the shortest decimal number which, read back with its unit, gives the same bits, and the unit:
  * "12 in". Falls back to a plain SI number where no decimal does. (transfer full) */
 char *tinker_quantity_to_text(double si, TinkerDimension dimension, TinkerUnitSystem system);

@@ -50,6 +50,12 @@ static void test_display(void)
     }
     g_autofree char *chosen = tinker_quantity_format(4 * G_PI, turning, "rpm", TINKER_UNIT_SYSTEM_SI, 1);
     g_assert_cmpstr(chosen, ==, "120.0 rpm");
+    g_autofree char *brief = tinker_quantity_brief(-10 / 3.0, length, TINKER_UNIT_SYSTEM_SI);
+    g_assert_cmpstr(brief, ==, "-3.333 m");
+    g_autofree char *foot = tinker_quantity_brief(0.3048, length, TINKER_UNIT_SYSTEM_ENGLISH);
+    g_assert_cmpstr(foot, ==, "1 ft");
+    g_autofree char *nothing = tinker_quantity_brief(-0.0, length, TINKER_UNIT_SYSTEM_SI);
+    g_assert_cmpstr(nothing, ==, "0 m");
     g_autofree char *huge = tinker_quantity_format(-DBL_MAX, length, NULL, TINKER_UNIT_SYSTEM_SI, 99);
     g_assert_cmpuint(strlen(huge), ==, 1 + 309 + 1 + 20 + 2);
 }
