@@ -27,6 +27,8 @@ struct _TinkerCanvas {
     gboolean view_is_set;
     TinkerPaintMemory *memory;
     CanvasForces *forces;
+    GArray *marked;        /* of TinkerBlockId */
+    double velocity_scale; /* m per m/s, of the arrows drawn last */
 
     CanvasGesture gesture;
     TinkerHit pressed;
@@ -46,6 +48,9 @@ double canvas_reach(TinkerCanvas *canvas);
 double canvas_grid(TinkerCanvas *canvas, GdkModifierType modifiers);
 void canvas_to_world(TinkerCanvas *canvas, double x, double y, double world[2]);
 void canvas_view_changed(TinkerCanvas *canvas);
+
+/* Start velocities and warning marks over the scene; canvas-marks.c. */
+void canvas_paint_marks(TinkerCanvas *canvas, cairo_t *cairo, TinkerFrame *frame, const TinkerTheme *theme);
 
 /* Sets up gestures, controllers and keys; canvas-input.c. */
 void canvas_add_input(TinkerCanvas *canvas);

@@ -156,6 +156,7 @@ static void paint(TinkerCanvas *canvas, cairo_t *cairo)
     TinkerPaintOptions options = paint_options(canvas);
     if (frame == NULL) return;
     tinker_paint_scene(cairo, frame, &canvas->view, &options);
+    canvas_paint_marks(canvas, cairo, frame, options.theme);
     if (canvas->show_forces)
         canvas_forces_draw(canvas->forces, cairo, canvas->document, canvas->player, &canvas->view, options.theme);
     if (canvas->gesture == CANVAS_BAND && canvas->moved) paint_band(canvas, cairo, options.theme);
@@ -187,6 +188,8 @@ static void on_replaced(TinkerCanvas *canvas)
 {
     canvas_cancel_gesture(canvas);
     canvas->placing = canvas->highlighted = TINKER_NO_BLOCK;
+    g_array_set_size(canvas->marked, 0);
+    canvas->velocity_scale = 0;
     renew_memory(canvas);
     canvas->view_is_set = FALSE;
 }
@@ -207,6 +210,13 @@ void tinker_canvas_set_player(TinkerCanvas *canvas, TinkerDocument *document, Ti
                             G_CONNECT_SWAPPED);
     g_signal_connect_object(player, "moved", G_CALLBACK(gtk_widget_queue_draw), canvas, G_CONNECT_SWAPPED);
     tinker_desktop_theme_redraws(GTK_WIDGET(canvas));
+}
+
+void tinker_canvas_set_marked(TinkerCanvas *canvas, const TinkerBlockId *blocks, int count)
+{
+    g_array_set_size(canvas->marked, 0);
+    if (count > 0) g_array_append_vals(canvas->marked, blocks, (guint)count);
+    gtk_widget_queue_draw(GTK_WIDGET(canvas));
 }
 
 static gboolean *switch_of(TinkerCanvas *canvas, guint property)
@@ -250,6 +260,7 @@ static void tinker_canvas_finalize(GObject *object)
 {
     tinker_paint_memory_free(TINKER_CANVAS(object)->memory);
     canvas_forces_free(TINKER_CANVAS(object)->forces);
+    g_array_unref(TINKER_CANVAS(object)->marked);
     G_OBJECT_CLASS(tinker_canvas_parent_class)->finalize(object);
 }
 
@@ -284,6 +295,7 @@ static void tinker_canvas_init(TinkerCanvas *canvas)
     canvas->highlighted = canvas->placing = canvas->pressed.block = TINKER_NO_BLOCK;
     canvas->memory = tinker_paint_memory_new();
     canvas->forces = canvas_forces_new();
+    canvas->marked = g_array_new(FALSE, FALSE, sizeof(TinkerBlockId));
     gtk_widget_set_focusable(GTK_WIDGET(canvas), TRUE);
     gtk_widget_set_overflow(GTK_WIDGET(canvas), GTK_OVERFLOW_HIDDEN);
     gtk_accessible_update_property(GTK_ACCESSIBLE(canvas), GTK_ACCESSIBLE_PROPERTY_LABEL, "Canvas", -1);

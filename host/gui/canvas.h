@@ -15,6 +15,9 @@ void tinker_canvas_set_player(TinkerCanvas *canvas, TinkerDocument *document, Ti
 
 /* What is shown beside the blocks. Properties "show-labels", "show-forces", "show-local-origins", "show-grid". */
 
+/* Marks these blocks as those that something is wrong with; ids of blocks that are gone are passed over. Copied. */
+void tinker_canvas_set_marked(TinkerCanvas *canvas, const TinkerBlockId *blocks, int count);
+
 /* The signal "menu" (double x, double y, widget units) asks for the menu of what is selected. */
 
 /* The view in widget coordinates. The signal "view-changed" tells of another one. */

@@ -4,6 +4,7 @@
 
 #include "canvas.h"
 #include "graph-layer.h"
+#include "notice-bar.h"
 #include "palette.h"
 #include "playbar.h"
 #include "window.h"
@@ -15,6 +16,7 @@ struct _TinkerWindow {
     guint ticks;        /* id of the tick callback while it plays, or 0 */
     gint64 last_tick;   /* us; 0: none yet */
     gboolean may_close; /* the user has said so */
+    TinkerNoticeBar *notices;
 
     /* Parts of window.ui. */
     TinkerCanvas *canvas;
@@ -45,6 +47,9 @@ void window_message(TinkerWindow *window, const char *heading, const char *body)
 void window_add_graphs(TinkerWindow *window);
 /* Appends what graphs the selected block can have, if it can have any. */
 void window_append_graph_menu(TinkerWindow *window, GMenu *menu);
+/* How things start; window-start.c. Adds the section, the bar and the action; the submenu for what is selected. */
+void window_add_start(TinkerWindow *window);
+void window_add_start_menu(TinkerWindow *window, GMenu *menu);
 
 /* Files; window-files.c. Each asks first about changes that are not saved. */
 void window_new_scene(TinkerWindow *window);

@@ -91,6 +91,7 @@ static void on_canvas_menu(TinkerCanvas *canvas, double x, double y, TinkerWindo
 {
     g_autoptr(GtkBuilder) builder = gtk_builder_new_from_resource("/org/tinker/Tinker/menus.ui");
     GMenu *model = G_MENU(gtk_builder_get_object(builder, "canvas_menu"));
+    window_add_start_menu(window, model);
     window_append_graph_menu(window, model);
     GtkWidget *menu = gtk_popover_menu_new_from_model(G_MENU_MODEL(model));
     gtk_widget_set_parent(menu, GTK_WIDGET(canvas));
@@ -124,6 +125,7 @@ TinkerWindow *tinker_window_new(TinkerApplication *application)
     window->player = tinker_player_new(window->document);
     window_add_actions(window);
     connect_parts(window);
+    window_add_start(window);
     on_file_changed(window);
     return window;
 }

@@ -1,24 +1,35 @@
-/* What the tests of the window's parts without widgets share: a document on the real blocks. */
+/* What the tests of the window's logic share: a document of these blocks with its player, without a display. */
 #ifndef TEST_GUI_FIXTURE_H
 #define TEST_GUI_FIXTURE_H
 
 #include "player.h"
+#include "scene-fixture.h"
 
-/* Replaces g_test_init and g_test_run; answers the exit status. `add_tests` registers the tests. */
-int gui_fixture_main(int argc, char **argv, void (*add_tests)(void));
+typedef struct {
+    TinkerDocument *document;
+    TinkerPlayer *player;
+} GuiFixture;
 
-/* The catalogue of this build's plugins; lives as long as the program. */
-TinkerCatalogue *gui_fixture_catalogue(void);
+/* Blocks alone, with ' in place of ". (transfer full) */
+GuiFixture *gui_fixture_new(const char *blocks);
+void gui_fixture_free(GuiFixture *fixture);
+G_DEFINE_AUTOPTR_CLEANUP_FUNC(GuiFixture, gui_fixture_free)
 
-/* A document with these members of a scene ("\"blocks\": [...]"), which must be good. (transfer full) */
-TinkerDocument *gui_fixture_document(const char *members);
+/* Another scene in the same document: of these blocks, or of these members, likewise with '. */
+void gui_fixture_start(GuiFixture *fixture, const char *blocks);
+void gui_fixture_start_scene(GuiFixture *fixture, const char *members);
 
-TinkerBlockId gui_fixture_block(TinkerDocument *document, const char *name);
+TinkerBlockId gui_fixture_block(GuiFixture *fixture, const char *name);
+
+/* A component of the property with a meaning. */
+double gui_fixture_get(GuiFixture *fixture, const char *name, int32_t meaning, int32_t component);
 
 /* Sets a property in a step of its own, as an entry of the panel does. */
-void gui_fixture_set(TinkerDocument *document, const char *block, const char *property, double x, double y);
+void gui_fixture_set(GuiFixture *fixture, const char *name, const char *property, double x, double y);
 
-/* The scene as it would be saved. (transfer full) */
-char *gui_fixture_text(TinkerDocument *document);
+/* Lets the main loop run until `is_so`, for 10 s at most; answers whether it came to be. */
+gboolean gui_fixture_wait(gboolean (*is_so)(void *data), void *data);
+/* Lets it run for as long. */
+void gui_fixture_pass(guint milliseconds);
 
 #endif

@@ -2,18 +2,20 @@
 #include "gui-fixture.h"
 
 #include <math.h>
+#include <string.h>
 
 #define OMEGA 5.0  /* rad/s */
 #define CLOSE 1e-7 /* m: of tolerance 1e-9 */
 
 /* Without gravity, let go 1 m below its rest at y = 2; a support 2 m above. */
 #define OSCILLATOR                                                                                                     \
-    "\"run\": {\"duration\": 4, \"interval\": 0.01}, \"blocks\": ["                                                    \
-    "{\"type\": \"support\", \"name\": \"S\", \"position\": [0, 4], \"orientation\": \"180 deg\"},"                    \
-    "{\"type\": \"mass\", \"name\": \"M\", \"position\": [0, 1]},"                                                     \
-    "{\"type\": \"spring\", \"name\": \"K\", \"ends\": [\"S\", \"M\"], \"stiffness\": 25, \"rest_length\": 2}]"
+    "'run': {'duration': 4, 'interval': 0.01}, 'blocks': ["                                                    \
+    "{'type': 'support', 'name': 'S', 'position': [0, 4], 'orientation': '180 deg'},"                    \
+    "{'type': 'mass', 'name': 'M', 'position': [0, 1]},"                                                     \
+    "{'type': 'spring', 'name': 'K', 'ends': ['S', 'M'], 'stiffness': 25, 'rest_length': 2}]"
 
 typedef struct {
+    GuiFixture *base;
     TinkerDocument *document;
     TinkerPlayer *player;
     int rewound, failed;
@@ -32,8 +34,10 @@ static void on_failed(TinkerPlayer *player, const char *message, Fixture *fixtur
 static Fixture *fixture_new(const char *members)
 {
     Fixture *fixture = g_new0(Fixture, 1);
-    fixture->document = gui_fixture_document(members);
-    fixture->player = tinker_player_new(fixture->document);
+    fixture->base = gui_fixture_new("");
+    fixture->document = fixture->base->document;
+    fixture->player = fixture->base->player;
+    gui_fixture_start_scene(fixture->base, members);
     g_signal_connect_swapped(fixture->player, "rewound", G_CALLBACK(on_rewound), fixture);
     g_signal_connect(fixture->player, "failed", G_CALLBACK(on_failed), fixture);
     return fixture;
@@ -41,8 +45,7 @@ static Fixture *fixture_new(const char *members)
 
 static void fixture_free(Fixture *fixture)
 {
-    g_object_unref(fixture->player);
-    g_object_unref(fixture->document);
+    gui_fixture_free(fixture->base);
     g_free(fixture);
 }
 G_DEFINE_AUTOPTR_CLEANUP_FUNC(Fixture, fixture_free)
@@ -65,7 +68,7 @@ static void wait_until(Fixture *fixture, double time)
 static double height(Fixture *fixture)
 {
     double x, y, orientation;
-    tinker_frame_centre(tinker_player_frame(fixture->player), gui_fixture_block(fixture->document, "M"), &x, &y,
+    tinker_frame_centre(tinker_player_frame(fixture->player), gui_fixture_block(fixture->base, "M"), &x, &y,
                         &orientation);
     return y;
 }
@@ -141,7 +144,7 @@ static void test_change_on_the_way(void)
     tinker_player_seek(fixture->player, turn);
     tinker_player_pause(fixture->player);
     double shown = tinker_player_time(fixture->player);
-    gui_fixture_set(fixture->document, "K", "stiffness", 6.25, 0);
+    gui_fixture_set(fixture->base, "K", "stiffness", 6.25, 0);
     g_assert_cmpint(fixture->rewound, ==, 0);
     double start = tinker_player_time(fixture->player); /* the sample before what was shown */
     g_assert_cmpfloat(shown - start, <, 0.01);
@@ -165,7 +168,7 @@ static void test_rewinds(void)
     play(fixture);
     wait_until(fixture, 1);
     tinker_player_seek(fixture->player, 1);
-    gui_fixture_set(fixture->document, "M", "position", 0, 1.5);
+    gui_fixture_set(fixture->base, "M", "position", 0, 1.5);
     g_assert_cmpint(fixture->rewound, ==, 1);
     g_assert_cmpint(tinker_player_state(fixture->player), ==, TINKER_PLAYER_SETUP);
     assert_close(tinker_player_time(fixture->player), 0, 0);
@@ -189,7 +192,7 @@ static void test_drawing_goes_on(void)
     guint generation = tinker_player_generation(fixture->player);
     tinker_document_begin(fixture->document, "Rename", NULL);
     g_assert_true(tinker_history_rename_block(tinker_document_history(fixture->document),
-                                              gui_fixture_block(fixture->document, "S"), "Ceiling", NULL));
+                                              gui_fixture_block(fixture->base, "S"), "Ceiling", NULL));
     tinker_document_end(fixture->document);
     g_assert_cmpuint(tinker_player_generation(fixture->player), ==, generation);
     assert_close(height(fixture), 2 - cos(OMEGA * 2), CLOSE);
@@ -220,7 +223,7 @@ static void test_series_over_a_change(void)
     play(fixture);
     wait_until(fixture, 4);
     tinker_player_seek(fixture->player, 1.5);
-    gui_fixture_set(fixture->document, "K", "stiffness", 20, 0);
+    gui_fixture_set(fixture->base, "K", "stiffness", 20, 0);
     wait_until(fixture, 4);
     g_autoptr(GArray) times = g_array_new(FALSE, FALSE, sizeof(double));
     g_autoptr(GArray) values = g_array_new(FALSE, FALSE, sizeof(double));
@@ -232,12 +235,12 @@ static void test_series_over_a_change(void)
 
 static void test_refusal(void)
 {
-    g_autoptr(Fixture) fixture = fixture_new("\"blocks\": [{\"type\": \"mass\", \"name\": \"M\"}, "
-                                             "{\"type\": \"spring\", \"name\": \"K\", \"ends\": [\"M\", [1, 1]]}]");
+    g_autoptr(Fixture) fixture = fixture_new("'blocks': [{'type': 'mass', 'name': 'M'}, "
+                                             "{'type': 'spring', 'name': 'K', 'ends': ['M', [1, 1]]}]");
     TinkerBlockId culprit;
     g_autoptr(GError) error = NULL;
     g_assert_false(tinker_player_play(fixture->player, &culprit, &error));
-    g_assert_cmpint(culprit, ==, gui_fixture_block(fixture->document, "K"));
+    g_assert_cmpint(culprit, ==, gui_fixture_block(fixture->base, "K"));
     g_assert_nonnull(strstr(error->message, "K"));
     g_assert_cmpint(tinker_player_state(fixture->player), ==, TINKER_PLAYER_SETUP);
 }
@@ -246,8 +249,8 @@ static void test_refusal(void)
 static void test_failure(void)
 {
     g_autoptr(Fixture) fixture =
-        fixture_new("\"blocks\": [{\"type\": \"mass\", \"name\": \"M\"}, {\"type\": \"motor\", \"name\": \"F\", "
-                    "\"ends\": [\"M\"], \"waveform\": {\"expression\": \"sqrt(2 - t)\"}}]");
+        fixture_new("'blocks': [{'type': 'mass', 'name': 'M'}, {'type': 'motor', 'name': 'F', "
+                    "'ends': ['M'], 'waveform': {'expression': 'sqrt(2 - t)'}}]");
     play(fixture);
     for (int i = 0; i < 10000 && tinker_player_state(fixture->player) == TINKER_PLAYER_PLAYING; i++) {
         tinker_player_advance(fixture->player, 1);
@@ -279,5 +282,5 @@ static void add_tests(void)
 
 int main(int argc, char **argv)
 {
-    return gui_fixture_main(argc, argv, add_tests);
+    return scene_fixture_main(argc, argv, add_tests);
 }

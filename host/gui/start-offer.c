@@ -1,0 +1,91 @@
+/* What is offered and what it does is the core's (analysis/start-conditions.h); here are words and the way from an entry to
+ * the document. */
+#include "start-offer.h"
+
+#include <string.h>
+
+#define DECIMALS 5
+
+char *tinker_start_button_text(const char *label)
+{
+    static const char *const small[] = {"a",  "an", "and", "as",  "at", "by", "from",
+                                        "in", "of", "on",  "the", "to", "up"};
+    g_auto(GStrv) words = g_strsplit(label, " ", -1);
+    for (char **word = words; *word != NULL; word++) {
+        gboolean is_small = FALSE;
+        for (gsize i = 0; i < G_N_ELEMENTS(small); i++)
+            is_small |= g_str_equal(*word, small[i]);
+        if (!is_small || word == words) **word = g_ascii_toupper(**word);
+    }
+    return g_strjoinv(" ", words);
+}
+
+static const char *unit_of(TinkerScene *scene, const TinkerStartOption *option)
+{
+    return tinker_unit_for(option->dimension, tinker_scene_head(scene)->units);
+}
+
+char *tinker_start_value_text(TinkerScene *scene, const TinkerStartOption *option)
+{
+    return tinker_quantity_format(option->value, option->dimension, NULL, tinker_scene_head(scene)->units, DECIMALS);
+}
+
+/* In an entry of a few characters nobody counts columns. */
+static void leave_out_column(GError *error)
+{
+    const char *colon = g_str_has_prefix(error->message, "column ") ? strstr(error->message, ": ") : NULL;
+    if (colon == NULL) return;
+    char *message = g_strdup(colon + 2);
+    g_free(error->message);
+    error->message = message;
+}
+
+gboolean tinker_start_value_parse(TinkerScene *scene, const TinkerStartOption *option, const char *text, double *si,
+                                  GError **error)
+{
+    g_autofree char *typed = g_strstrip(g_strdup(text));
+    char *end = typed;
+    g_ascii_strtod(typed, &end);
+    gboolean has_no_unit = end > typed && *end == '\0';
+    g_autofree char *whole = has_no_unit ? g_strconcat(typed, " ", unit_of(scene, option), NULL) : g_strdup(typed);
+    GError *wrong = NULL;
+    if (tinker_quantity_parse(g_strchomp(whole), option->dimension, si, &wrong)) return TRUE;
+    leave_out_column(wrong);
+    g_propagate_error(error, wrong);
+    return FALSE;
+}
+
+const TinkerStartOption *tinker_start_find(const GPtrArray *options, TinkerStartKind kind, TinkerBlockId other)
+{
+    for (guint i = 0; i < options->len; i++) {
+        const TinkerStartOption *option = g_ptr_array_index(options, i);
+        if (option->kind == kind && option->other == other) return option;
+    }
+    return NULL;
+}
+
+gboolean tinker_start_do(TinkerDocument *document, TinkerPlayer *player, const TinkerStartOption *option, double value,
+                         GError **error)
+{
+    if (!tinker_start_apply(tinker_document_history(document), tinker_document_scene(document), option, value, error))
+        return FALSE;
+    if (tinker_player_time(player) > 0) tinker_player_rewind(player);
+    tinker_document_touch(document);
+    return TRUE;
+}
+
+GMenuModel *tinker_start_menu_new(TinkerDocument *document)
+{
+    g_autoptr(GPtrArray) options =
+        tinker_start_options_new(tinker_document_scene(document), tinker_document_selected(document));
+    g_autoptr(GMenu) menu = g_menu_new();
+    for (guint i = 0; i < options->len; i++) {
+        const TinkerStartOption *option = g_ptr_array_index(options, i);
+        if (option->asks) continue;
+        g_autofree char *text = tinker_start_button_text(option->label);
+        g_autoptr(GMenuItem) item = g_menu_item_new(text, NULL);
+        g_menu_item_set_action_and_target(item, "win.start", "(ii)", (gint32)option->kind, (gint32)option->other);
+        g_menu_append_item(menu, item);
+    }
+    return g_menu_model_get_n_items(G_MENU_MODEL(menu)) > 0 ? G_MENU_MODEL(g_steal_pointer(&menu)) : NULL;
+}
