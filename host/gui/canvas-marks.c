@@ -6,6 +6,7 @@
 #include "canvas-private.h"
 #include "render/arrows.h"
 
+#define SHARE      0.7 /* of the length that arrows of forces have */
 #define BADGE      9.0 /* widget units: half the width of a badge */
 #define BADGE_GAP  4.0
 #define BADGE_EDGE 2.0
@@ -54,7 +55,7 @@ static void paint_velocities(TinkerCanvas *canvas, cairo_t *cairo, TinkerFrame *
     TinkerTheme colours = *theme;
     memcpy(colours.curves[0], theme->colours[TINKER_COLOUR_MOTION], sizeof colours.curves[0]);
     canvas->velocity_scale = tinker_arrows_scale(arrows, all->len, &canvas->view, canvas->velocity_scale);
-    TinkerArrowOptions options = {.theme = &colours, .scale = canvas->velocity_scale};
+    TinkerArrowOptions options = {.theme = &colours, .scale = SHARE * canvas->velocity_scale};
     tinker_arrows_draw(cairo, &canvas->view, arrows, all->len, &options);
     for (guint i = 0; i < all->len; i++)
         g_free((char *)arrows[i].label);

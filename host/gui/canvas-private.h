@@ -28,7 +28,7 @@ struct _TinkerCanvas {
     TinkerPaintMemory *memory;
     CanvasForces *forces;
     GArray *marked;        /* of TinkerBlockId */
-    double velocity_scale; /* m per m/s, of the arrows drawn last */
+    double velocity_scale; /* m per m/s, of the arrows drawn last: what the next ones keep to */
 
     CanvasGesture gesture;
     TinkerHit pressed;
