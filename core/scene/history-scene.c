@@ -50,12 +50,11 @@ static void free_graph(gpointer state)
 
 const HistoryKind history_graph = {make_graph, free_graph};
 
-/* Makes and records the change of a graph; takes both states, of which one may be NULL. */
-static void change_graph(TinkerHistory *history, const char *verb, int32_t index, TinkerSceneGraph *before,
-                         TinkerSceneGraph *after)
+/* Makes and records the change of a graph of `block`; takes both states, of which one may be NULL. */
+static void change_graph(TinkerHistory *history, const char *verb, const char *block, int32_t index,
+                         TinkerSceneGraph *before, TinkerSceneGraph *after)
 {
-    const TinkerSceneGraph *either = after != NULL ? after : before;
-    g_autofree char *name = g_strdup_printf("Graph of %s", either->block);
+    g_autofree char *name = g_strdup_printf("Graph of %s", block);
     gboolean own = history_open_own(history, verb, name);
     make_graph(history_scene(history), index, before, after);
     history_add(history, &history_graph, index, before, after);
@@ -82,20 +81,21 @@ int32_t tinker_history_add_graph(TinkerHistory *history, const TinkerSceneGraph 
 {
     if (!check_graph(history, graph, error)) return -1;
     int32_t index = (int32_t)history_scene(history)->graphs->len;
-    change_graph(history, "Add", index, NULL, scene_graph_copy(graph));
+    change_graph(history, "Add", graph->block, index, NULL, scene_graph_copy(graph));
     return index;
 }
 
 void tinker_history_remove_graph(TinkerHistory *history, int32_t index)
 {
-    change_graph(history, "Remove", index, copy_of(history, index), NULL);
+    TinkerSceneGraph *before = copy_of(history, index);
+    change_graph(history, "Remove", before->block, index, before, NULL);
 }
 
 gboolean tinker_history_change_graph(TinkerHistory *history, int32_t index, const TinkerSceneGraph *graph,
                                      GError **error)
 {
     if (!check_graph(history, graph, error)) return FALSE;
-    change_graph(history, "Change", index, copy_of(history, index), scene_graph_copy(graph));
+    change_graph(history, "Change", graph->block, index, copy_of(history, index), scene_graph_copy(graph));
     return TRUE;
 }
 

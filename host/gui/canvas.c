@@ -166,8 +166,8 @@ static void tinker_canvas_snapshot(GtkWidget *widget, GtkSnapshot *snapshot)
 {
     TinkerCanvas *canvas = TINKER_CANVAS(widget);
     if (canvas->player == NULL || !(canvas->view.width > 0) || !(canvas->view.height > 0)) return;
-    cairo_surface_t *image = tinker_image_new((int)canvas->view.width, (int)canvas->view.height,
-                                              gtk_widget_get_scale_factor(widget));
+    cairo_surface_t *image =
+        tinker_image_new((int)canvas->view.width, (int)canvas->view.height, gtk_widget_get_scale_factor(widget));
     cairo_t *cairo = cairo_create(image);
     paint(canvas, cairo);
     cairo_destroy(cairo);

@@ -33,7 +33,8 @@ TinkerGraphView *tinker_graph_board_view(TinkerGraphBoard *board, int place)
 TinkerGraphView *tinker_graph_board_find(TinkerGraphBoard *board, int number)
 {
     for (int i = 0; i < tinker_graph_board_count(board); i++)
-        if (tinker_graph_view_number(tinker_graph_board_view(board, i)) == number) return tinker_graph_board_view(board, i);
+        if (tinker_graph_view_number(tinker_graph_board_view(board, i)) == number)
+            return tinker_graph_board_view(board, i);
     return NULL;
 }
 

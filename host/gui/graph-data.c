@@ -169,8 +169,7 @@ static void fill_bare_axes(TinkerGraphData *data, TinkerPlot *plot)
     data->axes_x[0] = data->axes_y[0] = data->floor_y[0] = data->floor_y[1] = 0;
     data->axes_x[1] = data->against == NULL && duration > 0 ? duration : 1;
     data->axes_y[1] = 1;
-    data->curves[0] =
-        (TinkerCurve){.x = data->axes_x, .y = data->floor_y, .count = 2, .role = TINKER_CURVE_GUIDE};
+    data->curves[0] = (TinkerCurve){.x = data->axes_x, .y = data->floor_y, .count = 2, .role = TINKER_CURVE_GUIDE};
     plot->curve_count = 1;
     plot->x_range = data->axes_x;
     plot->y_range = data->axes_y;

@@ -78,8 +78,8 @@ static void add_filter(GtkFileChooser *chooser, const char *name, const char *en
 /* A dialog that suggests the graph's title as the file's name. (transfer full) */
 static GtkFileChooserNative *ask(GtkWidget *view, const char *title, const char *suggestion, const char *ending)
 {
-    GtkFileChooserNative *dialog = gtk_file_chooser_native_new(title, window_of(view), GTK_FILE_CHOOSER_ACTION_SAVE,
-                                                               _("_Save"), _("_Cancel"));
+    GtkFileChooserNative *dialog =
+        gtk_file_chooser_native_new(title, window_of(view), GTK_FILE_CHOOSER_ACTION_SAVE, _("_Save"), _("_Cancel"));
     g_autofree char *bare = g_strdup(suggestion);
     g_strdelimit(bare, "/\\", '-');
     g_strdelimit(bare, ":", ',');
@@ -132,8 +132,7 @@ void tinker_graph_save_image(GtkWidget *view, TinkerGraphData *data, int width, 
 {
     Question *question = g_new(Question, 1);
     *question = (Question){g_object_ref(view), data, MAX(width, SAVED_WIDTH), MAX(height, SAVED_HEIGHT)};
-    GtkFileChooserNative *dialog =
-        ask(view, _("Save Image As"), tinker_graph_data_title(data), formats[0].ending);
+    GtkFileChooserNative *dialog = ask(view, _("Save Image As"), tinker_graph_data_title(data), formats[0].ending);
     for (gsize i = 0; i < G_N_ELEMENTS(formats); i++)
         add_filter(GTK_FILE_CHOOSER(dialog), _(formats[i].name), formats[i].ending);
     g_signal_connect(dialog, "response", G_CALLBACK(on_image_file), question);

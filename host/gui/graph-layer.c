@@ -69,8 +69,8 @@ static void tinker_graph_layer_size_allocate(GtkWidget *widget, int width, int h
         gtk_widget_set_child_visible(GTK_WIDGET(view), in_sight);
         if (!in_sight) continue;
         gtk_widget_measure(GTK_WIDGET(view), GTK_ORIENTATION_HORIZONTAL, -1, NULL, NULL, NULL, NULL);
-        gtk_widget_size_allocate(GTK_WIDGET(view),
-                                 &(GtkAllocation){(int)box.x, (int)box.y, (int)box.width, (int)box.height}, -1);
+        const GtkAllocation allocation = {(int)box.x, (int)box.y, (int)box.width, (int)box.height};
+        gtk_widget_size_allocate(GTK_WIDGET(view), &allocation, -1);
     }
 }
 
@@ -101,8 +101,8 @@ void tinker_graph_layer_find_room(TinkerGraphLayer *layer, TinkerFrame *frame, c
     }
     TinkerGraphBox box = {0};
     size_on_screen(layer, size, &box);
-    tinker_graph_find_room(&box, view->width, view->height - BAR_HEIGHT,
-                           (const TinkerGraphBox *)(gpointer)taken->data, (int)taken->len);
+    tinker_graph_find_room(&box, view->width, view->height - BAR_HEIGHT, (const TinkerGraphBox *)(gpointer)taken->data,
+                           (int)taken->len);
     tinker_view_to_world(view, box.x, box.y, &place[0], &place[1]);
     room[0] = box.width / view->scale;
     room[1] = box.height / view->scale;
@@ -125,7 +125,7 @@ static TinkerGraphView *view_of(gpointer controller)
 {
     GtkWidget *widget = gtk_event_controller_get_widget(controller);
     return TINKER_GRAPH_VIEW(TINKER_IS_GRAPH_VIEW(widget) ? widget
-                                                         : gtk_widget_get_ancestor(widget, TINKER_TYPE_GRAPH_VIEW));
+                                                          : gtk_widget_get_ancestor(widget, TINKER_TYPE_GRAPH_VIEW));
 }
 
 /* Where the pointer is on the layer: what it drags moves along with it. */
@@ -158,7 +158,8 @@ static void on_drag_update(GtkGestureDrag *gesture, double dx, double dy, Tinker
         layer->box.width = held(layer->start.width + way[0], LEAST_WIDTH, view->width);
         layer->box.height = held(layer->start.height + way[1], LEAST_HEIGHT, view->height);
     } else {
-        layer->box.x = held(layer->start.x + way[0], LEAST_WIDTH / 2 - layer->start.width, view->width - LEAST_WIDTH / 2);
+        layer->box.x =
+            held(layer->start.x + way[0], LEAST_WIDTH / 2 - layer->start.width, view->width - LEAST_WIDTH / 2);
         layer->box.y = held(layer->start.y + way[1], 0, view->height - LEAST_HEIGHT / 4);
     }
     gtk_widget_queue_allocate(GTK_WIDGET(layer));

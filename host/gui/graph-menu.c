@@ -29,8 +29,9 @@ static int rank_of(const TinkerBlockClass *block_class, int32_t quantity)
 {
     int rank = 0;
     for (int32_t i = 0; i < quantity; i++)
-        rank += is_recorded(&block_class->quantities[i]) &&
-                tinker_dimension_equal(block_class->quantities[i].dimension, block_class->quantities[quantity].dimension);
+        rank +=
+            is_recorded(&block_class->quantities[i]) &&
+            tinker_dimension_equal(block_class->quantities[i].dimension, block_class->quantities[quantity].dimension);
     return rank;
 }
 
@@ -40,7 +41,8 @@ static gboolean is_rate_of(const TinkerBlockClass *block_class, int32_t rate, in
     if (!is_recorded(a) || !is_recorded(b)) return FALSE;
     TinkerDimension expected = b->dimension;
     expected.time--;
-    return tinker_dimension_equal(a->dimension, expected) && rank_of(block_class, rate) == rank_of(block_class, quantity);
+    return tinker_dimension_equal(a->dimension, expected) &&
+           rank_of(block_class, rate) == rank_of(block_class, quantity);
 }
 
 static void append_phase(GMenu *menu, const TinkerBlockClass *block_class, int32_t y, int32_t x)

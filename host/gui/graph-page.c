@@ -31,7 +31,7 @@ static const TinkerBlockClass *chosen_class(TinkerGraphPage *page)
     TinkerBlockId block = chosen_block(page);
     TinkerScene *scene = tinker_document_scene(page->document);
     return block != TINKER_NO_BLOCK && tinker_scene_has_block(scene, block) ? tinker_scene_block_class(scene, block)
-                                                                           : NULL;
+                                                                            : NULL;
 }
 
 static gboolean same_texts(GListModel *list, const GPtrArray *texts)

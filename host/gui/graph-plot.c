@@ -63,8 +63,7 @@ void tinker_graph_plot_set_show_values(TinkerGraphPlot *plot, gboolean show)
 
 static void paint_hint(TinkerGraphPlot *plot, cairo_t *cairo)
 {
-    g_autoptr(PangoLayout) layout =
-        gtk_widget_create_pango_layout(GTK_WIDGET(plot), _("Press Play to see the curve"));
+    g_autoptr(PangoLayout) layout = gtk_widget_create_pango_layout(GTK_WIDGET(plot), _("Press Play to see the curve"));
     const double *colour = plot->picture.theme->colours[TINKER_COLOUR_TEXT];
     int width, height, left = HINT_LEFT;
     g_autoptr(PangoAttrList) attributes = pango_attr_list_new();
@@ -79,7 +78,7 @@ static void paint_hint(TinkerGraphPlot *plot, cairo_t *cairo)
 }
 
 /* Draws the plot with the values of the point under the pointer. */
-static void paint_with_reading(TinkerGraphPlot *plot, cairo_t *cairo, TinkerPlot *picture)
+static void paint_with_reading(TinkerGraphPlot *plot, cairo_t *cairo, const TinkerPlot *picture)
 {
     TinkerPlotPoint found;
     double width = plot->picture.width, height = plot->picture.height;
@@ -93,8 +92,9 @@ static void paint_with_reading(TinkerGraphPlot *plot, cairo_t *cairo, TinkerPlot
     g_autofree char *x = tinker_graph_data_x_text(plot->data, found.point);
     g_autofree char *y = tinker_graph_data_y_text(plot->data, found.point);
     TinkerPlotReading reading = {.curve = found.curve, .point = found.point, .x = x, .y = y};
-    picture->reading = &reading;
-    tinker_plot_draw(cairo, picture, width, height);
+    TinkerPlot with_reading = *picture;
+    with_reading.reading = &reading;
+    tinker_plot_draw(cairo, &with_reading, width, height);
 }
 
 static void paint(TinkerGraphPlot *plot, cairo_t *cairo)

@@ -110,9 +110,8 @@ void tinker_graph_view_set_number(TinkerGraphView *view, int number)
 /* Passes it on to the window, which may take the view away meanwhile. */
 static void edit(GtkWidget *widget, const char *name, GVariant *parameter)
 {
-    static const char *const of_window[][2] = {{"graph.dock", "win.dock-graph"},
-                                               {"graph.float", "win.float-graph"},
-                                               {"graph.delete", "win.delete-graph"}};
+    static const char *const of_window[][2] = {
+        {"graph.dock", "win.dock-graph"}, {"graph.float", "win.float-graph"}, {"graph.delete", "win.delete-graph"}};
     g_autoptr(TinkerGraphView) view = g_object_ref(TINKER_GRAPH_VIEW(widget));
     for (gsize i = 0; i < G_N_ELEMENTS(of_window); i++)
         if (g_str_equal(of_window[i][0], name)) gtk_widget_activate_action(widget, of_window[i][1], "i", view->number);
@@ -127,8 +126,7 @@ static void copy(GtkWidget *widget, const char *name, GVariant *parameter)
 static void save_image(GtkWidget *widget, const char *name, GVariant *parameter)
 {
     TinkerGraphView *view = TINKER_GRAPH_VIEW(widget);
-    tinker_graph_save_image(widget, data_of(view), gtk_widget_get_width(view->plot),
-                            gtk_widget_get_height(view->plot));
+    tinker_graph_save_image(widget, data_of(view), gtk_widget_get_width(view->plot), gtk_widget_get_height(view->plot));
 }
 
 static void export_values(GtkWidget *widget, const char *name, GVariant *parameter)

@@ -46,8 +46,8 @@ static void float_graph(GSimpleAction *action, GVariant *parameter, gpointer dat
         g_ptr_array_index(tinker_scene_graphs(tinker_document_scene(window->document)), number);
     double place[2], room[2], size[2] = {graph->size[0], graph->size[1]};
     gboolean has_size = graph->has_size;
-    tinker_graph_layer_find_room(window->graph_layer, tinker_player_frame(window->player), has_size ? size : NULL, place,
-                                 room);
+    tinker_graph_layer_find_room(window->graph_layer, tinker_player_frame(window->player), has_size ? size : NULL,
+                                 place, room);
     tinker_graph_move(window->document, number, place, has_size ? NULL : room, TRUE, NULL);
 }
 

@@ -51,8 +51,7 @@ double gui_fixture_get(GuiFixture *fixture, const char *name, int32_t meaning, i
 void gui_fixture_set(GuiFixture *fixture, const char *name, const char *property, double x, double y)
 {
     TinkerBlockId block = gui_fixture_block(fixture, name);
-    const TinkerBlockClass *block_class =
-        tinker_scene_block_class(tinker_document_scene(fixture->document), block);
+    const TinkerBlockClass *block_class = tinker_scene_block_class(tinker_document_scene(fixture->document), block);
     int32_t number = tinker_block_class_property(block_class, property);
     tinker_document_begin(fixture->document, "Set", NULL);
     g_assert_true(

@@ -21,11 +21,12 @@ typedef struct {
 static void open_scene(Fixture *fixture, const char *units, const char *graphs)
 {
     g_autoptr(GError) error = NULL;
-    g_autofree char *text = g_strdup_printf("{\"tinker\": 1, \"units\": \"%s\", \"run\": {\"duration\": 0.5, \"interval\": "
-                                            "0.01}, \"blocks\": [{\"type\": \"gravity\", \"name\": \"Gravity\"}, "
-                                            "{\"type\": \"mass\", \"name\": \"Mass 0\", \"mass\": 1, \"position\": [0, 0]}], "
-                                            "\"graphs\": [%s]}",
-                                            units, graphs);
+    g_autofree char *text =
+        g_strdup_printf("{\"tinker\": 1, \"units\": \"%s\", \"run\": {\"duration\": 0.5, \"interval\": "
+                        "0.01}, \"blocks\": [{\"type\": \"gravity\", \"name\": \"Gravity\"}, "
+                        "{\"type\": \"mass\", \"name\": \"Mass 0\", \"mass\": 1, \"position\": [0, 0]}], "
+                        "\"graphs\": [%s]}",
+                        units, graphs);
     fixture->document = tinker_document_new(catalogue);
     fixture->player = tinker_player_new(fixture->document);
     tinker_document_start(fixture->document, text, strlen(text), NULL, &error);
@@ -55,7 +56,8 @@ static void run_until(Fixture *fixture, double time)
 static TinkerGraphData *data_of(Fixture *fixture)
 {
     TinkerGraphData *data = tinker_graph_data_new(fixture->document, fixture->player);
-    tinker_graph_data_set_graph(data, g_ptr_array_index(tinker_scene_graphs(tinker_document_scene(fixture->document)), 0));
+    tinker_graph_data_set_graph(data,
+                                g_ptr_array_index(tinker_scene_graphs(tinker_document_scene(fixture->document)), 0));
     tinker_graph_data_update(data);
     return data;
 }

@@ -9,9 +9,9 @@
 
 /* Without gravity, let go 1 m below its rest at y = 2; a support 2 m above. */
 #define OSCILLATOR                                                                                                     \
-    "'run': {'duration': 4, 'interval': 0.01}, 'blocks': ["                                                    \
-    "{'type': 'support', 'name': 'S', 'position': [0, 4], 'orientation': '180 deg'},"                    \
-    "{'type': 'mass', 'name': 'M', 'position': [0, 1]},"                                                     \
+    "'run': {'duration': 4, 'interval': 0.01}, 'blocks': ["                                                            \
+    "{'type': 'support', 'name': 'S', 'position': [0, 4], 'orientation': '180 deg'},"                                  \
+    "{'type': 'mass', 'name': 'M', 'position': [0, 1]},"                                                               \
     "{'type': 'spring', 'name': 'K', 'ends': ['S', 'M'], 'stiffness': 25, 'rest_length': 2}]"
 
 typedef struct {
@@ -248,9 +248,8 @@ static void test_refusal(void)
 /* A run that fails, with a force that is no number behind t = 2, keeps what it has and says so once. */
 static void test_failure(void)
 {
-    g_autoptr(Fixture) fixture =
-        fixture_new("'blocks': [{'type': 'mass', 'name': 'M'}, {'type': 'motor', 'name': 'F', "
-                    "'ends': ['M'], 'waveform': {'expression': 'sqrt(2 - t)'}}]");
+    g_autoptr(Fixture) fixture = fixture_new("'blocks': [{'type': 'mass', 'name': 'M'}, {'type': 'motor', 'name': 'F', "
+                                             "'ends': ['M'], 'waveform': {'expression': 'sqrt(2 - t)'}}]");
     play(fixture);
     for (int i = 0; i < 10000 && tinker_player_state(fixture->player) == TINKER_PLAYER_PLAYING; i++) {
         tinker_player_advance(fixture->player, 1);
