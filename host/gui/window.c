@@ -3,6 +3,8 @@
 
 #include <glib/gi18n.h>
 
+#include "side-panel.h"
+
 G_DEFINE_FINAL_TYPE(TinkerWindow, tinker_window, ADW_TYPE_APPLICATION_WINDOW)
 
 #define LONGEST_TICK 0.1 /* s: after a hang, play-back goes on from where it was */
@@ -109,6 +111,7 @@ static void connect_parts(TinkerWindow *window)
     tinker_palette_set_canvas(window->palette, tinker_document_catalogue(window->document), window->canvas);
     tinker_playbar_set_player(window->playbar, window->player);
     window_add_graphs(window);
+    gtk_box_append(window->panel, tinker_side_panel_new(window->document, window->player));
     g_signal_connect_object(window->player, "state-changed", G_CALLBACK(on_state_changed), window, G_CONNECT_SWAPPED);
     g_signal_connect_object(window->player, "failed", G_CALLBACK(on_failed), window, 0);
     g_signal_connect_object(window->player, "rewound", G_CALLBACK(on_rewound), window, G_CONNECT_SWAPPED);

@@ -1,0 +1,12 @@
+/* The panel at the right: the properties of what is selected, and below them the outline of the scene. */
+#ifndef TINKER_GUI_SIDE_PANEL_H
+#define TINKER_GUI_SIDE_PANEL_H
+
+#include <gtk/gtk.h>
+
+#include "player.h"
+
+/* (transfer floating) */
+GtkWidget *tinker_side_panel_new(TinkerDocument *document, TinkerPlayer *player);
+
+#endif
