@@ -148,13 +148,23 @@ static void on_unbind(GtkSignalListItemFactory *factory, GtkListItem *row, Tinke
 
 /* Selection ----------------------------------------------------------------------------------------------------------- */
 
-static gboolean same_selection(TinkerOutline *outline, const GArray *blocks)
+/* By id; a set. (transfer full) */
+static GHashTable *selected_blocks(TinkerOutline *outline)
 {
     int count;
-    tinker_document_selection(outline->document, &count);
-    if ((guint)count != blocks->len) return FALSE;
+    const TinkerBlockId *blocks = tinker_document_selection(outline->document, &count);
+    GHashTable *set = g_hash_table_new(NULL, NULL);
+    for (int i = 0; i < count; i++)
+        g_hash_table_add(set, GINT_TO_POINTER(blocks[i]));
+    return set;
+}
+
+static gboolean same_selection(TinkerOutline *outline, const GArray *blocks)
+{
+    g_autoptr(GHashTable) selected = selected_blocks(outline);
+    if (g_hash_table_size(selected) != blocks->len) return FALSE;
     for (guint i = 0; i < blocks->len; i++)
-        if (!tinker_document_is_selected(outline->document, g_array_index(blocks, TinkerBlockId, i))) return FALSE;
+        if (!g_hash_table_contains(selected, GINT_TO_POINTER(g_array_index(blocks, TinkerBlockId, i)))) return FALSE;
     return TRUE;
 }
 
@@ -181,11 +191,7 @@ static void on_selected(TinkerOutline *outline)
 static void mirror(TinkerOutline *outline)
 {
     if (outline->mirroring) return;
-    int count;
-    const TinkerBlockId *blocks = tinker_document_selection(outline->document, &count);
-    g_autoptr(GHashTable) wanted = g_hash_table_new(NULL, NULL);
-    for (int i = 0; i < count; i++)
-        g_hash_table_add(wanted, GINT_TO_POINTER(blocks[i]));
+    g_autoptr(GHashTable) wanted = selected_blocks(outline);
     guint length = g_list_model_get_n_items(G_LIST_MODEL(outline->selection)), first = GTK_INVALID_LIST_POSITION;
     g_autoptr(GtkBitset) selected = gtk_bitset_new_empty(), all = gtk_bitset_new_range(0, length);
     for (guint i = 0; i < length; i++) {
@@ -233,7 +239,9 @@ static void fill(TinkerOutline *outline)
     outline->mirroring = FALSE;
     g_autofree char *text = g_strdup_printf("%u", count);
     gtk_label_set_text(GTK_LABEL(outline->count), text);
-    gtk_widget_set_visible(outline->search, count >= SEARCH_FROM || *outline->wanted != '\0');
+    gboolean searchable = count >= SEARCH_FROM || *outline->wanted != '\0';
+    gtk_widget_set_visible(outline->search, searchable);
+    gtk_search_entry_set_key_capture_widget(GTK_SEARCH_ENTRY(outline->search), searchable ? outline->list : NULL);
     mirror(outline);
 }
 
@@ -391,5 +399,4 @@ static void tinker_outline_init(TinkerOutline *outline)
     gtk_widget_set_parent(make_header(outline), GTK_WIDGET(outline));
     gtk_widget_set_parent(make_search(outline), GTK_WIDGET(outline));
     gtk_widget_set_parent(make_list(outline), GTK_WIDGET(outline));
-    gtk_search_entry_set_key_capture_widget(GTK_SEARCH_ENTRY(outline->search), outline->list);
 }

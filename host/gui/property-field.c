@@ -3,7 +3,7 @@
 
 #include <glib/gi18n.h>
 
-#define TITLE_WIDTH 118 /* px; of 300 that the panel has */
+#define TITLE_WIDTH 132 /* px; of 300 that the panel has */
 
 struct _TinkerPropertyField {
     GtkWidget parent_instance;
@@ -180,6 +180,11 @@ void tinker_property_field_show(TinkerPropertyField *field, TinkerPropertyRow *r
     if (!described) gtk_widget_set_tooltip_text(GTK_WIDGET(field), row->description);
 }
 
+void tinker_property_field_discard(TinkerPropertyField *field)
+{
+    if (field->dirty) revert(field);
+}
+
 /* Making -------------------------------------------------------------------------------------------------------------- */
 
 static GtkWidget *make_entry(TinkerPropertyField *field)
@@ -288,7 +293,6 @@ static void make_parts(TinkerPropertyField *field)
     gtk_box_append(GTK_BOX(line), field->title);
     field->control = make_control(field);
     gtk_widget_set_hexpand(field->control, field->row->kind != TINKER_ROW_SWITCH);
-    gtk_label_set_mnemonic_widget(GTK_LABEL(field->title), field->control);
     gtk_accessible_update_property(GTK_ACCESSIBLE(field->control), GTK_ACCESSIBLE_PROPERTY_LABEL, field->row->title,
                                    -1);
     gtk_box_append(GTK_BOX(line), field->control);
@@ -298,7 +302,7 @@ static void make_parts(TinkerPropertyField *field)
     }
     gtk_widget_set_parent(line, GTK_WIDGET(field));
 
-    field->problem = gtk_label_new(NULL);
+    field->problem = g_object_new(GTK_TYPE_LABEL, "accessible-role", GTK_ACCESSIBLE_ROLE_ALERT, NULL);
     gtk_label_set_xalign(GTK_LABEL(field->problem), 0);
     gtk_label_set_wrap(GTK_LABEL(field->problem), TRUE);
     gtk_label_set_wrap_mode(GTK_LABEL(field->problem), PANGO_WRAP_WORD_CHAR);

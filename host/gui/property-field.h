@@ -15,4 +15,7 @@ GtkWidget *tinker_property_field_new(TinkerDocument *document, TinkerPropertyRow
 /* Shows a row of the same kind. What has been typed, and not been taken yet, stays as long as the row is of the same thing. */
 void tinker_property_field_show(TinkerPropertyField *field, TinkerPropertyRow *row);
 
+/* Forgets what was typed and not taken: it belongs to a scene that is gone. */
+void tinker_property_field_discard(TinkerPropertyField *field);
+
 #endif

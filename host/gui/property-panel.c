@@ -27,8 +27,9 @@ struct _TinkerPropertyPanel {
     GHashTable *field_of; /* id of a row to Field */
     GHashTable *closed;   /* titles of groups that the user has closed */
     guint stamp;
-    guint refresh; /* id of the source that will refresh it, or 0 */
-    gint64 last;   /* us: when it was refreshed */
+    guint refresh;  /* id of the source that will refresh it, or 0 */
+    gint64 last;    /* us: when it was refreshed */
+    gboolean focus; /* the next time it is refreshed it takes the focus */
 };
 
 G_DEFINE_FINAL_TYPE(TinkerPropertyPanel, tinker_property_panel, GTK_TYPE_WIDGET)
@@ -51,6 +52,7 @@ static Group *add_group(TinkerPropertyPanel *panel, const char *title)
     group->fields = gtk_box_new(GTK_ORIENTATION_VERTICAL, 4);
     gtk_expander_set_child(GTK_EXPANDER(group->expander), group->fields);
     gtk_expander_set_expanded(GTK_EXPANDER(group->expander), !g_hash_table_contains(panel->closed, title));
+    gtk_accessible_update_property(GTK_ACCESSIBLE(group->expander), GTK_ACCESSIBLE_PROPERTY_LABEL, title, -1);
     g_signal_connect(group->expander, "notify::expanded", G_CALLBACK(on_expanded), panel);
     gtk_box_append(GTK_BOX(panel->groups), group->expander);
     g_hash_table_insert(panel->group_of, g_strdup(title), group);
@@ -133,11 +135,24 @@ static void refresh(TinkerPropertyPanel *panel)
     panel->last = g_get_monotonic_time();
 }
 
+static void focus_first(TinkerPropertyPanel *panel)
+{
+    GtkWidget *expander = gtk_widget_get_first_child(panel->groups);
+    GtkWidget *fields = expander != NULL ? gtk_expander_get_child(GTK_EXPANDER(expander)) : NULL;
+    if (fields == NULL) return;
+    if (gtk_expander_get_expanded(GTK_EXPANDER(expander)))
+        gtk_widget_grab_focus(gtk_widget_get_first_child(fields));
+    else
+        gtk_widget_grab_focus(expander);
+}
+
 static gboolean on_refresh(gpointer data)
 {
     TinkerPropertyPanel *panel = data;
     panel->refresh = 0;
     refresh(panel);
+    if (panel->focus) focus_first(panel);
+    panel->focus = FALSE;
     return G_SOURCE_REMOVE;
 }
 
@@ -148,22 +163,26 @@ static void refresh_soon(TinkerPropertyPanel *panel)
     panel->refresh = g_timeout_add((guint)CLAMP(REFRESH_INTERVAL - passed, 0, REFRESH_INTERVAL), on_refresh, panel);
 }
 
+static void on_replaced(TinkerPropertyPanel *panel)
+{
+    GHashTableIter iter;
+    gpointer value;
+    g_hash_table_iter_init(&iter, panel->field_of);
+    while (g_hash_table_iter_next(&iter, NULL, &value))
+        tinker_property_field_discard(TINKER_PROPERTY_FIELD(((Field *)value)->field));
+}
+
 static void tinker_property_panel_map(GtkWidget *widget)
 {
     GTK_WIDGET_CLASS(tinker_property_panel_parent_class)->map(widget);
     refresh(TINKER_PROPERTY_PANEL(widget));
 }
 
+/* Not at once, since the press that asked for it may still have to be dealt with, and would take the focus back. */
 void tinker_property_panel_focus(TinkerPropertyPanel *panel)
 {
-    refresh(panel);
-    GtkWidget *expander = gtk_widget_get_first_child(panel->groups);
-    GtkWidget *fields = expander != NULL ? gtk_expander_get_child(GTK_EXPANDER(expander)) : NULL;
-    if (fields == NULL) return;
-    if (gtk_expander_get_expanded(GTK_EXPANDER(expander)))
-        gtk_widget_grab_focus(gtk_widget_get_first_child(fields));
-    else
-        gtk_widget_grab_focus(expander);
+    panel->focus = TRUE;
+    refresh_soon(panel);
 }
 
 /* The widget ---------------------------------------------------------------------------------------------------------- */
@@ -187,9 +206,11 @@ static void make_parts(TinkerPropertyPanel *panel)
 {
     GtkWidget *scrolled = gtk_scrolled_window_new(), *content = gtk_box_new(GTK_ORIENTATION_VERTICAL, 0);
     gtk_widget_set_parent(make_header(panel), GTK_WIDGET(panel));
-    panel->groups = gtk_box_new(GTK_ORIENTATION_VERTICAL, 6);
+    panel->groups = gtk_box_new(GTK_ORIENTATION_VERTICAL, 2);
     panel->nothing = gtk_label_new(_("Blocks of several types have no properties in common."));
     gtk_label_set_wrap(GTK_LABEL(panel->nothing), TRUE);
+    gtk_label_set_xalign(GTK_LABEL(panel->nothing), 0);
+    gtk_label_set_max_width_chars(GTK_LABEL(panel->nothing), 1);
     gtk_widget_add_css_class(panel->nothing, "dim-label");
     gtk_widget_set_visible(panel->nothing, FALSE);
     gtk_box_append(GTK_BOX(content), panel->nothing);
@@ -207,6 +228,7 @@ GtkWidget *tinker_property_panel_new(TinkerDocument *document, TinkerPlayer *pla
     panel->document = g_object_ref(document);
     panel->player = g_object_ref(player);
     g_signal_connect_object(document, "changed", G_CALLBACK(refresh_soon), panel, G_CONNECT_SWAPPED);
+    g_signal_connect_object(document, "replaced", G_CALLBACK(on_replaced), panel, G_CONNECT_SWAPPED);
     g_signal_connect_object(document, "selection-changed", G_CALLBACK(refresh_soon), panel, G_CONNECT_SWAPPED);
     g_signal_connect_object(player, "moved", G_CALLBACK(refresh_soon), panel, G_CONNECT_SWAPPED);
     return GTK_WIDGET(panel);

@@ -260,10 +260,11 @@ static void add_number(PropertyBuilder *builder, int32_t property, int32_t compo
 {
     const TinkerPropertyType *type = &builder->block_class->properties[property];
     TinkerPropertyRow *row = add_row(builder, property, component, TINKER_ROW_NUMBER);
-    property_row_take_text(
-        row, number_text(builder, type, row->unit, value_of(builder, builder->blocks[0], property, component)));
+    double first = value_of(builder, builder->blocks[0], property, component);
+    property_row_take_text(row, number_text(builder, type, row->unit, first));
     for (int i = 1; i < builder->count && !row->mixed; i++) {
         double value = value_of(builder, builder->blocks[i], property, component);
+        if (value == first) continue; /* thousands may be selected */
         g_autofree char *text = number_text(builder, type, row->unit, value);
         row->mixed = !g_str_equal(text, row->text);
     }

@@ -5,7 +5,7 @@
 #include "property-panel.h"
 
 #define PROPERTIES_HEIGHT 240 /* px: at least */
-#define OUTLINE_HEIGHT    190
+#define OUTLINE_HEIGHT    168
 
 GtkWidget *tinker_side_panel_new(TinkerDocument *document, TinkerPlayer *player)
 {

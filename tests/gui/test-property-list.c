@@ -2,6 +2,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "block-words.h"
 #include "property-list.h"
 #include "scene-fixture.h"
 
@@ -562,8 +563,44 @@ static void test_now(void)
     g_assert_cmpstr(length->text, !=, "3.57771 m"); /* hypot(3.2, 1.6), as placed */
 }
 
+/* What the outline says of blocks. */
+static void test_words(void)
+{
+    g_auto(Window) window =
+        window_with(ONE_MASS "," ONE_SUPPORT "," ONE_SPRING ", {\"type\": \"gravity\", \"name\": \"G\"},"
+                             "{\"type\": \"motor\", \"name\": \"M\", \"ends\": [[0, 0]]},"
+                             "{\"type\": \"nobody\", \"name\": \"P\"}");
+    static const char *const words[] = {"Mass 0, Mass, at (3.20000 m, 2.40000 m)",
+                                        "Support 0, Support, at (0.00000 m, 4.00000 m)",
+                                        "Spring 0, Spring, from Support 0 to Mass 0",
+                                        "G, Gravity",
+                                        "M, Motor, on a loose end",
+                                        "P, nobody"};
+    TinkerScene *scene = tinker_document_scene(window.document);
+    for (gsize i = 0; i < G_N_ELEMENTS(words); i++) {
+        g_autofree char *said = tinker_block_words(scene, tinker_scene_block_at(scene, (int32_t)i));
+        g_assert_cmpstr(said, ==, words[i]);
+    }
+    go_english(&window);
+    g_autofree char *said = tinker_block_words(scene, tinker_scene_block_at(scene, 0));
+    g_assert_cmpstr(said, ==, "Mass 0, Mass, at (10.49869 ft, 7.87402 ft)");
+}
+
+/* A block of a type that nobody provides can still be renamed. */
+static void test_placeholder(void)
+{
+    g_auto(Window) window = window_with("{\"type\": \"nobody\", \"name\": \"P\", \"ratio\": 2}");
+    select_block(&window, "P");
+    g_autofree char *before = scene_text(&window);
+    assert_shown(&window, "Appearance", "Type", "nobody (not installed)");
+    type_into(&window, "Appearance", "Name", "Q");
+    assert_undoes(&window, before);
+}
+
 static void add_tests(void)
 {
+    g_test_add_func("/gui/property-list/words", test_words);
+    g_test_add_func("/gui/property-list/placeholder", test_placeholder);
     g_test_add_func("/gui/property-list/thesis-strings", test_thesis_strings);
     g_test_add_func("/gui/property-list/spring-strings", test_spring_strings);
     g_test_add_func("/gui/property-list/order", test_order);

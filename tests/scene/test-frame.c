@@ -3,7 +3,7 @@
 
 #include <math.h>
 
-#include "scene/frame.h"
+#include "scene/frame-quantity.h"
 
 #define TWO_MASSES                                                                                                     \
     "{\"type\": \"mass\", \"name\": \"A\", \"position\": [0, 0]}, {\"type\": \"mass\", \"name\": \"B\", "              \
@@ -87,8 +87,44 @@ static void test_moving_support(void)
     g_assert_cmpfloat_with_epsilon(tinker_frame_column(frame, spring, rest), hypot(3, 2), 1e-15);
 }
 
+/* What the places alone tell, by hand; what needs more than them is not told. */
+static void test_quantity(void)
+{
+    g_autoptr(TinkerScene) scene = scene_fixture_read_blocks(
+        TWO_MASSES ", {\"type\": \"spring\", \"name\": \"S\", \"ends\": [\"A\", \"B\"], \"stiffness\": 20, "
+                   "\"rest_length\": 4}, {\"type\": \"damper\", \"ends\": [\"A\", \"B\"]},"
+                   "{\"type\": \"rod\", \"name\": \"R\", \"ends\": [\"A\", \"B\"]},"
+                   "{\"type\": \"spring\", \"name\": \"Loose\", \"ends\": [\"A\", [1, 1]]},"
+                   "{\"type\": \"motor\", \"name\": \"M\", \"ends\": [\"A\"], \"amplitude\": 3},"
+                   "{\"type\": \"nobody\", \"name\": \"P\"}");
+    g_autoptr(TinkerFrame) frame = tinker_frame_new(scene, NULL);
+    static const struct {
+        const char *block, *quantity;
+        double value; /* NAN: not told */
+    } cases[] = {{"S", "length", 5}, {"S", "tension", 20},  {"S", "energy", 10},
+                 {"B", "x", 3},      {"M", "force", 3},     {"B", "speed", 0},
+                 {"B", "ax", NAN},   {"R", "tension", NAN}, {"Loose", "length", NAN}};
+    for (gsize i = 0; i < G_N_ELEMENTS(cases); i++) {
+        TinkerBlockId block = tinker_scene_find_block(scene, cases[i].block);
+        int32_t quantity = tinker_block_class_quantity(tinker_scene_block_class(scene, block), cases[i].quantity);
+        double value = NAN;
+        g_assert_cmpint(quantity, >=, 0);
+        g_assert_true(tinker_frame_quantity(frame, block, quantity, &value) == !isnan(cases[i].value));
+        if (!isnan(cases[i].value)) g_assert_cmpfloat_with_epsilon(value, cases[i].value, 1e-12);
+    }
+    double value;
+    g_assert_false(tinker_frame_quantity(frame, tinker_scene_find_block(scene, "P"), 0, &value));
+
+    /* It follows the frame. */
+    TinkerBlockId spring = tinker_scene_find_block(scene, "S");
+    tinker_frame_place(frame, tinker_scene_find_block(scene, "B"), 0, 7, 0);
+    g_assert_true(tinker_frame_quantity(frame, spring, 0, &value));
+    g_assert_cmpfloat_with_epsilon(value, 7, 1e-12);
+}
+
 static void add_tests(void)
 {
+    g_test_add_func("/scene/frame/quantity", test_quantity);
     g_test_add_func("/scene/frame/side-by-side", test_side_by_side);
     g_test_add_func("/scene/frame/alone", test_alone);
     g_test_add_func("/scene/frame/moving-support", test_moving_support);
