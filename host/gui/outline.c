@@ -123,9 +123,7 @@ static void describe(TinkerOutline *outline, GtkListItem *row)
     OutlineItem *item = gtk_list_item_get_item(row);
     if (item == NULL || !tinker_scene_has_block(scene_of(outline), item->block)) return;
     g_autofree char *words = tinker_block_words(scene_of(outline), item->block);
-    g_autofree char *place = tinker_block_place_words(scene_of(outline), item->block);
     if (outer != NULL) gtk_accessible_update_property(GTK_ACCESSIBLE(outer), GTK_ACCESSIBLE_PROPERTY_LABEL, words, -1);
-    gtk_widget_set_tooltip_text(box, place);
 }
 
 static void on_bind(GtkSignalListItemFactory *factory, GtkListItem *row, TinkerOutline *outline)

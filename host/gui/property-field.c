@@ -177,7 +177,7 @@ void tinker_property_field_show(TinkerPropertyField *field, TinkerPropertyRow *r
     }
     field->showing = FALSE;
     if (!same) set_problem(field, NULL);
-    if (!described) gtk_widget_set_tooltip_text(GTK_WIDGET(field), row->description);
+    if (!described) gtk_widget_set_tooltip_text(field->title, row->description);
 }
 
 void tinker_property_field_discard(TinkerPropertyField *field)
@@ -318,7 +318,8 @@ GtkWidget *tinker_property_field_new(TinkerDocument *document, TinkerPropertyRow
     field->document = g_object_ref(document);
     field->row = tinker_property_row_ref(row);
     make_parts(field);
-    gtk_widget_set_tooltip_text(GTK_WIDGET(field), row->description);
+    /* Not on the control, where it would cover the next one. */
+    gtk_widget_set_tooltip_text(field->title, row->description);
     set_problem(field, NULL);
     tinker_property_field_show(field, row);
     return GTK_WIDGET(field);
