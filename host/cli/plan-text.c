@@ -3,11 +3,10 @@
 
 #include "numerics/integrators.h"
 #include "plan-report.h"
+#include "plan-words.h"
 #include "text-table.h"
 
-/* Of blocks in a line, and of islands; the JSON has them all. */
-#define MOST_BLOCKS  6
-#define MOST_ISLANDS 8
+#define MOST_ISLANDS 8 /* the JSON has them all */
 
 static const char *plural(int32_t count)
 {
@@ -18,18 +17,6 @@ static void add(TinkerTextTable *table, const char *label, const char *value)
 {
     tinker_text_table_add(table, label);
     tinker_text_table_add(table, value);
-}
-
-static char *blocks_text(const TinkerPlanReport *report, const TinkerIslandPlan *island)
-{
-    g_autoptr(GString) text = g_string_new(NULL);
-    guint count = island->blocks->len, shown = count > MOST_BLOCKS + 1 ? MOST_BLOCKS : count;
-    for (guint i = 0; i < shown; i++)
-        g_string_append_printf(text, "%s%s", i > 0 ? ", " : "",
-                               tinker_scene_block_name(report->scene, g_array_index(island->blocks, TinkerBlockId, i)));
-    if (shown < count) g_string_append_printf(text, " and %u more", count - shown);
-    if (count == 0) g_string_append(text, "nothing that moves");
-    return g_string_free(g_steal_pointer(&text), FALSE);
 }
 
 static char *kind_text(const TinkerIslandPlan *island)
@@ -79,11 +66,10 @@ static void write_island(const TinkerPlanReport *report, guint number, FILE *fil
 {
     const TinkerIslandPlan *island = g_ptr_array_index(report->plan->islands, number);
     g_autoptr(TinkerTextTable) table = tinker_text_table_new("ll", 2);
-    g_autofree char *blocks = blocks_text(report, island), *kind = kind_text(island), *speed = speed_text(island);
+    g_autofree char *blocks = tinker_island_blocks_text(report->scene, island), *kind = kind_text(island),
+                    *speed = speed_text(island);
     g_autofree char *limits = limits_text(island), *time = tinker_duration_text(island->expected_s, 2);
-    g_autofree char *method = island->step > 0
-                                  ? g_strdup_printf("%s, step %.4g s", island->method->id, island->step)
-                                  : g_strdup_printf("%s, tolerance %g", island->method->id, island->tolerance);
+    g_autofree char *method = tinker_island_method_text(island);
     g_autofree char *expected =
         g_strdup_printf("about %s, error about %.1g of the motion's extent", time, island->expected_error);
     add(table, "what", kind);

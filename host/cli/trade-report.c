@@ -5,9 +5,7 @@
 
 #include "csv-writer.h"
 #include "text-table.h"
-
-#define AT_LIMIT "at the reference's limit"
-#define ADVISED  "advised"
+#include "trade-words.h"
 
 static const TinkerTradeMethod *method_at(const TinkerTrade *trade, guint place)
 {
@@ -19,13 +17,6 @@ static const TinkerTradeRow *row_at(const TinkerTradeMethod *method, guint place
     return &g_array_index(method->rows, TinkerTradeRow, place);
 }
 
-/* "0.01 s" of a step, "1e-09" of a tolerance, nothing where the method takes neither. */
-static char *setting_text(const TinkerTradeSetting *setting)
-{
-    if (setting->value == 0) return g_strdup("");
-    return g_strdup_printf(setting->adaptive ? "%.4g" : "%.6g s", setting->value);
-}
-
 static void add_number(TinkerTextTable *table, const char *format, double value)
 {
     char text[64] = "";
@@ -33,20 +24,9 @@ static void add_number(TinkerTextTable *table, const char *format, double value)
     tinker_text_table_add(table, text);
 }
 
-/* What stands in the last column: of the table in short, of the CSV with the reason of a failure. */
-static char *note_of(const TinkerTradeRow *row, gboolean in_full)
-{
-    g_autoptr(GPtrArray) notes = g_ptr_array_new();
-    if (row->advised) g_ptr_array_add(notes, (gpointer)ADVISED);
-    if (row->at_limit) g_ptr_array_add(notes, (gpointer)AT_LIMIT);
-    if (row->note != NULL) g_ptr_array_add(notes, in_full ? row->note : (gpointer) "no result, see below");
-    g_ptr_array_add(notes, NULL);
-    return g_strjoinv("; ", (char **)notes->pdata);
-}
-
 static void add_row(TinkerTextTable *table, const TinkerTradeRow *row, gboolean first)
 {
-    g_autofree char *setting = setting_text(&row->setting), *note = note_of(row, FALSE);
+    g_autofree char *setting = tinker_trade_value_text(&row->setting), *note = tinker_trade_note_text(row, FALSE);
     tinker_text_table_add(table, first ? row->setting.method : "");
     tinker_text_table_add(table, setting);
     add_number(table, "%.3g", row->wall_s);
@@ -83,7 +63,7 @@ static void write_failures(const TinkerTrade *trade, FILE *file)
         for (guint i = 0; i < method->rows->len; i++) {
             const TinkerTradeRow *row = row_at(method, i);
             if (row->note == NULL) continue;
-            g_autofree char *setting = setting_text(&row->setting);
+            g_autofree char *setting = tinker_trade_value_text(&row->setting);
             fprintf(file, "%s%s%s%s: %s\n", any ? "" : "\n", method->id, setting[0] != '\0' ? " at " : "", setting,
                     row->note);
             any = TRUE;
@@ -147,7 +127,7 @@ void tinker_trade_write_csv(const TinkerTrade *trade, FILE *file)
         const TinkerTradeMethod *method = method_at(trade, m);
         for (guint i = 0; i < method->rows->len; i++) {
             const TinkerTradeRow *row = row_at(method, i);
-            g_autofree char *note = note_of(row, TRUE);
+            g_autofree char *note = tinker_trade_note_text(row, TRUE);
             tinker_csv_text(&writer, method->id);
             gboolean neither = row->setting.value == 0;
             write_value(&writer, !row->setting.adaptive && !neither, row->setting.value);

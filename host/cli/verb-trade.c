@@ -8,6 +8,7 @@
 #include "output.h"
 #include "picture.h"
 #include "run-arguments.h"
+#include "trade-chart.h"
 #include "trade-report.h"
 
 #define WIDTH   900
@@ -139,6 +140,15 @@ static gboolean prepare(TradeJob *job, const TradeArguments *arguments, const Ti
     return read_outputs(job, arguments, open, error);
 }
 
+static gboolean draw_chart(const TradeJob *job, const TinkerTrade *trade, const char *title, const char *path,
+                           GError **error)
+{
+    g_autoptr(TinkerTradeChart) chart = tinker_trade_chart_new(trade);
+    TinkerPlot plot = tinker_trade_chart_plot(chart, job->theme);
+    plot.title = title[0] != '\0' ? title : NULL;
+    return tinker_plot_to_file(&plot, job->width, job->height, path, error);
+}
+
 static gboolean write_results(TradeJob *job, const TradeArguments *arguments, const TinkerOpenScene *open,
                               const TinkerTrade *trade, GError **error)
 {
@@ -150,8 +160,7 @@ static gboolean write_results(TradeJob *job, const TradeArguments *arguments, co
     if (job->csv.file != NULL) tinker_trade_write_csv(trade, job->csv.file);
     if (!tinker_output_close(&job->csv, error)) return FALSE;
     const char *title = tinker_scene_head(open->scene)->title;
-    return arguments->output == NULL || tinker_trade_draw_chart(trade, title[0] != '\0' ? title : NULL, job->theme,
-                                                                job->width, job->height, arguments->output, error);
+    return arguments->output == NULL || draw_chart(job, trade, title, arguments->output, error);
 }
 
 /* Puts the advice into the scene's file, in the units that the scene displays. */

@@ -1,0 +1,22 @@
+/* Words for the islands of a plan. */
+#include "plan-words.h"
+
+#define MOST_BLOCKS 6 /* in a line */
+
+char *tinker_island_blocks_text(const TinkerScene *scene, const TinkerIslandPlan *island)
+{
+    g_autoptr(GString) text = g_string_new(NULL);
+    guint count = island->blocks->len, shown = count > MOST_BLOCKS + 1 ? MOST_BLOCKS : count;
+    for (guint i = 0; i < shown; i++)
+        g_string_append_printf(text, "%s%s", i > 0 ? ", " : "",
+                               tinker_scene_block_name(scene, g_array_index(island->blocks, TinkerBlockId, i)));
+    if (shown < count) g_string_append_printf(text, " and %u more", count - shown);
+    if (count == 0) g_string_append(text, "nothing that moves");
+    return g_string_free(g_steal_pointer(&text), FALSE);
+}
+
+char *tinker_island_method_text(const TinkerIslandPlan *island)
+{
+    return island->step > 0 ? g_strdup_printf("%s, step %.4g s", island->method->id, island->step)
+                            : g_strdup_printf("%s, tolerance %g", island->method->id, island->tolerance);
+}
