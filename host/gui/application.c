@@ -3,6 +3,7 @@
 
 #include <glib/gi18n.h>
 
+#include "background.h"
 #include "installation.h"
 #include "window.h"
 
@@ -90,6 +91,7 @@ static void tinker_application_open(GApplication *base, GFile **files, int count
 
 static void tinker_application_finalize(GObject *object)
 {
+    tinker_background_wait();
     g_clear_pointer(&TINKER_APPLICATION(object)->catalogue, tinker_catalogue_free);
     G_OBJECT_CLASS(tinker_application_parent_class)->finalize(object);
 }

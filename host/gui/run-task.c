@@ -5,6 +5,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "background.h"
 #include "physics/record.h"
 
 #define STATE            5                  /* doubles of a body in a row: x, y, vx, vy, orientation */
@@ -165,6 +166,7 @@ static gpointer run_in_thread(gpointer data)
     task->status.finished = TRUE;
     g_mutex_unlock(&task->mutex);
     unref(task);
+    tinker_background_leave();
     return NULL;
 }
 
@@ -200,6 +202,7 @@ TinkerRunTask *tinker_run_task_new(TinkerScene *scene, double start, const GPtrA
     task->status.error_estimate = NAN;
     task->status.predictable_until = task->status.valid_until = INFINITY;
     g_atomic_ref_count_inc(&task->references);
+    tinker_background_enter();
     g_thread_unref(g_thread_new("run", run_in_thread, task));
     return task;
 }

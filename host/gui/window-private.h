@@ -2,11 +2,13 @@
 #ifndef TINKER_GUI_WINDOW_PRIVATE_H
 #define TINKER_GUI_WINDOW_PRIVATE_H
 
+#include "accuracy-page.h"
 #include "canvas.h"
 #include "graph-layer.h"
 #include "notice-bar.h"
 #include "palette.h"
 #include "playbar.h"
+#include "status-line.h"
 #include "window.h"
 
 struct _TinkerWindow {
@@ -16,7 +18,6 @@ struct _TinkerWindow {
     guint ticks;        /* id of the tick callback while it plays, or 0 */
     gint64 last_tick;   /* us; 0: none yet */
     gboolean may_close; /* the user has said so */
-    TinkerNoticeBar *notices;
 
     /* Parts of window.ui. */
     TinkerCanvas *canvas;
@@ -31,12 +32,24 @@ struct _TinkerWindow {
     GtkBox *banners;
     GtkOverlay *canvas_overlay;
     TinkerGraphLayer *graph_layer;
+    TinkerAccuracyPage *accuracy;
+
+    /* Of window-accuracy.c. */
+    TinkerPlanTask *plan;
+    TinkerStatusLine *status_line;
+    TinkerNoticeBar *notices; /* whoever has something to say tells it here, under a name of its own */
+    guint refresh;            /* id of the timer, or 0 */
+    guint told_run;           /* which run's warnings are shown */
 };
 
 /* Actions win.*; window-actions.c. */
 void window_add_actions(TinkerWindow *window);
 /* Enables those that can do something now. */
 void window_update_actions(TinkerWindow *window);
+
+/* The status line, the notices and the page "Accuracy"; window-accuracy.c. */
+void window_add_accuracy(TinkerWindow *window);
+void window_remove_accuracy(TinkerWindow *window);
 
 /* A line that goes by itself. */
 void window_toast(TinkerWindow *window, const char *text);

@@ -112,10 +112,6 @@ void window_add_start(TinkerWindow *window)
     GtkWidget *panel = tinker_start_panel_new(window->document, window->player);
     g_signal_connect_object(panel, "refused", G_CALLBACK(on_refused), window, G_CONNECT_SWAPPED);
     gtk_box_append(window->panel, panel);
-    if (window->notices == NULL) {
-        window->notices = tinker_notice_bar_new();
-        gtk_box_append(window->banners, GTK_WIDGET(window->notices));
-    }
     TinkerAdviceList *list = tinker_advice_list_new(window->document, window->player);
     g_signal_connect_object(list, "changed", G_CALLBACK(on_advice_changed), window, 0);
     g_object_set_data_full(G_OBJECT(window->notices), "advice", list, g_object_unref);

@@ -128,6 +128,7 @@ TinkerWindow *tinker_window_new(TinkerApplication *application)
     window->player = tinker_player_new(window->document);
     window_add_actions(window);
     connect_parts(window);
+    window_add_accuracy(window);
     window_add_start(window);
     on_file_changed(window);
     return window;
@@ -136,6 +137,7 @@ TinkerWindow *tinker_window_new(TinkerApplication *application)
 static void tinker_window_dispose(GObject *object)
 {
     TinkerWindow *window = TINKER_WINDOW(object);
+    window_remove_accuracy(window);
     gtk_widget_dispose_template(GTK_WIDGET(window), TINKER_TYPE_WINDOW);
     g_clear_object(&window->player);
     g_clear_object(&window->document);
@@ -162,10 +164,12 @@ static void tinker_window_class_init(TinkerWindowClass *class)
     BIND(banners);
     BIND(canvas_overlay);
     BIND(graph_layer);
+    BIND(accuracy);
 }
 
 static void tinker_window_init(TinkerWindow *window)
 {
+    g_type_ensure(TINKER_TYPE_ACCURACY_PAGE);
     g_type_ensure(TINKER_TYPE_CANVAS);
     g_type_ensure(TINKER_TYPE_GRAPH_LAYER);
     g_type_ensure(TINKER_TYPE_PALETTE);
