@@ -8,6 +8,7 @@
 #include "plan-words.h"
 
 #define LARGE_ERROR      1e-2  /* of the motion: to be seen in a picture */
+#define UNPREDICTABLE    0.1   /* of the motion: what is beyond is not to be believed */
 #define LARGE_IMBALANCE  1e-2  /* of the energy exchanged */
 #define LARGE_CONSTRAINT 1e-4  /* of the lengths that are held */
 #define ROUNDING         1e-15 /* what is below comes from the arithmetic alone */
@@ -129,6 +130,8 @@ static void fill_error(const TinkerStatusFacts *facts, TinkerStatusItem *item)
     g_autofree char *size = share_text(error);
     if (error < ROUNDING)
         item->text = g_strdup(_("no error but rounding"));
+    else if (estimated && error > UNPREDICTABLE && facts->run->predictable_until < facts->duration)
+        item->text = g_strdup_printf(_("predictable up to %.3g s"), facts->run->predictable_until);
     else if (error >= 1)
         item->text =
             g_strdup(estimated ? _("error as large as the motion") : _("error as large as the motion expected"));

@@ -133,9 +133,9 @@ static void on_bind(GtkSignalListItemFactory *factory, GtkListItem *cell, const 
     gtk_label_set_text(GTK_LABEL(label), text);
     if (column->wide) gtk_widget_set_tooltip_text(label, text[0] != '\0' ? text : NULL);
     if (row->advised)
-        gtk_widget_add_css_class(label, "heading");
+        gtk_widget_add_css_class(label, "advised");
     else
-        gtk_widget_remove_css_class(label, "heading");
+        gtk_widget_remove_css_class(label, "advised");
 }
 
 /* The table ----------------------------------------------------------------------------------------------------------- */

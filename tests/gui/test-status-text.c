@@ -14,6 +14,8 @@ static TinkerRunStatus good_run(void)
         .error_estimate = 2.1e-9,
         .energy_balance_error = 3e-12,
         .constraint_error = 4e-13,
+        .predictable_until = INFINITY,
+        .valid_until = INFINITY,
     };
 }
 
@@ -78,6 +80,13 @@ static void test_bad_run(void)
     g_assert_true(warnings[TINKER_STATUS_ENERGY]);
     g_assert_true(warnings[TINKER_STATUS_CONSTRAINTS]);
     g_assert_false(warnings[TINKER_STATUS_METHOD]);
+    run.error_estimate = 2;
+    g_autofree char *large = line_of(&run, 1, 1, NULL);
+    g_assert_nonnull(strstr(large, "error as large as the motion"));
+    run.predictable_until = 7.61;
+    g_autofree char *chaotic = line_of(&run, 1, 1, warnings);
+    g_assert_nonnull(strstr(chaotic, "predictable up to 7.61 s"));
+    g_assert_true(warnings[TINKER_STATUS_ERROR]);
 }
 
 static void test_slow_run(void)
