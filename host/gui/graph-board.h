@@ -10,8 +10,8 @@ G_DECLARE_DERIVABLE_TYPE(TinkerGraphBoard, tinker_graph_board, TINKER, GRAPH_BOA
 
 struct _TinkerGraphBoardClass {
     GtkWidgetClass parent_class;
-    gboolean floats;                                   /* its views do */
-    gboolean (*shows)(const TinkerSceneGraph *graph);  /* which graphs belong here */
+    gboolean floats;                                               /* its views do */
+    gboolean (*shows)(const TinkerSceneGraph *graph);              /* which graphs belong here */
     void (*added)(TinkerGraphBoard *board, TinkerGraphView *view); /* a view is new; may be NULL */
 };
 

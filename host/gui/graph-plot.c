@@ -2,7 +2,6 @@
  * changed, there is at most one painting a frame, and none while the graph is not to be seen. */
 #include "graph-plot.h"
 
-#include <adwaita.h>
 #include <glib/gi18n.h>
 
 #include "desktop-theme.h"
@@ -209,7 +208,6 @@ GtkWidget *tinker_graph_plot_new(TinkerDocument *document, TinkerPlayer *player)
     plot->data = tinker_graph_data_new(document, player);
     g_signal_connect_object(player, "moved", G_CALLBACK(gtk_widget_queue_draw), plot, G_CONNECT_SWAPPED);
     g_signal_connect_object(player, "state-changed", G_CALLBACK(gtk_widget_queue_draw), plot, G_CONNECT_SWAPPED);
-    AdwStyleManager *manager = adw_style_manager_get_default();
-    g_signal_connect_object(manager, "notify::dark", G_CALLBACK(gtk_widget_queue_draw), plot, G_CONNECT_SWAPPED);
+    tinker_desktop_theme_redraws(GTK_WIDGET(plot));
     return GTK_WIDGET(plot);
 }

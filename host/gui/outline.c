@@ -2,11 +2,11 @@
  * or names; what a row says beyond the name is asked for when it is shown, so that thousands of blocks cost little. */
 #include "outline.h"
 
-#include <adwaita.h>
 #include <glib/gi18n.h>
 #include <string.h>
 
 #include "block-words.h"
+#include "desktop-theme.h"
 #include "render/icon.h"
 
 #define ICON_WIDTH    30
@@ -86,9 +86,7 @@ static void draw_icon(GtkDrawingArea *area, cairo_t *cairo, int width, int heigh
     OutlineItem *item = gtk_list_item_get_item(row);
     if (item == NULL || outline->document == NULL || !tinker_scene_has_block(scene_of(outline), item->block)) return;
     const TinkerBlockClass *block_class = tinker_scene_block_class(scene_of(outline), item->block);
-    gboolean dark = adw_style_manager_get_dark(adw_style_manager_get_default());
-    if (block_class != NULL)
-        tinker_paint_block_icon(cairo, block_class, width, height, tinker_theme_find(dark ? "dark" : "light"));
+    if (block_class != NULL) tinker_paint_block_icon(cairo, block_class, width, height, tinker_desktop_theme());
 }
 
 static GtkWidget *add_label(GtkWidget *box, const char *css_class)
@@ -108,8 +106,7 @@ static void on_setup(GtkSignalListItemFactory *factory, GtkListItem *row, Tinker
     gtk_drawing_area_set_content_height(GTK_DRAWING_AREA(icon), ICON_HEIGHT);
     g_object_set_data(G_OBJECT(icon), "row", row);
     gtk_drawing_area_set_draw_func(GTK_DRAWING_AREA(icon), draw_icon, outline, NULL);
-    g_signal_connect_object(adw_style_manager_get_default(), "notify::dark", G_CALLBACK(gtk_widget_queue_draw), icon,
-                            G_CONNECT_SWAPPED);
+    tinker_desktop_theme_redraws(GTK_WIDGET(icon));
     gtk_box_append(GTK_BOX(box), icon);
     gtk_widget_set_hexpand(add_label(box, NULL), TRUE);
     add_label(box, "dim-label");

@@ -1,9 +1,9 @@
 /* The chart is drawn by the plots of the core; the point under the pointer is a reading of it. Keyboards have the table. */
 #include "trade-view.h"
 
-#include <adwaita.h>
 #include <glib/gi18n.h>
 
+#include "desktop-theme.h"
 #include "run-choice.h"
 #include "status-text.h"
 #include "trade-chart.h"
@@ -24,8 +24,7 @@ static guint chosen_signal;
 
 static TinkerPlot plot_of(const TinkerTradeView *view)
 {
-    gboolean dark = adw_style_manager_get_dark(adw_style_manager_get_default());
-    TinkerPlot plot = tinker_trade_chart_plot(view->chart, tinker_theme_find(dark ? "dark" : "light"));
+    TinkerPlot plot = tinker_trade_chart_plot(view->chart, tinker_desktop_theme());
     plot.memory = view->memory;
     return plot;
 }
@@ -126,8 +125,7 @@ static void tinker_trade_view_init(TinkerTradeView *view)
     g_signal_connect(click, "released", G_CALLBACK(on_click), view);
     gtk_widget_add_controller(GTK_WIDGET(view), motion);
     gtk_widget_add_controller(GTK_WIDGET(view), GTK_EVENT_CONTROLLER(click));
-    g_signal_connect_object(adw_style_manager_get_default(), "notify::dark", G_CALLBACK(gtk_widget_queue_draw), view,
-                            G_CONNECT_SWAPPED);
+    tinker_desktop_theme_redraws(GTK_WIDGET(view));
     gtk_accessible_update_property(GTK_ACCESSIBLE(view), GTK_ACCESSIBLE_PROPERTY_LABEL,
                                    _("Chart of the error over the computing time, by method"),
                                    GTK_ACCESSIBLE_PROPERTY_DESCRIPTION, _("The table below has the same values."), -1);
