@@ -1,19 +1,39 @@
 /* Two parts with a movable border; a block that is activated in the outline is edited above. */
 #include "side-panel.h"
 
+#include <glib/gi18n.h>
+
 #include "outline.h"
 #include "property-panel.h"
 
 #define PROPERTIES_HEIGHT 240 /* px: at least */
 #define OUTLINE_HEIGHT    168
 
-GtkWidget *tinker_side_panel_new(TinkerDocument *document, TinkerPlayer *player)
+/* Two pages behind a switch: what it is, and how it starts. */
+static GtkWidget *pages_of(GtkWidget *properties, GtkWidget *start)
+{
+    GtkWidget *stack = gtk_stack_new(), *switcher = gtk_stack_switcher_new(), *scrolled = gtk_scrolled_window_new();
+    GtkWidget *box = gtk_box_new(GTK_ORIENTATION_VERTICAL, 0);
+    gtk_scrolled_window_set_policy(GTK_SCROLLED_WINDOW(scrolled), GTK_POLICY_NEVER, GTK_POLICY_AUTOMATIC);
+    gtk_scrolled_window_set_child(GTK_SCROLLED_WINDOW(scrolled), start);
+    gtk_stack_add_titled(GTK_STACK(stack), properties, "properties", _("Properties"));
+    gtk_stack_add_titled(GTK_STACK(stack), scrolled, "start", _("Start"));
+    gtk_stack_switcher_set_stack(GTK_STACK_SWITCHER(switcher), GTK_STACK(stack));
+    gtk_widget_add_css_class(switcher, "panel-switcher");
+    gtk_widget_set_vexpand(stack, TRUE);
+    gtk_box_append(GTK_BOX(box), switcher);
+    gtk_box_append(GTK_BOX(box), stack);
+    return box;
+}
+
+GtkWidget *tinker_side_panel_new(TinkerDocument *document, TinkerPlayer *player, GtkWidget *start)
 {
     GtkWidget *paned = gtk_paned_new(GTK_ORIENTATION_VERTICAL);
     GtkWidget *properties = tinker_property_panel_new(document, player), *outline = tinker_outline_new(document);
+    GtkWidget *pages = pages_of(properties, start);
     gtk_widget_set_size_request(properties, -1, PROPERTIES_HEIGHT);
     gtk_widget_set_size_request(outline, -1, OUTLINE_HEIGHT);
-    gtk_paned_set_start_child(GTK_PANED(paned), properties);
+    gtk_paned_set_start_child(GTK_PANED(paned), pages);
     gtk_paned_set_end_child(GTK_PANED(paned), outline);
     gtk_paned_set_shrink_start_child(GTK_PANED(paned), FALSE);
     gtk_paned_set_shrink_end_child(GTK_PANED(paned), FALSE);

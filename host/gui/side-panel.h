@@ -1,4 +1,4 @@
-/* The panel at the right: the properties of what is selected, and below them the outline of the scene. */
+/* The panel at the right: the properties of what is selected or how it starts, and below them the outline of the scene. */
 #ifndef TINKER_GUI_SIDE_PANEL_H
 #define TINKER_GUI_SIDE_PANEL_H
 
@@ -6,7 +6,7 @@
 
 #include "player.h"
 
-/* (transfer floating) */
-GtkWidget *tinker_side_panel_new(TinkerDocument *document, TinkerPlayer *player);
+/* `start` is the widget that says how things start. (transfer floating) */
+GtkWidget *tinker_side_panel_new(TinkerDocument *document, TinkerPlayer *player, GtkWidget *start);
 
 #endif

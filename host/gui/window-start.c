@@ -105,13 +105,17 @@ void window_add_start_menu(TinkerWindow *window, GMenu *menu)
     g_menu_append_section(menu, NULL, G_MENU_MODEL(section));
 }
 
+GtkWidget *window_new_start_panel(TinkerWindow *window)
+{
+    GtkWidget *panel = tinker_start_panel_new(window->document, window->player);
+    g_signal_connect_object(panel, "refused", G_CALLBACK(on_refused), window, G_CONNECT_SWAPPED);
+    return panel;
+}
+
 void window_add_start(TinkerWindow *window)
 {
     const GActionEntry entry = {.name = "start", .activate = on_start, .parameter_type = "(ii)"};
     g_action_map_add_action_entries(G_ACTION_MAP(window), &entry, 1, window);
-    GtkWidget *panel = tinker_start_panel_new(window->document, window->player);
-    g_signal_connect_object(panel, "refused", G_CALLBACK(on_refused), window, G_CONNECT_SWAPPED);
-    gtk_box_append(window->panel, panel);
     TinkerAdviceList *list = tinker_advice_list_new(window->document, window->player);
     g_signal_connect_object(list, "changed", G_CALLBACK(on_advice_changed), window, 0);
     g_object_set_data_full(G_OBJECT(window->notices), "advice", list, g_object_unref);

@@ -111,7 +111,8 @@ static void connect_parts(TinkerWindow *window)
     tinker_palette_set_canvas(window->palette, tinker_document_catalogue(window->document), window->canvas);
     tinker_playbar_set_player(window->playbar, window->player);
     window_add_graphs(window);
-    gtk_box_append(window->panel, tinker_side_panel_new(window->document, window->player));
+    gtk_box_append(window->panel,
+                   tinker_side_panel_new(window->document, window->player, window_new_start_panel(window)));
     g_signal_connect_object(window->player, "state-changed", G_CALLBACK(on_state_changed), window, G_CONNECT_SWAPPED);
     g_signal_connect_object(window->player, "failed", G_CALLBACK(on_failed), window, 0);
     g_signal_connect_object(window->player, "rewound", G_CALLBACK(on_rewound), window, G_CONNECT_SWAPPED);
