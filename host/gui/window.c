@@ -95,7 +95,7 @@ static void on_canvas_menu(TinkerCanvas *canvas, double x, double y, TinkerWindo
     GMenu *model = G_MENU(gtk_builder_get_object(builder, "canvas_menu"));
     window_add_start_menu(window, model);
     window_append_graph_menu(window, model);
-    GtkWidget *menu = gtk_popover_menu_new_from_model(G_MENU_MODEL(model));
+    GtkWidget *menu = gtk_popover_menu_new_from_model_full(G_MENU_MODEL(model), GTK_POPOVER_MENU_NESTED);
     gtk_widget_set_parent(menu, GTK_WIDGET(canvas));
     gtk_popover_set_has_arrow(GTK_POPOVER(menu), FALSE);
     gtk_popover_set_pointing_to(GTK_POPOVER(menu), &(GdkRectangle){(int)x, (int)y, 1, 1});
