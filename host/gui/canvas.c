@@ -106,6 +106,9 @@ static void show_first(TinkerCanvas *canvas)
 static void tinker_canvas_size_allocate(GtkWidget *widget, int width, int height, int baseline)
 {
     TinkerCanvas *canvas = TINKER_CANVAS(widget);
+    /* Menus ask for another size through their parent. */
+    for (GtkWidget *child = gtk_widget_get_first_child(widget); child != NULL; child = gtk_widget_get_next_sibling(child))
+        if (GTK_IS_POPOVER(child)) gtk_popover_present(GTK_POPOVER(child));
     if (width == (int)canvas->view.width && height == (int)canvas->view.height) return;
     tinker_view_pan(&canvas->view, (width - canvas->view.width) / 2, (height - canvas->view.height) / 2);
     canvas->view.width = width;

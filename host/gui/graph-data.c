@@ -6,6 +6,10 @@
 #include <stdio.h>
 
 #include "graph-axis.h"
+#include "path-thin.h"
+
+#define THIN_SHARE 3000.0 /* of the range: less than a pixel */
+#define THIN_TAIL  50     /* the part of the points that may be new before all are thinned again */
 
 struct _TinkerGraphData {
     TinkerDocument *document;
@@ -25,6 +29,12 @@ struct _TinkerGraphData {
     double time;           /* s: the present */
     guint64 revision;      /* of the picture */
 
+    /* The path thinned, as far as its first points. */
+    GArray *kept;            /* of guint */
+    GArray *thin_x, *thin_y; /* of double */
+    gsize thinned;
+    gboolean drawn_thin;
+
     /* What a plot borrows. */
     TinkerCurve curves[2];
     double now, now_x, now_y;
@@ -36,6 +46,8 @@ static void forget_points(TinkerGraphData *data)
     g_array_set_size(data->times, 0);
     g_array_set_size(data->x, 0);
     g_array_set_size(data->y, 0);
+    g_array_set_size(data->kept, 0);
+    data->thinned = 0;
     data->x_cursor = data->y_cursor = (TinkerSeriesCursor){0};
     data->revision++;
 }
@@ -160,6 +172,45 @@ gboolean tinker_graph_data_present(const TinkerGraphData *data, gsize *point)
     return low > 0;
 }
 
+/* Thinning ------------------------------------------------------------------------------------------------------------ */
+
+static double range_of(const double *values, gsize count)
+{
+    double least = INFINITY, greatest = -INFINITY;
+    for (gsize i = 0; i < count; i++) {
+        least = values[i] < least ? values[i] : least;
+        greatest = values[i] > greatest ? values[i] : greatest;
+    }
+    return greatest > least ? greatest - least : 1;
+}
+
+/* While the record grows, most points were thinned before. */
+static void thin(TinkerGraphData *data)
+{
+    const double *x = numbers(data->x), *y = numbers(data->y);
+    gsize count = tinker_graph_data_count(data);
+    if (count > data->thinned + data->thinned / THIN_TAIL) {
+        double tolerance[2] = {range_of(x, count) / THIN_SHARE, range_of(y, count) / THIN_SHARE};
+        g_array_set_size(data->kept, 0);
+        tinker_path_thin(x, y, count, tolerance, data->kept);
+        data->thinned = count;
+    }
+    for (guint i = g_array_index(data->kept, guint, data->kept->len - 1) + 1; i < count; i++)
+        g_array_append_val(data->kept, i);
+    g_array_set_size(data->thin_x, 0);
+    g_array_set_size(data->thin_y, 0);
+    for (guint i = 0; i < data->kept->len; i++) {
+        guint point = g_array_index(data->kept, guint, i);
+        g_array_append_val(data->thin_x, x[point]);
+        g_array_append_val(data->thin_y, y[point]);
+    }
+}
+
+gsize tinker_graph_data_point(const TinkerGraphData *data, gsize drawn)
+{
+    return data->drawn_thin ? g_array_index(data->kept, guint, drawn) : drawn;
+}
+
 /* The plot ------------------------------------------------------------------------------------------------------------ */
 
 /* A plot without a point has no axes: this curve lies on the frame, where nobody sees it. */
@@ -206,6 +257,12 @@ void tinker_graph_data_fill_plot(TinkerGraphData *data, TinkerPlot *plot)
         return;
     }
     data->curves[0] = (TinkerCurve){.x = tinker_graph_data_x(data), .y = tinker_graph_data_y(data), .count = count};
+    data->drawn_thin = data->against != NULL && plot->quick;
+    if (data->drawn_thin) {
+        thin(data);
+        data->curves[0] =
+            (TinkerCurve){.x = numbers(data->thin_x), .y = numbers(data->thin_y), .count = data->kept->len};
+    }
     plot->curve_count = 1;
     add_present(data, plot);
 }
@@ -272,9 +329,10 @@ TinkerGraphData *tinker_graph_data_new(TinkerDocument *document, TinkerPlayer *p
     data->document = g_object_ref(document);
     data->player = g_object_ref(player);
     data->generation = tinker_player_generation(player);
-    GArray **arrays[] = {&data->times, &data->x, &data->y};
+    GArray **arrays[] = {&data->times, &data->x, &data->y, &data->thin_x, &data->thin_y};
     for (gsize i = 0; i < G_N_ELEMENTS(arrays); i++)
         *arrays[i] = g_array_new(FALSE, FALSE, sizeof(double));
+    data->kept = g_array_new(FALSE, FALSE, sizeof(guint));
     return data;
 }
 
@@ -286,7 +344,7 @@ void tinker_graph_data_free(TinkerGraphData *data)
     char *texts[] = {data->block, data->quantity, data->against, data->title, data->x_label, data->y_label};
     for (gsize i = 0; i < G_N_ELEMENTS(texts); i++)
         g_free(texts[i]);
-    GArray *arrays[] = {data->times, data->x, data->y};
+    GArray *arrays[] = {data->times, data->x, data->y, data->thin_x, data->thin_y, data->kept};
     for (gsize i = 0; i < G_N_ELEMENTS(arrays); i++)
         g_array_unref(arrays[i]);
     g_free(data);

@@ -30,8 +30,12 @@ const double *tinker_graph_data_x(const TinkerGraphData *data);
 const double *tinker_graph_data_y(const TinkerGraphData *data);
 
 /* Fills in curves, labels, ranges and the present time; the theme, the title and all else are the caller's. Borrowed from
- * `data` until the next update. Before a run: bare axes. */
+ * `data` until the next update. Before a run: bare axes. Where the plot has to be quick, a path that is not over time is drawn with
+ * as few points as show it. */
 void tinker_graph_data_fill_plot(TinkerGraphData *data, TinkerPlot *plot);
+
+/* Which point of the data a point of the first curve filled in last is. */
+gsize tinker_graph_data_point(const TinkerGraphData *data, gsize drawn);
 
 /* A point for people: "t = 1.25 s" (and the other quantity's value, if it is not over time), "y = −0.12 m". (transfer full) */
 char *tinker_graph_data_x_text(const TinkerGraphData *data, gsize point);

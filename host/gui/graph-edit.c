@@ -5,7 +5,8 @@
 #include <string.h>
 
 #define MARGIN 16.0 /* widget units, of a new graph to the border and to others */
-#define STEPS  12   /* places that are tried along each side */
+#define GAP    8.0
+#define STEPS  12 /* places that are tried along each side */
 
 static const TinkerSceneGraph *graph_of(TinkerDocument *document, int number)
 {
@@ -93,12 +94,13 @@ void tinker_graph_find_room(TinkerGraphBox *box, double width, double height, co
     double left = fmin(MARGIN, right), top = fmin(MARGIN, bottom), least = INFINITY;
     TinkerGraphBox best = *box;
     for (int i = 0; i < STEPS * STEPS; i++) {
-        TinkerGraphBox tried = *box;
+        TinkerGraphBox tried = *box, around;
         tried.x = right - (right - left) * (i / STEPS) / (STEPS - 1);
         tried.y = top + (bottom - top) * (i % STEPS) / (STEPS - 1);
+        around = (TinkerGraphBox){tried.x - GAP, tried.y - GAP, tried.width + 2 * GAP, tried.height + 2 * GAP};
         double sum = 0;
         for (int k = 0; k < count; k++)
-            sum += covered(&tried, &taken[k]);
+            sum += covered(&around, &taken[k]);
         if (sum >= least) continue;
         least = sum;
         best = tried;

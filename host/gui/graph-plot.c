@@ -88,8 +88,9 @@ static void paint_with_reading(TinkerGraphPlot *plot, cairo_t *cairo, const Tink
         tinker_plot_draw(cairo, picture, width, height);
         return;
     }
-    g_autofree char *x = tinker_graph_data_x_text(plot->data, found.point);
-    g_autofree char *y = tinker_graph_data_y_text(plot->data, found.point);
+    gsize point = tinker_graph_data_point(plot->data, found.point);
+    g_autofree char *x = tinker_graph_data_x_text(plot->data, point);
+    g_autofree char *y = tinker_graph_data_y_text(plot->data, point);
     TinkerPlotReading reading = {.curve = found.curve, .point = found.point, .x = x, .y = y};
     TinkerPlot with_reading = *picture;
     with_reading.reading = &reading;
