@@ -184,6 +184,7 @@ static const struct {
     {"duplicate", duplicate, {"<Control>d"}, FALSE},
     {"delete", delete_selected, {"Delete", "BackSpace"}, TRUE},
     {"select-all", select_all, {"<Control>a"}, TRUE},
+    {"new-graph", window_new_graph, {"<Control>g"}, FALSE},
     {"play", play, {"space"}, TRUE},
     {"step", step_forward, {"period"}, TRUE},
     {"step-back", step_back, {"comma"}, TRUE},

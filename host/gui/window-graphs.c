@@ -63,10 +63,8 @@ static void delete_graph(GSimpleAction *action, GVariant *parameter, gpointer da
     if (has_graph(window, parameter)) tinker_graph_remove(window->document, g_variant_get_int32(parameter));
 }
 
-/* To where one can be chosen. */
-static void new_graph(GSimpleAction *action, GVariant *parameter, gpointer data)
+void window_new_graph(TinkerWindow *window)
 {
-    TinkerWindow *window = data;
     adw_view_stack_set_visible_child_name(window->pages, PAGE);
     gtk_widget_child_focus(adw_view_stack_get_visible_child(window->pages), GTK_DIR_TAB_FORWARD);
 }
@@ -128,7 +126,6 @@ void window_add_graphs(TinkerWindow *window)
         {.name = "float-graph", .activate = float_graph, .parameter_type = "i"},
         {.name = "dock-graph", .activate = dock_graph, .parameter_type = "i"},
         {.name = "delete-graph", .activate = delete_graph, .parameter_type = "i"},
-        {.name = "new-graph", .activate = new_graph},
     };
     g_action_map_add_action_entries(G_ACTION_MAP(window), actions, G_N_ELEMENTS(actions), window);
     tinker_graph_layer_set_canvas(window->graph_layer, window->canvas);

@@ -58,6 +58,8 @@ void window_message(TinkerWindow *window, const char *heading, const char *body)
 
 /* Graphs, where they are shown and their commands; window-graphs.c. */
 void window_add_graphs(TinkerWindow *window);
+/* Goes to where a graph can be chosen. */
+void window_new_graph(TinkerWindow *window);
 /* Appends what graphs the selected block can have, if it can have any. */
 void window_append_graph_menu(TinkerWindow *window, GMenu *menu);
 /* How things start; window-start.c. Adds the advice and the action; the page of the panel (transfer floating); the submenu for
