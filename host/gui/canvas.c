@@ -107,7 +107,8 @@ static void tinker_canvas_size_allocate(GtkWidget *widget, int width, int height
 {
     TinkerCanvas *canvas = TINKER_CANVAS(widget);
     /* Menus ask for another size through their parent. */
-    for (GtkWidget *child = gtk_widget_get_first_child(widget); child != NULL; child = gtk_widget_get_next_sibling(child))
+    for (GtkWidget *child = gtk_widget_get_first_child(widget); child != NULL;
+         child = gtk_widget_get_next_sibling(child))
         if (GTK_IS_POPOVER(child)) gtk_popover_present(GTK_POPOVER(child));
     if (width == (int)canvas->view.width && height == (int)canvas->view.height) return;
     tinker_view_pan(&canvas->view, (width - canvas->view.width) / 2, (height - canvas->view.height) / 2);
