@@ -4,6 +4,7 @@
 #include "run-choice.h"
 #include "window-private.h"
 
+#define PAGE    "accuracy"
 #define REFRESH 200 /* ms: how often the line is brought up to date while something happens */
 
 /* Notices ------------------------------------------------------------------------------------------------------------- */
@@ -18,7 +19,7 @@ static void choose_automatically(void *data)
 
 static void show_accuracy(void *data)
 {
-    adw_view_stack_set_visible_child_name(TINKER_WINDOW(data)->pages, "accuracy");
+    adw_view_stack_set_visible_child_name(TINKER_WINDOW(data)->pages, PAGE);
 }
 
 /* What follows the last " (--" are options of the command line, which a window has not. */
@@ -123,6 +124,10 @@ void window_add_accuracy(TinkerWindow *window)
     window->notices = tinker_notice_bar_new();
     gtk_box_append(window->status, GTK_WIDGET(window->status_line));
     gtk_box_append(window->banners, GTK_WIDGET(window->notices));
+    window->accuracy = g_object_new(TINKER_TYPE_ACCURACY_PAGE, NULL);
+    AdwViewStackPage *page =
+        adw_view_stack_add_titled(window->pages, GTK_WIDGET(window->accuracy), PAGE, _("Accuracy"));
+    adw_view_stack_page_set_icon_name(page, "power-profile-performance-symbolic");
     tinker_accuracy_page_set_document(window->accuracy, window->document, window->plan);
     g_signal_connect_object(window->accuracy, "told", G_CALLBACK(on_told), window, 0);
     g_signal_connect_object(window->plan, "changed", G_CALLBACK(on_plan_changed), window, G_CONNECT_SWAPPED);

@@ -195,8 +195,14 @@ static const struct {
     {"zoom-width", zoom_width, {"<Control>1"}, FALSE},
 };
 
+/* What is still being typed into an entry is taken over first: it does that when it loses the focus. */
 static void on_activate(GSimpleAction *action, GVariant *parameter, gpointer window)
 {
+    GtkWidget *focus = gtk_window_get_focus(GTK_WINDOW(window));
+    if (GTK_IS_EDITABLE(focus)) {
+        gtk_window_set_focus(GTK_WINDOW(window), NULL);
+        gtk_widget_grab_focus(GTK_WIDGET(TINKER_WINDOW(window)->canvas));
+    }
     const char *name = g_action_get_name(G_ACTION(action));
     for (gsize i = 0; i < G_N_ELEMENTS(commands); i++)
         if (g_strcmp0(commands[i].name, name) == 0) commands[i].command(TINKER_WINDOW(window));

@@ -165,12 +165,10 @@ static void tinker_window_class_init(TinkerWindowClass *class)
     BIND(banners);
     BIND(canvas_overlay);
     BIND(graph_layer);
-    BIND(accuracy);
 }
 
 static void tinker_window_init(TinkerWindow *window)
 {
-    g_type_ensure(TINKER_TYPE_ACCURACY_PAGE);
     g_type_ensure(TINKER_TYPE_CANVAS);
     g_type_ensure(TINKER_TYPE_GRAPH_LAYER);
     g_type_ensure(TINKER_TYPE_PALETTE);

@@ -90,6 +90,8 @@ static void test_applying(void)
     guint changed = 0;
     TinkerBlockId culprit;
     g_assert_true(tinker_player_step(f->player, TRUE, &culprit, &error));
+    g_assert_true(tinker_player_wait(f->player, 0.01, &error));
+    tinker_player_advance(f->player, 0);
     g_assert_cmpfloat(tinker_player_time(f->player), >, 0);
     g_signal_connect_swapped(f->document, "changed", G_CALLBACK(count), &changed);
     TinkerBlockId mass = gui_fixture_block(f, "Mass 0"), spring = gui_fixture_block(f, "Spring 0");
