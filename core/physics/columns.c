@@ -15,7 +15,7 @@ GArray *tinker_columns_new(void)
     return columns;
 }
 
-static void append(GArray *columns, TinkerScene *scene, TinkerBlockId block, int32_t quantity)
+void tinker_columns_add_quantity(GArray *columns, TinkerScene *scene, TinkerBlockId block, int32_t quantity)
 {
     const TinkerQuantityType *type = &tinker_scene_block_class(scene, block)->quantities[quantity];
     TinkerColumn column = {
@@ -38,7 +38,8 @@ static void append_recorded(GArray *columns, TinkerScene *scene, gboolean connec
         gboolean is_body = block_class->physics != NULL && block_class->physics->body != NULL;
         if (is_body != connectable) continue;
         for (int32_t q = 0; q < block_class->quantity_count; q++)
-            if (block_class->quantities[q].flags & TINKER_RECORDED) append(columns, scene, block, q);
+            if (block_class->quantities[q].flags & TINKER_RECORDED)
+                tinker_columns_add_quantity(columns, scene, block, q);
     }
 }
 
@@ -99,7 +100,7 @@ gboolean tinker_columns_add(GArray *columns, TinkerScene *scene, const char *nam
     const TinkerBlockClass *block_class = tinker_scene_block_class(scene, block);
     int32_t quantity = block_class != NULL ? tinker_block_class_quantity(block_class, dot + 1) : -1;
     if (quantity < 0) return unknown_quantity(block_class, name, dot + 1, error);
-    append(columns, scene, block, quantity);
+    tinker_columns_add_quantity(columns, scene, block, quantity);
     return TRUE;
 }
 

@@ -20,6 +20,9 @@ GArray *tinker_columns_new(void);
  * each in scene order. (transfer full) */
 GArray *tinker_columns_default(TinkerScene *scene);
 
+/* Adds a quantity of a block, by its number in the block's class. */
+void tinker_columns_add_quantity(GArray *columns, TinkerScene *scene, TinkerBlockId block, int32_t quantity);
+
 /* Adds the column called "BLOCK.QUANTITY"; the quantity begins behind the last dot. Errors (TINKER_SCENE_ERROR_NAME) name the
  * nearest block, or the quantities that the block has. */
 gboolean tinker_columns_add(GArray *columns, TinkerScene *scene, const char *name, GError **error);

@@ -117,9 +117,13 @@ const char *tinker_graph_data_title(const TinkerGraphData *data)
 static void take(TinkerGraphData *data, const char *quantity, TinkerSeriesCursor *cursor, double per_si, GArray *times,
                  GArray *values)
 {
-    g_autofree char *name = g_strdup_printf("%s.%s", data->block, quantity);
+    TinkerScene *scene = tinker_document_scene(data->document);
+    TinkerBlockId block = tinker_scene_find_block(scene, data->block);
+    const TinkerBlockClass *block_class = block != TINKER_NO_BLOCK ? tinker_scene_block_class(scene, block) : NULL;
     guint first = values->len;
-    tinker_player_series(data->player, name, cursor, times, values);
+    if (block_class == NULL) return;
+    TinkerQuantity of = {block, tinker_block_class_quantity(block_class, quantity)};
+    tinker_player_series(data->player, of, cursor, times, values);
     for (guint i = first; i < values->len; i++)
         g_array_index(values, double, i) *= per_si;
 }

@@ -5,6 +5,7 @@
 
 #include "graph-export.h"
 #include "graph-plot.h"
+#include "popup-menu.h"
 
 #define TELL_US 1000000 /* at most so often is the present value told while it plays */
 
@@ -136,29 +137,11 @@ static void export_values(GtkWidget *widget, const char *name, GVariant *paramet
 
 /* The menu ------------------------------------------------------------------------------------------------------------ */
 
-static gboolean unparent_later(gpointer menu)
-{
-    gtk_widget_unparent(menu);
-    return G_SOURCE_REMOVE;
-}
-
-/* The item that was chosen is activated after the menu has closed. */
-static void on_menu_closed(GtkWidget *menu)
-{
-    g_idle_add_full(G_PRIORITY_DEFAULT_IDLE, unparent_later, g_object_ref(menu), g_object_unref);
-}
-
 static void show_menu_at(TinkerGraphView *view, double x, double y)
 {
     g_autoptr(GtkBuilder) builder = gtk_builder_new_from_resource("/org/tinker/Tinker/menus.ui");
     GMenuModel *model = G_MENU_MODEL(gtk_builder_get_object(builder, "graph_menu"));
-    GtkWidget *menu = gtk_popover_menu_new_from_model(model);
-    gtk_widget_set_parent(menu, GTK_WIDGET(view));
-    gtk_popover_set_has_arrow(GTK_POPOVER(menu), FALSE);
-    gtk_popover_set_pointing_to(GTK_POPOVER(menu), &(GdkRectangle){(int)x, (int)y, 1, 1});
-    gtk_widget_set_halign(menu, GTK_ALIGN_START);
-    g_signal_connect(menu, "closed", G_CALLBACK(on_menu_closed), NULL);
-    gtk_popover_popup(GTK_POPOVER(menu));
+    tinker_popup_menu(GTK_WIDGET(view), model, x, y);
 }
 
 static void show_menu(GtkWidget *widget, const char *name, GVariant *parameter)

@@ -26,6 +26,14 @@ static void show_pace(TinkerPlaybar *playbar)
     gtk_label_set_text(GTK_LABEL(playbar->pace), text);
 }
 
+/* Another bar may have set it. */
+static void show_speed(TinkerPlaybar *playbar)
+{
+    for (guint i = 0; i < G_N_ELEMENTS(speeds); i++)
+        if (speeds[i] == tinker_player_speed(playbar->player))
+            gtk_drop_down_set_selected(GTK_DROP_DOWN(playbar->speed), i);
+}
+
 static void on_moved(TinkerPlaybar *playbar)
 {
     double time = tinker_player_time(playbar->player), duration = tinker_player_duration(playbar->player);
@@ -47,6 +55,7 @@ static void on_state_changed(TinkerPlaybar *playbar)
                              playing ? "media-playback-pause-symbolic" : "media-playback-start-symbolic");
     gtk_widget_set_tooltip_text(playbar->play, label);
     gtk_accessible_update_property(GTK_ACCESSIBLE(playbar->play), GTK_ACCESSIBLE_PROPERTY_LABEL, label, -1);
+    show_speed(playbar);
     show_pace(playbar);
 }
 
@@ -61,7 +70,8 @@ static void on_line_moved(TinkerPlaybar *playbar)
 static void on_speed_chosen(TinkerPlaybar *playbar)
 {
     guint chosen = gtk_drop_down_get_selected(GTK_DROP_DOWN(playbar->speed));
-    if (playbar->player != NULL && chosen < G_N_ELEMENTS(speeds))
+    if (playbar->player != NULL && chosen < G_N_ELEMENTS(speeds) &&
+        speeds[chosen] != tinker_player_speed(playbar->player))
         tinker_player_set_speed(playbar->player, speeds[chosen]);
 }
 

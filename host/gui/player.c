@@ -25,7 +25,7 @@ struct _TinkerPlayer {
     GArray *segments; /* of Segment */
     TinkerScene *ran; /* the scene as the last segment has it; NULL where there is none */
     TinkerFrame *frame;
-    GHashTable *asked; /* names of columns that were asked for in vain */
+    GArray *asked; /* of TinkerQuantity: asked for in vain */
     guint generation;
 };
 
@@ -67,45 +67,53 @@ static void forget_record(TinkerPlayer *player)
     player->generation++;
 }
 
-static void add_quantities(GPtrArray *names, TinkerScene *scene, TinkerBlockId block)
+static void add_quantities(GArray *columns, TinkerScene *scene, TinkerBlockId block)
 {
     const TinkerBlockClass *block_class = tinker_scene_block_class(scene, block);
-    for (int32_t q = 0; block_class != NULL && block_class->graph != NULL && q < block_class->quantity_count; q++)
-        g_ptr_array_add(names,
-                        g_strdup_printf("%s.%s", tinker_scene_block_name(scene, block), block_class->quantities[q].id));
+    if (block_class == NULL || block_class->graph == NULL) return;
+    for (TinkerQuantity of = {block, 0}; of.quantity < block_class->quantity_count; of.quantity++)
+        g_array_append_val(columns, of);
 }
 
-/* Everything, where that is not much; else what graphs and the selection show, and what was asked for. */
-static GPtrArray *wanted_columns(TinkerPlayer *player)
+static void add_graphed(GArray *columns, TinkerScene *scene, const TinkerSceneGraph *graph)
+{
+    TinkerBlockId block = tinker_scene_find_block(scene, graph->block);
+    const TinkerBlockClass *block_class = tinker_scene_block_class(scene, block);
+    const char *ids[] = {graph->quantity, graph->against};
+    for (gsize i = 0; block_class != NULL && block_class->graph != NULL && i < G_N_ELEMENTS(ids); i++) {
+        TinkerQuantity of = {block, tinker_block_class_quantity(block_class, ids[i])};
+        if (of.quantity >= 0) g_array_append_val(columns, of);
+    }
+}
+
+/* Everything, where that is not much; else what graphs and the selection show, and what was asked for. Of
+ * TinkerQuantity. */
+static GArray *wanted_columns(TinkerPlayer *player)
 {
     TinkerScene *scene = tinker_document_scene(player->document);
-    GPtrArray *names = g_ptr_array_new_with_free_func(g_free);
+    GArray *columns = g_array_new(FALSE, FALSE, sizeof(TinkerQuantity));
     int32_t count = tinker_scene_block_count(scene);
-    for (int32_t place = 0; place < count && names->len <= MOST_COLUMNS; place++)
-        add_quantities(names, scene, tinker_scene_block_at(scene, place));
-    if (names->len <= MOST_COLUMNS) return names;
-    g_ptr_array_set_size(names, 0);
+    for (int32_t place = 0; place < count && columns->len <= MOST_COLUMNS; place++)
+        add_quantities(columns, scene, tinker_scene_block_at(scene, place));
+    if (columns->len <= MOST_COLUMNS) return columns;
+    g_array_set_size(columns, 0);
     GPtrArray *graphs = tinker_scene_graphs(scene);
-    for (guint i = 0; i < graphs->len; i++) {
-        const TinkerSceneGraph *graph = g_ptr_array_index(graphs, i);
-        g_ptr_array_add(names, g_strdup_printf("%s.%s", graph->block, graph->quantity));
-        g_ptr_array_add(names, g_strdup_printf("%s.%s", graph->block, graph->against));
-    }
+    for (guint i = 0; i < graphs->len; i++)
+        add_graphed(columns, scene, g_ptr_array_index(graphs, i));
     int selected;
     const TinkerBlockId *selection = tinker_document_selection(player->document, &selected);
     for (int i = 0; i < selected; i++)
-        add_quantities(names, scene, selection[i]);
-    GHashTableIter iter;
-    gpointer name;
-    g_hash_table_iter_init(&iter, player->asked);
-    while (g_hash_table_iter_next(&iter, &name, NULL))
-        g_ptr_array_add(names, g_strdup(name));
-    return names;
+        add_quantities(columns, scene, selection[i]);
+    for (guint i = 0; i < player->asked->len; i++) {
+        TinkerQuantity of = g_array_index(player->asked, TinkerQuantity, i);
+        if (tinker_scene_has_block(scene, of.block)) g_array_append_val(columns, of);
+    }
+    return columns;
 }
 
 static void add_segment(TinkerPlayer *player, TinkerScene *scene, double start)
 {
-    g_autoptr(GPtrArray) columns = wanted_columns(player);
+    g_autoptr(GArray) columns = wanted_columns(player);
     Segment segment = {tinker_run_task_new(scene, start, columns), start, FALSE};
     g_array_append_val(player->segments, segment);
     g_clear_pointer(&player->ran, tinker_scene_free);
@@ -254,7 +262,7 @@ static void on_replaced(TinkerPlayer *player)
 {
     g_clear_pointer(&player->frame, tinker_frame_free);
     forget_record(player);
-    g_hash_table_remove_all(player->asked);
+    g_array_set_size(player->asked, 0);
     player->time = 0;
     set_state(player, TINKER_PLAYER_SETUP);
 }
@@ -438,13 +446,9 @@ TinkerFrame *tinker_player_frame(TinkerPlayer *player)
 gboolean tinker_player_value(TinkerPlayer *player, TinkerBlockId block, int32_t quantity, double *value)
 {
     const Segment *segment = segment_at(player, player->time);
-    TinkerScene *scene = tinker_document_scene(player->document);
-    const TinkerBlockClass *block_class = tinker_scene_block_class(scene, block);
     gsize row;
     if (segment == NULL || !tinker_run_task_find(segment->task, player->time, &row)) return FALSE;
-    g_autofree char *name =
-        g_strdup_printf("%s.%s", tinker_scene_block_name(scene, block), block_class->quantities[quantity].id);
-    int column = tinker_run_task_column(segment->task, name);
+    int column = tinker_run_task_column(segment->task, (TinkerQuantity){block, quantity});
     return column >= 0 && tinker_run_task_value(segment->task, row, column, value);
 }
 
@@ -467,14 +471,14 @@ guint tinker_player_generation(TinkerPlayer *player)
     return player->generation;
 }
 
-gboolean tinker_player_series(TinkerPlayer *player, const char *name, TinkerSeriesCursor *cursor, GArray *times,
+gboolean tinker_player_series(TinkerPlayer *player, TinkerQuantity quantity, TinkerSeriesCursor *cursor, GArray *times,
                               GArray *values)
 {
     for (; cursor->segment < player->segments->len; cursor->segment++, cursor->row = 0) {
         TinkerRunTask *task = g_array_index(player->segments, Segment, cursor->segment).task;
-        int column = tinker_run_task_column(task, name);
+        int column = tinker_run_task_column(task, quantity);
         if (column < 0) {
-            g_hash_table_add(player->asked, g_strdup(name));
+            g_array_append_val(player->asked, quantity);
             return FALSE;
         }
         double end = segment_end(player, cursor->segment);
@@ -492,7 +496,7 @@ static void tinker_player_finalize(GObject *object)
     g_clear_pointer(&player->frame, tinker_frame_free);
     g_array_unref(player->segments);
     g_clear_pointer(&player->ran, tinker_scene_free);
-    g_hash_table_unref(player->asked);
+    g_array_unref(player->asked);
     g_object_unref(player->document);
     G_OBJECT_CLASS(tinker_player_parent_class)->finalize(object);
 }
@@ -515,7 +519,7 @@ static void tinker_player_init(TinkerPlayer *player)
     player->step_to = NAN;
     player->segments = g_array_new(FALSE, FALSE, sizeof(Segment));
     g_array_set_clear_func(player->segments, (GDestroyNotify)segment_clear);
-    player->asked = g_hash_table_new_full(g_str_hash, g_str_equal, g_free, NULL);
+    player->asked = g_array_new(FALSE, FALSE, sizeof(TinkerQuantity));
 }
 
 TinkerPlayer *tinker_player_new(TinkerDocument *document)

@@ -74,14 +74,14 @@ GPtrArray *tinker_player_warnings(TinkerPlayer *player);
 
 /* A number that changes whenever what was recorded is no longer true. */
 guint tinker_player_generation(TinkerPlayer *player);
-/* Appends what has been recorded of "Mass 0.y" since the last call with this cursor (zeroed at first; begin anew, with
+/* Appends what has been recorded of a quantity since the last call with this cursor (zeroed at first; begin anew, with
  * empty arrays, when the generation changes), to arrays of double. FALSE where the quantity is not recorded; then it will be
  * from the next run on. */
 typedef struct {
     guint segment;
     gsize row;
 } TinkerSeriesCursor;
-gboolean tinker_player_series(TinkerPlayer *player, const char *name, TinkerSeriesCursor *cursor, GArray *times,
+gboolean tinker_player_series(TinkerPlayer *player, TinkerQuantity quantity, TinkerSeriesCursor *cursor, GArray *times,
                               GArray *values);
 
 #endif

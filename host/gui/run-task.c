@@ -184,7 +184,7 @@ static GArray *movable_bodies(const TinkerScene *scene)
     return bodies;
 }
 
-TinkerRunTask *tinker_run_task_new(TinkerScene *scene, double start, const GPtrArray *columns)
+TinkerRunTask *tinker_run_task_new(TinkerScene *scene, double start, const GArray *columns)
 {
     TinkerRunTask *task = g_new0(TinkerRunTask, 1);
     g_atomic_ref_count_init(&task->references);
@@ -192,8 +192,10 @@ TinkerRunTask *tinker_run_task_new(TinkerScene *scene, double start, const GPtrA
     task->scene = scene;
     task->start = start;
     task->columns = tinker_columns_new();
-    for (guint i = 0; i < columns->len; i++)
-        tinker_columns_add(task->columns, scene, g_ptr_array_index(columns, i), NULL);
+    for (guint i = 0; i < columns->len; i++) {
+        const TinkerQuantity *quantity = &g_array_index(columns, TinkerQuantity, i);
+        tinker_columns_add_quantity(task->columns, scene, quantity->block, quantity->quantity);
+    }
     task->bodies = movable_bodies(scene);
     task->times = g_array_new(FALSE, FALSE, sizeof(double));
     task->warnings = g_ptr_array_new_with_free_func(g_free);
@@ -246,10 +248,12 @@ const TinkerBlockId *tinker_run_task_bodies(TinkerRunTask *task, int *count)
     return (const TinkerBlockId *)(gpointer)task->bodies->data;
 }
 
-int tinker_run_task_column(TinkerRunTask *task, const char *name)
+int tinker_run_task_column(TinkerRunTask *task, TinkerQuantity quantity)
 {
-    for (guint i = 0; i < task->columns->len; i++)
-        if (strcmp(g_array_index(task->columns, TinkerColumn, i).name, name) == 0) return (int)i;
+    for (guint i = 0; i < task->columns->len; i++) {
+        const TinkerColumn *column = &g_array_index(task->columns, TinkerColumn, i);
+        if (column->block == quantity.block && column->quantity == quantity.quantity) return (int)i;
+    }
     return -1;
 }
 

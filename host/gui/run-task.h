@@ -22,9 +22,15 @@ typedef struct {
     double predictable_until, valid_until;                         /* s */
 } TinkerRunStatus;
 
-/* Starts a run whose first sample is called `start` (s). `scene` is the task's from now on; `columns` are
- * "Mass 0.x" and the like, quantities that are to be recorded (copied; unknown ones are passed over). (transfer full) */
-TinkerRunTask *tinker_run_task_new(TinkerScene *scene, double start, const GPtrArray *columns);
+/* A quantity of a block, by its number in the block's class. */
+typedef struct {
+    TinkerBlockId block;
+    int32_t quantity;
+} TinkerQuantity;
+
+/* Starts a run whose first sample is called `start` (s). `scene` is the task's from now on; `columns`, of TinkerQuantity, are to
+ * be recorded (copied). (transfer full) */
+TinkerRunTask *tinker_run_task_new(TinkerScene *scene, double start, const GArray *columns);
 
 /* Stops it, if it still runs, and frees it. Does not wait: the thread frees what it uses. */
 void tinker_run_task_free(TinkerRunTask *task);
@@ -36,8 +42,8 @@ GPtrArray *tinker_run_task_warnings(TinkerRunTask *task);
 
 /* The bodies of a row, in order, and the columns. Borrowed; fixed from the start. */
 const TinkerBlockId *tinker_run_task_bodies(TinkerRunTask *task, int *count);
-/* Place of a column in a row, by its name; -1 where it is not recorded. */
-int tinker_run_task_column(TinkerRunTask *task, const char *name);
+/* Place of a column in a row; -1 where it is not recorded. */
+int tinker_run_task_column(TinkerRunTask *task, TinkerQuantity quantity);
 
 /* Reads one sample: its time, the bodies' states, and (where `values` is not NULL) the columns. */
 gboolean tinker_run_task_read(TinkerRunTask *task, gsize row, double *time, TinkerBodySample *bodies, double *values);

@@ -3,6 +3,7 @@
 
 #include <glib/gi18n.h>
 
+#include "popup-menu.h"
 #include "side-panel.h"
 
 G_DEFINE_FINAL_TYPE(TinkerWindow, tinker_window, ADW_TYPE_APPLICATION_WINDOW)
@@ -95,12 +96,7 @@ static void on_canvas_menu(TinkerCanvas *canvas, double x, double y, TinkerWindo
     GMenu *model = G_MENU(gtk_builder_get_object(builder, "canvas_menu"));
     window_add_start_menu(window, model);
     window_append_graph_menu(window, model);
-    GtkWidget *menu = gtk_popover_menu_new_from_model_full(G_MENU_MODEL(model), GTK_POPOVER_MENU_NESTED);
-    gtk_widget_set_parent(menu, GTK_WIDGET(canvas));
-    gtk_popover_set_has_arrow(GTK_POPOVER(menu), FALSE);
-    gtk_popover_set_pointing_to(GTK_POPOVER(menu), &(GdkRectangle){(int)x, (int)y, 1, 1});
-    gtk_widget_set_halign(menu, GTK_ALIGN_START);
-    gtk_popover_popup(GTK_POPOVER(menu));
+    tinker_popup_menu(GTK_WIDGET(canvas), G_MENU_MODEL(model), x, y);
 }
 
 /* Life ---------------------------------------------------------------------------------------------------------------- */

@@ -73,6 +73,13 @@ static double height(Fixture *fixture)
     return y;
 }
 
+static TinkerQuantity quantity(Fixture *fixture, const char *id)
+{
+    TinkerBlockId block = gui_fixture_block(fixture->base, "M");
+    const TinkerBlockClass *block_class = tinker_scene_block_class(tinker_document_scene(fixture->document), block);
+    return (TinkerQuantity){block, tinker_block_class_quantity(block_class, id)};
+}
+
 static void assert_close(double value, double expected, double tolerance)
 {
     if (fabs(value - expected) > tolerance) g_test_message("%.12g is not %.12g", value, expected);
@@ -194,8 +201,15 @@ static void test_drawing_goes_on(void)
     g_assert_true(tinker_history_rename_block(tinker_document_history(fixture->document),
                                               gui_fixture_block(fixture->base, "S"), "Ceiling", NULL));
     tinker_document_end(fixture->document);
+    g_assert_true(tinker_history_rename_block(tinker_document_history(fixture->document),
+                                              gui_fixture_block(fixture->base, "M"), "Bob", NULL));
+    tinker_document_touch(fixture->document);
     g_assert_cmpuint(tinker_player_generation(fixture->player), ==, generation);
-    assert_close(height(fixture), 2 - cos(OMEGA * 2), CLOSE);
+    double y;
+    TinkerBlockId bob = gui_fixture_block(fixture->base, "Bob");
+    const TinkerBlockClass *block_class = tinker_scene_block_class(tinker_document_scene(fixture->document), bob);
+    g_assert_true(tinker_player_value(fixture->player, bob, tinker_block_class_quantity(block_class, "y"), &y));
+    assert_close(y, 2 - cos(OMEGA * 2), CLOSE);
 }
 
 static void test_series(void)
@@ -206,14 +220,15 @@ static void test_series(void)
     TinkerSeriesCursor cursor = {0};
     play(fixture);
     while (times->len < 401)
-        g_assert_true(tinker_player_series(fixture->player, "M.vy", &cursor, times, values));
+        g_assert_true(tinker_player_series(fixture->player, quantity(fixture, "vy"), &cursor, times, values));
     g_assert_cmpuint(times->len, ==, 401);
     g_assert_cmpuint(values->len, ==, 401);
     for (guint i = 0; i < times->len; i++) {
         assert_close(g_array_index(times, double, i), 0.01 * i, 1e-12);
         assert_close(g_array_index(values, double, i), OMEGA * sin(OMEGA * 0.01 * i), OMEGA * CLOSE);
     }
-    g_assert_false(tinker_player_series(fixture->player, "M.nothing", &(TinkerSeriesCursor){0}, times, values));
+    g_assert_false(
+        tinker_player_series(fixture->player, (TinkerQuantity){99, 0}, &(TinkerSeriesCursor){0}, times, values));
 }
 
 /* The series of a run that was changed on the way has every sample once. */
@@ -227,7 +242,8 @@ static void test_series_over_a_change(void)
     wait_until(fixture, 4);
     g_autoptr(GArray) times = g_array_new(FALSE, FALSE, sizeof(double));
     g_autoptr(GArray) values = g_array_new(FALSE, FALSE, sizeof(double));
-    g_assert_true(tinker_player_series(fixture->player, "M.y", &(TinkerSeriesCursor){0}, times, values));
+    g_assert_true(
+        tinker_player_series(fixture->player, quantity(fixture, "y"), &(TinkerSeriesCursor){0}, times, values));
     g_assert_cmpuint(times->len, ==, 401);
     for (guint i = 0; i < times->len; i++)
         assert_close(g_array_index(times, double, i), 0.01 * i, 1e-9);
