@@ -9,6 +9,8 @@
 #define LEAST_SCALE    1e-6 /* widget units per m */
 #define GREATEST_SCALE 1e9
 #define FIT_MARGIN     48.0
+#define PLAYBAR        48.0 /* widget units: of it, what the margin does not leave room for */
+#define CANVAS_SHAPE   0.6  /* height of a canvas over its width, where only that is known */
 
 G_DEFINE_FINAL_TYPE(TinkerCanvas, tinker_canvas, GTK_TYPE_WIDGET)
 
@@ -52,11 +54,13 @@ void tinker_canvas_zoom(TinkerCanvas *canvas, double factor)
     canvas_view_changed(canvas);
 }
 
-static void show_box(TinkerCanvas *canvas, const double box[4], double margin)
+/* `beneath` widget units at the bottom stay free. */
+static void show_box(TinkerCanvas *canvas, const double box[4], double margin, double beneath)
 {
     double width = canvas->view.width, height = canvas->view.height;
-    if (!(width > 0) || !(height > 0)) return;
-    canvas->view = tinker_view_fit(box, width, height, margin);
+    if (!(width > 0) || !(height > beneath)) return;
+    canvas->view = tinker_view_fit(box, width, height - beneath, margin);
+    canvas->view.height = height;
     canvas->view_is_set = TRUE;
     canvas_view_changed(canvas);
 }
@@ -76,31 +80,49 @@ static void include_graphs(TinkerScene *scene, double box[4])
     }
 }
 
-void tinker_canvas_fit(TinkerCanvas *canvas)
+/* The box of everything there is to see; FALSE where there is none. */
+static gboolean box_of_all(TinkerCanvas *canvas, double box[4])
 {
     TinkerFrame *frame = tinker_player_frame(canvas->player);
-    double box[4];
-    if (frame == NULL) return;
+    if (frame == NULL) return FALSE;
     tinker_painter_bounds(frame, box);
     include_graphs(tinker_frame_scene(frame), box);
-    show_box(canvas, box, FIT_MARGIN);
+    return TRUE;
+}
+
+void tinker_canvas_fit(TinkerCanvas *canvas)
+{
+    double box[4];
+    if (box_of_all(canvas, box)) show_box(canvas, box, FIT_MARGIN, PLAYBAR);
 }
 
 void tinker_canvas_show_width(TinkerCanvas *canvas)
 {
     double half = tinker_scene_head(tinker_document_scene(canvas->document))->canvas_width / 2;
-    show_box(canvas, (double[]){-half, 0, half, 0}, 0);
+    show_box(canvas, (double[]){-half, 0, half, 0}, 0, 0);
 }
 
-/* A scene is first shown as wide as it says, or wholly where that is not enough. */
+/* Widens a range about its middle. */
+static void widen(double *low, double *high, double length)
+{
+    double room = (length - (*high - *low)) / 2;
+    if (room <= 0) return;
+    *low -= room;
+    *high += room;
+}
+
+/* A scene is first shown as wide as it says, because it will move, and wholly. */
 static void show_first(TinkerCanvas *canvas)
 {
-    TinkerFrame *frame = tinker_player_frame(canvas->player);
-    if (frame == NULL || tinker_scene_block_count(tinker_frame_scene(frame)) == 0 ||
-        tinker_document_path(canvas->document) == NULL)
+    double box[4], canvas_width = tinker_scene_head(tinker_document_scene(canvas->document))->canvas_width;
+    gboolean empty = tinker_scene_block_count(tinker_document_scene(canvas->document)) == 0;
+    if (empty || tinker_document_path(canvas->document) == NULL || !box_of_all(canvas, box)) {
         tinker_canvas_show_width(canvas);
-    else
-        tinker_canvas_fit(canvas);
+        return;
+    }
+    widen(&box[0], &box[2], canvas_width);
+    widen(&box[1], &box[3], CANVAS_SHAPE * canvas_width);
+    show_box(canvas, box, 0, PLAYBAR);
 }
 
 static void tinker_canvas_size_allocate(GtkWidget *widget, int width, int height, int baseline)
