@@ -4,11 +4,11 @@
 
 #include <math.h>
 
+#include "recorded-quantities.h"
 #include "scene/continued.h"
 #include "scene/difference.h"
 
-#define MOST_COLUMNS 4000 /* that are recorded although nobody asked for them */
-#define PACE_MEMORY  0.5  /* s: over which the pace is averaged */
+#define PACE_MEMORY 0.5 /* s: over which the pace is averaged */
 
 typedef struct {
     TinkerRunTask *task;
@@ -67,53 +67,9 @@ static void forget_record(TinkerPlayer *player)
     player->generation++;
 }
 
-static void add_quantities(GArray *columns, TinkerScene *scene, TinkerBlockId block)
-{
-    const TinkerBlockClass *block_class = tinker_scene_block_class(scene, block);
-    if (block_class == NULL || block_class->graph == NULL) return;
-    for (TinkerQuantity of = {block, 0}; of.quantity < block_class->quantity_count; of.quantity++)
-        g_array_append_val(columns, of);
-}
-
-static void add_graphed(GArray *columns, TinkerScene *scene, const TinkerSceneGraph *graph)
-{
-    TinkerBlockId block = tinker_scene_find_block(scene, graph->block);
-    const TinkerBlockClass *block_class = tinker_scene_block_class(scene, block);
-    const char *ids[] = {graph->quantity, graph->against};
-    for (gsize i = 0; block_class != NULL && block_class->graph != NULL && i < G_N_ELEMENTS(ids); i++) {
-        TinkerQuantity of = {block, tinker_block_class_quantity(block_class, ids[i])};
-        if (of.quantity >= 0) g_array_append_val(columns, of);
-    }
-}
-
-/* Everything, where that is not much; else what graphs and the selection show, and what was asked for. Of
- * TinkerQuantity. */
-static GArray *wanted_columns(TinkerPlayer *player)
-{
-    TinkerScene *scene = tinker_document_scene(player->document);
-    GArray *columns = g_array_new(FALSE, FALSE, sizeof(TinkerQuantity));
-    int32_t count = tinker_scene_block_count(scene);
-    for (int32_t place = 0; place < count && columns->len <= MOST_COLUMNS; place++)
-        add_quantities(columns, scene, tinker_scene_block_at(scene, place));
-    if (columns->len <= MOST_COLUMNS) return columns;
-    g_array_set_size(columns, 0);
-    GPtrArray *graphs = tinker_scene_graphs(scene);
-    for (guint i = 0; i < graphs->len; i++)
-        add_graphed(columns, scene, g_ptr_array_index(graphs, i));
-    int selected;
-    const TinkerBlockId *selection = tinker_document_selection(player->document, &selected);
-    for (int i = 0; i < selected; i++)
-        add_quantities(columns, scene, selection[i]);
-    for (guint i = 0; i < player->asked->len; i++) {
-        TinkerQuantity of = g_array_index(player->asked, TinkerQuantity, i);
-        if (tinker_scene_has_block(scene, of.block)) g_array_append_val(columns, of);
-    }
-    return columns;
-}
-
 static void add_segment(TinkerPlayer *player, TinkerScene *scene, double start)
 {
-    g_autoptr(GArray) columns = wanted_columns(player);
+    g_autoptr(GArray) columns = tinker_recorded_quantities(player->document, player->asked);
     Segment segment = {tinker_run_task_new(scene, start, columns), start, FALSE};
     g_array_append_val(player->segments, segment);
     g_clear_pointer(&player->ran, tinker_scene_free);
