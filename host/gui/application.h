@@ -17,4 +17,7 @@ TinkerApplication *tinker_application_new(void);
 /* The installed blocks. Borrowed; lives as long as the application. */
 TinkerCatalogue *tinker_application_catalogue(TinkerApplication *application);
 
+/* What the program ends with: of a picture that could not be taken it is not 0. */
+int tinker_application_status(TinkerApplication *application);
+
 #endif

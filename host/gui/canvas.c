@@ -111,12 +111,11 @@ static void widen(double *low, double *high, double length)
     *high += room;
 }
 
-/* A scene is first shown as wide as it says, because it will move, and wholly. */
+/* A scene is first shown as wide as it says, because it will move, and wholly; an empty one as wide as it says. */
 static void show_first(TinkerCanvas *canvas)
 {
     double box[4], canvas_width = tinker_scene_head(tinker_document_scene(canvas->document))->canvas_width;
-    gboolean empty = tinker_scene_block_count(tinker_document_scene(canvas->document)) == 0;
-    if (empty || tinker_document_path(canvas->document) == NULL || !box_of_all(canvas, box)) {
+    if (tinker_document_is_empty(canvas->document) || !box_of_all(canvas, box)) {
         tinker_canvas_show_width(canvas);
         return;
     }

@@ -1,14 +1,17 @@
 /* The document keeps the selection valid: whatever removes a block, it is no longer selected afterwards. */
 #include "document.h"
 
+#include <glib/gi18n-lib.h>
 #include <math.h>
+
+#include "carry-tables.h"
 
 struct _TinkerDocument {
     GObject parent_instance;
     TinkerCatalogue *catalogue;
     TinkerScene *scene;
     TinkerHistory *history;
-    char *path;
+    TinkerDocumentOrigin origin;
     gboolean recovered; /* counts as modified until it is saved */
     GArray *selection;  /* of TinkerBlockId */
 };
@@ -23,12 +26,19 @@ static void emit(TinkerDocument *document, int signal)
     g_signal_emit(document, signals[signal], 0);
 }
 
+static void clear_origin(TinkerDocumentOrigin *origin)
+{
+    g_free(origin->path);
+    g_free(origin->base);
+    g_free(origin->checksum);
+}
+
 static void tinker_document_finalize(GObject *object)
 {
     TinkerDocument *document = TINKER_DOCUMENT(object);
     tinker_history_free(document->history);
     tinker_scene_free(document->scene);
-    g_free(document->path);
+    clear_origin(&document->origin);
     g_array_unref(document->selection);
     G_OBJECT_CLASS(tinker_document_parent_class)->finalize(object);
 }
@@ -73,22 +83,38 @@ TinkerHistory *tinker_document_history(TinkerDocument *document)
 
 /* Files ------------------------------------------------------------------------------------------------------------ */
 
-static void set_path(TinkerDocument *document, const char *path)
+static TinkerDocumentOrigin copy_origin(const TinkerDocumentOrigin *origin)
 {
-    char *copy = g_strdup(path);
-    g_free(document->path);
-    document->path = copy;
+    return (TinkerDocumentOrigin){g_strdup(origin->path), g_strdup(origin->base), g_strdup(origin->checksum)};
+}
+
+/* Any of the new texts may be one of the last. */
+static void set_origin(TinkerDocument *document, const TinkerDocumentOrigin *origin)
+{
+    TinkerDocumentOrigin last = document->origin;
+    document->origin = copy_origin(origin);
+    clear_origin(&last);
+}
+
+/* NULL where there is no such file. (transfer full) */
+static char *checksum_of_file(const char *path)
+{
+    g_autofree char *text = NULL;
+    gsize length;
+    if (!g_file_get_contents(path, &text, &length, NULL)) return NULL;
+    return g_compute_checksum_for_data(G_CHECKSUM_SHA256, (const guchar *)text, length);
 }
 
 /* Goes on with another scene. (transfer full) */
-static void replace(TinkerDocument *document, TinkerScene *scene, const char *path)
+static void replace(TinkerDocument *document, TinkerScene *scene, const TinkerDocumentOrigin *origin,
+                    gboolean recovered)
 {
     TinkerScene *last = document->scene;
     tinker_history_free(document->history);
     document->scene = scene;
     document->history = tinker_history_new(scene);
-    document->recovered = FALSE;
-    set_path(document, path);
+    document->recovered = recovered;
+    set_origin(document, origin);
     g_array_set_size(document->selection, 0);
     emit(document, REPLACED);
     tinker_scene_free(last);
@@ -102,22 +128,35 @@ gboolean tinker_document_start(TinkerDocument *document, const char *text, gsize
 {
     TinkerScene *scene = tinker_scene_read_text(document->catalogue, text, length, path, NULL, error);
     if (scene == NULL) return FALSE;
-    replace(document, scene, NULL);
+    replace(document, scene, &(TinkerDocumentOrigin){.base = (char *)path}, FALSE);
     return TRUE;
 }
 
 gboolean tinker_document_open(TinkerDocument *document, const char *path, GPtrArray *findings, GError **error)
 {
+    g_autofree char *checksum = checksum_of_file(path);
     TinkerScene *scene = tinker_scene_read_file(document->catalogue, path, findings, error);
     if (scene == NULL) return FALSE;
-    replace(document, scene, path);
+    replace(document, scene, &(TinkerDocumentOrigin){(char *)path, (char *)path, checksum}, FALSE);
+    return TRUE;
+}
+
+gboolean tinker_document_recover(TinkerDocument *document, const char *text, gsize length,
+                                 const TinkerDocumentOrigin *origin, GError **error)
+{
+    TinkerScene *scene = tinker_scene_read_text(document->catalogue, text, length, origin->base, NULL, error);
+    if (scene == NULL) return FALSE;
+    replace(document, scene, origin, TRUE);
     return TRUE;
 }
 
 gboolean tinker_document_save(TinkerDocument *document, const char *path, GError **error)
 {
+    if (document->origin.base != NULL && !carry_tables(document->scene, document->origin.base, path, error))
+        return FALSE;
     if (!tinker_scene_write_file(document->scene, path, TINKER_WRITE_SI, error)) return FALSE;
-    set_path(document, path);
+    g_autofree char *checksum = checksum_of_file(path);
+    set_origin(document, &(TinkerDocumentOrigin){(char *)path, (char *)path, checksum});
     document->recovered = FALSE;
     tinker_history_mark_saved(document->history);
     emit(document, FILE_CHANGED);
@@ -126,20 +165,32 @@ gboolean tinker_document_save(TinkerDocument *document, const char *path, GError
 
 const char *tinker_document_path(TinkerDocument *document)
 {
-    return document->path;
+    return document->origin.path;
 }
 
-void tinker_document_set_path(TinkerDocument *document, const char *path)
+const char *tinker_document_base(TinkerDocument *document)
 {
-    set_path(document, path);
-    emit(document, FILE_CHANGED);
+    return document->origin.base;
+}
+
+const char *tinker_document_checksum(TinkerDocument *document)
+{
+    return document->origin.checksum;
+}
+
+/* A file that is gone holds nothing that could be overwritten. */
+gboolean tinker_document_changed_on_disk(TinkerDocument *document)
+{
+    if (document->origin.path == NULL) return FALSE;
+    g_autofree char *now = checksum_of_file(document->origin.path);
+    return now != NULL && g_strcmp0(now, document->origin.checksum) != 0;
 }
 
 char *tinker_document_name(TinkerDocument *document)
 {
     const char *title = tinker_scene_head(document->scene)->title;
     if (title[0] != '\0') return g_strdup(title);
-    return document->path != NULL ? g_path_get_basename(document->path) : g_strdup("Untitled");
+    return document->origin.path != NULL ? g_path_get_basename(document->origin.path) : g_strdup(_("Untitled"));
 }
 
 gboolean tinker_document_is_modified(TinkerDocument *document)
@@ -147,10 +198,15 @@ gboolean tinker_document_is_modified(TinkerDocument *document)
     return document->recovered || !tinker_history_is_saved(document->history);
 }
 
-void tinker_document_mark_modified(TinkerDocument *document)
+gboolean tinker_document_is_empty(TinkerDocument *document)
 {
-    document->recovered = TRUE;
-    emit(document, FILE_CHANGED);
+    for (int32_t place = 0; place < tinker_scene_block_count(document->scene); place++) {
+        TinkerBlockId block = tinker_scene_block_at(document->scene, place);
+        const TinkerBlockClass *block_class = tinker_scene_block_class(document->scene, block);
+        if (block_class == NULL || block_class->meanings[TINKER_MEANING_POSITION] >= 0) return FALSE;
+        if (tinker_scene_end_count(document->scene, block) > 0) return FALSE;
+    }
+    return TRUE;
 }
 
 /* Editing ----------------------------------------------------------------------------------------------------------- */

@@ -27,7 +27,7 @@ TinkerHistory *tinker_document_history(TinkerDocument *document);
 
 /* Files ------------------------------------------------------------------------------------------------------------ */
 
-/* A scene that has never been saved, read from text: `path` (may be NULL) is where its tables are looked for. */
+/* A scene that has never been saved, read from text: `path` (may be NULL) is a file whose folder holds its tables. */
 gboolean tinker_document_start(TinkerDocument *document, const char *text, gsize length, const char *path,
                                GError **error);
 
@@ -35,18 +35,33 @@ gboolean tinker_document_start(TinkerDocument *document, const char *text, gsize
  * stays as it was. */
 gboolean tinker_document_open(TinkerDocument *document, const char *path, GPtrArray *findings, GError **error);
 
-/* Saves atomically, and goes on with that path. */
+/* Saves atomically, and goes on with that path. Tables that the scene reads go along into another folder. */
 gboolean tinker_document_save(TinkerDocument *document, const char *path, GError **error);
 
 /* NULL for a scene that has never been saved. */
 const char *tinker_document_path(TinkerDocument *document);
-/* The path from now on, without saving: of a scene that was recovered. */
-void tinker_document_set_path(TinkerDocument *document, const char *path);
+/* The file whose folder holds the scene's tables: its own, or the one it was started from. NULL: none. */
+const char *tinker_document_base(TinkerDocument *document);
+/* What the file held when it was read or written last (a checksum); NULL where there was none. */
+const char *tinker_document_checksum(TinkerDocument *document);
+/* Whether somebody else has written the file since. */
+gboolean tinker_document_changed_on_disk(TinkerDocument *document);
+
 /* What the title bar calls it: the scene's title, else the file's name, else "Untitled". (transfer full) */
 char *tinker_document_name(TinkerDocument *document);
 gboolean tinker_document_is_modified(TinkerDocument *document);
-/* Makes it count as modified although nothing was edited since it was read: it was recovered. */
-void tinker_document_mark_modified(TinkerDocument *document);
+
+/* What a scene was that was being edited when the program ended. All may be NULL. */
+typedef struct {
+    char *path, *base, *checksum; /* as the functions above give them */
+} TinkerDocumentOrigin;
+
+/* Goes on with a scene that was not saved: it counts as modified. On failure the document stays as it was. */
+gboolean tinker_document_recover(TinkerDocument *document, const char *text, gsize length,
+                                 const TinkerDocumentOrigin *origin, GError **error);
+
+/* Whether there is nothing in the scene that has a place on the canvas. */
+gboolean tinker_document_is_empty(TinkerDocument *document);
 
 /* Editing ----------------------------------------------------------------------------------------------------------- */
 

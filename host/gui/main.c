@@ -17,5 +17,6 @@ int main(int argc, char **argv)
     bind_textdomain_codeset(GETTEXT_PACKAGE, "UTF-8");
     textdomain(GETTEXT_PACKAGE);
     g_autoptr(TinkerApplication) application = tinker_application_new();
-    return g_application_run(G_APPLICATION(application), argc, argv);
+    int status = g_application_run(G_APPLICATION(application), argc, argv);
+    return status != 0 ? status : tinker_application_status(application);
 }

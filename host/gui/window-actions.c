@@ -21,6 +21,7 @@ static void play(TinkerWindow *window)
 {
     TinkerBlockId culprit;
     g_autoptr(GError) error = NULL;
+    tinker_autosave_now(window->autosave); /* who knows what a plugin does */
     if (tinker_player_state(window->player) == TINKER_PLAYER_PLAYING)
         tinker_player_pause(window->player);
     else if (!tinker_player_play(window->player, &culprit, &error))
@@ -31,6 +32,7 @@ static void step_by_one(TinkerWindow *window, gboolean forward)
 {
     TinkerBlockId culprit;
     g_autoptr(GError) error = NULL;
+    tinker_autosave_now(window->autosave);
     if (!tinker_player_step(window->player, forward, &culprit, &error)) tell_refusal(window, culprit, error);
 }
 
@@ -172,7 +174,7 @@ static const struct {
     const char *keys[3];
     gboolean of_canvas; /* keys count only where the canvas has the focus */
 } commands[] = {
-    {"new", window_new_scene, {"<Control>n"}, FALSE},
+    {"new", tinker_window_new_scene, {"<Control>n"}, FALSE},
     {"open", window_choose_file, {"<Control>o"}, FALSE},
     {"save", save, {"<Control>s"}, FALSE},
     {"save-as", save_as, {"<Control><Shift>s"}, FALSE},

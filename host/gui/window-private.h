@@ -3,6 +3,7 @@
 #define TINKER_GUI_WINDOW_PRIVATE_H
 
 #include "accuracy-page.h"
+#include "autosave.h"
 #include "canvas.h"
 #include "graph-layer.h"
 #include "notice-bar.h"
@@ -15,6 +16,7 @@ struct _TinkerWindow {
     AdwApplicationWindow parent_instance;
     TinkerDocument *document;
     TinkerPlayer *player;
+    TinkerAutosave *autosave;
     guint ticks;        /* id of the tick callback while it plays, or 0 */
     gint64 last_tick;   /* us; 0: none yet */
     gboolean may_close; /* the user has said so */
@@ -40,6 +42,8 @@ struct _TinkerWindow {
     TinkerNoticeBar *notices; /* whoever has something to say tells it here, under a name of its own */
     guint refresh;            /* id of the timer, or 0 */
     guint told_run;           /* which run's warnings are shown */
+    GMenu *recent_menu;
+    GMenu *examples_menu;
 };
 
 /* Actions win.*; window-actions.c. */
@@ -68,11 +72,30 @@ void window_add_start(TinkerWindow *window);
 GtkWidget *window_new_start_panel(TinkerWindow *window);
 void window_add_start_menu(TinkerWindow *window, GMenu *menu);
 
-/* Files; window-files.c. Each asks first about changes that are not saved. */
-void window_new_scene(TinkerWindow *window);
-void window_choose_file(TinkerWindow *window);
+/* A line under the header bar that stays: `key` is what it is hidden by, or replaced; `label` and `action` of a button may be
+ * NULL. window-banner.c. */
+void window_banner_show(TinkerWindow *window, const char *key, const char *text, const char *label, const char *action);
+void window_banner_hide(TinkerWindow *window, const char *key);
+
+/* Saving; window-files.c. Each asks where something could be lost. */
 void window_save(TinkerWindow *window, gboolean under_another_name);
 /* Asks whether to save; then closes. */
 void window_ask_to_close(TinkerWindow *window);
+
+/* New and open; window-open.c. Each asks first about changes that are not saved. */
+void window_choose_file(TinkerWindow *window);
+/* The scene of a new window: as new ones are, without asking for their settings. */
+void window_start_first(TinkerWindow *window);
+/* The menu of recent and example scenes, and its actions. */
+void window_add_open_menu(TinkerWindow *window);
+/* Tells of blocks that no installed plugin provides. */
+void window_tell_missing_types(TinkerWindow *window);
+
+/* Unsaved work is kept safe; window-recovery.c. */
+void window_add_autosave(TinkerWindow *window);
+
+/* Sizes and what is shown, from the last window and for the next one; window-state.c. */
+void window_restore_state(TinkerWindow *window);
+void window_store_state(TinkerWindow *window);
 
 #endif

@@ -5,6 +5,7 @@
 
 #include "popup-menu.h"
 #include "side-panel.h"
+#include "welcome.h"
 
 G_DEFINE_FINAL_TYPE(TinkerWindow, tinker_window, ADW_TYPE_APPLICATION_WINDOW)
 
@@ -75,7 +76,8 @@ static void on_file_changed(TinkerWindow *window)
 
 gboolean tinker_window_is_untouched(TinkerWindow *window)
 {
-    return tinker_document_path(window->document) == NULL && !tinker_document_is_modified(window->document);
+    return tinker_document_path(window->document) == NULL && tinker_document_is_empty(window->document) &&
+           !tinker_document_is_modified(window->document);
 }
 
 static gboolean tinker_window_close_request(GtkWindow *base)
@@ -85,6 +87,7 @@ static gboolean tinker_window_close_request(GtkWindow *base)
         window_ask_to_close(window);
         return TRUE;
     }
+    window_store_state(window);
     return GTK_WINDOW_CLASS(tinker_window_parent_class)->close_request(base);
 }
 
@@ -115,6 +118,9 @@ static void connect_parts(TinkerWindow *window)
     g_signal_connect_object(window->document, "file-changed", G_CALLBACK(on_file_changed), window, G_CONNECT_SWAPPED);
     g_signal_connect_object(window->document, "selection-changed", G_CALLBACK(window_update_actions), window,
                             G_CONNECT_SWAPPED);
+    g_signal_connect_object(window->document, "changed", G_CALLBACK(window_tell_missing_types), window,
+                            G_CONNECT_SWAPPED);
+    gtk_overlay_add_overlay(window->canvas_overlay, tinker_welcome_new(window->document, window->player));
     g_signal_connect_object(window->canvas, "menu", G_CALLBACK(on_canvas_menu), window, 0);
 }
 
@@ -124,9 +130,13 @@ TinkerWindow *tinker_window_new(TinkerApplication *application)
     window->document = tinker_document_new(tinker_application_catalogue(application));
     window->player = tinker_player_new(window->document);
     window_add_actions(window);
+    window_add_open_menu(window);
+    window_add_autosave(window);
     connect_parts(window);
     window_add_accuracy(window);
     window_add_start(window);
+    window_restore_state(window);
+    window_start_first(window);
     on_file_changed(window);
     return window;
 }
@@ -136,6 +146,7 @@ static void tinker_window_dispose(GObject *object)
     TinkerWindow *window = TINKER_WINDOW(object);
     window_remove_accuracy(window);
     gtk_widget_dispose_template(GTK_WIDGET(window), TINKER_TYPE_WINDOW);
+    g_clear_object(&window->autosave);
     g_clear_object(&window->player);
     g_clear_object(&window->document);
     G_OBJECT_CLASS(tinker_window_parent_class)->dispose(object);
@@ -161,6 +172,8 @@ static void tinker_window_class_init(TinkerWindowClass *class)
     BIND(banners);
     BIND(canvas_overlay);
     BIND(graph_layer);
+    BIND(recent_menu);
+    BIND(examples_menu);
 }
 
 static void tinker_window_init(TinkerWindow *window)

@@ -18,6 +18,9 @@ gboolean tinker_window_is_untouched(TinkerWindow *window);
 /* Opens a file; says what is wrong with it. */
 void tinker_window_open(TinkerWindow *window, const char *path);
 
+/* The dialog that begins a new scene in it. */
+void tinker_window_new_scene(TinkerWindow *window);
+
 /* The keys of all actions. */
 void tinker_window_set_accels(GtkApplication *application);
 

@@ -13,6 +13,13 @@
 
 #define ANY_CODE (-1)
 
+static const char *program = "tinker";
+
+void tinker_report_as(const char *name)
+{
+    program = name;
+}
+
 GQuark tinker_cli_error_quark(void)
 {
     return g_quark_from_static_string("tinker-cli-error-quark");
@@ -74,9 +81,9 @@ int tinker_report_error(const char *scene, const GError *error)
     gboolean of_scene = scene != NULL && error->domain != TINKER_CLI_ERROR;
     gboolean told = of_scene && g_str_has_prefix(error->message, scene) && error->message[strlen(scene)] == ':';
     if (of_scene && !told)
-        fprintf(stderr, "tinker: %s: %s\n", scene, error->message);
+        fprintf(stderr, "%s: %s: %s\n", program, scene, error->message);
     else
-        fprintf(stderr, "tinker: %s\n", error->message);
+        fprintf(stderr, "%s: %s\n", program, error->message);
     return tinker_exit_status(error);
 }
 
@@ -84,7 +91,7 @@ static void report(const char *what, const char *format, va_list arguments) G_GN
 static void report(const char *what, const char *format, va_list arguments)
 {
     g_autofree char *text = g_strdup_vprintf(format, arguments);
-    fprintf(stderr, "tinker: %s%s\n", what, text);
+    fprintf(stderr, "%s: %s%s\n", program, what, text);
 }
 
 void tinker_report_warning(const char *format, ...)

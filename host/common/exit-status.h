@@ -1,6 +1,6 @@
 /* What the program tells its caller: the exit status, and one line on standard error for everything that went wrong. */
-#ifndef TINKER_CLI_EXIT_STATUS_H
-#define TINKER_CLI_EXIT_STATUS_H
+#ifndef TINKER_HOST_EXIT_STATUS_H
+#define TINKER_HOST_EXIT_STATUS_H
 
 #include <glib.h>
 
@@ -26,6 +26,9 @@ int tinker_exit_status(const GError *error);
 /* Turns an error, if there is one, into TINKER_CLI_ERROR_USAGE: what was asked for on the command line is the user's
  * fault, whatever part of the core found it. "--OPTION: " is put before the message; `option` may be NULL. */
 void tinker_blame_option(const char *option, GError **error);
+
+/* What the lines on standard error begin with: "tinker" at first. Static. */
+void tinker_report_as(const char *program);
 
 /* Writes "tinker: MESSAGE" to standard error, with "SCENE: " before the message where `scene` is given, the message
  * does not begin with it and it is not about the command line. Answers the exit status. */

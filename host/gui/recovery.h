@@ -1,0 +1,32 @@
+/* Recovery: what processes left behind that did not end properly. No widget. */
+#ifndef TINKER_GUI_RECOVERY_H
+#define TINKER_GUI_RECOVERY_H
+
+#include "document.h"
+
+/* A scene that nobody saved. */
+typedef struct {
+    char *stem;  /* of its two files; see autosave.h */
+    char *name;  /* what the title bar called it */
+    gint64 time; /* s since 1970: when it was written */
+    TinkerDocumentOrigin origin;
+} TinkerRecovery;
+
+/* All of processes that are no longer alive, the latest first; of TinkerRecovery *, which it frees. (transfer full) */
+GPtrArray *tinker_recovery_list(void);
+
+/* Takes it over from all other processes, and goes on with it in a document. On failure both stay as they were. */
+gboolean tinker_recovery_open(TinkerRecovery *recovery, TinkerDocument *document, GError **error);
+/* Removes what was opened, once the document's own copy is written. */
+void tinker_recovery_remove(TinkerRecovery *recovery);
+
+/* Takes it out of the list; kept for 7 days in a folder beside, "autosave-discarded". */
+gboolean tinker_recovery_discard(TinkerRecovery *recovery, GError **error);
+
+/* Removes what was discarded more than 7 days ago. */
+void tinker_recovery_purge(void);
+
+/* (transfer full) */
+char *tinker_recovery_discarded_folder(void);
+
+#endif
