@@ -222,6 +222,8 @@ static void on_replaced(TinkerCanvas *canvas)
 static void on_changed(TinkerCanvas *canvas)
 {
     if (!canvas->view_is_set) show_first(canvas);
+    /* Names stay on their side while things move; what was edited may need another. */
+    if (canvas->gesture == CANVAS_IDLE && canvas->placing == TINKER_NO_BLOCK) renew_memory(canvas);
     gtk_widget_queue_draw(GTK_WIDGET(canvas));
 }
 
