@@ -16,6 +16,7 @@
 #define WARM_UP  1.0 /* s of playing that do not count */
 #define MEASURED 4.0 /* s that do */
 #define TICK_MS  5   /* between events that ask whether the main loop answers */
+#define PATIENCE 60  /* s: a window that has shown nothing by then never will */
 
 typedef struct {
     GtkApplication *application;
@@ -105,13 +106,20 @@ static void on_window_added(GtkApplication *application, GtkWindow *window, Meas
     g_timeout_add(TICK_MS, on_event, measurement);
 }
 
-/* One case, in a process of its own. */
+static gboolean on_out_of_patience(gpointer data)
+{
+    g_error("the window does not play");
+    return G_SOURCE_REMOVE;
+}
+
+/* One case, in a process of its own, with a home of its own. */
 static int measure(char *program, char *scene)
 {
     Measurement measurement = {.started = g_get_monotonic_time(),
                                .frames = g_array_new(FALSE, FALSE, sizeof(double)),
                                .work = g_array_new(FALSE, FALSE, sizeof(double))};
     gtk_disable_setlocale();
+    g_timeout_add_seconds(PATIENCE, on_out_of_patience, NULL);
     g_autoptr(TinkerApplication) application = tinker_application_new();
     g_application_set_flags(G_APPLICATION(application), G_APPLICATION_HANDLES_OPEN | G_APPLICATION_NON_UNIQUE);
     measurement.application = GTK_APPLICATION(application);
@@ -126,7 +134,14 @@ static void report_case(BenchmarkReport *report, char *program, const char *name
     g_autofree char *output = NULL;
     double values[6];
     if (!benchmark_report_wants(report, name)) return;
-    if (!g_spawn_sync(NULL, (char **)arguments, NULL, G_SPAWN_DEFAULT, NULL, NULL, &output, NULL, NULL, NULL)) return;
+    g_autofree char *home = g_dir_make_tmp("bench-window-XXXXXX", NULL);
+    g_auto(GStrv) environment = g_get_environ();
+    static const char *const folders[] = {"XDG_STATE_HOME", "XDG_CONFIG_HOME", "XDG_DATA_HOME"};
+    for (gsize i = 0; i < G_N_ELEMENTS(folders); i++)
+        environment = g_environ_setenv(environment, folders[i], home, TRUE);
+    gboolean done =
+        g_spawn_sync(NULL, (char **)arguments, environment, G_SPAWN_DEFAULT, NULL, NULL, &output, NULL, NULL, NULL);
+    if (!done || output[0] == '\0') return;
     char *next = output;
     for (int i = 0; i < 6; i++)
         values[i] = g_ascii_strtod(next, &next);
