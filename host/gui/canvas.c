@@ -1,6 +1,7 @@
 /* The canvas paints into an image of its own and shows that. */
 #include "canvas-private.h"
 
+#include <glib/gi18n.h>
 #include <math.h>
 
 #include "desktop-theme.h"
@@ -41,9 +42,21 @@ void canvas_to_world(TinkerCanvas *canvas, double x, double y, double world[2])
     tinker_view_to_world(&canvas->view, x, y, &world[0], &world[1]);
 }
 
+/* For those who cannot see it, and for tests, which find places by it: six digits are finer than a pixel. */
+static void describe_view(TinkerCanvas *canvas)
+{
+    const TinkerView *view = &canvas->view;
+    double middle[2];
+    canvas_to_world(canvas, view->width / 2, view->height / 2, middle);
+    g_autofree char *text = g_strdup_printf(_("Shows %.6g m by %.6g m about (%.6g, %.6g)"), view->width / view->scale,
+                                            view->height / view->scale, middle[0], middle[1]);
+    gtk_accessible_update_property(GTK_ACCESSIBLE(canvas), GTK_ACCESSIBLE_PROPERTY_DESCRIPTION, text, -1);
+}
+
 void canvas_view_changed(TinkerCanvas *canvas)
 {
     canvas->view.scale = CLAMP(canvas->view.scale, LEAST_SCALE, GREATEST_SCALE);
+    describe_view(canvas);
     gtk_widget_queue_draw(GTK_WIDGET(canvas));
     g_signal_emit(canvas, view_changed_signal, 0);
 }
