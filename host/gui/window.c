@@ -138,6 +138,7 @@ TinkerWindow *tinker_window_new(TinkerApplication *application)
     window_restore_state(window);
     window_start_first(window);
     on_file_changed(window);
+    gtk_widget_grab_focus(GTK_WIDGET(window->canvas));
     return window;
 }
 
