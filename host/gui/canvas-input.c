@@ -180,17 +180,23 @@ void canvas_cancel_gesture(TinkerCanvas *canvas)
 
 static void on_pan_press(GtkGestureDrag *gesture, double x, double y, TinkerCanvas *canvas)
 {
-    canvas->press[0] = x;
-    canvas->press[1] = y;
+    canvas_cancel_gesture(canvas);
+    canvas->gesture = CANVAS_PAN;
     canvas->pointer[0] = canvas->pointer[1] = 0;
 }
 
 static void on_pan(GtkGestureDrag *gesture, double dx, double dy, TinkerCanvas *canvas)
 {
+    if (canvas->gesture != CANVAS_PAN) return;
     tinker_view_pan(&canvas->view, dx - canvas->pointer[0], dy - canvas->pointer[1]);
     canvas->pointer[0] = dx;
     canvas->pointer[1] = dy;
     canvas_view_changed(canvas);
+}
+
+static void on_pan_release(GtkGestureDrag *gesture, double dx, double dy, TinkerCanvas *canvas)
+{
+    if (canvas->gesture == CANVAS_PAN) canvas->gesture = CANVAS_IDLE;
 }
 
 static gboolean on_scroll(GtkEventControllerScroll *controller, double dx, double dy, TinkerCanvas *canvas)
@@ -326,6 +332,7 @@ void canvas_add_input(TinkerCanvas *canvas)
     GtkGesture *pan = add_gesture(canvas, gtk_gesture_drag_new(), GDK_BUTTON_MIDDLE);
     g_signal_connect(pan, "drag-begin", G_CALLBACK(on_pan_press), canvas);
     g_signal_connect(pan, "drag-update", G_CALLBACK(on_pan), canvas);
+    g_signal_connect(pan, "drag-end", G_CALLBACK(on_pan_release), canvas);
     GtkGesture *menu = add_gesture(canvas, gtk_gesture_click_new(), GDK_BUTTON_SECONDARY);
     g_signal_connect(menu, "pressed", G_CALLBACK(on_menu), canvas);
     GtkGesture *pinch = add_gesture(canvas, gtk_gesture_zoom_new(), 0);
