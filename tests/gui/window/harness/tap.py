@@ -1,0 +1,69 @@
+"""Runs the functions test_* of a file, one after the other on one display, and reports as TAP."""
+import os
+import pathlib
+import sys
+import time
+import traceback
+
+from .display import Display
+
+
+class Failure(AssertionError):
+    """Something was not as it has to be."""
+
+
+def check(condition, what):
+    if not condition:
+        raise Failure(what)
+
+
+def check_equal(actual, expected, what):
+    check(actual == expected, f"{what}: {actual!r}, expected {expected!r}")
+
+
+def check_close(actual, expected, tolerance, what):
+    check(abs(actual - expected) <= tolerance, f"{what}: {actual!r}, expected {expected!r} within {tolerance:g}")
+
+
+def say(text):
+    for line in str(text).rstrip().splitlines():
+        print("#", line, flush=True)
+
+
+def keep_picture(display):
+    folder = pathlib.Path(os.environ.get("G_TEST_BUILDDIR", "/tmp")) / "pictures"
+    folder.mkdir(parents=True, exist_ok=True)
+    file = folder / f"{display.name}.png"
+    display.picture().write_png(file)
+    say(f"what it looked like: {file}")
+
+
+def run_one(test, display):
+    """Whether it passed."""
+    try:
+        test(display)
+        return True
+    except Exception:
+        say(traceback.format_exc())
+        return False
+
+
+def main(module="__main__"):
+    """Runs the tests of the file that calls it, or those named on the command line."""
+    names = vars(sys.modules[module])
+    tests = {name[5:].replace("_", "-"): function for name, function in names.items()
+             if name.startswith("test_") and callable(function)}
+    wanted = sys.argv[1:] or list(tests)
+    group = pathlib.Path(sys.argv[0]).stem.removeprefix("test_")
+    failed = 0
+    display = Display()
+    print(f"1..{len(wanted)}", flush=True)
+    for number, name in enumerate(wanted, 1):
+        display.name = f"{group}-{name}"
+        start = time.monotonic()
+        passed = run_one(tests[name], display)
+        failed += not passed
+        print(f"{'ok' if passed else 'not ok'} {number} {name}", flush=True)
+        say(f"{time.monotonic() - start:.1f} s")
+    display.close()
+    sys.exit(1 if failed else 0)

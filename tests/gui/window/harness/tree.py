@@ -1,0 +1,169 @@
+"""The widgets as assistive programs have them: AT-SPI over D-Bus, without its library, whose cache lags behind."""
+import collections
+
+import gi
+
+gi.require_version("Gio", "2.0")
+from gi.repository import Gio, GLib  # noqa: E402
+
+from .waiting import Gone  # noqa: E402
+
+ACCESSIBLE = "org.a11y.atspi.Accessible"
+TIMEOUT = 20000  # ms
+IN_WINDOW = 1    # coordinates: those of the screen are not told by GTK 4
+
+STATES = {"checked": 4, "editable": 7, "enabled": 8, "expanded": 10, "focused": 12, "pressed": 20, "selected": 23,
+          "sensitive": 24, "visible": 30, "invalid": 36, "read-only": 43}
+ROLES = {2: "alert", 7: "check box", 8: "check menu item", 11: "combo box", 16: "dialog", 23: "window", 27: "image", 29: "label",
+         31: "list", 32: "list item", 33: "menu", 35: "menu item", 37: "tab", 38: "tab list", 39: "panel",
+         42: "progress bar", 43: "button", 44: "radio button", 45: "radio menu item", 48: "scroll bar",
+         50: "separator", 51: "slider", 52: "spin button", 61: "text", 62: "toggle button", 69: "window", 79: "entry"}
+
+
+def plain(name):
+    """GTK 4.8 calls a button with a mnemonic “_Close Close”, and an entry of a row “Width Width”."""
+    first, second = name[:len(name) // 2].strip(), name[len(name) // 2:].strip()
+    return second if first.replace("_", "", 1) == second else name
+
+
+class Node:
+    """One widget. Its name, role and states are those of the moment it was found; everything else is asked for."""
+
+    def __init__(self, tree, item):
+        (self.bus, self.path), _, parent, self.index, self.child_count, self.interfaces, self.name, self.role_number, \
+            self.description, states = item
+        self.tree, self.parent_path = tree, parent[1]
+        self.name = plain(self.name)
+        self.state_bits = states[0] | states[1] << 32
+
+    @property
+    def role(self):
+        return ROLES.get(self.role_number, str(self.role_number))
+
+    def has(self, state):
+        return bool(self.state_bits >> STATES[state] & 1)
+
+    def refreshed(self):
+        """Itself with the name and description of now, or None where it is no more."""
+        try:
+            self.name = plain(self.get(ACCESSIBLE, "Name"))
+            self.description = self.get(ACCESSIBLE, "Description")
+            return self
+        except Gone:
+            return None
+
+    def is_shown(self):
+        """Whether it and all that it is in are visible. GTK 4.8 tells of each only by itself."""
+        return self.has("visible") and all(node.has("visible") for node in self.ancestors() if node.role_number != 75)
+
+    def __repr__(self):
+        return f"{self.role} “{self.name}”"
+
+    def call(self, interface, method, signature=None, *values):
+        arguments = GLib.Variant(signature, values) if signature else None
+        return self.tree.call(self.bus, self.path, interface, method, arguments)
+
+    def get(self, interface, name):
+        return self.call("org.freedesktop.DBus.Properties", "Get", "(ss)", interface, name)[0]
+
+    def has_place(self):
+        """Pages of a stack, and the program itself, have none."""
+        return "org.a11y.atspi.Component" in self.interfaces
+
+    def is_laid_out(self):
+        """Pages that were never shown have widgets without a size, or not even that."""
+        try:
+            return self.has_place() and self.box()[2] > 0
+        except Gone:
+            return False
+
+    def box(self):
+        """(x, y, width, height) within its window."""
+        return self.call("org.a11y.atspi.Component", "GetExtents", "(u)", IN_WINDOW)[0]
+
+    def text(self):
+        count = self.get("org.a11y.atspi.Text", "CharacterCount")
+        return self.call("org.a11y.atspi.Text", "GetText", "(ii)", 0, count)[0]
+
+    def value(self):
+        return self.get("org.a11y.atspi.Value", "CurrentValue")
+
+    def set_value(self, value):
+        self.call("org.freedesktop.DBus.Properties", "Set", "(ssv)", "org.a11y.atspi.Value", "CurrentValue",
+                  GLib.Variant("d", value))
+
+    def parent(self):
+        return self.tree.by_path.get(self.parent_path)
+
+    def ancestors(self):
+        node = self.parent()
+        while node is not None:
+            yield node
+            node = node.parent()
+
+    def is_inside(self, other):
+        return any(node.path == other.path for node in self.ancestors())
+
+
+class Tree:
+    """All widgets of one program at one moment; refresh() takes another moment."""
+
+    def __init__(self, session):
+        address = session.call_sync("org.a11y.Bus", "/org/a11y/bus", "org.a11y.Bus", "GetAddress", None, None, 0,
+                                    TIMEOUT, None).unpack()[0]
+        flags = Gio.DBusConnectionFlags.AUTHENTICATION_CLIENT | Gio.DBusConnectionFlags.MESSAGE_BUS_CONNECTION
+        self.connection = Gio.DBusConnection.new_for_address_sync(address, flags, None, None)
+        self.connection.set_exit_on_close(False)
+        self.bus_name = None
+        self.nodes, self.by_path = [], {}
+
+    def call(self, bus, path, interface, method, arguments=None):
+        try:
+            return self.connection.call_sync(bus, path, interface, method, arguments, None, 0, TIMEOUT, None).unpack()
+        except GLib.Error as error:
+            raise Gone(f"{interface}.{method}: {error.message}") from None
+
+    def find_program(self, process_id):
+        """Whether the program is on the bus by now."""
+        programs = self.call("org.a11y.atspi.Registry", "/org/a11y/atspi/accessible/root", ACCESSIBLE, "GetChildren")[0]
+        for bus, _ in programs:
+            owner = self.call("org.freedesktop.DBus", "/org/freedesktop/DBus", "org.freedesktop.DBus",
+                              "GetConnectionUnixProcessID", GLib.Variant("(s)", (bus,)))[0]
+            if owner == process_id:
+                self.bus_name = bus
+        return self.bus_name is not None
+
+    def refresh(self):
+        """Widgets are only listed once their parent was asked for its children: so ask, until there are no more."""
+        while True:
+            items = self.call(self.bus_name, "/org/a11y/atspi/cache", "org.a11y.atspi.Cache", "GetItems")[0]
+            self.nodes = [Node(self, item) for item in items]
+            self.by_path = {node.path: node for node in self.nodes}
+            if not self._ask_for_children():
+                self.nodes.sort(key=lambda node: [node.index, *(other.index for other in node.ancestors())][::-1])
+                return self.nodes
+
+    def _ask_for_children(self):
+        """Answers whether there are some that were not listed."""
+        # Those that are hidden by now stay in the list, but are no longer counted by their parent.
+        listed = collections.Counter(node.parent_path for node in self.nodes if node.has("visible"))
+        found = False
+        for node in self.nodes:
+            if node.child_count == listed[node.path]:
+                continue
+            children = node.call(ACCESSIBLE, "GetChildren")[0]
+            found = found or any(path not in self.by_path for _, path in children)
+        return found
+
+    def forget(self):
+        self.bus_name = None
+        self.nodes, self.by_path = [], {}
+
+    def describe(self):
+        """Everything with a name that can be seen, for reports of failures."""
+        lines = []
+        for node in self.nodes:
+            if node.is_shown() and node.name and not node.name.startswith(("Gtk", "Adw")):
+                depth = sum(1 for _ in node.ancestors())
+                lines.append(f"{'  ' * min(depth, 12)}{node!r}{'' if node.has('sensitive') else ' (insensitive)'}")
+        return "\n".join(lines)

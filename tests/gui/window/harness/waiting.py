@@ -1,0 +1,28 @@
+"""Waiting for something to become so. Nothing in these tests sleeps for a time that was guessed."""
+import time
+
+POLL = 0.01      # s
+PATIENCE = 20.0  # s: under sanitizers and on a busy machine
+
+
+class Gone(Exception):
+    """The widget is no more, or not yet."""
+
+
+class TooLate(Exception):
+    """What was waited for did not come."""
+
+
+def wait(condition, what, patience=PATIENCE):
+    """Asks until the answer is true, and hands it over."""
+    end = time.monotonic() + patience
+    while True:
+        try:
+            answer = condition()
+        except Gone:
+            answer = None
+        if answer:
+            return answer
+        if time.monotonic() > end:
+            raise TooLate(f"waited {patience:g} s for {what}")
+        time.sleep(POLL)

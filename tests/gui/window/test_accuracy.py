@@ -1,0 +1,30 @@
+#!/usr/bin/python3
+"""Accuracy at a glance, and the page that measures it."""
+import re
+
+from harness import App, check, check_equal, main, mass, scene, spring, support, wait
+
+
+def oscillator(**run):
+    content = scene(support("Wall", 0, 3), mass("A", 0, 0), spring("S", "Wall", "A", rest_length=2), duration=1)
+    content["run"].update(run)
+    return content
+
+
+def test_status_line_names_method_and_step(display):
+    with App(display, oscillator(method="rk4", step=0.01)) as app:
+        app.find("label", re.compile("step 0.01 s"))
+        app.click("Play")
+        app.find("label", re.compile("^energy"))
+
+
+def test_measuring_ends_with_a_chart(display):
+    with App(display, oscillator()) as app:
+        app.click("Accuracy", role="tab")
+        app.click("Measure")
+        app.find("image", re.compile("^Chart of the error"))
+        app.find("button", "Measure Again")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,256 @@
+#!/usr/bin/python3
+"""What is on the canvas: selecting, moving, deleting, copying, and taking all of it back."""
+from harness import App, check, check_close, check_equal, main, mass, scene, spring, support, wait
+from harness import colours
+
+
+def positions(app):
+    return {name: tuple(block["position"]) for name, block in app.blocks().items() if "position" in block}
+
+
+def two_masses():
+    return scene(mass("A", -2, 0), mass("B", 2, 0))
+
+
+def is_selected(app, x, y):
+    """By the frame drawn about the block in the colour of what is selected."""
+    return app.line_count(colours.SELECTED, (x - 0.6, y - 0.6), (x + 0.6, y + 0.6)) > 20
+
+
+def test_click_selects_and_empty_place_deselects(display):
+    with App(display, two_masses()) as app:
+        check(not app.is_enabled("delete"), "nothing is selected at first")
+        app.click_world(-2, 0.2)
+        wait(lambda: is_selected(app, -2, 0), "A to be marked")
+        check(not is_selected(app, 2, 0), "B is not marked")
+        check(app.is_enabled("delete"), "A can be deleted")
+        app.click_world(0, 2)
+        wait(lambda: not is_selected(app, -2, 0), "A not to be marked")
+        check(not app.is_enabled("delete"), "nothing is selected")
+
+
+def test_shift_and_control_click_add_and_take_away(display):
+    with App(display, two_masses()) as app:
+        app.click_world(-2, 0.2)
+        app.click_world(2, 0.2, keys=["shift"])
+        wait(lambda: is_selected(app, -2, 0) and is_selected(app, 2, 0), "both to be marked")
+        app.click_world(-2, 0.2, keys=["ctrl"])
+        wait(lambda: not is_selected(app, -2, 0) and is_selected(app, 2, 0), "B alone to be marked")
+
+
+def test_drag_snaps_to_grid(display):
+    with App(display, two_masses()) as app:
+        app.drag((-2, 0.2), (-0.93, 1.28))
+        check_equal(positions(app), {"A": (-1, 1), "B": (2, 0)}, "places")
+
+
+def test_drag_with_alt_is_free(display):
+    with App(display, two_masses()) as app:
+        app.drag((-2, 0.2), (-0.93, 1.27), keys=["alt"])
+        x, y = positions(app)["A"]
+        pixel = 1 / app.scale()
+        check_close(x, -0.93, 2 * pixel, "x")
+        check_close(y, 1.07, 2 * pixel, "y")
+        check(abs(x / 0.2 - round(x / 0.2)) > 0.1, f"x = {x} is on the grid")
+
+
+def test_press_that_does_not_move_changes_nothing(display):
+    with App(display, two_masses()) as app:
+        x, y = app.at(-2, 0.2)
+        app.xdotool("mousemove", x, y, "mousedown", 1, "mousemove", x + 2, y + 1, "mouseup", 1)
+        app.saved()
+        check(not app.is_enabled("undo"), "there is nothing to undo")
+
+
+def test_drag_follows_pointer_and_escape_takes_it_back(display):
+    with App(display, two_masses()) as app:
+        app.drag((-2, 0.2), (-2, 2.2), release=False)
+        app.wait_fill(colours.BODY, (-2.4, 1.6), (-1.6, 2.4), least=500)
+        app.press("Escape")
+        app.wait_fill(colours.BODY, (-2.4, 1.6), (-1.6, 2.4), most=0)
+        app.release()
+        check_equal(positions(app)["A"], (-2, 0), "place")
+        check(not app.is_enabled("undo"), "there is nothing to undo")
+
+
+def test_arrows_nudge_by_the_grid(display):
+    with App(display, two_masses()) as app:
+        app.click_world(-2, 0.2)
+        app.press("Right", "Right", "Up", "Left", "Down", "Down")
+        x, y = positions(app)["A"]
+        check_close(x, -1.8, 1e-12, "x")
+        check_close(y, -0.2, 1e-12, "y")
+
+
+def test_arrows_with_alt_nudge_finely(display):
+    with App(display, two_masses()) as app:
+        app.click_world(-2, 0.2)
+        app.press("alt+Right", "alt+Up")
+        x, y = positions(app)["A"]
+        check_close(x, -2 + 1 / app.scale(), 1e-5, "x")
+        check_close(y, 1 / app.scale(), 1e-5, "y")
+
+
+def test_arrows_without_selection_pan(display):
+    with App(display, two_masses()) as app:
+        app.click_world(0, 2)
+        before = app.view()
+        app.press("Right")
+        wait(lambda: app.view()[2] > before[2], "the view to go to the right")
+        check_equal(positions(app), {"A": (-2, 0), "B": (2, 0)}, "places")
+
+
+def test_tab_goes_through_the_blocks(display):
+    with App(display, two_masses()) as app:
+        app.click_world(0, 2)
+        app.press("Tab")
+        wait(lambda: is_selected(app, -2, 0), "A to be marked")
+        app.press("Tab")
+        wait(lambda: is_selected(app, 2, 0), "B to be marked")
+        app.press("shift+Tab")
+        wait(lambda: is_selected(app, -2, 0), "A to be marked again")
+
+
+def test_delete_and_undo(display):
+    with App(display, two_masses()) as app:
+        app.click_world(-2, 0.2)
+        app.press("Delete")
+        check_equal(list(app.blocks()), ["B"], "after Delete")
+        app.press("ctrl+z")
+        check_equal(positions(app), {"A": (-2, 0), "B": (2, 0)}, "after undo")
+        app.press("ctrl+shift+z")
+        check_equal(list(app.blocks()), ["B"], "after redo")
+
+
+def test_deleting_a_mass_detaches_its_connectors(display):
+    with App(display, scene(support("Wall", 0, 3), mass("A", 0, 0), spring("S", "Wall", "A", stiffness=30))) as app:
+        app.click_world(-0.3, -0.3)
+        app.press("Delete")
+        blocks = app.blocks()
+        check_equal(sorted(blocks), ["S", "Wall"], "blocks")
+        check_equal(blocks["S"]["ends"], ["Wall", [0, 0]], "ends of the spring")
+        app.press("ctrl+z")
+        check_equal(app.blocks()["S"]["ends"], ["Wall", "A"], "ends after undo")
+
+
+def test_duplicate(display):
+    with App(display, two_masses()) as app:
+        app.click_world(-2, 0.2)
+        app.press("ctrl+d")
+        places = positions(app)
+        check_equal(len(places), 3, "number of blocks")
+        new = next(place for name, place in places.items() if name not in "AB")
+        check(new != places["A"], "the copy lies beside what it was copied from")
+        app.press("ctrl+z")
+        check_equal(positions(app), {"A": (-2, 0), "B": (2, 0)}, "after undo")
+        app.press("ctrl+y")
+        check_equal(len(positions(app)), 3, "number of blocks after redo")
+
+
+def test_copy_and_paste_keep_connections(display):
+    with App(display, scene(support("Wall", 0, 3), mass("A", 0, 0), spring("S", "Wall", "A", stiffness=30))) as app:
+        app.click_world(1, 3)
+        app.press("ctrl+a", "ctrl+c", "ctrl+v")
+        blocks = wait(lambda: len(found := app.blocks()) == 6 and found, "six blocks")
+        new = [block for name, block in blocks.items() if name not in ("Wall", "A", "S")]
+        copy = next(block for block in new if block["type"] == "spring")
+        check_equal(copy["stiffness"], 30, "stiffness of the copy")
+        check_equal(sorted(copy["ends"]), sorted(block["name"] for block in new if block["type"] != "spring"),
+                    "what the copy connects")
+        app.press("ctrl+z")
+        check_equal(list(app.blocks()), ["Wall", "A", "S"], "after undo")
+
+
+def test_cut_and_paste(display):
+    with App(display, two_masses()) as app:
+        app.click_world(-2, 0.2)
+        app.press("ctrl+x")
+        check_equal(list(app.blocks()), ["B"], "after cut")
+        app.click_world(0, 2)
+        app.press("ctrl+v")
+        wait(lambda: len(app.blocks()) == 2, "the pasted block")
+
+
+def test_drag_undo_is_one_step(display):
+    with App(display, two_masses()) as app:
+        app.drag((-2, 0.2), (-1, 1.2), (0, 2.2), (1, 2.2))
+        check_equal(positions(app)["A"], (1, 2), "place")
+        app.press("ctrl+z")
+        check_equal(positions(app)["A"], (-2, 0), "after undo")
+        check(not app.is_enabled("undo"), "there is nothing more to undo")
+        app.press("ctrl+y")
+        check_equal(positions(app)["A"], (1, 2), "after redo")
+
+
+def test_band_selects_and_group_drag_moves_all(display):
+    with App(display, scene(mass("A", -2, 0), mass("B", 2, 0), mass("C", 0, 3))) as app:
+        app.show_width()
+        app.drag((-3, -1), (3, 1))
+        wait(lambda: is_selected(app, -2, 0) and is_selected(app, 2, 0), "A and B to be marked")
+        check(not is_selected(app, 0, 3), "C is outside")
+        app.drag((2.2, 0.2), (2.2, -1.03), (3.19, -1.83))
+        check_equal(positions(app), {"A": (-1, -2), "B": (3, -2), "C": (0, 3)}, "places")
+        app.press("ctrl+z")
+        check_equal(positions(app), {"A": (-2, 0), "B": (2, 0), "C": (0, 3)}, "after undo")
+
+
+def test_band_is_drawn(display):
+    with App(display, scene()) as app:
+        app.drag((-3, -2), (3, 1), release=False)
+        inside = colours.mixed(colours.SELECTED, 0.15)
+        app.wait_fill(inside, (-3.1, -2.1), (3.1, 1.1), least=10000)
+        app.release()
+        app.wait_fill(inside, (-3.1, -2.1), (3.1, 1.1), most=0)
+
+
+def test_menu_of_the_canvas(display):
+    with App(display, two_masses()) as app:
+        app.click_world(-2, 0.2, button=3)
+        app.find("menu item", "Delete")
+        wait(lambda: is_selected(app, -2, 0), "A to be marked")
+        app.press("Escape")
+
+
+def test_local_origin_is_dragged_without_the_body(display):
+    with App(display, scene(mass("A", 0, 0, local_origin=[1, 1]), mass("B", 2, 0))) as app:
+        app.click_world(0, 0.2)
+        app.drag((1, 1), (-1.03, 1.42))
+        block = app.blocks()["A"]
+        check_equal(block["position"], [0, 0], "place")
+        check_close(block["local_origin"][0], -1, 1e-9, "x of the origin")
+        check_close(block["local_origin"][1], 1.4, 1e-9, "y of the origin")
+        app.press("ctrl+z")
+        check_equal(app.blocks()["A"]["local_origin"], [1, 1], "origin after undo")
+
+
+def test_local_origin_waits_beyond_a_corner(display):
+    with App(display, scene(mass("A", 0, 0))) as app:
+        app.click_world(0, 0.2)
+        wait(lambda: is_selected(app, 0, 0), "A to be marked")
+        handle = app.middle_of_colour(colours.SELECTED, (-0.8, -0.8), (-0.46, -0.46))
+        app.drag(handle, (-1, -1))
+        block = app.blocks()["A"]
+        check_equal((block["position"], block["local_origin"]), ([0, 0], [-1, -1]), "place and origin")
+
+
+def test_body_is_sized_by_its_corner(display):
+    with App(display, two_masses()) as app:
+        app.click_world(-2, 0.2)
+        app.drag((-1.6, 0.4), (-1.42, 0.81))
+        block = app.blocks()["A"]
+        check_equal(block["position"], [-2, 0], "place")
+        check_close(block["width"], 1.2, 1e-9, "width")
+        check_close(block["height"], 1.6, 1e-9, "height")
+
+
+def test_support_is_turned_by_its_handle(display):
+    with App(display, scene(support("Plate", 0, 0))) as app:
+        app.show_width()
+        app.click_world(1, 0)
+        handle = wait(lambda: app.middle_of_colour(colours.SELECTED, (-0.2, 0.3), (0.2, 1)), "the handle")
+        app.drag(handle, (-1, 1))
+        check_close(app.blocks()["Plate"]["orientation"], 0.785398163, 0.02, "orientation (rad)")
+
+
+if __name__ == "__main__":
+    main()

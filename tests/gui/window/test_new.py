@@ -1,0 +1,58 @@
+#!/usr/bin/python3
+"""New: the dialog about units and width; and what there is at a first start."""
+from harness import App, check, check_close, check_equal, main, mass, scene, wait
+
+
+def test_new_asks_for_units_and_width(display):
+    with App(display, scene(mass("A", 0, 0))) as app:
+        app.press("ctrl+n")
+        dialog = app.find(None, "New Scene")
+        width = app.find("text", "Maximum Canvas Width", inside=dialog)
+        app.retype(width, "24 m")
+        app.click("Create", inside=dialog)
+        app.find("button", "Undo")
+        wait(lambda: abs(app.view()[0] - 24) < 1e-3, "a view 24 m wide")
+        app.find_starting("list item", "Gravity")
+
+
+def test_new_in_english_units(display):
+    with App(display) as app:
+        app.press("ctrl+n")
+        dialog = app.find(None, "New Scene")
+        app.choose_from(app.find("combo box", "Units", inside=dialog), "English (ft, slug, lbf)")
+        app.retype(app.find("text", "Maximum Canvas Width", inside=dialog), "30 ft")
+        app.click("Create", inside=dialog)
+        wait(lambda: abs(app.view()[0] - 30 * 0.3048) < 1e-3, "a view 30 ft wide")
+        app.click("Mass")
+        app.wait_read("Properties", "Mass", "0.06852 slug")
+
+
+def test_wrong_widths_are_refused(display):
+    with App(display) as app:
+        app.press("ctrl+n")
+        dialog = app.find(None, "New Scene")
+        for text in ("", "0", "-3 m", "abc", "5 kg", "1e999 m"):
+            app.retype(app.find("text", "Maximum Canvas Width", inside=dialog), text)
+            wait(lambda: not app.find("button", "Create", inside=dialog).has("sensitive"), f"{text!r} to be refused")
+        app.click("Cancel", inside=dialog)
+        app.gone(None, "New Scene")
+
+
+def test_cancel_keeps_the_scene(display):
+    with App(display, scene(mass("A", 0, 0))) as app:
+        app.press("ctrl+n")
+        app.click("Cancel", inside=app.find(None, "New Scene"))
+        app.gone(None, "New Scene")
+        check_equal(sorted(app.blocks()), ["A"], "blocks")
+
+
+def test_first_start_offers_examples(display):
+    with App(display) as app:
+        app.find("label", "Build Something That Moves")
+        app.click("Pendulum", inside=app.find(None, "First Steps"))
+        wait(lambda: app.look("label", "Build Something That Moves") is None, "the first steps to go")
+        check(app.title().startswith("Pendulum"), app.title())
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,180 @@
+#!/usr/bin/python3
+"""The panel of properties: what it shows, what is typed into it, and what becomes of wrong entries."""
+from harness import App, check, check_close, check_equal, main, mass, scene, spring, support, wait
+from harness.scenes import connector
+
+WRONG_NUMBERS = ("abc", "1 2", "1,5", "1 s", "--1", "1e999", "nan", "inf", "5 parsecs", "2 kg m", "0x10", "±1", "1/0")
+
+
+def select(app, x, y):
+    app.show_width()
+    app.click_world(x, y)
+
+
+def text_of(app, group, title):
+    return wait(lambda: app.read(group, title), f"{title} of {group}")
+
+
+def test_mass_shows_its_groups(display):
+    ball = {"type": "mass", "name": "Mass 0", "position": [3.2, 2.4]}
+    with App(display, scene(ball)) as app:
+        select(app, 3.2, 2.4)
+        for group, title, text in (
+                ("Appearance", "Name", "Mass 0"), ("Global Position", "X", "3.20000 m"),
+                ("Global Position", "Y", "2.40000 m"), ("Initial Velocity", "Vx", "0.00000 m/s"),
+                ("Initial Velocity", "Vy", "0.00000 m/s"), ("Offset (Local Coordinates)", "X", "0.00000 m"),
+                ("Offset (Local Coordinates)", "Y", "0.00000 m"), ("Properties", "Mass", "1.00000 kg"),
+                ("Properties", "Orientation", "0.00000 deg"), ("Size", "Height", "0.80000 m"),
+                ("Size", "Width", "0.80000 m")):
+            app.wait_read(group, title, text)
+
+
+def test_mass_in_english_units(display):
+    ball = {"type": "mass", "name": "Mass 0", "position": [3.2, 2.4]}
+    with App(display, {**scene(ball), "units": "english"}) as app:
+        select(app, 3.2, 2.4)
+        for group, title, text in (("Global Position", "X", "10.49869 ft"), ("Global Position", "Y", "7.87402 ft"),
+                                   ("Properties", "Mass", "0.06852 slug"), ("Size", "Height", "2.62467 ft")):
+            app.wait_read(group, title, text)
+        check_close(app.blocks()["Mass 0"]["position"][0], 3.2, 1e-12, "X in the file, in m")
+
+
+def test_units_are_switched_for_all(display):
+    ball = {"type": "mass", "name": "Mass 0", "position": [3.2, 2.4]}
+    with App(display, scene(ball)) as app:
+        select(app, -3, -1)  # nothing: the scene itself
+        app.field("Scene", "Units")
+        app.choose_in("Scene", "Units", "English")
+        app.click_world(3.2, 2.4)
+        app.wait_read("Properties", "Mass", "0.06852 slug")
+        check_equal(app.saved()["units"].lower(), "english", "units in the file")
+        app.press("Escape")
+
+
+def test_spring_shows_its_length_and_greys_it(display):
+    with App(display, scene(support("Wall", 0, 3), mass("A", 0, 1), spring("S", "Wall", "A"))) as app:
+        select(app, 0, 2)
+        app.wait_read("Spring Properties", "K", "25.00000 N/m")
+        app.wait_read("Spring Properties", "Undeformed Length", "2.00000 m")
+        app.wait_read("Spring Properties", "Length", "2.00000 m")
+        check(not app.field("Spring Properties", "Length").has("sensitive"), "the length is greyed out")
+        check(app.field("Spring Properties", "K").has("sensitive"), "the stiffness takes entries")
+
+
+def test_typing_with_another_unit(display):
+    with App(display, scene(mass("A", 0, 0))) as app:
+        select(app, 0.2, 0.2)
+        app.enter("Size", "Width", "12 in")
+        app.wait_read("Size", "Width", "0.30480 m")
+        check_close(app.blocks()["A"]["width"], 0.3048, 1e-12, "width in the file")
+
+
+def test_leaving_the_field_commits(display):
+    with App(display, scene(mass("A", 0, 0))) as app:
+        select(app, 0.2, 0.2)
+        app.enter("Properties", "Mass", "3", key="Tab")
+        app.wait_read("Properties", "Mass", "3.00000 kg")
+        check_equal(app.blocks()["A"]["mass"], 3, "mass in the file")
+
+
+def test_entry_is_one_step_for_undo(display):
+    with App(display, scene(mass("A", 0, 0))) as app:
+        select(app, 0.2, 0.2)
+        app.enter("Properties", "Mass", "3")
+        app.wait_read("Properties", "Mass", "3.00000 kg")
+        app.click("Undo")
+        app.wait_read("Properties", "Mass", "1.00000 kg")
+        app.click("Redo")
+        app.wait_read("Properties", "Mass", "3.00000 kg")
+
+
+def test_offset_moves_the_mass(display):
+    with App(display, scene(mass("A", 0, 1))) as app:
+        select(app, 0.2, 1.2)
+        app.enter("Offset (Local Coordinates)", "Y", "-1")
+        app.wait_read("Global Position", "Y", "0.00000 m")
+        block = app.blocks()["A"]
+        check_close(block["position"][1], 0, 1e-12, "Y")
+
+
+def wrong_entries(app, group, title, entries):
+    """Each stays as it was typed, is marked, says why, and changes nothing."""
+    before = app.saved()
+    for entry in entries:
+        app.enter(group, title, entry)
+        wait(lambda: app.look("alert"), f"a word on {entry!r} in {title}")
+        check_equal(app.read(group, title), entry, f"what stays in {title}")
+        check_equal(app.saved(), before, f"the scene after {entry!r} in {title}")
+        app.xdotool("key", "Escape")
+        wait(lambda: app.look("alert") is None, f"the word on {entry!r} to go")
+
+
+def test_wrong_numbers(display):
+    with App(display, scene(mass("A", 0, 0))) as app:
+        select(app, 0.2, 0.2)
+        wrong_entries(app, "Properties", "Mass", (*WRONG_NUMBERS, "0", "-1 kg"))
+        wrong_entries(app, "Global Position", "X", ("abc", "1 kg", "1e400"))
+        wrong_entries(app, "Properties", "Orientation", ("north", "1 m"))
+        wrong_entries(app, "Size", "Width", ("-1",))
+
+
+def test_wrong_names(display):
+    with App(display, scene(mass("A", -2, 0), mass("B", 2, 0))) as app:
+        select(app, -1.8, 0.2)
+        wrong_entries(app, "Appearance", "Name", ("", "B"))
+
+
+def test_wrong_ends(display):
+    with App(display, scene(support("Wall", 0, 3), mass("A", 0, 1), spring("S", "Wall", "A"))) as app:
+        select(app, 0, 2)
+        wrong_entries(app, "Connections", "End 1", ("Wal", "S", "nobody"))
+
+
+def test_wrong_expression(display):
+    motor = connector("motor", "M", "A", waveform={"expression": "sin(t)"})
+    with App(display, scene(mass("A", 0, 0), motor)) as app:
+        select(app, 0.2, 0.2)
+        app.press("Tab")
+        app.field("Force", "Expression")
+        wrong_entries(app, "Force", "Expression", ("sin(", "foo(t)", "x", ""))
+
+
+def test_wrong_settings_of_the_scene(display):
+    with App(display, scene(mass("A", 0, 0))) as app:
+        select(app, -3, -1)
+        wrong_entries(app, "Canvas", "Width", ("0", "-1", "wide", "1 s"))
+        wrong_entries(app, "Canvas", "Grid", ("-1", "1 kg"))
+        wrong_entries(app, "Run", "Duration", ("-1 s", "1 m", "long"))
+        wrong_entries(app, "Run", "Interval", ("0", "-1"))
+
+
+def test_change_while_paused_goes_on(display):
+    with App(display, scene(support("Wall", 0, 3), mass("A", 0, 0), spring("S", "Wall", "A", rest_length=2))) as app:
+        select(app, 0, 1.7)
+        for _ in range(3):
+            app.click("One Sample Forward")
+        wait(lambda: app.time() == 0.03, "three steps")
+        app.enter("Spring Properties", "K", "50")
+        app.wait_read("Spring Properties", "K", "50.00000 N/m")
+        check_equal(app.time(), 0.03, "time after a change of the stiffness")
+
+
+def test_change_of_the_start_goes_back(display):
+    with App(display, scene(mass("A", 0, 0))) as app:
+        select(app, 0.2, 0.2)
+        app.click("One Sample Forward")
+        wait(lambda: app.time() > 0, "a step")
+        app.enter("Initial Velocity", "Vx", "1")
+        wait(lambda: app.time() == 0, "the start")
+        app.wait_read("Initial Velocity", "Vx", "1.00000 m/s")
+
+
+def test_outline_selects(display):
+    with App(display, scene(mass("A", -2, 0), mass("B", 2, 0))) as app:
+        app.show_width()
+        app.click(app.find_starting("list item", "B, Mass"))
+        app.wait_read("Appearance", "Name", "B")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,96 @@
+#!/usr/bin/python3
+"""New blocks: by click and by drag from the palette, and where their ends go."""
+from harness import App, check, check_close, check_equal, main, mass, scene, support, wait
+from harness import colours
+
+
+def ends(app, name):
+    return app.blocks()[name]["ends"]
+
+
+def test_click_places_where_there_is_room(display):
+    with App(display, scene()) as app:
+        app.click("Mass")
+        app.click("Mass")
+        first, second = (app.blocks()[name]["position"] for name in ("Mass 0", "Mass 1"))
+        check(max(abs(a - b) for a, b in zip(first, second)) >= 0.8, f"Mass 0 at {first}, Mass 1 at {second} overlap")
+
+
+def test_names_count_up(display):
+    with App(display, scene()) as app:
+        for name in ("Mass", "Mass", "Support", "Spring", "Damper", "Rod", "Motor"):
+            app.click(name)
+        check_equal(list(app.blocks()), ["Mass 0", "Mass 1", "Support 0", "Spring 0", "Damper 0", "Rod 0", "Motor 0"],
+                    "names")
+
+
+def test_drag_shows_block_on_its_way(display):
+    with App(display, scene()) as app:
+        start, target = app.middle(app.find("button", "Mass")), app.at(1.03, 1.98)
+        app.drag_pixels(start, app.at(-2, 0), release=False)
+        app.wait_fill(colours.BODY, (-2.4, -0.4), (-1.6, 0.4), least=500)
+        app.xdotool("mousemove", *target)
+        app.wait_fill(colours.BODY, (-2.4, -0.4), (-1.6, 0.4), most=0)
+        app.wait_fill(colours.BODY, (0.6, 1.6), (1.4, 2.4), least=500)
+        app.release()
+        check_equal(app.blocks()["Mass 0"]["position"], [1, 2], "snapped place")
+
+
+def test_drag_back_places_nothing(display):
+    with App(display, scene()) as app:
+        start = app.middle(app.find("button", "Mass"))
+        app.drag_pixels(start, app.at(0, 0), release=False)
+        app.wait_fill(colours.BODY, (-0.4, -0.4), (0.4, 0.4), least=500)
+        app.xdotool("mousemove", *app.middle(app.find("button", "Support")))
+        app.wait_fill(colours.BODY, (-0.4, -0.4), (0.4, 0.4), most=0)
+        app.release()
+        check_equal(app.blocks(), {}, "blocks")
+        check(not app.is_enabled("undo"), "there is nothing to undo")
+
+
+def test_drag_is_one_step_for_undo(display):
+    with App(display, scene()) as app:
+        app.drag_pixels(app.middle(app.find("button", "Mass")), app.at(0, 0), app.at(1, 1), app.at(2, 2))
+        check_equal(app.blocks()["Mass 0"]["position"], [2, 2], "place")
+        app.press("ctrl+z")
+        check_equal(app.blocks(), {}, "after undo")
+        app.press("ctrl+y")
+        check_equal(app.blocks()["Mass 0"]["position"], [2, 2], "after redo")
+
+
+def test_connector_dropped_between_bodies_is_connected(display):
+    with App(display, scene(mass("A", 0, 0), mass("B", 3, 0))) as app:
+        app.drag_pixels(app.middle(app.find("button", "Spring")), app.at(1, 1), app.at(0.8, 0.0))
+        place = ends(app, "Spring 0")
+        check_equal(place[0], "A", "the end that lies on A")
+
+
+def test_click_with_two_selected_connects_them(display):
+    with App(display, scene(support("Wall", 0, 3), mass("Ball", 0, 0))) as app:
+        app.click_world(1, 3)
+        app.click_world(0, 0, keys=["shift"])
+        app.click("Spring")
+        check_equal(ends(app, "Spring 0"), ["Wall", "Ball"], "ends")
+
+
+def test_click_with_one_selected_leaves_an_end_free(display):
+    with App(display, scene(mass("Ball", 0, 0))) as app:
+        app.click_world(0, 0)
+        app.click("Rod")
+        first, second = ends(app, "Rod 0")
+        check_equal(first, "Ball", "first end")
+        check(isinstance(second, list), f"the second end is free: {second}")
+
+
+def test_placing_goes_back_to_the_start(display):
+    with App(display, scene(mass("Ball", 0, 0))) as app:
+        app.click("One Sample Forward")
+        wait(lambda: app.time() > 0, "a step")
+        app.click("Mass")
+        wait(lambda: app.time() == 0, "the start")
+        app.find_text("Back at the start")
+        check_close(app.blocks()["Ball"]["position"][1], 0, 0, "the ball as it was edited")
+
+
+if __name__ == "__main__":
+    main()
