@@ -44,29 +44,54 @@ TinkerBlockId tinker_history_add_block(TinkerHistory *history, const TinkerBlock
     return id;
 }
 
+/* Of several blocks. (transfer full) */
+static GPtrArray *take_all(const TinkerScene *scene, const GArray *blocks)
+{
+    GPtrArray *snapshots = g_ptr_array_new_with_free_func(free_state);
+    for (guint i = 0; i < blocks->len; i++)
+        g_ptr_array_add(snapshots, scene_snapshot_take(scene, g_array_index(blocks, TinkerBlockId, i)));
+    return snapshots;
+}
+
+/* Adds what has become of them; takes the snapshots. */
+static void add_all(TinkerHistory *history, const GArray *blocks, GPtrArray *before)
+{
+    g_ptr_array_set_free_func(before, NULL);
+    for (guint i = 0; i < blocks->len; i++) {
+        TinkerBlockId id = g_array_index(blocks, TinkerBlockId, i);
+        history_add(history, &history_block, id, g_ptr_array_index(before, i),
+                    scene_snapshot_take(history_scene(history), id));
+    }
+}
+
 void tinker_history_remove_block(TinkerHistory *history, TinkerBlockId block)
 {
     gboolean own = history_open_own(history, "Remove", tinker_scene_block_name(history_scene(history), block));
     g_autoptr(GArray) attached = scene_attached_to(history_scene(history), block);
-    g_autofree SceneSnapshot **before = g_new(SceneSnapshot *, attached->len + 1);
-    for (guint i = 0; i < attached->len; i++)
-        before[i] = scene_snapshot_take(history_scene(history), g_array_index(attached, TinkerBlockId, i));
+    g_autoptr(GPtrArray) before = take_all(history_scene(history), attached);
     SceneSnapshot *removed = scene_snapshot_take(history_scene(history), block);
 
     tinker_scene_remove_block(history_scene(history), block);
-    for (guint i = 0; i < attached->len; i++) {
-        TinkerBlockId id = g_array_index(attached, TinkerBlockId, i);
-        history_add(history, &history_block, id, before[i], scene_snapshot_take(history_scene(history), id));
-    }
+    add_all(history, attached, before);
     history_add(history, &history_block, block, removed, NULL);
     if (own) tinker_history_end(history);
 }
 
 gboolean tinker_history_rename_block(TinkerHistory *history, TinkerBlockId block, const char *name, GError **error)
 {
-    SceneSnapshot *before = scene_snapshot_take(history_scene(history), block);
-    return record_if(tinker_scene_rename_block(history_scene(history), block, name, error), history, "Rename", block,
-                     before);
+    TinkerScene *scene = history_scene(history);
+    g_autoptr(GArray) naming = scene_placeholders_on(scene, block);
+    g_autoptr(GPtrArray) before = take_all(scene, naming);
+    SceneSnapshot *renamed = scene_snapshot_take(scene, block);
+    if (!tinker_scene_rename_block(scene, block, name, error)) {
+        scene_snapshot_free(renamed);
+        return FALSE;
+    }
+    gboolean own = history_open_own(history, "Rename", name);
+    history_add(history, &history_block, block, renamed, scene_snapshot_take(scene, block));
+    add_all(history, naming, before);
+    if (own) tinker_history_end(history);
+    return TRUE;
 }
 
 gboolean tinker_history_set(TinkerHistory *history, TinkerBlockId block, int32_t property, const double *values,

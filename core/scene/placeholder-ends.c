@@ -46,9 +46,9 @@ static void append_ends(GString *out, const char *text, const JsonPart *part, GH
     g_string_append_len(out, text + from, (gssize)(part->end - from));
 }
 
-void scene_placeholder_rename_ends(ScenePlaceholder *placeholder, GHashTable *names)
+gboolean scene_placeholder_rename_ends(ScenePlaceholder *placeholder, GHashTable *names)
 {
-    const char *text = placeholder->text;
+    g_autofree char *text = placeholder->text;
     g_autoptr(GArray) members = json_split(text, 0);
     GString *out = g_string_new(NULL);
     gsize from = 0;
@@ -60,6 +60,42 @@ void scene_placeholder_rename_ends(ScenePlaceholder *placeholder, GHashTable *na
         from = member->end;
     }
     g_string_append(out, text + from);
-    g_free(placeholder->text);
     placeholder->text = g_string_free(out, FALSE);
+    return !g_str_equal(placeholder->text, text);
+}
+
+/* (transfer full) */
+static GHashTable *one_name(const char *old_name, const char *new_name)
+{
+    GHashTable *names = g_hash_table_new(g_str_hash, g_str_equal);
+    g_hash_table_insert(names, (gpointer)old_name, (gpointer)new_name);
+    return names;
+}
+
+void scene_placeholders_follow(TinkerScene *scene, const char *old_name, const char *new_name)
+{
+    g_autoptr(GHashTable) names = one_name(old_name, new_name);
+    GHashTableIter iter;
+    gpointer placeholder;
+    g_hash_table_iter_init(&iter, scene->placeholders);
+    while (g_hash_table_iter_next(&iter, NULL, &placeholder))
+        scene_placeholder_rename_ends(placeholder, names);
+}
+
+/* A block is named where another name in its place would change the text. */
+GArray *scene_placeholders_on(const TinkerScene *scene, TinkerBlockId block)
+{
+    GArray *blocks = g_array_new(FALSE, FALSE, sizeof(TinkerBlockId));
+    g_autoptr(GHashTable) names = one_name(scene_slot(scene, block)->name, "");
+    GHashTableIter iter;
+    gpointer id, placeholder;
+    g_hash_table_iter_init(&iter, scene->placeholders);
+    while (g_hash_table_iter_next(&iter, &id, &placeholder)) {
+        TinkerBlockId of = GPOINTER_TO_INT(id);
+        ScenePlaceholder *copy = scene_placeholder_copy(placeholder);
+        if (tinker_scene_has_block(scene, of) && scene_placeholder_rename_ends(copy, names))
+            g_array_append_val(blocks, of);
+        scene_placeholder_free(copy);
+    }
+    return blocks;
 }

@@ -144,9 +144,6 @@ TinkerScene *reader_read_text(TinkerCatalogue *catalogue, const char *text, gsiz
 /* A value of its own in the text. (transfer full) */
 cJSON *reader_parse(SceneReader *reader, const JsonPart *part);
 
-/* Names in the ends of a placeholder follow: old name to new name. */
-void scene_placeholder_rename_ends(ScenePlaceholder *placeholder, GHashTable *names);
-
 void reader_head(SceneReader *reader);
 void reader_block(SceneReader *reader, int number);
 void reader_ends(SceneReader *reader, const cJSON *json, JsonAt at, TinkerBlockId block);

@@ -131,6 +131,11 @@ TinkerBlockId scene_append(TinkerScene *scene, const TinkerBlockClass *block_cla
                            ScenePlaceholder *placeholder);
 ScenePlaceholder *scene_placeholder_copy(const ScenePlaceholder *placeholder);
 void scene_placeholder_free(ScenePlaceholder *placeholder);
+/* Names in the ends of a placeholder follow: old name to new name. Answers whether there was one. */
+gboolean scene_placeholder_rename_ends(ScenePlaceholder *placeholder, GHashTable *names);
+void scene_placeholders_follow(TinkerScene *scene, const char *old_name, const char *new_name);
+/* The placeholders in the scene whose ends name a block; of TinkerBlockId. (transfer full) */
+GArray *scene_placeholders_on(const TinkerScene *scene, TinkerBlockId block);
 
 /* The place of a block in the drawing order, 0 for the one that is drawn first; and moving it to another. */
 int32_t scene_order_of(const TinkerScene *scene, TinkerBlockId block);

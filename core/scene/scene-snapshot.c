@@ -12,14 +12,15 @@ struct _SceneSnapshot {
     TinkerBlockId id;
     char *name;
     int32_t order; /* place in the drawing order */
-    int32_t table; /* number, or SCENE_PLACEHOLDER: what follows is then empty */
+    int32_t table; /* number, or SCENE_PLACEHOLDER: the values that follow are then empty */
     int32_t column_count, property_count, end_count;
     double *columns;
     guint8 *given;
     char **texts;
     TinkerWaveform **waveforms;
     TinkerSceneEnd *ends;
-    GArray *graphs; /* of SnapshotGraph, last first */
+    char *placeholder; /* the text of one; else NULL */
+    GArray *graphs;    /* of SnapshotGraph, last first */
 };
 
 static void take_row(SceneSnapshot *snapshot, const SceneTable *table, int32_t row)
@@ -98,6 +99,8 @@ SceneSnapshot *scene_snapshot_take(const TinkerScene *scene, TinkerBlockId block
     snapshot->table = slot->table;
     const SceneTable *table = scene_table_of(scene, block);
     if (table != NULL) take_row(snapshot, table, slot->row);
+    const ScenePlaceholder *placeholder = g_hash_table_lookup(scene->placeholders, GINT_TO_POINTER(block));
+    if (placeholder != NULL) snapshot->placeholder = g_strdup(placeholder->text);
 
     snapshot->graphs = g_array_new(FALSE, FALSE, sizeof(SnapshotGraph));
     g_autoptr(GArray) places = scene_graphs_of(scene, block);
@@ -120,6 +123,7 @@ void scene_snapshot_free(SceneSnapshot *snapshot)
         scene_graph_free(g_array_index(snapshot->graphs, SnapshotGraph, i).graph);
     g_array_unref(snapshot->graphs);
     g_free(snapshot->name);
+    g_free(snapshot->placeholder);
     g_free(snapshot->columns);
     g_free(snapshot->given);
     g_free(snapshot->texts);
@@ -140,6 +144,11 @@ void scene_snapshot_restore(TinkerScene *scene, const SceneSnapshot *snapshot)
         scene_assign_name(scene, snapshot->id, snapshot->name);
     SceneTable *table = scene_table_of(scene, snapshot->id);
     if (table != NULL) restore_row(snapshot, table, scene_slot(scene, snapshot->id)->row);
+    ScenePlaceholder *placeholder = g_hash_table_lookup(scene->placeholders, GINT_TO_POINTER(snapshot->id));
+    if (placeholder != NULL) {
+        g_free(placeholder->text);
+        placeholder->text = g_strdup(snapshot->placeholder);
+    }
 }
 
 void scene_copy_row(const TinkerScene *from, TinkerBlockId block, TinkerScene *to, TinkerBlockId copy)

@@ -311,6 +311,7 @@ gboolean tinker_scene_rename_block(TinkerScene *scene, TinkerBlockId block, cons
         g_set_error_literal(error, TINKER_SCENE_ERROR, TINKER_SCENE_ERROR_NAME, fault);
         return FALSE;
     }
+    scene_placeholders_follow(scene, scene_slot(scene, block)->name, name);
     scene_assign_name(scene, block, name);
     return TRUE;
 }

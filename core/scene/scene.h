@@ -103,7 +103,7 @@ TinkerBlockId tinker_scene_add_block(TinkerScene *scene, const TinkerBlockClass 
 
 /* Removes a block and its graphs; ends attached to it become detached at the place they were. */
 void tinker_scene_remove_block(TinkerScene *scene, TinkerBlockId block);
-/* Graphs follow their block's new name. */
+/* Graphs and the ends of placeholders follow their block's new name. */
 gboolean tinker_scene_rename_block(TinkerScene *scene, TinkerBlockId block, const char *name, GError **error);
 
 /* Properties ----------------------------------------------------------------------------------------------------- */

@@ -246,6 +246,31 @@ static void assert_head_refused(TinkerHistory *history, const TinkerSceneHead *h
     g_assert_cmpuint(tinker_history_revision(history), ==, revision);
 }
 
+/* Nobody knows what a placeholder does with its ends, but a file must not name a block that there is not. */
+static void test_placeholder_ends(void)
+{
+    g_autoptr(TinkerScene) scene = scene_fixture_read_blocks(
+        "{\"type\": \"mass\", \"name\": \"A\"}, {\"type\": \"mass\", \"name\": \"B\"}, "
+        "{\"type\": \"pulley\", \"name\": \"P\", \"ends\": [\"A\", {\"block\": \"A\", \"pin\": 1}, "
+        "\"P\", \"Gone\"], \"note\": \"A\"}");
+    g_autoptr(TinkerHistory) history = tinker_history_new(scene);
+    g_autofree char *before = text_of(scene);
+    g_assert_false(tinker_history_rename_block(history, tinker_scene_find_block(scene, "A"), "B", NULL));
+    g_assert_true(tinker_history_rename_block(history, tinker_scene_find_block(scene, "P"), "Q", NULL));
+    g_assert_true(tinker_history_rename_block(history, tinker_scene_find_block(scene, "A"), "Gone", NULL));
+    g_autofree char *after = text_of(scene);
+    g_assert_nonnull(strstr(after, "\"name\": \"Q\", \"ends\": [\"Gone\", {\"block\": \"Gone\", \"pin\": 1}, "
+                                   "\"Q\", \"Gone\"], \"note\": \"A\"}"));
+    tinker_history_undo(history);
+    tinker_history_undo(history);
+    g_autofree char *undone = text_of(scene);
+    g_assert_cmpstr(undone, ==, before);
+    tinker_history_redo(history);
+    tinker_history_redo(history);
+    g_autofree char *redone = text_of(scene);
+    g_assert_cmpstr(redone, ==, after);
+}
+
 static void test_head(void)
 {
     g_autoptr(TinkerScene) scene = scene_fixture_read(scene_fixture_example);
@@ -383,6 +408,7 @@ static void add_tests(void)
     g_test_add_func("/scene/history/abort", test_abort);
     g_test_add_func("/scene/history/removal", test_removal);
     g_test_add_func("/scene/history/swapped-names", test_swapped_names);
+    g_test_add_func("/scene/history/placeholder-ends", test_placeholder_ends);
     g_test_add_func("/scene/history/head", test_head);
     g_test_add_func("/scene/history/graphs", test_graphs);
     g_test_add_func("/scene/history/order", test_order);
