@@ -220,7 +220,10 @@ void tinker_accuracy_page_set_document(TinkerAccuracyPage *page, TinkerDocument 
 static void tinker_accuracy_page_dispose(GObject *object)
 {
     TinkerAccuracyPage *page = TINKER_ACCURACY_PAGE(object);
+    GtkWidget *child;
     gtk_widget_dispose_template(GTK_WIDGET(object), TINKER_TYPE_ACCURACY_PAGE);
+    while ((child = gtk_widget_get_first_child(GTK_WIDGET(object))) != NULL) /* those without a name */
+        gtk_widget_unparent(child);
     g_clear_object(&page->task);
     g_clear_object(&page->plan);
     g_clear_object(&page->document);
