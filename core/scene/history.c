@@ -186,6 +186,11 @@ void tinker_history_abort(TinkerHistory *history)
     g_clear_pointer(&history->open, step_free);
 }
 
+gboolean tinker_history_is_open(const TinkerHistory *history)
+{
+    return history->open != NULL;
+}
+
 const char *tinker_history_can_undo(const TinkerHistory *history)
 {
     if (history->done == 0) return NULL;

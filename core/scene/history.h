@@ -21,6 +21,8 @@ void tinker_history_begin(TinkerHistory *history, const char *title, const char 
 void tinker_history_end(TinkerHistory *history);
 /* Ends the step and takes back what it did. */
 void tinker_history_abort(TinkerHistory *history);
+/* Whether there is one between begin and end. */
+gboolean tinker_history_is_open(const TinkerHistory *history);
 
 /* The setters of scene.h, recorded. Outside begin and end each is a step of its own. */
 TinkerBlockId tinker_history_add_block(TinkerHistory *history, const TinkerBlockClass *block_class, const char *name,

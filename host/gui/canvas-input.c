@@ -57,9 +57,9 @@ static void begin_drag(TinkerCanvas *canvas)
     if (canvas->pressed.block == TINKER_NO_BLOCK) {
         canvas->gesture = CANVAS_BAND;
     } else if (count > 1 && canvas->pressed.part == TINKER_PART_WHOLE) {
+        tinker_document_begin(canvas->document, "Move", NULL);
         canvas->gesture = CANVAS_GROUP;
         canvas->group_moved[0] = canvas->group_moved[1] = 0;
-        canvas->group_number++;
     } else {
         canvas->drag = tinker_drag_begin(tinker_document_history(canvas->document),
                                          tinker_document_scene(canvas->document), canvas->pressed, world[0], world[1]);
@@ -87,8 +87,8 @@ static void drag_group(TinkerCanvas *canvas, GdkModifierType modifiers)
     tinker_snap(canvas_grid(canvas, modifiers), &way[0], &way[1]);
     double dx = way[0] - canvas->group_moved[0], dy = way[1] - canvas->group_moved[1];
     if (dx == 0 && dy == 0) return;
-    g_autofree char *merge = g_strdup_printf("group %u", canvas->group_number);
-    tinker_document_move_selected(canvas->document, dx, dy, merge);
+    tinker_document_shift_selected(canvas->document, dx, dy);
+    tinker_document_touch(canvas->document);
     canvas->group_moved[0] = way[0];
     canvas->group_moved[1] = way[1];
 }
@@ -158,6 +158,7 @@ static void on_release(GtkGestureDrag *gesture, double dx, double dy, TinkerCanv
         tinker_drag_end(g_steal_pointer(&canvas->drag), (modifiers & GDK_SHIFT_MASK) != 0);
         tinker_document_touch(canvas->document);
     }
+    if (ended == CANVAS_GROUP) tinker_document_end(canvas->document);
     if (ended == CANVAS_BAND) select_in_band(canvas);
     set_highlighted(canvas, TINKER_NO_BLOCK);
     gtk_widget_queue_draw(GTK_WIDGET(canvas));
@@ -171,8 +172,7 @@ void canvas_cancel_gesture(TinkerCanvas *canvas)
         tinker_drag_cancel(g_steal_pointer(&canvas->drag));
         tinker_document_touch(canvas->document);
     }
-    if (cancelled == CANVAS_GROUP)
-        tinker_document_move_selected(canvas->document, -canvas->group_moved[0], -canvas->group_moved[1], "group");
+    if (cancelled == CANVAS_GROUP) tinker_document_abort(canvas->document);
     set_highlighted(canvas, TINKER_NO_BLOCK);
 }
 
@@ -180,23 +180,15 @@ void canvas_cancel_gesture(TinkerCanvas *canvas)
 
 static void on_pan_press(GtkGestureDrag *gesture, double x, double y, TinkerCanvas *canvas)
 {
-    canvas_cancel_gesture(canvas);
-    canvas->gesture = CANVAS_PAN;
-    canvas->pointer[0] = canvas->pointer[1] = 0;
+    canvas->panned[0] = canvas->panned[1] = 0;
 }
 
 static void on_pan(GtkGestureDrag *gesture, double dx, double dy, TinkerCanvas *canvas)
 {
-    if (canvas->gesture != CANVAS_PAN) return;
-    tinker_view_pan(&canvas->view, dx - canvas->pointer[0], dy - canvas->pointer[1]);
-    canvas->pointer[0] = dx;
-    canvas->pointer[1] = dy;
+    tinker_view_pan(&canvas->view, dx - canvas->panned[0], dy - canvas->panned[1]);
+    canvas->panned[0] = dx;
+    canvas->panned[1] = dy;
     canvas_view_changed(canvas);
-}
-
-static void on_pan_release(GtkGestureDrag *gesture, double dx, double dy, TinkerCanvas *canvas)
-{
-    if (canvas->gesture == CANVAS_PAN) canvas->gesture = CANVAS_IDLE;
 }
 
 static gboolean on_scroll(GtkEventControllerScroll *controller, double dx, double dy, TinkerCanvas *canvas)
@@ -214,15 +206,9 @@ static gboolean on_scroll(GtkEventControllerScroll *controller, double dx, doubl
 
 static void on_motion(GtkEventControllerMotion *controller, double x, double y, TinkerCanvas *canvas)
 {
-    canvas->pointer_inside = TRUE;
     if (canvas->gesture != CANVAS_IDLE) return;
     canvas->pointer[0] = x;
     canvas->pointer[1] = y;
-}
-
-static void on_leave(GtkEventControllerMotion *controller, TinkerCanvas *canvas)
-{
-    canvas->pointer_inside = FALSE;
 }
 
 static void on_pinch(GtkGestureZoom *gesture, double scale, TinkerCanvas *canvas)
@@ -332,7 +318,6 @@ void canvas_add_input(TinkerCanvas *canvas)
     GtkGesture *pan = add_gesture(canvas, gtk_gesture_drag_new(), GDK_BUTTON_MIDDLE);
     g_signal_connect(pan, "drag-begin", G_CALLBACK(on_pan_press), canvas);
     g_signal_connect(pan, "drag-update", G_CALLBACK(on_pan), canvas);
-    g_signal_connect(pan, "drag-end", G_CALLBACK(on_pan_release), canvas);
     GtkGesture *menu = add_gesture(canvas, gtk_gesture_click_new(), GDK_BUTTON_SECONDARY);
     g_signal_connect(menu, "pressed", G_CALLBACK(on_menu), canvas);
     GtkGesture *pinch = add_gesture(canvas, gtk_gesture_zoom_new(), 0);
@@ -343,7 +328,6 @@ void canvas_add_input(TinkerCanvas *canvas)
     gtk_widget_add_controller(GTK_WIDGET(canvas), scroll);
     GtkEventController *motion = gtk_event_controller_motion_new();
     g_signal_connect(motion, "motion", G_CALLBACK(on_motion), canvas);
-    g_signal_connect(motion, "leave", G_CALLBACK(on_leave), canvas);
     gtk_widget_add_controller(GTK_WIDGET(canvas), motion);
     GtkEventController *keys = gtk_event_controller_key_new();
     g_signal_connect(keys, "key-pressed", G_CALLBACK(on_key), canvas);

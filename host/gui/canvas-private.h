@@ -14,7 +14,6 @@ typedef enum {
     CANVAS_DRAG,  /* of a part of one block */
     CANVAS_GROUP, /* of all that is selected */
     CANVAS_BAND,  /* around blocks that are to be selected */
-    CANVAS_PAN,
 } CanvasGesture;
 
 struct _TinkerCanvas {
@@ -33,11 +32,11 @@ struct _TinkerCanvas {
     CanvasGesture gesture;
     TinkerHit pressed;
     double press[2], pointer[2]; /* widget units */
-    gboolean pointer_inside, moved;
+    gboolean moved;
     TinkerDrag *drag;
     TinkerBlockId highlighted;
     double group_moved[2]; /* m: so far */
-    guint group_number;    /* of the drag, for merging its steps */
+    double panned[2];      /* widget units: so far, with the middle button */
 
     TinkerBlockId placing; /* the block on its way from the palette */
 };

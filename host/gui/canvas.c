@@ -152,14 +152,6 @@ static void tinker_canvas_size_allocate(GtkWidget *widget, int width, int height
     canvas_view_changed(canvas);
 }
 
-void tinker_canvas_pointer(TinkerCanvas *canvas, double place[2])
-{
-    gboolean inside = canvas->pointer_inside;
-    canvas_to_world(canvas, inside ? canvas->pointer[0] : canvas->view.width / 2,
-                    inside ? canvas->pointer[1] : canvas->view.height / 2, place);
-    tinker_snap(canvas_grid(canvas, 0), &place[0], &place[1]);
-}
-
 /* Painting ------------------------------------------------------------------------------------------------------------ */
 
 static TinkerPaintOptions paint_options(TinkerCanvas *canvas)
@@ -232,6 +224,13 @@ static void on_replaced(TinkerCanvas *canvas)
     canvas->view_is_set = FALSE;
 }
 
+/* Whoever wants to edit meanwhile goes first. */
+static void on_interrupted(TinkerCanvas *canvas)
+{
+    canvas_cancel_gesture(canvas);
+    tinker_canvas_place_cancel(canvas);
+}
+
 static void on_changed(TinkerCanvas *canvas)
 {
     if (!canvas->view_is_set) show_first(canvas);
@@ -245,6 +244,7 @@ void tinker_canvas_set_player(TinkerCanvas *canvas, TinkerDocument *document, Ti
     canvas->document = g_object_ref(document);
     canvas->player = g_object_ref(player);
     g_signal_connect_object(document, "replaced", G_CALLBACK(on_replaced), canvas, G_CONNECT_SWAPPED);
+    g_signal_connect_object(document, "interrupted", G_CALLBACK(on_interrupted), canvas, G_CONNECT_SWAPPED);
     g_signal_connect_object(document, "changed", G_CALLBACK(on_changed), canvas, G_CONNECT_SWAPPED);
     g_signal_connect_object(document, "selection-changed", G_CALLBACK(gtk_widget_queue_draw), canvas,
                             G_CONNECT_SWAPPED);

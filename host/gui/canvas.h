@@ -28,9 +28,6 @@ void tinker_canvas_zoom(TinkerCanvas *canvas, double factor);
 void tinker_canvas_fit(TinkerCanvas *canvas);
 void tinker_canvas_show_width(TinkerCanvas *canvas);
 
-/* Where the pointer is, or the middle of the view where it is elsewhere, on the grid if that is snapped to (m). */
-void tinker_canvas_pointer(TinkerCanvas *canvas, double place[2]);
-
 /* A new block of a class on its way from the palette, as one step for undo: _move with a point in widget coordinates shows it
  * there (or takes it away, outside of the canvas), _drop leaves it there, _cancel takes it away. */
 void tinker_canvas_place_move(TinkerCanvas *canvas, const TinkerBlockClass *block_class, double x, double y);

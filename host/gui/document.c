@@ -18,7 +18,7 @@ struct _TinkerDocument {
 
 G_DEFINE_FINAL_TYPE(TinkerDocument, tinker_document, G_TYPE_OBJECT)
 
-enum { CHANGED, REPLACED, SELECTION_CHANGED, FILE_CHANGED, SIGNALS };
+enum { CHANGED, REPLACED, SELECTION_CHANGED, FILE_CHANGED, INTERRUPTED, SIGNALS };
 static guint signals[SIGNALS];
 
 static void emit(TinkerDocument *document, int signal)
@@ -45,7 +45,8 @@ static void tinker_document_finalize(GObject *object)
 
 static void tinker_document_class_init(TinkerDocumentClass *class)
 {
-    static const char *const names[SIGNALS] = {"changed", "replaced", "selection-changed", "file-changed"};
+    static const char *const names[SIGNALS] = {"changed", "replaced", "selection-changed", "file-changed",
+                                               "interrupted"};
     G_OBJECT_CLASS(class)->finalize = tinker_document_finalize;
     for (int i = 0; i < SIGNALS; i++)
         signals[i] =
@@ -109,6 +110,7 @@ static char *checksum_of_file(const char *path)
 static void replace(TinkerDocument *document, TinkerScene *scene, const TinkerDocumentOrigin *origin,
                     gboolean recovered)
 {
+    tinker_document_interrupt(document);
     TinkerScene *last = document->scene;
     tinker_history_free(document->history);
     document->scene = scene;
@@ -152,6 +154,7 @@ gboolean tinker_document_recover(TinkerDocument *document, const char *text, gsi
 
 gboolean tinker_document_save(TinkerDocument *document, const char *path, GError **error)
 {
+    tinker_document_interrupt(document);
     if (document->origin.base != NULL && !carry_tables(document->scene, document->origin.base, path, error))
         return FALSE;
     if (!tinker_scene_write_file(document->scene, path, TINKER_WRITE_SI, error)) return FALSE;
@@ -229,8 +232,14 @@ void tinker_document_touch(TinkerDocument *document)
     emit(document, FILE_CHANGED);
 }
 
+void tinker_document_interrupt(TinkerDocument *document)
+{
+    if (tinker_history_is_open(document->history)) emit(document, INTERRUPTED);
+}
+
 void tinker_document_begin(TinkerDocument *document, const char *title, const char *merge)
 {
+    tinker_document_interrupt(document);
     tinker_history_begin(document->history, title, merge);
 }
 
@@ -248,12 +257,20 @@ void tinker_document_abort(TinkerDocument *document)
 
 void tinker_document_undo(TinkerDocument *document)
 {
+    if (tinker_history_is_open(document->history)) {
+        tinker_document_interrupt(document);
+        return;
+    }
     tinker_history_undo(document->history);
     tinker_document_touch(document);
 }
 
 void tinker_document_redo(TinkerDocument *document)
 {
+    if (tinker_history_is_open(document->history)) {
+        tinker_document_interrupt(document);
+        return;
+    }
     tinker_history_redo(document->history);
     tinker_document_touch(document);
 }
@@ -274,6 +291,7 @@ void tinker_document_place(TinkerDocument *document, TinkerBlockId block, const 
 
 void tinker_document_remove_selected(TinkerDocument *document)
 {
+    tinker_document_interrupt(document);
     guint count = document->selection->len;
     if (count == 0) return;
     TinkerBlockId first = g_array_index(document->selection, TinkerBlockId, 0);
@@ -304,12 +322,17 @@ static void move_block(TinkerDocument *document, TinkerBlockId block, double dx,
     }
 }
 
+void tinker_document_shift_selected(TinkerDocument *document, double dx, double dy)
+{
+    for (guint i = 0; i < document->selection->len; i++)
+        move_block(document, g_array_index(document->selection, TinkerBlockId, i), dx, dy);
+}
+
 void tinker_document_move_selected(TinkerDocument *document, double dx, double dy, const char *merge)
 {
     if (document->selection->len == 0) return;
     tinker_document_begin(document, "Move", merge);
-    for (guint i = 0; i < document->selection->len; i++)
-        move_block(document, g_array_index(document->selection, TinkerBlockId, i), dx, dy);
+    tinker_document_shift_selected(document, dx, dy);
     tinker_document_end(document);
 }
 

@@ -5,6 +5,7 @@
  *   "replaced"           another scene altogether, before "changed": forget everything that came from the last one
  *   "selection-changed"
  *   "file-changed"       the path, or whether there is something to save
+ *   "interrupted"        something else is to be done in the middle of a step: who keeps it open aborts it
  */
 #ifndef TINKER_GUI_DOCUMENT_H
 #define TINKER_GUI_DOCUMENT_H
@@ -65,13 +66,17 @@ gboolean tinker_document_is_empty(TinkerDocument *document);
 
 /* Editing ----------------------------------------------------------------------------------------------------------- */
 
-/* One step for undo; steps do not nest. `merge` as in history.h. */
+/* One step for undo; steps do not nest: one that is open is interrupted. `merge` as in history.h. */
 void tinker_document_begin(TinkerDocument *document, const char *title, const char *merge);
 void tinker_document_end(TinkerDocument *document);
 void tinker_document_abort(TinkerDocument *document);
 /* Tells that the scene has changed where somebody else (a drag) keeps the step. */
 void tinker_document_touch(TinkerDocument *document);
 
+/* Has whoever keeps a step open (a drag) abort it; for those who change the scene through its history. */
+void tinker_document_interrupt(TinkerDocument *document);
+
+/* In the middle of a step, both take that back and no more. */
 void tinker_document_undo(TinkerDocument *document);
 void tinker_document_redo(TinkerDocument *document);
 
@@ -82,7 +87,8 @@ void tinker_document_place(TinkerDocument *document, TinkerBlockId block, const 
 /* Removes what is selected. */
 void tinker_document_remove_selected(TinkerDocument *document);
 
-/* Moves what is selected, bodies and detached ends, by (dx, dy) m. `merge` as in history.h. */
+/* Moves what is selected, bodies and detached ends, by (dx, dy) m: inside a step, and as one. `merge` as in history.h. */
+void tinker_document_shift_selected(TinkerDocument *document, double dx, double dy);
 void tinker_document_move_selected(TinkerDocument *document, double dx, double dy, const char *merge);
 
 /* Selection --------------------------------------------------------------------------------------------------------- */

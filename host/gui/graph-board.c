@@ -30,14 +30,6 @@ TinkerGraphView *tinker_graph_board_view(TinkerGraphBoard *board, int place)
     return g_ptr_array_index(private_of(board)->views, place);
 }
 
-TinkerGraphView *tinker_graph_board_find(TinkerGraphBoard *board, int number)
-{
-    for (int i = 0; i < tinker_graph_board_count(board); i++)
-        if (tinker_graph_view_number(tinker_graph_board_view(board, i)) == number)
-            return tinker_graph_board_view(board, i);
-    return NULL;
-}
-
 const TinkerSceneGraph *tinker_graph_board_graph(TinkerGraphBoard *board, TinkerGraphView *view)
 {
     GPtrArray *graphs = tinker_scene_graphs(tinker_document_scene(private_of(board)->document));

@@ -26,7 +26,4 @@ const TinkerSceneGraph *tinker_graph_board_graph(TinkerGraphBoard *board, Tinker
 int tinker_graph_board_count(TinkerGraphBoard *board);
 TinkerGraphView *tinker_graph_board_view(TinkerGraphBoard *board, int place);
 
-/* The view of the graph of this number, or NULL. */
-TinkerGraphView *tinker_graph_board_find(TinkerGraphBoard *board, int number);
-
 #endif

@@ -67,6 +67,7 @@ const TinkerStartOption *tinker_start_find(const GPtrArray *options, TinkerStart
 gboolean tinker_start_do(TinkerDocument *document, TinkerPlayer *player, const TinkerStartOption *option, double value,
                          GError **error)
 {
+    tinker_document_interrupt(document);
     if (!tinker_start_apply(tinker_document_history(document), tinker_document_scene(document), option, value, error))
         return FALSE;
     if (tinker_player_time(player) > 0) tinker_player_rewind(player);

@@ -94,6 +94,7 @@ static void paste_text(TinkerWindow *window, const char *text)
     g_autoptr(GArray) pasted = g_array_new(FALSE, FALSE, sizeof(TinkerBlockId));
     double grid = tinker_scene_head(tinker_document_scene(window->document))->canvas_grid, by = 5 * grid;
     if (tinker_player_time(window->player) > 0) tinker_player_rewind(window->player);
+    tinker_document_interrupt(window->document);
     if (!tinker_fragment_paste(tinker_document_history(window->document), text, by, -by, pasted, &error)) {
         window_toast(window, error->message);
         return;

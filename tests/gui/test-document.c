@@ -144,6 +144,49 @@ static void test_recovered(void)
     g_assert_false(tinker_document_is_modified(document));
 }
 
+/* A drag keeps a step open; whatever else is done meanwhile comes before it. */
+static void abort_step(TinkerDocument *document, int *times)
+{
+    ++*times;
+    tinker_document_abort(document);
+}
+
+static void test_interrupted(void)
+{
+    g_autoptr(TinkerDocument) document = files_fixture_document();
+    TinkerScene *scene = tinker_document_scene(document);
+    TinkerBlockId first = tinker_scene_block_at(scene, 0);
+    int times = 0;
+    g_signal_connect(document, "interrupted", G_CALLBACK(abort_step), &times);
+    files_fixture_rename(document, "Beam");
+    g_assert_cmpint(times, ==, 0);
+    tinker_document_select(document, first);
+    g_autofree char *before = tinker_scene_to_text(scene, TINKER_WRITE_SI);
+
+    void (*const commands[])(TinkerDocument * document) = {tinker_document_undo, tinker_document_redo,
+                                                           tinker_document_interrupt};
+    for (gsize i = 0; i < G_N_ELEMENTS(commands); i++) {
+        tinker_document_begin(document, "Move", NULL);
+        tinker_document_shift_selected(document, 1, 2);
+        commands[i](document);
+        g_assert_cmpint(times, ==, (int)i + 1);
+        g_autofree char *after = tinker_scene_to_text(scene, TINKER_WRITE_SI);
+        g_assert_cmpstr(after, ==, before);
+    }
+    tinker_document_begin(document, "Move", NULL);
+    tinker_document_shift_selected(document, 1, 2);
+    tinker_document_remove_selected(document);
+    g_assert_false(tinker_scene_has_block(scene, first));
+    tinker_document_undo(document);
+    g_autofree char *undone = tinker_scene_to_text(scene, TINKER_WRITE_SI);
+    g_assert_cmpstr(undone, ==, before);
+
+    tinker_document_begin(document, "Move", NULL);
+    g_assert_true(tinker_document_start(document, files_fixture_scene, strlen(files_fixture_scene), NULL, NULL));
+    g_assert_cmpint(times, ==, 5);
+    g_assert_false(tinker_document_is_modified(document));
+}
+
 static void add_tests(void)
 {
     g_test_add_func("/gui/document/modified", test_modified);
@@ -153,6 +196,7 @@ static void add_tests(void)
     g_test_add_func("/gui/document/save-fails", test_save_fails);
     g_test_add_func("/gui/document/tables-go-along", test_tables_go_along);
     g_test_add_func("/gui/document/recovered", test_recovered);
+    g_test_add_func("/gui/document/interrupted", test_interrupted);
 }
 
 int main(int argc, char **argv)
