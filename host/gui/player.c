@@ -427,6 +427,15 @@ guint tinker_player_generation(TinkerPlayer *player)
     return player->generation;
 }
 
+static void note_asked(TinkerPlayer *player, TinkerQuantity quantity)
+{
+    for (guint i = 0; i < player->asked->len; i++) {
+        const TinkerQuantity *asked = &g_array_index(player->asked, TinkerQuantity, i);
+        if (asked->block == quantity.block && asked->quantity == quantity.quantity) return;
+    }
+    g_array_append_val(player->asked, quantity);
+}
+
 gboolean tinker_player_series(TinkerPlayer *player, TinkerQuantity quantity, TinkerSeriesCursor *cursor, GArray *times,
                               GArray *values)
 {
@@ -434,7 +443,7 @@ gboolean tinker_player_series(TinkerPlayer *player, TinkerQuantity quantity, Tin
         TinkerRunTask *task = g_array_index(player->segments, Segment, cursor->segment).task;
         int column = tinker_run_task_column(task, quantity);
         if (column < 0) {
-            g_array_append_val(player->asked, quantity);
+            note_asked(player, quantity);
             return FALSE;
         }
         double end = segment_end(player, cursor->segment);

@@ -23,6 +23,24 @@ static void add_graphed(GArray *columns, TinkerScene *scene, const TinkerSceneGr
     }
 }
 
+static int compare(const void *left, const void *right)
+{
+    const TinkerQuantity *l = left, *r = right;
+    if (l->block != r->block) return l->block < r->block ? -1 : 1;
+    return (l->quantity > r->quantity) - (l->quantity < r->quantity);
+}
+
+static void remove_repeated(GArray *columns)
+{
+    g_array_sort(columns, compare);
+    guint kept = 0;
+    for (guint i = 0; i < columns->len; i++) {
+        TinkerQuantity *quantities = (TinkerQuantity *)(gpointer)columns->data;
+        if (kept == 0 || compare(&quantities[kept - 1], &quantities[i]) != 0) quantities[kept++] = quantities[i];
+    }
+    g_array_set_size(columns, kept);
+}
+
 GArray *tinker_recorded_quantities(TinkerDocument *document, const GArray *asked)
 {
     TinkerScene *scene = tinker_document_scene(document);
@@ -37,11 +55,12 @@ GArray *tinker_recorded_quantities(TinkerDocument *document, const GArray *asked
         add_graphed(columns, scene, g_ptr_array_index(graphs, i));
     int selected;
     const TinkerBlockId *selection = tinker_document_selection(document, &selected);
-    for (int i = 0; i < selected; i++)
+    for (int i = 0; i < selected && columns->len <= MOST; i++)
         add_quantities(columns, scene, selection[i]);
     for (guint i = 0; i < asked->len; i++) {
         TinkerQuantity of = g_array_index(asked, TinkerQuantity, i);
         if (tinker_scene_has_block(scene, of.block)) g_array_append_val(columns, of);
     }
+    remove_repeated(columns);
     return columns;
 }
