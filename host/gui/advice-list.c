@@ -1,14 +1,15 @@
 /* One thread at a time looks over one copy. Edits meanwhile make what it finds outdated; then it is looked again. */
 #include "advice-list.h"
 
+#include "background.h"
+
 #define PAUSE_IN_EDITING 200 /* ms */
 
-/* A look in progress: the thread attaches the source when it is done. */
+/* A look in progress. */
 typedef struct {
+    TinkerAdviceList *owner; /* borrowed; of the main thread */
     TinkerScene *scene;
     GPtrArray *findings;
-    GThread *thread;
-    GSource *done;
 } Look;
 
 struct _TinkerAdviceList {
@@ -18,7 +19,7 @@ struct _TinkerAdviceList {
     GPtrArray *findings;
     gboolean outdated; /* edited since the copy was taken that the findings are of */
     guint timer;
-    Look *look; /* or NULL */
+    TinkerBackground *look; /* or NULL */
 };
 
 G_DEFINE_FINAL_TYPE(TinkerAdviceList, tinker_advice_list, G_TYPE_OBJECT)
@@ -36,25 +37,18 @@ static void set_findings(TinkerAdviceList *list, GPtrArray *findings)
 
 /* Looking ------------------------------------------------------------------------------------------------------------- */
 
-/* Waits for the thread, if there is one. */
-static void end_look(TinkerAdviceList *list)
-{
-    Look *look = g_steal_pointer(&list->look);
-    if (look == NULL) return;
-    g_thread_join(look->thread);
-    g_source_destroy(look->done);
-    g_source_unref(look->done);
-    tinker_scene_free(look->scene);
-    g_clear_pointer(&look->findings, g_ptr_array_unref);
-    g_free(look);
-}
-
-static gpointer look_over(gpointer data)
+static void look_over(TinkerBackground *background, void *data)
 {
     Look *look = data;
     look->findings = tinker_advice_new(look->scene);
-    g_source_attach(look->done, NULL);
-    return NULL;
+}
+
+static void look_free(void *data)
+{
+    Look *look = data;
+    tinker_scene_free(look->scene);
+    g_clear_pointer(&look->findings, g_ptr_array_unref);
+    g_free(look);
 }
 
 static gboolean at_start(TinkerAdviceList *list)
@@ -64,30 +58,26 @@ static gboolean at_start(TinkerAdviceList *list)
 
 static void look_after(TinkerAdviceList *list, guint milliseconds);
 
-static gboolean on_looked(gpointer data)
+static void on_looked(void *data)
 {
-    g_autoptr(TinkerAdviceList) list = g_object_ref(data);
-    GPtrArray *found = g_steal_pointer(&list->look->findings);
-    end_look(list);
-    if (!list->outdated && at_start(list))
-        set_findings(list, found);
-    else
-        g_ptr_array_unref(found);
+    Look *look = data;
+    g_autoptr(TinkerAdviceList) list = g_object_ref(look->owner);
+    g_clear_pointer(&list->look, tinker_background_let_go);
+    if (!list->outdated && at_start(list)) set_findings(list, g_steal_pointer(&look->findings));
     if (list->outdated && at_start(list) && list->timer == 0) look_after(list, 0);
-    return G_SOURCE_REMOVE;
 }
 
 static gboolean on_timer(gpointer data)
 {
+    static const TinkerBackgroundWork look_work = {"advice", look_over, on_looked, look_free};
     TinkerAdviceList *list = data;
     list->timer = 0;
     if (!at_start(list) || list->look != NULL) return G_SOURCE_REMOVE; /* on_looked goes on from there */
     list->outdated = FALSE;
-    Look *look = list->look = g_new0(Look, 1);
+    Look *look = g_new0(Look, 1);
+    look->owner = list;
     look->scene = tinker_scene_copy(tinker_document_scene(list->document));
-    look->done = g_idle_source_new();
-    g_source_set_callback(look->done, on_looked, list, NULL);
-    look->thread = g_thread_new("advice", look_over, look);
+    list->look = tinker_background_start(&look_work, look);
     return G_SOURCE_REMOVE;
 }
 
@@ -155,6 +145,7 @@ static const TinkerAdvice *find_again(const GPtrArray *now, const TinkerAdvice *
 gboolean tinker_advice_list_repair(TinkerAdviceList *list, guint finding, GError **error)
 {
     g_return_val_if_fail(finding < list->findings->len, FALSE);
+    tinker_document_interrupt(list->document);
     TinkerScene *scene = tinker_document_scene(list->document);
     const TinkerAdvice *advice = g_ptr_array_index(list->findings, finding);
     g_autoptr(GPtrArray) now = list->outdated ? tinker_advice_new(scene) : NULL;
@@ -177,7 +168,7 @@ static void tinker_advice_list_dispose(GObject *object)
 {
     TinkerAdviceList *list = TINKER_ADVICE_LIST(object);
     g_clear_handle_id(&list->timer, g_source_remove);
-    end_look(list);
+    g_clear_pointer(&list->look, tinker_background_let_go);
     g_clear_object(&list->player);
     g_clear_object(&list->document);
     G_OBJECT_CLASS(tinker_advice_list_parent_class)->dispose(object);
