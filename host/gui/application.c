@@ -69,10 +69,11 @@ static void on_new_scene(GSimpleAction *action, GVariant *parameter, gpointer ap
 /* Windows with changes that are not saved ask first, and stay. */
 static void on_quit(GSimpleAction *action, GVariant *parameter, gpointer application)
 {
-    GList *windows = g_list_copy(gtk_application_get_windows(GTK_APPLICATION(application)));
+    GList *windows = gtk_application_get_windows(GTK_APPLICATION(application));
+    windows = g_list_copy_deep(windows, (GCopyFunc)(void (*)(void))g_object_ref, NULL);
     for (GList *window = windows; window != NULL; window = window->next)
         gtk_window_close(window->data);
-    g_list_free(windows);
+    g_list_free_full(windows, g_object_unref);
 }
 
 static void on_about(GSimpleAction *action, GVariant *parameter, gpointer application)
