@@ -22,19 +22,10 @@ static void show_accuracy(void *data)
     adw_view_stack_set_visible_child_name(TINKER_WINDOW(data)->pages, PAGE);
 }
 
-/* What follows the last " (--" are options of the command line, which a window has not. */
-static char *without_options(const char *warning)
-{
-    const char *options = g_strrstr(warning, " (--");
-    return options != NULL && g_str_has_suffix(warning, ")") ? g_strndup(warning, (gsize)(options - warning))
-                                                             : g_strdup(warning);
-}
-
 static void add_notice(GPtrArray *notices, TinkerWindow *window, const char *warning, const char *button,
                        void (*cure)(void *data))
 {
-    g_autofree char *text = without_options(warning);
-    g_ptr_array_add(notices, tinker_notice_new(TINKER_NOTICE_WARNING, text, button, cure, window, NULL));
+    g_ptr_array_add(notices, tinker_notice_new(TINKER_NOTICE_WARNING, warning, button, cure, window, NULL));
 }
 
 static GPtrArray *new_notices(void)

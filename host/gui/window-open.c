@@ -73,30 +73,6 @@ static void tell_warnings(TinkerWindow *window, const GPtrArray *findings)
     adw_toast_overlay_add_toast(window->toasts, toast);
 }
 
-/* A banner as long as the scene has blocks that nobody provides. */
-void window_tell_missing_types(TinkerWindow *window)
-{
-    TinkerScene *scene = tinker_document_scene(window->document);
-    if (tinker_scene_first_placeholder(scene) == TINKER_NO_BLOCK) {
-        window_banner_hide(window, "missing-types");
-        return;
-    }
-    g_autoptr(GString) names = g_string_new(NULL);
-    g_autoptr(GHashTable) told = g_hash_table_new(g_str_hash, g_str_equal);
-    for (int32_t place = 0; place < tinker_scene_block_count(scene); place++) {
-        TinkerBlockId block = tinker_scene_block_at(scene, place);
-        const char *type = tinker_scene_block_type(scene, block);
-        if (tinker_scene_block_class(scene, block) != NULL || !g_hash_table_add(told, (char *)type)) continue;
-        g_string_append_printf(names, "%s“%s”", names->len > 0 ? ", " : "", type);
-    }
-    g_autofree char *text = g_strdup_printf(
-        ngettext("No installed plugin provides the block type %s. Its blocks are kept, but the scene cannot run.",
-                 "No installed plugin provides the block types %s. Their blocks are kept, but the scene cannot run.",
-                 g_hash_table_size(told)),
-        names->str);
-    window_banner_show(window, "missing-types", text, NULL, NULL);
-}
-
 /* Files --------------------------------------------------------------------------------------------------------------- */
 
 void tinker_window_open(TinkerWindow *window, const char *path)

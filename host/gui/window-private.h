@@ -72,11 +72,6 @@ void window_add_start(TinkerWindow *window);
 GtkWidget *window_new_start_panel(TinkerWindow *window);
 void window_add_start_menu(TinkerWindow *window, GMenu *menu);
 
-/* A line under the header bar that stays: `key` is what it is hidden by, or replaced; `label` and `action` of a button may be
- * NULL. window-banner.c. */
-void window_banner_show(TinkerWindow *window, const char *key, const char *text, const char *label, const char *action);
-void window_banner_hide(TinkerWindow *window, const char *key);
-
 /* Saving; window-files.c. Each asks where something could be lost. */
 void window_save(TinkerWindow *window, gboolean under_another_name);
 /* Asks whether to save; then closes. */
@@ -88,8 +83,6 @@ void window_choose_file(TinkerWindow *window);
 void window_start_first(TinkerWindow *window);
 /* The menu of recent and example scenes, and its actions. */
 void window_add_open_menu(TinkerWindow *window);
-/* Tells of blocks that no installed plugin provides. */
-void window_tell_missing_types(TinkerWindow *window);
 
 /* Unsaved work is kept safe; window-recovery.c. */
 void window_add_autosave(TinkerWindow *window);

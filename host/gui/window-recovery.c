@@ -8,15 +8,28 @@
 
 /* The autosave -------------------------------------------------------------------------------------------------------- */
 
+/* NULL: there is nothing to tell any more. (transfer full) */
+static void set_notice(TinkerWindow *window, TinkerNotice *notice)
+{
+    GPtrArray *notices = g_ptr_array_new_with_free_func((GDestroyNotify)tinker_notice_free);
+    if (notice != NULL) g_ptr_array_add(notices, notice);
+    tinker_notice_bar_set(window->notices, "autosave", notices);
+}
+
+static void save(void *window)
+{
+    window_save(window, FALSE);
+}
+
 static void on_failed(TinkerAutosave *autosave, const char *message, TinkerWindow *window)
 {
     g_autofree char *text = g_strdup_printf(_("Your changes cannot be kept safe at present, save them: %s"), message);
-    window_banner_show(window, "autosave", text, _("_Save"), "win.save");
+    set_notice(window, tinker_notice_new(TINKER_NOTICE_ERROR, text, _("Save"), save, window, NULL));
 }
 
 static void on_working(TinkerAutosave *autosave, TinkerWindow *window)
 {
-    window_banner_hide(window, "autosave");
+    set_notice(window, NULL);
 }
 
 void window_add_autosave(TinkerWindow *window)

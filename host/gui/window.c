@@ -118,8 +118,6 @@ static void connect_parts(TinkerWindow *window)
     g_signal_connect_object(window->document, "file-changed", G_CALLBACK(on_file_changed), window, G_CONNECT_SWAPPED);
     g_signal_connect_object(window->document, "selection-changed", G_CALLBACK(window_update_actions), window,
                             G_CONNECT_SWAPPED);
-    g_signal_connect_object(window->document, "changed", G_CALLBACK(window_tell_missing_types), window,
-                            G_CONNECT_SWAPPED);
     gtk_overlay_add_overlay(window->canvas_overlay, tinker_welcome_new(window->document, window->player));
     g_signal_connect_object(window->canvas, "menu", G_CALLBACK(on_canvas_menu), window, 0);
 }
@@ -145,6 +143,9 @@ TinkerWindow *tinker_window_new(TinkerApplication *application)
 static void tinker_window_dispose(GObject *object)
 {
     TinkerWindow *window = TINKER_WINDOW(object);
+    /* What the parts do as they go is not to be shown by others that have gone. */
+    if (window->document != NULL) g_signal_handlers_disconnect_by_data(window->document, window);
+    if (window->player != NULL) g_signal_handlers_disconnect_by_data(window->player, window);
     window_remove_accuracy(window);
     gtk_widget_dispose_template(GTK_WIDGET(window), TINKER_TYPE_WINDOW);
     g_clear_object(&window->autosave);
