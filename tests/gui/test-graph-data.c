@@ -1,46 +1,27 @@
 /* Graphs of the window: their values against closed forms and the published table of a free fall, and that every edit of them is
  * one step that can be taken back. */
-#include <string.h>
-
 #include <glib/gstdio.h>
 
 #include "graph-data.h"
 #include "graph-edit.h"
-#include "installation.h"
+#include "gui-fixture.h"
 #include "render/theme.h"
 
 #define GRAVITY 9.81
 
-static TinkerCatalogue *catalogue;
-
-typedef struct {
-    TinkerDocument *document;
-    TinkerPlayer *player;
-} Fixture;
-
-static void open_scene(Fixture *fixture, const char *units, const char *graphs)
+/* A mass falls from rest at the origin. (transfer full) */
+static GuiFixture *fall(const char *units, const char *graphs)
 {
-    g_autoptr(GError) error = NULL;
-    g_autofree char *text =
-        g_strdup_printf("{\"tinker\": 1, \"units\": \"%s\", \"run\": {\"duration\": 0.5, \"interval\": "
-                        "0.01}, \"blocks\": [{\"type\": \"gravity\", \"name\": \"Gravity\"}, "
-                        "{\"type\": \"mass\", \"name\": \"Mass 0\", \"mass\": 1, \"position\": [0, 0]}], "
-                        "\"graphs\": [%s]}",
-                        units, graphs);
-    fixture->document = tinker_document_new(catalogue);
-    fixture->player = tinker_player_new(fixture->document);
-    tinker_document_start(fixture->document, text, strlen(text), NULL, &error);
-    g_assert_no_error(error);
+    GuiFixture *fixture = gui_fixture_new("");
+    g_autofree char *members = g_strdup_printf("'units': '%s', 'run': {'duration': 0.5, 'interval': 0.01}, 'blocks': "
+                                               "[{'type': 'gravity', 'name': 'Gravity'}, {'type': 'mass', 'name': "
+                                               "'Mass 0', 'mass': 1, 'position': [0, 0]}], 'graphs': [%s]",
+                                               units, graphs);
+    gui_fixture_start_scene(fixture, members);
+    return fixture;
 }
 
-static void close_scene(Fixture *fixture)
-{
-    g_object_unref(fixture->player);
-    g_object_unref(fixture->document);
-}
-G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC(Fixture, close_scene)
-
-static void run_until(Fixture *fixture, double time)
+static void run_until(GuiFixture *fixture, double time)
 {
     TinkerBlockId culprit;
     g_autoptr(GError) error = NULL;
@@ -53,7 +34,7 @@ static void run_until(Fixture *fixture, double time)
 }
 
 /* Data of the scene's first graph. (transfer full) */
-static TinkerGraphData *data_of(Fixture *fixture)
+static TinkerGraphData *data_of(GuiFixture *fixture)
 {
     TinkerGraphData *data = tinker_graph_data_new(fixture->document, fixture->player);
     tinker_graph_data_set_graph(data,
@@ -62,12 +43,7 @@ static TinkerGraphData *data_of(Fixture *fixture)
     return data;
 }
 
-static TinkerBlockId mass_of(Fixture *fixture)
-{
-    return tinker_scene_find_block(tinker_document_scene(fixture->document), "Mass 0");
-}
-
-static char *text_of(Fixture *fixture)
+static char *text_of(GuiFixture *fixture)
 {
     return tinker_scene_to_text(tinker_document_scene(fixture->document), TINKER_WRITE_SI);
 }
@@ -75,12 +51,11 @@ static char *text_of(Fixture *fixture)
 /* The file that the menu exports, as far as the first ten steps. */
 static void test_published_table(void)
 {
-    g_auto(Fixture) fixture = {0};
     g_autoptr(GError) error = NULL;
     g_autofree char *path = g_build_filename(g_get_tmp_dir(), "tinker-free-fall.csv", NULL), *text = NULL;
-    open_scene(&fixture, "SI", "{\"block\": \"Mass 0\", \"quantity\": \"y\"}");
-    run_until(&fixture, 0.5);
-    g_autoptr(TinkerGraphData) data = data_of(&fixture);
+    g_autoptr(GuiFixture) fixture = fall("SI", "{'block': 'Mass 0', 'quantity': 'y'}");
+    run_until(fixture, 0.5);
+    g_autoptr(TinkerGraphData) data = data_of(fixture);
     g_assert_cmpuint(tinker_graph_data_count(data), ==, 51);
     g_assert_true(tinker_graph_data_write_csv(data, path, 5, &error));
     g_assert_true(g_file_get_contents(path, &text, NULL, &error));
@@ -96,10 +71,9 @@ static void test_published_table(void)
 /* v^2 = -2 g y all along the fall, whatever the time. */
 static void test_phase_plot(void)
 {
-    g_auto(Fixture) fixture = {0};
-    open_scene(&fixture, "SI", "{\"block\": \"Mass 0\", \"quantity\": \"vy\", \"against\": \"y\"}");
-    run_until(&fixture, 0.3);
-    g_autoptr(TinkerGraphData) data = data_of(&fixture);
+    g_autoptr(GuiFixture) fixture = fall("SI", "{'block': 'Mass 0', 'quantity': 'vy', 'against': 'y'}");
+    run_until(fixture, 0.3);
+    g_autoptr(TinkerGraphData) data = data_of(fixture);
     const double *y = tinker_graph_data_x(data), *v = tinker_graph_data_y(data);
     gsize count = tinker_graph_data_count(data), present;
     g_assert_cmpuint(count, >=, 31);
@@ -122,10 +96,9 @@ static void test_phase_plot(void)
 /* 1 ft = 0.3048 m by definition. Changing the units converts what is recorded. */
 static void test_english_units(void)
 {
-    g_auto(Fixture) fixture = {0};
-    open_scene(&fixture, "SI", "{\"block\": \"Mass 0\", \"quantity\": \"y\"}");
-    run_until(&fixture, 0.5);
-    g_autoptr(TinkerGraphData) data = data_of(&fixture);
+    g_autoptr(GuiFixture) fixture = fall("SI", "{'block': 'Mass 0', 'quantity': 'y'}");
+    run_until(fixture, 0.5);
+    g_autoptr(TinkerGraphData) data = data_of(fixture);
     gsize count = tinker_graph_data_count(data);
     g_assert_cmpfloat_with_epsilon(tinker_graph_data_y(data)[50], -0.5 * GRAVITY * 0.25, 1e-12);
     TinkerPlot plot = {0};
@@ -134,12 +107,12 @@ static void test_english_units(void)
     g_assert_cmpstr(plot.y_label, ==, "Y Position [m]");
     g_assert_cmpfloat(*plot.cursor, ==, 0.5);
 
-    TinkerScene *scene = tinker_document_scene(fixture.document);
+    TinkerScene *scene = tinker_document_scene(fixture->document);
     TinkerSceneHead head = *tinker_scene_head(scene);
     head.units = TINKER_UNIT_SYSTEM_ENGLISH;
-    tinker_document_begin(fixture.document, "Units", NULL);
-    tinker_history_set_head(tinker_document_history(fixture.document), &head, NULL);
-    tinker_document_end(fixture.document);
+    tinker_document_begin(fixture->document, "Units", NULL);
+    tinker_history_set_head(tinker_document_history(fixture->document), &head, NULL);
+    tinker_document_end(fixture->document);
     tinker_graph_data_set_graph(data, g_ptr_array_index(tinker_scene_graphs(scene), 0));
     tinker_graph_data_update(data);
     g_assert_cmpuint(tinker_graph_data_count(data), ==, count);
@@ -151,11 +124,10 @@ static void test_english_units(void)
 /* Before a run there are axes and no point; a reset forgets what was recorded; another run fills it anew. */
 static void test_generations(void)
 {
-    g_auto(Fixture) fixture = {0};
     gsize point;
     TinkerPlot plot = {0};
-    open_scene(&fixture, "SI", "{\"block\": \"Mass 0\", \"quantity\": \"y\"}");
-    g_autoptr(TinkerGraphData) data = data_of(&fixture);
+    g_autoptr(GuiFixture) fixture = fall("SI", "{'block': 'Mass 0', 'quantity': 'y'}");
+    g_autoptr(TinkerGraphData) data = data_of(fixture);
     g_assert_cmpuint(tinker_graph_data_count(data), ==, 0);
     g_assert_false(tinker_graph_data_present(data, &point));
     tinker_graph_data_fill_plot(data, &plot);
@@ -164,24 +136,25 @@ static void test_generations(void)
 
     guint64 before = tinker_graph_data_update(data);
     g_assert_cmpuint(tinker_graph_data_update(data), ==, before);
-    run_until(&fixture, 0.5);
+    run_until(fixture, 0.5);
     guint64 filled = tinker_graph_data_update(data);
     g_assert_cmpuint(filled, !=, before);
     g_assert_cmpuint(tinker_graph_data_update(data), ==, filled);
     g_assert_cmpuint(tinker_graph_data_count(data), ==, 51);
-    tinker_player_seek(fixture.player, 0.2);
+    tinker_player_seek(fixture->player, 0.2);
     g_assert_cmpuint(tinker_graph_data_update(data), !=, filled);
 
-    tinker_player_reset(fixture.player);
+    tinker_player_reset(fixture->player);
     tinker_graph_data_update(data);
     g_assert_cmpuint(tinker_graph_data_count(data), ==, 0);
-    TinkerScene *scene = tinker_document_scene(fixture.document);
-    const TinkerBlockClass *block_class = tinker_scene_block_class(scene, mass_of(&fixture));
+    TinkerScene *scene = tinker_document_scene(fixture->document);
+    const TinkerBlockClass *block_class = tinker_scene_block_class(scene, gui_fixture_block(fixture, "Mass 0"));
     int32_t position = block_class->meanings[TINKER_MEANING_POSITION];
-    tinker_document_begin(fixture.document, "Move", NULL);
-    tinker_history_set(tinker_document_history(fixture.document), mass_of(&fixture), position, (double[]){0, 2}, NULL);
-    tinker_document_end(fixture.document);
-    run_until(&fixture, 0.5);
+    tinker_document_begin(fixture->document, "Move", NULL);
+    tinker_history_set(tinker_document_history(fixture->document), gui_fixture_block(fixture, "Mass 0"), position,
+                       (double[]){0, 2}, NULL);
+    tinker_document_end(fixture->document);
+    run_until(fixture, 0.5);
     tinker_graph_data_update(data);
     g_assert_cmpuint(tinker_graph_data_count(data), ==, 51);
     g_assert_cmpfloat_with_epsilon(tinker_graph_data_y(data)[50], 2 - 0.5 * GRAVITY * 0.25, 1e-12);
@@ -190,33 +163,32 @@ static void test_generations(void)
 /* Every edit is one step: as many undos lead back through the same texts, as many redos forward again. */
 static void test_edits_are_steps(void)
 {
-    g_auto(Fixture) fixture = {0};
     g_autoptr(GPtrArray) texts = g_ptr_array_new_with_free_func(g_free);
-    open_scene(&fixture, "SI", "{\"block\": \"Mass 0\", \"quantity\": \"y\", \"pen\": 3}");
-    TinkerBlockId mass = mass_of(&fixture);
-    TinkerDocument *document = fixture.document;
-    g_ptr_array_add(texts, text_of(&fixture));
+    g_autoptr(GuiFixture) fixture = fall("SI", "{'block': 'Mass 0', 'quantity': 'y', 'pen': 3}");
+    TinkerBlockId mass = gui_fixture_block(fixture, "Mass 0");
+    TinkerDocument *document = fixture->document;
+    g_ptr_array_add(texts, text_of(fixture));
     g_assert_cmpint(tinker_graph_add(document, mass, "vy", "y", (double[]){1, 2}, (double[]){3, 4}, NULL), ==, 1);
-    g_ptr_array_add(texts, text_of(&fixture));
+    g_ptr_array_add(texts, text_of(fixture));
     g_assert_cmpint(tinker_graph_move(document, 1, (double[]){5, 6}, NULL, TRUE, NULL), ==, 1);
-    g_ptr_array_add(texts, text_of(&fixture));
+    g_ptr_array_add(texts, text_of(fixture));
     g_assert_cmpint(tinker_graph_move(document, 0, (double[]){0, 1}, (double[]){2, 1}, TRUE, NULL), ==, 1);
-    g_ptr_array_add(texts, text_of(&fixture));
+    g_ptr_array_add(texts, text_of(fixture));
     tinker_graph_dock(document, 0);
-    g_ptr_array_add(texts, text_of(&fixture));
+    g_ptr_array_add(texts, text_of(fixture));
     tinker_graph_remove(document, 0);
-    g_ptr_array_add(texts, text_of(&fixture));
+    g_ptr_array_add(texts, text_of(fixture));
     g_assert_cmpint(tinker_graph_move(document, 0, (double[]){0, 1}, (double[]){2, 1}, TRUE, NULL), ==, 0);
     g_assert_cmpstr(tinker_history_can_undo(tinker_document_history(document)), ==, "Delete Graph");
     for (guint i = texts->len - 1; i-- > 0;) {
         tinker_document_undo(document);
-        g_autofree char *text = text_of(&fixture);
+        g_autofree char *text = text_of(fixture);
         g_assert_cmpstr(text, ==, g_ptr_array_index(texts, i));
     }
     g_assert_null(tinker_history_can_undo(tinker_document_history(document)));
     for (guint i = 1; i < texts->len; i++) {
         tinker_document_redo(document);
-        g_autofree char *text = text_of(&fixture);
+        g_autofree char *text = text_of(fixture);
         g_assert_cmpstr(text, ==, g_ptr_array_index(texts, i));
     }
 }
@@ -232,23 +204,22 @@ static void assert_graph(const TinkerSceneGraph *graph, const char *quantity, co
 /* Size, place and order come back from the file; what is not good is refused and leaves no step. */
 static void test_saved_and_read(void)
 {
-    g_auto(Fixture) fixture = {0};
     g_autoptr(GError) error = NULL;
     g_autofree char *path = g_build_filename(g_get_tmp_dir(), "tinker-graphs.tinker.json", NULL);
-    open_scene(&fixture, "SI", "");
-    TinkerBlockId mass = mass_of(&fixture);
-    g_assert_cmpint(tinker_graph_add(fixture.document, mass, "sideways", NULL, NULL, NULL, &error), ==, -1);
+    g_autoptr(GuiFixture) fixture = fall("SI", "");
+    TinkerBlockId mass = gui_fixture_block(fixture, "Mass 0");
+    g_assert_cmpint(tinker_graph_add(fixture->document, mass, "sideways", NULL, NULL, NULL, &error), ==, -1);
     g_assert_error(error, TINKER_SCENE_ERROR, TINKER_SCENE_ERROR_VALUE);
     g_clear_error(&error);
-    g_assert_null(tinker_history_can_undo(tinker_document_history(fixture.document)));
-    tinker_graph_add(fixture.document, mass, "y", NULL, (double[]){0.1, -0.7}, (double[]){2.25, 1.5}, NULL);
-    tinker_graph_add(fixture.document, mass, "x", NULL, NULL, NULL, NULL);
-    tinker_graph_add(fixture.document, mass, "vy", "y", (double[]){1, 1}, (double[]){2, 2}, NULL);
-    tinker_graph_move(fixture.document, 0, NULL, NULL, TRUE, NULL);
-    g_assert_true(tinker_document_save(fixture.document, path, &error));
-    g_assert_true(tinker_document_open(fixture.document, path, NULL, &error));
+    g_assert_null(tinker_history_can_undo(tinker_document_history(fixture->document)));
+    tinker_graph_add(fixture->document, mass, "y", NULL, (double[]){0.1, -0.7}, (double[]){2.25, 1.5}, NULL);
+    tinker_graph_add(fixture->document, mass, "x", NULL, NULL, NULL, NULL);
+    tinker_graph_add(fixture->document, mass, "vy", "y", (double[]){1, 1}, (double[]){2, 2}, NULL);
+    tinker_graph_move(fixture->document, 0, NULL, NULL, TRUE, NULL);
+    g_assert_true(tinker_document_save(fixture->document, path, &error));
+    g_assert_true(tinker_document_open(fixture->document, path, NULL, &error));
     g_remove(path);
-    GPtrArray *graphs = tinker_scene_graphs(tinker_document_scene(fixture.document));
+    GPtrArray *graphs = tinker_scene_graphs(tinker_document_scene(fixture->document));
     g_assert_cmpuint(graphs->len, ==, 3);
     assert_graph(g_ptr_array_index(graphs, 0), "x", "time", FALSE);
     assert_graph(g_ptr_array_index(graphs, 1), "vy", "y", TRUE);
@@ -287,10 +258,8 @@ static void test_room(void)
     g_assert_cmpfloat(large.y, ==, 0);
 }
 
-int main(int argc, char **argv)
+static void add_tests(void)
 {
-    g_test_init(&argc, &argv, NULL);
-    catalogue = tinker_installation_catalogue(NULL);
     g_test_add_func("/gui/graph-data/published-table", test_published_table);
     g_test_add_func("/gui/graph-data/phase-plot", test_phase_plot);
     g_test_add_func("/gui/graph-data/english-units", test_english_units);
@@ -298,7 +267,9 @@ int main(int argc, char **argv)
     g_test_add_func("/gui/graph-edit/steps", test_edits_are_steps);
     g_test_add_func("/gui/graph-edit/saved-and-read", test_saved_and_read);
     g_test_add_func("/gui/graph-edit/room", test_room);
-    int status = g_test_run();
-    tinker_catalogue_free(catalogue);
-    return status;
+}
+
+int main(int argc, char **argv)
+{
+    return scene_fixture_main(argc, argv, add_tests);
 }
