@@ -4,7 +4,7 @@
 #include <glib/gi18n.h>
 #include <math.h>
 
-#define SLOW_PACE 0.95 /* below it, the run is said to be slower than its play-back */
+#define SLOW_PACE 0.95 /* below it, the run is said to be slower than its playback */
 
 struct _TinkerPlaybar {
     GtkWidget parent_instance;
@@ -109,7 +109,7 @@ static GtkWidget *speed_chooser(void)
     }
     GtkWidget *chooser = gtk_drop_down_new(G_LIST_MODEL(g_steal_pointer(&list)), NULL);
     gtk_drop_down_set_selected(GTK_DROP_DOWN(chooser), normal);
-    gtk_widget_set_tooltip_text(chooser, _("Speed of play-back"));
+    gtk_widget_set_tooltip_text(chooser, _("Speed of playback"));
     gtk_accessible_update_property(GTK_ACCESSIBLE(chooser), GTK_ACCESSIBLE_PROPERTY_LABEL, _("Speed"), -1);
     return chooser;
 }

@@ -26,6 +26,16 @@ static void question_free(Question *question)
     g_free(question);
 }
 
+G_DEFINE_AUTOPTR_CLEANUP_FUNC(Question, question_free)
+
+/* Has a dialog answer a copy of the question, which goes with the dialog, answered or not. */
+static void connect_answer(gpointer dialog, GCallback on_answer, const Question *question)
+{
+    g_signal_connect_data(dialog, "response", on_answer,
+                          question_new(question->window, question->path, question->then, question->subject),
+                          (GClosureNotify)(void (*)(void))question_free, 0);
+}
+
 static gboolean on_go_on(gpointer data)
 {
     const Question *question = data;
@@ -52,26 +62,24 @@ void window_note_recent(const char *path)
 
 static void ask_name(TinkerWindow *window, WindowThen then, const char *subject);
 
-static void on_not_saved(AdwMessageDialog *dialog, const char *answer, Question *question)
+static void on_not_saved(AdwMessageDialog *dialog, const char *answer, const Question *question)
 {
     if (g_strcmp0(answer, "save-as") == 0) ask_name(question->window, question->then, question->subject);
-    question_free(question);
 }
 
 /* Nothing was lost: the window keeps everything, and so does the file. */
-static void tell_not_saved(Question *question, const char *message)
+static void tell_not_saved(const Question *question, const char *message)
 {
     GtkWidget *dialog = adw_message_dialog_new(GTK_WINDOW(question->window), _("The Scene Was Not Saved"), message);
     adw_message_dialog_add_responses(ADW_MESSAGE_DIALOG(dialog), "cancel", _("_Cancel"), "save-as", _("Save _As…"),
                                      NULL);
     adw_message_dialog_set_default_response(ADW_MESSAGE_DIALOG(dialog), "save-as");
     adw_message_dialog_set_close_response(ADW_MESSAGE_DIALOG(dialog), "cancel");
-    g_signal_connect(dialog, "response", G_CALLBACK(on_not_saved), question);
+    connect_answer(dialog, G_CALLBACK(on_not_saved), question);
     gtk_window_present(GTK_WINDOW(dialog));
 }
 
-/* Takes the question. */
-static void save_now(Question *question)
+static void save_now(const Question *question)
 {
     g_autoptr(GError) error = NULL;
     if (!tinker_document_save(question->window->document, question->path, &error)) {
@@ -83,21 +91,15 @@ static void save_now(Question *question)
     window_note_recent(question->path);
     window_toast(question->window, text);
     go_on(question);
-    question_free(question);
 }
 
-static void on_overwrite(AdwMessageDialog *dialog, const char *answer, Question *question)
+static void on_overwrite(AdwMessageDialog *dialog, const char *answer, const Question *question)
 {
-    if (g_strcmp0(answer, "overwrite") == 0) {
-        save_now(question);
-        return;
-    }
+    if (g_strcmp0(answer, "overwrite") == 0) save_now(question);
     if (g_strcmp0(answer, "save-as") == 0) ask_name(question->window, question->then, question->subject);
-    question_free(question);
 }
 
-/* Takes the question. */
-static void ask_to_overwrite(Question *question, const char *heading, const char *body)
+static void ask_to_overwrite(const Question *question, const char *heading, const char *body)
 {
     GtkWidget *dialog = adw_message_dialog_new(GTK_WINDOW(question->window), heading, body);
     adw_message_dialog_add_responses(ADW_MESSAGE_DIALOG(dialog), "cancel", _("_Cancel"), "overwrite", _("_Overwrite"),
@@ -105,7 +107,7 @@ static void ask_to_overwrite(Question *question, const char *heading, const char
     adw_message_dialog_set_response_appearance(ADW_MESSAGE_DIALOG(dialog), "overwrite", ADW_RESPONSE_DESTRUCTIVE);
     adw_message_dialog_set_default_response(ADW_MESSAGE_DIALOG(dialog), "save-as");
     adw_message_dialog_set_close_response(ADW_MESSAGE_DIALOG(dialog), "cancel");
-    g_signal_connect(dialog, "response", G_CALLBACK(on_overwrite), question);
+    connect_answer(dialog, G_CALLBACK(on_overwrite), question);
     gtk_window_present(GTK_WINDOW(dialog));
 }
 
@@ -130,12 +132,10 @@ static void on_save_name(GtkNativeDialog *dialog, int response, Question *questi
     g_autoptr(GFile) file =
         response == GTK_RESPONSE_ACCEPT ? gtk_file_chooser_get_file(GTK_FILE_CHOOSER(dialog)) : NULL;
     g_autofree char *chosen = file != NULL ? g_file_get_path(file) : NULL;
-    if (chosen != NULL) {
+    if (chosen != NULL)
         save_under_name(question, chosen);
-    } else {
-        if (file != NULL) window_message(question->window, _("The Scene Was Not Saved"), _("Choose a local folder."));
-        question_free(question);
-    }
+    else if (file != NULL)
+        window_message(question->window, _("The Scene Was Not Saved"), _("Choose a local folder."));
     g_object_unref(dialog);
 }
 
@@ -175,7 +175,7 @@ static void ask_name(TinkerWindow *window, WindowThen then, const char *subject)
     gtk_native_dialog_set_modal(GTK_NATIVE_DIALOG(dialog), TRUE);
     window_add_filters(dialog);
     suggest_name(GTK_FILE_CHOOSER(dialog), window->document);
-    g_signal_connect(dialog, "response", G_CALLBACK(on_save_name), question_new(window, NULL, then, subject));
+    connect_answer(dialog, G_CALLBACK(on_save_name), &(Question){window, then, (char *)subject, NULL});
     gtk_native_dialog_show(GTK_NATIVE_DIALOG(dialog));
 }
 
@@ -186,7 +186,7 @@ static void save_then(TinkerWindow *window, gboolean under_another_name, WindowT
         ask_name(window, then, subject);
         return;
     }
-    Question *question = question_new(window, path, then, subject);
+    g_autoptr(Question) question = question_new(window, path, then, subject);
     if (!tinker_document_changed_on_disk(window->document)) {
         save_now(question);
         return;
@@ -205,11 +205,10 @@ void window_save(TinkerWindow *window, gboolean under_another_name)
 
 /* The question -------------------------------------------------------------------------------------------------------- */
 
-static void on_answer(AdwMessageDialog *dialog, const char *answer, Question *question)
+static void on_answer(AdwMessageDialog *dialog, const char *answer, const Question *question)
 {
     if (g_strcmp0(answer, "discard") == 0) go_on(question);
     if (g_strcmp0(answer, "save") == 0) save_then(question->window, FALSE, question->then, question->subject);
-    question_free(question);
 }
 
 void window_ask_first(TinkerWindow *window, WindowThen then, const char *subject)
@@ -228,7 +227,7 @@ void window_ask_first(TinkerWindow *window, WindowThen then, const char *subject
     adw_message_dialog_set_response_appearance(ADW_MESSAGE_DIALOG(dialog), "save", ADW_RESPONSE_SUGGESTED);
     adw_message_dialog_set_default_response(ADW_MESSAGE_DIALOG(dialog), "save");
     adw_message_dialog_set_close_response(ADW_MESSAGE_DIALOG(dialog), "cancel");
-    g_signal_connect(dialog, "response", G_CALLBACK(on_answer), question_new(window, NULL, then, subject));
+    connect_answer(dialog, G_CALLBACK(on_answer), &(Question){window, then, (char *)subject, NULL});
     gtk_window_present(GTK_WINDOW(dialog));
 }
 

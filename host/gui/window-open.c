@@ -159,7 +159,7 @@ static void start_new(TinkerWindow *window, const TinkerNewScene *settings)
 {
     g_autoptr(GError) error = NULL;
     if (!tinker_new_scene_start(window->document, settings, &error))
-        window_message(window, _("No New Scene"), error->message);
+        window_message(window, _("The New Scene Was Not Made"), error->message);
 }
 
 void window_start_first(TinkerWindow *window)

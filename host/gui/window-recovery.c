@@ -23,7 +23,8 @@ static void save(void *window)
 
 static void on_failed(TinkerAutosave *autosave, const char *message, TinkerWindow *window)
 {
-    g_autofree char *text = g_strdup_printf(_("Your changes cannot be kept safe at present, save them: %s"), message);
+    g_autofree char *text = g_strdup_printf(
+        _("Changes cannot be saved automatically at present. Save the scene to keep them. (%s)"), message);
     set_notice(window, tinker_notice_new(TINKER_NOTICE_ERROR, text, _("Save"), save, window, NULL));
 }
 
@@ -96,7 +97,6 @@ static void on_answer(AdwMessageDialog *dialog, const char *answer, Offer *offer
         if (recovers) recover(offer, g_ptr_array_index(offer->list, i));
         if (discards) discard(offer, g_ptr_array_index(offer->list, i));
     }
-    offer_free(offer);
 }
 
 /* "12:31", with the day where that was not today. (transfer full) */
@@ -162,6 +162,7 @@ void tinker_window_offer_recovery(TinkerWindow *window, TinkerApplication *appli
     adw_message_dialog_set_response_appearance(ADW_MESSAGE_DIALOG(dialog), "recover", ADW_RESPONSE_SUGGESTED);
     adw_message_dialog_set_default_response(ADW_MESSAGE_DIALOG(dialog), "recover");
     adw_message_dialog_set_close_response(ADW_MESSAGE_DIALOG(dialog), "later");
-    g_signal_connect(dialog, "response", G_CALLBACK(on_answer), offer);
+    g_signal_connect_data(dialog, "response", G_CALLBACK(on_answer), offer, (GClosureNotify)(void (*)(void))offer_free,
+                          0);
     gtk_window_present(GTK_WINDOW(dialog));
 }

@@ -9,7 +9,7 @@
 
 G_DEFINE_FINAL_TYPE(TinkerWindow, tinker_window, ADW_TYPE_APPLICATION_WINDOW)
 
-#define LONGEST_TICK 0.1 /* s: after a hang, play-back goes on from where it was */
+#define LONGEST_TICK 0.1 /* s: after a hang, playback goes on from where it was */
 
 void window_toast(TinkerWindow *window, const char *text)
 {
