@@ -148,12 +148,14 @@ static void fill_energy(const TinkerStatusFacts *facts, TinkerStatusItem *item)
     if (facts->run == NULL || facts->run->method[0] == '\0') return;
     double error = facts->run->energy_balance_error;
     g_autofree char *size = share_text(error);
-    item->text = error < ROUNDING ? g_strdup(_("energy balanced")) : g_strdup_printf(_("energy off by %s"), size);
+    item->text = error < ROUNDING  ? g_strdup(_("energy balanced"))
+                 : isfinite(error) ? g_strdup_printf(_("energy off by %s"), size)
+                                   : g_strdup(_("energy beyond all bounds"));
     item->tooltip =
         g_strdup(_("What enters the system, less what leaves it, should be what it holds. This is how far the "
                    "books are off, compared with the largest energy exchanged: an error that the motion "
                    "has, too."));
-    item->warning = error > LARGE_IMBALANCE;
+    item->warning = !(error <= LARGE_IMBALANCE);
 }
 
 static void fill_constraints(const TinkerStatusFacts *facts, TinkerStatusItem *item)

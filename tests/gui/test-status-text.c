@@ -87,6 +87,13 @@ static void test_bad_run(void)
     g_autofree char *chaotic = line_of(&run, 1, 1, warnings);
     g_assert_nonnull(strstr(chaotic, "predictable up to 7.61 s"));
     g_assert_true(warnings[TINKER_STATUS_ERROR]);
+    const double lost[] = {INFINITY, NAN};
+    for (gsize i = 0; i < G_N_ELEMENTS(lost); i++) {
+        run.energy_balance_error = lost[i];
+        g_autofree char *beyond = line_of(&run, 1, 1, warnings);
+        g_assert_nonnull(strstr(beyond, "energy beyond all bounds"));
+        g_assert_true(warnings[TINKER_STATUS_ENERGY]);
+    }
 }
 
 static void test_slow_run(void)
