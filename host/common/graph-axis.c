@@ -1,9 +1,11 @@
 /* The axes of graphs: title, unit and factor come from the block's class and the scene's system of units. */
 #include "graph-axis.h"
 
+#include <glib/gi18n.h>
+
 TinkerGraphAxis tinker_graph_axis_time(void)
 {
-    return (TinkerGraphAxis){"Time", "s", 1, TINKER_DIMENSION_TIME, TINKER_NO_BLOCK};
+    return (TinkerGraphAxis){N_("Time"), "s", 1, TINKER_DIMENSION_TIME, TINKER_NO_BLOCK};
 }
 
 TinkerGraphAxis tinker_graph_axis(TinkerScene *scene, TinkerBlockId block, int32_t quantity)

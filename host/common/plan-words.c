@@ -1,6 +1,8 @@
 /* Words for the islands of a plan. */
 #include "plan-words.h"
 
+#include <glib/gi18n.h>
+
 #define MOST_BLOCKS 6 /* in a line */
 
 char *tinker_island_blocks_text(const TinkerScene *scene, const TinkerIslandPlan *island)
@@ -10,13 +12,13 @@ char *tinker_island_blocks_text(const TinkerScene *scene, const TinkerIslandPlan
     for (guint i = 0; i < shown; i++)
         g_string_append_printf(text, "%s%s", i > 0 ? ", " : "",
                                tinker_scene_block_name(scene, g_array_index(island->blocks, TinkerBlockId, i)));
-    if (shown < count) g_string_append_printf(text, " and %u more", count - shown);
-    if (count == 0) g_string_append(text, "nothing that moves");
+    if (shown < count) g_string_append_printf(text, _(" and %u more"), count - shown);
+    if (count == 0) g_string_append(text, _("nothing that moves"));
     return g_string_free(g_steal_pointer(&text), FALSE);
 }
 
 char *tinker_island_method_text(const TinkerIslandPlan *island)
 {
-    return island->step > 0 ? g_strdup_printf("%s, step %.4g s", island->method->id, island->step)
-                            : g_strdup_printf("%s, tolerance %g", island->method->id, island->tolerance);
+    return island->step > 0 ? g_strdup_printf(_("%s, step %.4g s"), island->method->id, island->step)
+                            : g_strdup_printf(_("%s, tolerance %g"), island->method->id, island->tolerance);
 }

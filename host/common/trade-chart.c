@@ -1,6 +1,7 @@
 /* The work-precision chart of a trade. Each curve goes with the list of the measurements that its points stand for. */
 #include "trade-chart.h"
 
+#include <glib/gi18n.h>
 #include <math.h>
 
 struct _TinkerTradeChart {
@@ -73,8 +74,8 @@ static gboolean any_at_limit(const TinkerTrade *trade)
 static char *advised_label(const TinkerTradeSetting *advised)
 {
     if (advised->method == NULL || advised->value == 0)
-        return g_strdup_printf("advised: %s", advised->method != NULL ? advised->method : "");
-    return g_strdup_printf(advised->adaptive ? "advised: %s, tolerance %.3g" : "advised: %s, step %.3g s",
+        return g_strdup_printf(_("advised: %s"), advised->method != NULL ? advised->method : "");
+    return g_strdup_printf(advised->adaptive ? _("advised: %s, tolerance %.3g") : _("advised: %s, step %.3g s"),
                            advised->method, advised->value);
 }
 
@@ -94,7 +95,7 @@ TinkerTradeChart *tinker_trade_chart_new(const TinkerTrade *trade)
     for (guint m = 0; m < trade->methods->len; m++)
         add_method(chart, m);
     if (any_at_limit(trade) && chart->least_wall <= chart->greatest_wall) {
-        begin_curve(chart, (TinkerCurve){.label = "limit of the reference", .role = TINKER_CURVE_GUIDE});
+        begin_curve(chart, (TinkerCurve){.label = _("limit of the reference"), .role = TINKER_CURVE_GUIDE});
         add_point(chart, chart->least_wall, trade->reference.level, NULL);
         add_point(chart, chart->greatest_wall, trade->reference.level, NULL);
     }
@@ -118,8 +119,8 @@ void tinker_trade_chart_free(TinkerTradeChart *chart)
 TinkerPlot tinker_trade_chart_plot(const TinkerTradeChart *chart, const TinkerTheme *theme)
 {
     return (TinkerPlot){
-        .x_label = "Wall time [s]",
-        .y_label = "Error, relative",
+        .x_label = _("Wall time [s]"),
+        .y_label = _("Error, relative"),
         .x_logarithmic = TRUE,
         .y_logarithmic = TRUE,
         .curves = (const TinkerCurve *)(gpointer)chart->curves->data,

@@ -1,8 +1,7 @@
 /* Words for the measurements of a trade: one cell of a table each. */
 #include "trade-words.h"
 
-#define AT_LIMIT "at the reference's limit"
-#define ADVISED  "advised"
+#include <glib/gi18n.h>
 
 char *tinker_trade_value_text(const TinkerTradeSetting *setting)
 {
@@ -13,9 +12,9 @@ char *tinker_trade_value_text(const TinkerTradeSetting *setting)
 char *tinker_trade_note_text(const TinkerTradeRow *row, gboolean in_full)
 {
     g_autoptr(GPtrArray) notes = g_ptr_array_new();
-    if (row->advised) g_ptr_array_add(notes, (gpointer)ADVISED);
-    if (row->at_limit) g_ptr_array_add(notes, (gpointer)AT_LIMIT);
-    if (row->note != NULL) g_ptr_array_add(notes, in_full ? row->note : (gpointer) "no result, see below");
+    if (row->advised) g_ptr_array_add(notes, _("advised"));
+    if (row->at_limit) g_ptr_array_add(notes, _("at the reference's limit"));
+    if (row->note != NULL) g_ptr_array_add(notes, in_full ? row->note : _("no result, see below"));
     g_ptr_array_add(notes, NULL);
     return g_strjoinv("; ", (char **)notes->pdata);
 }

@@ -3,12 +3,14 @@
 
 #include <glib/gi18n.h>
 
+#include "translate.h"
+
 #define DECIMALS 5
 
 const char *tinker_block_type_title(const TinkerScene *scene, TinkerBlockId block)
 {
     const TinkerBlockClass *block_class = tinker_scene_block_class(scene, block);
-    return block_class != NULL ? block_class->type->title : tinker_scene_block_type(scene, block);
+    return block_class != NULL ? tinker_translate(block_class->type->title) : tinker_scene_block_type(scene, block);
 }
 
 static const char *end_words(const TinkerScene *scene, TinkerBlockId block, int32_t end)

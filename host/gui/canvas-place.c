@@ -1,7 +1,9 @@
 /* New blocks: on their way from the palette, or put where there is room. */
+#include <glib/gi18n.h>
 #include <math.h>
 
 #include "canvas-private.h"
+#include "translate.h"
 
 #define HALF_CONNECTOR 60.0 /* widget units: half the length of a connector that lies free */
 #define ROOM           0.25 /* of a m: between a new block and what is there */
@@ -47,7 +49,7 @@ void tinker_canvas_place_move(TinkerCanvas *canvas, const TinkerBlockClass *bloc
     tinker_snap(canvas_grid(canvas, 0), &place[0], &place[1]);
     if (canvas->placing == TINKER_NO_BLOCK) {
         if (tinker_player_time(canvas->player) > 0) tinker_player_rewind(canvas->player);
-        g_autofree char *title = g_strdup_printf("Add %s", block_class->type->title);
+        g_autofree char *title = g_strdup_printf(_("Add %s"), tinker_translate(block_class->type->title));
         tinker_document_begin(canvas->document, title, NULL);
         canvas->placing = tinker_history_add_block(tinker_document_history(canvas->document), block_class, NULL, NULL);
         tinker_document_select(canvas->document, canvas->placing);
@@ -137,7 +139,7 @@ TinkerBlockId tinker_canvas_add(TinkerCanvas *canvas, const TinkerBlockClass *bl
     const TinkerBlockId *selection = tinker_document_selection(canvas->document, &count);
     g_autofree TinkerBlockId *targets = g_memdup2(selection, (gsize)count * sizeof(TinkerBlockId));
     if (tinker_player_time(canvas->player) > 0) tinker_player_rewind(canvas->player);
-    g_autofree char *title = g_strdup_printf("Add %s", block_class->type->title);
+    g_autofree char *title = g_strdup_printf(_("Add %s"), tinker_translate(block_class->type->title));
     tinker_document_begin(canvas->document, title, NULL);
     TinkerBlockId block = tinker_history_add_block(tinker_document_history(canvas->document), block_class, NULL, NULL);
     double place[2];

@@ -295,8 +295,8 @@ void tinker_document_remove_selected(TinkerDocument *document)
     guint count = document->selection->len;
     if (count == 0) return;
     TinkerBlockId first = g_array_index(document->selection, TinkerBlockId, 0);
-    g_autofree char *title = count == 1 ? g_strdup_printf("Delete %s", tinker_scene_block_name(document->scene, first))
-                                        : g_strdup_printf("Delete %u Blocks", count);
+    g_autofree char *title = count == 1 ? g_strdup_printf(_("Delete %s"), tinker_scene_block_name(document->scene, first))
+                                        : g_strdup_printf(_("Delete %u Blocks"), count);
     tinker_document_begin(document, title, NULL);
     for (guint i = 0; i < count; i++)
         tinker_history_remove_block(document->history, g_array_index(document->selection, TinkerBlockId, i));
@@ -331,7 +331,7 @@ void tinker_document_shift_selected(TinkerDocument *document, double dx, double 
 void tinker_document_move_selected(TinkerDocument *document, double dx, double dy, const char *merge)
 {
     if (document->selection->len == 0) return;
-    tinker_document_begin(document, "Move", merge);
+    tinker_document_begin(document, _("Move"), merge);
     tinker_document_shift_selected(document, dx, dy);
     tinker_document_end(document);
 }

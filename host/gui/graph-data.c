@@ -2,11 +2,13 @@
  * may go on between the two readings: only points that have both count. */
 #include "graph-data.h"
 
+#include <glib/gi18n.h>
 #include <math.h>
 #include <stdio.h>
 
 #include "graph-axis.h"
 #include "path-thin.h"
+#include "translate.h"
 
 #define THIN_SHARE 3000.0 /* of the range: less than a pixel */
 #define THIN_TAIL  50     /* the part of the points that may be new before all are thinned again */
@@ -74,14 +76,15 @@ static void renew_texts(TinkerGraphData *data, const char *own_title)
     g_free(data->title);
     g_free(data->x_label);
     g_free(data->y_label);
+    const char *y = tinker_translate(data->y_axis.title), *x = tinker_translate(data->x_axis.title);
     if (own_title != NULL && own_title[0] != '\0')
         data->title = g_strdup(own_title);
     else if (data->against == NULL)
-        data->title = g_strdup_printf("%s: %s", data->block, data->y_axis.title);
+        data->title = g_strdup_printf("%s: %s", data->block, y);
     else
-        data->title = g_strdup_printf("%s: %s over %s", data->block, data->y_axis.title, data->x_axis.title);
-    data->x_label = tinker_axis_label(data->x_axis.title, data->x_axis.unit);
-    data->y_label = tinker_axis_label(data->y_axis.title, data->y_axis.unit);
+        data->title = g_strdup_printf(_("%s: %s over %s"), data->block, y, x);
+    data->x_label = tinker_axis_label(x, data->x_axis.unit);
+    data->y_label = tinker_axis_label(y, data->y_axis.unit);
 }
 
 void tinker_graph_data_set_graph(TinkerGraphData *data, const TinkerSceneGraph *graph)

@@ -1,6 +1,7 @@
 /* A graph comes to the front as a copy behind the last one of the list, whose original is then removed. */
 #include "graph-edit.h"
 
+#include <glib/gi18n.h>
 #include <math.h>
 #include <string.h>
 
@@ -23,7 +24,7 @@ int tinker_graph_add(TinkerDocument *document, TinkerBlockId block, const char *
     graph.has_size = size != NULL;
     if (place != NULL) memcpy(graph.place, place, sizeof graph.place);
     if (size != NULL) memcpy(graph.size, size, sizeof graph.size);
-    tinker_document_begin(document, "Add Graph", NULL);
+    tinker_document_begin(document, _("Add Graph"), NULL);
     int32_t number = tinker_history_add_graph(tinker_document_history(document), &graph, error);
     tinker_document_end(document);
     return number;
@@ -31,7 +32,7 @@ int tinker_graph_add(TinkerDocument *document, TinkerBlockId block, const char *
 
 void tinker_graph_remove(TinkerDocument *document, int number)
 {
-    tinker_document_begin(document, "Delete Graph", NULL);
+    tinker_document_begin(document, _("Delete Graph"), NULL);
     tinker_history_remove_graph(tinker_document_history(document), number);
     tinker_document_end(document);
 }
@@ -57,7 +58,7 @@ int tinker_graph_move(TinkerDocument *document, int number, const double place[2
     graph.has_place |= place != NULL;
     graph.has_size |= size != NULL;
     TinkerHistory *history = tinker_document_history(document);
-    const char *title = resized ? "Resize Graph" : moved ? "Move Graph" : "Raise Graph";
+    const char *title = resized ? _("Resize Graph") : moved ? _("Move Graph") : _("Raise Graph");
     tinker_document_begin(document, title, merge);
     if (!raised) {
         tinker_history_change_graph(history, number, &graph, NULL);
@@ -74,7 +75,7 @@ void tinker_graph_dock(TinkerDocument *document, int number)
     TinkerSceneGraph graph = *graph_of(document, number);
     if (!graph.has_place) return;
     graph.has_place = FALSE;
-    tinker_document_begin(document, "Dock Graph", NULL);
+    tinker_document_begin(document, _("Dock Graph"), NULL);
     tinker_history_change_graph(tinker_document_history(document), number, &graph, NULL);
     tinker_document_end(document);
 }

@@ -4,6 +4,7 @@
 
 #include <glib/gi18n.h>
 
+#include "translate.h"
 #include "units/units.h"
 
 gboolean tinker_block_class_has_graphs(const TinkerBlockClass *block_class)
@@ -48,7 +49,7 @@ static gboolean is_rate_of(const TinkerBlockClass *block_class, int32_t rate, in
 static void append_phase(GMenu *menu, const TinkerBlockClass *block_class, int32_t y, int32_t x)
 {
     const TinkerQuantityType *of_y = &block_class->quantities[y], *of_x = &block_class->quantities[x];
-    g_autofree char *label = g_strdup_printf(_("%s over %s"), of_y->title, of_x->title);
+    g_autofree char *label = g_strdup_printf(_("%s over %s"), tinker_translate(of_y->title), tinker_translate(of_x->title));
     append(menu, label, of_y->id, of_x->id);
 }
 
@@ -84,7 +85,7 @@ GMenuModel *tinker_graph_menu_new(const TinkerBlockClass *block_class)
     g_autoptr(GMenu) common = g_menu_new(), others = g_menu_new(), phases = phase_plots(block_class);
     for (int32_t i = 0; i < block_class->quantity_count; i++) {
         const TinkerQuantityType *quantity = &block_class->quantities[i];
-        append(is_recorded(quantity) ? common : others, quantity->title, quantity->id, NULL);
+        append(is_recorded(quantity) ? common : others, tinker_translate(quantity->title), quantity->id, NULL);
     }
     gboolean all_alike = g_menu_model_get_n_items(G_MENU_MODEL(common)) == 0;
     g_menu_append_section(menu, NULL, G_MENU_MODEL(all_alike ? others : common));

@@ -7,6 +7,7 @@
 #include "graph-grid.h"
 #include "graph-menu.h"
 #include "playbar.h"
+#include "translate.h"
 
 struct _TinkerGraphPage {
     GtkWidget parent_instance;
@@ -66,7 +67,7 @@ static void list_quantities(TinkerGraphPage *page)
     const TinkerBlockClass *block_class = chosen_class(page);
     g_autoptr(GPtrArray) titles = g_ptr_array_new();
     for (int32_t i = 0; block_class != NULL && i < block_class->quantity_count; i++)
-        g_ptr_array_add(titles, (gpointer)block_class->quantities[i].title);
+        g_ptr_array_add(titles, (gpointer)tinker_translate(block_class->quantities[i].title));
     if (set_texts(page->quantity, titles))
         gtk_drop_down_set_selected(GTK_DROP_DOWN(page->quantity), (guint)MAX(first_recorded(block_class), 0));
     g_ptr_array_insert(titles, 0, _("Time"));

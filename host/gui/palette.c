@@ -7,6 +7,7 @@
 
 #include "desktop-theme.h"
 #include "render/icon.h"
+#include "translate.h"
 
 #define ICON_WIDTH     48
 #define ICON_HEIGHT    32
@@ -101,21 +102,22 @@ static GtkWidget *icon_of(Item *item)
 static GtkWidget *button_of(TinkerPalette *palette, const TinkerBlockClass *block_class)
 {
     const TinkerBlockType *type = block_class->type;
+    const char *title = tinker_translate(type->title);
     Item *item = g_new0(Item, 1);
     item->palette = palette;
     item->block_class = block_class;
     item->button = gtk_button_new();
-    GtkWidget *row = gtk_box_new(GTK_ORIENTATION_HORIZONTAL, 8), *label = gtk_label_new(type->title);
+    GtkWidget *row = gtk_box_new(GTK_ORIENTATION_HORIZONTAL, 8), *label = gtk_label_new(title);
     gtk_label_set_xalign(GTK_LABEL(label), 0);
     gtk_box_append(GTK_BOX(row), icon_of(item));
     gtk_box_append(GTK_BOX(row), label);
     gtk_button_set_child(GTK_BUTTON(item->button), row);
     gtk_widget_add_css_class(item->button, "flat");
     g_autofree char *tooltip = type->summary != NULL
-                                   ? g_strdup_printf("%s.\n%s", type->summary, _("Click or drag it onto the canvas."))
+                                   ? g_strdup_printf("%s.\n%s", tinker_translate(type->summary), _("Click or drag it onto the canvas."))
                                    : NULL;
     gtk_widget_set_tooltip_text(item->button, tooltip);
-    gtk_accessible_update_property(GTK_ACCESSIBLE(item->button), GTK_ACCESSIBLE_PROPERTY_LABEL, type->title, -1);
+    gtk_accessible_update_property(GTK_ACCESSIBLE(item->button), GTK_ACCESSIBLE_PROPERTY_LABEL, title, -1);
     g_object_set_data_full(G_OBJECT(item->button), "item", item, g_free);
     g_signal_connect_swapped(item->button, "clicked", G_CALLBACK(on_clicked), item);
     GtkGesture *drag = gtk_gesture_drag_new();
@@ -143,7 +145,7 @@ static int compare_types(const void *left, const void *right)
     int by_rank = (int)rank_of(l->category) - (int)rank_of(r->category);
     if (by_rank != 0) return by_rank;
     int by_category = g_strcmp0(l->category, r->category);
-    return by_category != 0 ? by_category : g_utf8_collate(l->title, r->title);
+    return by_category != 0 ? by_category : g_utf8_collate(tinker_translate(l->title), tinker_translate(r->title));
 }
 
 /* Every type that a scene could name, once, by category and title. */

@@ -2,6 +2,7 @@
  * one only where a property was changed on the way. */
 #include "player.h"
 
+#include <glib/gi18n.h>
 #include <math.h>
 
 #include "recorded-quantities.h"
@@ -231,15 +232,15 @@ static gboolean can_run(TinkerPlayer *player, TinkerBlockId *culprit, GError **e
     *culprit = tinker_scene_first_placeholder(scene);
     if (*culprit != TINKER_NO_BLOCK) {
         g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_PLUGIN,
-                    "%s is a block of the type “%s”, which no installed plugin provides. Install the plugin, or delete "
-                    "the block.",
+                    _("%s is a block of the type “%s”, which no installed plugin provides. Install the plugin, or delete "
+                      "the block."),
                     tinker_scene_block_name(scene, *culprit), tinker_scene_block_type(scene, *culprit));
         return FALSE;
     }
     *culprit = tinker_scene_first_detached(scene);
     if (*culprit == TINKER_NO_BLOCK) return TRUE;
     g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_SCENE,
-                "%s is not connected. Drag its loose end onto a block, or delete it.",
+                _("%s is not connected. Drag its loose end onto a block, or delete it."),
                 tinker_scene_block_name(scene, *culprit));
     return FALSE;
 }

@@ -39,6 +39,8 @@ void property_rows_add_missing_waveform(PropertyBuilder *builder, const TinkerBl
                                         int32_t property);
 /* Whether a property scales, turns or shifts waveforms of the block that have no use for it as they are. */
 gboolean property_plays_no_part(const TinkerScene *scene, TinkerBlockId block, int32_t property);
+/* The heading that rows of a property stand under. */
+const char *property_group_of(const PropertyBuilder *builder, const TinkerPropertyType *type);
 /* Those of the scene; property-rows-scene.c. */
 void property_rows_add_scene(PropertyBuilder *builder);
 

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "property-list-private.h"
+#include "translate.h"
 
 /* Whether some property of the class is shown in the panel of what it is attached to. */
 static gboolean has_panel(const TinkerBlockClass *block_class)
@@ -34,7 +35,7 @@ static void add_rows_of(PropertyBuilder *builder, TinkerBlockId block, int32_t e
         if (first == NULL)
             g_hash_table_insert(groups, (gpointer)type->group, GINT_TO_POINTER(block + 1));
         else if (GPOINTER_TO_INT(first) != block + 1)
-            other = g_strdup_printf("%s (%s)", type->group, tinker_scene_block_name(builder->scene, block));
+            other = g_strdup_printf("%s (%s)", tinker_translate(type->group), tinker_scene_block_name(builder->scene, block));
         own.group = other;
         property_rows_add_property(&own, i);
     }

@@ -3,6 +3,7 @@
 
 #include "property-list-private.h"
 #include "scene/frame.h"
+#include "translate.h"
 
 /* Readings ------------------------------------------------------------------------------------------------------------ */
 
@@ -16,7 +17,8 @@ void property_rows_add_readings(PropertyBuilder *builder)
         double value;
         if (!tinker_player_value(builder->player, builder->blocks[0], i, &value)) continue;
         TinkerPropertyRow *row =
-            property_builder_add(builder, TINKER_ROW_READING, _("Now"), type->title, type->description);
+            property_builder_add(builder, TINKER_ROW_READING, _("Now"), tinker_translate(type->title),
+                                 tinker_translate(type->description));
         row->property = i;
         row->unit = tinker_block_class_unit(block_class, type->id, type->dimension, english);
         property_row_take_text(

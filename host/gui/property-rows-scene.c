@@ -5,6 +5,7 @@
 
 #include "numerics/integrators.h"
 #include "property-list-private.h"
+#include "translate.h"
 
 /* Members of the head, by what they hold. */
 typedef struct {
@@ -137,7 +138,7 @@ static char *method_title(const char *id)
 {
     if (g_str_equal(id, "auto")) return g_strdup(_("Automatic"));
     const TinkerIntegrator *method = tinker_integrator_builtin(id);
-    return g_strdup(method != NULL ? method->title : id);
+    return g_strdup(method != NULL ? tinker_translate(method->title) : id);
 }
 
 /* Rows ---------------------------------------------------------------------------------------------------------------- */

@@ -6,6 +6,7 @@
 
 #include "property-list-private.h"
 #include "scene/frame-quantity.h"
+#include "translate.h"
 
 static const TinkerPropertyType *type_of(const TinkerScene *scene, const TinkerPropertyRow *row)
 {
@@ -214,7 +215,8 @@ static char *default_text(const PropertyBuilder *builder, int32_t property, int3
     if (type->flags & TINKER_DEFAULT_AS_PLACED) return g_strdup(_("As long as placed, where nothing is entered."));
     if (type->flags & TINKER_DEFAULT_SAME_AS) {
         int32_t from = tinker_block_class_property(builder->block_class, type->default_from);
-        const char *title = from >= 0 ? builder->block_class->properties[from].title : type->default_from;
+        const char *title =
+            from >= 0 ? tinker_translate(builder->block_class->properties[from].title) : type->default_from;
         return g_strdup_printf(_("The same as “%s”, where nothing is entered."), title);
     }
     if (type->kind == TINKER_KIND_SWITCH || type->kind == TINKER_KIND_CHOICE) return NULL;
@@ -226,7 +228,7 @@ static char *default_text(const PropertyBuilder *builder, int32_t property, int3
 static char *describe(const PropertyBuilder *builder, int32_t property, int32_t component, const char *unit)
 {
     const TinkerPropertyType *type = &builder->block_class->properties[property];
-    GString *text = g_string_new(type->description);
+    GString *text = g_string_new(tinker_translate(type->description));
     if (type->symbol != NULL) g_string_append_printf(text, _("\nSymbol: %s"), type->symbol);
     g_autofree char *range = range_text(type, unit), *by_default = default_text(builder, property, component, unit);
     if (range != NULL) g_string_append_printf(text, _("\nMust be %s"), range);
@@ -234,10 +236,15 @@ static char *describe(const PropertyBuilder *builder, int32_t property, int32_t 
     return g_string_free(text, FALSE);
 }
 
+const char *property_group_of(const PropertyBuilder *builder, const TinkerPropertyType *type)
+{
+    return builder->group != NULL ? builder->group : tinker_translate(type->group);
+}
+
 static const char *title_of(const TinkerPropertyType *type, int32_t component)
 {
     const char *title = type->kind == TINKER_KIND_VECTOR ? type->component_titles[component] : NULL;
-    return title != NULL ? title : type->title;
+    return tinker_translate(title != NULL ? title : type->title);
 }
 
 static TinkerPropertyRow *add_row(PropertyBuilder *builder, int32_t property, int32_t component, TinkerRowKind kind)
@@ -246,8 +253,8 @@ static TinkerPropertyRow *add_row(PropertyBuilder *builder, int32_t property, in
     const char *unit = tinker_block_class_unit(builder->block_class, type->id, type->dimension,
                                                builder->system == TINKER_UNIT_SYSTEM_ENGLISH);
     g_autofree char *description =
-        kind == TINKER_ROW_TEXT ? g_strdup(type->description) : describe(builder, property, component, unit);
-    TinkerPropertyRow *row = property_builder_add(builder, kind, builder->group != NULL ? builder->group : type->group,
+        kind == TINKER_ROW_TEXT ? g_strdup(tinker_translate(type->description)) : describe(builder, property, component, unit);
+    TinkerPropertyRow *row = property_builder_add(builder, kind, property_group_of(builder, type),
                                                   title_of(type, component), description);
     row->property = property;
     row->component = component;
@@ -286,7 +293,7 @@ static void add_choice(PropertyBuilder *builder, int32_t property, TinkerRowKind
     if (kind == TINKER_ROW_CHOICE) {
         row->choices = g_new0(char *, (gsize)type->choice_count + 1);
         for (int32_t i = 0; i < type->choice_count; i++)
-            row->choices[i] = g_strdup(type->choices[i]);
+            row->choices[i] = g_strdup(tinker_translate(type->choices[i]));
     }
     row->sensitive = !(type->flags & (TINKER_READ_ONLY | TINKER_DERIVED));
     row->choose = choose_number;

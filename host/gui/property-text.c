@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "property-list-private.h"
+#include "translate.h"
 
 gboolean property_refuse(GError **error, const char *format, ...)
 {
@@ -47,7 +48,7 @@ static char *with_titles(const char *message, const TinkerBlockClass *block_clas
         g_autofree char *word = g_strndup(at, MAX(length, 1));
         int32_t property = length > 0 ? tinker_block_class_property(block_class, word) : -1;
         if (property >= 0)
-            g_string_append_printf(text, "“%s”", block_class->properties[property].title);
+            g_string_append_printf(text, _("“%s”"), tinker_translate(block_class->properties[property].title));
         else
             g_string_append(text, word);
         at += strlen(word);

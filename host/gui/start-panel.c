@@ -53,7 +53,8 @@ static void on_choice(GtkWidget *button, TinkerStartPanel *panel)
 
 static void add_row(TinkerStartPanel *panel, const TinkerStartOption *option, guint number)
 {
-    TinkerStartRow *row = tinker_start_row_new(option->label);
+    g_autofree char *label = tinker_start_label(tinker_document_scene(panel->document), option);
+    TinkerStartRow *row = tinker_start_row_new(label);
     g_object_set_data(G_OBJECT(row), "option", GUINT_TO_POINTER(number));
     g_signal_connect(row, "apply", G_CALLBACK(on_apply), panel);
     gtk_list_box_append(GTK_LIST_BOX(panel->list), GTK_WIDGET(row));
@@ -62,7 +63,7 @@ static void add_row(TinkerStartPanel *panel, const TinkerStartOption *option, gu
 
 static void add_choice(TinkerStartPanel *panel, const TinkerStartOption *option, guint number)
 {
-    g_autofree char *text = tinker_start_button_text(option->label);
+    g_autofree char *text = tinker_start_button_label(tinker_document_scene(panel->document), option);
     GtkWidget *button = gtk_button_new_with_label(text);
     gtk_widget_set_tooltip_text(button, option->description);
     g_object_set_data(G_OBJECT(button), "option", GUINT_TO_POINTER(number));

@@ -7,6 +7,7 @@
 
 #include "examples.h"
 #include "render/painter.h"
+#include "translate.h"
 
 #define SHOWN_EXAMPLES 4
 #define CARD_WIDTH     660
@@ -91,7 +92,7 @@ static GtkWidget *example_button(TinkerWelcome *welcome, guint number)
 {
     const TinkerExample *example = welcome->shown[number];
     GtkWidget *button = gtk_button_new(), *box = gtk_box_new(GTK_ORIENTATION_VERTICAL, 6);
-    GtkWidget *picture = gtk_picture_new(), *label = gtk_label_new(example->title);
+    GtkWidget *picture = gtk_picture_new(), *label = gtk_label_new(tinker_translate(example->title));
     gtk_widget_set_size_request(picture, PICTURE_WIDTH, PICTURE_HEIGHT);
     gtk_picture_set_can_shrink(GTK_PICTURE(picture), TRUE);
     gtk_widget_set_overflow(picture, GTK_OVERFLOW_HIDDEN);
@@ -110,7 +111,7 @@ static GtkWidget *example_button(TinkerWelcome *welcome, guint number)
     gtk_widget_add_css_class(button, "flat");
     gtk_widget_add_css_class(button, "welcome-example");
     gtk_widget_set_tooltip_text(button, example->description);
-    gtk_accessible_update_property(GTK_ACCESSIBLE(button), GTK_ACCESSIBLE_PROPERTY_LABEL, example->title, -1);
+    gtk_accessible_update_property(GTK_ACCESSIBLE(button), GTK_ACCESSIBLE_PROPERTY_LABEL, tinker_translate(example->title), -1);
     gtk_actionable_set_action_name(GTK_ACTIONABLE(button), "win.open-example");
     gtk_actionable_set_action_target(GTK_ACTIONABLE(button), "s", example->path);
     welcome->pictures[number] = picture;

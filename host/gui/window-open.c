@@ -5,6 +5,7 @@
 #include "examples.h"
 #include "new-dialog.h"
 #include "new-scene.h"
+#include "translate.h"
 #include "window-files.h"
 
 #define MOST_RECENT 8
@@ -227,7 +228,7 @@ static void fill_examples(TinkerWindow *window)
         g_autoptr(GMenu) menu = g_menu_new();
         for (guint i = 0; i < topic->examples->len; i++) {
             const TinkerExample *example = g_ptr_array_index(topic->examples, i);
-            g_autoptr(GMenuItem) item = item_of(example->title, "win.open-example", example->path);
+            g_autoptr(GMenuItem) item = item_of(tinker_translate(example->title), "win.open-example", example->path);
             g_menu_append_item(menu, item);
         }
         g_menu_append_submenu(window->examples_menu, topic->title, G_MENU_MODEL(menu));

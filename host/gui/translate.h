@@ -1,0 +1,10 @@
+/* Texts that the window shows but does not write itself: those of the blocks' and methods' descriptors, and titles of the
+ * bundled scenes. host/po/descriptors.pot lists the bundled ones for the translators; others appear as they are. */
+#ifndef TINKER_GUI_TRANSLATE_H
+#define TINKER_GUI_TRANSLATE_H
+
+/* The text in the user's language, or the text itself where nobody has translated it; NULL stays NULL. It may be freed
+ * with `text`, else it lives as long as the program. What is stored in a scene is never translated. (transfer none) */
+const char *tinker_translate(const char *text);
+
+#endif
