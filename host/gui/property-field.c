@@ -3,7 +3,9 @@
 
 #include <glib/gi18n.h>
 
-#define TITLE_WIDTH 132 /* px; of 300 that the panel has */
+/* px, of 276 that the panel has inside. A reading has a least width so that a title wraps instead of shifting it. */
+#define TITLE_WIDTH   140
+#define READING_WIDTH 128
 
 struct _TinkerPropertyField {
     GtkWidget parent_instance;
@@ -251,6 +253,7 @@ static GtkWidget *make_label(void)
     GtkWidget *label = gtk_label_new(NULL);
     gtk_label_set_xalign(GTK_LABEL(label), 0);
     gtk_label_set_ellipsize(GTK_LABEL(label), PANGO_ELLIPSIZE_END);
+    gtk_widget_set_size_request(label, READING_WIDTH, -1);
     gtk_widget_add_css_class(label, "numeric");
     gtk_widget_add_css_class(label, "reading");
     return label;

@@ -65,6 +65,10 @@ static void add_choice(TinkerStartPanel *panel, const TinkerStartOption *option,
 {
     g_autofree char *text = tinker_start_button_label(tinker_document_scene(panel->document), option);
     GtkWidget *button = gtk_button_new_with_label(text);
+    GtkLabel *words = GTK_LABEL(gtk_button_get_child(GTK_BUTTON(button)));
+    gtk_label_set_wrap(words, TRUE);
+    gtk_label_set_wrap_mode(words, PANGO_WRAP_WORD_CHAR);
+    gtk_label_set_justify(words, GTK_JUSTIFY_CENTER);
     gtk_widget_set_tooltip_text(button, option->description);
     g_object_set_data(G_OBJECT(button), "option", GUINT_TO_POINTER(number));
     g_signal_connect(button, "clicked", G_CALLBACK(on_choice), panel);
