@@ -7,6 +7,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "number-hint.h"
+
 #define TEMPLATE       "/org/tinker/Tinker/new-scene.tinker.json"
 #define LEAST_WIDTH    1e-6 /* m */
 #define GREATEST_WIDTH 1e6
@@ -34,8 +36,9 @@ gboolean tinker_new_scene_parse_width(const char *text, TinkerUnitSystem units, 
         return FALSE;
     }
     if (!tinker_quantity_parse(complete, length, width, &reason)) {
+        g_autoptr(GError) hint = NULL;
         g_set_error(error, TINKER_SCENE_ERROR, TINKER_SCENE_ERROR_VALUE, _("Not a length such as “%s”: %s"), example,
-                    reason->message);
+                    tinker_number_hint_comma(text, &hint) ? hint->message : reason->message);
         return FALSE;
     }
     if (*width >= LEAST_WIDTH && *width <= GREATEST_WIDTH) return TRUE;

@@ -2,6 +2,7 @@
 #include <glib/gi18n.h>
 #include <string.h>
 
+#include "number-hint.h"
 #include "property-list-private.h"
 #include "translate.h"
 
@@ -86,10 +87,9 @@ gboolean property_parse_number(const char *text, TinkerDimension dimension, cons
         return TRUE;
     }
     if (tinker_quantity_parse(text, dimension, si, &cause)) return TRUE;
-    if (strchr(text, ',') != NULL) {
+    if (tinker_number_hint_comma(text, error)) {
         g_error_free(cause);
-        return property_refuse(error,
-                               _("A number is written with a point and without thousands separators, as in 3.5."));
+        return FALSE;
     }
     property_fail(error, cause, NULL, NULL);
     return FALSE;

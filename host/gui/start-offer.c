@@ -5,6 +5,7 @@
 #include <glib/gi18n.h>
 #include <string.h>
 
+#include "number-hint.h"
 #include "translate.h"
 
 #define DECIMALS 5
@@ -89,6 +90,10 @@ gboolean tinker_start_value_parse(TinkerScene *scene, const TinkerStartOption *o
     g_autofree char *whole = has_no_unit ? g_strconcat(typed, " ", unit_of(scene, option), NULL) : g_strdup(typed);
     GError *wrong = NULL;
     if (tinker_quantity_parse(g_strchomp(whole), option->dimension, si, &wrong)) return TRUE;
+    if (tinker_number_hint_comma(text, error)) {
+        g_error_free(wrong);
+        return FALSE;
+    }
     leave_out_column(wrong);
     g_propagate_error(error, wrong);
     return FALSE;

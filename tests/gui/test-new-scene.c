@@ -36,6 +36,10 @@ static void test_width(void)
         g_assert_error(error, TINKER_SCENE_ERROR, TINKER_SCENE_ERROR_VALUE);
         g_assert_true(strstr(error->message, "10 m") != NULL || strstr(error->message, "between") != NULL);
     }
+    g_autoptr(GError) comma = NULL;
+    double width;
+    g_assert_false(tinker_new_scene_parse_width("2,5 m", TINKER_UNIT_SYSTEM_SI, &width, &comma));
+    g_assert_nonnull(strstr(comma->message, "with a point"));
 }
 
 /* 1, 2 or 5 times a power of ten. */

@@ -70,6 +70,9 @@ static void test_values(void)
         g_assert_true(error != NULL && error->domain == TINKER_UNITS_ERROR);
         g_assert_null(strstr(error->message, "column"));
     }
+    g_autoptr(GError) comma = NULL;
+    g_assert_false(tinker_start_value_parse(scene, &option, "0,2 m", &si, &comma));
+    g_assert_nonnull(strstr(comma->message, "with a point"));
 }
 
 static void count(guint *counter)
