@@ -295,8 +295,9 @@ void tinker_document_remove_selected(TinkerDocument *document)
     guint count = document->selection->len;
     if (count == 0) return;
     TinkerBlockId first = g_array_index(document->selection, TinkerBlockId, 0);
-    g_autofree char *title = count == 1 ? g_strdup_printf(_("Delete %s"), tinker_scene_block_name(document->scene, first))
-                                        : g_strdup_printf(_("Delete %u Blocks"), count);
+    g_autofree char *title = count == 1
+                                 ? g_strdup_printf(_("Delete %s"), tinker_scene_block_name(document->scene, first))
+                                 : g_strdup_printf(_("Delete %u Blocks"), count);
     tinker_document_begin(document, title, NULL);
     for (guint i = 0; i < count; i++)
         tinker_history_remove_block(document->history, g_array_index(document->selection, TinkerBlockId, i));

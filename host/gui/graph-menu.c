@@ -49,7 +49,8 @@ static gboolean is_rate_of(const TinkerBlockClass *block_class, int32_t rate, in
 static void append_phase(GMenu *menu, const TinkerBlockClass *block_class, int32_t y, int32_t x)
 {
     const TinkerQuantityType *of_y = &block_class->quantities[y], *of_x = &block_class->quantities[x];
-    g_autofree char *label = g_strdup_printf(_("%s over %s"), tinker_translate(of_y->title), tinker_translate(of_x->title));
+    g_autofree char *label =
+        g_strdup_printf(_("%s over %s"), tinker_translate(of_y->title), tinker_translate(of_x->title));
     append(menu, label, of_y->id, of_x->id);
 }
 

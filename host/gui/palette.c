@@ -113,9 +113,9 @@ static GtkWidget *button_of(TinkerPalette *palette, const TinkerBlockClass *bloc
     gtk_box_append(GTK_BOX(row), label);
     gtk_button_set_child(GTK_BUTTON(item->button), row);
     gtk_widget_add_css_class(item->button, "flat");
-    g_autofree char *tooltip = type->summary != NULL
-                                   ? g_strdup_printf("%s.\n%s", tinker_translate(type->summary), _("Click or drag it onto the canvas."))
-                                   : NULL;
+    g_autofree char *tooltip = type->summary != NULL ? g_strdup_printf("%s.\n%s", tinker_translate(type->summary),
+                                                                       _("Click or drag it onto the canvas."))
+                                                     : NULL;
     gtk_widget_set_tooltip_text(item->button, tooltip);
     gtk_accessible_update_property(GTK_ACCESSIBLE(item->button), GTK_ACCESSIBLE_PROPERTY_LABEL, title, -1);
     g_object_set_data_full(G_OBJECT(item->button), "item", item, g_free);

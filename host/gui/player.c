@@ -231,10 +231,11 @@ static gboolean can_run(TinkerPlayer *player, TinkerBlockId *culprit, GError **e
     TinkerScene *scene = tinker_document_scene(player->document);
     *culprit = tinker_scene_first_placeholder(scene);
     if (*culprit != TINKER_NO_BLOCK) {
-        g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_PLUGIN,
-                    _("%s is a block of the type “%s”, which no installed plugin provides. Install the plugin, or delete "
-                      "the block."),
-                    tinker_scene_block_name(scene, *culprit), tinker_scene_block_type(scene, *culprit));
+        g_set_error(
+            error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_PLUGIN,
+            _("%s is a block of the type “%s”, which no installed plugin provides. Install the plugin, or delete "
+              "the block."),
+            tinker_scene_block_name(scene, *culprit), tinker_scene_block_type(scene, *culprit));
         return FALSE;
     }
     *culprit = tinker_scene_first_detached(scene);

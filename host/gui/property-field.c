@@ -3,9 +3,9 @@
 
 #include <glib/gi18n.h>
 
-/* px, of 276 that the panel has inside. A reading has a least width so that a title wraps instead of shifting it. */
+/* px, of 276 that the panel has inside. Controls have a least width so that a long title wraps instead of shifting them. */
 #define TITLE_WIDTH   140
-#define READING_WIDTH 128
+#define CONTROL_WIDTH 128
 
 struct _TinkerPropertyField {
     GtkWidget parent_instance;
@@ -253,7 +253,6 @@ static GtkWidget *make_label(void)
     GtkWidget *label = gtk_label_new(NULL);
     gtk_label_set_xalign(GTK_LABEL(label), 0);
     gtk_label_set_ellipsize(GTK_LABEL(label), PANGO_ELLIPSIZE_END);
-    gtk_widget_set_size_request(label, READING_WIDTH, -1);
     gtk_widget_add_css_class(label, "numeric");
     gtk_widget_add_css_class(label, "reading");
     return label;
@@ -296,6 +295,8 @@ static void make_parts(TinkerPropertyField *field)
     gtk_box_append(GTK_BOX(line), field->title);
     field->control = make_control(field);
     gtk_widget_set_hexpand(field->control, field->row->kind != TINKER_ROW_SWITCH);
+    if (field->row->kind != TINKER_ROW_SWITCH && field->row->kind != TINKER_ROW_END)
+        gtk_widget_set_size_request(field->control, CONTROL_WIDTH, -1);
     gtk_accessible_update_property(GTK_ACCESSIBLE(field->control), GTK_ACCESSIBLE_PROPERTY_LABEL, field->row->title,
                                    -1);
     gtk_box_append(GTK_BOX(line), field->control);

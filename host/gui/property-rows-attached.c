@@ -35,7 +35,8 @@ static void add_rows_of(PropertyBuilder *builder, TinkerBlockId block, int32_t e
         if (first == NULL)
             g_hash_table_insert(groups, (gpointer)type->group, GINT_TO_POINTER(block + 1));
         else if (GPOINTER_TO_INT(first) != block + 1)
-            other = g_strdup_printf("%s (%s)", tinker_translate(type->group), tinker_scene_block_name(builder->scene, block));
+            other = g_strdup_printf("%s (%s)", tinker_translate(type->group),
+                                    tinker_scene_block_name(builder->scene, block));
         own.group = other;
         property_rows_add_property(&own, i);
     }

@@ -16,9 +16,8 @@ void property_rows_add_readings(PropertyBuilder *builder)
         const TinkerQuantityType *type = &block_class->quantities[i];
         double value;
         if (!tinker_player_value(builder->player, builder->blocks[0], i, &value)) continue;
-        TinkerPropertyRow *row =
-            property_builder_add(builder, TINKER_ROW_READING, _("Now"), tinker_translate(type->title),
-                                 tinker_translate(type->description));
+        TinkerPropertyRow *row = property_builder_add(
+            builder, TINKER_ROW_READING, _("Now"), tinker_translate(type->title), tinker_translate(type->description));
         row->property = i;
         row->unit = tinker_block_class_unit(block_class, type->id, type->dimension, english);
         property_row_take_text(

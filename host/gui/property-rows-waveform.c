@@ -124,9 +124,8 @@ static TinkerPropertyRow *add_type(PropertyBuilder *builder, const TinkerPropert
                                    gboolean with_table)
 {
     static const char *const titles[] = {N_("None"), N_("Sine"), N_("Cosine"), N_("Expression"), N_("Table")};
-    TinkerPropertyRow *row =
-        property_builder_add(builder, TINKER_ROW_CHOICE, property_group_of(builder, type),
-                             tinker_translate(type->title), tinker_translate(type->description));
+    TinkerPropertyRow *row = property_builder_add(builder, TINKER_ROW_CHOICE, property_group_of(builder, type),
+                                                  tinker_translate(type->title), tinker_translate(type->description));
     row->choices = g_new0(char *, G_N_ELEMENTS(titles) + 1);
     for (int i = 0; i <= (with_table ? CHOICE_TABLE : CHOICE_EXPRESSION); i++)
         row->choices[i] = g_strdup(_(titles[i]));
@@ -141,8 +140,8 @@ static void add_expression(PropertyBuilder *builder, const TinkerPropertyType *t
     g_autofree char *description =
         g_strdup_printf(_("A function of t (s), as in 0.1*sin(2*pi*t). Its value is in %s."),
                         *tinker_unit_si_symbol(type->dimension) != '\0' ? tinker_unit_si_symbol(type->dimension) : "1");
-    TinkerPropertyRow *row = property_builder_add(
-        builder, TINKER_ROW_TEXT, property_group_of(builder, type), _("Expression"), description);
+    TinkerPropertyRow *row =
+        property_builder_add(builder, TINKER_ROW_TEXT, property_group_of(builder, type), _("Expression"), description);
     property_row_take_text(row, g_strdup(tinker_waveform_expression(first)));
     for (int i = 1; i < builder->count && !row->mixed; i++) {
         TinkerWaveform *waveform = tinker_scene_get_waveform(builder->scene, builder->blocks[i], property);

@@ -252,10 +252,10 @@ static TinkerPropertyRow *add_row(PropertyBuilder *builder, int32_t property, in
     const TinkerPropertyType *type = &builder->block_class->properties[property];
     const char *unit = tinker_block_class_unit(builder->block_class, type->id, type->dimension,
                                                builder->system == TINKER_UNIT_SYSTEM_ENGLISH);
-    g_autofree char *description =
-        kind == TINKER_ROW_TEXT ? g_strdup(tinker_translate(type->description)) : describe(builder, property, component, unit);
-    TinkerPropertyRow *row = property_builder_add(builder, kind, property_group_of(builder, type),
-                                                  title_of(type, component), description);
+    g_autofree char *description = kind == TINKER_ROW_TEXT ? g_strdup(tinker_translate(type->description))
+                                                           : describe(builder, property, component, unit);
+    TinkerPropertyRow *row =
+        property_builder_add(builder, kind, property_group_of(builder, type), title_of(type, component), description);
     row->property = property;
     row->component = component;
     row->unit = unit;

@@ -111,7 +111,8 @@ static GtkWidget *example_button(TinkerWelcome *welcome, guint number)
     gtk_widget_add_css_class(button, "flat");
     gtk_widget_add_css_class(button, "welcome-example");
     gtk_widget_set_tooltip_text(button, example->description);
-    gtk_accessible_update_property(GTK_ACCESSIBLE(button), GTK_ACCESSIBLE_PROPERTY_LABEL, tinker_translate(example->title), -1);
+    gtk_accessible_update_property(GTK_ACCESSIBLE(button), GTK_ACCESSIBLE_PROPERTY_LABEL,
+                                   tinker_translate(example->title), -1);
     gtk_actionable_set_action_name(GTK_ACTIONABLE(button), "win.open-example");
     gtk_actionable_set_action_target(GTK_ACTIONABLE(button), "s", example->path);
     welcome->pictures[number] = picture;
