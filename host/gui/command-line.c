@@ -20,6 +20,9 @@ static const GOptionEntry entries[] = {
     {"theme", 0, 0, G_OPTION_ARG_STRING, NULL, N_("light, dark, contrast-light or contrast-dark"), N_("THEME")},
     {"select", 0, 0, G_OPTION_ARG_STRING, NULL, N_("The block that is selected in the picture"), N_("NAME")},
     {"page", 0, 0, G_OPTION_ARG_STRING, NULL, N_("model, graphs or accuracy"), N_("PAGE")},
+    {"panel", 0, 0, G_OPTION_ARG_STRING, NULL, N_("What the panel beside the canvas shows: properties or start"),
+     N_("PANEL")},
+    {"forces", 0, 0, G_OPTION_ARG_NONE, NULL, N_("Show the forces as arrows"), NULL},
     {NULL, 0, 0, G_OPTION_ARG_NONE, NULL, NULL, NULL},
 };
 
@@ -71,7 +74,7 @@ static gboolean read_theme(const char *text, TinkerScreenshot *screenshot, GErro
 /* Options that mean nothing without a picture. */
 static gboolean check_alone(GVariantDict *options, GError **error)
 {
-    static const char *const parts[] = {"scene", "time", "size", "theme", "select", "page"};
+    static const char *const parts[] = {"scene", "time", "size", "theme", "select", "page", "panel", "forces"};
     for (gsize i = 0; i < G_N_ELEMENTS(parts); i++) {
         if (!g_variant_dict_contains(options, parts[i])) continue;
         g_set_error(error, G_OPTION_ERROR, G_OPTION_ERROR_BAD_VALUE, _("--%s goes with --screenshot only"), parts[i]);
@@ -87,6 +90,8 @@ static gboolean read_screenshot(TinkerCommandLine *line, GVariantDict *options, 
     g_variant_dict_lookup(options, "scene", "^ay", &screenshot->scene);
     g_variant_dict_lookup(options, "select", "s", &screenshot->select);
     g_variant_dict_lookup(options, "page", "s", &screenshot->page);
+    g_variant_dict_lookup(options, "panel", "s", &screenshot->panel);
+    screenshot->forces = g_variant_dict_contains(options, "forces");
     screenshot->time = NAN;
     screenshot->width = 1280;
     screenshot->height = 800;
@@ -131,5 +136,6 @@ void tinker_command_line_clear(TinkerCommandLine *line)
     g_free(line->screenshot->scene);
     g_free(line->screenshot->select);
     g_free(line->screenshot->page);
+    g_free(line->screenshot->panel);
     g_clear_pointer(&line->screenshot, g_free);
 }

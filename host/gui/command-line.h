@@ -13,6 +13,8 @@ typedef struct {
     gboolean dark, high_contrast;
     char *select; /* a block's name; may be NULL */
     char *page;   /* may be NULL */
+    char *panel;  /* may be NULL */
+    gboolean forces;
 } TinkerScreenshot;
 
 typedef struct {

@@ -7,6 +7,7 @@
 
 #include "exit-status.h"
 #include "settings.h"
+#include "side-panel.h"
 #include "window-private.h"
 
 #define FRAMES_BEFORE 4 /* that the window is given to settle */
@@ -89,11 +90,19 @@ static int show_page(TinkerWindow *window, const char *page)
     return TINKER_EXIT_DONE;
 }
 
+static int show_panel(TinkerWindow *window, const char *panel)
+{
+    GtkWidget *side_panel = gtk_widget_get_first_child(GTK_WIDGET(window->panel));
+    return tinker_side_panel_show(side_panel, panel) ? TINKER_EXIT_DONE : usage_error("panel", panel, _("panel"));
+}
+
 static int show(TinkerWindow *window, const TinkerScreenshot *wanted)
 {
+    if (wanted->forces) g_object_set(window->canvas, "show-forces", TRUE, NULL);
     int status = wanted->scene != NULL ? open_scene(window, wanted) : TINKER_EXIT_DONE;
     if (status == TINKER_EXIT_DONE && wanted->select != NULL) status = select_block(window, wanted->select);
     if (status == TINKER_EXIT_DONE && wanted->page != NULL) status = show_page(window, wanted->page);
+    if (status == TINKER_EXIT_DONE && wanted->panel != NULL) status = show_panel(window, wanted->panel);
     return status;
 }
 

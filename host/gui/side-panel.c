@@ -8,11 +8,12 @@
 
 #define PROPERTIES_HEIGHT 240 /* px: at least */
 #define OUTLINE_HEIGHT    168
+#define STACK             "stack" /* data of the panel: what holds its pages */
 
 /* Two pages behind a switch: what it is, and how it starts. */
-static GtkWidget *pages_of(GtkWidget *properties, GtkWidget *start)
+static GtkWidget *pages_of(GtkWidget *stack, GtkWidget *properties, GtkWidget *start)
 {
-    GtkWidget *stack = gtk_stack_new(), *switcher = gtk_stack_switcher_new(), *scrolled = gtk_scrolled_window_new();
+    GtkWidget *switcher = gtk_stack_switcher_new(), *scrolled = gtk_scrolled_window_new();
     GtkWidget *box = gtk_box_new(GTK_ORIENTATION_VERTICAL, 0);
     gtk_scrolled_window_set_policy(GTK_SCROLLED_WINDOW(scrolled), GTK_POLICY_NEVER, GTK_POLICY_AUTOMATIC);
     gtk_scrolled_window_set_child(GTK_SCROLLED_WINDOW(scrolled), start);
@@ -30,7 +31,8 @@ GtkWidget *tinker_side_panel_new(TinkerDocument *document, TinkerPlayer *player,
 {
     GtkWidget *paned = gtk_paned_new(GTK_ORIENTATION_VERTICAL);
     GtkWidget *properties = tinker_property_panel_new(document, player), *outline = tinker_outline_new(document);
-    GtkWidget *pages = pages_of(properties, start);
+    GtkWidget *stack = gtk_stack_new(), *pages = pages_of(stack, properties, start);
+    g_object_set_data(G_OBJECT(paned), STACK, stack);
     gtk_widget_set_size_request(properties, -1, PROPERTIES_HEIGHT);
     gtk_widget_set_size_request(outline, -1, OUTLINE_HEIGHT);
     gtk_paned_set_start_child(GTK_PANED(paned), pages);
@@ -43,4 +45,12 @@ GtkWidget *tinker_side_panel_new(TinkerDocument *document, TinkerPlayer *player,
     g_signal_connect_object(outline, "activated", G_CALLBACK(tinker_property_panel_focus), properties,
                             G_CONNECT_SWAPPED);
     return paned;
+}
+
+gboolean tinker_side_panel_show(GtkWidget *side_panel, const char *page)
+{
+    GtkStack *stack = g_object_get_data(G_OBJECT(side_panel), STACK);
+    if (gtk_stack_get_child_by_name(stack, page) == NULL) return FALSE;
+    gtk_stack_set_visible_child_name(stack, page);
+    return TRUE;
 }

@@ -9,4 +9,7 @@
 /* `start` is the widget that says how things start. (transfer floating) */
 GtkWidget *tinker_side_panel_new(TinkerDocument *document, TinkerPlayer *player, GtkWidget *start);
 
+/* Shows one of its pages, "properties" or "start"; FALSE where there is no such page. */
+gboolean tinker_side_panel_show(GtkWidget *side_panel, const char *page);
+
 #endif

@@ -38,14 +38,14 @@ static char *scene_path(const char *name)
 }
 
 /* A picture of the spring-mass system at 1.3 s. (transfer full) */
-static GBytes *picture(const char *theme)
+static GBytes *picture(const char *theme, const char *option, const char *value)
 {
     g_autofree char *file = g_build_filename(folder, "picture.png", NULL),
                     *scene = scene_path("spring-mass.tinker.json");
     g_autofree char *errors = NULL, *data = NULL;
-    const char *const arguments[] = {"--screenshot", file,     "--scene",  scene,     "--time",
-                                     "1.3",          "--size", "1000x700", "--theme", theme,
-                                     "--select",     "Mass 0", "--page",   "model",   NULL};
+    const char *const arguments[] = {"--screenshot", file,       "--scene", scene, "--time",   "1.3",
+                                     "--size",       "1000x700", "--theme", theme, "--select", "Mass 0",
+                                     "--page",       "model",    option,    value, NULL};
     int status = run(arguments, &errors);
     if (status != 0) g_test_message("%s", errors);
     g_assert_cmpint(status, ==, 0);
@@ -64,12 +64,23 @@ static guint32 number_at(GBytes *png, gsize place)
 
 static void test_same_bytes(void)
 {
-    g_autoptr(GBytes) first = picture("light"), second = picture("light"), dark = picture("dark");
+    g_autoptr(GBytes) first = picture("light", NULL, NULL), second = picture("light", NULL, NULL),
+                      dark = picture("dark", NULL, NULL);
     g_assert_cmpmem(g_bytes_get_data(first, NULL), 8, "\x89PNG\r\n\x1a\n", 8);
     g_assert_cmpuint(number_at(first, 16), ==, 1000);
     g_assert_cmpuint(number_at(first, 20), ==, 700);
     g_assert_true(g_bytes_equal(first, second));
     g_assert_false(g_bytes_equal(first, dark));
+}
+
+/* Each option is to be seen. */
+static void test_parts(void)
+{
+    g_autoptr(GBytes) plain = picture("light", NULL, NULL), properties = picture("light", "--panel", "properties");
+    g_autoptr(GBytes) start = picture("light", "--panel", "start"), forces = picture("light", "--forces", NULL);
+    g_assert_true(g_bytes_equal(plain, properties));
+    g_assert_false(g_bytes_equal(plain, start));
+    g_assert_false(g_bytes_equal(plain, forces));
 }
 
 static void test_statuses(void)
@@ -91,6 +102,8 @@ static void test_statuses(void)
         {{"--screenshot", file, "--scene", scene, "--time", "1e9"}, 2, "--time"},
         {{"--screenshot", file, "--scene", scene, "--select", "Nobody"}, 2, "Nobody"},
         {{"--screenshot", file, "--scene", scene, "--page", "yellow"}, 2, "yellow"},
+        {{"--screenshot", file, "--scene", scene, "--panel", "purple"}, 2, "purple"},
+        {{"--forces"}, 2, "--screenshot"},
         {{"--screenshot", file, "--scene", wrong}, 3, "wrong.tinker.json:1:"},
         {{"--screenshot", file, "--scene", "/nowhere.tinker.json"}, 5, "/nowhere.tinker.json"},
         {{"--screenshot", "/nowhere/at/all.png"}, 5, "/nowhere/at/all.png"},
@@ -112,6 +125,7 @@ int main(int argc, char **argv)
     g_test_init(&argc, &argv, NULL);
     folder = g_dir_make_tmp("tinker-pictures-XXXXXX", NULL);
     g_test_add_func("/gui/screenshot/same-bytes", test_same_bytes);
+    g_test_add_func("/gui/screenshot/parts", test_parts);
     g_test_add_func("/gui/screenshot/statuses", test_statuses);
     int status = g_test_run();
     g_rmdir(folder);
