@@ -317,6 +317,61 @@ static void test_tutorial_runs(void)
     }
 }
 
+/* What the tutorials of the window say that their scenes do, by formulas, sample by sample. */
+typedef double (*ClosedForm)(double t);
+
+static double of_spring(double t)
+{
+    return -0.7924 - 0.6076 * cos(5 * t);
+}
+
+static double of_shaken_support(double t)
+{
+    return -0.7924 + 0.05 * 25 / 9 * (sin(4 * t) - 0.8 * sin(5 * t));
+}
+
+static double of_resonance(double t)
+{
+    return -0.7924 + 0.025 * (sin(5 * t) - 5 * t * cos(5 * t));
+}
+
+static void test_window_tutorials(void)
+{
+    static const struct {
+        const char *scene;
+        ClosedForm y;
+    } cases[] = {{"spring-mass-window/3-stretched", of_spring},
+                 {"support-motion-window/1-shaken", of_shaken_support},
+                 {"support-motion-window/2-resonance", of_resonance}};
+    const char *options[] = {"--columns", "Mass 0.y", NULL};
+    for (gsize i = 0; i < G_N_ELEMENTS(cases); i++) {
+        g_autofree char *file = g_strdup_printf("docs/examples/%s.tinker.json", cases[i].scene);
+        g_autofree char *path = source_path(file);
+        g_autoptr(TestSceneRun) run = test_scene_run(path, options);
+        g_assert_cmpuint(run->record->rows, ==, 1001);
+        for (gsize row = 0; row < run->record->rows; row++) {
+            const double t = test_table_value(run->record, row, "time");
+            g_assert_cmpfloat_with_epsilon(test_table_value(run->record, row, "Mass 0.y"), cases[i].y(t), 1e-8);
+        }
+    }
+}
+
+/* Resonance with a damper: by 15 s the own motion is down to e^-7.5 of it. */
+static void test_window_tutorial_damped(void)
+{
+    g_autofree char *path = source_path("docs/examples/support-motion-window/3-damped.tinker.json");
+    const char *options[] = {"--columns", "Mass 0.y", NULL};
+    g_autoptr(TestSceneRun) run = test_scene_run(path, options);
+    double least = INFINITY, most = -INFINITY;
+    for (gsize row = 0; row < run->record->rows; row++) {
+        const double y = test_table_value(run->record, row, "Mass 0.y");
+        if (test_table_value(run->record, row, "time") < 15) continue;
+        least = fmin(least, y);
+        most = fmax(most, y);
+    }
+    g_assert_cmpfloat_with_epsilon((most - least) / 2, 0.05 * sqrt(26), 1e-3);
+}
+
 int main(int argc, char **argv)
 {
     g_test_init(&argc, &argv, NULL);
@@ -325,6 +380,8 @@ int main(int argc, char **argv)
     g_test_add_func("/docs/links", test_links);
     g_test_add_func("/docs/methods", test_methods);
     g_test_add_func("/docs/tutorial/runs", test_tutorial_runs);
+    g_test_add_func("/docs/tutorial/window", test_window_tutorials);
+    g_test_add_func("/docs/tutorial/window-damped", test_window_tutorial_damped);
     g_test_add_func("/docs/example/runs", test_example_runs);
     g_test_add_func("/docs/example/is-drawn", test_example_is_drawn);
     g_test_add_func("/docs/example/makefile-builds", test_makefile_builds);
