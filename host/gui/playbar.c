@@ -110,7 +110,8 @@ static GtkWidget *speed_chooser(void)
     GtkWidget *chooser = gtk_drop_down_new(G_LIST_MODEL(g_steal_pointer(&list)), NULL);
     gtk_drop_down_set_selected(GTK_DROP_DOWN(chooser), normal);
     gtk_widget_set_tooltip_text(chooser, _("Speed of playback"));
-    gtk_accessible_update_property(GTK_ACCESSIBLE(chooser), GTK_ACCESSIBLE_PROPERTY_LABEL, C_("play-back", "Speed"), -1);
+    gtk_accessible_update_property(GTK_ACCESSIBLE(chooser), GTK_ACCESSIBLE_PROPERTY_LABEL, C_("play-back", "Speed"),
+                                   -1);
     return chooser;
 }
 
