@@ -39,8 +39,8 @@ gboolean tinker_settings_switch(const char *group, const char *key, gboolean oth
 
 char *tinker_settings_text(const char *group, const char *key, const char *otherwise)
 {
-    char *value = g_key_file_get_string(key_file(), group, key, NULL);
-    return value != NULL ? value : g_strdup(otherwise);
+    g_autofree char *value = g_key_file_get_string(key_file(), group, key, NULL);
+    return value != NULL ? g_steal_pointer(&value) : g_strdup(otherwise);
 }
 
 void tinker_settings_set_integer(const char *group, const char *key, int value)
