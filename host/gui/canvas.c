@@ -124,10 +124,17 @@ static void widen(double *low, double *high, double length)
     *high += room;
 }
 
+static void renew_memory(TinkerCanvas *canvas)
+{
+    tinker_paint_memory_free(canvas->memory);
+    canvas->memory = tinker_paint_memory_new();
+}
+
 /* A scene is first shown as wide as it says, because it will move, and wholly; an empty one as wide as it says. */
-static void show_first(TinkerCanvas *canvas)
+void tinker_canvas_show_first(TinkerCanvas *canvas)
 {
     double box[4], canvas_width = tinker_scene_head(tinker_document_scene(canvas->document))->canvas_width;
+    renew_memory(canvas);
     if (tinker_document_is_empty(canvas->document) || !box_of_all(canvas, box)) {
         tinker_canvas_show_width(canvas);
         return;
@@ -148,7 +155,7 @@ static void tinker_canvas_size_allocate(GtkWidget *widget, int width, int height
     tinker_view_pan(&canvas->view, (width - canvas->view.width) / 2, (height - canvas->view.height) / 2);
     canvas->view.width = width;
     canvas->view.height = height;
-    if (!canvas->view_is_set && canvas->document != NULL) show_first(canvas);
+    if (!canvas->view_is_set && canvas->document != NULL) tinker_canvas_show_first(canvas);
     canvas_view_changed(canvas);
 }
 
@@ -208,12 +215,6 @@ static void tinker_canvas_snapshot(GtkWidget *widget, GtkSnapshot *snapshot)
 
 /* The widget ---------------------------------------------------------------------------------------------------------- */
 
-static void renew_memory(TinkerCanvas *canvas)
-{
-    tinker_paint_memory_free(canvas->memory);
-    canvas->memory = tinker_paint_memory_new();
-}
-
 static void on_replaced(TinkerCanvas *canvas)
 {
     canvas_cancel_gesture(canvas);
@@ -233,7 +234,7 @@ static void on_interrupted(TinkerCanvas *canvas)
 
 static void on_changed(TinkerCanvas *canvas)
 {
-    if (!canvas->view_is_set) show_first(canvas);
+    if (!canvas->view_is_set) tinker_canvas_show_first(canvas);
     /* Names stay on their side while things move; what was edited may need another. */
     if (canvas->gesture == CANVAS_IDLE && canvas->placing == TINKER_NO_BLOCK) renew_memory(canvas);
     gtk_widget_queue_draw(GTK_WIDGET(canvas));

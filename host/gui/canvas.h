@@ -27,6 +27,8 @@ const TinkerView *tinker_canvas_view(TinkerCanvas *canvas);
 void tinker_canvas_zoom(TinkerCanvas *canvas, double factor);
 void tinker_canvas_fit(TinkerCanvas *canvas);
 void tinker_canvas_show_width(TinkerCanvas *canvas);
+/* As a scene is shown when it is opened. */
+void tinker_canvas_show_first(TinkerCanvas *canvas);
 
 /* A new block of a class on its way from the palette, as one step for undo: _move with a point in widget coordinates shows it
  * there (or takes it away, outside of the canvas), _drop leaves it there, _cancel takes it away. */

@@ -10,7 +10,9 @@
 #include "side-panel.h"
 #include "window-private.h"
 
-#define FRAMES_BEFORE 4 /* that the window is given to settle */
+#define FRAMES_BEFORE                                                                                                  \
+    24 /* that the window is given to settle, once the plan is known: docks and lines follow some time after */
+#define FRAMES_AFTER 3 /* likewise, once the view is set */
 
 /* One that is being taken. */
 typedef struct {
@@ -151,7 +153,10 @@ static gboolean on_frame(GtkWidget *widget, GdkFrameClock *clock, gpointer data)
     Shot *shot = data;
     /* Whether the desktop gives it the focus is chance. */
     gtk_widget_unset_state_flags(widget, GTK_STATE_FLAG_BACKDROP);
-    if (shot->frames++ < FRAMES_BEFORE) return G_SOURCE_CONTINUE;
+    if (shot->frames == 0 && tinker_plan_task_is_due(shot->window->plan)) return G_SOURCE_CONTINUE;
+    /* It was set for a canvas that may have been larger. */
+    if (shot->frames == FRAMES_BEFORE) tinker_canvas_show_first(shot->window->canvas);
+    if (shot->frames++ < FRAMES_BEFORE + FRAMES_AFTER) return G_SOURCE_CONTINUE;
     g_idle_add_full(G_PRIORITY_LOW + 100, on_idle, shot, NULL);
     return G_SOURCE_REMOVE;
 }
@@ -174,5 +179,6 @@ void tinker_screenshot_take(TinkerApplication *application, const TinkerScreensh
     gtk_widget_remove_css_class(GTK_WIDGET(shot->window), "csd");
     gtk_window_set_focus_visible(GTK_WINDOW(shot->window), FALSE);
     gtk_window_present(GTK_WINDOW(shot->window));
+    tinker_plan_task_demand(shot->window->plan);
     gtk_widget_add_tick_callback(GTK_WIDGET(shot->window), on_frame, shot, NULL);
 }
