@@ -118,6 +118,25 @@ static gboolean edit_number(TinkerHistory *history, const TinkerPropertyRow *row
     return store(history, entered->scene, block, row->property, values, error);
 }
 
+/* Gives the rest lengths that were left to the drawing of the springs on a block, so that moving it stretches them. */
+static gboolean hold_rest_lengths(TinkerHistory *history, TinkerScene *scene, TinkerBlockId moved, GError **error)
+{
+    g_autoptr(TinkerFrame) frame = tinker_frame_new(scene, error);
+    for (int32_t i = 0; frame != NULL && i < tinker_scene_block_count(scene); i++) {
+        TinkerBlockId block = tinker_scene_block_at(scene, i);
+        const TinkerBlockClass *block_class = tinker_scene_block_class(scene, block);
+        if (block_class == NULL || block_class->physics == NULL || block_class->physics->line_law == NULL) continue;
+        int32_t length = block_class->meanings[TINKER_MEANING_LENGTH];
+        gboolean on_it = FALSE;
+        for (int32_t e = 0; e < tinker_scene_end_count(scene, block); e++)
+            on_it = on_it || tinker_scene_end(scene, block, e).block == moved;
+        if (!on_it || length < 0 || tinker_scene_property_given(scene, block, length)) continue;
+        double value = tinker_frame_meaning(frame, block, TINKER_MEANING_LENGTH, 0, NAN);
+        if (isfinite(value) && !store(history, scene, block, length, &value, error)) return FALSE;
+    }
+    return frame != NULL;
+}
+
 /* The origin is held where it is, since by default it goes with the block. */
 static gboolean edit_offset(TinkerHistory *history, const TinkerPropertyRow *row, TinkerBlockId block,
                             gconstpointer data, GError **error)
@@ -131,7 +150,8 @@ static gboolean edit_offset(TinkerHistory *history, const TinkerPropertyRow *row
         place[c] = tinker_scene_get(entered->scene, block, block_class->first_columns[position] + c);
     }
     place[row->component] = origin[row->component] + entered->value;
-    return store(history, entered->scene, block, row->property, origin, error) &&
+    return hold_rest_lengths(history, entered->scene, block, error) &&
+           store(history, entered->scene, block, row->property, origin, error) &&
            store(history, entered->scene, block, position, place, error);
 }
 

@@ -353,6 +353,20 @@ static void test_offset(void)
     assert_shown(&window, "Offset (Local Coordinates)", "Y", "0.50000 m");
 }
 
+/* A spring whose rest length was left to the drawing is stretched by an offset, as far as that leads: by 1 m straight away from the
+ * support above. */
+static void test_offset_stretches(void)
+{
+    g_auto(Window) window =
+        window_with("{\"type\": \"mass\", \"name\": \"Mass 0\", \"position\": [0, 2]}," ONE_SUPPORT "," ONE_SPRING);
+    select_block(&window, "Mass 0");
+    g_autofree char *before = scene_text(&window);
+    type_into(&window, "Offset (Local Coordinates)", "Y", "-1 m");
+    g_assert_cmpfloat_with_epsilon(stored(&window, "Mass 0", "position", 1), 1, 1e-15);
+    g_assert_cmpfloat_with_epsilon(stored(&window, "Spring 0", "rest_length", 0), 2, 1e-15);
+    assert_undoes(&window, before);
+}
+
 /* Connections ----------------------------------------------------------------------------------------------------------- */
 
 static void test_ends(void)
@@ -610,6 +624,7 @@ static void add_tests(void)
     g_test_add_func("/gui/property-list/name", test_name);
     g_test_add_func("/gui/property-list/any-text", test_any_text);
     g_test_add_func("/gui/property-list/offset", test_offset);
+    g_test_add_func("/gui/property-list/offset-stretches", test_offset_stretches);
     g_test_add_func("/gui/property-list/ends", test_ends);
     g_test_add_func("/gui/property-list/as-placed", test_as_placed);
     g_test_add_func("/gui/property-list/motion", test_motion);
