@@ -10,7 +10,7 @@ def loose(kind="spring"):
 
 
 def highlight(app):
-    return app.line_count(colours.HIGHLIGHTED, (-0.6, -0.6), (0.6, 0.6))
+    return app.fill_count(colours.halo(colours.HIGHLIGHTED), (-0.6, -0.6), (0.6, 0.6))
 
 
 def test_end_over_a_mass_highlights_it_and_release_connects(display):
@@ -44,7 +44,7 @@ def test_support_is_highlighted_too(display):
     with App(display, scene(support("Wall", 0, 3), mass("Ball", 0, 0), spring("Link", (3, 1), "Ball"))) as app:
         app.show_width()
         app.drag((3, 1), (1, 3), release=False)
-        app.wait_lines(colours.HIGHLIGHTED, (-2.2, 2.6), (2.2, 3.4), least=50)
+        app.wait_fill(colours.halo(colours.HIGHLIGHTED), (-2.2, 2.6), (2.2, 3.4), least=50)
         app.release()
         check_equal(app.blocks()["Link"]["ends"], ["Wall", "Ball"], "ends")
 

@@ -13,8 +13,7 @@ def two_masses():
 
 
 def is_selected(app, x, y):
-    """By the frame drawn about the block in the colour of what is selected."""
-    return app.line_count(colours.SELECTED, (x - 0.6, y - 0.6), (x + 0.6, y + 0.6)) > 20
+    return app.fill_count(colours.halo(colours.SELECTED), (x - 0.6, y - 0.6), (x + 0.6, y + 0.6)) > 100
 
 
 def test_click_selects_and_empty_place_deselects(display):
@@ -195,7 +194,7 @@ def test_band_selects_and_group_drag_moves_all(display):
 
 
 def test_band_is_drawn(display):
-    with App(display, scene()) as app:
+    with App(display, scene(mass("A", 0, 3))) as app:
         app.drag((-3, -2), (3, 1), release=False)
         inside = colours.mixed(colours.SELECTED, 0.15)
         app.wait_fill(inside, (-3.1, -2.1), (3.1, 1.1), least=10000)

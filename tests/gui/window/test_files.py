@@ -12,7 +12,7 @@ def one_mass(**more):
 
 def edit(app):
     """A change that is not saved."""
-    app.click("Mass")
+    app.place("Mass")
     wait(lambda: app.title().startswith("•"), "the mark of what is not saved")
 
 

@@ -23,7 +23,7 @@ def test_new_in_english_units(display):
         app.retype(app.find("text", "Maximum Canvas Width", inside=dialog), "30 ft")
         app.click("Create", inside=dialog)
         wait(lambda: abs(app.view()[0] - 30 * 0.3048) < 1e-3, "a view 30 ft wide")
-        app.click("Mass")
+        app.place("Mass")
         app.wait_read("Properties", "Mass", "0.06852 slug")
 
 

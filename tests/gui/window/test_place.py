@@ -10,8 +10,8 @@ def ends(app, name):
 
 def test_click_places_where_there_is_room(display):
     with App(display, scene()) as app:
-        app.click("Mass")
-        app.click("Mass")
+        app.place("Mass")
+        app.place("Mass")
         first, second = (app.blocks()[name]["position"] for name in ("Mass 0", "Mass 1"))
         check(max(abs(a - b) for a, b in zip(first, second)) >= 0.8, f"Mass 0 at {first}, Mass 1 at {second} overlap")
 
@@ -19,7 +19,7 @@ def test_click_places_where_there_is_room(display):
 def test_names_count_up(display):
     with App(display, scene()) as app:
         for name in ("Mass", "Mass", "Support", "Spring", "Damper", "Rod", "Motor"):
-            app.click(name)
+            app.place(name)
         check_equal(list(app.blocks()), ["Mass 0", "Mass 1", "Support 0", "Spring 0", "Damper 0", "Rod 0", "Motor 0"],
                     "names")
 
@@ -69,14 +69,14 @@ def test_click_with_two_selected_connects_them(display):
     with App(display, scene(support("Wall", 0, 3), mass("Ball", 0, 0))) as app:
         app.click_world(1, 3)
         app.click_world(0, 0, keys=["shift"])
-        app.click("Spring")
+        app.place("Spring")
         check_equal(ends(app, "Spring 0"), ["Wall", "Ball"], "ends")
 
 
 def test_click_with_one_selected_leaves_an_end_free(display):
     with App(display, scene(mass("Ball", 0, 0))) as app:
         app.click_world(0, 0)
-        app.click("Rod")
+        app.place("Rod")
         first, second = ends(app, "Rod 0")
         check_equal(first, "Ball", "first end")
         check(isinstance(second, list), f"the second end is free: {second}")
@@ -86,7 +86,7 @@ def test_placing_goes_back_to_the_start(display):
     with App(display, scene(mass("Ball", 0, 0))) as app:
         app.click("One Sample Forward")
         wait(lambda: app.time() > 0, "a step")
-        app.click("Mass")
+        app.place("Mass")
         wait(lambda: app.time() == 0, "the start")
         app.find_text("Back at the start")
         check_close(app.blocks()["Ball"]["position"][1], 0, 0, "the ball as it was edited")

@@ -11,7 +11,7 @@ def crash(display, content):
     """Adds a mass, waits for the copy, and kills the program. Answers (home, file)."""
     app = App(display, content, environment=OFTEN)
     with app:
-        app.click("Mass")
+        app.place("Mass")
         wait(lambda: app.title().startswith("•"), "the change")
         copies = app.home
         wait(lambda: any("Mass 0" in file.read_text() for file in copies.rglob("*.tinker.json") if file != app.file),
@@ -63,7 +63,7 @@ def test_later_offers_again(display):
 
 def test_nothing_to_offer_after_a_proper_end(display):
     with App(display, scene(mass("A", 0, 0)), environment=OFTEN) as app:
-        app.click("Mass")
+        app.place("Mass")
         wait(lambda: app.title().startswith("•"), "the change")
         home = app.home
     with App(display, home=home) as app:

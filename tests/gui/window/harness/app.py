@@ -12,6 +12,7 @@ gi.require_version("Gio", "2.0")
 from gi.repository import Gio, GLib  # noqa: E402
 
 from . import colours, scenes  # noqa: E402
+from .display import end_with_parent  # noqa: E402
 from .tap import Failure, check, keep_picture, say  # noqa: E402
 from .tree import Tree  # noqa: E402
 from .waiting import PATIENCE, Gone, TooLate, wait  # noqa: E402
@@ -61,7 +62,7 @@ class App:
 
     def _start(self, command):
         with open(self.complaints_file, "ab") as complaints:
-            return subprocess.Popen(command, env=self.environment, cwd=self.home,
+            return subprocess.Popen(command, env=self.environment, cwd=self.home, preexec_fn=end_with_parent,
                                     stdin=subprocess.DEVNULL, stdout=complaints, stderr=complaints)
 
     # Life
@@ -242,7 +243,8 @@ class App:
         return boxes[-1]
 
     def middle(self, node):
-        x, y, width, height = self.box(node)
+        """Of where it stays."""
+        x, y, width, height = self.settled(node)
         return x + width / 2, y + height / 2
 
     # Mouse and keys
@@ -270,6 +272,26 @@ class App:
         node = self.find(role, what, inside) if isinstance(what, (str, re.Pattern)) else what
         self.actions_taken += 1
         self._click_at(*self.middle(node), button=button)
+
+    def place(self, title):
+        """Clicks a block of the palette and waits for it; answers its name. A notice that comes at that moment moves the
+        palette down under the pointer: only then is it clicked again."""
+        def names():
+            return {node.name for node in self.tree.refresh() if node.role == "list item" and node.is_shown()}
+
+        before, button = names(), self.find("button", title)
+        end = time.monotonic() + PATIENCE
+        while time.monotonic() < end:
+            place = self.settled(button)
+            self._click_at(place[0] + place[2] / 2, place[1] + place[3] / 2)
+            clicked = time.monotonic()
+            while not (new := names() - before):
+                if time.monotonic() > clicked + 2 and self.box(button) != place or time.monotonic() > end:
+                    break
+            if new:
+                self.actions_taken += 1
+                return new.pop().split(",")[0]
+        raise TooLate(f"waited {PATIENCE:g} s for a new {title}")
 
     def press(self, *keys):
         """Keys by their X names, as in ctrl+z; each is an action."""
@@ -523,11 +545,10 @@ class App:
         return wait(lambda: next((node for role in ITEMS if (node := self.look(role, name))), None), f"the item “{name}”")
 
     def choose(self, *names):
-        """Clicks through a menu that is open."""
+        """Clicks through a menu that is open; with opening it, this is one action."""
         for name in names:
             item = self.find_item(name)
-            self.settled(item)
-            self.click(item)
+            self._click_at(*self.middle(item))
 
     def choose_in(self, group, title, name):
         self.choose_from(self.field(group, title), name)
@@ -545,10 +566,13 @@ class App:
         self.xdotool("type", "--delay", "1", text)
         self.actions_taken += 1
 
+    def outline_item(self, name):
+        """What the outline says of a body."""
+        return self.find("list item", re.compile("^" + re.escape(name) + ", .* at "))
+
     def click_block(self, name, button=1, keys=()):
         """A body, on the canvas, where the outline says that it is."""
-        item = self.find("list item", re.compile("^" + re.escape(name) + ", .* at "))
-        x, y = (float(number) for number in re.search(r"at \((\S+) m, (\S+) m\)", item.name).groups())
+        x, y = (float(number) for number in re.search(r"at \((\S+) m, (\S+) m\)", self.outline_item(name).name).groups())
         self.click_world(x + 0.13, y + 0.13, button=button, keys=keys)
 
     def right_click_graph(self):

@@ -7,10 +7,10 @@ BACKGROUND = (255, 255, 255)
 CONNECTOR = (0x00, 0x00, 0x00)
 COMPRESSED = (0xd0, 0x10, 0x1b)
 STRETCHED = (0x12, 0x44, 0xd6)
-DETACHED = (0x8f, 0x8f, 0x8f)
+DETACHED = (0x76, 0x76, 0x76)
 SELECTED = (0x35, 0x84, 0xe4)
 HIGHLIGHTED = (0x26, 0xa2, 0x69)
-FORCE = (0xf5, 0x79, 0x00)
+FORCE = (0xe6, 0x61, 0x00)
 BODY = (0xd6, 0xe4, 0xf2)
 
 
@@ -54,3 +54,8 @@ def places(picture, box, colour, least=0.6, most=1.2):
 def mixed(colour, share, background=BACKGROUND):
     """The colour over the background."""
     return tuple(round(b + share * (c - b)) for c, b in zip(colour, background))
+
+
+def halo(colour):
+    """What is drawn about a block that is selected or highlighted."""
+    return mixed(colour, 0.5)

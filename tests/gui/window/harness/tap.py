@@ -1,6 +1,7 @@
 """Runs the functions test_* of a file, one after the other on one display, and reports as TAP."""
 import os
 import pathlib
+import signal
 import sys
 import time
 import traceback
@@ -48,16 +49,10 @@ def run_one(test, display):
         return False
 
 
-def main(module="__main__"):
-    """Runs the tests of the file that calls it, or those named on the command line."""
-    names = vars(sys.modules[module])
-    tests = {name[5:].replace("_", "-"): function for name, function in names.items()
-             if name.startswith("test_") and callable(function)}
-    wanted = sys.argv[1:] or list(tests)
-    group = pathlib.Path(sys.argv[0]).stem.removeprefix("test_")
-    failed = 0
-    display = Display()
+def run_all(tests, wanted, display, group):
+    """How many of them failed."""
     print(f"1..{len(wanted)}", flush=True)
+    failed = 0
     for number, name in enumerate(wanted, 1):
         display.name = f"{group}-{name}"
         start = time.monotonic()
@@ -65,5 +60,20 @@ def main(module="__main__"):
         failed += not passed
         print(f"{'ok' if passed else 'not ok'} {number} {name}", flush=True)
         say(f"{time.monotonic() - start:.1f} s")
-    display.close()
+    return failed
+
+
+def main(module="__main__"):
+    """Runs the tests of the file that calls it, or those named on the command line."""
+    names = vars(sys.modules[module])
+    tests = {name[5:].replace("_", "-"): function for name, function in names.items()
+             if name.startswith("test_") and callable(function)}
+    wanted = sys.argv[1:] or list(tests)
+    group = pathlib.Path(sys.argv[0]).stem.removeprefix("test_")
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit("taken too long"))  # so that what was started is ended
+    display = Display()
+    try:
+        failed = run_all(tests, wanted, display, group)
+    finally:
+        display.close()
     sys.exit(1 if failed else 0)

@@ -116,6 +116,7 @@ class Tree:
         self.connection.set_exit_on_close(False)
         self.bus_name = None
         self.nodes, self.by_path = [], {}
+        self.moments = 0
 
     def call(self, bus, path, interface, method, arguments=None):
         try:
@@ -134,24 +135,31 @@ class Tree:
         return self.bus_name is not None
 
     def refresh(self):
-        """Widgets are only listed once their parent was asked for its children: so ask, until there are no more."""
-        while True:
+        """Widgets are only listed once their parent was asked for its children: so ask, until there are no more. Whom to ask, their
+        numbers tell, but for a child that has come where another went: so everybody is asked now and then."""
+        self.moments += 1
+        all_of_them = self.moments % 8 == 0
+        for _ in range(20):
             items = self.call(self.bus_name, "/org/a11y/atspi/cache", "org.a11y.atspi.Cache", "GetItems")[0]
             self.nodes = [Node(self, item) for item in items]
             self.by_path = {node.path: node for node in self.nodes}
-            if not self._ask_for_children():
-                self.nodes.sort(key=lambda node: [node.index, *(other.index for other in node.ancestors())][::-1])
-                return self.nodes
+            if not self._ask_for_children(all_of_them):
+                break
+        self.nodes.sort(key=lambda node: [node.index, *(other.index for other in node.ancestors())][::-1])
+        return self.nodes
 
-    def _ask_for_children(self):
+    def _ask_for_children(self, all_of_them):
         """Answers whether there are some that were not listed."""
         # Those that are hidden by now stay in the list, but are no longer counted by their parent.
         listed = collections.Counter(node.parent_path for node in self.nodes if node.has("visible"))
         found = False
         for node in self.nodes:
-            if node.child_count == listed[node.path]:
+            if node.child_count == listed[node.path] and not (all_of_them and node.child_count and node.has("visible")):
                 continue
-            children = node.call(ACCESSIBLE, "GetChildren")[0]
+            try:
+                children = node.call(ACCESSIBLE, "GetChildren")[0]
+            except Gone:
+                continue
             found = found or any(path not in self.by_path for _, path in children)
         return found
 
