@@ -31,7 +31,7 @@ def test_mass_shows_its_groups(display):
 
 def test_mass_in_english_units(display):
     ball = {"type": "mass", "name": "Mass 0", "position": [3.2, 2.4]}
-    with App(display, {**scene(ball), "units": "english"}) as app:
+    with App(display, {**scene(ball), "units": "English"}) as app:
         select(app, 3.2, 2.4)
         for group, title, text in (("Global Position", "X", "10.49869 ft"), ("Global Position", "Y", "7.87402 ft"),
                                    ("Properties", "Mass", "0.06852 slug"), ("Size", "Height", "2.62467 ft")):
@@ -47,7 +47,7 @@ def test_units_are_switched_for_all(display):
         app.choose_in("Scene", "Units", "English")
         app.click_world(3.2, 2.4)
         app.wait_read("Properties", "Mass", "0.06852 slug")
-        check_equal(app.saved()["units"].lower(), "english", "units in the file")
+        check_equal(app.saved()["units"], "English", "units in the file")
         app.press("Escape")
 
 
@@ -97,16 +97,30 @@ def test_offset_moves_the_mass(display):
         check_close(block["position"][1], 0, 1e-12, "Y")
 
 
+def is_red(app, field):
+    """Whether red is in what is written and in what lies behind."""
+    x, y, width, height = app.box(field)
+    pixels = list(app.picture().pixels((x + 4, y + 4, x + width - 4, y + height - 4)))
+    return sum(red > green + 8 and red > blue + 8 for red, green, blue in pixels) > 0.7 * len(pixels)
+
+
 def wrong_entries(app, group, title, entries):
-    """Each stays as it was typed, is marked, says why, and changes nothing."""
+    """Each stays as it was typed, is marked, says why, and changes nothing; Escape takes it back."""
+    shown = app.read(group, title)
     before = app.saved()
     for entry in entries:
         app.enter(group, title, entry)
-        wait(lambda: app.look("alert"), f"a word on {entry!r} in {title}")
-        check_equal(app.read(group, title), entry, f"what stays in {title}")
-        check_equal(app.saved(), before, f"the scene after {entry!r} in {title}")
+        word = wait(lambda: app.look("alert"), f"a word on {entry!r} in {title}")
+        check(len(word.name) > 10, f"what is wrong with {entry!r} in {title}: {word.name!r}")
+        field = app.field(group, title)
+        check_equal(field.text(), entry, f"what stays in {title}")
+        check_equal(field.description, word.name, f"what is read with {title}")
+        wait(lambda: is_red(app, field), f"{title} to be marked")
+        check(not app.is_enabled("undo"), f"{entry!r} in {title} changed the scene")
         app.xdotool("key", "Escape")
         wait(lambda: app.look("alert") is None, f"the word on {entry!r} to go")
+        app.wait_read(group, title, shown)
+    check_equal(app.saved(), before, f"the scene after all that was typed into {title}")
 
 
 def test_wrong_numbers(display):

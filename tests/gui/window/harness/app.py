@@ -163,17 +163,20 @@ class App:
 
     def look(self, role=None, name=None, inside=None, description=None):
         """The first such widget that is shown, or None. `name` may be a compiled pattern."""
-        for node in self.tree.refresh():
-            if role is not None and node.role != role:
-                continue
-            if name is not None and not (name.search(node.name) if hasattr(name, "search") else node.name == name):
-                continue
-            if inside is not None and not node.is_inside(inside):
-                continue
-            if description is not None and description not in node.description:
-                continue
-            if node.is_shown() and node.is_laid_out():
-                return node
+        for thorough in (False, True):
+            if thorough and not self.tree.is_due():
+                break
+            for node in self.tree.refresh(thorough):
+                if role is not None and node.role != role:
+                    continue
+                if name is not None and not (name.search(node.name) if hasattr(name, "search") else node.name == name):
+                    continue
+                if inside is not None and not node.is_inside(inside):
+                    continue
+                if description is not None and description not in node.description:
+                    continue
+                if node.is_shown() and node.is_laid_out():
+                    return node
         return None
 
     def find(self, role=None, name=None, inside=None, patience=PATIENCE):
@@ -193,14 +196,13 @@ class App:
 
     def windows(self):
         """X windows that are shown: {name: (x, y, width, height)}, those of the program in front last."""
-        listing = self._xdotool_output("search", "--onlyvisible", "--name", ".")
+        listing = self._xdotool_output("search", "--onlyvisible", "--name", ".", "getwindowgeometry", "--shell", "%@")
+        values = [line.split("=")[1] for line in listing.split() if "=" in line]
         found = []
-        for window in listing.split():
-            geometry = dict(line.split("=") for line in
-                            self._xdotool_output("getwindowgeometry", "--shell", window).split() if "=" in line)
-            box = tuple(int(geometry[key]) for key in ("X", "Y", "WIDTH", "HEIGHT"))
-            if box[2] > 1:
-                found.append((window, box))
+        for start in range(0, len(values) - 5, 6):  # WINDOW, X, Y, WIDTH, HEIGHT, SCREEN
+            window, *box = values[start:start + 5]
+            if int(box[2]) > 1:
+                found.append((window, tuple(map(int, box))))
         return found
 
     def _native(self, node):
@@ -277,13 +279,14 @@ class App:
         """Clicks a block of the palette and waits for it; answers its name. A notice that comes at that moment moves the
         palette down under the pointer: only then is it clicked again."""
         def names():
-            return {node.name for node in self.tree.refresh() if node.role == "list item" and node.is_shown()}
+            return {node.name for node in self.tree.refresh(self.tree.is_due()) if node.role == "list item" and node.is_shown()}
 
         before, button = names(), self.find("button", title)
         end = time.monotonic() + PATIENCE
         while time.monotonic() < end:
             place = self.settled(button)
             self._click_at(place[0] + place[2] / 2, place[1] + place[3] / 2)
+            self.xdotool("mousemove", *self.middle(self.canvas()))  # before a tooltip covers the next one
             clicked = time.monotonic()
             while not (new := names() - before):
                 if time.monotonic() > clicked + 2 and self.box(button) != place or time.monotonic() > end:
@@ -300,7 +303,7 @@ class App:
 
     def type(self, text):
         self.actions_taken += 1
-        self.xdotool("type", "--delay", "1", text)
+        self.xdotool("type", "--delay", "1", "--", text)
 
     # Files
 
@@ -449,7 +452,7 @@ class App:
         """The control of a property: the first of that name behind the heading of its group."""
         def look():
             heading = None
-            for node in self.tree.refresh():
+            for node in self.tree.refresh(self.tree.is_due()):
                 if node.role == "button" and node.is_shown():
                     heading = node.name
                 elif heading == group and node.name == title and node.role in CONTROLS and node.is_shown():
@@ -479,10 +482,12 @@ class App:
         self.bring_into_view(node)
         self._click_at(*self.middle(node))
         wait(lambda: self._has_focus(node), f"{title} to have the focus")
-        self.xdotool("key", "ctrl+a", "key", "BackSpace")
-        self.xdotool("type", "--delay", "1", text)
+        self._replace_text(text)
         self.xdotool("key", key)
         self.actions_taken += 1
+
+    def _replace_text(self, text):
+        self.xdotool("key", "ctrl+a", "key", "BackSpace", *(["type", "--delay", "1", "--", text] if text else []))
 
     def _has_focus(self, node):
         """An entry itself, or the text in it."""
@@ -562,8 +567,7 @@ class App:
     def retype(self, entry, text):
         """Puts another text into an entry."""
         self._click_at(*self.middle(entry))
-        self.xdotool("key", "ctrl+a", "key", "BackSpace")
-        self.xdotool("type", "--delay", "1", text)
+        self._replace_text(text)
         self.actions_taken += 1
 
     def outline_item(self, name):

@@ -1,5 +1,6 @@
 """The widgets as assistive programs have them: AT-SPI over D-Bus, without its library, whose cache lags behind."""
 import collections
+import time
 
 import gi
 
@@ -10,6 +11,7 @@ from .waiting import Gone  # noqa: E402
 
 ACCESSIBLE = "org.a11y.atspi.Accessible"
 TIMEOUT = 20000  # ms
+PAUSE = 2        # s, between two times that everybody is asked
 IN_WINDOW = 1    # coordinates: those of the screen are not told by GTK 4
 
 STATES = {"checked": 4, "editable": 7, "enabled": 8, "expanded": 10, "focused": 12, "pressed": 20, "selected": 23,
@@ -116,7 +118,8 @@ class Tree:
         self.connection.set_exit_on_close(False)
         self.bus_name = None
         self.nodes, self.by_path = [], {}
-        self.moments = 0
+        self.asked_all = 0  # when everybody was asked
+        self.asked = set()  # (path, children it tells of, children that are listed): in vain
 
     def call(self, bus, path, interface, method, arguments=None):
         try:
@@ -134,33 +137,57 @@ class Tree:
                 self.bus_name = bus
         return self.bus_name is not None
 
-    def refresh(self):
-        """Widgets are only listed once their parent was asked for its children: so ask, until there are no more. Whom to ask, their
-        numbers tell, but for a child that has come where another went: so everybody is asked now and then."""
-        self.moments += 1
-        all_of_them = self.moments % 8 == 0
+    def is_due(self):
+        """Whether it was long ago that everybody was asked."""
+        return time.monotonic() > self.asked_all + PAUSE
+
+    def refresh(self, thorough=False):
+        """Widgets are only listed once their parent was asked for its children: so ask, until there are no more. Whom to
+        ask, their numbers tell, but where one came as another went: everybody can be asked, at a price."""
+        if thorough:
+            self.asked.clear()
+            self.asked_all = time.monotonic()
         for _ in range(20):
             items = self.call(self.bus_name, "/org/a11y/atspi/cache", "org.a11y.atspi.Cache", "GetItems")[0]
             self.nodes = [Node(self, item) for item in items]
             self.by_path = {node.path: node for node in self.nodes}
-            if not self._ask_for_children(all_of_them):
+            if not self._ask_for_children(thorough):
                 break
-        self.nodes.sort(key=lambda node: [node.index, *(other.index for other in node.ancestors())][::-1])
+        self._put_in_order()
         return self.nodes
 
-    def _ask_for_children(self, all_of_them):
+    def _put_in_order(self):
+        """As they are read: each before what is in it."""
+        inside = collections.defaultdict(list)
+        for node in self.nodes:
+            inside[node.parent_path if node.parent_path in self.by_path else None].append(node)
+        for family in inside.values():
+            family.sort(key=lambda node: node.index, reverse=True)
+        waiting, self.nodes = inside[None], []
+        while waiting:
+            node = waiting.pop()
+            self.nodes.append(node)
+            waiting += inside.get(node.path, [])
+
+    def _ask_for_children(self, thorough):
         """Answers whether there are some that were not listed."""
         # Those that are hidden by now stay in the list, but are no longer counted by their parent.
         listed = collections.Counter(node.parent_path for node in self.nodes if node.has("visible"))
         found = False
         for node in self.nodes:
-            if node.child_count == listed[node.path] and not (all_of_them and node.child_count and node.has("visible")):
+            if node.child_count == listed[node.path] and not (thorough and node.child_count and node.has("visible")):
+                continue
+            counts = node.path, node.child_count, listed[node.path]
+            if counts in self.asked:
                 continue
             try:
                 children = node.call(ACCESSIBLE, "GetChildren")[0]
             except Gone:
                 continue
-            found = found or any(path not in self.by_path for _, path in children)
+            new = any(path not in self.by_path for _, path in children)
+            found = found or new
+            if not new:
+                self.asked.add(counts)
         return found
 
     def forget(self):

@@ -1,7 +1,7 @@
 """Waiting for something to become so. Nothing in these tests sleeps for a time that was guessed."""
 import time
 
-POLL = 0.01      # s
+POLL = 0.02      # s
 PATIENCE = 20.0  # s: under sanitizers and on a busy machine
 
 
