@@ -12,7 +12,8 @@
 
 #define FRAMES_BEFORE                                                                                                  \
     24 /* that the window is given to settle, once the plan is known: docks and lines follow some time after */
-#define FRAMES_AFTER 3 /* likewise, once the view is set */
+#define MOST_TRIES   100 /* to find the window laid out */
+#define FRAMES_AFTER 3   /* likewise, once the view is set */
 
 /* One that is being taken. */
 typedef struct {
@@ -21,6 +22,7 @@ typedef struct {
     TinkerScreenshotDone done;
     gpointer data;
     int frames;
+    int tries;
 } Shot;
 
 void tinker_screenshot_prepare(const TinkerScreenshot *screenshot)
@@ -121,29 +123,45 @@ static int write_picture(GdkTexture *texture, const char *path)
     return TINKER_EXIT_FILE;
 }
 
-static int take(Shot *shot)
+/* What the window shows; NULL as long as it is not laid out. */
+static GskRenderNode *look(Shot *shot, int width, int height)
+{
+    g_autoptr(GdkPaintable) paintable = gtk_widget_paintable_new(GTK_WIDGET(shot->window));
+    g_autoptr(GtkSnapshot) snapshot = gtk_snapshot_new();
+    gdk_paintable_snapshot(paintable, GDK_SNAPSHOT(snapshot), width, height);
+    return gtk_snapshot_to_node(snapshot);
+}
+
+/* FALSE where it has to be tried again after the next frame. */
+static gboolean take(Shot *shot, int *status)
 {
     GtkWidget *widget = GTK_WIDGET(shot->window);
     int width = gtk_widget_get_width(widget), height = gtk_widget_get_height(widget);
-    g_autoptr(GdkPaintable) paintable = gtk_widget_paintable_new(widget);
-    g_autoptr(GtkSnapshot) snapshot = gtk_snapshot_new();
-    gdk_paintable_snapshot(paintable, GDK_SNAPSHOT(snapshot), width, height);
-    GskRenderNode *node = gtk_snapshot_to_node(snapshot);
+    GskRenderNode *node = look(shot, width, height);
+    if (node == NULL && shot->tries++ < MOST_TRIES) return FALSE;
     if (node == NULL) {
         tinker_report_note(_("the window shows nothing"));
-        return TINKER_EXIT_RUN_FAILED;
+        *status = TINKER_EXIT_RUN_FAILED;
+        return TRUE;
     }
     GskRenderer *renderer = gtk_native_get_renderer(GTK_NATIVE(shot->window));
     g_autoptr(GdkTexture) texture =
         gsk_renderer_render_texture(renderer, node, &GRAPHENE_RECT_INIT(0, 0, (float)width, (float)height));
     gsk_render_node_unref(node);
-    return write_picture(texture, shot->wanted->file);
+    *status = write_picture(texture, shot->wanted->file);
+    return TRUE;
 }
+
+static gboolean on_frame(GtkWidget *widget, GdkFrameClock *clock, gpointer data);
 
 static gboolean on_idle(gpointer data)
 {
     Shot *shot = data;
-    finish(shot, take(shot));
+    int status;
+    if (take(shot, &status))
+        finish(shot, status);
+    else
+        gtk_widget_add_tick_callback(GTK_WIDGET(shot->window), on_frame, shot, NULL);
     return G_SOURCE_REMOVE;
 }
 
