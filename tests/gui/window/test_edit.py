@@ -195,6 +195,7 @@ def test_band_selects_and_group_drag_moves_all(display):
 
 def test_band_is_drawn(display):
     with App(display, scene(mass("A", 0, 3))) as app:
+        app.show_width()
         app.drag((-3, -2), (3, 1), release=False)
         inside = colours.mixed(colours.SELECTED, 0.15)
         app.wait_fill(inside, (-3.1, -2.1), (3.1, 1.1), least=10000)

@@ -1,5 +1,7 @@
 #!/usr/bin/python3
 """New: the dialog about units and width; and what there is at a first start."""
+import re
+
 from harness import App, check, check_close, check_equal, main, mass, scene, wait
 
 
@@ -27,13 +29,21 @@ def test_new_in_english_units(display):
         app.wait_read("Properties", "Mass", "0.06852 slug")
 
 
+def word(app, dialog):
+    """What the dialog says is wrong."""
+    return app.look("alert", re.compile("..."), inside=dialog)
+
+
 def test_wrong_widths_are_refused(display):
     with App(display) as app:
         app.press("ctrl+n")
         dialog = app.find(None, "New Scene")
         for text in ("", "0", "-3 m", "abc", "5 kg", "1e999 m"):
             app.retype(app.find("text", "Maximum Canvas Width", inside=dialog), text)
-            wait(lambda: not app.find("button", "Create", inside=dialog).has("sensitive"), f"{text!r} to be refused")
+            wait(lambda: word(app, dialog), f"a word on {text!r}")
+            app.press("Return")
+            app.click("Create", inside=dialog)
+            check_equal(app.find("text", "Maximum Canvas Width", inside=dialog).text(), text, "what stays in the dialog")
         app.click("Cancel", inside=dialog)
         app.gone(None, "New Scene")
 
@@ -48,10 +58,12 @@ def test_cancel_keeps_the_scene(display):
 
 def test_first_start_offers_examples(display):
     with App(display) as app:
-        app.find("label", "Build Something That Moves")
-        app.click("Pendulum", inside=app.find(None, "First Steps"))
-        wait(lambda: app.look("label", "Build Something That Moves") is None, "the first steps to go")
-        check(app.title().startswith("Pendulum"), app.title())
+        x, y, width, height = app.settled(app.find("label", "Build Something That Moves"))
+        heading = x, y, x + width, y + height
+        before = app.picture().cut(heading)
+        app.click("Double pendulum", inside=app.find(None, "First Steps"))
+        wait(lambda: app.title() == "Double pendulum", "the example")
+        wait(lambda: app.picture().cut(heading) != before, "the first steps to go")
 
 
 if __name__ == "__main__":

@@ -1,5 +1,7 @@
 #!/usr/bin/python3
 """The panel of properties: what it shows, what is typed into it, and what becomes of wrong entries."""
+import re
+
 from harness import App, check, check_close, check_equal, main, mass, scene, spring, support, wait
 from harness.scenes import connector
 
@@ -110,7 +112,7 @@ def wrong_entries(app, group, title, entries):
     before = app.saved()
     for entry in entries:
         app.enter(group, title, entry)
-        word = wait(lambda: app.look("alert"), f"a word on {entry!r} in {title}")
+        word = wait(lambda: app.look("alert", re.compile("...")), f"a word on {entry!r} in {title}")
         check(len(word.name) > 10, f"what is wrong with {entry!r} in {title}: {word.name!r}")
         field = app.field(group, title)
         check_equal(field.text(), entry, f"what stays in {title}")
@@ -160,6 +162,34 @@ def test_wrong_settings_of_the_scene(display):
         wrong_entries(app, "Canvas", "Grid", ("-1", "1 kg"))
         wrong_entries(app, "Run", "Duration", ("-1 s", "1 m", "long"))
         wrong_entries(app, "Run", "Interval", ("0", "-1"))
+
+
+def test_wrong_start(display):
+    with App(display, scene(support("Wall", 0, 3), mass("A", 0, 1), spring("S", "Wall", "A"))) as app:
+        select(app, 0, 2)
+        app.click("Start", role="tab")
+        for entry in ("", "abc", "1 kg", "-9 m"):
+            field = app.find("text", re.compile("^S stretched by"))
+            app.retype(field, entry)
+            app.xdotool("key", "Return")
+            wait(lambda: is_red(app, field), f"{entry!r} to be marked")
+            check_equal(field.text(), entry, "what stays")
+            check(not app.is_enabled("undo"), f"{entry!r} changed the scene")
+            app.xdotool("key", "Escape")
+            wait(lambda: not is_red(app, field) and field.text().startswith("0.00000"), f"{entry!r} to be taken back")
+
+
+def test_wrong_error_that_is_wished(display):
+    with App(display, scene(support("Wall", 0, 3), mass("A", 0, 1), spring("S", "Wall", "A"))) as app:
+        app.click("Accuracy", role="tab")
+        field, measure = (lambda: app.find("text", re.compile("rror"))), (lambda: app.find("button", "Measure"))
+        for entry in ("", "abc", "0", "-1e-6", "1", "1 m", "nan"):
+            app.retype(field(), entry)
+            wait(lambda: is_red(app, field()), f"{entry!r} to be marked")
+            check(not measure().has("sensitive"), f"it can be measured with {entry!r}")
+            check_equal(field().text(), entry, "what stays")
+        app.retype(field(), "1e-6")
+        wait(lambda: measure().has("sensitive") and not is_red(app, field()), "a good entry to be taken")
 
 
 def test_change_while_paused_goes_on(display):

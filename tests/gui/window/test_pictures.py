@@ -11,8 +11,8 @@ LINE = (-0.4, 1.0), (0.4, 2.0)  # where the middle of the connector is, and noth
 COLOURS = {"compressed": colours.COMPRESSED, "at rest": colours.CONNECTOR, "stretched": colours.STRETCHED}
 
 
-def hanging(kind="spring", **more):
-    return scene(support("Wall", 0, 3), mass("Ball", 0, 0, velocity=[0, 2]),
+def hanging(kind="spring", speed=2, **more):
+    return scene(support("Wall", 0, 3), mass("Ball", 0, 0, velocity=[0, speed]),
                  connector(kind, "Link", "Wall", "Ball", **more))
 
 
@@ -33,7 +33,7 @@ def test_spring_in_set_up(display):
 
 
 def test_spring_follows_a_drag_in_set_up(display):
-    with App(display, hanging(rest_length=3)) as app:
+    with App(display, hanging(rest_length=3, speed=0)) as app:
         app.show_width()
         app.drag((0.3, 0.3), (0.3, 0.7), release=False)
         wait(lambda: seen(app) == "compressed", "the spring to look compressed")

@@ -23,6 +23,7 @@ OBJECT = "/org/tinker/Tinker"
 COMPLAINT = re.compile(r"-(WARNING|CRITICAL|ERROR) \*\*|ERROR: \w+Sanitizer|runtime error:")
 ITEMS = ("menu item", "check menu item", "radio menu item", "button")
 CONTROLS = ("text", "entry", "combo box", "check box", "toggle button")
+HANDLE = 16  # pixels about the middle of a slider's handle
 TIME = re.compile(r"^t = ")
 VIEW = re.compile(r"Shows (\S+) m by (\S+) m about \((\S+), (\S+)\)")
 
@@ -453,7 +454,8 @@ class App:
         def look():
             heading = None
             for node in self.tree.refresh(self.tree.is_due()):
-                if node.role == "button" and node.is_shown():
+                if node.role == "button" and node.is_shown() and \
+                        not any(other.name == "TinkerPropertyField" for other in node.ancestors()):
                     heading = node.name
                 elif heading == group and node.name == title and node.role in CONTROLS and node.is_shown():
                     return node
@@ -529,12 +531,17 @@ class App:
     def seek(self, share):
         """Presses on the time line, and waits until something else is shown; answers the time."""
         line = self.find("slider", "Time line")
-        x, y, width, height = self.box(line)
+        x, y, width, height = self.settled(line)
+        if abs(share - line.value() / line.most()) * width < HANDLE:  # which would be taken, and stay
+            self._seek(x + (0.03 if share > 0.5 else 0.97) * width, y + height / 2)
+        self._seek(x + share * width, y + height / 2)
+        return self.time()
+
+    def _seek(self, x, y):
         before = self.time()
-        self._click_at(x + share * width, y + height / 2)
+        self._click_at(x, y)
         self.actions_taken += 1
         wait(lambda: self.time() != before, "another time")
-        return self.time()
 
     # Menus, lists and the like
 

@@ -90,6 +90,9 @@ class Node:
     def value(self):
         return self.get("org.a11y.atspi.Value", "CurrentValue")
 
+    def most(self):
+        return self.get("org.a11y.atspi.Value", "MaximumValue")
+
     def set_value(self, value):
         self.call("org.freedesktop.DBus.Properties", "Set", "(ssv)", "org.a11y.atspi.Value", "CurrentValue",
                   GLib.Variant("d", value))
