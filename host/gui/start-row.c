@@ -7,7 +7,8 @@
 
 struct _TinkerStartRow {
     GtkListBoxRow parent_instance;
-    char *shown; /* what the entry says when nobody has typed */
+    char *shown;  /* what the entry says when nobody has typed */
+    char *before; /* what it was before the last that was applied */
     GtkWidget *label, *entry, *button, *error;
 };
 
@@ -48,6 +49,8 @@ static void on_apply(TinkerStartRow *row)
     g_autofree char *text = g_strdup(typed_in(row));
     g_autoptr(TinkerStartRow) alive = g_object_ref(row);
     set_error(row, NULL);
+    g_free(row->before);
+    row->before = g_strdup(row->shown);
     set_shown(row, text);
     g_signal_emit(alive, apply_signal, 0, text);
 }
@@ -81,6 +84,7 @@ void tinker_start_row_show(TinkerStartRow *row, const char *value, const char *d
 
 void tinker_start_row_refuse(TinkerStartRow *row, const char *message)
 {
+    set_shown(row, row->before); /* which Escape brings back */
     set_error(row, message);
 }
 
@@ -155,6 +159,7 @@ static void tinker_start_row_init(TinkerStartRow *row)
 static void tinker_start_row_finalize(GObject *object)
 {
     g_free(TINKER_START_ROW(object)->shown);
+    g_free(TINKER_START_ROW(object)->before);
     G_OBJECT_CLASS(tinker_start_row_parent_class)->finalize(object);
 }
 
