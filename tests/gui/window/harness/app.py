@@ -136,6 +136,8 @@ class App:
 
     def check_ended_well(self, killed=False):
         complaints = [line for line in self.complaints().splitlines() if COMPLAINT.search(line)]
+        if complaints:
+            say(self.complaints())
         check(not complaints, "it complained: " + "\n".join(complaints))
         check(killed or self.process.returncode == 0, f"it ended with {self.process.returncode}\n{self.complaints()}")
 
