@@ -190,6 +190,31 @@ static void test_thesis_strings(void)
     g_assert_cmpfloat(stored(&window, "Mass 0", "position", 0), ==, 3.2);
 }
 
+static void test_motor_strings(void)
+{
+    g_auto(Window) window =
+        window_with(ONE_MASS ",{\"type\": \"motor\", \"name\": \"Motor 0\", \"ends\": [\"Mass 0\"]}");
+    select_block(&window, "Motor 0");
+    assert_shown(&window, "Force", "Amplitude", "1.00000 N");
+    assert_shown(&window, "Force", "Angle", "0.00000 deg");
+    assert_shown(&window, "Force", "Frequency", "1.00000 rad/s");
+    g_autoptr(TinkerPropertyRow) type = find_row(&window, "Force", "Type");
+    g_assert_cmpstr(type->choices[type->chosen], ==, "Cosine");
+}
+
+static void test_support_strings(void)
+{
+    g_auto(Window) window = window_with(ONE_SUPPORT);
+    select_block(&window, "Support 0");
+    assert_shown(&window, "Appearance", "Name", "Support 0");
+    assert_shown(&window, "Friction", "Dynamic coefficient", "0.50000");
+    assert_shown(&window, "Friction", "Static coefficient", "0.50000");
+    assert_shown(&window, "Global Position", "Y", "4.00000 m");
+    assert_shown(&window, "Properties", "Orientation", "0.00000 deg");
+    assert_shown(&window, "Size", "Height", "0.40000 m");
+    assert_shown(&window, "Size", "Width", "4.00000 m");
+}
+
 static void test_spring_strings(void)
 {
     g_auto(Window) window =
@@ -616,6 +641,8 @@ static void add_tests(void)
     g_test_add_func("/gui/property-list/words", test_words);
     g_test_add_func("/gui/property-list/placeholder", test_placeholder);
     g_test_add_func("/gui/property-list/thesis-strings", test_thesis_strings);
+    g_test_add_func("/gui/property-list/motor-strings", test_motor_strings);
+    g_test_add_func("/gui/property-list/support-strings", test_support_strings);
     g_test_add_func("/gui/property-list/spring-strings", test_spring_strings);
     g_test_add_func("/gui/property-list/order", test_order);
     g_test_add_func("/gui/property-list/units", test_units);
