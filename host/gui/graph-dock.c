@@ -1,7 +1,7 @@
 /* The dock is a row of equal columns; where they get too narrow, what it lies in has to scroll. */
 #include "graph-dock.h"
 
-#define LEAST_WIDTH    240 /* of a graph; widget units */
+#define LEAST_WIDTH    180 /* of a graph; widget units */
 #define LEAST_HEIGHT   150
 #define NATURAL_HEIGHT 220
 #define GAP            1

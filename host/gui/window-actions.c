@@ -154,6 +154,15 @@ static void zoom_width(TinkerWindow *window)
     tinker_canvas_show_width(window->canvas);
 }
 
+/* Made when it is asked for: GTK would make it with every window. */
+static void show_help_overlay(TinkerWindow *window)
+{
+    g_autoptr(GtkBuilder) builder = gtk_builder_new_from_resource("/org/tinker/Tinker/help-overlay.ui");
+    GtkWindow *overlay = GTK_WINDOW(gtk_builder_get_object(builder, "help_overlay"));
+    gtk_window_set_transient_for(overlay, GTK_WINDOW(window));
+    gtk_window_present(overlay);
+}
+
 /* Files --------------------------------------------------------------------------------------------------------------- */
 
 static void save(TinkerWindow *window)
@@ -175,6 +184,7 @@ static const struct {
     const char *keys[3];
     gboolean of_canvas; /* keys count only where the canvas has the focus */
 } commands[] = {
+    {"show-help-overlay", show_help_overlay, {"<Control>question"}, FALSE},
     {"new", tinker_window_new_scene, {"<Control>n"}, FALSE},
     {"open", window_choose_file, {"<Control>o"}, FALSE},
     {"save", save, {"<Control>s"}, FALSE},
