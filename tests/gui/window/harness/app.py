@@ -534,8 +534,9 @@ class App:
         """Presses on the time line, and waits until something else is shown; answers the time."""
         line = self.find("slider", "Time line")
         x, y, width, height = self.settled(line)
-        if abs(share - line.value() / line.most()) * width < HANDLE:  # which would be taken, and stay
-            self._seek(x + (0.03 if share > 0.5 else 0.97) * width, y + height / 2)
+        now = line.value() / line.most()
+        if abs(share - now) * width < HANDLE:  # which would be taken, and stay
+            self._seek(x + (0.03 if now > 0.25 else 0.97) * width, y + height / 2)
         self._seek(x + share * width, y + height / 2)
         return self.time()
 
