@@ -72,7 +72,9 @@ static void on_drag_end(GtkGestureDrag *gesture, double dx, double dy, Item *ite
     if (tinker_canvas_place_drop(item->palette->canvas) != TINKER_NO_BLOCK)
         gtk_widget_grab_focus(GTK_WIDGET(item->palette->canvas));
     /* The button that the drag began on reads the release as a click, which on_clicked passes over; unless it was left. */
-    if (!gtk_widget_contains(item->button, dx, dy)) item->dragged = FALSE;
+    double x = 0, y = 0;
+    gtk_gesture_drag_get_start_point(gesture, &x, &y);
+    if (!gtk_widget_contains(item->button, x + dx, y + dy)) item->dragged = FALSE;
 }
 
 static void on_drag_cancel(GtkGesture *gesture, GdkEventSequence *sequence, Item *item)
