@@ -9,6 +9,7 @@
 #include "trade-table.h"
 #include "trade-task.h"
 #include "trade-view.h"
+#include "unparent.h"
 
 #define SECONDS     15.0 /* that measuring may take, about */
 #define LEAST_ERROR 1e-15
@@ -220,10 +221,8 @@ void tinker_accuracy_page_set_document(TinkerAccuracyPage *page, TinkerDocument 
 static void tinker_accuracy_page_dispose(GObject *object)
 {
     TinkerAccuracyPage *page = TINKER_ACCURACY_PAGE(object);
-    GtkWidget *child;
     gtk_widget_dispose_template(GTK_WIDGET(object), TINKER_TYPE_ACCURACY_PAGE);
-    while ((child = gtk_widget_get_first_child(GTK_WIDGET(object))) != NULL) /* those without a name */
-        gtk_widget_unparent(child);
+    tinker_unparent_children(GTK_WIDGET(object)); /* those without a name */
     g_clear_object(&page->task);
     g_clear_object(&page->plan);
     g_clear_object(&page->document);

@@ -6,6 +6,7 @@
 
 #include "desktop-theme.h"
 #include "image-texture.h"
+#include "unparent.h"
 
 #define LEAST_SCALE    1e-6 /* widget units per m */
 #define GREATEST_SCALE 1e9
@@ -288,10 +289,8 @@ static void tinker_canvas_set_property(GObject *object, guint property, const GV
 static void tinker_canvas_dispose(GObject *object)
 {
     TinkerCanvas *canvas = TINKER_CANVAS(object);
-    GtkWidget *child;
     if (canvas->document != NULL) canvas_cancel_gesture(canvas);
-    while ((child = gtk_widget_get_first_child(GTK_WIDGET(canvas))) != NULL)
-        gtk_widget_unparent(child);
+    tinker_unparent_children(GTK_WIDGET(canvas));
     g_clear_object(&canvas->player);
     g_clear_object(&canvas->document);
     G_OBJECT_CLASS(tinker_canvas_parent_class)->dispose(object);

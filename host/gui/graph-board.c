@@ -2,6 +2,8 @@
  * and what was switched on in them. The board is hidden where it shows none. */
 #include "graph-board.h"
 
+#include "unparent.h"
+
 typedef struct {
     TinkerDocument *document;
     TinkerPlayer *player;
@@ -94,9 +96,7 @@ void tinker_graph_board_set_player(TinkerGraphBoard *board, TinkerDocument *docu
 static void tinker_graph_board_dispose(GObject *object)
 {
     TinkerGraphBoardPrivate *private = private_of(TINKER_GRAPH_BOARD(object));
-    GtkWidget *child;
-    while ((child = gtk_widget_get_first_child(GTK_WIDGET(object))) != NULL)
-        gtk_widget_unparent(child);
+    tinker_unparent_children(GTK_WIDGET(object));
     g_clear_pointer(&private->views, g_ptr_array_unref);
     g_clear_object(&private->player);
     g_clear_object(&private->document);

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "image-texture.h"
+#include "message.h"
 
 #define FINENESS       2   /* device pixels a unit of what is copied */
 #define SAVED_WIDTH    800 /* least size of a saved picture */
@@ -61,9 +62,7 @@ static GtkWindow *window_of(GtkWidget *widget)
 
 static void tell(GtkWidget *view, const char *heading, const char *body)
 {
-    GtkWidget *dialog = adw_message_dialog_new(window_of(view), heading, body);
-    adw_message_dialog_add_response(ADW_MESSAGE_DIALOG(dialog), "close", _("_Close"));
-    gtk_window_present(GTK_WINDOW(dialog));
+    tinker_message(window_of(view), heading, body);
 }
 
 static void add_filter(GtkFileChooser *chooser, const char *name, const char *ending)

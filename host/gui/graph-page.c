@@ -8,6 +8,7 @@
 #include "graph-menu.h"
 #include "playbar.h"
 #include "translate.h"
+#include "unparent.h"
 
 struct _TinkerGraphPage {
     GtkWidget parent_instance;
@@ -184,10 +185,8 @@ static void add_playbar(TinkerGraphPage *page, TinkerPlayer *player)
 static void tinker_graph_page_dispose(GObject *object)
 {
     TinkerGraphPage *page = TINKER_GRAPH_PAGE(object);
-    GtkWidget *child;
     page->updating = TRUE;
-    while ((child = gtk_widget_get_first_child(GTK_WIDGET(object))) != NULL)
-        gtk_widget_unparent(child);
+    tinker_unparent_children(GTK_WIDGET(object));
     g_clear_object(&page->document);
     g_clear_pointer(&page->blocks, g_array_unref);
     G_OBJECT_CLASS(tinker_graph_page_parent_class)->dispose(object);

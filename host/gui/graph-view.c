@@ -6,6 +6,7 @@
 #include "graph-export.h"
 #include "graph-plot.h"
 #include "popup-menu.h"
+#include "unparent.h"
 
 #define TELL_US 1000000 /* at most so often is the present value told while it plays */
 
@@ -238,9 +239,7 @@ static void tinker_graph_view_set_property(GObject *object, guint property, cons
 static void tinker_graph_view_dispose(GObject *object)
 {
     TinkerGraphView *view = TINKER_GRAPH_VIEW(object);
-    GtkWidget *child;
-    while ((child = gtk_widget_get_first_child(GTK_WIDGET(object))) != NULL)
-        gtk_widget_unparent(child);
+    tinker_unparent_children(GTK_WIDGET(object));
     g_clear_object(&view->player);
     g_clear_object(&view->document);
     g_clear_pointer(&view->identity, g_free);

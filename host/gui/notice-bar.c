@@ -5,6 +5,8 @@
 #include <glib/gi18n.h>
 #include <string.h>
 
+#include "unparent.h"
+
 #define LATER 200 /* ms */
 
 struct _TinkerNoticeBar {
@@ -186,11 +188,9 @@ static void on_response(TinkerNoticeBar *bar, int response)
 static void tinker_notice_bar_dispose(GObject *object)
 {
     TinkerNoticeBar *bar = TINKER_NOTICE_BAR(object);
-    GtkWidget *child;
     if (bar->timer != 0) g_source_remove(bar->timer);
     bar->timer = 0;
-    while ((child = gtk_widget_get_first_child(GTK_WIDGET(object))) != NULL)
-        gtk_widget_unparent(child);
+    tinker_unparent_children(GTK_WIDGET(object));
     G_OBJECT_CLASS(tinker_notice_bar_parent_class)->dispose(object);
 }
 

@@ -8,6 +8,7 @@
 #include "block-words.h"
 #include "desktop-theme.h"
 #include "render/icon.h"
+#include "unparent.h"
 
 #define ICON_WIDTH    30
 #define ICON_HEIGHT   20
@@ -361,12 +362,10 @@ GtkWidget *tinker_outline_new(TinkerDocument *document)
 static void tinker_outline_dispose(GObject *object)
 {
     TinkerOutline *outline = TINKER_OUTLINE(object);
-    GtkWidget *child;
     if (outline->refresh != 0) g_source_remove(outline->refresh);
     outline->refresh = 0;
     outline->mirroring = TRUE;
-    while ((child = gtk_widget_get_first_child(GTK_WIDGET(object))) != NULL)
-        gtk_widget_unparent(child);
+    tinker_unparent_children(GTK_WIDGET(object));
     g_clear_object(&outline->selection);
     g_clear_object(&outline->filter);
     g_clear_object(&outline->items);

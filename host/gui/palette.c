@@ -8,6 +8,7 @@
 #include "desktop-theme.h"
 #include "render/icon.h"
 #include "translate.h"
+#include "unparent.h"
 
 #define ICON_WIDTH     48
 #define ICON_HEIGHT    32
@@ -183,9 +184,7 @@ void tinker_palette_set_canvas(TinkerPalette *palette, TinkerCatalogue *catalogu
 
 static void tinker_palette_dispose(GObject *object)
 {
-    GtkWidget *child;
-    while ((child = gtk_widget_get_first_child(GTK_WIDGET(object))) != NULL)
-        gtk_widget_unparent(child);
+    tinker_unparent_children(GTK_WIDGET(object));
     G_OBJECT_CLASS(tinker_palette_parent_class)->dispose(object);
 }
 

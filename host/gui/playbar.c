@@ -4,6 +4,8 @@
 #include <glib/gi18n.h>
 #include <math.h>
 
+#include "unparent.h"
+
 #define SLOW_PACE 0.95 /* below it, the run is said to be slower than its playback */
 
 struct _TinkerPlaybar {
@@ -131,9 +133,7 @@ static GtkWidget *time_line(void)
 static void tinker_playbar_dispose(GObject *object)
 {
     TinkerPlaybar *playbar = TINKER_PLAYBAR(object);
-    GtkWidget *child;
-    while ((child = gtk_widget_get_first_child(GTK_WIDGET(object))) != NULL)
-        gtk_widget_unparent(child);
+    tinker_unparent_children(GTK_WIDGET(object));
     g_clear_object(&playbar->player);
     G_OBJECT_CLASS(tinker_playbar_parent_class)->dispose(object);
 }

@@ -3,6 +3,8 @@
 
 #include <glib/gi18n.h>
 
+#include "unparent.h"
+
 /* px, of 276 that the panel has inside. Controls have a least width so that a long title wraps instead of shifting them. */
 #define TITLE_WIDTH   140
 #define CONTROL_WIDTH 128
@@ -337,10 +339,8 @@ static gboolean tinker_property_field_grab_focus(GtkWidget *widget)
 static void tinker_property_field_dispose(GObject *object)
 {
     TinkerPropertyField *field = TINKER_PROPERTY_FIELD(object);
-    GtkWidget *child;
     g_clear_object(&field->document);
-    while ((child = gtk_widget_get_first_child(GTK_WIDGET(object))) != NULL)
-        gtk_widget_unparent(child);
+    tinker_unparent_children(GTK_WIDGET(object));
     g_clear_pointer(&field->row, tinker_property_row_unref);
     G_OBJECT_CLASS(tinker_property_field_parent_class)->dispose(object);
 }

@@ -5,6 +5,7 @@
 #include <glib/gi18n.h>
 
 #include "property-field.h"
+#include "unparent.h"
 
 #define REFRESH_INTERVAL 50 /* ms: live values need not be faster */
 
@@ -237,11 +238,9 @@ GtkWidget *tinker_property_panel_new(TinkerDocument *document, TinkerPlayer *pla
 static void tinker_property_panel_dispose(GObject *object)
 {
     TinkerPropertyPanel *panel = TINKER_PROPERTY_PANEL(object);
-    GtkWidget *child;
     if (panel->refresh != 0) g_source_remove(panel->refresh);
     panel->refresh = 0;
-    while ((child = gtk_widget_get_first_child(GTK_WIDGET(object))) != NULL)
-        gtk_widget_unparent(child);
+    tinker_unparent_children(GTK_WIDGET(object));
     g_clear_object(&panel->document);
     g_clear_object(&panel->player);
     g_clear_pointer(&panel->group_of, g_hash_table_unref);

@@ -7,6 +7,7 @@
 
 #include "start-offer.h"
 #include "start-row.h"
+#include "unparent.h"
 
 #define REFRESH_AFTER 100 /* ms */
 #define SHARE_OF_TIME 10  /* a refresh may take the tenth part of the time */
@@ -262,10 +263,8 @@ GtkWidget *tinker_start_panel_new(TinkerDocument *document, TinkerPlayer *player
 static void tinker_start_panel_dispose(GObject *object)
 {
     TinkerStartPanel *panel = TINKER_START_PANEL(object);
-    GtkWidget *child;
     g_clear_handle_id(&panel->timer, g_source_remove);
-    while ((child = gtk_widget_get_first_child(GTK_WIDGET(object))) != NULL)
-        gtk_widget_unparent(child);
+    tinker_unparent_children(GTK_WIDGET(object));
     g_clear_object(&panel->player);
     g_clear_object(&panel->document);
     G_OBJECT_CLASS(tinker_start_panel_parent_class)->dispose(object);

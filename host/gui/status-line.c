@@ -3,6 +3,8 @@
 
 #include <string.h>
 
+#include "unparent.h"
+
 struct _TinkerStatusLine {
     GtkWidget parent_instance;
     GtkWidget *boxes[TINKER_STATUS_COUNT], *icons[TINKER_STATUS_COUNT], *labels[TINKER_STATUS_COUNT];
@@ -43,9 +45,7 @@ void tinker_status_line_show(TinkerStatusLine *line, const TinkerStatusFacts *fa
 static void tinker_status_line_dispose(GObject *object)
 {
     TinkerStatusLine *line = TINKER_STATUS_LINE(object);
-    GtkWidget *child;
-    while ((child = gtk_widget_get_first_child(GTK_WIDGET(object))) != NULL)
-        gtk_widget_unparent(child);
+    tinker_unparent_children(GTK_WIDGET(object));
     g_clear_pointer(&line->shown, g_free);
     G_OBJECT_CLASS(tinker_status_line_parent_class)->dispose(object);
 }

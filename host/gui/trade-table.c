@@ -7,6 +7,7 @@
 #include "status-text.h"
 #include "trade-words.h"
 #include "units/units.h"
+#include "unparent.h"
 
 /* Rows ---------------------------------------------------------------------------------------------------------------- */
 
@@ -208,12 +209,10 @@ static void add_column(TinkerTradeTable *table, const Column *column)
 
 static void tinker_trade_table_dispose(GObject *object)
 {
-    GtkWidget *child;
     TinkerTradeTable *table = TINKER_TRADE_TABLE(object);
     if (table->idle != 0) g_source_remove(table->idle);
     table->idle = 0;
-    while ((child = gtk_widget_get_first_child(GTK_WIDGET(object))) != NULL)
-        gtk_widget_unparent(child);
+    tinker_unparent_children(GTK_WIDGET(object));
     g_clear_object(&table->items);
     G_OBJECT_CLASS(tinker_trade_table_parent_class)->dispose(object);
 }

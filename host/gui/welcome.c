@@ -8,6 +8,7 @@
 #include "examples.h"
 #include "render/painter.h"
 #include "translate.h"
+#include "unparent.h"
 
 #define SHOWN_EXAMPLES 4
 #define CARD_WIDTH     660
@@ -205,10 +206,8 @@ static void tinker_welcome_map(GtkWidget *widget)
 static void tinker_welcome_dispose(GObject *object)
 {
     TinkerWelcome *welcome = TINKER_WELCOME(object);
-    GtkWidget *child;
     g_clear_handle_id(&welcome->painter, g_source_remove);
-    while ((child = gtk_widget_get_first_child(GTK_WIDGET(object))) != NULL)
-        gtk_widget_unparent(child);
+    tinker_unparent_children(GTK_WIDGET(object));
     g_clear_object(&welcome->player);
     g_clear_object(&welcome->document);
     G_OBJECT_CLASS(tinker_welcome_parent_class)->dispose(object);

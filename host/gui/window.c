@@ -3,6 +3,7 @@
 
 #include <glib/gi18n.h>
 
+#include "message.h"
 #include "popup-menu.h"
 #include "side-panel.h"
 #include "welcome.h"
@@ -20,9 +21,7 @@ void window_toast(TinkerWindow *window, const char *text)
 
 void window_message(TinkerWindow *window, const char *heading, const char *body)
 {
-    GtkWidget *dialog = adw_message_dialog_new(GTK_WINDOW(window), heading, body);
-    adw_message_dialog_add_response(ADW_MESSAGE_DIALOG(dialog), "close", _("_Close"));
-    gtk_window_present(GTK_WINDOW(dialog));
+    tinker_message(GTK_WINDOW(window), heading, body);
 }
 
 /* Playing ------------------------------------------------------------------------------------------------------------- */

@@ -1,8 +1,8 @@
 /* The plan that follows a document: after the last edit, of the scene as it is then, in the main loop's time. */
 #include "background.h"
+#include "gui-fixture.h"
 #include "plan-task.h"
 #include "run-choice.h"
-#include "scene-fixture.h"
 
 #define PATIENCE 20.0 /* s */
 
@@ -28,24 +28,10 @@ static void set_run(TinkerDocument *document, const char *method, double step)
     tinker_document_end(document);
 }
 
-static gboolean wake(void *data)
-{
-    return G_SOURCE_CONTINUE;
-}
-
-static void iterate_for(double seconds)
-{
-    gint64 end = g_get_monotonic_time() + (gint64)(1e6 * seconds);
-    guint timer = g_timeout_add(5, wake, NULL);
-    while (g_get_monotonic_time() < end)
-        g_main_context_iteration(NULL, TRUE);
-    g_source_remove(timer);
-}
-
 static const TinkerPlanResult *wait_for_plan(TinkerPlanTask *task)
 {
     for (double waited = 0; waited < PATIENCE && tinker_plan_task_is_due(task); waited += 0.01)
-        iterate_for(0.01);
+        gui_fixture_pass(10);
     g_assert_false(tinker_plan_task_is_due(task));
     return tinker_plan_task_result(task);
 }
@@ -98,13 +84,13 @@ static void test_superseded(void)
     g_signal_connect(task, "changed", G_CALLBACK(count), &changes);
     for (int i = 1; i <= 10; i++) {
         set_run(document, "verlet", 0.001 * i);
-        iterate_for(0.02);
+        gui_fixture_pass(20);
         if (i % 3 == 0) tinker_plan_task_demand(task); /* is under way when the next edit comes */
         g_assert_cmpint(changes, <=, 3);
     }
     g_assert_cmpfloat(only_island(wait_for_plan(task))->step, ==, 0.01);
     changes = 0;
-    iterate_for(0.5);
+    gui_fixture_pass(500);
     g_assert_cmpint(changes, ==, 0);
 }
 
@@ -133,7 +119,7 @@ static void test_large(void)
     for (int i = 0; i <= TINKER_PLAN_MOST_BLOCKS; i++)
         tinker_history_add_block(tinker_document_history(document), scene_fixture_class("mass"), NULL, NULL);
     tinker_document_end(document);
-    iterate_for(0.6);
+    gui_fixture_pass(600);
     g_assert_null(tinker_plan_task_result(task));
     g_assert_true(tinker_plan_task_is_due(task));
     tinker_plan_task_demand(task);
@@ -150,7 +136,7 @@ static void test_let_go(void)
         g_usleep((gulong)(200 * i));
     }
     tinker_background_wait();
-    iterate_for(0.05);
+    gui_fixture_pass(50);
 }
 
 static void add_tests(void)

@@ -2,8 +2,8 @@
 #include <math.h>
 
 #include "background.h"
+#include "gui-fixture.h"
 #include "run-choice.h"
-#include "scene-fixture.h"
 #include "trade-chart.h"
 #include "trade-task.h"
 
@@ -19,28 +19,12 @@ static TinkerDocument *open_scene(void)
     return document;
 }
 
-static gboolean wake(void *data)
-{
-    return G_SOURCE_CONTINUE;
-}
-
-static void iterate_for(double seconds)
-{
-    gint64 end = g_get_monotonic_time() + (gint64)(1e6 * seconds);
-    guint timer = g_timeout_add(5, wake, NULL);
-    while (g_get_monotonic_time() < end)
-        g_main_context_iteration(NULL, TRUE);
-    g_source_remove(timer);
-}
-
 /* Seconds until it is over. */
 static double wait_for_end(TinkerTradeTask *task)
 {
     gint64 begun = g_get_monotonic_time();
-    guint timer = g_timeout_add(5, wake, NULL);
     while (tinker_trade_task_is_running(task) && g_get_monotonic_time() - begun < (gint64)(1e6 * PATIENCE))
-        g_main_context_iteration(NULL, TRUE);
-    g_source_remove(timer);
+        gui_fixture_pass(5);
     g_assert_false(tinker_trade_task_is_running(task));
     return 1e-6 * (double)(g_get_monotonic_time() - begun);
 }
@@ -97,7 +81,7 @@ static void test_cancels(void)
     for (gsize i = 0; i < G_N_ELEMENTS(moments); i++) {
         g_autoptr(TinkerTradeTask) task = tinker_trade_task_new(document);
         tinker_trade_task_start(task, 1e-6, 100);
-        iterate_for(moments[i]);
+        gui_fixture_pass((guint)(1e3 * moments[i]));
         g_assert_true(tinker_trade_task_is_running(task));
         tinker_trade_task_cancel(task);
         g_assert_cmpfloat(wait_for_end(task), <, 0.2);
@@ -199,13 +183,13 @@ static void test_let_go(void)
     for (int i = 0; i < 10; i++) {
         g_autoptr(TinkerTradeTask) task = tinker_trade_task_new(document);
         tinker_trade_task_start(task, 1e-6, 100);
-        iterate_for(0.01 * i);
+        gui_fixture_pass((guint)(10 * i));
         if (i % 2 == 0) tinker_trade_task_start(task, 1e-3, 100); /* another one takes its place */
     }
     gint64 begun = g_get_monotonic_time();
     tinker_background_wait();
     g_assert_cmpint(g_get_monotonic_time() - begun, <, 500000);
-    iterate_for(0.05);
+    gui_fixture_pass(50);
 }
 
 /* Every point of the chart lies where its measurement is. */
