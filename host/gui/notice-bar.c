@@ -1,5 +1,6 @@
 /* What each source gives is kept whole; what is shown is a list of borrowed notices that is made anew at every change. The
- * bar moves what is below it, so it opens and closes slowly, and never while a button of the pointer is down. */
+ * bar moves what is below it, so it never opens or closes while a button of the pointer is down. It takes its height at once and
+ * fades in: sliding would give the canvas another size at every frame, and a scene of thousands of blocks would stall. */
 #include "notice-bar.h"
 
 #include <glib/gi18n.h>
@@ -244,6 +245,9 @@ static void tinker_notice_bar_init(TinkerNoticeBar *bar)
     bar->closed = g_hash_table_new_full(g_str_hash, g_str_equal, g_free, NULL);
     bar->listed = g_ptr_array_new();
     bar->bar = gtk_info_bar_new();
+    GtkWidget *revealer = gtk_widget_get_first_child(bar->bar); /* the info bar has no property for how it opens */
+    if (GTK_IS_REVEALER(revealer))
+        gtk_revealer_set_transition_type(GTK_REVEALER(revealer), GTK_REVEALER_TRANSITION_TYPE_CROSSFADE);
     gtk_info_bar_set_revealed(GTK_INFO_BAR(bar->bar), FALSE);
     gtk_info_bar_set_show_close_button(GTK_INFO_BAR(bar->bar), TRUE);
     add_parts(bar);

@@ -64,6 +64,7 @@ static void on_after_paint(GdkFrameClock *clock, Measurement *measurement)
     if (measurement->first_frame == 0) {
         measurement->first_frame = now;
         measurement->first_work = thread_time();
+        measurement->last_event = now;
         GtkWindow *window = gtk_application_get_active_window(measurement->application);
         g_action_group_activate_action(G_ACTION_GROUP(window), "play", NULL);
         return;
@@ -71,8 +72,7 @@ static void on_after_paint(GdkFrameClock *clock, Measurement *measurement)
     gint64 playing = now - measurement->first_frame;
     if (playing < (gint64)(1e6 * WARM_UP)) return;
     if (measurement->measure_from == 0) {
-        measurement->measure_from = measurement->last_event = now;
-        measurement->longest_wait = 0;
+        measurement->measure_from = now;
         measurement->work_until = thread_time();
         return;
     }
@@ -90,7 +90,7 @@ static gboolean on_event(gpointer data)
 {
     Measurement *measurement = data;
     gint64 now = g_get_monotonic_time();
-    if (measurement->measure_from > 0)
+    if (measurement->last_event > 0 && measurement->first_frame > 0)
         measurement->longest_wait =
             fmax(measurement->longest_wait, 1e-3 * (double)(now - measurement->last_event) - TICK_MS);
     measurement->last_event = now;
