@@ -145,7 +145,7 @@ static void show_failure(TinkerAccuracyPage *page)
     const char *failure = tinker_trade_task_failure(page->task);
     adw_status_page_set_title(page->empty, failure != NULL ? _("Could Not Measure") : _("Speed and Accuracy"));
     adw_status_page_set_icon_name(page->empty,
-                                  failure != NULL ? "dialog-warning-symbolic" : "power-profile-performance-symbolic");
+                                  failure != NULL ? "dialog-warning-symbolic" : "tinker-accuracy-symbolic");
     g_autofree char *markup = failure != NULL ? g_markup_escape_text(failure, -1) : NULL;
     adw_status_page_set_description(
         page->empty,

@@ -1,6 +1,6 @@
 /* What each source gives is kept whole; what is shown is a list of borrowed notices that is made anew at every change. The
- * bar moves what is below it, so it never opens or closes while a button of the pointer is down. It takes its height at once and
- * fades in: sliding would give the canvas another size at every frame, and a scene of thousands of blocks would stall. */
+ * bar moves what is below it, so it never opens or closes while a button of the pointer is down. It is there at once:
+ * sliding in would give the canvas another size at every frame, and a scene of thousands of blocks would stall. */
 #include "notice-bar.h"
 
 #include <glib/gi18n.h>
@@ -125,9 +125,9 @@ static void show(TinkerNoticeBar *bar)
     gboolean wanted = bar->listed->len > 0;
     bar->place = wanted ? MIN(bar->place, bar->listed->len - 1) : 0;
     if (wanted) fill(bar);
-    if (wanted == gtk_info_bar_get_revealed(GTK_INFO_BAR(bar->bar))) return;
+    if (wanted == gtk_widget_get_visible(bar->bar)) return;
     if (!is_pointer_down(GTK_WIDGET(bar)))
-        gtk_info_bar_set_revealed(GTK_INFO_BAR(bar->bar), wanted);
+        gtk_widget_set_visible(bar->bar, wanted);
     else if (bar->timer == 0)
         bar->timer = g_timeout_add(LATER, on_later, bar);
 }
@@ -245,10 +245,7 @@ static void tinker_notice_bar_init(TinkerNoticeBar *bar)
     bar->closed = g_hash_table_new_full(g_str_hash, g_str_equal, g_free, NULL);
     bar->listed = g_ptr_array_new();
     bar->bar = gtk_info_bar_new();
-    GtkWidget *revealer = gtk_widget_get_first_child(bar->bar); /* the info bar has no property for how it opens */
-    if (GTK_IS_REVEALER(revealer))
-        gtk_revealer_set_transition_type(GTK_REVEALER(revealer), GTK_REVEALER_TRANSITION_TYPE_CROSSFADE);
-    gtk_info_bar_set_revealed(GTK_INFO_BAR(bar->bar), FALSE);
+    gtk_widget_set_visible(bar->bar, FALSE);
     gtk_info_bar_set_show_close_button(GTK_INFO_BAR(bar->bar), TRUE);
     add_parts(bar);
     g_signal_connect_swapped(bar->bar, "response", G_CALLBACK(on_response), bar);

@@ -6,7 +6,9 @@
 
 #include "unparent.h"
 
-#define SLOW_PACE 0.95 /* below it, the run is said to be slower than its playback */
+#define SLOW_PACE  0.95 /* below it, the run is said to be slower than its playback */
+#define LEAST_LINE 60   /* px: width of the time line in a narrow window */
+#define USUAL_LINE 160  /* px */
 
 struct _TinkerPlaybar {
     GtkWidget parent_instance;
@@ -123,11 +125,25 @@ static GtkWidget *time_line(void)
     gtk_scale_set_draw_value(GTK_SCALE(line), FALSE);
     gtk_range_set_show_fill_level(GTK_RANGE(line), TRUE);
     gtk_range_set_restrict_to_fill_level(GTK_RANGE(line), TRUE);
-    gtk_widget_set_size_request(line, 160, -1);
+    gtk_widget_set_size_request(line, LEAST_LINE, -1);
     gtk_widget_set_hexpand(line, TRUE);
     gtk_widget_set_tooltip_text(line, _("Time line: drag to look at any recorded instant"));
     gtk_accessible_update_property(GTK_ACCESSIBLE(line), GTK_ACCESSIBLE_PROPERTY_LABEL, _("Time line"), -1);
     return line;
+}
+
+/* The time line is as long as one likes where there is room, and gives way in a narrow window. */
+static void tinker_playbar_measure(GtkWidget *widget, GtkOrientation orientation, int for_size, int *minimum, int *natural,
+                                   int *minimum_baseline, int *natural_baseline)
+{
+    GtkWidget *box = gtk_widget_get_first_child(widget);
+    gtk_widget_measure(box, orientation, for_size, minimum, natural, minimum_baseline, natural_baseline);
+    if (orientation == GTK_ORIENTATION_HORIZONTAL) *natural += USUAL_LINE - LEAST_LINE;
+}
+
+static void tinker_playbar_size_allocate(GtkWidget *widget, int width, int height, int baseline)
+{
+    gtk_widget_allocate(gtk_widget_get_first_child(widget), width, height, baseline, NULL);
 }
 
 static void tinker_playbar_dispose(GObject *object)
@@ -141,7 +157,8 @@ static void tinker_playbar_dispose(GObject *object)
 static void tinker_playbar_class_init(TinkerPlaybarClass *class)
 {
     G_OBJECT_CLASS(class)->dispose = tinker_playbar_dispose;
-    gtk_widget_class_set_layout_manager_type(GTK_WIDGET_CLASS(class), GTK_TYPE_BIN_LAYOUT);
+    GTK_WIDGET_CLASS(class)->measure = tinker_playbar_measure;
+    GTK_WIDGET_CLASS(class)->size_allocate = tinker_playbar_size_allocate;
     gtk_widget_class_set_css_name(GTK_WIDGET_CLASS(class), "playbar");
 }
 
@@ -155,6 +172,7 @@ static void tinker_playbar_init(TinkerPlaybar *playbar)
     playbar->line = time_line();
     playbar->time = gtk_label_new("t = 0.00 s");
     playbar->pace = gtk_label_new(NULL);
+    gtk_label_set_ellipsize(GTK_LABEL(playbar->pace), PANGO_ELLIPSIZE_END);
     playbar->speed = speed_chooser();
     gtk_widget_add_css_class(playbar->time, "numeric");
     gtk_widget_add_css_class(playbar->pace, "warning");

@@ -118,7 +118,7 @@ void window_add_accuracy(TinkerWindow *window)
     window->accuracy = g_object_new(TINKER_TYPE_ACCURACY_PAGE, NULL);
     AdwViewStackPage *page =
         adw_view_stack_add_titled(window->pages, GTK_WIDGET(window->accuracy), PAGE, _("Accuracy"));
-    adw_view_stack_page_set_icon_name(page, "power-profile-performance-symbolic");
+    adw_view_stack_page_set_icon_name(page, "tinker-accuracy-symbolic");
     tinker_accuracy_page_set_document(window->accuracy, window->document, window->plan);
     g_signal_connect_object(window->accuracy, "told", G_CALLBACK(on_told), window, 0);
     g_signal_connect_object(window->plan, "changed", G_CALLBACK(on_plan_changed), window, G_CONNECT_SWAPPED);
