@@ -133,8 +133,8 @@ static GtkWidget *time_line(void)
 }
 
 /* The time line is as long as one likes where there is room, and gives way in a narrow window. */
-static void tinker_playbar_measure(GtkWidget *widget, GtkOrientation orientation, int for_size, int *minimum, int *natural,
-                                   int *minimum_baseline, int *natural_baseline)
+static void tinker_playbar_measure(GtkWidget *widget, GtkOrientation orientation, int for_size, int *minimum,
+                                   int *natural, int *minimum_baseline, int *natural_baseline)
 {
     GtkWidget *box = gtk_widget_get_first_child(widget);
     gtk_widget_measure(box, orientation, for_size, minimum, natural, minimum_baseline, natural_baseline);

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "number-hint.h"
+#include "property-list-private.h"
 #include "translate.h"
 
 #define DECIMALS 5
@@ -70,16 +71,6 @@ char *tinker_start_value_text(TinkerScene *scene, const TinkerStartOption *optio
     return tinker_quantity_format(option->value, option->dimension, NULL, tinker_scene_head(scene)->units, DECIMALS);
 }
 
-/* In an entry of a few characters nobody counts columns. */
-static void leave_out_column(GError *error)
-{
-    const char *colon = g_str_has_prefix(error->message, "column ") ? strstr(error->message, ": ") : NULL;
-    if (colon == NULL) return;
-    char *message = g_strdup(colon + 2);
-    g_free(error->message);
-    error->message = message;
-}
-
 gboolean tinker_start_value_parse(TinkerScene *scene, const TinkerStartOption *option, const char *text, double *si,
                                   GError **error)
 {
@@ -94,8 +85,7 @@ gboolean tinker_start_value_parse(TinkerScene *scene, const TinkerStartOption *o
         g_error_free(wrong);
         return FALSE;
     }
-    leave_out_column(wrong);
-    g_propagate_error(error, wrong);
+    property_fail(error, wrong, NULL, NULL); /* in an entry of a few characters nobody counts columns */
     return FALSE;
 }
 

@@ -242,9 +242,8 @@ static void test_stale(void)
     g_assert_null(tinker_history_can_undo(f->history));
 }
 
-/* 100 masses, every second pushed along its rod, 200 connectors and bodies in all: looked over within 5 ms, of which this
- * bound leaves room for a loaded machine and sanitizers. */
-static void test_time(void)
+/* 100 masses in a row, every second pushed along its rod: a mistake each, and none of the others. */
+static void test_many(void)
 {
     g_autoptr(GString) blocks = g_string_new("{'type': 'support', 'solid': false, 'name': 'M0'}");
     for (int i = 1; i <= 100; i++)
@@ -253,15 +252,8 @@ static void test_time(void)
                                "{'type': '%s', 'ends': ['M%d', 'M%d']}",
                                i, i, i % 2, i % 2 ? "spring" : "rod", i - 1, i);
     g_autoptr(StartFixture) f = start_fixture_new(blocks->str);
-    double least = INFINITY;
-    for (int i = 0; i < 5; i++) {
-        gint64 from = g_get_monotonic_time();
-        g_autoptr(GPtrArray) all = tinker_advice_new(f->scene);
-        least = fmin(least, 1e-6 * (double)(g_get_monotonic_time() - from));
-        g_assert_cmpuint(all->len, ==, 50);
-    }
-    g_test_message("%g ms", 1e3 * least);
-    g_assert_cmpfloat(least, <, 0.05);
+    g_autoptr(GPtrArray) all = tinker_advice_new(f->scene);
+    g_assert_cmpuint(all->len, ==, 50);
 }
 
 /* What is bundled runs, and is well set up. */
@@ -277,12 +269,9 @@ static void test_bundled_scenes(void)
         g_autoptr(GError) error = NULL;
         g_autoptr(TinkerScene) scene = tinker_scene_read_file(scene_fixture_catalogue(), path, NULL, &error);
         g_assert_no_error(error);
-        gint64 from = g_get_monotonic_time();
         g_autoptr(GPtrArray) all = tinker_advice_new(scene);
-        gint64 then = g_get_monotonic_time();
         g_autoptr(GPtrArray) plan = tinker_advice_plan_new(scene);
-        g_test_message("%s: %g ms, plan %g ms", name, 1e-3 * (double)(then - from),
-                       1e-3 * (double)(g_get_monotonic_time() - then));
+        g_test_message("%s", name);
         g_ptr_array_extend_and_steal(all, g_steal_pointer(&plan));
         for (guint i = 0; i < all->len; i++) {
             const TinkerAdvice *advice = g_ptr_array_index(all, i);
@@ -307,7 +296,7 @@ static void add_tests(void)
     g_test_add_func("/advice/method", test_method);
     g_test_add_func("/advice/method-of-contacts", test_method_of_contacts);
     g_test_add_func("/advice/stale", test_stale);
-    g_test_add_func("/advice/time", test_time);
+    g_test_add_func("/advice/many", test_many);
     g_test_add_func("/advice/bundled-scenes", test_bundled_scenes);
 }
 
