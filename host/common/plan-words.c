@@ -17,8 +17,13 @@ char *tinker_island_blocks_text(const TinkerScene *scene, const TinkerIslandPlan
     return g_string_free(g_steal_pointer(&text), FALSE);
 }
 
+char *tinker_method_text(const char *method, double step, double tolerance)
+{
+    if (step > 0) return g_strdup_printf(_("%s, step %.4g s"), method, step);
+    return tolerance > 0 ? g_strdup_printf(_("%s, tolerance %g"), method, tolerance) : g_strdup(method);
+}
+
 char *tinker_island_method_text(const TinkerIslandPlan *island)
 {
-    return island->step > 0 ? g_strdup_printf(_("%s, step %.4g s"), island->method->id, island->step)
-                            : g_strdup_printf(_("%s, tolerance %g"), island->method->id, island->tolerance);
+    return tinker_method_text(island->method->id, island->step, island->tolerance);
 }

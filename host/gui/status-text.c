@@ -27,14 +27,6 @@ char *tinker_status_size_text(double value, int digits)
 
 /* How it is run ------------------------------------------------------------------------------------------------------- */
 
-static char *setting_text(const char *method, gboolean adaptive, double step, double tolerance)
-{
-    double value = adaptive ? tolerance : step;
-    if (value <= 0) return g_strdup(method);
-    return adaptive ? g_strdup_printf(_("%s, tolerance %g"), method, value)
-                    : g_strdup_printf(_("%s, step %.4g s"), method, value);
-}
-
 static gboolean is_all_alike(const TinkerPlan *plan)
 {
     const TinkerIslandPlan *first = g_ptr_array_index(plan->islands, 0);
@@ -89,7 +81,8 @@ static void fill_method(const TinkerStatusFacts *facts, TinkerStatusItem *item)
     const TinkerPlanResult *plan = facts->plan;
     gboolean known = run != NULL && run->method[0] != '\0';
     if (known && strcmp(run->method, "auto") != 0) {
-        g_autofree char *setting = setting_text(run->method, run->adaptive, run->step, run->tolerance);
+        g_autofree char *setting =
+            tinker_method_text(run->method, run->adaptive ? 0 : run->step, run->adaptive ? run->tolerance : 0);
         gboolean automatic = plan != NULL && plan->automatic;
         item->text = automatic ? g_strdup_printf(_("Automatic: %s"), setting) : g_steal_pointer(&setting);
     } else if (has_islands(plan)) {
