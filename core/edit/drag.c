@@ -101,7 +101,7 @@ static void point_of_part(const TinkerDrag *drag, const TinkerInstance *instance
         point[1] = instance->end[part].y;
     } else if (part >= TINKER_PART_HANDLE) {
         TinkerHandle handles[MOST_HANDLES];
-        int32_t count = edit_handles(edit_of(drag->block_class), instance, handles, MOST_HANDLES);
+        int32_t count = edit_handles(drag->block_class, instance, handles, MOST_HANDLES);
         for (int32_t i = 0; i < count; i++) {
             if (handles[i].part != part) continue;
             point[0] = handles[i].x;
@@ -134,9 +134,11 @@ static void move_part(TinkerDrag *drag, double grid)
     const TinkerEditor editor = {sizeof editor, 0, drag, editor_set, editor_set_end};
     const TinkerEdit *edit = edit_of(drag->block_class);
     if (grid > 0)
-        edit->move_absolute(&instance, drag->hit.part, x, y, &editor);
+        TINKER_CALL_VOID(edit->move_absolute(&instance, drag->hit.part, x, y, &editor), .phase = "move_absolute",
+                         .block_class = edit_owner(drag->block_class), .instance = &instance);
     else
-        edit->move(&instance, drag->hit.part, x - point[0], y - point[1], &editor);
+        TINKER_CALL_VOID(edit->move(&instance, drag->hit.part, x - point[0], y - point[1], &editor), .phase = "move",
+                         .block_class = edit_owner(drag->block_class), .instance = &instance);
 }
 
 TinkerDrag *tinker_drag_begin(TinkerHistory *history, TinkerScene *scene, TinkerHit hit, double x, double y)

@@ -3,6 +3,7 @@
 #define TINKER_EDIT_PRIVATE_H
 
 #include "edit/drag.h"
+#include "plugin/call.h"
 
 #define MOST_HANDLES 16 /* of one block that are looked at */
 
@@ -10,7 +11,14 @@
  * of an unknown type) a spot around its centre that can be selected and not moved. Never NULL. */
 const TinkerEdit *edit_of(const TinkerBlockClass *block_class);
 
+/* The class, where that interface is its own; NULL where it is the host's. */
+const TinkerBlockClass *edit_owner(const TinkerBlockClass *block_class);
+
+/* The part of an instance that is hit: TINKER_PART_... or its number. */
+int32_t edit_hit(const TinkerBlockClass *block_class, const TinkerInstance *instance, double x, double y, double reach);
+
 /* The handles of an instance, none where the interface has none; never more than `room`. */
-int32_t edit_handles(const TinkerEdit *edit, const TinkerInstance *instance, TinkerHandle *handles, int32_t room);
+int32_t edit_handles(const TinkerBlockClass *block_class, const TinkerInstance *instance, TinkerHandle *handles,
+                     int32_t room);
 
 #endif

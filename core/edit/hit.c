@@ -32,8 +32,7 @@ TinkerHit tinker_hit(TinkerFrame *frame, double x, double y, double reach, Tinke
             TinkerInstance instance;
             gboolean known = tinker_frame_instance(frame, block, &instance);
             if (!is_placed(&instance)) continue;
-            const TinkerEdit *edit = edit_of(known ? block_class : NULL);
-            int32_t part = edit->hit(&instance, x, y, reach);
+            int32_t part = edit_hit(known ? block_class : NULL, &instance, x, y, reach);
             if (part == TINKER_PART_NONE) continue;
             if (part != TINKER_PART_WHOLE) return (TinkerHit){block, part};
             if (whole.block == TINKER_NO_BLOCK) whole = (TinkerHit){block, part};
@@ -62,7 +61,7 @@ TinkerBlockId tinker_hit_connectable(TinkerFrame *frame, TinkerBlockId connector
             if (!accepts(connector_class->type, block_class)) continue;
             TinkerInstance instance;
             if (!tinker_frame_instance(frame, block, &instance) || !is_placed(&instance)) continue;
-            if (edit_of(block_class)->hit(&instance, x, y, reach) != TINKER_PART_NONE) return block;
+            if (edit_hit(block_class, &instance, x, y, reach) != TINKER_PART_NONE) return block;
         }
     return TINKER_NO_BLOCK;
 }
@@ -74,7 +73,7 @@ TinkerHit tinker_hit_handle(TinkerFrame *frame, TinkerBlockId block, double x, d
     const TinkerBlockClass *block_class = tinker_scene_block_class(tinker_frame_scene(frame), block);
     if (!tinker_frame_instance(frame, block, &instance) || !is_placed(&instance)) return hit;
     TinkerHandle handles[MOST_HANDLES];
-    int32_t count = edit_handles(edit_of(block_class), &instance, handles, MOST_HANDLES);
+    int32_t count = edit_handles(block_class, &instance, handles, MOST_HANDLES);
     double nearest = reach;
     for (int32_t i = 0; i < count; i++) {
         double distance = hypot(handles[i].x - x, handles[i].y - y);

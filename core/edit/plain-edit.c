@@ -45,8 +45,22 @@ const TinkerEdit *edit_of(const TinkerBlockClass *block_class)
     return block_class != NULL && block_class->type->least_ends > 0 ? &of_connectors : &of_others;
 }
 
-int32_t edit_handles(const TinkerEdit *edit, const TinkerInstance *instance, TinkerHandle *handles, int32_t room)
+const TinkerBlockClass *edit_owner(const TinkerBlockClass *block_class)
 {
+    return block_class != NULL && block_class->edit != NULL ? block_class : NULL;
+}
+
+int32_t edit_hit(const TinkerBlockClass *block_class, const TinkerInstance *instance, double x, double y, double reach)
+{
+    return TINKER_CALL_INSTANCE(edit_owner(block_class), "hit", instance,
+                                edit_of(block_class)->hit(instance, x, y, reach));
+}
+
+int32_t edit_handles(const TinkerBlockClass *block_class, const TinkerInstance *instance, TinkerHandle *handles,
+                     int32_t room)
+{
+    const TinkerEdit *edit = edit_of(block_class);
     if (edit->handles == NULL) return 0;
-    return CLAMP(edit->handles(instance, handles, room), 0, room);
+    int32_t count = TINKER_CALL_INSTANCE(block_class, "handles", instance, edit->handles(instance, handles, room));
+    return CLAMP(count, 0, room);
 }

@@ -38,8 +38,9 @@ TinkerStatus tinker_model_ask_lines(TinkerModel *model, const TinkerBlockBatch *
 {
     *chunk = line_chunk(model);
     chunk_geometry(model, points, view->count, chunk);
+    const TinkerLineLaw *law = batch->block_class->physics->line_law;
     TinkerStatus status =
-        batch->block_class->physics->line_law->tension(view, chunk->length, chunk->rate, chunk->tension);
+        TINKER_CALL_BATCH(batch, "tension", view, law->tension(view, chunk->length, chunk->rate, chunk->tension));
     if (status != TINKER_OK) return tinker_model_refuse_forces(model, batch, view, status, "tension");
     for (int32_t i = 0; i < view->count; i++)
         if (!isfinite(chunk->tension[i] * chunk->x[i] + chunk->tension[i] * chunk->y[i]))
@@ -66,7 +67,8 @@ TinkerStatus tinker_model_ask_element(TinkerModel *model, const TinkerBlockBatch
     for (int32_t e = 0; e < ends; e++)
         gathered[e] = model->point[points[e]];
     TinkerBatch view = tinker_model_view(model, batch, first, count, model->column_views);
-    TinkerStatus status = batch->block_class->physics->force_element->force(&view, gathered, force);
+    const TinkerForceElement *element = batch->block_class->physics->force_element;
+    TinkerStatus status = TINKER_CALL_BATCH(batch, "force", &view, element->force(&view, gathered, force));
     if (status != TINKER_OK) return tinker_model_refuse_forces(model, batch, &view, status, "force");
     for (int32_t e = 0; e < ends; e++)
         if (!isfinite(force[2 * e] + force[2 * e + 1]))
@@ -83,7 +85,8 @@ TinkerStatus tinker_model_ask_field(TinkerModel *model, const TinkerBlockBatch *
     double *force = model->chunk;
     TinkerBodies bodies = {sizeof(TinkerBodies), model->bodies, model->point, model->mass, 0, model->bodies};
     TinkerBatch view = tinker_model_view(model, batch, first, count, model->column_views);
-    TinkerStatus status = batch->block_class->physics->field->force(&view, &bodies, force);
+    const TinkerField *field = batch->block_class->physics->field;
+    TinkerStatus status = TINKER_CALL_BATCH(batch, "force", &view, field->force(&view, &bodies, force));
     if (status != TINKER_OK) return tinker_model_refuse_forces(model, batch, &view, status, "force");
     for (int32_t i = 0; i < model->bodies; i++)
         if (!isfinite(force[2 * i] + force[2 * i + 1])) return tinker_model_not_finite(model, batch, first, "force");

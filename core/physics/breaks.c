@@ -19,7 +19,9 @@ static double plugin_break(TinkerModel *model, TinkerBlockBatch *batch, double t
     for (gsize i = 0; i < G_N_ELEMENTS(offered); i++) {
         if (offered[i] == NULL) continue;
         TinkerBatch view = tinker_block_batch_view(batch, t);
-        double at = offered[i](&view);
+        double at = INFINITY;
+        TINKER_CALL_VOID(at = offered[i](&view), .phase = "next_break", .block_class = batch->block_class,
+                         .batch = &view, .name = tinker_block_batch_name, .source = batch);
         if (at > t && at < next) next = at;
     }
     return next;

@@ -13,12 +13,14 @@ static int32_t ends_of(const TinkerBlockBatch *batch, int32_t row)
 }
 
 /* The distances that the rows keep, where they do nothing else and say so; else NULL. (transfer full) */
-static double *distances_of(const TinkerConstraint *constraint, TinkerBatch *view)
+static double *distances_of(const TinkerBlockBatch *batch, TinkerBatch *view)
 {
+    const TinkerConstraint *constraint = batch->block_class->physics->constraint;
     if (constraint->distance == NULL || constraint->prescribed_rate != NULL) return NULL;
     if (constraint->rows != 1 || view->ends != 2) return NULL;
     g_autofree double *length = g_new0(double, view->count);
-    return constraint->distance(view, length) == TINKER_OK ? g_steal_pointer(&length) : NULL;
+    TinkerStatus status = TINKER_CALL_BATCH(batch, "distance", view, constraint->distance(view, length));
+    return status == TINKER_OK ? g_steal_pointer(&length) : NULL;
 }
 
 static void add_constraint_batch(TinkerModel *model, TinkerBlockBatch *batch)
@@ -35,7 +37,7 @@ static void add_constraint_batch(TinkerModel *model, TinkerBlockBatch *batch)
         .view = tinker_block_batch_view(batch, 0.0),
     };
     memcpy(added.view.origin, model->origin, sizeof(model->origin));
-    added.distances = distances_of(constraint, &added.view);
+    added.distances = distances_of(batch, &added.view);
     all->rows += added.row_count;
     all->entries += batch->end_count * constraint->rows;
     g_array_append_val(all->batches, added);
@@ -91,7 +93,8 @@ static void measure(TinkerModel *model, const TinkerConstraintBatch *part)
     TinkerConstraints *all = &model->constraints;
     double *scale = all->scales + part->first_row;
     TinkerBatch view = tinker_block_batch_view(part->batch, 0.0);
-    gboolean told = part->constraint->scale != NULL && part->constraint->scale(&view, scale) == TINKER_OK;
+    gboolean told = part->constraint->scale != NULL &&
+                    TINKER_CALL_BATCH(part->batch, "scale", &view, part->constraint->scale(&view, scale)) == TINKER_OK;
     for (int32_t row = part->first_row; row < part->first_row + part->row_count; row++) {
         all->inverse_scales[row] = 1.0 / all->scales[row];
         if (told && all->scales[row] > 0) continue;

@@ -26,7 +26,8 @@ static gboolean prepare(TinkerModel *model, TinkerBlockBatch *batch, GError **er
     const TinkerPhysics *physics = batch->block_class->physics;
     if (physics == NULL || physics->prepare == NULL) return TRUE;
     TinkerBatch view = tinker_block_batch_view(batch, 0.0);
-    return physics->prepare(&view) == TINKER_OK || refuse(model, batch, &view, error);
+    return TINKER_CALL_BATCH(batch, "prepare", &view, physics->prepare(&view)) == TINKER_OK ||
+           refuse(model, batch, &view, error);
 }
 
 /* Lines ---------------------------------------------------------------------------------------------------------- */
@@ -53,7 +54,9 @@ static gboolean add_linear_lines(TinkerModel *model, TinkerBlockBatch *batch, co
     gsize n = (gsize)batch->count;
     g_autofree double *values = g_new0(double, 4 * n);
     TinkerBatch view = tinker_block_batch_view(batch, 0.0);
-    if (law->linear(&view, values, values + n, values + 2 * n, values + 3 * n) != TINKER_OK) return FALSE;
+    if (TINKER_CALL_BATCH(batch, "linear", &view,
+                          law->linear(&view, values, values + n, values + 2 * n, values + 3 * n)) != TINKER_OK)
+        return FALSE;
     for (gsize i = 0; i < n; i++) {
         int32_t a = points[2 * i], b = points[2 * i + 1];
         if (a == b || (a >= model->bodies && b >= model->bodies && model->moving_supports == 0)) continue;
@@ -156,7 +159,8 @@ static gboolean add_linear_forces(TinkerModel *model, TinkerBlockBatch *batch, c
     g_autofree double *constant = g_new0(double, 2 * ends), *direction = g_new0(double, 2 * ends);
     g_autofree int32_t *columns = g_new0(int32_t, batch->count);
     TinkerBatch view = tinker_block_batch_view(batch, 0.0);
-    if (element->linear(&view, constant, direction, columns) != TINKER_OK) return FALSE;
+    if (TINKER_CALL_BATCH(batch, "linear", &view, element->linear(&view, constant, direction, columns)) != TINKER_OK)
+        return FALSE;
     for (int32_t row = 0; row < batch->count; row++) {
         for (int32_t e = batch->end_offsets[row]; e < batch->end_offsets[row + 1]; e++) {
             add_constant(model, points[e], constant + 2 * e);
@@ -175,7 +179,7 @@ static gboolean add_linear_fields(TinkerModel *model, TinkerBlockBatch *batch)
     if (field->linear == NULL) return FALSE;
     g_autofree TinkerLinearField *laws = g_new0(TinkerLinearField, batch->count);
     TinkerBatch view = tinker_block_batch_view(batch, 0.0);
-    if (field->linear(&view, laws) != TINKER_OK) return FALSE;
+    if (TINKER_CALL_BATCH(batch, "linear", &view, field->linear(&view, laws)) != TINKER_OK) return FALSE;
     for (int32_t row = 0; row < batch->count; row++) {
         for (int k = 0; k < 2; k++) {
             model->field_acceleration[k] += laws[row].acceleration[k];

@@ -54,11 +54,13 @@ static TinkerStatus ask_rows(TinkerModel *model, const TinkerConstraintBatch *pa
     int32_t from = offsets[view->first], rows = part->constraint->rows;
     int32_t first_row = part->first_row + view->first * rows;
     gather(model, part->end_points + from, offsets[view->first + view->count] - from);
-    TinkerStatus status =
+    TinkerStatus status = TINKER_CALL_BATCH(
+        part->batch, "rows_at", view,
         part->constraint->rows_at(view, all->ends, all->g + first_row,
-                                  all->jacobian + 2 * (part->first_entry + from * rows), all->drift + first_row);
+                                  all->jacobian + 2 * (part->first_entry + from * rows), all->drift + first_row));
     if (status == TINKER_OK && part->constraint->prescribed_rate != NULL) {
-        status = part->constraint->prescribed_rate(view, all->ends, all->rate + first_row);
+        status = TINKER_CALL_BATCH(part->batch, "prescribed_rate", view,
+                                   part->constraint->prescribed_rate(view, all->ends, all->rate + first_row));
         all->prescribed = TRUE;
     }
     return status;

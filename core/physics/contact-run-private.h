@@ -5,6 +5,7 @@
 #include "numerics/step-roots.h"
 #include "physics/contact-neighbours.h"
 #include "physics/contact-run.h"
+#include "physics/method-call.h"
 
 /* A polynomial follows so much of a swing (rad) to rounding. */
 #define TINKER_LONGEST_ARC 1.5

@@ -153,7 +153,7 @@ gboolean tinker_contact_run_start(TinkerContactRun *self, GError **error)
     if (self->model->constraints.unilateral == NULL && !tinker_contacts_touch(self->contacts)) return TRUE;
     if (!enter_plane(self, error)) return FALSE;
     if (!tinker_contact_run_change(self, &none, TINKER_TOUCHING, TINKER_START_SLOW, error)) return FALSE;
-    run->choice.method->restart(run->stepper);
+    tinker_method_restart(run->choice.method, run->stepper);
     return TRUE;
 }
 
@@ -178,7 +178,7 @@ gboolean tinker_contact_run_pass(TinkerContactRun *self, GError **error)
     if (!enter_plane(self, error)) return FALSE;
     if (!tinker_contact_run_change(self, &self->pending_trigger, tinker_contact_run_closed_gap(self), 0, error))
         return FALSE;
-    run->choice.method->restart(run->stepper);
+    tinker_method_restart(run->choice.method, run->stepper);
     return TRUE;
 }
 
@@ -296,7 +296,7 @@ static void go_back(TinkerContactRun *self)
     memcpy(run->state.q, self->from.q, bytes);
     memcpy(run->state.v, self->from.v, bytes);
     memcpy(run->state.books, self->from.books, (gsize)run->system.system.books * sizeof(double));
-    run->choice.method->restart(run->stepper);
+    tinker_method_restart(run->choice.method, run->stepper);
 }
 
 /* A trial of the time of an event: what the trigger's value was there. */
@@ -325,7 +325,7 @@ static TinkerStatus step_to_event(TinkerContactRun *self, const TinkerTrigger *t
         self->hint = trial.time;
         if (run->state.t != trial.time) {
             go_back(self);
-            status = run->choice.method->step(run->stepper, &run->state, trial.time, report);
+            status = tinker_method_step(run->choice.method, run->stepper, &run->state, trial.time, report);
         }
         if (status != TINKER_OK || run->state.t < trial.time) {
             self->hint_trigger = *trigger;
@@ -353,7 +353,7 @@ static TinkerStatus recall_start(TinkerContactRun *self)
     TinkerIslandRun *run = self->run;
     TinkerState start = {self->from.t, self->from.q, self->from.v, self->from.books};
     self->speed_bound = 0;
-    return run->choice.method->interpolate(run->stepper, start.t, start.q, start.v, start.books);
+    return tinker_method_interpolate(run->choice.method, run->stepper, start.t, start.q, start.v, start.books);
 }
 
 TinkerStatus tinker_contact_run_look(TinkerContactRun *self, TinkerStepReport *report)

@@ -30,7 +30,7 @@ TinkerStatus tinker_contact_run_state_at(TinkerContactRun *self, double t, doubl
         memcpy(self->node_u, ends[k]->v, bytes);
     }
     if (t != self->from.t && t != run->state.t)
-        status = run->choice.method->interpolate(run->stepper, t, self->node_x, self->node_u, NULL);
+        status = tinker_method_interpolate(run->choice.method, run->stepper, t, self->node_x, self->node_u, NULL);
     *q = self->node_x;
     *v = self->node_u;
     if (self->in_plane || run->q == run->state.q) return status;

@@ -46,7 +46,8 @@ static TinkerStatus asked_lines_energy(TinkerModel *model, const TinkerAskedBatc
             length[i] = hypot(b->x - a->x, b->y - a->y);
         }
         TinkerBatch view = tinker_model_view(model, batch, first, count, model->column_views);
-        if (batch->block_class->physics->line_law->energy(&view, length, stored) != TINKER_OK)
+        const TinkerLineLaw *law = batch->block_class->physics->line_law;
+        if (TINKER_CALL_BATCH(batch, "energy", &view, law->energy(&view, length, stored)) != TINKER_OK)
             return tinker_model_fail(model, batch, first + view.failed_instance, "energy", view.failure);
         for (int32_t i = 0; i < count; i++)
             *sum += stored[i];
@@ -65,7 +66,8 @@ static TinkerStatus asked_forces_energy(TinkerModel *model, const TinkerAskedBat
         for (int32_t e = 0; e < ends; e++)
             gathered[e] = model->point[asked->end_points[from + e]];
         TinkerBatch view = tinker_model_view(model, batch, first, count, model->column_views);
-        if (batch->block_class->physics->force_element->energy(&view, gathered, stored) != TINKER_OK)
+        const TinkerForceElement *element = batch->block_class->physics->force_element;
+        if (TINKER_CALL_BATCH(batch, "energy", &view, element->energy(&view, gathered, stored)) != TINKER_OK)
             return tinker_model_fail(model, batch, first + view.failed_instance, "energy", view.failure);
         for (int32_t i = 0; i < count; i++)
             *sum += stored[i];
@@ -79,7 +81,8 @@ static TinkerStatus asked_field_energy(TinkerModel *model, const TinkerAskedBatc
     TinkerBodies bodies = {sizeof(TinkerBodies), model->bodies, model->point, model->mass, 0, model->bodies};
     TinkerBatch view = tinker_model_view(model, batch, 0, batch->count, model->column_views);
     double potential = 0;
-    if (batch->block_class->physics->field->energy(&view, &bodies, &potential) != TINKER_OK)
+    const TinkerField *field = batch->block_class->physics->field;
+    if (TINKER_CALL_BATCH(batch, "energy", &view, field->energy(&view, &bodies, &potential)) != TINKER_OK)
         return tinker_model_fail(model, batch, view.failed_instance, "energy", view.failure);
     *sum += potential;
     return TINKER_OK;

@@ -104,7 +104,7 @@ static void start_off(TinkerIslandRun *run)
         run->state.q[i] += turn * extent;
         run->state.v[i] += turn * speed;
     }
-    run->choice.method->restart(run->stepper);
+    tinker_method_restart(run->choice.method, run->stepper);
 }
 
 static gboolean open_companion(TinkerEstimate *estimate, const GArray *columns)

@@ -91,7 +91,9 @@ gboolean tinker_motion_directions(const TinkerBlockBatch *batch, double *directi
 {
     const TinkerMotion *motion = batch->block_class->physics->motion;
     TinkerBatch view = tinker_block_batch_view((TinkerBlockBatch *)batch, 0.0);
-    if (motion->linear == NULL || motion->linear(&view, direction, columns) != TINKER_OK) return FALSE;
+    if (motion->linear == NULL ||
+        TINKER_CALL_BATCH(batch, "linear", &view, motion->linear(&view, direction, columns)) != TINKER_OK)
+        return FALSE;
     for (int32_t row = 0; row < batch->count; row++)
         if (tinker_block_batch_evaluator(batch, columns[row], row) == NULL) return FALSE;
     return TRUE;

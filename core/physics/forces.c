@@ -108,7 +108,8 @@ static TinkerStatus take_line_power(TinkerModel *model, const TinkerAskedBatch *
     if (asked->stores_energy) {
         double *zero = model->chunk + 6 * TINKER_CHUNK;
         memset(zero, 0, sizeof(double) * TINKER_CHUNK);
-        TinkerStatus status = law->tension(view, chunk->length, zero, chunk->still);
+        TinkerStatus status =
+            TINKER_CALL_BATCH(asked->batch, "tension", view, law->tension(view, chunk->length, zero, chunk->still));
         if (status != TINKER_OK) return status;
     }
     TinkerBook book = asked->batch->waveforms > 0 ? TINKER_BOOK_MOTORS : TINKER_BOOK_DAMPERS;

@@ -48,7 +48,9 @@ static void consider_linear(TinkerModel *model, TinkerBlockBatch *batch, gboolea
     const int32_t *points = tinker_model_end_points(model, batch);
     TinkerBatch view = tinker_block_batch_view(batch, 0.0);
     const TinkerLineLaw *law = batch->block_class->physics->line_law;
-    if (law->linear == NULL || law->linear(&view, values, values + n, values + 2 * n, values + 3 * n) != TINKER_OK)
+    if (law->linear == NULL ||
+        TINKER_CALL_BATCH(batch, "linear", &view,
+                          law->linear(&view, values, values + n, values + 2 * n, values + 3 * n)) != TINKER_OK)
         return;
     for (gsize row = 0; row < n; row++)
         consider_line(model, shape, blame, batch->ids[row], points[2 * row], points[2 * row + 1],

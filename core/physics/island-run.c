@@ -59,7 +59,7 @@ static gboolean open_stepper(TinkerIslandRun *run, GError **error)
     };
     if (method->flags & TINKER_INTEGRATOR_IMPLICIT) tinker_model_system_offer_jacobian(&run->system);
     if (!(method->flags & TINKER_INTEGRATOR_LINEAR) || run->system.system.linear != NULL)
-        run->stepper = method->create(&run->system.system, &options);
+        run->stepper = tinker_method_create(method, &run->system.system, &options);
     if (run->stepper != NULL) return TRUE;
     if (method->flags & TINKER_INTEGRATOR_LINEAR)
         g_set_error(
@@ -108,7 +108,7 @@ TinkerIslandRun *tinker_island_run_new(const TinkerIsland *island, const TinkerC
 void tinker_island_run_free(TinkerIslandRun *run)
 {
     if (run == NULL) return;
-    if (run->stepper != NULL) run->choice.method->destroy(run->stepper);
+    if (run->stepper != NULL) tinker_method_destroy(run->choice.method, run->stepper);
     tinker_model_system_clear(&run->system);
     tinker_contact_run_free(run->contacts);
     tinker_stability_watch_free(run->stability);
@@ -150,7 +150,7 @@ gboolean tinker_island_run_enter_plane(TinkerIslandRun *run, GError **error)
         run->state.q = run->q;
         run->state.v = run->v;
     }
-    run->choice.method->destroy(run->stepper);
+    tinker_method_destroy(run->choice.method, run->stepper);
     run->stepper = NULL;
     tinker_model_system_clear(&run->system);
     tinker_model_system_init(&run->system, run->model, NULL);
@@ -207,9 +207,9 @@ static gboolean is_hopeless(TinkerIslandRun *run, double step, double left)
 /* One step of the method, that ends where contacts change. */
 static TinkerStatus step_once(TinkerIslandRun *run, double limit, TinkerStepReport *report)
 {
-    if (run->contacts == NULL) return run->choice.method->step(run->stepper, &run->state, limit, report);
+    if (run->contacts == NULL) return tinker_method_step(run->choice.method, run->stepper, &run->state, limit, report);
     limit = tinker_contact_run_begin(run->contacts, limit);
-    TinkerStatus status = run->choice.method->step(run->stepper, &run->state, limit, report);
+    TinkerStatus status = tinker_method_step(run->choice.method, run->stepper, &run->state, limit, report);
     return status == TINKER_OK ? tinker_contact_run_look(run->contacts, report) : status;
 }
 
@@ -255,7 +255,7 @@ TinkerStatus tinker_island_run_state_at(TinkerIslandRun *run, double t, double *
     memcpy(x, run->state.q, bytes);
     memcpy(u, run->state.v, bytes);
     TinkerStatus status = TINKER_OK;
-    if (t != run->state.t) status = run->choice.method->interpolate(run->stepper, t, x, u, NULL);
+    if (t != run->state.t) status = tinker_method_interpolate(run->choice.method, run->stepper, t, x, u, NULL);
     if (!own) tinker_linear_form_expand(run->island->linear, x, u, q, v);
     if (status != TINKER_OK || t == run->state.t) return status;
     gboolean moved;

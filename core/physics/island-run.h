@@ -4,6 +4,7 @@
 
 #include "physics/books.h"
 #include "physics/islands.h"
+#include "physics/method-call.h"
 #include "physics/plan.h"
 #include "physics/sample-times.h"
 #include "physics/simulation.h"

@@ -43,7 +43,8 @@ static TinkerStatus element_force(TinkerJacobian *self, const TinkerAskedBatch *
 {
     TinkerModel *model = self->model;
     TinkerBatch view = tinker_model_view(model, asked->batch, row, 1, model->column_views);
-    TinkerStatus status = asked->batch->block_class->physics->force_element->force(&view, ends, force);
+    const TinkerForceElement *element = asked->batch->block_class->physics->force_element;
+    TinkerStatus status = TINKER_CALL_BATCH(asked->batch, "force", &view, element->force(&view, ends, force));
     if (status == TINKER_OK || status == TINKER_RETRY_SMALLER) return status;
     return tinker_model_fail(model, asked->batch, row, "force", view.failure);
 }
@@ -109,9 +110,10 @@ static TinkerStatus add_body_of_field(TinkerJacobian *self, const TinkerAskedBat
     for (int k = 0; k < 4; k++) {
         double step, *coordinate = coordinate_of(self, &model->point[body], k, &step), kept = *coordinate;
         *coordinate = kept - step;
-        TinkerStatus status = field->force(&view, &bodies, low);
+        TinkerStatus status = TINKER_CALL_BATCH(asked->batch, "force", &view, field->force(&view, &bodies, low));
         *coordinate = kept + step;
-        if (status == TINKER_OK) status = field->force(&view, &bodies, high);
+        if (status == TINKER_OK)
+            status = TINKER_CALL_BATCH(asked->batch, "force", &view, field->force(&view, &bodies, high));
         *coordinate = kept;
         if (status != TINKER_OK) return field_status(model, asked, &view, status);
         double fx = (high[0] - low[0]) / (2 * step), fy = (high[1] - low[1]) / (2 * step);
@@ -134,7 +136,8 @@ TinkerStatus tinker_jacobian_add_field(TinkerJacobian *self, const TinkerAskedBa
     double *jacobian = model->chunk; /* has room for 8 a body */
     TinkerBodies bodies = {sizeof(TinkerBodies), model->bodies, model->point, model->mass, 0, model->bodies};
     TinkerBatch view = tinker_model_view(model, asked->batch, 0, asked->batch->count, model->column_views);
-    status = field_status(model, asked, &view, field->derivatives(&view, &bodies, jacobian));
+    status = TINKER_CALL_BATCH(asked->batch, "derivatives", &view, field->derivatives(&view, &bodies, jacobian));
+    status = field_status(model, asked, &view, status);
     for (int32_t i = 0; i < model->bodies && status == TINKER_OK; i++) {
         tinker_jacobian_add(self, self->stiffness, i, self->diagonal[i], -1, jacobian + 8 * (gsize)i);
         tinker_jacobian_add(self, self->damping, i, self->diagonal[i], -1, jacobian + 8 * (gsize)i + 4);

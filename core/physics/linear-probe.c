@@ -60,7 +60,8 @@ static gboolean find_motion_in(const TinkerModel *model, TinkerBlockBatch *batch
     TinkerBatch view = tinker_block_batch_view(batch, model->time);
     for (int32_t row = 0; row < batch->count; row++) {
         if (batch->ids[row] != input->block) continue;
-        if (physics->motion->linear(&view, directions, columns) != TINKER_OK) return FALSE;
+        if (TINKER_CALL_BATCH(batch, "linear", &view, physics->motion->linear(&view, directions, columns)) != TINKER_OK)
+            return FALSE;
         input->is_motion = TRUE;
         input->unit = unit_of_column(batch->block_class, columns[row]);
         move_support(model, input, batch->end[batch->end_offsets[row]].block, directions + 2 * (gsize)row);

@@ -59,7 +59,9 @@ static TinkerStatus differentiate(Difference *d, int32_t slot, int axis)
                 if (e - batch->end_offsets[i] != slot) continue;
                 *(axis == 0 ? &d->ends[e].x : &d->ends[e].y) += k * step_of(d, i);
             }
-        TinkerStatus status = d->part->constraint->rows_at(&d->part->view, d->ends, d->g, d->jacobian, d->drift);
+        TinkerStatus status =
+            TINKER_CALL_BATCH(batch, "rows_at", &d->part->view,
+                              d->part->constraint->rows_at(&d->part->view, d->ends, d->g, d->jacobian, d->drift));
         if (status != TINKER_OK) return status;
         for (int32_t e = 0; e < 2 * entries; e++)
             d->column[e] += weights[k + 3] * d->jacobian[e];

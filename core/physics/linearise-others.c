@@ -58,7 +58,8 @@ static TinkerStatus field_forces(TinkerModel *model, const TinkerAskedBatch *ask
     const TinkerBlockBatch *batch = asked->batch;
     TinkerBodies bodies = {sizeof(TinkerBodies), model->bodies, model->point, model->mass, 0, model->bodies};
     TinkerBatch view = tinker_model_view(model, batch, 0, batch->count, model->column_views);
-    TinkerStatus status = batch->block_class->physics->field->force(&view, &bodies, force);
+    const TinkerField *field = batch->block_class->physics->field;
+    TinkerStatus status = TINKER_CALL_BATCH(batch, "force", &view, field->force(&view, &bodies, force));
     if (status == TINKER_OK || status == TINKER_RETRY_SMALLER) return status;
     return tinker_model_fail(model, batch, view.failed_instance, "force", view.failure);
 }

@@ -60,7 +60,9 @@ static void add_field(TinkerModel *model, const TinkerAskedBatch *asked, gboolea
     double *jacobian = model->chunk; /* has room for 8 a body */
     TinkerBodies bodies = {sizeof(TinkerBodies), model->bodies, model->point, model->mass, 0, model->bodies};
     TinkerBatch view = tinker_model_view(model, batch, 0, batch->count, model->column_views);
-    if (field->derivatives == NULL || field->derivatives(&view, &bodies, jacobian) != TINKER_OK) return;
+    if (field->derivatives == NULL ||
+        TINKER_CALL_BATCH(batch, "derivatives", &view, field->derivatives(&view, &bodies, jacobian)) != TINKER_OK)
+        return;
     for (int32_t i = 0; i < model->bodies; i++) {
         const double *j = jacobian + 8 * (gsize)i + (damping ? 4 : 0);
         force[2 * i] += j[0] * d[2 * i] + j[1] * d[2 * i + 1];

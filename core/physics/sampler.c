@@ -179,7 +179,8 @@ static TinkerGraphInput input_of(TinkerSampler *sampler, TinkerBlockBatch *batch
         input.contacts = sampler->contacts;
     }
     if (physics != NULL && physics->force_element != NULL &&
-        physics->force_element->force(view, sampler->ends, sampler->forces) == TINKER_OK)
+        TINKER_CALL_BATCH(batch, "force", view, physics->force_element->force(view, sampler->ends, sampler->forces)) ==
+            TINKER_OK)
         input.forces = sampler->forces;
     if (physics != NULL && physics->field != NULL) {
         input.bodies = sampler->bodies;
@@ -235,7 +236,9 @@ TinkerStatus tinker_sampler_values(TinkerSampler *sampler, double t, const doubl
             if (last->end_count > 0) memcpy(view.origin, model->origin, sizeof(model->origin));
             input = input_of(sampler, last, &view);
         }
-        if (last->block_class->graph->values(&view, &input, wanted->quantity, sampler->values) != TINKER_OK)
+        const TinkerGraph *graph = last->block_class->graph;
+        if (TINKER_CALL_BATCH(last, "values", &view, graph->values(&view, &input, wanted->quantity, sampler->values)) !=
+            TINKER_OK)
             return tinker_model_fail(model, last, view.failed_instance,
                                      last->block_class->quantities[wanted->quantity].id, view.failure);
         for (guint k = 0; k < wanted->rows->len; k++) {

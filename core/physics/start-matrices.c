@@ -140,7 +140,8 @@ static gboolean evaluate_moved(Geometry *work, int32_t slot, int k, double sign,
     }
     TinkerBatch view = part->view;
     view.time = 0;
-    return part->constraint->rows_at(&view, work->ends, work->g, jacobian, work->drift) == TINKER_OK;
+    return TINKER_CALL_BATCH(part->batch, "rows_at", &view,
+                             part->constraint->rows_at(&view, work->ends, work->g, jacobian, work->drift)) == TINKER_OK;
 }
 
 static void add_entry(Geometry *work, int32_t on, int d, int32_t of, int k, double stiffness)

@@ -37,7 +37,8 @@ static gboolean check_positions(TinkerModel *model, GError **error)
     for (guint i = 0; i < all->batches->len; i++) {
         const TinkerConstraintBatch *part = &g_array_index(all->batches, TinkerConstraintBatch, i);
         TinkerBatch view = tinker_block_batch_view(part->batch, 0.0);
-        if (part->constraint->check != NULL && part->constraint->check(&view) != TINKER_OK) {
+        if (part->constraint->check != NULL &&
+            TINKER_CALL_BATCH(part->batch, "check", &view, part->constraint->check(&view)) != TINKER_OK) {
             g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_SCENE, "%s: %s",
                         tinker_scene_block_name(
                             model->scene, part->batch->ids[CLAMP(view.failed_instance, 0, part->batch->count - 1)]),

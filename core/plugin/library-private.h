@@ -6,7 +6,7 @@
 #include "plugin/identity-private.h"
 
 /* A library that has passed. Lives as long as the process, as does everything it shows. */
-typedef struct {
+typedef struct TinkerLibrary {
     char *path;
     TinkerIdentity identity;    /* of the file when it was opened */
     const TinkerPlugin *plugin; /* a copy of the host's size; its spans are the plugin's own */
@@ -14,10 +14,14 @@ typedef struct {
     const TinkerBlockClass *const *classes;
     int32_t integrator_count;
     const TinkerIntegrator *integrators; /* copies of the host's size */
+    const struct TinkerLibrary *next;    /* the one opened before it */
 } TinkerLibrary;
 
 /* Opens the library at this absolute path, or answers the one that this process opened earlier. Runs the plugin's code.
  * NULL with _REFUSED (the message is the reason alone, without the path) or _FILE. (transfer none) */
 const TinkerLibrary *tinker_library_open(const char *path, GError **error);
+
+/* The plugin that a method is of; NULL where it is of none. Locks nothing, so that a handler of signals may ask. */
+const TinkerPlugin *tinker_library_plugin_of_method(const TinkerIntegrator *method);
 
 #endif

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "plugin/block-class-private.h"
+#include "plugin/call.h"
 #include "plugin/copy-private.h"
 #include "plugin/host-services-private.h"
 #include "plugin/refuse-private.h"
@@ -25,6 +26,9 @@ typedef struct {
 
 static GMutex records_mutex;
 static GHashTable *records; /* path to Record */
+
+/* The libraries that have passed, the last first. Only ever prepended to. */
+static const TinkerLibrary *passed; /* atomic */
 
 /* The entry, whose name carries the major version: a plugin for another one exports another name. */
 static Entry find_entry(GModule *module, GError **error)
@@ -192,7 +196,9 @@ static gboolean call_init(Record *record, GError **error)
 {
     const TinkerPlugin *plugin = record->library.plugin;
     tinker_plugin_host_init(&record->host, plugin->id);
-    const TinkerStatus status = plugin->init == NULL ? TINKER_OK : plugin->init(&record->host.host);
+    const TinkerStatus status = plugin->init == NULL ? TINKER_OK
+                                                     : TINKER_CALL(plugin->init(&record->host.host), .phase = "init",
+                                                                   .path = record->library.path);
     if (status == TINKER_OK) return TRUE;
     return tinker_refuse(error, "its init answered %d, %d (ready) was expected", status, TINKER_OK);
 }
@@ -202,7 +208,8 @@ static gboolean check_library(Record *record, GModule *module, GError **error)
 {
     const Entry entry = find_entry(module, error);
     if (entry == NULL) return FALSE;
-    const TinkerPlugin *own = entry();
+    const TinkerPlugin *own;
+    TINKER_CALL_VOID(own = entry(), .phase = TINKER_ENTRY_SYMBOL, .path = record->library.path);
     if (!check_magic(own, error) || !check_sizes(own, error) || !check_minors(own, error) ||
         !check_services(own, record->arena, error) || !check_plugin_texts(own, error))
         return FALSE;
@@ -213,7 +220,8 @@ static gboolean check_library(Record *record, GModule *module, GError **error)
 static GModule *map_library(const char *path, GError **error)
 {
     // Bound at once and for itself alone: a missing symbol is found now, and plugins cannot see one another's.
-    GModule *module = g_module_open(path, G_MODULE_BIND_LOCAL);
+    GModule *module;
+    TINKER_CALL_VOID(module = g_module_open(path, G_MODULE_BIND_LOCAL), .phase = "dlopen", .path = path);
     if (module != NULL) return module;
     const char *reason = g_module_error();
     if (reason != NULL && g_str_has_prefix(reason, path)) reason += strlen(path) + strspn(reason + strlen(path), ": ");
@@ -236,6 +244,9 @@ static Record *open_record(const char *path, GError **error)
     if (!check_library(record, module, &reason)) {
         record->refused = g_strdup(reason->message);
         g_ptr_array_set_size(record->arena, 0);
+    } else {
+        record->library.next = passed;
+        g_atomic_pointer_set(&passed, &record->library);
     }
     return record;
 }
@@ -271,4 +282,13 @@ const TinkerLibrary *tinker_library_open(const char *path, GError **error)
     const TinkerLibrary *library = open_locked(path, error);
     g_mutex_unlock(&records_mutex);
     return library;
+}
+
+const TinkerPlugin *tinker_library_plugin_of_method(const TinkerIntegrator *method)
+{
+    for (const TinkerLibrary *library = g_atomic_pointer_get(&passed); library != NULL; library = library->next) {
+        for (int32_t i = 0; i < library->integrator_count; i++)
+            if (&library->integrators[i] == method) return library->plugin;
+    }
+    return NULL;
 }

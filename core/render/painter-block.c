@@ -71,7 +71,8 @@ gboolean tinker_piece_box(const TinkerPiece *piece, const TinkerStyle *style, do
     box[0] = box[1] = INFINITY;
     box[2] = box[3] = -INFINITY;
     if (render && render->bounds)
-        render->bounds(&piece->instance, style, box);
+        TINKER_CALL_VOID(render->bounds(&piece->instance, style, box), .phase = "bounds",
+                         .block_class = piece->block_class, .instance = &piece->instance);
     else
         default_box(piece, style, box);
     return tinker_style_finite(box, 4) && box[0] <= box[2] && box[1] <= box[3];
@@ -135,7 +136,8 @@ void tinker_piece_draw(const TinkerPiece *piece, cairo_t *cairo, const TinkerSty
     cairo_save(cairo);
     cairo_new_path(cairo);
     if (render && render->draw)
-        render->draw(&piece->instance, cairo, style);
+        TINKER_CALL_VOID(render->draw(&piece->instance, cairo, style), .phase = "draw",
+                         .block_class = piece->block_class, .instance = &piece->instance);
     else
         draw_plain(piece, cairo, style);
     cairo_new_path(cairo);

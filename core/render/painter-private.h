@@ -2,6 +2,7 @@
 #ifndef TINKER_RENDER_PAINTER_PRIVATE_H
 #define TINKER_RENDER_PAINTER_PRIVATE_H
 
+#include "plugin/call.h"
 #include "render/painter.h"
 #include "render/style-private.h"
 

@@ -156,7 +156,9 @@ static void draw_handles(TinkerPicture *picture)
         tinker_piece_init(&piece, picture->frame, block);
         if (!piece.block_class || !piece.block_class->edit || !piece.block_class->edit->handles) continue;
         TinkerHandle handles[MOST_HANDLES];
-        int32_t count = piece.block_class->edit->handles(&piece.instance, handles, MOST_HANDLES);
+        const TinkerEdit *edit = piece.block_class->edit;
+        int32_t count = TINKER_CALL_INSTANCE(piece.block_class, "handles", &piece.instance,
+                                             edit->handles(&piece.instance, handles, MOST_HANDLES));
         for (int32_t n = 0; n < MIN(count, MOST_HANDLES); n++)
             style->box(style, picture->cairo, TINKER_COLOUR_SELECTED, TINKER_COLOUR_BODY_EDGE, handles[n].x,
                        handles[n].y, 2 * half, 2 * half, 0);

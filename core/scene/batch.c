@@ -110,6 +110,7 @@ static TinkerBlockBatch *block_batch_new(TinkerScene *scene, const TinkerSceneTa
 {
     TinkerBlockBatch *batch = g_new0(TinkerBlockBatch, 1);
     const TinkerBlockClass *block_class = table->block_class;
+    batch->scene = scene;
     batch->block_class = block_class;
     batch->count = count;
     copy_columns(batch, table, rows);
@@ -131,6 +132,12 @@ GPtrArray *tinker_batches_new(TinkerScene *scene, const gboolean *include)
         if (count > 0) g_ptr_array_add(batches, block_batch_new(scene, &table, rows, count));
     }
     return batches;
+}
+
+const char *tinker_block_batch_name(const void *source, int32_t row)
+{
+    const TinkerBlockBatch *batch = source;
+    return row >= 0 && row < batch->count ? tinker_scene_block_name(batch->scene, batch->ids[row]) : NULL;
 }
 
 TinkerBatch tinker_block_batch_view(TinkerBlockBatch *batch, double t)

@@ -5,12 +5,14 @@
 #ifndef TINKER_CORE_BATCH_H
 #define TINKER_CORE_BATCH_H
 
+#include "plugin/call.h"
 #include "scene/scene.h"
 
 typedef struct _TinkerBlockBatch TinkerBlockBatch;
 
 /* All blocks of one class. The members are read-only to others. */
 struct _TinkerBlockBatch {
+    const TinkerScene *scene; /* borrowed */
     const TinkerBlockClass *block_class;
     int32_t count;
     TinkerBlockId *ids;
@@ -32,6 +34,14 @@ GPtrArray *tinker_batches_new(TinkerScene *scene, const gboolean *include);
 
 /* The view of a whole batch that plugins get, at time t. */
 TinkerBatch tinker_block_batch_view(TinkerBlockBatch *batch, double t);
+
+/* The name of the block in a row; what TinkerPluginCall.name wants. */
+const char *tinker_block_batch_name(const void *batch, int32_t row);
+
+/* Every call of a plugin about a batch: an expression of its answer. `function` names what is called, in messages. */
+#define TINKER_CALL_BATCH(blocks, function, view, call)                                                                \
+    TINKER_CALL(call, .phase = (function), .block_class = (blocks)->block_class, .batch = (view),                      \
+                .name = tinker_block_batch_name, .source = (blocks))
 
 /* The entry of a block's row that has a meaning (TINKER_MEANING_...), by component; `otherwise` where no property has it. */
 double tinker_block_batch_meaning(const TinkerBlockBatch *batch, int32_t row, int32_t meaning, int32_t component,

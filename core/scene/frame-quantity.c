@@ -4,6 +4,8 @@
 
 #include <math.h>
 
+#include "plugin/call.h"
+
 /* A batch of one, and the memory that it points to. */
 typedef struct {
     TinkerBatch batch;
@@ -58,6 +60,15 @@ static void fill_batch(Single *single, const TinkerFrame *frame, const TinkerBlo
     };
 }
 
+static const char *name_of_single(const void *name, int32_t row)
+{
+    return name;
+}
+
+#define CALL_SINGLE(block_name, function, call)                                                                        \
+    TINKER_CALL(call, .phase = (function), .block_class = block_class, .batch = &single.batch, .name = name_of_single, \
+                .source = (block_name))
+
 gboolean tinker_frame_quantity(TinkerFrame *frame, TinkerBlockId block, int32_t quantity, double *value)
 {
     TinkerInstance instance;
@@ -68,17 +79,21 @@ gboolean tinker_frame_quantity(TinkerFrame *frame, TinkerBlockId block, int32_t 
     if (!fill_points(&single, frame, block, &instance)) return FALSE;
     fill_batch(&single, frame, block_class, &instance);
     const TinkerPhysics *physics = block_class->physics;
-    if (physics != NULL && physics->prepare != NULL && physics->prepare(&single.batch) != TINKER_OK) return FALSE;
+    if (physics != NULL && physics->prepare != NULL &&
+        CALL_SINGLE(instance.name, "prepare", physics->prepare(&single.batch)) != TINKER_OK)
+        return FALSE;
 
     TinkerGraphInput input = {.struct_size = sizeof(TinkerGraphInput), .ends = single.points};
     if (physics != NULL && physics->force_element != NULL) {
         single.forces = g_new0(double, 2 * (gsize)single.point_count);
-        if (physics->force_element->force(&single.batch, single.points, single.forces) == TINKER_OK)
+        if (CALL_SINGLE(instance.name, "force",
+                        physics->force_element->force(&single.batch, single.points, single.forces)) == TINKER_OK)
             input.forces = single.forces;
     }
     double result = NAN;
-    if (block_class->graph->values(&single.batch, &input, quantity, &result) != TINKER_OK || !isfinite(result))
-        return FALSE;
+    TinkerStatus status =
+        CALL_SINGLE(instance.name, "values", block_class->graph->values(&single.batch, &input, quantity, &result));
+    if (status != TINKER_OK || !isfinite(result)) return FALSE;
     *value = result;
     return TRUE;
 }

@@ -108,7 +108,7 @@ static gboolean prepare_motions(TinkerFrame *frame, GError **error)
         const TinkerPhysics *physics = batch->block_class->physics;
         if (physics == NULL || physics->motion == NULL || physics->prepare == NULL) continue;
         TinkerBatch view = tinker_block_batch_view(batch, 0.0);
-        if (physics->prepare(&view) == TINKER_OK) continue;
+        if (TINKER_CALL_BATCH(batch, "prepare", &view, physics->prepare(&view)) == TINKER_OK) continue;
         g_set_error(error, TINKER_SCENE_ERROR, TINKER_SCENE_ERROR_VALUE, "%s: %s",
                     tinker_scene_block_name(frame->scene, batch->ids[CLAMP(view.failed_instance, 0, batch->count - 1)]),
                     view.failure != NULL ? view.failure : "its plugin refuses these properties");

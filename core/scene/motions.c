@@ -70,7 +70,8 @@ static gboolean add_batch(TinkerMotions *motions, TinkerBlockBatch *batch, doubl
     double *velocity = displacement + 2 * batch->count, *acceleration = velocity + 2 * batch->count;
     tinker_block_batch_set_time(batch, t);
     TinkerBatch view = tinker_block_batch_view(batch, t);
-    if (motion_of(batch)->motion(&view, displacement, velocity, acceleration) != TINKER_OK) {
+    if (TINKER_CALL_BATCH(batch, "motion", &view,
+                          motion_of(batch)->motion(&view, displacement, velocity, acceleration)) != TINKER_OK) {
         motions->failed = batch->ids[CLAMP(view.failed_instance, 0, batch->count - 1)];
         return FALSE;
     }

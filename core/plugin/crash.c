@@ -1,0 +1,209 @@
+/* The handler of crashes. Its parts run in this order: who was at work, what is kept, the message, the signal again.
+ * A second fault on the way (the memory may be broken) cuts off the part it happens in, not those that follow. */
+#include "plugin/crash.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <signal.h>
+#include <stdlib.h>
+#include <string.h>
+#include <ucontext.h>
+#include <unistd.h>
+
+#include "plugin/crash-text-private.h"
+
+#define STACK_BYTES 65536
+/* A fault this near to the stack pointer, in bytes, is the stack running into its guard page. */
+#define NEAR_STACK 65536
+
+_Thread_local const TinkerPluginCall *volatile tinker_plugin_call;
+
+static _Thread_local char handler_stack[STACK_BYTES];
+
+static const int signals[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
+static const char *const signal_names[] = {"SIGSEGV", "SIGBUS", "SIGFPE", "SIGILL", "SIGABRT"};
+static struct sigaction before[G_N_ELEMENTS(signals)];
+
+static char program_name[64], note_path[4096];
+static const TinkerCrashRecord *volatile kept;
+
+/* Of the one crash that is told; a second thread that crashes meanwhile waits for the end. */
+static gint under_way; /* atomic */
+static _Thread_local volatile sig_atomic_t stage;
+static TinkerCrashText message;
+
+/* What is left to be done ------------------------------------------------------------------------------------------- */
+
+static gboolean write_all(int file, const char *text, gsize size)
+{
+    while (size > 0) {
+        const gssize written = write(file, text, size);
+        if (written < 0 && errno == EINTR) continue;
+        if (written <= 0) return FALSE;
+        text += written;
+        size -= (gsize)written;
+    }
+    return TRUE;
+}
+
+/* Writes out the lines that are whole, once, and says where they are. */
+static void save_record(void)
+{
+    const TinkerCrashRecord *record = kept;
+    kept = NULL;
+    if (record == NULL) return;
+    const gboolean saved = write_all(record->file, record->text, record->size);
+    tinker_crash_text_add(&message, saved ? "; what was recorded up to then is in "
+                                          : "; what was recorded could not be written to ");
+    tinker_crash_text_add(&message, record->name);
+}
+
+static void tell(void)
+{
+    tinker_crash_text_add(&message, "\n");
+    (void)write_all(STDERR_FILENO, message.text, message.length);
+    if (note_path[0] == '\0') return;
+    const int file = open(note_path, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NOFOLLOW, 0600);
+    if (file < 0) return;
+    (void)write_all(file, message.text, message.length);
+    close(file);
+}
+
+static void begin_message(void)
+{
+    message.length = 0;
+    tinker_crash_text_add(&message, program_name);
+    tinker_crash_text_add(&message, ": ");
+}
+
+/* Signals ----------------------------------------------------------------------------------------------------------- */
+
+static gsize number_of(int signal_number)
+{
+    gsize number = 0;
+    while (number + 1 < G_N_ELEMENTS(signals) && signals[number] != signal_number)
+        number++;
+    return number;
+}
+
+/* Whether a fault lies where the stack of the thread ended. */
+static gboolean is_stack_overflow(int signal_number, const siginfo_t *info, const void *context)
+{
+    if (signal_number != SIGSEGV && signal_number != SIGBUS) return FALSE;
+    const ucontext_t *at = context;
+#if defined(__x86_64__)
+    const guintptr stack = (guintptr)at->uc_mcontext.gregs[REG_RSP];
+#elif defined(__aarch64__)
+    const guintptr stack = (guintptr)at->uc_mcontext.sp;
+#else
+    const guintptr stack = 0;
+#endif
+    const guintptr fault = (guintptr)info->si_addr;
+    return stack != 0 && fault + NEAR_STACK > stack && fault < stack + NEAR_STACK && info->si_code > 0;
+}
+
+static void compose(int signal_number, const siginfo_t *info, const void *context)
+{
+    char what[64] = " crashed (";
+    strcat(what, signal_names[number_of(signal_number)]);
+    strcat(what, is_stack_overflow(signal_number, info, context) ? ", its stack overflowed)" : ")");
+    begin_message();
+    const TinkerPluginCall *call = tinker_plugin_call;
+    if (call != NULL) {
+        tinker_crash_text_add_call(&message, call, what);
+        return;
+    }
+    tinker_crash_text_add(&message, "tinker itself");
+    tinker_crash_text_add(&message, what);
+}
+
+G_NORETURN static void wait_for_end(void)
+{
+    for (;;)
+        pause();
+}
+
+static void on_signal(int signal_number, siginfo_t *info, void *context)
+{
+    if (stage == 0 && !g_atomic_int_compare_and_exchange(&under_way, 0, 1)) wait_for_end();
+    // A fault in one part comes here again, and goes on with the next.
+    while (stage < 3) {
+        switch (++stage) {
+        case 1:
+            compose(signal_number, info, context);
+            break;
+        case 2:
+            save_record();
+            break;
+        case 3:
+            tell();
+            break;
+        }
+    }
+    // What comes now goes to the handlers before ours, in the end to the system's, which ends the process.
+    for (gsize i = 0; i < G_N_ELEMENTS(signals); i++)
+        sigaction(signals[i], &before[i], NULL);
+    // A fault happens again on return; what was sent has to be sent again.
+    if (info->si_code <= 0) raise(signal_number);
+}
+
+void tinker_crash_end(int signal_number)
+{
+    if (!g_atomic_int_compare_and_exchange(&under_way, 0, 1)) wait_for_end();
+    stage = 3;
+    begin_message();
+    if (tinker_plugin_call != NULL)
+        tinker_crash_text_add_call(&message, tinker_plugin_call, " was interrupted");
+    else
+        tinker_crash_text_add(&message, "interrupted");
+    save_record();
+    tell();
+    signal(signal_number, SIG_DFL);
+    raise(signal_number);
+}
+
+/* The end of the process -------------------------------------------------------------------------------------------- */
+
+/* A plugin that ends the process would end it with its own status, as if the run were done. */
+static void on_exit_called(void)
+{
+    const TinkerPluginCall *call = tinker_plugin_call;
+    if (call == NULL || !g_atomic_int_compare_and_exchange(&under_way, 0, 1)) return;
+    begin_message();
+    tinker_crash_text_add_call(&message, call, " called exit()");
+    save_record();
+    tell();
+    _exit(1);
+}
+
+/* Public ------------------------------------------------------------------------------------------------------------ */
+
+void tinker_crash_watch_thread(void)
+{
+    stack_t present = {0};
+    // Somebody else's (a sanitizer's) is as good, and it is theirs to free.
+    if (sigaltstack(NULL, &present) == 0 && (present.ss_flags & SS_DISABLE) == 0) return;
+    const stack_t own = {.ss_sp = handler_stack, .ss_size = sizeof handler_stack};
+    sigaltstack(&own, NULL);
+}
+
+void tinker_crash_watch(const char *program)
+{
+    g_strlcpy(program_name, program, sizeof program_name);
+    tinker_crash_watch_thread();
+    struct sigaction action = {.sa_sigaction = on_signal, .sa_flags = SA_SIGINFO | SA_ONSTACK | SA_NODEFER};
+    sigemptyset(&action.sa_mask);
+    for (gsize i = 0; i < G_N_ELEMENTS(signals); i++)
+        sigaction(signals[i], &action, &before[i]);
+    atexit(on_exit_called);
+}
+
+void tinker_crash_keep(const TinkerCrashRecord *record)
+{
+    kept = record;
+}
+
+void tinker_crash_set_note(const char *path)
+{
+    g_strlcpy(note_path, path != NULL ? path : "", sizeof note_path);
+}

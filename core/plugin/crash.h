@@ -1,0 +1,44 @@
+/* When a plugin crashes in the middle of its work, the process cannot go on: its memory may be in any state. But it can
+ * say who was at work, and keep what was recorded.
+ *
+ * tinker_crash_watch() sets a handler for SIGSEGV, SIGBUS, SIGFPE, SIGILL and SIGABRT. It writes one line to standard
+ * error (plugin, signal, function, blocks, time), writes out the record that is being kept, and raises the signal
+ * again, so that the process ends as it would have. Likewise where a plugin calls exit(): the process then ends with
+ * status 1, whatever the plugin asked for. Nothing can be done about _exit() and SIGKILL.
+ *
+ * What runs in the handler calls async-signal-safe functions alone (signal-safety(7)), allocates nothing and locks
+ * nothing. */
+#ifndef TINKER_CORE_CRASH_H
+#define TINKER_CORE_CRASH_H
+
+#include <glib.h>
+
+/* For the whole process, once, at the start of a program; `program` is the name before the message (copied). Also
+ * watches this thread. */
+void tinker_crash_watch(const char *program);
+
+/* Gives the calling thread a stack of its own for the handler, so that a stack overflow can be told: for the first
+ * lines of every other thread that calls plugins. */
+void tinker_crash_watch_thread(void);
+
+/* A record that is being written: text that is already made, but not yet in the file. */
+typedef struct {
+    const char *name; /* of the file, for the message */
+    int file;         /* descriptor */
+    const char *text;
+    gsize size; /* bytes of `text` that are whole lines */
+} TinkerCrashRecord;
+
+/* For a handler of a signal that asks the process to end (SIGINT, SIGTERM) and that cannot wait for what is under way, such
+ * as a plugin that never comes back: says who is at work on this thread, writes out the record, and ends by that signal. */
+void tinker_crash_end(int signal_number);
+
+/* Has the handler write out this record; NULL: none. One at a time; the record is borrowed until then, and its text is
+ * changed only while none is kept. */
+void tinker_crash_keep(const TinkerCrashRecord *record);
+
+/* Has the handler write its message to this file as well (created with mode 0600), for the next start to read.
+ * NULL: no file. The path is copied. */
+void tinker_crash_set_note(const char *path);
+
+#endif
