@@ -1,16 +1,26 @@
-/* The record of a run, written as CSV while it runs. */
+/* The record of a run, written as CSV while it runs.
+ *
+ * Rows are gathered and go to the file some at a time: when 64 KiB have come together, or 0.2 s after those before. What
+ * is in the file always ends with a whole row. What is not yet there when a plugin crashes is written by the handler
+ * (plugin/crash.h), so that no row is lost then; a process that is killed from outside loses the last 0.2 s. */
 #ifndef TINKER_CLI_CSV_RECORD_H
 #define TINKER_CLI_CSV_RECORD_H
 
 #include "csv-writer.h"
 #include "output.h"
 #include "physics/simulation.h"
+#include "plugin/crash.h"
 
 typedef struct {
     TinkerOutput output;
     TinkerCsvWriter writer;
     guint columns;
     double last_time; /* of the rows written */
+    FILE *rows;       /* gathers rows in memory: */
+    char *text;
+    size_t size;
+    gint64 flushed; /* µs, monotonic: when rows last went to the file */
+    TinkerCrashRecord rescue;
 } TinkerCsvRecord;
 
 /* Opens the file and writes the header: "time [s]", then "NAME.QUANTITY [UNIT]" of every column. `scene_path` is the

@@ -6,6 +6,7 @@
 
 #include "exit-status.h"
 #include "options.h"
+#include "plugin/crash.h"
 #include "verbs.h"
 
 typedef struct {
@@ -102,5 +103,6 @@ static int dispatch(int argc, char **argv)
 
 int main(int argc, char **argv)
 {
+    tinker_crash_watch("tinker");
     return finish(dispatch(argc, argv));
 }

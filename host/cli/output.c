@@ -56,9 +56,22 @@ gboolean tinker_output_open(TinkerOutput *output, const char *path, const char *
     return TRUE;
 }
 
+static int reason_of(const TinkerOutput *output)
+{
+    if (output->reason != 0) return output->reason;
+    return errno != 0 ? errno : EIO;
+}
+
+void tinker_output_flush(TinkerOutput *output, const char *text, gsize size)
+{
+    errno = 0;
+    const gboolean fine = fwrite(text, 1, size, output->file) == size && fflush(output->file) == 0;
+    if (!fine && output->reason == 0) output->reason = errno;
+}
+
 gboolean tinker_output_check(const TinkerOutput *output, GError **error)
 {
-    return ferror(output->file) ? fail(output->name, errno != 0 ? errno : EIO, error) : TRUE;
+    return ferror(output->file) ? fail(output->name, reason_of(output), error) : TRUE;
 }
 
 gboolean tinker_output_close(TinkerOutput *output, GError **error)
@@ -69,7 +82,7 @@ gboolean tinker_output_close(TinkerOutput *output, GError **error)
     int failed = ferror(file);
     errno = 0;
     if ((file == stdout ? fflush(file) : fclose(file)) != 0) failed = 1;
-    gboolean fine = failed ? fail(output->name, errno != 0 ? errno : EIO, error) : TRUE;
+    gboolean fine = failed ? fail(output->name, reason_of(output), error) : TRUE;
     g_clear_pointer(&output->name, g_free);
     return fine;
 }

@@ -8,6 +8,7 @@
 typedef struct {
     FILE *file; /* NULL: none is open */
     char *name; /* as messages call it; owned */
+    int reason; /* errno of the first write that was seen to fail; 0: none */
 } TinkerOutput;
 
 /* Opens a file for writing; "-" is standard output. `input` (may be NULL) is a file that must not be overwritten: the
@@ -17,6 +18,9 @@ gboolean tinker_output_open(TinkerOutput *output, const char *path, const char *
 /* Writes out what is buffered and closes; nothing where none is open. TINKER_CLI_ERROR_FILE where that, or any write
  * before it, failed. */
 gboolean tinker_output_close(TinkerOutput *output, GError **error);
+
+/* Writes text, and out what is buffered; what goes wrong is told by tinker_output_check and tinker_output_close. */
+void tinker_output_flush(TinkerOutput *output, const char *text, gsize size);
 
 /* Sets TINKER_CLI_ERROR_FILE if a write has failed. */
 gboolean tinker_output_check(const TinkerOutput *output, GError **error);

@@ -5,21 +5,27 @@
 #include <stdio.h>
 #include <unistd.h>
 
+#include "plugin/crash.h"
+
 #define FIRST_SHOWN_AFTER (G_USEC_PER_SEC)
 #define SHOWN_EVERY       (G_USEC_PER_SEC / 5)
 
 static volatile sig_atomic_t interrupted;
 
-static void remember_interrupt(int number)
+/* The first Ctrl-C lets the run end well. Who asks again, or asks with SIGTERM, does not wait for a plugin that may never
+ * come back. */
+static void on_signal(int number)
 {
+    if (interrupted || number != SIGINT) tinker_crash_end(number);
     interrupted = 1;
 }
 
 void tinker_progress_catch_interrupt(void)
 {
-    struct sigaction action = {.sa_handler = remember_interrupt, .sa_flags = (int)SA_RESETHAND};
+    struct sigaction action = {.sa_handler = on_signal};
     sigemptyset(&action.sa_mask);
     sigaction(SIGINT, &action, NULL);
+    sigaction(SIGTERM, &action, NULL);
 }
 
 gboolean tinker_progress_interrupted(void *data)

@@ -1,6 +1,8 @@
 /* A piece of work is shared by its thread, its owner and the message that it is done, and freed by whichever lets go last. */
 #include "background.h"
 
+#include "plugin/crash.h"
+
 struct _TinkerBackground {
     gatomicrefcount references;
     const TinkerBackgroundWork *work;
@@ -54,6 +56,7 @@ static gboolean tell(void *data)
 static gpointer run(gpointer data)
 {
     TinkerBackground *background = data;
+    tinker_crash_watch_thread();
     background->work->work(background, background->data);
     /* The message has the thread's reference, unless nobody would hear it: the data must be gone before the thread is. */
     if (g_atomic_int_get(&background->let_go))

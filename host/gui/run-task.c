@@ -7,6 +7,7 @@
 
 #include "background.h"
 #include "physics/record.h"
+#include "plugin/crash.h"
 
 #define STATE            5                  /* doubles of a body in a row: x, y, vx, vy, orientation */
 #define LATELY           0.5                /* s: over which the rate is measured */
@@ -155,6 +156,7 @@ static void forget_invalid(TinkerRunTask *task)
 static gpointer run_in_thread(gpointer data)
 {
     TinkerRunTask *task = data;
+    tinker_crash_watch_thread();
     GError *error = NULL;
     task->row = g_new0(double, row_width(task));
     task->rate_began = g_get_monotonic_time();
