@@ -34,6 +34,7 @@ TestProgram *test_program_run(const char *const *arguments)
                  &wait_status, &error);
     g_assert_no_error(error);
     program->status = WIFEXITED(wait_status) ? WEXITSTATUS(wait_status) : -1;
+    program->signal = WIFSIGNALED(wait_status) ? WTERMSIG(wait_status) : 0;
     return program;
 }
 

@@ -9,6 +9,7 @@
 
 typedef struct {
     int status;   /* exit status; -1 where a signal ended it */
+    int signal;   /* that signal; else 0 */
     char *output; /* standard output */
     char *error;  /* standard error */
 } TestProgram;

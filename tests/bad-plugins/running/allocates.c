@@ -1,0 +1,13 @@
+/* Allocates on the hot path. */
+#include "exhibit.h"
+
+static void *volatile kept;
+
+static void misbehave(const TinkerBatch *batch, double *force)
+{
+    kept = malloc(64);
+    force[0] = kept == NULL ? 1 : 0;
+    free(kept);
+}
+
+RUNNING_EXHIBIT("allocates")

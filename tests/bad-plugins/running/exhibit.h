@@ -1,0 +1,30 @@
+/* What the exhibits have in common: a force element of one end whose force is 0 until t = 1 s, and then misbehaves. */
+#ifndef TINKER_RUNNING_EXHIBIT_H
+#define TINKER_RUNNING_EXHIBIT_H
+
+#include <stdlib.h>
+#include <tinker/sdk.h>
+
+/* What the exhibit shows, asked for the forces of `batch`. */
+static void misbehave(const TinkerBatch *batch, double *force);
+
+static TinkerStatus exhibit_force(TinkerBatch *batch, const TinkerPoint *ends, double *force)
+{
+    for (int32_t i = 0; i < 2 * batch->count; i++)
+        force[i] = 0;
+    if (batch->time > 1) misbehave(batch, force);
+    return TINKER_OK;
+}
+
+static const TinkerForceElement exhibit_element = {.struct_size = sizeof(TinkerForceElement), .force = exhibit_force};
+static const TinkerPhysics exhibit_physics = {.struct_size = sizeof(TinkerPhysics), .force_element = &exhibit_element};
+static const TinkerInterface exhibit_interfaces[] = {{TINKER_PHYSICS_INTERFACE, &exhibit_physics}};
+
+#define RUNNING_EXHIBIT(id_)                                                                                           \
+    static const TinkerBlockType exhibit_blocks[] = {                                                                  \
+        {TINKER_BLOCK(id_, "Exhibit", TINKER_FORCE), .summary = "Stands in a museum.", .least_ends = 1,                \
+         .most_ends = 1, .end_accepts = TINKER_ACCEPTS_BODY, .interfaces = TINKER_SPAN(exhibit_interfaces)},           \
+    };                                                                                                                 \
+    TINKER_DEFINE_PLUGIN("org.example." id_, "Exhibit", "1.0.0", "MIT", exhibit_blocks)
+
+#endif

@@ -1,0 +1,10 @@
+/* Writes behind the end of what it was given. */
+#include "exhibit.h"
+
+/* No sanitizer is to stop it: the fault is what the host must tell of. */
+__attribute__((no_sanitize("undefined", "address"))) static void misbehave(const TinkerBatch *batch, double *force)
+{
+    force[2 * batch->count] = 1;
+}
+
+RUNNING_EXHIBIT("writes-out-of-range")
