@@ -1,5 +1,5 @@
 /* Tables in files: numbers in lines, separated by commas, semicolons, tabs or blanks. The first line that is not a
- * comment may be a header. A file is read line by line, so its size does not matter until it has too many rows. */
+ * comment may be a header. A file is read line by line. */
 #include <errno.h>
 #include <fcntl.h>
 #include <math.h>
@@ -157,8 +157,13 @@ static FILE *open_regular(const char *path, GError **error)
         if (file != NULL) fclose(file);
         return NULL;
     }
-    if (S_ISREG(status.st_mode)) return file;
-    g_set_error(error, TINKER_WAVEFORM_ERROR, TINKER_WAVEFORM_ERROR_FILE, "%s: must be a file", path);
+    if (S_ISREG(status.st_mode) && status.st_size <= TINKER_TABLE_MOST_BYTES) return file;
+    if (!S_ISREG(status.st_mode))
+        g_set_error(error, TINKER_WAVEFORM_ERROR, TINKER_WAVEFORM_ERROR_FILE, "%s: must be a file", path);
+    else
+        g_set_error(error, TINKER_WAVEFORM_ERROR, TINKER_WAVEFORM_ERROR_FILE,
+                    "%s: has %" G_GINT64_FORMAT " bytes, a table has at most %d", path, (gint64)status.st_size,
+                    TINKER_TABLE_MOST_BYTES);
     fclose(file);
     return NULL;
 }

@@ -6,7 +6,8 @@
 
 #include "units/waveform.h"
 
-#define TINKER_TABLE_MOST_ROWS 10000000
+#define TINKER_TABLE_MOST_ROWS  10000000
+#define TINKER_TABLE_MOST_BYTES (256 << 20) /* of a file */
 
 typedef struct {
     gsize rows;

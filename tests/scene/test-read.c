@@ -4,6 +4,7 @@
 #include <glib/gstdio.h>
 #include <math.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 static double value(TinkerScene *scene, const char *name, const char *property, int component)
@@ -161,6 +162,43 @@ static void test_tables(void)
     folder_free(folder);
 }
 
+/* Nothing but a file of the folder is opened: no pipe, which would keep the reader waiting, nor what lies behind a link
+ * to another folder. */
+static void test_table_traps(void)
+{
+    Folder folder = folder_new();
+    g_autofree char *pipe = g_build_filename(folder.scene, "pipe.csv", NULL);
+    g_autofree char *up = g_build_filename(folder.scene, "up", NULL);
+    g_autofree char *zero = g_build_filename(folder.scene, "zero.csv", NULL);
+    g_autofree char *again = g_build_filename(folder.scene, "again.csv", NULL);
+    g_assert_cmpint(mkfifo(pipe, 0600), ==, 0);
+    g_assert_cmpint(symlink(folder.top, up), ==, 0);
+    g_assert_cmpint(symlink("/dev/zero", zero), ==, 0);
+    g_assert_cmpint(symlink("inside.csv", again), ==, 0);
+    static const char *const cases[][2] = {
+        {"pipe.csv", "is not a file"},
+        {"up", "is a link that leads outside the scene's folder; a table must be a file in it"},
+        {"up/outside.csv", "is a link that leads outside the scene's folder; a table must be a file in it"},
+        {"zero.csv", "is a link that leads outside the scene's folder; a table must be a file in it"},
+        {"inside.csv/x", "cannot be read: Not a directory"},
+        {"", "lies outside the scene's folder; a table must be a file in it"},
+    };
+    for (gsize i = 0; i < G_N_ELEMENTS(cases); i++) {
+        g_autofree char *findings = table_findings(&folder, cases[i][0]);
+        g_autofree char *expected =
+            g_strdup_printf("4:23: Motion: waveform: table: \"%s\" %s\n", cases[i][0], cases[i][1]);
+        g_assert_cmpstr(findings, ==, expected);
+    }
+    g_autofree char *link_inside = table_findings(&folder, "again.csv");
+    g_assert_cmpstr(link_inside, ==, "");
+    g_autofree char *through = table_findings(&folder, "up/scene/inside.csv");
+    g_assert_cmpstr(through, ==, "");
+    char *const made[] = {pipe, up, zero, again};
+    for (gsize i = 0; i < G_N_ELEMENTS(made); i++)
+        g_remove(made[i]);
+    folder_free(folder);
+}
+
 static void test_file(void)
 {
     Folder folder = folder_new();
@@ -196,6 +234,7 @@ static void add_tests(void)
     g_test_add_func("/scene/read/escaped-keys", test_escaped_keys);
     g_test_add_func("/scene/read/default-names", test_default_names);
     g_test_add_func("/scene/read/tables", test_tables);
+    g_test_add_func("/scene/read/table-traps", test_table_traps);
     g_test_add_func("/scene/read/file", test_file);
 }
 

@@ -1,6 +1,7 @@
 /* Tables against closed forms: lines, cubics, integrals of accelerations; and what a file may not hold. */
 #include <math.h>
 #include <string.h>
+#include <unistd.h>
 
 #include <glib/gstdio.h>
 
@@ -219,6 +220,20 @@ static void test_file_refused(void)
     }
 }
 
+/* A file without an end, nearly: holes take no room on the disk, but lines of it would take hours. */
+static void test_file_too_large(void)
+{
+    g_autofree char *path = NULL;
+    const int descriptor = g_file_open_tmp("tinker-table-XXXXXX", &path, NULL);
+    g_assert_cmpint(ftruncate(descriptor, G_GINT64_CONSTANT(1) << 40), ==, 0);
+    close(descriptor);
+    g_autoptr(GError) error = NULL;
+    g_assert_null(tinker_waveform_new_table_file(path, 1, 1, TINKER_TABLE_VALUE, &error));
+    g_assert_error(error, TINKER_WAVEFORM_ERROR, TINKER_WAVEFORM_ERROR_FILE);
+    g_assert_true(g_str_has_suffix(error->message, ": has 1099511627776 bytes, a table has at most 268435456"));
+    g_remove(path);
+}
+
 int main(int argc, char **argv)
 {
     g_test_init(&argc, &argv, NULL);
@@ -229,5 +244,6 @@ int main(int argc, char **argv)
     g_test_add_func("/table/rows-refused", test_rows_refused);
     g_test_add_func("/table/file", test_file);
     g_test_add_func("/table/file-refused", test_file_refused);
+    g_test_add_func("/table/file-too-large", test_file_too_large);
     return g_test_run();
 }
