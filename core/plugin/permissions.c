@@ -78,19 +78,30 @@ static gboolean check_one(const char *path, const char *what, GError **error)
                          status.st_gid, member, mode);
 }
 
-static gboolean check_with_folder(const char *path, GError **error)
+/* Who may write to a folder above can put another folder in the place of the library's. A sticky bit prevents that. */
+static gboolean check_above(const char *folder, GError **error)
+{
+    g_autofree char *above = g_path_get_dirname(folder);
+    if (strcmp(above, folder) == 0) return TRUE;
+    struct stat status;
+    g_autofree char *what = g_strdup_printf("the folder \"%s\" above it", above);
+    const gboolean sticky = stat(above, &status) == 0 && (status.st_mode & S_ISVTX) != 0 && is_trusted(status.st_uid);
+    return (sticky || check_one(above, what, error)) && check_above(above, error);
+}
+
+static gboolean check_with_folders(const char *path, GError **error)
 {
     g_autofree char *folder = g_path_get_dirname(path);
-    return check_one(path, "it", error) && check_one(folder, "its folder", error);
+    return check_one(path, "it", error) && check_one(folder, "its folder", error) && check_above(folder, error);
 }
 
 gboolean tinker_permissions_check(const char *path, GError **error)
 {
-    if (!check_with_folder(path, error)) return FALSE;
-    if (!g_file_test(path, G_FILE_TEST_IS_SYMLINK)) return TRUE;
+    if (!check_with_folders(path, error)) return FALSE;
+    // A link may be the file itself, or any folder on the way.
     char *target = realpath(path, NULL);
     if (target == NULL) return tinker_fail_file(error, "it cannot be read: %s", g_strerror(errno));
-    const gboolean passed = check_with_folder(target, error);
+    const gboolean passed = strcmp(target, path) == 0 || check_with_folders(target, error);
     free(target);
     return passed;
 }

@@ -46,6 +46,38 @@ static void test_folder(Place *place, gconstpointer data)
     expect_refused(place, path, NULL);
 }
 
+/* Who may write above can replace the whole folder, unless a sticky bit keeps others from it. */
+static void test_folder_above(Place *place, gconstpointer data)
+{
+    g_autofree char *path = install(place, place->first);
+    g_assert_cmpint(g_chmod(place->root, 0777), ==, 0);
+    g_autofree char *message = g_strdup_printf(
+        "the folder \"%s\" above it can be written by everybody (mode 0777); only its owner may", place->root);
+    expect_refused(place, path, message);
+    g_assert_cmpint(g_chmod(place->root, 01777), ==, 0);
+    expect_refused(place, path, NULL);
+    g_assert_cmpint(g_chmod(place->root, 0700), ==, 0);
+}
+
+/* The folder is a link into one that others can replace. */
+static void test_folder_link(Place *place, gconstpointer data)
+{
+    g_autofree char *above = g_build_filename(place->root, "above", NULL),
+                    *folder = g_build_filename(above, "real", NULL);
+    g_assert_cmpint(g_mkdir_with_parents(folder, 0755), ==, 0);
+    g_autofree char *path = install(place, folder), *link = g_build_filename(place->first, "link", NULL);
+    g_assert_cmpint(symlink(folder, link), ==, 0);
+    const char *const folders[] = {link, NULL};
+    place->options.folders = folders;
+    g_autofree char *found = g_build_filename(link, "pull.so", NULL);
+    expect_refused(place, found, NULL);
+    g_assert_cmpint(g_chmod(above, 0777), ==, 0);
+    g_autofree char *message = g_strdup_printf(
+        "the folder \"%s\" above it can be written by everybody (mode 0777); only its owner may", above);
+    expect_refused(place, found, message);
+    g_assert_cmpint(g_chmod(above, 0755), ==, 0);
+}
+
 /* The link lies in a safe folder, the file behind it does not. */
 static void test_link(Place *place, gconstpointer data)
 {
@@ -118,6 +150,8 @@ int main(int count, char **arguments)
     g_test_init(&count, &arguments, NULL);
     add_place_test("/plugin/permissions/file", test_file);
     add_place_test("/plugin/permissions/folder", test_folder);
+    add_place_test("/plugin/permissions/folder-above", test_folder_above);
+    add_place_test("/plugin/permissions/folder-link", test_folder_link);
     add_place_test("/plugin/permissions/link", test_link);
     add_place_test("/plugin/permissions/manifest", test_manifest);
     add_place_test("/plugin/permissions/reason", test_reason_in_message);
