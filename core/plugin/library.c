@@ -186,7 +186,7 @@ static gboolean add_blocks(Record *record, GError **error)
 static void copy_descriptor(Record *record, const TinkerPlugin *own)
 {
     TinkerPlugin *copy = tinker_arena_allocate(record->arena, sizeof *copy);
-    memcpy(copy, own, sizeof *copy);
+    memcpy(copy, own, MIN(own->struct_size, sizeof *copy)); // what an older one has not got stays 0
     copy->struct_size = sizeof *copy;
     if (copy->home_page == NULL) copy->home_page = "";
     record->library.plugin = copy;
