@@ -1,6 +1,7 @@
 /* The layout of every struct that crosses the boundary, on 64 bits: what a library that was compiled with the first
  * headers believes. A line here never changes; a member that is appended adds a line and a new size. */
 #include <glib.h>
+#include <string.h>
 
 #include <tinker/sdk.h>
 
@@ -56,11 +57,31 @@ AT(TinkerInstance, columns, 16) AT(TinkerInstance, end, 24) AT(TinkerInstance, x
 AT(TinkerInstance, orientation, 48) AT(TinkerInstance, time, 56) AT(TinkerInstance, symbol_size, 64)
 
 /* integrator.h */
+SIZE(TinkerPattern, 24) AT(TinkerPattern, size, 0) AT(TinkerPattern, entries, 4) AT(TinkerPattern, row_starts, 8)
+AT(TinkerPattern, columns, 16)
+SIZE(TinkerLinearEdge, 40) AT(TinkerLinearEdge, a, 0) AT(TinkerLinearEdge, b, 4) AT(TinkerLinearEdge, stiffness, 8)
+AT(TinkerLinearEdge, length, 16) AT(TinkerLinearEdge, damping, 24) AT(TinkerLinearEdge, tension, 32)
+SIZE(TinkerSignal, 48) AT(TinkerSignal, kind, 0) AT(TinkerSignal, reserved, 4) AT(TinkerSignal, origin, 8)
+AT(TinkerSignal, coefficient, 16)
+SIZE(TinkerSignalUse, 24) AT(TinkerSignalUse, target, 0) AT(TinkerSignalUse, signal, 4) AT(TinkerSignalUse, book, 8)
+AT(TinkerSignalUse, reserved, 12) AT(TinkerSignalUse, factor, 16)
+SIZE(TinkerConstantLoad, 16) AT(TinkerConstantLoad, target, 0) AT(TinkerConstantLoad, book, 4)
+AT(TinkerConstantLoad, force, 8)
+SIZE(TinkerLinearSystem, 104) AT(TinkerLinearSystem, struct_size, 0) AT(TinkerLinearSystem, size, 4)
+AT(TinkerLinearSystem, edge_count, 8) AT(TinkerLinearSystem, anchor_count, 12)
+AT(TinkerLinearSystem, signal_count, 16) AT(TinkerLinearSystem, load_count, 20)
+AT(TinkerLinearSystem, force_count, 24) AT(TinkerLinearSystem, motion_count, 28) AT(TinkerLinearSystem, mass, 32)
+AT(TinkerLinearSystem, drag, 40) AT(TinkerLinearSystem, edges, 48) AT(TinkerLinearSystem, anchors, 56)
+AT(TinkerLinearSystem, loads, 64) AT(TinkerLinearSystem, forces, 72) AT(TinkerLinearSystem, motions, 80)
+AT(TinkerLinearSystem, damper_book, 88) AT(TinkerLinearSystem, drag_book, 92) AT(TinkerLinearSystem, support_book, 96)
+AT(TinkerLinearSystem, reserved, 100)
 SIZE(TinkerSystem, 136) AT(TinkerSystem, struct_size, 0) AT(TinkerSystem, flags, 4) AT(TinkerSystem, size, 8)
 AT(TinkerSystem, books, 12) AT(TinkerSystem, context, 16) AT(TinkerSystem, mass, 24)
 AT(TinkerSystem, acceleration, 32) AT(TinkerSystem, applied, 40) AT(TinkerSystem, project, 48)
 AT(TinkerSystem, constrain_step, 56) AT(TinkerSystem, project_velocity, 64) AT(TinkerSystem, damping_product, 72)
 AT(TinkerSystem, scales, 80) AT(TinkerSystem, failure, 88)
+AT(TinkerSystem, pattern, 96) AT(TinkerSystem, jacobian, 104) AT(TinkerSystem, linear, 112)
+AT(TinkerSystem, signals, 120) AT(TinkerSystem, row_masses, 128)
 SIZE(TinkerState, 32) AT(TinkerState, t, 0) AT(TinkerState, q, 8) AT(TinkerState, v, 16) AT(TinkerState, books, 24)
 SIZE(TinkerIntegratorOptions, 32) AT(TinkerIntegratorOptions, struct_size, 0) AT(TinkerIntegratorOptions, reserved, 4)
 AT(TinkerIntegratorOptions, tolerance, 8) AT(TinkerIntegratorOptions, first_step, 16)
@@ -160,10 +181,49 @@ static void test_spans(void)
     g_assert_cmpint(none.count, ==, 0);
 }
 
+/* The names of the structs that a header declares; of char *. (transfer full) */
+static GPtrArray *structs_of(const char *text)
+{
+    static const char beginning[] = "\ntypedef struct ";
+    GPtrArray *names = g_ptr_array_new_with_free_func(g_free);
+    for (const char *at = strstr(text, beginning); at != NULL; at = strstr(at + 1, beginning)) {
+        const char *name = at + strlen(beginning);
+        g_ptr_array_add(names, g_strndup(name, strcspn(name, " ;")));
+    }
+    return names;
+}
+
+static char *read_source(const char *name)
+{
+    g_autofree char *path = g_build_filename(g_getenv("TINKER_SOURCES"), name, NULL), *text = NULL;
+    g_autoptr(GError) error = NULL;
+    g_file_get_contents(path, &text, NULL, &error);
+    g_assert_no_error(error);
+    return g_steal_pointer(&text);
+}
+
+/* No struct escapes the table above. What shapes.h declares stays within a plugin. */
+static void test_table_is_complete(void)
+{
+    static const char *const headers[] = {"block",   "edit",   "graph",  "instance", "integrator",
+                                          "physics", "plugin", "render", "types",    "units"};
+    g_autofree char *table = read_source("tests/sdk/test-layout.c");
+    for (gsize i = 0; i < G_N_ELEMENTS(headers); i++) {
+        g_autofree char *name = g_strdup_printf("sdk/include/tinker/%s.h", headers[i]), *text = read_source(name);
+        g_autoptr(GPtrArray) names = structs_of(text);
+        g_assert_cmpuint(names->len, >, 0);
+        for (guint k = 0; k < names->len; k++) {
+            g_autofree char *line = g_strdup_printf("SIZE(%s, ", (char *)names->pdata[k]);
+            if (strstr(table, line) == NULL) g_error("%s: the size of %s is not in the table", name, line);
+        }
+    }
+}
+
 int main(int argc, char **argv)
 {
     g_test_init(&argc, &argv, NULL);
     g_test_add_func("/sdk/members-beyond-the-declared-size", test_members_beyond_the_declared_size);
     g_test_add_func("/sdk/spans", test_spans);
+    g_test_add_func("/sdk/table-of-layout-is-complete", test_table_is_complete);
     return g_test_run();
 }
