@@ -9,6 +9,7 @@
 #include "command-line.h"
 #include "exit-status.h"
 #include "installation.h"
+#include "recovery.h"
 #include "screenshot.h"
 #include "settings.h"
 #include "window-recovery.h"
@@ -160,6 +161,7 @@ static void tinker_application_startup(GApplication *base)
     add_style_action(base);
     gtk_window_set_default_icon_name(TINKER_APPLICATION_ID);
     tinker_window_set_accels(GTK_APPLICATION(base));
+    tinker_recovery_note_crashes();
 }
 
 static void on_picture_taken(int status, gpointer data)

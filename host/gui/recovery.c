@@ -6,10 +6,13 @@
 #include <glib/gstdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 #include <utime.h>
 
 #include "autosave.h"
+#include "plugin/crash.h"
 
+#define CRASH_NOTE   ".crash" /* of a process: PID.crash */
 #define KEPT_SECONDS ((gint64)7 * 24 * 3600)
 
 static void recovery_free(gpointer data)
@@ -17,6 +20,7 @@ static void recovery_free(gpointer data)
     TinkerRecovery *recovery = data;
     g_free(recovery->stem);
     g_free(recovery->name);
+    g_free(recovery->blame);
     g_free(recovery->origin.path);
     g_free(recovery->origin.base);
     g_free(recovery->origin.checksum);
@@ -26,6 +30,37 @@ static void recovery_free(gpointer data)
 char *tinker_recovery_discarded_folder(void)
 {
     return g_build_filename(g_get_user_state_dir(), "tinker", "autosave-discarded", NULL);
+}
+
+/* Who was to blame ---------------------------------------------------------------------------------------------------- */
+
+static char *crash_note(int pid)
+{
+    g_autofree char *folder = tinker_autosave_folder();
+    return g_strdup_printf("%s/%d" CRASH_NOTE, folder, pid);
+}
+
+void tinker_recovery_note_crashes(void)
+{
+    g_autofree char *path = crash_note((int)getpid());
+    g_unlink(path); /* of another process that had this number */
+    tinker_crash_set_note(path);
+}
+
+/* The message without the program's name before it; NULL where there is none. (transfer full) */
+static char *read_crash_note(int pid)
+{
+    g_autofree char *path = crash_note(pid), *text = NULL;
+    if (!g_file_get_contents(path, &text, NULL, NULL)) return NULL;
+    const char *message = strstr(text, ": ");
+    if (message == NULL || !g_utf8_validate(text, -1, NULL)) return NULL;
+    return g_strchomp(g_strdup(message + 2));
+}
+
+static void remove_crash_note(int pid)
+{
+    g_autofree char *path = crash_note(pid);
+    g_unlink(path);
 }
 
 /* The list ------------------------------------------------------------------------------------------------------------ */
@@ -52,6 +87,8 @@ static TinkerRecovery *recovery_new(const char *stem, GKeyFile *info)
     if (recovery->name == NULL) recovery->name = g_strdup(_("Untitled"));
     recovery->time = g_key_file_get_int64(info, TINKER_AUTOSAVE_GROUP, "time", NULL);
     if (recovery->time <= 0) recovery->time = time_of_file(stem);
+    recovery->writer = g_key_file_get_integer(info, TINKER_AUTOSAVE_GROUP, "pid", NULL);
+    recovery->blame = read_crash_note(recovery->writer);
     return recovery;
 }
 
@@ -137,6 +174,7 @@ void tinker_recovery_remove(TinkerRecovery *recovery)
         g_autofree char *path = g_strconcat(recovery->stem, endings[i], NULL);
         g_unlink(path);
     }
+    remove_crash_note(recovery->writer);
 }
 
 gboolean tinker_recovery_discard(TinkerRecovery *recovery, GError **error)
@@ -146,19 +184,27 @@ gboolean tinker_recovery_discard(TinkerRecovery *recovery, GError **error)
     g_mkdir_with_parents(folder, 0700);
     if (!move_both(recovery, to, error)) return FALSE;
     g_autofree char *path = g_strconcat(to, TINKER_AUTOSAVE_ENDING, NULL);
+    remove_crash_note(recovery->writer);
     g_utime(path, NULL); /* the 7 days count from now */
     return TRUE;
 }
 
-void tinker_recovery_purge(void)
+static void purge(const char *folder, const char *ending)
 {
-    g_autofree char *folder = tinker_recovery_discarded_folder();
     g_autoptr(GDir) dir = g_dir_open(folder, 0, NULL);
     if (dir == NULL) return;
     gint64 now = g_get_real_time() / G_USEC_PER_SEC;
     for (const char *name = g_dir_read_name(dir); name != NULL; name = g_dir_read_name(dir)) {
+        if (!g_str_has_suffix(name, ending)) continue;
         g_autofree char *path = g_build_filename(folder, name, NULL);
         GStatBuf status;
         if (g_stat(path, &status) == 0 && now - (gint64)status.st_mtime > KEPT_SECONDS) g_unlink(path);
     }
+}
+
+void tinker_recovery_purge(void)
+{
+    g_autofree char *discarded = tinker_recovery_discarded_folder(), *folder = tinker_autosave_folder();
+    purge(discarded, "");
+    purge(folder, CRASH_NOTE);
 }

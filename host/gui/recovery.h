@@ -8,9 +8,14 @@
 typedef struct {
     char *stem;  /* of its two files; see autosave.h */
     char *name;  /* what the title bar called it */
+    char *blame; /* what the handler of crashes said, which names the plugin at fault; NULL: nothing is known */
+    int writer;  /* id of the process that wrote it; 0: not known */
     gint64 time; /* s since 1970: when it was written */
     TinkerDocumentOrigin origin;
 } TinkerRecovery;
+
+/* Has a crash of this process leave its message for the next start, beside the copies. */
+void tinker_recovery_note_crashes(void);
 
 /* All of processes that are no longer alive, the latest first; of TinkerRecovery *, which it frees. (transfer full) */
 GPtrArray *tinker_recovery_list(void);
@@ -23,7 +28,7 @@ void tinker_recovery_remove(TinkerRecovery *recovery);
 /* Takes it out of the list; kept for 7 days in a folder beside, "autosave-discarded". */
 gboolean tinker_recovery_discard(TinkerRecovery *recovery, GError **error);
 
-/* Removes what was discarded more than 7 days ago. */
+/* Removes what was discarded, and notes of crashes, more than 7 days ago. */
 void tinker_recovery_purge(void);
 
 /* (transfer full) */

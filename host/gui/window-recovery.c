@@ -138,6 +138,16 @@ static GtkWidget *rows_of(Offer *offer)
     return scrolled;
 }
 
+/* The question, and below it what the handler of crashes said of the last of them. (transfer full) */
+static char *with_blame(Offer *offer, char *question)
+{
+    const TinkerRecovery *last = g_ptr_array_index(offer->list, 0);
+    if (last->blame == NULL) return question;
+    char *both = g_strdup_printf("%s\n\n%s", question, last->blame);
+    g_free(question);
+    return both;
+}
+
 static char *question_of(Offer *offer)
 {
     if (offer->list->len > 1) return g_strdup(_("Tinker did not close properly. These scenes were not saved:"));
@@ -153,7 +163,7 @@ void tinker_window_offer_recovery(TinkerWindow *window, TinkerApplication *appli
     if (list->len == 0) return;
     Offer *offer = g_new(Offer, 1);
     *offer = (Offer){application, g_object_ref(window), g_ptr_array_ref(list), g_ptr_array_new()};
-    g_autofree char *question = question_of(offer);
+    g_autofree char *question = with_blame(offer, question_of(offer));
     GtkWidget *dialog = adw_message_dialog_new(GTK_WINDOW(window), _("Recover Unsaved Changes?"), question);
     if (list->len > 1) adw_message_dialog_set_extra_child(ADW_MESSAGE_DIALOG(dialog), rows_of(offer));
     adw_message_dialog_add_responses(ADW_MESSAGE_DIALOG(dialog), "later", _("_Later"), "discard", _("_Discard"),

@@ -9,15 +9,21 @@
 
 #include "autosave.h"
 #include "files-fixture.h"
+#include "plugin/call.h"
+#include "plugin/crash.h"
 #include "recovery.h"
 
 #define PATIENCE (30 * G_USEC_PER_SEC)
 
 /* The process that is killed ------------------------------------------------------------------------------------------ */
 
-/* Edits the scene in the file, and waits for its end. */
+/* Edits the scene in the file, and waits for its end, as if a plugin were at work. */
 static void edit_until_killed(const char *path)
 {
+    TinkerPluginCall call = {.phase = "draw", .path = "/plugins/bad.so"};
+    tinker_crash_watch("tinker-gui");
+    tinker_recovery_note_crashes();
+    tinker_call_enter(&call);
     g_autoptr(TinkerDocument) document = tinker_document_new(files_fixture_catalogue());
     g_assert_true(tinker_document_open(document, path, NULL, NULL));
     g_autoptr(TinkerAutosave) autosave = tinker_autosave_new(document);
@@ -124,6 +130,35 @@ static void test_crash(void)
     g_autoptr(TinkerDocument) reopened = tinker_document_new(files_fixture_catalogue());
     g_assert_true(tinker_document_open(reopened, path, NULL, NULL));
     g_assert_cmpstr(files_fixture_first_name(reopened), ==, "Not saved");
+}
+
+/* A crash leaves the copy as it was, and beside it who was at work. */
+static void test_blame(void)
+{
+    g_autofree char *path = files_fixture_file("swing.tinker.json", files_fixture_scene);
+    GPid pid = start_child(path);
+    wait_for_copies(1);
+    g_assert_cmpint(kill(pid, SIGSEGV), ==, 0);
+    int status;
+    g_assert_cmpint(waitpid(pid, &status, 0), ==, pid);
+    g_assert_true(WIFSIGNALED(status));
+    g_assert_cmpint(WTERMSIG(status), ==, SIGSEGV);
+    g_autoptr(GPtrArray) list = tinker_recovery_list();
+    g_assert_cmpuint(list->len, ==, 1);
+    TinkerRecovery *recovery = g_ptr_array_index(list, 0);
+    g_assert_cmpstr(recovery->blame, ==, "the library /plugins/bad.so crashed (SIGSEGV) in \"draw\"");
+    g_autoptr(TinkerDocument) document = tinker_document_new(files_fixture_catalogue());
+    g_assert_true(tinker_recovery_open(recovery, document, NULL));
+    g_assert_cmpstr(files_fixture_first_name(document), ==, "Not saved");
+    tinker_recovery_remove(recovery);
+
+    /* One that was killed from outside is nobody's fault. */
+    pid = start_child(path);
+    wait_for_copies(1);
+    kill_child(pid);
+    g_autoptr(GPtrArray) killed = tinker_recovery_list();
+    g_assert_null(((TinkerRecovery *)g_ptr_array_index(killed, 0))->blame);
+    discard_all();
 }
 
 static void test_nothing_left_behind(void)
@@ -277,6 +312,7 @@ static void test_unwritable(void)
 static void add_tests(void)
 {
     g_test_add_func("/gui/autosave/crash", test_crash);
+    g_test_add_func("/gui/autosave/blame", test_blame);
     g_test_add_func("/gui/autosave/nothing-left-behind", test_nothing_left_behind);
     g_test_add_func("/gui/autosave/timer", test_timer);
     g_test_add_func("/gui/autosave/discard", test_discard);
