@@ -4,6 +4,8 @@
 
 #include <glib/gi18n.h>
 #include <stdio.h>
+#include <stdlib.h>
+#include <unistd.h>
 
 #include "background.h"
 #include "command-line.h"
@@ -14,6 +16,9 @@
 #include "settings.h"
 #include "window-recovery.h"
 #include "window.h"
+
+/* s that a thread has to stop in, at the end. */
+#define LONGEST_WAIT 10
 
 struct _TinkerApplication {
     AdwApplication parent_instance;
@@ -212,9 +217,18 @@ static void tinker_application_open(GApplication *base, GFile **files, int count
     }
 }
 
+/* A thread is still at work though it was told to stop: a plugin never comes back. Everything is saved or given up by now,
+ * and nothing that the thread may use can be freed. */
+G_NORETURN static void end_without_threads(void)
+{
+    tinker_report_note(_("ended while a plugin was still at work (it may hang)"));
+    fflush(NULL);
+    _exit(EXIT_FAILURE);
+}
+
 static void tinker_application_finalize(GObject *object)
 {
-    tinker_background_wait();
+    if (!tinker_background_wait(LONGEST_WAIT)) end_without_threads();
     g_clear_pointer(&TINKER_APPLICATION(object)->catalogue, tinker_catalogue_free);
     tinker_command_line_clear(&TINKER_APPLICATION(object)->line);
     G_OBJECT_CLASS(tinker_application_parent_class)->finalize(object);

@@ -30,12 +30,15 @@ void tinker_background_leave(void)
     g_mutex_unlock(&mutex);
 }
 
-void tinker_background_wait(void)
+gboolean tinker_background_wait(double seconds)
 {
+    const gint64 end = g_get_monotonic_time() + (gint64)(seconds * G_USEC_PER_SEC);
     g_mutex_lock(&mutex);
-    while (entered > 0)
-        g_cond_wait(&all_left, &mutex);
+    while (entered > 0 && g_cond_wait_until(&all_left, &mutex, end)) {
+    }
+    const gboolean done = entered == 0;
     g_mutex_unlock(&mutex);
+    return done;
 }
 
 static void unref(void *data)

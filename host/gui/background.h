@@ -31,7 +31,8 @@ gboolean tinker_background_is_cancelled(TinkerBackground *background);
 void tinker_background_enter(void);
 void tinker_background_leave(void);
 
-/* Waits for all threads; their owners have let go. */
-void tinker_background_wait(void);
+/* Waits for all threads; their owners have let go. FALSE where one is not done after `seconds`: a plugin that never comes
+ * back. */
+gboolean tinker_background_wait(double seconds);
 
 #endif

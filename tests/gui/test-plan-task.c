@@ -135,8 +135,17 @@ static void test_let_go(void)
         tinker_plan_task_demand(task);
         g_usleep((gulong)(200 * i));
     }
-    tinker_background_wait();
+    g_assert_true(tinker_background_wait(60));
     gui_fixture_pass(50);
+}
+
+/* A thread that does not end is not waited for for ever. */
+static void test_never_ends(void)
+{
+    tinker_background_enter();
+    g_assert_false(tinker_background_wait(0.01));
+    tinker_background_leave();
+    g_assert_true(tinker_background_wait(60));
 }
 
 static void add_tests(void)
@@ -146,6 +155,7 @@ static void add_tests(void)
     g_test_add_func("/plan-task/refused", test_refused);
     g_test_add_func("/plan-task/large", test_large);
     g_test_add_func("/plan-task/let-go", test_let_go);
+    g_test_add_func("/plan-task/never-ends", test_never_ends);
 }
 
 int main(int argc, char **argv)

@@ -187,7 +187,7 @@ static void test_let_go(void)
         if (i % 2 == 0) tinker_trade_task_start(task, 1e-3, 100); /* another one takes its place */
     }
     gint64 begun = g_get_monotonic_time();
-    tinker_background_wait();
+    g_assert_true(tinker_background_wait(60));
     g_assert_cmpint(g_get_monotonic_time() - begun, <, 500000);
     gui_fixture_pass(50);
 }
