@@ -17,19 +17,30 @@ static void note_failure(TinkerModel *model, const TinkerBlockBatch *batch, int3
                tinker_scene_block_name(model->scene, block), what, model->time, happened, why);
 }
 
+/* Who has to mend it. */
+static void name_plugin(const TinkerBlockBatch *batch, char *text, gsize size)
+{
+    const TinkerBlockClass *at_fault = batch->block_class;
+    g_snprintf(text, size, " (block type %s of the plugin %s)", at_fault->type->id, at_fault->plugin->id);
+}
+
 TinkerStatus tinker_model_fail(TinkerModel *model, const TinkerBlockBatch *batch, int32_t row, const char *what,
                                const char *why)
 {
+    char plugin[256];
+    name_plugin(batch, plugin, sizeof plugin);
     if (why != NULL)
         note_failure(model, batch, row, what, "cannot be worked out: ", why);
     else
-        note_failure(model, batch, row, what, "failed, and its plugin does not say why", "");
+        note_failure(model, batch, row, what, "failed, and its plugin does not say why", plugin);
     return TINKER_FAILED;
 }
 
 TinkerStatus tinker_model_not_finite(TinkerModel *model, const TinkerBlockBatch *batch, int32_t row, const char *what)
 {
-    note_failure(model, batch, row, what, "is not a number", "");
+    char plugin[256];
+    name_plugin(batch, plugin, sizeof plugin);
+    note_failure(model, batch, row, what, "is not a number", plugin);
     return TINKER_RETRY_SMALLER;
 }
 

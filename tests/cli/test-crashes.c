@@ -88,7 +88,12 @@ static void test_not_a_number(CliFixture *fixture, gconstpointer data)
     g_autoptr(TestProgram) program = run_exhibit(fixture, "nan-force");
     g_autofree char *scene = cli_path(fixture, "a.json");
     g_assert_cmpint(program->status, ==, 1);
-    cli_assert_holds(program->error, "First: its force at t = 1.0625 s is not a number");
+    g_autofree char *message = g_strdup_printf(
+        "tinker: %s: the run stopped at t = 1 s: First: its force at t = 1.0625 s is not a number (block "
+        "type nan-force of the plugin org.example.nan-force); what was computed is to be believed up to "
+        "t = 1 s\n",
+        scene);
+    g_assert_cmpstr(program->error, ==, message);
     assert_record(fixture);
 }
 

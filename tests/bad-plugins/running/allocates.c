@@ -1,4 +1,5 @@
 /* Allocates on the hot path. */
+#define EXHIBIT_FROM -1.0
 #include "exhibit.h"
 
 static void *volatile kept;

@@ -1,9 +1,14 @@
-/* What the exhibits have in common: a force element of one end whose force is 0 until t = 1 s, and then misbehaves. */
+/* What the exhibits have in common: a force element of one end whose force is 0 until t = 1 s, and then misbehaves. One that
+ * defines EXHIBIT_FROM (s) misbehaves from then on. */
 #ifndef TINKER_RUNNING_EXHIBIT_H
 #define TINKER_RUNNING_EXHIBIT_H
 
 #include <stdlib.h>
 #include <tinker/sdk.h>
+
+#ifndef EXHIBIT_FROM
+#define EXHIBIT_FROM 1.0
+#endif
 
 /* What the exhibit shows, asked for the forces of `batch`. */
 static void misbehave(const TinkerBatch *batch, double *force);
@@ -12,7 +17,7 @@ static TinkerStatus exhibit_force(TinkerBatch *batch, const TinkerPoint *ends, d
 {
     for (int32_t i = 0; i < 2 * batch->count; i++)
         force[i] = 0;
-    if (batch->time > 1) misbehave(batch, force);
+    if (batch->time > EXHIBIT_FROM) misbehave(batch, force);
     return TINKER_OK;
 }
 

@@ -1,4 +1,4 @@
-/* A force that is not a number, of the second block. */
+/* A force that is not a number. */
 #include "exhibit.h"
 
 static void misbehave(const TinkerBatch *batch, double *force)

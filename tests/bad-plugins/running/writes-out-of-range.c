@@ -1,4 +1,5 @@
 /* Writes behind the end of what it was given. */
+#define EXHIBIT_FROM -1.0
 #include "exhibit.h"
 
 /* No sanitizer is to stop it: the fault is what the host must tell of. */
