@@ -4,8 +4,8 @@
 #include <glib/gstdio.h>
 #include <math.h>
 #include <string.h>
-#include <unistd.h>
 
+#include "author.h"
 #include "markdown.h"
 #include "program.h"
 
@@ -202,69 +202,17 @@ static void test_example_is_drawn(void)
     g_rmdir(folder);
 }
 
-/* The SDK as it will be installed: the package file of the build, with this folder as its prefix. */
-static void stage_sdk(const char *folder)
-{
-    g_autoptr(GError) error = NULL;
-    g_autofree char *built = test_read_file(g_getenv("TINKER_SDK_PACKAGE"));
-    g_autoptr(GRegex) prefix = g_regex_new("^prefix=.*$", G_REGEX_MULTILINE, 0, NULL);
-    g_autofree char *here = g_strconcat("prefix=", folder, NULL);
-    g_autofree char *package = g_regex_replace_literal(prefix, built, -1, 0, here, 0, NULL);
-    g_autofree char *path = g_build_filename(folder, "tinker-sdk.pc", NULL);
-    g_file_set_contents(path, package, -1, &error);
-    g_assert_no_error(error);
-    g_autofree char *headers = source_path("sdk/include"), *include = g_build_filename(folder, "include", NULL);
-    g_assert_cmpint(symlink(headers, include), ==, 0);
-}
-
-/* Runs a tool of a plugin's author, to whom the staged SDK is what pkg-config finds; it has nothing to complain of. */
-static void run_tool(const char *folder, const char *const *arguments)
-{
-    g_autoptr(GError) error = NULL;
-    g_auto(GStrv) environment = g_environ_setenv(g_get_environ(), "PKG_CONFIG_PATH", folder, TRUE);
-    g_autofree char *output = NULL, *message = NULL;
-    int wait_status = 0;
-    g_spawn_sync(NULL, (char **)arguments, environment, G_SPAWN_SEARCH_PATH, NULL, NULL, &output, &message,
-                 &wait_status, &error);
-    g_assert_no_error(error);
-    g_assert_cmpstr(message, ==, "");
-    if (!g_spawn_check_wait_status(wait_status, NULL)) g_test_message("%s", output);
-    g_assert_true(g_spawn_check_wait_status(wait_status, NULL));
-}
-
-static void remove_all(const char *path)
-{
-    if (g_file_test(path, G_FILE_TEST_IS_DIR) && !g_file_test(path, G_FILE_TEST_IS_SYMLINK)) {
-        g_autoptr(GDir) dir = g_dir_open(path, 0, NULL);
-        for (const char *name = g_dir_read_name(dir); name != NULL; name = g_dir_read_name(dir)) {
-            g_autofree char *inside = g_build_filename(path, name, NULL);
-            remove_all(inside);
-        }
-    }
-    g_assert_cmpint(g_remove(path), ==, 0);
-}
-
-/* A folder with the staged SDK. (transfer full) */
-static char *author_folder(void)
-{
-    g_autoptr(GError) error = NULL;
-    char *folder = g_dir_make_tmp("tinker-plugin-XXXXXX", &error);
-    g_assert_no_error(error);
-    stage_sdk(folder);
-    return folder;
-}
-
 /* The makefile, as the author of a plugin uses it, in a folder of its own. */
 static void test_makefile_builds(void)
 {
-    g_autofree char *folder = author_folder();
+    g_autofree char *folder = test_author_folder();
     g_autofree char *makefile = source_path("docs/examples/constant-force/Makefile");
     g_autofree char *sources = source_path("docs/examples/constant-force");
     g_autofree char *search = g_strconcat("VPATH=", sources, NULL);
     const char *make[] = {"make", "-s", "-C", folder, "-f", makefile, search, NULL};
-    run_tool(folder, make);
+    test_author_run(folder, NULL, make);
     check_constant_force(folder);
-    remove_all(folder);
+    test_remove_all(folder);
 }
 
 /* The largest error of x = 2 + 0.5 e^(-t/5) (cos wt + sin(wt) / 5w), w^2 = 4 - 1/25, with this step. */
@@ -288,12 +236,12 @@ static double oscillator_error(const char *plugin_folder, const char *step)
 static void test_integrator_builds(void)
 {
     static const char *const steps[] = {"0.016", "0.008", "0.004", "0.002"};
-    g_autofree char *folder = author_folder(), *build = g_build_filename(folder, "build", NULL);
+    g_autofree char *folder = test_author_folder(), *build = g_build_filename(folder, "build", NULL);
     g_autofree char *sources = source_path("docs/examples/adams-bashforth");
     const char *setup[] = {"meson", "setup", build, sources, NULL},
                *compile[] = {"meson", "compile", "-C", build, NULL};
-    run_tool(folder, setup);
-    run_tool(folder, compile);
+    test_author_run(folder, NULL, setup);
+    test_author_run(folder, NULL, compile);
     double last = 0.0;
     for (gsize i = 0; i < G_N_ELEMENTS(steps); i++) {
         const double error = oscillator_error(build, steps[i]);
@@ -301,7 +249,7 @@ static void test_integrator_builds(void)
         if (i > 0) g_assert_cmpfloat_with_epsilon(log2(last / error), 2.0, 0.15);
         last = error;
     }
-    remove_all(folder);
+    test_remove_all(folder);
 }
 
 /* The scenes of the tutorial run, but for the one with the mistake. */
