@@ -18,6 +18,7 @@ struct _TinkerCatalogue {
     GPtrArray *warnings;     /* of char * */
     GPtrArray *opened;       /* of char *, borrowed from the libraries */
     GPtrArray *folders;      /* of TinkerSearchFolder */
+    GPtrArray *bundles;      /* of TinkerBundleEntry, borrowed from the folders */
     GHashTable *types;       /* id to TinkerFound, which is borrowed from the libraries */
     GHashTable *integrators; /* likewise */
     TinkerPluginCache *cache;
@@ -95,6 +96,7 @@ static void search(TinkerCatalogue *catalogue)
 {
     for (guint i = 0; i < catalogue->folders->len; i++) {
         const TinkerSearchFolder *folder = catalogue->folders->pdata[i];
+        if (folder->bundle != NULL) g_ptr_array_add(catalogue->bundles, folder->bundle);
         g_autoptr(GPtrArray) paths = tinker_search_libraries(folder, catalogue->warnings);
         for (guint k = 0; k < paths->len; k++)
             add_library(catalogue, paths->pdata[k], folder->kind);
@@ -172,6 +174,7 @@ TinkerCatalogue *tinker_catalogue_new(const TinkerCatalogueOptions *options)
     catalogue->libraries = g_ptr_array_new_with_free_func(tinker_found_free);
     catalogue->warnings = g_ptr_array_new_with_free_func(g_free);
     catalogue->opened = g_ptr_array_new();
+    catalogue->bundles = g_ptr_array_new();
     catalogue->types = g_hash_table_new_full(g_str_hash, g_str_equal, g_free, NULL);
     catalogue->integrators = g_hash_table_new_full(g_str_hash, g_str_equal, g_free, NULL);
     catalogue->cache = new_cache(options->cache_folder);
@@ -189,6 +192,7 @@ void tinker_catalogue_free(TinkerCatalogue *catalogue)
     g_hash_table_unref(catalogue->types);
     g_hash_table_unref(catalogue->integrators);
     g_ptr_array_unref(catalogue->opened);
+    g_ptr_array_unref(catalogue->bundles);
     g_ptr_array_unref(catalogue->libraries);
     g_ptr_array_unref(catalogue->warnings);
     g_ptr_array_unref(catalogue->folders);
@@ -201,6 +205,11 @@ void tinker_catalogue_free(TinkerCatalogue *catalogue)
 const GPtrArray *tinker_catalogue_libraries(TinkerCatalogue *catalogue)
 {
     return catalogue->libraries;
+}
+
+const GPtrArray *tinker_catalogue_bundles(TinkerCatalogue *catalogue)
+{
+    return catalogue->bundles;
 }
 
 const GPtrArray *tinker_catalogue_warnings(TinkerCatalogue *catalogue)

@@ -78,6 +78,15 @@ typedef struct {
     GPtrArray *integrators; /* of char *: their ids */
 } TinkerLibraryEntry;
 
+/* A folder of libraries, scenes and a page that belong together, as for a course. */
+typedef struct {
+    char *path; /* of the folder */
+    char *title;
+    char *summary;     /* may be empty */
+    char *page;        /* path of its page; NULL: it has none */
+    GPtrArray *scenes; /* of char *: paths of its scenes, by name */
+} TinkerBundleEntry;
+
 typedef struct {
     const char *const *folders;   /* of the command line, NULL-terminated, searched first; or NULL */
     const char *user_folder;      /* NULL: g_get_user_data_dir()/tinker/plugins */
@@ -91,13 +100,17 @@ typedef struct {
 typedef struct _TinkerCatalogue TinkerCatalogue;
 
 /* Finds the libraries in search order: the command line's folders, TINKER_PLUGIN_PATH, the user's, the installed one;
- * with TINKER_SAFE_MODE=1 the installed one alone. Relative folders are passed over with a warning. (transfer full) */
+ * with TINKER_SAFE_MODE=1 the installed one alone; behind each folder the bundles directly below it. Relative folders are
+ * passed over with a warning. (transfer full) */
 TinkerCatalogue *tinker_catalogue_new(const TinkerCatalogueOptions *options);
 void tinker_catalogue_free(TinkerCatalogue *catalogue);
 G_DEFINE_AUTOPTR_CLEANUP_FUNC(TinkerCatalogue, tinker_catalogue_free)
 
 /* All libraries found, in search order, with the refused and shadowed ones; of TinkerLibraryEntry. (transfer none) */
 const GPtrArray *tinker_catalogue_libraries(TinkerCatalogue *catalogue);
+
+/* The bundles found, in search order; of TinkerBundleEntry. Their libraries are among the others. (transfer none) */
+const GPtrArray *tinker_catalogue_bundles(TinkerCatalogue *catalogue);
 
 /* Messages for the user from the search (relative folder, shadowed id, refused library); of char *. (transfer none) */
 const GPtrArray *tinker_catalogue_warnings(TinkerCatalogue *catalogue);

@@ -1,10 +1,7 @@
 /* Manifests. A manifest that is missing, damaged or out of date is no error: the library is probed instead. */
 #include "plugin/manifest-private.h"
 
-#include <fcntl.h>
 #include <string.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include "plugin/permissions-private.h"
 #include "plugin/refuse-private.h"
@@ -106,22 +103,6 @@ static void add_types(const TinkerLibrary *library, cJSON *json)
         cJSON_AddItemToArray(integrators, cJSON_CreateString(library->integrators[i].id));
 }
 
-/* Reads a small regular file that nobody else can write to; NULL otherwise. */
-static char *read_trusted(const char *path)
-{
-    const int file = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK);
-    if (file < 0) return NULL;
-    struct stat status;
-    char *text = NULL;
-    if (fstat(file, &status) == 0 && S_ISREG(status.st_mode) && status.st_size <= MOST_BYTES &&
-        tinker_permissions_check(path, NULL)) {
-        text = g_malloc0((gsize)status.st_size + 1);
-        if (read(file, text, (gsize)status.st_size) != status.st_size) g_clear_pointer(&text, g_free);
-    }
-    close(file);
-    return text;
-}
-
 void tinker_manifest_free(TinkerManifest *manifest)
 {
     if (manifest == NULL) return;
@@ -183,7 +164,7 @@ TinkerManifest *tinker_manifest_beside(const char *library_path)
     if (!g_str_has_suffix(library_path, LIBRARY_SUFFIX)) return NULL;
     const gsize stem = strlen(library_path) - strlen(LIBRARY_SUFFIX);
     g_autofree char *path = g_strdup_printf("%.*s" MANIFEST_SUFFIX, (int)stem, library_path);
-    g_autofree char *text = read_trusted(path);
+    g_autofree char *text = tinker_read_trusted(path, MOST_BYTES, NULL);
     return text == NULL ? NULL : tinker_manifest_parse(text, NULL);
 }
 

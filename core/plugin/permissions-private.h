@@ -8,4 +8,8 @@
  * or by a group that has other members. Its folder likewise, and through a symbolic link those of the file itself. */
 gboolean tinker_permissions_check(const char *path, GError **error);
 
+/* The text of a regular file of at most so many bytes that passes that check. NULL with an error otherwise.
+ * (transfer full) */
+char *tinker_read_trusted(const char *path, gsize most_bytes, GError **error);
+
 #endif

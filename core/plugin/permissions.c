@@ -2,6 +2,7 @@
 #include "plugin/permissions-private.h"
 
 #include <errno.h>
+#include <fcntl.h>
 #include <grp.h>
 #include <pwd.h>
 #include <stdlib.h>
@@ -104,4 +105,30 @@ gboolean tinker_permissions_check(const char *path, GError **error)
     const gboolean passed = strcmp(target, path) == 0 || check_with_folders(target, error);
     free(target);
     return passed;
+}
+
+char *tinker_read_trusted(const char *path, gsize most_bytes, GError **error)
+{
+    struct stat status;
+    const int file = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+    if (file < 0 || fstat(file, &status) != 0) {
+        tinker_fail_file(error, "it cannot be read: %s", g_strerror(errno));
+        if (file >= 0) close(file);
+        return NULL;
+    }
+    char *text = NULL;
+    if (!S_ISREG(status.st_mode)) {
+        tinker_refuse(error, "it is not a regular file");
+    } else if ((guint64)status.st_size > most_bytes) {
+        tinker_refuse(error, "it has %" G_GINT64_FORMAT " bytes, at most %zu are read", (gint64)status.st_size,
+                      most_bytes);
+    } else if (tinker_permissions_check(path, error)) {
+        text = g_malloc0((gsize)status.st_size + 1);
+        if (read(file, text, (gsize)status.st_size) != status.st_size) {
+            g_clear_pointer(&text, g_free);
+            tinker_fail_file(error, "it cannot be read as a whole");
+        }
+    }
+    close(file);
+    return text;
 }

@@ -5,6 +5,8 @@
 #include <string.h>
 #include <sys/stat.h>
 
+#include "plugin/bundle-private.h"
+
 #define KIND_COMMAND_LINE "command line"
 #define KIND_ENVIRONMENT  "TINKER_PLUGIN_PATH"
 #define KIND_USER         "user"
@@ -14,6 +16,7 @@ static void folder_free(gpointer data)
 {
     TinkerSearchFolder *folder = data;
     g_free(folder->path);
+    tinker_bundle_free(folder->bundle);
     g_free(folder);
 }
 
@@ -39,7 +42,55 @@ static gboolean is_listed(const GPtrArray *folders, const struct stat *status)
     return FALSE;
 }
 
-/* Adds a folder. One that the user named has to exist; the user's own folder need not. */
+static int compare_paths(gconstpointer a, gconstpointer b)
+{
+    return strcmp(*(const char *const *)a, *(const char *const *)b);
+}
+
+/* Lists a folder: files that end in ".so", or sub-folders that are marked as bundles; paths by name, as the order in which
+ * a folder lists its files is an accident. */
+static void list_folder(const char *folder, GDir *directory, gboolean bundles, GPtrArray *paths)
+{
+    for (const char *name = g_dir_read_name(directory); name != NULL; name = g_dir_read_name(directory)) {
+        // A leading point marks what a copying program has not finished yet.
+        if (name[0] == '.') continue;
+        g_autofree char *path = g_build_filename(folder, name, NULL);
+        if (bundles ? tinker_bundle_is_marked(path) : g_str_has_suffix(name, ".so"))
+            g_ptr_array_add(paths, g_steal_pointer(&path));
+    }
+    g_ptr_array_sort(paths, compare_paths);
+}
+
+static void take_folder(GPtrArray *folders, const char *path, const char *kind, TinkerBundleEntry *bundle)
+{
+    TinkerSearchFolder *folder = g_new0(TinkerSearchFolder, 1);
+    folder->path = g_canonicalize_filename(path, "/");
+    folder->kind = kind;
+    folder->bundle = bundle;
+    g_ptr_array_add(folders, folder);
+}
+
+/* Adds the bundles that lie directly in a folder. One that others could have changed is passed over with all that is in
+ * it; a folder that cannot be read is told of when its libraries are listed. */
+static void add_bundles(GPtrArray *folders, const char *folder, const char *kind, GPtrArray *warnings)
+{
+    g_autoptr(GPtrArray) paths = g_ptr_array_new_with_free_func(g_free);
+    g_autoptr(GDir) directory = g_dir_open(folder, 0, NULL);
+    if (directory != NULL) list_folder(folder, directory, TRUE, paths);
+    for (guint i = 0; i < paths->len; i++) {
+        const char *path = paths->pdata[i];
+        struct stat status;
+        if (stat(path, &status) != 0 || is_listed(folders, &status)) continue;
+        g_autoptr(GError) error = NULL;
+        TinkerBundleEntry *bundle = tinker_bundle_read(path, &error);
+        if (bundle != NULL)
+            take_folder(folders, path, kind, bundle);
+        else
+            warn(warnings, "the bundle \"%s\" (%s) is passed over: %s", path, kind, error->message);
+    }
+}
+
+/* Adds a folder with its bundles. One that the user named has to exist; the user's own folder need not. */
 static void add_folder(GPtrArray *folders, const char *path, const char *kind, GPtrArray *warnings)
 {
     struct stat status;
@@ -58,10 +109,9 @@ static void add_folder(GPtrArray *folders, const char *path, const char *kind, G
         return;
     }
     if (is_listed(folders, &status)) return;
-    TinkerSearchFolder *folder = g_new0(TinkerSearchFolder, 1);
-    folder->path = g_canonicalize_filename(path, "/");
-    folder->kind = kind;
-    g_ptr_array_add(folders, folder);
+    take_folder(folders, path, kind, NULL);
+    g_autofree char *plain = g_canonicalize_filename(path, "/");
+    add_bundles(folders, plain, kind, warnings);
 }
 
 static gboolean is_safe_mode(void)
@@ -84,11 +134,6 @@ static void add_user_folder(GPtrArray *folders, const char *given, GPtrArray *wa
 {
     g_autofree char *usual = g_build_filename(g_get_user_data_dir(), "tinker", "plugins", NULL);
     add_folder(folders, given == NULL ? usual : given, KIND_USER, warnings);
-}
-
-static int compare_paths(gconstpointer a, gconstpointer b)
-{
-    return strcmp(*(const char *const *)a, *(const char *const *)b);
 }
 
 GPtrArray *tinker_search_folders(const TinkerCatalogueOptions *options, GPtrArray *warnings)
@@ -115,12 +160,6 @@ GPtrArray *tinker_search_libraries(const TinkerSearchFolder *folder, GPtrArray *
         warn(warnings, "the plugin folder \"%s\" (%s) is passed over: %s", folder->path, folder->kind, error->message);
         return paths;
     }
-    for (const char *name = g_dir_read_name(directory); name != NULL; name = g_dir_read_name(directory)) {
-        // A leading point marks what a copying program has not finished yet.
-        if (name[0] != '.' && g_str_has_suffix(name, ".so"))
-            g_ptr_array_add(paths, g_build_filename(folder->path, name, NULL));
-    }
-    // The order in which a folder lists its files is an accident; the search order is not.
-    g_ptr_array_sort(paths, compare_paths);
+    list_folder(folder->path, directory, FALSE, paths);
     return paths;
 }
