@@ -1,4 +1,4 @@
-/* The topics stand in the README of the folder, in a table with a row for each: | topic | `scene`, `scene` |. */
+/* The topics of the bundled scenes stand in the README of their folder, in a table with a row for each: | topic | `scene`, `scene` |. */
 #include "examples.h"
 
 #include <cjson/cJSON.h>
@@ -48,15 +48,16 @@ static char *text_member(const cJSON *json, const char *key)
     return g_strdup(cJSON_IsString(member) ? member->valuestring : "");
 }
 
-static void add_example(TinkerTopic *topic, const char *folder, const char *name)
+/* Takes the path over. The name stands for a title that is missing. */
+static void add_example_file(TinkerTopic *topic, char *path, const char *name)
 {
-    g_autofree char *file = g_strconcat(name, ENDING, NULL), *path = g_build_filename(folder, file, NULL), *text = NULL;
+    g_autofree char *owned = path, *text = NULL;
     gsize length;
     if (!g_file_get_contents(path, &text, &length, NULL)) return;
     cJSON *json = cJSON_ParseWithLength(text, length);
     if (json == NULL) return;
     TinkerExample *example = g_new(TinkerExample, 1);
-    example->path = g_steal_pointer(&path);
+    example->path = g_steal_pointer(&owned);
     example->title = text_member(json, "title");
     example->description = text_member(json, "description");
     if (example->title[0] == '\0') {
@@ -65,6 +66,20 @@ static void add_example(TinkerTopic *topic, const char *folder, const char *name
     }
     g_ptr_array_add(topic->examples, example);
     cJSON_Delete(json);
+}
+
+static void add_example(TinkerTopic *topic, const char *folder, const char *name)
+{
+    g_autofree char *file = g_strconcat(name, ENDING, NULL);
+    add_example_file(topic, g_build_filename(folder, file, NULL), name);
+}
+
+static void take_topic(GPtrArray *topics, TinkerTopic *topic)
+{
+    if (topic->examples->len > 0)
+        g_ptr_array_add(topics, topic);
+    else
+        topic_free(topic);
 }
 
 /* "to begin with" as a heading, translated. */
@@ -87,10 +102,7 @@ static void read_row(const char *line, const char *folder, GPtrArray *topics, GH
         add_example(topic, folder, parts[i]);
         g_hash_table_add(named, g_strdup(parts[i]));
     }
-    if (topic->examples->len > 0)
-        g_ptr_array_add(topics, topic);
-    else
-        topic_free(topic);
+    take_topic(topics, topic);
 }
 
 static gint compare_names(gconstpointer a, gconstpointer b)
@@ -111,10 +123,7 @@ static void add_others(const char *folder, GPtrArray *topics, GHashTable *named)
     TinkerTopic *topic = topic_new(_("Others"));
     for (guint i = 0; i < names->len; i++)
         add_example(topic, folder, names->pdata[i]);
-    if (topic->examples->len > 0)
-        g_ptr_array_add(topics, topic);
-    else
-        topic_free(topic);
+    take_topic(topics, topic);
 }
 
 GPtrArray *tinker_examples_read(const char *folder)
@@ -131,12 +140,28 @@ GPtrArray *tinker_examples_read(const char *folder)
     return topics;
 }
 
-GPtrArray *tinker_examples(void)
+void tinker_examples_add_bundles(GPtrArray *topics, const GPtrArray *bundles)
+{
+    for (guint i = 0; i < bundles->len; i++) {
+        const TinkerBundleEntry *bundle = bundles->pdata[i];
+        TinkerTopic *topic = topic_new(bundle->title);
+        for (guint k = 0; k < bundle->scenes->len; k++) {
+            const char *path = bundle->scenes->pdata[k];
+            g_autofree char *file = g_path_get_basename(path);
+            g_autofree char *name = g_strndup(file, strlen(file) - strlen(ENDING));
+            add_example_file(topic, g_strdup(path), name);
+        }
+        take_topic(topics, topic);
+    }
+}
+
+GPtrArray *tinker_examples(TinkerCatalogue *catalogue)
 {
     static GPtrArray *topics;
     if (topics == NULL) {
         g_autofree char *folder = tinker_installation_scene_folder();
         topics = tinker_examples_read(folder);
+        tinker_examples_add_bundles(topics, tinker_catalogue_bundles(catalogue));
     }
     return topics;
 }

@@ -1,8 +1,8 @@
-/* The bundled scenes, by topic. No widget. */
+/* The scenes that come with the program, and with bundles of plugins, by topic. No widget. */
 #ifndef TINKER_GUI_EXAMPLES_H
 #define TINKER_GUI_EXAMPLES_H
 
-#include <glib.h>
+#include "plugin/catalogue.h"
 
 typedef struct {
     char *path;
@@ -19,7 +19,10 @@ typedef struct {
  * TinkerTopic *, which it frees. Scenes that cannot be read are left out. (transfer full) */
 GPtrArray *tinker_examples_read(const char *folder);
 
-/* Those of the installation, read once. Borrowed. */
-GPtrArray *tinker_examples(void);
+/* Adds a topic for each bundle (of TinkerBundleEntry) that has scenes, under its title. */
+void tinker_examples_add_bundles(GPtrArray *topics, const GPtrArray *bundles);
+
+/* Those of the installation and of the bundles that the catalogue found, read once. Borrowed. */
+GPtrArray *tinker_examples(TinkerCatalogue *catalogue);
 
 #endif

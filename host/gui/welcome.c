@@ -124,7 +124,7 @@ static GtkWidget *example_button(TinkerWelcome *welcome, guint number)
  * for it. */
 static void add_examples(TinkerWelcome *welcome)
 {
-    const GPtrArray *topics = tinker_examples();
+    const GPtrArray *topics = tinker_examples(tinker_document_catalogue(welcome->document));
     if (welcome->count > 0) return;
     for (guint t = 0; t < topics->len && welcome->count < SHOWN_EXAMPLES; t++) {
         const TinkerTopic *topic = g_ptr_array_index(topics, t);

@@ -222,7 +222,7 @@ static void update_recent(TinkerWindow *window)
 
 static void fill_examples(TinkerWindow *window)
 {
-    const GPtrArray *topics = tinker_examples();
+    const GPtrArray *topics = tinker_examples(tinker_document_catalogue(window->document));
     for (guint t = 0; t < topics->len; t++) {
         const TinkerTopic *topic = g_ptr_array_index(topics, t);
         g_autoptr(GMenu) menu = g_menu_new();

@@ -49,10 +49,34 @@ static void test_other_folders(void)
     g_assert_cmpint(g_unlink(good) + g_unlink(bad) + g_rmdir(folder), ==, 0);
 }
 
+/* The scenes of a bundle stand under its title; a bundle without scenes has no topic. */
+static void test_bundles(void)
+{
+    g_autofree char *folder = g_dir_make_tmp("tinker-examples-XXXXXX", NULL);
+    g_autofree char *scene = g_build_filename(folder, "a" ENDING, NULL);
+    g_assert_true(g_file_set_contents(scene, "{\"tinker\": 1, \"title\": \"A lever\"}", -1, NULL));
+    g_autoptr(GPtrArray) topics = tinker_examples_read("/nowhere"), bundles = g_ptr_array_new();
+    g_autoptr(GPtrArray) scenes = g_ptr_array_new(), none = g_ptr_array_new();
+    g_ptr_array_add(scenes, scene);
+    TinkerBundleEntry course = {.title = (char *)"Mechanics 1", .scenes = scenes},
+                      empty = {.title = (char *)"Empty", .scenes = none};
+    g_ptr_array_add(bundles, &empty);
+    g_ptr_array_add(bundles, &course);
+    tinker_examples_add_bundles(topics, bundles);
+    g_assert_cmpuint(topics->len, ==, 1);
+    const TinkerTopic *topic = topics->pdata[0];
+    g_assert_cmpstr(topic->title, ==, "Mechanics 1");
+    g_assert_cmpuint(topic->examples->len, ==, 1);
+    g_assert_cmpstr(((TinkerExample *)topic->examples->pdata[0])->title, ==, "A lever");
+    g_assert_cmpstr(((TinkerExample *)topic->examples->pdata[0])->path, ==, scene);
+    g_assert_cmpint(g_unlink(scene) + g_rmdir(folder), ==, 0);
+}
+
 int main(int argc, char **argv)
 {
     g_test_init(&argc, &argv, NULL);
     g_test_add_func("/gui/examples/all-are-there", test_all_are_there);
     g_test_add_func("/gui/examples/other-folders", test_other_folders);
+    g_test_add_func("/gui/examples/bundles", test_bundles);
     return g_test_run();
 }
