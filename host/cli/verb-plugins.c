@@ -1,4 +1,4 @@
-/* tinker plugins: what is installed. The verb has verbs of its own: list, show, describe, refused. */
+/* tinker plugins: what is installed. The verb has verbs of its own: list, show, describe, refused, new, new-bundle. */
 #include "verbs.h"
 
 #include <stdio.h>
@@ -9,21 +9,23 @@
 #include "open-scene.h"
 #include "options.h"
 #include "output.h"
+#include "plugins-new.h"
 #include "plugins-show.h"
 #include "text-table.h"
 #include "units/units.h"
 
 #define LIST_HELP                                                                                                      \
-    "Lists the installed blocks by plugin: type, title, category, version and licence, the integrators, and what "     \
-    "was\n"                                                                                                            \
-    "refused or passed over. Other verbs of `tinker plugins`:\n\n"                                                     \
+    "Lists the installed blocks by plugin: type, title, category, version and licence, the\n"                          \
+    "integrators, the bundles with their scenes, and what was refused or passed over. Other verbs:\n\n"                \
     "  show TYPE         the properties, quantities and interfaces of a block, or what a method is\n"                  \
     "  describe FILE.so  writes the manifest of a plugin file\n"                                                       \
-    "  refused           lists the refused libraries; refused --clear forgets the refusals"
+    "  refused           lists the refused libraries; refused --clear forgets the refusals\n"                          \
+    "  new NAME          writes a small plugin to begin with; new alone lists the roles\n"                             \
+    "  new-bundle NAME   writes a small bundle of blocks, scenes and a page, as for a course"
 
 static const TinkerVerbHelp list_help = {
     .verb = "plugins",
-    .operands = "[list|show|describe|refused]",
+    .operands = "[list|show|describe|refused|new|new-bundle]",
     .summary = LIST_HELP,
     .examples = "  tinker plugins\n"
                 "  tinker plugins show spring\n"
@@ -96,6 +98,16 @@ static void warn_of_built_in(const TinkerLibraryEntry *library)
     }
 }
 
+/* A bundle, with what it holds besides libraries by the names within it. */
+static void list_bundle(const TinkerBundleEntry *bundle)
+{
+    printf("\nbundle \"%s\": %s\n", bundle->title, bundle->path);
+    if (bundle->summary[0] != '\0') printf("  %s\n", bundle->summary);
+    if (bundle->page != NULL) printf("  %s\n", bundle->page + strlen(bundle->path) + 1);
+    for (guint i = 0; i < bundle->scenes->len; i++)
+        printf("  %s\n", (const char *)bundle->scenes->pdata[i] + strlen(bundle->path) + 1);
+}
+
 static int list(int argc, char **argv)
 {
     const GOptionEntry entries[] = {G_OPTION_ENTRY_NULL};
@@ -121,6 +133,9 @@ static int list(int argc, char **argv)
         tinker_text_table_write(table, stdout);
     else
         puts("no plugins are installed");
+    const GPtrArray *bundles = tinker_catalogue_bundles(catalogue);
+    for (guint i = 0; i < bundles->len; i++)
+        list_bundle(bundles->pdata[i]);
     const GPtrArray *warnings = tinker_catalogue_warnings(catalogue);
     for (guint i = 0; i < warnings->len; i++)
         tinker_report_warning("%s", (const char *)g_ptr_array_index(warnings, i));
@@ -280,6 +295,8 @@ static const struct {
     {"show", show},
     {"describe", describe},
     {"refused", refused},
+    {"new", tinker_plugins_new},
+    {"new-bundle", tinker_plugins_new_bundle},
 };
 
 int tinker_verb_plugins(int argc, char **argv)

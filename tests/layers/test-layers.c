@@ -30,13 +30,14 @@ static const Layer layers[] = {
      {"tinker/", "glib", "gmodule", "cairo", "cjson/"}},
     {"host/cli",
      {"analysis", "physics", "numerics", "render", "edit", "scene", "plugin", "units"},
-     {"tinker/", "glib", "gmodule", "cairo", "pango/", "cjson/"}},
+     {"tinker/", "glib", "gmodule", "gio/", "cairo", "pango/", "cjson/"}},
     {"host/gui",
      {"analysis", "physics", "numerics", "render", "edit", "scene", "plugin", "units"},
      {"tinker/", "glib", "gio/", "gtk/", "adwaita.h", "graphene", "libintl.h", "cairo", "cjson/"}},
     {"plugins", {NULL}, {"tinker/"}},
     {"plugins/cvode-bdf", {NULL}, {"tinker/", "cvodes/", "nvector/", "sundials/", "sunlinsol/", "sunmatrix/"}},
     {"docs/examples", {NULL}, {"tinker/"}},
+    {"sdk/templates", {NULL}, {"tinker/"}},
     {"sdk/include/tinker", {NULL}, {NULL}},
 };
 
@@ -78,12 +79,19 @@ static gboolean is_of_hosts(const Layer *layer, const char *header)
     return g_str_has_prefix(layer->folder, "host/") && g_file_test(path, G_FILE_TEST_EXISTS);
 }
 
+/* What is beside a template once it is written out. */
+static gboolean is_of_templates(const Layer *layer, const char *header)
+{
+    g_autofree char *shared = source_path("sdk/templates/shared"), *path = g_build_filename(shared, header, NULL);
+    return strcmp(layer->folder, "sdk/templates") == 0 && g_file_test(path, G_FILE_TEST_EXISTS);
+}
+
 /* "scene/scene.h" of core; "x.h" beside the file itself; a private header only within its own folder. */
 static gboolean own_is_allowed(const Layer *layer, const char *file_folder, const char *header)
 {
     g_autofree char *beside = g_build_filename(file_folder, header, NULL);
     if (strchr(header, '/') == NULL && g_file_test(beside, G_FILE_TEST_EXISTS)) return TRUE;
-    if (is_of_hosts(layer, header)) return TRUE;
+    if (is_of_hosts(layer, header) || is_of_templates(layer, header)) return TRUE;
     g_auto(GStrv) parts = g_strsplit(header, "/", 2);
     if (parts[1] == NULL || !g_strv_contains(layer->core, parts[0])) return FALSE;
     const gboolean own_folder = g_str_has_suffix(layer->folder, parts[0]);
