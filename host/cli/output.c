@@ -13,12 +13,6 @@ gboolean tinker_is_standard_stream(const char *path)
     return path != NULL && strcmp(path, "-") == 0;
 }
 
-gboolean tinker_path_has_ending(const char *path, const char *ending)
-{
-    gsize length = strlen(path), tail = strlen(ending);
-    return length >= tail && g_ascii_strcasecmp(path + length - tail, ending) == 0;
-}
-
 static gboolean fail(const char *name, int reason, GError **error)
 {
     g_autofree char *folder = g_path_get_dirname(name);

@@ -31,9 +31,6 @@ G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC(TinkerOutput, tinker_output_clear)
 
 gboolean tinker_is_standard_stream(const char *path);
 
-/* Whether a path ends in ".png" or the like, in capitals or not. */
-gboolean tinker_path_has_ending(const char *path, const char *ending);
-
 /* Checks before long work that a file of this name can be written, without changing one that is there. */
 gboolean tinker_output_is_writable(const char *path, GError **error);
 

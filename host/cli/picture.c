@@ -2,6 +2,7 @@
 #include "picture.h"
 
 #include "exit-status.h"
+#include "film.h"
 #include "options.h"
 #include "output.h"
 

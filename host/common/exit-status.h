@@ -14,8 +14,9 @@ enum {
 };
 
 typedef enum {
-    TINKER_CLI_ERROR_USAGE, /* an option or operand that cannot be */
-    TINKER_CLI_ERROR_FILE,  /* an output that cannot be written */
+    TINKER_CLI_ERROR_USAGE,   /* an option or operand that cannot be */
+    TINKER_CLI_ERROR_FILE,    /* an output that cannot be written */
+    TINKER_CLI_ERROR_STOPPED, /* the caller stopped it */
 } TinkerCliError;
 #define TINKER_CLI_ERROR (tinker_cli_error_quark())
 GQuark tinker_cli_error_quark(void);

@@ -1,7 +1,8 @@
 /* Films: pictures of the same size in order, joined to a GIF, WebM or MP4 by the ffmpeg program where it is installed,
- * else written as numbered PNG files. */
-#ifndef TINKER_CLI_FILM_H
-#define TINKER_CLI_FILM_H
+ * else written as numbered PNG files. A film is written beside its place and put there when it is whole: what is given up
+ * or fails leaves nothing, and a film that was there before stays as it was. */
+#ifndef TINKER_HOST_FILM_H
+#define TINKER_HOST_FILM_H
 
 #include <cairo.h>
 #include <glib.h>
@@ -15,16 +16,23 @@ gboolean tinker_film_can_join(void);
  * ffmpeg the pictures are numbered whatever it is. (transfer full) */
 TinkerFilm *tinker_film_new(const char *path, int width, int height, double frames_per_second, GError **error);
 
+/* Asked often, from then on: where it answers TRUE, the call under way fails with TINKER_CLI_ERROR_STOPPED. */
+void tinker_film_set_cancelled(TinkerFilm *film, gboolean (*cancelled)(void *data), void *data);
+
 /* The next picture: an image surface of format RGB24 and of the film's size. */
 gboolean tinker_film_add(TinkerFilm *film, cairo_surface_t *picture, GError **error);
 
-/* Waits until the film is written. A film that failed is removed. */
+/* Waits until the film is written, and puts it in its place. */
 gboolean tinker_film_finish(TinkerFilm *film, GError **error);
 
 /* Name of the numbered picture `number`, from 1: "motion-0001.png" for "motion.gif". (transfer full) */
 char *tinker_film_picture_name(const char *path, int number);
 
+/* Gives up a film that was not finished: nothing of it is left. */
 void tinker_film_free(TinkerFilm *film);
 G_DEFINE_AUTOPTR_CLEANUP_FUNC(TinkerFilm, tinker_film_free)
+
+/* Whether a path ends in ".png" or the like, in capitals or not. */
+gboolean tinker_path_has_ending(const char *path, const char *ending);
 
 #endif

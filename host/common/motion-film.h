@@ -1,0 +1,44 @@
+/* The motion of a scene as a film: one run records where the bodies are at every picture's time; then every picture is drawn with
+ * one view, that of the box that holds all of them. */
+#ifndef TINKER_HOST_MOTION_FILM_H
+#define TINKER_HOST_MOTION_FILM_H
+
+#include "physics/simulation.h"
+#include "render/painter.h"
+
+/* A film of more pictures, an hour long, is a slip: a speed or rate of the wrong size. */
+#define TINKER_MOTION_FILM_MOST_PICTURES 100000
+
+typedef struct _TinkerMotionFilm TinkerMotionFilm;
+
+/* The scene must stay as it is until the motion is freed. (transfer full) */
+TinkerMotionFilm *tinker_motion_film_new(TinkerScene *scene, GError **error);
+void tinker_motion_film_free(TinkerMotionFilm *motion);
+G_DEFINE_AUTOPTR_CLEANUP_FUNC(TinkerMotionFilm, tinker_motion_film_free)
+
+/* A TinkerSampleFunc with a TinkerMotionFilm as its data: takes a picture's places from a run of the scene. */
+gboolean tinker_motion_film_sample(TinkerSimulation *simulation, double time, const double *values, void *motion,
+                                   GError **error);
+
+/* Forgets what a failed run is not to be believed in: all after this time (s). Answers how many pictures there are. */
+gsize tinker_motion_film_cut(TinkerMotionFilm *motion, double valid_until);
+
+/* How a motion is drawn. */
+typedef struct {
+    const char *path;                  /* of the film; see film.h */
+    int width, height;                 /* pixels */
+    double frames_per_second;          /* of the film */
+    TinkerPaintOptions paint;          /* its memory is the film's own */
+    gboolean (*cancelled)(void *data); /* asked often; TRUE gives the film up, nothing is left. May be NULL */
+    gboolean (*enough)(void *data);    /* asked before a picture; TRUE ends the film before it. May be NULL */
+    void (*progress)(double done, double whole,
+                     void *data); /* pictures; all are done before the last work of joining them */
+    void *data;                   /* of the three */
+} TinkerFilmDrawing;
+
+/* Draws the motion as a film. `drawn` tells how many pictures it has. Errors: TINKER_CLI_ERROR_FILE, and
+ * TINKER_CLI_ERROR_STOPPED where it was cancelled. */
+gboolean tinker_motion_film_write(TinkerMotionFilm *motion, const TinkerFilmDrawing *drawing, gsize *drawn,
+                                  GError **error);
+
+#endif
