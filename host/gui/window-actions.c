@@ -189,6 +189,7 @@ static const struct {
     {"open", window_choose_file, {"<Control>o"}, FALSE},
     {"save", save, {"<Control>s"}, FALSE},
     {"save-as", save_as, {"<Control><Shift>s"}, FALSE},
+    {"export-film", window_export_film, {NULL}, FALSE},
     {"undo", undo, {"<Control>z"}, TRUE},
     {"redo", redo, {"<Control><Shift>z", "<Control>y"}, TRUE},
     {"cut", cut, {"<Control>x"}, TRUE},
@@ -260,6 +261,7 @@ void window_update_actions(TinkerWindow *window)
     TinkerHistory *history = tinker_document_history(window->document);
     enable(window, "undo", tinker_history_can_undo(history) != NULL);
     enable(window, "redo", tinker_history_can_redo(history) != NULL);
+    enable(window, "export-film", window_can_export_film(window));
     static const char *const of_selection[] = {"cut", "copy", "duplicate", "delete"};
     for (gsize i = 0; i < G_N_ELEMENTS(of_selection); i++)
         enable(window, of_selection[i], selected > 0);

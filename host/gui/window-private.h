@@ -5,6 +5,7 @@
 #include "accuracy-page.h"
 #include "autosave.h"
 #include "canvas.h"
+#include "film-task.h"
 #include "graph-layer.h"
 #include "notice-bar.h"
 #include "palette.h"
@@ -35,6 +36,8 @@ struct _TinkerWindow {
     GtkOverlay *canvas_overlay;
     TinkerGraphLayer *graph_layer;
     TinkerAccuracyPage *accuracy;
+    GMenu *recent_menu;
+    GMenu *examples_menu;
 
     /* Of window-accuracy.c. */
     TinkerPlanTask *plan;
@@ -42,8 +45,13 @@ struct _TinkerWindow {
     TinkerNoticeBar *notices; /* whoever has something to say tells it here, under a name of its own */
     guint refresh;            /* id of the timer, or 0 */
     guint told_run;           /* which run's warnings are shown */
-    GMenu *recent_menu;
-    GMenu *examples_menu;
+
+    /* Of window-film.c. */
+    TinkerFilmTask *film;
+    GtkWidget *film_bar;
+    GtkLabel *film_name;
+    GtkProgressBar *film_progress;
+    GtkWidget *film_cancel;
 };
 
 /* Actions win.*; window-actions.c. */
@@ -54,6 +62,11 @@ void window_update_actions(TinkerWindow *window);
 /* The status line, the notices and the page "Accuracy"; window-accuracy.c. */
 void window_add_accuracy(TinkerWindow *window);
 void window_remove_accuracy(TinkerWindow *window);
+
+/* Films; window-film.c. Adds the bar that shows how far one is; asks what it is to be; whether another one can be asked for. */
+void window_add_film(TinkerWindow *window);
+void window_export_film(TinkerWindow *window);
+gboolean window_can_export_film(TinkerWindow *window);
 
 /* A line that goes by itself. */
 void window_toast(TinkerWindow *window, const char *text);

@@ -1,0 +1,218 @@
+/* Films: the dialog, the name of the file, and the bar that shows how far it is. */
+#include <glib/gi18n.h>
+#include <string.h>
+
+#include "film-dialog.h"
+#include "film.h"
+#include "window-files.h"
+
+/* A film that waits for its name. */
+typedef struct {
+    TinkerWindow *window; /* owned */
+    TinkerFilmSettings settings;
+    char *path; /* once it is known; owned */
+} Wish;
+
+static Wish *wish_new(TinkerWindow *window, const TinkerFilmSettings *settings, const char *path)
+{
+    Wish *wish = g_new(Wish, 1);
+    *wish = (Wish){g_object_ref(window), *settings, g_strdup(path)};
+    return wish;
+}
+
+static void wish_free(Wish *wish)
+{
+    g_object_unref(wish->window);
+    g_free(wish->path);
+    g_free(wish);
+}
+
+/* Has a dialog answer a wish, which goes with the dialog, answered or not. */
+static void connect_answer(gpointer dialog, GCallback on_answer, Wish *wish)
+{
+    g_signal_connect_data(dialog, "response", on_answer, wish, (GClosureNotify)(void (*)(void))wish_free, 0);
+}
+
+/* The bar ------------------------------------------------------------------------------------------------------------- */
+
+static void show_progress(TinkerWindow *window)
+{
+    gtk_progress_bar_set_fraction(window->film_progress, tinker_film_task_progress(window->film));
+}
+
+static void tell_end(TinkerWindow *window)
+{
+    const char *path = tinker_film_task_path(window->film), *failure = tinker_film_task_failure(window->film);
+    g_autofree char *name = path != NULL ? g_path_get_basename(path) : NULL;
+    g_autofree char *saved = g_strdup_printf(_("Saved as %s"), name);
+    switch (tinker_film_task_state(window->film)) {
+    case TINKER_FILM_WRITTEN:
+        window_toast(window, saved);
+        break;
+    case TINKER_FILM_CUT_SHORT:
+        window_message(window, _("The Film Ends Early"), failure);
+        break;
+    case TINKER_FILM_CANCELLED:
+        window_toast(window, _("The film was cancelled"));
+        break;
+    case TINKER_FILM_FAILED:
+        window_message(window, _("The Film Was Not Exported"), failure);
+        break;
+    default:
+        break;
+    }
+}
+
+static void on_film_changed(TinkerWindow *window)
+{
+    gboolean running = tinker_film_task_state(window->film) == TINKER_FILM_UNDER_WAY;
+    gboolean had_focus = gtk_widget_is_focus(window->film_cancel);
+    gtk_widget_set_visible(window->film_bar, running);
+    gtk_widget_set_sensitive(window->film_cancel, running);
+    show_progress(window);
+    window_update_actions(window);
+    if (had_focus && !running) gtk_widget_grab_focus(GTK_WIDGET(window->canvas));
+    if (!running) tell_end(window);
+}
+
+static void on_cancel(TinkerWindow *window)
+{
+    gtk_widget_set_sensitive(window->film_cancel, FALSE);
+    tinker_film_task_cancel(window->film);
+}
+
+void window_add_film(TinkerWindow *window)
+{
+    GtkWidget *box = gtk_box_new(GTK_ORIENTATION_HORIZONTAL, 12);
+    window->film_name = GTK_LABEL(gtk_label_new(NULL));
+    gtk_label_set_ellipsize(window->film_name, PANGO_ELLIPSIZE_MIDDLE);
+    window->film_progress = GTK_PROGRESS_BAR(gtk_progress_bar_new());
+    gtk_progress_bar_set_show_text(window->film_progress, TRUE);
+    gtk_widget_set_hexpand(GTK_WIDGET(window->film_progress), TRUE);
+    gtk_widget_set_valign(GTK_WIDGET(window->film_progress), GTK_ALIGN_CENTER);
+    gtk_accessible_update_property(GTK_ACCESSIBLE(window->film_progress), GTK_ACCESSIBLE_PROPERTY_LABEL,
+                                   _("Progress of the film"), -1);
+    window->film_cancel = gtk_button_new_with_mnemonic(_("_Cancel"));
+    g_signal_connect_swapped(window->film_cancel, "clicked", G_CALLBACK(on_cancel), window);
+    gtk_box_append(GTK_BOX(box), GTK_WIDGET(window->film_name));
+    gtk_box_append(GTK_BOX(box), GTK_WIDGET(window->film_progress));
+    gtk_box_append(GTK_BOX(box), window->film_cancel);
+    gtk_widget_add_css_class(box, "film-bar");
+    gtk_widget_set_visible(box, FALSE);
+    gtk_box_append(window->banners, box);
+    window->film_bar = box;
+    window->film = tinker_film_task_new();
+    g_signal_connect_object(window->film, "changed", G_CALLBACK(on_film_changed), window, G_CONNECT_SWAPPED);
+    g_signal_connect_object(window->film, "progress", G_CALLBACK(show_progress), window, G_CONNECT_SWAPPED);
+}
+
+/* The file ------------------------------------------------------------------------------------------------------------ */
+
+static void start(const Wish *wish)
+{
+    TinkerWindow *window = wish->window;
+    TinkerFilmSettings settings = wish->settings;
+    g_autofree char *name = g_path_get_basename(wish->path), *text = g_strdup_printf(_("Exporting %s"), name);
+    settings.path = wish->path;
+    g_object_get(window->canvas, "show-labels", &settings.show_labels, "show-grid", &settings.show_grid, NULL);
+    gtk_label_set_text(window->film_name, text);
+    tinker_film_task_start(window->film, tinker_document_scene(window->document), &settings);
+    gtk_widget_grab_focus(window->film_cancel);
+}
+
+static void on_overwrite(AdwMessageDialog *dialog, const char *answer, const Wish *wish)
+{
+    if (g_strcmp0(answer, "overwrite") == 0) start(wish);
+}
+
+static void ask_to_overwrite(Wish *wish, const char *path)
+{
+    g_autofree char *name = g_path_get_basename(path);
+    GtkWidget *dialog = adw_message_dialog_new(GTK_WINDOW(wish->window), _("Overwrite File?"), NULL);
+    adw_message_dialog_format_body(ADW_MESSAGE_DIALOG(dialog),
+                                   _("There is a file “%s” already. What it holds is lost if you overwrite it."), name);
+    adw_message_dialog_add_responses(ADW_MESSAGE_DIALOG(dialog), "cancel", _("_Cancel"), "overwrite", _("_Overwrite"),
+                                     NULL);
+    adw_message_dialog_set_response_appearance(ADW_MESSAGE_DIALOG(dialog), "overwrite", ADW_RESPONSE_DESTRUCTIVE);
+    adw_message_dialog_set_default_response(ADW_MESSAGE_DIALOG(dialog), "cancel");
+    adw_message_dialog_set_close_response(ADW_MESSAGE_DIALOG(dialog), "cancel");
+    connect_answer(dialog, G_CALLBACK(on_overwrite), wish);
+    gtk_window_present(GTK_WINDOW(dialog));
+}
+
+/* The chosen name, with the ending of the chosen kind where it has none of a film. (transfer full) */
+static char *with_ending(const char *chosen, const char *filter, const char *ending)
+{
+    for (const TinkerFilmFormat *format = tinker_film_formats(); format->name != NULL; format++) {
+        if (tinker_path_has_ending(chosen, format->ending)) return g_strdup(chosen);
+        if (g_strcmp0(filter, _(format->name)) == 0) ending = format->ending;
+    }
+    return g_strconcat(chosen, ending, NULL);
+}
+
+/* The file that the film would take the place of, where the file dialog has not asked about it. (transfer full) */
+static char *file_in_the_way(const char *path, const char *chosen)
+{
+    g_autofree char *first = tinker_path_has_ending(path, ".png") ? tinker_film_picture_name(path, 1) : g_strdup(path);
+    gboolean asked = g_strcmp0(first, chosen) == 0;
+    return !asked && g_file_test(first, G_FILE_TEST_EXISTS) ? g_steal_pointer(&first) : NULL;
+}
+
+static void on_name(GtkNativeDialog *dialog, int response, Wish *wish)
+{
+    GtkFileFilter *filter = gtk_file_chooser_get_filter(GTK_FILE_CHOOSER(dialog));
+    g_autoptr(GFile) file =
+        response == GTK_RESPONSE_ACCEPT ? gtk_file_chooser_get_file(GTK_FILE_CHOOSER(dialog)) : NULL;
+    g_autofree char *chosen = file != NULL ? g_file_get_path(file) : NULL;
+    if (chosen != NULL) {
+        wish->path = with_ending(chosen, filter != NULL ? gtk_file_filter_get_name(filter) : NULL, wish->settings.path);
+        g_autofree char *in_the_way = file_in_the_way(wish->path, chosen);
+        if (in_the_way != NULL)
+            ask_to_overwrite(wish_new(wish->window, &wish->settings, wish->path), in_the_way);
+        else
+            start(wish);
+    } else if (file != NULL) {
+        window_message(wish->window, _("The Film Was Not Exported"), _("Choose a local folder."));
+    }
+    g_object_unref(dialog);
+}
+
+static void add_filters(GtkFileChooser *chooser, const char *chosen)
+{
+    for (const TinkerFilmFormat *format = tinker_film_formats(); format->name != NULL; format++) {
+        g_autoptr(GtkFileFilter) filter = gtk_file_filter_new();
+        g_autofree char *pattern = g_strconcat("*", format->ending, NULL);
+        gtk_file_filter_set_name(filter, _(format->name));
+        gtk_file_filter_add_pattern(filter, pattern);
+        gtk_file_chooser_add_filter(chooser, filter);
+        if (strcmp(format->ending, chosen) == 0) gtk_file_chooser_set_filter(chooser, filter);
+    }
+}
+
+/* The scene's name, without what scenes end in. */
+static void on_chosen(TinkerFilmDialog *from, const TinkerFilmSettings *settings, TinkerWindow *window)
+{
+    GtkFileChooserNative *dialog = gtk_file_chooser_native_new(
+        _("Export Film"), GTK_WINDOW(window), GTK_FILE_CHOOSER_ACTION_SAVE, _("_Export"), _("_Cancel"));
+    g_autofree char *title = tinker_document_name(window->document);
+    if (g_str_has_suffix(title, WINDOW_SCENE_ENDING)) title[strlen(title) - strlen(WINDOW_SCENE_ENDING)] = '\0';
+    g_autofree char *name = g_strconcat(g_strdelimit(title, "/", '-'), settings->path, NULL);
+    gtk_native_dialog_set_modal(GTK_NATIVE_DIALOG(dialog), TRUE);
+    add_filters(GTK_FILE_CHOOSER(dialog), settings->path);
+    gtk_file_chooser_set_current_name(GTK_FILE_CHOOSER(dialog), name);
+    connect_answer(dialog, G_CALLBACK(on_name), wish_new(window, settings, NULL));
+    gtk_native_dialog_show(GTK_NATIVE_DIALOG(dialog));
+}
+
+void window_export_film(TinkerWindow *window)
+{
+    double duration = tinker_scene_head(tinker_document_scene(window->document))->run.duration;
+    GtkWidget *dialog = tinker_film_dialog_new(GTK_WINDOW(window), duration);
+    g_signal_connect_object(dialog, "chosen", G_CALLBACK(on_chosen), window, 0);
+    gtk_window_present(GTK_WINDOW(dialog));
+}
+
+gboolean window_can_export_film(TinkerWindow *window)
+{
+    return window->film == NULL || tinker_film_task_state(window->film) != TINKER_FILM_UNDER_WAY;
+}
