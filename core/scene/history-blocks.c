@@ -64,10 +64,22 @@ static void add_all(TinkerHistory *history, const GArray *blocks, GPtrArray *bef
     }
 }
 
+/* The other blocks that have ends on a block, placeholders too. (transfer full) */
+static GArray *with_ends_on(const TinkerScene *scene, TinkerBlockId block)
+{
+    GArray *others = scene_attached_to(scene, block);
+    g_autoptr(GArray) naming = scene_placeholders_on(scene, block);
+    for (guint i = 0; i < naming->len; i++) {
+        TinkerBlockId id = g_array_index(naming, TinkerBlockId, i);
+        if (id != block) g_array_append_val(others, id);
+    }
+    return others;
+}
+
 void tinker_history_remove_block(TinkerHistory *history, TinkerBlockId block)
 {
     gboolean own = history_open_own(history, "Remove", tinker_scene_block_name(history_scene(history), block));
-    g_autoptr(GArray) attached = scene_attached_to(history_scene(history), block);
+    g_autoptr(GArray) attached = with_ends_on(history_scene(history), block);
     g_autoptr(GPtrArray) before = take_all(history_scene(history), attached);
     SceneSnapshot *removed = scene_snapshot_take(history_scene(history), block);
 

@@ -1,6 +1,17 @@
 /* The ends of placeholders. Nobody knows what a type that is missing means by its keys, but the format says what ends are: where
- * blocks get other names, the names in a placeholder's ends follow, and everything else stays as it was read. */
+ * blocks get other names, the names in a placeholder's ends follow; where a block goes, the ends on it stay lying where they
+ * were; and everything else stays as it was read. */
+#include <math.h>
+
 #include "scene/reader-private.h"
+
+/* Appends what becomes of an end. */
+typedef void (*AppendEnd)(GString *out, const char *text, const JsonPart *end, gpointer data);
+
+static void append_as_it_is(GString *out, const char *text, const JsonPart *part)
+{
+    g_string_append_len(out, text + part->start, (gssize)(part->end - part->start));
+}
 
 /* Appends a value: the new name of the block that it names, or as it is. */
 static void append_name(GString *out, const char *text, const JsonPart *part, GHashTable *names)
@@ -11,7 +22,7 @@ static void append_name(GString *out, const char *text, const JsonPart *part, GH
     if (new_name != NULL)
         json_append_string(out, new_name);
     else
-        g_string_append_len(out, text + part->start, (gssize)(part->end - part->start));
+        append_as_it_is(out, text, part);
     cJSON_Delete(json);
 }
 
@@ -30,23 +41,29 @@ static void append_object(GString *out, const char *text, const JsonPart *part, 
     g_string_append_len(out, text + from, (gssize)(part->end - from));
 }
 
-static void append_ends(GString *out, const char *text, const JsonPart *part, GHashTable *names)
+static void append_renamed(GString *out, const char *text, const JsonPart *end, gpointer names)
+{
+    if (text[end->start] == '{')
+        append_object(out, text, end, names);
+    else
+        append_name(out, text, end, names);
+}
+
+static void append_ends(GString *out, const char *text, const JsonPart *part, AppendEnd append, gpointer data)
 {
     g_autoptr(GArray) ends = json_split(text, part->start);
     gsize from = part->start;
     for (guint i = 0; text[part->start] == '[' && i < ends->len; i++) {
         const JsonPart *end = &g_array_index(ends, JsonPart, i);
         g_string_append_len(out, text + from, (gssize)(end->start - from));
-        if (text[end->start] == '{')
-            append_object(out, text, end, names);
-        else
-            append_name(out, text, end, names);
+        append(out, text, end, data);
         from = end->end;
     }
     g_string_append_len(out, text + from, (gssize)(part->end - from));
 }
 
-gboolean scene_placeholder_rename_ends(ScenePlaceholder *placeholder, GHashTable *names)
+/* Answers whether that changed anything. */
+static gboolean rewrite_ends(ScenePlaceholder *placeholder, AppendEnd append, gpointer data)
 {
     g_autofree char *text = placeholder->text;
     g_autoptr(GArray) members = json_split(text, 0);
@@ -56,12 +73,17 @@ gboolean scene_placeholder_rename_ends(ScenePlaceholder *placeholder, GHashTable
         const JsonPart *member = &g_array_index(members, JsonPart, i);
         if (!json_key_is(text, member, "ends")) continue;
         g_string_append_len(out, text + from, (gssize)(member->start - from));
-        append_ends(out, text, member, names);
+        append_ends(out, text, member, append, data);
         from = member->end;
     }
     g_string_append(out, text + from);
     placeholder->text = g_string_free(out, FALSE);
     return !g_str_equal(placeholder->text, text);
+}
+
+gboolean scene_placeholder_rename_ends(ScenePlaceholder *placeholder, GHashTable *names)
+{
+    return rewrite_ends(placeholder, append_renamed, names);
 }
 
 /* (transfer full) */
@@ -98,4 +120,61 @@ GArray *scene_placeholders_on(const TinkerScene *scene, TinkerBlockId block)
         scene_placeholder_free(copy);
     }
     return blocks;
+}
+
+/* Detaching ---------------------------------------------------------------------------------------------------- */
+
+typedef struct {
+    const TinkerScene *scene;
+    TinkerBlockId block;
+} Leaving;
+
+/* A length as the format writes one (m); what nobody can read counts as none. */
+static double length_of(const cJSON *json)
+{
+    double value = 0;
+    if (cJSON_IsNumber(json)) value = json->valuedouble;
+    if (cJSON_IsString(json) && !tinker_quantity_parse(json->valuestring, reader_length, &value, NULL)) value = 0;
+    return isfinite(value) ? value : 0;
+}
+
+static void append_length(GString *out, double value)
+{
+    char text[64];
+    tinker_number_to_text(isfinite(value) ? value : 0, text, sizeof text);
+    g_string_append(out, text);
+}
+
+/* An end on the block that leaves becomes a place, which is how the format writes one that is detached. */
+static void append_detached(GString *out, const char *text, const JsonPart *end, gpointer data)
+{
+    const Leaving *leaving = data;
+    cJSON *json = cJSON_ParseWithLength(text + end->start, end->end - end->start);
+    const cJSON *name = cJSON_IsObject(json) ? cJSON_GetObjectItemCaseSensitive(json, "block") : json;
+    const cJSON *at = cJSON_IsObject(json) ? cJSON_GetObjectItemCaseSensitive(json, "at") : NULL;
+    if (g_strcmp0(cJSON_GetStringValue(name), tinker_scene_block_name(leaving->scene, leaving->block)) == 0) {
+        double place[2];
+        TinkerSceneEnd on = {leaving->block, length_of(cJSON_GetArrayItem(at, 0)),
+                             length_of(cJSON_GetArrayItem(at, 1))};
+        scene_end_place(leaving->scene, on, place);
+        g_string_append_c(out, '[');
+        append_length(out, place[0]);
+        g_string_append(out, ", ");
+        append_length(out, place[1]);
+        g_string_append_c(out, ']');
+    } else {
+        append_as_it_is(out, text, end);
+    }
+    cJSON_Delete(json);
+}
+
+void scene_placeholders_detach(TinkerScene *scene, TinkerBlockId block)
+{
+    g_autoptr(GArray) naming = scene_placeholders_on(scene, block);
+    Leaving leaving = {scene, block};
+    for (guint i = 0; i < naming->len; i++) {
+        TinkerBlockId id = g_array_index(naming, TinkerBlockId, i);
+        if (id != block)
+            rewrite_ends(g_hash_table_lookup(scene->placeholders, GINT_TO_POINTER(id)), append_detached, &leaving);
+    }
 }

@@ -136,6 +136,8 @@ gboolean scene_placeholder_rename_ends(ScenePlaceholder *placeholder, GHashTable
 void scene_placeholders_follow(TinkerScene *scene, const char *old_name, const char *new_name);
 /* The placeholders in the scene whose ends name a block; of TinkerBlockId. (transfer full) */
 GArray *scene_placeholders_on(const TinkerScene *scene, TinkerBlockId block);
+/* Their ends on the block become detached ones at the same places, as those of other blocks do where it is removed. */
+void scene_placeholders_detach(TinkerScene *scene, TinkerBlockId block);
 
 /* The place of a block in the drawing order, 0 for the one that is drawn first; and moving it to another. */
 int32_t scene_order_of(const TinkerScene *scene, TinkerBlockId block);

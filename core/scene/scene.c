@@ -299,6 +299,7 @@ void tinker_scene_remove_block(TinkerScene *scene, TinkerBlockId block)
             ends[end] = (TinkerSceneEnd){TINKER_NO_BLOCK, place[0], place[1]};
         }
     }
+    scene_placeholders_detach(scene, block);
     scene_take_out(scene, block);
 }
 

@@ -271,6 +271,31 @@ static void test_placeholder_ends(void)
     g_assert_cmpstr(redone, ==, after);
 }
 
+/* Where a block goes, an end on it stays lying where it was: of a support at (1, 2) turned by 180 deg, 0.5 m along it is
+ * (0.5, 2). */
+static void test_placeholder_ends_detached(void)
+{
+    g_autoptr(TinkerScene) scene = scene_fixture_read_blocks(
+        "{\"type\": \"support\", \"name\": \"W\", \"position\": [1, 2], \"orientation\": \"180 deg\"}, "
+        "{\"type\": \"mass\", \"name\": \"B\"}, {\"type\": \"pulley\", \"name\": \"P\", \"ends\": [\"W\", "
+        "{\"block\": \"W\", \"at\": [\"50 cm\", 0], \"pin\": 1}, \"P\", {\"block\": \"B\", \"pin\": 2}, [3, 4]], "
+        "\"note\": \"W\"}");
+    g_autoptr(TinkerHistory) history = tinker_history_new(scene);
+    g_autofree char *before = text_of(scene);
+    tinker_history_remove_block(history, tinker_scene_find_block(scene, "W"));
+    g_autofree char *after = text_of(scene);
+    g_assert_nonnull(strstr(after, "\"name\": \"P\", \"ends\": [[1, 2], [0.5, 2], \"P\", {\"block\": \"B\", "
+                                   "\"pin\": 2}, [3, 4]], \"note\": \"W\"}"));
+    tinker_history_remove_block(history, tinker_scene_find_block(scene, "P")); /* it names itself */
+    tinker_history_undo(history);
+    tinker_history_undo(history);
+    g_autofree char *undone = text_of(scene);
+    g_assert_cmpstr(undone, ==, before);
+    tinker_history_redo(history);
+    g_autofree char *redone = text_of(scene);
+    g_assert_cmpstr(redone, ==, after);
+}
+
 static void test_head(void)
 {
     g_autoptr(TinkerScene) scene = scene_fixture_read(scene_fixture_example);
@@ -409,6 +434,7 @@ static void add_tests(void)
     g_test_add_func("/scene/history/removal", test_removal);
     g_test_add_func("/scene/history/swapped-names", test_swapped_names);
     g_test_add_func("/scene/history/placeholder-ends", test_placeholder_ends);
+    g_test_add_func("/scene/history/placeholder-ends-detached", test_placeholder_ends_detached);
     g_test_add_func("/scene/history/head", test_head);
     g_test_add_func("/scene/history/graphs", test_graphs);
     g_test_add_func("/scene/history/order", test_order);
