@@ -298,24 +298,42 @@ static void make_room(double box[4], double least)
     unite(box, (double[]){box[0] - room, box[1] - room, box[2] + room, box[3] + room});
 }
 
-/* The box of all drawings with this style; where there are none, the box of an empty canvas. */
-static void bounds_with(TinkerFrame *frame, const TinkerStyle *style, double box[4])
+GArray *tinker_painter_boxes(TinkerFrame *frame, const TinkerView *view)
 {
+    GArray *boxes = g_array_new(FALSE, FALSE, 4 * sizeof(double));
     TinkerScene *scene = tinker_frame_scene(frame);
-    int32_t count = tinker_scene_block_count(scene);
-    box[0] = box[1] = INFINITY;
-    box[2] = box[3] = -INFINITY;
-    for (int32_t place = 0; place < count; place++) {
+    cairo_surface_t *surface = cairo_recording_surface_create(CAIRO_CONTENT_COLOR_ALPHA, NULL);
+    cairo_t *cairo = cairo_create(surface);
+    double symbol = tinker_style_symbol(view->scale, tinker_frame_typical_size(frame));
+    TinkerStyleBrush brush;
+    tinker_frame_set_symbol_size(frame, symbol);
+    tinker_style_begin(&brush, cairo, tinker_theme_find("light"), view, symbol);
+    for (int32_t place = 0; place < tinker_scene_block_count(scene); place++) {
         TinkerPiece piece;
         double own[4];
         tinker_piece_init(&piece, frame, tinker_scene_block_at(scene, place));
-        if (piece.kind != TINKER_PIECE_FIELD && tinker_piece_box(&piece, style, own)) unite(box, own);
+        if (piece.kind != TINKER_PIECE_FIELD && tinker_piece_box(&piece, &brush.style, own))
+            g_array_append_vals(boxes, own, 1);
     }
+    tinker_style_end(&brush);
+    cairo_destroy(cairo);
+    cairo_surface_destroy(surface);
+    return boxes;
+}
+
+/* The box of all drawings in this view; where there are none, the box of an empty canvas. */
+static void bounds_in(TinkerFrame *frame, const TinkerView *view, double box[4])
+{
+    g_autoptr(GArray) boxes = tinker_painter_boxes(frame, view);
+    box[0] = box[1] = INFINITY;
+    box[2] = box[3] = -INFINITY;
+    for (guint i = 0; i < boxes->len; i++)
+        unite(box, (const double *)(gpointer)boxes->data + 4 * (gsize)i);
     if (box[0] <= box[2]) {
         make_room(box, LEAST_BOUNDS * tinker_frame_typical_size(frame));
         return;
     }
-    double half = tinker_scene_head(scene)->canvas_width / 2;
+    double half = tinker_scene_head(tinker_frame_scene(frame))->canvas_width / 2;
     if (!(half > 0) || !isfinite(half)) half = 5;
     box[0] = box[1] = -half;
     box[2] = box[3] = half;
@@ -325,22 +343,11 @@ void tinker_painter_bounds(TinkerFrame *frame, double box[4])
 {
     /* Marks are as large on the canvas whatever the view, and the view follows from the box: the first round takes marks
      * without size, the second those of the view that shows the first box on a canvas of ordinary size. */
-    cairo_surface_t *surface = cairo_recording_surface_create(CAIRO_CONTENT_COLOR_ALPHA, NULL);
-    cairo_t *cairo = cairo_create(surface);
-    const TinkerTheme *theme = tinker_theme_find("light");
-    double typical = tinker_frame_typical_size(frame);
     TinkerView view = {.scale = 1e6, .width = 800, .height = 600};
     for (int round = 0; round < 2; round++) {
-        TinkerStyleBrush brush;
-        double symbol = tinker_style_symbol(view.scale, typical);
-        tinker_frame_set_symbol_size(frame, symbol);
-        tinker_style_begin(&brush, cairo, theme, &view, symbol);
-        bounds_with(frame, &brush.style, box);
-        tinker_style_end(&brush);
+        bounds_in(frame, &view, box);
         view = tinker_view_fit(box, view.width, view.height, FILE_MARGIN * view.height);
     }
-    cairo_destroy(cairo);
-    cairo_surface_destroy(surface);
 }
 
 typedef struct {

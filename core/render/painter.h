@@ -31,6 +31,10 @@ TinkerPaintOptions tinker_paint_options_default(void);
 /* The world box that shows everything in the frame, drawings' bounds included. */
 void tinker_painter_bounds(TinkerFrame *frame, double box[4]);
 
+/* The world boxes of the drawings in a view, of double[4] as above, in drawing order; fields have none. The frame's symbol
+ * size becomes that of the view. (transfer full) */
+GArray *tinker_painter_boxes(TinkerFrame *frame, const TinkerView *view);
+
 /* The size of symbols (m) that the painter draws this frame with at a scale (canvas units per m). */
 double tinker_painter_symbol_size(TinkerFrame *frame, double scale);
 

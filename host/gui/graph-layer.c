@@ -5,13 +5,14 @@
 #include <math.h>
 
 #include "graph-edit.h"
+#include "render/painter.h"
 
 #define LEAST_WIDTH  200.0 /* widget units: readable */
 #define LEAST_HEIGHT 140.0
 #define USUAL_WIDTH  340.0
 #define USUAL_HEIGHT 230.0
 #define NUDGE        10.0
-#define BLOCK_REACH  30.0 /* widget units: what a new graph leaves free about the centre of a block */
+#define BLOCK_GAP    4.0  /* widget units: what a new graph leaves free about the drawing of a block */
 #define BAR_HEIGHT   64.0 /* widget units: likewise at the bottom, where the bar floats */
 
 struct _TinkerGraphLayer {
@@ -79,6 +80,21 @@ static gboolean tinker_graph_layer_contains(GtkWidget *widget, double x, double 
     return FALSE;
 }
 
+/* Adds the boxes on the canvas that blocks are drawn in. */
+static void add_blocks(TinkerFrame *frame, const TinkerView *view, GArray *taken)
+{
+    g_autoptr(GArray) boxes = tinker_painter_boxes(frame, view);
+    for (guint i = 0; i < boxes->len; i++) {
+        const double *world = (const double *)(gpointer)boxes->data + 4 * (gsize)i;
+        double left, top, right, bottom;
+        tinker_view_to_canvas(view, world[0], world[3], &left, &top);
+        tinker_view_to_canvas(view, world[2], world[1], &right, &bottom);
+        TinkerGraphBox box = {left - BLOCK_GAP, top - BLOCK_GAP, right - left + 2 * BLOCK_GAP,
+                              bottom - top + 2 * BLOCK_GAP};
+        g_array_append_val(taken, box);
+    }
+}
+
 void tinker_graph_layer_find_room(TinkerGraphLayer *layer, TinkerFrame *frame, const double *size, double place[2],
                                   double room[2])
 {
@@ -89,16 +105,7 @@ void tinker_graph_layer_find_room(TinkerGraphLayer *layer, TinkerFrame *frame, c
         TinkerGraphBox box = box_of(layer, tinker_graph_board_view(board, i));
         g_array_append_val(taken, box);
     }
-    const TinkerScene *scene = frame != NULL ? tinker_frame_scene(frame) : NULL;
-    for (int32_t i = 0; scene != NULL && i < tinker_scene_block_count(scene); i++) {
-        double x, y, orientation;
-        TinkerGraphBox box = {0, 0, 2 * BLOCK_REACH, 2 * BLOCK_REACH};
-        tinker_frame_centre(frame, tinker_scene_block_at(scene, i), &x, &y, &orientation);
-        tinker_view_to_canvas(view, x, y, &box.x, &box.y);
-        box.x -= BLOCK_REACH;
-        box.y -= BLOCK_REACH;
-        g_array_append_val(taken, box);
-    }
+    if (frame != NULL) add_blocks(frame, view, taken);
     TinkerGraphBox box = {0};
     size_on_screen(layer, size, &box);
     tinker_graph_find_room(&box, view->width, view->height - BAR_HEIGHT, (const TinkerGraphBox *)(gpointer)taken->data,
