@@ -212,8 +212,7 @@ static void tinker_application_open(GApplication *base, GFile **files, int count
             active != NULL && TINKER_IS_WINDOW(active) && tinker_window_is_untouched(TINKER_WINDOW(active))
                 ? TINKER_WINDOW(active)
                 : new_window(application);
-        g_autofree char *path = g_file_get_path(files[i]);
-        if (path != NULL) tinker_window_open(window, path);
+        tinker_window_open_file(window, files[i]);
     }
 }
 

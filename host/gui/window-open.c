@@ -100,15 +100,24 @@ void tinker_window_open(TinkerWindow *window, const char *path)
     if (findings->len > 0) tell_warnings(window, findings);
 }
 
+void tinker_window_open_file(TinkerWindow *window, GFile *file)
+{
+    g_autofree char *path = g_file_get_path(file);
+    if (path != NULL) {
+        tinker_window_open(window, path);
+        return;
+    }
+    g_autofree char *name = g_file_get_parse_name(file);
+    g_autofree char *body =
+        g_strdup_printf(_("“%s” is not in a folder of this computer. Copy it into one, and open the copy."), name);
+    window_message(window, _("The File Was Not Opened"), body);
+}
+
 static void on_open_name(GtkNativeDialog *dialog, int response, TinkerWindow *window)
 {
     g_autoptr(GFile) file =
         response == GTK_RESPONSE_ACCEPT ? gtk_file_chooser_get_file(GTK_FILE_CHOOSER(dialog)) : NULL;
-    g_autofree char *path = file != NULL ? g_file_get_path(file) : NULL;
-    if (path != NULL)
-        tinker_window_open(window, path);
-    else if (file != NULL)
-        window_message(window, _("The File Was Not Opened"), _("Choose a file in a local folder."));
+    if (file != NULL) tinker_window_open_file(window, file);
     g_object_unref(window);
     g_object_unref(dialog);
 }

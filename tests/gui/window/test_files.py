@@ -116,6 +116,16 @@ def test_file_that_is_not_there(display):
         app.gone("dialog")
 
 
+def test_file_that_is_not_local(display):
+    place = "http://example.org/far.tinker.json"
+    with App(display, arguments=[place]) as app:
+        dialog = app.find("dialog", "The File Was Not Opened")
+        app.find_text(place)
+        app.find_text("Copy it")
+        app.click("Close", inside=dialog)
+        app.gone("dialog")
+
+
 def test_folder_that_cannot_be_written(display):
     with App(display, one_mass()) as app:
         edit(app)
