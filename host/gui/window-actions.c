@@ -209,14 +209,22 @@ static const struct {
     {"zoom-width", zoom_width, {"<Control>1"}, FALSE},
 };
 
-/* What is still being typed into an entry is taken over first: it does that when it loses the focus. */
-static void on_activate(GSimpleAction *action, GVariant *parameter, gpointer window)
+/* An entry takes over what is being typed when it loses the focus. One that is wrong gets it back, for Escape and another
+ * try. */
+static void take_over_entry(TinkerWindow *window)
 {
     GtkWidget *focus = gtk_window_get_focus(GTK_WINDOW(window));
-    if (GTK_IS_EDITABLE(focus)) {
-        gtk_window_set_focus(GTK_WINDOW(window), NULL);
-        gtk_widget_grab_focus(GTK_WIDGET(TINKER_WINDOW(window)->canvas));
-    }
+    if (!GTK_IS_EDITABLE(focus)) return;
+    GtkWidget *around = gtk_widget_get_ancestor(focus, GTK_TYPE_ENTRY);
+    g_autoptr(GtkWidget) entry = around != NULL ? g_object_ref(around) : NULL;
+    gtk_window_set_focus(GTK_WINDOW(window), NULL);
+    gboolean is_wrong = entry != NULL && gtk_widget_get_mapped(entry) && gtk_widget_has_css_class(entry, "error");
+    gtk_widget_grab_focus(is_wrong ? entry : GTK_WIDGET(window->canvas));
+}
+
+static void on_activate(GSimpleAction *action, GVariant *parameter, gpointer window)
+{
+    take_over_entry(window);
     const char *name = g_action_get_name(G_ACTION(action));
     for (gsize i = 0; i < G_N_ELEMENTS(commands); i++)
         if (g_strcmp0(commands[i].name, name) == 0) commands[i].command(TINKER_WINDOW(window));

@@ -48,6 +48,19 @@ def test_wrong_numbers(display):
         wrong_entries(app, "Size", "Width", ("-1",))
 
 
+def test_escape_after_saving(display):
+    """Saving by key takes over what is typed; where that is wrong, the field keeps the keys."""
+    with App(display, scene(mass("A", 0, 0))) as app:
+        select(app, 0.2, 0.2)
+        app.enter("Properties", "Mass", "heavy")
+        wait(lambda: app.look("alert", re.compile("...")), "a word on it")
+        app.saved()
+        check_equal(app.read("Properties", "Mass"), "heavy", "what stays in the field")
+        app.xdotool("key", "Escape")
+        app.wait_read("Properties", "Mass", "1.00000 kg")
+        wait(lambda: app.look("alert") is None, "the word on it to go")
+
+
 def test_wrong_names(display):
     with App(display, scene(mass("A", -2, 0), mass("B", 2, 0))) as app:
         select(app, -1.8, 0.2)
