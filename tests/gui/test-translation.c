@@ -107,6 +107,77 @@ static void test_start_labels(void)
     g_assert_true(g_hash_table_contains(labels, "Spring 0 gedehnt um"));
 }
 
+/* Keys of menus ------------------------------------------------------------------------------------------------------- */
+
+typedef struct {
+    GPtrArray *menus; /* each within the one before: sets of keys */
+    gboolean in_label;
+    int count;
+} MenuReader;
+
+static gboolean is_menu(const char *element)
+{
+    return g_str_equal(element, "menu") || g_str_equal(element, "submenu");
+}
+
+static void on_element(GMarkupParseContext *context, const char *element, const char **names, const char **values,
+                       gpointer data, GError **error)
+{
+    MenuReader *reader = data;
+    if (is_menu(element)) g_ptr_array_add(reader->menus, g_hash_table_new(NULL, NULL));
+    reader->in_label = g_str_equal(element, "attribute") && g_strcmp0(values[0], "label") == 0;
+}
+
+static void on_element_end(GMarkupParseContext *context, const char *element, gpointer data, GError **error)
+{
+    MenuReader *reader = data;
+    if (is_menu(element)) g_ptr_array_set_size(reader->menus, (int)reader->menus->len - 1);
+    reader->in_label = FALSE;
+}
+
+/* Each language has keys of its own. */
+static void check_key(MenuReader *reader, GHashTable *keys, const char *label, guint language)
+{
+    const char *mark = strchr(label, '_');
+    if (mark == NULL) return;
+    guint key = g_unichar_tolower(g_utf8_get_char(mark + 1)) * 2 + language;
+    reader->count++;
+    if (g_hash_table_add(keys, GUINT_TO_POINTER(key))) return;
+    g_test_message("the key of “%s” is that of another item of its menu", label);
+    g_test_fail();
+}
+
+/* The label of a submenu stands in it, but is seen in the menu around it. */
+static void on_label(GMarkupParseContext *context, const char *text, gsize length, gpointer data, GError **error)
+{
+    MenuReader *reader = data;
+    if (!reader->in_label || reader->menus->len == 0) return;
+    const char *parent = g_markup_parse_context_get_element_stack(context)->next->data;
+    guint depth = reader->menus->len - (g_str_equal(parent, "submenu") ? 2 : 1);
+    GHashTable *keys = g_ptr_array_index(reader->menus, depth);
+    check_key(reader, keys, text, 0);
+    check_key(reader, keys, gettext(text), 1);
+}
+
+/* No two items of a menu have the same key, in English and in German. */
+static void test_keys_of_menus(void)
+{
+    static const GMarkupParser parser = {.start_element = on_element, .end_element = on_element_end, .text = on_label};
+    static const char *const files[] = {"window.ui", "menus.ui"};
+    MenuReader reader = {.menus = g_ptr_array_new_with_free_func((GDestroyNotify)g_hash_table_unref)};
+    for (gsize i = 0; i < G_N_ELEMENTS(files); i++) {
+        g_autoptr(GError) error = NULL;
+        g_autofree char *text = NULL, *path = g_build_filename(g_getenv("TINKER_SOURCES"), "host", "gui", "resources",
+                                                               files[i], NULL);
+        g_assert_true(g_file_get_contents(path, &text, NULL, NULL));
+        g_autoptr(GMarkupParseContext) context = g_markup_parse_context_new(&parser, 0, &reader, NULL);
+        g_markup_parse_context_parse(context, text, -1, &error);
+        g_assert_no_error(error);
+    }
+    g_assert_cmpint(reader.count, >, 40);
+    g_ptr_array_unref(reader.menus);
+}
+
 /* The list of the translators is what the descriptors say today. */
 static void test_template_is_up_to_date(void)
 {
@@ -141,6 +212,7 @@ static void add_tests(void)
     g_test_add_func("/gui/translation/descriptors", test_descriptor_texts);
     g_test_add_func("/gui/translation/scene", test_scene_stays_english);
     g_test_add_func("/gui/translation/start", test_start_labels);
+    g_test_add_func("/gui/translation/keys-of-menus", test_keys_of_menus);
     g_test_add_func("/gui/translation/template", test_template_is_up_to_date);
     g_test_add_func("/gui/translation/program", test_program_speaks_german);
 }
