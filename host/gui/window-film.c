@@ -63,44 +63,56 @@ static void tell_end(TinkerWindow *window)
     }
 }
 
-static void on_film_changed(TinkerWindow *window)
-{
-    gboolean running = tinker_film_task_state(window->film) == TINKER_FILM_UNDER_WAY;
-    gboolean had_focus = gtk_widget_is_focus(window->film_cancel);
-    gtk_widget_set_visible(window->film_bar, running);
-    gtk_widget_set_sensitive(window->film_cancel, running);
-    show_progress(window);
-    window_update_actions(window);
-    if (had_focus && !running) gtk_widget_grab_focus(GTK_WIDGET(window->canvas));
-    if (!running) tell_end(window);
-}
-
 static void on_cancel(TinkerWindow *window)
 {
     gtk_widget_set_sensitive(window->film_cancel, FALSE);
     tinker_film_task_cancel(window->film);
 }
 
-void window_add_film(TinkerWindow *window)
+static void add_bar(TinkerWindow *window)
 {
-    GtkWidget *box = gtk_box_new(GTK_ORIENTATION_HORIZONTAL, 12);
-    window->film_name = GTK_LABEL(gtk_label_new(NULL));
-    gtk_label_set_ellipsize(window->film_name, PANGO_ELLIPSIZE_MIDDLE);
-    window->film_progress = GTK_PROGRESS_BAR(gtk_progress_bar_new());
-    gtk_progress_bar_set_show_text(window->film_progress, TRUE);
-    gtk_widget_set_hexpand(GTK_WIDGET(window->film_progress), TRUE);
-    gtk_widget_set_valign(GTK_WIDGET(window->film_progress), GTK_ALIGN_CENTER);
-    gtk_accessible_update_property(GTK_ACCESSIBLE(window->film_progress), GTK_ACCESSIBLE_PROPERTY_LABEL,
-                                   _("Progress of the film"), -1);
+    GtkWidget *progress = gtk_progress_bar_new();
+    g_autofree char *name = g_path_get_basename(tinker_film_task_path(window->film));
+    g_autofree char *text = g_strdup_printf(_("Exporting %s"), name);
+    GtkWidget *label = gtk_label_new(text);
+    gtk_label_set_ellipsize(GTK_LABEL(label), PANGO_ELLIPSIZE_MIDDLE);
+    gtk_progress_bar_set_show_text(GTK_PROGRESS_BAR(progress), TRUE);
+    gtk_widget_set_hexpand(progress, TRUE);
+    gtk_widget_set_valign(progress, GTK_ALIGN_CENTER);
+    gtk_accessible_update_property(GTK_ACCESSIBLE(progress), GTK_ACCESSIBLE_PROPERTY_LABEL, _("Progress of the film"),
+                                   -1);
+    window->film_progress = GTK_PROGRESS_BAR(progress);
     window->film_cancel = gtk_button_new_with_mnemonic(_("_Cancel"));
     g_signal_connect_swapped(window->film_cancel, "clicked", G_CALLBACK(on_cancel), window);
-    gtk_box_append(GTK_BOX(box), GTK_WIDGET(window->film_name));
-    gtk_box_append(GTK_BOX(box), GTK_WIDGET(window->film_progress));
-    gtk_box_append(GTK_BOX(box), window->film_cancel);
-    gtk_widget_add_css_class(box, "film-bar");
-    gtk_widget_set_visible(box, FALSE);
-    gtk_box_append(window->banners, box);
-    window->film_bar = box;
+    window->film_bar = gtk_box_new(GTK_ORIENTATION_HORIZONTAL, 12);
+    gtk_widget_add_css_class(window->film_bar, "film-bar");
+    gtk_box_append(GTK_BOX(window->film_bar), label);
+    gtk_box_append(GTK_BOX(window->film_bar), progress);
+    gtk_box_append(GTK_BOX(window->film_bar), window->film_cancel);
+    gtk_box_append(window->banners, window->film_bar);
+}
+
+/* There only while there is something to show: what is merely hidden, assistive programs would still find. */
+static void remove_bar(TinkerWindow *window)
+{
+    gboolean had_focus = gtk_widget_is_focus(window->film_cancel);
+    gtk_box_remove(window->banners, window->film_bar);
+    window->film_bar = window->film_cancel = NULL;
+    window->film_progress = NULL;
+    if (had_focus) gtk_widget_grab_focus(GTK_WIDGET(window->canvas));
+}
+
+static void on_film_changed(TinkerWindow *window)
+{
+    gboolean running = tinker_film_task_state(window->film) == TINKER_FILM_UNDER_WAY;
+    if (window->film_bar != NULL) remove_bar(window);
+    if (running) add_bar(window);
+    window_update_actions(window);
+    if (!running) tell_end(window);
+}
+
+void window_add_film(TinkerWindow *window)
+{
     window->film = tinker_film_task_new();
     g_signal_connect_object(window->film, "changed", G_CALLBACK(on_film_changed), window, G_CONNECT_SWAPPED);
     g_signal_connect_object(window->film, "progress", G_CALLBACK(show_progress), window, G_CONNECT_SWAPPED);
@@ -112,10 +124,8 @@ static void start(const Wish *wish)
 {
     TinkerWindow *window = wish->window;
     TinkerFilmSettings settings = wish->settings;
-    g_autofree char *name = g_path_get_basename(wish->path), *text = g_strdup_printf(_("Exporting %s"), name);
     settings.path = wish->path;
     g_object_get(window->canvas, "show-labels", &settings.show_labels, "show-grid", &settings.show_grid, NULL);
-    gtk_label_set_text(window->film_name, text);
     tinker_film_task_start(window->film, tinker_document_scene(window->document), &settings);
     gtk_widget_grab_focus(window->film_cancel);
 }
@@ -192,8 +202,8 @@ static void add_filters(GtkFileChooser *chooser, const char *chosen)
 /* The scene's name, without what scenes end in. */
 static void on_chosen(TinkerFilmDialog *from, const TinkerFilmSettings *settings, TinkerWindow *window)
 {
-    GtkFileChooserNative *dialog = gtk_file_chooser_native_new(
-        _("Export Film"), GTK_WINDOW(window), GTK_FILE_CHOOSER_ACTION_SAVE, _("_Export"), _("_Cancel"));
+    GtkFileChooserNative *dialog = gtk_file_chooser_native_new(_("Save Film"), GTK_WINDOW(window),
+                                                               GTK_FILE_CHOOSER_ACTION_SAVE, _("_Save"), _("_Cancel"));
     g_autofree char *title = tinker_document_name(window->document);
     if (g_str_has_suffix(title, WINDOW_SCENE_ENDING)) title[strlen(title) - strlen(WINDOW_SCENE_ENDING)] = '\0';
     g_autofree char *name = g_strconcat(g_strdelimit(title, "/", '-'), settings->path, NULL);

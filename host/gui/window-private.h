@@ -48,10 +48,8 @@ struct _TinkerWindow {
 
     /* Of window-film.c. */
     TinkerFilmTask *film;
-    GtkWidget *film_bar;
-    GtkLabel *film_name;
-    GtkProgressBar *film_progress;
-    GtkWidget *film_cancel;
+    GtkWidget *film_bar, *film_cancel; /* NULL while there is none */
+    GtkProgressBar *film_progress;     /* likewise */
 };
 
 /* Actions win.*; window-actions.c. */
@@ -63,7 +61,7 @@ void window_update_actions(TinkerWindow *window);
 void window_add_accuracy(TinkerWindow *window);
 void window_remove_accuracy(TinkerWindow *window);
 
-/* Films; window-film.c. Adds the bar that shows how far one is; asks what it is to be; whether another one can be asked for. */
+/* Films; window-film.c. Gets ready; asks what it is to be; whether another one can be asked for. */
 void window_add_film(TinkerWindow *window);
 void window_export_film(TinkerWindow *window);
 gboolean window_can_export_film(TinkerWindow *window);

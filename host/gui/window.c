@@ -148,7 +148,7 @@ static void tinker_window_dispose(GObject *object)
     if (window->player != NULL) g_signal_handlers_disconnect_by_data(window->player, window);
     window_remove_accuracy(window);
     gtk_widget_dispose_template(GTK_WIDGET(window), TINKER_TYPE_WINDOW);
-    g_clear_object(&window->film);
+    g_clear_object(&window->film); /* gives up what is under way */
     g_clear_object(&window->autosave);
     g_clear_object(&window->player);
     g_clear_object(&window->document);
