@@ -24,7 +24,7 @@ static guint chosen_signal;
 static const TinkerFilmFormat formats[] = {{N_("GIF animation"), ".gif"},
                                            {N_("WebM film"), ".webm"},
                                            {N_("MP4 film"), ".mp4"},
-                                           {N_("Numbered pictures (PNG)"), ".png"},
+                                           {N_("Numbered PNGs"), ".png"},
                                            {NULL, NULL}};
 static const int sizes[][2] = {{320, 240}, {640, 480}, {960, 720}, {1280, 720}, {1920, 1080}};
 static const double rates[] = {10, 20, 25, 30, 50, 60};
