@@ -1,9 +1,12 @@
 #!/usr/bin/python3
 """Graphs: added, moved, sized, deleted, copied, saved as pictures and tables."""
 import csv
+import os
 import subprocess
 
-from harness import App, check, check_close, check_equal, main, mass, scene, wait
+from harness import App, check, check_close, check_equal, colours, main, mass, scene, support, wait
+
+CLIPBOARD = os.environ["TINKER_CLIPBOARD"]  # another program, which reads the clipboard
 
 GRAVITY = {"type": "gravity", "name": "Gravity"}
 
@@ -34,6 +37,92 @@ def test_menu_of_a_block_adds_one(display):
         check_equal(app.saved()["graphs"][0]["block"], "Ball", "block of the graph in the file")
         app.click("Undo")
         check_equal(app.saved().get("graphs", []), [], "graphs after undo")
+
+
+def test_new_graph_is_in_front(display):
+    """Another one covers all but a strip on the left: there is no free room for a new one. What lies in front takes clicks."""
+    large = {"block": "Ball", "quantity": "y", "place": [-3.4, 6], "size": [20, 20]}
+    with App(display, scene(mass("Ball", -4.2, 0), GRAVITY, duration=0.1, graphs=[large])) as app:
+        app.show_width()
+        app.click_world(-4.1, 0.1, button=3)
+        app.choose("Add Graph", "X Position")
+        new = app.find(None, app.pattern("^Graph of .*X Position"))
+        left, top, right, bottom = app.canvas_box()
+        x, y, width, height = app.settled(new)
+        check(left <= x and top <= y and x + width <= left + right and y + height <= top + bottom, "it is on the canvas")
+        app.click(new, button=3)
+        app.choose("Delete Graph")
+        check_equal([each["quantity"] for each in app.saved()["graphs"]], ["y"], "graphs without the one in front")
+
+
+def test_new_graph_covers_no_block(display):
+    """A wide support lies where a graph would come first."""
+    with App(display, scene(support("Roof", 2.5, 2.4, width=4, height=0.4), mass("Ball", 0, 0), GRAVITY)) as app:
+        app.show_width()
+        app.click_world(0.2, 0.2, button=3)
+        app.choose("Add Graph", "Y Position")
+        x, y, width, height = app.settled(graph(app))
+        for left, top, right, bottom in (app.area(0.5, 2.2, 4.5, 2.6), app.area(-0.4, -0.4, 0.4, 0.4)):
+            check(x + width <= left or right <= x or y + height <= top or bottom <= y,
+                  f"the graph {(x, y, width, height)} covers {(left, top, right, bottom)}")
+
+
+def clipboard_picture(app):
+    """(width, height, rows of bytes), as another program gets it."""
+    file = app.home / "clipboard.ppm"
+    subprocess.run([CLIPBOARD, str(file)], env=app.environment, check=True, timeout=60)
+    kind, size, most, pixels = file.read_bytes().split(b"\n", 3)
+    check_equal((kind, most), (b"P6", b"255"), "kind of file")
+    width, height = map(int, size.split())
+    return width, height, [pixels[3 * width * y:3 * width * (y + 1)] for y in range(height)]
+
+
+def test_picture_on_the_clipboard(display):
+    """The curve of a fall: from the upper left to the lower right, on white paper, twice as fine as on the screen."""
+    with App(display, falling(FLOATING)) as app:
+        app.show_width()
+        run(app)
+        _, _, across, down = app.box(graph(app))
+        app.click(graph(app), button=3)
+        app.choose("Copy")
+        width, height, rows = clipboard_picture(app)
+        check_close(width, 2 * across, 8, "width (pixels)")
+        check(down < height <= 2 * down, f"height {height} of a graph of {down} pixels on the screen")
+        check_equal(rows[0][:3], b"\xff\xff\xff", "paper")
+        on_curve = [(x, y) for y, row in enumerate(rows) for x in range(width)
+                    if tuple(row[3 * x:3 * x + 3]) == colours.CURVE]
+        check(len(on_curve) > width / 4, f"{len(on_curve)} pixels of a curve")
+        first, last = min(on_curve), max(on_curve)
+        check(last[0] - first[0] > width / 2, "the curve goes from left to right")
+        check(last[1] - first[1] > height / 3, "and down")
+
+
+def test_pointer_reads_the_curve(display):
+    """Only near the curve, and only if it is wished. What it reads is tested where the words are made."""
+    with App(display, falling({**FLOATING, "size": [5, 4]})) as app:
+        app.show_width()
+        run(app)
+        x, y, width, height = app.settled(graph(app))
+        inside = x + 4, y + 40, x + width - 4, y + height - 24
+        away = inside[0] + 0.8 * (inside[2] - inside[0]), inside[1] + 30  # the fall is far below there
+        app.xdotool("mousemove", *away)
+        app.click(graph(app), button=3)
+        app.choose("Show Point Values")
+        app.gone("menu")
+        app.xdotool("mousemove", *away)
+        curve = wait(lambda: colours.places(app.picture(), inside, colours.CURVE, least=0.95, most=1.05), "the curve")
+        middle = min(curve, key=lambda place: abs(place[0] - (x + width / 2)))
+        check(middle[1] > away[1] + 60 or abs(middle[0] - away[0]) > 60, "a place that is far from the curve")
+        plain = app.picture().cut(inside)
+        app.xdotool("mousemove", *middle)
+        wait(lambda: app.picture().cut(inside) != plain, "values at the curve")
+        app.xdotool("mousemove", *away)
+        wait(lambda: app.picture().cut(inside) == plain, "them to go away from it")
+        app.click(graph(app), button=3)
+        app.choose("Show Point Values")
+        app.gone("menu")
+        app.xdotool("mousemove", *middle)
+        wait(lambda: app.picture().cut(inside) == plain, "nothing, once it is off")
 
 
 def test_menu_of_a_graph(display):

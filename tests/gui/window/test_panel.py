@@ -111,6 +111,28 @@ def test_change_of_the_start_goes_back(display):
         app.wait_read("Initial Velocity", "Vx", "1.00000 m/s")
 
 
+def weight(label):
+    return int(label.call("org.a11y.atspi.Text", "GetDefaultAttributes")[0]["weight"])
+
+
+def test_groups_close_and_have_bold_titles(display):
+    with App(display, scene(mass("A", -2, 0), mass("B", 2, 0))) as app:
+        select(app, -1.8, 0.2)
+        app.wait_read("Appearance", "Name", "A")
+        check(weight(app.find("label", "Appearance")) >= 700, "the title of a group is bold")
+        check(weight(app.find("label", "Name")) < 700, "the name of a property is not")
+
+        app.click("Appearance", role="label")
+        app.gone(None, "Name")
+        app.wait_read("Global Position", "X", "-2.00000 m")
+        app.click_world(2.2, 0.2)  # another mass: it stays closed
+        app.wait_read("Global Position", "X", "2.00000 m")
+        check(app.look(None, "Name") is None, "the group stays closed")
+
+        app.click("Appearance", role="label")
+        app.wait_read("Appearance", "Name", "B")
+
+
 def test_outline_selects(display):
     with App(display, scene(mass("A", -2, 0), mass("B", 2, 0))) as app:
         app.show_width()

@@ -8,6 +8,7 @@ import math
 from harness import App, check, check_close, check_equal, main, wait
 
 MOST_ACTIONS = 12  # clicks, keys, entries with their Return, menus with the way through them
+MOST_SECONDS = 120  # of a practised person, by the keystroke-level model; see harness/keystrokes.py
 STIFFNESS, MASS, GRAVITY = 25.0, 1.0, 9.81  # what new blocks have
 STRETCH = 1.0        # typed
 
@@ -47,6 +48,8 @@ def test_spring_mass_from_nothing(display):
     with App(display) as app:
         build_and_play(app)
         check(app.actions_taken <= MOST_ACTIONS, f"it took {app.actions_taken} actions")
+        seconds = app.effort.total(app.actions_taken)
+        check(20 < seconds < MOST_SECONDS, f"a person would take {seconds:.0f} s")
         wait(lambda: app.time() > 1.5, "some of the motion")
         head, *rows = export(app)
         check_equal(head, ["Time", "Y Position"], "head of the table")

@@ -13,6 +13,7 @@ from gi.repository import Gio, GLib  # noqa: E402
 
 from . import colours, scenes  # noqa: E402
 from .display import end_with_parent  # noqa: E402
+from .keystrokes import Effort  # noqa: E402
 from .tap import Failure, check, keep_picture, say  # noqa: E402
 from .tree import Tree  # noqa: E402
 from .waiting import PATIENCE, Gone, TooLate, wait  # noqa: E402
@@ -58,6 +59,7 @@ class App:
         self.session.set_exit_on_close(False)
         self.tree = Tree(self.session)
         self.actions_taken = 0
+        self.effort = Effort()
         self._kept = {}
         self._was_killed = False
 
@@ -256,6 +258,7 @@ class App:
 
     def xdotool(self, *arguments):
         words = [str(round(word)) if isinstance(word, float) else str(word) for word in arguments]
+        self.effort.add(words)
         subprocess.run(["xdotool", *words], env=self.display.environment, check=True, stdout=subprocess.DEVNULL)
 
     def _xdotool_output(self, *arguments):
