@@ -108,7 +108,7 @@ def test_pointer_reads_the_curve(display):
         app.xdotool("mousemove", *away)
         app.click(graph(app), button=3)
         app.choose("Show Point Values")
-        app.gone("menu")
+        wait(lambda: len(app.windows()) == 1, "the menu to go")  # GTK complains of questions about one that is gone
         app.xdotool("mousemove", *away)
         curve = wait(lambda: colours.places(app.picture(), inside, colours.CURVE, least=0.95, most=1.05), "the curve")
         middle = min(curve, key=lambda place: abs(place[0] - (x + width / 2)))
@@ -120,7 +120,7 @@ def test_pointer_reads_the_curve(display):
         wait(lambda: app.picture().cut(inside) == plain, "them to go away from it")
         app.click(graph(app), button=3)
         app.choose("Show Point Values")
-        app.gone("menu")
+        wait(lambda: len(app.windows()) == 1, "the menu to go")  # GTK complains of questions about one that is gone
         app.xdotool("mousemove", *middle)
         wait(lambda: app.picture().cut(inside) == plain, "nothing, once it is off")
 
