@@ -217,6 +217,25 @@ const GPtrArray *tinker_catalogue_warnings(TinkerCatalogue *catalogue)
     return catalogue->warnings;
 }
 
+const TinkerLibraryEntry *tinker_catalogue_add_file(TinkerCatalogue *catalogue, const char *path, GError **error)
+{
+    g_autoptr(GMutexLocker) locker = g_mutex_locker_new(&catalogue->opening);
+    (void)locker;
+    g_autofree char *absolute = g_canonicalize_filename(path, NULL);
+    const TinkerLibrary *library = tinker_library_open(absolute, error);
+    TinkerFound *found = library == NULL ? NULL : tinker_found_opened(library, error);
+    if (found == NULL) return NULL;
+    g_ptr_array_insert(catalogue->libraries, 0, found);
+    g_ptr_array_add(catalogue->opened, found->entry.path);
+    for (guint i = 0; i < found->entry.types->len; i++) {
+        const TinkerTypeEntry *type = found->entry.types->pdata[i];
+        g_hash_table_replace(catalogue->types, g_strdup(type->id), found);
+    }
+    for (guint i = 0; i < found->entry.integrators->len; i++)
+        g_hash_table_replace(catalogue->integrators, g_strdup(found->entry.integrators->pdata[i]), found);
+    return &found->entry;
+}
+
 const TinkerBlockClass *tinker_catalogue_type(TinkerCatalogue *catalogue, const char *id, GError **error)
 {
     const TinkerFound *found = open_provider(catalogue, catalogue->types, "block type", id, error);

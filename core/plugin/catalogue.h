@@ -115,6 +115,11 @@ const GPtrArray *tinker_catalogue_bundles(TinkerCatalogue *catalogue);
 /* Messages for the user from the search (relative folder, shadowed id, refused library); of char *. (transfer none) */
 const GPtrArray *tinker_catalogue_warnings(TinkerCatalogue *catalogue);
 
+/* Opens one library file, wherever it lies, without looking at its owner or a manifest; its types and integrators come
+ * before all others of their ids. Runs the plugin's code in this process. NULL with _REFUSED (the message is the reason
+ * alone) or _FILE. (transfer none) */
+const TinkerLibraryEntry *tinker_catalogue_add_file(TinkerCatalogue *catalogue, const char *path, GError **error);
+
 /* The type of this id; opens its library if it is not open yet. NULL with TINKER_PLUGIN_ERROR_MISSING (the message names
  * the nearest type, and the reason where the library that has it was refused) or _REFUSED. May be called from any thread,
  * also at the same time; lists of the catalogue are read in one that knows of no such call. (transfer none) */

@@ -23,6 +23,9 @@ typedef struct {
 TinkerFound *tinker_found_new(const char *path, const char *folder_kind);
 void tinker_found_free(gpointer found);
 
+/* A library that is open already, with what it says itself. (transfer full) */
+TinkerFound *tinker_found_opened(const TinkerLibrary *library, GError **error);
+
 /* Finds out what the library provides, or why it is refused: permissions, the manifest beside it, the cache, the probe,
  * in this order. Fills in the entry; what it knew before is forgotten. */
 void tinker_found_identify(TinkerFound *found, const TinkerProber *prober);

@@ -113,6 +113,19 @@ TinkerFound *tinker_found_new(const char *path, const char *folder_kind)
     return found;
 }
 
+TinkerFound *tinker_found_opened(const TinkerLibrary *library, GError **error)
+{
+    cJSON *json = tinker_manifest_to_json(library);
+    g_autoptr(TinkerManifest) manifest = tinker_manifest_from_json(json, error);
+    cJSON_Delete(json);
+    if (manifest == NULL) return NULL;
+    TinkerFound *found = tinker_found_new(library->path, "command line");
+    take_manifest(&found->entry, manifest);
+    found->identity = library->identity;
+    found->library = library;
+    return found;
+}
+
 void tinker_found_free(gpointer data)
 {
     TinkerFound *found = data;

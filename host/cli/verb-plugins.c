@@ -1,4 +1,5 @@
-/* tinker plugins: what is installed. The verb has verbs of its own: list, show, describe, refused, new, new-bundle. */
+/* tinker plugins: what is installed. The verb has verbs of its own: list, show, check, describe, refused, new,
+ * new-bundle. */
 #include "verbs.h"
 
 #include <stdio.h>
@@ -9,6 +10,7 @@
 #include "open-scene.h"
 #include "options.h"
 #include "output.h"
+#include "plugins-check.h"
 #include "plugins-new.h"
 #include "plugins-show.h"
 #include "text-table.h"
@@ -18,6 +20,7 @@
     "Lists the installed blocks by plugin: type, title, category, version and licence, the\n"                          \
     "integrators, the bundles with their scenes, and what was refused or passed over. Other verbs:\n\n"                \
     "  show TYPE         the properties, quantities and interfaces of a block, or what a method is\n"                  \
+    "  check FILE.so     tries every rule of the contract on a plugin file\n"                                            \
     "  describe FILE.so  writes the manifest of a plugin file\n"                                                       \
     "  refused           lists the refused libraries; refused --clear forgets the refusals\n"                          \
     "  new NAME          writes a small plugin to begin with; new alone lists the roles\n"                             \
@@ -25,7 +28,7 @@
 
 static const TinkerVerbHelp list_help = {
     .verb = "plugins",
-    .operands = "[list|show|describe|refused|new|new-bundle]",
+    .operands = "[list|show|check|describe|refused|new|new-bundle]",
     .summary = LIST_HELP,
     .examples = "  tinker plugins\n"
                 "  tinker plugins show spring\n"
@@ -293,6 +296,7 @@ static const struct {
 } sub_verbs[] = {
     {"list", list},
     {"show", show},
+    {"check", tinker_plugins_check},
     {"describe", describe},
     {"refused", refused},
     {"new", tinker_plugins_new},

@@ -1,0 +1,118 @@
+/* Calling a function on a state: on copies of all that it may read, with room about all that it may write, so that one
+ * fault shows in the rule that is about it and in no other. */
+#include <math.h>
+#include <string.h>
+
+#include "conformance/state-private.h"
+
+#define ROOM 512 /* doubles before and behind a result */
+
+gsize kit_output_entries(const KitOutput *output, const KitState *state)
+{
+    switch (output->extent) {
+    case KIT_INSTANCES:
+        return (gsize)state->count;
+    case KIT_ENDS:
+        return (gsize)kit_state_end_count(state);
+    case KIT_ROWS:
+        return (gsize)(state->count * kit_state_rows(state));
+    case KIT_ROW_ENDS:
+        return (gsize)(kit_state_end_count(state) * kit_state_rows(state));
+    case KIT_BODIES:
+        return (gsize)state->body_range;
+    default:
+        return 1;
+    }
+}
+
+gsize kit_output_first(const KitOutput *output, const KitState *state, int32_t instance)
+{
+    switch (output->extent) {
+    case KIT_INSTANCES:
+        return (gsize)instance;
+    case KIT_ENDS:
+        return (gsize)state->offsets[instance];
+    case KIT_ROWS:
+        return (gsize)(instance * kit_state_rows(state));
+    case KIT_ROW_ENDS:
+        return (gsize)(state->offsets[instance] * kit_state_rows(state));
+    default:
+        return 0;
+    }
+}
+
+int32_t kit_output_instance(const KitOutput *output, const KitState *state, gsize entry)
+{
+    if (output->extent == KIT_BODIES || output->extent == KIT_ONCE) return state->count == 1 ? 0 : -1;
+    int32_t instance = 0;
+    while (instance + 1 < state->count && kit_output_first(output, state, instance + 1) <= entry)
+        instance++;
+    return instance;
+}
+
+static void make_room(KitAnswer *answer, const KitFunction *function, const KitState *state)
+{
+    for (int k = 0; k < function->output_count; k++) {
+        const KitOutput *output = &function->outputs[k];
+        answer->entries[k] = kit_output_entries(output, state) * (gsize)output->width;
+        const gsize whole = answer->entries[k] + 2 * ROOM;
+        answer->memory[k] = g_new(double, whole);
+        for (gsize i = 0; i < whole; i++)
+            answer->memory[k][i] = NAN;
+        answer->values[k] = answer->memory[k] + ROOM;
+        if (output->integers) memset(answer->memory[k], 0xff, whole * sizeof(double));
+    }
+}
+
+TinkerGraphInput kit_state_graph_input(const KitState *state)
+{
+    const TinkerPhysics *physics = state->block_class->physics;
+    TinkerGraphInput input = {
+        .struct_size = sizeof(TinkerGraphInput), .ends = state->points, .accelerations = state->accelerations};
+    if (physics == NULL) return input;
+    if (physics->constraint != NULL) input.multipliers = state->multipliers;
+    if (physics->force_element != NULL) input.forces = state->forces;
+    if (physics->body != NULL) input.contacts = state->contacts;
+    if (physics->field == NULL) return input;
+    input.bodies = state->bodies;
+    input.masses = state->masses;
+    input.body_count = state->body_count;
+    return input;
+}
+
+KitAnswer *kit_call(KitCheck *check, const KitFunction *function, const KitState *original)
+{
+    KitAnswer *answer = g_new0(KitAnswer, 1);
+    g_autoptr(KitState) state = kit_state_copy(original);
+    g_autofree const double **columns = g_new0(const double *, state->block_class->column_count + 1);
+    TinkerBatch view = kit_state_view(state, columns);
+    const TinkerBodies bodies = {sizeof(TinkerBodies), state->body_count, state->bodies,
+                                 state->masses,        state->first_body, state->body_range};
+    const TinkerGraphInput graph = kit_state_graph_input(state);
+    make_room(answer, function, state);
+    kit_phase(check, "%s at %s", function->name, state->label);
+    const KitArguments with = {
+        &view, state->lengths, state->rates, state->points, &bodies, &graph, (void *const *)answer->values};
+    answer->status = function->call(function, state->block_class, &with);
+    answer->failed_instance = view.failed_instance;
+    answer->failure = view.failure;
+    return answer;
+}
+
+void kit_answer_free(KitAnswer *answer)
+{
+    if (answer == NULL) return;
+    for (int k = 0; k < KIT_MOST_OUTPUTS; k++)
+        g_free(answer->memory[k]);
+    g_free(answer);
+}
+
+KitAnswer *kit_call_well(KitCheck *check, const KitFunction *function, const KitState *state)
+{
+    KitAnswer *answer = kit_call(check, function, state);
+    if (answer->status == TINKER_OK) return answer;
+    kit_fail(check, "%s answers %d at %s, 0 was expected: %s", function->name, answer->status, state->label,
+             answer->failure != NULL ? answer->failure : "it gives no reason");
+    kit_answer_free(answer);
+    return NULL;
+}
