@@ -128,7 +128,7 @@ typedef struct {
     size_t sizes[2];
 } Dynamic;
 
-static ElfW(Addr) address_in(const struct dl_phdr_info *info, ElfW(Addr) address)
+static uintptr_t address_in(const struct dl_phdr_info *info, uintptr_t address)
 {
     return address < info->dlpi_addr ? info->dlpi_addr + address : address;
 }
@@ -137,7 +137,7 @@ static void read_dynamic(const struct dl_phdr_info *info, const ElfW(Dyn) * entr
 {
     gboolean with_addends = TRUE;
     for (; entry->d_tag != DT_NULL; entry++) {
-        const ElfW(Addr) address = address_in(info, entry->d_un.d_ptr);
+        const uintptr_t address = address_in(info, entry->d_un.d_ptr);
         if (entry->d_tag == DT_SYMTAB) dynamic->symbols = (const ElfW(Sym) *)address;
         if (entry->d_tag == DT_STRTAB) dynamic->strings = (const char *)address;
         if (entry->d_tag == DT_RELA) dynamic->tables[0] = (const ElfW(Rela) *)address;

@@ -29,7 +29,7 @@ static void compare_line(KitCheck *check, const KitState *state, const KitAnswer
 /* The columns of the waveform that a form names; NULL where it names none that there is. */
 static double *const *wave_of(KitCheck *check, const KitState *state, const double *columns, int32_t instance)
 {
-    const int32_t column = ((const int32_t *)columns)[instance];
+    const int32_t column = ((const int32_t *)(const void *)columns)[instance];
     const TinkerBlockClass *c = state->block_class;
     for (int32_t k = 0; k < c->property_count; k++)
         if (c->properties[k].kind == TINKER_KIND_WAVEFORM && c->first_columns[k] == column)

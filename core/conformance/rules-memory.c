@@ -33,7 +33,7 @@ static gsize page_size(void)
 static void *guarded(gsize size, gboolean at_end, const char *name, gboolean input)
 {
     const gsize page = page_size(), inside = MAX((size + page - 1) / page, 1) * page, guard = GUARD_PAGES * page;
-    if (area_count == MOST_AREAS) return g_malloc0(size + 1);
+    if (area_count == MOST_AREAS) g_error("more arguments than guarded areas");
     Area *area = &areas[area_count++];
     *area = (Area){NULL, NULL, inside + 2 * guard, inside, name, input};
     area->whole = mmap(NULL, area->whole_size, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
@@ -115,7 +115,8 @@ static void call_guarded(KitCheck *check, const KitFunction *function, const Kit
     TinkerBatch view = kit_state_view(state, views);
     for (int32_t c = 0; c < columns && c < MOST_AREAS / 2; c++)
         views[c] = GUARD(state->columns[c], state->count, "columns");
-    if (view.end_offsets != NULL) view.end_offsets = GUARD(state->offsets, state->count + 1, "end_offsets");
+    const int32_t *offsets = GUARD(state->offsets, state->count + 1, "end_offsets");
+    if (view.end_offsets != NULL) view.end_offsets = offsets;
     const TinkerBodies bodies = {sizeof(TinkerBodies),
                                  state->body_count,
                                  GUARD(state->bodies, state->body_count, "points"),

@@ -1,5 +1,4 @@
-/* Rules of integrators, tried on an oscillator whose motion is known: x'' = -w^2 x - c v, with w = 2 and, but for the method
- * that conserves energy, c = 0.3. Its closed form is exp(-c t / 2) (A cos(d t) + B sin(d t)), d^2 = w^2 - c^2 / 4. */
+/* Rules of integrators, tried on an oscillator whose motion is known: x'' = -w^2 x - c v, with w = 2 and c = 0.3. Its closed form is exp(-c t / 2) (A cos(d t) + B sin(d t)), d^2 = w^2 - c^2 / 4. */
 #include <math.h>
 #include <string.h>
 
@@ -294,6 +293,7 @@ void kit_try_method_same_bits(KitCheck *check)
 void kit_try_method_quiet(KitCheck *check)
 {
     Run run;
+    const char *first = NULL; // solvers of others set themselves up when they are first used
     const int steps = 2 * least_steps(check->integrator);
     if (!kit_watch_calls(check->objects)) kit_skip(check, "its calls cannot be watched here");
     gboolean going = begin(check, &run, 1e-7, DURATION / steps);
@@ -301,9 +301,11 @@ void kit_try_method_quiet(KitCheck *check)
         kit_listen();
         going = advance(check, &run, is_adaptive(check) || i >= steps ? DURATION : DURATION * i / steps);
         const char *name = kit_heard();
-        if (name != NULL) kit_fail(check, "step number %d calls %s; create is the place for it", i, name);
+        if (name != NULL && i > 1) kit_fail(check, "step number %d calls %s; create is the place for it", i, name);
+        if (name != NULL) first = name;
     }
     end(&run);
+    if (first != NULL) kit_tell(check, "the first step calls %s; later ones do not", first);
 }
 
 void kit_try_method_speed(KitCheck *check)

@@ -20,7 +20,7 @@
     "Lists the installed blocks by plugin: type, title, category, version and licence, the\n"                          \
     "integrators, the bundles with their scenes, and what was refused or passed over. Other verbs:\n\n"                \
     "  show TYPE         the properties, quantities and interfaces of a block, or what a method is\n"                  \
-    "  check FILE.so     tries every rule of the contract on a plugin file\n"                                            \
+    "  check FILE.so     tries every rule of the contract on a plugin file\n"                                          \
     "  describe FILE.so  writes the manifest of a plugin file\n"                                                       \
     "  refused           lists the refused libraries; refused --clear forgets the refusals\n"                          \
     "  new NAME          writes a small plugin to begin with; new alone lists the roles\n"                             \

@@ -1,0 +1,179 @@
+/* The conformance kit: our own libraries and those of the documentation pass, and of a library with one planted fault
+ * exactly one rule fails. */
+#include <string.h>
+
+#include "program.h"
+
+/* (transfer full) */
+static cJSON *check(const char *path, int status)
+{
+    const char *arguments[] = {"plugins", "check", path, "--format", "json", "--seconds", "4", NULL};
+    g_autoptr(TestProgram) program = test_program_run(arguments);
+    if (program->status != status) g_test_message("%s%s", program->output, program->error);
+    g_assert_cmpint(program->status, ==, status);
+    cJSON *root = cJSON_Parse(program->output);
+    g_assert_nonnull(root);
+    return root;
+}
+
+static const char *text_of(const cJSON *item, const char *key)
+{
+    return cJSON_GetStringValue(cJSON_GetObjectItemCaseSensitive(item, key));
+}
+
+static double count_of(const cJSON *root, const char *key)
+{
+    return cJSON_GetNumberValue(cJSON_GetObjectItemCaseSensitive(root, key));
+}
+
+static void test_passes(gconstpointer data)
+{
+    cJSON *root = check(data, 0);
+    g_assert_cmpfloat(count_of(root, "passed"), >=, 6);
+    const cJSON *item;
+    cJSON_ArrayForEach(
+        item, cJSON_GetObjectItemCaseSensitive(root, "results")) if (strcmp(text_of(item, "outcome"), "skipped") == 0)
+        g_assert_cmpstr(text_of(item, "text"), !=, "");
+    cJSON_Delete(root);
+}
+
+/* The fault, and what is to be said of it. */
+static const struct {
+    const char *fault, *rule, *subject, *text;
+} plants[] = {
+    {"exports", "symbols", "", "it exports \"another_symbol\""},
+    {"undescribed", "declaration", NULL, "property \"stiffness\" has no description"},
+    {"first", "batches", "planted-pull", "in a slice of 1 from 7 on"},
+    {"remembers", "batches", "planted-pull", "when it is called again with the same values"},
+    {"nan", "finite", "planted-pull", "\"tension\" of instance 0 is nan at coincident ends"},
+    {"exit", "finite", "planted-pull", "ended the process in tension at coincident ends, with status 3"},
+    {"abort", "finite", "planted-pull", "crashed: SIGABRT in tension at coincident ends"},
+    {"crash", "finite", "planted-pull", "crashed: SIGSEGV in tension at coincident ends"},
+    {"hang", "finite", "planted-pull", "hung: not done within 4 s in tension at coincident ends"},
+    {"unbalanced", "momentum", "planted-pair", "the forces sum to"},
+    {"moment", "moment", "planted-pair", "the forces have the moment"},
+    {"place", "translation", "planted-pair", "with the scene shifted"},
+    {"direction", "rotation", "planted-pair", "with the scene turned"},
+    {"slope", "energy", "planted-pull", "where the gradient of the energy is"},
+    {"gives", "passive", "planted-pull", "what depends on velocity gives"},
+    {"sign", "derivatives", "planted-pull", "by_rate of instance 0"},
+    {"jacobian", "jacobian", "planted-keep", "row 0: d g / d x of end 1"},
+    {"drift", "drift", "planted-keep", "drift of instance 0"},
+    {"speed", "motion", "planted-sway", "the x velocity of instance 0"},
+    {"form", "linear", "planted-pull", "by the short form"},
+    {"distance", "linear", "planted-keep", "by the short form"},
+    {"break", "breaks", "planted-pull", "a later time was expected"},
+    {"constant", "dimensions", "planted-pull", "a constant hides in the law"},
+    {"writes_beyond", "memory", "planted-pull", "tension writes beyond the end of \"tension\""},
+    {"writes_before", "memory", "planted-pull", "tension writes before the beginning of \"tension\""},
+    {"reads_beyond", "memory", "planted-pull", "tension reads beyond the end of \"rate\""},
+    {"writes_input", "memory", "planted-pull", "tension writes to its input \"length\""},
+    {"allots", "quiet", "planted-pull", "tension calls malloc"},
+    {"prints", "quiet", "planted-pull", "tension calls puts"},
+    {"ink", "bounds", "planted-pull", "outside its bounds"},
+    {"unhittable", "hit", "planted-pull", "finds nothing"},
+    {"order", "order", "planted-simple", "2 is declared"},
+    {"overshoots", "steps", "planted-simple", "ends at"},
+    {"dense", "steps", "planted-simple", "interpolated at the end of a step"},
+};
+
+static char *planted_path(const char *fault)
+{
+    g_autofree char *name = g_strdup_printf("planted-%s.so", fault);
+    return g_build_filename(g_getenv("TINKER_PLANTED"), name, NULL);
+}
+
+/* A property without description belongs to two types of the library: then `subject` is NULL. */
+static void test_plant(gconstpointer data)
+{
+    const gsize number = GPOINTER_TO_SIZE(data);
+    g_autofree char *path = planted_path(plants[number].fault);
+    cJSON *root = check(path, 4);
+    const cJSON *item;
+    int failed = 0;
+    cJSON_ArrayForEach(item, cJSON_GetObjectItemCaseSensitive(root, "results"))
+    {
+        if (strcmp(text_of(item, "outcome"), "failed") != 0) continue;
+        g_test_message("%s %s: %s", text_of(item, "subject"), text_of(item, "rule"), text_of(item, "text"));
+        g_assert_cmpstr(text_of(item, "rule"), ==, plants[number].rule);
+        if (plants[number].subject != NULL) g_assert_cmpstr(text_of(item, "subject"), ==, plants[number].subject);
+        if (strstr(text_of(item, "text"), plants[number].text) == NULL)
+            g_error("\"%s\" does not say \"%s\"", text_of(item, "text"), plants[number].text);
+        g_assert_nonnull(strstr(text_of(item, "repeat"), "--seed 1"));
+        failed++;
+    }
+    g_assert_cmpint(failed, ==, plants[number].subject == NULL ? 2 : 1);
+    cJSON_Delete(root);
+}
+
+/* The command that a failure names gives the same failure, to the last digit. */
+static void test_repeated(void)
+{
+    g_autofree char *path = planted_path("slope");
+    const char *arguments[] = {"plugins", "check",        path,     "--rule", "energy",
+                               "--type",  "planted-pull", "--seed", "7",      NULL};
+    g_autoptr(TestProgram) one = test_program_run(arguments), other = test_program_run(arguments);
+    g_assert_cmpint(one->status, ==, 4);
+    g_assert_cmpstr(one->output, ==, other->output);
+    g_assert_nonnull(strstr(one->output, "seed 7"));
+    arguments[8] = "8";
+    g_autoptr(TestProgram) third = test_program_run(arguments);
+    g_assert_cmpstr(one->output, !=, third->output);
+}
+
+static void test_usage(void)
+{
+    static const struct {
+        const char *arguments[6];
+        int status;
+        const char *said;
+    } rows[] = {
+        {{"plugins", "check", "--list"}, 0, "dimensions"},
+        {{"plugins", "check"}, 2, "a plugin file is needed"},
+        {{"plugins", "check", "/nowhere.so"}, 5, "there is no such file"},
+        {{"plugins", "check", "/nowhere.so", "--rule", "energies"}, 2, "energy"},
+        {{"plugins", "check", "/etc/passwd"}, 4, "descriptor"},
+    };
+    for (gsize i = 0; i < G_N_ELEMENTS(rows); i++) {
+        g_autoptr(TestProgram) program = test_program_run(rows[i].arguments);
+        g_assert_cmpint(program->status, ==, rows[i].status);
+        if (strstr(program->output, rows[i].said) == NULL && strstr(program->error, rows[i].said) == NULL)
+            g_error("\"%s%s\" does not say \"%s\"", program->output, program->error, rows[i].said);
+    }
+    g_autofree char *path = planted_path("none");
+    const char *no_type[] = {"plugins", "check", path, "--type", "nothing", NULL};
+    g_autoptr(TestProgram) missing = test_program_run(no_type);
+    g_assert_cmpint(missing->status, ==, 4);
+    const char *tap[] = {"plugins", "check", path, "--format", "tap", NULL};
+    g_autoptr(TestProgram) lines = test_program_run(tap);
+    g_assert_cmpint(lines->status, ==, 0);
+    g_assert_nonnull(strstr(lines->output, "\n1.."));
+    g_assert_null(strstr(lines->output, "not ok"));
+}
+
+static void add_folder(const char *folder)
+{
+    g_autoptr(GDir) dir = g_dir_open(folder, 0, NULL);
+    g_assert_nonnull(dir);
+    for (const char *name = g_dir_read_name(dir); name != NULL; name = g_dir_read_name(dir)) {
+        if (!g_str_has_prefix(name, "tinker-") || !g_str_has_suffix(name, ".so")) continue;
+        g_autofree char *test = g_strdup_printf("/conformance/passes/%s", name);
+        g_test_add_data_func_full(test, g_build_filename(folder, name, NULL), test_passes, g_free);
+    }
+}
+
+int main(int argc, char **argv)
+{
+    g_test_init(&argc, &argv, NULL);
+    add_folder(g_getenv("TINKER_TEST_PLUGINS"));
+    add_folder(g_getenv("TINKER_DOCS_PLUGINS"));
+    add_folder(g_getenv("TINKER_PLANTED"));
+    g_test_add_data_func_full("/conformance/passes/none", planted_path("none"), test_passes, g_free);
+    for (gsize i = 0; i < G_N_ELEMENTS(plants); i++) {
+        g_autofree char *test = g_strdup_printf("/conformance/planted/%s", plants[i].fault);
+        g_test_add_data_func(test, GSIZE_TO_POINTER(i), test_plant);
+    }
+    g_test_add_func("/conformance/repeated", test_repeated);
+    g_test_add_func("/conformance/usage", test_usage);
+    return g_test_run();
+}
