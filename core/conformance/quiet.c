@@ -87,11 +87,11 @@ static int watched_fprintf(FILE *file, const char *format, ...)
 
 #define ROW(name)                                                                                                      \
     {                                                                                                                  \
-#name, (ElfW(Addr))watched_##name                                                                              \
+#name, (uintptr_t)watched_##name                                                                               \
     }
 static const struct {
     const char *name;
-    ElfW(Addr) address;
+    uintptr_t address;
 } watched[] = {ROW(malloc), ROW(calloc), ROW(realloc), ROW(free),   ROW(aligned_alloc), ROW(posix_memalign),
                ROW(strdup), ROW(puts),   ROW(putchar), ROW(fputs),  ROW(fwrite),        ROW(fopen),
                ROW(write),  ROW(read),   ROW(getenv),  ROW(printf), ROW(fprintf),       ROW(pthread_mutex_lock)};
@@ -155,7 +155,7 @@ static void read_dynamic(const struct dl_phdr_info *info, const ElfW(Dyn) * entr
 #define SYMBOL_OF(info) ELF32_R_SYM(info)
 #endif
 
-static gboolean exchange_at(ElfW(Addr) * slot, ElfW(Addr) address)
+static gboolean exchange_at(uintptr_t *slot, uintptr_t address)
 {
     const size_t page = (size_t)sysconf(_SC_PAGESIZE);
     void *begin = (void *)((uintptr_t)slot / page * page);
@@ -174,7 +174,7 @@ static gboolean exchange(const struct dl_phdr_info *info, const Dynamic *dynamic
     const char *name = dynamic->strings + symbol->st_name;
     for (gsize i = 0; i < G_N_ELEMENTS(watched); i++)
         if (strcmp(watched[i].name, name) == 0)
-            return exchange_at((ElfW(Addr) *)(info->dlpi_addr + entry->r_offset), watched[i].address);
+            return exchange_at((uintptr_t *)(info->dlpi_addr + entry->r_offset), watched[i].address);
     return TRUE;
 }
 

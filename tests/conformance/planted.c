@@ -14,6 +14,15 @@ int another_symbol(void)
 }
 #endif
 
+#if defined(PLANT_counts)
+static double prepared;
+static TinkerStatus prepare(TinkerBatch *batch)
+{
+    prepared++;
+    return TINKER_OK;
+}
+#endif
+
 /* pull: T = k (L - L0) + c rate */
 
 enum { STIFFNESS, REST_LENGTH, DAMPING };
@@ -44,6 +53,8 @@ static TinkerStatus tension(TinkerBatch *batch, const double *length, const doub
         static int calls;
         if (i == 0) calls++;
         if (calls % 2) result[i] *= 1 + 4 * DBL_EPSILON;
+#elif defined(PLANT_counts)
+        result[i] *= 1 + 1e-13 * prepared;
 #endif
     }
 #if defined(PLANT_allots)
@@ -101,6 +112,8 @@ static TinkerStatus pull_linear(TinkerBatch *batch, double *stiffness, double *d
         at_length[i] = 0;
 #if defined(PLANT_form)
         stiffness[i] *= 1.001;
+#elif defined(PLANT_counts)
+        stiffness[i] *= 1 + 1e-13 * prepared;
 #endif
     }
     return TINKER_OK;
@@ -340,7 +353,13 @@ static const TinkerConstraint constraint = {
     .struct_size = sizeof(TinkerConstraint), .rows = 1, .rows_at = rows_at, .distance = distance};
 static const TinkerMotion moves = {.struct_size = sizeof(TinkerMotion), .motion = motion};
 
-static const TinkerPhysics pull = {.struct_size = sizeof(TinkerPhysics), .line_law = &line_law};
+static const TinkerPhysics pull = {
+    .struct_size = sizeof(TinkerPhysics),
+    .line_law = &line_law,
+#if defined(PLANT_counts)
+    .prepare = prepare,
+#endif
+};
 static const TinkerPhysics pair = {.struct_size = sizeof(TinkerPhysics), .force_element = &element};
 static const TinkerPhysics keep = {.struct_size = sizeof(TinkerPhysics), .constraint = &constraint};
 static const TinkerPhysics sway = {.struct_size = sizeof(TinkerPhysics), .motion = &moves};

@@ -72,6 +72,7 @@ static const struct {
     {"prints", "quiet", "planted-pull", "tension calls puts"},
     {"ink", "bounds", "planted-pull", "outside its bounds"},
     {"unhittable", "hit", "planted-pull", "finds nothing"},
+    {"counts", "saved", "planted-pull", "runs to other bits"},
     {"order", "order", "planted-simple", "2 is declared"},
     {"overshoots", "steps", "planted-simple", "ends at"},
     {"dense", "steps", "planted-simple", "interpolated at the end of a step"},
