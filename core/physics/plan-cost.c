@@ -5,6 +5,7 @@
 
 #include "numerics/exact.h"
 #include "physics/impulse.h"
+#include "physics/method-call.h"
 #include "physics/plan-private.h"
 
 /* Of one evaluation: whatever there is, and for each part of the model. */
@@ -158,6 +159,16 @@ double tinker_free_tolerance(const TinkerIsland *island, const TinkerForecast *f
     return fmin(tolerance, fmax(FREE_TOLERANCE, free));
 }
 
+/* The method is tried on the oscillator: it may be a plugin's. */
+static double step_error(const TinkerIntegrator *method, const TinkerRunOptions *options, TinkerOscillator oscillator,
+                         double step)
+{
+    double error, duration = tinker_options_duration(options);
+    TINKER_CALL_VOID(error = tinker_step_error(method, options->spectral_radius, oscillator, step, duration),
+                     .phase = "step", .method = method);
+    return error;
+}
+
 /* Fixed steps ------------------------------------------------------------------------------------------------------- */
 
 /* Of displacements, relative to those of the motion. Velocities of parts that are fast and hold little are off by more, which is
@@ -171,14 +182,14 @@ static double fixed_error(const TinkerForecast *forecast, const TinkerIntegrator
         const TinkerForecastPart *part = &forecast->parts[i];
         if (part->omega == 0) continue;
         TinkerOscillator oscillator = {part->omega * part->omega, part->damping};
-        double error = tinker_step_error(method, options->spectral_radius, oscillator, step, duration);
+        double error = step_error(method, options, oscillator, step);
         square += part->reach * fmin(error * error, 4);
     }
     /* what no part says: the motion turns, and what nothing holds is slowed down */
     const TinkerOscillator whole[] = {{forecast->turning * forecast->turning, 0}, {0, forecast->fading}};
     for (gsize i = 0; i < G_N_ELEMENTS(whole); i++) {
         if (whole[i].stiffness == 0 && whole[i].damping == 0) continue;
-        double error = tinker_step_error(method, options->spectral_radius, whole[i], step, duration);
+        double error = step_error(method, options, whole[i], step);
         square += fmin(error * error, 4);
     }
     return fmax(sqrt(square), 0x1p-52 * duration / step);

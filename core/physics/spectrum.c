@@ -8,6 +8,7 @@
 
 #include "numerics/eigen.h"
 #include "physics/impulse.h"
+#include "physics/method-call.h"
 #include "physics/start-matrices.h"
 
 #define COMMUTES  1e-10
@@ -424,6 +425,9 @@ double tinker_spectrum_stable_step(const GArray *eigenvalues, const GArray *osci
     gboolean splits = (method->flags & TINKER_INTEGRATOR_SYMPLECTIC) != 0;
     g_autoptr(GArray) of_roots = splits ? NULL : oscillators_of(eigenvalues);
     const GArray *list = splits ? oscillators : of_roots;
-    return tinker_stable_step_of_all(method, spectral_radius, (const TinkerOscillator *)(gpointer)list->data,
-                                     list->len);
+    const TinkerOscillator *of_all = (const TinkerOscillator *)(gpointer)list->data;
+    double stable;
+    TINKER_CALL_VOID(stable = tinker_stable_step_of_all(method, spectral_radius, of_all, list->len), .phase = "step",
+                     .method = method);
+    return stable;
 }
