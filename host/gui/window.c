@@ -5,6 +5,7 @@
 
 #include "message.h"
 #include "popup-menu.h"
+#include "refusal-notices.h"
 #include "side-panel.h"
 #include "welcome.h"
 
@@ -132,6 +133,8 @@ TinkerWindow *tinker_window_new(TinkerApplication *application)
     connect_parts(window);
     window_add_accuracy(window);
     window_add_film(window);
+    tinker_notice_bar_set(window->notices, "plugins",
+                          tinker_refusal_notices(tinker_document_catalogue(window->document)));
     window_add_start(window);
     window_restore_state(window);
     window_start_first(window);
