@@ -8,21 +8,40 @@
 /* A start position may miss a constraint by this much of its length. */
 #define START_TOLERANCE 1e-6
 
+/* The column of the length that a row keeps from end to end; -1 where it says no such thing. */
+static int32_t path_column(const TinkerBlockClass *block_class, int32_t ends)
+{
+    int32_t property = block_class->meanings[TINKER_MEANING_LENGTH];
+    if (property < 0 || ends < 2) return -1;
+    gboolean along = ends == 2 || (block_class->properties[property].flags & TINKER_DEFAULT_AS_PLACED) != 0;
+    return along ? block_class->first_columns[property] : -1;
+}
+
+static double path_length(const TinkerModel *model, int32_t row)
+{
+    const TinkerConstraints *all = &model->constraints;
+    double length = 0;
+    for (int32_t e = all->row_starts[row] + 1; e < all->row_starts[row + 1]; e++) {
+        const TinkerPoint *a = &model->point[all->points[e - 1]], *b = &model->point[all->points[e]];
+        length += hypot(b->x - a->x, b->y - a->y);
+    }
+    return length;
+}
+
 static gboolean refuse_row(TinkerModel *model, const TinkerConstraintBatch *part, int32_t row, GError **error)
 {
     const TinkerConstraints *all = &model->constraints;
     const TinkerBlockBatch *batch = part->batch;
     int32_t instance = (row - part->first_row) / part->constraint->rows;
-    int32_t column = tinker_block_class_meaning_column(batch->block_class, TINKER_MEANING_LENGTH);
+    int32_t ends = all->row_starts[row + 1] - all->row_starts[row];
+    int32_t column = path_column(batch->block_class, ends);
     const char *name = tinker_scene_block_name(model->scene, batch->ids[instance]);
-    const int32_t *ends = all->points + all->row_starts[row];
-    if (column >= 0 && all->row_starts[row + 1] - all->row_starts[row] == 2) {
-        const TinkerPoint *a = &model->point[ends[0]], *b = &model->point[ends[1]];
-        g_set_error(
-            error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_SCENE,
-            "%s: its length is %.10g m, but its ends are %.10g m apart at t = 0 (move an end, change the length, or "
-            "leave the length out)",
-            name, batch->columns[column][instance], hypot(b->x - a->x, b->y - a->y));
+    if (column >= 0) {
+        g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_SCENE,
+                    "%s: its length is %.10g m, but %s %.10g m %s at t = 0 (move an end, change the length, or "
+                    "leave the length out)",
+                    name, batch->columns[column][instance], ends == 2 ? "its ends are" : "the path through its ends is",
+                    path_length(model, row), ends == 2 ? "apart" : "long");
     } else {
         g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_SCENE,
                     "%s: the start positions miss it by %.3g m (at most %.0e of its length, %.3g m, is corrected)",

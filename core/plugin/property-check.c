@@ -198,9 +198,11 @@ static gboolean check_sources(const TinkerBlockClass *block_class, int32_t numbe
     const TinkerBlockType *type = block_class->type;
     if ((property->flags & TINKER_DERIVED) != 0 && tinker_block_class_quantity(block_class, property->id) < 0)
         return tinker_refuse(error, "it is derived, but the block has no quantity of this id");
-    if ((property->flags & TINKER_DEFAULT_AS_PLACED) != 0 && (type->least_ends != 2 || type->most_ends != 2))
-        return tinker_refuse(error, "it defaults to the distance of two ends, but the block has %d to %d",
-                             type->least_ends, type->most_ends);
+    if ((property->flags & TINKER_DEFAULT_AS_PLACED) != 0 && type->least_ends < 2)
+        return tinker_refuse(error,
+                             "it defaults to the length from end to end, but the block may have %d (at least 2 ends "
+                             "are needed)",
+                             type->least_ends);
     return check_same_as(block_class, number, error);
 }
 

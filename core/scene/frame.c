@@ -61,6 +61,20 @@ static void end_place(const TinkerFrame *frame, const TinkerSceneEnd *end, Tinke
     *out = (TinkerEnd){pose->x + c * end->x - s * end->y, pose->y + s * end->x + c * end->y, 1, 0};
 }
 
+/* Of the path from end to end, in their order; NAN where there are not two. */
+static double placed_length(const TinkerFrame *frame, const TinkerSceneEnd *ends, int32_t count)
+{
+    TinkerEnd here, next;
+    if (count < 2) return NAN;
+    double length = 0;
+    end_place(frame, &ends[0], &here);
+    for (int32_t k = 1; k < count; k++, here = next) {
+        end_place(frame, &ends[k], &next);
+        length += hypot(next.x - here.x, next.y - here.y);
+    }
+    return length;
+}
+
 static void resolve_placed_lengths(TinkerFrame *frame)
 {
     for (guint i = 0; i < frame->batches->len; i++) {
@@ -70,12 +84,8 @@ static void resolve_placed_lengths(TinkerFrame *frame)
             if (!(block_class->properties[property].flags & TINKER_DEFAULT_AS_PLACED)) continue;
             double *column = batch->columns[block_class->first_columns[property]];
             for (int32_t row = 0; row < batch->count; row++) {
-                TinkerEnd a, b;
-                const TinkerSceneEnd *end = &batch->end[batch->end_offsets[row]];
-                if (!isnan(column[row]) || batch->end_offsets[row + 1] - batch->end_offsets[row] != 2) continue;
-                end_place(frame, &end[0], &a);
-                end_place(frame, &end[1], &b);
-                column[row] = hypot(b.x - a.x, b.y - a.y);
+                const int32_t first = batch->end_offsets[row], count = batch->end_offsets[row + 1] - first;
+                if (isnan(column[row])) column[row] = placed_length(frame, &batch->end[first], count);
             }
         }
     }

@@ -229,7 +229,7 @@ SPOIL(spoil_same_as_kind, m->properties[PLACE].flags = TINKER_DEFAULT_SAME_AS;
 SPOIL(spoil_same_as_itself, m->properties[PLACE].flags = TINKER_DEFAULT_SAME_AS;
       m->properties[PLACE].default_from = "place")
 SPOIL(spoil_derived, m->properties[STIFFNESS].flags = TINKER_DERIVED)
-SPOIL(spoil_as_placed, m->type.most_ends = 3)
+SPOIL(spoil_as_placed, m->type.least_ends = 1)
 SPOIL(spoil_interface_null, m->interfaces[5].vtable = NULL)
 SPOIL(spoil_interface_twice, m->interfaces[5].id = TINKER_EDIT_INTERFACE)
 SPOIL(spoil_interface_size, m->render.struct_size = 4)
@@ -312,7 +312,8 @@ static const Fault faults[] = {
      "property \"place\": it defaults to \"place\", which itself defaults to another property"},
     {"derived", spoil_derived, "property \"stiffness\": it is derived, but the block has no quantity of this id"},
     {"as-placed", spoil_as_placed,
-     "property \"rest\": it defaults to the distance of two ends, but the block has 2 to 3"},
+     "property \"rest\": it defaults to the length from end to end, but the block may have 1 (at least 2 ends are "
+     "needed)"},
     {"interface-null", spoil_interface_null, "its interface \"com.example.sound/1\" is NULL"},
     {"interface-twice", spoil_interface_twice, "it offers \"tinker.edit/1\" twice"},
     {"interface-size", spoil_interface_size, "struct_size of \"tinker.render/1\" is 4, at least 8 is needed"},

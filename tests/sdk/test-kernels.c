@@ -93,6 +93,28 @@ static void test_own_axes(void)
     }
 }
 
+/* A connector of three ends, round a corner: its ends, both of its lines, and not the line that closes the triangle. */
+static void test_connector_hit(void)
+{
+    const TinkerEnd ends[3] = {{.x = 0, .y = 0}, {.x = 4, .y = 0}, {.x = 4, .y = 4}};
+    const TinkerInstance instance = {.struct_size = sizeof(TinkerInstance), .ends = 3, .end = ends};
+    g_assert_cmpint(tinker_connector_hit(&instance, 0.1, 0.1, 0.2), ==, 0);
+    g_assert_cmpint(tinker_connector_hit(&instance, 4, 3.9, 0.2), ==, 2);
+    g_assert_cmpint(tinker_connector_hit(&instance, 2, 0.1, 0.2), ==, TINKER_PART_WHOLE);
+    g_assert_cmpint(tinker_connector_hit(&instance, 3.9, 2, 0.2), ==, TINKER_PART_WHOLE);
+    g_assert_cmpint(tinker_connector_hit(&instance, 2, 2, 0.2), ==, TINKER_PART_NONE);
+}
+
+static void test_first_end(void)
+{
+    const int32_t offsets[3] = {0, 2, 7};
+    const TinkerBatch alike = {.count = 2, .ends = 3}, different = {.count = 2, .ends = -1, .end_offsets = offsets};
+    g_assert_cmpint(tinker_first_end(&alike, 1), ==, 3);
+    g_assert_cmpint(tinker_first_end(&alike, 2), ==, 6);
+    g_assert_cmpint(tinker_first_end(&different, 1), ==, 2);
+    g_assert_cmpint(tinker_first_end(&different, 2), ==, 7);
+}
+
 int main(int argc, char **argv)
 {
     g_test_init(&argc, &argv, NULL);
@@ -102,5 +124,7 @@ int main(int argc, char **argv)
     g_test_add_func("/sdk/kernels/line-loop", test_line_loop);
     g_test_add_func("/sdk/kernels/end-geometry", test_end_geometry);
     g_test_add_func("/sdk/kernels/own-axes", test_own_axes);
+    g_test_add_func("/sdk/kernels/connector-hit", test_connector_hit);
+    g_test_add_func("/sdk/kernels/first-end", test_first_end);
     return g_test_run();
 }

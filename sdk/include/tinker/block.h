@@ -53,7 +53,7 @@ extern "C" {
 #define TINKER_HAS_SOFT_RANGE    (1u << 4) /* soft_minimum and soft_maximum count: the range of a slider */
 #define TINKER_READ_ONLY         (1u << 5) /* shown, never typed; not part of a scene */
 #define TINKER_DERIVED           (1u << 6) /* its value is that of the quantity with the same id */
-#define TINKER_DEFAULT_AS_PLACED (1u << 7) /* left out, it is the distance between the two ends at t = 0 */
+#define TINKER_DEFAULT_AS_PLACED (1u << 7) /* left out, it is the length of the way from end to end at t = 0 */
 #define TINKER_DEFAULT_SAME_AS   (1u << 8) /* left out, it equals the property that `default_from` names */
 
 typedef struct TinkerPropertyType {

@@ -23,6 +23,13 @@ static inline const double *tinker_column(const TinkerBatch *batch, int32_t colu
     return batch->columns[column];
 }
 
+/* Where the ends of an instance begin among those of a call, for blocks of any number of ends too; `instance` may be
+ * batch->count, where all of them end. */
+static inline int32_t tinker_first_end(const TinkerBatch *batch, int32_t instance)
+{
+    return batch->ends < 0 ? batch->end_offsets[instance] : instance * batch->ends;
+}
+
 /* Reports an instance (0 to count - 1) whose property is at fault. `text` is static. */
 static inline TinkerStatus tinker_fail(TinkerBatch *batch, int32_t instance, const char *text)
 {

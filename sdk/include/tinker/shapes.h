@@ -97,14 +97,17 @@ static inline void tinker_ends_draw_marks(const TinkerInstance *instance, struct
     }
 }
 
-/* Hit, and bounds, of a connector of two ends that is drawn along the line between them. */
+/* Hit, and bounds, of a connector that is drawn along the lines from each end to the next. */
 static inline int32_t tinker_connector_hit(const TinkerInstance *instance, double x, double y, double reach)
 {
-    const int32_t part = tinker_ends_hit(instance, x, y, reach);
     const TinkerEnd *end = instance->end;
-    if (part != TINKER_PART_NONE || instance->ends < 2) return part;
-    return tinker_segment_distance(x, y, end[0].x, end[0].y, end[1].x, end[1].y) <= reach ? TINKER_PART_WHOLE
-                                                                                          : TINKER_PART_NONE;
+    int32_t part = tinker_ends_hit(instance, x, y, reach);
+    for (int32_t k = 1; k < instance->ends && part == TINKER_PART_NONE; k++) {
+        if (tinker_segment_distance(x, y, end[k - 1].x, end[k - 1].y, end[k].x, end[k].y) <= reach) {
+            part = TINKER_PART_WHOLE;
+        }
+    }
+    return part;
 }
 static inline void tinker_connector_bounds(const TinkerInstance *instance, const TinkerStyle *style, double box[4])
 {
