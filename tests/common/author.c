@@ -43,7 +43,8 @@ void test_author_run(const char *folder, const char *data_home, const char *cons
 {
     g_autoptr(GError) error = NULL;
     g_autofree char *path = g_strdup_printf("%s/bin:%s", folder, g_getenv("PATH")), *output = NULL, *message = NULL;
-    g_auto(GStrv) environment = g_environ_setenv(g_get_environ(), "PKG_CONFIG_PATH", folder, TRUE);
+    g_auto(GStrv) environment = g_environ_setenv(g_get_environ(), "PKG_CONFIG_LIBDIR", folder, TRUE);
+    environment = g_environ_unsetenv(environment, "PKG_CONFIG_PATH");
     environment = g_environ_setenv(environment, "PATH", path, TRUE);
     if (data_home != NULL) environment = g_environ_setenv(environment, "XDG_DATA_HOME", data_home, TRUE);
     int wait_status = 0;
