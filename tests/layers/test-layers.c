@@ -41,6 +41,7 @@ static const Layer layers[] = {
     {"plugins/cvode-bdf", {NULL}, {"tinker/", "cvodes/", "nvector/", "sundials/", "sunlinsol/", "sunmatrix/"}},
     {"docs/examples", {NULL}, {"tinker/"}},
     {"sdk/templates", {NULL}, {"tinker/"}},
+    {"sdk/examples", {NULL}, {"tinker/"}},
     {"sdk/include/tinker", {NULL}, {NULL}},
 };
 
