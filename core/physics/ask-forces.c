@@ -7,8 +7,9 @@
 TinkerStatus tinker_model_refuse_forces(TinkerModel *model, const TinkerBlockBatch *batch, const TinkerBatch *view,
                                         TinkerStatus status, const char *what)
 {
-    if (status == TINKER_RETRY_SMALLER) return status;
-    return tinker_model_fail(model, batch, view->first + view->failed_instance, what, view->failure);
+    if (status == TINKER_RETRY_SMALLER && view->failure == NULL) return status;
+    tinker_model_fail(model, batch, view->first + view->failed_instance, what, view->failure);
+    return status;
 }
 
 /* Lines ------------------------------------------------------------------------------------------------------------ */

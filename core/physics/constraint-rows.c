@@ -7,9 +7,11 @@
 static G_NO_INLINE TinkerStatus refuse_rows(TinkerModel *model, const TinkerConstraintBatch *part, TinkerStatus status)
 {
     const TinkerConstraints *all = &model->constraints;
-    if (status == TINKER_RETRY_SMALLER) return status;
-    if (status != TINKER_OK)
-        return tinker_model_fail(model, part->batch, part->view.failed_instance, "constraint", part->view.failure);
+    if (status == TINKER_RETRY_SMALLER && part->view.failure == NULL) return status;
+    if (status != TINKER_OK) {
+        tinker_model_fail(model, part->batch, part->view.failed_instance, "constraint", part->view.failure);
+        return status;
+    }
     int32_t row = part->first_row;
     while (row < part->first_row + part->row_count - 1 && isfinite(all->g[row] + all->drift[row]))
         row++;
@@ -96,6 +98,7 @@ static inline TinkerStatus evaluate_distances(TinkerModel *model, const TinkerCo
 static G_NO_INLINE TinkerStatus evaluate_asked(TinkerModel *model, TinkerConstraintBatch *part)
 {
     part->view.time = model->time;
+    part->view.failure = NULL;
     TinkerStatus status =
         part->batch->count > TINKER_CHUNK ? ask_by_chunks(model, part) : ask_rows(model, part, &part->view);
     if (G_LIKELY(status == TINKER_OK && look_at_rows(&model->constraints, part))) return TINKER_OK;

@@ -143,7 +143,8 @@ typedef struct TinkerBatch {
     double time;                  /* s */
     double origin[2];             /* m: positions of a physics call are relative to this point of the world, so that a
                                      scene far from the world's origin loses no digits */
-    int32_t failed_instance;      /* set by the callee before it answers TINKER_FAILED, 0 to count - 1 */
+    int32_t failed_instance;      /* set by the callee before it answers TINKER_FAILED, 0 to count - 1; it may be set
+                                     before TINKER_RETRY_SMALLER, for where no step is small enough */
     int32_t reserved;
     const char *failure; /* likewise: static text, what is wrong and what would be right */
 } TinkerBatch;

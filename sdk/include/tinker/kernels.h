@@ -38,6 +38,14 @@ static inline TinkerStatus tinker_fail(TinkerBatch *batch, int32_t instance, con
     return TINKER_FAILED;
 }
 
+/* Reports an instance that is not computable here, as tinker_fail does. A smaller step may help; `text` is what the user reads
+ * where none does. */
+static inline TinkerStatus tinker_retry(TinkerBatch *batch, int32_t instance, const char *text)
+{
+    tinker_fail(batch, instance, text);
+    return TINKER_RETRY_SMALLER;
+}
+
 /* sqrt(x^2 + y^2), also where the squares leave the range of a double. */
 static inline double tinker_length(double x, double y)
 {

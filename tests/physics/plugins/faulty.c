@@ -6,9 +6,9 @@ enum { COLUMN_MODE };
 enum { MODE_NAN, MODE_INFINITE, MODE_FAILS, MODE_FAILS_SILENTLY, MODE_WALL, MODE_NEVER };
 
 /* A wall at x = 1 that repels with 1 / (1 - x): behind it there is no force to tell. */
-static TinkerStatus wall(const TinkerPoint *end, double *force)
+static TinkerStatus wall(TinkerBatch *batch, int32_t i, const TinkerPoint *end, double *force)
 {
-    if (!(end->x < 1.0)) return TINKER_RETRY_SMALLER;
+    if (!(end->x < 1.0)) return tinker_retry(batch, i, "nobody knows what is behind the wall");
     force[0] = -1.0 / (1.0 - end->x);
     return TINKER_OK;
 }
@@ -17,7 +17,7 @@ static TinkerStatus misbehave(TinkerBatch *batch, int32_t i, const TinkerPoint *
 {
     const int mode = (int)tinker_column(batch, COLUMN_MODE)[i];
     force[0] = force[1] = 0.0;
-    if (mode == MODE_WALL) return wall(end, force);
+    if (mode == MODE_WALL) return wall(batch, i, end, force);
     if (batch->time <= 1.0) return TINKER_OK;
     if (mode == MODE_NAN) force[0] = NAN;
     if (mode == MODE_INFINITE) force[1] = HUGE_VAL;
