@@ -160,6 +160,19 @@ class Slack(unittest.TestCase):
         self.assertAlmostEqual(last["B.y"], -1.5, delta=1e-10)
         self.assertAlmostEqual(last["Rope.tension"], G, delta=1e-10)
 
+    def test_runs_into_a_wheel(self):
+        """The light one is pulled into its wheel after sqrt(2 h / a): by then the run ends, and says why."""
+        described = scene(gravity(), beam(), mass("Light", 2, -1, -2), mass("Heavy", 3, 1, -2),
+                          rope("Rope", "Light", wheel(-1), wheel(1), "Heavy"), duration=3)
+        end = math.sqrt(2 * 2 / (G / 5))
+        for options in ((), ("--method", "rk4", "--step", "0.001")):
+            done = tinker(described, "--csv", "-", *options)
+            self.assertEqual(done.returncode, 1)
+            self.assertIn("Rope: its constraint", done.stderr)
+            self.assertIn("has run into a wheel", done.stderr)
+            rows = [line for line in done.stdout.splitlines() if line[:1].isdigit()]
+            self.assertAlmostEqual(float(rows[-1].split(",")[0]), end, delta=0.05)
+
     def test_too_short(self):
         """A rope that is shorter than its path is refused, with both lengths."""
         done = tinker(scene(beam(), mass("A", 1, -1, -1), mass("B", 1, 1, -1),

@@ -13,20 +13,27 @@ enum { COLUMN_LENGTH };
 
 enum { QUANTITY_TENSION, QUANTITY_SLACK };
 
+/* Where a rope pulls something into a wheel the strand between them swings round faster without end: small as the wheels are,
+ * the motion ends there, at this share of the rope's length, unless the rope is slack. */
+#define LEAST_STRAND 1e-3
+#define NEARLY_TAUT  0.999
+
 /* A rope that is shorter than this share of its length is drawn slack. */
 #define VISIBLY_SLACK 1e-6
 
 /* Physics */
 
-/* The row of one rope. A strand of length 0 has no direction, and pulls nobody. */
-static void add_up_strands(const TinkerPoint *end, int32_t ends, double *path, double *jacobian, double *drift)
+/* The row of one rope; answers its shortest strand. One of length 0 has no direction, and pulls nobody. */
+static double add_up_strands(const TinkerPoint *end, int32_t ends, double *path, double *jacobian, double *drift)
 {
+    double shortest = INFINITY;
     *path = *drift = 0.0;
     for (int32_t k = 0; k < 2 * ends; k++)
         jacobian[k] = 0.0;
     for (int32_t k = 1; k < ends; k++) {
         const TinkerPoint *a = &end[k - 1], *b = &end[k];
         const double dx = b->x - a->x, dy = b->y - a->y, length = tinker_length(dx, dy);
+        shortest = fmin(shortest, length);
         if (length == 0.0) continue;
         const double nx = dx / length, ny = dy / length, across = nx * (b->vy - a->vy) - ny * (b->vx - a->vx);
         *path += length;
@@ -36,6 +43,7 @@ static void add_up_strands(const TinkerPoint *end, int32_t ends, double *path, d
         jacobian[2 * k] += nx;
         jacobian[2 * k + 1] += ny;
     }
+    return shortest;
 }
 
 static TinkerStatus rows_at(TinkerBatch *batch, const TinkerPoint *ends, double *g, double *jacobian, double *drift)
@@ -43,7 +51,9 @@ static TinkerStatus rows_at(TinkerBatch *batch, const TinkerPoint *ends, double 
     const double *length = tinker_column(batch, COLUMN_LENGTH);
     for (int32_t i = 0; i < batch->count; i++) {
         const int32_t first = tinker_first_end(batch, i), count = tinker_first_end(batch, i + 1) - first;
-        add_up_strands(&ends[first], count, &g[i], &jacobian[2 * first], &drift[i]);
+        const double shortest = add_up_strands(&ends[first], count, &g[i], &jacobian[2 * first], &drift[i]);
+        if (shortest < LEAST_STRAND * length[i] && g[i] > NEARLY_TAUT * length[i])
+            return tinker_retry(batch, i, "what it pulls has run into a wheel (or two of its ends are in one place)");
         g[i] -= length[i];
     }
     return TINKER_OK;
