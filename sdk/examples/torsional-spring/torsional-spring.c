@@ -50,12 +50,6 @@ static int push_tip(const TinkerPoint *hinge, const TinkerPoint *tip, double mom
     return square > 0.0;
 }
 
-static TinkerStatus not_here(TinkerBatch *batch, int32_t instance, const char *why)
-{
-    tinker_fail(batch, instance, why);
-    return TINKER_RETRY_SMALLER;
-}
-
 static TinkerStatus force(TinkerBatch *batch, const TinkerPoint *ends, double *result)
 {
     const double *stiffness = tinker_column(batch, COLUMN_STIFFNESS), *rest = tinker_column(batch, COLUMN_REST_ANGLE);
@@ -64,10 +58,10 @@ static TinkerStatus force(TinkerBatch *batch, const TinkerPoint *ends, double *r
         double *on = &result[2 * ENDS * i];
         const double turn = turn_of(end, rest[i]), moment = stiffness[i] * turn;
         if (fabs(turn) > MOST_TURN)
-            return not_here(batch, i, "its arms are more than 170 deg from the rest angle (it counts no turns)");
+            return tinker_retry(batch, i, "its arms are more than 170 deg from the rest angle (it counts no turns)");
         if (!push_tip(&end[HINGE], &end[TIP], moment, &on[2 * TIP]) ||
             !push_tip(&end[HINGE], &end[OTHER_TIP], -moment, &on[2 * OTHER_TIP]))
-            return not_here(batch, i, "an arm has no length (its tip must not lie on the hinge)");
+            return tinker_retry(batch, i, "an arm has no length (its tip must not lie on the hinge)");
         on[2 * HINGE] = -on[2 * TIP] - on[2 * OTHER_TIP];
         on[2 * HINGE + 1] = -on[2 * TIP + 1] - on[2 * OTHER_TIP + 1];
     }
