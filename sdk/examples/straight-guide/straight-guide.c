@@ -35,10 +35,8 @@ static TinkerStatus rows_at(TinkerBatch *batch, const TinkerPoint *ends, double 
     for (int32_t i = 0; i < batch->count; i++) {
         const TinkerPoint *end = &ends[ENDS * i];
         const Line line = line_of(end);
-        if (line.length == 0.0) {
-            tinker_fail(batch, i, "its two points coincide (a line needs two that are apart)");
-            return TINKER_RETRY_SMALLER;
-        }
+        if (line.length == 0.0)
+            return tinker_retry(batch, i, "its two points coincide (a line needs two that are apart)");
         const double mx = -line.ny, my = line.nx, share = (line.nx * line.ux + line.ny * line.uy) / line.length;
         const double ux = end[BODY].vx - end[FROM].vx, uy = end[BODY].vy - end[FROM].vy;
         const double dx = end[TO].vx - end[FROM].vx, dy = end[TO].vy - end[FROM].vy;
