@@ -42,10 +42,9 @@ static TinkerStatus force(TinkerBatch *batch, const TinkerBodies *bodies, double
     for (int32_t i = 0; i < bodies->range; i++) {
         const int32_t own = bodies->first + i;
         double x, y;
-        if (!attract(bodies, own, &x, &y)) {
-            tinker_fail(batch, 0, "two bodies are in the same place, where the attraction is infinite (move one)");
-            return TINKER_RETRY_SMALLER;
-        }
+        if (!attract(bodies, own, &x, &y))
+            return tinker_retry(batch, 0,
+                                "two bodies are in the same place, where the attraction is infinite (move one)");
         result[2 * i] = constant * bodies->masses[own] * x;
         result[2 * i + 1] = constant * bodies->masses[own] * y;
     }
