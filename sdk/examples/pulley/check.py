@@ -124,6 +124,39 @@ class Taut(unittest.TestCase):
             self.near(row["Rope.tension"], 2 * (G + 2 * s), 10)
 
 
+class Swinging(unittest.TestCase):
+    """Atwood's machine whose lighter mass swings: with r, the length of its strand, and its angle from below,
+    (M + m) r'' = m r angle'^2 + g (m cos(angle) - M),   r angle'' = -2 r' angle' - g sin(angle).
+    For M = 3 m there is a second invariant beside the energy (N. Tufillaro, American Journal of Physics 54, 1986):
+    r^2 angle' (r' cos(angle/2) - r angle'/2 sin(angle/2)) + g r^2 sin(angle/2) cos(angle/2)^2."""
+
+    def test_swings(self):
+        m, big, r, angle, dr, turning = 1.0, 3.0, 1.2, 1.0, 0.3, 0.8
+        sine, cosine = math.sin(angle), math.cos(angle)
+        bob = mass("Bob", m, 1 + r * sine, -r * cosine)
+        bob["velocity"] = [dr * sine + r * turning * cosine, -dr * cosine + r * turning * sine]
+        record = run(scene(gravity(), beam(), bob, mass("Weight", big, -1, -4, dr),
+                           rope("Rope", "Bob", wheel(1), wheel(-1), "Weight"), duration=2, tolerance=1e-12),
+                     "Bob.x,Bob.y,Bob.vx,Bob.vy,Weight.y,Weight.vy,Weight.ay,Rope.tension,Rope.slack")
+        out = (m * r * turning**2 + G * (m * cosine - big)) / (m + big)
+        self.assertAlmostEqual(record[0]["Weight.ay"], out, delta=1e-10)
+        self.assertAlmostEqual(record[0]["Rope.tension"], big * (G + out), delta=1e-9)
+        kept = []
+        for row in record.values():
+            x, y, vx, vy = row["Bob.x"] - 1, row["Bob.y"], row["Bob.vx"], row["Bob.vy"]
+            r, now = math.hypot(x, y), math.atan2(x, -y)
+            angle = now + 2 * math.pi * round((angle - now) / (2 * math.pi))  # it goes over the top
+            dr, turning = (x * vx + y * vy) / r, (x * vy - y * vx) / (r * r)
+            self.assertAlmostEqual(row["Rope.slack"], 0, delta=1e-12)
+            energy = m / 2 * (vx**2 + vy**2) + big / 2 * row["Weight.vy"] ** 2 + G * (m * y + big * row["Weight.y"])
+            s, c = math.sin(angle / 2), math.cos(angle / 2)
+            kept.append((energy, r * r * turning * (dr * c - r * turning / 2 * s) + G * r * r * s * c * c))
+        self.assertGreater(max(row["Bob.x"] for row in record.values()) - min(row["Bob.x"] for row in record.values()), 1)
+        for energy, second in kept:
+            self.assertAlmostEqual(energy, kept[0][0], delta=1e-8)
+            self.assertAlmostEqual(second, kept[0][1], delta=1e-8)
+
+
 class Slack(unittest.TestCase):
     def events(self, described):
         done = tinker(described, "--json", "-", "--csv", os.devnull)
