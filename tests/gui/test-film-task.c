@@ -40,7 +40,7 @@ static guint files_in(const Fixture *fixture)
 static void tear_down(Fixture *fixture, gconstpointer data)
 {
     g_object_unref(fixture->task);
-    tinker_background_wait();
+    g_assert_true(tinker_background_wait(60));
     gui_fixture_free(fixture->scene);
     g_setenv("PATH", fixture->path, TRUE);
     const char *const words[] = {"rm", "-r", fixture->folder, NULL};
@@ -263,7 +263,7 @@ static void test_let_go(Fixture *fixture, gconstpointer data)
     start(fixture, LONG_FALL, "fall.gif");
     gui_fixture_pass(200);
     g_object_unref(fixture->task);
-    tinker_background_wait();
+    g_assert_true(tinker_background_wait(60));
     g_assert_cmpuint(files_in(fixture), ==, 1);
     fixture->task = tinker_film_task_new();
 }

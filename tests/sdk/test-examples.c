@@ -9,7 +9,7 @@ static void copy_example(const char *name, const char *to)
 {
     g_autofree char *from = g_build_filename(g_getenv("TINKER_SOURCES"), "sdk", "examples", name, NULL);
     const char *copy[] = {"cp", "-R", from, to, NULL};
-    test_author_run(to, copy);
+    test_author_run(to, NULL, copy);
 }
 
 static void test_builds_and_holds(gconstpointer name)
@@ -20,9 +20,9 @@ static void test_builds_and_holds(gconstpointer name)
     const char *setup[] = {"meson", "setup", "-Dwerror=true", build, sources, NULL},
                *compile[] = {"meson", "compile", "-C", build, NULL},
                *test[] = {"meson", "test", "-C", build, "--no-rebuild", "--print-errorlogs", "-t", "5", NULL};
-    test_author_run(folder, setup);
-    test_author_run(folder, compile);
-    test_author_run(folder, test);
+    test_author_run(folder, NULL, setup);
+    test_author_run(folder, NULL, compile);
+    test_author_run(folder, NULL, test);
     test_remove_all(folder);
 }
 
