@@ -229,6 +229,7 @@ static void find_duplicates_hashed(Scanner *s, guint first)
 static void find_duplicates(Scanner *s, guint first)
 {
     guint count = s->keys->len - first;
+    if (count < 2) return;
     const Key *keys = &g_array_index(s->keys, Key, first);
     gboolean escaped = FALSE;
     for (guint i = 0; i < count && count <= MOST_PAIRED_KEYS; i++)

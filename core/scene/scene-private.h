@@ -114,7 +114,7 @@ static inline int32_t scene_table_end_count(const SceneTable *table, int32_t row
 
 static inline TinkerSceneEnd *scene_table_ends(const SceneTable *table, int32_t row)
 {
-    return table->ends + table->end_offsets[row];
+    return table->ends == NULL ? NULL : table->ends + table->end_offsets[row];
 }
 
 /* Puts a property's default into its columns; what equals another property is left to scene_table_resolve. */
