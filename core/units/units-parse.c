@@ -6,7 +6,7 @@
 #include "units/units-private.h"
 
 #define LONGEST_SYMBOL 32  /* bytes of an unknown symbol that a message quotes */
-#define LARGEST_POWER  100 /* so that no sum of exponents overflows an int; the dimension's limit is checked apart */
+#define LARGEST_POWER  128 /* what a dimension can hold, and so what is written of one; sums are checked apart */
 #define DIMENSIONS     4
 
 /* Reads `text` from `at` on; `offset` is what comes before `text` in the user's text, in characters. */
