@@ -24,4 +24,8 @@ const TinkerLibrary *tinker_library_open(const char *path, GError **error);
 /* The plugin that a method is of; NULL where it is of none. Locks nothing, so that a handler of signals may ask. */
 const TinkerPlugin *tinker_library_plugin_of_method(const TinkerIntegrator *method);
 
+/* Makes all checks of a library on a descriptor that is in memory already (NULL is refused), and calls its init if it passes
+ * them. Nothing of it is kept. FALSE with _REFUSED. */
+gboolean tinker_library_check_descriptor(const TinkerPlugin *plugin, GError **error);
+
 #endif

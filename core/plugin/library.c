@@ -204,17 +204,29 @@ static gboolean call_init(Record *record, GError **error)
 }
 
 /* All checks, in the order that the contract promises. */
+static gboolean check_descriptor(Record *record, const TinkerPlugin *own, GError **error)
+{
+    if (!check_magic(own, error) || !check_sizes(own, error) || !check_minors(own, error) ||
+        !check_services(own, record->arena, error) || !check_plugin_texts(own, error))
+        return FALSE;
+    copy_descriptor(record, own);
+    return add_integrators(record, error) && add_blocks(record, error) && call_init(record, error);
+}
+
 static gboolean check_library(Record *record, GModule *module, GError **error)
 {
     const Entry entry = find_entry(module, error);
     if (entry == NULL) return FALSE;
     const TinkerPlugin *own;
     TINKER_CALL_VOID(own = entry(), .phase = TINKER_ENTRY_SYMBOL, .path = record->library.path);
-    if (!check_magic(own, error) || !check_sizes(own, error) || !check_minors(own, error) ||
-        !check_services(own, record->arena, error) || !check_plugin_texts(own, error))
-        return FALSE;
-    copy_descriptor(record, own);
-    return add_integrators(record, error) && add_blocks(record, error) && call_init(record, error);
+    return check_descriptor(record, own, error);
+}
+
+gboolean tinker_library_check_descriptor(const TinkerPlugin *plugin, GError **error)
+{
+    g_autoptr(GPtrArray) arena = g_ptr_array_new_with_free_func(g_free);
+    Record record = {.arena = arena};
+    return check_descriptor(&record, plugin, error);
 }
 
 static GModule *map_library(const char *path, GError **error)
