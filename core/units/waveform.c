@@ -7,6 +7,8 @@
 #include "units/expression-form.h"
 #include "units/table-private.h"
 
+#define MOST_WIDTHS 16 /* that are tried beside a break */
+
 struct _TinkerWaveform {
     gatomicrefcount references;
     TinkerWaveformKind kind;
@@ -72,12 +74,15 @@ static double next_row(const TinkerWaveform *waveform, double t, double horizon)
     return next <= horizon ? next : INFINITY;
 }
 
-/* A time left of t with no break between them. */
+/* A time left of t with no break between them. Each width costs a search, so that there are few of them also where t is so
+ * near to 0 that the smallest is a hundred decades away. */
 static double inside_left(const TinkerWaveformEvaluator *evaluator, double t)
 {
     const double size = fmax(fabs(t), fabs(evaluator->waveform->shift));
     const double smallest = 64 * (nextafter(size, INFINITY) - size);
-    for (double width = fmax(1e-3, fabs(t) / 1024); width > smallest; width /= 8) {
+    const double greatest = fmax(1e-3, fabs(t) / 1024);
+    const double ratio = fmax(8, exp2((log2(greatest) - log2(smallest)) / MOST_WIDTHS));
+    for (double width = greatest; width > smallest; width /= ratio) {
         const double before = tinker_waveform_next_break(evaluator, t - width, t - smallest / 4);
         if (!isfinite(before)) return t - width / 2;
     }
