@@ -143,8 +143,9 @@ char *tinker_probe(const char *program, const char *path, double seconds, GError
 {
     Probe probe = {.deadline = g_get_monotonic_time() + (gint64)(MIN(seconds, 3600) * G_USEC_PER_SEC)};
     if (!start(&probe, program, path, error)) return NULL;
-    g_autoptr(GString) output = probe.text[0] = g_string_new(NULL);
-    g_autoptr(GString) messages = probe.text[1] = g_string_new(NULL);
+    g_autoptr(GString) output = g_string_new(NULL), messages = g_string_new(NULL);
+    probe.text[0] = output;
+    probe.text[1] = messages;
 
     ProbeEnd end = read_outputs(&probe);
     if (end == PROBE_ENDED) end = wait_for_end(&probe);

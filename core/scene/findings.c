@@ -58,6 +58,7 @@ void reader_label_entry(SceneReader *reader, const char *list, int number, const
     reader->label_number = number;
 }
 
+G_GNUC_PRINTF(5, 0)
 static void report(SceneReader *reader, TinkerFindingKind kind, gsize offset, int code, const char *format,
                    va_list arguments)
 {
