@@ -143,7 +143,7 @@ gboolean tinker_plugin_cache_write(TinkerPluginCache *cache, GError **error)
     g_autoptr(GError) reason = NULL;
     const gboolean written = g_file_set_contents_full(path, text, -1, G_FILE_SET_CONTENTS_CONSISTENT, 0600, &reason);
     cJSON_free(text);
-    if (!written) return tinker_fail_file(error, "%s", reason->message);
+    if (!written) return tinker_fail_file(error, "%s: the file cannot be written: %s", path, reason->message);
     cache->changed = FALSE;
     return TRUE;
 }

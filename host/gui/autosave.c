@@ -77,8 +77,11 @@ static char *text_of_info(TinkerDocument *document)
 static gboolean write_one(const char *stem, const char *ending, const char *text, GError **error)
 {
     g_autofree char *path = g_strconcat(stem, ending, NULL);
-    return g_file_set_contents_full(path, text, -1, G_FILE_SET_CONTENTS_CONSISTENT | G_FILE_SET_CONTENTS_DURABLE, 0600,
-                                    error);
+    gboolean good = g_file_set_contents_full(path, text, -1,
+                                             G_FILE_SET_CONTENTS_CONSISTENT | G_FILE_SET_CONTENTS_DURABLE, 0600, error);
+    // Not every reason that GLib gives names the file.
+    if (!good) g_prefix_error(error, "%s: ", path);
+    return good;
 }
 
 static gboolean write_both(TinkerAutosave *autosave, GError **error)
