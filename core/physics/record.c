@@ -64,13 +64,27 @@ static gboolean spill(TinkerRecord *record, GError **error)
     return TRUE;
 }
 
+/* Room for more rows. How much is the user's choice, by what is recorded and how often, so none is an error like another. */
+static gboolean grow(TinkerRecord *record, GError **error)
+{
+    const gsize allotted = MIN(MAX(2 * record->allotted, 64), record->capacity);
+    char *memory = g_try_realloc_n(record->memory, allotted, record->row_bytes);
+    if (memory == NULL) {
+        g_set_error(error, G_FILE_ERROR, G_FILE_ERROR_NOMEM,
+                    "there is no memory for a record of %" G_GSIZE_FORMAT " rows of %" G_GSIZE_FORMAT
+                    " bytes (record fewer quantities)",
+                    allotted, record->row_bytes);
+        return FALSE;
+    }
+    record->memory = memory;
+    record->allotted = allotted;
+    return TRUE;
+}
+
 gboolean tinker_record_append(TinkerRecord *record, const double *row, GError **error)
 {
     if (record->in_memory == record->capacity && !spill(record, error)) return FALSE;
-    if (record->in_memory == record->allotted) {
-        record->allotted = MIN(MAX(2 * record->allotted, 64), record->capacity);
-        record->memory = g_realloc_n(record->memory, record->allotted, record->row_bytes);
-    }
+    if (record->in_memory == record->allotted && !grow(record, error)) return FALSE;
     memcpy(record->memory + record->in_memory * record->row_bytes, row, record->row_bytes);
     record->in_memory++;
     return TRUE;

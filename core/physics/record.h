@@ -11,6 +11,7 @@ TinkerRecord *tinker_record_new(gsize width, gsize memory_limit);
 void tinker_record_free(TinkerRecord *record);
 G_DEFINE_AUTOPTR_CLEANUP_FUNC(TinkerRecord, tinker_record_free)
 
+/* FALSE where there is no memory, or the temporary file cannot be written; the rows before this one can still be read. */
 gboolean tinker_record_append(TinkerRecord *record, const double *row, GError **error);
 gsize tinker_record_rows(const TinkerRecord *record);
 
