@@ -8,6 +8,19 @@
 static const char *const si_bases[] = {"kg", "m", "s", "rad"};
 static const char *const english_bases[] = {"slug", "ft", "s", "rad"};
 
+/* The same text for ever, one copy for all who ask. g_intern_string would do, but it leaves a table behind whenever it needs a
+ * larger one, and a file can have any number of dimensions in it. */
+static const char *intern(const char *text)
+{
+    static GMutex mutex;
+    static GStringChunk *texts;
+    g_mutex_lock(&mutex);
+    if (texts == NULL) texts = g_string_chunk_new(1024);
+    const char *kept = g_string_chunk_insert_const(texts, text);
+    g_mutex_unlock(&mutex);
+    return kept;
+}
+
 static void append_power(GString *text, const char *base, int exponent)
 {
     g_string_append(text, base);
@@ -30,7 +43,7 @@ static const char *compose(TinkerDimension dimension, const char *const *bases)
         g_string_append_c(text, '/');
         append_power(text, bases[i], -exponents[i]);
     }
-    return g_intern_string(text->str);
+    return intern(text->str);
 }
 
 /* "N·s²/m" as "N s^2/m". */
@@ -40,7 +53,7 @@ static const char *in_ascii(const char *unit)
     g_string_replace(text, "·", " ", 0);
     g_string_replace(text, "²", "^2", 0);
     g_string_replace(text, "³", "^3", 0);
-    return g_intern_string(text->str);
+    return intern(text->str);
 }
 
 gboolean tinker_dimension_equal(TinkerDimension a, TinkerDimension b)
