@@ -32,7 +32,9 @@ static const Operation operations[] = {
     {"record", TRUE, "record", NULL, FALSE, "@"},
     {"cache", TRUE, "cache @", "plugins.json", TRUE, NULL},
     {"manifest", TRUE, "manifest @library.so", NULL, FALSE, NULL},
+#ifdef WITH_AUTOSAVE
     {"autosave", TRUE, "autosave", NULL, FALSE, "autosave"},
+#endif
 };
 
 typedef struct {

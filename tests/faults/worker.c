@@ -56,7 +56,9 @@ static int manifest(const char *library)
 int main(int argc, char **argv)
 {
     if (argc == 2 && g_str_equal(argv[1], "record")) return record();
+#ifdef WITH_AUTOSAVE
     if (argc == 2 && g_str_equal(argv[1], "autosave")) return worker_autosave();
+#endif
     if (argc == 3 && g_str_equal(argv[1], "cache")) return cache(argv[2]);
     if (argc == 3 && g_str_equal(argv[1], "manifest")) return manifest(argv[2]);
     return 2;
