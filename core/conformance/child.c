@@ -36,6 +36,14 @@ static void silence(int errors)
     dup2(errors >= 0 ? errors : nowhere, STDERR_FILENO);
 }
 
+/* How a child ended is told by the parent; the program's own handlers would tell of it as well. */
+static void leave_signals_alone(void)
+{
+    static const int signals[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
+    for (gsize i = 0; i < G_N_ELEMENTS(signals); i++)
+        signal(signals[i], SIG_DFL);
+}
+
 static void be_child(int errors, pid_t parent, void (*work)(gpointer data), gpointer data)
 {
     const struct rlimit none = {0, 0};
@@ -43,6 +51,7 @@ static void be_child(int errors, pid_t parent, void (*work)(gpointer data), gpoi
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     if (getppid() != parent) _exit(1);
     setrlimit(RLIMIT_CORE, &none);
+    leave_signals_alone();
     silence(errors);
     work(data);
     _exit(STATUS_BACK);

@@ -107,6 +107,38 @@ static void test_plant(gconstpointer data)
     cJSON_Delete(root);
 }
 
+/* The museum's plugins that go wrong while they run, and what the first failure says, to the last letter. */
+static const struct {
+    const char *exhibit, *rule, *text;
+} exhibits[] = {
+    {"aborts", "batches", "crashed: SIGABRT in force at ordinary values"},
+    {"allocates", "quiet", "force calls malloc; the host calls it inside steps"},
+    {"crashing-method", "batches", "crashed: SIGSEGV in a step at t = 0 s"},
+    {"exits", "batches", "ended the process in force at ordinary values, with status 0"},
+    {"overflows", "batches", "crashed: SIGSEGV in force at ordinary values"},
+    {"segfaults", "batches", "crashed: SIGSEGV in force at ordinary values"},
+    {"traps", "batches", "crashed: SIGILL in force at ordinary values"},
+    {"writes-out-of-range", "memory", "force writes beyond the end of \"force\""},
+};
+
+static void test_exhibit(gconstpointer data)
+{
+    const gsize number = GPOINTER_TO_SIZE(data);
+    g_autofree char *name = g_strdup_printf("%s-exhibit.so", exhibits[number].exhibit);
+    g_autofree char *path = g_build_filename(g_getenv("TINKER_EXHIBITS"), name, NULL);
+    cJSON *root = check(path, 4);
+    const cJSON *item, *first = NULL;
+    cJSON_ArrayForEach(item, cJSON_GetObjectItemCaseSensitive(root, "results"))
+    {
+        if (strcmp(text_of(item, "outcome"), "failed") != 0) continue;
+        if (first == NULL && strcmp(text_of(item, "rule"), "declaration") != 0) first = item;
+    }
+    g_assert_nonnull(first);
+    g_assert_cmpstr(text_of(first, "rule"), ==, exhibits[number].rule);
+    g_assert_cmpstr(text_of(first, "text"), ==, exhibits[number].text);
+    cJSON_Delete(root);
+}
+
 /* The command that a failure names gives the same failure, to the last digit. */
 static void test_repeated(void)
 {
@@ -173,6 +205,10 @@ int main(int argc, char **argv)
     for (gsize i = 0; i < G_N_ELEMENTS(plants); i++) {
         g_autofree char *test = g_strdup_printf("/conformance/planted/%s", plants[i].fault);
         g_test_add_data_func(test, GSIZE_TO_POINTER(i), test_plant);
+    }
+    for (gsize i = 0; i < G_N_ELEMENTS(exhibits); i++) {
+        g_autofree char *test = g_strdup_printf("/conformance/museum/%s", exhibits[i].exhibit);
+        g_test_add_data_func(test, GSIZE_TO_POINTER(i), test_exhibit);
     }
     g_test_add_func("/conformance/repeated", test_repeated);
     g_test_add_func("/conformance/usage", test_usage);

@@ -181,7 +181,8 @@ typedef struct TinkerIntegrator {
         imaginary_limit; /* h * omega of an undamped oscillator at the edge of stability; 0: unstable for any; < 0: none */
     double real_limit; /* h * c / m of a pure damper at the edge of stability; < 0: no limit */
 
-    /* A stepper for this system, which outlives it; all memory that steps need is allotted here. NULL: out of memory. */
+    /* A stepper for this system, which outlives it; all memory that steps need is allotted here, but for what a solver of
+     * somebody else's sets up when it sees its first matrix. NULL: out of memory. */
     void *(*create)(const TinkerSystem *system, const TinkerIntegratorOptions *options);
     void (*destroy)(void *stepper);
     /* Forgets what was carried over from earlier steps: the state was changed, or a derivative jumped. */
