@@ -52,15 +52,16 @@ static int32_t neighbour(const TinkerModel *model, int32_t entry)
     return on[0] == entry ? on[1] : on[0];
 }
 
-/* Whether no body has more than two rows, and no two entries of a row share one. */
+/* Whether every row has two entries, of different bodies, and no body has more than two rows. */
 static gboolean is_thin(const TinkerModel *model)
 {
     const TinkerConstraints *all = &model->constraints;
+    if (all->rows == 0 || !all->two_entries) return FALSE;
     for (int32_t i = 0; i < model->bodies; i++)
         if (entries_on(model, i) > 2) return FALSE;
     for (int32_t row = 0; row < all->rows; row++)
         if (all->points[2 * row] == all->points[2 * row + 1]) return FALSE;
-    return all->rows > 0 && all->two_entries;
+    return TRUE;
 }
 
 static double mobility(const TinkerModel *model, int32_t point)
