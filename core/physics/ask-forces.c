@@ -8,8 +8,9 @@ TinkerStatus tinker_model_refuse_forces(TinkerModel *model, const TinkerBlockBat
                                         TinkerStatus status, const char *what)
 {
     if (status == TINKER_RETRY_SMALLER && view->failure == NULL) return status;
-    tinker_model_fail(model, batch, view->first + view->failed_instance, what, view->failure);
-    return status;
+    const TinkerStatus failed =
+        tinker_model_fail(model, batch, view->first + view->failed_instance, what, view->failure);
+    return status == TINKER_RETRY_SMALLER ? status : failed; // a number that is no status is a failure
 }
 
 /* Lines ------------------------------------------------------------------------------------------------------------ */

@@ -9,8 +9,9 @@ static G_NO_INLINE TinkerStatus refuse_rows(TinkerModel *model, const TinkerCons
     const TinkerConstraints *all = &model->constraints;
     if (status == TINKER_RETRY_SMALLER && part->view.failure == NULL) return status;
     if (status != TINKER_OK) {
-        tinker_model_fail(model, part->batch, part->view.failed_instance, "constraint", part->view.failure);
-        return status;
+        const TinkerStatus failed =
+            tinker_model_fail(model, part->batch, part->view.failed_instance, "constraint", part->view.failure);
+        return status == TINKER_RETRY_SMALLER ? status : failed; // a number that is no status is a failure
     }
     int32_t row = part->first_row;
     while (row < part->first_row + part->row_count - 1 && isfinite(all->g[row] + all->drift[row]))
@@ -99,6 +100,7 @@ static G_NO_INLINE TinkerStatus evaluate_asked(TinkerModel *model, TinkerConstra
 {
     part->view.time = model->time;
     part->view.failure = NULL;
+    part->view.failed_instance = -1;
     TinkerStatus status =
         part->batch->count > TINKER_CHUNK ? ask_by_chunks(model, part) : ask_rows(model, part, &part->view);
     if (G_LIKELY(status == TINKER_OK && look_at_rows(&model->constraints, part))) return TINKER_OK;

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-enum { MODE_NAN, MODE_INFINITE, MODE_FAILS, MODE_FAILS_SILENTLY, MODE_WALL, MODE_NEVER, MODE_NONE };
+enum { MODE_NAN, MODE_INFINITE, MODE_FAILS, MODE_FAILS_SILENTLY, MODE_WALL, MODE_NEVER, MODE_NONE, MODE_NO_STATUS };
 
 /* The middle one of three is at fault. */
 static PhysicsRun *with_fault(const char *method, int mode)
@@ -84,6 +84,18 @@ static void test_steps_that_cannot_shrink(void)
     g_assert_null(strstr(never->error->message, "s: ;"));
 }
 
+/* An answer that is no status ends the run as a failure does: nobody tries smaller steps for it. */
+static void test_no_status(void)
+{
+    static const char *const methods[] = {"rk4", "dopri5", "dop853"};
+    for (gsize m = 0; m < G_N_ELEMENTS(methods); m++) {
+        g_autoptr(PhysicsRun) fails = with_fault(methods[m], MODE_FAILS_SILENTLY);
+        g_autoptr(PhysicsRun) other = with_fault(methods[m], MODE_NO_STATUS);
+        physics_assert_refused(other, TINKER_MODEL_ERROR_RUN, ": its force at t = ", NULL);
+        g_assert_cmpint(other->summary->evaluations, ==, fails->summary->evaluations);
+    }
+}
+
 /* With a rod in the scene the start is evaluated while compiling: the same fault there has a reason as well. */
 static void test_fault_at_the_start(void)
 {
@@ -101,6 +113,7 @@ static void add_tests(void)
     g_test_add_data_func("/physics/faults/infinite", GINT_TO_POINTER(MODE_INFINITE), test_fault);
     g_test_add_data_func("/physics/faults/fails", GINT_TO_POINTER(MODE_FAILS), test_fault);
     g_test_add_data_func("/physics/faults/fails-silently", GINT_TO_POINTER(MODE_FAILS_SILENTLY), test_fault);
+    g_test_add_func("/physics/faults/no-status", test_no_status);
     g_test_add_func("/physics/faults/samples-before-a-fault", test_samples_before_a_fault);
     g_test_add_func("/physics/faults/smaller-steps", test_smaller_steps);
     g_test_add_func("/physics/faults/steps-that-cannot-shrink", test_steps_that_cannot_shrink);

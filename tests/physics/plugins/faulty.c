@@ -3,7 +3,7 @@
 
 enum { COLUMN_MODE };
 
-enum { MODE_NAN, MODE_INFINITE, MODE_FAILS, MODE_FAILS_SILENTLY, MODE_WALL, MODE_NEVER };
+enum { MODE_NAN, MODE_INFINITE, MODE_FAILS, MODE_FAILS_SILENTLY, MODE_WALL, MODE_NEVER, MODE_NONE, MODE_NO_STATUS };
 
 /* A wall at x = 1 that repels with 1 / (1 - x): behind it there is no force to tell. */
 static TinkerStatus wall(TinkerBatch *batch, int32_t i, const TinkerPoint *end, double *force)
@@ -23,6 +23,7 @@ static TinkerStatus misbehave(TinkerBatch *batch, int32_t i, const TinkerPoint *
     if (mode == MODE_INFINITE) force[1] = HUGE_VAL;
     if (mode == MODE_FAILS) return tinker_fail(batch, i, "the fuse has blown (put in a new one)");
     if (mode == MODE_FAILS_SILENTLY) return TINKER_FAILED;
+    if (mode == MODE_NO_STATUS) return TINKER_FAILED + 40;
     return mode == MODE_NEVER ? TINKER_RETRY_SMALLER : TINKER_OK;
 }
 
@@ -36,7 +37,7 @@ static TinkerStatus force(TinkerBatch *batch, const TinkerPoint *ends, double *r
 }
 
 static const TinkerPropertyType properties[] = {
-    {TINKER_REAL_PROPERTY("mode", "Mode", "Faulty", TINKER_DIMENSION_NONE), TINKER_ANY_VALUE(0, 0, 5)},
+    {TINKER_REAL_PROPERTY("mode", "Mode", "Faulty", TINKER_DIMENSION_NONE), TINKER_ANY_VALUE(0, 0, 7)},
 };
 
 static const TinkerForceElement element = {.struct_size = sizeof(TinkerForceElement), .force = force};
