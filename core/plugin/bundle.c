@@ -3,11 +3,11 @@
 #include "plugin/bundle-private.h"
 
 #include <cjson/cJSON.h>
-#include <string.h>
 #include <sys/stat.h>
 
 #include "plugin/permissions-private.h"
 #include "plugin/refuse-private.h"
+#include "plugin/search-private.h"
 #include "plugin/text-check-private.h"
 
 #define BUNDLE_FORMAT 1
@@ -57,11 +57,6 @@ static gboolean read_marker(TinkerBundleEntry *bundle, GError **error)
     return read;
 }
 
-static int compare_paths(gconstpointer a, gconstpointer b)
-{
-    return strcmp(*(const char *const *)a, *(const char *const *)b);
-}
-
 static void find_scenes(TinkerBundleEntry *bundle)
 {
     g_autofree char *folder = g_build_filename(bundle->path, SCENE_FOLDER, NULL);
@@ -72,7 +67,7 @@ static void find_scenes(TinkerBundleEntry *bundle)
         if (name[0] != '.' && g_str_has_suffix(name, SCENE_ENDING) && kind_of(path) == S_IFREG)
             g_ptr_array_add(bundle->scenes, g_steal_pointer(&path));
     }
-    g_ptr_array_sort(bundle->scenes, compare_paths);
+    tinker_search_sort(bundle->scenes);
 }
 
 gboolean tinker_bundle_is_marked(const char *folder)

@@ -18,4 +18,7 @@ GPtrArray *tinker_search_folders(const TinkerCatalogueOptions *options, GPtrArra
  * `warnings`. (transfer full) */
 GPtrArray *tinker_search_libraries(const TinkerSearchFolder *folder, GPtrArray *warnings);
 
+/* By name: the order in which a folder lists its files is an accident. */
+void tinker_search_sort(GPtrArray *paths);
+
 #endif

@@ -47,8 +47,12 @@ static int compare_paths(gconstpointer a, gconstpointer b)
     return strcmp(*(const char *const *)a, *(const char *const *)b);
 }
 
-/* Lists a folder: files that end in ".so", or sub-folders that are marked as bundles; paths by name, as the order in which
- * a folder lists its files is an accident. */
+void tinker_search_sort(GPtrArray *paths)
+{
+    g_ptr_array_sort(paths, compare_paths);
+}
+
+/* Lists a folder: files that end in ".so", or sub-folders that are marked as bundles; paths by name. */
 static void list_folder(const char *folder, GDir *directory, gboolean bundles, GPtrArray *paths)
 {
     for (const char *name = g_dir_read_name(directory); name != NULL; name = g_dir_read_name(directory)) {
@@ -58,7 +62,7 @@ static void list_folder(const char *folder, GDir *directory, gboolean bundles, G
         if (bundles ? tinker_bundle_is_marked(path) : g_str_has_suffix(name, ".so"))
             g_ptr_array_add(paths, g_steal_pointer(&path));
     }
-    g_ptr_array_sort(paths, compare_paths);
+    tinker_search_sort(paths);
 }
 
 static void take_folder(GPtrArray *folders, const char *path, const char *kind, TinkerBundleEntry *bundle)
