@@ -12,7 +12,7 @@ typedef struct {
 
 void tinker_crash_text_add(TinkerCrashText *text, const char *more);
 
-/* As "%.6g" would write it, but without exponents below 1e15. */
+/* To six decimals, without zeros at the end; from 1e15 on it says no more than that. */
 void tinker_crash_text_add_number(TinkerCrashText *text, double value);
 
 /* Who was at work: "the plugin ID WHAT in "FUNCTION" of block type TYPE (blocks A … B) at t = 1 s". */

@@ -31,7 +31,7 @@ void tinker_crash_text_add_number(TinkerCrashText *text, double value)
         tinker_crash_text_add(text, isnan(value) ? "nan" : value > 0 ? "inf" : "-inf");
         return;
     }
-    if (value < 0) tinker_crash_text_add(text, "-");
+    if (value <= -0.5e-6) tinker_crash_text_add(text, "-"); // what is rounded to 0 has no sign
     value = fabs(value);
     if (value >= 1e15) {
         tinker_crash_text_add(text, "more than 1e15");

@@ -26,11 +26,16 @@ static struct sigaction before[G_N_ELEMENTS(signals)];
 
 static char program_name[64], note_path[4096];
 static const TinkerCrashRecord *volatile kept;
+static gint changing;     /* atomic: whether the record is being changed */
+static gint asked_to_end; /* atomic: the signal; 0: none */
 
-/* Of the one crash that is told; a second thread that crashes meanwhile waits for the end. */
+/* Of the one end that is told; a second thread that crashes meanwhile waits for it. */
 static gint under_way; /* atomic */
-static _Thread_local volatile sig_atomic_t stage;
 static TinkerCrashText message;
+
+/* How far this thread is. Set before each part, so that a fault in it goes on with the next. */
+enum { NOTHING, BEGUN, COMPOSED, SAVED, TOLD };
+static _Thread_local volatile sig_atomic_t stage;
 
 /* What is left to be done ------------------------------------------------------------------------------------------- */
 
@@ -123,19 +128,26 @@ G_NORETURN static void wait_for_end(void)
         pause();
 }
 
+/* Makes this thread the one that tells. */
+static void begin(void)
+{
+    stage = BEGUN;
+    if (!g_atomic_int_compare_and_exchange(&under_way, 0, 1)) wait_for_end();
+}
+
 static void on_signal(int signal_number, siginfo_t *info, void *context)
 {
-    if (stage == 0 && !g_atomic_int_compare_and_exchange(&under_way, 0, 1)) wait_for_end();
+    if (stage == NOTHING) begin();
     // A fault in one part comes here again, and goes on with the next.
-    while (stage < 3) {
+    while (stage < TOLD) {
         switch (++stage) {
-        case 1:
+        case COMPOSED:
             compose(signal_number, info, context);
             break;
-        case 2:
+        case SAVED:
             save_record();
             break;
-        case 3:
+        case TOLD:
             tell();
             break;
         }
@@ -147,19 +159,35 @@ static void on_signal(int signal_number, siginfo_t *info, void *context)
     if (info->si_code <= 0) raise(signal_number);
 }
 
-void tinker_crash_end(int signal_number)
+/* Tells of an end that is no crash: `what` the plugin at work did, or `otherwise`. */
+static void tell_end(const char *what, const char *otherwise)
 {
-    if (!g_atomic_int_compare_and_exchange(&under_way, 0, 1)) wait_for_end();
-    stage = 3;
+    begin();
+    stage = COMPOSED;
     begin_message();
     if (tinker_plugin_call != NULL)
-        tinker_crash_text_add_call(&message, tinker_plugin_call, " was interrupted");
+        tinker_crash_text_add_call(&message, tinker_plugin_call, what);
     else
-        tinker_crash_text_add(&message, "interrupted");
+        tinker_crash_text_add(&message, otherwise);
+    stage = SAVED;
     save_record();
+    stage = TOLD;
     tell();
+}
+
+static void end_by(int signal_number)
+{
+    tell_end(" was interrupted", "interrupted");
     signal(signal_number, SIG_DFL);
     raise(signal_number);
+}
+
+void tinker_crash_end(int signal_number)
+{
+    // One signal may come while another is answered, on the same thread: the first goes on when this has returned.
+    if (stage != NOTHING) return;
+    g_atomic_int_set(&asked_to_end, signal_number);
+    if (!g_atomic_int_get(&changing)) end_by(signal_number);
 }
 
 /* The end of the process -------------------------------------------------------------------------------------------- */
@@ -167,12 +195,8 @@ void tinker_crash_end(int signal_number)
 /* A plugin that ends the process would end it with its own status, as if the run were done. */
 static void on_exit_called(void)
 {
-    const TinkerPluginCall *call = tinker_plugin_call;
-    if (call == NULL || !g_atomic_int_compare_and_exchange(&under_way, 0, 1)) return;
-    begin_message();
-    tinker_crash_text_add_call(&message, call, " called exit()");
-    save_record();
-    tell();
+    if (tinker_plugin_call == NULL || stage != NOTHING) return;
+    tell_end(" called exit()", "");
     _exit(1);
 }
 
@@ -198,9 +222,18 @@ void tinker_crash_watch(const char *program)
     atexit(on_exit_called);
 }
 
+void tinker_crash_change(void)
+{
+    g_atomic_int_set(&changing, 1);
+    kept = NULL;
+}
+
 void tinker_crash_keep(const TinkerCrashRecord *record)
 {
     kept = record;
+    g_atomic_int_set(&changing, 0);
+    const int signal_number = g_atomic_int_get(&asked_to_end);
+    if (signal_number != 0) end_by(signal_number);
 }
 
 void tinker_crash_set_note(const char *path)

@@ -30,11 +30,14 @@ typedef struct {
 } TinkerCrashRecord;
 
 /* For a handler of a signal that asks the process to end (SIGINT, SIGTERM) and that cannot wait for what is under way, such
- * as a plugin that never comes back: says who is at work on this thread, writes out the record, and ends by that signal. */
+ * as a plugin that never comes back: says who is at work on this thread, writes out the record, and ends by that signal. While the record is being
+ * changed it returns at once, and all that happens when the change is done. */
 void tinker_crash_end(int signal_number);
 
-/* Has the handler write out this record; NULL: none. One at a time; the record is borrowed until then, and its text is
- * changed only while none is kept. */
+/* Has the handler leave the record alone until the next tinker_crash_keep: before its text or the file is changed. */
+void tinker_crash_change(void);
+
+/* Has the handler write out this record; NULL: none. One at a time; it is borrowed until the next call. */
 void tinker_crash_keep(const TinkerCrashRecord *record);
 
 /* Has the handler write its message to this file as well (created with mode 0600), for the next start to read.

@@ -10,23 +10,29 @@
 #define MOST_GATHERED 65536
 #define LONGEST_WAIT  (G_USEC_PER_SEC / 5)
 
-/* Ends a row: from here on the handler of crashes may write it. */
-static void end_row(TinkerCsvRecord *record)
+/* From here on the handler of crashes may write what is gathered. */
+static void keep_rows(TinkerCsvRecord *record)
 {
-    tinker_csv_end_row(&record->writer);
     fflush(record->rows);
     record->rescue.text = record->text;
     record->rescue.size = record->size;
     tinker_crash_keep(&record->rescue);
 }
 
+static void end_row(TinkerCsvRecord *record)
+{
+    tinker_csv_end_row(&record->writer);
+    keep_rows(record);
+}
+
 /* Hands what was gathered to the file, and the file's own buffer to the system. */
 static void flush_rows(TinkerCsvRecord *record)
 {
-    tinker_crash_keep(NULL);
+    tinker_crash_change();
     fflush(record->rows);
     tinker_output_flush(&record->output, record->text, record->size);
     rewind(record->rows);
+    keep_rows(record);
     record->flushed = g_get_monotonic_time();
 }
 
@@ -48,6 +54,7 @@ static void close_rows(TinkerCsvRecord *record)
 {
     if (record->rows == NULL) return;
     flush_rows(record);
+    tinker_crash_keep(NULL);
     fclose(record->rows);
     free(record->text);
     record->rows = NULL;
@@ -75,7 +82,7 @@ gboolean tinker_csv_record_open(TinkerCsvRecord *record, const char *path, const
 
 gboolean tinker_csv_record_add(TinkerCsvRecord *record, double time, const double *values, GError **error)
 {
-    tinker_crash_keep(NULL);
+    tinker_crash_change();
     tinker_csv_number(&record->writer, time);
     for (guint i = 0; i < record->columns; i++)
         tinker_csv_number(&record->writer, values[i]);

@@ -6,6 +6,8 @@
 
 #include "fixture.h"
 
+#define COLUMNS "Mass 0.x,Mass 1.x"
+
 /* Two blocks of the exhibit's type on two masses that fly at 1 and 2 m/s; after t = 1 s the exhibit misbehaves. */
 static void write_scene(const CliFixture *fixture, const char *type)
 {
@@ -19,11 +21,11 @@ static void write_scene(const CliFixture *fixture, const char *type)
     g_autofree char *path = cli_write(fixture, "a.json", text);
 }
 
-static TestProgram *run_exhibit(const CliFixture *fixture, const char *type)
+static TestProgram *run_exhibit(const CliFixture *fixture, const char *type, const char *interval, const char *columns)
 {
     write_scene(fixture, type);
-    g_autofree char *words = g_strdup_printf("run @a.json --plugins '%s' --csv @r.csv --columns 'Mass 0.x,Mass 1.x'",
-                                             g_getenv("TINKER_EXHIBITS"));
+    g_autofree char *words = g_strdup_printf("run @a.json --plugins '%s' --csv @r.csv --interval %s --columns '%s'",
+                                             g_getenv("TINKER_EXHIBITS"), interval, columns);
     g_auto(GStrv) arguments = NULL;
     g_autoptr(GError) error = NULL;
     g_shell_parse_argv(words, NULL, &arguments, &error);
@@ -70,7 +72,7 @@ static const Exhibit exhibits[] = {
 static void test_exhibit(CliFixture *fixture, gconstpointer data)
 {
     const Exhibit *exhibit = data;
-    g_autoptr(TestProgram) program = run_exhibit(fixture, exhibit->type);
+    g_autoptr(TestProgram) program = run_exhibit(fixture, exhibit->type, "0.125", COLUMNS);
     g_autofree char *csv = cli_path(fixture, "r.csv");
     /* each mass is an island of its own; the first asks at the first stage after t = 1 s */
     g_autofree char *message = g_strdup_printf(
@@ -83,9 +85,25 @@ static void test_exhibit(CliFixture *fixture, gconstpointer data)
     assert_record(fixture);
 }
 
+/* All rows are in the file already, as their text is longer than what is gathered: the message names it all the same. */
+static void test_nothing_gathered(CliFixture *fixture, gconstpointer data)
+{
+    g_autoptr(GString) columns = g_string_new("Mass 0.x");
+    for (int i = 0; i < 6000; i++)
+        g_string_append(columns, ",Mass 0.x");
+    g_autoptr(TestProgram) program = run_exhibit(fixture, "segfaults", "2", columns->str);
+    g_autofree char *csv = cli_path(fixture, "r.csv"), *text = cli_read(fixture, "r.csv");
+    g_autofree char *end = g_strdup_printf("; what was recorded up to then is in %s\n", csv);
+    g_assert_cmpint(program->signal, ==, SIGSEGV);
+    g_assert_true(g_str_has_suffix(program->error, end));
+    g_autoptr(TestTable) table = test_table_new(text);
+    g_assert_cmpuint(table->rows, ==, 1);
+    g_assert_cmpuint(table->columns, ==, 6002);
+}
+
 static void test_not_a_number(CliFixture *fixture, gconstpointer data)
 {
-    g_autoptr(TestProgram) program = run_exhibit(fixture, "nan-force");
+    g_autoptr(TestProgram) program = run_exhibit(fixture, "nan-force", "0.125", COLUMNS);
     g_autofree char *scene = cli_path(fixture, "a.json");
     g_assert_cmpint(program->status, ==, 1);
     g_autofree char *message = g_strdup_printf(
@@ -97,32 +115,53 @@ static void test_not_a_number(CliFixture *fixture, gconstpointer data)
     assert_record(fixture);
 }
 
+/* Waits until a signal that was sent to a process is being answered. */
+static void wait_until_taken(GPid process, int signal_number)
+{
+    g_autofree char *path = g_strdup_printf("/proc/%d/status", process);
+    for (gboolean pending = TRUE; pending; g_usleep(1000)) {
+        g_autofree char *text = test_read_file(path);
+        const char *line = strstr(text, "\nShdPnd:");
+        g_assert_nonnull(line);
+        pending = (g_ascii_strtoull(line + strlen("\nShdPnd:"), NULL, 16) >> (signal_number - 1) & 1) != 0;
+    }
+}
+
 /* A plugin that never comes back: the second Ctrl-C, or SIGTERM, ends the program all the same. */
 static void test_hang(CliFixture *fixture, gconstpointer data)
 {
     const int signal_number = GPOINTER_TO_INT(data);
     write_scene(fixture, "hangs");
     g_autofree char *scene = cli_path(fixture, "a.json"), *csv = cli_path(fixture, "r.csv");
-    const char *words[] = {g_getenv("TINKER_PROGRAM"),  "run",   scene, "--plugins",
-                           g_getenv("TINKER_EXHIBITS"), "--csv", csv,   "--columns",
-                           "Mass 0.x,Mass 1.x",         NULL};
+    const char *words[] = {g_getenv("TINKER_PROGRAM"),
+                           "run",
+                           scene,
+                           "--plugins",
+                           g_getenv("TINKER_EXHIBITS"),
+                           "--csv",
+                           csv,
+                           "--columns",
+                           COLUMNS,
+                           NULL};
     GPid process;
-    int errors;
+    int output, errors;
+    char text[1024] = "";
     g_autoptr(GError) error = NULL;
-    g_spawn_async_with_pipes(NULL, (char **)words, NULL, G_SPAWN_DO_NOT_REAP_CHILD | G_SPAWN_STDOUT_TO_DEV_NULL, NULL,
-                             NULL, &process, NULL, NULL, &errors, &error);
+    g_spawn_async_with_pipes(NULL, (char **)words, NULL, G_SPAWN_DO_NOT_REAP_CHILD, NULL, NULL, &process, NULL, &output,
+                             &errors, &error);
     g_assert_no_error(error);
-    while (!g_file_test(csv, G_FILE_TEST_EXISTS))
-        g_usleep(10000);
-    g_usleep(G_USEC_PER_SEC); /* until it hangs: the run itself takes a few ms */
+    g_assert_cmpint(read(output, text, sizeof text - 1), ==, strlen("hangs\n"));
+    close(output);
     kill(process, signal_number);
-    g_usleep(G_USEC_PER_SEC / 2);
-    if (signal_number == SIGINT) kill(process, SIGINT);
+    if (signal_number == SIGINT) {
+        wait_until_taken(process, SIGINT);
+        kill(process, SIGINT);
+    }
     int status = 0;
     g_assert_cmpint(waitpid(process, &status, 0), ==, process);
     g_assert_true(WIFSIGNALED(status));
     g_assert_cmpint(WTERMSIG(status), ==, signal_number);
-    char text[1024] = "";
+    memset(text, 0, sizeof text);
     g_assert_cmpint(read(errors, text, sizeof text - 1), >, 0);
     close(errors);
     g_autofree char *message = g_strdup_printf(
@@ -174,6 +213,7 @@ int main(int argc, char **argv)
         g_autofree char *path = g_strconcat("/crashes/", exhibits[i].type, NULL);
         g_test_add(path, CliFixture, &exhibits[i], cli_fixture_set_up, test_exhibit, cli_fixture_tear_down);
     }
+    cli_test_add("/crashes/nothing-gathered", test_nothing_gathered);
     cli_test_add("/crashes/not-a-number", test_not_a_number);
     const int signals[] = {SIGINT, SIGTERM};
     for (gsize i = 0; i < G_N_ELEMENTS(signals); i++) {
