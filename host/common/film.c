@@ -15,16 +15,18 @@
 #include <glib/gstdio.h>
 
 #include "exit-status.h"
+#include "film-pictures.h"
 
 #define LOOK_AGAIN 20  /* ms */
 #define COMPLAINT  400 /* bytes of what ffmpeg says that are looked at */
 
 struct _TinkerFilm {
-    char *path;       /* as given */
-    char *unfinished; /* what ffmpeg writes; NULL: nothing */
+    char *path; /* as given */
     int width, height;
-    int pictures; /* written as numbered files */
-    gboolean joined, finished;
+    TinkerFilmPictures *pictures; /* NULL: ffmpeg joins them, with what follows */
+    char *place;                  /* the path, or what it leads to as a link */
+    char *unfinished;             /* what ffmpeg writes, beside that; NULL: nothing */
+    gboolean joined;
     GPid encoder;
     int pipe;       /* to the encoder; -1: closed */
     int complaints; /* what it says; -1: nowhere */
@@ -82,10 +84,14 @@ static const char *filter_for(const char *path)
     return "pad=ceil(iw/2)*2:ceil(ih/2)*2,format=yuv420p";
 }
 
-/* An empty file in the folder where the film will be, with the film's ending: ffmpeg goes by that. */
+/* An empty file in the folder where the film will be, with the film's ending: ffmpeg goes by that. A link stays a link: the
+ * file that it leads to is replaced. */
 static gboolean begin_file(TinkerFilm *film, GError **error)
 {
-    g_autofree char *folder = g_path_get_dirname(film->path);
+    char *real = realpath(film->path, NULL);
+    film->place = g_strdup(real != NULL ? real : film->path);
+    free(real);
+    g_autofree char *folder = g_path_get_dirname(film->place);
     g_autofree char *name = g_strconcat(".tinker-film-XXXXXX", strrchr(film->path, '.'), NULL);
     g_autofree char *unfinished = g_build_filename(folder, name, NULL);
     int file = g_mkstemp_full(unfinished, O_RDWR | O_CLOEXEC, 0666);
@@ -102,6 +108,12 @@ static int open_complaints(void)
     int file = g_file_open_tmp("tinker-film-XXXXXX", &name, NULL);
     if (file >= 0) (void)g_unlink(name);
     return file;
+}
+
+/* Ctrl-C goes to all processes of a group. It is for the program to answer, which then ends the film well. */
+static void leave_group(gpointer data)
+{
+    setpgid(0, 0);
 }
 
 static gboolean start_encoder(TinkerFilm *film, double frames_per_second, GError **error)
@@ -133,8 +145,8 @@ static gboolean start_encoder(TinkerFilm *film, double frames_per_second, GError
     g_autoptr(GError) reason = NULL;
     film->complaints = open_complaints();
     GSpawnFlags flags = G_SPAWN_SEARCH_PATH | G_SPAWN_DO_NOT_REAP_CHILD | G_SPAWN_CLOEXEC_PIPES;
-    if (!g_spawn_async_with_pipes_and_fds(NULL, words, NULL, flags, NULL, NULL, -1, -1, film->complaints, NULL, NULL, 0,
-                                          &film->encoder, &film->pipe, NULL, NULL, &reason))
+    if (!g_spawn_async_with_pipes_and_fds(NULL, words, NULL, flags, leave_group, NULL, -1, -1, film->complaints, NULL,
+                                          NULL, 0, &film->encoder, &film->pipe, NULL, NULL, &reason))
         return fail(film->path, "ffmpeg cannot be started", reason->message, error);
     /* an encoder that ends early is told by the write that fails */
     signal(SIGPIPE, SIG_IGN);
@@ -223,22 +235,18 @@ TinkerFilm *tinker_film_new(const char *path, int width, int height, double fram
     film->width = width;
     film->height = height;
     film->pipe = film->complaints = -1;
-    if (tinker_path_has_ending(path, ".png") || !tinker_film_can_join()) return g_steal_pointer(&film);
+    if (tinker_path_has_ending(path, ".png") || !tinker_film_can_join()) {
+        film->pictures = tinker_film_pictures_new(path, error);
+        return film->pictures != NULL ? g_steal_pointer(&film) : NULL;
+    }
     if (!begin_file(film, error) || !start_encoder(film, frames_per_second, error)) return NULL;
     return g_steal_pointer(&film);
-}
-
-static gboolean write_picture(TinkerFilm *film, cairo_surface_t *picture, GError **error)
-{
-    g_autofree char *name = tinker_film_picture_name(film->path, ++film->pictures);
-    cairo_status_t status = cairo_surface_write_to_png(picture, name);
-    return status == CAIRO_STATUS_SUCCESS || fail(name, "cannot be written", cairo_status_to_string(status), error);
 }
 
 gboolean tinker_film_add(TinkerFilm *film, cairo_surface_t *picture, GError **error)
 {
     if (is_stopped(film, error)) return FALSE;
-    if (film->unfinished == NULL) return write_picture(film, picture, error);
+    if (film->pictures != NULL) return tinker_film_pictures_add(film->pictures, picture, error);
     cairo_surface_flush(picture);
     const unsigned char *pixels = cairo_image_surface_get_data(picture);
     int stride = cairo_image_surface_get_stride(picture);
@@ -247,30 +255,18 @@ gboolean tinker_film_add(TinkerFilm *film, cairo_surface_t *picture, GError **er
     return TRUE;
 }
 
-/* A link stays a link: the file that it leads to is replaced. */
 static gboolean put_in_place(TinkerFilm *film, GError **error)
 {
-    char *real = realpath(film->path, NULL);
-    int failed = g_rename(film->unfinished, real != NULL ? real : film->path) == 0 ? 0 : errno;
-    free(real);
-    if (failed != 0) return fail(film->path, "cannot be written", g_strerror(failed), error);
+    if (g_rename(film->unfinished, film->place) != 0)
+        return fail(film->path, "cannot be written", g_strerror(errno), error);
     g_clear_pointer(&film->unfinished, g_free);
     return TRUE;
 }
 
 gboolean tinker_film_finish(TinkerFilm *film, GError **error)
 {
-    gboolean whole = film->unfinished == NULL || (end_encoder(film, error) && put_in_place(film, error));
-    film->finished = whole;
-    return whole;
-}
-
-static void remove_pictures(TinkerFilm *film)
-{
-    for (int number = 1; number <= film->pictures; number++) {
-        g_autofree char *name = tinker_film_picture_name(film->path, number);
-        (void)g_unlink(name);
-    }
+    if (film->pictures != NULL) return tinker_film_pictures_finish(film->pictures, error);
+    return end_encoder(film, error) && put_in_place(film, error);
 }
 
 void tinker_film_free(TinkerFilm *film)
@@ -278,9 +274,10 @@ void tinker_film_free(TinkerFilm *film)
     if (film == NULL) return;
     if (film->joined) kill_encoder(film);
     if (film->unfinished != NULL) (void)g_unlink(film->unfinished);
-    if (!film->finished) remove_pictures(film);
     if (film->complaints >= 0) close(film->complaints);
+    tinker_film_pictures_free(film->pictures);
     g_free(film->unfinished);
+    g_free(film->place);
     g_free(film->path);
     g_free(film);
 }
