@@ -33,6 +33,12 @@ static void connect_answer(gpointer dialog, GCallback on_answer, Wish *wish)
     g_signal_connect_data(dialog, "response", on_answer, wish, (GClosureNotify)(void (*)(void))wish_free, 0);
 }
 
+/* The name of the first file that a film of this path is written to. (transfer full) */
+static char *first_file(const char *path)
+{
+    return tinker_path_has_ending(path, ".png") ? tinker_film_picture_name(path, 1) : g_strdup(path);
+}
+
 /* The bar ------------------------------------------------------------------------------------------------------------- */
 
 static void show_progress(TinkerWindow *window)
@@ -43,7 +49,7 @@ static void show_progress(TinkerWindow *window)
 static void tell_end(TinkerWindow *window)
 {
     const char *path = tinker_film_task_path(window->film), *failure = tinker_film_task_failure(window->film);
-    g_autofree char *name = path != NULL ? g_path_get_basename(path) : NULL;
+    g_autofree char *first = first_file(path), *name = g_path_get_basename(first);
     g_autofree char *saved = g_strdup_printf(_("Saved as %s"), name);
     switch (tinker_film_task_state(window->film)) {
     case TINKER_FILM_WRITTEN:
@@ -163,7 +169,7 @@ static char *with_ending(const char *chosen, const char *filter, const char *end
 /* The file that the film would take the place of, where the file dialog has not asked about it. (transfer full) */
 static char *file_in_the_way(const char *path, const char *chosen)
 {
-    g_autofree char *first = tinker_path_has_ending(path, ".png") ? tinker_film_picture_name(path, 1) : g_strdup(path);
+    g_autofree char *first = first_file(path);
     gboolean asked = g_strcmp0(first, chosen) == 0;
     return !asked && g_file_test(first, G_FILE_TEST_EXISTS) ? g_steal_pointer(&first) : NULL;
 }
