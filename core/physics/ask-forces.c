@@ -9,7 +9,7 @@ TinkerStatus tinker_model_refuse_forces(TinkerModel *model, const TinkerBlockBat
 {
     if (status == TINKER_RETRY_SMALLER && view->failure == NULL) return status;
     const TinkerStatus failed =
-        tinker_model_fail(model, batch, view->first + view->failed_instance, what, view->failure);
+        tinker_model_fail(model, batch, view->first + MAX(view->failed_instance, 0), what, view->failure);
     return status == TINKER_RETRY_SMALLER ? status : failed; // a number that is no status is a failure
 }
 

@@ -78,7 +78,7 @@ static TinkerStatus ask_by_chunks(TinkerModel *model, TinkerConstraintBatch *par
         TinkerBatch view = tinker_model_view(model, part->batch, first, count, model->column_views);
         status = ask_rows(model, part, &view);
         part->view.failure = view.failure;
-        part->view.failed_instance = first + view.failed_instance;
+        part->view.failed_instance = first + MAX(view.failed_instance, 0);
     }
     return status;
 }

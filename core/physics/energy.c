@@ -48,7 +48,7 @@ static TinkerStatus asked_lines_energy(TinkerModel *model, const TinkerAskedBatc
         TinkerBatch view = tinker_model_view(model, batch, first, count, model->column_views);
         const TinkerLineLaw *law = batch->block_class->physics->line_law;
         if (TINKER_CALL_BATCH(batch, "energy", &view, law->energy(&view, length, stored)) != TINKER_OK)
-            return tinker_model_fail(model, batch, first + view.failed_instance, "energy", view.failure);
+            return tinker_model_fail(model, batch, first + MAX(view.failed_instance, 0), "energy", view.failure);
         for (int32_t i = 0; i < count; i++)
             *sum += stored[i];
     }
@@ -68,7 +68,7 @@ static TinkerStatus asked_forces_energy(TinkerModel *model, const TinkerAskedBat
         TinkerBatch view = tinker_model_view(model, batch, first, count, model->column_views);
         const TinkerForceElement *element = batch->block_class->physics->force_element;
         if (TINKER_CALL_BATCH(batch, "energy", &view, element->energy(&view, gathered, stored)) != TINKER_OK)
-            return tinker_model_fail(model, batch, first + view.failed_instance, "energy", view.failure);
+            return tinker_model_fail(model, batch, first + MAX(view.failed_instance, 0), "energy", view.failure);
         for (int32_t i = 0; i < count; i++)
             *sum += stored[i];
     }
