@@ -13,8 +13,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#define STATUS_BACK 77 /* with which a child ends that has come back from its work */
-#define POLL_US     300
+#define POLL_US 300
 
 KitSheet *kit_sheet_new(void)
 {
@@ -36,25 +35,26 @@ static void silence(int errors)
     dup2(errors >= 0 ? errors : nowhere, STDERR_FILENO);
 }
 
-/* How a child ended is told by the parent; the program's own handlers would tell of it as well. */
-static void leave_signals_alone(void)
+/* A host's own last words would blame the host: here it is known whose functions are called. */
+static void forget_handlers(void)
 {
-    static const int signals[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
-    for (gsize i = 0; i < G_N_ELEMENTS(signals); i++)
-        signal(signals[i], SIG_DFL);
+    static const int crashes[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
+    for (gsize i = 0; i < G_N_ELEMENTS(crashes); i++)
+        signal(crashes[i], SIG_DFL);
 }
 
-static void be_child(int errors, pid_t parent, void (*work)(gpointer data), gpointer data)
+static void be_child(KitSheet *sheet, int errors, pid_t parent, void (*work)(gpointer data), gpointer data)
 {
     const struct rlimit none = {0, 0};
     setpgid(0, 0); // what the library starts is ended with it
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     if (getppid() != parent) _exit(1);
     setrlimit(RLIMIT_CORE, &none);
-    leave_signals_alone();
     silence(errors);
+    forget_handlers();
     work(data);
-    _exit(STATUS_BACK);
+    sheet->came_back = 1;
+    _exit(0);
 }
 
 static void end_child(pid_t child, int *status)
@@ -65,21 +65,24 @@ static void end_child(pid_t child, int *status)
     }
 }
 
-/* FALSE where the time was up. */
+static gboolean has_ended(pid_t child)
+{
+    siginfo_t info = {0};
+    return waitid(P_PID, (id_t)child, &info, WEXITED | WNOHANG | WNOWAIT) == 0 && info.si_pid == child;
+}
+
+/* FALSE where the time was up. In the end its group is ended, with what it left behind, while the child is not reaped yet:
+ * so long nobody else can have its number. */
 static gboolean wait_for(pid_t child, double seconds, int *status)
 {
     const gint64 deadline = g_get_monotonic_time() + (gint64)(CLAMP(seconds, 0, 3600) * G_USEC_PER_SEC);
-    for (;;) {
-        const pid_t ended = waitpid(child, status, WNOHANG);
-        if (ended == child) break;
-        if (g_get_monotonic_time() > deadline) {
-            end_child(child, status);
-            return FALSE;
-        }
+    gboolean ended = has_ended(child);
+    while (!ended && g_get_monotonic_time() <= deadline) {
         g_usleep(POLL_US);
+        ended = has_ended(child);
     }
-    kill(-child, SIGKILL); // what it left behind
-    return TRUE;
+    end_child(child, status);
+    return ended;
 }
 
 /* The last line that says something, in brackets: an assertion, or a sanitizer's finding. */
@@ -113,7 +116,7 @@ static void judge(KitSheet *sheet, gboolean in_time, int status, double seconds,
         const char *name = sigabbrev_np(WTERMSIG(status));
         last_words(errors, words);
         g_snprintf(sheet->text, sizeof sheet->text, "crashed: SIG%s%s%s", name == NULL ? "?" : name, where, words);
-    } else if (WEXITSTATUS(status) == STATUS_BACK) {
+    } else if (sheet->came_back) {
         sheet->outcome = TINKER_CONFORMANCE_PASSED;
     } else {
         last_words(errors, words);
@@ -128,7 +131,7 @@ void kit_child_run(KitSheet *sheet, double seconds, void (*work)(gpointer data),
     fflush(NULL); // what is buffered is written once
     const int errors = memfd_create("errors", MFD_CLOEXEC);
     const pid_t parent = getpid(), child = fork();
-    if (child == 0) be_child(errors, parent, work, data);
+    if (child == 0) be_child(sheet, errors, parent, work, data);
     if (child < 0) g_error("no process for a check: %s", g_strerror(errno));
     setpgid(child, child);
     int status = 0;

@@ -10,6 +10,7 @@
 /* Shared between the child, which writes, and its parent, which reads it when the child has ended. */
 typedef struct {
     int32_t decided;            /* 1: outcome and text hold */
+    int32_t came_back;          /* 1: the child came back from its work, and was not ended in it */
     int32_t outcome;            /* TinkerConformanceOutcome */
     char phase[KIT_PHASE_SIZE]; /* what is being done: where the child crashed */
     char text[KIT_TEXT_SIZE];
