@@ -54,6 +54,8 @@ WATCH(int, puts, (const char *text), (text))
 WATCH(int, putchar, (int c), (c))
 WATCH(int, fputs, (const char *text, FILE *file), (text, file))
 WATCH(size_t, fwrite, (const void *data, size_t size, size_t count, FILE *file), (data, size, count, file))
+WATCH(int, fputc, (int c, FILE *file), (c, file))
+WATCH(size_t, fread, (void *data, size_t size, size_t count, FILE *file), (data, size, count, file))
 WATCH(FILE *, fopen, (const char *path, const char *mode), (path, mode))
 WATCH(ssize_t, write, (int file, const void *data, size_t size), (file, data, size))
 WATCH(ssize_t, read, (int file, void *data, size_t size), (file, data, size))
@@ -65,25 +67,23 @@ static void watched_free(void *memory)
     free(memory);
 }
 
-static int watched_printf(const char *format, ...)
-{
-    va_list arguments;
-    va_start(arguments, format);
-    note("printf");
-    const int written = vprintf(format, arguments);
-    va_end(arguments);
-    return written;
-}
+#define WATCH_FORMATTED(name, told, parameters, print)                                                                 \
+    static int watched_##name parameters                                                                               \
+    {                                                                                                                  \
+        va_list arguments;                                                                                             \
+        va_start(arguments, format);                                                                                   \
+        note(told);                                                                                                    \
+        const int written = print;                                                                                     \
+        va_end(arguments);                                                                                             \
+        return written;                                                                                                \
+    }
 
-static int watched_fprintf(FILE *file, const char *format, ...)
-{
-    va_list arguments;
-    va_start(arguments, format);
-    note("fprintf");
-    const int written = vfprintf(file, format, arguments);
-    va_end(arguments);
-    return written;
-}
+WATCH_FORMATTED(printf, "printf", (const char *format, ...), vprintf(format, arguments))
+WATCH_FORMATTED(fprintf, "fprintf", (FILE * file, const char *format, ...), vfprintf(file, format, arguments))
+/* What the two are compiled to with -D_FORTIFY_SOURCE, which some systems set for everything. */
+WATCH_FORMATTED(__printf_chk, "printf", (int flag, const char *format, ...), vprintf(format, arguments))
+WATCH_FORMATTED(__fprintf_chk, "fprintf", (FILE * file, int flag, const char *format, ...),
+                vfprintf(file, format, arguments))
 
 #define ROW(name)                                                                                                      \
     {                                                                                                                  \
@@ -92,12 +92,13 @@ static int watched_fprintf(FILE *file, const char *format, ...)
 static const struct {
     const char *name;
     uintptr_t address;
-} watched[] = {ROW(malloc), ROW(calloc), ROW(realloc), ROW(free),   ROW(aligned_alloc), ROW(posix_memalign),
-               ROW(strdup), ROW(puts),   ROW(putchar), ROW(fputs),  ROW(fwrite),        ROW(fopen),
-               ROW(write),  ROW(read),   ROW(getenv),  ROW(printf), ROW(fprintf),       ROW(pthread_mutex_lock)};
+} watched[] = {
+    ROW(malloc),       ROW(calloc),        ROW(realloc), ROW(free),   ROW(aligned_alloc), ROW(posix_memalign),
+    ROW(strdup),       ROW(puts),          ROW(putchar), ROW(fputs),  ROW(fwrite),        ROW(fopen),
+    ROW(write),        ROW(read),          ROW(getenv),  ROW(printf), ROW(fprintf),       ROW(pthread_mutex_lock),
+    ROW(__printf_chk), ROW(__fprintf_chk), ROW(fputc),   ROW(fread)};
 
 typedef struct {
-    GPtrArray *names;        /* collected */
     const GPtrArray *before; /* passed over */
     gboolean failed;
 } Walk;
