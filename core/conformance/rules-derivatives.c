@@ -1,87 +1,16 @@
-/* derivatives, jacobian, drift, motion: what is given as a derivative agrees with differences.
- *
- * Differences are central, of the widths h and 2 h, extrapolated to h^4; where the two widths do not agree there is a kink
- * between, and nothing is compared. Along a motion ends go on with their velocities and waveforms with their derivatives,
- * which is a Taylor series up to s^2: enough for second derivatives at s = 0. */
+/* derivatives, jacobian, drift, motion: what is given as a derivative agrees with differences. */
 #include <math.h>
 
-#include "conformance/state-private.h"
+#include "conformance/differences-private.h"
 
-#define CLOSE  2e-6 /* relative */
-#define WIDTH  2e-3
 #define ROUNDS 2
 
-typedef void (*Move)(KitState *state, int which, double by);
+static const KitNearness nearness = {.close = 2e-6, .floor = 1e-3};
 
-static void longer(KitState *state, int which, double by)
-{
-    for (int32_t i = 0; i < state->count; i++)
-        *(which == 0 ? &state->lengths[i] : &state->rates[i]) += by;
-}
-
-static void shift_point(TinkerPoint *p, int which, double by)
-{
-    *(which == 0 ? &p->x : which == 1 ? &p->y : which == 2 ? &p->vx : &p->vy) += by;
-}
-
-/* Component which % 4 of body which / 4. */
-static void move_body(KitState *state, int which, double by)
-{
-    shift_point(&state->bodies[which / 4], which % 4, by);
-}
-
-/* Component which % 2 of the end number which / 2 of every instance that has it. */
-static void move_end(KitState *state, int which, double by)
-{
-    for (int32_t i = 0; i < state->count; i++)
-        if (state->offsets[i] + which / 2 < state->offsets[i + 1])
-            shift_point(&state->points[state->offsets[i] + which / 2], which % 2, by);
-}
-
-/* Time goes on, with waveforms; and with which = 1 the ends as well. */
-static void go_on(KitState *state, int which, double by)
-{
-    const TinkerBlockClass *c = state->block_class;
-    state->time += by;
-    for (int32_t k = 0; k < c->property_count; k++) {
-        if (c->properties[k].kind != TINKER_KIND_WAVEFORM) continue;
-        double *const *wave = state->columns + c->first_columns[k];
-        for (int32_t i = 0; i < state->count; i++) {
-            wave[0][i] += by * (wave[1][i] + 0.5 * by * wave[2][i]);
-            wave[1][i] += by * wave[2][i];
-        }
-    }
-    for (int32_t e = 0; which == 1 && e < kit_state_end_count(state); e++) {
-        state->points[e].x += by * state->points[e].vx;
-        state->points[e].y += by * state->points[e].vy;
-    }
-}
-
-/* The derivative of a result by a move, first or second; NAN at kinks. NULL where the check is decided. (transfer full) */
-static double *slopes(KitCheck *check, const KitFunction *function, int output, const KitState *state, Move move,
+static double *slopes(KitCheck *check, const KitFunction *function, int output, const KitState *state, KitMove move,
                       int which, int degree)
 {
-    static const double places[] = {-2, -1, 0, 1, 2};
-    g_autoptr(GPtrArray) answers = g_ptr_array_new_with_free_func((GDestroyNotify)kit_answer_free);
-    for (gsize i = 0; i < G_N_ELEMENTS(places); i++) {
-        g_autoptr(KitState) moved = kit_state_copy(state);
-        move(moved, which, places[i] * WIDTH);
-        KitAnswer *answer = kit_call_well(check, function, moved);
-        if (answer == NULL) return NULL;
-        g_ptr_array_add(answers, answer);
-    }
-    const gsize entries = ((KitAnswer *)answers->pdata[0])->entries[output];
-    double *result = g_new(double, entries + 1);
-    for (gsize i = 0; i < entries; i++) {
-        double f[5];
-        for (int k = 0; k < 5; k++)
-            f[k] = ((KitAnswer *)answers->pdata[k])->values[output][i];
-        const double near = degree == 1 ? (f[3] - f[1]) / (2 * WIDTH) : (f[3] - 2 * f[2] + f[1]) / (WIDTH * WIDTH);
-        const double far = degree == 1 ? (f[4] - f[0]) / (4 * WIDTH) : (f[4] - 2 * f[2] + f[0]) / (4 * WIDTH * WIDTH);
-        const double size = fmax(fabs(near), 1e-3 * fabs(f[2]) + 1e-9);
-        result[i] = fabs(near - far) <= 1e-2 * size ? (4 * near - far) / 3 : NAN;
-    }
-    return result;
+    return kit_slopes(check, function, output, state, move, which, degree, nearness);
 }
 
 /* One number against its slope. `size` is what rounding is measured by. */
@@ -90,7 +19,7 @@ static void compare(KitCheck *check, const KitState *state, int32_t instance, co
 {
     if (isnan(slope) || kit_decided(check)) return;
     (*compared)++;
-    if (fabs(given - slope) <= CLOSE * fmax(fmax(fabs(given), fabs(slope)), size)) return;
+    if (fabs(given - slope) <= nearness.close * fmax(fmax(fabs(given), fabs(slope)), size)) return;
     g_autofree char *values = kit_state_describe(state, instance);
     kit_fail(check, "%s of instance %d is %.9g, by differences it is %.9g (%s)", what, instance, given, slope, values);
 }
@@ -101,7 +30,7 @@ static void try_line(KitCheck *check, const GArray *functions, const KitState *s
                       *tension = kit_function(functions, "tension");
     g_autoptr(KitAnswer) given = kit_call_well(check, derivatives, state), at = kit_call_well(check, tension, state);
     for (int which = 0; which < 2 && given != NULL && at != NULL; which++) {
-        g_autofree double *slope = slopes(check, tension, 0, state, longer, which, 1);
+        g_autofree double *slope = slopes(check, tension, 0, state, kit_move_line, which, 1);
         for (int32_t i = 0; slope != NULL && i < state->count; i++)
             compare(check, state, i, which == 0 ? "by_length" : "by_rate", given->values[which][i], slope[i],
                     1e-3 * fabs(at->values[0][i]), compared);
@@ -113,7 +42,7 @@ static void try_field(KitCheck *check, const GArray *functions, const KitState *
     const KitFunction *derivatives = kit_function(functions, "derivatives"), *force = kit_function(functions, "force");
     g_autoptr(KitAnswer) given = kit_call_well(check, derivatives, state), at = kit_call_well(check, force, state);
     for (int which = 0; which < 4 * state->body_count && given != NULL && at != NULL && !kit_decided(check); which++) {
-        g_autofree double *slope = slopes(check, force, 0, state, move_body, which, 1);
+        g_autofree double *slope = slopes(check, force, 0, state, kit_move_body, which, 1);
         const int body = which / 4, part = which % 4;
         for (int row = 0; slope != NULL && row < 2; row++) {
             g_autofree char *what =
@@ -134,7 +63,7 @@ static void try_ends(KitCheck *check, const GArray *functions, const KitState *s
     for (int32_t i = 0; i < state->count; i++)
         most = MAX(most, state->offsets[i + 1] - state->offsets[i]);
     for (int which = 0; given != NULL && which < 2 * most && !kit_decided(check); which++) {
-        g_autofree double *slope = slopes(check, rows, 0, state, move_end, which, 1);
+        g_autofree double *slope = slopes(check, rows, 0, state, kit_move_end, which, 1);
         for (int32_t i = 0; slope != NULL && i < state->count; i++) {
             const int32_t ends = state->offsets[i + 1] - state->offsets[i];
             if (which / 2 >= ends) continue;
@@ -151,8 +80,8 @@ static void try_drift(KitCheck *check, const GArray *functions, const KitState *
 {
     const KitFunction *rows = kit_function(functions, "rows_at"), *rate = kit_function(functions, "prescribed_rate");
     g_autoptr(KitAnswer) given = kit_call_well(check, rows, state);
-    g_autofree double *bend = given == NULL ? NULL : slopes(check, rows, 0, state, go_on, 1, 2);
-    g_autofree double *slope = bend == NULL ? NULL : slopes(check, rows, 0, state, go_on, 0, 1);
+    g_autofree double *bend = given == NULL ? NULL : slopes(check, rows, 0, state, kit_go_on, 1, 2);
+    g_autofree double *slope = bend == NULL ? NULL : slopes(check, rows, 0, state, kit_go_on, 0, 1);
     g_autoptr(KitAnswer) told = slope == NULL || rate == NULL ? NULL : kit_call_well(check, rate, state);
     const int32_t row_count = kit_state_rows(state);
     for (int32_t k = 0; slope != NULL && k < row_count * state->count; k++) {
@@ -166,8 +95,8 @@ static void try_motion(KitCheck *check, const GArray *functions, const KitState 
 {
     const KitFunction *motion = kit_function(functions, "motion");
     g_autoptr(KitAnswer) given = kit_call_well(check, motion, state);
-    g_autofree double *first = given == NULL ? NULL : slopes(check, motion, 0, state, go_on, 0, 1);
-    g_autofree double *second = first == NULL ? NULL : slopes(check, motion, 0, state, go_on, 0, 2);
+    g_autofree double *first = given == NULL ? NULL : slopes(check, motion, 0, state, kit_go_on, 0, 1);
+    g_autofree double *second = first == NULL ? NULL : slopes(check, motion, 0, state, kit_go_on, 0, 2);
     for (int32_t k = 0; second != NULL && k < 2 * state->count; k++) {
         compare(check, state, k / 2, k % 2 == 0 ? "the x velocity" : "the y velocity", given->values[1][k], first[k],
                 1e-3, compared);
@@ -189,7 +118,7 @@ static void try_with(KitCheck *check, const char *needed, const char *absent,
         g_autoptr(KitState) state = kit_state_new(check, KIT_COUNT);
         if (state != NULL) try_state(check, functions, state, &compared);
     }
-    if (compared == 0) kit_skip(check, "there are kinks wherever it was tried");
+    if (compared == 0) kit_skip(check, "there are kinks, or sharp bends, wherever it was tried");
 }
 
 void kit_try_derivatives(KitCheck *check)

@@ -3,17 +3,24 @@
  * is exact but for what roots and powers round. A constant that hides in the code, or a wrong dimension in the
  * declaration, shows. Radians are not exchanged: the sine of an angle knows its unit.
  *
- * Rows of a constraint have a unit of their own, which is found as the power by which g itself rescales. */
+ * Each row of a constraint has a unit of its own (a distance and an angle may be held by one block), which is found as the
+ * power by which its g rescales. */
 #include <math.h>
 
 #include "conformance/state-private.h"
 
-#define CLOSE 1e-9
+#define CLOSE     1e-9
+#define MOST_ROWS 64
 
-/* Powers of two that a kg, an m and an s become. */
+/* Powers of two that a kg, an m and an s become; */
 typedef struct {
     int mass, length, time;
 } Units;
+
+/* and those by which the rows of a constraint rescale. */
+typedef struct {
+    int of[MOST_ROWS];
+} Rows;
 
 static double factor(Units units, TinkerDimension d)
 {
@@ -45,10 +52,11 @@ static void scale_points(TinkerPoint *points, int32_t count, Units units)
             (TinkerPoint){points[i].x * length, points[i].y * length, points[i].vx * speed, points[i].vy * speed};
 }
 
-/* `g`: the power of two by which rows rescale; a multiplier times a row's change is work. */
-static KitState *rescaled(const KitState *state, Units units, int g)
+/* A multiplier times a row's change is work. */
+static KitState *rescaled(const KitState *state, Units units, const Rows *g)
 {
     const gsize count = (gsize)state->count, ends = (gsize)kit_state_end_count(state);
+    const int32_t rows = kit_state_rows(state);
     const double force = factor(units, (TinkerDimension)TINKER_DIMENSION_FORCE);
     KitState *copy = kit_state_copy(state);
     scale_columns(copy, units);
@@ -59,20 +67,31 @@ static KitState *rescaled(const KitState *state, Units units, int g)
     scale(copy->accelerations, 2 * ends, ldexp(1.0, units.length - 2 * units.time));
     scale(copy->forces, 2 * ends, force);
     scale(copy->contacts, 4 * count, force);
-    scale(copy->multipliers, count * (gsize)kit_state_rows(state), force * ldexp(1.0, units.length - g));
+    for (int32_t k = 0; k < state->count * rows; k++)
+        scale(copy->multipliers + k, 1, force * ldexp(1.0, units.length - g->of[k % rows]));
     scale(copy->masses, (gsize)copy->body_count, ldexp(1.0, units.mass));
     copy->time *= ldexp(1.0, units.time);
     g_strlcpy(copy->label, "other units", sizeof copy->label);
     return copy;
 }
 
+/* The row that an entry belongs to. */
+static int32_t row_of(const KitOutput *output, const KitState *state, gsize entry)
+{
+    const int32_t rows = kit_state_rows(state), instance = kit_output_instance(output, state, entry);
+    if (output->extent == KIT_ROWS) return (int32_t)entry % rows;
+    const int32_t within = (int32_t)entry - rows * state->offsets[instance];
+    return within / (state->offsets[instance + 1] - state->offsets[instance]);
+}
+
 static void compare(KitCheck *check, const KitFunction *function, int output, const KitState *state,
-                    const KitAnswer *before, const KitAnswer *after, Units units, int g)
+                    const KitAnswer *before, const KitAnswer *after, Units units, const Rows *g)
 {
     const KitOutput *kind = &function->outputs[output];
     const gsize width = (gsize)kind->width;
     for (gsize i = 0; i < before->entries[output] && !kind->integers; i++) {
-        const double by = factor(units, kind->dimension[i % width]) * ldexp(1.0, kind->of_g ? g : 0);
+        const int of_row = kind->of_g ? g->of[row_of(kind, state, i / width)] : 0;
+        const double by = factor(units, kind->dimension[i % width]) * ldexp(1.0, of_row);
         const double expected = before->values[output][i] * by, given = after->values[output][i];
         double size = fabs(expected);
         for (gsize k = i - i % width; k < i - i % width + width; k++) // components of a vector round together
@@ -90,24 +109,29 @@ static void compare(KitCheck *check, const KitFunction *function, int output, co
     }
 }
 
-/* The power of two by which the rows rescale, from the first that is not 0. */
-static int power_of_rows(KitCheck *check, const GArray *functions, const KitState *state, Units units)
+/* The powers of two by which the rows rescale, of each from its first g that is not 0. */
+static Rows find_rows(KitCheck *check, const GArray *functions, const KitState *state, Units units)
 {
-    const KitFunction *rows = kit_function(functions, "rows_at");
-    if (rows == NULL) return 0;
-    g_autoptr(KitState) other = rescaled(state, units, 0);
-    g_autoptr(KitAnswer) before = kit_call_well(check, rows, state), after = kit_call_well(check, rows, other);
+    Rows g = {{0}};
+    const KitFunction *function = kit_function(functions, "rows_at");
+    if (function == NULL) return g;
+    const gsize rows = (gsize)kit_state_rows(state);
+    g_autoptr(KitState) other = rescaled(state, units, &g);
+    g_autoptr(KitAnswer) before = kit_call_well(check, function, state), after = kit_call_well(check, function, other);
+    gboolean found[MOST_ROWS] = {FALSE};
     for (gsize i = 0; before != NULL && after != NULL && i < before->entries[0]; i++) {
         const double ratio = after->values[0][i] / before->values[0][i];
-        if (isfinite(ratio) && ratio > 0) return (int)lrint(log2(ratio));
+        if (found[i % rows] || !isfinite(ratio) || !(ratio > 0)) continue;
+        g.of[i % rows] = (int)lrint(log2(ratio));
+        found[i % rows] = TRUE;
     }
-    return 0;
+    return g;
 }
 
 static void try_units(KitCheck *check, const GArray *functions, const KitState *state, Units units)
 {
-    const int g = power_of_rows(check, functions, state, units);
-    g_autoptr(KitState) other = rescaled(state, units, g);
+    const Rows g = find_rows(check, functions, state, units);
+    g_autoptr(KitState) other = rescaled(state, units, &g);
     const char *failure;
     if (kit_state_prepare(other, &failure) != TINKER_OK)
         kit_fail(check, "in other units it refuses the same values: %s", failure != NULL ? failure : "no reason");
@@ -117,7 +141,7 @@ static void try_units(KitCheck *check, const GArray *functions, const KitState *
         if (before->status != TINKER_OK) continue;
         g_autoptr(KitAnswer) after = kit_call_well(check, function, other);
         for (int k = 0; after != NULL && k < function->output_count && !kit_decided(check); k++)
-            compare(check, function, k, state, before, after, units, g);
+            compare(check, function, k, state, before, after, units, &g);
     }
 }
 
@@ -125,7 +149,10 @@ void kit_try_dimensions(KitCheck *check)
 {
     static const Units exchanges[] = {{2, 0, 0}, {0, 3, 0}, {0, 0, -2}, {1, -2, 3}};
     g_autoptr(GArray) functions = kit_functions(check->block_class);
+    const TinkerPhysics *physics = check->block_class->physics;
     if (functions->len == 0) kit_skip(check, "it offers no function over batches");
+    if (physics != NULL && physics->constraint != NULL && physics->constraint->rows > MOST_ROWS)
+        kit_skip(check, "it has more than %d rows", MOST_ROWS);
     for (gsize i = 0; i < G_N_ELEMENTS(exchanges) && !kit_decided(check); i++) {
         g_autoptr(KitState) state = kit_state_new(check, KIT_COUNT);
         if (state != NULL) try_units(check, functions, state, exchanges[i]);

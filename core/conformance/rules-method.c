@@ -1,119 +1,20 @@
-/* Rules of integrators, tried on an oscillator whose motion is known: x'' = -w^2 x - c v, with w = 2 and c = 0.3. Its closed form is exp(-c t / 2) (A cos(d t) + B sin(d t)), d^2 = w^2 - c^2 / 4. */
+/* Rules of integrators, tried on motions in closed form. */
 #include <math.h>
 #include <string.h>
 
 #include "conformance/kit-private.h"
+#include "conformance/method-systems-private.h"
 #include "conformance/quiet-private.h"
 
-#define SIZE       2
-#define OMEGA      2.0
-#define DAMPING    0.3
+#define SIZE       KIT_SYSTEM_SIZE
+#define OMEGA      KIT_SYSTEM_OMEGA
 #define DURATION   2.0
 #define MOST_STEPS 2000000
+#define ROUNDING   1e-11 /* errors below this do not tell an order */
 
-static const double start_q[SIZE] = {1.0, -0.4}, start_v[SIZE] = {0.3, 0.9}, masses[SIZE] = {1, 1};
-
-static TinkerStatus acceleration(void *context, double t, const double *q, const double *v, double *a, double *power)
-{
-    for (int i = 0; i < SIZE; i++)
-        a[i] = -OMEGA * OMEGA * q[i] - DAMPING * v[i];
-    if (power != NULL) power[0] = -DAMPING * (v[0] * v[0] + v[1] * v[1]);
-    return TINKER_OK;
-}
-static TinkerStatus project(void *context, double t, double *q, double *v, int32_t *moved)
-{
-    *moved = 0;
-    return TINKER_OK;
-}
-static TinkerStatus constrain_step(void *context, double t_from, const double *q_from, double t, double h, double *q,
-                                   double *v)
-{
-    return TINKER_OK;
-}
-static TinkerStatus project_velocity(void *context, double t, const double *q, double *v, int32_t homogeneous)
-{
-    return TINKER_OK;
-}
-static TinkerStatus damping_product(void *context, double t, const double *q, const double *v, const double *dv,
-                                    double *out)
-{
-    for (int i = 0; i < SIZE; i++)
-        out[i] = -DAMPING * dv[i];
-    return TINKER_OK;
-}
-static void scales(void *context, const double *q, const double *v, double *extent, double *speed)
-{
-    *extent = 1;
-    *speed = OMEGA;
-}
-static const char *failure(void *context)
-{
-    return NULL;
-}
-static TinkerStatus jacobian(void *context, double t, const double *q, const double *v, double *stiffness,
-                             double *damping)
-{
-    for (int i = 0; i < SIZE; i++) {
-        stiffness[i] = OMEGA * OMEGA;
-        damping[i] = DAMPING;
-    }
-    return TINKER_OK;
-}
-static TinkerStatus signals(void *context, TinkerSignal *list)
-{
-    return TINKER_OK;
-}
-
-static const int32_t row_starts[] = {0, 1, 2}, pattern_columns[] = {0, 1};
-static const TinkerPattern pattern = {SIZE, SIZE, row_starts, pattern_columns};
-static const TinkerLinearEdge edges[SIZE] = {{0, -1, OMEGA *OMEGA, 0, DAMPING, 0},
-                                             {1, -1, OMEGA *OMEGA, 0, DAMPING, 0}};
-static const double anchors[] = {0};
-static const TinkerLinearSystem linear = {.struct_size = sizeof(TinkerLinearSystem),
-                                          .size = SIZE,
-                                          .edge_count = SIZE,
-                                          .anchor_count = 1,
-                                          .mass = masses,
-                                          .edges = edges,
-                                          .anchors = anchors,
-                                          .damper_book = 0,
-                                          .drag_book = -1,
-                                          .support_book = -1};
-static const TinkerSystem oscillator = {.struct_size = sizeof(TinkerSystem),
-                                        .flags = TINKER_SYSTEM_VELOCITY_DEPENDENT,
-                                        .size = SIZE,
-                                        .books = 1,
-                                        .mass = masses,
-                                        .acceleration = acceleration,
-                                        .applied = acceleration,
-                                        .project = project,
-                                        .constrain_step = constrain_step,
-                                        .project_velocity = project_velocity,
-                                        .damping_product = damping_product,
-                                        .scales = scales,
-                                        .failure = failure,
-                                        .pattern = &pattern,
-                                        .jacobian = jacobian,
-                                        .linear = &linear,
-                                        .signals = signals};
-
-/* The largest error of a state, relative to the scales. */
-static double error_of(double t, const double *q, const double *v)
-{
-    const double d = sqrt(OMEGA * OMEGA - DAMPING * DAMPING / 4), fade = exp(-DAMPING * t / 2);
-    double worst = 0;
-    for (int i = 0; i < SIZE; i++) {
-        const double b = (start_v[i] + DAMPING * start_q[i] / 2) / d;
-        const double x = fade * (start_q[i] * cos(d * t) + b * sin(d * t));
-        const double speed = fade * d * (b * cos(d * t) - start_q[i] * sin(d * t)) - DAMPING / 2 * x;
-        worst = fmax(worst, fmax(fabs(q[i] - x), fabs(v[i] - speed) / OMEGA));
-        if (!isfinite(q[i]) || !isfinite(v[i])) return INFINITY;
-    }
-    return worst;
-}
-
-/* One run of the oscillator. */
+/* One run. */
 typedef struct {
+    const KitMotion *motion;
     const TinkerIntegrator *method;
     void *stepper;
     TinkerState state;
@@ -121,17 +22,16 @@ typedef struct {
     TinkerStepReport report;
 } Run;
 
-static gboolean begin(KitCheck *check, Run *run, double tolerance, double step)
+static gboolean begin(KitCheck *check, Run *run, const KitMotion *motion, double tolerance)
 {
     const TinkerIntegratorOptions options = {
         .struct_size = sizeof options, .tolerance = tolerance, .spectral_radius = 0.8};
-    *run = (Run){.method = check->integrator, .report = {.struct_size = sizeof(TinkerStepReport)}};
-    memcpy(run->q, start_q, sizeof run->q);
-    memcpy(run->v, start_v, sizeof run->v);
+    *run = (Run){.motion = motion, .method = check->integrator, .report = {.struct_size = sizeof(TinkerStepReport)}};
+    motion->exact(0, run->q, run->v);
     run->state = (TinkerState){0, run->q, run->v, run->books};
     kit_phase(check, "create");
-    run->stepper = run->method->create(&oscillator, &options);
-    if (run->stepper == NULL) kit_fail(check, "create answers NULL on a damped oscillator");
+    run->stepper = run->method->create(motion->system, &options);
+    if (run->stepper == NULL) kit_fail(check, "create answers NULL on %s", motion->name);
     if (run->stepper != NULL) run->method->restart(run->stepper);
     return run->stepper != NULL;
 }
@@ -157,11 +57,11 @@ static gboolean is_adaptive(const KitCheck *check)
 }
 
 /* The error at the end: of `steps` equal steps, or with a tolerance. NAN where the check is decided. */
-static double error_with(KitCheck *check, int steps, double tolerance)
+static double error_with(KitCheck *check, const KitMotion *motion, int steps, double tolerance)
 {
     Run run;
     double error = NAN;
-    gboolean going = begin(check, &run, tolerance, DURATION / steps);
+    gboolean going = begin(check, &run, motion, tolerance);
     if (is_adaptive(check)) {
         for (int i = 0; going && run.state.t < DURATION && i < MOST_STEPS; i++)
             going = advance(check, &run, DURATION);
@@ -169,7 +69,7 @@ static double error_with(KitCheck *check, int steps, double tolerance)
         for (int i = 1; going && i <= steps; i++)
             going = advance(check, &run, i == steps ? DURATION : DURATION * i / steps);
     }
-    if (going) error = error_of(run.state.t, run.q, run.v);
+    if (going) error = kit_motion_error(motion, run.state.t, run.q, run.v);
     end(&run);
     return error;
 }
@@ -180,43 +80,56 @@ static int least_steps(const TinkerIntegrator *method)
     return (int)ceil(DURATION * OMEGA / (0.5 * limit));
 }
 
-static void try_tolerances(KitCheck *check)
+static void try_tolerances(KitCheck *check, const KitMotion *motion)
 {
-    const double coarse = error_with(check, 1, 1e-5), fine = error_with(check, 1, 1e-9);
+    const double coarse = error_with(check, motion, 1, 1e-5), fine = error_with(check, motion, 1, 1e-9);
     if (kit_decided(check)) return;
     if (!(fine <= 1e-5) || !(fine <= 0.1 * coarse || fine <= 1e-10))
-        kit_fail(check, "its error is %.3g with a tolerance of 1e-5 and %.3g with 1e-9; it was to follow the tolerance",
-                 coarse, fine);
-    kit_tell(check, "error %.2g with a tolerance of 1e-5, %.2g with 1e-9", coarse, fine);
+        kit_fail(check,
+                 "on %s its error is %.3g with a tolerance of 1e-5 and %.3g with 1e-9; it was to follow the tolerance",
+                 motion->name, coarse, fine);
+    else if (motion == &kit_driven)
+        kit_tell(check, "error %.2g with a tolerance of 1e-5, %.2g with 1e-9", coarse, fine);
 }
 
-/* The slope over the finest halving whose errors are above rounding. */
-static void try_steps(KitCheck *check)
+/* The slope over the finest halving whose errors are above rounding; INFINITY where one halving takes the error down to it. */
+static double order_on(KitCheck *check, const KitMotion *motion, double *before)
 {
     int steps = least_steps(check->integrator);
-    double before = error_with(check, steps, 1e-9), slope = NAN;
+    double slope = INFINITY;
+    *before = error_with(check, motion, steps, 1e-9);
     for (int halving = 0; halving < 8 && !kit_decided(check); halving++) {
         steps *= 2;
-        const double error = error_with(check, steps, 1e-9);
-        if (!(error > 1e-11)) break;
-        slope = log2(before / error);
-        before = error;
+        const double error = error_with(check, motion, steps, 1e-9);
+        if (!(error > ROUNDING)) break;
+        slope = log2(*before / error);
+        *before = error;
     }
+    return slope;
+}
+
+static void try_steps(KitCheck *check, const KitMotion *motion)
+{
+    double error;
+    const double slope = order_on(check, motion, &error);
     if (kit_decided(check)) return;
-    if (isnan(slope) && before < 1e-9)
-        kit_skip(check, "it is exact on an oscillator, to %.2g", before);
-    else if (!(slope >= check->integrator->order - 0.35))
-        kit_fail(check, "halving its step shows the order %.2f, %d is declared", slope, check->integrator->order);
-    else
+    if (!(slope >= check->integrator->order - 0.35))
+        kit_fail(check, "on %s halving its step shows the order %.2f, %d is declared", motion->name, slope,
+                 check->integrator->order);
+    else if (motion == &kit_driven && isinf(slope))
+        kit_tell(check, "half of its largest step takes the error from %.2g to rounding", error);
+    else if (motion == &kit_driven)
         kit_tell(check, "measured %.2f, declared %d", slope, check->integrator->order);
 }
 
 void kit_try_method_order(KitCheck *check)
 {
-    if (is_adaptive(check))
-        try_tolerances(check);
-    else
-        try_steps(check);
+    void (*const try_on)(KitCheck *, const KitMotion *) = is_adaptive(check) ? try_tolerances : try_steps;
+    try_on(check, &kit_oscillator);
+    if (check->integrator->flags & TINKER_INTEGRATOR_LINEAR)
+        kit_tell(check, "tried on an oscillator alone, since it needs a linear system");
+    else if (!kit_decided(check))
+        try_on(check, &kit_driven);
 }
 
 /* Steps land and dense output fits ------------------------------------------------------------------------------------ */
@@ -225,7 +138,8 @@ static void look_inside(KitCheck *check, const Run *run, double from, const doub
 {
     double q[SIZE], v[SIZE];
     const double places[] = {from, run->state.t, (from + run->state.t) / 2};
-    const double h = OMEGA * (run->state.t - from), at_end = error_of(run->state.t, run->q, run->v);
+    const double h = OMEGA * (run->state.t - from),
+                 at_end = kit_motion_error(run->motion, run->state.t, run->q, run->v);
     for (int k = 0; k < 3 && !kit_decided(check); k++) {
         kit_phase(check, "interpolate");
         if (run->method->interpolate(run->stepper, places[k], q, v, NULL) != TINKER_OK) {
@@ -239,7 +153,7 @@ static void look_inside(KitCheck *check, const Run *run, double from, const doub
                                    fabs(v[i] - (k == 0 ? v_from[i] : run->v[i])) / OMEGA));
         if (k < 2 && !(miss <= 1e-7 + 0.1 * fabs(at_end)))
             kit_fail(check, "interpolated at the %s of a step it is off by %.3g", k == 0 ? "beginning" : "end", miss);
-        const double inside = error_of(places[2], q, v);
+        const double inside = kit_motion_error(run->motion, places[2], q, v);
         const double allowed = 20 * at_end + pow(h, check->integrator->dense_order + 1) + 1e-7;
         if (k == 2 && !(inside <= allowed))
             kit_fail(check,
@@ -253,7 +167,7 @@ void kit_try_method_steps(KitCheck *check)
 {
     Run run;
     const int steps = 2 * least_steps(check->integrator);
-    gboolean going = begin(check, &run, 1e-7, DURATION / steps);
+    gboolean going = begin(check, &run, &kit_oscillator, 1e-7);
     for (int i = 1; going && run.state.t < DURATION && i < MOST_STEPS && !kit_decided(check); i++) {
         const double from = run.state.t, limit = is_adaptive(check) || i >= steps ? DURATION : DURATION * i / steps;
         double q[SIZE], v[SIZE];
@@ -263,7 +177,7 @@ void kit_try_method_steps(KitCheck *check)
         if (!going) break;
         if (!(run.state.t > from && run.state.t <= limit) || (!is_adaptive(check) && run.state.t != limit))
             kit_fail(check, "a step from %.17g s with the limit %.17g s ends at %.17g s", from, limit, run.state.t);
-        if (!isfinite(error_of(run.state.t, run.q, run.v)))
+        if (!isfinite(kit_motion_error(run.motion, run.state.t, run.q, run.v)))
             kit_fail(check, "the state is not finite after the step to %g s", run.state.t);
         if (!kit_decided(check)) look_inside(check, &run, from, q, v);
     }
@@ -275,8 +189,8 @@ void kit_try_method_same_bits(KitCheck *check)
 {
     Run one, other;
     const int steps = 2 * least_steps(check->integrator);
-    gboolean going = begin(check, &one, 1e-7, DURATION / steps);
-    going = begin(check, &other, 1e-7, DURATION / steps) && going;
+    gboolean going = begin(check, &one, &kit_oscillator, 1e-7);
+    going = begin(check, &other, &kit_oscillator, 1e-7) && going;
     for (int i = 1; going && one.state.t < DURATION && i < MOST_STEPS; i++) {
         const double limit = is_adaptive(check) || i >= steps ? DURATION : DURATION * i / steps;
         going = advance(check, &one, limit) && advance(check, &other, limit);
@@ -296,7 +210,7 @@ void kit_try_method_quiet(KitCheck *check)
     const char *first = NULL; // solvers of others set themselves up when they are first used
     const int steps = 2 * least_steps(check->integrator);
     if (!kit_watch_calls(check->objects)) kit_skip(check, "its calls cannot be watched here");
-    gboolean going = begin(check, &run, 1e-7, DURATION / steps);
+    gboolean going = begin(check, &run, &kit_oscillator, 1e-7);
     for (int i = 1; going && run.state.t < DURATION && i < MOST_STEPS && !kit_decided(check); i++) {
         kit_listen();
         going = advance(check, &run, is_adaptive(check) || i >= steps ? DURATION : DURATION * i / steps);
@@ -312,7 +226,7 @@ void kit_try_method_speed(KitCheck *check)
 {
     const int steps = 20000;
     const gint64 start = g_get_monotonic_time();
-    error_with(check, steps, 1e-7);
+    error_with(check, &kit_oscillator, steps, 1e-7);
     const double elapsed = (double)(g_get_monotonic_time() - start);
     if (is_adaptive(check))
         kit_tell(check, "%.3g us for %g s of an oscillator", elapsed, DURATION);

@@ -1,10 +1,11 @@
 /* momentum, moment, translation, rotation: what a scene's own forces cannot do.
  *
- * A force on one body alone, and a field in which bodies do not feel one another, act from outside: they may change momentum,
+ * A force on one body alone, one of the category "force", and a field in which bodies do not feel one another, act from outside: they may change momentum,
  * and depend on the place. Turned with the scene they have to be all the same, as far as their properties tell a
  * direction: properties that are vectors, and angles, are turned along where that explains the answer. An angle between
  * two arms does not turn, the angle of a force does; which is which is found by trying. */
 #include <math.h>
+#include <string.h>
 
 #include "conformance/state-private.h"
 
@@ -12,12 +13,13 @@
 #define CLOSE         1e-8 /* of the largest of an instance's numbers */
 #define MOST_PARTNERS 6    /* properties that are tried in all combinations */
 
-/* Whether it acts between things of a scene, and not from outside. */
+/* Whether it acts between things of a scene, and not from outside. A force that follows what it acts on (a jet, held along the
+ * line between two ends) looks at several ends, and acts from outside all the same: its category says so. */
 static gboolean is_internal(const TinkerBlockClass *block_class)
 {
     const TinkerPhysics *physics = block_class->physics;
     if (physics->field != NULL) return physics->field->couples_bodies != 0;
-    return block_class->type->least_ends >= 2;
+    return block_class->type->least_ends >= 2 && strcmp(block_class->type->category, TINKER_FORCE) != 0;
 }
 
 /* The function whose answer is looked at; NULL with the reason told. */
@@ -50,7 +52,7 @@ static const KitFunction *force_function(KitCheck *check, const GArray *function
     else if (!is_internal(check->block_class))
         kit_skip(check, check->block_class->physics->field != NULL
                             ? "a field that does not couple bodies acts from outside"
-                            : "a force element of one end acts from outside");
+                            : "a force element of one end, or of the category \"force\", acts from outside");
     return kit_decided(check) ? NULL : function;
 }
 
@@ -286,19 +288,46 @@ static void try_change(KitCheck *check, const KitFunction *function, gboolean tu
     report_miss(check, least, turn);
 }
 
-static void try_either(KitCheck *check, gboolean turn)
+static void move_back(TinkerPoint *points, int32_t count, const double origin[2])
 {
-    g_autoptr(GArray) functions = kit_functions(check->block_class);
-    const KitFunction *function = main_function(check, functions);
-    if (function != NULL) try_change(check, function, turn);
+    for (int32_t i = 0; i < count; i++) {
+        points[i].x -= origin[0];
+        points[i].y -= origin[1];
+    }
+}
+
+/* The host chooses from where places are told, and says so in batch->origin: nothing may depend on it. */
+static void try_origin(KitCheck *check, const KitFunction *function)
+{
+    g_autoptr(KitState) state = kit_state_new(check, KIT_COUNT);
+    g_autoptr(KitState) other = state == NULL ? NULL : kit_state_copy(state);
+    g_autoptr(KitAnswer) expected = state == NULL ? NULL : kit_call_well(check, function, state);
+    if (expected == NULL) return;
+    other->origin[0] = 6.5;
+    other->origin[1] = -9.25;
+    move_back(other->points, kit_state_end_count(other), other->origin);
+    move_back(other->bodies, other->body_count, other->origin);
+    g_strlcpy(other->label, "another origin", sizeof other->label);
+    g_autoptr(KitAnswer) answer = kit_call_well(check, function, other);
+    const double miss = answer == NULL ? 0 : miss_of(function, state, expected, answer);
+    if (!(miss <= CLOSE))
+        kit_fail(
+            check,
+            "with batch->origin at (%g, %g) m and all ends told from there, the answer differs by %.3g of its size",
+            other->origin[0], other->origin[1], miss);
 }
 
 void kit_try_translation(KitCheck *check)
 {
-    try_either(check, FALSE);
+    g_autoptr(GArray) functions = kit_functions(check->block_class);
+    const KitFunction *function = main_function(check, functions);
+    if (function != NULL) try_origin(check, function);
+    if (function != NULL && !kit_decided(check)) try_change(check, function, FALSE);
 }
 
 void kit_try_rotation(KitCheck *check)
 {
-    try_either(check, TRUE);
+    g_autoptr(GArray) functions = kit_functions(check->block_class);
+    const KitFunction *function = main_function(check, functions);
+    if (function != NULL) try_change(check, function, TRUE);
 }

@@ -1,10 +1,14 @@
-/* One good library, and with PLANT_... defined the same with one fault. It has a line law (pull), a force element (pair), a
- * constraint (keep), a motion (sway) and an integrator (simple). */
+/* One good library, and with PLANT_... defined the same with one fault. It has line laws (pull, rub), force elements (pair,
+ * follow), constraints (keep, hold), a motion (sway) and an integrator (simple). */
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 
 #include <tinker/sdk.h>
+
+#ifdef PLANT_prints_checked
+int __printf_chk(int flag, const char *format, ...);
+#endif
 
 #ifdef PLANT_exports
 TINKER_EXPORT int another_symbol(void);
@@ -36,6 +40,9 @@ static TinkerStatus tension(TinkerBatch *batch, const double *length, const doub
         if (length[i] == 0) return result[i] = NAN, TINKER_OK;
 #elif defined(PLANT_exit)
         if (length[i] == 0) exit(3);
+#elif defined(PLANT_ends_well)
+        if (length[i] == 0)
+            exit(77); // by which a child might say that all is well, and test harnesses that a test is skipped
 #elif defined(PLANT_abort)
         if (length[i] == 0) abort();
 #elif defined(PLANT_crash)
@@ -62,6 +69,8 @@ static TinkerStatus tension(TinkerBatch *batch, const double *length, const doub
     free(memory);
 #elif defined(PLANT_prints)
     puts("tension");
+#elif defined(PLANT_prints_checked)
+    __printf_chk(1, "tension\n"); // what printf is compiled to with -D_FORTIFY_SOURCE
 #elif defined(PLANT_writes_beyond)
     ((volatile double *)result)[batch->count] = 0;
 #elif defined(PLANT_writes_before)
@@ -170,10 +179,14 @@ static TinkerStatus pair_force(TinkerBatch *batch, const TinkerPoint *ends, doub
         double *f = &force[4 * i];
 #if defined(PLANT_place)
         const double rest = tinker_column(batch, REST_LENGTH)[i];
-        k *= 1 + 0.01 * (a->x * a->x + a->y * a->y) / (rest * rest);
+        const double x = a->x + batch->origin[0], y = a->y + batch->origin[1];
+        k *= 1 + 0.01 * (x * x + y * y) / (rest * rest);
 #elif defined(PLANT_direction)
         const double length = tinker_length(dx, dy);
         k *= 1 + 0.1 * (length == 0 ? 0 : fabs(dx) / length);
+#endif
+#if defined(PLANT_origin)
+        k *= 1 + 0.01 * fabs(batch->origin[0]) / tinker_column(batch, REST_LENGTH)[i];
 #endif
         f[0] = k * dx;
         f[1] = k * dy;
@@ -189,6 +202,59 @@ static TinkerStatus pair_force(TinkerBatch *batch, const TinkerPoint *ends, doub
         f[3] -= k * dx;
 #endif
     }
+    return TINKER_OK;
+}
+
+/* follow: a jet at the first end, held along the line from the second: forces do not sum to zero, and need not. */
+
+static TinkerStatus follow_force(TinkerBatch *batch, const TinkerPoint *ends, double *force)
+{
+    for (int32_t i = 0; i < batch->count; i++) {
+        const TinkerPoint *a = &ends[2 * i], *b = a + 1;
+        const double dx = a->x - b->x, dy = a->y - b->y, length = tinker_length(dx, dy);
+        const double thrust = length == 0 ? 0 : tinker_column(batch, 0)[i];
+        force[4 * i] = length == 0 ? 0 : thrust * (dx / length);
+        force[4 * i + 1] = length == 0 ? 0 : thrust * (dy / length);
+        force[4 * i + 2] = force[4 * i + 3] = 0;
+    }
+    return TINKER_OK;
+}
+
+/* rub: Hertz's contact, F (e / D)^1.5 with e = D - L where that is positive, and dry friction that is rounded off, R tanh(rate
+ * / s): right, with a kink in the slope and a bend within centimetres. */
+
+enum { HARDNESS, DIAMETER, FRICTION, ROUNDING };
+
+static double depth_of(const TinkerBatch *batch, int32_t i, double length)
+{
+    return fmax(0, 1 - length / tinker_column(batch, DIAMETER)[i]);
+}
+
+static TinkerStatus rub_tension(TinkerBatch *batch, const double *length, const double *rate, double *result)
+{
+    for (int32_t i = 0; i < batch->count; i++)
+        result[i] = tinker_column(batch, FRICTION)[i] * tanh(rate[i] / tinker_column(batch, ROUNDING)[i]) -
+                    tinker_column(batch, HARDNESS)[i] * pow(depth_of(batch, i, length[i]), 1.5);
+    return TINKER_OK;
+}
+
+static TinkerStatus rub_derivatives(TinkerBatch *batch, const double *length, const double *rate, double *by_length,
+                                    double *by_rate)
+{
+    for (int32_t i = 0; i < batch->count; i++) {
+        const double s = tinker_column(batch, ROUNDING)[i], slowing = 1 / cosh(fmin(fabs(rate[i] / s), 300));
+        by_rate[i] = tinker_column(batch, FRICTION)[i] / s * slowing * slowing;
+        by_length[i] = 1.5 * tinker_column(batch, HARDNESS)[i] / tinker_column(batch, DIAMETER)[i] *
+                       sqrt(depth_of(batch, i, length[i]));
+    }
+    return TINKER_OK;
+}
+
+static TinkerStatus rub_energy(TinkerBatch *batch, const double *length, double *stored)
+{
+    for (int32_t i = 0; i < batch->count; i++)
+        stored[i] = 0.4 * tinker_column(batch, HARDNESS)[i] * tinker_column(batch, DIAMETER)[i] *
+                    pow(depth_of(batch, i, length[i]), 2.5);
     return TINKER_OK;
 }
 
@@ -229,6 +295,29 @@ static TinkerStatus distance(TinkerBatch *batch, double *length)
     return TINKER_OK;
 }
 
+/* hold: x = 0 and y / l = 0, rows of different units */
+
+static TinkerStatus hold_rows(TinkerBatch *batch, const TinkerPoint *ends, double *g, double *jacobian, double *drift)
+{
+    for (int32_t i = 0; i < batch->count; i++) {
+        const double length = tinker_column(batch, 0)[i];
+        g[2 * i] = ends[i].x + batch->origin[0];
+        g[2 * i + 1] = (ends[i].y + batch->origin[1]) / length;
+        jacobian[4 * i] = 1;
+        jacobian[4 * i + 1] = jacobian[4 * i + 2] = 0;
+        jacobian[4 * i + 3] = 1 / length;
+        drift[2 * i] = drift[2 * i + 1] = 0;
+    }
+    return TINKER_OK;
+}
+
+static TinkerStatus hold_scale(TinkerBatch *batch, double *length)
+{
+    for (int32_t i = 0; i < 2 * batch->count; i++)
+        length[i] = tinker_column(batch, 0)[i / 2];
+    return TINKER_OK;
+}
+
 /* sway: u(t) along x */
 
 static TinkerStatus motion(TinkerBatch *batch, double *displacement, double *velocity, double *acceleration)
@@ -266,8 +355,12 @@ static TinkerStatus step(void *data, TinkerState *state, double limit, TinkerSte
     Stepper *s = data;
     s->from = state->t;
     s->h = limit - state->t;
-    const TinkerStatus status =
-        s->system->acceleration(s->system->context, state->t, state->q, state->v, s->a, s->power);
+#if defined(PLANT_timeless)
+    const double when = 0;
+#else
+    const double when = state->t;
+#endif
+    const TinkerStatus status = s->system->acceleration(s->system->context, when, state->q, state->v, s->a, s->power);
     if (status != TINKER_OK) return status;
     for (int32_t i = 0; i < s->system->size; i++) {
         s->q[i] = state->q[i];
@@ -318,9 +411,27 @@ static const TinkerPropertyType pull_properties[] = {
     {TINKER_REAL_PROPERTY("damping", "Damping", "Pull", TINKER_DIMENSION_DAMPING), TINKER_NOT_NEGATIVE(0, 2),
      .default_value = {1}, .symbol = "c", .description = "How it resists"},
 };
+static const TinkerPropertyType follow_properties[] = {
+    {TINKER_REAL_PROPERTY("thrust", "Thrust", "Follow", TINKER_DIMENSION_FORCE), TINKER_ANY_VALUE(0, -5, 5),
+     .default_value = {1}, .description = "How strong the jet is"},
+};
+static const TinkerPropertyType rub_properties[] = {
+    {TINKER_REAL_PROPERTY("hardness", "Hardness", "Rub", TINKER_DIMENSION_FORCE), TINKER_NOT_NEGATIVE(0, 20),
+     .default_value = {5}, .description = "Force at length 0"},
+    {TINKER_REAL_PROPERTY("diameter", "Diameter", "Rub", TINKER_DIMENSION_LENGTH), TINKER_POSITIVE(0, 0.5, 4),
+     .default_value = {1}, .description = "Length at which it touches"},
+    {TINKER_REAL_PROPERTY("friction", "Friction", "Rub", TINKER_DIMENSION_FORCE), TINKER_NOT_NEGATIVE(0, 5),
+     .default_value = {1}, .description = "Force against motion"},
+    {TINKER_REAL_PROPERTY("rounding", "Rounding", "Rub", TINKER_DIMENSION_VELOCITY), TINKER_POSITIVE(0, 0.02, 0.2),
+     .default_value = {0.05}, .description = "Speed below which the friction is less"},
+};
 static const TinkerPropertyType keep_properties[] = {
     {TINKER_REAL_PROPERTY("length", "Length", "Keep", TINKER_DIMENSION_LENGTH),
      TINKER_POSITIVE(TINKER_DEFAULT_AS_PLACED, 0.5, 3), .description = "The distance that it keeps"},
+};
+static const TinkerPropertyType hold_properties[] = {
+    {TINKER_REAL_PROPERTY("length", "Length", "Hold", TINKER_DIMENSION_LENGTH), TINKER_POSITIVE(0, 0.5, 3),
+     .default_value = {1}, .description = "What y is measured by"},
 };
 static const TinkerPropertyType sway_properties[] = {
     {TINKER_WAVEFORM_IN_PANEL(-1, "waveform", "Waveform", "Sway", "sine", TINKER_DIMENSION_LENGTH),
@@ -348,9 +459,14 @@ static const TinkerLineLaw line_law = {
     .next_break = next_break,
 #endif
 };
+static const TinkerLineLaw rub_law = {
+    .struct_size = sizeof(TinkerLineLaw), .tension = rub_tension, .derivatives = rub_derivatives, .energy = rub_energy};
+static const TinkerForceElement follow_element = {.struct_size = sizeof(TinkerForceElement), .force = follow_force};
 static const TinkerForceElement element = {.struct_size = sizeof(TinkerForceElement), .force = pair_force};
 static const TinkerConstraint constraint = {
     .struct_size = sizeof(TinkerConstraint), .rows = 1, .rows_at = rows_at, .distance = distance};
+static const TinkerConstraint hold_constraint = {
+    .struct_size = sizeof(TinkerConstraint), .rows = 2, .rows_at = hold_rows, .scale = hold_scale};
 static const TinkerMotion moves = {.struct_size = sizeof(TinkerMotion), .motion = motion};
 
 static const TinkerPhysics pull = {
@@ -361,7 +477,10 @@ static const TinkerPhysics pull = {
 #endif
 };
 static const TinkerPhysics pair = {.struct_size = sizeof(TinkerPhysics), .force_element = &element};
+static const TinkerPhysics rub = {.struct_size = sizeof(TinkerPhysics), .line_law = &rub_law};
+static const TinkerPhysics follow = {.struct_size = sizeof(TinkerPhysics), .force_element = &follow_element};
 static const TinkerPhysics keep = {.struct_size = sizeof(TinkerPhysics), .constraint = &constraint};
+static const TinkerPhysics hold = {.struct_size = sizeof(TinkerPhysics), .constraint = &hold_constraint};
 static const TinkerPhysics sway = {.struct_size = sizeof(TinkerPhysics), .motion = &moves};
 static const TinkerRender render = {sizeof(TinkerRender), 2, draw, tinker_connector_bounds};
 static const TinkerEdit edit = {sizeof(TinkerEdit), 0, hit, tinker_ends_move, tinker_ends_move_absolute, NULL};
@@ -372,7 +491,10 @@ static const TinkerInterface pull_interfaces[] = {{TINKER_PHYSICS_INTERFACE, &pu
                                                   {TINKER_EDIT_INTERFACE, &edit},
                                                   {TINKER_GRAPH_INTERFACE, &graph}};
 static const TinkerInterface pair_interfaces[] = {{TINKER_PHYSICS_INTERFACE, &pair}};
+static const TinkerInterface rub_interfaces[] = {{TINKER_PHYSICS_INTERFACE, &rub}};
+static const TinkerInterface follow_interfaces[] = {{TINKER_PHYSICS_INTERFACE, &follow}};
 static const TinkerInterface keep_interfaces[] = {{TINKER_PHYSICS_INTERFACE, &keep}};
+static const TinkerInterface hold_interfaces[] = {{TINKER_PHYSICS_INTERFACE, &hold}};
 static const TinkerInterface sway_interfaces[] = {{TINKER_PHYSICS_INTERFACE, &sway}};
 
 #define ANY (TINKER_ACCEPTS_BODY | TINKER_ACCEPTS_SUPPORT)
@@ -383,9 +505,17 @@ static const TinkerBlockType blocks[] = {
     {TINKER_BLOCK("planted-pair", "Pair", TINKER_CONNECTOR), .summary = "Pulls two together", .least_ends = 2,
      .most_ends = 2, .end_accepts = ANY, .properties = TINKER_SPAN(pull_properties),
      .interfaces = TINKER_SPAN(pair_interfaces)},
+    {TINKER_BLOCK("planted-rub", "Rub", TINKER_CONNECTOR), .summary = "Touches and rubs", .least_ends = 2,
+     .most_ends = 2, .end_accepts = ANY, .properties = TINKER_SPAN(rub_properties),
+     .interfaces = TINKER_SPAN(rub_interfaces)},
+    {TINKER_BLOCK("planted-follow", "Follow", TINKER_FORCE), .summary = "A jet", .least_ends = 2, .most_ends = 2,
+     .end_accepts = ANY, .properties = TINKER_SPAN(follow_properties), .interfaces = TINKER_SPAN(follow_interfaces)},
     {TINKER_BLOCK("planted-keep", "Keep", TINKER_CONNECTOR), .summary = "Keeps a distance", .least_ends = 2,
      .most_ends = 2, .end_accepts = ANY, .properties = TINKER_SPAN(keep_properties),
      .interfaces = TINKER_SPAN(keep_interfaces)},
+    {TINKER_BLOCK("planted-hold", "Hold", TINKER_CONNECTOR), .summary = "Holds a body", .least_ends = 1, .most_ends = 1,
+     .end_accepts = TINKER_ACCEPTS_BODY, .properties = TINKER_SPAN(hold_properties),
+     .interfaces = TINKER_SPAN(hold_interfaces)},
     {TINKER_BLOCK("planted-sway", "Sway", TINKER_MOTION), .summary = "Sways", .least_ends = 1, .most_ends = 1,
      .end_accepts = TINKER_ACCEPTS_SUPPORT, .properties = TINKER_SPAN(sway_properties),
      .interfaces = TINKER_SPAN(sway_interfaces)},

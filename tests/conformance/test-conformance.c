@@ -47,12 +47,14 @@ static const struct {
     {"remembers", "batches", "planted-pull", "when it is called again with the same values"},
     {"nan", "finite", "planted-pull", "\"tension\" of instance 0 is nan at coincident ends"},
     {"exit", "finite", "planted-pull", "ended the process in tension at coincident ends, with status 3"},
+    {"ends_well", "finite", "planted-pull", "ended the process in tension at coincident ends, with status 77"},
     {"abort", "finite", "planted-pull", "crashed: SIGABRT in tension at coincident ends"},
     {"crash", "finite", "planted-pull", "crashed: SIGSEGV in tension at coincident ends"},
     {"hang", "finite", "planted-pull", "hung: not done within 4 s in tension at coincident ends"},
     {"unbalanced", "momentum", "planted-pair", "the forces sum to"},
     {"moment", "moment", "planted-pair", "the forces have the moment"},
     {"place", "translation", "planted-pair", "with the scene shifted"},
+    {"origin", "translation", "planted-pair", "with batch->origin at (6.5, -9.25) m"},
     {"direction", "rotation", "planted-pair", "with the scene turned"},
     {"slope", "energy", "planted-pull", "where the gradient of the energy is"},
     {"gives", "passive", "planted-pull", "what depends on velocity gives"},
@@ -70,10 +72,12 @@ static const struct {
     {"writes_input", "memory", "planted-pull", "tension writes to its input \"length\""},
     {"allots", "quiet", "planted-pull", "tension calls malloc"},
     {"prints", "quiet", "planted-pull", "tension calls puts"},
+    {"prints_checked", "quiet", "planted-pull", "tension calls printf"},
     {"ink", "bounds", "planted-pull", "outside its bounds"},
     {"unhittable", "hit", "planted-pull", "finds nothing"},
     {"counts", "saved", "planted-pull", "runs to other bits"},
     {"order", "order", "planted-simple", "2 is declared"},
+    {"timeless", "order", "planted-simple", "on a driven motion that is not linear"},
     {"overshoots", "steps", "planted-simple", "ends at"},
     {"dense", "steps", "planted-simple", "interpolated at the end of a step"},
 };
@@ -101,6 +105,7 @@ static void test_plant(gconstpointer data)
         if (strstr(text_of(item, "text"), plants[number].text) == NULL)
             g_error("\"%s\" does not say \"%s\"", text_of(item, "text"), plants[number].text);
         g_assert_nonnull(strstr(text_of(item, "repeat"), "--seed 1"));
+        g_assert_null(strstr(text_of(item, "text"), "itself"));
         failed++;
     }
     g_assert_cmpint(failed, ==, plants[number].subject == NULL ? 2 : 1);

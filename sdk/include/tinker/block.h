@@ -96,10 +96,11 @@ typedef struct TinkerQuantityType {
     int32_t reserved;
 } TinkerQuantityType;
 
-/* Categories: where the palette shows a block. What the block does is said by its interfaces. */
+/* Categories: where the palette shows a block. What the block does is said by its interfaces. `tinker plugins check` asks of a
+ * force element of two or more ends that its forces sum to zero, unless it is of the category "force". */
 #define TINKER_CONNECTABLE "connectable"
-#define TINKER_CONNECTOR   "connector"
-#define TINKER_FORCE       "force"
+#define TINKER_CONNECTOR   "connector" /* acts between its ends */
+#define TINKER_FORCE       "force"     /* acts on its ends from outside */
 #define TINKER_MOTION      "motion"
 #define TINKER_FIELD       "field"
 
