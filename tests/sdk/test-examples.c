@@ -1,5 +1,5 @@
 /* A worked example of sdk/examples, as its author has it: the folder alone, against an installed SDK. It builds with
- * warnings as errors, and its own test passes. The example is named on the command line. */
+ * warnings as errors, its own test passes, and it keeps the rules of the contract. The example is named on the command line. */
 #include "author.h"
 
 #include "program.h"
@@ -23,6 +23,9 @@ static void test_builds_and_holds(gconstpointer name)
     test_author_run(folder, NULL, setup);
     test_author_run(folder, NULL, compile);
     test_author_run(folder, NULL, test);
+    g_autofree char *file = g_strdup_printf("%s/tinker-%s.so", build, (const char *)name);
+    const char *check[] = {g_getenv("TINKER_PROGRAM"), "plugins", "check", file, NULL};
+    test_author_run(folder, NULL, check);
     test_remove_all(folder);
 }
 

@@ -6,6 +6,8 @@
 
 enum { COLUMN_G };
 
+#define SAME_PLACE "two bodies are in the same place, where the attraction is infinite (move one)"
+
 /* The size of the drawing, in symbols. */
 #define REACH 1.0
 
@@ -19,11 +21,10 @@ static double sum_of_constants(const TinkerBatch *batch)
 
 /* Physics */
 
-/* The attraction of all bodies on one, per its mass and G; 0 where another is in the same place. */
+/* The attraction of all bodies on one, per its mass and G; 0 where that is no number: another is in the same place. */
 static int attract(const TinkerBodies *bodies, int32_t own, double *x, double *y)
 {
     const TinkerPoint *at = &bodies->points[own];
-    int apart = 1;
     *x = *y = 0.0;
     for (int32_t k = 0; k < bodies->count; k++) {
         if (k == own) continue;
@@ -31,9 +32,8 @@ static int attract(const TinkerBodies *bodies, int32_t own, double *x, double *y
         const double distance = tinker_length(dx, dy), pull = bodies->masses[k] / (distance * distance);
         *x += pull * (dx / distance);
         *y += pull * (dy / distance);
-        apart = apart && distance > 0.0;
     }
-    return apart;
+    return isfinite(*x) && isfinite(*y);
 }
 
 static TinkerStatus force(TinkerBatch *batch, const TinkerBodies *bodies, double *result)
@@ -42,9 +42,7 @@ static TinkerStatus force(TinkerBatch *batch, const TinkerBodies *bodies, double
     for (int32_t i = 0; i < bodies->range; i++) {
         const int32_t own = bodies->first + i;
         double x, y;
-        if (!attract(bodies, own, &x, &y))
-            return tinker_retry(batch, 0,
-                                "two bodies are in the same place, where the attraction is infinite (move one)");
+        if (!attract(bodies, own, &x, &y)) return tinker_retry(batch, 0, SAME_PLACE);
         result[2 * i] = constant * bodies->masses[own] * x;
         result[2 * i + 1] = constant * bodies->masses[own] * y;
     }
@@ -64,7 +62,7 @@ static double pair_energies(int32_t count, const TinkerPoint *points, const doub
 static TinkerStatus energy(TinkerBatch *batch, const TinkerBodies *bodies, double *potential)
 {
     *potential = sum_of_constants(batch) * pair_energies(bodies->count, bodies->points, bodies->masses);
-    return TINKER_OK;
+    return isfinite(*potential) ? TINKER_OK : tinker_retry(batch, 0, SAME_PLACE);
 }
 
 static const TinkerField field = {
@@ -96,6 +94,7 @@ static const TinkerRender render = {.struct_size = sizeof(TinkerRender), .layer 
 static TinkerStatus values(TinkerBatch *batch, const TinkerGraphInput *input, int32_t quantity, double *result)
 {
     const double pairs = pair_energies(input->body_count, input->bodies, input->masses);
+    if (!isfinite(pairs)) return tinker_fail(batch, 0, SAME_PLACE);
     for (int32_t i = 0; i < batch->count; i++)
         result[i] = tinker_column(batch, COLUMN_G)[i] * pairs;
     return TINKER_OK;

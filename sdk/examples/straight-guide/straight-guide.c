@@ -14,6 +14,8 @@ enum { QUANTITY_FORCE, QUANTITY_ALONG, QUANTITY_OFF };
 
 enum { BODY, FROM, TO, ENDS };
 
+#define COINCIDE "its two points coincide (a line needs two that are apart)"
+
 /* The line of one guide. L is 0 where its points coincide: then there is no line. */
 typedef struct {
     double length, nx, ny, ux, uy;
@@ -35,8 +37,7 @@ static TinkerStatus rows_at(TinkerBatch *batch, const TinkerPoint *ends, double 
     for (int32_t i = 0; i < batch->count; i++) {
         const TinkerPoint *end = &ends[ENDS * i];
         const Line line = line_of(end);
-        if (line.length == 0.0)
-            return tinker_retry(batch, i, "its two points coincide (a line needs two that are apart)");
+        if (line.length == 0.0) return tinker_retry(batch, i, COINCIDE);
         const double mx = -line.ny, my = line.nx, share = (line.nx * line.ux + line.ny * line.uy) / line.length;
         const double ux = end[BODY].vx - end[FROM].vx, uy = end[BODY].vy - end[FROM].vy;
         const double dx = end[TO].vx - end[FROM].vx, dy = end[TO].vy - end[FROM].vy;
@@ -50,7 +51,7 @@ static TinkerStatus rows_at(TinkerBatch *batch, const TinkerPoint *ends, double 
         j[2 * TO + 1] = -share * my;
         g[i] = mx * line.ux + my * line.uy;
         drift[i] = 2.0 * turning * (share * (line.nx * dx + line.ny * dy) - (line.nx * ux + line.ny * uy)) -
-                   turning * turning * g[i];
+                   turning * (turning * g[i]);
     }
     return TINKER_OK;
 }
@@ -83,6 +84,7 @@ static TinkerStatus values(TinkerBatch *batch, const TinkerGraphInput *input, in
         return tinker_fail(batch, 0, "the guide's force is not known yet");
     for (int32_t i = 0; i < batch->count; i++) {
         const Line line = line_of(&input->ends[ENDS * i]);
+        if (line.length == 0.0) return tinker_fail(batch, i, COINCIDE);
         switch (quantity) {
         case QUANTITY_FORCE:
             result[i] = input->multipliers[i];
