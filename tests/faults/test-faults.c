@@ -17,7 +17,7 @@ typedef struct {
     const char *words;
     const char *output; /* in the folder; NULL: none that stays */
     gboolean replaced;  /* as a whole: what was there before is not lost */
-    const char *named;  /* part of what a message names; NULL: the output */
+    const char *named;  /* part of what a message names; "@": the folder; NULL: the output */
 } Operation;
 
 static const Operation operations[] = {
@@ -150,7 +150,8 @@ static void assert_told(const CliFixture *fixture, const Operation *operation, c
                         const TestProgram *ended)
 {
     const gboolean of_input = strstr(ended->error, "scene.json") != NULL || strstr(ended->error, "table.json") != NULL;
-    const char *names[] = {operation->output, operation->named, fixture->folder};
+    const char *part = g_strcmp0(operation->named, "@") == 0 ? fixture->folder : operation->named;
+    const char *names[] = {operation->output, part};
     gboolean named = of_input;
     for (gsize i = 0; i < G_N_ELEMENTS(names); i++)
         named = named || (names[i] != NULL && strstr(ended->error, names[i]) != NULL);

@@ -32,7 +32,7 @@ static int record(void)
     return error == NULL ? 0 : worker_failed(error);
 }
 
-/* Remembers a refusal of a file that exists, and looks it up in what was written. */
+/* Remembers a refusal of a file that exists; the caller looks at what was written. */
 static int cache(const char *folder)
 {
     static const TinkerIdentity identity = {1, 2};
