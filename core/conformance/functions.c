@@ -126,8 +126,8 @@ static const KitFunction rows = {
 static const KitFunction prescribed_rate = {
     "prescribed_rate",   TRUE, FALSE, 0, 1, {{"rate", KIT_ROWS, 1, .of_g = TRUE, .dimension = {{0, 0, -1, 0}}}},
     call_prescribed_rate};
-static const KitFunction scale = {"scale",   FALSE, FALSE, 0, 1, {{"length", KIT_ROWS, 1, .dimension = {LENGTH}}},
-                                  call_scale};
+static const KitFunction scale = {
+    "scale", FALSE, FALSE, 0, 1, {{"length", KIT_ROWS, 1, .tolerance = TRUE, .dimension = {LENGTH}}}, call_scale};
 static const KitFunction distance = {
     "distance", FALSE, TRUE, 0, 1, {{"length", KIT_INSTANCES, 1, .dimension = {LENGTH}}}, call_distance};
 static const KitFunction motion = {

@@ -63,10 +63,11 @@ typedef enum { KIT_INSTANCES, KIT_ENDS, KIT_ROWS, KIT_ROW_ENDS, KIT_BODIES, KIT_
 typedef struct {
     const char *name;
     KitExtent extent;
-    int32_t width;     /* numbers for each entry */
-    gboolean integers; /* of int32_t */
-    gboolean infinite; /* may be INFINITY */
-    gboolean of_g;     /* of a constraint, whose rows have a unit of their own: dimension is relative to it */
+    int32_t width;      /* numbers for each entry */
+    gboolean integers;  /* of int32_t */
+    gboolean infinite;  /* may be INFINITY */
+    gboolean tolerance; /* says how nearly, not what: it may be a plain 1 m */
+    gboolean of_g;      /* of a constraint, whose rows have a unit of their own: dimension is relative to it */
     TinkerDimension dimension[8]; /* of each of the numbers */
 } KitOutput;
 

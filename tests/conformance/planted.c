@@ -314,7 +314,7 @@ static TinkerStatus hold_rows(TinkerBatch *batch, const TinkerPoint *ends, doubl
 static TinkerStatus hold_scale(TinkerBatch *batch, double *length)
 {
     for (int32_t i = 0; i < 2 * batch->count; i++)
-        length[i] = tinker_column(batch, 0)[i / 2];
+        length[i] = 1;
     return TINKER_OK;
 }
 
