@@ -22,7 +22,7 @@ enum { TIP, HINGE, OTHER_TIP, ENDS };
 
 /* How an arc of this many lines is drawn, in symbols. */
 #define ARC_LINES  16
-#define ARC_RADIUS 1.5
+#define ARC_RADIUS 1.25
 
 /* The angle by which the second arm is turned from where it would rest. */
 static double turn_from_rest(double ax, double ay, double cx, double cy, double rest_angle)
