@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "scene/reader-private.h"
+#include "scene/table-source.h"
 
 /* The keys of a waveform object. */
 typedef struct {
@@ -69,7 +70,9 @@ static gboolean read_option(SceneReader *reader, const cJSON *member, JsonAt at,
     static const char *const kinds[] = {"value", "acceleration", NULL};
     if (g_str_equal(member->string, "column")) {
         if (!reader_number(reader, member, at, "waveform: column", reader_pure, &object->column)) return FALSE;
-        if (object->column >= 1 && object->column <= 1e6 && object->column == floor(object->column)) return TRUE;
+        if (object->column >= 1 && object->column <= TINKER_TABLE_MOST_COLUMN &&
+            object->column == floor(object->column))
+            return TRUE;
         return reader_error(reader, at, TINKER_SCENE_ERROR_VALUE,
                             "waveform: column must be a whole number from 1 (column 0 is the time)");
     }
@@ -136,13 +139,20 @@ static TinkerWaveform *read_table(SceneReader *reader, const WaveformObject *obj
 }
 
 /* An acceleration is integrated to a displacement, so it can only stand where one is wanted. */
+gboolean reader_table_fits(TinkerTableKind kind, const TinkerPropertyType *property, GError **error)
+{
+    if (kind != TINKER_TABLE_ACCELERATION || tinker_dimension_equal(property->dimension, reader_length)) return TRUE;
+    g_set_error(error, TINKER_SCENE_ERROR, TINKER_SCENE_ERROR_VALUE,
+                "a table of accelerations can only move a place, this waveform is a %s",
+                tinker_dimension_name(property->dimension));
+    return FALSE;
+}
+
 static gboolean kind_fits(SceneReader *reader, const WaveformObject *object, const TinkerPropertyType *property)
 {
-    if (object->table == NULL || object->kind != TINKER_TABLE_ACCELERATION) return TRUE;
-    if (tinker_dimension_equal(property->dimension, reader_length)) return TRUE;
-    return reader_error(reader, object->table_at, TINKER_SCENE_ERROR_VALUE,
-                        "%s: a table of accelerations can only move a place, this waveform is a %s", property->id,
-                        tinker_dimension_name(property->dimension));
+    g_autoptr(GError) error = NULL;
+    if (object->table == NULL || reader_table_fits((TinkerTableKind)object->kind, property, &error)) return TRUE;
+    return reader_error(reader, object->table_at, TINKER_SCENE_ERROR_VALUE, "%s: %s", property->id, error->message);
 }
 
 /* The text of the object, on one line. */

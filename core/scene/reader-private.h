@@ -134,6 +134,9 @@ TinkerWaveform *reader_waveform(SceneReader *reader, const cJSON *json, JsonAt a
 /* The file of a table, absolute and without links, which lies in or under the scene's folder. (transfer full) */
 char *reader_table_path(const char *folder, const char *file, GError **error);
 
+/* Whether a property can be given by a table of this kind. */
+gboolean reader_table_fits(TinkerTableKind kind, const TinkerPropertyType *property, GError **error);
+
 /* As tinker_scene_read_text; `waveforms` (may be NULL) has the waveforms that are not to be read, by their JSON object on
  * one line. */
 TinkerScene *reader_read_text(TinkerCatalogue *catalogue, const char *text, gsize length, const char *path,

@@ -194,8 +194,14 @@ TinkerTable *tinker_table_read(const char *path, int column, double scale, Tinke
     double *values = (double *)(void *)g_array_steal(reader->values, NULL);
     g_array_unref(reader->times);
     g_array_unref(reader->values);
-    if (good) return tinker_table_new(times, values, rows, kind, error);
-    g_free(times);
-    g_free(values);
-    return NULL;
+    if (!good) {
+        g_free(times);
+        g_free(values);
+        return NULL;
+    }
+    TinkerTable *table = tinker_table_new(times, values, rows, kind, error);
+    if (table == NULL) return NULL;
+    table->column = column;
+    table->scale = scale;
+    return table;
 }

@@ -14,6 +14,8 @@ typedef struct {
     double *times;
     double *values;
     TinkerTableKind kind;
+    int column;              /* of the file that it was read from; 0: none */
+    double scale;            /* that the values have been multiplied by */
     double *speeds, *places; /* of an acceleration: what it has grown to at each row, from rest at the first */
     double *bends;           /* of a smooth value: the spline's second derivative at each row; made when asked for */
 } TinkerTable;

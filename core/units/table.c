@@ -114,7 +114,7 @@ static void evaluate_acceleration(const TinkerTable *table, gsize piece, double 
 TinkerTable *tinker_table_new(double *times, double *values, gsize rows, TinkerTableKind kind, GError **error)
 {
     TinkerTable *table = g_new0(TinkerTable, 1);
-    *table = (TinkerTable){.rows = rows, .times = times, .values = values, .kind = kind};
+    *table = (TinkerTable){.rows = rows, .times = times, .values = values, .kind = kind, .scale = 1};
     if (!check_rows(times, values, rows, error)) {
         tinker_table_free(table);
         return NULL;

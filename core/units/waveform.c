@@ -178,6 +178,14 @@ const char *tinker_waveform_expression(const TinkerWaveform *waveform)
     return waveform->text;
 }
 
+gboolean tinker_waveform_table_facts(const TinkerWaveform *waveform, TinkerTableFacts *facts)
+{
+    const TinkerTable *table = waveform->table;
+    if (table == NULL) return FALSE;
+    *facts = (TinkerTableFacts){table->rows, table->kind, table->column, table->scale};
+    return TRUE;
+}
+
 TinkerWaveformEvaluator *tinker_waveform_evaluator_new(TinkerWaveform *waveform, double amplitude, double frequency,
                                                        double phase, gboolean smooth)
 {

@@ -68,6 +68,16 @@ TinkerWaveformKind tinker_waveform_kind(const TinkerWaveform *waveform);
 /* The text of an expression, of a shifted one as a function of the new t; else NULL. Borrowed. */
 const char *tinker_waveform_expression(const TinkerWaveform *waveform);
 
+/* What a table holds and, where it was read from a file, how it was read. */
+typedef struct {
+    gsize rows;
+    TinkerTableKind kind;
+    int column;   /* of the file; 0: it was not read from one */
+    double scale; /* that the column was multiplied by */
+} TinkerTableFacts;
+/* FALSE of what is no table. */
+gboolean tinker_waveform_table_facts(const TinkerWaveform *waveform, TinkerTableFacts *facts);
+
 /* An evaluator: one waveform in use by one run, with its scaling and the switches of the piece it is in. Not shared
  * between threads; the waveform behind it may be. `smooth`: a value table is read as a C2 cubic spline (natural ends)
  * instead of linearly, as a place needs it. (transfer full) */

@@ -1,5 +1,6 @@
 /* Reading: what the scene holds afterwards. */
 #include "scene-fixture.h"
+#include "scene/table-source.h"
 
 #include <glib/gstdio.h>
 #include <math.h>
@@ -162,6 +163,55 @@ static void test_tables(void)
     folder_free(folder);
 }
 
+/* The waveform of a block that moves a place, or gives a force. */
+static const TinkerPropertyType *waveform_type(const char *type)
+{
+    const TinkerBlockClass *block_class = scene_fixture_class(type);
+    return &block_class->properties[tinker_block_class_property(block_class, "waveform")];
+}
+
+/* For a scene that is there: held to the same rules as a table that is read with its scene. */
+static void test_table_for_scene(void)
+{
+    Folder folder = folder_new();
+    g_autoptr(TinkerScene) scene = scene_fixture_read_blocks("{\"type\": \"support\", \"name\": \"S\"}");
+    const TinkerPropertyType *motion = waveform_type("support-motion"), *force = waveform_type("motor");
+    TinkerTableSource source = {"inside.csv", 1, 9.81, TINKER_TABLE_ACCELERATION};
+    TinkerTableFacts facts;
+    g_autoptr(GError) error = NULL;
+    g_autoptr(TinkerWaveform) read = tinker_scene_read_table(scene, folder.path, &source, motion, NULL, &error);
+    g_assert_no_error(error);
+    g_assert_true(tinker_waveform_table_facts(read, &facts));
+    g_assert_cmpuint(facts.rows, ==, 3);
+    g_assert_cmpint(facts.column, ==, 1);
+    g_assert_cmpfloat(facts.scale, ==, 9.81);
+    g_assert_cmpint(facts.kind, ==, TINKER_TABLE_ACCELERATION);
+    g_autofree char *file = tinker_scene_table_file(scene, read);
+    g_assert_cmpstr(file, ==, "inside.csv");
+
+    const struct {
+        const char *file;
+        const TinkerPropertyType *type;
+        const char *message;
+    } wrong[] = {
+        {"inside.csv", force, "a table of accelerations can only move a place"},
+        {"../outside.csv", motion, "lies outside the scene's folder"},
+        {"link.csv", motion, "is a link that leads outside the scene's folder"},
+        {"none.csv", motion, "cannot be read"},
+        {"\xff.csv", motion, "not UTF-8"},
+    };
+    for (gsize i = 0; i < G_N_ELEMENTS(wrong); i++) {
+        g_autoptr(GError) reason = NULL;
+        source.file = wrong[i].file;
+        g_assert_null(tinker_scene_read_table(scene, folder.path, &source, wrong[i].type, NULL, &reason));
+        g_assert_nonnull(strstr(reason->message, wrong[i].message));
+    }
+    g_autoptr(TinkerWaveform) sine = tinker_waveform_new_harmonic(TINKER_WAVEFORM_SINE);
+    g_assert_false(tinker_waveform_table_facts(sine, &facts));
+    g_assert_null(tinker_scene_table_file(scene, sine));
+    folder_free(folder);
+}
+
 /* Nothing but a file of the folder is opened: no pipe, which would keep the reader waiting, nor what lies behind a link
  * to another folder. */
 static void test_table_traps(void)
@@ -234,6 +284,7 @@ static void add_tests(void)
     g_test_add_func("/scene/read/escaped-keys", test_escaped_keys);
     g_test_add_func("/scene/read/default-names", test_default_names);
     g_test_add_func("/scene/read/tables", test_tables);
+    g_test_add_func("/scene/read/table-for-scene", test_table_for_scene);
     g_test_add_func("/scene/read/table-traps", test_table_traps);
     g_test_add_func("/scene/read/file", test_file);
 }
