@@ -3,6 +3,7 @@
 
 #include <glib/gi18n.h>
 
+#include "table-chooser.h"
 #include "unparent.h"
 
 /* px, of 276 that the panel has inside. Controls have a least width so that a long title wraps instead of shifting them. */
@@ -102,6 +103,11 @@ static void choose(TinkerPropertyField *field, int choice)
 {
     g_autoptr(GError) error = NULL;
     if (field->showing || field->document == NULL || choice == field->row->chosen) return;
+    if (choice == field->row->file_choice) {
+        tinker_property_field_show(field, field->row); /* until there is a file */
+        tinker_choose_table(GTK_WIDGET(field), field->document, field->row);
+        return;
+    }
     if (tinker_property_row_choose(field->document, field->row, choice, &error)) {
         set_problem(field, NULL);
         return;

@@ -37,6 +37,11 @@ void property_rows_add_waveform(PropertyBuilder *builder, int32_t property);
 /* A waveform that there is no block for yet: that of a class to be attached. */
 void property_rows_add_missing_waveform(PropertyBuilder *builder, const TinkerBlockClass *block_class,
                                         int32_t property);
+/* Sets the waveform of a row as one step, where need be in a block that is attached for it. */
+gboolean property_set_waveform(TinkerDocument *document, const TinkerPropertyRow *row, TinkerWaveform *waveform,
+                               GError **error);
+/* How the table of a waveform is read, where all blocks have the same; property-rows-table.c. */
+void property_rows_add_table(PropertyBuilder *builder, const TinkerPropertyType *type, int32_t property);
 /* Whether a property scales, turns or shifts waveforms of the block that have no use for it as they are. */
 gboolean property_plays_no_part(const TinkerScene *scene, TinkerBlockId block, int32_t property);
 /* The heading that rows of a property stand under. */

@@ -47,7 +47,7 @@ TinkerPropertyRow *property_builder_add(PropertyBuilder *builder, TinkerRowKind 
     row->text = g_strdup("");
     row->unit = "";
     row->sensitive = row->given = TRUE;
-    row->chosen = -1;
+    row->chosen = row->file_choice = -1;
     row->blocks = g_array_new(FALSE, FALSE, sizeof(TinkerBlockId));
     if (builder->count > 0) g_array_append_vals(row->blocks, builder->blocks, (guint)builder->count);
     g_ptr_array_add(builder->rows, row);

@@ -29,6 +29,7 @@ struct _TinkerPropertyRow {
     gboolean given;     /* FALSE: it has its default */
     gboolean mixed;     /* the blocks selected have several values */
     GStrv choices;      /* of a choice */
+    int file_choice;    /* of a choice: the one that a file has to be named for, or -1 */
     int chosen;         /* of a choice or switch; -1 where the blocks selected have several */
 
     /* Where it comes from; for the list's own files. */
@@ -60,5 +61,18 @@ gboolean tinker_property_row_set(TinkerDocument *document, const TinkerPropertyR
 
 /* Likewise a choice, by its number, or a switch, 0 or 1. */
 gboolean tinker_property_row_choose(TinkerDocument *document, const TinkerPropertyRow *row, int choice, GError **error);
+
+/* Tables in files, for a row with a `file_choice` ----------------------------------------------------------------------- */
+
+/* Whether the file is a table that the row can take. One that lies outside of the folder of the document's file has to be
+ * copied there: `copy` is under what name, else NULL (transfer full). FALSE with an error; that of a file that is no table
+ * says line and column. */
+gboolean tinker_property_row_check_file(TinkerDocument *document, const TinkerPropertyRow *row, const char *path,
+                                        char **copy, GError **error);
+
+/* Takes the file, copied if it has to be, as one step for undo; a file is never overwritten. FALSE with an error, and scene and
+ * folder as they were. */
+gboolean tinker_property_row_choose_file(TinkerDocument *document, const TinkerPropertyRow *row, const char *path,
+                                         GError **error);
 
 #endif

@@ -1,4 +1,4 @@
-/* Rows of a function of time: its type, and the text of an expression.
+/* Rows of a function of time: its type, and the text of an expression. (Those of a table: property-rows-table.c.)
  *
  * A type of block that would show its waveform here, but of which none is attached yet, has the row Type alone: choosing one
  * adds the block. */
@@ -95,14 +95,21 @@ static gboolean attach_block(TinkerHistory *history, const TinkerPropertyRow *ro
     return FALSE;
 }
 
+/* NULL: each block's own as an expression. */
+gboolean property_set_waveform(TinkerDocument *document, const TinkerPropertyRow *row, TinkerWaveform *waveform,
+                               GError **error)
+{
+    Wanted wanted = {tinker_document_scene(document), waveform};
+    return property_edit_all(document, row, row->data != NULL ? attach_block : edit_waveform, &wanted, error);
+}
+
 static gboolean choose_type(TinkerDocument *document, const TinkerPropertyRow *row, int choice, GError **error)
 {
-    if (choice == CHOICE_TABLE)
+    if (choice >= CHOICE_TABLE)
         return property_refuse(error, _("A table is read from a file that the scene’s own file names."));
     g_autoptr(TinkerWaveform) waveform =
         choice == CHOICE_EXPRESSION ? NULL : tinker_waveform_new_harmonic(kinds[choice]);
-    Wanted wanted = {tinker_document_scene(document), waveform};
-    return property_edit_all(document, row, row->data != NULL ? attach_block : edit_waveform, &wanted, error);
+    return property_set_waveform(document, row, waveform, error);
 }
 
 static gboolean set_expression(TinkerDocument *document, const TinkerPropertyRow *row, const char *text, GError **error)
@@ -113,22 +120,24 @@ static gboolean set_expression(TinkerDocument *document, const TinkerPropertyRow
         property_fail(error, cause, NULL, NULL);
         return FALSE;
     }
-    Wanted wanted = {tinker_document_scene(document), waveform};
-    return property_edit_all(document, row, edit_waveform, &wanted, error);
+    return property_set_waveform(document, row, waveform, error);
 }
 
 /* Rows ---------------------------------------------------------------------------------------------------------------- */
 
-/* A table can be kept, but not made here. */
+/* A table that there is can be kept, and a file be chosen for another one. */
 static TinkerPropertyRow *add_type(PropertyBuilder *builder, const TinkerPropertyType *type, int32_t property,
                                    gboolean with_table)
 {
     static const char *const titles[] = {N_("None"), N_("Sine"), N_("Cosine"), N_("Expression"), N_("Table")};
+    int count = with_table ? CHOICE_TABLE + 1 : CHOICE_TABLE;
     TinkerPropertyRow *row = property_builder_add(builder, TINKER_ROW_CHOICE, property_group_of(builder, type),
                                                   tinker_translate(type->title), tinker_translate(type->description));
-    row->choices = g_new0(char *, G_N_ELEMENTS(titles) + 1);
-    for (int i = 0; i <= (with_table ? CHOICE_TABLE : CHOICE_EXPRESSION); i++)
+    row->choices = g_new0(char *, G_N_ELEMENTS(titles) + 2);
+    for (int i = 0; i < count; i++)
         row->choices[i] = g_strdup(_(titles[i]));
+    row->choices[count] = g_strdup(with_table ? _("Another Table…") : _("Table…"));
+    row->file_choice = count;
     row->property = property;
     row->choose = choose_type;
     return row;
@@ -174,6 +183,7 @@ void property_rows_add_waveform(PropertyBuilder *builder, int32_t property)
     row->mixed = mixed;
     row->given = tinker_scene_property_given(builder->scene, builder->blocks[0], property);
     if (!mixed && chosen == CHOICE_EXPRESSION) add_expression(builder, type, property);
+    if (!mixed && chosen == CHOICE_TABLE) property_rows_add_table(builder, type, property);
 }
 
 void property_rows_add_missing_waveform(PropertyBuilder *builder, const TinkerBlockClass *block_class, int32_t property)

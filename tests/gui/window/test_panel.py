@@ -2,6 +2,8 @@
 """The panel of properties: what it shows, and what is typed into it."""
 from harness import App, check, check_close, check_equal, main, mass, scene, spring, support, wait
 
+RECORD = "time,push\n0,0\n1,2\n3,6\n"
+
 
 def select(app, x, y):
     app.show_width()
@@ -138,6 +140,76 @@ def test_outline_selects(display):
         app.show_width()
         app.click(app.find_starting("list item", "B, Mass"))
         app.wait_read("Appearance", "Name", "B")
+
+
+def pushed_ball(display):
+    motor = {"type": "motor", "name": "F", "ends": ["A"]}
+    return App(display, scene(mass("A", 0, 0), motor))
+
+
+def choose_table(app, file, item="Table…"):
+    app.choose_in("Force", "Type", item)
+    app.open_dialog("Choose a Table", file)
+
+
+def test_table_is_chosen(display):
+    with pushed_ball(display) as app:
+        record = app.home / "record.csv"
+        record.write_text(RECORD)
+        app.click(app.find_starting("list item", "F, Motor"))
+        choose_table(app, record)
+        app.find("label", "record.csv")
+        app.find("label", "3")
+        app.wait_read("Force", "Column", "1")
+        check_equal(app.blocks()["F"]["waveform"], {"table": "record.csv"}, "waveform in the file")
+        app.enter("Force", "Scale", "0.5")
+        app.wait_read("Force", "Scale", "0.5")
+        check_equal(app.blocks()["F"]["waveform"], {"table": "record.csv", "scale": 0.5}, "waveform in the file")
+        app.click("Undo")
+        app.click("Undo")
+        app.gone("label", "record.csv")
+
+
+def test_table_from_elsewhere_is_copied(display):
+    with pushed_ball(display) as app:
+        record = app.home / "elsewhere" / "record.csv"
+        record.parent.mkdir()
+        record.write_text("0,1\n1,one\n")
+        scenes_folder = app.home / "scenes"
+        scenes_folder.mkdir()
+        app.click(app.find_starting("list item", "F, Motor"))
+        app.press("ctrl+shift+s")
+        app.save_dialog("Save Scene", scenes_folder / "pushed.tinker.json")
+        wait(lambda: app.title() == "pushed.tinker.json", "the title")
+
+        choose_table(app, record)  # which is none
+        dialog = app.find("dialog", "The Table Was Not Taken")
+        app.find_text("record.csv:2:3: ")
+        app.click("Close", inside=dialog)
+        app.gone("dialog")
+        check_equal(sorted(file.name for file in scenes_folder.iterdir()), ["pushed.tinker.json"], "files")
+
+        record.write_text(RECORD)
+        choose_table(app, record)
+        app.click("Cancel", inside=app.find("dialog", "Copy the Table?"))
+        app.gone("dialog")
+        check(not (scenes_folder / "record.csv").exists(), "there is no copy without a yes")
+        choose_table(app, record)
+        app.click("Copy", inside=app.find("dialog", "Copy the Table?"))
+        app.find("label", "record.csv")
+        check_equal((scenes_folder / "record.csv").read_text(), RECORD, "the copy")
+
+
+def test_table_needs_a_saved_scene(display):
+    with App(display) as app:
+        app.place("Motor")
+        app.choose_in("Force", "Type", "Table…")
+        app.click("Save", inside=app.find("dialog", "Save the Scene First"))
+        app.save_dialog("Save Scene", app.home / "pushed.tinker.json")
+        wait(lambda: app.title() == "pushed.tinker.json", "the title")
+        (app.home / "record.csv").write_text(RECORD)
+        choose_table(app, app.home / "record.csv")
+        app.find("label", "record.csv")
 
 
 if __name__ == "__main__":

@@ -524,6 +524,26 @@ class App:
         self.xdotool("key", "Return")
         self.actions_taken += 1
 
+    def open_dialog(self, title, file):
+        """Answers a dialog that asks for a file that there is. It looks into the folder of what is typed, and a key that comes
+        meanwhile is lost: Return is pressed again where the dialog is still there long after."""
+        pressed = [time.monotonic()]
+
+        def is_answered():
+            if self.look(None, title) is None:
+                return True
+            if time.monotonic() > pressed[0] + 2:
+                self.xdotool("key", "Return")
+                pressed[0] = time.monotonic()
+            return False
+
+        self.find(None, title)
+        self.xdotool("type", "--delay", "1", "--", str(file))
+        self.xdotool("key", "Return")
+        self.actions_taken += 1
+        pressed[0] = time.monotonic()
+        wait(is_answered, f"“{title}” to be answered")
+
     # Running
 
     def time(self):
