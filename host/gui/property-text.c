@@ -4,6 +4,7 @@
 
 #include "number-hint.h"
 #include "property-list-private.h"
+#include "sentence.h"
 #include "translate.h"
 
 gboolean property_refuse(GError **error, const char *format, ...)
@@ -57,20 +58,11 @@ static char *with_titles(const char *message, const TinkerBlockClass *block_clas
     return g_string_free(text, FALSE);
 }
 
-static char *sentence(const char *message)
-{
-    const char *rest = g_utf8_next_char(message);
-    if (*message == '\0') return g_strdup("");
-    g_autofree char *first = g_utf8_strup(message, rest - message);
-    gboolean ended = strchr(".?!", message[strlen(message) - 1]) != NULL;
-    return g_strconcat(first, rest, ended ? "" : ".", NULL);
-}
-
 void property_fail(GError **error, GError *cause, const char *prefix, const TinkerBlockClass *block_class)
 {
     const char *bare = without_column(without_prefix(cause->message, prefix));
     g_autofree char *titled = block_class != NULL ? with_titles(bare, block_class) : g_strdup(bare);
-    g_autofree char *message = sentence(titled);
+    g_autofree char *message = tinker_sentence(titled);
     g_set_error_literal(error, cause->domain, cause->code, message);
     g_error_free(cause);
 }

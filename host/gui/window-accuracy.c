@@ -2,6 +2,7 @@
 #include <glib/gi18n.h>
 
 #include "run-choice.h"
+#include "sentence.h"
 #include "window-private.h"
 
 #define PAGE    "accuracy"
@@ -25,7 +26,8 @@ static void show_accuracy(void *data)
 static void add_notice(GPtrArray *notices, TinkerWindow *window, const char *warning, const char *button,
                        void (*cure)(void *data))
 {
-    g_ptr_array_add(notices, tinker_notice_new(TINKER_NOTICE_WARNING, warning, button, cure, window, NULL));
+    g_autofree char *text = tinker_sentence_in(tinker_document_scene(window->document), warning);
+    g_ptr_array_add(notices, tinker_notice_new(TINKER_NOTICE_WARNING, text, button, cure, window, NULL));
 }
 
 static GPtrArray *new_notices(void)

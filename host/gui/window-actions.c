@@ -2,6 +2,7 @@
 #include <glib/gi18n.h>
 
 #include "scene/fragment.h"
+#include "sentence.h"
 #include "window-private.h"
 
 #define ZOOM_STEP 1.25
@@ -14,7 +15,8 @@ typedef void (*Command)(TinkerWindow *window);
 static void tell_refusal(TinkerWindow *window, TinkerBlockId culprit, const GError *error)
 {
     if (culprit != TINKER_NO_BLOCK) tinker_document_select(window->document, culprit);
-    window_message(window, _("The Scene Cannot Run Yet"), error->message);
+    g_autofree char *text = tinker_sentence_in(tinker_document_scene(window->document), error->message);
+    window_message(window, _("The Scene Cannot Run Yet"), text);
 }
 
 static void play(TinkerWindow *window)

@@ -1,5 +1,6 @@
 /* How things start, and what is wrong with it: the section of the panel, notices, marks on the canvas and the menu. */
 #include "advice-list.h"
+#include "sentence.h"
 #include "start-offer.h"
 #include "start-panel.h"
 #include "window-private.h"
@@ -54,8 +55,8 @@ static TinkerNotice *notice_of(TinkerWindow *window, TinkerAdviceList *list, gui
     const TinkerAdvice *advice = g_ptr_array_index(tinker_advice_list_findings(list), number);
     Finding *finding = g_new(Finding, 1);
     *finding = (Finding){window, list, number};
-    TinkerNotice *notice =
-        tinker_notice_new(severity_of(advice), advice->message, advice->repair, repair, finding, g_free);
+    g_autofree char *text = tinker_sentence_in(tinker_document_scene(window->document), advice->message);
+    TinkerNotice *notice = tinker_notice_new(severity_of(advice), text, advice->repair, repair, finding, g_free);
     notice->locate = select_blocks;
     return notice;
 }

@@ -6,6 +6,7 @@
 #include "message.h"
 #include "popup-menu.h"
 #include "refusal-notices.h"
+#include "sentence.h"
 #include "side-panel.h"
 #include "welcome.h"
 
@@ -52,7 +53,8 @@ static void on_state_changed(TinkerWindow *window)
 
 static void on_failed(TinkerPlayer *player, const char *message, TinkerWindow *window)
 {
-    window_message(window, _("The Run Stopped"), message);
+    g_autofree char *text = tinker_sentence_in(tinker_document_scene(window->document), message);
+    window_message(window, _("The Run Stopped"), text);
 }
 
 static void on_rewound(TinkerWindow *window)

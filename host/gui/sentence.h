@@ -1,0 +1,13 @@
+/* Messages of the core as sentences. They begin with a small letter and have no full stop, as on the command line. */
+#ifndef TINKER_GUI_SENTENCE_H
+#define TINKER_GUI_SENTENCE_H
+
+#include "scene/scene.h"
+
+/* With a capital and a full stop, where there is neither yet. (transfer full) */
+char *tinker_sentence(const char *message);
+
+/* Likewise, but the name of a block of the scene stays as it is where the message begins with it. (transfer full) */
+char *tinker_sentence_in(TinkerScene *scene, const char *message);
+
+#endif
