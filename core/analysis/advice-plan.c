@@ -1,4 +1,6 @@
 /* What the plan says of the method and the step that a scene asks for. */
+#include <glib/gi18n-lib.h>
+
 #include "analysis/advice-private.h"
 #include "physics/linearise.h"
 #include "physics/plan.h"
@@ -13,9 +15,9 @@ static void tell(GPtrArray *all, const TinkerRunOptions *options, const TinkerMo
         advice_add_block(advice, tinker_model_body_block(model, i));
     advice->contacts_apart = options->impulses;
     if (options->impulses)
-        advice->repair = g_strdup("Treat contacts as events and choose the method automatically");
+        advice->repair = g_strdup(_("Treat contacts as events and choose the method automatically"));
     else if (!g_str_equal(options->method, "auto"))
-        advice->repair = g_strdup("Choose the method automatically");
+        advice->repair = g_strdup(_("Choose the method automatically"));
 }
 
 GPtrArray *tinker_advice_plan_new(TinkerScene *scene)

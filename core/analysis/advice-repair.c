@@ -1,4 +1,5 @@
 /* Repairs: each is what its button says, within one undo step. */
+#include <glib/gi18n-lib.h>
 #include <math.h>
 
 #include "analysis/advice.h"
@@ -69,8 +70,9 @@ gboolean tinker_advice_repair(TinkerHistory *history, TinkerScene *scene, const 
 {
     if (advice->repair == NULL || !still_stands(scene, advice)) {
         g_set_error(error, TINKER_SCENE_ERROR, TINKER_SCENE_ERROR_VALUE, "%s",
-                    advice->repair == NULL ? "this cannot be repaired by itself (see what the message says)"
-                                           : "the scene has changed since this was found (look at what is said now)");
+                    advice->repair == NULL
+                        ? _("this cannot be repaired by itself (see what the message says)")
+                        : _("the scene has changed since this was found (look at what is said now)"));
         return FALSE;
     }
     tinker_history_begin(history, advice->repair, NULL);

@@ -2,6 +2,7 @@
  *
  * The model projects them; the difference is told once for every set of bodies that constraints tie together, by the body
  * whose velocity changes most and the connector along which it moves fastest. */
+#include <glib/gi18n-lib.h>
 #include <math.h>
 
 #include "analysis/advice-private.h"
@@ -79,16 +80,25 @@ static char *words_of(const TinkerFrame *frame, const Misfit *misfit, guint othe
     const char *name = tinker_scene_block_name(scene, misfit->block);
     g_autofree char *x = start_quantity_text(scene, misfit->allowed[0], speed_dimension);
     g_autofree char *y = start_quantity_text(scene, misfit->allowed[1], speed_dimension);
-    g_autofree char *more = others == 0 ? g_strdup("") : g_strdup_printf(", and %u more with it", others);
     if (!*across)
-        return g_strdup_printf("%s: its start velocity does not fit what ties it (it would start with %s to the right "
-                               "and %s up%s)",
-                               name, x, y, more);
+        return others == 0 ? g_strdup_printf(
+                                 _("%s: its start velocity does not fit what ties it (it would start with %s to the "
+                                   "right and %s up)"),
+                                 name, x, y)
+                           : g_strdup_printf(
+                                 _("%s: its start velocity does not fit what ties it (it would start with %s to the "
+                                   "right and %s up, and %u more with it)"),
+                                 name, x, y, others);
+    const char *tie = tinker_scene_block_name(scene, *connector);
     g_autofree char *speed = start_quantity_text(scene, fabs(along), speed_dimension);
-    return g_strdup_printf(
-        "%s: it starts with %s along %s, whose length does not change (it would start with %s to the "
-        "right and %s up%s)",
-        name, speed, tinker_scene_block_name(scene, *connector), x, y, more);
+    return others == 0 ? g_strdup_printf(
+                             _("%s: it starts with %s along %s, whose length does not change (it would start with %s "
+                               "to the right and %s up)"),
+                             name, speed, tie, x, y)
+                       : g_strdup_printf(
+                             _("%s: it starts with %s along %s, whose length does not change (it would start with %s "
+                               "to the right and %s up, and %u more with it)"),
+                             name, speed, tie, x, y, others);
 }
 
 static void tell(GPtrArray *all, const TinkerFrame *frame, const Misfit *misfits, guint count)
@@ -100,8 +110,9 @@ static void tell(GPtrArray *all, const TinkerFrame *frame, const Misfit *misfits
     TinkerAdvice *advice = advice_add(all, TINKER_ADVICE_VELOCITY, FALSE, message);
     g_autofree char *speed =
         start_quantity_text(scene, hypot(misfits[0].allowed[0], misfits[0].allowed[1]), speed_dimension);
-    advice->repair = count > 1 ? g_strdup("Set the velocities that fit")
-                               : g_strdup_printf("Set the velocity to %s%s", speed, across ? " across" : "");
+    advice->repair = count > 1 ? g_strdup(_("Set the velocities that fit"))
+                     : across  ? g_strdup_printf(_("Set the velocity to %s across"), speed)
+                               : g_strdup_printf(_("Set the velocity to %s"), speed);
     for (guint i = 0; i < count; i++) {
         advice_add_block(advice, misfits[i].block);
         advice_add_vector(advice, misfits[i].block, misfits[i].allowed[0], misfits[i].allowed[1]);

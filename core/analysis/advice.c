@@ -1,4 +1,5 @@
 /* Looking a scene over: first what keeps it from being compiled, block by block; then what compiling it says. */
+#include <glib/gi18n-lib.h>
 #include <math.h>
 #include <string.h>
 
@@ -55,8 +56,8 @@ static void on_placeholder(GPtrArray *all, TinkerScene *scene, TinkerBlockId blo
     tinker_catalogue_type(tinker_scene_catalogue(scene), tinker_scene_block_type(scene, block), &missing);
     char *message = g_strdup_printf("%s: %s", tinker_scene_block_name(scene, block),
                                     missing != NULL ? missing->message
-                                                    : "its plugin was installed since the scene was read (open it "
-                                                      "again)");
+                                                    : _("its plugin was installed since the scene was read (open it "
+                                                        "again)"));
     advice_add_block(advice_add(all, TINKER_ADVICE_MISSING_TYPE, TRUE, message), block);
 }
 
@@ -112,14 +113,14 @@ static void on_loose_ends(GPtrArray *all, const TinkerFrame *frame, TinkerBlockI
         if (end.block != TINKER_NO_BLOCK) continue;
         TinkerAdvice *advice = advice_add(
             all, TINKER_ADVICE_DETACHED_END, TRUE,
-            g_strdup_printf("%s: end %d is not connected (attach it to a block; nothing runs while an end is loose)",
+            g_strdup_printf(_("%s: end %d is not connected (attach it to a block; nothing runs while an end is loose)"),
                             tinker_scene_block_name(scene, block), e + 1));
         advice_add_block(advice, block);
         advice->end = e;
         advice->target =
             nearest_target(frame, block, (double[]){end.x, end.y}, NEAR_BY * tinker_scene_head(scene)->canvas_width);
         if (advice->target != TINKER_NO_BLOCK)
-            advice->repair = g_strdup_printf("Connect it to %s", tinker_scene_block_name(scene, advice->target));
+            advice->repair = g_strdup_printf(_("Connect it to %s"), tinker_scene_block_name(scene, advice->target));
     }
 }
 
@@ -141,11 +142,11 @@ static void on_length(GPtrArray *all, const TinkerFrame *frame, TinkerBlockId bl
     TinkerAdvice *advice = advice_add(
         all, TINKER_ADVICE_LENGTH, TRUE,
         g_strdup_printf(
-            "%s: its length is %s, but its ends are %s apart at the start (move an end, or change the length)",
+            _("%s: its length is %s, but its ends are %s apart at the start (move an end, or change the length)"),
             tinker_scene_block_name(scene, block), given, apart));
     advice_add_block(advice, block);
     advice->length = drawn;
-    if (drawn > 0) advice->repair = g_strdup("Use the length as drawn");
+    if (drawn > 0) advice->repair = g_strdup(_("Use the length as drawn"));
 }
 
 static void on_overlaps(GPtrArray *all, const TinkerFrame *frame)
@@ -157,15 +158,15 @@ static void on_overlaps(GPtrArray *all, const TinkerFrame *frame)
         g_autofree char *depth = start_quantity_text(scene, overlap->depth, length_dimension);
         TinkerAdvice *advice = advice_add(
             all, TINKER_ADVICE_OVERLAP, FALSE,
-            g_strdup_printf("%s starts %s below the top of %s, and so passes it as from behind (it would have "
-                            "to start on the top or in front of it)",
+            g_strdup_printf(_("%s starts %s below the top of %s, and so passes it as from behind (it would have "
+                              "to start on the top or in front of it)"),
                             tinker_scene_block_name(scene, overlap->body), depth,
                             tinker_scene_block_name(scene, overlap->plate)));
         advice_add_block(advice, overlap->body);
         advice_add_block(advice, overlap->plate);
         advice_add_vector(advice, overlap->body, overlap->depth * overlap->normal[0],
                           overlap->depth * overlap->normal[1]);
-        advice->repair = g_strdup_printf("Move it out by %s", depth);
+        advice->repair = g_strdup_printf(_("Move it out by %s"), depth);
     }
 }
 

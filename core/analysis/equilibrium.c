@@ -4,6 +4,7 @@
  * it. That is a fall of the energy where there is one, and asks for none where there is not. */
 #include "analysis/equilibrium.h"
 
+#include <glib/gi18n-lib.h>
 #include <math.h>
 #include <string.h>
 
@@ -96,9 +97,9 @@ static const char *search_for_rest(Search *search, const double *from, int *iter
 {
     for (*iterations = 0; *iterations < MOST_ITERATIONS; (*iterations)++) {
         if (is_balanced(search)) return NULL;
-        if (wandered_off(search, from)) return "it moves away without end: nothing holds it against its forces";
+        if (wandered_off(search, from)) return _("it moves away without end: nothing holds it against its forces");
         g_autoptr(TinkerModalBasis) basis = tinker_modal_basis_new(search->linear, NULL);
-        if (basis == NULL) return "its equations leave the range that can be computed with";
+        if (basis == NULL) return _("its equations leave the range that can be computed with");
         double length = choose_step(search, basis);
         if (length <= 1e-15 * search->extent) return NULL;
         if (try_step(search)) {
@@ -108,9 +109,9 @@ static const char *search_for_rest(Search *search, const double *from, int *iter
         double balance = BALANCED * search->linear->force_scale + search->linear->force_noise;
         if (greatest(search->linear->force, search->size) <= balance) return NULL;
         search->radius = 0.25 * fmin(length, search->radius);
-        if (search->radius < 1e-14 * search->extent) return "its forces do not balance at any place near by";
+        if (search->radius < 1e-14 * search->extent) return _("its forces do not balance at any place near by");
     }
-    return "the search took more steps than it may";
+    return _("the search took more steps than it may");
 }
 
 gboolean tinker_equilibrium_find(TinkerModel *model, double *q, TinkerEquilibrium *result, GError **error)

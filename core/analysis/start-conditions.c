@@ -1,6 +1,7 @@
 /* Applying a start condition: each kind says where bodies are to start, and one function writes that as one step. */
 #include "analysis/start-conditions.h"
 
+#include <glib/gi18n-lib.h>
 #include <math.h>
 
 #include "analysis/start-private.h"
@@ -45,7 +46,7 @@ static gboolean find_link(const Asked *asked, StartLink *link, GError **error)
         *link = g_array_index(links, StartLink, i);
         if (link->connector == asked->option->other) return TRUE;
     }
-    return refuse(asked, "it is no longer connected as it was (select it again)", error);
+    return refuse(asked, _("it is no longer connected as it was (select it again)"), error);
 }
 
 /* Equilibrium ------------------------------------------------------------------------------------------------------ */
@@ -91,7 +92,7 @@ static gboolean stretched(Asked *asked, GError **error)
     if (!find_link(asked, &link, error)) return FALSE;
     double length = tinker_frame_meaning(asked->frame, link.connector, TINKER_MEANING_LENGTH, 0, NAN) + asked->value;
     if (!(length > 0))
-        return refuse(asked, "nothing can be compressed by its whole rest length or more (ask for less)", error);
+        return refuse(asked, _("nothing can be compressed by its whole rest length or more (ask for less)"), error);
     tinker_frame_end(asked->frame, link.own, own);
     tinker_frame_end(asked->frame, link.far, far);
     double dx = own[0] - far[0], dy = own[1] - far[1], distance = hypot(dx, dy);
@@ -134,7 +135,7 @@ static gboolean at_angle(Asked *asked, GError **error)
     if (start_is_rigid(tinker_scene_block_class(asked->scene, link.connector)))
         length = tinker_frame_meaning(asked->frame, link.connector, TINKER_MEANING_LENGTH, 0, NAN);
     if (!(drawn > 0))
-        return refuse(asked, "it lies on the point that it would swing about (move it away first)", error);
+        return refuse(asked, _("it lies on the point that it would swing about (move it away first)"), error);
     const double turn = asked->value - atan2(dx, -dy);
     const double end[2] = {pivot[0] + length * sin(asked->value), pivot[1] - length * cos(asked->value)};
     const double c = cos(turn), s = sin(turn);
@@ -153,7 +154,7 @@ static gboolean find_top(const Asked *asked, StartTop *top, GError **error)
 {
     *top = start_nearest_top(asked->frame, asked->option->block);
     return top->plate == asked->option->other ||
-           refuse(asked, "it is nearer to another plate by now (select it again)", error);
+           refuse(asked, _("it is nearer to another plate by now (select it again)"), error);
 }
 
 static gboolean on_top(Asked *asked, GError **error)
@@ -191,7 +192,7 @@ static gboolean thrown(Asked *asked, GError **error)
         set_velocity(asked, speed * cos(asked->value), speed * sin(asked->value));
         return TRUE;
     }
-    if (asked->value < 0) return refuse(asked, "a speed is not negative (turn its direction instead)", error);
+    if (asked->value < 0) return refuse(asked, _("a speed is not negative (turn its direction instead)"), error);
     if (speed > 0)
         set_velocity(asked, asked->value * (v[0] / speed), asked->value * (v[1] / speed));
     else
@@ -252,10 +253,10 @@ gboolean tinker_start_apply(TinkerHistory *history, TinkerScene *scene, const Ti
     g_autoptr(GArray) places = g_array_new(FALSE, FALSE, sizeof(StartPlace));
     Asked asked = {scene, NULL, option, option->asks ? value : 0, places};
     if (!tinker_scene_has_block(scene, option->block)) {
-        g_set_error(error, TINKER_SCENE_ERROR, TINKER_SCENE_ERROR_VALUE, "the block that was to start so is gone");
+        g_set_error(error, TINKER_SCENE_ERROR, TINKER_SCENE_ERROR_VALUE, _("the block that was to start so is gone"));
         return FALSE;
     }
-    if (!isfinite(asked.value)) return refuse(&asked, "a start condition needs a finite number", error);
+    if (!isfinite(asked.value)) return refuse(&asked, _("a start condition needs a finite number"), error);
     g_autofree char *title = g_strdup_printf("%s: %s", tinker_scene_block_name(scene, option->block), option->label);
     g_autoptr(TinkerFrame) frame = tinker_frame_new(scene, error);
     asked.frame = frame;

@@ -1,4 +1,5 @@
 /* What can be offered for a block, and in which words. */
+#include <glib/gi18n-lib.h>
 #include <math.h>
 
 #include "analysis/start-conditions.h"
@@ -40,7 +41,7 @@ static char *others_of(TinkerScene *scene, const gboolean *group, TinkerBlockId 
         if (others++ < 3)
             g_string_append_printf(names, "%s%s", names->len > 0 ? ", " : "", tinker_scene_block_name(scene, id));
     }
-    if (others > 3) g_string_append_printf(names, " and %d more", others - 3);
+    if (others > 3) g_string_append_printf(names, _(" and %d more"), others - 3);
     *bodies = others + 1;
     return g_string_free(names, others == 0);
 }
@@ -63,24 +64,30 @@ static void offer_equilibrium(GPtrArray *options, TinkerScene *scene, const Tink
     const char *name = tinker_scene_block_name(scene, body);
     g_autofree gboolean *group = start_group_new(scene, body, START_TIED_BY_ANYTHING, TINKER_NO_BLOCK, NULL);
     g_autofree char *others = others_of(scene, group, body, &bodies);
-    g_autofree char *with = others == NULL ? g_strdup("") : g_strdup_printf(", and with it %s", others);
     if (bodies <= MOST_LOOKED_FOR) {
         g_autoptr(StartRest) rest = start_rest_new(scene, body, NULL);
         if (rest == NULL) return;
         off = displacement(scene, frame, body, rest);
     }
-    offer(options, (TinkerStartOption){TINKER_START_AT_EQUILIBRIUM, body, TINKER_NO_BLOCK, .dimension = no_dimension},
-          g_strdup("Released from equilibrium"),
-          g_strdup_printf("Puts %s%s where all forces balance, without friction, with velocity 0", name, with));
-    if (anchored) return;
     offer(
-        options,
-        (TinkerStartOption){TINKER_START_FROM_EQUILIBRIUM, body, TINKER_NO_BLOCK, .asks = TRUE,
-                            .dimension = length_dimension, .value = off},
-        g_strdup("Displaced from equilibrium by"),
-        g_strdup_printf("Puts %s that far from where all forces balance (along its first connector: positive stretches "
-                        "it; else down)%s, and releases it from rest",
-                        name, others == NULL ? "" : with));
+        options, (TinkerStartOption){TINKER_START_AT_EQUILIBRIUM, body, TINKER_NO_BLOCK, .dimension = no_dimension},
+        g_strdup(_("Released from equilibrium")),
+        others == NULL
+            ? g_strdup_printf(_("Puts %s where all forces balance, without friction, with velocity 0"), name)
+            : g_strdup_printf(_("Puts %s, and with it %s where all forces balance, without friction, with velocity 0"),
+                              name, others));
+    if (anchored) return;
+    offer(options,
+          (TinkerStartOption){TINKER_START_FROM_EQUILIBRIUM, body, TINKER_NO_BLOCK, .asks = TRUE,
+                              .dimension = length_dimension, .value = off},
+          g_strdup(_("Displaced from equilibrium by")),
+          others == NULL
+              ? g_strdup_printf(_("Puts %s that far from where all forces balance (along its first connector: positive "
+                                  "stretches it; else down), and releases it from rest"),
+                                name)
+              : g_strdup_printf(_("Puts %s that far from where all forces balance (along its first connector: positive "
+                                  "stretches it; else down), and with it %s, and releases it from rest"),
+                                name, others));
 }
 
 /* Connectors ------------------------------------------------------------------------------------------------------- */
@@ -94,9 +101,10 @@ static void offer_stretched(GPtrArray *options, TinkerScene *scene, const Tinker
           (TinkerStartOption){TINKER_START_STRETCHED, body, link->connector, .asks = TRUE,
                               .dimension = length_dimension,
                               .value = start_distance(frame, link->own, link->far) - rest},
-          g_strdup_printf("%s stretched by", connector),
-          g_strdup_printf("Moves %s along %s until it is that much longer than its rest length; negative compresses it",
-                          tinker_scene_block_name(scene, body), connector));
+          g_strdup_printf(_("%s stretched by"), connector),
+          g_strdup_printf(
+              _("Moves %s along %s until it is that much longer than its rest length; negative compresses it"),
+              tinker_scene_block_name(scene, body), connector));
 }
 
 static void offer_angle(GPtrArray *options, TinkerScene *scene, const TinkerFrame *frame, TinkerBlockId body,
@@ -106,13 +114,13 @@ static void offer_angle(GPtrArray *options, TinkerScene *scene, const TinkerFram
     double own[2], far[2];
     tinker_frame_end(frame, link->own, own);
     tinker_frame_end(frame, link->far, far);
-    offer(
-        options,
-        (TinkerStartOption){TINKER_START_AT_ANGLE, body, link->connector, .asks = TRUE, .dimension = angle_dimension,
-                            .value = atan2(own[0] - far[0], far[1] - own[1])},
-        g_strdup_printf("%s from the vertical", connector),
-        g_strdup_printf("Swings %s about %s, with what hangs on it; 0 is straight down, positive is counter-clockwise",
-                        tinker_scene_block_name(scene, body), tinker_scene_block_name(scene, link->far.block)));
+    offer(options,
+          (TinkerStartOption){TINKER_START_AT_ANGLE, body, link->connector, .asks = TRUE, .dimension = angle_dimension,
+                              .value = atan2(own[0] - far[0], far[1] - own[1])},
+          g_strdup_printf(_("%s from the vertical"), connector),
+          g_strdup_printf(
+              _("Swings %s about %s, with what hangs on it; 0 is straight down, positive is counter-clockwise"),
+              tinker_scene_block_name(scene, body), tinker_scene_block_name(scene, link->far.block)));
 }
 
 static void offer_links(GPtrArray *options, TinkerScene *scene, const TinkerFrame *frame, TinkerBlockId body,
@@ -139,15 +147,16 @@ static void offer_plate(GPtrArray *options, TinkerScene *scene, const TinkerFram
     const char *name = tinker_scene_block_name(scene, body), *plate = tinker_scene_block_name(scene, top.plate);
     start_velocity_of(frame, body, velocity);
     offer(options, (TinkerStartOption){TINKER_START_ON_TOP, body, top.plate, .dimension = no_dimension},
-          g_strdup_printf("Placed on %s", plate),
-          g_strdup_printf("Moves %s straight to the top of %s, which it just touches, and turns it along the top", name,
-                          plate));
+          g_strdup_printf(_("Placed on %s"), plate),
+          g_strdup_printf(_("Moves %s straight to the top of %s, which it just touches, and turns it along the top"),
+                          name, plate));
     offer(options,
           (TinkerStartOption){TINKER_START_ALONG_TOP, body, top.plate, .asks = TRUE, .dimension = speed_dimension,
                               .value = velocity[0] * top.uphill[0] + velocity[1] * top.uphill[1]},
-          g_strdup(top.level ? "Speed along the top" : "Speed up the incline"),
-          g_strdup_printf("%s starts with that speed along the top of %s, positive %s", name, plate,
-                          top.level ? "to the right" : "uphill"));
+          g_strdup(top.level ? _("Speed along the top") : _("Speed up the incline")),
+          g_strdup_printf(top.level ? _("%s starts with that speed along the top of %s, positive to the right")
+                                    : _("%s starts with that speed along the top of %s, positive uphill"),
+                          name, plate));
 }
 
 static void offer_velocities(GPtrArray *options, TinkerScene *scene, const TinkerFrame *frame, TinkerBlockId body)
@@ -157,19 +166,20 @@ static void offer_velocities(GPtrArray *options, TinkerScene *scene, const Tinke
     start_velocity_of(frame, body, velocity);
     double speed = hypot(velocity[0], velocity[1]);
     offer(options, (TinkerStartOption){TINKER_START_AT_REST, body, TINKER_NO_BLOCK, .dimension = no_dimension},
-          g_strdup("At rest"), g_strdup_printf("%s starts with velocity 0", name));
+          g_strdup(_("At rest")), g_strdup_printf(_("%s starts with velocity 0"), name));
     offer(options,
           (TinkerStartOption){TINKER_START_SPEED, body, TINKER_NO_BLOCK, .asks = TRUE, .dimension = speed_dimension,
                               .value = speed},
-          g_strdup("Thrown at speed"),
-          g_strdup_printf("%s starts with that speed, in its present direction%s", name,
-                          speed > 0 ? "" : ", which is to the right"));
+          g_strdup(_("Thrown at speed")),
+          g_strdup_printf(speed > 0 ? _("%s starts with that speed, in its present direction")
+                                    : _("%s starts with that speed, in its present direction, which is to the right"),
+                          name));
     if (speed == 0) return;
     offer(options,
           (TinkerStartOption){TINKER_START_DIRECTION, body, TINKER_NO_BLOCK, .asks = TRUE, .dimension = angle_dimension,
                               .value = atan2(velocity[1], velocity[0])},
-          g_strdup("Direction"),
-          g_strdup_printf("%s starts with its present speed at that angle, counter-clockwise from the right", name));
+          g_strdup(_("Direction")),
+          g_strdup_printf(_("%s starts with its present speed at that angle, counter-clockwise from the right"), name));
 }
 
 /* A block ---------------------------------------------------------------------------------------------------------- */
@@ -195,16 +205,18 @@ static void offer_for_connector(GPtrArray *options, TinkerScene *scene, const Ti
     double distance = start_distance(frame, first, second);
     g_autofree char *drawn = start_quantity_text(scene, distance, length_dimension);
     offer(options, (TinkerStartOption){TINKER_START_LENGTH_AS_DRAWN, connector, connector, .dimension = no_dimension},
-          g_strdup(rests ? "Rest length as drawn" : "Length as drawn"),
-          g_strdup_printf("Gives %s the %s that it is drawn with, %s", tinker_scene_block_name(scene, connector),
-                          rests ? "rest length" : "length", drawn));
+          g_strdup(rests ? _("Rest length as drawn") : _("Length as drawn")),
+          g_strdup_printf(rests ? _("Gives %s the rest length that it is drawn with, %s")
+                                : _("Gives %s the length that it is drawn with, %s"),
+                          tinker_scene_block_name(scene, connector), drawn));
     if (!rests) return;
-    offer(options,
-          (TinkerStartOption){TINKER_START_LENGTH_STRETCHED, connector, connector, .asks = TRUE,
-                              .dimension = length_dimension,
-                              .value = distance - tinker_frame_meaning(frame, connector, TINKER_MEANING_LENGTH, 0, 0)},
-          g_strdup("Stretched by"),
-          g_strdup("Its rest length becomes that much less than the length it is drawn with; negative compresses it"));
+    offer(
+        options,
+        (TinkerStartOption){TINKER_START_LENGTH_STRETCHED, connector, connector, .asks = TRUE,
+                            .dimension = length_dimension,
+                            .value = distance - tinker_frame_meaning(frame, connector, TINKER_MEANING_LENGTH, 0, 0)},
+        g_strdup(_("Stretched by")),
+        g_strdup(_("Its rest length becomes that much less than the length it is drawn with; negative compresses it")));
 }
 
 GPtrArray *tinker_start_options_new(TinkerScene *scene, TinkerBlockId block)

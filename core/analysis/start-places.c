@@ -4,6 +4,7 @@
  * condition: a spring that is to be stretched would take the stretched length for its rest. Such a length is therefore
  * given explicitly where the step changes the distance of the ends; a rigid connector, which has no other length, refuses. */
 #include <float.h>
+#include <glib/gi18n-lib.h>
 #include <math.h>
 
 #include "analysis/start-private.h"
@@ -95,8 +96,8 @@ static gboolean refuse_span(TinkerScene *scene, const Span *span, double distanc
     g_autofree char *kept = start_quantity_text(scene, span->length, length);
     g_autofree char *asked = start_quantity_text(scene, distance, length);
     g_set_error(error, TINKER_SCENE_ERROR, TINKER_SCENE_ERROR_VALUE,
-                "%s: its length is %s, but its ends would be %s apart (ask for a place that it allows, or detach it "
-                "first)",
+                _("%s: its length is %s, but its ends would be %s apart (ask for a place that it allows, or detach it "
+                  "first)"),
                 tinker_scene_block_name(scene, span->connector), kept, asked);
     return FALSE;
 }
@@ -166,9 +167,10 @@ static gboolean check_plates(const TinkerFrame *after, const GArray *centres, GE
         if (gap_before(after, centres, overlap) < -TINKER_TOUCHING) continue;
         const char *plate = tinker_scene_block_name(scene, overlap->plate);
         g_autofree char *depth = start_quantity_text(scene, overlap->depth, (TinkerDimension)TINKER_DIMENSION_LENGTH);
-        g_set_error(error, TINKER_SCENE_ERROR, TINKER_SCENE_ERROR_VALUE,
-                    "%s would start %s below the top of %s (ask for a place in front of it, or move %s out of the way)",
-                    tinker_scene_block_name(scene, overlap->body), depth, plate, plate);
+        g_set_error(
+            error, TINKER_SCENE_ERROR, TINKER_SCENE_ERROR_VALUE,
+            _("%s would start %s below the top of %s (ask for a place in front of it, or move %s out of the way)"),
+            tinker_scene_block_name(scene, overlap->body), depth, plate, plate);
         return FALSE;
     }
     return TRUE;

@@ -2,6 +2,7 @@
  *
  * The search for equilibrium knows no contacts. Bodies that all lie on plates are brought to rest along their tops instead; a
  * part of which only some do is refused. */
+#include <glib/gi18n-lib.h>
 #include <math.h>
 
 #include "analysis/start-private.h"
@@ -39,7 +40,7 @@ static gboolean *blocks_of_part(TinkerScene *scene, TinkerBlockId body)
 
 static gboolean refuse(TinkerScene *scene, TinkerBlockId body, const char *why, GError **error)
 {
-    g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_RUN, "%s has no rest state: %s",
+    g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_RUN, _("%s has no rest state: %s"),
                 tinker_scene_block_name(scene, body), why);
     return FALSE;
 }
@@ -67,8 +68,8 @@ static gboolean settle(TinkerModel *model, const TinkerFrame *frame, TinkerBlock
     }
     if (touching < sizes.bodies || sizes.constraint_rows > 0 || touching > MOST_ON_TOPS)
         return refuse(scene, body,
-                      "where plates carry a part of what hangs together, or bodies with constraints, it is not "
-                      "looked for (place the bodies by hand)",
+                      _("where plates carry a part of what hangs together, or bodies with constraints, it is not "
+                        "looked for (place the bodies by hand)"),
                       error);
     const char *why;
     if (!start_settle_on_tops(model, tops, feet, q, &why, error)) return FALSE;
@@ -84,7 +85,7 @@ StartRest *start_rest_new(TinkerScene *scene, TinkerBlockId body, GError **error
     g_autofree double *q = g_new0(double, 2 * (gsize)MAX(bodies, 1));
     tinker_model_start_places(model, q);
     if (tinker_model_hold(model) != TINKER_OK) {
-        refuse(scene, body, "its supports have no place at the start", error);
+        refuse(scene, body, _("its supports have no place at the start"), error);
         return NULL;
     }
     g_autoptr(TinkerFrame) frame = tinker_frame_new(scene, error);

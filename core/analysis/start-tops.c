@@ -2,6 +2,7 @@
  *
  * The forces along the tops are brought to 0 by Newton's method, with their derivatives by differences of the forces; what
  * nothing determines (two bodies with a spring between them alone) stays as near as it can to where it was. */
+#include <glib/gi18n-lib.h>
 #include <math.h>
 #include <string.h>
 
@@ -120,10 +121,10 @@ gboolean start_settle_on_tops(TinkerModel *model, const StartTop *tops, const do
     Tops all = {model, tops, feet, from, n, q, normal, 0, 0};
     gboolean found;
     if (!search(&all, s, &found, error)) return FALSE;
-    *why = found ? NULL : "no places along the tops that it lies on balance its forces";
+    *why = found ? NULL : _("no places along the tops that it lies on balance its forces");
     for (int32_t i = 0; i < n && found; i++) {
-        if (fabs(feet[i] + s[i]) > tops[i].half_width) *why = "it would lie beyond the end of a top";
-        if (normal[i] > BALANCED * all.scale) *why = "it would be pulled off a top";
+        if (fabs(feet[i] + s[i]) > tops[i].half_width) *why = _("it would lie beyond the end of a top");
+        if (normal[i] > BALANCED * all.scale) *why = _("it would be pulled off a top");
     }
     return TRUE;
 }

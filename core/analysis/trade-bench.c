@@ -1,4 +1,5 @@
 /* The test bench: one scene compiled once, run again and again with other methods, sampled or timed. */
+#include <glib/gi18n-lib.h>
 #include <math.h>
 #include <string.h>
 #include <time.h>
@@ -70,7 +71,7 @@ gboolean tinker_trade_bench_init(TinkerTradeBench *bench, TinkerScene *scene, co
     choose_times(bench);
     if (bench->duration > 0 && isfinite(bench->duration)) return TRUE;
     g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_METHOD,
-                "the duration is %g (it must be greater than 0 s: a motion is needed to measure errors of)",
+                _("the duration is %g (it must be greater than 0 s: a motion is needed to measure errors of)"),
                 bench->duration);
     return FALSE;
 }

@@ -4,6 +4,7 @@
  * Where two runs that finer settings no longer change part from one another, rounding has grown to what is seen: the
  * motion is not predictable beyond. Where a run could not be made finer in the time it had, they agree to less, but for
  * as long as the run lasts. */
+#include <glib/gi18n-lib.h>
 #include <math.h>
 
 #include "analysis/trade-private.h"
@@ -167,7 +168,7 @@ static gboolean no_reference(TinkerTradeBench *bench, const Candidate *candidate
 {
     if (bench->cancelled) {
         g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_STOPPED,
-                    "stopped before two methods had confirmed a reference: nothing was measured");
+                    _("stopped before two methods had confirmed a reference: nothing was measured"));
         return FALSE;
     }
     g_autoptr(GString) names = g_string_new(NULL);
@@ -175,9 +176,9 @@ static gboolean no_reference(TinkerTradeBench *bench, const Candidate *candidate
         g_string_append_printf(names, "%s%s", i > 0 ? ", " : "", candidates[i].setting.method);
     g_set_error(
         error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_RUN,
-        "no two methods agree on this motion to %g of its extent, so there is nothing to measure errors against "
-        "(%s; shorten the duration, or give more time)",
-        WORST_LEVEL, count > 0 ? names->str : "none of them runs it to its end");
+        _("no two methods agree on this motion to %g of its extent, so there is nothing to measure errors against "
+          "(%s; shorten the duration, or give more time)"),
+        WORST_LEVEL, count > 0 ? names->str : _("none of them runs it to its end"));
     return FALSE;
 }
 

@@ -1,5 +1,6 @@
 /* The sweep of one method, from coarse to fine: steps halve, tolerances fall by tens, until the error stops falling, is
  * below what the reference is confirmed to, or the next run would take longer than there is time. */
+#include <glib/gi18n-lib.h>
 #include <math.h>
 
 #include "analysis/trade-private.h"
@@ -47,7 +48,7 @@ TinkerTradeEnd tinker_trade_measure(TinkerTradeBench *bench, const TinkerTradeSt
         return TINKER_TRADE_DONE;
     }
     if (g_error_matches(failure, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_STOPPED)) {
-        row->note = g_strdup_printf("%s: it takes more than the %.2g s that it was given", failure->message, most);
+        row->note = g_strdup_printf(_("%s: it takes more than the %.2g s that it was given"), failure->message, most);
         return TINKER_TRADE_STOPPED;
     }
     row->note = g_strdup(failure->message);

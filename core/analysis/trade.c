@@ -1,6 +1,7 @@
 /* The outline of a trade: the methods, the reference, a sweep of each method, the advice. */
 #include "analysis/trade.h"
 
+#include <glib/gi18n-lib.h>
 #include <math.h>
 
 #include "analysis/trade-private.h"
@@ -50,10 +51,13 @@ static gboolean unknown_method(const GPtrArray *all, const char *id, GError **er
         g_ptr_array_add(names, (gpointer)((const TinkerIntegrator *)g_ptr_array_index(all, i))->id);
     g_ptr_array_add(names, NULL);
     const char *nearest = tinker_nearest_word(id, (const char *const *)names->pdata);
-    g_autofree char *hint = nearest != NULL ? g_strdup_printf("; did you mean \"%s\"?", nearest) : g_strdup("");
     g_autofree char *list = g_strjoinv(", ", (char **)names->pdata);
-    g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_METHOD, "there is no method \"%s\"%s (there are %s)", id,
-                hint, list);
+    if (nearest != NULL)
+        g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_METHOD,
+                    _("there is no method \"%s\"; did you mean \"%s\"? (there are %s)"), id, nearest, list);
+    else
+        g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_METHOD, _("there is no method \"%s\" (there are %s)"),
+                    id, list);
     return FALSE;
 }
 

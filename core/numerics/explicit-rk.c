@@ -9,6 +9,7 @@
 #include "numerics/explicit-rk.h"
 
 #include <glib.h>
+#include <glib/gi18n-lib.h>
 
 #include "numerics/integrator-private.h"
 
@@ -334,7 +335,7 @@ TinkerStatus tinker_explicit_rk_step(void *data, TinkerState *state, double limi
     report->t_from = state->t;
     report->failure = NULL;
     if (!(limit > state->t) || !isfinite(limit))
-        return fail(stepper, report, "an adaptive step needs a finite limit after the present time");
+        return fail(stepper, report, N_("an adaptive step needs a finite limit after the present time"));
     if (begin(stepper, state, limit) != TINKER_OK) return fail_system(stepper, report);
 
     TinkerStatus status = TINKER_OK;

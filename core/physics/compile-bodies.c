@@ -1,4 +1,5 @@
 /* Compiling, first part: bodies that can move become coordinates, supports and the places on them become points. */
+#include <glib/gi18n-lib.h>
 #include <math.h>
 
 #include "physics/model-private.h"
@@ -14,16 +15,16 @@ static gboolean check_class(const TinkerBlockBatch *batch, GError **error)
     const char *lacks = NULL;
     if (body_of(batch) == NULL) return TRUE;
     if (tinker_block_class_meaning_column(block_class, TINKER_MEANING_POSITION) < 0)
-        lacks = "a property that means its position";
+        lacks = _("a property that means its position");
     else if (body_of(batch)->degrees_of_freedom == 2 &&
              tinker_block_class_meaning_column(block_class, TINKER_MEANING_MASS) < 0)
-        lacks = "a property that means its mass";
+        lacks = _("a property that means its mass");
     else if (body_of(batch)->degrees_of_freedom != 0 && body_of(batch)->degrees_of_freedom != 2)
-        lacks = "a number of degrees of freedom that this version can move (0 or 2)";
+        lacks = _("a number of degrees of freedom that this version can move (0 or 2)");
     if (lacks == NULL) return TRUE;
     g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_PLUGIN,
-                "the block type \"%s\" cannot be run: its plugin %s lacks %s", block_class->type->id, block_class->path,
-                lacks);
+                _("the block type \"%s\" cannot be run: its plugin %s lacks %s"), block_class->type->id,
+                block_class->path, lacks);
     return FALSE;
 }
 
@@ -113,7 +114,7 @@ static gboolean check_masses(const TinkerModel *model, GError **error)
     for (int32_t i = 0; i < model->bodies; i++) {
         if (isfinite(model->mass[i]) && isfinite(model->inverse_mass[i])) continue;
         g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_SCENE,
-                    "%s: its mass is %g kg, whose reciprocal no number can hold (give it at least 1e-300 kg)",
+                    _("%s: its mass is %g kg, whose reciprocal no number can hold (give it at least 1e-300 kg)"),
                     tinker_scene_block_name(model->scene, model->body_blocks[i]), model->mass[i]);
         return FALSE;
     }
@@ -159,7 +160,7 @@ static Location *locate_supports(TinkerModel *model)
 static gboolean refuse_end(TinkerModel *model, const TinkerBlockBatch *batch, int32_t row, int32_t end, GError **error)
 {
     g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_SCENE,
-                "%s: end %d is not connected (attach it to a mass or a support; nothing runs while an end is loose)",
+                _("%s: end %d is not connected (attach it to a mass or a support; nothing runs while an end is loose)"),
                 tinker_scene_block_name(model->scene, batch->ids[row]), end + 1);
     return FALSE;
 }

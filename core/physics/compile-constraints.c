@@ -1,4 +1,5 @@
 /* Compiling, third part: constraint rows, and the pattern of S = J M^-1 J^T. */
+#include <glib/gi18n-lib.h>
 #include <math.h>
 #include <string.h>
 
@@ -127,7 +128,7 @@ static gboolean refuse_entangled(const TinkerModel *model, GError **error)
 {
     g_set_error(
         error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_SCENE,
-        "the %d constraints are so entangled that their equations do not fit into memory (use springs for some)",
+        _("the %d constraints are so entangled that their equations do not fit into memory (use springs for some)"),
         model->constraints.rows);
     return FALSE;
 }

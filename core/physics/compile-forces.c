@@ -1,5 +1,6 @@
 /* Compiling, second part: forces. Laws that are linear with constants are merged and added up once; only what is left is
  * asked for at every evaluation. */
+#include <glib/gi18n-lib.h>
 #include <math.h>
 #include <string.h>
 
@@ -17,7 +18,7 @@ static gboolean refuse(TinkerModel *model, const TinkerBlockBatch *batch, const 
     int32_t row = CLAMP(view->failed_instance, 0, batch->count - 1);
     g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_SCENE, "%s: %s",
                 tinker_scene_block_name(model->scene, batch->ids[row]),
-                view->failure != NULL ? view->failure : "its plugin refuses these properties");
+                view->failure != NULL ? view->failure : _("its plugin refuses these properties"));
     return FALSE;
 }
 
@@ -42,8 +43,8 @@ static void warn_without_direction(TinkerModel *model, const TinkerBlockBatch *b
     if (tension == 0 || place_a[0] != place_b[0] || place_a[1] != place_b[1]) return;
     g_ptr_array_add(
         model->warnings,
-        g_strdup_printf("%s: its ends are at one place, so its force of %.3g N has no direction: it acts on "
-                        "nothing until they part (place them apart, or make its rest length 0)",
+        g_strdup_printf(_("%s: its ends are at one place, so its force of %.3g N has no direction: it acts on "
+                          "nothing until they part (place them apart, or make its rest length 0)"),
                         tinker_scene_block_name(model->scene, batch->ids[row]), fabs(tension)));
 }
 

@@ -1,4 +1,5 @@
 /* Impacts at an event. */
+#include <glib/gi18n-lib.h>
 #include <math.h>
 
 #include "physics/contact-change-private.h"
@@ -114,8 +115,8 @@ static gboolean refuse_squeezed(TinkerContactChange *change, GError **error)
 {
     TinkerScene *scene = change->model->scene;
     g_autofree char *why = g_strdup_printf(
-        "%s is squeezed: it is held from both sides by what closes on it, and no motion leaves it room (give the "
-        "supports motions that do)",
+        _("%s is squeezed: it is held from both sides by what closes on it, and no motion leaves it room (give the "
+          "supports motions that do)"),
         tinker_scene_block_name(scene, change->model->body_blocks[tinker_touch(change, 0)->contact.body]));
     return tinker_change_refuse(change, why, error);
 }
@@ -137,7 +138,7 @@ gboolean tinker_change_strike(TinkerContactChange *change, GError **error)
     }
     TinkerImpact impact = {(int32_t)laws.count, laws.delassus, laws.pairs, laws.first, laws.second, NULL};
     if (tinker_impact_solve(&impact, laws.answers) != TINKER_CONTACT_SOLVED)
-        return tinker_change_refuse(change, "no impulses satisfy the laws of impact for all bodies that touch there",
+        return tinker_change_refuse(change, _("no impulses satisfy the laws of impact for all bodies that touch there"),
                                     error);
     for (guint i = 0; i < laws.count; i++) {
         TinkerTouch *at = tinker_touch(change, i);

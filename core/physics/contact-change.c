@@ -4,6 +4,7 @@
  * 2. Where one of them approaches, an impact changes velocities (numerics/contact-laws.h).
  * 3. Of those that do not part by then, the laws at the level of accelerations tell the modes from here on.
  * 4. Where no acceleration satisfies them (Painleve), an impulse ends the sliding that jams, and 3. is asked again. */
+#include <glib/gi18n-lib.h>
 #include <math.h>
 #include <string.h>
 
@@ -124,7 +125,7 @@ static gboolean decide(TinkerContactChange *change, GError **error)
         if (!tinker_change_push_all(change, laws.answers))
             return tinker_change_refuse(change, change->model->failure, error);
     }
-    return tinker_change_refuse(change, "no motion satisfies the laws of friction for all bodies that touch there",
+    return tinker_change_refuse(change, _("no motion satisfies the laws of friction for all bodies that touch there"),
                                 error);
 }
 

@@ -1,5 +1,6 @@
 /* Contact in the run of an island: begins and ends steps, and passes events. */
 #include <float.h>
+#include <glib/gi18n-lib.h>
 #include <math.h>
 #include <string.h>
 
@@ -172,8 +173,8 @@ gboolean tinker_contact_run_pass(TinkerContactRun *self, GError **error)
     self->quiet = 0;
     if (is_crowded(self))
         return tinker_island_run_fail_step(run,
-                                           "contacts open and close without end there (a little friction, or a "
-                                           "restitution below 1, ends such a sequence)",
+                                           _("contacts open and close without end there (a little friction, or a "
+                                             "restitution below 1, ends such a sequence)"),
                                            error);
     if (!enter_plane(self, error)) return FALSE;
     if (!tinker_contact_run_change(self, &self->pending_trigger, tinker_contact_run_closed_gap(self), 0, error))

@@ -2,6 +2,7 @@
 #include "physics/estimate.h"
 
 #include <float.h>
+#include <glib/gi18n-lib.h>
 #include <math.h>
 
 #include "physics/impulse.h"
@@ -228,8 +229,8 @@ static gboolean give_up(TinkerEstimate *estimate, double t, GError *failed, GErr
         return FALSE;
     }
     g_ptr_array_add(estimate->simulation->summary.warnings,
-                    g_strdup_printf("there is no error estimate beyond t = %.6g s: the companion run stopped (%s)", t,
-                                    failed->message));
+                    g_strdup_printf(_("there is no error estimate beyond t = %.6g s: the companion run stopped (%s)"),
+                                    t, failed->message));
     g_error_free(failed);
     g_clear_pointer(&estimate->companion, tinker_simulation_free);
     estimate->failed = TRUE;
@@ -241,9 +242,9 @@ void tinker_estimate_close(TinkerEstimate *estimate)
     if (isinf(estimate->predictable_until)) return;
     g_ptr_array_add(
         estimate->simulation->summary.warnings,
-        g_strdup_printf("not predictable beyond t = %.6g s: there the estimated error passes a tenth of the "
-                        "motion's own size (a smaller step or tolerance moves that time out, in "
-                        "chaotic motion only a little)",
+        g_strdup_printf(_("not predictable beyond t = %.6g s: there the estimated error passes a tenth of the "
+                          "motion's own size (a smaller step or tolerance moves that time out, in "
+                          "chaotic motion only a little)"),
                         estimate->predictable_until));
 }
 

@@ -3,44 +3,44 @@
  *
  * The power of force elements and fields that store energy is booked whole; what they stored is taken off again where the
  * books are read (energy.c), so that no gradient is needed here. */
+#include <glib/gi18n-lib.h>
 #include <math.h>
 #include <string.h>
 
 #include "physics/line-parts.h"
 
-/* "Spring 0: its tension at t = 1 s ..." */
-static void note_failure(TinkerModel *model, const TinkerBlockBatch *batch, int32_t row, const char *what,
-                         const char *happened, const char *why)
-{
-    TinkerBlockId block = batch->ids[CLAMP(row, 0, batch->count - 1)];
-    g_snprintf(model->failure, sizeof(model->failure), "%s: its %s at t = %g s %s%s",
-               tinker_scene_block_name(model->scene, block), what, model->time, happened, why);
-}
+/* For the translators: what is worked out, as "Spring 0: its tension at t = 1 s is not a number". Quantities of blocks go by
+ * their ids. */
+G_GNUC_UNUSED static const char *const worked_out[] = {
+    N_("tension"), N_("stiffness or damping"), N_("force"), N_("constraint"), N_("energy"),
+};
 
-/* Who has to mend it. */
-static void name_plugin(const TinkerBlockBatch *batch, char *text, gsize size)
+static const char *name_of_row(const TinkerModel *model, const TinkerBlockBatch *batch, int32_t row)
 {
-    const TinkerBlockClass *at_fault = batch->block_class;
-    g_snprintf(text, size, " (block type %s of the plugin %s)", at_fault->type->id, at_fault->plugin->id);
+    return tinker_scene_block_name(model->scene, batch->ids[CLAMP(row, 0, batch->count - 1)]);
 }
 
 TinkerStatus tinker_model_fail(TinkerModel *model, const TinkerBlockBatch *batch, int32_t row, const char *what,
                                const char *why)
 {
-    char plugin[256];
-    name_plugin(batch, plugin, sizeof plugin);
+    const TinkerBlockClass *at_fault = batch->block_class;
+    const char *name = name_of_row(model, batch, row);
     if (why != NULL)
-        note_failure(model, batch, row, what, "cannot be worked out: ", why);
+        g_snprintf(model->failure, sizeof(model->failure), _("%s: its %s at t = %g s cannot be worked out: %s"), name,
+                   _(what), model->time, why);
     else
-        note_failure(model, batch, row, what, "failed, and its plugin does not say why", plugin);
+        g_snprintf(model->failure, sizeof(model->failure),
+                   _("%s: its %s at t = %g s failed, and its plugin does not say why (block type %s of the plugin %s)"),
+                   name, _(what), model->time, at_fault->type->id, at_fault->plugin->id);
     return TINKER_FAILED;
 }
 
 TinkerStatus tinker_model_not_finite(TinkerModel *model, const TinkerBlockBatch *batch, int32_t row, const char *what)
 {
-    char plugin[256];
-    name_plugin(batch, plugin, sizeof plugin);
-    note_failure(model, batch, row, what, "is not a number", plugin);
+    const TinkerBlockClass *at_fault = batch->block_class;
+    g_snprintf(model->failure, sizeof(model->failure),
+               _("%s: its %s at t = %g s is not a number (block type %s of the plugin %s)"),
+               name_of_row(model, batch, row), _(what), model->time, at_fault->type->id, at_fault->plugin->id);
     return TINKER_RETRY_SMALLER;
 }
 
@@ -73,7 +73,7 @@ TinkerStatus tinker_model_change_time(TinkerModel *model, double t)
     if (model->moving_supports == 0) return TINKER_OK;
     if (!tinker_motions_evaluate(model->motions, t)) {
         model->time = NAN; /* some supports are there, others not */
-        g_snprintf(model->failure, sizeof(model->failure), "%s: its motion at t = %g s is not a number",
+        g_snprintf(model->failure, sizeof(model->failure), _("%s: its motion at t = %g s is not a number"),
                    tinker_scene_block_name(model->scene, tinker_motions_failure(model->motions)), t);
         return TINKER_RETRY_SMALLER;
     }

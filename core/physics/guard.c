@@ -2,6 +2,7 @@
  * of the power in the shape with the largest damping over mass. */
 #include "physics/guard.h"
 
+#include <glib/gi18n-lib.h>
 #include <math.h>
 
 #include "physics/derivatives-private.h"
@@ -98,12 +99,14 @@ static void append_blame(GString *text, TinkerModel *model, const TinkerSpectrum
 {
     gboolean damping = is_damping_to_blame(spectrum, method);
     TinkerBlockId block = blame_for(model, damping, damping ? spectrum->most_damped : spectrum->fastest);
-    if (block != TINKER_NO_BLOCK)
-        g_string_append_printf(text, "the %s of %s makes the fastest motion, %.3g %s",
-                               damping ? "damping" : "stiffness", tinker_scene_block_name(model->scene, block),
-                               damping ? spectrum->damping_max : spectrum->omega_max, damping ? "1/s" : "rad/s");
+    if (block == TINKER_NO_BLOCK)
+        g_string_append(text, _("no single connector is to blame"));
     else
-        g_string_append(text, "no single connector is to blame");
+        g_string_append_printf(text,
+                               damping ? _("the damping of %s makes the fastest motion, %.3g 1/s")
+                                       : _("the stiffness of %s makes the fastest motion, %.3g rad/s"),
+                               tinker_scene_block_name(model->scene, block),
+                               damping ? spectrum->damping_max : spectrum->omega_max);
 }
 
 /* A step that is stable, or that is finer than a stable one which was not good enough; and what `auto` takes here at the scene's
@@ -120,17 +123,19 @@ static void append_advice(GString *text, const TinkerIsland *island, const Tinke
     gboolean impulses = method == &tinker_integrator_impulse;
     gboolean chosen = !impulses && tinker_plan_choose(island, &options, &choice, NULL, NULL) && choice.method != method;
     if (method->flags & TINKER_INTEGRATOR_ADAPTIVE)
-        g_string_append(text, "; use a smaller tolerance");
+        g_string_append(text, _("; use a smaller tolerance"));
     else if (isfinite(stable) && stable > 0)
-        g_string_append_printf(text, "; use a step of %g s",
+        g_string_append_printf(text, _("; use a step of %g s"),
                                fmin(tinker_advised_step(&forecast, stable), tinker_round_down(0.25 * step)));
     else
-        g_string_append(text, "; use a smaller step");
-    if (impulses) g_string_append(text, ", or contact by events");
+        g_string_append(text, _("; use a smaller step"));
+    if (impulses) g_string_append(text, _(", or contact by events"));
     if (!chosen) return;
-    g_string_append_printf(text, ", or the method %s", choice.method->id);
-    if (choice.step > 0) g_string_append_printf(text, " with a step of %g s", choice.step);
-    g_string_append(text, ", which is cheap here");
+    if (choice.step > 0)
+        g_string_append_printf(text, _(", or the method %s with a step of %g s, which is cheap here"),
+                               choice.method->id, choice.step);
+    else
+        g_string_append_printf(text, _(", or the method %s, which is cheap here"), choice.method->id);
 }
 
 char *tinker_guard_explain(TinkerModel *model, const TinkerIntegrator *method, double step)
@@ -143,8 +148,11 @@ char *tinker_guard_explain(TinkerModel *model, const TinkerIntegrator *method, d
     if (tinker_is_fixed_explicit(method))
         stable = tinker_spectrum_stable_step(spectrum->eigenvalues, spectrum->oscillators, method, 0.8);
     if (isfinite(stable) && stable > 0) {
-        g_string_append_printf(text, "; %s is stable up to a step of about %.3g s here", method->id, stable);
-        if (step > stable) g_string_append_printf(text, ", the step was %.3g s", step);
+        if (step > stable)
+            g_string_append_printf(text, _("; %s is stable up to a step of about %.3g s here, the step was %.3g s"),
+                                   method->id, stable, step);
+        else
+            g_string_append_printf(text, _("; %s is stable up to a step of about %.3g s here"), method->id, stable);
     }
     append_advice(text, &island, method, step, stable);
     tinker_linear_form_free(island.linear);

@@ -1,4 +1,5 @@
 /* The laws of several contacts at once: to rounding where they are few, by projected Gauss-Seidel where they are many. */
+#include <glib/gi18n-lib.h>
 #include <math.h>
 #include <string.h>
 
@@ -89,7 +90,7 @@ gboolean tinker_impulse_solve_laws(const TinkerImpulses *self, TinkerImpulseTouc
         if (count > TINKER_MOST_TOUCHES ? !solve_by_sweeps(&impact, impulses)
                                         : tinker_impact_solve(&impact, impulses) != TINKER_CONTACT_SOLVED) {
             g_snprintf(self->model->failure, sizeof(self->model->failure),
-                       "no impulses satisfy the laws of impact for all bodies that touch there");
+                       _("no impulses satisfy the laws of impact for all bodies that touch there"));
             return FALSE;
         }
         if (!let_slip(self, touches, count, impulses, friction)) break;

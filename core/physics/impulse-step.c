@@ -1,5 +1,6 @@
 /* The step: velocities of all bodies by what is applied to them, then each body's way, or those of bodies on constraints
  * together. */
+#include <glib/gi18n-lib.h>
 #include <math.h>
 #include <string.h>
 
@@ -171,7 +172,7 @@ static TinkerStatus step(void *data, TinkerState *state, double limit, TinkerSte
         return TINKER_OK;
     }
     go_back(self, state);
-    report->failure = "the system could not be evaluated within the step (a smaller step may succeed)";
+    report->failure = N_("the system could not be evaluated within the step (a smaller step may succeed)");
     return TINKER_FAILED;
 }
 

@@ -2,6 +2,7 @@
 #include "physics/contact-run.h"
 
 #include <float.h>
+#include <glib/gi18n-lib.h>
 #include <string.h>
 
 #include "numerics/integrators.h"
@@ -64,14 +65,15 @@ static gboolean open_stepper(TinkerIslandRun *run, GError **error)
     if (method->flags & TINKER_INTEGRATOR_LINEAR)
         g_set_error(
             error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_METHOD,
-            "the method %s does not suit the part of the scene around %s, which is not linear or too large for it "
-            "(the method auto takes one that suits)",
+            _("the method %s does not suit the part of the scene around %s, which is not linear or too large for it "
+              "(the method auto takes one that suits)"),
             method->id, tinker_scene_block_name(run->model->scene, run->model->body_blocks[0]));
     else
-        g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_METHOD,
-                    "the method %s cannot be set up for %d coordinates (%s)", method->id, run->system.system.size,
-                    "there is not enough memory, or it refuses these options: spectral_radius is below 1 with "
-                    "constraints");
+        g_set_error(
+            error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_METHOD,
+            _("the method %s cannot be set up for %d coordinates (there is not enough memory, or it refuses these "
+              "options: spectral_radius is below 1 with constraints)"),
+            method->id, run->system.system.size);
     return FALSE;
 }
 
@@ -225,17 +227,21 @@ gboolean tinker_island_run_step(TinkerIslandRun *run, double target, double end,
     TinkerStatus status = step_once(run, step_limit(run, target, end), &report);
     if (status == TINKER_OK && !(state->t > from)) {
         status = TINKER_FAILED;
-        report.failure = "the method answers that it made a step, but the time stands still (its plugin is at fault)";
+        report.failure =
+            N_("the method answers that it made a step, but the time stands still (its plugin is at fault)");
     }
     if (status != TINKER_OK) {
-        const char *why = run->model->failure[0] != '\0' ? run->model->failure : report.failure;
+        /* methods are built in or plugins, and do not translate */
+        const char *failure = report.failure != NULL && report.failure[0] != '\0' ? _(report.failure) : NULL;
+        const char *why = run->model->failure[0] != '\0' ? run->model->failure : failure;
         return tinker_island_run_fail_step(run, why, error);
     }
     if (is_hopeless(run, state->t - from, end - state->t))
-        return tinker_island_run_fail_step(run,
-                                           "the motion asks for steps so small that the run would take more than 1e12 "
-                                           "of them (some speed, force or frequency is out of all proportion)",
-                                           error);
+        return tinker_island_run_fail_step(
+            run,
+            _("the motion asks for steps so small that the run would take more than 1e12 "
+              "of them (some speed, force or frequency is out of all proportion)"),
+            error);
     return tinker_island_run_watch(run, &report, state->t >= end, error);
 }
 

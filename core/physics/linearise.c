@@ -2,6 +2,7 @@
 #include "physics/linearise.h"
 
 #include <float.h>
+#include <glib/gi18n-lib.h>
 #include <string.h>
 
 #include "physics/derivatives-private.h"
@@ -183,7 +184,7 @@ TinkerLinearisation *tinker_linearise(TinkerModel *model, const double *q, GErro
                                                &g_array_index(model->constraints.batches, TinkerConstraintBatch, i));
     if (status == TINKER_OK) return g_steal_pointer(&linear);
     g_set_error_literal(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_RUN,
-                        model->failure[0] != '\0' ? model->failure : "the forces cannot be made linear there");
+                        model->failure[0] != '\0' ? model->failure : _("the forces cannot be made linear there"));
     return NULL;
 }
 

@@ -2,6 +2,7 @@
 #include "physics/contacts.h"
 #include "physics/line-parts.h"
 
+#include <glib/gi18n-lib.h>
 #include <math.h>
 
 G_DEFINE_QUARK(tinker_model_error_quark, tinker_model_error)
@@ -14,7 +15,7 @@ static gboolean refuse_placeholder(TinkerScene *scene, GError **error)
     tinker_catalogue_type(tinker_scene_catalogue(scene), tinker_scene_block_type(scene, block), &missing);
     g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_PLUGIN, "%s: %s", tinker_scene_block_name(scene, block),
                 missing != NULL ? missing->message
-                                : "its plugin was installed since the scene was read (open it again)");
+                                : _("its plugin was installed since the scene was read (open it again)"));
     return TRUE;
 }
 
@@ -27,7 +28,7 @@ static gboolean check_placed(TinkerModel *model, const TinkerBlockBatch *batch, 
                       ((property->flags & TINKER_OPEN_MINIMUM) && value == property->hard_minimum));
     if (!below && isfinite(value)) return TRUE;
     g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_SCENE,
-                "%s: its ends are %g m apart at t = 0, which its %s cannot be (place them apart, or give the %s)",
+                _("%s: its ends are %g m apart at t = 0, which its %s cannot be (place them apart, or give the %s)"),
                 tinker_scene_block_name(model->scene, batch->ids[row]), value, property->id, property->id);
     return FALSE;
 }
@@ -71,7 +72,7 @@ static gboolean compile(TinkerModel *model, GError **error)
     TinkerBlockId loose = tinker_scene_first_detached(model->scene);
     if (loose != TINKER_NO_BLOCK) {
         g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_SCENE,
-                    "%s: an end is not connected (attach it to a block; nothing runs while an end is loose)",
+                    _("%s: an end is not connected (attach it to a block; nothing runs while an end is loose)"),
                     tinker_scene_block_name(model->scene, loose));
         return FALSE;
     }

@@ -1,4 +1,5 @@
 /* From break to break: waveforms are smooth inside a piece, and what jumps between two pieces is looked after here. */
+#include <glib/gi18n-lib.h>
 #include <math.h>
 #include <string.h>
 
@@ -27,8 +28,8 @@ static gboolean refuse_jump(TinkerIslandRun *run, int32_t support, TinkerBlockId
     TinkerBlockId block = g_array_index(model->support_points, TinkerSupportPoint, support).support;
     g_set_error(
         error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_SCENE,
-        "%s: its motion jumps at t = %.10g s, which %s cannot follow (give it a motion without a jump in place or "
-        "speed, or use a spring)",
+        _("%s: its motion jumps at t = %.10g s, which %s cannot follow (give it a motion without a jump in place or "
+          "speed, or use a spring)"),
         tinker_scene_block_name(model->scene, block), run->state.t, tinker_scene_block_name(model->scene, felt_by));
     return FALSE;
 }
@@ -72,8 +73,8 @@ static gboolean check_prescribed(TinkerIslandRun *run, const double *g, const do
         if (fabs(g_now[row] - g[row]) <= scale && fabs(rate_now[row] - rate[row]) <= scale) continue;
         g_set_error(
             error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_SCENE,
-            "%s: what it prescribes jumps at t = %.10g s, which no motion can follow (give it a waveform without a "
-            "jump in value or slope)",
+            _("%s: what it prescribes jumps at t = %.10g s, which no motion can follow (give it a waveform without a "
+              "jump in value or slope)"),
             tinker_scene_block_name(model->scene, all->blocks[row]), run->state.t);
         return FALSE;
     }

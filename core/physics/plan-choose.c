@@ -1,5 +1,6 @@
 /* The choice of a method: the one that is named, with warnings where its step does not suit; or the cheapest by counts that
  * meets the tolerance. */
+#include <glib/gi18n-lib.h>
 #include <math.h>
 
 #include "numerics/integrators.h"
@@ -31,7 +32,7 @@ static const char *place_of(const TinkerIsland *island, char **text)
 {
     const TinkerModel *model = island->model;
     if (!island->owns_model || model->bodies == 0) return *text = g_strdup("");
-    return *text = g_strdup_printf(" around %s", tinker_scene_block_name(model->scene, model->body_blocks[0]));
+    return *text = g_strdup_printf(_(" around %s"), tinker_scene_block_name(model->scene, model->body_blocks[0]));
 }
 
 static gboolean is_fixed(const TinkerIntegrator *method)
@@ -76,22 +77,25 @@ static void explain_automatic(TinkerDecision *decision, const TinkerRunOptions *
     GString *text = decision->reason;
     if (text == NULL) return;
     if (method->flags & TINKER_INTEGRATOR_LINEAR)
-        g_string_append(text, "the motion is linear, and its exact solution costs less than any method that steps");
+        g_string_append(text, _("the motion is linear, and its exact solution costs less than any method that steps"));
     else if (method->flags & TINKER_INTEGRATOR_IMPLICIT)
         g_string_append_printf(text,
-                               "stiff: %.3g %s would force an explicit method to far smaller steps than what moves "
-                               "needs; %s is stable at any step, and %.3g s meets the tolerance in place",
+                               _("stiff: %.3g %s would force an explicit method to far smaller steps than what moves "
+                                 "needs; %s is stable at any step, and %.3g s meets the tolerance in place"),
                                fmax(forecast->omega_max, forecast->damping_max),
                                forecast->damping_max > forecast->omega_max ? "1/s" : "rad/s", method->id,
                                decision->choice.step);
     else if (decision->choice.tolerance < options->tolerance)
         g_string_append_printf(text,
-                               "order %d needs the fewest evaluations; its steps are those that stability allows, at "
-                               "which a tolerance of %.2g costs no more than %g",
+                               _("order %d needs the fewest evaluations; its steps are those that stability allows, at "
+                                 "which a tolerance of %.2g costs no more than %g"),
                                method->order, decision->choice.tolerance, options->tolerance);
     else
-        g_string_append_printf(text, "%s: order %d needs the fewest evaluations at this tolerance",
-                               stiff ? "stiff, but the tolerance asks for small steps anyway" : "smooth and not stiff",
+        g_string_append_printf(text,
+                               stiff
+                                   ? _("stiff, but the tolerance asks for small steps anyway: order %d needs the "
+                                       "fewest evaluations at this tolerance")
+                                   : _("smooth and not stiff: order %d needs the fewest evaluations at this tolerance"),
                                method->order);
 }
 
@@ -127,7 +131,7 @@ static char *cheap_method(const TinkerIsland *island, const TinkerRunOptions *op
 {
     TinkerDecision other = {0};
     decide_automatically(island, options, forecast, &other);
-    return g_strdup_printf("the method %s", other.choice.method->id);
+    return g_strdup_printf(_("the method %s"), other.choice.method->id);
 }
 
 double tinker_advised_step(const TinkerForecast *forecast, double stable)
@@ -143,17 +147,17 @@ static void warn_unstable(const TinkerIsland *island, const TinkerRunOptions *op
                           const TinkerIntegrator *method, double stable, GPtrArray *warnings)
 {
     g_autofree char *around = NULL, *other = method == &tinker_integrator_impulse
-                                                 ? g_strdup("contacts as events")
+                                                 ? g_strdup(_("contacts as events"))
                                                  : cheap_method(island, options, forecast);
     place_of(island, &around);
     if (stable > 0)
         g_ptr_array_add(warnings,
-                        g_strdup_printf("%s is stable up to a step of %.3g s here%s, the step is %g s: it will "
-                                        "diverge (a step of %g s, or %s)",
+                        g_strdup_printf(_("%s is stable up to a step of %.3g s here%s, the step is %g s: it will "
+                                          "diverge (a step of %g s, or %s)"),
                                         method->id, stable, around, options->step,
                                         tinker_advised_step(forecast, stable), other));
     else
-        g_ptr_array_add(warnings, g_strdup_printf("%s is stable at no step here%s: it will diverge (it takes %s)",
+        g_ptr_array_add(warnings, g_strdup_printf(_("%s is stable at no step here%s: it will diverge (it takes %s)"),
                                                   method->id, around, other));
 }
 
@@ -194,8 +198,8 @@ static void warn_under_resolved(const TinkerIsland *island, const TinkerRunOptio
     g_autofree char *around = NULL;
     place_of(island, &around);
     g_ptr_array_add(warnings,
-                    g_strdup_printf("motion at up to %.3g rad/s%s, which holds %.3g %% of the energy, gets %.2g "
-                                    "steps a period: %s is stable there and wrong (a step of %g s resolves it)",
+                    g_strdup_printf(_("motion at up to %.3g rad/s%s, which holds %.3g %% of the energy, gets %.2g "
+                                      "steps a period: %s is stable there and wrong (a step of %g s resolves it)"),
                                     fastest, around, fmin(100 * share, 100), 2 * G_PI / (fastest * options->step),
                                     method->id, tinker_round_down(WELL_RESOLVED / fastest)));
 }
@@ -207,9 +211,10 @@ static void decide_named(const TinkerIsland *island, const TinkerRunOptions *opt
     gboolean fixed = is_fixed(method);
     decision->choice = (TinkerChoice){method, fixed ? options->step : 0, fixed ? 0 : options->tolerance};
     if (decision->reason != NULL) {
-        g_string_append(decision->reason, method == &tinker_integrator_impulse
-                                              ? "contacts are asked for as impulses: one velocity solve a step, order 1"
-                                              : "asked for");
+        g_string_append(decision->reason,
+                        method == &tinker_integrator_impulse
+                            ? _("contacts are asked for as impulses: one velocity solve a step, order 1")
+                            : _("asked for"));
         tinker_cost_of(island, forecast, method, options, decision->choice.step, options->tolerance, &decision->cost);
     }
     if (!fixed || !forecast->known || warnings == NULL) return;
@@ -225,17 +230,18 @@ static gboolean refuse_not_linear(const TinkerIsland *island, const TinkerIntegr
 {
     TinkerModel *model = island->model;
     const char *where =
-        model->bodies > 0 ? tinker_scene_block_name(model->scene, model->body_blocks[0]) : "its supports";
+        model->bodies > 0 ? tinker_scene_block_name(model->scene, model->body_blocks[0]) : _("its supports");
     double growth = tinker_model_sideways_growth(model);
-    g_autofree char *why = g_strdup_printf("whose straight motion is unstable and grows sideways at %.3g 1/s", growth);
+    g_autofree char *why =
+        g_strdup_printf(_("whose straight motion is unstable and grows sideways at %.3g 1/s"), growth);
     gboolean touches = model->contacts != NULL && tinker_contacts_touch(model->contacts);
     g_set_error(
         error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_METHOD,
-        "the method %s does not suit the part of the scene around %s, %s (the method auto takes one that suits)",
+        _("the method %s does not suit the part of the scene around %s, %s (the method auto takes one that suits)"),
         method->id, where,
-        touches      ? "which rests on a solid support from the start"
+        touches      ? _("which rests on a solid support from the start")
         : growth > 0 ? why
-                     : "which is not linear");
+                     : _("which is not linear"));
     return FALSE;
 }
 
@@ -246,8 +252,8 @@ static gboolean refuse_ropes(const TinkerIsland *island, GError **error)
     while (!all->unilateral[row])
         row++;
     g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_METHOD,
-                "%s holds in one direction only, which contacts as impulses do not know (treat contacts as events: "
-                "leave \"contacts\" out of the scene's run)",
+                _("%s holds in one direction only, which contacts as impulses do not know (treat contacts as events: "
+                  "leave \"contacts\" out of the scene's run)"),
                 tinker_scene_block_name(island->model->scene, all->blocks[row]));
     return FALSE;
 }

@@ -5,6 +5,7 @@
  * velocities by the one linear solve S mu = -(J v + dg/dt), v <- v + M^-1 J^T mu. The factor of the last stage of a step
  * serves the first Newton step: it differs by the stage's error alone, and what is left shows in the next g. */
 #include <float.h>
+#include <glib/gi18n-lib.h>
 #include <math.h>
 #include <string.h>
 
@@ -61,10 +62,11 @@ static TinkerStatus not_met(TinkerModel *model)
 {
     const TinkerConstraints *all = &model->constraints;
     int32_t worst = tinker_constraints_worst_row(model);
-    g_snprintf(model->failure, sizeof(model->failure),
-               "%s: no position within reach satisfies it at t = %g s; it misses by %.3g m (the constraints contradict "
-               "each other there, or the step is too large for this motion)",
-               tinker_scene_block_name(model->scene, all->blocks[worst]), model->time, fabs(all->g[worst]));
+    g_snprintf(
+        model->failure, sizeof(model->failure),
+        _("%s: no position within reach satisfies it at t = %g s; it misses by %.3g m (the constraints contradict "
+          "each other there, or the step is too large for this motion)"),
+        tinker_scene_block_name(model->scene, all->blocks[worst]), model->time, fabs(all->g[worst]));
     return TINKER_FAILED;
 }
 

@@ -3,6 +3,7 @@
 #include "physics/record.h"
 
 #include <errno.h>
+#include <glib/gi18n-lib.h>
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
@@ -34,11 +35,21 @@ void tinker_record_free(TinkerRecord *record)
     g_free(record);
 }
 
-static gboolean file_error(const char *what, GError **error)
+typedef enum { OPENED, WRITTEN, READ } FileWork;
+
+static gboolean file_error(FileWork failed, GError **error)
 {
-    g_set_error(error, G_FILE_ERROR, g_file_error_from_errno(errno),
-                "the record outgrew its memory, and its temporary file could not be %s: %s (free some room in %s)",
-                what, g_strerror(errno), g_get_tmp_dir());
+    const int code = errno;
+    g_set_error(error, G_FILE_ERROR, g_file_error_from_errno(code),
+                failed == OPENED
+                    ? _("the record outgrew its memory, and its temporary file could not be opened: %s (free some "
+                        "room in %s)")
+                : failed == WRITTEN
+                    ? _("the record outgrew its memory, and its temporary file could not be written: %s (free some "
+                        "room in %s)")
+                    : _("the record outgrew its memory, and its temporary file could not be read: %s (free some "
+                        "room in %s)"),
+                g_strerror(code), g_get_tmp_dir());
     return FALSE;
 }
 
@@ -53,12 +64,12 @@ static gboolean spill(TinkerRecord *record, GError **error)
         record->file = fdopen(descriptor, "w+b");
         if (record->file == NULL) {
             close(descriptor);
-            return file_error("opened", error);
+            return file_error(OPENED, error);
         }
     }
     if (fseeko(record->file, (off_t)(record->in_file * record->row_bytes), SEEK_SET) != 0 ||
         fwrite(record->memory, record->row_bytes, record->in_memory, record->file) != record->in_memory)
-        return file_error("written", error);
+        return file_error(WRITTEN, error);
     record->in_file += record->in_memory;
     record->in_memory = 0;
     return TRUE;
@@ -71,9 +82,8 @@ static gboolean grow(TinkerRecord *record, GError **error)
     char *memory = g_try_realloc_n(record->memory, allotted, record->row_bytes);
     if (memory == NULL) {
         g_set_error(error, G_FILE_ERROR, G_FILE_ERROR_NOMEM,
-                    "there is no memory for a record of %" G_GSIZE_FORMAT " rows of %" G_GSIZE_FORMAT
-                    " bytes (record fewer quantities)",
-                    allotted, record->row_bytes);
+                    _("there is no memory for a record of %zu rows of %zu bytes (record fewer quantities)"), allotted,
+                    record->row_bytes);
         return FALSE;
     }
     record->memory = memory;
@@ -102,7 +112,7 @@ gboolean tinker_record_read(TinkerRecord *record, gsize first, gsize count, doub
     if (from_file > 0) {
         if (fseeko(record->file, (off_t)(first * record->row_bytes), SEEK_SET) != 0 ||
             fread(out, record->row_bytes, from_file, record->file) != from_file)
-            return file_error("read", error);
+            return file_error(READ, error);
     }
     if (count > from_file)
         memcpy(out + from_file * record->row_bytes,

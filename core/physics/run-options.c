@@ -1,5 +1,7 @@
 /* What a run may be asked for, and the method that it names. */
+#include <glib/gi18n-lib.h>
 #include <math.h>
+#include <stdarg.h>
 
 #include "numerics/integrators.h"
 #include "physics/simulation-private.h"
@@ -26,10 +28,13 @@ TinkerRunOptions tinker_run_options_of(TinkerScene *scene)
     };
 }
 
-static gboolean refuse(GError **error, const char *what, double value, const char *right)
+static gboolean refuse(GError **error, const char *format, ...) G_GNUC_PRINTF(2, 3);
+static gboolean refuse(GError **error, const char *format, ...)
 {
-    g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_METHOD, "the %s is %g (it must be %s)", what, value,
-                right);
+    va_list arguments;
+    va_start(arguments, format);
+    if (error != NULL) *error = g_error_new_valist(TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_METHOD, format, arguments);
+    va_end(arguments);
     return FALSE;
 }
 
@@ -38,8 +43,8 @@ static const TinkerIntegrator *unknown_method(const char *id, GError **error)
     const TinkerIntegrator *const *builtins = tinker_integrator_builtins();
     if (g_str_equal(id, "impulse")) {
         g_set_error_literal(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_METHOD,
-                            "\"impulse\" is no method, but a way to treat contacts (\"contacts\": \"impulse\" in "
-                            "the scene's run)");
+                            _("\"impulse\" is no method, but a way to treat contacts (\"contacts\": \"impulse\" in "
+                              "the scene's run)"));
         return NULL;
     }
     g_autoptr(GPtrArray) names = g_ptr_array_new();
@@ -51,9 +56,12 @@ static const TinkerIntegrator *unknown_method(const char *id, GError **error)
     }
     g_ptr_array_add(names, NULL);
     const char *nearest = tinker_nearest_word(id, (const char *const *)names->pdata);
-    g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_METHOD,
-                "there is no method \"%s\"%s%s%s (there are %s, and those of installed plugins)", id,
-                nearest ? "; did you mean \"" : "", nearest ? nearest : "", nearest ? "\"?" : "", list->str);
+    if (nearest != NULL)
+        refuse(error,
+               _("there is no method \"%s\"; did you mean \"%s\"? (there are %s, and those of installed plugins)"), id,
+               nearest, list->str);
+    else
+        refuse(error, _("there is no method \"%s\" (there are %s, and those of installed plugins)"), id, list->str);
     return NULL;
 }
 
@@ -74,22 +82,25 @@ const TinkerIntegrator *tinker_run_method(TinkerScene *scene, const char *id, GE
 gboolean tinker_run_options_check(const TinkerRunOptions *options, const TinkerIntegrator *method, double duration,
                                   GError **error)
 {
-    if (!(duration >= 0) || !isfinite(duration)) return refuse(error, "duration", duration, "a time of 0 s or more");
+    if (!(duration >= 0) || !isfinite(duration))
+        return refuse(error, _("the duration is %g (it must be a time of 0 s or more)"), duration);
     if (options->at == NULL && (!(options->interval > 0) || !isfinite(options->interval)))
-        return refuse(error, "recording interval", options->interval, "greater than 0 s");
+        return refuse(error, _("the recording interval is %g (it must be greater than 0 s)"), options->interval);
     if (options->at == NULL && duration / options->interval > MOST_SAMPLES)
-        return refuse(error, "number of samples", duration / options->interval, "at most 1e10: record less often");
+        return refuse(error, _("the number of samples is %g (it must be at most 1e10: record less often)"),
+                      duration / options->interval);
     for (gsize i = 0; options->at != NULL && i < options->at_count; i++)
         if (!(options->at[i] >= 0) || !isfinite(options->at[i]))
-            return refuse(error, "time of a sample", options->at[i], "0 s or more");
+            return refuse(error, _("the time of a sample is %g (it must be 0 s or more)"), options->at[i]);
     if (method == NULL || (method->flags & TINKER_INTEGRATOR_LINEAR)) return TRUE;
     if (method->flags & TINKER_INTEGRATOR_ADAPTIVE) {
         if (!(options->tolerance > 0) || !(options->tolerance < 1))
-            return refuse(error, "tolerance", options->tolerance, "between 0 and 1, as in 1e-9");
+            return refuse(error, _("the tolerance is %g (it must be between 0 and 1, as in 1e-9)"), options->tolerance);
     } else if (!(options->step > 0) || !isfinite(options->step)) {
-        return refuse(error, "step", options->step, "greater than 0 s");
+        return refuse(error, _("the step is %g (it must be greater than 0 s)"), options->step);
     } else if (duration / options->step > MOST_STEPS) {
-        return refuse(error, "number of steps", duration / options->step, "at most 1e12: take a larger step");
+        return refuse(error, _("the number of steps is %g (it must be at most 1e12: take a larger step)"),
+                      duration / options->step);
     }
     return TRUE;
 }

@@ -1,4 +1,5 @@
 /* The run of a whole scene: its islands are brought from sample to sample, each in steps of its own. */
+#include <glib/gi18n-lib.h>
 #include <math.h>
 #include <string.h>
 
@@ -134,7 +135,7 @@ static gboolean call_back(TinkerSimulation *simulation, TinkerIslandRun *run, GE
         options->progress(tinker_simulation_time(simulation), simulation->times.duration, options->data);
     if (options->cancelled == NULL || !options->cancelled(options->data)) return TRUE;
     tinker_island_run_vouch(run);
-    g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_STOPPED, "stopped at t = %.6g s of %.6g s",
+    g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_STOPPED, _("stopped at t = %.6g s of %.6g s"),
                 tinker_simulation_time(simulation), simulation->times.duration);
     return FALSE;
 }

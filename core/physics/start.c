@@ -1,5 +1,6 @@
 /* The start: positions that nearly fit the constraints and velocities that do not are projected; what does not fit is
  * refused by name. */
+#include <glib/gi18n-lib.h>
 #include <math.h>
 #include <string.h>
 
@@ -38,13 +39,14 @@ static gboolean refuse_row(TinkerModel *model, const TinkerConstraintBatch *part
     const char *name = tinker_scene_block_name(model->scene, batch->ids[instance]);
     if (column >= 0) {
         g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_SCENE,
-                    "%s: its length is %.10g m, but %s %.10g m %s at t = 0 (move an end, change the length, or "
-                    "leave the length out)",
-                    name, batch->columns[column][instance], ends == 2 ? "its ends are" : "the path through its ends is",
-                    path_length(model, row), ends == 2 ? "apart" : "long");
+                    ends == 2 ? _("%s: its length is %.10g m, but its ends are %.10g m apart at t = 0 (move an end, "
+                                  "change the length, or leave the length out)")
+                              : _("%s: its length is %.10g m, but the path through its ends is %.10g m long at t = 0 "
+                                  "(move an end, change the length, or leave the length out)"),
+                    name, batch->columns[column][instance], path_length(model, row));
     } else {
         g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_SCENE,
-                    "%s: the start positions miss it by %.3g m (at most %.0e of its length, %.3g m, is corrected)",
+                    _("%s: the start positions miss it by %.3g m (at most %.0e of its length, %.3g m, is corrected)"),
                     name, fabs(all->g[row]), START_TOLERANCE, all->scales[row]);
     }
     return FALSE;
@@ -61,7 +63,7 @@ static gboolean check_positions(TinkerModel *model, GError **error)
             g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_SCENE, "%s: %s",
                         tinker_scene_block_name(
                             model->scene, part->batch->ids[CLAMP(view.failed_instance, 0, part->batch->count - 1)]),
-                        view.failure != NULL ? view.failure : "its properties do not make a constraint");
+                        view.failure != NULL ? view.failure : _("its properties do not make a constraint"));
             return FALSE;
         }
         for (int32_t row = part->first_row; row < part->first_row + part->row_count; row++)
@@ -85,8 +87,8 @@ static void warn_start_velocity(TinkerModel *model, const double *given)
     if (change > START_TOLERANCE * fastest)
         g_ptr_array_add(
             model->warnings,
-            g_strdup_printf("the start velocities did not fit the constraints: they were changed by up to %.3g "
-                            "m/s (an impulse of %.3g N s)",
+            g_strdup_printf(_("the start velocities did not fit the constraints: they were changed by up to %.3g "
+                              "m/s (an impulse of %.3g N s)"),
                             change, model->start_impulse));
 }
 
@@ -94,7 +96,7 @@ static gboolean run_error(TinkerModel *model, TinkerModelError code, GError **er
 {
     g_set_error_literal(error, TINKER_MODEL_ERROR, code,
                         model->failure[0] != '\0' ? model->failure
-                                                  : "the forces cannot be worked out at the start positions");
+                                                  : _("the forces cannot be worked out at the start positions"));
     return FALSE;
 }
 
@@ -118,8 +120,8 @@ static gboolean refuse_contradiction(TinkerModel *model, const double *a, GError
     }
     g_set_error(
         error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_CONTRADICTION,
-        "%s: no motion satisfies these constraints at the start: they contradict each other (remove one, or give "
-        "what lies between them another place or velocity)",
+        _("%s: no motion satisfies these constraints at the start: they contradict each other (remove one, or give "
+          "what lies between them another place or velocity)"),
         names->str);
     return FALSE;
 }

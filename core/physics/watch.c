@@ -1,4 +1,5 @@
 /* Watching a run: numbers that are none stop it at once, an energy that does not balance warns or stops it. */
+#include <glib/gi18n-lib.h>
 #include <math.h>
 
 #include "physics/contacts.h"
@@ -21,8 +22,9 @@ gboolean tinker_island_run_fail(TinkerIslandRun *run, const char *why, GError **
     TinkerSummary *summary = &run->summary;
     summary->simulated_s = run->state.t;
     g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_RUN,
-                "the run stopped at t = %.6g s: %s; what was computed is to be believed up to t = %.6g s", run->state.t,
-                why != NULL && why[0] != '\0' ? why : "a force or a constraint cannot be worked out there",
+                _("the run stopped at t = %.6g s: %s; what was computed is to be believed up to t = %.6g s"),
+                run->state.t,
+                why != NULL && why[0] != '\0' ? why : _("a force or a constraint cannot be worked out there"),
                 summary->valid_until);
     return FALSE;
 }
@@ -30,7 +32,7 @@ gboolean tinker_island_run_fail(TinkerIslandRun *run, const char *why, GError **
 static gboolean diverged(TinkerIslandRun *run, const char *how, GError **error)
 {
     g_autofree char *advice = tinker_guard_explain(run->model, run->choice.method, run->choice.step);
-    g_autofree char *why = g_strdup_printf("it diverged: %s (%s)", how, advice);
+    g_autofree char *why = g_strdup_printf(_("it diverged: %s (%s)"), how, advice);
     return tinker_island_run_fail(run, why, error);
 }
 
@@ -91,14 +93,14 @@ static void warn_of_imbalance(TinkerIslandRun *run)
     if (run->books.allows_loss && run->books.imbalance <= WARN_IMBALANCE) {
         g_ptr_array_add(
             summary->warnings,
-            g_strdup_printf("%s took up to %.2g %% of the largest energy exchanged from motion that its steps "
-                            "do not resolve, as it is made to (a smaller step takes less)",
+            g_strdup_printf(_("%s took up to %.2g %% of the largest energy exchanged from motion that its steps "
+                              "do not resolve, as it is made to (a smaller step takes less)"),
                             run->choice.method->id, 100 * summary->energy_balance_error));
         return;
     }
     g_autofree char *advice = tinker_guard_explain(run->model, run->choice.method, run->choice.step);
     g_ptr_array_add(summary->warnings,
-                    g_strdup_printf("the energy is off by up to %.3g %% of the largest energy exchanged: %s",
+                    g_strdup_printf(_("the energy is off by up to %.3g %% of the largest energy exchanged: %s"),
                                     100 * summary->energy_balance_error, advice));
 }
 
@@ -108,8 +110,8 @@ static void watch_stability(TinkerIslandRun *run)
     if (!(stable > 0)) return;
     g_ptr_array_add(
         run->summary.warnings,
-        g_strdup_printf("from t = %.6g s on %s is stable up to a step of about %.3g s only, the step is %g s: "
-                        "the motion has become stiffer, and diverges if it goes on so",
+        g_strdup_printf(_("from t = %.6g s on %s is stable up to a step of about %.3g s only, the step is %g s: "
+                          "the motion has become stiffer, and diverges if it goes on so"),
                         run->state.t, run->choice.method->id, stable, run->choice.step));
 }
 
@@ -124,8 +126,8 @@ static gboolean look(TinkerIslandRun *run, gboolean last, GError **error)
     if (imbalance > most || !isfinite(imbalance)) {
         g_autofree char *how =
             isfinite(imbalance)
-                ? g_strdup_printf("its energy is off by %.3g times the largest energy exchanged", imbalance)
-                : g_strdup("its energy is beyond all numbers");
+                ? g_strdup_printf(_("its energy is off by %.3g times the largest energy exchanged"), imbalance)
+                : g_strdup(_("its energy is beyond all numbers"));
         return diverged(run, how, error);
     }
     watch_stability(run);
@@ -147,8 +149,8 @@ static gboolean watch_singular_place(TinkerIslandRun *run, GError **error)
     if (run->singular_steps == 1) tinker_island_run_add_event(run, "bifurcation", name);
     if (run->singular_steps <= MOST_SINGULAR_STEPS) return TRUE;
     g_autofree char *why =
-        g_strdup_printf("%s and what it holds are stuck at a singular place, where no finite force in "
-                        "them balances the load (move an end, or use a spring)",
+        g_strdup_printf(_("%s and what it holds are stuck at a singular place, where no finite force in "
+                          "them balances the load (move an end, or use a spring)"),
                         name);
     return tinker_island_run_fail(run, why, error);
 }
@@ -161,7 +163,7 @@ gboolean tinker_island_run_watch(TinkerIslandRun *run, const TinkerStepReport *r
     summary->evaluations = run->model->evaluations;
     summary->simulated_s = run->state.t;
     if (!watch_singular_place(run, error)) return FALSE;
-    if (!all_finite(run)) return diverged(run, "a position or velocity is not a number", error);
+    if (!all_finite(run)) return diverged(run, _("a position or velocity is not a number"), error);
     if (summary->adaptive) tinker_model_system_keep(&run->system, run->state.q, run->state.v);
     gint64 since = (summary->steps - run->looked_at) * run->choice.method->evaluations_per_step;
     gboolean looks = last || summary->steps <= FIRST_LOOKS || since >= EVALUATIONS_BETWEEN_LOOKS;

@@ -2,6 +2,7 @@
  * at t = 0. */
 #include "scene/frame.h"
 
+#include <glib/gi18n-lib.h>
 #include <math.h>
 
 #include <tinker/shapes.h>
@@ -96,7 +97,7 @@ static gboolean move_supports(TinkerFrame *frame, GError **error)
     if (!tinker_motions_evaluate(frame->motions, frame->time)) {
         const char *name = tinker_scene_block_name(frame->scene, tinker_motions_failure(frame->motions));
         g_set_error(error, TINKER_SCENE_ERROR, TINKER_SCENE_ERROR_VALUE,
-                    "%s: its motion at t = %g s is not a number (give it one that is finite at all times)", name,
+                    _("%s: its motion at t = %g s is not a number (give it one that is finite at all times)"), name,
                     frame->time);
         return FALSE;
     }
@@ -121,7 +122,7 @@ static gboolean prepare_motions(TinkerFrame *frame, GError **error)
         if (TINKER_CALL_BATCH(batch, "prepare", &view, physics->prepare(&view)) == TINKER_OK) continue;
         g_set_error(error, TINKER_SCENE_ERROR, TINKER_SCENE_ERROR_VALUE, "%s: %s",
                     tinker_scene_block_name(frame->scene, batch->ids[CLAMP(view.failed_instance, 0, batch->count - 1)]),
-                    view.failure != NULL ? view.failure : "its plugin refuses these properties");
+                    view.failure != NULL ? view.failure : _("its plugin refuses these properties"));
         return FALSE;
     }
     return TRUE;

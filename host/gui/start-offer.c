@@ -7,38 +7,8 @@
 
 #include "number-hint.h"
 #include "property-list-private.h"
-#include "translate.h"
 
 #define DECIMALS 5
-
-/* For the translators: what the core calls the options that name no other block. */
-G_GNUC_UNUSED static const char *const labels[] = {
-    N_("Released from equilibrium"),
-    N_("Displaced from equilibrium by"),
-    N_("Speed along the top"),
-    N_("Speed up the incline"),
-    N_("At rest"),
-    N_("Thrown at speed"),
-    N_("Direction"),
-    N_("Rest length as drawn"),
-    N_("Length as drawn"),
-    N_("Stretched by"),
-};
-
-char *tinker_start_label(const TinkerScene *scene, const TinkerStartOption *option)
-{
-    const char *other = option->other != TINKER_NO_BLOCK ? tinker_scene_block_name(scene, option->other) : "";
-    switch (option->kind) {
-    case TINKER_START_STRETCHED:
-        return g_strdup_printf(_("%s stretched by"), other);
-    case TINKER_START_AT_ANGLE:
-        return g_strdup_printf(_("%s from the vertical"), other);
-    case TINKER_START_ON_TOP:
-        return g_strdup_printf(_("Placed on %s"), other);
-    default:
-        return g_strdup(tinker_translate(option->label));
-    }
-}
 
 char *tinker_start_button_text(const char *label)
 {
@@ -54,11 +24,10 @@ char *tinker_start_button_text(const char *label)
     return g_strjoinv(" ", words);
 }
 
-/* Header capitals are English. */
-char *tinker_start_button_label(const TinkerScene *scene, const TinkerStartOption *option)
+char *tinker_start_button_label(const TinkerStartOption *option)
 {
-    g_autofree char *label = tinker_start_label(scene, option);
-    return g_str_equal(label, option->label) ? tinker_start_button_text(label) : g_steal_pointer(&label);
+    gboolean is_english = g_str_equal(_("At rest"), "At rest"); /* header capitals are */
+    return is_english ? tinker_start_button_text(option->label) : g_strdup(option->label);
 }
 
 static const char *unit_of(TinkerScene *scene, const TinkerStartOption *option)
@@ -117,7 +86,7 @@ GMenuModel *tinker_start_menu_new(TinkerDocument *document)
     for (guint i = 0; i < options->len; i++) {
         const TinkerStartOption *option = g_ptr_array_index(options, i);
         if (option->asks) continue;
-        g_autofree char *text = tinker_start_button_label(scene, option);
+        g_autofree char *text = tinker_start_button_label(option);
         g_autoptr(GMenuItem) item = g_menu_item_new(text, NULL);
         g_menu_item_set_action_and_target(item, "win.start", "(ii)", (gint32)option->kind, (gint32)option->other);
         g_menu_append_item(menu, item);

@@ -5,11 +5,8 @@
 #include "analysis/start-conditions.h"
 #include "player.h"
 
-/* What it is called in the user's language: "Spring 0 stretched by". (transfer full) */
-char *tinker_start_label(const TinkerScene *scene, const TinkerStartOption *option);
-
-/* Likewise on a button or in a menu, which have header capitals in English. (transfer full) */
-char *tinker_start_button_label(const TinkerScene *scene, const TinkerStartOption *option);
+/* What it is called on a button or in a menu, which have header capitals in English. (transfer full) */
+char *tinker_start_button_label(const TinkerStartOption *option);
 
 /* A label with header capitals: "Released from Equilibrium". (transfer full) */
 char *tinker_start_button_text(const char *label);

@@ -54,8 +54,7 @@ static void on_choice(GtkWidget *button, TinkerStartPanel *panel)
 
 static void add_row(TinkerStartPanel *panel, const TinkerStartOption *option, guint number)
 {
-    g_autofree char *label = tinker_start_label(tinker_document_scene(panel->document), option);
-    TinkerStartRow *row = tinker_start_row_new(label);
+    TinkerStartRow *row = tinker_start_row_new(option->label);
     g_object_set_data(G_OBJECT(row), "option", GUINT_TO_POINTER(number));
     g_signal_connect(row, "apply", G_CALLBACK(on_apply), panel);
     gtk_list_box_append(GTK_LIST_BOX(panel->list), GTK_WIDGET(row));
@@ -64,7 +63,7 @@ static void add_row(TinkerStartPanel *panel, const TinkerStartOption *option, gu
 
 static void add_choice(TinkerStartPanel *panel, const TinkerStartOption *option, guint number)
 {
-    g_autofree char *text = tinker_start_button_label(tinker_document_scene(panel->document), option);
+    g_autofree char *text = tinker_start_button_label(option);
     GtkWidget *button = gtk_button_new_with_label(text);
     GtkLabel *words = GTK_LABEL(gtk_button_get_child(GTK_BUTTON(button)));
     gtk_label_set_wrap(words, TRUE);

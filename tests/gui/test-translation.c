@@ -1,56 +1,14 @@
 /* The window in German, in a locale of the test's own: gettext translates nothing where the locale is C. That each text has
  * a translation tests/data asks. */
 #include <libintl.h>
-#include <locale.h>
 #include <string.h>
 
 #include "block-words.h"
+#include "german.h"
 #include "gui-fixture.h"
 #include "property-list.h"
 #include "start-offer.h"
 #include "translate.h"
-
-#define LOCALE "de_DE.UTF-8"
-
-static char *locale_folder; /* of the test's locale */
-
-static void run_tool(const char *const *arguments, char **output)
-{
-    g_autoptr(GError) error = NULL;
-    g_autofree char *complained = NULL;
-    int status = 0;
-    g_spawn_sync(NULL, (char **)arguments, NULL, G_SPAWN_SEARCH_PATH, NULL, NULL, output, &complained, &status, &error);
-    g_assert_no_error(error);
-    if (!g_spawn_check_wait_status(status, &error)) g_error("%s: %s\n%s", arguments[0], error->message, complained);
-}
-
-/* The locale is compiled from the system's definitions, of the package "locales". */
-static void speak_german(void)
-{
-    g_autoptr(GError) error = NULL;
-    locale_folder = g_dir_make_tmp("tinker-locale-XXXXXX", &error);
-    g_assert_no_error(error);
-    g_autofree char *target = g_build_filename(locale_folder, LOCALE, NULL), *output = NULL;
-    const char *compile[] = {"localedef", "--quiet", "-i", "de_DE", "-f", "UTF-8", target, NULL};
-    run_tool(compile, &output);
-    g_setenv("LOCPATH", locale_folder, TRUE);
-    g_setenv("LC_ALL", LOCALE, TRUE);
-    g_unsetenv("LANGUAGE");
-    /* As main.c of the window. */
-    g_assert_nonnull(setlocale(LC_CTYPE, ""));
-    g_assert_cmpstr(setlocale(LC_MESSAGES, ""), ==, LOCALE);
-    bindtextdomain("tinker", g_getenv("TINKER_LOCALE_FOLDER"));
-    bind_textdomain_codeset("tinker", "UTF-8");
-    textdomain("tinker");
-}
-
-static void delete_locale(void)
-{
-    const char *remove[] = {"rm", "-r", locale_folder, NULL};
-    g_autofree char *output = NULL;
-    run_tool(remove, &output);
-    g_free(locale_folder);
-}
 
 static gboolean has_row(const GPtrArray *rows, const char *group, const char *title)
 {
@@ -102,7 +60,7 @@ static void test_start_labels(void)
     g_autoptr(GPtrArray) options = tinker_start_options_new(scene, gui_fixture_block(fixture, "Mass 0"));
     g_autoptr(GHashTable) labels = g_hash_table_new_full(g_str_hash, g_str_equal, g_free, NULL);
     for (guint i = 0; i < options->len; i++)
-        g_hash_table_add(labels, tinker_start_button_label(scene, g_ptr_array_index(options, i)));
+        g_hash_table_add(labels, tinker_start_button_label(g_ptr_array_index(options, i)));
     g_assert_true(g_hash_table_contains(labels, "In Ruhe"));
     g_assert_true(g_hash_table_contains(labels, "Spring 0 gedehnt um"));
 }
@@ -181,14 +139,14 @@ static void test_keys_of_menus(void)
 /* The list of the translators is what the descriptors say today. */
 static void test_template_is_up_to_date(void)
 {
-    g_autofree char *made = g_build_filename(locale_folder, "descriptors.pot", NULL), *output = NULL;
+    g_autofree char *made = g_build_filename(german_folder(), "descriptors.pot", NULL), *output = NULL;
     const char *list[] = {g_getenv("TINKER_LIST_DESCRIPTORS"),
                           g_getenv("TINKER_PROGRAM"),
                           g_getenv("TINKER_TEST_PLUGINS"),
                           g_getenv("TINKER_SCENES"),
                           made,
                           NULL};
-    run_tool(list, &output);
+    german_run_tool(list, &output);
     g_autofree char *kept = g_build_filename(g_getenv("TINKER_SOURCES"), "host", "po", "descriptors.pot", NULL);
     g_autofree char *new_text = NULL, *old_text = NULL;
     g_assert_true(g_file_get_contents(made, &new_text, NULL, NULL));
@@ -203,7 +161,7 @@ static void test_program_speaks_german(void)
 {
     const char *help[] = {g_getenv("TINKER_GUI_PROGRAM"), "--help", NULL};
     g_autofree char *output = NULL;
-    run_tool(help, &output);
+    german_run_tool(help, &output);
     g_assert_nonnull(strstr(output, "Die Szene im Bild"));
 }
 
@@ -219,8 +177,8 @@ static void add_tests(void)
 
 int main(int argc, char **argv)
 {
-    speak_german();
+    german_begin();
     const int status = scene_fixture_main(argc, argv, add_tests);
-    delete_locale();
+    german_end();
     return status;
 }
