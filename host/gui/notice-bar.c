@@ -96,8 +96,9 @@ static gboolean is_pointer_down(GtkWidget *widget)
     GdkSeat *seat = gdk_display_get_default_seat(gtk_widget_get_display(widget));
     GdkDevice *pointer = seat != NULL ? gdk_seat_get_pointer(seat) : NULL;
     GdkModifierType state = 0;
-    if (native == NULL || pointer == NULL) return FALSE;
-    gdk_surface_get_device_position(gtk_native_get_surface(native), pointer, NULL, NULL, &state);
+    GdkSurface *surface = native != NULL ? gtk_native_get_surface(native) : NULL; /* none before the window is shown */
+    if (surface == NULL || pointer == NULL) return FALSE;
+    gdk_surface_get_device_position(surface, pointer, NULL, NULL, &state);
     return (state & (GDK_BUTTON1_MASK | GDK_BUTTON2_MASK | GDK_BUTTON3_MASK)) != 0;
 }
 

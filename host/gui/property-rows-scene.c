@@ -196,7 +196,7 @@ static void add_method(PropertyBuilder *builder)
         method = tinker_catalogue_integrator(tinker_document_catalogue(builder->document), present, NULL);
     guint32 flags = method != NULL ? method->flags : 0;
     add_number(builder, &step)->sensitive =
-        method == NULL || !(flags & (TINKER_INTEGRATOR_ADAPTIVE | TINKER_INTEGRATOR_LINEAR));
+        chosen > 0 && !(flags & (TINKER_INTEGRATOR_ADAPTIVE | TINKER_INTEGRATOR_LINEAR));
     add_number(builder, &tolerance)->sensitive =
         method == NULL || ((flags & TINKER_INTEGRATOR_ADAPTIVE) && !(flags & TINKER_INTEGRATOR_LINEAR));
 }

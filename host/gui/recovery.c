@@ -63,6 +63,30 @@ static void remove_crash_note(int pid)
     g_unlink(path);
 }
 
+static char *take_note(const char *name)
+{
+    const int pid = atoi(name);
+    char *text = read_crash_note(pid);
+    remove_crash_note(pid);
+    return text;
+}
+
+char *tinker_recovery_take_blame(void)
+{
+    g_autofree char *folder = tinker_autosave_folder();
+    g_autoptr(GDir) dir = g_dir_open(folder, 0, NULL);
+    char *last = NULL;
+    if (dir == NULL) return NULL;
+    for (const char *name = g_dir_read_name(dir); name != NULL; name = g_dir_read_name(dir)) {
+        if (!g_str_has_suffix(name, CRASH_NOTE) || tinker_process_start(atoi(name)) != 0) continue;
+        g_autofree char *text = take_note(name);
+        if (text == NULL) continue;
+        g_free(last);
+        last = g_steal_pointer(&text);
+    }
+    return last;
+}
+
 /* The list ------------------------------------------------------------------------------------------------------------ */
 
 static gint64 time_of_file(const char *stem)

@@ -17,6 +17,10 @@ typedef struct {
 /* Has a crash of this process leave its message for the next start, beside the copies. */
 void tinker_recovery_note_crashes(void);
 
+/* What the handler of crashes said of a process that left no scene behind, as where all was saved; told once. NULL: nothing.
+ * (transfer full) */
+char *tinker_recovery_take_blame(void);
+
 /* All of processes that are no longer alive, the latest first; of TinkerRecovery *, which it frees. (transfer full) */
 GPtrArray *tinker_recovery_list(void);
 

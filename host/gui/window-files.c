@@ -150,22 +150,24 @@ void window_add_filters(GtkFileChooserNative *dialog)
     gtk_file_chooser_add_filter(GTK_FILE_CHOOSER(dialog), all);
 }
 
-/* Begins beside the file, or among the documents with the scene's title. */
+/* Begins beside the file, or among the documents with the scene's title. Without the ending, which is put on later: the chooser
+ * would select "Untitled.tinker" alone to be typed over, and leave ".json". */
 static void suggest_name(GtkFileChooser *chooser, TinkerDocument *document)
 {
     const char *path = tinker_document_path(document);
     if (path != NULL) {
         g_autoptr(GFile) file = g_file_new_for_path(path), folder = g_file_get_parent(file);
         g_autofree char *name = g_path_get_basename(path);
+        if (g_str_has_suffix(name, WINDOW_SCENE_ENDING)) name[strlen(name) - strlen(WINDOW_SCENE_ENDING)] = '\0';
         gtk_file_chooser_set_current_folder(chooser, folder, NULL);
         gtk_file_chooser_set_current_name(chooser, name);
         return;
     }
-    g_autofree char *name = tinker_document_name(document), *file_name = g_strconcat(name, WINDOW_SCENE_ENDING, NULL);
+    g_autofree char *name = tinker_document_name(document);
     const char *documents = g_get_user_special_dir(G_USER_DIRECTORY_DOCUMENTS);
     g_autoptr(GFile) folder = g_file_new_for_path(documents != NULL ? documents : g_get_home_dir());
     gtk_file_chooser_set_current_folder(chooser, folder, NULL);
-    gtk_file_chooser_set_current_name(chooser, g_strdelimit(file_name, "/", '-'));
+    gtk_file_chooser_set_current_name(chooser, g_strdelimit(name, "/", '-'));
 }
 
 static void ask_name(TinkerWindow *window, WindowThen then, const char *subject)

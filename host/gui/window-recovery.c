@@ -156,11 +156,23 @@ static char *question_of(Offer *offer)
     return g_strdup_printf(_("Tinker did not close properly. Recover “%s”, changed %s?"), recovery->name, time);
 }
 
+/* All was saved, but the user saw the window vanish. */
+static void tell_of_crash(TinkerWindow *window)
+{
+    g_autofree char *blame = tinker_recovery_take_blame(), *text = NULL;
+    if (blame == NULL) return;
+    text = g_strdup_printf(_("No changes were lost.\n\n%s"), blame);
+    window_message(window, _("Tinker Did Not Close Properly"), text);
+}
+
 void tinker_window_offer_recovery(TinkerWindow *window, TinkerApplication *application)
 {
     tinker_recovery_purge();
     g_autoptr(GPtrArray) list = tinker_recovery_list();
-    if (list->len == 0) return;
+    if (list->len == 0) {
+        tell_of_crash(window);
+        return;
+    }
     Offer *offer = g_new(Offer, 1);
     *offer = (Offer){application, g_object_ref(window), g_ptr_array_ref(list), g_ptr_array_new()};
     g_autofree char *question = with_blame(offer, question_of(offer));

@@ -132,10 +132,11 @@ static void test_crash(void)
     g_assert_cmpstr(files_fixture_first_name(reopened), ==, "Not saved");
 }
 
-/* A crash leaves the copy as it was, and beside it who was at work. */
-static void test_blame(void)
+#define BLAME "the library /plugins/bad.so crashed (SIGSEGV) in \"draw\""
+
+/* A child with unsaved changes crashes. */
+static void crash_one(const char *path)
 {
-    g_autofree char *path = files_fixture_file("swing.tinker.json", files_fixture_scene);
     GPid pid = start_child(path);
     wait_for_copies(1);
     g_assert_cmpint(kill(pid, SIGSEGV), ==, 0);
@@ -143,17 +144,40 @@ static void test_blame(void)
     g_assert_cmpint(waitpid(pid, &status, 0), ==, pid);
     g_assert_true(WIFSIGNALED(status));
     g_assert_cmpint(WTERMSIG(status), ==, SIGSEGV);
+}
+
+/* Where all was saved there is no copy, but the message is told, once. */
+static void test_blame_alone(void)
+{
+    g_autofree char *path = files_fixture_file("swing.tinker.json", files_fixture_scene);
+    crash_one(path);
+    g_autoptr(GPtrArray) list = tinker_recovery_list();
+    const char *stem = ((TinkerRecovery *)g_ptr_array_index(list, 0))->stem;
+    g_autofree char *copy = g_strconcat(stem, TINKER_AUTOSAVE_ENDING, NULL);
+    g_autofree char *info = g_strconcat(stem, TINKER_AUTOSAVE_INFO, NULL);
+    g_assert_cmpint(g_unlink(copy), ==, 0);
+    g_assert_cmpint(g_unlink(info), ==, 0);
+    g_autofree char *blame = tinker_recovery_take_blame();
+    g_assert_cmpstr(blame, ==, BLAME);
+    g_assert_null(tinker_recovery_take_blame());
+}
+
+/* A crash leaves the copy as it was, and beside it who was at work. */
+static void test_blame(void)
+{
+    g_autofree char *path = files_fixture_file("swing.tinker.json", files_fixture_scene);
+    crash_one(path);
     g_autoptr(GPtrArray) list = tinker_recovery_list();
     g_assert_cmpuint(list->len, ==, 1);
     TinkerRecovery *recovery = g_ptr_array_index(list, 0);
-    g_assert_cmpstr(recovery->blame, ==, "the library /plugins/bad.so crashed (SIGSEGV) in \"draw\"");
+    g_assert_cmpstr(recovery->blame, ==, BLAME);
     g_autoptr(TinkerDocument) document = tinker_document_new(files_fixture_catalogue());
     g_assert_true(tinker_recovery_open(recovery, document, NULL));
     g_assert_cmpstr(files_fixture_first_name(document), ==, "Not saved");
     tinker_recovery_remove(recovery);
 
     /* One that was killed from outside is nobody's fault. */
-    pid = start_child(path);
+    GPid pid = start_child(path);
     wait_for_copies(1);
     kill_child(pid);
     g_autoptr(GPtrArray) killed = tinker_recovery_list();
@@ -313,6 +337,7 @@ static void add_tests(void)
 {
     g_test_add_func("/gui/autosave/crash", test_crash);
     g_test_add_func("/gui/autosave/blame", test_blame);
+    g_test_add_func("/gui/autosave/blame-alone", test_blame_alone);
     g_test_add_func("/gui/autosave/nothing-left-behind", test_nothing_left_behind);
     g_test_add_func("/gui/autosave/timer", test_timer);
     g_test_add_func("/gui/autosave/discard", test_discard);
