@@ -129,7 +129,8 @@ static char *explain_missing(const TinkerCatalogue *catalogue, GHashTable *table
     guint count;
     g_autofree const char **known = (const char **)g_hash_table_get_keys_as_array(table, &count);
     const char *nearest = tinker_nearest_word(id, known);
-    return nearest == NULL ? g_strdup("") : g_strdup_printf(" (did you mean \"%s\"?)", nearest);
+    return nearest == NULL ? g_strdup(" (its library belongs into a plugin folder, or into one named by --plugins)")
+                           : g_strdup_printf(" (did you mean \"%s\"?)", nearest);
 }
 
 /* The opened library that provides the id, or NULL; called with the lock held. */
