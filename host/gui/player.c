@@ -281,7 +281,10 @@ gboolean tinker_player_step(TinkerPlayer *player, gboolean forward, TinkerBlockI
     *culprit = TINKER_NO_BLOCK;
     if (!have_record(player, culprit, error)) return FALSE;
     double interval = tinker_scene_head(tinker_document_scene(player->document))->run.interval;
-    double number = forward ? floor(player->time / interval + 1e-6) + 1 : ceil(player->time / interval - 1e-6) - 1;
+    gboolean under_way =
+        player->state == TINKER_PLAYER_PLAYING && !isnan(player->step_to); /* not recorded yet: count on */
+    double from = under_way ? player->step_to : player->time;
+    double number = forward ? floor(from / interval + 1e-6) + 1 : ceil(from / interval - 1e-6) - 1;
     player->step_to = fmax(number * interval, 0);
     set_state(player, TINKER_PLAYER_PLAYING);
     tinker_player_advance(player, 0);

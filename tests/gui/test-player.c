@@ -167,6 +167,19 @@ static void test_step_and_seek(void)
     assert_close(height(fixture), 1, 0);
 }
 
+/* The first sample need not be there yet when the next is asked for. */
+static void test_steps_in_a_row(void)
+{
+    g_autoptr(Fixture) fixture = fixture_new(OSCILLATOR);
+    TinkerBlockId culprit;
+    for (int i = 0; i < 50; i++)
+        g_assert_true(tinker_player_step(fixture->player, TRUE, &culprit, NULL));
+    wait_until(fixture, 0.5);
+    tinker_player_advance(fixture->player, 0);
+    assert_close(tinker_player_time(fixture->player), 0.5, 1e-12);
+    g_assert_cmpint(tinker_player_state(fixture->player), ==, TINKER_PLAYER_PAUSED);
+}
+
 /* At the lowest place of its swing the stiffness is quartered: it goes on about the same rest, half as fast. */
 static void test_change_on_the_way(void)
 {
@@ -313,6 +326,7 @@ static void add_tests(void)
     g_test_add_func("/player/local-origin", test_local_origin);
     g_test_add_func("/player/speed", test_speed);
     g_test_add_func("/player/step-and-seek", test_step_and_seek);
+    g_test_add_func("/player/steps-in-a-row", test_steps_in_a_row);
     g_test_add_func("/player/change-on-the-way", test_change_on_the_way);
     g_test_add_func("/player/rewinds", test_rewinds);
     g_test_add_func("/player/drawing-goes-on", test_drawing_goes_on);

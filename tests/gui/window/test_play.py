@@ -28,7 +28,7 @@ def test_space_plays_and_pauses(display):
 def test_reset_goes_back_to_what_is_edited(display):
     with App(display, falling()) as app:
         app.show_width()
-        before = app.picture().cut(app.area(-1, -2, 1, 4))
+        before = app.still_picture(-1, -2, 1, 4)
         app.click("Play")
         wait(lambda: app.time() > 0.3, "time to pass")
         app.click("Reset to the Start")

@@ -328,6 +328,17 @@ class App:
     def picture(self):
         return self.display.picture()
 
+    def still_picture(self, *corners):
+        """Of an area of the canvas (m), once nothing in it is on its way."""
+        last = [None]
+
+        def stays():
+            time.sleep(0.2)
+            before, last[0] = last[0], self.picture().cut(self.area(*corners))
+            return last[0] if last[0] == before else None
+
+        return wait(stays, "a picture that stays as it is")
+
     # The canvas
 
     def kept(self, role, name):
