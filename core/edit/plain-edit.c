@@ -61,6 +61,7 @@ int32_t edit_handles(const TinkerBlockClass *block_class, const TinkerInstance *
 {
     const TinkerEdit *edit = edit_of(block_class);
     if (edit->handles == NULL) return 0;
-    int32_t count = TINKER_CALL_INSTANCE(block_class, "handles", instance, edit->handles(instance, handles, room));
+    int32_t count =
+        TINKER_CALL_INSTANCE(edit_owner(block_class), "handles", instance, edit->handles(instance, handles, room));
     return CLAMP(count, 0, room);
 }

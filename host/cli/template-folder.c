@@ -3,11 +3,10 @@
 #include "template-folder.h"
 
 #include <errno.h>
-#include <fcntl.h>
 #include <gio/gio.h>
 #include <glib/gstdio.h>
+#include <stdio.h>
 #include <string.h>
-#include <unistd.h>
 
 #include "exit-status.h"
 
@@ -100,25 +99,13 @@ static gboolean make_parent(const char *path, GPtrArray *made, GError **error)
     return g_ptr_array_find_with_equal_func(made, parent, g_str_equal, NULL) || make_folder(parent, made, error);
 }
 
-static gboolean write_all(int file, const char *text)
-{
-    for (gsize rest = strlen(text); rest > 0;) {
-        const gssize written = write(file, text, rest);
-        if (written < 0 && errno == EINTR) continue;
-        if (written < 0) return FALSE;
-        text += written;
-        rest -= (gsize)written;
-    }
-    return TRUE;
-}
-
 static gboolean write_file(const char *path, const char *text, GPtrArray *made, GError **error)
 {
-    const int file = g_open(path, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    if (file < 0) return fail(path, errno, error);
+    FILE *file = fopen(path, "wxe"); /* x: what is there already is not opened */
+    if (file == NULL) return fail(path, errno, error);
     g_ptr_array_add(made, g_strdup(path));
-    const int reason = write_all(file, text) ? 0 : errno;
-    if (close(file) == 0 && reason == 0) return TRUE;
+    const int reason = fputs(text, file) >= 0 ? 0 : errno;
+    if (fclose(file) == 0 && reason == 0) return TRUE;
     return fail(path, reason != 0 ? reason : errno, error);
 }
 

@@ -21,19 +21,14 @@ static Request *request_new(GtkWindow *window, TinkerDocument *document, TinkerP
     return request;
 }
 
-static void request_free(Request *request)
+static void request_free(gpointer data)
 {
+    Request *request = data;
     g_object_unref(request->window);
     g_object_unref(request->document);
     tinker_property_row_unref(request->row);
     g_free(request->path);
     g_free(request);
-}
-
-/* The request goes with the dialog, answered or not. */
-static void connect_answer(gpointer dialog, GCallback on_answer, Request *request)
-{
-    g_signal_connect_data(dialog, "response", on_answer, request, (GClosureNotify)(void (*)(void))request_free, 0);
 }
 
 static void refuse(const Request *request, const char *reason)
@@ -71,7 +66,8 @@ static void ask_to_copy(const Request *request, const char *path, const char *na
     adw_message_dialog_add_responses(ADW_MESSAGE_DIALOG(dialog), "cancel", _("_Cancel"), "copy", _("_Copy"), NULL);
     adw_message_dialog_set_default_response(ADW_MESSAGE_DIALOG(dialog), "copy");
     adw_message_dialog_set_close_response(ADW_MESSAGE_DIALOG(dialog), "cancel");
-    connect_answer(dialog, G_CALLBACK(on_copy), request_new(request->window, request->document, request->row, path));
+    tinker_connect_answer(dialog, G_CALLBACK(on_copy),
+                          request_new(request->window, request->document, request->row, path), request_free);
     gtk_window_present(GTK_WINDOW(dialog));
 }
 
@@ -120,7 +116,7 @@ static void ask_file(GtkWindow *window, TinkerDocument *document, TinkerProperty
     gtk_native_dialog_set_modal(GTK_NATIVE_DIALOG(dialog), TRUE);
     add_filters(GTK_FILE_CHOOSER(dialog));
     gtk_file_chooser_set_current_folder(GTK_FILE_CHOOSER(dialog), folder, NULL);
-    connect_answer(dialog, G_CALLBACK(on_file), request_new(window, document, row, NULL));
+    tinker_connect_answer(dialog, G_CALLBACK(on_file), request_new(window, document, row, NULL), request_free);
     gtk_native_dialog_show(GTK_NATIVE_DIALOG(dialog));
 }
 

@@ -3,6 +3,8 @@
 
 #include <glib/gi18n.h>
 
+#include "message.h"
+
 /* What is to be done once nothing can be lost, and what with. */
 typedef struct {
     TinkerWindow *window; /* owned */
@@ -31,9 +33,9 @@ G_DEFINE_AUTOPTR_CLEANUP_FUNC(Question, question_free)
 /* Has a dialog answer a copy of the question, which goes with the dialog, answered or not. */
 static void connect_answer(gpointer dialog, GCallback on_answer, const Question *question)
 {
-    g_signal_connect_data(dialog, "response", on_answer,
+    tinker_connect_answer(dialog, on_answer,
                           question_new(question->window, question->path, question->then, question->subject),
-                          (GClosureNotify)(void (*)(void))question_free, 0);
+                          (GDestroyNotify)question_free);
 }
 
 static gboolean on_go_on(gpointer data)

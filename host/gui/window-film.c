@@ -4,6 +4,7 @@
 
 #include "film-dialog.h"
 #include "film.h"
+#include "message.h"
 #include "window-files.h"
 
 /* A film that waits for its name. */
@@ -20,17 +21,12 @@ static Wish *wish_new(TinkerWindow *window, const TinkerFilmSettings *settings, 
     return wish;
 }
 
-static void wish_free(Wish *wish)
+static void wish_free(gpointer data)
 {
+    Wish *wish = data;
     g_object_unref(wish->window);
     g_free(wish->path);
     g_free(wish);
-}
-
-/* Has a dialog answer a wish, which goes with the dialog, answered or not. */
-static void connect_answer(gpointer dialog, GCallback on_answer, Wish *wish)
-{
-    g_signal_connect_data(dialog, "response", on_answer, wish, (GClosureNotify)(void (*)(void))wish_free, 0);
 }
 
 /* The name of the first file that a film of this path is written to. (transfer full) */
@@ -152,7 +148,7 @@ static void ask_to_overwrite(Wish *wish, const char *path)
     adw_message_dialog_set_response_appearance(ADW_MESSAGE_DIALOG(dialog), "overwrite", ADW_RESPONSE_DESTRUCTIVE);
     adw_message_dialog_set_default_response(ADW_MESSAGE_DIALOG(dialog), "cancel");
     adw_message_dialog_set_close_response(ADW_MESSAGE_DIALOG(dialog), "cancel");
-    connect_answer(dialog, G_CALLBACK(on_overwrite), wish);
+    tinker_connect_answer(dialog, G_CALLBACK(on_overwrite), wish, wish_free);
     gtk_window_present(GTK_WINDOW(dialog));
 }
 
@@ -216,7 +212,7 @@ static void on_chosen(TinkerFilmDialog *from, const TinkerFilmSettings *settings
     gtk_native_dialog_set_modal(GTK_NATIVE_DIALOG(dialog), TRUE);
     add_filters(GTK_FILE_CHOOSER(dialog), settings->path);
     gtk_file_chooser_set_current_name(GTK_FILE_CHOOSER(dialog), name);
-    connect_answer(dialog, G_CALLBACK(on_name), wish_new(window, settings, NULL));
+    tinker_connect_answer(dialog, G_CALLBACK(on_name), wish_new(window, settings, NULL), wish_free);
     gtk_native_dialog_show(GTK_NATIVE_DIALOG(dialog));
 }
 

@@ -3,6 +3,7 @@
 
 #include <glib/gi18n.h>
 
+#include "message.h"
 #include "recovery.h"
 #include "window-private.h"
 
@@ -184,7 +185,6 @@ void tinker_window_offer_recovery(TinkerWindow *window, TinkerApplication *appli
     adw_message_dialog_set_response_appearance(ADW_MESSAGE_DIALOG(dialog), "recover", ADW_RESPONSE_SUGGESTED);
     adw_message_dialog_set_default_response(ADW_MESSAGE_DIALOG(dialog), "recover");
     adw_message_dialog_set_close_response(ADW_MESSAGE_DIALOG(dialog), "later");
-    g_signal_connect_data(dialog, "response", G_CALLBACK(on_answer), offer, (GClosureNotify)(void (*)(void))offer_free,
-                          0);
+    tinker_connect_answer(dialog, G_CALLBACK(on_answer), offer, (GDestroyNotify)offer_free);
     gtk_window_present(GTK_WINDOW(dialog));
 }

@@ -48,7 +48,7 @@ char *cli_read(const CliFixture *fixture, const char *name)
     return test_read_file(path);
 }
 
-static TestProgram *run(const CliFixture *fixture, const char *words)
+TestProgram *cli_run(const CliFixture *fixture, const char *words)
 {
     g_autoptr(GError) error = NULL;
     g_auto(GStrv) arguments = NULL;
@@ -73,7 +73,7 @@ TestProgram *cli_run_well(const CliFixture *fixture, const char *words)
 
 TestProgram *cli_run_badly(const CliFixture *fixture, const char *words, int status)
 {
-    TestProgram *program = run(fixture, words);
+    TestProgram *program = cli_run(fixture, words);
     if (program->status != status)
         g_error("tinker %s: exit status %d instead of %d: %s", words, program->status, status, program->error);
     return program;

@@ -26,17 +26,7 @@ static TestProgram *run_exhibit(const CliFixture *fixture, const char *type, con
     write_scene(fixture, type);
     g_autofree char *words = g_strdup_printf("run @a.json --plugins '%s' --csv @r.csv --interval %s --columns '%s'",
                                              g_getenv("TINKER_EXHIBITS"), interval, columns);
-    g_auto(GStrv) arguments = NULL;
-    g_autoptr(GError) error = NULL;
-    g_shell_parse_argv(words, NULL, &arguments, &error);
-    g_assert_no_error(error);
-    for (char **word = arguments; *word != NULL; word++) {
-        if ((*word)[0] != '@') continue;
-        char *path = cli_path(fixture, *word + 1);
-        g_free(*word);
-        *word = path;
-    }
-    return test_program_run((const char *const *)arguments);
+    return cli_run(fixture, words);
 }
 
 /* Rows of 0, 0.125, ... 1 s, and nothing after them: x = v t. */

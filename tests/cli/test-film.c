@@ -17,25 +17,12 @@ typedef struct {
     cairo_surface_t *picture;
 } Fixture;
 
-/* From now on the script is what is called ffmpeg; NULL: nothing is. */
-static void pretend_ffmpeg(const Fixture *fixture, const char *script)
-{
-    g_autofree char *programs = g_build_filename(fixture->folder, "programs", NULL);
-    g_autofree char *program = g_build_filename(programs, "ffmpeg", NULL);
-    g_assert_cmpint(g_mkdir(programs, 0700), ==, 0);
-    if (script != NULL) {
-        g_assert_true(g_file_set_contents(program, script, -1, NULL));
-        g_assert_cmpint(g_chmod(program, 0700), ==, 0);
-    }
-    g_setenv("PATH", programs, TRUE);
-}
-
 static void set_up(Fixture *fixture, gconstpointer script)
 {
     fixture->folder = g_dir_make_tmp("tinker-film-test-XXXXXX", NULL);
     fixture->path = g_strdup(g_getenv("PATH"));
     fixture->picture = cairo_image_surface_create(CAIRO_FORMAT_RGB24, WIDTH, HEIGHT);
-    pretend_ffmpeg(fixture, script);
+    test_pretend_program(fixture->folder, "ffmpeg", script);
 }
 
 static void tear_down(Fixture *fixture, gconstpointer script)

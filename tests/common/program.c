@@ -95,6 +95,18 @@ double test_summary_number(const TestSceneRun *run, const char *key)
     return item->valuedouble;
 }
 
+void test_pretend_program(const char *folder, const char *name, const char *script)
+{
+    g_autofree char *programs = g_build_filename(folder, "programs", NULL);
+    g_autofree char *program = g_build_filename(programs, name, NULL);
+    g_assert_cmpint(g_mkdir(programs, 0700), ==, 0);
+    if (script != NULL) {
+        g_assert_true(g_file_set_contents(program, script, -1, NULL));
+        g_assert_cmpint(g_chmod(program, 0700), ==, 0);
+    }
+    g_setenv("PATH", programs, TRUE);
+}
+
 char *test_read_file(const char *path)
 {
     g_autoptr(GError) error = NULL;

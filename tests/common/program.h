@@ -36,6 +36,10 @@ TestSceneRun *test_scene_run_at(const char *path, const double *times, gsize cou
 /* A number of the summary; fails the test where there is none of that name. */
 double test_summary_number(const TestSceneRun *run, const char *key);
 
+/* From now on PATH is a folder made in `folder`, with nothing in it but this script under the name of a program; NULL: not even
+ * that. */
+void test_pretend_program(const char *folder, const char *name, const char *script);
+
 /* A file's text. Fails the test where it cannot be read. (transfer full) */
 char *test_read_file(const char *path);
 cJSON *test_read_json(const char *path);

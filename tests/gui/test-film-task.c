@@ -3,9 +3,11 @@
 #include <glib/gstdio.h>
 #include <string.h>
 
+#include "author.h"
 #include "background.h"
 #include "film-task.h"
 #include "gui-fixture.h"
+#include "program.h"
 
 #define PATIENCE 60.0 /* s */
 
@@ -43,23 +45,9 @@ static void tear_down(Fixture *fixture, gconstpointer data)
     g_assert_true(tinker_background_wait(60));
     gui_fixture_free(fixture->scene);
     g_setenv("PATH", fixture->path, TRUE);
-    const char *const words[] = {"rm", "-r", fixture->folder, NULL};
-    g_assert_true(g_spawn_sync(NULL, (char **)words, NULL, G_SPAWN_SEARCH_PATH, NULL, NULL, NULL, NULL, NULL, NULL));
+    test_remove_all(fixture->folder);
     g_free(fixture->folder);
     g_free(fixture->path);
-}
-
-/* From now on this script is what is called ffmpeg; NULL: nothing is. */
-static void pretend_ffmpeg(Fixture *fixture, const char *script)
-{
-    g_autofree char *programs = g_build_filename(fixture->folder, "programs", NULL);
-    g_autofree char *program = g_build_filename(programs, "ffmpeg", NULL);
-    g_assert_cmpint(g_mkdir(programs, 0700), ==, 0);
-    if (script != NULL) {
-        g_assert_true(g_file_set_contents(program, script, -1, NULL));
-        g_assert_cmpint(g_chmod(program, 0700), ==, 0);
-    }
-    g_setenv("PATH", programs, TRUE);
 }
 
 static void start(Fixture *fixture, const char *members, const char *name)
@@ -142,7 +130,8 @@ static void test_gif(Fixture *fixture, gconstpointer data)
 /* Every byte of every picture goes to the encoder, and what it writes is put in place. */
 static void test_feeds_the_encoder(Fixture *fixture, gconstpointer data)
 {
-    pretend_ffmpeg(fixture, "#!/bin/sh\nfor last; do :; done\nexec /bin/cat >\"${last#file:}\"\n");
+    test_pretend_program(fixture->folder, "ffmpeg",
+                         "#!/bin/sh\nfor last; do :; done\nexec /bin/cat >\"${last#file:}\"\n");
     start(fixture, FALL, "fall.mp4");
     wait_for_end(fixture);
     g_assert_cmpint(tinker_film_task_state(fixture->task), ==, TINKER_FILM_WRITTEN);
@@ -155,7 +144,7 @@ static void test_feeds_the_encoder(Fixture *fixture, gconstpointer data)
 
 static void test_numbered(Fixture *fixture, gconstpointer data)
 {
-    pretend_ffmpeg(fixture, NULL);
+    test_pretend_program(fixture->folder, "ffmpeg", NULL);
     start(fixture, FALL, "fall.png");
     wait_for_end(fixture);
     g_assert_cmpint(tinker_film_task_state(fixture->task), ==, TINKER_FILM_WRITTEN);
@@ -193,7 +182,7 @@ static void cancel_after(Fixture *fixture, guint milliseconds)
 static void test_cancels(Fixture *fixture, gconstpointer data)
 {
     const guint moments[] = {0, 30, 400};
-    pretend_ffmpeg(fixture, data);
+    test_pretend_program(fixture->folder, "ffmpeg", data);
     put_old_film(fixture, "fall.gif");
     for (gsize i = 0; i < G_N_ELEMENTS(moments); i++) {
         start(fixture, LONG_FALL, "fall.gif");
@@ -204,7 +193,7 @@ static void test_cancels(Fixture *fixture, gconstpointer data)
 
 static void test_cancels_the_end(Fixture *fixture, gconstpointer data)
 {
-    pretend_ffmpeg(fixture, "#!/bin/sh\n/bin/cat >/dev/null\nexec /bin/sleep 1000\n");
+    test_pretend_program(fixture->folder, "ffmpeg", "#!/bin/sh\n/bin/cat >/dev/null\nexec /bin/sleep 1000\n");
     start(fixture, FALL, "fall.gif");
     gint64 begun = g_get_monotonic_time();
     while (tinker_film_task_progress(fixture->task) < 1 && g_get_monotonic_time() - begun < (gint64)(1e6 * PATIENCE))
@@ -215,7 +204,7 @@ static void test_cancels_the_end(Fixture *fixture, gconstpointer data)
 
 static void test_cancels_pictures(Fixture *fixture, gconstpointer data)
 {
-    pretend_ffmpeg(fixture, NULL);
+    test_pretend_program(fixture->folder, "ffmpeg", NULL);
     start(fixture, LONG_FALL, "fall.png");
     gint64 begun = g_get_monotonic_time();
     while (files_in(fixture) < 2 && g_get_monotonic_time() - begun < (gint64)(1e6 * PATIENCE))
@@ -227,7 +216,7 @@ static void test_cancels_pictures(Fixture *fixture, gconstpointer data)
 /* The user reads the reason in ffmpeg's own words. */
 static void test_encoder_fails(Fixture *fixture, gconstpointer data)
 {
-    pretend_ffmpeg(fixture, data);
+    test_pretend_program(fixture->folder, "ffmpeg", data);
     put_old_film(fixture, "fall.gif");
     start(fixture, FALL, "fall.gif");
     wait_for_end(fixture);
@@ -238,7 +227,7 @@ static void test_encoder_fails(Fixture *fixture, gconstpointer data)
 
 static void test_no_folder(Fixture *fixture, gconstpointer data)
 {
-    pretend_ffmpeg(fixture, data);
+    test_pretend_program(fixture->folder, "ffmpeg", data);
     start(fixture, FALL, data != NULL ? "none/fall.gif" : "none/fall.png");
     wait_for_end(fixture);
     g_assert_cmpint(tinker_film_task_state(fixture->task), ==, TINKER_FILM_FAILED);
@@ -248,7 +237,7 @@ static void test_no_folder(Fixture *fixture, gconstpointer data)
 
 static void test_scene_cannot_run(Fixture *fixture, gconstpointer data)
 {
-    pretend_ffmpeg(fixture, NULL);
+    test_pretend_program(fixture->folder, "ffmpeg", NULL);
     start(fixture, "'blocks': [{'type': 'mass'}, {'type': 'spring', 'ends': ['Mass 0', [3, 0]]}]", "fall.png");
     wait_for_end(fixture);
     g_assert_cmpint(tinker_film_task_state(fixture->task), ==, TINKER_FILM_FAILED);
@@ -259,7 +248,7 @@ static void test_scene_cannot_run(Fixture *fixture, gconstpointer data)
 /* An owner may go at any time; nothing is left when its thread has ended. */
 static void test_let_go(Fixture *fixture, gconstpointer data)
 {
-    pretend_ffmpeg(fixture, data);
+    test_pretend_program(fixture->folder, "ffmpeg", data);
     start(fixture, LONG_FALL, "fall.gif");
     gui_fixture_pass(200);
     g_object_unref(fixture->task);
