@@ -3,7 +3,10 @@
 
 static gboolean analyse(TinkerModeAnalysis *analysis, gboolean rest, GError **error)
 {
-    analysis->q = g_new0(double, 2 * (gsize)MAX(tinker_model_sizes(analysis->model).bodies, 1));
+    const int32_t bodies = tinker_model_sizes(analysis->model).bodies;
+    // Before anything is worked out: what is too large takes much time and memory until it is refused.
+    if (!tinker_modal_basis_fits(bodies, error)) return FALSE;
+    analysis->q = g_new0(double, 2 * (gsize)MAX(bodies, 1));
     tinker_model_start_places(analysis->model, analysis->q);
     if (tinker_model_hold(analysis->model) != TINKER_OK) {
         g_set_error_literal(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_RUN,

@@ -84,7 +84,7 @@ static double factor_of(const TinkerIslandRun *run)
     return SAFETY / (1.0 - less);
 }
 
-static TinkerSimulation *companion_of(TinkerSimulation *simulation, TinkerModel *model)
+static TinkerSimulation *companion_of(TinkerSimulation *simulation, TinkerModel *model, GError **error)
 {
     TinkerRunOptions options = simulation->options;
     options.estimate = FALSE;
@@ -92,7 +92,7 @@ static TinkerSimulation *companion_of(TinkerSimulation *simulation, TinkerModel 
     g_autofree TinkerChoice *choices = g_new(TinkerChoice, simulation->runs->len);
     for (guint i = 0; i < simulation->runs->len; i++)
         choices[i] = choice_of_companion(g_ptr_array_index(simulation->runs, i));
-    return tinker_simulation_new_chosen(model, &options, choices, NULL);
+    return tinker_simulation_new_chosen(model, &options, choices, error);
 }
 
 /* Turns by turns, so that bodies do not move as one. */
@@ -108,13 +108,13 @@ static void start_off(TinkerIslandRun *run)
     tinker_method_restart(run->choice.method, run->stepper);
 }
 
-static gboolean open_companion(TinkerEstimate *estimate, const GArray *columns)
+static gboolean open_companion(TinkerEstimate *estimate, const GArray *columns, GError **error)
 {
     TinkerSimulation *simulation = estimate->simulation;
-    estimate->model = tinker_model_new(simulation->model->scene, NULL);
+    estimate->model = tinker_model_new(simulation->model->scene, error);
     if (estimate->model == NULL) return FALSE;
-    TinkerSimulation *companion = estimate->companion = companion_of(simulation, estimate->model);
-    if (companion == NULL || companion->runs->len != simulation->runs->len) return FALSE;
+    TinkerSimulation *companion = estimate->companion = companion_of(simulation, estimate->model, error);
+    if (companion == NULL) return FALSE;
     for (guint i = 0; i < companion->runs->len; i++)
         if (is_exact(g_ptr_array_index(companion->runs, i)) && estimate->factors[i] > 0)
             start_off(g_ptr_array_index(companion->runs, i));
@@ -124,6 +124,12 @@ static gboolean open_companion(TinkerEstimate *estimate, const GArray *columns)
     companion->sampler = tinker_sampler_new(estimate->model, columns);
     companion->values = g_new0(double, columns->len + 1);
     return TRUE;
+}
+
+static void warn_of_none(TinkerSimulation *simulation, const char *why)
+{
+    g_ptr_array_add(simulation->summary.warnings,
+                    g_strdup_printf(_("there is no error estimate: the companion run cannot be set up (%s)"), why));
 }
 
 TinkerEstimate *tinker_estimate_new(TinkerSimulation *simulation, const GArray *columns)
@@ -136,12 +142,15 @@ TinkerEstimate *tinker_estimate_new(TinkerSimulation *simulation, const GArray *
     estimate->apart = g_new0(double, 2 * (gsize)simulation->runs->len);
     estimate->scratch = g_new0(double, 2 * (gsize)simulation->model->bodies + 1);
     gboolean compares = FALSE;
+    g_autoptr(GError) error = NULL;
     for (guint i = 0; i < simulation->runs->len; i++) {
         estimate->factors[i] = factor_of(g_ptr_array_index(simulation->runs, i));
         compares |= estimate->factors[i] > 0;
     }
-    if (compares && !open_companion(estimate, columns)) g_clear_pointer(&estimate, tinker_estimate_free);
-    return estimate;
+    if (!compares || open_companion(estimate, columns, &error)) return estimate;
+    warn_of_none(simulation, error->message);
+    tinker_estimate_free(estimate);
+    return NULL;
 }
 
 void tinker_estimate_free(TinkerEstimate *estimate)

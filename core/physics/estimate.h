@@ -12,8 +12,8 @@
 
 typedef struct _TinkerEstimate TinkerEstimate;
 
-/* The estimate of this simulation, with a companion where one is needed; NULL where none can be made (transfer full). The
- * simulation outlives it. */
+/* The estimate of this simulation, with a companion where one is needed; NULL where none can be made, which the warnings of the
+ * simulation then say (transfer full). The simulation outlives it. */
 TinkerEstimate *tinker_estimate_new(TinkerSimulation *simulation, const GArray *columns);
 void tinker_estimate_free(TinkerEstimate *estimate);
 

@@ -10,6 +10,7 @@
 #include <ucontext.h>
 #include <unistd.h>
 
+#include "plugin/crash-private.h"
 #include "plugin/crash-text-private.h"
 
 #define STACK_BYTES 65536
@@ -107,11 +108,23 @@ static gboolean is_stack_overflow(int signal_number, const siginfo_t *info, cons
     return stack != 0 && fault + NEAR_STACK > stack && fault < stack + NEAR_STACK && info->si_code > 0;
 }
 
-static void compose(int signal_number, const siginfo_t *info, const void *context)
+/* GLib aborts where one of its locks finds no memory, and calls itself without end where the message about it finds none.
+ * `code` is the last error of the C library. */
+static gboolean is_want_of_memory(int signal_number, gboolean overflowed, int code)
 {
-    char what[64] = " crashed (";
+    return code == ENOMEM && (signal_number == SIGABRT || overflowed);
+}
+
+static void compose(int signal_number, const siginfo_t *info, const void *context, int code)
+{
+    const gboolean overflowed = is_stack_overflow(signal_number, info, context);
+    char what[96] = " crashed (";
     strcat(what, signal_names[number_of(signal_number)]);
-    strcat(what, is_stack_overflow(signal_number, info, context) ? ", its stack overflowed)" : ")");
+    if (is_want_of_memory(signal_number, overflowed, code))
+        strcat(what, ", it seems for want of memory");
+    else if (overflowed)
+        strcat(what, ", its stack overflowed");
+    strcat(what, ")");
     begin_message();
     const TinkerPluginCall *call = tinker_plugin_call;
     if (call != NULL) {
@@ -137,12 +150,13 @@ static void begin(void)
 
 static void on_signal(int signal_number, siginfo_t *info, void *context)
 {
+    const int code = errno;
     if (stage == NOTHING) begin();
     // A fault in one part comes here again, and goes on with the next.
     while (stage < TOLD) {
         switch (++stage) {
         case COMPOSED:
-            compose(signal_number, info, context);
+            compose(signal_number, info, context, code);
             break;
         case SAVED:
             save_record();
@@ -190,14 +204,20 @@ void tinker_crash_end(int signal_number)
     if (!g_atomic_int_get(&changing)) end_by(signal_number);
 }
 
+void tinker_crash_end_with(int status, const char *what, const char *otherwise)
+{
+    // Whatever is told already is not told again.
+    if (stage == NOTHING) tell_end(what, otherwise);
+    _exit(status);
+}
+
 /* The end of the process -------------------------------------------------------------------------------------------- */
 
 /* A plugin that ends the process would end it with its own status, as if the run were done. */
 static void on_exit_called(void)
 {
     if (tinker_plugin_call == NULL || stage != NOTHING) return;
-    tell_end(" called exit()", "");
-    _exit(1);
+    tinker_crash_end_with(1, " called exit()", "");
 }
 
 /* Public ------------------------------------------------------------------------------------------------------------ */
@@ -220,6 +240,7 @@ void tinker_crash_watch(const char *program)
     for (gsize i = 0; i < G_N_ELEMENTS(signals); i++)
         sigaction(signals[i], &action, &before[i]);
     atexit(on_exit_called);
+    tinker_crash_watch_memory();
 }
 
 void tinker_crash_change(void)

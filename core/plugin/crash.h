@@ -4,7 +4,8 @@
  * tinker_crash_watch() sets a handler for SIGSEGV, SIGBUS, SIGFPE, SIGILL and SIGABRT. It writes one line to standard
  * error (plugin, signal, function, blocks, time), writes out the record that is being kept, and raises the signal
  * again, so that the process ends as it would have. Likewise where a plugin calls exit(): the process then ends with
- * status 1, whatever the plugin asked for. Nothing can be done about _exit() and SIGKILL.
+ * status 1, whatever the plugin asked for; and where GLib or cJSON find no memory, so that nothing is left out quietly.
+ * Nothing can be done about _exit() and SIGKILL.
  *
  * What runs in the handler calls async-signal-safe functions alone (signal-safety(7)), allocates nothing and locks
  * nothing. */

@@ -132,39 +132,64 @@ static TinkerScene *unreadable(const char *path, const char *reason, GPtrArray *
     return NULL;
 }
 
+/* Twice the room for the text of a stream. FALSE, with why not. */
+static gboolean enlarge(char **text, gsize *room, const char **why)
+{
+    const gsize more = MAX(2 * *room, 65536);
+    char *larger = more <= MOST_STREAMED ? g_try_realloc(*text, more) : NULL;
+    *why = more <= MOST_STREAMED ? "there is no memory for a text of its length"
+                                 : "it is longer than 1 GiB (a longer scene must be a file)";
+    if (larger == NULL) return FALSE;
+    *text = larger;
+    *room = more;
+    return TRUE;
+}
+
+/* All that comes out of a stream. NULL, with why not. (transfer full) */
+static char *read_all(int stream, gsize *length, const char **why)
+{
+    g_autofree char *text = NULL;
+    gsize room = 0;
+    *length = 0;
+    while (*length < room || enlarge(&text, &room, why)) {
+        const gssize count = read(stream, text + *length, room - *length);
+        if (count == 0) return g_steal_pointer(&text);
+        if (count > 0) *length += (gsize)count;
+        if (count < 0 && errno != EINTR) {
+            *why = g_strerror(errno);
+            break;
+        }
+    }
+    return NULL;
+}
+
 /* What cannot be mapped into memory: standard input, a pipe, a device; one without an end is given up. */
 static TinkerScene *read_stream(TinkerCatalogue *catalogue, int stream, const char *path, GPtrArray *findings,
                                 GError **error)
 {
-    const char *name = g_str_equal(path, "-") ? "standard input" : path;
-    g_autoptr(GByteArray) bytes = g_byte_array_new();
-    guint8 buffer[65536];
-    for (;;) {
-        gssize count = read(stream, buffer, sizeof buffer);
-        if (count < 0 && errno == EINTR) continue;
-        if (count < 0) return unreadable(name, g_strerror(errno), findings, error);
-        if (count == 0) break;
-        g_byte_array_append(bytes, buffer, (guint)count);
-        if (bytes->len > MOST_STREAMED)
-            return unreadable(name, "it is longer than 1 GiB (a longer scene must be a file)", findings, error);
-    }
-    return tinker_scene_read_text(catalogue, (const char *)bytes->data, bytes->len, path, findings, error);
+    gsize length = 0;
+    const char *why = NULL;
+    g_autofree char *text = read_all(stream, &length, &why);
+    if (text == NULL) return unreadable(g_str_equal(path, "-") ? "standard input" : path, why, findings, error);
+    return tinker_scene_read_text(catalogue, text, length, path, findings, error);
 }
 
 TinkerScene *tinker_scene_read_file(TinkerCatalogue *catalogue, const char *path, GPtrArray *findings, GError **error)
 {
     if (g_str_equal(path, "-")) return read_stream(catalogue, STDIN_FILENO, path, findings, error);
     if (g_file_test(path, G_FILE_TEST_IS_DIR)) return unreadable(path, "it is a folder", findings, error);
-    GMappedFile *file = g_mapped_file_new(path, FALSE, NULL);
-    if (file == NULL) {
-        int stream = open(path, O_RDONLY | O_CLOEXEC);
-        if (stream < 0) return unreadable(path, g_strerror(errno), findings, error);
-        TinkerScene *streamed = read_stream(catalogue, stream, path, findings, error);
-        close(stream);
-        return streamed;
+    // Opened once: who writes into a pipe would find it closed between two times.
+    const int descriptor = open(path, O_RDONLY | O_CLOEXEC);
+    if (descriptor < 0) return unreadable(path, g_strerror(errno), findings, error);
+    GMappedFile *file = g_mapped_file_new_from_fd(descriptor, FALSE, NULL);
+    TinkerScene *scene = NULL;
+    if (file != NULL) {
+        scene = tinker_scene_read_text(catalogue, g_mapped_file_get_contents(file), g_mapped_file_get_length(file),
+                                       path, findings, error);
+        g_mapped_file_unref(file);
+    } else {
+        scene = read_stream(catalogue, descriptor, path, findings, error);
     }
-    TinkerScene *scene = tinker_scene_read_text(catalogue, g_mapped_file_get_contents(file),
-                                                g_mapped_file_get_length(file), path, findings, error);
-    g_mapped_file_unref(file);
+    close(descriptor);
     return scene;
 }

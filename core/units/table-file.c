@@ -18,8 +18,8 @@ typedef struct {
     glong line_number;
     int column;
     double scale;
-    GArray *times;
-    GArray *values;
+    gsize rows, room;
+    double *times, *values; /* of `rows`, with room for more */
 } TableReader;
 
 /* One field of a line; empty where the line has not so many. */
@@ -92,24 +92,45 @@ static gboolean read_field(const TableReader *reader, int index, const char *wha
     return TRUE;
 }
 
+static gboolean enlarge(double **column, gsize room)
+{
+    double *larger = g_try_renew(double, *column, room);
+    if (larger == NULL) return FALSE;
+    *column = larger;
+    return TRUE;
+}
+
+/* Room for one more row. How many there are is up to the file, so no memory for them is an error like another. */
+static gboolean make_room(TableReader *reader, GError **error)
+{
+    if (reader->rows < reader->room) return TRUE;
+    const gsize room = MAX(2 * reader->room, 64);
+    if (enlarge(&reader->times, room) && enlarge(&reader->values, room)) {
+        reader->room = room;
+        return TRUE;
+    }
+    return fail(reader, reader->line, error, "there is no memory for more than %" G_GSIZE_FORMAT " rows", reader->rows);
+}
+
 static gboolean read_row(TableReader *reader, GError **error)
 {
     double time, value;
     const char *start = find_field(reader->line, 0).start;
     if (!read_field(reader, 0, "time", &time, error)) return FALSE;
     if (!read_field(reader, reader->column, "value", &value, error)) return FALSE;
-    if (reader->times->len == TINKER_TABLE_MOST_ROWS)
+    if (reader->rows == TINKER_TABLE_MOST_ROWS)
         return fail(reader, start, error, "a table has at most %d rows", TINKER_TABLE_MOST_ROWS);
-    if (reader->times->len > 0) {
-        const double last = g_array_index(reader->times, double, reader->times->len - 1);
+    if (reader->rows > 0) {
+        const double last = reader->times[reader->rows - 1];
         if (time <= last)
             return fail(reader, start, error, "the time %g must be greater than %g in the row before", time, last);
     }
     value *= reader->scale;
     if (!isfinite(value))
         return fail(reader, find_field(reader->line, reader->column).start, error, "the scaled value is too large");
-    g_array_append_val(reader->times, time);
-    g_array_append_val(reader->values, value);
+    if (!make_room(reader, error)) return FALSE;
+    reader->times[reader->rows] = time;
+    reader->values[reader->rows++] = value;
     return TRUE;
 }
 
@@ -183,24 +204,19 @@ TinkerTable *tinker_table_read(const char *path, int column, double scale, Tinke
     reader->file = file;
     reader->column = column;
     reader->scale = scale;
-    reader->times = g_array_new(FALSE, FALSE, sizeof(double));
-    reader->values = g_array_new(FALSE, FALSE, sizeof(double));
     gboolean good = read_lines(reader, error);
     fclose(file);
-    if (good && reader->times->len == 0) good = fail(reader, reader->line, error, "the file has no rows of numbers");
-
-    gsize rows = 0;
-    double *times = (double *)(void *)g_array_steal(reader->times, &rows);
-    double *values = (double *)(void *)g_array_steal(reader->values, NULL);
-    g_array_unref(reader->times);
-    g_array_unref(reader->values);
+    if (good && reader->rows == 0) good = fail(reader, reader->line, error, "the file has no rows of numbers");
     if (!good) {
-        g_free(times);
-        g_free(values);
+        g_free(reader->times);
+        g_free(reader->values);
         return NULL;
     }
-    TinkerTable *table = tinker_table_new(times, values, rows, kind, error);
-    if (table == NULL) return NULL;
+    TinkerTable *table = tinker_table_new(reader->times, reader->values, reader->rows, kind, error);
+    if (table == NULL) {
+        g_prefix_error(error, "%s: ", path);
+        return NULL;
+    }
     table->column = column;
     table->scale = scale;
     return table;

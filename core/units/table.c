@@ -6,10 +6,15 @@
 
 /* Velocity and place at each row from those at the row before. Sums are compensated (A. Neumaier, ZAMM 54, 1974): a
  * record has millions of rows. */
-static void integrate(TinkerTable *table)
+static gboolean integrate(TinkerTable *table, GError **error)
 {
-    table->speeds = g_new0(double, table->rows);
-    table->places = g_new0(double, table->rows);
+    table->speeds = g_try_new0(double, table->rows);
+    table->places = g_try_new0(double, table->rows);
+    if (table->speeds == NULL || table->places == NULL) {
+        g_set_error(error, TINKER_WAVEFORM_ERROR, TINKER_WAVEFORM_ERROR_TABLE,
+                    "there is no memory to integrate a table of %" G_GSIZE_FORMAT " rows", table->rows);
+        return FALSE;
+    }
     double speed = 0, speed_rest = 0, place = 0, place_rest = 0;
     for (gsize i = 1; i < table->rows; i++) {
         const double step = table->times[i] - table->times[i - 1];
@@ -24,6 +29,7 @@ static void integrate(TinkerTable *table)
         table->places[i] = place + place_rest;
         table->speeds[i] = speed + speed_rest;
     }
+    return TRUE;
 }
 
 /* Second derivatives at the rows, from the equations of a C2 cubic with zero ones at both ends, solved by elimination:
@@ -115,12 +121,11 @@ TinkerTable *tinker_table_new(double *times, double *values, gsize rows, TinkerT
 {
     TinkerTable *table = g_new0(TinkerTable, 1);
     *table = (TinkerTable){.rows = rows, .times = times, .values = values, .kind = kind, .scale = 1};
-    if (!check_rows(times, values, rows, error)) {
-        tinker_table_free(table);
-        return NULL;
-    }
-    if (kind == TINKER_TABLE_ACCELERATION) integrate(table);
-    return table;
+    const gboolean good =
+        check_rows(times, values, rows, error) && (kind != TINKER_TABLE_ACCELERATION || integrate(table, error));
+    if (good) return table;
+    tinker_table_free(table);
+    return NULL;
 }
 
 void tinker_table_free(TinkerTable *table)

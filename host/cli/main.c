@@ -41,7 +41,7 @@ static void print_usage(FILE *file)
         "\nA scene of - is standard input, an output of - is standard output.\n"
         "`tinker VERB --help` lists the options of a verb and shows examples; `tinker --version` tells the version.\n\n"
         "Exit status: 0 done, 1 the run failed, 2 usage, 3 the scene is wrong, 4 a plugin is missing or refused,\n"
-        "5 a file could not be read or written.\n",
+        "5 a file could not be read or written, or there was not enough memory.\n",
         file);
 }
 

@@ -10,7 +10,7 @@ enum {
     TINKER_EXIT_USAGE = 2,
     TINKER_EXIT_SCENE = 3,  /* the scene is wrong */
     TINKER_EXIT_PLUGIN = 4, /* missing or refused */
-    TINKER_EXIT_FILE = 5,   /* could not be read or written */
+    TINKER_EXIT_FILE = 5,   /* could not be read or written; or memory could not be had */
 };
 
 typedef enum {

@@ -33,7 +33,7 @@ void tinker_command_line_add(GApplication *application)
     g_application_set_option_context_description(
         application,
         _("Exit status of --screenshot: 0 done, 1 the run failed, 2 usage, 3 the scene is wrong, 4 a plugin "
-          "is missing or refused, 5 a file could not be read or written."));
+          "is missing or refused, 5 a file could not be read or written, or there was not enough memory."));
 }
 
 static gboolean wrong(GError **error, const char *option, const char *text, const char *right)

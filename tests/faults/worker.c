@@ -5,6 +5,7 @@
 
 #include "physics/record.h"
 #include "plugin/cache-private.h"
+#include "plugin/crash.h"
 
 int worker_failed(const GError *error)
 {
@@ -55,6 +56,7 @@ static int manifest(const char *library)
 
 int main(int argc, char **argv)
 {
+    tinker_crash_watch("fault-worker");
     if (argc == 2 && g_str_equal(argv[1], "record")) return record();
 #ifdef WITH_AUTOSAVE
     if (argc == 2 && g_str_equal(argv[1], "autosave")) return worker_autosave();

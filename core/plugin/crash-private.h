@@ -1,0 +1,16 @@
+/* Ends of the process that are no signal. */
+#ifndef TINKER_PLUGIN_CRASH_PRIVATE_H
+#define TINKER_PLUGIN_CRASH_PRIVATE_H
+
+#include <glib.h>
+
+/* Says what the plugin at work did, or where none is `otherwise`, writes out the record, and ends the process with that
+ * status. */
+G_NORETURN void tinker_crash_end_with(int status, const char *what, const char *otherwise);
+
+/* For the whole process, once: where GLib or cJSON find no memory, the process ends as above, with the status that
+ * the program has for files. What is large is asked for with g_try_malloc() and the like instead, and its lack is an
+ * error. */
+void tinker_crash_watch_memory(void);
+
+#endif
