@@ -15,11 +15,18 @@
 
 #define POLL_US 300
 
-KitSheet *kit_sheet_new(void)
+static gboolean fail(GError **error, const char *what)
+{
+    g_set_error(error, TINKER_PLUGIN_ERROR, TINKER_PLUGIN_ERROR_FILE, "%s: %s", what, g_strerror(errno));
+    return FALSE;
+}
+
+KitSheet *kit_sheet_new(GError **error)
 {
     KitSheet *sheet = mmap(NULL, sizeof *sheet, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
-    if (sheet == MAP_FAILED) g_error("no memory to be shared with a child: %s", g_strerror(errno));
-    return sheet;
+    if (sheet != MAP_FAILED) return sheet;
+    fail(error, "there is no memory to be shared with a child");
+    return NULL;
 }
 
 void kit_sheet_free(KitSheet *sheet)
@@ -125,17 +132,21 @@ static void judge(KitSheet *sheet, gboolean in_time, int status, double seconds,
     }
 }
 
-void kit_child_run(KitSheet *sheet, double seconds, void (*work)(gpointer data), gpointer data)
+gboolean kit_child_run(KitSheet *sheet, double seconds, void (*work)(gpointer data), gpointer data, GError **error)
 {
     memset(sheet, 0, sizeof *sheet);
     fflush(NULL); // what is buffered is written once
     const int errors = memfd_create("errors", MFD_CLOEXEC);
     const pid_t parent = getpid(), child = fork();
     if (child == 0) be_child(sheet, errors, parent, work, data);
-    if (child < 0) g_error("no process for a check: %s", g_strerror(errno));
-    setpgid(child, child);
-    int status = 0;
-    const gboolean in_time = wait_for(child, seconds, &status);
-    judge(sheet, in_time, status, seconds, errors);
+    if (child > 0) {
+        setpgid(child, child);
+        int status = 0;
+        const gboolean in_time = wait_for(child, seconds, &status);
+        judge(sheet, in_time, status, seconds, errors);
+    } else {
+        fail(error, "there is no process to be had for a check");
+    }
     if (errors >= 0) close(errors);
+    return child > 0;
 }

@@ -13,6 +13,7 @@ typedef struct {
     TinkerConformanceFunc result;
     gpointer data;
     KitSheet *sheet;
+    GError *error; /* why nothing more could be tried */
 } Run;
 
 /* What a child is told. */
@@ -82,8 +83,8 @@ static void try_rule(Run *run, const KitRule *rule, char kind, const char *subje
     const KitTry try_it = kind == 'l' ? rule->library : kind == 't' ? rule->type : rule->integrator;
     if (try_it == NULL || (run->options->rule != NULL && strcmp(run->options->rule, rule->rule.name) != 0)) return;
     Task task = {run, try_it, rule->rule.name, kind, subject};
-    kit_child_run(run->sheet, run->options->seconds, work, &task);
-    report(run, rule->rule.name, subject);
+    if (run->error == NULL && kit_child_run(run->sheet, run->options->seconds, work, &task, &run->error))
+        report(run, rule->rule.name, subject);
 }
 
 static void try_rules(Run *run, char kind, const char *subject)
@@ -113,26 +114,34 @@ static gboolean try_subjects(Run *run, char **names, GError **error)
         try_rules(run, **name, *name + 1);
         found = TRUE;
     }
+    if (run->error != NULL) {
+        g_propagate_error(error, g_steal_pointer(&run->error));
+        return FALSE;
+    }
     if (found) return TRUE;
     g_set_error(error, TINKER_PLUGIN_ERROR, TINKER_PLUGIN_ERROR_MISSING, "%s has no block type or integrator \"%s\"",
                 run->path, wanted);
     return FALSE;
 }
 
+static gboolean try_all(Run *run, GError **error)
+{
+    if (!kit_child_run(run->sheet, run->options->seconds, survey, run, error)) return FALSE;
+    if (run->sheet->outcome == TINKER_CONFORMANCE_FAILED) {
+        report(run, kit_rule(0)->rule.name, "");
+        return TRUE;
+    }
+    g_auto(GStrv) names = g_strsplit(run->sheet->names, "\n", -1);
+    return try_subjects(run, names, error);
+}
+
 gboolean tinker_conformance_check(TinkerCatalogue *catalogue, const char *path, const TinkerConformanceOptions *options,
                                   TinkerConformanceFunc result, gpointer data, GError **error)
 {
     if (!is_readable(path, error)) return FALSE;
-    Run run = {catalogue, g_canonicalize_filename(path, NULL), options, result, data, kit_sheet_new()};
-    kit_child_run(run.sheet, options->seconds, survey, &run);
-    gboolean tried = TRUE;
-    if (run.sheet->outcome == TINKER_CONFORMANCE_FAILED) {
-        report(&run, kit_rule(0)->rule.name, "");
-    } else {
-        g_auto(GStrv) names = g_strsplit(run.sheet->names, "\n", -1);
-        tried = try_subjects(&run, names, error);
-    }
+    g_autofree char *absolute = g_canonicalize_filename(path, NULL);
+    Run run = {catalogue, absolute, options, result, data, kit_sheet_new(error)};
+    const gboolean tried = run.sheet != NULL && try_all(&run, error);
     kit_sheet_free(run.sheet);
-    g_free(run.path);
     return tried;
 }

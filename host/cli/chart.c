@@ -171,7 +171,7 @@ gboolean tinker_chart_write_csv(TinkerChart *chart, int decimals, const char *pa
 {
     g_auto(TinkerOutput) output = {0};
     if (!tinker_output_open(&output, path, scene_path, error)) return FALSE;
-    TinkerCsvWriter writer = tinker_csv_writer_graph(output.file, decimals);
+    g_auto(TinkerCsvWriter) writer = tinker_csv_writer_graph(output.file, decimals);
     g_autoptr(GArray) places = csv_places(chart);
     for (guint i = 0; i < places->len; i++) {
         TinkerGraphAxis axis = tinker_chart_axis(chart, g_array_index(places, guint, i));

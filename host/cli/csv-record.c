@@ -1,10 +1,6 @@
 /* The record of a run, written as CSV while it runs. */
 #include "csv-record.h"
 
-#include <errno.h>
-#include <stdlib.h>
-
-#include "exit-status.h"
 #include "units/units.h"
 
 #define MOST_GATHERED 65536
@@ -13,9 +9,8 @@
 /* From here on the handler of crashes may write what is gathered. */
 static void keep_rows(TinkerCsvRecord *record)
 {
-    fflush(record->rows);
-    record->rescue.text = record->text;
-    record->rescue.size = record->size;
+    record->rescue.text = record->writer.text->str;
+    record->rescue.size = record->writer.text->len;
     tinker_crash_keep(&record->rescue);
 }
 
@@ -28,45 +23,38 @@ static void end_row(TinkerCsvRecord *record)
 /* Hands what was gathered to the file, and the file's own buffer to the system. */
 static void flush_rows(TinkerCsvRecord *record)
 {
+    GString *rows = record->writer.text;
     tinker_crash_change();
-    fflush(record->rows);
-    tinker_output_flush(&record->output, record->text, record->size);
-    rewind(record->rows);
+    tinker_output_flush(&record->output, rows->str, rows->len);
+    g_string_truncate(rows, 0);
     keep_rows(record);
     record->flushed = g_get_monotonic_time();
 }
 
-static gboolean open_rows(TinkerCsvRecord *record, GError **error)
+static void open_rows(TinkerCsvRecord *record)
 {
-    record->rows = open_memstream(&record->text, &record->size);
-    if (record->rows == NULL) {
-        g_set_error(error, TINKER_CLI_ERROR, TINKER_CLI_ERROR_FILE, "%s: no memory to gather rows in: %s",
-                    record->output.name, g_strerror(errno));
-        return FALSE;
-    }
+    record->writer = tinker_csv_writer_record(NULL);
+    // Room for all that is gathered and a long row: while text moves to a larger place, the handler cannot write it.
+    g_string_set_size(record->writer.text, 2 * MOST_GATHERED);
+    g_string_truncate(record->writer.text, 0);
     record->rescue.name = record->output.name;
     record->rescue.file = fileno(record->output.file);
     record->flushed = g_get_monotonic_time();
-    return TRUE;
 }
 
 static void close_rows(TinkerCsvRecord *record)
 {
-    if (record->rows == NULL) return;
+    if (record->writer.text == NULL) return;
     flush_rows(record);
     tinker_crash_keep(NULL);
-    fclose(record->rows);
-    free(record->text);
-    record->rows = NULL;
-    record->text = NULL;
+    tinker_csv_writer_clear(&record->writer);
 }
 
 gboolean tinker_csv_record_open(TinkerCsvRecord *record, const char *path, const char *scene_path,
                                 const GArray *columns, GError **error)
 {
     if (!tinker_output_open(&record->output, path, scene_path, error)) return FALSE;
-    if (!open_rows(record, error)) return FALSE;
-    record->writer = tinker_csv_writer_record(record->rows);
+    open_rows(record);
     record->columns = columns->len;
     record->last_time = 0;
     tinker_csv_text(&record->writer, "time [s]");
@@ -88,7 +76,8 @@ gboolean tinker_csv_record_add(TinkerCsvRecord *record, double time, const doubl
         tinker_csv_number(&record->writer, values[i]);
     end_row(record);
     record->last_time = time;
-    if (record->size >= MOST_GATHERED || g_get_monotonic_time() - record->flushed >= LONGEST_WAIT) flush_rows(record);
+    const gboolean many = record->writer.text->len >= MOST_GATHERED;
+    if (many || g_get_monotonic_time() - record->flushed >= LONGEST_WAIT) flush_rows(record);
     return tinker_output_check(&record->output, error);
 }
 

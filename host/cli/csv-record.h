@@ -13,13 +13,10 @@
 
 typedef struct {
     TinkerOutput output;
-    TinkerCsvWriter writer;
+    TinkerCsvWriter writer; /* gathers rows in memory */
     guint columns;
     double last_time; /* of the rows written */
-    FILE *rows;       /* gathers rows in memory: */
-    char *text;
-    size_t size;
-    gint64 flushed; /* µs, monotonic: when rows last went to the file */
+    gint64 flushed;   /* µs, monotonic: when rows last went to the file */
     TinkerCrashRecord rescue;
 } TinkerCsvRecord;
 

@@ -1,6 +1,7 @@
 /* tinker, the program without a window: finds the verb and hands over. No call of setlocale: numbers are read and
  * written in the C locale everywhere. */
 #include <glib.h>
+#include <signal.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -104,5 +105,6 @@ static int dispatch(int argc, char **argv)
 int main(int argc, char **argv)
 {
     tinker_crash_watch("tinker");
+    signal(SIGCHLD, SIG_DFL); // it may be inherited as ignored, and then no child can be waited for
     return finish(dispatch(argc, argv));
 }

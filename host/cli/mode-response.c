@@ -196,7 +196,7 @@ gboolean tinker_mode_response_write_csv(const TinkerModeResponse *made, const ch
 {
     g_auto(TinkerOutput) output = {0};
     if (!tinker_output_open(&output, path, scene_path, error)) return FALSE;
-    TinkerCsvWriter csv = tinker_csv_writer_record(output.file);
+    g_auto(TinkerCsvWriter) csv = tinker_csv_writer_record(output.file);
     g_autofree char *amplitude = g_strdup_printf("amplitude [%s]", made->unit);
     tinker_csv_text(&csv, "frequency [Hz]");
     tinker_csv_text(&csv, amplitude);

@@ -119,7 +119,7 @@ void tinker_trade_write_csv(const TinkerTrade *trade, FILE *file)
 {
     static const char *const headings[] = {"method", "step",         "tolerance",        "wall_s", "evaluations",
                                            "error",  "energy_error", "constraint_error", "note"};
-    TinkerCsvWriter writer = tinker_csv_writer_record(file);
+    g_auto(TinkerCsvWriter) writer = tinker_csv_writer_record(file);
     for (gsize i = 0; i < G_N_ELEMENTS(headings); i++)
         tinker_csv_text(&writer, headings[i]);
     tinker_csv_end_row(&writer);

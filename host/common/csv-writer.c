@@ -1,4 +1,4 @@
-/* CSV by RFC 4180. Write errors stay with the stream, whose owner asks for them. */
+/* CSV by RFC 4180. */
 #include "csv-writer.h"
 
 #include <math.h>
@@ -6,17 +6,24 @@
 
 TinkerCsvWriter tinker_csv_writer_record(FILE *file)
 {
-    return (TinkerCsvWriter){.file = file, .digits = 17, .signed_zero = TRUE};
+    return (TinkerCsvWriter){.file = file, .text = g_string_new(NULL), .digits = 17, .signed_zero = TRUE};
 }
 
 TinkerCsvWriter tinker_csv_writer_graph(FILE *file, int decimals)
 {
-    return (TinkerCsvWriter){.file = file, .digits = decimals < 0 ? 9 : 0, .decimals = decimals};
+    return (TinkerCsvWriter){
+        .file = file, .text = g_string_new(NULL), .digits = decimals < 0 ? 9 : 0, .decimals = decimals};
+}
+
+void tinker_csv_writer_clear(TinkerCsvWriter *writer)
+{
+    if (writer->text != NULL) g_string_free(writer->text, TRUE);
+    writer->text = NULL;
 }
 
 static void begin_field(TinkerCsvWriter *writer)
 {
-    if (writer->row_begun) fputc(',', writer->file);
+    if (writer->row_begun) g_string_append_c(writer->text, ',');
     writer->row_begun = TRUE;
 }
 
@@ -24,15 +31,15 @@ void tinker_csv_text(TinkerCsvWriter *writer, const char *text)
 {
     begin_field(writer);
     if (strpbrk(text, ",\"\r\n") == NULL) {
-        fputs(text, writer->file);
+        g_string_append(writer->text, text);
         return;
     }
-    fputc('"', writer->file);
+    g_string_append_c(writer->text, '"');
     for (const char *character = text; *character != '\0'; character++) {
-        if (*character == '"') fputc('"', writer->file);
-        fputc(*character, writer->file);
+        if (*character == '"') g_string_append_c(writer->text, '"');
+        g_string_append_c(writer->text, *character);
     }
-    fputc('"', writer->file);
+    g_string_append_c(writer->text, '"');
 }
 
 static void drop_trailing_zeros(char *text)
@@ -49,7 +56,7 @@ void tinker_csv_number(TinkerCsvWriter *writer, double value)
 {
     begin_field(writer);
     if (!isfinite(value)) {
-        fputs(isnan(value) ? "nan" : value > 0 ? "inf" : "-inf", writer->file);
+        g_string_append(writer->text, isnan(value) ? "nan" : value > 0 ? "inf" : "-inf");
         return;
     }
     /* room for the longest double with the most decimals that an option allows */
@@ -63,11 +70,14 @@ void tinker_csv_number(TinkerCsvWriter *writer, double value)
         drop_trailing_zeros(text);
     }
     const char *shown = !writer->signed_zero && strcmp(text, "-0") == 0 ? "0" : text;
-    fputs(shown, writer->file);
+    g_string_append(writer->text, shown);
 }
 
 void tinker_csv_end_row(TinkerCsvWriter *writer)
 {
-    fputc('\n', writer->file);
+    g_string_append_c(writer->text, '\n');
     writer->row_begun = FALSE;
+    if (writer->file == NULL) return;
+    if (fwrite(writer->text->str, 1, writer->text->len, writer->file) != writer->text->len) writer->failed = TRUE;
+    g_string_truncate(writer->text, 0);
 }

@@ -319,11 +319,17 @@ gboolean tinker_graph_data_write_csv(TinkerGraphData *data, const char *path, in
     char *text = NULL;
     size_t length = 0;
     FILE *stream = open_memstream(&text, &length);
-    if (stream == NULL) g_error("no memory for a stream");
-    TinkerCsvWriter writer = tinker_csv_writer_graph(stream, decimals);
-    write_rows(data, &writer);
-    fclose(stream);
-    gboolean done = g_file_set_contents(path, text, (gssize)length, error);
+    gboolean done = FALSE;
+    if (stream != NULL) {
+        g_auto(TinkerCsvWriter) writer = tinker_csv_writer_graph(stream, decimals);
+        write_rows(data, &writer);
+        done = fclose(stream) == 0 && !writer.failed;
+    }
+    if (done)
+        done = g_file_set_contents(path, text, (gssize)length, error);
+    else
+        g_set_error(error, G_FILE_ERROR, G_FILE_ERROR_NOMEM, _("there is no memory to write %zu rows"),
+                    tinker_graph_data_count(data));
     free(text);
     return done;
 }

@@ -189,6 +189,24 @@ static void test_usage(void)
     g_assert_null(strstr(lines->output, "not ok"));
 }
 
+/* Who starts the program may have asked not to hear of children that end, and the program inherits that. */
+static void test_deaf_parent(void)
+{
+    g_autofree char *path = planted_path("none"), *output = NULL;
+    char *arguments[] = {(char *)"sh",
+                         (char *)"-c",
+                         (char *)"trap '' CHLD; exec \"$0\" plugins check \"$1\"",
+                         (char *)g_getenv("TINKER_PROGRAM"),
+                         path,
+                         NULL};
+    g_autoptr(GError) error = NULL;
+    int status = 0;
+    g_spawn_sync(NULL, arguments, NULL, G_SPAWN_SEARCH_PATH, NULL, NULL, &output, NULL, &status, &error);
+    g_assert_no_error(error);
+    g_assert_cmpint(status, ==, 0);
+    g_assert_null(strstr(output, "hung"));
+}
+
 static void add_folder(const char *folder)
 {
     g_autoptr(GDir) dir = g_dir_open(folder, 0, NULL);
@@ -217,5 +235,6 @@ int main(int argc, char **argv)
     }
     g_test_add_func("/conformance/repeated", test_repeated);
     g_test_add_func("/conformance/usage", test_usage);
+    g_test_add_func("/conformance/deaf-parent", test_deaf_parent);
     return g_test_run();
 }

@@ -49,12 +49,24 @@ static void assert_ended_by_glib(const TestProgram *ended)
     cli_assert_holds(ended->error, "it seems for want of memory");
 }
 
+/* Whether the warnings of a summary tell it: of a library that could not be opened, of an error that could not be estimated. */
+static gboolean is_told_in_summary(GBytes *text)
+{
+    cJSON *summary = cJSON_ParseWithLength(g_bytes_get_data(text, NULL), g_bytes_get_size(text));
+    const cJSON *warning = cJSON_GetArrayItem(cJSON_GetObjectItemCaseSensitive(summary, "warnings"), 0);
+    const gboolean told = warning != NULL && strstr(warning->valuestring, "memory") != NULL;
+    cJSON_Delete(summary);
+    return told;
+}
+
 /* A library that could not be opened makes placeholders of its blocks, which are written as they were read, and it is told: with
  * the library at hand the scene is the same. */
 static void assert_nothing_lost(const CliFixture *fixture, const FaultOperation *operation, const TestProgram *ended,
                                 GBytes *reference)
 {
     if (fault_is_whole(fixture, operation, reference)) return;
+    g_autoptr(GBytes) now = fault_written(fixture, operation);
+    if (g_str_equal(operation->name, "json") && is_told_in_summary(now)) return;
     assert_told(ended);
     g_assert_cmpstr(operation->name, ==, "convert");
     g_autoptr(TestProgram) again = cli_run_well(fixture, "convert @new.json -o @new.json");
