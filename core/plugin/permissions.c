@@ -1,16 +1,17 @@
-/* Permissions of a library and of its folder. */
+/* Permissions of a library, of its folder, and of all folders and links on the way to it. */
 #include "plugin/permissions-private.h"
 
 #include <errno.h>
 #include <fcntl.h>
 #include <grp.h>
 #include <pwd.h>
-#include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include "plugin/refuse-private.h"
+
+#define MOST_LINKS 40 /* as the system */
 
 /* getgrgid and getpwent answer static memory. */
 static GMutex accounts_mutex;
@@ -61,15 +62,20 @@ static char *other_member(gid_t group)
     return found;
 }
 
+static gboolean check_owner(uid_t owner, const char *what, GError **error)
+{
+    return is_trusted(owner) ||
+           tinker_refuse(error,
+                         "%s belongs to the user %u, not to root, to you (%u) or to the owner of this program (%u)",
+                         what, owner, geteuid(), program_owner());
+}
+
 static gboolean check_one(const char *path, const char *what, GError **error)
 {
     struct stat status;
     if (stat(path, &status) != 0) return tinker_fail_file(error, "%s cannot be read: %s", what, g_strerror(errno));
     const unsigned mode = status.st_mode & 07777;
-    if (!is_trusted(status.st_uid))
-        return tinker_refuse(error,
-                             "%s belongs to the user %u, not to root, to you (%u) or to the owner of this program (%u)",
-                             what, status.st_uid, geteuid(), program_owner());
+    if (!check_owner(status.st_uid, what, error)) return FALSE;
     if ((mode & S_IWOTH) != 0)
         return tinker_refuse(error, "%s can be written by everybody (mode %04o); only its owner may", what, mode);
     if ((mode & S_IWGRP) == 0) return TRUE;
@@ -96,15 +102,58 @@ static gboolean check_with_folders(const char *path, GError **error)
     return check_one(path, "it", error) && check_one(folder, "its folder", error) && check_above(folder, error);
 }
 
+/* The first link on the way to an absolute path; NULL: there is none. Steps back ("..") are taken from what is there. (transfer
+ * full) */
+static char *first_link(const char *path, const char **rest)
+{
+    g_autoptr(GString) way = g_string_new(NULL);
+    for (const char *from = path; *from != '\0'; from = *rest) {
+        from += strspn(from, "/");
+        const gsize length = strcspn(from, "/");
+        *rest = from + length;
+        if (length == 0 || (length == 1 && from[0] == '.')) continue;
+        if (length == 2 && strncmp(from, "..", 2) == 0) {
+            const char *last = strrchr(way->str, '/');
+            g_string_truncate(way, last != NULL ? (gsize)(last - way->str) : 0);
+            continue;
+        }
+        g_string_append_c(way, '/');
+        g_string_append_len(way, from, (gssize)length);
+        struct stat status;
+        if (lstat(way->str, &status) == 0 && S_ISLNK(status.st_mode)) return g_strdup(way->str);
+    }
+    return NULL;
+}
+
+/* Checks the link, and answers the path with this link followed; NULL with an error. (transfer full) */
+static char *follow(const char *link, const char *rest, GError **error)
+{
+    struct stat status;
+    g_autofree char *what = g_strdup_printf("the link \"%s\" on the way to it", link);
+    g_autofree char *target = g_file_read_link(link, NULL), *folder = g_path_get_dirname(link);
+    if (lstat(link, &status) != 0 || target == NULL) {
+        tinker_fail_file(error, "%s cannot be read: %s", what, g_strerror(errno));
+        return NULL;
+    }
+    // In a folder with a sticky bit, the owner of a link can let it lead elsewhere.
+    if (!check_owner(status.st_uid, what, error)) return NULL;
+    return target[0] == '/' ? g_strconcat(target, rest, NULL) : g_strconcat(folder, "/", target, rest, NULL);
+}
+
 gboolean tinker_permissions_check(const char *path, GError **error)
 {
-    if (!check_with_folders(path, error)) return FALSE;
-    // A link may be the file itself, or any folder on the way.
-    char *target = realpath(path, NULL);
-    if (target == NULL) return tinker_fail_file(error, "it cannot be read: %s", g_strerror(errno));
-    const gboolean passed = strcmp(target, path) == 0 || check_with_folders(target, error);
-    free(target);
-    return passed;
+    g_autofree char *at = g_strdup(path);
+    for (int links = 0; links <= MOST_LINKS; links++) {
+        const char *rest = NULL;
+        if (!check_with_folders(at, error)) return FALSE;
+        g_autofree char *link = first_link(at, &rest);
+        if (link == NULL) return TRUE;
+        char *next = follow(link, rest, error);
+        if (next == NULL) return FALSE;
+        g_free(at);
+        at = next;
+    }
+    return tinker_fail_file(error, "it cannot be read: %s", g_strerror(ELOOP));
 }
 
 char *tinker_read_trusted(const char *path, gsize most_bytes, GError **error)

@@ -89,6 +89,46 @@ static void test_link(Place *place, gconstpointer data)
     expect_refused(place, link, "its folder can be written by everybody (mode 0777); only its owner may");
 }
 
+/* A link to a link: the one between lies where others can replace it, in a folder that neither end lies in. */
+static void test_link_between(Place *place, gconstpointer data)
+{
+    g_autofree char *open = g_build_filename(place->root, "open", NULL), *between = g_build_filename(open, "one", NULL);
+    g_assert_cmpint(g_mkdir(open, 0755), ==, 0);
+    g_autofree char *target = install_module("good", place->second, "target");
+    g_autofree char *link = g_build_filename(place->first, "pull.so", NULL);
+    // Relative, by a step back.
+    g_assert_cmpint(symlink("../open/one", link), ==, 0);
+    g_assert_cmpint(symlink(target, between), ==, 0);
+    expect_refused(place, link, NULL);
+    g_assert_cmpint(g_chmod(open, 0777), ==, 0);
+    expect_refused(place, link, "its folder can be written by everybody (mode 0777); only its owner may");
+    g_assert_cmpint(g_chmod(open, 0755), ==, 0);
+}
+
+/* A link to a folder, in a folder where everybody may put links, but only replace their own. */
+static void test_owner_of_link(Place *place, gconstpointer data)
+{
+    if (geteuid() != 0) {
+        g_test_skip("only root can give files away");
+        return;
+    }
+    g_autofree char *open = g_build_filename(place->root, "open", NULL), *link = g_build_filename(open, "link", NULL);
+    g_assert_cmpint(g_mkdir(open, 0755), ==, 0);
+    g_assert_cmpint(g_chmod(open, 01777), ==, 0);
+    g_autofree char *path = install(place, place->second);
+    g_assert_cmpint(symlink(place->second, link), ==, 0);
+    const char *const folders[] = {link, NULL};
+    place->options.folders = folders;
+    g_autofree char *found = g_build_filename(link, "pull.so", NULL);
+    expect_refused(place, found, NULL);
+    g_assert_cmpint(lchown(link, 4321, (gid_t)-1), ==, 0);
+    g_autofree char *message = g_strdup_printf(
+        "the link \"%s\" on the way to it belongs to the user 4321, not to root, to you (0) or to the owner of this "
+        "program (0)",
+        link);
+    expect_refused(place, found, message);
+}
+
 /* What others can write is not believed: the library is probed. */
 static void test_manifest(Place *place, gconstpointer data)
 {
@@ -153,6 +193,8 @@ int main(int count, char **arguments)
     add_place_test("/plugin/permissions/folder-above", test_folder_above);
     add_place_test("/plugin/permissions/folder-link", test_folder_link);
     add_place_test("/plugin/permissions/link", test_link);
+    add_place_test("/plugin/permissions/link-between", test_link_between);
+    add_place_test("/plugin/permissions/owner-of-link", test_owner_of_link);
     add_place_test("/plugin/permissions/manifest", test_manifest);
     add_place_test("/plugin/permissions/reason", test_reason_in_message);
     add_place_test("/plugin/permissions/group", test_group);
