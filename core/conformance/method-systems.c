@@ -8,6 +8,7 @@
 #include "conformance/method-systems-private.h"
 
 #include <math.h>
+#include <tinker/unconstrained.h>
 
 #define SIZE    KIT_SYSTEM_SIZE
 #define OMEGA   KIT_SYSTEM_OMEGA
@@ -22,20 +23,6 @@ static TinkerStatus acceleration(void *context, double t, const double *q, const
     if (power != NULL) power[0] = -DAMPING * (v[0] * v[0] + v[1] * v[1]);
     return TINKER_OK;
 }
-static TinkerStatus project(void *context, double t, double *q, double *v, int32_t *moved)
-{
-    *moved = 0;
-    return TINKER_OK;
-}
-static TinkerStatus constrain_step(void *context, double t_from, const double *q_from, double t, double h, double *q,
-                                   double *v)
-{
-    return TINKER_OK;
-}
-static TinkerStatus project_velocity(void *context, double t, const double *q, double *v, int32_t homogeneous)
-{
-    return TINKER_OK;
-}
 static TinkerStatus damping_product(void *context, double t, const double *q, const double *v, const double *dv,
                                     double *out)
 {
@@ -47,10 +34,6 @@ static void scales(void *context, const double *q, const double *v, double *exte
 {
     *extent = 1;
     *speed = OMEGA;
-}
-static const char *failure(void *context)
-{
-    return NULL;
 }
 static TinkerStatus jacobian(void *context, double t, const double *q, const double *v, double *stiffness,
                              double *damping)
@@ -88,12 +71,12 @@ static const TinkerSystem oscillator_system = {.struct_size = sizeof(TinkerSyste
                                                .mass = masses,
                                                .acceleration = acceleration,
                                                .applied = acceleration,
-                                               .project = project,
-                                               .constrain_step = constrain_step,
-                                               .project_velocity = project_velocity,
+                                               .project = tinker_unconstrained_project,
+                                               .constrain_step = tinker_unconstrained_constrain_step,
+                                               .project_velocity = tinker_unconstrained_project_velocity,
                                                .damping_product = damping_product,
                                                .scales = scales,
-                                               .failure = failure,
+                                               .failure = tinker_unconstrained_failure,
                                                .pattern = &pattern,
                                                .jacobian = jacobian,
                                                .linear = &linear,
@@ -165,12 +148,12 @@ static const TinkerSystem driven_system = {.struct_size = sizeof(TinkerSystem),
                                            .mass = masses,
                                            .acceleration = driven_acceleration,
                                            .applied = driven_acceleration,
-                                           .project = project,
-                                           .constrain_step = constrain_step,
-                                           .project_velocity = project_velocity,
+                                           .project = tinker_unconstrained_project,
+                                           .constrain_step = tinker_unconstrained_constrain_step,
+                                           .project_velocity = tinker_unconstrained_project_velocity,
                                            .damping_product = driven_damping,
                                            .scales = scales,
-                                           .failure = failure,
+                                           .failure = tinker_unconstrained_failure,
                                            .pattern = &pattern,
                                            .jacobian = driven_jacobian};
 

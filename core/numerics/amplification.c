@@ -2,6 +2,7 @@
 #include "numerics/amplification.h"
 
 #include <math.h>
+#include <tinker/unconstrained.h>
 
 /* A map may grow by this much a step: rounding. */
 #define GROWTH_TOLERANCE 1e-9
@@ -37,23 +38,6 @@ static TinkerStatus acceleration(void *context, double t, const double *q, const
     return TINKER_OK;
 }
 
-static TinkerStatus project(void *context, double t, double *q, double *v, int32_t *moved)
-{
-    *moved = 0;
-    return TINKER_OK;
-}
-
-static TinkerStatus constrain_step(void *context, double t_from, const double *q_from, double t, double h, double *q,
-                                   double *v)
-{
-    return TINKER_OK;
-}
-
-static TinkerStatus project_velocity(void *context, double t, const double *q, double *v, int32_t homogeneous)
-{
-    return TINKER_OK;
-}
-
 static TinkerStatus damping_product(void *context, double t, const double *q, const double *v, const double *dv,
                                     double *out)
 {
@@ -66,11 +50,6 @@ static void scales(void *context, const double *q, const double *v, double *exte
 {
     *extent = fmax(1.0, fabs(q[0]));
     *speed = fmax(1.0, fabs(v[0]));
-}
-
-static const char *failure(void *context)
-{
-    return NULL;
 }
 
 static TinkerStatus jacobian(void *context, double t, const double *q, const double *v, double *stiffness,
@@ -99,12 +78,12 @@ static gboolean probe_open(Probe *probe, const TinkerIntegrator *method, double 
         .mass = unit_mass,
         .acceleration = acceleration,
         .applied = acceleration,
-        .project = project,
-        .constrain_step = constrain_step,
-        .project_velocity = project_velocity,
+        .project = tinker_unconstrained_project,
+        .constrain_step = tinker_unconstrained_constrain_step,
+        .project_velocity = tinker_unconstrained_project_velocity,
         .damping_product = damping_product,
         .scales = scales,
-        .failure = failure,
+        .failure = tinker_unconstrained_failure,
         .pattern = &pattern,
         .jacobian = jacobian,
     };

@@ -46,11 +46,12 @@ char *reader_table_path(const char *folder, const char *file, GError **error)
                     "\"%s\" lies outside the scene's folder; a table must be a file in it", file);
         return NULL;
     }
-    char *real_base = realpath(base, NULL), *real = realpath(named, NULL);
+    char *real_base = realpath(base, NULL), *real = real_base != NULL ? realpath(named, NULL) : NULL;
+    const int reason = errno;
     char *path = NULL;
     if (real_base == NULL || real == NULL)
         g_set_error(error, TINKER_SCENE_ERROR, TINKER_SCENE_ERROR_FILE, "\"%s\" cannot be read: %s", file,
-                    g_strerror(errno));
+                    g_strerror(reason));
     else if (!is_inside(real, real_base))
         g_set_error(error, TINKER_SCENE_ERROR, TINKER_SCENE_ERROR_FILE,
                     "\"%s\" is a link that leads outside the scene's folder; a table must be a file in it", file);

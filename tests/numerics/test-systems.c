@@ -4,6 +4,7 @@
 #include <complex.h>
 #include <math.h>
 #include <string.h>
+#include <tinker/unconstrained.h>
 
 static const double oscillator_q0[TEST_SIZE] = {1.0, -0.4};
 static const double oscillator_v0[TEST_SIZE] = {0.3, 0.9};
@@ -52,32 +53,10 @@ static TinkerStatus oscillator_jacobian(void *context, double t, const double *q
     return TINKER_OK;
 }
 
-static TinkerStatus no_projection(void *context, double t, double *q, double *v, int32_t *moved)
-{
-    *moved = 0;
-    return TINKER_OK;
-}
-
-static TinkerStatus no_constrain_step(void *context, double t_from, const double *q_from, double t, double h, double *q,
-                                      double *v)
-{
-    return TINKER_OK;
-}
-
-static TinkerStatus no_velocity_projection(void *context, double t, const double *q, double *v, int32_t homogeneous)
-{
-    return TINKER_OK;
-}
-
 static void largest_scales(void *context, const double *q, const double *v, double *extent, double *speed)
 {
     *extent = fmax(fabs(q[0]), fabs(q[1]));
     *speed = fmax(fabs(v[0]), fabs(v[1]));
-}
-
-static const char *no_failure(void *context)
-{
-    return NULL;
 }
 
 void oscillator_init(Oscillator *o, double omega, double gamma, double drive, double drive_rate)
@@ -93,14 +72,14 @@ void oscillator_init(Oscillator *o, double omega, double gamma, double drive, do
         .mass = unit_mass,
         .acceleration = oscillator_acceleration,
         .applied = oscillator_acceleration,
-        .project = no_projection,
-        .constrain_step = no_constrain_step,
-        .project_velocity = no_velocity_projection,
+        .project = tinker_unconstrained_project,
+        .constrain_step = tinker_unconstrained_constrain_step,
+        .project_velocity = tinker_unconstrained_project_velocity,
         .damping_product = oscillator_damping,
         .pattern = &oscillator_pattern,
         .jacobian = oscillator_jacobian,
         .scales = largest_scales,
-        .failure = no_failure,
+        .failure = tinker_unconstrained_failure,
     };
 }
 
@@ -237,7 +216,7 @@ void pendulum_init(Pendulum *p, double length, double gravity, double theta0, do
         .jacobian = pendulum_jacobian,
         .row_masses = pendulum_row_masses,
         .scales = largest_scales,
-        .failure = no_failure,
+        .failure = tinker_unconstrained_failure,
     };
 }
 
