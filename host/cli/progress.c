@@ -22,6 +22,7 @@ static void on_signal(int number)
 
 void tinker_progress_catch_interrupt(void)
 {
+    interrupted = 0;
     struct sigaction action = {.sa_handler = on_signal};
     sigemptyset(&action.sa_mask);
     sigaction(SIGINT, &action, NULL);

@@ -111,6 +111,7 @@ static gboolean animate(const AnimateOptions *options, const TinkerOpenScene *op
     gboolean joined = !tinker_path_has_ending(options->output, ".png") && tinker_film_can_join();
     gsize drawn = 0;
     progress = tinker_progress_start("drawing");
+    tinker_progress_catch_interrupt(); // one that stopped the run does not stop the drawing of it
     gboolean fine = tinker_motion_film_write(motion, &drawing, &drawn, error);
     tinker_progress_end(&progress);
     if (fine && !joined) tell_numbered_pictures(options->output, drawn);

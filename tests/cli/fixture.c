@@ -2,7 +2,9 @@
 #include "fixture.h"
 
 #include <glib/gstdio.h>
+#include <signal.h>
 #include <string.h>
+#include <sys/wait.h>
 
 void cli_fixture_set_up(CliFixture *fixture, gconstpointer data)
 {
@@ -48,10 +50,11 @@ char *cli_read(const CliFixture *fixture, const char *name)
     return test_read_file(path);
 }
 
-TestProgram *cli_run(const CliFixture *fixture, const char *words)
+/* (transfer full) */
+static char **split(const CliFixture *fixture, const char *words)
 {
     g_autoptr(GError) error = NULL;
-    g_auto(GStrv) arguments = NULL;
+    char **arguments = NULL;
     if (words[0] == '\0')
         arguments = g_new0(char *, 1);
     else
@@ -63,7 +66,37 @@ TestProgram *cli_run(const CliFixture *fixture, const char *words)
         g_free(*word);
         *word = path;
     }
+    return arguments;
+}
+
+TestProgram *cli_run(const CliFixture *fixture, const char *words)
+{
+    g_auto(GStrv) arguments = split(fixture, words);
     return test_program_run((const char *const *)arguments);
+}
+
+GPid cli_start(const CliFixture *fixture, const char *words)
+{
+    g_auto(GStrv) arguments = split(fixture, words);
+    g_autoptr(GPtrArray) all = g_ptr_array_new();
+    g_ptr_array_add(all, (gpointer)g_getenv("TINKER_PROGRAM"));
+    for (char **word = arguments; *word != NULL; word++)
+        g_ptr_array_add(all, *word);
+    g_ptr_array_add(all, NULL);
+    const GSpawnFlags flags = G_SPAWN_DO_NOT_REAP_CHILD | G_SPAWN_STDOUT_TO_DEV_NULL | G_SPAWN_STDERR_TO_DEV_NULL;
+    g_autoptr(GError) error = NULL;
+    GPid process = 0;
+    g_spawn_async(NULL, (char **)all->pdata, NULL, flags, NULL, NULL, &process, &error);
+    g_assert_no_error(error);
+    return process;
+}
+
+int cli_interrupt(GPid process)
+{
+    int status = 0;
+    kill(process, SIGINT);
+    g_assert_cmpint(waitpid(process, &status, 0), ==, process);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
 TestProgram *cli_run_well(const CliFixture *fixture, const char *words)

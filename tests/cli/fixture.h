@@ -40,6 +40,11 @@ TestProgram *cli_run(const CliFixture *fixture, const char *words);
 TestProgram *cli_run_well(const CliFixture *fixture, const char *words);
 TestProgram *cli_run_badly(const CliFixture *fixture, const char *words, int status);
 
+/* Starts the program, its outputs thrown away. */
+GPid cli_start(const CliFixture *fixture, const char *words);
+/* Sends it a Ctrl-C and waits; answers its exit status, -1 where it did not end of itself. */
+int cli_interrupt(GPid process);
+
 /* Fails the test where `text` does not hold `part`. */
 void cli_assert_holds(const char *text, const char *part);
 

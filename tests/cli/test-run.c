@@ -1,7 +1,5 @@
 /* tinker run: the record, the summary, and what happens when it goes wrong. */
-#include <signal.h>
 #include <string.h>
-#include <sys/wait.h>
 
 #include "fixture.h"
 
@@ -267,19 +265,9 @@ static void test_interrupt(CliFixture *fixture, gconstpointer data)
 {
     g_autofree char *scene = cli_write(fixture, "a.json", OSCILLATOR);
     g_autofree char *csv = cli_path(fixture, "r.csv");
-    const char *words[] = {g_getenv("TINKER_PROGRAM"), "run", scene, "--duration", "1e9", "--csv", csv, NULL};
-    GPid process;
-    g_autoptr(GError) error = NULL;
-    g_spawn_async(NULL, (char **)words, NULL,
-                  G_SPAWN_DO_NOT_REAP_CHILD | G_SPAWN_STDOUT_TO_DEV_NULL | G_SPAWN_STDERR_TO_DEV_NULL, NULL, NULL,
-                  &process, &error);
-    g_assert_no_error(error);
+    const GPid process = cli_start(fixture, "run @a.json --duration 1e9 --csv @r.csv");
     wait_for_rows(csv);
-    kill(process, SIGINT);
-    int status = 0;
-    g_assert_cmpint(waitpid(process, &status, 0), ==, process);
-    g_assert_true(WIFEXITED(status));
-    g_assert_cmpint(WEXITSTATUS(status), ==, 1);
+    g_assert_cmpint(cli_interrupt(process), ==, 1);
     /* whole rows, all of them readable */
     g_autofree char *text = test_read_file(csv);
     g_assert_true(g_str_has_suffix(text, "\n"));

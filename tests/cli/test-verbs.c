@@ -1,4 +1,5 @@
 /* The verbs beside run: what they write, and their help. */
+#include <signal.h>
 #include <string.h>
 
 #include "fixture.h"
@@ -290,6 +291,30 @@ static void test_animate(CliFixture *fixture, gconstpointer data)
         cli_assert_holds(film->error, "film-0001.png");
 }
 
+/* Waits until the program takes a Ctrl-C as the wish to stop, which is where its run begins. */
+static void wait_for_run(GPid process)
+{
+    g_autofree char *path = g_strdup_printf("/proc/%d/status", process);
+    for (gboolean caught = FALSE; !caught; g_usleep(1000)) {
+        g_autofree char *text = test_read_file(path);
+        const char *line = strstr(text, "\nSigCgt:");
+        g_assert_nonnull(line);
+        caught = (g_ascii_strtoull(line + strlen("\nSigCgt:"), NULL, 16) >> (SIGINT - 1) & 1) != 0;
+    }
+}
+
+/* What was run up to the Ctrl-C is drawn, all of it. */
+static void test_animate_interrupted(CliFixture *fixture, gconstpointer data)
+{
+    g_autofree char *scene = cli_write(fixture, "a.json", OSCILLATOR);
+    const GPid process =
+        cli_start(fixture, "animate @a.json -o @film.png --fps 100 --duration 900 --step 1e-6 --size 64x48");
+    wait_for_run(process);
+    g_usleep(G_USEC_PER_SEC / 4); // some hundred pictures' time
+    g_assert_cmpint(cli_interrupt(process), ==, 1);
+    assert_png_size(fixture, "film-0002.png", 64, 48);
+}
+
 static void test_plugins(CliFixture *fixture, gconstpointer data)
 {
     g_autoptr(TestProgram) list = cli_run_well(fixture, "plugins");
@@ -402,6 +427,7 @@ int main(int argc, char **argv)
     cli_test_add("/verbs/render-shows-time", test_render_shows_time);
     cli_test_add("/verbs/picture-mistakes", test_picture_mistakes);
     cli_test_add("/verbs/animate", test_animate);
+    cli_test_add("/verbs/animate-interrupted", test_animate_interrupted);
     cli_test_add("/verbs/plugins", test_plugins);
     cli_test_add("/verbs/describe", test_describe);
     cli_test_add("/verbs/bench", test_bench);
