@@ -45,7 +45,7 @@ static void assemble(TinkerConstraints *all)
     double *restrict values = tinker_sparse_ldl_values(all->ldl);
     const double *restrict j = all->jacobian;
     const TinkerProduct *restrict p = (const TinkerProduct *)(const void *)all->products->data;
-    const TinkerProduct *end = p + all->products->len;
+    const TinkerProduct *end = all->products->len > 0 ? p + all->products->len : p; // rows that move nothing have none
     while (p < end) {
         int32_t slot = p->slot;
         double sum = 0;
