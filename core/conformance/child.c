@@ -25,7 +25,7 @@ KitSheet *kit_sheet_new(GError **error)
 {
     KitSheet *sheet = mmap(NULL, sizeof *sheet, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
     if (sheet != MAP_FAILED) return sheet;
-    fail(error, "there is no memory to be shared with a child");
+    fail(error, "no memory can be had that is shared with a child");
     return NULL;
 }
 
@@ -48,6 +48,7 @@ static void forget_handlers(void)
     static const int crashes[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
     for (gsize i = 0; i < G_N_ELEMENTS(crashes); i++)
         signal(crashes[i], SIG_DFL);
+    g_log_set_default_handler(g_log_default_handler, NULL);
 }
 
 static void be_child(KitSheet *sheet, int errors, pid_t parent, void (*work)(gpointer data), gpointer data)
@@ -145,7 +146,7 @@ gboolean kit_child_run(KitSheet *sheet, double seconds, void (*work)(gpointer da
         const gboolean in_time = wait_for(child, seconds, &status);
         judge(sheet, in_time, status, seconds, errors);
     } else {
-        fail(error, "there is no process to be had for a check");
+        fail(error, "no process can be had for a check");
     }
     if (errors >= 0) close(errors);
     return child > 0;

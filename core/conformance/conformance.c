@@ -115,7 +115,7 @@ static gboolean try_subjects(Run *run, char **names, GError **error)
         found = TRUE;
     }
     if (run->error != NULL) {
-        g_propagate_error(error, g_steal_pointer(&run->error));
+        g_propagate_prefixed_error(error, g_steal_pointer(&run->error), "%s: ", run->path);
         return FALSE;
     }
     if (found) return TRUE;
@@ -126,7 +126,10 @@ static gboolean try_subjects(Run *run, char **names, GError **error)
 
 static gboolean try_all(Run *run, GError **error)
 {
-    if (!kit_child_run(run->sheet, run->options->seconds, survey, run, error)) return FALSE;
+    if (!kit_child_run(run->sheet, run->options->seconds, survey, run, error)) {
+        g_prefix_error(error, "%s: ", run->path);
+        return FALSE;
+    }
     if (run->sheet->outcome == TINKER_CONFORMANCE_FAILED) {
         report(run, kit_rule(0)->rule.name, "");
         return TRUE;

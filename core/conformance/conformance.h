@@ -44,9 +44,9 @@ typedef struct {
 #define TINKER_CONFORMANCE_SECONDS 10.0
 
 /* Tries the library at `path`. The catalogue (borrowed) provides the bodies that scenes need; nothing is opened in it.
- * To be called where there is one thread alone, since processes are forked. FALSE only where not everything could be tried:
- * TINKER_PLUGIN_ERROR_FILE where the file cannot be read or the system gives no more processes, _MISSING where it has nothing called `type`. A library that is
- * refused is a result: its first rule has failed. */
+ * To be called where there is one thread alone, since processes are forked, and where SIGCHLD is not ignored. FALSE only where
+ * not everything could be tried: TINKER_PLUGIN_ERROR_FILE where the file cannot be read, or the system gives no memory or
+ * process; _MISSING where it has nothing called `type`. A library that is refused is a result: its first rule has failed. */
 gboolean tinker_conformance_check(TinkerCatalogue *catalogue, const char *path, const TinkerConformanceOptions *options,
                                   TinkerConformanceFunc result, gpointer data, GError **error);
 

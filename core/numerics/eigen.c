@@ -9,6 +9,16 @@
 
 #define RANK_TOLERANCE 1e-10
 
+/* Takes the place of LAPACKE's own, which tells on standard output, among what the program writes there, and goes on: callers
+ * would take the want of memory for numbers that leave their range. */
+__attribute__((visibility("default"))) void LAPACKE_xerbla(const char *name, lapack_int info);
+void LAPACKE_xerbla(const char *name, lapack_int info)
+{
+    if (info == LAPACK_WORK_MEMORY_ERROR || info == LAPACK_TRANSPOSE_MEMORY_ERROR)
+        g_error("failed to allocate the work array of %s", name);
+    g_critical("%s: argument %d is wrong", name, -(int)info);
+}
+
 gboolean tinker_eigen_symmetric(int32_t n, double *matrix, double *values)
 {
     if (n == 0) return TRUE;

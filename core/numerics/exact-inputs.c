@@ -153,7 +153,11 @@ static gboolean cut_slots(TinkerExactPart *part)
     if ((part->coupled || part->watched > 0) && each * sizeof(double) * TINKER_EXACT_MOST_LEVELS <= LEVEL_MEMORY)
         part->slot_count = part->step_slots + TINKER_EXACT_MOST_LEVELS;
     if (!grow(&part->slot_memory, &part->slot_memory_size, each * (gsize)part->slot_count)) return FALSE;
-    return tinker_exact_slots_prepare(part);
+    if (tinker_exact_slots_prepare(part)) return TRUE;
+    // Slots that are there count as ready.
+    g_clear_pointer(&part->slot_memory, g_free);
+    part->slot_memory_size = 0;
+    return FALSE;
 }
 
 /* Propagators stay valid where the new signals are of the same kinds and frequencies. */
@@ -172,7 +176,10 @@ static gboolean are_inputs_same(const TinkerExactPart *part, const TinkerSignal 
 gboolean tinker_exact_part_enter(TinkerExactPart *part, const TinkerSignal *signals)
 {
     part->quiet = FALSE;
-    if (!part->basis && !allot_inputs(part)) return FALSE;
+    if (!part->basis && !allot_inputs(part)) {
+        part->basis = NULL; // all of it is asked for again
+        return FALSE;
+    }
     if (part->slot_memory && are_inputs_same(part, signals)) return TRUE;
     find_basis(part, signals);
     if (part->coupled)

@@ -1,6 +1,7 @@
 /* Steps within a piece, states within a step. */
 #include "physics/contact-run.h"
 
+#include <errno.h>
 #include <float.h>
 #include <glib/gi18n-lib.h>
 #include <string.h>
@@ -59,10 +60,14 @@ static gboolean open_stepper(TinkerIslandRun *run, GError **error)
         .spectral_radius = run->spectral_radius,
     };
     if (method->flags & TINKER_INTEGRATOR_IMPLICIT) tinker_model_system_offer_jacobian(&run->system);
+    errno = 0;
     if (!(method->flags & TINKER_INTEGRATOR_LINEAR) || run->system.system.linear != NULL)
         run->stepper = tinker_method_create(method, &run->system.system, &options);
     if (run->stepper != NULL) return TRUE;
-    if (method->flags & TINKER_INTEGRATOR_LINEAR)
+    if (errno == ENOMEM)
+        g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_MEMORY,
+                    _("there is no memory for the method %s on %d coordinates"), method->id, run->system.system.size);
+    else if (method->flags & TINKER_INTEGRATOR_LINEAR)
         g_set_error(
             error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_METHOD,
             _("the method %s does not suit the part of the scene around %s, which is not linear or too large for it "
@@ -71,8 +76,8 @@ static gboolean open_stepper(TinkerIslandRun *run, GError **error)
     else
         g_set_error(
             error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_METHOD,
-            _("the method %s cannot be set up for %d coordinates (there is not enough memory, or it refuses these "
-              "options: spectral_radius is below 1 with constraints)"),
+            _("the method %s cannot be set up for %d coordinates (it refuses these options: spectral_radius is below 1 "
+              "with constraints)"),
             method->id, run->system.system.size);
     return FALSE;
 }

@@ -17,6 +17,7 @@ typedef enum {
     TINKER_MODEL_ERROR_PLUGIN,        /* a type that nobody provides, or a plugin that lacks what its role needs */
     TINKER_MODEL_ERROR_RUN,           /* the run failed: it diverged, a plugin returned a non-number */
     TINKER_MODEL_ERROR_STOPPED,       /* the caller stopped it */
+    TINKER_MODEL_ERROR_MEMORY,        /* there is not enough for a model of this size */
 } TinkerModelError;
 #define TINKER_MODEL_ERROR (tinker_model_error_quark())
 GQuark tinker_model_error_quark(void);

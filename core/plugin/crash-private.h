@@ -4,12 +4,14 @@
 
 #include <glib.h>
 
+/* The status of a program that ends because the system does not give what it needs: a file, memory. */
+#define TINKER_STATUS_FILE 5
+
 /* Says what the plugin at work did, or where none is `otherwise`, writes out the record, and ends the process with that
  * status. */
 G_NORETURN void tinker_crash_end_with(int status, const char *what, const char *otherwise);
 
-/* For the whole process, once: where GLib or cJSON find no memory, the process ends as above, with the status that
- * the program has for files. What is large is asked for with g_try_malloc() and the like instead, and its lack is an
+/* For the whole process, once: where GLib or cJSON find no memory, the process ends as above, with that status. What is large is asked for with g_try_malloc() and the like instead, and its lack is an
  * error. */
 void tinker_crash_watch_memory(void);
 

@@ -108,22 +108,15 @@ static gboolean is_stack_overflow(int signal_number, const siginfo_t *info, cons
     return stack != 0 && fault + NEAR_STACK > stack && fault < stack + NEAR_STACK && info->si_code > 0;
 }
 
-/* GLib aborts where one of its locks finds no memory, and calls itself without end where the message about it finds none.
- * `code` is the last error of the C library. */
-static gboolean is_want_of_memory(int signal_number, gboolean overflowed, int code)
-{
-    return code == ENOMEM && (signal_number == SIGABRT || overflowed);
-}
-
+/* `code` is the last error of the C library. GLib aborts where one of its locks finds no memory, and calls itself without end
+ * where the message about it finds none; the error may be an old one. */
 static void compose(int signal_number, const siginfo_t *info, const void *context, int code)
 {
     const gboolean overflowed = is_stack_overflow(signal_number, info, context);
     char what[96] = " crashed (";
     strcat(what, signal_names[number_of(signal_number)]);
-    if (is_want_of_memory(signal_number, overflowed, code))
-        strcat(what, ", it seems for want of memory");
-    else if (overflowed)
-        strcat(what, ", its stack overflowed");
+    if (overflowed) strcat(what, ", its stack overflowed");
+    if (code == ENOMEM && (signal_number == SIGABRT || overflowed)) strcat(what, ", maybe for want of memory");
     strcat(what, ")");
     begin_message();
     const TinkerPluginCall *call = tinker_plugin_call;

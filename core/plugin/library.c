@@ -237,7 +237,8 @@ static GModule *map_library(const char *path, GError **error)
     if (module != NULL) return module;
     const char *reason = g_module_error();
     if (reason != NULL && g_str_has_prefix(reason, path)) reason += strlen(path) + strspn(reason + strlen(path), ": ");
-    tinker_refuse(error, "it cannot be opened: %s", reason == NULL ? "no reason was given" : reason);
+    // What it lacks, a library or memory, may be there the next time.
+    tinker_fail_file(error, "it cannot be opened: %s", reason == NULL ? "no reason was given" : reason);
     return NULL;
 }
 

@@ -8,9 +8,6 @@
 /* GLib's message of this end, of which the last words are the size. */
 #define REFUSED "failed to allocate "
 
-/* Of the program: what it needs from the system cannot be had. */
-#define STATUS 5
-
 static void on_message(const char *domain, GLogLevelFlags level, const char *message, gpointer unused)
 {
     // Without memory, there may be none for the message either.
@@ -26,7 +23,7 @@ static void on_message(const char *domain, GLogLevelFlags level, const char *mes
         g_strlcat(otherwise, ")", sizeof otherwise);
     }
     g_strlcat(otherwise, ": end other programs, or make the scene smaller", sizeof otherwise);
-    tinker_crash_end_with(STATUS, " ran out of memory", otherwise);
+    tinker_crash_end_with(TINKER_STATUS_FILE, " ran out of memory", otherwise);
 }
 
 void tinker_crash_watch_memory(void)

@@ -102,7 +102,7 @@ static gboolean check_with_folders(const char *path, GError **error)
     return check_one(path, "it", error) && check_one(folder, "its folder", error) && check_above(folder, error);
 }
 
-/* The first link on the way to an absolute path; NULL: there is none. Steps back ("..") are taken from what is there. (transfer
+/* The first link on the way to an absolute path, and what of the path is behind it; NULL: there is none. Steps back ("..") are taken from what is there. (transfer
  * full) */
 static char *first_link(const char *path, const char **rest)
 {
@@ -125,14 +125,15 @@ static char *first_link(const char *path, const char **rest)
     return NULL;
 }
 
-/* Checks the link, and answers the path with this link followed; NULL with an error. (transfer full) */
+/* Checks the link, with what is left of the way behind it, and answers the path with this link followed; NULL with an error. (transfer full) */
 static char *follow(const char *link, const char *rest, GError **error)
 {
     struct stat status;
+    g_autoptr(GError) unread = NULL;
     g_autofree char *what = g_strdup_printf("the link \"%s\" on the way to it", link);
-    g_autofree char *target = g_file_read_link(link, NULL), *folder = g_path_get_dirname(link);
-    if (lstat(link, &status) != 0 || target == NULL) {
-        tinker_fail_file(error, "%s cannot be read: %s", what, g_strerror(errno));
+    g_autofree char *target = g_file_read_link(link, &unread), *folder = g_path_get_dirname(link);
+    if (target == NULL || lstat(link, &status) != 0) {
+        tinker_fail_file(error, "%s cannot be read: %s", what, unread != NULL ? unread->message : g_strerror(errno));
         return NULL;
     }
     // In a folder with a sticky bit, the owner of a link can let it lead elsewhere.
@@ -145,7 +146,10 @@ gboolean tinker_permissions_check(const char *path, GError **error)
     g_autofree char *at = g_strdup(path);
     for (int links = 0; links <= MOST_LINKS; links++) {
         const char *rest = NULL;
-        if (!check_with_folders(at, error)) return FALSE;
+        if (!check_with_folders(at, error)) {
+            if (links > 0) g_prefix_error(error, "it leads to \"%s\": ", at);
+            return FALSE;
+        }
         g_autofree char *link = first_link(at, &rest);
         if (link == NULL) return TRUE;
         char *next = follow(link, rest, error);

@@ -10,6 +10,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "plugin/crash-private.h"
 #include "plugin/refuse-private.h"
 
 /* A manifest has a few kB; a library that writes more than this is not describing itself. */
@@ -17,7 +18,6 @@
 
 /* Exit statuses by which the program or the shell says that it did not come to look at the library. */
 #define STATUS_USAGE     2
-#define STATUS_FILE      5
 #define STATUS_NOT_RUN   126
 #define STATUS_NOT_FOUND 127
 
@@ -118,7 +118,9 @@ static gboolean judge_exit(const Probe *probe, const char *program, const char *
     const int status = WEXITSTATUS(probe->status);
     if (status == 0) return TRUE;
     g_autofree char *reason = last_line(probe->text[1]->str, path);
-    if (status == STATUS_USAGE || status == STATUS_FILE || status == STATUS_NOT_RUN || status == STATUS_NOT_FOUND)
+    if (status == TINKER_STATUS_FILE && reason[0] != '\0') return tinker_fail_file(error, "%s", reason);
+    if (status == STATUS_USAGE || status == TINKER_STATUS_FILE || status == STATUS_NOT_RUN ||
+        status == STATUS_NOT_FOUND)
         return tinker_fail_file(error, "it could not be probed: \"%s\" ended with status %d: %s", program, status,
                                 reason);
     if (reason[0] != '\0') return tinker_refuse(error, "%s", reason);

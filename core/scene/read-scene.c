@@ -138,7 +138,7 @@ static gboolean enlarge(char **text, gsize *room, const char **why)
     const gsize more = MAX(2 * *room, 65536);
     char *larger = more <= MOST_STREAMED ? g_try_realloc(*text, more) : NULL;
     *why = more <= MOST_STREAMED ? "there is no memory for a text of its length"
-                                 : "it is longer than 1 GiB (a longer scene must be a file)";
+                                 : "it has 1 GiB or more (such a scene must be a file)";
     if (larger == NULL) return FALSE;
     *text = larger;
     *room = more;

@@ -123,19 +123,36 @@ static TinkerWaveform *read_expression(SceneReader *reader, const WaveformObject
     return waveform;
 }
 
+/* A file or memory that cannot be had is no mistake in the scene. */
+static TinkerSceneError code_of(const GError *error)
+{
+    if (error->domain == TINKER_SCENE_ERROR) return (TinkerSceneError)error->code;
+    return error->code == TINKER_WAVEFORM_ERROR_FILE ? TINKER_SCENE_ERROR_FILE : TINKER_SCENE_ERROR_VALUE;
+}
+
+TinkerWaveform *reader_table(const char *path, const TinkerTableSource *source, const TinkerPropertyType *property,
+                             GError **error)
+{
+    g_autoptr(TinkerWaveform) waveform =
+        tinker_waveform_new_table_file(path, source->column, source->scale, source->kind, error);
+    if (waveform == NULL) return NULL;
+    // What drives a place is read as a smooth curve.
+    const gboolean smooth = tinker_dimension_equal(property->dimension, reader_length);
+    if (!smooth || tinker_waveform_prepare_smooth(waveform, error)) return g_steal_pointer(&waveform);
+    g_prefix_error(error, "%s: ", path);
+    return NULL;
+}
+
 static TinkerWaveform *read_table(SceneReader *reader, const WaveformObject *object, const TinkerPropertyType *property)
 {
     const char *file = reader_text(reader, object->table, object->table_at, "waveform: table");
     if (file == NULL) return NULL;
     g_autoptr(GError) error = NULL;
     g_autofree char *path = reader_table_path(reader->folder, file, &error);
-    TinkerWaveform *waveform = path == NULL ? NULL
-                                            : tinker_waveform_new_table_file(path, (int)object->column, object->scale,
-                                                                             (TinkerTableKind)object->kind, &error);
+    const TinkerTableSource source = {file, (int)object->column, object->scale, (TinkerTableKind)object->kind};
+    TinkerWaveform *waveform = path == NULL ? NULL : reader_table(path, &source, property, &error);
     if (waveform == NULL)
-        reader_error(reader, object->table_at,
-                     error->domain == TINKER_SCENE_ERROR ? error->code : TINKER_SCENE_ERROR_VALUE, "%s: table: %s",
-                     property->id, error->message);
+        reader_error(reader, object->table_at, code_of(error), "%s: table: %s", property->id, error->message);
     return waveform;
 }
 

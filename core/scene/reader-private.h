@@ -7,6 +7,7 @@
 #include "scene/position-scanner.h"
 #include "scene/scene-json.h"
 #include "scene/scene-private.h"
+#include "scene/table-source.h"
 
 /* A place in the text: a value that begins at `root`, and from there from part to part, counted from 0. A tree of cJSON
  * has no positions, but the order of its children is that of the text; so a place costs nothing until a message needs
@@ -133,6 +134,10 @@ TinkerWaveform *reader_waveform(SceneReader *reader, const cJSON *json, JsonAt a
 
 /* The file of a table, absolute and without links, which lies in or under the scene's folder. (transfer full) */
 char *reader_table_path(const char *folder, const char *file, GError **error);
+
+/* A table for that property from the file at `path`. (transfer full) */
+TinkerWaveform *reader_table(const char *path, const TinkerTableSource *source, const TinkerPropertyType *property,
+                             GError **error);
 
 /* Whether a property can be given by a table of this kind. */
 gboolean reader_table_fits(TinkerTableKind kind, const TinkerPropertyType *property, GError **error);

@@ -49,7 +49,7 @@ TinkerWaveform *tinker_scene_read_table(TinkerScene *scene, const char *path, co
     g_autofree char *folder = g_path_get_dirname(path);
     g_autofree char *file = reader_table_path(folder, source->file, error);
     if (file == NULL) return NULL;
-    TinkerWaveform *waveform = tinker_waveform_new_table_file(file, source->column, source->scale, source->kind, error);
+    TinkerWaveform *waveform = reader_table(file, source, property, error);
     if (waveform == NULL) return NULL;
     const char *before = former != NULL ? g_hash_table_lookup(scene->sources, former) : NULL;
     g_hash_table_insert(scene->sources, tinker_waveform_ref(waveform), object_text(source, before));

@@ -109,7 +109,9 @@ static gboolean make_room(TableReader *reader, GError **error)
         reader->room = room;
         return TRUE;
     }
-    return fail(reader, reader->line, error, "there is no memory for more than %" G_GSIZE_FORMAT " rows", reader->rows);
+    g_set_error(error, TINKER_WAVEFORM_ERROR, TINKER_WAVEFORM_ERROR_FILE,
+                "%s: there is no memory for more than %" G_GSIZE_FORMAT " rows", reader->path, reader->rows);
+    return FALSE;
 }
 
 static gboolean read_row(TableReader *reader, GError **error)

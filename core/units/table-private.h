@@ -27,8 +27,8 @@ void tinker_table_free(TinkerTable *table);
 /* Reads the rows of a file, see tinker_waveform_new_table_file. (transfer full) */
 TinkerTable *tinker_table_read(const char *path, int column, double scale, TinkerTableKind kind, GError **error);
 
-/* Makes the spline ready, once; from any thread. */
-void tinker_table_prepare_spline(TinkerTable *table);
+/* Makes the spline ready, once; from any thread. TINKER_WAVEFORM_ERROR_FILE where there is no memory for it. */
+gboolean tinker_table_prepare_spline(TinkerTable *table, GError **error);
 
 /* The number of rows up to and including t: the piece right of t. */
 gsize tinker_table_piece(const TinkerTable *table, double t);

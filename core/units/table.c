@@ -4,17 +4,20 @@
 
 #include "units/table-private.h"
 
+static gboolean lack_memory(const char *work, const TinkerTable *table, GError **error)
+{
+    g_set_error(error, TINKER_WAVEFORM_ERROR, TINKER_WAVEFORM_ERROR_FILE,
+                "there is no memory to %s a table of %" G_GSIZE_FORMAT " rows", work, table->rows);
+    return FALSE;
+}
+
 /* Velocity and place at each row from those at the row before. Sums are compensated (A. Neumaier, ZAMM 54, 1974): a
  * record has millions of rows. */
 static gboolean integrate(TinkerTable *table, GError **error)
 {
     table->speeds = g_try_new0(double, table->rows);
     table->places = g_try_new0(double, table->rows);
-    if (table->speeds == NULL || table->places == NULL) {
-        g_set_error(error, TINKER_WAVEFORM_ERROR, TINKER_WAVEFORM_ERROR_TABLE,
-                    "there is no memory to integrate a table of %" G_GSIZE_FORMAT " rows", table->rows);
-        return FALSE;
-    }
+    if (table->speeds == NULL || table->places == NULL) return lack_memory("integrate", table, error);
     double speed = 0, speed_rest = 0, place = 0, place_rest = 0;
     for (gsize i = 1; i < table->rows; i++) {
         const double step = table->times[i] - table->times[i - 1];
@@ -33,11 +36,12 @@ static gboolean integrate(TinkerTable *table, GError **error)
 }
 
 /* Second derivatives at the rows, from the equations of a C2 cubic with zero ones at both ends, solved by elimination:
- * h0 m0 + 2 (h0 + h1) m1 + h1 m2 = 6 (slope1 - slope0). C. de Boor, A Practical Guide to Splines, chapter IV. */
+ * h0 m0 + 2 (h0 + h1) m1 + h1 m2 = 6 (slope1 - slope0). C. de Boor, A Practical Guide to Splines, chapter IV. NULL: there is no
+ * memory. */
 static double *spline_bends(const TinkerTable *table)
 {
-    double *bends = g_new0(double, table->rows);
-    g_autofree double *ratios = g_new0(double, table->rows);
+    g_autofree double *bends = g_try_new0(double, table->rows), *ratios = g_try_new0(double, table->rows);
+    if (bends == NULL || ratios == NULL) return NULL;
     for (gsize i = 1; i + 1 < table->rows; i++) {
         const double before = table->times[i] - table->times[i - 1];
         const double after = table->times[i + 1] - table->times[i];
@@ -49,7 +53,7 @@ static double *spline_bends(const TinkerTable *table)
     }
     for (gsize i = table->rows - 1; i-- > 1;)
         bends[i] -= ratios[i] * bends[i + 1];
-    return bends;
+    return g_steal_pointer(&bends);
 }
 
 static gboolean check_rows(const double *times, const double *values, gsize rows, GError **error)
@@ -138,9 +142,13 @@ void tinker_table_free(TinkerTable *table)
     g_free(table);
 }
 
-void tinker_table_prepare_spline(TinkerTable *table)
+gboolean tinker_table_prepare_spline(TinkerTable *table, GError **error)
 {
-    if (g_once_init_enter(&table->bends)) g_once_init_leave(&table->bends, spline_bends(table));
+    static GMutex preparing;
+    g_mutex_lock(&preparing);
+    if (table->bends == NULL) table->bends = spline_bends(table);
+    g_mutex_unlock(&preparing);
+    return table->bends != NULL || lack_memory("draw a smooth curve through", table, error);
 }
 
 gsize tinker_table_piece(const TinkerTable *table, double t)

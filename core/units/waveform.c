@@ -135,6 +135,16 @@ TinkerWaveform *tinker_waveform_new_table_file(const char *path, int column, dou
     return waveform_of_table(tinker_table_read(path, column, scale, kind, error));
 }
 
+static gboolean is_value_table(const TinkerWaveform *waveform)
+{
+    return waveform->kind == TINKER_WAVEFORM_TABLE && waveform->table->kind == TINKER_TABLE_VALUE;
+}
+
+gboolean tinker_waveform_prepare_smooth(TinkerWaveform *waveform, GError **error)
+{
+    return !is_value_table(waveform) || tinker_table_prepare_spline(waveform->table, error);
+}
+
 TinkerWaveform *tinker_waveform_shifted(TinkerWaveform *waveform, double by)
 {
     g_return_val_if_fail(isfinite(waveform->shift + by), NULL);
@@ -194,9 +204,10 @@ TinkerWaveformEvaluator *tinker_waveform_evaluator_new(TinkerWaveform *waveform,
     evaluator->amplitude = amplitude;
     evaluator->frequency = frequency;
     evaluator->phase = waveform->shift == 0 ? phase : phase + frequency * waveform->shift;
-    evaluator->smooth =
-        smooth && waveform->kind == TINKER_WAVEFORM_TABLE && waveform->table->kind == TINKER_TABLE_VALUE;
-    if (evaluator->smooth) tinker_table_prepare_spline(waveform->table);
+    evaluator->smooth = smooth && is_value_table(waveform);
+    g_autoptr(GError) error = NULL;
+    if (evaluator->smooth && !tinker_table_prepare_spline(waveform->table, &error))
+        g_error("failed to allocate: %s", error->message);
     if (waveform->program != NULL) {
         tinker_program_state_init(&evaluator->piece, waveform->program, FALSE);
         tinker_program_state_init(&evaluator->search, waveform->program, TRUE);

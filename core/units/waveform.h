@@ -50,9 +50,14 @@ TinkerWaveform *tinker_waveform_new_table(const double *times, const double *val
                                           GError **error);
 
 /* Reads column `column` of a CSV file (time in column 0; a header line, blank lines and lines that begin with # are
- * passed over), multiplies it by `scale`. Errors name file, line and column. (transfer full) */
+ * passed over), multiplies it by `scale`. Errors name file, line and column; TINKER_WAVEFORM_ERROR_FILE where the file, or
+ * memory for it, cannot be had. (transfer full) */
 TinkerWaveform *tinker_waveform_new_table_file(const char *path, int column, double scale, TinkerTableKind kind,
                                                GError **error);
+
+/* Works out what reading the waveform as a smooth one needs (see tinker_waveform_evaluator_new), which a table's evaluator
+ * else does, and ends the program where there is no memory: this says TINKER_WAVEFORM_ERROR_FILE. */
+gboolean tinker_waveform_prepare_smooth(TinkerWaveform *waveform, GError **error);
 
 /* The waveform as it is `by` (s, finite) later: f(t + by), with everything that belongs to it: breaks, jumps, forms, and the
  * velocity and displacement that a table of accelerations has grown to. A harmonic's phase advances by frequency * by. What

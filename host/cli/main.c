@@ -1,13 +1,12 @@
 /* tinker, the program without a window: finds the verb and hands over. No call of setlocale: numbers are read and
  * written in the C locale everywhere. */
 #include <glib.h>
-#include <signal.h>
 #include <stdio.h>
 #include <string.h>
 
 #include "exit-status.h"
 #include "options.h"
-#include "plugin/crash.h"
+#include "program-start.h"
 #include "verbs.h"
 
 typedef struct {
@@ -104,7 +103,6 @@ static int dispatch(int argc, char **argv)
 
 int main(int argc, char **argv)
 {
-    tinker_crash_watch("tinker");
-    signal(SIGCHLD, SIG_DFL); // it may be inherited as ignored, and then no child can be waited for
+    tinker_program_start("tinker");
     return finish(dispatch(argc, argv));
 }

@@ -55,6 +55,7 @@ static const struct {
     {tinker_model_error_quark, TINKER_MODEL_ERROR_PLUGIN, TINKER_EXIT_PLUGIN},
     {tinker_model_error_quark, TINKER_MODEL_ERROR_RUN, TINKER_EXIT_RUN_FAILED},
     {tinker_model_error_quark, TINKER_MODEL_ERROR_STOPPED, TINKER_EXIT_RUN_FAILED},
+    {tinker_model_error_quark, TINKER_MODEL_ERROR_MEMORY, TINKER_EXIT_FILE},
     {tinker_model_error_quark, ANY_CODE, TINKER_EXIT_SCENE},
 };
 

@@ -6,11 +6,11 @@
 
 #include "application.h"
 #include "installation.h"
-#include "plugin/crash.h"
+#include "program-start.h"
 
 int main(int argc, char **argv)
 {
-    tinker_crash_watch("tinker-gui");
+    tinker_program_start("tinker-gui");
     g_autofree char *locale_folder = tinker_installation_locale_folder();
     gtk_disable_setlocale();
     setlocale(LC_CTYPE, "");

@@ -99,6 +99,18 @@ static void test_probe_is_at_fault(Place *place, gconstpointer data)
     g_assert_null(entry_of(with, path)->refused);
 }
 
+/* What a library needs and does not find may be installed later: it is looked at anew each time. One that fails its own checks
+ * is not. */
+static void test_remembered(Place *place, gconstpointer data)
+{
+    g_free(install_module("undefined-symbol", place->first, "lacks.so"));
+    g_free(install_module("failing-init", place->first, "fails.so"));
+    tinker_catalogue_free(tinker_catalogue_new(&place->options));
+    g_assert_cmpuint(probe_count(place), ==, 2);
+    tinker_catalogue_free(tinker_catalogue_new(&place->options));
+    g_assert_cmpuint(probe_count(place), ==, 3);
+}
+
 int main(int count, char **arguments)
 {
     g_test_init(&count, &arguments, NULL);
@@ -108,6 +120,7 @@ int main(int count, char **arguments)
     }
     add_place_test("/plugin/museum/not-elf", test_not_elf);
     add_place_test("/plugin/museum/empty", test_empty);
+    add_place_test("/plugin/museum/remembered", test_remembered);
     add_place_test("/plugin/museum/neighbour", test_neighbour);
     add_place_test("/plugin/museum/probe-is-at-fault", test_probe_is_at_fault);
     return g_test_run();

@@ -87,6 +87,23 @@ VISIBLE void free(void *memory)
     __libc_free(memory);
 }
 
+/* A function of GLib, where the program has it. */
+#define FIND(function, name)                                                                                           \
+    void *symbol_##function = dlsym(RTLD_DEFAULT, name);                                                               \
+    memcpy(&(function), &symbol_##function, sizeof(function))
+
+/* What GLib sets up once for the words of errors, and the names of files in them, is there before anything is counted. */
+static void prepare_words(void)
+{
+    const char *(*words)(int);
+    char *(*shown)(const char *);
+    FIND(words, "g_strerror");
+    FIND(shown, "g_filename_display_name");
+    if (words == NULL || shown == NULL) return;
+    words(ENOMEM);
+    free(shown("file"));
+}
+
 static int counted_main(int argc, char **argv, char **environment)
 {
     char kind[8] = "", *told = NULL;
@@ -94,6 +111,7 @@ static int counted_main(int argc, char **argv, char **environment)
     if (text != NULL && sscanf(text, "%ld %7s", &failing, kind) != 2) abort();
     later = strcmp(kind, "later") == 0;
     if (reached != NULL) told = strdup(reached);
+    prepare_words();
     unsetenv("TEST_FAULT");
     unsetenv("LD_PRELOAD");
     counting = 1;

@@ -33,6 +33,9 @@ char *fault_mark(const CliFixture *fixture);
 /* What the operation wrote; nothing where there is no file. (transfer full) */
 GBytes *fault_written(const CliFixture *fixture, const FaultOperation *operation);
 
+/* Whether it writes a report, as JSON. */
+gboolean fault_writes_report(const FaultOperation *operation);
+
 /* Whether the operation wrote what it writes without a fault, times that were measured aside. */
 gboolean fault_is_whole(const CliFixture *fixture, const FaultOperation *operation, GBytes *reference);
 

@@ -33,8 +33,10 @@ static const Fault faults[] = {
 static void assert_told(const CliFixture *fixture, const FaultOperation *operation, const Fault *fault,
                         const TestProgram *ended)
 {
-    const gboolean of_input = strstr(ended->error, "scene.json") != NULL || strstr(ended->error, "rich.json") != NULL ||
-                              strstr(ended->error, "table.json") != NULL;
+    static const char *const inputs[] = {"scene.json", "rich.json", "chain.json", "table.json"};
+    gboolean of_input = FALSE;
+    for (gsize i = 0; i < G_N_ELEMENTS(inputs); i++)
+        of_input |= strstr(ended->error, inputs[i]) != NULL;
     const char *part = g_strcmp0(operation->named, "@") == 0 ? fixture->folder : operation->named;
     const char *names[] = {operation->output, part};
     gboolean named = of_input;

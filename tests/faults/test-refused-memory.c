@@ -1,5 +1,6 @@
 /* Memory for what grows with the user's file: every request for it fails in turn. The error names the file and says that it is
  * memory that lacks; nothing is kept of what was read; with memory at hand the same file is read. */
+#include <errno.h>
 #include <fcntl.h>
 #include <glib/gstdio.h>
 #include <string.h>
@@ -87,8 +88,8 @@ static gboolean read_pipe(const char *path, GError **error)
         _exit(whole && write(file, "{\"tinker\": 1, \"blocks\": []}", 27) == 27 ? 0 : 1);
     }
     TinkerScene *scene = tinker_scene_read_file(catalogue, path, NULL, error);
-    while (waitpid(writer, NULL, 0) < 0) {
-    }
+    while (waitpid(writer, NULL, 0) < 0)
+        g_assert_cmpint(errno, ==, EINTR);
     g_remove(path);
     if (scene == NULL) return FALSE;
     tinker_scene_free(scene);

@@ -161,7 +161,9 @@ static void test_links(Place *place, gconstpointer data)
         expect_type(catalogue, "pull", folder);
     }
     g_assert_cmpint(g_chmod(outside, 0777), ==, 0);
-    expect_passed_over(place, folder, "its folder can be written by everybody (mode 0777); only its owner may");
+    g_autofree char *reason = g_strdup_printf(
+        "it leads to \"%s\": its folder can be written by everybody (mode 0777); only its owner may", moved);
+    expect_passed_over(place, folder, reason);
 }
 
 /* Nothing that the bundle offers to open lies behind a link; a link back to the plugin folder is no second one. */

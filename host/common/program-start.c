@@ -1,0 +1,13 @@
+/* What every program of ours begins with. */
+#include "program-start.h"
+
+#include <signal.h>
+
+#include "plugin/crash.h"
+
+void tinker_program_start(const char *name)
+{
+    tinker_crash_watch(name);
+    // It may be inherited as ignored: then a child that has ended leaves nothing to be waited for.
+    signal(SIGCHLD, SIG_DFL);
+}
