@@ -154,10 +154,31 @@ static Fit first_fit(const Mock *mock, double width, double height)
     return fit;
 }
 
-void tinker_paint_block_icon(cairo_t *cairo, const TinkerBlockClass *block_class, double width, double height,
-                             const TinkerTheme *theme)
+/* The picture that the block brings along, as large as fits. FALSE where it brings none, or none that can be read. */
+static gboolean paint_own_picture(cairo_t *cairo, const TinkerBlockClass *block_class, double width, double height)
 {
-    if (!(width >= 4) || !(height >= 4) || !isfinite(width) || !isfinite(height)) return;
+    if (block_class->type->icon_path == NULL) return FALSE;
+    g_autofree char *folder = g_path_get_dirname(block_class->path);
+    g_autofree char *path = g_build_filename(folder, block_class->type->icon_path, NULL);
+    cairo_surface_t *picture = cairo_image_surface_create_from_png(path);
+    const double across = cairo_image_surface_get_width(picture), up = cairo_image_surface_get_height(picture);
+    const gboolean fine = cairo_surface_status(picture) == CAIRO_STATUS_SUCCESS && across > 0 && up > 0;
+    if (fine) {
+        const double scale = fmin(width / across, height / up);
+        cairo_save(cairo);
+        cairo_translate(cairo, (width - scale * across) / 2, (height - scale * up) / 2);
+        cairo_scale(cairo, scale, scale);
+        cairo_set_source_surface(cairo, picture, 0, 0);
+        cairo_paint(cairo);
+        cairo_restore(cairo);
+    }
+    cairo_surface_destroy(picture);
+    return fine;
+}
+
+static void paint_drawing(cairo_t *cairo, const TinkerBlockClass *block_class, double width, double height,
+                          const TinkerTheme *theme)
+{
     Mock mock;
     double box[4], margin = MARGIN * fmin(width, height), room_x = width - 2 * margin, room_y = height - 2 * margin;
     mock_init(&mock, block_class, LINE_SHARE * width);
@@ -178,4 +199,11 @@ void tinker_paint_block_icon(cairo_t *cairo, const TinkerBlockClass *block_class
     if (fine) draw(cairo, &mock, theme, &fit);
     cairo_restore(cairo);
     mock_clear(&mock);
+}
+
+void tinker_paint_block_icon(cairo_t *cairo, const TinkerBlockClass *block_class, double width, double height,
+                             const TinkerTheme *theme)
+{
+    if (!(width >= 4) || !(height >= 4) || !isfinite(width) || !isfinite(height)) return;
+    if (!paint_own_picture(cairo, block_class, width, height)) paint_drawing(cairo, block_class, width, height, theme);
 }

@@ -2,6 +2,8 @@
  * colours. */
 #include "render/icon.h"
 
+#include <glib/gstdio.h>
+
 #include "picture.h"
 #include "scene-fixture.h"
 
@@ -115,6 +117,41 @@ static void test_plain(void)
 }
 
 /* A rectangle without room draws nothing, and nothing else goes wrong. */
+/* A picture beside the library takes the place of the drawing; one that is none does not. */
+static void test_own_picture(void)
+{
+    g_autoptr(GError) error = NULL;
+    g_autofree char *folder = g_dir_make_tmp("tinker-icon-XXXXXX", &error),
+                    *file = g_build_filename(folder, "i.png", NULL);
+    g_autofree char *library = g_build_filename(folder, "spring.so", NULL);
+    const TinkerBlockClass *spring = tinker_catalogue_type(scene_fixture_catalogue(), "spring", NULL);
+    TinkerBlockType type = *spring->type;
+    TinkerBlockClass block_class = *spring;
+    type.icon_path = "i.png";
+    block_class.type = &type;
+    block_class.path = library;
+    cairo_surface_t *red = cairo_image_surface_create(CAIRO_FORMAT_RGB24, 20, 40);
+    cairo_t *cairo = cairo_create(red);
+    cairo_set_source_rgb(cairo, 1, 0, 0);
+    cairo_paint(cairo);
+    g_assert_cmpint(cairo_surface_write_to_png(red, file), ==, CAIRO_STATUS_SUCCESS);
+    cairo_destroy(cairo);
+    cairo_surface_destroy(red);
+    double middle[4], beside[4];
+    Icon own = icon_draw(&block_class, 48, 32, 1, "light");
+    test_picture_pixel(own.picture, ROOM + 24, ROOM + 16, middle);
+    test_picture_pixel(own.picture, ROOM + 10, ROOM + 16, beside);
+    g_assert_true(middle[0] > 0.9 && middle[1] < 0.1 && middle[3] > 0.9 && beside[3] < 0.1);
+    g_assert_cmpint(own.box[3] - own.box[1], ==, 32);
+    test_picture_free(own.picture);
+    g_assert_true(g_file_set_contents(file, "no picture", -1, NULL));
+    Icon drawn = icon_draw(&block_class, 48, 32, 1, "light");
+    check_fit(&drawn, 48, 32);
+    test_picture_free(drawn.picture);
+    g_remove(file);
+    g_rmdir(folder);
+}
+
 static void test_no_room(void)
 {
     static const double odd[] = {0, -5, 1, NAN, INFINITY};
@@ -133,6 +170,7 @@ static void add_tests(void)
     g_test_add_func("/render/icon/fit", test_fit);
     g_test_add_func("/render/icon/colours", test_colours);
     g_test_add_func("/render/icon/plain", test_plain);
+    g_test_add_func("/render/icon/own-picture", test_own_picture);
     g_test_add_func("/render/icon/no-room", test_no_room);
 }
 

@@ -53,7 +53,7 @@ extern "C" {
 #define TINKER_HAS_SOFT_RANGE    (1u << 4) /* soft_minimum and soft_maximum count: the range of a slider */
 #define TINKER_READ_ONLY         (1u << 5) /* shown, never typed; not part of a scene */
 #define TINKER_DERIVED           (1u << 6) /* its value is that of the quantity with the same id */
-#define TINKER_DEFAULT_AS_PLACED (1u << 7) /* left out, it is the length of the way from end to end at t = 0 */
+#define TINKER_DEFAULT_AS_PLACED (1u << 7) /* left out: the length from end to end at t = 0; needs two ends */
 #define TINKER_DEFAULT_SAME_AS   (1u << 8) /* left out, it equals the property that `default_from` names */
 
 typedef struct TinkerPropertyType {
@@ -114,9 +114,12 @@ typedef struct TinkerBlockType {
     const char *id;         /* stable name: the "type" in a scene, "spring" */
     const char *title;      /* "Spring"; new blocks are called "Spring 0", "Spring 1", ... */
     const char *category;
-    const char *summary;   /* one sentence: what it is for */
-    const char *formula;   /* its law in the symbols of its properties, "T = k (L - L0)"; NULL where there is none */
-    const char *icon_path; /* beside the library; NULL: the host draws the block itself */
+    const char *summary; /* one sentence: what it is for */
+    const char *formula; /* its law in the symbols of its properties, "T = k (L - L0)"; NULL where there is none */
+    /* A PNG beside the library, for palettes, where it is fitted into 48 by 32 pixels (make it larger, for fine screens); on
+     * whatever is behind, light or dark. NULL, or where it cannot be read: the block is drawn with its default properties, a
+     * connector from left to right. */
+    const char *icon_path;
     const char *help_link; /* NULL: none */
     int32_t least_ends;
     int32_t most_ends; /* -1: any number */

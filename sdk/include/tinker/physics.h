@@ -110,7 +110,7 @@ typedef struct TinkerField {
     /* Potential energy (J), one number for all bodies and all instances. NULL: none; the power is booked as given by
      * fields. */
     TinkerStatus (*energy)(TinkerBatch *batch, const TinkerBodies *bodies, double *potential);
-    /* Writes the law of each instance; TINKER_RETRY_SMALLER: not of that form. */
+    /* Writes the law of each instance, every member of it; TINKER_RETRY_SMALLER: not of that form. */
     TinkerStatus (*linear)(TinkerBatch *batch, TinkerLinearField *law);
     double (*next_break)(TinkerBatch *batch); /* as for a line law */
     /* Writes jacobian[8 * i ...] for the bodies of the range: d force / d(x, y) row by row, then d force / d(vx, vy),

@@ -82,7 +82,7 @@ typedef struct TinkerStyle {
     /* A circle, filled unless fill is -1, outlined unless edge is -1. */
     void (*circle)(const struct TinkerStyle *style, struct _cairo *cairo, int32_t fill, int32_t edge, double x,
                    double y, double radius);
-    /* Upright text about the point. */
+    /* Upright text about the point, 12 pixels high at any zoom. */
     void (*text)(const struct TinkerStyle *style, struct _cairo *cairo, int32_t colour, double x, double y,
                  const char *text);
 } TinkerStyle;
