@@ -130,6 +130,13 @@ static gboolean find_rest(Rest *rest)
     return solved;
 }
 
+/* Stiffness across of line i where its ends are d apart: T / L, and at one place that of a spring without length. */
+static double stiffness_across(const Rest *rest, int32_t i, double d)
+{
+    if (d != 0) return tension(rest, i, d) / fabs(d);
+    return tension(rest, i, 0) == 0 ? rest->model->lines.stiffness[i] : 0;
+}
+
 /* Stiffness across of each line at rest; the largest, by size, of a body's sum over its mass is answered. */
 static double find_across(const Rest *rest, double *across)
 {
@@ -142,7 +149,7 @@ static double find_across(const Rest *rest, double *across)
         double d = distance(rest, i);
         if (a < model->bodies) d -= rest->displacement[a];
         if (b < model->bodies) d += rest->displacement[b];
-        across[i] = d != 0 ? tension(rest, i, d) / fabs(d) : 0;
+        across[i] = stiffness_across(rest, i, d);
         if (a < model->bodies) sum[a] += fabs(across[i]);
         if (b < model->bodies) sum[b] += fabs(across[i]);
     }

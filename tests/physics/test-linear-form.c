@@ -122,6 +122,24 @@ static void test_pressed_mass(void)
     }
 }
 
+/* A spring without length in the middle of a pressed mass holds it on the line, with all of its stiffness where its ends are at
+ * one place: 2 * 50 * 0.2 / 1 = 20 N/m push it off. */
+static void test_guyed_mass(void)
+{
+    static const double stiffnesses[] = {0, 19, 21};
+    for (gsize i = 0; i < G_N_ELEMENTS(stiffnesses); i++) {
+        g_autofree char *blocks = g_strdup_printf(
+            "{'type': 'support', 'solid': false, 'position': [-1, 0]},"
+            "{'type': 'support', 'solid': false, 'position': [1, 0]}, {'type': 'support', 'solid': false},"
+            "{'type': 'mass', 'velocity': [1, 0]},"
+            "{'type': 'spring', 'ends': ['Support 0', 'Mass 0'], 'rest_length': 1.2, 'stiffness': 50},"
+            "{'type': 'spring', 'ends': ['Support 1', 'Mass 0'], 'rest_length': 1.2, 'stiffness': 50},"
+            "{'type': 'spring', 'ends': ['Support 2', 'Mass 0'], 'rest_length': 0, 'stiffness': %g}",
+            stiffnesses[i]);
+        physics_assert_near("growth", growth_of(blocks), sqrt(fmax(20 - stiffnesses[i], 0)), 1e-9);
+    }
+}
+
 /* On 50 N/m, 9.81 N stand 0.1962 m lower: sqrt(g / L) is the rate of the inverted pendulum of that length. Hung up, the same
  * is stable; so is one that stands between a lower spring that is pressed and an upper one that pulls enough. */
 static void test_columns(void)
@@ -345,6 +363,7 @@ static void add_tests(void)
     g_test_add_func("/physics/linear-form/straight", test_straight);
     g_test_add_func("/physics/linear-form/not-straight", test_not_straight);
     g_test_add_func("/physics/linear-form/pressed-mass", test_pressed_mass);
+    g_test_add_func("/physics/linear-form/guyed-mass", test_guyed_mass);
     g_test_add_func("/physics/linear-form/columns", test_columns);
     g_test_add_func("/physics/linear-form/standing-pair", test_standing_pair);
     g_test_add_func("/physics/linear-form/free-chains", test_free_chains);
