@@ -7,35 +7,61 @@
  *     dF/dd = dT/dL n n^T + T / L m m^T + dT/drate (m . w) / L n m^T
  *
  * as dn/dd = m m^T / L and drate/dd = (m . w) m / L. The last term is not symmetric and vanishes where the line does not
- * swing. Where L is 0 nothing has a direction, but a linear spring without rest length pulls with stiffness * d all the
- * same.
+ * swing.
+ *
+ * Where the ends are at one place nothing has a direction. A law with T(0) = 0 pulls like a spring without length there,
+ * F = T(L) d / L -> dT/dL(0) d in every direction, so dF/dd = dT/dL(0) times the unit matrix. Where T(0) is not 0 there is no
+ * derivative. Nor is there one by w: dT/drate n n^T depends on the direction in which the ends part. Both then count as
+ * nothing, and are told apart from nothing by `pull_undefined` and `damping_undefined`.
  */
 #ifndef TINKER_CORE_DERIVATIVES_PRIVATE_H
 #define TINKER_CORE_DERIVATIVES_PRIVATE_H
 
+#include <float.h>
 #include <math.h>
 
 #include "physics/model-private.h"
 
 /* A line at the state in the points. */
 typedef struct {
-    double x, y;           /* n */
-    double along, damping; /* dT/dL, dT/drate */
-    double across;         /* T / L */
-    double swing;          /* (m . w) / L, 1/s: how fast the line turns */
+    double length;                              /* L; 0 where the ends are at one place */
+    double x, y;                                /* n */
+    double along, damping;                      /* dT/dL, dT/drate */
+    double across;                              /* T / L */
+    double swing;                               /* (m . w) / L, 1/s: how fast the line turns */
+    gboolean pull_undefined, damping_undefined; /* they count as 0, as the ends are at one place */
 } TinkerLineDerivatives;
 
-/* n and swing; answers L. Where L is 0 n is 0. */
-static inline double tinker_line_geometry(const TinkerModel *model, int32_t a, int32_t b, TinkerLineDerivatives *line,
-                                          double *rate)
+/* A length that rounding of the places alone can make: of those that are worked with, and of those in the scene, which are
+ * relative to no origin. */
+static inline double tinker_line_rounding(const TinkerModel *model, const TinkerPoint *a, const TinkerPoint *b)
+{
+    double reach = fabs(a->x) + fabs(a->y) + fabs(b->x) + fabs(b->y);
+    return DBL_EPSILON * (8 * reach + 2 * (fabs(model->origin[0]) + fabs(model->origin[1])));
+}
+
+/* L, n and swing; answers the rate. Where the ends are at one place all are 0. */
+static inline double tinker_line_geometry(const TinkerModel *model, int32_t a, int32_t b, TinkerLineDerivatives *line)
 {
     const TinkerPoint *pa = &model->point[a], *pb = &model->point[b];
     double dx = pb->x - pa->x, dy = pb->y - pa->y, wx = pb->vx - pa->vx, wy = pb->vy - pa->vy;
-    double length = sqrt(dx * dx + dy * dy), inverse = length > 0 ? 1.0 / length : 0.0;
+    double length = sqrt(dx * dx + dy * dy);
+    if (length <= tinker_line_rounding(model, pa, pb)) length = 0;
+    double inverse = length > 0 ? 1.0 / length : 0.0;
     double x = dx * inverse, y = dy * inverse;
-    *line = (TinkerLineDerivatives){.x = x, .y = y, .swing = (x * wy - y * wx) * inverse};
-    *rate = x * wx + y * wy;
-    return length;
+    *line = (TinkerLineDerivatives){.length = length, .x = x, .y = y, .swing = (x * wy - y * wx) * inverse};
+    return x * wx + y * wy;
+}
+
+/* What is left of a line whose ends are at one place, of T, dT/dL and dT/drate there. */
+static inline void tinker_line_at_one_place(TinkerLineDerivatives *line, double tension, double by_length,
+                                            double by_rate)
+{
+    *line =
+        (TinkerLineDerivatives){.pull_undefined = tension != 0 || isinf(by_length), .damping_undefined = by_rate != 0};
+    if (line->pull_undefined) return;
+    line->x = 1;
+    line->along = line->across = by_length;
 }
 
 /* Of a merged line. */
@@ -43,15 +69,14 @@ static inline TinkerLineDerivatives tinker_merged_line_derivatives(const TinkerM
 {
     const TinkerMergedLines *lines = &model->lines;
     TinkerLineDerivatives line;
-    double rate, length = tinker_line_geometry(model, lines->a[i], lines->b[i], &line, &rate);
+    double rate = tinker_line_geometry(model, lines->a[i], lines->b[i], &line);
     double loose = lines->tension[i] - lines->stiffness[i] * lines->length[i];
-    if (length > 0) {
+    if (line.length > 0) {
         line.along = lines->stiffness[i];
         line.damping = lines->damping[i];
-        line.across = (loose + line.damping * rate) / length + line.along;
-    } else if (loose == 0) {
-        line.x = 1;
-        line.along = line.across = lines->stiffness[i];
+        line.across = (loose + line.damping * rate) / line.length + line.along;
+    } else {
+        tinker_line_at_one_place(&line, loose, lines->stiffness[i], lines->damping[i]);
     }
     return line;
 }

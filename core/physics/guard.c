@@ -34,9 +34,9 @@ static void consider_line(const TinkerModel *model, const double *shape, Blame *
                           int32_t b, double coefficient)
 {
     TinkerLineDerivatives line;
-    double rate, length = tinker_line_geometry(model, a, b, &line, &rate);
+    tinker_line_geometry(model, a, b, &line);
     double along = stretch(model, shape, a, b, line.x, line.y);
-    if (length == 0) /* pulls in every direction */
+    if (line.length == 0) /* pulls in every direction */
         along = hypot(stretch(model, shape, a, b, 1, 0), stretch(model, shape, a, b, 0, 1));
     consider(blame, block, coefficient * along * along);
 }

@@ -87,14 +87,15 @@ static void add_line(TinkerLinearisation *linear, const TinkerModel *model, int3
 {
     if (a == b || (a >= model->bodies && b >= model->bodies)) return;
     const TinkerPoint *pa = &model->point[a], *pb = &model->point[b];
-    double length = hypot(pb->x - pa->x, pb->y - pa->y);
-    double reach = fmax(fmax(fabs(pa->x), fabs(pa->y)), fmax(fabs(pb->x), fabs(pb->y))) + length;
+    double reach = fmax(fmax(fabs(pa->x), fabs(pa->y)), fmax(fabs(pb->x), fabs(pb->y))) + line.length;
     double noise = 8 * DBL_EPSILON * fabs(line.along) * reach;
-    if (length > 0 && fabs(line.across) * length <= noise) line.across = 0;
+    if (line.length > 0 && fabs(line.across) * line.length <= noise) line.across = 0;
+    linear->undefined_pulls += line.pull_undefined;
+    linear->undefined_dampers += line.damping_undefined;
     add_line_term(linear, linear->stiffness, line.along, a, b, line.x, line.y);
     add_line_term(linear, linear->stiffness, line.across, a, b, -line.y, line.x);
     add_line_term(linear, linear->damping, line.damping, a, b, line.x, line.y);
-    linear->force_scale = fmax(linear->force_scale, fabs(line.across) * length);
+    linear->force_scale = fmax(linear->force_scale, fabs(line.across) * line.length);
     linear->force_noise = fmax(linear->force_noise, noise);
 }
 

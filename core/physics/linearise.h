@@ -32,10 +32,12 @@ typedef struct {
     GArray *rows;            /* of TinkerLinearTerm: J, of the constraints that are tight */
     double *other_stiffness; /* size by size, column by column: what is no line and no constraint; NULL: nothing */
     double *other_damping;
-    double *force;      /* size, N: applied and constraint forces together, 0 at an equilibrium */
-    double force_scale; /* N: the largest single force; */
-    double force_noise; /* N: what rounding of the places makes of it */
-    double extent;      /* m: of the model */
+    double *force;           /* size, N: applied and constraint forces together, 0 at an equilibrium */
+    double force_scale;      /* N: the largest single force; */
+    double force_noise;      /* N: what rounding of the places makes of it */
+    double extent;           /* m: of the model */
+    int32_t undefined_pulls; /* lines whose ends are at one place, where their pull has no derivative: left out of K */
+    int32_t undefined_dampers; /* and whose resistance has none: left out of C */
 } TinkerLinearisation;
 
 /* Holds the model still at t = 0: supports stand where they are then, waveforms have their values. Everything below works

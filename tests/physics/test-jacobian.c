@@ -227,6 +227,61 @@ static void test_ends_that_meet(void)
     case_clear(&this);
 }
 
+/* A law with T(0) = 0 pulls smoothly through the place where its ends meet, so differences of the forces hold there: of two
+ * masses and a support at one place, with and without derivatives, beside what is not at one place. */
+static void test_laws_that_meet(void)
+{
+    Case this;
+    case_init(&this,
+              THREE_MASSES ", {'type': 'magnet', 'ends': ['Support 0', 'Mass 0'], 'strength': 3, 'softening': 1.1},"
+                           "{'type': 'plain-magnet', 'ends': ['Mass 0', 'Mass 1'], 'strength': 2, 'softening': 1},"
+                           "{'type': 'magnet', 'ends': ['Mass 1', 'Mass 2'], 'strength': 2, 'softening': 0.9}");
+    const TinkerPoint *support = &this.run->model->point[3];
+    this.q[0] = this.q[2] = support->x;
+    this.q[1] = this.q[3] = support->y;
+    assert_exact(&this, 1e-7);
+    physics_assert_near("of the support's", 3 / pow(1.1, 5) + 2, entry(&this, this.stiffness, 0, 0), 1e-7);
+    physics_assert_near("of the other mass'", -2, entry(&this, this.stiffness, 1, 3), 1e-7);
+    g_assert_cmpfloat(asymmetry(&this, this.stiffness), <=, 1e-12);
+    case_clear(&this);
+}
+
+/* T = k L^3 is smooth there and has no stiffness. */
+static void test_cubes_that_meet(void)
+{
+    Case this;
+    case_init(&this, "{'type': 'support'}, {'type': 'mass', 'position': [1, 0]},"
+                     "{'type': 'cubic', 'ends': ['Support 0', 'Mass 0'], 'stiffness': 6, 'length': 0}");
+    this.q[0] = this.run->model->point[1].x;
+    this.q[1] = this.run->model->point[1].y;
+    this.v[0] = this.v[1] = 0;
+    assert_exact(&this, 1e-7);
+    case_clear(&this);
+}
+
+/* One with a pull there has no derivative there; nothing is put in its place, and nothing fails. */
+static void test_pulls_that_meet(void)
+{
+    static const char *const laws[] = {"'spring', 'stiffness': 6, 'rest_length': 1",
+                                       "'magnet', 'softening': 1, 'strength': 6, 'pull': 1, 'resistance': 2",
+                                       "'plain-magnet', 'softening': 1, 'strength': 6, 'pull': 1, 'resistance': 2"};
+    for (gsize i = 0; i < G_N_ELEMENTS(laws); i++) {
+        Case this;
+        g_autofree char *blocks = g_strdup_printf("{'type': 'support'}, {'type': 'mass', 'position': [1, 0]},"
+                                                  "{'type': %s, 'ends': ['Support 0', 'Mass 0']}",
+                                                  laws[i]);
+        case_init(&this, blocks);
+        this.q[0] = this.run->model->point[1].x;
+        this.q[1] = this.run->model->point[1].y;
+        case_evaluate(&this);
+        for (int32_t k = 0; k < 4; k++) {
+            g_assert_cmpfloat(entry(&this, this.stiffness, k / 2, k % 2), ==, 0);
+            g_assert_cmpfloat(entry(&this, this.damping, k / 2, k % 2), ==, 0);
+        }
+        case_clear(&this);
+    }
+}
+
 /* A rod between two masses and one to a support, with the mass that moves along each: 1 / (1/m + 1/m') and m. */
 static void test_row_masses(void)
 {
@@ -261,6 +316,9 @@ static void add_tests(void)
     g_test_add_func("/physics/jacobian/elements", test_elements);
     g_test_add_func("/physics/jacobian/coupled-field", test_coupled_field);
     g_test_add_func("/physics/jacobian/ends-that-meet", test_ends_that_meet);
+    g_test_add_func("/physics/jacobian/laws-that-meet", test_laws_that_meet);
+    g_test_add_func("/physics/jacobian/cubes-that-meet", test_cubes_that_meet);
+    g_test_add_func("/physics/jacobian/pulls-that-meet", test_pulls_that_meet);
     g_test_add_func("/physics/jacobian/row-masses", test_row_masses);
 }
 

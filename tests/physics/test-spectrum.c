@@ -251,6 +251,32 @@ static void test_pendulums(void)
     physics_assert_near("slow mode", slow, sqrt(9.81 * (2 - G_SQRT2)), 1e-5);
 }
 
+/* On a softened magnet that it starts in the middle of, a mass swings as sqrt(c / s^5 / m): exactly, and by products. */
+static void test_magnet(void)
+{
+    static const char *const types[] = {"magnet", "plain-magnet"};
+    for (gsize i = 0; i < G_N_ELEMENTS(types); i++) {
+        g_autofree char *text =
+            g_strdup_printf("{'type': 'support', 'position': [2, 1], 'solid': false},"
+                            "{'type': 'mass', 'mass': 0.5, 'position': [2, 1], 'velocity': [0.1, 0]},"
+                            "{'type': '%s', 'ends': ['Support 0', 'Mass 0'], 'strength': 0.5, 'softening': 0.2}",
+                            types[i]);
+        g_auto(Compiled) compiled = compile(text);
+        g_autoptr(TinkerSpectrum) spectrum = tinker_spectrum_new(first_island(&compiled));
+        physics_assert_near("omega_max", spectrum->omega_max / sqrt(3125), 1, 1e-7);
+        g_assert_cmpfloat(spectrum->growth_max, ==, 0);
+        g_assert_cmpuint(spectrum->oscillators->len, ==, 2);
+        TinkerModel *model = first_island(&compiled)->model;
+        double product[2];
+        g_assert_cmpint(tinker_model_set_time(model, 0), ==, TINKER_OK);
+        tinker_model_set_state(model, model->q_start, model->v_start);
+        g_assert_cmpint(tinker_model_stiffness_product(model, (double[]){3, 4}, product), ==, TINKER_OK);
+        physics_assert_near("x of the product", product[0], -3125 * 3, 1e-3);
+        physics_assert_near("y of the product", product[1], -3125 * 4, 1e-3);
+        assert_limit(first_island(&compiled), spectrum, tinker_integrator_builtin("verlet"), sqrt(3125), types[i]);
+    }
+}
+
 /* Held upright, it falls at sqrt(g/L): growth, and no limit. */
 static void test_growth(void)
 {
@@ -299,6 +325,7 @@ static void add_tests(void)
     g_test_add_func("/physics/spectrum/damped-chains", test_damped_chains);
     g_test_add_func("/physics/spectrum/large-damped-chain", test_large_damped_chain);
     g_test_add_func("/physics/spectrum/pendulums", test_pendulums);
+    g_test_add_func("/physics/spectrum/magnet", test_magnet);
     g_test_add_func("/physics/spectrum/growth", test_growth);
     g_test_add_func("/physics/spectrum/amplification", test_amplification);
     g_test_add_func("/physics/spectrum/step-error", test_step_error);
