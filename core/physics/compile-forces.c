@@ -33,19 +33,25 @@ static gboolean prepare(TinkerModel *model, TinkerBlockBatch *batch, GError **er
 
 /* Lines ---------------------------------------------------------------------------------------------------------- */
 
-/* A pull at length 0 has no direction to act in. */
-static void warn_without_direction(TinkerModel *model, const TinkerBlockBatch *batch, int32_t row, int32_t a, int32_t b,
-                                   double tension)
+static double start_length(const TinkerModel *model, const int32_t *points)
 {
     double place_a[2], place_b[2];
-    tinker_model_start_place(model, a, place_a);
-    tinker_model_start_place(model, b, place_b);
-    if (tension == 0 || place_a[0] != place_b[0] || place_a[1] != place_b[1]) return;
+    tinker_model_start_place(model, points[0], place_a);
+    tinker_model_start_place(model, points[1], place_b);
+    return hypot(place_b[0] - place_a[0], place_b[1] - place_a[1]);
+}
+
+/* A pull at length 0 has no direction to act in. */
+static void warn_without_direction(TinkerModel *model, const TinkerBlockBatch *batch, int32_t row,
+                                   const int32_t *points, double tension)
+{
+    if (tension == 0 || start_length(model, points) > 0) return;
     g_ptr_array_add(
         model->warnings,
-        g_strdup_printf(_("%s: its ends are at one place, so its force of %.3g N has no direction: it acts on "
-                          "nothing until they part (place them apart, or make its rest length 0)"),
-                        tinker_scene_block_name(model->scene, batch->ids[row]), fabs(tension)));
+        g_strdup_printf(
+            _("%s: its ends are at one place, so its force of %.3g N has no direction: it acts on "
+              "nothing until they part (place them apart, or give it no force at length 0, as by a rest length of 0)"),
+            tinker_scene_block_name(model->scene, batch->ids[row]), fabs(tension)));
 }
 
 static gboolean add_linear_lines(TinkerModel *model, TinkerBlockBatch *batch, const int32_t *points, GArray *lines)
@@ -61,7 +67,8 @@ static gboolean add_linear_lines(TinkerModel *model, TinkerBlockBatch *batch, co
     for (gsize i = 0; i < n; i++) {
         int32_t a = points[2 * i], b = points[2 * i + 1];
         if (a == b || (a >= model->bodies && b >= model->bodies && model->moving_supports == 0)) continue;
-        warn_without_direction(model, batch, (int32_t)i, a, b, values[3 * n + i] - values[i] * values[2 * n + i]);
+        warn_without_direction(model, batch, (int32_t)i, points + 2 * i,
+                               values[3 * n + i] - values[i] * values[2 * n + i]);
         LinearLine line = {MIN(a, b),         MAX(a, b),     (int32_t)lines->len, values[i],
                            values[2 * n + i], values[n + i], values[3 * n + i]};
         g_array_append_val(lines, line);
@@ -127,11 +134,37 @@ static gboolean stores_energy(const TinkerBlockBatch *batch, gboolean offered)
     return offered && batch->waveforms == 0;
 }
 
+static gboolean moves_anything(const TinkerModel *model, const int32_t *points)
+{
+    return points[0] != points[1] && MIN(points[0], points[1]) < model->bodies;
+}
+
+/* The same of laws that are asked. One that refuses is left to the run, which says why. */
+static void warn_asked_without_direction(TinkerModel *model, TinkerBlockBatch *batch, const int32_t *points)
+{
+    const TinkerLineLaw *law = batch->block_class->physics->line_law;
+    gsize n = (gsize)batch->count;
+    g_autofree double *length = g_new0(double, 3 * n);
+    double *rate = length + n, *tension = length + 2 * n;
+    gboolean any = FALSE;
+    for (gsize i = 0; i < n; i++) {
+        length[i] = start_length(model, points + 2 * i);
+        any |= length[i] == 0 && moves_anything(model, points + 2 * i);
+    }
+    TinkerBatch view = tinker_block_batch_view(batch, 0.0);
+    if (!any || TINKER_CALL_BATCH(batch, "tension", &view, law->tension(&view, length, rate, tension)) != TINKER_OK)
+        return;
+    for (gsize i = 0; i < n; i++)
+        if (isfinite(tension[i]) && moves_anything(model, points + 2 * i))
+            warn_without_direction(model, batch, (int32_t)i, points + 2 * i, tension[i]);
+}
+
 static void ask_line(TinkerModel *model, TinkerBlockBatch *batch, const int32_t *points)
 {
     const TinkerLineLaw *law = batch->block_class->physics->line_law;
     TinkerAskedBatch asked = {batch, points, stores_energy(batch, law->energy != NULL)};
     g_array_append_val(model->asked_lines, asked);
+    warn_asked_without_direction(model, batch, points);
     model->has_book[batch->waveforms > 0 ? TINKER_BOOK_MOTORS : TINKER_BOOK_DAMPERS] = TRUE;
 }
 

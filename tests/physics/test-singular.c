@@ -58,6 +58,35 @@ static void test_coincident_ends(void)
     }
 }
 
+/* So does a law that is asked: it has no direction where it pulls with its ends at one place, and is an oscillator where it
+ * does not, small beside its softening: x'' = -c x / s^5. */
+static void test_coincident_ends_of_a_law(void)
+{
+    static const char *const methods[] = {"auto", "rk4", "verlet", "dop853", "newmark", "generalized-alpha"};
+    static const char *const types[] = {"magnet", "plain-magnet"};
+    for (gsize m = 0; m < 2 * G_N_ELEMENTS(methods); m++) {
+        g_autoptr(PhysicsRun) none = physics_run(
+            &(PhysicsOptions){.method = methods[m / 2], .duration = 2, .step = 1e-3, .columns = "Mass 0.x, Mass 0.y"},
+            "{'type': 'support', 'solid': false}, {'type': 'mass', 'velocity': [3e-3, 4e-3]},"
+            "{'type': '%s', 'ends': ['Support 0', 'Mass 0'], 'softening': 3, 'strength': 972}",
+            types[m % 2]);
+        g_assert_cmpuint(none->summary->warnings->len, ==, 0);
+        for (gsize i = 0; i < physics_samples(none); i++) {
+            physics_assert_near("x", physics_value(none, i, 0), 1.5e-3 * sin(2 * physics_time(none, i)), 1e-8);
+            physics_assert_near("y", physics_value(none, i, 1), 2e-3 * sin(2 * physics_time(none, i)), 1e-8);
+        }
+        g_autoptr(PhysicsRun) rest =
+            physics_run(&(PhysicsOptions){.method = methods[m / 2], .duration = 2, .step = 1e-3, .columns = "Mass 0.x"},
+                        "{'type': 'support', 'solid': false}, {'type': 'mass'},"
+                        "{'type': '%s', 'ends': ['Support 0', 'Mass 0'], 'softening': 1, 'strength': 1, 'pull': 0.5}",
+                        types[m % 2]);
+        g_assert_cmpuint(rest->summary->warnings->len, >=, 1);
+        g_assert_nonnull(strstr(g_ptr_array_index(rest->summary->warnings, 0), "0: its ends are at one place"));
+        g_assert_nonnull(strstr(g_ptr_array_index(rest->summary->warnings, 0), "0.5 N"));
+        g_assert_cmpfloat(physics_last(rest, 0), ==, 0);
+    }
+}
+
 /* A rod of no length is no rod. */
 static void test_rod_without_length(void)
 {
@@ -265,6 +294,7 @@ static void test_contradictory_rods(void)
 static void add_tests(void)
 {
     g_test_add_func("/physics/singular/coincident-ends", test_coincident_ends);
+    g_test_add_func("/physics/singular/coincident-ends-of-a-law", test_coincident_ends_of_a_law);
     g_test_add_func("/physics/singular/rod-without-length", test_rod_without_length);
     g_test_add_func("/physics/singular/dead-points", test_dead_points);
     g_test_add_func("/physics/singular/heavy-parallelogram", test_heavy_parallelogram);
