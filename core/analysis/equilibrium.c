@@ -1,7 +1,11 @@
 /* Newton's method with a trust radius, in the coordinates of the modes.
  *
  * A step is taken where the forces do work along it: (r + r') . dq / 2 > 0 with the unbalanced forces r before and r' after
- * it. That is a fall of the energy where there is one, and asks for none where there is not. */
+ * it. That is a fall of the energy where there is one, and asks for none where there is not.
+ *
+ * What is left at the end is held against the forces on the way. Where bodies that attract each other without bound fall into
+ * one place, rounding of the places alone makes forces as large as those that pull, and "within rounding" says nothing: at a
+ * rest state they cancel out, so that what is left is small beside what there was. */
 #include "analysis/equilibrium.h"
 
 #include <glib/gi18n-lib.h>
@@ -16,6 +20,10 @@
 #define FARTHEST     30.0
 /* Of the largest force: what may be left unbalanced where steps get no further. */
 #define BALANCED 1e-9
+/* How much more than at the start rounding may make of the places, and what is left still be taken for balanced by it alone.
+ * Otherwise what is left has to be this small beside the largest force left on the way. */
+#define SAME_ROUNDING 1e3
+#define CANCELLED     1e-4
 /* Of the largest force: a push into a motion that nothing resists. */
 #define PUSH 1e-10
 
@@ -25,6 +33,8 @@ typedef struct {
     double *q, *trial, *step;
     gsize size;
     double radius, extent; /* m; extent as it was at first */
+    double noise;          /* N: of the start */
+    double most;           /* N: the largest force left unbalanced so far */
 } Search;
 
 static double greatest(const double *x, gsize n)
@@ -81,9 +91,29 @@ static gboolean try_step(Search *search)
     return TRUE;
 }
 
-static gboolean is_balanced(const Search *search)
+static double unbalanced(const Search *search)
 {
-    return greatest(search->linear->force, search->size) <= search->linear->force_noise;
+    return greatest(search->linear->force, search->size);
+}
+
+/* Whether what is left looks little only beside forces that have grown without bound. */
+static gboolean has_collapsed(const Search *search)
+{
+    return search->linear->force_noise > SAME_ROUNDING * search->noise && unbalanced(search) > CANCELLED * search->most;
+}
+
+static gboolean is_rest(const Search *search, double allowed)
+{
+    return unbalanced(search) <= allowed && search->linear->undefined_pulls == 0 && !has_collapsed(search);
+}
+
+/* Why the places that the search ends at are no rest; `otherwise`, unless there is more to say. */
+static const char *why_no_rest(const Search *search, const char *otherwise)
+{
+    if (search->linear->undefined_pulls > 0)
+        return _("two ends fall into one place, where the force between them has no direction");
+    if (has_collapsed(search)) return _("its forces grow without bound as parts of it fall together");
+    return otherwise;
 }
 
 static gboolean wandered_off(const Search *search, const double *from)
@@ -95,23 +125,27 @@ static gboolean wandered_off(const Search *search, const double *from)
 
 static const char *search_for_rest(Search *search, const double *from, int *iterations)
 {
+    const char *nowhere = _("its forces do not balance at any place near by");
     for (*iterations = 0; *iterations < MOST_ITERATIONS; (*iterations)++) {
-        if (is_balanced(search)) return NULL;
+        search->most = fmax(search->most, unbalanced(search));
+        if (is_rest(search, search->linear->force_noise)) return NULL;
+        if (has_collapsed(search) && unbalanced(search) <= search->linear->force_noise)
+            return why_no_rest(search, nowhere); /* from here on rounding alone would lead the search */
         if (wandered_off(search, from)) return _("it moves away without end: nothing holds it against its forces");
         g_autoptr(TinkerModalBasis) basis = tinker_modal_basis_new(search->linear, NULL);
         if (basis == NULL) return _("its equations leave the range that can be computed with");
         double length = choose_step(search, basis);
-        if (length <= 1e-15 * search->extent) return NULL;
+        if (length <= 1e-15 * search->extent) return is_rest(search, INFINITY) ? NULL : why_no_rest(search, nowhere);
         if (try_step(search)) {
             if (length > search->radius) search->radius *= 2;
             continue;
         }
         double balance = BALANCED * search->linear->force_scale + search->linear->force_noise;
-        if (greatest(search->linear->force, search->size) <= balance) return NULL;
+        if (is_rest(search, balance)) return NULL;
         search->radius = 0.25 * fmin(length, search->radius);
-        if (search->radius < 1e-14 * search->extent) return _("its forces do not balance at any place near by");
+        if (search->radius < 1e-14 * search->extent) return why_no_rest(search, nowhere);
     }
-    return _("the search took more steps than it may");
+    return why_no_rest(search, _("the search took more steps than it may"));
 }
 
 gboolean tinker_equilibrium_find(TinkerModel *model, double *q, TinkerEquilibrium *result, GError **error)
@@ -120,6 +154,7 @@ gboolean tinker_equilibrium_find(TinkerModel *model, double *q, TinkerEquilibriu
     *result = (TinkerEquilibrium){0};
     if (search.linear == NULL) return FALSE;
     search.size = (gsize)search.linear->size;
+    search.noise = search.linear->force_noise;
     search.extent = search.linear->extent;
     search.radius = FIRST_RADIUS * search.extent;
     gsize bytes = MAX(search.size, 1) * sizeof(double);
@@ -129,7 +164,7 @@ gboolean tinker_equilibrium_find(TinkerModel *model, double *q, TinkerEquilibriu
     search.step = step;
     const char *why = search_for_rest(&search, from, &result->iterations);
     result->found = why == NULL;
-    result->unbalanced = greatest(search.linear->force, search.size);
+    result->unbalanced = unbalanced(&search);
     if (why != NULL) {
         g_strlcpy(result->why, why, sizeof result->why);
         memcpy(q, from, search.size * sizeof(double));
