@@ -45,7 +45,8 @@ typedef struct TinkerLineLaw {
     /* Required: T (N) of every instance. Where L is 0 the direction is undefined: `rate` is 0 there, and only a law
      * with T = 0 at L = 0 is continuous. */
     TinkerStatus (*tension)(TinkerBatch *batch, const double *length, const double *rate, double *tension);
-    /* dT/dL (N/m) and dT/drate (N s/m). NULL: the host takes differences. */
+    /* dT/dL (N/m) and dT/drate (N s/m). NULL: the host takes differences. Where T = 0 at L = 0, dT/dL there is the
+     * stiffness in every direction. */
     TinkerStatus (*derivatives)(TinkerBatch *batch, const double *length, const double *rate, double *by_length,
                                 double *by_rate);
     /* Stored energy (J), whose derivative by L is T at rate 0. NULL: nothing is stored. What remains,
