@@ -133,6 +133,13 @@ static GPtrArray *collect_warnings(const TinkerOpenScene *open, const TinkerMode
         g_ptr_array_add(warnings, g_strdup_printf("no rest state was found: %s; the modes are those of the start "
                                                   "places, held still (what --state start asks for)",
                                                   analysis->rest.why));
+    if (!wishes->about_rest && analysis->linear->undefined_pulls > 0)
+        g_ptr_array_add(warnings,
+                        g_strdup("ends are at one place where a force pulls: it has no direction there, and the "
+                                 "modes are those without it"));
+    if (analysis->linear->undefined_dampers > 0)
+        g_ptr_array_add(warnings, g_strdup("the ends of what resists are at one place: the resistance has no direction "
+                                           "there, and the modes are those without it"));
     return warnings;
 }
 

@@ -109,6 +109,29 @@ static void test_no_rest(CliFixture *fixture, gconstpointer data)
     g_assert_cmpstr(start->error, ==, "");
 }
 
+/* A mass on a spring without length, at its place: 10 rad/s in all directions, and a damper that has none. */
+static void test_one_place(CliFixture *fixture, gconstpointer data)
+{
+    g_autofree char *scene = cli_write(
+        fixture, "middle.json",
+        "{\"tinker\": 1, \"blocks\": [{\"type\": \"support\", \"solid\": false}, {\"type\": \"mass\"},"
+        " {\"type\": \"spring\", \"ends\": [\"Support 0\", \"Mass 0\"], \"stiffness\": 100, \"rest_length\": 0},"
+        " {\"type\": \"damper\", \"ends\": [\"Support 0\", \"Mass 0\"], \"damping\": 2}]}\n");
+    g_autoptr(TestProgram) program = cli_run_well(fixture, "modes @middle.json --json -");
+    cli_assert_holds(program->error, "the resistance has no direction there");
+    cli_assert_holds(program->output, "the resistance has no direction there");
+    cli_assert_holds(program->error, "1.59155");
+    g_autofree char *longer = cli_write(
+        fixture, "longer.json",
+        "{\"tinker\": 1, \"blocks\": [{\"type\": \"support\", \"solid\": false}, {\"type\": \"mass\"},"
+        " {\"type\": \"spring\", \"ends\": [\"Support 0\", \"Mass 0\"], \"stiffness\": 100, \"rest_length\": 1}]}\n");
+    g_autoptr(TestProgram) rest = cli_run_well(fixture, "modes @longer.json");
+    cli_assert_holds(rest->error, "Spring 0: its ends are at one place");
+    cli_assert_holds(rest->error, "no rest state was found");
+    g_autoptr(TestProgram) start = cli_run_well(fixture, "modes @longer.json --state start");
+    cli_assert_holds(start->error, "it has no direction there");
+}
+
 static void test_refusals(CliFixture *fixture, gconstpointer data)
 {
     static const struct {
@@ -139,6 +162,7 @@ int main(int argc, char **argv)
     cli_test_add("/cli/modes/pictures", test_pictures);
     cli_test_add("/cli/modes/response-csv", test_response_csv);
     cli_test_add("/cli/modes/no-rest", test_no_rest);
+    cli_test_add("/cli/modes/one-place", test_one_place);
     cli_test_add("/cli/modes/refusals", test_refusals);
     return g_test_run();
 }
