@@ -53,6 +53,7 @@ const KitRule *kit_rule(gsize number);
 void kit_try_symbols(KitCheck *check);
 void kit_try_declaration(KitCheck *check);
 void kit_try_batches(KitCheck *check);
+void kit_try_coupling(KitCheck *check);
 void kit_try_finite(KitCheck *check);
 void kit_try_momentum(KitCheck *check);
 void kit_try_moment(KitCheck *check);

@@ -22,6 +22,7 @@ static const KitRule rules[] = {
     {{"moment", "Internal forces give no moment"}, NULL, kit_try_moment, NULL},
     {{"translation", "What acts within a scene is the same wherever the scene is"}, NULL, kit_try_translation, NULL},
     {{"rotation", "What acts within a scene turns with the scene"}, NULL, kit_try_rotation, NULL},
+    {{"coupling", "A field whose force on a body depends on other bodies says so"}, NULL, kit_try_coupling, NULL},
     {{"energy", "Force is minus the gradient of the stored energy"}, NULL, kit_try_energy, NULL},
     {{"passive", "What depends on velocity takes energy, and gives none"}, NULL, kit_try_passive, NULL},
     {{"derivatives", "Derivatives agree with finite differences of the force"}, NULL, kit_try_derivatives, NULL},

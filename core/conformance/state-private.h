@@ -54,6 +54,8 @@ double kit_ordinary_value(const TinkerPropertyType *property, GRand *random);
 
 /* What a reader needs to see the instance: "stiffness = 3, ends (0, 1) (2, 1), ...". (transfer full) */
 char *kit_state_describe(const KitState *state, int32_t instance);
+/* Of what a field acts on: "body 3 of 2 kg at (0, 1) with velocity (2, 1)", and with one instance its values. (transfer full) */
+char *kit_state_describe_body(const KitState *state, int32_t body);
 
 /* Functions ------------------------------------------------------------------------------------------------------ */
 

@@ -131,6 +131,17 @@ static void describe_property(const KitState *state, int32_t property, int32_t i
         g_string_append_printf(text, "%s%.6g", c > 0 ? " " : "", state->columns[first + c][instance]);
 }
 
+char *kit_state_describe_body(const KitState *state, int32_t body)
+{
+    GString *text = g_string_new(NULL);
+    for (int32_t i = 0; state->count == 1 && i < state->block_class->property_count; i++)
+        describe_property(state, i, 0, text);
+    const TinkerPoint *p = &state->bodies[body];
+    g_string_append_printf(text, "%sbody %d of %.6g kg at (%.6g, %.6g) with velocity (%.6g, %.6g)",
+                           text->len > 0 ? ", " : "", body, state->masses[body], p->x, p->y, p->vx, p->vy);
+    return g_string_free(text, FALSE);
+}
+
 char *kit_state_describe(const KitState *state, int32_t instance)
 {
     GString *text = g_string_new(NULL);

@@ -1,5 +1,5 @@
 /* One good library, and with PLANT_... defined the same with one fault. It has line laws (pull, rub), force elements (pair,
- * follow), constraints (keep, hold), a motion (sway) and an integrator (simple). */
+ * follow), a field (gather), constraints (keep, hold), a motion (sway) and an integrator (simple). */
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -220,6 +220,26 @@ static TinkerStatus follow_force(TinkerBatch *batch, const TinkerPoint *ends, do
     return TINKER_OK;
 }
 
+/* gather: each body is drawn to all others, k d. */
+
+static TinkerStatus gather_force(TinkerBatch *batch, const TinkerBodies *bodies, double *force)
+{
+    double k = 0;
+    for (int32_t i = 0; i < batch->count; i++)
+        k += tinker_column(batch, STIFFNESS)[i];
+    for (int32_t b = 0; b < bodies->range; b++) {
+        const TinkerPoint *own = &bodies->points[bodies->first + b];
+        double x = 0, y = 0;
+        for (int32_t other = 0; other < bodies->count; other++) {
+            x += bodies->points[other].x - own->x;
+            y += bodies->points[other].y - own->y;
+        }
+        force[2 * b] = k * x;
+        force[2 * b + 1] = k * y;
+    }
+    return TINKER_OK;
+}
+
 /* rub: Hertz's contact, F (e / D)^1.5 with e = D - L where that is positive, and dry friction that is rounded off, R tanh(rate
  * / s): right, with a kink in the slope and a bend within centimetres. */
 
@@ -415,6 +435,10 @@ static const TinkerPropertyType follow_properties[] = {
     {TINKER_REAL_PROPERTY("thrust", "Thrust", "Follow", TINKER_DIMENSION_FORCE), TINKER_ANY_VALUE(0, -5, 5),
      .default_value = {1}, .description = "How strong the jet is"},
 };
+static const TinkerPropertyType gather_properties[] = {
+    {TINKER_REAL_PROPERTY("stiffness", "Stiffness", "Gather", TINKER_DIMENSION_STIFFNESS), TINKER_NOT_NEGATIVE(0, 5),
+     .default_value = {1}, .description = "How strong it is"},
+};
 static const TinkerPropertyType rub_properties[] = {
     {TINKER_REAL_PROPERTY("hardness", "Hardness", "Rub", TINKER_DIMENSION_FORCE), TINKER_NOT_NEGATIVE(0, 20),
      .default_value = {5}, .description = "Force at length 0"},
@@ -462,6 +486,12 @@ static const TinkerLineLaw line_law = {
 static const TinkerLineLaw rub_law = {
     .struct_size = sizeof(TinkerLineLaw), .tension = rub_tension, .derivatives = rub_derivatives, .energy = rub_energy};
 static const TinkerForceElement follow_element = {.struct_size = sizeof(TinkerForceElement), .force = follow_force};
+#if defined(PLANT_alone)
+#define COUPLES 0
+#else
+#define COUPLES 1
+#endif
+static const TinkerField field = {.struct_size = sizeof(TinkerField), .couples_bodies = COUPLES, .force = gather_force};
 static const TinkerForceElement element = {.struct_size = sizeof(TinkerForceElement), .force = pair_force};
 static const TinkerConstraint constraint = {
     .struct_size = sizeof(TinkerConstraint), .rows = 1, .rows_at = rows_at, .distance = distance};
@@ -479,6 +509,7 @@ static const TinkerPhysics pull = {
 static const TinkerPhysics pair = {.struct_size = sizeof(TinkerPhysics), .force_element = &element};
 static const TinkerPhysics rub = {.struct_size = sizeof(TinkerPhysics), .line_law = &rub_law};
 static const TinkerPhysics follow = {.struct_size = sizeof(TinkerPhysics), .force_element = &follow_element};
+static const TinkerPhysics gather = {.struct_size = sizeof(TinkerPhysics), .field = &field};
 static const TinkerPhysics keep = {.struct_size = sizeof(TinkerPhysics), .constraint = &constraint};
 static const TinkerPhysics hold = {.struct_size = sizeof(TinkerPhysics), .constraint = &hold_constraint};
 static const TinkerPhysics sway = {.struct_size = sizeof(TinkerPhysics), .motion = &moves};
@@ -493,6 +524,7 @@ static const TinkerInterface pull_interfaces[] = {{TINKER_PHYSICS_INTERFACE, &pu
 static const TinkerInterface pair_interfaces[] = {{TINKER_PHYSICS_INTERFACE, &pair}};
 static const TinkerInterface rub_interfaces[] = {{TINKER_PHYSICS_INTERFACE, &rub}};
 static const TinkerInterface follow_interfaces[] = {{TINKER_PHYSICS_INTERFACE, &follow}};
+static const TinkerInterface gather_interfaces[] = {{TINKER_PHYSICS_INTERFACE, &gather}};
 static const TinkerInterface keep_interfaces[] = {{TINKER_PHYSICS_INTERFACE, &keep}};
 static const TinkerInterface hold_interfaces[] = {{TINKER_PHYSICS_INTERFACE, &hold}};
 static const TinkerInterface sway_interfaces[] = {{TINKER_PHYSICS_INTERFACE, &sway}};
@@ -510,6 +542,8 @@ static const TinkerBlockType blocks[] = {
      .interfaces = TINKER_SPAN(rub_interfaces)},
     {TINKER_BLOCK("planted-follow", "Follow", TINKER_FORCE), .summary = "A jet", .least_ends = 2, .most_ends = 2,
      .end_accepts = ANY, .properties = TINKER_SPAN(follow_properties), .interfaces = TINKER_SPAN(follow_interfaces)},
+    {TINKER_BLOCK("planted-gather", "Gather", TINKER_FIELD), .summary = "Draws all together",
+     .properties = TINKER_SPAN(gather_properties), .interfaces = TINKER_SPAN(gather_interfaces)},
     {TINKER_BLOCK("planted-keep", "Keep", TINKER_CONNECTOR), .summary = "Keeps a distance", .least_ends = 2,
      .most_ends = 2, .end_accepts = ANY, .properties = TINKER_SPAN(keep_properties),
      .interfaces = TINKER_SPAN(keep_interfaces)},

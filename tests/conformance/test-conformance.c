@@ -57,6 +57,8 @@ static const struct {
     {"place", "translation", "planted-pair", "with the scene shifted"},
     {"origin", "translation", "planted-pair", "with batch->origin at (6.5, -9.25) m"},
     {"direction", "rotation", "planted-pair", "with the scene turned"},
+    {"alone", "coupling", "planted-gather",
+     "with nobody else there: it depends on other bodies, so couples_bodies = 1 "},
     {"slope", "energy", "planted-pull", "where the gradient of the energy is"},
     {"gives", "passive", "planted-pull", "what depends on velocity gives"},
     {"sign", "derivatives", "planted-pull", "by_rate of instance 0"},
