@@ -115,6 +115,12 @@ typedef void (*Look)(KitCheck *check, const Picture *picture);
 static void look_for_ink(KitCheck *check, const Picture *picture)
 {
     const double *b = picture->bounds;
+    if (picture->not_finite != NULL) {
+        g_autofree char *values = kit_state_describe(picture->state, 0);
+        kit_fail(check, "it draws a %s, finite numbers were expected, at %s (%s)", picture->not_finite,
+                 picture->state->label, values);
+        return;
+    }
     if (!isfinite(b[0] + b[1] + b[2] + b[3]) || b[0] > b[2] || b[1] > b[3]) {
         kit_fail(check, "its bounds %g %g to %g %g are no box, at %s", b[0], b[1], b[2], b[3], picture->state->label);
         return;

@@ -93,8 +93,8 @@ static void look_at_numbers(KitCheck *check, const KitFunction *function, const 
             if (isfinite(value) || (output->infinite && value == INFINITY)) continue;
             const int32_t instance = kit_output_instance(output, state, i / (gsize)output->width);
             g_autofree char *values = kit_state_describe(state, instance);
-            kit_fail(check, "%s: \"%s\" of instance %d is %g at %s (%s)", function->name, output->name, instance, value,
-                     state->label, values);
+            kit_fail(check, "%s: \"%s\" of instance %d is %g at %s (%s)", function->name, output->name, instance,
+                     isnan(value) ? NAN : value, state->label, values); // nan without the sign that it may have
             return;
         }
     }
@@ -151,17 +151,37 @@ static gboolean is_set_by_user(const TinkerPropertyType *property)
            !(property->flags & (TINKER_READ_ONLY | TINKER_DERIVED));
 }
 
-static void try_limit(KitCheck *check, const GArray *functions, const KitState *ordinary, int32_t number,
-                      gboolean greatest)
+static void set_to_limit(KitState *state, int32_t number, gboolean greatest)
 {
-    const TinkerBlockClass *block_class = ordinary->block_class;
+    const TinkerBlockClass *block_class = state->block_class;
     const TinkerPropertyType *property = &block_class->properties[number];
-    g_autoptr(KitState) state = kit_state_copy(ordinary);
-    g_snprintf(state->label, sizeof state->label, "the %s of %s", greatest ? "greatest" : "least", property->id);
     for (int32_t c = 0; c < tinker_kind_columns(property->kind); c++)
         for (int32_t i = 0; i < state->count; i++)
             state->columns[block_class->first_columns[number] + c][i] = limit_of(property, greatest);
+}
+
+/* The states above, each with a property at a limit: a quotient of two that vanish is to be had only so. */
+static void try_changes(KitCheck *check, const GArray *functions, const KitState *from, const char *with)
+{
+    for (gsize i = 0; i < G_N_ELEMENTS(changes) && !kit_decided(check); i++) {
+        g_autoptr(KitState) state = kit_state_copy(from);
+        changes[i].change(state);
+        g_snprintf(state->label, sizeof state->label, "%s%s", changes[i].label, with);
+        try_state(check, functions, state);
+    }
+}
+
+static void try_limit(KitCheck *check, const GArray *functions, const KitState *ordinary, int32_t number,
+                      gboolean greatest)
+{
+    const TinkerPropertyType *property = &ordinary->block_class->properties[number];
+    g_autoptr(KitState) state = kit_state_copy(ordinary);
+    g_autofree char *limit = g_strdup_printf("the %s of %s", greatest ? "greatest" : "least", property->id);
+    g_autofree char *with = g_strconcat(" and ", limit, NULL);
+    set_to_limit(state, number, greatest);
+    g_strlcpy(state->label, limit, sizeof state->label);
     try_state(check, functions, state);
+    if (!kit_decided(check)) try_changes(check, functions, state, with);
 }
 
 void kit_try_finite(KitCheck *check)
@@ -174,12 +194,7 @@ void kit_try_finite(KitCheck *check)
     g_autoptr(KitState) ordinary = kit_state_new(check, KIT_COUNT);
     if (ordinary == NULL) return;
     try_state(check, functions, ordinary);
-    for (gsize i = 0; i < G_N_ELEMENTS(changes) && !kit_decided(check); i++) {
-        g_autoptr(KitState) state = kit_state_copy(ordinary);
-        changes[i].change(state);
-        g_strlcpy(state->label, changes[i].label, sizeof state->label);
-        try_state(check, functions, state);
-    }
+    try_changes(check, functions, ordinary, "");
     for (int32_t i = 0; i < check->block_class->property_count && !kit_decided(check); i++) {
         if (!is_set_by_user(&check->block_class->properties[i])) continue;
         try_limit(check, functions, ordinary, i, FALSE);

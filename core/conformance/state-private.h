@@ -7,6 +7,8 @@
 
 #include "conformance/kit-private.h"
 
+#define KIT_LABEL_SIZE 192
+
 typedef struct {
     const TinkerBlockClass *block_class;
     int32_t count;
@@ -27,8 +29,8 @@ typedef struct {
     double time;
     double origin[2];
     guint8 *scratch;
-    int32_t first;  /* number of its first instance in the state it was cut from */
-    char label[48]; /* "ordinary values", for messages */
+    int32_t first;              /* number of its first instance in the state it was cut from */
+    char label[KIT_LABEL_SIZE]; /* "ordinary values", for messages */
 } KitState;
 
 #define KIT_COUNT 24

@@ -52,7 +52,9 @@ static TinkerStatus tension(TinkerBatch *batch, const double *length, const doub
             ;
 #endif
         result[i] = k[i] * (length[i] - rest[i]) + c[i] * rate[i];
-#if defined(PLANT_gives)
+#if defined(PLANT_quotient)
+        result[i] *= (k[i] + length[i]) / (k[i] + length[i]); // 0 / 0 where both vanish
+#elif defined(PLANT_gives)
         result[i] -= 2 * c[i] * rate[i];
 #elif defined(PLANT_constant)
         result[i] += 0.5;

@@ -47,6 +47,8 @@ static const struct {
     {"first", "batches", "planted-pull", "in a slice of 1 from 7 on"},
     {"remembers", "batches", "planted-pull", "when it is called again with the same values"},
     {"nan", "finite", "planted-pull", "\"tension\" of instance 0 is nan at coincident ends"},
+    {"quotient", "finite", "planted-pull",
+     "\"tension\" of instance 0 is nan at coincident ends and the least of stiffness (stiffness = 0, "},
     {"exit", "finite", "planted-pull", "ended the process in tension at coincident ends, with status 3"},
     {"ends_well", "finite", "planted-pull", "ended the process in tension at coincident ends, with status 77"},
     {"abort", "finite", "planted-pull", "crashed: SIGABRT in tension at coincident ends"},
