@@ -7,6 +7,7 @@
 #include <tinker/shapes.h>
 
 #include "conformance/state-private.h"
+#include "conformance/watched-style-private.h"
 #include "render/style.h"
 
 #define PIXELS 900
@@ -25,6 +26,7 @@ typedef struct {
     cairo_surface_t *surface;
     cairo_t *cairo;
     double bounds[4];
+    char *not_finite; /* a helper that was given a number that is not finite, with the numbers; or NULL */
 } Picture;
 
 static double meaning(const Picture *picture, int32_t number, int component, double otherwise)
@@ -89,8 +91,10 @@ static void draw(KitCheck *check, Picture *picture)
     picture->cairo = cairo_create(picture->surface);
     tinker_style_begin(&picture->brush, picture->cairo, tinker_theme_find("light"), &picture->view, SYMBOL);
     tinker_style_enter_world(&picture->brush.style, picture->cairo);
+    kit_style_watch(&picture->brush.style);
     kit_phase(check, "draw at %s", picture->state->label);
     render->draw(&picture->instance, picture->cairo, &picture->brush.style);
+    picture->not_finite = kit_style_seen();
     kit_phase(check, "bounds at %s", picture->state->label);
     find_bounds(picture, render);
     if (cairo_status(picture->cairo) != CAIRO_STATUS_SUCCESS)
@@ -176,6 +180,7 @@ static void try_picture(KitCheck *check, KitState *state, Look look)
     tinker_style_end(&picture->brush);
     cairo_destroy(picture->cairo);
     cairo_surface_destroy(picture->surface);
+    g_free(picture->not_finite);
     g_free(picture);
 }
 

@@ -158,6 +158,8 @@ static void draw(const TinkerInstance *instance, struct _cairo *cairo, const Tin
     style->line(style, cairo, TINKER_COLOUR_CONNECTOR, a->x, a->y, b->x, b->y);
 #if defined(PLANT_ink)
     style->circle(style, cairo, TINKER_COLOUR_BODY, -1, a->x + 2, a->y + 5, 0.5);
+#elif defined(PLANT_size_nan)
+    style->box(style, cairo, TINKER_COLOUR_BODY, -1, a->x, a->y, NAN, 0.1, 0);
 #endif
 }
 

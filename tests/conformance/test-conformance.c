@@ -79,6 +79,7 @@ static const struct {
     {"prints", "quiet", "planted-pull", "tension calls puts"},
     {"prints_checked", "quiet", "planted-pull", "tension calls printf"},
     {"ink", "bounds", "planted-pull", "outside its bounds"},
+    {"size_nan", "bounds", "planted-pull", "it draws a box with (x, y, width, height, orientation) = ("},
     {"unhittable", "hit", "planted-pull", "finds nothing"},
     {"counts", "saved", "planted-pull", "runs to other bits"},
     {"order", "order", "planted-simple", "2 is declared"},
