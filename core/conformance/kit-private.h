@@ -79,6 +79,8 @@ void kit_try_speed(KitCheck *check);
 void kit_try_method_declaration(KitCheck *check);
 void kit_try_method_order(KitCheck *check);
 void kit_try_method_steps(KitCheck *check);
+void kit_try_method_limits(KitCheck *check);
+void kit_try_method_constrained(KitCheck *check);
 void kit_try_method_same_bits(KitCheck *check);
 void kit_try_method_quiet(KitCheck *check);
 void kit_try_method_speed(KitCheck *check);

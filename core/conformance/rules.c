@@ -55,6 +55,11 @@ static const KitRule rules[] = {
     {{"saved", "A saved and loaded scene runs to the same bits"}, NULL, kit_try_saved, NULL},
     {{"order", "Halving the step shrinks the error as the declared order says"}, NULL, NULL, kit_try_method_order},
     {{"steps", "Steps land where they should, and dense output fits their ends"}, NULL, NULL, kit_try_method_steps},
+    {{"limits", "Steps are stable up to the declared limits, and not far beyond"}, NULL, NULL, kit_try_method_limits},
+    {{"constrained", "A step of a pendulum ends with its rod as long as it was"},
+     NULL,
+     NULL,
+     kit_try_method_constrained},
     {{"speed", "How long an element takes; for information"}, NULL, kit_try_speed, kit_try_method_speed},
     {{NULL, NULL}, NULL, NULL, NULL},
 };

@@ -391,6 +391,14 @@ static TinkerStatus step(void *data, TinkerState *state, double limit, TinkerSte
         s->v[i] = state->v[i];
         state->v[i] += s->h * s->a[i];
         state->q[i] += s->h * state->v[i];
+    }
+#if !defined(PLANT_unprojected)
+    int32_t moved = 0;
+    if (s->system->flags & TINKER_SYSTEM_CONSTRAINED &&
+        s->system->project(s->system->context, limit, state->q, state->v, &moved) != TINKER_OK)
+        return TINKER_FAILED;
+#endif
+    for (int32_t i = 0; i < s->system->size; i++) {
         s->q1[i] = state->q[i];
         s->v1[i] = state->v[i];
     }
@@ -564,6 +572,19 @@ static const TinkerBlockType blocks[] = {
 #else
 #define ORDER 1
 #endif
+#if defined(PLANT_bold)
+#define IMAGINARY_LIMIT 3
+#define REAL_LIMIT      2
+#elif defined(PLANT_endless)
+#define IMAGINARY_LIMIT 2
+#define REAL_LIMIT      (-1)
+#elif defined(PLANT_timid)
+#define IMAGINARY_LIMIT 2
+#define REAL_LIMIT      0.5
+#else
+#define IMAGINARY_LIMIT 2
+#define REAL_LIMIT      2
+#endif
 static const TinkerIntegrator integrators[] = {{.struct_size = sizeof(TinkerIntegrator),
                                                 .flags = TINKER_INTEGRATOR_EXPLICIT,
                                                 .id = "planted-simple",
@@ -573,8 +594,8 @@ static const TinkerIntegrator integrators[] = {{.struct_size = sizeof(TinkerInte
                                                 .order = ORDER,
                                                 .dense_order = 1,
                                                 .evaluations_per_step = 1,
-                                                .imaginary_limit = 2,
-                                                .real_limit = 2,
+                                                .imaginary_limit = IMAGINARY_LIMIT,
+                                                .real_limit = REAL_LIMIT,
                                                 .create = create,
                                                 .destroy = free,
                                                 .restart = restart,

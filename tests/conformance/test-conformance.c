@@ -85,6 +85,12 @@ static const struct {
     {"order", "order", "planted-simple", "2 is declared"},
     {"timeless", "order", "planted-simple", "on a driven motion that is not linear"},
     {"overshoots", "steps", "planted-simple", "ends at"},
+    {"bold", "limits", "planted-simple",
+     "with h omega = 2.25 an undamped oscillator grows, though imaginary_limit is 3"},
+    {"endless", "limits", "planted-simple", "real_limit is -1, which says that there is no limit"},
+    {"timid", "limits", "planted-simple",
+     "with h c / m = 1 a pure damper does not grow, though real_limit is 0.5: the edge of stability lies farther out"},
+    {"unprojected", "constrained", "planted-simple", "a pendulum's rod of 0.75 m is off by"},
     {"dense", "steps", "planted-simple", "interpolated at the end of a step"},
 };
 
