@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "conformance/kit-private.h"
+#include "conformance/scene-start-private.h"
 #include "conformance/state-private.h"
 #include "physics/simulation.h"
 #include "scene/scene-json.h"
@@ -40,8 +41,12 @@ static TinkerBlockId add_body(KitCheck *check, TinkerScene *scene, const TinkerB
     const int32_t count = tinker_scene_block_count(scene);
     const double place[2] = {1.5 * count + g_rand_double_range(check->random, -0.3, 0.3),
                              g_rand_double_range(check->random, -1, 1)};
+    const double velocity[2] = {g_rand_double_range(check->random, -0.5, 0.5),
+                                g_rand_double_range(check->random, -0.5, 0.5)};
     const double off = 0;
     tinker_scene_set(scene, block, body->meanings[TINKER_MEANING_POSITION], place, NULL);
+    if (body->meanings[TINKER_MEANING_VELOCITY] >= 0)
+        tinker_scene_set(scene, block, body->meanings[TINKER_MEANING_VELOCITY], velocity, NULL);
     if (solid >= 0) tinker_scene_set(scene, block, solid, &off, NULL);
     return block;
 }
@@ -99,6 +104,7 @@ static TinkerScene *build_scene(KitCheck *check)
         kit_skip(check, "no support is installed to build a scene with");
         return NULL;
     }
+    kit_fit_start(check, scene, block);
     for (int i = 0; i < 2; i++)
         add_body(check, scene, bodies.mover);
     return g_steal_pointer(&scene);

@@ -18,7 +18,7 @@ int another_symbol(void)
 }
 #endif
 
-#if defined(PLANT_counts)
+#if defined(PLANT_counts) || defined(PLANT_counts_rows)
 static double prepared;
 static TinkerStatus prepare(TinkerBatch *batch)
 {
@@ -326,6 +326,9 @@ static TinkerStatus hold_rows(TinkerBatch *batch, const TinkerPoint *ends, doubl
     for (int32_t i = 0; i < batch->count; i++) {
         const double length = tinker_column(batch, 0)[i];
         g[2 * i] = ends[i].x + batch->origin[0];
+#if defined(PLANT_counts_rows)
+        g[2 * i] += 1e-12 * prepared * length;
+#endif
         g[2 * i + 1] = (ends[i].y + batch->origin[1]) / length;
         jacobian[4 * i] = 1;
         jacobian[4 * i + 1] = jacobian[4 * i + 2] = 0;
@@ -523,7 +526,13 @@ static const TinkerPhysics rub = {.struct_size = sizeof(TinkerPhysics), .line_la
 static const TinkerPhysics follow = {.struct_size = sizeof(TinkerPhysics), .force_element = &follow_element};
 static const TinkerPhysics gather = {.struct_size = sizeof(TinkerPhysics), .field = &field};
 static const TinkerPhysics keep = {.struct_size = sizeof(TinkerPhysics), .constraint = &constraint};
-static const TinkerPhysics hold = {.struct_size = sizeof(TinkerPhysics), .constraint = &hold_constraint};
+static const TinkerPhysics hold = {
+    .struct_size = sizeof(TinkerPhysics),
+    .constraint = &hold_constraint,
+#if defined(PLANT_counts_rows)
+    .prepare = prepare,
+#endif
+};
 static const TinkerPhysics sway = {.struct_size = sizeof(TinkerPhysics), .motion = &moves};
 static const TinkerRender render = {sizeof(TinkerRender), 2, draw, tinker_connector_bounds};
 static const TinkerEdit edit = {sizeof(TinkerEdit), 0, hit, tinker_ends_move, tinker_ends_move_absolute, NULL};

@@ -82,6 +82,7 @@ static const struct {
     {"size_nan", "bounds", "planted-pull", "it draws a box with (x, y, width, height, orientation) = ("},
     {"unhittable", "hit", "planted-pull", "finds nothing"},
     {"counts", "saved", "planted-pull", "runs to other bits"},
+    {"counts_rows", "saved", "planted-hold", "runs to other bits"},
     {"order", "order", "planted-simple", "2 is declared"},
     {"timeless", "order", "planted-simple", "on a driven motion that is not linear"},
     {"overshoots", "steps", "planted-simple", "ends at"},
