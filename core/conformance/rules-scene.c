@@ -27,8 +27,9 @@ static Bodies find_bodies(KitCheck *check)
             if (strcmp(type->category, TINKER_CONNECTABLE) != 0) continue;
             const TinkerBlockClass *c = tinker_catalogue_type(check->catalogue, type->id, NULL);
             if (c == NULL || c->physics == NULL || c->physics->body == NULL) continue;
-            const TinkerBlockClass **slot = c->physics->body->degrees_of_freedom > 0 ? &bodies.mover : &bodies.support;
-            if (*slot == NULL) *slot = c;
+            const int32_t freedoms = c->physics->body->degrees_of_freedom;
+            const TinkerBlockClass **slot = freedoms == 2 ? &bodies.mover : &bodies.support;
+            if (*slot == NULL && (freedoms == 2 || freedoms == 0)) *slot = c;
         }
     }
     return bodies;
@@ -119,14 +120,24 @@ static gboolean take_sample(TinkerSimulation *simulation, double time, const dou
     return TRUE;
 }
 
+/* Values that do not go together are no fault of the plugin's; what its role lacks is, and the host says what that is. Of the
+ * two rules it is `run` that fails of it. */
+static void tell_refusal(KitCheck *check, const GError *error, gboolean blame)
+{
+    if (blame && g_error_matches(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_PLUGIN))
+        kit_fail(check, "%s", error->message);
+    else
+        kit_skip(check, "no start was found that a scene with it can have: %s", error->message);
+}
+
 /* The record of a run with every quantity of every block; NULL with the reason told. (transfer full) */
-static GArray *run_scene(KitCheck *check, TinkerScene *scene)
+static GArray *run_scene(KitCheck *check, TinkerScene *scene, gboolean blame)
 {
     g_autoptr(GError) error = NULL;
     kit_phase(check, "compiling a scene with it");
     g_autoptr(TinkerModel) model = tinker_model_new(scene, &error);
     if (model == NULL) {
-        kit_skip(check, "no start was found that a scene with it can have: %s", error->message);
+        tell_refusal(check, error, blame);
         return NULL;
     }
     g_autoptr(GArray) columns = tinker_columns_new();
@@ -158,7 +169,7 @@ void kit_try_run(KitCheck *check)
 {
     for (int round = 0; round < ROUNDS && !kit_decided(check); round++) {
         g_autoptr(TinkerScene) scene = build_scene(check);
-        g_autoptr(GArray) record = scene == NULL ? NULL : run_scene(check, scene);
+        g_autoptr(GArray) record = scene == NULL ? NULL : run_scene(check, scene, TRUE);
         (void)record;
     }
 }
@@ -167,7 +178,7 @@ void kit_try_saved(KitCheck *check)
 {
     for (int round = 0; round < ROUNDS && !kit_decided(check); round++) {
         g_autoptr(TinkerScene) scene = build_scene(check);
-        g_autoptr(GArray) before = scene == NULL ? NULL : run_scene(check, scene);
+        g_autoptr(GArray) before = scene == NULL ? NULL : run_scene(check, scene, FALSE);
         if (before == NULL) return;
         g_autoptr(GError) error = NULL;
         g_autofree char *text = tinker_scene_to_text(scene, TINKER_WRITE_SI);
@@ -176,7 +187,7 @@ void kit_try_saved(KitCheck *check)
             kit_fail(check, "a scene with it is saved, but cannot be read back: %s", error->message);
             return;
         }
-        g_autoptr(GArray) after = run_scene(check, again);
+        g_autoptr(GArray) after = run_scene(check, again, FALSE);
         if (after == NULL) return;
         if (before->len != after->len || memcmp(before->data, after->data, before->len * sizeof(double)) != 0)
             kit_fail(check, "a scene with it runs to other bits after it was saved and loaded");

@@ -1,5 +1,5 @@
 /* One good library, and with PLANT_... defined the same with one fault. It has line laws (pull, rub), force elements (pair,
- * follow), a field (gather), constraints (keep, hold), a motion (sway) and an integrator (simple). */
+ * follow), a field (gather), a body (ball), constraints (keep, hold), a motion (sway) and an integrator (simple). */
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -482,6 +482,16 @@ static const TinkerPropertyType sway_properties[] = {
     {TINKER_REAL_PROPERTY("phase", "Phase", "Sway", TINKER_DIMENSION_ANGLE), TINKER_ANY_VALUE(0, -1, 1),
      .description = "Where it begins"},
 };
+static const TinkerPropertyType ball_properties[] = {
+    {TINKER_REAL_PROPERTY("mass", "Mass", "Ball", TINKER_DIMENSION_MASS), TINKER_POSITIVE(0, 0.1, 10),
+     .default_value = {1}, .symbol = "m", .meaning = TINKER_MEANING_MASS, .description = "How heavy it is"},
+    {TINKER_REAL_PROPERTY("inertia", "Inertia", "Ball", {1, 2, 0, 0}), TINKER_POSITIVE(0, 0.1, 10),
+     .default_value = {1}, .meaning = TINKER_MEANING_INERTIA, .description = "How hard it is to turn"},
+    {TINKER_VECTOR_PROPERTY("position", "Position", "Place", "X", "Y", TINKER_DIMENSION_LENGTH),
+     TINKER_ANY_VALUE(0, -10, 10), .meaning = TINKER_MEANING_POSITION, .description = "Where it starts"},
+    {TINKER_VECTOR_PROPERTY("velocity", "Velocity", "Start", "Vx", "Vy", TINKER_DIMENSION_VELOCITY),
+     TINKER_ANY_VALUE(0, -10, 10), .meaning = TINKER_MEANING_VELOCITY, .description = "How it starts"},
+};
 static const TinkerQuantityType quantities[] = {
     TINKER_QUANTITY(0, "force", "Force", "What it pulls with at rest", TINKER_DIMENSION_FORCE),
 };
@@ -525,6 +535,13 @@ static const TinkerPhysics pair = {.struct_size = sizeof(TinkerPhysics), .force_
 static const TinkerPhysics rub = {.struct_size = sizeof(TinkerPhysics), .line_law = &rub_law};
 static const TinkerPhysics follow = {.struct_size = sizeof(TinkerPhysics), .force_element = &follow_element};
 static const TinkerPhysics gather = {.struct_size = sizeof(TinkerPhysics), .field = &field};
+#if defined(PLANT_freedoms)
+#define FREEDOMS 3
+#else
+#define FREEDOMS 2
+#endif
+static const TinkerBody ball_body = {.struct_size = sizeof(TinkerBody), .degrees_of_freedom = FREEDOMS};
+static const TinkerPhysics ball = {.struct_size = sizeof(TinkerPhysics), .body = &ball_body};
 static const TinkerPhysics keep = {.struct_size = sizeof(TinkerPhysics), .constraint = &constraint};
 static const TinkerPhysics hold = {
     .struct_size = sizeof(TinkerPhysics),
@@ -546,6 +563,7 @@ static const TinkerInterface pair_interfaces[] = {{TINKER_PHYSICS_INTERFACE, &pa
 static const TinkerInterface rub_interfaces[] = {{TINKER_PHYSICS_INTERFACE, &rub}};
 static const TinkerInterface follow_interfaces[] = {{TINKER_PHYSICS_INTERFACE, &follow}};
 static const TinkerInterface gather_interfaces[] = {{TINKER_PHYSICS_INTERFACE, &gather}};
+static const TinkerInterface ball_interfaces[] = {{TINKER_PHYSICS_INTERFACE, &ball}};
 static const TinkerInterface keep_interfaces[] = {{TINKER_PHYSICS_INTERFACE, &keep}};
 static const TinkerInterface hold_interfaces[] = {{TINKER_PHYSICS_INTERFACE, &hold}};
 static const TinkerInterface sway_interfaces[] = {{TINKER_PHYSICS_INTERFACE, &sway}};
@@ -565,6 +583,8 @@ static const TinkerBlockType blocks[] = {
      .end_accepts = ANY, .properties = TINKER_SPAN(follow_properties), .interfaces = TINKER_SPAN(follow_interfaces)},
     {TINKER_BLOCK("planted-gather", "Gather", TINKER_FIELD), .summary = "Draws all together",
      .properties = TINKER_SPAN(gather_properties), .interfaces = TINKER_SPAN(gather_interfaces)},
+    {TINKER_BLOCK("planted-ball", "Ball", TINKER_CONNECTABLE), .summary = "A point with a mass", .formula = "m a = F",
+     .properties = TINKER_SPAN(ball_properties), .interfaces = TINKER_SPAN(ball_interfaces)},
     {TINKER_BLOCK("planted-keep", "Keep", TINKER_CONNECTOR), .summary = "Keeps a distance", .least_ends = 2,
      .most_ends = 2, .end_accepts = ANY, .properties = TINKER_SPAN(keep_properties),
      .interfaces = TINKER_SPAN(keep_interfaces)},

@@ -81,6 +81,7 @@ static const struct {
     {"ink", "bounds", "planted-pull", "outside its bounds"},
     {"size_nan", "bounds", "planted-pull", "it draws a box with (x, y, width, height, orientation) = ("},
     {"unhittable", "hit", "planted-pull", "finds nothing"},
+    {"freedoms", "run", "planted-ball", "lacks a number of degrees of freedom that this version can move (0 or 2)"},
     {"counts", "saved", "planted-pull", "runs to other bits"},
     {"counts_rows", "saved", "planted-hold", "runs to other bits"},
     {"order", "order", "planted-simple", "2 is declared"},

@@ -31,7 +31,7 @@ extern "C" {
  * TINKER_MEANING_POSITION, _VELOCITY, _MASS, _INERTIA, _ORIENTATION, _WIDTH, _HEIGHT and so on. */
 typedef struct TinkerBody {
     uint32_t struct_size;
-    int32_t degrees_of_freedom; /* 0: its place is a known function of time; 2: point mass; 3: rigid body */
+    int32_t degrees_of_freedom; /* 0: moves as a known function of time; 2: point mass; 3: rigid body, not run yet */
     int32_t shape;              /* TINKER_SHAPE_... */
     int32_t reserved;
 } TinkerBody;
