@@ -51,6 +51,7 @@ const KitRule *kit_rule(gsize number);
 
 /* The rules; each is described in the table of rules.c. */
 void kit_try_symbols(KitCheck *check);
+void kit_try_library_declaration(KitCheck *check);
 void kit_try_declaration(KitCheck *check);
 void kit_try_batches(KitCheck *check);
 void kit_try_coupling(KitCheck *check);
@@ -75,6 +76,9 @@ void kit_try_hit(KitCheck *check);
 void kit_try_run(KitCheck *check);
 void kit_try_saved(KitCheck *check);
 void kit_try_speed(KitCheck *check);
+
+/* Decides where a stable name is not one. `whose`: "its", "a property's"; `joint` is usual between its words. */
+void kit_look_at_id(KitCheck *check, const char *whose, const char *id, char joint);
 
 void kit_try_method_declaration(KitCheck *check);
 void kit_try_method_order(KitCheck *check);

@@ -237,6 +237,7 @@ void kit_try_method_speed(KitCheck *check)
 void kit_try_method_declaration(KitCheck *check)
 {
     const TinkerIntegrator *method = check->integrator;
+    kit_look_at_id(check, "its", method->id, '-');
     if (method->summary == NULL || method->summary[0] == '\0') kit_fail(check, "it has no summary");
     if (method->source == NULL || method->source[0] == '\0')
         kit_fail(check, "it does not say where the method comes from");

@@ -430,6 +430,32 @@ static TinkerStatus interpolate(void *data, double t, double *q, double *v, doub
     return TINKER_OK;
 }
 
+#if defined(PLANT_unknown_symbol)
+#define PULL_FORMULA "T = D (L - L0) + c dL/dt"
+#else
+#define PULL_FORMULA "T = k (L - L0) + c dL/dt"
+#endif
+#if defined(PLANT_type_id)
+#define FOLLOW_ID "Planted Follow"
+#else
+#define FOLLOW_ID "planted-follow"
+#endif
+#if defined(PLANT_property_id)
+#define THRUST_ID "thr ust"
+#else
+#define THRUST_ID "thrust"
+#endif
+#if defined(PLANT_plugin_id)
+#define PLUGIN_ID "planted"
+#else
+#define PLUGIN_ID "org.example.planted"
+#endif
+#if defined(PLANT_version)
+#define VERSION "one"
+#else
+#define VERSION "1.0.0"
+#endif
+
 /* Tables */
 
 #if defined(PLANT_undescribed)
@@ -447,7 +473,7 @@ static const TinkerPropertyType pull_properties[] = {
      .default_value = {1}, .symbol = "c", .description = "How it resists"},
 };
 static const TinkerPropertyType follow_properties[] = {
-    {TINKER_REAL_PROPERTY("thrust", "Thrust", "Follow", TINKER_DIMENSION_FORCE), TINKER_ANY_VALUE(0, -5, 5),
+    {TINKER_REAL_PROPERTY(THRUST_ID, "Thrust", "Follow", TINKER_DIMENSION_FORCE), TINKER_ANY_VALUE(0, -5, 5),
      .default_value = {1}, .description = "How strong the jet is"},
 };
 static const TinkerPropertyType gather_properties[] = {
@@ -570,7 +596,7 @@ static const TinkerInterface sway_interfaces[] = {{TINKER_PHYSICS_INTERFACE, &sw
 
 #define ANY (TINKER_ACCEPTS_BODY | TINKER_ACCEPTS_SUPPORT)
 static const TinkerBlockType blocks[] = {
-    {TINKER_BLOCK("planted-pull", "Pull", TINKER_CONNECTOR), .summary = "Pulls", .formula = "T = k (L - L0) + c dL/dt",
+    {TINKER_BLOCK("planted-pull", "Pull", TINKER_CONNECTOR), .summary = "Pulls", .formula = PULL_FORMULA,
      .least_ends = 2, .most_ends = 2, .end_accepts = ANY, .properties = TINKER_SPAN(pull_properties),
      .quantities = TINKER_SPAN(quantities), .interfaces = TINKER_SPAN(pull_interfaces)},
     {TINKER_BLOCK("planted-pair", "Pair", TINKER_CONNECTOR), .summary = "Pulls two together", .least_ends = 2,
@@ -579,7 +605,7 @@ static const TinkerBlockType blocks[] = {
     {TINKER_BLOCK("planted-rub", "Rub", TINKER_CONNECTOR), .summary = "Touches and rubs", .least_ends = 2,
      .most_ends = 2, .end_accepts = ANY, .properties = TINKER_SPAN(rub_properties),
      .interfaces = TINKER_SPAN(rub_interfaces)},
-    {TINKER_BLOCK("planted-follow", "Follow", TINKER_FORCE), .summary = "A jet", .least_ends = 2, .most_ends = 2,
+    {TINKER_BLOCK(FOLLOW_ID, "Follow", TINKER_FORCE), .summary = "A jet", .least_ends = 2, .most_ends = 2,
      .end_accepts = ANY, .properties = TINKER_SPAN(follow_properties), .interfaces = TINKER_SPAN(follow_interfaces)},
     {TINKER_BLOCK("planted-gather", "Gather", TINKER_FIELD), .summary = "Draws all together",
      .properties = TINKER_SPAN(gather_properties), .interfaces = TINKER_SPAN(gather_interfaces)},
@@ -631,8 +657,9 @@ static const TinkerIntegrator integrators[] = {{.struct_size = sizeof(TinkerInte
                                                 .step = step,
                                                 .interpolate = interpolate}};
 
-static const TinkerPlugin plugin = {TINKER_PLUGIN_HEAD,  "org.example.planted",    "Planted",      "1.0.0", "MIT", "",
-                                    TINKER_SPAN(blocks), TINKER_SPAN(integrators), TINKER_NO_SPAN, NULL};
+static const TinkerPlugin plugin = {
+    TINKER_PLUGIN_HEAD,       PLUGIN_ID,      "Planted", VERSION, "MIT", "", TINKER_SPAN(blocks),
+    TINKER_SPAN(integrators), TINKER_NO_SPAN, NULL};
 const TinkerPlugin *tinker_plugin_v1(void)
 {
     return &plugin;

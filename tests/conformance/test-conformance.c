@@ -44,6 +44,12 @@ static const struct {
 } plants[] = {
     {"exports", "symbols", "", "it exports \"another_symbol\""},
     {"undescribed", "declaration", NULL, "property \"stiffness\" has no description"},
+    {"unknown_symbol", "declaration", "planted-pull",
+     "speaks of \"D\", which is the symbol of no property (\"k\", \"L0\", \"c\")"},
+    {"type_id", "declaration", "Planted Follow", "its id \"Planted Follow\" is not of small letters"},
+    {"property_id", "declaration", "planted-follow", "a property's id \"thr ust\" is not of small letters"},
+    {"plugin_id", "declaration", "", "the plugin's id is \"planted\"; a reversed domain was expected"},
+    {"version", "declaration", "", "the plugin's version is \"one\"; three numbers were expected"},
     {"first", "batches", "planted-pull", "in a slice of 1 from 7 on"},
     {"remembers", "batches", "planted-pull", "when it is called again with the same values"},
     {"nan", "finite", "planted-pull", "\"tension\" of instance 0 is nan at coincident ends"},

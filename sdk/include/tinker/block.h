@@ -59,7 +59,7 @@ extern "C" {
 typedef struct TinkerPropertyType {
     uint32_t struct_size;
     int32_t kind;              /* TINKER_KIND_... */
-    const char *id;            /* stable name: the key in a scene */
+    const char *id;            /* stable name in small letters, "rest_length": the key in a scene */
     const char *title;         /* label of the row, "Undeformed Length" */
     const char *group;         /* heading it stands under, "Spring Properties" */
     const char *symbol;        /* as in the formula, "k"; NULL where there is none */
@@ -111,7 +111,7 @@ typedef struct TinkerQuantityType {
 typedef struct TinkerBlockType {
     uint32_t struct_size;
     int32_t schema_version; /* of the block's properties, starting at 1 */
-    const char *id;         /* stable name: the "type" in a scene, "spring" */
+    const char *id;         /* stable name in small letters: the "type" in a scene, "spring" */
     const char *title;      /* "Spring"; new blocks are called "Spring 0", "Spring 1", ... */
     const char *category;
     const char *summary; /* one sentence: what it is for */
