@@ -11,7 +11,7 @@
 #define DURATION 0.2
 #define INTERVAL 0.02
 
-/* The kinds of body that ends attach to: by what they are, not by name. */
+/* The kinds of body that ends attach to: by what they are, not by name; those that tell most of how they move. */
 typedef struct {
     const TinkerBlockClass *mover, *support;
 } Bodies;
@@ -29,7 +29,8 @@ static Bodies find_bodies(KitCheck *check)
             if (c == NULL || c->physics == NULL || c->physics->body == NULL) continue;
             const int32_t freedoms = c->physics->body->degrees_of_freedom;
             const TinkerBlockClass **slot = freedoms == 2 ? &bodies.mover : &bodies.support;
-            if (*slot == NULL && (freedoms == 2 || freedoms == 0)) *slot = c;
+            if (freedoms != 2 && freedoms != 0) continue;
+            if (*slot == NULL || (*slot)->quantity_count < c->quantity_count) *slot = c;
         }
     }
     return bodies;
