@@ -54,8 +54,10 @@ static void write_text(Report *report, const TinkerConformanceResult *result)
         g_free(report->subject);
         report->subject = g_strdup(result->subject);
     }
-    printf("  %-8s %-12s%s%s\n", outcomes[result->outcome], result->rule, result->text[0] != '\0' ? " " : "",
-           result->text);
+    if (result->text[0] != '\0')
+        printf("  %-8s %-12s %s\n", outcomes[result->outcome], result->rule, result->text);
+    else
+        printf("  %-8s %s\n", outcomes[result->outcome], result->rule);
     if (result->outcome != TINKER_CONFORMANCE_FAILED) return;
     g_autofree char *command = command_of(report, result);
     printf("           repeat: %s\n", command);
