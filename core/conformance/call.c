@@ -80,6 +80,17 @@ TinkerGraphInput kit_state_graph_input(const KitState *state)
     return input;
 }
 
+/* For the report of a crash: of many instances nobody knows which one it was. */
+static void tell_call(KitCheck *check, const KitFunction *function, const KitState *state)
+{
+    g_autofree char *values = kit_state_describe(state, 0);
+    if (state->count > 1)
+        kit_phase(check, "%s at %s (the first of %d instances has %s)", function->name, state->label, state->count,
+                  values);
+    else
+        kit_phase(check, "%s at %s (%s)", function->name, state->label, values);
+}
+
 KitAnswer *kit_call(KitCheck *check, const KitFunction *function, const KitState *original)
 {
     KitAnswer *answer = g_new0(KitAnswer, 1);
@@ -90,7 +101,7 @@ KitAnswer *kit_call(KitCheck *check, const KitFunction *function, const KitState
                                  state->masses,        state->first_body, state->body_range};
     const TinkerGraphInput graph = kit_state_graph_input(state);
     make_room(answer, function, state);
-    kit_phase(check, "%s at %s", function->name, state->label);
+    tell_call(check, function, state);
     const KitArguments with = {
         &view, state->lengths, state->rates, state->points, &bodies, &graph, (void *const *)answer->values};
     answer->status = function->call(function, state->block_class, &with);

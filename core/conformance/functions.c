@@ -237,7 +237,8 @@ GArray *kit_functions(const TinkerBlockClass *block_class)
     }
     for (int32_t i = 0; i < block_class->quantity_count; i++) {
         const TinkerQuantityType *quantity = &block_class->quantities[i];
-        KitFunction values = {.name = quantity->id, .quantity = i, .output_count = 1, .call = call_values};
+        g_autofree char *name = g_strdup_printf("the quantity \"%s\"", quantity->id);
+        KitFunction values = {.name = g_intern_string(name), .quantity = i, .output_count = 1, .call = call_values};
         values.outputs[0] = (KitOutput){"values", KIT_INSTANCES, 1, .dimension = {quantity->dimension}};
         g_array_append_val(list, values);
     }

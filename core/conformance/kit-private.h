@@ -4,7 +4,7 @@
 
 #include "conformance/conformance.h"
 
-#define KIT_PHASE_SIZE 256
+#define KIT_PHASE_SIZE 1024
 #define KIT_TEXT_SIZE  2048
 
 /* Shared between the child, which writes, and its parent, which reads it when the child has ended. */

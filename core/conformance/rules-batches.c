@@ -9,15 +9,15 @@ static void tell_difference(KitCheck *check, const KitFunction *function, int ou
                             const char *how, gsize number, const void *whole, const void *other)
 {
     const KitOutput *kind = &function->outputs[output];
-    const int32_t instance = kit_output_instance(kind, state, number / (gsize)kind->width);
-    g_autofree char *values = kit_state_describe(state, instance);
+    const gsize entry = number / (gsize)kind->width;
+    g_autofree char *where = kit_entry_name(kind, state, entry), *values = kit_entry_describe(kind, state, entry);
     if (kind->integers) {
-        kit_fail(check, "%s: \"%s\" of instance %d is %d in the whole batch and %d %s (%s)", function->name, kind->name,
-                 instance, ((const int32_t *)whole)[number], ((const int32_t *)other)[number], how, values);
+        kit_fail(check, "%s: \"%s\" of %s is %d in the whole batch and %d %s (%s)", function->name, kind->name, where,
+                 ((const int32_t *)whole)[number], ((const int32_t *)other)[number], how, values);
         return;
     }
-    kit_fail(check, "%s: \"%s\" of instance %d is %.17g in the whole batch and %.17g %s (%s)", function->name,
-             kind->name, instance, ((const double *)whole)[number], ((const double *)other)[number], how, values);
+    kit_fail(check, "%s: \"%s\" of %s is %.17g in the whole batch and %.17g %s (%s)", function->name, kind->name, where,
+             ((const double *)whole)[number], ((const double *)other)[number], how, values);
 }
 
 /* Compares `entries` of an answer with those of the whole from `first` on. `state` is the whole. */

@@ -13,15 +13,18 @@ static double *slopes(KitCheck *check, const KitFunction *function, int output, 
     return kit_slopes(check, function, output, state, move, which, degree, nearness);
 }
 
-/* One number against its slope. `size` is what rounding is measured by. */
-static void compare(KitCheck *check, const KitState *state, int32_t instance, const char *what, double given,
+/* One number against its slope. `number` is that of the instance, or of the body that a field acts on; `size` is what rounding
+ * is measured by. */
+static void compare(KitCheck *check, const KitState *state, int32_t number, const char *what, double given,
                     double slope, double size, int *compared)
 {
     if (isnan(slope) || kit_decided(check)) return;
     (*compared)++;
     if (fabs(given - slope) <= nearness.close * fmax(fmax(fabs(given), fabs(slope)), size)) return;
-    g_autofree char *values = kit_state_describe(state, instance);
-    kit_fail(check, "%s of instance %d is %.9g, by differences it is %.9g (%s)", what, instance, given, slope, values);
+    const gboolean field = state->block_class->physics->field != NULL;
+    g_autofree char *whose = field ? g_strdup_printf("body %d", number) : g_strdup_printf("instance %d", number);
+    g_autofree char *values = field ? kit_state_describe_body(state, number) : kit_state_describe(state, number);
+    kit_fail(check, "%s of %s is %.9g, by differences it is %.9g (%s)", what, whose, given, slope, values);
 }
 
 static void try_line(KitCheck *check, const GArray *functions, const KitState *state, int *compared)
@@ -45,9 +48,8 @@ static void try_field(KitCheck *check, const GArray *functions, const KitState *
         g_autofree double *slope = slopes(check, force, 0, state, kit_move_body, which, 1);
         const int body = which / 4, part = which % 4;
         for (int row = 0; slope != NULL && row < 2; row++) {
-            g_autofree char *what =
-                g_strdup_printf("jacobian[%d] of body %d", (part < 2 ? 0 : 4) + 2 * row + part % 2, body);
-            compare(check, state, -1, what, given->values[0][8 * body + (part < 2 ? 0 : 4) + 2 * row + part % 2],
+            g_autofree char *what = g_strdup_printf("jacobian[%d]", (part < 2 ? 0 : 4) + 2 * row + part % 2);
+            compare(check, state, body, what, given->values[0][8 * body + (part < 2 ? 0 : 4) + 2 * row + part % 2],
                     slope[2 * body + row], 1e-3 * hypot(at->values[0][2 * body], at->values[0][2 * body + 1]),
                     compared);
         }

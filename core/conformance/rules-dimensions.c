@@ -84,6 +84,25 @@ static int32_t row_of(const KitOutput *output, const KitState *state, gsize entr
     return within / (state->offsets[instance + 1] - state->offsets[instance]);
 }
 
+static void tell_difference(KitCheck *check, const KitFunction *function, const KitOutput *kind, const KitState *state,
+                            gsize number, double before, double given, double expected, Units units)
+{
+    const gsize entry = number / (gsize)kind->width;
+    const double kg = ldexp(1.0, -units.mass), m = ldexp(1.0, -units.length), s = ldexp(1.0, -units.time);
+    g_autofree char *whose = kit_entry_name(kind, state, entry), *values = kit_entry_describe(kind, state, entry);
+    if (!isfinite(before))
+        kit_fail(check, "%s: \"%s\" of %s is not finite at %s, so that no dimension is to be told (%s)", function->name,
+                 kind->name, whose, state->label, values);
+    else if (!isfinite(given))
+        kit_fail(check, "%s: \"%s\" of %s is %.9g, but not finite in units of %g kg, %g m and %g s (%s)",
+                 function->name, kind->name, whose, before, kg, m, s, values);
+    else
+        kit_fail(check,
+                 "%s: \"%s\" of %s is %.9g; in units of %g kg, %g m and %g s it is %.9g, %.9g was expected: a "
+                 "constant hides in the law, or a declared dimension is wrong (%s)",
+                 function->name, kind->name, whose, before, kg, m, s, given, expected, values);
+}
+
 static void compare(KitCheck *check, const KitFunction *function, int output, const KitState *state,
                     const KitAnswer *before, const KitAnswer *after, Units units, const Rows *g)
 {
@@ -98,13 +117,7 @@ static void compare(KitCheck *check, const KitFunction *function, int output, co
             if (tinker_kind_columns(TINKER_KIND_VECTOR) == kind->width)
                 size = fmax(size, fabs(before->values[output][k]) * by);
         if (given == expected || fabs(given - expected) <= CLOSE * size) continue;
-        const int32_t instance = kit_output_instance(kind, state, i / width);
-        g_autofree char *values = kit_state_describe(state, instance);
-        kit_fail(check,
-                 "%s: \"%s\" of instance %d is %.9g; in units of %g kg, %g m and %g s it is %.9g, %.9g was expected: a "
-                 "constant hides in the law, or a declared dimension is wrong (%s)",
-                 function->name, kind->name, instance, before->values[output][i], ldexp(1.0, -units.mass),
-                 ldexp(1.0, -units.length), ldexp(1.0, -units.time), given, expected, values);
+        tell_difference(check, function, kind, state, i, before->values[output][i], given, expected, units);
         return;
     }
 }

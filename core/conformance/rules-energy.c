@@ -43,7 +43,7 @@ static void compare(KitCheck *check, const KitFunction *force, const KitState *s
     const double size = fmax(fmax(fabs(expected), fabs(given)), nearness.floor * fabs(stored));
     if (fabs(expected - given) <= nearness.close * size) return;
     const gsize width = (gsize)force->outputs[0].width;
-    g_autofree char *values = kit_state_describe(state, kit_output_instance(&force->outputs[0], state, entry / width));
+    g_autofree char *values = kit_entry_describe(&force->outputs[0], state, entry / width);
     kit_fail(check, "%s is %.9g N where the gradient of the energy is %.9g N (%s)", force->outputs[0].name, given,
              expected, values);
 }

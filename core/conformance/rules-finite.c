@@ -91,9 +91,10 @@ static void look_at_numbers(KitCheck *check, const KitFunction *function, const 
         for (gsize i = 0; i < answer->entries[k]; i++) {
             const double value = answer->values[k][i];
             if (isfinite(value) || (output->infinite && value == INFINITY)) continue;
-            const int32_t instance = kit_output_instance(output, state, i / (gsize)output->width);
-            g_autofree char *values = kit_state_describe(state, instance);
-            kit_fail(check, "%s: \"%s\" of instance %d is %g at %s (%s)", function->name, output->name, instance,
+            const gsize entry = i / (gsize)output->width;
+            g_autofree char *where = kit_entry_name(output, state, entry);
+            g_autofree char *values = kit_entry_describe(output, state, entry);
+            kit_fail(check, "%s: \"%s\" of %s is %g at %s (%s)", function->name, output->name, where,
                      isnan(value) ? NAN : value, state->label, values); // nan without the sign that it may have
             return;
         }

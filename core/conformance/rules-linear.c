@@ -7,13 +7,15 @@
 #define ROUNDS 2
 #define BREAKS 50
 
-static void compare(KitCheck *check, const KitState *state, int32_t instance, const char *what, double general,
+/* `number` is that of the instance, or of the body that a field acts on. */
+static void compare(KitCheck *check, const KitState *state, int32_t number, const char *what, double general,
                     double simple, double size)
 {
     if (fabs(general - simple) <= CLOSE * fmax(fmax(fabs(general), fabs(simple)), size)) return;
-    g_autofree char *values = kit_state_describe(state, instance);
-    kit_fail(check, "%s of instance %d is %.12g, by the short form %.12g (%s)", what, instance, general, simple,
-             values);
+    const gboolean field = state->block_class->physics->field != NULL;
+    g_autofree char *whose = field ? g_strdup_printf("body %d", number) : g_strdup_printf("instance %d", number);
+    g_autofree char *values = field ? kit_state_describe_body(state, number) : kit_state_describe(state, number);
+    kit_fail(check, "%s of %s is %.12g, by the short form %.12g (%s)", what, whose, general, simple, values);
 }
 
 static void compare_line(KitCheck *check, const KitState *state, const KitAnswer *general, const KitAnswer *form)
@@ -64,7 +66,7 @@ static void compare_field(KitCheck *check, const KitState *state, const KitAnswe
                     size += fabs(parts[k]);
                 }
             }
-            compare(check, state, -1, "the force on a body", general->values[0][2 * b + axis], sum, size);
+            compare(check, state, b, "force", general->values[0][2 * b + axis], sum, size);
         }
     }
 }

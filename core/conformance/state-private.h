@@ -136,4 +136,9 @@ TinkerGraphInput kit_state_graph_input(const KitState *state);
 /* The instance that an entry of a result belongs to; -1 for a body's or the whole's. */
 int32_t kit_output_instance(const KitOutput *output, const KitState *state, gsize entry);
 
+/* What an entry of a result belongs to: "instance 3", "body 2", "the whole"; and what a reader needs to see it. (transfer
+ * full) */
+char *kit_entry_name(const KitOutput *output, const KitState *state, gsize entry);
+char *kit_entry_describe(const KitOutput *output, const KitState *state, gsize entry);
+
 #endif

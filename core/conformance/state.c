@@ -131,21 +131,29 @@ static void describe_property(const KitState *state, int32_t property, int32_t i
         g_string_append_printf(text, "%s%.6g", c > 0 ? " " : "", state->columns[first + c][instance]);
 }
 
-char *kit_state_describe_body(const KitState *state, int32_t body)
+/* All instances act on one another's bodies: those of a field. */
+static char *describe_together(const KitState *state)
 {
     GString *text = g_string_new(NULL);
+    if (state->count > 1) g_string_append_printf(text, "%d instances together", state->count);
     for (int32_t i = 0; state->count == 1 && i < state->block_class->property_count; i++)
         describe_property(state, i, 0, text);
-    const TinkerPoint *p = &state->bodies[body];
-    g_string_append_printf(text, "%sbody %d of %.6g kg at (%.6g, %.6g) with velocity (%.6g, %.6g)",
-                           text->len > 0 ? ", " : "", body, state->masses[body], p->x, p->y, p->vx, p->vy);
+    if (text->len == 0) g_string_append(text, "it has no properties");
     return g_string_free(text, FALSE);
+}
+
+char *kit_state_describe_body(const KitState *state, int32_t body)
+{
+    g_autofree char *instances = describe_together(state);
+    const TinkerPoint *p = &state->bodies[body];
+    return g_strdup_printf("%s, body %d of %.6g kg at (%.6g, %.6g) with velocity (%.6g, %.6g)", instances, body,
+                           state->masses[body], p->x, p->y, p->vx, p->vy);
 }
 
 char *kit_state_describe(const KitState *state, int32_t instance)
 {
+    if (instance < 0 || instance >= state->count) return describe_together(state);
     GString *text = g_string_new(NULL);
-    if (instance < 0 || instance >= state->count) return g_string_free(text, FALSE);
     for (int32_t i = 0; i < state->block_class->property_count; i++)
         describe_property(state, i, instance, text);
     const TinkerPhysics *physics = state->block_class->physics;
@@ -160,4 +168,17 @@ char *kit_state_describe(const KitState *state, int32_t instance)
                                e - state->offsets[instance], p->x, p->y, p->vx, p->vy);
     }
     return g_string_free(text, FALSE);
+}
+
+char *kit_entry_name(const KitOutput *output, const KitState *state, gsize entry)
+{
+    if (output->extent == KIT_ONCE) return g_strdup("the whole");
+    if (output->extent == KIT_BODIES) return g_strdup_printf("body %d", state->first_body + (int32_t)entry);
+    return g_strdup_printf("instance %d", kit_output_instance(output, state, entry));
+}
+
+char *kit_entry_describe(const KitOutput *output, const KitState *state, gsize entry)
+{
+    if (output->extent == KIT_BODIES) return kit_state_describe_body(state, state->first_body + (int32_t)entry);
+    return kit_state_describe(state, kit_output_instance(output, state, entry));
 }

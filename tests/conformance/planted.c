@@ -52,7 +52,9 @@ static TinkerStatus tension(TinkerBatch *batch, const double *length, const doub
             ;
 #endif
         result[i] = k[i] * (length[i] - rest[i]) + c[i] * rate[i];
-#if defined(PLANT_quotient)
+#if defined(PLANT_far_nan)
+        if (length[i] > 20 && length[i] < 1e6) result[i] = NAN; // farther than the kit's ends, but in other units
+#elif defined(PLANT_quotient)
         result[i] *= (k[i] + length[i]) / (k[i] + length[i]); // 0 / 0 where both vanish
 #elif defined(PLANT_gives)
         result[i] -= 2 * c[i] * rate[i];
@@ -149,6 +151,9 @@ static TinkerStatus values(TinkerBatch *batch, const TinkerGraphInput *input, in
 #endif
         result[i] = tinker_column(batch, STIFFNESS)[own] * (result[i] - tinker_column(batch, REST_LENGTH)[i]);
     }
+#if defined(PLANT_quantity_beyond)
+    ((volatile double *)result)[batch->count] = 0;
+#endif
     return TINKER_OK;
 }
 
@@ -240,6 +245,9 @@ static TinkerStatus gather_force(TinkerBatch *batch, const TinkerBodies *bodies,
         }
         force[2 * b] = k * x;
         force[2 * b + 1] = k * y;
+#if defined(PLANT_body_nan)
+        if (own->x == 0) force[2 * b] = NAN;
+#endif
     }
     return TINKER_OK;
 }

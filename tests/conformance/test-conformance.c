@@ -55,8 +55,11 @@ static const struct {
     {"nan", "finite", "planted-pull", "\"tension\" of instance 0 is nan at coincident ends"},
     {"quotient", "finite", "planted-pull",
      "\"tension\" of instance 0 is nan at coincident ends and the least of stiffness (stiffness = 0, "},
-    {"exit", "finite", "planted-pull", "ended the process in tension at coincident ends, with status 3"},
-    {"ends_well", "finite", "planted-pull", "ended the process in tension at coincident ends, with status 77"},
+    {"body_nan", "finite", "planted-gather",
+     "force: \"force\" of body 0 is nan at coincident ends (24 instances together, body 0 of "},
+    {"exit", "finite", "planted-pull",
+     "ended the process in tension at coincident ends (the first of 24 instances has stiffness = "},
+    {"ends_well", "finite", "planted-pull", "), with status 77"},
     {"abort", "finite", "planted-pull", "crashed: SIGABRT in tension at coincident ends"},
     {"crash", "finite", "planted-pull", "crashed: SIGSEGV in tension at coincident ends"},
     {"hang", "finite", "planted-pull", "hung: not done within 4 s in tension at coincident ends"},
@@ -77,6 +80,8 @@ static const struct {
     {"distance", "linear", "planted-keep", "by the short form"},
     {"break", "breaks", "planted-pull", "a later time was expected"},
     {"constant", "dimensions", "planted-pull", "a constant hides in the law"},
+    {"far_nan", "dimensions", "planted-pull", ", but not finite in units of 1 kg, 0.125 m and 1 s (stiffness = "},
+    {"quantity_beyond", "memory", "planted-pull", "the quantity \"force\" writes beyond the end of \"values\""},
     {"writes_beyond", "memory", "planted-pull", "tension writes beyond the end of \"tension\""},
     {"writes_before", "memory", "planted-pull", "tension writes before the beginning of \"tension\""},
     {"reads_beyond", "memory", "planted-pull", "tension reads beyond the end of \"rate\""},
@@ -132,17 +137,18 @@ static void test_plant(gconstpointer data)
     cJSON_Delete(root);
 }
 
-/* The museum's plugins that go wrong while they run, and what the first failure says, to the last letter. */
+/* The museum's plugins that go wrong while they run, and what the first failure says: to the last letter, but for the values of
+ * the instance, which stand for "(...)". */
 static const struct {
     const char *exhibit, *rule, *text;
 } exhibits[] = {
-    {"aborts", "batches", "crashed: SIGABRT in force at ordinary values"},
+    {"aborts", "batches", "crashed: SIGABRT in force at ordinary values (...)"},
     {"allocates", "quiet", "force calls malloc; the host calls it inside steps"},
     {"crashing-method", "batches", "crashed: SIGSEGV in a step at t = 0 s"},
-    {"exits", "batches", "ended the process in force at ordinary values, with status 0"},
-    {"overflows", "batches", "crashed: SIGSEGV in force at ordinary values"},
-    {"segfaults", "batches", "crashed: SIGSEGV in force at ordinary values"},
-    {"traps", "batches", "crashed: SIGILL in force at ordinary values"},
+    {"exits", "batches", "ended the process in force at ordinary values (...), with status 0"},
+    {"overflows", "batches", "crashed: SIGSEGV in force at ordinary values (...)"},
+    {"segfaults", "batches", "crashed: SIGSEGV in force at ordinary values (...)"},
+    {"traps", "batches", "crashed: SIGILL in force at ordinary values (...)"},
     {"writes-out-of-range", "memory", "force writes beyond the end of \"force\""},
 };
 
@@ -160,7 +166,9 @@ static void test_exhibit(gconstpointer data)
     }
     g_assert_nonnull(first);
     g_assert_cmpstr(text_of(first, "rule"), ==, exhibits[number].rule);
-    g_assert_cmpstr(text_of(first, "text"), ==, exhibits[number].text);
+    g_autoptr(GRegex) values = g_regex_new("\\((end 0 at|[a-z_]+ =) .*\\)", 0, 0, NULL);
+    g_autofree char *text = g_regex_replace_literal(values, text_of(first, "text"), -1, 0, "(...)", 0, NULL);
+    g_assert_cmpstr(text, ==, exhibits[number].text);
     cJSON_Delete(root);
 }
 
@@ -225,6 +233,7 @@ static void test_deaf_parent(void)
     g_assert_no_error(error);
     g_assert_cmpint(status, ==, 0);
     g_assert_null(strstr(output, "hung"));
+    g_assert_null(strstr(output, " \n"));
 }
 
 static void add_folder(const char *folder)
