@@ -38,7 +38,7 @@ static gboolean refuse(GError **error, const char *format, ...)
     return FALSE;
 }
 
-static const TinkerIntegrator *unknown_method(const char *id, GError **error)
+static const TinkerIntegrator *unknown_method(TinkerScene *scene, const char *id, GError **error)
 {
     const TinkerIntegrator *const *builtins = tinker_integrator_builtins();
     if (g_str_equal(id, "impulse")) {
@@ -56,12 +56,14 @@ static const TinkerIntegrator *unknown_method(const char *id, GError **error)
     }
     g_ptr_array_add(names, NULL);
     const char *nearest = tinker_nearest_word(id, (const char *const *)names->pdata);
+    g_autofree char *refused = tinker_catalogue_explain_refused(tinker_scene_catalogue(scene), id);
     if (nearest != NULL)
         refuse(error,
-               _("there is no method \"%s\"; did you mean \"%s\"? (there are %s, and those of installed plugins)"), id,
-               nearest, list->str);
+               _("there is no method \"%s\"; did you mean \"%s\"? (there are %s, and those of installed plugins)%s"),
+               id, nearest, list->str, refused);
     else
-        refuse(error, _("there is no method \"%s\" (there are %s, and those of installed plugins)"), id, list->str);
+        refuse(error, _("there is no method \"%s\" (there are %s, and those of installed plugins)%s"), id, list->str,
+               refused);
     return NULL;
 }
 
@@ -76,7 +78,7 @@ const TinkerIntegrator *tinker_run_method(TinkerScene *scene, const char *id, GE
         g_propagate_error(error, g_steal_pointer(&missing));
         return NULL;
     }
-    return unknown_method(id, error);
+    return unknown_method(scene, id, error);
 }
 
 gboolean tinker_run_options_check(const TinkerRunOptions *options, const TinkerIntegrator *method, double duration,

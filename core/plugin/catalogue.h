@@ -121,12 +121,17 @@ const GPtrArray *tinker_catalogue_warnings(TinkerCatalogue *catalogue);
 const TinkerLibraryEntry *tinker_catalogue_add_file(TinkerCatalogue *catalogue, const char *path, GError **error);
 
 /* The type of this id; opens its library if it is not open yet. NULL with TINKER_PLUGIN_ERROR_MISSING (the message names
- * the nearest type, and the reason where the library that has it was refused) or _REFUSED. May be called from any thread,
+ * the nearest type, and the reason where a library was refused that has it or may have it) or _REFUSED. May be called from any thread,
  * also at the same time; lists of the catalogue are read in one that knows of no such call. (transfer none) */
 const TinkerBlockClass *tinker_catalogue_type(TinkerCatalogue *catalogue, const char *id, GError **error);
 
 /* Likewise an integrator of a plugin. */
 const TinkerIntegrator *tinker_catalogue_integrator(TinkerCatalogue *catalogue, const char *id, GError **error);
+
+/* What refused libraries have to do with an id that nobody provides, to be put behind a message about it: ": the library
+ * ... was refused: REASON" where one has it by its manifest or file name, "; it may be in a refused one: ..." where that
+ * cannot be told, "" where none was refused. (transfer full) */
+char *tinker_catalogue_explain_refused(TinkerCatalogue *catalogue, const char *id);
 
 /* Paths of the libraries that have been opened through this catalogue, in the order of opening; of char *.
  * (transfer none) */

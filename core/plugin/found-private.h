@@ -33,7 +33,7 @@ void tinker_found_identify(TinkerFound *found, const TinkerProber *prober);
 /* Opens the library; identifies it again where the file has changed since. FALSE with _REFUSED, and entry.refused set. */
 gboolean tinker_found_open(TinkerFound *found, const TinkerProber *prober, GError **error);
 
-/* Whether a refused library's manifest or file name says that it has the type. */
-gboolean tinker_found_suggests(const TinkerFound *found, const char *type_id);
+/* Whether a refused library's manifest or file name says that it has the type or integrator. */
+gboolean tinker_found_suggests(const TinkerFound *found, const char *id);
 
 #endif

@@ -91,13 +91,13 @@ static TinkerManifest *recall_or_probe(const TinkerFound *found, const TinkerPro
     return NULL;
 }
 
-/* A file name suggests the type that it is named after: spring.so, libspring.so, tinker-spring.so. */
-static gboolean is_named_after(const char *path, const char *type_id)
+/* A file name suggests the type or method that it is named after: spring.so, libspring.so, tinker-spring.so. */
+static gboolean is_named_after(const char *path, const char *id)
 {
     static const char *const prefixes[] = {"", "lib", "tinker-", "libtinker-"};
     g_autofree char *name = g_path_get_basename(path);
     for (gsize i = 0; i < G_N_ELEMENTS(prefixes); i++) {
-        g_autofree char *expected = g_strconcat(prefixes[i], type_id, ".so", NULL);
+        g_autofree char *expected = g_strconcat(prefixes[i], id, ".so", NULL);
         if (strcmp(name, expected) == 0) return TRUE;
     }
     return FALSE;
@@ -181,13 +181,14 @@ gboolean tinker_found_open(TinkerFound *found, const TinkerProber *prober, GErro
     return TRUE;
 }
 
-gboolean tinker_found_suggests(const TinkerFound *found, const char *type_id)
+gboolean tinker_found_suggests(const TinkerFound *found, const char *id)
 {
     const TinkerLibraryEntry *entry = &found->entry;
     if (entry->refused == NULL) return FALSE;
     for (guint i = 0; i < entry->types->len; i++) {
         const TinkerTypeEntry *type = entry->types->pdata[i];
-        if (strcmp(type->id, type_id) == 0) return TRUE;
+        if (strcmp(type->id, id) == 0) return TRUE;
     }
-    return is_named_after(entry->path, type_id);
+    return g_ptr_array_find_with_equal_func(entry->integrators, id, g_str_equal, NULL) ||
+           is_named_after(entry->path, id);
 }
