@@ -52,12 +52,8 @@ void advice_add_vector(TinkerAdvice *advice, TinkerBlockId block, double x, doub
 
 static void on_placeholder(GPtrArray *all, TinkerScene *scene, TinkerBlockId block)
 {
-    g_autoptr(GError) missing = NULL;
-    tinker_catalogue_type(tinker_scene_catalogue(scene), tinker_scene_block_type(scene, block), &missing);
-    char *message = g_strdup_printf("%s: %s", tinker_scene_block_name(scene, block),
-                                    missing != NULL ? missing->message
-                                                    : _("its plugin was installed since the scene was read (open it "
-                                                        "again)"));
+    g_autofree char *reason = tinker_scene_missing_reason(scene, block);
+    char *message = g_strdup_printf("%s: %s", tinker_scene_block_name(scene, block), reason);
     advice_add_block(advice_add(all, TINKER_ADVICE_MISSING_TYPE, TRUE, message), block);
 }
 

@@ -82,11 +82,20 @@ static gboolean unknown_quantity(const TinkerBlockClass *block_class, const char
                                  GError **error)
 {
     g_autoptr(GString) known = g_string_new(NULL);
-    for (int32_t q = 0; block_class != NULL && q < block_class->quantity_count; q++)
+    for (int32_t q = 0; q < block_class->quantity_count; q++)
         g_string_append_printf(known, "%s%s", q > 0 ? ", " : "", block_class->quantities[q].id);
     g_set_error(error, TINKER_SCENE_ERROR, TINKER_SCENE_ERROR_NAME,
                 "column \"%s\": this block has no quantity \"%s\" (it has %s)", column, quantity,
                 known->len > 0 ? known->str : "none");
+    return FALSE;
+}
+
+/* Nobody knows the quantities of a placeholder. */
+static gboolean missing_type(TinkerScene *scene, TinkerBlockId block, const char *column, GError **error)
+{
+    g_autofree char *reason = tinker_scene_missing_reason(scene, block);
+    g_set_error(error, TINKER_SCENE_ERROR, TINKER_SCENE_ERROR_TYPE, "column \"%s\": the block's type is missing: %s",
+                column, reason);
     return FALSE;
 }
 
@@ -98,7 +107,8 @@ gboolean tinker_columns_add(GArray *columns, TinkerScene *scene, const char *nam
     TinkerBlockId block = tinker_scene_find_block(scene, block_name);
     if (block == TINKER_NO_BLOCK) return unknown_block(scene, name, block_name, error);
     const TinkerBlockClass *block_class = tinker_scene_block_class(scene, block);
-    int32_t quantity = block_class != NULL ? tinker_block_class_quantity(block_class, dot + 1) : -1;
+    if (block_class == NULL) return missing_type(scene, block, name, error);
+    int32_t quantity = tinker_block_class_quantity(block_class, dot + 1);
     if (quantity < 0) return unknown_quantity(block_class, name, dot + 1, error);
     tinker_columns_add_quantity(columns, scene, block, quantity);
     return TRUE;

@@ -11,11 +11,9 @@ static gboolean refuse_placeholder(TinkerScene *scene, GError **error)
 {
     TinkerBlockId block = tinker_scene_first_placeholder(scene);
     if (block == TINKER_NO_BLOCK) return FALSE;
-    g_autoptr(GError) missing = NULL;
-    tinker_catalogue_type(tinker_scene_catalogue(scene), tinker_scene_block_type(scene, block), &missing);
+    g_autofree char *reason = tinker_scene_missing_reason(scene, block);
     g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_PLUGIN, "%s: %s", tinker_scene_block_name(scene, block),
-                missing != NULL ? missing->message
-                                : _("its plugin was installed since the scene was read (open it again)"));
+                reason);
     return TRUE;
 }
 

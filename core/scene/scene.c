@@ -1,5 +1,6 @@
 /* Scenes: the list of blocks with their names, and the drawing order. Rows of blocks are in scene-table.c, values in
  * scene-properties.c, ends in scene-ends.c, head and graphs in scene-head.c. */
+#include <glib/gi18n-lib.h>
 #include <string.h>
 
 #include "scene/scene-private.h"
@@ -325,6 +326,14 @@ TinkerBlockId tinker_scene_first_placeholder(const TinkerScene *scene)
         if (scene_slot(scene, id)->table == SCENE_PLACEHOLDER) return id;
     }
     return TINKER_NO_BLOCK;
+}
+
+char *tinker_scene_missing_reason(const TinkerScene *scene, TinkerBlockId placeholder)
+{
+    g_autoptr(GError) missing = NULL;
+    tinker_catalogue_type(scene->catalogue, tinker_scene_block_type(scene, placeholder), &missing);
+    return g_strdup(missing != NULL ? missing->message
+                                    : _("its plugin was installed since the scene was read (open it again)"));
 }
 
 TinkerBlockId tinker_scene_first_detached(const TinkerScene *scene)

@@ -153,8 +153,13 @@ typedef struct {
 int32_t tinker_scene_table_count(const TinkerScene *scene);
 void tinker_scene_table(TinkerScene *scene, int32_t number, TinkerSceneTable *table);
 
-/* The first block of a type that nobody provides, or TINKER_NO_BLOCK; the first with a detached end. */
+/* The first block of a type that nobody provides, or TINKER_NO_BLOCK. */
 TinkerBlockId tinker_scene_first_placeholder(const TinkerScene *scene);
+
+/* Why the type of a placeholder is missing, as its finding says: "no plugin provides the block type ...". (transfer full) */
+char *tinker_scene_missing_reason(const TinkerScene *scene, TinkerBlockId placeholder);
+
+/* The first block with a detached end, or TINKER_NO_BLOCK. */
 TinkerBlockId tinker_scene_first_detached(const TinkerScene *scene);
 
 #endif

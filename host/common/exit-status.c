@@ -70,6 +70,7 @@ int tinker_exit_status(const GError *error)
 void tinker_blame_option(const char *option, GError **error)
 {
     if (error == NULL || *error == NULL) return;
+    if (g_error_matches(*error, TINKER_SCENE_ERROR, TINKER_SCENE_ERROR_TYPE)) return;
     GError *usage = option == NULL
                         ? g_error_new_literal(TINKER_CLI_ERROR, TINKER_CLI_ERROR_USAGE, (*error)->message)
                         : g_error_new(TINKER_CLI_ERROR, TINKER_CLI_ERROR_USAGE, "--%s: %s", option, (*error)->message);
