@@ -84,15 +84,41 @@ int tinker_open_scene(TinkerOpenScene *open, char **plugin_folders, const char *
     return TINKER_EXIT_DONE;
 }
 
+/* Whether a text is the scene's name, a place, and this message. */
+static gboolean is_placed(const char *text, const char *name, const char *message)
+{
+    if (!g_str_has_prefix(text, name) || !g_str_has_suffix(text, message)) return FALSE;
+    const gsize behind_name = strlen(name), before_message = strlen(text) - strlen(message);
+    return before_message >= behind_name + 2 && g_str_has_prefix(text + before_message - 2, ": ");
+}
+
+/* Reports the error; with line and column where the reader has found the same. */
+static int report_with_place(const TinkerOpenScene *open, const GError *error)
+{
+    for (guint i = 0; i < open->warnings->len; i++) {
+        char *warning = g_ptr_array_index(open->warnings, i);
+        if (!is_placed(warning, open->name, error->message)) continue;
+        const GError placed = {.domain = error->domain, .code = error->code, .message = warning};
+        return tinker_report_error(open->name, &placed);
+    }
+    return tinker_report_error(open->name, error);
+}
+
+/* Whether the error says as much as a warning. */
+static gboolean is_told(const char *warning, const GError *error)
+{
+    return strstr(warning, error->message) != NULL || strstr(error->message, warning) != NULL;
+}
+
 int tinker_open_scene_report_error(const TinkerOpenScene *open, const GError *error)
 {
-    int status = tinker_report_error(open->name, error);
+    int status = report_with_place(open, error);
     gboolean refused =
         error->domain != TINKER_CLI_ERROR && (status == TINKER_EXIT_SCENE || status == TINKER_EXIT_PLUGIN);
     if (!refused) return status;
     for (guint i = 0; i < open->warnings->len; i++) {
         const char *warning = g_ptr_array_index(open->warnings, i);
-        if (strstr(warning, error->message) == NULL) tinker_report_warning("%s", warning);
+        if (!is_told(warning, error)) tinker_report_warning("%s", warning);
     }
     guint detached = count_detached_ends(open->scene);
     gboolean all_told = open->missing_types > 0 ? detached == 0 : detached <= 1;
