@@ -7,7 +7,7 @@
 
 #include "plugin/catalogue.h"
 
-/* Everything is borrowed until the call is left. Members that a call does not have are NULL. */
+/* Everything is borrowed until the call is left, and in memory of the host. Members that a call does not have are NULL. */
 typedef struct TinkerPluginCall {
     const char *phase;                   /* name of the function, "force" */
     const TinkerBlockClass *block_class; /* whose function it is */

@@ -22,7 +22,7 @@ GQuark tinker_plugin_error_quark(void);
 /* A block type as the host uses it. Lives as long as the process: libraries are never closed. Interfaces that are not
  * offered are NULL; those that are have the host's size, with NULL for functions the plugin does not know. */
 typedef struct {
-    const TinkerBlockType *type; /* its property and quantity spans are the plugin's own: use the arrays below */
+    const TinkerBlockType *type; /* its id is a copy; its spans are the plugin's own: use the arrays below */
     const TinkerPlugin *plugin;
     const char *path; /* of the library */
 

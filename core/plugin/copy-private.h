@@ -26,6 +26,9 @@ typedef struct {
 /* Memory that lives as long as the arena, zeroed. The arena holds it with g_free. */
 gpointer tinker_arena_allocate(GPtrArray *arena, gsize size);
 
+/* A copy of a text that lives as long as the arena. */
+const char *tinker_arena_text(GPtrArray *arena, const char *text);
+
 /* A copy of one struct that begins with struct_size. `what` names it in the message of a refusal. NULL when refused. */
 gpointer tinker_struct_copy(const void *source, const char *what, TinkerShape shape, GPtrArray *arena, GError **error);
 

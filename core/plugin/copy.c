@@ -68,6 +68,13 @@ gpointer tinker_arena_allocate(GPtrArray *arena, gsize size)
     return memory;
 }
 
+const char *tinker_arena_text(GPtrArray *arena, const char *text)
+{
+    char *copy = g_strdup(text);
+    g_ptr_array_add(arena, copy);
+    return copy;
+}
+
 gpointer tinker_struct_copy(const void *source, const char *what, TinkerShape shape, GPtrArray *arena, GError **error)
 {
     const guint32 struct_size = *(const guint32 *)source;

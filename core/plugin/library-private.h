@@ -9,11 +9,11 @@
 typedef struct TinkerLibrary {
     char *path;
     TinkerIdentity identity;    /* of the file when it was opened */
-    const TinkerPlugin *plugin; /* a copy of the host's size; its spans are the plugin's own */
+    const TinkerPlugin *plugin; /* a copy of the host's size with its id; its spans are the plugin's own */
     int32_t class_count;
     const TinkerBlockClass *const *classes;
     int32_t integrator_count;
-    const TinkerIntegrator *integrators; /* copies of the host's size */
+    const TinkerIntegrator *integrators; /* copies of the host's size, with their ids */
     const struct TinkerLibrary *next;    /* the one opened before it */
 } TinkerLibrary;
 

@@ -153,12 +153,14 @@ static gboolean check_integrator(const TinkerIntegrator *integrators, int32_t nu
 static gboolean add_integrators(Record *record, GError **error)
 {
     const TinkerSpan *span = &record->library.plugin->integrators;
-    record->library.integrators = tinker_span_copy(
+    TinkerIntegrator *copies = tinker_span_copy(
         span, "integrators", TINKER_SHAPE_THROUGH(TinkerIntegrator, interpolate), record->arena, error);
-    if (record->library.integrators == NULL) return FALSE;
+    if (copies == NULL) return FALSE;
+    record->library.integrators = copies;
     record->library.integrator_count = span->count;
     for (int32_t i = 0; i < span->count; i++) {
-        if (!check_integrator(record->library.integrators, i, error)) return FALSE;
+        if (!check_integrator(copies, i, error)) return FALSE;
+        copies[i].id = tinker_arena_text(record->arena, copies[i].id);
     }
     return TRUE;
 }
@@ -173,6 +175,7 @@ static gboolean add_blocks(Record *record, GError **error)
     const TinkerBlockClass **classes =
         tinker_arena_allocate(record->arena, (gsize)span->count * sizeof(const TinkerBlockClass *));
     for (int32_t i = 0; i < span->count; i++) {
+        types[i].id = tinker_arena_text(record->arena, types[i].id);
         classes[i] = tinker_block_class_build(&types[i], library->plugin, library->path, record->arena, error);
         if (classes[i] == NULL) return FALSE;
     }
@@ -183,11 +186,14 @@ static gboolean add_blocks(Record *record, GError **error)
     return TRUE;
 }
 
+/* The ids of plugin, types and methods are copied too: the message about a crash names them, also where the crash came of
+ * the library's file being overwritten, which takes away what is mapped from it. */
 static void copy_descriptor(Record *record, const TinkerPlugin *own)
 {
     TinkerPlugin *copy = tinker_arena_allocate(record->arena, sizeof *copy);
     memcpy(copy, own, MIN(own->struct_size, sizeof *copy)); // what an older one has not got stays 0
     copy->struct_size = sizeof *copy;
+    copy->id = tinker_arena_text(record->arena, own->id);
     if (copy->home_page == NULL) copy->home_page = "";
     record->library.plugin = copy;
 }

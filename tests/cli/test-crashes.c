@@ -117,49 +117,80 @@ static void wait_until_taken(GPid process, int signal_number)
     }
 }
 
+/* An exhibit's library under another name in the test's folder. (transfer full) */
+static char *copy_exhibit(const CliFixture *fixture, const char *exhibit, const char *name)
+{
+    g_autofree char *file = g_strconcat(exhibit, "-exhibit.so", NULL), *contents = NULL;
+    g_autofree char *library = g_build_filename(g_getenv("TINKER_EXHIBITS"), file, NULL);
+    char *copy = cli_path(fixture, name);
+    gsize size = 0;
+    g_autoptr(GError) error = NULL;
+    g_assert_true(g_file_get_contents(library, &contents, &size, &error));
+    g_assert_true(g_file_set_contents(copy, contents, (gssize)size, &error));
+    return copy;
+}
+
+/* Starts a run with the plugin of that folder that never comes back, and waits until it is at that. */
+static GPid start_hanging(const CliFixture *fixture, const char *folder, int *errors)
+{
+    write_scene(fixture, "hangs");
+    g_autofree char *scene = cli_path(fixture, "a.json"), *csv = cli_path(fixture, "r.csv");
+    const char *words[] = {
+        g_getenv("TINKER_PROGRAM"), "run", scene, "--plugins", folder, "--csv", csv, "--columns", COLUMNS, NULL};
+    GPid process;
+    int output;
+    char text[1024] = "";
+    g_autoptr(GError) error = NULL;
+    g_spawn_async_with_pipes(NULL, (char **)words, NULL, G_SPAWN_DO_NOT_REAP_CHILD, NULL, NULL, &process, NULL, &output,
+                             errors, &error);
+    g_assert_no_error(error);
+    g_assert_cmpint(read(output, text, sizeof text - 1), ==, strlen("hangs\n"));
+    close(output);
+    return process;
+}
+
+/* Waits for the end by that signal, with these words about the plugin. */
+static void expect_end_of_hanging(const CliFixture *fixture, GPid process, int errors, int signal_number,
+                                  const char *how)
+{
+    int status = 0;
+    char text[1024] = "";
+    g_assert_cmpint(waitpid(process, &status, 0), ==, process);
+    g_assert_true(WIFSIGNALED(status));
+    g_assert_cmpint(WTERMSIG(status), ==, signal_number);
+    g_assert_cmpint(read(errors, text, sizeof text - 1), >, 0);
+    close(errors);
+    g_autofree char *csv = cli_path(fixture, "r.csv");
+    g_autofree char *message =
+        g_strdup_printf("tinker: the plugin org.example.hangs %s in \"force\" of block type hangs "
+                        "(block First) at t = 1.0625 s; what was recorded up to then is in %s\n",
+                        how, csv);
+    g_assert_cmpstr(text, ==, message);
+    assert_record(fixture);
+}
+
 /* A plugin that never comes back: the second Ctrl-C, or SIGTERM, ends the program all the same. */
 static void test_hang(CliFixture *fixture, gconstpointer data)
 {
     const int signal_number = GPOINTER_TO_INT(data);
-    write_scene(fixture, "hangs");
-    g_autofree char *scene = cli_path(fixture, "a.json"), *csv = cli_path(fixture, "r.csv");
-    const char *words[] = {g_getenv("TINKER_PROGRAM"),
-                           "run",
-                           scene,
-                           "--plugins",
-                           g_getenv("TINKER_EXHIBITS"),
-                           "--csv",
-                           csv,
-                           "--columns",
-                           COLUMNS,
-                           NULL};
-    GPid process;
-    int output, errors;
-    char text[1024] = "";
-    g_autoptr(GError) error = NULL;
-    g_spawn_async_with_pipes(NULL, (char **)words, NULL, G_SPAWN_DO_NOT_REAP_CHILD, NULL, NULL, &process, NULL, &output,
-                             &errors, &error);
-    g_assert_no_error(error);
-    g_assert_cmpint(read(output, text, sizeof text - 1), ==, strlen("hangs\n"));
-    close(output);
+    int errors;
+    const GPid process = start_hanging(fixture, g_getenv("TINKER_EXHIBITS"), &errors);
     kill(process, signal_number);
     if (signal_number == SIGINT) {
         wait_until_taken(process, SIGINT);
         kill(process, SIGINT);
     }
-    int status = 0;
-    g_assert_cmpint(waitpid(process, &status, 0), ==, process);
-    g_assert_true(WIFSIGNALED(status));
-    g_assert_cmpint(WTERMSIG(status), ==, signal_number);
-    memset(text, 0, sizeof text);
-    g_assert_cmpint(read(errors, text, sizeof text - 1), >, 0);
-    close(errors);
-    g_autofree char *message = g_strdup_printf(
-        "tinker: the plugin org.example.hangs was interrupted in \"force\" of block type hangs (block First) "
-        "at t = 1.0625 s; what was recorded up to then is in %s\n",
-        csv);
-    g_assert_cmpstr(text, ==, message);
-    assert_record(fixture);
+    expect_end_of_hanging(fixture, process, errors, signal_number, "was interrupted");
+}
+
+/* The first thing that cp does to a file it overwrites takes the library's code away while it runs, and its texts. */
+static void test_overwritten(CliFixture *fixture, gconstpointer data)
+{
+    g_autofree char *copy = copy_exhibit(fixture, "hangs", "hangs.so");
+    int errors;
+    const GPid process = start_hanging(fixture, fixture->folder, &errors);
+    g_assert_cmpint(truncate(copy, 0), ==, 0);
+    expect_end_of_hanging(fixture, process, errors, SIGBUS, "crashed (SIGBUS)");
 }
 
 /* A method is a plugin's, too. */
@@ -178,12 +209,7 @@ static void test_method(CliFixture *fixture, gconstpointer data)
 /* A scene names types. What looks like a file is a type that nobody has: nothing is opened, though the file is there. */
 static void test_type_like_a_path(CliFixture *fixture, gconstpointer data)
 {
-    g_autofree char *library = g_build_filename(g_getenv("TINKER_EXHIBITS"), "aborts-exhibit.so", NULL);
-    g_autofree char *copy = cli_path(fixture, "evil.so"), *contents = NULL;
-    gsize size = 0;
-    g_autoptr(GError) error = NULL;
-    g_assert_true(g_file_get_contents(library, &contents, &size, &error));
-    g_assert_true(g_file_set_contents(copy, contents, (gssize)size, &error));
+    g_autofree char *copy = copy_exhibit(fixture, "aborts", "evil.so");
     const char *types[] = {copy, "../evil.so", "./evil", "evil", "../../evil"};
     for (gsize i = 0; i < G_N_ELEMENTS(types); i++) {
         g_autofree char *text = g_strdup_printf("{\"tinker\": 1, \"library\": \"evil.so\", \"plugins\": [\"%s\"], "
@@ -210,6 +236,7 @@ int main(int argc, char **argv)
         g_autofree char *path = g_strdup_printf("/crashes/hang/%s", sigabbrev_np(signals[i]));
         g_test_add(path, CliFixture, GINT_TO_POINTER(signals[i]), cli_fixture_set_up, test_hang, cli_fixture_tear_down);
     }
+    cli_test_add("/crashes/overwritten", test_overwritten);
     cli_test_add("/crashes/method", test_method);
     cli_test_add("/crashes/type-like-a-path", test_type_like_a_path);
     return g_test_run();
