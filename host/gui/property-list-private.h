@@ -23,6 +23,8 @@ typedef struct {
 TinkerPropertyRow *property_builder_add(PropertyBuilder *builder, TinkerRowKind kind, const char *group,
                                         const char *title, const char *description);
 void property_row_take_text(TinkerPropertyRow *row, char *text);
+/* Sorts it by another text than its title, and by its component within that. */
+void property_row_sort_by(TinkerPropertyRow *row, const char *text);
 
 /* The rows of blocks; property-rows.c. */
 void property_rows_add_name(PropertyBuilder *builder);

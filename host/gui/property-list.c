@@ -1,4 +1,4 @@
-/* Puts the list together, in alphabetical order, and changes what its rows stand for. */
+/* Puts the list together, in its order, and changes what its rows stand for. */
 #include "property-list-private.h"
 
 #include <glib/gi18n.h>
@@ -11,6 +11,7 @@ static void row_clear(gpointer data)
     TinkerPropertyRow *row = data;
     g_free(row->group);
     g_free(row->title);
+    g_free(row->sorted_by);
     g_free(row->id);
     g_free(row->text);
     g_free(row->description);
@@ -43,6 +44,7 @@ TinkerPropertyRow *property_builder_add(PropertyBuilder *builder, TinkerRowKind 
     row->kind = kind;
     row->group = g_strdup(group);
     row->title = g_strdup(title);
+    row->sorted_by = g_strdup(title);
     row->description = g_strdup(description);
     row->text = g_strdup("");
     row->unit = "";
@@ -60,25 +62,31 @@ void property_row_take_text(TinkerPropertyRow *row, char *text)
     row->text = text;
 }
 
+void property_row_sort_by(TinkerPropertyRow *row, const char *text)
+{
+    g_free(row->sorted_by);
+    row->sorted_by = g_strdup(text);
+}
+
 /* The list ------------------------------------------------------------------------------------------------------------ */
 
 static int compare_rows(const void *left, const void *right)
 {
     const TinkerPropertyRow *l = *(TinkerPropertyRow *const *)left, *r = *(TinkerPropertyRow *const *)right;
-    int by_group = g_utf8_collate(l->group, r->group);
-    return by_group != 0 ? by_group : g_utf8_collate(l->title, r->title);
+    const int by_group = g_utf8_collate(l->group, r->group), by_title = g_utf8_collate(l->sorted_by, r->sorted_by);
+    return by_group != 0 ? by_group : by_title != 0 ? by_title : l->component - r->component;
 }
 
 /* Rows of one title in one group are told apart by a number. */
 static void name_rows(GPtrArray *rows)
 {
-    const TinkerPropertyRow *last = NULL;
-    int number = 0;
+    g_autoptr(GHashTable) numbers = g_hash_table_new_full(g_str_hash, g_str_equal, g_free, NULL);
     for (guint i = 0; i < rows->len; i++) {
         TinkerPropertyRow *row = g_ptr_array_index(rows, i);
-        number = last != NULL && compare_rows(&last, &row) == 0 ? number + 1 : 0;
-        row->id = g_strdup_printf("%s/%s/%d/%d", row->group, row->title, (int)row->kind, number);
-        last = row;
+        char *name = g_strdup_printf("%s/%s", row->group, row->title);
+        const int number = GPOINTER_TO_INT(g_hash_table_lookup(numbers, name));
+        row->id = g_strdup_printf("%s/%d/%d", name, (int)row->kind, number);
+        g_hash_table_replace(numbers, name, GINT_TO_POINTER(number + 1));
     }
 }
 

@@ -33,14 +33,15 @@ struct _TinkerPropertyRow {
     int chosen;         /* of a choice or switch; -1 where the blocks selected have several */
 
     /* Where it comes from; for the list's own files. */
-    GArray *blocks; /* of TinkerBlockId: which are set */
+    GArray *blocks;  /* of TinkerBlockId: which are set */
+    char *sorted_by; /* the title, or that of the vector whose components stay together in their order */
     int32_t property, component;
     gconstpointer data;
     gboolean (*set)(TinkerDocument *document, const TinkerPropertyRow *row, const char *text, GError **error);
     gboolean (*choose)(TinkerDocument *document, const TinkerPropertyRow *row, int choice, GError **error);
 };
 
-/* Groups and rows in alphabetical order. Of TinkerPropertyRow *. (transfer full) */
+/* Groups and rows in alphabetical order, but for the components of a vector, which stay together in theirs. Of TinkerPropertyRow *. (transfer full) */
 GPtrArray *tinker_property_list_new(TinkerDocument *document, TinkerPlayer *player);
 
 /* What the list is of: "Mass 0", "3 Blocks", or the scene. (transfer full) */

@@ -3,6 +3,7 @@
  * The local origin is shown as the offset of the block from it. Typing an offset moves the block; the origin stays. */
 #include <glib/gi18n.h>
 #include <math.h>
+#include <string.h>
 
 #include "property-list-private.h"
 #include "scene/frame-quantity.h"
@@ -261,10 +262,34 @@ const char *property_group_of(const PropertyBuilder *builder, const TinkerProper
     return builder->group != NULL ? builder->group : tinker_translate(type->group);
 }
 
-static const char *title_of(const TinkerPropertyType *type, int32_t component)
+/* Whether one text has the other in it, in whatever case. */
+static gboolean holds(const char *text, const char *part)
 {
-    const char *title = type->kind == TINKER_KIND_VECTOR ? type->component_titles[component] : NULL;
-    return tinker_translate(title != NULL ? title : type->title);
+    g_autofree char *folded_text = g_utf8_casefold(text, -1), *folded_part = g_utf8_casefold(part, -1);
+    return strstr(folded_text, folded_part) != NULL;
+}
+
+/* Whether a vector's own title has to come before the labels of its components: "Centre X". It need not where the label or
+ * the heading has it already, and must not where something else is shown, the offset. */
+static gboolean needs_title(const PropertyBuilder *builder, int32_t property, int32_t component)
+{
+    const TinkerPropertyType *type = &builder->block_class->properties[property];
+    const char *label = type->component_titles[component];
+    return label != NULL && !is_offset(builder->block_class, property) && !holds(label, type->title) &&
+           !holds(type->group, type->title);
+}
+
+/* The label of a row, and what it is sorted by. (transfer full) */
+static char *title_of(const PropertyBuilder *builder, int32_t property, int32_t component, const char **sorted_by)
+{
+    const TinkerPropertyType *type = &builder->block_class->properties[property];
+    const char *title = tinker_translate(type->title);
+    const char *label = type->kind == TINKER_KIND_VECTOR ? type->component_titles[component] : NULL;
+    *sorted_by = NULL;
+    if (label == NULL) return g_strdup(title);
+    if (!needs_title(builder, property, component)) return g_strdup(tinker_translate(label));
+    *sorted_by = title;
+    return g_strdup_printf("%s %s", title, tinker_translate(label));
 }
 
 static TinkerPropertyRow *add_row(PropertyBuilder *builder, int32_t property, int32_t component, TinkerRowKind kind)
@@ -274,8 +299,10 @@ static TinkerPropertyRow *add_row(PropertyBuilder *builder, int32_t property, in
                                                builder->system == TINKER_UNIT_SYSTEM_ENGLISH);
     g_autofree char *description = kind == TINKER_ROW_TEXT ? g_strdup(tinker_translate(type->description))
                                                            : describe(builder, property, component, unit);
-    TinkerPropertyRow *row =
-        property_builder_add(builder, kind, property_group_of(builder, type), title_of(type, component), description);
+    const char *sorted_by;
+    g_autofree char *title = title_of(builder, property, component, &sorted_by);
+    TinkerPropertyRow *row = property_builder_add(builder, kind, property_group_of(builder, type), title, description);
+    if (sorted_by != NULL) property_row_sort_by(row, sorted_by);
     row->property = property;
     row->component = component;
     row->unit = unit;

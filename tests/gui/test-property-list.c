@@ -549,6 +549,30 @@ static void test_every_kind(void)
                   seen[TINKER_ROW_SWITCH]);
 }
 
+/* Vectors with the same labels in one group are told apart by their own titles; components stay together in their order. */
+static void test_vectors(void)
+{
+    static const char *const titles[] = {"Centre X", "Centre Y", "Moment Along", "Moment Across", "Point X",
+                                         "Point Y",  "Radius",   "X Pull",       "Y pull"};
+    g_auto(Window) window = window_with("{\"type\": \"vectors\", \"name\": \"V\", \"centre\": [1, 2]}");
+    select_block(&window, "V");
+    g_autoptr(GPtrArray) rows = tinker_property_list_new(window.document, window.player);
+    guint shown = 0;
+    for (guint i = 0; i < rows->len; i++) {
+        const TinkerPropertyRow *row = g_ptr_array_index(rows, i);
+        if (!g_str_equal(row->group, "Guide")) continue;
+        g_assert_cmpuint(shown, <, G_N_ELEMENTS(titles));
+        g_assert_cmpstr(row->title, ==, titles[shown++]);
+    }
+    g_assert_cmpuint(shown, ==, G_N_ELEMENTS(titles));
+    assert_shown(&window, "Guide", "Centre X", "1.00000 m");
+    assert_shown(&window, "Guide", "Centre Y", "2.00000 m");
+    assert_shown(&window, "Its Places", "X", "0.00000 m"); /* the heading has the title */
+    type_into(&window, "Guide", "Moment Across", "3");
+    g_assert_cmpfloat(stored(&window, "V", "moment", 1), ==, 3);
+    g_assert_cmpfloat(stored(&window, "V", "moment", 0), ==, 0);
+}
+
 static void test_scene(void)
 {
     g_auto(Window) window = window_with(ONE_MASS);
@@ -659,6 +683,7 @@ static void add_tests(void)
     g_test_add_func("/gui/property-list/several", test_several);
     g_test_add_func("/gui/property-list/all-or-none", test_all_or_none);
     g_test_add_func("/gui/property-list/every-kind", test_every_kind);
+    g_test_add_func("/gui/property-list/vectors", test_vectors);
     g_test_add_func("/gui/property-list/scene", test_scene);
     g_test_add_func("/gui/property-list/now", test_now);
 }

@@ -1,4 +1,5 @@
-/* A block with a property of every kind, for the kinds that no installed block uses. */
+/* A block with a property of every kind, for the kinds that no installed block uses; and one with vectors, two of which have
+ * the same labels in the same group. */
 #include <tinker/sdk.h>
 
 static const char *const shades[] = {"black", "grey", "white"};
@@ -64,6 +65,15 @@ static const TinkerPropertyType properties[] = {
      .default_from = "first"},
 };
 
+static const TinkerPropertyType vectors[] = {
+    {TINKER_VECTOR_PROPERTY("point", "Point", "Guide", "X", "Y", TINKER_DIMENSION_LENGTH)},
+    {TINKER_REAL_PROPERTY("radius", "Radius", "Guide", TINKER_DIMENSION_LENGTH)},
+    {TINKER_VECTOR_PROPERTY("moment", "Moment", "Guide", "Along", "Across", TINKER_DIMENSION_FORCE)},
+    {TINKER_VECTOR_PROPERTY("centre", "Centre", "Guide", "X", "Y", TINKER_DIMENSION_LENGTH)},
+    {TINKER_VECTOR_PROPERTY("pull", "Pull", "Guide", "X Pull", "Y pull", TINKER_DIMENSION_FORCE)},
+    {TINKER_VECTOR_PROPERTY("home", "Place", "Its Places", "X", "Y", TINKER_DIMENSION_LENGTH)},
+};
+
 static TinkerStatus nothing(TinkerBatch *batch, const TinkerPoint *ends, double *force)
 {
     for (int32_t end = 0; end < 2 * (batch->ends >= 0 ? batch->ends * batch->count : batch->end_offsets[batch->count]);
@@ -89,6 +99,8 @@ static const TinkerBlockType blocks[] = {
      .properties = TINKER_SPAN(properties),
      .quantities = TINKER_NO_SPAN,
      .interfaces = TINKER_SPAN(interfaces)},
+    {TINKER_BLOCK("vectors", "Vectors", TINKER_FORCE), .summary = "Has vectors", .most_ends = -1,
+     .end_accepts = TINKER_ACCEPTS_BODY, .properties = TINKER_SPAN(vectors), .interfaces = TINKER_SPAN(interfaces)},
 };
 
 static const TinkerPlugin plugin = {

@@ -56,6 +56,8 @@ extern "C" {
 #define TINKER_DEFAULT_AS_PLACED (1u << 7) /* left out: the length from end to end at t = 0; needs two ends */
 #define TINKER_DEFAULT_SAME_AS   (1u << 8) /* left out, it equals the property that `default_from` names */
 
+/* A property. The window has a row for it, labelled by its title. A vector has two, labelled by its title and a component's,
+ * "Centre X"; by the component's alone where that or the group has the title in it: "X Velocity", "Global Position". */
 typedef struct TinkerPropertyType {
     uint32_t struct_size;
     int32_t kind;              /* TINKER_KIND_... */
