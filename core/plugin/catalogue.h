@@ -140,6 +140,10 @@ const GPtrArray *tinker_catalogue_opened(TinkerCatalogue *catalogue);
 /* Forgets the remembered refusals. */
 gboolean tinker_catalogue_clear_refused(TinkerCatalogue *catalogue, GError **error);
 
+/* Files in a folder that a search of it would look at, those of bundles last; of char *, none where it cannot be read.
+ * (transfer full) */
+GPtrArray *tinker_plugin_folder_libraries(const char *folder);
+
 /* Opens a library, makes all checks, and writes its manifest as JSON text. Runs the plugin's code in this process: call
  * it in a child only. (transfer full) */
 char *tinker_plugin_describe(const char *path, GError **error);

@@ -65,6 +65,13 @@ static void list_folder(const char *folder, GDir *directory, gboolean bundles, G
     tinker_search_sort(paths);
 }
 
+/* Adds what list_folder finds in a folder, where it can be read. */
+static void list_path(const char *folder, gboolean bundles, GPtrArray *paths)
+{
+    g_autoptr(GDir) directory = g_dir_open(folder, 0, NULL);
+    if (directory != NULL) list_folder(folder, directory, bundles, paths);
+}
+
 static void take_folder(GPtrArray *folders, const char *path, const char *kind, TinkerBundleEntry *bundle)
 {
     TinkerSearchFolder *folder = g_new0(TinkerSearchFolder, 1);
@@ -79,8 +86,7 @@ static void take_folder(GPtrArray *folders, const char *path, const char *kind, 
 static void add_bundles(GPtrArray *folders, const char *folder, const char *kind, GPtrArray *warnings)
 {
     g_autoptr(GPtrArray) paths = g_ptr_array_new_with_free_func(g_free);
-    g_autoptr(GDir) directory = g_dir_open(folder, 0, NULL);
-    if (directory != NULL) list_folder(folder, directory, TRUE, paths);
+    list_path(folder, TRUE, paths);
     for (guint i = 0; i < paths->len; i++) {
         const char *path = paths->pdata[i];
         struct stat status;
@@ -166,4 +172,15 @@ GPtrArray *tinker_search_libraries(const TinkerSearchFolder *folder, GPtrArray *
     }
     list_folder(folder->path, directory, FALSE, paths);
     return paths;
+}
+
+GPtrArray *tinker_plugin_folder_libraries(const char *folder)
+{
+    GPtrArray *libraries = g_ptr_array_new_with_free_func(g_free);
+    g_autoptr(GPtrArray) bundles = g_ptr_array_new_with_free_func(g_free);
+    list_path(folder, FALSE, libraries);
+    list_path(folder, TRUE, bundles);
+    for (guint i = 0; i < bundles->len; i++)
+        list_path(bundles->pdata[i], FALSE, libraries);
+    return libraries;
 }

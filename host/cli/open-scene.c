@@ -6,24 +6,11 @@
 #include "exit-status.h"
 #include "installation.h"
 #include "output.h"
-
-/* The catalogue takes absolute folders only; on the command line one may be given from the current folder. */
-static char **absolute_folders(char **folders)
-{
-    if (folders == NULL) return NULL;
-    g_autoptr(GPtrArray) absolute = g_ptr_array_new();
-    for (char **folder = folders; *folder != NULL; folder++) {
-        if (!g_file_test(*folder, G_FILE_TEST_IS_DIR))
-            tinker_report_warning("--plugins \"%s\": no such folder", *folder);
-        g_ptr_array_add(absolute, g_canonicalize_filename(*folder, NULL));
-    }
-    g_ptr_array_add(absolute, NULL);
-    return (char **)g_ptr_array_free(g_steal_pointer(&absolute), FALSE);
-}
+#include "plugin-folders.h"
 
 TinkerCatalogue *tinker_open_catalogue(char **plugin_folders)
 {
-    g_auto(GStrv) folders = absolute_folders(plugin_folders);
+    g_auto(GStrv) folders = tinker_plugin_folders(plugin_folders);
     return tinker_installation_catalogue((const char *const *)folders);
 }
 

@@ -10,6 +10,7 @@
 #include "exit-status.h"
 #include "open-scene.h"
 #include "options.h"
+#include "plugin-folders.h"
 
 static const TinkerVerbHelp check_help = {
     .verb = "plugins check",
@@ -166,9 +167,18 @@ static gboolean read_options(const Options *options, Report *report, double *sec
     return check_rule(options->rule, error);
 }
 
+static gboolean is_no_folder(const char *path, GError **error)
+{
+    if (!g_file_test(path, G_FILE_TEST_IS_DIR)) return TRUE;
+    g_autofree char *hint = tinker_plugin_folder_hint(path);
+    g_set_error(error, TINKER_PLUGIN_ERROR, TINKER_PLUGIN_ERROR_FILE, "%s: this is a folder; %s", path, hint);
+    return FALSE;
+}
+
 static int check_file(const TinkerCommandLine *line, const Options *options)
 {
     g_autoptr(GError) error = NULL;
+    if (!is_no_folder(line->operands[0], &error)) return tinker_report_error(NULL, error);
     double seconds = TINKER_CONFORMANCE_SECONDS;
     Report report = {.seed = TINKER_CONFORMANCE_SEED, .path = line->operands[0]};
     if (!read_options(options, &report, &seconds, &error)) return tinker_report_error(NULL, error);

@@ -6,6 +6,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "plugin-folders.h"
+
 #define GREATEST_SIZE 16384
 
 static const GOptionEntry entries[] = {
@@ -102,18 +104,6 @@ static gboolean read_screenshot(TinkerCommandLine *line, GVariantDict *options, 
     return !g_variant_dict_lookup(options, "theme", "s", &theme) || read_theme(theme, screenshot, error);
 }
 
-static char **absolute_folders(char **folders)
-{
-    g_autoptr(GStrvBuilder) absolute = g_strv_builder_new();
-    for (char **folder = folders; *folder != NULL; folder++) {
-        g_autofree char *path = g_canonicalize_filename(*folder, NULL);
-        if (!g_file_test(path, G_FILE_TEST_IS_DIR))
-            fprintf(stderr, "tinker-gui: warning: --plugins \"%s\": no such folder\n", *folder);
-        g_strv_builder_add(absolute, path);
-    }
-    return g_strv_builder_end(absolute);
-}
-
 gboolean tinker_command_line_read(TinkerCommandLine *line, GVariantDict *options, GError **error)
 {
     *line = (TinkerCommandLine){FALSE};
@@ -121,7 +111,8 @@ gboolean tinker_command_line_read(TinkerCommandLine *line, GVariantDict *options
     char *file = NULL;
     line->version = g_variant_dict_contains(options, "version");
     line->new_scene = g_variant_dict_contains(options, "new");
-    if (g_variant_dict_lookup(options, "plugins", "^aay", &folders)) line->plugin_folders = absolute_folders(folders);
+    if (g_variant_dict_lookup(options, "plugins", "^aay", &folders))
+        line->plugin_folders = tinker_plugin_folders(folders);
     if (!g_variant_dict_lookup(options, "screenshot", "^ay", &file)) return check_alone(options, error);
     line->screenshot = g_new0(TinkerScreenshot, 1);
     line->screenshot->file = file;

@@ -75,6 +75,66 @@ static void test_method(CliFixture *fixture, gconstpointer data)
     cli_assert_holds(run->error, reason);
 }
 
+/* What --plugins names: a file, nothing, a project whose library is in its build folder, a folder of bundles. */
+static void test_folders(CliFixture *fixture, gconstpointer data)
+{
+    g_autofree char *scene = cli_write(fixture, "fall.json", FREE_FALL), *project = cli_path(fixture, "project"),
+                    *build = cli_path(fixture, "project/build"), *bundle = cli_path(fixture, "course"),
+                    *file = cli_path(fixture, "project/build/tinker-a.so"), *none = cli_path(fixture, "none");
+    const struct {
+        const char *words;
+        char *error;
+    } cases[] = {
+        {"run @fall.json --plugins @none",
+         g_strdup_printf("tinker: warning: --plugins \"%s\": no such folder\n", none)},
+        {"run @fall.json --plugins @project/build/tinker-a.so",
+         g_strdup_printf("tinker: warning: --plugins \"%s\": this is a file; give the folder it lies in, \"%s\"\n",
+                         file, build)},
+        {"run @fall.json --plugins @project",
+         g_strdup_printf(
+             "tinker: warning: --plugins \"%s\": no plugin library (*.so) lies in this folder (a project's is "
+             "in its build folder: did you mean \"%s\"?)\n",
+             project, build)},
+        {"run @fall.json --plugins @course",
+         g_strdup_printf(
+             "tinker: warning: --plugins \"%s\": no plugin library (*.so) lies in this folder (a project's is "
+             "in its build folder)\n",
+             bundle)},
+        {"run @fall.json --plugins @project/build", g_strdup("")},
+        {"run @fall.json --plugins @", g_strdup("")},
+    };
+    g_assert_cmpint(g_mkdir_with_parents(build, 0755), ==, 0);
+    g_assert_cmpint(g_mkdir_with_parents(bundle, 0755), ==, 0);
+    g_autofree char *library = cli_write(fixture, "project/build/tinker-a.so", "#!/bin/sh\n");
+    g_autofree char *marker = NULL, *of_bundle = NULL;
+    for (gsize i = 0; i < G_N_ELEMENTS(cases); i++) {
+        if (i == 5) { /* now a bundle lies in the folder, and its library counts */
+            marker = cli_write(fixture, "course/bundle.json", "{\"bundle\": 1, \"title\": \"Course\"}");
+            of_bundle = cli_write(fixture, "course/tinker-b.so", "#!/bin/sh\n");
+        }
+        g_autoptr(TestProgram) program = cli_run_well(fixture, cases[i].words);
+        g_assert_cmpstr(program->error, ==, cases[i].error);
+        g_free(cases[i].error);
+    }
+}
+
+/* A folder where a library is expected. */
+static void test_check_of_folder(CliFixture *fixture, gconstpointer data)
+{
+    g_autofree char *first = cli_write(fixture, "tinker-a.so", ""), *second = cli_write(fixture, "tinker-b.so", "");
+    g_autofree char *empty = cli_path(fixture, "empty");
+    g_assert_cmpint(g_mkdir_with_parents(empty, 0755), ==, 0);
+    g_autofree char *expected = g_strdup_printf("tinker: %s: this is a folder; check one of its libraries: %s, %s\n",
+                                                fixture->folder, first, second);
+    g_autofree char *words = g_strdup_printf("plugins check '%s'", fixture->folder);
+    g_autoptr(TestProgram) check = cli_run_badly(fixture, words, 5);
+    g_assert_cmpstr(check->error, ==, expected);
+    g_autofree char *nothing =
+        g_strdup_printf("tinker: %s: this is a folder; no plugin library (*.so) lies in it\n", empty);
+    g_autoptr(TestProgram) other = cli_run_badly(fixture, "plugins check @empty", 5);
+    g_assert_cmpstr(other->error, ==, nothing);
+}
+
 int main(int argc, char **argv)
 {
     g_test_init(&argc, &argv, NULL);
@@ -82,5 +142,7 @@ int main(int argc, char **argv)
     cli_test_add("/refused/check", test_check);
     cli_test_add("/refused/columns", test_columns);
     cli_test_add("/refused/method", test_method);
+    cli_test_add("/refused/folders", test_folders);
+    cli_test_add("/refused/check-of-folder", test_check_of_folder);
     return g_test_run();
 }
