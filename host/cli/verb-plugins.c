@@ -63,8 +63,9 @@ static const TinkerVerbHelp describe_help = {
 static const TinkerVerbHelp refused_help = {
     .verb = "plugins refused",
     .operands = "",
-    .summary = "Lists the libraries that were refused, and why. A refusal is remembered until the file changes, or is\n"
-               "forgotten by --clear.",
+    .summary =
+        "Lists the libraries that were refused, and why, in the folders that are searched: --plugins adds one. A\n"
+        "refusal is remembered until the file changes, or is forgotten by --clear.",
     .examples = "  tinker plugins refused\n"
                 "  tinker plugins refused --clear",
 };
@@ -286,7 +287,7 @@ static int refused(int argc, char **argv)
         printf("%s: %s\n", library->path, library->refused);
         count++;
     }
-    if (count == 0) puts("no library was refused");
+    if (count == 0) puts("no library was refused in the folders that are searched");
     return TINKER_EXIT_DONE;
 }
 

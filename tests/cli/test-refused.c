@@ -135,6 +135,17 @@ static void test_check_of_folder(CliFixture *fixture, gconstpointer data)
     g_assert_cmpstr(other->error, ==, nothing);
 }
 
+/* The list is of the folders that are searched, and says so. */
+static void test_list(CliFixture *fixture, gconstpointer data)
+{
+    g_autofree char *library = cli_write(fixture, "tinker-a.so", "#!/bin/sh\n");
+    g_autofree char *line = g_strdup_printf("%s: " NO_LIBRARY "\n", library);
+    g_autoptr(TestProgram) named = cli_run_well(fixture, "plugins refused --plugins @");
+    g_assert_cmpstr(named->output, ==, line);
+    g_autoptr(TestProgram) unnamed = cli_run_well(fixture, "plugins refused");
+    g_assert_cmpstr(unnamed->output, ==, "no library was refused in the folders that are searched\n");
+}
+
 int main(int argc, char **argv)
 {
     g_test_init(&argc, &argv, NULL);
@@ -144,5 +155,6 @@ int main(int argc, char **argv)
     cli_test_add("/refused/method", test_method);
     cli_test_add("/refused/folders", test_folders);
     cli_test_add("/refused/check-of-folder", test_check_of_folder);
+    cli_test_add("/refused/list", test_list);
     return g_test_run();
 }
