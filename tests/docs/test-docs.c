@@ -212,6 +212,13 @@ static void test_makefile_builds(void)
     const char *make[] = {"make", "-s", "-C", folder, "-f", makefile, search, NULL};
     test_author_run(folder, NULL, make);
     check_constant_force(folder);
+
+    // It is installed where the program looks, wherever XDG_DATA_HOME says that is.
+    g_autofree char *data = g_build_filename(folder, "data", NULL);
+    g_autofree char *installed = g_build_filename(data, "tinker", "plugins", "tinker-constant-force.so", NULL);
+    const char *install[] = {"make", "-s", "-C", folder, "-f", makefile, search, "install", NULL};
+    test_author_run(folder, data, install);
+    g_assert_true(g_file_test(installed, G_FILE_TEST_IS_REGULAR));
     test_remove_all(folder);
 }
 
