@@ -7,12 +7,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define RECORD_MOST_COLUMNS 8
+#define RECORD_MOST_COLUMNS 8 /* with the time; may be raised */
 
 typedef struct {
     FILE *output;
+    int columns;                       /* with the time */
     int rows;                          /* read so far */
-    int failures;                      /* values that were not as expected */
+    int failures;                      /* values that were not as expected, and lines that are no row */
     double value[RECORD_MOST_COLUMNS]; /* of the last row: the time (s), then the columns in the order asked for */
 } Record;
 
@@ -38,6 +39,18 @@ static inline void record_add_quoted(char *command, size_t room, const char *wor
     memcpy(to, "'", 2);
 }
 
+/* The columns of a record with this heading, which has to be a whole line; ends the test where they are too many. */
+static inline int record_count_columns(const char *heading)
+{
+    int columns = 1;
+    for (const char *at = heading; *at != '\0'; at++)
+        columns += *at == ',';
+    if (columns <= RECORD_MOST_COLUMNS && strchr(heading, '\n') != NULL) return columns;
+    fprintf(stderr, "the record has %d columns or more, at most %d are read: raise RECORD_MOST_COLUMNS in record.h\n",
+            columns, RECORD_MOST_COLUMNS);
+    exit(2);
+}
+
 /* The record of the scene, with these columns. The test is called as TEST TINKER SCENE PLUGIN-FOLDER [OPTIONS of run]. */
 static inline Record record_run(int argc, char **argv, const char *columns)
 {
@@ -58,22 +71,32 @@ static inline Record record_run(int argc, char **argv, const char *columns)
         fprintf(stderr, "there is no record of:%s\n", command);
         exit(1);
     }
+    record.columns = record_count_columns(heading);
     return record;
 }
 
-/* Reads the next row; 0 after the last one. */
+/* Reads the next row; 0 after the last one. What is no row ("# invalid from t = 1 s") is told, and has the test fail. */
 static inline int record_next(Record *record)
 {
-    char line[4096], *place = line;
-    if (fgets(line, sizeof line, record->output) == NULL) return 0;
-    for (int column = 0; column < RECORD_MOST_COLUMNS; column++) {
-        char *end;
-        record->value[column] = strtod(place, &end);
-        if (end == place || *end != ',') break;
-        place = end + 1;
+    char line[4096];
+    while (fgets(line, sizeof line, record->output) != NULL) {
+        char *place = line, *end = line;
+        int column = 0;
+        while (column < record->columns) {
+            record->value[column] = strtod(place, &end);
+            if (end == place) break;
+            column++;
+            if (*end != ',') break;
+            place = end + 1;
+        }
+        if (column == record->columns && *end == '\n') {
+            record->rows++;
+            return 1;
+        }
+        fprintf(stderr, "the record has a line that is no row of %d numbers: %s", record->columns, line);
+        record->failures++;
     }
-    record->rows++;
-    return 1;
+    return 0;
 }
 
 /* A value of the last row has to be this one. Written so that a NaN fails. */
