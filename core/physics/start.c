@@ -29,6 +29,39 @@ static double path_length(const TinkerModel *model, int32_t row)
     return length;
 }
 
+/* Where the row would be met if one end moved, a body's, by the row's derivatives: exactly for a row that is linear along
+ * them, roughly for others. Answers that body, or -1 where the row moves none. */
+static int32_t nearest_fit(const TinkerModel *model, int32_t row, double place[2])
+{
+    const TinkerConstraints *all = &model->constraints;
+    int32_t body = -1;
+    double steepest = 0;
+    for (int32_t e = all->row_starts[row]; e < all->row_starts[row + 1]; e++) {
+        const int32_t point = all->points[e];
+        const double *slope = &all->jacobian[2 * e], square = slope[0] * slope[0] + slope[1] * slope[1];
+        if (point >= model->bodies || !(square > steepest)) continue;
+        steepest = square;
+        body = point;
+        place[0] = model->origin[0] + model->point[point].x - all->g[row] * slope[0] / square;
+        place[1] = model->origin[1] + model->point[point].y - all->g[row] * slope[1] / square;
+    }
+    return body >= 0 && isfinite(place[0]) && isfinite(place[1]) ? body : -1;
+}
+
+static void refuse_misfit(const TinkerModel *model, int32_t row, const char *name, GError **error)
+{
+    const TinkerConstraints *all = &model->constraints;
+    double place[2];
+    const int32_t body = nearest_fit(model, row, place);
+    g_autofree char *hint =
+        body < 0 ? g_strdup(_("move its ends, or change its properties"))
+                 : g_strdup_printf(_("it fits with %s at about (%.5g, %.5g) m"),
+                                   tinker_scene_block_name(model->scene, model->body_blocks[body]), place[0], place[1]);
+    g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_SCENE,
+                _("%s: the start positions miss it by %.3g m (at most %.0e of its length, %.3g m, is corrected; %s)"),
+                name, fabs(all->g[row]), START_TOLERANCE, all->scales[row], hint);
+}
+
 static gboolean refuse_row(TinkerModel *model, const TinkerConstraintBatch *part, int32_t row, GError **error)
 {
     const TinkerConstraints *all = &model->constraints;
@@ -45,9 +78,7 @@ static gboolean refuse_row(TinkerModel *model, const TinkerConstraintBatch *part
                                   "(move an end, change the length, or leave the length out)"),
                     name, batch->columns[column][instance], path_length(model, row));
     } else {
-        g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_SCENE,
-                    _("%s: the start positions miss it by %.3g m (at most %.0e of its length, %.3g m, is corrected)"),
-                    name, fabs(all->g[row]), START_TOLERANCE, all->scales[row]);
+        refuse_misfit(model, row, name, error);
     }
     return FALSE;
 }

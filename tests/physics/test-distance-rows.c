@@ -191,6 +191,17 @@ static void test_who_is_asked(void)
     assert_ties("2", FALSE, 4);
 }
 
+/* What a start position misses is told with the place that would fit: here 4 of the 5 m that (4, 6) is from (1, 2). */
+static void test_misfit(void)
+{
+    g_autoptr(PhysicsRun) run = physics_try(
+        &(PhysicsOptions){0}, "{'type': 'support', 'position': [1, 2]},"
+                              "{'type': 'mass', 'position': [4, 6]},"
+                              "{'type': 'tie', 'ends': ['Support 0', 'Mass 0'], 'length': 4, 'steepness': 2}");
+    physics_assert_refused(run, TINKER_MODEL_ERROR_SCENE, "Tie 0: the start positions miss it by 2 m",
+                           "it fits with Mass 0 at about (3.4, 5.2) m", NULL);
+}
+
 static void add_tests(void)
 {
     g_test_add_func("/physics/distance-rows/formulas", test_formulas);
@@ -199,6 +210,7 @@ static void add_tests(void)
     g_test_add_func("/physics/distance-rows/coincident-ends", test_coincident_ends);
     g_test_add_func("/physics/distance-rows/not-finite", test_not_finite);
     g_test_add_func("/physics/distance-rows/who-is-asked", test_who_is_asked);
+    g_test_add_func("/physics/distance-rows/misfit", test_misfit);
 }
 
 int main(int argc, char **argv)
