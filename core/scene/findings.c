@@ -188,3 +188,18 @@ gboolean reader_conclude(SceneReader *reader, GPtrArray *findings, GError **erro
     }
     return good;
 }
+
+GArray *tinker_scene_block_places(const char *text, gsize length)
+{
+    GArray *places = g_array_new(FALSE, FALSE, sizeof(TinkerTextPlace));
+    JsonScan scan;
+    Cursor cursor = {0, 1, 1};
+    const gboolean is_json = json_scan(&scan, text, length);
+    for (guint i = 0; is_json && i < scan.blocks->len; i++) {
+        cursor_move(&cursor, text, g_array_index(scan.blocks, JsonPart, i).start);
+        const TinkerTextPlace place = {cursor.line, cursor.column};
+        g_array_append_val(places, place);
+    }
+    json_scan_clear(&scan);
+    return places;
+}

@@ -28,6 +28,15 @@ TinkerScene *tinker_scene_read_text(TinkerCatalogue *catalogue, const char *text
 /* Likewise from a file; "-" is standard input. */
 TinkerScene *tinker_scene_read_file(TinkerCatalogue *catalogue, const char *path, GPtrArray *findings, GError **error);
 
+/* Where something begins in a text, from 1; columns count characters. */
+typedef struct {
+    int line, column;
+} TinkerTextPlace;
+
+/* Where each block begins in a scene's text, in its order, which is the drawing order of the scene as it was read; of
+ * TinkerTextPlace. Empty for a text that is not JSON. (transfer full) */
+GArray *tinker_scene_block_places(const char *text, gsize length);
+
 /* An array for findings that frees them. (transfer full) */
 GPtrArray *tinker_findings_new(void);
 

@@ -3,9 +3,11 @@
 
 #include <string.h>
 
+#include "block-places.h"
 #include "exit-status.h"
 #include "installation.h"
 #include "output.h"
+#include "physics/model.h"
 #include "plugin-folders.h"
 
 TinkerCatalogue *tinker_open_catalogue(char **plugin_folders)
@@ -79,7 +81,7 @@ static gboolean is_placed(const char *text, const char *name, const char *messag
     return before_message >= behind_name + 2 && g_str_has_prefix(text + before_message - 2, ": ");
 }
 
-/* Reports the error; with line and column where the reader has found the same. */
+/* Reports the error; with line and column where the reader has found the same, or where it is about a block. */
 static int report_with_place(const TinkerOpenScene *open, const GError *error)
 {
     for (guint i = 0; i < open->warnings->len; i++) {
@@ -88,7 +90,11 @@ static int report_with_place(const TinkerOpenScene *open, const GError *error)
         const GError placed = {.domain = error->domain, .code = error->code, .message = warning};
         return tinker_report_error(open->name, &placed);
     }
-    return tinker_report_error(open->name, error);
+    if (error->domain != TINKER_MODEL_ERROR) return tinker_report_error(open->name, error);
+    g_autoptr(GArray) places = NULL;
+    g_autofree char *text = tinker_placed_message(open->scene, open->path, open->name, &places, error->message);
+    const GError placed = {.domain = error->domain, .code = error->code, .message = text};
+    return tinker_report_error(open->name, &placed);
 }
 
 /* Whether the error says as much as a warning. */

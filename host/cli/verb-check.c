@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "block-places.h"
 #include "exit-status.h"
 #include "open-scene.h"
 #include "options.h"
@@ -26,6 +27,8 @@ static const TinkerVerbHelp help = {
 typedef struct {
     int errors, warnings;
     int status;
+    const char *path, *name; /* of the scene's file: as given, and as messages call it */
+    GArray *places;          /* of its blocks, once they are asked for */
 } Findings;
 
 /* A scene that is wrong is wrong, whatever else is missing. */
@@ -44,7 +47,7 @@ static void add_warning(Findings *findings, const char *text)
 
 /* A scene with a block of a missing type can be opened and saved, so to the reader that is a warning; here it is what
  * keeps the scene from running. */
-static void add_of_reader(Findings *findings, const GPtrArray *found, const char *name)
+static void add_of_reader(Findings *findings, const GPtrArray *found)
 {
     for (guint i = 0; i < found->len; i++) {
         const TinkerFinding *finding = g_ptr_array_index(found, i);
@@ -52,7 +55,7 @@ static void add_of_reader(Findings *findings, const GPtrArray *found, const char
         TinkerFinding marked = *finding;
         g_autofree char *message = g_strdup_printf("%s%s", warning ? "warning: " : "", finding->message);
         marked.message = message;
-        g_autofree char *text = tinker_finding_text(&marked, name);
+        g_autofree char *text = tinker_finding_text(&marked, findings->name);
         GError error = {.domain = TINKER_SCENE_ERROR, .code = finding->code, .message = text};
         if (warning)
             add_warning(findings, text);
@@ -83,61 +86,65 @@ static void add_of_catalogue(Findings *findings, TinkerCatalogue *catalogue, con
     }
 }
 
+/* What was found behind the reader: with the place of the block that it is about. */
+static void add_refusal(Findings *findings, TinkerScene *scene, const GError *error)
+{
+    g_autofree char *text =
+        tinker_placed_message(scene, findings->path, findings->name, &findings->places, error->message);
+    add_error(findings, text, tinker_exit_status(error));
+}
+
 /* The first reason for which a model refuses is one; detached ends are listed one and all. */
-static void add_detached_ends(Findings *findings, const TinkerScene *scene, const char *name)
+static void add_detached_ends(Findings *findings, TinkerScene *scene)
 {
     for (int32_t place = 0; place < tinker_scene_block_count(scene); place++) {
         TinkerBlockId block = tinker_scene_block_at(scene, place);
         if (tinker_scene_block_class(scene, block) == NULL) continue;
+        const char *name = tinker_scene_block_name(scene, block);
         int32_t count = tinker_scene_end_count(scene, block);
         for (int32_t end = 0; end < count; end++) {
             if (tinker_scene_end(scene, block, end).block != TINKER_NO_BLOCK) continue;
-            g_autofree char *text = count == 1
-                                        ? g_strdup_printf("%s: %s: its end is detached (connect it to a block)", name,
-                                                          tinker_scene_block_name(scene, block))
-                                        : g_strdup_printf("%s: %s: end %d of %d is detached (connect it to a block)",
-                                                          name, tinker_scene_block_name(scene, block), end + 1, count);
-            add_error(findings, text, TINKER_EXIT_SCENE);
+            g_autofree char *message =
+                count == 1
+                    ? g_strdup_printf("%s: its end is detached (connect it to a block)", name)
+                    : g_strdup_printf("%s: end %d of %d is detached (connect it to a block)", name, end + 1, count);
+            const GError error = {TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_SCENE, message};
+            add_refusal(findings, scene, &error);
         }
     }
 }
 
-static void add_refusal(Findings *findings, const char *name, const GError *error)
-{
-    g_autofree char *text = g_strdup_printf("%s: %s", name, error->message);
-    add_error(findings, text, tinker_exit_status(error));
-}
-
 /* A method, step, tolerance or interval that no run can have. */
-static void add_of_run(Findings *findings, TinkerScene *scene, TinkerModel *model, const char *name)
+static void add_of_run(Findings *findings, TinkerScene *scene, TinkerModel *model)
 {
     g_autoptr(GError) error = NULL;
     TinkerRunOptions options = tinker_run_options_of(scene);
     g_autoptr(TinkerSimulation) simulation = tinker_simulation_new(model, &options, &error);
-    if (simulation == NULL) add_refusal(findings, name, error);
+    if (simulation == NULL) add_refusal(findings, scene, error);
 }
 
-static void add_warnings(Findings *findings, const GPtrArray *warnings, const char *name)
+static void add_warnings(Findings *findings, const GPtrArray *warnings)
 {
     for (guint i = 0; i < warnings->len; i++) {
-        g_autofree char *text = g_strdup_printf("%s: warning: %s", name, (const char *)g_ptr_array_index(warnings, i));
+        g_autofree char *text =
+            g_strdup_printf("%s: warning: %s", findings->name, (const char *)g_ptr_array_index(warnings, i));
         add_warning(findings, text);
     }
 }
 
-static void add_of_model(Findings *findings, TinkerScene *scene, const char *name)
+static void add_of_model(Findings *findings, TinkerScene *scene)
 {
     g_autoptr(GError) error = NULL;
     g_autoptr(TinkerModel) model = tinker_model_new(scene, &error);
     if (model == NULL) {
-        add_refusal(findings, name, error);
+        add_refusal(findings, scene, error);
         return;
     }
     g_autoptr(GPtrArray) overlaps = g_ptr_array_new_with_free_func(g_free);
     tinker_overlaps_tell(scene, overlaps);
-    add_warnings(findings, tinker_model_warnings(model), name);
-    add_warnings(findings, overlaps, name);
-    add_of_run(findings, scene, model, name);
+    add_warnings(findings, tinker_model_warnings(model));
+    add_warnings(findings, overlaps);
+    add_of_run(findings, scene, model);
 }
 
 static int conclude(const Findings *findings)
@@ -155,12 +162,13 @@ static int check(const char *path, char **plugin_folders)
     g_autoptr(TinkerCatalogue) catalogue = tinker_open_catalogue(plugin_folders);
     g_autoptr(GPtrArray) found = tinker_findings_new();
     g_autoptr(GError) error = NULL;
-    Findings findings = {0, 0, TINKER_EXIT_DONE};
+    Findings findings = {.status = TINKER_EXIT_DONE, .path = path, .name = name};
     g_autoptr(TinkerScene) scene = tinker_scene_read_file(catalogue, path, found, &error);
-    add_of_reader(&findings, found, name);
+    add_of_reader(&findings, found);
     add_of_catalogue(&findings, catalogue, found);
-    if (scene != NULL) add_detached_ends(&findings, scene, name);
-    if (scene != NULL && findings.errors == 0) add_of_model(&findings, scene, name);
+    if (scene != NULL) add_detached_ends(&findings, scene);
+    if (scene != NULL && findings.errors == 0) add_of_model(&findings, scene);
+    g_clear_pointer(&findings.places, g_array_unref);
     return conclude(&findings);
 }
 

@@ -70,6 +70,32 @@ static void test_first_system(CliFixture *fixture, gconstpointer data)
     }
 }
 
+/* Names with colons and letters of two bytes; the spring's second end is on `end`. */
+#define PLACES(end)                                                                                                    \
+    "{\"tinker\": 1, \"blocks\": [{\"type\": \"support\"}, {\"type\": \"mass\", \"name\": \"Größe\", \"position\": " \
+    "[1, 0]},\n  {\"type\": \"mass\", \"position\": [0, 3]}, {\"type\": \"rod\", \"name\": \"R\", \"ends\": "          \
+    "[\"Größe\", \"Mass 0\"]},\n"                                                                                    \
+    "  {\"type\": \"rod\", \"name\": \"R: S\", \"ends\": [\"Größe\", \"Support 0\"], \"length\": 2},\n"              \
+    "\t{\"type\": \"spring\", \"ends\": [\"Mass 0\", " end "]}]}\n"
+
+/* What only compiling a scene tells is told with the place of the block that it is about. */
+static void test_places(CliFixture *fixture, gconstpointer data)
+{
+    static const char *const words[] = {"check @a.json", "run @a.json"};
+    static const struct {
+        const char *scene, *start;
+    } cases[] = {
+        {PLACES("[1, 2]"), "4:2: Spring 0: "},
+        {PLACES("\"Support 0\""), "3:3: R: S: its length is 2 m, but its ends are 1 m apart "},
+    };
+    for (gsize i = 0; i < G_N_ELEMENTS(cases) * G_N_ELEMENTS(words); i++) {
+        g_autofree char *path = cli_write(fixture, "a.json", cases[i / 2].scene);
+        g_autofree char *start = g_strdup_printf("tinker: %s:%s", path, cases[i / 2].start);
+        g_autoptr(TestProgram) program = cli_run_badly(fixture, words[i % 2], 3);
+        cli_assert_holds(program->error, start);
+    }
+}
+
 int main(int argc, char **argv)
 {
     g_test_init(&argc, &argv, NULL);
@@ -77,5 +103,6 @@ int main(int argc, char **argv)
     cli_test_add("/check/each-overlap-once", test_each_overlap_once);
     cli_test_add("/check/no-overlap", test_no_overlap);
     cli_test_add("/check/first-system", test_first_system);
+    cli_test_add("/check/places", test_places);
     return g_test_run();
 }
