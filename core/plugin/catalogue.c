@@ -4,11 +4,11 @@
 #include <string.h>
 
 #include "plugin/cache-private.h"
+#include "plugin/explain-private.h"
 #include "plugin/found-private.h"
 #include "plugin/manifest-private.h"
 #include "plugin/refuse-private.h"
 #include "plugin/search-private.h"
-#include "units/units.h"
 
 #define USUAL_PROBE_SECONDS 5.0
 
@@ -117,60 +117,13 @@ static TinkerPluginCache *new_cache(const char *folder)
     return tinker_plugin_cache_new(folder == NULL ? usual : folder);
 }
 
-/* The refused library that has the id by its manifest or its file name; else, where nobody can tell, the first that was
- * refused, and `others` tells how many more there are. NULL: none was refused. */
-static const TinkerFound *find_refused(const TinkerCatalogue *catalogue, const char *id, gboolean *sure, guint *others)
-{
-    const TinkerFound *first = NULL;
-    *sure = FALSE;
-    *others = 0;
-    for (guint i = 0; i < catalogue->libraries->len; i++) {
-        const TinkerFound *found = catalogue->libraries->pdata[i];
-        if (found->entry.refused == NULL) continue;
-        *sure = tinker_found_suggests(found, id);
-        if (*sure) return found;
-        if (first == NULL)
-            first = found;
-        else
-            (*others)++;
-    }
-    return first;
-}
-
-/* What refusals have to do with a missing id; "" where nothing was refused. `sure`: a refused library has it.
- * (transfer full) */
-static char *explain_refused(const TinkerCatalogue *catalogue, const char *id, gboolean *sure)
-{
-    guint others;
-    const TinkerFound *found = find_refused(catalogue, id, sure, &others);
-    if (found == NULL) return g_strdup("");
-    g_autofree char *which =
-        others == 0 ? g_strdup("a refused one") : g_strdup_printf("one of %u that were refused", others + 1);
-    g_autofree char *begin = *sure ? g_strdup(": ") : g_strdup_printf("; it may be in %s: ", which);
-    return g_strdup_printf("%sthe library \"%s\" was refused: %s", begin, found->entry.path, found->entry.refused);
-}
-
-/* Why an id is missing: its name is misspelt, its library was refused, or there is nothing at all. (transfer full) */
-static char *explain_missing(const TinkerCatalogue *catalogue, GHashTable *table, const char *id)
-{
-    if (catalogue->libraries->len == 0) return g_strdup(" (no plugin was found at all)");
-    guint count;
-    gboolean sure;
-    g_autofree const char **known = (const char **)g_hash_table_get_keys_as_array(table, &count);
-    g_autofree char *refused = explain_refused(catalogue, id, &sure);
-    const char *nearest = sure ? NULL : tinker_nearest_word(id, known);
-    if (nearest != NULL) return g_strdup_printf(" (did you mean \"%s\"?)%s", nearest, refused);
-    if (refused[0] != '\0') return g_steal_pointer(&refused);
-    return g_strdup(" (its library belongs into a plugin folder, or into one named by --plugins)");
-}
-
 /* The opened library that provides the id, or NULL; called with the lock held. */
 static TinkerFound *open_locked(TinkerCatalogue *catalogue, GHashTable *table, const char *what, const char *id,
                                 GError **error)
 {
     TinkerFound *found = g_hash_table_lookup(table, id);
     if (found == NULL) {
-        g_autofree char *explanation = explain_missing(catalogue, table, id);
+        g_autofree char *explanation = tinker_explain_missing(catalogue->libraries, table, id);
         g_set_error(error, TINKER_PLUGIN_ERROR, TINKER_PLUGIN_ERROR_MISSING, "no plugin provides the %s \"%s\"%s", what,
                     id, explanation);
         return NULL;
@@ -295,7 +248,7 @@ char *tinker_catalogue_explain_refused(TinkerCatalogue *catalogue, const char *i
     g_autoptr(GMutexLocker) locker = g_mutex_locker_new(&catalogue->opening);
     (void)locker;
     gboolean sure;
-    return explain_refused(catalogue, id, &sure);
+    return tinker_explain_refused(catalogue->libraries, id, &sure);
 }
 
 const GPtrArray *tinker_catalogue_opened(TinkerCatalogue *catalogue)
