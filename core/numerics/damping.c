@@ -1,4 +1,5 @@
-/* Newton's method with conjugate gradients for the implicit half kick.
+/* Newton's method with conjugate gradients for the implicit half kick; with conjugate residuals where forces act across the
+ * velocity.
  *
  * All norms are mass-weighted, so that lengths and angles can stand side by side. Linear damping takes one Newton step,
  * as the linear solves go down to rounding. */
@@ -10,6 +11,8 @@
 
 #define NEWTON_CAP   30  /* a smooth law takes 2 to 5 */
 #define GRADIENT_CAP 500 /* converges in sqrt(condition) iterations, at most n without rounding */
+#define SYMMETRIC    1e-9
+#define SPANNED      1e-24 /* of a square: rounding */
 
 static double dot(const TinkerSystem *system, const double *x, const double *y)
 {
@@ -63,29 +66,128 @@ static TinkerStatus find_residual(TinkerDampingSolver *solver, double t, double 
     return TINKER_OK;
 }
 
-/* Solves (1 - h P D) correction = residual, both over the residual's greatest entry (see norm). Where the operator turns out not to be positive definite it stops with what
- * it has, which is at least the residual itself: Newton's check decides what that is worth. */
+/* product = (1 - h P D) x. */
+static TinkerStatus apply_operator(TinkerDampingSolver *solver, double t, double h, const double *q, const double *v,
+                                   const double *x, double *product)
+{
+    const TinkerSystem *system = solver->system;
+    TinkerStatus status = system->damping_product(system->context, t, q, v, x, product);
+    if (status == TINKER_OK) status = project(system, t, q, product);
+    for (int32_t i = 0; status == TINKER_OK && i < system->size; i++)
+        product[i] = x[i] - h * product[i];
+    return status;
+}
+
+/* Begins a solve: nothing found yet, and the residual over its greatest entry (see norm), which is answered, is left. */
+static double begin_correction(TinkerDampingSolver *solver)
+{
+    int32_t n = solver->system->size;
+    double scale = greatest(n, solver->residual);
+    for (int32_t i = 0; i < n; i++) {
+        solver->left[i] = solver->direction[i] = scale > 0.0 ? solver->residual[i] / scale : 0.0;
+        solver->correction[i] = 0.0;
+    }
+    return scale;
+}
+
+static void end_correction(TinkerDampingSolver *solver, double scale)
+{
+    for (int32_t i = 0; i < solver->system->size; i++)
+        solver->correction[i] *= scale;
+}
+
+/* p0 . A p1 = p1 . A p0 to rounding, of the first two directions. Of forces across the velocity it is not. */
+static int is_symmetric(const TinkerDampingSolver *solver)
+{
+    const TinkerSystem *system = solver->system;
+    const double *p0 = solver->directions, *a0 = solver->images, *p1 = solver->direction, *a1 = solver->product;
+    double there = dot(system, p0, a1), back = dot(system, p1, a0);
+    double most = sqrt(fmax(dot(system, p0, p0) * dot(system, a1, a1), dot(system, p1, p1) * dot(system, a0, a0)));
+    return !(fabs(there - back) > SYMMETRIC * most);
+}
+
+/* A direction from the residual and its product, so that its image is at a right angle to those of the `*kept` before; where
+ * these span all there is, they are forgotten. Answers the image's square. */
+static double find_direction(TinkerDampingSolver *solver, int *kept)
+{
+    const TinkerSystem *system = solver->system;
+    int32_t n = system->size;
+    double *p = solver->direction, *image = solver->product, whole = dot(system, image, image);
+    tinker_copy(n, solver->left, p);
+    for (int k = 1; k < TINKER_KEPT_DIRECTIONS && k <= *kept; k++) {
+        size_t other = (size_t)((*kept - k) % TINKER_KEPT_DIRECTIONS) * (size_t)n;
+        const double *before = solver->images + other, *along = solver->directions + other;
+        double square = dot(system, before, before), share = square > 0.0 ? dot(system, image, before) / square : 0.0;
+        for (int32_t i = 0; i < n; i++) {
+            image[i] -= share * before[i];
+            p[i] -= share * along[i];
+        }
+    }
+    double across = dot(system, image, image);
+    if (*kept > 0 && !(across > SPANNED * whole)) {
+        *kept = 0;
+        return 0.0;
+    }
+    size_t slot = (size_t)(*kept % TINKER_KEPT_DIRECTIONS) * (size_t)n;
+    tinker_copy(n, p, solver->directions + slot);
+    tinker_copy(n, image, solver->images + slot);
+    ++*kept;
+    return across;
+}
+
+/* Conjugate residuals, each direction made so to those before (ORTHOMIN): for an operator that is not symmetric. The residual falls
+ * at every iteration while x . A x > 0: S. C. Eisenstat, H. C. Elman, M. H. Schultz, SIAM Journal on Numerical Analysis 20
+ * (1983) 345-357. Forces across the velocity alone make it 1 + an antisymmetric part, for which one direction before is as good
+ * as all: V. Faber, T. Manteuffel, likewise 21 (1984) 352-362. */
+static TinkerStatus find_correction_without_symmetry(TinkerDampingSolver *solver, double t, double h, const double *q,
+                                                     const double *v)
+{
+    const TinkerSystem *system = solver->system;
+    double *x = solver->correction, *r = solver->left, scale = begin_correction(solver);
+    double square = dot(system, r, r), goal = square * DBL_EPSILON * DBL_EPSILON;
+    int kept = 0;
+    for (int iteration = 0; iteration < GRADIENT_CAP && square > goal; iteration++) {
+        TinkerStatus status = apply_operator(solver, t, h, q, v, r, solver->product);
+        if (status != TINKER_OK) return status;
+        if (!(dot(system, r, solver->product) > 0.0)) {
+            if (iteration == 0) tinker_copy(system->size, r, x);
+            break;
+        }
+        double across = find_direction(solver, &kept), before = square;
+        if (!(across > 0.0)) continue;
+        double length = dot(system, r, solver->product) / across;
+        for (int32_t i = 0; i < system->size; i++) {
+            x[i] += length * solver->direction[i];
+            r[i] -= length * solver->product[i];
+        }
+        square = dot(system, r, r);
+        if (!(square < before)) break; /* rounding */
+    }
+    end_correction(solver, scale);
+    return TINKER_OK;
+}
+
+/* Solves (1 - h P D) correction = residual. Where the operator turns out not to be positive definite it stops with what it
+ * has, which is at least the residual itself: Newton's check decides what that is worth. */
 static TinkerStatus find_correction(TinkerDampingSolver *solver, double t, double h, const double *q, const double *v)
 {
     const TinkerSystem *system = solver->system;
     int32_t n = system->size;
     double *x = solver->correction, *r = solver->left, *p = solver->direction, *product = solver->product;
-    double scale = greatest(n, solver->residual);
-    for (int32_t i = 0; i < n; i++) {
-        r[i] = p[i] = scale > 0.0 ? solver->residual[i] / scale : 0.0;
-        x[i] = 0.0;
-    }
+    double scale = begin_correction(solver);
     double square = dot(system, r, r), goal = square * DBL_EPSILON * DBL_EPSILON;
     for (int iteration = 0; iteration < GRADIENT_CAP && square > goal; iteration++) {
-        TinkerStatus status = system->damping_product(system->context, t, q, v, p, product);
-        if (status == TINKER_OK) status = project(system, t, q, product);
+        TinkerStatus status = apply_operator(solver, t, h, q, v, p, product);
         if (status != TINKER_OK) return status;
-        for (int32_t i = 0; i < n; i++)
-            product[i] = p[i] - h * product[i];
+        if (iteration == 1 && !is_symmetric(solver)) return find_correction_without_symmetry(solver, t, h, q, v);
         double curvature = dot(system, p, product);
         if (!(curvature > 0.0)) {
             if (iteration == 0) tinker_copy(n, r, x);
             break;
+        }
+        if (iteration == 0) {
+            tinker_copy(n, p, solver->directions);
+            tinker_copy(n, product, solver->images);
         }
         double length = square / curvature, before = square;
         for (int32_t i = 0; i < n; i++) {
@@ -96,14 +198,13 @@ static TinkerStatus find_correction(TinkerDampingSolver *solver, double t, doubl
         for (int32_t i = 0; i < n; i++)
             p[i] = r[i] + square / before * p[i];
     }
-    for (int32_t i = 0; i < n; i++)
-        x[i] *= scale;
+    end_correction(solver, scale);
     return TINKER_OK;
 }
 
 size_t tinker_damping_doubles(int32_t n)
 {
-    return 8 * (size_t)n;
+    return (8 + 2 * TINKER_KEPT_DIRECTIONS) * (size_t)n;
 }
 
 void tinker_damping_init(TinkerDampingSolver *solver, const TinkerSystem *system, double **next)
@@ -118,6 +219,8 @@ void tinker_damping_init(TinkerDampingSolver *solver, const TinkerSystem *system
     solver->left = tinker_take(next, n);
     solver->direction = tinker_take(next, n);
     solver->product = tinker_take(next, n);
+    solver->directions = tinker_take(next, TINKER_KEPT_DIRECTIONS * n);
+    solver->images = tinker_take(next, TINKER_KEPT_DIRECTIONS * n);
 }
 
 TinkerStatus tinker_damping_half_step(TinkerDampingSolver *solver, double t, double h, const double *q, double *v,

@@ -1,5 +1,6 @@
 /* Verlet's own promises: bounded energy of RATTLE over long runs, reversibility, symmetry with damping, and dampers of
  * any stiffness. */
+#include <complex.h>
 #include <math.h>
 
 #include "numerics/integrators.h"
@@ -156,6 +157,58 @@ static void test_nonlinear_damping(void)
     g_assert_cmpfloat(fabs(log2(errors[0] / errors[1]) - 2.0), <, 0.15);
 }
 
+/* Forces across the velocity beside drag, of each pair of coordinates its own: z' = -(c + i g) z. */
+#define TURNED 8
+static const double turned_drag[] = {0.0, 0.0, 0.7, 30.0}, turned_rate[] = {1.0, 200.0, -40.0, 9.0};
+
+static TinkerStatus turned_product(void *context, double t, const double *q, const double *v, const double *dv,
+                                   double *out)
+{
+    for (int i = 0; i < TURNED / 2; i++) {
+        const double complex z = -(turned_drag[i] + I * turned_rate[i]) * (dv[2 * i] + I * dv[2 * i + 1]);
+        out[2 * i] = creal(z);
+        out[2 * i + 1] = cimag(z);
+    }
+    return TINKER_OK;
+}
+
+static TinkerStatus turned(void *context, double t, const double *q, const double *v, double *a, double *power)
+{
+    return turned_product(context, t, q, v, v, a);
+}
+
+/* The implicit and the explicit half together multiply by (1 - z) / (1 + z), z = h (c + i g) / 2: a circle stays one at any
+ * step. */
+static void test_turned(void)
+{
+    const TinkerIntegrator *method = tinker_integrator_builtin("verlet");
+    const double mass[TURNED] = {1, 1, 1, 1, 1, 1, 1, 1};
+    TinkerIntegratorOptions options = tolerance_options(1e-9);
+    for (double h = 1e-3; h < 20; h *= 7) {
+        Oscillator o;
+        double q[TURNED] = {0}, v[TURNED] = {1, 2, 3, -4, 0.5, 6, -7, 8};
+        const double before[TURNED] = {1, 2, 3, -4, 0.5, 6, -7, 8};
+        oscillator_init(&o, 1.0, 1.0, 0.0, 0.0);
+        o.system.size = TURNED;
+        o.system.books = 0;
+        o.system.mass = mass;
+        o.system.acceleration = o.system.applied = turned;
+        o.system.damping_product = turned_product;
+        TinkerState state = {0.0, q, v, NULL};
+        TinkerStepReport report = {.struct_size = sizeof report};
+        void *stepper = method->create(&o.system, &options);
+        for (int step = 0; step < 50; step++)
+            g_assert_cmpint(method->step(stepper, &state, state.t + h, &report), ==, TINKER_OK);
+        method->destroy(stepper);
+        for (int i = 0; i < TURNED / 2; i++) {
+            const double complex z = 0.5 * h * (turned_drag[i] + I * turned_rate[i]);
+            const double complex start = before[2 * i] + I * before[2 * i + 1];
+            const double complex end = cpow((1 - z) / (1 + z), 50) * start;
+            g_assert_cmpfloat(cabs(v[2 * i] + I * v[2 * i + 1] - end), <, 1e-9 * cabs(start));
+        }
+    }
+}
+
 /* The elliptic functions that judge the pendulum, against Abramowitz and Stegun's tables 17.1 and example 16.7. */
 static void test_elliptic_functions(void)
 {
@@ -176,5 +229,6 @@ int main(int argc, char **argv)
     g_test_add_func("/numerics/verlet/symmetric", test_symmetric);
     g_test_add_func("/numerics/verlet/stiff-damper", test_stiff_damper);
     g_test_add_func("/numerics/verlet/nonlinear-damping", test_nonlinear_damping);
+    g_test_add_func("/numerics/verlet/turned", test_turned);
     return g_test_run();
 }
