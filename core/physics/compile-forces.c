@@ -289,6 +289,7 @@ gboolean tinker_model_compile_forces(TinkerModel *model, GError **error)
     mark_used_points(model);
     gsize doubles = (gsize)TINKER_CHUNK * (8 + (gsize)most_ends * 6);
     model->chunk = g_new0(double, MAX(doubles, 8 * (gsize)MAX(model->bodies, 1)));
+    model->velocity_kept = g_new0(double, 2 * (gsize)MAX(model->bodies, 1));
     model->has_book[TINKER_BOOK_SUPPORT_MOTION] = model->moving_supports > 0;
     model->more_than_lines = model->asked_lines->len + model->asked_forces->len + model->asked_fields->len > 0 ||
                              model->driven->len > 0 || model->constant_force != NULL || model->moving_supports > 0 ||

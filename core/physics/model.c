@@ -153,6 +153,7 @@ void tinker_model_free(TinkerModel *model)
     };
     for (gsize i = 0; i < G_N_ELEMENTS(arrays); i++)
         g_free(arrays[i]);
+    g_free(model->velocity_kept);
     g_ptr_array_unref(model->batches);
     g_free(model);
 }

@@ -1,9 +1,14 @@
 /* Products of the forces' derivatives with a vector: what implicit halves of a step and the forecast of a stable step need.
- * Line laws and fields give theirs exactly; the others' part is left out, which a forecast can bear and an implicit step
- * corrects in its next iteration. */
+ * Line laws and fields with derivatives give theirs exactly. Of the others, what depends on velocities is found by differences along
+ * the vector: an implicit step would not converge without. What depends on places is left out, which a forecast of a stable step
+ * can bear. */
+#include <math.h>
 #include <string.h>
 
 #include "physics/derivatives-private.h"
+
+/* Of the largest speed, or m/s where nothing moves: so far differences reach to each side. */
+#define DIFFERENCE 1e-5
 
 /* block times the difference of d at the ends: a pull on a, the opposite on b. */
 static void add_line(const TinkerModel *model, int32_t a, int32_t b, const double block[4], const double *d,
@@ -51,7 +56,7 @@ static void add_asked(TinkerModel *model, const TinkerAskedBatch *asked, gboolea
     }
 }
 
-/* A field without derivatives is left out. */
+/* A field without derivatives has none here. */
 static void add_field(TinkerModel *model, const TinkerAskedBatch *asked, gboolean damping, const double *d,
                       double *force)
 {
@@ -70,6 +75,80 @@ static void add_field(TinkerModel *model, const TinkerAskedBatch *asked, gboolea
     }
 }
 
+/* Differences of velocities ---------------------------------------------------------------------------------------- */
+
+static void add_scaled(int32_t count, double scale, const double *values, double *sum)
+{
+    for (int32_t i = 0; i < count; i++)
+        sum[i] += scale * values[i];
+}
+
+static gboolean has_derivatives(const TinkerAskedBatch *asked)
+{
+    return asked->batch->block_class->physics->field->derivatives != NULL;
+}
+
+/* Adds `scale` times the forces at the velocities in the points. */
+static TinkerStatus add_forces_now(TinkerModel *model, double scale, double *sum)
+{
+    const double *force;
+    for (guint i = 0; i < model->asked_forces->len; i++) {
+        const TinkerAskedBatch *asked = &g_array_index(model->asked_forces, TinkerAskedBatch, i);
+        const TinkerBlockBatch *batch = asked->batch;
+        for (int32_t first = 0; first < batch->count; first += TINKER_CHUNK) {
+            int32_t count = MIN(TINKER_CHUNK, batch->count - first), from = batch->end_offsets[first];
+            const int32_t *points = asked->end_points + from;
+            TinkerStatus status = tinker_model_ask_element(model, batch, points, first, count, &force);
+            if (status != TINKER_OK) return status;
+            for (int32_t e = 0; e < batch->end_offsets[first + count] - from; e++)
+                add_scaled(2, scale, force + 2 * e, sum + 2 * points[e]);
+        }
+    }
+    for (guint i = 0; i < model->asked_fields->len; i++) {
+        const TinkerAskedBatch *asked = &g_array_index(model->asked_fields, TinkerAskedBatch, i);
+        if (has_derivatives(asked)) continue;
+        TinkerStatus status = tinker_model_ask_field(model, asked->batch, 0, asked->batch->count, &force);
+        if (status != TINKER_OK) return status;
+        add_scaled(2 * model->bodies, scale, force, sum);
+    }
+    return TINKER_OK;
+}
+
+static void set_velocities(TinkerModel *model, double scale, const double *d)
+{
+    for (int32_t i = 0; i < model->bodies; i++) {
+        model->point[i].vx = model->velocity_kept[2 * i] + scale * d[2 * i];
+        model->point[i].vy = model->velocity_kept[2 * i + 1] + scale * d[2 * i + 1];
+    }
+}
+
+static gboolean needs_differences(const TinkerModel *model)
+{
+    gboolean needs = model->asked_forces->len > 0;
+    for (guint i = 0; i < model->asked_fields->len; i++)
+        needs |= !has_derivatives(&g_array_index(model->asked_fields, TinkerAskedBatch, i));
+    return needs;
+}
+
+static TinkerStatus add_differences(TinkerModel *model, const double *d, double *force)
+{
+    double *kept = model->velocity_kept, greatest = tinker_greatest(d, 2 * model->bodies);
+    if (!needs_differences(model) || !(greatest > 0) || !isfinite(greatest)) return TINKER_OK;
+    for (int32_t i = 0; i < model->bodies; i++) {
+        kept[2 * i] = model->point[i].vx;
+        kept[2 * i + 1] = model->point[i].vy;
+    }
+    double speed = tinker_greatest(kept, 2 * model->bodies), step = DIFFERENCE * (speed > 0 ? speed : 1) / greatest;
+    set_velocities(model, step, d);
+    TinkerStatus status = add_forces_now(model, 0.5 / step, force);
+    set_velocities(model, -step, d);
+    if (status == TINKER_OK) status = add_forces_now(model, -0.5 / step, force);
+    set_velocities(model, 0, d);
+    return status;
+}
+
+/* All -------------------------------------------------------------------------------------------------------------- */
+
 static TinkerStatus product(TinkerModel *model, gboolean damping, const double *d, double *out)
 {
     memset(model->force, 0, 2 * (gsize)model->points * sizeof(double));
@@ -78,11 +157,12 @@ static TinkerStatus product(TinkerModel *model, gboolean damping, const double *
         add_asked(model, &g_array_index(model->asked_lines, TinkerAskedBatch, i), damping, d, model->force);
     for (guint i = 0; i < model->asked_fields->len; i++)
         add_field(model, &g_array_index(model->asked_fields, TinkerAskedBatch, i), damping, d, model->force);
-    for (int32_t i = 0; i < 2 * model->bodies; i++) {
+    TinkerStatus status = damping ? add_differences(model, d, model->force) : TINKER_OK;
+    for (int32_t i = 0; i < 2 * model->bodies && status == TINKER_OK; i++) {
         out[i] = model->force[i] * model->inverse_mass[i / 2];
         if (damping) out[i] -= model->field_drag * model->inverse_mass[i / 2] * d[i];
     }
-    return TINKER_OK;
+    return status;
 }
 
 TinkerStatus tinker_model_damping_product(TinkerModel *model, const double *dv, double *out)
