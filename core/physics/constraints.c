@@ -25,6 +25,19 @@
 /* Rows whose diagonal entries differ by no more than this share one shift. */
 #define EVEN_ROWS 1e3
 
+double tinker_constraints_reach(const TinkerModel *model)
+{
+    const TinkerConstraints *all = &model->constraints;
+    double reach = 0;
+    for (guint p = 0; p < all->batches->len; p++) {
+        const TinkerConstraintBatch *part = &g_array_index(all->batches, TinkerConstraintBatch, p);
+        for (int32_t row = part->first_row; row < part->first_row + part->row_count; row++)
+            if (part->constraint->scale != NULL && all->row_starts[row + 1] - all->row_starts[row] == 1)
+                reach = fmax(reach, all->scales[row]);
+    }
+    return reach;
+}
+
 double tinker_greatest(const double *x, int32_t n)
 {
     double most[4] = {0, 0, 0, 0}; /* side by side, so that comparisons do not wait for each other */

@@ -34,6 +34,7 @@ static Measures measures_of(const TinkerModel *model, const TinkerStartMatrices 
         mass += model->mass[i];
     }
     if (model->points > 0 && box[2] >= box[0]) found.extent = hypot(box[2] - box[0], box[3] - box[1]);
+    found.extent = fmax(found.extent, tinker_constraints_reach(model));
     int32_t n = tinker_start_matrices_size(matrices);
     const double *a = tinker_start_matrices_acceleration(matrices);
     double square = 0;

@@ -263,6 +263,8 @@ double tinker_greatest(const double *x, int32_t n);
 
 /* Constraints. */
 
+/* The greatest length (m) that a constraint with one end declares, else 0: it holds a body about a place where no point is. */
+double tinker_constraints_reach(const TinkerModel *model);
 /* Rows at the state in the points: g, Jacobian, drift. */
 TinkerStatus tinker_constraints_evaluate(TinkerModel *model);
 /* Adds the constraint accelerations to a (2 per body), for the rows evaluated last; leaves lambda. Answers the largest
@@ -322,6 +324,7 @@ typedef struct {
     TinkerSystem system;
     int32_t book_of[TINKER_BOOK_COUNT];    /* books that are integrated, in order */
     double box[4];                         /* m: least x, least y, greatest x, greatest y */
+    double reach;                          /* m: of constraints with one end */
     double speed;                          /* m/s */
     double projection_work;                /* J that projections after steps have given so far */
     double impact_work[TINKER_BOOK_COUNT]; /* J that impacts have given so far, by book */

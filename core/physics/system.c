@@ -196,7 +196,7 @@ static void scales(void *context, const double *q, const double *v, double *exte
     widen_by_state(model, q, box);
     for (int32_t i = 0; i < model->bodies; i++)
         fastest = MAX(fastest, v[2 * i] * v[2 * i] + v[2 * i + 1] * v[2 * i + 1]);
-    *extent = model->bodies > 0 ? hypot(box[2] - box[0], box[3] - box[1]) : 0;
+    *extent = model->bodies > 0 ? MAX(hypot(box[2] - box[0], box[3] - box[1]), self->reach) : 0;
     *speed = MAX(self->speed, sqrt(fastest));
 }
 
@@ -249,6 +249,7 @@ void tinker_model_system_init(TinkerModelSystem *self, TinkerModel *model, Tinke
         .model = model,
         .form = form,
         .box = {INFINITY, INFINITY, -INFINITY, -INFINITY},
+        .reach = tinker_constraints_reach(model),
         .constrained = g_new0(double, 2 * (gsize)MAX(model->bodies, 1)),
     };
     self->system = (TinkerSystem){

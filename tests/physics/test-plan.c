@@ -330,6 +330,27 @@ static void test_smooth(void)
     g_assert_nonnull(strstr(island(&planned, 0)->reason, "not stiff"));
 }
 
+/* A pendulum on a ring about a place is that on one about a support there: the same method, forecast and number of steps. */
+static void test_ring(void)
+{
+    static const char *const blocks[] = {
+        "{'type': 'gravity'}, {'type': 'mass', 'mass': 2, 'position': [3, 0]},"
+        "{'type': 'ring', 'ends': ['Mass 0'], 'radius': 3}",
+        "{'type': 'gravity'}, {'type': 'mass', 'mass': 2, 'position': [3, 0]}, {'type': 'support', 'solid': false},"
+        "{'type': 'ring', 'ends': ['Mass 0', 'Support 0'], 'radius': 3}"};
+    TinkerRunOptions options = options_of("auto", 0.01, 1e-12, 4);
+    g_auto(Planned) place = plan(blocks[0], &options);
+    g_auto(Planned) support = plan(blocks[1], &options);
+    g_assert_cmpstr(island(&place, 0)->method->id, ==, island(&support, 0)->method->id);
+    physics_assert_near("operations", island(&place, 0)->operations / island(&support, 0)->operations, 1, 0.02);
+    const PhysicsOptions running = {.duration = 4, .columns = "Mass 0.x, Mass 0.vx"};
+    g_autoptr(PhysicsRun) one = physics_run(&running, "%s", blocks[0]);
+    g_autoptr(PhysicsRun) two = physics_run(&running, "%s", blocks[1]);
+    physics_assert_near("steps", (double)one->summary->steps / (double)two->summary->steps, 1, 0.05);
+    for (gsize i = 0; i < physics_samples(one); i++)
+        physics_assert_near("x", physics_value(one, i, 0), physics_value(two, i, 0), 1e-9);
+}
+
 static void add_tests(void)
 {
     g_test_add_func("/physics/plan/islands", test_islands);
@@ -344,6 +365,7 @@ static void add_tests(void)
     g_test_add_func("/physics/plan/stiff-chain-meets-tolerance", test_stiff_chain_meets_tolerance);
     g_test_add_func("/physics/plan/falling-in-air", test_falling_in_air);
     g_test_add_func("/physics/plan/strong-damper", test_strong_damper);
+    g_test_add_func("/physics/plan/ring", test_ring);
     g_test_add_func("/physics/plan/smooth", test_smooth);
 }
 

@@ -137,7 +137,8 @@ typedef struct TinkerConstraint {
     /* dg/dt of what is prescribed (a waveform), with the places held. NULL: 0. */
     TinkerStatus (*prescribed_rate)(TinkerBatch *batch, const TinkerPoint *ends, double *rate);
     /* The length (m) that an error of each row is measured against: a rod's own. NULL: the largest distance between
-     * its ends. */
+     * its ends. Of a constraint with one end, about a place that is a property, it is also the extent of the motion, which
+     * steps and forecasts go by: tell it. */
     TinkerStatus (*scale)(TinkerBatch *batch, double *length);
     /* Checks the properties, once before a run. TINKER_FAILED names the instance. */
     TinkerStatus (*check)(TinkerBatch *batch);
