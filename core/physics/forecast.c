@@ -95,6 +95,52 @@ static void find_extremes(TinkerForecast *forecast, TinkerStartMatrices *matrice
     forecast->damping_max = fmax(forecast->damping_max, greatest_node(matrices, tinker_start_matrices_damping, vector));
 }
 
+static double size_of(int32_t n, const double *x)
+{
+    double square = 0;
+    for (int32_t i = 0; i < n; i++)
+        square += x[i] * x[i];
+    return sqrt(square);
+}
+
+/* Of x'' = -omega^2 x + g Jx', which is turned aside: the faster of its two circles. */
+static double turned_frequency(double omega, double turning)
+{
+    return 0.5 * turning + hypot(0.5 * turning, omega);
+}
+
+/* Forces across velocities (Coriolis's, a magnet's) turn the start's velocity by |A v| / |v|, A the antisymmetric part of the
+ * damping; -A^2 is symmetric, and its largest eigenvalue the square of the fastest turn. */
+static void square_of_turning(void *data, const double *x, double *y)
+{
+    TinkerStartMatrices *matrices = data;
+    int32_t n = tinker_start_matrices_size(matrices);
+    g_autofree double *once = g_new(double, n);
+    tinker_start_matrices_turning(matrices, x, once);
+    tinker_start_matrices_turning(matrices, once, y);
+    for (int32_t i = 0; i < n; i++)
+        y[i] = -y[i];
+}
+
+/* `first`: of the parts that the velocity holds. */
+static void add_turning(TinkerForecast *forecast, TinkerStartMatrices *matrices, int32_t first)
+{
+    int32_t n = tinker_start_matrices_size(matrices);
+    forecast->turned = tinker_start_matrices_turned(matrices);
+    if (!forecast->turned) return;
+    g_autofree double *across = g_new(double, n), *vector = g_new(double, n);
+    for (int32_t i = 0; i < n; i++)
+        vector[i] = 1.0 + 0.5 * sin(12.9898 * (i + 1));
+    double fastest = sqrt(fmax(greatest_node(matrices, square_of_turning, vector), 0));
+    forecast->omega_max = turned_frequency(forecast->omega_max, fastest);
+    const double *velocity = tinker_start_matrices_velocity(matrices);
+    double speed = size_of(n, velocity);
+    tinker_start_matrices_turning(matrices, velocity, across);
+    double turning = speed > 0 ? size_of(n, across) / speed : 0;
+    for (int32_t i = first; i < forecast->count; i++)
+        forecast->parts[i].omega = turned_frequency(forecast->parts[i].omega, turning);
+}
+
 static double fastest_drive(const TinkerLinearForm *form)
 {
     if (form == NULL) return 0;
@@ -134,6 +180,17 @@ static void share_out(TinkerForecast *forecast)
     }
 }
 
+/* The start's acceleration, without what only turns the velocity aside: no stiffness holds that. */
+static double *bending(TinkerStartMatrices *matrices)
+{
+    int32_t n = tinker_start_matrices_size(matrices);
+    double *a = g_new(double, n);
+    tinker_start_matrices_turning(matrices, tinker_start_matrices_velocity(matrices), a);
+    for (int32_t i = 0; i < n; i++)
+        a[i] += tinker_start_matrices_acceleration(matrices)[i];
+    return a;
+}
+
 void tinker_forecast(const TinkerIsland *island, TinkerForecast *forecast)
 {
     *forecast = (TinkerForecast){0};
@@ -142,9 +199,12 @@ void tinker_forecast(const TinkerIsland *island, TinkerForecast *forecast)
     Measures measures = measures_of(island->model, matrices);
     forecast->known = TRUE;
     find_extremes(forecast, matrices);
-    add_vector(forecast, matrices, &measures, tinker_start_matrices_acceleration(matrices), TRUE);
+    g_autofree double *bent_by = bending(matrices);
+    add_vector(forecast, matrices, &measures, bent_by, TRUE);
     add_unseen(forecast, matrices, &measures);
+    int32_t bent = forecast->count;
     add_vector(forecast, matrices, &measures, tinker_start_matrices_velocity(matrices), FALSE);
+    add_turning(forecast, matrices, bent);
     share_out(forecast);
     forecast->drive = fastest_drive(island->linear);
     if (measures.extent > 0)

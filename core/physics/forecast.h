@@ -23,7 +23,8 @@ typedef struct {
 
 typedef struct {
     gboolean known;         /* else nothing could be worked out */
-    double omega_max;       /* rad/s: from below */
+    gboolean turned;        /* forces act across velocities */
+    double omega_max;       /* rad/s: from below, but for what forces across velocities add, which is from above */
     double damping_max;     /* 1/s: largest damping over mass, from below */
     double speed_of_change; /* rad/s: how fast the state changes whatever the stiffness: sqrt(a / extent), v / extent */
     double drive;           /* rad/s: fastest harmonic input; 0 */

@@ -99,7 +99,10 @@ static void append_blame(GString *text, TinkerModel *model, const TinkerSpectrum
 {
     gboolean damping = is_damping_to_blame(spectrum, method);
     TinkerBlockId block = blame_for(model, damping, damping ? spectrum->most_damped : spectrum->fastest);
-    if (block == TINKER_NO_BLOCK)
+    if (!damping && spectrum->turned && spectrum->fastest == NULL)
+        g_string_append_printf(text, _("forces across the velocity make the fastest motion, %.3g rad/s"),
+                               spectrum->omega_max);
+    else if (block == TINKER_NO_BLOCK)
         g_string_append(text, _("no single connector is to blame"));
     else
         g_string_append_printf(text,
@@ -127,7 +130,7 @@ static void append_advice(GString *text, const TinkerIsland *island, const Tinke
     else if (isfinite(stable) && stable > 0)
         g_string_append_printf(text, _("; use a step of %g s"),
                                fmin(tinker_advised_step(&forecast, stable), tinker_round_down(0.25 * step)));
-    else
+    else if (stable != 0)
         g_string_append(text, _("; use a smaller step"));
     if (impulses) g_string_append(text, _(", or contact by events"));
     if (!chosen) return;
@@ -145,8 +148,8 @@ char *tinker_guard_explain(TinkerModel *model, const TinkerIntegrator *method, d
     g_autoptr(TinkerSpectrum) spectrum = tinker_spectrum_new(&island);
     double stable = INFINITY;
     append_blame(text, model, spectrum, method);
-    if (tinker_is_fixed_explicit(method))
-        stable = tinker_spectrum_stable_step(spectrum->eigenvalues, spectrum->oscillators, method, 0.8);
+    if (tinker_is_fixed_explicit(method)) stable = tinker_spectrum_stable_step(spectrum, method, 0.8);
+    if (stable == 0) g_string_append_printf(text, _("; %s is stable at no step here"), method->id);
     if (isfinite(stable) && stable > 0) {
         if (step > stable)
             g_string_append_printf(text, _("; %s is stable up to a step of about %.3g s here, the step was %.3g s"),

@@ -178,10 +178,12 @@ static double stable_step(const TinkerIsland *island, const TinkerRunOptions *op
     g_autoptr(TinkerSpectrum) own = NULL;
     if (spectrum == NULL) {
         gboolean small = 2 * island->model->bodies <= TINKER_DENSE_SPECTRUM;
-        if (options->step < NEAR_LIMIT * rough || !small) return rough;
+        gboolean splits = (method->flags & TINKER_INTEGRATOR_SYMPLECTIC) != 0, closer = splits && forecast->turned;
+        if (!small) return closer ? NAN : rough;
+        if (!closer && options->step < NEAR_LIMIT * rough) return rough;
         spectrum = own = tinker_spectrum_new(island);
     }
-    return tinker_spectrum_stable_step(spectrum->eigenvalues, spectrum->oscillators, method, options->spectral_radius);
+    return tinker_spectrum_stable_step(spectrum, method, options->spectral_radius);
 }
 
 static void warn_under_resolved(const TinkerIsland *island, const TinkerRunOptions *options,

@@ -14,8 +14,7 @@ static void island_plan_free(gpointer data)
 {
     TinkerIslandPlan *island = data;
     g_array_unref(island->blocks);
-    g_clear_pointer(&island->edge_of_spectrum, g_array_unref);
-    g_clear_pointer(&island->oscillators, g_array_unref);
+    tinker_spectrum_free(island->spectrum);
     g_free(island->reason);
     g_free(island);
 }
@@ -69,8 +68,6 @@ static TinkerIslandPlan *plan_island(const TinkerIsland *island, const TinkerRun
         .omega_max = spectrum->omega_max,
         .damping_max = spectrum->damping_max,
         .growth_max = spectrum->growth_max,
-        .edge_of_spectrum = g_array_ref(spectrum->eigenvalues),
-        .oscillators = g_array_ref(spectrum->oscillators),
         .spectral_radius = options->spectral_radius,
         .method = decision.choice.method,
         .step = decision.choice.step,
@@ -80,6 +77,7 @@ static TinkerIslandPlan *plan_island(const TinkerIsland *island, const TinkerRun
         .expected_s = decision.cost.operations * TINKER_SECONDS_PER_OPERATION,
         .expected_error = decision.cost.error,
     };
+    plan->spectrum = g_steal_pointer(&spectrum);
     if (island->linear != NULL) plan->straight = tinker_linear_form_is_straight(island->linear, plan->direction);
     return plan;
 }
@@ -163,5 +161,5 @@ gboolean tinker_is_fixed_explicit(const TinkerIntegrator *method)
 
 double tinker_plan_stable_step(const TinkerIslandPlan *island, const TinkerIntegrator *method)
 {
-    return tinker_spectrum_stable_step(island->edge_of_spectrum, island->oscillators, method, island->spectral_radius);
+    return tinker_spectrum_stable_step(island->spectrum, method, island->spectral_radius);
 }

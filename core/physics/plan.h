@@ -13,11 +13,10 @@ typedef struct {
     gboolean linear, straight;
     double direction[2];      /* of a straight one */
     double sideways_growth;   /* 1/s: straight motion is not stable; 0 */
-    double omega_max;         /* rad/s: largest undamped frequency, constraints included */
+    double omega_max;         /* rad/s: as the spectrum has it */
     double damping_max;       /* 1/s: largest rate of decay */
     double growth_max;        /* 1/s: how fast the start is left, where it is not stable; 0 */
-    GArray *edge_of_spectrum; /* of TinkerEigenvalue: those that can limit a step */
-    GArray *oscillators;      /* of TinkerOscillator: the same for methods that split places from velocities */
+    TinkerSpectrum *spectrum; /* what limits steps (owned) */
     double spectral_radius;   /* of the run's options */
     const TinkerIntegrator *method;
     double step, tolerance; /* whichever counts for the method; the other is 0 */
@@ -42,7 +41,7 @@ G_DEFINE_AUTOPTR_CLEANUP_FUNC(TinkerPlan, tinker_plan_free)
 gboolean tinker_is_fixed_explicit(const TinkerIntegrator *method);
 
 /* The largest step at which a fixed-step explicit method is stable on the linearised island; INFINITY where nothing limits
- * it, 0 where no step is stable. */
+ * it, 0 where no step is stable, NAN where it is not known (spectrum.h). */
 double tinker_plan_stable_step(const TinkerIslandPlan *island, const TinkerIntegrator *method);
 
 /* What a run of one island needs before it starts: the method of `options`, or the one that suits. Cheap: bounded by about

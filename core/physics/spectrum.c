@@ -70,6 +70,8 @@ void tinker_spectrum_free(TinkerSpectrum *spectrum)
     g_array_unref(spectrum->oscillators);
     g_free(spectrum->fastest);
     g_free(spectrum->most_damped);
+    g_free((double *)(gpointer)spectrum->coupled.stiffness);
+    g_free((double *)(gpointer)spectrum->coupled.damping);
     g_free(spectrum);
 }
 
@@ -243,6 +245,21 @@ static gboolean add_mixtures(TinkerSpectrum *spectrum, const Dense *dense, doubl
     return TRUE;
 }
 
+/* What methods that split places from velocities are tried on. */
+static gboolean keep_coupled(TinkerSpectrum *spectrum, const Dense *dense)
+{
+    if (!spectrum->turned || dense->m > TINKER_MOST_COUPLED) return TRUE;
+    gsize size = dense->m * dense->m * sizeof(double);
+    g_autofree double *vectors = mixture(dense, 1, dense->stiffness, 0, dense->stiffness);
+    g_autofree double *values = g_new0(double, dense->m);
+    if (!tinker_eigen_symmetric((int32_t)dense->m, vectors, values)) return FALSE;
+    spectrum->falls = values[0] < -SYMMETRIC * dense->greatest[0];
+    spectrum->coupled =
+        (TinkerCoupled){(int32_t)dense->m, g_memdup2(dense->stiffness, size), g_memdup2(dense->damping, size),
+                        fmax(sqrt(dense->greatest[0]), dense->greatest[1]), 0};
+    return TRUE;
+}
+
 /* The largest eigenvalue of a symmetric part, and its shape where it is above 0. */
 static double largest(const Dense *dense, const double *a, int32_t bodies, double **shape)
 {
@@ -380,10 +397,23 @@ static gboolean fill_dense(TinkerSpectrum *spectrum, TinkerStartMatrices *matric
     double damping = largest(&dense, dense.damping, bodies, &spectrum->most_damped);
     spectrum->omega_max = sqrt(fmax(stiffness, 0));
     if (common) return add_common_shapes(spectrum, &dense);
-    return add_state_matrix(spectrum, &dense) && add_mixtures(spectrum, &dense, stiffness, damping);
+    if (!add_state_matrix(spectrum, &dense)) return FALSE;
+    if (spectrum->turned && !(damping > SYMMETRIC * dense.greatest[1])) spectrum->damping_max = 0; /* rounding */
+    return add_mixtures(spectrum, &dense, stiffness, damping) && keep_coupled(spectrum, &dense);
 }
 
 /* All -------------------------------------------------------------------------------------------------------------- */
+
+/* Forces across velocities make frequencies that no stiffness has, and no block's stiffness is to blame for. */
+static void add_turning(TinkerSpectrum *spectrum)
+{
+    double most = 0;
+    for (guint i = 0; spectrum->turned && i < spectrum->eigenvalues->len; i++)
+        most = fmax(most, g_array_index(spectrum->eigenvalues, TinkerEigenvalue, i).im);
+    if (!(most > (1 + LEAST_GROWTH) * spectrum->omega_max)) return;
+    spectrum->omega_max = most;
+    g_clear_pointer(&spectrum->fastest, g_free);
+}
 
 TinkerSpectrum *tinker_spectrum_new(const TinkerIsland *island)
 {
@@ -391,14 +421,17 @@ TinkerSpectrum *tinker_spectrum_new(const TinkerIsland *island)
     g_autoptr(TinkerStartMatrices) matrices = tinker_start_matrices_new(island);
     if (matrices == NULL || tinker_start_matrices_size(matrices) == 0) return spectrum;
     gboolean small = tinker_start_matrices_size(matrices) <= TINKER_DENSE_SPECTRUM;
+    spectrum->turned = tinker_start_matrices_turned(matrices);
     int32_t bodies = tinker_model_sizes(island->model).bodies;
     if (!(small ? fill_dense : fill_large)(spectrum, matrices, bodies)) {
         g_array_set_size(spectrum->eigenvalues, 0);
         g_array_set_size(spectrum->oscillators, 0);
         spectrum->complete = FALSE;
     }
+    add_turning(spectrum);
     double fastest = fmax(fmax(spectrum->omega_max, spectrum->damping_max), spectrum->growth_max);
     if (spectrum->growth_max < LEAST_GROWTH * fastest) spectrum->growth_max = 0;
+    spectrum->coupled.growth = spectrum->growth_max;
     /* what falls over without losses comes back at the same rate */
     if (!tinker_start_matrices_damped(matrices)) spectrum->damping_max = 0;
     return spectrum;
@@ -418,13 +451,26 @@ static GArray *oscillators_of(const GArray *eigenvalues)
     return oscillators;
 }
 
-double tinker_spectrum_stable_step(const GArray *eigenvalues, const GArray *oscillators, const TinkerIntegrator *method,
+/* Bodies that fall over but for such forces are not held to standing still: what is found of them is a limit, but that nothing
+ * is found is not known to be the method's fault. */
+static double coupled_stable_step(const TinkerSpectrum *spectrum, const TinkerIntegrator *method,
+                                  double spectral_radius)
+{
+    double stable;
+    if (spectrum->coupled.size == 0) return NAN;
+    TINKER_CALL_VOID(stable = tinker_coupled_stable_step(method, spectral_radius, &spectrum->coupled), .phase = "step",
+                     .method = method);
+    return stable == 0 && spectrum->falls ? NAN : stable;
+}
+
+double tinker_spectrum_stable_step(const TinkerSpectrum *spectrum, const TinkerIntegrator *method,
                                    double spectral_radius)
 {
     method = tinker_method_without_contact(method);
     gboolean splits = (method->flags & TINKER_INTEGRATOR_SYMPLECTIC) != 0;
-    g_autoptr(GArray) of_roots = splits ? NULL : oscillators_of(eigenvalues);
-    const GArray *list = splits ? oscillators : of_roots;
+    if (splits && spectrum->turned) return coupled_stable_step(spectrum, method, spectral_radius);
+    g_autoptr(GArray) of_roots = splits ? NULL : oscillators_of(spectrum->eigenvalues);
+    const GArray *list = splits ? spectrum->oscillators : of_roots;
     const TinkerOscillator *of_all = (const TinkerOscillator *)(gpointer)list->data;
     double stable;
     TINKER_CALL_VOID(stable = tinker_stable_step_of_all(method, spectral_radius, of_all, list->len), .phase = "step",

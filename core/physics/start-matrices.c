@@ -13,6 +13,8 @@
 #define MOST_SPARSE 2000
 /* Of a row's length: differences of its Jacobian. */
 #define DIFFERENCE 1e-6
+/* Two products that agree to this are of a symmetric matrix, whose entries may be differences. */
+#define SYMMETRIC 1e-6
 
 /* What a constraint's tension adds to the stiffness between two coordinates. */
 typedef struct {
@@ -32,7 +34,7 @@ struct _TinkerStartMatrices {
     double *acceleration, *velocity;
     double *input, *output; /* of the free products */
     double *projected;      /* of the others */
-    gboolean damped;
+    gboolean damped, turned;
 };
 
 /* Free products: f = K d or C d, in coordinates ------------------------------------------------------------------- */
@@ -243,6 +245,27 @@ static gboolean is_damped(const TinkerStartMatrices *self)
            model->asked_fields->len > 0;
 }
 
+/* x . C y - y . C x, of two vectors that are not like any shape. */
+static gboolean is_turned(TinkerStartMatrices *self)
+{
+    gsize n = (gsize)self->n;
+    if (self->linear != NULL || !self->damped || n == 0) return FALSE;
+    g_autofree double *room = g_new0(double, 4 * n);
+    double *x = room, *y = x + n, *cx = y + n, *cy = cx + n, there = 0, back = 0, most = 0;
+    for (gsize i = 0; i < n; i++) {
+        x[i] = 1.0 + 0.5 * sin(12.9898 * (double)(i + 1));
+        y[i] = 1.0 + 0.5 * sin(78.233 * (double)(i + 1));
+    }
+    tinker_start_matrices_free_damping(self, x, cx);
+    tinker_start_matrices_free_damping(self, y, cy);
+    for (gsize i = 0; i < n; i++) {
+        there += x[i] * cy[i];
+        back += y[i] * cx[i];
+        most += fabs(x[i] * cy[i]) + fabs(y[i] * cx[i]);
+    }
+    return fabs(there - back) > SYMMETRIC * most;
+}
+
 /* The start's acceleration and velocity in coordinates, times M^1/2. */
 static gboolean find_start(TinkerStartMatrices *self)
 {
@@ -286,7 +309,9 @@ TinkerStartMatrices *tinker_start_matrices_new(const TinkerIsland *island)
     for (int32_t i = 0; i < self->n; i++)
         self->inverse_root[i] = 1.0 / sqrt(mass[i]);
     if (!evaluate_jacobian(self) || !find_start(self)) g_clear_pointer(&self, tinker_start_matrices_free);
-    if (self != NULL) self->damped = is_damped(self);
+    if (self == NULL) return NULL;
+    self->damped = is_damped(self);
+    self->turned = is_turned(self);
     return self;
 }
 
@@ -312,6 +337,11 @@ gboolean tinker_start_matrices_damped(const TinkerStartMatrices *self)
     return self->damped;
 }
 
+gboolean tinker_start_matrices_turned(const TinkerStartMatrices *self)
+{
+    return self->turned;
+}
+
 void tinker_start_matrices_stiffness(void *matrices, const double *x, double *y)
 {
     projected_product(matrices, FALSE, x, y);
@@ -320,6 +350,24 @@ void tinker_start_matrices_stiffness(void *matrices, const double *x, double *y)
 void tinker_start_matrices_damping(void *matrices, const double *x, double *y)
 {
     projected_product(matrices, TRUE, x, y);
+}
+
+void tinker_start_matrices_turning(void *matrices, const double *x, double *y)
+{
+    TinkerStartMatrices *self = matrices;
+    memset(y, 0, (gsize)self->n * sizeof(double));
+    if (!self->turned || self->jacobian == NULL) return;
+    memcpy(self->projected, x, (gsize)self->n * sizeof(double));
+    project(self, self->projected);
+    const TinkerPattern *pattern = tinker_jacobian_pattern(self->jacobian);
+    for (int32_t row = 0; row < pattern->size; row++)
+        for (int32_t e = pattern->row_starts[row]; e < pattern->row_starts[row + 1]; e++) {
+            int32_t column = pattern->columns[e];
+            double half = 0.5 * self->damping[e] * self->inverse_root[row] * self->inverse_root[column];
+            y[row] += half * self->projected[column];
+            y[column] -= half * self->projected[row];
+        }
+    project(self, y);
 }
 
 void tinker_start_matrices_free_stiffness(void *matrices, const double *x, double *y)

@@ -20,9 +20,13 @@ G_DEFINE_AUTOPTR_CLEANUP_FUNC(TinkerStartMatrices, tinker_start_matrices_free)
 int32_t tinker_start_matrices_size(const TinkerStartMatrices *matrices);
 gboolean tinker_start_matrices_damped(const TinkerStartMatrices *matrices);
 
-/* TinkerOperator each, with the matrices as data. */
+/* Whether forces act across velocities (Coriolis's, a magnet's): C has an antisymmetric part. */
+gboolean tinker_start_matrices_turned(const TinkerStartMatrices *matrices);
+
+/* TinkerOperator each, with the matrices as data; `turning`: of C's antisymmetric part, 0 of islands of thousands of bodies. */
 void tinker_start_matrices_stiffness(void *matrices, const double *x, double *y);
 void tinker_start_matrices_damping(void *matrices, const double *x, double *y);
+void tinker_start_matrices_turning(void *matrices, const double *x, double *y);
 
 /* The products without P, and a basis of the tangent space instead (size * size doubles, column by column; its number of
  * vectors, or -1): for dense matrices. */

@@ -25,7 +25,10 @@ static void add_stable_steps(cJSON *object, const TinkerIslandPlan *island)
 {
     cJSON *steps = cJSON_AddObjectToObject(object, "stable_step");
     for (const TinkerIntegrator *const *each = tinker_integrator_builtins(); *each != NULL; each++)
-        if (tinker_is_fixed_explicit(*each)) add_number(steps, (*each)->id, tinker_plan_stable_step(island, *each));
+        if (tinker_is_fixed_explicit(*each)) {
+            double step = tinker_plan_stable_step(island, *each);
+            if (!isnan(step)) add_number(steps, (*each)->id, step); /* that it is not known is no limit of none */
+        }
 }
 
 static void add_island(cJSON *array, const TinkerPlanReport *report, const TinkerIslandPlan *island)

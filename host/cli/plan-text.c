@@ -45,7 +45,7 @@ static char *speed_text(const TinkerIslandPlan *island)
     return g_string_free(g_steal_pointer(&text), FALSE);
 }
 
-/* "verlet 0.2 s, rk4 0.283 s". */
+/* "verlet 0.2 s, rk4 0.283 s"; "-" where a limit is not known. */
 static char *limits_text(const TinkerIslandPlan *island)
 {
     g_autoptr(GString) text = g_string_new(NULL);
@@ -56,7 +56,7 @@ static char *limits_text(const TinkerIslandPlan *island)
         if (step > 0 && isfinite(step))
             g_string_append_printf(text, "%.3g s", step);
         else
-            g_string_append(text, step > 0 ? "any" : "none");
+            g_string_append(text, isnan(step) ? "-" : step > 0 ? "any" : "none");
     }
     if (!island->linear) g_string_append(text, " (near the start)");
     return g_string_free(g_steal_pointer(&text), FALSE);

@@ -163,6 +163,37 @@ static void test_blame(void)
     g_assert_null(strstr(run->error->message, "Stiff "));
 }
 
+static gboolean warns(const PhysicsRun *run, const char *words)
+{
+    for (guint i = 0; i < run->summary->warnings->len; i++)
+        if (strstr(g_ptr_array_index(run->summary->warnings, i), words) != NULL) return TRUE;
+    return FALSE;
+}
+
+/* A force across the velocity, W = 1 rad/s: circles of radius v / W. Semi-implicit Euler spirals outwards at every step, by
+ * sqrt(1 + (h W)^2), and says so. Verlet turns by 2 atan(h W / 2) a step and keeps the speed, at steps of any length. */
+static void test_turned(void)
+{
+    const char *blocks = "{'type': 'turned', 'rate': 1}, {'type': 'mass', 'mass': 2, 'velocity': [2, 0]}";
+    g_autoptr(PhysicsRun) euler = physics_run(
+        &(PhysicsOptions){.method = "semi-implicit-euler", .step = 0.5, .duration = 5, .columns = "Mass 0.vx"}, "%s",
+        blocks);
+    g_assert_true(warns(euler, "stable at no step"));
+    g_assert_true(warns(euler, "forces across the velocity make the fastest motion, 1 rad/s"));
+    g_assert_false(warns(euler, "is stable up to"));
+    physics_assert_near("energy", euler->summary->kinetic_end, 4 * pow(1.25, 10), 1e-10);
+    static const double steps[] = {0.01, 0.5, 5, 50};
+    for (gsize i = 0; i < G_N_ELEMENTS(steps); i++) {
+        const double h = steps[i], angle = 2 * atan(0.5 * h) * 10;
+        g_autoptr(PhysicsRun) run = physics_run(
+            &(PhysicsOptions){.method = "verlet", .step = h, .duration = 10 * h, .columns = "Mass 0.vx, Mass 0.vy"},
+            "%s", blocks);
+        physics_assert_near("vx", physics_last(run, 0), 2 * cos(angle), 1e-9);
+        physics_assert_near("vy", physics_last(run, 1), -2 * sin(angle), 1e-9);
+        g_assert_false(warns(run, "diverge"));
+    }
+}
+
 static void add_tests(void)
 {
     g_test_add_func("/physics/guard/loss-on-purpose", test_loss_on_purpose);
@@ -172,6 +203,7 @@ static void add_tests(void)
     g_test_add_func("/physics/guard/damper", test_damper);
     g_test_add_func("/physics/guard/stable-step-is-stable", test_stable_step_is_stable);
     g_test_add_func("/physics/guard/valid-part", test_valid_part);
+    g_test_add_func("/physics/guard/turned", test_turned);
     g_test_add_func("/physics/guard/refused-options", test_refused_options);
 }
 
