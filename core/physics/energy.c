@@ -3,6 +3,9 @@
 
 #include "physics/model-private.h"
 
+/* m and m/s. */
+#define BEYOND 1e60
+
 static double kinetic_energy(const TinkerModel *model)
 {
     double sum = 0;
@@ -34,6 +37,27 @@ static double uniform_field_energy(const TinkerModel *model)
     return sum;
 }
 
+/* Whether a state is so far from all that is meant that a law may well overflow: the run diverges. */
+static gboolean is_beyond(const TinkerModel *model)
+{
+    double sum = 0;
+    for (int32_t i = 0; i < model->points; i++) {
+        const TinkerPoint *at = &model->point[i];
+        sum += fabs(at->x) + fabs(at->y) + fabs(at->vx) + fabs(at->vy);
+    }
+    return !(sum < BEYOND);
+}
+
+/* What the instance in this row of the batch stores. */
+static TinkerStatus add_stored(TinkerModel *model, const TinkerBlockBatch *batch, int32_t row, double stored,
+                               double *sum)
+{
+    *sum += stored;
+    if (isfinite(stored) || is_beyond(model)) return TINKER_OK;
+    tinker_model_not_finite(model, batch, row, "energy");
+    return TINKER_FAILED;
+}
+
 static TinkerStatus asked_lines_energy(TinkerModel *model, const TinkerAskedBatch *asked, double *sum)
 {
     const TinkerBlockBatch *batch = asked->batch;
@@ -49,8 +73,10 @@ static TinkerStatus asked_lines_energy(TinkerModel *model, const TinkerAskedBatc
         const TinkerLineLaw *law = batch->block_class->physics->line_law;
         if (TINKER_CALL_BATCH(batch, "energy", &view, law->energy(&view, length, stored)) != TINKER_OK)
             return tinker_model_fail(model, batch, first + MAX(view.failed_instance, 0), "energy", view.failure);
-        for (int32_t i = 0; i < count; i++)
-            *sum += stored[i];
+        for (int32_t i = 0; i < count; i++) {
+            TinkerStatus status = add_stored(model, batch, first + i, stored[i], sum);
+            if (status != TINKER_OK) return status;
+        }
     }
     return TINKER_OK;
 }
@@ -69,8 +95,10 @@ static TinkerStatus asked_forces_energy(TinkerModel *model, const TinkerAskedBat
         const TinkerForceElement *element = batch->block_class->physics->force_element;
         if (TINKER_CALL_BATCH(batch, "energy", &view, element->energy(&view, gathered, stored)) != TINKER_OK)
             return tinker_model_fail(model, batch, first + MAX(view.failed_instance, 0), "energy", view.failure);
-        for (int32_t i = 0; i < count; i++)
-            *sum += stored[i];
+        for (int32_t i = 0; i < count; i++) {
+            TinkerStatus status = add_stored(model, batch, first + i, stored[i], sum);
+            if (status != TINKER_OK) return status;
+        }
     }
     return TINKER_OK;
 }
@@ -84,8 +112,7 @@ static TinkerStatus asked_field_energy(TinkerModel *model, const TinkerAskedBatc
     const TinkerField *field = batch->block_class->physics->field;
     if (TINKER_CALL_BATCH(batch, "energy", &view, field->energy(&view, &bodies, &potential)) != TINKER_OK)
         return tinker_model_fail(model, batch, view.failed_instance, "energy", view.failure);
-    *sum += potential;
-    return TINKER_OK;
+    return add_stored(model, batch, 0, potential, sum);
 }
 
 static TinkerStatus add_asked(TinkerModel *model, GArray *batches,

@@ -4,7 +4,18 @@
 #include <math.h>
 #include <string.h>
 
-enum { MODE_NAN, MODE_INFINITE, MODE_FAILS, MODE_FAILS_SILENTLY, MODE_WALL, MODE_NEVER, MODE_NONE, MODE_NO_STATUS };
+enum {
+    MODE_NAN,
+    MODE_INFINITE,
+    MODE_FAILS,
+    MODE_FAILS_SILENTLY,
+    MODE_WALL,
+    MODE_NEVER,
+    MODE_NONE,
+    MODE_NO_STATUS,
+    MODE_NAN_ENERGY,
+    MODE_INFINITE_ENERGY
+};
 
 /* The middle one of three is at fault. */
 static PhysicsRun *with_fault(const char *method, int mode)
@@ -37,6 +48,19 @@ static void test_fault(gconstpointer data)
         g_assert_cmpuint(physics_samples(run), >, 0);
         for (gsize i = 0; i < physics_samples(run); i++)
             physics_assert_near("x", physics_value(run, i, 0), physics_time(run, i), 1e-14);
+    }
+}
+
+/* An energy that is none is the block's fault, and no method's. */
+static void test_energy(void)
+{
+    static const char *const methods[] = {"rk4", "verlet", "dop853"};
+    for (gsize i = 0; i < 2 * G_N_ELEMENTS(methods); i++) {
+        g_autoptr(PhysicsRun) run = with_fault(methods[i / 2], i % 2 ? MODE_INFINITE_ENERGY : MODE_NAN_ENERGY);
+        physics_assert_refused(run, TINKER_MODEL_ERROR_RUN, "Faulty 1: its energy at t = ",
+                               "is not a number (block type faulty of the plugin org.example.test.faulty)", NULL);
+        g_assert_null(strstr(run->error->message, "diverged"));
+        g_assert_cmpfloat(run->summary->valid_until, <=, 1);
     }
 }
 
@@ -114,6 +138,7 @@ static void add_tests(void)
     g_test_add_data_func("/physics/faults/fails", GINT_TO_POINTER(MODE_FAILS), test_fault);
     g_test_add_data_func("/physics/faults/fails-silently", GINT_TO_POINTER(MODE_FAILS_SILENTLY), test_fault);
     g_test_add_func("/physics/faults/no-status", test_no_status);
+    g_test_add_func("/physics/faults/energy", test_energy);
     g_test_add_func("/physics/faults/samples-before-a-fault", test_samples_before_a_fault);
     g_test_add_func("/physics/faults/smaller-steps", test_smaller_steps);
     g_test_add_func("/physics/faults/steps-that-cannot-shrink", test_steps_that_cannot_shrink);

@@ -3,7 +3,18 @@
 
 enum { COLUMN_MODE };
 
-enum { MODE_NAN, MODE_INFINITE, MODE_FAILS, MODE_FAILS_SILENTLY, MODE_WALL, MODE_NEVER, MODE_NONE, MODE_NO_STATUS };
+enum {
+    MODE_NAN,
+    MODE_INFINITE,
+    MODE_FAILS,
+    MODE_FAILS_SILENTLY,
+    MODE_WALL,
+    MODE_NEVER,
+    MODE_NONE,
+    MODE_NO_STATUS,
+    MODE_NAN_ENERGY,
+    MODE_INFINITE_ENERGY
+};
 
 /* A wall at x = 1 that repels with 1 / (1 - x): behind it there is no force to tell. */
 static TinkerStatus wall(TinkerBatch *batch, int32_t i, const TinkerPoint *end, double *force)
@@ -36,10 +47,21 @@ static TinkerStatus force(TinkerBatch *batch, const TinkerPoint *ends, double *r
     return TINKER_OK;
 }
 
+static TinkerStatus energy(TinkerBatch *batch, const TinkerPoint *ends, double *stored)
+{
+    for (int32_t i = 0; i < batch->count; i++) {
+        const int mode = (int)tinker_column(batch, COLUMN_MODE)[i];
+        stored[i] = 0.0;
+        if (batch->time > 1.0 && mode == MODE_NAN_ENERGY) stored[i] = NAN;
+        if (batch->time > 1.0 && mode == MODE_INFINITE_ENERGY) stored[i] = HUGE_VAL;
+    }
+    return TINKER_OK;
+}
+
 static const TinkerPropertyType properties[] = {
-    {TINKER_REAL_PROPERTY("mode", "Mode", "Faulty", TINKER_DIMENSION_NONE), TINKER_ANY_VALUE(0, 0, 7)},
+    {TINKER_REAL_PROPERTY("mode", "Mode", "Faulty", TINKER_DIMENSION_NONE), TINKER_ANY_VALUE(0, 0, 9)},
 };
 
-static const TinkerForceElement element = {.struct_size = sizeof(TinkerForceElement), .force = force};
+static const TinkerForceElement element = {.struct_size = sizeof(TinkerForceElement), .force = force, .energy = energy};
 
 TEST_BLOCK("faulty", "Faulty", TINKER_FORCE, 1, 1, TINKER_ACCEPTS_BODY, .force_element = &element)
