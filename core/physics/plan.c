@@ -3,6 +3,8 @@
 
 #include <math.h>
 
+#include "numerics/integrators.h"
+#include "physics/impulse.h"
 #include "physics/model-private.h"
 #include "physics/plan-private.h"
 
@@ -157,6 +159,17 @@ void tinker_plan_free(TinkerPlan *plan)
 gboolean tinker_is_fixed_explicit(const TinkerIntegrator *method)
 {
     return (method->flags & TINKER_INTEGRATOR_EXPLICIT) != 0 && (method->flags & TINKER_INTEGRATOR_ADAPTIVE) == 0;
+}
+
+GPtrArray *tinker_plan_limited_methods(const TinkerIslandPlan *island)
+{
+    GPtrArray *methods = g_ptr_array_new();
+    for (const TinkerIntegrator *const *each = tinker_integrator_builtins(); *each != NULL; each++)
+        if (tinker_is_fixed_explicit(*each)) g_ptr_array_add(methods, (gpointer)*each);
+    gboolean contact = island->method == &tinker_integrator_impulse;
+    if (!contact && tinker_is_fixed_explicit(island->method) && !g_ptr_array_find(methods, island->method, NULL))
+        g_ptr_array_add(methods, (gpointer)island->method);
+    return methods;
 }
 
 double tinker_plan_stable_step(const TinkerIslandPlan *island, const TinkerIntegrator *method)

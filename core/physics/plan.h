@@ -40,6 +40,10 @@ G_DEFINE_AUTOPTR_CLEANUP_FUNC(TinkerPlan, tinker_plan_free)
 /* Whether a method has such a limit at all: it is explicit and takes a step. */
 gboolean tinker_is_fixed_explicit(const TinkerIntegrator *method);
 
+/* The methods that have one: the built-in ones and, where it is none of them, the island's own. Of const TinkerIntegrator *.
+ * (transfer container) */
+GPtrArray *tinker_plan_limited_methods(const TinkerIslandPlan *island);
+
 /* The largest step at which a fixed-step explicit method is stable on the linearised island; INFINITY where nothing limits
  * it, 0 where no step is stable, NAN where it is not known (spectrum.h). */
 double tinker_plan_stable_step(const TinkerIslandPlan *island, const TinkerIntegrator *method);

@@ -38,9 +38,31 @@ static gboolean refuse(GError **error, const char *format, ...)
     return FALSE;
 }
 
+/* Those of the plugins that could be opened. */
+static void add_plugin_methods(TinkerScene *scene, GPtrArray *names)
+{
+    const GPtrArray *libraries = tinker_catalogue_libraries(tinker_scene_catalogue(scene));
+    for (guint i = 0; i < libraries->len; i++) {
+        const TinkerLibraryEntry *library = g_ptr_array_index(libraries, i);
+        if (library->refused != NULL || library->shadowed_by != NULL) continue;
+        for (guint k = 0; k < library->integrators->len; k++)
+            g_ptr_array_add(names, g_ptr_array_index(library->integrators, k));
+    }
+}
+
+/* "auto, rk4, and of plugins heun"; `names` ends with NULL, `builtins` of them are built in. (transfer full) */
+static char *list_of(GPtrArray *names, guint builtins)
+{
+    g_autoptr(GString) list = g_string_new(NULL);
+    for (guint i = 0; i < builtins; i++)
+        g_string_append_printf(list, "%s%s", i > 0 ? ", " : "", (const char *)names->pdata[i]);
+    if (names->pdata[builtins] == NULL) return g_string_free(g_steal_pointer(&list), FALSE);
+    g_autofree char *others = g_strjoinv(", ", (char **)names->pdata + builtins);
+    return g_strdup_printf(_("%s, and of plugins %s"), list->str, others);
+}
+
 static const TinkerIntegrator *unknown_method(TinkerScene *scene, const char *id, GError **error)
 {
-    const TinkerIntegrator *const *builtins = tinker_integrator_builtins();
     if (g_str_equal(id, "impulse")) {
         g_set_error_literal(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_METHOD,
                             _("\"impulse\" is no method, but a way to treat contacts (\"contacts\": \"impulse\" in "
@@ -48,22 +70,20 @@ static const TinkerIntegrator *unknown_method(TinkerScene *scene, const char *id
         return NULL;
     }
     g_autoptr(GPtrArray) names = g_ptr_array_new();
-    g_autoptr(GString) list = g_string_new("auto");
     g_ptr_array_add(names, (gpointer) "auto");
-    for (gsize i = 0; builtins[i] != NULL; i++) {
-        g_ptr_array_add(names, (gpointer)builtins[i]->id);
-        g_string_append_printf(list, ", %s", builtins[i]->id);
-    }
+    for (const TinkerIntegrator *const *each = tinker_integrator_builtins(); *each != NULL; each++)
+        g_ptr_array_add(names, (gpointer)(*each)->id);
+    guint builtins = names->len;
+    add_plugin_methods(scene, names);
     g_ptr_array_add(names, NULL);
+    g_autofree char *list = list_of(names, builtins);
     const char *nearest = tinker_nearest_word(id, (const char *const *)names->pdata);
     g_autofree char *refused = tinker_catalogue_explain_refused(tinker_scene_catalogue(scene), id);
     if (nearest != NULL)
-        refuse(error,
-               _("there is no method \"%s\"; did you mean \"%s\"? (there are %s, and those of installed plugins)%s"),
-               id, nearest, list->str, refused);
-    else
-        refuse(error, _("there is no method \"%s\" (there are %s, and those of installed plugins)%s"), id, list->str,
+        refuse(error, _("there is no method \"%s\"; did you mean \"%s\"? (there are %s)%s"), id, nearest, list,
                refused);
+    else
+        refuse(error, _("there is no method \"%s\" (there are %s)%s"), id, list, refused);
     return NULL;
 }
 

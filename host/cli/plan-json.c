@@ -3,7 +3,6 @@
 
 #include <cjson/cJSON.h>
 
-#include "numerics/integrators.h"
 #include "plan-report.h"
 
 static void add_number(cJSON *object, const char *key, double value)
@@ -24,11 +23,12 @@ static void add_texts(cJSON *root, const char *key, const GPtrArray *texts)
 static void add_stable_steps(cJSON *object, const TinkerIslandPlan *island)
 {
     cJSON *steps = cJSON_AddObjectToObject(object, "stable_step");
-    for (const TinkerIntegrator *const *each = tinker_integrator_builtins(); *each != NULL; each++)
-        if (tinker_is_fixed_explicit(*each)) {
-            double step = tinker_plan_stable_step(island, *each);
-            if (!isnan(step)) add_number(steps, (*each)->id, step); /* that it is not known is no limit of none */
-        }
+    g_autoptr(GPtrArray) methods = tinker_plan_limited_methods(island);
+    for (guint i = 0; i < methods->len; i++) {
+        const TinkerIntegrator *method = g_ptr_array_index(methods, i);
+        double step = tinker_plan_stable_step(island, method);
+        if (!isnan(step)) add_number(steps, method->id, step); /* that it is not known is no limit of none */
+    }
 }
 
 static void add_island(cJSON *array, const TinkerPlanReport *report, const TinkerIslandPlan *island)

@@ -1,7 +1,6 @@
 /* The plan for people: what is there, island by island how it is stepped and why, then what is modelled and what is not. */
 #include <math.h>
 
-#include "numerics/integrators.h"
 #include "plan-report.h"
 #include "plan-words.h"
 #include "text-table.h"
@@ -49,10 +48,11 @@ static char *speed_text(const TinkerIslandPlan *island)
 static char *limits_text(const TinkerIslandPlan *island)
 {
     g_autoptr(GString) text = g_string_new(NULL);
-    for (const TinkerIntegrator *const *each = tinker_integrator_builtins(); *each != NULL; each++) {
-        if (!tinker_is_fixed_explicit(*each)) continue;
-        double step = tinker_plan_stable_step(island, *each);
-        g_string_append_printf(text, "%s%s ", text->len > 0 ? ", " : "", (*each)->id);
+    g_autoptr(GPtrArray) methods = tinker_plan_limited_methods(island);
+    for (guint i = 0; i < methods->len; i++) {
+        const TinkerIntegrator *method = g_ptr_array_index(methods, i);
+        double step = tinker_plan_stable_step(island, method);
+        g_string_append_printf(text, "%s%s ", text->len > 0 ? ", " : "", method->id);
         if (step > 0 && isfinite(step))
             g_string_append_printf(text, "%.3g s", step);
         else

@@ -132,7 +132,7 @@ static GStrv builtin_methods(void)
     g_autofree char *scene = source_path("host/scenes/pendulum.tinker.json");
     const char *arguments[] = {"run", scene, "--method", "unheard-of", NULL};
     g_autoptr(TestProgram) program = test_program_run(arguments);
-    const char *first = strstr(program->error, "(there are "), *end = strstr(program->error, ", and those of");
+    const char *first = strstr(program->error, "(there are "), *end = strstr(program->error, ", and of plugins");
     g_assert_true(first != NULL && end != NULL);
     first += strlen("(there are ");
     g_autofree char *names = g_strndup(first, (gsize)(end - first));

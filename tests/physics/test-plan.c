@@ -330,6 +330,29 @@ static void test_smooth(void)
     g_assert_nonnull(strstr(island(&planned, 0)->reason, "not stiff"));
 }
 
+/* A plugin's method, the midpoint one, has its limit beside the others where it is chosen: with damping alone 2 m / c. Where its
+ * name is mistyped it is meant. */
+static void test_plugin_method(void)
+{
+    const char *blocks = "{'type': 'support', 'solid': false}, {'type': 'mass', 'mass': 2, 'position': [1, 0]},"
+                         "{'type': 'damper', 'ends': ['Support 0', 'Mass 0'], 'damping': 8}";
+    TinkerRunOptions options = options_of("midpoint", 0.01, 1e-9, 1);
+    g_auto(Planned) planned = plan(blocks, &options);
+    g_autoptr(GPtrArray) methods = tinker_plan_limited_methods(island(&planned, 0));
+    const TinkerIntegrator *method = g_ptr_array_index(methods, methods->len - 1);
+    g_assert_cmpstr(method->id, ==, "midpoint");
+    physics_assert_near("limit", tinker_plan_stable_step(island(&planned, 0), method), 2 * 2.0 / 8, 1e-6);
+    options.method = "rk4";
+    g_auto(Planned) other = plan(blocks, &options);
+    g_autoptr(GPtrArray) builtin = tinker_plan_limited_methods(island(&other, 0));
+    g_assert_cmpuint(builtin->len, ==, methods->len - 1);
+    options.method = "midpiont";
+    g_auto(Planned) mistyped = plan(blocks, &options);
+    g_assert_error(mistyped.error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_METHOD);
+    g_assert_nonnull(strstr(mistyped.error->message, "there is no method \"midpiont\"; did you mean \"midpoint\"?"));
+    g_assert_nonnull(strstr(mistyped.error->message, ", and of plugins "));
+}
+
 /* A pendulum on a ring about a place is that on one about a support there: the same method, forecast and number of steps. */
 static void test_ring(void)
 {
@@ -365,6 +388,7 @@ static void add_tests(void)
     g_test_add_func("/physics/plan/stiff-chain-meets-tolerance", test_stiff_chain_meets_tolerance);
     g_test_add_func("/physics/plan/falling-in-air", test_falling_in_air);
     g_test_add_func("/physics/plan/strong-damper", test_strong_damper);
+    g_test_add_func("/physics/plan/plugin-method", test_plugin_method);
     g_test_add_func("/physics/plan/ring", test_ring);
     g_test_add_func("/physics/plan/smooth", test_smooth);
 }
