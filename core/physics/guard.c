@@ -94,8 +94,41 @@ static gboolean is_damping_to_blame(const TinkerSpectrum *spectrum, const Tinker
     return by_damping < by_stiffness;
 }
 
-static void append_blame(GString *text, TinkerModel *model, const TinkerSpectrum *spectrum,
-                         const TinkerIntegrator *method)
+/* The one block whose plugin is asked for forces, where no other connector acts; or TINKER_NO_BLOCK. */
+static TinkerBlockId lone_block(const TinkerModel *model)
+{
+    const GArray *asked[] = {model->asked_lines, model->asked_forces, model->asked_fields};
+    TinkerBlockId block = TINKER_NO_BLOCK;
+    int32_t count = model->lines.count;
+    for (gsize i = 0; i < G_N_ELEMENTS(asked); i++)
+        for (guint k = 0; k < asked[i]->len; k++) {
+            const TinkerBlockBatch *batch = g_array_index(asked[i], TinkerAskedBatch, k).batch;
+            count += batch->count;
+            if (batch->count > 0) block = batch->ids[0];
+        }
+    return count == 1 ? block : TINKER_NO_BLOCK;
+}
+
+/* `fits`: the step is no reason to diverge. Answers whether the block's own forces are suspected. */
+static gboolean append_nobody(GString *text, const TinkerModel *model, gboolean fits)
+{
+    TinkerBlockId lone = fits ? lone_block(model) : TINKER_NO_BLOCK;
+    if (lone != TINKER_NO_BLOCK)
+        g_string_append_printf(text,
+                               _("the forces of %s, which alone acts here, may not agree with its energy: tinker "
+                                 "plugins check tells"),
+                               tinker_scene_block_name(model->scene, lone));
+    else if (model->part && model->bodies > 0)
+        g_string_append_printf(text, _("no single connector around %s is to blame"),
+                               tinker_scene_block_name(model->scene, model->body_blocks[0]));
+    else
+        g_string_append(text, _("no single connector is to blame"));
+    return lone != TINKER_NO_BLOCK;
+}
+
+/* Answers as append_nobody does. */
+static gboolean append_blame(GString *text, TinkerModel *model, const TinkerSpectrum *spectrum,
+                             const TinkerIntegrator *method, gboolean fits)
 {
     gboolean damping = is_damping_to_blame(spectrum, method);
     TinkerBlockId block = blame_for(model, damping, damping ? spectrum->most_damped : spectrum->fastest);
@@ -103,13 +136,14 @@ static void append_blame(GString *text, TinkerModel *model, const TinkerSpectrum
         g_string_append_printf(text, _("forces across the velocity make the fastest motion, %.3g rad/s"),
                                spectrum->omega_max);
     else if (block == TINKER_NO_BLOCK)
-        g_string_append(text, _("no single connector is to blame"));
+        return append_nobody(text, model, fits);
     else
         g_string_append_printf(text,
                                damping ? _("the damping of %s makes the fastest motion, %.3g 1/s")
                                        : _("the stiffness of %s makes the fastest motion, %.3g rad/s"),
                                tinker_scene_block_name(model->scene, block),
                                damping ? spectrum->damping_max : spectrum->omega_max);
+    return FALSE;
 }
 
 /* A step that is stable, or that is finer than a stable one which was not good enough; and what `auto` takes here at the scene's
@@ -147,8 +181,8 @@ char *tinker_guard_explain(TinkerModel *model, const TinkerIntegrator *method, d
     TinkerIsland island = {.model = model, .joined = 1, .linear = tinker_linear_form_new(model)};
     g_autoptr(TinkerSpectrum) spectrum = tinker_spectrum_new(&island);
     double stable = INFINITY;
-    append_blame(text, model, spectrum, method);
     if (tinker_is_fixed_explicit(method)) stable = tinker_spectrum_stable_step(spectrum, method, 0.8);
+    gboolean suspected = append_blame(text, model, spectrum, method, isnan(stable) || step <= stable);
     if (stable == 0) g_string_append_printf(text, _("; %s is stable at no step here"), method->id);
     if (isfinite(stable) && stable > 0) {
         if (step > stable)
@@ -157,7 +191,7 @@ char *tinker_guard_explain(TinkerModel *model, const TinkerIntegrator *method, d
         else
             g_string_append_printf(text, _("; %s is stable up to a step of about %.3g s here"), method->id, stable);
     }
-    append_advice(text, &island, method, step, stable);
+    if (!suspected) append_advice(text, &island, method, step, stable);
     tinker_linear_form_free(island.linear);
     return g_string_free(text, FALSE);
 }

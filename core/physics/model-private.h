@@ -119,6 +119,7 @@ typedef struct _TinkerContacts TinkerContacts;
 
 struct _TinkerModel {
     TinkerScene *scene;
+    gboolean part;         /* of the scene: other bodies of it are in other models */
     GPtrArray *batches;    /* of TinkerBlockBatch */
     GPtrArray *end_points; /* of int32_t *: of each batch, by batch; NULL for one without ends */
     GPtrArray *warnings;

@@ -108,6 +108,7 @@ TinkerModel *tinker_model_new(TinkerScene *scene, GError **error)
 TinkerModel *tinker_model_new_part(TinkerScene *scene, const gboolean *include, GError **error)
 {
     TinkerModel *model = g_new0(TinkerModel, 1);
+    model->part = include != NULL;
     model->scene = scene;
     model->batches = tinker_batches_new(scene, include);
     model->end_points = g_ptr_array_new_with_free_func(g_free);

@@ -194,6 +194,26 @@ static void test_turned(void)
     }
 }
 
+/* A force that is not that of its energy is nobody's stiffness. Where it acts alone it is named, else the part of the scene is. */
+static void test_nobody(void)
+{
+    const char *one = "{'type': 'support', 'solid': false}, {'type': 'mass', 'name': 'Bob', 'position': [1.5, 0]},"
+                      "{'type': 'backwards', 'name': 'Odd', 'ends': ['Support 0', 'Bob'], 'stiffness': 5, 'length': 1}";
+    const PhysicsOptions options = {.duration = 5};
+    g_autoptr(PhysicsRun) alone = physics_try(&options, "%s", one);
+    physics_assert_refused(alone, TINKER_MODEL_ERROR_RUN, "diverged", "Odd", "may not agree with its energy",
+                           "tinker plugins check", NULL);
+    g_assert_null(strstr(alone->error->message, "smaller tolerance"));
+    g_autoptr(PhysicsRun) apart = physics_try(
+        &options,
+        "{'type': 'support', 'name': 'Far', 'solid': false, 'position': [9, 9]}, {'type': 'mass', 'position': [9, 8]},"
+        "{'type': 'cubic', 'ends': ['Far', 'Mass 0'], 'stiffness': 1, 'length': 1}, %s,"
+        "{'type': 'backwards', 'name': 'Odd 2', 'ends': ['Support 0', 'Bob'], 'stiffness': 5, 'length': 1}",
+        one);
+    physics_assert_refused(apart, TINKER_MODEL_ERROR_RUN, "diverged", "no single connector around Bob is to blame",
+                           NULL);
+}
+
 static void add_tests(void)
 {
     g_test_add_func("/physics/guard/loss-on-purpose", test_loss_on_purpose);
@@ -204,6 +224,7 @@ static void add_tests(void)
     g_test_add_func("/physics/guard/stable-step-is-stable", test_stable_step_is_stable);
     g_test_add_func("/physics/guard/valid-part", test_valid_part);
     g_test_add_func("/physics/guard/turned", test_turned);
+    g_test_add_func("/physics/guard/nobody", test_nobody);
     g_test_add_func("/physics/guard/refused-options", test_refused_options);
 }
 
