@@ -243,6 +243,8 @@ class App:
         boxes = [None]
 
         def stays():
+            if self._native(node)[1] is None:
+                return False  # what it is in has its place on the screen, but not yet its size
             boxes.append(self.box(node))
             return boxes[-1] == boxes[-2] and boxes[-1][2] > 0
 
