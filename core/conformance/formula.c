@@ -6,11 +6,12 @@
 #define PROSE 4 /* letters */
 
 /* What stands for itself in a law of a block: kinematics, forces, energies, indices, and functions of three letters. */
-static const char *const own[] = {
-    "L",  "d",   "r",   "n",   "x",   "y",   "v",  "a",   "t",   "q",   "g",   "e",   "F",   "f",   "T",   "M",
-    "N",  "W",   "P",   "V",   "E",   "m",   "J",  "i",   "j",   "o",   "λ",   "θ",   "φ",   "α",   "ψ",   "π",
-    "pi", "sin", "cos", "tan", "exp", "log", "ln", "abs", "max", "min", "pow", "sgn", "mod", "dot", "div", "rot",
-    "if", "or",  "and", "of",  "at",  "in",  "is", "to",  "for", "all", "sum", "the", "not", NULL};
+static const char *const own[] = {"L",   "d",   "r",   "n",   "x",   "y",   "v",   "a",   "t",   "q",   "g",   "e",
+                                  "F",   "f",   "T",   "M",   "N",   "W",   "P",   "V",   "E",   "m",   "J",   "i",
+                                  "j",   "o",   "λ",   "θ",   "φ",   "α",   "ψ",   "π",   "pi",  "sin", "cos", "tan",
+                                  "exp", "log", "ln",  "abs", "max", "min", "pow", "sgn", "mod", "dot", "div", "rot",
+                                  "erf", "arg", "cot", "sec", "csc", "if",  "or",  "and", "of",  "at",  "in",  "is",
+                                  "to",  "for", "all", "sum", "the", "not", NULL};
 
 static gboolean is_letter(gunichar c)
 {
@@ -55,6 +56,12 @@ static gboolean is_prose(const char *word)
     return strlen(word) >= PROSE;
 }
 
+/* "Hooke": a capital and small letters. */
+static gboolean is_name(const char *word)
+{
+    return g_ascii_isupper(word[0]) && is_prose(word + 1);
+}
+
 static gboolean is_listed(const char *word, const char *const *symbols)
 {
     return g_strv_contains(own, word) || g_strv_contains(symbols, word);
@@ -63,14 +70,15 @@ static gboolean is_listed(const char *word, const char *const *symbols)
 /* Itself, an index or a component of what is listed ("x1", "F_a", "vx"), or a differential ("dL"). */
 static gboolean is_known(const char *word, const char *const *symbols)
 {
-    if (is_listed(word, symbols) || is_prose(word)) return TRUE;
+    if (is_listed(word, symbols) || is_prose(word) || is_name(word)) return TRUE;
     if (word[0] == 'd' && is_listed(word + 1, symbols)) return TRUE;
+    if (g_str_has_prefix(word, "Δ") || g_str_has_prefix(word, "δ")) return is_known(word + strlen("Δ"), symbols);
     g_autofree char *stem = g_strdup(word);
     char *index = strchr(stem, '_');
     if (index != NULL) *index = '\0';
     for (gsize end = strlen(stem); end > 0 && g_ascii_isdigit(stem[end - 1]); end--)
         stem[end - 1] = '\0';
-    if (is_listed(stem, symbols)) return TRUE;
+    if (is_listed(stem, symbols) || is_prose(stem)) return TRUE;
     const gsize length = strlen(stem);
     if (length > 1 && strchr("xy", stem[length - 1]) != NULL) stem[length - 1] = '\0';
     return is_listed(stem, symbols);

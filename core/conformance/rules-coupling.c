@@ -53,6 +53,7 @@ static gboolean is_coupled(KitCheck *check, const KitFunction *force, const KitS
         g_autoptr(KitState) one = with_body_alone(state, b);
         g_autoptr(KitAnswer) alone = kit_call(check, force, one);
         const double *f = among->values[0] + 2 * b, size = hypot(f[0], f[1]);
+        if (!isfinite(size)) continue; // another rule's fault
         if (alone->status == TINKER_OK && hypot(alone->values[0][0] - f[0], alone->values[0][1] - f[1]) <= CLOSE * size)
             continue;
         if (check->block_class->physics->field->couples_bodies == 0) tell_difference(check, state, b, f, alone);

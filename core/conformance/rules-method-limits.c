@@ -139,7 +139,7 @@ void kit_try_method_constrained(KitCheck *check)
     const TinkerIntegratorOptions options = {.struct_size = sizeof options, .tolerance = 1e-6, .spectral_radius = 0.8};
     const gboolean adaptive = (method->flags & TINKER_INTEGRATOR_ADAPTIVE) != 0;
     const double limit = method->imaginary_limit > 0 ? fmin(method->imaginary_limit, 1) : 1;
-    const int steps = (int)ceil(LEAST / limit);
+    const int steps = (int)fmin(ceil(LEAST / limit), MOST_STEPS);
     double q[KIT_SYSTEM_SIZE], v[KIT_SYSTEM_SIZE];
     TinkerState state = {0, q, v, NULL};
     TinkerStepReport report = {.struct_size = sizeof report};

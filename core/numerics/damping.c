@@ -13,6 +13,7 @@
 #define GRADIENT_CAP 500 /* converges in sqrt(condition) iterations, at most n without rounding */
 #define SYMMETRIC    1e-9
 #define SPANNED      1e-24 /* of a square: rounding */
+#define REST         1e-12 /* of the largest speed so far */
 
 static double dot(const TinkerSystem *system, const double *x, const double *y)
 {
@@ -223,6 +224,16 @@ void tinker_damping_init(TinkerDampingSolver *solver, const TinkerSystem *system
     solver->images = tinker_take(next, TINKER_KEPT_DIRECTIONS * n);
 }
 
+/* What forces that cancel leave at rest: their rounding, beside which neither velocities nor accelerations have a size. */
+static double rest_noise(const TinkerSystem *system, const double *q, const double *v)
+{
+    double extent, speed, mass = 0.0;
+    system->scales(system->context, q, v, &extent, &speed);
+    for (int32_t i = 0; i < system->size; i++)
+        mass += system->mass[i];
+    return REST * speed * sqrt(mass);
+}
+
 TinkerStatus tinker_damping_half_step(TinkerDampingSolver *solver, double t, double h, const double *q, double *v,
                                       double *power)
 {
@@ -246,6 +257,9 @@ TinkerStatus tinker_damping_half_step(TinkerDampingSolver *solver, double t, dou
             tinker_copy(n, solver->trial, v);
             status = find_correction(solver, t, h, q, v);
             if (status != TINKER_OK) return status;
+        } else if (best <= rest_noise(system, q, v)) {
+            // No share of the correction makes it better; the power is that at `v` again.
+            return find_residual(solver, t, h, q, v, power, &rounding);
         } else {
             share *= 0.5;
         }

@@ -94,7 +94,14 @@ static gboolean is_damping_to_blame(const TinkerSpectrum *spectrum, const Tinker
     return by_damping < by_stiffness;
 }
 
-/* The one block whose plugin is asked for forces, where no other connector acts; or TINKER_NO_BLOCK. */
+static gboolean stores_energy(const TinkerPhysics *physics)
+{
+    return (physics->line_law != NULL && physics->line_law->energy != NULL) ||
+           (physics->force_element != NULL && physics->force_element->energy != NULL) ||
+           (physics->field != NULL && physics->field->energy != NULL);
+}
+
+/* The one block whose plugin is asked for forces and for energy, where nothing else acts; or TINKER_NO_BLOCK. */
 static TinkerBlockId lone_block(const TinkerModel *model)
 {
     const GArray *asked[] = {model->asked_lines, model->asked_forces, model->asked_fields};
@@ -104,31 +111,31 @@ static TinkerBlockId lone_block(const TinkerModel *model)
         for (guint k = 0; k < asked[i]->len; k++) {
             const TinkerBlockBatch *batch = g_array_index(asked[i], TinkerAskedBatch, k).batch;
             count += batch->count;
-            if (batch->count > 0) block = batch->ids[0];
+            if (batch->count > 0) block = stores_energy(batch->block_class->physics) ? batch->ids[0] : TINKER_NO_BLOCK;
         }
-    return count == 1 ? block : TINKER_NO_BLOCK;
+    const gboolean alone =
+        count == 1 && model->constraints.rows == 0 && model->contacts == NULL && model->field_drag == 0;
+    return alone ? block : TINKER_NO_BLOCK;
 }
 
-/* `fits`: the step is no reason to diverge. Answers whether the block's own forces are suspected. */
-static gboolean append_nobody(GString *text, const TinkerModel *model, gboolean fits)
+/* `fits`: the step is no reason to diverge. */
+static void append_nobody(GString *text, const TinkerModel *model, gboolean fits)
 {
     TinkerBlockId lone = fits ? lone_block(model) : TINKER_NO_BLOCK;
     if (lone != TINKER_NO_BLOCK)
         g_string_append_printf(text,
-                               _("the forces of %s, which alone acts here, may not agree with its energy: tinker "
-                                 "plugins check tells"),
+                               _("%s alone acts here: tinker plugins check tells whether its forces agree with its "
+                                 "energy"),
                                tinker_scene_block_name(model->scene, lone));
     else if (model->part && model->bodies > 0)
         g_string_append_printf(text, _("no single connector around %s is to blame"),
                                tinker_scene_block_name(model->scene, model->body_blocks[0]));
     else
         g_string_append(text, _("no single connector is to blame"));
-    return lone != TINKER_NO_BLOCK;
 }
 
-/* Answers as append_nobody does. */
-static gboolean append_blame(GString *text, TinkerModel *model, const TinkerSpectrum *spectrum,
-                             const TinkerIntegrator *method, gboolean fits)
+static void append_blame(GString *text, TinkerModel *model, const TinkerSpectrum *spectrum,
+                         const TinkerIntegrator *method, gboolean fits)
 {
     gboolean damping = is_damping_to_blame(spectrum, method);
     TinkerBlockId block = blame_for(model, damping, damping ? spectrum->most_damped : spectrum->fastest);
@@ -136,14 +143,13 @@ static gboolean append_blame(GString *text, TinkerModel *model, const TinkerSpec
         g_string_append_printf(text, _("forces across the velocity make the fastest motion, %.3g rad/s"),
                                spectrum->omega_max);
     else if (block == TINKER_NO_BLOCK)
-        return append_nobody(text, model, fits);
+        append_nobody(text, model, fits);
     else
         g_string_append_printf(text,
                                damping ? _("the damping of %s makes the fastest motion, %.3g 1/s")
                                        : _("the stiffness of %s makes the fastest motion, %.3g rad/s"),
                                tinker_scene_block_name(model->scene, block),
                                damping ? spectrum->damping_max : spectrum->omega_max);
-    return FALSE;
 }
 
 /* A step that is stable, or that is finer than a stable one which was not good enough; and what `auto` takes here at the scene's
@@ -182,7 +188,7 @@ char *tinker_guard_explain(TinkerModel *model, const TinkerIntegrator *method, d
     g_autoptr(TinkerSpectrum) spectrum = tinker_spectrum_new(&island);
     double stable = INFINITY;
     if (tinker_is_fixed_explicit(method)) stable = tinker_spectrum_stable_step(spectrum, method, 0.8);
-    gboolean suspected = append_blame(text, model, spectrum, method, isnan(stable) || step <= stable);
+    append_blame(text, model, spectrum, method, step <= stable);
     if (stable == 0) g_string_append_printf(text, _("; %s is stable at no step here"), method->id);
     if (isfinite(stable) && stable > 0) {
         if (step > stable)
@@ -191,7 +197,7 @@ char *tinker_guard_explain(TinkerModel *model, const TinkerIntegrator *method, d
         else
             g_string_append_printf(text, _("; %s is stable up to a step of about %.3g s here"), method->id, stable);
     }
-    if (!suspected) append_advice(text, &island, method, step, stable);
+    append_advice(text, &island, method, step, stable);
     tinker_linear_form_free(island.linear);
     return g_string_free(text, FALSE);
 }

@@ -133,6 +133,7 @@ static void measure_extent(TinkerLinearisation *linear, const TinkerModel *model
         box[3] = fmax(box[3], at->y);
     }
     linear->extent = hypot(fmax(box[2] - box[0], 0), fmax(box[3] - box[1], 0));
+    linear->extent = fmax(linear->extent, tinker_constraints_reach(model));
     if (!(linear->extent > 0)) linear->extent = 1;
 }
 

@@ -165,6 +165,7 @@ struct _TinkerModel {
     double *chunk;               /* six columns of TINKER_CHUNK and ends of a chunk */
     const double **column_views; /* room for the columns of any class */
     double *velocity_kept;       /* 2 a body, while differences change it (products.c) */
+    int feels_velocity;          /* whether what is differenced depends on it: 1, -1: no, 0: nobody has tried */
     int32_t *chunk_offsets;      /* of the ends of a chunk, where blocks differ in their number */
     double time;                 /* that waveforms and supports were evaluated at */
     double book_power[TINKER_BOOK_COUNT];

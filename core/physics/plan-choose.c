@@ -224,6 +224,11 @@ static void decide_named(const TinkerIsland *island, const TinkerRunOptions *opt
     double stable = explicit ? stable_step(island, options, forecast, spectrum, method) : INFINITY;
     if (options->step > stable)
         warn_unstable(island, options, forecast, method, stable, warnings);
+    else if (isnan(stable))
+        g_ptr_array_add(warnings,
+                        g_strdup_printf(_("how large a step %s bears is not known where forces act across the "
+                                          "velocity: compare with a smaller one, or with another method"),
+                                        method->id));
     else
         warn_under_resolved(island, options, forecast, method, warnings);
 }

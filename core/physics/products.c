@@ -122,6 +122,22 @@ static void set_velocities(TinkerModel *model, double scale, const double *d)
     }
 }
 
+static void keep_velocities(TinkerModel *model)
+{
+    for (int32_t i = 0; i < model->bodies; i++) {
+        model->velocity_kept[2 * i] = model->point[i].vx;
+        model->velocity_kept[2 * i + 1] = model->point[i].vy;
+    }
+}
+
+static void restore_velocities(TinkerModel *model)
+{
+    for (int32_t i = 0; i < model->bodies; i++) {
+        model->point[i].vx = model->velocity_kept[2 * i];
+        model->point[i].vy = model->velocity_kept[2 * i + 1];
+    }
+}
+
 static gboolean needs_differences(const TinkerModel *model)
 {
     gboolean needs = model->asked_forces->len > 0;
@@ -130,34 +146,61 @@ static gboolean needs_differences(const TinkerModel *model)
     return needs;
 }
 
+/* The forces at two velocities, either side of the present one by `step` times d, the one less the other, times `scale`. */
+static TinkerStatus add_difference(TinkerModel *model, double step, const double *d, double scale, double *force)
+{
+    keep_velocities(model);
+    set_velocities(model, step, d);
+    TinkerStatus status = add_forces_now(model, scale, force);
+    set_velocities(model, -step, d);
+    if (status == TINKER_OK) status = add_forces_now(model, -scale, force);
+    restore_velocities(model);
+    return status;
+}
+
+/* Most such forces know nothing of velocities, and their differences would cost two evaluations a product for nothing. Tried once,
+ * with `d`, scratch of 2 a body; uses model->force. */
+static TinkerStatus try_velocities(TinkerModel *model, double *d)
+{
+    for (int32_t i = 0; i < 2 * model->bodies; i++)
+        d[i] = 1.0 + 0.5 * sin(12.9898 * (i + 1));
+    memset(model->force, 0, 2 * (gsize)model->points * sizeof(double));
+    TinkerStatus status = add_difference(model, 1, d, 1, model->force);
+    gboolean feels = FALSE;
+    for (int32_t i = 0; i < 2 * model->points; i++)
+        feels |= model->force[i] != 0;
+    if (status == TINKER_OK) model->feels_velocity = feels ? 1 : -1;
+    return status;
+}
+
+/* The step has a floor, as in jacobian-asked.c: of a motion that has died away the difference would be rounding. */
 static TinkerStatus add_differences(TinkerModel *model, const double *d, double *force)
 {
-    double *kept = model->velocity_kept, greatest = tinker_greatest(d, 2 * model->bodies);
-    if (!needs_differences(model) || !(greatest > 0) || !isfinite(greatest)) return TINKER_OK;
-    for (int32_t i = 0; i < model->bodies; i++) {
-        kept[2 * i] = model->point[i].vx;
-        kept[2 * i + 1] = model->point[i].vy;
-    }
-    double speed = tinker_greatest(kept, 2 * model->bodies), step = DIFFERENCE * (speed > 0 ? speed : 1) / greatest;
-    set_velocities(model, step, d);
-    TinkerStatus status = add_forces_now(model, 0.5 / step, force);
-    set_velocities(model, -step, d);
-    if (status == TINKER_OK) status = add_forces_now(model, -0.5 / step, force);
-    set_velocities(model, 0, d);
-    return status;
+    double greatest = tinker_greatest(d, 2 * model->bodies), speed = 1;
+    if (!(greatest > 0) || !isfinite(greatest)) return TINKER_OK;
+    for (int32_t i = 0; i < model->bodies; i++)
+        speed = fmax(speed, fmax(fabs(model->point[i].vx), fabs(model->point[i].vy)));
+    double step = DIFFERENCE * speed / greatest;
+    return add_difference(model, step, d, 0.5 / step, force);
 }
 
 /* All -------------------------------------------------------------------------------------------------------------- */
 
 static TinkerStatus product(TinkerModel *model, gboolean damping, const double *d, double *out)
 {
+    gboolean differs = damping && model->feels_velocity >= 0 && needs_differences(model);
+    if (differs && model->feels_velocity == 0) {
+        TinkerStatus tried = try_velocities(model, out);
+        if (tried != TINKER_OK) return tried;
+        differs = model->feels_velocity > 0;
+    }
     memset(model->force, 0, 2 * (gsize)model->points * sizeof(double));
     add_merged(model, damping, d, model->force);
     for (guint i = 0; i < model->asked_lines->len; i++)
         add_asked(model, &g_array_index(model->asked_lines, TinkerAskedBatch, i), damping, d, model->force);
     for (guint i = 0; i < model->asked_fields->len; i++)
         add_field(model, &g_array_index(model->asked_fields, TinkerAskedBatch, i), damping, d, model->force);
-    TinkerStatus status = damping ? add_differences(model, d, model->force) : TINKER_OK;
+    TinkerStatus status = differs ? add_differences(model, d, model->force) : TINKER_OK;
     for (int32_t i = 0; i < 2 * model->bodies && status == TINKER_OK; i++) {
         out[i] = model->force[i] * model->inverse_mass[i / 2];
         if (damping) out[i] -= model->field_drag * model->inverse_mass[i / 2] * d[i];

@@ -389,6 +389,8 @@ static gboolean fill_dense(TinkerSpectrum *spectrum, TinkerStartMatrices *matric
     gboolean symmetric = is_symmetric(&dense, dense.stiffness, dense.greatest[0]) &&
                          is_symmetric(&dense, dense.damping, dense.greatest[1]);
     gboolean common = symmetric && commute(&dense);
+    // Constraints may leave nothing of what turns free bodies.
+    spectrum->turned = !is_symmetric(&dense, dense.damping, dense.greatest[1]);
     if (!common && dense.m > MOST_STATES) {
         spectrum->complete = FALSE;
         return fill_large(spectrum, matrices, bodies);

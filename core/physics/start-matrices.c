@@ -242,7 +242,7 @@ static gboolean is_damped(const TinkerStartMatrices *self)
     if (self->jacobian != NULL)
         return tinker_greatest(self->damping, tinker_jacobian_pattern(self->jacobian)->entries) > 0;
     return model->lines.any_damping || model->field_drag != 0 || model->asked_lines->len > 0 ||
-           model->asked_fields->len > 0;
+           model->asked_forces->len > 0 || model->asked_fields->len > 0;
 }
 
 /* x . C y - y . C x, of two vectors that are not like any shape. */

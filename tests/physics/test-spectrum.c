@@ -377,6 +377,19 @@ static void test_turned_with_drag(void)
     }
 }
 
+/* A rod leaves nothing of it: theta'' = -k (L - L0) L'' = -1.5 k theta, as without the field. */
+static void test_turned_on_a_rod(void)
+{
+    g_auto(Compiled) compiled =
+        compile("{'type': 'turned', 'rate': 3}, {'type': 'support', 'solid': false},"
+                "{'type': 'support', 'solid': false, 'position': [3, 0]}, {'type': 'mass', 'position': [1, 0]},"
+                "{'type': 'rod', 'ends': ['Support 0', 'Mass 0']},"
+                "{'type': 'spring', 'ends': ['Support 1', 'Mass 0'], 'stiffness': 1e4, 'rest_length': 1}");
+    g_autoptr(TinkerSpectrum) spectrum = tinker_spectrum_new(first_island(&compiled));
+    const double limit = forecast_limit(spectrum, tinker_integrator_builtin("verlet"));
+    physics_assert_near("limit", limit * sqrt(1.5e4), 2, 1e-4);
+}
+
 /* Two springs of different stiffness across each other, so that no shapes are common to K and C: the limit is that observed. */
 static void test_turned_askew(void)
 {
@@ -426,6 +439,7 @@ static void add_tests(void)
     g_test_add_func("/physics/spectrum/turned", test_turned);
     g_test_add_func("/physics/spectrum/turned-with-drag", test_turned_with_drag);
     g_test_add_func("/physics/spectrum/turned-askew", test_turned_askew);
+    g_test_add_func("/physics/spectrum/turned-on-a-rod", test_turned_on_a_rod);
     g_test_add_func("/physics/spectrum/turned-chains", test_turned_chains);
     g_test_add_func("/physics/spectrum/amplification", test_amplification);
     g_test_add_func("/physics/spectrum/step-error", test_step_error);

@@ -42,9 +42,11 @@ static inline void record_add_quoted(char *command, size_t room, const char *wor
 /* The columns of a record with this heading, which has to be a whole line; ends the test where they are too many. */
 static inline int record_count_columns(const char *heading)
 {
-    int columns = 1;
-    for (const char *at = heading; *at != '\0'; at++)
-        columns += *at == ',';
+    int columns = 1, quoted = 0;
+    for (const char *at = heading; *at != '\0'; at++) {
+        if (*at == '"') quoted = !quoted;
+        columns += *at == ',' && !quoted;
+    }
     if (columns <= RECORD_MOST_COLUMNS && strchr(heading, '\n') != NULL) return columns;
     fprintf(stderr, "the record has %d columns or more, at most %d are read: raise RECORD_MOST_COLUMNS in record.h\n",
             columns, RECORD_MOST_COLUMNS);
