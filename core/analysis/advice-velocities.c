@@ -11,6 +11,9 @@
 
 static const TinkerDimension speed_dimension = TINKER_DIMENSION_VELOCITY;
 
+/* Of the fastest speed: less than this is what rounding leaves of what is held. As a velocity it would be a misfit again. */
+#define ROUNDING 1e-12
+
 /* A body whose velocity does not fit. */
 typedef struct {
     TinkerBlockId block;
@@ -34,6 +37,8 @@ static GArray *find_misfits(const TinkerFrame *frame, const TinkerModel *model, 
             fastest = fmax(fastest,
                            fmax(hypot(misfit.given[0], misfit.given[1]), hypot(misfit.allowed[0], misfit.allowed[1])));
             misfit.change = hypot(misfit.allowed[0] - misfit.given[0], misfit.allowed[1] - misfit.given[1]);
+            for (int axis = 0; axis < 2; axis++)
+                if (fabs(misfit.allowed[axis]) <= ROUNDING * fastest) misfit.allowed[axis] = 0;
             if (pass == 1 && misfit.change > START_FITS * fastest) g_array_append_val(misfits, misfit);
         }
     return misfits;
@@ -76,7 +81,9 @@ static char *words_of(const TinkerFrame *frame, const Misfit *misfit, guint othe
     TinkerScene *scene = tinker_frame_scene(frame);
     double along, left;
     *connector = find_connector(frame, misfit, &along, &left);
-    *across = *connector != TINKER_NO_BLOCK && fabs(left) <= START_FITS * hypot(misfit->given[0], misfit->given[1]);
+    const double little = START_FITS * hypot(misfit->given[0], misfit->given[1]);
+    /* what is given across the connector alone, as on a straight bar, is not its length's fault */
+    *across = *connector != TINKER_NO_BLOCK && fabs(along) > little && fabs(left) <= little;
     const char *name = tinker_scene_block_name(scene, misfit->block);
     g_autofree char *x = start_quantity_text(scene, misfit->allowed[0], speed_dimension);
     g_autofree char *y = start_quantity_text(scene, misfit->allowed[1], speed_dimension);

@@ -5,6 +5,7 @@
 
 #include "analysis/advice-private.h"
 #include "analysis/start-private.h"
+#include "scene/boxes.h"
 #include "scene/overlaps.h"
 
 /* Of the canvas's width: how far a loose end may be from what it is likely meant for. */
@@ -166,6 +167,17 @@ static void on_overlaps(GPtrArray *all, const TinkerFrame *frame)
     }
 }
 
+static void on_meeting(GPtrArray *all, const TinkerFrame *frame)
+{
+    const double duration = tinker_scene_head(tinker_frame_scene(frame))->run.duration;
+    TinkerMeeting meeting;
+    char *warning = tinker_boxes_warning(frame, duration, &meeting);
+    if (warning == NULL) return;
+    TinkerAdvice *advice = advice_add(all, TINKER_ADVICE_MEETING, FALSE, warning);
+    advice_add_block(advice, meeting.first);
+    advice_add_block(advice, meeting.second);
+}
+
 /* The model -------------------------------------------------------------------------------------------------------- */
 
 /* The model's messages begin with the names of the blocks at fault, "Rod 0, Rod 1: ...". */
@@ -212,5 +224,6 @@ GPtrArray *tinker_advice_new(TinkerScene *scene)
         on_length(all, frame, tinker_scene_block_at(scene, i));
     if (all->len == 0) on_model(all, frame); /* which would say the first of these again */
     on_overlaps(all, frame);
+    on_meeting(all, frame);
     return all;
 }

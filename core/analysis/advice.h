@@ -11,6 +11,7 @@ typedef enum {
     TINKER_ADVICE_VELOCITY,     /* start velocities that constraints do not allow; repair: what they leave of them */
     TINKER_ADVICE_MODEL,        /* whatever else keeps the scene from running; no repair */
     TINKER_ADVICE_OVERLAP,      /* a body that starts in a plate; repair: out of it */
+    TINKER_ADVICE_MEETING,      /* bodies whose start velocities take them through each other; no repair */
     TINKER_ADVICE_METHOD,       /* a method or step that does not suit; repair: chosen automatically */
 } TinkerAdviceKind;
 

@@ -27,9 +27,13 @@
 /* Of the largest force: a push into a motion that nothing resists. */
 #define PUSH 1e-10
 
+/* A way is cut so often until nothing closes on it before its end. */
+#define MOST_CUTS 50
+
 typedef struct {
     TinkerModel *model;
-    TinkerLinearisation *linear; /* at q */
+    TinkerStillContacts *contacts; /* NULL: none are asked for */
+    TinkerLinearisation *linear;   /* at q */
     double *q, *trial, *step;
     gsize size;
     double radius, extent; /* m; extent as it was at first */
@@ -74,21 +78,64 @@ static double work_along(const Search *search, const TinkerLinearisation *after)
     return work;
 }
 
-/* Tries the step; takes it where forces do work along it, or where they get smaller near the end. */
-static gboolean try_step(Search *search)
+static gboolean go_along(const Search *search, double share)
 {
     for (gsize i = 0; i < search->size; i++)
-        search->trial[i] = search->q[i] + search->step[i];
-    if (!tinker_model_meet_constraints(search->model, search->trial)) return FALSE;
+        search->trial[i] = search->q[i] + share * search->step[i];
+    return tinker_model_meet_constraints(search->model, search->trial);
+}
+
+typedef enum {
+    STEP_REFUSED,
+    STEP_TAKEN,
+    STEP_BLOCKED, /* something touches already that the step would push through: it is closed now */
+} StepResult;
+
+/* As far along the step as no contact closes before. */
+static StepResult go_to_contact(const Search *search)
+{
+    double share = 1;
+    if (!go_along(search, share)) return STEP_REFUSED;
+    for (int cut = 0; search->contacts != NULL && cut < MOST_CUTS; cut++) {
+        double reach = tinker_still_contacts_reach(search->contacts, search->q, search->trial);
+        if (reach == 0) return STEP_BLOCKED;
+        if (reach == 1) return STEP_TAKEN;
+        share *= reach;
+        if (!go_along(search, share)) return STEP_REFUSED;
+    }
+    return search->contacts == NULL ? STEP_TAKEN : STEP_REFUSED;
+}
+
+static gboolean make_linear(Search *search)
+{
+    TinkerLinearisation *linear = tinker_linearise(search->model, search->q, NULL);
+    if (linear == NULL) return FALSE;
+    tinker_linearisation_free(search->linear);
+    search->linear = linear;
+    return TRUE;
+}
+
+/* Contacts are asked anew at q, and all is made linear there with those that act. */
+static gboolean look_again(Search *search)
+{
+    if (search->contacts == NULL) return TRUE;
+    return tinker_still_contacts_decide(search->contacts, search->q, NULL) && make_linear(search);
+}
+
+/* Tries the step; takes it where forces do work along it, or where they get smaller near the end. */
+static StepResult try_step(Search *search)
+{
+    StepResult gone = go_to_contact(search);
+    if (gone != STEP_TAKEN) return gone;
     g_autoptr(TinkerLinearisation) after = tinker_linearise(search->model, search->trial, NULL);
-    if (after == NULL) return FALSE;
+    if (after == NULL) return STEP_REFUSED;
     double before = greatest(search->linear->force, search->size), left = greatest(after->force, search->size);
     gboolean near = before <= 1e-6 * search->linear->force_scale;
-    if (!isfinite(left) || !(near ? left < before : work_along(search, after) > 0)) return FALSE;
+    if (!isfinite(left) || !(near ? left < before : work_along(search, after) > 0)) return STEP_REFUSED;
     memcpy(search->q, search->trial, search->size * sizeof(double));
     tinker_linearisation_free(search->linear);
     search->linear = g_steal_pointer(&after);
-    return TRUE;
+    return look_again(search) ? STEP_TAKEN : STEP_REFUSED;
 }
 
 static double unbalanced(const Search *search)
@@ -128,7 +175,11 @@ static const char *search_for_rest(Search *search, const double *from, int *iter
     const char *nowhere = _("its forces do not balance at any place near by");
     for (*iterations = 0; *iterations < MOST_ITERATIONS; (*iterations)++) {
         search->most = fmax(search->most, unbalanced(search));
-        if (is_rest(search, search->linear->force_noise)) return NULL;
+        if (is_rest(search, search->linear->force_noise)) {
+            if (search->contacts == NULL || !tinker_still_contacts_are_pushed(search->contacts)) return NULL;
+            if (!look_again(search)) return nowhere; /* what was closed for one step opens where nothing presses it */
+            continue;
+        }
         if (has_collapsed(search) && unbalanced(search) <= search->linear->force_noise)
             return why_no_rest(search, nowhere); /* from here on rounding alone would lead the search */
         if (wandered_off(search, from)) return _("it moves away without end: nothing holds it against its forces");
@@ -136,10 +187,10 @@ static const char *search_for_rest(Search *search, const double *from, int *iter
         if (basis == NULL) return _("its equations leave the range that can be computed with");
         double length = choose_step(search, basis);
         if (length <= 1e-15 * search->extent) return is_rest(search, INFINITY) ? NULL : why_no_rest(search, nowhere);
-        if (try_step(search)) {
-            if (length > search->radius) search->radius *= 2;
-            continue;
-        }
+        StepResult result = try_step(search);
+        if (result == STEP_TAKEN && length > search->radius) search->radius *= 2;
+        if (result == STEP_BLOCKED && !make_linear(search)) return nowhere;
+        if (result != STEP_REFUSED) continue;
         double balance = BALANCED * search->linear->force_scale + search->linear->force_noise;
         if (is_rest(search, balance)) return NULL;
         search->radius = 0.25 * fmin(length, search->radius);
@@ -148,10 +199,14 @@ static const char *search_for_rest(Search *search, const double *from, int *iter
     return why_no_rest(search, _("the search took more steps than it may"));
 }
 
-gboolean tinker_equilibrium_find(TinkerModel *model, double *q, TinkerEquilibrium *result, GError **error)
+/* One search from q; where it finds none, q stays. */
+static gboolean find_once(TinkerModel *model, TinkerStillContacts *contacts, double *q, TinkerEquilibrium *result,
+                          GError **error)
 {
-    Search search = {.model = model, .q = q, .linear = tinker_linearise(model, q, error)};
+    Search search = {.model = model, .contacts = contacts, .q = q};
     *result = (TinkerEquilibrium){0};
+    if (contacts != NULL && !tinker_still_contacts_decide(contacts, q, error)) return FALSE;
+    search.linear = tinker_linearise(model, q, error);
     if (search.linear == NULL) return FALSE;
     search.size = (gsize)search.linear->size;
     search.noise = search.linear->force_noise;
@@ -171,4 +226,23 @@ gboolean tinker_equilibrium_find(TinkerModel *model, double *q, TinkerEquilibriu
     }
     tinker_linearisation_free(search.linear);
     return TRUE;
+}
+
+gboolean tinker_equilibrium_find(TinkerModel *model, TinkerStillContacts *contacts, double *q,
+                                 TinkerEquilibrium *result, GError **error)
+{
+    if (contacts == NULL) return find_once(model, NULL, q, result, error);
+    tinker_still_contacts_begin_anew(contacts, TRUE);
+    if (!find_once(model, contacts, q, result, error)) return FALSE;
+    TinkerEquilibrium smooth = *result;
+    if (!smooth.found) { /* a rough slope holds what a smooth one does not */
+        tinker_still_contacts_begin_anew(contacts, FALSE);
+        if (!find_once(model, contacts, q, result, error)) return FALSE;
+    }
+    if (!result->found) {
+        tinker_still_contacts_begin_anew(contacts, FALSE);
+        *result = smooth;
+    }
+    tinker_still_contacts_have_landed(contacts);
+    return tinker_still_contacts_decide(contacts, q, error);
 }

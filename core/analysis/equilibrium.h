@@ -2,7 +2,7 @@
 #ifndef TINKER_CORE_EQUILIBRIUM_H
 #define TINKER_CORE_EQUILIBRIUM_H
 
-#include "physics/model.h"
+#include "physics/still-contacts.h"
 
 typedef struct {
     gboolean found;
@@ -15,7 +15,9 @@ typedef struct {
  * modes: each by force / |square|, so that they lead away from unstable places, held within a radius that shrinks where a
  * step would have to be pushed. A state that starts in balance stays, stable or not. None is found where forces grow without
  * bound as bodies fall into one place, or a line pulls with both ends at one place. Where none is found q is as before.
- * FALSE with an error where forces cannot be worked out. */
-gboolean tinker_equilibrium_find(TinkerModel *model, double *q, TinkerEquilibrium *result, GError **error);
+ * With `contacts` (NULL: none) steps end where something is touched, and bodies move along what they press on; what acts at the
+ * rest is closed in the model. FALSE with an error where forces cannot be worked out. */
+gboolean tinker_equilibrium_find(TinkerModel *model, TinkerStillContacts *contacts, double *q,
+                                 TinkerEquilibrium *result, GError **error);
 
 #endif

@@ -8,13 +8,16 @@ static gboolean analyse(TinkerModeAnalysis *analysis, gboolean rest, GError **er
     if (!tinker_modal_basis_fits(bodies, error)) return FALSE;
     analysis->q = g_new0(double, 2 * (gsize)MAX(bodies, 1));
     tinker_model_start_places(analysis->model, analysis->q);
+    analysis->contacts = tinker_still_contacts_new(analysis->model);
     if (tinker_model_hold(analysis->model) != TINKER_OK) {
         g_set_error_literal(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_RUN,
                             "its supports have no place at the start");
         return FALSE;
     }
-    if (rest && !tinker_equilibrium_find(analysis->model, analysis->q, &analysis->rest, error)) return FALSE;
+    TinkerStillContacts *contacts = analysis->contacts;
+    if (rest && !tinker_equilibrium_find(analysis->model, contacts, analysis->q, &analysis->rest, error)) return FALSE;
     analysis->about_rest = rest && analysis->rest.found;
+    if (contacts != NULL && !rest && !tinker_still_contacts_decide(contacts, analysis->q, error)) return FALSE;
     analysis->linear = tinker_linearise(analysis->model, analysis->q, error);
     if (analysis->linear == NULL) return FALSE;
     analysis->basis = tinker_modal_basis_new(analysis->linear, error);
@@ -37,6 +40,7 @@ void tinker_mode_analysis_free(TinkerModeAnalysis *analysis)
     g_clear_pointer(&analysis->modes, g_ptr_array_unref);
     tinker_modal_basis_free(analysis->basis);
     tinker_linearisation_free(analysis->linear);
+    tinker_still_contacts_free(analysis->contacts);
     g_free(analysis->q);
     tinker_model_free(analysis->model);
     g_free(analysis);

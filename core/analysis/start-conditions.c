@@ -150,24 +150,23 @@ static gboolean at_angle(Asked *asked, GError **error)
 
 /* Plates ----------------------------------------------------------------------------------------------------------- */
 
-static gboolean find_top(const Asked *asked, StartTop *top, GError **error)
+static gboolean find_top(const Asked *asked, TinkerTop *top, GError **error)
 {
-    *top = start_nearest_top(asked->frame, asked->option->block);
+    *top = tinker_top_nearest(asked->frame, asked->option->block);
     return top->plate == asked->option->other ||
            refuse(asked, _("it is nearer to another plate by now (select it again)"), error);
 }
 
 static gboolean on_top(Asked *asked, GError **error)
 {
-    StartTop top;
+    TinkerTop top;
     double along, gap;
     if (!find_top(asked, &top, error)) return FALSE;
-    start_foot(asked->frame, &top, asked->option->block, &along, &gap);
+    tinker_top_foot(asked->frame, &top, asked->option->block, &along, &gap);
     along = CLAMP(along, -INSIDE * top.half_width, INSIDE * top.half_width);
     StartPlace place = START_PLACE_AS_IT_IS(asked->option->block);
-    const double half = 0.5 * tinker_frame_meaning(asked->frame, place.body, TINKER_MEANING_HEIGHT, 0, 0);
-    for (int k = 0; k < 2; k++)
-        place.place[k] = top.middle[k] + along * top.along[k] + half * top.normal[k];
+    const double height = tinker_frame_meaning(asked->frame, place.body, TINKER_MEANING_HEIGHT, 0, 0);
+    tinker_top_centre(&top, along, height, place.place);
     place.orientation = top.angle;
     g_array_append_val(asked->places, place);
     return TRUE;
@@ -175,7 +174,7 @@ static gboolean on_top(Asked *asked, GError **error)
 
 static gboolean along_top(Asked *asked, GError **error)
 {
-    StartTop top;
+    TinkerTop top;
     if (!find_top(asked, &top, error)) return FALSE;
     set_velocity(asked, asked->value * top.uphill[0], asked->value * top.uphill[1]);
     return TRUE;

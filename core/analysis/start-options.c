@@ -61,6 +61,7 @@ static void offer_equilibrium(GPtrArray *options, TinkerScene *scene, const Tink
 {
     int32_t bodies;
     double off = 0;
+    gboolean lands = FALSE; /* from elsewhere it would come down elsewhere */
     const char *name = tinker_scene_block_name(scene, body);
     g_autofree gboolean *group = start_group_new(scene, body, START_TIED_BY_ANYTHING, TINKER_NO_BLOCK, NULL);
     g_autofree char *others = others_of(scene, group, body, &bodies);
@@ -68,6 +69,7 @@ static void offer_equilibrium(GPtrArray *options, TinkerScene *scene, const Tink
         g_autoptr(StartRest) rest = start_rest_new(scene, body, NULL);
         if (rest == NULL) return;
         off = displacement(scene, frame, body, rest);
+        lands = rest->lands;
     }
     offer(
         options, (TinkerStartOption){TINKER_START_AT_EQUILIBRIUM, body, TINKER_NO_BLOCK, .dimension = no_dimension},
@@ -76,7 +78,7 @@ static void offer_equilibrium(GPtrArray *options, TinkerScene *scene, const Tink
             ? g_strdup_printf(_("Puts %s where all forces balance, without friction, with velocity 0"), name)
             : g_strdup_printf(_("Puts %s, and with it %s where all forces balance, without friction, with velocity 0"),
                               name, others));
-    if (anchored) return;
+    if (anchored || lands) return;
     offer(options,
           (TinkerStartOption){TINKER_START_FROM_EQUILIBRIUM, body, TINKER_NO_BLOCK, .asks = TRUE,
                               .dimension = length_dimension, .value = off},
@@ -141,7 +143,7 @@ static void offer_links(GPtrArray *options, TinkerScene *scene, const TinkerFram
 
 static void offer_plate(GPtrArray *options, TinkerScene *scene, const TinkerFrame *frame, TinkerBlockId body)
 {
-    StartTop top = start_nearest_top(frame, body);
+    TinkerTop top = tinker_top_nearest(frame, body);
     double velocity[2];
     if (top.plate == TINKER_NO_BLOCK) return;
     const char *name = tinker_scene_block_name(scene, body), *plate = tinker_scene_block_name(scene, top.plate);

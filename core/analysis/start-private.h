@@ -1,9 +1,10 @@
-/* What start conditions and advice share: which blocks hang together, plates near by, writing places, the rest state. */
+/* What start conditions and advice share: which blocks hang together, writing places, the rest state. */
 #ifndef TINKER_CORE_START_PRIVATE_H
 #define TINKER_CORE_START_PRIVATE_H
 
 #include "analysis/equilibrium.h"
 #include "scene/history.h"
+#include "scene/tops.h"
 
 /* Classes ---------------------------------------------------------------------------------------------------------- */
 
@@ -48,25 +49,6 @@ int32_t *start_sets_new(TinkerScene *scene, StartTies ties, TinkerBlockId withou
 gboolean *start_group_new(TinkerScene *scene, TinkerBlockId body, StartTies ties, TinkerBlockId without,
                           gboolean *anchored);
 
-/* Plates ----------------------------------------------------------------------------------------------------------- */
-
-/* The top of a plate, as the frame has it. */
-typedef struct {
-    TinkerBlockId plate; /* TINKER_NO_BLOCK: none */
-    double middle[2];    /* of the top */
-    double along[2], normal[2];
-    double uphill[2]; /* along or against `along`; of a level top to the right */
-    gboolean level;
-    double half_width;
-    double angle; /* the plate's orientation */
-} StartTop;
-
-/* The solid plate nearest to a body, with what the body touches before all others. */
-StartTop start_nearest_top(const TinkerFrame *frame, TinkerBlockId body);
-/* Of a body: how far its foot is along the top from its middle, and how far its side is off the top. */
-void start_foot(const TinkerFrame *frame, const StartTop *top, TinkerBlockId body, double *along, double *gap);
-gboolean start_touches(const TinkerFrame *frame, const StartTop *top, TinkerBlockId body);
-
 /* Places ----------------------------------------------------------------------------------------------------------- */
 
 /* Where a body is to start. What is NAN stays. */
@@ -96,17 +78,13 @@ gboolean start_places_write(TinkerHistory *history, TinkerScene *scene, const ch
 typedef struct {
     GArray *bodies; /* of StartPlace: at rest */
     guint own;      /* which of them is the body asked about */
+    gboolean lands; /* something lies on a plate there that it does not touch at the start */
 } StartRest;
 
 /* NULL with an error where there is none. (transfer full) */
 StartRest *start_rest_new(TinkerScene *scene, TinkerBlockId body, GError **error);
 void start_rest_free(StartRest *rest);
 G_DEFINE_AUTOPTR_CLEANUP_FUNC(StartRest, start_rest_free)
-
-/* Moves the places q of a held model, all of whose bodies lie on these tops with their feet so far from the middles, along them
- * to rest. `why`: there is none; NULL where q is at rest. FALSE with an error where forces cannot be worked out. */
-gboolean start_settle_on_tops(TinkerModel *model, const StartTop *tops, const double *feet, double *q, const char **why,
-                              GError **error);
 
 /* The direction in which a body is displaced from rest: along its first connector with a rest length, away from the far end;
  * down where there is none; along the top of a plate that it touches. */

@@ -1,17 +1,12 @@
-/* The rest state of a part of a scene, and the direction in which one leaves it.
- *
- * The search for equilibrium knows no contacts. Bodies that all lie on plates are brought to rest along their tops instead; a
- * part of which only some do is refused. */
+/* The rest state of a part of a scene, and the direction in which one leaves it. */
 #include <glib/gi18n-lib.h>
 #include <math.h>
 
 #include "analysis/start-private.h"
 #include "physics/linearise.h"
+#include "physics/still-contacts.h"
 
-/* Bodies on plates; each costs two evaluations a round. */
-#define MOST_ON_TOPS 100
-
-/* The blocks that a model of the part needs. (transfer full) */
+/* The blocks that a model of the part needs, plates that its bodies may touch among them. (transfer full) */
 static gboolean *blocks_of_part(TinkerScene *scene, TinkerBlockId body)
 {
     gboolean *include = start_group_new(scene, body, START_TIED_BY_ANYTHING, TINKER_NO_BLOCK, NULL);
@@ -23,7 +18,7 @@ static gboolean *blocks_of_part(TinkerScene *scene, TinkerBlockId body)
             const TinkerPhysics *physics = block_class == NULL ? NULL : block_class->physics;
             if (physics == NULL || (physics->motion != NULL) != (pass == 1)) continue;
             const gboolean *reached = pass == 1 ? include : bodies;
-            gboolean mine = physics->field != NULL;
+            gboolean mine = physics->field != NULL || tinker_class_has_top(block_class);
             int32_t ends = tinker_scene_end_count(scene, block);
             for (int32_t e = 0; e < ends; e++) {
                 TinkerSceneEnd end = tinker_scene_end(scene, block, e);
@@ -38,42 +33,23 @@ static gboolean *blocks_of_part(TinkerScene *scene, TinkerBlockId body)
     return include;
 }
 
-static gboolean refuse(TinkerScene *scene, TinkerBlockId body, const char *why, GError **error)
+static void refuse(TinkerScene *scene, TinkerBlockId body, const char *why, GError **error)
 {
     g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_RUN, _("%s has no rest state: %s"),
                 tinker_scene_block_name(scene, body), why);
-    return FALSE;
 }
 
-/* Brings the places to rest. */
-static gboolean settle(TinkerModel *model, const TinkerFrame *frame, TinkerBlockId body, double *q, GError **error)
+static gboolean lands(const TinkerFrame *frame, const TinkerStillContacts *contacts)
 {
-    TinkerScene *scene = tinker_frame_scene(frame);
-    const TinkerModelSizes sizes = tinker_model_sizes(model);
-    g_autofree StartTop *tops = g_new0(StartTop, MAX(sizes.bodies, 1));
-    g_autofree double *feet = g_new0(double, MAX(sizes.bodies, 1));
-    int32_t touching = 0;
-    for (int32_t i = 0; i < sizes.bodies; i++) {
-        TinkerBlockId block = tinker_model_body_block(model, i);
-        double gap;
-        tops[i] = start_nearest_top(frame, block);
-        if (!start_touches(frame, &tops[i], block)) continue;
-        start_foot(frame, &tops[i], block, &feet[i], &gap);
-        touching++;
+    gboolean any = FALSE;
+    g_autoptr(GArray) list = contacts != NULL ? tinker_still_contacts_list(contacts) : NULL;
+    for (guint i = 0; list != NULL && i < list->len; i++) {
+        const TinkerStillContact *contact = &g_array_index(list, TinkerStillContact, i);
+        if (contact->plate == TINKER_NO_BLOCK) continue;
+        const TinkerTop top = tinker_top_of(frame, contact->plate);
+        any |= !tinker_top_touches(frame, &top, contact->block);
     }
-    if (touching == 0) {
-        TinkerEquilibrium rest;
-        if (!tinker_equilibrium_find(model, q, &rest, error)) return FALSE;
-        return rest.found || refuse(scene, body, rest.why, error);
-    }
-    if (touching < sizes.bodies || sizes.constraint_rows > 0 || touching > MOST_ON_TOPS)
-        return refuse(scene, body,
-                      _("where plates carry a part of what hangs together, or bodies with constraints, it is not "
-                        "looked for (place the bodies by hand)"),
-                      error);
-    const char *why;
-    if (!start_settle_on_tops(model, tops, feet, q, &why, error)) return FALSE;
-    return why == NULL || refuse(scene, body, why, error);
+    return any;
 }
 
 StartRest *start_rest_new(TinkerScene *scene, TinkerBlockId body, GError **error)
@@ -84,15 +60,24 @@ StartRest *start_rest_new(TinkerScene *scene, TinkerBlockId body, GError **error
     const int32_t bodies = tinker_model_sizes(model).bodies;
     g_autofree double *q = g_new0(double, 2 * (gsize)MAX(bodies, 1));
     tinker_model_start_places(model, q);
+    g_autoptr(TinkerStillContacts) contacts = tinker_still_contacts_new(model); /* before it is held */
+    if (contacts != NULL) tinker_still_contacts_leave_out_friction(contacts);
     if (tinker_model_hold(model) != TINKER_OK) {
         refuse(scene, body, _("its supports have no place at the start"), error);
         return NULL;
     }
+    TinkerEquilibrium found;
+    if (!tinker_equilibrium_find(model, contacts, q, &found, error)) return NULL;
+    if (!found.found) {
+        refuse(scene, body, found.why, error);
+        return NULL;
+    }
     g_autoptr(TinkerFrame) frame = tinker_frame_new(scene, error);
-    if (frame == NULL || !settle(model, frame, body, q, error)) return NULL;
+    if (frame == NULL) return NULL;
     double origin[2];
     tinker_model_origin(model, origin);
     StartRest *rest = g_new0(StartRest, 1);
+    rest->lands = lands(frame, contacts);
     rest->bodies = g_array_new(FALSE, FALSE, sizeof(StartPlace));
     for (int32_t i = 0; i < bodies; i++) {
         StartPlace place = {
@@ -140,8 +125,8 @@ void start_direction_at(TinkerScene *scene, const TinkerFrame *frame, TinkerBloc
         direction[1] = dy / length;
         break;
     }
-    StartTop top = start_nearest_top(frame, body);
-    if (!start_touches(frame, &top, body)) return;
+    TinkerTop top = tinker_top_nearest(frame, body);
+    if (!tinker_top_touches(frame, &top, body)) return;
     double sign = direction[0] * top.along[0] + direction[1] * top.along[1] < 0 ? -1 : 1;
     direction[0] = sign * top.along[0];
     direction[1] = sign * top.along[1];

@@ -124,6 +124,7 @@ static TinkerSimulation *prepare(TinkerTradeBench *bench, TinkerTradeSetting set
     TinkerRunOptions run = bench->options->run;
     run.method = setting.method;
     run.impulses = g_str_equal(setting.method, tinker_integrator_impulse.id);
+    run.accuracy = 0;
     if (setting.value > 0) *(setting.adaptive ? &run.tolerance : &run.step) = setting.value;
     run.at = sampled ? bench->times : &bench->duration;
     run.at_count = sampled ? bench->time_count : 1;

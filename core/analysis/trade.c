@@ -21,7 +21,7 @@ static GPtrArray *all_integrators(TinkerCatalogue *catalogue)
     GPtrArray *all = g_ptr_array_new();
     for (const TinkerIntegrator *const *each = tinker_integrator_builtins(); *each != NULL; each++)
         g_ptr_array_add(all, (gpointer)*each);
-    const GPtrArray *libraries = tinker_catalogue_libraries(catalogue);
+    g_autoptr(GPtrArray) libraries = tinker_catalogue_libraries(catalogue);
     for (guint i = 0; i < libraries->len; i++) {
         const TinkerLibraryEntry *library = g_ptr_array_index(libraries, i);
         if (library->refused != NULL || library->shadowed_by != NULL || library->integrators == NULL) continue;
@@ -162,4 +162,5 @@ void tinker_trade_apply(const TinkerTrade *trade, TinkerScene *scene)
         run->method = g_strdup(setting->method);
     }
     if (setting->value > 0) *(setting->adaptive ? &run->tolerance : &run->step) = setting->value;
+    run->accuracy = 0; /* or the two would not count */
 }

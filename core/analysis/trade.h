@@ -94,7 +94,8 @@ char *tinker_trade_advice_text(const TinkerTrade *trade, const TinkerTradeOption
 /* What errors were measured against, as a sentence. (transfer full) */
 char *tinker_trade_reference_text(const TinkerTrade *trade);
 
-/* Puts the advised method and its step or tolerance into the scene's run settings, and contact by events or as impulses. */
+/* Puts the advised method and its step or tolerance into the scene's run settings, and contact by events or as impulses;
+ * an accuracy that is asked for there, in whose place the two are now, is taken out. */
 void tinker_trade_apply(const TinkerTrade *trade, TinkerScene *scene);
 
 #endif

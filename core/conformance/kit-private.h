@@ -70,6 +70,8 @@ void kit_try_linear(KitCheck *check);
 void kit_try_breaks(KitCheck *check);
 void kit_try_dimensions(KitCheck *check);
 void kit_try_memory(KitCheck *check);
+void kit_try_library_process(KitCheck *check);
+void kit_try_process(KitCheck *check);
 void kit_try_quiet(KitCheck *check);
 void kit_try_bounds(KitCheck *check);
 void kit_try_hit(KitCheck *check);

@@ -116,7 +116,7 @@ void kit_look_at_id(KitCheck *check, const char *whose, const char *id, char joi
 /* Of a library: what plugin.h says of its id and version. */
 void kit_try_library_declaration(KitCheck *check)
 {
-    const GPtrArray *libraries = tinker_catalogue_libraries(check->catalogue);
+    g_autoptr(GPtrArray) libraries = tinker_catalogue_libraries(check->catalogue);
     for (guint i = 0; i < libraries->len; i++) {
         const TinkerLibraryEntry *library = g_ptr_array_index(libraries, i);
         if (g_strcmp0(library->path, check->path) != 0) continue;

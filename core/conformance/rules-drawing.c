@@ -8,6 +8,7 @@
 
 #include "conformance/state-private.h"
 #include "conformance/watched-style-private.h"
+#include "render/draw-watch.h"
 #include "render/style.h"
 
 #define PIXELS 900
@@ -26,6 +27,7 @@ typedef struct {
     cairo_surface_t *surface;
     cairo_t *cairo;
     double bounds[4];
+    char *fault;      /* what the drawing did to the context; or NULL */
     char *not_finite; /* a helper that was given a number that is not finite, with the numbers; or NULL */
 } Picture;
 
@@ -93,13 +95,13 @@ static void draw(KitCheck *check, Picture *picture)
     tinker_style_enter_world(&picture->brush.style, picture->cairo);
     kit_style_watch(&picture->brush.style);
     kit_phase(check, "draw at %s", picture->state->label);
+    TinkerDrawWatch watch;
+    tinker_draw_watch_begin(&watch, picture->cairo);
     render->draw(&picture->instance, picture->cairo, &picture->brush.style);
+    picture->fault = tinker_draw_watch_end(&watch, picture->cairo);
     picture->not_finite = kit_style_seen();
     kit_phase(check, "bounds at %s", picture->state->label);
     find_bounds(picture, render);
-    if (cairo_status(picture->cairo) != CAIRO_STATUS_SUCCESS)
-        kit_fail(check, "after drawing cairo is in the state \"%s\"",
-                 cairo_status_to_string(cairo_status(picture->cairo)));
     cairo_surface_flush(picture->surface);
 }
 
@@ -119,6 +121,10 @@ typedef void (*Look)(KitCheck *check, const Picture *picture);
 static void look_for_ink(KitCheck *check, const Picture *picture)
 {
     const double *b = picture->bounds;
+    if (picture->fault != NULL) {
+        kit_fail(check, "its drawing %s, at %s", picture->fault, picture->state->label);
+        return;
+    }
     if (picture->not_finite != NULL) {
         g_autofree char *values = kit_state_describe(picture->state, 0);
         kit_fail(check, "it draws a %s, finite numbers were expected, at %s (%s)", picture->not_finite,
@@ -181,6 +187,7 @@ static void try_picture(KitCheck *check, KitState *state, Look look)
     cairo_destroy(picture->cairo);
     cairo_surface_destroy(picture->surface);
     g_free(picture->not_finite);
+    g_free(picture->fault);
     g_free(picture);
 }
 

@@ -177,6 +177,10 @@ void kit_try_method_steps(KitCheck *check)
         if (!going) break;
         if (!(run.state.t > from && run.state.t <= limit) || (!is_adaptive(check) && run.state.t != limit))
             kit_fail(check, "a step from %.17g s with the limit %.17g s ends at %.17g s", from, limit, run.state.t);
+        const double made = run.state.t - from;
+        if (!(fabs(run.report.step - made) <= 1e-9 * made))
+            kit_fail(check, "a step from %.17g s to %.17g s reports a step of %.17g s", from, run.state.t,
+                     run.report.step);
         if (!isfinite(kit_motion_error(run.motion, run.state.t, run.q, run.v)))
             kit_fail(check, "the state is not finite after the step to %g s", run.state.t);
         if (!kit_decided(check)) look_inside(check, &run, from, q, v);

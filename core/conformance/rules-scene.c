@@ -19,7 +19,7 @@ typedef struct {
 static Bodies find_bodies(KitCheck *check)
 {
     Bodies bodies = {NULL, NULL};
-    const GPtrArray *libraries = tinker_catalogue_libraries(check->catalogue);
+    g_autoptr(GPtrArray) libraries = tinker_catalogue_libraries(check->catalogue);
     for (guint i = 0; i < libraries->len; i++) {
         const TinkerLibraryEntry *library = g_ptr_array_index(libraries, i);
         for (guint k = 0; library->refused == NULL && library->shadowed_by == NULL && k < library->types->len; k++) {

@@ -3,6 +3,8 @@
 
 #include <string.h>
 
+#include "plugin/process-state.h"
+
 int32_t kit_state_rows(const KitState *state)
 {
     const TinkerPhysics *physics = state->block_class->physics;
@@ -113,7 +115,7 @@ TinkerStatus kit_state_prepare(KitState *state, const char **failure)
     state->scratch = physics->scratch_size > 0 ? g_malloc0((gsize)physics->scratch_size) : NULL;
     g_autofree const double **columns = g_new0(const double *, state->block_class->column_count + 1);
     TinkerBatch view = kit_state_view(state, columns);
-    TinkerStatus status = physics->prepare == NULL ? TINKER_OK : physics->prepare(&view);
+    TinkerStatus status = physics->prepare == NULL ? TINKER_OK : tinker_prepare(physics, &view);
     if (status == TINKER_OK && physics->constraint != NULL && physics->constraint->check != NULL)
         status = physics->constraint->check(&view);
     *failure = view.failure;

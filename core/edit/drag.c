@@ -198,10 +198,12 @@ static void connect_end(TinkerDrag *drag, gboolean at_point)
     tinker_history_set_end(drag->history, drag->hit.block, drag->hit.part, to, NULL);
 }
 
-void tinker_drag_end(TinkerDrag *drag, gboolean at_point)
+void tinker_drag_end(TinkerDrag *drag, gboolean at_point, double reach)
 {
     if (drag->moved) {
         if (drag->target != TINKER_NO_BLOCK) connect_end(drag, at_point);
+        if (drag->hit.part == TINKER_PART_WHOLE && reach > 0)
+            tinker_snap_onto_top(drag->history, drag->scene, drag->hit.block, reach);
         tinker_history_end(drag->history);
     }
     g_free(drag);

@@ -25,6 +25,11 @@ TinkerHit tinker_hit_handle(TinkerFrame *frame, TinkerBlockId block, double x, d
 /* The nearest point of a grid. */
 void tinker_snap(double grid, double *x, double *y);
 
+/* Puts a body onto the solid top that it is dropped on, and turns it along that: one whose foot lies within the top's width, and
+ * whose side is less than `reach` (m) above it, or sunk into it by less than half the body's height. Answers whether it lay on one
+ * then. */
+gboolean tinker_snap_onto_top(TinkerHistory *history, TinkerScene *scene, TinkerBlockId body, double reach);
+
 /* One drag, from press to release; one undo step. */
 typedef struct _TinkerDrag TinkerDrag;
 
@@ -39,8 +44,9 @@ void tinker_drag_set_symbol_size(TinkerDrag *drag, double symbol_size);
 TinkerBlockId tinker_drag_to(TinkerDrag *drag, double x, double y, double grid, double reach);
 
 /* Releases: a connector's end over a block that it accepts is connected to its centre, or, where `at_point` is set and the
- * block is not a point mass, to the point under it. Frees the drag. */
-void tinker_drag_end(TinkerDrag *drag, gboolean at_point);
+ * block is not a point mass, to the point under it; a body is put onto the top that it is dropped
+ * on, see tinker_snap_onto_top (`reach` of 0: it is not). Frees the drag. */
+void tinker_drag_end(TinkerDrag *drag, gboolean at_point, double reach);
 
 /* Takes everything back. Frees the drag. */
 void tinker_drag_cancel(TinkerDrag *drag);

@@ -1,7 +1,8 @@
-/* Snapping to a square grid through the world's origin. */
+/* Snapping: to a square grid through the world's origin, and of bodies onto tops. */
 #include <math.h>
 
 #include "edit/drag.h"
+#include "scene/tops.h"
 
 static double snapped(double grid, double value)
 {
@@ -15,4 +16,31 @@ void tinker_snap(double grid, double *x, double *y)
     if (!(grid > 0) || !isfinite(grid)) return;
     *x = snapped(grid, *x);
     *y = snapped(grid, *y);
+}
+
+/* Whether the body is dropped on the top: from its front, over its width. */
+static gboolean is_dropped_on(const TinkerFrame *frame, const TinkerTop *top, TinkerBlockId body, double reach)
+{
+    double along, gap;
+    if (top->plate == TINKER_NO_BLOCK) return FALSE;
+    tinker_top_foot(frame, top, body, &along, &gap);
+    const double half = 0.5 * tinker_frame_meaning(frame, body, TINKER_MEANING_HEIGHT, 0, 0);
+    return fabs(along) <= top->half_width && gap < reach && gap > -fmax(half, reach);
+}
+
+gboolean tinker_snap_onto_top(TinkerHistory *history, TinkerScene *scene, TinkerBlockId body, double reach)
+{
+    const TinkerBlockClass *block_class = tinker_scene_block_class(scene, body);
+    if (!tinker_class_can_lie(block_class)) return FALSE;
+    g_autoptr(TinkerFrame) frame = tinker_frame_new(scene, NULL);
+    if (frame == NULL) return FALSE;
+    const TinkerTop top = tinker_top_nearest(frame, body);
+    if (!is_dropped_on(frame, &top, body, reach)) return FALSE;
+    double along, gap, centre[2];
+    tinker_top_foot(frame, &top, body, &along, &gap);
+    tinker_top_centre(&top, along, tinker_frame_meaning(frame, body, TINKER_MEANING_HEIGHT, 0, 0), centre);
+    tinker_history_set(history, body, block_class->meanings[TINKER_MEANING_POSITION], centre, NULL);
+    const int32_t orientation = block_class->meanings[TINKER_MEANING_ORIENTATION];
+    if (orientation >= 0) tinker_history_set(history, body, orientation, &top.angle, NULL);
+    return TRUE;
 }

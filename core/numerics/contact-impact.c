@@ -13,11 +13,12 @@ typedef struct {
 } Trial;
 
 /* Impulses with a share of the restitution, and what energy they take from the bodies (0 where that is rounding); -1 where
- * there are none: bodies that wedge cannot part against their friction. */
+ * there are none: bodies that wedge cannot part against their friction. Where memory lacked once nothing is tried any more. */
 static double lost_energy(void *data, double share)
 {
     Trial *trial = data;
     const TinkerImpact *impact = trial->impact;
+    if (trial->result == TINKER_CONTACT_NO_MEMORY) return -1;
     TinkerContactProblem problem = {impact->count, impact->delassus, trial->offset, impact->friction, NULL};
     for (int32_t k = 0; k < impact->count; k++) {
         double normal = impact->velocity[2 * k];
@@ -52,7 +53,8 @@ TinkerContactResult tinker_impact_solve(const TinkerImpact *impact, double *impu
 {
     double few[16];
     int32_t m = impact->count;
-    g_autofree double *many = m > 8 ? g_new(double, 2 * (gsize)m) : NULL;
+    g_autofree double *many = m > 8 ? g_try_new(double, 2 * (gsize)m) : NULL;
+    if (m > 8 && many == NULL) return TINKER_CONTACT_NO_MEMORY;
     Trial trial = {impact, many != NULL ? many : few, impulses, TINKER_CONTACT_SOLVED};
     if (lost_energy(&trial, 1) >= 0 || impact->least != NULL) return trial.result;
     if (lost_energy(&trial, 0) < 0 && trial.result != TINKER_CONTACT_SOLVED) {

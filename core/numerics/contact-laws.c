@@ -17,12 +17,15 @@ typedef struct {
     double *v;                 /* 2m */
 } Room;
 
-static void room_init(Room *room, int32_t m)
+/* FALSE: no memory. */
+static gboolean room_init(Room *room, int32_t m)
 {
-    room->many = m > 8 ? g_new(double, 5 * (gsize)m) : NULL;
+    room->many = m > 8 ? g_try_new(double, 5 * (gsize)m) : NULL;
+    if (m > 8 && room->many == NULL) return FALSE;
     room->offset = room->many != NULL ? room->many : room->few;
     room->friction = room->offset + 2 * m;
     room->v = room->friction + m;
+    return TRUE;
 }
 
 /* Accelerations under these forces; those that are rounding become 0. */
@@ -48,7 +51,7 @@ TinkerContactResult tinker_contact_modes(const TinkerClosedContacts *closed, Tin
 {
     int32_t m = closed->count;
     Room room;
-    room_init(&room, m);
+    if (!room_init(&room, m)) return TINKER_CONTACT_NO_MEMORY;
     TinkerContactProblem problem = {m, closed->delassus, room.offset, room.friction, closed->sliding};
     for (int32_t k = 0; k < m; k++) {
         double normal = closed->acceleration[2 * k];
@@ -82,7 +85,7 @@ TinkerContactResult tinker_contact_jam(const TinkerClosedContacts *closed, const
 {
     int32_t m = closed->count;
     Room room;
-    room_init(&room, m);
+    if (!room_init(&room, m)) return TINKER_CONTACT_NO_MEMORY;
     TinkerContactProblem problem = {m, closed->delassus, room.offset, room.friction, NULL};
     double fastest = 0, hardest = 0, *half = room.v;
     for (int32_t i = 0; i < 2 * m; i++) {

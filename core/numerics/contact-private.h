@@ -72,6 +72,9 @@ static inline gboolean tinker_contact_grips(const TinkerContactProblem *problem,
            problem->delassus[t * (2 * problem->count + 1)] > 0;
 }
 
+/* One sweep of projected Gauss-Seidel over all contacts, from the impulses p on; answers the largest change of a velocity. */
+double tinker_contact_sweep(const TinkerContactProblem *problem, double *p);
+
 /* p_t / p_n of a closed contact that does not stick. */
 static inline double tinker_contact_slope(const TinkerContactProblem *problem, int32_t k, TinkerContactState state)
 {

@@ -1,5 +1,5 @@
 /* One contact is solved in closed form. Of several, most problems are settled by a few guesses at what each does; else by
- * Lemke's method; where that ends in a ray, by trying all states of few contacts, or by proximal points. */
+ * Lemke's method; where that ends in a ray, by trying all states of few contacts, by proximal points, or by sweeps. */
 #include <math.h>
 #include <string.h>
 
@@ -19,6 +19,13 @@
 /* Of proximal points: where small ones leave W too nearly singular, large ones take more passes. */
 static const double softenings[] = {1e-6, 3e-5, 1e-3};
 #define MOST_PASSES 20
+
+/* Friction nearer to its bound than this share slides. */
+#define AT_BOUND       1e-9
+#define MOST_SWEEPS    2000
+#define SWEEPS_FIRST   400 /* before Lemke's method, whose path grows long where contacts are more than */
+#define MANY           8
+#define SWEEPS_BETWEEN 50
 
 /* A normal direction that nothing moves along has W_nn of rounding alone. */
 #define IMMOVABLE 1e-13
@@ -181,6 +188,35 @@ static gboolean by_proximal_points(TinkerContactWork *work, double softening, do
     return FALSE;
 }
 
+static void read_states(TinkerContactWork *work)
+{
+    const TinkerContactProblem *problem = &work->problem;
+    for (int32_t k = 0; k < problem->count; k++) {
+        const double pn = work->p[2 * k], pt = work->p[2 * k + 1];
+        work->state[k] = !(pn > 0)                                               ? TINKER_STATE_OPEN
+                         : !tinker_contact_grips(problem, k)                     ? TINKER_STATE_FREE
+                         : fabs(pt) < (1 - AT_BOUND) * problem->friction[k] * pn ? TINKER_STATE_STICK
+                         : pt < 0                                                ? TINKER_STATE_FORWARD
+                                                                                 : TINKER_STATE_BACKWARD;
+    }
+}
+
+/* Sweeps do not end in rays, and tell in the end what every contact does. */
+static gboolean by_sweeps(TinkerContactWork *work, int most, double tolerance)
+{
+    double *swept = work->centre;
+    const gsize bytes = 2 * (gsize)work->problem.count * sizeof *swept;
+    memset(swept, 0, bytes);
+    for (int sweeps = 1; sweeps <= most; sweeps++) {
+        tinker_contact_sweep(&work->problem, swept);
+        if (sweeps % SWEEPS_BETWEEN != 0) continue;
+        memcpy(work->p, swept, bytes);
+        read_states(work);
+        if (settle(work, tolerance)) return TRUE;
+    }
+    return FALSE;
+}
+
 static gboolean try_all(TinkerContactWork *work, double tolerance)
 {
     const TinkerContactProblem *problem = &work->problem;
@@ -206,6 +242,7 @@ static TinkerContactResult solve_several(TinkerContactWork *work, TinkerContactS
     for (int32_t pass = 0; pass < 2; pass++) {
         double tolerance = pass == 0 ? ROUNDING : LOOSE;
         if (guess(work, tolerance, next)) return TINKER_CONTACT_SOLVED;
+        if (problem->count > MANY && by_sweeps(work, SWEEPS_FIRST, tolerance)) return TINKER_CONTACT_SOLVED;
         if (by_complementarity(work, tolerance)) return TINKER_CONTACT_SOLVED;
         if (problem->count <= FEW && try_all(work, tolerance)) return TINKER_CONTACT_SOLVED;
     }
@@ -213,7 +250,8 @@ static TinkerContactResult solve_several(TinkerContactWork *work, TinkerContactS
     work->floor = 1;
     for (gsize i = 0; i < G_N_ELEMENTS(softenings); i++)
         if (by_proximal_points(work, softenings[i], LOOSE)) return TINKER_CONTACT_SOLVED;
-    return TINKER_CONTACT_NO_ACCELERATION;
+    const gboolean swept = problem->count > MANY && by_sweeps(work, MOST_SWEEPS, LOOSE);
+    return swept ? TINKER_CONTACT_SOLVED : TINKER_CONTACT_NO_ACCELERATION;
 }
 
 TinkerContactResult tinker_contact_solve(const TinkerContactProblem *problem, double *p)
@@ -222,7 +260,8 @@ TinkerContactResult tinker_contact_solve(const TinkerContactProblem *problem, do
     if (m <= 0) return TINKER_CONTACT_SOLVED;
     if (m == 1) return solve_single(problem, p);
     double small[SMALL_ROOM];
-    g_autofree double *large = room_of(m) > SMALL_ROOM ? g_new(double, room_of(m)) : NULL;
+    g_autofree double *large = room_of(m) > SMALL_ROOM ? g_try_new(double, room_of(m)) : NULL;
+    if (room_of(m) > SMALL_ROOM && large == NULL) return TINKER_CONTACT_NO_MEMORY;
     TinkerContactWork work;
     set_up(&work, problem, large != NULL ? large : small);
     TinkerContactResult result = solve_several(&work, work.state + m);

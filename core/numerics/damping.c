@@ -102,8 +102,18 @@ static int is_symmetric(const TinkerDampingSolver *solver)
 {
     const TinkerSystem *system = solver->system;
     const double *p0 = solver->directions, *a0 = solver->images, *p1 = solver->direction, *a1 = solver->product;
-    double there = dot(system, p0, a1), back = dot(system, p1, a0);
-    double most = sqrt(fmax(dot(system, p0, p0) * dot(system, a1, a1), dot(system, p1, p1) * dot(system, a0, a0)));
+    double there = 0.0, back = 0.0, p0_square = 0.0, a0_square = 0.0, p1_square = 0.0, a1_square = 0.0;
+    // Side by side, so that no sum waits for another.
+    for (int32_t i = 0; i < system->size; i++) {
+        double mass = system->mass[i];
+        there += mass * p0[i] * a1[i];
+        back += mass * p1[i] * a0[i];
+        p0_square += mass * p0[i] * p0[i];
+        a0_square += mass * a0[i] * a0[i];
+        p1_square += mass * p1[i] * p1[i];
+        a1_square += mass * a1[i] * a1[i];
+    }
+    double most = sqrt(fmax(p0_square * a1_square, p1_square * a0_square));
     return !(fabs(there - back) > SYMMETRIC * most);
 }
 

@@ -7,6 +7,8 @@
 #include <string.h>
 
 #define RANK 1e-10
+/* The largest n whose square is an int32_t. */
+#define MOST_UNKNOWNS 46340
 /* Room that xGELSY wants for its blocks. */
 #define BLOCK 64
 
@@ -22,15 +24,19 @@ struct TinkerDenseSolve {
 
 TinkerDenseSolve *tinker_dense_solve_new(int32_t n)
 {
+    if (n > MOST_UNKNOWNS) return NULL;
     TinkerDenseSolve *solve = g_new0(TinkerDenseSolve, 1);
     gsize size = (gsize)MAX(n, 1);
     solve->n = n;
     solve->room = (int32_t)(4 * size + BLOCK * (size + 2));
-    solve->matrix = g_new0(double, size *size);
-    solve->given = g_new0(double, size *size);
-    solve->work = g_new0(double, solve->room);
-    solve->pivots = g_new0(int32_t, size);
-    solve->order = g_new0(lapack_int, size);
+    solve->matrix = g_try_new0(double, size *size);
+    solve->given = g_try_new0(double, size *size);
+    solve->work = g_try_new0(double, solve->room);
+    solve->pivots = g_try_new0(int32_t, size);
+    solve->order = g_try_new0(lapack_int, size);
+    if (solve->matrix == NULL || solve->given == NULL || solve->work == NULL || solve->pivots == NULL ||
+        solve->order == NULL)
+        g_clear_pointer(&solve, tinker_dense_solve_free);
     return solve;
 }
 

@@ -7,7 +7,8 @@
 
 typedef struct TinkerDenseSolve TinkerDenseSolve;
 
-/* Room for systems of n unknowns; a program that has no memory ends. (transfer full) */
+/* Room for systems of n unknowns; NULL where there is no memory for it, or n is above 46340, whose n x n entries no int32_t
+ * counts. (transfer full) */
 TinkerDenseSolve *tinker_dense_solve_new(int32_t n);
 void tinker_dense_solve_free(TinkerDenseSolve *solve);
 

@@ -9,6 +9,9 @@
 #define SWEEPS          7.0 /* of rotations until columns are orthogonal */
 #define SERIES_TERMS    16.0
 #define USUAL_DOUBLINGS 20.0
+/* Intervals of a run. A prime number at the least: one that lasts for a round number of periods is seen in different phases. */
+#define LEAST_INTERVALS 17.0
+#define MOST_INTERVALS  65537.0
 
 /* drag / mass is the same everywhere in the part. */
 static gboolean is_drag_even(const TinkerLinearSystem *system, const TinkerLinearParts *parts, int32_t part)
@@ -105,23 +108,41 @@ double tinker_exact_operations(const TinkerLinearSystem *system, gint64 steps, d
     return steps > 0 ? each * (double)steps : 0.0;
 }
 
-/* Gershgorin's bound on M^-1 K: twice the stiffness between masses, once that to anchors. */
-static double fastest(const TinkerLinearSystem *system)
+/* Gershgorin's bound on M^-1 K, or on M^-1 C: twice the law between masses, once that to anchors. */
+static double greatest_row(const TinkerLinearSystem *system, gboolean of_damping)
 {
     g_autofree double *rows = g_new0(double, system->size);
     for (int32_t e = 0; e < system->edge_count; e++) {
         const TinkerLinearEdge *edge = &system->edges[e];
-        double share = edge->a >= 0 && edge->b >= 0 ? 2.0 * edge->stiffness : edge->stiffness;
+        double law = fabs(of_damping ? edge->damping : edge->stiffness);
+        double share = edge->a >= 0 && edge->b >= 0 ? 2.0 * law : law;
         if (edge->a >= 0) rows[edge->a] += share;
         if (edge->b >= 0) rows[edge->b] += share;
     }
-    double square = 0.0;
-    for (int32_t i = 0; i < system->size; i++)
-        square = fmax(square, rows[i] / system->mass[i]);
-    return sqrt(square);
+    double greatest = 0.0;
+    for (int32_t i = 0; i < system->size; i++) {
+        double drag = of_damping && system->drag ? fabs(system->drag[i]) : 0.0;
+        greatest = fmax(greatest, (rows[i] + drag) / system->mass[i]);
+    }
+    return greatest;
+}
+
+double tinker_exact_fastest(const TinkerLinearSystem *system)
+{
+    return sqrt(greatest_row(system, FALSE));
+}
+
+double tinker_exact_interval(const TinkerLinearSystem *system, double drive, double duration)
+{
+    gboolean driven = system->force_count + system->motion_count > 0;
+    double rate = 0.0;
+    if (driven || !tinker_exact_is_proportional(system))
+        rate = fmax(tinker_exact_fastest(system) + greatest_row(system, TRUE), drive);
+    double count = ceil(duration * rate / TINKER_LINEAR_SERIES_REACH);
+    return duration / CLAMP(count, LEAST_INTERVALS, MOST_INTERVALS);
 }
 
 double tinker_exact_claimed_error(const TinkerLinearSystem *system, double T)
 {
-    return DBL_EPSILON * (16.0 + fastest(system) * fabs(T));
+    return DBL_EPSILON * (16.0 + tinker_exact_fastest(system) * fabs(T));
 }

@@ -6,6 +6,9 @@
  * h^2 / 8), or d' keeps its sign and d has the same sign at both ends, so that no pair of passings is missed; the
  * piece with the passing is halved until d changes by rounding only. States on the way come from exact
  * propagators, one for each level of halving.
+ *
+ * Where d only touches 0, to rounding, the equations go on as they are; but which way the ends part there is decided by
+ * rounding, and somebody may want to know. So a step ends on that as well, once for each time that d comes there.
  */
 #include <float.h>
 #include <math.h>
@@ -15,6 +18,9 @@
 
 #define DEEPEST          60
 #define MOST_EVALUATIONS 200000
+/* Of the rounding of d: an edge meets 0 within so much of it, and has left it beyond so much. */
+#define MEETS 8.0
+#define LEFT  1e4
 
 /* From a state, the signals having `values` there, on for h. */
 typedef struct {
@@ -120,9 +126,9 @@ static gboolean can_pass(const Reach *reach, double t, int32_t e, gboolean *last
     }
     edge->limit = fmax(bend, DBL_MIN);
     edge->noise = DBL_EPSILON * ((4.0 + part->n) * (fabs(edge->place) + size) + 8.0 * t * drift);
-    if (edge->sign * centre > way) return FALSE;
+    if (edge->sign * centre - MEETS * edge->noise > way) return FALSE;
     *lasting = FALSE; /* what it cannot reach within h it may reach later */
-    return !(edge->sign * here - edge->noise > fabs(reach->h) * (speed + drift));
+    return !(edge->sign * here - MEETS * edge->noise > fabs(reach->h) * (speed + drift));
 }
 
 /* Whether any edge can; those that cannot get a limit of 0. */
@@ -165,7 +171,17 @@ static void measure(const TinkerExactPart *part, int32_t e, const double *z, Tin
     *rate *= edge->sign;
 }
 
-typedef enum { STAYS, UNCLEAR, PASSES, PASSES_HERE } Verdict;
+typedef enum { STAYS, MEETS_HERE, UNCLEAR, PASSES, PASSES_HERE } Verdict;
+
+/* Of an edge that does not pass within a piece of the length h. */
+static Verdict judge_edge(const TinkerExactEdge *edge, double h)
+{
+    double least = fmin(edge->now, edge->ahead), bend = edge->limit * h * h / 8.0;
+    gboolean straight = edge->now >= -edge->noise && fabs(edge->rate) > edge->limit * fabs(h);
+    if (straight || least - MEETS * edge->noise > bend) return STAYS;
+    if (edge->met) return least + edge->noise > bend ? STAYS : UNCLEAR;
+    return fmax(edge->now, edge->ahead) <= 2.0 * MEETS * edge->noise ? MEETS_HERE : UNCLEAR;
+}
 
 /* Of a piece of the length h, from what edges measured at its start (now, rate) to what they measure at its end. A
  * passing is found where the piece is so short that d changes by rounding only. */
@@ -183,9 +199,7 @@ static Verdict judge(TinkerExactPart *part, const double *z, TinkerExactValues *
             verdict = PASSES_HERE;
             continue;
         }
-        gboolean away = fmin(edge->now, edge->ahead) + edge->noise > edge->limit * h * h / 8.0;
-        gboolean straight = edge->now >= -edge->noise && fabs(edge->rate) > edge->limit * fabs(h);
-        if (!away && !straight && verdict == STAYS) verdict = UNCLEAR;
+        verdict = MAX(verdict, judge_edge(edge, h));
     }
     return verdict;
 }
@@ -193,16 +207,21 @@ static Verdict judge(TinkerExactPart *part, const double *z, TinkerExactValues *
 /* Makes a state the start of what comes next. */
 static void stand_at(TinkerExactPart *part, const double *z, TinkerExactValues *values)
 {
-    for (int32_t e = 0; e < part->edge_count; e++)
-        if (part->edges[e].watched && part->edges[e].limit != 0.0)
-            measure(part, e, z, values, &part->edges[e].now, &part->edges[e].rate);
+    for (int32_t e = 0; e < part->edge_count; e++) {
+        TinkerExactEdge *edge = &part->edges[e];
+        if (!edge->watched || edge->limit == 0.0) continue;
+        measure(part, e, z, values, &edge->now, &edge->rate);
+        if (edge->now > LEFT * edge->noise) edge->met = FALSE;
+    }
 }
 
-static void mark_passed(TinkerExactPart *part)
+static void mark(TinkerExactPart *part)
 {
     for (int32_t e = 0; e < part->edge_count; e++) {
         TinkerExactEdge *edge = &part->edges[e];
-        edge->due = edge->watched && edge->limit != 0.0 && edge->ahead < -edge->noise;
+        gboolean looked_at = edge->watched && edge->limit != 0.0;
+        edge->due = looked_at && edge->ahead < -edge->noise;
+        edge->meets = looked_at && !edge->due && edge->ahead <= 2.0 * MEETS * edge->noise;
     }
 }
 
@@ -232,8 +251,8 @@ static double search(TinkerExactPart *part, const TinkerSignal *signals, double 
             continue;
         }
         at += whole >> level;
-        if (verdict == PASSES || verdict == PASSES_HERE) {
-            mark_passed(part);
+        if (verdict == PASSES || verdict == PASSES_HERE || verdict == MEETS_HERE) {
+            mark(part);
             part->landed = TRUE;
             return h * ((double)at / (double)whole);
         }

@@ -32,6 +32,7 @@ typedef struct {
     double noise; /* rounding of d */
     double now, rate, ahead;
     gboolean watched, moved, due; /* due: the sign flips before the next step */
+    gboolean meets, met; /* d comes to 0 without passing at the end of the step; has done so, and is near it still */
 } TinkerExactEdge;
 
 /* A signal as the force on the modes: what acts by forces and springs, and what acts by dampers times its rate. */
@@ -94,7 +95,7 @@ typedef struct {
     int32_t basis_count, basis_entries, *basis_of;
     TinkerLinearMoment *moments;
     double *drive, *unit;
-    double rate;
+    double rate; /* 1/s: a bound on the rates of all modes and inputs */
     TinkerExactSlot *slots;
     int32_t slot_count, step_slots;
     guint64 clock;
@@ -139,9 +140,12 @@ static inline gboolean tinker_exact_has_levels(const TinkerExactPart *part)
 }
 
 /* exact-slots.c: the propagator for h, to within `tolerance` of its length; NULL where h is too long.
- * Scratch slots are for interpolation and search, so that those never push out what steps use. */
+ * Scratch slots are for interpolation and search, so that steps never use what those have made, nor lose what they use. */
 const TinkerExactSlot *tinker_exact_slot(TinkerExactPart *part, double h, double tolerance, gboolean scratch,
                                          gboolean with_books);
+/* What a step of h, at most TINKER_LINEAR_SERIES_REACH / part->rate, changes: z (2n, of coupled modes followed by the inputs; of
+ * others `inputs`, entries x n) moves by `to` (2n). */
+void tinker_exact_part_series(TinkerExactPart *part, double h, const double *z, const double *inputs, double *to);
 /* Empties all slots and lays them out for the present inputs. FALSE where memory is out. */
 gboolean tinker_exact_slots_prepare(TinkerExactPart *part);
 gsize tinker_exact_slot_doubles(const TinkerExactPart *part);

@@ -91,9 +91,12 @@ gboolean tinker_exact_slots_prepare(TinkerExactPart *part)
         slot->moments = slot->forms + (part->coupled ? 2 : n) * d * d;
         slot->gram = slot->moments + moment_doubles(part);
     }
-    if (part->coupled) {
-        TinkerLinearOscillators o = coupled_oscillators(part, FALSE);
-        part->rate = tinker_linear_rate(&o);
+    part->rate = 0.0;
+    for (int32_t j = 0; j < part->n; j++) {
+        TinkerLinearOscillators o =
+            part->coupled ? coupled_oscillators(part, FALSE) : single_oscillator(part, j, FALSE);
+        part->rate = fmax(part->rate, tinker_linear_rate(&o));
+        if (part->coupled) break;
     }
     return TRUE;
 }
@@ -215,16 +218,37 @@ static gboolean build(TinkerExactPart *part, double h, gboolean with_books, Tink
     return TRUE;
 }
 
+void tinker_exact_part_series(TinkerExactPart *part, double h, const double *z, const double *inputs, double *to)
+{
+    gsize n = (gsize)part->n, entries = (gsize)part->entries;
+    if (part->coupled) {
+        TinkerLinearOscillators o = coupled_oscillators(part, FALSE);
+        tinker_linear_series(&o, part->rate, h, z, to, part->work);
+        return;
+    }
+    double *vector = part->work, *change = vector + 2 + entries, *work = change + 2;
+    for (gsize j = 0; j < n; j++) {
+        TinkerLinearOscillators o = single_oscillator(part, (int32_t)j, FALSE);
+        vector[0] = z[j];
+        vector[1] = z[n + j];
+        for (gsize r = 0; r < entries; r++)
+            vector[2 + r] = inputs[r * n + j];
+        tinker_linear_series(&o, part->rate, h, vector, change, work);
+        to[j] = change[0];
+        to[n + j] = change[1];
+    }
+}
+
 const TinkerExactSlot *tinker_exact_slot(TinkerExactPart *part, double h, double tolerance, gboolean scratch,
                                          gboolean with_books)
 {
     int32_t first = scratch ? part->step_slots : 0, end = scratch ? part->slot_count : part->step_slots;
     TinkerExactSlot *oldest = &part->slots[first], *nearest = NULL;
-    for (int32_t i = 0; i < part->slot_count; i++) {
+    for (int32_t i = first; i < end; i++) {
         TinkerExactSlot *slot = &part->slots[i];
         gboolean usable = slot->h != 0.0 && fabs(slot->h - h) <= tolerance && (slot->with_books || !with_books);
         if (usable && (!nearest || fabs(slot->h - h) < fabs(nearest->h - h))) nearest = slot;
-        if (i >= first && i < end && slot->used < oldest->used) oldest = slot;
+        if (slot->used < oldest->used) oldest = slot;
     }
     if (!nearest) {
         if (!build(part, h, with_books, oldest)) return NULL;

@@ -31,13 +31,14 @@ static void place_edge(TinkerExactPart *part, int32_t e, const double *q, const 
         reach += fabs(move->factor * values[0]);
     }
     mine->place = b - a;
-    mine->due = FALSE;
+    mine->due = mine->meets = mine->met = FALSE;
     double d = mine->place + moved;
     if (fabs(d) > 64.0 * DBL_EPSILON * reach) {
         mine->sign = copysign(1.0, d);
     } else {
         if (mine->watched) mine->place = -moved;
         mine->sign = rate < 0.0 ? -1.0 : 1.0;
+        mine->met = TRUE;
     }
 }
 
@@ -186,14 +187,37 @@ static const double *go_by_levels(TinkerExactPart *part, const TinkerSignal *sig
     return from;
 }
 
+/* Whether a propagator for any time is a few closed forms. */
+static gboolean is_closed(const TinkerExactPart *part)
+{
+    return !part->coupled && part->signal_count == 0;
+}
+
+/* The values at the start must be set. */
+static const double *go_by_series(TinkerExactPart *part, double h)
+{
+    int32_t n = part->n;
+    double *to = part->scratch, *vector = part->amplitude + part->entries;
+    tinker_exact_part_drive(part, part->values);
+    if (part->coupled) gather(part, part->from, vector);
+    tinker_exact_part_series(part, h, part->coupled ? vector : part->from, part->amplitude, to);
+    for (int32_t i = 0; i < 2 * n; i++)
+        to[i] += part->from[i];
+    return to;
+}
+
 const double *tinker_exact_part_inside(TinkerExactPart *part, const TinkerSignal *signals, double t_from, double h,
                                        double tolerance, double *books)
 {
+    gboolean booked = books && part->booked;
+    if (!booked && !is_closed(part) && part->rate * fabs(h) <= TINKER_LINEAR_SERIES_REACH) {
+        tinker_exact_part_values(part, signals, t_from, part->values);
+        return go_by_series(part, h);
+    }
     if (part->coupled && tinker_exact_has_levels(part) && fabs(h) < fabs(part->length))
         return go_by_levels(part, signals, t_from, h, tolerance, books);
     /* A length of 0 marks an empty propagator. */
-    const TinkerExactSlot *slot =
-        tinker_exact_slot(part, h == 0.0 ? DBL_MIN : h, tolerance, TRUE, books && part->booked);
+    const TinkerExactSlot *slot = tinker_exact_slot(part, h == 0.0 ? DBL_MIN : h, 0.0, TRUE, booked);
     if (!slot) return NULL;
     tinker_exact_part_values(part, signals, t_from, part->values);
     tinker_exact_part_values(part, signals, t_from + h, part->ahead);

@@ -114,6 +114,14 @@ static gboolean is_carried(const Stepper *stepper, const TinkerState *state)
            memcmp(state->v, stepper->v, bytes) == 0;
 }
 
+/* Of a state that was changed, or gone back to: at the end of the last step or at its start it lags as it did, since whoever
+ * changed it knew it so; anywhere else it is what it says. */
+static double lag_at(const Stepper *stepper, const TinkerExactPart *part, double t)
+{
+    if (t == stepper->t) return part->lag;
+    return t == stepper->t_from ? part->lag_from : 0.0;
+}
+
 /* Brings the parts to the state, and turns the edges that the last step ended on. */
 static void stand(Stepper *stepper, const TinkerState *state)
 {
@@ -121,12 +129,14 @@ static void stand(Stepper *stepper, const TinkerState *state)
     for (guint k = 0; k < stepper->each->len; k++) {
         TinkerExactPart *part = stepper->each->pdata[k];
         if (!carried) {
-            part->lag = 0.0;
+            part->lag = lag_at(stepper, part, state->t);
             tinker_exact_part_start(part, state->q, state->v, stepper->signals, state->t);
             continue;
         }
         gboolean turned = FALSE;
         for (int32_t e = 0; e < part->edge_count; e++) {
+            if (part->edges[e].meets) part->edges[e].met = TRUE;
+            part->edges[e].meets = FALSE;
             if (!part->edges[e].due) continue;
             part->edges[e].sign = -part->edges[e].sign;
             part->edges[e].due = FALSE;
@@ -145,7 +155,7 @@ static void stand(Stepper *stepper, const TinkerState *state)
 static void forget_passings(TinkerExactPart *part)
 {
     for (int32_t e = 0; e < part->edge_count; e++)
-        part->edges[e].due = FALSE;
+        part->edges[e].due = part->edges[e].meets = FALSE;
     part->landed = FALSE;
 }
 

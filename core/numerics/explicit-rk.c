@@ -43,7 +43,7 @@ typedef struct Stepper {
     double t0, t1;
     int done;        /* there is a last step */
     int end_known;   /* a[stages] holds the acceleration at its end ... */
-    int end_is_here; /* ... which is where the state is */
+    int end_is_next; /* ... which the step found, and where the state is: the next step begins with it */
     int extra_known; /* so do those behind it */
     double memory[];
 } Stepper;
@@ -193,8 +193,8 @@ static double find_error(Stepper *stepper, double h)
 {
     int32_t n = stepper->system->size;
     if (!isfinite(tinker_largest(n, stepper->q)) || !isfinite(tinker_largest(n, stepper->v))) return INFINITY;
-    TinkerErrorScale scale = tinker_error_scale(stepper->system, stepper->control.tolerance, h, stepper->q0,
-                                                stepper->v0, stepper->q, stepper->v, stepper->a[0]);
+    TinkerErrorScale scale = tinker_error_scale(stepper->system, &stepper->control, h, stepper->q0, stepper->v0,
+                                                stepper->q, stepper->v, stepper->a[0]);
     double error = measure(stepper, &stepper->error, h, scale);
     if (!stepper->tableau->second_error) return error;
     return tinker_tableau_join_errors(error, measure(stepper, &stepper->second_error, h, scale));
@@ -222,7 +222,7 @@ static TinkerStatus begin(Stepper *stepper, const TinkerState *state, double lim
     const TinkerSystem *system = stepper->system;
     int end = stepper->tableau->stages;
     TinkerStatus status = TINKER_OK;
-    if (stepper->done && stepper->end_known && stepper->end_is_here) {
+    if (stepper->done && stepper->end_is_next) {
         double *a = stepper->a[0], *power = stepper->power[0];
         stepper->a[0] = stepper->a[end];
         stepper->power[0] = stepper->power[end];
@@ -263,7 +263,7 @@ static TinkerStatus commit(Stepper *stepper, TinkerState *state, double h)
     state->t = stepper->t1;
     stepper->done = 1;
     stepper->end_known = tinker_tableau_ends_on_evaluation(stepper->tableau);
-    stepper->end_is_here = !moved;
+    stepper->end_is_next = stepper->end_known && !moved; /* not where dense output finds it: looking saves nothing */
     return TINKER_OK;
 }
 

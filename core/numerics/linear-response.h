@@ -63,6 +63,14 @@ double tinker_linear_rate(const TinkerLinearOscillators *oscillators);
 gboolean tinker_linear_response(const TinkerLinearOscillators *oscillators, double rate, double h, double *propagator,
                                 double *const *forms, double *moments, double *work);
 
+/* rate * h up to which a series over h alone is accurate to rounding. */
+#define TINKER_LINEAR_SERIES_REACH 1.0
+
+/* The change within h, rate * |h| <= TINKER_LINEAR_SERIES_REACH, of (scale eta, eta') from the vector z = (scale eta, eta', r):
+ * `change` has 2 size entries, `work` room for 2 (2 size + entries). Forms and moments are not looked at. */
+void tinker_linear_series(const TinkerLinearOscillators *oscillators, double rate, double h, const double *z,
+                          double *change, double *work);
+
 /* How often the time is doubled for a step of h. */
 int32_t tinker_linear_doublings(double rate, double h);
 

@@ -8,6 +8,7 @@
  * ends at once: two runs of divisions that do not wait for each other. */
 #include "numerics/sparse-ldl.h"
 
+#include <errno.h>
 #include <string.h>
 #include <suitesparse/amd.h>
 
@@ -34,15 +35,42 @@ static int compare_ints(const void *a, const void *b)
     return *(const int *)a - *(const int *)b;
 }
 
-static GArray *sorted_unique(GArray *array)
+/* A column of a pattern in the making. The patterns of large scenes take more than there may be, so none of this ends the
+ * program. */
+typedef struct {
+    int *rows;
+    gsize length, room;
+} Column;
+
+static gboolean append_rows(Column *column, const int *rows, gsize count)
 {
-    g_array_sort(array, compare_ints);
-    guint kept = 0;
-    for (guint i = 0; i < array->len; i++)
-        if (i == 0 || g_array_index(array, int, i) != g_array_index(array, int, kept - 1))
-            g_array_index(array, int, kept++) = g_array_index(array, int, i);
-    g_array_set_size(array, kept);
-    return array;
+    if (count > column->room - column->length) {
+        const gsize room = MAX(column->length + count, 2 * column->room);
+        int *larger = g_try_realloc_n(column->rows, room, sizeof(int));
+        if (larger == NULL) return FALSE;
+        column->rows = larger;
+        column->room = room;
+    }
+    memcpy(column->rows + column->length, rows, count * sizeof(int));
+    column->length += count;
+    return TRUE;
+}
+
+static void sort_uniquely(Column *column)
+{
+    if (column->length < 2) return;
+    qsort(column->rows, column->length, sizeof(int), compare_ints);
+    gsize kept = 1;
+    for (gsize i = 1; i < column->length; i++)
+        if (column->rows[i] != column->rows[kept - 1]) column->rows[kept++] = column->rows[i];
+    column->length = kept;
+}
+
+static void free_pattern(Column *pattern, int n)
+{
+    for (int k = 0; pattern != NULL && k < n; k++)
+        g_free(pattern[k].rows);
+    g_free(pattern);
 }
 
 /* The pattern by columns, both triangles, sorted and without repetition. */
@@ -50,9 +78,11 @@ typedef struct {
     int *starts, *entries;
 } Neighbours;
 
-static Neighbours neighbours(int n, const int *rows, const int *columns, gsize count)
+static gboolean find_neighbours(Neighbours *by, int n, const int *rows, const int *columns, gsize count)
 {
-    int *starts = g_new0(int, n + 2), *entries = g_new(int, 2 * count + 1);
+    int *starts = g_try_new0(int, n + 2), *entries = g_try_new(int, 2 * count + 1);
+    *by = (Neighbours){starts, entries};
+    if (starts == NULL || entries == NULL) return FALSE;
     for (gsize k = 0; k < count; k++)
         starts[rows[k] + 2]++, starts[columns[k] + 2]++;
     for (int i = 0; i < n; i++)
@@ -71,15 +101,16 @@ static Neighbours neighbours(int n, const int *rows, const int *columns, gsize c
         from = until;
     }
     starts[n] = kept;
-    return (Neighbours){starts, entries};
+    return TRUE;
 }
 
-/* Takes leaves away in turns. FALSE where a cycle is left over. */
+/* Takes leaves away in turns: a forest, unless a cycle is left over. FALSE: no memory. */
 static gboolean peel(TinkerSparseLdl *ldl, const Neighbours *by)
 {
     int n = ldl->n, taken = 0, seen = 0;
-    g_autofree int *degree = g_new(int, MAX(n, 1));
-    g_autofree gboolean *gone = g_new0(gboolean, MAX(n, 1));
+    g_autofree int *degree = g_try_new(int, MAX(n, 1));
+    g_autofree gboolean *gone = g_try_new0(gboolean, MAX(n, 1));
+    if (degree == NULL || gone == NULL) return FALSE;
     for (int i = 0; i < n; i++) {
         degree[i] = by->starts[i + 1] - by->starts[i];
         if (degree[i] <= 1) ldl->sequence[taken++] = i;
@@ -95,37 +126,38 @@ static gboolean peel(TinkerSparseLdl *ldl, const Neighbours *by)
             if (--degree[other] == 1) ldl->sequence[taken++] = other;
         }
     }
-    return taken == n;
+    ldl->is_forest = taken == n;
+    return TRUE;
 }
 
-static void order(TinkerSparseLdl *ldl, const Neighbours *by, int *sequence)
+/* FALSE: no memory. */
+static gboolean order(TinkerSparseLdl *ldl, const Neighbours *by, int *sequence)
 {
-    if (amd_order(ldl->n, by->starts, by->entries, sequence, NULL, NULL) < 0)
-        for (int i = 0; i < ldl->n; i++)
-            sequence[i] = i;
+    const int result = amd_order(ldl->n, by->starts, by->entries, sequence, NULL, NULL);
+    for (int i = 0; result < 0 && i < ldl->n; i++)
+        sequence[i] = i;
+    return result != AMD_OUT_OF_MEMORY;
 }
 
 /* The pattern of L: below the diagonal, column k holds what A has there, and what earlier columns whose first entry is k
- * pass on. Stops where it grows beyond what `compile` takes. */
-static GArray **fill_pattern(TinkerSparseLdl *ldl, const int *rows, const int *columns, gsize count)
+ * pass on. Stops where it grows beyond what `compile` takes. FALSE: no memory. */
+static gboolean fill_pattern(const TinkerSparseLdl *ldl, const int *rows, const int *columns, gsize count,
+                             Column *pattern)
 {
-    GArray **pattern = g_new(GArray *, MAX(ldl->n, 1));
-    for (int k = 0; k < ldl->n; k++)
-        pattern[k] = g_array_new(FALSE, FALSE, sizeof(int));
     for (gsize e = 0; e < count; e++) {
         int i = ldl->place[rows[e]], j = ldl->place[columns[e]];
         int low = MIN(i, j), high = MAX(i, j);
-        if (low != high) g_array_append_val(pattern[low], high);
+        if (low != high && !append_rows(&pattern[low], &high, 1)) return FALSE;
     }
     gsize updates = 0;
     for (int k = 0; k < ldl->n && updates <= MOST_UPDATES; k++) {
-        gsize length = sorted_unique(pattern[k])->len;
-        updates += length * (length + 1) / 2;
-        if (length < 2) continue;
-        int parent = g_array_index(pattern[k], int, 0);
-        g_array_append_vals(pattern[parent], &g_array_index(pattern[k], int, 1), pattern[k]->len - 1);
+        Column *column = &pattern[k];
+        sort_uniquely(column);
+        updates += column->length * (column->length + 1) / 2;
+        if (column->length < 2) continue;
+        if (!append_rows(&pattern[column->rows[0]], column->rows + 1, column->length - 1)) return FALSE;
     }
-    return pattern;
+    return TRUE;
 }
 
 static int slot_of(const TinkerSparseLdl *ldl, int row, int column)
@@ -138,9 +170,8 @@ static int slot_of(const TinkerSparseLdl *ldl, int row, int column)
     return ldl->n + (int)(found - ldl->rows);
 }
 
-static void list_updates(TinkerSparseLdl *ldl, gsize count)
+static void list_updates(TinkerSparseLdl *ldl)
 {
-    ldl->updates = g_new(int, MAX(count, 1));
     int *update = ldl->updates;
     for (int k = 0; k < ldl->n; k++)
         for (int p = ldl->starts[k]; p < ldl->starts[k + 1]; p++)
@@ -148,73 +179,80 @@ static void list_updates(TinkerSparseLdl *ldl, gsize count)
                 *update++ = slot_of(ldl, ldl->rows[q], ldl->rows[p]);
 }
 
-static gboolean compile(TinkerSparseLdl *ldl, GArray **pattern)
+static gboolean allot_values(TinkerSparseLdl *ldl, gsize entries)
+{
+    ldl->values = g_try_new0(double, (gsize)ldl->n + entries + 1);
+    ldl->diagonal = g_try_new0(double, MAX(ldl->n, 1));
+    ldl->work = g_try_new0(double, MAX(ldl->n, 1));
+    return ldl->values != NULL && ldl->diagonal != NULL && ldl->work != NULL;
+}
+
+/* FALSE with errno. */
+static gboolean compile(TinkerSparseLdl *ldl, const Column *pattern)
 {
     gsize entries = 0, updates = 0;
     for (int k = 0; k < ldl->n; k++) {
-        gsize length = pattern[k]->len;
+        gsize length = pattern[k].length;
         entries += length;
         updates += length * (length + 1) / 2;
     }
+    errno = updates > MOST_UPDATES ? EOVERFLOW : ENOMEM;
     if (updates > MOST_UPDATES) return FALSE;
-    ldl->starts = g_new(int, ldl->n + 1);
-    ldl->rows = g_new(int, MAX(entries, 1));
+    ldl->starts = g_try_new(int, ldl->n + 1);
+    ldl->rows = g_try_new(int, MAX(entries, 1));
+    ldl->updates = g_try_new(int, MAX(updates, 1));
+    if (ldl->starts == NULL || ldl->rows == NULL || ldl->updates == NULL || !allot_values(ldl, entries)) return FALSE;
     ldl->starts[0] = 0;
     for (int k = 0; k < ldl->n; k++) {
-        if (pattern[k]->len > 0) memcpy(ldl->rows + ldl->starts[k], pattern[k]->data, pattern[k]->len * sizeof(int));
-        ldl->starts[k + 1] = ldl->starts[k] + (int)pattern[k]->len;
+        if (pattern[k].length > 0) memcpy(ldl->rows + ldl->starts[k], pattern[k].rows, pattern[k].length * sizeof(int));
+        ldl->starts[k + 1] = ldl->starts[k] + (int)pattern[k].length;
     }
-    list_updates(ldl, updates);
-    ldl->values = g_new0(double, (gsize)ldl->n + entries + 1);
-    ldl->diagonal = g_new0(double, MAX(ldl->n, 1));
-    ldl->work = g_new0(double, MAX(ldl->n, 1));
+    list_updates(ldl);
     return TRUE;
 }
 
 static gboolean compile_general(TinkerSparseLdl *ldl, const Neighbours *by, const int *rows, const int *columns,
                                 gsize count)
 {
-    g_autofree int *sequence = g_new(int, MAX(ldl->n, 1));
-    order(ldl, by, sequence);
-    for (int k = 0; k < ldl->n; k++)
+    g_autofree int *sequence = g_try_new(int, MAX(ldl->n, 1));
+    Column *pattern = g_try_new0(Column, MAX(ldl->n, 1));
+    gboolean done = sequence != NULL && pattern != NULL && order(ldl, by, sequence);
+    for (int k = 0; done && k < ldl->n; k++)
         ldl->place[sequence[k]] = k;
-    GArray **pattern = fill_pattern(ldl, rows, columns, count);
-    gboolean fits = compile(ldl, pattern);
-    for (int k = 0; k < ldl->n; k++)
-        g_array_unref(pattern[k]);
-    g_free(pattern);
-    return fits;
+    errno = ENOMEM;
+    done = done && fill_pattern(ldl, rows, columns, count, pattern) && compile(ldl, pattern);
+    free_pattern(pattern, ldl->n);
+    return done;
 }
 
-static void compile_forest(TinkerSparseLdl *ldl)
+static gboolean compile_forest(TinkerSparseLdl *ldl)
 {
     for (int k = 0; k < ldl->n; k++)
         ldl->place[ldl->sequence[k]] = k;
-    ldl->parent_places = g_new0(int, MAX(ldl->n, 1));
+    ldl->parent_places = g_try_new0(int, MAX(ldl->n, 1));
+    if (ldl->parent_places == NULL || !allot_values(ldl, (gsize)ldl->n)) return FALSE;
     for (int k = 0; k < ldl->n; k++)
         ldl->parent_places[k] = ldl->place[ldl->parents[k]];
-    ldl->values = g_new0(double, 2 * (gsize)ldl->n + 1);
-    ldl->diagonal = g_new0(double, MAX(ldl->n, 1));
-    ldl->work = g_new0(double, MAX(ldl->n, 1));
+    return TRUE;
 }
 
 TinkerSparseLdl *tinker_sparse_ldl_new(int n, const int *rows, const int *columns, gsize count)
 {
     TinkerSparseLdl *ldl = g_new0(TinkerSparseLdl, 1);
+    Neighbours by = {NULL, NULL};
     ldl->n = n;
-    ldl->place = g_new0(int, MAX(n, 1));
-    ldl->sequence = g_new0(int, MAX(n, 1));
-    ldl->parents = g_new0(int, MAX(n, 1));
-    Neighbours by = neighbours(n, rows, columns, count);
-    ldl->is_forest = peel(ldl, &by);
-    gboolean fits = TRUE;
-    if (ldl->is_forest)
-        compile_forest(ldl);
-    else
-        fits = compile_general(ldl, &by, rows, columns, count);
+    ldl->place = g_try_new0(int, MAX(n, 1));
+    ldl->sequence = g_try_new0(int, MAX(n, 1));
+    ldl->parents = g_try_new0(int, MAX(n, 1));
+    errno = ENOMEM;
+    gboolean done = ldl->place != NULL && ldl->sequence != NULL && ldl->parents != NULL &&
+                    find_neighbours(&by, n, rows, columns, count) && peel(ldl, &by) &&
+                    (ldl->is_forest ? compile_forest(ldl) : compile_general(ldl, &by, rows, columns, count));
+    const int reason = errno;
     g_free(by.starts);
     g_free(by.entries);
-    if (!fits) g_clear_pointer(&ldl, tinker_sparse_ldl_free);
+    if (!done) g_clear_pointer(&ldl, tinker_sparse_ldl_free);
+    errno = reason;
     return ldl;
 }
 

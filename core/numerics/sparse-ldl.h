@@ -11,7 +11,8 @@
 typedef struct _TinkerSparseLdl TinkerSparseLdl;
 
 /* A matrix of order n with a full diagonal and the off-diagonal places (rows[k], columns[k]), each pair once or more, in
- * either triangle. NULL where the factor would be too large. (transfer full) */
+ * either triangle. NULL where the factor would be too large (errno EOVERFLOW), or there is no memory for it (ENOMEM).
+ * (transfer full) */
 TinkerSparseLdl *tinker_sparse_ldl_new(int n, const int *rows, const int *columns, gsize count);
 void tinker_sparse_ldl_free(TinkerSparseLdl *ldl);
 

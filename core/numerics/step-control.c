@@ -10,6 +10,7 @@
 #define STRETCH       1.01 /* how much longer a step may become so as to land: the safety covers it */
 #define LEAST_ERROR   1e-4 /* what counts as the last error in the controller's memory is at least this */
 #define FACTOR_BROKEN 0.1  /* after a trial whose error is not a number */
+#define FADING        0.9  /* of the usual length of steps, from one that is shorter to the next */
 /* A motion that is small beside the extent may be this much faster than the extent tells; what looks faster still is
  * the rounding of a velocity and a force that both vanish. */
 #define LOCAL_RATE_CAP 1e4
@@ -31,6 +32,7 @@ void tinker_step_control_forget(TinkerStepControl *control)
 {
     control->h = 0.0;
     control->last_error = LEAST_ERROR;
+    control->usual = 0.0;
 }
 
 double tinker_step_control_trial(const TinkerStepControl *control, double t, double limit, int *lands)
@@ -52,6 +54,7 @@ void tinker_step_control_accept(TinkerStepControl *control, double h, double err
     int cut_short = STRETCH * h < control->h; /* not by the rounding of t alone */
     control->h = cut_short && !rejected ? fmax(next, control->h) : next;
     control->last_error = fmax(error, LEAST_ERROR);
+    control->usual = fmax(h, FADING * control->usual);
 }
 
 int tinker_step_control_reject(TinkerStepControl *control, double t, double h, double error)
@@ -82,9 +85,11 @@ double tinker_relative(double value, double scale)
     return value == 0.0 ? 0.0 : value / scale;
 }
 
-TinkerErrorScale tinker_error_scale(const TinkerSystem *system, double tolerance, double h, const double *q0,
-                                    const double *v0, const double *q1, const double *v1, const double *a)
+TinkerErrorScale tinker_error_scale(const TinkerSystem *system, const TinkerStepControl *control, double h,
+                                    const double *q0, const double *v0, const double *q1, const double *v1,
+                                    const double *a)
 {
+    double usual = fmax(h, control->usual), tolerance = control->tolerance;
     double extent = 0.0, speed = 0.0, extent_end = 0.0, speed_end = 0.0;
     system->scales(system->context, q0, v0, &extent, &speed);
     system->scales(system->context, q1, v1, &extent_end, &speed_end);
@@ -92,7 +97,8 @@ TinkerErrorScale tinker_error_scale(const TinkerSystem *system, double tolerance
     speed = fmax(speed, speed_end);
     if (!(speed > 0.0)) speed = h * tinker_largest(system->size, a);
     if (!(extent > 0.0)) extent = h * speed;
-    return (TinkerErrorScale){.q = tolerance * extent, .v = tolerance * speed + 2.0 * DBL_EPSILON * extent / h};
+    double rounding = 2.0 * DBL_EPSILON * extent / usual * (h / usual);
+    return (TinkerErrorScale){.q = tolerance * extent, .v = tolerance * speed + rounding};
 }
 
 /* The rate, 1/s, at which something that changes by `change` in t^power crosses `scale`; 0 where that says nothing. */

@@ -22,6 +22,7 @@ typedef struct TinkerStepControl {
     double tolerance;
     double h;          /* the step to try next, s; 0: not known yet */
     double last_error; /* of the last accepted step */
+    double usual;      /* s: how long steps were lately, however short they are now; 0: not known */
 } TinkerStepControl;
 
 /* What an error in q and one in v are divided by. */
@@ -49,10 +50,12 @@ int tinker_step_control_reject(TinkerStepControl *control, double t, double h, d
 
 /* The scales for a step of length h between two states with the accelerations `a` at its start. A scale that the system
  * does not have is replaced by what the step can bring about: h max|a| for the speed, h times the speed for the extent.
- * To the velocity's scale is added what moves the system by 16 roundings of its extent within the step, so that the
- * rounding of large, balanced forces does not drive the step down. */
-TinkerErrorScale tinker_error_scale(const TinkerSystem *system, double tolerance, double h, const double *q0,
-                                    const double *v0, const double *q1, const double *v1, const double *a);
+ * To the velocity's scale is added what moves the system by two roundings of its extent within a step of the usual length,
+ * so that the rounding of large, balanced forces does not drive the step down. Of a shorter step it is less, as what such
+ * forces do within it is: a force that jumps is no rounding, however short the steps are that find the jump. */
+TinkerErrorScale tinker_error_scale(const TinkerSystem *system, const TinkerStepControl *control, double h,
+                                    const double *q0, const double *v0, const double *q1, const double *v1,
+                                    const double *a);
 
 /* The largest |x|; NaN or infinite where an entry is. */
 double tinker_largest(int32_t count, const double *x);

@@ -117,6 +117,16 @@ static void add_constraints(TinkerActingForces *forces, const TinkerConstraintBa
     }
 }
 
+/* What keeps a bar straight pushes across it: at its ends and between, as the rod does that reaches across. */
+static void add_straight_rows(TinkerActingForces *forces)
+{
+    const TinkerConstraints *all = &forces->model->constraints;
+    for (int32_t row = all->first_straight; row < all->rows; row++)
+        for (int32_t e = all->row_starts[row]; e < all->row_starts[row + 1]; e++)
+            add(forces, TINKER_ACTING_CONSTRAINT, all->blocks[row], all->points[e],
+                all->lambda[row] * all->jacobian[2 * e], all->lambda[row] * all->jacobian[2 * e + 1]);
+}
+
 /* One force of a contact and the opposite one on the plate, both where they touch. */
 static void add_touch(TinkerActingForces *forces, TinkerActingKind kind, const TinkerContact *contact, double fx,
                       double fy)
@@ -168,6 +178,7 @@ static TinkerStatus add_all(TinkerActingForces *forces)
     }
     for (guint i = 0; status == TINKER_OK && i < model->constraints.batches->len; i++)
         add_constraints(forces, &g_array_index(model->constraints.batches, TinkerConstraintBatch, i));
+    if (status == TINKER_OK) add_straight_rows(forces);
     if (status != TINKER_OK) return status;
     make_room(forces);
     add_contacts(forces);

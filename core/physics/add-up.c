@@ -24,6 +24,7 @@ static void add_run(TinkerSummary *whole, TinkerIslandRun *run)
     if (run->contacts != NULL) whole->contact_changes += tinker_contact_run_changes(run->contacts);
     whole->simulated_s = fmin(whole->simulated_s, part->simulated_s);
     whole->valid_until = fmin(whole->valid_until, part->valid_until);
+    whole->determined_until = fmin(whole->determined_until, part->determined_until);
     whole->constraint_position_error = fmax(whole->constraint_position_error, part->constraint_position_error);
     whole->constraint_velocity_error = fmax(whole->constraint_velocity_error, part->constraint_velocity_error);
     add_energy(whole, part);
@@ -61,10 +62,13 @@ void tinker_simulation_add_up(TinkerSimulation *simulation)
     *whole = (TinkerSummary){
         .simulated_s = INFINITY,
         .valid_until = INFINITY,
+        .determined_until = INFINITY,
         .wall_s = kept.wall_s,
         .start_impulse = kept.start_impulse,
         .error_estimate = kept.error_estimate,
         .predictable_until = kept.predictable_until,
+        .accuracy = kept.accuracy,
+        .tries = kept.tries,
         .islands = kept.islands,
         .events = kept.events,
         .warnings = kept.warnings,

@@ -22,13 +22,14 @@ static TinkerLineChunk line_chunk(const TinkerModel *model)
         c, c + TINKER_CHUNK, c + 2 * TINKER_CHUNK, c + 3 * TINKER_CHUNK, c + 4 * TINKER_CHUNK, c + 5 * TINKER_CHUNK};
 }
 
-static void chunk_geometry(const TinkerModel *model, const int32_t *points, int32_t count, const TinkerLineChunk *chunk)
+static void chunk_geometry(TinkerModel *model, const int32_t *points, int32_t count, const TinkerLineChunk *chunk)
 {
     for (int32_t i = 0; i < count; i++) {
         const TinkerPoint *a = &model->point[points[2 * i]], *b = &model->point[points[2 * i + 1]];
         double dx = b->x - a->x, dy = b->y - a->y, square = dx * dx + dy * dy;
         double length = sqrt(square), inverse = square > 0 ? 1.0 / length : 0.0;
         chunk->length[i] = length;
+        if (length < model->watched_length) atomic_store_explicit(&model->came_near, TRUE, memory_order_relaxed);
         chunk->x[i] = dx * inverse;
         chunk->y[i] = dy * inverse;
         chunk->rate[i] = chunk->x[i] * (b->vx - a->vx) + chunk->y[i] * (b->vy - a->vy);

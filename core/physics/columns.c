@@ -90,6 +90,25 @@ static gboolean unknown_quantity(const TinkerBlockClass *block_class, const char
     return FALSE;
 }
 
+/* A block's name alone. */
+static gboolean no_quantity(TinkerScene *scene, TinkerBlockId block, const char *column, GError **error)
+{
+    const TinkerBlockClass *block_class = tinker_scene_block_class(scene, block);
+    if (block_class == NULL || block_class->quantity_count == 0) {
+        g_set_error(error, TINKER_SCENE_ERROR, TINKER_SCENE_ERROR_NAME,
+                    "column \"%s\": this block has no quantities (a column is BLOCK.QUANTITY, as in \"Mass 0.x\")",
+                    column);
+        return FALSE;
+    }
+    g_autoptr(GString) known = g_string_new(NULL);
+    for (int32_t q = 0; q < block_class->quantity_count; q++)
+        g_string_append_printf(known, "%s%s", q > 0 ? ", " : "", block_class->quantities[q].id);
+    g_set_error(error, TINKER_SCENE_ERROR, TINKER_SCENE_ERROR_NAME,
+                "column \"%s\": the quantity is missing, as in \"%s.%s\" (it has %s)", column, column,
+                block_class->quantities[0].id, known->str);
+    return FALSE;
+}
+
 /* Nobody knows the quantities of a placeholder. */
 static gboolean missing_type(TinkerScene *scene, TinkerBlockId block, const char *column, GError **error)
 {
@@ -102,6 +121,8 @@ static gboolean missing_type(TinkerScene *scene, TinkerBlockId block, const char
 gboolean tinker_columns_add(GArray *columns, TinkerScene *scene, const char *name, GError **error)
 {
     const char *dot = strrchr(name, '.');
+    TinkerBlockId whole = tinker_scene_find_block(scene, name);
+    if (dot == NULL && whole != TINKER_NO_BLOCK) return no_quantity(scene, whole, name, error);
     if (dot == NULL) return unknown_block(scene, name, name, error);
     g_autofree char *block_name = g_strndup(name, (gsize)(dot - name));
     TinkerBlockId block = tinker_scene_find_block(scene, block_name);

@@ -1,9 +1,12 @@
 /* Compiling, third part: constraint rows, and the pattern of S = J M^-1 J^T. */
+#include <errno.h>
 #include <glib/gi18n-lib.h>
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "physics/row-chains.h"
+#include "physics/straight-bars.h"
 
 /* Beyond this many products a factorisation takes longer, and more memory, than anybody has. */
 #define MOST_PRODUCTS 2e7
@@ -60,32 +63,78 @@ static void number_entries(TinkerConstraints *all, const TinkerConstraintBatch *
     all->row_starts[row] = entry;
 }
 
-static void allot(TinkerModel *model)
+/* Rows that keep bars straight stand behind those of blocks. */
+static void add_straight_rows(TinkerConstraints *all, GArray *straight)
+{
+    all->straight = straight;
+    all->first_straight = all->rows;
+    all->rows += (int32_t)straight->len;
+    all->entries += 3 * (int32_t)straight->len;
+}
+
+static void number_straight_entries(TinkerConstraints *all)
+{
+    int32_t entry = all->entries - 3 * (int32_t)all->straight->len;
+    for (guint i = 0; i < all->straight->len; i++) {
+        const TinkerStraightRow *of = &g_array_index(all->straight, TinkerStraightRow, i);
+        int32_t row = all->first_straight + (int32_t)i;
+        all->blocks[row] = of->rod;
+        all->scales[row] = of->length;
+        all->inverse_scales[row] = 1 / of->length;
+        for (int k = 0; k < 3; k++, entry++) {
+            all->row_of[entry] = row;
+            all->points[entry] = k == 0 ? of->first : k == 1 ? of->between : of->last;
+        }
+        all->row_starts[row + 1] = entry;
+        all->two_entries = FALSE;
+    }
+}
+
+/* A part of what constraints need; what lacks is told once, when all has been asked for. */
+static gpointer allot_part(TinkerModel *model, gsize count, gsize size)
+{
+    gpointer part = g_try_malloc0_n(MAX(count, 1), size);
+    model->lacks_memory |= part == NULL;
+    return part;
+}
+#define ALLOT(model, type, count) ((type *)allot_part((model), (gsize)(count), sizeof(type)))
+
+static gboolean lack_memory(const TinkerModel *model, GError **error)
+{
+    g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_MEMORY,
+                _("there is no memory for the equations of %d constraints"), model->constraints.rows);
+    return FALSE;
+}
+
+static gboolean allot(TinkerModel *model, GError **error)
 {
     TinkerConstraints *all = &model->constraints;
     gsize rows = (gsize)MAX(all->rows, 1), entries = (gsize)MAX(all->entries, 1);
     int32_t most_ends = 1;
     for (guint i = 0; i < all->batches->len; i++)
         most_ends = MAX(most_ends, g_array_index(all->batches, TinkerConstraintBatch, i).batch->end_count);
-    all->row_starts = g_new0(int32_t, rows + 1);
-    all->points = g_new0(int32_t, entries);
-    all->row_of = g_new0(int32_t, entries);
-    all->factored_jacobian = g_new0(double, 2 * entries);
-    all->scales = g_new0(double, rows);
-    all->inverse_scales = g_new0(double, rows);
-    all->asked = g_new0(double, rows);
-    all->blocks = g_new0(TinkerBlockId, rows);
-    all->ends = g_new0(TinkerPoint, most_ends);
-    all->jacobian = g_new0(double, 2 * entries);
-    all->g = g_new0(double, rows);
-    all->drift = g_new0(double, rows);
-    all->rate = g_new0(double, rows);
-    all->lambda = g_new0(double, rows);
-    all->residual = g_new0(double, rows);
-    all->correction = g_new0(double, rows);
-    all->turned = g_new0(double, 2 * entries);
-    all->displacement = g_new0(double, 2 * (gsize)MAX(model->bodies, 1));
-    all->by_point = g_new0(double, 2 * (gsize)MAX(model->points, 1));
+    all->row_starts = ALLOT(model, int32_t, rows + 1);
+    all->points = ALLOT(model, int32_t, entries);
+    all->row_of = ALLOT(model, int32_t, entries);
+    all->factored_jacobian = ALLOT(model, double, 2 * entries);
+    all->kept_jacobian = ALLOT(model, double, 2 * entries);
+    all->kept_factored_jacobian = ALLOT(model, double, 2 * entries);
+    all->scales = ALLOT(model, double, rows);
+    all->inverse_scales = ALLOT(model, double, rows);
+    all->asked = ALLOT(model, double, rows);
+    all->blocks = ALLOT(model, TinkerBlockId, rows);
+    all->ends = ALLOT(model, TinkerPoint, most_ends);
+    all->jacobian = ALLOT(model, double, 2 * entries);
+    all->g = ALLOT(model, double, rows);
+    all->drift = ALLOT(model, double, rows);
+    all->rate = ALLOT(model, double, rows);
+    all->lambda = ALLOT(model, double, rows);
+    all->residual = ALLOT(model, double, rows);
+    all->correction = ALLOT(model, double, rows);
+    all->turned = ALLOT(model, double, 2 * entries);
+    all->displacement = ALLOT(model, double, 2 * (gsize)MAX(model->bodies, 1));
+    all->by_point = ALLOT(model, double, 2 * (gsize)MAX(model->points, 1));
+    return !model->lacks_memory || lack_memory(model, error);
 }
 
 /* The rows' lengths: the block's own word, else the largest distance between its ends at the start. */
@@ -110,18 +159,20 @@ static void measure(TinkerModel *model, const TinkerConstraintBatch *part)
     }
 }
 
-static void list_entries_by_body(TinkerModel *model)
+static gboolean list_entries_by_body(TinkerModel *model, GError **error)
 {
     TinkerConstraints *all = &model->constraints;
-    all->body_starts = g_new0(int32_t, model->bodies + 1);
-    all->body_entries = g_new0(int32_t, MAX(all->entries, 1));
-    g_autofree int32_t *next = g_new0(int32_t, model->bodies + 1);
+    all->body_starts = ALLOT(model, int32_t, model->bodies + 1);
+    all->body_entries = ALLOT(model, int32_t, all->entries);
+    g_autofree int32_t *next = ALLOT(model, int32_t, model->bodies + 1);
+    if (model->lacks_memory) return lack_memory(model, error);
     for (int32_t e = 0; e < all->entries; e++)
         if (all->points[e] < model->bodies) all->body_starts[all->points[e] + 1]++;
     for (int32_t i = 0; i < model->bodies; i++)
         next[i + 1] = all->body_starts[i + 1] += all->body_starts[i];
     for (int32_t e = 0; e < all->entries; e++)
         if (all->points[e] < model->bodies) all->body_entries[next[all->points[e]]++] = e;
+    return TRUE;
 }
 
 static gboolean refuse_entangled(const TinkerModel *model, GError **error)
@@ -134,45 +185,49 @@ static gboolean refuse_entangled(const TinkerModel *model, GError **error)
 }
 
 /* Every two ends on one body are a product: of a hub with n rods there are n^2 / 2. */
-static gboolean products_fit(const TinkerModel *model)
+static double count_products(const TinkerModel *model)
 {
     const int32_t *starts = model->constraints.body_starts;
     double products = 0;
     for (int32_t i = 0; i < model->bodies; i++)
         products += 0.5 * (starts[i + 1] - starts[i]) * (starts[i + 1] - starts[i] + 1.0);
-    return products <= MOST_PRODUCTS;
+    return products;
 }
 
-static gboolean compile_pattern(TinkerModel *model, GError **error)
+static gboolean compile_pattern(TinkerModel *model, gsize products, GError **error)
 {
     TinkerConstraints *all = &model->constraints;
-    g_autoptr(GArray) rows = g_array_new(FALSE, FALSE, sizeof(int)), columns = g_array_new(FALSE, FALSE, sizeof(int));
+    g_autofree int *rows = ALLOT(model, int, products), *columns = ALLOT(model, int, products);
+    gsize count = 0;
+    if (model->lacks_memory) return lack_memory(model, error);
     for (int32_t i = 0; i < model->bodies; i++)
         for (int32_t p = all->body_starts[i]; p < all->body_starts[i + 1]; p++)
             for (int32_t q = p + 1; q < all->body_starts[i + 1]; q++) {
                 int row = all->row_of[all->body_entries[p]], column = all->row_of[all->body_entries[q]];
                 if (row == column) continue;
-                g_array_append_val(rows, row);
-                g_array_append_val(columns, column);
+                rows[count] = row;
+                columns[count++] = column;
             }
-    all->ldl = tinker_sparse_ldl_new(all->rows, (const int *)(const void *)rows->data,
-                                     (const int *)(const void *)columns->data, rows->len);
-    return all->ldl != NULL || refuse_entangled(model, error);
+    all->ldl = tinker_sparse_ldl_new(all->rows, rows, columns, count);
+    if (all->ldl != NULL) return TRUE;
+    return errno == ENOMEM ? lack_memory(model, error) : refuse_entangled(model, error);
 }
 
-static void list_products(TinkerModel *model)
+static gboolean list_products(TinkerModel *model, gsize count, GError **error)
 {
     TinkerConstraints *all = &model->constraints;
+    all->products = ALLOT(model, TinkerProduct, count);
+    if (model->lacks_memory) return lack_memory(model, error);
     for (int32_t i = 0; i < model->bodies; i++)
         for (int32_t p = all->body_starts[i]; p < all->body_starts[i + 1]; p++)
             for (int32_t q = p; q < all->body_starts[i + 1]; q++) {
                 int32_t e = all->body_entries[p], f = all->body_entries[q];
                 double weight = model->inverse_mass[i];
                 if (e != f && all->row_of[e] == all->row_of[f]) weight *= 2; /* both orders fall on the diagonal */
-                TinkerProduct product = {tinker_sparse_ldl_slot(all->ldl, all->row_of[e], all->row_of[f]), e, f,
-                                         weight};
-                g_array_append_val(all->products, product);
+                all->products[all->product_count++] =
+                    (TinkerProduct){tinker_sparse_ldl_slot(all->ldl, all->row_of[e], all->row_of[f]), e, f, weight};
             }
+    return TRUE;
 }
 
 /* What falls on one slot stands together, so that it is added up in a register; the order within a slot is fixed, too. */
@@ -185,20 +240,22 @@ static int compare_products(const void *left, const void *right)
 }
 
 /* Where any row holds in one direction only. */
-static void allot_unilateral(TinkerConstraints *all)
+static gboolean allot_unilateral(TinkerModel *model, GError **error)
 {
+    TinkerConstraints *all = &model->constraints;
     gboolean any = FALSE;
     gsize rows = (gsize)all->rows;
     for (guint i = 0; i < all->batches->len; i++)
         any |= g_array_index(all->batches, TinkerConstraintBatch, i).constraint->unilateral != 0;
-    if (!any) return;
-    all->unilateral = g_new0(gboolean, rows);
-    all->slack = g_new0(gboolean, rows);
-    all->diagonal = g_new0(int32_t, rows);
-    all->own_g = g_new0(double, rows);
-    all->own_drift = g_new0(double, rows);
-    all->own_rate = g_new0(double, rows);
-    all->own_jacobian = g_new0(double, 2 * (gsize)all->entries);
+    if (!any) return TRUE;
+    all->unilateral = ALLOT(model, gboolean, rows);
+    all->slack = ALLOT(model, gboolean, rows);
+    all->diagonal = ALLOT(model, int32_t, rows);
+    all->own_g = ALLOT(model, double, rows);
+    all->own_drift = ALLOT(model, double, rows);
+    all->own_rate = ALLOT(model, double, rows);
+    all->own_jacobian = ALLOT(model, double, 2 * (gsize)all->entries);
+    if (model->lacks_memory) return lack_memory(model, error);
     for (guint i = 0; i < all->batches->len; i++) {
         const TinkerConstraintBatch *part = &g_array_index(all->batches, TinkerConstraintBatch, i);
         for (int32_t row = part->first_row; row < part->first_row + part->row_count; row++) {
@@ -206,13 +263,14 @@ static void allot_unilateral(TinkerConstraints *all)
             all->diagonal[row] = tinker_sparse_ldl_slot(all->ldl, row, row);
         }
     }
+    return TRUE;
 }
 
-gboolean tinker_model_compile_constraints(TinkerModel *model, GError **error)
+/* With these rows that keep bars straight. (transfer full) */
+static gboolean compile_with(TinkerModel *model, GArray *straight, GError **error)
 {
     TinkerConstraints *all = &model->constraints;
     all->batches = g_array_new(FALSE, FALSE, sizeof(TinkerConstraintBatch));
-    all->products = g_array_new(FALSE, FALSE, sizeof(TinkerProduct));
     for (guint i = 0; i < model->batches->len; i++) {
         TinkerBlockBatch *batch = g_ptr_array_index(model->batches, i);
         const TinkerPhysics *physics = batch->block_class->physics;
@@ -221,20 +279,56 @@ gboolean tinker_model_compile_constraints(TinkerModel *model, GError **error)
         if (physics->constraint->prescribed_rate != NULL)
             model->has_book[TINKER_BOOK_MOTORS] = model->more_than_lines = TRUE;
     }
-    allot(model);
+    add_straight_rows(all, straight);
+    if (!allot(model, error)) return FALSE;
     if (all->rows == 0) return TRUE;
     all->two_entries = TRUE;
     for (guint i = 0; i < all->batches->len; i++)
         number_entries(all, &g_array_index(all->batches, TinkerConstraintBatch, i));
+    number_straight_entries(all);
     for (guint i = 0; i < all->batches->len; i++)
         measure(model, &g_array_index(all->batches, TinkerConstraintBatch, i));
-    list_entries_by_body(model);
-    if (!products_fit(model)) return refuse_entangled(model, error);
-    if (!compile_pattern(model, error)) return FALSE;
-    list_products(model);
-    g_array_sort(all->products, compare_products);
-    allot_unilateral(all);
+    if (!list_entries_by_body(model, error)) return FALSE;
+    const double products = count_products(model);
+    if (products > MOST_PRODUCTS) return refuse_entangled(model, error);
+    if (!compile_pattern(model, (gsize)products, error) || !list_products(model, (gsize)products, error)) return FALSE;
+    qsort(all->products, all->product_count, sizeof(TinkerProduct), compare_products);
+    if (!allot_unilateral(model, error)) return FALSE;
     if (all->unilateral == NULL) all->chains = tinker_row_chains_new(model);
+    return TRUE;
+}
+
+/* Of each batch, as bars have them. (transfer full) */
+static GPtrArray *take_distances(TinkerConstraints *all)
+{
+    GPtrArray *distances = g_ptr_array_new_with_free_func(g_free);
+    for (guint i = 0; i < all->batches->len; i++)
+        g_ptr_array_add(distances, g_steal_pointer(&g_array_index(all->batches, TinkerConstraintBatch, i).distances));
+    return distances;
+}
+
+/* Bars are looked for where the supports stand at the start, and where the other rows hold straight what they hold, they do
+ * without rows of their own. */
+gboolean tinker_model_compile_constraints(TinkerModel *model, GError **error)
+{
+    TinkerConstraints *all = &model->constraints;
+    if (!compile_with(model, g_array_new(FALSE, FALSE, sizeof(TinkerStraightRow)), error)) return FALSE;
+    if (all->rows < 2 || tinker_model_set_time(model, 0.0) != TINKER_OK) return TRUE;
+    tinker_model_set_state(model, model->q_start, model->v_start);
+    int32_t fitted;
+    g_autoptr(GArray) straight = tinker_straight_rows_find(model, &fitted);
+    all->fitted = fitted;
+    if (straight->len == 0 || !tinker_straight_rows_drop_held(model, straight) || straight->len == 0) return TRUE;
+    g_autoptr(GPtrArray) distances = take_distances(all);
+    tinker_constraints_clear(all);
+    *all = (TinkerConstraints){0};
+    if (!compile_with(model, g_array_ref(straight), error)) return FALSE;
+    all->fitted = fitted;
+    for (guint i = 0; i < all->batches->len; i++) {
+        double **own = &g_array_index(all->batches, TinkerConstraintBatch, i).distances;
+        g_free(*own);
+        *own = g_steal_pointer(&distances->pdata[i]);
+    }
     return TRUE;
 }
 
@@ -243,36 +337,24 @@ void tinker_constraints_clear(TinkerConstraints *all)
     for (guint i = 0; all->batches != NULL && i < all->batches->len; i++)
         g_free(g_array_index(all->batches, TinkerConstraintBatch, i).distances);
     if (all->batches != NULL) g_array_unref(all->batches);
-    if (all->products != NULL) g_array_unref(all->products);
+    if (all->straight != NULL) g_array_unref(all->straight);
     tinker_sparse_ldl_free(all->ldl);
     tinker_row_chains_free(all->chains);
-    gpointer arrays[] = {all->row_starts,
-                         all->points,
-                         all->scales,
-                         all->blocks,
-                         all->ends,
-                         all->jacobian,
-                         all->g,
-                         all->drift,
-                         all->rate,
-                         all->lambda,
-                         all->residual,
-                         all->correction,
-                         all->by_point,
-                         all->turned,
-                         all->displacement,
-                         all->row_of,
-                         all->body_starts,
-                         all->body_entries,
-                         all->factored_jacobian,
-                         all->inverse_scales,
-                         all->asked,
-                         all->unilateral,
-                         all->slack,
-                         all->diagonal,
-                         all->own_g,
-                         all->own_drift,
-                         all->own_rate,
+    gpointer arrays[] = {all->row_starts,     all->products,
+                         all->points,         all->scales,
+                         all->blocks,         all->ends,
+                         all->jacobian,       all->g,
+                         all->drift,          all->rate,
+                         all->lambda,         all->residual,
+                         all->correction,     all->by_point,
+                         all->turned,         all->displacement,
+                         all->row_of,         all->body_starts,
+                         all->body_entries,   all->factored_jacobian,
+                         all->kept_jacobian,  all->kept_factored_jacobian,
+                         all->inverse_scales, all->asked,
+                         all->unilateral,     all->slack,
+                         all->diagonal,       all->own_g,
+                         all->own_drift,      all->own_rate,
                          all->own_jacobian};
     for (gsize i = 0; i < G_N_ELEMENTS(arrays); i++)
         g_free(arrays[i]);

@@ -2,9 +2,12 @@
  * asked for at every evaluation. */
 #include <glib/gi18n-lib.h>
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "physics/line-parts.h"
+#include "plugin/guarded.h"
+#include "plugin/process-state.h"
 
 /* One linear law before merging. */
 typedef struct {
@@ -13,22 +16,42 @@ typedef struct {
     double stiffness, length, damping, tension;
 } LinearLine;
 
-static gboolean refuse(TinkerModel *model, const TinkerBlockBatch *batch, const TinkerBatch *view, GError **error)
+/* Room to compile forces in. */
+typedef struct {
+    LinearLine *lines; /* the laws of lines that are linear ... */
+    gsize count;       /* ... so far */
+    gpointer answers;  /* of one batch to one question */
+} Workshop;
+
+/* Bytes: of four numbers for each end and one for each block, or a block's field. */
+static gsize room_for_answers(const TinkerBlockBatch *batch)
 {
-    int32_t row = CLAMP(view->failed_instance, 0, batch->count - 1);
-    g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_SCENE, "%s: %s",
-                tinker_scene_block_name(model->scene, batch->ids[row]),
-                view->failure != NULL ? view->failure : _("its plugin refuses these properties"));
+    const gsize numbers = 4 * (gsize)MAX(batch->end_count, 1) + (gsize)batch->count;
+    return MAX(numbers * sizeof(double), (gsize)batch->count * sizeof(TinkerLinearField));
+}
+
+/* (transfer none) */
+static gpointer clear_answers(Workshop *shop, gsize bytes)
+{
+    return memset(shop->answers, 0, bytes);
+}
+
+static gboolean lack_memory(const TinkerModel *model, GError **error)
+{
+    g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_MEMORY,
+                _("there is no memory for the forces of %d blocks"), tinker_scene_block_count(model->scene));
     return FALSE;
 }
 
-static gboolean prepare(TinkerModel *model, TinkerBlockBatch *batch, GError **error)
+static gboolean prepare(TinkerBlockBatch *batch, GError **error)
 {
     const TinkerPhysics *physics = batch->block_class->physics;
     if (physics == NULL || physics->prepare == NULL) return TRUE;
     TinkerBatch view = tinker_block_batch_view(batch, 0.0);
-    return TINKER_CALL_BATCH(batch, "prepare", &view, physics->prepare(&view)) == TINKER_OK ||
-           refuse(model, batch, &view, error);
+    if (TINKER_CALL_BATCH(batch, "prepare", &view, tinker_prepare(physics, &view)) == TINKER_OK) return TRUE;
+    g_autofree char *why = tinker_block_batch_refusal(batch, &view, _("its plugin refuses these properties"));
+    g_set_error_literal(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_SCENE, why);
+    return FALSE;
 }
 
 /* Lines ---------------------------------------------------------------------------------------------------------- */
@@ -54,12 +77,12 @@ static void warn_without_direction(TinkerModel *model, const TinkerBlockBatch *b
             tinker_scene_block_name(model->scene, batch->ids[row]), fabs(tension)));
 }
 
-static gboolean add_linear_lines(TinkerModel *model, TinkerBlockBatch *batch, const int32_t *points, GArray *lines)
+static gboolean add_linear_lines(TinkerModel *model, TinkerBlockBatch *batch, const int32_t *points, Workshop *shop)
 {
     const TinkerLineLaw *law = batch->block_class->physics->line_law;
     if (law->linear == NULL) return FALSE;
     gsize n = (gsize)batch->count;
-    g_autofree double *values = g_new0(double, 4 * n);
+    double *values = clear_answers(shop, 4 * n * sizeof(double));
     TinkerBatch view = tinker_block_batch_view(batch, 0.0);
     if (TINKER_CALL_BATCH(batch, "linear", &view,
                           law->linear(&view, values, values + n, values + 2 * n, values + 3 * n)) != TINKER_OK)
@@ -69,9 +92,9 @@ static gboolean add_linear_lines(TinkerModel *model, TinkerBlockBatch *batch, co
         if (a == b || (a >= model->bodies && b >= model->bodies && model->moving_supports == 0)) continue;
         warn_without_direction(model, batch, (int32_t)i, points + 2 * i,
                                values[3 * n + i] - values[i] * values[2 * n + i]);
-        LinearLine line = {MIN(a, b),         MAX(a, b),     (int32_t)lines->len, values[i],
-                           values[2 * n + i], values[n + i], values[3 * n + i]};
-        g_array_append_val(lines, line);
+        shop->lines[shop->count] = (LinearLine){MIN(a, b),         MAX(a, b),     (int32_t)shop->count, values[i],
+                                                values[2 * n + i], values[n + i], values[3 * n + i]};
+        shop->count++;
     }
     return TRUE;
 }
@@ -99,24 +122,45 @@ static void merge(TinkerModel *model, LinearLine *into, const LinearLine *line)
     into->damping += line->damping;
 }
 
-static void merge_lines(TinkerModel *model, GArray *lines)
+/* Answers how many are left, at the beginning of the array. */
+static gsize merge_neighbours(TinkerModel *model, LinearLine *lines, gsize count)
 {
-    g_array_sort(lines, compare_lines);
-    guint kept = 0;
-    for (guint i = 0; i < lines->len; i++) {
-        LinearLine *line = &g_array_index(lines, LinearLine, i);
-        LinearLine *last = kept > 0 ? &g_array_index(lines, LinearLine, kept - 1) : NULL;
-        if (last != NULL && last->a == line->a && last->b == line->b)
-            merge(model, last, line);
+    gsize kept = 0;
+    qsort(lines, count, sizeof(LinearLine), compare_lines);
+    for (gsize i = 0; i < count; i++) {
+        LinearLine *last = kept > 0 ? &lines[kept - 1] : NULL;
+        if (last != NULL && last->a == lines[i].a && last->b == lines[i].b)
+            merge(model, last, &lines[i]);
         else
-            g_array_index(lines, LinearLine, kept++) = *line;
+            lines[kept++] = lines[i];
     }
+    return kept;
+}
+
+static gboolean allot_merged(TinkerMergedLines *merged, gsize count)
+{
+    double **columns[] = {&merged->stiffness, &merged->length, &merged->damping, &merged->tension};
+    merged->a = g_try_new(int32_t, MAX(count, 1));
+    merged->b = g_try_new(int32_t, MAX(count, 1));
+    gboolean all = merged->a != NULL && merged->b != NULL;
+    for (gsize i = 0; i < G_N_ELEMENTS(columns); i++) {
+        *columns[i] = g_try_new(double, MAX(count, 1));
+        all &= *columns[i] != NULL;
+    }
+    return all;
+}
+
+static void merge_lines(TinkerModel *model, Workshop *shop)
+{
+    const gsize kept = merge_neighbours(model, shop->lines, shop->count);
     TinkerMergedLines *merged = &model->lines;
-    gsize n = MAX(kept, 1);
-    *merged = (TinkerMergedLines){(int32_t)kept,    g_new(int32_t, n), g_new(int32_t, n), g_new(double, n),
-                                  g_new(double, n), g_new(double, n),  g_new(double, n),  FALSE};
-    for (guint i = 0; i < kept; i++) {
-        const LinearLine *line = &g_array_index(lines, LinearLine, i);
+    if (!allot_merged(merged, kept)) {
+        model->lacks_memory = TRUE;
+        return;
+    }
+    merged->count = (int32_t)kept;
+    for (gsize i = 0; i < kept; i++) {
+        const LinearLine *line = &shop->lines[i];
         merged->a[i] = line->a;
         merged->b[i] = line->b;
         merged->stiffness[i] = line->stiffness;
@@ -140,11 +184,12 @@ static gboolean moves_anything(const TinkerModel *model, const int32_t *points)
 }
 
 /* The same of laws that are asked. One that refuses is left to the run, which says why. */
-static void warn_asked_without_direction(TinkerModel *model, TinkerBlockBatch *batch, const int32_t *points)
+static void warn_asked_without_direction(TinkerModel *model, TinkerBlockBatch *batch, const int32_t *points,
+                                         Workshop *shop)
 {
     const TinkerLineLaw *law = batch->block_class->physics->line_law;
     gsize n = (gsize)batch->count;
-    g_autofree double *length = g_new0(double, 3 * n);
+    double *length = clear_answers(shop, 3 * n * sizeof(double));
     double *rate = length + n, *tension = length + 2 * n;
     gboolean any = FALSE;
     for (gsize i = 0; i < n; i++) {
@@ -159,12 +204,12 @@ static void warn_asked_without_direction(TinkerModel *model, TinkerBlockBatch *b
             warn_without_direction(model, batch, (int32_t)i, points + 2 * i, tension[i]);
 }
 
-static void ask_line(TinkerModel *model, TinkerBlockBatch *batch, const int32_t *points)
+static void ask_line(TinkerModel *model, TinkerBlockBatch *batch, const int32_t *points, Workshop *shop)
 {
     const TinkerLineLaw *law = batch->block_class->physics->line_law;
     TinkerAskedBatch asked = {batch, points, stores_energy(batch, law->energy != NULL)};
     g_array_append_val(model->asked_lines, asked);
-    warn_asked_without_direction(model, batch, points);
+    warn_asked_without_direction(model, batch, points, shop);
     model->has_book[batch->waveforms > 0 ? TINKER_BOOK_MOTORS : TINKER_BOOK_DAMPERS] = TRUE;
 }
 
@@ -180,18 +225,20 @@ static void add_driven(TinkerModel *model, const TinkerBlockBatch *batch, int32_
 static void add_constant(TinkerModel *model, int32_t point, const double *force)
 {
     if (force[0] == 0 && force[1] == 0) return;
-    if (model->constant_force == NULL) model->constant_force = g_new0(double, 2 * (gsize)MAX(model->points, 1));
+    if (model->constant_force == NULL) model->constant_force = g_try_new0(double, 2 * (gsize)MAX(model->points, 1));
+    model->lacks_memory |= model->constant_force == NULL;
+    if (model->constant_force == NULL) return;
     model->constant_force[2 * point] += force[0];
     model->constant_force[2 * point + 1] += force[1];
 }
 
-static gboolean add_linear_forces(TinkerModel *model, TinkerBlockBatch *batch, const int32_t *points)
+static gboolean add_linear_forces(TinkerModel *model, TinkerBlockBatch *batch, const int32_t *points, Workshop *shop)
 {
     const TinkerForceElement *element = batch->block_class->physics->force_element;
     if (element->linear == NULL) return FALSE;
     gsize ends = (gsize)MAX(batch->end_count, 1);
-    g_autofree double *constant = g_new0(double, 2 * ends), *direction = g_new0(double, 2 * ends);
-    g_autofree int32_t *columns = g_new0(int32_t, batch->count);
+    double *constant = clear_answers(shop, room_for_answers(batch)), *direction = constant + 2 * ends;
+    int32_t *columns = (int32_t *)(void *)(direction + 2 * ends);
     TinkerBatch view = tinker_block_batch_view(batch, 0.0);
     if (TINKER_CALL_BATCH(batch, "linear", &view, element->linear(&view, constant, direction, columns)) != TINKER_OK)
         return FALSE;
@@ -207,11 +254,11 @@ static gboolean add_linear_forces(TinkerModel *model, TinkerBlockBatch *batch, c
 
 /* Fields --------------------------------------------------------------------------------------------------------- */
 
-static gboolean add_linear_fields(TinkerModel *model, TinkerBlockBatch *batch)
+static gboolean add_linear_fields(TinkerModel *model, TinkerBlockBatch *batch, Workshop *shop)
 {
     const TinkerField *field = batch->block_class->physics->field;
     if (field->linear == NULL) return FALSE;
-    g_autofree TinkerLinearField *laws = g_new0(TinkerLinearField, batch->count);
+    TinkerLinearField *laws = clear_answers(shop, (gsize)batch->count * sizeof(TinkerLinearField));
     TinkerBatch view = tinker_block_batch_view(batch, 0.0);
     if (TINKER_CALL_BATCH(batch, "linear", &view, field->linear(&view, laws)) != TINKER_OK) return FALSE;
     for (int32_t row = 0; row < batch->count; row++) {
@@ -238,19 +285,20 @@ static void add_constant_accelerations(TinkerModel *model)
 
 /* All ------------------------------------------------------------------------------------------------------------ */
 
-static gboolean add_batch(TinkerModel *model, TinkerBlockBatch *batch, GArray *lines, GError **error)
+static gboolean add_batch(TinkerModel *model, TinkerBlockBatch *batch, Workshop *shop, GError **error)
 {
     const TinkerPhysics *physics = batch->block_class->physics;
     const int32_t *points = tinker_model_end_points(model, batch);
-    if (!prepare(model, batch, error)) return FALSE;
+    if (!prepare(batch, error)) return FALSE;
     if (physics == NULL) return TRUE;
-    if (physics->line_law != NULL && !add_linear_lines(model, batch, points, lines)) ask_line(model, batch, points);
+    if (physics->line_law != NULL && !add_linear_lines(model, batch, points, shop))
+        ask_line(model, batch, points, shop);
     if (physics->force_element != NULL) {
         model->has_book[TINKER_BOOK_MOTORS] = TRUE;
         TinkerAskedBatch asked = {batch, points, stores_energy(batch, physics->force_element->energy != NULL)};
-        if (!add_linear_forces(model, batch, points)) g_array_append_val(model->asked_forces, asked);
+        if (!add_linear_forces(model, batch, points, shop)) g_array_append_val(model->asked_forces, asked);
     }
-    if (physics->field != NULL && !add_linear_fields(model, batch)) {
+    if (physics->field != NULL && !add_linear_fields(model, batch, shop)) {
         TinkerAskedBatch asked = {batch, NULL, stores_energy(batch, physics->field->energy != NULL)};
         g_array_append_val(model->asked_fields, asked);
         model->has_book[TINKER_BOOK_FIELDS] = TRUE;
@@ -273,23 +321,59 @@ static void mark_used_points(TinkerModel *model)
         model->point_used[i] = TRUE;
 }
 
+static gboolean open_workshop(Workshop *shop, const TinkerModel *model)
+{
+    gsize lines = 1, bytes = 1;
+    for (guint i = 0; i < model->batches->len; i++) {
+        const TinkerBlockBatch *batch = g_ptr_array_index(model->batches, i);
+        const TinkerPhysics *physics = batch->block_class->physics;
+        if (physics != NULL && physics->line_law != NULL) lines += (gsize)batch->count;
+        bytes = MAX(bytes, room_for_answers(batch));
+    }
+    *shop = (Workshop){g_try_new(LinearLine, lines), 0, g_try_malloc(bytes)};
+    return shop->lines != NULL && shop->answers != NULL;
+}
+
+static void close_workshop(Workshop *shop)
+{
+    g_free(shop->lines);
+    g_free(shop->answers);
+}
+
+static gboolean add_batches(TinkerModel *model, GError **error)
+{
+    Workshop shop;
+    gboolean done = open_workshop(&shop, model) || lack_memory(model, error);
+    for (guint i = 0; done && i < model->batches->len; i++)
+        done = add_batch(model, g_ptr_array_index(model->batches, i), &shop, error);
+    if (done) merge_lines(model, &shop);
+    close_workshop(&shop);
+    return done;
+}
+
+static int32_t most_ends(const TinkerModel *model)
+{
+    int32_t most = 2;
+    for (guint i = 0; i < model->batches->len; i++) {
+        const TinkerBlockBatch *batch = g_ptr_array_index(model->batches, i);
+        for (int32_t row = 0; row < batch->count; row++)
+            most = MAX(most, batch->end_offsets[row + 1] - batch->end_offsets[row]);
+    }
+    return most;
+}
+
 gboolean tinker_model_compile_forces(TinkerModel *model, GError **error)
 {
-    g_autoptr(GArray) lines = g_array_new(FALSE, FALSE, sizeof(LinearLine));
-    int32_t most_ends = 2;
-    for (guint i = 0; i < model->batches->len; i++) {
-        TinkerBlockBatch *batch = g_ptr_array_index(model->batches, i);
-        if (!add_batch(model, batch, lines, error)) return FALSE;
-        for (int32_t row = 0; row < batch->count; row++)
-            most_ends = MAX(most_ends, batch->end_offsets[row + 1] - batch->end_offsets[row]);
-    }
-    merge_lines(model, lines);
+    if (!add_batches(model, error)) return FALSE;
+    model->velocity_kept = g_try_new0(double, 2 * (gsize)MAX(model->bodies, 1));
+    if (model->lacks_memory || model->velocity_kept == NULL) return lack_memory(model, error);
     model->line_parts = tinker_line_parts_new(model);
     add_constant_accelerations(model);
     mark_used_points(model);
-    gsize doubles = (gsize)TINKER_CHUNK * (8 + (gsize)most_ends * 6);
-    model->chunk = g_new0(double, MAX(doubles, 8 * (gsize)MAX(model->bodies, 1)));
-    model->velocity_kept = g_new0(double, 2 * (gsize)MAX(model->bodies, 1));
+    gsize doubles = (gsize)TINKER_CHUNK * (8 + (gsize)most_ends(model) * 6);
+    doubles = MAX(doubles, 8 * (gsize)MAX(model->bodies, 1));
+    model->chunk = tinker_guarded_try_new(doubles * sizeof(double), NULL);
+    if (model->chunk == NULL) return lack_memory(model, error);
     model->has_book[TINKER_BOOK_SUPPORT_MOTION] = model->moving_supports > 0;
     model->more_than_lines = model->asked_lines->len + model->asked_forces->len + model->asked_fields->len > 0 ||
                              model->driven->len > 0 || model->constant_force != NULL || model->moving_supports > 0 ||

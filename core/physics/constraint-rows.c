@@ -2,7 +2,7 @@
 #include <math.h>
 
 #include "physics/distance-rows.h"
-#include "physics/model-private.h"
+#include "physics/straight-bars.h"
 
 static G_NO_INLINE TinkerStatus refuse_rows(TinkerModel *model, const TinkerConstraintBatch *part, TinkerStatus status)
 {
@@ -127,6 +127,7 @@ TinkerStatus tinker_constraints_evaluate(TinkerModel *model)
         TinkerStatus status = part->distances != NULL ? evaluate_distances(model, part) : evaluate_asked(model, part);
         if (status != TINKER_OK) return status;
     }
+    if (G_UNLIKELY(all->straight->len > 0)) tinker_straight_rows_evaluate(model);
     if (G_UNLIKELY(all->unilateral != NULL)) tinker_constraints_hide_slack(all);
     return TINKER_OK;
 }

@@ -57,8 +57,8 @@ static void assemble(TinkerConstraints *all)
     tinker_sparse_ldl_clear(all->ldl);
     double *restrict values = tinker_sparse_ldl_values(all->ldl);
     const double *restrict j = all->jacobian;
-    const TinkerProduct *restrict p = (const TinkerProduct *)(const void *)all->products->data;
-    const TinkerProduct *end = all->products->len > 0 ? p + all->products->len : p; // rows that move nothing have none
+    const TinkerProduct *restrict p = all->products;
+    const TinkerProduct *end = p + all->product_count;
     while (p < end) {
         int32_t slot = p->slot;
         double sum = 0;
@@ -76,8 +76,8 @@ static double mean_diagonal(const TinkerConstraints *all)
 {
     double sum = 0;
     const double *j = all->jacobian;
-    const TinkerProduct *products = (const TinkerProduct *)(const void *)all->products->data;
-    for (guint i = 0; i < all->products->len; i++) {
+    const TinkerProduct *products = all->products;
+    for (gsize i = 0; i < all->product_count; i++) {
         const TinkerProduct *p = &products[i];
         const double *at = j + 2 * p->first_entry;
         if (p->first_entry == p->second_entry) sum += p->inverse_mass * (at[0] * at[0] + at[1] * at[1]);
@@ -100,15 +100,15 @@ static gboolean is_factored(const TinkerConstraints *all)
 static double shift_rows(TinkerConstraints *all)
 {
     double *values = tinker_sparse_ldl_values(all->ldl), least = INFINITY, greatest = 0;
-    const TinkerProduct *products = (const TinkerProduct *)(const void *)all->products->data;
-    for (guint i = 0; i < all->products->len; i++) {
+    const TinkerProduct *products = all->products;
+    for (gsize i = 0; i < all->product_count; i++) {
         if (products[i].first_entry != products[i].second_entry) continue;
         least = MIN(least, values[products[i].slot]);
         greatest = MAX(greatest, values[products[i].slot]);
     }
     if (!(greatest > EVEN_ROWS * least)) return PROXIMAL_SHIFT * mean_diagonal(all);
     int32_t last = -1;
-    for (guint i = 0; i < all->products->len; i++) {
+    for (gsize i = 0; i < all->product_count; i++) {
         if (products[i].first_entry != products[i].second_entry || products[i].slot == last) continue;
         last = products[i].slot;
         values[last] *= 1 + PROXIMAL_SHIFT;
@@ -274,6 +274,43 @@ static gboolean solve_chains(TinkerConstraints *all, const TinkerRowDemand *dema
     if (tinker_row_chains_factor(all->chains, all->jacobian, DEPENDENT_PIVOT, demand)) return TRUE;
     factor_shifted(all);
     return FALSE;
+}
+
+void tinker_constraints_begin_look(TinkerModel *model)
+{
+    TinkerConstraints *all = &model->constraints;
+    if (all->rows == 0) return;
+    if (!all->looked) {
+        gsize bytes = 2 * (gsize)all->entries * sizeof(double);
+        memcpy(all->kept_jacobian, all->jacobian, bytes);
+        memcpy(all->kept_factored_jacobian, all->factored_jacobian, bytes);
+        all->kept = (TinkerFactorState){all->factored, all->keeps_factored, all->shifted};
+        all->looked = TRUE;
+    }
+    all->factored = all->keeps_factored = FALSE;
+}
+
+/* The same matrix has the same factor, to the bit. */
+void tinker_constraints_end_look(TinkerModel *model)
+{
+    TinkerConstraints *all = &model->constraints;
+    if (!all->looked) return;
+    gsize bytes = 2 * (gsize)all->entries * sizeof(double);
+    all->looked = FALSE;
+    if (all->kept.factored) {
+        memcpy(all->jacobian, all->kept.keeps_factored ? all->kept_jacobian : all->kept_factored_jacobian, bytes);
+        memset(all->correction, 0, (gsize)all->rows * sizeof(double));
+        all->factored = FALSE;
+        if (all->kept.shifted)
+            factor_shifted(all);
+        else if (!solve_chains(all, &(TinkerRowDemand){.extra = all->correction, .sign = 1}, FALSE))
+            factor_and_solve(all, all->correction);
+    }
+    memcpy(all->jacobian, all->kept_jacobian, bytes);
+    memcpy(all->factored_jacobian, all->kept_factored_jacobian, bytes);
+    all->factored = all->kept.factored;
+    all->keeps_factored = all->kept.keeps_factored;
+    all->shifted = all->kept.shifted;
 }
 
 double tinker_constraints_solve(TinkerModel *model, double *b)

@@ -61,29 +61,46 @@ static gboolean lingers(const TinkerContactChange *change, guint number)
     return speed > TINKER_STILL * change->speed && speed < least_rebound(change, number);
 }
 
+static gboolean rests(const TinkerContactChange *change, guint number)
+{
+    return tinker_touch(change, number)->place.normal_speed < least_rebound(change, number);
+}
+
+/* The equations of the normal impulses, `first`, that take away the speeds of what rests. */
+static void fill_resting(const TinkerContactChange *change, TinkerContactLaws *laws, double *matrix)
+{
+    const gsize m = laws->count;
+    for (guint i = 0; i < m; i++) {
+        for (guint k = 0; k < m; k++)
+            matrix[i * m + k] = rests(change, i) && rests(change, k) ? laws->delassus[2 * i * 2 * m + 2 * k] : i == k;
+        laws->first[i] = rests(change, i) ? -tinker_touch(change, i)->place.normal_speed : 0;
+    }
+}
+
 /* Bodies that constraints couple may strike by turns, each blow throwing up the other less and less, infinitely often in
  * finite time: what parts too slowly to be seen does not part. Taking speeds away along normals takes energy only. */
 static gboolean settle(TinkerContactChange *change)
 {
-    guint m = change->touches->len;
-    g_autofree gboolean *rests = g_new0(gboolean, m);
+    const gsize m = change->touches->len;
+    g_auto(TinkerContactLaws) laws = {0};
     gboolean any = FALSE;
-    for (guint i = 0; i < m; i++) {
-        rests[i] = tinker_touch(change, i)->place.normal_speed < least_rebound(change, i);
+    for (guint i = 0; i < m; i++)
         any |= lingers(change, i);
-    }
     if (!any) return TRUE;
-    g_auto(TinkerContactLaws) laws = tinker_contact_laws_of(change);
-    g_autofree double *matrix = g_new0(double, (gsize)m *m);
-    for (guint i = 0; i < m; i++)
-        for (guint k = 0; k < m; k++)
-            matrix[i * m + k] = rests[i] && rests[k] ? laws.delassus[2 * i * 2 * m + 2 * k] : i == k;
-    for (guint i = 0; i < m; i++)
-        laws.first[i] = rests[i] ? -tinker_touch(change, i)->place.normal_speed : 0;
+    if (tinker_contact_laws_init(&laws, change) != TINKER_OK) return FALSE;
+    g_autofree double *matrix = g_try_new(double, m *m);
     TinkerDenseSolve *solve = tinker_dense_solve_new((int32_t)m);
-    tinker_dense_solve_factor(solve, matrix);
-    tinker_dense_solve(solve, laws.first);
+    const gboolean enough = matrix != NULL && solve != NULL;
+    if (enough) {
+        fill_resting(change, &laws, matrix);
+        tinker_dense_solve_factor(solve, matrix);
+        tinker_dense_solve(solve, laws.first);
+    }
     tinker_dense_solve_free(solve);
+    if (!enough) {
+        tinker_contacts_lack_memory(change->contacts, m);
+        return FALSE;
+    }
     for (guint i = 0; i < m; i++)
         laws.answers[2 * i] = laws.first[i];
     return tinker_change_push_all(change, laws.answers);
@@ -125,10 +142,11 @@ gboolean tinker_change_strike(TinkerContactChange *change, GError **error)
 {
     if (!approaches(change)) return TRUE;
     double scale;
-    g_auto(TinkerContactLaws) laws = tinker_contact_laws_of(change);
-    if (!tinker_change_accelerations(change, laws.pairs, &scale))
+    g_auto(TinkerContactLaws) laws = {0};
+    if (tinker_contact_laws_init(&laws, change) != TINKER_OK ||
+        !tinker_change_accelerations(change, laws.pairs, &scale))
         return tinker_change_refuse(change, change->model->failure, error);
-    change->least_rise = 2 * sqrt(scale * change->tolerance);
+    change->least_rise = 2 * sqrt(scale * fmax(change->tolerance, tinker_contact_run_place_noise(change->run)));
     for (guint i = 0; i < laws.count; i++) {
         const TinkerPlate *plate = tinker_touch_plate(change, i);
         laws.pairs[2 * i] = tinker_touch(change, i)->place.normal_speed;
@@ -137,9 +155,10 @@ gboolean tinker_change_strike(TinkerContactChange *change, GError **error)
         laws.second[i] = plate != NULL ? plate->dynamic_friction : 0;
     }
     TinkerImpact impact = {(int32_t)laws.count, laws.delassus, laws.pairs, laws.first, laws.second, NULL};
-    if (tinker_impact_solve(&impact, laws.answers) != TINKER_CONTACT_SOLVED)
-        return tinker_change_refuse(change, _("no impulses satisfy the laws of impact for all bodies that touch there"),
-                                    error);
+    const TinkerContactResult result = tinker_impact_solve(&impact, laws.answers);
+    if (result != TINKER_CONTACT_SOLVED)
+        return tinker_change_refuse_laws(
+            change, result, _("no impulses satisfy the laws of impact for all bodies that touch there"), error);
     for (guint i = 0; i < laws.count; i++) {
         TinkerTouch *at = tinker_touch(change, i);
         at->struck = laws.answers[2 * i] > 0;

@@ -19,15 +19,17 @@ typedef struct {
 } TinkerTouch;
 
 typedef struct {
-    TinkerContactRun *run;
+    TinkerContactRun *run; /* NULL: of a model that is held still (still-contacts.h), which knows no events */
     TinkerModel *model;
+    TinkerContacts *contacts;
+    double *acceleration; /* 2 a body, for work */
     TinkerTrigger trigger;
     int32_t group;
     GArray *touches;  /* of TinkerTouch: of this group of bodies */
     gboolean forced;  /* what was found to reach the limit of sticking slips, whatever the laws could share otherwise */
     double tolerance; /* m: within it a gap is closed */
     double speed, slow; /* m/s: the largest; the share of it that is still */
-    double least_rise;  /* m/s: what rises to no more than the tolerance is that slow */
+    double least_rise;  /* m/s: what rises to no more than the tolerance, or than the method resolves, is that slow */
 } TinkerContactChange;
 
 static inline TinkerTouch *tinker_touch(const TinkerContactChange *change, guint number)
@@ -39,7 +41,7 @@ static inline TinkerTouch *tinker_touch(const TinkerContactChange *change, guint
 static inline const TinkerPlate *tinker_touch_plate(const TinkerContactChange *change, guint number)
 {
     const TinkerTouch *at = tinker_touch(change, number);
-    return at->row < 0 ? &change->run->contacts->plates[at->contact.plate] : NULL;
+    return at->row < 0 ? &change->contacts->plates[at->contact.plate] : NULL;
 }
 
 /* Contacts as the laws see them (numerics/contact-laws.h): m of them. */
@@ -53,8 +55,8 @@ typedef struct {
 void tinker_contact_laws_clear(TinkerContactLaws *laws);
 G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC(TinkerContactLaws, tinker_contact_laws_clear)
 
-/* With their Delassus matrix. */
-TinkerContactLaws tinker_contact_laws_of(const TinkerContactChange *change);
+/* With their Delassus matrix. Where there is no memory for it, that is the model's failure. */
+TinkerStatus tinker_contact_laws_init(TinkerContactLaws *laws, const TinkerContactChange *change);
 
 /* Brings the model to the state of the run, constraint rows included. */
 TinkerStatus tinker_change_set_state(const TinkerContactChange *change);
@@ -64,6 +66,8 @@ void tinker_change_take(TinkerContactChange *change, double tolerance);
 /* Looks where they are now. */
 void tinker_change_measure(TinkerContactChange *change);
 gboolean tinker_change_is_trigger(const TinkerContactChange *change, const TinkerTouch *of);
+/* Whether the two come nearer to each other, for the state that the model was brought to. */
+gboolean tinker_change_approaches(const TinkerContactChange *change, const TinkerContactPair *pair);
 /* v += what an impulse (pn, pt) at a contact does. */
 void tinker_change_push(const TinkerContactChange *change, guint number, double pn, double pt, double *v);
 /* Accelerations with constraints but without contacts, relative to what is touched; *scale is the greatest that acts. */
@@ -71,6 +75,9 @@ gboolean tinker_change_accelerations(TinkerContactChange *change, double *pairs,
 void tinker_change_add_event(TinkerContactChange *change, const char *kind, const TinkerTouch *of);
 /* Stops the run. Answers FALSE. */
 gboolean tinker_change_refuse(TinkerContactChange *change, const char *why, GError **error);
+/* The same where the laws were not solved: `why`, unless it was for want of memory. */
+gboolean tinker_change_refuse_laws(TinkerContactChange *change, TinkerContactResult result, const char *why,
+                                   GError **error);
 
 /* Impacts, where anything approaches. */
 gboolean tinker_change_strike(TinkerContactChange *change, GError **error);

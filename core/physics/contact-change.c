@@ -13,12 +13,22 @@
 #define MOST_JAMS 8
 /* What an event finds at this share of the largest speed has stopped. */
 #define STOPPED 1e-10
+/* Or at so many times what the method makes of 0. */
+#define STOPPED_NOISES 10
 /* Forces below this share of what acts are rounding. */
 #define FORCE_NOISE 1e-10
 /* What was found to press no more, at an instant that is known no better, presses by no more than this share. */
 #define LET_GO 1e-7
 
 /* Steps 3 and 4 ---------------------------------------------------------------------------------------------------- */
+
+/* Whether the event is that this speed along the top has come to 0: the method makes no less of it. */
+static gboolean has_stopped(const TinkerContactChange *change, double speed)
+{
+    const TinkerTriggerKind kind = change->trigger.kind;
+    double noise = fmax(STOPPED, STOPPED_NOISES * tinker_contact_run_speed_noise(change->run));
+    return (kind == TINKER_TRIGGER_SPEED || kind == TINKER_TRIGGER_STARTING) && fabs(speed) <= noise * change->speed;
+}
 
 /* Which way it slides; 0 where it is slow enough to stick. An event says that it stops, or that it begins. */
 static int8_t sliding_of(const TinkerContactChange *change, guint number, double acceleration)
@@ -30,14 +40,15 @@ static int8_t sliding_of(const TinkerContactChange *change, guint number, double
     if (tinker_change_is_trigger(change, at) && !at->struck) {
         if (change->forced && change->trigger.kind == TINKER_TRIGGER_FORWARD) return -1;
         if (change->forced && change->trigger.kind == TINKER_TRIGGER_BACKWARD) return 1;
-        if (change->trigger.kind == TINKER_TRIGGER_SPEED && fabs(speed) <= STOPPED * change->speed) return 0;
+        if (has_stopped(change, speed)) return 0;
     }
     if (plate->static_friction == 0) return 1;
     /* what falls over the length of the plate is a scale for what is the only thing that moves */
     double scale = change->speed + sqrt(acceleration * (plate->half_width + plate->half_height));
     if (fabs(speed) > change->slow * scale) return speed > 0 ? 1 : -1;
-    /* one that has just begun to slip goes on, until an event of its own says that it stops */
-    gboolean stops = tinker_change_is_trigger(change, at) || at->struck;
+    /* one that has just begun to slip goes on, until an event of its own says that it stops; what slipped clearly stops now */
+    gboolean begins = at->contact.starts || !change->run->starts_low;
+    gboolean stops = tinker_change_is_trigger(change, at) || at->struck || !begins;
     if (stops || at->was == TINKER_CONTACT_OPEN || at->was == TINKER_CONTACT_STICK) return 0;
     return at->was == TINKER_CONTACT_SLIP_FORWARD ? 1 : -1;
 }
@@ -77,13 +88,15 @@ static TinkerContactResult ask_modes(TinkerContactChange *change, TinkerContactL
                                    laws->first,          laws->second,   FORCE_NOISE * scale};
     TinkerContactResult result = tinker_contact_modes(&closed, laws->modes, laws->answers);
     if (result != TINKER_CONTACT_NO_ACCELERATION) return result;
-    g_autofree double *velocity = g_new0(double, 2 * laws->count);
+    g_autofree double *velocity = g_try_new(double, 2 * laws->count);
+    if (velocity == NULL) return TINKER_CONTACT_NO_MEMORY;
     for (guint i = 0; i < laws->count; i++) {
         velocity[2 * i] = tinker_touch(change, i)->place.normal_speed;
         velocity[2 * i + 1] = tinker_touch(change, i)->place.tangential_speed;
     }
-    return tinker_contact_jam(&closed, velocity, laws->answers) == TINKER_CONTACT_SOLVED ? result
-                                                                                         : TINKER_CONTACT_GAVE_UP;
+    const TinkerContactResult jam = tinker_contact_jam(&closed, velocity, laws->answers);
+    if (jam == TINKER_CONTACT_NO_MEMORY) return jam;
+    return jam == TINKER_CONTACT_SOLVED ? result : TINKER_CONTACT_GAVE_UP;
 }
 
 /* A contact whose force has just come to 0 opens, unless something presses it again. */
@@ -106,27 +119,90 @@ static void note_modes(TinkerContactChange *change, const TinkerContactLaws *law
     }
 }
 
+/* Guides ----------------------------------------------------------------------------------------------------------- */
+
+/* What guides the body together with a touch; NULL for nothing. */
+static TinkerTouch *other_side(const TinkerContactChange *change, const TinkerTouch *at)
+{
+    for (guint i = 0; at->row < 0 && i < change->touches->len; i++) {
+        TinkerTouch *other = tinker_touch(change, i);
+        if (other != at && other->row < 0 && other->contact.body == at->contact.body &&
+            tinker_contacts_are_guide(change->contacts, at->contact.body, at->contact.plate, other->contact.plate))
+            return other;
+    }
+    return NULL;
+}
+
+/* A motion along one top as the other sees it. */
+static TinkerContactMode mirrored(TinkerContactMode mode)
+{
+    if (mode == TINKER_CONTACT_SLIP_FORWARD) return TINKER_CONTACT_SLIP_BACKWARD;
+    return mode == TINKER_CONTACT_SLIP_BACKWARD ? TINKER_CONTACT_SLIP_FORWARD : mode;
+}
+
+static gboolean has_let_go(const TinkerContactChange *change, const TinkerTouch *at)
+{
+    return tinker_change_is_trigger(change, at) && change->trigger.kind == TINKER_TRIGGER_NORMAL && !at->struck;
+}
+
+/* Which of two sides of a guide presses: not the one whose force has just come to 0, else the one that is pressed harder, else
+ * the one that was. */
+static gboolean presses(const TinkerContactChange *change, const TinkerTouch *at, const TinkerTouch *other)
+{
+    if (has_let_go(change, at) != has_let_go(change, other)) return has_let_go(change, other);
+    if (at->contact.base_normal != other->contact.base_normal)
+        return at->contact.base_normal > other->contact.base_normal;
+    if ((at->was != TINKER_CONTACT_OPEN) != (other->was != TINKER_CONTACT_OPEN)) return at->was != TINKER_CONTACT_OPEN;
+    return at < other;
+}
+
+/* One side of each guide stays closed, whatever the laws say of each by itself; what slides goes on as it did. */
+static void choose_sides(TinkerContactChange *change)
+{
+    for (guint i = 0; i < change->touches->len; i++) {
+        TinkerTouch *at = tinker_touch(change, i), *other = other_side(change, at);
+        if (other == NULL || !presses(change, at, other)) continue;
+        TinkerContactMode along = has_let_go(change, other) && other->was != TINKER_CONTACT_STICK
+                                      ? mirrored(other->was)
+                                      : mirrored(other->contact.mode);
+        if (at->contact.mode == TINKER_CONTACT_OPEN || has_let_go(change, other)) at->contact.mode = along;
+        other->contact.mode = TINKER_CONTACT_OPEN;
+    }
+}
+
+/* Whether it passes from one side of a guide to the other, which is no event. */
+static gboolean changes_side(const TinkerContactChange *change, const TinkerTouch *at)
+{
+    const TinkerTouch *other = other_side(change, at);
+    gboolean was = at->was != TINKER_CONTACT_OPEN, is = at->contact.mode != TINKER_CONTACT_OPEN;
+    return other != NULL && was != is && (other->was != TINKER_CONTACT_OPEN) == is &&
+           (other->contact.mode != TINKER_CONTACT_OPEN) == was;
+}
+
 static gboolean decide(TinkerContactChange *change, GError **error)
 {
+    TinkerContactResult result = TINKER_CONTACT_NO_ACCELERATION;
     for (int jams = 0; jams <= MOST_JAMS; jams++) {
         double scale;
+        g_auto(TinkerContactLaws) laws = {0};
         drop_parting(change);
         if (change->touches->len == 0) return TRUE;
-        g_auto(TinkerContactLaws) laws = tinker_contact_laws_of(change);
-        if (!tinker_change_accelerations(change, laws.pairs, &scale))
+        if (tinker_contact_laws_init(&laws, change) != TINKER_OK ||
+            !tinker_change_accelerations(change, laws.pairs, &scale))
             return tinker_change_refuse(change, change->model->failure, error);
-        TinkerContactResult result = ask_modes(change, &laws, scale);
+        result = ask_modes(change, &laws, scale);
         if (result == TINKER_CONTACT_SOLVED) {
             note_modes(change, &laws, scale);
+            choose_sides(change);
             return TRUE;
         }
-        if (result == TINKER_CONTACT_GAVE_UP) break;
+        if (result != TINKER_CONTACT_NO_ACCELERATION) break;
         tinker_change_add_event(change, "jam", tinker_touch(change, 0));
         if (!tinker_change_push_all(change, laws.answers))
             return tinker_change_refuse(change, change->model->failure, error);
     }
-    return tinker_change_refuse(change, _("no motion satisfies the laws of friction for all bodies that touch there"),
-                                error);
+    return tinker_change_refuse_laws(
+        change, result, _("no motion satisfies the laws of friction for all bodies that touch there"), error);
 }
 
 /* After it --------------------------------------------------------------------------------------------------------- */
@@ -152,7 +228,7 @@ static void turn_bodies(TinkerContactChange *change)
 {
     for (guint i = 0; i < change->touches->len; i++) {
         const TinkerTouch *at = tinker_touch(change, i);
-        if (at->row >= 0) continue;
+        if (at->row >= 0 || changes_side(change, at)) continue;
         gboolean hardest = at->struck || at->contact.mode != TINKER_CONTACT_OPEN;
         for (guint k = 0; k < change->touches->len; k++)
             if (tinker_touch(change, k)->contact.body == at->contact.body && tinker_touch(change, k)->row < 0 &&
@@ -162,20 +238,25 @@ static void turn_bodies(TinkerContactChange *change)
     }
 }
 
-/* What opens of its own accord is watched by its acceleration; what an event was about is done with. */
+/* What opens by its acceleration alone is watched by that; what an event was about is done with, and what a blow on another body
+ * throws back is watched by its gap again. */
 static void note_leaving(TinkerContactChange *change)
 {
     GArray *leaving = change->run->leaving;
+    if (leaving->len > 0 && tinker_change_set_state(change) != TINKER_OK) return;
     for (guint i = leaving->len; i-- > 0;) {
         const TinkerContactPair *pair = &g_array_index(leaving, TinkerContactPair, i);
         const TinkerTouch of = {.contact = {.body = pair->body, .plate = pair->plate}, .row = pair->row};
-        if (tinker_change_is_trigger(change, &of)) g_array_remove_index_fast(leaving, i);
+        if (tinker_change_is_trigger(change, &of) || tinker_change_approaches(change, pair))
+            g_array_remove_index_fast(leaving, i);
     }
     for (guint i = 0; i < change->touches->len; i++) {
         const TinkerTouch *at = tinker_touch(change, i);
         TinkerContactPair pair = {at->contact.body, at->contact.plate, at->row};
-        if (at->was != TINKER_CONTACT_OPEN && !at->struck && at->contact.mode == TINKER_CONTACT_OPEN)
-            g_array_append_val(leaving, pair);
+        gboolean left = change->trigger.kind == TINKER_TRIGGER_LEAVING && tinker_change_is_trigger(change, at);
+        gboolean parts = at->contact.mode == TINKER_CONTACT_OPEN && !left && !changes_side(change, at);
+        gboolean held = other_side(change, at) != NULL && (at->was == TINKER_CONTACT_OPEN || at->struck);
+        if (parts && !held && !tinker_contact_run_leaves(change->run, &pair)) g_array_append_val(leaving, pair);
     }
 }
 
@@ -185,10 +266,23 @@ static void name_change(TinkerContactChange *change, guint number)
     const TinkerPlate *plate = tinker_touch_plate(change, number);
     gboolean landed =
         at->struck || (tinker_change_is_trigger(change, at) && change->trigger.kind == TINKER_TRIGGER_GAP);
+    if (changes_side(change, at)) return;
     const char *name = plate != NULL ? name_of_change(at->was, at->contact.mode, landed)
                                      : name_of_row_change(at->was, at->contact.mode, landed);
     if (name == NULL || (plate != NULL && plate->static_friction == 0 && g_str_equal(name, "reversal"))) return;
     tinker_change_add_event(change, name, at);
+}
+
+/* Whether it slips so slowly that a method whose first steps are of order 1 does not tell which way: its speed grows with the
+ * second power of time. What was watched by its acceleration up to now is not any more. */
+static gboolean has_unclear_speed(const TinkerContactChange *change, const TinkerTouch *at)
+{
+    const TinkerContactRun *self = change->run;
+    gboolean slips =
+        at->contact.mode == TINKER_CONTACT_SLIP_FORWARD || at->contact.mode == TINKER_CONTACT_SLIP_BACKWARD;
+    gboolean watched = tinker_change_is_trigger(change, at) && change->trigger.kind == TINKER_TRIGGER_STARTING;
+    return self->starts_low && slips && !watched &&
+           fabs(at->place.tangential_speed) <= tinker_contact_run_unclear_speed(self);
 }
 
 static void close_one(TinkerContactChange *change, guint number)
@@ -200,6 +294,7 @@ static void close_one(TinkerContactChange *change, guint number)
         return;
     }
     if (at->was != TINKER_CONTACT_STICK) at->contact.anchor = at->place.along;
+    at->contact.starts = has_unclear_speed(change, at);
     g_array_append_val(change->run->contacts->closed, at->contact);
 }
 
@@ -212,8 +307,8 @@ static gboolean close_contacts(TinkerContactChange *change, GError **error)
             g_array_remove_index(contacts->closed, i);
     for (guint i = 0; i < change->touches->len; i++)
         close_one(change, i);
-    tinker_contacts_list_rows(contacts);
-    tinker_contact_run_make_room(self);
+    if (tinker_contacts_list_rows(contacts) != TINKER_OK || tinker_contact_run_make_room(self) != TINKER_OK)
+        return tinker_change_refuse(change, change->model->failure, error);
     self->changes++;
     int32_t moved;
     TinkerSystem *system = &self->run->system.system;
@@ -245,14 +340,14 @@ static gboolean share_evenly(TinkerContactChange *change)
         TinkerContact *contact = tinker_contacts_closed(contacts, i);
         if (contacts->group[contact->body] == change->group) contact->base_normal = contact->base_friction = 0;
     }
-    tinker_contacts_list_rows(contacts);
+    tinker_contacts_take_shares(contacts);
     if (tinker_contact_run_look_at(self, state->t, state->q, state->v) != TINKER_OK) even = FALSE;
     for (guint i = 0; even && i < contacts->closed->len; i++)
         if (contacts->group[kept[i].body] == change->group)
             even = keeps_laws(contacts, tinker_contacts_closed(contacts, i));
     if (even) return TRUE;
     memcpy(contacts->closed->data, kept, contacts->closed->len * sizeof(TinkerContact));
-    tinker_contacts_list_rows(contacts);
+    tinker_contacts_take_shares(contacts);
     return FALSE;
 }
 
@@ -307,11 +402,13 @@ static gboolean change_group(TinkerContactRun *self, const TinkerTrigger *trigge
     TinkerContactChange change = {
         .run = self,
         .model = self->model,
+        .contacts = self->contacts,
+        .acceleration = self->force,
         .trigger = *trigger,
         .group = group,
         .touches = g_array_new(FALSE, TRUE, sizeof(TinkerTouch)),
         .tolerance = fmin(tolerance, tinker_contact_run_closed_gap(self)),
-        .slow = fmax(slow, TINKER_STILL),
+        .slow = fmax(slow, self->remembers ? STOPPED_NOISES * tinker_contact_run_speed_noise(self) : TINKER_STILL),
     };
     run->system.system.scales(&run->system, run->state.q, run->state.v, &extent, &change.speed);
     gboolean done =
@@ -351,7 +448,7 @@ static gboolean *groups_near(const TinkerContactRun *self)
 gboolean tinker_contact_run_change(TinkerContactRun *self, const TinkerTrigger *trigger, double tolerance, double slow,
                                    GError **error)
 {
-    double reach = tolerance;
+    double reach = fmax(tolerance, 2 * TINKER_TOUCHING); /* of the other side of a guide */
     if (tinker_model_set_time(self->model, self->run->state.t) != TINKER_OK)
         return tinker_island_run_fail(self->run, self->model->failure, error);
     tinker_model_set_state(self->model, self->run->state.q, self->run->state.v);

@@ -19,6 +19,7 @@ typedef enum {
     TINKER_TRIGGER_FORWARD,   /* one that sticks: mu N - T, */
     TINKER_TRIGGER_BACKWARD,  /* and mu N + T */
     TINKER_TRIGGER_SPEED,     /* one that slips: its speed along the top, */
+    TINKER_TRIGGER_STARTING,  /* or of one that has just begun to, its acceleration, */
     TINKER_TRIGGER_END,       /* what is left of the top towards +x, */
     TINKER_TRIGGER_BEGINNING, /* and towards -x */
 } TinkerTriggerKind;
@@ -36,14 +37,25 @@ typedef struct {
     int32_t row; /* -1: a plate */
 } TinkerContactPair;
 
+/* Flights of an island that is solved exactly (contact-flight.c). */
+typedef struct {
+    gboolean exact;  /* it is solved so while nothing is closed */
+    double ahead;    /* s: the blow that is passed falls so much later than its instant */
+    double approach; /* m/s: with this speed along the normal; NAN where no such blow is passed */
+    double *
+        rebound; /* m/s: by plate, the speed along its normal that a body alone left it with, as far as that lasts; else
+                        NAN. NULL where it never does */
+} TinkerContactFlight;
+
 struct _TinkerContactRun {
     TinkerIslandRun *run;
     TinkerContacts *contacts;
     TinkerModel *model;
     gboolean in_plane; /* the island is stepped in the plane: contacts may be closed */
-    gint64 changes;
-    double *orientation; /* by body */
-    double last_impact;
+    TinkerContactFlight flight;
+    gint64 changes, looks;
+    double *orientation;               /* by body */
+    double last_impact, passed_impact; /* s */
 
     /* the step in progress */
     TinkerState from;                       /* where it began; the books included */
@@ -52,19 +64,23 @@ struct _TinkerContactRun {
     TinkerTrigger hint_trigger;
     double hint_slope;
     double limit; /* of the step, but for that */
-    double
-        speed_bound; /* m/s: up to here nothing can come near anything in this step, whose start was not kept; 0: it was */
+    /* m/s: up to here nothing can come near anything in this step, whose start was not kept; 0: it was */
+    double speed_bound;
     gboolean pending; /* the state stands on it */
     TinkerTrigger pending_trigger;
 
     /* an endless sequence of events */
     double crowd_began;
-    int crowd;
+    int crowd, slow_crowds; /* events since then; so many before them, one after the other, that led nowhere */
 
     /* the search */
-    gboolean
-        exact; /* the island is solved exactly: its steps resolve nothing, and are limited to what its motion swings by */
+    /* it is solved exactly now: its steps resolve nothing, and are limited to what its motion swings by */
+    gboolean exact;
     double fastest, strongest; /* of those: m/s and m/s^2, the largest speed and acceleration so far */
+    /* The method remembers its steps: one that is made again, from a start without memory, is many small ones of low order, whose
+     * end is off by other errors each time. */
+    gboolean remembers;
+    gboolean starts_low; /* the method's first steps are of order 1 */
     int32_t degree;
     double nodes[TINKER_MOST_DEGREE + 1];
     double *plate_speed; /* by point of a support: m/s, the largest so far */
@@ -72,8 +88,9 @@ struct _TinkerContactRun {
     double end_time;
     gint64 end_changes;
     GArray *near; /* of TinkerContactPair: those that a step comes close to */
-    /* Of TinkerContactPair: those that opened without a blow and are not clear of each other yet. Their gap grows with the third
-     * power of time, less than the error of a method of low order: what tells whether they part is the acceleration. */
+    /* Of TinkerContactPair: those that opened with no speed and are not clear of each other yet. Their gap grows with the second
+     * or third power of time, less than the error of a method of low order, or than rounding: what tells whether they part is the
+     * acceleration. */
     GArray *leaving;
     GArray *triggers; /* of TinkerTrigger: those of the step */
     double *values;   /* of triggers, node by node */
@@ -102,7 +119,7 @@ TinkerStatus tinker_contact_run_state_at(TinkerContactRun *contact_run, double t
 /* Brings the model to a state, and works out what triggers ask for: forces of closed contacts, accelerations. */
 TinkerStatus tinker_contact_run_look_at(TinkerContactRun *contact_run, double t, const double *q, const double *v);
 /* All triggers of a step with these near pairs. */
-void tinker_contact_run_list_triggers(TinkerContactRun *contact_run);
+TinkerStatus tinker_contact_run_list_triggers(TinkerContactRun *contact_run);
 /* Their values, for the state looked at last; and the level below which one has passed 0, once forces were noted at all nodes
  * (speed, m/s: the largest). */
 double tinker_trigger_value(const TinkerContactRun *contact_run, const TinkerTrigger *trigger);
@@ -123,14 +140,30 @@ TinkerStatus tinker_contact_run_search(TinkerContactRun *contact_run, double fro
 TinkerStatus tinker_contact_run_value(TinkerContactRun *contact_run, double t, const double *q, const double *v,
                                       const TinkerTrigger *trigger, double *value);
 
-/* Room for what is watched while these contacts are closed, so that steps allot nothing. */
-void tinker_contact_run_make_room(TinkerContactRun *contact_run);
+/* Room for what is watched while these contacts are closed, so that steps allot nothing. No memory for it is the model's failure. */
+TinkerStatus tinker_contact_run_make_room(TinkerContactRun *contact_run);
 
 /* Within this (m) of 0 a gap is closed: rounding, or another body at the same instant. */
 double tinker_contact_run_closed_gap(const TinkerContactRun *contact_run);
 
+/* Places (m) are no more exact than this over the first steps of a method that remembers its steps; 0 of others. */
+double tinker_contact_run_place_noise(const TinkerContactRun *contact_run);
+
+/* Speeds along a top up to this share of the largest are what dense output and errors make of 0; and up to this (m/s) they do not
+ * tell which way a contact slips. */
+double tinker_contact_run_speed_noise(const TinkerContactRun *contact_run);
+double tinker_contact_run_unclear_speed(const TinkerContactRun *contact_run);
+
 /* Whether the pair has just opened. */
 gboolean tinker_contact_run_leaves(const TinkerContactRun *contact_run, const TinkerContactPair *pair);
+
+void tinker_contact_flight_init(TinkerContactFlight *flight, const TinkerContactRun *contact_run, gboolean exact);
+void tinker_contact_flight_clear(TinkerContactFlight *flight);
+/* Whether the island, which is in the plane, flies from its present state on as its linear form does. */
+gboolean tinker_contact_flight_goes_on(TinkerContactRun *contact_run);
+/* Before and after a blow in flight is passed, in the plane: takes the state on to the blow itself, and back to its instant. */
+TinkerStatus tinker_contact_flight_meet(TinkerContactRun *contact_run, const TinkerTrigger *trigger);
+TinkerStatus tinker_contact_flight_part(TinkerContactRun *contact_run, const TinkerTrigger *trigger);
 
 /* Passes an event at the state of the run: impacts, and what is closed from here on. `tolerance` (m): within it a gap is
  * closed. */

@@ -20,10 +20,12 @@
 #define LONGEST_SWING 0.2
 /* Beyond this share of the extent bodies that leave a plate are clear of it. */
 #define CLEAR 1e-9
-/* So many events within so short a time (a share of the time) never end. */
-#define CROWD       500
-#define CROWDED     1e-9
-#define MOST_TRIALS 12
+/* So many events within so short a time (a share of the time) never end, nor do so many times as many within a longer one. */
+#define CROWD        500
+#define CROWDED      1e-9
+#define SLOW_CROWDED 1e-6
+#define SLOW_CROWDS  20
+#define MOST_TRIALS  12
 /* Of a step: an event so near to its start is at its start. */
 #define AT_ONCE 1e-15
 /* Near pairs that there is room for at first. */
@@ -54,7 +56,10 @@ static void allot(TinkerContactRun *self)
 /* As many as dense output has degrees, and one to spare. */
 static void choose_nodes(TinkerContactRun *self)
 {
-    self->degree = self->run->choice.method->dense_order <= 3 ? 4 : 8;
+    const TinkerIntegrator *method = self->run->choice.method;
+    self->remembers = tinker_method_remembers(method);
+    self->starts_low = method->order == 1 || self->remembers;
+    self->degree = method->dense_order <= 3 ? 4 : 8;
     tinker_step_nodes(self->degree, self->nodes);
 }
 
@@ -67,13 +72,14 @@ TinkerContactRun *tinker_contact_run_new(TinkerIslandRun *run)
         .contacts = run->model->contacts,
         .model = run->model,
         .last_impact = -INFINITY,
+        .passed_impact = -INFINITY,
         .hint = INFINITY,
         .crowd_began = -INFINITY,
         .end_time = NAN,
     };
     self->exact = (run->choice.method->flags & TINKER_INTEGRATOR_LINEAR) != 0;
-    g_array_set_size(self->contacts->closed, 0);
-    tinker_contacts_list_rows(self->contacts);
+    tinker_contact_flight_init(&self->flight, self, self->exact);
+    tinker_contacts_open_all(self->contacts);
     choose_nodes(self);
     allot(self);
     return self;
@@ -83,6 +89,7 @@ void tinker_contact_run_free(TinkerContactRun *self)
 {
     if (self == NULL) return;
     tinker_contact_neighbours_clear(&self->neighbours);
+    tinker_contact_flight_clear(&self->flight);
     g_array_unref(self->near);
     g_array_unref(self->leaving);
     g_array_unref(self->triggers);
@@ -104,6 +111,21 @@ double tinker_contact_run_last_impact(const TinkerContactRun *self)
     return self->last_impact;
 }
 
+double tinker_contact_run_passed_impact(const TinkerContactRun *self)
+{
+    return self->passed_impact;
+}
+
+gboolean tinker_contact_run_stands_on_event(const TinkerContactRun *self)
+{
+    return self->pending;
+}
+
+gint64 tinker_contact_run_looks(const TinkerContactRun *self)
+{
+    return self->looks;
+}
+
 gint64 tinker_contact_run_changes(const TinkerContactRun *self)
 {
     return self->changes;
@@ -115,7 +137,6 @@ gint64 tinker_contact_run_changes(const TinkerContactRun *self)
 static gboolean enter_plane(TinkerContactRun *self, GError **error)
 {
     if (self->in_plane) return TRUE;
-    tinker_contacts_open_books(self->contacts);
     if (!tinker_island_run_enter_plane(self->run, error)) return FALSE;
     self->in_plane = TRUE;
     self->exact = FALSE;
@@ -123,14 +144,34 @@ static gboolean enter_plane(TinkerContactRun *self, GError **error)
     return TRUE;
 }
 
+/* And from here on exactly again. */
+static void leave_plane(TinkerContactRun *self)
+{
+    tinker_island_run_leave_plane(self->run);
+    self->in_plane = FALSE;
+    self->exact = TRUE;
+    self->quiet = 0;
+    choose_nodes(self);
+}
+
+static gboolean pass_trigger(TinkerContactRun *self, const TinkerTrigger *trigger, GError **error)
+{
+    TinkerStatus status = tinker_contact_flight_meet(self, trigger);
+    if (status == TINKER_OK) {
+        if (!tinker_contact_run_change(self, trigger, tinker_contact_run_closed_gap(self), 0, error)) return FALSE;
+        status = tinker_contact_flight_part(self, trigger);
+    }
+    return status == TINKER_OK || tinker_island_run_fail_step(self->run, self->model->failure, error);
+}
+
 static gboolean is_crowded(TinkerContactRun *self)
 {
-    double t = self->run->state.t;
-    if (t - self->crowd_began > CROWDED * fabs(t)) {
-        self->crowd_began = t;
-        self->crowd = 0;
-    }
-    return ++self->crowd > CROWD;
+    double t = self->run->state.t, passed = t - self->crowd_began;
+    if (++self->crowd < CROWD) return FALSE;
+    self->crowd = 0;
+    self->crowd_began = t;
+    self->slow_crowds = passed <= SLOW_CROWDED * fabs(t) ? self->slow_crowds + 1 : 0;
+    return passed <= CROWDED * fabs(t) || self->slow_crowds >= SLOW_CROWDS;
 }
 
 /* Rounding of places, and of the instant of an event at the speed of what moves. */
@@ -170,15 +211,14 @@ gboolean tinker_contact_run_pass(TinkerContactRun *self, GError **error)
     TinkerIslandRun *run = self->run;
     if (!self->pending) return TRUE;
     self->pending = FALSE;
+    self->passed_impact = self->last_impact;
     self->quiet = 0;
     if (is_crowded(self))
         return tinker_island_run_fail_step(run,
                                            _("contacts open and close without end there (a little friction, or a "
                                              "restitution below 1, ends such a sequence)"),
                                            error);
-    if (!enter_plane(self, error)) return FALSE;
-    if (!tinker_contact_run_change(self, &self->pending_trigger, tinker_contact_run_closed_gap(self), 0, error))
-        return FALSE;
+    if (!enter_plane(self, error) || !pass_trigger(self, &self->pending_trigger, error)) return FALSE;
     tinker_method_restart(run->choice.method, run->stepper);
     return TRUE;
 }
@@ -212,6 +252,23 @@ static void let_leave(TinkerContactRun *self)
             left = place.gap > clear || fabs(place.along) > self->contacts->plates[pair->plate].half_width;
         }
         if (left) g_array_remove_index_fast(self->leaving, i);
+    }
+}
+
+/* Contacts that slip clearly by now are watched by their speed. */
+static void note_slipping(TinkerContactRun *self)
+{
+    TinkerIslandRun *run = self->run;
+    gboolean any = FALSE;
+    for (guint i = 0; i < self->contacts->closed->len; i++)
+        any |= tinker_contacts_closed(self->contacts, i)->starts;
+    if (!any || tinker_model_set_time(self->model, run->state.t) != TINKER_OK) return;
+    tinker_model_set_state(self->model, run->state.q, run->state.v);
+    double unclear = tinker_contact_run_unclear_speed(self);
+    for (guint i = 0; i < self->contacts->closed->len; i++) {
+        TinkerContact *contact = tinker_contacts_closed(self->contacts, i);
+        TinkerContactPlace place = tinker_contact_place(self->contacts, contact->body, contact->plate);
+        if (fabs(place.tangential_speed) > unclear) contact->starts = FALSE;
     }
 }
 
@@ -269,8 +326,10 @@ static double swing_limit(TinkerContactRun *self, double limit)
 double tinker_contact_run_begin(TinkerContactRun *self, double limit)
 {
     const TinkerIslandRun *run = self->run;
-    gboolean adaptive = (run->choice.method->flags & TINKER_INTEGRATOR_ADAPTIVE) != 0;
     if (self->leaving->len > 0) let_leave(self);
+    if (self->starts_low) note_slipping(self);
+    if (self->in_plane && tinker_contact_flight_goes_on(self)) leave_plane(self);
+    gboolean adaptive = tinker_method_is_adaptive(run->choice.method);
     if (adaptive && self->model->moving_supports > 0) limit = resolved_limit(self, limit);
     if (self->exact) limit = swing_limit(self, limit);
     self->limit = limit;
@@ -312,6 +371,63 @@ static double next_trial(const Trial *trial, const Trial *before, double *slope)
     return *slope < 0 ? trial->time - trial->value / *slope : trial->time;
 }
 
+static void stand_on_event(TinkerContactRun *self, const TinkerTrigger *trigger)
+{
+    self->hint = INFINITY;
+    self->pending = TRUE;
+    self->pending_trigger = *trigger;
+    if (trigger->kind == TINKER_TRIGGER_GAP) self->last_impact = self->run->state.t;
+}
+
+/* The trigger's value at a time within the step that was made, for the state that the run would go on from there. */
+static TinkerStatus value_from(TinkerContactRun *self, const TinkerTrigger *trigger, double time, double *value)
+{
+    TinkerModelSystem *system = &self->run->system;
+    double *q, *v, work = system->projection_work, off = system->position_error;
+    int32_t moved;
+    TinkerStatus status = tinker_contact_run_state_at(self, time, &q, &v);
+    if (status == TINKER_OK) status = system->system.project(system, time, q, v, &moved);
+    system->projection_work = work;
+    system->position_error = off;
+    return status == TINKER_OK ? tinker_contact_run_value(self, time, q, v, trigger, value) : status;
+}
+
+/* When the trigger falls through 0 in the step that was made, to rounding. */
+static TinkerStatus refine_event(TinkerContactRun *self, const TinkerTrigger *trigger, double slope, double *time)
+{
+    const double from = self->from.t, end = self->run->state.t;
+    Trial trial = {CLAMP(*time, from, end), 0}, before = trial;
+    for (int k = 0; k < MOST_TRIALS; k++) {
+        TinkerStatus status = value_from(self, trigger, trial.time, &trial.value);
+        if (status != TINKER_OK) return status;
+        const double next = CLAMP(next_trial(&trial, &before, &slope), from, end);
+        if (fabs(next - trial.time) <= 2 * DBL_EPSILON * fabs(next)) break;
+        before = trial;
+        trial.time = next;
+    }
+    *time = fmin(fmax(trial.time, from + 4 * DBL_EPSILON * fabs(from)), end);
+    return TINKER_OK;
+}
+
+/* The step ends at the event, by its dense output. */
+static TinkerStatus cut_to_event(TinkerContactRun *self, const TinkerTrigger *trigger, double time, double slope,
+                                 TinkerStepReport *report)
+{
+    TinkerIslandRun *run = self->run;
+    TinkerState *state = &run->state;
+    TinkerSystem *system = &run->system.system;
+    int32_t moved;
+    TinkerStatus status = refine_event(self, trigger, slope, &time);
+    if (status == TINKER_OK && time < state->t) {
+        state->t = time;
+        status = tinker_method_interpolate(run->choice.method, run->stepper, time, state->q, state->v, state->books);
+        if (status == TINKER_OK) status = system->project(system->context, time, state->q, state->v, &moved);
+        report->step = time - self->from.t;
+    }
+    if (status == TINKER_OK) stand_on_event(self, trigger);
+    return status;
+}
+
 /* The step is made again, to the event: dense output says when it is, the step itself how far it is off there. Where the
  * method makes several steps of it, the last of them goes on from here. */
 static TinkerStatus step_to_event(TinkerContactRun *self, const TinkerTrigger *trigger, double time, double slope,
@@ -326,7 +442,7 @@ static TinkerStatus step_to_event(TinkerContactRun *self, const TinkerTrigger *t
         self->hint = trial.time;
         if (run->state.t != trial.time) {
             go_back(self);
-            status = tinker_method_step(run->choice.method, run->stepper, &run->state, trial.time, report);
+            status = tinker_island_run_make_step(run, trial.time, report);
         }
         if (status != TINKER_OK || run->state.t < trial.time) {
             self->hint_trigger = *trigger;
@@ -341,10 +457,7 @@ static TinkerStatus step_to_event(TinkerContactRun *self, const TinkerTrigger *t
         before = trial;
         trial.time = next;
     }
-    self->hint = INFINITY;
-    self->pending = TRUE;
-    self->pending_trigger = *trigger;
-    if (trigger->kind == TINKER_TRIGGER_GAP) self->last_impact = run->state.t;
+    stand_on_event(self, trigger);
     return TINKER_OK;
 }
 
@@ -354,7 +467,7 @@ static TinkerStatus recall_start(TinkerContactRun *self)
     TinkerIslandRun *run = self->run;
     TinkerState start = {self->from.t, self->from.q, self->from.v, self->from.books};
     self->speed_bound = 0;
-    return tinker_method_interpolate(run->choice.method, run->stepper, start.t, start.q, start.v, start.books);
+    return tinker_island_run_interpolate(run, start.t, start.q, start.v, start.books);
 }
 
 TinkerStatus tinker_contact_run_look(TinkerContactRun *self, TinkerStepReport *report)
@@ -390,7 +503,9 @@ TinkerStatus tinker_contact_run_look(TinkerContactRun *self, TinkerStepReport *r
     tinker_contact_run_find_near(self, from, run->q, travel);
     status = tinker_contact_run_search(self, self->from.t, run->state.t, &found, &time, &slope);
     if (status != TINKER_OK) return status;
-    if (found.kind != TINKER_TRIGGER_NONE) return step_to_event(self, &found, time, slope, report);
+    if (found.kind != TINKER_TRIGGER_NONE)
+        return self->remembers ? cut_to_event(self, &found, time, slope, report)
+                               : step_to_event(self, &found, time, slope, report);
     if (self->near->len == 0 && self->model->constraints.unilateral == NULL)
         tinker_contact_run_note_quiet(self, run->state.q, run->q);
     return TINKER_OK;

@@ -33,6 +33,15 @@ double tinker_contact_run_orientation(const TinkerContactRun *contact_run, int32
 /* The last instant (s) at which velocities jumped, or are to do so at the state's; -INFINITY for none. */
 double tinker_contact_run_last_impact(const TinkerContactRun *contact_run);
 
+/* The last of them (s) that is behind the state; -INFINITY for none. */
+double tinker_contact_run_passed_impact(const TinkerContactRun *contact_run);
+
+/* Whether the state stands on an event that was found and not yet passed. */
+gboolean tinker_contact_run_stands_on_event(const TinkerContactRun *contact_run);
+
+/* How many states it has looked at in search of events: what it costs. */
+gint64 tinker_contact_run_looks(const TinkerContactRun *contact_run);
+
 /* How often the closed contacts have changed. */
 gint64 tinker_contact_run_changes(const TinkerContactRun *contact_run);
 

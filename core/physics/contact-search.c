@@ -236,7 +236,7 @@ static TinkerStatus find_slope(TinkerContactRun *self, const TinkerTrigger *trig
 static gboolean varies_slowly(const TinkerContactRun *self)
 {
     const TinkerModel *model = self->model;
-    gboolean fixed = (self->run->choice.method->flags & (TINKER_INTEGRATOR_ADAPTIVE | TINKER_INTEGRATOR_LINEAR)) == 0;
+    gboolean fixed = tinker_method_is_fixed(self->run->choice.method);
     return fixed && model->waveform_batches->len == 0 && model->asked_forces->len == 0 && model->moving_supports == 0 &&
            model->constraints.unilateral == NULL && self->near->len == 0;
 }
@@ -295,12 +295,11 @@ static TinkerStatus look_at_places(TinkerContactRun *self, double from, double t
 TinkerStatus tinker_contact_run_search(TinkerContactRun *self, double from, double to, TinkerTrigger *found,
                                        double *time, double *slope)
 {
-    TinkerStatus status = TINKER_OK;
     gboolean clear = FALSE;
     found->kind = TINKER_TRIGGER_NONE;
     *time = INFINITY;
-    tinker_contact_run_list_triggers(self);
-    if (self->triggers->len == 0) return TINKER_OK;
+    TinkerStatus status = tinker_contact_run_list_triggers(self);
+    if (status != TINKER_OK || self->triggers->len == 0) return status;
     if (varies_slowly(self)) status = look_at_places(self, from, to, &clear);
     if (clear || status != TINKER_OK) return status;
     double arc = highest_frequency(self, from, to) * (to - from);

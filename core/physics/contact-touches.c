@@ -4,6 +4,9 @@
 
 #include "physics/contact-change-private.h"
 
+/* The largest m whose 2m x 2m entries an int32_t counts. */
+#define MOST_TOUCHES 23170
+
 void tinker_change_add_event(TinkerContactChange *change, const char *kind, const TinkerTouch *of)
 {
     TinkerScene *scene = change->model->scene;
@@ -14,13 +17,21 @@ void tinker_change_add_event(TinkerContactChange *change, const char *kind, cons
     }
     g_autofree char *names =
         g_strdup_printf("%s, %s", tinker_scene_block_name(scene, change->model->body_blocks[of->contact.body]),
-                        tinker_scene_block_name(scene, change->run->contacts->plates[of->contact.plate].block));
+                        tinker_scene_block_name(scene, change->contacts->plates[of->contact.plate].block));
     tinker_island_run_add_event(change->run->run, kind, names);
 }
 
 gboolean tinker_change_refuse(TinkerContactChange *change, const char *why, GError **error)
 {
     return tinker_island_run_fail_step(change->run->run, why, error);
+}
+
+gboolean tinker_change_refuse_laws(TinkerContactChange *change, TinkerContactResult result, const char *why,
+                                   GError **error)
+{
+    if (result != TINKER_CONTACT_NO_MEMORY) return tinker_change_refuse(change, why, error);
+    tinker_contacts_lack_memory(change->contacts, change->touches->len);
+    return tinker_change_refuse(change, change->model->failure, error);
 }
 
 TinkerStatus tinker_change_set_state(const TinkerContactChange *change)
@@ -43,7 +54,7 @@ gboolean tinker_change_is_trigger(const TinkerContactChange *change, const Tinke
 
 static TinkerContactPlace place_of(const TinkerContactChange *change, const TinkerTouch *at)
 {
-    if (at->row < 0) return tinker_contact_place(change->run->contacts, at->contact.body, at->contact.plate);
+    if (at->row < 0) return tinker_contact_place(change->contacts, at->contact.body, at->contact.plate);
     return (TinkerContactPlace){.gap = -change->model->constraints.own_g[at->row],
                                 .normal_speed = -tinker_constraints_own_rate(change->model, at->row)};
 }
@@ -54,6 +65,12 @@ void tinker_change_measure(TinkerContactChange *change)
         tinker_touch(change, i)->place = place_of(change, tinker_touch(change, i));
 }
 
+gboolean tinker_change_approaches(const TinkerContactChange *change, const TinkerContactPair *pair)
+{
+    const TinkerTouch of = {.contact = {.body = pair->body, .plate = pair->plate}, .row = pair->row};
+    return place_of(change, &of).normal_speed < -TINKER_STILL * change->speed;
+}
+
 static gboolean ends_now(const TinkerContactChange *change, const TinkerTouch *of)
 {
     return tinker_change_is_trigger(change, of) &&
@@ -62,7 +79,7 @@ static gboolean ends_now(const TinkerContactChange *change, const TinkerTouch *o
 
 static void take_closed(TinkerContactChange *change)
 {
-    const TinkerContacts *contacts = change->run->contacts;
+    const TinkerContacts *contacts = change->contacts;
     for (guint i = 0; i < contacts->closed->len; i++) {
         TinkerTouch taken = {.contact = *tinker_contacts_closed(contacts, i), .row = -1};
         if (contacts->group[taken.contact.body] != change->group) continue;
@@ -98,7 +115,9 @@ static void take_open(TinkerContactChange *change, double tolerance)
         if (self->contacts->group[pair->body] != change->group) continue;
         TinkerTouch taken = {.contact = {.body = pair->body, .plate = pair->plate}, .row = -1};
         taken.place = place_of(change, &taken);
-        gboolean closed = is_closed(change, &taken, tolerance) &&
+        gboolean guided = tinker_contacts_is_guided(self->contacts, pair->body, pair->plate);
+        double near = guided ? fmax(tolerance, 2 * TINKER_TOUCHING) : tolerance;
+        gboolean closed = is_closed(change, &taken, near) &&
                           tinker_contact_is_over(&self->contacts->plates[pair->plate], &taken.place, tolerance);
         if (closed || meets_now(change, &taken)) g_array_append_val(change->touches, taken);
     }
@@ -135,11 +154,11 @@ void tinker_change_push(const TinkerContactChange *change, guint number, double 
 {
     const TinkerTouch *at = tinker_touch(change, number);
     if (at->row >= 0) {
-        tinker_contacts_pull(change->run->contacts, at->row, -pn, v);
+        tinker_contacts_pull(change->contacts, at->row, -pn, v);
         return;
     }
     const double *n = tinker_touch_plate(change, number)->normal;
-    tinker_contacts_push(change->run->contacts, at->contact.body, pn * n[0] + pt * n[1], pn * n[1] - pt * n[0], v);
+    tinker_contacts_push(change->contacts, at->contact.body, pn * n[0] + pt * n[1], pn * n[1] - pt * n[0], v);
 }
 
 /* What a change of velocities (or accelerations) of all bodies is along a contact: normal and tangential. */
@@ -165,33 +184,42 @@ void tinker_contact_laws_clear(TinkerContactLaws *laws)
         g_free(arrays[i]);
 }
 
-TinkerContactLaws tinker_contact_laws_of(const TinkerContactChange *change)
+static gboolean allot_laws(TinkerContactLaws *laws)
 {
-    gsize m = change->touches->len;
-    TinkerContactLaws laws = {.count = m};
-    laws.delassus = g_new0(double, 4 * m * m);
-    laws.pairs = g_new0(double, 2 * m);
-    laws.answers = g_new0(double, 2 * m);
-    laws.first = g_new0(double, m);
-    laws.second = g_new0(double, m);
-    laws.sliding = g_new0(int8_t, m);
-    laws.modes = g_new0(TinkerContactMode, m);
-    double *answer = change->run->contacts->column;
+    const gsize m = laws->count;
+    if (m > MOST_TOUCHES) return FALSE;
+    laws->delassus = g_try_new0(double, 4 * m * m);
+    laws->pairs = g_try_new0(double, 2 * m);
+    laws->answers = g_try_new0(double, 2 * m);
+    laws->first = g_try_new0(double, m);
+    laws->second = g_try_new0(double, m);
+    laws->sliding = g_try_new0(int8_t, m);
+    laws->modes = g_try_new0(TinkerContactMode, m);
+    return laws->delassus != NULL && laws->pairs != NULL && laws->answers != NULL && laws->first != NULL &&
+           laws->second != NULL && laws->sliding != NULL && laws->modes != NULL;
+}
+
+TinkerStatus tinker_contact_laws_init(TinkerContactLaws *laws, const TinkerContactChange *change)
+{
+    const gsize m = change->touches->len;
+    double *answer = change->contacts->column;
+    *laws = (TinkerContactLaws){.count = m};
+    if (!allot_laws(laws)) return tinker_contacts_lack_memory(change->contacts, m);
     for (guint column = 0; column < 2 * m; column++) {
         if (column % 2 == 1 && tinker_touch(change, column / 2)->row >= 0) continue;
         memset(answer, 0, 2 * (gsize)change->model->bodies * sizeof(double));
         tinker_change_push(change, column / 2, column % 2 == 0, column % 2 == 1, answer);
         for (guint i = 0; i < m; i++)
-            along_contact(change, i, answer, &laws.delassus[2 * i * 2 * m + column],
-                          &laws.delassus[(2 * i + 1) * 2 * m + column]);
+            along_contact(change, i, answer, &laws->delassus[2 * i * 2 * m + column],
+                          &laws->delassus[(2 * i + 1) * 2 * m + column]);
     }
-    return laws;
+    return TINKER_OK;
 }
 
 gboolean tinker_change_accelerations(TinkerContactChange *change, double *pairs, double *scale)
 {
     TinkerModel *model = change->model;
-    double *a = change->run->force;
+    double *a = change->acceleration;
     if (tinker_model_applied(model, a, FALSE) != TINKER_OK) return FALSE;
     if (model->constraints.rows > 0) tinker_constraints_accelerate(model, a);
     *scale = 0;

@@ -9,7 +9,10 @@
 #define FORCE_ROUNDING          1e-11
 #define SPEED_ROUNDING          1e-13
 #define SPEED_ROUNDING_OF_STEPS 1e-11
-#define PLACE_ROUNDING          (16 * DBL_EPSILON)
+/* Of the largest speed: with less of it a contact may have begun to slip either way. Likewise, of the noise. */
+#define UNCLEAR_SPEED  1e-9
+#define UNCLEAR_NOISES 10
+#define PLACE_ROUNDING (16 * DBL_EPSILON)
 /* Triggers of one closed contact. */
 #define MOST_OF_ONE 4
 
@@ -30,7 +33,7 @@ TinkerStatus tinker_contact_run_state_at(TinkerContactRun *self, double t, doubl
         memcpy(self->node_u, ends[k]->v, bytes);
     }
     if (t != self->from.t && t != run->state.t)
-        status = tinker_method_interpolate(run->choice.method, run->stepper, t, self->node_x, self->node_u, NULL);
+        status = tinker_island_run_interpolate(run, t, self->node_x, self->node_u, NULL);
     *q = self->node_x;
     *v = self->node_u;
     if (self->in_plane || run->q == run->state.q) return status;
@@ -43,6 +46,7 @@ TinkerStatus tinker_contact_run_state_at(TinkerContactRun *self, double t, doubl
 /* Brings the model to a state, and works out the forces of its closed contacts. */
 TinkerStatus tinker_contact_run_look_at(TinkerContactRun *self, double t, const double *q, const double *v)
 {
+    self->looks++;
     TinkerModel *model = self->model;
     if (self->contacts->closed->len > 0 || self->leaving->len > 0 || self->model->constraints.unilateral != NULL)
         return self->run->system.system.acceleration(&self->run->system, t, q, v, self->force, NULL);
@@ -62,6 +66,16 @@ static double parting_acceleration(const TinkerContactRun *self, const TinkerTri
     return plate->normal[0] * (at[0] - base[0]) + plate->normal[1] * (at[1] - base[1]);
 }
 
+/* How the contact speeds up the way it slips, by the accelerations worked out last. */
+static double starting_acceleration(const TinkerContactRun *self, const TinkerTrigger *trigger)
+{
+    const TinkerContact *contact = tinker_contacts_closed(self->contacts, (guint)trigger->closed);
+    const TinkerPlate *plate = &self->contacts->plates[trigger->plate];
+    const double *base = self->model->point_acceleration + 2 * plate->point, *at = self->force + 2 * trigger->body;
+    const double along = plate->normal[1] * (at[0] - base[0]) - plate->normal[0] * (at[1] - base[1]);
+    return contact->mode == TINKER_CONTACT_SLIP_FORWARD ? along : -along;
+}
+
 /* A row is slack as long as g is below 0, and taut as long as it pulls. */
 static double row_value(const TinkerContactRun *self, const TinkerTrigger *trigger)
 {
@@ -73,6 +87,7 @@ double tinker_trigger_value(const TinkerContactRun *self, const TinkerTrigger *t
 {
     const TinkerContacts *contacts = self->contacts;
     if (trigger->kind == TINKER_TRIGGER_LEAVING) return parting_acceleration(self, trigger);
+    if (trigger->kind == TINKER_TRIGGER_STARTING) return starting_acceleration(self, trigger);
     if (trigger->row >= 0) return row_value(self, trigger);
     TinkerContactPlace place = tinker_contact_place(contacts, trigger->body, trigger->plate);
     if (trigger->kind == TINKER_TRIGGER_GAP) return place.gap;
@@ -137,12 +152,21 @@ static void watch_closed(TinkerContactRun *self, int32_t number)
         add_trigger(self, TINKER_TRIGGER_BACKWARD, body, on, number);
         return;
     }
-    if (!slips_freely) add_trigger(self, TINKER_TRIGGER_SPEED, body, on, number);
+    TinkerTriggerKind stops = contact->starts ? TINKER_TRIGGER_STARTING : TINKER_TRIGGER_SPEED;
+    if (!slips_freely) add_trigger(self, stops, body, on, number);
     if (forward || slips_freely) add_trigger(self, TINKER_TRIGGER_END, body, on, number);
     if (!forward || slips_freely) add_trigger(self, TINKER_TRIGGER_BEGINNING, body, on, number);
 }
 
-void tinker_contact_run_make_room(TinkerContactRun *self)
+/* FALSE: no memory. */
+static gboolean enlarge(double **array, gsize count)
+{
+    double *larger = g_try_renew(double, *array, count);
+    if (larger != NULL) *array = larger;
+    return larger != NULL;
+}
+
+TinkerStatus tinker_contact_run_make_room(TinkerContactRun *self)
 {
     guint closed = self->contacts->closed->len, watched = MOST_OF_ONE * closed + 2 * self->near->len;
     gsize room = MAX(watched, self->triggers->len) * (gsize)(TINKER_MOST_DEGREE + 1);
@@ -152,29 +176,33 @@ void tinker_contact_run_make_room(TinkerContactRun *self)
         g_array_set_size(self->triggers, now);
     }
     if (room > self->values_room) {
+        if (!enlarge(&self->values, 2 * room) || !enlarge(&self->end_values, 2 * room))
+            return tinker_contacts_lack_memory(self->contacts, closed);
         self->values_room = 2 * room;
-        self->values = g_renew(double, self->values, self->values_room);
-        self->end_values = g_renew(double, self->end_values, self->values_room);
     }
     if (closed > self->closed_room) {
-        self->closed_room = 2 * closed;
-        self->force_scale = g_renew(double, self->force_scale, self->closed_room);
+        if (!enlarge(&self->force_scale, 2 * (gsize)closed)) return tinker_contacts_lack_memory(self->contacts, closed);
+        self->closed_room = 2 * (gsize)closed;
     }
+    return TINKER_OK;
 }
 
-void tinker_contact_run_list_triggers(TinkerContactRun *self)
+TinkerStatus tinker_contact_run_list_triggers(TinkerContactRun *self)
 {
     g_array_set_size(self->triggers, 0);
     for (guint i = 0; i < self->contacts->closed->len; i++)
         watch_closed(self, (int32_t)i);
     for (guint i = 0; i < self->near->len; i++) {
         const TinkerContactPair *pair = &g_array_index(self->near, TinkerContactPair, i);
+        if (tinker_contacts_is_guided(self->contacts, pair->body, pair->plate)) continue;
         gboolean leaves = tinker_contact_run_leaves(self, pair);
         add_trigger(self, leaves ? TINKER_TRIGGER_LEAVING : TINKER_TRIGGER_GAP, pair->body, pair->plate, -1);
     }
     watch_rows(self);
-    tinker_contact_run_make_room(self);
-    if (self->contacts->closed->len > 0) memset(self->force_scale, 0, self->contacts->closed->len * sizeof(double));
+    TinkerStatus status = tinker_contact_run_make_room(self);
+    if (status == TINKER_OK && self->contacts->closed->len > 0)
+        memset(self->force_scale, 0, self->contacts->closed->len * sizeof(double));
+    return status;
 }
 
 double tinker_trigger_place_rounding(const TinkerContactRun *self, const TinkerTrigger *trigger)
@@ -186,6 +214,19 @@ double tinker_trigger_place_rounding(const TinkerContactRun *self, const TinkerT
                              self->contacts->half_height[trigger->body]);
 }
 
+/* What constraints pull a body with, each by itself: what presses may be what is left of it. */
+static double constraint_forces(const TinkerModel *model, int32_t body)
+{
+    const TinkerConstraints *all = &model->constraints;
+    double sum = 0;
+    for (int32_t k = all->body_starts[body]; k < all->body_starts[body + 1]; k++) {
+        int32_t entry = all->body_entries[k];
+        sum += fabs(all->lambda[all->row_of[entry]]) *
+               (fabs(all->jacobian[2 * entry]) + fabs(all->jacobian[2 * entry + 1]));
+    }
+    return sum;
+}
+
 void tinker_contact_run_note_force_scales(TinkerContactRun *self)
 {
     const TinkerModel *model = self->model;
@@ -195,6 +236,7 @@ void tinker_contact_run_note_force_scales(TinkerContactRun *self)
         double applied = fabs(model->force[k]) + fabs(model->force[k + 1]) +
                          model->mass[contact->body] *
                              (fabs(model->constant_acceleration[k]) + fabs(model->constant_acceleration[k + 1]));
+        if (self->contacts->held[contact->body]) applied += constraint_forces(model, contact->body);
         self->force_scale[i] = fmax(self->force_scale[i], applied + fabs(contact->normal) + fabs(contact->friction));
     }
 }
@@ -211,12 +253,35 @@ static double acceleration_scale(const TinkerContactRun *self, const TinkerTrigg
            (fabs(self->model->force[k]) + fabs(self->model->force[k + 1])) * self->model->inverse_mass[trigger->body];
 }
 
-/* What dense output makes of a speed that is held at 0, as a share of the largest. */
-static double speed_noise(const TinkerContactRun *self)
+double tinker_contact_run_speed_noise(const TinkerContactRun *self)
 {
     const TinkerIslandRun *run = self->run;
-    gboolean adaptive = (run->choice.method->flags & TINKER_INTEGRATOR_ADAPTIVE) != 0;
+    gboolean adaptive = tinker_method_is_adaptive(run->choice.method);
     return adaptive ? fmax(SPEED_ROUNDING, 0.1 * run->choice.tolerance) : SPEED_ROUNDING_OF_STEPS;
+}
+
+double tinker_contact_run_unclear_speed(const TinkerContactRun *self)
+{
+    double extent, speed;
+    const TinkerIslandRun *run = self->run;
+    run->system.system.scales(run->system.system.context, run->state.q, run->state.v, &extent, &speed);
+    return fmax(UNCLEAR_SPEED, UNCLEAR_NOISES * tinker_contact_run_speed_noise(self)) *
+           fmax(speed, self->contacts->plate_speed);
+}
+
+double tinker_contact_run_place_noise(const TinkerContactRun *self)
+{
+    double extent, speed;
+    const TinkerIslandRun *run = self->run;
+    if (!self->remembers) return 0;
+    run->system.system.scales(run->system.system.context, run->state.q, run->state.v, &extent, &speed);
+    return run->choice.tolerance * extent;
+}
+
+/* What dense output makes of an acceleration that is 0, as a share of what acts. */
+static double acceleration_noise(const TinkerContactRun *self)
+{
+    return self->remembers ? fmax(FORCE_ROUNDING, self->run->choice.tolerance) : FORCE_ROUNDING;
 }
 
 double tinker_trigger_level(const TinkerContactRun *self, const TinkerTrigger *trigger, double speed)
@@ -227,9 +292,10 @@ double tinker_trigger_level(const TinkerContactRun *self, const TinkerTrigger *t
     case TINKER_TRIGGER_BEGINNING:
         return -tinker_trigger_place_rounding(self, trigger);
     case TINKER_TRIGGER_SPEED:
-        return -speed_noise(self) * speed;
+        return -tinker_contact_run_speed_noise(self) * speed;
     case TINKER_TRIGGER_LEAVING:
-        return -FORCE_ROUNDING * acceleration_scale(self, trigger);
+    case TINKER_TRIGGER_STARTING:
+        return -acceleration_noise(self) * acceleration_scale(self, trigger);
     default:
         if (trigger->row >= 0)
             return -FORCE_ROUNDING * self->model->mass[trigger->body] * acceleration_scale(self, trigger);

@@ -1,6 +1,7 @@
 /* What may touch what: compiling, and the list of the equations of closed contacts. */
 #include "physics/contacts.h"
 
+#include <glib/gi18n-lib.h>
 #include <math.h>
 
 #include "physics/disjoint-sets.h"
@@ -105,6 +106,17 @@ static void measure_thickness(TinkerContacts *contacts)
     contacts->thickness = plate + body;
 }
 
+/* Those that contacts write into: which books there are does not change in a run. */
+static void open_books(TinkerContacts *contacts)
+{
+    TinkerModel *model = contacts->model;
+    for (int32_t k = 0; k < contacts->plate_count; k++) {
+        const TinkerPlate *plate = &contacts->plates[k];
+        if (plate->dynamic_friction > 0) model->has_book[TINKER_BOOK_FRICTION] = TRUE;
+        if (plate->moving) model->has_book[TINKER_BOOK_SUPPORT_MOTION] = model->more_than_lines = TRUE;
+    }
+}
+
 TinkerContacts *tinker_contacts_new(TinkerModel *model)
 {
     gboolean any_body = FALSE;
@@ -128,6 +140,7 @@ TinkerContacts *tinker_contacts_new(TinkerModel *model)
     find_shapes(contacts, any_body);
     find_groups(contacts);
     measure_thickness(contacts);
+    open_books(contacts);
     return contacts;
 }
 
@@ -144,16 +157,6 @@ void tinker_contacts_free(TinkerContacts *contacts)
     for (gsize i = 0; i < G_N_ELEMENTS(arrays); i++)
         g_free(arrays[i]);
     g_free(contacts);
-}
-
-void tinker_contacts_open_books(TinkerContacts *contacts)
-{
-    TinkerModel *model = contacts->model;
-    for (int32_t k = 0; k < contacts->plate_count; k++) {
-        const TinkerPlate *plate = &contacts->plates[k];
-        if (plate->dynamic_friction > 0) model->has_book[TINKER_BOOK_FRICTION] = TRUE;
-        if (plate->moving) model->has_book[TINKER_BOOK_SUPPORT_MOTION] = model->more_than_lines = TRUE;
-    }
 }
 
 gboolean tinker_contacts_touch(const TinkerContacts *contacts)
@@ -229,47 +232,75 @@ static int by_group(const void *left, const void *right, void *data)
     return l->tangential - r->tangential;
 }
 
-/* Rows of one group stand together and are solved together. Answers the rows of the largest. */
+/* FALSE: no memory. */
+static gboolean add_block(TinkerContacts *contacts, guint first, guint count)
+{
+    const int32_t contact = g_array_index(contacts->rows, TinkerContactRow, first).contact;
+    TinkerContactBlock block = {.first = (int32_t)first, .count = (int32_t)count};
+    block.held = contacts->held[tinker_contacts_closed(contacts, (guint)contact)->body];
+    for (int moves = FALSE; moves <= TRUE; moves++)
+        block.solve[moves] = tinker_dense_solve_new(block.count);
+    g_array_append_val(contacts->blocks, block);
+    return block.solve[FALSE] != NULL && block.solve[TRUE] != NULL;
+}
+
+/* Rows of one group stand together and are solved together. Answers the rows of the largest; 0: no memory. */
 static gsize find_blocks(TinkerContacts *contacts)
 {
     gsize most = 1;
-    g_array_set_size(contacts->blocks, 0);
     g_array_sort_with_data(contacts->rows, by_group, contacts);
     for (guint first = 0, end; first < contacts->rows->len; first = end) {
-        int32_t group = group_of(contacts, first),
-                contact = g_array_index(contacts->rows, TinkerContactRow, first).contact;
+        int32_t group = group_of(contacts, first);
         for (end = first + 1; end < contacts->rows->len && group_of(contacts, end) == group;)
             end++;
-        TinkerContactBlock block = {.first = (int32_t)first, .count = (int32_t)(end - first)};
-        block.held = contacts->held[tinker_contacts_closed(contacts, (guint)contact)->body];
-        block.solve[FALSE] = tinker_dense_solve_new(block.count);
-        block.solve[TRUE] = tinker_dense_solve_new(block.count);
-        g_array_append_val(contacts->blocks, block);
+        if (!add_block(contacts, first, end - first)) return 0;
         most = MAX(most, end - first);
     }
     return most;
 }
 
-static void allot_rows(TinkerContacts *contacts)
+/* What it held is not kept. FALSE: no memory. */
+static gboolean make_room(double **array, gsize count)
 {
-    gsize rows = contacts->rows->len, most = find_blocks(contacts);
-    contacts->delassus = g_renew(double, contacts->delassus, most *most);
-    contacts->demand = g_renew(double, contacts->demand, MAX(rows, 1));
-    contacts->base = g_renew(double, contacts->base, MAX(rows, 1));
-    for (gsize i = 0; i < rows; i++) {
+    g_free(*array);
+    *array = g_try_new(double, count);
+    return *array != NULL;
+}
+
+/* FALSE: no memory. */
+static gboolean allot_rows(TinkerContacts *contacts)
+{
+    const gsize rows = contacts->rows->len, most = rows > 0 ? find_blocks(contacts) : 1;
+    if (rows == 0) return TRUE;
+    if (most == 0 || !make_room(&contacts->delassus, most * most) || !make_room(&contacts->demand, rows) ||
+        !make_room(&contacts->base, rows))
+        return FALSE;
+    tinker_contacts_take_shares(contacts);
+    return TRUE;
+}
+
+void tinker_contacts_take_shares(TinkerContacts *contacts)
+{
+    for (guint i = 0; i < contacts->rows->len; i++) {
         const TinkerContactRow *row = &g_array_index(contacts->rows, TinkerContactRow, i);
         const TinkerContact *contact = tinker_contacts_closed(contacts, (guint)row->contact);
         contacts->base[i] = (row->tangential ? contact->base_friction : contact->base_normal) / row->weight;
     }
 }
 
-void tinker_contacts_list_rows(TinkerContacts *contacts)
+static void clear_rows(TinkerContacts *contacts)
 {
-    g_array_sort(contacts->closed, by_body);
     g_array_set_size(contacts->rows, 0);
     g_array_set_size(contacts->simple, 0);
+    g_array_set_size(contacts->blocks, 0);
     contacts->any_slip_friction = FALSE;
     contacts->model->book_power[TINKER_BOOK_FRICTION] = 0;
+}
+
+TinkerStatus tinker_contacts_list_rows(TinkerContacts *contacts)
+{
+    g_array_sort(contacts->closed, by_body);
+    clear_rows(contacts);
     for (guint i = 0; i < contacts->closed->len; i++) {
         const TinkerContact *contact = tinker_contacts_closed(contacts, i);
         int32_t number = (int32_t)i;
@@ -280,5 +311,23 @@ void tinker_contacts_list_rows(TinkerContacts *contacts)
         else
             add_rows(contacts, number);
     }
-    allot_rows(contacts);
+    if (allot_rows(contacts)) return TINKER_OK;
+    const gsize count = contacts->closed->len;
+    tinker_contacts_open_all(contacts);
+    return tinker_contacts_lack_memory(contacts, count);
+}
+
+void tinker_contacts_open_all(TinkerContacts *contacts)
+{
+    g_array_set_size(contacts->closed, 0);
+    clear_rows(contacts);
+}
+
+TinkerStatus tinker_contacts_lack_memory(const TinkerContacts *contacts, gsize count)
+{
+    TinkerModel *model = contacts->model;
+    model->lacks_memory = TRUE;
+    g_snprintf(model->failure, sizeof(model->failure),
+               _("there is no memory for the equations of %zu contacts at once"), count);
+    return TINKER_FAILED;
 }

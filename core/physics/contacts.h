@@ -37,6 +37,7 @@ typedef struct {
     int32_t body, plate;
     TinkerContactMode mode;  /* not OPEN */
     double anchor;           /* along the top, of one that sticks */
+    gboolean starts;         /* slips, and has no speed yet that tells which way */
     double normal, friction; /* N, on the body along n and t: as worked out last */
     /* Where contacts hold a body more than once nothing determines how they share its load: the share stays as near to this
      * one (N) as the load allows, which the laws of contact gave. */
@@ -89,9 +90,6 @@ struct _TinkerContacts {
 TinkerContacts *tinker_contacts_new(TinkerModel *model);
 void tinker_contacts_free(TinkerContacts *contacts);
 
-/* Opens the books that contacts write into: before a system is made that may have closed ones. */
-void tinker_contacts_open_books(TinkerContacts *contacts);
-
 /* Where a body is as seen from a plate, for the state in the model's points. */
 typedef struct {
     double gap, along;                     /* m */
@@ -110,6 +108,12 @@ static inline TinkerContactPlace tinker_contact_place(const TinkerContacts *cont
 
 /* Whether any body touches a plate, and does not part from it, for the state in the points. */
 gboolean tinker_contacts_touch(const TinkerContacts *contacts);
+
+/* Whether two tops guide a body: they face each other, and are as far apart as it is high, to within TINKER_TOUCHING, for
+ * the places and motions of the supports in the points. */
+gboolean tinker_contacts_are_guide(const TinkerContacts *contacts, int32_t body, int32_t a, int32_t b);
+/* Whether a plate and one that a body lies on guide it: a way from one to the other there is none. */
+gboolean tinker_contacts_is_guided(const TinkerContacts *contacts, int32_t body, int32_t plate);
 
 /* The greatest distance (m) of a body from the centre of a plate that it rests on, for the state in the points: what places are
  * measured from. 0 where no contact is closed. */
@@ -141,8 +145,15 @@ static inline gboolean tinker_contacts_act(const TinkerContacts *contacts)
     return G_UNLIKELY(contacts != NULL && contacts->closed->len > 0 && !contacts->impulses);
 }
 
-/* Sorts the closed contacts and lists their equations: after any change of them. */
-void tinker_contacts_list_rows(TinkerContacts *contacts);
+/* Sorts the closed contacts and lists their equations: after any change of them. Where there is no memory for the equations, none is
+ * closed any more, and that is recorded as below. */
+TinkerStatus tinker_contacts_list_rows(TinkerContacts *contacts);
+/* Opens all, so that there are no equations. */
+void tinker_contacts_open_all(TinkerContacts *contacts);
+/* Takes over the shares of the load (base_normal, base_friction) of contacts whose equations are listed. */
+void tinker_contacts_take_shares(TinkerContacts *contacts);
+/* Records that there is no memory for the equations of so many contacts at once, as the model's failure. Answers TINKER_FAILED. */
+TinkerStatus tinker_contacts_lack_memory(const TinkerContacts *contacts, gsize count);
 
 /* Between events, for the state in the points. ------------------------------------------------------------------- */
 

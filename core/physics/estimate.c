@@ -1,33 +1,59 @@
-/* The companion is a simulation of its own, on a model of its own: nothing that it does can change a bit of the run. */
+/* The companion is a simulation of its own, on a model of its own: nothing that it does can change a bit of the run. Each
+ * island's is stepped along with the run's, and compared at the ends of its steps and at samples, so that what is claimed does
+ * not depend on how often somebody looks. */
 #include "physics/estimate.h"
 
 #include <float.h>
 #include <glib/gi18n-lib.h>
 #include <math.h>
 
+#include "numerics/exact.h"
+#include "physics/companion.h"
 #include "physics/impulse.h"
-#include "physics/linear-form.h"
-#include "physics/simulation-private.h"
 
-/* The distance from the companion is most of the error, not all: what is claimed is this much of it. */
-#define SAFETY 2.0
+/* How far a random walk of roundings goes, in units of the root of their number. */
+#define WALK 4.0
 /* Errors below this share of the scales are rounding. */
 #define FLOOR (100 * DBL_EPSILON)
 /* Beyond this share of the scales the motion is not predictable. */
 #define UNPREDICTABLE 0.1
-/* No tolerance is driven below rounding (with room for the rounding of its own value). Where a tenth would be, the companion
- * is ten times coarser instead. It is off by up to ten times the error; less, the more of that is rounding. */
-#define LEAST_TOLERANCE 0.99e-14
-#define COARSER_FACTOR  1.0
-/* Where ends may pass each other an exact solution is exact from passing to passing only, and rounding may grow from each to
- * the next: its companion starts off by this share of the scales. */
-#define START_OFF (6 * DBL_EPSILON)
 /* Samples so near to an impact (a share of the time) may lie on either side of it. */
 #define NEAR_IMPACT 1e-6
 /* Of how far bodies are from the middle of what they rest on. */
 #define REST 1e-9
 /* Or of so many steps, where an impact is one of a whole step. */
 #define STEPS_NEAR_IMPACT 3
+/* An adaptive companion lands on these shares of every step of the run: there dense output errs most, and its own steps are so
+ * much shorter that it is the finer of the two where a tenth of the tolerance makes no difference, as where stability or a break
+ * makes the steps. No step of it is longer than this share of the run's. */
+static const double landings[] = {0.3, 0.72};
+#define LONGEST_STEP 0.58
+/* Instants are the same within this share of the time. */
+#define SAME_INSTANT 1e-12
+/* The same impact comes to the run and to its companion this much apart: so long after it they are taken to be behind it. */
+#define BEHIND_IMPACT 2
+
+/* Of one island. */
+typedef struct {
+    double factor;                  /* error over distance; 0 where rounding is all there is, and nothing is compared */
+    double places, speeds;          /* m^2, m^2/s^2: squares of the largest distances so far */
+    double acceleration;            /* m/s^2: the largest so far */
+    double length;                  /* s: of the run's last step */
+    double reached;                 /* s: where that ended */
+    double extent, speed;           /* m, m/s: the scales where it began, of an adaptive method */
+    double next_extent, next_speed; /* and where it ended */
+    double error;                   /* of the scales, at the sample looked at last */
+    double compared_at;             /* s: the end of the companion's step that was compared last */
+    TinkerCompanionEnds *ends;      /* NULL where they are not watched, or not any more */
+    double fastest;                 /* rad/s: no mode of an exact island is faster */
+    double *start;                  /* where its coordinates were; NULL where it is not exact */
+    double swing;                   /* and how far they have been from there */
+} Part;
+
+/* Room for the bodies of an island. */
+typedef struct {
+    double *q, *v;
+} Bodies;
 
 struct _TinkerEstimate {
     TinkerSimulation *simulation;
@@ -35,77 +61,15 @@ struct _TinkerEstimate {
     TinkerSimulation *companion; /* NULL where no island needs one, and once it has failed */
     gboolean failed;
     guint columns;
-    double *bands;         /* by column, or NULL */
-    double *factors;       /* of each island: error over distance; 0 where rounding is all there is */
-    double *apart;         /* m, m/s: of each island, the largest distances so far, of places and of velocities */
-    double *accelerations; /* m/s^2: of each island, the largest so far */
-    double *scratch;       /* room for the accelerations of an island */
+    double *bands; /* by column, or NULL */
+    Part *parts;   /* island by island */
+    Bodies ours, theirs;
     double error, predictable_until;
 };
 
-static gboolean is_exact(const TinkerIslandRun *run)
+static void scales_of(TinkerIslandRun *run, double *extent, double *speed)
 {
-    return (run->choice.method->flags & TINKER_INTEGRATOR_LINEAR) != 0;
-}
-
-/* Whether the ends of a connector may pass each other, with a length or a tension that pushes the other way then. */
-static gboolean may_pass(const TinkerIslandRun *run)
-{
-    const TinkerLinearSystem *linear = tinker_linear_form_system(run->island->linear);
-    for (int32_t i = 0; i < linear->edge_count; i++)
-        if (linear->edges[i].stiffness * linear->edges[i].length != 0 || linear->edges[i].tension != 0) return TRUE;
-    return FALSE;
-}
-
-static gboolean is_adaptive(const TinkerIslandRun *run)
-{
-    return (run->choice.method->flags & TINKER_INTEGRATOR_ADAPTIVE) != 0;
-}
-
-static gboolean can_be_finer(const TinkerIslandRun *run)
-{
-    return !is_adaptive(run) || run->choice.tolerance / 10 >= LEAST_TOLERANCE;
-}
-
-static TinkerChoice choice_of_companion(const TinkerIslandRun *run)
-{
-    TinkerChoice choice = run->choice;
-    choice.step /= 2;
-    choice.tolerance = can_be_finer(run) ? choice.tolerance / 10 : 10 * choice.tolerance;
-    return choice;
-}
-
-/* Error over distance from the companion. */
-static double factor_of(const TinkerIslandRun *run)
-{
-    if (is_exact(run)) return may_pass(run) ? SAFETY : 0.0;
-    if (!can_be_finer(run)) return COARSER_FACTOR;
-    double less = is_adaptive(run) ? 0.1 : exp2(-run->choice.method->order);
-    return SAFETY / (1.0 - less);
-}
-
-static TinkerSimulation *companion_of(TinkerSimulation *simulation, TinkerModel *model, GError **error)
-{
-    TinkerRunOptions options = simulation->options;
-    options.estimate = FALSE;
-    options.progress = NULL;
-    g_autofree TinkerChoice *choices = g_new(TinkerChoice, simulation->runs->len);
-    for (guint i = 0; i < simulation->runs->len; i++)
-        choices[i] = choice_of_companion(g_ptr_array_index(simulation->runs, i));
-    return tinker_simulation_new_chosen(model, &options, choices, error);
-}
-
-/* Turns by turns, so that bodies do not move as one. */
-static void start_off(TinkerIslandRun *run)
-{
-    double extent, speed;
-    run->system.system.scales(&run->system, run->state.q, run->state.v, &extent, &speed);
-    for (int32_t i = 0; i < run->system.system.size; i++) {
-        double turn = i % 2 == 0 ? START_OFF : -START_OFF;
-        run->state.q[i] += turn * extent;
-        run->state.v[i] += turn * speed;
-    }
-    tinker_method_restart(run->choice.method, run->stepper);
+    run->system.system.scales(&run->system, run->state.q, run->state.v, extent, speed);
 }
 
 static gboolean open_companion(TinkerEstimate *estimate, const GArray *columns, GError **error)
@@ -113,11 +77,10 @@ static gboolean open_companion(TinkerEstimate *estimate, const GArray *columns, 
     TinkerSimulation *simulation = estimate->simulation;
     estimate->model = tinker_model_new(simulation->model->scene, error);
     if (estimate->model == NULL) return FALSE;
-    TinkerSimulation *companion = estimate->companion = companion_of(simulation, estimate->model, error);
+    TinkerSimulation *companion = estimate->companion = tinker_companion_new(simulation, estimate->model, error);
     if (companion == NULL) return FALSE;
-    for (guint i = 0; i < companion->runs->len; i++)
-        if (is_exact(g_ptr_array_index(companion->runs, i)) && estimate->factors[i] > 0)
-            start_off(g_ptr_array_index(companion->runs, i));
+    for (guint i = 0; i < simulation->runs->len; i++)
+        estimate->parts[i].ends = tinker_companion_ends_new(g_ptr_array_index(companion->runs, i));
     if (columns == NULL || !simulation->options.bands) return TRUE;
     estimate->columns = columns->len;
     estimate->bands = g_new0(double, columns->len + 1);
@@ -132,23 +95,35 @@ static void warn_of_none(TinkerSimulation *simulation, const char *why)
                     g_strdup_printf(_("there is no error estimate: the companion run cannot be set up (%s)"), why));
 }
 
+static void open_part(Part *part, TinkerIslandRun *run)
+{
+    const TinkerSystem *system = &run->system.system;
+    part->factor = tinker_companion_factor(run);
+    scales_of(run, &part->next_extent, &part->next_speed);
+    if (!tinker_method_is_exact(run->choice.method) || system->linear == NULL) return;
+    part->fastest = tinker_exact_fastest(system->linear);
+    part->start = g_memdup2(run->state.q, (gsize)system->size * sizeof(double));
+}
+
 TinkerEstimate *tinker_estimate_new(TinkerSimulation *simulation, const GArray *columns)
 {
     TinkerEstimate *estimate = g_new0(TinkerEstimate, 1);
     estimate->simulation = simulation;
     estimate->predictable_until = INFINITY;
-    estimate->factors = g_new(double, simulation->runs->len);
-    estimate->accelerations = g_new0(double, simulation->runs->len);
-    estimate->apart = g_new0(double, 2 * (gsize)simulation->runs->len);
-    estimate->scratch = g_new0(double, 2 * (gsize)simulation->model->bodies + 1);
+    estimate->parts = g_new0(Part, simulation->runs->len);
+    double **rooms[] = {&estimate->ours.q, &estimate->ours.v, &estimate->theirs.q, &estimate->theirs.v};
+    for (gsize i = 0; i < G_N_ELEMENTS(rooms); i++)
+        *rooms[i] = g_new0(double, 2 * (gsize)simulation->model->bodies + 1);
     gboolean compares = FALSE;
     g_autoptr(GError) error = NULL;
     for (guint i = 0; i < simulation->runs->len; i++) {
-        estimate->factors[i] = factor_of(g_ptr_array_index(simulation->runs, i));
-        compares |= estimate->factors[i] > 0;
+        TinkerIslandRun *run = g_ptr_array_index(simulation->runs, i);
+        open_part(&estimate->parts[i], run);
+        compares |= estimate->parts[i].factor > 0;
     }
     if (!compares || open_companion(estimate, columns, &error)) return estimate;
-    warn_of_none(simulation, error->message);
+    if (!g_error_matches(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_STOPPED))
+        warn_of_none(simulation, error->message);
     tinker_estimate_free(estimate);
     return NULL;
 }
@@ -156,13 +131,28 @@ TinkerEstimate *tinker_estimate_new(TinkerSimulation *simulation, const GArray *
 void tinker_estimate_free(TinkerEstimate *estimate)
 {
     if (estimate == NULL) return;
+    for (guint i = 0; i < estimate->simulation->runs->len; i++) {
+        tinker_companion_ends_free(estimate->parts[i].ends);
+        g_free(estimate->parts[i].start);
+    }
     tinker_simulation_free(estimate->companion);
     tinker_model_free(estimate->model);
-    gpointer arrays[] = {estimate->bands, estimate->factors, estimate->apart, estimate->accelerations,
-                         estimate->scratch};
+    gpointer arrays[] = {estimate->bands,  estimate->parts,    estimate->ours.q,
+                         estimate->ours.v, estimate->theirs.q, estimate->theirs.v};
     for (gsize i = 0; i < G_N_ELEMENTS(arrays); i++)
         g_free(arrays[i]);
     g_free(estimate);
+}
+
+/* Every step of an exact solution rounds its modes, and with a place that is off by epsilon of its swing a mode's speed is off by w
+ * times that. Where something slow deflects what is stiff that is much beside the speed. In m/s, as a random walk of the steps. */
+static double rounding_of_speeds(Part *part, const TinkerIslandRun *run)
+{
+    const TinkerSystem *system = &run->system.system;
+    if (part->start == NULL || system->linear == NULL || !tinker_method_is_exact(run->choice.method)) return 0;
+    for (int32_t i = 0; i < system->size; i++)
+        part->swing = fmax(part->swing, fabs(run->state.q[i] - part->start[i]));
+    return WALK * DBL_EPSILON * sqrt((double)run->summary.steps) * part->fastest * part->swing;
 }
 
 /* What rounding makes of an exact solution by time t. A frequency w that is off by one part in 1 / epsilon moves places by
@@ -171,22 +161,16 @@ static double rounding(TinkerEstimate *estimate, guint number, double t)
 {
     TinkerIslandRun *run = g_ptr_array_index(estimate->simulation->runs, number);
     TinkerSystem *system = &run->system.system;
-    double extent, speed, *greatest = &estimate->accelerations[number];
+    double extent, speed, *greatest = &estimate->parts[number].acceleration;
     gint64 evaluations = run->model->evaluations;
-    if (system->acceleration(system->context, run->state.t, run->state.q, run->state.v, estimate->scratch, NULL) ==
+    if (system->acceleration(system->context, run->state.t, run->state.q, run->state.v, estimate->ours.q, NULL) ==
         TINKER_OK)
-        *greatest = fmax(*greatest, tinker_greatest(estimate->scratch, system->size));
+        *greatest = fmax(*greatest, tinker_greatest(estimate->ours.q, system->size));
     run->model->evaluations = evaluations;
     system->scales(system->context, run->state.q, run->state.v, &extent, &speed);
     double places = extent > 0 ? speed / extent : 0, speeds = speed > 0 ? *greatest / speed : 0;
-    return DBL_EPSILON * t * fmax(places, speeds);
-}
-
-/* Where a tolerance is so loose that breaks and samples alone make the steps, a tighter one makes the same, and says
- * nothing. */
-static gboolean same_steps(const TinkerIslandRun *run, const TinkerIslandRun *companion)
-{
-    return is_adaptive(run) && companion->summary.steps == run->summary.steps && run->summary.steps > 0;
+    double steps = speed > 0 ? rounding_of_speeds(&estimate->parts[number], run) / speed : 0;
+    return fmax(DBL_EPSILON * t * fmax(places, speeds), steps);
 }
 
 /* Within the reach of an impact the two may stand on its two sides, where velocities tell nothing. */
@@ -205,32 +189,96 @@ static gboolean rests(const TinkerIslandRun *run, double extent)
     return tinker_contacts_act(contacts) && extent < REST * tinker_contacts_extent(contacts);
 }
 
-/* The largest distance of the two states of an island so far, by its present scales: what was much beside the first slow
- * moments may be little beside what follows. */
-static double distance(const TinkerEstimate *estimate, guint number)
+static double square(double x, double y)
 {
-    TinkerIslandRun *run = g_ptr_array_index(estimate->simulation->runs, number);
-    const TinkerSimulation *ours = estimate->simulation, *theirs = estimate->companion;
-    const TinkerIslandRun *other = g_ptr_array_index(theirs->runs, number);
-    gboolean strikes = strikes_near(run, ours->sample_time) || strikes_near(other, ours->sample_time);
-    double extent, speed, *apart = &estimate->apart[2 * number], *faster = apart + 1;
-    run->system.system.scales(&run->system, run->state.q, run->state.v, &extent, &speed);
-    if (rests(run, extent)) return 0;
-    for (int32_t i = 0; i < run->model->bodies; i++) {
-        int32_t body = 2 * run->island->body_of[i];
-        *apart = fmax(*apart, hypot(ours->sample_q[body] - theirs->sample_q[body],
-                                    ours->sample_q[body + 1] - theirs->sample_q[body + 1]));
-        if (strikes) continue;
-        *faster = fmax(*faster, hypot(ours->sample_v[body] - theirs->sample_v[body],
-                                      ours->sample_v[body + 1] - theirs->sample_v[body + 1]));
-    }
-    double places = extent > 0 ? *apart / extent : 0, speeds = 0;
-    if (speed > tinker_island_run_speed_noise(run, extent)) speeds = *faster / speed;
-    double off = estimate->factors[number] * fmax(places, speeds);
-    return same_steps(run, g_ptr_array_index(theirs->runs, number)) ? fmax(off, run->choice.tolerance) : off;
+    return x * x + y * y;
 }
 
-/* A companion that cannot go on leaves everything behind it without an estimate. */
+/* Of one body, where it is and how fast it goes in the two. */
+static void compare_body(Part *part, const double *q, const double *v, const double *other_q, const double *other_v,
+                         gboolean speeds)
+{
+    part->places = fmax(part->places, square(q[0] - other_q[0], q[1] - other_q[1]));
+    if (speeds) part->speeds = fmax(part->speeds, square(v[0] - other_v[0], v[1] - other_v[1]));
+}
+
+static void compare_samples(TinkerEstimate *estimate, guint number)
+{
+    const TinkerSimulation *ours = estimate->simulation, *theirs = estimate->companion;
+    const TinkerIslandRun *run = g_ptr_array_index(ours->runs, number),
+                          *other = g_ptr_array_index(theirs->runs, number);
+    double t = ours->sample_time;
+    gboolean speeds = !strikes_near(run, t) && !strikes_near(other, t);
+    for (int32_t i = 0; i < run->model->bodies; i++) {
+        int32_t body = 2 * run->island->body_of[i];
+        compare_body(&estimate->parts[number], ours->sample_q + body, ours->sample_v + body, theirs->sample_q + body,
+                     theirs->sample_v + body, speeds);
+    }
+}
+
+/* An impact comes to the two at two instants; between them velocities tell nothing. */
+static gboolean strikes_between(const TinkerIslandRun *run, const TinkerIslandRun *other, double t)
+{
+    if (run->contacts == NULL) return FALSE;
+    double ours = fmax(tinker_contact_run_passed_impact(run->contacts), 0);
+    double theirs = fmax(tinker_contact_run_passed_impact(other->contacts), 0);
+    return t <= fmax(ours, theirs) + BEHIND_IMPACT * fabs(ours - theirs);
+}
+
+/* At the end of a step of the companion, within the run's last. */
+static void compare_steps(TinkerEstimate *estimate, TinkerIslandRun *run, TinkerIslandRun *other, Part *part)
+{
+    double t = other->state.t;
+    Bodies *ours = &estimate->ours, *theirs = &estimate->theirs;
+    TinkerStatus status = tinker_island_run_unprojected_at(run, t, ours->q, ours->v);
+    if (status == TINKER_OK) status = tinker_island_run_unprojected_at(other, t, theirs->q, theirs->v);
+    if (status != TINKER_OK) return; /* a sample will tell */
+    gboolean speeds = !strikes_near(run, t) && !strikes_near(other, t) && !strikes_between(run, other, t);
+    for (int32_t i = 0; i < 2 * run->model->bodies; i += 2)
+        compare_body(part, ours->q + i, ours->v + i, theirs->q + i, theirs->v + i, speeds);
+}
+
+/* The largest of the bodies' distances from one place to another. */
+static double largest_way(const TinkerIslandRun *run, const double *from, const double *to)
+{
+    double largest = 0;
+    for (int32_t i = 0; i < 2 * run->model->bodies; i += 2)
+        largest = fmax(largest, square(to[i] - from[i], to[i + 1] - from[i + 1]));
+    return sqrt(largest);
+}
+
+/* Up to a sample, which a long step of the run has passed by far where motion begins: what it reaches at its end would make
+ * little of errors that are large as yet. */
+static void scales_at(TinkerEstimate *estimate, TinkerIslandRun *run, const Part *part, double t, double *extent,
+                      double *speed)
+{
+    Bodies *then = &estimate->theirs, *now = &estimate->ours;
+    scales_of(run, extent, speed);
+    if (!tinker_method_is_adaptive(run->choice.method) || t >= run->state.t || t < part->reached - part->length) return;
+    if (tinker_island_run_unprojected_at(run, part->reached - part->length, then->q, then->v) != TINKER_OK ||
+        tinker_island_run_unprojected_at(run, t, now->q, now->v) != TINKER_OK)
+        return;
+    *extent = fmin(*extent, part->extent + largest_way(run, then->q, now->q));
+    for (int32_t i = 0; i < 2 * run->model->bodies; i++)
+        then->v[i] = 0;
+    *speed = fmin(*speed, fmax(part->speed, largest_way(run, then->v, now->v)));
+}
+
+/* The largest distance of the two states of an island so far, by its scales at the sample: what was much beside the first slow
+ * moments may be little beside what follows. */
+static double distance(TinkerEstimate *estimate, guint number)
+{
+    TinkerIslandRun *run = g_ptr_array_index(estimate->simulation->runs, number);
+    const Part *part = &estimate->parts[number];
+    double extent, speed;
+    scales_at(estimate, run, part, estimate->simulation->sample_time, &extent, &speed);
+    if (rests(run, extent)) return 0;
+    double places = extent > 0 ? sqrt(part->places) / extent : 0, speeds = 0;
+    if (speed > tinker_island_run_speed_noise(run, extent)) speeds = sqrt(part->speeds) / speed;
+    return part->factor * fmax(places, speeds);
+}
+
+/* A companion that cannot go on leaves everything behind it without an estimate and without bands. */
 static gboolean give_up(TinkerEstimate *estimate, double t, GError *failed, GError **error)
 {
     if (g_error_matches(failed, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_STOPPED)) {
@@ -243,6 +291,8 @@ static gboolean give_up(TinkerEstimate *estimate, double t, GError *failed, GErr
     g_error_free(failed);
     g_clear_pointer(&estimate->companion, tinker_simulation_free);
     estimate->failed = TRUE;
+    for (guint c = 0; estimate->bands != NULL && c < estimate->columns; c++)
+        estimate->bands[c] = NAN;
     return TRUE;
 }
 
@@ -263,29 +313,128 @@ static void widen_bands(TinkerEstimate *estimate, double t)
     if (tinker_simulation_sample(companion, t) != TINKER_OK) return;
     double factor = 0;
     for (guint i = 0; i < estimate->simulation->runs->len; i++)
-        factor = fmax(factor, estimate->factors[i]);
+        factor = fmax(factor, estimate->parts[i].factor);
     for (guint c = 0; c < estimate->columns; c++)
         estimate->bands[c] =
             fmax(estimate->bands[c], factor * fabs(companion->values[c] - estimate->simulation->values[c]));
+}
+
+/* Whether the two are compared at the end of the companion's step, which the run's last step reaches over: a method of fixed step
+ * needs no look between the ends of its own steps where its dense output is of an order above that. */
+static gboolean meet(const Part *part, const TinkerIslandRun *run, const TinkerIslandRun *other)
+{
+    const TinkerIntegrator *method = run->choice.method;
+    gboolean at_ends = tinker_method_is_fixed(run->choice.method) && method->dense_order >= method->order;
+    if (at_ends) return other->state.t == run->state.t;
+    return other->state.t <= run->state.t && other->state.t >= part->reached - part->length;
+}
+
+/* How far an adaptive companion goes in its next step, so that it lands where dense output of the run's last step errs most; 0
+ * where it waits for the run's next. */
+static double way_to_go(const Part *part, const TinkerIslandRun *other)
+{
+    double from = part->reached - part->length;
+    for (gsize i = 0; i < G_N_ELEMENTS(landings); i++) {
+        double way = from + landings[i] * part->length - other->state.t;
+        if (way > SAME_INSTANT * part->reached) return way;
+    }
+    return 0;
+}
+
+/* The companion has to reach a sample behind its last landing: it goes on as if the run did, unless the run starts anew there. */
+static double way_beyond(const Part *part, const TinkerIslandRun *run, const TinkerIslandRun *other)
+{
+    gboolean stops =
+        run->state.t >= run->piece_end || (run->contacts != NULL && tinker_contact_run_stands_on_event(run->contacts));
+    double way = run->state.t - other->state.t;
+    return stops && way > 0 ? way : LONGEST_STEP * part->length;
+}
+
+static void note_step(Part *part, TinkerIslandRun *run)
+{
+    if (!(run->state.t > part->reached)) return;
+    part->length = run->state.t - part->reached;
+    part->reached = run->state.t;
+    if (!tinker_method_is_adaptive(run->choice.method)) return;
+    part->extent = part->next_extent;
+    part->speed = part->next_speed;
+    scales_of(run, &part->next_extent, &part->next_speed);
+}
+
+gboolean tinker_estimate_follow(TinkerEstimate *estimate, guint number, double t, GError **error)
+{
+    GError *failed = NULL;
+    Part *part = &estimate->parts[number];
+    TinkerIslandRun *run = g_ptr_array_index(estimate->simulation->runs, number);
+    if (estimate->companion == NULL || !(part->factor > 0)) return TRUE;
+    if (part->reached >= run->summary.determined_until) return TRUE;
+    TinkerIslandRun *other = g_ptr_array_index(estimate->companion->runs, number);
+    double until = MIN(run->state.t, t);
+    note_step(part, run);
+    for (;;) {
+        if (other->state.t > part->compared_at && meet(part, run, other)) {
+            part->compared_at = other->state.t;
+            compare_steps(estimate, run, other, part);
+        }
+        if (other->state.t >= until) return TRUE;
+        if (tinker_method_is_adaptive(other->choice.method)) {
+            other->longest_step = way_to_go(part, other);
+            if (other->longest_step == 0) {
+                other->longest_step = way_beyond(part, run, other);
+                return TRUE;
+            }
+        }
+        if (part->ends != NULL && tinker_companion_look_at_ends(part->ends))
+            g_clear_pointer(&part->ends, tinker_companion_ends_free);
+        if (!tinker_simulation_step_island(estimate->companion, number, &failed))
+            return give_up(estimate, other->state.t, failed, error);
+    }
+}
+
+/* Where one motion of many is followed the companion may follow another, and their distance is no error. FALSE where some island
+ * is such. */
+static gboolean abandon_undetermined(TinkerEstimate *estimate, double t)
+{
+    gboolean all = TRUE;
+    for (guint i = 0; i < estimate->simulation->runs->len; i++) {
+        const TinkerIslandRun *run = g_ptr_array_index(estimate->simulation->runs, i);
+        if (!(t > run->summary.determined_until)) continue;
+        all = FALSE;
+        if (estimate->companion == NULL) continue;
+        ((TinkerIslandRun *)g_ptr_array_index(estimate->companion->runs, i))->abandoned = TRUE;
+    }
+    return all;
+}
+
+/* What an island is off by at t; of one that is not determined any more, what it was off by until then. */
+static double error_of(TinkerEstimate *estimate, guint number, double t)
+{
+    Part *part = &estimate->parts[number];
+    const TinkerIslandRun *run = g_ptr_array_index(estimate->simulation->runs, number);
+    if (t > run->summary.determined_until) return part->error;
+    part->error = 0;
+    if (tinker_method_is_exact(run->choice.method) || run->aside.method != NULL)
+        part->error = rounding(estimate, number, t);
+    if (!(part->factor > 0)) return part->error;
+    compare_samples(estimate, number);
+    return part->error = fmax(part->error, distance(estimate, number));
 }
 
 gboolean tinker_estimate_look(TinkerEstimate *estimate, double t, GError **error)
 {
     GError *failed = NULL;
     if (estimate->failed) return TRUE;
+    const gboolean determined = abandon_undetermined(estimate, t);
     if (estimate->companion != NULL && !tinker_simulation_advance(estimate->companion, t, &failed))
         return give_up(estimate, t, failed, error);
     estimate->error = FLOOR;
-    for (guint i = 0; i < estimate->simulation->runs->len; i++) {
-        TinkerIslandRun *run = g_ptr_array_index(estimate->simulation->runs, i);
-        if (is_exact(run)) estimate->error = fmax(estimate->error, rounding(estimate, i, t));
-        if (estimate->factors[i] > 0) estimate->error = fmax(estimate->error, distance(estimate, i));
-    }
+    for (guint i = 0; i < estimate->simulation->runs->len; i++)
+        estimate->error = fmax(estimate->error, error_of(estimate, i, t));
     if (!(estimate->error > UNPREDICTABLE))
         estimate->predictable_until = INFINITY;
     else if (isinf(estimate->predictable_until))
         estimate->predictable_until = t;
-    if (estimate->bands != NULL) widen_bands(estimate, t);
+    if (estimate->bands != NULL && determined) widen_bands(estimate, t);
     return TRUE;
 }
 
@@ -301,5 +450,5 @@ double tinker_estimate_predictable_until(const TinkerEstimate *estimate)
 
 const double *tinker_estimate_bands(const TinkerEstimate *estimate)
 {
-    return estimate->companion != NULL ? estimate->bands : NULL;
+    return estimate->bands;
 }

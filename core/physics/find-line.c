@@ -3,9 +3,6 @@
 
 #include "physics/linear-form-private.h"
 
-/* Of the extent, the speeds, the loads. */
-#define ACROSS 1e-12
-
 typedef struct {
     double x, y;
 } Place;
@@ -33,8 +30,8 @@ static gboolean find_direction(const TinkerModel *model, TinkerLine *line, doubl
     }
     *extent = hypot(dx, dy);
     if (!(*extent > 0)) return FALSE;
-    line->direction[0] = fabs(dx) <= ACROSS * *extent ? 0 : dx / *extent;
-    line->direction[1] = fabs(dy) <= ACROSS * *extent ? 0 : dy / *extent;
+    line->direction[0] = fabs(dx) <= TINKER_LINE_ACROSS * *extent ? 0 : dx / *extent;
+    line->direction[1] = fabs(dy) <= TINKER_LINE_ACROSS * *extent ? 0 : dy / *extent;
     for (int k = 0; k < 2; k++)
         if (line->direction[1 - k] == 0) line->direction[k] = 1;
     double along = from.x * line->direction[0] + from.y * line->direction[1];
@@ -43,26 +40,22 @@ static gboolean find_direction(const TinkerModel *model, TinkerLine *line, doubl
     return TRUE;
 }
 
-static double across(const TinkerLine *line, double x, double y)
-{
-    return fabs(line->direction[0] * y - line->direction[1] * x);
-}
-
 static gboolean lies_on(const TinkerModel *model, const TinkerLine *line, double extent)
 {
     const TinkerMergedLines *lines = &model->lines;
     for (int32_t i = 0; i < model->bodies; i++)
-        if (across(line, model->q_start[2 * i] - line->offset[0], model->q_start[2 * i + 1] - line->offset[1]) >
-            ACROSS * extent)
+        if (tinker_line_across(line, model->q_start[2 * i] - line->offset[0],
+                               model->q_start[2 * i + 1] - line->offset[1]) > TINKER_LINE_ACROSS * extent)
             return FALSE;
     for (int32_t i = 0; i < lines->count; i++) {
         for (int end = 0; end < 2; end++) {
             Place at = place_of(model, end == 0 ? lines->a[i] : lines->b[i]);
-            if (across(line, at.x - line->offset[0], at.y - line->offset[1]) > ACROSS * extent) return FALSE;
+            if (tinker_line_across(line, at.x - line->offset[0], at.y - line->offset[1]) > TINKER_LINE_ACROSS * extent)
+                return FALSE;
         }
         Place a = place_of(model, lines->a[i]), b = place_of(model, lines->b[i]);
         gboolean has_length = lines->length[i] != 0 || lines->tension[i] != 0;
-        if (has_length && hypot(b.x - a.x, b.y - a.y) <= ACROSS * extent) return FALSE;
+        if (has_length && hypot(b.x - a.x, b.y - a.y) <= TINKER_LINE_ACROSS * extent) return FALSE;
     }
     return TRUE;
 }
@@ -73,16 +66,18 @@ static gboolean points_along(const TinkerModel *model, const TinkerLine *line, c
     double most = 0, most_across = 0;
     for (int32_t i = 0; i < model->bodies; i++) {
         most = MAX(most, hypot(vectors[2 * i], vectors[2 * i + 1]));
-        most_across = MAX(most_across, across(line, vectors[2 * i], vectors[2 * i + 1]));
+        most_across = MAX(most_across, tinker_line_across(line, vectors[2 * i], vectors[2 * i + 1]));
     }
-    return most_across <= ACROSS * most;
+    return most_across <= TINKER_LINE_ACROSS * most;
 }
 
 static gboolean drives_along(const TinkerModel *model, const TinkerLine *line)
 {
     for (guint i = 0; i < model->driven->len; i++) {
         const double *direction = g_array_index(model->driven, TinkerDrivenForce, i).direction;
-        if (across(line, direction[0], direction[1]) > ACROSS * hypot(direction[0], direction[1])) return FALSE;
+        if (tinker_line_across(line, direction[0], direction[1]) >
+            TINKER_LINE_ACROSS * hypot(direction[0], direction[1]))
+            return FALSE;
     }
     return TRUE;
 }
@@ -117,7 +112,7 @@ static gboolean moves_along(const TinkerModel *model, const TinkerLine *line)
             TinkerBlockId support = batch->end[batch->end_offsets[row]].block;
             const double *d = &direction[2 * row];
             if (!g_hash_table_contains(used, GINT_TO_POINTER(support))) continue;
-            if (across(line, d[0], d[1]) > ACROSS * hypot(d[0], d[1])) return FALSE;
+            if (tinker_line_across(line, d[0], d[1]) > TINKER_LINE_ACROSS * hypot(d[0], d[1])) return FALSE;
         }
     }
     return TRUE;

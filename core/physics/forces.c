@@ -8,6 +8,8 @@
 #include <string.h>
 
 #include "physics/line-parts.h"
+#include "plugin/guarded.h"
+#include "plugin/words.h"
 
 /* For the translators: what is worked out, as "Spring 0: its tension at t = 1 s is not a number". Quantities of blocks go by
  * their ids. */
@@ -25,13 +27,37 @@ TinkerStatus tinker_model_fail(TinkerModel *model, const TinkerBlockBatch *batch
 {
     const TinkerBlockClass *at_fault = batch->block_class;
     const char *name = name_of_row(model, batch, row);
-    if (why != NULL)
+    g_autofree char *words = tinker_plugin_words(at_fault, NULL, why);
+    if (words != NULL)
         g_snprintf(model->failure, sizeof(model->failure), _("%s: its %s at t = %g s cannot be worked out: %s"), name,
-                   _(what), model->time, why);
+                   _(what), model->time, words);
     else
         g_snprintf(model->failure, sizeof(model->failure),
                    _("%s: its %s at t = %g s failed, and its plugin does not say why (block type %s of the plugin %s)"),
                    name, _(what), model->time, at_fault->type->id, at_fault->plugin->id);
+    return TINKER_FAILED;
+}
+
+TinkerStatus tinker_model_check_guards(TinkerModel *model)
+{
+    const TinkerBlockClass *at_fault = NULL;
+    for (guint i = 0; i < model->batches->len && at_fault == NULL; i++) {
+        const TinkerBlockBatch *batch = g_ptr_array_index(model->batches, i);
+        if (!tinker_guarded_is_whole(batch->scratch)) at_fault = batch->block_class;
+    }
+    if (at_fault != NULL) {
+        g_snprintf(
+            model->failure, sizeof(model->failure),
+            _("the plugin %s wrote beyond the scratch of its block type %s, so nothing that it computes is to be "
+              "believed (tell its author)"),
+            at_fault->plugin->id, at_fault->type->id);
+        return TINKER_FAILED;
+    }
+    if (tinker_guarded_is_whole(model->chunk)) return TINKER_OK;
+    g_snprintf(
+        model->failure, sizeof(model->failure),
+        _("a plugin wrote beyond the results that it was asked for, so nothing that is computed is to be believed "
+          "(\"tinker plugins check\" finds out which one)"));
     return TINKER_FAILED;
 }
 

@@ -141,7 +141,7 @@ static void add_turning(TinkerForecast *forecast, TinkerStartMatrices *matrices,
         forecast->parts[i].omega = turned_frequency(forecast->parts[i].omega, turning);
 }
 
-static double fastest_drive(const TinkerLinearForm *form)
+double tinker_forecast_drive(const TinkerLinearForm *form)
 {
     if (form == NULL) return 0;
     int32_t count = tinker_linear_form_system(form)->signal_count;
@@ -206,7 +206,7 @@ void tinker_forecast(const TinkerIsland *island, TinkerForecast *forecast)
     add_vector(forecast, matrices, &measures, tinker_start_matrices_velocity(matrices), FALSE);
     add_turning(forecast, matrices, bent);
     share_out(forecast);
-    forecast->drive = fastest_drive(island->linear);
+    forecast->drive = tinker_forecast_drive(island->linear);
     if (measures.extent > 0)
         forecast->speed_of_change =
             fmax(sqrt(measures.acceleration / measures.extent), measures.speed / measures.extent);

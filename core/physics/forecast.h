@@ -34,6 +34,9 @@ typedef struct {
     TinkerForecastPart parts[2 * TINKER_FORECAST_STEPS + 1];
 } TinkerForecast;
 
+/* The fastest harmonic input (rad/s) of a linear form; 0 for none, and for NULL. */
+double tinker_forecast_drive(const TinkerLinearForm *form);
+
 void tinker_forecast(const TinkerIsland *island, TinkerForecast *forecast);
 
 #endif

@@ -181,13 +181,17 @@ static void append_advice(GString *text, const TinkerIsland *island, const Tinke
         g_string_append_printf(text, _(", or the method %s, which is cheap here"), choice.method->id);
 }
 
+static double stable_step(const TinkerSpectrum *spectrum, const TinkerIntegrator *method)
+{
+    return tinker_is_fixed_explicit(method) ? tinker_spectrum_stable_step(spectrum, method, 0.8) : INFINITY;
+}
+
 char *tinker_guard_explain(TinkerModel *model, const TinkerIntegrator *method, double step)
 {
     GString *text = g_string_new(NULL);
     TinkerIsland island = {.model = model, .joined = 1, .linear = tinker_linear_form_new(model)};
     g_autoptr(TinkerSpectrum) spectrum = tinker_spectrum_new(&island);
-    double stable = INFINITY;
-    if (tinker_is_fixed_explicit(method)) stable = tinker_spectrum_stable_step(spectrum, method, 0.8);
+    double stable = stable_step(spectrum, method);
     append_blame(text, model, spectrum, method, step <= stable);
     if (stable == 0) g_string_append_printf(text, _("; %s is stable at no step here"), method->id);
     if (isfinite(stable) && stable > 0) {
@@ -200,4 +204,12 @@ char *tinker_guard_explain(TinkerModel *model, const TinkerIntegrator *method, d
     append_advice(text, &island, method, step, stable);
     tinker_linear_form_free(island.linear);
     return g_string_free(text, FALSE);
+}
+
+double tinker_guard_stable_step(TinkerModel *model, const TinkerIntegrator *method)
+{
+    TinkerIsland island = {.model = model, .joined = 1, .linear = tinker_linear_form_new(model)};
+    g_autoptr(TinkerSpectrum) spectrum = tinker_spectrum_new(&island);
+    tinker_linear_form_free(island.linear);
+    return stable_step(spectrum, method);
 }

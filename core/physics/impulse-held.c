@@ -72,12 +72,18 @@ static void list_held(TinkerImpulses *self, const double *q, const double *v_sta
     }
 }
 
-static void make_room(TinkerImpulses *self, gsize count)
+/* FALSE, with the model's failure set: no memory. */
+static gboolean make_room(TinkerImpulses *self, gsize count)
 {
     const gsize size = 4 * count * count + 2 * count + count + 6 * count + count;
-    if (size <= self->room_size) return;
+    if (size <= self->room_size) return TRUE;
+    g_free(self->room);
     self->room_size = 2 * size;
-    self->room = g_renew(double, self->room, self->room_size);
+    self->room = g_try_new(double, self->room_size);
+    if (self->room != NULL) return TRUE;
+    self->room_size = 0;
+    tinker_contacts_lack_memory(self->contacts, count);
+    return FALSE;
 }
 
 /* Contacts of one group, from `first` on. */
@@ -114,7 +120,7 @@ static void settle(const TinkerImpulses *self, const TinkerImpulseTouch *touch, 
 static gboolean solve_group(TinkerImpulses *self, double *v)
 {
     const gsize count = self->chosen->len;
-    make_room(self, count);
+    if (!make_room(self, count)) return FALSE;
     double *delassus = self->room, *velocity = delassus + 4 * count * count, *least = velocity + 2 * count;
     double *room = least + count;
     TinkerImpulseTouch **touches = (TinkerImpulseTouch **)(void *)(room + 6 * count);

@@ -5,9 +5,6 @@
 
 #include "physics/impulse-private.h"
 
-#define MOST_SWEEPS 500
-/* Changes of velocities below this share of the largest end the sweeps. */
-#define CONVERGED 1e-14
 /* Friction nearer to its bound than this share holds no more. */
 #define AT_BOUND 1e-9
 
@@ -15,45 +12,6 @@ static double friction_of(const TinkerImpulses *self, const TinkerImpulseTouch *
 {
     const TinkerImpulsePlate *plate = &self->plates[touch->plate];
     return touch->was == TINKER_CONTACT_STICK ? plate->static_friction : plate->dynamic_friction;
-}
-
-static double velocity_at(const TinkerImpact *impact, const double *impulses, int32_t i)
-{
-    const double *row = impact->delassus + (gsize)i * 2 * (gsize)impact->count;
-    double sum = impact->velocity[i];
-    for (int32_t j = 0; j < 2 * impact->count; j++)
-        sum += row[j] * impulses[j];
-    return sum;
-}
-
-/* One sweep over all contacts; answers the largest change of a velocity. */
-static double sweep(const TinkerImpact *impact, double *impulses)
-{
-    double most = 0;
-    const gsize width = 2 * (gsize)impact->count;
-    for (int32_t k = 0; k < impact->count; k++) {
-        for (int32_t i = 2 * k; i < 2 * k + 2; i++) {
-            const double own = impact->delassus[(gsize)i * width + (gsize)i], before = impulses[i];
-            if (!(own > 0)) continue;
-            const double asked = i == 2 * k ? impact->least[k] : 0;
-            const double wanted = before - (velocity_at(impact, impulses, i) - asked) / own;
-            const double bound = i == 2 * k ? INFINITY : impact->friction[k] * impulses[2 * k];
-            impulses[i] = CLAMP(wanted, i == 2 * k ? 0 : -bound, bound);
-            most = fmax(most, own * fabs(impulses[i] - before));
-        }
-    }
-    return most;
-}
-
-static gboolean solve_by_sweeps(const TinkerImpact *impact, double *impulses)
-{
-    double scale = 0;
-    memset(impulses, 0, 2 * (gsize)impact->count * sizeof(double));
-    for (int32_t i = 0; i < 2 * impact->count; i++)
-        scale = fmax(scale, fabs(impact->velocity[i] - (i % 2 == 0 ? impact->least[i / 2] : 0)));
-    for (int sweeps = 0; sweeps < MOST_SWEEPS; sweeps++)
-        if (sweep(impact, impulses) <= CONVERGED * scale) break;
-    return isfinite(scale);
 }
 
 static TinkerContactMode mode_of(const double *impulses, double friction)
@@ -79,16 +37,39 @@ static gboolean let_slip(const TinkerImpulses *self, TinkerImpulseTouch *const *
     return any;
 }
 
+/* `room` holds 2 per contact. */
+static gboolean solve(const TinkerImpact *impact, double *impulses, double *room)
+{
+    return impact->count > TINKER_MOST_TOUCHES ? tinker_impact_sweep(impact, room, impulses)
+                                               : tinker_impact_solve(impact, impulses) == TINKER_CONTACT_SOLVED;
+}
+
+/* Where friction wedges, no impulses bring a body as far out as its gap or its restitution ask for: it comes to rest. */
+static void ask_for_rest(const TinkerImpulses *self, TinkerImpulseTouch **touches, int32_t count, const double *least,
+                         double *rest)
+{
+    for (int32_t k = 0; k < count; k++) {
+        const TinkerImpulsePlate *plate = &self->plates[touches[k]->plate];
+        rest[k] = fmin(least[k], tinker_dot(plate->normal, plate->velocity));
+    }
+}
+
 gboolean tinker_impulse_solve_laws(const TinkerImpulses *self, TinkerImpulseTouch **touches, int32_t count,
                                    const double *delassus, const double *velocity, const double *least, double *room)
 {
-    double *impulses = room, *friction = room + 2 * (gsize)count;
-    const TinkerImpact impact = {count, delassus, velocity, NULL, friction, least};
+    double *impulses = room, *friction = room + 2 * (gsize)count, *rest = friction + count;
+    double *work = rest + count;
+    TinkerImpact impact = {count, delassus, velocity, NULL, friction, least};
     for (int32_t k = 0; k < count; k++)
         friction[k] = friction_of(self, touches[k]);
     for (int32_t tries = 0; tries <= count; tries++) {
-        if (count > TINKER_MOST_TOUCHES ? !solve_by_sweeps(&impact, impulses)
-                                        : tinker_impact_solve(&impact, impulses) != TINKER_CONTACT_SOLVED) {
+        gboolean solved = solve(&impact, impulses, work);
+        if (!solved) {
+            ask_for_rest(self, touches, count, least, rest);
+            impact.least = rest;
+            solved = solve(&impact, impulses, work);
+        }
+        if (!solved) {
             g_snprintf(self->model->failure, sizeof(self->model->failure),
                        _("no impulses satisfy the laws of impact for all bodies that touch there"));
             return FALSE;

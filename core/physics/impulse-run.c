@@ -57,8 +57,7 @@ static void allot(TinkerImpulses *self)
     self->chosen = g_array_sized_new(FALSE, TRUE, sizeof(int32_t), EXPECTED);
     self->laws = g_array_sized_new(FALSE, TRUE, sizeof(TinkerContact), EXPECTED);
     g_array_set_size(self->contacts->closed, room);
-    g_array_set_size(self->contacts->closed, 0);
-    tinker_contacts_list_rows(self->contacts); /* none: whatever ran before */
+    tinker_contacts_open_all(self->contacts); /* whatever ran before */
 }
 
 void *tinker_impulse_create(const TinkerSystem *system, const TinkerIntegratorOptions *options)

@@ -3,6 +3,7 @@
 #define TINKER_CORE_ISLAND_RUN_H
 
 #include "physics/books.h"
+#include "physics/breaks.h"
 #include "physics/islands.h"
 #include "physics/method-call.h"
 #include "physics/plan.h"
@@ -11,26 +12,41 @@
 #include "physics/stability-watch.h"
 
 struct _TinkerContactRun;
+struct _TinkerDirectionWatch;
 
 typedef struct {
     const TinkerIsland *island;
     TinkerModel *model; /* the island's */
     TinkerChoice choice;
     void *stepper;
+    /* Of an island that is solved exactly in its flights, once something has touched: the method of the flights while contacts
+     * are closed, that of contacts in flight. Else NULL. */
+    struct {
+        const TinkerIntegrator *method;
+        void *stepper;
+    } aside;
     TinkerModelSystem system;
     TinkerState state; /* in the coordinates of the system */
-    double *q, *v; /* of the model's bodies: see tinker_island_run_place. Those of the state where they are the same */
+    double *q, *v; /* of the model's bodies: see tinker_island_run_place. The state's own where it is in the plane, */
+    double *line_q, *line_v; /* else these are, along the line; NULL where the island is not straight */
     double *sample_x, *sample_u;
     TinkerTimeGrid step_grid;
-    gint64 next_step;       /* on the step grid, of a fixed-step method */
+    gint64 next_step;       /* on the step grid, of a method that is not adaptive */
+    double longest_step;    /* s: an adaptive method makes none longer; INFINITY but in a companion */
     double piece_end;       /* the current piece ends here: */
     gboolean ends_on_break; /* with a break, or only because nobody looked further */
+    gboolean abandoned; /* of a companion: what it follows is not determined any more, and nobody asks where it is */
+    TinkerBreakCrowd crowd; /* of pieces that are too short */
+    double pole;            /* s: no step goes beyond it; INFINITY */
+    TinkerBlockId pole_block;
     TinkerBooks books;
-    struct _TinkerContactRun *contacts; /* NULL where nothing can touch anything */
+    struct _TinkerContactRun *contacts;       /* NULL where nothing can touch anything */
+    struct _TinkerDirectionWatch *directions; /* NULL where no line has a force at length 0 */
     TinkerStabilityWatch *stability;
     gint64 looked_at;   /* steps at the last look into the books */
     int singular_steps; /* in a row */
     int tiny_steps;     /* likewise: of which the rest of the run would take too many */
+    int steps_off;      /* at whose ends the energy was off by more than was exchanged, since it balanced at all */
     double spectral_radius;
     TinkerSummary summary; /* of this island; events and warnings are those of the whole run, borrowed */
 } TinkerIslandRun;
@@ -41,19 +57,32 @@ TinkerIslandRun *tinker_island_run_new(const TinkerIsland *island, const TinkerC
                                        double horizon, const TinkerSummary *run, GError **error);
 void tinker_island_run_free(TinkerIslandRun *run);
 
-/* One step, not beyond `end`; a method that steps exactly goes to `target` where that comes first. */
-gboolean tinker_island_run_step(TinkerIslandRun *run, double target, double end, GError **error);
+/* A step of the run's method, no farther than `limit`. What a plugin's method does against its contract is a failure, told in the
+ * model's words: else a run would go on with times that are not those of its states. */
+TinkerStatus tinker_island_run_make_step(TinkerIslandRun *run, double limit, TinkerStepReport *report);
+
+/* One step, not beyond `end`. */
+gboolean tinker_island_run_step(TinkerIslandRun *run, double end, GError **error);
 
 /* Where the state stands on a break enters the next piece, and where on an event of contact passes it: at the instant of a
  * jump the state after it counts. */
 gboolean tinker_island_run_pass_instant(TinkerIslandRun *run, double end, GError **error);
 
-/* Bodies are going to rest on plates: from the present state on the run is stepped in the plane, by a method that takes
- * constraints. */
+/* Bodies meet plates: from the present state on the run is stepped in the plane, by a method that takes constraints. */
 gboolean tinker_island_run_enter_plane(TinkerIslandRun *run, GError **error);
+
+/* And back, where an island that is solved exactly flies again: nothing is closed, and its state is one of its linear form. */
+void tinker_island_run_leave_plane(TinkerIslandRun *run);
+
+/* The state in the system's coordinates at time t, within the last step; `books` may be NULL. What dense output evaluates is not
+ * counted: how often a run is looked at would show. */
+TinkerStatus tinker_island_run_interpolate(TinkerIslandRun *run, double t, double *x, double *u, double *books);
 
 /* The state of the model's bodies (relative to its origin) at time t, within the last step, on the constraints. */
 TinkerStatus tinker_island_run_state_at(TinkerIslandRun *run, double t, double *q, double *v);
+
+/* The same as the method interpolates it, wherever the constraints are. */
+TinkerStatus tinker_island_run_unprojected_at(TinkerIslandRun *run, double t, double *q, double *v);
 
 /* Speeds (m/s) up to here are rounding of places from step to step: what is at rest has them. */
 double tinker_island_run_speed_noise(const TinkerIslandRun *run, double extent);
@@ -66,7 +95,11 @@ void tinker_island_run_place(TinkerIslandRun *run);
 gboolean tinker_island_run_enter_piece(TinkerIslandRun *run, double horizon, GError **error);
 
 /* After a step: counts it, and looks into the books now and then. FALSE where the run has to stop. */
-gboolean tinker_island_run_watch(TinkerIslandRun *run, const TinkerStepReport *report, gboolean last, GError **error);
+gboolean tinker_island_run_watch(TinkerIslandRun *run, const TinkerStepReport *report, GError **error);
+
+/* Ends the run at t, a time within the last step: the state, the summary and its last look into the books are of that time, and
+ * no step follows. FALSE where the books say that the run diverged. */
+gboolean tinker_island_run_close(TinkerIslandRun *run, double t, GError **error);
 
 /* Notes an event at the state's time. `blocks` are names, joined by ", ". */
 void tinker_island_run_add_event(TinkerIslandRun *run, const char *kind, const char *blocks);

@@ -2,13 +2,24 @@
 #ifndef TINKER_CORE_LINEAR_FORM_PRIVATE_H
 #define TINKER_CORE_LINEAR_FORM_PRIVATE_H
 
+#include <math.h>
+
 #include "physics/linear-form.h"
 #include "physics/model-private.h"
+
+/* What is off a line by no more than this share of the extent, the speeds, the loads lies along it. */
+#define TINKER_LINE_ACROSS 1e-12
 
 /* A line: places are offset + s * direction. */
 typedef struct {
     double direction[2], offset[2];
 } TinkerLine;
+
+/* How far a vector leads across a line. */
+static inline double tinker_line_across(const TinkerLine *line, double x, double y)
+{
+    return fabs(line->direction[0] * y - line->direction[1] * x);
+}
 
 /* One input: a waveform that drives a force or a place, as one signal or several that are added up. */
 typedef struct {

@@ -334,3 +334,15 @@ void tinker_linear_form_reduce(const TinkerLinearForm *form, const double *q, co
         u[i] = component(form, v + 2 * i, 0);
     }
 }
+
+gboolean tinker_linear_form_holds(const TinkerLinearForm *form, const double *q, const double *v, double extent,
+                                  double speed)
+{
+    const TinkerLine *line = &form->line;
+    for (int32_t i = 0; form->straight && i < form->model->bodies; i++) {
+        double off = tinker_line_across(line, q[2 * i] - line->offset[0], q[2 * i + 1] - line->offset[1]);
+        double aside = tinker_line_across(line, v[2 * i], v[2 * i + 1]);
+        if (off > TINKER_LINE_ACROSS * extent || aside > TINKER_LINE_ACROSS * speed) return FALSE;
+    }
+    return TRUE;
+}

@@ -5,19 +5,12 @@
 #include "numerics/symmetric-eigen.h"
 #include "physics/linearise-private.h"
 
-/* A unilateral row that is slack by more than this of its length does not act. */
-#define SLACK 1e-9
 /* Of a row's length: the step of differences of order 6, whose truncation and rounding are both some 1e-13 there. */
 #define HESSIAN_STEP 3e-3
 /* Parts of a second derivative that are smaller than this beside its largest are the differences' own. */
 #define HESSIAN_NOISE 1e-11
 
-static gboolean row_acts(const TinkerConstraints *all, const TinkerConstraintBatch *part, int32_t row)
-{
-    return !part->constraint->unilateral || all->g[row] > -SLACK * all->scales[row];
-}
-
-static void add_row(TinkerLinearisation *linear, const TinkerConstraints *all, int32_t row)
+void tinker_linear_add_row(TinkerLinearisation *linear, const TinkerConstraints *all, int32_t row)
 {
     tinker_linear_begin_term(linear, linear->rows, 1);
     for (int32_t e = all->row_starts[row]; e < all->row_starts[row + 1]; e++) {
@@ -137,8 +130,8 @@ TinkerStatus tinker_linear_add_constraints(TinkerLinearisation *linear, TinkerMo
     TinkerStatus status = fill_hessians(&d, most, hessians);
     if (status != TINKER_OK) return status;
     for (int32_t row = part->first_row; row < part->first_row + part->row_count; row++) {
-        if (!row_acts(all, part, row)) continue;
-        add_row(linear, all, row);
+        if (all->unilateral != NULL && all->slack[row]) continue;
+        tinker_linear_add_row(linear, all, row);
         gsize at = (gsize)(all->row_starts[row] - part->first_entry);
         if (!add_hessian(linear, all, row, hessians + 4 * (gsize)most * at)) return TINKER_FAILED;
     }

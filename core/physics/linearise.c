@@ -1,10 +1,12 @@
-/* Linearisation: lines by their exact derivatives; constraints and everything else in files of their own. */
+/* Linearisation: lines by their exact derivatives; closed contacts, whose tops are straight; constraints and everything else
+ * in files of their own. */
 #include "physics/linearise.h"
 
 #include <float.h>
 #include <glib/gi18n-lib.h>
 #include <string.h>
 
+#include "physics/contacts.h"
 #include "physics/derivatives-private.h"
 #include "physics/linearise-private.h"
 
@@ -48,8 +50,11 @@ void tinker_model_origin(const TinkerModel *model, double origin[2])
 gboolean tinker_model_meet_constraints(TinkerModel *model, double *q)
 {
     gboolean moved;
-    if (model->constraints.rows == 0) return TRUE;
+    double work;
     g_autofree double *still = g_new0(double, 2 * (gsize)MAX(model->bodies, 1));
+    if (tinker_contacts_act(model->contacts))
+        return tinker_contacts_project_positions(model->contacts, model->time, q, still, &moved, &work) == TINKER_OK;
+    if (model->constraints.rows == 0) return TRUE;
     return tinker_constraints_project_positions(model, model->time, q, still, &moved) == TINKER_OK;
 }
 
@@ -119,6 +124,28 @@ static TinkerStatus add_lines(TinkerLinearisation *linear, TinkerModel *model)
     return TINKER_OK;
 }
 
+/* The body's place relative to the plate, along a direction that is held. */
+static void add_contact_row(TinkerLinearisation *linear, int32_t body, int32_t plate, double x, double y)
+{
+    tinker_linear_begin_term(linear, linear->rows, 1);
+    tinker_linear_add_entry(linear, linear->rows, 2 * body, x);
+    tinker_linear_add_entry(linear, linear->rows, 2 * body + 1, y);
+    tinker_linear_add_entry(linear, linear->rows, 2 * plate, -x);
+    tinker_linear_add_entry(linear, linear->rows, 2 * plate + 1, -y);
+}
+
+static void add_contacts(TinkerLinearisation *linear, const TinkerModel *model)
+{
+    if (!tinker_contacts_act(model->contacts)) return;
+    for (guint i = 0; i < model->contacts->closed->len; i++) {
+        const TinkerContact *contact = tinker_contacts_closed(model->contacts, i);
+        const TinkerPlate *plate = &model->contacts->plates[contact->plate];
+        const double *n = plate->normal;
+        add_contact_row(linear, contact->body, plate->point, n[0], n[1]);
+        if (contact->mode == TINKER_CONTACT_STICK) add_contact_row(linear, contact->body, plate->point, n[1], -n[0]);
+    }
+}
+
 /* All ---------------------------------------------------------------------------------------------------------------- */
 
 static void measure_extent(TinkerLinearisation *linear, const TinkerModel *model)
@@ -145,13 +172,15 @@ static TinkerStatus add_forces(TinkerLinearisation *linear, TinkerModel *model)
         linear->force_scale = fmax(linear->force_scale, fabs(linear->force[i] * linear->mass[i]));
         linear->force_scale = fmax(linear->force_scale, fabs(model->constant_acceleration[i] * linear->mass[i]));
     }
-    if (status == TINKER_OK && model->constraints.rows > 0) {
-        status = tinker_constraints_evaluate(model);
-        if (status != TINKER_OK) return status;
+    if (status == TINKER_OK && model->constraints.rows > 0) status = tinker_constraints_evaluate(model);
+    if (status != TINKER_OK) return status;
+    if (tinker_contacts_act(model->contacts))
+        tinker_contacts_accelerate(model->contacts, linear->force);
+    else if (model->constraints.rows > 0)
         tinker_constraints_accelerate(model, linear->force);
+    if (model->constraints.rows > 0)
         linear->force_scale =
             fmax(linear->force_scale, tinker_greatest(model->constraints.lambda, model->constraints.rows));
-    }
     for (int32_t i = 0; i < linear->size; i++)
         linear->force[i] *= linear->mass[i];
     linear->force_noise = fmax(linear->force_noise, 8 * DBL_EPSILON * linear->force_scale);
@@ -184,6 +213,8 @@ TinkerLinearisation *tinker_linearise(TinkerModel *model, const double *q, GErro
     for (guint i = 0; status == TINKER_OK && i < model->constraints.batches->len; i++)
         status = tinker_linear_add_constraints(linear, model,
                                                &g_array_index(model->constraints.batches, TinkerConstraintBatch, i));
+    if (status == TINKER_OK) tinker_linear_add_straight_rows(linear, &model->constraints);
+    if (status == TINKER_OK) add_contacts(linear, model);
     if (status == TINKER_OK) return g_steal_pointer(&linear);
     g_set_error_literal(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_RUN,
                         model->failure[0] != '\0' ? model->failure : _("the forces cannot be made linear there"));

@@ -29,7 +29,7 @@ typedef struct {
     GArray *entries;         /* of TinkerLinearEntry */
     GArray *stiffness;       /* of TinkerLinearTerm */
     GArray *damping;         /* of TinkerLinearTerm */
-    GArray *rows;            /* of TinkerLinearTerm: J, of the constraints that are tight */
+    GArray *rows;            /* of TinkerLinearTerm: J, of the constraints that are tight and the closed contacts */
     double *other_stiffness; /* size by size, column by column: what is no line and no constraint; NULL: nothing */
     double *other_damping;
     double *force;           /* size, N: applied and constraint forces together, 0 at an equilibrium */

@@ -29,6 +29,7 @@ static inline double add_line(const TinkerMergedLines *lines, const int32_t *slo
     double length = sqrt(square);
     double inverse = length * (1.0 / square);
     if (G_UNLIKELY(!is_ordinary(square))) inverse = square > 0 ? 1.0 / length : 0.0;
+    if (G_UNLIKELY(square < lines->watched_square)) atomic_store_explicit(lines->came_near, TRUE, memory_order_relaxed);
     double rate = (dx * du + dy * dv) * inverse;
     double resistance = lines->damping[i] * rate;
     double tension = lines->tension[i] + lines->stiffness[i] * (length - lines->length[i]) + resistance;
@@ -88,7 +89,8 @@ __attribute__((target("avx2"))) static double add_forces_avx2(const TinkerMerged
                                                               double *force)
 {
     const __m256d one = _mm256_set1_pd(1.0);
-    const __m256d least = _mm256_set1_pd(TINKER_LEAST_SQUARE), greatest = _mm256_set1_pd(TINKER_GREATEST_SQUARE);
+    const __m256d least = _mm256_set1_pd(fmax(TINKER_LEAST_SQUARE, lines->watched_square));
+    const __m256d greatest = _mm256_set1_pd(TINKER_GREATEST_SQUARE);
     double taken = 0;
     int32_t i = first;
     for (; i + 4 <= end; i += 4) {

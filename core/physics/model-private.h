@@ -10,6 +10,8 @@
 #ifndef TINKER_CORE_MODEL_PRIVATE_H
 #define TINKER_CORE_MODEL_PRIVATE_H
 
+#include <stdatomic.h>
+
 #include "numerics/sharing.h"
 #include "numerics/sparse-ldl.h"
 #include "physics/jacobian.h"
@@ -36,6 +38,8 @@ typedef struct {
     int32_t *a, *b;
     double *stiffness, *length, *damping, *tension;
     gboolean any_damping;
+    double watched_square; /* m^2: shorter ones are noted, see TinkerModel.watched_length */
+    atomic_int *came_near; /* there */
 } TinkerMergedLines;
 
 typedef struct _TinkerLineParts TinkerLineParts;
@@ -75,9 +79,17 @@ typedef struct {
     double inverse_mass;
 } TinkerProduct;
 
+/* Whether there is a factor of S, and of which Jacobian: see TinkerConstraints. */
+typedef struct {
+    gboolean factored, keeps_factored, shifted;
+} TinkerFactorState;
+
 typedef struct {
     int32_t rows, entries;
-    GArray *batches;                     /* of TinkerConstraintBatch */
+    GArray *batches;        /* of TinkerConstraintBatch */
+    GArray *straight;       /* of TinkerStraightRow (straight-bars.h): rows that no block has, ... */
+    int32_t first_straight; /* ... from this one on, behind all others */
+    int32_t fitted; /* rods of bars that depend on the others there, however nearly their rows say that they do not */
     int32_t *row_starts;                 /* rows + 1: the entries of each row */
     int32_t *points;                     /* of each entry */
     int32_t *row_of;                     /* of each entry */
@@ -91,7 +103,8 @@ typedef struct {
     gboolean *unilateral, *slack; /* by row */
     int32_t *diagonal;            /* by row: its slot in S */
     double *own_g, *own_drift, *own_rate, *own_jacobian;
-    GArray *products; /* of TinkerProduct */
+    TinkerProduct *products;
+    gsize product_count;
     TinkerSparseLdl *ldl;
     TinkerRowChains *chains; /* of rows that hang together in chains alone; else NULL */
     double work;             /* J: what the last projection of positions gave, by the applied forces evaluated last */
@@ -113,6 +126,9 @@ typedef struct {
     gboolean factored;       /* there is a factor, ... */
     gboolean keeps_factored; /* ... of `jacobian` itself; else of this one, which else is room for the next: */
     double *factored_jacobian;
+    gboolean looked; /* at a sample since the last step, which goes on with these: */
+    TinkerFactorState kept;
+    double *kept_jacobian, *kept_factored_jacobian;
 } TinkerConstraints;
 
 typedef struct _TinkerContacts TinkerContacts;
@@ -170,7 +186,10 @@ struct _TinkerModel {
     double time;                 /* that waveforms and supports were evaluated at */
     double book_power[TINKER_BOOK_COUNT];
     gint64 evaluations;
+    double watched_length; /* m: whoever evaluates a line shorter than this sets ... */
+    atomic_int came_near;  /* ... this, which nothing is ordered by; 0: none is watched (direction-watch.h) */
     char failure[512];
+    gboolean lacks_memory; /* so that it cannot be compiled, or go on */
 };
 
 /* Compiling: each adds its part to the model. */
@@ -192,6 +211,10 @@ TinkerBatch tinker_model_view(const TinkerModel *model, const TinkerBlockBatch *
 /* Records that a plugin failed in its callback `what`. Answers TINKER_FAILED. */
 TinkerStatus tinker_model_fail(TinkerModel *model, const TinkerBlockBatch *batch, int32_t row, const char *what,
                                const char *why);
+
+/* Looks whether a plugin wrote beyond the memory that it was given (plugin/guarded.h). TINKER_FAILED and its name where one
+ * did. */
+TinkerStatus tinker_model_check_guards(TinkerModel *model);
 
 /* Records that `what` of a block is not a finite number. Answers TINKER_RETRY_SMALLER: a trial that reached too far may be
  * cut; a method that cannot do so stops with what was recorded. */
@@ -260,6 +283,14 @@ void tinker_model_enter_piece(TinkerModel *model, double inside);
 TinkerStatus tinker_model_damping_product(TinkerModel *model, const double *dv, double *out);
 TinkerStatus tinker_model_stiffness_product(TinkerModel *model, const double *dq, double *out);
 
+/* Lines shorter than this (m; 0: none) are noted from now on. */
+static inline void tinker_model_watch_lines(TinkerModel *model, double length)
+{
+    model->watched_length = length;
+    model->lines.watched_square = length * length;
+    model->lines.came_near = &model->came_near;
+}
+
 /* The largest |x|. */
 double tinker_greatest(const double *x, int32_t n);
 
@@ -272,6 +303,11 @@ TinkerStatus tinker_constraints_evaluate(TinkerModel *model);
 /* Adds the constraint accelerations to a (2 per body), for the rows evaluated last; leaves lambda. Answers the largest
  * acceleration (m/s^2) that could not be met: see tinker_constraints_solve. */
 double tinker_constraints_accelerate(TinkerModel *model, double *a);
+/* Between two steps, before a sample is worked out: a factor that is at hand serves a first Newton step too, so that samples would
+ * depend on those before them, and the next step on all of them. From here on there is none; the step's is put back by the
+ * second of these, which does nothing where nobody has looked. */
+void tinker_constraints_begin_look(TinkerModel *model);
+void tinker_constraints_end_look(TinkerModel *model);
 /* Solves S x = b, both of one entry a row; in place. Answers the largest residual: 0 where the rows are independent,
  * rounding where dependent rows agree, more where they contradict each other. Rows that no body feels get 0. */
 double tinker_constraints_solve(TinkerModel *model, double *b);
@@ -332,7 +368,9 @@ typedef struct {
     double impact_work[TINKER_BOOK_COUNT]; /* J that impacts have given so far, by book */
     double position_error;                 /* largest |g| relative to its length after any projection */
     double *constrained;                   /* accelerations, where only the power is asked for */
-    TinkerJacobian *jacobian;              /* NULL: not offered */
+    gboolean holds_energy;                 /* `project` brings the state onto `energy` (J), too */
+    double energy;
+    TinkerJacobian *jacobian; /* NULL: not offered */
 } TinkerModelSystem;
 
 /* `form` is the model's own, or NULL; borrowed. */
@@ -342,8 +380,16 @@ void tinker_straight_system_init(TinkerModelSystem *system);
 void tinker_straight_system_offer_jacobian(TinkerModelSystem *system);
 /* Notes the reach along the line. */
 void tinker_straight_system_keep(TinkerModelSystem *system, const double *x, const double *u);
-/* From here on bodies may rest on plates: to a method that is created now the system has constraints. */
-void tinker_model_system_expect_contacts(TinkerModelSystem *system);
+/* Whether a line is shorter in the state x than those that are watched, with supports where the model has them. */
+gboolean tinker_straight_system_is_near(const TinkerModelSystem *system, const double *x);
+/* The reach along the line as a box in the plane, and back. */
+void tinker_straight_system_widen_box(TinkerModelSystem *system);
+void tinker_straight_system_narrow_box(TinkerModelSystem *system);
+/* From here on bodies may rest on plates: the system is that of the plane, and has constraints to a method that is created
+ * then. What was reached and given so far stays. */
+void tinker_model_system_enter_plane(TinkerModelSystem *system);
+/* And back: from here on it is again that of the form, with which it began. */
+void tinker_model_system_leave_plane(TinkerModelSystem *system, TinkerLinearForm *form);
 /* Gives the system its pattern and jacobian, for a method that asks for them: before its stepper is created. */
 void tinker_model_system_offer_jacobian(TinkerModelSystem *system);
 /* Notes how far and how fast an accepted state reaches: what errors are measured against from then on. */

@@ -5,6 +5,8 @@
 #include <glib/gi18n-lib.h>
 #include <math.h>
 
+#include "plugin/guarded.h"
+
 G_DEFINE_QUARK(tinker_model_error_quark, tinker_model_error)
 
 static gboolean refuse_placeholder(TinkerScene *scene, GError **error)
@@ -147,14 +149,14 @@ void tinker_model_free(TinkerModel *model)
         model->inverse_mass,   model->q_start,    model->v_start,
         model->centre_point,   model->point_used, model->constant_acceleration,
         model->constant_force, model->point,      model->point_acceleration,
-        model->force,          model->chunk,      model->column_views,
+        model->force,          lines->tension,    model->column_views,
         model->chunk_offsets,  lines->a,          lines->b,
         lines->stiffness,      lines->length,     lines->damping,
-        lines->tension,
     };
     for (gsize i = 0; i < G_N_ELEMENTS(arrays); i++)
         g_free(arrays[i]);
     g_free(model->velocity_kept);
+    tinker_guarded_free(model->chunk);
     g_ptr_array_unref(model->batches);
     g_free(model);
 }

@@ -16,6 +16,7 @@ typedef enum {
     TINKER_MODEL_ERROR_METHOD,        /* no such method, or a step or tolerance that it cannot take */
     TINKER_MODEL_ERROR_PLUGIN,        /* a type that nobody provides, or a plugin that lacks what its role needs */
     TINKER_MODEL_ERROR_RUN,           /* the run failed: it diverged, a plugin returned a non-number */
+    TINKER_MODEL_ERROR_ACCURACY,      /* the run is whole, but its error estimate is above the accuracy asked for */
     TINKER_MODEL_ERROR_STOPPED,       /* the caller stopped it */
     TINKER_MODEL_ERROR_MEMORY,        /* there is not enough for a model of this size */
 } TinkerModelError;

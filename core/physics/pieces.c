@@ -141,6 +141,11 @@ gboolean tinker_island_run_enter_piece(TinkerIslandRun *run, double horizon, GEr
     double t = run->state.t, next = tinker_model_next_break(model, t, horizon);
     run->ends_on_break = isfinite(next);
     run->piece_end = run->ends_on_break ? next : horizon;
+    run->pole = tinker_model_next_pole(model, &run->pole_block);
+    if (run->ends_on_break && tinker_break_crowd_add(&run->crowd, t, next, horizon)) {
+        g_autofree char *why = tinker_break_crowd_text(model, t, next);
+        return tinker_island_run_fail_step(run, why, error);
+    }
     double inside = run->piece_end > t ? 0.5 * (t + run->piece_end) : t + 0.5;
     g_auto(Before) before = {0};
     if (t > 0 && !look_before(run, &before)) return tinker_island_run_fail(run, model->failure, error);

@@ -4,7 +4,9 @@
 #include <math.h>
 
 #include "numerics/integrators.h"
+#include "physics/hold-energy.h"
 #include "physics/impulse.h"
+#include "physics/method-call.h"
 #include "physics/plan-private.h"
 #include "physics/simulation-private.h"
 
@@ -13,10 +15,20 @@
 #define CARRIES_ENERGY 1e-4
 /* The forecast's frequencies are from below: within this share of a limit it is looked at more closely. */
 #define NEAR_LIMIT 0.5
+/* A run of so many radians of what moves, and the energy's drift is what it misses by. */
+#define LONG_RUN 1000.0
+/* Where the energy is held the plan's error is too small by so much, measured on pendulums of wide swing. */
+#define HELD_ENERGY_HASTE 10.0
 /* Stiff: stability asks for this many times the steps that accuracy does. */
 #define STIFF 3.0
+/* A step that is chosen for an accuracy is at most this share of the stable one. */
+#define WELL_STABLE 0.9
+/* No tolerance below is chosen: it would be rounding. */
+#define LEAST_TOLERANCE 1e-14
 /* An exact solution is taken at up to this many times the cost of an approximation that meets the tolerance. */
 #define EXACT_IS_WORTH 3.0
+/* A choice counts so many samples, whatever is recorded: the same motion has the same steps. */
+#define USUAL_SAMPLES 100
 
 double tinker_round_down(double x)
 {
@@ -35,26 +47,51 @@ static const char *place_of(const TinkerIsland *island, char **text)
     return *text = g_strdup_printf(_(" around %s"), tinker_scene_block_name(model->scene, model->body_blocks[0]));
 }
 
-static gboolean is_fixed(const TinkerIntegrator *method)
+/* Accuracy --------------------------------------------------------------------------------------------------------- */
+
+/* The error that the plan aims at where an accuracy is asked for: the estimate of a run claims twice what it sees, and what
+ * is expected beforehand is rough. */
+static double aim_of(const TinkerRunOptions *options)
 {
-    return (method->flags & (TINKER_INTEGRATOR_ADAPTIVE | TINKER_INTEGRATOR_LINEAR)) == 0;
+    return options->accuracy / 5;
 }
 
-static gboolean is_adaptive(const TinkerIntegrator *method)
+/* Whether the energy is to be held after every step of this method: nothing changes it, and the run is so long that its drift
+ * would count. Straight and linear motion has exact solutions. */
+static gboolean is_worth_holding(const TinkerIsland *island, const TinkerRunOptions *options,
+                                 const TinkerForecast *forecast, const TinkerIntegrator *method)
 {
-    return (method->flags & TINKER_INTEGRATOR_ADAPTIVE) != 0;
+    double radians = fmax(forecast->speed_of_change, forecast->turning) * tinker_options_span(options);
+    gboolean suits = method == tinker_integrator_builtin("dop853") || method == tinker_integrator_builtin("dopri5");
+    return suits && radians > LONG_RUN && island->linear == NULL && tinker_model_keeps_energy(island->model);
+}
+
+/* The tolerance that a method is to be taken at: the one asked for, or that at which the run is expected to end with the
+ * accuracy asked for. That of a method of fixed step is what its run may miss. */
+static double wanted_tolerance(const TinkerIsland *island, const TinkerForecast *forecast,
+                               const TinkerIntegrator *method, const TinkerRunOptions *options)
+{
+    if (!(options->accuracy > 0)) return options->tolerance;
+    double aim = aim_of(options);
+    TinkerCost cost;
+    if (!tinker_method_is_adaptive(method) || !tinker_cost_of(island, forecast, method, options, 0, aim, &cost))
+        return aim;
+    if (is_worth_holding(island, options, forecast, method)) cost.error *= HELD_ENERGY_HASTE;
+    return fmax(LEAST_TOLERANCE, tinker_round_down(aim * fmin(1, aim / cost.error)));
 }
 
 /* Automatic -------------------------------------------------------------------------------------------------------- */
 
 /* Methods that `auto` takes: exact ones, adaptive explicit ones, and implicit ones where the island is stiff and linear, so that
- * the error of a long step can be told beforehand. Explicit ones of a fixed step are for those who ask for them: none is
+ * the error of a long step can be told beforehand; but not for an accuracy, which holds for the velocities of fast parts, too. Explicit ones of a fixed step are for those who ask for them: none is
  * cheaper at an error that somebody wants. */
-static gboolean is_candidate(const TinkerIsland *island, const TinkerIntegrator *method, gboolean stiff)
+static gboolean is_candidate(const TinkerIsland *island, const TinkerRunOptions *options,
+                             const TinkerIntegrator *method, gboolean stiff)
 {
     if (method->flags & TINKER_INTEGRATOR_LINEAR) return TRUE;
-    if (method->flags & TINKER_INTEGRATOR_IMPLICIT) return stiff && is_fixed(method) && island->linear != NULL;
-    return is_adaptive(method);
+    if (method->flags & TINKER_INTEGRATOR_IMPLICIT)
+        return stiff && tinker_method_is_fixed(method) && island->linear != NULL && options->accuracy == 0;
+    return tinker_method_is_adaptive(method);
 }
 
 /* Whether the fastest frequencies hold so little of the motion that explicit steps would be spent on them alone. That can be
@@ -77,7 +114,7 @@ static void explain_automatic(TinkerDecision *decision, const TinkerRunOptions *
     GString *text = decision->reason;
     if (text == NULL) return;
     if (method->flags & TINKER_INTEGRATOR_LINEAR)
-        g_string_append(text, _("the motion is linear, and its exact solution costs less than any method that steps"));
+        g_string_append(text, _("the motion is linear: its exact solution is right to rounding, at any step"));
     else if (method->flags & TINKER_INTEGRATOR_IMPLICIT)
         g_string_append_printf(text,
                                _("stiff: %.3g %s would force an explicit method to far smaller steps than what moves "
@@ -85,6 +122,12 @@ static void explain_automatic(TinkerDecision *decision, const TinkerRunOptions *
                                fmax(forecast->omega_max, forecast->damping_max),
                                forecast->damping_max > forecast->omega_max ? "1/s" : "rad/s", method->id,
                                decision->choice.step);
+    else if (options->accuracy > 0)
+        g_string_append_printf(
+            text,
+            _("smooth and not stiff: order %d needs the fewest evaluations for an error of %g at the "
+              "end of the run"),
+            method->order, options->accuracy);
     else if (decision->choice.tolerance < options->tolerance)
         g_string_append_printf(text,
                                _("order %d needs the fewest evaluations; its steps are those that stability allows, at "
@@ -99,29 +142,54 @@ static void explain_automatic(TinkerDecision *decision, const TinkerRunOptions *
                                method->order);
 }
 
+static double usual_operations(const TinkerCost *cost)
+{
+    return cost->operations + USUAL_SAMPLES * cost->sample;
+}
+
+/* The tolerance that is wanted, or a tighter one that costs nothing. */
+static double cheap_tolerance(const TinkerIsland *island, const TinkerForecast *forecast,
+                              const TinkerIntegrator *method, const TinkerRunOptions *options)
+{
+    double tolerance = wanted_tolerance(island, forecast, method, options);
+    return tinker_method_is_adaptive(method) ? tinker_free_tolerance(island, forecast, method, tolerance) : tolerance;
+}
+
+static void explain_holding(const TinkerDecision *decision)
+{
+    if (decision->reason == NULL || !decision->choice.holds_energy) return;
+    g_string_append(decision->reason,
+                    _("; nothing changes the energy in this long run: it is held after every step, or "
+                      "the phase would drift with the square of time"));
+}
+
 static void decide_automatically(const TinkerIsland *island, const TinkerRunOptions *options,
                                  const TinkerForecast *forecast, TinkerDecision *decision)
 {
     gboolean stiff = is_stiff(island, forecast);
     TinkerChoice *choice = &decision->choice;
     choice->method = tinker_integrator_builtin("dop853");
-    choice->tolerance = tinker_free_tolerance(island, forecast, choice->method, options->tolerance);
+    choice->tolerance = cheap_tolerance(island, forecast, choice->method, options);
     tinker_cost_of(island, forecast, choice->method, options, 0, choice->tolerance, &decision->cost);
     for (const TinkerIntegrator *const *each = tinker_integrator_builtins(); forecast->known && *each != NULL; each++) {
         TinkerCost cost;
-        if (!is_candidate(island, *each, stiff)) continue;
-        double tolerance = is_adaptive(*each) ? tinker_free_tolerance(island, forecast, *each, options->tolerance)
-                                              : options->tolerance;
+        if (!is_candidate(island, options, *each, stiff)) continue;
+        double tolerance = cheap_tolerance(island, forecast, *each, options);
         if (!tinker_cost_of(island, forecast, *each, options, 0, tolerance, &cost)) continue;
-        if (is_fixed(*each) && cost.error > TINKER_MEETS * options->tolerance) continue;
+        if (tinker_method_is_fixed(*each) && cost.error > TINKER_MEETS * tolerance) continue;
         /* what is right to rounding may cost a little more */
         double worth = (*each)->flags & TINKER_INTEGRATOR_LINEAR ? EXACT_IS_WORTH : 1;
-        if (!(cost.operations < worth * decision->cost.operations)) continue;
+        if (!(usual_operations(&cost) < worth * usual_operations(&decision->cost))) continue;
         decision->cost = cost;
-        *choice =
-            (TinkerChoice){*each, is_fixed(*each) ? tinker_round_down(cost.step) : 0, is_fixed(*each) ? 0 : tolerance};
+        *choice = (TinkerChoice){
+            .method = *each,
+            .step = tinker_method_is_fixed(*each) ? tinker_round_down(cost.step) : 0,
+            .tolerance = tinker_method_is_fixed(*each) ? 0 : tolerance,
+        };
     }
+    choice->holds_energy = is_worth_holding(island, options, forecast, choice->method);
     explain_automatic(decision, options, forecast, stiff);
+    explain_holding(decision);
 }
 
 /* Named ------------------------------------------------------------------------------------------------------------ */
@@ -186,6 +254,26 @@ static double stable_step(const TinkerIsland *island, const TinkerRunOptions *op
     return tinker_spectrum_stable_step(spectrum, method, options->spectral_radius);
 }
 
+/* The options with the step and the tolerance at which a run by this method is expected to end with the accuracy asked for. Where
+ * the forecast sees nothing that could tell a step, the one of the options is the first to be tried. */
+static TinkerRunOptions options_for_accuracy(const TinkerIsland *island, const TinkerRunOptions *options,
+                                             const TinkerForecast *forecast, const TinkerSpectrum *spectrum,
+                                             const TinkerIntegrator *method)
+{
+    TinkerCost cost;
+    TinkerRunOptions wanted = *options;
+    wanted.tolerance = wanted_tolerance(island, forecast, method, options);
+    if (!tinker_method_is_fixed(method) || !forecast->known) return wanted;
+    tinker_cost_of(island, forecast, method, options, 0, aim_of(options), &cost);
+    if (!(cost.step < tinker_options_span(options))) return wanted;
+    wanted.step = cost.step;
+    gboolean explicit = (method->flags & TINKER_INTEGRATOR_EXPLICIT) != 0;
+    double stable = explicit ? stable_step(island, &wanted, forecast, spectrum, method) : INFINITY;
+    if (stable > 0) wanted.step = fmin(cost.step, WELL_STABLE * stable);
+    wanted.step = tinker_round_down(wanted.step);
+    return wanted;
+}
+
 static void warn_under_resolved(const TinkerIsland *island, const TinkerRunOptions *options,
                                 const TinkerForecast *forecast, const TinkerIntegrator *method, GPtrArray *warnings)
 {
@@ -210,13 +298,16 @@ static void decide_named(const TinkerIsland *island, const TinkerRunOptions *opt
                          const TinkerSpectrum *spectrum, const TinkerIntegrator *method, TinkerDecision *decision,
                          GPtrArray *warnings)
 {
-    gboolean fixed = is_fixed(method);
-    decision->choice = (TinkerChoice){method, fixed ? options->step : 0, fixed ? 0 : options->tolerance};
+    gboolean fixed = tinker_method_is_fixed(method);
+    decision->choice = (TinkerChoice){
+        .method = method, .step = fixed ? options->step : 0, .tolerance = fixed ? 0 : options->tolerance};
+    decision->choice.holds_energy = options->accuracy > 0 && is_worth_holding(island, options, forecast, method);
     if (decision->reason != NULL) {
         g_string_append(decision->reason,
                         method == &tinker_integrator_impulse
                             ? _("contacts are asked for as impulses: one velocity solve a step, order 1")
                             : _("asked for"));
+        explain_holding(decision);
         tinker_cost_of(island, forecast, method, options, decision->choice.step, options->tolerance, &decision->cost);
     }
     if (!fixed || !forecast->known || warnings == NULL) return;
@@ -278,13 +369,18 @@ gboolean tinker_decide(const TinkerIsland *island, const TinkerRunOptions *optio
         return FALSE;
     if (!automatic && (method->flags & TINKER_INTEGRATOR_LINEAR) && island->linear == NULL)
         return refuse_not_linear(island, method, error);
-    gboolean fixed = is_fixed(method);
+    gboolean fixed = tinker_method_is_fixed(method);
     TinkerForecast forecast = {0};
-    if (automatic || fixed || decision->reason != NULL) tinker_forecast(island, &forecast);
-    if (automatic)
+    if (automatic || fixed || decision->reason != NULL || options->accuracy > 0) tinker_forecast(island, &forecast);
+    if (automatic) {
         decide_automatically(island, options, &forecast, decision);
-    else
-        decide_named(island, options, &forecast, spectrum, method, decision, warnings);
+    } else {
+        TinkerRunOptions wanted = *options;
+        if (options->accuracy > 0) wanted = options_for_accuracy(island, options, &forecast, spectrum, method);
+        decide_named(island, &wanted, &forecast, spectrum, method, decision, warnings);
+    }
+    if (decision->choice.method->flags & TINKER_INTEGRATOR_LINEAR)
+        decision->choice.interval = tinker_cost_interval(island, options);
     return TRUE;
 }
 

@@ -24,6 +24,11 @@
 /* A sample: dense output. */
 #define PER_SAMPLE            80.0
 #define PER_SAMPLE_COORDINATE 10.0
+/* An exact solution under forces, or with uneven damping: its series, at a sample and twice in a step. */
+#define PER_SERIES      5500.0
+#define SERIES_PER_STEP 2.0
+/* A state that is looked at in search of contacts. */
+#define PER_LOOK 4000.0
 /* Newton steps of an implicit method on a law that is not linear, and what the Jacobian costs in evaluations. */
 #define NEWTON_STEPS   2.5
 #define JACOBIAN_SHARE 4.0
@@ -52,6 +57,11 @@ double tinker_options_duration(const TinkerRunOptions *options)
     for (gsize i = 0; options->at != NULL && i < options->at_count; i++)
         duration = fmax(duration, options->at[i]);
     return duration;
+}
+
+double tinker_options_span(const TinkerRunOptions *options)
+{
+    return options->duration > 0 ? options->duration : tinker_options_duration(options);
 }
 
 double tinker_options_samples(const TinkerRunOptions *options)
@@ -85,16 +95,16 @@ double tinker_cost_evaluation(const TinkerIsland *island)
            PER_FIELD_BODY * model->asked_fields->len * model->bodies + PER_ROW * model->constraints.rows;
 }
 
-static double sampling(const TinkerIsland *island, const TinkerRunOptions *options)
+static double sample_operations(const TinkerIsland *island)
 {
-    return tinker_options_samples(options) * (PER_SAMPLE + PER_SAMPLE_COORDINATE * coordinates(island));
+    return PER_SAMPLE + PER_SAMPLE_COORDINATE * coordinates(island);
 }
 
-static double step_operations(const TinkerIsland *island, const TinkerIntegrator *method)
+/* Of so many steps with so many evaluations in them. */
+static double explicit_operations(const TinkerIsland *island, double steps, double evaluations)
 {
-    double evaluations = method->evaluations_per_step;
-    return PER_STEP + evaluations * (tinker_cost_evaluation(island) + PER_STAGE_COORDINATE * coordinates(island)) +
-           PROJECTIONS * PER_ROW * island->model->constraints.rows;
+    return steps * (PER_STEP + PROJECTIONS * PER_ROW * island->model->constraints.rows) +
+           evaluations * (tinker_cost_evaluation(island) + PER_STAGE_COORDINATE * coordinates(island));
 }
 
 /* Explicit, adaptive ------------------------------------------------------------------------------------------------ */
@@ -137,13 +147,15 @@ static void cost_adaptive(const TinkerIsland *island, const TinkerForecast *fore
                           const TinkerRunOptions *options, double tolerance, TinkerCost *cost)
 {
     Adaptive known = adaptive_of(method);
-    double duration = tinker_options_duration(options),
+    double duration = tinker_options_span(options),
            frequency = deciding_frequency(island, forecast, known.root, tolerance);
     double accuracy = frequency * known.steps * pow(1e-9 / tolerance, 1 / known.root);
     gboolean limited = (method->flags & TINKER_INTEGRATOR_EXPLICIT) != 0;
     double rate = fmax(accuracy, limited ? stability_rate(forecast, method) : 0);
     cost->steps = fmax(1.0, duration * rate);
-    cost->operations = cost->steps * step_operations(island, method) + sampling(island, options);
+    cost->evaluations = cost->steps * method->evaluations_per_step;
+    cost->operations = explicit_operations(island, cost->steps, cost->evaluations);
+    cost->sample = sample_operations(island);
     cost->error = tolerance * known.error * fmax(1.0, frequency * duration / CALIBRATION_RADIANS);
 }
 
@@ -163,7 +175,7 @@ double tinker_free_tolerance(const TinkerIsland *island, const TinkerForecast *f
 static double step_error(const TinkerIntegrator *method, const TinkerRunOptions *options, TinkerOscillator oscillator,
                          double step)
 {
-    double error, duration = tinker_options_duration(options);
+    double error, duration = tinker_options_span(options);
     TINKER_CALL_VOID(error = tinker_step_error(method, options->spectral_radius, oscillator, step, duration),
                      .phase = "step", .method = method);
     return error;
@@ -176,7 +188,7 @@ static double step_error(const TinkerIntegrator *method, const TinkerRunOptions 
 static double fixed_error(const TinkerForecast *forecast, const TinkerIntegrator *method,
                           const TinkerRunOptions *options, double step)
 {
-    double square = 0, duration = tinker_options_duration(options);
+    double square = 0, duration = tinker_options_span(options);
     method = tinker_method_without_contact(method);
     for (int32_t i = 0; i < forecast->count; i++) {
         const TinkerForecastPart *part = &forecast->parts[i];
@@ -209,7 +221,7 @@ static double fastest_seen(const TinkerForecast *forecast, double tolerance)
 static double wanted_step(const TinkerForecast *forecast, const TinkerIntegrator *method,
                           const TinkerRunOptions *options, double tolerance)
 {
-    double duration = tinker_options_duration(options), frequency = fastest_seen(forecast, tolerance);
+    double duration = tinker_options_span(options), frequency = fastest_seen(forecast, tolerance);
     if (!(frequency > 0)) return duration;
     double step = fmin(duration, 0.05 / frequency), most = fmin(duration, TINKER_LEAST_RESOLVED / frequency);
     for (int trial = 0; trial < 3; trial++) {
@@ -244,23 +256,43 @@ static void cost_fixed(const TinkerIsland *island, const TinkerForecast *forecas
 {
     gboolean implicit = (method->flags & TINKER_INTEGRATOR_IMPLICIT) != 0;
     if (!(cost->step > 0)) cost->step = wanted_step(forecast, method, options, tolerance);
-    cost->steps = fmax(1.0, tinker_options_duration(options) / cost->step);
-    double each = implicit ? implicit_step_operations(island) : step_operations(island, method);
-    cost->operations = cost->steps * each + sampling(island, options);
+    cost->steps = fmax(1.0, tinker_options_span(options) / cost->step);
+    cost->evaluations = cost->steps * method->evaluations_per_step;
+    cost->operations = implicit ? cost->steps * implicit_step_operations(island)
+                                : explicit_operations(island, cost->steps, cost->evaluations);
+    cost->sample = sample_operations(island);
     cost->error = fixed_error(forecast, method, options, cost->step);
 }
 
 /* Exact ------------------------------------------------------------------------------------------------------------- */
 
-/* The method steps from sample to sample. */
+double tinker_cost_interval(const TinkerIsland *island, const TinkerRunOptions *options)
+{
+    double span = tinker_options_span(options);
+    return tinker_exact_interval(tinker_linear_form_system(island->linear), tinker_forecast_drive(island->linear),
+                                 span > 0 ? span : 1.0);
+}
+
+static double exact_operations(const TinkerIsland *island, double steps)
+{
+    double once = 0;
+    double each = tinker_exact_operations(tinker_linear_form_system(island->linear), (gint64)steps, &once);
+    return once + each + steps * PER_STEP;
+}
+
+/* A sample is one more propagator. */
+static double exact_sample_operations(const TinkerIsland *island)
+{
+    return sample_operations(island) + tinker_exact_operations(tinker_linear_form_system(island->linear), 1, NULL);
+}
+
 static void cost_exact(const TinkerIsland *island, const TinkerRunOptions *options, TinkerCost *cost)
 {
     const TinkerLinearSystem *linear = tinker_linear_form_system(island->linear);
-    double once = 0, samples = ceil(tinker_options_samples(options));
-    double each = tinker_exact_operations(linear, (gint64)fmin(samples, 1e15), &once);
-    cost->steps = samples;
-    cost->operations = once + each + samples * PER_STEP + sampling(island, options);
-    cost->error = tinker_exact_claimed_error(linear, tinker_options_duration(options));
+    cost->steps = ceil(tinker_options_span(options) / tinker_cost_interval(island, options));
+    cost->operations = exact_operations(island, cost->steps);
+    cost->sample = exact_sample_operations(island);
+    cost->error = tinker_exact_claimed_error(linear, tinker_options_span(options));
 }
 
 gboolean tinker_cost_of(const TinkerIsland *island, const TinkerForecast *forecast, const TinkerIntegrator *method,
@@ -271,11 +303,35 @@ gboolean tinker_cost_of(const TinkerIsland *island, const TinkerForecast *foreca
         if (island->linear == NULL || !tinker_exact_suits(tinker_linear_form_system(island->linear))) return FALSE;
         cost->step = 0;
         cost_exact(island, options, cost);
-    } else if (method->flags & TINKER_INTEGRATOR_ADAPTIVE) {
+    } else if (tinker_method_is_adaptive(method)) {
         cost->step = 0;
         cost_adaptive(island, forecast, method, options, tolerance, cost);
     } else {
         cost_fixed(island, forecast, method, options, tolerance, cost);
     }
     return TRUE;
+}
+
+static gboolean needs_series(const TinkerIsland *island)
+{
+    const TinkerLinearSystem *linear = tinker_linear_form_system(island->linear);
+    return linear->force_count + linear->motion_count > 0 || !tinker_exact_is_proportional(linear);
+}
+
+double tinker_cost_counted(const TinkerIsland *island, const TinkerIntegrator *method, const TinkerCounts *counts)
+{
+    const double steps = counts->steps, looks = PER_LOOK * counts->looks;
+    if (method->flags & TINKER_INTEGRATOR_IMPLICIT) return looks + steps * implicit_step_operations(island);
+    if (!(method->flags & TINKER_INTEGRATOR_LINEAR))
+        return looks + explicit_operations(island, steps, counts->evaluations);
+    const double series = needs_series(island) ? SERIES_PER_STEP * PER_SERIES : 0;
+    return looks + exact_operations(island, steps) + steps * series +
+           explicit_operations(island, 0, counts->evaluations);
+}
+
+double tinker_cost_samples(const TinkerIsland *island, const TinkerIntegrator *method, double samples)
+{
+    if (!(method->flags & TINKER_INTEGRATOR_LINEAR)) return samples * sample_operations(island);
+    const double series = needs_series(island) ? PER_SERIES : 0;
+    return samples * (exact_sample_operations(island) + series);
 }

@@ -7,10 +7,12 @@
 
 /* What a method is expected to cost on an island, and to miss. */
 typedef struct {
-    double step;       /* s, of a fixed-step method: as asked for, or as the tolerance wants it */
-    double steps;      /* of the whole run */
-    double operations; /* likewise */
-    double error;      /* relative to the scales */
+    double step;        /* s, of a fixed-step method: as asked for, or as the tolerance wants it */
+    double steps;       /* of the whole run */
+    double evaluations; /* likewise */
+    double operations;  /* likewise, of its steps */
+    double sample;      /* operations of one sample */
+    double error;       /* relative to the scales */
 } TinkerCost;
 
 /* Seconds that an operation takes on the machine that the counts were calibrated on. */
@@ -29,14 +31,29 @@ double tinker_cost_evaluation(const TinkerIsland *island);
 double tinker_free_tolerance(const TinkerIsland *island, const TinkerForecast *forecast, const TinkerIntegrator *method,
                              double tolerance);
 
-/* Of a run to `duration` with `samples` samples. A fixed-step method with `step` 0 takes the one that `tolerance` wants.
+/* Of a run by this method. A fixed-step method with `step` 0 takes the one that `tolerance` wants.
  * FALSE where the method does not suit the island. */
 gboolean tinker_cost_of(const TinkerIsland *island, const TinkerForecast *forecast, const TinkerIntegrator *method,
                         const TinkerRunOptions *options, double step, double tolerance, TinkerCost *cost);
 
-/* The duration that options ask for (s), and their number of samples. */
+/* What was counted of a run, or is expected. */
+typedef struct {
+    double steps, evaluations;
+    double looks; /* states that were looked at in search of contacts */
+} TinkerCounts;
+
+/* Operations of what was counted, by a method that suits the island; and of samples. */
+double tinker_cost_counted(const TinkerIsland *island, const TinkerIntegrator *method, const TinkerCounts *counts);
+double tinker_cost_samples(const TinkerIsland *island, const TinkerIntegrator *method, double samples);
+
+/* How long a run lasts (s): to the last sample; the time that methods and steps are chosen for, which samples do not change: the
+ * scene's duration; and the number of samples. */
 double tinker_options_duration(const TinkerRunOptions *options);
+double tinker_options_span(const TinkerRunOptions *options);
 double tinker_options_samples(const TinkerRunOptions *options);
+
+/* The interval (s) of an exact solution of a linear island: see tinker_exact_interval. */
+double tinker_cost_interval(const TinkerIsland *island, const TinkerRunOptions *options);
 
 /* How a method was come by. */
 typedef struct {

@@ -6,6 +6,7 @@
 
 #include "physics/contacts.h"
 #include "physics/plan-private.h"
+#include "physics/straight-bars.h"
 
 static void say(GPtrArray *sentences, const char *format, ...) G_GNUC_PRINTF(2, 3);
 static void say(GPtrArray *sentences, const char *format, ...)
@@ -45,6 +46,7 @@ static void describe_bodies(TinkerPlan *plan, const TinkerModel *model)
         counted(text, g_dngettext(GETTEXT_PACKAGE, "%d body", "%d bodies", (gulong)model->bodies), model->bodies),
         sizes.degrees_of_freedom);
     if (model->bodies > 0) say(plan->left_out, _("rotation: every body that moves is a point"));
+    if (model->bodies > 1) say(plan->left_out, _("contact between bodies: they pass through each other"));
 }
 
 static void describe_lines(TinkerPlan *plan, const TinkerModel *model)
@@ -116,6 +118,24 @@ static gboolean is_damped(const TinkerModel *model)
            model->asked_forces->len > 0 || model->asked_fields->len > 0;
 }
 
+/* What lies on straight bars, between their ends. */
+static void describe_bars(TinkerPlan *plan, const TinkerModel *model)
+{
+    const GArray *straight = model->constraints.straight;
+    g_autoptr(GString) names = g_string_new(NULL);
+    for (guint i = 0; i < straight->len; i++) {
+        const TinkerStraightRow *of = &g_array_index(straight, TinkerStraightRow, i);
+        TinkerBlockId block = of->between < model->bodies ? model->body_blocks[of->between]
+                                                          : g_array_index(model->support_points, TinkerSupportPoint,
+                                                                          (guint)(of->between - model->bodies))
+                                                                .support;
+        g_string_append_printf(names, "%s%s", i > 0 ? ", " : "", tinker_scene_block_name(model->scene, block));
+    }
+    if (names->len > 0)
+        say(plan->modelled, _("straight bars: %s kept in line, which no finite force in the rods of a line could"),
+            names->str);
+}
+
 static void describe_constraints(TinkerPlan *plan, const TinkerModel *model)
 {
     const TinkerConstraints *all = &model->constraints;
@@ -127,6 +147,7 @@ static void describe_constraints(TinkerPlan *plan, const TinkerModel *model)
         g_dngettext(GETTEXT_PACKAGE, "%d constraint row, solved after the other forces and held by projection",
                     "%d constraint rows, solved after the other forces and held by projection", (gulong)all->rows),
         all->rows);
+    describe_bars(plan, model);
     if (plan->redundant->len == 0) return;
     g_autoptr(GString) names = g_string_new(NULL);
     for (guint i = 0; i < plan->redundant->len; i++)
@@ -262,5 +283,10 @@ void tinker_plan_describe(TinkerPlan *plan, TinkerModel *model, const TinkerRunO
     describe_supports(plan, model);
     describe_contact(plan, model, options);
     if (!is_damped(model) && !is_rough(model)) say(plan->left_out, _("damping: no block takes energy"));
+    if (options->accuracy > 0)
+        say(plan->modelled,
+            _("an accuracy of %g: steps and tolerances are chosen for it, and made tighter where the run’s own error "
+              "estimate misses it"),
+            options->accuracy);
     if (!options->estimate) say(plan->left_out, _("the error estimate: it is switched off"));
 }

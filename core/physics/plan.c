@@ -4,13 +4,18 @@
 #include <math.h>
 
 #include "numerics/integrators.h"
+#include "physics/breaks.h"
 #include "physics/impulse.h"
+#include "physics/method-call.h"
 #include "physics/model-private.h"
 #include "physics/plan-private.h"
+#include "physics/plan-trial.h"
 
 /* What is left of a dependent row, as constraints.c has it; rows of one island up to which they are named. */
 #define DEPENDENT  1e-5
 #define MOST_NAMED 600
+/* What the trials of all islands may take together: some ten milliseconds. */
+#define TRIAL_OPERATIONS 1e8
 
 static void island_plan_free(gpointer data)
 {
@@ -49,8 +54,27 @@ static GArray *blocks_of(const TinkerModel *model)
     return blocks;
 }
 
-static TinkerIslandPlan *plan_island(const TinkerIsland *island, const TinkerRunOptions *options, GPtrArray *warnings,
-                                     GError **error)
+/* What the run will take, by its first steps; by the forecast alone where none are to be made, or it cannot begin. */
+static void count_run(TinkerIslandPlan *plan, const TinkerIsland *island, const TinkerRunOptions *options,
+                      const TinkerDecision *decision, double trial_operations)
+{
+    TinkerTrial trial = {0};
+    if (trial_operations > 0) trial = tinker_trial_make(island, &decision->choice, options, trial_operations);
+    const TinkerIntegrator *method = decision->choice.method;
+    plan->evaluations = decision->cost.evaluations;
+    plan->operations = decision->cost.operations;
+    if (trial.share > 0) {
+        const TinkerCounts whole = {trial.counts.steps / trial.share, trial.counts.evaluations / trial.share,
+                                    trial.counts.looks / trial.share};
+        plan->evaluations = whole.evaluations;
+        plan->operations = tinker_cost_counted(island, method, &whole);
+    }
+    plan->operations += tinker_cost_samples(island, method, tinker_options_samples(options));
+    plan->expected_s = plan->operations * TINKER_SECONDS_PER_OPERATION;
+}
+
+static TinkerIslandPlan *plan_island(const TinkerIsland *island, const TinkerRunOptions *options,
+                                     double trial_operations, GPtrArray *warnings, GError **error)
 {
     TinkerModelSizes sizes = tinker_model_sizes(island->model);
     g_autoptr(TinkerSpectrum) spectrum = tinker_spectrum_new(island);
@@ -75,10 +99,9 @@ static TinkerIslandPlan *plan_island(const TinkerIsland *island, const TinkerRun
         .step = decision.choice.step,
         .tolerance = decision.choice.tolerance,
         .reason = g_strdup(reason->str),
-        .operations = decision.cost.operations,
-        .expected_s = decision.cost.operations * TINKER_SECONDS_PER_OPERATION,
         .expected_error = decision.cost.error,
     };
+    count_run(plan, island, options, &decision, trial_operations);
     plan->spectrum = g_steal_pointer(&spectrum);
     if (island->linear != NULL) plan->straight = tinker_linear_form_is_straight(island->linear, plan->direction);
     return plan;
@@ -127,9 +150,13 @@ static void name_redundant(TinkerModel *model, GPtrArray *names)
     }
 }
 
-TinkerPlan *tinker_plan_new(TinkerModel *model, GPtrArray *islands, const TinkerRunOptions *options, GError **error)
+/* `trial_operations`: of all islands together. */
+static TinkerPlan *make_plan(TinkerModel *model, GPtrArray *islands, const TinkerRunOptions *options,
+                             double trial_operations, GError **error)
 {
+    if (!tinker_model_check_breaks(model, tinker_options_span(options), error)) return NULL;
     g_autoptr(TinkerPlan) plan = g_new0(TinkerPlan, 1);
+    plan->accuracy = options->accuracy;
     plan->islands = g_ptr_array_new_with_free_func(island_plan_free);
     plan->redundant = g_ptr_array_new_with_free_func(g_free);
     plan->modelled = g_ptr_array_new_with_free_func(g_free);
@@ -138,13 +165,25 @@ TinkerPlan *tinker_plan_new(TinkerModel *model, GPtrArray *islands, const Tinker
     for (guint i = 0; i < model->warnings->len; i++)
         g_ptr_array_add(plan->warnings, g_strdup(g_ptr_array_index(model->warnings, i)));
     for (guint i = 0; i < islands->len; i++) {
-        TinkerIslandPlan *island = plan_island(g_ptr_array_index(islands, i), options, plan->warnings, error);
+        TinkerIslandPlan *island =
+            plan_island(g_ptr_array_index(islands, i), options, trial_operations / islands->len, plan->warnings, error);
         if (island == NULL) return NULL;
         g_ptr_array_add(plan->islands, island);
         name_redundant(((TinkerIsland *)g_ptr_array_index(islands, i))->model, plan->redundant);
     }
     tinker_plan_describe(plan, model, options);
     return g_steal_pointer(&plan);
+}
+
+TinkerPlan *tinker_plan_new(TinkerModel *model, GPtrArray *islands, const TinkerRunOptions *options, GError **error)
+{
+    return make_plan(model, islands, options, 0, error);
+}
+
+TinkerPlan *tinker_plan_new_counted(TinkerModel *model, GPtrArray *islands, const TinkerRunOptions *options,
+                                    GError **error)
+{
+    return make_plan(model, islands, options, TRIAL_OPERATIONS, error);
 }
 
 void tinker_plan_free(TinkerPlan *plan)
@@ -158,7 +197,7 @@ void tinker_plan_free(TinkerPlan *plan)
 
 gboolean tinker_is_fixed_explicit(const TinkerIntegrator *method)
 {
-    return (method->flags & TINKER_INTEGRATOR_EXPLICIT) != 0 && (method->flags & TINKER_INTEGRATOR_ADAPTIVE) == 0;
+    return (method->flags & TINKER_INTEGRATOR_EXPLICIT) != 0 && !tinker_method_is_adaptive(method);
 }
 
 GPtrArray *tinker_plan_limited_methods(const TinkerIslandPlan *island)

@@ -21,12 +21,14 @@ typedef struct {
     const TinkerIntegrator *method;
     double step, tolerance; /* whichever counts for the method; the other is 0 */
     char *reason;           /* a sentence: why this method */
-    double operations;      /* expected, of the whole run: floating-point operations as counted by the cost model */
+    double evaluations;     /* of the accelerations, expected of the whole run without its companion */
+    double operations;      /* likewise: floating-point operations as counted by the cost model */
     double expected_s;      /* the same in seconds on the machine that the counts were calibrated on once */
     double expected_error;  /* relative to the scales of the island */
 } TinkerIslandPlan;
 
 typedef struct {
+    double accuracy;                           /* that is asked for, as in TinkerRunOptions; 0: none */
     GPtrArray *islands;                        /* of TinkerIslandPlan *, in the order of the islands */
     GPtrArray *redundant;                      /* of char *: names of the blocks whose constraints depend on others */
     GPtrArray *modelled, *left_out, *warnings; /* of char *: sentences */
@@ -34,6 +36,9 @@ typedef struct {
 
 /* Plans a run. `islands` are those of the model. Errors: TINKER_MODEL_ERROR_METHOD. (transfer full) */
 TinkerPlan *tinker_plan_new(TinkerModel *model, GPtrArray *islands, const TinkerRunOptions *options, GError **error);
+/* The same, and what the run takes is told by a trial of its first steps (plan-trial.h) instead of the forecast alone. */
+TinkerPlan *tinker_plan_new_counted(TinkerModel *model, GPtrArray *islands, const TinkerRunOptions *options,
+                                    GError **error);
 void tinker_plan_free(TinkerPlan *plan);
 G_DEFINE_AUTOPTR_CLEANUP_FUNC(TinkerPlan, tinker_plan_free)
 
@@ -54,6 +59,8 @@ double tinker_plan_stable_step(const TinkerIslandPlan *island, const TinkerInteg
 typedef struct {
     const TinkerIntegrator *method;
     double step, tolerance;
+    double interval;       /* s: between the steps of an exact solution; else 0 */
+    gboolean holds_energy; /* after every step the state is brought back onto the energy of the start: hold-energy.h */
 } TinkerChoice;
 gboolean tinker_plan_choose(const TinkerIsland *island, const TinkerRunOptions *options, TinkerChoice *choice,
                             GPtrArray *warnings, GError **error);

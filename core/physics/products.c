@@ -32,13 +32,28 @@ static void line_block(const TinkerLineDerivatives *line, gboolean damping, doub
         tinker_line_stiffness(line, block);
 }
 
-static void add_merged(const TinkerModel *model, gboolean damping, const double *d, double *force)
+static void add_merged_stiffness(const TinkerModel *model, const double *d, double *force)
 {
     const TinkerMergedLines *lines = &model->lines;
     for (int32_t i = 0; i < lines->count; i++) {
         TinkerLineDerivatives line = tinker_merged_line_derivatives(model, i);
         double block[4];
-        line_block(&line, damping, block);
+        tinker_line_stiffness(&line, block);
+        add_line(model, lines->a[i], lines->b[i], block, d, force);
+    }
+}
+
+/* Every step of a damped run comes here: of a line no more is worked out than its direction, which is 0 at one place. */
+static void add_merged_damping(const TinkerModel *model, const double *d, double *force)
+{
+    const TinkerMergedLines *lines = &model->lines;
+    for (int32_t i = 0; i < lines->count; i++) {
+        TinkerLineDerivatives line;
+        double block[4];
+        if (lines->damping[i] == 0) continue;
+        tinker_line_geometry(model, lines->a[i], lines->b[i], &line);
+        line.damping = lines->damping[i];
+        tinker_line_damping(&line, block);
         add_line(model, lines->a[i], lines->b[i], block, d, force);
     }
 }
@@ -195,7 +210,10 @@ static TinkerStatus product(TinkerModel *model, gboolean damping, const double *
         differs = model->feels_velocity > 0;
     }
     memset(model->force, 0, 2 * (gsize)model->points * sizeof(double));
-    add_merged(model, damping, d, model->force);
+    if (damping)
+        add_merged_damping(model, d, model->force);
+    else
+        add_merged_stiffness(model, d, model->force);
     for (guint i = 0; i < model->asked_lines->len; i++)
         add_asked(model, &g_array_index(model->asked_lines, TinkerAskedBatch, i), damping, d, model->force);
     for (guint i = 0; i < model->asked_fields->len; i++)

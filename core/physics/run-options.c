@@ -22,6 +22,7 @@ TinkerRunOptions tinker_run_options_of(TinkerScene *scene)
         .method = run->method,
         .step = run->step,
         .tolerance = run->tolerance,
+        .accuracy = run->accuracy,
         .spectral_radius = run->spectral_radius,
         .impulses = g_strcmp0(run->contacts, "impulse") == 0,
         .estimate = TRUE,
@@ -38,10 +39,9 @@ static gboolean refuse(GError **error, const char *format, ...)
     return FALSE;
 }
 
-/* Those of the plugins that could be opened. */
-static void add_plugin_methods(TinkerScene *scene, GPtrArray *names)
+/* Those of the plugins that could be opened; the names are borrowed. */
+static void add_plugin_methods(const GPtrArray *libraries, GPtrArray *names)
 {
-    const GPtrArray *libraries = tinker_catalogue_libraries(tinker_scene_catalogue(scene));
     for (guint i = 0; i < libraries->len; i++) {
         const TinkerLibraryEntry *library = g_ptr_array_index(libraries, i);
         if (library->refused != NULL || library->shadowed_by != NULL) continue;
@@ -61,7 +61,7 @@ static char *list_of(GPtrArray *names, guint builtins)
     return g_strdup_printf(_("%s, and of plugins %s"), list->str, others);
 }
 
-static const TinkerIntegrator *unknown_method(TinkerScene *scene, const char *id, GError **error)
+static const TinkerIntegrator *unknown_method(TinkerCatalogue *catalogue, const char *id, GError **error)
 {
     if (g_str_equal(id, "impulse")) {
         g_set_error_literal(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_METHOD,
@@ -74,11 +74,12 @@ static const TinkerIntegrator *unknown_method(TinkerScene *scene, const char *id
     for (const TinkerIntegrator *const *each = tinker_integrator_builtins(); *each != NULL; each++)
         g_ptr_array_add(names, (gpointer)(*each)->id);
     guint builtins = names->len;
-    add_plugin_methods(scene, names);
+    g_autoptr(GPtrArray) libraries = tinker_catalogue_libraries(catalogue);
+    add_plugin_methods(libraries, names);
     g_ptr_array_add(names, NULL);
     g_autofree char *list = list_of(names, builtins);
     const char *nearest = tinker_nearest_word(id, (const char *const *)names->pdata);
-    g_autofree char *refused = tinker_catalogue_explain_refused(tinker_scene_catalogue(scene), id);
+    g_autofree char *refused = tinker_catalogue_explain_refused(catalogue, id);
     if (nearest != NULL)
         refuse(error, _("there is no method \"%s\"; did you mean \"%s\"? (there are %s)%s"), id, nearest, list,
                refused);
@@ -87,18 +88,29 @@ static const TinkerIntegrator *unknown_method(TinkerScene *scene, const char *id
     return NULL;
 }
 
-const TinkerIntegrator *tinker_run_method(TinkerScene *scene, const char *id, GError **error)
+static const TinkerIntegrator *find_method(TinkerCatalogue *catalogue, const char *id, GError **error)
 {
     const TinkerIntegrator *method = tinker_integrator_builtin(g_str_equal(id, "auto") ? DEFAULT_METHOD : id);
     if (method != NULL) return method;
     g_autoptr(GError) missing = NULL;
-    method = tinker_catalogue_integrator(tinker_scene_catalogue(scene), id, &missing);
+    method = tinker_catalogue_integrator(catalogue, id, &missing);
     if (method != NULL) return method;
     if (g_error_matches(missing, TINKER_PLUGIN_ERROR, TINKER_PLUGIN_ERROR_REFUSED)) {
         g_propagate_error(error, g_steal_pointer(&missing));
         return NULL;
     }
-    return unknown_method(scene, id, error);
+    return unknown_method(catalogue, id, error);
+}
+
+const TinkerIntegrator *tinker_run_method(TinkerScene *scene, const char *id, GError **error)
+{
+    return find_method(tinker_scene_catalogue(scene), id, error);
+}
+
+char *tinker_method_fault(TinkerCatalogue *catalogue, const char *id)
+{
+    g_autoptr(GError) error = NULL;
+    return find_method(catalogue, id, &error) != NULL ? NULL : g_strdup(error->message);
 }
 
 gboolean tinker_run_options_check(const TinkerRunOptions *options, const TinkerIntegrator *method, double duration,
@@ -114,6 +126,8 @@ gboolean tinker_run_options_check(const TinkerRunOptions *options, const TinkerI
     for (gsize i = 0; options->at != NULL && i < options->at_count; i++)
         if (!(options->at[i] >= 0) || !isfinite(options->at[i]))
             return refuse(error, _("the time of a sample is %g (it must be 0 s or more)"), options->at[i]);
+    if (!(options->accuracy >= 0) || !(options->accuracy < 1))
+        return refuse(error, _("the accuracy is %g (it must be between 0 and 1, as in 1e-6)"), options->accuracy);
     if (method == NULL || (method->flags & TINKER_INTEGRATOR_LINEAR)) return TRUE;
     if (method->flags & TINKER_INTEGRATOR_ADAPTIVE) {
         if (!(options->tolerance > 0) || !(options->tolerance < 1))

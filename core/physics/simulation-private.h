@@ -2,6 +2,7 @@
 #ifndef TINKER_CORE_SIMULATION_PRIVATE_H
 #define TINKER_CORE_SIMULATION_PRIVATE_H
 
+#include "physics/box-watch.h"
 #include "physics/contact-run.h"
 #include "physics/estimate.h"
 #include "physics/island-run.h"
@@ -19,9 +20,10 @@ struct _TinkerSimulation {
     double sample_time;
     gint64 contact_changes; /* of all runs, when the whole model's closed contacts were gathered */
     double piece_end;       /* of the whole model, where it is not stepped itself */
-    gint64 steps;           /* of all runs together */
+    gint64 work;            /* of all runs together since the options' functions were last called */
     TinkerSampler *sampler;
     double *values;
+    TinkerBoxWatch *watch;    /* NULL where no two bodies could overlap, or where it has been told that they do */
     TinkerEstimate *estimate; /* NULL where none is asked for, or none is needed */
     TinkerSummary summary;
 };
@@ -33,9 +35,15 @@ const TinkerIntegrator *tinker_run_method(TinkerScene *scene, const char *id, GE
 gboolean tinker_run_options_check(const TinkerRunOptions *options, const TinkerIntegrator *method, double duration,
                                   GError **error);
 
+/* Of a TinkerEvent. */
+void tinker_event_free(gpointer data);
+
 /* A simulation that steps its islands as it is told (one choice an island; NULL: as the options say). */
 TinkerSimulation *tinker_simulation_new_chosen(TinkerModel *model, const TinkerRunOptions *options,
                                                const TinkerChoice *choices, GError **error);
+
+/* One step of the island with this number. */
+gboolean tinker_simulation_step_island(TinkerSimulation *simulation, guint number, GError **error);
 
 /* Brings all islands to time t at least, and the whole model's bodies to where they are then. */
 gboolean tinker_simulation_advance(TinkerSimulation *simulation, double t, GError **error);

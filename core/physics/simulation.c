@@ -7,10 +7,11 @@
 #include "physics/plan-private.h"
 #include "physics/simulation-private.h"
 
-/* Steps between two looks at whether the user has had enough. */
-#define STEPS_BETWEEN_CALLS 256
+/* Between two looks at whether the user has had enough: steps, each counted once for every body that it moves, so that few looks
+ * fall into many short steps and many into few long ones. */
+#define WORK_BETWEEN_CALLS 256
 
-static void event_free(gpointer data)
+void tinker_event_free(gpointer data)
 {
     TinkerEvent *event = data;
     g_free(event->kind);
@@ -32,8 +33,11 @@ static void open_summary(TinkerSimulation *simulation)
     summary->start_impulse = model->start_impulse;
     summary->error_estimate = NAN;
     summary->predictable_until = INFINITY;
+    summary->accuracy = simulation->options.accuracy;
+    summary->tries = g_array_new(FALSE, FALSE, sizeof(TinkerTry));
+    summary->determined_until = INFINITY;
     summary->islands = g_ptr_array_new_with_free_func(island_summary_free);
-    summary->events = g_ptr_array_new_with_free_func(event_free);
+    summary->events = g_ptr_array_new_with_free_func(tinker_event_free);
     summary->warnings = g_ptr_array_new_with_free_func(g_free);
     for (guint i = 0; i < model->warnings->len; i++)
         g_ptr_array_add(summary->warnings, g_strdup(g_ptr_array_index(model->warnings, i)));
@@ -48,13 +52,37 @@ static void describe_island(TinkerSimulation *simulation, const TinkerIslandRun 
     g_ptr_array_add(simulation->summary.islands, island);
 }
 
+/* Where steps end, whatever is recorded: at the scene's duration, and where samples are asked for beyond that, at every multiple
+ * of it. */
+static double steps_end(const TinkerSimulation *simulation, double t)
+{
+    double duration = simulation->options.duration;
+    if (!(duration > 0)) return MAX(simulation->times.duration, t + 1.0);
+    if (t < duration) return duration; /* nearly always: no division then */
+    double count = floor(t / duration) + 1;
+    while (count * duration <= t)
+        count++;
+    return count * duration;
+}
+
+/* Whether nobody has had enough. */
+static gboolean goes_on(TinkerSimulation *simulation, GError **error)
+{
+    const TinkerRunOptions *options = &simulation->options;
+    if (options->cancelled == NULL || !options->cancelled(options->data)) return TRUE;
+    g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_STOPPED, _("stopped at t = %.6g s of %.6g s"),
+                simulation->runs->len > 0 ? tinker_simulation_time(simulation) : 0.0, simulation->times.duration);
+    return FALSE;
+}
+
 static gboolean open_runs(TinkerSimulation *simulation, const TinkerChoice *choices, GError **error)
 {
-    double duration = simulation->times.duration;
+    double duration = steps_end(simulation, 0);
     simulation->runs = g_ptr_array_new_with_free_func((GDestroyNotify)tinker_island_run_free);
     for (guint i = 0; i < simulation->islands->len; i++) {
         const TinkerIsland *island = g_ptr_array_index(simulation->islands, i);
         TinkerChoice choice;
+        if (!goes_on(simulation, error)) return FALSE;
         if (choices != NULL)
             choice = choices[i];
         else if (!tinker_plan_choose(island, &simulation->options, &choice, simulation->summary.warnings, error))
@@ -111,10 +139,12 @@ void tinker_simulation_free(TinkerSimulation *simulation)
 {
     if (simulation == NULL) return;
     tinker_estimate_free(simulation->estimate);
+    tinker_box_watch_free(simulation->watch);
     tinker_sampler_free(simulation->sampler);
     g_clear_pointer(&simulation->runs, g_ptr_array_unref);
     g_clear_pointer(&simulation->islands, g_ptr_array_unref);
     tinker_sample_times_clear(&simulation->times);
+    g_clear_pointer(&simulation->summary.tries, g_array_unref);
     g_clear_pointer(&simulation->summary.islands, g_ptr_array_unref);
     g_clear_pointer(&simulation->summary.events, g_ptr_array_unref);
     g_clear_pointer(&simulation->summary.warnings, g_ptr_array_unref);
@@ -130,13 +160,13 @@ void tinker_simulation_free(TinkerSimulation *simulation)
 static gboolean call_back(TinkerSimulation *simulation, TinkerIslandRun *run, GError **error)
 {
     const TinkerRunOptions *options = &simulation->options;
-    if (++simulation->steps % STEPS_BETWEEN_CALLS != 0) return TRUE;
+    simulation->work += MAX(run->model->bodies, 1);
+    if (simulation->work < WORK_BETWEEN_CALLS) return TRUE;
+    simulation->work = 0;
     if (options->progress != NULL)
         options->progress(tinker_simulation_time(simulation), simulation->times.duration, options->data);
-    if (options->cancelled == NULL || !options->cancelled(options->data)) return TRUE;
+    if (goes_on(simulation, error)) return TRUE;
     tinker_island_run_vouch(run);
-    g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_STOPPED, _("stopped at t = %.6g s of %.6g s"),
-                tinker_simulation_time(simulation), simulation->times.duration);
     return FALSE;
 }
 
@@ -204,12 +234,12 @@ static gint64 count_contact_changes(const TinkerSimulation *simulation)
 }
 
 /* Where the islands are stepped apart, the whole model's contacts are closed as theirs are. */
-static void gather_contacts(TinkerSimulation *simulation)
+static gboolean gather_contacts(TinkerSimulation *simulation, GError **error)
 {
     TinkerContacts *all = simulation->model->contacts;
-    if (all == NULL || simulation->runs->len < 2) return;
+    if (all == NULL || simulation->runs->len < 2) return TRUE;
     gint64 changes = count_contact_changes(simulation);
-    if (changes == simulation->contact_changes) return;
+    if (changes == simulation->contact_changes) return TRUE;
     simulation->contact_changes = changes;
     g_array_set_size(all->closed, 0);
     for (guint i = 0; i < simulation->runs->len; i++) {
@@ -222,28 +252,40 @@ static void gather_contacts(TinkerSimulation *simulation)
             g_array_append_val(all->closed, contact);
         }
     }
-    tinker_contacts_list_rows(all);
     gather_slack(simulation);
+    if (tinker_contacts_list_rows(all) == TINKER_OK) return TRUE;
+    g_set_error_literal(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_MEMORY, simulation->model->failure);
+    return FALSE;
+}
+
+gboolean tinker_simulation_step_island(TinkerSimulation *simulation, guint number, GError **error)
+{
+    TinkerIslandRun *run = g_ptr_array_index(simulation->runs, number);
+    return tinker_island_run_step(run, steps_end(simulation, run->state.t), error) && call_back(simulation, run, error);
+}
+
+static gboolean follow(TinkerSimulation *simulation, guint number, double t, GError **error)
+{
+    return simulation->estimate == NULL || tinker_estimate_follow(simulation->estimate, number, t, error);
 }
 
 /* A sample that falls on a break is taken behind it: at the instant of a jump the state after it counts. */
 gboolean tinker_simulation_advance(TinkerSimulation *simulation, double t, GError **error)
 {
-    double end = simulation->times.duration;
     for (guint i = 0; i < simulation->runs->len; i++) {
         TinkerIslandRun *run = g_ptr_array_index(simulation->runs, i);
+        if (run->abandoned) continue;
+        if (!follow(simulation, i, t, error)) return FALSE;
         while (run->state.t < t)
-            if (!tinker_island_run_step(run, t, end, error) || !call_back(simulation, run, error)) return FALSE;
+            if (!tinker_simulation_step_island(simulation, i, error) || !follow(simulation, i, t, error)) return FALSE;
+        double end = steps_end(simulation, t);
         if (t > 0 && run->state.t == t && !tinker_island_run_pass_instant(run, end, error)) return FALSE;
-        gint64 evaluations = run->model->evaluations;
         TinkerStatus status = collect(simulation, run, t);
-        run->model->evaluations = evaluations;
         if (status != TINKER_OK) return tinker_island_run_fail(run, run->model->failure, error);
         collect_orientations(simulation, run);
     }
     simulation->sample_time = t;
-    gather_contacts(simulation);
-    return TRUE;
+    return gather_contacts(simulation, error);
 }
 
 gboolean tinker_simulation_step(TinkerSimulation *simulation, GError **error)
@@ -253,8 +295,7 @@ gboolean tinker_simulation_step(TinkerSimulation *simulation, GError **error)
         TinkerIslandRun *run = g_ptr_array_index(simulation->runs, i);
         if (run->state.t < behind->state.t) behind = run;
     }
-    double end = behind->state.t + MAX(simulation->times.duration, 1.0);
-    return tinker_island_run_step(behind, behind->state.t + simulation->options.interval, end, error);
+    return tinker_island_run_step(behind, steps_end(simulation, behind->state.t), error);
 }
 
 /* Samples ---------------------------------------------------------------------------------------------------------- */
@@ -280,17 +321,42 @@ TinkerStatus tinker_simulation_sample(TinkerSimulation *simulation, double t)
     return status;
 }
 
+static gboolean close_runs(TinkerSimulation *simulation, GError **error)
+{
+    for (guint i = 0; i < simulation->runs->len; i++)
+        if (!tinker_island_run_close(g_ptr_array_index(simulation->runs, i), simulation->times.duration, error))
+            return FALSE;
+    return TRUE;
+}
+
+/* Tells, once, of bodies that pass through each other. */
+static void look_for_overlap(TinkerSimulation *simulation, double t)
+{
+    TinkerBlockId pair[2];
+    if (simulation->watch == NULL ||
+        !tinker_box_watch_look(simulation->watch, simulation->sample_q, simulation->orientation, pair))
+        return;
+    const TinkerScene *scene = simulation->model->scene;
+    g_ptr_array_add(simulation->summary.warnings,
+                    g_strdup_printf(_("%s and %s overlap at %.6g s: they pass through each other, as contact between "
+                                      "bodies is not modelled"),
+                                    tinker_scene_block_name(scene, pair[0]), tinker_scene_block_name(scene, pair[1]),
+                                    t));
+    g_clear_pointer(&simulation->watch, tinker_box_watch_free);
+}
+
 static gboolean run_to_end(TinkerSimulation *simulation, TinkerSampleFunc sample, void *data, GError **error)
 {
     for (gint64 i = 0; i < simulation->times.count; i++) {
         double t = tinker_sample_times_at(&simulation->times, i);
         if (!tinker_simulation_advance(simulation, t, error)) return FALSE;
+        look_for_overlap(simulation, t);
         if (tinker_simulation_sample(simulation, t) != TINKER_OK)
             return tinker_island_run_fail(g_ptr_array_index(simulation->runs, 0), simulation->model->failure, error);
         if (simulation->estimate != NULL && !tinker_estimate_look(simulation->estimate, t, error)) return FALSE;
         if (sample != NULL && !sample(simulation, t, simulation->values, data, error)) return FALSE;
     }
-    return TRUE;
+    return close_runs(simulation, error);
 }
 
 gboolean tinker_simulation_run(TinkerSimulation *simulation, const GArray *columns, TinkerSampleFunc sample, void *data,
@@ -299,6 +365,7 @@ gboolean tinker_simulation_run(TinkerSimulation *simulation, const GArray *colum
     gint64 started = g_get_monotonic_time();
     simulation->sampler = tinker_sampler_new(simulation->model, columns);
     simulation->values = g_new0(double, columns != NULL ? columns->len + 1 : 1);
+    simulation->watch = tinker_box_watch_new(simulation->model);
     if (simulation->options.estimate) simulation->estimate = tinker_estimate_new(simulation, columns);
     gboolean done = run_to_end(simulation, sample, data, error);
     if (simulation->estimate != NULL) tinker_estimate_close(simulation->estimate);

@@ -16,6 +16,8 @@ typedef struct {
     const char *method; /* "auto", or an integrator's id */
     double step;        /* s, of fixed-step methods */
     double tolerance;   /* of adaptive methods */
+    double accuracy; /* wanted error estimate of the run: the plan chooses step and tolerance for it, and both are left
+                           out of account; 0: they count. Held by tinker_accurate_run */
     double spectral_radius;
     gboolean impulses;                 /* contact as impulses, in steps of `step`, whatever `method` */
     gboolean estimate;                 /* run a companion for the error estimate */
@@ -27,6 +29,9 @@ typedef struct {
 
 /* The scene's own settings. Strings are borrowed from it. */
 TinkerRunOptions tinker_run_options_of(TinkerScene *scene);
+
+/* What is wrong with a method of this name, "there is no method ...", or NULL: for TinkerCatalogueOptions. (transfer full) */
+char *tinker_method_fault(TinkerCatalogue *catalogue, const char *id);
 
 /* What the energy books tell apart. */
 typedef enum {
@@ -54,6 +59,16 @@ typedef struct {
     double step, tolerance;
 } TinkerIslandSummary;
 
+/* A run that was to hold an accuracy: how it was stepped, what it cost, and what its estimate was. */
+typedef struct {
+    const char *method; /* as in TinkerSummary, and so are the others */
+    gboolean adaptive;
+    double step, tolerance;
+    gint64 evaluations;
+    double wall_s; /* with its companion */
+    double error_estimate;
+} TinkerTry;
+
 typedef struct {
     const char *method; /* the one that was used; "auto" where islands differ */
     gboolean adaptive;  /* which of step and tolerance counts, where they do not differ */
@@ -72,10 +87,13 @@ typedef struct {
     double error_estimate;       /* of the state: the largest so far, over the island's extent and largest speed;
                                     NAN without an estimate */
     double predictable_until;    /* s: where that passed a tenth; INFINITY where it did not */
-    double valid_until;          /* s: as far as the record is to be believed; simulated_s where all of it is */
-    GPtrArray *islands;          /* of TinkerIslandSummary * */
-    GPtrArray *events;           /* of TinkerEvent * */
-    GPtrArray *warnings;         /* of char * */
+    double accuracy;             /* that was asked for; 0: none */
+    GArray *tries;               /* of TinkerTry, this run the last, where an accuracy was to be held; else empty */
+    double determined_until; /* s: where a line's direction was lost: what follows is one motion of many; INFINITY */
+    double valid_until;      /* s: as far as the record is to be believed; simulated_s where all of it is */
+    GPtrArray *islands;      /* of TinkerIslandSummary * */
+    GPtrArray *events;       /* of TinkerEvent * */
+    GPtrArray *warnings;     /* of char * */
 } TinkerSummary;
 
 typedef struct _TinkerSimulation TinkerSimulation;
@@ -110,7 +128,8 @@ typedef struct {
 gboolean tinker_simulation_body(const TinkerSimulation *simulation, TinkerBlockId block, TinkerBodySample *sample);
 
 /* Inside a sample function: how far each column may be off at this sample (the running maximum of its estimate), in the
- * column's unit. NULL where `bands` was not asked for or there is no companion. Borrowed. */
+ * column's unit; NAN from where the companion has stopped on. NULL at all samples of a run where `bands` was not asked for or
+ * there is no companion. Borrowed. */
 const double *tinker_simulation_bands(TinkerSimulation *simulation);
 
 /* What has happened so far, added up at every call and at the end of a run. Borrowed. */

@@ -91,10 +91,9 @@ static gboolean check_positions(TinkerModel *model, GError **error)
         TinkerBatch view = tinker_block_batch_view(part->batch, 0.0);
         if (part->constraint->check != NULL &&
             TINKER_CALL_BATCH(part->batch, "check", &view, part->constraint->check(&view)) != TINKER_OK) {
-            g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_SCENE, "%s: %s",
-                        tinker_scene_block_name(
-                            model->scene, part->batch->ids[CLAMP(view.failed_instance, 0, part->batch->count - 1)]),
-                        view.failure != NULL ? view.failure : _("its properties do not make a constraint"));
+            g_autofree char *why =
+                tinker_block_batch_refusal(part->batch, &view, _("its properties do not make a constraint"));
+            g_set_error_literal(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_SCENE, why);
             return FALSE;
         }
         for (int32_t row = part->first_row; row < part->first_row + part->row_count; row++)
@@ -202,7 +201,7 @@ gboolean tinker_model_check_start(TinkerModel *model, GError **error)
     if (all->rows == 0) return TRUE;
     if (tinker_constraints_evaluate(model) != TINKER_OK) return run_error(model, TINKER_MODEL_ERROR_RUN, error);
     if (!check_positions(model, error)) return FALSE;
-    all->redundant = tinker_constraints_count_dependent(model);
+    all->redundant = MAX(tinker_constraints_count_dependent(model), all->fitted);
     gboolean moved;
     slacken(model, TRUE);
     if (tinker_constraints_project_positions(model, 0.0, model->q_start, model->v_start, &moved) != TINKER_OK)

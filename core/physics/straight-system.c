@@ -53,11 +53,14 @@ static inline __attribute__((always_inline)) double add_inner_edges(const Tinker
                                                                     const double *restrict x, const double *restrict u,
                                                                     double *restrict force, const gboolean books)
 {
+    const double watched = form->model->watched_length;
     double taken[TURNS] = {0}, carried = 0;
+    gboolean near = FALSE;
     int32_t at = form->inner_count > 0 ? form->inner[0].a : 0;
     for (int32_t i = 0; i < form->inner_count; i++) {
         const TinkerStraightEdge *edge = &form->inner[i];
-        double speed = u[edge->b] - u[edge->a], f = pull(edge, x[edge->b] - x[edge->a], speed);
+        double d = x[edge->b] - x[edge->a], speed = u[edge->b] - u[edge->a], f = pull(edge, d, speed);
+        near |= fabs(d) < watched;
         if (books) {
             double sum = taken[0] + edge->damping * speed * speed;
             for (int k = 0; k < TURNS - 1; k++)
@@ -74,6 +77,7 @@ static inline __attribute__((always_inline)) double add_inner_edges(const Tinker
         carried = -f;
     }
     if (form->inner_count > 0) force[at] += carried;
+    if (near) atomic_store_explicit(&form->model->came_near, TRUE, memory_order_relaxed);
     return (taken[0] + taken[1]) + (taken[2] + taken[3]);
 }
 
@@ -88,7 +92,9 @@ static inline __attribute__((always_inline)) double add_anchored_edges(const Tin
     for (int32_t i = 0; i < form->anchored_count; i++) {
         const TinkerStraightEdge *edge = &form->anchored[i];
         double anchor_speed = form->anchor_speed[edge->a], speed = u[edge->b] - anchor_speed;
-        double f = pull(edge, x[edge->b] - form->anchor_place[edge->a], speed);
+        double d = x[edge->b] - form->anchor_place[edge->a], f = pull(edge, d, speed);
+        if (fabs(d) < form->model->watched_length)
+            atomic_store_explicit(&form->model->came_near, TRUE, memory_order_relaxed);
         force[edge->b] -= f;
         if (!books) continue;
         taken += edge->damping * speed * speed;
@@ -201,6 +207,19 @@ void tinker_straight_system_offer_jacobian(TinkerModelSystem *self)
     self->system.jacobian = jacobian;
 }
 
+gboolean tinker_straight_system_is_near(const TinkerModelSystem *self, const double *x)
+{
+    const TinkerLinearForm *form = self->form;
+    const double watched = self->model->watched_length;
+    gboolean near = FALSE;
+    if (self->model->moving_supports > 0) move_anchors(form);
+    for (int32_t i = 0; i < form->inner_count; i++)
+        near |= fabs(x[form->inner[i].b] - x[form->inner[i].a]) < watched;
+    for (int32_t i = 0; i < form->anchored_count; i++)
+        near |= fabs(x[form->anchored[i].b] - form->anchor_place[form->anchored[i].a]) < watched;
+    return near;
+}
+
 static void widen_by_state(const TinkerLinearForm *form, const double *x, double range[2])
 {
     for (int32_t i = 0; i < form->system.size; i++) {
@@ -232,6 +251,32 @@ void tinker_straight_system_keep(TinkerModelSystem *self, const double *x, const
     widen_by_state(self->form, x, range);
     self->box[0] = range[0];
     self->box[2] = range[1];
+}
+
+void tinker_straight_system_widen_box(TinkerModelSystem *self)
+{
+    const TinkerLine *line = &self->form->line;
+    double range[2] = {self->box[0], self->box[2]};
+    if (!(range[0] <= range[1])) return; /* nothing was kept yet */
+    for (int k = 0; k < 2; k++) {
+        double ends[2] = {line->offset[k] + range[0] * line->direction[k],
+                          line->offset[k] + range[1] * line->direction[k]};
+        self->box[k] = MIN(ends[0], ends[1]);
+        self->box[2 + k] = MAX(ends[0], ends[1]);
+    }
+}
+
+void tinker_straight_system_narrow_box(TinkerModelSystem *self)
+{
+    const TinkerLine *line = &self->form->line;
+    double middle = 0, half = 0;
+    if (!(self->box[0] <= self->box[2])) return;
+    for (int k = 0; k < 2; k++) {
+        middle += 0.5 * (self->box[k] + self->box[2 + k]) * line->direction[k];
+        half += 0.5 * (self->box[2 + k] - self->box[k]) * fabs(line->direction[k]);
+    }
+    self->box[0] = middle - half;
+    self->box[2] = middle + half;
 }
 
 void tinker_straight_system_init(TinkerModelSystem *self)

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "physics/contacts.h"
+#include "physics/hold-energy.h"
 
 static void write_books(const TinkerModelSystem *self, double *power)
 {
@@ -105,13 +106,18 @@ static TinkerStatus project(void *context, double t, double *q, double *v, int32
     gboolean placed = FALSE, turned = FALSE;
     *moved = 0;
     if (tinker_contacts_act(model->contacts)) return project_with_contacts(self, t, q, v, moved);
-    if (model->constraints.rows == 0) return TINKER_OK;
-    TinkerStatus status = tinker_constraints_project_positions(model, t, q, v, &placed);
-    if (status != TINKER_OK) return status;
-    self->projection_work += model->constraints.work + tinker_constraints_correct_velocities(model, v, FALSE, &turned);
-    self->position_error = fmax(self->position_error, tinker_constraints_worst_miss(model));
-    *moved = placed || turned;
-    return TINKER_OK;
+    TinkerStatus status = TINKER_OK;
+    if (model->constraints.rows > 0) {
+        status = tinker_constraints_project_positions(model, t, q, v, &placed);
+        if (status != TINKER_OK) return status;
+        self->projection_work +=
+            model->constraints.work + tinker_constraints_correct_velocities(model, v, FALSE, &turned);
+        self->position_error = fmax(self->position_error, tinker_constraints_worst_miss(model));
+    }
+    gboolean shifted = FALSE;
+    if (self->holds_energy) status = tinker_model_system_hold_energy(self, t, q, v, &shifted);
+    *moved = placed || turned || shifted;
+    return status;
 }
 
 static TinkerStatus constrain_step(void *context, double t_from, const double *q_from, double t, double h, double *q,
@@ -243,44 +249,77 @@ static TinkerStatus signals(void *context, TinkerSignal *out)
     return tinker_linear_form_signals(self->form, out);
 }
 
+static void set_functions_of_plane(TinkerModelSystem *self)
+{
+    TinkerSystem *system = &self->system;
+    system->size = 2 * self->model->bodies;
+    system->mass = self->model->coordinate_mass;
+    system->acceleration = acceleration;
+    system->applied = applied;
+    system->damping_product = damping_product;
+    system->scales = scales;
+    system->linear = NULL;
+    system->signals = NULL;
+}
+
+static void set_form(TinkerModelSystem *self, TinkerLinearForm *form)
+{
+    self->form = form;
+    self->system.linear = tinker_linear_form_system(form);
+    self->system.signals = signals;
+    if (is_straight(self)) tinker_straight_system_init(self);
+}
+
+static void set_flags(TinkerModelSystem *self)
+{
+    self->system.flags = 0;
+    if (self->model->constraints.rows > 0) self->system.flags |= TINKER_SYSTEM_CONSTRAINED;
+    if (velocity_dependent(self->model)) self->system.flags |= TINKER_SYSTEM_VELOCITY_DEPENDENT;
+}
+
 void tinker_model_system_init(TinkerModelSystem *self, TinkerModel *model, TinkerLinearForm *form)
 {
     *self = (TinkerModelSystem){
         .model = model,
-        .form = form,
         .box = {INFINITY, INFINITY, -INFINITY, -INFINITY},
         .reach = tinker_constraints_reach(model),
         .constrained = g_new0(double, 2 * (gsize)MAX(model->bodies, 1)),
     };
     self->system = (TinkerSystem){
         .struct_size = sizeof(TinkerSystem),
-        .size = 2 * model->bodies,
         .context = self,
-        .mass = model->coordinate_mass,
-        .acceleration = acceleration,
-        .applied = applied,
         .project = project,
         .constrain_step = constrain_step,
         .project_velocity = project_velocity,
-        .damping_product = damping_product,
-        .scales = scales,
         .failure = failure,
     };
-    if (model->constraints.rows > 0) self->system.flags |= TINKER_SYSTEM_CONSTRAINED;
-    if (velocity_dependent(model)) self->system.flags |= TINKER_SYSTEM_VELOCITY_DEPENDENT;
+    set_functions_of_plane(self);
+    set_flags(self);
     for (int book = 0; book < TINKER_BOOK_COUNT; book++)
         if (model->has_book[book]) self->book_of[self->system.books++] = book;
-    if (form == NULL) return;
-    self->system.linear = tinker_linear_form_system(form);
-    self->system.signals = signals;
-    if (is_straight(self)) tinker_straight_system_init(self);
+    if (form != NULL) set_form(self, form);
 }
 
-void tinker_model_system_expect_contacts(TinkerModelSystem *self)
+void tinker_model_system_enter_plane(TinkerModelSystem *self)
 {
+    TinkerSystem *system = &self->system;
+    if (is_straight(self)) tinker_straight_system_widen_box(self);
+    self->form = NULL;
+    set_functions_of_plane(self);
     /* what presses depends on the speeds of what constraints hold, and friction on what presses */
-    if (self->model->constraints.rows > 0) self->system.flags |= TINKER_SYSTEM_VELOCITY_DEPENDENT;
-    self->system.flags |= TINKER_SYSTEM_CONSTRAINED;
+    if (self->model->constraints.rows > 0) system->flags |= TINKER_SYSTEM_VELOCITY_DEPENDENT;
+    system->flags |= TINKER_SYSTEM_CONSTRAINED;
+    g_clear_pointer(&self->jacobian, tinker_jacobian_free);
+    system->pattern = NULL;
+    system->jacobian = NULL;
+    system->row_masses = NULL;
+}
+
+void tinker_model_system_leave_plane(TinkerModelSystem *self, TinkerLinearForm *form)
+{
+    set_flags(self);
+    set_form(self, form);
+    if (is_straight(self)) tinker_straight_system_narrow_box(self);
 }
 
 void tinker_model_system_offer_jacobian(TinkerModelSystem *self)

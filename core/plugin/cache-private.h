@@ -25,6 +25,9 @@ void tinker_plugin_cache_remember_manifest(TinkerPluginCache *cache, const char 
 void tinker_plugin_cache_remember_refusal(TinkerPluginCache *cache, const char *path, const TinkerIdentity *identity,
                                           const char *reason);
 
+/* Why what the file said was not believed: others could have written it. Told once; NULL otherwise. (transfer full) */
+char *tinker_plugin_cache_distrusted(TinkerPluginCache *cache);
+
 /* Forgets all refusals. */
 void tinker_plugin_cache_clear_refused(TinkerPluginCache *cache);
 

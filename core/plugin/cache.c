@@ -3,17 +3,23 @@
 
 #include <errno.h>
 #include <glib/gstdio.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
+#include "files/replace-file.h"
+#include "plugin/permissions-private.h"
 #include "plugin/refuse-private.h"
 
 #define CACHE_FORMAT 1
 #define CACHE_FILE   "plugins.json"
+#define MOST_BYTES   (64 << 20)
 
 struct _TinkerPluginCache {
     char *folder;
     cJSON *json;      /* NULL until it is needed */
     cJSON *libraries; /* borrowed from json */
     gboolean changed;
+    char *distrusted; /* why the file was not believed, until somebody is told; or NULL */
 };
 
 static gboolean number_is(const cJSON *json, const char *name, double expected)
@@ -38,13 +44,29 @@ static cJSON *new_json(void)
     return json;
 }
 
+/* What the file says; NULL: nothing. One that others may write to is not believed, or they could claim any type for any library;
+ * it goes, so that the next has permissions of its own. (transfer full) */
+static char *read_file(TinkerPluginCache *cache)
+{
+    g_autofree char *path = g_build_filename(cache->folder, CACHE_FILE, NULL);
+    g_autoptr(GError) error = NULL;
+    struct stat status;
+    if (lstat(path, &status) != 0) return NULL;
+    char *text = tinker_read_trusted(path, MOST_BYTES, &error);
+    if (text != NULL) return text;
+    // One that cannot be read stays until there is another to take its place.
+    if (!g_error_matches(error, TINKER_PLUGIN_ERROR, TINKER_PLUGIN_ERROR_REFUSED)) return NULL;
+    cache->distrusted = g_strdup_printf("\"%s\": %s", path, error->message);
+    cache->changed = TRUE;
+    (void)unlink(path);
+    return NULL;
+}
+
 static void load(TinkerPluginCache *cache)
 {
     if (cache->json != NULL) return;
-    g_autofree char *path = g_build_filename(cache->folder, CACHE_FILE, NULL);
-    g_autofree char *text = NULL;
-    if (g_file_test(path, G_FILE_TEST_IS_REGULAR) && g_file_get_contents(path, &text, NULL, NULL))
-        cache->json = cJSON_Parse(text);
+    g_autofree char *text = read_file(cache);
+    if (text != NULL) cache->json = cJSON_Parse(text);
     if (!is_usable(cache->json)) {
         cJSON_Delete(cache->json);
         cache->json = new_json();
@@ -96,6 +118,7 @@ TinkerPluginCache *tinker_plugin_cache_new(const char *folder)
 void tinker_plugin_cache_free(TinkerPluginCache *cache)
 {
     cJSON_Delete(cache->json);
+    g_free(cache->distrusted);
     g_free(cache->folder);
     g_free(cache);
 }
@@ -126,6 +149,11 @@ void tinker_plugin_cache_remember_refusal(TinkerPluginCache *cache, const char *
     remember(cache, path, identity, "refused", cJSON_CreateString(reason));
 }
 
+char *tinker_plugin_cache_distrusted(TinkerPluginCache *cache)
+{
+    return g_steal_pointer(&cache->distrusted);
+}
+
 void tinker_plugin_cache_clear_refused(TinkerPluginCache *cache)
 {
     load(cache);
@@ -141,7 +169,7 @@ gboolean tinker_plugin_cache_write(TinkerPluginCache *cache, GError **error)
     g_autofree char *path = g_build_filename(cache->folder, CACHE_FILE, NULL);
     char *text = cJSON_Print(cache->json);
     g_autoptr(GError) reason = NULL;
-    const gboolean written = g_file_set_contents_full(path, text, -1, G_FILE_SET_CONTENTS_CONSISTENT, 0600, &reason);
+    const gboolean written = tinker_replace_file(path, text, strlen(text), 0600, &reason);
     cJSON_free(text);
     if (!written) return tinker_fail_file(error, "%s: the file cannot be written: %s", path, reason->message);
     cache->changed = FALSE;

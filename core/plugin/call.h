@@ -24,6 +24,17 @@ typedef struct TinkerPluginCall {
 /* The innermost call of this thread; NULL: none. */
 extern _Thread_local const TinkerPluginCall *volatile tinker_plugin_call;
 
+/* The last calls of this thread that came back: what broke the host's memory shows when the host uses it next. */
+typedef struct {
+    const char *phase; /* of a block type or a library; NULL: none yet */
+    const TinkerBlockClass *block_class;
+    const char *path;
+    const char *method_phase;
+    const TinkerIntegrator *method; /* NULL where a block type was called since */
+} TinkerPluginLast;
+
+extern _Thread_local TinkerPluginLast tinker_plugin_last;
+
 static inline void tinker_call_enter(TinkerPluginCall *call)
 {
     call->outer = tinker_plugin_call;
@@ -33,7 +44,14 @@ static inline void tinker_call_enter(TinkerPluginCall *call)
 /* Answers what the call answered. */
 static inline int32_t tinker_call_leave(int32_t answer)
 {
-    tinker_plugin_call = tinker_plugin_call->outer;
+    const TinkerPluginCall *call = tinker_plugin_call;
+    if (call->method != NULL) {
+        tinker_plugin_last.method_phase = call->phase;
+        tinker_plugin_last.method = call->method;
+    } else {
+        tinker_plugin_last = (TinkerPluginLast){call->phase, call->block_class, call->path, NULL, NULL};
+    }
+    tinker_plugin_call = call->outer;
     return answer;
 }
 

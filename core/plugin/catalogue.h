@@ -64,6 +64,7 @@ typedef struct {
     char *summary;
 } TinkerTypeEntry;
 
+/* What is known of a library at one time; it never changes. */
 typedef struct {
     char *path;
     char *id;
@@ -87,6 +88,8 @@ typedef struct {
     GPtrArray *scenes; /* of char *: paths of its scenes, by name */
 } TinkerBundleEntry;
 
+typedef struct _TinkerCatalogue TinkerCatalogue;
+
 typedef struct {
     const char *const *folders;   /* of the command line, NULL-terminated, searched first; or NULL */
     const char *user_folder;      /* NULL: g_get_user_data_dir()/tinker/plugins */
@@ -95,34 +98,41 @@ typedef struct {
     const char *probe_program; /* run as `PROGRAM plugins describe --output - FILE` in a child; NULL: libraries without
                                      a manifest are refused */
     double probe_seconds;      /* time limit of a probe; 0: 5 */
+    /* What is wrong with a method that a scene names, be it built in or of a library: "there is no method ...", or NULL where
+     * nothing is (transfer full). NULL: it is not looked at when a scene is read. */
+    char *(*method_fault)(TinkerCatalogue *catalogue, const char *id);
 } TinkerCatalogueOptions;
-
-typedef struct _TinkerCatalogue TinkerCatalogue;
 
 /* Finds the libraries in search order: the command line's folders, TINKER_PLUGIN_PATH, the user's, the installed one;
  * with TINKER_SAFE_MODE=1 the installed one alone; behind each folder the bundles directly below it. Relative folders are
  * passed over with a warning. (transfer full) */
 TinkerCatalogue *tinker_catalogue_new(const TinkerCatalogueOptions *options);
+
+/* As its options have it. (transfer full) */
+char *tinker_catalogue_method_fault(TinkerCatalogue *catalogue, const char *id);
 void tinker_catalogue_free(TinkerCatalogue *catalogue);
 G_DEFINE_AUTOPTR_CLEANUP_FUNC(TinkerCatalogue, tinker_catalogue_free)
 
-/* All libraries found, in search order, with the refused and shadowed ones; of TinkerLibraryEntry. (transfer none) */
-const GPtrArray *tinker_catalogue_libraries(TinkerCatalogue *catalogue);
+/* All libraries found, in search order, with the refused and shadowed ones, as they are known at present; of const
+ * TinkerLibraryEntry, which live as long as the array. It is shared and not to be changed. A library that was rebuilt is identified
+ * anew when it is opened: hold the array while an id of it is used. Any thread. (transfer full) */
+GPtrArray *tinker_catalogue_libraries(TinkerCatalogue *catalogue);
 
 /* The bundles found, in search order; of TinkerBundleEntry. Their libraries are among the others. (transfer none) */
 const GPtrArray *tinker_catalogue_bundles(TinkerCatalogue *catalogue);
 
-/* Messages for the user from the search (relative folder, shadowed id, refused library); of char *. (transfer none) */
-const GPtrArray *tinker_catalogue_warnings(TinkerCatalogue *catalogue);
+/* Messages for the user from the search (relative folder, shadowed id, refused library); of char *. Any thread.
+ * (transfer full) */
+GPtrArray *tinker_catalogue_warnings(TinkerCatalogue *catalogue);
 
 /* Opens one library file, wherever it lies, without looking at its owner or a manifest; its types and integrators come
  * before all others of their ids. Runs the plugin's code in this process. NULL with _REFUSED (the message is the reason
- * alone) or _FILE. (transfer none) */
+ * alone) or _FILE. (transfer none: lives as long as the catalogue) */
 const TinkerLibraryEntry *tinker_catalogue_add_file(TinkerCatalogue *catalogue, const char *path, GError **error);
 
 /* The type of this id; opens its library if it is not open yet. NULL with TINKER_PLUGIN_ERROR_MISSING (the message names
- * the nearest type, and the reason where a library was refused that has it or may have it) or _REFUSED. May be called from any thread,
- * also at the same time; lists of the catalogue are read in one that knows of no such call. (transfer none) */
+ * the nearest type, and the reason where a library was refused that has it or may have it) or _REFUSED. May be called from
+ * any thread, also at the same time. (transfer none) */
 const TinkerBlockClass *tinker_catalogue_type(TinkerCatalogue *catalogue, const char *id, GError **error);
 
 /* Likewise an integrator of a plugin. */
@@ -133,9 +143,9 @@ const TinkerIntegrator *tinker_catalogue_integrator(TinkerCatalogue *catalogue, 
  * cannot be told, "" where none was refused. (transfer full) */
 char *tinker_catalogue_explain_refused(TinkerCatalogue *catalogue, const char *id);
 
-/* Paths of the libraries that have been opened through this catalogue, in the order of opening; of char *.
- * (transfer none) */
-const GPtrArray *tinker_catalogue_opened(TinkerCatalogue *catalogue);
+/* Paths of the libraries that have been opened through this catalogue, in the order of opening; of char *. Any
+ * thread. (transfer full) */
+GPtrArray *tinker_catalogue_opened(TinkerCatalogue *catalogue);
 
 /* Forgets the remembered refusals. */
 gboolean tinker_catalogue_clear_refused(TinkerCatalogue *catalogue, GError **error);
@@ -147,5 +157,9 @@ GPtrArray *tinker_plugin_folder_libraries(const char *folder);
 /* Opens a library, makes all checks, and writes its manifest as JSON text. Runs the plugin's code in this process: call
  * it in a child only. (transfer full) */
 char *tinker_plugin_describe(const char *path, GError **error);
+
+/* What opening the library at this absolute path changed of the state of the process (process-state.h), and was put back
+ * since: "the locale". NULL where it changed nothing, or is not open. Borrowed. */
+const char *tinker_library_changed_process(const char *path);
 
 #endif

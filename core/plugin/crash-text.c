@@ -1,10 +1,19 @@
 /* The words of a crash. Everything here is async-signal-safe: it reads memory and writes to the text. */
 #include "plugin/crash-text-private.h"
 
+#include <dlfcn.h>
 #include <math.h>
 #include <string.h>
 
 #include "plugin/library-private.h"
+
+/* Of the library that an address lies in, without a lock: since this version of the GNU C library. */
+#if defined(__GLIBC__) && __GLIBC_PREREQ(2, 35)
+#define KNOWS_LIBRARIES 1
+#include <link.h>
+#else
+#define KNOWS_LIBRARIES 0
+#endif
 
 void tinker_crash_text_add(TinkerCrashText *text, const char *more)
 {
@@ -81,10 +90,20 @@ static void add_time(TinkerCrashText *text, const TinkerPluginCall *call)
     tinker_crash_text_add(text, " s");
 }
 
+static const TinkerPlugin *plugin_of(const TinkerPluginCall *call)
+{
+    if (call->method != NULL) return tinker_library_plugin_of_method(call->method);
+    return call->block_class != NULL ? call->block_class->plugin : NULL;
+}
+
+gboolean tinker_crash_is_of_plugin(const TinkerPluginCall *call)
+{
+    return call->path != NULL || plugin_of(call) != NULL;
+}
+
 static void add_owner(TinkerCrashText *text, const TinkerPluginCall *call)
 {
-    const TinkerPlugin *plugin = call->method != NULL ? tinker_library_plugin_of_method(call->method)
-                                                      : (call->block_class != NULL ? call->block_class->plugin : NULL);
+    const TinkerPlugin *plugin = plugin_of(call);
     if (plugin != NULL) {
         tinker_crash_text_add(text, "the plugin ");
         tinker_crash_text_add(text, plugin->id);
@@ -96,13 +115,8 @@ static void add_owner(TinkerCrashText *text, const TinkerPluginCall *call)
     }
 }
 
-void tinker_crash_text_add_call(TinkerCrashText *text, const TinkerPluginCall *call, const char *what)
+static void add_subject(TinkerCrashText *text, const TinkerPluginCall *call)
 {
-    add_owner(text, call);
-    tinker_crash_text_add(text, what);
-    tinker_crash_text_add(text, " in \"");
-    tinker_crash_text_add(text, call->phase);
-    tinker_crash_text_add(text, "\"");
     if (call->method != NULL) {
         tinker_crash_text_add(text, " of the method ");
         tinker_crash_text_add(text, call->method->id);
@@ -111,6 +125,85 @@ void tinker_crash_text_add_call(TinkerCrashText *text, const TinkerPluginCall *c
         tinker_crash_text_add(text, " of block type ");
         tinker_crash_text_add(text, call->block_class->type->id);
     }
+}
+
+void tinker_crash_text_add_call(TinkerCrashText *text, const TinkerPluginCall *call, const char *what)
+{
+    add_owner(text, call);
+    tinker_crash_text_add(text, what);
+    tinker_crash_text_add(text, " in \"");
+    tinker_crash_text_add(text, call->phase);
+    tinker_crash_text_add(text, "\"");
+    add_subject(text, call);
     add_blocks(text, call);
     add_time(text, call);
+}
+
+/* Whose call came back last, in the members of a call. Methods of the host itself are no plugin's. */
+static gboolean last_call(TinkerPluginCall *last)
+{
+    const TinkerPluginLast *kept = &tinker_plugin_last;
+    const gboolean methods = kept->method != NULL && tinker_library_plugin_of_method(kept->method) != NULL;
+    *last = (TinkerPluginCall){.phase = methods ? kept->method_phase : kept->phase};
+    if (methods)
+        last->method = kept->method;
+    else
+        last->block_class = kept->block_class, last->path = kept->path;
+    return last->phase != NULL;
+}
+
+void tinker_crash_text_add_broken(TinkerCrashText *text, const TinkerBlockClass *owner, const char *what)
+{
+    TinkerPluginCall call = {.block_class = owner};
+    if (owner != NULL || last_call(&call)) {
+        add_owner(text, &call);
+        tinker_crash_text_add(text,
+                              owner != NULL ? " wrote beyond the scratch" : " wrote beyond its results, it seems,");
+    } else {
+        tinker_crash_text_add(text, "a plugin wrote beyond its results");
+    }
+    if (call.block_class != NULL) {
+        tinker_crash_text_add(text, " of its block type ");
+        tinker_crash_text_add(text, call.block_class->type->id);
+    }
+    tinker_crash_text_add(text, ", and the program");
+    tinker_crash_text_add(text, what);
+}
+
+/* The path of the plugin's library that the address lies in; NULL where it lies in none. */
+static const char *library_at(guintptr code)
+{
+#if KNOWS_LIBRARIES
+    struct dl_find_object found;
+    if (code == 0 || _dl_find_object((void *)code, &found) != 0) return NULL; // NOLINT: an address, to be looked up
+    const char *path = found.dlfo_link_map->l_name;
+    return path != NULL && tinker_library_passed(path) != NULL ? path : NULL;
+#else
+    return NULL;
+#endif
+}
+
+void tinker_crash_text_add_outside(TinkerCrashText *text, const TinkerPluginCall *call, guintptr code, const char *what)
+{
+    const char *path = library_at(code);
+    TinkerPluginCall last;
+    if (path != NULL) {
+        add_owner(text, &(TinkerPluginCall){.path = path});
+        tinker_crash_text_add(text, what);
+        tinker_crash_text_add(text, " outside of any call, in a thread of its own or at the end of the program");
+        return;
+    }
+    if (call != NULL) {
+        tinker_crash_text_add_call(text, call, what);
+    } else {
+        tinker_crash_text_add(text, "tinker itself");
+        tinker_crash_text_add(text, what);
+    }
+    if (!last_call(&last)) return;
+    tinker_crash_text_add(text, ", after ");
+    add_owner(text, &last);
+    tinker_crash_text_add(text, " had come back from \"");
+    tinker_crash_text_add(text, last.phase);
+    tinker_crash_text_add(text, "\"");
+    add_subject(text, &last);
 }

@@ -2,7 +2,6 @@
  * A second fault on the way (the memory may be broken) cuts off the part it happens in, not those that follow. */
 #include "plugin/crash.h"
 
-#include <errno.h>
 #include <fcntl.h>
 #include <signal.h>
 #include <stdlib.h>
@@ -10,14 +9,17 @@
 #include <ucontext.h>
 #include <unistd.h>
 
+#include "files/write-lines.h"
 #include "plugin/crash-private.h"
 #include "plugin/crash-text-private.h"
+#include "plugin/guarded.h"
 
 #define STACK_BYTES 65536
 /* A fault this near to the stack pointer, in bytes, is the stack running into its guard page. */
 #define NEAR_STACK 65536
 
 _Thread_local const TinkerPluginCall *volatile tinker_plugin_call;
+_Thread_local TinkerPluginLast tinker_plugin_last;
 
 static _Thread_local char handler_stack[STACK_BYTES];
 
@@ -40,25 +42,13 @@ static _Thread_local volatile sig_atomic_t stage;
 
 /* What is left to be done ------------------------------------------------------------------------------------------- */
 
-static gboolean write_all(int file, const char *text, gsize size)
-{
-    while (size > 0) {
-        const gssize written = write(file, text, size);
-        if (written < 0 && errno == EINTR) continue;
-        if (written <= 0) return FALSE;
-        text += written;
-        size -= (gsize)written;
-    }
-    return TRUE;
-}
-
 /* Writes out the lines that are whole, once, and says where they are. */
 static void save_record(void)
 {
     const TinkerCrashRecord *record = kept;
     kept = NULL;
     if (record == NULL) return;
-    const gboolean saved = write_all(record->file, record->text, record->size);
+    const gboolean saved = tinker_write_lines(record->file, record->text, record->size);
     tinker_crash_text_add(&message, saved ? "; what was recorded up to then is in "
                                           : "; what was recorded could not be written to ");
     tinker_crash_text_add(&message, record->name);
@@ -67,11 +57,11 @@ static void save_record(void)
 static void tell(void)
 {
     tinker_crash_text_add(&message, "\n");
-    (void)write_all(STDERR_FILENO, message.text, message.length);
+    (void)tinker_write_lines(STDERR_FILENO, message.text, message.length);
     if (note_path[0] == '\0') return;
     const int file = open(note_path, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NOFOLLOW, 0600);
     if (file < 0) return;
-    (void)write_all(file, message.text, message.length);
+    (void)tinker_write_lines(file, message.text, message.length);
     close(file);
 }
 
@@ -90,6 +80,19 @@ static gsize number_of(int signal_number)
     while (number + 1 < G_N_ELEMENTS(signals) && signals[number] != signal_number)
         number++;
     return number;
+}
+
+/* Where the thread was; 0 where that is not known. */
+static guintptr program_counter(const void *context)
+{
+    const ucontext_t *at = context;
+#if defined(__x86_64__)
+    return (guintptr)at->uc_mcontext.gregs[REG_RIP];
+#elif defined(__aarch64__)
+    return (guintptr)at->uc_mcontext.pc;
+#else
+    return 0;
+#endif
 }
 
 /* Whether a fault lies where the stack of the thread ended. */
@@ -120,12 +123,13 @@ static void compose(int signal_number, const siginfo_t *info, const void *contex
     strcat(what, ")");
     begin_message();
     const TinkerPluginCall *call = tinker_plugin_call;
-    if (call != NULL) {
+    const TinkerBlockClass *owner = NULL;
+    if (call != NULL && tinker_crash_is_of_plugin(call))
         tinker_crash_text_add_call(&message, call, what);
-        return;
-    }
-    tinker_crash_text_add(&message, "tinker itself");
-    tinker_crash_text_add(&message, what);
+    else if (tinker_guarded_find_broken(&owner))
+        tinker_crash_text_add_broken(&message, owner, what);
+    else
+        tinker_crash_text_add_outside(&message, call, program_counter(context), what);
 }
 
 G_NORETURN static void wait_for_end(void)
@@ -224,6 +228,14 @@ void tinker_crash_watch_thread(void)
     sigaltstack(&own, NULL);
 }
 
+/* Whoever ends a program that hangs wants to know what it hung in. */
+static void watch_termination(void)
+{
+    struct sigaction action = {.sa_handler = tinker_crash_end, .sa_flags = SA_ONSTACK}, present;
+    sigemptyset(&action.sa_mask);
+    if (sigaction(SIGTERM, NULL, &present) == 0 && present.sa_handler == SIG_DFL) sigaction(SIGTERM, &action, NULL);
+}
+
 void tinker_crash_watch(const char *program)
 {
     g_strlcpy(program_name, program, sizeof program_name);
@@ -232,6 +244,7 @@ void tinker_crash_watch(const char *program)
     sigemptyset(&action.sa_mask);
     for (gsize i = 0; i < G_N_ELEMENTS(signals); i++)
         sigaction(signals[i], &action, &before[i]);
+    watch_termination();
     atexit(on_exit_called);
     tinker_crash_watch_memory();
 }

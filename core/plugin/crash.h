@@ -3,7 +3,7 @@
  *
  * tinker_crash_watch() sets a handler for SIGSEGV, SIGBUS, SIGFPE, SIGILL and SIGABRT. It writes one line to standard
  * error (plugin, signal, function, blocks, time), writes out the record that is being kept, and raises the signal
- * again, so that the process ends as it would have. It takes the places of GLib's default log handler and of cJSON's
+ * again, so that the process ends as it would have. SIGTERM, unless it is ignored, is told in the same way. It takes the places of GLib's default log handler and of cJSON's
  * allocation as well, for the whole process. Likewise where a plugin calls exit(): the process then ends with
  * status 1, whatever the plugin asked for; and where GLib or cJSON find no memory, so that nothing is left out quietly.
  * Nothing can be done about _exit() and SIGKILL.

@@ -1,23 +1,23 @@
 /* What is said of a type or method that nobody provides. */
 #include "plugin/explain-private.h"
 
-#include "plugin/found-private.h"
+#include "plugin/entry-private.h"
 #include "units/units.h"
 
 /* The refused library that has the id by its manifest or its file name; else, where nobody can tell, the first that was
  * refused, and `others` tells how many more there are. NULL: none was refused. */
-static const TinkerFound *find_refused(const GPtrArray *libraries, const char *id, gboolean *sure, guint *others)
+static const TinkerLibraryEntry *find_refused(const GPtrArray *libraries, const char *id, gboolean *sure, guint *others)
 {
-    const TinkerFound *first = NULL;
+    const TinkerLibraryEntry *first = NULL;
     *sure = FALSE;
     *others = 0;
     for (guint i = 0; i < libraries->len; i++) {
-        const TinkerFound *found = libraries->pdata[i];
-        if (found->entry.refused == NULL) continue;
-        *sure = tinker_found_suggests(found, id);
-        if (*sure) return found;
+        const TinkerLibraryEntry *entry = libraries->pdata[i];
+        if (entry->refused == NULL) continue;
+        *sure = tinker_library_entry_suggests(entry, id);
+        if (*sure) return entry;
         if (first == NULL)
-            first = found;
+            first = entry;
         else
             (*others)++;
     }
@@ -27,12 +27,12 @@ static const TinkerFound *find_refused(const GPtrArray *libraries, const char *i
 char *tinker_explain_refused(const GPtrArray *libraries, const char *id, gboolean *sure)
 {
     guint others;
-    const TinkerFound *found = find_refused(libraries, id, sure, &others);
-    if (found == NULL) return g_strdup("");
+    const TinkerLibraryEntry *entry = find_refused(libraries, id, sure, &others);
+    if (entry == NULL) return g_strdup("");
     g_autofree char *which =
         others == 0 ? g_strdup("a refused one") : g_strdup_printf("one of %u that were refused", others + 1);
     g_autofree char *begin = *sure ? g_strdup(": ") : g_strdup_printf("; it may be in %s: ", which);
-    return g_strdup_printf("%sthe library \"%s\" was refused: %s", begin, found->entry.path, found->entry.refused);
+    return g_strdup_printf("%sthe library \"%s\" was refused: %s", begin, entry->path, entry->refused);
 }
 
 char *tinker_explain_missing(const GPtrArray *libraries, GHashTable *provided, const char *id)

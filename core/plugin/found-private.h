@@ -6,10 +6,11 @@
 #include "plugin/catalogue.h"
 #include "plugin/library-private.h"
 
+/* One thread at a time identifies and opens it. */
 typedef struct {
-    TinkerLibraryEntry entry;     /* first, so that a found library is a library entry */
+    TinkerLibraryEntry *entry;    /* what is known of it at present; another one when that changes */
     TinkerIdentity identity;      /* of the file when it was identified */
-    const TinkerLibrary *library; /* NULL until it is opened */
+    const TinkerLibrary *library; /* NULL until it is opened; from then on the entry stays */
 } TinkerFound;
 
 /* What a library without a manifest is probed with. */
@@ -27,13 +28,11 @@ void tinker_found_free(gpointer found);
 TinkerFound *tinker_found_opened(const TinkerLibrary *library, GError **error);
 
 /* Finds out what the library provides, or why it is refused: permissions, the manifest beside it, the cache, the probe,
- * in this order. Fills in the entry; what it knew before is forgotten. */
+ * in this order. Puts another entry in the place of the one before. */
 void tinker_found_identify(TinkerFound *found, const TinkerProber *prober);
 
-/* Opens the library; identifies it again where the file has changed since. FALSE with _REFUSED, and entry.refused set. */
+/* Opens the library; identifies it again where the file has changed since. FALSE with _REFUSED, and an entry that is
+ * refused. */
 gboolean tinker_found_open(TinkerFound *found, const TinkerProber *prober, GError **error);
-
-/* Whether a refused library's manifest or file name says that it has the type or integrator. */
-gboolean tinker_found_suggests(const TinkerFound *found, const char *id);
 
 #endif

@@ -14,6 +14,7 @@ typedef struct TinkerLibrary {
     const TinkerBlockClass *const *classes;
     int32_t integrator_count;
     const TinkerIntegrator *integrators; /* copies of the host's size, with their ids */
+    char *changed;                       /* of the process, as it was opened, and put back since; NULL: nothing */
     const struct TinkerLibrary *next;    /* the one opened before it */
 } TinkerLibrary;
 
@@ -23,6 +24,9 @@ const TinkerLibrary *tinker_library_open(const char *path, GError **error);
 
 /* The plugin that a method is of; NULL where it is of none. Locks nothing, so that a handler of signals may ask. */
 const TinkerPlugin *tinker_library_plugin_of_method(const TinkerIntegrator *method);
+
+/* The library at this path, where it was opened and has passed; else NULL. Locks nothing, either. */
+const TinkerLibrary *tinker_library_passed(const char *path);
 
 /* Makes all checks of a library on a descriptor that is in memory already (NULL is refused), and calls its init if it passes
  * them. Nothing of it is kept. FALSE with _REFUSED. */

@@ -9,6 +9,7 @@
 #include "plugin/call.h"
 #include "plugin/copy-private.h"
 #include "plugin/host-services-private.h"
+#include "plugin/process-state.h"
 #include "plugin/refuse-private.h"
 #include "plugin/text-check-private.h"
 
@@ -248,16 +249,13 @@ static GModule *map_library(const char *path, GError **error)
     return NULL;
 }
 
-static Record *open_record(const char *path, GError **error)
+static Record *map_and_check(const char *path, const TinkerIdentity *identity, GError **error)
 {
-    TinkerIdentity identity;
-    if (!tinker_identity_read(path, &identity, error) || !tinker_elf_check(path, error)) return NULL;
     GModule *module = map_library(path, error);
     if (module == NULL) return NULL;
-
     Record *record = g_new0(Record, 1);
     record->library.path = g_strdup(path);
-    record->library.identity = identity;
+    record->library.identity = *identity;
     record->arena = g_ptr_array_new_with_free_func(g_free);
     g_autoptr(GError) reason = NULL;
     if (!check_library(record, module, &reason)) {
@@ -267,6 +265,18 @@ static Record *open_record(const char *path, GError **error)
         record->library.next = passed;
         g_atomic_pointer_set(&passed, &record->library);
     }
+    return record;
+}
+
+/* What the library changes of the process as it is mapped and started is put back. */
+static Record *open_record(const char *path, GError **error)
+{
+    TinkerIdentity identity;
+    if (!tinker_identity_read(path, &identity, error) || !tinker_elf_check(path, error)) return NULL;
+    TinkerProcessState *state = tinker_process_state_save();
+    Record *record = map_and_check(path, &identity, error);
+    g_autofree char *changed = tinker_process_state_restore(state);
+    if (record != NULL) record->library.changed = g_steal_pointer(&changed);
     return record;
 }
 
@@ -303,11 +313,41 @@ const TinkerLibrary *tinker_library_open(const char *path, GError **error)
     return library;
 }
 
+/* The first that has passed of which `is_it` says so; the handler of crashes asks, too. */
+static const TinkerLibrary *find_passed(gboolean (*is_it)(const TinkerLibrary *library, const void *what),
+                                        const void *what)
+{
+    const TinkerLibrary *library = g_atomic_pointer_get(&passed);
+    while (library != NULL && !is_it(library, what))
+        library = library->next;
+    return library;
+}
+
+static gboolean has_method(const TinkerLibrary *library, const void *method)
+{
+    for (int32_t i = 0; i < library->integrator_count; i++)
+        if (&library->integrators[i] == method) return TRUE;
+    return FALSE;
+}
+
+static gboolean is_at(const TinkerLibrary *library, const void *path)
+{
+    return strcmp(library->path, path) == 0;
+}
+
 const TinkerPlugin *tinker_library_plugin_of_method(const TinkerIntegrator *method)
 {
-    for (const TinkerLibrary *library = g_atomic_pointer_get(&passed); library != NULL; library = library->next) {
-        for (int32_t i = 0; i < library->integrator_count; i++)
-            if (&library->integrators[i] == method) return library->plugin;
-    }
-    return NULL;
+    const TinkerLibrary *library = find_passed(has_method, method);
+    return library != NULL ? library->plugin : NULL;
+}
+
+const TinkerLibrary *tinker_library_passed(const char *path)
+{
+    return find_passed(is_at, path);
+}
+
+const char *tinker_library_changed_process(const char *path)
+{
+    const TinkerLibrary *library = tinker_library_passed(path);
+    return library != NULL ? library->changed : NULL;
 }

@@ -3,71 +3,22 @@
 
 #include <errno.h>
 #include <fcntl.h>
-#include <grp.h>
-#include <pwd.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "plugin/access-list-private.h"
+#include "plugin/accounts-private.h"
 #include "plugin/refuse-private.h"
 
 #define MOST_LINKS 40 /* as the system */
 
-/* getgrgid and getpwent answer static memory. */
-static GMutex accounts_mutex;
-
-static uid_t program_owner(void)
-{
-    struct stat status;
-    return stat("/proc/self/exe", &status) == 0 ? status.st_uid : geteuid();
-}
-
-static gboolean is_trusted(uid_t user)
-{
-    return user == 0 || user == geteuid() || user == program_owner();
-}
-
-/* The first member of the group whom we do not trust, NULL where there is none. (transfer full) */
-static char *other_member_by_list(gid_t group)
-{
-    const struct group *entry = getgrgid(group);
-    if (entry == NULL) return g_strdup("members that are not known");
-    // The list is copied: looking up a user may overwrite it.
-    g_auto(GStrv) members = g_strdupv(entry->gr_mem);
-    for (char **member = members; *member != NULL; member++) {
-        const struct passwd *user = getpwnam(*member);
-        if (user != NULL && !is_trusted(user->pw_uid)) return g_strdup(*member);
-    }
-    return NULL;
-}
-
-/* A user's own group is not listed among its members: it stands with the user. */
-static char *other_member_by_own_group(gid_t group)
-{
-    char *found = NULL;
-    setpwent();
-    for (const struct passwd *user = getpwent(); user != NULL && found == NULL; user = getpwent()) {
-        if (user->pw_gid == group && !is_trusted(user->pw_uid)) found = g_strdup(user->pw_name);
-    }
-    endpwent();
-    return found;
-}
-
-static char *other_member(gid_t group)
-{
-    g_mutex_lock(&accounts_mutex);
-    char *found = other_member_by_list(group);
-    if (found == NULL) found = other_member_by_own_group(group);
-    g_mutex_unlock(&accounts_mutex);
-    return found;
-}
-
 static gboolean check_owner(uid_t owner, const char *what, GError **error)
 {
-    return is_trusted(owner) ||
+    return tinker_account_is_trusted(owner) ||
            tinker_refuse(error,
                          "%s belongs to the user %u, not to root, to you (%u) or to the owner of this program (%u)",
-                         what, owner, geteuid(), program_owner());
+                         what, owner, geteuid(), tinker_account_of_program());
 }
 
 static gboolean check_one(const char *path, const char *what, GError **error)
@@ -78,11 +29,7 @@ static gboolean check_one(const char *path, const char *what, GError **error)
     if (!check_owner(status.st_uid, what, error)) return FALSE;
     if ((mode & S_IWOTH) != 0)
         return tinker_refuse(error, "%s can be written by everybody (mode %04o); only its owner may", what, mode);
-    if ((mode & S_IWGRP) == 0) return TRUE;
-    g_autofree char *member = other_member(status.st_gid);
-    if (member == NULL) return TRUE;
-    return tinker_refuse(error, "%s can be written by the group %u, which has other members (%s; mode %04o)", what,
-                         status.st_gid, member, mode);
+    return tinker_access_list_check(path, &status, what, error);
 }
 
 /* Who may write to a folder above can put another folder in the place of the library's. A sticky bit prevents that. */
@@ -92,7 +39,8 @@ static gboolean check_above(const char *folder, GError **error)
     if (strcmp(above, folder) == 0) return TRUE;
     struct stat status;
     g_autofree char *what = g_strdup_printf("the folder \"%s\" above it", above);
-    const gboolean sticky = stat(above, &status) == 0 && (status.st_mode & S_ISVTX) != 0 && is_trusted(status.st_uid);
+    const gboolean sticky =
+        stat(above, &status) == 0 && (status.st_mode & S_ISVTX) != 0 && tinker_account_is_trusted(status.st_uid);
     return (sticky || check_one(above, what, error)) && check_above(above, error);
 }
 

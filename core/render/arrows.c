@@ -5,7 +5,6 @@
 
 #include <float.h>
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "render/occupancy-private.h"
@@ -156,8 +155,7 @@ static void find_shafts(Diagram *diagram, const TinkerForceArrow *arrows, gsize 
 
 static const double *colour_of(const Diagram *diagram, const Shaft *shaft)
 {
-    const TinkerTheme *theme = diagram->options->theme;
-    return theme->curves[abs(shaft->arrow->colour % (int)G_N_ELEMENTS(theme->curves))];
+    return tinker_arrow_colour(diagram->options->theme, shaft->arrow->kind);
 }
 
 static void draw_shafts(Diagram *diagram, gboolean halo)

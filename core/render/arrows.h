@@ -3,16 +3,32 @@
 #define TINKER_CORE_ARROWS_H
 
 #include <cairo.h>
+#include <glib.h>
 
 #include "render/theme.h"
 #include "render/view.h"
+
+/* What an arrow means, which its colour tells. */
+typedef enum {
+    TINKER_ARROW_FIELD,
+    TINKER_ARROW_NORMAL,
+    TINKER_ARROW_FRICTION,
+    TINKER_ARROW_CONNECTOR,
+    TINKER_ARROW_CONSTRAINT,
+    TINKER_ARROW_APPLIED,
+    TINKER_ARROW_MOTION, /* no force: a velocity */
+} TinkerArrowKind;
+#define TINKER_ARROW_KINDS (TINKER_ARROW_MOTION + 1)
+
+/* Borrowed. */
+const double *tinker_arrow_colour(const TinkerTheme *theme, TinkerArrowKind kind);
 
 /* One force. */
 typedef struct {
     double x, y;       /* m: where it acts, in the world; the arrow starts there */
     double fx, fy;     /* N */
     const char *label; /* UTF-8, beside the arrow's head: "Spring 0 12.3 N". NULL: none. Borrowed */
-    int colour;        /* number of one of the theme's curve colours, which go round */
+    TinkerArrowKind kind;
 } TinkerForceArrow;
 
 typedef struct {
@@ -34,5 +50,27 @@ double tinker_arrows_scale(const TinkerForceArrow *arrows, gsize count, const Ti
  * units are the view's canvas units. */
 void tinker_arrows_draw(cairo_t *cairo, const TinkerView *view, const TinkerForceArrow *arrows, gsize count,
                         const TinkerArrowOptions *options);
+
+/* One kind, in a word. */
+typedef struct {
+    TinkerArrowKind kind;
+    const char *word; /* borrowed */
+} TinkerArrowWord;
+
+/* What the key beside the arrows says: how long the arrow of a force is, and what the colours mean. */
+typedef struct {
+    double force;                 /* N */
+    const char *label;            /* of it: "5 N". Borrowed */
+    const TinkerArrowWord *words; /* borrowed */
+    gsize word_count;
+} TinkerArrowKey;
+
+/* A force for the key, N: 1, 2 or 5 times a power of ten of the unit (N), whose arrow is 24 to 60 canvas units long at this
+ * scale; 0 where there is none. */
+double tinker_arrows_key_force(const TinkerView *view, double scale, double unit);
+
+/* Draws it in the lower left corner of the view. `written`: receives what it wrote (TinkerWrittenText), or NULL. */
+void tinker_arrows_draw_key(cairo_t *cairo, const TinkerView *view, const TinkerArrowOptions *options,
+                            const TinkerArrowKey *key, GPtrArray *written);
 
 #endif

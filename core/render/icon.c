@@ -6,6 +6,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "render/draw-watch.h"
 #include "render/painter-private.h"
 
 #define MARGIN          0.06 /* of the lesser side */
@@ -123,9 +124,10 @@ static void draw(cairo_t *cairo, Mock *mock, const TinkerTheme *theme, const Fit
     brush.style.view[0] = brush.style.view[1] = -far;
     brush.style.view[2] = brush.style.view[3] = far;
     mock->piece.instance.symbol_size = brush.style.symbol_size;
-    tinker_style_enter_world(&brush.style, cairo);
-    tinker_piece_draw(&mock->piece, cairo, &brush.style);
-    cairo_restore(cairo);
+    cairo_t *own = tinker_context_new(cairo);
+    tinker_style_enter_world(&brush.style, own);
+    g_free(tinker_piece_draw(&mock->piece, own, &brush.style)); /* a picture of the scene tells of it */
+    cairo_destroy(own);
     tinker_style_end(&brush);
 }
 

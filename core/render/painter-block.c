@@ -2,7 +2,10 @@
  * host's own drawing: a connector is a line, anything else a box. */
 #include "render/painter-private.h"
 
+#include <glib/gi18n-lib.h>
 #include <math.h>
+
+#include "render/draw-watch.h"
 
 #define SIZE_SAMPLES 64
 
@@ -130,16 +133,40 @@ static void draw_plain(const TinkerPiece *piece, cairo_t *cairo, const TinkerSty
     if (!piece->block_class) style->text(style, cairo, TINKER_COLOUR_WARNING, instance->x, instance->y, "?");
 }
 
-void tinker_piece_draw(const TinkerPiece *piece, cairo_t *cairo, const TinkerStyle *style)
+char *tinker_piece_draw(const TinkerPiece *piece, cairo_t *cairo, const TinkerStyle *style)
 {
     const TinkerRender *render = piece->block_class ? piece->block_class->render : NULL;
-    cairo_save(cairo);
-    cairo_new_path(cairo);
+    TinkerDrawWatch watch;
+    tinker_draw_watch_begin(&watch, cairo);
     if (render && render->draw)
         TINKER_CALL_VOID(render->draw(&piece->instance, cairo, style), .phase = "draw",
                          .block_class = piece->block_class, .instance = &piece->instance);
     else
         draw_plain(piece, cairo, style);
-    cairo_new_path(cairo);
-    cairo_restore(cairo);
+    char *fault = tinker_draw_watch_end(&watch, cairo);
+    if (fault == NULL) cairo_new_path(cairo);
+    return fault;
+}
+
+/* Takes the text. */
+static void tell_fault(const TinkerPicture *picture, const TinkerPiece *piece, char *fault)
+{
+    GHashTable *faults = picture->options->faults;
+    if (faults != NULL && piece->block_class != NULL && !g_hash_table_contains(faults, piece->block_class)) {
+        const char *name = tinker_scene_block_name(tinker_frame_scene(picture->frame), piece->block);
+        char *text = g_strdup_printf(_("%s: its drawing (block type %s, plugin %s) %s"), name,
+                                     piece->block_class->type->id, piece->block_class->path, fault);
+        g_hash_table_insert(faults, (gpointer)piece->block_class, text);
+    }
+    g_free(fault);
+}
+
+void tinker_picture_draw_piece(TinkerPicture *picture, const TinkerPiece *piece)
+{
+    char *fault = tinker_piece_draw(piece, picture->cairo, &picture->brush.style);
+    if (fault == NULL) return;
+    tell_fault(picture, piece, fault);
+    cairo_destroy(picture->cairo);
+    picture->cairo = tinker_context_new(picture->caller);
+    tinker_style_enter_world(&picture->brush.style, picture->cairo);
 }

@@ -44,7 +44,7 @@ static void drawing_box(TinkerPiece piece, const TinkerStyle *style, double box[
     piece.instance.x = piece.instance.y = 0;
     piece.instance.symbol_size = style->symbol_size;
     cairo_scale(cairo, 1 / unit, -1 / unit);
-    tinker_piece_draw(&piece, cairo, &around);
+    g_free(tinker_piece_draw(&piece, cairo, &around));
     cairo_recording_surface_ink_extents(ink, &x, &y, &width, &height);
     cairo_destroy(cairo);
     cairo_surface_destroy(ink);
@@ -93,7 +93,7 @@ static void draw_slot(TinkerPicture *picture, const Slot *slot, double base)
     piece.instance.symbol_size = style->symbol_size;
     style->state = tinker_picture_state(picture, &piece);
     tinker_style_enter_world(style, picture->cairo);
-    tinker_piece_draw(&piece, picture->cairo, style);
+    tinker_picture_draw_piece(picture, &piece);
     cairo_restore(picture->cairo);
     if (!picture->options->show_labels) return;
     const double *c = picture->options->theme->colours[TINKER_COLOUR_TEXT];
@@ -112,12 +112,14 @@ static TinkerPicture *begin_corner(TinkerPicture *corner, cairo_t *cairo, Tinker
     return corner;
 }
 
-void tinker_picture_draw_fields(const TinkerPicture *picture, double corner_box[4])
+void tinker_picture_draw_fields(TinkerPicture *picture, double corner_box[4])
 {
     TinkerPicture corner;
     begin_corner(&corner, picture->cairo, picture->frame, picture->view, picture->options);
     corner.brush.pen.written = picture->brush.pen.written;
     corner.brush.pen.memory = picture->brush.pen.memory;
+    corner.selected = picture->selected;
+    corner.caller = picture->caller;
     Slots found = find_slots(&corner);
     for (guint i = 0; i < found.slots->len; i++) {
         const Slot *slot = &g_array_index(found.slots, Slot, i);
@@ -125,6 +127,7 @@ void tinker_picture_draw_fields(const TinkerPicture *picture, double corner_box[
         corner_box[2] = slot->left + slot->width;
         corner_box[3] = found.base + NAME_GAP + found.name_height;
     }
+    picture->cairo = corner.cairo; /* it may have been made anew */
     g_array_unref(found.slots);
     tinker_style_end(&corner.brush);
 }

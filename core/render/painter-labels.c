@@ -14,7 +14,8 @@
 #define CELL         4.0    /* canvas units */
 #define GAP          5.0    /* between a body and its name */
 #define LABEL_ROOM   3000.0 /* square canvas units for each body in sight: where there is less, names would cover all */
-#define LEAST_SYMBOL 5.0    /* canvas units: in a scene drawn smaller, names are left out */
+#define LEAST_SYMBOL 5.0    /* canvas units: in a scene drawn smaller, */
+#define FEW          12     /* bodies have names, but no more than these */
 #define NAME_LIMIT   160.0
 #define DIRECTIONS   8
 #define PLACES       (4 * DIRECTIONS) /* a name tries: four steps outwards in each direction */
@@ -211,12 +212,17 @@ static void write_names(Labels *labels, gboolean chosen)
     }
 }
 
+gboolean tinker_picture_is_crowded(const TinkerPicture *picture)
+{
+    return picture->bodies->len * LABEL_ROOM > picture->view->width * picture->view->height;
+}
+
 void tinker_picture_draw_labels(TinkerPicture *picture, double (*taken)[4], int taken_count)
 {
     const TinkerView *view = picture->view;
     gboolean small = picture->brush.style.symbol_size * view->scale < LEAST_SYMBOL;
-    gboolean crowded = picture->bodies->len * LABEL_ROOM > view->width * view->height;
-    if ((small || crowded) && picture->options->selected_count == 0) return;
+    gboolean crowded = tinker_picture_is_crowded(picture) || (small && picture->bodies->len > FEW);
+    if (crowded && picture->options->selected_count == 0) return;
     TinkerScene *scene = tinker_frame_scene(picture->frame);
     Labels labels = {.picture = picture};
     labels.places = tinker_paint_memory_places(picture->options->memory, tinker_scene_id_limit(scene));
@@ -226,6 +232,6 @@ void tinker_picture_draw_labels(TinkerPicture *picture, double (*taken)[4], int 
     for (int layer = 0; layer < TINKER_PICTURE_LAYERS; layer++)
         take_layer(&labels, picture->visible[layer]);
     write_names(&labels, TRUE);
-    if (!small && !crowded) write_names(&labels, FALSE);
+    if (!crowded) write_names(&labels, FALSE);
     tinker_occupancy_clear(&labels.map);
 }

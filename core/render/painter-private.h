@@ -27,12 +27,14 @@ typedef struct {
 
 /* A picture in the making. */
 typedef struct {
-    cairo_t *cairo;
+    cairo_t *cairo;  /* our own, on what the caller's draws on: draw-watch.h */
+    cairo_t *caller; /* the caller's */
     TinkerFrame *frame;
     const TinkerView *view;
     const TinkerPaintOptions *options;
     TinkerStyleBrush brush;
-    int32_t block_count;
+    int32_t block_count, id_limit;
+    guint8 *selected;                       /* by id: 1 where the options select it; NULL: none is */
     GArray *visible[TINKER_PICTURE_LAYERS]; /* of TinkerBlockId: what lies on the canvas, in drawing order */
     GArray *bodies;                         /* likewise: those of them with a place, in the scene's order */
 } TinkerPicture;
@@ -49,12 +51,16 @@ gboolean tinker_piece_box(const TinkerPiece *piece, const TinkerStyle *style, do
 /* How large blocks of the scene typically are (m), by a sample; 0: unknown. Does not change while a scene moves. */
 double tinker_frame_typical_size(TinkerFrame *frame);
 
-/* A block's symbol by its own drawing, or a plain one; painter-block.c. */
-void tinker_piece_draw(const TinkerPiece *piece, cairo_t *cairo, const TinkerStyle *style);
+/* A block's symbol by its own drawing, or a plain one; painter-block.c. NULL, or what it did to the context, as
+ * tinker_draw_watch_end says. (transfer full) */
+char *tinker_piece_draw(const TinkerPiece *piece, cairo_t *cairo, const TinkerStyle *style);
+
+/* The same in a picture, within the world; what is broken is told and made anew. */
+void tinker_picture_draw_piece(TinkerPicture *picture, const TinkerPiece *piece);
 
 /* Fields, side by side in the upper left corner, each with its name beneath; painter-fields.c. Widens `corner` (least and
  * greatest x and y, canvas units) to what they take. */
-void tinker_picture_draw_fields(const TinkerPicture *picture, double corner[4]);
+void tinker_picture_draw_fields(TinkerPicture *picture, double corner[4]);
 
 /* Widens `corner` likewise without drawing. */
 void tinker_fields_corner(TinkerFrame *frame, const TinkerView *view, const TinkerPaintOptions *options,
@@ -62,6 +68,8 @@ void tinker_fields_corner(TinkerFrame *frame, const TinkerView *view, const Tink
 
 /* Names beside bodies, not over boxes (of 4 numbers) that are taken already; painter-labels.c. */
 void tinker_picture_draw_labels(TinkerPicture *picture, double (*taken)[4], int taken_count);
+/* Whether there are so many bodies in sight that names and dots would cover all. */
+gboolean tinker_picture_is_crowded(const TinkerPicture *picture);
 
 /* TINKER_STATE_... of a block in this picture. */
 uint32_t tinker_picture_state(const TinkerPicture *picture, const TinkerPiece *piece);

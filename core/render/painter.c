@@ -5,6 +5,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "render/draw-watch.h"
 #include "render/paint-memory-private.h"
 #include "render/surface-private.h"
 
@@ -15,6 +16,7 @@
 #define FILE_MARGIN  0.08 /* of the shorter side of a picture in a file */
 #define LEAST_BOUNDS 5.0  /* of a typical block */
 #define HANDLE_UNITS 7.0
+#define DOT_UNITS    6.0 /* the size of a body that is smaller on the canvas */
 #define MOST_HANDLES 16
 #define ORIGIN_ARM   0.8 /* of the symbol size: axes of a local origin */
 
@@ -76,11 +78,14 @@ static void draw_grid(const TinkerPicture *picture)
 
 /* Blocks ------------------------------------------------------------------------------------------------------------- */
 
-static gboolean selects(const TinkerPaintOptions *options, TinkerBlockId block)
+static void mark_selected(TinkerPicture *picture)
 {
+    const TinkerPaintOptions *options = picture->options;
+    picture->id_limit = tinker_scene_id_limit(tinker_frame_scene(picture->frame));
+    picture->selected = g_new0(guint8, MAX(picture->id_limit, 1));
     for (int i = 0; i < options->selected_count; i++)
-        if (options->selected[i] == block) return TRUE;
-    return FALSE;
+        if (options->selected[i] >= 0 && options->selected[i] < picture->id_limit)
+            picture->selected[options->selected[i]] = 1;
 }
 
 uint32_t tinker_picture_state(const TinkerPicture *picture, const TinkerPiece *piece)
@@ -88,7 +93,7 @@ uint32_t tinker_picture_state(const TinkerPicture *picture, const TinkerPiece *p
     uint32_t state = 0;
     for (int32_t end = 0; end < piece->instance.ends; end++)
         if (!piece->instance.end[end].attached) state |= TINKER_STATE_DETACHED;
-    if (selects(picture->options, piece->block)) state |= TINKER_STATE_SELECTED;
+    if (picture->selected != NULL && picture->selected[piece->block]) state |= TINKER_STATE_SELECTED;
     if (picture->options->highlighted == piece->block) state |= TINKER_STATE_HIGHLIGHTED;
     return state;
 }
@@ -138,15 +143,36 @@ static void draw_layer(TinkerPicture *picture, const GArray *blocks)
         TinkerPiece piece;
         tinker_piece_init(&piece, picture->frame, g_array_index(blocks, TinkerBlockId, i));
         style->state = tinker_picture_state(picture, &piece);
-        tinker_piece_draw(&piece, picture->cairo, style);
+        tinker_picture_draw_piece(picture, &piece);
+    }
+    style->state = 0;
+}
+
+/* Bodies that would be too small to be seen have a dot beneath them. */
+static void draw_dots(TinkerPicture *picture)
+{
+    TinkerStyle *style = &picture->brush.style;
+    const double least = DOT_UNITS * tinker_style_unit(style), margin = 2 * tinker_drawing_margin(style);
+    if (tinker_picture_is_crowded(picture)) return;
+    for (guint i = 0; i < picture->bodies->len; i++) {
+        TinkerPiece piece;
+        double box[4];
+        tinker_piece_init(&piece, picture->frame, g_array_index(picture->bodies, TinkerBlockId, i));
+        if (piece.kind != TINKER_PIECE_BODY || !(fmax(piece.width, piece.height) < least)) continue;
+        if (!tinker_piece_box(&piece, style, box) || fmax(box[2] - box[0], box[3] - box[1]) - margin > least) continue;
+        style->state = tinker_picture_state(picture, &piece);
+        style->circle(style, picture->cairo, TINKER_COLOUR_BODY_EDGE, TINKER_COLOUR_BODY_EDGE, piece.instance.x,
+                      piece.instance.y, least / 2);
     }
     style->state = 0;
 }
 
 /* Marks of the selection and of local origins ------------------------------------------------------------------------- */
 
+/* Handles change the scene as placed; while it is shown at another time, they would be anywhere. */
 static void draw_handles(TinkerPicture *picture)
 {
+    if (tinker_frame_time(picture->frame) != 0) return;
     const TinkerStyle *style = &picture->brush.style;
     double half = HANDLE_UNITS / 2 * tinker_style_unit(style);
     for (int i = 0; i < picture->options->selected_count; i++) {
@@ -241,6 +267,7 @@ static void draw_canvas(TinkerPicture *picture)
 static void draw_world(TinkerPicture *picture)
 {
     tinker_style_enter_world(&picture->brush.style, picture->cairo);
+    draw_dots(picture);
     for (int layer = 0; layer < TINKER_PICTURE_LAYERS; layer++)
         draw_layer(picture, picture->visible[layer]);
     if (picture->options->show_local_origins) draw_local_origins(picture);
@@ -251,22 +278,27 @@ static void draw_world(TinkerPicture *picture)
 void tinker_paint_scene_noting(cairo_t *cairo, TinkerFrame *frame, const TinkerView *view,
                                const TinkerPaintOptions *options, GPtrArray *written)
 {
-    TinkerPicture picture = {.cairo = cairo, .frame = frame, .view = view, .options = options};
+    TinkerPicture picture = {.caller = cairo, .frame = frame, .view = view, .options = options};
     picture.block_count = tinker_scene_block_count(tinker_frame_scene(frame));
     double symbol = tinker_painter_symbol_size(frame, view->scale);
     tinker_frame_set_symbol_size(frame, symbol);
     tinker_style_begin(&picture.brush, cairo, options->theme, view, symbol);
     picture.brush.pen.written = written;
     picture.brush.pen.memory = tinker_paint_memory_texts(options->memory);
-    cairo_save(cairo);
+    /* what is drawn on our own contexts, the ones made anew, too, goes by the caller's */
+    const cairo_antialias_t antialias = cairo_get_antialias(cairo);
     if (options->quick || tinker_style_is_tiny(&picture.brush.style)) cairo_set_antialias(cairo, CAIRO_ANTIALIAS_FAST);
+    picture.cairo = tinker_context_new(cairo);
+    mark_selected(&picture);
     find_visible(&picture);
     draw_background(&picture);
     if (options->show_grid) draw_grid(&picture);
     draw_world(&picture);
     draw_canvas(&picture);
-    cairo_restore(cairo);
+    cairo_destroy(picture.cairo);
+    cairo_set_antialias(cairo, antialias);
     forget_visible(&picture);
+    g_free(picture.selected);
     tinker_style_end(&picture.brush);
 }
 

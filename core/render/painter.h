@@ -23,6 +23,9 @@ typedef struct {
     TinkerPaintMemory
         *memory; /* that all pictures of a film or a window share: each takes less time, and a name stays on
                                   its side of its body. NULL: every picture is made by itself */
+    GHashTable *
+        faults; /* block class to text (owned): what drawings did to the context that they must not do, with the block's
+                         * name, once a class. NULL: it is not told */
 } TinkerPaintOptions;
 
 /* The light theme, grid and labels on, time and title off, nothing selected. */

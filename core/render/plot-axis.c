@@ -6,9 +6,9 @@
 
 #include "render/plot-private.h"
 
-#define CONSTANT_RANGE    1e-12 /* of the values: what varies less is rounding, and shown as constant */
-#define MOST_DIGITS       5     /* of a label, before an offset is taken off */
-#define LEAST_EXPONENT    (-2)  /* of the greatest label, without a factor */
+#define CONSTANT_RANGE    1e-8 /* of the values: what varies less is the error of a run, and shown as constant */
+#define MOST_DIGITS       5    /* of a label, before an offset is taken off */
+#define LEAST_EXPONENT    (-2) /* of the greatest label, without a factor */
 #define GREATEST_EXPONENT 4
 
 /* How labels are shortened: shown = (value - offset) / 10^exponent. */

@@ -7,7 +7,9 @@
 
 #define SYMBOL_UNITS       20.0 /* canvas units of a symbol, unless that is large beside the blocks */
 #define SYMBOL_SHARE       0.36 /* of a typical block, at most */
-#define HALO_UNITS         6.0
+#define HALO_UNITS         6.0  /* of what is highlighted, */
+#define HALO_ALPHA         0.5
+#define OUTLINE_UNITS      4.0 /* and of what is selected, whose outline is as thin as can be seen */
 #define LEAST_SYMBOL_UNITS 4.0
 #define THIN_PIXELS_COARSE 2.1 /* up to the crosses of ends */
 #define GREATEST_DASHES    2000.0
@@ -62,8 +64,8 @@ void tinker_style_halo(const TinkerStyle *style, cairo_t *cairo, double width)
     cairo_set_dash(cairo, NULL, 0, 0);
     cairo_set_line_cap(cairo, CAIRO_LINE_CAP_ROUND);
     cairo_set_line_join(cairo, CAIRO_LINE_JOIN_ROUND);
-    cairo_set_line_width(cairo, width + HALO_UNITS * tinker_style_unit(style));
-    cairo_set_source_rgba(cairo, c[0], c[1], c[2], 0.5 * c[3]);
+    cairo_set_line_width(cairo, width + (highlighted ? HALO_UNITS : OUTLINE_UNITS) * tinker_style_unit(style));
+    cairo_set_source_rgba(cairo, c[0], c[1], c[2], (highlighted ? HALO_ALPHA : 1) * c[3]);
     cairo_stroke_preserve(cairo);
     cairo_restore(cairo);
 }

@@ -1,12 +1,11 @@
-/* A picture is made in memory and then written in one go: g_file_set_contents writes beside the file and renames, so that
- * a full disk or a crash leaves the old picture. A device or a pipe cannot be renamed over and is written to directly. */
+/* A picture is made in memory and then written in one go, so that a full disk or a crash leaves the old one. */
 #include "render/surface-private.h"
 
 #include <cairo-pdf.h>
 #include <cairo-svg.h>
-#include <errno.h>
-#include <glib/gstdio.h>
 #include <string.h>
+
+#include "files/replace-file.h"
 
 #define GREATEST_SIZE 16384
 
@@ -55,35 +54,11 @@ static cairo_status_t draw_bytes(TinkerDrawFunction draw, gpointer data, Format 
     return status;
 }
 
-static gboolean fail(GError **error, const char *path, int errnum)
-{
-    g_set_error(error, G_FILE_ERROR, g_file_error_from_errno(errnum), "%s: could not be written: %s", path,
-                g_strerror(errnum));
-    return FALSE;
-}
-
-static gboolean write_directly(const char *path, const GByteArray *bytes, GError **error)
-{
-    FILE *file = g_fopen(path, "wb");
-    if (!file) return fail(error, path, errno);
-    gboolean written = fwrite(bytes->data, 1, bytes->len, file) == bytes->len;
-    int errnum = errno;
-    if (fclose(file) != 0 && written) {
-        errnum = errno;
-        written = FALSE;
-    }
-    return written || fail(error, path, errnum);
-}
-
 static gboolean write_file(const char *path, const GByteArray *bytes, GError **error)
 {
-    if (g_file_test(path, G_FILE_TEST_EXISTS) && !g_file_test(path, G_FILE_TEST_IS_REGULAR | G_FILE_TEST_IS_DIR))
-        return write_directly(path, bytes, error);
-    GError *inner = NULL;
-    if (g_file_set_contents_full(path, (const char *)bytes->data, bytes->len, G_FILE_SET_CONTENTS_CONSISTENT, 0666,
-                                 &inner))
-        return TRUE;
-    g_propagate_prefixed_error(error, inner, "%s: could not be written: ", path);
+    g_autoptr(GError) reason = NULL;
+    if (tinker_replace_file(path, (const char *)bytes->data, bytes->len, 0666, &reason)) return TRUE;
+    g_set_error(error, reason->domain, reason->code, "%s: could not be written: %s", path, reason->message);
     return FALSE;
 }
 

@@ -1,12 +1,18 @@
 /* Snapshots of tables. Property columns are copied; the three columns of each waveform property are filled by evaluators,
  * one for every block, built from the block's own amplitude, frequency and phase. */
-#include "scene/batch.h"
+#include "scene/batch-breaks.h"
 
 #include <math.h>
 
-/* No break of a waveform lies between `from` and `next`, and none up to `horizon` where next is infinite. */
+#include "units/waveform-pole.h"
+
+#include "plugin/guarded.h"
+#include "plugin/words.h"
+
+/* No break of a waveform lies between `from` and `next`, and none up to `horizon` where next is infinite; the first pole there,
+ * INFINITY for none. */
 struct _TinkerPiece {
-    double from, next, horizon;
+    double from, next, horizon, pole;
     gboolean entered; /* the evaluator's switches are those of this piece */
 };
 
@@ -49,7 +55,7 @@ static void copy_waveforms(TinkerBlockBatch *batch, TinkerScene *scene)
     }
     batch->pieces = g_new(struct _TinkerPiece, MAX(batch->evaluators->len, 1));
     for (guint i = 0; i < batch->evaluators->len; i++)
-        batch->pieces[i] = (struct _TinkerPiece){NAN, NAN, NAN, FALSE};
+        batch->pieces[i] = (struct _TinkerPiece){NAN, NAN, NAN, INFINITY, FALSE};
 }
 
 /* The rows of a table that are taken; their number is answered. */
@@ -100,7 +106,7 @@ static void block_batch_free(TinkerBlockBatch *batch)
     g_free(batch->end);
     g_free(batch->waveform_columns);
     g_free(batch->pieces);
-    g_free(batch->scratch);
+    tinker_guarded_free(batch->scratch);
     g_ptr_array_unref(batch->evaluators);
     g_free(batch);
 }
@@ -117,7 +123,7 @@ static TinkerBlockBatch *block_batch_new(TinkerScene *scene, const TinkerSceneTa
     copy_ends(batch, table, rows);
     copy_waveforms(batch, scene);
     if (block_class->physics != NULL && block_class->physics->scratch_size > 0)
-        batch->scratch = g_malloc0((gsize)block_class->physics->scratch_size);
+        batch->scratch = tinker_guarded_new((gsize)block_class->physics->scratch_size, block_class);
     return batch;
 }
 
@@ -138,6 +144,14 @@ const char *tinker_block_batch_name(const void *source, int32_t row)
 {
     const TinkerBlockBatch *batch = source;
     return row >= 0 && row < batch->count ? tinker_scene_block_name(batch->scene, batch->ids[row]) : NULL;
+}
+
+char *tinker_block_batch_refusal(const TinkerBlockBatch *batch, const TinkerBatch *view, const char *otherwise)
+{
+    const int32_t row = CLAMP(view->failed_instance, 0, batch->count - 1);
+    g_autofree char *words = tinker_plugin_words(batch->block_class, NULL, view->failure);
+    return g_strdup_printf("%s: %s", tinker_scene_block_name(batch->scene, batch->ids[row]),
+                           words != NULL ? words : otherwise);
 }
 
 TinkerBatch tinker_block_batch_view(TinkerBlockBatch *batch, double t)
@@ -203,10 +217,31 @@ double tinker_block_batch_next_break(TinkerBlockBatch *batch, double t, double h
         struct _TinkerPiece *piece = &batch->pieces[i];
         gboolean known = piece->from <= t && t < piece->next && (isfinite(piece->next) || horizon <= piece->horizon);
         if (!known) {
-            double at = tinker_waveform_next_break(g_ptr_array_index(batch->evaluators, i), t, horizon);
-            *piece = (struct _TinkerPiece){t, at, horizon, FALSE};
+            const TinkerWaveformEvaluator *evaluator = g_ptr_array_index(batch->evaluators, i);
+            double at = tinker_waveform_next_break(evaluator, t, horizon);
+            double pole = tinker_waveform_next_pole(evaluator, t, fmin(at, horizon));
+            *piece = (struct _TinkerPiece){t, at, horizon, pole, FALSE};
         }
         next = MIN(next, piece->next);
     }
     return next <= horizon ? next : INFINITY;
+}
+
+int32_t tinker_block_batch_break_row(const TinkerBlockBatch *batch)
+{
+    guint first = 0;
+    for (guint i = 1; i < batch->evaluators->len; i++)
+        if (batch->pieces[i].next < batch->pieces[first].next) first = i;
+    return (int32_t)first % batch->count;
+}
+
+double tinker_block_batch_next_pole(const TinkerBlockBatch *batch, int32_t *row)
+{
+    double next = INFINITY;
+    for (guint i = 0; i < batch->evaluators->len; i++) {
+        if (!(batch->pieces[i].pole < next)) continue;
+        next = batch->pieces[i].pole;
+        *row = (int32_t)i % batch->count;
+    }
+    return next;
 }

@@ -25,7 +25,7 @@ struct _TinkerBlockBatch {
     int32_t *waveform_columns;   /* first column of each waveform property */
     struct _TinkerPiece *pieces; /* of each evaluator, what is known of its next break */
     int32_t waveforms;           /* waveform properties of the class */
-    void *scratch;               /* as the class's physics asked for */
+    void *scratch;               /* as the class's physics asked for; see guarded.h */
 };
 
 /* A snapshot of every table with at least one block, of the blocks that `include` has TRUE for (by block id; NULL: all).
@@ -37,6 +37,10 @@ TinkerBatch tinker_block_batch_view(TinkerBlockBatch *batch, double t);
 
 /* The name of the block in a row; what TinkerPluginCall.name wants. */
 const char *tinker_block_batch_name(const void *batch, int32_t row);
+
+/* "NAME: what the plugin says of its failure", about the instance that the view names; `otherwise` (one that is translated)
+ * where it says nothing. (transfer full) */
+char *tinker_block_batch_refusal(const TinkerBlockBatch *batch, const TinkerBatch *view, const char *otherwise);
 
 /* Every call of a plugin about a batch: an expression of its answer. `function` names what is called, in messages. */
 #define TINKER_CALL_BATCH(blocks, function, view, call)                                                                \

@@ -105,6 +105,9 @@ TinkerScene *tinker_scene_continued(const TinkerScene *scene, const TinkerFrame 
                                     const double *velocities, GError **error)
 {
     g_autoptr(TinkerScene) copy = tinker_scene_copy(scene);
+    for (int32_t place = 0; place < tinker_scene_block_count(copy); place++)
+        if (scene_place_on(copy, tinker_scene_block_at(copy, place)) != NULL)
+            scene_fix_place(copy, tinker_scene_block_at(copy, place)); /* motions go on, and would take it along */
     Continuation continuation = {copy, now, t, velocities};
     for (int32_t place = 0; place < tinker_scene_block_count(copy); place++)
         if (!continue_block(&continuation, tinker_scene_block_at(copy, place), error)) return NULL;

@@ -135,6 +135,11 @@ void reader_keep_unknown(SceneReader *reader, JsonAt at, const char *key, const 
                          GString **extras)
 {
     g_autofree char *suggestion = reader_suggestion(key, candidates, "; it is kept as it is");
+    reader_keep_member(reader, at, key, suggestion, extras);
+}
+
+void reader_keep_member(SceneReader *reader, JsonAt at, const char *key, const char *suggestion, GString **extras)
+{
     reader_warning(reader, at_key(at), TINKER_SCENE_ERROR_SYNTAX, "unknown key \"%s\"%s", key, suggestion);
     if (*extras == NULL) *extras = g_string_new(NULL);
     const JsonPart *part = &g_array_index(reader->split[at.depth - 1].parts, JsonPart, (guint)at.steps[at.depth - 1]);

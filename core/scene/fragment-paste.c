@@ -82,7 +82,8 @@ static gboolean displace_block(TinkerScene *scene, TinkerBlockId id, const doubl
     int32_t position = block_class->meanings[TINKER_MEANING_POSITION];
     int32_t origin = block_class->meanings[TINKER_MEANING_LOCAL_ORIGIN];
     gboolean with_origin = origin >= 0 && tinker_scene_property_given(scene, id, origin);
-    if (position >= 0 && !displace_property(scene, id, position, by, error)) return FALSE;
+    const gboolean follows = scene_place_on(scene, id) != NULL; /* the plate that it lies on */
+    if (position >= 0 && !follows && !displace_property(scene, id, position, by, error)) return FALSE;
     if (with_origin && !displace_property(scene, id, origin, by, error)) return FALSE;
     for (int32_t number = 0; number < tinker_scene_end_count(scene, id); number++) {
         TinkerSceneEnd end = tinker_scene_end(scene, id, number);
@@ -157,6 +158,14 @@ static void rename_placeholder_ends(Paste *paste)
             g_hash_table_lookup(paste->to->placeholders, GINT_TO_POINTER(paste->ids[GPOINTER_TO_INT(id)])), names);
 }
 
+static void lie_down(Paste *paste, TinkerBlockId id)
+{
+    const ScenePlaceOn *from = scene_place_on(paste->from, id);
+    if (from == NULL) return;
+    const ScenePlaceOn on = {paste->ids[from->plate], from->along};
+    scene_set_place_on(paste->to, paste->ids[id], &on);
+}
+
 static void join_ends(Paste *paste, TinkerBlockId id)
 {
     const SceneTable *table = scene_table_of(paste->to, paste->ids[id]);
@@ -193,14 +202,11 @@ static void take_sources(Paste *paste)
 static void record(Paste *paste, TinkerHistory *history)
 {
     int32_t count = tinker_scene_block_count(paste->from);
-    TinkerBlockId first = paste->ids[tinker_scene_block_at(paste->from, 0)];
-    g_autofree char *name =
-        count == 1 ? g_strdup(tinker_scene_block_name(paste->to, first)) : g_strdup_printf("%d Blocks", count);
-    gboolean own = history_open_own(history, "Paste", name);
-    for (int32_t place = 0; place < count; place++) {
-        TinkerBlockId id = paste->ids[tinker_scene_block_at(paste->from, place)];
-        history_add(history, &history_block, id, NULL, scene_snapshot_take(paste->to, id));
-    }
+    g_autofree TinkerBlockId *pasted = g_new(TinkerBlockId, (gsize)count);
+    for (int32_t place = 0; place < count; place++)
+        pasted[place] = paste->ids[tinker_scene_block_at(paste->from, place)];
+    gboolean own = history_open_several(history, "Paste", pasted, (gsize)count);
+    history_note_new(history, "Paste", pasted, (gsize)count);
     for (guint i = 0; i < paste->from->graphs->len; i++) {
         TinkerSceneGraph *graph = scene_graph_copy(g_ptr_array_index(paste->from->graphs, i));
         TinkerBlockId block = paste->ids[tinker_scene_find_block(paste->from, graph->block)];
@@ -223,9 +229,11 @@ static void go_over(Paste *paste, TinkerHistory *history, GArray *pasted)
     for (int32_t place = 0; place < count; place++) {
         TinkerBlockId id = tinker_scene_block_at(paste->from, place);
         join_ends(paste, id);
+        lie_down(paste, id);
         if (pasted != NULL) g_array_append_val(pasted, paste->ids[id]);
     }
     take_sources(paste);
+    scene_settle(paste->to);
     record(paste, history);
     g_free(paste->ids);
 }

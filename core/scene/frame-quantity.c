@@ -5,6 +5,8 @@
 #include <math.h>
 
 #include "plugin/call.h"
+#include "plugin/guarded.h"
+#include "plugin/process-state.h"
 
 /* A batch of one, and the memory that it points to. */
 typedef struct {
@@ -21,7 +23,7 @@ static void single_clear(Single *single)
     g_free(single->columns);
     g_free(single->points);
     g_free(single->forces);
-    g_free(single->scratch);
+    tinker_guarded_free(single->scratch);
 }
 G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC(Single, single_clear)
 
@@ -49,7 +51,8 @@ static void fill_batch(Single *single, const TinkerFrame *frame, const TinkerBlo
     for (int32_t c = 0; c < block_class->column_count; c++)
         single->columns[c] = instance->columns + c;
     const TinkerPhysics *physics = block_class->physics;
-    if (physics != NULL && physics->scratch_size > 0) single->scratch = g_malloc0((gsize)physics->scratch_size);
+    if (physics != NULL && physics->scratch_size > 0)
+        single->scratch = tinker_guarded_new((gsize)physics->scratch_size, block_class);
     single->batch = (TinkerBatch){
         .struct_size = sizeof(TinkerBatch),
         .count = 1,
@@ -80,7 +83,7 @@ gboolean tinker_frame_quantity(TinkerFrame *frame, TinkerBlockId block, int32_t 
     fill_batch(&single, frame, block_class, &instance);
     const TinkerPhysics *physics = block_class->physics;
     if (physics != NULL && physics->prepare != NULL &&
-        CALL_SINGLE(instance.name, "prepare", physics->prepare(&single.batch)) != TINKER_OK)
+        CALL_SINGLE(instance.name, "prepare", tinker_prepare(physics, &single.batch)) != TINKER_OK)
         return FALSE;
 
     TinkerGraphInput input = {.struct_size = sizeof(TinkerGraphInput), .ends = single.points};

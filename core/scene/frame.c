@@ -7,6 +7,7 @@
 
 #include <tinker/shapes.h>
 
+#include "plugin/process-state.h"
 #include "scene/batch.h"
 #include "scene/lanes.h"
 #include "scene/motions.h"
@@ -119,10 +120,9 @@ static gboolean prepare_motions(TinkerFrame *frame, GError **error)
         const TinkerPhysics *physics = batch->block_class->physics;
         if (physics == NULL || physics->motion == NULL || physics->prepare == NULL) continue;
         TinkerBatch view = tinker_block_batch_view(batch, 0.0);
-        if (TINKER_CALL_BATCH(batch, "prepare", &view, physics->prepare(&view)) == TINKER_OK) continue;
-        g_set_error(error, TINKER_SCENE_ERROR, TINKER_SCENE_ERROR_VALUE, "%s: %s",
-                    tinker_scene_block_name(frame->scene, batch->ids[CLAMP(view.failed_instance, 0, batch->count - 1)]),
-                    view.failure != NULL ? view.failure : _("its plugin refuses these properties"));
+        if (TINKER_CALL_BATCH(batch, "prepare", &view, tinker_prepare(physics, &view)) == TINKER_OK) continue;
+        g_autofree char *why = tinker_block_batch_refusal(batch, &view, _("its plugin refuses these properties"));
+        g_set_error_literal(error, TINKER_SCENE_ERROR, TINKER_SCENE_ERROR_VALUE, why);
         return FALSE;
     }
     return TRUE;

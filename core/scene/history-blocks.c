@@ -1,13 +1,11 @@
-/* The recorded setters of blocks. Every change is kept as what the block was before and after. */
+/* The recorded setters of blocks. Every change is kept as what the block was before and after; of blocks that come or go, all of
+ * them together. */
 #include "scene/history-private.h"
 
 static void make(TinkerScene *scene, int32_t id, gconstpointer from, gconstpointer to)
 {
-    (void)from;
-    if (to != NULL)
-        scene_snapshot_restore(scene, to);
-    else
-        scene_take_out(scene, id);
+    (void)id, (void)from;
+    scene_snapshot_restore(scene, to);
 }
 
 static void free_state(gpointer state)
@@ -16,6 +14,22 @@ static void free_state(gpointer state)
 }
 
 const HistoryKind history_block = {make, free_state};
+
+static void make_there(TinkerScene *scene, int32_t id, gconstpointer from, gconstpointer to)
+{
+    (void)id;
+    if (to != NULL)
+        scene_blocks_bring_back(scene, to);
+    else
+        scene_blocks_take_out(scene, from);
+}
+
+static void free_blocks(gpointer state)
+{
+    scene_blocks_free(state);
+}
+
+const HistoryKind history_blocks = {make_there, free_blocks};
 
 static void record(TinkerHistory *history, const char *verb, TinkerBlockId id, SceneSnapshot *before)
 {
@@ -36,12 +50,26 @@ static gboolean record_if(gboolean made, TinkerHistory *history, const char *ver
     return made;
 }
 
+gboolean history_open_several(TinkerHistory *history, const char *verb, const TinkerBlockId *blocks, gsize count)
+{
+    g_autofree char *name = count == 1 ? g_strdup(tinker_scene_block_name(history_scene(history), blocks[0]))
+                                       : g_strdup_printf("%" G_GSIZE_FORMAT " Blocks", count);
+    return history_open_own(history, verb, name);
+}
+
 TinkerBlockId tinker_history_add_block(TinkerHistory *history, const TinkerBlockClass *block_class, const char *name,
                                        GError **error)
 {
     TinkerBlockId id = tinker_scene_add_block(history_scene(history), block_class, name, error);
-    if (id != TINKER_NO_BLOCK) record(history, "Add", id, NULL);
+    if (id != TINKER_NO_BLOCK) history_note_new(history, "Add", &id, 1);
     return id;
+}
+
+void history_note_new(TinkerHistory *history, const char *verb, const TinkerBlockId *blocks, gsize count)
+{
+    gboolean own = history_open_several(history, verb, blocks, count);
+    history_add(history, &history_blocks, 0, NULL, scene_blocks_keep(history_scene(history), blocks, count));
+    if (own) tinker_history_end(history);
 }
 
 /* Of several blocks. (transfer full) */
@@ -64,35 +92,44 @@ static void add_all(TinkerHistory *history, const GArray *blocks, GPtrArray *bef
     }
 }
 
-/* The other blocks that have ends on a block, placeholders too. (transfer full) */
-static GArray *with_ends_on(const TinkerScene *scene, TinkerBlockId block)
+/* The other blocks that have ends on these, placeholders too, or lie on them. (transfer full) */
+static GArray *that_need(const TinkerScene *scene, GHashTable *blocks)
 {
-    GArray *others = scene_attached_to(scene, block);
-    g_autoptr(GArray) naming = scene_placeholders_on(scene, block);
-    for (guint i = 0; i < naming->len; i++) {
-        TinkerBlockId id = g_array_index(naming, TinkerBlockId, i);
-        if (id != block) g_array_append_val(others, id);
-    }
+    GArray *others = scene_attached_to(scene, blocks);
+    g_autoptr(GArray) naming = scene_placeholders_on(scene, blocks);
+    g_autoptr(GArray) lying = scene_placed_on(scene, blocks);
+    g_array_append_vals(others, naming->data, naming->len);
+    g_array_append_vals(others, lying->data, lying->len);
     return others;
+}
+
+void tinker_history_remove_blocks(TinkerHistory *history, const TinkerBlockId *blocks, gsize count)
+{
+    if (count == 0) return;
+    TinkerScene *scene = history_scene(history);
+    gboolean own = history_open_several(history, "Remove", blocks, count);
+    g_autoptr(GHashTable) set = scene_block_set(blocks, count);
+    g_autoptr(GArray) attached = that_need(scene, set);
+    g_autoptr(GPtrArray) before = take_all(scene, attached);
+    SceneBlocks *removed = scene_blocks_keep(scene, blocks, count);
+
+    scene_detach(scene, set);
+    scene_take_out(scene, set);
+    add_all(history, attached, before);
+    history_add(history, &history_blocks, 0, removed, NULL);
+    if (own) tinker_history_end(history);
 }
 
 void tinker_history_remove_block(TinkerHistory *history, TinkerBlockId block)
 {
-    gboolean own = history_open_own(history, "Remove", tinker_scene_block_name(history_scene(history), block));
-    g_autoptr(GArray) attached = with_ends_on(history_scene(history), block);
-    g_autoptr(GPtrArray) before = take_all(history_scene(history), attached);
-    SceneSnapshot *removed = scene_snapshot_take(history_scene(history), block);
-
-    tinker_scene_remove_block(history_scene(history), block);
-    add_all(history, attached, before);
-    history_add(history, &history_block, block, removed, NULL);
-    if (own) tinker_history_end(history);
+    tinker_history_remove_blocks(history, &block, 1);
 }
 
 gboolean tinker_history_rename_block(TinkerHistory *history, TinkerBlockId block, const char *name, GError **error)
 {
     TinkerScene *scene = history_scene(history);
-    g_autoptr(GArray) naming = scene_placeholders_on(scene, block);
+    g_autoptr(GHashTable) set = scene_block_set(&block, 1);
+    g_autoptr(GArray) naming = scene_placeholders_on(scene, set);
     g_autoptr(GPtrArray) before = take_all(scene, naming);
     SceneSnapshot *renamed = scene_snapshot_take(scene, block);
     if (!tinker_scene_rename_block(scene, block, name, error)) {

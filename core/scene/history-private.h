@@ -12,10 +12,11 @@ typedef struct {
     void (*free)(gpointer state);
 } HistoryKind;
 
-extern const HistoryKind history_block; /* by block id; SceneSnapshot */
-extern const HistoryKind history_head;  /* id 0; TinkerSceneHead */
-extern const HistoryKind history_graph; /* by place in the list; TinkerSceneGraph */
-extern const HistoryKind history_order; /* by block id; its place, see history_place */
+extern const HistoryKind history_block;  /* of one that stays: by block id; SceneSnapshot */
+extern const HistoryKind history_blocks; /* that come or go: id 0; SceneBlocks */
+extern const HistoryKind history_head;   /* id 0; TinkerSceneHead */
+extern const HistoryKind history_graph;  /* by place in the list; TinkerSceneGraph */
+extern const HistoryKind history_order;  /* by block id; its place, see history_place */
 
 /* A place in the drawing order as a state. */
 static inline gpointer history_place(int32_t place)
@@ -27,6 +28,11 @@ TinkerScene *history_scene(TinkerHistory *history);
 
 /* Opens a step where none is open, "VERB NAME"; answers whether it did, and then the caller ends it. */
 gboolean history_open_own(TinkerHistory *history, const char *verb, const char *name);
+/* The same with the name of one block, or "N Blocks". */
+gboolean history_open_several(TinkerHistory *history, const char *verb, const TinkerBlockId *blocks, gsize count);
+
+/* Records blocks that were added to the scene, in a step of its own where none is open. */
+void history_note_new(TinkerHistory *history, const char *verb, const TinkerBlockId *blocks, gsize count);
 
 /* Adds a change, which has been made, to the open step. Takes both states. */
 void history_add(TinkerHistory *history, const HistoryKind *kind, int32_t id, gpointer before, gpointer after);

@@ -13,6 +13,8 @@ typedef struct {
 typedef struct {
     char *title, *merge;
     GArray *changes; /* of Change, in the order they were made */
+    GHashTable
+        *plain; /* block id to the number of its change, where the next plain one (is_plain) becomes part of it */
     guint64 from, to;
 } Step;
 
@@ -40,6 +42,7 @@ static gboolean alters(const Change *change)
 static void step_free(Step *step)
 {
     g_array_unref(step->changes);
+    g_hash_table_unref(step->plain);
     g_free(step->title);
     g_free(step->merge);
     g_free(step);
@@ -51,36 +54,64 @@ static Step *step_new(const char *title, const char *merge, guint64 state)
     step->title = g_strdup(title);
     step->merge = g_strdup(merge);
     step->changes = g_array_new(FALSE, FALSE, sizeof(Change));
+    step->plain = g_hash_table_new(NULL, NULL);
     g_array_set_clear_func(step->changes, (GDestroyNotify)change_clear);
     step->from = step->to = state;
     return step;
 }
 
-/* Whether the order of two changes does not matter. Alterations touch nothing but their block, except that names are taken
- * and given free, and that graphs follow them. */
+/* Alterations of blocks that keep their names, which touch nothing but their block, may be made in any order. */
+static gboolean is_plain(const Change *change)
+{
+    return change->kind == &history_block && !change->renames;
+}
+
+/* Whether the order of two changes does not matter. Names are taken and given free, and graphs follow them. */
 static gboolean commute(const Change *a, const Change *b)
 {
     if (a->kind == &history_head || b->kind == &history_head) return TRUE;
-    return a->kind == &history_block && b->kind == &history_block && alters(a) && alters(b) && !a->renames &&
-           !b->renames;
+    return is_plain(a) && is_plain(b);
+}
+
+/* The last change of the same thing that this one could as well have been made right behind; -1: none. */
+static int64_t find_same(const Step *step, const Change *change)
+{
+    gpointer at;
+    if (is_plain(change))
+        return g_hash_table_lookup_extended(step->plain, GINT_TO_POINTER(change->id), NULL, &at) ? GPOINTER_TO_INT(at)
+                                                                                                 : -1;
+    for (guint i = step->changes->len; i-- > 0;) {
+        const Change *earlier = &g_array_index(step->changes, Change, i);
+        if (earlier->kind == change->kind && earlier->id == change->id) return i;
+        if (!commute(earlier, change)) break;
+    }
+    return -1;
+}
+
+/* Keeps the index that serves plain changes: of the blocks altered since the last change that they may not pass. */
+static void note_place(Step *step, const Change *change, guint at)
+{
+    if (change->kind == &history_head) return;
+    if (!is_plain(change)) g_hash_table_remove_all(step->plain);
+    if (change->kind == &history_block)
+        g_hash_table_insert(step->plain, GINT_TO_POINTER(change->id), GINT_TO_POINTER((int)at));
 }
 
 /* Adds a change to a step; one that only alters a thing which was altered here before becomes part of that, where it could
  * as well have been made right behind it. */
 static void step_add(Step *step, Change change)
 {
-    for (guint i = step->changes->len; alters(&change) && i-- > 0;) {
-        Change *earlier = &g_array_index(step->changes, Change, i);
-        if (earlier->kind == change.kind && earlier->id == change.id) {
-            if (!alters(earlier)) break;
-            change_clear(&(Change){earlier->kind, earlier->id, change.before, earlier->after, FALSE});
-            earlier->after = change.after;
-            earlier->renames = earlier->renames || change.renames;
-            return;
-        }
-        if (!commute(earlier, &change)) break;
+    const int64_t same = alters(&change) ? find_same(step, &change) : -1;
+    Change *earlier = same >= 0 ? &g_array_index(step->changes, Change, (guint)same) : NULL;
+    if (earlier != NULL && alters(earlier)) {
+        change_clear(&(Change){earlier->kind, earlier->id, change.before, earlier->after, FALSE});
+        earlier->after = change.after;
+        earlier->renames = earlier->renames || change.renames;
+        note_place(step, earlier, (guint)same);
+        return;
     }
     g_array_append_val(step->changes, change);
+    note_place(step, &change, step->changes->len - 1);
 }
 
 static void step_undo(const Step *step, TinkerScene *scene)
@@ -89,6 +120,7 @@ static void step_undo(const Step *step, TinkerScene *scene)
         const Change *change = &g_array_index(step->changes, Change, i);
         change->kind->make(scene, change->id, change->after, change->before);
     }
+    scene_settle(scene);
 }
 
 static void step_redo(const Step *step, TinkerScene *scene)
@@ -97,6 +129,7 @@ static void step_redo(const Step *step, TinkerScene *scene)
         const Change *change = &g_array_index(step->changes, Change, i);
         change->kind->make(scene, change->id, change->before, change->after);
     }
+    scene_settle(scene);
 }
 
 static void enter_state(TinkerHistory *history, guint64 state)

@@ -28,6 +28,8 @@ gboolean tinker_history_is_open(const TinkerHistory *history);
 TinkerBlockId tinker_history_add_block(TinkerHistory *history, const TinkerBlockClass *block_class, const char *name,
                                        GError **error);
 void tinker_history_remove_block(TinkerHistory *history, TinkerBlockId block);
+/* Several different ones at once, in a time that does not depend on how many they are but by what has to be kept of each. */
+void tinker_history_remove_blocks(TinkerHistory *history, const TinkerBlockId *blocks, gsize count);
 gboolean tinker_history_rename_block(TinkerHistory *history, TinkerBlockId block, const char *name, GError **error);
 gboolean tinker_history_set(TinkerHistory *history, TinkerBlockId block, int32_t property, const double *values,
                             GError **error);

@@ -104,29 +104,42 @@ void scene_placeholders_follow(TinkerScene *scene, const char *old_name, const c
         scene_placeholder_rename_ends(placeholder, names);
 }
 
-/* A block is named where another name in its place would change the text. */
-GArray *scene_placeholders_on(const TinkerScene *scene, TinkerBlockId block)
+/* The names of blocks, each to be replaced by none. (transfer full) */
+static GHashTable *names_of(const TinkerScene *scene, GHashTable *blocks)
 {
-    GArray *blocks = g_array_new(FALSE, FALSE, sizeof(TinkerBlockId));
-    g_autoptr(GHashTable) names = one_name(scene_slot(scene, block)->name, "");
+    GHashTable *names = g_hash_table_new(g_str_hash, g_str_equal);
+    GHashTableIter iter;
+    gpointer id;
+    g_hash_table_iter_init(&iter, blocks);
+    while (g_hash_table_iter_next(&iter, &id, NULL))
+        g_hash_table_insert(names, (gpointer)tinker_scene_block_name(scene, GPOINTER_TO_INT(id)), (gpointer) "");
+    return names;
+}
+
+/* A block is named where another name in its place would change the text. */
+GArray *scene_placeholders_on(const TinkerScene *scene, GHashTable *blocks)
+{
+    GArray *naming = g_array_new(FALSE, FALSE, sizeof(TinkerBlockId));
+    if (g_hash_table_size(scene->placeholders) == 0) return naming;
+    g_autoptr(GHashTable) names = names_of(scene, blocks);
     GHashTableIter iter;
     gpointer id, placeholder;
     g_hash_table_iter_init(&iter, scene->placeholders);
     while (g_hash_table_iter_next(&iter, &id, &placeholder)) {
         TinkerBlockId of = GPOINTER_TO_INT(id);
+        if (!tinker_scene_has_block(scene, of) || g_hash_table_contains(blocks, id)) continue;
         ScenePlaceholder *copy = scene_placeholder_copy(placeholder);
-        if (tinker_scene_has_block(scene, of) && scene_placeholder_rename_ends(copy, names))
-            g_array_append_val(blocks, of);
+        if (scene_placeholder_rename_ends(copy, names)) g_array_append_val(naming, of);
         scene_placeholder_free(copy);
     }
-    return blocks;
+    return naming;
 }
 
 /* Detaching ---------------------------------------------------------------------------------------------------- */
 
 typedef struct {
     const TinkerScene *scene;
-    TinkerBlockId block;
+    GHashTable *blocks;
 } Leaving;
 
 /* A length as the format writes one (m); what nobody can read counts as none. */
@@ -145,17 +158,18 @@ static void append_length(GString *out, double value)
     g_string_append(out, text);
 }
 
-/* An end on the block that leaves becomes a place, which is how the format writes one that is detached. */
+/* An end on a block that leaves becomes a place, which is how the format writes one that is detached. */
 static void append_detached(GString *out, const char *text, const JsonPart *end, gpointer data)
 {
     const Leaving *leaving = data;
     cJSON *json = cJSON_ParseWithLength(text + end->start, end->end - end->start);
     const cJSON *name = cJSON_IsObject(json) ? cJSON_GetObjectItemCaseSensitive(json, "block") : json;
     const cJSON *at = cJSON_IsObject(json) ? cJSON_GetObjectItemCaseSensitive(json, "at") : NULL;
-    if (g_strcmp0(cJSON_GetStringValue(name), tinker_scene_block_name(leaving->scene, leaving->block)) == 0) {
+    const char *named = cJSON_GetStringValue(name);
+    const TinkerBlockId block = named != NULL ? tinker_scene_find_block(leaving->scene, named) : TINKER_NO_BLOCK;
+    if (g_hash_table_contains(leaving->blocks, GINT_TO_POINTER(block))) {
         double place[2];
-        TinkerSceneEnd on = {leaving->block, length_of(cJSON_GetArrayItem(at, 0)),
-                             length_of(cJSON_GetArrayItem(at, 1))};
+        TinkerSceneEnd on = {block, length_of(cJSON_GetArrayItem(at, 0)), length_of(cJSON_GetArrayItem(at, 1))};
         scene_end_place(leaving->scene, on, place);
         g_string_append_c(out, '[');
         append_length(out, place[0]);
@@ -168,13 +182,12 @@ static void append_detached(GString *out, const char *text, const JsonPart *end,
     cJSON_Delete(json);
 }
 
-void scene_placeholders_detach(TinkerScene *scene, TinkerBlockId block)
+void scene_placeholders_detach(TinkerScene *scene, GHashTable *blocks)
 {
-    g_autoptr(GArray) naming = scene_placeholders_on(scene, block);
-    Leaving leaving = {scene, block};
+    g_autoptr(GArray) naming = scene_placeholders_on(scene, blocks);
+    Leaving leaving = {scene, blocks};
     for (guint i = 0; i < naming->len; i++) {
-        TinkerBlockId id = g_array_index(naming, TinkerBlockId, i);
-        if (id != block)
-            rewrite_ends(g_hash_table_lookup(scene->placeholders, GINT_TO_POINTER(id)), append_detached, &leaving);
+        gpointer id = GINT_TO_POINTER(g_array_index(naming, TinkerBlockId, i));
+        rewrite_ends(g_hash_table_lookup(scene->placeholders, id), append_detached, &leaving);
     }
 }

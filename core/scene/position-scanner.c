@@ -72,8 +72,15 @@ static gsize word_length(const Scanner *s)
 /* "expected X, Y found" with the word or character that is there. */
 static gboolean fail_expected(Scanner *s, const char *expected)
 {
+    if (s->at == 0 && s->length >= 3 && memcmp(s->text, "\xEF\xBB\xBF", 3) == 0)
+        return fail(s, 0, "the text begins with a byte-order mark (save it as UTF-8 without one)");
     if (s->at >= s->length) return fail(s, s->at, "not JSON: %s was expected, but the text ends here", expected);
     const char *from = s->text + s->at;
+    gsize before = s->at;
+    while ((*from == ']' || *from == '}') && before > 0 && strchr(" \n\r\t", s->text[before - 1]) != NULL)
+        before--;
+    if ((*from == ']' || *from == '}') && before > 0 && s->text[before - 1] == ',')
+        return fail(s, before - 1, "not JSON: a comma stands before '%c' (take it out)", *from);
     gsize word = word_length(s);
     if (word > 0) return fail(s, s->at, "not JSON: %s was expected, \"%.*s\" found", expected, (int)word, from);
     gunichar c = g_utf8_get_char_validated(from, (gssize)(s->length - s->at));

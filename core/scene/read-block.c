@@ -3,6 +3,7 @@
 
 #include "scene/reader-private.h"
 #include "scene/text-hash.h"
+#include "scene/tops.h"
 
 /* The members that every block has. */
 typedef struct {
@@ -35,7 +36,7 @@ static void type_free(ReaderType *type)
     g_free(type);
 }
 
-static const ReaderType *find_type(SceneReader *reader, const char *id)
+static ReaderType *find_type(SceneReader *reader, const char *id)
 {
     if (reader->types == NULL)
         reader->types = g_hash_table_new_full(tinker_text_hash, g_str_equal, g_free, (GDestroyNotify)type_free);
@@ -122,13 +123,33 @@ static TinkerBlockId add_row(SceneReader *reader, const BlockMembers *members, J
 
 static const char **property_keys(const TinkerBlockClass *block_class)
 {
-    const char **keys = g_new0(const char *, (gsize)block_class->property_count + 4);
+    const char **keys = g_new0(const char *, (gsize)block_class->property_count + 6);
+    gsize count = 0;
     for (int32_t p = 0; p < block_class->property_count; p++)
-        keys[p] = block_class->properties[p].id;
-    keys[block_class->property_count] = "type";
-    keys[block_class->property_count + 1] = "name";
-    if (block_class->type->most_ends != 0) keys[block_class->property_count + 2] = "ends";
+        keys[count++] = block_class->properties[p].id;
+    keys[count++] = "type";
+    keys[count++] = "name";
+    if (block_class->type->most_ends != 0) keys[count++] = "ends";
+    if (tinker_class_can_lie(block_class)) {
+        keys[count++] = "on";
+        keys[count++] = "along";
+    }
     return keys;
+}
+
+/* A key that is the symbol of a property, as "k" is that of the stiffness, is meant for that. */
+static void keep_unknown(SceneReader *reader, JsonAt at, const char *key, const TinkerBlockClass *block_class,
+                         GString **unknown)
+{
+    for (int32_t p = 0; p < block_class->property_count; p++) {
+        const char *symbol = block_class->properties[p].symbol;
+        if (symbol == NULL || g_ascii_strcasecmp(symbol, key) != 0) continue;
+        g_autofree char *meant = g_strdup_printf(" (did you mean \"%s\"?)", block_class->properties[p].id);
+        reader_keep_member(reader, at, key, meant, unknown);
+        return;
+    }
+    g_autofree const char **keys = property_keys(block_class);
+    reader_keep_unknown(reader, at, key, keys, unknown);
 }
 
 static void read_properties(SceneReader *reader, const cJSON *json, JsonAt at, const BlockMembers *members,
@@ -145,8 +166,8 @@ static void read_properties(SceneReader *reader, const cJSON *json, JsonAt at, c
             reader_property(reader, member, at_child(at, step), table, row, property);
             continue;
         }
-        g_autofree const char **keys = property_keys(table->block_class);
-        reader_keep_unknown(reader, at_child(at, step), member->string, keys, &unknown);
+        if (reader_is_place_on(table->block_class, member->string)) continue;
+        keep_unknown(reader, at_child(at, step), member->string, table->block_class, &unknown);
     }
     if (unknown != NULL) g_hash_table_insert(reader->scene->extras, GINT_TO_POINTER(id), g_string_free(unknown, FALSE));
     scene_table_resolve(table, row);
@@ -181,6 +202,7 @@ static void read_known(SceneReader *reader, const cJSON *json, JsonAt at, const 
     name_block(reader, id, name);
     read_properties(reader, json, at, members, id);
     check_row(reader, json, at, id);
+    reader_place_on(reader, json, at, id);
     if (read_ends) reader_ends(reader, members->ends, at_child(at, members->ends_step), id);
 }
 
@@ -200,14 +222,33 @@ static void read_object(SceneReader *reader, const cJSON *json, const JsonPart *
         reader_error(reader, at, TINKER_SCENE_ERROR_SYNTAX, "the key \"type\" is missing");
     else if (type_id == NULL)
         reader_text(reader, members.type, at_child(at, members.type_step), "type");
-    const ReaderType *type = type_id == NULL ? NULL : find_type(reader, type_id);
+    ReaderType *type = type_id == NULL ? NULL : find_type(reader, type_id);
     if (type != NULL && type->block_class != NULL) {
         read_known(reader, json, at, &members, name, type->block_class);
         return;
     }
-    if (type != NULL)
+    if (type != NULL && type->blocks++ == 0) {
+        type->finding = reader->findings->len;
         reader_warning(reader, at_child(at, members.type_step), TINKER_SCENE_ERROR_TYPE, "%s", type->message);
+    }
     keep_placeholder(reader, type_id == NULL ? "" : type_id, name, part);
+}
+
+void reader_count_missing(SceneReader *reader)
+{
+    if (reader->types == NULL) return;
+    GHashTableIter iter;
+    gpointer value;
+    g_hash_table_iter_init(&iter, reader->types);
+    while (g_hash_table_iter_next(&iter, NULL, &value)) {
+        const ReaderType *type = value;
+        if (type->blocks < 2) continue;
+        ReaderFinding *finding = &g_array_index(reader->findings, ReaderFinding, type->finding);
+        char *whole = g_strdup_printf("%s; %d more block%s of it", finding->message, type->blocks - 1,
+                                      type->blocks == 2 ? " is" : "s are");
+        g_free(finding->message);
+        finding->message = whole;
+    }
 }
 
 void reader_block(SceneReader *reader, int number)

@@ -135,5 +135,6 @@ void reader_finish_blocks(SceneReader *reader)
         reader_error(reader, end->name_at, TINKER_SCENE_ERROR_END, "end %d names no block \"%s\"%s", end->end + 1,
                      end->name, suggestion);
     }
+    reader_finish_places_on(reader);
     reader_label(reader, NULL);
 }

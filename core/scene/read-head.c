@@ -11,7 +11,7 @@ static gboolean head_number(SceneReader *reader, const cJSON *json, JsonAt at, c
         if (!g_str_equal(number->part, part) || !g_str_equal(json->string, type->id)) continue;
         double value;
         if (!reader_number(reader, json, at, type->id, type->dimension, &value)) return TRUE;
-        g_autofree char *fault = scene_value_fault(type, &value);
+        g_autofree char *fault = scene_value_fault(type, &value, (const char *const[]){json->valuestring});
         if (fault != NULL)
             reader_error(reader, at, TINKER_SCENE_ERROR_VALUE, "%s", fault);
         else
@@ -43,6 +43,9 @@ static gboolean run_member(SceneReader *reader, const cJSON *json, JsonAt at)
     TinkerRunSettings *run = &reader->scene->head.run;
     if (g_str_equal(json->string, "method")) {
         head_text(reader, json, at, "method", &run->method);
+        g_autofree char *fault =
+            cJSON_IsString(json) ? tinker_catalogue_method_fault(reader->catalogue, run->method) : NULL;
+        if (fault != NULL) reader_warning(reader, at, TINKER_SCENE_ERROR_METHOD, "%s", fault);
         return TRUE;
     }
     if (g_str_equal(json->string, "contacts")) {
@@ -96,8 +99,8 @@ static void read_units(SceneReader *reader, const cJSON *json, const JsonPart *p
 static void read_member(SceneReader *reader, const char *key, const cJSON *json, const JsonPart *part)
 {
     static const char *const canvas_keys[] = {"width", "grid", "snap", NULL};
-    static const char *const run_keys[] = {"duration",  "interval", "method",          "step",
-                                           "tolerance", "contacts", "spectral_radius", NULL};
+    static const char *const run_keys[] = {"duration", "interval", "method",          "step", "tolerance",
+                                           "accuracy", "contacts", "spectral_radius", NULL};
     TinkerScene *scene = reader->scene;
     const struct {
         const char *key;

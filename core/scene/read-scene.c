@@ -39,6 +39,7 @@ static void reader_init(SceneReader *reader, TinkerCatalogue *catalogue, const c
             g_hash_table_new_full(tinker_text_hash, g_str_equal, g_free, (GDestroyNotify)tinker_waveform_unref),
         .unnamed = g_array_new(FALSE, FALSE, sizeof(TinkerBlockId)),
         .later_ends = g_array_new(FALSE, FALSE, sizeof(ReaderEnd)),
+        .places_on = g_array_new(FALSE, FALSE, sizeof(ReaderPlaceOn)),
         .end_names = g_string_chunk_new(4096),
         .suggestions_left = MOST_COMPARED,
     };
@@ -54,6 +55,7 @@ static void reader_clear(SceneReader *reader)
     g_hash_table_unref(reader->waveforms);
     g_array_unref(reader->unnamed);
     g_array_unref(reader->later_ends);
+    g_array_unref(reader->places_on);
     g_string_chunk_free(reader->end_names);
     g_clear_pointer(&reader->block_names, g_ptr_array_unref);
     g_free(reader->folder);
@@ -90,6 +92,7 @@ static void read_document(SceneReader *reader)
     reader_head(reader);
     for (guint i = 0; i < reader->scan.blocks->len; i++)
         reader_block(reader, (int)i);
+    reader_count_missing(reader);
     reader_finish_blocks(reader);
     for (guint i = 0; i < reader->scan.members->len; i++) {
         const JsonPart *part = &g_array_index(reader->scan.members, JsonPart, i);

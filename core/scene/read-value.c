@@ -148,7 +148,10 @@ void reader_property(SceneReader *reader, const cJSON *json, JsonAt at, SceneTab
     }
     double values[2] = {0, 0};
     if (!property_numbers(reader, json, at, type, values)) return;
-    g_autofree char *fault = scene_value_fault(type, values);
+    const gboolean vector = type->kind == TINKER_KIND_VECTOR;
+    const char *const typed[2] = {vector ? json->child->valuestring : json->valuestring,
+                                  vector ? json->child->next->valuestring : NULL};
+    g_autofree char *fault = scene_value_fault(type, values, typed);
     if (fault != NULL)
         reader_error(reader, at, TINKER_SCENE_ERROR_VALUE, "%s", fault);
     else

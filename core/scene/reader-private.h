@@ -48,6 +48,8 @@ typedef struct {
 typedef struct {
     const TinkerBlockClass *block_class; /* NULL: nobody provides it, and `message` says so */
     char *message;
+    int blocks;    /* of a type that nobody provides */
+    guint finding; /* the one that says so, of the first of them */
 } ReaderType;
 
 /* An end whose block had not been read when the end was. */
@@ -57,6 +59,14 @@ typedef struct {
     JsonAt name_at, at_at; /* its block's name, and its "at" */
     const char *name;
 } ReaderEnd;
+
+/* A body that lies on a block: it is joined to that when all have been read. */
+typedef struct {
+    TinkerBlockId block;
+    JsonAt name_at, along_at; /* without depth: not given */
+    const char *name;
+    double along;
+} ReaderPlaceOn;
 
 typedef struct {
     TinkerCatalogue *catalogue;
@@ -85,7 +95,8 @@ typedef struct {
     GHashTable *known_waveforms; /* likewise, given by whoever reads; NULL: none */
     GArray *unnamed;             /* of TinkerBlockId */
     GArray *later_ends;          /* of ReaderEnd */
-    GStringChunk *end_names;     /* theirs */
+    GArray *places_on;           /* of ReaderPlaceOn */
+    GStringChunk *end_names;     /* of both */
     GPtrArray *block_names;      /* all, for suggestions; made when first needed */
     gint64 suggestions_left;     /* names that may still be compared */
 } SceneReader;
@@ -109,6 +120,9 @@ char *reader_suggestion(const char *word, const char *const *candidates, const c
 /* An unknown key: a warning, and the member is added to `extras`, which is made where it is NULL. */
 void reader_keep_unknown(SceneReader *reader, JsonAt at, const char *key, const char *const *candidates,
                          GString **extras);
+
+/* The same with what is to be told of it: a suggestion in brackets, or what becomes of it. */
+void reader_keep_member(SceneReader *reader, JsonAt at, const char *key, const char *suggestion, GString **extras);
 
 /* Sorts the findings into the order of the text, finds lines and columns, and adds them to `findings` (may be NULL).
  * Answers whether there are no errors; `error` is the first. */
@@ -154,7 +168,14 @@ cJSON *reader_parse(SceneReader *reader, const JsonPart *part);
 
 void reader_head(SceneReader *reader);
 void reader_block(SceneReader *reader, int number);
+/* Adds to what is told of a missing type, once, how many blocks are of it. */
+void reader_count_missing(SceneReader *reader);
 void reader_ends(SceneReader *reader, const cJSON *json, JsonAt at, TinkerBlockId block);
+/* Reads "on" and "along" of a block, whichever of them is given. */
+void reader_place_on(SceneReader *reader, const cJSON *json, JsonAt at, TinkerBlockId block);
+gboolean reader_is_place_on(const TinkerBlockClass *block_class, const char *key);
+/* What can only be done when all blocks have been read. */
+void reader_finish_places_on(SceneReader *reader);
 /* A suggestion among the names of all blocks, while comparing them does not take too long. (transfer full) */
 char *reader_suggest_block(SceneReader *reader, const char *name);
 /* What can only be done when all blocks have been read: names, ends that name later blocks. */

@@ -96,6 +96,9 @@ static void copy_side_tables(const TinkerScene *from, TinkerScene *copy)
     g_hash_table_iter_init(&iter, from->extras);
     while (g_hash_table_iter_next(&iter, &key, &value))
         g_hash_table_insert(copy->extras, key, g_strdup(value));
+    g_hash_table_iter_init(&iter, from->places_on);
+    while (g_hash_table_iter_next(&iter, &key, &value))
+        scene_set_place_on(copy, GPOINTER_TO_INT(key), value);
     g_hash_table_iter_init(&iter, from->end_extras);
     while (g_hash_table_iter_next(&iter, &key, &value))
         g_hash_table_insert(copy->end_extras, g_memdup2(key, sizeof(gint64)), g_strdup(value));

@@ -37,12 +37,26 @@ static char *target_fault(const TinkerScene *scene, const TinkerBlockType *type,
     return NULL;
 }
 
+/* What acts between two ends does nothing where both are one point. */
+static char *same_place_fault(const TinkerScene *scene, TinkerBlockId block, int32_t end, TinkerSceneEnd to)
+{
+    const TinkerBlockType *type = tinker_scene_block_class(scene, block)->type;
+    if (type->least_ends != 2 || type->most_ends != 2) return NULL;
+    const TinkerSceneEnd other = tinker_scene_end(scene, block, 1 - end);
+    if (other.block != to.block || other.x != to.x || other.y != to.y) return NULL;
+    return g_strdup_printf("ends 1 and 2 are both on \"%s\": a %s acts between two places (attach one of them to "
+                           "another block)",
+                           tinker_scene_block_name(scene, to.block), type->id);
+}
+
 char *scene_end_fault(const TinkerScene *scene, TinkerBlockId block, int32_t end, TinkerSceneEnd to)
 {
     if (!isfinite(to.x) || !isfinite(to.y)) return g_strdup_printf("end %d must be at a finite place", end + 1);
     if (to.block == TINKER_NO_BLOCK) return NULL;
     if (!tinker_scene_has_block(scene, to.block)) return g_strdup_printf("end %d is on a block that is gone", end + 1);
     if (to.block == block) return g_strdup_printf("end %d is on the block itself", end + 1);
+    char *same = same_place_fault(scene, block, end, to);
+    if (same != NULL) return same;
     return target_fault(scene, tinker_scene_block_class(scene, block)->type, end, to);
 }
 
@@ -65,19 +79,45 @@ void scene_end_place(const TinkerScene *scene, TinkerSceneEnd end, double place[
     place[1] = meaning_value(table, row, TINKER_MEANING_POSITION, 1) + sin(angle) * end.x + cos(angle) * end.y;
 }
 
-GArray *scene_attached_to(const TinkerScene *scene, TinkerBlockId block)
+static gboolean is_on(const SceneTable *table, int32_t row, GHashTable *blocks)
+{
+    const TinkerSceneEnd *ends = scene_table_ends(table, row);
+    for (int32_t end = 0; end < scene_table_end_count(table, row); end++)
+        if (g_hash_table_contains(blocks, GINT_TO_POINTER(ends[end].block))) return TRUE;
+    return FALSE;
+}
+
+GArray *scene_attached_to(const TinkerScene *scene, GHashTable *blocks)
 {
     GArray *attached = g_array_new(FALSE, FALSE, sizeof(TinkerBlockId));
     for (guint t = 0; t < scene->tables->len; t++) {
         const SceneTable *table = g_ptr_array_index(scene->tables, t);
-        for (int32_t row = 0; row < table->count; row++) {
-            gboolean found = FALSE;
-            for (int32_t end = table->end_offsets[row]; end < table->end_offsets[row + 1]; end++)
-                found = found || table->ends[end].block == block;
-            if (found) g_array_append_val(attached, table->ids[row]);
-        }
+        for (int32_t row = 0; row < table->count; row++)
+            if (is_on(table, row, blocks) && !g_hash_table_contains(blocks, GINT_TO_POINTER(table->ids[row])))
+                g_array_append_val(attached, table->ids[row]);
     }
     return attached;
+}
+
+void scene_detach(TinkerScene *scene, GHashTable *blocks)
+{
+    g_autoptr(GArray) attached = scene_attached_to(scene, blocks);
+    for (guint i = 0; i < attached->len; i++) {
+        const TinkerBlockId other = g_array_index(attached, TinkerBlockId, i);
+        const SceneTable *table = scene_table_of(scene, other);
+        const int32_t row = scene_slot(scene, other)->row;
+        TinkerSceneEnd *ends = scene_table_ends(table, row);
+        for (int32_t end = 0; end < scene_table_end_count(table, row); end++) {
+            if (!g_hash_table_contains(blocks, GINT_TO_POINTER(ends[end].block))) continue;
+            double place[2];
+            scene_end_place(scene, ends[end], place);
+            ends[end] = (TinkerSceneEnd){TINKER_NO_BLOCK, place[0], place[1]};
+        }
+    }
+    g_autoptr(GArray) lying = scene_placed_on(scene, blocks);
+    for (guint i = 0; i < lying->len; i++)
+        scene_fix_place(scene, g_array_index(lying, TinkerBlockId, i));
+    scene_placeholders_detach(scene, blocks);
 }
 
 int32_t tinker_scene_end_count(const TinkerScene *scene, TinkerBlockId block)
@@ -103,5 +143,6 @@ gboolean tinker_scene_set_end(TinkerScene *scene, TinkerBlockId block, int32_t e
         return FALSE;
     }
     scene_table_ends(scene_table_of(scene, block), scene_slot(scene, block)->row)[end] = to;
+    scene_settle_after(scene, block);
     return TRUE;
 }

@@ -18,6 +18,10 @@ const SceneHeadNumber scene_head_numbers[] = {
      {.id = "tolerance", .flags = POSITIVE | TINKER_HAS_MAXIMUM | TINKER_OPEN_MAXIMUM, .hard_maximum = 1},
      OFFSET(run.tolerance)},
     {"run",
+     {.id = "accuracy", .flags = POSITIVE | TINKER_HAS_MAXIMUM | TINKER_OPEN_MAXIMUM, .hard_maximum = 1},
+     OFFSET(run.accuracy),
+     .may_be_none = TRUE},
+    {"run",
      {.id = "spectral_radius", .flags = TINKER_HAS_MINIMUM | TINKER_HAS_MAXIMUM, .hard_maximum = 1},
      OFFSET(run.spectral_radius)},
     {NULL},
@@ -91,7 +95,8 @@ char *scene_head_fault(const TinkerSceneHead *head)
     for (const SceneHeadNumber *number = scene_head_numbers; number->part != NULL; number++) {
         double value;
         memcpy(&value, G_STRUCT_MEMBER_P(head, number->offset), sizeof value);
-        g_autofree char *fault = scene_value_fault(&number->type, &value);
+        if (number->may_be_none && value == 0) continue;
+        g_autofree char *fault = scene_value_fault(&number->type, &value, NULL);
         if (fault != NULL) return g_strdup_printf("%s: %s", number->part, fault);
     }
     return NULL;

@@ -6,7 +6,7 @@
 
 typedef enum {
     TINKER_FINDING_ERROR,   /* the scene cannot be run */
-    TINKER_FINDING_WARNING, /* an unknown key, a block of a missing type */
+    TINKER_FINDING_WARNING, /* an unknown key; what can be opened and saved, and not be run: a missing type or method */
 } TinkerFindingKind;
 
 /* One thing that is wrong with a scene, and where. */

@@ -34,7 +34,7 @@ static char *component_name(const TinkerPropertyType *property, int32_t componen
     return g_strdup_printf("%s: %s", property->id, component == 0 ? "x" : "y");
 }
 
-static char *range_fault(const TinkerPropertyType *property, int32_t component, double value)
+static char *range_fault(const TinkerPropertyType *property, int32_t component, double value, const char *typed)
 {
     gboolean low = below_minimum(property, value);
     if (!low && !above_maximum(property, value)) return NULL;
@@ -43,7 +43,7 @@ static char *range_fault(const TinkerPropertyType *property, int32_t component, 
     g_autofree char *name = component_name(property, component);
     g_autofree char *bound =
         value_with_unit(low ? property->hard_minimum : property->hard_maximum, property->dimension);
-    g_autofree char *given = value_with_unit(value, property->dimension);
+    g_autofree char *given = typed != NULL ? g_strdup(typed) : value_with_unit(value, property->dimension);
     return g_strdup_printf("%s must be %s %s (it is %s)", name, relation, bound, given);
 }
 
@@ -65,11 +65,11 @@ static char *kind_fault(const TinkerPropertyType *property, int32_t component, d
     }
 }
 
-char *scene_value_fault(const TinkerPropertyType *property, const double *values)
+char *scene_value_fault(const TinkerPropertyType *property, const double *values, const char *const *typed)
 {
     for (int32_t c = 0; c < tinker_kind_columns(property->kind); c++) {
         char *fault = kind_fault(property, c, values[c]);
-        if (fault == NULL) fault = range_fault(property, c, values[c]);
+        if (fault == NULL) fault = range_fault(property, c, values[c], typed != NULL ? typed[c] : NULL);
         if (fault != NULL) return fault;
     }
     return NULL;
@@ -151,6 +151,15 @@ static void put_back(SceneTable *table, int32_t row, int32_t property, const dou
     scene_table_resolve(table, row);
 }
 
+/* A position that was given counts from now on; other changes move what lies on tops. */
+static void settle_after(TinkerScene *scene, TinkerBlockId block, int32_t property)
+{
+    const TinkerBlockClass *block_class = tinker_scene_block_class(scene, block);
+    if (property == block_class->meanings[TINKER_MEANING_POSITION] && scene_place_on(scene, block) != NULL)
+        scene_fix_place(scene, block);
+    scene_settle_after(scene, block);
+}
+
 gboolean tinker_scene_set(TinkerScene *scene, TinkerBlockId block, int32_t property, const double *values,
                           GError **error)
 {
@@ -164,7 +173,7 @@ gboolean tinker_scene_set(TinkerScene *scene, TinkerBlockId block, int32_t prope
     if (type->flags & (TINKER_READ_ONLY | TINKER_DERIVED))
         fault = g_strdup_printf("%s is shown, not set", type->id);
     else
-        fault = scene_value_fault(type, values);
+        fault = scene_value_fault(type, values, NULL);
     if (fault == NULL) {
         double old[2] = {0, 0};
         for (int32_t c = 0; c < tinker_kind_columns(type->kind); c++)
@@ -173,7 +182,10 @@ gboolean tinker_scene_set(TinkerScene *scene, TinkerBlockId block, int32_t prope
         scene_store(table, row, property, values);
         scene_table_resolve(table, row);
         fault = scene_row_fault(table, row);
-        if (fault == NULL) return TRUE;
+        if (fault == NULL) {
+            settle_after(scene, block, property);
+            return TRUE;
+        }
         put_back(table, row, property, old, given);
     }
     g_set_error(error, TINKER_SCENE_ERROR, TINKER_SCENE_ERROR_VALUE, "%s: %s", tinker_scene_block_name(scene, block),
@@ -190,6 +202,8 @@ void tinker_scene_unset(TinkerScene *scene, TinkerBlockId block, int32_t propert
     if (table->waveforms[property] != NULL) scene_store_waveform(table, row, property, NULL);
     scene_table_set_default(table, row, property);
     scene_table_resolve(table, row);
+
+    settle_after(scene, block, property);
 
     /* The default of one friction coefficient may not go with the other as given; then both are the default. */
     g_autofree char *fault = scene_row_fault(table, row);
@@ -232,4 +246,5 @@ void tinker_scene_set_waveform(TinkerScene *scene, TinkerBlockId block, int32_t 
     SceneTable *table = row_of(scene, block, &row);
     g_assert(property >= 0 && property < table->block_class->property_count && table->waveforms[property] != NULL);
     scene_store_waveform(table, row, property, waveform);
+    scene_settle_after(scene, block);
 }

@@ -1,17 +1,11 @@
-/* Snapshots: one block with its values, ends, name, place in the drawing order and graphs, for undo. */
+/* Snapshots: one block with its values, ends and name, for undo. */
 #include <string.h>
 
 #include "scene/scene-private.h"
 
-typedef struct {
-    guint place; /* in the scene's list */
-    TinkerSceneGraph *graph;
-} SnapshotGraph;
-
 struct _SceneSnapshot {
     TinkerBlockId id;
     char *name;
-    int32_t order; /* place in the drawing order */
     int32_t table; /* number, or SCENE_PLACEHOLDER: the values that follow are then empty */
     int32_t column_count, property_count, end_count;
     double *columns;
@@ -19,8 +13,9 @@ struct _SceneSnapshot {
     char **texts;
     TinkerWaveform **waveforms;
     TinkerSceneEnd *ends;
+    gboolean lies;
+    ScenePlaceOn on;   /* where it lies */
     char *placeholder; /* the text of one; else NULL */
-    GArray *graphs;    /* of SnapshotGraph, last first */
 };
 
 static void take_row(SceneSnapshot *snapshot, const SceneTable *table, int32_t row)
@@ -58,57 +53,20 @@ static void restore_row(const SceneSnapshot *snapshot, SceneTable *table, int32_
         scene_table_ends(table, row)[end] = snapshot->ends[end];
 }
 
-/* The first row whose id is not below this one. */
-static int32_t row_for(const SceneTable *table, TinkerBlockId id)
-{
-    int32_t low = 0, high = table->count;
-    while (low < high) {
-        int32_t middle = low + (high - low) / 2;
-        if (table->ids[middle] < id)
-            low = middle + 1;
-        else
-            high = middle;
-    }
-    return low;
-}
-
-/* A removed block takes up its slot, its row and its place again. */
-static void bring_back(TinkerScene *scene, const SceneSnapshot *snapshot)
-{
-    guint place = MIN((guint)snapshot->order, scene->order->len);
-    g_array_insert_val(scene->order, place, snapshot->id);
-    if (snapshot->table == SCENE_PLACEHOLDER) {
-        scene_slot(scene, snapshot->id)->table = SCENE_PLACEHOLDER;
-    } else {
-        SceneTable *table = g_ptr_array_index(scene->tables, snapshot->table);
-        scene_table_insert(scene, table, row_for(table, snapshot->id), snapshot->id, snapshot->end_count);
-    }
-    for (guint i = snapshot->graphs->len; i-- > 0;) {
-        const SnapshotGraph *graph = &g_array_index(snapshot->graphs, SnapshotGraph, i);
-        g_ptr_array_insert(scene->graphs, (int)MIN(graph->place, scene->graphs->len), scene_graph_copy(graph->graph));
-    }
-}
-
 SceneSnapshot *scene_snapshot_take(const TinkerScene *scene, TinkerBlockId block)
 {
     SceneSnapshot *snapshot = g_new0(SceneSnapshot, 1);
     const SceneSlot *slot = scene_slot(scene, block);
     snapshot->id = block;
     snapshot->name = g_strdup(slot->name);
-    snapshot->order = scene_order_of(scene, block);
     snapshot->table = slot->table;
     const SceneTable *table = scene_table_of(scene, block);
     if (table != NULL) take_row(snapshot, table, slot->row);
     const ScenePlaceholder *placeholder = g_hash_table_lookup(scene->placeholders, GINT_TO_POINTER(block));
     if (placeholder != NULL) snapshot->placeholder = g_strdup(placeholder->text);
-
-    snapshot->graphs = g_array_new(FALSE, FALSE, sizeof(SnapshotGraph));
-    g_autoptr(GArray) places = scene_graphs_of(scene, block);
-    for (guint i = 0; i < places->len; i++) {
-        guint place = g_array_index(places, guint, i);
-        SnapshotGraph graph = {place, scene_graph_copy(g_ptr_array_index(scene->graphs, place))};
-        g_array_append_val(snapshot->graphs, graph);
-    }
+    const ScenePlaceOn *on = scene_place_on(scene, block);
+    snapshot->lies = on != NULL;
+    if (on != NULL) snapshot->on = *on;
     return snapshot;
 }
 
@@ -119,9 +77,6 @@ void scene_snapshot_free(SceneSnapshot *snapshot)
         g_free(snapshot->texts[p]);
         g_clear_pointer(&snapshot->waveforms[p], tinker_waveform_unref);
     }
-    for (guint i = 0; i < snapshot->graphs->len; i++)
-        scene_graph_free(g_array_index(snapshot->graphs, SnapshotGraph, i).graph);
-    g_array_unref(snapshot->graphs);
     g_free(snapshot->name);
     g_free(snapshot->placeholder);
     g_free(snapshot->columns);
@@ -132,6 +87,21 @@ void scene_snapshot_free(SceneSnapshot *snapshot)
     g_free(snapshot);
 }
 
+TinkerBlockId scene_snapshot_block(const SceneSnapshot *snapshot)
+{
+    return snapshot->id;
+}
+
+int32_t scene_snapshot_table(const SceneSnapshot *snapshot)
+{
+    return snapshot->table;
+}
+
+int32_t scene_snapshot_end_count(const SceneSnapshot *snapshot)
+{
+    return snapshot->end_count;
+}
+
 gboolean scene_snapshot_renames(const SceneSnapshot *before, const SceneSnapshot *after)
 {
     return g_strcmp0(before->name, after->name) != 0;
@@ -139,7 +109,6 @@ gboolean scene_snapshot_renames(const SceneSnapshot *before, const SceneSnapshot
 
 void scene_snapshot_restore(TinkerScene *scene, const SceneSnapshot *snapshot)
 {
-    if (!tinker_scene_has_block(scene, snapshot->id)) bring_back(scene, snapshot);
     if (g_strcmp0(scene_slot(scene, snapshot->id)->name, snapshot->name) != 0)
         scene_assign_name(scene, snapshot->id, snapshot->name);
     SceneTable *table = scene_table_of(scene, snapshot->id);
@@ -149,6 +118,7 @@ void scene_snapshot_restore(TinkerScene *scene, const SceneSnapshot *snapshot)
         g_free(placeholder->text);
         placeholder->text = g_strdup(snapshot->placeholder);
     }
+    scene_set_place_on(scene, snapshot->id, snapshot->lies ? &snapshot->on : NULL);
 }
 
 void scene_copy_row(const TinkerScene *from, TinkerBlockId block, TinkerScene *to, TinkerBlockId copy)

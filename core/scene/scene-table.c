@@ -1,15 +1,9 @@
 /* Tables: the blocks of one class, a column of doubles per property component. Rows are kept in the order of their ids;
- * adding at the end is amortised O(1), removing or bringing back moves what lies behind. */
+ * adding at the end is amortised O(1), removing or bringing back takes a pass over the table, for however many at once. */
 #include <math.h>
 #include <string.h>
 
 #include "scene/scene-private.h"
-
-/* Opens or closes the gap of one entry in an array of `count` entries. */
-#define OPEN_GAP(array, at, count)                                                                                     \
-    memmove((array) + (at) + 1, (array) + (at), ((size_t)(count) - (at)) * sizeof *(array))
-#define CLOSE_GAP(array, at, count)                                                                                    \
-    memmove((array) + (at), (array) + (at) + 1, ((size_t)(count) - (at)-1) * sizeof *(array))
 
 static TinkerWaveform *new_default_waveform(const TinkerPropertyType *property)
 {
@@ -57,16 +51,11 @@ static void table_grow(SceneTable *table)
     }
 }
 
-/* Makes room for `by` more ends (or fewer, where negative) in front of the end with this offset. */
-static void move_ends(SceneTable *table, int32_t from, int32_t by)
+static void make_room_for_ends(SceneTable *table, int32_t total)
 {
-    int32_t total = table->end_offsets[table->count];
-    if (total + by > table->end_room) {
-        table->end_room = MAX(total + by, table->end_room + table->end_room / 2);
-        table->ends = g_renew(TinkerSceneEnd, table->ends, table->end_room);
-    }
-    if (total > from)
-        memmove(table->ends + from + by, table->ends + from, (size_t)(total - from) * sizeof *table->ends);
+    if (total <= table->end_room) return;
+    table->end_room = MAX(total, table->end_room + table->end_room / 2);
+    table->ends = g_renew(TinkerSceneEnd, table->ends, table->end_room);
 }
 
 /* The slots of a row and of those behind it follow a move. */
@@ -121,58 +110,131 @@ void scene_table_free(SceneTable *table)
     g_free(table);
 }
 
-void scene_table_insert(TinkerScene *scene, SceneTable *table, int32_t row, TinkerBlockId id, int32_t end_count)
+/* A new row has the defaults and detached ends. */
+static void begin_row(SceneTable *table, int32_t row, TinkerBlockId id)
 {
-    const TinkerBlockClass *block_class = table->block_class;
-    if (table->count == table->room) table_grow(table);
-    OPEN_GAP(table->ids, row, table->count);
     table->ids[row] = id;
-    for (int32_t c = 0; c < block_class->column_count; c++)
-        OPEN_GAP(table->columns[c], row, table->count);
-
-    int32_t first_end = table->end_offsets[row];
-    move_ends(table, first_end, end_count);
-    for (int32_t end = 0; end < end_count; end++)
-        table->ends[first_end + end] = (TinkerSceneEnd){TINKER_NO_BLOCK, 0, 0};
-    for (int32_t r = table->count; r >= row; r--)
-        table->end_offsets[r + 1] = table->end_offsets[r] + end_count;
-
-    for (int32_t p = 0; p < block_class->property_count; p++) {
-        OPEN_GAP(table->given[p], row, table->count);
-        if (table->texts[p] != NULL) {
-            OPEN_GAP(table->texts[p], row, table->count);
-            table->texts[p][row] = NULL;
-        }
-        if (table->waveforms[p] != NULL) {
-            OPEN_GAP(table->waveforms[p], row, table->count);
-            table->waveforms[p][row] = NULL;
-        }
+    for (int32_t end = table->end_offsets[row]; end < table->end_offsets[row + 1]; end++)
+        table->ends[end] = (TinkerSceneEnd){TINKER_NO_BLOCK, 0, 0};
+    for (int32_t p = 0; p < table->block_class->property_count; p++) {
+        if (table->texts[p] != NULL) table->texts[p][row] = NULL;
+        if (table->waveforms[p] != NULL) table->waveforms[p][row] = NULL;
         scene_table_set_default(table, row, p);
     }
-    table->count++;
     scene_table_resolve(table, row);
+}
+
+void scene_table_append(TinkerScene *scene, SceneTable *table, TinkerBlockId id, int32_t end_count)
+{
+    const int32_t row = table->count, total = table->end_offsets[row] + end_count;
+    if (row == table->room) table_grow(table);
+    make_room_for_ends(table, total);
+    table->end_offsets[row + 1] = total;
+    begin_row(table, row, id);
+    table->count++;
     renumber(scene, table, row);
 }
 
-void scene_table_remove(TinkerScene *scene, SceneTable *table, int32_t row)
+/* Several rows at once ---------------------------------------------------------------------------------------------- */
+
+/* The array's entry `from` becomes the one `to`, for each row in turn: `from` is never before `to` in a table that gets shorter. */
+#define GATHER(array, kept, count)                                                                                     \
+    for (int32_t i = 0; i < (count); i++)                                                                              \
+    (array)[i] = (array)[(kept)[i]]
+
+static void gather_ends(SceneTable *table, const int32_t *kept, int32_t count)
+{
+    int32_t offset = 0;
+    for (int32_t i = 0; i < count; i++) {
+        const int32_t from = table->end_offsets[kept[i]], ends = table->end_offsets[kept[i] + 1] - from;
+        if (ends > 0) memmove(table->ends + offset, table->ends + from, (gsize)ends * sizeof *table->ends);
+        table->end_offsets[i] = offset;
+        offset += ends;
+    }
+    table->end_offsets[count] = offset;
+}
+
+void scene_table_remove(TinkerScene *scene, SceneTable *table, GHashTable *blocks)
 {
     const TinkerBlockClass *block_class = table->block_class;
-    clear_row(table, row);
-    int32_t end_count = scene_table_end_count(table, row);
-    move_ends(table, table->end_offsets[row + 1], -end_count);
-    for (int32_t r = row + 1; r < table->count; r++)
-        table->end_offsets[r] = table->end_offsets[r + 1] - end_count;
-
-    CLOSE_GAP(table->ids, row, table->count);
-    for (int32_t c = 0; c < block_class->column_count; c++)
-        CLOSE_GAP(table->columns[c], row, table->count);
-    for (int32_t p = 0; p < block_class->property_count; p++) {
-        CLOSE_GAP(table->given[p], row, table->count);
-        if (table->texts[p] != NULL) CLOSE_GAP(table->texts[p], row, table->count);
-        if (table->waveforms[p] != NULL) CLOSE_GAP(table->waveforms[p], row, table->count);
+    g_autofree int32_t *kept = g_new(int32_t, MAX(table->count, 1));
+    int32_t count = 0;
+    for (int32_t row = 0; row < table->count; row++) {
+        if (g_hash_table_contains(blocks, GINT_TO_POINTER(table->ids[row])))
+            clear_row(table, row);
+        else
+            kept[count++] = row;
     }
-    table->count--;
-    renumber(scene, table, row);
+    gather_ends(table, kept, count);
+    GATHER(table->ids, kept, count);
+    for (int32_t c = 0; c < block_class->column_count; c++)
+        GATHER(table->columns[c], kept, count);
+    for (int32_t p = 0; p < block_class->property_count; p++) {
+        GATHER(table->given[p], kept, count);
+        if (table->texts[p] != NULL) GATHER(table->texts[p], kept, count);
+        if (table->waveforms[p] != NULL) GATHER(table->waveforms[p], kept, count);
+    }
+    table->count = count;
+    renumber(scene, table, 0);
+}
+
+/* Entry i of an array becomes the one to[i], from the last on: `to` is never before i. */
+#define SPREAD(array, to, count)                                                                                       \
+    for (int32_t i = (count); i-- > 0;)                                                                                \
+    (array)[(to)[i]] = (array)[i]
+
+static void spread_ends(SceneTable *table, const int32_t *to, const int32_t *offsets)
+{
+    for (int32_t i = table->count; i-- > 0;) {
+        const int32_t ends = scene_table_end_count(table, i);
+        if (ends > 0)
+            memmove(table->ends + offsets[to[i]], scene_table_ends(table, i), (gsize)ends * sizeof *table->ends);
+    }
+}
+
+/* Opens the rows `at` for `count` more, and moves the others to the rows `to`. */
+static void spread(SceneTable *table, const int32_t *to, const SceneNewRow *rows, const int32_t *at, int32_t count)
+{
+    const TinkerBlockClass *block_class = table->block_class;
+    const int32_t total = table->count + count;
+    g_autofree int32_t *offsets = g_new0(int32_t, total + 1);
+    while (table->room < total)
+        table_grow(table);
+    for (int32_t i = 0; i < table->count; i++)
+        offsets[to[i] + 1] = scene_table_end_count(table, i);
+    for (int32_t i = 0; i < count; i++)
+        offsets[at[i] + 1] = rows[i].end_count;
+    for (int32_t row = 0; row < total; row++)
+        offsets[row + 1] += offsets[row];
+    make_room_for_ends(table, offsets[total]);
+    spread_ends(table, to, offsets);
+    memcpy(table->end_offsets, offsets, ((gsize)total + 1) * sizeof *offsets);
+    SPREAD(table->ids, to, table->count);
+    for (int32_t c = 0; c < block_class->column_count; c++)
+        SPREAD(table->columns[c], to, table->count);
+    for (int32_t p = 0; p < block_class->property_count; p++) {
+        SPREAD(table->given[p], to, table->count);
+        if (table->texts[p] != NULL) SPREAD(table->texts[p], to, table->count);
+        if (table->waveforms[p] != NULL) SPREAD(table->waveforms[p], to, table->count);
+    }
+    table->count = total;
+}
+
+void scene_table_insert(TinkerScene *scene, SceneTable *table, const SceneNewRow *rows, int32_t count)
+{
+    g_autofree int32_t *to = g_new(int32_t, MAX(table->count, 1)), *at = g_new(int32_t, MAX(count, 1));
+    int32_t next = 0;
+    for (int32_t i = 0; i < table->count; i++) {
+        for (; next < count && rows[next].id < table->ids[i]; next++)
+            at[next] = i + next;
+        to[i] = i + next;
+    }
+    for (; next < count; next++)
+        at[next] = table->count + next;
+    spread(table, to, rows, at, count);
+    for (int32_t i = 0; i < count; i++)
+        begin_row(table, at[i], rows[i].id);
+    renumber(scene, table, 0);
 }
 
 void scene_table_set_default(SceneTable *table, int32_t row, int32_t property)

@@ -1,10 +1,11 @@
-/* Scenes: the list of blocks with their names, and the drawing order. Rows of blocks are in scene-table.c, values in
- * scene-properties.c, ends in scene-ends.c, head and graphs in scene-head.c. */
+/* Scenes: the list of blocks with their names, and the drawing order. Rows of blocks are in scene-table.c, several blocks at
+ * once in scene-blocks.c, values in scene-properties.c, ends in scene-ends.c, head and graphs in scene-head.c. */
 #include <glib/gi18n-lib.h>
 #include <string.h>
 
 #include "scene/scene-private.h"
 #include "scene/text-hash.h"
+#include "units/plain-text.h"
 
 G_DEFINE_QUARK(tinker_scene_error_quark, tinker_scene_error)
 
@@ -30,8 +31,7 @@ char *scene_name_fault(const TinkerScene *scene, const char *name)
 {
     if (*name == '\0') return g_strdup("a name must not be empty");
     if (!g_utf8_validate(name, -1, NULL)) return g_strdup("a name must be UTF-8 text");
-    for (const char *c = name; *c != '\0'; c++)
-        if (g_ascii_iscntrl(*c)) return g_strdup("a name must be one line of text, without control characters");
+    if (!tinker_text_is_plain(name)) return g_strdup("a name must be one line of text, without control characters");
     if (tinker_scene_find_block(scene, name) != TINKER_NO_BLOCK)
         return g_strdup_printf("the name \"%s\" is taken: every block needs a name of its own", name);
     return NULL;
@@ -123,7 +123,7 @@ TinkerBlockId scene_append(TinkerScene *scene, const TinkerBlockClass *block_cla
         return id;
     }
     SceneTable *table = scene_table_for(scene, block_class);
-    scene_table_insert(scene, table, table->count, id, end_count);
+    scene_table_append(scene, table, id, end_count);
     return id;
 }
 
@@ -141,27 +141,15 @@ void scene_move_in_order(TinkerScene *scene, TinkerBlockId block, int32_t place)
     g_array_insert_val(scene->order, (guint)place, block);
 }
 
-GArray *scene_graphs_of(const TinkerScene *scene, TinkerBlockId block)
+GArray *scene_graphs_of(const TinkerScene *scene, GHashTable *blocks)
 {
     GArray *places = g_array_new(FALSE, FALSE, sizeof(guint));
     for (guint i = scene->graphs->len; i-- > 0;) {
         const TinkerSceneGraph *graph = g_ptr_array_index(scene->graphs, i);
-        if (g_strcmp0(graph->block, scene_slot(scene, block)->name) == 0) g_array_append_val(places, i);
+        const TinkerBlockId block = tinker_scene_find_block(scene, graph->block);
+        if (g_hash_table_contains(blocks, GINT_TO_POINTER(block))) g_array_append_val(places, i);
     }
     return places;
-}
-
-void scene_take_out(TinkerScene *scene, TinkerBlockId block)
-{
-    g_autoptr(GArray) graphs = scene_graphs_of(scene, block);
-    for (guint i = 0; i < graphs->len; i++)
-        g_ptr_array_remove_index(scene->graphs, g_array_index(graphs, guint, i));
-
-    scene_forget_name(scene, block);
-    g_array_remove_index(scene->order, (guint)scene_order_of(scene, block));
-    SceneTable *table = scene_table_of(scene, block);
-    if (table != NULL) scene_table_remove(scene, table, scene_slot(scene, block)->row);
-    scene_slot(scene, block)->table = SCENE_REMOVED;
 }
 
 TinkerScene *tinker_scene_new(TinkerCatalogue *catalogue)
@@ -179,6 +167,7 @@ TinkerScene *tinker_scene_new(TinkerCatalogue *catalogue)
     scene->next_number = g_hash_table_new_full(tinker_text_hash, g_str_equal, g_free, NULL);
     scene->placeholders = g_hash_table_new_full(NULL, NULL, NULL, (GDestroyNotify)scene_placeholder_free);
     scene->extras = g_hash_table_new_full(NULL, NULL, NULL, g_free);
+    scene->places_on = g_hash_table_new_full(NULL, NULL, NULL, g_free);
     scene->end_extras = g_hash_table_new_full(g_int64_hash, g_int64_equal, g_free, g_free);
     scene->sources = g_hash_table_new_full(NULL, NULL, (GDestroyNotify)tinker_waveform_unref, g_free);
     return scene;
@@ -198,6 +187,7 @@ void tinker_scene_free(TinkerScene *scene)
     g_hash_table_unref(scene->next_number);
     g_hash_table_unref(scene->placeholders);
     g_hash_table_unref(scene->extras);
+    g_hash_table_unref(scene->places_on);
     g_hash_table_unref(scene->end_extras);
     g_hash_table_unref(scene->sources);
     g_free(scene->head_extras);
@@ -287,21 +277,9 @@ TinkerBlockId tinker_scene_add_block(TinkerScene *scene, const TinkerBlockClass 
 void tinker_scene_remove_block(TinkerScene *scene, TinkerBlockId block)
 {
     g_assert(tinker_scene_has_block(scene, block));
-    g_autoptr(GArray) attached = scene_attached_to(scene, block);
-    for (guint i = 0; i < attached->len; i++) {
-        TinkerBlockId other = g_array_index(attached, TinkerBlockId, i);
-        SceneTable *table = scene_table_of(scene, other);
-        int32_t row = scene_slot(scene, other)->row;
-        TinkerSceneEnd *ends = scene_table_ends(table, row);
-        for (int32_t end = 0; end < scene_table_end_count(table, row); end++) {
-            if (ends[end].block != block) continue;
-            double place[2];
-            scene_end_place(scene, ends[end], place);
-            ends[end] = (TinkerSceneEnd){TINKER_NO_BLOCK, place[0], place[1]};
-        }
-    }
-    scene_placeholders_detach(scene, block);
-    scene_take_out(scene, block);
+    g_autoptr(GHashTable) set = scene_block_set(&block, 1);
+    scene_detach(scene, set);
+    scene_take_out(scene, set);
 }
 
 gboolean tinker_scene_rename_block(TinkerScene *scene, TinkerBlockId block, const char *name, GError **error)

@@ -22,6 +22,7 @@ typedef enum {
     TINKER_SCENE_ERROR_FILE,   /* could not be read or written */
     TINKER_SCENE_ERROR_SYNTAX, /* not a scene */
     TINKER_SCENE_ERROR_TYPE,   /* a type that nobody provides */
+    TINKER_SCENE_ERROR_METHOD, /* a method that nobody provides */
 } TinkerSceneError;
 #define TINKER_SCENE_ERROR (tinker_scene_error_quark())
 GQuark tinker_scene_error_quark(void);
@@ -33,6 +34,7 @@ typedef struct {
     char *method;     /* owned */
     double step;      /* s, of fixed-step methods */
     double tolerance; /* of adaptive ones */
+    double accuracy;  /* wanted of the whole run, in place of step and tolerance: the largest error estimate; 0: none */
     char *contacts;   /* "events" or "impulse"; owned */
     double spectral_radius;
 } TinkerRunSettings;
@@ -101,7 +103,8 @@ const TinkerBlockClass *tinker_scene_block_class(const TinkerScene *scene, Tinke
 TinkerBlockId tinker_scene_add_block(TinkerScene *scene, const TinkerBlockClass *block_class, const char *name,
                                      GError **error);
 
-/* Removes a block and its graphs; ends attached to it become detached at the place they were. */
+/* Removes a block and its graphs; ends attached to it become detached at the place they were, and what lay on it stays where it
+ * was. */
 void tinker_scene_remove_block(TinkerScene *scene, TinkerBlockId block);
 /* Graphs and the ends of placeholders follow their block's new name. */
 gboolean tinker_scene_rename_block(TinkerScene *scene, TinkerBlockId block, const char *name, GError **error);
@@ -120,6 +123,10 @@ gboolean tinker_scene_set(TinkerScene *scene, TinkerBlockId block, int32_t prope
                           GError **error);
 /* Back to the default. */
 void tinker_scene_unset(TinkerScene *scene, TinkerBlockId block, int32_t property);
+
+/* Whether a body lies on the top of a plate, so far (m) from its middle towards the plate's own +x: its position then follows from
+ * that, as does its orientation where none is given. Setting its position ends it. */
+gboolean tinker_scene_lies_on(const TinkerScene *scene, TinkerBlockId block, TinkerBlockId *plate, double *along);
 
 const char *tinker_scene_get_text(const TinkerScene *scene, TinkerBlockId block, int32_t property);
 void tinker_scene_set_text(TinkerScene *scene, TinkerBlockId block, int32_t property, const char *text);

@@ -64,3 +64,73 @@ char *tinker_scene_table_file(const TinkerScene *scene, TinkerWaveform *waveform
     cJSON_Delete(object);
     return file;
 }
+
+/* All files of a scene ------------------------------------------------------------------------------------------------ */
+
+static void collect_from_json(const cJSON *json, GHashTable *files)
+{
+    for (const cJSON *child = json->child; child != NULL; child = child->next) {
+        if (g_strcmp0(child->string, "table") == 0 && cJSON_IsString(child))
+            g_hash_table_add(files, g_strdup(child->valuestring));
+        collect_from_json(child, files);
+    }
+}
+
+static void collect_from_object(const char *text, GHashTable *files)
+{
+    cJSON *json = text != NULL ? cJSON_Parse(text) : NULL;
+    if (json != NULL) collect_from_json(json, files);
+    cJSON_Delete(json);
+}
+
+/* Of the waveforms that one property has in the blocks of a class. */
+static void collect_from_column(const TinkerScene *scene, TinkerWaveform *const *waveforms, int32_t count,
+                                GHashTable *files)
+{
+    const TinkerWaveform *last = NULL; /* neighbours often share one */
+    for (int32_t row = 0; row < count; row++) {
+        if (waveforms[row] != NULL && waveforms[row] != last)
+            collect_from_object(g_hash_table_lookup(scene->sources, waveforms[row]), files);
+        last = waveforms[row];
+    }
+}
+
+static void collect_from_blocks(const TinkerScene *scene, GHashTable *files)
+{
+    for (guint number = 0; number < scene->tables->len; number++) {
+        const SceneTable *table = g_ptr_array_index(scene->tables, number);
+        for (int32_t property = 0; property < table->block_class->property_count; property++)
+            if (table->waveforms[property] != NULL)
+                collect_from_column(scene, table->waveforms[property], table->count, files);
+    }
+}
+
+static void collect_from_unread(const TinkerScene *scene, GHashTable *files)
+{
+    GHashTableIter iter;
+    gpointer id, kept;
+    g_hash_table_iter_init(&iter, scene->placeholders);
+    while (g_hash_table_iter_next(&iter, &id, &kept))
+        if (scene_slot(scene, GPOINTER_TO_INT(id))->table == SCENE_PLACEHOLDER)
+            collect_from_object(((const ScenePlaceholder *)kept)->text, files);
+    g_hash_table_iter_init(&iter, scene->extras);
+    while (g_hash_table_iter_next(&iter, &id, &kept)) {
+        if (scene_slot(scene, GPOINTER_TO_INT(id))->table == SCENE_REMOVED) continue;
+        g_autofree char *object = g_strdup_printf("{%s}", (const char *)kept);
+        collect_from_object(object, files);
+    }
+}
+
+GPtrArray *tinker_scene_table_files(const TinkerScene *scene)
+{
+    g_autoptr(GHashTable) files = g_hash_table_new_full(g_str_hash, g_str_equal, g_free, NULL);
+    collect_from_blocks(scene, files);
+    collect_from_unread(scene, files);
+    GPtrArray *list = g_ptr_array_new_with_free_func(g_free);
+    GHashTableIter iter;
+    gpointer file;
+    g_hash_table_iter_init(&iter, files);
+    while (g_hash_table_iter_next(&iter, &file, NULL))
+        g_ptr_array_add(list, g_strdup(file));
+    return list;
+}

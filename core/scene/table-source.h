@@ -25,4 +25,8 @@ TinkerWaveform *tinker_scene_read_table(TinkerScene *scene, const char *path, co
  * (transfer full) */
 char *tinker_scene_table_file(const TinkerScene *scene, TinkerWaveform *waveform);
 
+/* The files of all tables that the scene names, relative to its folder, each once and in no order; also of those in what is
+ * kept as it was read: blocks of missing types and unknown keys. Of char *. (transfer full) */
+GPtrArray *tinker_scene_table_files(const TinkerScene *scene);
+
 #endif

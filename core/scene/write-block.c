@@ -174,6 +174,29 @@ static void write_ends(SceneWriter *writer, TinkerBlockId id)
     g_string_append_c(writer->out, ']');
 }
 
+/* A body that lies on a top; where the plate is not written, it is by its position. */
+static void write_place_on(SceneWriter *writer, TinkerBlockId id, const TinkerBlockClass *block_class)
+{
+    static const TinkerDimension length = {.length = 1}, angle = TINKER_DIMENSION_ANGLE;
+    const ScenePlaceOn *on = scene_place_on(writer->scene, id);
+    if (on == NULL) return;
+    if (writer->only == NULL || writer->only[on->plate]) {
+        scene_write_text_member(writer, "on", tinker_scene_block_name(writer->scene, on->plate));
+        if (on->along != 0) scene_write_number_member(writer, "along", on->along, length);
+        return;
+    }
+    const int32_t position = block_class->meanings[TINKER_MEANING_POSITION];
+    const int32_t orientation = block_class->meanings[TINKER_MEANING_ORIENTATION];
+    double centre[2];
+    for (int32_t c = 0; c < 2; c++)
+        centre[c] = tinker_scene_get(writer->scene, id, block_class->first_columns[position] + c);
+    scene_write_key(writer, block_class->properties[position].id);
+    scene_write_vector(writer, centre, length);
+    if (orientation < 0 || tinker_scene_property_given(writer->scene, id, orientation)) return;
+    scene_write_number_member(writer, block_class->properties[orientation].id,
+                              tinker_scene_get(writer->scene, id, block_class->first_columns[orientation]), angle);
+}
+
 /* Marks the blocks that something in the scene names. */
 static void find_named(SceneWriter *writer)
 {
@@ -185,6 +208,11 @@ static void find_named(SceneWriter *writer)
         for (int32_t end = 0; end < table.end_offsets[table.count]; end++)
             if (table.ends[end].block != TINKER_NO_BLOCK) writer->named[table.ends[end].block] = 1;
     }
+    GHashTableIter iter;
+    gpointer on;
+    g_hash_table_iter_init(&iter, scene->places_on);
+    while (g_hash_table_iter_next(&iter, NULL, &on))
+        writer->named[((const ScenePlaceOn *)on)->plate] = 1;
     for (guint i = 0; i < scene->graphs->len; i++) {
         const TinkerSceneGraph *graph = g_ptr_array_index(scene->graphs, i);
         TinkerBlockId block = graph->block == NULL ? TINKER_NO_BLOCK : tinker_scene_find_block(scene, graph->block);
@@ -228,6 +256,7 @@ void scene_write_block(SceneWriter *writer, TinkerBlockId id)
     scene_write_text_member(writer, "type", block_class->type->id);
     scene_write_text_member(writer, "name", tinker_scene_block_name(writer->scene, id));
     write_ends(writer, id);
+    write_place_on(writer, id, block_class);
     for (int32_t property = 0; property < block_class->property_count; property++)
         write_property(writer, id, block_class, property);
     scene_write_extras(writer, g_hash_table_lookup(writer->scene->extras, GINT_TO_POINTER(id)));

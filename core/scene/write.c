@@ -5,7 +5,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "files/replace-file.h"
 #include "scene/write-private.h"
+#include "units/plain-text.h"
 
 static const TinkerDimension no_dimension = {0};
 
@@ -51,6 +53,8 @@ static void write_run(SceneWriter *writer, const TinkerSceneHead *defaults)
     scene_write_text_member(writer, "method", run->method);
     scene_write_number_member(writer, "step", run->step, no_dimension);
     scene_write_number_member(writer, "tolerance", run->tolerance, no_dimension);
+    if (run->accuracy != defaults->run.accuracy)
+        scene_write_number_member(writer, "accuracy", run->accuracy, no_dimension);
     if (g_strcmp0(run->contacts, defaults->run.contacts) != 0)
         scene_write_text_member(writer, "contacts", run->contacts);
     if (run->spectral_radius != defaults->run.spectral_radius)
@@ -156,39 +160,17 @@ static gboolean write_standard_output(const char *text, gsize length, GError **e
     return FALSE;
 }
 
-/* Into a pipe or a device, which must not be replaced by a file. */
-static gboolean write_through(const char *path, const char *text, gsize length, GError **error)
-{
-    FILE *file = fopen(path, "we");
-    gboolean good = file != NULL && fwrite(text, 1, length, file) == length;
-    int code = errno;
-    if (file != NULL && fclose(file) != 0 && good) {
-        code = errno;
-        good = FALSE;
-    }
-    if (!good) g_set_error_literal(error, G_FILE_ERROR, (int)g_file_error_from_errno(code), g_strerror(code));
-    return good;
-}
-
 gboolean tinker_scene_write_file(TinkerScene *scene, const char *path, TinkerWriteUnits units, GError **error)
 {
     g_autofree char *text = tinker_scene_to_text(scene, units);
+    if (g_str_equal(path, "-")) {
+        g_autofree char *plain = tinker_text_escaped(text, TRUE); /* it may be a terminal */
+        return write_standard_output(plain, strlen(plain), error);
+    }
     gsize length = strlen(text);
-    if (g_str_equal(path, "-")) return write_standard_output(text, length, error);
 
-    /* A link stays a link: the file that it leads to is written. */
-    char *real = realpath(path, NULL);
-    const char *target = real == NULL ? path : real;
-    GStatBuf status;
-    gboolean exists = g_stat(target, &status) == 0;
-    int mode = exists ? (int)(status.st_mode & 07777) : 0666;
     g_autoptr(GError) reason = NULL;
-    gboolean good =
-        exists && !S_ISREG(status.st_mode)
-            ? write_through(target, text, length, &reason)
-            : g_file_set_contents_full(target, text, (gssize)length, G_FILE_SET_CONTENTS_CONSISTENT, mode, &reason);
-    free(real);
-    if (good) return TRUE;
+    if (tinker_replace_file(path, text, length, 0666, &reason)) return TRUE;
     g_autofree char *folder = g_path_get_dirname(path);
     g_autofree char *no_folder =
         g_file_test(folder, G_FILE_TEST_EXISTS) ? NULL : g_strdup_printf("the folder %s does not exist", folder);

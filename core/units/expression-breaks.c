@@ -14,7 +14,6 @@
 
 #include "units/expression-private.h"
 
-#define MERGED    4      /* ulp of t: breaks as near as this are one */
 #define BEYOND    64     /* ulp of the horizon: looked at as well, since a break at the horizon shows only behind it */
 #define MOST_WORK 500000 /* instructions enclosed in one search, some hundredths of a second */
 #define SAMPLES   1024
@@ -29,11 +28,6 @@ typedef struct {
     double since;   /* where that was */
     gboolean known; /* whether there was one yet */
 } Walk;
-
-static double ulps(double t, int count)
-{
-    return count * (nextafter(fabs(t), INFINITY) - fabs(t));
-}
 
 /* The cell of all values in a range; FALSE where there are several. */
 static gboolean certain_cell(const TinkerInstruction *instruction, TinkerInterval range, double *cell)
@@ -143,7 +137,7 @@ static double sample(Walk *walk, double from, double horizon)
 static double leave(Walk *walk, double t, double horizon)
 {
     double found;
-    for (double offset = ulps(t, MERGED); t + offset < horizon; offset *= 2) {
+    for (double offset = tinker_ulps(t, TINKER_MERGED); t + offset < horizon; offset *= 2) {
         visit(walk, t + offset, &found);
         if (walk->known) return t + offset;
     }
@@ -154,13 +148,13 @@ static double walk_along(Walk *walk, double t, double horizon)
 {
     double found = INFINITY;
     const double limit = horizon;
-    if (isfinite(horizon)) horizon += ulps(horizon, BEYOND);
+    if (isfinite(horizon)) horizon += tinker_ulps(horizon, BEYOND);
     double at = leave(walk, t, horizon);
     double width = isfinite(horizon) ? horizon - at : fmax(1, fabs(t));
     while (at < horizon && isfinite(at)) {
         if (*walk->work_left <= 0) return sample(walk, at, limit);
         const double end = fmin(at + width, horizon);
-        const gboolean smallest = end - at <= ulps(fmax(fabs(at), fabs(end)), MERGED);
+        const gboolean smallest = end - at <= tinker_ulps(fmax(fabs(at), fabs(end)), TINKER_MERGED);
         if (decide(walk, at, end, &found) || smallest) {
             if (isfinite(found)) return found <= limit ? found : INFINITY;
             at = end;
@@ -211,7 +205,7 @@ static TinkerAffine affine_of(const TinkerProgramState *state, const TinkerInstr
 /* The first time after t at which slope * t + offset is at a level. */
 static double affine_break(const TinkerInstruction *instruction, TinkerAffine affine, double t)
 {
-    const double after = t + ulps(t, MERGED);
+    const double after = t + tinker_ulps(t, TINKER_MERGED);
     if (affine.slope == 0 || !isfinite(affine.slope) || !isfinite(affine.offset)) return INFINITY;
     const double period = instruction->number;
     if (period == 0) {
@@ -220,12 +214,14 @@ static double affine_break(const TinkerInstruction *instruction, TinkerAffine af
     }
     const double direction = affine.slope > 0 ? 1 : -1;
     double level = floor((affine.slope * after + affine.offset) / period) - direction;
-    /* the level behind `after` is the third at the latest; where more levels than doubles lie there, none is found */
+    /* the level behind `after` is the third at the latest */
     for (int i = 0; i < 5; i++, level += direction) {
         const double root = (level * period - affine.offset) / affine.slope;
         if (root > after) return root;
     }
-    return INFINITY;
+    /* more levels than doubles lie there: the next time that can be told from t is beside one of them */
+    return fabs(period / affine.slope) <= tinker_ulps(t, TINKER_MERGED) ? t + tinker_ulps(t, 2 * TINKER_MERGED)
+                                                                        : INFINITY;
 }
 
 static gboolean guard_holds(const TinkerProgramState *state, int guard)

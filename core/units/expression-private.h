@@ -9,6 +9,8 @@
 #ifndef TINKER_EXPRESSION_PRIVATE_H
 #define TINKER_EXPRESSION_PRIVATE_H
 
+#include <math.h>
+
 #include <glib.h>
 
 #include "units/interval.h"
@@ -158,8 +160,20 @@ TinkerRangeJet tinker_program_enclose(const TinkerProgramState *state, double lo
  * or none that is seen to be one. */
 int tinker_program_degree(const TinkerProgram *program);
 
+/* ulp of t: places as near as this are one, to the searches for breaks and for poles. */
+#define TINKER_MERGED 4
+
+/* So many ulp of t, s. */
+static inline double tinker_ulps(double t, int count)
+{
+    return count * (nextafter(fabs(t), INFINITY) - fabs(t));
+}
+
 /* As tinker_waveform_next_break; changes the state's cells and selection. */
 double tinker_program_next_break(TinkerProgramState *state, double t, double horizon);
+
+/* As tinker_waveform_next_pole; changes the state's cells and selection. */
+double tinker_program_next_pole(TinkerProgramState *state, double t, double end);
 
 /* The cell of an argument, by a SWITCH or TRUTH instruction. */
 double tinker_instruction_cell(const TinkerInstruction *instruction, double argument);

@@ -1,5 +1,5 @@
 /* Waveforms: one face for harmonic functions, expressions and tables, and the evaluator that a run holds. */
-#include "units/waveform.h"
+#include "units/waveform-pole.h"
 
 #include <math.h>
 #include <string.h>
@@ -319,6 +319,14 @@ double tinker_waveform_next_break(const TinkerWaveformEvaluator *evaluator, doub
     if (evaluator->waveform->kind != TINKER_WAVEFORM_EXPRESSION) return INFINITY;
     TinkerProgramState search = evaluator->search;
     return tinker_program_next_break(&search, t, horizon);
+}
+
+double tinker_waveform_next_pole(const TinkerWaveformEvaluator *evaluator, double t, double end)
+{
+    if (!isfinite(t) || !isfinite(end) || !(end > t)) return INFINITY;
+    if (evaluator->waveform->kind != TINKER_WAVEFORM_EXPRESSION) return INFINITY;
+    TinkerProgramState search = evaluator->search;
+    return tinker_program_next_pole(&search, t, end);
 }
 
 void tinker_waveform_jump(TinkerWaveformEvaluator *evaluator, double t, double jump[2])
