@@ -2,10 +2,9 @@
  *
  *     dq/dt = v,   dv/dt = a(t, q, v),   d(books)/dt = power(t, q, v)
  *
- * The books are pure quadratures: CVODES integrates them with the formula of the step, outside Newton's iteration and
- * outside error control. With rods, a contains their forces, and every solution of the formula is projected onto them
- * before its error is judged (E. Eich, SIAM Journal on Numerical Analysis 30 (1993) 1467-1482), so that history and
- * state agree.
+ * The books are pure quadratures over the steps that the state makes (books.c). With rods, a contains their forces, and
+ * every solution of the formula is projected onto them before its error is judged (E. Eich, SIAM Journal on Numerical Analysis
+ * 30 (1993) 1467-1482), so that history and state agree.
  */
 #include "stepper-private.h"
 
@@ -50,15 +49,6 @@ static int derivative(realtype t, N_Vector y, N_Vector slope, void *data)
     return 0;
 }
 
-static int book_powers(realtype t, N_Vector y, N_Vector power, void *data)
-{
-    const Stepper *stepper = data;
-    const TinkerSystem *system = stepper->system;
-    const double *q = N_VGetArrayPointer(y);
-    return answer(
-        system->acceleration(system->context, t, q, q + system->size, stepper->work, N_VGetArrayPointer(power)));
-}
-
 /* correction = (projected y) - y; the error is projected onto the directions that the rods leave free. */
 static int project(realtype t, N_Vector y, N_Vector correction, realtype tolerance, N_Vector error, void *data)
 {
@@ -91,11 +81,13 @@ static void destroy(void *data)
     if (stepper == NULL) return;
     if (stepper->cvode != NULL) CVodeFree(&stepper->cvode);
     stepper_newton_destroy(stepper);
+    stepper_books_destroy(stepper);
     if (stepper->y != NULL) N_VDestroy(stepper->y);
     if (stepper->weights != NULL) N_VDestroy(stepper->weights);
-    if (stepper->books != NULL) N_VDestroy(stepper->books);
     if (stepper->context != NULL) SUNContext_Free(&stepper->context);
     free(stepper->work);
+    free(stepper->from_misses);
+    free(stepper->to_misses);
     free(stepper);
 }
 
@@ -104,6 +96,9 @@ static int allot(Stepper *stepper)
 {
     const TinkerSystem *system = stepper->system;
     stepper->work = calloc((size_t)stepper_unknowns(system), sizeof *stepper->work);
+    stepper->from_misses = calloc((size_t)stepper_unknowns(system), sizeof *stepper->from_misses);
+    stepper->to_misses = calloc((size_t)stepper_unknowns(system), sizeof *stepper->to_misses);
+    if (stepper->from_misses == NULL || stepper->to_misses == NULL) return 0;
     if (stepper->work == NULL || SUNContext_Create(NULL, &stepper->context) != 0) return 0;
     stepper->y = N_VNew_Serial(stepper_unknowns(system), stepper->context);
     stepper->cvode = CVodeCreate(CV_BDF, stepper->context);
@@ -111,12 +106,7 @@ static int allot(Stepper *stepper)
     N_VConst(0.0, stepper->y);
     stepper->y->ops->nvwrmsnorm = stepper_norm; /* and of every copy that CVODE makes */
     stepper->weights = N_VClone(stepper->y);
-    if (stepper->weights == NULL) return 0;
-    if (system->books == 0) return 1;
-    stepper->books = N_VNew_Serial(system->books, stepper->context);
-    if (stepper->books == NULL) return 0;
-    N_VConst(0.0, stepper->books);
-    return 1;
+    return stepper->weights != NULL && stepper_books_create(stepper);
 }
 
 static int set_up(Stepper *stepper)
@@ -127,7 +117,6 @@ static int set_up(Stepper *stepper)
            CVodeInit(cvode, derivative, 0.0, stepper->y) == CV_SUCCESS &&
            CVodeSetUserData(cvode, stepper) == CV_SUCCESS && CVodeWFtolerances(cvode, stepper_weights) == CV_SUCCESS &&
            CVodeSetStabLimDet(cvode, SUNTRUE) == CV_SUCCESS && stepper_newton_create(stepper) &&
-           (stepper->books == NULL || CVodeQuadInit(cvode, book_powers, stepper->books) == CV_SUCCESS) &&
            (!constrained || CVodeSetProjFn(cvode, project) == CV_SUCCESS);
 }
 
@@ -175,10 +164,6 @@ static TinkerStatus fail_cvode(Stepper *stepper, TinkerStepReport *report, int f
     case CV_FIRST_RHSFUNC_ERR:
     case CV_REPTD_RHSFUNC_ERR:
     case CV_UNREC_RHSFUNC_ERR:
-    case CV_QRHSFUNC_FAIL:
-    case CV_FIRST_QRHSFUNC_ERR:
-    case CV_REPTD_QRHSFUNC_ERR:
-    case CV_UNREC_QRHSFUNC_ERR:
     case CV_PROJFUNC_FAIL:
     case CV_REPTD_PROJFUNC_ERR:
         return fail_system(stepper, report);
@@ -211,8 +196,6 @@ static void take_state(Stepper *stepper, const TinkerState *state)
         memcpy(place(stepper), state->q, n * sizeof(double));
         memcpy(place(stepper) + n, state->v, n * sizeof(double));
     }
-    if (stepper->books != NULL)
-        memcpy(N_VGetArrayPointer(stepper->books), state->books, (size_t)stepper->system->books * sizeof(double));
 }
 
 /* CVODE forgets its history and begins, with order 1, at the host's state. */
@@ -221,13 +204,13 @@ static TinkerStatus begin(Stepper *stepper, const TinkerState *state, double lim
     const TinkerSystem *system = stepper->system;
     TinkerStatus status = TINKER_OK;
     take_state(stepper, state);
-    if (system->size > 0)
-        status = system->acceleration(system->context, state->t, state->q, state->v, stepper->work, NULL);
+    if (system->size > 0 || system->books > 0)
+        status = system->acceleration(system->context, state->t, state->q, state->v, stepper->work,
+                                      system->books > 0 ? stepper->power_to : NULL);
     if (status != TINKER_OK) return status;
     stepper_scales_start(stepper, state, limit, stepper->work);
     stepper_order_restart(stepper);
     if (CVodeReInit(stepper->cvode, state->t, stepper->y) != CV_SUCCESS) return TINKER_FAILED;
-    if (stepper->books != NULL && CVodeQuadReInit(stepper->cvode, stepper->books) != CV_SUCCESS) return TINKER_FAILED;
     CVodeSetInitStep(stepper->cvode, stepper->first_step);
     stepper->fresh = 0;
     return TINKER_OK;
@@ -252,24 +235,49 @@ static double error_of_step(Stepper *stepper)
     return fmin(stepper_norm(errors, weights), 1.0);
 }
 
+/* Notes what the polynomial lacks at the end of a step. */
+static TinkerStatus note_misses(Stepper *stepper, double t, const double *q, const double *v, double *misses)
+{
+    const int32_t n = stepper->system->size;
+    if (CVodeGetDky(stepper->cvode, t, 0, stepper->weights) != CV_SUCCESS) return TINKER_FAILED;
+    const double *found = N_VGetArrayPointer(stepper->weights);
+    for (int32_t i = 0; i < n; i++) {
+        misses[i] = q[i] - found[i];
+        misses[n + i] = v[i] - found[n + i];
+    }
+    return TINKER_OK;
+}
+
+/* Brings the books to the new state, which is in y. */
+static TinkerStatus keep_books(Stepper *stepper, TinkerState *state, double t)
+{
+    const TinkerSystem *system = stepper->system;
+    const double *q = place(stepper);
+    if (system->books == 0) return TINKER_OK;
+    stepper_books_begin(stepper, state);
+    TinkerStatus status =
+        system->acceleration(system->context, t, q, q + system->size, stepper->work, stepper->power_to);
+    if (status != TINKER_OK) return status;
+    return stepper_books_integrate(stepper, state->t, t, stepper->power_to, state->books);
+}
+
 /* Hands the new state to the host, on the rods to the last digit: at a limit it was interpolated over a rounding of t. */
 static TinkerStatus commit(Stepper *stepper, TinkerState *state, double t)
 {
     const TinkerSystem *system = stepper->system;
     size_t n = (size_t)system->size;
-    double *q = place(stepper), quadrature_time = t;
+    double *q = place(stepper);
     int32_t moved = 0;
-    if (system->flags & TINKER_SYSTEM_CONSTRAINED) {
-        TinkerStatus status = system->project(system->context, t, q, q + n, &moved);
-        if (status != TINKER_OK) return status;
-    }
+    TinkerStatus status = TINKER_OK;
+    if (system->flags & TINKER_SYSTEM_CONSTRAINED) status = system->project(system->context, t, q, q + n, &moved);
+    if (status == TINKER_OK) status = keep_books(stepper, state, t);
+    if (status == TINKER_OK) status = note_misses(stepper, state->t, state->q, state->v, stepper->from_misses);
+    if (status == TINKER_OK) status = note_misses(stepper, t, q, q + n, stepper->to_misses);
+    if (status != TINKER_OK) return status;
+    stepper->to = t;
     if (n > 0) {
         memcpy(state->q, q, n * sizeof *q);
         memcpy(state->v, q + n, n * sizeof *q);
-    }
-    if (stepper->books != NULL) {
-        if (CVodeGetQuad(stepper->cvode, &quadrature_time, stepper->books) != CV_SUCCESS) return TINKER_FAILED;
-        memcpy(state->books, N_VGetArrayPointer(stepper->books), (size_t)system->books * sizeof(double));
     }
     state->t = t;
     return TINKER_OK;
@@ -302,6 +310,7 @@ static TinkerStatus step(void *data, TinkerState *state, double limit, TinkerSte
     if (!(limit > state->t) || !isfinite(limit))
         return fail(stepper, report, "an adaptive step needs a finite limit after the present time");
     stepper->done = 0;
+    stepper->from = state->t;
     const int had_history = !stepper->fresh;
     int flag = advance(stepper, state, limit, &t, report);
     if (had_history && history_is_worthless(flag)) {
@@ -318,20 +327,30 @@ static TinkerStatus step(void *data, TinkerState *state, double limit, TinkerSte
     return TINKER_OK;
 }
 
+/* The books at a time within the last step. */
+static TinkerStatus interpolate_books(Stepper *stepper, double t, double *books)
+{
+    const TinkerSystem *system = stepper->system;
+    const double *q = place(stepper);
+    double *power = stepper->power_within;
+    TinkerStatus status = system->acceleration(system->context, t, q, q + system->size, stepper->work, power);
+    return status == TINKER_OK ? stepper_books_integrate(stepper, stepper->from, t, power, books) : status;
+}
+
+/* CVODE's polynomial passes the states at the ends of a step by what Newton's iteration and projections leave. Added between them
+ * by shares, this makes the motion one without jumps, in which contacts can be told. */
 static TinkerStatus interpolate(void *data, double t, double *q, double *v, double *books)
 {
     Stepper *stepper = data;
     const TinkerSystem *system = stepper->system;
     size_t n = (size_t)system->size;
     if (!stepper->done || CVodeGetDky(stepper->cvode, t, 0, stepper->y) != CV_SUCCESS) return TINKER_FAILED;
-    if (n > 0) {
-        memcpy(q, place(stepper), n * sizeof *q);
-        memcpy(v, place(stepper) + n, n * sizeof *v);
+    const double share = (t - stepper->from) / (stepper->to - stepper->from), *from = stepper->from_misses;
+    for (size_t i = 0; i < n; i++) {
+        q[i] = place(stepper)[i] + (1.0 - share) * from[i] + share * stepper->to_misses[i];
+        v[i] = place(stepper)[n + i] + (1.0 - share) * from[n + i] + share * stepper->to_misses[n + i];
     }
-    if (books == NULL || stepper->books == NULL) return TINKER_OK;
-    if (CVodeGetQuadDky(stepper->cvode, t, 0, stepper->books) != CV_SUCCESS) return TINKER_FAILED;
-    memcpy(books, N_VGetArrayPointer(stepper->books), (size_t)system->books * sizeof(double));
-    return TINKER_OK;
+    return books == NULL || system->books == 0 ? TINKER_OK : interpolate_books(stepper, t, books);
 }
 
 static const TinkerIntegrator integrators[] = {{

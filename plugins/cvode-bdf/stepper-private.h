@@ -16,8 +16,9 @@ typedef struct Stepper {
     SUNContext context;
     void *cvode;
     N_Vector y, weights;
-    N_Vector books; /* NULL where the system has none */
-    double *work;   /* 2n */
+    double *work; /* 2n */
+    double *from_misses,
+        *to_misses; /* 2n: what CVODE's polynomial of the last step lacks to the host's states at its ends */
 
     /* Newton's matrix */
     SUNMatrix matrix;
@@ -27,14 +28,21 @@ typedef struct Stepper {
     sunindextype *columns;
     double fastest; /* rad/s: bound of the frequencies, from the last jacobian; 0: not known */
 
+    /* the books */
+    double *books_from, *power_to,
+        *power_within; /* at the start of the last step; powers at its end, at a time within */
+    double *powers;    /* at places within the step, of all books at each */
+    double energy;     /* J: the largest kinetic energy so far */
+
     /* the order */
     int capped;             /* at order 2 */
     long steps_since_cap;   /* steps */
     long stability_reports; /* of CVODE, since its last start */
 
     /* the last step */
-    int fresh; /* CVODE has to be started from the host's state */
-    int done;  /* there is a last step */
+    int fresh;       /* CVODE has to be started from the host's state */
+    int done;        /* there is a last step ... */
+    double from, to; /* ... between these times */
     double first_step;
     double start_extent, start_speed; /* that the motion was headed for at the last start */
 } Stepper;
@@ -69,5 +77,18 @@ void stepper_scales_start(Stepper *stepper, const TinkerState *state, double lim
  * entry, where CVODE's own is their root mean square. */
 int stepper_weights(N_Vector y, N_Vector weights, void *data);
 realtype stepper_norm(N_Vector errors, N_Vector weights);
+
+/* books.c --------------------------------------------------------------------------------------------------------- */
+
+/* 0 where memory is short. */
+int stepper_books_create(Stepper *stepper);
+void stepper_books_destroy(Stepper *stepper);
+
+/* Notes the books and the powers at the start of a step, where the last one ended, and how large the kinetic energy is: a
+ * small share of it is all that books are asked for. */
+void stepper_books_begin(Stepper *stepper, const TinkerState *state);
+
+/* The books at `to`, within the last step that CVODE made from `from`, by the powers there. Uses `weights` for work. */
+TinkerStatus stepper_books_integrate(Stepper *stepper, double from, double to, const double *power_to, double *books);
 
 #endif
