@@ -166,16 +166,15 @@ static gboolean write_rows(TinkerCsvWriter *writer, const TinkerChart *chart, co
     return TRUE;
 }
 
-gboolean tinker_chart_write_csv(TinkerChart *chart, int decimals, const char *path, const char *scene_path,
-                                GError **error)
+gboolean tinker_chart_write_csv(TinkerChart *chart, int decimals, const char *path, GError **error)
 {
     g_auto(TinkerOutput) output = {0};
-    if (!tinker_output_open(&output, path, scene_path, error)) return FALSE;
+    if (!tinker_output_open(&output, path, error)) return FALSE;
     g_auto(TinkerCsvWriter) writer = tinker_csv_writer_graph(output.file, decimals);
     g_autoptr(GArray) places = csv_places(chart);
     for (guint i = 0; i < places->len; i++) {
         TinkerGraphAxis axis = tinker_chart_axis(chart, g_array_index(places, guint, i));
-        tinker_csv_axis(&writer, chart->scene, &axis, chart->curves->len > 1);
+        tinker_csv_axis(&writer, chart->scene, &axis, chart->curves->len > 1, FALSE);
     }
     tinker_csv_end_row(&writer);
     if (!write_rows(&writer, chart, places, error)) return FALSE;

@@ -34,8 +34,8 @@ gboolean tinker_chart_add(TinkerChart *chart, const char *name, const char *agai
  * const TinkerSceneGraph *. */
 gboolean tinker_chart_add_graphs_of_scene(TinkerChart *chart, GPtrArray *left_out, GError **error);
 
-/* Takes a sample of all columns, as a TinkerSampleFunc hands it out. `bands` says how far each may be off; NULL at all
- * samples or at none. */
+/* Takes a sample of all columns, as a TinkerSampleFunc hands it out. `bands` says how far each may be off (NAN: nobody knows);
+ * NULL at all samples or at none. */
 gboolean tinker_chart_sample(TinkerChart *chart, double time, const double *values, const double *bands,
                              GError **error);
 
@@ -48,7 +48,6 @@ gboolean tinker_chart_draw(TinkerChart *chart, const TinkerTheme *theme, int wid
 
 /* Writes CSV: "Time", then a column a curve, called like the quantity where there is one curve, else with the block's
  * name before it; x and y of each curve where they are not over time. `decimals` as in csv-writer.h. */
-gboolean tinker_chart_write_csv(TinkerChart *chart, int decimals, const char *path, const char *scene_path,
-                                GError **error);
+gboolean tinker_chart_write_csv(TinkerChart *chart, int decimals, const char *path, GError **error);
 
 #endif

@@ -1,6 +1,8 @@
 /* The record of a run, written as CSV while it runs. */
 #include "csv-record.h"
 
+#include <string.h>
+
 #include "units/units.h"
 
 #define MOST_GATHERED 65536
@@ -20,12 +22,12 @@ static void end_row(TinkerCsvRecord *record)
     keep_rows(record);
 }
 
-/* Hands what was gathered to the file, and the file's own buffer to the system. */
+/* Hands what was gathered to the file. */
 static void flush_rows(TinkerCsvRecord *record)
 {
     GString *rows = record->writer.text;
     tinker_crash_change();
-    tinker_output_flush(&record->output, rows->str, rows->len);
+    tinker_output_lines(&record->output, rows->str, rows->len);
     g_string_truncate(rows, 0);
     keep_rows(record);
     record->flushed = g_get_monotonic_time();
@@ -38,7 +40,7 @@ static void open_rows(TinkerCsvRecord *record)
     g_string_set_size(record->writer.text, 2 * MOST_GATHERED);
     g_string_truncate(record->writer.text, 0);
     record->rescue.name = record->output.name;
-    record->rescue.file = fileno(record->output.file);
+    record->rescue.file = record->output.descriptor;
     record->flushed = g_get_monotonic_time();
 }
 
@@ -50,10 +52,9 @@ static void close_rows(TinkerCsvRecord *record)
     tinker_csv_writer_clear(&record->writer);
 }
 
-gboolean tinker_csv_record_open(TinkerCsvRecord *record, const char *path, const char *scene_path,
-                                const GArray *columns, GError **error)
+gboolean tinker_csv_record_open(TinkerCsvRecord *record, const char *path, const GArray *columns, GError **error)
 {
-    if (!tinker_output_open(&record->output, path, scene_path, error)) return FALSE;
+    if (!tinker_output_open(&record->output, path, error)) return FALSE;
     open_rows(record);
     record->columns = columns->len;
     record->last_time = 0;
@@ -68,7 +69,7 @@ gboolean tinker_csv_record_open(TinkerCsvRecord *record, const char *path, const
     return TRUE;
 }
 
-gboolean tinker_csv_record_add(TinkerCsvRecord *record, double time, const double *values, GError **error)
+static gboolean write_row(TinkerCsvRecord *record, double time, const double *values, GError **error)
 {
     tinker_crash_change();
     tinker_csv_number(&record->writer, time);
@@ -81,13 +82,51 @@ gboolean tinker_csv_record_add(TinkerCsvRecord *record, double time, const doubl
     return tinker_output_check(&record->output, error);
 }
 
+static gboolean hold_row(TinkerCsvRecord *record, double time, const double *values, GError **error)
+{
+    g_autofree double *row = g_new(double, record->columns + 1);
+    row[0] = time;
+    if (record->columns > 0) memcpy(row + 1, values, record->columns * sizeof(double));
+    return tinker_record_append(record->held, row, error);
+}
+
+static gboolean write_held_rows(TinkerCsvRecord *record, GError **error)
+{
+    gsize rows = record->held != NULL ? tinker_record_rows(record->held) : 0;
+    g_autofree double *row = g_new(double, record->columns + 1);
+    for (gsize i = 0; i < rows; i++)
+        if (!tinker_record_read(record->held, i, 1, row, error) || !write_row(record, row[0], row + 1, error))
+            return FALSE;
+    return TRUE;
+}
+
+void tinker_csv_record_hold(TinkerCsvRecord *record)
+{
+    record->held = tinker_record_new(record->columns + 1, 0);
+}
+
+void tinker_csv_record_begin_again(TinkerCsvRecord *record)
+{
+    if (record->held != NULL) tinker_record_cut(record->held, 0);
+}
+
+gboolean tinker_csv_record_add(TinkerCsvRecord *record, double time, const double *values, GError **error)
+{
+    return record->held != NULL ? hold_row(record, time, values, error) : write_row(record, time, values, error);
+}
+
 gboolean tinker_csv_record_close(TinkerCsvRecord *record, double valid_until, GError **error)
 {
+    if (!write_held_rows(record, error)) {
+        tinker_csv_record_clear(record);
+        return FALSE;
+    }
     close_rows(record);
     if (record->output.file != NULL && valid_until < record->last_time) {
-        char text[32];
-        tinker_number_to_text(valid_until, text, sizeof text);
-        fprintf(record->output.file, "# invalid from t = %s\n", text);
+        char number[32];
+        tinker_number_to_text(valid_until, number, sizeof number);
+        g_autofree char *text = g_strdup_printf("# invalid from t = %s\n", number);
+        tinker_output_lines(&record->output, text, strlen(text));
     }
     return tinker_output_close(&record->output, error);
 }
@@ -95,5 +134,6 @@ gboolean tinker_csv_record_close(TinkerCsvRecord *record, double valid_until, GE
 void tinker_csv_record_clear(TinkerCsvRecord *record)
 {
     close_rows(record);
+    g_clear_pointer(&record->held, tinker_record_free);
     tinker_output_clear(&record->output);
 }

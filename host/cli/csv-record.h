@@ -8,6 +8,7 @@
 
 #include "csv-writer.h"
 #include "output.h"
+#include "physics/record.h"
 #include "physics/simulation.h"
 #include "plugin/crash.h"
 
@@ -15,17 +16,23 @@ typedef struct {
     TinkerOutput output;
     TinkerCsvWriter writer; /* gathers rows in memory */
     guint columns;
-    double last_time; /* of the rows written */
-    gint64 flushed;   /* µs, monotonic: when rows last went to the file */
+    double last_time;   /* of the rows written */
+    TinkerRecord *held; /* rows of a run that may begin again; NULL: they go to the file as they come */
+    gint64 flushed;     /* µs, monotonic: when rows last went to the file */
     TinkerCrashRecord rescue;
 } TinkerCsvRecord;
 
-/* Opens the file and writes the header: "time [s]", then "NAME.QUANTITY [UNIT]" of every column. `scene_path` is the
- * file that must not be overwritten. */
-gboolean tinker_csv_record_open(TinkerCsvRecord *record, const char *path, const char *scene_path,
-                                const GArray *columns, GError **error);
+/* Opens the file and writes the header: "time [s]", then "NAME.QUANTITY [UNIT]" of every column. */
+gboolean tinker_csv_record_open(TinkerCsvRecord *record, const char *path, const GArray *columns, GError **error);
 
-/* Writes one row; stops the run where the file takes no more. */
+/* From here on rows are held back until the record is closed, as the run may begin again: nothing of a try that is thrown away is
+ * ever in the file. They are lost where a plugin crashes. */
+void tinker_csv_record_hold(TinkerCsvRecord *record);
+
+/* Forgets all rows that are held back. */
+void tinker_csv_record_begin_again(TinkerCsvRecord *record);
+
+/* Writes one row, or holds it back; stops the run where the file takes no more. */
 gboolean tinker_csv_record_add(TinkerCsvRecord *record, double time, const double *values, GError **error);
 
 /* Closes the file. Rows later than `valid_until` have been written already, so a last line says that they are not to be

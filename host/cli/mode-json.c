@@ -4,6 +4,7 @@
 #include <cjson/cJSON.h>
 
 #include "mode-report.h"
+#include "print.h"
 
 #define HERTZ(omega) ((omega) / (2 * G_PI))
 
@@ -39,6 +40,24 @@ static void add_state(cJSON *root, const TinkerModeReport *report)
         add_number(place, "x", origin[0] + analysis->q[2 * body]);
         add_number(place, "y", origin[1] + analysis->q[2 * body + 1]);
         cJSON_AddItemToArray(places, place);
+    }
+}
+
+static void add_contacts(cJSON *root, const TinkerModeReport *report)
+{
+    cJSON *array = cJSON_AddArrayToObject(root, "assumed");
+    if (report->analysis->contacts == NULL) return;
+    g_autoptr(GArray) contacts = tinker_still_contacts_list(report->analysis->contacts);
+    for (guint i = 0; i < contacts->len; i++) {
+        const TinkerStillContact *contact = &g_array_index(contacts, TinkerStillContact, i);
+        cJSON *object = cJSON_CreateObject();
+        cJSON_AddStringToObject(object, "block", tinker_scene_block_name(report->scene, contact->block));
+        if (contact->plate != TINKER_NO_BLOCK)
+            cJSON_AddStringToObject(object, "on", tinker_scene_block_name(report->scene, contact->plate));
+        cJSON_AddStringToObject(object, "contact", tinker_still_contact_kind_name(contact->kind));
+        add_number(object, "force", contact->force);
+        cJSON_AddBoolToObject(object, "friction_left_out", contact->rough);
+        cJSON_AddItemToArray(array, object);
     }
 }
 
@@ -117,13 +136,14 @@ void tinker_mode_report_write_json(const TinkerModeReport *report, FILE *file)
 {
     cJSON *root = cJSON_CreateObject();
     add_state(root, report);
+    add_contacts(root, report);
     add_modes(root, report);
     add_response(root, report);
     cJSON *warnings = cJSON_AddArrayToObject(root, "warnings");
     for (guint i = 0; i < report->warnings->len; i++)
         cJSON_AddItemToArray(warnings, cJSON_CreateString(g_ptr_array_index(report->warnings, i)));
     char *text = cJSON_Print(root);
-    fprintf(file, "%s\n", text);
+    tinker_print_text(file, text);
     cJSON_free(text);
     cJSON_Delete(root);
 }

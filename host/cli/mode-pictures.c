@@ -47,6 +47,15 @@ static char *numbered_path(const char *path, guint number)
     return g_strdup_printf("%.*s-%u%s", (int)(dot - path), path, number, dot);
 }
 
+gboolean tinker_mode_pictures_add(TinkerFileSet *files, const char *path, guint count, GError **error)
+{
+    for (guint number = 1; number <= count; number++) {
+        g_autofree char *file = numbered_path(path, number);
+        if (!tinker_file_set_add_output(files, "--output", file, error)) return FALSE;
+    }
+    return TRUE;
+}
+
 gboolean tinker_mode_report_draw(const TinkerModeReport *report, const TinkerTheme *theme, int width, int height,
                                  const char *path, GError **error)
 {

@@ -4,6 +4,7 @@
 
 #include <stdio.h>
 
+#include "file-set.h"
 #include "mode-response.h"
 #include "render/painter.h"
 
@@ -17,6 +18,9 @@ typedef struct {
 
 void tinker_mode_report_write_text(const TinkerModeReport *report, FILE *file);
 void tinker_mode_report_write_json(const TinkerModeReport *report, FILE *file);
+
+/* Adds the `count` pictures of an output to the command's files; see tinker_file_set_add_output. */
+gboolean tinker_mode_pictures_add(TinkerFileSet *files, const char *path, guint count, GError **error);
 
 /* One picture a mode: "out.png" becomes "out-1.png", "out-2.png", ... */
 gboolean tinker_mode_report_draw(const TinkerModeReport *report, const TinkerTheme *theme, int width, int height,

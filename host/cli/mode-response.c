@@ -191,11 +191,10 @@ gboolean tinker_mode_response_draw(const TinkerModeResponse *made, const TinkerT
     return drawn;
 }
 
-gboolean tinker_mode_response_write_csv(const TinkerModeResponse *made, const char *path, const char *scene_path,
-                                        GError **error)
+gboolean tinker_mode_response_write_csv(const TinkerModeResponse *made, const char *path, GError **error)
 {
     g_auto(TinkerOutput) output = {0};
-    if (!tinker_output_open(&output, path, scene_path, error)) return FALSE;
+    if (!tinker_output_open(&output, path, error)) return FALSE;
     g_auto(TinkerCsvWriter) csv = tinker_csv_writer_record(output.file);
     g_autofree char *amplitude = g_strdup_printf("amplitude [%s]", made->unit);
     tinker_csv_text(&csv, "frequency [Hz]");

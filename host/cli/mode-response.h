@@ -37,7 +37,6 @@ gboolean tinker_mode_response_draw(const TinkerModeResponse *made, const TinkerT
                                    const char *path, GError **error);
 
 /* "frequency [Hz],amplitude [m/N],phase [deg]"; `path` may be "-". */
-gboolean tinker_mode_response_write_csv(const TinkerModeResponse *made, const char *path, const char *scene_path,
-                                        GError **error);
+gboolean tinker_mode_response_write_csv(const TinkerModeResponse *made, const char *path, GError **error);
 
 #endif

@@ -3,6 +3,7 @@
 
 #include <math.h>
 
+#include "print.h"
 #include "text-table.h"
 
 #define HERTZ(omega) ((omega) / (2 * G_PI))
@@ -25,14 +26,51 @@ static void write_state(const TinkerModeReport *report, FILE *file)
     double growth = tinker_modes_growth(analysis->modes), most = 0;
     for (int32_t i = 0; i < analysis->linear->size; i++)
         most = fmax(most, fabs(analysis->linear->force[i]));
-    fprintf(file, "about:               %s\n", analysis->about_rest ? "rest" : "the start places, held still");
-    fprintf(file, "degrees of freedom:  %d\n", analysis->basis->count);
+    tinker_print_line(file, "about:               %s", analysis->about_rest ? "rest" : "the start places, held still");
+    tinker_print_line(file, "degrees of freedom:  %d", analysis->basis->count);
     if (!analysis->about_rest && most > analysis->linear->force_noise)
-        fprintf(file, "balanced:            no, forces of up to %.6g N are left\n", most);
+        tinker_print_line(file, "balanced:            no, forces of up to %.6g N are left", most);
     if (growth > 0)
-        fprintf(file, "stable:              no, a small push grows at %.6g 1/s\n", growth);
+        tinker_print_line(file, "stable:              no, a small push grows at %.6g 1/s", growth);
     else
-        fprintf(file, "stable:              yes\n");
+        tinker_print_line(file, "stable:              yes");
+}
+
+static void write_contact(const TinkerModeReport *report, const TinkerStillContact *contact, FILE *file)
+{
+    const char *name = tinker_scene_block_name(report->scene, contact->block);
+    const char *plate =
+        contact->plate != TINKER_NO_BLOCK ? tinker_scene_block_name(report->scene, contact->plate) : NULL;
+    switch (contact->kind) {
+    case TINKER_STILL_SLIDES:
+        tinker_print_line(file, "%s stays on %s and slides along it%s", name, plate,
+                          contact->rough ? "; friction is left out" : "");
+        return;
+    case TINKER_STILL_STICKS:
+        tinker_print_line(file, "%s stays where it is on %s, held by friction", name, plate);
+        return;
+    case TINKER_STILL_TOUCHES:
+        tinker_print_line(file, "%s touches %s without pressing on it: it moves as if that were not there", name,
+                          plate);
+        return;
+    case TINKER_STILL_TAUT:
+        tinker_print_line(file, "%s stays taut", name);
+        return;
+    case TINKER_STILL_SLACK:
+        tinker_print_line(file, "%s stays slack", name);
+        return;
+    }
+}
+
+/* What small motions are taken to leave as it is. */
+static void write_assumed(const TinkerModeReport *report, FILE *file)
+{
+    if (report->analysis->contacts == NULL) return;
+    g_autoptr(GArray) contacts = tinker_still_contacts_list(report->analysis->contacts);
+    for (guint i = 0; i < contacts->len; i++) {
+        fprintf(file, "%-21s", i == 0 ? "assumed:" : "");
+        write_contact(report, &g_array_index(contacts, TinkerStillContact, i), file);
+    }
 }
 
 static void write_modes(const TinkerModeReport *report, FILE *file)
@@ -55,7 +93,7 @@ static void write_modes(const TinkerModeReport *report, FILE *file)
     fputc('\n', file);
     tinker_text_table_write(table, file);
     guint rest = report->analysis->modes->len - report->count;
-    if (rest > 0) fprintf(file, "  and %u more (--count %u lists them)\n", rest, report->analysis->modes->len);
+    if (rest > 0) tinker_print_line(file, "  and %u more (--count %u lists them)", rest, report->analysis->modes->len);
 }
 
 /* From -179 to 180. */
@@ -102,9 +140,10 @@ static void write_shapes(const TinkerModeReport *report, guint first, guint end,
 
 static void write_response(const TinkerModeResponse *response, FILE *file)
 {
-    fprintf(file, "\nresponse of %s [%s]\n", response->name, response->unit);
+    fputc('\n', file);
+    tinker_print_line(file, "response of %s [%s]", response->name, response->unit);
     if (response->peaks->len == 0) {
-        fprintf(file, "  no peaks in this range\n");
+        tinker_print_line(file, "  no peaks in this range");
         return;
     }
     g_autoptr(TinkerTextTable) table = tinker_text_table_new("rrr", 2);
@@ -127,6 +166,7 @@ static void write_response(const TinkerModeResponse *response, FILE *file)
 void tinker_mode_report_write_text(const TinkerModeReport *report, FILE *file)
 {
     write_state(report, file);
+    write_assumed(report, file);
     if (report->count > 0) write_modes(report, file);
     for (guint first = 0; first < report->count; first += SHAPES_A_TABLE)
         write_shapes(report, first, MIN(first + SHAPES_A_TABLE, report->count), file);

@@ -9,6 +9,7 @@
 #include "output.h"
 #include "physics/model.h"
 #include "plugin-folders.h"
+#include "scene/overlaps.h"
 
 TinkerCatalogue *tinker_open_catalogue(char **plugin_folders)
 {
@@ -25,7 +26,7 @@ char *tinker_finding_text(const TinkerFinding *finding, const char *name)
 static void collect_warnings(TinkerOpenScene *open, const GPtrArray *findings)
 {
     open->finding_count = findings->len;
-    const GPtrArray *search = tinker_catalogue_warnings(open->catalogue);
+    g_autoptr(GPtrArray) search = tinker_catalogue_warnings(open->catalogue);
     for (guint i = 0; i < search->len; i++)
         g_ptr_array_add(open->warnings, g_strdup(g_ptr_array_index(search, i)));
     for (guint i = 0; i < findings->len; i++) {
@@ -70,15 +71,21 @@ int tinker_open_scene(TinkerOpenScene *open, char **plugin_folders, const char *
         return status;
     }
     collect_warnings(open, findings);
+    tinker_overlaps_tell(open->scene, open->warnings);
     return TINKER_EXIT_DONE;
 }
 
-/* Whether a text is the scene's name, a place, and this message. */
+void tinker_open_scene_report_warnings(const TinkerOpenScene *open)
+{
+    for (guint i = 0; i < open->warnings->len; i++)
+        tinker_report_warning("%s", (const char *)g_ptr_array_index(open->warnings, i));
+}
+
+/* Whether a text is the scene's name, a place, and this message, perhaps with more behind it. */
 static gboolean is_placed(const char *text, const char *name, const char *message)
 {
-    if (!g_str_has_prefix(text, name) || !g_str_has_suffix(text, message)) return FALSE;
-    const gsize behind_name = strlen(name), before_message = strlen(text) - strlen(message);
-    return before_message >= behind_name + 2 && g_str_has_prefix(text + before_message - 2, ": ");
+    const char *found = g_str_has_prefix(text, name) ? strstr(text + strlen(name), message) : NULL;
+    return found != NULL && found >= text + strlen(name) + 2 && g_str_has_prefix(found - 2, ": ");
 }
 
 /* Reports the error; with line and column where the reader has found the same, or where it is about a block. */
@@ -97,10 +104,11 @@ static int report_with_place(const TinkerOpenScene *open, const GError *error)
     return tinker_report_error(open->name, &placed);
 }
 
-/* Whether the error says as much as a warning. */
+/* Whether the error says as much as a warning; both may begin with what they are about. */
 static gboolean is_told(const char *warning, const GError *error)
 {
-    return strstr(warning, error->message) != NULL || strstr(error->message, warning) != NULL;
+    const char *colon = strstr(error->message, ": "), *reason = colon != NULL ? colon + 2 : error->message;
+    return strstr(warning, reason) != NULL || strstr(error->message, warning) != NULL;
 }
 
 int tinker_open_scene_report_error(const TinkerOpenScene *open, const GError *error)
@@ -117,6 +125,14 @@ int tinker_open_scene_report_error(const TinkerOpenScene *open, const GError *er
     gboolean all_told = open->missing_types > 0 ? detached == 0 : detached <= 1;
     if (!all_told) tell_of_check(open, open->finding_count + detached);
     return status;
+}
+
+TinkerFileSet *tinker_open_scene_files(const TinkerOpenScene *open)
+{
+    TinkerFileSet *files = tinker_file_set_new();
+    tinker_file_set_add_scene(files, open->path);
+    tinker_file_set_add_sources(files, open->scene, open->path);
+    return files;
 }
 
 void tinker_open_scene_clear(TinkerOpenScene *open)

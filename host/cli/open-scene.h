@@ -2,6 +2,7 @@
 #ifndef TINKER_CLI_OPEN_SCENE_H
 #define TINKER_CLI_OPEN_SCENE_H
 
+#include "file-set.h"
 #include "plugin/catalogue.h"
 #include "scene/scene-json.h"
 
@@ -15,7 +16,7 @@ typedef struct {
     TinkerScene *scene;
     char *path;          /* as given */
     char *name;          /* as messages call it: the path, or "standard input" */
-    GPtrArray *warnings; /* of char *: of the catalogue and of the reader */
+    GPtrArray *warnings; /* of char *: of the catalogue, of the reader, and of bodies that start in a plate */
     guint finding_count; /* of the reader */
     guint missing_types; /* of these: blocks that keep the scene from running */
 } TinkerOpenScene;
@@ -24,9 +25,15 @@ typedef struct {
  * open. */
 int tinker_open_scene(TinkerOpenScene *open, char **plugin_folders, const char *path);
 
+/* Reports the warnings, for a verb that has none of its own. */
+void tinker_open_scene_report_warnings(const TinkerOpenScene *open);
+
 /* Reports the error that an open scene ended in, as tinker_report_error does. Where the scene itself is refused, its
  * warnings are reported as well, and a last line tells where `tinker check` has more to say. */
 int tinker_open_scene_report_error(const TinkerOpenScene *open, const GError *error);
+
+/* What a command with this scene reads: the scene, its tables, its plugins. (transfer full) */
+TinkerFileSet *tinker_open_scene_files(const TinkerOpenScene *open);
 
 void tinker_open_scene_clear(TinkerOpenScene *open);
 G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC(TinkerOpenScene, tinker_open_scene_clear)

@@ -2,15 +2,30 @@
 #include "output.h"
 
 #include <errno.h>
+#include <fcntl.h>
+#include <glib/gstdio.h>
 #include <string.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include "exit-status.h"
+#include "files/unfinished.h"
+#include "files/write-lines.h"
 
 gboolean tinker_is_standard_stream(const char *path)
 {
     return path != NULL && strcmp(path, "-") == 0;
+}
+
+gboolean tinker_outputs_add(TinkerFileSet *files, const TinkerAskedOutput *outputs, GError **error)
+{
+    gboolean has_stream = FALSE;
+    for (const TinkerAskedOutput *output = outputs; output->option != NULL; output++) {
+        if (output->path == NULL) continue;
+        if (!tinker_file_set_add_output(files, output->option, output->path, error)) return FALSE;
+        has_stream |= tinker_is_standard_stream(output->path);
+    }
+    // Where no output goes there, what is told does.
+    return has_stream || tinker_file_set_add_output(files, NULL, "-", error);
 }
 
 static gboolean fail(const char *name, int reason, GError **error)
@@ -25,27 +40,24 @@ static gboolean fail(const char *name, int reason, GError **error)
     return FALSE;
 }
 
-static gboolean same_file(const char *a, const char *b)
-{
-    struct stat first, second;
-    return stat(a, &first) == 0 && stat(b, &second) == 0 && first.st_dev == second.st_dev &&
-           first.st_ino == second.st_ino && S_ISREG(first.st_mode);
-}
-
-gboolean tinker_output_open(TinkerOutput *output, const char *path, const char *input, GError **error)
+gboolean tinker_output_open(TinkerOutput *output, const char *path, GError **error)
 {
     if (tinker_is_standard_stream(path)) {
         output->file = stdout;
+        output->descriptor = STDOUT_FILENO;
         output->name = g_strdup("standard output");
         return TRUE;
     }
-    if (input != NULL && !tinker_is_standard_stream(input) && same_file(path, input)) {
-        g_set_error(error, TINKER_CLI_ERROR, TINKER_CLI_ERROR_USAGE, "%s: is the scene itself; choose another output",
-                    path);
-        return FALSE;
+    g_autofree char *folder = g_path_get_dirname(path);
+    tinker_unfinished_clean(folder);
+    output->descriptor = g_open(path, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+    if (output->descriptor < 0) return fail(path, errno, error);
+    output->file = fdopen(output->descriptor, "w");
+    if (output->file == NULL) {
+        const int reason = errno;
+        close(output->descriptor);
+        return fail(path, reason, error);
     }
-    output->file = fopen(path, "we");
-    if (output->file == NULL) return fail(path, errno, error);
     output->name = g_strdup(path);
     return TRUE;
 }
@@ -56,26 +68,29 @@ static int reason_of(const TinkerOutput *output)
     return errno != 0 ? errno : EIO;
 }
 
-void tinker_output_flush(TinkerOutput *output, const char *text, gsize size)
+void tinker_output_lines(TinkerOutput *output, const char *text, gsize size)
 {
-    errno = 0;
-    const gboolean fine = fwrite(text, 1, size, output->file) == size && fflush(output->file) == 0;
-    if (!fine && output->reason == 0) output->reason = errno;
+    if (output->reason == 0 && !tinker_write_lines(output->descriptor, text, size)) output->reason = errno;
+}
+
+static gboolean has_failed(const TinkerOutput *output)
+{
+    return output->reason != 0 || ferror(output->file);
 }
 
 gboolean tinker_output_check(const TinkerOutput *output, GError **error)
 {
-    return ferror(output->file) ? fail(output->name, reason_of(output), error) : TRUE;
+    return has_failed(output) ? fail(output->name, reason_of(output), error) : TRUE;
 }
 
 gboolean tinker_output_close(TinkerOutput *output, GError **error)
 {
     if (output->file == NULL) return TRUE;
+    gboolean failed = has_failed(output);
     FILE *file = output->file;
     output->file = NULL;
-    int failed = ferror(file);
     errno = 0;
-    if ((file == stdout ? fflush(file) : fclose(file)) != 0) failed = 1;
+    if ((file == stdout ? fflush(file) : fclose(file)) != 0) failed = TRUE;
     gboolean fine = failed ? fail(output->name, reason_of(output), error) : TRUE;
     g_clear_pointer(&output->name, g_free);
     return fine;

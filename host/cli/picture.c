@@ -62,14 +62,32 @@ static gboolean place_frame(TinkerSimulation *simulation, double time, const dou
 gboolean tinker_picture_run_to(TinkerFrame *frame, const TinkerOpenScene *open, const TinkerRunArguments *arguments,
                                double time, GError **error)
 {
-    if (time <= 0) return TRUE;
+    if (time <= 0) {
+        tinker_open_scene_report_warnings(open);
+        return TRUE;
+    }
     TinkerRunOptions options;
     if (!tinker_run_arguments_apply(arguments, open->scene, &options, error)) return FALSE;
     options.at = &time;
     options.at_count = 1;
     g_auto(TinkerSceneRun) run = {0};
     if (!tinker_scene_run_prepare(&run, open->scene, arguments, &options, error)) return FALSE;
-    gboolean done = tinker_scene_run_go(&run, NULL, place_frame, frame, error);
+    const TinkerSampleTaker taker = {.sample = place_frame, .data = frame};
+    gboolean done = tinker_scene_run_go(&run, NULL, &taker, error);
     tinker_scene_run_report_warnings(&run, open, arguments);
     return done;
+}
+
+GHashTable *tinker_picture_faults_new(void)
+{
+    return g_hash_table_new_full(NULL, NULL, NULL, g_free);
+}
+
+void tinker_picture_report_faults(GHashTable *faults)
+{
+    GHashTableIter iter;
+    gpointer text;
+    g_hash_table_iter_init(&iter, faults);
+    while (g_hash_table_iter_next(&iter, NULL, &text))
+        tinker_report_warning("%s", (const char *)text);
 }

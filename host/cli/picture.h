@@ -32,4 +32,9 @@ int tinker_picture_ending(const char *path, const char *const *endings, GError *
 gboolean tinker_picture_run_to(TinkerFrame *frame, const TinkerOpenScene *open, const TinkerRunArguments *arguments,
                                double time, GError **error);
 
+/* A table for TinkerPaintOptions.faults. (transfer full) */
+GHashTable *tinker_picture_faults_new(void);
+/* Warns of what is in it. */
+void tinker_picture_report_faults(GHashTable *faults);
+
 #endif

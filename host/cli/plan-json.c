@@ -4,6 +4,7 @@
 #include <cjson/cJSON.h>
 
 #include "plan-report.h"
+#include "print.h"
 
 static void add_number(cJSON *object, const char *key, double value)
 {
@@ -47,6 +48,9 @@ static void add_island(cJSON *array, const TinkerPlanReport *report, const Tinke
     add_number(object, "omega_max", island->omega_max);
     add_number(object, "damping_max", island->damping_max);
     add_stable_steps(object, island);
+    add_number(object, "expected_evaluations", island->evaluations);
+    add_number(object, "expected_s", island->expected_s);
+    add_number(object, "expected_error", island->expected_error);
     cJSON_AddItemToArray(array, object);
 }
 
@@ -58,6 +62,7 @@ void tinker_plan_write_json(const TinkerPlanReport *report, FILE *file)
     cJSON_AddNumberToObject(root, "degrees_of_freedom", report->sizes.degrees_of_freedom);
     cJSON_AddNumberToObject(root, "constraints", report->sizes.constraint_rows);
     add_texts(root, "redundant_constraints", plan->redundant);
+    add_number(root, "accuracy", plan->accuracy > 0 ? plan->accuracy : NAN);
     cJSON *islands = cJSON_AddArrayToObject(root, "islands");
     for (guint i = 0; i < plan->islands->len; i++)
         add_island(islands, report, g_ptr_array_index(plan->islands, i));
@@ -67,7 +72,7 @@ void tinker_plan_write_json(const TinkerPlanReport *report, FILE *file)
     add_texts(root, "warnings", report->warnings);
 
     char *text = cJSON_Print(root);
-    fprintf(file, "%s\n", text);
+    tinker_print_text(file, text);
     cJSON_free(text);
     cJSON_Delete(root);
 }

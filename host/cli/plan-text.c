@@ -3,6 +3,7 @@
 
 #include "plan-report.h"
 #include "plan-words.h"
+#include "print.h"
 #include "text-table.h"
 
 #define MOST_ISLANDS 8 /* the JSON has them all */
@@ -70,8 +71,10 @@ static void write_island(const TinkerPlanReport *report, guint number, FILE *fil
                     *speed = speed_text(island);
     g_autofree char *limits = limits_text(island), *time = tinker_duration_text(island->expected_s, 2);
     g_autofree char *method = tinker_island_method_text(island);
-    g_autofree char *expected =
-        g_strdup_printf("about %s, error about %.1g of the motion's extent", time, island->expected_error);
+    g_autofree char *error = island->expected_error < TINKER_ROUNDING
+                                 ? g_strdup("right to rounding")
+                                 : g_strdup_printf("error about %.1g of the motion's extent", island->expected_error);
+    g_autofree char *expected = g_strdup_printf("about %s with %.2g evaluations, %s", time, island->evaluations, error);
     add(table, "what", kind);
     add(table, "method", method);
     add(table, "why", island->reason);
@@ -80,23 +83,25 @@ static void write_island(const TinkerPlanReport *report, guint number, FILE *fil
         add(table, "stable up to", limits);
         add(table, "expected", expected);
     }
-    fprintf(file, "\nIsland %u: %s\n", number + 1, blocks);
+    fputc('\n', file);
+    tinker_print_line(file, "Island %u: %s", number + 1, blocks);
     tinker_text_table_write(table, file);
 }
 
 static void write_list(const char *title, const GPtrArray *sentences, FILE *file)
 {
     if (sentences->len == 0) return;
-    fprintf(file, "\n%s\n", title);
+    fputc('\n', file);
+    tinker_print_line(file, "%s", title);
     for (guint i = 0; i < sentences->len; i++)
-        fprintf(file, "  %s\n", (const char *)g_ptr_array_index(sentences, i));
+        tinker_print_line(file, "  %s", (const char *)g_ptr_array_index(sentences, i));
 }
 
 void tinker_plan_write_text(const TinkerPlanReport *report, FILE *file)
 {
     const char *title = tinker_scene_head(report->scene)->title;
     guint islands = report->plan->islands->len;
-    fprintf(file, "%s\n", title[0] != '\0' ? title : report->scene_name);
+    tinker_print_line(file, "%s", title[0] != '\0' ? title : report->scene_name);
     for (guint i = 0; i < MIN(islands, MOST_ISLANDS); i++)
         write_island(report, i, file);
     if (islands > MOST_ISLANDS)
@@ -105,5 +110,5 @@ void tinker_plan_write_text(const TinkerPlanReport *report, FILE *file)
     write_list("Left out", report->plan->left_out, file);
     if (report->warnings->len > 0) fputc('\n', file);
     for (guint i = 0; i < report->warnings->len; i++)
-        fprintf(file, "warning: %s\n", (const char *)g_ptr_array_index(report->warnings, i));
+        tinker_print_line(file, "warning: %s", (const char *)g_ptr_array_index(report->warnings, i));
 }

@@ -11,6 +11,7 @@
 #include "open-scene.h"
 #include "options.h"
 #include "plugin-folders.h"
+#include "print.h"
 
 static const TinkerVerbHelp check_help = {
     .verb = "plugins check",
@@ -51,29 +52,29 @@ static char *command_of(const Report *report, const TinkerConformanceResult *res
 static void write_text(Report *report, const TinkerConformanceResult *result)
 {
     if (g_strcmp0(report->subject, result->subject) != 0) {
-        printf("%s%s\n", report->subject != NULL ? "\n" : "", result->subject[0] != '\0' ? result->subject : "library");
+        if (report->subject != NULL) fputc('\n', stdout);
+        tinker_print_line(stdout, "%s", result->subject[0] != '\0' ? result->subject : "library");
         g_free(report->subject);
         report->subject = g_strdup(result->subject);
     }
     if (result->text[0] != '\0')
-        printf("  %-8s %-12s %s\n", outcomes[result->outcome], result->rule, result->text);
+        tinker_print_line(stdout, "  %-8s %-12s %s", outcomes[result->outcome], result->rule, result->text);
     else
-        printf("  %-8s %s\n", outcomes[result->outcome], result->rule);
+        tinker_print_line(stdout, "  %-8s %s", outcomes[result->outcome], result->rule);
     if (result->outcome != TINKER_CONFORMANCE_FAILED) return;
     g_autofree char *command = command_of(report, result);
-    printf("           repeat: %s\n", command);
+    tinker_print_line(stdout, "           repeat: %s", command);
 }
 
 static void write_tap(const Report *report, const TinkerConformanceResult *result)
 {
     const int number = report->counts[0] + report->counts[1] + report->counts[2];
     g_autofree char *text = g_strdelimit(g_strdup(result->text), "\n#", ' ');
-    printf("%sok %d - %s%s%s", result->outcome == TINKER_CONFORMANCE_FAILED ? "not " : "", number, result->subject,
-           result->subject[0] != '\0' ? " " : "", result->rule);
-    printf(result->outcome == TINKER_CONFORMANCE_SKIPPED ? " # SKIP %s\n"
-           : text[0] != '\0'                             ? "\n# %s\n"
-                                                         : "%s\n",
-           text);
+    const gboolean skipped = result->outcome == TINKER_CONFORMANCE_SKIPPED;
+    tinker_print_line(stdout, "%sok %d - %s%s%s%s%s", result->outcome == TINKER_CONFORMANCE_FAILED ? "not " : "",
+                      number, result->subject, result->subject[0] != '\0' ? " " : "", result->rule,
+                      skipped ? " # SKIP " : "", skipped ? text : "");
+    if (!skipped && text[0] != '\0') tinker_print_line(stdout, "# %s", text);
 }
 
 static void add_json(const Report *report, const TinkerConformanceResult *result)
@@ -106,10 +107,11 @@ static void finish(Report *report)
 {
     const int *counts = report->counts;
     if (report->format == FORMAT_TAP) {
-        printf("1..%d\n", counts[0] + counts[1] + counts[2]);
+        tinker_print_line(stdout, "1..%d", counts[0] + counts[1] + counts[2]);
     } else if (report->format == FORMAT_TEXT) {
-        printf("\n%d passed, %d failed, %d do not apply; seed %d\n", counts[TINKER_CONFORMANCE_PASSED],
-               counts[TINKER_CONFORMANCE_FAILED], counts[TINKER_CONFORMANCE_SKIPPED], report->seed);
+        fputc('\n', stdout);
+        tinker_print_line(stdout, "%d passed, %d failed, %d do not apply; seed %d", counts[TINKER_CONFORMANCE_PASSED],
+                          counts[TINKER_CONFORMANCE_FAILED], counts[TINKER_CONFORMANCE_SKIPPED], report->seed);
     } else {
         cJSON *root = cJSON_CreateObject();
         cJSON_AddStringToObject(root, "library", report->path);
@@ -118,7 +120,7 @@ static void finish(Report *report)
             cJSON_AddNumberToObject(root, outcomes[i], counts[i]);
         cJSON_AddItemToObject(root, "results", g_steal_pointer(&report->results));
         char *text = cJSON_Print(root);
-        puts(text);
+        tinker_print_text(stdout, text);
         cJSON_free(text);
         cJSON_Delete(root);
     }
@@ -127,7 +129,7 @@ static void finish(Report *report)
 static void list_rules(void)
 {
     for (const TinkerConformanceRule *rule = tinker_conformance_rules(); rule->name != NULL; rule++)
-        printf("%-12s %s\n", rule->name, rule->sentence);
+        tinker_print_line(stdout, "%-12s %s", rule->name, rule->sentence);
 }
 
 static gboolean check_rule(const char *name, GError **error)
@@ -185,10 +187,10 @@ static int check_file(const TinkerCommandLine *line, const Options *options)
     if (report.format == FORMAT_JSON) report.results = cJSON_CreateArray();
     g_autoptr(TinkerCatalogue) catalogue = tinker_open_catalogue(line->plugin_folders);
     const TinkerConformanceOptions how = {(guint32)report.seed, seconds, options->rule, options->type};
-    if (report.format == FORMAT_TAP) printf("# seed %d\n", report.seed);
+    if (report.format == FORMAT_TAP) tinker_print_line(stdout, "# seed %d", report.seed);
     const gboolean tried = tinker_conformance_check(catalogue, report.path, &how, take, &report, &error);
     if (tried || report.counts[TINKER_CONFORMANCE_PASSED] > 0) finish(&report);
-    if (!tried && report.format == FORMAT_TAP) printf("Bail out! %s\n", error->message);
+    if (!tried && report.format == FORMAT_TAP) tinker_print_line(stdout, "Bail out! %s", error->message);
     cJSON_Delete(report.results);
     g_free(report.subject);
     if (!tried) return tinker_report_error(NULL, error);

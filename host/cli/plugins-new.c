@@ -8,6 +8,7 @@
 #include "numerics/integrators.h"
 #include "open-scene.h"
 #include "options.h"
+#include "print.h"
 #include "template-folder.h"
 
 #define MOST_NAME 40
@@ -63,9 +64,9 @@ static gboolean refuse(GError **error, const char *format, ...)
 
 static void list_roles(void)
 {
-    puts("The roles that --role takes:");
+    tinker_print_line(stdout, "The roles that --role takes:");
     for (gsize i = 0; i < G_N_ELEMENTS(roles); i++)
-        printf("  %-15s %s\n", roles[i].id, roles[i].sentence);
+        tinker_print_line(stdout, "  %-15s %s", roles[i].id, roles[i].sentence);
 }
 
 static const Role *find_role(const char *id, GError **error)
@@ -109,7 +110,7 @@ static gboolean check_free(const char *name, TinkerCatalogue *catalogue, GError 
 {
     if (strcmp(name, "auto") == 0 || tinker_integrator_builtin(name) != NULL)
         return refuse(error, "the name \"%s\" is taken: a built-in method has it (choose another)", name);
-    const GPtrArray *libraries = tinker_catalogue_libraries(catalogue);
+    g_autoptr(GPtrArray) libraries = tinker_catalogue_libraries(catalogue);
     for (guint i = 0; i < libraries->len; i++) {
         const TinkerLibraryEntry *library = libraries->pdata[i];
         g_autofree char *id = g_strconcat("org.example.", name, NULL);
@@ -150,13 +151,15 @@ static gboolean write_and_tell(GPtrArray *files, const char *folder, const char 
     if (!tinker_template_files_write(files, folder, error)) return FALSE;
     for (guint i = 0; i < files->len; i++) {
         g_autofree char *path = g_build_filename(folder, ((TinkerTemplateFile *)files->pdata[i])->path, NULL);
-        printf("wrote %s\n", path);
+        tinker_print_line(stdout, "wrote %s", path);
     }
     g_autofree char *quoted = g_shell_quote(folder);
     const gboolean plain =
         strspn(folder, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_./") == strlen(folder);
-    printf("\nNext:\n  cd %s\n  meson setup build && meson test -C build\n  tinker run %s --plugins build\n",
-           plain ? folder : quoted, scene);
+    fputs("\nNext:\n", stdout);
+    tinker_print_line(stdout, "  cd %s", plain ? folder : quoted);
+    fputs("  meson setup build && meson test -C build\n", stdout);
+    tinker_print_line(stdout, "  tinker run %s --plugins build", scene);
     return TRUE;
 }
 

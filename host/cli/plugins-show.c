@@ -3,6 +3,7 @@
 
 #include <string.h>
 
+#include "print.h"
 #include "text-table.h"
 #include "units/units.h"
 
@@ -206,8 +207,8 @@ void tinker_plugins_show(const TinkerBlockClass *block_class, FILE *file)
     g_autofree char *ends = ends_text(type);
     g_autofree char *interfaces = interfaces_text(block_class);
     g_autofree char *version = g_strdup_printf("%s %s, %s", plugin->id, plugin->version, plugin->licence);
-    fprintf(file, "%s: %s (%s)\n", type->id, type->title, type->category);
-    if (type->summary != NULL) fprintf(file, "%s\n", type->summary);
+    tinker_print_line(file, "%s: %s (%s)", type->id, type->title, type->category);
+    if (type->summary != NULL) tinker_print_line(file, "%s", type->summary);
     const char *const rows[][2] = {
         {"formula", type->formula},     {"ends", ends},
         {"interfaces", interfaces},     {"plugin", version},
@@ -227,8 +228,8 @@ void tinker_plugins_show_integrator(const TinkerIntegrator *integrator, const Ti
     g_autofree char *evaluations = g_strdup_printf("%d a step", integrator->evaluations_per_step);
     g_autofree char *plugin =
         library == NULL ? NULL : g_strdup_printf("%s %s, %s", library->id, library->version, library->licence);
-    fprintf(file, "%s: %s (integrator)\n", integrator->id, integrator->title);
-    if (integrator->summary != NULL) fprintf(file, "%s\n", integrator->summary);
+    tinker_print_line(file, "%s: %s (integrator)", integrator->id, integrator->title);
+    if (integrator->summary != NULL) tinker_print_line(file, "%s", integrator->summary);
     const char *const rows[][2] = {
         {"kind", kind},
         {"order", order},

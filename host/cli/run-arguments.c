@@ -18,6 +18,7 @@ void tinker_run_arguments_clear(TinkerRunArguments *arguments)
     g_clear_pointer(&arguments->contacts, g_free);
     g_clear_pointer(&arguments->step, g_free);
     g_clear_pointer(&arguments->tolerance, g_free);
+    g_clear_pointer(&arguments->accuracy, g_free);
 }
 
 static gboolean apply_contacts(const char *text, TinkerRunOptions *options, GError **error)
@@ -26,6 +27,35 @@ static gboolean apply_contacts(const char *text, TinkerRunOptions *options, GErr
     if (options->impulses || g_str_equal(text, "events")) return TRUE;
     g_set_error(error, TINKER_CLI_ERROR, TINKER_CLI_ERROR_USAGE, "--contacts is \"%s\" (it must be events or impulse)",
                 text);
+    return FALSE;
+}
+
+/* An accuracy stands in the place of step and tolerance, and is held by the estimate: of what excludes each other on the command
+ * line both cannot be meant; what it says goes before what the scene says. */
+static gboolean apply_accuracy(const TinkerRunArguments *arguments, TinkerRunOptions *options, GError **error)
+{
+    const char *other = arguments->step != NULL        ? "--step"
+                        : arguments->tolerance != NULL ? "--tolerance"
+                        : arguments->no_estimate       ? "--no-estimate"
+                                                       : NULL;
+    if (arguments->accuracy == NULL) {
+        if (other != NULL) options->accuracy = 0;
+        return TRUE;
+    }
+    if (other != NULL) {
+        g_set_error(error, TINKER_CLI_ERROR, TINKER_CLI_ERROR_USAGE,
+                    "--accuracy and %s exclude each other (%s; leave one of them out)", other,
+                    arguments->no_estimate && g_str_equal(other, "--no-estimate")
+                        ? "it is the error estimate that is held to the accuracy"
+                        : "an accuracy chooses step and tolerance itself");
+        return FALSE;
+    }
+    if (!tinker_option_value("accuracy", arguments->accuracy, no_dimension, 0, TRUE, &options->accuracy, error))
+        return FALSE;
+    if (options->accuracy < 1) return TRUE;
+    g_set_error(error, TINKER_CLI_ERROR, TINKER_CLI_ERROR_USAGE,
+                "--accuracy \"%s\": must be less than 1 (it is a share of the motion's size, as in 1e-6)",
+                arguments->accuracy);
     return FALSE;
 }
 
@@ -51,7 +81,7 @@ gboolean tinker_run_arguments_apply(const TinkerRunArguments *arguments, TinkerS
     if (arguments->method != NULL) options->method = arguments->method;
     if (arguments->contacts != NULL && !apply_contacts(arguments->contacts, options, error)) return FALSE;
     if (arguments->no_estimate) options->estimate = FALSE;
-    return TRUE;
+    return apply_accuracy(arguments, options, error);
 }
 
 static int by_value(const void *a, const void *b)
@@ -90,8 +120,8 @@ GArray *tinker_run_arguments_times(const char *text, GError **error)
 
 void tinker_run_arguments_blame(const TinkerRunArguments *arguments, GError **error)
 {
-    const char *const given[] = {arguments->duration, arguments->interval, arguments->method, arguments->step,
-                                 arguments->tolerance};
+    const char *const given[] = {arguments->duration, arguments->interval,  arguments->method,
+                                 arguments->step,     arguments->tolerance, arguments->accuracy};
     if (!g_error_matches(*error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_METHOD)) return;
     for (gsize i = 0; i < G_N_ELEMENTS(given); i++)
         if (given[i] != NULL) {
@@ -121,11 +151,10 @@ gboolean tinker_scene_run_prepare(TinkerSceneRun *run, TinkerScene *scene, const
     return FALSE;
 }
 
-gboolean tinker_scene_run_go(TinkerSceneRun *run, const GArray *columns, TinkerSampleFunc sample, void *data,
-                             GError **error)
+gboolean tinker_scene_run_go(TinkerSceneRun *run, const GArray *columns, const TinkerSampleTaker *taker, GError **error)
 {
     tinker_progress_catch_interrupt();
-    gboolean done = tinker_simulation_run(run->simulation, columns, sample, data, error);
+    gboolean done = tinker_accurate_run(&run->simulation, columns, taker, error);
     tinker_progress_end(&run->progress);
     return done;
 }

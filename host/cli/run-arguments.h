@@ -3,12 +3,12 @@
 #define TINKER_CLI_RUN_ARGUMENTS_H
 
 #include "open-scene.h"
-#include "physics/simulation.h"
+#include "physics/accurate-run.h"
 #include "progress.h"
 
 /* As given on the command line; NULL: the scene's own. */
 typedef struct {
-    char *duration, *interval, *method, *contacts, *step, *tolerance;
+    char *duration, *interval, *method, *contacts, *step, *tolerance, *accuracy;
     gboolean no_estimate;
 } TinkerRunArguments;
 
@@ -23,6 +23,11 @@ G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC(TinkerRunArguments, tinker_run_arguments_clear)
     {                                                                                                                  \
         "tolerance", 0, 0, G_OPTION_ARG_FILENAME, &(arguments).tolerance, "Tolerance of adaptive methods", "E"         \
     }
+#define TINKER_RUN_ACCURACY_ENTRY(arguments)                                                                           \
+    {                                                                                                                  \
+        "accuracy", 0, 0, G_OPTION_ARG_FILENAME, &(arguments).accuracy,                                                \
+            "Hold the estimated error of the run to E, whatever step or tolerance it takes", "E"                       \
+    }
 #define TINKER_RUN_ENTRIES(arguments)                                                                                  \
     {"no-estimate",                                                                                                    \
      0,                                                                                                                \
@@ -33,7 +38,7 @@ G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC(TinkerRunArguments, tinker_run_arguments_clear)
      NULL},                                                                                                            \
         {"duration", 0, 0, G_OPTION_ARG_FILENAME, &(arguments).duration, "How long to run", "S"},                      \
         {"interval", 0, 0, G_OPTION_ARG_FILENAME, &(arguments).interval, "Time between samples", "S"},                 \
-        TINKER_RUN_METHOD_ENTRIES(arguments)
+        TINKER_RUN_METHOD_ENTRIES(arguments), TINKER_RUN_ACCURACY_ENTRY(arguments)
 
 /* The scene's settings with the arguments in their place. Strings are borrowed from both. Errors:
  * TINKER_CLI_ERROR_USAGE. */
@@ -61,8 +66,8 @@ typedef struct {
 gboolean tinker_scene_run_prepare(TinkerSceneRun *run, TinkerScene *scene, const TinkerRunArguments *arguments,
                                   TinkerRunOptions *options, GError **error);
 
-/* Runs it; erases the progress line. */
-gboolean tinker_scene_run_go(TinkerSceneRun *run, const GArray *columns, TinkerSampleFunc sample, void *data,
+/* Runs it, as often as an accuracy asks for; erases the progress line. */
+gboolean tinker_scene_run_go(TinkerSceneRun *run, const GArray *columns, const TinkerSampleTaker *taker,
                              GError **error);
 
 void tinker_scene_run_clear(TinkerSceneRun *run);

@@ -3,6 +3,7 @@
 
 #include <cjson/cJSON.h>
 
+#include "print.h"
 #include "summary.h"
 
 static void add_number(cJSON *object, const char *key, double value)
@@ -75,6 +76,23 @@ static void add_islands(cJSON *root, const TinkerRunReport *report)
     }
 }
 
+/* The accuracy that was asked for, and every run that was to hold it, the last one too. */
+static void add_tries(cJSON *root, const TinkerSummary *run)
+{
+    add_number(root, "accuracy", run->accuracy > 0 ? run->accuracy : NAN);
+    cJSON *tries = cJSON_AddArrayToObject(root, "tries");
+    for (guint i = 0; i < run->tries->len; i++) {
+        const TinkerTry *each = &g_array_index(run->tries, TinkerTry, i);
+        cJSON *entry = cJSON_CreateObject();
+        cJSON_AddStringToObject(entry, "method", each->method);
+        add_step_or_tolerance(entry, each->method, each->adaptive, each->step, each->tolerance);
+        add_number(entry, "evaluations", (double)each->evaluations);
+        add_number(entry, "wall_s", each->wall_s);
+        add_number(entry, "error_estimate", each->error_estimate);
+        cJSON_AddItemToArray(tries, entry);
+    }
+}
+
 static void add_texts(cJSON *root, const char *key, const GPtrArray *texts)
 {
     cJSON *array = cJSON_AddArrayToObject(root, key);
@@ -99,13 +117,15 @@ void tinker_summary_write_json(const TinkerRunReport *report, FILE *file)
     add_energy(root, run);
     add_number(root, "energy_balance_error", run->energy_balance_error);
     add_number(root, "error_estimate", run->error_estimate);
+    add_tries(root, run);
+    add_number(root, "valid_until", run->determined_until);
     add_events(root, run);
     add_islands(root, report);
     add_texts(root, "libraries", report->libraries);
     add_texts(root, "warnings", report->warnings);
 
     char *text = cJSON_Print(root);
-    fprintf(file, "%s\n", text);
+    tinker_print_text(file, text);
     cJSON_free(text);
     cJSON_Delete(root);
 }

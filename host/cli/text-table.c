@@ -1,5 +1,7 @@
 /* Tables for people. Widths count characters, not bytes. */
 #include "text-table.h"
+#include "print.h"
+#include "units/plain-text.h"
 
 #include <stdarg.h>
 #include <string.h>
@@ -31,15 +33,17 @@ void tinker_text_table_free(TinkerTextTable *table)
 
 void tinker_text_table_add(TinkerTextTable *table, const char *text)
 {
-    g_ptr_array_add(table->cells, g_strdup(text == NULL ? "" : text));
+    g_ptr_array_add(table->cells,
+                    tinker_text_escaped(text == NULL ? "" : text, FALSE)); /* what is printed is measured */
 }
 
 void tinker_text_table_add_format(TinkerTextTable *table, const char *format, ...)
 {
     va_list arguments;
     va_start(arguments, format);
-    g_ptr_array_add(table->cells, g_strdup_vprintf(format, arguments));
+    g_autofree char *text = g_strdup_vprintf(format, arguments);
     va_end(arguments);
+    tinker_text_table_add(table, text);
 }
 
 void tinker_text_table_end_row(TinkerTextTable *table)
@@ -73,6 +77,6 @@ void tinker_text_table_write(const TinkerTextTable *table, FILE *file)
     for (guint first = 0; first + table->columns <= table->cells->len; first += table->columns) {
         g_autoptr(GString) line = g_string_new(NULL);
         append_row(table, first, widths, line);
-        fprintf(file, "%s\n", g_strchomp(line->str));
+        tinker_print_line(file, "%s", g_strchomp(line->str));
     }
 }

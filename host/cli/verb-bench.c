@@ -12,6 +12,7 @@
 #include "numerics/integrators.h"
 #include "options.h"
 #include "output.h"
+#include "print.h"
 #include "run-arguments.h"
 #include "text-table.h"
 
@@ -193,12 +194,12 @@ static void write_table(const GArray *measurements, int32_t blocks, FILE *file)
         tinker_text_table_add_format(table, "%.2f", ns_per_evaluation / MAX(blocks, 1));
         tinker_text_table_add_format(table, "%" G_GINT64_FORMAT, measurement->steps_timed);
     }
-    fprintf(file, "%d blocks\n", blocks);
+    tinker_print_line(file, "%d blocks", blocks);
     tinker_text_table_write(table, file);
     for (guint i = 0; i < measurements->len; i++) {
         const Measurement *measurement = &g_array_index(measurements, Measurement, i);
         if (measurement->failure != NULL)
-            fprintf(file, "%s: not timed: %s\n", measurement->method, measurement->failure);
+            tinker_print_line(file, "%s: not timed: %s", measurement->method, measurement->failure);
     }
 }
 
@@ -211,7 +212,7 @@ static void write_json(const GArray *measurements, int32_t blocks, gboolean sing
         if (measurement->failure == NULL) cJSON_AddItemToArray(array, to_json(measurement, blocks));
     }
     char *text = cJSON_Print(single ? cJSON_GetArrayItem(array, 0) : array);
-    fprintf(file, "%s\n", text);
+    tinker_print_text(file, text);
     cJSON_free(text);
     cJSON_Delete(array);
 }
@@ -243,15 +244,18 @@ static gboolean bench(const TinkerRunArguments *arguments, const TinkerOpenScene
                       const char *json, GError **error)
 {
     static const TinkerDimension time_dimension = TINKER_DIMENSION_TIME;
+    const TinkerAskedOutput outputs[] = {{"--json", json}, {NULL, NULL}};
+    g_autoptr(TinkerFileSet) files = tinker_open_scene_files(open);
     double seconds = 1;
     TinkerRunOptions options;
+    if (!tinker_outputs_add(files, outputs, error)) return FALSE;
     if (seconds_text != NULL && !tinker_option_value("seconds", seconds_text, time_dimension, 0, TRUE, &seconds, error))
         return FALSE;
     if (!tinker_run_arguments_apply(arguments, open->scene, &options, error)) return FALSE;
     g_autoptr(TinkerModel) model = tinker_model_new(open->scene, error);
     if (model == NULL) return FALSE;
     g_auto(TinkerOutput) output = {0};
-    if (json != NULL && !tinker_output_open(&output, json, open->path, error)) return FALSE;
+    if (json != NULL && !tinker_output_open(&output, json, error)) return FALSE;
 
     tinker_progress_catch_interrupt();
     g_autoptr(GArray) measurements = g_array_new(FALSE, TRUE, sizeof(Measurement));
@@ -262,6 +266,7 @@ static gboolean bench(const TinkerRunArguments *arguments, const TinkerOpenScene
         return FALSE;
     }
     int32_t blocks = tinker_scene_block_count(open->scene);
+    tinker_open_scene_report_warnings(open);
     write_table(measurements, blocks, tinker_is_standard_stream(json) ? stderr : stdout);
     if (output.file != NULL) write_json(measurements, blocks, arguments->method != NULL, output.file);
     return tinker_output_close(&output, error);

@@ -9,7 +9,10 @@
 #include "open-scene.h"
 #include "options.h"
 #include "output.h"
+#include "physics/breaks.h"
 #include "physics/simulation.h"
+#include "print.h"
+#include "scene/boxes.h"
 #include "scene/overlaps.h"
 
 static const TinkerVerbHelp help = {
@@ -34,24 +37,25 @@ typedef struct {
 /* A scene that is wrong is wrong, whatever else is missing. */
 static void add_error(Findings *findings, const char *text, int status)
 {
-    fprintf(stderr, "tinker: %s\n", text);
+    tinker_print_line(stderr, "tinker: %s", text);
     findings->errors++;
     if (findings->status == TINKER_EXIT_DONE || status == TINKER_EXIT_SCENE) findings->status = status;
 }
 
 static void add_warning(Findings *findings, const char *text)
 {
-    fprintf(stderr, "tinker: %s\n", text);
+    tinker_print_line(stderr, "tinker: %s", text);
     findings->warnings++;
 }
 
-/* A scene with a block of a missing type can be opened and saved, so to the reader that is a warning; here it is what
- * keeps the scene from running. */
+/* A scene with a block of a missing type, or with a missing method, can be opened and saved, so to the reader that is a warning;
+ * here it is what keeps the scene from running. */
 static void add_of_reader(Findings *findings, const GPtrArray *found)
 {
     for (guint i = 0; i < found->len; i++) {
         const TinkerFinding *finding = g_ptr_array_index(found, i);
-        gboolean warning = finding->kind == TINKER_FINDING_WARNING && finding->code != TINKER_SCENE_ERROR_TYPE;
+        gboolean runs = finding->code != TINKER_SCENE_ERROR_TYPE && finding->code != TINKER_SCENE_ERROR_METHOD;
+        gboolean warning = finding->kind == TINKER_FINDING_WARNING && runs;
         TinkerFinding marked = *finding;
         g_autofree char *message = g_strdup_printf("%s%s", warning ? "warning: " : "", finding->message);
         marked.message = message;
@@ -77,7 +81,7 @@ static void add_of_catalogue(Findings *findings, TinkerCatalogue *catalogue, con
     gboolean missing = FALSE;
     for (guint i = 0; i < found->len; i++)
         if (((const TinkerFinding *)g_ptr_array_index(found, i))->code == TINKER_SCENE_ERROR_TYPE) missing = TRUE;
-    const GPtrArray *warnings = tinker_catalogue_warnings(catalogue);
+    g_autoptr(GPtrArray) warnings = tinker_catalogue_warnings(catalogue);
     for (guint i = 0; missing && i < warnings->len; i++) {
         const char *warning = g_ptr_array_index(warnings, i);
         if (is_told(found, warning)) continue;
@@ -120,7 +124,8 @@ static void add_of_run(Findings *findings, TinkerScene *scene, TinkerModel *mode
     g_autoptr(GError) error = NULL;
     TinkerRunOptions options = tinker_run_options_of(scene);
     g_autoptr(TinkerSimulation) simulation = tinker_simulation_new(model, &options, &error);
-    if (simulation == NULL) add_refusal(findings, scene, error);
+    if (simulation == NULL || !tinker_model_check_breaks(model, options.duration, &error))
+        add_refusal(findings, scene, error);
 }
 
 static void add_warnings(Findings *findings, const GPtrArray *warnings)
@@ -143,6 +148,7 @@ static void add_of_model(Findings *findings, TinkerScene *scene)
     g_autoptr(GPtrArray) overlaps = g_ptr_array_new_with_free_func(g_free);
     tinker_overlaps_tell(scene, overlaps);
     add_warnings(findings, tinker_model_warnings(model));
+    tinker_boxes_tell(scene, tinker_scene_head(scene)->run.duration, overlaps);
     add_warnings(findings, overlaps);
     add_of_run(findings, scene, model);
 }
@@ -152,7 +158,7 @@ static int conclude(const Findings *findings)
     g_autofree char *warnings = findings->warnings == 0 ? g_strdup("")
                                                         : g_strdup_printf(" (%d warning%s)", findings->warnings,
                                                                           findings->warnings == 1 ? "" : "s");
-    if (findings->errors == 0) printf("no mistakes found%s\n", warnings);
+    if (findings->errors == 0) tinker_print_line(stdout, "no mistakes found%s", warnings);
     return findings->status;
 }
 

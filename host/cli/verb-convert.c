@@ -4,6 +4,7 @@
 #include "exit-status.h"
 #include "open-scene.h"
 #include "options.h"
+#include "output.h"
 
 static const TinkerVerbHelp help = {
     .verb = "convert",
@@ -18,10 +19,20 @@ static const TinkerVerbHelp help = {
     .most_operands = 1,
 };
 
+/* The scene itself may be the output: it has been read, and is replaced as a whole. */
+static gboolean add_output(const TinkerOpenScene *open, const char *output, GError **error)
+{
+    const TinkerAskedOutput outputs[] = {{"--output", output}, {NULL, NULL}};
+    g_autoptr(TinkerFileSet) files = tinker_file_set_new();
+    tinker_file_set_add_sources(files, open->scene, open->path);
+    return tinker_outputs_add(files, outputs, error);
+}
+
 static gboolean convert(const TinkerOpenScene *open, const char *output, const char *units, GError **error)
 {
     static const char *const systems[] = {"SI", "English", NULL};
     int system = 0;
+    if (!add_output(open, output, error)) return FALSE;
     if (units != NULL) {
         if (!tinker_option_choice("units", units, systems, &system, error)) return FALSE;
         tinker_scene_head(open->scene)->units = system == 1 ? TINKER_UNIT_SYSTEM_ENGLISH : TINKER_UNIT_SYSTEM_SI;
@@ -44,8 +55,7 @@ int tinker_verb_convert(int argc, char **argv)
     g_auto(TinkerOpenScene) open = {0};
     status = tinker_open_scene(&open, line.plugin_folders, line.operands[0]);
     if (status != TINKER_EXIT_DONE) return status;
-    for (guint i = 0; i < open.warnings->len; i++)
-        tinker_report_warning("%s", (const char *)g_ptr_array_index(open.warnings, i));
+    tinker_open_scene_report_warnings(&open);
     g_autoptr(GError) error = NULL;
     if (!convert(&open, output != NULL ? output : "-", units, &error)) return tinker_report_error(NULL, error);
     return TINKER_EXIT_DONE;

@@ -11,6 +11,7 @@
 #include "exit-status.h"
 #include "installation.h"
 #include "options.h"
+#include "print.h"
 #include "render/painter.h"
 #include "run-arguments.h"
 
@@ -56,7 +57,7 @@ static gboolean demo_init(Demo *demo, TinkerScene *scene, const char *csv, GErro
     demo->all_columns = g_array_new(FALSE, FALSE, sizeof(TinkerColumn));
     g_array_append_vals(demo->all_columns, demo->record_columns->data, demo->record_columns->len);
     g_array_append_vals(demo->all_columns, demo->chart->columns->data, demo->chart->columns->len);
-    return tinker_csv_record_open(&demo->csv, csv, NULL, demo->record_columns, error);
+    return tinker_csv_record_open(&demo->csv, csv, demo->record_columns, error);
 }
 
 static gboolean draw(Demo *demo, TinkerScene *scene, const char *svg, const char *png, const char *picture,
@@ -80,19 +81,24 @@ static gboolean show(const TinkerOpenScene *open, const char *folder, GError **e
     TinkerRunOptions options;
     g_auto(TinkerSceneRun) run = {0};
     g_auto(Demo) demo = {0};
+    const TinkerAskedOutput outputs[] = {
+        {"record", csv}, {"graph", svg}, {"graph", png}, {"picture", picture}, {NULL, NULL}};
+    g_autoptr(TinkerFileSet) files = tinker_open_scene_files(open);
+    if (!tinker_outputs_add(files, outputs, error)) return FALSE;
     if (!tinker_run_arguments_apply(&arguments, open->scene, &options, error)) return FALSE;
     if (!tinker_scene_run_prepare(&run, open->scene, &arguments, &options, error)) return FALSE;
     if (!demo_init(&demo, open->scene, csv, error)) return FALSE;
-    if (!tinker_scene_run_go(&run, demo.all_columns, take_sample, &demo, error)) return FALSE;
+    const TinkerSampleTaker taker = {.sample = take_sample, .data = &demo}; /* the scene asks for no accuracy */
+    if (!tinker_scene_run_go(&run, demo.all_columns, &taker, error)) return FALSE;
     tinker_scene_run_report_warnings(&run, open, &arguments);
     if (!tinker_csv_record_close(&demo.csv, tinker_simulation_summary(run.simulation)->valid_until, error))
         return FALSE;
     if (!draw(&demo, open->scene, svg, png, picture, error)) return FALSE;
 
-    printf("%s: the record, a row every %g s (spreadsheets open it)\n", csv, options.interval);
-    printf("%s: the graph of the mass's height over time, for documents and browsers\n", svg);
-    printf("%s: the same graph as an image\n", png);
-    printf("%s: the scene as it is drawn\n", picture);
+    tinker_print_line(stdout, "%s: the record, a row every %g s (spreadsheets open it)", csv, options.interval);
+    tinker_print_line(stdout, "%s: the graph of the mass's height over time, for documents and browsers", svg);
+    tinker_print_line(stdout, "%s: the same graph as an image", png);
+    tinker_print_line(stdout, "%s: the scene as it is drawn", picture);
     return TRUE;
 }
 

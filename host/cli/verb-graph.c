@@ -1,6 +1,8 @@
 /* tinker graph: quantities over time, or against one another, as a plot or as CSV. */
 #include "verbs.h"
 
+#include <math.h>
+
 #include "chart.h"
 #include "exit-status.h"
 #include "options.h"
@@ -91,6 +93,11 @@ static gboolean take_sample(TinkerSimulation *simulation, double time, const dou
     return tinker_chart_sample(data, time, values, tinker_simulation_bands(simulation), error);
 }
 
+static void begin_again(void *chart)
+{
+    tinker_chart_cut(chart, -INFINITY);
+}
+
 /* What was recorded is written even when the run fails; its error is in `failure` then. */
 static gboolean graph(const GraphOptions *options, const TinkerOpenScene *open, char **names, GError **failure,
                       GError **error)
@@ -98,15 +105,19 @@ static gboolean graph(const GraphOptions *options, const TinkerOpenScene *open, 
     GraphForm form;
     TinkerRunOptions run_options;
     g_auto(TinkerSceneRun) run = {0};
+    const TinkerAskedOutput outputs[] = {{"--output", options->output}, {NULL, NULL}};
+    g_autoptr(TinkerFileSet) files = tinker_open_scene_files(open);
     g_autoptr(TinkerChart) chart = tinker_chart_new(open->scene);
+    if (!tinker_outputs_add(files, outputs, error)) return FALSE;
     if (!read_form(options, &form, error) || !add_curves(chart, options, names, error)) return FALSE;
     if (!tinker_run_arguments_apply(&options->run, open->scene, &run_options, error)) return FALSE;
     run_options.bands = !form.csv;
     if (!tinker_scene_run_prepare(&run, open->scene, &options->run, &run_options, error)) return FALSE;
-    (void)tinker_scene_run_go(&run, chart->columns, take_sample, chart, failure);
+    const TinkerSampleTaker taker = {take_sample, begin_again, chart};
+    (void)tinker_scene_run_go(&run, chart->columns, &taker, failure);
     if (*failure != NULL) tinker_chart_cut(chart, tinker_simulation_summary(run.simulation)->valid_until);
     tinker_scene_run_report_warnings(&run, open, &options->run);
-    if (form.csv) return tinker_chart_write_csv(chart, form.decimals, options->output, open->path, error);
+    if (form.csv) return tinker_chart_write_csv(chart, form.decimals, options->output, error);
     return tinker_chart_draw(chart, form.theme, form.width, form.height, options->output, error);
 }
 

@@ -79,8 +79,6 @@ static gboolean read_output(const ModesOptions *options, Wishes *wishes, GError 
     static const char *const responses[] = {".csv", ".png", ".svg", ".pdf", NULL};
     if (options->output == NULL) return TRUE;
     wishes->csv = options->response != NULL && tinker_is_standard_stream(options->output);
-    if (wishes->csv && tinker_is_standard_stream(options->json))
-        return refuse(error, "--output and --json cannot both go to standard output; give one of them a file");
     if (wishes->csv) return TRUE;
     int place = tinker_picture_ending(options->output, options->response != NULL ? responses : pictures, error);
     wishes->csv = options->response != NULL && place == 0;
@@ -143,21 +141,31 @@ static GPtrArray *collect_warnings(const TinkerOpenScene *open, const TinkerMode
     return warnings;
 }
 
-static gboolean write_json(const TinkerModeReport *report, const char *path, const char *scene_path, GError **error)
+static gboolean write_json(const TinkerModeReport *report, const char *path, GError **error)
 {
     g_auto(TinkerOutput) output = {0};
-    if (!tinker_output_open(&output, path, scene_path, error)) return FALSE;
+    if (!tinker_output_open(&output, path, error)) return FALSE;
     tinker_mode_report_write_json(report, output.file);
     return tinker_output_close(&output, error);
 }
 
-static gboolean write_output(const TinkerModeReport *report, const Wishes *wishes, const char *path,
-                             const char *scene_path, GError **error)
+static gboolean write_output(const TinkerModeReport *report, const Wishes *wishes, const char *path, GError **error)
 {
-    if (wishes->csv) return tinker_mode_response_write_csv(report->response, path, scene_path, error);
+    if (wishes->csv) return tinker_mode_response_write_csv(report->response, path, error);
     if (report->response != NULL)
         return tinker_mode_response_draw(report->response, wishes->theme, wishes->width, wishes->height, path, error);
     return tinker_mode_report_draw(report, wishes->theme, wishes->width, wishes->height, path, error);
+}
+
+/* Before anything is written: `pictures` is how many the modes have. */
+static gboolean add_outputs(const ModesOptions *options, const TinkerOpenScene *open, guint pictures, GError **error)
+{
+    const gboolean drawn = options->output != NULL && options->response == NULL;
+    const TinkerAskedOutput outputs[] = {
+        {"--json", options->json}, {"--output", drawn ? NULL : options->output}, {NULL, NULL}};
+    g_autoptr(TinkerFileSet) files = tinker_open_scene_files(open);
+    return tinker_outputs_add(files, outputs, error) &&
+           (!drawn || tinker_mode_pictures_add(files, options->output, pictures, error));
 }
 
 static gboolean modes(const ModesOptions *options, const TinkerOpenScene *open, const char *quantity, GError **error)
@@ -174,11 +182,13 @@ static gboolean modes(const ModesOptions *options, const TinkerOpenScene *open, 
     TinkerModeReport report = {open->scene, analysis, analysis->modes->len,
                                wishes.response.input != NULL ? &response : NULL, warnings};
     if (wishes.count > 0) report.count = MIN(report.count, (guint)wishes.count);
+    const guint shown = wishes.count > 0 ? report.count : MIN(report.count, DEFAULT_COUNT);
+    if (!add_outputs(options, open, shown, error)) return FALSE;
     for (guint i = 0; i < warnings->len; i++)
         tinker_report_warning("%s", (const char *)g_ptr_array_index(warnings, i));
-    if (options->json != NULL && !write_json(&report, options->json, open->path, error)) return FALSE;
-    if (wishes.count == 0) report.count = MIN(report.count, DEFAULT_COUNT);
-    if (options->output != NULL && !write_output(&report, &wishes, options->output, open->path, error)) return FALSE;
+    if (options->json != NULL && !write_json(&report, options->json, error)) return FALSE;
+    report.count = shown;
+    if (options->output != NULL && !write_output(&report, &wishes, options->output, error)) return FALSE;
     gboolean taken = tinker_is_standard_stream(options->json) || tinker_is_standard_stream(options->output);
     tinker_mode_report_write_text(&report, taken ? stderr : stdout);
     return TRUE;

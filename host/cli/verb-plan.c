@@ -1,4 +1,4 @@
-/* tinker plan: what of a scene is modelled, how each part of it would be stepped, and why; nothing is run. */
+/* tinker plan: what of a scene is modelled, how each part of it would be stepped, and why. */
 #include "verbs.h"
 
 #include <stdio.h>
@@ -8,7 +8,7 @@
 #include "output.h"
 #include "plan-report.h"
 #include "run-arguments.h"
-#include "scene/overlaps.h"
+#include "scene/boxes.h"
 
 static const TinkerVerbHelp help = {
     .verb = "plan",
@@ -17,7 +17,9 @@ static const TinkerVerbHelp help = {
         "Tells what of a scene is modelled and what is left out, which parts are stepped apart, the method and step "
         "of\n"
         "each and why, the steps at which each method is stable, and what a run is expected to cost and to miss.\n"
-        "Runs nothing. What is not given is taken from the scene.",
+        "The cost is told by a trial of the run's first steps, of which nothing is recorded. What is not given is "
+        "taken\n"
+        "from the scene.",
     .examples = "  tinker plan bridge.tinker.json\n"
                 "  tinker plan bridge.tinker.json --method rk4 --step \"5 ms\"\n"
                 "  tinker plan bridge.tinker.json --method auto --tolerance 1e-6 --json plan.json",
@@ -57,17 +59,20 @@ G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC(PlanJob, plan_job_clear)
 
 static gboolean prepare(PlanJob *job, const PlanOptions *options, const TinkerOpenScene *open, GError **error)
 {
+    const TinkerAskedOutput outputs[] = {{"--json", options->json}, {NULL, NULL}};
+    g_autoptr(TinkerFileSet) files = tinker_open_scene_files(open);
     g_autoptr(GError) reason = NULL;
+    if (!tinker_outputs_add(files, outputs, error)) return FALSE;
     if (!tinker_run_arguments_apply(&options->run, open->scene, &job->options, error)) return FALSE;
     job->model = tinker_model_new(open->scene, &reason);
     if (job->model != NULL) job->islands = tinker_islands_for(job->model, job->options.impulses, &reason);
-    if (job->islands != NULL) job->plan = tinker_plan_new(job->model, job->islands, &job->options, &reason);
+    if (job->islands != NULL) job->plan = tinker_plan_new_counted(job->model, job->islands, &job->options, &reason);
     if (job->plan == NULL) {
         tinker_run_arguments_blame(&options->run, &reason);
         g_propagate_error(error, g_steal_pointer(&reason));
         return FALSE;
     }
-    return options->json == NULL || tinker_output_open(&job->json, options->json, open->path, error);
+    return options->json == NULL || tinker_output_open(&job->json, options->json, error);
 }
 
 static gboolean write_plan(PlanJob *job, const PlanOptions *options, const TinkerOpenScene *open, GError **error)
@@ -77,12 +82,13 @@ static gboolean write_plan(PlanJob *job, const PlanOptions *options, const Tinke
     for (gsize s = 0; s < G_N_ELEMENTS(sources); s++)
         for (guint i = 0; i < sources[s]->len; i++)
             g_ptr_array_add(warnings, g_ptr_array_index(sources[s], i));
+    g_autoptr(GPtrArray) opened = tinker_catalogue_opened(open->catalogue);
     TinkerPlanReport report = {
         .scene = open->scene,
         .scene_name = open->name,
         .sizes = tinker_model_sizes(job->model),
         .plan = job->plan,
-        .libraries = tinker_catalogue_opened(open->catalogue),
+        .libraries = opened,
         .warnings = warnings,
     };
     tinker_plan_write_text(&report, tinker_is_standard_stream(options->json) ? stderr : stdout);
@@ -98,7 +104,7 @@ static int plan(const PlanOptions *options, const TinkerCommandLine *line)
     g_auto(PlanJob) job = {0};
     g_autoptr(GError) error = NULL;
     if (!prepare(&job, options, &open, &error)) return tinker_open_scene_report_error(&open, error);
-    tinker_overlaps_tell(open.scene, open.warnings);
+    tinker_boxes_tell(open.scene, job.options.duration, open.warnings);
     return write_plan(&job, options, &open, &error) ? TINKER_EXIT_DONE : tinker_report_error(open.name, error);
 }
 

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "exit-status.h"
+#include "files/replace-file.h"
 #include "numerics/integrators.h"
 #include "open-scene.h"
 #include "options.h"
@@ -13,6 +14,7 @@
 #include "plugins-check.h"
 #include "plugins-new.h"
 #include "plugins-show.h"
+#include "print.h"
 #include "text-table.h"
 #include "units/units.h"
 
@@ -105,11 +107,12 @@ static void warn_of_built_in(const TinkerLibraryEntry *library)
 /* A bundle, with what it holds besides libraries by the names within it. */
 static void list_bundle(const TinkerBundleEntry *bundle)
 {
-    printf("\nbundle \"%s\": %s\n", bundle->title, bundle->path);
-    if (bundle->summary[0] != '\0') printf("  %s\n", bundle->summary);
-    if (bundle->page != NULL) printf("  %s\n", bundle->page + strlen(bundle->path) + 1);
+    fputc('\n', stdout);
+    tinker_print_line(stdout, "bundle \"%s\": %s", bundle->title, bundle->path);
+    if (bundle->summary[0] != '\0') tinker_print_line(stdout, "  %s", bundle->summary);
+    if (bundle->page != NULL) tinker_print_line(stdout, "  %s", bundle->page + strlen(bundle->path) + 1);
     for (guint i = 0; i < bundle->scenes->len; i++)
-        printf("  %s\n", (const char *)bundle->scenes->pdata[i] + strlen(bundle->path) + 1);
+        tinker_print_line(stdout, "  %s", (const char *)bundle->scenes->pdata[i] + strlen(bundle->path) + 1);
 }
 
 static int list(int argc, char **argv)
@@ -120,7 +123,7 @@ static int list(int argc, char **argv)
     if (!tinker_command_line_read(&line, &list_help, entries, argc, argv, &status)) return status;
 
     g_autoptr(TinkerCatalogue) catalogue = tinker_open_catalogue(line.plugin_folders);
-    const GPtrArray *libraries = tinker_catalogue_libraries(catalogue);
+    g_autoptr(GPtrArray) libraries = tinker_catalogue_libraries(catalogue);
     g_autoptr(TinkerTextTable) table = tinker_text_table_new("llllll", 0);
     static const char *const headings[] = {"TYPE", "TITLE", "CATEGORY", "VERSION", "LICENCE", "LIBRARY"};
     for (gsize i = 0; i < G_N_ELEMENTS(headings); i++)
@@ -136,20 +139,19 @@ static int list(int argc, char **argv)
     if (shown > 0)
         tinker_text_table_write(table, stdout);
     else
-        puts("no plugins are installed");
+        tinker_print_line(stdout, "no plugins are installed");
     const GPtrArray *bundles = tinker_catalogue_bundles(catalogue);
     for (guint i = 0; i < bundles->len; i++)
         list_bundle(bundles->pdata[i]);
-    const GPtrArray *warnings = tinker_catalogue_warnings(catalogue);
+    g_autoptr(GPtrArray) warnings = tinker_catalogue_warnings(catalogue);
     for (guint i = 0; i < warnings->len; i++)
         tinker_report_warning("%s", (const char *)g_ptr_array_index(warnings, i));
     return TINKER_EXIT_DONE;
 }
 
 /* The library that provides an integrator, or NULL. */
-static const TinkerLibraryEntry *integrator_library(TinkerCatalogue *catalogue, const char *id)
+static const TinkerLibraryEntry *integrator_library(const GPtrArray *libraries, const char *id)
 {
-    const GPtrArray *libraries = tinker_catalogue_libraries(catalogue);
     for (guint i = 0; i < libraries->len; i++) {
         const TinkerLibraryEntry *library = g_ptr_array_index(libraries, i);
         if (library->refused != NULL || library->shadowed_by != NULL) continue;
@@ -159,9 +161,8 @@ static const TinkerLibraryEntry *integrator_library(TinkerCatalogue *catalogue, 
 }
 
 /* The method that may be meant by an id that nobody has, or NULL. */
-static const char *nearest_method(TinkerCatalogue *catalogue, const char *id)
+static const char *nearest_method(const GPtrArray *libraries, const char *id)
 {
-    const GPtrArray *libraries = tinker_catalogue_libraries(catalogue);
     g_autoptr(GPtrArray) known = g_ptr_array_new();
     for (const TinkerIntegrator *const *method = tinker_integrator_builtins(); *method != NULL; method++)
         g_ptr_array_add(known, (gpointer)(*method)->id);
@@ -178,7 +179,8 @@ static const char *nearest_method(TinkerCatalogue *catalogue, const char *id)
 static gboolean show_one(TinkerCatalogue *catalogue, const char *id, GError **error)
 {
     const TinkerIntegrator *integrator = tinker_integrator_builtin(id);
-    const TinkerLibraryEntry *library = integrator == NULL ? integrator_library(catalogue, id) : NULL;
+    g_autoptr(GPtrArray) libraries = tinker_catalogue_libraries(catalogue);
+    const TinkerLibraryEntry *library = integrator == NULL ? integrator_library(libraries, id) : NULL;
     if (library != NULL) {
         integrator = tinker_catalogue_integrator(catalogue, id, error);
         if (integrator == NULL) return FALSE;
@@ -193,7 +195,7 @@ static gboolean show_one(TinkerCatalogue *catalogue, const char *id, GError **er
         tinker_plugins_show(block_class, stdout);
         return TRUE;
     }
-    const char *method = nearest_method(catalogue, id);
+    const char *method = nearest_method(libraries, id);
     if (method != NULL && g_error_matches(missing, TINKER_PLUGIN_ERROR, TINKER_PLUGIN_ERROR_MISSING))
         g_set_error(error, TINKER_PLUGIN_ERROR, TINKER_PLUGIN_ERROR_MISSING,
                     "there is neither a block type nor a method \"%s\" (did you mean the method \"%s\"?)", id, method);
@@ -227,22 +229,25 @@ static char *manifest_beside(const char *library)
 
 static gboolean write_manifest(const char *library, const char *output, GError **error)
 {
+    g_autofree char *usual = manifest_beside(library);
+    const TinkerAskedOutput outputs[] = {{"--output", output != NULL ? output : usual}, {NULL, NULL}};
+    g_autoptr(TinkerFileSet) files = tinker_file_set_new();
+    tinker_file_set_add_library(files, library);
+    if (!tinker_outputs_add(files, outputs, error)) return FALSE;
     g_autofree char *text = tinker_plugin_describe(library, error);
     if (text == NULL) return FALSE;
-    gboolean special = output != NULL && g_file_test(output, G_FILE_TEST_EXISTS) &&
-                       !g_file_test(output, G_FILE_TEST_IS_REGULAR); /* a pipe or a device is not replaced */
-    if (tinker_is_standard_stream(output) || special) {
-        g_auto(TinkerOutput) file = {0};
-        if (!tinker_output_open(&file, output, NULL, error)) return FALSE;
-        fprintf(file.file, "%s\n", text);
-        return tinker_output_close(&file, error);
+    if (tinker_is_standard_stream(output)) {
+        tinker_print_text(stdout, text);
+        return TRUE;
     }
-    g_autofree char *usual = manifest_beside(library);
     const char *path = output != NULL ? output : usual;
     g_autofree char *line = g_strconcat(text, "\n", NULL);
-    /* replaced at once: a reader sees the old manifest or the new one */
-    if (!g_file_set_contents_full(path, line, -1, G_FILE_SET_CONTENTS_CONSISTENT, 0644, error)) return FALSE;
-    printf("wrote %s\n", path);
+    if (!tinker_replace_file(path, line, strlen(line), 0644, error)) {
+        g_prefix_error(error, "%s: cannot be written: ", path);
+        return FALSE;
+    }
+    /* what is no file, as /dev/stdout, is for what it is given alone */
+    if (g_file_test(path, G_FILE_TEST_IS_REGULAR)) tinker_print_line(stdout, "wrote %s", path);
     return TRUE;
 }
 
@@ -276,18 +281,18 @@ static int refused(int argc, char **argv)
     g_autoptr(GError) error = NULL;
     if (clear) {
         if (!tinker_catalogue_clear_refused(catalogue, &error)) return tinker_report_error(NULL, error);
-        puts("the refusals are forgotten");
+        tinker_print_line(stdout, "the refusals are forgotten");
         return TINKER_EXIT_DONE;
     }
-    const GPtrArray *libraries = tinker_catalogue_libraries(catalogue);
+    g_autoptr(GPtrArray) libraries = tinker_catalogue_libraries(catalogue);
     guint count = 0;
     for (guint i = 0; i < libraries->len; i++) {
         const TinkerLibraryEntry *library = g_ptr_array_index(libraries, i);
         if (library->refused == NULL) continue;
-        printf("%s: %s\n", library->path, library->refused);
+        tinker_print_line(stdout, "%s: %s", library->path, library->refused);
         count++;
     }
-    if (count == 0) puts("no library was refused in the folders that are searched");
+    if (count == 0) tinker_print_line(stdout, "no library was refused in the folders that are searched");
     return TINKER_EXIT_DONE;
 }
 

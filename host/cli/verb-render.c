@@ -3,7 +3,9 @@
 
 #include "exit-status.h"
 #include "options.h"
+#include "output.h"
 #include "picture.h"
+#include "scene/tops.h"
 
 static const TinkerVerbHelp help = {
     .verb = "render",
@@ -39,17 +41,31 @@ static gboolean render(const RenderOptions *options, const TinkerOpenScene *open
     int width = 800, height = 600;
     double time = 0;
     TinkerPaintOptions paint = tinker_paint_options_default();
+    const TinkerAskedOutput outputs[] = {{"--output", options->output}, {NULL, NULL}};
+    g_autoptr(TinkerFileSet) files = tinker_open_scene_files(open);
+    if (!tinker_outputs_add(files, outputs, error)) return FALSE;
     if (tinker_picture_ending(options->output, endings, error) < 0) return FALSE;
     if (!tinker_picture_arguments_read(&options->picture, &width, &height, &paint.theme, error)) return FALSE;
     if (options->time != NULL && !tinker_option_value("time", options->time, seconds, 0, FALSE, &time, error))
         return FALSE;
 
     g_autoptr(TinkerFrame) frame = tinker_frame_new(open->scene, error);
-    if (frame == NULL || !tinker_picture_run_to(frame, open, &options->run, time, error)) return FALSE;
+    if (frame == NULL) return FALSE;
+    tinker_tops_turn_bodies(frame);
+    g_autoptr(GError) failure = NULL;
+    gboolean reached = tinker_picture_run_to(frame, open, &options->run, time, &failure) ||
+                       g_error_matches(failure, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_ACCURACY);
+    gboolean drawn = FALSE;
     paint.show_labels = !options->no_labels;
     paint.show_grid = !options->no_grid;
     paint.show_time = time > 0;
-    return tinker_paint_to_file(frame, NULL, width, height, &paint, options->output, error);
+    g_autoptr(GHashTable) faults = tinker_picture_faults_new();
+    paint.faults = faults;
+    if (reached) drawn = tinker_paint_to_file(frame, NULL, width, height, &paint, options->output, error);
+    tinker_picture_report_faults(faults);
+    if (failure == NULL || (reached && !drawn)) return drawn;
+    g_propagate_error(error, g_steal_pointer(&failure));
+    return FALSE;
 }
 
 int tinker_verb_render(int argc, char **argv)
@@ -62,6 +78,7 @@ int tinker_verb_render(int argc, char **argv)
         {"no-labels", 0, 0, G_OPTION_ARG_NONE, &options.no_labels, "Leave out the names", NULL},
         {"no-grid", 0, 0, G_OPTION_ARG_NONE, &options.no_grid, "Leave out the grid", NULL},
         TINKER_RUN_METHOD_ENTRIES(options.run),
+        TINKER_RUN_ACCURACY_ENTRY(options.run),
         G_OPTION_ENTRY_NULL,
     };
     g_auto(TinkerCommandLine) line = {0};

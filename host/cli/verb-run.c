@@ -19,6 +19,7 @@ static const TinkerVerbHelp help = {
         "What is not given is taken from the scene. Ctrl-C stops the run and keeps what was computed.",
     .examples = "  tinker run pendulum.tinker.json --csv pendulum.csv\n"
                 "  tinker run pendulum.tinker.json --method rk4 --step \"5 ms\" --duration \"2 min\"\n"
+                "  tinker run pendulum.tinker.json --accuracy 1e-6\n"
                 "  tinker run pendulum.tinker.json --at 0,0.5,2 --columns \"Mass 0.x,Rod 0.tension\" --csv -\n"
                 "  tinker run - --json summary.json < pendulum.tinker.json",
     .least_operands = 1,
@@ -67,6 +68,11 @@ static gboolean write_sample(TinkerSimulation *simulation, double time, const do
     return job->csv.output.file == NULL || tinker_csv_record_add(&job->csv, time, values, error);
 }
 
+static void begin_again(void *data)
+{
+    tinker_csv_record_begin_again(&((RunJob *)data)->csv);
+}
+
 static GArray *pick_columns(const RunOptions *options, TinkerScene *scene, GError **error)
 {
     if (options->columns == NULL) return tinker_columns_default(scene);
@@ -79,11 +85,9 @@ static GArray *pick_columns(const RunOptions *options, TinkerScene *scene, GErro
 /* Everything that can go wrong before the first step does so here. */
 static gboolean prepare(RunJob *job, const RunOptions *options, const TinkerOpenScene *open, GError **error)
 {
-    if (tinker_is_standard_stream(options->csv) && tinker_is_standard_stream(options->json)) {
-        g_set_error(error, TINKER_CLI_ERROR, TINKER_CLI_ERROR_USAGE,
-                    "--csv and --json cannot both go to standard output; give one of them a file");
-        return FALSE;
-    }
+    const TinkerAskedOutput outputs[] = {{"--csv", options->csv}, {"--json", options->json}, {NULL, NULL}};
+    g_autoptr(TinkerFileSet) files = tinker_open_scene_files(open);
+    if (!tinker_outputs_add(files, outputs, error)) return FALSE;
     if (!tinker_run_arguments_apply(&options->run, open->scene, &job->options, error)) return FALSE;
     if (options->at != NULL) {
         job->times = tinker_run_arguments_times(options->at, error);
@@ -94,9 +98,8 @@ static gboolean prepare(RunJob *job, const RunOptions *options, const TinkerOpen
     job->columns = pick_columns(options, open->scene, error);
     if (job->columns == NULL) return FALSE;
     if (!tinker_scene_run_prepare(&job->run, open->scene, &options->run, &job->options, error)) return FALSE;
-    if (options->csv != NULL && !tinker_csv_record_open(&job->csv, options->csv, open->path, job->columns, error))
-        return FALSE;
-    return options->json == NULL || tinker_output_open(&job->json, options->json, open->path, error);
+    if (options->csv != NULL && !tinker_csv_record_open(&job->csv, options->csv, job->columns, error)) return FALSE;
+    return options->json == NULL || tinker_output_open(&job->json, options->json, error);
 }
 
 static void add_failure(GPtrArray *warnings, const GError *failure)
@@ -109,11 +112,12 @@ static gboolean write_results(RunJob *job, const RunOptions *options, const Tink
 {
     const TinkerSummary *summary = tinker_simulation_summary(job->run.simulation);
     g_autoptr(GPtrArray) warnings = tinker_scene_run_warnings(&job->run, open, &options->run);
+    g_autoptr(GPtrArray) opened = tinker_catalogue_opened(open->catalogue);
     TinkerRunReport report = {
         .scene = open->scene,
         .scene_name = open->name,
         .run = summary,
-        .libraries = tinker_catalogue_opened(open->catalogue),
+        .libraries = opened,
         .warnings = warnings,
     };
     gboolean taken = tinker_is_standard_stream(options->csv) || tinker_is_standard_stream(options->json);
@@ -145,7 +149,9 @@ static int run(const RunOptions *options, const TinkerCommandLine *line)
     if (!prepare(&job, options, &open, &error)) return tinker_open_scene_report_error(&open, error);
     warn_without_record(options);
     const GArray *columns = options->csv != NULL ? job.columns : NULL;
-    (void)tinker_scene_run_go(&job.run, columns, write_sample, &job, &failure);
+    const TinkerSampleTaker taker = {write_sample, begin_again, &job};
+    if (options->csv != NULL && job.options.accuracy > 0) tinker_csv_record_hold(&job.csv);
+    (void)tinker_scene_run_go(&job.run, columns, &taker, &failure);
     if (!write_results(&job, options, &open, failure, &error) && failure == NULL)
         return tinker_report_error(open.name, error);
     return failure != NULL ? tinker_report_error(open.name, failure) : TINKER_EXIT_DONE;

@@ -7,6 +7,7 @@
 #include "options.h"
 #include "output.h"
 #include "picture.h"
+#include "print.h"
 #include "run-arguments.h"
 #include "trade-chart.h"
 #include "trade-report.h"
@@ -74,10 +75,13 @@ static void show_progress(double share, void *data)
     tinker_progress_update(data, share, 1);
 }
 
-static gboolean read_wishes(const TradeArguments *arguments, TinkerTradeOptions *options, GError **error)
+/* What is not asked for is the accuracy that the scene asks for, if it does. */
+static gboolean read_wishes(const TradeArguments *arguments, const TinkerOpenScene *open, TinkerTradeOptions *options,
+                            GError **error)
 {
     static const TinkerDimension none = TINKER_DIMENSION_NONE, time = TINKER_DIMENSION_TIME;
-    options->error = ERROR;
+    double accuracy = tinker_scene_head(open->scene)->run.accuracy;
+    options->error = accuracy > 0 ? accuracy : ERROR;
     options->seconds = SECONDS;
     if (arguments->error != NULL && arguments->budget != NULL) {
         g_set_error(error, TINKER_CLI_ERROR, TINKER_CLI_ERROR_USAGE,
@@ -106,6 +110,9 @@ static gboolean read_outputs(TradeJob *job, const TradeArguments *arguments, con
                              GError **error)
 {
     static const char *const endings[] = {".png", ".svg", ".pdf", NULL};
+    const TinkerAskedOutput outputs[] = {{"--csv", arguments->csv}, {"--output", arguments->output}, {NULL, NULL}};
+    g_autoptr(TinkerFileSet) files = tinker_open_scene_files(open);
+    if (!tinker_outputs_add(files, outputs, error)) return FALSE;
     job->width = WIDTH;
     job->height = HEIGHT;
     if (arguments->write && tinker_is_standard_stream(open->path)) {
@@ -117,14 +124,14 @@ static gboolean read_outputs(TradeJob *job, const TradeArguments *arguments, con
     if (!tinker_picture_arguments_read(&arguments->picture, &job->width, &job->height, &job->theme, error))
         return FALSE;
     if (arguments->output != NULL && tinker_picture_ending(arguments->output, endings, error) < 0) return FALSE;
-    return arguments->csv == NULL || tinker_output_open(&job->csv, arguments->csv, open->path, error);
+    return arguments->csv == NULL || tinker_output_open(&job->csv, arguments->csv, error);
 }
 
 /* Everything that can go wrong before the first run does so here. */
 static gboolean prepare(TradeJob *job, const TradeArguments *arguments, const TinkerOpenScene *open, GError **error)
 {
     TinkerTradeOptions *options = &job->options;
-    if (!read_wishes(arguments, options, error)) return FALSE;
+    if (!read_wishes(arguments, open, options, error)) return FALSE;
     if (!tinker_run_arguments_apply(&arguments->run, open->scene, &options->run, error)) return FALSE;
     if (arguments->at != NULL) {
         job->times = tinker_run_arguments_times(arguments->at, error);
@@ -156,7 +163,9 @@ static gboolean write_results(TradeJob *job, const TradeArguments *arguments, co
     g_autofree char *reference = tinker_trade_reference_text(trade);
     g_autofree char *advice = tinker_trade_advice_text(trade, &job->options);
     tinker_trade_write_tables(trade, text);
-    fprintf(text, "\n%s\n%s\n", reference, advice);
+    fputc('\n', text);
+    tinker_print_text(text, reference);
+    tinker_print_text(text, advice);
     if (job->csv.file != NULL) tinker_trade_write_csv(trade, job->csv.file);
     if (!tinker_output_close(&job->csv, error)) return FALSE;
     const char *title = tinker_scene_head(open->scene)->title;
@@ -187,6 +196,7 @@ static int trade(const TradeArguments *arguments, const TinkerOpenScene *open)
         if (g_error_matches(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_METHOD)) tinker_blame_option(NULL, &error);
         return tinker_open_scene_report_error(open, error);
     }
+    tinker_open_scene_report_warnings(open);
     if (!write_results(&job, arguments, open, result, &error)) return tinker_report_error(open->name, error);
     gboolean advised = result->advice.kind == TINKER_TRADE_ADVICE_MET && !result->interrupted;
     if (result->interrupted) tinker_report_note("stopped: what was measured up to then is above");
@@ -203,7 +213,8 @@ int tinker_verb_trade(int argc, char **argv)
 {
     g_auto(TradeArguments) arguments = {0};
     const GOptionEntry entries[] = {
-        {"error", 0, 0, G_OPTION_ARG_FILENAME, &arguments.error, "Advise the cheapest for this error (1e-6)", "E"},
+        {"error", 0, 0, G_OPTION_ARG_FILENAME, &arguments.error,
+         "Advise the cheapest for this error (the scene's accuracy, or 1e-6)", "E"},
         {"budget", 0, 0, G_OPTION_ARG_FILENAME, &arguments.budget,
          "Advise the most accurate within this wall time of a run", "S"},
         {"write", 0, 0, G_OPTION_ARG_NONE, &arguments.write, "Put the advice into the scene's file", NULL},

@@ -7,6 +7,7 @@
 
 #include "physics/model.h"
 #include "plugin/catalogue.h"
+#include "print.h"
 #include "scene/scene.h"
 #include "units/units.h"
 #include "units/waveform.h"
@@ -54,6 +55,7 @@ static const struct {
     {tinker_plugin_error_quark, ANY_CODE, TINKER_EXIT_PLUGIN},
     {tinker_model_error_quark, TINKER_MODEL_ERROR_PLUGIN, TINKER_EXIT_PLUGIN},
     {tinker_model_error_quark, TINKER_MODEL_ERROR_RUN, TINKER_EXIT_RUN_FAILED},
+    {tinker_model_error_quark, TINKER_MODEL_ERROR_ACCURACY, TINKER_EXIT_RUN_FAILED},
     {tinker_model_error_quark, TINKER_MODEL_ERROR_STOPPED, TINKER_EXIT_RUN_FAILED},
     {tinker_model_error_quark, TINKER_MODEL_ERROR_MEMORY, TINKER_EXIT_FILE},
     {tinker_model_error_quark, ANY_CODE, TINKER_EXIT_SCENE},
@@ -83,9 +85,9 @@ int tinker_report_error(const char *scene, const GError *error)
     gboolean of_scene = scene != NULL && error->domain != TINKER_CLI_ERROR;
     gboolean told = of_scene && g_str_has_prefix(error->message, scene) && error->message[strlen(scene)] == ':';
     if (of_scene && !told)
-        fprintf(stderr, "%s: %s: %s\n", program, scene, error->message);
+        tinker_print_line(stderr, "%s: %s: %s", program, scene, error->message);
     else
-        fprintf(stderr, "%s: %s\n", program, error->message);
+        tinker_print_line(stderr, "%s: %s", program, error->message);
     return tinker_exit_status(error);
 }
 
@@ -93,7 +95,7 @@ static void report(const char *what, const char *format, va_list arguments) G_GN
 static void report(const char *what, const char *format, va_list arguments)
 {
     g_autofree char *text = g_strdup_vprintf(format, arguments);
-    fprintf(stderr, "%s: %s%s\n", program, what, text);
+    tinker_print_line(stderr, "%s: %s%s", program, what, text);
 }
 
 void tinker_report_warning(const char *format, ...)

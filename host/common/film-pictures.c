@@ -6,10 +6,12 @@
 #include <glib/gstdio.h>
 
 #include "exit-status.h"
+#include "files/unfinished.h"
 #include "film.h"
 
 struct _TinkerFilmPictures {
-    char *path, *folder;
+    char *path;
+    TinkerUnfinished folder;
     int count;
 };
 
@@ -22,21 +24,22 @@ static gboolean fail(const char *path, const char *reason, GError **error)
 TinkerFilmPictures *tinker_film_pictures_new(const char *path, GError **error)
 {
     g_autofree char *parent = g_path_get_dirname(path);
-    g_autofree char *folder = g_build_filename(parent, ".tinker-film-XXXXXX", NULL);
-    if (g_mkdtemp(folder) == NULL) {
+    TinkerUnfinished folder;
+    tinker_unfinished_clean(parent);
+    if (!tinker_unfinished_folder(&folder, parent)) {
         fail(path, g_strerror(errno), error);
         return NULL;
     }
     TinkerFilmPictures *pictures = g_new0(TinkerFilmPictures, 1);
     pictures->path = g_strdup(path);
-    pictures->folder = g_steal_pointer(&folder);
+    pictures->folder = folder;
     return pictures;
 }
 
 /* (transfer full) */
 static char *unfinished_name(const TinkerFilmPictures *pictures, int number)
 {
-    return g_strdup_printf("%s/%d", pictures->folder, number);
+    return g_strdup_printf("%s/%d", pictures->folder.path, number);
 }
 
 gboolean tinker_film_pictures_add(TinkerFilmPictures *pictures, cairo_surface_t *picture, GError **error)
@@ -60,12 +63,7 @@ gboolean tinker_film_pictures_finish(TinkerFilmPictures *pictures, GError **erro
 void tinker_film_pictures_free(TinkerFilmPictures *pictures)
 {
     if (pictures == NULL) return;
-    for (int number = 1; number <= pictures->count; number++) {
-        g_autofree char *unfinished = unfinished_name(pictures, number);
-        (void)g_unlink(unfinished);
-    }
-    (void)g_rmdir(pictures->folder);
-    g_free(pictures->folder);
+    tinker_unfinished_clear(&pictures->folder);
     g_free(pictures->path);
     g_free(pictures);
 }

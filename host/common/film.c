@@ -15,6 +15,7 @@
 #include <glib/gstdio.h>
 
 #include "exit-status.h"
+#include "files/unfinished.h"
 #include "film-pictures.h"
 
 #define LOOK_AGAIN 20  /* ms */
@@ -25,7 +26,7 @@ struct _TinkerFilm {
     int width, height;
     TinkerFilmPictures *pictures; /* NULL: ffmpeg joins them, with what follows */
     char *place;                  /* the path, or what it leads to as a link */
-    char *unfinished;             /* what ffmpeg writes, beside that; NULL: nothing */
+    TinkerUnfinished unfinished;  /* what ffmpeg writes, beside that */
     gboolean joined;
     GPid encoder;
     int pipe;       /* to the encoder; -1: closed */
@@ -46,12 +47,28 @@ gboolean tinker_film_can_join(void)
     return program != NULL;
 }
 
+gboolean tinker_film_is_joined(const char *path)
+{
+    return !tinker_path_has_ending(path, ".png");
+}
+
 char *tinker_film_picture_name(const char *path, int number)
 {
     const char *name = strrchr(path, '/');
     const char *dot = strrchr(name == NULL ? path : name, '.');
     gsize stem = dot == NULL ? strlen(path) : (gsize)(dot - path);
     return g_strdup_printf("%.*s-%04d.png", (int)stem, path, number);
+}
+
+gboolean tinker_film_add_outputs(TinkerFileSet *files, const char *option, const char *path, double count,
+                                 GError **error)
+{
+    if (tinker_film_is_joined(path)) return tinker_file_set_add_output(files, option, path, error);
+    for (int number = 1; number <= count; number++) {
+        g_autofree char *picture = tinker_film_picture_name(path, number);
+        if (!tinker_file_set_add_output(files, option, picture, error)) return FALSE;
+    }
+    return TRUE;
 }
 
 void tinker_film_set_cancelled(TinkerFilm *film, gboolean (*cancelled)(void *data), void *data)
@@ -92,13 +109,9 @@ static gboolean begin_file(TinkerFilm *film, GError **error)
     film->place = g_strdup(real != NULL ? real : film->path);
     free(real);
     g_autofree char *folder = g_path_get_dirname(film->place);
-    g_autofree char *name = g_strconcat(".tinker-film-XXXXXX", strrchr(film->path, '.'), NULL);
-    g_autofree char *unfinished = g_build_filename(folder, name, NULL);
-    int file = g_mkstemp_full(unfinished, O_RDWR | O_CLOEXEC, 0666);
-    if (file < 0) return fail(film->path, "cannot be written", g_strerror(errno), error);
-    close(file);
-    film->unfinished = g_steal_pointer(&unfinished);
-    return TRUE;
+    tinker_unfinished_clean(folder);
+    return tinker_unfinished_file(&film->unfinished, folder, strrchr(film->path, '.'), 0666) ||
+           fail(film->path, "cannot be written", g_strerror(errno), error);
 }
 
 /* What ffmpeg says goes to a file that has no name any more: a pipe would have to be emptied meanwhile. */
@@ -121,7 +134,7 @@ static gboolean start_encoder(TinkerFilm *film, double frames_per_second, GError
     char rate[G_ASCII_DTOSTR_BUF_SIZE];
     g_ascii_dtostr(rate, sizeof rate, frames_per_second);
     g_autofree char *size = g_strdup_printf("%dx%d", film->width, film->height);
-    g_autofree char *output = g_strdup_printf("file:%s", film->unfinished);
+    g_autofree char *output = g_strdup_printf("file:%s", film->unfinished.path);
     const char *pixels = G_BYTE_ORDER == G_LITTLE_ENDIAN ? "bgr0" : "0rgb";
     const char *words[] = {"ffmpeg",
                            "-loglevel",
@@ -235,7 +248,7 @@ TinkerFilm *tinker_film_new(const char *path, int width, int height, double fram
     film->width = width;
     film->height = height;
     film->pipe = film->complaints = -1;
-    if (tinker_path_has_ending(path, ".png") || !tinker_film_can_join()) {
+    if (!tinker_film_is_joined(path)) {
         film->pictures = tinker_film_pictures_new(path, error);
         return film->pictures != NULL ? g_steal_pointer(&film) : NULL;
     }
@@ -257,10 +270,8 @@ gboolean tinker_film_add(TinkerFilm *film, cairo_surface_t *picture, GError **er
 
 static gboolean put_in_place(TinkerFilm *film, GError **error)
 {
-    if (g_rename(film->unfinished, film->place) != 0)
-        return fail(film->path, "cannot be written", g_strerror(errno), error);
-    g_clear_pointer(&film->unfinished, g_free);
-    return TRUE;
+    return tinker_unfinished_finish(&film->unfinished, film->place) ||
+           fail(film->path, "cannot be written", g_strerror(errno), error);
 }
 
 gboolean tinker_film_finish(TinkerFilm *film, GError **error)
@@ -273,10 +284,9 @@ void tinker_film_free(TinkerFilm *film)
 {
     if (film == NULL) return;
     if (film->joined) kill_encoder(film);
-    if (film->unfinished != NULL) (void)g_unlink(film->unfinished);
+    tinker_unfinished_clear(&film->unfinished);
     if (film->complaints >= 0) close(film->complaints);
     tinker_film_pictures_free(film->pictures);
-    g_free(film->unfinished);
     g_free(film->place);
     g_free(film->path);
     g_free(film);

@@ -30,12 +30,11 @@ gboolean tinker_graph_axes_of_path(const TinkerGraphAxis *x, const TinkerGraphAx
     return tinker_dimension_equal(x->dimension, length) && tinker_dimension_equal(y->dimension, length);
 }
 
-void tinker_csv_axis(TinkerCsvWriter *writer, const TinkerScene *scene, const TinkerGraphAxis *axis, gboolean several)
+void tinker_csv_axis(TinkerCsvWriter *writer, const TinkerScene *scene, const TinkerGraphAxis *axis, gboolean several,
+                     gboolean units)
 {
-    if (!several || axis->block == TINKER_NO_BLOCK) {
-        tinker_csv_text(writer, axis->title);
-        return;
-    }
-    g_autofree char *heading = g_strdup_printf("%s %s", tinker_scene_block_name(scene, axis->block), axis->title);
+    const char *block = several && axis->block != TINKER_NO_BLOCK ? tinker_scene_block_name(scene, axis->block) : "";
+    g_autofree char *title = tinker_axis_label(axis->title, units ? axis->unit : "");
+    g_autofree char *heading = g_strconcat(block, *block != '\0' ? " " : "", title, NULL);
     tinker_csv_text(writer, heading);
 }

@@ -26,7 +26,8 @@ char *tinker_axis_label(const char *title, const char *unit);
 gboolean tinker_graph_axes_of_path(const TinkerGraphAxis *x, const TinkerGraphAxis *y);
 
 /* The heading of a graph's CSV column: the axis's title, with the block's name before it where several curves are
- * written. Time has no block. */
-void tinker_csv_axis(TinkerCsvWriter *writer, const TinkerScene *scene, const TinkerGraphAxis *axis, gboolean several);
+ * written, and the unit behind it, "Time [s]", where `units`. Time has no block. */
+void tinker_csv_axis(TinkerCsvWriter *writer, const TinkerScene *scene, const TinkerGraphAxis *axis, gboolean several,
+                     gboolean units);
 
 #endif

@@ -1,6 +1,8 @@
 /* A program finds its installation from where it lies itself, so that a moved one works, and so does a build tree. */
 #include "installation.h"
 
+#include "physics/simulation.h"
+
 /* A folder of a build tree relative to the program's folder; the same below a prefix; and where it was configured to be. */
 typedef struct {
     const char *in_build_tree, *in_prefix, *configured;
@@ -50,6 +52,7 @@ TinkerCatalogue *tinker_installation_catalogue(const char *const *plugin_folders
         .folders = plugin_folders,
         .installed_folder = installed,
         .probe_program = probe,
+        .method_fault = tinker_method_fault,
     };
     return tinker_catalogue_new(&options);
 }

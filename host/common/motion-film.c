@@ -62,6 +62,12 @@ gboolean tinker_motion_film_sample(TinkerSimulation *simulation, double time, co
     return tinker_record_append(motion->record, (const double *)(gpointer)motion->row->data, error);
 }
 
+void tinker_motion_film_begin_again(void *data)
+{
+    TinkerMotionFilm *motion = data;
+    tinker_record_cut(motion->record, 0);
+}
+
 gsize tinker_motion_film_cut(TinkerMotionFilm *motion, double valid_until)
 {
     double *row = (double *)(gpointer)motion->row->data;

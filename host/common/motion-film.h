@@ -20,6 +20,9 @@ G_DEFINE_AUTOPTR_CLEANUP_FUNC(TinkerMotionFilm, tinker_motion_film_free)
 gboolean tinker_motion_film_sample(TinkerSimulation *simulation, double time, const double *values, void *motion,
                                    GError **error);
 
+/* A TinkerSampleTaker's other function: forgets all pictures, since the run begins again. */
+void tinker_motion_film_begin_again(void *motion);
+
 /* Forgets what a failed run is not to be believed in: all after this time (s). Answers how many pictures there are. */
 gsize tinker_motion_film_cut(TinkerMotionFilm *motion, double valid_until);
 

@@ -4,6 +4,9 @@
 
 #include "physics/plan.h"
 
+/* An error or a difference that is less than this share of what it is a part of is rounding, and is told as that. */
+#define TINKER_ROUNDING 1e-13
+
 /* "Mass 0, Spring 0": the first blocks of an island, and how many more there are. (transfer full) */
 char *tinker_island_blocks_text(const TinkerScene *scene, const TinkerIslandPlan *island);
 

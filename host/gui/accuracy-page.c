@@ -17,7 +17,6 @@
 struct _TinkerAccuracyPage {
     GtkWidget parent_instance;
     TinkerDocument *document;
-    TinkerPlanTask *plan;
     TinkerTradeTask *task;
     const TinkerTrade *shown; /* what chart and table borrow */
 
@@ -32,8 +31,6 @@ struct _TinkerAccuracyPage {
     GtkLabel *advice, *reference;
     TinkerTradeView *chart;
     TinkerTradeTable *table;
-    GtkExpander *scope;
-    GtkLabel *scope_text;
 };
 
 G_DEFINE_FINAL_TYPE(TinkerAccuracyPage, tinker_accuracy_page, GTK_TYPE_WIDGET)
@@ -171,50 +168,15 @@ static void on_task_changed(TinkerAccuracyPage *page)
     on_progress(page);
 }
 
-static void add_sentences(GString *text, const char *heading, const GPtrArray *sentences)
-{
-    if (sentences->len == 0) return;
-    g_string_append_printf(text, "%s<b>%s</b>", text->len > 0 ? "\n\n" : "", heading);
-    for (guint i = 0; i < sentences->len; i++) {
-        g_autofree char *markup = g_markup_escape_text(g_ptr_array_index(sentences, i), -1);
-        g_string_append_printf(text, "\n• %s", markup);
-    }
-}
-
-static void on_plan_changed(TinkerAccuracyPage *page)
-{
-    const TinkerPlanResult *result = tinker_plan_task_result(page->plan);
-    g_autoptr(GString) text = g_string_new(NULL);
-    if (result != NULL && result->plan != NULL) {
-        add_sentences(text, _("Modelled"), result->plan->modelled);
-        add_sentences(text, _("Left out"), result->plan->left_out);
-    } else if (result != NULL && result->error != NULL) {
-        g_autofree char *markup = g_markup_escape_text(result->error->message, -1);
-        g_string_append(text, markup);
-    }
-    gtk_label_set_markup(page->scope_text, text->str);
-    if (gtk_widget_get_mapped(GTK_WIDGET(page))) tinker_plan_task_demand(page->plan);
-}
-
-static void tinker_accuracy_page_map(GtkWidget *widget)
-{
-    TinkerAccuracyPage *page = TINKER_ACCURACY_PAGE(widget);
-    GTK_WIDGET_CLASS(tinker_accuracy_page_parent_class)->map(widget);
-    if (page->plan != NULL) tinker_plan_task_demand(page->plan);
-}
-
 /* Life ---------------------------------------------------------------------------------------------------------------- */
 
-void tinker_accuracy_page_set_document(TinkerAccuracyPage *page, TinkerDocument *document, TinkerPlanTask *plan)
+void tinker_accuracy_page_set_document(TinkerAccuracyPage *page, TinkerDocument *document)
 {
     page->document = g_object_ref(document);
-    page->plan = g_object_ref(plan);
     page->task = tinker_trade_task_new(document);
     g_signal_connect_object(page->task, "changed", G_CALLBACK(on_task_changed), page, G_CONNECT_SWAPPED);
     g_signal_connect_object(page->task, "progress", G_CALLBACK(on_progress), page, G_CONNECT_SWAPPED);
-    g_signal_connect_object(plan, "changed", G_CALLBACK(on_plan_changed), page, G_CONNECT_SWAPPED);
     on_task_changed(page);
-    on_plan_changed(page);
     on_wished_changed(page);
 }
 
@@ -224,7 +186,6 @@ static void tinker_accuracy_page_dispose(GObject *object)
     gtk_widget_dispose_template(GTK_WIDGET(object), TINKER_TYPE_ACCURACY_PAGE);
     tinker_unparent_children(GTK_WIDGET(object)); /* those without a name */
     g_clear_object(&page->task);
-    g_clear_object(&page->plan);
     g_clear_object(&page->document);
     G_OBJECT_CLASS(tinker_accuracy_page_parent_class)->dispose(object);
 }
@@ -236,7 +197,6 @@ static void tinker_accuracy_page_class_init(TinkerAccuracyPageClass *class)
 {
     GtkWidgetClass *widget_class = GTK_WIDGET_CLASS(class);
     G_OBJECT_CLASS(class)->dispose = tinker_accuracy_page_dispose;
-    widget_class->map = tinker_accuracy_page_map;
     gtk_widget_class_set_layout_manager_type(widget_class, GTK_TYPE_BIN_LAYOUT);
     gtk_widget_class_set_css_name(widget_class, "accuracypage");
     told_signal = g_signal_new("told", TINKER_TYPE_ACCURACY_PAGE, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL, G_TYPE_NONE,
@@ -259,8 +219,6 @@ static void tinker_accuracy_page_class_init(TinkerAccuracyPageClass *class)
     BIND(reference);
     BIND(chart);
     BIND(table);
-    BIND(scope);
-    BIND(scope_text);
     CALLBACK(on_wished_changed);
     CALLBACK(on_measure);
     CALLBACK(on_cancel);

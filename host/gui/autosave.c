@@ -1,12 +1,12 @@
 /* The companion is written before the copy, and removed after it, so that a copy is never without one. */
 #include "autosave.h"
 
-#include <errno.h>
 #include <glib/gi18n-lib.h>
 #include <glib/gstdio.h>
-#include <signal.h>
 #include <string.h>
-#include <unistd.h>
+
+#include "files/replace-file.h"
+#include "session.h"
 
 #define DEFAULT_SECONDS 30.0
 #define LEAST_SECONDS   0.02
@@ -37,20 +37,7 @@ char *tinker_autosave_new_stem(void)
 {
     static int number;
     g_autofree char *folder = tinker_autosave_folder();
-    return g_strdup_printf("%s/%d-%d", folder, (int)getpid(), ++number);
-}
-
-/* Field 22 of /proc/PID/stat; the second one is in parentheses and may hold anything. */
-guint64 tinker_process_start(int pid)
-{
-    g_autofree char *path = g_strdup_printf("/proc/%d/stat", pid), *text = NULL;
-    if (!g_file_get_contents(path, &text, NULL, NULL)) return kill(pid, 0) == 0 || errno == EPERM ? 1 : 0;
-    const char *behind = strrchr(text, ')');
-    if (behind == NULL || strlen(behind) < 3) return 1;
-    g_auto(GStrv) fields = g_strsplit(behind + 2, " ", 0);
-    if (g_strv_length(fields) <= 19) return 1;
-    gboolean dead = fields[0][0] == 'Z' || fields[0][0] == 'X';
-    return dead ? 0 : g_ascii_strtoull(fields[19], NULL, 10);
+    return g_strdup_printf("%s/%s-%d", folder, tinker_session_name(), ++number);
 }
 
 /* Writing ------------------------------------------------------------------------------------------------------------- */
@@ -69,30 +56,23 @@ static char *text_of_info(TinkerDocument *document)
     set_text(info, "base", tinker_document_base(document));
     set_text(info, "checksum", tinker_document_checksum(document));
     g_key_file_set_int64(info, TINKER_AUTOSAVE_GROUP, "time", g_get_real_time() / G_USEC_PER_SEC);
-    g_key_file_set_integer(info, TINKER_AUTOSAVE_GROUP, "pid", (int)getpid());
-    g_key_file_set_uint64(info, TINKER_AUTOSAVE_GROUP, "start", tinker_process_start((int)getpid()));
+    set_text(info, "session", tinker_session_name());
     return g_key_file_to_data(info, NULL, NULL);
 }
 
 static gboolean write_one(const char *stem, const char *ending, const char *text, GError **error)
 {
     g_autofree char *path = g_strconcat(stem, ending, NULL);
-    gboolean good = g_file_set_contents_full(path, text, -1,
-                                             G_FILE_SET_CONTENTS_CONSISTENT | G_FILE_SET_CONTENTS_DURABLE, 0600, error);
-    // Not every reason that GLib gives names the file.
-    if (!good) g_prefix_error(error, "%s: ", path);
-    return good;
+    if (tinker_replace_file(path, text, strlen(text), 0600, error)) return TRUE;
+    g_prefix_error(error, "%s: ", path);
+    return FALSE;
 }
 
 static gboolean write_both(TinkerAutosave *autosave, GError **error)
 {
-    g_autofree char *folder = tinker_autosave_folder(), *info = text_of_info(autosave->document);
+    g_autofree char *info = text_of_info(autosave->document);
     g_autofree char *text = tinker_scene_to_text(tinker_document_scene(autosave->document), TINKER_WRITE_SI);
-    if (g_mkdir_with_parents(folder, 0700) != 0) {
-        g_set_error(error, G_FILE_ERROR, (int)g_file_error_from_errno(errno), "%s: %s", folder, g_strerror(errno));
-        return FALSE;
-    }
-    return write_one(autosave->stem, TINKER_AUTOSAVE_INFO, info, error) &&
+    return tinker_session_hold(error) && write_one(autosave->stem, TINKER_AUTOSAVE_INFO, info, error) &&
            write_one(autosave->stem, TINKER_AUTOSAVE_ENDING, text, error);
 }
 
@@ -155,6 +135,7 @@ void tinker_autosave_forget(TinkerAutosave *autosave)
     if (!autosave->has_file) return;
     remove_one(autosave->stem, TINKER_AUTOSAVE_ENDING);
     remove_one(autosave->stem, TINKER_AUTOSAVE_INFO);
+    tinker_session_release();
     autosave->has_file = FALSE;
 }
 

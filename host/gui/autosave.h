@@ -1,7 +1,7 @@
 /* Autosave: a copy of what one document has not saved, for the case that the program does not end properly. No widget.
  *
- * The copy is PID-N.tinker.json in the folder of tinker_autosave_folder(), with a companion PID-N.info that tells what it is a
- * copy of (recovery.h reads both). It is written every 30 s (TINKER_AUTOSAVE_SECONDS) while there is something new to
+ * The copy is SESSION-N.tinker.json in the folder of tinker_autosave_folder(), with a companion SESSION-N.info that tells what it
+ * is a copy of (recovery.h reads both); SESSION is the name of this run (session.h). It is written every 30 s (TINKER_AUTOSAVE_SECONDS) while there is something new to
  * save, and removed as soon as nothing is unsaved. Signals:
  *   "failed"    (char *message) the copy cannot be written; told once, until it can be again
  *   "working"   it can be again
@@ -28,13 +28,10 @@ gboolean tinker_autosave_now(TinkerAutosave *autosave);
 /* The user does not want what is unsaved: removes the copy. */
 void tinker_autosave_forget(TinkerAutosave *autosave);
 
-/* A name in the folder, without an ending, that no other file of this or another process has. (transfer full) */
+/* A name in the folder, without an ending, that no other file of this or another run has. (transfer full) */
 char *tinker_autosave_new_stem(void);
 
 /* (transfer full) */
 char *tinker_autosave_folder(void);
-
-/* When a process was started, by the system's count; 0 where there is no such process. With its id it is unique. */
-guint64 tinker_process_start(int pid);
 
 #endif

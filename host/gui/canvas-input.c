@@ -28,7 +28,7 @@ static TinkerHit body_rather_than_end(TinkerCanvas *canvas, TinkerFrame *frame, 
 }
 
 /* What lies under a point, fields in their corner too. `handles`: those of what is selected come first, for only they are
- * drawn. */
+ * drawn, and only of the scene as placed. */
 static TinkerHit hit_at(TinkerCanvas *canvas, double x, double y, gboolean handles)
 {
     TinkerFrame *frame = tinker_player_frame(canvas->player);
@@ -38,7 +38,7 @@ static TinkerHit hit_at(TinkerCanvas *canvas, double x, double y, gboolean handl
     canvas_to_world(canvas, x, y, world);
     tinker_frame_set_symbol_size(frame, tinker_painter_symbol_size(frame, canvas->view.scale));
     TinkerBlockId selected = tinker_document_selected(canvas->document);
-    if (handles && selected != TINKER_NO_BLOCK)
+    if (handles && selected != TINKER_NO_BLOCK && tinker_frame_time(frame) == 0)
         hit = tinker_hit_handle(frame, selected, world[0], world[1], canvas_reach(canvas));
     if (hit.block == TINKER_NO_BLOCK)
         hit = tinker_hit(frame, world[0], world[1], canvas_reach(canvas), TINKER_NO_BLOCK);
@@ -155,7 +155,8 @@ static void on_release(GtkGestureDrag *gesture, double dx, double dy, TinkerCanv
     CanvasGesture ended = canvas->gesture;
     canvas->gesture = CANVAS_IDLE;
     if (ended == CANVAS_DRAG) {
-        tinker_drag_end(g_steal_pointer(&canvas->drag), (modifiers & GDK_SHIFT_MASK) != 0);
+        tinker_drag_end(g_steal_pointer(&canvas->drag), (modifiers & GDK_SHIFT_MASK) != 0,
+                        (modifiers & GDK_ALT_MASK) != 0 ? 0 : canvas_reach(canvas));
         tinker_document_touch(canvas->document);
     }
     if (ended == CANVAS_GROUP) tinker_document_end(canvas->document);

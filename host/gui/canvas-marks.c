@@ -1,7 +1,6 @@
 /* What the canvas shows of a start beyond the scene itself: with which velocity bodies set off, and which blocks something is
  * wrong with. Arrows are those of forces, in the colour of motions and with the scale of velocities. */
 #include <math.h>
-#include <string.h>
 
 #include "canvas-private.h"
 #include "render/arrows.h"
@@ -31,6 +30,7 @@ static gboolean arrow_of(const TinkerFrame *frame, TinkerBlockId block, TinkerFo
     double size = hypot(arrow->fx, arrow->fy);
     if (!(size > 0)) return FALSE;
     tinker_frame_centre(frame, block, &arrow->x, &arrow->y, &orientation);
+    arrow->kind = TINKER_ARROW_MOTION;
     arrow->label = tinker_quantity_brief(size, speed, tinker_scene_head(scene)->units);
     return TRUE;
 }
@@ -52,10 +52,8 @@ static void paint_velocities(TinkerCanvas *canvas, cairo_t *cairo, TinkerFrame *
 {
     g_autoptr(GArray) all = find_arrows(canvas, frame);
     const TinkerForceArrow *arrows = (const TinkerForceArrow *)(const void *)all->data;
-    TinkerTheme colours = *theme;
-    memcpy(colours.curves[0], theme->colours[TINKER_COLOUR_MOTION], sizeof colours.curves[0]);
     canvas->velocity_scale = tinker_arrows_scale(arrows, all->len, &canvas->view, canvas->velocity_scale);
-    TinkerArrowOptions options = {.theme = &colours, .scale = SHARE * canvas->velocity_scale};
+    TinkerArrowOptions options = {.theme = theme, .scale = SHARE * canvas->velocity_scale};
     tinker_arrows_draw(cairo, &canvas->view, arrows, all->len, &options);
     for (guint i = 0; i < all->len; i++)
         g_free((char *)arrows[i].label);

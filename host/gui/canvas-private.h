@@ -21,10 +21,16 @@ struct _TinkerCanvas {
     TinkerDocument *document;
     TinkerPlayer *player;
     gboolean show_labels, show_forces, show_local_origins, show_grid;
+    gboolean follow;         /* the selected body takes the view along */
+    gboolean this_body_only; /* of forces, with a body selected */
+    double force_factor;     /* how much longer than usual their arrows are */
 
     TinkerView view;
     gboolean view_is_set;
     TinkerPaintMemory *memory;
+    GHashTable *faults; /* of drawings, as TinkerPaintOptions has them */
+    guint faults_told;  /* of them */
+    guint telling;      /* the source that tells of more */
     CanvasForces *forces;
     GArray *marked;        /* of TinkerBlockId */
     double velocity_scale; /* m per m/s, of the arrows drawn last: what the next ones keep to */
@@ -38,6 +44,9 @@ struct _TinkerCanvas {
     double group_moved[2]; /* m: so far */
     double panned[2];      /* widget units: so far, with the middle button */
 
+    TinkerBlockId followed; /* TINKER_NO_BLOCK: none */
+    double followed_at[2];  /* m: where it was when the view was set by it */
+
     TinkerBlockId placing; /* the block on its way from the palette */
 };
 
@@ -50,6 +59,10 @@ void canvas_view_changed(TinkerCanvas *canvas);
 
 /* Start velocities and warning marks over the scene; canvas-marks.c. */
 void canvas_paint_marks(TinkerCanvas *canvas, cairo_t *cairo, TinkerFrame *frame, const TinkerTheme *theme);
+
+/* Marks of bodies that are out of the view; takes the view along with what is followed. canvas-follow.c. */
+void canvas_paint_edge_marks(TinkerCanvas *canvas, cairo_t *cairo, TinkerFrame *frame, const TinkerTheme *theme);
+void canvas_follow(TinkerCanvas *canvas);
 
 /* Sets up gestures, controllers and keys; canvas-input.c. */
 void canvas_add_input(TinkerCanvas *canvas);

@@ -4,19 +4,30 @@
 #include <glib/gi18n.h>
 #include <math.h>
 
+#include "block-words.h"
 #include "desktop-theme.h"
 #include "image-texture.h"
 #include "unparent.h"
 
 #define LEAST_SCALE    1e-6 /* widget units per m */
 #define GREATEST_SCALE 1e9
+#define MOST_FACTOR    1e4 /* of arrows of forces */
 #define FIT_MARGIN     48.0
-#define PLAYBAR        48.0 /* widget units: of it, what the margin does not leave room for */
+#define NOTICE         48.0 /* widget units: a notice over the top, of which the margin leaves no room for as much */
 #define CANVAS_SHAPE   0.6  /* height of a canvas over its width, where only that is known */
 
 G_DEFINE_FINAL_TYPE(TinkerCanvas, tinker_canvas, GTK_TYPE_WIDGET)
 
-enum { PROP_0, PROP_SHOW_LABELS, PROP_SHOW_FORCES, PROP_SHOW_LOCAL_ORIGINS, PROP_SHOW_GRID, PROPERTIES };
+enum {
+    PROP_0,
+    PROP_SHOW_LABELS,
+    PROP_SHOW_FORCES,
+    PROP_SHOW_LOCAL_ORIGINS,
+    PROP_SHOW_GRID,
+    PROP_THIS_BODY_ONLY,
+    PROP_FOLLOW,
+    PROPERTIES
+};
 static GParamSpec *properties[PROPERTIES];
 static guint view_changed_signal;
 
@@ -43,14 +54,27 @@ void canvas_to_world(TinkerCanvas *canvas, double x, double y, double world[2])
     tinker_view_to_world(&canvas->view, x, y, &world[0], &world[1]);
 }
 
+/* What is selected, in words, as it starts. (transfer full) */
+static char *selection_words(TinkerCanvas *canvas)
+{
+    int count = 0;
+    const TinkerBlockId *blocks = NULL;
+    if (canvas->document != NULL) blocks = tinker_document_selection(canvas->document, &count);
+    if (count == 1) return tinker_block_words(tinker_document_scene(canvas->document), blocks[0]);
+    if (count == 0) return g_strdup(_("nothing is selected"));
+    return g_strdup_printf(ngettext("%d block is selected", "%d blocks are selected", (gulong)count), count);
+}
+
 /* For those who cannot see it, and for tests, which find places by it: six digits are finer than a pixel. */
 static void describe_view(TinkerCanvas *canvas)
 {
     const TinkerView *view = &canvas->view;
     double middle[2];
     canvas_to_world(canvas, view->width / 2, view->height / 2, middle);
-    g_autofree char *text = g_strdup_printf(_("Shows %.6g m by %.6g m about (%.6g, %.6g)"), view->width / view->scale,
-                                            view->height / view->scale, middle[0], middle[1]);
+    g_autofree char *selection = selection_words(canvas);
+    g_autofree char *text =
+        g_strdup_printf(_("Shows %.6g m by %.6g m about (%.6g, %.6g); %s"), view->width / view->scale,
+                        view->height / view->scale, middle[0], middle[1], selection);
     gtk_accessible_update_property(GTK_ACCESSIBLE(canvas), GTK_ACCESSIBLE_PROPERTY_DESCRIPTION, text, -1);
 }
 
@@ -68,12 +92,19 @@ void tinker_canvas_zoom(TinkerCanvas *canvas, double factor)
     canvas_view_changed(canvas);
 }
 
-/* `beneath` widget units at the bottom stay free. */
-static void show_box(TinkerCanvas *canvas, const double box[4], double margin, double beneath)
+void tinker_canvas_scale_forces(TinkerCanvas *canvas, double factor)
+{
+    canvas->force_factor = CLAMP(factor * canvas->force_factor, 1 / MOST_FACTOR, MOST_FACTOR);
+    gtk_widget_queue_draw(GTK_WIDGET(canvas));
+}
+
+/* `above` widget units at the top stay free. */
+static void show_box(TinkerCanvas *canvas, const double box[4], double margin, double above)
 {
     double width = canvas->view.width, height = canvas->view.height;
-    if (!(width > 0) || !(height > beneath)) return;
-    canvas->view = tinker_view_fit(box, width, height - beneath, margin);
+    if (!(width > 0) || !(height > above)) return;
+    canvas->view = tinker_view_fit(box, width, height - above, margin);
+    tinker_view_pan(&canvas->view, 0, above);
     canvas->view.height = height;
     canvas->view_is_set = TRUE;
     canvas_view_changed(canvas);
@@ -107,7 +138,7 @@ static gboolean box_of_all(TinkerCanvas *canvas, double box[4])
 void tinker_canvas_fit(TinkerCanvas *canvas)
 {
     double box[4];
-    if (box_of_all(canvas, box)) show_box(canvas, box, FIT_MARGIN, PLAYBAR);
+    if (box_of_all(canvas, box)) show_box(canvas, box, FIT_MARGIN, NOTICE);
 }
 
 void tinker_canvas_show_width(TinkerCanvas *canvas)
@@ -142,7 +173,7 @@ void tinker_canvas_show_first(TinkerCanvas *canvas)
     }
     widen(&box[0], &box[2], canvas_width);
     widen(&box[1], &box[3], CANVAS_SHAPE * canvas_width);
-    show_box(canvas, box, 0, PLAYBAR);
+    show_box(canvas, box, 0, NOTICE);
 }
 
 static void tinker_canvas_size_allocate(GtkWidget *widget, int width, int height, int baseline)
@@ -173,6 +204,7 @@ static TinkerPaintOptions paint_options(TinkerCanvas *canvas)
     options.selected = tinker_document_selection(canvas->document, &options.selected_count);
     options.quick = TRUE;
     options.memory = canvas->memory;
+    options.faults = canvas->faults;
     return options;
 }
 
@@ -195,9 +227,33 @@ static void paint(TinkerCanvas *canvas, cairo_t *cairo)
     if (frame == NULL) return;
     tinker_paint_scene(cairo, frame, &canvas->view, &options);
     canvas_paint_marks(canvas, cairo, frame, options.theme);
+    canvas_paint_edge_marks(canvas, cairo, frame, options.theme);
+    CanvasForcesLook look = {options.theme, canvas->force_factor, !canvas->this_body_only};
     if (canvas->show_forces)
-        canvas_forces_draw(canvas->forces, cairo, canvas->document, canvas->player, &canvas->view, options.theme);
+        canvas_forces_draw(canvas->forces, cairo, canvas->document, canvas->player, &canvas->view, &look);
     if (canvas->gesture == CANVAS_BAND && canvas->moved) paint_band(canvas, cairo, options.theme);
+}
+
+GList *tinker_canvas_faults(TinkerCanvas *canvas)
+{
+    return g_hash_table_get_values(canvas->faults);
+}
+
+static gboolean tell_faults(gpointer data)
+{
+    TinkerCanvas *canvas = data;
+    canvas->telling = 0;
+    g_signal_emit_by_name(canvas, "faults");
+    return G_SOURCE_REMOVE;
+}
+
+/* Not while the window is drawn: whoever is told of it shows it. */
+static void look_for_faults(TinkerCanvas *canvas)
+{
+    const guint count = g_hash_table_size(canvas->faults);
+    if (count == canvas->faults_told || canvas->telling != 0) return;
+    canvas->faults_told = count;
+    canvas->telling = g_idle_add(tell_faults, canvas);
 }
 
 static void tinker_canvas_snapshot(GtkWidget *widget, GtkSnapshot *snapshot)
@@ -208,6 +264,7 @@ static void tinker_canvas_snapshot(GtkWidget *widget, GtkSnapshot *snapshot)
         tinker_image_new((int)canvas->view.width, (int)canvas->view.height, gtk_widget_get_scale_factor(widget));
     cairo_t *cairo = cairo_create(image);
     paint(canvas, cairo);
+    look_for_faults(canvas);
     cairo_destroy(cairo);
     g_autoptr(GdkTexture) texture = tinker_image_to_texture(image);
     graphene_rect_t bounds = GRAPHENE_RECT_INIT(0, 0, (float)canvas->view.width, (float)canvas->view.height);
@@ -219,7 +276,7 @@ static void tinker_canvas_snapshot(GtkWidget *widget, GtkSnapshot *snapshot)
 static void on_replaced(TinkerCanvas *canvas)
 {
     canvas_cancel_gesture(canvas);
-    canvas->placing = canvas->highlighted = TINKER_NO_BLOCK;
+    canvas->placing = canvas->highlighted = canvas->followed = TINKER_NO_BLOCK;
     g_array_set_size(canvas->marked, 0);
     canvas->velocity_scale = 0;
     renew_memory(canvas);
@@ -231,6 +288,19 @@ static void on_interrupted(TinkerCanvas *canvas)
 {
     canvas_cancel_gesture(canvas);
     tinker_canvas_place_cancel(canvas);
+}
+
+static void on_moved(TinkerCanvas *canvas)
+{
+    canvas_follow(canvas);
+    gtk_widget_queue_draw(GTK_WIDGET(canvas));
+}
+
+static void on_selection_changed(TinkerCanvas *canvas)
+{
+    canvas_follow(canvas);
+    describe_view(canvas);
+    gtk_widget_queue_draw(GTK_WIDGET(canvas));
 }
 
 static void on_changed(TinkerCanvas *canvas)
@@ -248,9 +318,8 @@ void tinker_canvas_set_player(TinkerCanvas *canvas, TinkerDocument *document, Ti
     g_signal_connect_object(document, "replaced", G_CALLBACK(on_replaced), canvas, G_CONNECT_SWAPPED);
     g_signal_connect_object(document, "interrupted", G_CALLBACK(on_interrupted), canvas, G_CONNECT_SWAPPED);
     g_signal_connect_object(document, "changed", G_CALLBACK(on_changed), canvas, G_CONNECT_SWAPPED);
-    g_signal_connect_object(document, "selection-changed", G_CALLBACK(gtk_widget_queue_draw), canvas,
-                            G_CONNECT_SWAPPED);
-    g_signal_connect_object(player, "moved", G_CALLBACK(gtk_widget_queue_draw), canvas, G_CONNECT_SWAPPED);
+    g_signal_connect_object(document, "selection-changed", G_CALLBACK(on_selection_changed), canvas, G_CONNECT_SWAPPED);
+    g_signal_connect_object(player, "moved", G_CALLBACK(on_moved), canvas, G_CONNECT_SWAPPED);
     tinker_desktop_theme_redraws(GTK_WIDGET(canvas));
 }
 
@@ -270,6 +339,10 @@ static gboolean *switch_of(TinkerCanvas *canvas, guint property)
         return &canvas->show_forces;
     case PROP_SHOW_LOCAL_ORIGINS:
         return &canvas->show_local_origins;
+    case PROP_FOLLOW:
+        return &canvas->follow;
+    case PROP_THIS_BODY_ONLY:
+        return &canvas->this_body_only;
     default:
         return &canvas->show_grid;
     }
@@ -283,6 +356,7 @@ static void tinker_canvas_get_property(GObject *object, guint property, GValue *
 static void tinker_canvas_set_property(GObject *object, guint property, const GValue *value, GParamSpec *spec)
 {
     *switch_of(TINKER_CANVAS(object), property) = g_value_get_boolean(value);
+    if (property == PROP_FOLLOW && TINKER_CANVAS(object)->document != NULL) canvas_follow(TINKER_CANVAS(object));
     gtk_widget_queue_draw(GTK_WIDGET(object));
 }
 
@@ -299,6 +373,8 @@ static void tinker_canvas_dispose(GObject *object)
 static void tinker_canvas_finalize(GObject *object)
 {
     tinker_paint_memory_free(TINKER_CANVAS(object)->memory);
+    g_hash_table_unref(TINKER_CANVAS(object)->faults);
+    g_clear_handle_id(&TINKER_CANVAS(object)->telling, g_source_remove);
     canvas_forces_free(TINKER_CANVAS(object)->forces);
     g_array_unref(TINKER_CANVAS(object)->marked);
     G_OBJECT_CLASS(tinker_canvas_parent_class)->finalize(object);
@@ -319,9 +395,12 @@ static void tinker_canvas_class_init(TinkerCanvasClass *class)
     properties[PROP_SHOW_FORCES] = g_param_spec_boolean("show-forces", NULL, NULL, FALSE, flags);
     properties[PROP_SHOW_LOCAL_ORIGINS] = g_param_spec_boolean("show-local-origins", NULL, NULL, FALSE, flags);
     properties[PROP_SHOW_GRID] = g_param_spec_boolean("show-grid", NULL, NULL, TRUE, flags);
+    properties[PROP_THIS_BODY_ONLY] = g_param_spec_boolean("forces-on-this-body-only", NULL, NULL, TRUE, flags);
+    properties[PROP_FOLLOW] = g_param_spec_boolean("follow", NULL, NULL, FALSE, flags);
     g_object_class_install_properties(object_class, PROPERTIES, properties);
     view_changed_signal =
         g_signal_new("view-changed", TINKER_TYPE_CANVAS, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL, G_TYPE_NONE, 0);
+    g_signal_new("faults", TINKER_TYPE_CANVAS, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL, G_TYPE_NONE, 0);
     g_signal_new("menu", TINKER_TYPE_CANVAS, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL, G_TYPE_NONE, 2, G_TYPE_DOUBLE,
                  G_TYPE_DOUBLE);
     gtk_widget_class_set_css_name(widget_class, "canvas");
@@ -330,9 +409,11 @@ static void tinker_canvas_class_init(TinkerCanvasClass *class)
 
 static void tinker_canvas_init(TinkerCanvas *canvas)
 {
-    canvas->show_labels = canvas->show_grid = TRUE;
+    canvas->show_labels = canvas->show_grid = canvas->this_body_only = TRUE;
+    canvas->force_factor = 1;
     canvas->view = (TinkerView){.scale = 100, .origin_x = 0, .origin_y = 0};
-    canvas->highlighted = canvas->placing = canvas->pressed.block = TINKER_NO_BLOCK;
+    canvas->highlighted = canvas->placing = canvas->followed = canvas->pressed.block = TINKER_NO_BLOCK;
+    canvas->faults = g_hash_table_new_full(NULL, NULL, NULL, g_free);
     canvas->memory = tinker_paint_memory_new();
     canvas->forces = canvas_forces_new();
     canvas->marked = g_array_new(FALSE, FALSE, sizeof(TinkerBlockId));

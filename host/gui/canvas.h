@@ -20,12 +20,17 @@ void tinker_canvas_set_marked(TinkerCanvas *canvas, const TinkerBlockId *blocks,
 
 /* The signal "menu" (double x, double y, widget units) asks for the menu of what is selected. */
 
+/* What drawings of blocks did that they must not do, of const char *; told by the signal "faults". (transfer container) */
+GList *tinker_canvas_faults(TinkerCanvas *canvas);
+
 /* The view in widget coordinates. The signal "view-changed" tells of another one. */
 const TinkerView *tinker_canvas_view(TinkerCanvas *canvas);
 
 /* Zooms about the middle; fits everything into the window; shows as many m from left to right as the scene says. */
 void tinker_canvas_zoom(TinkerCanvas *canvas, double factor);
 void tinker_canvas_fit(TinkerCanvas *canvas);
+/* Draws arrows of forces longer by this factor than they are now. */
+void tinker_canvas_scale_forces(TinkerCanvas *canvas, double factor);
 void tinker_canvas_show_width(TinkerCanvas *canvas);
 /* As a scene is shown when it is opened. */
 void tinker_canvas_show_first(TinkerCanvas *canvas);

@@ -1,23 +1,13 @@
-/* Which files a scene names is read from its text, where every table stands as {"table": "FILE", ...}. */
+/* Copies are made by GIO, which overwrites nothing. */
 #include "carry-tables.h"
 
-#include <cjson/cJSON.h>
 #include <gio/gio.h>
 #include <glib/gi18n-lib.h>
 #include <glib/gstdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "scene/scene-json.h"
-
-static void collect_tables(const cJSON *json, GHashTable *files)
-{
-    for (const cJSON *child = json->child; child != NULL; child = child->next) {
-        if (child->string != NULL && strcmp(child->string, "table") == 0 && cJSON_IsString(child))
-            g_hash_table_add(files, g_strdup(child->valuestring));
-        collect_tables(child, files);
-    }
-}
+#include "scene/table-source.h"
 
 static gboolean same_contents(const char *a, const char *b)
 {
@@ -63,16 +53,9 @@ gboolean carry_tables(TinkerScene *scene, const char *from, const char *to, GErr
     g_autofree char *from_plain = g_canonicalize_filename(from_folder, NULL);
     g_autofree char *to_plain = g_canonicalize_filename(to_folder, NULL);
     if (strcmp(from_plain, to_plain) == 0) return TRUE;
-    g_autofree char *text = tinker_scene_to_text(scene, TINKER_WRITE_SI);
-    g_autoptr(GHashTable) files = g_hash_table_new_full(g_str_hash, g_str_equal, g_free, NULL);
-    cJSON *json = cJSON_Parse(text);
-    if (json != NULL) collect_tables(json, files);
-    cJSON_Delete(json);
-    GHashTableIter iter;
-    gpointer file;
-    g_hash_table_iter_init(&iter, files);
-    while (g_hash_table_iter_next(&iter, &file, NULL))
-        if (!carry(file, from_plain, to_plain, error)) return FALSE;
+    g_autoptr(GPtrArray) files = tinker_scene_table_files(scene);
+    for (guint i = 0; i < files->len; i++)
+        if (!carry(g_ptr_array_index(files, i), from_plain, to_plain, error)) return FALSE;
     return TRUE;
 }
 

@@ -22,7 +22,7 @@ static const GOptionEntry entries[] = {
     {"theme", 0, 0, G_OPTION_ARG_STRING, NULL, N_("light, dark, contrast-light or contrast-dark"), N_("THEME")},
     {"select", 0, 0, G_OPTION_ARG_STRING, NULL, N_("The block that is selected in the picture"), N_("NAME")},
     {"page", 0, 0, G_OPTION_ARG_STRING, NULL, N_("model, graphs or accuracy"), N_("PAGE")},
-    {"panel", 0, 0, G_OPTION_ARG_STRING, NULL, N_("What the panel beside the canvas shows: properties or start"),
+    {"panel", 0, 0, G_OPTION_ARG_STRING, NULL, N_("What the panel beside the canvas shows: scene, properties or start"),
      N_("PANEL")},
     {"forces", 0, 0, G_OPTION_ARG_NONE, NULL, N_("Show the forces as arrows"), NULL},
     {NULL, 0, 0, G_OPTION_ARG_NONE, NULL, NULL, NULL},

@@ -152,9 +152,26 @@ gboolean tinker_document_recover(TinkerDocument *document, const char *text, gsi
     return TRUE;
 }
 
+TinkerFileSet *tinker_document_files(TinkerDocument *document)
+{
+    TinkerFileSet *files = tinker_file_set_new();
+    if (document->origin.path != NULL) tinker_file_set_add_scene(files, document->origin.path);
+    tinker_file_set_add_sources(files, document->scene, document->origin.base);
+    return files;
+}
+
+/* The scene's own file may be written, but not a table that it reads. */
+static gboolean check_output(TinkerDocument *document, const char *path, GError **error)
+{
+    g_autoptr(TinkerFileSet) files = tinker_file_set_new();
+    tinker_file_set_add_sources(files, document->scene, document->origin.base);
+    return tinker_file_set_add_output(files, NULL, path, error);
+}
+
 gboolean tinker_document_save(TinkerDocument *document, const char *path, GError **error)
 {
     tinker_document_interrupt(document);
+    if (!check_output(document, path, error)) return FALSE;
     if (document->origin.base != NULL && !carry_tables(document->scene, document->origin.base, path, error))
         return FALSE;
     if (!tinker_scene_write_file(document->scene, path, TINKER_WRITE_SI, error)) return FALSE;
@@ -216,13 +233,15 @@ gboolean tinker_document_is_empty(TinkerDocument *document)
 
 static void drop_removed(TinkerDocument *document)
 {
-    gboolean dropped = FALSE;
-    for (guint i = document->selection->len; i-- > 0;) {
-        if (tinker_scene_has_block(document->scene, g_array_index(document->selection, TinkerBlockId, i))) continue;
-        g_array_remove_index(document->selection, i);
-        dropped = TRUE;
+    const guint selected = document->selection->len;
+    guint kept = 0;
+    for (guint i = 0; i < selected; i++) {
+        const TinkerBlockId block = g_array_index(document->selection, TinkerBlockId, i);
+        if (tinker_scene_has_block(document->scene, block))
+            g_array_index(document->selection, TinkerBlockId, kept++) = block;
     }
-    if (dropped) emit(document, SELECTION_CHANGED);
+    g_array_set_size(document->selection, kept);
+    if (kept < selected) emit(document, SELECTION_CHANGED);
 }
 
 void tinker_document_touch(TinkerDocument *document)
@@ -299,17 +318,25 @@ void tinker_document_remove_selected(TinkerDocument *document)
                                  ? g_strdup_printf(_("Delete %s"), tinker_scene_block_name(document->scene, first))
                                  : g_strdup_printf(_("Delete %u Blocks"), count);
     tinker_document_begin(document, title, NULL);
-    for (guint i = 0; i < count; i++)
-        tinker_history_remove_block(document->history, g_array_index(document->selection, TinkerBlockId, i));
+    tinker_history_remove_blocks(document->history, (const TinkerBlockId *)(gpointer)document->selection->data, count);
     tinker_document_end(document);
 }
 
-static void move_block(TinkerDocument *document, TinkerBlockId block, double dx, double dy)
+/* Whether a block lies on one that is selected, too, and moves with that. */
+static gboolean is_taken_along(TinkerDocument *document, TinkerBlockId block, GHashTable *selected)
+{
+    TinkerBlockId plate;
+    double along;
+    return tinker_scene_lies_on(document->scene, block, &plate, &along) &&
+           g_hash_table_contains(selected, GINT_TO_POINTER(plate));
+}
+
+static void move_block(TinkerDocument *document, TinkerBlockId block, GHashTable *selected, double dx, double dy)
 {
     const TinkerBlockClass *block_class = tinker_scene_block_class(document->scene, block);
     if (block_class == NULL) return;
     int32_t column = tinker_block_class_meaning_column(block_class, TINKER_MEANING_POSITION);
-    if (column >= 0) {
+    if (column >= 0 && !is_taken_along(document, block, selected)) {
         double place[2] = {tinker_scene_get(document->scene, block, column) + dx,
                            tinker_scene_get(document->scene, block, column + 1) + dy};
         tinker_history_set(document->history, block, block_class->meanings[TINKER_MEANING_POSITION], place, NULL);
@@ -325,8 +352,11 @@ static void move_block(TinkerDocument *document, TinkerBlockId block, double dx,
 
 void tinker_document_shift_selected(TinkerDocument *document, double dx, double dy)
 {
+    g_autoptr(GHashTable) selected = g_hash_table_new(NULL, NULL);
     for (guint i = 0; i < document->selection->len; i++)
-        move_block(document, g_array_index(document->selection, TinkerBlockId, i), dx, dy);
+        g_hash_table_add(selected, GINT_TO_POINTER(g_array_index(document->selection, TinkerBlockId, i)));
+    for (guint i = 0; i < document->selection->len; i++)
+        move_block(document, g_array_index(document->selection, TinkerBlockId, i), selected, dx, dy);
 }
 
 void tinker_document_move_selected(TinkerDocument *document, double dx, double dy, const char *merge)

@@ -12,6 +12,7 @@
 
 #include <gio/gio.h>
 
+#include "file-set.h"
 #include "scene/history.h"
 #include "scene/scene-json.h"
 
@@ -36,7 +37,7 @@ gboolean tinker_document_start(TinkerDocument *document, const char *text, gsize
  * stays as it was. */
 gboolean tinker_document_open(TinkerDocument *document, const char *path, GPtrArray *findings, GError **error);
 
-/* Saves atomically, and goes on with that path. Tables that the scene reads go along into another folder. */
+/* Saves atomically, and goes on with that path. Tables that the scene reads go along into another folder; none is overwritten. */
 gboolean tinker_document_save(TinkerDocument *document, const char *path, GError **error);
 
 /* NULL for a scene that has never been saved. */
@@ -47,6 +48,9 @@ const char *tinker_document_base(TinkerDocument *document);
 const char *tinker_document_checksum(TinkerDocument *document);
 /* Whether somebody else has written the file since. */
 gboolean tinker_document_changed_on_disk(TinkerDocument *document);
+
+/* Its own file, where it has one, and what its scene reads: none of them is for something else to be written to. (transfer full) */
+TinkerFileSet *tinker_document_files(TinkerDocument *document);
 
 /* What the title bar calls it: the scene's title, else the file's name, else "Untitled". (transfer full) */
 char *tinker_document_name(TinkerDocument *document);

@@ -3,6 +3,7 @@
 
 #include "background.h"
 #include "motion-film.h"
+#include "physics/accurate-run.h"
 
 #define LOOK_AGAIN 100 /* ms: how often progress is told */
 #define FINENESS   10000
@@ -76,13 +77,18 @@ static gboolean run_scene(Job *job, TinkerMotionFilm *motion, GError **error)
     if (model == NULL) return FALSE;
     TinkerRunOptions options = tinker_run_options_of(job->scene);
     options.interval = job->settings.speed / job->settings.frames_per_second;
-    options.estimate = FALSE; /* nobody would see it */
+    options.estimate = options.accuracy > 0; /* else nobody would see it */
     options.cancelled = is_cancelled;
     options.progress = note_run;
     options.data = job;
     g_autoptr(TinkerSimulation) simulation = tinker_simulation_new(model, &options, error);
     if (simulation == NULL) return FALSE;
-    if (tinker_simulation_run(simulation, NULL, tinker_motion_film_sample, motion, &job->failure)) return TRUE;
+    const TinkerSampleTaker taker = {tinker_motion_film_sample, tinker_motion_film_begin_again, motion};
+    if (tinker_accurate_run(&simulation, NULL, &taker, &job->failure)) return TRUE;
+    if (g_error_matches(job->failure, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_ACCURACY)) {
+        g_clear_error(&job->failure); /* the film is whole, and the window's own run tells what it misses */
+        return TRUE;
+    }
     gsize pictures = tinker_motion_film_cut(motion, tinker_simulation_summary(simulation)->valid_until);
     if (pictures > 1) return TRUE;
     g_propagate_error(error, g_steal_pointer(&job->failure));

@@ -6,6 +6,7 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "files/replace-file.h"
 #include "graph-axis.h"
 #include "path-thin.h"
 #include "translate.h"
@@ -117,6 +118,7 @@ const char *tinker_graph_data_title(const TinkerGraphData *data)
 
 /* The record ---------------------------------------------------------------------------------------------------------- */
 
+/* Takes over a portion. */
 static void take(TinkerGraphData *data, const char *quantity, TinkerSeriesCursor *cursor, double per_si, GArray *times,
                  GArray *values)
 {
@@ -124,6 +126,7 @@ static void take(TinkerGraphData *data, const char *quantity, TinkerSeriesCursor
     TinkerBlockId block = tinker_scene_find_block(scene, data->block);
     const TinkerBlockClass *block_class = block != TINKER_NO_BLOCK ? tinker_scene_block_class(scene, block) : NULL;
     guint first = values->len;
+    cursor->behind = FALSE;
     if (block_class == NULL) return;
     TinkerQuantity of = {block, tinker_block_class_quantity(block_class, quantity)};
     tinker_player_series(data->player, of, cursor, times, values);
@@ -147,6 +150,18 @@ guint64 tinker_graph_data_update(TinkerGraphData *data)
     data->time = tinker_player_time(data->player);
     if (data->time != before || count != tinker_graph_data_count(data)) data->revision++;
     return data->revision;
+}
+
+gboolean tinker_graph_data_is_behind(const TinkerGraphData *data)
+{
+    return data->y_cursor.behind || data->x_cursor.behind;
+}
+
+void tinker_graph_data_catch_up(TinkerGraphData *data)
+{
+    do
+        tinker_graph_data_update(data);
+    while (tinker_graph_data_is_behind(data));
 }
 
 gsize tinker_graph_data_count(const TinkerGraphData *data)
@@ -300,12 +315,12 @@ char *tinker_graph_data_y_text(const TinkerGraphData *data, gsize point)
 
 /* CSV ----------------------------------------------------------------------------------------------------------------- */
 
-static void write_rows(const TinkerGraphData *data, TinkerCsvWriter *writer)
+static void write_rows(const TinkerGraphData *data, TinkerCsvWriter *writer, gboolean units)
 {
     const TinkerScene *scene = tinker_document_scene(data->document);
     const double *x = tinker_graph_data_x(data), *y = tinker_graph_data_y(data);
-    tinker_csv_axis(writer, scene, &data->x_axis, FALSE);
-    tinker_csv_axis(writer, scene, &data->y_axis, FALSE);
+    tinker_csv_axis(writer, scene, &data->x_axis, FALSE, units);
+    tinker_csv_axis(writer, scene, &data->y_axis, FALSE, units);
     tinker_csv_end_row(writer);
     for (gsize i = 0; i < tinker_graph_data_count(data); i++) {
         tinker_csv_number(writer, x[i]);
@@ -314,22 +329,31 @@ static void write_rows(const TinkerGraphData *data, TinkerCsvWriter *writer)
     }
 }
 
+gboolean tinker_graph_data_check_output(const TinkerGraphData *data, const char *path, GError **error)
+{
+    g_autoptr(TinkerFileSet) files = tinker_document_files(data->document);
+    return tinker_file_set_add_output(files, NULL, path, error);
+}
+
 gboolean tinker_graph_data_write_csv(TinkerGraphData *data, const char *path, int decimals, GError **error)
 {
+    if (!tinker_graph_data_check_output(data, path, error)) return FALSE;
     char *text = NULL;
     size_t length = 0;
     FILE *stream = open_memstream(&text, &length);
     gboolean done = FALSE;
     if (stream != NULL) {
         g_auto(TinkerCsvWriter) writer = tinker_csv_writer_graph(stream, decimals);
-        write_rows(data, &writer);
+        write_rows(data, &writer, decimals < 0);
         done = fclose(stream) == 0 && !writer.failed;
     }
-    if (done)
-        done = g_file_set_contents(path, text, (gssize)length, error);
-    else
+    if (done && !tinker_replace_file(path, text, length, 0666, error)) {
+        done = FALSE;
+        g_prefix_error(error, "%s: ", path);
+    } else if (!done) {
         g_set_error(error, G_FILE_ERROR, G_FILE_ERROR_NOMEM, _("there is no memory to write %zu rows"),
                     tinker_graph_data_count(data));
+    }
     free(text);
     return done;
 }

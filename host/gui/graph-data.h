@@ -20,8 +20,13 @@ void tinker_graph_data_set_graph(TinkerGraphData *data, const TinkerSceneGraph *
 /* The graph's own title, else "Mass 0: Y Position", or "Mass 0: Y Velocity over Y Position". Borrowed. */
 const char *tinker_graph_data_title(const TinkerGraphData *data);
 
-/* Takes over what has been recorded since the last time, and the present time. A number that is another whenever the picture is. */
+/* Takes over what has been recorded since the last time, of a long record as much as a frame has time for, and the present time. A
+ * number that is another whenever the picture is. */
 guint64 tinker_graph_data_update(TinkerGraphData *data);
+/* Whether the last update has left something for the next. */
+gboolean tinker_graph_data_is_behind(const TinkerGraphData *data);
+/* Updates until nothing is left, however long that takes. */
+void tinker_graph_data_catch_up(TinkerGraphData *data);
 
 /* Points; 0 before a run. */
 gsize tinker_graph_data_count(const TinkerGraphData *data);
@@ -44,8 +49,12 @@ char *tinker_graph_data_y_text(const TinkerGraphData *data, gsize point);
 /* The point at the present time, or before it. FALSE where there is none. */
 gboolean tinker_graph_data_present(const TinkerGraphData *data, gsize *point);
 
-/* Writes all points as CSV, "Time,Y Position", or the two quantities where it is not over time; `decimals` as in csv-writer.h.
- * Atomic. Errors: G_FILE_ERROR. */
+/* Whether a file is free for what is exported: not the scene's own, nor one that it reads. */
+gboolean tinker_graph_data_check_output(const TinkerGraphData *data, const char *path, GError **error);
+
+/* Writes all points as CSV, "Time [s],Y Position [m]", or the two quantities where it is not over time; `decimals` as in
+ * csv-writer.h. With decimals it is the plain form "Time,Y Position", without units.
+ * Atomic. Errors: G_FILE_ERROR, and those of tinker_graph_data_check_output. */
 gboolean tinker_graph_data_write_csv(TinkerGraphData *data, const char *path, int decimals, GError **error);
 
 #endif

@@ -27,7 +27,7 @@ static const struct {
 static TinkerPlot plot_for_paper(TinkerGraphData *data)
 {
     TinkerPlot plot = {.theme = tinker_theme_find("light"), .title = tinker_graph_data_title(data)};
-    tinker_graph_data_update(data);
+    tinker_graph_data_catch_up(data);
     tinker_graph_data_fill_plot(data, &plot);
     /* "Now" is the window's. */
     plot.cursor = NULL;
@@ -120,7 +120,8 @@ static void on_image_file(GtkNativeDialog *dialog, int response, Question *quest
         g_autoptr(GError) error = NULL;
         g_autofree char *full = with_picture_ending(path, gtk_file_chooser_get_filter(GTK_FILE_CHOOSER(dialog)));
         TinkerPlot plot = plot_for_paper(question->data);
-        if (!tinker_plot_to_file(&plot, question->width, question->height, full, &error))
+        if (!tinker_graph_data_check_output(question->data, full, &error) ||
+            !tinker_plot_to_file(&plot, question->width, question->height, full, &error))
             tell(question->view, _("The Image Was Not Saved"), error->message);
     }
     question_free(question);
@@ -147,7 +148,7 @@ static void on_values_file(GtkNativeDialog *dialog, int response, Question *ques
         g_autoptr(GError) error = NULL;
         const char *digits = gtk_file_chooser_get_choice(GTK_FILE_CHOOSER(dialog), "digits");
         g_autofree char *full = has_ending(path, ".csv") ? g_strdup(path) : g_strconcat(path, ".csv", NULL);
-        tinker_graph_data_update(question->data);
+        tinker_graph_data_catch_up(question->data);
         if (!tinker_graph_data_write_csv(question->data, full, g_strcmp0(digits, "five") == 0 ? SHOWN_DECIMALS : -1,
                                          &error))
             tell(question->view, _("The Values Were Not Exported"), error->message);

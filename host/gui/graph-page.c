@@ -4,9 +4,9 @@
 #include <adwaita.h>
 #include <glib/gi18n.h>
 
+#include "choices.h"
 #include "graph-grid.h"
 #include "graph-menu.h"
-#include "playbar.h"
 #include "translate.h"
 #include "unparent.h"
 
@@ -135,6 +135,7 @@ static void on_add(TinkerGraphPage *page)
 static GtkWidget *add_list(GtkWidget *row, const char *title)
 {
     GtkWidget *label = gtk_label_new(title), *list = gtk_drop_down_new(NULL, NULL);
+    tinker_choices_cut_off(GTK_DROP_DOWN(list));
     gtk_widget_add_css_class(label, "dim-label");
     gtk_accessible_update_property(GTK_ACCESSIBLE(list), GTK_ACCESSIBLE_PROPERTY_LABEL, title, -1);
     gtk_box_append(GTK_BOX(row), label);
@@ -175,13 +176,6 @@ static void add_stack(TinkerGraphPage *page, TinkerPlayer *player)
     gtk_widget_set_parent(page->stack, GTK_WIDGET(page));
 }
 
-static void add_playbar(TinkerGraphPage *page, TinkerPlayer *player)
-{
-    GtkWidget *playbar = g_object_new(TINKER_TYPE_PLAYBAR, "halign", GTK_ALIGN_CENTER, "margin-bottom", 12, NULL);
-    tinker_playbar_set_player(TINKER_PLAYBAR(playbar), player);
-    gtk_widget_set_parent(playbar, GTK_WIDGET(page));
-}
-
 static void tinker_graph_page_dispose(GObject *object)
 {
     TinkerGraphPage *page = TINKER_GRAPH_PAGE(object);
@@ -212,7 +206,6 @@ GtkWidget *tinker_graph_page_new(TinkerDocument *document, TinkerPlayer *player)
     page->document = g_object_ref(document);
     add_row(page);
     add_stack(page, player);
-    add_playbar(page, player);
     g_signal_connect_object(document, "changed", G_CALLBACK(on_changed), page, G_CONNECT_SWAPPED);
     g_signal_connect_object(document, "selection-changed", G_CALLBACK(on_selection_changed), page, G_CONNECT_SWAPPED);
     on_changed(page);

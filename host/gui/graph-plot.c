@@ -12,6 +12,7 @@
 #define COMPACT_HEIGHT 420
 #define HINT_LEFT      48  /* widget units, beyond the labels of the upright axis */
 #define RECORDING_MS   100 /* how often the picture is renewed while the record grows and nothing plays */
+#define BEHIND_MS      15  /* and while there is more of the record than one frame reads */
 
 /* What a picture depends on. */
 typedef struct {
@@ -117,9 +118,10 @@ static gboolean on_timer(gpointer plot)
 static void look_again_later(TinkerGraphPlot *plot)
 {
     TinkerRunStatus status;
+    const gboolean behind = tinker_graph_data_is_behind(plot->data);
     if (plot->timer != 0 || tinker_player_state(plot->player) == TINKER_PLAYER_PLAYING) return;
-    if (tinker_player_status(plot->player, &status) && !status.finished)
-        plot->timer = g_timeout_add(RECORDING_MS, on_timer, plot);
+    if (behind || (tinker_player_status(plot->player, &status) && !status.finished))
+        plot->timer = g_timeout_add(behind ? BEHIND_MS : RECORDING_MS, on_timer, plot);
 }
 
 static gboolean same_picture(const Picture *a, const Picture *b)
@@ -153,6 +155,15 @@ static void tinker_graph_plot_snapshot(GtkWidget *widget, GtkSnapshot *snapshot)
     gtk_snapshot_append_texture(snapshot, plot->texture,
                                 &GRAPHENE_RECT_INIT(0, 0, (float)picture.width, (float)picture.height));
     look_again_later(plot);
+}
+
+gboolean tinker_graph_plot_any_behind(GtkWidget *root)
+{
+    if (!gtk_widget_get_mapped(root)) return FALSE;
+    if (TINKER_IS_GRAPH_PLOT(root) && tinker_graph_data_is_behind(TINKER_GRAPH_PLOT(root)->data)) return TRUE;
+    for (GtkWidget *child = gtk_widget_get_first_child(root); child != NULL; child = gtk_widget_get_next_sibling(child))
+        if (tinker_graph_plot_any_behind(child)) return TRUE;
+    return FALSE;
 }
 
 /* The pointer --------------------------------------------------------------------------------------------------------- */

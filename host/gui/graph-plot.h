@@ -21,4 +21,7 @@ void tinker_graph_plot_set_graph(TinkerGraphPlot *plot, const TinkerSceneGraph *
 /* Whether the values of the point under the pointer are shown. */
 void tinker_graph_plot_set_show_values(TinkerGraphPlot *plot, gboolean show);
 
+/* Whether a plot that is to be seen, this widget or one below it, has more of the record to read. */
+gboolean tinker_graph_plot_any_behind(GtkWidget *root);
+
 #endif

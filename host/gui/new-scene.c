@@ -7,7 +7,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "number-hint.h"
+#include "number-text.h"
 
 #define TEMPLATE       "/org/tinker/Tinker/new-scene.tinker.json"
 #define LEAST_WIDTH    1e-6 /* m */
@@ -23,22 +23,15 @@ const char *tinker_new_scene_default_width(TinkerUnitSystem units)
 
 gboolean tinker_new_scene_parse_width(const char *text, TinkerUnitSystem units, double *width, GError **error)
 {
-    g_autofree char *trimmed = g_strstrip(g_strdup(text));
-    char *end = trimmed;
-    g_ascii_strtod(trimmed, &end);
-    g_autofree char *complete = end > trimmed && *end == '\0'
-                                    ? g_strdup_printf("%s %s", trimmed, tinker_unit_for(length, units))
-                                    : g_strdup(trimmed);
     const char *example = tinker_new_scene_default_width(units);
     g_autoptr(GError) reason = NULL;
-    if (trimmed[0] == '\0') {
+    if (text[strspn(text, " \t")] == '\0') {
         g_set_error(error, TINKER_SCENE_ERROR, TINKER_SCENE_ERROR_VALUE, _("Type a length, such as “%s”."), example);
         return FALSE;
     }
-    if (!tinker_quantity_parse(complete, length, width, &reason)) {
-        g_autoptr(GError) hint = NULL;
+    if (!tinker_number_read(text, length, tinker_unit_for(length, units), width, &reason)) {
         g_set_error(error, TINKER_SCENE_ERROR, TINKER_SCENE_ERROR_VALUE, _("Not a length such as “%s”: %s"), example,
-                    tinker_number_hint_comma(text, &hint) ? hint->message : reason->message);
+                    reason->message);
         return FALSE;
     }
     if (*width >= LEAST_WIDTH && *width <= GREATEST_WIDTH) return TRUE;

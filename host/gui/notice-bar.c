@@ -1,14 +1,11 @@
 /* What each source gives is kept whole; what is shown is a list of borrowed notices that is made anew at every change. The
- * bar moves what is below it, so it never opens or closes while a button of the pointer is down. It is there at once:
- * sliding in would give the canvas another size at every frame, and a scene of thousands of blocks would stall. */
+ * bar lies over the top of the canvas: it comes and goes by itself, so nothing may move for it. */
 #include "notice-bar.h"
 
 #include <glib/gi18n.h>
 #include <string.h>
 
 #include "unparent.h"
-
-#define LATER 200 /* ms */
 
 struct _TinkerNoticeBar {
     GtkWidget parent_instance;
@@ -17,7 +14,6 @@ struct _TinkerNoticeBar {
     GHashTable *closed;  /* of texts */
     GPtrArray *listed;   /* of TinkerNotice *, borrowed from the sources */
     guint place;         /* of the one that is shown */
-    guint timer;
 };
 
 G_DEFINE_FINAL_TYPE(TinkerNoticeBar, tinker_notice_bar, GTK_TYPE_WIDGET)
@@ -90,18 +86,6 @@ static void list_all(TinkerNoticeBar *bar)
 
 /* Showing ------------------------------------------------------------------------------------------------------------- */
 
-static gboolean is_pointer_down(GtkWidget *widget)
-{
-    GtkNative *native = gtk_widget_get_native(widget);
-    GdkSeat *seat = gdk_display_get_default_seat(gtk_widget_get_display(widget));
-    GdkDevice *pointer = seat != NULL ? gdk_seat_get_pointer(seat) : NULL;
-    GdkModifierType state = 0;
-    GdkSurface *surface = native != NULL ? gtk_native_get_surface(native) : NULL; /* none before the window is shown */
-    if (surface == NULL || pointer == NULL) return FALSE;
-    gdk_surface_get_device_position(surface, pointer, NULL, NULL, &state);
-    return (state & (GDK_BUTTON1_MASK | GDK_BUTTON2_MASK | GDK_BUTTON3_MASK)) != 0;
-}
-
 static void fill(TinkerNoticeBar *bar)
 {
     static const GtkMessageType types[] = {GTK_MESSAGE_INFO, GTK_MESSAGE_WARNING, GTK_MESSAGE_ERROR};
@@ -119,26 +103,12 @@ static void fill(TinkerNoticeBar *bar)
     if (notice->button != NULL) gtk_button_set_label(GTK_BUTTON(bar->cure), notice->button);
 }
 
-static gboolean on_later(void *data);
-
 static void show(TinkerNoticeBar *bar)
 {
     gboolean wanted = bar->listed->len > 0;
     bar->place = wanted ? MIN(bar->place, bar->listed->len - 1) : 0;
     if (wanted) fill(bar);
-    if (wanted == gtk_widget_get_visible(bar->bar)) return;
-    if (!is_pointer_down(GTK_WIDGET(bar)))
-        gtk_widget_set_visible(bar->bar, wanted);
-    else if (bar->timer == 0)
-        bar->timer = g_timeout_add(LATER, on_later, bar);
-}
-
-static gboolean on_later(void *data)
-{
-    TinkerNoticeBar *bar = data;
-    bar->timer = 0;
-    show(bar);
-    return G_SOURCE_REMOVE;
+    gtk_widget_set_visible(bar->bar, wanted);
 }
 
 void tinker_notice_bar_set(TinkerNoticeBar *bar, const char *source, GPtrArray *notices)
@@ -189,9 +159,6 @@ static void on_response(TinkerNoticeBar *bar, int response)
 
 static void tinker_notice_bar_dispose(GObject *object)
 {
-    TinkerNoticeBar *bar = TINKER_NOTICE_BAR(object);
-    if (bar->timer != 0) g_source_remove(bar->timer);
-    bar->timer = 0;
     tinker_unparent_children(GTK_WIDGET(object));
     G_OBJECT_CLASS(tinker_notice_bar_parent_class)->dispose(object);
 }
@@ -217,6 +184,7 @@ static void add_parts(TinkerNoticeBar *bar)
 {
     bar->label = gtk_label_new(NULL);
     gtk_label_set_wrap(GTK_LABEL(bar->label), TRUE);
+    gtk_label_set_wrap_mode(GTK_LABEL(bar->label), PANGO_WRAP_WORD_CHAR); /* a name may be one long word */
     gtk_label_set_xalign(GTK_LABEL(bar->label), 0);
     bar->text = gtk_button_new();
     gtk_button_set_child(GTK_BUTTON(bar->text), bar->label);

@@ -7,7 +7,7 @@
 
 #include "block-words.h"
 #include "desktop-theme.h"
-#include "render/icon.h"
+#include "icon-guard.h"
 #include "unparent.h"
 
 #define ICON_WIDTH    30
@@ -70,7 +70,7 @@ struct _TinkerOutline {
 
 G_DEFINE_FINAL_TYPE(TinkerOutline, tinker_outline, GTK_TYPE_WIDGET)
 
-enum { ACTIVATED, SIGNALS };
+enum { ACTIVATED, MENU, SIGNALS };
 static guint signals[SIGNALS];
 
 static TinkerScene *scene_of(TinkerOutline *outline)
@@ -87,7 +87,7 @@ static void draw_icon(GtkDrawingArea *area, cairo_t *cairo, int width, int heigh
     OutlineItem *item = gtk_list_item_get_item(row);
     if (item == NULL || outline->document == NULL || !tinker_scene_has_block(scene_of(outline), item->block)) return;
     const TinkerBlockClass *block_class = tinker_scene_block_class(scene_of(outline), item->block);
-    if (block_class != NULL) tinker_paint_block_icon(cairo, block_class, width, height, tinker_desktop_theme());
+    if (block_class != NULL) tinker_guarded_icon_paint(cairo, block_class, width, height, tinker_desktop_theme());
 }
 
 static GtkWidget *add_label(GtkWidget *box, const char *css_class)
@@ -98,6 +98,18 @@ static GtkWidget *add_label(GtkWidget *box, const char *css_class)
     if (css_class != NULL) gtk_widget_add_css_class(label, css_class);
     gtk_box_append(GTK_BOX(box), label);
     return label;
+}
+
+/* The block under the pointer is what a menu is about, unless it is one of several that are selected. */
+static void on_right_click(GtkGestureClick *gesture, int presses, double x, double y, TinkerOutline *outline)
+{
+    GtkWidget *box = gtk_event_controller_get_widget(GTK_EVENT_CONTROLLER(gesture));
+    OutlineItem *item = gtk_list_item_get_item(g_object_get_data(G_OBJECT(box), "row"));
+    if (item == NULL || !tinker_scene_has_block(scene_of(outline), item->block)) return;
+    if (!tinker_document_is_selected(outline->document, item->block))
+        tinker_document_select(outline->document, item->block);
+    gtk_widget_translate_coordinates(box, GTK_WIDGET(outline), x, y, &x, &y);
+    g_signal_emit(outline, signals[MENU], 0, x, y);
 }
 
 static void on_setup(GtkSignalListItemFactory *factory, GtkListItem *row, TinkerOutline *outline)
@@ -111,6 +123,11 @@ static void on_setup(GtkSignalListItemFactory *factory, GtkListItem *row, Tinker
     gtk_box_append(GTK_BOX(box), icon);
     gtk_widget_set_hexpand(add_label(box, NULL), TRUE);
     add_label(box, "dim-label");
+    GtkGesture *menu = gtk_gesture_click_new();
+    gtk_gesture_single_set_button(GTK_GESTURE_SINGLE(menu), GDK_BUTTON_SECONDARY);
+    g_signal_connect(menu, "pressed", G_CALLBACK(on_right_click), outline);
+    gtk_widget_add_controller(box, GTK_EVENT_CONTROLLER(menu));
+    g_object_set_data(G_OBJECT(box), "row", row);
     gtk_list_item_set_child(row, box);
 }
 
@@ -382,6 +399,8 @@ static void tinker_outline_class_init(TinkerOutlineClass *class)
     gtk_widget_class_set_css_name(GTK_WIDGET_CLASS(class), "outline");
     signals[ACTIVATED] =
         g_signal_new("activated", TINKER_TYPE_OUTLINE, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL, G_TYPE_NONE, 0);
+    signals[MENU] = g_signal_new("menu", TINKER_TYPE_OUTLINE, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL, G_TYPE_NONE, 2,
+                                 G_TYPE_DOUBLE, G_TYPE_DOUBLE);
 }
 
 static void tinker_outline_init(TinkerOutline *outline)

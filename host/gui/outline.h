@@ -9,7 +9,8 @@
 #define TINKER_TYPE_OUTLINE (tinker_outline_get_type())
 G_DECLARE_FINAL_TYPE(TinkerOutline, tinker_outline, TINKER, OUTLINE, GtkWidget)
 
-/* Takes a reference. The signal "activated" tells that the properties of what is selected are asked for. */
+/* Takes a reference. The signal "activated" tells that the properties of what is selected are asked for; "menu" (double x, y),
+ * that a menu is, at a place of the outline. */
 GtkWidget *tinker_outline_new(TinkerDocument *document);
 
 #endif

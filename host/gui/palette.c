@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "desktop-theme.h"
-#include "render/icon.h"
+#include "icon-guard.h"
 #include "translate.h"
 #include "unparent.h"
 
@@ -89,7 +89,7 @@ static void on_drag_cancel(GtkGesture *gesture, GdkEventSequence *sequence, Item
 static void draw_icon(GtkDrawingArea *area, cairo_t *cairo, int width, int height, gpointer data)
 {
     const Item *item = data;
-    tinker_paint_block_icon(cairo, item->block_class, width, height, tinker_desktop_theme());
+    tinker_guarded_icon_paint(cairo, item->block_class, width, height, tinker_desktop_theme());
 }
 
 static GtkWidget *icon_of(Item *item)
@@ -151,11 +151,10 @@ static int compare_types(const void *left, const void *right)
     return by_category != 0 ? by_category : g_utf8_collate(tinker_translate(l->title), tinker_translate(r->title));
 }
 
-/* Every type that a scene could name, once, by category and title. */
-static GPtrArray *usable_types(TinkerCatalogue *catalogue)
+/* Every type that a scene could name, once, by category and title; borrowed from the libraries. */
+static GPtrArray *usable_types(const GPtrArray *libraries)
 {
     GPtrArray *types = g_ptr_array_new();
-    const GPtrArray *libraries = tinker_catalogue_libraries(catalogue);
     for (guint i = 0; i < libraries->len; i++) {
         const TinkerLibraryEntry *library = g_ptr_array_index(libraries, i);
         if (library->refused != NULL || library->shadowed_by != NULL) continue;
@@ -166,11 +165,16 @@ static GPtrArray *usable_types(TinkerCatalogue *catalogue)
     return types;
 }
 
+void tinker_palette_focus(TinkerPalette *palette)
+{
+    gtk_widget_child_focus(palette->list, GTK_DIR_TAB_FORWARD);
+}
+
 void tinker_palette_set_canvas(TinkerPalette *palette, TinkerCatalogue *catalogue, TinkerCanvas *canvas)
 {
     palette->catalogue = catalogue;
     palette->canvas = canvas;
-    g_autoptr(GPtrArray) types = usable_types(catalogue);
+    g_autoptr(GPtrArray) libraries = tinker_catalogue_libraries(catalogue), types = usable_types(libraries);
     const char *category = NULL;
     for (guint i = 0; i < types->len; i++) {
         const TinkerTypeEntry *entry = g_ptr_array_index(types, i);

@@ -10,4 +10,7 @@ G_DECLARE_FINAL_TYPE(TinkerPalette, tinker_palette, TINKER, PALETTE, GtkWidget)
 /* Shows what the catalogue has; blocks go to this canvas. The catalogue is borrowed. */
 void tinker_palette_set_canvas(TinkerPalette *palette, TinkerCatalogue *catalogue, TinkerCanvas *canvas);
 
+/* Gives the focus to the first block. */
+void tinker_palette_focus(TinkerPalette *palette);
+
 #endif

@@ -8,6 +8,7 @@
 #include "recorded-quantities.h"
 #include "scene/continued.h"
 #include "scene/difference.h"
+#include "scene/tops.h"
 
 #define PACE_MEMORY 0.5 /* s: over which the pace is averaged */
 
@@ -15,6 +16,7 @@ typedef struct {
     TinkerRunTask *task;
     double start; /* s */
     gboolean failure_told;
+    guint replaced; /* as in the task's status when it was looked at last */
 } Segment;
 
 struct _TinkerPlayer {
@@ -22,7 +24,8 @@ struct _TinkerPlayer {
     TinkerDocument *document;
     TinkerPlayerState state;
     double time, speed, pace;
-    double step_to;   /* s: as soon as this is recorded it is shown, and time stands still; NAN while it plays freely */
+    double step_to; /* s: as soon as this is recorded it is shown, and time stands still; NAN while it plays freely */
+    TinkerRunLane *lane;
     GArray *segments; /* of Segment */
     TinkerScene *ran; /* the scene as the last segment has it; NULL where there is none */
     TinkerFrame *frame;
@@ -42,11 +45,14 @@ static Segment *last_segment(TinkerPlayer *player)
     return player->segments->len == 0 ? NULL : &g_array_index(player->segments, Segment, player->segments->len - 1);
 }
 
+/* The one that shows this time: of one that begins there and has recorded nothing yet, the start is the last sample of the one
+ * before it. */
 static Segment *segment_at(TinkerPlayer *player, double time)
 {
     for (guint i = player->segments->len; i-- > 0;) {
         Segment *segment = &g_array_index(player->segments, Segment, i);
-        if (segment->start <= time || i == 0) return segment;
+        gsize row;
+        if (i == 0 || (segment->start <= time && tinker_run_task_find(segment->task, time, &row))) return segment;
     }
     return NULL;
 }
@@ -71,7 +77,7 @@ static void forget_record(TinkerPlayer *player)
 static void add_segment(TinkerPlayer *player, TinkerScene *scene, double start)
 {
     g_autoptr(GArray) columns = tinker_recorded_quantities(player->document, player->asked);
-    Segment segment = {tinker_run_task_new(scene, start, columns), start, FALSE};
+    Segment segment = {tinker_run_task_new(player->lane, scene, start, columns), start, FALSE, 0};
     g_array_append_val(player->segments, segment);
     g_clear_pointer(&player->ran, tinker_scene_free);
     player->ran = tinker_scene_copy(tinker_document_scene(player->document));
@@ -88,9 +94,8 @@ static void record_from_start(TinkerPlayer *player)
 static void place_body(TinkerFrame *frame, TinkerBlockId block, const TinkerBodySample *a, const TinkerBodySample *b,
                        double share)
 {
-    double x, y, orientation;
-    tinker_frame_centre(frame, block, &x, &y, &orientation);
-    if (!isnan(a->orientation)) orientation = a->orientation;
+    double orientation = a->orientation;
+    if (isnan(orientation)) orientation = tinker_frame_meaning(frame, block, TINKER_MEANING_ORIENTATION, 0, 0);
     tinker_frame_place(frame, block, a->x + share * (b->x - a->x), a->y + share * (b->y - a->y), orientation);
 }
 
@@ -125,6 +130,7 @@ static void renew_frame(TinkerPlayer *player)
 {
     g_clear_pointer(&player->frame, tinker_frame_free);
     player->frame = tinker_frame_new(tinker_document_scene(player->document), NULL);
+    if (player->frame != NULL) tinker_tops_turn_bodies(player->frame);
     update_frame(player);
 }
 
@@ -173,7 +179,7 @@ static gboolean go_on(TinkerPlayer *player)
     tinker_scene_head(continued)->run.duration = fmax(tinker_player_duration(player) - player->time, 0);
     guint keep = 0;
     while (keep < player->segments->len && g_array_index(player->segments, Segment, keep).start < player->time)
-        keep++;
+        tinker_run_task_stop(g_array_index(player->segments, Segment, keep++).task); // it counts up to here
     g_array_set_size(player->segments, keep);
     player->generation++;
     add_segment(player, continued, player->time);
@@ -285,7 +291,14 @@ gboolean tinker_player_step(TinkerPlayer *player, gboolean forward, TinkerBlockI
         player->state == TINKER_PLAYER_PLAYING && !isnan(player->step_to); /* not recorded yet: count on */
     double from = under_way ? player->step_to : player->time;
     double number = forward ? floor(from / interval + 1e-6) + 1 : ceil(from / interval - 1e-6) - 1;
-    player->step_to = fmax(number * interval, 0);
+    return tinker_player_go_to(player, fmax(number * interval, 0), culprit, error);
+}
+
+gboolean tinker_player_go_to(TinkerPlayer *player, double time, TinkerBlockId *culprit, GError **error)
+{
+    *culprit = TINKER_NO_BLOCK;
+    if (!have_record(player, culprit, error)) return FALSE;
+    player->step_to = fmax(time, 0);
     set_state(player, TINKER_PLAYER_PLAYING);
     tinker_player_advance(player, 0);
     return TRUE;
@@ -346,9 +359,11 @@ gboolean tinker_player_wait(TinkerPlayer *player, double time, GError **error)
 {
     if (player->segments->len == 0) return TRUE;
     TinkerRunTask *task = last_segment(player)->task;
+    gboolean to_end =
+        tinker_scene_head(player->ran)->run.accuracy > 0; /* else samples of a try that misses may be read */
     for (;;) {
         TinkerRunStatus status = tinker_run_task_status(task);
-        if (status.rows > 0 && status.reached >= time) return TRUE;
+        if (status.rows > 0 && status.reached >= time && (!to_end || status.finished)) return TRUE;
         if (status.finished) break;
         g_usleep(500);
     }
@@ -427,8 +442,15 @@ GPtrArray *tinker_player_warnings(TinkerPlayer *player)
     return last == NULL ? g_ptr_array_new_with_free_func(g_free) : tinker_run_task_warnings(last->task);
 }
 
+/* A run that was made again for an accuracy has other samples from then on. */
 guint tinker_player_generation(TinkerPlayer *player)
 {
+    for (guint i = 0; i < player->segments->len; i++) {
+        Segment *segment = &g_array_index(player->segments, Segment, i);
+        guint replaced = tinker_run_task_status(segment->task).replaced;
+        if (replaced != segment->replaced) player->generation++;
+        segment->replaced = replaced;
+    }
     return player->generation;
 }
 
@@ -447,13 +469,14 @@ gboolean tinker_player_series(TinkerPlayer *player, TinkerQuantity quantity, Tin
     for (; cursor->segment < player->segments->len; cursor->segment++, cursor->row = 0) {
         TinkerRunTask *task = g_array_index(player->segments, Segment, cursor->segment).task;
         int column = tinker_run_task_column(task, quantity);
+        cursor->behind = FALSE;
         if (column < 0) {
             note_asked(player, quantity);
             return FALSE;
         }
         double end = segment_end(player, cursor->segment);
-        cursor->row = tinker_run_task_series(task, column, cursor->row, nextafter(end, 0), times, values);
-        if (isinf(end)) break;
+        cursor->behind = !tinker_run_task_series(task, column, &cursor->row, nextafter(end, 0), times, values);
+        if (isinf(end) || cursor->behind) break;
     }
     return TRUE;
 }
@@ -465,6 +488,7 @@ static void tinker_player_finalize(GObject *object)
     TinkerPlayer *player = TINKER_PLAYER(object);
     g_clear_pointer(&player->frame, tinker_frame_free);
     g_array_unref(player->segments);
+    tinker_run_lane_unref(player->lane);
     g_clear_pointer(&player->ran, tinker_scene_free);
     g_array_unref(player->asked);
     g_object_unref(player->document);
@@ -487,6 +511,7 @@ static void tinker_player_init(TinkerPlayer *player)
 {
     player->speed = player->pace = 1;
     player->step_to = NAN;
+    player->lane = tinker_run_task_lane();
     player->segments = g_array_new(FALSE, FALSE, sizeof(Segment));
     g_array_set_clear_func(player->segments, (GDestroyNotify)segment_clear);
     player->asked = g_array_new(FALSE, FALSE, sizeof(TinkerQuantity));

@@ -45,6 +45,8 @@ void tinker_player_pause(TinkerPlayer *player);
 gboolean tinker_player_step(TinkerPlayer *player, gboolean forward, TinkerBlockId *culprit, GError **error);
 /* Goes to a time, not beyond what is recorded; goes on playing if it does. */
 void tinker_player_seek(TinkerPlayer *player, double time);
+/* Goes to a time from the start to the end of the run and pauses there: at once, or when it has been recorded. */
+gboolean tinker_player_go_to(TinkerPlayer *player, double time, TinkerBlockId *culprit, GError **error);
 /* Back to the start, with the record forgotten. */
 void tinker_player_reset(TinkerPlayer *player);
 /* Likewise because somebody wants to edit the start: tells so. */
@@ -75,11 +77,13 @@ GPtrArray *tinker_player_warnings(TinkerPlayer *player);
 /* A number that changes whenever what was recorded is no longer true. */
 guint tinker_player_generation(TinkerPlayer *player);
 /* Appends what has been recorded of a quantity since the last call with this cursor (zeroed at first; begin anew, with
- * empty arrays, when the generation changes), to arrays of double. FALSE where the quantity is not recorded; then it will be
+ * empty arrays, when the generation changes), to arrays of double: of a long record a portion, and the cursor says that it
+ * is behind. FALSE where the quantity is not recorded; then it will be
  * from the next run on. */
 typedef struct {
     guint segment;
     gsize row;
+    gboolean behind; /* there is more at once */
 } TinkerSeriesCursor;
 gboolean tinker_player_series(TinkerPlayer *player, TinkerQuantity quantity, TinkerSeriesCursor *cursor, GArray *times,
                               GArray *values);

@@ -1,8 +1,11 @@
-/* Return or leaving an entry sets the row, Escape takes back what was typed. A wrong entry stays, is marked, and says why. */
+/* Return or leaving an entry sets the row, Escape or Ctrl+Z takes back what was typed. A wrong entry stays, is marked, and says
+ * why. With nothing typed, Ctrl+Z undoes the last edit of the scene, as it does elsewhere. */
 #include "property-field.h"
 
 #include <glib/gi18n.h>
 
+#include "choices.h"
+#include "entry-select.h"
 #include "table-chooser.h"
 #include "unparent.h"
 
@@ -49,12 +52,19 @@ static void set_problem(TinkerPropertyField *field, const char *problem)
 
 /* Setting ------------------------------------------------------------------------------------------------------------- */
 
+static gboolean has_focus(TinkerPropertyField *field)
+{
+    return (gtk_widget_get_state_flags(field->control) & GTK_STATE_FLAG_FOCUS_WITHIN) != 0;
+}
+
+/* Where the focus is, the next key replaces it. */
 static void show_text(TinkerPropertyField *field)
 {
     const char *text = gtk_editable_get_text(GTK_EDITABLE(field->control));
     if (g_str_equal(text, field->row->text)) return;
     field->showing = TRUE;
     gtk_editable_set_text(GTK_EDITABLE(field->control), field->row->text);
+    if (has_focus(field)) gtk_editable_select_region(GTK_EDITABLE(field->control), 0, -1);
     field->showing = FALSE;
 }
 
@@ -88,13 +98,32 @@ static void on_activate(TinkerPropertyField *field)
 
 static void on_typed(TinkerPropertyField *field)
 {
-    if (!field->showing) field->dirty = TRUE;
+    const char *text = gtk_editable_get_text(GTK_EDITABLE(field->control));
+    if (!field->showing) field->dirty = !g_str_equal(text, field->row->text);
+}
+
+/* Takes back what is being typed, or else the last edit. Answers whether the key was one of those that undo and redo. */
+static gboolean undo(TinkerPropertyField *field, guint key, GdkModifierType modifiers)
+{
+    const GdkModifierType relevant = modifiers & gtk_accelerator_get_default_mod_mask();
+    const gboolean shift = relevant == (GDK_CONTROL_MASK | GDK_SHIFT_MASK), plain = relevant == GDK_CONTROL_MASK;
+    const guint letter = gdk_keyval_to_lower(key);
+    const gboolean back = plain && letter == GDK_KEY_z;
+    const gboolean again = (shift && letter == GDK_KEY_z) || (plain && letter == GDK_KEY_y);
+    if (back && field->dirty)
+        revert(field);
+    else if (back)
+        tinker_document_undo(field->document);
+    else if (again && !field->dirty)
+        tinker_document_redo(field->document);
+    return back || again;
 }
 
 static gboolean on_key(GtkEventControllerKey *controller, guint key, guint code, GdkModifierType modifiers,
                        TinkerPropertyField *field)
 {
-    if (key != GDK_KEY_Escape || !field->dirty) return GDK_EVENT_PROPAGATE;
+    if (key != GDK_KEY_Escape || !field->dirty)
+        return undo(field, key, modifiers) ? GDK_EVENT_STOP : GDK_EVENT_PROPAGATE;
     revert(field);
     return GDK_EVENT_STOP;
 }
@@ -200,9 +229,13 @@ void tinker_property_field_discard(TinkerPropertyField *field)
 static GtkWidget *make_entry(TinkerPropertyField *field)
 {
     GtkWidget *entry = gtk_entry_new();
+    gtk_editable_set_enable_undo(GTK_EDITABLE(entry), FALSE); /* see undo */
     gtk_editable_set_width_chars(GTK_EDITABLE(entry), 4);
     gtk_editable_set_max_width_chars(GTK_EDITABLE(entry), 12);
-    if (field->row->kind == TINKER_ROW_NUMBER) gtk_widget_add_css_class(entry, "numeric");
+    if (field->row->kind == TINKER_ROW_NUMBER) {
+        tinker_entry_select_by_click(entry);
+        gtk_widget_add_css_class(entry, "numeric");
+    }
     g_signal_connect_swapped(entry, "changed", G_CALLBACK(on_typed), field);
     g_signal_connect_swapped(entry, "activate", G_CALLBACK(on_activate), field);
     GtkEventController *focus = gtk_event_controller_focus_new(), *keys = gtk_event_controller_key_new();
@@ -214,35 +247,10 @@ static GtkWidget *make_entry(TinkerPropertyField *field)
     return entry;
 }
 
-static void on_item_setup(GtkSignalListItemFactory *factory, GtkListItem *item, gpointer data)
-{
-    GtkWidget *label = gtk_label_new(NULL);
-    gtk_label_set_xalign(GTK_LABEL(label), 0);
-    gtk_label_set_ellipsize(GTK_LABEL(label), GPOINTER_TO_INT(data) ? PANGO_ELLIPSIZE_END : PANGO_ELLIPSIZE_NONE);
-    gtk_list_item_set_child(item, label);
-}
-
-static void on_item_bind(GtkSignalListItemFactory *factory, GtkListItem *item, gpointer data)
-{
-    GtkStringObject *string = gtk_list_item_get_item(item);
-    gtk_label_set_text(GTK_LABEL(gtk_list_item_get_child(item)), gtk_string_object_get_string(string));
-}
-
-/* Long choices are cut off in the button, but not in the list. */
-static GtkListItemFactory *make_factory(gboolean cut_off)
-{
-    GtkListItemFactory *factory = gtk_signal_list_item_factory_new();
-    g_signal_connect(factory, "setup", G_CALLBACK(on_item_setup), GINT_TO_POINTER(cut_off));
-    g_signal_connect(factory, "bind", G_CALLBACK(on_item_bind), NULL);
-    return factory;
-}
-
 static GtkWidget *make_drop_down(TinkerPropertyField *field)
 {
     GtkWidget *drop_down = gtk_drop_down_new(NULL, NULL);
-    g_autoptr(GtkListItemFactory) button = make_factory(TRUE), list = make_factory(FALSE);
-    gtk_drop_down_set_factory(GTK_DROP_DOWN(drop_down), button);
-    gtk_drop_down_set_list_factory(GTK_DROP_DOWN(drop_down), list);
+    tinker_choices_cut_off(GTK_DROP_DOWN(drop_down));
     g_signal_connect_swapped(drop_down, "notify::selected", G_CALLBACK(on_chosen), field);
     return drop_down;
 }

@@ -76,4 +76,7 @@ gboolean tinker_property_row_check_file(TinkerDocument *document, const TinkerPr
 gboolean tinker_property_row_choose_file(TinkerDocument *document, const TinkerPropertyRow *row, const char *path,
                                          GError **error);
 
+/* The title of the group that is closed until somebody opens it: how the motion is computed. Borrowed. */
+const char *tinker_property_group_folded(void);
+
 #endif

@@ -26,7 +26,7 @@ struct _TinkerPropertyPanel {
     GtkWidget *heading, *groups, *nothing;
     GHashTable *group_of; /* title to Group */
     GHashTable *field_of; /* id of a row to Field */
-    GHashTable *closed;   /* titles of groups that the user has closed */
+    GHashTable *closed;   /* titles of groups that are closed */
     guint stamp;
     guint refresh;  /* id of the source that will refresh it, or 0 */
     gint64 last;    /* us: when it was refreshed */
@@ -264,5 +264,6 @@ static void tinker_property_panel_init(TinkerPropertyPanel *panel)
     panel->group_of = g_hash_table_new_full(g_str_hash, g_str_equal, g_free, g_free);
     panel->field_of = g_hash_table_new_full(g_str_hash, g_str_equal, g_free, g_free);
     panel->closed = g_hash_table_new_full(g_str_hash, g_str_equal, g_free, NULL);
+    g_hash_table_add(panel->closed, g_strdup(tinker_property_group_folded()));
     make_parts(panel);
 }

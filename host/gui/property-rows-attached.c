@@ -67,7 +67,7 @@ static void add_missing(PropertyBuilder *builder, const TinkerBlockClass *block_
 static void add_all_missing(PropertyBuilder *builder, GHashTable *present)
 {
     TinkerCatalogue *catalogue = tinker_document_catalogue(builder->document);
-    const GPtrArray *libraries = tinker_catalogue_libraries(catalogue);
+    g_autoptr(GPtrArray) libraries = tinker_catalogue_libraries(catalogue);
     for (guint i = 0; i < libraries->len; i++) {
         const TinkerLibraryEntry *library = g_ptr_array_index(libraries, i);
         if (library->refused != NULL || library->shadowed_by != NULL) continue;

@@ -5,6 +5,8 @@
 #include "scene/frame.h"
 #include "translate.h"
 
+#define LIVE_DIGITS 4 /* as many as can be read while they change */
+
 /* Readings ------------------------------------------------------------------------------------------------------------ */
 
 void property_rows_add_readings(PropertyBuilder *builder)
@@ -20,8 +22,7 @@ void property_rows_add_readings(PropertyBuilder *builder)
             builder, TINKER_ROW_READING, _("Now"), tinker_translate(type->title), tinker_translate(type->description));
         row->property = i;
         row->unit = tinker_block_class_unit(block_class, type->id, type->dimension, english);
-        property_row_take_text(
-            row, tinker_quantity_format(value, type->dimension, row->unit, builder->system, PROPERTY_DECIMALS));
+        property_row_take_text(row, property_short_value(value, row->unit, LIVE_DIGITS));
     }
 }
 

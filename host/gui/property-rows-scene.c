@@ -25,18 +25,25 @@ static const HeadMember numbers[] = {
      MEMBER(canvas_width),
      "canvas"},
     {N_("Run"), N_("Duration"), N_("How long it runs"), {0, 0, 1, 0}, MEMBER(run.duration), "run"},
-    {N_("Run"),
+    {N_("Computation"),
      N_("Interval"),
      N_("Time between two samples that are kept"),
      {0, 0, 1, 0},
      MEMBER(run.interval),
      "run"},
 };
-static const HeadMember step = {N_("Run"),    N_("Step"),       N_("Of methods with a fixed step"),
-                                {0, 0, 1, 0}, MEMBER(run.step), "run"};
+static const HeadMember step = {N_("Computation"), N_("Step"),       N_("Of methods with a fixed step"),
+                                {0, 0, 1, 0},      MEMBER(run.step), "run"};
 static const HeadMember tolerance = {
-    N_("Run"),    N_("Tolerance"),       N_("Error that adaptive methods allow in a step, relative"),
-    {0, 0, 0, 0}, MEMBER(run.tolerance), "run"};
+    N_("Computation"), N_("Tolerance"),       N_("Error that adaptive methods allow in a step, relative"),
+    {0, 0, 0, 0},      MEMBER(run.tolerance), "run"};
+static const HeadMember accuracy = {N_("Computation"),
+                                    N_("Accuracy"),
+                                    N_("How wrong the motion may be at the end, relative to its size; step and "
+                                       "tolerance are chosen for it. Empty: they count"),
+                                    {0, 0, 0, 0},
+                                    MEMBER(run.accuracy),
+                                    "run"};
 static const HeadMember texts[] = {
     {N_("Scene"), N_("Title"), N_("What the window is called"), {0, 0, 0, 0}, MEMBER(title), NULL},
     {N_("Scene"), N_("Description"), N_("What the scene is about"), {0, 0, 0, 0}, MEMBER(description), NULL},
@@ -70,6 +77,13 @@ static gboolean set_number(TinkerDocument *document, const TinkerPropertyRow *ro
     if (!property_parse_number(text, member->dimension, row->unit, &value, error)) return FALSE;
     memcpy(G_STRUCT_MEMBER_P(&head, member->offset), &value, sizeof value);
     return take_head(document, row->title, &head, member->part, error);
+}
+
+/* None where nothing is typed. */
+static gboolean set_accuracy(TinkerDocument *document, const TinkerPropertyRow *row, const char *text, GError **error)
+{
+    g_autofree char *typed = g_strstrip(g_strdup(text));
+    return set_number(document, row, *typed == '\0' ? "0" : typed, error);
 }
 
 static gboolean set_text(TinkerDocument *document, const TinkerPropertyRow *row, const char *text, GError **error)
@@ -113,7 +127,7 @@ static GPtrArray *method_ids(TinkerDocument *document)
     const TinkerIntegrator *const *builtins = tinker_integrator_builtins();
     for (int i = 0; builtins[i] != NULL; i++)
         g_ptr_array_add(ids, g_strdup(builtins[i]->id));
-    const GPtrArray *libraries = tinker_catalogue_libraries(tinker_document_catalogue(document));
+    g_autoptr(GPtrArray) libraries = tinker_catalogue_libraries(tinker_document_catalogue(document));
     for (guint i = 0; i < libraries->len; i++) {
         const TinkerLibraryEntry *library = g_ptr_array_index(libraries, i);
         if (library->refused != NULL || library->shadowed_by != NULL) continue;
@@ -159,7 +173,7 @@ static TinkerPropertyRow *add_number(PropertyBuilder *builder, const HeadMember 
     double value;
     memcpy(&value, G_STRUCT_MEMBER_P(tinker_scene_head(builder->scene), member->offset), sizeof value);
     row->unit = tinker_unit_for(member->dimension, builder->system);
-    property_row_take_text(row, member == &tolerance ? property_short_value(value, "")
+    property_row_take_text(row, member == &tolerance ? property_short_value(value, "", PROPERTY_DIGITS)
                                                      : tinker_quantity_format(value, member->dimension, NULL,
                                                                               builder->system, PROPERTY_DECIMALS));
     row->data = member;
@@ -178,7 +192,15 @@ static void add_text(PropertyBuilder *builder, const HeadMember *member)
     row->set = set_text;
 }
 
-/* The method, and whether step and tolerance mean anything to it. */
+static void add_accuracy(PropertyBuilder *builder)
+{
+    TinkerPropertyRow *row = add_number(builder, &accuracy);
+    double value = tinker_scene_head(builder->scene)->run.accuracy;
+    property_row_take_text(row, value > 0 ? property_short_value(value, "", PROPERTY_DIGITS) : g_strdup(""));
+    row->set = set_accuracy;
+}
+
+/* The method, and whether step and tolerance mean anything to it and are not chosen for an accuracy. */
 static void add_method(PropertyBuilder *builder)
 {
     const char *present = tinker_scene_head(builder->scene)->run.method;
@@ -188,17 +210,24 @@ static void add_method(PropertyBuilder *builder)
         g_ptr_array_add(titles, method_title(g_ptr_array_index(ids, i)));
     g_ptr_array_add(titles, NULL);
     g_ptr_array_find_with_equal_func(ids, present, g_str_equal, &chosen);
-    add_choice(builder, _("Run"), _("Method"), _("How the motion is worked out"), (const char *const *)titles->pdata,
-               (int)chosen)
+    add_choice(builder, _("Computation"), _("Method"), _("How the motion is worked out"),
+               (const char *const *)titles->pdata, (int)chosen)
         ->choose = choose_method;
     const TinkerIntegrator *method = tinker_integrator_builtin(present);
     if (method == NULL && chosen > 0)
         method = tinker_catalogue_integrator(tinker_document_catalogue(builder->document), present, NULL);
     guint32 flags = method != NULL ? method->flags : 0;
+    gboolean count = !(tinker_scene_head(builder->scene)->run.accuracy > 0);
     add_number(builder, &step)->sensitive =
-        chosen > 0 && !(flags & (TINKER_INTEGRATOR_ADAPTIVE | TINKER_INTEGRATOR_LINEAR));
+        count && chosen > 0 && !(flags & (TINKER_INTEGRATOR_ADAPTIVE | TINKER_INTEGRATOR_LINEAR));
     add_number(builder, &tolerance)->sensitive =
-        method == NULL || ((flags & TINKER_INTEGRATOR_ADAPTIVE) && !(flags & TINKER_INTEGRATOR_LINEAR));
+        count && (method == NULL || ((flags & TINKER_INTEGRATOR_ADAPTIVE) && !(flags & TINKER_INTEGRATOR_LINEAR)));
+    add_accuracy(builder);
+}
+
+const char *tinker_property_group_folded(void)
+{
+    return _("Computation");
 }
 
 void property_rows_add_scene(PropertyBuilder *builder)
@@ -214,7 +243,7 @@ void property_rows_add_scene(PropertyBuilder *builder)
                head->units == TINKER_UNIT_SYSTEM_ENGLISH)
         ->choose = choose_units;
     add_choice(
-        builder, _("Run"), _("Contacts"),
+        builder, _("Computation"), _("Contacts"),
         _("Events: each is found at its very time. Impulses: all that fall in a step are solved at once, for many "
           "contacts."),
         contacts, g_str_equal(head->run.contacts, contacts_ids[1]))

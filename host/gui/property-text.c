@@ -2,7 +2,7 @@
 #include <glib/gi18n.h>
 #include <string.h>
 
-#include "number-hint.h"
+#include "number-text.h"
 #include "property-list-private.h"
 #include "sentence.h"
 #include "translate.h"
@@ -70,28 +70,18 @@ void property_fail(GError **error, GError *cause, const char *prefix, const Tink
 gboolean property_parse_number(const char *text, TinkerDimension dimension, const char *unit, double *si,
                                GError **error)
 {
-    static const TinkerDimension none = {0, 0, 0, 0};
     GError *cause = NULL;
-    TinkerUnit shown;
-    gboolean plain = strspn(text, "0123456789.+-eE") == strlen(text);
-    if (plain && tinker_unit_parse(unit, &shown, NULL) && tinker_quantity_parse(text, none, si, NULL)) {
-        *si *= shown.factor;
-        return TRUE;
-    }
-    if (tinker_quantity_parse(text, dimension, si, &cause)) return TRUE;
-    if (tinker_number_hint_comma(text, error)) {
-        g_error_free(cause);
-        return FALSE;
-    }
-    property_fail(error, cause, NULL, NULL);
+    if (tinker_number_read(text, dimension, unit, si, &cause)) return TRUE;
+    property_fail(error, cause, NULL, NULL); /* in an entry of a few characters nobody counts columns */
     return FALSE;
 }
 
-char *property_short_value(double si, const char *unit)
+char *property_short_value(double si, const char *unit, int digits)
 {
-    char number[G_ASCII_DTOSTR_BUF_SIZE];
+    char number[G_ASCII_DTOSTR_BUF_SIZE], format[16];
     TinkerUnit shown = {1, {0, 0, 0, 0}};
     tinker_unit_parse(unit, &shown, NULL);
-    g_ascii_formatd(number, sizeof number, "%.7g", si / shown.factor);
+    g_snprintf(format, sizeof format, "%%.%dg", digits);
+    g_ascii_formatd(number, sizeof number, format, si / shown.factor);
     return *unit == '\0' ? g_strdup(number) : g_strdup_printf("%s %s", number, unit);
 }

@@ -4,15 +4,15 @@
 #include <errno.h>
 #include <glib/gi18n-lib.h>
 #include <glib/gstdio.h>
-#include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 #include <utime.h>
 
 #include "autosave.h"
+#include "files/unfinished.h"
 #include "plugin/crash.h"
+#include "session.h"
 
-#define CRASH_NOTE   ".crash" /* of a process: PID.crash */
+#define CRASH_NOTE   ".crash" /* of a session: NAME.crash */
 #define KEPT_SECONDS ((gint64)7 * 24 * 3600)
 
 static void recovery_free(gpointer data)
@@ -21,6 +21,7 @@ static void recovery_free(gpointer data)
     g_free(recovery->stem);
     g_free(recovery->name);
     g_free(recovery->blame);
+    g_free(recovery->writer);
     g_free(recovery->origin.path);
     g_free(recovery->origin.base);
     g_free(recovery->origin.checksum);
@@ -34,40 +35,41 @@ char *tinker_recovery_discarded_folder(void)
 
 /* Who was to blame ---------------------------------------------------------------------------------------------------- */
 
-static char *crash_note(int pid)
+static char *crash_note(const char *session)
 {
     g_autofree char *folder = tinker_autosave_folder();
-    return g_strdup_printf("%s/%d" CRASH_NOTE, folder, pid);
+    return g_strdup_printf("%s/%s" CRASH_NOTE, folder, session);
 }
 
 void tinker_recovery_note_crashes(void)
 {
-    g_autofree char *path = crash_note((int)getpid());
-    g_unlink(path); /* of another process that had this number */
+    g_autofree char *path = crash_note(tinker_session_name());
     tinker_crash_set_note(path);
 }
 
 /* The message without the program's name before it; NULL where there is none. (transfer full) */
-static char *read_crash_note(int pid)
+static char *read_crash_note(const char *session)
 {
-    g_autofree char *path = crash_note(pid), *text = NULL;
+    g_autofree char *path = crash_note(session), *text = NULL;
     if (!g_file_get_contents(path, &text, NULL, NULL)) return NULL;
     const char *message = strstr(text, ": ");
     if (message == NULL || !g_utf8_validate(text, -1, NULL)) return NULL;
     return g_strchomp(g_strdup(message + 2));
 }
 
-static void remove_crash_note(int pid)
+static void remove_crash_note(const char *session)
 {
-    g_autofree char *path = crash_note(pid);
+    g_autofree char *path = crash_note(session);
     g_unlink(path);
 }
 
-static char *take_note(const char *name)
+/* NULL where the run has not ended. (transfer full) */
+static char *take_note(const char *file)
 {
-    const int pid = atoi(name);
-    char *text = read_crash_note(pid);
-    remove_crash_note(pid);
+    g_autofree char *session = tinker_session_of_file(file);
+    if (tinker_session_is_alive(session)) return NULL;
+    char *text = read_crash_note(session);
+    remove_crash_note(session);
     return text;
 }
 
@@ -78,7 +80,7 @@ char *tinker_recovery_take_blame(void)
     char *last = NULL;
     if (dir == NULL) return NULL;
     for (const char *name = g_dir_read_name(dir); name != NULL; name = g_dir_read_name(dir)) {
-        if (!g_str_has_suffix(name, CRASH_NOTE) || tinker_process_start(atoi(name)) != 0) continue;
+        if (!g_str_has_suffix(name, CRASH_NOTE)) continue;
         g_autofree char *text = take_note(name);
         if (text == NULL) continue;
         g_free(last);
@@ -111,21 +113,10 @@ static TinkerRecovery *recovery_new(const char *stem, GKeyFile *info)
     if (recovery->name == NULL) recovery->name = g_strdup(_("Untitled"));
     recovery->time = g_key_file_get_int64(info, TINKER_AUTOSAVE_GROUP, "time", NULL);
     if (recovery->time <= 0) recovery->time = time_of_file(stem);
-    recovery->writer = g_key_file_get_integer(info, TINKER_AUTOSAVE_GROUP, "pid", NULL);
+    recovery->writer = text_of(info, "session");
+    if (recovery->writer == NULL) recovery->writer = tinker_session_of_file(stem);
     recovery->blame = read_crash_note(recovery->writer);
     return recovery;
-}
-
-/* The name tells who has the file now, the companion who wrote it: they differ where it has been taken over. */
-static gboolean is_alive(const char *stem, GKeyFile *info)
-{
-    g_autofree char *name = g_path_get_basename(stem);
-    int pid = atoi(name);
-    if (pid <= 0) return FALSE;
-    guint64 now = tinker_process_start(pid), start = 0;
-    if (g_key_file_get_integer(info, TINKER_AUTOSAVE_GROUP, "pid", NULL) == pid)
-        start = g_key_file_get_uint64(info, TINKER_AUTOSAVE_GROUP, "start", NULL);
-    return now != 0 && (start == 0 || now == start);
 }
 
 static gint latest_first(gconstpointer a, gconstpointer b)
@@ -148,7 +139,9 @@ GPtrArray *tinker_recovery_list(void)
         g_autofree char *info_path = g_strconcat(stem, TINKER_AUTOSAVE_INFO, NULL);
         g_autoptr(GKeyFile) info = g_key_file_new();
         g_key_file_load_from_file(info, info_path, G_KEY_FILE_NONE, NULL);
-        if (!is_alive(stem, info)) g_ptr_array_add(list, recovery_new(stem, info));
+        // The name tells who has the file now; the companion says who wrote it, which differs where it has been taken over.
+        g_autofree char *owner = tinker_session_of_file(stem);
+        if (!tinker_session_is_alive(owner)) g_ptr_array_add(list, recovery_new(stem, info));
     }
     g_ptr_array_sort(list, latest_first);
     return list;
@@ -182,7 +175,7 @@ gboolean tinker_recovery_open(TinkerRecovery *recovery, TinkerDocument *document
 {
     g_autofree char *last = g_strdup(recovery->stem), *own = tinker_autosave_new_stem(), *text = NULL;
     gsize length;
-    if (!move_both(recovery, own, error)) return FALSE;
+    if (!tinker_session_hold(error) || !move_both(recovery, own, error)) return FALSE;
     g_autofree char *path = g_strconcat(own, TINKER_AUTOSAVE_ENDING, NULL);
     if (g_file_get_contents(path, &text, &length, error) &&
         tinker_document_recover(document, text, length, &recovery->origin, error))
@@ -199,6 +192,7 @@ void tinker_recovery_remove(TinkerRecovery *recovery)
         g_unlink(path);
     }
     remove_crash_note(recovery->writer);
+    tinker_session_release();
 }
 
 gboolean tinker_recovery_discard(TinkerRecovery *recovery, GError **error)
@@ -231,4 +225,6 @@ void tinker_recovery_purge(void)
     g_autofree char *discarded = tinker_recovery_discarded_folder(), *folder = tinker_autosave_folder();
     purge(discarded, "");
     purge(folder, CRASH_NOTE);
+    tinker_unfinished_clean(folder);
+    tinker_session_purge();
 }

@@ -6,11 +6,11 @@
 
 /* A scene that nobody saved. */
 typedef struct {
-    char *stem;  /* of its two files; see autosave.h */
-    char *name;  /* what the title bar called it */
-    char *blame; /* what the handler of crashes said, which names the plugin at fault; NULL: nothing is known */
-    int writer;  /* id of the process that wrote it; 0: not known */
-    gint64 time; /* s since 1970: when it was written */
+    char *stem;   /* of its two files; see autosave.h */
+    char *name;   /* what the title bar called it */
+    char *blame;  /* what the handler of crashes said, which names the plugin at fault; NULL: nothing is known */
+    char *writer; /* name of the session that wrote it (session.h) */
+    gint64 time;  /* s since 1970: when it was written */
     TinkerDocumentOrigin origin;
 } TinkerRecovery;
 
@@ -21,7 +21,7 @@ void tinker_recovery_note_crashes(void);
  * (transfer full) */
 char *tinker_recovery_take_blame(void);
 
-/* All of processes that are no longer alive, the latest first; of TinkerRecovery *, which it frees. (transfer full) */
+/* All of runs that have ended, the latest first; of TinkerRecovery *, which it frees. (transfer full) */
 GPtrArray *tinker_recovery_list(void);
 
 /* Takes it over from all other processes, and goes on with it in a document. On failure both stay as they were. */
@@ -32,7 +32,8 @@ void tinker_recovery_remove(TinkerRecovery *recovery);
 /* Takes it out of the list; kept for 7 days in a folder beside, "autosave-discarded". */
 gboolean tinker_recovery_discard(TinkerRecovery *recovery, GError **error);
 
-/* Removes what was discarded, and notes of crashes, more than 7 days ago. */
+/* Removes what was discarded, and notes of crashes, more than 7 days ago; and what runs that have ended left of their locks and of
+ * copies that were not whole yet. */
 void tinker_recovery_purge(void);
 
 /* (transfer full) */

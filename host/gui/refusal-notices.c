@@ -12,7 +12,7 @@ static void forget(void *catalogue)
 GPtrArray *tinker_refusal_notices(TinkerCatalogue *catalogue)
 {
     GPtrArray *notices = g_ptr_array_new_with_free_func((GDestroyNotify)tinker_notice_free);
-    const GPtrArray *libraries = tinker_catalogue_libraries(catalogue);
+    g_autoptr(GPtrArray) libraries = tinker_catalogue_libraries(catalogue);
     for (guint i = 0; i < libraries->len; i++) {
         const TinkerLibraryEntry *library = g_ptr_array_index(libraries, i);
         if (library->refused == NULL) continue;

@@ -1,17 +1,19 @@
-/* The task is shared by the thread and its owner, and freed by whichever lets go last. The record lies behind a mutex that is
- * held only to append or to read a row, so that neither waits for the other. */
+/* The task is shared by the thread and its owner, and freed by whichever lets go last. The record guards itself; the mutex is
+ * held only to note or to ask how far the run is, so that nobody waits for the other's work. */
 #include "run-task.h"
 
 #include <math.h>
 #include <string.h>
 
-#include "background.h"
+#include "physics/accurate-run.h"
 #include "physics/record.h"
 #include "plugin/crash.h"
 
 #define STATE            5                  /* doubles of a body in a row: x, y, vx, vy, orientation */
 #define LATELY           0.5                /* s: over which the rate is measured */
 #define RECORD_IN_MEMORY ((gsize)256 << 20) /* bytes; beyond, a temporary file */
+#define PIECE            ((gsize)64 << 10)  /* bytes of the record that are read at once */
+#define PORTION          ((gsize)2 << 20)   /* and for one call, of which a frame may need a dozen */
 
 struct _TinkerRunTask {
     gatomicrefcount references;
@@ -21,15 +23,17 @@ struct _TinkerRunTask {
     GArray *bodies;  /* of TinkerBlockId */
     gint cancelled;  /* atomic */
 
-    GMutex mutex; /* of what follows */
-    TinkerRecord *record;
-    GArray *times; /* of double, one a row */
+    GMutex mutex;         /* of what follows */
+    TinkerRecord *record; /* which guards itself: the pointer alone is meant */
+    GArray *times;        /* of double, one a row that may be read */
     TinkerRunStatus status;
     GError *error;
     GPtrArray *warnings;
 
     /* The thread's own. */
     double *row;
+    TinkerRecord *next_record; /* of a further try, until it is over; NULL in the first */
+    GArray *next_times;
     gint64 rate_began; /* us */
     double rate_from;  /* s */
 };
@@ -45,6 +49,8 @@ static void unref(TinkerRunTask *task)
     g_ptr_array_unref(task->warnings);
     tinker_record_free(task->record);
     g_mutex_clear(&task->mutex);
+    g_clear_pointer(&task->next_record, tinker_record_free);
+    g_clear_pointer(&task->next_times, g_array_unref);
     g_free(task->row);
     g_free(task);
 }
@@ -73,11 +79,11 @@ static void fill_row(TinkerRunTask *task, TinkerSimulation *simulation, double t
     if (task->columns->len > 0) memcpy(row, values, task->columns->len * sizeof(double));
 }
 
-/* Called with the mutex held. */
 static void note_summary(TinkerRunTask *task, TinkerSimulation *simulation)
 {
     const TinkerSummary *summary = tinker_simulation_summary(simulation);
     TinkerRunStatus *status = &task->status;
+    g_mutex_lock(&task->mutex);
     g_strlcpy(status->method, summary->method != NULL ? summary->method : "", sizeof status->method);
     status->adaptive = summary->adaptive;
     status->step = summary->step;
@@ -87,6 +93,7 @@ static void note_summary(TinkerRunTask *task, TinkerSimulation *simulation)
     status->constraint_error = summary->constraint_position_error;
     status->predictable_until = task->start + summary->predictable_until;
     status->valid_until = task->start + summary->valid_until;
+    g_mutex_unlock(&task->mutex);
 }
 
 static void note_rate(TinkerRunTask *task, TinkerSimulation *simulation, double time)
@@ -94,10 +101,19 @@ static void note_rate(TinkerRunTask *task, TinkerSimulation *simulation, double 
     gint64 now = g_get_monotonic_time();
     double elapsed = 1e-6 * (double)(now - task->rate_began);
     if (elapsed < LATELY) return;
+    g_mutex_lock(&task->mutex);
     task->status.rate = (time - task->rate_from) / elapsed;
+    g_mutex_unlock(&task->mutex);
     task->rate_began = now;
     task->rate_from = time;
     note_summary(task, simulation);
+}
+
+static gboolean take_next(TinkerRunTask *task, double time, GError **error)
+{
+    if (!tinker_record_append(task->next_record, task->row, error)) return FALSE;
+    g_array_append_val(task->next_times, time);
+    return !is_cancelled(task);
 }
 
 static gboolean take_sample(TinkerSimulation *simulation, double time, const double *values, void *data, GError **error)
@@ -105,16 +121,40 @@ static gboolean take_sample(TinkerSimulation *simulation, double time, const dou
     TinkerRunTask *task = data;
     time += task->start;
     fill_row(task, simulation, time, values);
+    if (task->next_record != NULL) return take_next(task, time, error);
+    if (!tinker_record_append(task->record, task->row, error)) return FALSE;
     g_mutex_lock(&task->mutex);
-    gboolean done = tinker_record_append(task->record, task->row, error);
-    if (done) {
-        g_array_append_val(task->times, time);
-        task->status.reached = time;
-        task->status.rows = task->times->len;
-        note_rate(task, simulation, time);
-    }
+    g_array_append_val(task->times, time);
+    task->status.reached = time;
+    task->status.rows = task->times->len;
     g_mutex_unlock(&task->mutex);
-    return done && !is_cancelled(task);
+    note_rate(task, simulation, time);
+    return !is_cancelled(task);
+}
+
+static void begin_again(void *data)
+{
+    TinkerRunTask *task = data;
+    g_clear_pointer(&task->next_record, tinker_record_free);
+    g_clear_pointer(&task->next_times, g_array_unref);
+    task->next_record = tinker_record_new(row_width(task), RECORD_IN_MEMORY);
+    task->next_times = g_array_new(FALSE, FALSE, sizeof(double));
+}
+
+/* The samples of the last try take the place of the first one's, which whoever reads them just now may go on reading. Called with
+ * the mutex held. */
+static void show_next(TinkerRunTask *task)
+{
+    if (task->next_record == NULL || task->next_times->len == 0 || is_cancelled(task)) return;
+    TinkerRecord *record = task->record;
+    GArray *times = task->times;
+    task->record = task->next_record;
+    task->times = task->next_times;
+    task->next_record = record;
+    task->next_times = times;
+    task->status.rows = task->times->len;
+    task->status.reached = g_array_index(task->times, double, task->times->len - 1);
+    task->status.replaced++;
 }
 
 static void note_warnings(TinkerRunTask *task, const TinkerSummary *summary)
@@ -123,20 +163,33 @@ static void note_warnings(TinkerRunTask *task, const TinkerSummary *summary)
         g_ptr_array_add(task->warnings, g_strdup(g_ptr_array_index(summary->warnings, i)));
 }
 
+/* A run that misses the accuracy asked for is whole: that is a warning. */
+static void note_miss(TinkerRunTask *task, GError **failure)
+{
+    if (!g_error_matches(*failure, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_ACCURACY)) return;
+    g_ptr_array_add(task->warnings, g_strdup((*failure)->message));
+    g_clear_error(failure);
+}
+
 static gboolean run_scene(TinkerRunTask *task, GError **error)
 {
-    g_autoptr(TinkerModel) model = tinker_model_new(task->scene, error);
-    if (model == NULL) return FALSE;
+    g_autoptr(TinkerModel) model = is_cancelled(task) ? NULL : tinker_model_new(task->scene, error);
+    if (model == NULL || is_cancelled(task)) return FALSE;
     TinkerRunOptions options = tinker_run_options_of(task->scene);
     options.cancelled = is_cancelled;
     options.data = task;
     g_autoptr(TinkerSimulation) simulation = tinker_simulation_new(model, &options, error);
     if (simulation == NULL) return FALSE;
-    gboolean done = tinker_simulation_run(simulation, task->columns, take_sample, task, error);
-    g_mutex_lock(&task->mutex);
+    const TinkerSampleTaker taker = {take_sample, begin_again, task};
+    GError *failure = NULL;
+    gboolean done = tinker_accurate_run(&simulation, task->columns, &taker, &failure);
     note_summary(task, simulation);
+    g_mutex_lock(&task->mutex);
+    show_next(task);
+    note_miss(task, &failure);
     note_warnings(task, tinker_simulation_summary(simulation));
     g_mutex_unlock(&task->mutex);
+    if (failure != NULL) g_propagate_error(error, failure);
     return done;
 }
 
@@ -153,23 +206,32 @@ static void forget_invalid(TinkerRunTask *task)
     task->status.reached = g_array_index(task->times, double, rows - 1);
 }
 
-static gpointer run_in_thread(gpointer data)
+/* There is nothing more to come: the thread, or who would have had one, lets go. */
+static void finish(TinkerRunTask *task, GError *error)
 {
-    TinkerRunTask *task = data;
-    tinker_crash_watch_thread();
-    GError *error = NULL;
-    task->row = g_new0(double, row_width(task));
-    task->rate_began = g_get_monotonic_time();
-    task->rate_from = task->start;
-    if (!run_scene(task, &error) && is_cancelled(task)) g_clear_error(&error);
     g_mutex_lock(&task->mutex);
     task->error = error;
     if (error != NULL) forget_invalid(task);
     task->status.finished = TRUE;
     g_mutex_unlock(&task->mutex);
     unref(task);
-    tinker_background_leave();
-    return NULL;
+}
+
+static void work(void *item)
+{
+    TinkerRunTask *task = item;
+    tinker_crash_watch_thread();
+    GError *error = NULL;
+    task->row = g_new0(double, row_width(task));
+    task->rate_began = g_get_monotonic_time();
+    task->rate_from = task->start;
+    if (!run_scene(task, &error) && is_cancelled(task)) g_clear_error(&error);
+    finish(task, error);
+}
+
+static void drop(void *item)
+{
+    finish(item, NULL);
 }
 
 /* The owner ----------------------------------------------------------------------------------------------------------- */
@@ -186,7 +248,12 @@ static GArray *movable_bodies(const TinkerScene *scene)
     return bodies;
 }
 
-TinkerRunTask *tinker_run_task_new(TinkerScene *scene, double start, const GArray *columns)
+TinkerRunLane *tinker_run_task_lane(void)
+{
+    return tinker_run_lane_new(work, drop);
+}
+
+TinkerRunTask *tinker_run_task_new(TinkerRunLane *lane, TinkerScene *scene, double start, const GArray *columns)
 {
     TinkerRunTask *task = g_new0(TinkerRunTask, 1);
     g_atomic_ref_count_init(&task->references);
@@ -206,15 +273,19 @@ TinkerRunTask *tinker_run_task_new(TinkerScene *scene, double start, const GArra
     task->status.error_estimate = NAN;
     task->status.predictable_until = task->status.valid_until = INFINITY;
     g_atomic_ref_count_inc(&task->references);
-    tinker_background_enter();
-    g_thread_unref(g_thread_new("run", run_in_thread, task));
+    tinker_run_lane_add(lane, task);
     return task;
+}
+
+void tinker_run_task_stop(TinkerRunTask *task)
+{
+    g_atomic_int_set(&task->cancelled, TRUE);
 }
 
 void tinker_run_task_free(TinkerRunTask *task)
 {
     if (task == NULL) return;
-    g_atomic_int_set(&task->cancelled, TRUE);
+    tinker_run_task_stop(task);
     unref(task);
 }
 
@@ -259,13 +330,13 @@ int tinker_run_task_column(TinkerRunTask *task, TinkerQuantity quantity)
     return -1;
 }
 
-/* Rows before `rows` are not changed any more, but the record may move while it grows: it is read under the mutex. */
 static gboolean read_rows(TinkerRunTask *task, gsize first, gsize count, double *rows)
 {
     g_mutex_lock(&task->mutex);
-    gboolean done = first + count <= task->status.rows && tinker_record_read(task->record, first, count, rows, NULL);
+    TinkerRecord *record = task->record;
+    gboolean there = first + count <= task->status.rows;
     g_mutex_unlock(&task->mutex);
-    return done;
+    return there && tinker_record_read(record, first, count, rows, NULL);
 }
 
 gboolean tinker_run_task_read(TinkerRunTask *task, gsize row, double *time, TinkerBodySample *bodies, double *values)
@@ -305,15 +376,23 @@ gboolean tinker_run_task_find(TinkerRunTask *task, double time, gsize *row)
     return low > 0;
 }
 
-gsize tinker_run_task_series(TinkerRunTask *task, int column, gsize first, double until, GArray *times, GArray *values)
+gboolean tinker_run_task_series(TinkerRunTask *task, int column, gsize *next, double until, GArray *times,
+                                GArray *values)
 {
-    gsize width = row_width(task), last;
-    if (!tinker_run_task_find(task, until, &last)) return first;
-    g_autofree double *row = g_new(double, width);
-    for (; first <= last; first++) {
-        if (!read_rows(task, first, 1, row)) break;
-        g_array_append_val(times, row[0]);
-        g_array_append_val(values, row[width - task->columns->len + (gsize)column]);
+    const gsize width = row_width(task), place = width - task->columns->len + (gsize)column;
+    const gsize at_once = MAX(PIECE / (width * sizeof(double)), 1);
+    gsize last;
+    if (!tinker_run_task_find(task, until, &last)) return TRUE;
+    const gsize end = MIN(last + 1, *next + MAX(PORTION / (width * sizeof(double)), 1));
+    g_autofree double *rows = g_new(double, at_once *width);
+    while (*next < end) {
+        const gsize count = MIN(end - *next, at_once);
+        if (!read_rows(task, *next, count, rows)) break;
+        for (gsize i = 0; i < count; i++) {
+            g_array_append_val(times, rows[i * width]);
+            g_array_append_val(values, rows[i * width + place]);
+        }
+        *next += count;
     }
-    return first;
+    return end == last + 1;
 }

@@ -1,11 +1,15 @@
 /* A run in a thread of its own, which records as far ahead as it can. No widget.
  *
+ * Where the scene asks for an accuracy, the run may be made again: the samples of the first try are there to be read until those of
+ * the last one take their place, all at once.
+ *
  * The thread works on a scene of its own; everything here may be called from the main thread at any time. A row of the
  * record is a sample: the bodies' states, and the values of the columns. */
 #ifndef TINKER_GUI_RUN_TASK_H
 #define TINKER_GUI_RUN_TASK_H
 
 #include "physics/simulation.h"
+#include "run-lane.h"
 
 typedef struct _TinkerRunTask TinkerRunTask;
 
@@ -14,6 +18,7 @@ typedef struct {
     gboolean finished; /* nothing more will come */
     double reached;    /* s: time of the last sample */
     gsize rows;        /* samples so far */
+    guint replaced;    /* how often all samples gave way to those of a tighter run, as an accuracy asked for it */
     double rate;       /* s of motion a second of work, lately */
     char method[32];   /* empty until it is known */
     gboolean adaptive; /* whether `step` or `tolerance` counts */
@@ -28,9 +33,15 @@ typedef struct {
     int32_t quantity;
 } TinkerQuantity;
 
-/* Starts a run whose first sample is called `start` (s). `scene` is the task's from now on; `columns`, of TinkerQuantity, are to
- * be recorded (copied). (transfer full) */
-TinkerRunTask *tinker_run_task_new(TinkerScene *scene, double start, const GArray *columns);
+/* A lane for runs of which only the newest counts. (transfer full) */
+TinkerRunLane *tinker_run_task_lane(void);
+
+/* Starts a run in the lane, whose first sample is called `start` (s); those in the lane before it have been stopped or freed.
+ * `scene` is the task's from now on; `columns`, of TinkerQuantity, are to be recorded (copied). (transfer full) */
+TinkerRunTask *tinker_run_task_new(TinkerRunLane *lane, TinkerScene *scene, double start, const GArray *columns);
+
+/* Nothing more is wanted of it than what it has recorded. Does not wait. */
+void tinker_run_task_stop(TinkerRunTask *task);
 
 /* Stops it, if it still runs, and frees it. Does not wait: the thread frees what it uses. */
 void tinker_run_task_free(TinkerRunTask *task);
@@ -54,8 +65,9 @@ gboolean tinker_run_task_value(TinkerRunTask *task, gsize row, int column, doubl
 /* The last row that is not later than `time`, if there is any. */
 gboolean tinker_run_task_find(TinkerRunTask *task, double time, gsize *row);
 
-/* Appends the column's values, and their times, of the rows from `first` on that are not later than `until`, to arrays of
- * double; answers the first row that it did not take. */
-gsize tinker_run_task_series(TinkerRunTask *task, int column, gsize first, double until, GArray *times, GArray *values);
+/* Appends the column's values, and their times, of the rows from `next` on that are not later than `until`, to arrays of
+ * double, and moves `next` behind them. No more than a frame has time for: FALSE where the rest is left for another call. */
+gboolean tinker_run_task_series(TinkerRunTask *task, int column, gsize *next, double until, GArray *times,
+                                GArray *values);
 
 #endif

@@ -6,6 +6,8 @@
 #include <math.h>
 
 #include "exit-status.h"
+#include "files/replace-file.h"
+#include "graph-plot.h"
 #include "settings.h"
 #include "side-panel.h"
 #include "window-private.h"
@@ -100,10 +102,19 @@ static int show_panel(TinkerWindow *window, const char *panel)
     return tinker_side_panel_show(side_panel, panel) ? TINKER_EXIT_DONE : usage_error("panel", panel, _("panel"));
 }
 
+static int check_output(TinkerWindow *window, const char *path)
+{
+    g_autoptr(TinkerFileSet) files = tinker_document_files(window->document);
+    g_autoptr(GError) error = NULL;
+    return tinker_file_set_add_output(files, "--screenshot", path, &error) ? TINKER_EXIT_DONE
+                                                                           : tinker_report_error(NULL, error);
+}
+
 static int show(TinkerWindow *window, const TinkerScreenshot *wanted)
 {
     if (wanted->forces) g_object_set(window->canvas, "show-forces", TRUE, NULL);
     int status = wanted->scene != NULL ? open_scene(window, wanted) : TINKER_EXIT_DONE;
+    if (status == TINKER_EXIT_DONE) status = check_output(window, wanted->file);
     if (status == TINKER_EXIT_DONE && wanted->select != NULL) status = select_block(window, wanted->select);
     if (status == TINKER_EXIT_DONE && wanted->page != NULL) status = show_page(window, wanted->page);
     if (status == TINKER_EXIT_DONE && wanted->panel != NULL) status = show_panel(window, wanted->panel);
@@ -118,7 +129,7 @@ static int write_picture(GdkTexture *texture, const char *path)
     g_autoptr(GBytes) bytes = gdk_texture_save_to_png_bytes(texture);
     gsize length;
     const char *data = g_bytes_get_data(bytes, &length);
-    if (g_file_set_contents(path, data, (gssize)length, &error)) return TINKER_EXIT_DONE;
+    if (tinker_replace_file(path, data, length, 0666, &error)) return TINKER_EXIT_DONE;
     tinker_report_note("%s: %s", path, error->message);
     return TINKER_EXIT_FILE;
 }
@@ -172,6 +183,7 @@ static gboolean on_frame(GtkWidget *widget, GdkFrameClock *clock, gpointer data)
     /* Whether the desktop gives it the focus is chance. */
     gtk_widget_unset_state_flags(widget, GTK_STATE_FLAG_BACKDROP);
     if (shot->frames == 0 && tinker_plan_task_is_due(shot->window->plan)) return G_SOURCE_CONTINUE;
+    if (tinker_graph_plot_any_behind(widget)) shot->frames = MIN(shot->frames, FRAMES_BEFORE + 1);
     /* It was set for a canvas that may have been larger. */
     if (shot->frames == FRAMES_BEFORE) tinker_canvas_show_first(shot->window->canvas);
     if (shot->frames++ < FRAMES_BEFORE + FRAMES_AFTER) return G_SOURCE_CONTINUE;

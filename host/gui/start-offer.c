@@ -5,7 +5,6 @@
 #include <glib/gi18n.h>
 #include <string.h>
 
-#include "number-hint.h"
 #include "property-list-private.h"
 
 #define DECIMALS 5
@@ -43,19 +42,7 @@ char *tinker_start_value_text(TinkerScene *scene, const TinkerStartOption *optio
 gboolean tinker_start_value_parse(TinkerScene *scene, const TinkerStartOption *option, const char *text, double *si,
                                   GError **error)
 {
-    g_autofree char *typed = g_strstrip(g_strdup(text));
-    char *end = typed;
-    g_ascii_strtod(typed, &end);
-    gboolean has_no_unit = end > typed && *end == '\0';
-    g_autofree char *whole = has_no_unit ? g_strconcat(typed, " ", unit_of(scene, option), NULL) : g_strdup(typed);
-    GError *wrong = NULL;
-    if (tinker_quantity_parse(g_strchomp(whole), option->dimension, si, &wrong)) return TRUE;
-    if (tinker_number_hint_comma(text, error)) {
-        g_error_free(wrong);
-        return FALSE;
-    }
-    property_fail(error, wrong, NULL, NULL); /* in an entry of a few characters nobody counts columns */
-    return FALSE;
+    return property_parse_number(text, option->dimension, unit_of(scene, option), si, error);
 }
 
 const TinkerStartOption *tinker_start_find(const GPtrArray *options, TinkerStartKind kind, TinkerBlockId other)

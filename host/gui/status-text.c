@@ -7,11 +7,10 @@
 
 #include "plan-words.h"
 
-#define LARGE_ERROR      1e-2  /* of the motion: to be seen in a picture */
-#define UNPREDICTABLE    0.1   /* of the motion: what is beyond is not to be believed */
-#define LARGE_IMBALANCE  1e-2  /* of the energy exchanged */
-#define LARGE_CONSTRAINT 1e-4  /* of the lengths that are held */
-#define ROUNDING         1e-15 /* what is below comes from the arithmetic alone */
+#define LARGE_ERROR      1e-2 /* of the motion: to be seen in a picture */
+#define UNPREDICTABLE    0.1  /* of the motion: what is beyond is not to be believed */
+#define LARGE_IMBALANCE  1e-2 /* of the energy exchanged */
+#define LARGE_CONSTRAINT 1e-4 /* of the lengths that are held */
 #define SLOW_PACE        0.95
 #define MOST_REASONS     4
 
@@ -121,7 +120,7 @@ static void fill_error(const TinkerStatusFacts *facts, TinkerStatusItem *item)
     double error = estimated ? facts->run->error_estimate : expected_error(facts->plan);
     if (isnan(error)) return;
     g_autofree char *size = share_text(error);
-    if (error < ROUNDING)
+    if (error < TINKER_ROUNDING)
         item->text = g_strdup(_("no error but rounding"));
     else if (estimated && error > UNPREDICTABLE && facts->run->predictable_until < facts->duration)
         item->text = g_strdup_printf(_("predictable up to %.3g s"), facts->run->predictable_until);
@@ -141,9 +140,9 @@ static void fill_energy(const TinkerStatusFacts *facts, TinkerStatusItem *item)
     if (facts->run == NULL || facts->run->method[0] == '\0') return;
     double error = facts->run->energy_balance_error;
     g_autofree char *size = share_text(error);
-    item->text = error < ROUNDING  ? g_strdup(_("energy balanced"))
-                 : isfinite(error) ? g_strdup_printf(_("energy off by %s"), size)
-                                   : g_strdup(_("energy beyond all bounds"));
+    item->text = error < TINKER_ROUNDING ? g_strdup(_("energy balanced"))
+                 : isfinite(error)       ? g_strdup_printf(_("energy off by %s"), size)
+                                         : g_strdup(_("energy beyond all bounds"));
     item->tooltip =
         g_strdup(_("What enters the system, less what leaves it, should be what it holds. This is how far the "
                    "books are off, compared with the largest energy exchanged: an error that the motion "

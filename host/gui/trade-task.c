@@ -92,6 +92,7 @@ static void set_run(TinkerRunSettings *run, const TinkerRunSettings *from)
     run->contacts = g_strdup(from->contacts);
     run->step = from->step;
     run->tolerance = from->tolerance;
+    run->accuracy = from->accuracy;
     run->interval = from->interval;
 }
 

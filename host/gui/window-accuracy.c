@@ -112,7 +112,6 @@ static void on_told(GtkWidget *page, const char *text, TinkerWindow *window)
 
 void window_add_accuracy(TinkerWindow *window)
 {
-    window->plan = tinker_plan_task_new(window->document);
     window->status_line = tinker_status_line_new();
     window->notices = tinker_notice_bar_new();
     gtk_box_append(window->status, GTK_WIDGET(window->status_line));
@@ -121,7 +120,7 @@ void window_add_accuracy(TinkerWindow *window)
     AdwViewStackPage *page =
         adw_view_stack_add_titled(window->pages, GTK_WIDGET(window->accuracy), PAGE, _("Accuracy"));
     adw_view_stack_page_set_icon_name(page, "tinker-accuracy-symbolic");
-    tinker_accuracy_page_set_document(window->accuracy, window->document, window->plan);
+    tinker_accuracy_page_set_document(window->accuracy, window->document);
     g_signal_connect_object(window->accuracy, "told", G_CALLBACK(on_told), window, 0);
     g_signal_connect_object(window->plan, "changed", G_CALLBACK(on_plan_changed), window, G_CONNECT_SWAPPED);
     g_signal_connect_object(window->document, "changed", G_CALLBACK(refresh_later), window, G_CONNECT_SWAPPED);

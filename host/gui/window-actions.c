@@ -5,7 +5,8 @@
 #include "sentence.h"
 #include "window-private.h"
 
-#define ZOOM_STEP 1.25
+#define ZOOM_STEP   1.25
+#define FORCES_STEP 2.0
 
 typedef void (*Command)(TinkerWindow *window);
 
@@ -48,6 +49,16 @@ static void step_back(TinkerWindow *window)
     step_by_one(window, FALSE);
 }
 
+static void on_go_to(GSimpleAction *action, GVariant *time, gpointer data)
+{
+    TinkerWindow *window = data;
+    TinkerBlockId culprit;
+    g_autoptr(GError) error = NULL;
+    tinker_autosave_now(window->autosave);
+    if (!tinker_player_go_to(window->player, g_variant_get_double(time), &culprit, &error))
+        tell_refusal(window, culprit, error);
+}
+
 static void reset(TinkerWindow *window)
 {
     tinker_player_reset(window->player);
@@ -68,6 +79,14 @@ static void redo(TinkerWindow *window)
 static void delete_selected(TinkerWindow *window)
 {
     tinker_document_remove_selected(window->document);
+}
+
+/* To the blocks there are, which the arrow keys go through; Return places one. */
+static void place(TinkerWindow *window)
+{
+    gtk_widget_set_visible(GTK_WIDGET(window->palette_side), TRUE);
+    adw_view_stack_set_visible_child_name(window->pages, "model");
+    tinker_palette_focus(window->palette);
 }
 
 static char *text_of_selection(TinkerWindow *window)
@@ -156,6 +175,16 @@ static void zoom_width(TinkerWindow *window)
     tinker_canvas_show_width(window->canvas);
 }
 
+static void longer_forces(TinkerWindow *window)
+{
+    tinker_canvas_scale_forces(window->canvas, FORCES_STEP);
+}
+
+static void shorter_forces(TinkerWindow *window)
+{
+    tinker_canvas_scale_forces(window->canvas, 1 / FORCES_STEP);
+}
+
 /* Made when it is asked for: GTK would make it with every window. */
 static void show_help_overlay(TinkerWindow *window)
 {
@@ -199,6 +228,7 @@ static const struct {
     {"paste", paste, {"<Control>v"}, TRUE},
     {"duplicate", duplicate, {"<Control>d"}, FALSE},
     {"delete", delete_selected, {"Delete", "BackSpace"}, TRUE},
+    {"place", place, {"Insert"}, FALSE},
     {"select-all", select_all, {"<Control>a"}, TRUE},
     {"new-graph", window_new_graph, {"<Control>g"}, FALSE},
     {"play", play, {"space"}, TRUE},
@@ -209,6 +239,8 @@ static const struct {
     {"zoom-out", zoom_out, {"<Control>minus"}, FALSE},
     {"zoom-fit", zoom_fit, {"<Control>0"}, FALSE},
     {"zoom-width", zoom_width, {"<Control>1"}, FALSE},
+    {"longer-forces", longer_forces, {"bracketright"}, TRUE},
+    {"shorter-forces", shorter_forces, {"bracketleft"}, TRUE},
 };
 
 /* An entry takes over what is being typed when it loses the focus. One that is wrong gets it back, for Escape and another
@@ -240,6 +272,8 @@ void tinker_window_set_accels(GtkApplication *application)
         const char *keys[] = {commands[i].keys[0], commands[i].keys[1], NULL};
         gtk_application_set_accels_for_action(application, action, keys);
     }
+    gtk_application_set_accels_for_action(application, "win.show-palette", (const char *[]){"F9", NULL});
+    gtk_application_set_accels_for_action(application, "win.show-panel", (const char *[]){"<Shift>F9", NULL});
     gtk_application_set_accels_for_action(application, "app.quit", (const char *[]){"<Control>q", NULL});
     gtk_application_set_accels_for_action(application, "app.new-window", (const char *[]){"<Control><Shift>n", NULL});
     gtk_application_set_accels_for_action(application, "window.close", (const char *[]){"<Control>w", NULL});
@@ -277,16 +311,25 @@ void window_update_actions(TinkerWindow *window)
         enable(window, of_selection[i], selected > 0);
 }
 
+static void add_switch(TinkerWindow *window, const char *name, gpointer object, const char *property)
+{
+    g_autoptr(GPropertyAction) action = g_property_action_new(name, object, property);
+    g_action_map_add_action(G_ACTION_MAP(window), G_ACTION(action));
+}
+
 void window_add_actions(TinkerWindow *window)
 {
     for (gsize i = 0; i < G_N_ELEMENTS(commands); i++) {
         const GActionEntry entry = {.name = commands[i].name, .activate = on_activate};
         g_action_map_add_action_entries(G_ACTION_MAP(window), &entry, 1, window);
     }
-    static const char *const shown[] = {"show-labels", "show-forces", "show-local-origins", "show-grid"};
-    for (gsize i = 0; i < G_N_ELEMENTS(shown); i++) {
-        g_autoptr(GPropertyAction) action = g_property_action_new(shown[i], window->canvas, shown[i]);
-        g_action_map_add_action(G_ACTION_MAP(window), G_ACTION(action));
-    }
+    const GActionEntry go_to = {.name = "go-to", .activate = on_go_to, .parameter_type = "d"};
+    g_action_map_add_action_entries(G_ACTION_MAP(window), &go_to, 1, window);
+    static const char *const shown[] = {
+        "show-labels", "show-forces", "show-local-origins", "show-grid", "forces-on-this-body-only", "follow"};
+    for (gsize i = 0; i < G_N_ELEMENTS(shown); i++)
+        add_switch(window, shown[i], window->canvas, shown[i]);
+    add_switch(window, "show-palette", window->palette_side, "visible");
+    add_switch(window, "show-panel", window->panel_side, "visible");
     add_canvas_keys(window);
 }

@@ -32,7 +32,7 @@ static void wish_free(gpointer data)
 /* The name of the first file that a film of this path is written to. (transfer full) */
 static char *first_file(const char *path)
 {
-    return tinker_path_has_ending(path, ".png") ? tinker_film_picture_name(path, 1) : g_strdup(path);
+    return tinker_film_is_joined(path) ? g_strdup(path) : tinker_film_picture_name(path, 1);
 }
 
 /* The bar ------------------------------------------------------------------------------------------------------------- */
@@ -125,10 +125,18 @@ void window_add_film(TinkerWindow *window)
 static void start(const Wish *wish)
 {
     TinkerWindow *window = wish->window;
+    TinkerScene *scene = tinker_document_scene(window->document);
     TinkerFilmSettings settings = wish->settings;
+    g_autoptr(TinkerFileSet) files = tinker_document_files(window->document);
+    g_autoptr(GError) error = NULL;
     settings.path = wish->path;
+    const double pictures = tinker_film_settings_pictures(&settings, tinker_scene_head(scene)->run.duration);
+    if (!tinker_film_add_outputs(files, NULL, settings.path, pictures, &error)) {
+        window_message(window, _("The Film Was Not Exported"), error->message);
+        return;
+    }
     g_object_get(window->canvas, "show-labels", &settings.show_labels, "show-grid", &settings.show_grid, NULL);
-    tinker_film_task_start(window->film, tinker_document_scene(window->document), &settings);
+    tinker_film_task_start(window->film, scene, &settings);
     gtk_widget_grab_focus(window->film_cancel);
 }
 

@@ -30,6 +30,7 @@ struct _TinkerWindow {
     AdwWindowTitle *title;
     AdwViewStack *pages;
     GtkBox *panel;
+    GtkBox *palette_side, *panel_side; /* what folds away */
     GtkBox *dock;
     GtkBox *status;
     GtkBox *banners;

@@ -1,5 +1,5 @@
-/* What a window looks like is remembered when it closes, for the next one: its size, the panes that have a name, what the canvas
- * shows. */
+/* What a window looks like is remembered when it closes, for the next one: its size, the panes that have a name, the panels
+ * that are folded away, what the canvas shows. */
 #include "settings.h"
 #include "window-private.h"
 
@@ -8,7 +8,8 @@
 #define GROUP_CANVAS "canvas"
 #define LEAST_SIZE   300
 
-static const char *const switches[] = {"show-labels", "show-forces", "show-local-origins", "show-grid"};
+static const char *const switches[] = {"show-labels", "show-forces", "show-local-origins", "show-grid",
+                                       "forces-on-this-body-only"};
 
 typedef void (*ForPane)(GtkPaned *pane, const char *name);
 
@@ -46,6 +47,8 @@ void window_restore_state(TinkerWindow *window)
         g_object_get(window->canvas, switches[i], &value, NULL);
         g_object_set(window->canvas, switches[i], tinker_settings_switch(GROUP_CANVAS, switches[i], value), NULL);
     }
+    gtk_widget_set_visible(GTK_WIDGET(window->palette_side), tinker_settings_switch(GROUP_WINDOW, "palette", TRUE));
+    gtk_widget_set_visible(GTK_WIDGET(window->panel_side), tinker_settings_switch(GROUP_WINDOW, "panel", TRUE));
     for_panes(GTK_WIDGET(window), restore_pane);
 }
 
@@ -61,6 +64,8 @@ void window_store_state(TinkerWindow *window)
         g_object_get(window->canvas, switches[i], &value, NULL);
         tinker_settings_set_switch(GROUP_CANVAS, switches[i], value);
     }
+    tinker_settings_set_switch(GROUP_WINDOW, "palette", gtk_widget_get_visible(GTK_WIDGET(window->palette_side)));
+    tinker_settings_set_switch(GROUP_WINDOW, "panel", gtk_widget_get_visible(GTK_WIDGET(window->panel_side)));
     for_panes(GTK_WIDGET(window), store_pane);
     tinker_settings_store();
 }

@@ -3,9 +3,11 @@
 
 #include <glib/gi18n.h>
 
+#include "icon-guard.h"
 #include "message.h"
 #include "popup-menu.h"
 #include "refusal-notices.h"
+#include "scene-card.h"
 #include "sentence.h"
 #include "side-panel.h"
 #include "welcome.h"
@@ -93,18 +95,28 @@ static gboolean tinker_window_close_request(GtkWindow *base)
     return GTK_WINDOW_CLASS(tinker_window_parent_class)->close_request(base);
 }
 
-/* The menu of the canvas ---------------------------------------------------------------------------------------------- */
+/* The menu of the selection ---------------------------------------------------------------------------------------------- */
 
-static void on_canvas_menu(TinkerCanvas *canvas, double x, double y, TinkerWindow *window)
+static void on_menu(GtkWidget *over, double x, double y, TinkerWindow *window)
 {
     g_autoptr(GtkBuilder) builder = gtk_builder_new_from_resource("/org/tinker/Tinker/menus.ui");
     GMenu *model = G_MENU(gtk_builder_get_object(builder, "canvas_menu"));
     window_add_start_menu(window, model);
     window_append_graph_menu(window, model);
-    tinker_popup_menu(GTK_WIDGET(canvas), G_MENU_MODEL(model), x, y);
+    tinker_popup_menu(over, G_MENU_MODEL(model), x, y);
 }
 
 /* Life ---------------------------------------------------------------------------------------------------------------- */
+
+static void on_canvas_faults(TinkerCanvas *canvas, TinkerWindow *window)
+{
+    GPtrArray *notices = g_ptr_array_new_with_free_func((GDestroyNotify)tinker_notice_free);
+    GList *faults = tinker_canvas_faults(canvas);
+    for (GList *fault = faults; fault != NULL; fault = fault->next)
+        g_ptr_array_add(notices, tinker_notice_new(TINKER_NOTICE_WARNING, fault->data, NULL, NULL, NULL, NULL));
+    g_list_free(faults);
+    tinker_notice_bar_set(window->notices, "drawing", notices);
+}
 
 static void connect_parts(TinkerWindow *window)
 {
@@ -112,8 +124,9 @@ static void connect_parts(TinkerWindow *window)
     tinker_palette_set_canvas(window->palette, tinker_document_catalogue(window->document), window->canvas);
     tinker_playbar_set_player(window->playbar, window->player);
     window_add_graphs(window);
-    gtk_box_append(window->panel,
-                   tinker_side_panel_new(window->document, window->player, window_new_start_panel(window)));
+    GtkWidget *side_panel = tinker_side_panel_new(window->document, window->player, window_new_start_panel(window),
+                                                  tinker_scene_card_new(window->document, window->plan));
+    gtk_box_append(window->panel, side_panel);
     g_signal_connect_object(window->player, "state-changed", G_CALLBACK(on_state_changed), window, G_CONNECT_SWAPPED);
     g_signal_connect_object(window->player, "failed", G_CALLBACK(on_failed), window, 0);
     g_signal_connect_object(window->player, "rewound", G_CALLBACK(on_rewound), window, G_CONNECT_SWAPPED);
@@ -121,7 +134,9 @@ static void connect_parts(TinkerWindow *window)
     g_signal_connect_object(window->document, "selection-changed", G_CALLBACK(window_update_actions), window,
                             G_CONNECT_SWAPPED);
     gtk_overlay_add_overlay(window->canvas_overlay, tinker_welcome_new(window->document, window->player));
-    g_signal_connect_object(window->canvas, "menu", G_CALLBACK(on_canvas_menu), window, 0);
+    g_signal_connect_object(window->canvas, "menu", G_CALLBACK(on_menu), window, 0);
+    g_signal_connect_object(tinker_side_panel_outline(side_panel), "menu", G_CALLBACK(on_menu), window, 0);
+    g_signal_connect_object(window->canvas, "faults", G_CALLBACK(on_canvas_faults), window, 0);
 }
 
 TinkerWindow *tinker_window_new(TinkerApplication *application)
@@ -129,6 +144,7 @@ TinkerWindow *tinker_window_new(TinkerApplication *application)
     TinkerWindow *window = g_object_new(TINKER_TYPE_WINDOW, "application", application, NULL);
     window->document = tinker_document_new(tinker_application_catalogue(application));
     window->player = tinker_player_new(window->document);
+    window->plan = tinker_plan_task_new(window->document);
     window_add_actions(window);
     window_add_open_menu(window);
     window_add_autosave(window);
@@ -137,6 +153,7 @@ TinkerWindow *tinker_window_new(TinkerApplication *application)
     window_add_film(window);
     tinker_notice_bar_set(window->notices, "plugins",
                           tinker_refusal_notices(tinker_document_catalogue(window->document)));
+    tinker_notice_bar_set(window->notices, "icons", tinker_guarded_icon_notices());
     window_add_start(window);
     window_restore_state(window);
     window_start_first(window);
@@ -175,6 +192,8 @@ static void tinker_window_class_init(TinkerWindowClass *class)
     BIND(title);
     BIND(pages);
     BIND(panel);
+    BIND(palette_side);
+    BIND(panel_side);
     BIND(dock);
     BIND(status);
     BIND(banners);

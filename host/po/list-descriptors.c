@@ -56,7 +56,7 @@ static gint compare_entries(gconstpointer left, gconstpointer right)
 
 static void add_blocks(Template *into, TinkerCatalogue *catalogue)
 {
-    const GPtrArray *libraries = tinker_catalogue_libraries(catalogue);
+    g_autoptr(GPtrArray) libraries = tinker_catalogue_libraries(catalogue);
     g_autoptr(GPtrArray) entries = g_ptr_array_new();
     for (guint i = 0; i < libraries->len; i++) {
         const TinkerLibraryEntry *library = g_ptr_array_index(libraries, i);

@@ -1,0 +1,13 @@
+/* Numbers with units as people type them into entries. No widget. */
+#ifndef TINKER_GUI_NUMBER_TEXT_H
+#define TINKER_GUI_NUMBER_TEXT_H
+
+#include <glib.h>
+
+#include "units/units.h"
+
+/* Reads a quantity with any unit that fits; a bare number is in `unit` ("" for none). Where the locale writes a comma before
+ * decimals, one comma is read as that. The answer is in SI. FALSE with an error that says what would be right. */
+gboolean tinker_number_read(const char *text, TinkerDimension dimension, const char *unit, double *si, GError **error);
+
+#endif
