@@ -188,7 +188,8 @@ typedef struct TinkerIntegrator {
     /* Forgets what was carried over from earlier steps: the state was changed, or a derivative jumped. */
     void (*restart)(void *stepper);
     /* One accepted step. A fixed-step method steps exactly to `limit`; an adaptive one as far as its error control
-     * allows, never past `limit`, and lands exactly on it where little remains. On a constrained system the new state
+     * allows, never past `limit`, and lands exactly on it where little remains; one of linear systems ends earlier where the
+     * system that it was given changes. On a constrained system the new state
      * is projected. On failure the state is as before. */
     TinkerStatus (*step)(void *stepper, TinkerState *state, double limit, TinkerStepReport *report);
     /* The state at t inside the last step, from dense output, not projected. `books` may be NULL. */
