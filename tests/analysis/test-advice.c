@@ -112,9 +112,10 @@ static void test_velocity(void)
 static void test_velocity_of_two(void)
 {
     g_autoptr(StartFixture) f = start_fixture_new(
-        "{'type': 'mass', 'velocity': [4, 0.5]}, {'type': 'mass', 'mass': 3, 'position': [2, 0]},"
+        "{'type': 'mass', 'velocity': [4, 0.5], 'width': 0}, {'type': 'mass', 'mass': 3, 'position': [2, 0]},"
         "{'type': 'rod', 'ends': ['Mass 1', 'Mass 0']}, {'type': 'mass', 'position': [0, 5]},"
-        "{'type': 'mass', 'position': [0, 6], 'velocity': [0, 1]}, {'type': 'rod', 'ends': ['Mass 2', 'Mass 3']}");
+        "{'type': 'mass', 'position': [0, 6], 'velocity': [0, 1], 'width': 0}, {'type': 'rod', 'ends': ['Mass 2', "
+        "'Mass 3']}");
     g_autoptr(GPtrArray) all = tinker_advice_new(f->scene);
     g_assert_cmpuint(all->len, ==, 2);
     for (guint i = 0; i < 2; i++)
@@ -136,19 +137,47 @@ static void test_length(void)
     physics_assert_near("length", start_fixture_get(f, "Rod 0", TINKER_MEANING_LENGTH, 0), 5, 0);
 }
 
-/* Between two rods in one line, with its weight across them: no motion satisfies both. */
+/* The scene is refused, about the first of its rods. */
+static void assert_contradiction(const char *blocks)
+{
+    g_autoptr(StartFixture) f = start_fixture_new(blocks);
+    assert_only(f, TINKER_ADVICE_MODEL, TRUE, "Rod 0", "no motion satisfies these constraints", NULL);
+}
+
+/* A mass between two rods in one line, of which one pulls with 1 m/s^2 and the other holds: no motion satisfies both. A rigid
+ * triangle that hangs on parallel rods of 1, 2 and 3 m and starts across them with 1 m/s without turning: each rod asks for v^2 / l
+ * upwards, 1, 1/2 and 1/3 m/s^2, and a rigid body's third corner, halfway along, for their mean, 3/4. */
 static void test_contradiction(void)
+{
+    assert_contradiction(
+        "{'type': 'gravity'}, {'type': 'support', 'solid': false},"
+        "{'type': 'support', 'solid': false, 'position': [2, 0]}, {'type': 'mass', 'position': [1, 0]},"
+        "{'type': 'support-motion', 'ends': ['Support 1'], 'waveform': {'expression': '0.5*t^2'}},"
+        "{'type': 'rod', 'ends': ['Support 0', 'Mass 0']}, {'type': 'rod', 'ends': ['Support 1', 'Mass 0']}");
+    assert_contradiction(
+        "{'type': 'support', 'solid': false, 'position': [0, 1]},"
+        "{'type': 'support', 'solid': false, 'position': [2, 2]},"
+        "{'type': 'support', 'solid': false, 'position': [1, 4]},"
+        "{'type': 'mass', 'velocity': [1, 0]}, {'type': 'mass', 'position': [2, 0], 'velocity': [1, 0]},"
+        "{'type': 'mass', 'position': [1, 1], 'velocity': [1, 0]},"
+        "{'type': 'rod', 'ends': ['Support 0', 'Mass 0']}, {'type': 'rod', 'ends': ['Support 1', 'Mass 1']},"
+        "{'type': 'rod', 'ends': ['Support 2', 'Mass 2']}, {'type': 'rod', 'ends': ['Mass 0', 'Mass 1']},"
+        "{'type': 'rod', 'ends': ['Mass 1', 'Mass 2']}, {'type': 'rod', 'ends': ['Mass 2', 'Mass 0']}");
+}
+
+/* Rods in one line between supports are a straight bar, which holds what lies on it: a velocity across it is left out, and is none
+ * along a rod. */
+static void test_velocity_across_a_bar(void)
 {
     g_autoptr(StartFixture) f = start_fixture_new(
         "{'type': 'gravity'}, {'type': 'support', 'solid': false},"
         "{'type': 'support', 'solid': false, 'position': [2, 0]},"
         "{'type': 'mass', 'position': [1, 0], 'velocity': [0, 1]},"
         "{'type': 'rod', 'ends': ['Support 0', 'Mass 0']}, {'type': 'rod', 'ends': ['Support 1', 'Mass 0']}");
-    g_autoptr(GPtrArray) all = tinker_advice_new(f->scene);
-    const TinkerAdvice *advice = only(all, TINKER_ADVICE_MODEL);
-    g_assert_true(advice->blocks_run);
-    g_assert_null(advice->repair);
-    g_assert_cmpint(g_array_index(advice->blocks, TinkerBlockId, 0), ==, start_fixture_block(f, "Rod 0"));
+    assert_only(f, TINKER_ADVICE_VELOCITY, FALSE, "Mass 0", "does not fit what ties it", "Set the velocity to 0 m/s");
+    repair(f);
+    physics_assert_near("vx", start_fixture_get(f, "Mass 0", TINKER_MEANING_VELOCITY, 0), 0, 1e-14);
+    physics_assert_near("vy", start_fixture_get(f, "Mass 0", TINKER_MEANING_VELOCITY, 1), 0, 1e-14);
 }
 
 /* The top lies at 0.2, the mass reaches down to -0.1. */
@@ -160,6 +189,14 @@ static void test_overlap(void)
     assert_only(f, TINKER_ADVICE_OVERLAP, FALSE, "Mass 0", "Floor", "Move it out by 0.3 m");
     repair(f);
     physics_assert_near("y", start_fixture_get(f, "Mass 0", TINKER_MEANING_POSITION, 1), 0.6, 1e-15);
+}
+
+/* The sides are 3.2 m apart and come nearer by 4 m/s, so they meet within the 10 s; there is nothing to repair. */
+static void test_meeting(void)
+{
+    g_autoptr(StartFixture) f = start_fixture_new("{'type': 'mass', 'position': [-3, 0], 'velocity': [3, 0]},"
+                                                  "{'type': 'mass', 'position': [1, 0], 'velocity': [-1, 0]}");
+    assert_only(f, TINKER_ADVICE_MEETING, FALSE, "Mass 0", "Mass 0 and Mass 1 meet at 0.8 s", NULL);
 }
 
 /* Sets the method that a scene asks for, from the start. */
@@ -247,10 +284,11 @@ static void test_many(void)
 {
     g_autoptr(GString) blocks = g_string_new("{'type': 'support', 'solid': false, 'name': 'M0'}");
     for (int i = 1; i <= 100; i++)
-        g_string_append_printf(blocks,
-                               ", {'type': 'mass', 'name': 'M%d', 'position': [%d, 0], 'velocity': [%d, 0]},"
-                               "{'type': '%s', 'ends': ['M%d', 'M%d']}",
-                               i, i, i % 2, i % 2 ? "spring" : "rod", i - 1, i);
+        g_string_append_printf(
+            blocks,
+            ", {'type': 'mass', 'name': 'M%d', 'position': [%d, 0], 'velocity': [%d, 0], 'width': 0},"
+            "{'type': '%s', 'ends': ['M%d', 'M%d']}",
+            i, i, i % 2, i % 2 ? "spring" : "rod", i - 1, i);
     g_autoptr(StartFixture) f = start_fixture_new(blocks->str);
     g_autoptr(GPtrArray) all = tinker_advice_new(f->scene);
     g_assert_cmpuint(all->len, ==, 50);
@@ -292,7 +330,9 @@ static void add_tests(void)
     g_test_add_func("/advice/velocity-of-two", test_velocity_of_two);
     g_test_add_func("/advice/length", test_length);
     g_test_add_func("/advice/contradiction", test_contradiction);
+    g_test_add_func("/advice/velocity-across-a-bar", test_velocity_across_a_bar);
     g_test_add_func("/advice/overlap", test_overlap);
+    g_test_add_func("/advice/meeting", test_meeting);
     g_test_add_func("/advice/method", test_method);
     g_test_add_func("/advice/method-of-contacts", test_method_of_contacts);
     g_test_add_func("/advice/stale", test_stale);

@@ -154,12 +154,28 @@ static void test_pendulum(void)
 static void test_double_pendulum(void)
 {
     g_autoptr(ModesFixture) a = analyse("{'type': 'gravity', 'acceleration': 9.81},"
-                                        "{'type': 'support', 'position': [0, 0]},"
+                                        "{'type': 'support', 'position': [0, 0], 'solid': false},"
                                         "{'type': 'mass', 'position': [1, 0]}, {'type': 'mass', 'position': [1, 1]},"
                                         "{'type': 'rod', 'ends': ['Support 0', 'Mass 0'], 'length': 1},"
                                         "{'type': 'rod', 'ends': ['Mass 0', 'Mass 1'], 'length': 1}");
     assert_frequencies(a, (double[]){sqrt(9.81 * (2 - G_SQRT2)), sqrt(9.81 * (2 + G_SQRT2))}, 2);
     g_assert_cmpfloat_with_epsilon(a->analysis->q[1] - a->analysis->q[3], 1, 1e-10);
+}
+
+/* A straight bar of three masses on rods in one line, from 1 rad off: it swings as a whole, sqrt(g sum m x / sum m x^2). */
+static void test_straight_bar(void)
+{
+    g_autoptr(ModesFixture) a = analyse("{'type': 'gravity', 'acceleration': 9.81},"
+                                        "{'type': 'support', 'position': [0, 0], 'solid': false},"
+                                        "{'type': 'mass', 'mass': 1, 'position': [0.3, -0.4]},"
+                                        "{'type': 'mass', 'mass': 4, 'position': [0.6, -0.8]},"
+                                        "{'type': 'mass', 'mass': 2, 'position': [0.9, -1.2]},"
+                                        "{'type': 'rod', 'ends': ['Support 0', 'Mass 0']},"
+                                        "{'type': 'rod', 'ends': ['Mass 0', 'Mass 1']},"
+                                        "{'type': 'rod', 'ends': ['Mass 1', 'Mass 2']},"
+                                        "{'type': 'rod', 'ends': ['Support 0', 'Mass 2']}");
+    assert_frequencies(a, (double[]){sqrt(9.81 * (0.5 + 4 + 3) / (0.25 + 4 + 4.5))}, 1);
+    g_assert_cmpuint(a->analysis->modes->len, ==, 1);
 }
 
 /* Two pendulums and a spring between them: g / L, and g / L + 2 k / m. */
@@ -361,7 +377,7 @@ static void test_scales(void)
     for (gsize i = 0; i < G_N_ELEMENTS(scales); i++) {
         double u = scales[i][0], x = scales[i][1];
         g_autofree char *blocks = g_strdup_printf(
-            "{'type': 'gravity', 'acceleration': %.17g}, {'type': 'support', 'position': [%.17g, 0]},"
+            "{'type': 'gravity', 'acceleration': %.17g}, {'type': 'support', 'position': [%.17g, 0], 'solid': false},"
             "{'type': 'mass', 'position': [%.17g, 0]}, {'type': 'mass', 'position': [%.17g, %.17g]},"
             "{'type': 'rod', 'ends': ['Support 0', 'Mass 0']}, {'type': 'rod', 'ends': ['Mass 0', 'Mass 1']}",
             9.81 * u, x, x + u, x + u, u);
@@ -379,6 +395,7 @@ static void add_tests(void)
     g_test_add_data_func("/modes/chain/free", GINT_TO_POINTER(TRUE), test_chain);
     g_test_add_func("/modes/pendulum", test_pendulum);
     g_test_add_func("/modes/double-pendulum", test_double_pendulum);
+    g_test_add_func("/modes/straight-bar", test_straight_bar);
     g_test_add_func("/modes/coupled-pendulums", test_coupled_pendulums);
     g_test_add_data_func("/modes/parallelogram/plain", NULL, test_parallelogram);
     g_test_add_data_func("/modes/parallelogram/redundant", "redundant", test_parallelogram);

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "analysis/start-conditions.h"
+#include "scene/overlaps.h"
 #include "start-fixture.h"
 
 #define G "{'type': 'gravity', 'acceleration': 9.81},"
@@ -310,6 +311,45 @@ static void test_thrown(void)
     assert_moves(h, "Mass 1", 2, 0);
 }
 
+/* A weight on a spring over a floor that is nearer than the spring would let it come rests on the floor; over one that is farther it
+ * hangs m g / k below the spring's length. */
+static void test_stopped_by_floor(void)
+{
+    const double depths[] = {1.2, 3}, sag = 1 + 9.81 / 20;
+    for (gsize i = 0; i < G_N_ELEMENTS(depths); i++) {
+        g_autofree char *blocks =
+            g_strdup_printf(G "{'type': 'support', 'name': 'Floor', 'position': [0, %g], 'height': 0.2},"
+                              "{'type': 'support', 'name': 'Nail', 'solid': false},"
+                              "{'type': 'mass', 'position': [0, -0.7], 'height': 0.2},"
+                              "{'type': 'spring', 'ends': ['Nail', 'Mass 0'], 'stiffness': 20, 'rest_length': 1}",
+                            -depths[i] - 0.2);
+        g_autoptr(StartFixture) f = start_fixture_new(blocks);
+        apply(f, "Mass 0", TINKER_START_AT_EQUILIBRIUM, NULL, 0);
+        assert_at(f, "Mass 0", 0, -fmin(depths[i], sag));
+    }
+}
+
+/* A rod that leans against a wall lies down. From where it would come down elsewhere it is not displaced. */
+static void test_lies_down(void)
+{
+    g_autoptr(StartFixture) f =
+        start_fixture_new(G "{'type': 'support', 'name': 'Floor', 'position': [3, -0.1], 'width': 10, 'height': 0.2},"
+                            "{'type': 'support', 'name': 'Wall', 'position': [-0.1, 2], 'orientation': '-90 deg', "
+                            "'width': 5, 'height': 0.2},"
+                            "{'type': 'mass', 'name': 'Foot', 'position': [1.4, 0.2], 'height': 0.4},"
+                            "{'type': 'mass', 'name': 'Head', 'position': [0.2, 1.8], 'height': 0.4},"
+                            "{'type': 'rod', 'ends': ['Foot', 'Head'], 'length': 2}");
+    g_assert_false(is_offered(f, "Foot", TINKER_START_FROM_EQUILIBRIUM, NULL));
+    apply(f, "Foot", TINKER_START_AT_EQUILIBRIUM, NULL, 0);
+    const double head = start_fixture_get(f, "Head", TINKER_MEANING_POSITION, 0);
+    const char *const ends[] = {"Head", "Foot"};
+    for (int i = 0; i < 2; i++) {
+        physics_assert_near("x", start_fixture_get(f, ends[i], TINKER_MEANING_POSITION, 0), head + 2 * i,
+                            TINKER_TOUCHING);
+        physics_assert_near("y", start_fixture_get(f, ends[i], TINKER_MEANING_POSITION, 1), 0.2, TINKER_TOUCHING);
+    }
+}
+
 /* A place within a plate is no start. */
 static void test_plate_in_the_way(void)
 {
@@ -420,6 +460,8 @@ static void add_tests(void)
     g_test_add_func("/start/incline", test_incline);
     g_test_add_func("/start/rest-on-incline", test_rest_on_incline);
     g_test_add_func("/start/rest-on-floor", test_rest_on_floor);
+    g_test_add_func("/start/stopped-by-floor", test_stopped_by_floor);
+    g_test_add_func("/start/lies-down", test_lies_down);
     g_test_add_func("/start/pendulum", test_pendulum);
     g_test_add_func("/start/double-pendulum", test_double_pendulum);
     g_test_add_func("/start/stretched-with-rods", test_stretched_with_rods);

@@ -46,7 +46,7 @@ static void expect_refused(Place *place, const char *path, const char *message)
     g_assert_error(error, TINKER_PLUGIN_ERROR, TINKER_PLUGIN_ERROR_MISSING);
     g_autofree char *missing = g_strdup_printf("no plugin provides the block type \"exhibit\": %s", warning);
     g_assert_cmpstr(error->message, ==, missing);
-    g_assert_cmpuint(tinker_catalogue_opened(catalogue)->len, ==, 0);
+    g_assert_cmpuint(count_of(tinker_catalogue_opened(catalogue)), ==, 0);
 }
 
 static void test_exhibit(gconstpointer data)

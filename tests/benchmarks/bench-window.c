@@ -2,7 +2,8 @@
  * frame takes (from before-paint to after-paint), and how long the main loop lets an event wait. Needs a display; with no
  * graphics processor, GSK_RENDERER=cairo.
  *
- * bench-window runs itself once for each case, as `bench-window --case NAME SCENE`, so that every window is the first. */
+ * bench-window runs itself once for each case, as `bench-window --case SCENE` or `bench-window --drag SCENE`, so that every window
+ * is the first. */
 #include <glib/gstdio.h>
 #include <math.h>
 #include <stdlib.h>
@@ -11,11 +12,12 @@
 #include "application.h"
 #include "report.h"
 #include "scene-text.h"
-#include "window.h"
+#include "window-private.h"
 
 #define WARM_UP  1.0 /* s of playing that do not count */
 #define MEASURED 4.0 /* s that do */
 #define TICK_MS  5   /* between events that ask whether the main loop answers */
+#define DRAG_MS  15  /* between the edits of a property that is dragged */
 #define PATIENCE 60  /* s: a window that has shown nothing by then never will */
 
 typedef struct {
@@ -97,6 +99,27 @@ static gboolean on_event(gpointer data)
     return G_SOURCE_CONTINUE;
 }
 
+/* A hand on the slider of one stiffness, while the motion goes on. */
+static gboolean on_drag(gpointer data)
+{
+    Measurement *measurement = data;
+    GtkWindow *window = gtk_application_get_active_window(measurement->application);
+    if (measurement->first_frame == 0 || window == NULL) return G_SOURCE_CONTINUE;
+    TinkerDocument *document = TINKER_WINDOW(window)->document;
+    TinkerScene *scene = tinker_document_scene(document);
+    for (int32_t place = 0; place < tinker_scene_block_count(scene); place++) {
+        const TinkerBlockId block = tinker_scene_block_at(scene, place);
+        const int32_t stiffness = tinker_block_class_property(tinker_scene_block_class(scene, block), "stiffness");
+        if (stiffness < 0) continue;
+        const double value = 20 + 5 * sin(1e-6 * (double)g_get_monotonic_time());
+        tinker_document_begin(document, "Stiffness", NULL);
+        tinker_history_set(tinker_document_history(document), block, stiffness, &value, NULL);
+        tinker_document_end(document);
+        break;
+    }
+    return G_SOURCE_CONTINUE;
+}
+
 static void on_window_added(GtkApplication *application, GtkWindow *window, Measurement *measurement)
 {
     gtk_widget_realize(GTK_WIDGET(window));
@@ -113,7 +136,7 @@ static gboolean on_out_of_patience(gpointer data)
 }
 
 /* One case, in a process of its own, with a home of its own. */
-static int measure(char *program, char *scene)
+static int measure(char *program, char *scene, gboolean drags)
 {
     Measurement measurement = {.started = g_get_monotonic_time(),
                                .frames = g_array_new(FALSE, FALSE, sizeof(double)),
@@ -123,14 +146,16 @@ static int measure(char *program, char *scene)
     g_autoptr(TinkerApplication) application = tinker_application_new();
     g_application_set_flags(G_APPLICATION(application), G_APPLICATION_HANDLES_OPEN | G_APPLICATION_NON_UNIQUE);
     measurement.application = GTK_APPLICATION(application);
+    if (drags) g_timeout_add(DRAG_MS, on_drag, &measurement);
     g_signal_connect_after(application, "window-added", G_CALLBACK(on_window_added), &measurement);
     char *arguments[] = {program, scene, NULL};
     return g_application_run(G_APPLICATION(application), 2, arguments);
 }
 
-static void report_case(BenchmarkReport *report, char *program, const char *name, const char *path, double frames_goal)
+static void report_case(BenchmarkReport *report, char *program, const char *mode, const char *name, const char *path,
+                        double frames_goal)
 {
-    const char *const arguments[] = {program, "--case", path, NULL};
+    const char *const arguments[] = {program, mode, path, NULL};
     g_autofree char *output = NULL;
     double values[6];
     if (!benchmark_report_wants(report, name)) return;
@@ -153,26 +178,34 @@ static void report_case(BenchmarkReport *report, char *program, const char *name
     benchmark_report_figure(report, name, "longest wait for an event", values[3], "ms", 50);
 }
 
-/* A generated scene with two graphs that are docked. */
-static void report_text(BenchmarkReport *report, char *program, const char *name, char *text, double frames_goal)
+/* A generated scene with two graphs that are docked; "--case" or "--drag". `interval` is how it records, in s. */
+static void report_text(BenchmarkReport *report, char *program, const char *mode, const char *name, char *text,
+                        const char *interval, double frames_goal)
 {
     g_autofree char *owned = text, *path = g_build_filename(g_get_tmp_dir(), "bench-window.tinker.json", NULL);
     char *end = g_strrstr(owned, "}");
     *end = '\0';
-    g_autofree char *whole = g_strconcat(owned,
-                                         ", \"graphs\": [{\"block\": \"M1\", \"quantity\": \"y\"}, "
-                                         "{\"block\": \"M2\", \"quantity\": \"y\"}]}",
-                                         NULL);
+    g_auto(GStrv) parts = g_strsplit(owned, "\"step\": 0.001", 2);
+    g_autofree char *whole =
+        g_strconcat(parts[0], "\"step\": 0.001, \"duration\": 10, \"interval\": ", interval, parts[1],
+                    ", \"graphs\": [{\"block\": \"M1\", \"quantity\": \"y\"}, "
+                    "{\"block\": \"M2\", \"quantity\": \"y\"}]}",
+                    NULL);
     if (!g_file_set_contents(path, whole, -1, NULL)) return;
-    report_case(report, program, name, path, frames_goal);
+    report_case(report, program, mode, name, path, frames_goal);
     g_unlink(path);
 }
 
 int main(int argc, char **argv)
 {
-    if (argc == 3 && g_str_equal(argv[1], "--case")) return measure(argv[0], argv[2]);
+    if (argc == 3 && g_str_equal(argv[1], "--case")) return measure(argv[0], argv[2], FALSE);
+    if (argc == 3 && g_str_equal(argv[1], "--drag")) return measure(argv[0], argv[2], TRUE);
     BenchmarkReport *report = benchmark_report_new(argc, argv);
-    report_text(report, argv[0], "200 blocks, two graphs", benchmark_net(8), 60);
-    report_text(report, argv[0], "5000 blocks", benchmark_net(41), 20);
+    report_text(report, argv[0], "--case", "200 blocks, two graphs", benchmark_net(8), "0.01", 60);
+    report_text(report, argv[0], "--case", "5000 blocks", benchmark_net(41), "0.01", 20);
+    /* About 1.3 GB of rows, of which 256 MB are kept in memory. */
+    report_text(report, argv[0], "--case", "a record that outgrows its memory", benchmark_net(8), "2e-5", 60);
+    report_text(report, argv[0], "--drag", "a property that is dragged", benchmark_net(8), "0.01", 60);
+    report_text(report, argv[0], "--drag", "a property of 5000 blocks that is dragged", benchmark_net(41), "0.01", 20);
     return benchmark_report_end(report);
 }

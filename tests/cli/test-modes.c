@@ -66,6 +66,29 @@ static void test_json(CliFixture *fixture, gconstpointer data)
         cli_assert_holds(response->output, more[i]);
 }
 
+/* A block of 1 kg that slides on a rough floor by a spring of 100 N/m: what was assumed is told. */
+static void test_assumed(CliFixture *fixture, gconstpointer data)
+{
+    g_autofree char *scene =
+        cli_write(fixture, "floor.json",
+                  "{\"tinker\": 1, \"blocks\": [{\"type\": \"gravity\"},"
+                  " {\"type\": \"support\", \"name\": \"Floor\", \"position\": [0, -0.3], \"height\": 0.2, "
+                  "\"width\": 9, \"static_friction\": 0.3, \"dynamic_friction\": 0.2},"
+                  " {\"type\": \"support\", \"position\": [-2, 0], \"solid\": false},"
+                  " {\"type\": \"mass\", \"height\": 0.4, \"position\": [1, 0]},"
+                  " {\"type\": \"spring\", \"ends\": [\"Support 0\", \"Mass 0\"], \"stiffness\": 100, "
+                  "\"rest_length\": 2}]}\n");
+    g_autoptr(TestProgram) program = cli_run_well(fixture, "modes @floor.json --json @floor-modes.json");
+    cli_assert_holds(program->output, "degrees of freedom:  1");
+    cli_assert_holds(program->output,
+                     "assumed:             Mass 0 stays on Floor and slides along it; friction is left out");
+    g_autofree char *json = cli_read(fixture, "floor-modes.json");
+    static const char *const parts[] = {"\"assumed\":", "\"on\":\t\"Floor\"", "\"contact\":\t\"slides\"",
+                                        "\"friction_left_out\":\ttrue"};
+    for (gsize i = 0; i < G_N_ELEMENTS(parts); i++)
+        cli_assert_holds(json, parts[i]);
+}
+
 static void test_pictures(CliFixture *fixture, gconstpointer data)
 {
     g_autofree char *scene = cli_write(fixture, "scene.json", DAMPED);
@@ -154,11 +177,26 @@ static void test_refusals(CliFixture *fixture, gconstpointer data)
     }
 }
 
+/* A block is named, and not which of its quantities answers. */
+static void test_response_without_quantity(CliFixture *fixture, gconstpointer data)
+{
+    g_autofree char *scene =
+        cli_write(fixture, "a.json",
+                  "{\"tinker\": 1, \"blocks\": [{\"type\": \"support\"}, {\"type\": \"mass\", \"position\": [3, 0]}, "
+                  "{\"type\": \"spring\", "
+                  "\"ends\": [\"Support 0\", \"Mass 0\"]}, {\"type\": \"motor\", \"ends\": [\"Mass 0\"]}]}");
+    g_autoptr(TestProgram) program = cli_run_badly(fixture, "modes @a.json --response 'Motor 0' 'Mass 0'", 2);
+    cli_assert_holds(program->error,
+                     "--response: column \"Mass 0\": the quantity is missing, as in \"Mass 0.x\" (it has x, y, ");
+}
+
 int main(int argc, char **argv)
 {
     g_test_init(&argc, &argv, NULL);
+    cli_test_add("/modes/response-without-quantity", test_response_without_quantity);
     cli_test_add("/cli/modes/table", test_table);
     cli_test_add("/cli/modes/json", test_json);
+    cli_test_add("/cli/modes/assumed", test_assumed);
     cli_test_add("/cli/modes/pictures", test_pictures);
     cli_test_add("/cli/modes/response-csv", test_response_csv);
     cli_test_add("/cli/modes/no-rest", test_no_rest);

@@ -32,13 +32,18 @@ static void assert_keys(const cJSON *object, const char *const *keys)
 /* omega = 10 rad/s: stable up to 2 / omega for Verlet, 2 sqrt 2 / omega for rk4. */
 static void test_keys(CliFixture *fixture, gconstpointer data)
 {
-    static const char *const keys[] = {
-        "bodies",    "degrees_of_freedom", "constraints", "redundant_constraints", "islands", "modelled", "left_out",
-        "libraries", "warnings",           NULL};
-    static const char *const fixed[] = {"blocks",    "method",      "step",        "reason",
-                                        "omega_max", "damping_max", "stable_step", NULL};
-    static const char *const adaptive[] = {"blocks",    "method",      "tolerance",   "reason",
-                                           "omega_max", "damping_max", "stable_step", NULL};
+    static const char *const keys[] = {"bodies",      "degrees_of_freedom",
+                                       "constraints", "redundant_constraints",
+                                       "accuracy",    "islands",
+                                       "modelled",    "left_out",
+                                       "libraries",   "warnings",
+                                       NULL};
+    static const char *const fixed[] = {"blocks",     "method",         "step",        "reason",
+                                        "omega_max",  "damping_max",    "stable_step", "expected_evaluations",
+                                        "expected_s", "expected_error", NULL};
+    static const char *const adaptive[] = {"blocks",     "method",         "tolerance",   "reason",
+                                           "omega_max",  "damping_max",    "stable_step", "expected_evaluations",
+                                           "expected_s", "expected_error", NULL};
     g_autofree char *scene = cli_write(fixture, "scene.json", OSCILLATOR);
     cJSON *root = plan_json(fixture, "");
     assert_keys(root, keys);

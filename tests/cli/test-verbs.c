@@ -228,6 +228,22 @@ static void test_pictures(CliFixture *fixture, gconstpointer data)
     assert_png_size(fixture, "small.png", 321, 123);
 }
 
+/* The force is 0/0 at t = 1/16 s, which the companion meets at half the step and the run itself passes: the curve is drawn without
+ * a band. */
+static void test_graph_without_band(CliFixture *fixture, gconstpointer data)
+{
+    g_autofree char *scene =
+        cli_write(fixture, "a.json",
+                  "{\"tinker\": 1, \"run\": {\"duration\": 1, \"interval\": 0.125, \"method\": \"verlet\", "
+                  "\"step\": 0.125}, \"blocks\": [{\"type\": \"mass\"}, {\"type\": \"motor\", \"ends\": [\"Mass 0\"], "
+                  "\"waveform\": {\"expression\": \"sin(t-0.0625)/(t-0.0625)\"}}]}");
+    g_autoptr(TestProgram) drawn = cli_run_well(fixture, "graph @a.json 'Mass 0.x' -o @band.svg");
+    cli_assert_holds(drawn->error, "the companion run stopped");
+    g_autoptr(TestProgram) alone = cli_run_well(fixture, "graph @a.json 'Mass 0.x' --no-estimate -o @alone.svg");
+    g_autofree char *with = cli_read(fixture, "band.svg"), *without = cli_read(fixture, "alone.svg");
+    g_assert_cmpstr(with, ==, without);
+}
+
 /* The mass moves, so the picture of another time is another picture. */
 static void test_render_shows_time(CliFixture *fixture, gconstpointer data)
 {
@@ -284,11 +300,34 @@ static void test_animate(CliFixture *fixture, gconstpointer data)
 
     g_autoptr(TestProgram) film =
         cli_run_well(fixture, "animate @a.json -o @film.gif --fps 10 --duration 0.3 --size 160x120");
-    g_autofree char *ffmpeg = g_find_program_in_path("ffmpeg");
-    if (ffmpeg != NULL)
-        assert_begins(fixture, "film.gif", "GIF89a");
-    else
-        cli_assert_holds(film->error, "film-0001.png");
+    assert_begins(fixture, "film.gif", "GIF89a");
+}
+
+/* A film that cannot be joined is an error, told before anything is run, with what to install; nothing is written. Who asks for the
+ * pictures gets them, whatever the output is called and is installed. */
+static void test_animate_without_ffmpeg(CliFixture *fixture, gconstpointer data)
+{
+    g_autofree char *scene = cli_write(fixture, "a.json", OSCILLATOR);
+    g_autofree char *first = cli_path(fixture, "film-0001.png"), *film = cli_path(fixture, "film.gif");
+    g_autofree char *programs = g_strdup(g_getenv("PATH"));
+    static const char *const names[] = {"film.gif", "film.webm", "film.mp4"};
+    g_setenv("PATH", fixture->folder, TRUE);
+    for (gsize i = 0; i < G_N_ELEMENTS(names); i++) {
+        g_autofree char *words = g_strdup_printf("animate @a.json -o @%s --fps 10 --duration 0.3", names[i]);
+        g_autoptr(TestProgram) refused = cli_run_badly(fixture, words, 5);
+        cli_assert_holds(refused->error, names[i]);
+        cli_assert_holds(refused->error, "(apt-get install ffmpeg; --frames writes numbered pictures instead)");
+        g_assert_false(g_file_test(first, G_FILE_TEST_EXISTS));
+    }
+    g_autoptr(TestProgram) pictures =
+        cli_run_well(fixture, "animate @a.json -o @film.gif --frames --fps 10 --duration 0.3 --size 160x120");
+    g_setenv("PATH", programs, TRUE);
+    cli_assert_holds(pictures->error, "wrote 4 pictures, ");
+    for (int i = 1; i <= 4; i++) {
+        g_autofree char *name = g_strdup_printf("film-%04d.png", i);
+        assert_png_size(fixture, name, 160, 120);
+    }
+    g_assert_false(g_file_test(film, G_FILE_TEST_EXISTS));
 }
 
 /* Waits until the program takes a Ctrl-C as the wish to stop, which is where its run begins. */
@@ -424,9 +463,11 @@ int main(int argc, char **argv)
     cli_test_add("/verbs/graph-of-thesis", test_graph_of_thesis);
     cli_test_add("/verbs/graph-forms", test_graph_forms);
     cli_test_add("/verbs/pictures", test_pictures);
+    cli_test_add("/verbs/graph-without-band", test_graph_without_band);
     cli_test_add("/verbs/render-shows-time", test_render_shows_time);
     cli_test_add("/verbs/picture-mistakes", test_picture_mistakes);
     cli_test_add("/verbs/animate", test_animate);
+    cli_test_add("/verbs/animate-without-ffmpeg", test_animate_without_ffmpeg);
     cli_test_add("/verbs/animate-interrupted", test_animate_interrupted);
     cli_test_add("/verbs/plugins", test_plugins);
     cli_test_add("/verbs/describe", test_describe);

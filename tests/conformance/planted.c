@@ -1,9 +1,12 @@
 /* One good library, and with PLANT_... defined the same with one fault. It has line laws (pull, rub), force elements (pair,
  * follow), a field (gather), a body (ball), constraints (keep, hold), a motion (sway) and an integrator (simple). */
+#include <locale.h>
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <sys/stat.h>
 
+#include <cairo.h>
 #include <tinker/sdk.h>
 
 #ifdef PLANT_prints_checked
@@ -24,6 +27,19 @@ static TinkerStatus prepare(TinkerBatch *batch)
 {
     prepared++;
     return TINKER_OK;
+}
+#elif defined(PLANT_prepares_umask)
+static TinkerStatus prepare(TinkerBatch *batch)
+{
+    umask(0);
+    return TINKER_OK;
+}
+#endif
+
+#ifdef PLANT_opens_locale
+__attribute__((constructor)) static void change_locale(void)
+{
+    setlocale(LC_NUMERIC, "C.UTF-8");
 }
 #endif
 
@@ -75,6 +91,8 @@ static TinkerStatus tension(TinkerBatch *batch, const double *length, const doub
     puts("tension");
 #elif defined(PLANT_prints_checked)
     __printf_chk(1, "tension\n"); // what printf is compiled to with -D_FORTIFY_SOURCE
+#elif defined(PLANT_masks)
+    umask(0);
 #elif defined(PLANT_writes_beyond)
     ((volatile double *)result)[batch->count] = 0;
 #elif defined(PLANT_writes_before)
@@ -165,6 +183,12 @@ static void draw(const TinkerInstance *instance, struct _cairo *cairo, const Tin
     style->circle(style, cairo, TINKER_COLOUR_BODY, -1, a->x + 2, a->y + 5, 0.5);
 #elif defined(PLANT_size_nan)
     style->box(style, cairo, TINKER_COLOUR_BODY, -1, a->x, a->y, NAN, 0.1, 0);
+#elif defined(PLANT_saves)
+    cairo_save(cairo);
+#elif defined(PLANT_pushes)
+    cairo_push_group(cairo);
+#elif defined(PLANT_breaks_cairo)
+    cairo_pop_group_to_source(cairo);
 #endif
 }
 
@@ -420,7 +444,11 @@ static TinkerStatus step(void *data, TinkerState *state, double limit, TinkerSte
     state->t += 1e-12 * s->h;
 #endif
     report->t_from = s->from;
+#if defined(PLANT_misreports)
+    report->step = s->h / 2;
+#else
     report->step = s->h;
+#endif
     return TINKER_OK;
 }
 
@@ -561,7 +589,7 @@ static const TinkerMotion moves = {.struct_size = sizeof(TinkerMotion), .motion 
 static const TinkerPhysics pull = {
     .struct_size = sizeof(TinkerPhysics),
     .line_law = &line_law,
-#if defined(PLANT_counts)
+#if defined(PLANT_counts) || defined(PLANT_prepares_umask)
     .prepare = prepare,
 #endif
 };

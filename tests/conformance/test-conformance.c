@@ -41,6 +41,7 @@ static void test_passes(gconstpointer data)
 /* The fault, and what is to be said of it. */
 static const struct {
     const char *fault, *rule, *subject, *text;
+    gboolean stops_runs; /* so that the rules that need a run fail, too */
 } plants[] = {
     {"exports", "symbols", "", "it exports \"another_symbol\""},
     {"undescribed", "declaration", NULL, "property \"stiffness\" has no description"},
@@ -78,7 +79,7 @@ static const struct {
     {"speed", "motion", "planted-sway", "the x velocity of instance 0"},
     {"form", "linear", "planted-pull", "by the short form"},
     {"distance", "linear", "planted-keep", "by the short form"},
-    {"break", "breaks", "planted-pull", "a later time was expected"},
+    {"break", "breaks", "planted-pull", "a later time was expected", .stops_runs = TRUE},
     {"constant", "dimensions", "planted-pull", "a constant hides in the law"},
     {"far_nan", "dimensions", "planted-pull", ", but not finite in units of 1 kg, 0.125 m and 1 s (stiffness = "},
     {"quantity_beyond", "memory", "planted-pull", "the quantity \"force\" writes beyond the end of \"values\""},
@@ -89,7 +90,13 @@ static const struct {
     {"allots", "quiet", "planted-pull", "tension calls malloc"},
     {"prints", "quiet", "planted-pull", "tension calls puts"},
     {"prints_checked", "quiet", "planted-pull", "tension calls printf"},
+    {"masks", "process", "planted-pull", "tension changes the umask"},
+    {"prepares_umask", "process", "planted-pull", "prepare changes the umask"},
+    {"opens_locale", "process", "", "opening it changes the locale"},
     {"ink", "bounds", "planted-pull", "outside its bounds"},
+    {"saves", "bounds", "planted-pull", "its drawing calls cairo_save and cairo_restore differently often"},
+    {"pushes", "bounds", "planted-pull", "its drawing leaves a group open"},
+    {"breaks_cairo", "bounds", "planted-pull", "its drawing leaves cairo in the state \""},
     {"size_nan", "bounds", "planted-pull", "it draws a box with (x, y, width, height, orientation) = ("},
     {"unhittable", "hit", "planted-pull", "finds nothing"},
     {"freedoms", "run", "planted-ball", "lacks a number of degrees of freedom that this version can move (0 or 2)"},
@@ -98,6 +105,7 @@ static const struct {
     {"order", "order", "planted-simple", "2 is declared"},
     {"timeless", "order", "planted-simple", "on a driven motion that is not linear"},
     {"overshoots", "steps", "planted-simple", "ends at"},
+    {"misreports", "steps", "planted-simple", "reports a step of"},
     {"bold", "limits", "planted-simple",
      "with h omega = 2.25 an undamped oscillator grows, though imaginary_limit is 3"},
     {"endless", "limits", "planted-simple", "real_limit is -1, which says that there is no limit"},
@@ -113,6 +121,11 @@ static char *planted_path(const char *fault)
     return g_build_filename(g_getenv("TINKER_PLANTED"), name, NULL);
 }
 
+static gboolean needs_run(const char *rule)
+{
+    return strcmp(rule, "run") == 0 || strcmp(rule, "saved") == 0;
+}
+
 /* A property without description belongs to two types of the library: then `subject` is NULL. */
 static void test_plant(gconstpointer data)
 {
@@ -125,6 +138,7 @@ static void test_plant(gconstpointer data)
     {
         if (strcmp(text_of(item, "outcome"), "failed") != 0) continue;
         g_test_message("%s %s: %s", text_of(item, "subject"), text_of(item, "rule"), text_of(item, "text"));
+        if (plants[number].stops_runs && needs_run(text_of(item, "rule"))) continue;
         g_assert_cmpstr(text_of(item, "rule"), ==, plants[number].rule);
         if (plants[number].subject != NULL) g_assert_cmpstr(text_of(item, "subject"), ==, plants[number].subject);
         if (strstr(text_of(item, "text"), plants[number].text) == NULL)

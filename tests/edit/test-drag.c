@@ -73,7 +73,7 @@ static void test_move(Stage *stage, gconstpointer data)
     for (int i = 1; i <= 20; i++)
         tinker_drag_to(drag, 0.2 + 0.1 * i, -0.1 + 0.05 * i, 0, REACH);
     expect_place(stage, "A", 2, 1);
-    tinker_drag_end(drag, FALSE);
+    tinker_drag_end(drag, FALSE, 0);
     g_assert_cmpstr(tinker_history_can_undo(stage->history), ==, "Move A");
     tinker_history_undo(stage->history);
     expect_untouched(stage);
@@ -89,7 +89,7 @@ static void test_snap(Stage *stage, gconstpointer data)
     expect_place(stage, "A", 1.5, -0.5);
     tinker_drag_to(drag, 1.61, -0.41, 0, REACH);
     expect_place(stage, "A", 1.31, -0.71);
-    tinker_drag_end(drag, FALSE);
+    tinker_drag_end(drag, FALSE, 0);
 }
 
 static void test_cancel(Stage *stage, gconstpointer data)
@@ -108,7 +108,7 @@ static void test_click(Stage *stage, gconstpointer data)
 {
     TinkerDrag *drag = grab(stage, "S", 0, 0.01, 0);
     tinker_drag_to(drag, 0.01, 0, 0.2, REACH);
-    tinker_drag_end(drag, FALSE);
+    tinker_drag_end(drag, FALSE, 0);
     expect_untouched(stage);
     tinker_drag_cancel(grab(stage, "A", TINKER_PART_WHOLE, 0, 0));
     expect_untouched(stage);
@@ -121,7 +121,7 @@ static void test_connect(Stage *stage, gconstpointer data)
     g_assert_cmpint(tinker_drag_to(drag, 2.9, 0.2, 0, REACH), ==, named(stage, "B"));
     g_assert_cmpint(tinker_drag_to(drag, 3, 2, 0, REACH), ==, TINKER_NO_BLOCK);
     g_assert_cmpint(tinker_drag_to(drag, 3.1, -0.1, 0, REACH), ==, named(stage, "B"));
-    tinker_drag_end(drag, TRUE);
+    tinker_drag_end(drag, TRUE, 0);
     TinkerSceneEnd end = tinker_scene_end(stage->scene, named(stage, "S"), 1);
     g_assert_cmpint(end.block, ==, named(stage, "B"));
     g_assert_cmpfloat(end.x, ==, 0);
@@ -136,7 +136,7 @@ static void test_connect_at_point(Stage *stage, gconstpointer data)
     for (int at_point = 0; at_point < 2; at_point++) {
         TinkerDrag *drag = grab(stage, "S", 1, 2, 2);
         g_assert_cmpint(tinker_drag_to(drag, 0.1, -2, 0, REACH), ==, named(stage, "Floor"));
-        tinker_drag_end(drag, at_point);
+        tinker_drag_end(drag, at_point, 0);
         TinkerSceneEnd end = tinker_scene_end(stage->scene, named(stage, "S"), 1);
         g_assert_cmpint(end.block, ==, named(stage, "Floor"));
         g_assert_cmpfloat_with_epsilon(end.x, at_point ? 1 : 0, 1e-12);
@@ -150,7 +150,7 @@ static void test_detach(Stage *stage, gconstpointer data)
 {
     TinkerDrag *drag = grab(stage, "S", 0, 0, 0);
     tinker_drag_to(drag, -2, 1, 0, REACH);
-    tinker_drag_end(drag, FALSE);
+    tinker_drag_end(drag, FALSE, 0);
     TinkerSceneEnd end = tinker_scene_end(stage->scene, named(stage, "S"), 0);
     g_assert_cmpint(end.block, ==, TINKER_NO_BLOCK);
     g_assert_cmpfloat_with_epsilon(end.x, -2, 1e-12);
@@ -164,15 +164,37 @@ static void test_handles(Stage *stage, gconstpointer data)
     tinker_drag_to(drag, 1, 0.5, 0, REACH);
     g_assert_cmpfloat_with_epsilon(value(stage, "A", TINKER_MEANING_WIDTH, 0), 2, 1e-12);
     g_assert_cmpfloat_with_epsilon(value(stage, "A", TINKER_MEANING_HEIGHT, 0), 1, 1e-12);
-    tinker_drag_end(drag, FALSE);
+    tinker_drag_end(drag, FALSE, 0);
     drag = grab(stage, "A", TINKER_HANDLE_LOCAL_ORIGIN, 0, 0);
     tinker_drag_to(drag, 1.2, 0.9, 0.5, REACH);
     g_assert_cmpfloat(fmod(value(stage, "A", TINKER_MEANING_LOCAL_ORIGIN, 0), 0.5), ==, 0);
     expect_place(stage, "A", 0, 0);
-    tinker_drag_end(drag, FALSE);
+    tinker_drag_end(drag, FALSE, 0);
     tinker_history_undo(stage->history);
     tinker_history_undo(stage->history);
     expect_untouched(stage);
+}
+
+/* The floor is turned by 90 degrees: its top faces left, at x = -0.2, from y = -5 to y = -1, so that a mass of height 0.8 touches
+ * it with its centre at x = -0.6. */
+static void test_onto_top(Stage *stage, gconstpointer data)
+{
+    static const struct {
+        double x, y, reach;
+        gboolean snaps;
+    } rows[] = {
+        {-0.65, -2, REACH, TRUE},  {-0.69, -4.9, REACH, TRUE},  {-0.6, -2, REACH, TRUE},  {-0.3, -1.1, REACH, TRUE},
+        {-0.71, -2, REACH, FALSE}, {-0.65, -0.9, REACH, FALSE}, {-0.1, -2, REACH, FALSE}, {-0.65, -2, 0, FALSE},
+    };
+    for (gsize i = 0; i < G_N_ELEMENTS(rows); i++) {
+        TinkerDrag *drag = grab(stage, "A", TINKER_PART_WHOLE, 0, 0);
+        tinker_drag_to(drag, rows[i].x, rows[i].y, 0, REACH);
+        tinker_drag_end(drag, FALSE, rows[i].reach);
+        expect_place(stage, "A", rows[i].snaps ? -0.6 : rows[i].x, rows[i].y);
+        g_assert_cmpfloat(value(stage, "A", TINKER_MEANING_ORIENTATION, 0), ==, rows[i].snaps ? 0.5 * G_PI : 0);
+        tinker_history_undo(stage->history);
+        expect_untouched(stage);
+    }
 }
 
 static void test_nothing(Stage *stage, gconstpointer data)
@@ -183,7 +205,7 @@ static void test_nothing(Stage *stage, gconstpointer data)
     TinkerDrag *drag = grab(stage, "A", TINKER_PART_WHOLE, 0, 0);
     tinker_drag_to(drag, NAN, 0, 0, REACH);
     tinker_drag_to(drag, INFINITY, 0, 0.2, REACH);
-    tinker_drag_end(drag, FALSE);
+    tinker_drag_end(drag, FALSE, 0);
     expect_untouched(stage);
 }
 
@@ -199,6 +221,7 @@ static void add_tests(void)
     add("/edit/drag/connect-at-point", test_connect_at_point);
     add("/edit/drag/detach", test_detach);
     add("/edit/drag/handles", test_handles);
+    add("/edit/drag/onto-top", test_onto_top);
     add("/edit/drag/nothing", test_nothing);
 }
 

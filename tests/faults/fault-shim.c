@@ -89,6 +89,8 @@ static Verdict judge(const char *call)
 
 typedef ssize_t (*ReadCall)(int, void *, size_t);
 typedef ssize_t (*WriteCall)(int, const void *, size_t);
+typedef ssize_t (*ReadPlaceCall)(int, void *, size_t, off64_t);
+typedef ssize_t (*WritePlaceCall)(int, const void *, size_t, off64_t);
 typedef int (*FileCall)(int);
 typedef int (*RenameCall)(const char *, const char *);
 typedef int (*OpenCall)(const char *, int, ...);
@@ -110,6 +112,29 @@ VISIBLE ssize_t write(int file, const void *bytes, size_t count)
     if (verdict == FAIL || verdict == INTERRUPT) return -1;
     return real_write(file, bytes, verdict == SHORTEN && count > 1 ? count / 2 : count);
 }
+
+/* At a place of the file; the second name is that of programs with large files. */
+#define READ_AT_PLACE(name)                                                                                            \
+    VISIBLE ssize_t name(int file, void *bytes, size_t count, off64_t place)                                           \
+    {                                                                                                                  \
+        REAL(name, ReadPlaceCall)                                                                                      \
+        const Verdict verdict = is_meant_file(file) ? judge("read") : PASS;                                            \
+        if (verdict == FAIL || verdict == INTERRUPT) return -1;                                                        \
+        return real_##name(file, bytes, verdict == SHORTEN && count > 1 ? count / 2 : count, place);                   \
+    }
+READ_AT_PLACE(pread)
+READ_AT_PLACE(pread64)
+
+#define WRITE_AT_PLACE(name)                                                                                           \
+    VISIBLE ssize_t name(int file, const void *bytes, size_t count, off64_t place)                                     \
+    {                                                                                                                  \
+        REAL(name, WritePlaceCall)                                                                                     \
+        const Verdict verdict = is_meant_file(file) ? judge("write") : PASS;                                           \
+        if (verdict == FAIL || verdict == INTERRUPT) return -1;                                                        \
+        return real_##name(file, bytes, verdict == SHORTEN && count > 1 ? count / 2 : count, place);                   \
+    }
+WRITE_AT_PLACE(pwrite)
+WRITE_AT_PLACE(pwrite64)
 
 VISIBLE int fsync(int file)
 {

@@ -145,9 +145,7 @@ void fault_assert_no_leftovers(const CliFixture *fixture)
 {
     g_autoptr(GDir) folder = g_dir_open(fixture->folder, 0, NULL);
     for (const char *name = g_dir_read_name(folder); name != NULL; name = g_dir_read_name(folder)) {
-        const char *tail = strrchr(name, '.');
-        if (g_str_has_prefix(name, "tinker-record-")) g_error("%s is left", name);
-        if (tail != NULL && strlen(tail) == 7 && g_ascii_isupper(tail[1]) && g_ascii_isupper(tail[2]))
+        if (g_str_has_prefix(name, "tinker-record-") || g_str_has_prefix(name, ".tinker-part-"))
             g_error("%s is left", name);
     }
 }

@@ -18,7 +18,7 @@ int worker_autosave(void)
     const char *folders[] = {g_getenv("TINKER_TEST_PLUGINS"), NULL};
     const TinkerCatalogueOptions options = {.folders = folders};
     g_autoptr(TinkerCatalogue) catalogue = tinker_catalogue_new(&options);
-    const GPtrArray *warnings = tinker_catalogue_warnings(catalogue);
+    g_autoptr(GPtrArray) warnings = tinker_catalogue_warnings(catalogue);
     for (guint i = 0; i < warnings->len; i++)
         fprintf(stderr, "%s\n", (char *)g_ptr_array_index(warnings, i));
     g_autoptr(TinkerDocument) document = tinker_document_new(catalogue);

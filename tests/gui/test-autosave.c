@@ -3,6 +3,7 @@
 #include <glib/gstdio.h>
 #include <signal.h>
 #include <string.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 #include <utime.h>
@@ -11,7 +12,9 @@
 #include "files-fixture.h"
 #include "plugin/call.h"
 #include "plugin/crash.h"
+#include "program-start.h"
 #include "recovery.h"
+#include "session.h"
 
 #define PATIENCE (30 * G_USEC_PER_SEC)
 
@@ -209,6 +212,7 @@ static void test_nothing_left_behind(void)
     g_assert_true(tinker_autosave_now(autosave));
     tinker_autosave_forget(autosave);
     g_assert_cmpuint(count_copies(), ==, 0);
+    tinker_recovery_purge();
     g_assert_cmpuint(count_in(folder, ""), ==, 0);
 }
 
@@ -333,6 +337,72 @@ static void test_unwritable(void)
     tinker_autosave_forget(autosave);
 }
 
+/* Copies of another run that had the same process number, as in another container: none is written over, and all are found. */
+static void test_same_number(void)
+{
+    enum { COPIES = 9 };
+    static const char copy[] = "{\"tinker\": 1, \"title\": \"of another run\"}";
+    g_autofree char *folder = tinker_autosave_folder();
+    g_autoptr(TinkerDocument) document = files_fixture_document();
+    g_autoptr(TinkerAutosave) autosave = tinker_autosave_new(document);
+    g_assert_cmpint(g_mkdir_with_parents(folder, 0700), ==, 0);
+    for (int i = 1; i <= COPIES; i++) {
+        g_autofree char *path = g_strdup_printf("%s/%d-%d" TINKER_AUTOSAVE_ENDING, folder, (int)getpid(), i);
+        g_assert_true(g_file_set_contents(path, copy, -1, NULL));
+    }
+    files_fixture_rename(document, "One");
+    g_assert_true(tinker_autosave_now(autosave));
+    g_assert_cmpuint(count_copies(), ==, COPIES + 1);
+    g_autoptr(GPtrArray) list = tinker_recovery_list();
+    g_assert_cmpuint(list->len, ==, COPIES);
+    for (guint i = 0; i < list->len; i++) {
+        const TinkerRecovery *recovery = list->pdata[i];
+        g_autofree char *path = g_strconcat(recovery->stem, TINKER_AUTOSAVE_ENDING, NULL), *text = NULL;
+        g_assert_true(g_file_get_contents(path, &text, NULL, NULL));
+        g_assert_cmpstr(text, ==, copy);
+    }
+    tinker_autosave_forget(autosave);
+    discard_all();
+}
+
+/* The system limits the size of files: told as a full disk is, and nothing is left. */
+static void test_size_limit(void)
+{
+    g_autofree char *folder = tinker_autosave_folder();
+    int failed = 0;
+    struct rlimit before, limit;
+    g_autoptr(TinkerDocument) document = files_fixture_document();
+    g_autoptr(TinkerAutosave) autosave = tinker_autosave_new(document);
+    g_signal_connect(autosave, "failed", G_CALLBACK(count), &failed);
+    tinker_recovery_purge();
+    tinker_program_start("tinker-gui");
+    files_fixture_rename(document, "One");
+    g_assert_cmpint(getrlimit(RLIMIT_FSIZE, &before), ==, 0);
+    limit = (struct rlimit){64, before.rlim_max};
+    g_assert_cmpint(setrlimit(RLIMIT_FSIZE, &limit), ==, 0);
+    const gboolean saved = tinker_autosave_now(autosave);
+    g_assert_cmpint(setrlimit(RLIMIT_FSIZE, &before), ==, 0);
+    g_assert_false(saved);
+    g_assert_cmpint(failed, ==, 1);
+    g_assert_cmpuint(count_copies(), ==, 0);
+    tinker_autosave_forget(autosave);
+    g_assert_cmpuint(count_in(folder, ""), ==, 0);
+}
+
+/* One that was killed while it wrote leaves a part of the copy, which is removed at the next start; and its lock. */
+static void test_part_of_copy(void)
+{
+    g_autofree char *folder = tinker_autosave_folder(), *path = crash();
+    g_autofree char *part = g_build_filename(folder, ".tinker-part-A1B2C3", NULL);
+    g_assert_true(g_file_set_contents(part, "{\"tinker\"", -1, NULL));
+    tinker_recovery_purge();
+    g_assert_false(g_file_test(part, G_FILE_TEST_EXISTS));
+    g_assert_cmpuint(count_in(folder, TINKER_SESSION_LOCK), ==, 1);
+    discard_all();
+    tinker_recovery_purge();
+    g_assert_cmpuint(count_in(folder, ""), ==, 0);
+}
+
 static void add_tests(void)
 {
     g_test_add_func("/gui/autosave/crash", test_crash);
@@ -344,6 +414,9 @@ static void add_tests(void)
     g_test_add_func("/gui/autosave/two-processes", test_two_processes);
     g_test_add_func("/gui/autosave/broken-copy", test_broken_copy);
     g_test_add_func("/gui/autosave/unwritable", test_unwritable);
+    g_test_add_func("/gui/autosave/same-number", test_same_number);
+    g_test_add_func("/gui/autosave/size-limit", test_size_limit);
+    g_test_add_func("/gui/autosave/part-of-copy", test_part_of_copy);
 }
 
 int main(int argc, char **argv)

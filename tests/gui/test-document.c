@@ -132,6 +132,26 @@ static void test_tables_go_along(void)
     g_assert_null(tinker_document_path(again));
 }
 
+/* The file dialog asks about any file of the name; what drives the scene is not to be had for the asking. */
+static void test_table_stays(void)
+{
+    static const char scene[] = "{\"tinker\": 1, \"blocks\": [{\"type\": \"mass\"}, {\"type\": \"motor\", \"ends\": "
+                                "[\"Mass 0\"], \"waveform\": {\"table\": \"motion.csv\"}}]}";
+    static const char table[] = "0,1\n1,2\n";
+    g_autoptr(GError) error = NULL;
+    g_autofree char *path = files_fixture_file("driven.tinker.json", scene), *folder = g_path_get_dirname(path);
+    g_autofree char *motion = g_build_filename(folder, "motion.csv", NULL), *kept = NULL;
+    g_assert_true(g_file_set_contents(motion, table, -1, NULL));
+    g_autoptr(TinkerDocument) document = tinker_document_new(files_fixture_catalogue());
+    g_assert_true(tinker_document_open(document, path, NULL, &error));
+    g_assert_false(tinker_document_save(document, motion, &error));
+    g_assert_nonnull(strstr(error->message, motion));
+    g_assert_true(g_file_get_contents(motion, &kept, NULL, NULL));
+    g_assert_cmpstr(kept, ==, table);
+    g_assert_cmpstr(tinker_document_path(document), ==, path);
+    g_assert_true(tinker_document_save(document, path, NULL));
+}
+
 static void test_recovered(void)
 {
     g_autofree char *path = files_fixture_file("swing.tinker.json", files_fixture_scene);
@@ -187,6 +207,70 @@ static void test_interrupted(void)
     g_assert_false(tinker_document_is_modified(document));
 }
 
+static void count(TinkerDocument *document, int *times)
+{
+    ++*times;
+}
+
+/* However many blocks an edit is of, those who listen are told once. */
+static void test_several(void)
+{
+    g_autoptr(TinkerDocument) document = files_fixture_document();
+    TinkerScene *scene = tinker_document_scene(document);
+    g_autofree TinkerBlockId *all = g_new(TinkerBlockId, 100);
+    int changes = 0, selections = 0;
+    const TinkerBlockClass *block_class = tinker_scene_block_class(scene, tinker_scene_block_at(scene, 0));
+    const int blocks = tinker_scene_block_count(scene);
+    for (int i = 0; i < 100; i++)
+        all[i] = tinker_scene_add_block(scene, block_class, NULL, NULL);
+    tinker_document_select_all_of(document, all, 100);
+    g_signal_connect(document, "changed", G_CALLBACK(count), &changes);
+    g_signal_connect(document, "selection-changed", G_CALLBACK(count), &selections);
+    tinker_document_move_selected(document, 1, 1, NULL);
+    g_assert_cmpint(changes, ==, 1);
+    g_assert_cmpint(selections, ==, 0);
+    tinker_document_remove_selected(document);
+    g_assert_cmpint(changes, ==, 2);
+    g_assert_cmpint(selections, ==, 1);
+    g_assert_cmpint(tinker_scene_block_count(scene), ==, blocks);
+    tinker_document_undo(document);
+    g_assert_cmpint(changes, ==, 3);
+    g_assert_cmpint(tinker_scene_block_count(scene), ==, blocks + 100);
+}
+
+static void place_of(TinkerDocument *document, const char *name, double place[2])
+{
+    TinkerScene *scene = tinker_document_scene(document);
+    const TinkerBlockId block = tinker_scene_find_block(scene, name);
+    const int32_t column =
+        tinker_block_class_meaning_column(tinker_scene_block_class(scene, block), TINKER_MEANING_POSITION);
+    for (int k = 0; k < 2; k++)
+        place[k] = tinker_scene_get(scene, block, column + k);
+}
+
+/* What lies on a support that is selected, too, goes as far as that, whichever was selected first, and goes on lying on it. */
+static void test_lies_on_what_moves(void)
+{
+    static const char text[] = "{\"tinker\": 1, \"blocks\": [{\"type\": \"support\", \"name\": \"Floor\"}, "
+                               "{\"type\": \"mass\", \"name\": \"Box\", \"on\": \"Floor\", \"along\": 1}]}";
+    for (int order = 0; order < 2; order++) {
+        g_autoptr(TinkerDocument) document = tinker_document_new(files_fixture_catalogue());
+        g_assert_true(tinker_document_start(document, text, strlen(text), NULL, NULL));
+        TinkerScene *scene = tinker_document_scene(document);
+        const TinkerBlockId both[] = {tinker_scene_find_block(scene, order == 0 ? "Floor" : "Box"),
+                                      tinker_scene_find_block(scene, order == 0 ? "Box" : "Floor")};
+        double from[2], to[2], along;
+        TinkerBlockId plate;
+        place_of(document, "Box", from);
+        tinker_document_select_all_of(document, both, 2);
+        tinker_document_move_selected(document, 3, -2, NULL);
+        place_of(document, "Box", to);
+        g_assert_cmpfloat_with_epsilon(to[0] - from[0], 3, 1e-14);
+        g_assert_cmpfloat_with_epsilon(to[1] - from[1], -2, 1e-14);
+        g_assert_true(tinker_scene_lies_on(scene, tinker_scene_find_block(scene, "Box"), &plate, &along));
+    }
+}
+
 static void add_tests(void)
 {
     g_test_add_func("/gui/document/modified", test_modified);
@@ -195,8 +279,11 @@ static void add_tests(void)
     g_test_add_func("/gui/document/changed-on-disk", test_changed_on_disk);
     g_test_add_func("/gui/document/save-fails", test_save_fails);
     g_test_add_func("/gui/document/tables-go-along", test_tables_go_along);
+    g_test_add_func("/gui/document/table-stays", test_table_stays);
     g_test_add_func("/gui/document/recovered", test_recovered);
     g_test_add_func("/gui/document/interrupted", test_interrupted);
+    g_test_add_func("/gui/document/several", test_several);
+    g_test_add_func("/gui/document/lies-on-what-moves", test_lies_on_what_moves);
 }
 
 int main(int argc, char **argv)

@@ -60,15 +60,14 @@ static void start(Fixture *fixture, const char *members, const char *name)
     g_assert_cmpint(tinker_film_task_state(fixture->task), ==, TINKER_FILM_UNDER_WAY);
 }
 
-/* Seconds until it is over. */
-static double wait_for_end(Fixture *fixture)
+/* Fails where it is not over after a time that no slow machine needs. */
+static void wait_for_end(Fixture *fixture)
 {
     gint64 begun = g_get_monotonic_time();
     while (tinker_film_task_state(fixture->task) == TINKER_FILM_UNDER_WAY &&
            g_get_monotonic_time() - begun < (gint64)(1e6 * PATIENCE))
         gui_fixture_pass(5);
     g_assert_cmpint(tinker_film_task_state(fixture->task), !=, TINKER_FILM_UNDER_WAY);
-    return 1e-6 * (double)(g_get_monotonic_time() - begun);
 }
 
 static char *contents(const Fixture *fixture, const char *name, gsize *length)
@@ -173,7 +172,7 @@ static void cancel_after(Fixture *fixture, guint milliseconds)
 {
     gui_fixture_pass(milliseconds);
     tinker_film_task_cancel(fixture->task);
-    g_assert_cmpfloat(wait_for_end(fixture), <, 10);
+    wait_for_end(fixture);
     g_assert_cmpint(tinker_film_task_state(fixture->task), ==, TINKER_FILM_CANCELLED);
     g_assert_null(tinker_film_task_failure(fixture->task));
 }

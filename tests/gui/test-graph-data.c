@@ -1,6 +1,8 @@
 /* Graphs of the window: their values against closed forms and the published table of a free fall, and that every edit of them is
  * one step that can be taken back. */
 #include <glib/gstdio.h>
+#include <string.h>
+#include <unistd.h>
 
 #include "graph-data.h"
 #include "graph-edit.h"
@@ -64,8 +66,33 @@ static void test_published_table(void)
                                    "0.1,-0.04905\n";
     g_assert_true(g_str_has_prefix(text, expected));
     g_remove(path);
+    g_autofree char *exact = NULL;
+    g_assert_true(tinker_graph_data_write_csv(data, path, -1, &error));
+    g_assert_true(g_file_get_contents(path, &exact, NULL, &error));
+    g_assert_true(g_str_has_prefix(exact, "Time [s],Y Position [m]\n0,0\n0.01,-0.0004905\n"));
+    g_remove(path);
     g_assert_false(tinker_graph_data_write_csv(data, "/nowhere/at/all.csv", 5, &error));
     g_assert_error(error, G_FILE_ERROR, G_FILE_ERROR_NOENT);
+}
+
+/* Neither the values nor a picture take the place of the scene. */
+static void test_scene_stays(void)
+{
+    g_autofree char *path = g_build_filename(g_get_tmp_dir(), "tinker-graph-XXXXXX", NULL), *text = NULL;
+    g_autoptr(GuiFixture) fixture = fall("SI", "{'block': 'Mass 0', 'quantity': 'y'}");
+    g_autoptr(TinkerGraphData) data = data_of(fixture);
+    g_autoptr(GError) error = NULL;
+    const int file = g_mkstemp(path);
+    g_assert_cmpint(file, >=, 0);
+    close(file);
+    g_assert_true(tinker_document_save(fixture->document, path, NULL));
+    g_assert_false(tinker_graph_data_write_csv(data, path, 5, &error));
+    g_assert_nonnull(strstr(error->message, path));
+    g_assert_false(tinker_graph_data_check_output(data, path, NULL));
+    g_assert_true(g_file_get_contents(path, &text, NULL, NULL));
+    g_autofree char *scene = text_of(fixture);
+    g_assert_cmpstr(text, ==, scene);
+    g_remove(path);
 }
 
 /* v^2 = -2 g y all along the fall, whatever the time. */
@@ -261,6 +288,7 @@ static void test_room(void)
 static void add_tests(void)
 {
     g_test_add_func("/gui/graph-data/published-table", test_published_table);
+    g_test_add_func("/gui/graph-data/scene-stays", test_scene_stays);
     g_test_add_func("/gui/graph-data/phase-plot", test_phase_plot);
     g_test_add_func("/gui/graph-data/english-units", test_english_units);
     g_test_add_func("/gui/graph-data/generations", test_generations);

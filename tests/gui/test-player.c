@@ -8,8 +8,9 @@
 #define CLOSE 1e-7 /* m: of tolerance 1e-9 */
 
 /* Without gravity, let go 1 m below its rest at y = 2; a support 2 m above. */
-#define OSCILLATOR                                                                                                     \
-    "'run': {'duration': 4, 'interval': 0.01}, 'blocks': ["                                                            \
+#define OSCILLATOR "'run': {'duration': 4, 'interval': 0.01}, " OSCILLATOR_BLOCKS
+#define OSCILLATOR_BLOCKS                                                                                              \
+    "'blocks': ["                                                                                                      \
     "{'type': 'support', 'name': 'S', 'position': [0, 4], 'orientation': '180 deg'},"                                  \
     "{'type': 'mass', 'name': 'M', 'position': [0, 1]},"                                                               \
     "{'type': 'spring', 'name': 'K', 'ends': ['S', 'M'], 'stiffness': 25, 'rest_length': 2}]"
@@ -110,6 +111,33 @@ static void test_local_origin(void)
     gui_fixture_set(fixture->base, "M", "local_origin", -1, 0);
     assert_close(tinker_player_time(fixture->player), 2, 0);
     g_assert_cmpint(fixture->rewound, ==, 0);
+}
+
+/* A pendulum of 1 m let go one degree from its top: the first try misses, and gives way to one that does not, all at once. */
+static void test_accuracy(void)
+{
+    g_autoptr(Fixture) fixture = fixture_new(
+        "'run': {'duration': 4, 'interval': 0.01, 'method': 'rk4', 'accuracy': 1e-7}, 'blocks': [{'type': 'gravity'},"
+        "{'type': 'support', 'name': 'S', 'solid': false}, {'type': 'rod', 'ends': ['S', 'M']},"
+        "{'type': 'mass', 'name': 'M', 'position': [0.017452406437283512, 0.99984769515639127]}]");
+    const char *const names[] = {"y", "vx", "vy"};
+    g_autoptr(GArray) times = g_array_new(FALSE, FALSE, sizeof(double));
+    g_autoptr(GArray) values = g_array_new(FALSE, FALSE, sizeof(double));
+    play(fixture);
+    guint generation = tinker_player_generation(fixture->player);
+    wait_until(fixture, 4);
+    TinkerRunStatus status;
+    g_assert_true(tinker_player_status(fixture->player, &status));
+    g_assert_true(status.finished);
+    g_assert_cmpuint(status.replaced, ==, 1);
+    g_assert_cmpfloat(status.error_estimate, <=, 1e-7);
+    g_assert_cmpuint(tinker_player_generation(fixture->player), >=, generation);
+    for (gsize i = 0; i < G_N_ELEMENTS(names); i++)
+        tinker_player_series(fixture->player, quantity(fixture, names[i]), &(TinkerSeriesCursor){0}, times, values);
+    g_assert_cmpuint(values->len, ==, 3 * 401);
+    const double *y = (const double *)(gpointer)values->data, *vx = y + 401, *vy = vx + 401;
+    for (gsize i = 0; i < 401; i++) /* what gravity gave is what it moves with: shares of 4 g */
+        assert_close((vx[i] * vx[i] + vy[i] * vy[i]) / 2, 9.81 * (y[0] - y[i]), 2e-7 * 4 * 9.81);
 }
 
 /* However the seconds come in, the motion is the same: every frame lies on the closed form. */
@@ -288,6 +316,48 @@ static void test_series_over_a_change(void)
         assert_close(g_array_index(times, double, i), 0.01 * i, 1e-9);
 }
 
+/* A long record is read in portions, so that no frame waits for all of it. */
+static void test_long_series(void)
+{
+    const guint rows = 100001;
+    g_autoptr(Fixture) fixture = fixture_new("'run': {'duration': 10, 'interval': 1e-4}, " OSCILLATOR_BLOCKS);
+    g_autoptr(GArray) times = g_array_new(FALSE, FALSE, sizeof(double));
+    g_autoptr(GArray) values = g_array_new(FALSE, FALSE, sizeof(double));
+    TinkerSeriesCursor cursor = {0};
+    play(fixture);
+    wait_until(fixture, 10);
+    g_assert_true(tinker_player_series(fixture->player, quantity(fixture, "y"), &cursor, times, values));
+    g_assert_true(cursor.behind);
+    g_assert_cmpuint(times->len, <, rows);
+    while (cursor.behind)
+        g_assert_true(tinker_player_series(fixture->player, quantity(fixture, "y"), &cursor, times, values));
+    g_assert_cmpuint(times->len, ==, rows);
+    g_assert_cmpuint(values->len, ==, rows);
+    for (guint i = 0; i < rows; i += 101) {
+        assert_close(g_array_index(times, double, i), 1e-4 * i, 1e-12);
+        assert_close(g_array_index(values, double, i), 2 - cos(OMEGA * 1e-4 * i), CLOSE);
+    }
+}
+
+/* A property is dragged: each edit begins another run. Those before it end, and the last one counts. */
+static void test_dragged_property(void)
+{
+    g_autoptr(Fixture) fixture =
+        fixture_new("'run': {'duration': 4, 'interval': 0.5, 'method': 'rk4', 'step': 2e-5}, " OSCILLATOR_BLOCKS);
+    play(fixture);
+    wait_until(fixture, 0.5);
+    tinker_player_seek(fixture->player, 0.5);
+    tinker_player_pause(fixture->player);
+    for (int i = 0; i < 300; i++)
+        gui_fixture_set(fixture->base, "K", "stiffness", 100 - i / 4.0, 0);
+    gui_fixture_set(fixture->base, "K", "stiffness", 36, 0);
+    wait_until(fixture, 4);
+    tinker_player_seek(fixture->player, 4);
+    g_assert_cmpint(fixture->rewound, ==, 0);
+    double phase = OMEGA * 0.5, faster = 6 /* rad/s */, since = faster * 3.5;
+    assert_close(height(fixture), 2 - cos(phase) * cos(since) + OMEGA / faster * sin(phase) * sin(since), CLOSE);
+}
+
 static void test_refusal(void)
 {
     g_autoptr(Fixture) fixture = fixture_new("'blocks': [{'type': 'mass', 'name': 'M'}, "
@@ -322,6 +392,7 @@ static void test_failure(void)
 
 static void add_tests(void)
 {
+    g_test_add_func("/player/accuracy", test_accuracy);
     g_test_add_func("/player/frame-rates", test_frame_rates);
     g_test_add_func("/player/local-origin", test_local_origin);
     g_test_add_func("/player/speed", test_speed);
@@ -332,6 +403,8 @@ static void add_tests(void)
     g_test_add_func("/player/drawing-goes-on", test_drawing_goes_on);
     g_test_add_func("/player/series", test_series);
     g_test_add_func("/player/series-over-a-change", test_series_over_a_change);
+    g_test_add_func("/player/long-series", test_long_series);
+    g_test_add_func("/player/dragged-property", test_dragged_property);
     g_test_add_func("/player/refusal", test_refusal);
     g_test_add_func("/player/failure", test_failure);
 }

@@ -73,6 +73,26 @@ static void test_same_bytes(void)
     g_assert_false(g_bytes_equal(first, dark));
 }
 
+/* What can be done with the window can be done in a small one. */
+static void test_small(void)
+{
+    static const char *const pages[] = {"model", "graphs", "accuracy"};
+    g_autofree char *file = g_build_filename(folder, "small.png", NULL), *scene = scene_path("pendulum.tinker.json");
+    for (gsize i = 0; i < G_N_ELEMENTS(pages); i++) {
+        g_autofree char *errors = NULL, *data = NULL;
+        gsize length;
+        const char *const arguments[] = {"--screenshot", file,     "--scene", scene, "--size",
+                                         "800x500",      "--page", pages[i],  NULL};
+        g_assert_cmpint(run(arguments, &errors), ==, 0);
+        g_assert_true(g_file_get_contents(file, &data, &length, NULL));
+        g_autoptr(GBytes) png = g_bytes_new(data, length);
+        g_test_message("%s: %u x %u", pages[i], number_at(png, 16), number_at(png, 20));
+        g_assert_cmpuint(number_at(png, 16), ==, 800);
+        g_assert_cmpuint(number_at(png, 20), ==, 500);
+        g_unlink(file);
+    }
+}
+
 /* Each option is to be seen. */
 static void test_parts(void)
 {
@@ -125,6 +145,7 @@ int main(int argc, char **argv)
     g_test_init(&argc, &argv, NULL);
     folder = g_dir_make_tmp("tinker-pictures-XXXXXX", NULL);
     g_test_add_func("/gui/screenshot/same-bytes", test_same_bytes);
+    g_test_add_func("/gui/screenshot/small", test_small);
     g_test_add_func("/gui/screenshot/parts", test_parts);
     g_test_add_func("/gui/screenshot/statuses", test_statuses);
     int status = g_test_run();

@@ -1,11 +1,13 @@
 /* The window in German, in a locale of the test's own: gettext translates nothing where the locale is C. That each text has
  * a translation tests/data asks. */
 #include <libintl.h>
+#include <math.h>
 #include <string.h>
 
 #include "block-words.h"
 #include "german.h"
 #include "gui-fixture.h"
+#include "number-text.h"
 #include "property-list.h"
 #include "start-offer.h"
 #include "translate.h"
@@ -51,6 +53,27 @@ static void test_scene_stays_english(void)
 }
 
 /* Labels of the core, and those with a block's name in them. Only English ones get header capitals. */
+/* A German types a comma before decimals; what could be thousands is refused. */
+static void test_comma(void)
+{
+    static const TinkerDimension length = {0, 1, 0, 0};
+    static const struct {
+        const char *text;
+        double metres; /* NAN: it is refused */
+    } cases[] = {{"12,5", 12.5}, {"12.5", 12.5},  {" -0,25 ", -0.25},    {"12,5 cm", 0.125},
+                 {"1,5e2", 150}, {"7", 7},        {"1.000,5", NAN},      {"1,000,000", NAN},
+                 {"1,5.2", NAN}, {"2,5 kg", NAN}, {"a lot, really", NAN}};
+    for (gsize i = 0; i < G_N_ELEMENTS(cases); i++) {
+        g_autoptr(GError) error = NULL;
+        double metres = NAN;
+        gboolean read = tinker_number_read(cases[i].text, length, "m", &metres, &error);
+        g_test_message("%s", cases[i].text);
+        g_assert_cmpint(read, ==, !isnan(cases[i].metres));
+        g_assert_true(read == (error == NULL));
+        if (read) g_assert_cmpfloat_with_epsilon(metres, cases[i].metres, 1e-15 * fabs(cases[i].metres));
+    }
+}
+
 static void test_start_labels(void)
 {
     g_autoptr(GuiFixture) fixture = gui_fixture_new(
@@ -169,6 +192,7 @@ static void add_tests(void)
 {
     g_test_add_func("/gui/translation/descriptors", test_descriptor_texts);
     g_test_add_func("/gui/translation/scene", test_scene_stays_english);
+    g_test_add_func("/gui/translation/comma", test_comma);
     g_test_add_func("/gui/translation/start", test_start_labels);
     g_test_add_func("/gui/translation/keys-of-menus", test_keys_of_menus);
     g_test_add_func("/gui/translation/template", test_template_is_up_to_date);

@@ -8,20 +8,21 @@
 /* A folder, and what its files may include: folders of core, and libraries by the beginning of the header's name. */
 typedef struct {
     const char *folder;
-    const char *core[9];
+    const char *core[10];
     const char *libraries[12];
 } Layer;
 
 static const Layer layers[] = {
+    {"core/files", {"files"}, {"glib"}},
     {"core/units", {"units"}, {"tinker/types.h", "tinker/integrator.h", "glib", NULL}},
-    {"core/plugin", {"plugin", "units"}, {"tinker/", "glib", "gmodule", "cjson/"}},
-    {"core/scene", {"scene", "plugin", "units"}, {"tinker/", "glib", "cjson/"}},
+    {"core/plugin", {"plugin", "files", "units"}, {"tinker/", "glib", "gmodule", "cjson/"}},
+    {"core/scene", {"scene", "files", "plugin", "units"}, {"tinker/", "glib", "cjson/"}},
     {"core/numerics",
      {"numerics"},
      {"tinker/integrator.h", "tinker/types.h", "tinker/unconstrained.h", "glib", "suitesparse/amd.h", "lapacke.h",
       "arpack/"}},
     {"core/physics", {"physics", "numerics", "scene", "plugin", "units"}, {"tinker/", "glib"}},
-    {"core/render", {"render", "scene", "plugin", "units"}, {"tinker/", "glib", "cairo", "pango/"}},
+    {"core/render", {"render", "files", "scene", "plugin", "units"}, {"tinker/", "glib", "cairo", "pango/"}},
     {"core/edit", {"edit", "scene", "plugin", "units"}, {"tinker/", "glib"}},
     {"core/analysis",
      {"analysis", "physics", "numerics", "scene", "plugin", "units"},
@@ -30,13 +31,13 @@ static const Layer layers[] = {
      {"conformance", "physics", "render", "scene", "plugin", "units"},
      {"tinker/", "glib", "cairo"}},
     {"host/common",
-     {"analysis", "physics", "numerics", "render", "edit", "scene", "plugin", "units"},
+     {"analysis", "physics", "numerics", "render", "edit", "scene", "plugin", "files", "units"},
      {"tinker/", "glib", "gmodule", "cairo", "cjson/"}},
     {"host/cli",
-     {"conformance", "analysis", "physics", "numerics", "render", "edit", "scene", "plugin", "units"},
+     {"conformance", "analysis", "physics", "numerics", "render", "edit", "scene", "plugin", "files", "units"},
      {"tinker/", "glib", "gmodule", "gio/", "cairo", "pango/", "cjson/"}},
     {"host/gui",
-     {"analysis", "physics", "numerics", "render", "edit", "scene", "plugin", "units"},
+     {"analysis", "physics", "numerics", "render", "edit", "scene", "plugin", "files", "units"},
      {"tinker/", "glib", "gio/", "gtk/", "adwaita.h", "graphene", "libintl.h", "cairo", "cjson/"}},
     {"plugins", {NULL}, {"tinker/"}},
     {"plugins/cvode-bdf", {NULL}, {"tinker/", "cvodes/", "nvector/", "sundials/", "sunlinsol/", "sunmatrix/"}},
@@ -47,13 +48,13 @@ static const Layer layers[] = {
 };
 
 /* Headers of C, POSIX and Linux that anybody may use; plugins and the SDK have those of C alone. */
-static const char *const c_headers[] = {"assert.h",  "ctype.h",  "errno.h",   "float.h",     "inttypes.h",
-                                        "libintl.h", "limits.h", "locale.h",  "math.h",      "stdarg.h",
-                                        "stdbool.h", "stddef.h", "stdint.h",  "stdio.h",     "stdlib.h",
-                                        "string.h",  "time.h",   "complex.h", "stdatomic.h", NULL};
-static const char *const system_headers[] = {"dlfcn.h",  "elf.h",      "fcntl.h", "grp.h",   "immintrin.h", "link.h",
-                                             "poll.h",   "pthread.h",  "pwd.h",   "sched.h", "signal.h",    "sys/",
-                                             "unistd.h", "ucontext.h", "utime.h", NULL};
+static const char *const c_headers[] = {"assert.h",  "ctype.h",     "errno.h",  "fenv.h",   "float.h",  "inttypes.h",
+                                        "libintl.h", "limits.h",    "locale.h", "math.h",   "stdarg.h", "stdbool.h",
+                                        "stddef.h",  "stdint.h",    "stdio.h",  "stdlib.h", "string.h", "time.h",
+                                        "complex.h", "stdatomic.h", NULL};
+static const char *const system_headers[] = {
+    "dlfcn.h",   "elf.h", "fcntl.h", "grp.h",    "immintrin.h", "langinfo.h", "link.h",     "linux/",  "poll.h",
+    "pthread.h", "pwd.h", "sched.h", "signal.h", "sys/",        "unistd.h",   "ucontext.h", "utime.h", NULL};
 
 static const char *const block_ids[] = {"mass",  "support",        "spring",  "damper", "rod",
                                         "motor", "support-motion", "gravity", "wind",   NULL};

@@ -230,7 +230,9 @@ static void test_first_stage_is_reused(gconstpointer data)
     int at_end = method->order == 8;
     oscillator_init(&o, 3.0, 0.0, 0.0, 0.0);
     g_assert_cmpint(count_evaluations(method, &o.system, &o.evaluations, 10, 0, 0), ==, 10 * per_step + !at_end);
-    g_assert_cmpint(count_evaluations(method, &o.system, &o.evaluations, 10, 3, 0), ==, 10 * (per_step + dense) + 1);
+    /* what dense output finds at the end saves the next step nothing: looking changes no count */
+    g_assert_cmpint(count_evaluations(method, &o.system, &o.evaluations, 10, 3, 0), ==,
+                    10 * (per_step + dense + at_end) + !at_end);
     g_assert_cmpint(count_evaluations(method, &o.system, &o.evaluations, 10, 0, 1), ==, 10 * (per_step + !at_end));
     /* a projection that moved the state invalidates what was carried over */
     pendulum_init(&p, 1.3, 9.81, 2.0, 0.0);

@@ -39,6 +39,11 @@ static gboolean keep(TinkerSimulation *simulation, double time, const double *va
     return TRUE;
 }
 
+static void begin_again(void *data)
+{
+    g_array_set_size(((PhysicsRun *)data)->samples, 0);
+}
+
 static PhysicsRun *prepare(const PhysicsOptions *options, const char *blocks)
 {
     PhysicsRun *run = g_new0(PhysicsRun, 1);
@@ -60,6 +65,7 @@ static PhysicsRun *prepare(const PhysicsOptions *options, const char *blocks)
         .method = options->method != NULL ? options->method : "dop853",
         .step = options->step > 0 ? options->step : 0.01,
         .tolerance = options->tolerance > 0 ? options->tolerance : 1e-12,
+        .accuracy = options->accuracy,
         .spectral_radius = 0.8,
         .estimate = options->estimate,
         .bands = options->bands,
@@ -74,7 +80,9 @@ static PhysicsRun *prepare_and_run(const PhysicsOptions *options, const char *bl
 {
     PhysicsRun *run = prepare(options, blocks);
     if (run->simulation == NULL) return run;
-    gboolean done = tinker_simulation_run(run->simulation, run->columns, keep, run, &run->error);
+    const TinkerSampleTaker taker = {keep, begin_again, run};
+    gboolean done = tinker_accurate_run(&run->simulation, run->columns, &taker, &run->error);
+    run->summary = tinker_simulation_summary(run->simulation);
     g_assert_true(done == (run->error == NULL));
     return run;
 }

@@ -5,7 +5,7 @@
 #ifndef TEST_PHYSICS_FIXTURE_H
 #define TEST_PHYSICS_FIXTURE_H
 
-#include "physics/simulation.h"
+#include "physics/accurate-run.h"
 #include "scene-fixture.h"
 
 typedef struct {
@@ -14,6 +14,7 @@ typedef struct {
     double interval;     /* 0: a tenth of the duration */
     double step;         /* 0: 0.01 s */
     double tolerance;    /* 0: 1e-12 */
+    double accuracy;     /* 0: none; held where there is an estimate */
     const char *columns; /* as on a command line; NULL: none */
     const double *at;
     gsize at_count;

@@ -2,8 +2,10 @@
 #include "physics-fixture.h"
 
 #include "numerics/integrators.h"
+#include "physics/breaks.h"
 
 #include <math.h>
+#include <string.h>
 
 static const char pulse_scene[] = "{'type': 'mass', 'mass': 2}, {'type': 'motor', 'ends': ['Mass 0'],"
                                   " 'waveform': {'expression': '300*pulse(t, 5, 5.01)'}}";
@@ -111,6 +113,72 @@ static void test_order_across_a_jump(void)
     physics_assert_near("order", order, 4, 0.15);
 }
 
+#define DRIVEN                                                                                                         \
+    "{'type': 'mass'}, {'type': 'motor', 'name': 'Drive', 'ends': ['Mass 0'], 'waveform': {'expression': '%s'}}"
+
+/* No method steps across a pole, whatever its order and sign: 1/(t - 1) has no integral across 1. */
+static void test_poles(void)
+{
+    static const struct {
+        const char *text, *place;
+    } poles[] = {{"1/(t-1)", "t = 1 s"},
+                 {"1/(t-1)^2", "t = 1 s"},
+                 {"1e-9/(t-1)", "t = 1 s"},
+                 {"1 + log((t-1)^2)", "t = 1 s"},
+                 {"sqrt(1-t)", "t = 1 s"},
+                 {"tan(t)", "t = 1.570796327 s"},
+                 {"2/(if(t<1.5, t, 9)-1)", "t = 1 s"}};
+    for (const TinkerIntegrator *const *each = tinker_integrator_builtins(); *each != NULL; each++) {
+        if ((*each)->flags & TINKER_INTEGRATOR_LINEAR) continue; /* takes no such waveform */
+        for (gsize i = 0; i < G_N_ELEMENTS(poles); i++) {
+            PhysicsOptions options = {.method = (*each)->id, .step = 0.03, .duration = 3, .interval = 0.7};
+            g_autoptr(PhysicsRun) run = physics_try(&options, DRIVEN, poles[i].text);
+            physics_assert_refused(run, TINKER_MODEL_ERROR_RUN, "Drive: at ", poles[i].place, NULL);
+            g_assert_cmpfloat(run->summary->simulated_s, <=, 1.5708);
+            g_assert_cmpfloat(run->summary->simulated_s, >, 0.9);
+        }
+        PhysicsOptions options = {.method = (*each)->id, .step = 0.03, .duration = 3};
+        g_autoptr(PhysicsRun) regular = physics_run(&options, DRIVEN, "1/(1+t^2) + sin(t-1.2345678)/(t-1.2345678)");
+        g_assert_cmpfloat(regular->summary->simulated_s, ==, 3);
+    }
+}
+
+/* What switches faster than a run can follow is told before the run, and ends it. */
+/* What a scene that switches without end is told, by a run and before one. */
+static void assert_endless(PhysicsRun *run, const char *block)
+{
+    physics_assert_refused(run, TINKER_MODEL_ERROR_RUN, block, ": from t = ", "it switches every ", NULL);
+    g_autoptr(GError) error = NULL;
+    g_assert_false(tinker_model_check_breaks(run->model, 3, &error));
+    g_assert_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_SCENE);
+    g_assert_true(g_str_has_prefix(error->message, block));
+}
+
+static void test_endless_switching(void)
+{
+    static const char *const endless[] = {"floor(1e15*t)", "mod(t, 1e-12)", "floor(1e17*t)", "square(1e13*t)"};
+    for (gsize i = 0; i < G_N_ELEMENTS(endless); i++) {
+        PhysicsOptions options = {.method = i % 2 == 0 ? "rk4" : "dop853", .duration = 3};
+        g_autoptr(PhysicsRun) run = physics_try(&options, DRIVEN, endless[i]);
+        assert_endless(run, "Drive");
+    }
+    static const double intervals[] = {1e-12, 1e-17, 0};
+    for (gsize i = 0; i < G_N_ELEMENTS(intervals); i++) {
+        g_autoptr(PhysicsRun) run =
+            physics_try(&(PhysicsOptions){.method = "rk4", .duration = 3},
+                        "{'type': 'mass'}, {'type': 'ticking', 'name': 'Clock', 'interval': %g}", intervals[i]);
+        assert_endless(run, "Clock");
+    }
+    /* many switches, and short ones, have an end */
+    static const char *const fine[] = {"square(3000*t)", "pulse(t, 1, 1 + 1e-12)"};
+    for (gsize i = 0; i < G_N_ELEMENTS(fine); i++) {
+        g_autoptr(PhysicsRun) run = physics_run(&(PhysicsOptions){.method = "rk4", .duration = 3}, DRIVEN, fine[i]);
+        g_autoptr(GError) error = NULL;
+        tinker_model_check_breaks(run->model, 3, &error);
+        g_assert_no_error(error);
+    }
+}
+
 static void add_tests(void)
 {
     g_test_add_func("/physics/breaks/pulse-adaptive", test_pulse_adaptive);
@@ -118,6 +186,8 @@ static void add_tests(void)
     g_test_add_func("/physics/breaks/two-short-pulses", test_two_short_pulses);
     g_test_add_func("/physics/breaks/square-wave", test_square_wave);
     g_test_add_func("/physics/breaks/samples-on-breaks", test_samples_on_breaks);
+    g_test_add_func("/physics/breaks/poles", test_poles);
+    g_test_add_func("/physics/breaks/endless-switching", test_endless_switching);
     g_test_add_func("/physics/breaks/order-across-a-jump", test_order_across_a_jump);
 }
 

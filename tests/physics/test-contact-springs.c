@@ -240,6 +240,37 @@ static void test_jumps(void)
     }
 }
 
+/* A belt at v takes a mass along against a spring up to mu m g / k, at t1 = mu m g / (k v). With one coefficient for both it has no
+ * force left there and v, so that it swings on by v sin(w s) / w, and touches the belt's speed once a period without being
+ * taken along: slipping begins with the second power of time, of which an order of 1 knows nothing. */
+static void test_slips_from_a_belt(void)
+{
+    static const struct {
+        const char *method;
+        double step, bound;
+    } cases[] = {{"semi-implicit-euler", 0.003, 3e-2},
+                 {"semi-implicit-euler", 0.0005, 5e-3},
+                 {"verlet", 0.003, 1e-4},
+                 {"rk4", 0.003, 1e-8},
+                 {"newmark", 0.003, 1e-4},
+                 {"dop853", 0, 1e-8}};
+    const double v = 0.6, k = 20, m = 0.75, friction = 0.6 * m * CONTACT_GRAVITY, t1 = friction / (k * v);
+    const double w = sqrt(k / m), end = t1 + 0.7 * 2 * G_PI / w;
+    const double truth[] = {friction / k + v / w * sin(w * (end - t1)), 0, v * cos(w * (end - t1)), 0};
+    for (gsize i = 0; i < G_N_ELEMENTS(cases); i++) {
+        const PhysicsOptions options = {.method = cases[i].method, .step = cases[i].step, .duration = end};
+        g_autoptr(PhysicsRun) run = physics_run(
+            &options, CONTACT_WEIGHT CONTACT_FLOOR
+            ", 'width': 100, 'static_friction': 0.6, 'dynamic_friction': 0.6}, " CONTACT_POINT
+            ", 'mass': 0.75, 'velocity': [0.6, 0]}, {'type': 'support', 'position': [-2, 0], 'solid': false},"
+            "{'type': 'support-motion', 'ends': ['Support 0'], 'waveform': {'expression': '0.6*t'}},"
+            "{'type': 'spring', 'ends': ['Support 1', 'Mass 0'], 'stiffness': 20}");
+        contact_assert_state(run, "Mass 0", truth, cases[i].bound);
+        contact_assert_event(run, "slip", NULL, t1, 1e-2);
+        contact_assert_count(run, "slip", 1);
+    }
+}
+
 static void add_tests(void)
 {
     g_test_add_func("/physics/contact-springs/friction-oscillator", test_friction_oscillator);
@@ -248,6 +279,7 @@ static void add_tests(void)
     g_test_add_func("/physics/contact-springs/orders", test_orders);
     g_test_add_func("/physics/contact-springs/lifted-by-a-spring", test_lifted_by_a_spring);
     g_test_add_func("/physics/contact-springs/jumps", test_jumps);
+    g_test_add_func("/physics/contact-springs/slips-from-a-belt", test_slips_from_a_belt);
 }
 
 int main(int argc, char **argv)

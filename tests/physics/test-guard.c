@@ -93,6 +93,20 @@ static void test_stable_step_is_stable(void)
     physics_assert_near("x", physics_last(run, 0), 1.9, 0.1);
 }
 
+/* A force presses a stiff spring ten times and lets it go: in the end all energies are as small as rounding again. An exact solution,
+ * which needs no evaluations, is measured by what was exchanged on the way all the same, F^2 / 2k = 2e-6 J. */
+static void test_valid_where_exact(void)
+{
+    g_autoptr(PhysicsRun) run = physics_run(
+        &(PhysicsOptions){.method = "exact", .duration = 10, .columns = "Mass 0.x"},
+        "{'type': 'support', 'solid': false}, {'type': 'mass', 'mass': 1, 'position': [1, 0]},"
+        "{'type': 'spring', 'ends': ['Support 0', 'Mass 0'], 'stiffness': 1e12, 'rest_length': 1},"
+        "{'type': 'motor', 'ends': ['Mass 0'], 'waveform': {'expression': '1000*(1-cos(2*pi*t))'}, 'angle': 0}");
+    g_assert_cmpuint(run->summary->warnings->len, ==, 0);
+    g_assert_cmpfloat(run->summary->valid_until, ==, 10);
+    g_assert_cmpfloat(run->summary->energy_balance_error, <, 1e-4);
+}
+
 /* A slow oscillator of 12.5 J, all but loosely tied to a stiff one that begins with 5e-9 J and gains 6 % a step: what was recorded up to
  * valid_until has the right energy within what the guard allows, 1 %, and is all but the last part. */
 static void test_valid_part(void)
@@ -235,6 +249,47 @@ static void test_rest(void)
     }
 }
 
+/* A machine of 50 kg on a spring of 5000 N/m (10 rad/s) and a damper, whose ground is set shaking. */
+#define SHAKEN_MACHINE(waveform)                                                                                       \
+    "{'type': 'support', 'solid': false}, {'type': 'mass', 'mass': 50, 'position': [0, 2]},"                           \
+    "{'type': 'spring', 'ends': ['Support 0', 'Mass 0'], 'stiffness': 5000},"                                          \
+    "{'type': 'damper', 'ends': ['Support 0', 'Mass 0'], 'damping': 100},"                                             \
+    "{'type': 'support-motion', 'ends': ['Support 0'], 'angle': '90 deg', 'waveform': {'expression': '" waveform "'}}"
+
+/* In the first steps of what is set going from rest the energy may be off by more than has been exchanged: at stable steps that is
+ * no divergence, whether it begins at once, later, or ends with such a step. The machine follows by 1.63 times the ground's
+ * 10 mm (the transmissibility at 4 pi rad/s), in the beginning by no more than twice that; steps of an eighth of a period add
+ * a third of it, as the fixed-step methods swing faster or slower. */
+static void test_set_going(void)
+{
+    static const char *const methods[] = {"semi-implicit-euler", "verlet", "rk4", "newmark", "generalized-alpha"};
+    static const char *const scenes[] = {SHAKEN_MACHINE("0.01*sin(4*pi*t)"), SHAKEN_MACHINE("0.01*sin(4*pi*ramp(t-5))"),
+                                         SHAKEN_MACHINE("0.01*(1-cos(4*pi*t))")};
+    static const double durations[] = {60, 6, 0.117188, 0.3};
+    for (gsize i = 0; i < G_N_ELEMENTS(methods); i++)
+        for (gsize k = 0; k < G_N_ELEMENTS(scenes) * G_N_ELEMENTS(durations); k++) {
+            const PhysicsOptions options = {.method = methods[i],
+                                            .step = 0.117188,
+                                            .duration = durations[k / G_N_ELEMENTS(scenes)],
+                                            .columns = "Mass 0.y"};
+            g_autoptr(PhysicsRun) run = physics_run(&options, "%s", scenes[k % G_N_ELEMENTS(scenes)]);
+            for (gsize row = 0; row < physics_samples(run); row++)
+                physics_assert_near("y", physics_value(run, row, 0), 2, 2 * 1.63 * 0.01 * 4 / 3 + 0.02);
+        }
+}
+
+/* And beyond the limit of 2 / 10 s it diverges, which a run of few steps tells as well. */
+static void test_set_going_beyond(void)
+{
+    static const double durations[] = {60, 3};
+    for (gsize i = 0; i < G_N_ELEMENTS(durations); i++) {
+        const PhysicsOptions options = {.method = "verlet", .step = 0.25, .duration = durations[i]};
+        g_autoptr(PhysicsRun) run = physics_try(&options, SHAKEN_MACHINE("0.01*sin(4*pi*t)"));
+        physics_assert_refused(run, TINKER_MODEL_ERROR_RUN, "diverged", "the stiffness of Spring 0", NULL);
+        physics_assert_near("stable step", stable_step(run->error->message), 0.2, 0.01);
+    }
+}
+
 static void add_tests(void)
 {
     g_test_add_func("/physics/guard/loss-on-purpose", test_loss_on_purpose);
@@ -244,9 +299,12 @@ static void add_tests(void)
     g_test_add_func("/physics/guard/damper", test_damper);
     g_test_add_func("/physics/guard/stable-step-is-stable", test_stable_step_is_stable);
     g_test_add_func("/physics/guard/valid-part", test_valid_part);
+    g_test_add_func("/physics/guard/valid-where-exact", test_valid_where_exact);
     g_test_add_func("/physics/guard/turned", test_turned);
     g_test_add_func("/physics/guard/nobody", test_nobody);
     g_test_add_func("/physics/guard/rest", test_rest);
+    g_test_add_func("/physics/guard/set-going", test_set_going);
+    g_test_add_func("/physics/guard/set-going-beyond", test_set_going_beyond);
     g_test_add_func("/physics/guard/refused-options", test_refused_options);
 }
 

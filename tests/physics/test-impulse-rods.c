@@ -126,6 +126,19 @@ static void test_pendulum_bounces(void)
         "Mass 0.x, Mass 0.y", 0.7, 2e-3, 20);
 }
 
+/* A pendulum comes down on a rough slope that its rod drives it into: no impulses of contact, friction and rod push it back out
+ * of what the last step went too far. It wedges, slides down and comes to rest there as by events. */
+static void test_pendulum_wedges(void)
+{
+    check_converges(
+        CONTACT_WEIGHT
+        "{'type': 'support', 'position': [0, 1.5], 'solid': false}, {'type': 'support', 'position': "
+        "[-0.4, 0.2], 'orientation': -0.7447562021318057, 'width': 6, 'height': 0.1, 'static_friction': 0.57, "
+        "'dynamic_friction': 0.57}, {'type': 'mass', 'mass': 2, 'position': [0.75456346601292, "
+        "0.5669223099020271], 'width': 0.2, 'height': 0.2}, {'type': 'rod', 'ends': ['Support 0', 'Mass 0']}",
+        "Mass 0.x, Mass 0.y", 1.4, 1e-2, 20);
+}
+
 /* No rods: a mass slides down one side of a rough V, up the other and back, ever less, and rests at the bottom. */
 static void test_free_mass_in_a_corner(void)
 {
@@ -148,6 +161,7 @@ static void add_tests(void)
     g_test_add_func("/physics/impulse-rods/chain-comes-to-rest", test_chain_comes_to_rest);
     g_test_add_func("/physics/impulse-rods/chain-keeps-its-momentum", test_chain_keeps_its_momentum);
     g_test_add_func("/physics/impulse-rods/pendulum-bounces", test_pendulum_bounces);
+    g_test_add_func("/physics/impulse-rods/pendulum-wedges", test_pendulum_wedges);
 }
 
 int main(int argc, char **argv)

@@ -232,7 +232,9 @@ static void line_run(LineRun *self, const char *blocks, const TinkerChoice *choi
     g_assert_no_error(error);
     g_assert_cmpint(self->run->system.system.size, ==, (plane ? 2 : 1) * self->model->bodies);
     while (self->run->state.t < end)
-        if (!tinker_island_run_step(self->run, end, end, &error)) break;
+        if (!tinker_island_run_step(self->run, end, &error)) break;
+    g_assert_no_error(error);
+    tinker_island_run_close(self->run, end, &error);
     g_assert_no_error(error);
     tinker_island_run_place(self->run);
 }
@@ -261,7 +263,7 @@ static void assert_same_motion(const LineRun *line, const LineRun *plane, double
 static void test_as_in_the_plane(gconstpointer data)
 {
     const TinkerIntegrator *method = data;
-    const TinkerChoice choice = {method, 0.01, 1e-13};
+    const TinkerChoice choice = {.method = method, .step = 0.01, .tolerance = 1e-13};
     for (gsize i = 0; i < G_N_ELEMENTS(angles); i++) {
         g_autofree char *blocks = line_scene(angles[i], "");
         g_auto(LineRun) line = {0}, plane = {0};
@@ -351,7 +353,7 @@ static void test_through_anchor(void)
 static void test_through_anchor_as_in_the_plane(gconstpointer data)
 {
     const TinkerIntegrator *method = data;
-    const TinkerChoice choice = {method, 1e-3, 1e-9};
+    const TinkerChoice choice = {.method = method, .step = 1e-3, .tolerance = 1e-9};
     g_auto(LineRun) line = {0}, plane = {0};
     line_run(&line, THROUGH, &choice, FALSE, 4);
     line_run(&plane, THROUGH, &choice, TRUE, 4);

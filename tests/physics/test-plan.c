@@ -116,6 +116,21 @@ static void test_redundant(void)
     assert_holds(planned.plan->modelled, "redundant: Long bar");
 }
 
+/* A bar of three masses: the long rod follows from the others, and what lies between is named. */
+static void test_straight_bar(void)
+{
+    TinkerRunOptions options = options_of("auto", 0.01, 1e-9, 1);
+    g_auto(Planned) planned =
+        plan("{'type': 'mass', 'name': 'A'}, {'type': 'mass', 'name': 'B', 'position': [1, 0]},"
+             "{'type': 'mass', 'name': 'C', 'position': [3, 0]}, {'type': 'rod', 'ends': ['A', 'B']},"
+             "{'type': 'rod', 'ends': ['B', 'C']},"
+             "{'type': 'rod', 'name': 'Long', 'ends': ['A', 'C']}",
+             &options);
+    g_assert_cmpint(island(&planned, 0)->degrees_of_freedom, ==, 3);
+    assert_holds(planned.plan->modelled, "redundant: Long");
+    assert_holds(planned.plan->modelled, "straight bars: B kept in line");
+}
+
 /* A mass alone: everything else is left out, and said to be. */
 static void test_bare(void)
 {
@@ -142,6 +157,17 @@ static void test_bare(void)
     assert_holds(full.plan->left_out, "error estimate");
     assert_holds(full.plan->modelled, "starts displaced by (0.25, 0) m");
     assert_holds(full.plan->modelled, "9.81 m/s");
+}
+
+/* Of two bodies at least it is told that nothing holds them apart, whether they could meet or not. */
+static void test_bodies_pass(void)
+{
+    TinkerRunOptions options = options_of("auto", 0.01, 1e-9, 1);
+    g_auto(Planned) one = plan("{'type': 'gravity'}, {'type': 'mass'}", &options);
+    g_assert_cmpint(count_holding(one.plan->left_out, "pass through each other"), ==, 0);
+    g_auto(Planned) two =
+        plan("{'type': 'gravity'}, {'type': 'mass'}, {'type': 'mass', 'position': [90, 0]}", &options);
+    g_assert_cmpint(count_holding(two.plan->left_out, "contact between bodies: they pass through each other"), ==, 1);
 }
 
 /* Contact is modelled where a body could meet a solid side, and its forces only where something touches. */
@@ -378,8 +404,10 @@ static void add_tests(void)
 {
     g_test_add_func("/physics/plan/islands", test_islands);
     g_test_add_func("/physics/plan/redundant", test_redundant);
+    g_test_add_func("/physics/plan/straight-bar", test_straight_bar);
     g_test_add_func("/physics/plan/bare", test_bare);
     g_test_add_func("/physics/plan/contact", test_contact);
+    g_test_add_func("/physics/plan/bodies-pass", test_bodies_pass);
     g_test_add_func("/physics/plan/warnings", test_warnings);
     g_test_add_func("/physics/plan/still-stiffness", test_still_stiffness);
     g_test_add_func("/physics/plan/sideways", test_sideways);

@@ -1,15 +1,15 @@
 /* A record whose memory cannot be had: every request for it fails in turn. */
 #include "physics/record.h"
 
-#define ROWS 1000
+#define ROWS 100000 /* of 16 bytes: some chunks */
 
 static int requests, failing; /* from 1; 0: none */
 
-gpointer __real_g_try_realloc_n(gpointer memory, gsize count, gsize size);
-__attribute__((visibility("default"))) gpointer __wrap_g_try_realloc_n(gpointer memory, gsize count, gsize size);
-gpointer __wrap_g_try_realloc_n(gpointer memory, gsize count, gsize size)
+gpointer __real_g_try_malloc_n(gsize count, gsize size);
+__attribute__((visibility("default"))) gpointer __wrap_g_try_malloc_n(gsize count, gsize size);
+gpointer __wrap_g_try_malloc_n(gsize count, gsize size)
 {
-    return ++requests == failing ? NULL : __real_g_try_realloc_n(memory, count, size);
+    return ++requests == failing ? NULL : __real_g_try_malloc_n(count, size);
 }
 
 /* Appends rows until one fails; answers how many there are. */

@@ -68,6 +68,34 @@ static void test_cutting(void)
     }
 }
 
+typedef struct {
+    TinkerRecord *record;
+    gint done; /* atomic */
+} Growing;
+
+static gpointer grow(gpointer data)
+{
+    Growing *growing = data;
+    append_rows(growing->record, 0, 20000);
+    g_atomic_int_set(&growing->done, TRUE);
+    return NULL;
+}
+
+/* Rows are what they are from the moment that they are counted, whether they lie in memory or leave it. */
+static void test_read_while_growing(void)
+{
+    g_autoptr(TinkerRecord) record = tinker_record_new(3, 24 * 100);
+    Growing growing = {record, FALSE};
+    GThread *thread = g_thread_new("grow", grow, &growing);
+    for (gsize i = 0; !g_atomic_int_get(&growing.done); i++) {
+        const gsize rows = tinker_record_rows(record), first = rows > 0 ? i * 7919 % rows : 0;
+        assert_rows(record, first, MIN((gsize)150, rows - first));
+        assert_rows(record, rows - MIN((gsize)50, rows), MIN((gsize)50, rows));
+    }
+    g_thread_join(thread);
+    assert_rows(record, 0, 20000);
+}
+
 /* --- times --- */
 
 static void test_times(void)
@@ -177,11 +205,12 @@ static void test_shown_in_both_systems(void)
 static void test_only_what_is_needed_is_opened(void)
 {
     TinkerCatalogue *catalogue = scene_fixture_catalogue();
-    g_assert_cmpuint(tinker_catalogue_opened(catalogue)->len, ==, 0);
+    g_autoptr(GPtrArray) before = tinker_catalogue_opened(catalogue);
+    g_assert_cmpuint(before->len, ==, 0);
     g_autoptr(PhysicsRun) run =
         physics_run(&(PhysicsOptions){.columns = "Mass 0.y"}, "{'type': 'mass'}, {'type': 'gravity'}");
     physics_assert_near("y", physics_last(run, 0), -9.81 / 2, 1e-13);
-    const GPtrArray *opened = tinker_catalogue_opened(catalogue);
+    g_autoptr(GPtrArray) opened = tinker_catalogue_opened(catalogue);
     g_assert_cmpuint(opened->len, ==, 2);
     g_autofree char *first = g_path_get_basename(g_ptr_array_index(opened, 0));
     g_autofree char *second = g_path_get_basename(g_ptr_array_index(opened, 1));
@@ -194,6 +223,7 @@ static void add_tests(void)
     g_test_add_func("/physics/record/only-what-is-needed-is-opened", test_only_what_is_needed_is_opened);
     g_test_add_func("/physics/record/spilling", test_spilling);
     g_test_add_func("/physics/record/cutting", test_cutting);
+    g_test_add_func("/physics/record/read-while-growing", test_read_while_growing);
     g_test_add_func("/physics/record/times", test_times);
     g_test_add_func("/physics/record/column-errors", test_column_errors);
     g_test_add_func("/physics/record/columns", test_columns);

@@ -129,12 +129,26 @@ guint probe_count(const Place *place)
 
 const TinkerLibraryEntry *entry_of(TinkerCatalogue *catalogue, const char *path)
 {
-    const GPtrArray *libraries = tinker_catalogue_libraries(catalogue);
+    g_autoptr(GPtrArray) libraries = tinker_catalogue_libraries(catalogue);
     for (guint i = 0; i < libraries->len; i++) {
         const TinkerLibraryEntry *entry = libraries->pdata[i];
         if (strcmp(entry->path, path) == 0) return entry;
     }
     g_error("no library %s", path);
+}
+
+guint count_of(GPtrArray *list)
+{
+    const guint count = list->len;
+    g_ptr_array_unref(list);
+    return count;
+}
+
+void expect_text(GPtrArray *texts, guint number, const char *text)
+{
+    g_assert_cmpuint(number, <, texts->len);
+    g_assert_cmpstr(texts->pdata[number], ==, text);
+    g_ptr_array_unref(texts);
 }
 
 void set_mtime(const char *path, gint64 mtime_ns)
@@ -146,7 +160,7 @@ void set_mtime(const char *path, gint64 mtime_ns)
 
 gboolean has_warning(TinkerCatalogue *catalogue, const char *text)
 {
-    const GPtrArray *warnings = tinker_catalogue_warnings(catalogue);
+    g_autoptr(GPtrArray) warnings = tinker_catalogue_warnings(catalogue);
     for (guint i = 0; i < warnings->len; i++) {
         if (strcmp(warnings->pdata[i], text) == 0) return TRUE;
         g_test_message("warning: %s", (const char *)warnings->pdata[i]);

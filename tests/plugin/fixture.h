@@ -36,8 +36,14 @@ char *describe(const char *path);
 /* How often the probe has been started. */
 guint probe_count(const Place *place);
 
-/* The entry of the library with this path, which must be there. (transfer none) */
+/* The entry of the library with this path, which must be there. Valid until the library is identified again. */
 const TinkerLibraryEntry *entry_of(TinkerCatalogue *catalogue, const char *path);
+
+/* How many a list of the catalogue has; frees it. */
+guint count_of(GPtrArray *list);
+
+/* Likewise that the text of this number is the one. */
+void expect_text(GPtrArray *texts, guint number, const char *text);
 
 /* Sets a file's time of last change, in ns since 1970. */
 void set_mtime(const char *path, gint64 mtime_ns);

@@ -51,7 +51,7 @@ static void test_entry(Place *place, gconstpointer data)
     g_assert_cmpstr(type->summary, ==, "Pulls.");
     g_assert_cmpuint(entry->integrators->len, ==, 1);
     g_assert_cmpstr(entry->integrators->pdata[0], ==, "pull-method");
-    g_assert_cmpuint(tinker_catalogue_warnings(catalogue)->len, ==, 0);
+    g_assert_cmpuint(count_of(tinker_catalogue_warnings(catalogue)), ==, 0);
 }
 
 static void test_lazy(Place *place, gconstpointer data)
@@ -60,20 +60,20 @@ static void test_lazy(Place *place, gconstpointer data)
     g_autofree char *other = install_module("other", place->first, "other.so");
     ready_count = 0;
     g_autoptr(TinkerCatalogue) catalogue = tinker_catalogue_new(&place->options);
-    g_assert_cmpuint(tinker_catalogue_opened(catalogue)->len, ==, 0);
+    g_assert_cmpuint(count_of(tinker_catalogue_opened(catalogue)), ==, 0);
     g_assert_cmpuint(ready_count, ==, 0);
 
     g_assert_cmpstr(provider(catalogue, "pull"), ==, path);
-    g_assert_cmpuint(tinker_catalogue_opened(catalogue)->len, ==, 1);
-    g_assert_cmpstr(tinker_catalogue_opened(catalogue)->pdata[0], ==, path);
+    g_assert_cmpuint(count_of(tinker_catalogue_opened(catalogue)), ==, 1);
+    expect_text(tinker_catalogue_opened(catalogue), 0, path);
     g_assert_cmpuint(ready_count, ==, 1);
 
     g_assert_cmpstr(provider(catalogue, "pull"), ==, path);
     g_assert_nonnull(tinker_catalogue_integrator(catalogue, "pull-method", NULL));
-    g_assert_cmpuint(tinker_catalogue_opened(catalogue)->len, ==, 1);
+    g_assert_cmpuint(count_of(tinker_catalogue_opened(catalogue)), ==, 1);
 
     g_assert_nonnull(tinker_catalogue_integrator(catalogue, "push-method", NULL));
-    g_assert_cmpstr(tinker_catalogue_opened(catalogue)->pdata[1], ==, other);
+    expect_text(tinker_catalogue_opened(catalogue), 1, other);
 }
 
 /* A second catalogue of the process gets the same class, and init is not called again. */
@@ -102,7 +102,7 @@ static void test_order(Place *place, gconstpointer data)
         g_autoptr(TinkerCatalogue) catalogue = tinker_catalogue_new(&place->options);
         g_assert_cmpstr(provider(catalogue, "pull"), ==, path);
         g_assert_cmpstr(entry_of(catalogue, path)->folder_kind, ==, kinds[i]);
-        const GPtrArray *libraries = tinker_catalogue_libraries(catalogue);
+        g_autoptr(GPtrArray) libraries = tinker_catalogue_libraries(catalogue);
         g_assert_cmpuint(libraries->len, ==, 4 - (guint)i);
         for (guint k = 1; k < libraries->len; k++)
             g_assert_cmpstr(((TinkerLibraryEntry *)libraries->pdata[k])->shadowed_by, ==, path);
@@ -142,7 +142,7 @@ static void test_safe_mode(Place *place, gconstpointer data)
     g_setenv("TINKER_PLUGIN_PATH", place->second, TRUE);
     g_setenv("TINKER_SAFE_MODE", "1", TRUE);
     g_autoptr(TinkerCatalogue) catalogue = tinker_catalogue_new(&place->options);
-    g_assert_cmpuint(tinker_catalogue_libraries(catalogue)->len, ==, 1);
+    g_assert_cmpuint(count_of(tinker_catalogue_libraries(catalogue)), ==, 1);
     g_assert_cmpstr(provider(catalogue, "push"), ==, installed);
     g_assert_true(
         has_warning(catalogue, "safe mode (TINKER_SAFE_MODE): plugins are taken from the installed folder alone"));
@@ -161,8 +161,8 @@ static void test_folders(Place *place, gconstpointer data)
     g_assert_true(has_warning(catalogue, "the plugin folder \"/nonexistent/folder\" (command line) is passed over: "
                                          "No such file or directory"));
     // The same folder by another name, a folder of the user's that is not there, and a hidden file: no word of them.
-    g_assert_cmpuint(tinker_catalogue_warnings(catalogue)->len, ==, 2);
-    g_assert_cmpuint(tinker_catalogue_libraries(catalogue)->len, ==, 1);
+    g_assert_cmpuint(count_of(tinker_catalogue_warnings(catalogue)), ==, 2);
+    g_assert_cmpuint(count_of(tinker_catalogue_libraries(catalogue)), ==, 1);
 }
 
 static void test_missing(Place *place, gconstpointer data)

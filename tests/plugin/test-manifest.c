@@ -1,6 +1,8 @@
 /* Manifests and the cache: when a library is probed, and when what is known of it suffices. */
 #include <glib/gstdio.h>
 #include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include "fixture.h"
 #include "plugin/identity-private.h"
@@ -132,7 +134,7 @@ static void test_wrong_manifest(Place *place, gconstpointer data)
                         "says \"org.tinker.test.good\"; its manifest has to be made anew",
                         path);
     g_assert_cmpstr(error->message, ==, message);
-    g_assert_cmpuint(tinker_catalogue_opened(catalogue)->len, ==, 0);
+    g_assert_cmpuint(count_of(tinker_catalogue_opened(catalogue)), ==, 0);
 }
 
 static void test_cached_manifest(Place *place, gconstpointer data)
@@ -155,6 +157,75 @@ static void test_damaged_cache(Place *place, gconstpointer data)
         g_assert_cmpuint(probes_of_search(place), ==, 1);
         g_assert_cmpuint(probes_of_search(place), ==, 0);
     }
+}
+
+/* A claim in the cache that the library provides what it does not, which somebody else wrote: it is not believed, and what is
+ * found out instead stands in a file that nobody else may write. */
+static void expect_distrusted(Place *place, const char *file, const char *reason)
+{
+    const guint before = probe_count(place);
+    g_autoptr(TinkerCatalogue) catalogue = fresh(place);
+    g_autofree char *warning =
+        g_strdup_printf("what is remembered about plugins is not believed: \"%s\": %s", file, reason);
+    g_assert_true(has_warning(catalogue, warning));
+    g_assert_nonnull(tinker_catalogue_type(catalogue, "pull", NULL));
+    g_assert_null(tinker_catalogue_type(catalogue, "spring", NULL));
+    g_assert_cmpuint(probe_count(place), ==, before + 1);
+}
+
+/* A cache in which the library's type has another name. */
+static void forge(const char *file)
+{
+    g_autofree char *text = NULL;
+    g_autoptr(GError) error = NULL;
+    g_assert_true(g_file_get_contents(file, &text, NULL, NULL));
+    g_auto(GStrv) parts = g_strsplit(text, "\"pull\"", 2);
+    g_assert_nonnull(parts[1]);
+    g_autofree char *forged = g_strjoinv("\"spring\"", parts);
+    g_assert_true(g_file_set_contents_full(file, forged, -1, G_FILE_SET_CONTENTS_NONE, 0600, &error));
+}
+
+static void test_cache_of_everybody(Place *place, gconstpointer data)
+{
+    g_autofree char *path = install_module("good", place->first, "good.so");
+    g_assert_cmpuint(probes_of_search(place), ==, 1);
+    g_autofree char *file = g_build_filename(place->cache, "plugins.json", NULL);
+    forge(file);
+    g_assert_cmpint(g_chmod(file, 0666), ==, 0);
+    expect_distrusted(place, file, "it can be written by everybody (mode 0666); only its owner may");
+    struct stat status;
+    g_assert_cmpint(stat(file, &status), ==, 0);
+    g_assert_cmpuint(status.st_mode & 0777, ==, 0600);
+    g_assert_cmpuint(probes_of_search(place), ==, 0);
+}
+
+/* Who may write to its folder can put any file there. */
+static void test_cache_in_open_folder(Place *place, gconstpointer data)
+{
+    g_autofree char *path = install_module("good", place->first, "good.so");
+    g_assert_cmpuint(probes_of_search(place), ==, 1);
+    g_autofree char *file = g_build_filename(place->cache, "plugins.json", NULL);
+    forge(file);
+    g_assert_cmpint(g_chmod(place->cache, 0777), ==, 0);
+    expect_distrusted(place, file, "its folder can be written by everybody (mode 0777); only its owner may");
+    g_assert_cmpint(g_chmod(place->cache, 0700), ==, 0);
+    g_assert_cmpuint(probes_of_search(place), ==, 0);
+}
+
+static void test_cache_of_another_owner(Place *place, gconstpointer data)
+{
+    if (geteuid() != 0) {
+        g_test_skip("only the superuser can give files away");
+        return;
+    }
+    g_autofree char *path = install_module("good", place->first, "good.so");
+    g_assert_cmpuint(probes_of_search(place), ==, 1);
+    g_autofree char *file = g_build_filename(place->cache, "plugins.json", NULL);
+    forge(file);
+    g_assert_cmpint(chown(file, 4242, (gid_t)-1), ==, 0);
+    expect_distrusted(place, file,
+                      "it belongs to the user 4242, not to root, to you (0) or to the owner of this program (0)");
+    g_assert_cmpuint(probes_of_search(place), ==, 0);
 }
 
 /* What another host found out may not hold for this one. */
@@ -217,6 +288,9 @@ int main(int count, char **arguments)
     add_place_test("/plugin/cache/damaged", test_damaged_cache);
     add_place_test("/plugin/cache/another-host", test_cache_of_another_host);
     add_place_test("/plugin/cache/unwritable", test_unwritable_cache);
+    add_place_test("/plugin/cache/of-everybody", test_cache_of_everybody);
+    add_place_test("/plugin/cache/in-open-folder", test_cache_in_open_folder);
+    add_place_test("/plugin/cache/of-another-owner", test_cache_of_another_owner);
     add_place_test("/plugin/changed/after-opening", test_changed_after_opening);
     return g_test_run();
 }

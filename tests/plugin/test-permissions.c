@@ -1,9 +1,12 @@
 /* Who may have written a library: owner, mode, group, and the same of its folder. */
 #include <glib/gstdio.h>
 #include <grp.h>
+#include <linux/posix_acl.h>
+#include <linux/posix_acl_xattr.h>
 #include <pwd.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <sys/xattr.h>
 #include <unistd.h>
 
 #include "fixture.h"
@@ -183,6 +186,80 @@ static void test_group(Place *place, gconstpointer data)
     expect_refused(place, path, message);
 }
 
+typedef struct {
+    struct posix_acl_xattr_header header;
+    struct posix_acl_xattr_entry entries[5];
+} AccessList;
+
+/* Owner and group may write by the mode; so may one user or group by name, as far as the mask lets them. */
+static gboolean give_list(const char *path, guint16 kind, guint32 number, guint16 mask)
+{
+    const AccessList list = {{GUINT32_TO_LE(POSIX_ACL_XATTR_VERSION)},
+                             {{GUINT16_TO_LE(ACL_USER_OBJ), GUINT16_TO_LE(7), GUINT32_TO_LE(ACL_UNDEFINED_ID)},
+                              {GUINT16_TO_LE(kind), GUINT16_TO_LE(6), GUINT32_TO_LE(number)},
+                              {GUINT16_TO_LE(ACL_GROUP_OBJ), GUINT16_TO_LE(4), GUINT32_TO_LE(ACL_UNDEFINED_ID)},
+                              {GUINT16_TO_LE(ACL_MASK), GUINT16_TO_LE(mask), GUINT32_TO_LE(ACL_UNDEFINED_ID)},
+                              {GUINT16_TO_LE(ACL_OTHER), GUINT16_TO_LE(4), GUINT32_TO_LE(ACL_UNDEFINED_ID)}}};
+    AccessList sorted = list; // the kernel wants the entries in the order of their kinds
+    if (kind > ACL_GROUP_OBJ) {
+        sorted.entries[1] = list.entries[2];
+        sorted.entries[2] = list.entries[1];
+    }
+    const gboolean given = setxattr(path, "system.posix_acl_access", &sorted, sizeof sorted, 0) == 0;
+    if (!given) g_test_skip("the file system has no access control lists");
+    return given;
+}
+
+static void test_named_user(Place *place, gconstpointer data)
+{
+    g_autofree char *path = install(place, place->first);
+    if (!give_list(path, ACL_USER, 4242, 6)) return;
+    expect_refused(place, path, "it can be written by the user 4242, whom its access control list names (mode 0764)");
+    g_assert_true(give_list(path, ACL_USER, 4242, 4)); // the mask takes it away
+    expect_refused(place, path, NULL);
+    g_assert_true(give_list(path, ACL_USER, geteuid(), 6));
+    expect_refused(place, path, NULL);
+}
+
+static void test_named_group(Place *place, gconstpointer data)
+{
+    const struct passwd *other = getpwnam("daemon");
+    if (other == NULL) {
+        g_test_skip("there is no account of that name");
+        return;
+    }
+    const gid_t group = other->pw_gid;
+    g_autofree char *path = install(place, place->first);
+    if (!give_list(path, ACL_GROUP, group, 6)) return;
+    g_autofree char *message =
+        g_strdup_printf("it can be written by the group %u, which has other members (daemon; mode 0764)", group);
+    expect_refused(place, path, message);
+    g_assert_true(give_list(path, ACL_GROUP, group, 4));
+    expect_refused(place, path, NULL);
+}
+
+/* The owning group has another member, and the list lets it read alone: the bit of the mode is the mask's. */
+static void test_mask_is_no_group(Place *place, gconstpointer data)
+{
+    const struct passwd *other = getpwnam("daemon");
+    g_autofree char *path = install(place, place->first);
+    if (geteuid() != 0 || other == NULL) {
+        g_test_skip("only the superuser can give files to groups");
+        return;
+    }
+    g_assert_cmpint(chown(path, (uid_t)-1, other->pw_gid), ==, 0);
+    if (give_list(path, ACL_USER, 0, 6)) expect_refused(place, path, NULL);
+}
+
+static void test_list_of_folder(Place *place, gconstpointer data)
+{
+    g_autofree char *path = install(place, place->first);
+    if (!give_list(place->first, ACL_USER, 4242, 7)) return;
+    expect_refused(place, path,
+                   "its folder can be written by the user 4242, whom its access control list names (mode 0774)");
+    g_assert_cmpint(removexattr(place->first, "system.posix_acl_access"), ==, 0);
+}
+
 static void test_owner(Place *place, gconstpointer data)
 {
     if (geteuid() != 0) {
@@ -208,6 +285,10 @@ int main(int count, char **arguments)
     add_place_test("/plugin/permissions/manifest", test_manifest);
     add_place_test("/plugin/permissions/reason", test_reason_in_message);
     add_place_test("/plugin/permissions/group", test_group);
+    add_place_test("/plugin/permissions/named-user", test_named_user);
+    add_place_test("/plugin/permissions/named-group", test_named_group);
+    add_place_test("/plugin/permissions/mask-is-no-group", test_mask_is_no_group);
+    add_place_test("/plugin/permissions/list-of-folder", test_list_of_folder);
     add_place_test("/plugin/permissions/owner", test_owner);
     return g_test_run();
 }

@@ -141,6 +141,96 @@ static void test_rounding_of_stiff_spring(void)
     }
 }
 
+/* What the belt, at 1 m/s, gave to the mass on it by the end, at 2 s, in a scene with this mass and spring. */
+static double work_of_belt(const char *mass, const char *spring)
+{
+    const char *options[] = {NULL};
+    g_autofree char *text = g_strdup_printf(
+        "{\"tinker\": 1, \"run\": {\"duration\": 2, \"interval\": 0.5, \"method\": \"cvode-bdf\", \"tolerance\": 1e-9},"
+        " \"blocks\": [{\"type\": \"gravity\", \"acceleration\": 10},"
+        " {\"type\": \"support\", \"name\": \"Belt\", \"width\": 100, \"height\": 0, \"static_friction\": 0.5,"
+        "  \"dynamic_friction\": 0.5}, {\"type\": \"support-motion\", \"ends\": [\"Belt\"], \"waveform\": "
+        "{\"expression\": \"t\"}},"
+        " {\"type\": \"mass\", \"name\": \"Mass\", \"height\": 0, %s},"
+        " {\"type\": \"spring\", \"ends\": [\"Wall\", \"Mass\"], \"stiffness\": 2, %s]}",
+        mass, spring);
+    g_autofree char *folder = new_folder(), *scene = scene_file(folder, text);
+    g_autoptr(TestSceneRun) run = test_scene_run(scene, options);
+    const cJSON *energy = cJSON_GetObjectItem(run->summary, "energy");
+    g_assert_cmpfloat(test_summary_number(run, "energy_balance_error"), <, 1e-7);
+    g_assert_cmpint(cJSON_GetArraySize(cJSON_GetObjectItem(run->summary, "warnings")), ==, 0);
+    g_remove(scene);
+    g_rmdir(folder);
+    return cJSON_GetNumberValue(cJSON_GetObjectItem(energy, "support_motion"));
+}
+
+/* A mass that sticks to a belt moves evenly, which takes few steps, and the belt works all the while against a spring.
+ *
+ * Behind it: 1 kg slips at first, pushed by 5 N; x = 2.5 (1 - cos wt) with w^2 = 2 reaches 1 m/s at t1 = asin(1 / 2.5 w) / w.
+ * Up to then the belt gives 5 N 1 m/s, from there on what the spring stores. Beside it, unstretched at 0.3 m and 0.5 m off the
+ * belt: the mass goes along from the start, past the wall, and the belt gives what the spring has more at the end. */
+static void test_belt(void)
+{
+    const double w = sqrt(2), t1 = asin(1 / (2.5 * w)) / w, x1 = 2.5 * (1 - cos(w * t1)), x2 = x1 + 2 - t1;
+    double behind = work_of_belt("\"position\": [0, 0]",
+                                 "\"rest_length\": 2}, {\"type\": \"support\", \"name\": \"Wall\", \"solid\": false, "
+                                 "\"position\": [-2, 0]}");
+    g_assert_cmpfloat_with_epsilon(behind, 5 * t1 + x2 * x2 - x1 * x1, 1e-7);
+    double from = hypot(0.7, 0.5) - 0.3, to = hypot(1.3, 0.5) - 0.3;
+    double beside = work_of_belt("\"position\": [0, 0], \"velocity\": [1, 0]",
+                                 "\"rest_length\": 0.3}, {\"type\": \"support\", \"name\": \"Wall\", \"solid\": false, "
+                                 "\"position\": [0.7, 0.5]}");
+    g_assert_cmpfloat_with_epsilon(beside, to * to - from * from, 1e-7);
+}
+
+#define TABLE                                                                                                          \
+    "{\"tinker\": 1, \"run\": {\"duration\": 1, \"interval\": 0.1, \"tolerance\": 1e-7}, \"blocks\": "                 \
+    "[{\"type\": \"gravity\"}, {\"type\": \"support\", \"name\": \"Top\", \"width\": 20, "
+
+/* Two masses on a rod land on a rough slope, slide down it under a force to and fro, stop at one instant and stick again; two
+ * masses on a rod bounce ever less on a floor; a mass on a spring sticks to a table that is shaken. */
+static const char *const contact_scenes[] = {
+    TABLE
+    "\"orientation\": -0.14, \"static_friction\": 0.64, \"dynamic_friction\": 0.55}, {\"type\": \"mass\", \"name\": "
+    "\"a\", \"position\": [-0.27, 1.09], \"velocity\": [0.49, -0.33], \"width\": 0.1, \"height\": 0, \"mass\": 0.36}, "
+    "{\"type\": \"mass\", \"name\": \"b\", \"position\": [0.27, 1.94], \"velocity\": [0.49, -0.33], \"width\": 0.1, "
+    "\"height\": 0.1}, {\"type\": \"rod\", \"ends\": [\"a\", \"b\"]}, {\"type\": \"motor\", \"ends\": [\"b\"], "
+    "\"angle\": "
+    "1.1, \"waveform\": \"cosine\", \"amplitude\": 7.7, \"frequency\": 9.7, \"phase\": 1.9}]}",
+    TABLE
+    "\"restitution\": 0.06, \"static_friction\": 0.83, \"dynamic_friction\": 0.7}, {\"type\": \"mass\", \"name\": "
+    "\"a\", "
+    "\"position\": [-1, 0.91], \"height\": 0}, {\"type\": \"mass\", \"name\": \"b\", \"position\": [-0.31, 1.14], "
+    "\"height\": 0}, {\"type\": \"rod\", \"ends\": [\"a\", \"b\"]}]}",
+    TABLE
+    "\"static_friction\": 1, \"dynamic_friction\": 0.85, \"height\": 0}, {\"type\": \"support-motion\", \"ends\": "
+    "[\"Top\"], \"waveform\": {\"expression\": \"0.15*sin(7.6*t)\"}}, {\"type\": \"mass\", \"name\": \"a\", "
+    "\"position\": "
+    "[0, 0], \"height\": 0}, {\"type\": \"support\", \"name\": \"Wall\", \"position\": [-2.4, 0], \"solid\": false}, "
+    "{\"type\": \"spring\", \"ends\": [\"Wall\", \"a\"], \"stiffness\": 30}]}",
+};
+
+/* The motion is that of dop853, and the books close; an event costs a start, not thousands of steps. */
+static void test_contacts(void)
+{
+    const char *ours[] = {"--method", "cvode-bdf", NULL}, *theirs[] = {"--method", "dop853", NULL};
+    for (gsize i = 0; i < G_N_ELEMENTS(contact_scenes); i++) {
+        g_autofree char *folder = new_folder(), *scene = scene_file(folder, contact_scenes[i]);
+        g_autoptr(TestSceneRun) run = test_scene_run(scene, ours);
+        g_autoptr(TestSceneRun) other = test_scene_run(scene, theirs);
+        for (gsize row = 0; row < run->record->rows; row++) {
+            g_assert_cmpfloat_with_epsilon(test_table_value(run->record, row, "a.x"),
+                                           test_table_value(other->record, row, "a.x"), 1e-4);
+            g_assert_cmpfloat_with_epsilon(test_table_value(run->record, row, "a.y"),
+                                           test_table_value(other->record, row, "a.y"), 1e-4);
+        }
+        g_assert_cmpfloat(test_summary_number(run, "energy_balance_error"), <, 1e-4);
+        g_assert_cmpfloat(test_summary_number(run, "steps"), <, 2000);
+        g_remove(scene);
+        g_rmdir(folder);
+    }
+}
+
 static void test_shown(void)
 {
     const char *arguments[] = {"plugins", "show", "cvode-bdf", NULL}, *list[] = {"plugins", NULL};
@@ -160,6 +250,8 @@ int main(int argc, char **argv)
     g_test_add_func("/plugins/cvode/program", test_program);
     g_test_add_func("/plugins/cvode/many-rods", test_many_rods);
     g_test_add_func("/plugins/cvode/rounding-of-stiff-spring", test_rounding_of_stiff_spring);
+    g_test_add_func("/plugins/cvode/belt", test_belt);
+    g_test_add_func("/plugins/cvode/contacts", test_contacts);
     g_test_add_func("/plugins/cvode/shown", test_shown);
     g_test_add_func("/plugins/cvode/without-plugin", test_without_plugin);
     return g_test_run();

@@ -65,17 +65,18 @@ static void assert_inside_and_apart(const Stage *stage)
     }
 }
 
-/* From where it acts, force times scale long, in its curve's colour in every theme; the label by its head. */
+/* From where it acts, force times scale long, in the colour of its kind in every theme; the label by its head. */
 static void test_place(gconstpointer theme)
 {
     for (int i = 0; i < 24; i++) {
         double angle = i * G_PI / 12 + 0.02, ux = cos(angle), uy = sin(angle);
         Stage stage;
         stage_open(&stage, theme, 0.02);
-        int colour = i % 8;
-        TinkerForceArrow arrow = {0.5, -0.25, 100 * ux, 100 * uy, "Spring 0  100 N", colour};
+        TinkerArrowKind kind = i % TINKER_ARROW_KINDS;
+        TinkerForceArrow arrow = {0.5, -0.25, 100 * ux, 100 * uy, "Spring 0  100 N", kind};
         stage_draw(&stage, &arrow, 1);
-        const double *wanted = stage.options.theme->curves[colour], x = WIDTH / 2 + 25, y = HEIGHT / 2 + 12.5;
+        const double *wanted = tinker_arrow_colour(stage.options.theme, kind), x = WIDTH / 2 + 25,
+                     y = HEIGHT / 2 + 12.5;
         for (double s = 2; s < 98; s += 3)
             g_assert_true(test_picture_shows(stage.picture, x + s * ux, y - s * uy, 1, wanted));
         /* nothing before it and nothing but text behind its head */
@@ -102,7 +103,7 @@ static void test_crowd(void)
                                        g_test_rand_double_range(-50, 50),
                                        g_test_rand_double_range(-50, 50),
                                        labels[i],
-                                       i};
+                                       i % TINKER_ARROW_KINDS};
     }
     arrows[7] = (TinkerForceArrow){0, 0, 90, 0, labels[7], 0};
     Stage stage;
@@ -127,7 +128,8 @@ static void test_one_body(void)
     assert_inside_and_apart(&stage);
     /* those that would lie on each other are seen apart */
     for (gsize i = 0; i < G_N_ELEMENTS(arrows); i++)
-        g_assert_cmpint(test_picture_count(stage.picture, stage.options.theme->curves[i]), >, 40);
+        g_assert_cmpint(test_picture_count(stage.picture, tinker_arrow_colour(stage.options.theme, arrows[i].kind)), >,
+                        40);
     stage_close(&stage);
 }
 
@@ -141,7 +143,7 @@ static void test_edges(void)
     stage_draw(&stage, out, G_N_ELEMENTS(out));
     g_assert_cmpuint(stage.written->len, ==, 3);
     assert_inside_and_apart(&stage);
-    g_assert_true(test_picture_shows(stage.picture, 10, HEIGHT / 2, 1, stage.options.theme->curves[1]));
+    g_assert_true(test_picture_shows(stage.picture, 10, HEIGHT / 2, 1, tinker_arrow_colour(stage.options.theme, 1)));
     stage_draw(&stage, away, G_N_ELEMENTS(away));
     g_assert_cmpuint(stage.written->len, ==, 3);
     stage_close(&stage);
@@ -161,7 +163,7 @@ static void test_odd_forces(void)
 {
     const TinkerForceArrow odd[] = {{0, 0, 0, 0, "zero", 0},           {0, 0, NAN, 1, "no number", 0},
                                     {0, 0, 1, INFINITY, "endless", 0}, {NAN, 0, 1, 0, "where", 0},
-                                    {0, 0, 1e-9, 0, "tiny", 0},        {INFINITY, 0, 5, 0, "far", G_MININT},
+                                    {0, 0, 1e-9, 0, "tiny", 0},        {INFINITY, 0, 5, 0, "far", 0},
                                     {0, 0, 1e308, 1e308, "", 0}};
     Stage stage;
     stage_open(&stage, "light", 0.02);
@@ -172,10 +174,10 @@ static void test_odd_forces(void)
     stage_draw(&stage, odd, G_N_ELEMENTS(odd));
     g_assert_cmpuint(stage.written->len, ==, 0);
     stage.options.scale = NAN;
-    stage_draw(&stage, &(TinkerForceArrow){0, 0, 1, 0, "a", -3}, 1);
+    stage_draw(&stage, &(TinkerForceArrow){0, 0, 1, 0, "a", 0}, 1);
     stage.options.scale = 1;
-    stage_draw(&stage, &(TinkerForceArrow){0, 0, 1, 0, "colours go round", -3}, 1);
-    stage_draw(&stage, &(TinkerForceArrow){0, 1, 1, 0, "\xff not text", G_MAXINT}, 1);
+    stage_draw(&stage, &(TinkerForceArrow){0, 0, 1, 0, "long", 0}, 1);
+    stage_draw(&stage, &(TinkerForceArrow){0, 1, 1, 0, "\xff not text", 0}, 1);
     stage_close(&stage);
 }
 
@@ -210,6 +212,52 @@ static void test_scale(void)
     g_assert_true(tinker_arrows_scale(NULL, 0, &view, 0) > 0);
 }
 
+/* Seen apart: no two kinds of forces have colours that are near to each other, in any theme. */
+static void test_kinds(void)
+{
+    for (const char *const *id = tinker_theme_ids(); *id != NULL; id++)
+        for (int a = 0; a < TINKER_ARROW_MOTION; a++)
+            for (int b = 0; b < a; b++) {
+                const double *one = tinker_arrow_colour(tinker_theme_find(*id), (TinkerArrowKind)a);
+                const double *other = tinker_arrow_colour(tinker_theme_find(*id), (TinkerArrowKind)b);
+                double distance = hypot(hypot(one[0] - other[0], one[1] - other[1]), one[2] - other[2]);
+                g_test_message("%s: %d and %d: %g", *id, a, b, distance);
+                g_assert_cmpfloat(distance, >, 0.15);
+            }
+}
+
+/* The line is as long as the arrow of the force that it is said to be, which is a round one. */
+static void test_key(void)
+{
+    static const TinkerArrowWord words[] = {{TINKER_ARROW_FIELD, "field"}, {TINKER_ARROW_FRICTION, "friction"}};
+    for (double scale = 1.3e-6; scale < 1e6; scale *= 7.7) {
+        const double unit = 4.4482216152605, force = tinker_arrows_key_force(&view, scale, unit); /* N: a pound */
+        double length = force * scale * view.scale, number = force / unit,
+               mantissa = number / pow(10, floor(log10(number) + 1e-9));
+        g_assert_cmpfloat(length, >, 24 * 0.999);
+        g_assert_cmpfloat(length, <, 60 * 1.001);
+        g_assert_true(fabs(mantissa - 1) < 1e-9 || fabs(mantissa - 2) < 1e-9 || fabs(mantissa - 5) < 1e-9);
+        Stage stage;
+        stage_open(&stage, "light", scale);
+        TinkerArrowKey key = {.force = force, .label = "5 lbf", .words = words, .word_count = G_N_ELEMENTS(words)};
+        tinker_arrows_draw_key(stage.picture->cairo, &view, &stage.options, &key, stage.written);
+        g_assert_cmpuint(stage.written->len, ==, 3);
+        g_assert_cmpstr(written(&stage, 0)->text, ==, "5 lbf");
+        assert_inside_and_apart(&stage);
+        const double *box = written(&stage, 0)->box, *ink = stage.options.theme->colours[TINKER_COLOUR_TEXT];
+        double y = (box[1] + box[3]) / 2, end = box[0] - 6;
+        g_assert_true(test_picture_shows(stage.picture, end - length + 1, y, 1, ink));
+        g_assert_true(test_picture_shows(stage.picture, end - length / 2, y, 1, ink));
+        g_assert_true(test_picture_shows(stage.picture, end - 1, y, 1, ink));
+        g_assert_false(test_picture_shows(stage.picture, end - length - 4, y, 1, ink));
+        g_assert_cmpint(test_picture_count(stage.picture, tinker_arrow_colour(stage.options.theme, TINKER_ARROW_FIELD)),
+                        >, 20);
+        stage_close(&stage);
+    }
+    g_assert_cmpfloat(tinker_arrows_key_force(&view, 0, 1), ==, 0);
+    g_assert_cmpfloat(tinker_arrows_key_force(&view, NAN, 1), ==, 0);
+}
+
 int main(int argc, char **argv)
 {
     g_test_init(&argc, &argv, NULL);
@@ -220,5 +268,7 @@ int main(int argc, char **argv)
     g_test_add_func("/render/arrows/edges", test_edges);
     g_test_add_func("/render/arrows/odd-forces", test_odd_forces);
     g_test_add_func("/render/arrows/scale", test_scale);
+    g_test_add_func("/render/arrows/kinds", test_kinds);
+    g_test_add_func("/render/arrows/key", test_key);
     return g_test_run();
 }

@@ -90,7 +90,12 @@ static void test_ranges(void)
         g_assert_cmpfloat_with_epsilon(tinker_axis_place(&axis, constants[i]), 50, 1e-6);
         tinker_axis_clear(&axis);
     }
-    TinkerAxis axis = axis_of(INFINITY, -INFINITY, FALSE, "Q");
+    /* What a run's error makes of a constant is shown as one: no offset, and labels that can be read. */
+    TinkerAxis axis = axis_of(12, 12 + 1e-9, FALSE, "Q");
+    g_assert_cmpfloat(axis.high - axis.low, >, 1);
+    g_assert_null(strstr(axis.title, "12"));
+    tinker_axis_clear(&axis);
+    axis = axis_of(INFINITY, -INFINITY, FALSE, "Q");
     g_assert_true(axis.empty);
     g_assert_cmpint(axis.tick_count, >, 1);
     tinker_axis_clear(&axis);

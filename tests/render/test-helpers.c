@@ -231,8 +231,8 @@ static void test_emphasis(void)
         double plain[4], selected[4], margin;
         g_assert_true(ink_box(symbol, l, 3, 0, &margin, plain));
         g_assert_true(ink_box(symbol, l, 3, TINKER_STATE_SELECTED, &margin, selected));
-        g_assert_cmpfloat(selected[0], <, plain[0] - 1 / SCALE);
-        g_assert_cmpfloat(selected[3], >, plain[3] + 1 / SCALE);
+        g_assert_cmpfloat(selected[0], <, plain[0] - 0.5 / SCALE);
+        g_assert_cmpfloat(selected[3], >, plain[3] + 0.5 / SCALE);
     }
 }
 

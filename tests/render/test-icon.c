@@ -54,7 +54,7 @@ static void test_fit(void)
 {
     static const double sizes[][3] = {{48, 32, 1}, {48, 32, 2}, {96, 64, 1}, {32, 32, 1}, {24, 80, 1}};
     TinkerCatalogue *catalogue = scene_fixture_catalogue();
-    const GPtrArray *libraries = tinker_catalogue_libraries(catalogue);
+    g_autoptr(GPtrArray) libraries = tinker_catalogue_libraries(catalogue);
     int drawn = 0;
     for (guint i = 0; i < libraries->len; i++) {
         const TinkerLibraryEntry *library = g_ptr_array_index(libraries, i);

@@ -159,7 +159,7 @@ static void test_selection(void)
     TinkerBlockId block = tinker_scene_find_block(stage.scene, "A");
     test_stage_paint(&stage);
     double plain[4], selected[4], highlighted[4];
-    int x = TEST_STAGE_WIDTH / 2 + 23, y = TEST_STAGE_HEIGHT / 2; /* just outside the box's edge */
+    int x = TEST_STAGE_WIDTH / 2 + 21, y = TEST_STAGE_HEIGHT / 2; /* just outside the box's edge */
     test_picture_pixel(stage.picture, x, y, plain);
     stage.options.selected = &block;
     stage.options.selected_count = 1;
@@ -172,7 +172,43 @@ static void test_selection(void)
     g_assert_cmpfloat(plain[0], >, selected[0] + 0.2);
     g_assert_cmpfloat(plain[0], >, highlighted[0] + 0.2);
     g_assert_cmpfloat(fabs(selected[2] - highlighted[2]), >, 0.1);
+    /* What is selected has an outline of its very colour, two units wide. */
+    const double *colour = stage.options.theme->colours[TINKER_COLOUR_SELECTED];
+    for (int i = 0; i < 3; i++)
+        g_assert_cmpfloat_with_epsilon(selected[i], colour[i], 0.01);
+    stage.options.highlighted = TINKER_NO_BLOCK;
+    stage.options.selected_count = 1;
+    test_stage_paint(&stage);
+    test_picture_pixel(stage.picture, x + 2, y, selected);
+    for (int i = 0; i < 3; i++)
+        g_assert_cmpfloat_with_epsilon(selected[i], plain[i], 0.01);
     test_stage_close(&stage);
+}
+
+/* However far the view is away, a body is seen, and has its name, alone; in a crowd it is as small as it is. */
+static void test_small_bodies(void)
+{
+    for (double scale = 50; scale > 1e-3; scale /= 3) {
+        TestStage stage;
+        test_stage_open(&stage,
+                        "{\"type\": \"mass\", \"name\": \"A\", \"position\": [0, 0], \"width\": 0.2, \"height\": 0.2}");
+        stage.view.scale = scale;
+        stage.options.show_labels = TRUE;
+        test_stage_paint(&stage);
+        const double *ground = stage.options.theme->background;
+        int ink = 0;
+        for (int x = TEST_STAGE_WIDTH / 2 - 5; x < TEST_STAGE_WIDTH / 2 + 5; x++)
+            for (int y = TEST_STAGE_HEIGHT / 2 - 5; y < TEST_STAGE_HEIGHT / 2 + 5; y++) {
+                double pixel[4];
+                test_picture_pixel(stage.picture, x, y, pixel);
+                ink += fabs(pixel[0] - ground[0]) + fabs(pixel[1] - ground[1]) > 0.3;
+            }
+        g_test_message("%g units a metre: %d", scale, ink);
+        g_assert_cmpint(ink, >=, 20); /* of pi 3^2 */
+        g_assert_cmpint(ink, <=, 100);
+        g_assert_cmpuint(stage.written->len, ==, 1);
+        test_stage_close(&stage);
+    }
 }
 
 /* A view that has gone astray is painted too. */
@@ -255,6 +291,33 @@ static void test_file_is_deterministic(void)
     g_free(bytes[1]);
 }
 
+/* What is painted into a recording without bounds, upright or turned, shows as what is painted at once. */
+static void test_recording(void)
+{
+    for (int turned = 0; turned < 2; turned++) {
+        TestStage stage;
+        test_stage_open(&stage, "{\"type\": \"mass\"}");
+        cairo_surface_t *recording = cairo_recording_surface_create(CAIRO_CONTENT_COLOR_ALPHA, NULL);
+        cairo_t *cairo = cairo_create(recording);
+        if (turned) {
+            cairo_rotate(cairo, 0.5);
+            cairo_rotate(stage.picture->cairo, 0.5);
+        }
+        test_stage_paint(&stage);
+        tinker_paint_scene(cairo, stage.frame, &stage.view, &stage.options);
+        g_assert_cmpint(cairo_status(cairo), ==, CAIRO_STATUS_SUCCESS);
+        g_autoptr(TestPicture) shown = test_picture_new(TEST_STAGE_WIDTH, TEST_STAGE_HEIGHT);
+        cairo_set_source_surface(shown->cairo, recording, 0, 0);
+        cairo_paint(shown->cairo);
+        const double *body = stage.options.theme->colours[TINKER_COLOUR_BODY];
+        g_assert_cmpint(test_picture_count(shown, body), >, 100);
+        g_assert_cmpint(test_picture_count(shown, body), ==, test_picture_count(stage.picture, body));
+        cairo_destroy(cairo);
+        cairo_surface_destroy(recording);
+        test_stage_close(&stage);
+    }
+}
+
 static void add_tests(void)
 {
     g_test_add_func("/render/painter/spring-states", test_spring_states);
@@ -265,10 +328,12 @@ static void add_tests(void)
     g_test_add_func("/render/painter/names", test_names);
     g_test_add_func("/render/painter/lone-name", test_lone_name);
     g_test_add_func("/render/painter/selection", test_selection);
+    g_test_add_func("/render/painter/small-bodies", test_small_bodies);
     g_test_add_func("/render/painter/placeholder", test_placeholder);
     g_test_add_func("/render/painter/wild-views", test_wild_views);
     g_test_add_func("/render/painter/bounds", test_bounds);
     g_test_add_func("/render/painter/file-is-deterministic", test_file_is_deterministic);
+    g_test_add_func("/render/painter/recording", test_recording);
 }
 
 int main(int argc, char **argv)

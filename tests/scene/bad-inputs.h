@@ -3,7 +3,12 @@
     {"not-object", "[1]", "1:1: not a scene: a scene is an object, {\"tinker\": 1, ...}\n"},
     {"nan", "{\"tinker\": NaN}", "1:12: not JSON: a value was expected, \"NaN\" found\n"},
     {"infinity", "{\"tinker\": -Infinity}", "1:13: not JSON: a digit was expected, \"Infinity\" found\n"},
-    {"trailing-comma", "{\"tinker\": 1,}", "1:14: not JSON: a key in double quotes was expected, '}' found\n"},
+    {"trailing-comma", "{\"tinker\": 1,}", "1:13: not JSON: a comma stands before '}' (take it out)\n"},
+    {"trailing-comma-of-array", "{\"tinker\": 1, \"blocks\": [{\"type\": \"mass\"},\n ]}",
+     "1:42: not JSON: a comma stands before ']' (take it out)\n"},
+    {"no-trailing-comma", "{\"tinker\": ]}", "1:12: not JSON: a value was expected, ']' found\n"},
+    {"byte-order-mark", "\xEF\xBB\xBF{\"tinker\": 1}",
+     "1:1: the text begins with a byte-order mark (save it as UTF-8 without one)\n"},
     {"trailing-text",
      "{\"tinker\": 1}\n"
      "}",
@@ -96,6 +101,9 @@
      "4:86: Spring 0: stiffness: a stiffness (N/m) was expected, \"12 in\" is a length (m)\n"},
     {"unknown-unit", BLOCKS("{\"type\": \"mass\", \"name\": \"Mass 0\", \"mass\": \"2 sluk\"}"),
      "2:44: Mass 0: mass: column 3: unknown unit \"sluk\"; did you mean \"slug\"?\n"},
+    {"range-as-typed", BLOCKS("{\"type\": \"mass\", \"name\": \"Mass 0\", \"mass\": \"-3 lb\", \"height\": -0.5}"),
+     "2:44: Mass 0: mass must be greater than 0 kg (it is -3 lb)\n"
+     "2:63: Mass 0: height must be at least 0 m (it is -0.5 m)\n"},
     {"restitution-range", BLOCKS("{\"type\": \"support\", \"name\": \"Support 0\", \"restitution\": 1.5}"),
      "2:57: Support 0: restitution must be at most 1 (it is 1.5)\n"},
     {"friction",
@@ -120,6 +128,11 @@
      "3:67: Motor 0: the key \"block\" is given twice\n"},
     {"unknown-end", BLOCKS(MASS "{\"type\": \"spring\", \"name\": \"Spring 0\", \"ends\": [\"Mass 0\", \"Mas 0\"]}"),
      "3:59: Spring 0: end 2 names no block \"Mas 0\" (did you mean \"Mass 0\"?)\n"},
+    {"ends-on-one-place",
+     BLOCKS(MASS "{\"type\": \"spring\", \"name\": \"Spring 0\", \"ends\": [\"Mass 0\", \"Mass 0\"]}"),
+     "3:59: Spring 0: ends 1 and 2 are both on \"Mass 0\": a spring acts between two places (attach one of them to "
+     "another "
+     "block)\n"},
     {"end-count", BLOCKS(MASS "{\"type\": \"spring\", \"name\": \"Spring 0\", \"ends\": [\"Mass 0\"]}"),
      "3:48: Spring 0: ends: a spring has 2 ends, 1 given\n"},
     {"ends-missing", BLOCKS("{\"type\": \"spring\", \"name\": \"Spring 0\"}"),

@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "scene/frame-quantity.h"
+#include "scene/tops.h"
 
 #define TWO_MASSES                                                                                                     \
     "{\"type\": \"mass\", \"name\": \"A\", \"position\": [0, 0]}, {\"type\": \"mass\", \"name\": \"B\", "              \
@@ -122,8 +123,31 @@ static void test_quantity(void)
     g_assert_cmpfloat_with_epsilon(value, 7, 1e-12);
 }
 
+/* On a slope of 0.4 rad: what touches it lies along it, what is above it or beside it does not. */
+static void test_lying_bodies(void)
+{
+    const double slope = 0.4, high = 0.1 + 0.25; /* m: half of both heights */
+    g_autofree char *blocks = g_strdup_printf(
+        "{\"type\": \"support\", \"width\": 4, \"height\": 0.2, \"orientation\": %.17g},"
+        "{\"type\": \"mass\", \"name\": \"Lies\", \"width\": 0.5, \"height\": 0.5, \"position\": [%.17g, %.17g]},"
+        "{\"type\": \"mass\", \"name\": \"Above\", \"width\": 0.5, \"height\": 0.5, \"position\": [%.17g, %.17g]},"
+        "{\"type\": \"mass\", \"name\": \"Beside\", \"width\": 0.5, \"height\": 0.5, \"position\": [%.17g, %.17g]}",
+        slope, -high * sin(slope), high * cos(slope), -2 * high * sin(slope), 2 * high * cos(slope),
+        3 * cos(slope) - high * sin(slope), 3 * sin(slope) + high * cos(slope));
+    g_autoptr(TinkerScene) scene = scene_fixture_read_blocks(blocks);
+    g_autoptr(TinkerFrame) frame = tinker_frame_new(scene, NULL);
+    static const char *const names[] = {"Lies", "Above", "Beside"};
+    tinker_tops_turn_bodies(frame);
+    for (gsize i = 0; i < G_N_ELEMENTS(names); i++) {
+        double x, y, orientation;
+        tinker_frame_centre(frame, tinker_scene_find_block(scene, names[i]), &x, &y, &orientation);
+        g_assert_cmpfloat_with_epsilon(orientation, i == 0 ? slope : 0, 1e-15);
+    }
+}
+
 static void add_tests(void)
 {
+    g_test_add_func("/scene/frame/lying-bodies", test_lying_bodies);
     g_test_add_func("/scene/frame/quantity", test_quantity);
     g_test_add_func("/scene/frame/side-by-side", test_side_by_side);
     g_test_add_func("/scene/frame/alone", test_alone);

@@ -145,6 +145,18 @@ static void random_other(TinkerScene *scene, TinkerHistory *history, GRand *rand
     }
 }
 
+/* One block, or several of whatever kind. */
+static void remove_some(TinkerScene *scene, TinkerHistory *history, GRand *random)
+{
+    g_autoptr(GArray) some = g_array_new(FALSE, FALSE, sizeof(TinkerBlockId));
+    const int count = tinker_scene_block_count(scene), step = g_rand_int_range(random, 1, 4);
+    for (int place = g_rand_int_range(random, 0, count); place < count && some->len < 4; place += step) {
+        TinkerBlockId id = tinker_scene_block_at(scene, place);
+        g_array_prepend_val(some, id);
+    }
+    tinker_history_remove_blocks(history, (const TinkerBlockId *)(gpointer)some->data, some->len);
+}
+
 static void random_edit(TinkerScene *scene, TinkerHistory *history, GRand *random)
 {
     const char *types[] = {"mass", "support", "spring", "motor", "damper", "every-kind"};
@@ -158,7 +170,7 @@ static void random_edit(TinkerScene *scene, TinkerHistory *history, GRand *rando
     if (what >= 10) {
         random_other(scene, history, random);
     } else if (what == 3) {
-        tinker_history_remove_block(history, id);
+        remove_some(scene, history, random);
     } else if (what == 4) {
         g_autofree char *name = g_strdup_printf("Mass %d", g_rand_int_range(random, 0, 20));
         tinker_history_rename_block(history, id, name, NULL);
@@ -306,6 +318,9 @@ static void test_head(void)
     bad = head;
     bad.run.tolerance = 1;
     assert_head_refused(history, &bad, "run: tolerance must be less than 1 (it is 1)");
+    bad = head;
+    bad.run.accuracy = -1e-6;
+    assert_head_refused(history, &bad, "run: accuracy must be greater than 0 (it is -1e-06)");
     bad = head;
     bad.canvas_grid = NAN;
     assert_head_refused(history, &bad, "canvas: grid must be a finite number");

@@ -21,15 +21,22 @@ static TinkerStatus exhibit_force(TinkerBatch *batch, const TinkerPoint *ends, d
     return TINKER_OK;
 }
 
-static const TinkerForceElement exhibit_element = {.struct_size = sizeof(TinkerForceElement), .force = exhibit_force};
-static const TinkerPhysics exhibit_physics = {.struct_size = sizeof(TinkerPhysics), .force_element = &exhibit_element};
-static const TinkerInterface exhibit_interfaces[] = {{TINKER_PHYSICS_INTERFACE, &exhibit_physics}};
+/* The block type and the plugin, from its physics. */
+#define EXHIBIT_OF_PHYSICS(id_, ...)                                                                                   \
+    static const TinkerPhysics exhibit_physics = {.struct_size = sizeof(TinkerPhysics), __VA_ARGS__};                  \
+    static const TinkerInterface exhibit_interfaces[] = {{TINKER_PHYSICS_INTERFACE, &exhibit_physics}};                \
+    EXHIBIT_OF_INTERFACES(id_)
 
-#define RUNNING_EXHIBIT(id_)                                                                                           \
+/* From the array exhibit_interfaces. */
+#define EXHIBIT_OF_INTERFACES(id_)                                                                                     \
     static const TinkerBlockType exhibit_blocks[] = {                                                                  \
         {TINKER_BLOCK(id_, "Exhibit", TINKER_FORCE), .summary = "Stands in a museum.", .least_ends = 1,                \
          .most_ends = 1, .end_accepts = TINKER_ACCEPTS_BODY, .interfaces = TINKER_SPAN(exhibit_interfaces)},           \
     };                                                                                                                 \
     TINKER_DEFINE_PLUGIN("org.example." id_, "Exhibit", "1.0.0", "MIT", exhibit_blocks)
+
+static const TinkerForceElement exhibit_element = {.struct_size = sizeof(TinkerForceElement), .force = exhibit_force};
+
+#define RUNNING_EXHIBIT(id_) EXHIBIT_OF_PHYSICS(id_, .force_element = &exhibit_element)
 
 #endif

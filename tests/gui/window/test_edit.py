@@ -1,5 +1,7 @@
 #!/usr/bin/python3
 """What is on the canvas: selecting, moving, deleting, copying, and taking all of it back."""
+import math
+
 from harness import App, check, check_close, check_equal, main, mass, scene, spring, support, wait
 from harness import colours
 
@@ -13,7 +15,7 @@ def two_masses():
 
 
 def is_selected(app, x, y):
-    return app.fill_count(colours.halo(colours.SELECTED), (x - 0.6, y - 0.6), (x + 0.6, y + 0.6)) > 100
+    return app.fill_count(colours.SELECTED, (x - 0.6, y - 0.6), (x + 0.6, y + 0.6)) > 100
 
 
 def test_click_selects_and_empty_place_deselects(display):
@@ -51,6 +53,42 @@ def test_drag_with_alt_is_free(display):
         check_close(x, -0.93, 2 * pixel, "x")
         check_close(y, 1.07, 2 * pixel, "y")
         check(abs(x / 0.2 - round(x / 0.2)) > 0.1, f"x = {x} is on the grid")
+
+
+def off_the_top(block, floor):
+    """How far the side of a mass of height 0.8 is off the top of a support of height 0.4."""
+    x, y = (a - b for a, b in zip(block["position"], floor["position"]))
+    angle = floor["orientation"]
+    return -math.sin(angle) * x + math.cos(angle) * y - 0.2 - 0.4
+
+
+def test_mass_dropped_on_a_top_lies_on_it(display):
+    incline = support("Floor", 0, -1, orientation=0.5, width=6)
+    with App(display, scene(incline, mass("A", -2, 2))) as app:
+        along, up = 1.0, 0.5  # a tenth of a metre too deep, and off by what the grid takes
+        place = (along * math.cos(0.5) - up * math.sin(0.5), -1 + along * math.sin(0.5) + up * math.cos(0.5))
+        app.drag((-2, 2), place)
+        blocks = app.blocks()
+        check_close(off_the_top(blocks["A"], blocks["Floor"]), 0, 1e-12, "gap")
+        check_close(blocks["A"]["orientation"], 0.5, 1e-12, "orientation")
+        app.activate("undo")
+        check_equal(positions(app)["A"], (-2, 2), "place")
+        app.drag((-2, 2), place, keys=["alt"])
+        blocks = app.blocks()
+        check(abs(off_the_top(blocks["A"], blocks["Floor"])) > 0.05, "with Alt it stays where it was dropped")
+        check("orientation" not in blocks["A"], "and is not turned")
+
+
+def test_mass_on_a_top_is_kept_there_until_it_is_moved(display):
+    lies = {"type": "mass", "name": "A", "on": "Floor", "along": 1}
+    with App(display, scene(support("Floor", 0, -1, width=6), lies, mass("B", -2, 2))) as app:
+        app.drag((0, -1), (1, 0))  # the support, and with it what lies on it
+        block = app.blocks()["A"]
+        check_equal((block.get("on"), block.get("along"), "position" in block), ("Floor", 1, False), "A")
+        app.drag((2, 0.6), (3, 3))
+        block = app.blocks()["A"]
+        check_equal(("on" in block, "along" in block), (False, False), "A when it was moved")
+        check_equal(tuple(round(x, 9) for x in block["position"]), (3, 3), "place")
 
 
 def test_press_that_does_not_move_changes_nothing(display):
@@ -241,6 +279,20 @@ def test_body_is_sized_by_its_corner(display):
         check_equal(block["position"], [-2, 0], "place")
         check_close(block["width"], 1.2, 1e-9, "width")
         check_close(block["height"], 1.6, 1e-9, "height")
+
+
+def test_handles_are_of_the_start_alone(display):
+    with App(display, scene(mass("A", 0, 3), {"type": "gravity", "name": "Gravity"}, duration=0.7)) as app:
+        app.show_width()
+        app.click_world(0.2, 3.2)
+        origin, start = ((-0.8, 2.2), (-0.44, 2.56)), ((-0.3, 2.7), (0.3, 3.3))
+        app.wait_lines(colours.SELECTED, *origin, least=10)
+        app.click("Play")
+        wait(lambda: app.time() == 0.7 and not app.is_playing(), "the end of the run")
+        app.wait_lines(colours.SELECTED, *start, most=0)
+        app.wait_lines(colours.SELECTED, *origin, most=0)
+        app.click("Reset to the Start")
+        app.wait_lines(colours.SELECTED, *origin, least=10)
 
 
 def test_support_is_turned_by_its_handle(display):

@@ -1,8 +1,15 @@
 #!/usr/bin/python3
 """The panel of properties: what it shows, and what is typed into it."""
+import time
+
 from harness import App, check, check_close, check_equal, main, mass, scene, spring, support, wait
 
 RECORD = "time,push\n0,0\n1,2\n3,6\n"
+
+
+def wait_a_double_click():
+    """Until another click is no second one of the same."""
+    time.sleep(0.6)
 
 
 def select(app, x, y):
@@ -81,6 +88,44 @@ def test_entry_is_one_step_for_undo(display):
         app.wait_read("Properties", "Mass", "1.00000 kg")
         app.click("Redo")
         app.wait_read("Properties", "Mass", "3.00000 kg")
+
+
+def test_undo_in_a_field_takes_back_what_was_set_there(display):
+    with App(display, scene(mass("A", 0, 0))) as app:
+        select(app, 0.2, 0.2)
+        app.enter("Properties", "Mass", "3")
+        app.wait_read("Properties", "Mass", "3.00000 kg")
+        app.press("ctrl+z")
+        app.wait_read("Properties", "Mass", "1.00000 kg")
+        app.press("ctrl+shift+z")
+        app.wait_read("Properties", "Mass", "3.00000 kg")
+        app.type("7")  # over what is selected
+        app.wait_read("Properties", "Mass", "7")
+        app.press("ctrl+z")  # what is being typed comes first
+        app.wait_read("Properties", "Mass", "3.00000 kg")
+        check_equal(app.blocks()["A"]["mass"], 3, "mass in the file")
+
+
+def test_click_into_a_number_selects_it(display):
+    with App(display, scene(mass("A", 0, 0))) as app:
+        select(app, 0.2, 0.2)
+        app.click(app.field("Properties", "Mass"))
+        app.type("3")
+        app.press("Return")
+        app.wait_read("Properties", "Mass", "3.00000 kg")
+        check_equal(app.blocks()["A"]["mass"], 3, "mass in the file")
+
+
+def test_second_click_into_a_number_sets_the_cursor(display):
+    with App(display, scene(mass("A", 0, 0))) as app:
+        select(app, 0.2, 0.2)
+        x, y, _, height = app.settled(app.field("Properties", "Mass"))
+        for _ in range(2):
+            app._click_at(x + 3, y + height / 2)
+            wait_a_double_click()
+        app.type("4")
+        app.press("Return")
+        app.wait_read("Properties", "Mass", "41.00000 kg")
 
 
 def test_offset_moves_the_mass(display):

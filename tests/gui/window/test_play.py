@@ -101,7 +101,7 @@ def test_run_that_fails_says_why_and_keeps_what_there_is(display):
     with App(display, scene(mass("Ball", 0, 0), motor, duration=1)) as app:
         app.click("Play")
         dialog = app.find("dialog", "The Run Stopped")
-        app.find_text("Motor: its force at t = 0.5 s is not a number")
+        app.find_text("Motor: at t = 0.5 s its waveform has no finite value")
         app.click("Close", inside=dialog)
         app.gone("dialog")
         check_close(app.time(), 0.5, 0.011, "the last instant")

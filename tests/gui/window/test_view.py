@@ -1,7 +1,9 @@
 #!/usr/bin/python3
 """Looking around on the canvas, and what is shown beside the blocks."""
-from harness import App, check, check_close, check_equal, main, mass, scene, wait
+from harness import App, check, check_close, check_equal, main, mass, scene, support, wait
 from harness import colours
+
+BODY_EDGE = (0x27, 0x49, 0x6d)
 
 
 def changed(app, before):
@@ -114,6 +116,70 @@ def test_twice_as_many_pixels(display):
         app.drag((0.2, 0.2), (1.2, 0.2))
         check_equal(app.blocks()["Ball"]["position"], [1, 0], "place")
         app.wait_fill(colours.BODY, (0.6, -0.4), (1.4, 0.4), least=300)
+
+
+def field_arrow(app, x, y):
+    """How long the arrow of gravity is that starts at a body's centre (px)."""
+    left, top, right, bottom = app.area(x - 0.3, y - 4, x + 0.3, y)
+    rows = [place[1] for place in colours.places(app.picture(), (left, top, right, bottom), colours.FIELD)]
+    return max(rows) - min(rows) + 1 if rows else 0
+
+
+def show_forces(app):
+    app.show_width()
+    app.activate("show-forces")
+
+
+def test_force_arrows_have_one_scale(display):
+    """Ten times the mass is ten times the arrow, whatever is selected."""
+    light, heavy = mass("Light", -3, 3, mass=1), mass("Heavy", 3, 3, mass=10)
+    with App(display, scene(light, heavy, {"type": "gravity", "name": "Gravity"})) as app:
+        show_forces(app)
+        wait(lambda: field_arrow(app, 3, 3) > 40, "the arrow of the heavy one")
+        together = field_arrow(app, 3, 3)
+        app.click_world(2.8, 3.2)
+        wait(lambda: field_arrow(app, -3, 3) == 0, "the arrows of the other to go")
+        alone = field_arrow(app, 3, 3)
+        check_close(alone, together, 2, "length of the arrow with the heavy one selected")
+        app.click_world(-3.2, 3.2)
+        wait(lambda: field_arrow(app, 3, 3) == 0 and field_arrow(app, -3, 3) > 0, "the arrow of the light one")
+        check_close(field_arrow(app, -3, 3), alone / 10, 4, "length of the arrow of a tenth of the mass")
+        app.press("bracketright", "bracketright")  # four times as long
+        wait(lambda: field_arrow(app, -3, 3) > 0.3 * alone, "a longer arrow")
+        check_close(field_arrow(app, -3, 3), 0.4 * alone, 4, "length of the arrow by a factor of 4")
+
+
+def test_forces_on_the_selected_body_only(display):
+    floor, box = support("Floor", 0, 0), mass("Box", 0, 0.6)
+    with App(display, scene(floor, box, {"type": "gravity", "name": "Gravity"})) as app:
+        show_forces(app)
+        up, down = ((-0.4, 0.9), (0.4, 2)), ((-0.4, -1.5), (0.4, -0.5))
+        app.wait_lines(colours.NORMAL, *up, least=30)
+        app.click_world(-0.2, 0.7)
+        app.wait_lines(colours.NORMAL, *up, least=30)
+        app.wait_lines(colours.NORMAL, *down, most=0)
+        app.activate("forces-on-this-body-only")
+        app.wait_lines(colours.NORMAL, *down, least=30)  # what it exerts on the floor
+
+
+def test_body_that_leaves_the_view_has_a_mark(display):
+    ball = mass("Ball", 0, 0, velocity=[20, 0])
+    with App(display, scene(ball, duration=2)) as app:
+        app.show_width()
+        left, top, width, height = app.canvas_box()
+        edge = (left + width - 16, top + height / 2 - 12, left + width - 2, top + height / 2 + 12)
+        wait(lambda: colours.fill_count(app.picture(), edge, BODY_EDGE) == 0, "there is no mark while the ball is in view")
+        app.click("Play")
+        wait(lambda: app.time() == 2 and not app.is_playing(), "the end of the run, 40 m to the right")
+        wait(lambda: colours.fill_count(app.picture(), edge, BODY_EDGE) > 40, "a mark at the right edge")
+        app.click(app.find_starting("list item", "Ball, Mass"))
+        app.activate("follow")  # out of view: it is brought into the middle
+        wait(lambda: abs(app.view()[2] - 40) < 0.1, "the ball in the middle")
+        wait(lambda: colours.fill_count(app.picture(), edge, BODY_EDGE) == 0, "the mark to go")
+        entry = app.find("text", "Time")
+        app.retype(entry, "1")
+        app.press("Return")
+        wait(lambda: abs(app.view()[2] - 20) < 0.1, "the view to go along with the ball")
 
 
 if __name__ == "__main__":

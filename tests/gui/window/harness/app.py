@@ -25,7 +25,6 @@ COMPLAINT = re.compile(r"-(WARNING|CRITICAL|ERROR) \*\*|ERROR: \w+Sanitizer|runt
 ITEMS = ("menu item", "check menu item", "radio menu item", "button")
 CONTROLS = ("text", "entry", "combo box", "check box", "toggle button")
 HANDLE = 16  # pixels about the middle of a slider's handle
-TIME = re.compile(r"^t = ")
 VIEW = re.compile(r"Shows (\S+) m by (\S+) m about \((\S+), (\S+)\)")
 
 
@@ -284,25 +283,15 @@ class App:
         self._click_at(*self.middle(node), button=button)
 
     def place(self, title):
-        """Clicks a block of the palette and waits for it; answers its name. A notice that comes at that moment moves the
-        palette down under the pointer: only then is it clicked again."""
+        """Clicks a block of the palette and waits for it; answers its name."""
         def names():
             return {node.name for node in self.tree.refresh(self.tree.is_due()) if node.role == "list item" and node.is_shown()}
 
         before, button = names(), self.find("button", title)
-        end = time.monotonic() + PATIENCE
-        while time.monotonic() < end:
-            place = self.settled(button)
-            self._click_at(place[0] + place[2] / 2, place[1] + place[3] / 2)
-            self.xdotool("mousemove", *self.middle(self.canvas()))  # before a tooltip covers the next one
-            clicked = time.monotonic()
-            while not (new := names() - before):
-                if time.monotonic() > clicked + 2 and self.box(button) != place or time.monotonic() > end:
-                    break
-            if new:
-                self.actions_taken += 1
-                return new.pop().split(",")[0]
-        raise TooLate(f"waited {PATIENCE:g} s for a new {title}")
+        self.click(button)
+        self.xdotool("mousemove", *self.middle(self.canvas()))  # before a tooltip covers the next one
+        new = wait(lambda: names() - before, f"a new {title}")
+        return new.pop().split(",")[0]
 
     def press(self, *keys):
         """Keys by their X names, as in ctrl+z; each is an action."""
@@ -561,7 +550,7 @@ class App:
 
     def time(self):
         """Of the play-back, as shown (s)."""
-        return float(wait(lambda: self.kept("label", TIME), "the time").name.split()[2])
+        return float(wait(lambda: self.kept("text", "Time"), "the time").text().split()[0])
 
     def is_playing(self):
         return self.look("button", "Pause") is not None

@@ -1,0 +1,137 @@
+#!/usr/bin/python3
+"""Where the parts of the window are: what comes and goes moves nothing, and there is room for what matters."""
+import re
+
+from harness import App, check, check_equal, main, mass, scene, support, wait
+
+LONG = "Supercalifragilistic" * 12
+GRAVITY = {"type": "gravity", "name": "Gravity"}
+
+
+def width_of_window(app):
+    return max(box[2] for _, box in app.windows())
+
+
+def test_notice_moves_nothing(display):
+    with App(display, scene(support("Floor", 0, 0), mass("Box", 0, 2))) as app:
+        palette = app.settled(app.find("button", "Rod"))
+        canvas, view = app.canvas_box(), app.view()
+        app.click_world(0.2, 2.2)
+        app.enter("Global Position", "Y", "0.3")  # into the support
+        app.find("button", re.compile("^Box starts .* below the top of Floor"))
+        check_equal(app.settled(app.find("button", "Rod")), palette, "place of a button of the palette")
+        check_equal(app.canvas_box(), canvas, "place of the canvas")
+        check_equal(app.view(), view, "what the canvas shows")
+        check(app.find("slider", "Time line").box()[2] > 0, "the play bar is there")
+
+
+def test_notice_is_about_nothing_beneath_it(display):
+    """The scene is first shown below the place of a notice."""
+    with App(display, scene(support("Floor", 0, -0.5), mass("Box", 0, -0.4), mass("High", 0, 5), width=4)) as app:
+        notice = app.settled(app.find("button", re.compile("^Box starts ")))
+        check(app.at(0, 5.4)[1] > notice[1] + notice[3], "the highest block is below the notice")
+
+
+def test_long_name_makes_nothing_wider(display):
+    with App(display, scene(support("Floor", 0, 0), mass("Box", 0, 0.3), GRAVITY)) as app:
+        before = width_of_window(app)
+        app.click_world(0.2, 0.5)
+        app.enter("Appearance", "Name", LONG)
+        app.find("button", re.compile("^Super.* starts .* below the top of Floor"))
+        app.find_starting("list item", LONG)
+        check_equal(width_of_window(app), before, "width of the window (px)")
+        app.click("Graphs", role="tab")
+        app.find("button", "Add Graph")
+        check_equal(width_of_window(app), before, "width of the window with the page of graphs (px)")
+
+
+def test_play_bar_is_a_strip_below_everything(display):
+    with App(display, scene(mass("Ball", 0, 0))) as app:
+        line, canvas = app.settled(app.find("slider", "Time line")), app.canvas_box()
+        check(line[1] >= canvas[1] + canvas[3], "the time line lies over the canvas")
+        check(line[2] >= width_of_window(app) / 2, f"the time line is {line[2]:g} px long")
+        app.click("Graphs", role="tab")
+        app.find("button", "Add Graph")
+        check_equal(app.settled(app.find("slider", "Time line")), line, "place of the time line on another page")
+
+
+def test_typed_time_is_gone_to(display):
+    with App(display, scene(mass("Ball", 0, 3), GRAVITY, duration=2)) as app:
+        app.click_world(0.2, 3.2)
+        entry = app.find("text", "Time")
+        app.retype(entry, "0.5")
+        app.press("Return")
+        wait(lambda: app.time() == 0.5 and not app.is_playing(), "0.5 s, which is run first")
+        app.retype(entry, "250 ms")
+        app.press("Return")
+        wait(lambda: app.time() == 0.25, "0.25 s")
+        app.retype(entry, "soon")
+        app.press("Return")
+        wait(lambda: app.look("text", "Time", description="number"), "the entry to say what is wrong")
+        app.press("Escape")
+        wait(lambda: app.time() == 0.25, "the time that is shown")
+        app.retype(entry, "7")
+        app.press("Return")
+        wait(lambda: app.time() == 2 and not app.is_playing(), "the end of the run")
+
+
+def test_side_panels_fold_away_and_stay_so(display):
+    with App(display, scene(mass("Ball", 0, 0))) as app:
+        left, _, before, _ = app.canvas_box()
+        right, all_of_it = left + before, app.look("window").box()[2]
+        app.press("F9")
+        wait(lambda: app.canvas_box()[0] < left, "the palette to fold away")
+        check_equal(app.canvas_box()[0] + app.canvas_box()[2], right, "right edge of the canvas")
+        app.press("shift+F9")
+        wait(lambda: app.canvas_box()[2] == all_of_it, "the canvas to be as wide as the window")
+        home = app.home
+    with App(display, scene(mass("Ball", 0, 0)), home=home) as app:
+        check_equal(app.canvas_box()[2], all_of_it, "width of the canvas in the next window")
+        app.click("Show Blocks", role=None)
+        app.click("Show Properties and Outline", role=None)
+        wait(lambda: app.canvas_box()[2] == before, "both to be there again")
+
+
+def test_insert_places_by_keys_alone(display):
+    with App(display, scene(mass("A", 0, 0))) as app:
+        app.click_world(2, 2)
+        app.press("Insert", "Down", "Return")  # the first is a mass, the second a support
+        app.find_starting("list item", "Support")
+        check_equal(sorted(block["type"] for block in app.blocks().values()), ["mass", "support"], "blocks")
+        app.press("Delete")  # the canvas has the focus again, and the new block is selected
+        check_equal(list(app.blocks()), ["A"], "blocks")
+
+
+def test_canvas_says_what_is_selected(display):
+    with App(display, scene(mass("A", -2, 0), mass("B", 2, 0))) as app:
+        wait(lambda: "nothing is selected" in app.canvas().description, "nothing to be selected")
+        app.click_world(-2, 0.2)
+        wait(lambda: app.canvas().description.endswith("; A, Mass, at (-2.00000 m, 0.00000 m)"), "A to be told of")
+        app.click_world(2, 0.2, keys=["shift"])
+        wait(lambda: "2 blocks are selected" in app.canvas().description, "both to be told of")
+
+
+def test_outline_has_the_menu_of_the_canvas(display):
+    with App(display, scene(mass("A", -2, 0), mass("B", 2, 0))) as app:
+        app.click(app.find_starting("list item", "B, Mass"), button=3)
+        app.choose("Delete")
+        wait(lambda: app.look("list item", re.compile("^B, ")) is None, "B to go")
+        check_equal(list(app.blocks()), ["A"], "blocks")
+
+
+def test_scene_is_introduced_when_it_is_opened(display):
+    told = "A ball falls for two seconds.\nIt is the first thing that anybody computes."
+    with App(display, scene(mass("Ball", 0, 3), GRAVITY, title="The Fall", description=told)) as app:
+        app.find("label", "The Fall")
+        check_equal(app.find("label", told).box()[2] > 200, True, "the description has room to be read")
+        app.find("label", re.compile("Left out"))
+        app.click_world(0.2, 3.2)
+        app.wait_read("Appearance", "Name", "Ball")
+        app.click("Scene", role="tab")
+        app.find("label", told)
+    with App(display, scene(mass("Ball", 0, 3))) as app:
+        app.find("label", "Canvas")  # nothing is told: the properties of the scene are there
+
+
+if __name__ == "__main__":
+    main()
