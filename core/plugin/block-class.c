@@ -179,6 +179,13 @@ int32_t tinker_block_class_meaning_column(const TinkerBlockClass *block_class, i
     return property < 0 ? -1 : block_class->first_columns[property];
 }
 
+gboolean tinker_block_class_is_shown_elsewhere(const TinkerBlockClass *block_class)
+{
+    for (int32_t i = 0; i < block_class->property_count; i++)
+        if (block_class->properties[i].panel >= 0) return TRUE;
+    return FALSE;
+}
+
 const char *tinker_block_class_unit(const TinkerBlockClass *block_class, const char *id, TinkerDimension dimension,
                                     int english)
 {

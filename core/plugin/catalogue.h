@@ -52,6 +52,9 @@ int32_t tinker_kind_columns(int32_t kind);
 /* First column of the property that carries this meaning, or -1. */
 int32_t tinker_block_class_meaning_column(const TinkerBlockClass *block_class, int32_t meaning);
 
+/* Whether some property of the class is shown in the panel of what it is attached to, as those of a support's motion. */
+gboolean tinker_block_class_is_shown_elsewhere(const TinkerBlockClass *block_class);
+
 /* The unit in which a property or quantity is displayed: the block's own choice, else the one of its dimension. */
 const char *tinker_block_class_unit(const TinkerBlockClass *block_class, const char *id, TinkerDimension dimension,
                                     int english);

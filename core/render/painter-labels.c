@@ -1,51 +1,28 @@
-/* Names beside bodies. The map of what is drawn is filled from the pieces' geometry; a name tries places around its body,
- * near ones first, and takes the one that covers least. A name that would cover another name is left out, unless its
- * block is selected. */
-#include "render/painter-private.h"
-
+/* Names beside bodies and connectors. The map of what is drawn is filled from the pieces' geometry; a name tries the places
+ * of its block, near ones first, and takes the one that covers least. A body's name that would cover another name is left
+ * out, unless its block is selected; bodies come first, since springs and rods are told by what they join. A connector's is
+ * left out where it would cover anything, and that of one with a single end, whose arrow mostly lies upon other symbols, unless
+ * it is selected. */
 #include <math.h>
 #include <string.h>
 
-#include <tinker/shapes.h>
-
+#include "render/label-places-private.h"
 #include "render/occupancy-private.h"
 #include "render/paint-memory-private.h"
 
-#define CELL         4.0    /* canvas units */
-#define GAP          5.0    /* between a body and its name */
-#define LABEL_ROOM   3000.0 /* square canvas units for each body in sight: where there is less, names would cover all */
-#define LEAST_SYMBOL 5.0    /* canvas units: in a scene drawn smaller, */
-#define FEW          12     /* bodies have names, but no more than these */
-#define NAME_LIMIT   160.0
-#define DIRECTIONS   8
-#define PLACES       (4 * DIRECTIONS) /* a name tries: four steps outwards in each direction */
-#define KEEPS        1.0              /* what a name may cover of a drawing before it leaves its place in a film */
+#define CELL            4.0    /* canvas units */
+#define LABEL_ROOM      3000.0 /* square canvas units for each name in sight: where there is less, names would cover all */
+#define LEAST_SYMBOL    5.0    /* canvas units: in a scene drawn smaller, */
+#define FEW             12     /* bodies have names, but no more than these */
+#define NAME_LIMIT      160.0
+#define KEEPS           1.0 /* what a name may cover of a drawing before it leaves its place in a film */
+#define KEEPS_CONNECTOR 0.3 /* and that of a connector, before it is left out */
 
 typedef struct {
     TinkerPicture *picture;
     TinkerOccupancy map;
     signed char *places; /* by block id: 1 + the place in the picture before; or NULL */
 } Labels;
-
-/* Half the declared box of a drawing, canvas units, without the room for marks that declared boxes have. */
-static void half_box(const Labels *labels, const TinkerPiece *piece, double *half_x, double *half_y)
-{
-    const TinkerStyle *style = &labels->picture->brush.style;
-    double box[4], scale = labels->picture->view->scale;
-    *half_x = *half_y = INFINITY;
-    if (!tinker_piece_box(piece, style, box)) return;
-    double margin = tinker_drawing_margin(style), least = style->symbol_size / 2;
-    *half_x = fmax((box[2] - box[0]) / 2 - margin, least) * scale;
-    *half_y = fmax((box[3] - box[1]) / 2 - margin, least) * scale;
-}
-
-/* Whether the drawing is far smaller than the declared size of its body (a support that is a mere anchor). */
-static gboolean is_drawn_small(const Labels *labels, const TinkerPiece *piece)
-{
-    double half_x, half_y;
-    half_box(labels, piece, &half_x, &half_y);
-    return fmax(half_x, half_y) < 0.3 * fmax(piece->width, piece->height) * labels->picture->view->scale;
-}
 
 /* Takes the strip of a body along its longer side, a connector's along its line, any other drawing's box. */
 static void take_piece(Labels *labels, const TinkerPiece *piece)
@@ -60,7 +37,7 @@ static void take_piece(Labels *labels, const TinkerPiece *piece)
             tinker_occupancy_take_line(&labels->map, x1, y1, x2, y2, symbol, TINKER_TAKEN_BY_DRAWING);
         }
     } else if (piece->kind == TINKER_PIECE_BODY && fmax(piece->width, piece->height) > 0 &&
-               !is_drawn_small(labels, piece)) {
+               !tinker_piece_is_drawn_small(labels->picture, piece)) {
         gboolean wide = piece->width >= piece->height;
         double angle = instance->orientation + (wide ? 0 : G_PI / 2);
         double thin = fmin(piece->width, piece->height) * view->scale + symbol / 2;
@@ -77,78 +54,36 @@ static void take_piece(Labels *labels, const TinkerPiece *piece)
     }
 }
 
-/* A body whose name is being placed: what is the same for all its places. */
-typedef struct {
-    const TinkerPiece *piece;
-    double x, y;                    /* canvas units */
-    double half_width, half_height; /* canvas units, of the body or of its drawing */
-    double round;                   /* the drawing is far smaller than the body: its reach in any direction; else 0 */
-    double dot;                     /* reach in any direction, at least */
-    double name_width, name_height;
-} Named;
-
-static Named named_of(const Labels *labels, const TinkerPiece *piece)
+/* How much of a drawing the name covers in a place, and whose box that is. */
+static double covered_by(const Labels *labels, const TinkerNamed *named, int number, double box[4])
 {
-    double scale = labels->picture->view->scale, half_x, half_y;
-    Named named = {.piece = piece,
-                   .half_width = piece->width * scale / 2,
-                   .half_height = piece->height * scale / 2,
-                   .dot = 0.5 * labels->picture->brush.style.symbol_size * scale};
-    tinker_view_to_canvas(labels->picture->view, piece->instance.x, piece->instance.y, &named.x, &named.y);
-    if (is_drawn_small(labels, piece)) {
-        half_box(labels, piece, &half_x, &half_y);
-        named.round = fmax(half_x, half_y);
-    }
-    return named;
+    double clear[4];
+    tinker_named_place(named, number, box);
+    tinker_named_clearance(named, number, clear);
+    return fmax(tinker_occupancy_share(&labels->map, box, TINKER_TAKEN_BY_DRAWING),
+                tinker_occupancy_share(&labels->map, clear, TINKER_TAKEN_BY_DRAWING));
 }
 
-/* How far it is from a body's centre to its edge in this direction of the canvas. */
-static double reach_of(const Named *named, double direction)
+/* What it costs that a name stands in a place, whose box is filled in. */
+static double place_cost(const Labels *labels, const TinkerNamed *named, int number, double box[4])
 {
-    /* y is down on the canvas: a turn to the left is negative. */
-    double angle = direction + named->piece->instance.orientation;
-    double c = fabs(cos(angle)), s = fabs(sin(angle));
-    double reach = fmin(c > 1e-9 ? named->half_width / c : INFINITY, s > 1e-9 ? named->half_height / s : INFINITY);
-    if (named->round > 0) reach = named->round;
-    return fmax(isfinite(reach) ? reach : 0, named->dot);
-}
-
-/* What a place costs where nothing is in the way: near ones are better, and above is better than below. */
-static double free_cost(int number)
-{
-    return 0.001 * (number % DIRECTIONS) + 0.01 * (number / DIRECTIONS);
-}
-
-/* A place, number `number % DIRECTIONS` around the body and some steps outwards: the name's box, and the cost of its being
- * there. */
-static double place_cost(const Labels *labels, const Named *named, int number, double box[4])
-{
-    /* Above, below, right, left, then the corners; y down. */
-    static const double directions[DIRECTIONS][2] = {{0, -1}, {0, 1},   {1, 0}, {-1, 0},
-                                                     {1, -1}, {-1, -1}, {1, 1}, {-1, 1}};
-    double across = directions[number % DIRECTIONS][0], down = directions[number % DIRECTIONS][1];
-    double step = number / DIRECTIONS, norm = hypot(across, down);
-    double reach = reach_of(named, atan2(down, across)) + GAP + 2.5 * GAP * step;
-    box[0] = named->x + across / norm * reach + (across - 1) / 2 * named->name_width;
-    box[1] = named->y + down / norm * reach + (down - 1) / 2 * named->name_height;
-    box[2] = box[0] + named->name_width;
-    box[3] = box[1] + named->name_height;
-    double drawing = tinker_occupancy_share(&labels->map, box, TINKER_TAKEN_BY_DRAWING);
+    double drawing = covered_by(labels, named, number, box);
     double text = tinker_occupancy_share(&labels->map, box, TINKER_TAKEN_BY_TEXT);
-    return 10 * text + drawing + free_cost(number);
+    return 10 * text + drawing + tinker_named_free_cost(named, number);
 }
 
-/* The cheapest place; the one of the picture before, `kept`, stays unless something has come into its way. */
-static int choose_place(const Labels *labels, const Named *named, int kept, double best[4])
+/* The cheapest of the places, of which there is one; the one of the picture before, `kept`, stays unless something has
+ * come into its way. */
+static int choose_place(const Labels *labels, const TinkerNamed *named, int kept, double best[4])
 {
-    int chosen = 0;
+    int chosen = 0, places = tinker_named_places(named);
     double least = INFINITY;
-    if (kept >= 0) {
-        least = place_cost(labels, named, kept, best) - KEEPS;
+    if (kept >= 0 && kept < places) {
+        least = place_cost(labels, named, kept, best) - (named->is_connector ? KEEPS_CONNECTOR : KEEPS);
         chosen = kept;
     }
     /* What follows costs more than a place that is free. */
-    for (int number = 0; number < PLACES && least > free_cost(number); number++) {
+    for (int number = 0; number < places && least > tinker_named_free_cost(named, number); number++) {
         double box[4];
         if (number == kept) continue;
         double cost = place_cost(labels, named, number, box);
@@ -160,20 +95,33 @@ static int choose_place(const Labels *labels, const Named *named, int kept, doub
     return chosen;
 }
 
+/* Whether a name is written in the place that was chosen for it. */
+static gboolean may_stand(const Labels *labels, const TinkerNamed *named, int chosen, int kept, gboolean wanted)
+{
+    double box[4], covers = covered_by(labels, named, chosen, box);
+    gboolean covers_text = tinker_occupancy_share(&labels->map, box, TINKER_TAKEN_BY_TEXT) > 0;
+    if (!named->is_connector) return wanted || !covers_text;
+    if (wanted || covers_text) return !covers_text;
+    return named->is_line && covers <= (chosen == kept ? KEEPS_CONNECTOR : 0);
+}
+
 static void write_name(Labels *labels, const TinkerPiece *piece, gboolean wanted)
 {
     TinkerPicture *picture = labels->picture;
     TinkerText name = {.text = tinker_scene_block_name(tinker_frame_scene(picture->frame), piece->block),
                        .size = TINKER_STYLE_TEXT,
                        .limit = NAME_LIMIT};
-    Named named = named_of(labels, piece);
+    TinkerNamed named;
     double best[4];
-    signed char *kept = labels->places;
+    if (!tinker_named_init(&named, picture, piece)) return;
     tinker_text_measure(&picture->brush.pen, &name, &named.name_width, &named.name_height);
-    int chosen = choose_place(labels, &named, kept != NULL ? kept[piece->block] - 1 : -1, best);
-    if (kept != NULL) kept[piece->block] = (signed char)(1 + chosen);
-    gboolean covers_text = tinker_occupancy_share(&labels->map, best, TINKER_TAKEN_BY_TEXT) > 0;
-    if (covers_text && !wanted) return;
+    signed char *place = labels->places != NULL ? &labels->places[piece->block] : NULL;
+    int kept = place != NULL ? *place - 1 : -1;
+    int chosen = tinker_named_places(&named) > 0 ? choose_place(labels, &named, kept, best) : -1;
+    gboolean stands = chosen >= 0 && may_stand(labels, &named, chosen, kept, wanted);
+    /* What a connector's name may cover where it was does not hold where it was not. */
+    if (place != NULL) *place = (signed char)(stands || !named.is_connector ? 1 + chosen : 0);
+    if (!stands) return;
     if (tinker_occupancy_share(&labels->map, best, TINKER_TAKEN_BY_DRAWING) > 0) {
         const double *ground = picture->options->theme->background;
         cairo_set_source_rgba(picture->cairo, ground[0], ground[1], ground[2], 0.75);
@@ -195,26 +143,31 @@ static void take_layer(Labels *labels, const GArray *blocks)
     }
 }
 
-/* Names of the chosen blocks come first, then all others. */
-static void write_names(Labels *labels, gboolean chosen)
+static void write_names(Labels *labels, const GArray *blocks, gboolean chosen)
 {
     TinkerPicture *picture = labels->picture;
     const TinkerPaintOptions *options = picture->options;
     if (chosen && options->selected_count == 0 && options->highlighted == TINKER_NO_BLOCK) return;
-    for (guint i = 0; i < picture->bodies->len; i++) {
+    for (guint i = 0; i < blocks->len; i++) {
         TinkerPiece piece;
-        tinker_piece_init(&piece, picture->frame, g_array_index(picture->bodies, TinkerBlockId, i));
-        if ((tinker_picture_state(picture, &piece) != 0) != chosen) continue;
+        tinker_piece_init(&piece, picture->frame, g_array_index(blocks, TinkerBlockId, i));
+        uint32_t state = tinker_picture_state(picture, &piece);
+        if (((state & (TINKER_STATE_SELECTED | TINKER_STATE_HIGHLIGHTED)) != 0) != chosen) continue;
         double x, y;
         tinker_view_to_canvas(picture->view, piece.instance.x, piece.instance.y, &x, &y);
-        if (x >= 0 && y >= 0 && x <= picture->view->width && y <= picture->view->height)
-            write_name(labels, &piece, chosen);
+        gboolean is_here = x >= 0 && y >= 0 && x <= picture->view->width && y <= picture->view->height;
+        if (is_here || piece.kind == TINKER_PIECE_CONNECTOR) write_name(labels, &piece, chosen);
     }
+}
+
+static gboolean has_room_for(const TinkerPicture *picture, guint names)
+{
+    return names * LABEL_ROOM <= picture->view->width * picture->view->height;
 }
 
 gboolean tinker_picture_is_crowded(const TinkerPicture *picture)
 {
-    return picture->bodies->len * LABEL_ROOM > picture->view->width * picture->view->height;
+    return !has_room_for(picture, picture->bodies->len);
 }
 
 void tinker_picture_draw_labels(TinkerPicture *picture, double (*taken)[4], int taken_count)
@@ -231,7 +184,10 @@ void tinker_picture_draw_labels(TinkerPicture *picture, double (*taken)[4], int 
         tinker_occupancy_take_box(&labels.map, taken[i], TINKER_TAKEN_BY_TEXT);
     for (int layer = 0; layer < TINKER_PICTURE_LAYERS; layer++)
         take_layer(&labels, picture->visible[layer]);
-    write_names(&labels, TRUE);
-    if (!crowded) write_names(&labels, FALSE);
+    write_names(&labels, picture->bodies, TRUE);
+    write_names(&labels, picture->connectors, TRUE);
+    if (!crowded) write_names(&labels, picture->bodies, FALSE);
+    guint all = picture->bodies->len + picture->connectors->len;
+    if (has_room_for(picture, all) && !(small && all > FEW)) write_names(&labels, picture->connectors, FALSE);
     tinker_occupancy_clear(&labels.map);
 }

@@ -37,6 +37,7 @@ typedef struct {
     guint8 *selected;                       /* by id: 1 where the options select it; NULL: none is */
     GArray *visible[TINKER_PICTURE_LAYERS]; /* of TinkerBlockId: what lies on the canvas, in drawing order */
     GArray *bodies;                         /* likewise: those of them with a place, in the scene's order */
+    GArray *connectors; /* likewise: those of them with ends, but for those that are part of another block */
 } TinkerPicture;
 
 /* Kind and size by class and instance, which are known. */
@@ -66,7 +67,7 @@ void tinker_picture_draw_fields(TinkerPicture *picture, double corner[4]);
 void tinker_fields_corner(TinkerFrame *frame, const TinkerView *view, const TinkerPaintOptions *options,
                           double corner[4]);
 
-/* Names beside bodies, not over boxes (of 4 numbers) that are taken already; painter-labels.c. */
+/* Names beside bodies and connectors, not over boxes (of 4 numbers) that are taken already; painter-labels.c. */
 void tinker_picture_draw_labels(TinkerPicture *picture, double (*taken)[4], int taken_count);
 /* Whether there are so many bodies in sight that names and dots would cover all. */
 gboolean tinker_picture_is_crowded(const TinkerPicture *picture);

@@ -120,12 +120,16 @@ static void find_visible(TinkerPicture *picture)
     for (int layer = 0; layer < TINKER_PICTURE_LAYERS; layer++)
         picture->visible[layer] = g_array_new(FALSE, FALSE, sizeof(TinkerBlockId));
     picture->bodies = g_array_new(FALSE, FALSE, sizeof(TinkerBlockId));
+    picture->connectors = g_array_new(FALSE, FALSE, sizeof(TinkerBlockId));
     for (int32_t place = 0; place < picture->block_count; place++) {
         TinkerPiece piece;
         tinker_piece_init(&piece, picture->frame, tinker_scene_block_at(scene, place));
         if (piece.kind == TINKER_PIECE_FIELD || !is_visible(picture, &piece)) continue;
         g_array_append_val(picture->visible[layer_of(&piece)], piece.block);
-        if (piece.kind != TINKER_PIECE_CONNECTOR) g_array_append_val(picture->bodies, piece.block);
+        if (piece.kind != TINKER_PIECE_CONNECTOR)
+            g_array_append_val(picture->bodies, piece.block);
+        else if (!tinker_block_class_is_shown_elsewhere(piece.block_class))
+            g_array_append_val(picture->connectors, piece.block);
     }
 }
 
@@ -134,6 +138,7 @@ static void forget_visible(TinkerPicture *picture)
     for (int layer = 0; layer < TINKER_PICTURE_LAYERS; layer++)
         g_array_unref(picture->visible[layer]);
     g_array_unref(picture->bodies);
+    g_array_unref(picture->connectors);
 }
 
 static void draw_layer(TinkerPicture *picture, const GArray *blocks)

@@ -12,7 +12,7 @@
 typedef struct {
     const TinkerTheme *theme;
     gboolean show_grid;
-    gboolean show_labels; /* names beside bodies */
+    gboolean show_labels; /* names beside bodies and, where there is room, connectors */
     gboolean show_local_origins;
     gboolean show_time; /* "t = 1.25 s" in a corner */
     gboolean show_title;

@@ -5,14 +5,6 @@
 #include "property-list-private.h"
 #include "translate.h"
 
-/* Whether some property of the class is shown in the panel of what it is attached to. */
-static gboolean has_panel(const TinkerBlockClass *block_class)
-{
-    for (int32_t i = 0; i < block_class->property_count; i++)
-        if (block_class->properties[i].panel >= 0) return TRUE;
-    return FALSE;
-}
-
 static gboolean accepts(const TinkerBlockClass *block_class, const TinkerBlockClass *target)
 {
     if (target->physics == NULL || target->physics->body == NULL) return FALSE;
@@ -74,7 +66,9 @@ static void add_all_missing(PropertyBuilder *builder, GHashTable *present)
         for (guint k = 0; k < library->types->len; k++) {
             const TinkerTypeEntry *entry = g_ptr_array_index(library->types, k);
             const TinkerBlockClass *block_class = tinker_catalogue_type(catalogue, entry->id, NULL);
-            if (block_class == NULL || !has_panel(block_class) || g_hash_table_contains(present, block_class)) continue;
+            if (block_class == NULL || !tinker_block_class_is_shown_elsewhere(block_class) ||
+                g_hash_table_contains(present, block_class))
+                continue;
             if (accepts(block_class, builder->block_class)) add_missing(builder, block_class);
         }
     }
@@ -87,7 +81,7 @@ void property_rows_add_attached(PropertyBuilder *builder)
     for (int32_t i = 0; i < tinker_scene_table_count(builder->scene); i++) {
         TinkerSceneTable table;
         tinker_scene_table(builder->scene, i, &table);
-        if (!has_panel(table.block_class)) continue;
+        if (!tinker_block_class_is_shown_elsewhere(table.block_class)) continue;
         if (add_rows_of_table(builder, &table, groups)) g_hash_table_add(present, (gpointer)table.block_class);
     }
     add_all_missing(builder, present);

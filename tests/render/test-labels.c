@@ -1,0 +1,168 @@
+/* Names of connectors: beside their symbols, whole and upon nothing, or not at all. What is drawn is read from pictures. */
+#include <math.h>
+
+#include "scene-fixture.h"
+#include "stage.h"
+
+static gboolean apart(const TinkerWrittenText *a, const TinkerWrittenText *b)
+{
+    return a->box[2] <= b->box[0] || b->box[2] <= a->box[0] || a->box[3] <= b->box[1] || b->box[3] <= a->box[1];
+}
+
+/* Pixels within a text's box that are no background in a picture of the same blocks without names. */
+static int drawn_beneath(const TinkerWrittenText *text, TestStage *plain)
+{
+    const double *ground = plain->options.theme->background;
+    int drawn = 0;
+    for (int y = (int)ceil(text->box[1]); y < (int)text->box[3]; y++)
+        for (int x = (int)ceil(text->box[0]); x < (int)text->box[2]; x++)
+            drawn += !test_picture_shows(plain->picture, x, y, 0, ground);
+    return drawn;
+}
+
+static double gap(double low, double high, double at)
+{
+    return fmax(fmax(low - at, at - high), 0);
+}
+
+/* On a spring of any direction between two bodies far apart the name stands by the middle: clear of the coils, and nearer to
+ * them than a line of text is high. */
+static void test_beside(void)
+{
+    for (int i = 0; i < 24; i++) {
+        double angle = i * G_PI / 12, c = cos(angle), s = sin(angle);
+        g_autofree char *blocks =
+            g_strdup_printf("{\"type\": \"mass\", \"name\": \"A\", \"position\": [%g, %g]},"
+                            "{\"type\": \"mass\", \"name\": \"B\", \"position\": [%g, %g]},"
+                            "{\"type\": \"spring\", \"name\": \"Front spring\", \"ends\": [\"A\", \"B\"]}",
+                            -3 * c, -3 * s, 3 * c, 3 * s);
+        TestStage stage, plain;
+        test_stage_open(&stage, blocks);
+        test_stage_open(&plain, blocks);
+        stage.options.show_labels = TRUE;
+        test_stage_paint(&stage);
+        test_stage_paint(&plain);
+        const TinkerWrittenText *name = test_stage_text(&stage, "Front spring");
+        g_assert_nonnull(name);
+        g_assert_cmpint(drawn_beneath(name, &plain), ==, 0);
+        double nearest = INFINITY; /* from the spring's axis to the name */
+        for (double t = -100; t <= 100; t++)
+            nearest = fmin(nearest, hypot(gap(name->box[0], name->box[2], TEST_STAGE_WIDTH / 2 + t * c),
+                                          gap(name->box[1], name->box[3], TEST_STAGE_HEIGHT / 2 - t * s)));
+        g_assert_cmpfloat(nearest, <, 30);
+        g_assert_cmpuint(plain.written->len, ==, 0);
+        test_stage_close(&plain);
+        test_stage_close(&stage);
+    }
+}
+
+/* Springs all over each other: a name that is written covers neither a drawing nor a text, some are written, not all. */
+static void test_crossed(void)
+{
+    int named = 0, springs = 0;
+    for (int round = 0; round < 20; round++) {
+        g_autoptr(GString) blocks = g_string_new(NULL);
+        for (int i = 0; i < 7; i++)
+            g_string_append_printf(blocks, "{\"type\": \"mass\", \"name\": \"B%d\", \"position\": [%g, %g]},", i,
+                                   g_test_rand_double_range(-5, 5), g_test_rand_double_range(-3, 3));
+        for (int i = 0; i < 6; i++)
+            g_string_append_printf(blocks,
+                                   "%s{\"type\": \"spring\", \"name\": \"Spring %d\", \"ends\": [\"B%d\", \"B%d\"]}",
+                                   i ? "," : "", i, i, i + 1);
+        TestStage stage, plain;
+        test_stage_open(&stage, blocks->str);
+        test_stage_open(&plain, blocks->str);
+        stage.options.show_labels = TRUE;
+        test_stage_paint(&stage);
+        test_stage_paint(&plain);
+        springs += 6;
+        for (guint i = 0; i < stage.written->len; i++) {
+            const TinkerWrittenText *text = g_ptr_array_index(stage.written, i);
+            if (!g_str_has_prefix(text->text, "Spring")) continue;
+            named++;
+            g_assert_cmpint(drawn_beneath(text, &plain), ==, 0);
+            for (guint n = 0; n < stage.written->len; n++)
+                g_assert_true(n == i || apart(text, g_ptr_array_index(stage.written, n)));
+        }
+        test_stage_close(&plain);
+        test_stage_close(&stage);
+    }
+    g_test_message("%d of %d springs are named", named, springs);
+    g_assert_cmpint(named, >, springs / 6);
+    g_assert_cmpint(named, <, springs);
+}
+
+/* None where it would be taken for another's: on a short one, between two that run side by side, on a part of a support,
+ * or on a motor, whose arrow may lie along a spring; but where it is selected. */
+static void test_whose(void)
+{
+    TestStage stage;
+    test_stage_open(&stage,
+                    "{\"type\": \"mass\", \"name\": \"A\", \"position\": [-1, 2]},"
+                    "{\"type\": \"mass\", \"name\": \"B\", \"position\": [0.6, 2]},"
+                    "{\"type\": \"rod\", \"name\": \"A rod of no length\", \"ends\": [\"A\", \"B\"]},"
+                    "{\"type\": \"support\", \"name\": \"S\", \"position\": [-4, -2], \"width\": 0.5, \"height\": 3.5},"
+                    "{\"type\": \"support-motion\", \"name\": \"Shaker\", \"ends\": [\"S\"], \"amplitude\": 1},"
+                    "{\"type\": \"mass\", \"name\": \"C\", \"position\": [4, -2], \"height\": 3.5},"
+                    "{\"type\": \"spring\", \"name\": \"Upper\", \"ends\": [[-4, -1.4], [4, -1.4]]},"
+                    "{\"type\": \"spring\", \"name\": \"Middle\", \"ends\": [[-4, -2], [4, -2]]},"
+                    "{\"type\": \"spring\", \"name\": \"Lower\", \"ends\": [[-4, -2.6], [4, -2.6]]},"
+                    "{\"type\": \"motor\", \"name\": \"Fan\", \"ends\": [\"B\"], \"amplitude\": 1}");
+    stage.options.show_labels = TRUE;
+    test_stage_paint(&stage);
+    static const char *const with[] = {"A", "B", "C", "S", "Upper", "Lower"};
+    static const char *const without[] = {"A rod of no length", "Shaker", "Middle", "Fan"};
+    for (gsize i = 0; i < G_N_ELEMENTS(with); i++)
+        g_assert_nonnull(test_stage_text(&stage, with[i]));
+    for (gsize i = 0; i < G_N_ELEMENTS(without); i++)
+        g_assert_null(test_stage_text(&stage, without[i]));
+    /* Above the upper one, beneath the lower one: y is down, 50 pixels a metre. */
+    g_assert_cmpfloat(test_stage_text(&stage, "Upper")->box[3], <, TEST_STAGE_HEIGHT / 2 + 1.4 * 50);
+    g_assert_cmpfloat(test_stage_text(&stage, "Lower")->box[1], >, TEST_STAGE_HEIGHT / 2 + 2.6 * 50);
+    TinkerBlockId fan = tinker_scene_find_block(stage.scene, "Fan");
+    stage.options.selected = &fan;
+    stage.options.selected_count = 1;
+    test_stage_paint(&stage);
+    g_assert_nonnull(test_stage_text(&stage, "Fan"));
+    test_stage_close(&stage);
+}
+
+/* While a body passes over it, a name neither jumps to and fro nor comes and goes at every step. */
+static void test_steady(void)
+{
+    g_autoptr(TinkerPaintMemory) memory = tinker_paint_memory_new();
+    TestStage stage;
+    test_stage_open(&stage,
+                    "{\"type\": \"spring\", \"name\": \"Spring\", \"ends\": [[-4, 0], [4, 0]]},"
+                    "{\"type\": \"mass\", \"name\": \"P\", \"position\": [-4, 0.5], \"width\": 0.4, \"height\": 0.4}");
+    stage.options.show_labels = TRUE;
+    stage.options.memory = memory;
+    TinkerBlockId passing = tinker_scene_find_block(stage.scene, "P");
+    double x = NAN, y = NAN;
+    int changes = 0;
+    for (double place = -4; place < 4; place += 0.02) {
+        tinker_frame_place(stage.frame, passing, place, 0.5, 0);
+        test_stage_paint(&stage);
+        const TinkerWrittenText *name = test_stage_text(&stage, "Spring");
+        g_assert_nonnull(name);
+        changes += name->box[0] != x || name->box[1] != y;
+        x = name->box[0];
+        y = name->box[1];
+    }
+    g_test_message("%d places", changes);
+    g_assert_cmpint(changes, <=, 4);
+    test_stage_close(&stage);
+}
+
+static void add_tests(void)
+{
+    g_test_add_func("/render/labels/beside", test_beside);
+    g_test_add_func("/render/labels/crossed", test_crossed);
+    g_test_add_func("/render/labels/whose", test_whose);
+    g_test_add_func("/render/labels/steady", test_steady);
+}
+
+int main(int argc, char **argv)
+{
+    return scene_fixture_main(argc, argv, add_tests);
+}
