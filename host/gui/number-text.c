@@ -7,6 +7,8 @@
 #include <locale.h>
 #include <string.h>
 
+#define DECIMALS 5
+
 /* Of the user's locale, which the program itself does not write numbers by. */
 static gboolean locale_has_comma(void)
 {
@@ -50,4 +52,17 @@ gboolean tinker_number_read(const char *text, TinkerDimension dimension, const c
     g_set_error_literal(error, TINKER_UNITS_ERROR, TINKER_UNITS_ERROR_SYNTAX,
                         _("A number is written with a point and without thousands separators, as in 3.5."));
     return FALSE;
+}
+
+char *tinker_number_write(double si, TinkerDimension dimension, const char *unit, TinkerUnitSystem system,
+                          gboolean trims)
+{
+    char *text = tinker_quantity_format(si, dimension, unit, system, DECIMALS), *point = strchr(text, '.');
+    if (!trims || point == NULL) return text;
+    char *end = point + 1 + strspn(point + 1, "0123456789"), *last = end;
+    while (last[-1] == '0')
+        last--;
+    if (last[-1] == '.') last--;
+    memmove(last, end, strlen(end) + 1);
+    return text;
 }

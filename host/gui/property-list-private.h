@@ -4,8 +4,7 @@
 
 #include "property-list.h"
 
-#define PROPERTY_DECIMALS 5
-#define PROPERTY_DIGITS   7 /* significant ones, of limits and of numbers without a unit */
+#define PROPERTY_DIGITS 7 /* significant ones, of limits and of numbers without a unit */
 
 /* A list in the making: rows are added for these blocks, which are of one class. */
 typedef struct {
@@ -13,6 +12,7 @@ typedef struct {
     TinkerPlayer *player;
     TinkerScene *scene;
     TinkerUnitSystem system;
+    gboolean trims; /* numbers have no zeros at the end of their decimals */
     GPtrArray *rows;
     const TinkerBlockId *blocks;
     int count;

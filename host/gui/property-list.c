@@ -110,12 +110,13 @@ static gboolean are_alike(const PropertyBuilder *builder)
     return builder->count == 1 || builder->block_class != NULL;
 }
 
-GPtrArray *tinker_property_list_new(TinkerDocument *document, TinkerPlayer *player)
+GPtrArray *tinker_property_list_new(TinkerDocument *document, TinkerPlayer *player, gboolean trims)
 {
     PropertyBuilder builder = {
         .document = document,
         .player = player,
         .scene = tinker_document_scene(document),
+        .trims = trims,
         .rows = g_ptr_array_new_with_free_func((GDestroyNotify)tinker_property_row_unref),
     };
     builder.system = tinker_scene_head(builder.scene)->units;

@@ -41,8 +41,9 @@ struct _TinkerPropertyRow {
     gboolean (*choose)(TinkerDocument *document, const TinkerPropertyRow *row, int choice, GError **error);
 };
 
-/* Groups and rows in alphabetical order, but for the components of a vector, which stay together in theirs. Of TinkerPropertyRow *. (transfer full) */
-GPtrArray *tinker_property_list_new(TinkerDocument *document, TinkerPlayer *player);
+/* Groups and rows in alphabetical order, but for the components of a vector, which stay together in theirs. Of
+ * TinkerPropertyRow *. `trims`: numbers that are edited have no zeros at the end of their five decimals. (transfer full) */
+GPtrArray *tinker_property_list_new(TinkerDocument *document, TinkerPlayer *player, gboolean trims);
 
 /* What the list is of: "Mass 0", "3 Blocks", or the scene. (transfer full) */
 char *tinker_property_list_heading(TinkerDocument *document);

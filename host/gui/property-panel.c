@@ -28,12 +28,15 @@ struct _TinkerPropertyPanel {
     GHashTable *field_of; /* id of a row to Field */
     GHashTable *closed;   /* titles of groups that are closed */
     guint stamp;
-    guint refresh;  /* id of the source that will refresh it, or 0 */
-    gint64 last;    /* us: when it was refreshed */
+    guint refresh; /* id of the source that will refresh it, or 0 */
+    gint64 last;   /* us: when it was refreshed */
+    gboolean trims;
     gboolean focus; /* the next time it is refreshed it takes the focus */
 };
 
 G_DEFINE_FINAL_TYPE(TinkerPropertyPanel, tinker_property_panel, GTK_TYPE_WIDGET)
+
+enum { PROP_TRIMS = 1 };
 
 /* Groups -------------------------------------------------------------------------------------------------------------- */
 
@@ -128,7 +131,7 @@ static void show_rows(TinkerPropertyPanel *panel, GPtrArray *rows)
 static void refresh(TinkerPropertyPanel *panel)
 {
     if (!gtk_widget_get_mapped(GTK_WIDGET(panel))) return;
-    g_autoptr(GPtrArray) rows = tinker_property_list_new(panel->document, panel->player);
+    g_autoptr(GPtrArray) rows = tinker_property_list_new(panel->document, panel->player, panel->trims);
     g_autofree char *heading = tinker_property_list_heading(panel->document);
     gtk_label_set_text(GTK_LABEL(panel->heading), heading);
     show_rows(panel, rows);
@@ -235,6 +238,20 @@ GtkWidget *tinker_property_panel_new(TinkerDocument *document, TinkerPlayer *pla
     return GTK_WIDGET(panel);
 }
 
+static void tinker_property_panel_get_property(GObject *object, guint id, GValue *value, GParamSpec *spec)
+{
+    g_value_set_boolean(value, TINKER_PROPERTY_PANEL(object)->trims);
+}
+
+static void tinker_property_panel_set_property(GObject *object, guint id, const GValue *value, GParamSpec *spec)
+{
+    TinkerPropertyPanel *panel = TINKER_PROPERTY_PANEL(object);
+    if (panel->trims == g_value_get_boolean(value)) return;
+    panel->trims = !panel->trims;
+    refresh_soon(panel);
+    g_object_notify_by_pspec(object, spec);
+}
+
 static void tinker_property_panel_dispose(GObject *object)
 {
     TinkerPropertyPanel *panel = TINKER_PROPERTY_PANEL(object);
@@ -251,7 +268,12 @@ static void tinker_property_panel_dispose(GObject *object)
 
 static void tinker_property_panel_class_init(TinkerPropertyPanelClass *class)
 {
-    G_OBJECT_CLASS(class)->dispose = tinker_property_panel_dispose;
+    GObjectClass *object_class = G_OBJECT_CLASS(class);
+    object_class->get_property = tinker_property_panel_get_property;
+    object_class->set_property = tinker_property_panel_set_property;
+    object_class->dispose = tinker_property_panel_dispose;
+    const GParamFlags flags = G_PARAM_READWRITE | G_PARAM_STATIC_STRINGS | G_PARAM_EXPLICIT_NOTIFY;
+    g_object_class_install_property(object_class, PROP_TRIMS, g_param_spec_boolean("trims", NULL, NULL, FALSE, flags));
     GTK_WIDGET_CLASS(class)->map = tinker_property_panel_map;
     gtk_widget_class_set_layout_manager_type(GTK_WIDGET_CLASS(class), GTK_TYPE_BOX_LAYOUT);
     gtk_widget_class_set_css_name(GTK_WIDGET_CLASS(class), "propertypanel");

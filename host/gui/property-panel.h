@@ -9,7 +9,7 @@
 #define TINKER_TYPE_PROPERTY_PANEL (tinker_property_panel_get_type())
 G_DECLARE_FINAL_TYPE(TinkerPropertyPanel, tinker_property_panel, TINKER, PROPERTY_PANEL, GtkWidget)
 
-/* Takes references. */
+/* Takes references. The property "trims" (a switch): numbers have no zeros at the end of their decimals. */
 GtkWidget *tinker_property_panel_new(TinkerDocument *document, TinkerPlayer *player);
 
 /* Puts the keyboard focus on the first property. */

@@ -3,6 +3,7 @@
 #include <glib/gi18n.h>
 #include <string.h>
 
+#include "number-text.h"
 #include "numerics/integrators.h"
 #include "property-list-private.h"
 #include "translate.h"
@@ -174,8 +175,8 @@ static TinkerPropertyRow *add_number(PropertyBuilder *builder, const HeadMember 
     memcpy(&value, G_STRUCT_MEMBER_P(tinker_scene_head(builder->scene), member->offset), sizeof value);
     row->unit = tinker_unit_for(member->dimension, builder->system);
     property_row_take_text(row, member == &tolerance ? property_short_value(value, "", PROPERTY_DIGITS)
-                                                     : tinker_quantity_format(value, member->dimension, NULL,
-                                                                              builder->system, PROPERTY_DECIMALS));
+                                                     : tinker_number_write(value, member->dimension, NULL,
+                                                                           builder->system, builder->trims));
     row->data = member;
     row->set = set_number;
     return row;

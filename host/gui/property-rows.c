@@ -5,6 +5,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "number-text.h"
 #include "property-list-private.h"
 #include "scene/frame-quantity.h"
 #include "translate.h"
@@ -86,7 +87,7 @@ static char *number_text(const PropertyBuilder *builder, const TinkerPropertyTyp
 {
     if (isnan(value)) return g_strdup("");
     if (type->kind == TINKER_KIND_INTEGER) return g_strdup_printf("%.0f", value);
-    return tinker_quantity_format(value, type->dimension, unit, builder->system, PROPERTY_DECIMALS);
+    return tinker_number_write(value, type->dimension, unit, builder->system, builder->trims);
 }
 
 /* Setting ------------------------------------------------------------------------------------------------------------- */

@@ -10,6 +10,7 @@
 #define OUTLINE_HEIGHT    130
 #define STACK             "stack" /* data of the panel: what holds its pages */
 #define OUTLINE           "outline"
+#define PROPERTIES        "properties"
 
 static GtkWidget *scrolled(GtkWidget *child)
 {
@@ -59,6 +60,7 @@ GtkWidget *tinker_side_panel_new(TinkerDocument *document, TinkerPlayer *player,
     GtkWidget *stack = gtk_stack_new(), *pages = pages_of(stack, card, properties, start);
     g_object_set_data(G_OBJECT(paned), STACK, stack);
     g_object_set_data(G_OBJECT(paned), OUTLINE, outline);
+    g_object_set_data(G_OBJECT(paned), PROPERTIES, properties);
     gtk_widget_set_size_request(properties, -1, PROPERTIES_HEIGHT);
     gtk_widget_set_size_request(outline, -1, OUTLINE_HEIGHT);
     gtk_paned_set_start_child(GTK_PANED(paned), pages);
@@ -73,6 +75,11 @@ GtkWidget *tinker_side_panel_new(TinkerDocument *document, TinkerPlayer *player,
     g_signal_connect_object(outline, "activated", G_CALLBACK(tinker_property_panel_focus), properties,
                             G_CONNECT_SWAPPED);
     return paned;
+}
+
+GtkWidget *tinker_side_panel_properties(GtkWidget *side_panel)
+{
+    return g_object_get_data(G_OBJECT(side_panel), PROPERTIES);
 }
 
 GtkWidget *tinker_side_panel_outline(GtkWidget *side_panel)

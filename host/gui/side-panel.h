@@ -14,7 +14,8 @@ GtkWidget *tinker_side_panel_new(TinkerDocument *document, TinkerPlayer *player,
 /* Shows one of its pages, "scene", "properties" or "start"; FALSE where there is no such page. */
 gboolean tinker_side_panel_show(GtkWidget *side_panel, const char *page);
 
-/* The outline in it. (transfer none) */
+/* The panel of properties and the outline in it. (transfer none) */
+GtkWidget *tinker_side_panel_properties(GtkWidget *side_panel);
 GtkWidget *tinker_side_panel_outline(GtkWidget *side_panel);
 
 #endif

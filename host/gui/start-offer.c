@@ -5,9 +5,8 @@
 #include <glib/gi18n.h>
 #include <string.h>
 
+#include "number-text.h"
 #include "property-list-private.h"
-
-#define DECIMALS 5
 
 char *tinker_start_button_text(const char *label)
 {
@@ -34,9 +33,9 @@ static const char *unit_of(TinkerScene *scene, const TinkerStartOption *option)
     return tinker_unit_for(option->dimension, tinker_scene_head(scene)->units);
 }
 
-char *tinker_start_value_text(TinkerScene *scene, const TinkerStartOption *option)
+char *tinker_start_value_text(TinkerScene *scene, const TinkerStartOption *option, gboolean trims)
 {
-    return tinker_quantity_format(option->value, option->dimension, NULL, tinker_scene_head(scene)->units, DECIMALS);
+    return tinker_number_write(option->value, option->dimension, NULL, tinker_scene_head(scene)->units, trims);
 }
 
 gboolean tinker_start_value_parse(TinkerScene *scene, const TinkerStartOption *option, const char *text, double *si,

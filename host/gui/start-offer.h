@@ -11,8 +11,8 @@ char *tinker_start_button_label(const TinkerStartOption *option);
 /* A label with header capitals: "Released from Equilibrium". (transfer full) */
 char *tinker_start_button_text(const char *label);
 
-/* The value as it is now, in the unit that the scene shows: "0.05000 m". (transfer full) */
-char *tinker_start_value_text(TinkerScene *scene, const TinkerStartOption *option);
+/* The value as it is now, in the unit that the scene shows: "0.05000 m", trimmed "0.05 m". (transfer full) */
+char *tinker_start_value_text(TinkerScene *scene, const TinkerStartOption *option, gboolean trims);
 
 /* Reads what was typed into SI. A number without a unit is in the unit that the scene shows. Errors: TINKER_UNITS_ERROR. */
 gboolean tinker_start_value_parse(TinkerScene *scene, const TinkerStartOption *option, const char *text, double *si,

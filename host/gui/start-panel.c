@@ -20,11 +20,14 @@ struct _TinkerStartPanel {
     GPtrArray *rows;    /* of TinkerStartRow *, borrowed: those of options that ask for a value */
     guint timer;
     gboolean outdated;
+    gboolean trims;
     gint64 cost; /* us: of the last refresh */
     GtkWidget *expander, *note, *hint, *choices, *list;
 };
 
 G_DEFINE_FINAL_TYPE(TinkerStartPanel, tinker_start_panel, GTK_TYPE_WIDGET)
+
+enum { PROP_TRIMS = 1 };
 
 static guint refused_signal;
 
@@ -145,7 +148,7 @@ static void show_values(TinkerStartPanel *panel)
     for (guint i = 0; i < panel->rows->len; i++) {
         TinkerStartRow *row = g_ptr_array_index(panel->rows, i);
         const TinkerStartOption *option = option_of(panel, GTK_WIDGET(row));
-        g_autofree char *text = tinker_start_value_text(scene, option);
+        g_autofree char *text = tinker_start_value_text(scene, option, panel->trims);
         tinker_start_row_show(row, text, option->description);
     }
 }
@@ -259,6 +262,20 @@ GtkWidget *tinker_start_panel_new(TinkerDocument *document, TinkerPlayer *player
     return GTK_WIDGET(panel);
 }
 
+static void tinker_start_panel_get_property(GObject *object, guint id, GValue *value, GParamSpec *spec)
+{
+    g_value_set_boolean(value, TINKER_START_PANEL(object)->trims);
+}
+
+static void tinker_start_panel_set_property(GObject *object, guint id, const GValue *value, GParamSpec *spec)
+{
+    TinkerStartPanel *panel = TINKER_START_PANEL(object);
+    if (panel->trims == g_value_get_boolean(value)) return;
+    panel->trims = !panel->trims;
+    refresh_after(panel, 0);
+    g_object_notify_by_pspec(object, spec);
+}
+
 static void tinker_start_panel_dispose(GObject *object)
 {
     TinkerStartPanel *panel = TINKER_START_PANEL(object);
@@ -278,7 +295,12 @@ static void tinker_start_panel_finalize(GObject *object)
 
 static void tinker_start_panel_class_init(TinkerStartPanelClass *class)
 {
-    G_OBJECT_CLASS(class)->dispose = tinker_start_panel_dispose;
+    GObjectClass *object_class = G_OBJECT_CLASS(class);
+    object_class->get_property = tinker_start_panel_get_property;
+    object_class->set_property = tinker_start_panel_set_property;
+    object_class->dispose = tinker_start_panel_dispose;
+    const GParamFlags flags = G_PARAM_READWRITE | G_PARAM_STATIC_STRINGS | G_PARAM_EXPLICIT_NOTIFY;
+    g_object_class_install_property(object_class, PROP_TRIMS, g_param_spec_boolean("trims", NULL, NULL, FALSE, flags));
     G_OBJECT_CLASS(class)->finalize = tinker_start_panel_finalize;
     GTK_WIDGET_CLASS(class)->map = tinker_start_panel_map;
     refused_signal = g_signal_new("refused", TINKER_TYPE_START_PANEL, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL,

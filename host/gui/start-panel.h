@@ -10,7 +10,8 @@
 G_DECLARE_FINAL_TYPE(TinkerStartPanel, tinker_start_panel, TINKER, START_PANEL, GtkWidget)
 
 /* Takes references. Invisible where the selected block has nothing to offer. The signal "refused" (char *message) tells why a
- * condition without a value could not be met; those with a value say so beneath their row. */
+ * condition without a value could not be met; those with a value say so beneath their row. The property "trims" is as that of
+ * the panel of properties. */
 GtkWidget *tinker_start_panel_new(TinkerDocument *document, TinkerPlayer *player);
 
 #endif

@@ -311,7 +311,7 @@ void window_update_actions(TinkerWindow *window)
         enable(window, of_selection[i], selected > 0);
 }
 
-static void add_switch(TinkerWindow *window, const char *name, gpointer object, const char *property)
+void window_add_switch(TinkerWindow *window, const char *name, gpointer object, const char *property)
 {
     g_autoptr(GPropertyAction) action = g_property_action_new(name, object, property);
     g_action_map_add_action(G_ACTION_MAP(window), G_ACTION(action));
@@ -328,8 +328,8 @@ void window_add_actions(TinkerWindow *window)
     static const char *const shown[] = {
         "show-labels", "show-forces", "show-local-origins", "show-grid", "forces-on-this-body-only", "follow"};
     for (gsize i = 0; i < G_N_ELEMENTS(shown); i++)
-        add_switch(window, shown[i], window->canvas, shown[i]);
-    add_switch(window, "show-palette", window->palette_side, "visible");
-    add_switch(window, "show-panel", window->panel_side, "visible");
+        window_add_switch(window, shown[i], window->canvas, shown[i]);
+    window_add_switch(window, "show-palette", window->palette_side, "visible");
+    window_add_switch(window, "show-panel", window->panel_side, "visible");
     add_canvas_keys(window);
 }

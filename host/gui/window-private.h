@@ -31,6 +31,7 @@ struct _TinkerWindow {
     AdwViewStack *pages;
     GtkBox *panel;
     GtkBox *palette_side, *panel_side; /* what folds away */
+    GtkWidget *properties;             /* the panel of properties */
     GtkBox *dock;
     GtkBox *status;
     GtkBox *banners;
@@ -55,6 +56,8 @@ struct _TinkerWindow {
 
 /* Actions win.*; window-actions.c. */
 void window_add_actions(TinkerWindow *window);
+/* One that switches a property of an object. */
+void window_add_switch(TinkerWindow *window, const char *name, gpointer object, const char *property);
 /* Enables those that can do something now. */
 void window_update_actions(TinkerWindow *window);
 

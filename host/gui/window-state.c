@@ -49,6 +49,7 @@ void window_restore_state(TinkerWindow *window)
     }
     gtk_widget_set_visible(GTK_WIDGET(window->palette_side), tinker_settings_switch(GROUP_WINDOW, "palette", TRUE));
     gtk_widget_set_visible(GTK_WIDGET(window->panel_side), tinker_settings_switch(GROUP_WINDOW, "panel", TRUE));
+    g_object_set(window->properties, "trims", tinker_settings_switch(GROUP_WINDOW, "trim-decimals", FALSE), NULL);
     for_panes(GTK_WIDGET(window), restore_pane);
 }
 
@@ -66,6 +67,9 @@ void window_store_state(TinkerWindow *window)
     }
     tinker_settings_set_switch(GROUP_WINDOW, "palette", gtk_widget_get_visible(GTK_WIDGET(window->palette_side)));
     tinker_settings_set_switch(GROUP_WINDOW, "panel", gtk_widget_get_visible(GTK_WIDGET(window->panel_side)));
+    gboolean trims;
+    g_object_get(window->properties, "trims", &trims, NULL);
+    tinker_settings_set_switch(GROUP_WINDOW, "trim-decimals", trims);
     for_panes(GTK_WIDGET(window), store_pane);
     tinker_settings_store();
 }

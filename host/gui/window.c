@@ -124,8 +124,12 @@ static void connect_parts(TinkerWindow *window)
     tinker_palette_set_canvas(window->palette, tinker_document_catalogue(window->document), window->canvas);
     tinker_playbar_set_player(window->playbar, window->player);
     window_add_graphs(window);
-    GtkWidget *side_panel = tinker_side_panel_new(window->document, window->player, window_new_start_panel(window),
+    GtkWidget *start = window_new_start_panel(window);
+    GtkWidget *side_panel = tinker_side_panel_new(window->document, window->player, start,
                                                   tinker_scene_card_new(window->document, window->plan));
+    window->properties = tinker_side_panel_properties(side_panel);
+    g_object_bind_property(window->properties, "trims", start, "trims", G_BINDING_SYNC_CREATE);
+    window_add_switch(window, "trim-decimals", window->properties, "trims");
     gtk_box_append(window->panel, side_panel);
     g_signal_connect_object(window->player, "state-changed", G_CALLBACK(on_state_changed), window, G_CONNECT_SWAPPED);
     g_signal_connect_object(window->player, "failed", G_CALLBACK(on_failed), window, 0);

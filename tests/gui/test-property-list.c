@@ -15,6 +15,7 @@
 typedef struct {
     TinkerDocument *document;
     TinkerPlayer *player;
+    gboolean trims;
 } Window;
 
 static Window window_with(const char *blocks)
@@ -66,7 +67,7 @@ static char *scene_text(Window *window)
 /* NULL where there is no such row. (transfer full) */
 static TinkerPropertyRow *find_row(Window *window, const char *group, const char *title)
 {
-    g_autoptr(GPtrArray) rows = tinker_property_list_new(window->document, window->player);
+    g_autoptr(GPtrArray) rows = tinker_property_list_new(window->document, window->player, window->trims);
     for (guint i = 0; i < rows->len; i++) {
         TinkerPropertyRow *row = g_ptr_array_index(rows, i);
         if (g_str_equal(row->group, group) && g_str_equal(row->title, title)) return tinker_property_row_ref(row);
@@ -233,6 +234,37 @@ static void test_spring_strings(void)
     assert_shown(&window, "Spring Properties", "K", "1.71304 lbf/ft"); /* 25 * 0.3048 / 4.4482216152605 */
 }
 
+/* Where that is wished, the zeros behind the last digit that counts are left out; all else is as it was. */
+static void test_trimmed(void)
+{
+    g_auto(Window) window =
+        window_with(ONE_MASS ",{\"type\": \"mass\", \"name\": \"Far\", \"position\": [-100, 0.12345],"
+                             "\"velocity\": [1e-9, -0.5]}," ONE_SUPPORT "," ONE_SPRING);
+    window.trims = TRUE;
+    select_block(&window, "Mass 0");
+    assert_shown(&window, "Global Position", "X", "3.2 m");
+    assert_shown(&window, "Initial Velocity", "Vx", "0 m/s");
+    assert_shown(&window, "Properties", "Mass", "1 kg");
+    assert_shown(&window, "Properties", "Orientation", "0 deg");
+    select_block(&window, "Far");
+    assert_shown(&window, "Global Position", "X", "-100 m");
+    assert_shown(&window, "Global Position", "Y", "0.12345 m");
+    assert_shown(&window, "Initial Velocity", "Vx", "0 m/s");
+    assert_shown(&window, "Initial Velocity", "Vy", "-0.5 m/s");
+    /* What is not shown stays as it is when the shown is entered again. */
+    g_autoptr(TinkerPropertyRow) row = find_row(&window, "Initial Velocity", "Vx");
+    g_assert_true(tinker_property_row_set(window.document, row, "0 m/s", NULL));
+    g_assert_cmpfloat(stored(&window, "Far", "velocity", 0), ==, 1e-9);
+    select_block(&window, "Spring 0");
+    assert_shown(&window, "Spring Properties", "K", "25 N/m");
+    select_nothing(&window);
+    assert_shown(&window, "Run", "Duration", "10 s");
+    go_english(&window);
+    select_block(&window, "Mass 0");
+    assert_shown(&window, "Global Position", "X", "10.49869 ft");
+    assert_shown(&window, "Properties", "Mass", "0.06852 slug");
+}
+
 static void test_order(void)
 {
     static const char *const selections[] = {"Mass 0", "Support 0", "Spring 0", NULL, NULL};
@@ -242,7 +274,7 @@ static void test_order(void)
             select_block(&window, selections[i]);
         else
             select_nothing(&window);
-        g_autoptr(GPtrArray) rows = tinker_property_list_new(window.document, window.player);
+        g_autoptr(GPtrArray) rows = tinker_property_list_new(window.document, window.player, FALSE);
         g_autoptr(GHashTable) ids = g_hash_table_new(g_str_hash, g_str_equal);
         g_assert_cmpuint(rows->len, >, 4);
         for (guint k = 0; k < rows->len; k++) {
@@ -345,7 +377,7 @@ static void test_any_text(void)
             g_string_append(text, bits[g_test_rand_int_range(0, G_N_ELEMENTS(bits))]);
         TinkerBlockId block = tinker_scene_block_at(tinker_document_scene(window.document), round % 3);
         tinker_document_select(window.document, block);
-        g_autoptr(GPtrArray) rows = tinker_property_list_new(window.document, window.player);
+        g_autoptr(GPtrArray) rows = tinker_property_list_new(window.document, window.player, FALSE);
         TinkerPropertyRow *row = rows->pdata[g_test_rand_int_range(0, (gint32)rows->len)];
         g_autoptr(GError) error = NULL;
         if (row->set == NULL) continue;
@@ -508,7 +540,7 @@ static void test_several(void)
     g_assert_cmpfloat(stored(&window, "B", "position", 1), ==, 2);
 
     tinker_document_select_all_of(window.document, both, 3);
-    g_autoptr(GPtrArray) rows = tinker_property_list_new(window.document, window.player);
+    g_autoptr(GPtrArray) rows = tinker_property_list_new(window.document, window.player, FALSE);
     g_autofree char *heading = tinker_property_list_heading(window.document);
     g_assert_cmpuint(rows->len, ==, 0);
     g_assert_cmpstr(heading, ==, "3 Blocks");
@@ -531,7 +563,7 @@ static void test_every_kind(void)
 {
     g_auto(Window) window = window_with("{\"type\": \"every-kind\", \"name\": \"E\"}");
     select_block(&window, "E");
-    g_autoptr(GPtrArray) rows = tinker_property_list_new(window.document, window.player);
+    g_autoptr(GPtrArray) rows = tinker_property_list_new(window.document, window.player, FALSE);
     gboolean seen[TINKER_ROW_READING + 1] = {FALSE};
     for (guint i = 0; i < rows->len; i++) {
         const TinkerPropertyRow *row = g_ptr_array_index(rows, i);
@@ -556,7 +588,7 @@ static void test_vectors(void)
                                          "Point Y",  "Radius",   "X Pull",       "Y pull"};
     g_auto(Window) window = window_with("{\"type\": \"vectors\", \"name\": \"V\", \"centre\": [1, 2]}");
     select_block(&window, "V");
-    g_autoptr(GPtrArray) rows = tinker_property_list_new(window.document, window.player);
+    g_autoptr(GPtrArray) rows = tinker_property_list_new(window.document, window.player, FALSE);
     guint shown = 0;
     for (guint i = 0; i < rows->len; i++) {
         const TinkerPropertyRow *row = g_ptr_array_index(rows, i);
@@ -676,6 +708,7 @@ static void add_tests(void)
     g_test_add_func("/gui/property-list/motor-strings", test_motor_strings);
     g_test_add_func("/gui/property-list/support-strings", test_support_strings);
     g_test_add_func("/gui/property-list/spring-strings", test_spring_strings);
+    g_test_add_func("/gui/property-list/trimmed", test_trimmed);
     g_test_add_func("/gui/property-list/order", test_order);
     g_test_add_func("/gui/property-list/units", test_units);
     g_test_add_func("/gui/property-list/unchanged", test_unchanged);

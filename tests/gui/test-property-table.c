@@ -48,7 +48,7 @@ G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC(Panel, panel_clear)
 
 static TinkerPropertyRow *find_row(Panel *panel, const char *group, const char *title)
 {
-    g_autoptr(GPtrArray) rows = tinker_property_list_new(panel->document, panel->player);
+    g_autoptr(GPtrArray) rows = tinker_property_list_new(panel->document, panel->player, FALSE);
     for (guint i = 0; i < rows->len; i++) {
         TinkerPropertyRow *row = g_ptr_array_index(rows, i);
         if (g_str_equal(row->group, group) && g_str_equal(row->title, title)) return tinker_property_row_ref(row);

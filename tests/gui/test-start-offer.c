@@ -59,7 +59,7 @@ static void test_values(void)
         g_assert_cmpfloat_with_epsilon(si, rows[i].si, 1e-15);
         /* what is shown reads back as what it shows */
         option.value = si;
-        g_autofree char *shown = tinker_start_value_text(scene, &option);
+        g_autofree char *shown = tinker_start_value_text(scene, &option, FALSE);
         g_assert_true(tinker_start_value_parse(scene, &option, shown, &si, NULL));
         g_assert_cmpfloat_with_epsilon(si, rows[i].si, 1e-5);
     }

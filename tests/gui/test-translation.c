@@ -39,7 +39,7 @@ static void test_scene_stays_english(void)
     TinkerScene *scene = tinker_document_scene(fixture->document);
     TinkerBlockId mass = gui_fixture_block(fixture, "Mass 0");
     tinker_document_select(fixture->document, mass);
-    g_autoptr(GPtrArray) rows = tinker_property_list_new(fixture->document, fixture->player);
+    g_autoptr(GPtrArray) rows = tinker_property_list_new(fixture->document, fixture->player, FALSE);
     g_assert_true(has_row(rows, "Eigenschaften", "Masse"));
     g_assert_true(has_row(rows, "Erscheinungsbild", "Name"));
     g_assert_cmpstr(tinker_block_type_title(scene, mass), ==, "Masse");

@@ -257,5 +257,23 @@ def test_table_needs_a_saved_scene(display):
         app.find("label", "record.csv")
 
 
+def test_zeros_behind_the_digits_are_left_out_and_stay_so(display):
+    ball = {"type": "mass", "name": "Mass 0", "position": [3.2, 2.4]}
+    with App(display, scene(ball)) as app:
+        select(app, 3.2, 2.4)
+        app.wait_read("Global Position", "X", "3.20000 m")
+        app.click("Main Menu")
+        app.click("Trim Decimals of Values", role="check menu item")
+        app.wait_read("Global Position", "X", "3.2 m")
+        app.enter("Properties", "Mass", "2.50")
+        app.wait_read("Properties", "Mass", "2.5 kg")
+        app.click("Start", role="tab")
+        wait(lambda: app.find("text", "Thrown at speed").text() == "0 m/s", "the speed without zeros")
+        home = app.home
+    with App(display, scene(ball), home=home) as app:
+        select(app, 3.2, 2.4)
+        app.wait_read("Global Position", "X", "3.2 m")
+
+
 if __name__ == "__main__":
     main()
