@@ -146,25 +146,42 @@ static void on_length(GPtrArray *all, const TinkerFrame *frame, TinkerBlockId bl
     if (drawn > 0) advice->repair = g_strdup(_("Use the length as drawn"));
 }
 
+static void on_overlap(GPtrArray *all, TinkerScene *scene, const TinkerOverlap *overlap)
+{
+    g_autofree char *depth = start_quantity_text(scene, overlap->depth, length_dimension);
+    TinkerAdvice *advice =
+        advice_add(all, TINKER_ADVICE_OVERLAP, FALSE,
+                   g_strdup_printf(_("%s starts %s below the top of %s, and so passes it as from behind (it would have "
+                                     "to start on the top or in front of it)"),
+                                   tinker_scene_block_name(scene, overlap->body), depth,
+                                   tinker_scene_block_name(scene, overlap->plate)));
+    advice_add_block(advice, overlap->body);
+    advice_add_block(advice, overlap->plate);
+    advice_add_vector(advice, overlap->body, overlap->depth * overlap->normal[0], overlap->depth * overlap->normal[1]);
+    advice->repair = g_strdup_printf(_("Move it out by %s"), depth);
+}
+
+/* Those that are not told of one by one: the bodies are what it is about. They take their turn when the first are mended. */
+static void on_more_overlaps(GPtrArray *all, const GArray *overlaps)
+{
+    const guint more = overlaps->len - TINKER_OVERLAPS_TOLD;
+    TinkerAdvice *advice =
+        advice_add(all, TINKER_ADVICE_OVERLAP, FALSE,
+                   g_strdup_printf(
+                       g_dngettext(GETTEXT_PACKAGE,
+                                   "and %u more starts below the top of a support, and so passes it as from behind",
+                                   "and %u more start below the top of a support, and so pass it as from behind", more),
+                       more));
+    for (guint i = TINKER_OVERLAPS_TOLD; i < overlaps->len; i++)
+        advice_add_block(advice, g_array_index(overlaps, TinkerOverlap, i).body);
+}
+
 static void on_overlaps(GPtrArray *all, const TinkerFrame *frame)
 {
-    TinkerScene *scene = tinker_frame_scene(frame);
     g_autoptr(GArray) overlaps = tinker_overlaps_new(frame);
-    for (guint i = 0; i < overlaps->len; i++) {
-        const TinkerOverlap *overlap = &g_array_index(overlaps, TinkerOverlap, i);
-        g_autofree char *depth = start_quantity_text(scene, overlap->depth, length_dimension);
-        TinkerAdvice *advice = advice_add(
-            all, TINKER_ADVICE_OVERLAP, FALSE,
-            g_strdup_printf(_("%s starts %s below the top of %s, and so passes it as from behind (it would have "
-                              "to start on the top or in front of it)"),
-                            tinker_scene_block_name(scene, overlap->body), depth,
-                            tinker_scene_block_name(scene, overlap->plate)));
-        advice_add_block(advice, overlap->body);
-        advice_add_block(advice, overlap->plate);
-        advice_add_vector(advice, overlap->body, overlap->depth * overlap->normal[0],
-                          overlap->depth * overlap->normal[1]);
-        advice->repair = g_strdup_printf(_("Move it out by %s"), depth);
-    }
+    for (guint i = 0; i < MIN(overlaps->len, TINKER_OVERLAPS_TOLD); i++)
+        on_overlap(all, tinker_frame_scene(frame), &g_array_index(overlaps, TinkerOverlap, i));
+    if (overlaps->len > TINKER_OVERLAPS_TOLD) on_more_overlaps(all, overlaps);
 }
 
 static void on_meeting(GPtrArray *all, const TinkerFrame *frame)

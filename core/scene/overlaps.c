@@ -130,6 +130,11 @@ void tinker_overlaps_tell(TinkerScene *scene, GPtrArray *warnings)
     g_autoptr(TinkerFrame) frame = tinker_frame_new(scene, NULL);
     if (frame == NULL) return;
     g_autoptr(GArray) overlaps = tinker_overlaps_new(frame);
-    for (guint i = 0; i < overlaps->len; i++)
+    for (guint i = 0; i < MIN(overlaps->len, TINKER_OVERLAPS_TOLD); i++)
         g_ptr_array_add(warnings, text_of(frame, &g_array_index(overlaps, TinkerOverlap, i)));
+    if (overlaps->len <= TINKER_OVERLAPS_TOLD) return;
+    const guint more = overlaps->len - TINKER_OVERLAPS_TOLD;
+    g_ptr_array_add(warnings, g_strdup_printf("and %u more start%s below the top of a support and so pass%s it as from "
+                                              "behind (mend the first ones, and these are told of)",
+                                              more, more == 1 ? "s" : "", more == 1 ? "es" : ""));
 }

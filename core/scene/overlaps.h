@@ -7,6 +7,9 @@
 /* A start this near to a top touches it (m); one farther behind it passes as from behind. */
 #define TINKER_TOUCHING 1e-9
 
+/* So many are told of one by one; of the rest, how many there are. */
+#define TINKER_OVERLAPS_TOLD 5
+
 typedef struct {
     TinkerBlockId body, plate;
     double depth;     /* m: how far the body's nearest side lies below the top */
@@ -20,7 +23,7 @@ typedef struct {
  * not. Costs what the plates' boxes cover, not the product. Element: TinkerOverlap. (transfer full) */
 GArray *tinker_overlaps_new(const TinkerFrame *frame);
 
-/* Adds a warning (of char *) for every overlap at t = 0, with what would be right. A scene whose motions fail there has
+/* Adds a warning (of char *) for each of the first overlaps at t = 0, with what would be right, and one for the rest. A scene whose motions fail there has
  * none to tell of. */
 void tinker_overlaps_tell(TinkerScene *scene, GPtrArray *warnings);
 

@@ -191,6 +191,33 @@ static void test_overlap(void)
     physics_assert_near("y", start_fixture_get(f, "Mass 0", TINKER_MEANING_POSITION, 1), 0.6, 1e-15);
 }
 
+/* Of 40 boxes within a floor, all at one height, five are told of one by one and the other 35 at once; mended one after another
+ * the last is told of in the end. */
+static void test_many_overlaps(void)
+{
+    g_autoptr(GString) blocks =
+        g_string_new("{'type': 'support', 'name': 'Floor', 'position': [0, 0], 'width': 100, 'height': 0.4}");
+    for (int i = 0; i < 40; i++)
+        g_string_append_printf(blocks, ",{'type': 'mass', 'position': [%d, 0.3], 'height': 0.8}", i - 20);
+    g_autoptr(StartFixture) f = start_fixture_new(blocks->str);
+    for (guint left = 40; left > 0; left--) {
+        g_autoptr(GPtrArray) all = tinker_advice_new(f->scene);
+        g_assert_cmpuint(all->len, ==, MIN(left, 6));
+        for (guint i = 0; i < MIN(left, 5); i++)
+            g_assert_nonnull(((const TinkerAdvice *)g_ptr_array_index(all, i))->repair);
+        if (left > 5) {
+            const TinkerAdvice *more = g_ptr_array_index(all, 5);
+            g_autofree char *text = g_strdup_printf("and %u more start", left - 5);
+            g_assert_true(g_str_has_prefix(more->message, text));
+            g_assert_null(more->repair);
+            g_assert_cmpuint(more->blocks->len, ==, left - 5);
+        }
+        g_assert_true(tinker_advice_repair(f->history, f->scene, g_ptr_array_index(all, 0), NULL));
+    }
+    g_autoptr(GPtrArray) none = tinker_advice_new(f->scene);
+    g_assert_cmpuint(none->len, ==, 0);
+}
+
 /* The sides are 3.2 m apart and come nearer by 4 m/s, so they meet within the 10 s; there is nothing to repair. */
 static void test_meeting(void)
 {
@@ -332,6 +359,7 @@ static void add_tests(void)
     g_test_add_func("/advice/contradiction", test_contradiction);
     g_test_add_func("/advice/velocity-across-a-bar", test_velocity_across_a_bar);
     g_test_add_func("/advice/overlap", test_overlap);
+    g_test_add_func("/advice/many-overlaps", test_many_overlaps);
     g_test_add_func("/advice/meeting", test_meeting);
     g_test_add_func("/advice/method", test_method);
     g_test_add_func("/advice/method-of-contacts", test_method_of_contacts);

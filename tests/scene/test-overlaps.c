@@ -85,6 +85,29 @@ static void test_words(void)
                     "the top, move it by [-0.1, 0] m; to let it pass, set \"solid\" of Floor to false)");
 }
 
+/* However many there are, a handful is told of, and how many more there are. */
+static void test_many(void)
+{
+    static const char *const last[] = {NULL, NULL, "and 1 more starts below the top of a support ",
+                                       "and 2 more start below the top of a support ",
+                                       "and 195 more start below the top of a support "};
+    static const guint counts[] = {1, 5, 6, 7, 200}, told[] = {1, 5, 6, 6, 6};
+    for (gsize i = 0; i < G_N_ELEMENTS(counts); i++) {
+        g_autoptr(GString) blocks = g_string_new(FLOOR "}");
+        for (guint k = 0; k < counts[i]; k++)
+            g_string_append(blocks, ", {\"type\": \"mass\", \"position\": [0.1, 2.4]}");
+        g_autoptr(TinkerScene) scene = scene_fixture_read_blocks(blocks->str);
+        g_autoptr(GPtrArray) warnings = g_ptr_array_new_with_free_func(g_free);
+        tinker_overlaps_tell(scene, warnings);
+        g_assert_cmpuint(warnings->len, ==, told[i]);
+        const char *text = g_ptr_array_index(warnings, warnings->len - 1);
+        if (last[i] != NULL)
+            g_assert_true(g_str_has_prefix(text, last[i]));
+        else
+            g_assert_null(strstr(text, " more "));
+    }
+}
+
 /* The line across the plate through a point, as the two places along the normal where the body's and the plate's corners
  * lie: worked out from corners in world coordinates. */
 static gboolean overlap_by_corners(double px, double py, double angle, double width, double height, double x, double y,
@@ -154,6 +177,7 @@ static void add_tests(void)
     g_test_add_func("/overlaps/places", test_places);
     g_test_add_func("/overlaps/moved-support", test_moved_support);
     g_test_add_func("/overlaps/words", test_words);
+    g_test_add_func("/overlaps/many", test_many);
     g_test_add_func("/overlaps/against-all-pairs", test_against_all_pairs);
 }
 
