@@ -72,6 +72,7 @@ void tinker_simulation_add_up(TinkerSimulation *simulation)
         .islands = kept.islands,
         .events = kept.events,
         .warnings = kept.warnings,
+        .of_scene = kept.of_scene,
     };
     g_ptr_array_sort(whole->events, by_time);
     for (guint i = 0; i < simulation->runs->len; i++) {

@@ -105,12 +105,13 @@ static void tell(TinkerDirectionWatch *self, const TinkerDirectionLine *line)
     g_autofree char *names = tinker_direction_names(self, line);
     tinker_island_run_add_event(run, "direction lost", names);
     run->summary.determined_until = fmin(run->summary.determined_until, run->state.t);
-    g_ptr_array_add(run->summary.warnings,
-                    g_strdup_printf(_("%s: its ends meet at t = %.6g s and do not pass each other: its force has no "
-                                      "direction there, and what follows is one motion of many (the run is determined "
-                                      "up to then; start beside it, or with no force at length 0, as by a rest "
-                                      "length of 0)"),
-                                    names, run->state.t));
+    tinker_summary_warn_of_scene(
+        &run->summary,
+        g_strdup_printf(_("%s: its ends meet at t = %.6g s and do not pass each other: its force has no "
+                          "direction there, and what follows is one motion of many (the run is determined "
+                          "up to then; start beside it, or with no force at length 0, as by a rest "
+                          "length of 0)"),
+                        names, run->state.t));
 }
 
 /* Of all bodies at the run's state: worked out once for all lines that are checked there. */

@@ -35,9 +35,18 @@ static void open_method(TinkerIslandRun *run)
     run->summary.tolerance = run->choice.tolerance;
 }
 
+void tinker_summary_warn_of_scene(TinkerSummary *summary, char *text)
+{
+    g_ptr_array_add(summary->warnings, text);
+    g_ptr_array_add(summary->of_scene, text);
+}
+
 static void open_summary(TinkerIslandRun *run, const TinkerSummary *whole)
 {
-    run->summary = (TinkerSummary){.events = whole->events, .warnings = whole->warnings, .determined_until = INFINITY};
+    run->summary = (TinkerSummary){.events = whole->events,
+                                   .warnings = whole->warnings,
+                                   .of_scene = whole->of_scene,
+                                   .determined_until = INFINITY};
     open_method(run);
 }
 

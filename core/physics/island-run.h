@@ -51,6 +51,9 @@ typedef struct {
     TinkerSummary summary; /* of this island; events and warnings are those of the whole run, borrowed */
 } TinkerIslandRun;
 
+/* Adds a warning that is about the scene itself (transfer full): no other method would spare it. */
+void tinker_summary_warn_of_scene(TinkerSummary *summary, char *text);
+
 /* Starts the run of an island, which is borrowed. `run` collects its events and warnings, which are borrowed as well.
  * (transfer full) */
 TinkerIslandRun *tinker_island_run_new(const TinkerIsland *island, const TinkerChoice *choice, double spectral_radius,

@@ -39,8 +39,9 @@ static void open_summary(TinkerSimulation *simulation)
     summary->islands = g_ptr_array_new_with_free_func(island_summary_free);
     summary->events = g_ptr_array_new_with_free_func(tinker_event_free);
     summary->warnings = g_ptr_array_new_with_free_func(g_free);
+    summary->of_scene = g_ptr_array_new();
     for (guint i = 0; i < model->warnings->len; i++)
-        g_ptr_array_add(summary->warnings, g_strdup(g_ptr_array_index(model->warnings, i)));
+        tinker_summary_warn_of_scene(summary, g_strdup(g_ptr_array_index(model->warnings, i)));
 }
 
 static void describe_island(TinkerSimulation *simulation, const TinkerIslandRun *run)
@@ -147,6 +148,7 @@ void tinker_simulation_free(TinkerSimulation *simulation)
     g_clear_pointer(&simulation->summary.tries, g_array_unref);
     g_clear_pointer(&simulation->summary.islands, g_ptr_array_unref);
     g_clear_pointer(&simulation->summary.events, g_ptr_array_unref);
+    g_clear_pointer(&simulation->summary.of_scene, g_ptr_array_unref);
     g_clear_pointer(&simulation->summary.warnings, g_ptr_array_unref);
     gpointer arrays[] = {simulation->sample_q, simulation->sample_v, simulation->part_q,
                          simulation->part_v,   simulation->values,   simulation->orientation};
@@ -337,11 +339,11 @@ static void look_for_overlap(TinkerSimulation *simulation, double t)
         !tinker_box_watch_look(simulation->watch, simulation->sample_q, simulation->orientation, pair))
         return;
     const TinkerScene *scene = simulation->model->scene;
-    g_ptr_array_add(simulation->summary.warnings,
-                    g_strdup_printf(_("%s and %s overlap at %.6g s: they pass through each other, as contact between "
-                                      "bodies is not modelled"),
-                                    tinker_scene_block_name(scene, pair[0]), tinker_scene_block_name(scene, pair[1]),
-                                    t));
+    tinker_summary_warn_of_scene(
+        &simulation->summary,
+        g_strdup_printf(_("%s and %s overlap at %.6g s: they pass through each other, as contact between "
+                          "bodies is not modelled"),
+                        tinker_scene_block_name(scene, pair[0]), tinker_scene_block_name(scene, pair[1]), t));
     g_clear_pointer(&simulation->watch, tinker_box_watch_free);
 }
 

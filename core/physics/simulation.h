@@ -94,6 +94,8 @@ typedef struct {
     GPtrArray *islands;      /* of TinkerIslandSummary * */
     GPtrArray *events;       /* of TinkerEvent * */
     GPtrArray *warnings;     /* of char * */
+    GPtrArray *of_scene; /* those of the warnings that are about the scene itself, which no other method would spare;
+                                borrowed from them */
 } TinkerSummary;
 
 typedef struct _TinkerSimulation TinkerSimulation;

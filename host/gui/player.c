@@ -436,10 +436,10 @@ gboolean tinker_player_status(TinkerPlayer *player, TinkerRunStatus *status)
     return TRUE;
 }
 
-GPtrArray *tinker_player_warnings(TinkerPlayer *player)
+GPtrArray *tinker_player_warnings(TinkerPlayer *player, gboolean of_scene)
 {
     const Segment *last = last_segment(player);
-    return last == NULL ? g_ptr_array_new_with_free_func(g_free) : tinker_run_task_warnings(last->task);
+    return last == NULL ? g_ptr_array_new_with_free_func(g_free) : tinker_run_task_warnings(last->task, of_scene);
 }
 
 /* A run that was made again for an accuracy has other samples from then on. */

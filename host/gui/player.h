@@ -71,8 +71,9 @@ gboolean tinker_player_value(TinkerPlayer *player, TinkerBlockId block, int32_t 
 
 /* How the run went so far. FALSE where there is none. */
 gboolean tinker_player_status(TinkerPlayer *player, TinkerRunStatus *status);
-/* What the run warned of, of char *. (transfer full) */
-GPtrArray *tinker_player_warnings(TinkerPlayer *player);
+/* What the run warned of, of char *; or of that alone what is about the scene itself, which no other method would spare.
+ * (transfer full) */
+GPtrArray *tinker_player_warnings(TinkerPlayer *player, gboolean of_scene);
 
 /* A number that changes whenever what was recorded is no longer true. */
 guint tinker_player_generation(TinkerPlayer *player);

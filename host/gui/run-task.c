@@ -28,7 +28,7 @@ struct _TinkerRunTask {
     GArray *times;        /* of double, one a row that may be read */
     TinkerRunStatus status;
     GError *error;
-    GPtrArray *warnings;
+    GPtrArray *warnings, *of_scene;
 
     /* The thread's own. */
     double *row;
@@ -47,6 +47,7 @@ static void unref(TinkerRunTask *task)
     g_array_unref(task->times);
     g_clear_error(&task->error);
     g_ptr_array_unref(task->warnings);
+    g_ptr_array_unref(task->of_scene);
     tinker_record_free(task->record);
     g_mutex_clear(&task->mutex);
     g_clear_pointer(&task->next_record, tinker_record_free);
@@ -157,10 +158,10 @@ static void show_next(TinkerRunTask *task)
     task->status.replaced++;
 }
 
-static void note_warnings(TinkerRunTask *task, const TinkerSummary *summary)
+static void add_copies(GPtrArray *to, const GPtrArray *from)
 {
-    for (guint i = 0; i < summary->warnings->len; i++)
-        g_ptr_array_add(task->warnings, g_strdup(g_ptr_array_index(summary->warnings, i)));
+    for (guint i = 0; i < from->len; i++)
+        g_ptr_array_add(to, g_strdup(g_ptr_array_index(from, i)));
 }
 
 /* A run that misses the accuracy asked for is whole: that is a warning. */
@@ -187,7 +188,8 @@ static gboolean run_scene(TinkerRunTask *task, GError **error)
     g_mutex_lock(&task->mutex);
     show_next(task);
     note_miss(task, &failure);
-    note_warnings(task, tinker_simulation_summary(simulation));
+    add_copies(task->warnings, tinker_simulation_summary(simulation)->warnings);
+    add_copies(task->of_scene, tinker_simulation_summary(simulation)->of_scene);
     g_mutex_unlock(&task->mutex);
     if (failure != NULL) g_propagate_error(error, failure);
     return done;
@@ -268,6 +270,7 @@ TinkerRunTask *tinker_run_task_new(TinkerRunLane *lane, TinkerScene *scene, doub
     task->bodies = movable_bodies(scene);
     task->times = g_array_new(FALSE, FALSE, sizeof(double));
     task->warnings = g_ptr_array_new_with_free_func(g_free);
+    task->of_scene = g_ptr_array_new_with_free_func(g_free);
     task->record = tinker_record_new(row_width(task), RECORD_IN_MEMORY);
     task->status.reached = start;
     task->status.error_estimate = NAN;
@@ -305,12 +308,11 @@ GError *tinker_run_task_error(TinkerRunTask *task)
     return error;
 }
 
-GPtrArray *tinker_run_task_warnings(TinkerRunTask *task)
+GPtrArray *tinker_run_task_warnings(TinkerRunTask *task, gboolean of_scene)
 {
     GPtrArray *copy = g_ptr_array_new_with_free_func(g_free);
     g_mutex_lock(&task->mutex);
-    for (guint i = 0; i < task->warnings->len; i++)
-        g_ptr_array_add(copy, g_strdup(g_ptr_array_index(task->warnings, i)));
+    add_copies(copy, of_scene ? task->of_scene : task->warnings);
     g_mutex_unlock(&task->mutex);
     return copy;
 }

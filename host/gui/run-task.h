@@ -47,9 +47,10 @@ void tinker_run_task_stop(TinkerRunTask *task);
 void tinker_run_task_free(TinkerRunTask *task);
 
 TinkerRunStatus tinker_run_task_status(TinkerRunTask *task);
-/* Why it failed, or NULL; and what it warned of (of char *). (transfer full) */
+/* Why it failed, or NULL; and what it warned of (of char *), or of that alone what no other method would spare. (transfer
+ * full) */
 GError *tinker_run_task_error(TinkerRunTask *task);
-GPtrArray *tinker_run_task_warnings(TinkerRunTask *task);
+GPtrArray *tinker_run_task_warnings(TinkerRunTask *task, gboolean of_scene);
 
 /* The bodies of a row, in order, and the columns. Borrowed; fixed from the start. */
 const TinkerBlockId *tinker_run_task_bodies(TinkerRunTask *task, int *count);

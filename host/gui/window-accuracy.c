@@ -35,6 +35,11 @@ static GPtrArray *new_notices(void)
     return g_ptr_array_new_with_free_func((GDestroyNotify)tinker_notice_free);
 }
 
+static gboolean is_among(const GPtrArray *warnings, const char *warning)
+{
+    return g_ptr_array_find_with_equal_func((GPtrArray *)warnings, warning, g_str_equal, NULL);
+}
+
 /* Of the plan's warnings those that another method avoids; what is wrong with the start, the advice tells. */
 static void show_plan_notices(TinkerWindow *window)
 {
@@ -42,25 +47,27 @@ static void show_plan_notices(TinkerWindow *window)
     GPtrArray *notices = new_notices();
     for (guint i = 0; result != NULL && result->plan != NULL && i < result->plan->warnings->len; i++) {
         const char *warning = g_ptr_array_index(result->plan->warnings, i);
-        if (g_ptr_array_find_with_equal_func(result->avoidable, warning, g_str_equal, NULL))
+        if (is_among(result->avoidable, warning))
             add_notice(notices, window, warning, _("Choose Automatically"), choose_automatically);
     }
     tinker_notice_bar_set(window->notices, "plan", notices);
 }
 
-/* A run tells at its end what it saw; the cure is another method, or a look at how they compare. */
+/* A run tells at its end what it saw; the cure is another method, or a look at how they compare, where either helps. */
 static void show_run_notices(TinkerWindow *window)
 {
     const char *method = tinker_scene_head(tinker_document_scene(window->document))->run.method;
     gboolean automatic = g_str_equal(method, "auto");
-    g_autoptr(GPtrArray) warnings = tinker_player_warnings(window->player);
+    g_autoptr(GPtrArray) warnings = tinker_player_warnings(window->player, FALSE);
+    g_autoptr(GPtrArray) of_scene = tinker_player_warnings(window->player, TRUE);
     const TinkerPlanResult *result = tinker_plan_task_result(window->plan);
     GPtrArray *notices = new_notices();
     for (guint i = 0; i < warnings->len; i++) {
         const char *warning = g_ptr_array_index(warnings, i);
-        gboolean planned = result != NULL && result->plan != NULL &&
-                           g_ptr_array_find_with_equal_func(result->plan->warnings, warning, g_str_equal, NULL);
-        if (!planned)
+        if (result != NULL && result->plan != NULL && is_among(result->plan->warnings, warning)) continue;
+        if (is_among(of_scene, warning))
+            add_notice(notices, window, warning, NULL, NULL);
+        else
             add_notice(notices, window, warning, automatic ? _("Compare Methods") : _("Choose Automatically"),
                        automatic ? show_accuracy : choose_automatically);
     }

@@ -34,6 +34,7 @@ static void test_two(void)
         g_assert_cmpuint(told(run, &text), ==, 1);
         g_assert_nonnull(strstr(text, "A and B overlap"));
         g_assert_nonnull(strstr(text, rows[i].time));
+        g_assert_true(g_ptr_array_find(run->summary->of_scene, text, NULL));
     }
 }
 

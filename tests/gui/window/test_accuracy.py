@@ -26,5 +26,17 @@ def test_measuring_ends_with_a_chart(display):
         app.find("button", "Measure Again")
 
 
+def test_method_is_offered_where_one_helps_alone(display):
+    carts = scene(mass("A", -2, 0, velocity=[3, 0]), mass("B", 2, 0), duration=2)
+    with App(display, carts) as app:
+        app.click("Play")
+        app.find("button", re.compile("^A and B overlap at "))
+        check(app.look("button", "Compare Methods") is None, "no method keeps bodies apart that pass through each other")
+    with App(display, oscillator(method="semi-implicit-euler", step=0.15)) as app:
+        app.click("Play")
+        app.find("button", re.compile("energy"))
+        app.find("button", "Choose Automatically")
+
+
 if __name__ == "__main__":
     main()
