@@ -33,13 +33,20 @@ static gboolean is_in_view(const TinkerCanvas *canvas, const double place[2])
 
 /* Marks ----------------------------------------------------------------------------------------------------------------- */
 
+/* Where the canvas can be seen from (widget units): notices lie over its top. */
+static double seen_from(const TinkerCanvas *canvas)
+{
+    return canvas->cover != NULL ? fmin(gtk_widget_get_height(canvas->cover), canvas->view.height / 2) : 0;
+}
+
 /* A triangle at the edge that points to where the body is, and its name beside it, inside the view. */
 static void paint_mark(TinkerCanvas *canvas, cairo_t *cairo, const TinkerTheme *theme, const double place[2],
                        const char *name)
 {
     const double *colour = theme->colours[TINKER_COLOUR_BODY_EDGE], *ink = theme->colours[TINKER_COLOUR_TEXT];
-    const double off = MARK + EDGE, x = CLAMP(place[0], off, fmax(canvas->view.width - off, off)),
-                 y = CLAMP(place[1], off, fmax(canvas->view.height - off, off));
+    const double off = MARK + EDGE, top = seen_from(canvas);
+    const double x = CLAMP(place[0], off, fmax(canvas->view.width - off, off));
+    const double y = CLAMP(place[1], top + off, fmax(canvas->view.height - off, top + off));
     cairo_text_extents_t extents;
     cairo_save(cairo);
     cairo_translate(cairo, x, y);
@@ -55,7 +62,7 @@ static void paint_mark(TinkerCanvas *canvas, cairo_t *cairo, const TinkerTheme *
     cairo_text_extents(cairo, name, &extents);
     const double right = canvas->view.width - extents.width - EDGE, beside = x + MARK + EDGE;
     cairo_move_to(cairo, beside <= right ? beside : x - MARK - EDGE - extents.width,
-                  CLAMP(y + TEXT / 3, TEXT + EDGE, fmax(canvas->view.height - EDGE, TEXT + EDGE)));
+                  CLAMP(y + TEXT / 3, top + TEXT + EDGE, fmax(canvas->view.height - EDGE, top + TEXT + EDGE)));
     cairo_set_source_rgba(cairo, ink[0], ink[1], ink[2], ink[3]);
     cairo_show_text(cairo, name);
 }

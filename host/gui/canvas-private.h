@@ -44,6 +44,8 @@ struct _TinkerCanvas {
     double group_moved[2]; /* m: so far */
     double panned[2];      /* widget units: so far, with the middle button */
 
+    GtkWidget *cover; /* over the top; weak, may be NULL */
+
     TinkerBlockId followed; /* TINKER_NO_BLOCK: none */
     double followed_at[2];  /* m: where it was when the view was set by it */
 

@@ -323,6 +323,12 @@ void tinker_canvas_set_player(TinkerCanvas *canvas, TinkerDocument *document, Ti
     tinker_desktop_theme_redraws(GTK_WIDGET(canvas));
 }
 
+void tinker_canvas_set_cover(TinkerCanvas *canvas, GtkWidget *cover)
+{
+    g_set_weak_pointer(&canvas->cover, cover);
+    gtk_widget_queue_draw(GTK_WIDGET(canvas));
+}
+
 void tinker_canvas_set_marked(TinkerCanvas *canvas, const TinkerBlockId *blocks, int count)
 {
     g_array_set_size(canvas->marked, 0);
@@ -365,6 +371,7 @@ static void tinker_canvas_dispose(GObject *object)
     TinkerCanvas *canvas = TINKER_CANVAS(object);
     if (canvas->document != NULL) canvas_cancel_gesture(canvas);
     tinker_unparent_children(GTK_WIDGET(canvas));
+    g_clear_weak_pointer(&canvas->cover);
     g_clear_object(&canvas->player);
     g_clear_object(&canvas->document);
     G_OBJECT_CLASS(tinker_canvas_parent_class)->dispose(object);

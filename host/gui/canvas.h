@@ -15,6 +15,10 @@ void tinker_canvas_set_player(TinkerCanvas *canvas, TinkerDocument *document, Ti
 
 /* What is shown beside the blocks. Properties "show-labels", "show-forces", "show-local-origins", "show-grid". */
 
+/* A widget that lies over the top of the canvas, as high as it is: marks at the edge keep below it. Whoever changes its height
+ * has the canvas drawn anew. Borrowed; NULL: there is none. */
+void tinker_canvas_set_cover(TinkerCanvas *canvas, GtkWidget *cover);
+
 /* Marks these blocks as those that something is wrong with; ids of blocks that are gone are passed over. Copied. */
 void tinker_canvas_set_marked(TinkerCanvas *canvas, const TinkerBlockId *blocks, int count);
 

@@ -118,8 +118,17 @@ static void on_canvas_faults(TinkerCanvas *canvas, TinkerWindow *window)
     tinker_notice_bar_set(window->notices, "drawing", notices);
 }
 
+/* Called whenever something over the canvas gets its place. */
+static gboolean on_cover_placed(GtkOverlay *overlay, GtkWidget *child, GdkRectangle *place, TinkerWindow *window)
+{
+    if (child == GTK_WIDGET(window->banners)) gtk_widget_queue_draw(GTK_WIDGET(window->canvas));
+    return FALSE; /* where it is anyway */
+}
+
 static void connect_parts(TinkerWindow *window)
 {
+    tinker_canvas_set_cover(window->canvas, GTK_WIDGET(window->banners));
+    g_signal_connect_object(window->canvas_overlay, "get-child-position", G_CALLBACK(on_cover_placed), window, 0);
     tinker_canvas_set_player(window->canvas, window->document, window->player);
     tinker_palette_set_canvas(window->palette, tinker_document_catalogue(window->document), window->canvas);
     tinker_playbar_set_player(window->playbar, window->player);

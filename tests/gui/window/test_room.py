@@ -3,7 +3,9 @@
 import re
 
 from harness import App, check, check_equal, main, mass, scene, support, wait
+from harness import colours
 
+BODY_EDGE = (0x27, 0x49, 0x6d)
 LONG = "Supercalifragilistic" * 12
 GRAVITY = {"type": "gravity", "name": "Gravity"}
 
@@ -30,6 +32,19 @@ def test_notice_is_about_nothing_beneath_it(display):
     with App(display, scene(support("Floor", 0, -0.5), mass("Box", 0, -0.4), mass("High", 0, 5), width=4)) as app:
         notice = app.settled(app.find("button", re.compile("^Box starts ")))
         check(app.at(0, 5.4)[1] > notice[1] + notice[3], "the highest block is below the notice")
+
+
+def test_mark_at_the_edge_is_not_beneath_a_notice(display):
+    with App(display, scene(support("Floor", 0, 0), mass("Box", 0, 0.3), mass("High", 0, 50), width=10)) as app:
+        app.show_width()
+        notice = app.settled(app.find("button", re.compile("^Box starts ")))
+        left, top, width, height = app.canvas_box()
+        middle, below = left + width / 2, notice[1] + notice[3]
+        strip = (middle - 12, below, middle + 12, below + 40)
+        wait(lambda: colours.fill_count(app.picture(), strip, BODY_EDGE) > 40, "a mark below the notice")
+        app.xdotool("mousemove", left + width - 26, notice[1] + notice[3] / 2, "click", 1)  # its ×
+        strip = (middle - 12, top, middle + 12, top + 24)
+        wait(lambda: colours.fill_count(app.picture(), strip, BODY_EDGE) > 40, "a mark at the upper edge, without a notice")
 
 
 def test_long_name_makes_nothing_wider(display):
