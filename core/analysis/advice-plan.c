@@ -2,8 +2,12 @@
 #include <glib/gi18n-lib.h>
 
 #include "analysis/advice-private.h"
-#include "physics/linearise.h"
-#include "physics/plan.h"
+#include "physics/compile/compile.h"
+#include "physics/linearise/linearise.h"
+#include "physics/model/model.h"
+#include "physics/plan/islands.h"
+#include "physics/plan/plan.h"
+#include "physics/plan/run-options.h"
 
 /* One that says what would change: the method chosen automatically, if it is not already. */
 static void tell(GPtrArray *all, const TinkerRunOptions *options, const TinkerModel *model, gboolean blocks_run,

@@ -3,7 +3,7 @@
 #define TINKER_CORE_ADVICE_PRIVATE_H
 
 #include "analysis/advice.h"
-#include "physics/model.h"
+#include "physics/model/model.h"
 
 /* An array for advice. (transfer full) */
 GPtrArray *advice_array_new(void);

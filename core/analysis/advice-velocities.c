@@ -7,7 +7,8 @@
 
 #include "analysis/advice-private.h"
 #include "analysis/start-private.h"
-#include "physics/linearise.h"
+#include "physics/linearise/linearise.h"
+#include "physics/model/model.h"
 
 static const TinkerDimension speed_dimension = TINKER_DIMENSION_VELOCITY;
 

@@ -5,6 +5,8 @@
 
 #include "analysis/advice-private.h"
 #include "analysis/start-private.h"
+#include "physics/compile/compile.h"
+#include "physics/model/model.h"
 #include "scene/boxes.h"
 #include "scene/overlaps.h"
 

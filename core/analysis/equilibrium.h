@@ -2,7 +2,8 @@
 #ifndef TINKER_CORE_EQUILIBRIUM_H
 #define TINKER_CORE_EQUILIBRIUM_H
 
-#include "physics/still-contacts.h"
+#include "physics/event/still-contacts.h"
+#include "physics/model/model.h"
 
 typedef struct {
     gboolean found;

@@ -10,7 +10,7 @@
 #include <complex.h>
 
 #include "analysis/modes.h"
-#include "physics/linear-probe.h"
+#include "physics/linearise/linear-probe.h"
 
 typedef struct _TinkerFrequencyResponse TinkerFrequencyResponse;
 

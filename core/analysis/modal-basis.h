@@ -7,7 +7,7 @@
 #ifndef TINKER_CORE_MODAL_BASIS_H
 #define TINKER_CORE_MODAL_BASIS_H
 
-#include "physics/linearise.h"
+#include "physics/linearise/linearise.h"
 
 /* More coordinates than this are refused: all is dense. */
 #define TINKER_MOST_MODAL_COORDINATES 1200

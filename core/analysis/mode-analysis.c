@@ -1,5 +1,7 @@
 /* One step after another; whatever fails says why. */
 #include "analysis/mode-analysis.h"
+#include "physics/compile/compile.h"
+#include "physics/model/model.h"
 
 static gboolean analyse(TinkerModeAnalysis *analysis, gboolean rest, GError **error)
 {

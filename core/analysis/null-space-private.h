@@ -2,7 +2,7 @@
 #ifndef TINKER_ANALYSIS_NULL_SPACE_PRIVATE_H
 #define TINKER_ANALYSIS_NULL_SPACE_PRIVATE_H
 
-#include "physics/linearise.h"
+#include "physics/linearise/linearise.h"
 
 /* The decomposition M^-1/2 J^T P = Q R by columns in the order of what is left of them. */
 typedef struct {

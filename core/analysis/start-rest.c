@@ -3,8 +3,10 @@
 #include <math.h>
 
 #include "analysis/start-private.h"
-#include "physics/linearise.h"
-#include "physics/still-contacts.h"
+#include "physics/compile/compile.h"
+#include "physics/event/still-contacts.h"
+#include "physics/linearise/linearise.h"
+#include "physics/model/model.h"
 
 /* The blocks that a model of the part needs, plates that its bodies may touch among them. (transfer full) */
 static gboolean *blocks_of_part(TinkerScene *scene, TinkerBlockId body)

@@ -5,7 +5,13 @@
 #include <time.h>
 
 #include "analysis/trade-private.h"
-#include "physics/impulse.h"
+#include "physics/compile/compile.h"
+#include "physics/impulse/impulse.h"
+#include "physics/model/model.h"
+#include "physics/plan/run-options.h"
+#include "physics/record/columns.h"
+#include "physics/run/simulation.h"
+#include "physics/system/summary.h"
 
 #define SAMPLES          500 /* equally spaced, where no times are given: enough to see how far and how fast the motion goes */
 #define LEAST_SAMPLES    8

@@ -3,6 +3,7 @@
 #define TINKER_CORE_TRADE_PRIVATE_H
 
 #include "analysis/trade.h"
+#include "physics/model/model.h"
 
 /* A scene on the test bench: the model, the times at which states are compared, and the clock. */
 typedef struct {

@@ -8,6 +8,7 @@
 #include <math.h>
 
 #include "analysis/trade-private.h"
+#include "physics/model/model.h"
 
 #define MOST_CANDIDATES      5
 #define ROUNDING             (100 * 2.220446049250313e-16)

@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "analysis/trade-private.h"
+#include "physics/model/model.h"
 
 #define COARSEST_STEPS    4 /* of a run at the largest step */
 #define MOST_HALVINGS     60

@@ -6,7 +6,8 @@
 
 #include "analysis/trade-private.h"
 #include "numerics/integrators.h"
-#include "physics/impulse.h"
+#include "physics/impulse/impulse.h"
+#include "physics/model/model.h"
 #include "units/units.h"
 
 #define REFERENCE_TIME 0.3  /* of the time for measuring: at most */

@@ -8,7 +8,7 @@
 #ifndef TINKER_CORE_TRADE_H
 #define TINKER_CORE_TRADE_H
 
-#include "physics/simulation.h"
+#include "physics/plan/run-options.h"
 
 typedef struct {
     TinkerRunOptions run;                       /* duration, times of samples and spectral radius count */

@@ -5,7 +5,11 @@
 #include "conformance/kit-private.h"
 #include "conformance/scene-start-private.h"
 #include "conformance/state-private.h"
-#include "physics/simulation.h"
+#include "physics/compile/compile.h"
+#include "physics/model/model.h"
+#include "physics/plan/run-options.h"
+#include "physics/record/columns.h"
+#include "physics/run/simulation.h"
 #include "scene/scene-json.h"
 
 #define DURATION 0.2

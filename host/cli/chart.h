@@ -3,8 +3,8 @@
 #ifndef TINKER_CLI_CHART_H
 #define TINKER_CLI_CHART_H
 
-#include "physics/record.h"
-#include "physics/simulation.h"
+#include "physics/record/record.h"
+#include "physics/run/simulation.h"
 #include "render/theme.h"
 
 /* One curve; x and y are places in a row of the record, whose place 0 is the time and i + 1 the column i. */

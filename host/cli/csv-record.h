@@ -8,8 +8,8 @@
 
 #include "csv-writer.h"
 #include "output.h"
-#include "physics/record.h"
-#include "physics/simulation.h"
+#include "physics/record/record.h"
+#include "physics/run/simulation.h"
 #include "plugin/crash.h"
 
 typedef struct {

@@ -7,7 +7,7 @@
 #include "exit-status.h"
 #include "installation.h"
 #include "output.h"
-#include "physics/model.h"
+#include "physics/model/model.h"
 #include "plugin-folders.h"
 #include "scene/overlaps.h"
 

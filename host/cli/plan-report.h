@@ -4,7 +4,8 @@
 
 #include <stdio.h>
 
-#include "physics/plan.h"
+#include "physics/model/model.h"
+#include "physics/plan/plan.h"
 
 /* What a report is written from; everything is borrowed. */
 typedef struct {

@@ -3,6 +3,11 @@
 
 #include "exit-status.h"
 #include "options.h"
+#include "physics/compile/compile.h"
+#include "physics/model/model.h"
+#include "physics/plan/run-options.h"
+#include "physics/run/simulation.h"
+#include "physics/system/summary.h"
 
 /* What the summary calls the method of contact as impulses. */
 #define IMPULSE "impulse"

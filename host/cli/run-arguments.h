@@ -3,7 +3,10 @@
 #define TINKER_CLI_RUN_ARGUMENTS_H
 
 #include "open-scene.h"
-#include "physics/accurate-run.h"
+#include "physics/model/model.h"
+#include "physics/plan/run-options.h"
+#include "physics/run/accurate-run.h"
+#include "physics/run/simulation.h"
 #include "progress.h"
 
 /* As given on the command line; NULL: the scene's own. */

@@ -4,7 +4,7 @@
 
 #include <stdio.h>
 
-#include "physics/simulation.h"
+#include "physics/system/summary.h"
 
 /* What a summary is written from; everything is borrowed. */
 typedef struct {

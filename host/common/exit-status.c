@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "physics/model.h"
+#include "physics/model/model.h"
 #include "plugin/catalogue.h"
 #include "print.h"
 #include "scene/scene.h"

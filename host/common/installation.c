@@ -1,7 +1,6 @@
 /* A program finds its installation from where it lies itself, so that a moved one works, and so does a build tree. */
 #include "installation.h"
-
-#include "physics/simulation.h"
+#include "physics/plan/run-options.h"
 
 /* A folder of a build tree relative to the program's folder; the same below a prefix; and where it was configured to be. */
 typedef struct {

@@ -4,7 +4,8 @@
 #include <math.h>
 
 #include "film.h"
-#include "physics/record.h"
+#include "physics/record/record.h"
+#include "physics/run/simulation.h"
 
 #define MARGIN 0.08 /* about the motion, of the picture's shorter side: for the names */
 

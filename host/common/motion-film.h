@@ -3,7 +3,7 @@
 #ifndef TINKER_HOST_MOTION_FILM_H
 #define TINKER_HOST_MOTION_FILM_H
 
-#include "physics/simulation.h"
+#include "physics/run/simulation.h"
 #include "render/painter.h"
 
 /* A film of more pictures, an hour long, is a slip: a speed or rate of the wrong size. */

@@ -2,7 +2,7 @@
 #ifndef TINKER_HOST_PLAN_WORDS_H
 #define TINKER_HOST_PLAN_WORDS_H
 
-#include "physics/plan.h"
+#include "physics/plan/plan.h"
 
 /* An error or a difference that is less than this share of what it is a part of is rounding, and is told as that. */
 #define TINKER_ROUNDING 1e-13

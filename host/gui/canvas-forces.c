@@ -6,7 +6,7 @@
 #include <glib/gi18n.h>
 #include <math.h>
 
-#include "physics/acting-forces.h"
+#include "physics/run/acting-forces.h"
 #include "render/arrows.h"
 
 #define PATIENCE 5 /* parts of the time that working them out took: so long are they shown */

@@ -3,7 +3,11 @@
 
 #include "background.h"
 #include "motion-film.h"
-#include "physics/accurate-run.h"
+#include "physics/compile/compile.h"
+#include "physics/model/model.h"
+#include "physics/plan/run-options.h"
+#include "physics/run/accurate-run.h"
+#include "physics/run/simulation.h"
 
 #define LOOK_AGAIN 100 /* ms: how often progress is told */
 #define FINENESS   10000

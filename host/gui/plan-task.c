@@ -2,6 +2,11 @@
 #include "plan-task.h"
 
 #include "background.h"
+#include "physics/compile/compile.h"
+#include "physics/model/model.h"
+#include "physics/plan/islands.h"
+#include "physics/plan/plan.h"
+#include "physics/plan/run-options.h"
 
 #define MOMENT 300 /* ms */
 

@@ -7,7 +7,7 @@
 #define TINKER_GUI_PLAN_TASK_H
 
 #include "document.h"
-#include "physics/plan.h"
+#include "physics/plan/plan.h"
 
 #define TINKER_TYPE_PLAN_TASK (tinker_plan_task_get_type())
 G_DECLARE_FINAL_TYPE(TinkerPlanTask, tinker_plan_task, TINKER, PLAN_TASK, GObject)

@@ -5,8 +5,14 @@
 #include <math.h>
 #include <string.h>
 
-#include "physics/accurate-run.h"
-#include "physics/record.h"
+#include "physics/compile/compile.h"
+#include "physics/model/model.h"
+#include "physics/plan/run-options.h"
+#include "physics/record/columns.h"
+#include "physics/record/record.h"
+#include "physics/run/accurate-run.h"
+#include "physics/run/simulation.h"
+#include "physics/system/summary.h"
 #include "plugin/crash.h"
 
 #define STATE            5                  /* doubles of a body in a row: x, y, vx, vy, orientation */

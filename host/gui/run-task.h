@@ -8,7 +8,7 @@
 #ifndef TINKER_GUI_RUN_TASK_H
 #define TINKER_GUI_RUN_TASK_H
 
-#include "physics/simulation.h"
+#include "physics/run/simulation.h"
 #include "run-lane.h"
 
 typedef struct _TinkerRunTask TinkerRunTask;

@@ -2,6 +2,8 @@
 #include "trade-task.h"
 
 #include "background.h"
+#include "physics/model/model.h"
+#include "physics/plan/run-options.h"
 #include "scene/difference.h"
 
 #define LOOK_AGAIN 100 /* ms: how often progress is told */

@@ -4,6 +4,8 @@
 #include <string.h>
 
 #include "analysis/advice.h"
+#include "physics/compile/compile.h"
+#include "physics/model/model.h"
 #include "start-fixture.h"
 
 static const TinkerAdvice *only(const GPtrArray *all, TinkerAdviceKind kind)

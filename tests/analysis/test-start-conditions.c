@@ -3,6 +3,8 @@
 #include <string.h>
 
 #include "analysis/start-conditions.h"
+#include "physics/compile/compile.h"
+#include "physics/model/model.h"
 #include "scene/overlaps.h"
 #include "start-fixture.h"
 

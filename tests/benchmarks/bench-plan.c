@@ -2,7 +2,14 @@
  * of 3, and processor time, which depends on the machine. */
 #include <math.h>
 
-#include "physics/plan.h"
+#include "physics/compile/compile.h"
+#include "physics/model/model.h"
+#include "physics/plan/islands.h"
+#include "physics/plan/plan.h"
+#include "physics/plan/run-options.h"
+#include "physics/record/columns.h"
+#include "physics/run/plan-trial.h"
+#include "physics/run/simulation.h"
 #include "report.h"
 #include "scene/scene-json.h"
 #include "subject.h"

@@ -9,7 +9,11 @@
 #include "contest.h"
 #include "numerics/exact.h"
 #include "peers.h"
-#include "physics/simulation-private.h"
+#include "physics/island/island-run.h"
+#include "physics/plan/run-options.h"
+#include "physics/run/island-steps.h"
+#include "physics/run/simulation-private.h"
+#include "physics/run/simulation.h"
 #include "scene-text.h"
 #include "subject.h"
 

@@ -4,6 +4,10 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "physics/compile/compile.h"
+#include "physics/model/model.h"
+#include "physics/plan/run-options.h"
+#include "physics/run/simulation.h"
 #include "report.h"
 #include "scene-text.h"
 #include "scene/scene-json.h"

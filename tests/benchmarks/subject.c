@@ -5,6 +5,9 @@
 #include <string.h>
 
 #include "measure.h"
+#include "physics/compile/compile.h"
+#include "physics/plan/run-options.h"
+#include "physics/run/simulation.h"
 #include "scene/scene-json.h"
 
 /* `build/tests/benchmarks/PROGRAM` finds `build/plugins`. */

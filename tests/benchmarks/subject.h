@@ -2,7 +2,9 @@
 #ifndef BENCHMARK_SUBJECT_H
 #define BENCHMARK_SUBJECT_H
 
-#include "physics/simulation.h"
+#include "physics/model/model.h"
+#include "physics/plan/run-options.h"
+#include "physics/run/simulation.h"
 
 typedef struct {
     TinkerCatalogue *catalogue;

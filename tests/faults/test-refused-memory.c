@@ -8,7 +8,10 @@
 #include <unistd.h>
 
 #include "fixture.h"
-#include "physics/simulation.h"
+#include "physics/compile/compile.h"
+#include "physics/model/model.h"
+#include "physics/plan/run-options.h"
+#include "physics/run/simulation.h"
 #include "scene/scene-json.h"
 #include "units/waveform.h"
 

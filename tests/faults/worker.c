@@ -3,7 +3,7 @@
 
 #include <stdio.h>
 
-#include "physics/record.h"
+#include "physics/record/record.h"
 #include "plugin/cache-private.h"
 #include "plugin/crash.h"
 

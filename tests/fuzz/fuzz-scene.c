@@ -5,7 +5,8 @@
 #include <string.h>
 
 #include "fuzz-target.h"
-#include "physics/model.h"
+#include "physics/compile/compile.h"
+#include "physics/model/model.h"
 #include "scene/difference.h"
 #include "scene/scene-json.h"
 

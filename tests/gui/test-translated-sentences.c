@@ -4,8 +4,12 @@
 #include "analysis/advice.h"
 #include "german.h"
 #include "gui-fixture.h"
-#include "physics/plan.h"
-#include "physics/simulation.h"
+#include "physics/compile/compile.h"
+#include "physics/model/model.h"
+#include "physics/plan/islands.h"
+#include "physics/plan/plan.h"
+#include "physics/plan/run-options.h"
+#include "physics/run/simulation.h"
 
 /* k = 100 N/m and m = 1 kg swing at 10 rad/s, and rk4 is stable up to sqrt(8)/10 s = 0.283 s. */
 #define OSCILLATOR                                                                                                     \

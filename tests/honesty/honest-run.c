@@ -4,7 +4,12 @@
 #include <math.h>
 #include <string.h>
 
-#include "physics/simulation.h"
+#include "physics/compile/compile.h"
+#include "physics/model/model.h"
+#include "physics/plan/run-options.h"
+#include "physics/record/columns.h"
+#include "physics/run/simulation.h"
+#include "physics/system/summary.h"
 #include "scene/scene-json.h"
 
 #define CLAIMS         20

@@ -47,6 +47,23 @@ static const Layer layers[] = {
     {"sdk/include/tinker", {NULL}, {NULL}},
 };
 
+/* The rooms of a folder of core, in order: each uses those before it. What other folders see of them is their face. */
+typedef struct {
+    const char *folder;
+    const char *rooms[20];
+    const char *face[20];
+} Rooms;
+
+static const Rooms rooms_of_core[] = {
+    {"physics",
+     {"model", "constraint", "force", "contact", "compile", "line", "system", "impulse", "record", "linearise", "plan",
+      "island", "event", "run"},
+     {"model/model.h", "model/breaks.h", "model/disjoint-sets.h", "compile/compile.h", "system/summary.h",
+      "impulse/impulse.h", "record/columns.h", "record/record.h", "linearise/linearise.h", "linearise/linear-probe.h",
+      "plan/islands.h", "plan/plan.h", "plan/run-options.h", "event/still-contacts.h", "run/simulation.h",
+      "run/accurate-run.h", "run/acting-forces.h", "run/plan-trial.h"}},
+};
+
 /* Headers of C, POSIX and Linux that anybody may use; plugins and the SDK have those of C alone. */
 static const char *const c_headers[] = {"assert.h",  "ctype.h",     "errno.h",  "fenv.h",   "float.h",  "inttypes.h",
                                         "libintl.h", "limits.h",    "locale.h", "math.h",   "stdarg.h", "stdbool.h",
@@ -92,6 +109,24 @@ static gboolean is_of_templates(const Layer *layer, const char *header)
     return strcmp(layer->folder, "sdk/templates") == 0 && g_file_test(path, G_FILE_TEST_EXISTS);
 }
 
+static int room_number(const Rooms *rooms, const char *room)
+{
+    for (int i = 0; rooms->rooms[i] != NULL; i++)
+        if (strcmp(rooms->rooms[i], room) == 0) return i;
+    return -1;
+}
+
+/* "physics/plan/plan.h": a room uses itself and those before it, and no private header but its own; other folders of core
+ * use the face. */
+static gboolean room_is_allowed(const Rooms *rooms, const Layer *layer, const char *file_folder, const char *inside)
+{
+    g_autofree char *own_room = g_path_get_basename(file_folder), *room = g_path_get_dirname(inside);
+    if (!g_str_has_suffix(layer->folder, rooms->folder)) return g_strv_contains(rooms->face, inside);
+    const int from = room_number(rooms, own_room), to = room_number(rooms, room);
+    if (from < 0 || to < 0 || to > from) return FALSE;
+    return to == from || !g_str_has_suffix(inside, "-private.h");
+}
+
 /* "scene/scene.h" of core; "x.h" beside the file itself; a private header only within its own folder. */
 static gboolean own_is_allowed(const Layer *layer, const char *file_folder, const char *header)
 {
@@ -100,6 +135,9 @@ static gboolean own_is_allowed(const Layer *layer, const char *file_folder, cons
     if (is_of_hosts(layer, header) || is_of_templates(layer, header)) return TRUE;
     g_auto(GStrv) parts = g_strsplit(header, "/", 2);
     if (parts[1] == NULL || !g_strv_contains(layer->core, parts[0])) return FALSE;
+    for (gsize i = 0; i < G_N_ELEMENTS(rooms_of_core); i++)
+        if (strcmp(rooms_of_core[i].folder, parts[0]) == 0)
+            return room_is_allowed(&rooms_of_core[i], layer, file_folder, parts[1]);
     const gboolean own_folder = g_str_has_suffix(layer->folder, parts[0]);
     return own_folder || !g_str_has_suffix(header, "-private.h");
 }
@@ -155,6 +193,30 @@ static void test_table_is_complete(void)
             listed = listed || strcmp(layers[i].folder, folder) == 0;
         if (!listed) g_test_message("%s has no row in the table of layers", folder);
         g_assert_true(listed);
+    }
+}
+
+/* Every file of a folder with rooms stands in one of them, and a room holds what one can look over. */
+static void test_rooms_are_complete(gconstpointer data)
+{
+    const Rooms *rooms = data;
+    g_autofree char *inside = g_build_filename("core", rooms->folder, NULL), *root = source_path(inside);
+    guint sources[G_N_ELEMENTS(rooms->rooms)] = {0};
+    g_autoptr(GPtrArray) files = source_files(root);
+    for (guint i = 0; i < files->len; i++) {
+        g_autofree char *room = g_path_get_dirname(files->pdata[i]);
+        const int number = room_number(rooms, room);
+        if (number < 0) g_test_message("%s/%s stands in no room", inside, (char *)files->pdata[i]);
+        g_assert_cmpint(number, >=, 0);
+        if (g_str_has_suffix(files->pdata[i], ".c")) sources[number]++;
+    }
+    for (int i = 0; rooms->rooms[i] != NULL; i++) {
+        g_autofree char *readme = g_build_filename(root, rooms->rooms[i], "README.md", NULL), *text = NULL;
+        g_assert_cmpuint(sources[i], >, 0);
+        g_assert_cmpuint(sources[i], <=, 25);
+        if (!g_file_get_contents(readme, &text, NULL, NULL)) g_error("%s is missing", readme);
+        g_auto(GStrv) lines = g_strsplit(text, "\n", -1);
+        g_assert_cmpuint(g_strv_length(lines), <=, 31);
     }
 }
 
@@ -247,6 +309,10 @@ int main(int argc, char **argv)
         g_test_add_data_func(path, &layers[i], test_includes);
     }
     g_test_add_func("/includes/table-is-complete", test_table_is_complete);
+    for (gsize i = 0; i < G_N_ELEMENTS(rooms_of_core); i++) {
+        g_autofree char *path = g_strconcat("/rooms/", rooms_of_core[i].folder, NULL);
+        g_test_add_data_func(path, &rooms_of_core[i], test_rooms_are_complete);
+    }
     g_test_add_data_func("/names/core", "core", test_no_block_is_named);
     g_test_add_data_func("/names/host", "host", test_no_block_is_named);
     g_test_add_func("/links/plugins", test_plugins_link_to_c_alone);

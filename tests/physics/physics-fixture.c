@@ -1,4 +1,9 @@
 #include "physics-fixture.h"
+#include "physics/compile/compile.h"
+#include "physics/model/model.h"
+#include "physics/plan/run-options.h"
+#include "physics/record/columns.h"
+#include "physics/run/simulation.h"
 
 #include <math.h>
 #include <string.h>

@@ -5,7 +5,10 @@
 #ifndef TEST_PHYSICS_FIXTURE_H
 #define TEST_PHYSICS_FIXTURE_H
 
-#include "physics/accurate-run.h"
+#include "physics/model/model.h"
+#include "physics/run/accurate-run.h"
+#include "physics/run/simulation.h"
+#include "physics/system/summary.h"
 #include "scene-fixture.h"
 
 typedef struct {

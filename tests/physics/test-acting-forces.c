@@ -4,7 +4,13 @@
 #include "physics-fixture.h"
 
 #include "numerics/integrators.h"
-#include "physics/acting-forces.h"
+#include "physics/compile/compile.h"
+#include "physics/model/model.h"
+#include "physics/plan/run-options.h"
+#include "physics/record/columns.h"
+#include "physics/run/acting-forces.h"
+#include "physics/run/simulation.h"
+#include "physics/system/summary.h"
 
 #include <math.h>
 #include <string.h>

@@ -3,6 +3,7 @@
 #include "physics-fixture.h"
 
 #include "numerics/integrators.h"
+#include "physics/run/simulation.h"
 
 static const char *const scenes[] = {
     "{'type': 'support', 'solid': false}, {'type': 'mass', 'position': [2, 0]}, {'type': 'mass', 'position': [4, 0]},"

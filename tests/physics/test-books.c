@@ -1,5 +1,6 @@
 /* Energy books: every entry against its closed form, and the balance. */
 #include "physics-fixture.h"
+#include "physics/model/model.h"
 
 #include <complex.h>
 #include <math.h>

@@ -2,7 +2,8 @@
 #include "physics-fixture.h"
 
 #include "numerics/integrators.h"
-#include "physics/breaks.h"
+#include "physics/model/breaks.h"
+#include "physics/model/model.h"
 
 #include <math.h>
 #include <string.h>

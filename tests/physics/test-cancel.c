@@ -1,7 +1,9 @@
 /* A run that nobody wants any more ends soon: between two steps, however long they are, and before the first. */
 #include "physics-fixture.h"
-
-#include "physics/simulation.h"
+#include "physics/compile/compile.h"
+#include "physics/model/model.h"
+#include "physics/plan/run-options.h"
+#include "physics/run/simulation.h"
 
 typedef struct {
     int after; /* questions that are answered with no */

@@ -1,6 +1,8 @@
 /* Rods: lengths that are kept, tensions, velocities at the start, and what is refused. */
 #include "physics-fixture.h"
 
+#include "physics/model/model.h"
+#include "physics/system/summary.h"
 #include "test-systems.h"
 
 #include <math.h>

@@ -1,6 +1,7 @@
 /* Long flights between blows: what is linear there is solved exactly, and rounding does not grow from blow to blow. The truth is
  * each flight in closed form, repeated; its phase is the remainder of a division of doubles, which is exact. */
 #include "contact-checks.h"
+#include "physics/system/summary.h"
 
 #include <math.h>
 #include <string.h>

@@ -1,5 +1,6 @@
 /* Impacts together with rods: they act through them. */
 #include "contact-checks.h"
+#include "physics/model/model.h"
 
 #include <math.h>
 

@@ -1,7 +1,8 @@
 /* Contact changes nothing where nobody asked for it, and recording changes nothing where somebody did. */
 #include "contact-checks.h"
 
-#include "physics/contacts.h"
+#include "physics/contact/contacts.h"
+#include "physics/system/summary.h"
 
 #include <string.h>
 

@@ -1,5 +1,6 @@
 /* How a run may begin: in contact exactly or within rounding, apart, overlapping, and moving there already. */
 #include "contact-checks.h"
+#include "physics/model/model.h"
 
 #include <math.h>
 

@@ -5,6 +5,10 @@
 #include <string.h>
 
 #include "physics-fixture.h"
+#include "physics/compile/compile.h"
+#include "physics/model/model.h"
+#include "physics/plan/run-options.h"
+#include "physics/run/simulation.h"
 
 typedef struct {
     TinkerModel *model;

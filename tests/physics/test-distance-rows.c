@@ -5,8 +5,10 @@
 #include <string.h>
 
 #include "physics-fixture.h"
-#include "physics/distance-rows.h"
-#include "physics/model-private.h"
+#include "physics/compile/compile.h"
+#include "physics/constraint/constraints.h"
+#include "physics/constraint/distance-rows.h"
+#include "physics/model/model-data.h"
 
 #define MOST_ROWS 11
 #define POINTS    7

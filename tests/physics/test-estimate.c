@@ -3,6 +3,8 @@
 
 #include "closed-form-motions.h"
 #include "numerics/integrators.h"
+#include "physics/run/simulation.h"
+#include "physics/system/summary.h"
 
 #include <float.h>
 #include <math.h>

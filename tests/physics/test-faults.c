@@ -1,5 +1,6 @@
 /* Plugins that fail in the middle of a run: it stops at once, names block, callback and time, and keeps what it had. */
 #include "physics-fixture.h"
+#include "physics/model/model.h"
 
 #include <math.h>
 #include <string.h>

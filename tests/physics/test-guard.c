@@ -1,5 +1,6 @@
 /* The guard: runs that leave the numbers' range stop, say why and what would be stable, and keep what they had. */
 #include "physics-fixture.h"
+#include "physics/model/model.h"
 
 #include <math.h>
 #include <string.h>

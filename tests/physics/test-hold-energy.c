@@ -2,7 +2,11 @@
  * are not of that kind. */
 #include "physics-fixture.h"
 
-#include "physics/plan.h"
+#include "physics/compile/compile.h"
+#include "physics/model/model.h"
+#include "physics/plan/islands.h"
+#include "physics/plan/plan.h"
+#include "physics/plan/run-options.h"
 #include "test-systems.h"
 
 #include <math.h>

@@ -3,7 +3,9 @@
 #include "physics-fixture.h"
 
 #include "numerics/integrators.h"
-#include "physics/model-private.h"
+#include "physics/force/forces.h"
+#include "physics/model/model-data.h"
+#include "physics/system/system.h"
 #include "test-systems.h"
 
 #include <math.h>

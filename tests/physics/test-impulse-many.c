@@ -1,6 +1,9 @@
 /* Contact as impulses: many bodies, fast ones, and what a step may not do: allot memory, or know who looks at it. */
 #include "allotments.h"
 #include "contact-checks.h"
+#include "physics/model/model.h"
+#include "physics/plan/run-options.h"
+#include "physics/run/simulation.h"
 
 #include <math.h>
 

@@ -1,5 +1,6 @@
 /* Contact as impulses on bodies that rods hold, against contact by events, which runs to 1e-11. */
 #include "contact-checks.h"
+#include "physics/model/model.h"
 
 #include <math.h>
 

@@ -1,5 +1,6 @@
 /* Contact as impulses: bodies that move alone, against closed forms, to first order in the step. */
 #include "contact-checks.h"
+#include "physics/model/model.h"
 
 #include <math.h>
 #include <string.h>

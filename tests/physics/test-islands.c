@@ -2,7 +2,10 @@
 #include "physics-fixture.h"
 
 #include "numerics/integrators.h"
-#include "physics/islands.h"
+#include "physics/compile/compile.h"
+#include "physics/model/model.h"
+#include "physics/plan/islands.h"
+#include "physics/system/summary.h"
 
 #include <glib/gstdio.h>
 #include <math.h>

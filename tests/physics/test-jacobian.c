@@ -1,8 +1,9 @@
 /* The derivatives of the applied forces against differences of the forces themselves, role by role, at states where nothing
  * is aligned, at rest or relaxed. */
 #include "physics-fixture.h"
-
-#include "physics/model-private.h"
+#include "physics/model/model-data.h"
+#include "physics/model/model.h"
+#include "physics/system/system.h"
 
 #include <math.h>
 

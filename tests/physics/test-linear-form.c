@@ -2,8 +2,14 @@
 #include "physics-fixture.h"
 
 #include "numerics/integrators.h"
-#include "physics/island-run.h"
-#include "physics/model-private.h"
+#include "physics/compile/compile.h"
+#include "physics/island/island-run.h"
+#include "physics/line/linear-form.h"
+#include "physics/model/model.h"
+#include "physics/plan/islands.h"
+#include "physics/plan/plan.h"
+#include "physics/run/island-steps.h"
+#include "physics/system/summary.h"
 
 #include <math.h>
 #include <string.h>

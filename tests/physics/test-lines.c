@@ -2,7 +2,8 @@
 #include <math.h>
 #include <string.h>
 
-#include "physics/model-private.h"
+#include "physics/force/forces.h"
+#include "physics/model/model-data.h"
 
 #define POINTS     37
 #define MOST_LINES 203

@@ -1,5 +1,6 @@
 /* Rods on supports that move, against an independent integration of the angle. */
 #include "physics-fixture.h"
+#include "physics/model/model.h"
 
 #include <math.h>
 

@@ -3,7 +3,14 @@
 
 #include <math.h>
 
-#include "physics/plan.h"
+#include "physics/compile/compile.h"
+#include "physics/model/model.h"
+#include "physics/plan/islands.h"
+#include "physics/plan/plan.h"
+#include "physics/plan/run-options.h"
+#include "physics/record/columns.h"
+#include "physics/run/plan-trial.h"
+#include "physics/run/simulation.h"
 
 #define WITHIN 3.0
 /* Longer than any trial goes on: the rest is told from it. */

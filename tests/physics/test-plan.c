@@ -5,7 +5,12 @@
 #include <string.h>
 
 #include "numerics/integrators.h"
-#include "physics/plan.h"
+#include "physics/compile/compile.h"
+#include "physics/model/model.h"
+#include "physics/plan/islands.h"
+#include "physics/plan/plan.h"
+#include "physics/plan/run-options.h"
+#include "physics/system/method-call.h"
 
 typedef struct {
     TinkerScene *scene;
@@ -89,7 +94,7 @@ static void test_islands(void)
     g_assert_cmpuint(island(&planned, 2)->blocks->len, ==, 1);
     g_assert_true(island(&planned, 0)->linear && island(&planned, 0)->straight);
     for (const TinkerIntegrator *const *each = tinker_integrator_builtins(); *each != NULL; each++)
-        if (tinker_is_fixed_explicit(*each))
+        if (tinker_method_is_fixed_explicit(*each))
             g_assert_cmpfloat(tinker_plan_stable_step(island(&planned, 2), *each), ==, INFINITY);
     assert_holds(planned.plan->modelled, "3 islands");
 }

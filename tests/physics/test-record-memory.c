@@ -1,5 +1,5 @@
 /* A record whose memory cannot be had: every request for it fails in turn. */
-#include "physics/record.h"
+#include "physics/record/record.h"
 
 #define ROWS 100000 /* of 16 bytes: some chunks */
 

@@ -1,8 +1,9 @@
 /* Records beyond their memory, columns by name, and the libraries that a scene opens. */
 #include "physics-fixture.h"
 
-#include "physics/record.h"
-#include "physics/sample-times.h"
+#include "physics/record/columns.h"
+#include "physics/record/record.h"
+#include "physics/record/sample-times.h"
 
 #include <math.h>
 #include <string.h>

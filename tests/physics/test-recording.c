@@ -2,6 +2,7 @@
 #include "physics-fixture.h"
 
 #include "numerics/integrators.h"
+#include "physics/run/simulation.h"
 
 #include <math.h>
 

@@ -1,6 +1,7 @@
 /* Rods that depend on one another, stand on supports alone, or lie in a singular place. */
 #include "physics-fixture.h"
 
+#include "physics/model/model.h"
 #include "test-systems.h"
 
 #include <math.h>

@@ -1,6 +1,7 @@
 /* Roles that no bundled block fills, through blocks made for it, against closed forms and independent integrations. */
 #include "physics-fixture.h"
 
+#include "physics/model/model.h"
 #include "test-systems.h"
 
 #include <math.h>

@@ -4,7 +4,9 @@
 #include <string.h>
 
 #include "physics-fixture.h"
-#include "physics/model-private.h"
+#include "physics/compile/compile.h"
+#include "physics/constraint/constraints.h"
+#include "physics/model/model-data.h"
 
 typedef struct {
     int rods;

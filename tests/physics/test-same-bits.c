@@ -7,6 +7,12 @@
 #include <string.h>
 
 #include "numerics/integrators.h"
+#include "physics/compile/compile.h"
+#include "physics/model/model.h"
+#include "physics/plan/run-options.h"
+#include "physics/record/columns.h"
+#include "physics/run/simulation.h"
+#include "physics/system/summary.h"
 
 /* s: of a bundled scene, which may be longer; every method goes so far. */
 #define LONGEST 0.8

@@ -1,6 +1,7 @@
 /* Singular places and hopeless scenes: ends that coincide, dead points, forces without bound, contradictions. Each has a clear
  * answer within bounded work. */
 #include "physics-fixture.h"
+#include "physics/model/model.h"
 
 #include <math.h>
 #include <string.h>

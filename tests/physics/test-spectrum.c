@@ -7,8 +7,14 @@
 
 #include "numerics/amplification.h"
 #include "numerics/integrators.h"
-#include "physics/model-private.h"
-#include "physics/plan.h"
+#include "physics/compile/compile.h"
+#include "physics/force/forces.h"
+#include "physics/line/linear-form.h"
+#include "physics/model/model-data.h"
+#include "physics/plan/islands.h"
+#include "physics/plan/plan.h"
+#include "physics/system/method-call.h"
+#include "physics/system/system.h"
 
 /* A compiled scene of one island. */
 typedef struct {
@@ -113,7 +119,7 @@ static void assert_limits(const TinkerIsland *island, const TinkerSpectrum *spec
 {
     int seen = 0;
     for (const TinkerIntegrator *const *each = tinker_integrator_builtins(); *each != NULL; each++) {
-        if (!tinker_is_fixed_explicit(*each)) continue;
+        if (!tinker_method_is_fixed_explicit(*each)) continue;
         assert_limit(island, spectrum, *each, rate, what);
         seen++;
     }

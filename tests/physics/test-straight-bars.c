@@ -2,6 +2,7 @@
  * thrown, loaded across or hinged to one another, against closed forms and an independent integration. */
 #include "physics-fixture.h"
 
+#include "physics/model/model.h"
 #include "test-systems.h"
 
 #include <math.h>

@@ -5,7 +5,9 @@
 
 #include "numerics/sharing.h"
 #include "physics-fixture.h"
-#include "physics/model-private.h"
+#include "physics/compile/compile.h"
+#include "physics/force/forces.h"
+#include "physics/model/model-data.h"
 
 /* Enough masses that every loop over them is shared, enough springs that those are. */
 #define SIDE 184

@@ -1,0 +1,241 @@
+/* Compiling, first part: bodies that can move become coordinates, supports and the places on them become points. */
+#include <glib/gi18n-lib.h>
+#include <math.h>
+
+#include "physics/compile/compile-private.h"
+#include "physics/model/model-data.h"
+
+static const TinkerBody *body_of(const TinkerBlockBatch *batch)
+{
+    return batch->block_class->physics != NULL ? batch->block_class->physics->body : NULL;
+}
+
+static gboolean check_class(const TinkerBlockBatch *batch, GError **error)
+{
+    const TinkerBlockClass *block_class = batch->block_class;
+    const char *lacks = NULL;
+    if (body_of(batch) == NULL) return TRUE;
+    if (tinker_block_class_meaning_column(block_class, TINKER_MEANING_POSITION) < 0)
+        lacks = _("a property that means its position");
+    else if (body_of(batch)->degrees_of_freedom == 2 &&
+             tinker_block_class_meaning_column(block_class, TINKER_MEANING_MASS) < 0)
+        lacks = _("a property that means its mass");
+    else if (body_of(batch)->degrees_of_freedom != 0 && body_of(batch)->degrees_of_freedom != 2)
+        lacks = _("a number of degrees of freedom that this version can move (0 or 2)");
+    if (lacks == NULL) return TRUE;
+    g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_PLUGIN,
+                _("the block type \"%s\" cannot be run: its plugin %s lacks %s"), block_class->type->id,
+                block_class->path, lacks);
+    return FALSE;
+}
+
+/* By block id: whether it can move, or something hangs on it. */
+static gboolean *find_reach(const TinkerModel *model)
+{
+    gboolean *within = g_new0(gboolean, MAX(tinker_scene_id_limit(model->scene), 1));
+    for (guint i = 0; i < model->batches->len; i++) {
+        const TinkerBlockBatch *batch = g_ptr_array_index(model->batches, i);
+        const TinkerPhysics *physics = batch->block_class->physics;
+        gboolean can_move = body_of(batch) != NULL && body_of(batch)->degrees_of_freedom > 0;
+        for (int32_t row = 0; can_move && row < batch->count; row++)
+            within[batch->ids[row]] = TRUE;
+        for (int32_t e = 0; (physics == NULL || physics->motion == NULL) && e < batch->end_count; e++)
+            within[batch->end[e].block] = TRUE;
+    }
+    return within;
+}
+
+/* The origin is moved only where what is stepped lies far away from it, and to a place with few bits, so that the
+ * subtraction is exact. Supports that nothing hangs on have no say in it. */
+static void find_origin(TinkerModel *model)
+{
+    g_autofree gboolean *within = find_reach(model);
+    double least[2] = {INFINITY, INFINITY}, greatest[2] = {-INFINITY, -INFINITY};
+    for (guint i = 0; i < model->batches->len; i++) {
+        const TinkerBlockBatch *batch = g_ptr_array_index(model->batches, i);
+        if (body_of(batch) == NULL) continue;
+        for (int32_t row = 0; row < batch->count; row++)
+            for (int32_t k = 0; within[batch->ids[row]] && k < 2; k++) {
+                double place = tinker_block_batch_meaning(batch, row, TINKER_MEANING_POSITION, k, 0);
+                least[k] = MIN(least[k], place);
+                greatest[k] = MAX(greatest[k], place);
+            }
+    }
+    double extent = MAX(greatest[0] - least[0], greatest[1] - least[1]);
+    if (!(extent > 0) || !isfinite(extent)) return;
+    double grain = exp2(ceil(log2(extent)));
+    for (int32_t k = 0; k < 2; k++) {
+        double centre = 0.5 * (least[k] + greatest[k]);
+        double grains = nearbyint(centre / grain); /* infinite for a scene that is a speck in one direction */
+        if (fabs(centre) > 8.0 * extent && isfinite(grains)) model->origin[k] = grain * grains;
+    }
+}
+
+static void add_body(TinkerModel *model, const TinkerBlockBatch *batch, int32_t row, int32_t number)
+{
+    double mass = tinker_block_batch_meaning(batch, row, TINKER_MEANING_MASS, 0, 1.0);
+    model->body_blocks[number] = batch->ids[row];
+    model->mass[number] = mass;
+    model->inverse_mass[number] = 1.0 / mass;
+    for (int32_t k = 0; k < 2; k++) {
+        model->coordinate_mass[2 * number + k] = mass;
+        model->q_start[2 * number + k] =
+            tinker_block_batch_meaning(batch, row, TINKER_MEANING_POSITION, k, 0) - model->origin[k];
+        model->v_start[2 * number + k] = tinker_block_batch_meaning(batch, row, TINKER_MEANING_VELOCITY, k, 0);
+    }
+    model->centre_point[batch->ids[row]] = number;
+}
+
+static void add_bodies(TinkerModel *model)
+{
+    for (guint i = 0; i < model->batches->len; i++) {
+        const TinkerBlockBatch *batch = g_ptr_array_index(model->batches, i);
+        if (body_of(batch) != NULL && body_of(batch)->degrees_of_freedom == 2) model->bodies += batch->count;
+    }
+    gsize n = (gsize)MAX(model->bodies, 1);
+    model->body_blocks = g_new0(TinkerBlockId, n);
+    model->mass = g_new0(double, n);
+    model->inverse_mass = g_new0(double, n);
+    model->coordinate_mass = g_new0(double, 2 * n);
+    model->q_start = g_new0(double, 2 * n);
+    model->v_start = g_new0(double, 2 * n);
+    model->constant_acceleration = g_new0(double, 2 * n);
+    int32_t number = 0;
+    for (guint i = 0; i < model->batches->len; i++) {
+        const TinkerBlockBatch *batch = g_ptr_array_index(model->batches, i);
+        if (body_of(batch) == NULL || body_of(batch)->degrees_of_freedom != 2) continue;
+        for (int32_t row = 0; row < batch->count; row++)
+            add_body(model, batch, row, number++);
+    }
+    model->points = number;
+}
+
+static gboolean check_masses(const TinkerModel *model, GError **error)
+{
+    for (int32_t i = 0; i < model->bodies; i++) {
+        if (isfinite(model->mass[i]) && isfinite(model->inverse_mass[i])) continue;
+        g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_SCENE,
+                    _("%s: its mass is %g kg, whose reciprocal no number can hold (give it at least 1e-300 kg)"),
+                    tinker_scene_block_name(model->scene, model->body_blocks[i]), model->mass[i]);
+        return FALSE;
+    }
+    return TRUE;
+}
+
+/* A point of a support: its place, with the support unmoved. */
+static int32_t add_support_point(TinkerModel *model, const TinkerBlockBatch *batch, int32_t row, double x, double y)
+{
+    double angle = tinker_block_batch_meaning(batch, row, TINKER_MEANING_ORIENTATION, 0, 0), c = cos(angle),
+           s = sin(angle);
+    double place[2] = {tinker_block_batch_meaning(batch, row, TINKER_MEANING_POSITION, 0, 0),
+                       tinker_block_batch_meaning(batch, row, TINKER_MEANING_POSITION, 1, 0)};
+    TinkerSupportPoint point = {
+        .support = batch->ids[row],
+        .x = place[0] - model->origin[0] + (x == 0 && y == 0 ? 0 : c * x - s * y),
+        .y = place[1] - model->origin[1] + (x == 0 && y == 0 ? 0 : s * x + c * y),
+    };
+    g_array_append_val(model->support_points, point);
+    return model->points++;
+}
+
+/* Where a block's row is, to find a support from an end. */
+typedef struct {
+    const TinkerBlockBatch *batch;
+    int32_t row;
+} Location;
+
+static Location *locate_supports(TinkerModel *model)
+{
+    Location *locations = g_new0(Location, MAX(tinker_scene_id_limit(model->scene), 1));
+    for (guint i = 0; i < model->batches->len; i++) {
+        const TinkerBlockBatch *batch = g_ptr_array_index(model->batches, i);
+        if (body_of(batch) == NULL || body_of(batch)->degrees_of_freedom != 0) continue;
+        for (int32_t row = 0; row < batch->count; row++) {
+            locations[batch->ids[row]] = (Location){batch, row};
+            model->centre_point[batch->ids[row]] = add_support_point(model, batch, row, 0, 0);
+        }
+    }
+    return locations;
+}
+
+static gboolean refuse_end(TinkerModel *model, const TinkerBlockBatch *batch, int32_t row, int32_t end, GError **error)
+{
+    g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_SCENE,
+                _("%s: end %d is not connected (attach it to a mass or a support; nothing runs while an end is loose)"),
+                tinker_scene_block_name(model->scene, batch->ids[row]), end + 1);
+    return FALSE;
+}
+
+static gboolean connect_batch(TinkerModel *model, const TinkerBlockBatch *batch, const Location *locations,
+                              int32_t *points, GError **error)
+{
+    for (int32_t row = 0; row < batch->count; row++) {
+        for (int32_t e = batch->end_offsets[row]; e < batch->end_offsets[row + 1]; e++) {
+            const TinkerSceneEnd *end = &batch->end[e];
+            if (end->block == TINKER_NO_BLOCK || model->centre_point[end->block] < 0)
+                return refuse_end(model, batch, row, e - batch->end_offsets[row], error);
+            points[e] = model->centre_point[end->block];
+            const Location *at = &locations[end->block];
+            if (at->batch != NULL && (end->x != 0 || end->y != 0))
+                points[e] = add_support_point(model, at->batch, at->row, end->x, end->y);
+        }
+    }
+    return TRUE;
+}
+
+static gboolean connect_ends(TinkerModel *model, const Location *locations, GError **error)
+{
+    for (guint i = 0; i < model->batches->len; i++) {
+        const TinkerBlockBatch *batch = g_ptr_array_index(model->batches, i);
+        int32_t *points = batch->end_count > 0 ? g_new(int32_t, batch->end_count) : NULL;
+        g_ptr_array_add(model->end_points, points);
+        if (points != NULL && !connect_batch(model, batch, locations, points, error)) return FALSE;
+    }
+    return TRUE;
+}
+
+static void mark_moving(TinkerModel *model)
+{
+    int32_t count;
+    const TinkerBlockId *moved = tinker_motions_blocks(model->motions, &count);
+    g_autofree gboolean *moves = g_new0(gboolean, MAX(tinker_scene_id_limit(model->scene), 1));
+    for (int32_t k = 0; k < count; k++)
+        moves[moved[k]] = TRUE;
+    model->moving_supports = count;
+    for (guint i = 0; i < model->support_points->len; i++) {
+        TinkerSupportPoint *point = &g_array_index(model->support_points, TinkerSupportPoint, i);
+        point->moving = moves[point->support];
+    }
+}
+
+static void allot_points(TinkerModel *model)
+{
+    gsize n = (gsize)MAX(model->points, 1);
+    model->point = g_new0(TinkerPoint, n);
+    model->point_acceleration = g_new0(double, 2 * n);
+    model->force = g_new0(double, 2 * n);
+    model->point_used = g_new0(gboolean, n);
+    for (guint i = 0; i < model->support_points->len; i++) {
+        const TinkerSupportPoint *point = &g_array_index(model->support_points, TinkerSupportPoint, i);
+        model->point[model->bodies + (int32_t)i] = (TinkerPoint){point->x, point->y, 0, 0};
+    }
+}
+
+gboolean tinker_model_compile_bodies(TinkerModel *model, GError **error)
+{
+    for (guint i = 0; i < model->batches->len; i++)
+        if (!check_class(g_ptr_array_index(model->batches, i), error)) return FALSE;
+    int32_t limit = tinker_scene_id_limit(model->scene);
+    model->centre_point = g_new(int32_t, MAX(limit, 1));
+    for (int32_t id = 0; id < limit; id++)
+        model->centre_point[id] = -1;
+    find_origin(model);
+    add_bodies(model);
+    if (!check_masses(model, error)) return FALSE;
+    g_autofree Location *locations = locate_supports(model);
+    if (!connect_ends(model, locations, error)) return FALSE;
+    model->motions = tinker_motions_new(model->batches, limit);
+    mark_moving(model);
+    allot_points(model);
+    return TRUE;
+}

@@ -1,0 +1,364 @@
+/* Compiling, third part: constraint rows, and the pattern of S = J M^-1 J^T. */
+#include <errno.h>
+#include <glib/gi18n-lib.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "physics/compile/compile-private.h"
+#include "physics/constraint/constraints.h"
+#include "physics/constraint/row-chains.h"
+#include "physics/constraint/straight-bars.h"
+#include "physics/model/model-data.h"
+
+/* Beyond this many products a factorisation takes longer, and more memory, than anybody has. */
+#define MOST_PRODUCTS 2e7
+
+static int32_t ends_of(const TinkerBlockBatch *batch, int32_t row)
+{
+    return batch->end_offsets[row + 1] - batch->end_offsets[row];
+}
+
+/* The distances that the rows keep, where they do nothing else and say so; else NULL. (transfer full) */
+static double *distances_of(const TinkerBlockBatch *batch, TinkerBatch *view)
+{
+    const TinkerConstraint *constraint = batch->block_class->physics->constraint;
+    if (constraint->distance == NULL || constraint->prescribed_rate != NULL) return NULL;
+    if (constraint->rows != 1 || view->ends != 2) return NULL;
+    g_autofree double *length = g_new0(double, view->count);
+    TinkerStatus status = TINKER_CALL_BATCH(batch, "distance", view, constraint->distance(view, length));
+    return status == TINKER_OK ? g_steal_pointer(&length) : NULL;
+}
+
+static void add_constraint_batch(TinkerModel *model, TinkerBlockBatch *batch)
+{
+    TinkerConstraints *all = &model->constraints;
+    const TinkerConstraint *constraint = batch->block_class->physics->constraint;
+    TinkerConstraintBatch added = {
+        .batch = batch,
+        .constraint = constraint,
+        .end_points = tinker_model_end_points(model, batch),
+        .first_row = all->rows,
+        .row_count = batch->count * constraint->rows,
+        .first_entry = all->entries,
+        .view = tinker_block_batch_view(batch, 0.0),
+    };
+    memcpy(added.view.origin, model->origin, sizeof(model->origin));
+    added.distances = distances_of(batch, &added.view);
+    all->rows += added.row_count;
+    all->entries += batch->end_count * constraint->rows;
+    g_array_append_val(all->batches, added);
+}
+
+static void number_entries(TinkerConstraints *all, const TinkerConstraintBatch *part)
+{
+    int32_t row = part->first_row, entry = part->first_entry;
+    for (int32_t i = 0; i < part->batch->count; i++)
+        for (int32_t r = 0; r < part->constraint->rows; r++, row++) {
+            all->row_starts[row] = entry;
+            all->blocks[row] = part->batch->ids[i];
+            for (int32_t k = 0; k < ends_of(part->batch, i); k++, entry++) {
+                all->row_of[entry] = row;
+                all->points[entry] = part->end_points[part->batch->end_offsets[i] + k];
+            }
+            all->two_entries &= entry - all->row_starts[row] == 2;
+        }
+    all->row_starts[row] = entry;
+}
+
+/* Rows that keep bars straight stand behind those of blocks. */
+static void add_straight_rows(TinkerConstraints *all, GArray *straight)
+{
+    all->straight = straight;
+    all->first_straight = all->rows;
+    all->rows += (int32_t)straight->len;
+    all->entries += 3 * (int32_t)straight->len;
+}
+
+static void number_straight_entries(TinkerConstraints *all)
+{
+    int32_t entry = all->entries - 3 * (int32_t)all->straight->len;
+    for (guint i = 0; i < all->straight->len; i++) {
+        const TinkerStraightRow *of = &g_array_index(all->straight, TinkerStraightRow, i);
+        int32_t row = all->first_straight + (int32_t)i;
+        all->blocks[row] = of->rod;
+        all->scales[row] = of->length;
+        all->inverse_scales[row] = 1 / of->length;
+        for (int k = 0; k < 3; k++, entry++) {
+            all->row_of[entry] = row;
+            all->points[entry] = k == 0 ? of->first : k == 1 ? of->between : of->last;
+        }
+        all->row_starts[row + 1] = entry;
+        all->two_entries = FALSE;
+    }
+}
+
+/* A part of what constraints need; what lacks is told once, when all has been asked for. */
+static gpointer allot_part(TinkerModel *model, gsize count, gsize size)
+{
+    gpointer part = g_try_malloc0_n(MAX(count, 1), size);
+    model->lacks_memory |= part == NULL;
+    return part;
+}
+#define ALLOT(model, type, count) ((type *)allot_part((model), (gsize)(count), sizeof(type)))
+
+static gboolean lack_memory(const TinkerModel *model, GError **error)
+{
+    g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_MEMORY,
+                _("there is no memory for the equations of %d constraints"), model->constraints.rows);
+    return FALSE;
+}
+
+static gboolean allot(TinkerModel *model, GError **error)
+{
+    TinkerConstraints *all = &model->constraints;
+    gsize rows = (gsize)MAX(all->rows, 1), entries = (gsize)MAX(all->entries, 1);
+    int32_t most_ends = 1;
+    for (guint i = 0; i < all->batches->len; i++)
+        most_ends = MAX(most_ends, g_array_index(all->batches, TinkerConstraintBatch, i).batch->end_count);
+    all->row_starts = ALLOT(model, int32_t, rows + 1);
+    all->points = ALLOT(model, int32_t, entries);
+    all->row_of = ALLOT(model, int32_t, entries);
+    all->factored_jacobian = ALLOT(model, double, 2 * entries);
+    all->kept_jacobian = ALLOT(model, double, 2 * entries);
+    all->kept_factored_jacobian = ALLOT(model, double, 2 * entries);
+    all->scales = ALLOT(model, double, rows);
+    all->inverse_scales = ALLOT(model, double, rows);
+    all->asked = ALLOT(model, double, rows);
+    all->blocks = ALLOT(model, TinkerBlockId, rows);
+    all->ends = ALLOT(model, TinkerPoint, most_ends);
+    all->jacobian = ALLOT(model, double, 2 * entries);
+    all->g = ALLOT(model, double, rows);
+    all->drift = ALLOT(model, double, rows);
+    all->rate = ALLOT(model, double, rows);
+    all->lambda = ALLOT(model, double, rows);
+    all->residual = ALLOT(model, double, rows);
+    all->correction = ALLOT(model, double, rows);
+    all->turned = ALLOT(model, double, 2 * entries);
+    all->displacement = ALLOT(model, double, 2 * (gsize)MAX(model->bodies, 1));
+    all->by_point = ALLOT(model, double, 2 * (gsize)MAX(model->points, 1));
+    return !model->lacks_memory || lack_memory(model, error);
+}
+
+/* The rows' lengths: the block's own word, else the largest distance between its ends at the start. */
+static void measure(TinkerModel *model, const TinkerConstraintBatch *part)
+{
+    TinkerConstraints *all = &model->constraints;
+    double *scale = all->scales + part->first_row;
+    TinkerBatch view = tinker_block_batch_view(part->batch, 0.0);
+    gboolean told = part->constraint->scale != NULL &&
+                    TINKER_CALL_BATCH(part->batch, "scale", &view, part->constraint->scale(&view, scale)) == TINKER_OK;
+    for (int32_t row = part->first_row; row < part->first_row + part->row_count; row++) {
+        all->inverse_scales[row] = 1.0 / all->scales[row];
+        if (told && all->scales[row] > 0) continue;
+        double largest = 0;
+        const TinkerPoint *first = &model->point[all->points[all->row_starts[row]]];
+        for (int32_t e = all->row_starts[row]; e < all->row_starts[row + 1]; e++) {
+            const TinkerPoint *other = &model->point[all->points[e]];
+            largest = MAX(largest, hypot(other->x - first->x, other->y - first->y));
+        }
+        all->scales[row] = largest > 0 ? largest : 1.0;
+        all->inverse_scales[row] = 1.0 / all->scales[row];
+    }
+}
+
+static gboolean list_entries_by_body(TinkerModel *model, GError **error)
+{
+    TinkerConstraints *all = &model->constraints;
+    all->body_starts = ALLOT(model, int32_t, model->bodies + 1);
+    all->body_entries = ALLOT(model, int32_t, all->entries);
+    g_autofree int32_t *next = ALLOT(model, int32_t, model->bodies + 1);
+    if (model->lacks_memory) return lack_memory(model, error);
+    for (int32_t e = 0; e < all->entries; e++)
+        if (all->points[e] < model->bodies) all->body_starts[all->points[e] + 1]++;
+    for (int32_t i = 0; i < model->bodies; i++)
+        next[i + 1] = all->body_starts[i + 1] += all->body_starts[i];
+    for (int32_t e = 0; e < all->entries; e++)
+        if (all->points[e] < model->bodies) all->body_entries[next[all->points[e]]++] = e;
+    return TRUE;
+}
+
+static gboolean refuse_entangled(const TinkerModel *model, GError **error)
+{
+    g_set_error(
+        error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_SCENE,
+        _("the %d constraints are so entangled that their equations do not fit into memory (use springs for some)"),
+        model->constraints.rows);
+    return FALSE;
+}
+
+/* Every two ends on one body are a product: of a hub with n rods there are n^2 / 2. */
+static double count_products(const TinkerModel *model)
+{
+    const int32_t *starts = model->constraints.body_starts;
+    double products = 0;
+    for (int32_t i = 0; i < model->bodies; i++)
+        products += 0.5 * (starts[i + 1] - starts[i]) * (starts[i + 1] - starts[i] + 1.0);
+    return products;
+}
+
+static gboolean compile_pattern(TinkerModel *model, gsize products, GError **error)
+{
+    TinkerConstraints *all = &model->constraints;
+    g_autofree int *rows = ALLOT(model, int, products), *columns = ALLOT(model, int, products);
+    gsize count = 0;
+    if (model->lacks_memory) return lack_memory(model, error);
+    for (int32_t i = 0; i < model->bodies; i++)
+        for (int32_t p = all->body_starts[i]; p < all->body_starts[i + 1]; p++)
+            for (int32_t q = p + 1; q < all->body_starts[i + 1]; q++) {
+                int row = all->row_of[all->body_entries[p]], column = all->row_of[all->body_entries[q]];
+                if (row == column) continue;
+                rows[count] = row;
+                columns[count++] = column;
+            }
+    all->ldl = tinker_sparse_ldl_new(all->rows, rows, columns, count);
+    if (all->ldl != NULL) return TRUE;
+    return errno == ENOMEM ? lack_memory(model, error) : refuse_entangled(model, error);
+}
+
+static gboolean list_products(TinkerModel *model, gsize count, GError **error)
+{
+    TinkerConstraints *all = &model->constraints;
+    all->products = ALLOT(model, TinkerProduct, count);
+    if (model->lacks_memory) return lack_memory(model, error);
+    for (int32_t i = 0; i < model->bodies; i++)
+        for (int32_t p = all->body_starts[i]; p < all->body_starts[i + 1]; p++)
+            for (int32_t q = p; q < all->body_starts[i + 1]; q++) {
+                int32_t e = all->body_entries[p], f = all->body_entries[q];
+                double weight = model->inverse_mass[i];
+                if (e != f && all->row_of[e] == all->row_of[f]) weight *= 2; /* both orders fall on the diagonal */
+                all->products[all->product_count++] =
+                    (TinkerProduct){tinker_sparse_ldl_slot(all->ldl, all->row_of[e], all->row_of[f]), e, f, weight};
+            }
+    return TRUE;
+}
+
+/* What falls on one slot stands together, so that it is added up in a register; the order within a slot is fixed, too. */
+static int compare_products(const void *left, const void *right)
+{
+    const TinkerProduct *l = left, *r = right;
+    if (l->slot != r->slot) return l->slot < r->slot ? -1 : 1;
+    if (l->first_entry != r->first_entry) return l->first_entry < r->first_entry ? -1 : 1;
+    return l->second_entry < r->second_entry ? -1 : 1;
+}
+
+/* Where any row holds in one direction only. */
+static gboolean allot_unilateral(TinkerModel *model, GError **error)
+{
+    TinkerConstraints *all = &model->constraints;
+    gboolean any = FALSE;
+    gsize rows = (gsize)all->rows;
+    for (guint i = 0; i < all->batches->len; i++)
+        any |= g_array_index(all->batches, TinkerConstraintBatch, i).constraint->unilateral != 0;
+    if (!any) return TRUE;
+    all->unilateral = ALLOT(model, gboolean, rows);
+    all->slack = ALLOT(model, gboolean, rows);
+    all->diagonal = ALLOT(model, int32_t, rows);
+    all->own_g = ALLOT(model, double, rows);
+    all->own_drift = ALLOT(model, double, rows);
+    all->own_rate = ALLOT(model, double, rows);
+    all->own_jacobian = ALLOT(model, double, 2 * (gsize)all->entries);
+    if (model->lacks_memory) return lack_memory(model, error);
+    for (guint i = 0; i < all->batches->len; i++) {
+        const TinkerConstraintBatch *part = &g_array_index(all->batches, TinkerConstraintBatch, i);
+        for (int32_t row = part->first_row; row < part->first_row + part->row_count; row++) {
+            all->unilateral[row] = part->constraint->unilateral != 0;
+            all->diagonal[row] = tinker_sparse_ldl_slot(all->ldl, row, row);
+        }
+    }
+    return TRUE;
+}
+
+/* With these rows that keep bars straight. (transfer full) */
+static gboolean compile_with(TinkerModel *model, GArray *straight, GError **error)
+{
+    TinkerConstraints *all = &model->constraints;
+    all->batches = g_array_new(FALSE, FALSE, sizeof(TinkerConstraintBatch));
+    for (guint i = 0; i < model->batches->len; i++) {
+        TinkerBlockBatch *batch = g_ptr_array_index(model->batches, i);
+        const TinkerPhysics *physics = batch->block_class->physics;
+        if (physics == NULL || physics->constraint == NULL) continue;
+        add_constraint_batch(model, batch);
+        if (physics->constraint->prescribed_rate != NULL)
+            model->has_book[TINKER_BOOK_MOTORS] = model->more_than_lines = TRUE;
+    }
+    add_straight_rows(all, straight);
+    if (!allot(model, error)) return FALSE;
+    if (all->rows == 0) return TRUE;
+    all->two_entries = TRUE;
+    for (guint i = 0; i < all->batches->len; i++)
+        number_entries(all, &g_array_index(all->batches, TinkerConstraintBatch, i));
+    number_straight_entries(all);
+    for (guint i = 0; i < all->batches->len; i++)
+        measure(model, &g_array_index(all->batches, TinkerConstraintBatch, i));
+    if (!list_entries_by_body(model, error)) return FALSE;
+    const double products = count_products(model);
+    if (products > MOST_PRODUCTS) return refuse_entangled(model, error);
+    if (!compile_pattern(model, (gsize)products, error) || !list_products(model, (gsize)products, error)) return FALSE;
+    qsort(all->products, all->product_count, sizeof(TinkerProduct), compare_products);
+    if (!allot_unilateral(model, error)) return FALSE;
+    if (all->unilateral == NULL) all->chains = tinker_row_chains_new(model);
+    return TRUE;
+}
+
+/* Of each batch, as bars have them. (transfer full) */
+static GPtrArray *take_distances(TinkerConstraints *all)
+{
+    GPtrArray *distances = g_ptr_array_new_with_free_func(g_free);
+    for (guint i = 0; i < all->batches->len; i++)
+        g_ptr_array_add(distances, g_steal_pointer(&g_array_index(all->batches, TinkerConstraintBatch, i).distances));
+    return distances;
+}
+
+/* Bars are looked for where the supports stand at the start, and where the other rows hold straight what they hold, they do
+ * without rows of their own. */
+gboolean tinker_model_compile_constraints(TinkerModel *model, GError **error)
+{
+    TinkerConstraints *all = &model->constraints;
+    if (!compile_with(model, g_array_new(FALSE, FALSE, sizeof(TinkerStraightRow)), error)) return FALSE;
+    if (all->rows < 2 || tinker_model_set_time(model, 0.0) != TINKER_OK) return TRUE;
+    tinker_model_set_state(model, model->q_start, model->v_start);
+    int32_t fitted;
+    g_autoptr(GArray) straight = tinker_straight_rows_find(model, &fitted);
+    all->fitted = fitted;
+    if (straight->len == 0 || !tinker_straight_rows_drop_held(model, straight) || straight->len == 0) return TRUE;
+    g_autoptr(GPtrArray) distances = take_distances(all);
+    tinker_constraints_clear(all);
+    *all = (TinkerConstraints){0};
+    if (!compile_with(model, g_array_ref(straight), error)) return FALSE;
+    all->fitted = fitted;
+    for (guint i = 0; i < all->batches->len; i++) {
+        double **own = &g_array_index(all->batches, TinkerConstraintBatch, i).distances;
+        g_free(*own);
+        *own = g_steal_pointer(&distances->pdata[i]);
+    }
+    return TRUE;
+}
+
+void tinker_constraints_clear(TinkerConstraints *all)
+{
+    for (guint i = 0; all->batches != NULL && i < all->batches->len; i++)
+        g_free(g_array_index(all->batches, TinkerConstraintBatch, i).distances);
+    if (all->batches != NULL) g_array_unref(all->batches);
+    if (all->straight != NULL) g_array_unref(all->straight);
+    tinker_sparse_ldl_free(all->ldl);
+    tinker_row_chains_free(all->chains);
+    gpointer arrays[] = {all->row_starts,     all->products,
+                         all->points,         all->scales,
+                         all->blocks,         all->ends,
+                         all->jacobian,       all->g,
+                         all->drift,          all->rate,
+                         all->lambda,         all->residual,
+                         all->correction,     all->by_point,
+                         all->turned,         all->displacement,
+                         all->row_of,         all->body_starts,
+                         all->body_entries,   all->factored_jacobian,
+                         all->kept_jacobian,  all->kept_factored_jacobian,
+                         all->inverse_scales, all->asked,
+                         all->unilateral,     all->slack,
+                         all->diagonal,       all->own_g,
+                         all->own_drift,      all->own_rate,
+                         all->own_jacobian};
+    for (gsize i = 0; i < G_N_ELEMENTS(arrays); i++)
+        g_free(arrays[i]);
+}

@@ -1,0 +1,164 @@
+/* Compiling a scene, in order: snapshot, lengths as placed, bodies and points, forces, constraints, start. */
+#include "physics/contact/contacts.h"
+#include "physics/force/line-parts.h"
+
+#include <glib/gi18n-lib.h>
+#include <math.h>
+
+#include "physics/compile/compile-private.h"
+#include "physics/compile/compile.h"
+#include "physics/constraint/constraints.h"
+#include "physics/model/model-data.h"
+#include "plugin/guarded.h"
+
+static gboolean refuse_placeholder(TinkerScene *scene, GError **error)
+{
+    TinkerBlockId block = tinker_scene_first_placeholder(scene);
+    if (block == TINKER_NO_BLOCK) return FALSE;
+    g_autofree char *reason = tinker_scene_missing_reason(scene, block);
+    g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_PLUGIN, "%s: %s", tinker_scene_block_name(scene, block),
+                reason);
+    return TRUE;
+}
+
+/* The range of a property that was left to the scene's geometry. */
+static gboolean check_placed(TinkerModel *model, const TinkerBlockBatch *batch, int32_t row,
+                             const TinkerPropertyType *property, double value, GError **error)
+{
+    gboolean below = (property->flags & TINKER_HAS_MINIMUM) &&
+                     (value < property->hard_minimum ||
+                      ((property->flags & TINKER_OPEN_MINIMUM) && value == property->hard_minimum));
+    if (!below && isfinite(value)) return TRUE;
+    g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_SCENE,
+                _("%s: its ends are %g m apart at t = 0, which its %s cannot be (place them apart, or give the %s)"),
+                tinker_scene_block_name(model->scene, batch->ids[row]), value, property->id, property->id);
+    return FALSE;
+}
+
+/* Lengths that the scene leaves to where the blocks are placed. */
+static gboolean resolve_placed(TinkerModel *model, TinkerFrame *placed, GError **error)
+{
+    for (guint i = 0; i < model->batches->len; i++) {
+        TinkerBlockBatch *batch = g_ptr_array_index(model->batches, i);
+        const TinkerBlockClass *block_class = batch->block_class;
+        for (int32_t p = 0; p < block_class->property_count; p++) {
+            const TinkerPropertyType *property = &block_class->properties[p];
+            if (!(property->flags & TINKER_DEFAULT_AS_PLACED)) continue;
+            int32_t column = block_class->first_columns[p];
+            for (int32_t row = 0; row < batch->count; row++) {
+                if (!isnan(batch->columns[column][row])) continue;
+                double value = tinker_frame_column(placed, batch->ids[row], column);
+                if (!check_placed(model, batch, row, property, value, error)) return FALSE;
+                batch->columns[column][row] = value;
+            }
+        }
+    }
+    return TRUE;
+}
+
+/* The model's first piece begins at t = 0. */
+static void enter_first_piece(TinkerModel *model)
+{
+    for (guint i = 0; i < model->batches->len; i++) {
+        TinkerBlockBatch *batch = g_ptr_array_index(model->batches, i);
+        if (batch->waveforms == 0) continue;
+        double next = tinker_block_batch_next_break(batch, 0.0, 1.0);
+        tinker_block_batch_enter_piece(batch, isfinite(next) ? 0.5 * next : 0.5);
+        tinker_block_batch_set_time(batch, 0.0);
+    }
+}
+
+static gboolean compile(TinkerModel *model, GError **error)
+{
+    if (refuse_placeholder(model->scene, error)) return FALSE;
+    TinkerBlockId loose = tinker_scene_first_detached(model->scene);
+    if (loose != TINKER_NO_BLOCK) {
+        g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_SCENE,
+                    _("%s: an end is not connected (attach it to a block; nothing runs while an end is loose)"),
+                    tinker_scene_block_name(model->scene, loose));
+        return FALSE;
+    }
+    g_autoptr(TinkerFrame) placed = tinker_frame_new(model->scene, error);
+    if (placed == NULL || !resolve_placed(model, placed, error)) return FALSE;
+    enter_first_piece(model);
+    if (!tinker_model_compile_bodies(model, error) || !tinker_model_compile_forces(model, error) ||
+        !tinker_model_compile_constraints(model, error))
+        return FALSE;
+    model->contacts = tinker_contacts_new(model);
+    return tinker_model_check_start(model, error);
+}
+
+static int32_t most_rows(const GPtrArray *batches)
+{
+    int32_t most = 0;
+    for (guint i = 0; i < batches->len; i++)
+        most = MAX(most, ((TinkerBlockBatch *)g_ptr_array_index(batches, i))->count);
+    return most;
+}
+
+static int32_t most_columns(const GPtrArray *batches)
+{
+    int32_t most = 1;
+    for (guint i = 0; i < batches->len; i++)
+        most = MAX(most, ((TinkerBlockBatch *)g_ptr_array_index(batches, i))->block_class->column_count);
+    return most;
+}
+
+TinkerModel *tinker_model_new(TinkerScene *scene, GError **error)
+{
+    return tinker_model_new_part(scene, NULL, error);
+}
+
+TinkerModel *tinker_model_new_part(TinkerScene *scene, const gboolean *include, GError **error)
+{
+    TinkerModel *model = g_new0(TinkerModel, 1);
+    model->part = include != NULL;
+    model->scene = scene;
+    model->batches = tinker_batches_new(scene, include);
+    model->end_points = g_ptr_array_new_with_free_func(g_free);
+    model->warnings = g_ptr_array_new_with_free_func(g_free);
+    model->support_points = g_array_new(FALSE, TRUE, sizeof(TinkerSupportPoint));
+    model->asked_lines = g_array_new(FALSE, TRUE, sizeof(TinkerAskedBatch));
+    model->asked_forces = g_array_new(FALSE, TRUE, sizeof(TinkerAskedBatch));
+    model->asked_fields = g_array_new(FALSE, TRUE, sizeof(TinkerAskedBatch));
+    model->driven = g_array_new(FALSE, TRUE, sizeof(TinkerDrivenForce));
+    model->waveform_batches = g_ptr_array_new();
+    model->column_views = g_new0(const double *, most_columns(model->batches));
+    model->chunk_offsets = g_new0(int32_t, most_rows(model->batches) + 1);
+    model->time = NAN;
+    if (!compile(model, error)) g_clear_pointer(&model, tinker_model_free);
+    return model;
+}
+
+void tinker_model_free(TinkerModel *model)
+{
+    if (model == NULL) return;
+    tinker_contacts_free(model->contacts);
+    tinker_constraints_clear(&model->constraints);
+    tinker_line_parts_free(model->line_parts);
+    tinker_motions_free(model->motions);
+    g_ptr_array_unref(model->end_points);
+    g_ptr_array_unref(model->warnings);
+    g_ptr_array_unref(model->waveform_batches);
+    g_array_unref(model->support_points);
+    g_array_unref(model->asked_lines);
+    g_array_unref(model->asked_forces);
+    g_array_unref(model->asked_fields);
+    g_array_unref(model->driven);
+    TinkerMergedLines *lines = &model->lines;
+    gpointer arrays[] = {
+        model->body_blocks,    model->mass,       model->coordinate_mass,
+        model->inverse_mass,   model->q_start,    model->v_start,
+        model->centre_point,   model->point_used, model->constant_acceleration,
+        model->constant_force, model->point,      model->point_acceleration,
+        model->force,          lines->tension,    model->column_views,
+        model->chunk_offsets,  lines->a,          lines->b,
+        lines->stiffness,      lines->length,     lines->damping,
+    };
+    for (gsize i = 0; i < G_N_ELEMENTS(arrays); i++)
+        g_free(arrays[i]);
+    g_free(model->velocity_kept);
+    tinker_guarded_free(model->chunk);
+    g_ptr_array_unref(model->batches);
+    g_free(model);
+}

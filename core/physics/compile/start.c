@@ -1,0 +1,219 @@
+/* The start: positions that nearly fit the constraints and velocities that do not are projected; what does not fit is
+ * refused by name. */
+#include <glib/gi18n-lib.h>
+#include <math.h>
+#include <string.h>
+
+#include "physics/compile/compile-private.h"
+#include "physics/constraint/constraints.h"
+#include "physics/force/forces.h"
+#include "physics/model/model-data.h"
+
+/* A start position may miss a constraint by this much of its length. */
+#define START_TOLERANCE 1e-6
+
+/* The column of the length that a row keeps from end to end; -1 where it says no such thing. */
+static int32_t path_column(const TinkerBlockClass *block_class, int32_t ends)
+{
+    int32_t property = block_class->meanings[TINKER_MEANING_LENGTH];
+    if (property < 0 || ends < 2) return -1;
+    gboolean along = ends == 2 || (block_class->properties[property].flags & TINKER_DEFAULT_AS_PLACED) != 0;
+    return along ? block_class->first_columns[property] : -1;
+}
+
+static double path_length(const TinkerModel *model, int32_t row)
+{
+    const TinkerConstraints *all = &model->constraints;
+    double length = 0;
+    for (int32_t e = all->row_starts[row] + 1; e < all->row_starts[row + 1]; e++) {
+        const TinkerPoint *a = &model->point[all->points[e - 1]], *b = &model->point[all->points[e]];
+        length += hypot(b->x - a->x, b->y - a->y);
+    }
+    return length;
+}
+
+/* Where the row would be met if one end moved, a body's, by the row's derivatives: exactly for a row that is linear along
+ * them, roughly for others. Answers that body, or -1 where the row moves none. */
+static int32_t nearest_fit(const TinkerModel *model, int32_t row, double place[2])
+{
+    const TinkerConstraints *all = &model->constraints;
+    int32_t body = -1;
+    double steepest = 0;
+    for (int32_t e = all->row_starts[row]; e < all->row_starts[row + 1]; e++) {
+        const int32_t point = all->points[e];
+        const double *slope = &all->jacobian[2 * e], square = slope[0] * slope[0] + slope[1] * slope[1];
+        if (point >= model->bodies || !(square > steepest)) continue;
+        steepest = square;
+        body = point;
+        place[0] = model->origin[0] + model->point[point].x - all->g[row] * slope[0] / square;
+        place[1] = model->origin[1] + model->point[point].y - all->g[row] * slope[1] / square;
+    }
+    return body >= 0 && isfinite(place[0]) && isfinite(place[1]) ? body : -1;
+}
+
+static void refuse_misfit(const TinkerModel *model, int32_t row, const char *name, GError **error)
+{
+    const TinkerConstraints *all = &model->constraints;
+    double place[2];
+    const int32_t body = nearest_fit(model, row, place);
+    g_autofree char *hint =
+        body < 0 ? g_strdup(_("move its ends, or change its properties"))
+                 : g_strdup_printf(_("it fits with %s at about (%.5g, %.5g) m"),
+                                   tinker_scene_block_name(model->scene, model->body_blocks[body]), place[0], place[1]);
+    g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_SCENE,
+                _("%s: the start positions miss it by %.3g m (at most %.0e of its length, %.3g m, is corrected; %s)"),
+                name, fabs(all->g[row]), START_TOLERANCE, all->scales[row], hint);
+}
+
+static gboolean refuse_row(TinkerModel *model, const TinkerConstraintBatch *part, int32_t row, GError **error)
+{
+    const TinkerConstraints *all = &model->constraints;
+    const TinkerBlockBatch *batch = part->batch;
+    int32_t instance = (row - part->first_row) / part->constraint->rows;
+    int32_t ends = all->row_starts[row + 1] - all->row_starts[row];
+    int32_t column = path_column(batch->block_class, ends);
+    const char *name = tinker_scene_block_name(model->scene, batch->ids[instance]);
+    if (column >= 0) {
+        g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_SCENE,
+                    ends == 2 ? _("%s: its length is %.10g m, but its ends are %.10g m apart at t = 0 (move an end, "
+                                  "change the length, or leave the length out)")
+                              : _("%s: its length is %.10g m, but the path through its ends is %.10g m long at t = 0 "
+                                  "(move an end, change the length, or leave the length out)"),
+                    name, batch->columns[column][instance], path_length(model, row));
+    } else {
+        refuse_misfit(model, row, name, error);
+    }
+    return FALSE;
+}
+
+static gboolean check_positions(TinkerModel *model, GError **error)
+{
+    const TinkerConstraints *all = &model->constraints;
+    for (guint i = 0; i < all->batches->len; i++) {
+        const TinkerConstraintBatch *part = &g_array_index(all->batches, TinkerConstraintBatch, i);
+        TinkerBatch view = tinker_block_batch_view(part->batch, 0.0);
+        if (part->constraint->check != NULL &&
+            TINKER_CALL_BATCH(part->batch, "check", &view, part->constraint->check(&view)) != TINKER_OK) {
+            g_autofree char *why =
+                tinker_block_batch_refusal(part->batch, &view, _("its properties do not make a constraint"));
+            g_set_error_literal(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_SCENE, why);
+            return FALSE;
+        }
+        for (int32_t row = part->first_row; row < part->first_row + part->row_count; row++)
+            if (part->constraint->unilateral ? !(all->g[row] <= START_TOLERANCE * all->scales[row])
+                                             : !(fabs(all->g[row]) <= START_TOLERANCE * all->scales[row]))
+                return refuse_row(model, part, row, error);
+    }
+    return TRUE;
+}
+
+static void warn_start_velocity(TinkerModel *model, const double *given)
+{
+    double change = 0, fastest = 0, impulse = 0;
+    for (int32_t i = 0; i < 2 * model->bodies; i++) {
+        double dv = model->v_start[i] - given[i];
+        change = MAX(change, fabs(dv));
+        fastest = MAX(fastest, MAX(fabs(given[i]), fabs(model->v_start[i])));
+        impulse += model->coordinate_mass[i] * model->coordinate_mass[i] * dv * dv;
+    }
+    model->start_impulse = sqrt(impulse);
+    if (change > START_TOLERANCE * fastest)
+        g_ptr_array_add(
+            model->warnings,
+            g_strdup_printf(_("the start velocities did not fit the constraints: they were changed by up to %.3g "
+                              "m/s (an impulse of %.3g N s)"),
+                            change, model->start_impulse));
+}
+
+static gboolean run_error(TinkerModel *model, TinkerModelError code, GError **error)
+{
+    g_set_error_literal(error, TINKER_MODEL_ERROR, code,
+                        model->failure[0] != '\0' ? model->failure
+                                                  : _("the forces cannot be worked out at the start positions"));
+    return FALSE;
+}
+
+/* Names the rows that the accelerations a cannot meet. */
+static gboolean refuse_contradiction(TinkerModel *model, const double *a, GError **error)
+{
+    TinkerConstraints *all = &model->constraints;
+    memcpy(model->point_acceleration, a, 2 * (gsize)model->bodies * sizeof(double));
+    tinker_constraints_rows_times(all, model->point_acceleration, all->residual);
+    double worst = 0;
+    for (int32_t row = 0; row < all->rows; row++) {
+        all->residual[row] = fabs(all->residual[row] + all->drift[row]);
+        worst = MAX(worst, all->residual[row]);
+    }
+    g_autoptr(GString) names = g_string_new(NULL);
+    TinkerBlockId last = TINKER_NO_BLOCK;
+    for (int32_t row = 0; row < all->rows; row++) {
+        if (all->residual[row] < 0.1 * worst || all->blocks[row] == last) continue;
+        last = all->blocks[row];
+        g_string_append_printf(names, "%s%s", names->len > 0 ? ", " : "", tinker_scene_block_name(model->scene, last));
+    }
+    g_set_error(
+        error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_CONTRADICTION,
+        _("%s: no motion satisfies these constraints at the start: they contradict each other (remove one, or give "
+          "what lies between them another place or velocity)"),
+        names->str);
+    return FALSE;
+}
+
+/* The largest sum of what a row's ends, by the applied forces alone, and its drift ask for: where they cancel each other,
+ * rounding of it is all that is left. */
+static double largest_demand(const TinkerModel *model)
+{
+    const TinkerConstraints *all = &model->constraints;
+    double most = 0;
+    for (int32_t row = 0; row < all->rows; row++) {
+        double sum = fabs(all->drift[row]);
+        for (int32_t e = all->row_starts[row]; e < all->row_starts[row + 1]; e++) {
+            const double *a = model->point_acceleration + 2 * all->points[e];
+            sum += fabs(all->jacobian[2 * e] * a[0]) + fabs(all->jacobian[2 * e + 1] * a[1]);
+        }
+        most = MAX(most, sum);
+    }
+    return most;
+}
+
+static gboolean check_accelerations(TinkerModel *model, GError **error)
+{
+    g_autofree double *a = g_new0(double, 2 * (gsize)MAX(model->bodies, 1));
+    tinker_model_set_state(model, model->q_start, model->v_start);
+    if (tinker_model_applied(model, a, FALSE) != TINKER_OK || tinker_constraints_evaluate(model) != TINKER_OK)
+        return run_error(model, TINKER_MODEL_ERROR_RUN, error);
+    double missing = tinker_constraints_accelerate(model, a);
+    if (missing <= START_TOLERANCE * largest_demand(model)) return TRUE;
+    return refuse_contradiction(model, a, error);
+}
+
+/* Rows that hold in one direction only are slack until a run asks which of them are not, but for what is `stretched`: that is
+ * brought back with the start positions. */
+static void slacken(TinkerModel *model, gboolean stretched)
+{
+    const TinkerConstraints *all = &model->constraints;
+    for (int32_t row = 0; all->unilateral != NULL && row < all->rows; row++)
+        if (all->unilateral[row]) tinker_constraints_set_slack(model, row, !stretched || all->own_g[row] <= 0);
+}
+
+gboolean tinker_model_check_start(TinkerModel *model, GError **error)
+{
+    TinkerConstraints *all = &model->constraints;
+    if (tinker_model_set_time(model, 0.0) != TINKER_OK) return run_error(model, TINKER_MODEL_ERROR_RUN, error);
+    tinker_model_set_state(model, model->q_start, model->v_start);
+    if (all->rows == 0) return TRUE;
+    if (tinker_constraints_evaluate(model) != TINKER_OK) return run_error(model, TINKER_MODEL_ERROR_RUN, error);
+    if (!check_positions(model, error)) return FALSE;
+    all->redundant = MAX(tinker_constraints_count_dependent(model), all->fitted);
+    gboolean moved;
+    slacken(model, TRUE);
+    if (tinker_constraints_project_positions(model, 0.0, model->q_start, model->v_start, &moved) != TINKER_OK)
+        return run_error(model, TINKER_MODEL_ERROR_CONTRADICTION, error);
+    slacken(model, FALSE);
+    if (all->unilateral != NULL && tinker_constraints_evaluate(model) != TINKER_OK)
+        return run_error(model, TINKER_MODEL_ERROR_RUN, error);
+    g_autofree double *given = g_memdup2(model->v_start, 2 * (gsize)MAX(model->bodies, 1) * sizeof(double));
+    tinker_constraints_correct_velocities(model, model->v_start, FALSE, &moved);
+    if (moved) warn_start_velocity(model, given);
+    return check_accelerations(model, error);
+}

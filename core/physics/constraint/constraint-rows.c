@@ -1,0 +1,135 @@
+/* Constraint rows at the state in the points: g, Jacobian and drift, and how far they are off. */
+#include <math.h>
+
+#include "physics/constraint/constraints.h"
+#include "physics/constraint/distance-rows.h"
+#include "physics/constraint/straight-bars.h"
+#include "physics/model/model-data.h"
+
+static G_NO_INLINE TinkerStatus refuse_rows(TinkerModel *model, const TinkerConstraintBatch *part, TinkerStatus status)
+{
+    const TinkerConstraints *all = &model->constraints;
+    if (status == TINKER_RETRY_SMALLER && part->view.failure == NULL) return status;
+    if (status != TINKER_OK) {
+        const TinkerStatus failed =
+            tinker_model_fail(model, part->batch, part->view.failed_instance, "constraint", part->view.failure);
+        return status == TINKER_RETRY_SMALLER ? status : failed; // a number that is no status is a failure
+    }
+    int32_t row = part->first_row;
+    while (row < part->first_row + part->row_count - 1 && isfinite(all->g[row] + all->drift[row]))
+        row++;
+    return tinker_model_not_finite(model, part->batch, (row - part->first_row) / part->constraint->rows, "constraint");
+}
+
+/* Sums of zeros, unless something is not finite; several of them, so that additions do not wait for each other. Finds the
+ * largest miss on the way. */
+static gboolean look_at_rows(TinkerConstraints *all, const TinkerConstraintBatch *part)
+{
+    const double *restrict g = all->g + part->first_row, *restrict drift = all->drift + part->first_row;
+    const double *restrict inverse = all->inverse_scales + part->first_row;
+    double sums[4] = {0, 0, 0, 0}, most[4] = {all->miss, 0, 0, 0};
+    int32_t row = 0;
+    for (; row + 4 <= part->row_count; row += 4)
+        for (int k = 0; k < 4; k++) {
+            sums[k] += 0.0 * (g[row + k] + drift[row + k]);
+            most[k] = MAX(most[k], fabs(g[row + k]) * inverse[row + k]);
+        }
+    for (; row < part->row_count; row++) {
+        sums[0] += 0.0 * (g[row] + drift[row]);
+        most[0] = MAX(most[0], fabs(g[row]) * inverse[row]);
+    }
+    all->miss = MAX(MAX(most[0], most[1]), MAX(most[2], most[3]));
+    return sums[0] + sums[1] + sums[2] + sums[3] == 0;
+}
+
+static void gather(const TinkerModel *model, const int32_t *points, int32_t count)
+{
+    TinkerPoint *restrict ends = model->constraints.ends;
+    const TinkerPoint *restrict point = model->point;
+#pragma GCC unroll 4
+    for (int32_t e = 0; e < count; e++)
+        ends[e] = point[points[e]];
+}
+
+/* Asks for the rows of a range of blocks. */
+static TinkerStatus ask_rows(TinkerModel *model, const TinkerConstraintBatch *part, TinkerBatch *view)
+{
+    TinkerConstraints *all = &model->constraints;
+    const int32_t *offsets = part->batch->end_offsets;
+    int32_t from = offsets[view->first], rows = part->constraint->rows;
+    int32_t first_row = part->first_row + view->first * rows;
+    gather(model, part->end_points + from, offsets[view->first + view->count] - from);
+    TinkerStatus status = TINKER_CALL_BATCH(
+        part->batch, "rows_at", view,
+        part->constraint->rows_at(view, all->ends, all->g + first_row,
+                                  all->jacobian + 2 * (part->first_entry + from * rows), all->drift + first_row));
+    if (status == TINKER_OK && part->constraint->prescribed_rate != NULL) {
+        status = TINKER_CALL_BATCH(part->batch, "prescribed_rate", view,
+                                   part->constraint->prescribed_rate(view, all->ends, all->rate + first_row));
+        all->prescribed = TRUE;
+    }
+    return status;
+}
+
+/* In chunks whose ends stay in the cache. */
+static TinkerStatus ask_by_chunks(TinkerModel *model, TinkerConstraintBatch *part)
+{
+    TinkerStatus status = TINKER_OK;
+    for (int32_t first = 0; first < part->batch->count && status == TINKER_OK; first += TINKER_CHUNK) {
+        int32_t count = MIN(TINKER_CHUNK, part->batch->count - first);
+        TinkerBatch view = tinker_model_view(model, part->batch, first, count, model->column_views);
+        status = ask_rows(model, part, &view);
+        part->view.failure = view.failure;
+        part->view.failed_instance = first + MAX(view.failed_instance, 0);
+    }
+    return status;
+}
+
+/* Rows that keep a distance are worked out from the points where they are. */
+static inline TinkerStatus evaluate_distances(TinkerModel *model, const TinkerConstraintBatch *part)
+{
+    TinkerConstraints *all = &model->constraints;
+    int32_t first = part->first_row;
+    TinkerDistances rows = {part->row_count, part->end_points, part->distances, all->inverse_scales + first};
+    if (G_LIKELY(tinker_distance_rows(&rows, model->point, all->g + first, all->jacobian + 2 * part->first_entry,
+                                      all->drift + first, &all->miss)))
+        return TINKER_OK;
+    return refuse_rows(model, part, TINKER_OK);
+}
+
+/* Rows that their plugin works out. */
+static G_NO_INLINE TinkerStatus evaluate_asked(TinkerModel *model, TinkerConstraintBatch *part)
+{
+    part->view.time = model->time;
+    part->view.failure = NULL;
+    part->view.failed_instance = -1;
+    TinkerStatus status =
+        part->batch->count > TINKER_CHUNK ? ask_by_chunks(model, part) : ask_rows(model, part, &part->view);
+    if (G_LIKELY(status == TINKER_OK && look_at_rows(&model->constraints, part))) return TINKER_OK;
+    return refuse_rows(model, part, status);
+}
+
+/* The Jacobian that was factored is kept by writing the next one elsewhere. */
+static void turn_jacobians(TinkerConstraints *all)
+{
+    if (!all->keeps_factored) return;
+    double *kept = all->jacobian;
+    all->jacobian = all->factored_jacobian;
+    all->factored_jacobian = kept;
+    all->keeps_factored = FALSE;
+}
+
+TinkerStatus tinker_constraints_evaluate(TinkerModel *model)
+{
+    TinkerConstraints *all = &model->constraints;
+    turn_jacobians(all);
+    all->miss = 0;
+    for (guint i = 0; i < all->batches->len; i++) {
+        TinkerConstraintBatch *part = &g_array_index(all->batches, TinkerConstraintBatch, i);
+        TinkerStatus status = part->distances != NULL ? evaluate_distances(model, part) : evaluate_asked(model, part);
+        if (status != TINKER_OK) return status;
+    }
+    if (G_UNLIKELY(all->straight->len > 0)) tinker_straight_rows_evaluate(model);
+    if (G_UNLIKELY(all->unilateral != NULL)) tinker_constraints_hide_slack(all);
+    return TINKER_OK;
+}

@@ -1,0 +1,397 @@
+/* The solve of constraint rows, S lambda = b, S = J M^-1 J^T.
+ *
+ * Where the rows are independent, one factorisation solves it. Where a pivot vanishes (redundant rods, singular places)
+ * the solve goes on as a proximal iteration with the shifted matrix S + eps I, which needs no rank:
+ *
+ *   lambda <- lambda + (S + eps I)^-1 (b - S lambda),  from lambda = 0,  eps = 1e-5 * mean diagonal.
+ *
+ * It converges to the solution of least norm, since it never leaves the range of S. Source: Parikh, Boyd, "Proximal
+ * Algorithms" (2014), section 4.1; tested by rank-deficient frames in tests/physics. A residual that stalls at a state on
+ * the constraints means that the rows contradict each other. Where masses differ widely, eps is a share of each row's own
+ * diagonal entry: dependent rods between masses in a ratio of 1e9 are solved. */
+#include "physics/constraint/constraints.h"
+#include "physics/constraint/row-chains.h"
+#include "physics/model/model-data.h"
+
+#include <math.h>
+#include <string.h>
+
+/* A row whose pivot falls to this share of its diagonal entry counts as dependent on the others: a mechanism within 1e-5 rad
+ * of a singular place. Smaller, and what is left of the row is mostly rounding, which the solve would magnify; larger, and
+ * chains of masses in the ratio 1e9 would be taken for singular. */
+#define DEPENDENT_PIVOT 1e-10
+/* Each solve brings an independent part of lambda closer by this over its eigenvalue; what dependent rows disagree in by
+ * rounding is magnified by its reciprocal. */
+#define PROXIMAL_SHIFT           1e-5
+#define MOST_PROXIMAL_ITERATIONS 60
+/* Rows whose diagonal entries differ by no more than this share one shift. */
+#define EVEN_ROWS 1e3
+
+double tinker_constraints_reach(const TinkerModel *model)
+{
+    const TinkerConstraints *all = &model->constraints;
+    double reach = 0;
+    for (guint p = 0; p < all->batches->len; p++) {
+        const TinkerConstraintBatch *part = &g_array_index(all->batches, TinkerConstraintBatch, p);
+        for (int32_t row = part->first_row; row < part->first_row + part->row_count; row++)
+            if (part->constraint->scale != NULL && all->row_starts[row + 1] - all->row_starts[row] == 1)
+                reach = fmax(reach, all->scales[row]);
+    }
+    return reach;
+}
+
+/* The matrix ------------------------------------------------------------------------------------------------------- */
+
+static void assemble(TinkerConstraints *all)
+{
+    tinker_sparse_ldl_clear(all->ldl);
+    double *restrict values = tinker_sparse_ldl_values(all->ldl);
+    const double *restrict j = all->jacobian;
+    const TinkerProduct *restrict p = all->products;
+    const TinkerProduct *end = p + all->product_count;
+    while (p < end) {
+        int32_t slot = p->slot;
+        double sum = 0;
+        do {
+            const double *first = j + 2 * p->first_entry, *second = j + 2 * p->second_entry;
+            sum += p->inverse_mass * (first[0] * second[0] + first[1] * second[1]);
+        } while (++p < end && p->slot == slot);
+        values[slot] = sum;
+    }
+    for (int32_t row = 0; all->unilateral != NULL && row < all->rows; row++)
+        if (all->slack[row]) values[all->diagonal[row]] = 1.0;
+}
+
+static double mean_diagonal(const TinkerConstraints *all)
+{
+    double sum = 0;
+    const double *j = all->jacobian;
+    const TinkerProduct *products = all->products;
+    for (gsize i = 0; i < all->product_count; i++) {
+        const TinkerProduct *p = &products[i];
+        const double *at = j + 2 * p->first_entry;
+        if (p->first_entry == p->second_entry) sum += p->inverse_mass * (at[0] * at[0] + at[1] * at[1]);
+    }
+    return sum / all->rows;
+}
+
+/* The matrix depends on the Jacobian alone, so the factor is kept as long as that stays the same to the bit: after a
+ * projection the next step's first stage needs no other. */
+static gboolean is_factored(const TinkerConstraints *all)
+{
+    if (!all->factored || all->keeps_factored) return all->factored;
+    if (all->jacobian[0] != all->factored_jacobian[0]) return FALSE;
+    return memcmp(all->jacobian, all->factored_jacobian, 2 * (gsize)all->entries * sizeof(double)) == 0;
+}
+
+/* Masses may differ so much that one shift for all rows drowns those of the heavy ones. Then every row is shifted by a share
+ * of its own diagonal: the solution is the same motion, of least norm with the multipliers weighed by that. Answers what is
+ * left to be added to all of them, which is no more than the least row's share. */
+static double shift_rows(TinkerConstraints *all)
+{
+    double *values = tinker_sparse_ldl_values(all->ldl), least = INFINITY, greatest = 0;
+    const TinkerProduct *products = all->products;
+    for (gsize i = 0; i < all->product_count; i++) {
+        if (products[i].first_entry != products[i].second_entry) continue;
+        least = MIN(least, values[products[i].slot]);
+        greatest = MAX(greatest, values[products[i].slot]);
+    }
+    if (!(greatest > EVEN_ROWS * least)) return PROXIMAL_SHIFT * mean_diagonal(all);
+    int32_t last = -1;
+    for (gsize i = 0; i < all->product_count; i++) {
+        if (products[i].first_entry != products[i].second_entry || products[i].slot == last) continue;
+        last = products[i].slot;
+        values[last] *= 1 + PROXIMAL_SHIFT;
+    }
+    return PROXIMAL_SHIFT * least;
+}
+
+static void factor_shifted(TinkerConstraints *all)
+{
+    assemble(all);
+    double shift = shift_rows(all);
+    all->shifted = TRUE;
+    /* Rows between supports alone have no diagonal at all: the shift stands for all of it. */
+    tinker_sparse_ldl_factor(all->ldl, shift > 0 ? shift : 1.0, 0.0);
+}
+
+/* Factors S of the rows evaluated last and solves with it, in place of b; FALSE, with b as it was, where the factor had to
+ * be shifted. */
+static gboolean factor_and_solve(TinkerConstraints *all, double *b)
+{
+    gsize bytes = (gsize)all->rows * sizeof(double);
+    all->factored = TRUE;
+    all->shifted = FALSE;
+    all->keeps_factored = TRUE;
+    if (all->redundant == 0) {
+        memcpy(all->residual, b, bytes);
+        assemble(all);
+        if (tinker_sparse_ldl_factor_and_solve(all->ldl, DEPENDENT_PIVOT, b)) return TRUE;
+        memcpy(b, all->residual, bytes);
+    }
+    factor_shifted(all);
+    return FALSE;
+}
+
+int32_t tinker_constraints_count_dependent(TinkerModel *model)
+{
+    TinkerConstraints *all = &model->constraints;
+    assemble(all);
+    all->factored = all->keeps_factored = FALSE;
+    return tinker_sparse_ldl_count_dependent(all->ldl, DEPENDENT_PIVOT, NULL);
+}
+
+/* Loops over rows are written once, for a number of entries that the compiler knows (2, nearly all rows there are) or
+ * not. */
+#define FOR_ROWS(all, LOOP)                                                                                            \
+    do {                                                                                                               \
+        if ((all)->two_entries)                                                                                        \
+            LOOP(2 * row, 2 * row + 2)                                                                                 \
+        else                                                                                                           \
+            LOOP((all)->row_starts[row], (all)->row_starts[row + 1])                                                   \
+    } while (0)
+
+void tinker_constraints_add_impulse(TinkerModel *model, const double *restrict x, double *restrict target)
+{
+    const TinkerConstraints *all = &model->constraints;
+    const double *restrict j = all->jacobian, *restrict inverse_mass = model->inverse_mass;
+    const int32_t *restrict starts = all->body_starts, *restrict entries = all->body_entries;
+    const int32_t *restrict row = all->row_of;
+    int32_t bodies = model->bodies;
+    for (int32_t i = 0; i < bodies; i++) {
+        double px = 0, py = 0;
+        for (int32_t p = starts[i]; p < starts[i + 1]; p++) {
+            int32_t e = entries[p];
+            double force = x[row[e]];
+            px += force * j[2 * e];
+            py += force * j[2 * e + 1];
+        }
+        target[2 * i] += px * inverse_mass[i];
+        target[2 * i + 1] += py * inverse_mass[i];
+    }
+}
+
+void tinker_constraints_rows_times(const TinkerConstraints *all, const double *by_point, double *out)
+{
+    const double *restrict j = all->jacobian;
+    const int32_t *restrict point = all->points;
+#define ROW_TIMES(first, end)                                                                                          \
+    for (int32_t row = 0; row < all->rows; row++) {                                                                    \
+        double sum = 0;                                                                                                \
+        for (int32_t e = (first); e < (end); e++)                                                                      \
+            sum += j[2 * e] * by_point[2 * point[e]] + j[2 * e + 1] * by_point[2 * point[e] + 1];                      \
+        out[row] = sum;                                                                                                \
+    }
+    FOR_ROWS(all, ROW_TIMES);
+#undef ROW_TIMES
+}
+
+void tinker_constraints_rates(const TinkerModel *model, double *out)
+{
+    const TinkerConstraints *all = &model->constraints;
+    const double *restrict j = all->jacobian;
+    const int32_t *restrict point = all->points;
+#define ROW_RATE(first, end)                                                                                           \
+    for (int32_t row = 0; row < all->rows; row++) {                                                                    \
+        double sum = 0;                                                                                                \
+        for (int32_t e = (first); e < (end); e++)                                                                      \
+            sum += j[2 * e] * model->point[point[e]].vx + j[2 * e + 1] * model->point[point[e]].vy;                    \
+        out[row] = sum;                                                                                                \
+    }
+    FOR_ROWS(all, ROW_RATE);
+#undef ROW_RATE
+    for (int32_t row = 0; all->prescribed && row < all->rows; row++)
+        out[row] += all->rate[row];
+}
+
+/* Sets the rows between supports alone to 0, since no multiplier changes them; answers the largest that they asked for. */
+static double drop_rows_without_bodies(const TinkerModel *model, double *b)
+{
+    const TinkerConstraints *all = &model->constraints;
+    double most = 0;
+    for (int32_t row = 0; row < all->rows; row++) {
+        gboolean felt = FALSE;
+        for (int32_t e = all->row_starts[row]; e < all->row_starts[row + 1]; e++)
+            felt |= all->points[e] < model->bodies;
+        if (felt) continue;
+        most = MAX(most, fabs(b[row]));
+        b[row] = 0;
+    }
+    return most;
+}
+
+/* Answers the residual that is left. Stages of a step stand off the constraints by the step's error, where rows that
+ * depend on each other ask for slightly different things: what no multiplier can meet is left over, and does not reach the
+ * accelerations, since J^T annuls it. It ends when the residual is rounding or no longer halves: close to a singular place
+ * that leaves out what would have to be divided by nearly nothing. */
+static double solve_proximally(TinkerModel *model, double *b)
+{
+    TinkerConstraints *all = &model->constraints;
+    double *x = all->residual, *r = all->correction;
+    double dropped = drop_rows_without_bodies(model, b);
+    double scale = tinker_greatest(b, all->rows), before = INFINITY, left = scale;
+    memset(x, 0, (gsize)all->rows * sizeof(double));
+    memcpy(r, b, (gsize)all->rows * sizeof(double));
+    for (int iteration = 0; iteration < MOST_PROXIMAL_ITERATIONS; iteration++) {
+        if (!(left > 1e-15 * scale) || !(left < 0.5 * before)) break;
+        before = left;
+        tinker_sparse_ldl_solve(all->ldl, r);
+        for (int32_t row = 0; row < all->rows; row++)
+            x[row] += r[row];
+        memset(all->by_point, 0, 2 * (gsize)model->points * sizeof(double));
+        tinker_constraints_add_impulse(model, x, all->by_point);
+        tinker_constraints_rows_times(all, all->by_point, r);
+        for (int32_t row = 0; row < all->rows; row++)
+            r[row] = b[row] - r[row];
+        left = tinker_greatest(r, all->rows);
+    }
+    memcpy(b, x, (gsize)all->rows * sizeof(double));
+    return MAX(left, dropped);
+}
+
+/* Where the rows are chains without dependent ones, solves for a demand up to the last pass, with the factor of the rows
+ * evaluated last, or `roughly` with any. FALSE: the general way is left, with a shifted factor where the rows turned out
+ * to depend on each other here. */
+static gboolean solve_chains(TinkerConstraints *all, const TinkerRowDemand *demand, gboolean roughly)
+{
+    if (all->chains == NULL || all->redundant > 0) return FALSE;
+    if (all->factored && ((roughly && !all->shifted) || is_factored(all))) {
+        if (!all->shifted) tinker_row_chains_substitute(all->chains, all->jacobian, demand);
+        return !all->shifted;
+    }
+    all->factored = all->keeps_factored = TRUE;
+    all->shifted = FALSE;
+    if (tinker_row_chains_factor(all->chains, all->jacobian, DEPENDENT_PIVOT, demand)) return TRUE;
+    factor_shifted(all);
+    return FALSE;
+}
+
+void tinker_constraints_begin_look(TinkerModel *model)
+{
+    TinkerConstraints *all = &model->constraints;
+    if (all->rows == 0) return;
+    if (!all->looked) {
+        gsize bytes = 2 * (gsize)all->entries * sizeof(double);
+        memcpy(all->kept_jacobian, all->jacobian, bytes);
+        memcpy(all->kept_factored_jacobian, all->factored_jacobian, bytes);
+        all->kept = (TinkerFactorState){all->factored, all->keeps_factored, all->shifted};
+        all->looked = TRUE;
+    }
+    all->factored = all->keeps_factored = FALSE;
+}
+
+/* The same matrix has the same factor, to the bit. */
+void tinker_constraints_end_look(TinkerModel *model)
+{
+    TinkerConstraints *all = &model->constraints;
+    if (!all->looked) return;
+    gsize bytes = 2 * (gsize)all->entries * sizeof(double);
+    all->looked = FALSE;
+    if (all->kept.factored) {
+        memcpy(all->jacobian, all->kept.keeps_factored ? all->kept_jacobian : all->kept_factored_jacobian, bytes);
+        memset(all->correction, 0, (gsize)all->rows * sizeof(double));
+        all->factored = FALSE;
+        if (all->kept.shifted)
+            factor_shifted(all);
+        else if (!solve_chains(all, &(TinkerRowDemand){.extra = all->correction, .sign = 1}, FALSE))
+            factor_and_solve(all, all->correction);
+    }
+    memcpy(all->jacobian, all->kept_jacobian, bytes);
+    memcpy(all->factored_jacobian, all->kept_factored_jacobian, bytes);
+    all->factored = all->kept.factored;
+    all->keeps_factored = all->kept.keeps_factored;
+    all->shifted = all->kept.shifted;
+}
+
+double tinker_constraints_solve(TinkerModel *model, double *b)
+{
+    TinkerConstraints *all = &model->constraints;
+    if (solve_chains(all, &(TinkerRowDemand){.extra = b, .sign = 1}, FALSE)) {
+        tinker_row_chains_finish(all->chains, all->jacobian, b, NULL, FALSE);
+        return 0;
+    }
+    if (!is_factored(all) && factor_and_solve(all, b)) return 0;
+    if (all->shifted) return solve_proximally(model, b);
+    tinker_sparse_ldl_solve(all->ldl, b);
+    return 0;
+}
+
+void tinker_constraints_newton_step(TinkerModel *model, gboolean roughly)
+{
+    TinkerConstraints *all = &model->constraints;
+    double *displacement = all->displacement; /* 0 on bodies without rows */
+    if (solve_chains(all, &(TinkerRowDemand){.extra = all->g, .sign = -1}, roughly)) {
+        tinker_row_chains_finish(all->chains, all->jacobian, all->lambda, displacement, TRUE);
+        return;
+    }
+    for (int32_t row = 0; row < all->rows; row++)
+        all->lambda[row] = -all->g[row];
+    if (!roughly || !all->factored || all->shifted)
+        tinker_constraints_solve(model, all->lambda);
+    else
+        tinker_sparse_ldl_solve(all->ldl, all->lambda);
+    memset(displacement, 0, 2 * (gsize)model->bodies * sizeof(double));
+    tinker_constraints_add_impulse(model, all->lambda, displacement);
+}
+
+void tinker_constraints_change_speeds(TinkerModel *model, const double *asked, double *v)
+{
+    TinkerConstraints *all = &model->constraints;
+    if (solve_chains(all, &(TinkerRowDemand){.extra = asked, .sign = 1}, FALSE)) {
+        tinker_row_chains_finish(all->chains, all->jacobian, all->lambda, v, FALSE);
+        return;
+    }
+    memcpy(all->lambda, asked, (gsize)all->rows * sizeof(double));
+    tinker_constraints_solve(model, all->lambda);
+    tinker_constraints_add_impulse(model, all->lambda, v);
+}
+
+double tinker_constraints_accelerate(TinkerModel *model, double *a)
+{
+    TinkerConstraints *all = &model->constraints;
+    double *by_point = model->point_acceleration;
+    memcpy(by_point, a, 2 * (gsize)model->bodies * sizeof(double));
+    if (solve_chains(all, &(TinkerRowDemand){by_point, 2, all->drift, -1}, FALSE)) {
+        tinker_row_chains_finish(all->chains, all->jacobian, all->lambda, a, FALSE);
+        return 0;
+    }
+    tinker_constraints_rows_times(all, by_point, all->lambda);
+    for (int32_t row = 0; row < all->rows; row++)
+        all->lambda[row] = -all->lambda[row] - all->drift[row];
+    double left = tinker_constraints_solve(model, all->lambda);
+    tinker_constraints_add_impulse(model, all->lambda, a);
+    return left;
+}
+
+void tinker_constraints_add_power(TinkerModel *model)
+{
+    const TinkerConstraints *all = &model->constraints;
+    for (int32_t row = 0; row < all->rows; row++) {
+        if (all->prescribed) model->book_power[TINKER_BOOK_MOTORS] -= all->lambda[row] * all->rate[row];
+        for (int32_t e = all->row_starts[row]; e < all->row_starts[row + 1]; e++) {
+            if (all->points[e] < model->bodies) continue;
+            const TinkerPoint *at = &model->point[all->points[e]];
+            model->book_power[TINKER_BOOK_SUPPORT_MOTION] -=
+                all->lambda[row] * (all->jacobian[2 * e] * at->vx + all->jacobian[2 * e + 1] * at->vy);
+        }
+    }
+}
+
+TinkerStatus tinker_constraints_errors(TinkerModel *model, double t, const double *q, const double *v, double *position,
+                                       double *velocity)
+{
+    TinkerConstraints *all = &model->constraints;
+    *position = *velocity = 0;
+    if (all->rows == 0) return TINKER_OK;
+    TinkerStatus status = tinker_model_set_time(model, t);
+    if (status != TINKER_OK) return status;
+    tinker_model_set_state(model, q, v);
+    status = tinker_constraints_evaluate(model);
+    if (status != TINKER_OK) return status;
+    tinker_constraints_rates(model, all->residual);
+    for (int32_t row = 0; row < all->rows; row++) {
+        *position = MAX(*position, fabs(all->g[row]) / all->scales[row]);
+        *velocity = MAX(*velocity, fabs(all->residual[row]));
+    }
+    return TINKER_OK;
+}

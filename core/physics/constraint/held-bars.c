@@ -1,0 +1,43 @@
+/* Which rows that keep bars straight are there already by what else holds the bar. */
+#include <string.h>
+
+#include "physics/constraint/constraints.h"
+#include "physics/constraint/straight-bars.h"
+
+/* Of the energy of a push: what is left where the constraints hold against it. */
+#define HELD 1e-9
+/* Times as hard as they are pushed: what holds no better does so by being a little off a straight line alone. */
+#define HARDEST 1e3
+
+/* Whether other constraints hold a push across the bar: by what it moves with them and without, sums of m v^2. */
+static gboolean is_held(TinkerModel *model, const TinkerStraightRow *of, double *v)
+{
+    const int32_t points[3] = {of->first, of->between, of->last};
+    double j[6], freely = 0, held = 0;
+    gboolean moved;
+    tinker_straight_row_gradient(model, of, j);
+    memset(v, 0, 2 * (gsize)model->bodies * sizeof(double));
+    for (int k = 0; k < 6; k++) {
+        if (points[k / 2] >= model->bodies) continue;
+        v[2 * points[k / 2] + k % 2] = j[k] * model->inverse_mass[points[k / 2]];
+        freely += j[k] * j[k] * model->inverse_mass[points[k / 2]];
+    }
+    tinker_constraints_correct_velocities(model, v, TRUE, &moved);
+    for (int32_t i = 0; i < 2 * model->bodies; i++)
+        held += v[i] * v[i] * model->coordinate_mass[i];
+    return held <= HELD * freely && tinker_greatest(model->constraints.lambda, model->constraints.rows) <= HARDEST;
+}
+
+gboolean tinker_straight_rows_drop_held(TinkerModel *model, GArray *rows)
+{
+    TinkerConstraints *all = &model->constraints;
+    for (int32_t row = 0; all->unilateral != NULL && row < all->rows; row++)
+        if (all->unilateral[row]) tinker_constraints_set_slack(model, row, TRUE);
+    gboolean good = tinker_constraints_evaluate(model) == TINKER_OK;
+    g_autofree double *v = g_new0(double, 2 * (gsize)MAX(model->bodies, 1));
+    for (guint i = rows->len; good && i-- > 0;)
+        if (is_held(model, &g_array_index(rows, TinkerStraightRow, i), v)) g_array_remove_index(rows, i);
+    for (int32_t row = 0; all->unilateral != NULL && row < all->rows; row++)
+        if (all->unilateral[row]) tinker_constraints_set_slack(model, row, FALSE);
+    return good;
+}

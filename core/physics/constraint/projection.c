@@ -1,0 +1,204 @@
+/* Bringing a state back onto the constraints: positions by mass-weighted Newton steps
+ *
+ *   S mu = -g,  q <- q + M^-1 J^T mu,
+ *
+ * velocities by the one linear solve S mu = -(J v + dg/dt), v <- v + M^-1 J^T mu. The factor of the last stage of a step
+ * serves the first Newton step: it differs by the stage's error alone, and what is left shows in the next g. */
+#include <float.h>
+#include <glib/gi18n-lib.h>
+#include <math.h>
+#include <string.h>
+
+#include "physics/constraint/constraints.h"
+#include "physics/model/model-data.h"
+
+#define MOST_NEWTON_STEPS 25
+#define ROUNDING_MISS     1e-12
+/* At a singular place (a flat parallelogram) rows depend on each other, Newton steps only halve the miss, and no first-order
+ * step removes the last of it. So much of a row's length may be left there: the motion leaves the place again, and
+ * the next projections mend it. */
+#define SINGULAR_MISS 1e-6
+
+/* Whether g is rounding: of the row's length, or of the coordinates that its ends are made of. */
+static gboolean row_is_met(const TinkerModel *model, int32_t row)
+{
+    const TinkerConstraints *all = &model->constraints;
+    double miss = fabs(all->g[row]), reach = all->scales[row];
+    if (miss <= 4 * DBL_EPSILON * reach) return TRUE;
+    for (int32_t e = all->row_starts[row]; e < all->row_starts[row + 1]; e++) {
+        const TinkerPoint *at = &model->point[all->points[e]];
+        reach = MAX(reach, MAX(fabs(at->x), fabs(at->y)));
+    }
+    return miss <= 4 * DBL_EPSILON * reach;
+}
+
+static gboolean all_met(const TinkerModel *model)
+{
+    if (model->constraints.miss <= 4 * DBL_EPSILON) return TRUE;
+    for (int32_t row = 0; row < model->constraints.rows; row++)
+        if (!row_is_met(model, row)) return FALSE;
+    return TRUE;
+}
+
+static double miss_of(const TinkerConstraints *all, int32_t row)
+{
+    return fabs(all->g[row]) * all->inverse_scales[row];
+}
+
+int32_t tinker_constraints_worst_row(const TinkerModel *model)
+{
+    const TinkerConstraints *all = &model->constraints;
+    int32_t worst = 0;
+    for (int32_t row = 1; row < all->rows; row++)
+        if (miss_of(all, row) > miss_of(all, worst)) worst = row;
+    return worst;
+}
+
+double tinker_constraints_worst_miss(const TinkerModel *model)
+{
+    return model->constraints.miss;
+}
+
+static TinkerStatus not_met(TinkerModel *model)
+{
+    const TinkerConstraints *all = &model->constraints;
+    int32_t worst = tinker_constraints_worst_row(model);
+    g_snprintf(
+        model->failure, sizeof(model->failure),
+        _("%s: no position within reach satisfies it at t = %g s; it misses by %.3g m (the constraints contradict "
+          "each other there, or the step is too large for this motion)"),
+        tinker_scene_block_name(model->scene, all->blocks[worst]), model->time, fabs(all->g[worst]));
+    return TINKER_FAILED;
+}
+
+/* Newton steps do no more: at a singular place a little is left for later. */
+static TinkerStatus stop_short(TinkerModel *model)
+{
+    TinkerConstraints *all = &model->constraints;
+    if (!all->shifted || !(tinker_constraints_worst_miss(model) < SINGULAR_MISS)) return not_met(model);
+    all->gave_way = TRUE;
+    return TINKER_OK;
+}
+
+/* q += displacement. What moving against the applied forces stores is counted with those evaluated last, which stood within a
+ * step's error of here. */
+static void move_positions(TinkerModel *model, double *restrict q)
+{
+    const double *restrict move = model->constraints.displacement, *restrict force = model->force;
+    const double *restrict mass = model->mass, *restrict constant = model->constant_acceleration;
+    double work[2] = {0, 0};
+    for (int32_t i = 0; i < model->bodies; i++)
+        for (int k = 0; k < 2; k++) {
+            work[k] += (force[2 * i + k] + mass[i] * constant[2 * i + k]) * move[2 * i + k];
+            q[2 * i + k] += move[2 * i + k];
+        }
+    model->constraints.work -= work[0] + work[1];
+}
+
+/* Evaluates the rows at a place, and answers whether another Newton step is wanted. FALSE: *status is the answer. `before` is
+ * the miss of the step before, at first INFINITY. */
+static gboolean wants_step(TinkerModel *model, const double *q, const double *v, double *before, TinkerStatus *status)
+{
+    tinker_model_set_state(model, q, v);
+    *status = tinker_constraints_evaluate(model);
+    if (*status != TINKER_OK || all_met(model)) return FALSE;
+    double miss = tinker_constraints_worst_miss(model);
+    /* Rounding may keep a row just above its bound; no step can then do better. */
+    if (!(miss < 0.5 * *before) && miss < ROUNDING_MISS) return FALSE;
+    if (!(miss < 4.0 * *before)) {
+        *status = stop_short(model);
+        return FALSE;
+    }
+    *before = miss;
+    return TRUE;
+}
+
+TinkerStatus tinker_constraints_project_positions(TinkerModel *model, double t, double *q, const double *v,
+                                                  gboolean *moved)
+{
+    TinkerConstraints *all = &model->constraints;
+    double before = INFINITY;
+    *moved = FALSE;
+    all->work = 0;
+    TinkerStatus status = tinker_model_set_time(model, t);
+    if (status != TINKER_OK) return status;
+    for (int step = 0; step < MOST_NEWTON_STEPS; step++) {
+        if (!wants_step(model, q, v, &before, &status)) return status;
+        tinker_constraints_newton_step(model, step == 0);
+        move_positions(model, q);
+        *moved = TRUE;
+    }
+    return stop_short(model);
+}
+
+/* The impulse mu gives mu . J (v + dv / 2), and J dv = -(J v + rate). */
+static double work_of_impulse(const TinkerConstraints *all, const double *mu, const double *asked)
+{
+    double sum = 0;
+    for (int32_t row = 0; row < all->rows; row++) {
+        double rate = all->prescribed ? all->rate[row] : 0.0;
+        sum -= mu[row] * (0.5 * asked[row] + rate);
+    }
+    return sum;
+}
+
+double tinker_constraints_correct_velocities(TinkerModel *model, double *v, gboolean homogeneous, gboolean *moved)
+{
+    TinkerConstraints *all = &model->constraints;
+    double *asked = all->asked;
+    *moved = FALSE;
+    if (homogeneous) {
+        memcpy(all->by_point, v, 2 * (gsize)model->bodies * sizeof(double));
+        memset(all->by_point + 2 * model->bodies, 0, 2 * (gsize)(model->points - model->bodies) * sizeof(double));
+        tinker_constraints_rows_times(all, all->by_point, asked);
+    } else {
+        tinker_constraints_rates(model, asked);
+    }
+    double most = tinker_greatest(asked, all->rows);
+    if (most == 0 || most <= 2 * DBL_EPSILON * tinker_greatest(v, 2 * model->bodies)) return 0;
+    for (int32_t row = 0; row < all->rows; row++)
+        asked[row] = -asked[row];
+    *moved = TRUE;
+    tinker_constraints_change_speeds(model, asked, v);
+    return work_of_impulse(all, all->lambda, asked);
+}
+
+TinkerStatus tinker_constraints_project_velocities(TinkerModel *model, double t, const double *q, double *v,
+                                                   gboolean homogeneous, gboolean *moved)
+{
+    *moved = FALSE;
+    TinkerStatus status = tinker_model_set_time(model, t);
+    if (status != TINKER_OK) return status;
+    tinker_model_set_state(model, q, v);
+    status = tinker_constraints_evaluate(model);
+    if (status == TINKER_OK) tinker_constraints_correct_velocities(model, v, homogeneous, moved);
+    return status;
+}
+
+/* Newton steps with the matrix of the old place: the direction J(q_from)^T is what makes the method symmetric, and the
+ * matrix differs from the exact one by the turning of a step. */
+TinkerStatus tinker_constraints_rattle(TinkerModel *model, double t_from, const double *q_from, double t, double h,
+                                       double *q, double *v)
+{
+    TinkerConstraints *all = &model->constraints;
+    TinkerStatus status = tinker_model_set_time(model, t_from);
+    if (status != TINKER_OK) return status;
+    tinker_model_set_state(model, q_from, v);
+    status = tinker_constraints_evaluate(model);
+    if (status != TINKER_OK) return status;
+    memcpy(all->turned, all->jacobian, 2 * (gsize)all->entries * sizeof(double));
+    double *displacement = all->displacement;
+    double before = INFINITY;
+    status = tinker_model_set_time(model, t);
+    if (status != TINKER_OK) return status;
+    for (int step = 0; step < 2 * MOST_NEWTON_STEPS; step++) {
+        if (!wants_step(model, q, v, &before, &status)) return status;
+        memcpy(all->jacobian, all->turned, 2 * (gsize)all->entries * sizeof(double));
+        tinker_constraints_newton_step(model, FALSE);
+        for (int32_t i = 0; i < 2 * model->bodies; i++) {
+            q[i] += displacement[i];
+            v[i] += displacement[i] / h;
+        }
+    }
+    return stop_short(model);
+}

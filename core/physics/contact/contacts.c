@@ -1,0 +1,334 @@
+/* What may touch what: compiling, and the list of the equations of closed contacts. */
+#include "physics/contact/contacts.h"
+
+#include <glib/gi18n-lib.h>
+#include <math.h>
+
+#include "physics/model/disjoint-sets.h"
+#include "physics/model/model-data.h"
+
+static int32_t shape_of(const TinkerBlockBatch *batch)
+{
+    const TinkerPhysics *physics = batch->block_class->physics;
+    return physics != NULL && physics->body != NULL ? physics->body->shape : TINKER_SHAPE_NONE;
+}
+
+static gboolean is_solid(const TinkerBlockBatch *batch, int32_t row)
+{
+    return tinker_block_batch_meaning(batch, row, TINKER_MEANING_SOLID, 0, 1) != 0 &&
+           tinker_block_batch_meaning(batch, row, TINKER_MEANING_WIDTH, 0, 0) > 0;
+}
+
+static void add_plate(TinkerContacts *contacts, const TinkerBlockBatch *batch, int32_t row)
+{
+    double angle = tinker_block_batch_meaning(batch, row, TINKER_MEANING_ORIENTATION, 0, 0);
+    TinkerPlate *plate = &contacts->plates[contacts->plate_count++];
+    *plate = (TinkerPlate){
+        .block = batch->ids[row],
+        .point = contacts->model->centre_point[batch->ids[row]],
+        .orientation = angle,
+        .normal = {-sin(angle), cos(angle)},
+        .half_height = 0.5 * tinker_block_batch_meaning(batch, row, TINKER_MEANING_HEIGHT, 0, 0),
+        .half_width = 0.5 * tinker_block_batch_meaning(batch, row, TINKER_MEANING_WIDTH, 0, 0),
+        .static_friction = tinker_block_batch_meaning(batch, row, TINKER_MEANING_STATIC_FRICTION, 0, 0),
+        .dynamic_friction = tinker_block_batch_meaning(batch, row, TINKER_MEANING_DYNAMIC_FRICTION, 0, 0),
+        .restitution = tinker_block_batch_meaning(batch, row, TINKER_MEANING_RESTITUTION, 0, 0),
+    };
+    plate->moving = g_array_index(contacts->model->support_points, TinkerSupportPoint,
+                                  (guint)(plate->point - contacts->model->bodies))
+                        .moving;
+    contacts->moving_plates += plate->moving;
+}
+
+/* How many plates are solid, and whether any body has a shape. */
+static int32_t count_plates(const TinkerModel *model, gboolean *any_body)
+{
+    int32_t plates = 0;
+    for (guint i = 0; i < model->batches->len; i++) {
+        const TinkerBlockBatch *batch = g_ptr_array_index(model->batches, i);
+        if (shape_of(batch) == TINKER_SHAPE_BOX && batch->count > 0) *any_body = TRUE;
+        for (int32_t row = 0; shape_of(batch) == TINKER_SHAPE_PLATE && row < batch->count; row++)
+            plates += is_solid(batch, row);
+    }
+    return plates;
+}
+
+static void find_shapes(TinkerContacts *contacts, gboolean any_body)
+{
+    const TinkerModel *model = contacts->model;
+    for (int32_t i = 0; i < model->bodies; i++)
+        contacts->half_height[i] = NAN;
+    for (guint i = 0; i < model->batches->len; i++) {
+        const TinkerBlockBatch *batch = g_ptr_array_index(model->batches, i);
+        for (int32_t row = 0; row < batch->count; row++) {
+            int32_t point = model->centre_point[batch->ids[row]];
+            if (shape_of(batch) == TINKER_SHAPE_BOX && point >= 0 && point < model->bodies)
+                contacts->half_height[point] =
+                    0.5 * tinker_block_batch_meaning(batch, row, TINKER_MEANING_HEIGHT, 0, 0);
+            else if (any_body && shape_of(batch) == TINKER_SHAPE_PLATE && is_solid(batch, row))
+                add_plate(contacts, batch, row);
+        }
+    }
+}
+
+/* What constraints tie together, known by the first of them. */
+static void find_groups(TinkerContacts *contacts)
+{
+    const TinkerModel *model = contacts->model;
+    const TinkerConstraints *all = &model->constraints;
+    tinker_sets_begin(contacts->group, model->bodies);
+    for (int32_t row = 0; row < all->rows; row++) {
+        int32_t first = -1;
+        for (int32_t e = all->row_starts[row]; e < all->row_starts[row + 1]; e++) {
+            if (all->points[e] >= model->bodies) continue;
+            contacts->held[all->points[e]] = TRUE;
+            if (first >= 0) tinker_sets_join(contacts->group, first, all->points[e]);
+            first = all->points[e];
+        }
+    }
+    for (int32_t i = 0; i < model->bodies; i++)
+        contacts->group[i] = tinker_sets_first(contacts->group, i);
+}
+
+static void block_clear(gpointer data)
+{
+    TinkerContactBlock *block = data;
+    tinker_dense_solve_free(block->solve[FALSE]);
+    tinker_dense_solve_free(block->solve[TRUE]);
+}
+
+static void measure_thickness(TinkerContacts *contacts)
+{
+    double plate = 0, body = 0;
+    for (int32_t i = 0; i < contacts->plate_count; i++)
+        plate = fmax(plate, contacts->plates[i].half_height);
+    for (int32_t i = 0; i < contacts->model->bodies; i++)
+        body = fmax(body, contacts->half_height[i]); /* fmax passes over what is no number */
+    contacts->thickness = plate + body;
+}
+
+/* Those that contacts write into: which books there are does not change in a run. */
+static void open_books(TinkerContacts *contacts)
+{
+    TinkerModel *model = contacts->model;
+    for (int32_t k = 0; k < contacts->plate_count; k++) {
+        const TinkerPlate *plate = &contacts->plates[k];
+        if (plate->dynamic_friction > 0) model->has_book[TINKER_BOOK_FRICTION] = TRUE;
+        if (plate->moving) model->has_book[TINKER_BOOK_SUPPORT_MOTION] = model->more_than_lines = TRUE;
+    }
+}
+
+TinkerContacts *tinker_contacts_new(TinkerModel *model)
+{
+    gboolean any_body = FALSE;
+    int32_t plates = count_plates(model, &any_body);
+    if (!any_body) plates = 0;
+    if (plates == 0 && model->constraints.unilateral == NULL) return NULL;
+    TinkerContacts *contacts = g_new0(TinkerContacts, 1);
+    contacts->model = model;
+    contacts->plates = g_new0(TinkerPlate, MAX(plates, 1));
+    contacts->half_height = g_new0(double, MAX(model->bodies, 1));
+    contacts->held = g_new0(gboolean, MAX(model->bodies, 1));
+    contacts->group = g_new0(int32_t, MAX(model->bodies, 1));
+    contacts->closed = g_array_new(FALSE, TRUE, sizeof(TinkerContact));
+    contacts->rows = g_array_new(FALSE, TRUE, sizeof(TinkerContactRow));
+    contacts->simple = g_array_new(FALSE, TRUE, sizeof(int32_t));
+    contacts->blocks = g_array_new(FALSE, TRUE, sizeof(TinkerContactBlock));
+    g_array_set_clear_func(contacts->blocks, block_clear);
+    contacts->column = g_new0(double, 2 * (gsize)MAX(model->bodies, 1));
+    contacts->before = g_new0(double, 2 * (gsize)MAX(model->bodies, 1));
+    contacts->accelerations = g_new0(double, 2 * (gsize)MAX(model->bodies, 1));
+    find_shapes(contacts, any_body);
+    find_groups(contacts);
+    measure_thickness(contacts);
+    open_books(contacts);
+    return contacts;
+}
+
+void tinker_contacts_free(TinkerContacts *contacts)
+{
+    if (contacts == NULL) return;
+    g_array_unref(contacts->closed);
+    g_array_unref(contacts->rows);
+    g_array_unref(contacts->simple);
+    g_array_unref(contacts->blocks);
+    gpointer arrays[] = {contacts->plates,   contacts->half_height, contacts->held,          contacts->group,
+                         contacts->delassus, contacts->demand,      contacts->accelerations, contacts->column,
+                         contacts->before,   contacts->base};
+    for (gsize i = 0; i < G_N_ELEMENTS(arrays); i++)
+        g_free(arrays[i]);
+    g_free(contacts);
+}
+
+gboolean tinker_contacts_touch(const TinkerContacts *contacts)
+{
+    for (int32_t body = 0; body < contacts->model->bodies; body++)
+        for (int32_t k = 0; k < contacts->plate_count; k++) {
+            TinkerContactPlace place = tinker_contact_place(contacts, body, k);
+            double beside = fabs(place.along) - contacts->plates[k].half_width;
+            double still = 1e-12 * fabs(place.tangential_speed);
+            if (fabs(place.gap) <= TINKER_TOUCHING && beside <= TINKER_TOUCHING && place.normal_speed <= still)
+                return TRUE;
+        }
+    return FALSE;
+}
+
+double tinker_contacts_extent(const TinkerContacts *contacts)
+{
+    double extent = 0;
+    for (guint i = 0; i < contacts->closed->len; i++) {
+        const TinkerContact *contact = tinker_contacts_closed(contacts, i);
+        const TinkerPoint *at = &contacts->model->point[contact->body];
+        const TinkerPoint *base = &contacts->model->point[contacts->plates[contact->plate].point];
+        extent = fmax(extent, hypot(at->x - base->x, at->y - base->y));
+    }
+    return extent;
+}
+
+/* Equations -------------------------------------------------------------------------------------------------------- */
+
+static int by_body(const void *left, const void *right)
+{
+    const TinkerContact *l = left, *r = right;
+    if (l->body != r->body) return l->body < r->body ? -1 : 1;
+    return l->plate < r->plate ? -1 : l->plate > r->plate;
+}
+
+static gboolean stands_alone(const TinkerContacts *contacts, guint number)
+{
+    const GArray *closed = contacts->closed;
+    int32_t body = g_array_index(closed, TinkerContact, number).body;
+    if (contacts->held[body]) return FALSE;
+    if (number > 0 && g_array_index(closed, TinkerContact, number - 1).body == body) return FALSE;
+    return number + 1 == closed->len || g_array_index(closed, TinkerContact, number + 1).body != body;
+}
+
+static void add_rows(TinkerContacts *contacts, int32_t number)
+{
+    const TinkerContact *contact = tinker_contacts_closed(contacts, (guint)number);
+    const TinkerPlate *plate = &contacts->plates[contact->plate];
+    double nx = plate->normal[0], ny = plate->normal[1], share = tinker_contact_slip_share(plate, contact->mode);
+    double weight = sqrt(contacts->model->mass[contact->body]);
+    TinkerContactRow normal = {number, FALSE, {nx, ny}, {nx + share * ny, ny - share * nx}, weight};
+    g_array_append_val(contacts->rows, normal);
+    if (contact->mode != TINKER_CONTACT_STICK) return;
+    TinkerContactRow tangential = {number, TRUE, {ny, -nx}, {ny, -nx}, weight};
+    g_array_append_val(contacts->rows, tangential);
+}
+
+static int32_t group_of(const TinkerContacts *contacts, guint row)
+{
+    int32_t contact = g_array_index(contacts->rows, TinkerContactRow, row).contact;
+    return contacts->group[tinker_contacts_closed(contacts, (guint)contact)->body];
+}
+
+static int by_group(const void *left, const void *right, void *data)
+{
+    const TinkerContactRow *l = left, *r = right;
+    const TinkerContacts *contacts = data;
+    int32_t of_l = contacts->group[tinker_contacts_closed(contacts, (guint)l->contact)->body];
+    int32_t of_r = contacts->group[tinker_contacts_closed(contacts, (guint)r->contact)->body];
+    if (of_l != of_r) return of_l < of_r ? -1 : 1;
+    if (l->contact != r->contact) return l->contact < r->contact ? -1 : 1;
+    return l->tangential - r->tangential;
+}
+
+/* FALSE: no memory. */
+static gboolean add_block(TinkerContacts *contacts, guint first, guint count)
+{
+    const int32_t contact = g_array_index(contacts->rows, TinkerContactRow, first).contact;
+    TinkerContactBlock block = {.first = (int32_t)first, .count = (int32_t)count};
+    block.held = contacts->held[tinker_contacts_closed(contacts, (guint)contact)->body];
+    for (int moves = FALSE; moves <= TRUE; moves++)
+        block.solve[moves] = tinker_dense_solve_new(block.count);
+    g_array_append_val(contacts->blocks, block);
+    return block.solve[FALSE] != NULL && block.solve[TRUE] != NULL;
+}
+
+/* Rows of one group stand together and are solved together. Answers the rows of the largest; 0: no memory. */
+static gsize find_blocks(TinkerContacts *contacts)
+{
+    gsize most = 1;
+    g_array_sort_with_data(contacts->rows, by_group, contacts);
+    for (guint first = 0, end; first < contacts->rows->len; first = end) {
+        int32_t group = group_of(contacts, first);
+        for (end = first + 1; end < contacts->rows->len && group_of(contacts, end) == group;)
+            end++;
+        if (!add_block(contacts, first, end - first)) return 0;
+        most = MAX(most, end - first);
+    }
+    return most;
+}
+
+/* What it held is not kept. FALSE: no memory. */
+static gboolean make_room(double **array, gsize count)
+{
+    g_free(*array);
+    *array = g_try_new(double, count);
+    return *array != NULL;
+}
+
+/* FALSE: no memory. */
+static gboolean allot_rows(TinkerContacts *contacts)
+{
+    const gsize rows = contacts->rows->len, most = rows > 0 ? find_blocks(contacts) : 1;
+    if (rows == 0) return TRUE;
+    if (most == 0 || !make_room(&contacts->delassus, most * most) || !make_room(&contacts->demand, rows) ||
+        !make_room(&contacts->base, rows))
+        return FALSE;
+    tinker_contacts_take_shares(contacts);
+    return TRUE;
+}
+
+void tinker_contacts_take_shares(TinkerContacts *contacts)
+{
+    for (guint i = 0; i < contacts->rows->len; i++) {
+        const TinkerContactRow *row = &g_array_index(contacts->rows, TinkerContactRow, i);
+        const TinkerContact *contact = tinker_contacts_closed(contacts, (guint)row->contact);
+        contacts->base[i] = (row->tangential ? contact->base_friction : contact->base_normal) / row->weight;
+    }
+}
+
+static void clear_rows(TinkerContacts *contacts)
+{
+    g_array_set_size(contacts->rows, 0);
+    g_array_set_size(contacts->simple, 0);
+    g_array_set_size(contacts->blocks, 0);
+    contacts->any_slip_friction = FALSE;
+    contacts->model->book_power[TINKER_BOOK_FRICTION] = 0;
+}
+
+TinkerStatus tinker_contacts_list_rows(TinkerContacts *contacts)
+{
+    g_array_sort(contacts->closed, by_body);
+    clear_rows(contacts);
+    for (guint i = 0; i < contacts->closed->len; i++) {
+        const TinkerContact *contact = tinker_contacts_closed(contacts, i);
+        int32_t number = (int32_t)i;
+        if (tinker_contact_slip_share(&contacts->plates[contact->plate], contact->mode) != 0)
+            contacts->any_slip_friction = TRUE;
+        if (stands_alone(contacts, i))
+            g_array_append_val(contacts->simple, number);
+        else
+            add_rows(contacts, number);
+    }
+    if (allot_rows(contacts)) return TINKER_OK;
+    const gsize count = contacts->closed->len;
+    tinker_contacts_open_all(contacts);
+    return tinker_contacts_lack_memory(contacts, count);
+}
+
+void tinker_contacts_open_all(TinkerContacts *contacts)
+{
+    g_array_set_size(contacts->closed, 0);
+    clear_rows(contacts);
+}
+
+TinkerStatus tinker_contacts_lack_memory(const TinkerContacts *contacts, gsize count)
+{
+    TinkerModel *model = contacts->model;
+    model->lacks_memory = TRUE;
+    g_snprintf(model->failure, sizeof(model->failure),
+               _("there is no memory for the equations of %zu contacts at once"), count);
+    return TINKER_FAILED;
+}

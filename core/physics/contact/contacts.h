@@ -1,0 +1,194 @@
+/* Contact of bodies with the solid tops of plates, with Coulomb friction.
+ *
+ * A body is a point that stands off what it touches by half its height; a plate is a segment with one solid side:
+ *
+ *     gap   = n . (x - c) - top,   n the plate's normal, c its centre, top = (height of plate + height of body) / 2
+ *     along = t . (x - c),         t = (n_y, -n_x), the plate's own +x; over the plate where |along| <= width / 2
+ *
+ * A contact is closed while the body rests on the top or slides along it. Which contacts are closed and whether they stick
+ * changes at events alone (contact-change-private.h); between them closed contacts are equations, solved here together with the
+ * constraint rows:
+ *
+ *     n . (a - a_c) = 0;   sticking: t . (a - a_c) = 0;   slipping: friction -mu N sign(u_t) along t.
+ *
+ * Bodies that no constraint holds and that touch one plate are solved one by one in closed form; the others together, by the
+ * Delassus matrix of their contacts, W = C P M^-1 D, with P the projection onto the motions that the constraints allow. */
+#ifndef TINKER_CORE_CONTACTS_H
+#define TINKER_CORE_CONTACTS_H
+
+#include "numerics/contact-laws.h"
+#include "numerics/dense-solve.h"
+#include "physics/model/model-data.h"
+#include "scene/overlaps.h"
+
+/* A start that slides along a top slower than this share of the largest speed may stick. */
+#define TINKER_START_SLOW 1e-9
+
+typedef struct {
+    TinkerBlockId block;
+    int32_t point;                 /* of its centre */
+    double orientation, normal[2]; /* rad; out of the solid side */
+    double half_height, half_width;
+    double static_friction, dynamic_friction, restitution;
+    gboolean moving;
+} TinkerPlate;
+
+typedef struct {
+    int32_t body, plate;
+    TinkerContactMode mode;  /* not OPEN */
+    double anchor;           /* along the top, of one that sticks */
+    gboolean starts;         /* slips, and has no speed yet that tells which way */
+    double normal, friction; /* N, on the body along n and t: as worked out last */
+    /* Where contacts hold a body more than once nothing determines how they share its load: the share stays as near to this
+     * one (N) as the load allows, which the laws of contact gave. */
+    double base_normal, base_friction;
+} TinkerContact;
+
+/* One equation of the closed contacts that are solved together: `row` is what it keeps at 0, `force` the direction of the
+ * force that does so. */
+typedef struct {
+    int32_t contact;
+    gboolean tangential;
+    double row[2], force[2];
+    double weight; /* root of the body's mass: W is scaled by it to about 1 */
+} TinkerContactRow;
+
+/* Rows of one group of bodies, behind one another: no other row changes what they ask for. */
+typedef struct {
+    int32_t first, count;
+    gboolean held;              /* W changes with the constraints; else it is factored once */
+    TinkerDenseSolve *solve[2]; /* W with the directions of the rows' forces; with those of the rows themselves */
+    gboolean factored[2];
+} TinkerContactBlock;
+
+struct _TinkerContacts {
+    TinkerModel *model;
+    int32_t plate_count, moving_plates;
+    double thickness;   /* m: the largest half heights of a plate and a body */
+    double plate_speed; /* m/s: of moving plates, the largest so far */
+    TinkerPlate *plates;
+    double *half_height; /* of each body; NAN: it touches nothing */
+    gboolean *held;      /* by body: a constraint acts on it */
+    int32_t *group;      /* by body: the first body of those that constraints tie to it; contacts of one group are
+                            decided together */
+
+    GArray *closed;    /* of TinkerContact, by body, then by plate */
+    gboolean impulses; /* act on them, step by step (impulse.h): they are no equations, and have none */
+    GArray *simple;    /* of int32_t: numbers of closed contacts that are solved one by one */
+    GArray *rows;      /* of TinkerContactRow: the others' equations */
+    gboolean any_slip_friction;
+
+    /* working state; what depends on the rows is allotted when they change */
+    GArray *blocks;                          /* of TinkerContactBlock */
+    double *delassus, *demand, *base;        /* of the largest block, rows x rows; of all rows; likewise */
+    double *column, *accelerations, *before; /* 2 per body */
+    gint64 evaluations;                      /* of closed contacts, ever: 0 where nothing touched */
+};
+
+/* The contacts that a model may have; NULL where no plate is solid or no body has a shape, and no constraint holds in one
+ * direction only. (transfer full) */
+TinkerContacts *tinker_contacts_new(TinkerModel *model);
+void tinker_contacts_free(TinkerContacts *contacts);
+
+/* Where a body is as seen from a plate, for the state in the model's points. */
+typedef struct {
+    double gap, along;                     /* m */
+    double normal_speed, tangential_speed; /* m/s, relative to the plate */
+} TinkerContactPlace;
+
+static inline TinkerContactPlace tinker_contact_place(const TinkerContacts *contacts, int32_t body, int32_t number)
+{
+    const TinkerPlate *plate = &contacts->plates[number];
+    const TinkerPoint *at = &contacts->model->point[body], *centre = &contacts->model->point[plate->point];
+    const double dx = at->x - centre->x, dy = at->y - centre->y, ux = at->vx - centre->vx, uy = at->vy - centre->vy;
+    const double nx = plate->normal[0], ny = plate->normal[1];
+    return (TinkerContactPlace){nx * dx + ny * dy - (plate->half_height + contacts->half_height[body]),
+                                ny * dx - nx * dy, nx * ux + ny * uy, ny * ux - nx * uy};
+}
+
+/* Whether any body touches a plate, and does not part from it, for the state in the points. */
+gboolean tinker_contacts_touch(const TinkerContacts *contacts);
+
+/* Whether two tops guide a body: they face each other, and are as far apart as it is high, to within TINKER_TOUCHING, for
+ * the places and motions of the supports in the points. */
+gboolean tinker_contacts_are_guide(const TinkerContacts *contacts, int32_t body, int32_t a, int32_t b);
+/* Whether a plate and one that a body lies on guide it: a way from one to the other there is none. */
+gboolean tinker_contacts_is_guided(const TinkerContacts *contacts, int32_t body, int32_t plate);
+
+/* The greatest distance (m) of a body from the centre of a plate that it rests on, for the state in the points: what places are
+ * measured from. 0 where no contact is closed. */
+double tinker_contacts_extent(const TinkerContacts *contacts);
+
+/* Friction along t over the normal force, of a contact that slips. */
+static inline double tinker_contact_slip_share(const TinkerPlate *plate, TinkerContactMode mode)
+{
+    if (mode == TINKER_CONTACT_SLIP_FORWARD) return -plate->dynamic_friction;
+    return mode == TINKER_CONTACT_SLIP_BACKWARD ? plate->dynamic_friction : 0.0;
+}
+
+/* Whether the foot of a body is over the plate. At the very end, within `tolerance` (m), one that moves on off it is not. */
+static inline gboolean tinker_contact_is_over(const TinkerPlate *plate, const TinkerContactPlace *place,
+                                              double tolerance)
+{
+    double beyond = fabs(place->along) - plate->half_width;
+    return beyond <= -tolerance || (beyond <= tolerance && place->along * place->tangential_speed <= 0);
+}
+
+static inline TinkerContact *tinker_contacts_closed(const TinkerContacts *contacts, guint number)
+{
+    return &g_array_index(contacts->closed, TinkerContact, number);
+}
+
+/* Whether there are equations of contact to be solved at all. */
+static inline gboolean tinker_contacts_act(const TinkerContacts *contacts)
+{
+    return G_UNLIKELY(contacts != NULL && contacts->closed->len > 0 && !contacts->impulses);
+}
+
+/* Sorts the closed contacts and lists their equations: after any change of them. Where there is no memory for the equations, none is
+ * closed any more, and that is recorded as below. */
+TinkerStatus tinker_contacts_list_rows(TinkerContacts *contacts);
+/* Opens all, so that there are no equations. */
+void tinker_contacts_open_all(TinkerContacts *contacts);
+/* Takes over the shares of the load (base_normal, base_friction) of contacts whose equations are listed. */
+void tinker_contacts_take_shares(TinkerContacts *contacts);
+/* Records that there is no memory for the equations of so many contacts at once, as the model's failure. Answers TINKER_FAILED. */
+TinkerStatus tinker_contacts_lack_memory(const TinkerContacts *contacts, gsize count);
+
+/* Between events, for the state in the points. ------------------------------------------------------------------- */
+
+/* a = M^-1 f becomes the acceleration with constraints, whose rows were evaluated, and closed contacts, whose forces are
+ * noted. */
+void tinker_contacts_accelerate(TinkerContacts *contacts, double *a);
+/* Adds what friction takes and what moving plates give to model->book_power, for the forces worked out last. */
+void tinker_contacts_add_power(TinkerContacts *contacts);
+/* Adds M^-1 times the friction of slipping contacts, as worked out last, to a. */
+void tinker_contacts_add_friction(const TinkerContacts *contacts, double *a);
+
+/* These bring a state onto closed contacts and constraints, as tinker_constraints_project_positions and its neighbours do
+ * for constraints alone. Of positions the energy (J) that it gave is left in *work; of velocities it is answered. */
+TinkerStatus tinker_contacts_project_positions(TinkerContacts *contacts, double t, double *q, const double *v,
+                                               gboolean *moved, double *work);
+double tinker_contacts_correct_velocities(TinkerContacts *contacts, double *v, gboolean homogeneous, gboolean *moved);
+TinkerStatus tinker_contacts_rattle(TinkerContacts *contacts, double t_from, const double *q_from, double t, double h,
+                                    double *q, double *v);
+
+/* At events. ----------------------------------------------------------------------------------------------------- */
+
+/* The Delassus matrix (2m x 2m, see numerics/contact-laws.h) of m contacts, whatever their modes, for the constraint rows
+ * evaluated last. */
+void tinker_contacts_delassus(TinkerContacts *contacts, const TinkerContact *touching, int32_t count, double *delassus);
+/* v += what an impulse on a body does to all of them, constraints included. */
+void tinker_contacts_push(TinkerContacts *contacts, int32_t body, double px, double py, double *v);
+
+/* The first body of a constraint row; -1 for none. */
+int32_t tinker_contacts_row_body(const TinkerContacts *contacts, int32_t row);
+/* v += what the multiplier `lambda` of a row that holds in one direction only, slack or not, does to all bodies. */
+void tinker_contacts_pull(TinkerContacts *contacts, int32_t row, double lambda, double *v);
+/* Adds what the constraints answer to the change of velocities in constraints.by_point. */
+void tinker_contacts_let_constraints_answer(TinkerContacts *contacts, double *v);
+
+/* What contacts do to the points of bodies and plates, for the sampler: normal force, friction, fx, fy of each point. */
+void tinker_contacts_sum_forces(const TinkerContacts *contacts, double *by_point);
+
+#endif

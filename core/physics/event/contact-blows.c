@@ -1,0 +1,174 @@
+/* Impacts at an event. */
+#include <glib/gi18n-lib.h>
+#include <math.h>
+
+#include "physics/contact/contacts.h"
+#include "physics/event/contact-change-private.h"
+#include "physics/force/forces.h"
+#include "physics/model/model.h"
+
+/* A rebound below this share of the largest speed ends in rest, but for one that loses nothing. */
+#define LEAST_REBOUND 1e-6
+/* What closes faster than this share of the largest speed after an impact cannot be kept out. */
+#define SQUEEZED 1e-6
+
+/* What contacts take goes into their book, the rest is by what moves. */
+gboolean tinker_change_push_all(TinkerContactChange *change, const double *impulses)
+{
+    TinkerModel *model = change->model;
+    TinkerContactRun *self = change->run;
+    double *v = self->run->state.v, *work = self->run->system.impact_work;
+    g_autofree double *before = g_memdup2(v, 2 * (gsize)model->bodies * sizeof(double));
+    g_autofree TinkerContactPlace *was = g_new(TinkerContactPlace, change->touches->len);
+    for (guint i = 0; i < change->touches->len; i++) {
+        was[i] = tinker_touch(change, i)->place;
+        if (impulses[2 * i] != 0 || impulses[2 * i + 1] != 0)
+            tinker_change_push(change, i, impulses[2 * i], impulses[2 * i + 1], v);
+    }
+    if (tinker_change_set_state(change) != TINKER_OK) return FALSE;
+    tinker_change_measure(change);
+    double rest = tinker_model_kinetic_change(model, before, v);
+    for (guint i = 0; i < change->touches->len; i++) {
+        const TinkerContactPlace *is = &tinker_touch(change, i)->place;
+        double taken = 0.5 * impulses[2 * i] * (was[i].normal_speed + is->normal_speed) +
+                       0.5 * impulses[2 * i + 1] * (was[i].tangential_speed + is->tangential_speed);
+        work[TINKER_BOOK_CONTACTS] += taken;
+        rest -= taken;
+    }
+    work[model->moving_supports > 0 ? TINKER_BOOK_SUPPORT_MOTION : TINKER_BOOK_CONTACTS] += rest;
+    self->last_impact = self->run->state.t;
+    return TRUE;
+}
+
+static double restitution_of(const TinkerContactChange *change, guint number)
+{
+    const TinkerPlate *plate = tinker_touch_plate(change, number);
+    return plate != NULL ? plate->restitution : 0;
+}
+
+/* Rebounds below this (m/s) are none. Without any loss along the normal a bounce never ends, but where something else takes
+ * energy: friction, to and fro between rough plates, or a damper or the air on the way. */
+static double least_rebound(const TinkerContactChange *change, guint number)
+{
+    const TinkerPlate *plate = tinker_touch_plate(change, number);
+    if (restitution_of(change, number) < 1) return fmax(LEAST_REBOUND * change->speed, change->least_rise);
+    gboolean between = change->run->neighbours.lists[tinker_touch(change, number)->contact.body]->len > 1;
+    gboolean damped = change->model->lines.any_damping || change->model->field_drag != 0;
+    return damped || (between && plate->dynamic_friction > 0) ? LEAST_REBOUND * change->speed : 0;
+}
+
+/* Parts, but too slowly to be seen. */
+static gboolean lingers(const TinkerContactChange *change, guint number)
+{
+    double speed = tinker_touch(change, number)->place.normal_speed;
+    return speed > TINKER_STILL * change->speed && speed < least_rebound(change, number);
+}
+
+static gboolean rests(const TinkerContactChange *change, guint number)
+{
+    return tinker_touch(change, number)->place.normal_speed < least_rebound(change, number);
+}
+
+/* The equations of the normal impulses, `first`, that take away the speeds of what rests. */
+static void fill_resting(const TinkerContactChange *change, TinkerContactLaws *laws, double *matrix)
+{
+    const gsize m = laws->count;
+    for (guint i = 0; i < m; i++) {
+        for (guint k = 0; k < m; k++)
+            matrix[i * m + k] = rests(change, i) && rests(change, k) ? laws->delassus[2 * i * 2 * m + 2 * k] : i == k;
+        laws->first[i] = rests(change, i) ? -tinker_touch(change, i)->place.normal_speed : 0;
+    }
+}
+
+/* Bodies that constraints couple may strike by turns, each blow throwing up the other less and less, infinitely often in
+ * finite time: what parts too slowly to be seen does not part. Taking speeds away along normals takes energy only. */
+static gboolean settle(TinkerContactChange *change)
+{
+    const gsize m = change->touches->len;
+    g_auto(TinkerContactLaws) laws = {0};
+    gboolean any = FALSE;
+    for (guint i = 0; i < m; i++)
+        any |= lingers(change, i);
+    if (!any) return TRUE;
+    if (tinker_contact_laws_init(&laws, change) != TINKER_OK) return FALSE;
+    g_autofree double *matrix = g_try_new(double, m *m);
+    TinkerDenseSolve *solve = tinker_dense_solve_new((int32_t)m);
+    const gboolean enough = matrix != NULL && solve != NULL;
+    if (enough) {
+        fill_resting(change, &laws, matrix);
+        tinker_dense_solve_factor(solve, matrix);
+        tinker_dense_solve(solve, laws.first);
+    }
+    tinker_dense_solve_free(solve);
+    if (!enough) {
+        tinker_contacts_lack_memory(change->contacts, m);
+        return FALSE;
+    }
+    for (guint i = 0; i < m; i++)
+        laws.answers[2 * i] = laws.first[i];
+    return tinker_change_push_all(change, laws.answers);
+}
+
+static gboolean approaches(const TinkerContactChange *change)
+{
+    for (guint i = 0; i < change->touches->len; i++)
+        if (tinker_touch(change, i)->place.normal_speed < -TINKER_STILL * change->speed) return TRUE;
+    return FALSE;
+}
+
+/* A rebound that would be too slow to be seen is none: else infinitely many follow. */
+static double seen_restitution(const TinkerContactChange *change, guint number)
+{
+    double e = restitution_of(change, number), approach = -tinker_touch(change, number)->place.normal_speed;
+    return e * approach < least_rebound(change, number) ? 0 : e;
+}
+
+/* Whether something goes on closing after the impact. */
+static gboolean is_squeezed(const TinkerContactChange *change)
+{
+    for (guint i = 0; i < change->touches->len; i++)
+        if (tinker_touch(change, i)->place.normal_speed < -SQUEEZED * change->speed) return TRUE;
+    return FALSE;
+}
+
+static gboolean refuse_squeezed(TinkerContactChange *change, GError **error)
+{
+    TinkerScene *scene = change->model->scene;
+    g_autofree char *why = g_strdup_printf(
+        _("%s is squeezed: it is held from both sides by what closes on it, and no motion leaves it room (give the "
+          "supports motions that do)"),
+        tinker_scene_block_name(scene, change->model->body_blocks[tinker_touch(change, 0)->contact.body]));
+    return tinker_change_refuse(change, why, error);
+}
+
+gboolean tinker_change_strike(TinkerContactChange *change, GError **error)
+{
+    if (!approaches(change)) return TRUE;
+    double scale;
+    g_auto(TinkerContactLaws) laws = {0};
+    if (tinker_contact_laws_init(&laws, change) != TINKER_OK ||
+        !tinker_change_accelerations(change, laws.pairs, &scale))
+        return tinker_change_refuse(change, change->model->failure, error);
+    change->least_rise = 2 * sqrt(scale * fmax(change->tolerance, tinker_contact_run_place_noise(change->run)));
+    for (guint i = 0; i < laws.count; i++) {
+        const TinkerPlate *plate = tinker_touch_plate(change, i);
+        laws.pairs[2 * i] = tinker_touch(change, i)->place.normal_speed;
+        laws.pairs[2 * i + 1] = tinker_touch(change, i)->place.tangential_speed;
+        laws.first[i] = seen_restitution(change, i);
+        laws.second[i] = plate != NULL ? plate->dynamic_friction : 0;
+    }
+    TinkerImpact impact = {(int32_t)laws.count, laws.delassus, laws.pairs, laws.first, laws.second, NULL};
+    const TinkerContactResult result = tinker_impact_solve(&impact, laws.answers);
+    if (result != TINKER_CONTACT_SOLVED)
+        return tinker_change_refuse_laws(
+            change, result, _("no impulses satisfy the laws of impact for all bodies that touch there"), error);
+    for (guint i = 0; i < laws.count; i++) {
+        TinkerTouch *at = tinker_touch(change, i);
+        at->struck = laws.answers[2 * i] > 0;
+        if (at->struck) at->contact.normal = laws.answers[2 * i];
+    }
+    gboolean pushed = tinker_change_push_all(change, laws.answers);
+    if (pushed && is_squeezed(change)) return refuse_squeezed(change, error);
+    if (pushed && settle(change)) return TRUE;
+    return tinker_change_refuse(change, change->model->failure, error);
+}

@@ -1,0 +1,89 @@
+/* What the files about changes of contact share. */
+#ifndef TINKER_CORE_CONTACT_CHANGE_PRIVATE_H
+#define TINKER_CORE_CONTACT_CHANGE_PRIVATE_H
+
+#include "physics/contact/contacts.h"
+#include "physics/event/contact-run-private.h"
+#include "physics/model/model-data.h"
+
+/* Speeds below this share of the largest are rounding. */
+#define TINKER_STILL 1e-12
+
+/* A contact that is closed, or closes now: of a body with a plate; or a constraint row that holds in one direction only, and is
+ * taut or becomes so. A row is a contact without friction that opens as its g falls. */
+typedef struct {
+    TinkerContact contact; /* of a row: its first body; no plate */
+    int32_t row;           /* -1: a plate */
+    TinkerContactPlace place;
+    TinkerContactMode was; /* before the event; OPEN where it was not closed */
+    gboolean struck;
+    gboolean at_end; /* of the top: it ends unless something stops the body there */
+} TinkerTouch;
+
+typedef struct {
+    TinkerContactRun *run; /* NULL: of a model that is held still (still-contacts.h), which knows no events */
+    TinkerModel *model;
+    TinkerContacts *contacts;
+    double *acceleration; /* 2 a body, for work */
+    TinkerTrigger trigger;
+    int32_t group;
+    GArray *touches;  /* of TinkerTouch: of this group of bodies */
+    gboolean forced;  /* what was found to reach the limit of sticking slips, whatever the laws could share otherwise */
+    double tolerance; /* m: within it a gap is closed */
+    double speed, slow; /* m/s: the largest; the share of it that is still */
+    double least_rise;  /* m/s: what rises to no more than the tolerance, or than the method resolves, is that slow */
+} TinkerContactChange;
+
+static inline TinkerTouch *tinker_touch(const TinkerContactChange *change, guint number)
+{
+    return &g_array_index(change->touches, TinkerTouch, number);
+}
+
+/* NULL for a row. */
+static inline const TinkerPlate *tinker_touch_plate(const TinkerContactChange *change, guint number)
+{
+    const TinkerTouch *at = tinker_touch(change, number);
+    return at->row < 0 ? &change->contacts->plates[at->contact.plate] : NULL;
+}
+
+/* Contacts as the laws see them (numerics/contact-laws.h): m of them. */
+typedef struct {
+    gsize count;
+    double *delassus, *pairs, *answers; /* 2m x 2m, 2m, 2m */
+    double *first, *second;             /* m */
+    int8_t *sliding;
+    TinkerContactMode *modes;
+} TinkerContactLaws;
+void tinker_contact_laws_clear(TinkerContactLaws *laws);
+G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC(TinkerContactLaws, tinker_contact_laws_clear)
+
+/* With their Delassus matrix. Where there is no memory for it, that is the model's failure. */
+TinkerStatus tinker_contact_laws_init(TinkerContactLaws *laws, const TinkerContactChange *change);
+
+/* Brings the model to the state of the run, constraint rows included. */
+TinkerStatus tinker_change_set_state(const TinkerContactChange *change);
+
+/* Takes everything of the group that touches, within `tolerance` (m). */
+void tinker_change_take(TinkerContactChange *change, double tolerance);
+/* Looks where they are now. */
+void tinker_change_measure(TinkerContactChange *change);
+gboolean tinker_change_is_trigger(const TinkerContactChange *change, const TinkerTouch *of);
+/* Whether the two come nearer to each other, for the state that the model was brought to. */
+gboolean tinker_change_approaches(const TinkerContactChange *change, const TinkerContactPair *pair);
+/* v += what an impulse (pn, pt) at a contact does. */
+void tinker_change_push(const TinkerContactChange *change, guint number, double pn, double pt, double *v);
+/* Accelerations with constraints but without contacts, relative to what is touched; *scale is the greatest that acts. */
+gboolean tinker_change_accelerations(TinkerContactChange *change, double *pairs, double *scale);
+void tinker_change_add_event(TinkerContactChange *change, const char *kind, const TinkerTouch *of);
+/* Stops the run. Answers FALSE. */
+gboolean tinker_change_refuse(TinkerContactChange *change, const char *why, GError **error);
+/* The same where the laws were not solved: `why`, unless it was for want of memory. */
+gboolean tinker_change_refuse_laws(TinkerContactChange *change, TinkerContactResult result, const char *why,
+                                   GError **error);
+
+/* Impacts, where anything approaches. */
+gboolean tinker_change_strike(TinkerContactChange *change, GError **error);
+/* Lets impulses act, and books what they take. */
+gboolean tinker_change_push_all(TinkerContactChange *change, const double *impulses);
+
+#endif

@@ -1,0 +1,96 @@
+/* Which pairs of body and plate a step may bring together: by distances, so that what does not touch costs next to nothing. */
+#include <math.h>
+#include <string.h>
+
+#include "physics/contact/contacts.h"
+#include "physics/event/contact-run-private.h"
+#include "physics/model/model-data.h"
+
+/* A neighbourhood reaches as far as so many steps like this one lead. */
+#define STEPS_AHEAD 32
+
+/* Whether the pair is closed; `next` is where to look: closed contacts are in the order of their bodies. */
+static gboolean is_closed(const TinkerContacts *contacts, int32_t body, int32_t plate, guint next)
+{
+    for (; next < contacts->closed->len; next++) {
+        const TinkerContact *contact = tinker_contacts_closed(contacts, next);
+        if (contact->body != body) return FALSE;
+        if (contact->plate == plate) return TRUE;
+    }
+    return FALSE;
+}
+
+/* Both ends of the way beyond the same bound by more than the way may lead back. */
+static gboolean stays_beyond(double from, double to, double bound, double travel)
+{
+    return MIN(from, to) > bound + travel || MAX(from, to) < -bound - travel;
+}
+
+static gboolean may_touch(const TinkerContacts *contacts, int32_t body, int32_t number, const double *from,
+                          const double *to, double travel)
+{
+    const TinkerPlate *plate = &contacts->plates[number];
+    if (plate->moving) return TRUE;
+    const TinkerPoint *centre = &contacts->model->point[plate->point];
+    double gap[2], along[2];
+    for (int k = 0; k < 2; k++) {
+        const double *at = k == 0 ? from : to;
+        double dx = at[0] - centre->x, dy = at[1] - centre->y;
+        gap[k] = plate->normal[0] * dx + plate->normal[1] * dy - plate->half_height - contacts->half_height[body];
+        along[k] = plate->normal[1] * dx - plate->normal[0] * dy;
+    }
+    return !stays_beyond(gap[0], gap[1], 0, travel) && !stays_beyond(along[0], along[1], plate->half_width, travel);
+}
+
+void tinker_contact_run_find_near(TinkerContactRun *self, const double *q_from, const double *q_to, double travel)
+{
+    const TinkerContacts *contacts = self->contacts;
+    double extent =
+        hypot(self->run->system.box[2] - self->run->system.box[0], self->run->system.box[3] - self->run->system.box[1]);
+    double reach = fmax(STEPS_AHEAD * travel, isfinite(extent) ? TINKER_LEAST_NEIGHBOURHOOD * extent : 0);
+    guint next = 0;
+    g_array_set_size(self->near, 0);
+    for (int32_t i = 0; i < self->model->bodies; i++) {
+        const double *from = q_from + 2 * i, *to = q_to + 2 * i;
+        while (next < contacts->closed->len && tinker_contacts_closed(contacts, next)->body < i)
+            next++;
+        if (isnan(contacts->half_height[i])) continue;
+        if (!tinker_contact_neighbours_hold(&self->neighbours, i, from, to, travel))
+            tinker_contact_neighbours_list(&self->neighbours, i, from, to, reach);
+        for (guint k = 0; k < self->neighbours.lists[i]->len; k++) {
+            TinkerContactPair pair = {i, g_array_index(self->neighbours.lists[i], int32_t, k), -1};
+            if (may_touch(contacts, i, pair.plate, from, to, travel) && !is_closed(contacts, i, pair.plate, next))
+                g_array_append_val(self->near, pair);
+        }
+    }
+}
+
+gboolean tinker_contact_run_is_quiet(const TinkerContactRun *self, const double *x, double travel)
+{
+    if (!(self->quiet > travel)) return FALSE;
+    double most = 0;
+    for (int32_t i = 0; i < self->run->system.system.size; i++)
+        most = MAX(most, fabs(x[i] - self->quiet_x[i]));
+    return G_SQRT2 * most + travel < self->quiet;
+}
+
+void tinker_contact_run_note_quiet(TinkerContactRun *self, const double *x, const double *q)
+{
+    const TinkerContacts *contacts = self->contacts;
+    self->quiet = 0;
+    if (contacts->moving_plates > 0 || contacts->closed->len > 0) return;
+    double nearest = INFINITY;
+    for (int32_t i = 0; i < self->model->bodies; i++) {
+        if (isnan(contacts->half_height[i])) continue;
+        /* plates beyond the neighbourhood are farther than what is left of it */
+        const double *centre = self->neighbours.centre + 2 * i;
+        double left = self->neighbours.reach[i] - hypot(q[2 * i] - centre[0], q[2 * i + 1] - centre[1]);
+        nearest = fmin(nearest, left);
+        for (guint k = 0; k < self->neighbours.lists[i]->len; k++) {
+            int32_t plate = g_array_index(self->neighbours.lists[i], int32_t, k);
+            nearest = fmin(nearest, tinker_contact_distance(contacts, i, plate, q + 2 * i));
+        }
+    }
+    memcpy(self->quiet_x, x, (gsize)self->run->system.system.size * sizeof(double));
+    self->quiet = nearest;
+}

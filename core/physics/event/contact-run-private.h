@@ -1,0 +1,177 @@
+/* What the files of contact in a run share. */
+#ifndef TINKER_CORE_CONTACT_RUN_PRIVATE_H
+#define TINKER_CORE_CONTACT_RUN_PRIVATE_H
+
+#include "numerics/step-roots.h"
+#include "physics/contact/contact-neighbours.h"
+#include "physics/event/contact-run.h"
+#include "physics/island/island-run.h"
+#include "physics/model/model-data.h"
+#include "physics/system/method-call.h"
+
+/* In a run a gap is closed within this share of the extent: rounding, or another body at the same instant. */
+#define TINKER_CLOSED_GAP 1e-13
+/* A polynomial follows so much of a swing (rad) to rounding. */
+#define TINKER_LONGEST_ARC 1.5
+
+/* What ends a phase of a contact when it falls below zero. */
+typedef enum {
+    TINKER_TRIGGER_NONE,
+    TINKER_TRIGGER_GAP,       /* an open contact: the gap, over the plate, */
+    TINKER_TRIGGER_LEAVING,   /* or of one that has just opened: the acceleration that parts it */
+    TINKER_TRIGGER_NORMAL,    /* a closed one: the normal force */
+    TINKER_TRIGGER_FORWARD,   /* one that sticks: mu N - T, */
+    TINKER_TRIGGER_BACKWARD,  /* and mu N + T */
+    TINKER_TRIGGER_SPEED,     /* one that slips: its speed along the top, */
+    TINKER_TRIGGER_STARTING,  /* or of one that has just begun to, its acceleration, */
+    TINKER_TRIGGER_END,       /* what is left of the top towards +x, */
+    TINKER_TRIGGER_BEGINNING, /* and towards -x */
+} TinkerTriggerKind;
+
+typedef struct {
+    TinkerTriggerKind kind;
+    int32_t body, plate;
+    int32_t closed; /* the number of a closed contact; else -1 */
+    int32_t row;    /* a constraint row that holds in one direction only, in place of a plate; else -1 */
+    double level;   /* what falls below it has passed 0; rounding is above it */
+} TinkerTrigger;
+
+typedef struct {
+    int32_t body, plate;
+    int32_t row; /* -1: a plate */
+} TinkerContactPair;
+
+/* Flights of an island that is solved exactly (contact-flight.c). */
+typedef struct {
+    gboolean exact;  /* it is solved so while nothing is closed */
+    double ahead;    /* s: the blow that is passed falls so much later than its instant */
+    double approach; /* m/s: with this speed along the normal; NAN where no such blow is passed */
+    double *
+        rebound; /* m/s: by plate, the speed along its normal that a body alone left it with, as far as that lasts; else
+                        NAN. NULL where it never does */
+} TinkerContactFlight;
+
+struct _TinkerContactRun {
+    TinkerIslandRun *run;
+    TinkerContacts *contacts;
+    TinkerModel *model;
+    gboolean in_plane; /* the island is stepped in the plane: contacts may be closed */
+    TinkerContactFlight flight;
+    gint64 changes, looks;
+    double *orientation;               /* by body */
+    double last_impact, passed_impact; /* s */
+
+    /* the step in progress */
+    TinkerState from;                       /* where it began; the books included */
+    double projection_work, position_error; /* of the system, there */
+    double hint;                            /* an event is known to come then; INFINITY */
+    TinkerTrigger hint_trigger;
+    double hint_slope;
+    double limit; /* of the step, but for that */
+    /* m/s: up to here nothing can come near anything in this step, whose start was not kept; 0: it was */
+    double speed_bound;
+    gboolean pending; /* the state stands on it */
+    TinkerTrigger pending_trigger;
+
+    /* an endless sequence of events */
+    double crowd_began;
+    int crowd, slow_crowds; /* events since then; so many before them, one after the other, that led nowhere */
+
+    /* the search */
+    /* it is solved exactly now: its steps resolve nothing, and are limited to what its motion swings by */
+    gboolean exact;
+    double fastest, strongest; /* of those: m/s and m/s^2, the largest speed and acceleration so far */
+    /* The method remembers its steps: one that is made again, from a start without memory, is many small ones of low order, whose
+     * end is off by other errors each time. */
+    gboolean remembers;
+    gboolean starts_low; /* the method's first steps are of order 1 */
+    int32_t degree;
+    double nodes[TINKER_MOST_DEGREE + 1];
+    double *plate_speed; /* by point of a support: m/s, the largest so far */
+    double *end_values;  /* of triggers, at the end of the last step that had no event */
+    double end_time;
+    gint64 end_changes;
+    GArray *near; /* of TinkerContactPair: those that a step comes close to */
+    /* Of TinkerContactPair: those that opened with no speed and are not clear of each other yet. Their gap grows with the second
+     * or third power of time, less than the error of a method of low order, or than rounding: what tells whether they part is the
+     * acceleration. */
+    GArray *leaving;
+    GArray *triggers; /* of TinkerTrigger: those of the step */
+    double *values;   /* of triggers, node by node */
+    gsize values_room;
+    double *node_x, *node_u; /* in the system's coordinates */
+    double *node_q, *node_v; /* of the bodies */
+    double *force;           /* accelerations, for work */
+    double *force_scale;     /* by closed contact: N, the largest of the step */
+    gsize closed_room;
+    TinkerContactNeighbours neighbours;
+    double *quiet_x; /* coordinates of the system, where ... */
+    double quiet;    /* ... no plate was nearer to any body than this; 0 where one moves */
+};
+
+/* Lists the pairs whose gap may close on the way of the bodies from q_from to q_to, which leads no farther than `travel` (m)
+ * away from either. */
+void tinker_contact_run_find_near(TinkerContactRun *contact_run, const double *q_from, const double *q_to,
+                                  double travel);
+/* Whether nothing can come near a plate within `travel` (m) of the state x (in the system's coordinates). */
+gboolean tinker_contact_run_is_quiet(const TinkerContactRun *contact_run, const double *x, double travel);
+/* Notes the state as one that is quiet, as far as it is. */
+void tinker_contact_run_note_quiet(TinkerContactRun *contact_run, const double *x, const double *q);
+
+/* The bodies at time t within the last step; borrowed until the next call. */
+TinkerStatus tinker_contact_run_state_at(TinkerContactRun *contact_run, double t, double **q, double **v);
+/* Brings the model to a state, and works out what triggers ask for: forces of closed contacts, accelerations. */
+TinkerStatus tinker_contact_run_look_at(TinkerContactRun *contact_run, double t, const double *q, const double *v);
+/* All triggers of a step with these near pairs. */
+TinkerStatus tinker_contact_run_list_triggers(TinkerContactRun *contact_run);
+/* Their values, for the state looked at last; and the level below which one has passed 0, once forces were noted at all nodes
+ * (speed, m/s: the largest). */
+double tinker_trigger_value(const TinkerContactRun *contact_run, const TinkerTrigger *trigger);
+double tinker_trigger_level(const TinkerContactRun *contact_run, const TinkerTrigger *trigger, double speed);
+double tinker_trigger_place_rounding(const TinkerContactRun *contact_run, const TinkerTrigger *trigger);
+void tinker_contact_run_note_force_scales(TinkerContactRun *contact_run);
+
+/* How fast a plate swings (rad/s) between two times, as far as it shows at a few: its accelerations then beside its largest
+ * speed so far. */
+double tinker_contact_run_swing(TinkerContactRun *contact_run, int32_t point, double from, double to);
+
+/* The first fall of any trigger in the last step; its kind is NONE where there is none. *place gets its time and *slope how
+ * fast it falls (per second). */
+TinkerStatus tinker_contact_run_search(TinkerContactRun *contact_run, double from, double to, TinkerTrigger *found,
+                                       double *time, double *slope);
+
+/* The value of a trigger for a state of the bodies. */
+TinkerStatus tinker_contact_run_value(TinkerContactRun *contact_run, double t, const double *q, const double *v,
+                                      const TinkerTrigger *trigger, double *value);
+
+/* Room for what is watched while these contacts are closed, so that steps allot nothing. No memory for it is the model's failure. */
+TinkerStatus tinker_contact_run_make_room(TinkerContactRun *contact_run);
+
+/* Within this (m) of 0 a gap is closed: rounding, or another body at the same instant. */
+double tinker_contact_run_closed_gap(const TinkerContactRun *contact_run);
+
+/* Places (m) are no more exact than this over the first steps of a method that remembers its steps; 0 of others. */
+double tinker_contact_run_place_noise(const TinkerContactRun *contact_run);
+
+/* Speeds along a top up to this share of the largest are what dense output and errors make of 0; and up to this (m/s) they do not
+ * tell which way a contact slips. */
+double tinker_contact_run_speed_noise(const TinkerContactRun *contact_run);
+double tinker_contact_run_unclear_speed(const TinkerContactRun *contact_run);
+
+/* Whether the pair has just opened. */
+gboolean tinker_contact_run_leaves(const TinkerContactRun *contact_run, const TinkerContactPair *pair);
+
+void tinker_contact_flight_init(TinkerContactFlight *flight, const TinkerContactRun *contact_run, gboolean exact);
+void tinker_contact_flight_clear(TinkerContactFlight *flight);
+/* Whether the island, which is in the plane, flies from its present state on as its linear form does. */
+gboolean tinker_contact_flight_goes_on(TinkerContactRun *contact_run);
+/* Before and after a blow in flight is passed, in the plane: takes the state on to the blow itself, and back to its instant. */
+TinkerStatus tinker_contact_flight_meet(TinkerContactRun *contact_run, const TinkerTrigger *trigger);
+TinkerStatus tinker_contact_flight_part(TinkerContactRun *contact_run, const TinkerTrigger *trigger);
+
+/* Passes an event at the state of the run: impacts, and what is closed from here on. `tolerance` (m): within it a gap is
+ * closed. */
+gboolean tinker_contact_run_change(TinkerContactRun *contact_run, const TinkerTrigger *trigger, double tolerance,
+                                   double slow, GError **error);
+
+#endif

@@ -1,0 +1,317 @@
+/* The first event in a step: what must not fall below zero is worked out at a few nodes of the step, from dense output; the
+ * polynomials through these values have all their roots found. */
+#include <math.h>
+#include <string.h>
+
+#include "physics/constraint/constraints.h"
+#include "physics/contact/contacts.h"
+#include "physics/event/contact-run-private.h"
+#include "physics/model/model-data.h"
+#include "physics/system/method-call.h"
+
+/* Of the largest value in a step: what a polynomial through them does not resolve. */
+#define NOTHING    1e-13
+#define MOST_PARTS 256
+#define MOST_FALLS 8
+/* What rises and falls within so small a share of a step is looked at as closely as this many times. */
+#define DEEPEST     12
+#define FIRST_SHARE 1e-3
+/* Of a part of a step: between two nodes of either number. */
+#define PLACE_BETWEEN 0.317
+/* What the polynomial may miss there: of what it changes by, and of its size. */
+#define RESOLVED 1e-3
+#define NOTICED  1e-7
+/* Of the level of a trigger, which is rounding: what it may miss all the same. */
+#define NOISE 1e3
+/* A step is cut into no more than 2 to the power of this many parts for that. */
+#define MOST_HALVINGS 6
+/* Beside what it changes by within a step a value that is so many times as large does not reach 0. */
+#define SURELY      8.0
+#define MOST_SURELY 100.0
+
+/* Brings the model to a time within the last step; *v gets the velocities of the bodies then. */
+static TinkerStatus look_at_time(TinkerContactRun *self, double t, double **v)
+{
+    double *q;
+    TinkerStatus status = tinker_contact_run_state_at(self, t, &q, v);
+    return status == TINKER_OK ? tinker_contact_run_look_at(self, t, q, *v) : status;
+}
+
+static TinkerStatus value_at(TinkerContactRun *self, double t, const TinkerTrigger *trigger, double *value)
+{
+    double *v;
+    TinkerStatus status = look_at_time(self, t, &v);
+    if (status == TINKER_OK) *value = tinker_trigger_value(self, trigger);
+    return status;
+}
+
+static TinkerStatus fill_values(TinkerContactRun *self, double from, double to)
+{
+    const double *nodes = self->nodes;
+    double speed = self->run->system.speed;
+    int32_t count = self->degree + 1;
+    for (int32_t k = 0; k < count; k++) {
+        double t = k == 0 ? from : k == count - 1 ? to : from + nodes[k] * (to - from), *v;
+        TinkerStatus status = look_at_time(self, t, &v);
+        if (status != TINKER_OK) return status;
+        tinker_contact_run_note_force_scales(self);
+        for (guint i = 0; i < self->triggers->len; i++)
+            self->values[i * (guint)count + (guint)k] =
+                tinker_trigger_value(self, &g_array_index(self->triggers, TinkerTrigger, i));
+        for (int32_t i = 0; i < 2 * self->model->bodies; i++)
+            speed = fmax(speed, fabs(v[i]));
+    }
+    for (guint i = 0; i < self->triggers->len; i++) {
+        TinkerTrigger *trigger = &g_array_index(self->triggers, TinkerTrigger, i);
+        trigger->level = tinker_trigger_level(self, trigger, speed);
+    }
+    return TINKER_OK;
+}
+
+/* Whether a body whose gap falls through 0 at t meets the top there, and not the space beside it. */
+static gboolean meets(TinkerContactRun *self, const TinkerTrigger *trigger, double t)
+{
+    double *q, *v;
+    if (trigger->kind != TINKER_TRIGGER_GAP || trigger->row >= 0) return TRUE;
+    if (tinker_contact_run_state_at(self, t, &q, &v) != TINKER_OK || tinker_model_set_time(self->model, t) != TINKER_OK)
+        return FALSE;
+    tinker_model_set_state(self->model, q, v);
+    TinkerContactPlace place = tinker_contact_place(self->contacts, trigger->body, trigger->plate);
+    return tinker_contact_is_over(&self->contacts->plates[trigger->plate], &place,
+                                  tinker_trigger_place_rounding(self, trigger));
+}
+
+/* Whether it has fallen by the first node, from a value that is nothing beside what follows. */
+static gboolean falls_soon(const TinkerContactRun *self, const TinkerTrigger *trigger, const double *values)
+{
+    double most = 0;
+    for (int32_t k = 0; k <= self->degree; k++)
+        most = fmax(most, fabs(values[k]));
+    if (!(values[1] < trigger->level) || values[0] > NOTHING * most) return FALSE;
+    return trigger->kind != TINKER_TRIGGER_GAP ||
+           values[0] >= -tinker_contact_run_closed_gap(self); /* else from behind */
+}
+
+/* Whether it rises first, by less than the polynomial resolves. */
+static gboolean rises_first(TinkerContactRun *self, const TinkerTrigger *trigger, double from, double to)
+{
+    double at_first, soon;
+    if (value_at(self, from, trigger, &at_first) != TINKER_OK) return FALSE;
+    if (trigger->kind == TINKER_TRIGGER_GAP && trigger->row >= 0)
+        return tinker_constraints_own_rate(self->model, trigger->row) < 0;
+    if (trigger->kind == TINKER_TRIGGER_GAP)
+        return tinker_contact_place(self->contacts, trigger->body, trigger->plate).normal_speed > 0;
+    return value_at(self, from + FIRST_SHARE * (to - from), trigger, &soon) == TINKER_OK && soon > at_first;
+}
+
+/* The first fall of one trigger between two times and before one that is known; INFINITY for none, NAN where it has to be
+ * looked at more closely. */
+static double first_fall(TinkerContactRun *self, const TinkerTrigger *trigger, const double *values, double from,
+                         double to, double known)
+{
+    double places[MOST_FALLS];
+    if (tinker_step_least(self->degree, values) > trigger->level) return INFINITY;
+    if (falls_soon(self, trigger, values) && meets(self, trigger, from))
+        return rises_first(self, trigger, from, to) ? NAN : from;
+    int32_t falls = tinker_step_falls(self->degree, values, trigger->level, places, MOST_FALLS);
+    for (int32_t k = 0; k < falls; k++) {
+        double t = from + places[k] * (to - from);
+        if (!(t < known)) break;
+        if (meets(self, trigger, t)) return t;
+    }
+    return INFINITY;
+}
+
+/* The polynomial through the values at the nodes. Source: Berrut, Trefethen, "Barycentric Lagrange interpolation", SIAM Review 46
+ * (2004) 501-517, (5.4). */
+static double interpolated(const TinkerContactRun *self, const double *values, double place)
+{
+    double sum = 0, weights = 0;
+    for (int32_t k = 0; k <= self->degree; k++) {
+        double weight =
+            (k % 2 == 0 ? 1.0 : -1.0) * (k == 0 || k == self->degree ? 0.5 : 1.0) / (place - self->nodes[k]);
+        sum += weight * values[k];
+        weights += weight;
+    }
+    return sum / weights;
+}
+
+/* Whether the polynomials tell what is between the nodes: at a place that is none of them. What drives bodies that rest may
+ * swing many times within a step that they themselves do not limit. */
+static TinkerStatus check_between(TinkerContactRun *self, double from, double to, gboolean *resolved)
+{
+    double *v;
+    *resolved = TRUE;
+    TinkerStatus status = look_at_time(self, from + PLACE_BETWEEN * (to - from), &v);
+    for (guint i = 0; status == TINKER_OK && i < self->triggers->len; i++) {
+        const double *values = self->values + i * (guint)(self->degree + 1);
+        double least = values[0], most = values[0];
+        for (int32_t k = 1; k <= self->degree; k++) {
+            least = fmin(least, values[k]);
+            most = fmax(most, values[k]);
+        }
+        const TinkerTrigger *trigger = &g_array_index(self->triggers, TinkerTrigger, i);
+        double value = tinker_trigger_value(self, trigger), noise = NOISE * fabs(trigger->level);
+        double miss = fabs(value - interpolated(self, values, PLACE_BETWEEN));
+        *resolved &= miss <= RESOLVED * (most - least) + NOTICED * fmax(fabs(least), fabs(most)) + noise;
+    }
+    return status;
+}
+
+static TinkerStatus search_part(TinkerContactRun *self, double from, double to, int depth, TinkerTrigger *found,
+                                double *time);
+
+/* The first half, and where nothing is found there, the second. */
+static TinkerStatus search_halves(TinkerContactRun *self, double from, double to, int depth, TinkerTrigger *found,
+                                  double *time)
+{
+    double middle = 0.5 * (from + to);
+    TinkerStatus status = search_part(self, from, middle, depth - 1, found, time);
+    if (status != TINKER_OK || found->kind != TINKER_TRIGGER_NONE) return status;
+    return search_part(self, middle, to, depth - 1, found, time);
+}
+
+/* `depth`: how often it may look more closely at a part. */
+static TinkerStatus search_part(TinkerContactRun *self, double from, double to, int depth, TinkerTrigger *found,
+                                double *time)
+{
+    gboolean resolved = TRUE;
+    TinkerStatus status = fill_values(self, from, to);
+    if (status == TINKER_OK && depth > DEEPEST - MOST_HALVINGS) status = check_between(self, from, to, &resolved);
+    if (status != TINKER_OK) return status;
+    if (!resolved) return search_halves(self, from, to, depth, found, time);
+    TinkerTrigger unclear = {.kind = TINKER_TRIGGER_NONE};
+    for (guint i = 0; i < self->triggers->len; i++) {
+        const TinkerTrigger *trigger = &g_array_index(self->triggers, TinkerTrigger, i);
+        double t = first_fall(self, trigger, self->values + i * (guint)(self->degree + 1), from, to, *time);
+        if (isnan(t)) unclear = *trigger;
+        if (!(t < *time)) continue;
+        *time = t;
+        *found = *trigger;
+    }
+    if (unclear.kind == TINKER_TRIGGER_NONE || *time == from) return TINKER_OK;
+    *time = from;
+    *found = unclear;
+    if (depth == 0) return TINKER_OK;
+    found->kind = TINKER_TRIGGER_NONE;
+    *time = INFINITY;
+    return search_part(self, from, from + self->nodes[1] * (to - from), depth - 1, found, time);
+}
+
+double tinker_contact_run_swing(TinkerContactRun *self, int32_t point, double from, double to)
+{
+    double *speed = &self->plate_speed[point - self->model->bodies], change = 0;
+    for (int k = 0; k <= 8; k++) {
+        if (tinker_model_set_time(self->model, from + k * (to - from) / 8) != TINKER_OK) return 0;
+        const double *a = self->model->point_acceleration + 2 * point;
+        *speed = fmax(*speed, hypot(self->model->point[point].vx, self->model->point[point].vy));
+        change = fmax(change, hypot(a[0], a[1]));
+    }
+    self->contacts->plate_speed = fmax(self->contacts->plate_speed, *speed);
+    return *speed > 0 ? change / *speed : 0;
+}
+
+/* The fastest swing of moving plates. */
+static double highest_frequency(TinkerContactRun *self, double from, double to)
+{
+    const TinkerContacts *contacts = self->contacts;
+    double highest = 0;
+    for (int32_t i = 0; contacts->moving_plates > 0 && i < contacts->plate_count; i++)
+        if (contacts->plates[i].moving)
+            highest = fmax(highest, tinker_contact_run_swing(self, contacts->plates[i].point, from, to));
+    return highest;
+}
+
+/* How fast the trigger falls there. */
+static TinkerStatus find_slope(TinkerContactRun *self, const TinkerTrigger *trigger, double from, double to, double t,
+                               double *slope)
+{
+    double near = 1e-4 * (to - from), at[2] = {fmax(t - near, from), fmin(t + near, to)}, value[2] = {0, 0};
+    for (int k = 0; k < 2; k++) {
+        TinkerStatus status = value_at(self, at[k], trigger, &value[k]);
+        if (status != TINKER_OK) return status;
+    }
+    *slope = (value[1] - value[0]) / (at[1] - at[0]);
+    return TINKER_OK;
+}
+
+/* Whether all that acts varies as slowly as the steps resolve, so that a few values tell of what is between them: what
+ * waveforms and supports do might repeat itself from end to end, and adaptive steps may be as long as a swing. */
+static gboolean varies_slowly(const TinkerContactRun *self)
+{
+    const TinkerModel *model = self->model;
+    gboolean fixed = tinker_method_is_fixed(self->run->choice.method);
+    return fixed && model->waveform_batches->len == 0 && model->asked_forces->len == 0 && model->moving_supports == 0 &&
+           model->constraints.unilateral == NULL && self->near->len == 0;
+}
+
+static TinkerStatus fill_place(TinkerContactRun *self, double t, double *values)
+{
+    double *v;
+    TinkerStatus status = look_at_time(self, t, &v);
+    for (guint i = 0; status == TINKER_OK && i < self->triggers->len; i++)
+        values[i] = tinker_trigger_value(self, &g_array_index(self->triggers, TinkerTrigger, i));
+    return status;
+}
+
+/* Whether the least of some values is `times` as large as what they change by, in this step and in the one before: one step may
+ * happen to end as it began, two do not. */
+static gboolean is_far_off(const TinkerContactRun *self, guint places, double times)
+{
+    guint count = self->triggers->len;
+    for (guint i = 0; i < count; i++) {
+        double least = self->values[i], most = least;
+        for (guint k = 1; k < places; k++) {
+            least = fmin(least, self->values[k * count + i]);
+            most = fmax(most, self->values[k * count + i]);
+        }
+        if (!(least > times * fmax(most - least, self->end_values[count + i]))) return FALSE;
+    }
+    return TRUE;
+}
+
+/* Whether no trigger comes near its level, by far: from the values at the ends of the step, and where these change from the one
+ * in its middle as well. What is at the end serves the next step as what is at its start. */
+static TinkerStatus look_at_places(TinkerContactRun *self, double from, double to, gboolean *clear)
+{
+    guint count = self->triggers->len;
+    double *first = self->values, *last = first + count, *middle = last + count, *kept = self->end_values;
+    gboolean follows = self->end_time == from && self->end_changes == self->changes;
+    *clear = FALSE;
+    if (follows) memcpy(first, kept, count * sizeof(double));
+    TinkerStatus status = follows ? TINKER_OK : fill_place(self, from, first);
+    if (status == TINKER_OK) status = fill_place(self, to, last);
+    if (status != TINKER_OK) return status;
+    *clear = follows && is_far_off(self, 2, MOST_SURELY);
+    if (follows && !*clear) {
+        status = fill_place(self, 0.5 * (from + to), middle);
+        *clear = status == TINKER_OK && is_far_off(self, 3, SURELY);
+    }
+    self->end_time = to;
+    self->end_changes = self->changes;
+    for (guint i = 0; i < count; i++) {
+        kept[i] = last[i];
+        kept[count + i] = fabs(last[i] - first[i]);
+    }
+    return status;
+}
+
+TinkerStatus tinker_contact_run_search(TinkerContactRun *self, double from, double to, TinkerTrigger *found,
+                                       double *time, double *slope)
+{
+    gboolean clear = FALSE;
+    found->kind = TINKER_TRIGGER_NONE;
+    *time = INFINITY;
+    TinkerStatus status = tinker_contact_run_list_triggers(self);
+    if (status != TINKER_OK || self->triggers->len == 0) return status;
+    if (varies_slowly(self)) status = look_at_places(self, from, to, &clear);
+    if (clear || status != TINKER_OK) return status;
+    double arc = highest_frequency(self, from, to) * (to - from);
+    int parts = (int)CLAMP(ceil(arc / TINKER_LONGEST_ARC), 1, MOST_PARTS);
+    for (int k = 0; k < parts && status == TINKER_OK && found->kind == TINKER_TRIGGER_NONE; k++) {
+        double begin = from + k * (to - from) / parts, end = k == parts - 1 ? to : from + (k + 1) * (to - from) / parts;
+        status = search_part(self, begin, end, DEEPEST, found, time);
+    }
+    if (status != TINKER_OK || found->kind == TINKER_TRIGGER_NONE) return status;
+    return find_slope(self, found, from, to, *time, slope);
+}

@@ -1,0 +1,248 @@
+/* What touches at an event, where it is, and how it answers to pushes. */
+#include <math.h>
+#include <string.h>
+
+#include "physics/constraint/constraints.h"
+#include "physics/contact/contacts.h"
+#include "physics/event/contact-change-private.h"
+#include "physics/force/forces.h"
+#include "physics/island/island-run.h"
+#include "physics/model/model-data.h"
+
+/* The largest m whose 2m x 2m entries an int32_t counts. */
+#define MOST_TOUCHES 23170
+
+void tinker_change_add_event(TinkerContactChange *change, const char *kind, const TinkerTouch *of)
+{
+    TinkerScene *scene = change->model->scene;
+    if (of->row >= 0) {
+        tinker_island_run_add_event(change->run->run, kind,
+                                    tinker_scene_block_name(scene, change->model->constraints.blocks[of->row]));
+        return;
+    }
+    g_autofree char *names =
+        g_strdup_printf("%s, %s", tinker_scene_block_name(scene, change->model->body_blocks[of->contact.body]),
+                        tinker_scene_block_name(scene, change->contacts->plates[of->contact.plate].block));
+    tinker_island_run_add_event(change->run->run, kind, names);
+}
+
+gboolean tinker_change_refuse(TinkerContactChange *change, const char *why, GError **error)
+{
+    return tinker_island_run_fail_step(change->run->run, why, error);
+}
+
+gboolean tinker_change_refuse_laws(TinkerContactChange *change, TinkerContactResult result, const char *why,
+                                   GError **error)
+{
+    if (result != TINKER_CONTACT_NO_MEMORY) return tinker_change_refuse(change, why, error);
+    tinker_contacts_lack_memory(change->contacts, change->touches->len);
+    return tinker_change_refuse(change, change->model->failure, error);
+}
+
+TinkerStatus tinker_change_set_state(const TinkerContactChange *change)
+{
+    TinkerIslandRun *run = change->run->run;
+    TinkerStatus status = tinker_model_set_time(change->model, run->state.t);
+    if (status != TINKER_OK) return status;
+    tinker_model_set_state(change->model, run->state.q, run->state.v);
+    return change->model->constraints.rows > 0 ? tinker_constraints_evaluate(change->model) : TINKER_OK;
+}
+
+gboolean tinker_change_is_trigger(const TinkerContactChange *change, const TinkerTouch *of)
+{
+    const TinkerTrigger *trigger = &change->trigger;
+    if (trigger->kind == TINKER_TRIGGER_NONE || trigger->row != of->row) return FALSE;
+    return of->row >= 0 || (trigger->body == of->contact.body && trigger->plate == of->contact.plate);
+}
+
+/* Places ----------------------------------------------------------------------------------------------------------- */
+
+static TinkerContactPlace place_of(const TinkerContactChange *change, const TinkerTouch *at)
+{
+    if (at->row < 0) return tinker_contact_place(change->contacts, at->contact.body, at->contact.plate);
+    return (TinkerContactPlace){.gap = -change->model->constraints.own_g[at->row],
+                                .normal_speed = -tinker_constraints_own_rate(change->model, at->row)};
+}
+
+void tinker_change_measure(TinkerContactChange *change)
+{
+    for (guint i = 0; i < change->touches->len; i++)
+        tinker_touch(change, i)->place = place_of(change, tinker_touch(change, i));
+}
+
+gboolean tinker_change_approaches(const TinkerContactChange *change, const TinkerContactPair *pair)
+{
+    const TinkerTouch of = {.contact = {.body = pair->body, .plate = pair->plate}, .row = pair->row};
+    return place_of(change, &of).normal_speed < -TINKER_STILL * change->speed;
+}
+
+static gboolean ends_now(const TinkerContactChange *change, const TinkerTouch *of)
+{
+    return tinker_change_is_trigger(change, of) &&
+           (change->trigger.kind == TINKER_TRIGGER_END || change->trigger.kind == TINKER_TRIGGER_BEGINNING);
+}
+
+static void take_closed(TinkerContactChange *change)
+{
+    const TinkerContacts *contacts = change->contacts;
+    for (guint i = 0; i < contacts->closed->len; i++) {
+        TinkerTouch taken = {.contact = *tinker_contacts_closed(contacts, i), .row = -1};
+        if (contacts->group[taken.contact.body] != change->group) continue;
+        taken.was = taken.contact.mode;
+        taken.place = place_of(change, &taken);
+        taken.at_end = ends_now(change, &taken);
+        g_array_append_val(change->touches, taken);
+    }
+}
+
+/* Whether the event is that this one closes. */
+static gboolean meets_now(const TinkerContactChange *change, const TinkerTouch *of)
+{
+    return tinker_change_is_trigger(change, of) &&
+           (change->trigger.kind == TINKER_TRIGGER_GAP || change->trigger.kind == TINKER_TRIGGER_LEAVING);
+}
+
+/* One that has just opened is watched by its acceleration, so that it is not taken for closed on the way; a blow on another
+ * body may throw it back all the same. */
+static gboolean is_closed(const TinkerContactChange *change, const TinkerTouch *of, double tolerance)
+{
+    const TinkerContactPair pair = {of->contact.body, of->contact.plate, of->row};
+    double noise = TINKER_STILL * change->speed;
+    if (fabs(of->place.gap) > tolerance || of->place.normal_speed > noise) return FALSE;
+    return of->place.normal_speed < -noise || !tinker_contact_run_leaves(change->run, &pair);
+}
+
+static void take_open(TinkerContactChange *change, double tolerance)
+{
+    const TinkerContactRun *self = change->run;
+    for (guint i = 0; i < self->near->len; i++) {
+        const TinkerContactPair *pair = &g_array_index(self->near, TinkerContactPair, i);
+        if (self->contacts->group[pair->body] != change->group) continue;
+        TinkerTouch taken = {.contact = {.body = pair->body, .plate = pair->plate}, .row = -1};
+        taken.place = place_of(change, &taken);
+        gboolean guided = tinker_contacts_is_guided(self->contacts, pair->body, pair->plate);
+        double near = guided ? fmax(tolerance, 2 * TINKER_TOUCHING) : tolerance;
+        gboolean closed = is_closed(change, &taken, near) &&
+                          tinker_contact_is_over(&self->contacts->plates[pair->plate], &taken.place, tolerance);
+        if (closed || meets_now(change, &taken)) g_array_append_val(change->touches, taken);
+    }
+}
+
+/* Rows that hold in one direction only are left out of the constraints while they are decided upon. */
+static void take_rows(TinkerContactChange *change, double tolerance)
+{
+    const TinkerContactRun *self = change->run;
+    const TinkerConstraints *all = &change->model->constraints;
+    for (int32_t row = 0; all->unilateral != NULL && row < all->rows; row++) {
+        TinkerTouch taken = {.contact = {.body = tinker_contacts_row_body(self->contacts, row)}, .row = row};
+        if (!all->unilateral[row] || taken.contact.body < 0 ||
+            self->contacts->group[taken.contact.body] != change->group)
+            continue;
+        taken.was = all->slack[row] ? TINKER_CONTACT_OPEN : TINKER_CONTACT_SLIP_FORWARD;
+        tinker_constraints_set_slack(change->model, row, TRUE);
+        taken.place = place_of(change, &taken);
+        if (taken.was != TINKER_CONTACT_OPEN || is_closed(change, &taken, tolerance) || meets_now(change, &taken))
+            g_array_append_val(change->touches, taken);
+    }
+}
+
+void tinker_change_take(TinkerContactChange *change, double tolerance)
+{
+    take_closed(change);
+    take_open(change, tolerance);
+    take_rows(change, tolerance);
+}
+
+/* Pushes ----------------------------------------------------------------------------------------------------------- */
+
+void tinker_change_push(const TinkerContactChange *change, guint number, double pn, double pt, double *v)
+{
+    const TinkerTouch *at = tinker_touch(change, number);
+    if (at->row >= 0) {
+        tinker_contacts_pull(change->contacts, at->row, -pn, v);
+        return;
+    }
+    const double *n = tinker_touch_plate(change, number)->normal;
+    tinker_contacts_push(change->contacts, at->contact.body, pn * n[0] + pt * n[1], pn * n[1] - pt * n[0], v);
+}
+
+/* What a change of velocities (or accelerations) of all bodies is along a contact: normal and tangential. */
+static void along_contact(const TinkerContactChange *change, guint number, const double *by_body, double *normal,
+                          double *tangential)
+{
+    const TinkerTouch *at = tinker_touch(change, number);
+    *tangential = 0;
+    if (at->row >= 0) {
+        *normal = -tinker_constraints_own_row_times(change->model, at->row, by_body);
+        return;
+    }
+    const double *n = tinker_touch_plate(change, number)->normal, *of = by_body + 2 * at->contact.body;
+    *normal = n[0] * of[0] + n[1] * of[1];
+    *tangential = n[1] * of[0] - n[0] * of[1];
+}
+
+void tinker_contact_laws_clear(TinkerContactLaws *laws)
+{
+    gpointer arrays[] = {laws->delassus, laws->pairs, laws->answers, laws->first,
+                         laws->second,   laws->modes, laws->sliding};
+    for (gsize i = 0; i < G_N_ELEMENTS(arrays); i++)
+        g_free(arrays[i]);
+}
+
+static gboolean allot_laws(TinkerContactLaws *laws)
+{
+    const gsize m = laws->count;
+    if (m > MOST_TOUCHES) return FALSE;
+    laws->delassus = g_try_new0(double, 4 * m * m);
+    laws->pairs = g_try_new0(double, 2 * m);
+    laws->answers = g_try_new0(double, 2 * m);
+    laws->first = g_try_new0(double, m);
+    laws->second = g_try_new0(double, m);
+    laws->sliding = g_try_new0(int8_t, m);
+    laws->modes = g_try_new0(TinkerContactMode, m);
+    return laws->delassus != NULL && laws->pairs != NULL && laws->answers != NULL && laws->first != NULL &&
+           laws->second != NULL && laws->sliding != NULL && laws->modes != NULL;
+}
+
+TinkerStatus tinker_contact_laws_init(TinkerContactLaws *laws, const TinkerContactChange *change)
+{
+    const gsize m = change->touches->len;
+    double *answer = change->contacts->column;
+    *laws = (TinkerContactLaws){.count = m};
+    if (!allot_laws(laws)) return tinker_contacts_lack_memory(change->contacts, m);
+    for (guint column = 0; column < 2 * m; column++) {
+        if (column % 2 == 1 && tinker_touch(change, column / 2)->row >= 0) continue;
+        memset(answer, 0, 2 * (gsize)change->model->bodies * sizeof(double));
+        tinker_change_push(change, column / 2, column % 2 == 0, column % 2 == 1, answer);
+        for (guint i = 0; i < m; i++)
+            along_contact(change, i, answer, &laws->delassus[2 * i * 2 * m + column],
+                          &laws->delassus[(2 * i + 1) * 2 * m + column]);
+    }
+    return TINKER_OK;
+}
+
+gboolean tinker_change_accelerations(TinkerContactChange *change, double *pairs, double *scale)
+{
+    TinkerModel *model = change->model;
+    double *a = change->acceleration;
+    if (tinker_model_applied(model, a, FALSE) != TINKER_OK) return FALSE;
+    if (model->constraints.rows > 0) tinker_constraints_accelerate(model, a);
+    *scale = 0;
+    for (guint i = 0; i < change->touches->len; i++) {
+        const TinkerTouch *at = tinker_touch(change, i);
+        const TinkerPlate *plate = tinker_touch_plate(change, i);
+        int32_t body = at->contact.body;
+        along_contact(change, i, a, &pairs[2 * i], &pairs[2 * i + 1]);
+        if (plate != NULL) {
+            const double *base = model->point_acceleration + 2 * plate->point, *n = plate->normal;
+            pairs[2 * i] -= n[0] * base[0] + n[1] * base[1];
+            pairs[2 * i + 1] -= n[1] * base[0] - n[0] * base[1];
+        } else {
+            pairs[2 * i] -= tinker_constraints_own_drift(model, at->row);
+        }
+        *scale = fmax(*scale, hypot(pairs[2 * i], pairs[2 * i + 1]) +
+                                  (fabs(model->force[2 * body]) + fabs(model->force[2 * body + 1])) *
+                                      model->inverse_mass[body]);
+    }
+    return TRUE;
+}

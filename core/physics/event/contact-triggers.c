@@ -1,0 +1,280 @@
+/* What ends a phase of a contact: its value at any state of a step, and below which level it has passed zero. */
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+#include "physics/constraint/constraints.h"
+#include "physics/contact/contacts.h"
+#include "physics/event/contact-run-private.h"
+#include "physics/island/island-run.h"
+#include "physics/line/linear-form.h"
+#include "physics/model/model-data.h"
+#include "physics/system/method-call.h"
+
+/* Below this share of what it is made of a value is rounding. */
+#define FORCE_ROUNDING 1e-11
+#define PLACE_ROUNDING (16 * DBL_EPSILON)
+/* Triggers of one closed contact. */
+#define MOST_OF_ONE 4
+
+/* States on the way ------------------------------------------------------------------------------------------------- */
+
+/* The bodies at time t within the last step. */
+TinkerStatus tinker_contact_run_state_at(TinkerContactRun *self, double t, double **q, double **v)
+{
+    TinkerIslandRun *run = self->run;
+    const TinkerState *ends[2] = {&self->from, &run->state};
+    gsize bytes = (gsize)run->system.system.size * sizeof(double);
+    TinkerStatus status = TINKER_OK;
+    memcpy(self->node_x, run->state.q, bytes);
+    memcpy(self->node_u, run->state.v, bytes);
+    for (int k = 0; k < 2; k++) {
+        if (t != ends[k]->t) continue;
+        memcpy(self->node_x, ends[k]->q, bytes);
+        memcpy(self->node_u, ends[k]->v, bytes);
+    }
+    if (t != self->from.t && t != run->state.t)
+        status = tinker_island_run_interpolate(run, t, self->node_x, self->node_u, NULL);
+    *q = self->node_x;
+    *v = self->node_u;
+    if (self->in_plane || run->q == run->state.q) return status;
+    tinker_linear_form_expand(run->island->linear, self->node_x, self->node_u, self->node_q, self->node_v);
+    *q = self->node_q;
+    *v = self->node_v;
+    return status;
+}
+
+/* Brings the model to a state, and works out the forces of its closed contacts. */
+TinkerStatus tinker_contact_run_look_at(TinkerContactRun *self, double t, const double *q, const double *v)
+{
+    self->looks++;
+    TinkerModel *model = self->model;
+    if (self->contacts->closed->len > 0 || self->leaving->len > 0 || self->model->constraints.unilateral != NULL)
+        return self->run->system.system.acceleration(&self->run->system, t, q, v, self->force, NULL);
+    TinkerStatus status = tinker_model_set_time(model, t);
+    if (status == TINKER_OK) tinker_model_set_state(model, q, v);
+    return status;
+}
+
+/* How the contact opens, by the accelerations worked out last. */
+static double parting_acceleration(const TinkerContactRun *self, const TinkerTrigger *trigger)
+{
+    if (trigger->row >= 0)
+        return -tinker_constraints_own_row_times(self->model, trigger->row, self->force) -
+               tinker_constraints_own_drift(self->model, trigger->row);
+    const TinkerPlate *plate = &self->contacts->plates[trigger->plate];
+    const double *base = self->model->point_acceleration + 2 * plate->point, *at = self->force + 2 * trigger->body;
+    return plate->normal[0] * (at[0] - base[0]) + plate->normal[1] * (at[1] - base[1]);
+}
+
+/* How the contact speeds up the way it slips, by the accelerations worked out last. */
+static double starting_acceleration(const TinkerContactRun *self, const TinkerTrigger *trigger)
+{
+    const TinkerContact *contact = tinker_contacts_closed(self->contacts, (guint)trigger->closed);
+    const TinkerPlate *plate = &self->contacts->plates[trigger->plate];
+    const double *base = self->model->point_acceleration + 2 * plate->point, *at = self->force + 2 * trigger->body;
+    const double along = plate->normal[1] * (at[0] - base[0]) - plate->normal[0] * (at[1] - base[1]);
+    return contact->mode == TINKER_CONTACT_SLIP_FORWARD ? along : -along;
+}
+
+/* A row is slack as long as g is below 0, and taut as long as it pulls. */
+static double row_value(const TinkerContactRun *self, const TinkerTrigger *trigger)
+{
+    const TinkerConstraints *all = &self->model->constraints;
+    return trigger->kind == TINKER_TRIGGER_GAP ? -all->own_g[trigger->row] : -all->lambda[trigger->row];
+}
+
+double tinker_trigger_value(const TinkerContactRun *self, const TinkerTrigger *trigger)
+{
+    const TinkerContacts *contacts = self->contacts;
+    if (trigger->kind == TINKER_TRIGGER_LEAVING) return parting_acceleration(self, trigger);
+    if (trigger->kind == TINKER_TRIGGER_STARTING) return starting_acceleration(self, trigger);
+    if (trigger->row >= 0) return row_value(self, trigger);
+    TinkerContactPlace place = tinker_contact_place(contacts, trigger->body, trigger->plate);
+    if (trigger->kind == TINKER_TRIGGER_GAP) return place.gap;
+    const TinkerContact *contact = tinker_contacts_closed(contacts, (guint)trigger->closed);
+    const TinkerPlate *plate = &contacts->plates[trigger->plate];
+    switch (trigger->kind) {
+    case TINKER_TRIGGER_NORMAL:
+        return contact->normal;
+    case TINKER_TRIGGER_FORWARD:
+        return plate->static_friction * contact->normal - contact->friction;
+    case TINKER_TRIGGER_BACKWARD:
+        return plate->static_friction * contact->normal + contact->friction;
+    case TINKER_TRIGGER_SPEED:
+        return contact->mode == TINKER_CONTACT_SLIP_FORWARD ? place.tangential_speed : -place.tangential_speed;
+    case TINKER_TRIGGER_END:
+        return plate->half_width - place.along;
+    default:
+        return plate->half_width + place.along;
+    }
+}
+
+TinkerStatus tinker_contact_run_value(TinkerContactRun *self, double t, const double *q, const double *v,
+                                      const TinkerTrigger *trigger, double *value)
+{
+    TinkerStatus status = tinker_contact_run_look_at(self, t, q, v);
+    if (status == TINKER_OK) *value = tinker_trigger_value(self, trigger);
+    return status;
+}
+
+/* What is watched -------------------------------------------------------------------------------------------------- */
+
+static void add_trigger(TinkerContactRun *self, TinkerTriggerKind kind, int32_t body, int32_t plate, int32_t closed)
+{
+    TinkerTrigger trigger = {kind, body, plate, closed, -1, 0};
+    g_array_append_val(self->triggers, trigger);
+}
+
+/* Rows that hold in one direction only. */
+static void watch_rows(TinkerContactRun *self)
+{
+    const TinkerConstraints *all = &self->model->constraints;
+    for (int32_t row = 0; all->unilateral != NULL && row < all->rows; row++) {
+        TinkerContactPair pair = {tinker_contacts_row_body(self->contacts, row), 0, row};
+        if (!all->unilateral[row] || pair.body < 0) continue;
+        TinkerTrigger trigger = {TINKER_TRIGGER_NORMAL, pair.body, 0, -1, row, 0};
+        if (all->slack[row])
+            trigger.kind = tinker_contact_run_leaves(self, &pair) ? TINKER_TRIGGER_LEAVING : TINKER_TRIGGER_GAP;
+        g_array_append_val(self->triggers, trigger);
+    }
+}
+
+/* Without friction the direction of sliding makes no difference, so that nobody watches it; both ends may come. */
+static void watch_closed(TinkerContactRun *self, int32_t number)
+{
+    const TinkerContact *contact = tinker_contacts_closed(self->contacts, (guint)number);
+    const TinkerPlate *plate = &self->contacts->plates[contact->plate];
+    int32_t body = contact->body, on = contact->plate;
+    gboolean forward = contact->mode == TINKER_CONTACT_SLIP_FORWARD, slips_freely = plate->dynamic_friction == 0;
+    add_trigger(self, TINKER_TRIGGER_NORMAL, body, on, number);
+    if (contact->mode == TINKER_CONTACT_STICK) {
+        add_trigger(self, TINKER_TRIGGER_FORWARD, body, on, number);
+        add_trigger(self, TINKER_TRIGGER_BACKWARD, body, on, number);
+        return;
+    }
+    TinkerTriggerKind stops = contact->starts ? TINKER_TRIGGER_STARTING : TINKER_TRIGGER_SPEED;
+    if (!slips_freely) add_trigger(self, stops, body, on, number);
+    if (forward || slips_freely) add_trigger(self, TINKER_TRIGGER_END, body, on, number);
+    if (!forward || slips_freely) add_trigger(self, TINKER_TRIGGER_BEGINNING, body, on, number);
+}
+
+/* FALSE: no memory. */
+static gboolean enlarge(double **array, gsize count)
+{
+    double *larger = g_try_renew(double, *array, count);
+    if (larger != NULL) *array = larger;
+    return larger != NULL;
+}
+
+TinkerStatus tinker_contact_run_make_room(TinkerContactRun *self)
+{
+    guint closed = self->contacts->closed->len, watched = MOST_OF_ONE * closed + 2 * self->near->len;
+    gsize room = MAX(watched, self->triggers->len) * (gsize)(TINKER_MOST_DEGREE + 1);
+    if (watched > self->triggers->len) {
+        guint now = self->triggers->len;
+        g_array_set_size(self->triggers, watched);
+        g_array_set_size(self->triggers, now);
+    }
+    if (room > self->values_room) {
+        if (!enlarge(&self->values, 2 * room) || !enlarge(&self->end_values, 2 * room))
+            return tinker_contacts_lack_memory(self->contacts, closed);
+        self->values_room = 2 * room;
+    }
+    if (closed > self->closed_room) {
+        if (!enlarge(&self->force_scale, 2 * (gsize)closed)) return tinker_contacts_lack_memory(self->contacts, closed);
+        self->closed_room = 2 * (gsize)closed;
+    }
+    return TINKER_OK;
+}
+
+TinkerStatus tinker_contact_run_list_triggers(TinkerContactRun *self)
+{
+    g_array_set_size(self->triggers, 0);
+    for (guint i = 0; i < self->contacts->closed->len; i++)
+        watch_closed(self, (int32_t)i);
+    for (guint i = 0; i < self->near->len; i++) {
+        const TinkerContactPair *pair = &g_array_index(self->near, TinkerContactPair, i);
+        if (tinker_contacts_is_guided(self->contacts, pair->body, pair->plate)) continue;
+        gboolean leaves = tinker_contact_run_leaves(self, pair);
+        add_trigger(self, leaves ? TINKER_TRIGGER_LEAVING : TINKER_TRIGGER_GAP, pair->body, pair->plate, -1);
+    }
+    watch_rows(self);
+    TinkerStatus status = tinker_contact_run_make_room(self);
+    if (status == TINKER_OK && self->contacts->closed->len > 0)
+        memset(self->force_scale, 0, self->contacts->closed->len * sizeof(double));
+    return status;
+}
+
+double tinker_trigger_place_rounding(const TinkerContactRun *self, const TinkerTrigger *trigger)
+{
+    if (trigger->row >= 0) return PLACE_ROUNDING * self->model->constraints.scales[trigger->row];
+    const TinkerPlate *plate = &self->contacts->plates[trigger->plate];
+    const TinkerPoint *at = &self->model->point[trigger->body], *base = &self->model->point[plate->point];
+    return PLACE_ROUNDING * (fabs(at->x) + fabs(at->y) + fabs(base->x) + fabs(base->y) + plate->half_height +
+                             self->contacts->half_height[trigger->body]);
+}
+
+/* What constraints pull a body with, each by itself: what presses may be what is left of it. */
+static double constraint_forces(const TinkerModel *model, int32_t body)
+{
+    const TinkerConstraints *all = &model->constraints;
+    double sum = 0;
+    for (int32_t k = all->body_starts[body]; k < all->body_starts[body + 1]; k++) {
+        int32_t entry = all->body_entries[k];
+        sum += fabs(all->lambda[all->row_of[entry]]) *
+               (fabs(all->jacobian[2 * entry]) + fabs(all->jacobian[2 * entry + 1]));
+    }
+    return sum;
+}
+
+void tinker_contact_run_note_force_scales(TinkerContactRun *self)
+{
+    const TinkerModel *model = self->model;
+    for (guint i = 0; i < self->contacts->closed->len; i++) {
+        const TinkerContact *contact = tinker_contacts_closed(self->contacts, i);
+        int32_t k = 2 * contact->body;
+        double applied = fabs(model->force[k]) + fabs(model->force[k + 1]) +
+                         model->mass[contact->body] *
+                             (fabs(model->constant_acceleration[k]) + fabs(model->constant_acceleration[k + 1]));
+        if (self->contacts->held[contact->body]) applied += constraint_forces(model, contact->body);
+        self->force_scale[i] = fmax(self->force_scale[i], applied + fabs(contact->normal) + fabs(contact->friction));
+    }
+}
+
+static double acceleration_scale(const TinkerContactRun *self, const TinkerTrigger *trigger)
+{
+    int32_t k = 2 * trigger->body;
+    double scale = 0;
+    if (trigger->row < 0) {
+        const double *base = self->model->point_acceleration + 2 * self->contacts->plates[trigger->plate].point;
+        scale = fabs(base[0]) + fabs(base[1]);
+    }
+    return scale + fabs(self->model->constant_acceleration[k]) + fabs(self->model->constant_acceleration[k + 1]) +
+           (fabs(self->model->force[k]) + fabs(self->model->force[k + 1])) * self->model->inverse_mass[trigger->body];
+}
+
+/* What dense output makes of an acceleration that is 0, as a share of what acts. */
+static double acceleration_noise(const TinkerContactRun *self)
+{
+    return self->remembers ? fmax(FORCE_ROUNDING, self->run->choice.tolerance) : FORCE_ROUNDING;
+}
+
+double tinker_trigger_level(const TinkerContactRun *self, const TinkerTrigger *trigger, double speed)
+{
+    switch (trigger->kind) {
+    case TINKER_TRIGGER_GAP:
+    case TINKER_TRIGGER_END:
+    case TINKER_TRIGGER_BEGINNING:
+        return -tinker_trigger_place_rounding(self, trigger);
+    case TINKER_TRIGGER_SPEED:
+        return -tinker_contact_run_speed_noise(self) * speed;
+    case TINKER_TRIGGER_LEAVING:
+    case TINKER_TRIGGER_STARTING:
+        return -acceleration_noise(self) * acceleration_scale(self, trigger);
+    default:
+        if (trigger->row >= 0)
+            return -FORCE_ROUNDING * self->model->mass[trigger->body] * acceleration_scale(self, trigger);
+        return -FORCE_ROUNDING * self->force_scale[trigger->closed];
+    }
+}

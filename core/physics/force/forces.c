@@ -1,0 +1,205 @@
+/* Applied forces: everything but the constraints. Forces are added up by point, in an order that never changes: merged
+ * lines, lines that are asked for, driven forces, force elements, fields.
+ *
+ * The power of force elements and fields that store energy is booked whole; what they stored is taken off again where the
+ * books are read (energy.c), so that no gradient is needed here. */
+#include <glib/gi18n-lib.h>
+#include <math.h>
+#include <string.h>
+
+#include "physics/force/forces.h"
+#include "physics/force/line-parts.h"
+#include "physics/model/model-data.h"
+#include "plugin/guarded.h"
+#include "plugin/words.h"
+
+/* Lines whose plugin is asked -------------------------------------------------------------------------------------- */
+
+/* What dampers take: the part of the tension that is not there at rate 0. */
+static TinkerStatus take_line_power(TinkerModel *model, const TinkerAskedBatch *asked, TinkerBatch *view,
+                                    const TinkerLineChunk *chunk)
+{
+    const TinkerLineLaw *law = asked->batch->block_class->physics->line_law;
+    memset(chunk->still, 0, sizeof(double) * TINKER_CHUNK);
+    if (asked->stores_energy) {
+        double *zero = model->chunk + 6 * TINKER_CHUNK;
+        memset(zero, 0, sizeof(double) * TINKER_CHUNK);
+        TinkerStatus status =
+            TINKER_CALL_BATCH(asked->batch, "tension", view, law->tension(view, chunk->length, zero, chunk->still));
+        if (status != TINKER_OK) return status;
+    }
+    TinkerBook book = asked->batch->waveforms > 0 ? TINKER_BOOK_MOTORS : TINKER_BOOK_DAMPERS;
+    for (int32_t i = 0; i < view->count; i++)
+        model->book_power[book] -= (chunk->tension[i] - chunk->still[i]) * chunk->rate[i];
+    return TINKER_OK;
+}
+
+static TinkerStatus add_asked_lines(TinkerModel *model, const TinkerAskedBatch *asked, gboolean books)
+{
+    const TinkerBlockBatch *batch = asked->batch;
+    for (int32_t first = 0; first < batch->count; first += TINKER_CHUNK) {
+        int32_t count = MIN(TINKER_CHUNK, batch->count - first);
+        const int32_t *points = asked->end_points + 2 * first;
+        TinkerLineChunk chunk;
+        TinkerBatch view = tinker_model_view(model, batch, first, count, model->column_views);
+        TinkerStatus status = tinker_model_ask_lines(model, batch, points, &view, &chunk);
+        if (status == TINKER_OK && books) {
+            status = take_line_power(model, asked, &view, &chunk);
+            if (status != TINKER_OK) return tinker_model_refuse_forces(model, batch, &view, status, "tension");
+        }
+        if (status != TINKER_OK) return status;
+        for (int32_t i = 0; i < count; i++) {
+            double fx = chunk.tension[i] * chunk.x[i], fy = chunk.tension[i] * chunk.y[i];
+            double *on_a = model->force + 2 * points[2 * i], *on_b = model->force + 2 * points[2 * i + 1];
+            on_a[0] += fx;
+            on_a[1] += fy;
+            on_b[0] -= fx;
+            on_b[1] -= fy;
+        }
+    }
+    return TINKER_OK;
+}
+
+/* Forces on single points ------------------------------------------------------------------------------------------ */
+
+static void push(TinkerModel *model, int32_t point, double fx, double fy, gboolean books)
+{
+    const TinkerPoint *at = &model->point[point];
+    model->force[2 * point] += fx;
+    model->force[2 * point + 1] += fy;
+    if (books) model->book_power[TINKER_BOOK_MOTORS] += fx * at->vx + fy * at->vy;
+}
+
+static TinkerStatus add_driven_forces(TinkerModel *model, gboolean books)
+{
+    for (guint i = 0; i < model->driven->len; i++) {
+        const TinkerDrivenForce *driven = &g_array_index(model->driven, TinkerDrivenForce, i);
+        double fx = *driven->value * driven->direction[0], fy = *driven->value * driven->direction[1];
+        if (!isfinite(fx + fy)) return tinker_model_not_finite(model, driven->batch, driven->row, "force");
+        push(model, driven->point, fx, fy, books);
+    }
+    if (!books || model->constant_force == NULL) return TINKER_OK;
+    for (int32_t i = 0; i < model->bodies; i++)
+        model->book_power[TINKER_BOOK_MOTORS] +=
+            model->constant_force[2 * i] * model->point[i].vx + model->constant_force[2 * i + 1] * model->point[i].vy;
+    return TINKER_OK;
+}
+
+static TinkerStatus add_asked_forces(TinkerModel *model, const TinkerAskedBatch *asked, gboolean books)
+{
+    const TinkerBlockBatch *batch = asked->batch;
+    for (int32_t first = 0; first < batch->count; first += TINKER_CHUNK) {
+        int32_t count = MIN(TINKER_CHUNK, batch->count - first);
+        const int32_t *points = asked->end_points + batch->end_offsets[first];
+        const double *force;
+        TinkerStatus status = tinker_model_ask_element(model, batch, points, first, count, &force);
+        if (status != TINKER_OK) return status;
+        for (int32_t e = 0; e < batch->end_offsets[first + count] - batch->end_offsets[first]; e++)
+            push(model, points[e], force[2 * e], force[2 * e + 1], books);
+    }
+    return TINKER_OK;
+}
+
+/* Fields ----------------------------------------------------------------------------------------------------------- */
+
+static TinkerStatus add_asked_field(TinkerModel *model, const TinkerAskedBatch *asked, gboolean books)
+{
+    const double *force;
+    TinkerStatus status = tinker_model_ask_field(model, asked->batch, 0, asked->batch->count, &force);
+    if (status != TINKER_OK) return status;
+    for (int32_t i = 0; i < model->bodies; i++) {
+        double fx = force[2 * i], fy = force[2 * i + 1];
+        model->force[2 * i] += fx;
+        model->force[2 * i + 1] += fy;
+        if (books) model->book_power[TINKER_BOOK_FIELDS] += fx * model->point[i].vx + fy * model->point[i].vy;
+    }
+    return TINKER_OK;
+}
+
+static void add_linear_field_power(TinkerModel *model)
+{
+    for (int32_t i = 0; i < model->bodies; i++) {
+        const TinkerPoint *at = &model->point[i];
+        model->book_power[TINKER_BOOK_FIELDS] += (model->field_force[0] - model->field_drag * at->vx) * at->vx +
+                                                 (model->field_force[1] - model->field_drag * at->vy) * at->vy;
+    }
+}
+
+/* What moving supports give through the forces that act on them. */
+static void add_support_power(TinkerModel *model)
+{
+    for (guint i = 0; i < model->support_points->len; i++) {
+        if (!g_array_index(model->support_points, TinkerSupportPoint, i).moving) continue;
+        int32_t number = model->bodies + (int32_t)i;
+        const TinkerPoint *at = &model->point[number];
+        model->book_power[TINKER_BOOK_SUPPORT_MOTION] -=
+            model->force[2 * number] * at->vx + model->force[2 * number + 1] * at->vy;
+    }
+}
+
+static TinkerStatus add_asked(TinkerModel *model, GArray *batches,
+                              TinkerStatus (*add)(TinkerModel *, const TinkerAskedBatch *, gboolean), gboolean books)
+{
+    for (guint i = 0; i < batches->len; i++) {
+        TinkerStatus status = add(model, &g_array_index(batches, TinkerAskedBatch, i), books);
+        if (status != TINKER_OK) return status;
+    }
+    return TINKER_OK;
+}
+
+typedef struct {
+    const TinkerModel *model;
+    double *a;
+} Acceleration;
+
+static void accelerate(void *data, int32_t first, int32_t end)
+{
+    const Acceleration *loop = data;
+    const TinkerModel *model = loop->model;
+    double *restrict a = loop->a;
+    const double *restrict force = model->force, *restrict inverse = model->inverse_mass;
+    const double *restrict constant = model->constant_acceleration;
+    for (int32_t i = first; i < end; i++) {
+        a[2 * i] = constant[2 * i] + force[2 * i] * inverse[i];
+        a[2 * i + 1] = constant[2 * i + 1] + force[2 * i + 1] * inverse[i];
+    }
+    if (model->field_drag == 0) return;
+    for (int32_t i = first; i < end; i++) {
+        a[2 * i] -= model->field_drag * inverse[i] * model->point[i].vx;
+        a[2 * i + 1] -= model->field_drag * inverse[i] * model->point[i].vy;
+    }
+}
+
+/* The forces of merged lines alone; answers the power that dampers take. */
+static inline double lines_forces(TinkerModel *model)
+{
+    double taken = 0;
+    if (model->line_parts != NULL) return tinker_line_parts_forces(model);
+    if (model->lines.count > 0 || model->more_than_lines)
+        memset(model->force, 0, 2 * (gsize)model->points * sizeof(double));
+    if (model->lines.count > 0) tinker_lines_add_forces(&model->lines, model->point, model->force, &taken);
+    return taken;
+}
+
+/* Apart, so that models of lines alone do not carry its registers. */
+static G_NO_INLINE TinkerStatus add_more_than_lines(TinkerModel *model, gboolean books)
+{
+    TinkerStatus status = add_asked(model, model->asked_lines, add_asked_lines, books);
+    if (status == TINKER_OK) status = add_driven_forces(model, books);
+    if (status == TINKER_OK) status = add_asked(model, model->asked_forces, add_asked_forces, books);
+    if (status == TINKER_OK) status = add_asked(model, model->asked_fields, add_asked_field, books);
+    if (status != TINKER_OK) return status;
+    if (books && model->has_book[TINKER_BOOK_FIELDS]) add_linear_field_power(model);
+    if (books && model->moving_supports > 0) add_support_power(model);
+    return TINKER_OK;
+}
+
+TinkerStatus tinker_model_applied(TinkerModel *model, double *a, gboolean books)
+{
+    model->evaluations++;
+    if (books && model->more_than_lines) memset(model->book_power, 0, sizeof(model->book_power));
+    model->book_power[TINKER_BOOK_DAMPERS] = -lines_forces(model);
+    TinkerStatus status = model->more_than_lines ? add_more_than_lines(model, books) : TINKER_OK;
+    if (status == TINKER_OK) tinker_share_range(model->bodies, accelerate, &(Acceleration){model, a});
+    return status;
+}

@@ -1,0 +1,85 @@
+/* The laws of several contacts at once: to rounding where they are few, by projected Gauss-Seidel where they are many. */
+#include <glib/gi18n-lib.h>
+#include <math.h>
+#include <string.h>
+
+#include "physics/impulse/impulse-private.h"
+
+/* Friction nearer to its bound than this share holds no more. */
+#define AT_BOUND 1e-9
+
+static double friction_of(const TinkerImpulses *self, const TinkerImpulseTouch *touch)
+{
+    const TinkerImpulsePlate *plate = &self->plates[touch->plate];
+    return touch->was == TINKER_CONTACT_STICK ? plate->static_friction : plate->dynamic_friction;
+}
+
+static TinkerContactMode mode_of(const double *impulses, double friction)
+{
+    if (!(impulses[0] > 0)) return TINKER_CONTACT_OPEN;
+    const double most = friction * impulses[0];
+    if (most > 0 && fabs(impulses[1]) < (1 - AT_BOUND) * most) return TINKER_CONTACT_STICK;
+    return impulses[1] > 0 ? TINKER_CONTACT_SLIP_BACKWARD : TINKER_CONTACT_SLIP_FORWARD;
+}
+
+/* Whoever begins to slip rubs with its dynamic coefficient. */
+static gboolean let_slip(const TinkerImpulses *self, TinkerImpulseTouch *const *touches, int32_t count,
+                         const double *impulses, double *friction)
+{
+    gboolean any = FALSE;
+    for (int32_t k = 0; k < count; k++) {
+        const double dynamic = self->plates[touches[k]->plate].dynamic_friction;
+        const TinkerContactMode mode = mode_of(impulses + 2 * k, friction[k]);
+        if (mode == TINKER_CONTACT_OPEN || mode == TINKER_CONTACT_STICK || friction[k] == dynamic) continue;
+        friction[k] = dynamic;
+        any = TRUE;
+    }
+    return any;
+}
+
+/* `room` holds 2 per contact. */
+static gboolean solve(const TinkerImpact *impact, double *impulses, double *room)
+{
+    return impact->count > TINKER_MOST_TOUCHES ? tinker_impact_sweep(impact, room, impulses)
+                                               : tinker_impact_solve(impact, impulses) == TINKER_CONTACT_SOLVED;
+}
+
+/* Where friction wedges, no impulses bring a body as far out as its gap or its restitution ask for: it comes to rest. */
+static void ask_for_rest(const TinkerImpulses *self, TinkerImpulseTouch **touches, int32_t count, const double *least,
+                         double *rest)
+{
+    for (int32_t k = 0; k < count; k++) {
+        const TinkerImpulsePlate *plate = &self->plates[touches[k]->plate];
+        rest[k] = fmin(least[k], tinker_dot(plate->normal, plate->velocity));
+    }
+}
+
+gboolean tinker_impulse_solve_laws(const TinkerImpulses *self, TinkerImpulseTouch **touches, int32_t count,
+                                   const double *delassus, const double *velocity, const double *least, double *room)
+{
+    double *impulses = room, *friction = room + 2 * (gsize)count, *rest = friction + count;
+    double *work = rest + count;
+    TinkerImpact impact = {count, delassus, velocity, NULL, friction, least};
+    for (int32_t k = 0; k < count; k++)
+        friction[k] = friction_of(self, touches[k]);
+    for (int32_t tries = 0; tries <= count; tries++) {
+        gboolean solved = solve(&impact, impulses, work);
+        if (!solved) {
+            ask_for_rest(self, touches, count, least, rest);
+            impact.least = rest;
+            solved = solve(&impact, impulses, work);
+        }
+        if (!solved) {
+            g_snprintf(self->model->failure, sizeof(self->model->failure),
+                       _("no impulses satisfy the laws of impact for all bodies that touch there"));
+            return FALSE;
+        }
+        if (!let_slip(self, touches, count, impulses, friction)) break;
+    }
+    for (int32_t k = 0; k < count; k++) {
+        touches[k]->normal = impulses[2 * k];
+        touches[k]->friction = impulses[2 * k + 1];
+        touches[k]->is = mode_of(impulses + 2 * k, friction[k]);
+    }
+    return TRUE;
+}

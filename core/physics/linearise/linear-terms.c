@@ -1,0 +1,16 @@
+/* The terms that a linearisation is the sum of. */
+#include "physics/linearise/linearise-private.h"
+
+void tinker_linear_begin_term(const TinkerLinearisation *linear, GArray *terms, double weight)
+{
+    TinkerLinearTerm term = {weight, linear->entries->len, 0};
+    g_array_append_val(terms, term);
+}
+
+void tinker_linear_add_entry(TinkerLinearisation *linear, GArray *terms, int32_t coordinate, double value)
+{
+    TinkerLinearEntry entry = {coordinate, value};
+    if (value == 0) return;
+    g_array_append_val(linear->entries, entry);
+    g_array_index(terms, TinkerLinearTerm, terms->len - 1).count++;
+}

@@ -1,0 +1,148 @@
+/* Constraints made linear: their rows, and of each the second derivative, by differences of the plugin's own Jacobian. */
+#include <math.h>
+#include <string.h>
+
+#include "numerics/symmetric-eigen.h"
+#include "physics/linearise/linearise-private.h"
+#include "physics/model/model-data.h"
+
+/* Of a row's length: the step of differences of order 6, whose truncation and rounding are both some 1e-13 there. */
+#define HESSIAN_STEP 3e-3
+/* Parts of a second derivative that are smaller than this beside its largest are the differences' own. */
+#define HESSIAN_NOISE 1e-11
+
+void tinker_linear_add_row(TinkerLinearisation *linear, const TinkerConstraints *all, int32_t row)
+{
+    tinker_linear_begin_term(linear, linear->rows, 1);
+    for (int32_t e = all->row_starts[row]; e < all->row_starts[row + 1]; e++) {
+        tinker_linear_add_entry(linear, linear->rows, 2 * all->points[e], all->jacobian[2 * e]);
+        tinker_linear_add_entry(linear, linear->rows, 2 * all->points[e] + 1, all->jacobian[2 * e + 1]);
+    }
+}
+
+/* Second derivatives of all rows of a part by coordinate `axis` of end `slot` of each instance: 2 entries an end. */
+typedef struct {
+    const TinkerModel *model;
+    TinkerConstraintBatch *part;
+    TinkerPoint *ends;
+    double *g, *drift, *jacobian;
+    double *column; /* 2 per entry of the part */
+} Difference;
+
+static double step_of(const Difference *d, int32_t instance)
+{
+    const double *scales = d->model->constraints.scales + d->part->first_row;
+    int32_t rows = d->part->constraint->rows;
+    double least = scales[instance * rows];
+    for (int32_t r = 1; r < rows; r++)
+        least = fmin(least, scales[instance * rows + r]);
+    return HESSIAN_STEP * least;
+}
+
+static TinkerStatus differentiate(Difference *d, int32_t slot, int axis)
+{
+    static const double weights[] = {-1, 9, -45, 0, 45, -9, 1}; /* / 60 h */
+    const TinkerBlockBatch *batch = d->part->batch;
+    int32_t entries = batch->end_count * d->part->constraint->rows;
+    memset(d->column, 0, 2 * (gsize)entries * sizeof(double));
+    for (int k = -3; k <= 3; k++) {
+        if (k == 0) continue;
+        for (int32_t i = 0; i < batch->count; i++)
+            for (int32_t e = batch->end_offsets[i]; e < batch->end_offsets[i + 1]; e++) {
+                d->ends[e] = d->model->point[d->part->end_points[e]];
+                if (e - batch->end_offsets[i] != slot) continue;
+                *(axis == 0 ? &d->ends[e].x : &d->ends[e].y) += k * step_of(d, i);
+            }
+        TinkerStatus status =
+            TINKER_CALL_BATCH(batch, "rows_at", &d->part->view,
+                              d->part->constraint->rows_at(&d->part->view, d->ends, d->g, d->jacobian, d->drift));
+        if (status != TINKER_OK) return status;
+        for (int32_t e = 0; e < 2 * entries; e++)
+            d->column[e] += weights[k + 3] * d->jacobian[e];
+    }
+    return TINKER_OK;
+}
+
+/* The second derivative of one row, as parts of rank one with the weight -lambda. */
+static gboolean add_hessian(TinkerLinearisation *linear, const TinkerConstraints *all, int32_t row, double *hessian)
+{
+    int32_t first = all->row_starts[row], n = 2 * (all->row_starts[row + 1] - first);
+    g_autofree double *vectors = g_new0(double, (gsize)n *(gsize)n);
+    double largest = 0;
+    for (int32_t i = 0; i < n; i++) {
+        vectors[i + n * i] = 1;
+        for (int32_t k = 0; k < i; k++)
+            hessian[i + n * k] = hessian[k + n * i] = 0.5 * (hessian[i + n * k] + hessian[k + n * i]);
+    }
+    if (!tinker_symmetric_eigen(n, hessian, n, vectors)) return FALSE;
+    for (int32_t i = 0; i < n; i++)
+        largest = fmax(largest, fabs(hessian[i + n * i]));
+    for (int32_t i = 0; i < n; i++) {
+        double value = hessian[i + n * i];
+        if (fabs(value) <= HESSIAN_NOISE * largest || all->lambda[row] == 0) continue;
+        tinker_linear_begin_term(linear, linear->stiffness, -all->lambda[row] * value);
+        for (int32_t k = 0; k < n; k++)
+            tinker_linear_add_entry(linear, linear->stiffness, 2 * all->points[first + k / 2] + k % 2,
+                                    vectors[k + n * i]);
+    }
+    return TRUE;
+}
+
+/* The second derivatives of all rows, side by side: of each row its columns, from 4 * most * its first entry on. */
+static TinkerStatus fill_hessians(Difference *d, int32_t most, double *hessians)
+{
+    const TinkerConstraints *all = &d->model->constraints;
+    const TinkerConstraintBatch *part = d->part;
+    for (int32_t slot = 0; slot < most; slot++)
+        for (int axis = 0; axis < 2; axis++) {
+            TinkerStatus status = differentiate(d, slot, axis);
+            if (status != TINKER_OK) return status;
+            for (int32_t row = part->first_row; row < part->first_row + part->row_count; row++) {
+                int32_t at = all->row_starts[row] - part->first_entry;
+                int32_t n = 2 * (all->row_starts[row + 1] - all->row_starts[row]);
+                if (2 * slot >= n) continue;
+                double *column = hessians + 4 * (gsize)most * (gsize)at + (gsize)n * (gsize)(2 * slot + axis);
+                for (int32_t k = 0; k < n; k++)
+                    column[k] =
+                        d->column[2 * at + k] / (60 * step_of(d, (row - part->first_row) / part->constraint->rows));
+            }
+        }
+    return TINKER_OK;
+}
+
+TinkerStatus tinker_linear_add_constraints(TinkerLinearisation *linear, TinkerModel *model, TinkerConstraintBatch *part)
+{
+    const TinkerConstraints *all = &model->constraints;
+    const TinkerBlockBatch *batch = part->batch;
+    int32_t rows = part->constraint->rows, most = 0;
+    gsize entries = (gsize)batch->end_count * (gsize)rows;
+    for (int32_t i = 0; i < batch->count; i++)
+        most = MAX(most, batch->end_offsets[i + 1] - batch->end_offsets[i]);
+    g_autofree TinkerPoint *ends = g_new0(TinkerPoint, MAX(batch->end_count, 1));
+    g_autofree double *room = g_new0(double, 2 * (gsize)part->row_count + 4 * entries + 1);
+    g_autofree double *hessians = g_new0(double, MAX(4 * entries * (gsize)most, 1)); /* of each row: its columns */
+    Difference d = {model,
+                    part,
+                    ends,
+                    room,
+                    room + part->row_count,
+                    room + 2 * part->row_count,
+                    room + 2 * (gsize)part->row_count + 2 * entries};
+    TinkerStatus status = fill_hessians(&d, most, hessians);
+    if (status != TINKER_OK) return status;
+    for (int32_t row = part->first_row; row < part->first_row + part->row_count; row++) {
+        if (all->unilateral != NULL && all->slack[row]) continue;
+        tinker_linear_add_row(linear, all, row);
+        gsize at = (gsize)(all->row_starts[row] - part->first_entry);
+        if (!add_hessian(linear, all, row, hessians + 4 * (gsize)most * at)) return TINKER_FAILED;
+    }
+    return TINKER_OK;
+}
+
+/* Motions that the rods of a bar allow turn u and w alike, so that the second derivative of h, 2 u' x w' / L, is 0 along them: it
+ * adds nothing to the stiffness. */
+void tinker_linear_add_straight_rows(TinkerLinearisation *linear, const TinkerConstraints *all)
+{
+    for (int32_t row = all->first_straight; row < all->rows; row++)
+        tinker_linear_add_row(linear, all, row);
+}

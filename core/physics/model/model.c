@@ -1,0 +1,73 @@
+/* What can be asked of a compiled model. */
+#include "physics/model/model-data.h"
+
+#include <math.h>
+
+G_DEFINE_QUARK(tinker_model_error_quark, tinker_model_error)
+
+const GPtrArray *tinker_model_warnings(const TinkerModel *model)
+{
+    return model->warnings;
+}
+
+void tinker_model_start_place(const TinkerModel *model, int32_t point, double place[2])
+{
+    if (point < model->bodies) {
+        place[0] = model->q_start[2 * point];
+        place[1] = model->q_start[2 * point + 1];
+        return;
+    }
+    const TinkerSupportPoint *support =
+        &g_array_index(model->support_points, TinkerSupportPoint, (guint)(point - model->bodies));
+    place[0] = support->x;
+    place[1] = support->y;
+}
+
+const int32_t *tinker_model_end_points(const TinkerModel *model, const TinkerBlockBatch *batch)
+{
+    guint number;
+    if (!g_ptr_array_find(model->batches, batch, &number)) return NULL;
+    return g_ptr_array_index(model->end_points, number);
+}
+
+int32_t tinker_model_book_index(const TinkerModel *model, TinkerBook book)
+{
+    int32_t index = 0;
+    for (TinkerBook before = 0; before < book; before++)
+        if (model->has_book[before]) index++;
+    return model->has_book[book] ? index : -1;
+}
+
+static int32_t count_asked(const GArray *batches)
+{
+    int32_t count = 0;
+    for (guint i = 0; i < batches->len; i++)
+        count += g_array_index(batches, TinkerAskedBatch, i).batch->count;
+    return count;
+}
+
+TinkerModelSizes tinker_model_sizes(const TinkerModel *model)
+{
+    const TinkerConstraints *all = &model->constraints;
+    return (TinkerModelSizes){
+        .bodies = model->bodies,
+        .degrees_of_freedom = 2 * model->bodies - (all->rows - all->redundant),
+        .constraint_rows = all->rows,
+        .redundant_rows = all->redundant,
+        .merged_lines = model->lines.count,
+        .nonlinear_lines = count_asked(model->asked_lines),
+        .moving_supports = model->moving_supports,
+    };
+}
+
+double tinker_greatest(const double *x, int32_t n)
+{
+    double most[4] = {0, 0, 0, 0}; /* side by side, so that comparisons do not wait for each other */
+    int32_t i = 0;
+    for (; i + 4 <= n; i += 4)
+        for (int k = 0; k < 4; k++)
+            most[k] = MAX(most[k], fabs(x[i + k]));
+    for (; i < n; i++)
+        most[0] = MAX(most[0], fabs(x[i]));
+    return MAX(MAX(most[0], most[1]), MAX(most[2], most[3]));
+}

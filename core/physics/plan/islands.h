@@ -1,0 +1,30 @@
+/* Islands: the parts of a model that nothing ties together. Each is a small model of its own, planned and stepped apart.
+ *
+ * Bodies belong to one island where a connector, a constraint or a field that couples bodies links them; a support links
+ * nobody. Where there are more than TINKER_MOST_ISLANDS of them, fewer in a scene of very many blocks, the smallest are
+ * stepped together as one. */
+#ifndef TINKER_CORE_ISLANDS_H
+#define TINKER_CORE_ISLANDS_H
+
+#include "physics/line/linear-form.h"
+#include "physics/model/model.h"
+
+#define TINKER_MOST_ISLANDS 1024
+
+typedef struct {
+    TinkerModel *model;       /* of this island alone; the whole model where it is the only one */
+    gboolean owns_model;      /* else it is the whole one, borrowed */
+    int32_t *body_of;         /* of each body of `model`: its number in the whole model */
+    int32_t joined;           /* how many islands are stepped together here; 1 but for the rest behind the limit */
+    TinkerLinearForm *linear; /* NULL where the island is not linear */
+} TinkerIsland;
+
+/* The islands of a model, which they borrow; in the order of their first bodies. Element: TinkerIsland *. NULL with an error
+ * of the model where a part does not compile. (transfer full) */
+GPtrArray *tinker_islands_new(TinkerModel *whole, GError **error);
+
+/* Likewise for a run. With contact as `impulses` a model that has contacts is one island, stepped in the plane: its parts
+ * cost less together than apart. */
+GPtrArray *tinker_islands_for(TinkerModel *whole, gboolean impulses, GError **error);
+
+#endif

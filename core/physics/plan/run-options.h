@@ -1,0 +1,45 @@
+/* What a run may be asked for. */
+#ifndef TINKER_CORE_RUN_OPTIONS_H
+#define TINKER_CORE_RUN_OPTIONS_H
+
+#include "scene/scene.h"
+
+typedef struct {
+    double duration;    /* s */
+    double interval;    /* s between samples; ignored where `at` is given */
+    const double *at;   /* times of the samples, any order; or NULL. Borrowed until the simulation is freed */
+    gsize at_count;     /* the run lasts to the greatest of them */
+    const char *method; /* "auto", or an integrator's id */
+    double step;        /* s, of fixed-step methods */
+    double tolerance;   /* of adaptive methods */
+    double accuracy; /* wanted error estimate of the run: the plan chooses step and tolerance for it, and both are left
+                           out of account; 0: they count. Held by tinker_accurate_run */
+    double spectral_radius;
+    gboolean impulses;                 /* contact as impulses, in steps of `step`, whatever `method` */
+    gboolean estimate;                 /* run a companion for the error estimate */
+    gboolean bands;                    /* and evaluate the columns on it too */
+    gboolean (*cancelled)(void *data); /* asked now and then; TRUE stops the run. May be NULL */
+    void (*progress)(double t, double duration, void *data); /* called now and then. May be NULL */
+    void *data;                                              /* of the two */
+} TinkerRunOptions;
+
+/* The scene's own settings. Strings are borrowed from it. */
+TinkerRunOptions tinker_run_options_of(TinkerScene *scene);
+
+/* What is wrong with a method of this name, "there is no method ...", or NULL: for TinkerCatalogueOptions. (transfer full) */
+char *tinker_method_fault(TinkerCatalogue *catalogue, const char *id);
+
+/* How long a run lasts (s): to the last sample; the time that methods and steps are chosen for, which samples do not change: the
+ * scene's duration; and the number of samples. */
+double tinker_options_duration(const TinkerRunOptions *options);
+double tinker_options_span(const TinkerRunOptions *options);
+double tinker_options_samples(const TinkerRunOptions *options);
+
+/* The integrator of this name: built in, or of a plugin; "auto" is the default one. NULL with
+ * TINKER_MODEL_ERROR_METHOD. */
+const TinkerIntegrator *tinker_run_method(TinkerScene *scene, const char *id, GError **error);
+
+gboolean tinker_run_options_check(const TinkerRunOptions *options, const TinkerIntegrator *method, double duration,
+                                  GError **error);
+
+#endif

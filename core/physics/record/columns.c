@@ -1,0 +1,160 @@
+/* Columns of a record, found by name. */
+#include "physics/record/columns.h"
+
+#include <string.h>
+
+static void column_clear(gpointer data)
+{
+    g_free(((TinkerColumn *)data)->name);
+}
+
+GArray *tinker_columns_new(void)
+{
+    GArray *columns = g_array_new(FALSE, TRUE, sizeof(TinkerColumn));
+    g_array_set_clear_func(columns, column_clear);
+    return columns;
+}
+
+void tinker_columns_add_quantity(GArray *columns, TinkerScene *scene, TinkerBlockId block, int32_t quantity)
+{
+    const TinkerQuantityType *type = &tinker_scene_block_class(scene, block)->quantities[quantity];
+    TinkerColumn column = {
+        .block = block,
+        .quantity = quantity,
+        .name = g_strdup_printf("%s.%s", tinker_scene_block_name(scene, block), type->id),
+        .title = type->title,
+        .dimension = type->dimension,
+        .unit = tinker_unit_si_symbol(type->dimension),
+    };
+    g_array_append_val(columns, column);
+}
+
+static void append_recorded(GArray *columns, TinkerScene *scene, gboolean connectable)
+{
+    for (int32_t place = 0; place < tinker_scene_block_count(scene); place++) {
+        TinkerBlockId block = tinker_scene_block_at(scene, place);
+        const TinkerBlockClass *block_class = tinker_scene_block_class(scene, block);
+        if (block_class == NULL) continue;
+        gboolean is_body = block_class->physics != NULL && block_class->physics->body != NULL;
+        if (is_body != connectable) continue;
+        for (int32_t q = 0; q < block_class->quantity_count; q++)
+            if (block_class->quantities[q].flags & TINKER_RECORDED)
+                tinker_columns_add_quantity(columns, scene, block, q);
+    }
+}
+
+GArray *tinker_columns_default(TinkerScene *scene)
+{
+    GArray *columns = tinker_columns_new();
+    append_recorded(columns, scene, TRUE);
+    append_recorded(columns, scene, FALSE);
+    return columns;
+}
+
+/* "Gravity, Pivot, Bob": the first of the names. */
+static char *list_names(const char *const *names)
+{
+    const int most = 8;
+    GString *list = g_string_new(NULL);
+    for (int i = 0; i <= most && names[i] != NULL; i++)
+        g_string_append_printf(list, "%s%s", i > 0 ? ", " : "", i < most ? names[i] : "...");
+    if (names[0] == NULL) g_string_append(list, "none");
+    return g_string_free(list, FALSE);
+}
+
+static gboolean unknown_block(TinkerScene *scene, const char *column, const char *block, GError **error)
+{
+    int32_t count = tinker_scene_block_count(scene);
+    g_autofree const char **names = g_new0(const char *, count + 1);
+    for (int32_t place = 0; place < count; place++)
+        names[place] = tinker_scene_block_name(scene, tinker_scene_block_at(scene, place));
+    const char *nearest = tinker_nearest_word(block, names);
+    g_autofree char *known = nearest != NULL ? NULL : list_names(names);
+    g_autofree char *others =
+        nearest != NULL ? g_strdup_printf("; did you mean \"%s\"?", nearest) : g_strdup_printf(" (it has %s)", known);
+    g_set_error(error, TINKER_SCENE_ERROR, TINKER_SCENE_ERROR_NAME,
+                "column \"%s\": the scene has no block \"%s\"%s (a column is BLOCK.QUANTITY, as in \"Mass 0.x\"%s)",
+                column, block, others, strchr(column, '.') == NULL ? "; put quotes round a name with a space" : "");
+    return FALSE;
+}
+
+static gboolean unknown_quantity(const TinkerBlockClass *block_class, const char *column, const char *quantity,
+                                 GError **error)
+{
+    g_autoptr(GString) known = g_string_new(NULL);
+    for (int32_t q = 0; q < block_class->quantity_count; q++)
+        g_string_append_printf(known, "%s%s", q > 0 ? ", " : "", block_class->quantities[q].id);
+    g_set_error(error, TINKER_SCENE_ERROR, TINKER_SCENE_ERROR_NAME,
+                "column \"%s\": this block has no quantity \"%s\" (it has %s)", column, quantity,
+                known->len > 0 ? known->str : "none");
+    return FALSE;
+}
+
+/* A block's name alone. */
+static gboolean no_quantity(TinkerScene *scene, TinkerBlockId block, const char *column, GError **error)
+{
+    const TinkerBlockClass *block_class = tinker_scene_block_class(scene, block);
+    if (block_class == NULL || block_class->quantity_count == 0) {
+        g_set_error(error, TINKER_SCENE_ERROR, TINKER_SCENE_ERROR_NAME,
+                    "column \"%s\": this block has no quantities (a column is BLOCK.QUANTITY, as in \"Mass 0.x\")",
+                    column);
+        return FALSE;
+    }
+    g_autoptr(GString) known = g_string_new(NULL);
+    for (int32_t q = 0; q < block_class->quantity_count; q++)
+        g_string_append_printf(known, "%s%s", q > 0 ? ", " : "", block_class->quantities[q].id);
+    g_set_error(error, TINKER_SCENE_ERROR, TINKER_SCENE_ERROR_NAME,
+                "column \"%s\": the quantity is missing, as in \"%s.%s\" (it has %s)", column, column,
+                block_class->quantities[0].id, known->str);
+    return FALSE;
+}
+
+/* Nobody knows the quantities of a placeholder. */
+static gboolean missing_type(TinkerScene *scene, TinkerBlockId block, const char *column, GError **error)
+{
+    g_autofree char *reason = tinker_scene_missing_reason(scene, block);
+    g_set_error(error, TINKER_SCENE_ERROR, TINKER_SCENE_ERROR_TYPE, "column \"%s\": the block's type is missing: %s",
+                column, reason);
+    return FALSE;
+}
+
+gboolean tinker_columns_add(GArray *columns, TinkerScene *scene, const char *name, GError **error)
+{
+    const char *dot = strrchr(name, '.');
+    TinkerBlockId whole = tinker_scene_find_block(scene, name);
+    if (dot == NULL && whole != TINKER_NO_BLOCK) return no_quantity(scene, whole, name, error);
+    if (dot == NULL) return unknown_block(scene, name, name, error);
+    g_autofree char *block_name = g_strndup(name, (gsize)(dot - name));
+    TinkerBlockId block = tinker_scene_find_block(scene, block_name);
+    if (block == TINKER_NO_BLOCK) return unknown_block(scene, name, block_name, error);
+    const TinkerBlockClass *block_class = tinker_scene_block_class(scene, block);
+    if (block_class == NULL) return missing_type(scene, block, name, error);
+    int32_t quantity = tinker_block_class_quantity(block_class, dot + 1);
+    if (quantity < 0) return unknown_quantity(block_class, name, dot + 1, error);
+    tinker_columns_add_quantity(columns, scene, block, quantity);
+    return TRUE;
+}
+
+gboolean tinker_columns_add_list(GArray *columns, TinkerScene *scene, const char *list, GError **error)
+{
+    g_auto(GStrv) parts = g_strsplit(list, ",", -1);
+    for (guint i = 0; parts[i] != NULL; i++) {
+        g_autofree char *name = g_strdup(g_strstrip(parts[i]));
+        g_autoptr(GError) first = NULL;
+        if (*name == '\0' && parts[i + 1] == NULL && i > 0) break;
+        gboolean found = tinker_columns_add(columns, scene, name, &first);
+        /* A block's name may hold commas: take in more parts until it is found. */
+        for (guint j = i + 1; !found && parts[j] != NULL; j++) {
+            g_autofree char *longer = g_strdup_printf("%s,%s", name, parts[j]);
+            g_free(name);
+            name = g_steal_pointer(&longer);
+            found = tinker_columns_add(columns, scene, name, NULL);
+            if (found) i = j;
+        }
+        if (!found) {
+            g_propagate_error(error, g_steal_pointer(&first));
+            return FALSE;
+        }
+    }
+    return TRUE;
+}

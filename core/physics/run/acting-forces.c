@@ -1,0 +1,228 @@
+/* The model's forces told apart. The model merges and adds up what it can, so each block's own law is asked here, for the
+ * state that the sample is evaluated at; multipliers and forces of contacts come from that evaluation. */
+#include "physics/run/acting-forces.h"
+
+#include "physics/compile/compile.h"
+#include "physics/contact/contacts.h"
+#include "physics/force/forces.h"
+#include "physics/model/model-data.h"
+#include "physics/plan/run-options.h"
+#include "physics/run/simulation-private.h"
+#include "physics/run/simulation.h"
+
+/* Contacts that there is room for at first, beside one a body; each has normal force and friction, on both sides. */
+#define EXPECTED_CONTACTS 16
+#define FORCES_A_CONTACT  4
+/* Takes no step: any method that goes with contacts. */
+#define START_METHOD "dop853"
+
+struct _TinkerActingForces {
+    TinkerModel *model;
+    double *acceleration;
+    GArray *out; /* borrowed, of the call in progress */
+};
+
+GArray *tinker_acting_forces_array(void)
+{
+    return g_array_new(FALSE, FALSE, sizeof(TinkerActingForce));
+}
+
+TinkerActingForces *tinker_acting_forces_new(TinkerModel *model)
+{
+    TinkerActingForces *forces = g_new0(TinkerActingForces, 1);
+    forces->model = model;
+    forces->acceleration = g_new0(double, 2 * (gsize)MAX(model->bodies, 1));
+    return forces;
+}
+
+void tinker_acting_forces_free(TinkerActingForces *forces)
+{
+    if (forces == NULL) return;
+    g_free(forces->acceleration);
+    g_free(forces);
+}
+
+static TinkerBlockId block_of(const TinkerModel *model, int32_t point)
+{
+    if (point < model->bodies) return model->body_blocks[point];
+    return g_array_index(model->support_points, TinkerSupportPoint, point - model->bodies).support;
+}
+
+/* A force that acts at a point of the model. */
+static void add(TinkerActingForces *forces, TinkerActingKind kind, TinkerBlockId by, int32_t point, double fx,
+                double fy)
+{
+    const TinkerModel *model = forces->model;
+    const TinkerPoint *at = &model->point[point];
+    TinkerActingForce force = {by, block_of(model, point), kind, at->x + model->origin[0], at->y + model->origin[1], fx,
+                               fy};
+    g_array_append_val(forces->out, force);
+}
+
+static TinkerStatus add_lines(TinkerActingForces *forces, const TinkerBlockBatch *batch, const int32_t *end_points)
+{
+    TinkerModel *model = forces->model;
+    for (int32_t first = 0; first < batch->count; first += TINKER_CHUNK) {
+        int32_t count = MIN(TINKER_CHUNK, batch->count - first);
+        const int32_t *points = end_points + 2 * first;
+        TinkerLineChunk chunk;
+        TinkerBatch view = tinker_model_view(model, batch, first, count, model->column_views);
+        TinkerStatus status = tinker_model_ask_lines(model, batch, points, &view, &chunk);
+        if (status != TINKER_OK) return status;
+        for (int32_t i = 0; i < count; i++) {
+            double fx = chunk.tension[i] * chunk.x[i], fy = chunk.tension[i] * chunk.y[i];
+            add(forces, TINKER_ACTING_LINE, batch->ids[first + i], points[2 * i], fx, fy);
+            add(forces, TINKER_ACTING_LINE, batch->ids[first + i], points[2 * i + 1], -fx, -fy);
+        }
+    }
+    return TINKER_OK;
+}
+
+static TinkerStatus add_elements(TinkerActingForces *forces, const TinkerBlockBatch *batch, const int32_t *end_points)
+{
+    for (int32_t row = 0; row < batch->count; row++) {
+        const int32_t *points = end_points + batch->end_offsets[row];
+        const double *force;
+        TinkerStatus status = tinker_model_ask_element(forces->model, batch, points, row, 1, &force);
+        if (status != TINKER_OK) return status;
+        for (int32_t e = 0; e < batch->end_offsets[row + 1] - batch->end_offsets[row]; e++)
+            add(forces, TINKER_ACTING_ELEMENT, batch->ids[row], points[e], force[2 * e], force[2 * e + 1]);
+    }
+    return TINKER_OK;
+}
+
+static TinkerStatus add_fields(TinkerActingForces *forces, const TinkerBlockBatch *batch)
+{
+    for (int32_t row = 0; row < batch->count; row++) {
+        const double *force;
+        TinkerStatus status = tinker_model_ask_field(forces->model, batch, row, 1, &force);
+        if (status != TINKER_OK) return status;
+        for (int32_t i = 0; i < forces->model->bodies; i++)
+            add(forces, TINKER_ACTING_FIELD, batch->ids[row], i, force[2 * i], force[2 * i + 1]);
+    }
+    return TINKER_OK;
+}
+
+/* Constraints pull each end by J^T lambda: the rows of one block on one end together. */
+static void add_constraints(TinkerActingForces *forces, const TinkerConstraintBatch *part)
+{
+    const TinkerConstraints *all = &forces->model->constraints;
+    const TinkerBlockBatch *batch = part->batch;
+    int32_t rows = part->constraint->rows;
+    for (int32_t i = 0; i < batch->count; i++) {
+        int32_t from = batch->end_offsets[i], ends = batch->end_offsets[i + 1] - from;
+        for (int32_t e = 0; e < ends; e++) {
+            double fx = 0, fy = 0;
+            for (int32_t row = part->first_row + i * rows; row < part->first_row + (i + 1) * rows; row++) {
+                const double *jacobian = all->jacobian + 2 * (all->row_starts[row] + e);
+                fx += all->lambda[row] * jacobian[0];
+                fy += all->lambda[row] * jacobian[1];
+            }
+            add(forces, TINKER_ACTING_CONSTRAINT, batch->ids[i], part->end_points[from + e], fx, fy);
+        }
+    }
+}
+
+/* What keeps a bar straight pushes across it: at its ends and between, as the rod does that reaches across. */
+static void add_straight_rows(TinkerActingForces *forces)
+{
+    const TinkerConstraints *all = &forces->model->constraints;
+    for (int32_t row = all->first_straight; row < all->rows; row++)
+        for (int32_t e = all->row_starts[row]; e < all->row_starts[row + 1]; e++)
+            add(forces, TINKER_ACTING_CONSTRAINT, all->blocks[row], all->points[e],
+                all->lambda[row] * all->jacobian[2 * e], all->lambda[row] * all->jacobian[2 * e + 1]);
+}
+
+/* One force of a contact and the opposite one on the plate, both where they touch. */
+static void add_touch(TinkerActingForces *forces, TinkerActingKind kind, const TinkerContact *contact, double fx,
+                      double fy)
+{
+    const TinkerModel *model = forces->model;
+    const TinkerPlate *plate = &model->contacts->plates[contact->plate];
+    const TinkerPoint *centre = &model->point[contact->body];
+    TinkerBlockId body = model->body_blocks[contact->body];
+    double off = model->contacts->half_height[contact->body];
+    double x = centre->x - off * plate->normal[0] + model->origin[0];
+    double y = centre->y - off * plate->normal[1] + model->origin[1];
+    TinkerActingForce pair[2] = {{plate->block, body, kind, x, y, fx, fy}, {body, plate->block, kind, x, y, -fx, -fy}};
+    g_array_append_vals(forces->out, pair, 2);
+}
+
+/* For contacts to come. */
+static void make_room(TinkerActingForces *forces)
+{
+    const TinkerModel *model = forces->model;
+    guint now = forces->out->len;
+    if (model->contacts == NULL) return;
+    g_array_set_size(forces->out, now + FORCES_A_CONTACT * ((guint)model->bodies + EXPECTED_CONTACTS));
+    g_array_set_size(forces->out, now);
+}
+
+static void add_contacts(TinkerActingForces *forces)
+{
+    const TinkerContacts *contacts = forces->model->contacts;
+    for (guint i = 0; contacts != NULL && i < contacts->closed->len; i++) {
+        const TinkerContact *contact = tinker_contacts_closed(contacts, i);
+        const double *n = contacts->plates[contact->plate].normal;
+        add_touch(forces, TINKER_ACTING_NORMAL, contact, contact->normal * n[0], contact->normal * n[1]);
+        add_touch(forces, TINKER_ACTING_FRICTION, contact, contact->friction * n[1], -contact->friction * n[0]);
+    }
+}
+
+static TinkerStatus add_all(TinkerActingForces *forces)
+{
+    const TinkerModel *model = forces->model;
+    TinkerStatus status = TINKER_OK;
+    for (guint i = 0; status == TINKER_OK && i < model->batches->len; i++) {
+        const TinkerBlockBatch *batch = g_ptr_array_index(model->batches, i);
+        const TinkerPhysics *physics = batch->block_class->physics;
+        const int32_t *points = tinker_model_end_points(model, batch);
+        if (physics == NULL) continue;
+        if (physics->line_law != NULL) status = add_lines(forces, batch, points);
+        if (status == TINKER_OK && physics->force_element != NULL) status = add_elements(forces, batch, points);
+        if (status == TINKER_OK && physics->field != NULL) status = add_fields(forces, batch);
+    }
+    for (guint i = 0; status == TINKER_OK && i < model->constraints.batches->len; i++)
+        add_constraints(forces, &g_array_index(model->constraints.batches, TinkerConstraintBatch, i));
+    if (status == TINKER_OK) add_straight_rows(forces);
+    if (status != TINKER_OK) return status;
+    make_room(forces);
+    add_contacts(forces);
+    return TINKER_OK;
+}
+
+gboolean tinker_acting_forces_at(TinkerActingForces *forces, TinkerSimulation *simulation, GArray *out, GError **error)
+{
+    TinkerModel *model = forces->model;
+    g_assert(simulation->model == model);
+    g_array_set_size(out, 0);
+    forces->out = out;
+    model->failure[0] = '\0';
+    TinkerStatus status = tinker_sampler_look_at(model, simulation->sample_time, simulation->sample_q,
+                                                 simulation->sample_v, forces->acceleration);
+    if (status == TINKER_OK) status = add_all(forces);
+    if (status == TINKER_OK) return TRUE;
+    g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_RUN, "the forces at t = %g s cannot be told apart%s%s",
+                simulation->sample_time, model->failure[0] != '\0' ? ": " : "", model->failure);
+    return FALSE;
+}
+
+/* The set-up state ------------------------------------------------------------------------------------------------- */
+
+static gboolean list_sample(TinkerSimulation *simulation, G_GNUC_UNUSED double time, G_GNUC_UNUSED const double *values,
+                            void *out, GError **error)
+{
+    g_autoptr(TinkerActingForces) forces = tinker_acting_forces_new(simulation->model);
+    return tinker_acting_forces_at(forces, simulation, out, error);
+}
+
+/* A run of no duration finds out what touches. */
+gboolean tinker_acting_forces_at_start(TinkerScene *scene, GArray *out, GError **error)
+{
+    g_array_set_size(out, 0);
+    g_autoptr(TinkerModel) model = tinker_model_new(scene, error);
+    if (model == NULL) return FALSE;
+    TinkerRunOptions options = {.interval = 1, .method = START_METHOD, .tolerance = 1e-9, .spectral_radius = 1};
+    g_autoptr(TinkerSimulation) simulation = tinker_simulation_new(model, &options, error);
+    return simulation != NULL && tinker_simulation_run(simulation, NULL, list_sample, out, error);
+}

@@ -1,0 +1,91 @@
+/* The summary of a whole run from those of its islands. */
+#include <math.h>
+#include <string.h>
+
+#include "physics/island/island-run.h"
+#include "physics/model/model.h"
+#include "physics/run/simulation-private.h"
+#include "physics/run/simulation.h"
+#include "physics/system/summary.h"
+
+static void add_energy(TinkerSummary *whole, const TinkerSummary *part)
+{
+    whole->kinetic_start += part->kinetic_start;
+    whole->kinetic_end += part->kinetic_end;
+    whole->potential_start += part->potential_start;
+    whole->potential_end += part->potential_end;
+    for (int book = 0; book < TINKER_BOOK_COUNT; book++)
+        whole->books[book] += part->books[book];
+    whole->energy_balance_error = fmax(whole->energy_balance_error, part->energy_balance_error);
+}
+
+static void add_run(TinkerSummary *whole, TinkerIslandRun *run)
+{
+    const TinkerSummary *part = &run->summary;
+    whole->steps += part->steps;
+    whole->rejected_steps += part->rejected_steps;
+    whole->evaluations += run->model->evaluations;
+    if (run->contacts != NULL) whole->contact_changes += tinker_contact_run_changes(run->contacts);
+    whole->simulated_s = fmin(whole->simulated_s, part->simulated_s);
+    whole->valid_until = fmin(whole->valid_until, part->valid_until);
+    whole->determined_until = fmin(whole->determined_until, part->determined_until);
+    whole->constraint_position_error = fmax(whole->constraint_position_error, part->constraint_position_error);
+    whole->constraint_velocity_error = fmax(whole->constraint_velocity_error, part->constraint_velocity_error);
+    add_energy(whole, part);
+    if (whole->method == NULL) {
+        whole->method = part->method;
+        whole->adaptive = part->adaptive;
+        whole->step = part->step;
+        whole->tolerance = part->tolerance;
+    } else if (!g_str_equal(whole->method, part->method)) {
+        whole->method = "auto";
+    }
+}
+
+/* A contact may have changed it. */
+static void name_method(TinkerIslandSummary *island, const TinkerSummary *part)
+{
+    island->method = part->method;
+    island->adaptive = part->adaptive;
+    island->step = part->step;
+    island->tolerance = part->tolerance;
+}
+
+/* Islands run one after another between samples: events are told in the order of their times, whatever the samples are. */
+static int by_time(const void *left, const void *right)
+{
+    const TinkerEvent *l = *(TinkerEvent *const *)left, *r = *(TinkerEvent *const *)right;
+    if (l->time != r->time) return l->time < r->time ? -1 : 1;
+    int order = strcmp(l->blocks, r->blocks);
+    return order != 0 ? order : strcmp(l->kind, r->kind);
+}
+
+void tinker_simulation_add_up(TinkerSimulation *simulation)
+{
+    TinkerSummary *whole = &simulation->summary, kept = *whole;
+    *whole = (TinkerSummary){
+        .simulated_s = INFINITY,
+        .valid_until = INFINITY,
+        .determined_until = INFINITY,
+        .wall_s = kept.wall_s,
+        .start_impulse = kept.start_impulse,
+        .error_estimate = kept.error_estimate,
+        .predictable_until = kept.predictable_until,
+        .accuracy = kept.accuracy,
+        .tries = kept.tries,
+        .islands = kept.islands,
+        .events = kept.events,
+        .warnings = kept.warnings,
+        .of_scene = kept.of_scene,
+    };
+    g_ptr_array_sort(whole->events, by_time);
+    for (guint i = 0; i < simulation->runs->len; i++) {
+        TinkerIslandRun *run = g_ptr_array_index(simulation->runs, i);
+        add_run(whole, run);
+        name_method(g_ptr_array_index(whole->islands, i), &run->summary);
+    }
+    if (simulation->estimate == NULL) return;
+    /* at the start alone there is no error yet: a run that got no further has no estimate */
+    if (simulation->sample_time > 0) whole->error_estimate = tinker_estimate_error(simulation->estimate);
+    whole->predictable_until = tinker_estimate_predictable_until(simulation->estimate);
+}

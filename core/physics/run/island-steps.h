@@ -1,0 +1,34 @@
+/* The steps of one island: from break to break, past events of contact and lost directions, watched. */
+#ifndef TINKER_CORE_ISLAND_STEPS_H
+#define TINKER_CORE_ISLAND_STEPS_H
+
+#include "physics/island/island-run.h"
+#include "physics/plan/islands.h"
+#include "physics/plan/plan.h"
+#include "physics/system/summary.h"
+
+/* Starts the run of an island, which is borrowed. `run` collects its events and warnings, which are borrowed as well.
+ * (transfer full) */
+TinkerIslandRun *tinker_island_run_new(const TinkerIsland *island, const TinkerChoice *choice, double spectral_radius,
+                                       double horizon, const TinkerSummary *run, GError **error);
+void tinker_island_run_free(TinkerIslandRun *run);
+
+/* One step, not beyond `end`. */
+gboolean tinker_island_run_step(TinkerIslandRun *run, double end, GError **error);
+
+/* Where the state stands on a break enters the next piece, and where on an event of contact passes it: at the instant of a
+ * jump the state after it counts. */
+gboolean tinker_island_run_pass_instant(TinkerIslandRun *run, double end, GError **error);
+
+/* Enters the piece that begins at the state's time: waveforms switch, a jump of a support is booked, and one that a
+ * constraint feels is refused. */
+gboolean tinker_island_run_enter_piece(TinkerIslandRun *run, double horizon, GError **error);
+
+/* After a step: counts it, and looks into the books now and then. FALSE where the run has to stop. */
+gboolean tinker_island_run_watch(TinkerIslandRun *run, const TinkerStepReport *report, GError **error);
+
+/* Ends the run at t, a time within the last step: the state, the summary and its last look into the books are of that time, and
+ * no step follows. FALSE where the books say that the run diverged. */
+gboolean tinker_island_run_close(TinkerIslandRun *run, double t, GError **error);
+
+#endif

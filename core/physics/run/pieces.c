@@ -1,0 +1,166 @@
+/* From break to break: waveforms are smooth inside a piece, and what jumps between two pieces is looked after here. */
+#include <glib/gi18n-lib.h>
+#include <math.h>
+#include <string.h>
+
+#include "physics/constraint/constraints.h"
+#include "physics/contact/contacts.h"
+#include "physics/event/contact-run.h"
+#include "physics/force/forces.h"
+#include "physics/island/island-run.h"
+#include "physics/model/breaks.h"
+#include "physics/model/model-data.h"
+#include "physics/run/island-steps.h"
+#include "physics/system/method-call.h"
+
+/* A support's place and speed may change by this much of the scales at a break without a rod feeling a jump. */
+#define JUMP_TOLERANCE 1e-9
+
+/* The block of a constraint that is attached to the point, or a body that rests on its plate; or TINKER_NO_BLOCK. */
+static TinkerBlockId constraint_at(const TinkerModel *model, int32_t point)
+{
+    const TinkerConstraints *all = &model->constraints;
+    for (int32_t row = 0; row < all->rows; row++)
+        for (int32_t e = all->row_starts[row]; e < all->row_starts[row + 1]; e++)
+            if (all->points[e] == point) return all->blocks[row];
+    for (guint i = 0; model->contacts != NULL && i < model->contacts->closed->len; i++) {
+        const TinkerContact *contact = tinker_contacts_closed(model->contacts, i);
+        if (model->contacts->plates[contact->plate].point == point) return model->body_blocks[contact->body];
+    }
+    return TINKER_NO_BLOCK;
+}
+
+static gboolean refuse_jump(TinkerIslandRun *run, int32_t support, TinkerBlockId felt_by, GError **error)
+{
+    TinkerModel *model = run->model;
+    TinkerBlockId block = g_array_index(model->support_points, TinkerSupportPoint, support).support;
+    g_set_error(
+        error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_SCENE,
+        _("%s: its motion jumps at t = %.10g s, which %s cannot follow (give it a motion without a jump in place or "
+          "speed, or use a spring)"),
+        tinker_scene_block_name(model->scene, block), run->state.t, tinker_scene_block_name(model->scene, felt_by));
+    return FALSE;
+}
+
+static gboolean check_jumps(TinkerIslandRun *run, const TinkerPoint *before, GError **error)
+{
+    TinkerModel *model = run->model;
+    double extent, speed;
+    run->system.system.scales(&run->system, run->state.q, run->state.v, &extent, &speed);
+    for (guint i = 0; i < model->support_points->len; i++) {
+        if (!g_array_index(model->support_points, TinkerSupportPoint, i).moving) continue;
+        const TinkerPoint *now = &model->point[model->bodies + (int32_t)i];
+        gboolean jumps = hypot(now->x - before[i].x, now->y - before[i].y) > JUMP_TOLERANCE * extent ||
+                         hypot(now->vx - before[i].vx, now->vy - before[i].vy) > JUMP_TOLERANCE * MAX(speed, extent);
+        TinkerBlockId felt_by = jumps ? constraint_at(model, model->bodies + (int32_t)i) : TINKER_NO_BLOCK;
+        if (felt_by != TINKER_NO_BLOCK) return refuse_jump(run, (int32_t)i, felt_by, error);
+    }
+    return TRUE;
+}
+
+/* Where the rows are at the state: g, and dg/dt of what is prescribed. */
+static gboolean rows_at_state(TinkerIslandRun *run, double *g, double *rate)
+{
+    const TinkerConstraints *all = &run->model->constraints;
+    tinker_model_set_state(run->model, run->q, run->v);
+    if (tinker_constraints_evaluate(run->model) != TINKER_OK) return FALSE;
+    memcpy(g, all->g, (gsize)all->rows * sizeof(double));
+    memcpy(rate, all->rate, (gsize)all->rows * sizeof(double));
+    return TRUE;
+}
+
+/* A row whose waveform jumps asks for a jump in place or speed. */
+static gboolean check_prescribed(TinkerIslandRun *run, const double *g, const double *rate, GError **error)
+{
+    TinkerModel *model = run->model;
+    const TinkerConstraints *all = &model->constraints;
+    g_autofree double *g_now = g_new(double, all->rows), *rate_now = g_new(double, all->rows);
+    if (!rows_at_state(run, g_now, rate_now)) return tinker_island_run_fail(run, model->failure, error);
+    for (int32_t row = 0; row < all->rows; row++) {
+        double scale = JUMP_TOLERANCE * all->scales[row];
+        if (fabs(g_now[row] - g[row]) <= scale && fabs(rate_now[row] - rate[row]) <= scale) continue;
+        g_set_error(
+            error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_SCENE,
+            _("%s: what it prescribes jumps at t = %.10g s, which no motion can follow (give it a waveform without a "
+              "jump in value or slope)"),
+            tinker_scene_block_name(model->scene, all->blocks[row]), run->state.t);
+        return FALSE;
+    }
+    return TRUE;
+}
+
+static double potential(TinkerIslandRun *run)
+{
+    TinkerModel *model = run->model;
+    TinkerEnergy energy = {0};
+    tinker_model_set_state(model, run->q, run->v);
+    return tinker_model_energy(model, &energy) == TINKER_OK ? energy.potential : 0;
+}
+
+/* A support that jumps stretches springs at once: that work belongs to its motion. */
+static void book_jump(TinkerIslandRun *run, double gain)
+{
+    for (int32_t i = 0; i < run->system.system.books; i++)
+        if (run->system.book_of[i] == TINKER_BOOK_SUPPORT_MOTION) run->state.books[i] += gain;
+}
+
+/* What may jump at a break, on the side before it. */
+typedef struct {
+    TinkerPoint *supports;
+    double *g, *rate;
+    double stored;
+} Before;
+
+static void before_clear(Before *before)
+{
+    g_free(before->supports);
+    g_free(before->g);
+    g_free(before->rate);
+}
+G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC(Before, before_clear)
+
+static gboolean look_before(TinkerIslandRun *run, Before *before)
+{
+    TinkerModel *model = run->model;
+    guint supports = model->support_points->len;
+    if (tinker_model_set_time(model, run->state.t) != TINKER_OK) return FALSE;
+    before->supports = g_memdup2(model->point + model->bodies, supports * sizeof(TinkerPoint));
+    if (model->moving_supports > 0) before->stored = potential(run);
+    if (!model->constraints.prescribed) return TRUE;
+    before->g = g_new(double, model->constraints.rows);
+    before->rate = g_new(double, model->constraints.rows);
+    return rows_at_state(run, before->g, before->rate);
+}
+
+static gboolean look_behind(TinkerIslandRun *run, const Before *before, GError **error)
+{
+    if (run->model->moving_supports > 0) {
+        if (!check_jumps(run, before->supports, error)) return FALSE;
+        book_jump(run, potential(run) - before->stored);
+    }
+    return before->g == NULL || check_prescribed(run, before->g, before->rate, error);
+}
+
+gboolean tinker_island_run_enter_piece(TinkerIslandRun *run, double horizon, GError **error)
+{
+    TinkerModel *model = run->model;
+    tinker_island_run_place(run);
+    gboolean on_break = run->state.t > 0 && run->ends_on_break;
+    double t = run->state.t, next = tinker_model_next_break(model, t, horizon);
+    run->ends_on_break = isfinite(next);
+    run->piece_end = run->ends_on_break ? next : horizon;
+    run->pole = tinker_model_next_pole(model, &run->pole_block);
+    if (run->ends_on_break && tinker_break_crowd_add(&run->crowd, t, next, horizon)) {
+        g_autofree char *why = tinker_break_crowd_text(model, t, next);
+        return tinker_island_run_fail_step(run, why, error);
+    }
+    double inside = run->piece_end > t ? 0.5 * (t + run->piece_end) : t + 0.5;
+    g_auto(Before) before = {0};
+    if (t > 0 && !look_before(run, &before)) return tinker_island_run_fail(run, model->failure, error);
+    tinker_model_enter_piece(model, inside);
+    if (tinker_model_set_time(model, t) != TINKER_OK) return tinker_island_run_fail(run, model->failure, error);
+    if (t > 0 && !look_behind(run, &before, error)) return FALSE;
+    if (on_break && run->contacts != NULL && !tinker_contact_run_think_again(run->contacts, error)) return FALSE;
+    tinker_method_restart(run->choice.method, run->stepper);
+    return TRUE;
+}

@@ -1,0 +1,63 @@
+/* What a run tells of itself. */
+#ifndef TINKER_CORE_SUMMARY_H
+#define TINKER_CORE_SUMMARY_H
+
+#include "physics/model/model.h"
+
+typedef struct {
+    double time;
+    char *kind;   /* "break", "bifurcation", "start impulse", ... */
+    char *blocks; /* names, joined by ", " */
+} TinkerEvent;
+
+/* How one island was stepped. */
+typedef struct {
+    GArray *bodies; /* of TinkerBlockId */
+    const char *method;
+    gboolean adaptive; /* which of step and tolerance counts */
+    double step, tolerance;
+} TinkerIslandSummary;
+
+/* A run that was to hold an accuracy: how it was stepped, what it cost, and what its estimate was. */
+typedef struct {
+    const char *method; /* as in TinkerSummary, and so are the others */
+    gboolean adaptive;
+    double step, tolerance;
+    gint64 evaluations;
+    double wall_s; /* with its companion */
+    double error_estimate;
+} TinkerTry;
+
+typedef struct {
+    const char *method; /* the one that was used; "auto" where islands differ */
+    gboolean adaptive;  /* which of step and tolerance counts, where they do not differ */
+    double step, tolerance;
+    gint64 steps, rejected_steps, evaluations;
+    gint64 contact_changes; /* events at which contacts closed, opened, stuck or slipped; 0 with `impulses` */
+    double simulated_s, wall_s;
+    double constraint_position_error,
+        constraint_velocity_error; /* largest at any step's end, relative to lengths and speed
+                                                                    scale */
+    double kinetic_start, kinetic_end, potential_start, potential_end; /* J */
+    double books[TINKER_BOOK_COUNT];                                   /* J given to the system, negative where taken */
+    double energy_balance_error; /* largest, relative to the largest energy exchanged */
+    double start_impulse;        /* N s: root of the sum of squares of the impulses, one a body, that brought the start
+                                        velocities onto the constraints */
+    double error_estimate;       /* of the state: the largest so far, over the island's extent and largest speed;
+                                    NAN without an estimate */
+    double predictable_until;    /* s: where that passed a tenth; INFINITY where it did not */
+    double accuracy;             /* that was asked for; 0: none */
+    GArray *tries;               /* of TinkerTry, this run the last, where an accuracy was to be held; else empty */
+    double determined_until; /* s: where a line's direction was lost: what follows is one motion of many; INFINITY */
+    double valid_until;      /* s: as far as the record is to be believed; simulated_s where all of it is */
+    GPtrArray *islands;      /* of TinkerIslandSummary * */
+    GPtrArray *events;       /* of TinkerEvent * */
+    GPtrArray *warnings;     /* of char * */
+    GPtrArray *of_scene; /* those of the warnings that are about the scene itself, which no other method would spare;
+                                borrowed from them */
+} TinkerSummary;
+
+/* Adds a warning that is about the scene itself (transfer full): no other method would spare it. */
+void tinker_summary_warn_of_scene(TinkerSummary *summary, char *text);
+
+#endif
