@@ -3,7 +3,8 @@
 #include <math.h>
 #include <stdarg.h>
 
-/* A scene that is being written. */
+/* A scene that is being written. Dice are thrown in statements of their own, one in a call at most: in which order a compiler works
+ * out several arguments is its own affair, and a seed is to give the same scene with any. */
 typedef struct {
     GRand *dice;
     GString *blocks;
@@ -63,6 +64,12 @@ static void add_mass(Draft *draft, double mass, double x, double y, double vx, d
         draft->scene->bodies++, mass, x, y, vx, vy);
 }
 
+/* One whose mass is drawn. */
+static void add_some_mass(Draft *draft, double least, double most, double x, double y, double vx, double vy)
+{
+    add_mass(draft, about(draft, least, most), x, y, vx, vy);
+}
+
 static void add_spring(Draft *draft, const char *from, const char *to, double stiffness, double mass)
 {
     is_as_fast_as(draft, 2 * sqrt(stiffness / mass));
@@ -91,37 +98,41 @@ static void add_rod(Draft *draft, const char *from, const char *to)
 
 static void add_support_motion(Draft *draft, const char *support, double angle, double amplitude, double frequency)
 {
+    double phase = between(draft, -3, 3);
+    const char *waveform = happens(draft, 0.5) ? "sine" : "cosine";
     is_as_fast_as(draft, frequency);
     add(draft,
         "{'type': 'support-motion', 'ends': ['%s'], 'angle': %.17g, 'waveform': '%s', 'amplitude': %.17g, "
         "'frequency': %.17g, 'phase': %.17g}",
-        support, angle, happens(draft, 0.5) ? "sine" : "cosine", amplitude, frequency, between(draft, -3, 3));
+        support, angle, waveform, amplitude, frequency, phase);
 }
 
 static void add_motor(Draft *draft, const char *mass, double angle)
 {
     if (happens(draft, 0.3)) {
+        double fading = between(draft, 1, 5), from = between(draft, 0.3, 2), jump = between(draft, 1, 6);
         add(draft,
             "{'type': 'motor', 'ends': ['%s'], 'angle': %.17g, 'waveform': {'expression': "
             "'%.3g*step(t-%.3g)-%.3g*t*exp(-t)'}}",
-            mass, angle, between(draft, 1, 6), between(draft, 0.3, 2), between(draft, 1, 5));
+            mass, angle, jump, from, fading);
         return;
     }
-    double frequency = about(draft, 0.5, 15);
+    double frequency = about(draft, 0.5, 15), phase = between(draft, -3, 3), amplitude = about(draft, 0.5, 10);
     is_as_fast_as(draft, frequency);
     add(draft,
         "{'type': 'motor', 'ends': ['%s'], 'angle': %.17g, 'waveform': 'sine', 'amplitude': %.17g, 'frequency': "
         "%.17g, 'phase': %.17g}",
-        mass, angle, about(draft, 0.5, 10), frequency, between(draft, -3, 3));
+        mass, angle, amplitude, frequency, phase);
 }
 
 static void add_wind(Draft *draft)
 {
     double drag = about(draft, 0.05, 2), quadratic = happens(draft, 0.5) ? about(draft, 0.02, 0.5) : 0;
+    double vy = between(draft, -1, 1), vx = between(draft, -4, 4);
     add(draft,
         "{'type': 'wind', 'name': 'W', 'velocity': [%.17g, %.17g], 'drag': %.17g, 'drag_quadratic': "
         "%.17g}",
-        between(draft, -4, 4), between(draft, -1, 1), drag, quadratic);
+        vx, vy, drag, quadratic);
 }
 
 /* A solid support whose top goes through (x, y). */
@@ -180,10 +191,12 @@ static void write_straight(Draft *draft)
 static void write_passing(Draft *draft)
 {
     add_anchor(draft, 0, 0);
-    add_mass(draft, about(draft, 0.2, 1), 1, 0, between(draft, -9, 0), 0);
-    add_mass(draft, about(draft, 0.2, 2), 2, 0, between(draft, -2, 2), 0);
-    add_tense_spring(draft, "A0", "m0", about(draft, 10, 300), 0.2, happens(draft, 0.5) ? 0 : 0.5);
-    add_tense_spring(draft, "m0", "m1", about(draft, 10, 300), 0.2, between(draft, 0.2, 1.2));
+    add_some_mass(draft, 0.2, 1, 1, 0, between(draft, -9, 0), 0);
+    add_some_mass(draft, 0.2, 2, 2, 0, between(draft, -2, 2), 0);
+    double rest = happens(draft, 0.5) ? 0 : 0.5;
+    add_tense_spring(draft, "A0", "m0", about(draft, 10, 300), 0.2, rest);
+    rest = between(draft, 0.2, 1.2);
+    add_tense_spring(draft, "m0", "m1", about(draft, 10, 300), 0.2, rest);
     draft->scene->duration = fmin(draft->scene->duration, 4);
 }
 
@@ -220,7 +233,8 @@ static void write_linkage(Draft *draft)
     int count = g_rand_int_range(draft->dice, 1, 4);
     add_gravity(draft);
     write_chain(draft, count, -1.5, 1.5);
-    add_anchor(draft, between(draft, -3, 3), between(draft, -1, 2));
+    double y = between(draft, -1, 2);
+    add_anchor(draft, between(draft, -3, 3), y);
     add_spring(draft, masses[count - 1], "A1", about(draft, 2, 200), 0.3);
     if (happens(draft, 0.6)) add_damper(draft, masses[count - 1], "A1", about(draft, 0.05, 3), 0.3);
 }
@@ -233,7 +247,8 @@ static void write_driven(Draft *draft)
     } else {
         write_plane(draft);
     }
-    add_support_motion(draft, "A0", between(draft, -3, 3), about(draft, 0.02, 0.4), about(draft, 0.5, 12));
+    double frequency = about(draft, 0.5, 12), amplitude = about(draft, 0.02, 0.4);
+    add_support_motion(draft, "A0", between(draft, -3, 3), amplitude, frequency);
 }
 
 static void write_motors(Draft *draft)
@@ -247,7 +262,8 @@ static void write_wind(Draft *draft)
 {
     if (happens(draft, 0.3)) {
         add_gravity(draft);
-        add_mass(draft, about(draft, 0.3, 3), 0, 0, between(draft, -8, 8), between(draft, -2, 8));
+        double vy = between(draft, -2, 8), vx = between(draft, -8, 8);
+        add_some_mass(draft, 0.3, 3, 0, 0, vx, vy);
     } else {
         write_plane(draft);
     }
@@ -259,11 +275,14 @@ static void write_stiff(Draft *draft)
 {
     int count = g_rand_int_range(draft->dice, 1, 3);
     if (happens(draft, 0.7)) add_gravity(draft);
-    for (int i = 0; i < 3; i++)
-        add_anchor(draft, between(draft, -2, 2), between(draft, 2, 4));
-    for (int i = 0; i < count; i++)
-        add_mass(draft, about(draft, 0.3, 2), 1.5 * i, between(draft, -1, 1), between(draft, -2, 2),
-                 between(draft, -2, 2));
+    for (int i = 0; i < 3; i++) {
+        double y = between(draft, 2, 4);
+        add_anchor(draft, between(draft, -2, 2), y);
+    }
+    for (int i = 0; i < count; i++) {
+        double vy = between(draft, -2, 2), vx = between(draft, -2, 2), y = between(draft, -1, 1);
+        add_some_mass(draft, 0.3, 2, 1.5 * i, y, vx, vy);
+    }
     for (int i = 0; i < count; i++) {
         const char *to = i == 0 ? anchors[0] : masses[i - 1];
         add_spring(draft, masses[i], to, about(draft, 1e3, 2e5), 0.3);
@@ -271,10 +290,15 @@ static void write_stiff(Draft *draft)
     }
     add_spring(draft, "m0", "A1", about(draft, 5, 50), 0.3);
     add_damper(draft, "m0", "A2", about(draft, 1, 500), 0.3);
-    if (happens(draft, 0.5)) add_tense_spring(draft, "m0", "A2", about(draft, 1e3, 2e5), 0.3, between(draft, 0.3, 1));
-    for (int i = 0; i < 3; i++)
-        if (happens(draft, 0.5))
-            add_support_motion(draft, anchors[i], between(draft, -3, 3), about(draft, 0.02, 0.3), about(draft, 0.5, 8));
+    if (happens(draft, 0.5)) {
+        double rest = between(draft, 0.3, 1);
+        add_tense_spring(draft, "m0", "A2", about(draft, 1e3, 2e5), 0.3, rest);
+    }
+    for (int i = 0; i < 3; i++) {
+        if (!happens(draft, 0.5)) continue;
+        double frequency = about(draft, 0.5, 8), amplitude = about(draft, 0.02, 0.3);
+        add_support_motion(draft, anchors[i], between(draft, -3, 3), amplitude, frequency);
+    }
     draft->scene->duration = between(draft, 1, 3);
 }
 
@@ -284,7 +308,8 @@ static void write_thrown(Draft *draft, double restitution, double friction)
 {
     add_gravity(draft);
     add_floor(draft, "F", 0, 0, happens(draft, 0.5) ? 0 : between(draft, -0.4, 0.4), 60, restitution, friction);
-    add_mass(draft, about(draft, 0.3, 3), 0, between(draft, 0.2, 3), between(draft, -4, 4), between(draft, -2, 4));
+    double vy = between(draft, -2, 4), vx = between(draft, -4, 4), y = between(draft, 0.2, 3);
+    add_some_mass(draft, 0.3, 3, 0, y, vx, vy);
 }
 
 static void write_landing(Draft *draft)
@@ -294,7 +319,8 @@ static void write_landing(Draft *draft)
 
 static void write_bouncing(Draft *draft)
 {
-    write_thrown(draft, between(draft, 0.2, 0.95), some_friction(draft));
+    double friction = some_friction(draft);
+    write_thrown(draft, between(draft, 0.2, 0.95), friction);
 }
 
 static void write_elastic(Draft *draft)
@@ -319,23 +345,25 @@ static void write_wedge(Draft *draft)
     add_gravity(draft);
     add_floor(draft, "F0", -2, 2, between(draft, -1.1, -0.3), 8, restitution, friction);
     add_floor(draft, "F1", 2, 2, between(draft, 0.3, 1.1), 8, restitution, friction);
-    add_mass(draft, about(draft, 0.3, 3), between(draft, -1, 1), between(draft, 3, 5), between(draft, -1, 1), 0);
+    double vx = between(draft, -1, 1), y = between(draft, 3, 5), x = between(draft, -1, 1);
+    add_some_mass(draft, 0.3, 3, x, y, vx, 0);
 }
 
 static void write_springs_over_floor(Draft *draft)
 {
     add_gravity(draft);
-    add_floor(draft, "F", 0, 0, happens(draft, 0.6) ? 0 : between(draft, -0.3, 0.3), 60, some_restitution(draft),
-              some_friction(draft));
+    double friction = some_friction(draft), restitution = some_restitution(draft);
+    add_floor(draft, "F", 0, 0, happens(draft, 0.6) ? 0 : between(draft, -0.3, 0.3), 60, restitution, friction);
     double x = between(draft, -0.5, 0.5), height = between(draft, 0.7, 2);
-    add_mass(draft, about(draft, 0.3, 2), 0, height, happens(draft, 0.5) ? 0 : between(draft, -2, 2), 0);
+    add_some_mass(draft, 0.3, 2, 0, height, happens(draft, 0.5) ? 0 : between(draft, -2, 2), 0);
     if (happens(draft, 0.5)) {
-        add_mass(draft, about(draft, 0.3, 2), x, height + 1, 0, between(draft, -2, 0));
+        add_some_mass(draft, 0.3, 2, x, height + 1, 0, between(draft, -2, 0));
         add_spring(draft, "m0", "m1", about(draft, 20, 1000), 0.3);
         if (happens(draft, 0.5)) add_damper(draft, "m0", "m1", about(draft, 0.1, 5), 0.3);
     } else {
         add_anchor(draft, happens(draft, 0.5) ? 0 : x, height + 2);
-        add_tense_spring(draft, "m0", "A0", about(draft, 5, 200), 0.3, between(draft, 1.5, 4));
+        double rest = between(draft, 1.5, 4);
+        add_tense_spring(draft, "m0", "A0", about(draft, 5, 200), 0.3, rest);
     }
 }
 
@@ -343,10 +371,12 @@ static void write_rods_onto_floor(Draft *draft)
 {
     int count = g_rand_int_range(draft->dice, 2, 4);
     add_gravity(draft);
-    add_floor(draft, "F", 0, 0, happens(draft, 0.6) ? 0 : between(draft, -0.3, 0.3), 60, some_restitution(draft),
-              some_friction(draft));
-    for (int i = 0; i < count; i++)
-        add_mass(draft, about(draft, 0.3, 2), i, between(draft, 0.8, 1.6), between(draft, -1, 1), 0);
+    double friction = some_friction(draft), restitution = some_restitution(draft);
+    add_floor(draft, "F", 0, 0, happens(draft, 0.6) ? 0 : between(draft, -0.3, 0.3), 60, restitution, friction);
+    for (int i = 0; i < count; i++) {
+        double vx = between(draft, -1, 1), y = between(draft, 0.8, 1.6);
+        add_some_mass(draft, 0.3, 2, i, y, vx, 0);
+    }
     for (int i = 1; i < count; i++)
         add_rod(draft, masses[i - 1], masses[i]);
     is_as_fast_as(draft, 30);
@@ -356,14 +386,16 @@ static void write_pendulum_onto_floor(Draft *draft)
 {
     add_gravity(draft);
     write_chain(draft, g_rand_int_range(draft->dice, 1, 3), 0.7, 1.7);
-    add_floor(draft, "F", 0, between(draft, -1.2, -0.2), 0, 60, some_restitution(draft), some_friction(draft));
+    double friction = some_friction(draft), restitution = some_restitution(draft);
+    add_floor(draft, "F", 0, between(draft, -1.2, -0.2), 0, 60, restitution, friction);
 }
 
 static void write_moving_floor(Draft *draft)
 {
-    write_thrown(draft, some_restitution(draft), some_friction(draft));
-    add_support_motion(draft, "F", happens(draft, 0.6) ? G_PI / 2 : between(draft, -3, 3), about(draft, 0.02, 0.2),
-                       about(draft, 1, 15));
+    double friction = some_friction(draft);
+    write_thrown(draft, some_restitution(draft), friction);
+    double frequency = about(draft, 1, 15), amplitude = about(draft, 0.02, 0.2);
+    add_support_motion(draft, "F", happens(draft, 0.6) ? G_PI / 2 : between(draft, -3, 3), amplitude, frequency);
 }
 
 /* What sticks and slips: a block on a floor that moves along, held by a spring. */
@@ -371,23 +403,27 @@ static void write_stick_slip(Draft *draft)
 {
     add_gravity(draft);
     add_floor(draft, "F", 0, 0, 0, 60, 0, between(draft, 0.1, 0.7));
-    add_mass(draft, about(draft, 0.3, 2), 0, 0, between(draft, -2, 2), 0);
-    add_anchor(draft, between(draft, 1, 3), happens(draft, 0.5) ? 0 : 0.3);
+    add_some_mass(draft, 0.3, 2, 0, 0, between(draft, -2, 2), 0);
+    double y = happens(draft, 0.5) ? 0 : 0.3;
+    add_anchor(draft, between(draft, 1, 3), y);
     add_spring(draft, "m0", "A0", about(draft, 10, 200), 0.3);
-    add_support_motion(draft, "F", 0, about(draft, 0.05, 0.6), about(draft, 1, 10));
+    double frequency = about(draft, 1, 10);
+    add_support_motion(draft, "F", 0, about(draft, 0.05, 0.6), frequency);
 }
 
 static void write_wind_over_floor(Draft *draft)
 {
-    write_thrown(draft, some_restitution(draft), some_friction(draft));
+    double friction = some_friction(draft);
+    write_thrown(draft, some_restitution(draft), friction);
     add_wind(draft);
 }
 
 static void write_motor_on_floor(Draft *draft)
 {
     add_gravity(draft);
-    add_floor(draft, "F", 0, 0, 0, 100, some_restitution(draft), some_friction(draft));
-    add_mass(draft, about(draft, 0.5, 2), 0, happens(draft, 0.4) ? 0 : between(draft, 0.1, 1), 0, 0);
+    double friction = some_friction(draft);
+    add_floor(draft, "F", 0, 0, 0, 100, some_restitution(draft), friction);
+    add_some_mass(draft, 0.5, 2, 0, happens(draft, 0.4) ? 0 : between(draft, 0.1, 1), 0, 0);
     add_motor(draft, "m0", happens(draft, 0.7) ? 0 : between(draft, -3, 3));
 }
 
