@@ -1,6 +1,7 @@
 /* What an edit of many blocks costs: removing 5 000 of 20 000, taking that back, and one frame of dragging 5 000. */
 #include <math.h>
 
+#include "build-catalogue.h"
 #include "measure.h"
 #include "report.h"
 #include "scene/history.h"
@@ -26,7 +27,7 @@ static const TinkerBlockClass *class_of(Chain *chain, const char *type)
 
 static void open_chain(Chain *chain)
 {
-    chain->catalogue = benchmark_catalogue();
+    chain->catalogue = test_build_catalogue();
     chain->scene = tinker_scene_new(chain->catalogue);
     chain->history = tinker_history_new(chain->scene);
     for (int i = 0; i < 2 * EDITED; i++) {

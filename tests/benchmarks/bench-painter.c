@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "build-catalogue.h"
 #include "render/painter.h"
 #include "render/plot.h"
 #include "report.h"
@@ -34,7 +35,7 @@ typedef struct {
 static void stage_open(Stage *stage, const char *text)
 {
     g_autoptr(GError) error = NULL;
-    *stage = (Stage){.catalogue = benchmark_catalogue(), .options = tinker_paint_options_default()};
+    *stage = (Stage){.catalogue = test_build_catalogue(), .options = tinker_paint_options_default()};
     stage->scene = tinker_scene_read_text(stage->catalogue, text, strlen(text), NULL, NULL, &error);
     if (stage->scene != NULL) stage->frame = tinker_frame_new(stage->scene, &error);
     if (stage->frame == NULL) g_error("%s", error->message);

@@ -2,6 +2,7 @@
  * of 3, and processor time, which depends on the machine. */
 #include <math.h>
 
+#include "build-catalogue.h"
 #include "physics/compile/compile.h"
 #include "physics/model/model.h"
 #include "physics/plan/islands.h"
@@ -71,7 +72,7 @@ static void measure(BenchmarkReport *report, TinkerCatalogue *catalogue, const c
 int main(int argc, char **argv)
 {
     BenchmarkReport *report = benchmark_report_new(argc, argv);
-    TinkerCatalogue *catalogue = benchmark_catalogue();
+    TinkerCatalogue *catalogue = test_build_catalogue();
     g_autoptr(GDir) folder = g_dir_open(g_getenv("TINKER_SCENES"), 0, NULL);
     for (const char *name = folder == NULL ? NULL : g_dir_read_name(folder); name != NULL;
          name = g_dir_read_name(folder))

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "build-catalogue.h"
 #include "physics/compile/compile.h"
 #include "physics/model/model.h"
 #include "physics/plan/run-options.h"
@@ -59,7 +60,7 @@ static double step_seconds(TinkerModel *model)
 static void load(void *data, double *values)
 {
     g_autoptr(GError) error = NULL;
-    g_autoptr(TinkerCatalogue) catalogue = benchmark_catalogue();
+    g_autoptr(TinkerCatalogue) catalogue = test_build_catalogue();
     double started = benchmark_now(), processor = benchmark_processor_time();
     g_autoptr(TinkerScene) scene = tinker_scene_read_file(catalogue, data, NULL, &error);
     if (scene == NULL) g_error("%s", error->message);

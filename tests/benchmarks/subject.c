@@ -4,27 +4,12 @@
 #include <math.h>
 #include <string.h>
 
+#include "build-catalogue.h"
 #include "measure.h"
 #include "physics/compile/compile.h"
 #include "physics/plan/run-options.h"
 #include "physics/run/simulation.h"
 #include "scene/scene-json.h"
-
-/* `build/tests/benchmarks/PROGRAM` finds `build/plugins`. */
-static char *plugin_folder(void)
-{
-    g_autofree char *program = g_file_read_link("/proc/self/exe", NULL);
-    g_autofree char *folder = g_path_get_dirname(program);
-    g_autofree char *plugins = g_build_filename(folder, "..", "..", "plugins", NULL);
-    return g_canonicalize_filename(plugins, "/");
-}
-
-TinkerCatalogue *benchmark_catalogue(void)
-{
-    g_autofree char *folder = plugin_folder();
-    TinkerCatalogueOptions options = {.installed_folder = folder};
-    return tinker_catalogue_new(&options);
-}
 
 static void require(gboolean fine, const GError *error)
 {
@@ -34,7 +19,7 @@ static void require(gboolean fine, const GError *error)
 BenchmarkSubject benchmark_subject(const char *text, const char *method, double step)
 {
     g_autoptr(GError) error = NULL;
-    BenchmarkSubject subject = {.catalogue = benchmark_catalogue(), .lap = INFINITY};
+    BenchmarkSubject subject = {.catalogue = test_build_catalogue(), .lap = INFINITY};
     subject.scene = tinker_scene_read_text(subject.catalogue, text, strlen(text), NULL, NULL, &error);
     require(subject.scene != NULL, error);
     subject.model = tinker_model_new(subject.scene, &error);

@@ -15,9 +15,6 @@ typedef struct {
     double lap; /* s of motion after which a lap starts over; INFINITY: never */
 } BenchmarkSubject;
 
-/* The plugins of TINKER_PLUGIN_PATH, else of the build tree that this program lies in. (transfer full) */
-TinkerCatalogue *benchmark_catalogue(void);
-
 /* Any failure ends the program with its message: a benchmark of something broken has no figures. */
 BenchmarkSubject benchmark_subject(const char *text, const char *method, double step);
 void benchmark_subject_clear(BenchmarkSubject *subject);

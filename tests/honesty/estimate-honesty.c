@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "build-catalogue.h"
 #include "honest-run.h"
 
 /* Shares of the samples whose error is above what is claimed, and above twice that; of the runs that stop. */
@@ -30,16 +31,6 @@ typedef struct {
     char *kind, *method;
     gboolean verbose, print;
 } Options;
-
-static TinkerCatalogue *open_catalogue(void)
-{
-    g_autofree char *program = g_file_read_link("/proc/self/exe", NULL);
-    g_autofree char *folder = g_path_get_dirname(program);
-    g_autofree char *plugins = g_build_filename(folder, "..", "..", "plugins", NULL);
-    g_autofree char *installed = g_canonicalize_filename(plugins, "/");
-    TinkerCatalogueOptions options = {.installed_folder = installed};
-    return tinker_catalogue_new(&options);
-}
 
 static int by_value(const void *left, const void *right)
 {
@@ -193,7 +184,7 @@ int main(int argc, char **argv)
 {
     Options options = {.scenes = 10, .seed = 1};
     if (!read_options(argc, argv, &options)) return 2;
-    TinkerCatalogue *catalogue = open_catalogue();
+    TinkerCatalogue *catalogue = test_build_catalogue();
     guint count = g_strv_length((char **)random_scene_kinds);
     g_autofree Tally *kinds = g_new0(Tally, count);
     Tally by_method[G_N_ELEMENTS(methods)];
