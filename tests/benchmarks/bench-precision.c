@@ -363,7 +363,7 @@ static void race_stiff_chain(BenchmarkReport *report)
 {
     if (!benchmark_report_wants(report, "S6")) return;
     Entry entry = open_entry("S6", benchmark_stiff_chain(), BENCHMARK_STIFF_MASSES);
-    entry.places = benchmark_stiff_chain_rests();
+    entry.places = benchmark_line_rests(BENCHMARK_STIFF_MASSES);
     enter_all(&entry, "auto", "tolerance", 1e-2, 1e-9, 0.1);
     enter_all(&entry, "newmark", "step", 0.04, 0.0003125, 0.5);
     enter_all(&entry, "generalized-alpha", "step", 0.02, 0.0003125, 0.5);

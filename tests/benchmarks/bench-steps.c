@@ -20,6 +20,8 @@ typedef struct {
     FloorDoublePendulum pendulum;
     FloorChain *chain;
     FloorLattice *lattice;
+    FloorFrame frame;
+    FloorStiffChain *stiff;
     long lap, done; /* steps */
 } Floor;
 
@@ -68,6 +70,24 @@ static double time_lattice(gint64 steps, void *data)
     return benchmark_processor_time() - started;
 }
 
+static double time_frame(gint64 steps, void *data)
+{
+    Floor *floor = data;
+    floor->frame = (FloorFrame){0};
+    double started = benchmark_processor_time();
+    floor_frame_steps(&floor->frame, floor->step, steps);
+    return benchmark_processor_time() - started;
+}
+
+static double time_stiff_chain(gint64 steps, void *data)
+{
+    Floor *floor = data;
+    floor_stiff_chain_reset(floor->stiff);
+    double started = benchmark_processor_time();
+    floor_stiff_chain_steps(floor->stiff, steps);
+    return benchmark_processor_time() - started;
+}
+
 /* Fills in what the clock says, and reports. */
 static void measure(BenchmarkReport *report, BenchmarkStep step, BenchmarkSubject *subject, BenchmarkWork floor_work,
                     Floor *floor)
@@ -75,7 +95,7 @@ static void measure(BenchmarkReport *report, BenchmarkStep step, BenchmarkSubjec
     BenchmarkTask plain = {.work = floor_work, .data = floor};
     BenchmarkTask ours = {.work = benchmark_subject_work, .data = subject};
     benchmark_time_pair(&plain, &ours);
-    step.method = METHOD;
+    if (step.method == NULL) step.method = METHOD;
     step.step = ours.timing;
     step.floor = plain.timing;
     benchmark_report_step(report, &step);
@@ -171,6 +191,60 @@ static void measure_lattice(BenchmarkReport *report, int n)
     benchmark_subject_clear(&subject);
 }
 
+/* How far a mass of a line is off the floor's displacement. */
+static double line_difference(BenchmarkSubject *subject, int mass, double displacement)
+{
+    double place[2];
+    g_autofree double *rests = benchmark_line_rests(mass + 1);
+    g_autofree char *name = g_strdup_printf("M%d", mass);
+    benchmark_subject_place(subject, name, place);
+    return fabs(place[0] - rests[mass] - displacement);
+}
+
+static void measure_frame(BenchmarkReport *report)
+{
+    const char *scene = "S5 frame of 4 storeys, 1/100 s";
+    if (!benchmark_report_wants(report, scene)) return;
+    g_autofree char *text = benchmark_frame();
+    BenchmarkSubject subject = benchmark_subject(text, METHOD, 0.01);
+    Floor floor = {.step = 0.01};
+    BenchmarkStep step = {
+        .scene = scene, .elements = 1, .goal = NAN, .error_kind = "off the floor's places by m", .floor_error = NAN};
+    floor_frame_steps(&floor.frame, floor.step, ERROR_STEPS);
+    for (int i = 0; i < ERROR_STEPS; i++)
+        benchmark_subject_step(&subject);
+    for (int i = 0; i < BENCHMARK_STOREYS; i++)
+        step.error = fmax(step.error, line_difference(&subject, i, floor.frame.x[i]));
+    subject.lap = 10;
+    measure(report, step, &subject, time_frame, &floor);
+    benchmark_subject_clear(&subject);
+}
+
+/* By average acceleration, at the step that has an error of 1e-4 after 10 s. */
+static void measure_stiff_chain(BenchmarkReport *report)
+{
+    const char *scene = "S6 stiff chain, 1/800 s";
+    if (!benchmark_report_wants(report, scene)) return;
+    g_autofree char *text = benchmark_stiff_chain();
+    BenchmarkSubject subject = benchmark_subject(text, "newmark", 1.0 / 800);
+    Floor floor = {.step = 1.0 / 800, .stiff = floor_stiff_chain_new(1.0 / 800)};
+    BenchmarkStep step = {.scene = scene,
+                          .method = "newmark",
+                          .elements = 1,
+                          .goal = NAN,
+                          .error_kind = "off the floor's places by m",
+                          .floor_error = NAN};
+    floor_stiff_chain_steps(floor.stiff, ERROR_STEPS);
+    for (int i = 0; i < ERROR_STEPS; i++)
+        benchmark_subject_step(&subject);
+    for (int i = 0; i < BENCHMARK_STIFF_MASSES; i++)
+        step.error = fmax(step.error, line_difference(&subject, i, floor_stiff_chain_place(floor.stiff, i)));
+    subject.lap = 10;
+    measure(report, step, &subject, time_stiff_chain, &floor);
+    floor_stiff_chain_free(floor.stiff);
+    benchmark_subject_clear(&subject);
+}
+
 int main(int argc, char **argv)
 {
     BenchmarkReport *report = benchmark_report_new(argc, argv);
@@ -188,5 +262,7 @@ int main(int argc, char **argv)
     const int sides[] = {10, 32, 100, 316};
     for (gsize i = 0; i < G_N_ELEMENTS(sides); i++)
         measure_lattice(report, sides[i]);
+    measure_frame(report);
+    measure_stiff_chain(report);
     return benchmark_report_end(report);
 }

@@ -1,5 +1,5 @@
 /* The floor: what the same motion costs in plain C that was written for the one scene and knows nothing else. It takes the
- * same classical Runge-Kutta steps (and, with rods, the same return to them after each), so the difference is the price of
+ * same steps, classical Runge-Kutta ones but for the stiff chain (and, with rods, the same return to them after each), so the difference is the price of
  * blocks, plugins, watching and energy books. */
 #ifndef BENCHMARK_FLOORS_H
 #define BENCHMARK_FLOORS_H
@@ -32,5 +32,21 @@ void floor_lattice_steps(FloorLattice *lattice, double h, long steps);
 int floor_lattice_springs(const FloorLattice *lattice);
 /* Where a mass is now. */
 void floor_lattice_place(const FloorLattice *lattice, int mass, double place[2]);
+
+/* The frame of benchmark_frame: displacements from rest, at rest at first. */
+typedef struct {
+    double x[4], v[4];
+    long steps; /* that have been taken */
+} FloorFrame;
+void floor_frame_steps(FloorFrame *at, double h, long steps);
+
+/* The chain of benchmark_stiff_chain, by average acceleration (Newmark's method). */
+typedef struct FloorStiffChain FloorStiffChain;
+FloorStiffChain *floor_stiff_chain_new(double h);
+void floor_stiff_chain_free(FloorStiffChain *chain);
+void floor_stiff_chain_reset(FloorStiffChain *chain);
+void floor_stiff_chain_steps(FloorStiffChain *chain, long steps);
+/* A mass's displacement from its rest. */
+double floor_stiff_chain_place(const FloorStiffChain *chain, int mass);
 
 #endif

@@ -162,35 +162,58 @@ char *benchmark_lattice(int n)
     return end_text(text);
 }
 
-static const double stiff_chain_spacing = 10.0; /* m: far from any passing */
+static const double line_spacing = 10.0; /* m: far from any passing */
 
-double *benchmark_stiff_chain_rests(void)
+double *benchmark_line_rests(int masses)
 {
-    double *rests = g_new(double, BENCHMARK_STIFF_MASSES);
-    for (int i = 0; i < BENCHMARK_STIFF_MASSES; i++)
-        rests[i] = stiff_chain_spacing * (i + 1);
+    double *rests = g_new(double, masses);
+    for (int i = 0; i < masses; i++)
+        rests[i] = line_spacing * (i + 1);
     return rests;
+}
+
+static void add_to_line(GString *text, int i, double displacement)
+{
+    add_mass(text, i, line_spacing * (i + 1) + displacement, 0.0);
+}
+
+/* From the mass before, or the support. */
+static void add_line_spring(GString *text, int i, double stiffness, double damping)
+{
+    g_autofree char *behind = i == 0 ? g_strdup("S") : g_strdup_printf("M%d", i - 1);
+    g_string_append_printf(text, "{\"type\": \"spring\", \"ends\": [\"%s\", \"M%d\"], \"stiffness\": ", behind, i);
+    add_number(text, stiffness);
+    g_string_append(text, ", \"rest_length\": ");
+    add_number(text, line_spacing);
+    g_string_append_printf(text, "},\n{\"type\": \"damper\", \"ends\": [\"%s\", \"M%d\"], \"damping\": ", behind, i);
+    add_number(text, damping);
+    g_string_append(text, "},\n");
 }
 
 char *benchmark_stiff_chain(void)
 {
     GString *text = g_string_new(head);
-    g_autofree double *rests = benchmark_stiff_chain_rests();
     g_string_append(text, "{\"type\": \"support\", \"name\": \"S\", \"solid\": false},\n");
     for (int i = 0; i < BENCHMARK_STIFF_MASSES; i++)
-        add_mass(text, i, rests[i] + (i / 2 + 1) / 25.0, 0.0);
+        add_to_line(text, i, (i / 2 + 1) / 25.0);
     for (int i = 0; i < BENCHMARK_STIFF_MASSES; i++) {
-        g_autofree char *behind = i == 0 ? g_strdup("S") : g_strdup_printf("M%d", i - 1);
         double stiffness = i % 2 == 0 ? 1e2 : 1e8;
-        g_string_append_printf(text, "{\"type\": \"spring\", \"ends\": [\"%s\", \"M%d\"], \"stiffness\": ", behind, i);
-        add_number(text, stiffness);
-        g_string_append(text, ", \"rest_length\": ");
-        add_number(text, stiff_chain_spacing);
-        g_string_append_printf(text, "},\n{\"type\": \"damper\", \"ends\": [\"%s\", \"M%d\"], \"damping\": ", behind,
-                               i);
-        add_number(text, 0.02 * sqrt(stiffness));
-        g_string_append(text, "},\n");
+        add_line_spring(text, i, stiffness, 0.02 * sqrt(stiffness));
     }
+    return end_text(text);
+}
+
+char *benchmark_frame(void)
+{
+    GString *text = g_string_new(head);
+    g_string_append(text,
+                    "{\"type\": \"support\", \"name\": \"S\", \"solid\": false},\n"
+                    "{\"type\": \"support-motion\", \"ends\": [\"S\"], \"angle\": 0, \"waveform\": {\"expression\": "
+                    "\"0.05*sin(7.3*t)+0.01*sin(19.1*t)\"}},\n");
+    for (int i = 0; i < BENCHMARK_STOREYS; i++)
+        add_to_line(text, i, 0);
+    for (int i = 0; i < BENCHMARK_STOREYS; i++)
+        add_line_spring(text, i, 600 - 60 * i, 1.2);
     return end_text(text);
 }
 

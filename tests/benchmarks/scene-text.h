@@ -19,10 +19,18 @@ double *benchmark_lattice_places(int n);
 
 /* BENCHMARK_STIFF_MASSES masses of 1 kg in a line from a support at the origin, the last one free: springs of 1e2 and 1e8 N/m
  * in turns, each with a damper of 0.02 sqrt(k). At rest at first, with the pairs on stiff springs displaced together on a
- * ramp up to 1 m. Where they would rest is benchmark_stiff_chain_rests. */
+ * ramp up to 1 m. Where they would rest is benchmark_line_rests. */
 #define BENCHMARK_STIFF_MASSES 50
 char *benchmark_stiff_chain(void);
-double *benchmark_stiff_chain_rests(void);
+
+/* Where the masses of a line rest, m from the origin. */
+double *benchmark_line_rests(int masses);
+
+/* A frame of BENCHMARK_STOREYS storeys, lying down: masses of 1 kg in a line from a support at the origin, which moves along it
+ * by 5 cm at 7.3 rad/s and by 1 cm at 19.1 rad/s; springs of 600, 540, 480 and 420 N/m, each with a damper of 1.2 N s/m. At rest at first, where
+ * benchmark_line_rests has them. */
+#define BENCHMARK_STOREYS 4
+char *benchmark_frame(void);
 
 /* For pictures: a square of n times n masses of some size, 1 m apart, with a spring to each of its four neighbours, hung from
  * a row of supports. */
