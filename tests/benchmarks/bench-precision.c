@@ -69,7 +69,7 @@ static double go(Run *run, gboolean looks)
 {
     g_autoptr(GError) error = NULL;
     double duration = run->problem->duration, worst = 0;
-    TinkerIslandRun *island = g_ptr_array_index(run->subject.simulation->runs, 0);
+    TinkerIslandRun *island = g_ptr_array_index(run->subject.simulation->all->runs, 0);
     int seen = 0;
     while (island->state.t < duration) {
         if (!tinker_island_run_step(island, duration, &error)) return INFINITY;
@@ -122,7 +122,7 @@ static void enter(const Entry *entry, const char *method, const char *setting, d
     options->duration = options->interval = entry->problem->duration;
     options->estimate = FALSE;
     benchmark_subject_restart(&run->subject);
-    TinkerIslandRun *island = g_ptr_array_index(run->subject.simulation->runs, 0);
+    TinkerIslandRun *island = g_ptr_array_index(run->subject.simulation->all->runs, 0);
     run->q = g_new0(double, 2 * (gsize)island->model->bodies);
     run->v = g_new0(double, 2 * (gsize)island->model->bodies);
     const TinkerIntegrator *chosen = island->choice.method;
@@ -202,7 +202,7 @@ static void enter_samples(const Entry *entry)
 {
     Samples *samples = g_new0(Samples, 1);
     samples->subject = benchmark_subject(entry->text, "exact", 0.01);
-    const TinkerIslandRun *island = g_ptr_array_index(samples->subject.simulation->runs, 0);
+    const TinkerIslandRun *island = g_ptr_array_index(samples->subject.simulation->all->runs, 0);
     const TinkerLinearSystem *linear = island->system.system.linear;
     samples->system = &island->system.system;
     samples->q = island->state.q[0];

@@ -3,14 +3,13 @@
 #include <glib.h>
 #include <string.h>
 
-/* Calls that may close a circle, and why. */
+/* Calls that may close a circle, and why; ended by NULL. */
 typedef struct {
     const char *from, *to, *reason;
 } Exception;
 
 static const Exception exceptions[] = {
-    {"physics/run_simulation", "physics/run_estimate", "the companion of a run is a run itself"},
-    {"physics/run_add-up", "physics/run_estimate", "likewise: a summary tells the run's own error"},
+    {NULL, NULL, NULL},
 };
 
 /* Of one file: the files that it calls, with a symbol each. */
@@ -145,7 +144,7 @@ static void test_no_circles(void)
     g_autoptr(GHashTable) files = read_calls();
     g_autoptr(GPtrArray) way = g_ptr_array_new();
     g_assert_cmpuint(g_hash_table_size(files), >, 60);
-    for (gsize i = 0; i < G_N_ELEMENTS(exceptions); i++) {
+    for (gsize i = 0; exceptions[i].from != NULL; i++) {
         File *file = find_file(files, exceptions[i].from);
         if (!g_hash_table_remove(file->calls, exceptions[i].to)) {
             g_test_message("%s does not call %s any more: take it out of the table", exceptions[i].from,

@@ -29,9 +29,9 @@
 /* How the islands are stepped from the start. (transfer full) */
 static TinkerChoice *choices_of(const TinkerSimulation *simulation)
 {
-    TinkerChoice *choices = g_new(TinkerChoice, simulation->runs->len + 1);
-    for (guint i = 0; i < simulation->runs->len; i++)
-        choices[i] = ((const TinkerIslandRun *)g_ptr_array_index(simulation->runs, i))->choice;
+    TinkerChoice *choices = g_new(TinkerChoice, simulation->all->runs->len + 1);
+    for (guint i = 0; i < simulation->all->runs->len; i++)
+        choices[i] = ((const TinkerIslandRun *)g_ptr_array_index(simulation->all->runs, i))->choice;
     return choices;
 }
 
@@ -100,9 +100,9 @@ static void explain_miss(const TinkerSummary *summary, GError **error)
 static gboolean replace(TinkerSimulation **simulation, const TinkerChoice *choices, GError **error)
 {
     TinkerSimulation *last = *simulation;
-    TinkerSimulation *next = tinker_simulation_new_chosen(last->model, &last->options, choices, error);
+    TinkerSimulation *next = tinker_simulation_new_chosen(last->all->model, &last->all->options, choices, error);
     if (next == NULL) return FALSE;
-    g_array_append_vals(next->summary.tries, last->summary.tries->data, last->summary.tries->len);
+    g_array_append_vals(next->all->summary.tries, last->all->summary.tries->data, last->all->summary.tries->len);
     tinker_simulation_free(last);
     *simulation = next;
     return TRUE;
@@ -118,11 +118,11 @@ static gboolean may_hold(const TinkerSummary *summary, const GError *failure)
 /* Sets the choices for a further try; FALSE where none would be better. */
 static gboolean choose_again(const TinkerSimulation *simulation, TinkerChoice *choices, double *shares)
 {
-    const TinkerSummary *summary = &simulation->summary;
+    const TinkerSummary *summary = &simulation->all->summary;
     guint number = summary->tries->len;
     if (number == TINKER_MOST_TRIES || isnan(summary->error_estimate)) return FALSE;
     shares[number] = wanted_share(summary, shares);
-    return tighten(choices, simulation->runs->len, shares[number]);
+    return tighten(choices, simulation->all->runs->len, shares[number]);
 }
 
 static gboolean hold_accuracy(TinkerSimulation **simulation, const GArray *columns, const TinkerSampleTaker *taker,
@@ -133,7 +133,7 @@ static gboolean hold_accuracy(TinkerSimulation **simulation, const GArray *colum
     for (;;) {
         g_autoptr(GError) failure = NULL;
         gboolean done = tinker_simulation_run(*simulation, columns, taker->sample, taker->data, &failure);
-        TinkerSummary *summary = &(*simulation)->summary;
+        TinkerSummary *summary = &(*simulation)->all->summary;
         add_try(summary);
         if (done && is_met(summary)) return TRUE;
         gboolean again = (done || may_hold(summary, failure)) && choose_again(*simulation, choices, shares);
@@ -150,7 +150,7 @@ static gboolean hold_accuracy(TinkerSimulation **simulation, const GArray *colum
 gboolean tinker_accurate_run(TinkerSimulation **simulation, const GArray *columns, const TinkerSampleTaker *taker,
                              GError **error)
 {
-    const TinkerRunOptions *options = &(*simulation)->options;
+    const TinkerRunOptions *options = &(*simulation)->all->options;
     if (options->accuracy > 0 && options->estimate) return hold_accuracy(simulation, columns, taker, error);
     return tinker_simulation_run(*simulation, columns, taker->sample, taker->data, error);
 }

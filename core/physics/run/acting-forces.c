@@ -194,16 +194,16 @@ static TinkerStatus add_all(TinkerActingForces *forces)
 gboolean tinker_acting_forces_at(TinkerActingForces *forces, TinkerSimulation *simulation, GArray *out, GError **error)
 {
     TinkerModel *model = forces->model;
-    g_assert(simulation->model == model);
+    g_assert(simulation->all->model == model);
     g_array_set_size(out, 0);
     forces->out = out;
     model->failure[0] = '\0';
-    TinkerStatus status = tinker_sampler_look_at(model, simulation->sample_time, simulation->sample_q,
-                                                 simulation->sample_v, forces->acceleration);
+    TinkerStatus status = tinker_sampler_look_at(model, simulation->all->sample_time, simulation->all->sample_q,
+                                                 simulation->all->sample_v, forces->acceleration);
     if (status == TINKER_OK) status = add_all(forces);
     if (status == TINKER_OK) return TRUE;
     g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_RUN, "the forces at t = %g s cannot be told apart%s%s",
-                simulation->sample_time, model->failure[0] != '\0' ? ": " : "", model->failure);
+                simulation->all->sample_time, model->failure[0] != '\0' ? ": " : "", model->failure);
     return FALSE;
 }
 
@@ -212,7 +212,7 @@ gboolean tinker_acting_forces_at(TinkerActingForces *forces, TinkerSimulation *s
 static gboolean list_sample(TinkerSimulation *simulation, G_GNUC_UNUSED double time, G_GNUC_UNUSED const double *values,
                             void *out, GError **error)
 {
-    g_autoptr(TinkerActingForces) forces = tinker_acting_forces_new(simulation->model);
+    g_autoptr(TinkerActingForces) forces = tinker_acting_forces_new(simulation->all->model);
     return tinker_acting_forces_at(forces, simulation, out, error);
 }
 

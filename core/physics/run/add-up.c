@@ -2,10 +2,10 @@
 #include <math.h>
 #include <string.h>
 
+#include "physics/event/contact-run.h"
 #include "physics/island/island-run.h"
 #include "physics/model/model.h"
-#include "physics/run/simulation-private.h"
-#include "physics/run/simulation.h"
+#include "physics/run/island-runs.h"
 #include "physics/system/summary.h"
 
 static void add_energy(TinkerSummary *whole, const TinkerSummary *part)
@@ -60,9 +60,9 @@ static int by_time(const void *left, const void *right)
     return order != 0 ? order : strcmp(l->kind, r->kind);
 }
 
-void tinker_simulation_add_up(TinkerSimulation *simulation)
+void tinker_island_runs_add_up(TinkerIslandRuns *self)
 {
-    TinkerSummary *whole = &simulation->summary, kept = *whole;
+    TinkerSummary *whole = &self->summary, kept = *whole;
     *whole = (TinkerSummary){
         .simulated_s = INFINITY,
         .valid_until = INFINITY,
@@ -79,13 +79,9 @@ void tinker_simulation_add_up(TinkerSimulation *simulation)
         .of_scene = kept.of_scene,
     };
     g_ptr_array_sort(whole->events, by_time);
-    for (guint i = 0; i < simulation->runs->len; i++) {
-        TinkerIslandRun *run = g_ptr_array_index(simulation->runs, i);
+    for (guint i = 0; i < self->runs->len; i++) {
+        TinkerIslandRun *run = g_ptr_array_index(self->runs, i);
         add_run(whole, run);
         name_method(g_ptr_array_index(whole->islands, i), &run->summary);
     }
-    if (simulation->estimate == NULL) return;
-    /* at the start alone there is no error yet: a run that got no further has no estimate */
-    if (simulation->sample_time > 0) whole->error_estimate = tinker_estimate_error(simulation->estimate);
-    whole->predictable_until = tinker_estimate_predictable_until(simulation->estimate);
 }

@@ -5,7 +5,6 @@
 #include "physics/model/model-data.h"
 #include "physics/plan/plan.h"
 #include "physics/plan/run-options.h"
-#include "physics/run/simulation.h"
 #include "physics/system/method-call.h"
 
 #include <float.h>
@@ -85,15 +84,15 @@ static void put_off(TinkerIslandRun *run)
     tinker_method_restart(run->choice.method, run->stepper);
 }
 
-TinkerSimulation *tinker_companion_new(TinkerSimulation *simulation, TinkerModel *model, GError **error)
+TinkerIslandRuns *tinker_companion_new(TinkerIslandRuns *runs, TinkerModel *model, GError **error)
 {
-    TinkerRunOptions options = simulation->options;
+    TinkerRunOptions options = runs->options;
     options.estimate = FALSE;
     options.progress = NULL;
-    g_autofree TinkerChoice *choices = g_new(TinkerChoice, simulation->runs->len);
-    for (guint i = 0; i < simulation->runs->len; i++)
-        choices[i] = choice_of(g_ptr_array_index(simulation->runs, i));
-    TinkerSimulation *companion = tinker_simulation_new_chosen(model, &options, choices, error);
+    g_autofree TinkerChoice *choices = g_new(TinkerChoice, runs->runs->len);
+    for (guint i = 0; i < runs->runs->len; i++)
+        choices[i] = choice_of(g_ptr_array_index(runs->runs, i));
+    TinkerIslandRuns *companion = tinker_island_runs_new(model, &options, choices, error);
     for (guint i = 0; companion != NULL && i < companion->runs->len; i++) {
         TinkerIslandRun *run = g_ptr_array_index(companion->runs, i);
         if (run->contacts != NULL) put_off(run);

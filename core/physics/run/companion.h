@@ -4,8 +4,7 @@
 
 #include "physics/island/island-run.h"
 #include "physics/model/model.h"
-#include "physics/run/simulation-private.h"
-#include "physics/run/simulation.h"
+#include "physics/run/island-runs.h"
 
 /* What the error of an island's run is, in units of its distance from its companion; 0 where the run is off by rounding
  * alone, which nothing lets grow: such an island needs none. */
@@ -13,7 +12,7 @@ double tinker_companion_factor(const TinkerIslandRun *run);
 
 /* Opens the companion of a simulation that has not taken a step, on a model of its own, which outlives it. (transfer
  * full) */
-TinkerSimulation *tinker_companion_new(TinkerSimulation *simulation, TinkerModel *model, GError **error);
+TinkerIslandRuns *tinker_companion_new(TinkerIslandRuns *runs, TinkerModel *model, GError **error);
 
 /* The ends of an exact island of the companion, which may pass each other: as long as none do, there is nothing that lets rounding
  * grow, and the island is where the run's is. */

@@ -2,6 +2,7 @@
  * island's is stepped along with the run's, and compared at the ends of its steps and at samples, so that what is claimed does
  * not depend on how often somebody looks. */
 #include "physics/run/estimate.h"
+#include "physics/event/contact-run.h"
 
 #include <float.h>
 #include <glib/gi18n-lib.h>
@@ -62,9 +63,9 @@ typedef struct {
 } Bodies;
 
 struct _TinkerEstimate {
-    TinkerSimulation *simulation;
+    TinkerIslandRuns *runs;
     TinkerModel *model;          /* of the companion */
-    TinkerSimulation *companion; /* NULL where no island needs one, and once it has failed */
+    TinkerIslandRuns *companion; /* NULL where no island needs one, and once it has failed */
     gboolean failed;
     guint columns;
     double *bands; /* by column, or NULL */
@@ -78,70 +79,14 @@ static void scales_of(TinkerIslandRun *run, double *extent, double *speed)
     run->system.system.scales(&run->system, run->state.q, run->state.v, extent, speed);
 }
 
-static gboolean open_companion(TinkerEstimate *estimate, const GArray *columns, GError **error)
-{
-    TinkerSimulation *simulation = estimate->simulation;
-    estimate->model = tinker_model_new(simulation->model->scene, error);
-    if (estimate->model == NULL) return FALSE;
-    TinkerSimulation *companion = estimate->companion = tinker_companion_new(simulation, estimate->model, error);
-    if (companion == NULL) return FALSE;
-    for (guint i = 0; i < simulation->runs->len; i++)
-        estimate->parts[i].ends = tinker_companion_ends_new(g_ptr_array_index(companion->runs, i));
-    if (columns == NULL || !simulation->options.bands) return TRUE;
-    estimate->columns = columns->len;
-    estimate->bands = g_new0(double, columns->len + 1);
-    companion->sampler = tinker_sampler_new(estimate->model, columns);
-    companion->values = g_new0(double, columns->len + 1);
-    return TRUE;
-}
-
-static void warn_of_none(TinkerSimulation *simulation, const char *why)
-{
-    g_ptr_array_add(simulation->summary.warnings,
-                    g_strdup_printf(_("there is no error estimate: the companion run cannot be set up (%s)"), why));
-}
-
-static void open_part(Part *part, TinkerIslandRun *run)
-{
-    const TinkerSystem *system = &run->system.system;
-    part->factor = tinker_companion_factor(run);
-    scales_of(run, &part->next_extent, &part->next_speed);
-    if (!tinker_method_is_exact(run->choice.method) || system->linear == NULL) return;
-    part->fastest = tinker_exact_fastest(system->linear);
-    part->start = g_memdup2(run->state.q, (gsize)system->size * sizeof(double));
-}
-
-TinkerEstimate *tinker_estimate_new(TinkerSimulation *simulation, const GArray *columns)
-{
-    TinkerEstimate *estimate = g_new0(TinkerEstimate, 1);
-    estimate->simulation = simulation;
-    estimate->predictable_until = INFINITY;
-    estimate->parts = g_new0(Part, simulation->runs->len);
-    double **rooms[] = {&estimate->ours.q, &estimate->ours.v, &estimate->theirs.q, &estimate->theirs.v};
-    for (gsize i = 0; i < G_N_ELEMENTS(rooms); i++)
-        *rooms[i] = g_new0(double, 2 * (gsize)simulation->model->bodies + 1);
-    gboolean compares = FALSE;
-    g_autoptr(GError) error = NULL;
-    for (guint i = 0; i < simulation->runs->len; i++) {
-        TinkerIslandRun *run = g_ptr_array_index(simulation->runs, i);
-        open_part(&estimate->parts[i], run);
-        compares |= estimate->parts[i].factor > 0;
-    }
-    if (!compares || open_companion(estimate, columns, &error)) return estimate;
-    if (!g_error_matches(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_STOPPED))
-        warn_of_none(simulation, error->message);
-    tinker_estimate_free(estimate);
-    return NULL;
-}
-
 void tinker_estimate_free(TinkerEstimate *estimate)
 {
     if (estimate == NULL) return;
-    for (guint i = 0; i < estimate->simulation->runs->len; i++) {
+    for (guint i = 0; i < estimate->runs->runs->len; i++) {
         tinker_companion_ends_free(estimate->parts[i].ends);
         g_free(estimate->parts[i].start);
     }
-    tinker_simulation_free(estimate->companion);
+    tinker_island_runs_free(estimate->companion);
     tinker_model_free(estimate->model);
     gpointer arrays[] = {estimate->bands,  estimate->parts,    estimate->ours.q,
                          estimate->ours.v, estimate->theirs.q, estimate->theirs.v};
@@ -165,7 +110,7 @@ static double rounding_of_speeds(Part *part, const TinkerIslandRun *run)
  * epsilon w t of their swing and speeds by as much of theirs, which is epsilon t times the largest speed and acceleration. */
 static double rounding(TinkerEstimate *estimate, guint number, double t)
 {
-    TinkerIslandRun *run = g_ptr_array_index(estimate->simulation->runs, number);
+    TinkerIslandRun *run = g_ptr_array_index(estimate->runs->runs, number);
     TinkerSystem *system = &run->system.system;
     double extent, speed, *greatest = &estimate->parts[number].acceleration;
     gint64 evaluations = run->model->evaluations;
@@ -210,7 +155,7 @@ static void compare_body(Part *part, const double *q, const double *v, const dou
 
 static void compare_samples(TinkerEstimate *estimate, guint number)
 {
-    const TinkerSimulation *ours = estimate->simulation, *theirs = estimate->companion;
+    const TinkerIslandRuns *ours = estimate->runs, *theirs = estimate->companion;
     const TinkerIslandRun *run = g_ptr_array_index(ours->runs, number),
                           *other = g_ptr_array_index(theirs->runs, number);
     double t = ours->sample_time;
@@ -274,10 +219,10 @@ static void scales_at(TinkerEstimate *estimate, TinkerIslandRun *run, const Part
  * moments may be little beside what follows. */
 static double distance(TinkerEstimate *estimate, guint number)
 {
-    TinkerIslandRun *run = g_ptr_array_index(estimate->simulation->runs, number);
+    TinkerIslandRun *run = g_ptr_array_index(estimate->runs->runs, number);
     const Part *part = &estimate->parts[number];
     double extent, speed;
-    scales_at(estimate, run, part, estimate->simulation->sample_time, &extent, &speed);
+    scales_at(estimate, run, part, estimate->runs->sample_time, &extent, &speed);
     if (rests(run, extent)) return 0;
     double places = extent > 0 ? sqrt(part->places) / extent : 0, speeds = 0;
     if (speed > tinker_island_run_speed_noise(run, extent)) speeds = sqrt(part->speeds) / speed;
@@ -291,11 +236,11 @@ static gboolean give_up(TinkerEstimate *estimate, double t, GError *failed, GErr
         g_propagate_error(error, failed);
         return FALSE;
     }
-    g_ptr_array_add(estimate->simulation->summary.warnings,
+    g_ptr_array_add(estimate->runs->summary.warnings,
                     g_strdup_printf(_("there is no error estimate beyond t = %.6g s: the companion run stopped (%s)"),
                                     t, failed->message));
     g_error_free(failed);
-    g_clear_pointer(&estimate->companion, tinker_simulation_free);
+    g_clear_pointer(&estimate->companion, tinker_island_runs_free);
     estimate->failed = TRUE;
     for (guint c = 0; estimate->bands != NULL && c < estimate->columns; c++)
         estimate->bands[c] = NAN;
@@ -306,7 +251,7 @@ void tinker_estimate_close(TinkerEstimate *estimate)
 {
     if (isinf(estimate->predictable_until)) return;
     g_ptr_array_add(
-        estimate->simulation->summary.warnings,
+        estimate->runs->summary.warnings,
         g_strdup_printf(_("not predictable beyond t = %.6g s: there the estimated error passes a tenth of the "
                           "motion's own size (a smaller step or tolerance moves that time out, in "
                           "chaotic motion only a little)"),
@@ -315,14 +260,13 @@ void tinker_estimate_close(TinkerEstimate *estimate)
 
 static void widen_bands(TinkerEstimate *estimate, double t)
 {
-    TinkerSimulation *companion = estimate->companion;
-    if (tinker_simulation_sample(companion, t) != TINKER_OK) return;
+    TinkerIslandRuns *companion = estimate->companion;
+    if (tinker_island_runs_sample(companion, t) != TINKER_OK) return;
     double factor = 0;
-    for (guint i = 0; i < estimate->simulation->runs->len; i++)
+    for (guint i = 0; i < estimate->runs->runs->len; i++)
         factor = fmax(factor, estimate->parts[i].factor);
     for (guint c = 0; c < estimate->columns; c++)
-        estimate->bands[c] =
-            fmax(estimate->bands[c], factor * fabs(companion->values[c] - estimate->simulation->values[c]));
+        estimate->bands[c] = fmax(estimate->bands[c], factor * fabs(companion->values[c] - estimate->runs->values[c]));
 }
 
 /* Whether the two are compared at the end of the companion's step, which the run's last step reaches over: a method of fixed step
@@ -367,11 +311,14 @@ static void note_step(Part *part, TinkerIslandRun *run)
     scales_of(run, &part->next_extent, &part->next_speed);
 }
 
-gboolean tinker_estimate_follow(TinkerEstimate *estimate, guint number, double t, GError **error)
+/* An island of the run has made a step on its way to a sample at t: brings its companion as far, not beyond the sample, and
+ * compares where the two meet. FALSE only where the user stopped it. */
+static gboolean follow(void *follower, guint number, double t, GError **error)
 {
+    TinkerEstimate *estimate = follower;
     GError *failed = NULL;
     Part *part = &estimate->parts[number];
-    TinkerIslandRun *run = g_ptr_array_index(estimate->simulation->runs, number);
+    TinkerIslandRun *run = g_ptr_array_index(estimate->runs->runs, number);
     if (estimate->companion == NULL || !(part->factor > 0)) return TRUE;
     if (part->reached >= run->summary.determined_until) return TRUE;
     TinkerIslandRun *other = g_ptr_array_index(estimate->companion->runs, number);
@@ -392,9 +339,66 @@ gboolean tinker_estimate_follow(TinkerEstimate *estimate, guint number, double t
         }
         if (part->ends != NULL && tinker_companion_look_at_ends(part->ends))
             g_clear_pointer(&part->ends, tinker_companion_ends_free);
-        if (!tinker_simulation_step_island(estimate->companion, number, &failed))
+        if (!tinker_island_runs_step(estimate->companion, number, &failed))
             return give_up(estimate, other->state.t, failed, error);
     }
+}
+
+static gboolean open_companion(TinkerEstimate *estimate, const GArray *columns, GError **error)
+{
+    TinkerIslandRuns *runs = estimate->runs;
+    estimate->model = tinker_model_new(runs->model->scene, error);
+    if (estimate->model == NULL) return FALSE;
+    TinkerIslandRuns *companion = estimate->companion = tinker_companion_new(runs, estimate->model, error);
+    if (companion == NULL) return FALSE;
+    for (guint i = 0; i < runs->runs->len; i++)
+        estimate->parts[i].ends = tinker_companion_ends_new(g_ptr_array_index(companion->runs, i));
+    if (columns == NULL || !runs->options.bands) return TRUE;
+    estimate->columns = columns->len;
+    estimate->bands = g_new0(double, columns->len + 1);
+    tinker_island_runs_take_columns(companion, columns);
+    return TRUE;
+}
+
+static void warn_of_none(TinkerIslandRuns *runs, const char *why)
+{
+    g_ptr_array_add(runs->summary.warnings,
+                    g_strdup_printf(_("there is no error estimate: the companion run cannot be set up (%s)"), why));
+}
+
+static void open_part(Part *part, TinkerIslandRun *run)
+{
+    const TinkerSystem *system = &run->system.system;
+    part->factor = tinker_companion_factor(run);
+    scales_of(run, &part->next_extent, &part->next_speed);
+    if (!tinker_method_is_exact(run->choice.method) || system->linear == NULL) return;
+    part->fastest = tinker_exact_fastest(system->linear);
+    part->start = g_memdup2(run->state.q, (gsize)system->size * sizeof(double));
+}
+
+TinkerEstimate *tinker_estimate_new(TinkerIslandRuns *runs, const GArray *columns)
+{
+    TinkerEstimate *estimate = g_new0(TinkerEstimate, 1);
+    estimate->runs = runs;
+    estimate->predictable_until = INFINITY;
+    estimate->parts = g_new0(Part, runs->runs->len);
+    double **rooms[] = {&estimate->ours.q, &estimate->ours.v, &estimate->theirs.q, &estimate->theirs.v};
+    for (gsize i = 0; i < G_N_ELEMENTS(rooms); i++)
+        *rooms[i] = g_new0(double, 2 * (gsize)runs->model->bodies + 1);
+    gboolean compares = FALSE;
+    g_autoptr(GError) error = NULL;
+    for (guint i = 0; i < runs->runs->len; i++) {
+        TinkerIslandRun *run = g_ptr_array_index(runs->runs, i);
+        open_part(&estimate->parts[i], run);
+        compares |= estimate->parts[i].factor > 0;
+    }
+    runs->follow = follow;
+    runs->follower = estimate;
+    if (!compares || open_companion(estimate, columns, &error)) return estimate;
+    if (!g_error_matches(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_STOPPED)) warn_of_none(runs, error->message);
+    tinker_estimate_free(estimate);
+    runs->follow = NULL;
+    return NULL;
 }
 
 /* Where one motion of many is followed the companion may follow another, and their distance is no error. FALSE where some island
@@ -402,8 +406,8 @@ gboolean tinker_estimate_follow(TinkerEstimate *estimate, guint number, double t
 static gboolean abandon_undetermined(TinkerEstimate *estimate, double t)
 {
     gboolean all = TRUE;
-    for (guint i = 0; i < estimate->simulation->runs->len; i++) {
-        const TinkerIslandRun *run = g_ptr_array_index(estimate->simulation->runs, i);
+    for (guint i = 0; i < estimate->runs->runs->len; i++) {
+        const TinkerIslandRun *run = g_ptr_array_index(estimate->runs->runs, i);
         if (!(t > run->summary.determined_until)) continue;
         all = FALSE;
         if (estimate->companion == NULL) continue;
@@ -416,7 +420,7 @@ static gboolean abandon_undetermined(TinkerEstimate *estimate, double t)
 static double error_of(TinkerEstimate *estimate, guint number, double t)
 {
     Part *part = &estimate->parts[number];
-    const TinkerIslandRun *run = g_ptr_array_index(estimate->simulation->runs, number);
+    const TinkerIslandRun *run = g_ptr_array_index(estimate->runs->runs, number);
     if (t > run->summary.determined_until) return part->error;
     part->error = 0;
     if (tinker_method_is_exact(run->choice.method) || run->aside.method != NULL)
@@ -431,10 +435,10 @@ gboolean tinker_estimate_look(TinkerEstimate *estimate, double t, GError **error
     GError *failed = NULL;
     if (estimate->failed) return TRUE;
     const gboolean determined = abandon_undetermined(estimate, t);
-    if (estimate->companion != NULL && !tinker_simulation_advance(estimate->companion, t, &failed))
+    if (estimate->companion != NULL && !tinker_island_runs_advance(estimate->companion, t, &failed))
         return give_up(estimate, t, failed, error);
     estimate->error = FLOOR;
-    for (guint i = 0; i < estimate->simulation->runs->len; i++)
+    for (guint i = 0; i < estimate->runs->runs->len; i++)
         estimate->error = fmax(estimate->error, error_of(estimate, i, t));
     if (!(estimate->error > UNPREDICTABLE))
         estimate->predictable_until = INFINITY;

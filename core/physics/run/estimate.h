@@ -8,18 +8,14 @@
 #ifndef TINKER_CORE_ESTIMATE_H
 #define TINKER_CORE_ESTIMATE_H
 
-#include "physics/run/simulation.h"
+#include "physics/run/island-runs.h"
 
 typedef struct _TinkerEstimate TinkerEstimate;
 
-/* The estimate of this simulation, with a companion where one is needed; NULL where none can be made, which the warnings of the
- * simulation then say (transfer full). The simulation outlives it. */
-TinkerEstimate *tinker_estimate_new(TinkerSimulation *simulation, const GArray *columns);
+/* The estimate of these runs, which it follows from now on, with a companion where one is needed; NULL where none can be made, which
+ * their warnings then say (transfer full). The runs outlive it. */
+TinkerEstimate *tinker_estimate_new(TinkerIslandRuns *runs, const GArray *columns);
 void tinker_estimate_free(TinkerEstimate *estimate);
-
-/* An island of the simulation has made a step on its way to a sample at t: brings its companion as far, not beyond the
- * sample, and compares where the two meet. FALSE only where the user stopped it. */
-gboolean tinker_estimate_follow(TinkerEstimate *estimate, guint island, double t, GError **error);
 
 /* Brings the companion to t, where the simulation's sample is, and compares. FALSE only where the user stopped it. */
 gboolean tinker_estimate_look(TinkerEstimate *estimate, double t, GError **error);
