@@ -7,7 +7,7 @@ from harness import App, check, check_equal, main, mass, scene, spring, support,
 from harness import colours
 from harness.scenes import connector
 
-LINE = (-0.4, 1.0), (0.4, 2.0)  # where the middle of the connector is, and nothing else
+LINE = (-0.15, 1.0), (0.15, 2.0)  # where the middle of the connector is, and nothing else: its name stands beside it
 COLOURS = {"compressed": colours.COMPRESSED, "at rest": colours.CONNECTOR, "stretched": colours.STRETCHED}
 
 
