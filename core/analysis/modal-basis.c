@@ -8,7 +8,7 @@
 #include <lapacke.h>
 
 #include "analysis/null-space-private.h"
-#include "numerics/symmetric-eigen.h"
+#include "numerics/solve/symmetric-eigen.h"
 
 /* Up to here Jacobi's methods are quick; beyond, a tridiagonal one. */
 #define MOST_FOR_JACOBI 320

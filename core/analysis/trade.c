@@ -5,7 +5,7 @@
 #include <math.h>
 
 #include "analysis/trade-private.h"
-#include "numerics/integrators.h"
+#include "numerics/methods/integrators.h"
 #include "physics/impulse/impulse.h"
 #include "physics/model/model.h"
 #include "units/units.h"

@@ -7,9 +7,9 @@
 #include <math.h>
 #include <string.h>
 
-#include "numerics/amplification.h"
-#include "numerics/explicit-rk.h"
-#include "numerics/integrators.h"
+#include "numerics/integrate/explicit-rk.h"
+#include "numerics/methods/integrators.h"
+#include "numerics/stability/amplification.h"
 
 #define MOST_ORDER 5
 #define TEN_TURNS  (20 * G_PI)

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "exit-status.h"
-#include "numerics/integrators.h"
+#include "numerics/methods/integrators.h"
 #include "open-scene.h"
 #include "options.h"
 #include "print.h"

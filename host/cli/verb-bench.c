@@ -9,7 +9,7 @@
 #include <cjson/cJSON.h>
 
 #include "exit-status.h"
-#include "numerics/integrators.h"
+#include "numerics/methods/integrators.h"
 #include "options.h"
 #include "output.h"
 #include "physics/compile/compile.h"

@@ -7,7 +7,7 @@
 
 #include "exit-status.h"
 #include "files/replace-file.h"
-#include "numerics/integrators.h"
+#include "numerics/methods/integrators.h"
 #include "open-scene.h"
 #include "options.h"
 #include "output.h"

@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "number-text.h"
-#include "numerics/integrators.h"
+#include "numerics/methods/integrators.h"
 #include "property-list-private.h"
 #include "translate.h"
 

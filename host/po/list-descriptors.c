@@ -6,7 +6,7 @@
 #include <glib.h>
 #include <string.h>
 
-#include "numerics/integrators.h"
+#include "numerics/methods/integrators.h"
 #include "plugin/catalogue.h"
 
 typedef struct {

@@ -2,7 +2,7 @@
  * contact. */
 #include <math.h>
 
-#include "numerics/sharing.h"
+#include "numerics/sharing/sharing.h"
 #include "report.h"
 #include "subject.h"
 

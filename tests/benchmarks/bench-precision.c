@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "contest.h"
-#include "numerics/exact.h"
+#include "numerics/exact/exact.h"
 #include "peers.h"
 #include "physics/island/island-run.h"
 #include "physics/plan/run-options.h"

@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "floors.h"
-#include "numerics/sharing.h"
+#include "numerics/sharing/sharing.h"
 #include "report.h"
 #include "scene-text.h"
 #include "subject.h"

@@ -5,7 +5,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "numerics/sharing.h"
+#include "numerics/sharing/sharing.h"
 #include "report.h"
 #include "scene-text.h"
 #include "subject.h"

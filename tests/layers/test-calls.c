@@ -1,4 +1,4 @@
-/* Who calls whom, as the compiler left it in the objects of physics: files that call each other in a circle can only be understood
+/* Who calls whom, as the compiler left it in the objects of numerics and physics: files that call each other in a circle can only be understood
  * together, so there are none but for those of the table. A symbol that one object defines and another leaves open is a call. */
 #include <glib.h>
 #include <string.h>

@@ -55,6 +55,11 @@ typedef struct {
 } Rooms;
 
 static const Rooms rooms_of_core[] = {
+    {"numerics",
+     {"sharing", "solve", "roots", "contact", "integrate", "exact", "methods", "stability"},
+     {"methods/integrators.h", "sharing/sharing.h", "solve/dense-solve.h", "solve/eigen.h", "solve/sparse-ldl.h",
+      "solve/symmetric-eigen.h", "solve/symmetric-solver.h", "roots/step-roots.h", "contact/contact-laws.h",
+      "exact/exact.h", "stability/amplification.h", "stability/coupled.h"}},
     {"physics",
      {"model", "constraint", "force", "contact", "compile", "line", "system", "impulse", "record", "linearise", "plan",
       "island", "event", "run"},

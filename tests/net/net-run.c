@@ -6,7 +6,7 @@
 
 #include "net-table.h"
 #include "net-take.h"
-#include "numerics/integrators.h"
+#include "numerics/methods/integrators.h"
 #include "physics/compile/compile.h"
 #include "physics/model/model.h"
 #include "physics/plan/run-options.h"

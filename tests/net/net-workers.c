@@ -10,7 +10,7 @@
 #include "build-catalogue.h"
 #include "net-run.h"
 #include "net-table.h"
-#include "numerics/sharing.h"
+#include "numerics/sharing/sharing.h"
 
 #define MOST_PROCESSES 64
 

@@ -3,8 +3,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "numerics/integrators.h"
-#include "numerics/step-control.h"
+#include "numerics/integrate/step-control.h"
+#include "numerics/methods/integrators.h"
 #include "test-systems.h"
 
 static double error_of_tolerance(const TinkerIntegrator *method, Oscillator *o, double tolerance)

@@ -3,8 +3,8 @@
 #include <glib.h>
 #include <math.h>
 
-#include "numerics/amplification.h"
-#include "numerics/integrators.h"
+#include "numerics/methods/integrators.h"
+#include "numerics/stability/amplification.h"
 
 static double growth_of(const char *id, TinkerOscillator oscillator)
 {

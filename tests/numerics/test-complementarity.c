@@ -5,7 +5,7 @@
 #include <glib.h>
 
 #include "contact-case.h"
-#include "numerics/complementarity.h"
+#include "numerics/contact/complementarity.h"
 
 enum { MOST = 8 };
 

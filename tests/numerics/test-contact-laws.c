@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "contact-case.h"
-#include "numerics/contact-laws.h"
+#include "numerics/contact/contact-laws.h"
 
 static void impact_laws(const ContactCase *bodies, const double *least, double *p)
 {

@@ -3,7 +3,7 @@
 #include <math.h>
 
 #include "linear-case.h"
-#include "numerics/exact.h"
+#include "numerics/exact/exact.h"
 
 /* A spring of length L about an anchor, stretched enough to pass through it: x = L + A cos t from x = L + A until
  * x = 0 at t1, mirrored after that; the period is 4 t1. */

@@ -6,9 +6,9 @@
 
 #include "allotments.h"
 #include "linear-case.h"
-#include "numerics/exact.h"
-#include "numerics/integrators.h"
-#include "numerics/linear-modes.h"
+#include "numerics/exact/exact.h"
+#include "numerics/exact/linear-modes.h"
+#include "numerics/methods/integrators.h"
 
 static void copy_case(LinearCase *to, const LinearCase *from)
 {

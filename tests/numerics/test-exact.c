@@ -5,8 +5,8 @@
 #include <string.h>
 
 #include "linear-case.h"
-#include "numerics/exact.h"
-#include "numerics/integrators.h"
+#include "numerics/exact/exact.h"
+#include "numerics/methods/integrators.h"
 
 /* Rounding of a motion of the given size after omega T. */
 static double rounding(double size, double turns)

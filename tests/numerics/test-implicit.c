@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "numerics/integrators.h"
+#include "numerics/methods/integrators.h"
 #include "test-systems.h"
 
 #define LINKS 20 /* masses of the chain */

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "allotments.h"
-#include "numerics/integrators.h"
+#include "numerics/methods/integrators.h"
 #include "test-systems.h"
 
 #define ORDER_MARGIN 0.15

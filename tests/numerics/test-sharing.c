@@ -2,7 +2,7 @@
 #include <glib.h>
 #include <stdatomic.h>
 
-#include "numerics/sharing.h"
+#include "numerics/sharing/sharing.h"
 
 #define MOST_PARTS 211
 

@@ -2,7 +2,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "numerics/sparse-ldl.h"
+#include "numerics/solve/sparse-ldl.h"
 
 /* A random symmetric pattern, each pair named once or more, in either triangle. */
 typedef struct {

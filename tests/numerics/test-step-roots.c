@@ -4,7 +4,7 @@
 
 #include <glib.h>
 
-#include "numerics/step-roots.h"
+#include "numerics/roots/step-roots.h"
 
 /* scale * (t - roots[0]) (t - roots[1]) ... at the nodes. */
 static void from_roots(int32_t degree, int32_t count, const double *roots, double scale, double *values)

@@ -3,7 +3,7 @@
 
 #include <glib.h>
 
-#include "numerics/symmetric-eigen.h"
+#include "numerics/solve/symmetric-eigen.h"
 
 static int compare(const void *left, const void *right)
 {

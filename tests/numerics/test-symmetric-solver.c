@@ -3,8 +3,8 @@
 #include <math.h>
 #include <string.h>
 
-#include "numerics/narrow-band.h"
-#include "numerics/symmetric-solver.h"
+#include "numerics/solve/narrow-band.h"
+#include "numerics/solve/symmetric-solver.h"
 
 #include <glib.h>
 

@@ -1,7 +1,7 @@
 /* The published constants: order conditions, dense output, embedded methods. */
 #include <math.h>
 
-#include "numerics/explicit-rk.h"
+#include "numerics/integrate/explicit-rk.h"
 #include "test-systems.h"
 
 static int count_of(const TinkerTableau *tableau)

@@ -3,7 +3,7 @@
 #include <complex.h>
 #include <math.h>
 
-#include "numerics/integrators.h"
+#include "numerics/methods/integrators.h"
 #include "test-systems.h"
 
 static void step_equally(const TinkerIntegrator *method, void *stepper, TestState *test, double h, int steps)

@@ -2,7 +2,7 @@
  * output that keeps up. */
 #include <math.h>
 
-#include "numerics/integrators.h"
+#include "numerics/methods/integrators.h"
 #include "test-systems.h"
 
 static const TinkerIntegrator *method(void)

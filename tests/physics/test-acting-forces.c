@@ -3,7 +3,7 @@
 #include "allotments.h"
 #include "physics-fixture.h"
 
-#include "numerics/integrators.h"
+#include "numerics/methods/integrators.h"
 #include "physics/compile/compile.h"
 #include "physics/model/model.h"
 #include "physics/plan/run-options.h"

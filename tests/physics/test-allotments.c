@@ -2,7 +2,7 @@
 #include "allotments.h"
 #include "physics-fixture.h"
 
-#include "numerics/integrators.h"
+#include "numerics/methods/integrators.h"
 #include "physics/run/simulation.h"
 
 static const char *const scenes[] = {

@@ -1,7 +1,7 @@
 /* Breaks: what switches within a run is neither missed nor smeared. */
 #include "physics-fixture.h"
 
-#include "numerics/integrators.h"
+#include "numerics/methods/integrators.h"
 #include "physics/model/breaks.h"
 #include "physics/model/model.h"
 

@@ -2,7 +2,7 @@
 #include "physics-fixture.h"
 
 #include "closed-form-motions.h"
-#include "numerics/integrators.h"
+#include "numerics/methods/integrators.h"
 #include "physics/run/simulation.h"
 #include "physics/system/summary.h"
 

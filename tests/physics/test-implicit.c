@@ -2,7 +2,7 @@
  * pendulum, laws that are asked, failures that say what to do. */
 #include "physics-fixture.h"
 
-#include "numerics/integrators.h"
+#include "numerics/methods/integrators.h"
 #include "physics/force/forces.h"
 #include "physics/model/model-data.h"
 #include "physics/system/system.h"

@@ -1,7 +1,7 @@
 /* Islands: what belongs together, and that parts which are stepped apart move as each does alone. */
 #include "physics-fixture.h"
 
-#include "numerics/integrators.h"
+#include "numerics/methods/integrators.h"
 #include "physics/compile/compile.h"
 #include "physics/model/model.h"
 #include "physics/plan/islands.h"

@@ -1,7 +1,7 @@
 /* Motion along a line: where it is recognised, where it is not stable, and that it is the motion of the plane. */
 #include "physics-fixture.h"
 
-#include "numerics/integrators.h"
+#include "numerics/methods/integrators.h"
 #include "physics/compile/compile.h"
 #include "physics/island/island-run.h"
 #include "physics/line/linear-form.h"

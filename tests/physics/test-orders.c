@@ -1,7 +1,7 @@
 /* Every built-in method keeps its order on whole scenes, against closed forms. */
 #include "physics-fixture.h"
 
-#include "numerics/integrators.h"
+#include "numerics/methods/integrators.h"
 #include "test-systems.h"
 
 #include <complex.h>

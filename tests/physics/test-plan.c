@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "numerics/integrators.h"
+#include "numerics/methods/integrators.h"
 #include "physics/compile/compile.h"
 #include "physics/model/model.h"
 #include "physics/plan/islands.h"

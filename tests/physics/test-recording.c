@@ -1,7 +1,7 @@
 /* Looking never changes a run: the same bits whatever is recorded, and every time. */
 #include "physics-fixture.h"
 
-#include "numerics/integrators.h"
+#include "numerics/methods/integrators.h"
 #include "physics/run/simulation.h"
 
 #include <math.h>

@@ -5,8 +5,8 @@
 #include <math.h>
 #include <string.h>
 
-#include "numerics/amplification.h"
-#include "numerics/integrators.h"
+#include "numerics/methods/integrators.h"
+#include "numerics/stability/amplification.h"
 #include "physics/compile/compile.h"
 #include "physics/force/forces.h"
 #include "physics/line/linear-form.h"

@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "numerics/sharing.h"
+#include "numerics/sharing/sharing.h"
 #include "physics-fixture.h"
 #include "physics/compile/compile.h"
 #include "physics/force/forces.h"

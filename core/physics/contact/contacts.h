@@ -16,8 +16,8 @@
 #ifndef TINKER_CORE_CONTACTS_H
 #define TINKER_CORE_CONTACTS_H
 
-#include "numerics/contact-laws.h"
-#include "numerics/dense-solve.h"
+#include "numerics/contact/contact-laws.h"
+#include "numerics/solve/dense-solve.h"
 #include "physics/model/model-data.h"
 #include "scene/overlaps.h"
 

@@ -2,7 +2,7 @@
 #ifndef TINKER_CORE_CONTACT_RUN_PRIVATE_H
 #define TINKER_CORE_CONTACT_RUN_PRIVATE_H
 
-#include "numerics/step-roots.h"
+#include "numerics/roots/step-roots.h"
 #include "physics/contact/contact-neighbours.h"
 #include "physics/event/contact-run.h"
 #include "physics/island/island-run.h"

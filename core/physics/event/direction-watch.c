@@ -3,7 +3,7 @@
 #include <glib/gi18n-lib.h>
 #include <math.h>
 
-#include "numerics/step-roots.h"
+#include "numerics/roots/step-roots.h"
 #include "physics/event/contact-run.h"
 #include "physics/event/direction-private.h"
 #include "physics/island/island-run.h"

@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-#include "numerics/sharing.h"
+#include "numerics/sharing/sharing.h"
 #include "physics/force/forces.h"
 #include "physics/model/model-data.h"
 

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "numerics/integrators.h"
+#include "numerics/methods/integrators.h"
 #include "physics/contact/contacts.h"
 #include "physics/impulse/impulse-private.h"
 #include "physics/model/model-data.h"

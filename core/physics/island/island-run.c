@@ -7,7 +7,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "numerics/integrators.h"
+#include "numerics/methods/integrators.h"
 #include "physics/constraint/constraints.h"
 #include "physics/contact/contacts.h"
 #include "physics/island/stability-watch.h"

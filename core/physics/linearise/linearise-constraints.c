@@ -2,7 +2,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "numerics/symmetric-eigen.h"
+#include "numerics/solve/symmetric-eigen.h"
 #include "physics/linearise/linearise-private.h"
 #include "physics/model/model-data.h"
 

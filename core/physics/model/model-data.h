@@ -12,8 +12,8 @@
 
 #include <stdatomic.h>
 
-#include "numerics/sharing.h"
-#include "numerics/sparse-ldl.h"
+#include "numerics/sharing/sharing.h"
+#include "numerics/solve/sparse-ldl.h"
 #include "physics/model/model.h"
 #include "scene/batch.h"
 #include "scene/motions.h"

@@ -3,7 +3,7 @@
 
 #include <math.h>
 
-#include "numerics/eigen.h"
+#include "numerics/solve/eigen.h"
 #include "physics/constraint/constraints.h"
 #include "physics/line/linear-form.h"
 #include "physics/model/model.h"

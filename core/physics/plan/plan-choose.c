@@ -3,7 +3,7 @@
 #include <glib/gi18n-lib.h>
 #include <math.h>
 
-#include "numerics/integrators.h"
+#include "numerics/methods/integrators.h"
 #include "physics/contact/contacts.h"
 #include "physics/impulse/impulse.h"
 #include "physics/line/linear-form.h"

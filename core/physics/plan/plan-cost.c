@@ -3,7 +3,7 @@
  * rests on them is the same everywhere and always. One operation stands for TINKER_SECONDS_PER_OPERATION there. */
 #include <math.h>
 
-#include "numerics/exact.h"
+#include "numerics/exact/exact.h"
 #include "physics/impulse/impulse.h"
 #include "physics/line/linear-form.h"
 #include "physics/model/model-data.h"

@@ -3,7 +3,7 @@
 
 #include <math.h>
 
-#include "numerics/integrators.h"
+#include "numerics/methods/integrators.h"
 #include "physics/constraint/constraints.h"
 #include "physics/impulse/impulse.h"
 #include "physics/line/linear-form.h"

@@ -3,7 +3,7 @@
 #include <math.h>
 #include <stdarg.h>
 
-#include "numerics/integrators.h"
+#include "numerics/methods/integrators.h"
 #include "physics/model/model.h"
 #include "physics/plan/run-options.h"
 

@@ -6,7 +6,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "numerics/eigen.h"
+#include "numerics/solve/eigen.h"
 #include "physics/impulse/impulse.h"
 #include "physics/model/model.h"
 #include "physics/plan/islands.h"

@@ -11,8 +11,8 @@
 #ifndef TINKER_CORE_SPECTRUM_H
 #define TINKER_CORE_SPECTRUM_H
 
-#include "numerics/amplification.h"
-#include "numerics/coupled.h"
+#include "numerics/stability/amplification.h"
+#include "numerics/stability/coupled.h"
 #include "physics/plan/islands.h"
 
 #define TINKER_DENSE_SPECTRUM 150

@@ -5,8 +5,8 @@
 #include <math.h>
 #include <string.h>
 
-#include "numerics/eigen.h"
-#include "numerics/symmetric-solver.h"
+#include "numerics/solve/eigen.h"
+#include "numerics/solve/symmetric-solver.h"
 #include "physics/constraint/constraints.h"
 #include "physics/force/forces.h"
 #include "physics/line/linear-form-data.h"

@@ -8,7 +8,7 @@
 #include <glib/gi18n-lib.h>
 #include <math.h>
 
-#include "numerics/exact.h"
+#include "numerics/exact/exact.h"
 #include "physics/compile/compile.h"
 #include "physics/contact/contacts.h"
 #include "physics/impulse/impulse.h"

@@ -7,7 +7,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "numerics/integrators.h"
+#include "numerics/methods/integrators.h"
 #include "physics/constraint/constraints.h"
 #include "physics/event/direction-watch.h"
 #include "physics/impulse/impulse.h"

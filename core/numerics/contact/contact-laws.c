@@ -1,0 +1,112 @@
+#include "numerics/contact/contact-laws.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "numerics/contact/contact-private.h"
+
+#define ROUNDING 1e-13
+
+/* As a share of the time in which accelerations change velocities. */
+#define MOMENT 1e-7
+
+/* Room for what is worked on. */
+typedef struct {
+    double few[5 * 8], *many;
+    double *offset, *friction; /* 2m, m */
+    double *v;                 /* 2m */
+} Room;
+
+/* FALSE: no memory. */
+static gboolean room_init(Room *room, int32_t m)
+{
+    room->many = m > 8 ? g_try_new(double, 5 * (gsize)m) : NULL;
+    if (m > 8 && room->many == NULL) return FALSE;
+    room->offset = room->many != NULL ? room->many : room->few;
+    room->friction = room->offset + 2 * m;
+    room->v = room->friction + m;
+    return TRUE;
+}
+
+/* Accelerations under these forces; those that are rounding become 0. */
+static void accelerations(const TinkerClosedContacts *closed, const TinkerContactProblem *problem, const double *forces,
+                          double *a)
+{
+    for (int32_t i = 0; i < 2 * closed->count; i++) {
+        double size;
+        a[i] = tinker_contact_velocity(problem, forces, i, &size);
+        if (fabs(a[i]) <= closed->noise + ROUNDING * size) a[i] = 0;
+    }
+}
+
+static TinkerContactMode mode_of(const TinkerClosedContacts *closed, int32_t k, double force, const double *a)
+{
+    if (a[2 * k] > 0 && !(force > 0)) return TINKER_CONTACT_OPEN;
+    double along = closed->sliding[k] != 0 ? closed->sliding[k] : a[2 * k + 1];
+    return along > 0 ? TINKER_CONTACT_SLIP_FORWARD : along < 0 ? TINKER_CONTACT_SLIP_BACKWARD : TINKER_CONTACT_STICK;
+}
+
+/* Contacts that begin to slip rub from then on; with less friction they may still hold, and others may give way. */
+TinkerContactResult tinker_contact_modes(const TinkerClosedContacts *closed, TinkerContactMode *modes, double *forces)
+{
+    int32_t m = closed->count;
+    Room room;
+    if (!room_init(&room, m)) return TINKER_CONTACT_NO_MEMORY;
+    TinkerContactProblem problem = {m, closed->delassus, room.offset, room.friction, closed->sliding};
+    for (int32_t k = 0; k < m; k++) {
+        double normal = closed->acceleration[2 * k];
+        room.offset[2 * k] = fabs(normal) <= closed->noise ? 0 : normal;
+        room.offset[2 * k + 1] = closed->acceleration[2 * k + 1];
+        room.friction[k] = closed->sliding[k] != 0 ? closed->dynamic_friction[k] : closed->static_friction[k];
+    }
+    TinkerContactResult result;
+    gboolean changed;
+    do {
+        changed = FALSE;
+        result = tinker_contact_solve(&problem, forces);
+        if (result != TINKER_CONTACT_SOLVED) break;
+        accelerations(closed, &problem, forces, room.v);
+        for (int32_t k = 0; k < m; k++) {
+            modes[k] = mode_of(closed, k, forces[2 * k], room.v);
+            gboolean slips = modes[k] == TINKER_CONTACT_SLIP_FORWARD || modes[k] == TINKER_CONTACT_SLIP_BACKWARD;
+            if (!slips || !(forces[2 * k] > 0) || !(room.friction[k] > closed->dynamic_friction[k])) continue;
+            room.friction[k] = closed->dynamic_friction[k];
+            changed = TRUE;
+        }
+    } while (changed);
+    g_free(room.many);
+    return result;
+}
+
+/* Over a moment in which accelerations change velocities by very little, forces that exist leave impulses as little; impulses
+ * that the laws of impact ask for nevertheless are those of the jam. They are linear in a short moment: from a whole and a
+ * half one, those of none. Source: Anitescu, Potra (1997), section 4. */
+TinkerContactResult tinker_contact_jam(const TinkerClosedContacts *closed, const double *velocity, double *impulses)
+{
+    int32_t m = closed->count;
+    Room room;
+    if (!room_init(&room, m)) return TINKER_CONTACT_NO_MEMORY;
+    TinkerContactProblem problem = {m, closed->delassus, room.offset, room.friction, NULL};
+    double fastest = 0, hardest = 0, *half = room.v;
+    for (int32_t i = 0; i < 2 * m; i++) {
+        fastest = MAX(fastest, fabs(velocity[i]));
+        hardest = MAX(hardest, fabs(closed->acceleration[i]));
+    }
+    double moment = hardest > 0 ? MOMENT * fastest / hardest : 0;
+    for (int32_t k = 0; k < m; k++)
+        room.friction[k] = closed->sliding[k] != 0 ? closed->dynamic_friction[k] : closed->static_friction[k];
+    TinkerContactResult result = TINKER_CONTACT_SOLVED;
+    for (int32_t pass = 0; pass < 2 && result == TINKER_CONTACT_SOLVED; pass++, moment /= 2) {
+        for (int32_t i = 0; i < 2 * m; i++)
+            room.offset[i] = (i % 2 == 0 ? 0 : velocity[i]) + moment * closed->acceleration[i];
+        result = tinker_contact_solve(&problem, pass == 0 ? impulses : half);
+    }
+    for (int32_t k = 0; k < m && result == TINKER_CONTACT_SOLVED; k++) {
+        double normal = 2 * half[2 * k] - impulses[2 * k], along = 2 * half[2 * k + 1] - impulses[2 * k + 1];
+        double noise = ROUNDING * half[2 * k], most = room.friction[k] * normal;
+        impulses[2 * k] = normal > noise ? normal : 0;
+        impulses[2 * k + 1] = normal > noise ? CLAMP(along, -most, most) : 0;
+    }
+    g_free(room.many);
+    return result;
+}

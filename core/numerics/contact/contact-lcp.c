@@ -1,0 +1,94 @@
+/* The laws as a linear complementarity problem, after Anitescu and Potra: a contact that may hold by friction has four
+ * unknowns, p_n, the two directions of p_t and the speed s of sliding,
+ *
+ *     v_n >= 0 | p_n >= 0,   s + v_t >= 0 | p_forward >= 0,   s - v_t >= 0 | p_backward >= 0,
+ *     friction p_n - p_forward - p_backward >= 0 | s >= 0,       p_t = p_forward - p_backward;
+ *
+ * others have p_n alone. The matrix is copositive where none slides, so that Lemke's path ends in a solution. */
+#include <math.h>
+#include <string.h>
+
+#include "numerics/contact/complementarity.h"
+#include "numerics/contact/contact-private.h"
+
+/* What unit unknowns add to v: those of entry `row` of W for p_n (with its share of p_t) and p_t of contact k. */
+static void entries(const TinkerContactProblem *problem, int32_t row, int32_t k, double softening, double *of_n,
+                    double *of_t)
+{
+    const double *at = problem->delassus + (gsize)row * 2 * (gsize)problem->count + 2 * k;
+    *of_n = at[0] + (row == 2 * k ? softening : 0);
+    *of_t = at[1] + (row == 2 * k + 1 ? softening : 0);
+    if (!tinker_contact_grips(problem, k)) *of_n += tinker_contact_slope(problem, k, TINKER_STATE_FREE) * *of_t;
+}
+
+/* A row of the matrix: `sign` times an entry of v. */
+static void fill_row(const TinkerContactProblem *problem, int32_t entry, double sign, double softening, double *row)
+{
+    for (int32_t k = 0, at = 0; k < problem->count; k++) {
+        double of_n, of_t;
+        entries(problem, entry, k, softening, &of_n, &of_t);
+        row[at++] = sign * of_n;
+        if (!tinker_contact_grips(problem, k)) continue;
+        row[at++] = sign * of_t;
+        row[at++] = -sign * of_t;
+        row[at++] = 0;
+    }
+}
+
+static double offset_of(const TinkerContactProblem *problem, int32_t i, double softening, const double *centre)
+{
+    return problem->offset[i] - (centre != NULL ? softening * centre[i] : 0);
+}
+
+static int32_t fill(const TinkerContactProblem *problem, double softening, const double *centre, double *matrix,
+                    double *q)
+{
+    int32_t size = 0, at = 0;
+    for (int32_t k = 0; k < problem->count; k++)
+        size += tinker_contact_grips(problem, k) ? 4 : 1;
+    for (int32_t k = 0; k < problem->count; k++) {
+        q[at] = offset_of(problem, 2 * k, softening, centre);
+        fill_row(problem, 2 * k, 1, softening, matrix + (gsize)at * (gsize)size);
+        if (!tinker_contact_grips(problem, k)) {
+            at++;
+            continue;
+        }
+        double *row = matrix + (gsize)(at + 1) * (gsize)size;
+        q[at + 1] = offset_of(problem, 2 * k + 1, softening, centre);
+        q[at + 2] = -q[at + 1];
+        q[at + 3] = 0;
+        fill_row(problem, 2 * k + 1, 1, softening, row);
+        fill_row(problem, 2 * k + 1, -1, softening, row + size);
+        row[at + 3] = row[size + at + 3] = 1;
+        row += 2 * size;
+        memset(row, 0, (gsize)size * sizeof *row);
+        row[at] = problem->friction[k];
+        row[at + 1] = row[at + 2] = -1;
+        at += 4;
+    }
+    return size;
+}
+
+gboolean tinker_contact_by_complementarity(TinkerContactWork *work, double softening, const double *centre)
+{
+    const TinkerContactProblem *problem = &work->problem;
+    double *q = work->lcp_room, *z = q + 4 * problem->count, *room = z + 4 * problem->count;
+    int32_t size = fill(problem, softening, centre, work->lcp, q);
+    /* where the solver gives up, it is the contacts' own check that judges what it has */
+    if (tinker_lcp_solve(size, work->lcp, q, z, room) == TINKER_LCP_RAY) return FALSE;
+    for (int32_t k = 0, at = 0; k < problem->count; k++) {
+        gboolean grips = tinker_contact_grips(problem, k);
+        work->p[2 * k] = z[at];
+        if (grips) {
+            work->p[2 * k + 1] = z[at + 1] - z[at + 2];
+            work->state[k] = z[at + 3] > 0 ? work->p[2 * k + 1] < 0 ? TINKER_STATE_FORWARD : TINKER_STATE_BACKWARD
+                                           : TINKER_STATE_STICK;
+        } else {
+            work->p[2 * k + 1] = tinker_contact_slope(problem, k, TINKER_STATE_FREE) * z[at];
+            work->state[k] = TINKER_STATE_FREE;
+        }
+        if (z[at] == 0) work->state[k] = TINKER_STATE_OPEN;
+        at += grips ? 4 : 1;
+    }
+    return TRUE;
+}

@@ -1,0 +1,87 @@
+/* What impacts, forces and jams have in common: with v = b + W p, at every contact
+ *
+ *     v_n >= 0,  p_n >= 0,  v_n p_n = 0,
+ *     sliding:  p_t = -friction p_n sign,
+ *     else:     |p_t| <= friction p_n, and v_t = 0 or p_t = -friction p_n sign(v_t). */
+#ifndef TINKER_NUMERICS_CONTACT_PRIVATE_H
+#define TINKER_NUMERICS_CONTACT_PRIVATE_H
+
+#include <glib.h>
+
+#include "numerics/contact/contact-laws.h"
+
+typedef struct {
+    int32_t count;
+    const double *delassus; /* 2m x 2m, symmetric positive semidefinite */
+    const double *offset;   /* 2m: b */
+    const double *friction; /* m */
+    const int8_t *sliding;  /* m: -1, 0, 1; NULL: none slides */
+} TinkerContactProblem;
+
+/* Closed contacts keep p_t = slope p_n, but where they stick. */
+typedef enum {
+    TINKER_STATE_OPEN,
+    TINKER_STATE_STICK,
+    TINKER_STATE_FORWARD,  /* v_t >= 0 */
+    TINKER_STATE_BACKWARD, /* v_t <= 0 */
+    TINKER_STATE_FREE,     /* without friction */
+} TinkerContactState;
+
+/* Writes p (2m). NO_ACCELERATION: there is none, because a contact slides with friction and jams; or a normal direction that
+ * nothing moves along has b_n < 0 (then p is what the other contacts do). */
+TinkerContactResult tinker_contact_solve(const TinkerContactProblem *problem, double *p);
+
+/* v = b + W p, entry i; `size` is the sum of what meets in it, or NULL. */
+double tinker_contact_velocity(const TinkerContactProblem *problem, const double *p, int32_t i, double *size);
+
+/* A problem with its scales and its room. Scales are powers of two, one a contact, so that cones of friction stay as they
+ * are; W is near 1 then, and so is the largest b. */
+typedef struct {
+    TinkerContactProblem problem; /* scaled */
+    double *scale;                /* m: p = scaled p * scale * unit */
+    double unit;
+    double floor;         /* what counts as meeting in every v, besides what does */
+    gboolean blocked;     /* b_n < 0 where nothing moves: that contact is left out */
+    double *centre;       /* 2m: of a proximal point */
+    double *p, *v, *size; /* 2m */
+    double *system;       /* 2m x 2m */
+    double *right;        /* 2m */
+    double *lcp;          /* 4m x 4m */
+    double *lcp_room;
+    int32_t *unknown; /* 2m: which entries of p are unknown */
+    int32_t *order;   /* 2m */
+    TinkerContactState *state;
+} TinkerContactWork;
+
+/* Works out v from p. TRUE where they keep the laws in these states, but for a share of `tolerance` of what meets in them;
+ * else `next`, if not NULL, is told what the states should rather be. */
+gboolean tinker_contact_check(TinkerContactWork *work, double tolerance, TinkerContactState *next);
+
+/* The same with the p that solves W p = -b as the states have it. */
+gboolean tinker_contact_try_states(TinkerContactWork *work, double tolerance, TinkerContactState *next);
+
+/* The same problem as a linear complementarity problem, with softening (p - centre) added to v; centre may be NULL: 0. Leaves
+ * p and state. */
+gboolean tinker_contact_by_complementarity(TinkerContactWork *work, double softening, const double *centre);
+
+/* Whether contact k may hold by friction. */
+static inline gboolean tinker_contact_grips(const TinkerContactProblem *problem, int32_t k)
+{
+    int32_t t = 2 * k + 1;
+    return (problem->sliding == NULL || problem->sliding[k] == 0) && problem->friction[k] > 0 &&
+           problem->delassus[t * (2 * problem->count + 1)] > 0;
+}
+
+/* One sweep of projected Gauss-Seidel over all contacts, from the impulses p on; answers the largest change of a velocity. */
+double tinker_contact_sweep(const TinkerContactProblem *problem, double *p);
+
+/* p_t / p_n of a closed contact that does not stick. */
+static inline double tinker_contact_slope(const TinkerContactProblem *problem, int32_t k, TinkerContactState state)
+{
+    if (problem->sliding != NULL && problem->sliding[k] != 0) return -problem->friction[k] * problem->sliding[k];
+    return state == TINKER_STATE_FORWARD    ? -problem->friction[k]
+           : state == TINKER_STATE_BACKWARD ? problem->friction[k]
+                                            : 0;
+}
+
+#endif

@@ -1,0 +1,102 @@
+/* Where it is known what every contact does, the impulses solve a linear system; whether they keep the laws says what the
+ * contacts should do instead. */
+#include <math.h>
+
+#include "numerics/contact/contact-private.h"
+#include "numerics/solve/pivoted-solve.h"
+
+/* Pivots below this share of the largest entry of a scaled problem are rounding. */
+#define SMALLEST_PIVOT 1e-12
+
+static void solve_system(TinkerContactWork *work)
+{
+    const TinkerContactProblem *problem = &work->problem;
+    int32_t m = problem->count, width = 2 * m, count = 0;
+    for (int32_t k = 0; k < m; k++) {
+        work->p[2 * k] = work->p[2 * k + 1] = 0;
+        if (work->state[k] != TINKER_STATE_OPEN) work->unknown[count++] = 2 * k;
+        if (work->state[k] == TINKER_STATE_STICK) work->unknown[count++] = 2 * k + 1;
+    }
+    for (int32_t i = 0; i < count; i++) {
+        const double *row = problem->delassus + (gsize)work->unknown[i] * (gsize)width;
+        work->right[i] = -problem->offset[work->unknown[i]];
+        for (int32_t j = 0; j < count; j++) {
+            int32_t column = work->unknown[j], k = column / 2;
+            double entry = row[column];
+            if (column % 2 == 0 && work->state[k] != TINKER_STATE_STICK)
+                entry += tinker_contact_slope(problem, k, work->state[k]) * row[column + 1];
+            work->system[i * count + j] = entry;
+        }
+    }
+    tinker_pivoted_solve(count, work->system, work->right, work->order, SMALLEST_PIVOT);
+    for (int32_t i = 0; i < count; i++)
+        work->p[work->unknown[i]] = work->right[i];
+    for (int32_t k = 0; k < m; k++)
+        if (work->state[k] != TINKER_STATE_STICK)
+            work->p[2 * k + 1] = tinker_contact_slope(problem, k, work->state[k]) * work->p[2 * k];
+}
+
+double tinker_contact_velocity(const TinkerContactProblem *problem, const double *p, int32_t i, double *size)
+{
+    int32_t width = 2 * problem->count;
+    const double *row = problem->delassus + (gsize)i * (gsize)width;
+    double sum = problem->offset[i], total = fabs(sum);
+    for (int32_t j = 0; j < width; j++) {
+        double term = row[j] * p[j];
+        sum += term;
+        total += fabs(term);
+    }
+    if (size != NULL) *size = total;
+    return sum;
+}
+
+/* What is rounding in entry i of v. */
+static double slack(const TinkerContactWork *work, int32_t i, double tolerance)
+{
+    return tolerance * (work->size[i] + work->floor);
+}
+
+/* What contact k should do rather than what it does, if that breaks a law by more than `tolerance`. */
+static TinkerContactState better_state(const TinkerContactWork *work, int32_t k, double tolerance, double p_slack)
+{
+    const TinkerContactProblem *problem = &work->problem;
+    int32_t n = 2 * k, t = n + 1;
+    TinkerContactState state = work->state[k];
+    gboolean grips = tinker_contact_grips(problem, k);
+    if (state == TINKER_STATE_OPEN)
+        return work->v[n] >= -slack(work, n, tolerance) ? state : grips ? TINKER_STATE_STICK : TINKER_STATE_FREE;
+    if (work->p[n] < -p_slack) return TINKER_STATE_OPEN;
+    if (!grips) return state;
+    if (state == TINKER_STATE_STICK) {
+        if (fabs(work->p[t]) <= problem->friction[k] * work->p[n] + p_slack) return state;
+        return work->p[t] < 0 ? TINKER_STATE_FORWARD : TINKER_STATE_BACKWARD;
+    }
+    double along = state == TINKER_STATE_FORWARD ? work->v[t] : -work->v[t];
+    return along >= -slack(work, t, tolerance) ? state : TINKER_STATE_STICK;
+}
+
+gboolean tinker_contact_check(TinkerContactWork *work, double tolerance, TinkerContactState *next)
+{
+    const TinkerContactProblem *problem = &work->problem;
+    double largest = 0;
+    gboolean good = TRUE;
+    for (int32_t i = 0; i < 2 * problem->count; i++) {
+        work->v[i] = tinker_contact_velocity(problem, work->p, i, &work->size[i]);
+        largest = MAX(largest, fabs(work->p[i]));
+    }
+    for (int32_t k = 0; k < problem->count; k++) {
+        int32_t n = 2 * k, t = n + 1;
+        TinkerContactState state = work->state[k], better = better_state(work, k, tolerance, tolerance * largest);
+        /* a system without solution leaves equations that do not hold */
+        good = good && (state == TINKER_STATE_OPEN || fabs(work->v[n]) <= slack(work, n, tolerance)) &&
+               (state != TINKER_STATE_STICK || fabs(work->v[t]) <= slack(work, t, tolerance)) && better == state;
+        if (next != NULL) next[k] = better;
+    }
+    return good && isfinite(largest);
+}
+
+gboolean tinker_contact_try_states(TinkerContactWork *work, double tolerance, TinkerContactState *next)
+{
+    solve_system(work);
+    return tinker_contact_check(work, tolerance, next);
+}

@@ -1,0 +1,146 @@
+/* Elimination with row pivoting; xGELSY behind it. */
+#include "numerics/solve/dense-solve.h"
+
+#include <glib.h>
+#include <lapacke.h>
+#include <math.h>
+#include <string.h>
+
+#define RANK 1e-10
+/* The largest n whose square is an int32_t. */
+#define MOST_UNKNOWNS 46340
+/* Room that xGELSY wants for its blocks. */
+#define BLOCK 64
+
+struct TinkerDenseSolve {
+    int32_t n, room;
+    gboolean full;  /* rank, of the matrix taken last */
+    double *matrix; /* by rows; or its factors */
+    double *given;  /* of a singular one: by columns */
+    double *work;
+    int32_t *pivots;
+    lapack_int *order;
+};
+
+TinkerDenseSolve *tinker_dense_solve_new(int32_t n)
+{
+    if (n > MOST_UNKNOWNS) return NULL;
+    TinkerDenseSolve *solve = g_new0(TinkerDenseSolve, 1);
+    gsize size = (gsize)MAX(n, 1);
+    solve->n = n;
+    solve->room = (int32_t)(4 * size + BLOCK * (size + 2));
+    solve->matrix = g_try_new0(double, size *size);
+    solve->given = g_try_new0(double, size *size);
+    solve->work = g_try_new0(double, solve->room);
+    solve->pivots = g_try_new0(int32_t, size);
+    solve->order = g_try_new0(lapack_int, size);
+    if (solve->matrix == NULL || solve->given == NULL || solve->work == NULL || solve->pivots == NULL ||
+        solve->order == NULL)
+        g_clear_pointer(&solve, tinker_dense_solve_free);
+    return solve;
+}
+
+void tinker_dense_solve_free(TinkerDenseSolve *solve)
+{
+    if (solve == NULL) return;
+    gpointer arrays[] = {solve->matrix, solve->given, solve->work, solve->pivots, solve->order};
+    for (gsize i = 0; i < G_N_ELEMENTS(arrays); i++)
+        g_free(arrays[i]);
+    g_free(solve);
+}
+
+static void exchange_rows(double *a, int32_t n, int32_t i, int32_t k)
+{
+    for (int32_t j = 0; i != k && j < n; j++) {
+        double kept = a[i * n + j];
+        a[i * n + j] = a[k * n + j];
+        a[k * n + j] = kept;
+    }
+}
+
+static double greatest_entry(const double *a, int32_t count)
+{
+    double greatest = 0;
+    for (int32_t i = 0; i < count; i++)
+        greatest = fmax(greatest, fabs(a[i]));
+    return greatest;
+}
+
+int tinker_dense_solve_factor(TinkerDenseSolve *solve, const double *matrix)
+{
+    int32_t n = solve->n;
+    double *a = solve->matrix, least = RANK * greatest_entry(matrix, n * n);
+    memcpy(a, matrix, (gsize)n * (gsize)n * sizeof(double));
+    for (int32_t i = 0; i < n; i++)
+        for (int32_t j = 0; j < n; j++)
+            solve->given[j * n + i] = matrix[i * n + j];
+    solve->full = FALSE;
+    for (int32_t k = 0; k < n; k++) {
+        int32_t pivot = k;
+        for (int32_t i = k + 1; i < n; i++)
+            if (fabs(a[i * n + k]) > fabs(a[pivot * n + k])) pivot = i;
+        if (!(fabs(a[pivot * n + k]) > least)) return 0;
+        solve->pivots[k] = pivot;
+        exchange_rows(a, n, k, pivot);
+        for (int32_t i = k + 1; i < n; i++) {
+            double factor = a[i * n + k] /= a[k * n + k];
+            for (int32_t j = k + 1; factor != 0 && j < n; j++)
+                a[i * n + j] -= factor * a[k * n + j];
+        }
+    }
+    solve->full = TRUE;
+    return 1;
+}
+
+static void substitute(const TinkerDenseSolve *solve, double *b)
+{
+    int32_t n = solve->n;
+    const double *a = solve->matrix;
+    for (int32_t k = 0; k < n; k++) {
+        double kept = b[k];
+        b[k] = b[solve->pivots[k]];
+        b[solve->pivots[k]] = kept;
+    }
+    for (int32_t i = 1; i < n; i++)
+        for (int32_t j = 0; j < i; j++)
+            b[i] -= a[i * n + j] * b[j];
+    for (int32_t i = n - 1; i >= 0; i--) {
+        for (int32_t j = i + 1; j < n; j++)
+            b[i] -= a[i * n + j] * b[j];
+        b[i] /= a[i * n + i];
+    }
+}
+
+int tinker_dense_solve_is_full(const TinkerDenseSolve *solve)
+{
+    return solve->full;
+}
+
+void tinker_dense_solve(TinkerDenseSolve *solve, double *b)
+{
+    if (solve->full) {
+        substitute(solve, b);
+        return;
+    }
+    lapack_int n = solve->n, rank = 0;
+    memset(solve->order, 0, (gsize)n * sizeof(lapack_int));
+    memcpy(solve->matrix, solve->given, (gsize)n * (gsize)n * sizeof(double));
+    if (LAPACKE_dgelsy_work(LAPACK_COL_MAJOR, n, n, 1, solve->matrix, n, b, n, solve->order, RANK, &rank, solve->work,
+                            solve->room) != 0)
+        memset(b, 0, (gsize)n * sizeof(double));
+}
+
+void tinker_dense_solve_near(TinkerDenseSolve *solve, const double *near, double *b)
+{
+    int32_t n = solve->n;
+    if (solve->full) {
+        substitute(solve, b);
+        return;
+    }
+    for (int32_t j = 0; j < n; j++)
+        for (int32_t i = 0; i < n; i++)
+            b[i] -= solve->given[j * n + i] * near[j];
+    tinker_dense_solve(solve, b);
+    for (int32_t i = 0; i < n; i++)
+        b[i] += near[i];
+}
