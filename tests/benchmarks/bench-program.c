@@ -142,7 +142,7 @@ int main(int argc, char **argv)
     BenchmarkReport *report = benchmark_report_new(argc, argv);
     g_autofree char *tinker = program();
     g_autofree char *folder = g_path_get_dirname(tinker);
-    g_autofree char *path = g_build_filename(folder, "spring-mass.tinker.json", NULL);
+    g_autofree char *path = g_build_filename(folder, "..", "scenes", "spring-mass.tinker.json", NULL);
     const char *run[] = {tinker, "run", path, NULL}, *version[] = {tinker, "--version", NULL};
     report_large_scene(report);
     report_start(report, "tinker run spring-mass", run, 20);
