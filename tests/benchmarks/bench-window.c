@@ -9,10 +9,10 @@
 #include <stdlib.h>
 #include <time.h>
 
-#include "application.h"
+#include "gui/app/application.h"
+#include "gui/window/window-parts.h"
 #include "report.h"
 #include "scene-text.h"
-#include "window-private.h"
 
 #define WARM_UP  1.0 /* s of playing that do not count */
 #define MEASURED 4.0 /* s that do */

@@ -100,7 +100,7 @@ static void test_version_is_released(void)
     g_assert_cmpstr(newest, ==, g_getenv("TINKER_VERSION"));
 }
 
-/* The files of a folder of the sources that mark texts for translation, but are not in the list. */
+/* The files of a folder of the sources, and of those in it, that mark texts for translation, but are not in the list. */
 static void find_unlisted(const char *folder, const char *const *listed)
 {
     g_autofree char *path = g_build_filename(g_getenv("TINKER_SOURCES"), folder, NULL);
@@ -108,9 +108,10 @@ static void find_unlisted(const char *folder, const char *const *listed)
     g_autoptr(GDir) dir = g_dir_open(path, 0, &error);
     g_assert_no_error(error);
     for (const char *name = g_dir_read_name(dir); name != NULL; name = g_dir_read_name(dir)) {
-        if (!g_str_has_suffix(name, ".c") && !g_str_has_suffix(name, ".ui")) continue;
         g_autofree char *file = g_build_filename(path, name, NULL), *text = NULL;
         g_autofree char *entry = g_strconcat(folder, "/", name, NULL);
+        if (g_file_test(file, G_FILE_TEST_IS_DIR)) find_unlisted(entry, listed);
+        if (!g_str_has_suffix(name, ".c") && !g_str_has_suffix(name, ".ui")) continue;
         g_assert_true(g_file_get_contents(file, &text, NULL, NULL));
         if (!g_regex_match_simple("\\b(N?C?_|ngettext)\\(\\s*\"|translatable=\"(yes|true|1)\"", text, 0, 0)) continue;
         if (g_strv_contains(listed, entry)) continue;
@@ -129,7 +130,7 @@ static void test_texts_are_listed(void)
         g_assert_cmpstr(listed[i - 1], <, listed[i]);
     find_unlisted("host/common", (const char *const *)listed);
     find_unlisted("host/gui", (const char *const *)listed);
-    find_unlisted("host/gui/resources", (const char *const *)listed);
+    find_unlisted("core", (const char *const *)listed);
 }
 
 /* Every string that xgettext finds has a translation in every language, none of them fuzzy, with the same placeholders and

@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "autosave.h"
+#include "gui/document/autosave.h"
 
 static void on_failed(TinkerAutosave *autosave, const char *message, gpointer data)
 {

@@ -2,7 +2,7 @@
 #ifndef TEST_FILES_FIXTURE_H
 #define TEST_FILES_FIXTURE_H
 
-#include "document.h"
+#include "gui/document/document.h"
 
 /* Replaces g_test_init and g_test_run, in a state folder that nobody else has. Where the program is called as `PROGRAM child
  * WORD`, it does `child` instead (may be NULL) and ends. */

@@ -2,7 +2,7 @@
 #ifndef TEST_GUI_FIXTURE_H
 #define TEST_GUI_FIXTURE_H
 
-#include "player.h"
+#include "gui/document/player.h"
 #include "scene-fixture.h"
 
 typedef struct {

@@ -1,5 +1,5 @@
 /* Advice follows edits, is silent while a run is shown, and repairs what is there now. */
-#include "advice-list.h"
+#include "gui/accuracy/advice-list.h"
 
 #include "gui-fixture.h"
 

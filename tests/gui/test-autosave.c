@@ -8,13 +8,13 @@
 #include <unistd.h>
 #include <utime.h>
 
-#include "autosave.h"
 #include "files-fixture.h"
+#include "gui/document/autosave.h"
+#include "gui/document/recovery.h"
+#include "gui/document/session.h"
 #include "plugin/call.h"
 #include "plugin/crash.h"
 #include "program-start.h"
-#include "recovery.h"
-#include "session.h"
 
 #define PATIENCE (30 * G_USEC_PER_SEC)
 

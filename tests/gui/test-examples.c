@@ -3,7 +3,7 @@
 #include <glib/gstdio.h>
 #include <string.h>
 
-#include "examples.h"
+#include "gui/document/examples.h"
 
 #define ENDING ".tinker.json"
 

@@ -4,9 +4,9 @@
 #include <string.h>
 
 #include "author.h"
-#include "background.h"
-#include "film-task.h"
 #include "gui-fixture.h"
+#include "gui/document/background.h"
+#include "gui/film/film-task.h"
 #include "program.h"
 
 #define PATIENCE 60.0 /* s */

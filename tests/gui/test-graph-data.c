@@ -4,9 +4,9 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "graph-data.h"
-#include "graph-edit.h"
 #include "gui-fixture.h"
+#include "gui/document/graph-data.h"
+#include "gui/document/graph-edit.h"
 #include "render/theme.h"
 
 #define GRAVITY 9.81

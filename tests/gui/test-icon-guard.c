@@ -6,7 +6,7 @@
 #include <sys/wait.h>
 
 #include "files-fixture.h"
-#include "icon-guard.h"
+#include "gui/document/icon-guard.h"
 
 #define SIZE 32
 

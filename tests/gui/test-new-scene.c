@@ -2,9 +2,9 @@
 #include <math.h>
 #include <string.h>
 
-#include "examples.h"
 #include "files-fixture.h"
-#include "new-scene.h"
+#include "gui/document/examples.h"
+#include "gui/document/new-scene.h"
 
 static const double foot = 0.3048; /* m, by definition */
 

@@ -1,5 +1,5 @@
 /* Thinning a path: no point may be farther from what is left of it than was promised, measured straight by the geometry. */
-#include "path-thin.h"
+#include "gui/widget/path-thin.h"
 
 #include <math.h>
 

@@ -1,8 +1,8 @@
 /* The plan that follows a document: after the last edit, of the scene as it is then, in the main loop's time. */
-#include "background.h"
 #include "gui-fixture.h"
-#include "plan-task.h"
-#include "run-choice.h"
+#include "gui/document/background.h"
+#include "gui/document/plan-task.h"
+#include "gui/document/run-choice.h"
 
 #define PATIENCE 20.0 /* s */
 

@@ -2,8 +2,8 @@
 #include <math.h>
 #include <string.h>
 
-#include "block-words.h"
-#include "property-list.h"
+#include "gui/property/property-list.h"
+#include "gui/text/block-words.h"
 #include "scene-fixture.h"
 
 #define ONE_MASS    "{\"type\": \"mass\", \"name\": \"Mass 0\", \"position\": [3.2, 2.4]}"

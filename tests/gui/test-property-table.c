@@ -5,7 +5,7 @@
 #include <unistd.h>
 
 #include "files-fixture.h"
-#include "property-list.h"
+#include "gui/property/property-list.h"
 
 /* Linear: 1 at 0.5 s, 4 at 2 s. Its second column is 2 throughout. */
 #define RECORD "time,force,push\n0,0,2\n1,2,2\n3,6,2\n"

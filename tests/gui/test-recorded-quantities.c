@@ -1,5 +1,5 @@
 /* What is recorded of large scenes: little, but what is looked at, and nothing twice. */
-#include "recorded-quantities.h"
+#include "gui/document/recorded-quantities.h"
 
 #include "gui-fixture.h"
 

@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "files-fixture.h"
-#include "refusal-notices.h"
+#include "gui/document/refusal-notices.h"
 
 /* A folder of plugins with one that is no library, and a catalogue over it with a cache of its own. */
 typedef struct {

@@ -1,8 +1,8 @@
 /* However fast runs are asked for, two at most are worked on at a time, and the newest is. */
 #include <glib.h>
 
-#include "background.h"
-#include "run-lane.h"
+#include "gui/document/background.h"
+#include "gui/document/run-lane.h"
 
 #define MOST_AT_A_TIME 2
 #define ADDED          300

@@ -1,5 +1,5 @@
 /* Messages of the core as the window shows them. */
-#include "sentence.h"
+#include "gui/text/sentence.h"
 
 #include "scene-fixture.h"
 

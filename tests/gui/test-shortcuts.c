@@ -53,7 +53,7 @@ static guint check_keys(const char *table, GHashTable *shown)
 static void test_complete(void)
 {
     g_autoptr(GHashTable) shown = shown_keys();
-    char *text = read_source("window-actions.c");
+    char *text = read_source("window/window-actions.c");
     char *table = strstr(text, "} commands[] = {"), *end = table != NULL ? strstr(table, "\n};") : NULL;
     if (end != NULL) *end = '\0';
     g_assert_cmpuint(table != NULL ? check_keys(table, shown) : 0, >, 20);

@@ -1,5 +1,5 @@
 /* Start conditions in the window: words, values as typed, one undo step that goes back to the start, and the menu. */
-#include "start-offer.h"
+#include "gui/start/start-offer.h"
 
 #include <math.h>
 #include <string.h>

@@ -1,5 +1,5 @@
 /* What the status line says: of a plan, of runs that go well or badly, and of runs that are slow. */
-#include "status-text.h"
+#include "gui/document/status-text.h"
 
 #include <math.h>
 #include <string.h>

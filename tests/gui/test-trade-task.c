@@ -4,11 +4,11 @@
 #include <utime.h>
 
 #include "author.h"
-#include "background.h"
 #include "gui-fixture.h"
-#include "run-choice.h"
+#include "gui/accuracy/trade-task.h"
+#include "gui/document/background.h"
+#include "gui/document/run-choice.h"
 #include "trade-chart.h"
-#include "trade-task.h"
 
 #define PATIENCE 60.0 /* s */
 

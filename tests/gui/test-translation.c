@@ -4,13 +4,13 @@
 #include <math.h>
 #include <string.h>
 
-#include "block-words.h"
 #include "german.h"
 #include "gui-fixture.h"
-#include "number-text.h"
-#include "property-list.h"
-#include "start-offer.h"
-#include "translate.h"
+#include "gui/property/property-list.h"
+#include "gui/start/start-offer.h"
+#include "gui/text/block-words.h"
+#include "gui/text/number-text.h"
+#include "gui/text/translate.h"
 
 static gboolean has_row(const GPtrArray *rows, const char *group, const char *title)
 {

@@ -1,0 +1,30 @@
+/* The forces that the canvas shows as arrows: on the bodies that are selected, or on all that can move. Beside them stands how
+ * long a force is drawn, and what the colours mean. */
+#ifndef TINKER_GUI_CANVAS_FORCES_H
+#define TINKER_GUI_CANVAS_FORCES_H
+
+#include <cairo.h>
+
+#include "gui/document/player.h"
+#include "render/theme.h"
+#include "render/view.h"
+
+typedef struct _CanvasForces CanvasForces;
+
+/* (transfer full) */
+CanvasForces *canvas_forces_new(void);
+void canvas_forces_free(CanvasForces *forces);
+
+/* How they are drawn. */
+typedef struct {
+    const TinkerTheme *theme;
+    double factor;   /* how much longer than usual arrows are */
+    gboolean others; /* with bodies selected, those that these exert on others are shown, too */
+} CanvasForcesLook;
+
+/* Draws those of the present time. Where working them out takes long, arrows of a little earlier are drawn while it plays. A
+ * scene that cannot run has none. */
+void canvas_forces_draw(CanvasForces *forces, cairo_t *cairo, TinkerDocument *document, TinkerPlayer *player,
+                        const TinkerView *view, const CanvasForcesLook *look);
+
+#endif

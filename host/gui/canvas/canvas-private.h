@@ -1,0 +1,74 @@
+/* What the files of the canvas share. */
+#ifndef TINKER_GUI_CANVAS_PRIVATE_H
+#define TINKER_GUI_CANVAS_PRIVATE_H
+
+#include "edit/drag.h"
+#include "gui/canvas/canvas-forces.h"
+#include "gui/canvas/canvas.h"
+
+#define CANVAS_REACH 8.0 /* widget units: how near to a thing is on it */
+
+/* What a press with the first button has become. */
+typedef enum {
+    CANVAS_IDLE,
+    CANVAS_DRAG,  /* of a part of one block */
+    CANVAS_GROUP, /* of all that is selected */
+    CANVAS_BAND,  /* around blocks that are to be selected */
+} CanvasGesture;
+
+struct _TinkerCanvas {
+    GtkWidget parent_instance;
+    TinkerDocument *document;
+    TinkerPlayer *player;
+    gboolean show_labels, show_forces, show_local_origins, show_grid;
+    gboolean follow;         /* the selected body takes the view along */
+    gboolean this_body_only; /* of forces, with a body selected */
+    double force_factor;     /* how much longer than usual their arrows are */
+
+    TinkerView view;
+    gboolean view_is_set;
+    TinkerPaintMemory *memory;
+    GHashTable *faults; /* of drawings, as TinkerPaintOptions has them */
+    guint faults_told;  /* of them */
+    guint telling;      /* the source that tells of more */
+    CanvasForces *forces;
+    GArray *marked;        /* of TinkerBlockId */
+    double velocity_scale; /* m per m/s, of the arrows drawn last: what the next ones keep to */
+
+    CanvasGesture gesture;
+    TinkerHit pressed;
+    double press[2], pointer[2]; /* widget units */
+    gboolean moved;
+    TinkerDrag *drag;
+    TinkerBlockId highlighted;
+    double group_moved[2]; /* m: so far */
+    double panned[2];      /* widget units: so far, with the middle button */
+
+    GtkWidget *cover; /* over the top; weak, may be NULL */
+
+    TinkerBlockId followed; /* TINKER_NO_BLOCK: none */
+    double followed_at[2];  /* m: where it was when the view was set by it */
+
+    TinkerBlockId placing; /* the block on its way from the palette */
+};
+
+/* Reach in m. */
+double canvas_reach(TinkerCanvas *canvas);
+/* The grid to snap to (m), or 0. */
+double canvas_grid(TinkerCanvas *canvas, GdkModifierType modifiers);
+void canvas_to_world(TinkerCanvas *canvas, double x, double y, double world[2]);
+void canvas_view_changed(TinkerCanvas *canvas);
+
+/* Start velocities and warning marks over the scene; canvas-marks.c. */
+void canvas_paint_marks(TinkerCanvas *canvas, cairo_t *cairo, TinkerFrame *frame, const TinkerTheme *theme);
+
+/* Marks of bodies that are out of the view; takes the view along with what is followed. canvas-follow.c. */
+void canvas_paint_edge_marks(TinkerCanvas *canvas, cairo_t *cairo, TinkerFrame *frame, const TinkerTheme *theme);
+void canvas_follow(TinkerCanvas *canvas);
+
+/* Sets up gestures, controllers and keys; canvas-input.c. */
+void canvas_add_input(TinkerCanvas *canvas);
+/* Ends whatever gesture is under way without an effect. */
+void canvas_cancel_gesture(TinkerCanvas *canvas);
+
+#endif

@@ -1,0 +1,431 @@
+/* The canvas paints into an image of its own and shows that. */
+#include "gui/canvas/canvas-private.h"
+
+#include <glib/gi18n.h>
+#include <math.h>
+
+#include "gui/document/desktop-theme.h"
+#include "gui/text/block-words.h"
+#include "gui/widget/image-texture.h"
+#include "gui/widget/unparent.h"
+
+#define LEAST_SCALE    1e-6 /* widget units per m */
+#define GREATEST_SCALE 1e9
+#define MOST_FACTOR    1e4 /* of arrows of forces */
+#define FIT_MARGIN     48.0
+#define NOTICE         48.0 /* widget units: a notice over the top, of which the margin leaves no room for as much */
+#define CANVAS_SHAPE   0.6  /* height of a canvas over its width, where only that is known */
+
+G_DEFINE_FINAL_TYPE(TinkerCanvas, tinker_canvas, GTK_TYPE_WIDGET)
+
+enum {
+    PROP_0,
+    PROP_SHOW_LABELS,
+    PROP_SHOW_FORCES,
+    PROP_SHOW_LOCAL_ORIGINS,
+    PROP_SHOW_GRID,
+    PROP_THIS_BODY_ONLY,
+    PROP_FOLLOW,
+    PROPERTIES
+};
+static GParamSpec *properties[PROPERTIES];
+static guint view_changed_signal;
+
+/* The view ------------------------------------------------------------------------------------------------------------ */
+
+const TinkerView *tinker_canvas_view(TinkerCanvas *canvas)
+{
+    return &canvas->view;
+}
+
+double canvas_reach(TinkerCanvas *canvas)
+{
+    return CANVAS_REACH / canvas->view.scale;
+}
+
+double canvas_grid(TinkerCanvas *canvas, GdkModifierType modifiers)
+{
+    const TinkerSceneHead *head = tinker_scene_head(tinker_document_scene(canvas->document));
+    return head->canvas_snap && !(modifiers & GDK_ALT_MASK) ? head->canvas_grid : 0;
+}
+
+void canvas_to_world(TinkerCanvas *canvas, double x, double y, double world[2])
+{
+    tinker_view_to_world(&canvas->view, x, y, &world[0], &world[1]);
+}
+
+/* What is selected, in words, as it starts. (transfer full) */
+static char *selection_words(TinkerCanvas *canvas)
+{
+    int count = 0;
+    const TinkerBlockId *blocks = NULL;
+    if (canvas->document != NULL) blocks = tinker_document_selection(canvas->document, &count);
+    if (count == 1) return tinker_block_words(tinker_document_scene(canvas->document), blocks[0]);
+    if (count == 0) return g_strdup(_("nothing is selected"));
+    return g_strdup_printf(ngettext("%d block is selected", "%d blocks are selected", (gulong)count), count);
+}
+
+/* For those who cannot see it, and for tests, which find places by it: six digits are finer than a pixel. */
+static void describe_view(TinkerCanvas *canvas)
+{
+    const TinkerView *view = &canvas->view;
+    double middle[2];
+    canvas_to_world(canvas, view->width / 2, view->height / 2, middle);
+    g_autofree char *selection = selection_words(canvas);
+    g_autofree char *text =
+        g_strdup_printf(_("Shows %.6g m by %.6g m about (%.6g, %.6g); %s"), view->width / view->scale,
+                        view->height / view->scale, middle[0], middle[1], selection);
+    gtk_accessible_update_property(GTK_ACCESSIBLE(canvas), GTK_ACCESSIBLE_PROPERTY_DESCRIPTION, text, -1);
+}
+
+void canvas_view_changed(TinkerCanvas *canvas)
+{
+    canvas->view.scale = CLAMP(canvas->view.scale, LEAST_SCALE, GREATEST_SCALE);
+    describe_view(canvas);
+    gtk_widget_queue_draw(GTK_WIDGET(canvas));
+    g_signal_emit(canvas, view_changed_signal, 0);
+}
+
+void tinker_canvas_zoom(TinkerCanvas *canvas, double factor)
+{
+    tinker_view_zoom(&canvas->view, factor, canvas->view.width / 2, canvas->view.height / 2);
+    canvas_view_changed(canvas);
+}
+
+void tinker_canvas_scale_forces(TinkerCanvas *canvas, double factor)
+{
+    canvas->force_factor = CLAMP(factor * canvas->force_factor, 1 / MOST_FACTOR, MOST_FACTOR);
+    gtk_widget_queue_draw(GTK_WIDGET(canvas));
+}
+
+/* `above` widget units at the top stay free. */
+static void show_box(TinkerCanvas *canvas, const double box[4], double margin, double above)
+{
+    double width = canvas->view.width, height = canvas->view.height;
+    if (!(width > 0) || !(height > above)) return;
+    canvas->view = tinker_view_fit(box, width, height - above, margin);
+    tinker_view_pan(&canvas->view, 0, above);
+    canvas->view.height = height;
+    canvas->view_is_set = TRUE;
+    canvas_view_changed(canvas);
+}
+
+/* Graphs that float are part of what there is to see. */
+static void include_graphs(TinkerScene *scene, double box[4])
+{
+    GPtrArray *graphs = tinker_scene_graphs(scene);
+    for (guint i = 0; i < graphs->len; i++) {
+        const TinkerSceneGraph *graph = g_ptr_array_index(graphs, i);
+        double width = graph->has_size ? graph->size[0] : 0, height = graph->has_size ? graph->size[1] : 0;
+        if (!graph->has_place) continue;
+        box[0] = fmin(box[0], graph->place[0]);
+        box[1] = fmin(box[1], graph->place[1] - height);
+        box[2] = fmax(box[2], graph->place[0] + width);
+        box[3] = fmax(box[3], graph->place[1]);
+    }
+}
+
+/* The box of everything there is to see; FALSE where there is none. */
+static gboolean box_of_all(TinkerCanvas *canvas, double box[4])
+{
+    TinkerFrame *frame = tinker_player_frame(canvas->player);
+    if (frame == NULL) return FALSE;
+    tinker_painter_bounds(frame, box);
+    include_graphs(tinker_frame_scene(frame), box);
+    return TRUE;
+}
+
+void tinker_canvas_fit(TinkerCanvas *canvas)
+{
+    double box[4];
+    if (box_of_all(canvas, box)) show_box(canvas, box, FIT_MARGIN, NOTICE);
+}
+
+void tinker_canvas_show_width(TinkerCanvas *canvas)
+{
+    double half = tinker_scene_head(tinker_document_scene(canvas->document))->canvas_width / 2;
+    show_box(canvas, (double[]){-half, 0, half, 0}, 0, 0);
+}
+
+/* Widens a range about its middle. */
+static void widen(double *low, double *high, double length)
+{
+    double room = (length - (*high - *low)) / 2;
+    if (room <= 0) return;
+    *low -= room;
+    *high += room;
+}
+
+static void renew_memory(TinkerCanvas *canvas)
+{
+    tinker_paint_memory_free(canvas->memory);
+    canvas->memory = tinker_paint_memory_new();
+}
+
+/* A scene is first shown as wide as it says, because it will move, and wholly; an empty one as wide as it says. */
+void tinker_canvas_show_first(TinkerCanvas *canvas)
+{
+    double box[4], canvas_width = tinker_scene_head(tinker_document_scene(canvas->document))->canvas_width;
+    renew_memory(canvas);
+    if (tinker_document_is_empty(canvas->document) || !box_of_all(canvas, box)) {
+        tinker_canvas_show_width(canvas);
+        return;
+    }
+    widen(&box[0], &box[2], canvas_width);
+    widen(&box[1], &box[3], CANVAS_SHAPE * canvas_width);
+    show_box(canvas, box, 0, NOTICE);
+}
+
+static void tinker_canvas_size_allocate(GtkWidget *widget, int width, int height, int baseline)
+{
+    TinkerCanvas *canvas = TINKER_CANVAS(widget);
+    /* Menus ask for another size through their parent. */
+    for (GtkWidget *child = gtk_widget_get_first_child(widget); child != NULL;
+         child = gtk_widget_get_next_sibling(child))
+        if (GTK_IS_POPOVER(child)) gtk_popover_present(GTK_POPOVER(child));
+    if (width == (int)canvas->view.width && height == (int)canvas->view.height) return;
+    tinker_view_pan(&canvas->view, (width - canvas->view.width) / 2, (height - canvas->view.height) / 2);
+    canvas->view.width = width;
+    canvas->view.height = height;
+    if (!canvas->view_is_set && canvas->document != NULL) tinker_canvas_show_first(canvas);
+    canvas_view_changed(canvas);
+}
+
+/* Painting ------------------------------------------------------------------------------------------------------------ */
+
+static TinkerPaintOptions paint_options(TinkerCanvas *canvas)
+{
+    TinkerPaintOptions options = tinker_paint_options_default();
+    options.theme = tinker_desktop_theme();
+    options.show_labels = canvas->show_labels && !canvas->show_forces; /* arrows have labels of their own */
+    options.show_grid = canvas->show_grid;
+    options.show_local_origins = canvas->show_local_origins;
+    options.highlighted = canvas->highlighted;
+    options.selected = tinker_document_selection(canvas->document, &options.selected_count);
+    options.quick = TRUE;
+    options.memory = canvas->memory;
+    options.faults = canvas->faults;
+    return options;
+}
+
+static void paint_band(TinkerCanvas *canvas, cairo_t *cairo, const TinkerTheme *theme)
+{
+    const double *colour = theme->colours[TINKER_COLOUR_SELECTED];
+    cairo_rectangle(cairo, canvas->press[0], canvas->press[1], canvas->pointer[0] - canvas->press[0],
+                    canvas->pointer[1] - canvas->press[1]);
+    cairo_set_source_rgba(cairo, colour[0], colour[1], colour[2], 0.15);
+    cairo_fill_preserve(cairo);
+    cairo_set_source_rgba(cairo, colour[0], colour[1], colour[2], 0.9);
+    cairo_set_line_width(cairo, 1);
+    cairo_stroke(cairo);
+}
+
+static void paint(TinkerCanvas *canvas, cairo_t *cairo)
+{
+    TinkerFrame *frame = tinker_player_frame(canvas->player);
+    TinkerPaintOptions options = paint_options(canvas);
+    if (frame == NULL) return;
+    tinker_paint_scene(cairo, frame, &canvas->view, &options);
+    canvas_paint_marks(canvas, cairo, frame, options.theme);
+    canvas_paint_edge_marks(canvas, cairo, frame, options.theme);
+    CanvasForcesLook look = {options.theme, canvas->force_factor, !canvas->this_body_only};
+    if (canvas->show_forces)
+        canvas_forces_draw(canvas->forces, cairo, canvas->document, canvas->player, &canvas->view, &look);
+    if (canvas->gesture == CANVAS_BAND && canvas->moved) paint_band(canvas, cairo, options.theme);
+}
+
+GList *tinker_canvas_faults(TinkerCanvas *canvas)
+{
+    return g_hash_table_get_values(canvas->faults);
+}
+
+static gboolean tell_faults(gpointer data)
+{
+    TinkerCanvas *canvas = data;
+    canvas->telling = 0;
+    g_signal_emit_by_name(canvas, "faults");
+    return G_SOURCE_REMOVE;
+}
+
+/* Not while the window is drawn: whoever is told of it shows it. */
+static void look_for_faults(TinkerCanvas *canvas)
+{
+    const guint count = g_hash_table_size(canvas->faults);
+    if (count == canvas->faults_told || canvas->telling != 0) return;
+    canvas->faults_told = count;
+    canvas->telling = g_idle_add(tell_faults, canvas);
+}
+
+static void tinker_canvas_snapshot(GtkWidget *widget, GtkSnapshot *snapshot)
+{
+    TinkerCanvas *canvas = TINKER_CANVAS(widget);
+    if (canvas->player == NULL || !(canvas->view.width > 0) || !(canvas->view.height > 0)) return;
+    cairo_surface_t *image =
+        tinker_image_new((int)canvas->view.width, (int)canvas->view.height, gtk_widget_get_scale_factor(widget));
+    cairo_t *cairo = cairo_create(image);
+    paint(canvas, cairo);
+    look_for_faults(canvas);
+    cairo_destroy(cairo);
+    g_autoptr(GdkTexture) texture = tinker_image_to_texture(image);
+    graphene_rect_t bounds = GRAPHENE_RECT_INIT(0, 0, (float)canvas->view.width, (float)canvas->view.height);
+    gtk_snapshot_append_texture(snapshot, texture, &bounds);
+}
+
+/* The widget ---------------------------------------------------------------------------------------------------------- */
+
+static void on_replaced(TinkerCanvas *canvas)
+{
+    canvas_cancel_gesture(canvas);
+    canvas->placing = canvas->highlighted = canvas->followed = TINKER_NO_BLOCK;
+    g_array_set_size(canvas->marked, 0);
+    canvas->velocity_scale = 0;
+    renew_memory(canvas);
+    canvas->view_is_set = FALSE;
+}
+
+/* Whoever wants to edit meanwhile goes first. */
+static void on_interrupted(TinkerCanvas *canvas)
+{
+    canvas_cancel_gesture(canvas);
+    tinker_canvas_place_cancel(canvas);
+}
+
+static void on_moved(TinkerCanvas *canvas)
+{
+    canvas_follow(canvas);
+    gtk_widget_queue_draw(GTK_WIDGET(canvas));
+}
+
+static void on_selection_changed(TinkerCanvas *canvas)
+{
+    canvas_follow(canvas);
+    describe_view(canvas);
+    gtk_widget_queue_draw(GTK_WIDGET(canvas));
+}
+
+static void on_changed(TinkerCanvas *canvas)
+{
+    if (!canvas->view_is_set) tinker_canvas_show_first(canvas);
+    /* Names stay on their side while things move; what was edited may need another. */
+    if (canvas->gesture == CANVAS_IDLE && canvas->placing == TINKER_NO_BLOCK) renew_memory(canvas);
+    gtk_widget_queue_draw(GTK_WIDGET(canvas));
+}
+
+void tinker_canvas_set_player(TinkerCanvas *canvas, TinkerDocument *document, TinkerPlayer *player)
+{
+    canvas->document = g_object_ref(document);
+    canvas->player = g_object_ref(player);
+    g_signal_connect_object(document, "replaced", G_CALLBACK(on_replaced), canvas, G_CONNECT_SWAPPED);
+    g_signal_connect_object(document, "interrupted", G_CALLBACK(on_interrupted), canvas, G_CONNECT_SWAPPED);
+    g_signal_connect_object(document, "changed", G_CALLBACK(on_changed), canvas, G_CONNECT_SWAPPED);
+    g_signal_connect_object(document, "selection-changed", G_CALLBACK(on_selection_changed), canvas, G_CONNECT_SWAPPED);
+    g_signal_connect_object(player, "moved", G_CALLBACK(on_moved), canvas, G_CONNECT_SWAPPED);
+    tinker_desktop_theme_redraws(GTK_WIDGET(canvas));
+}
+
+void tinker_canvas_set_cover(TinkerCanvas *canvas, GtkWidget *cover)
+{
+    g_set_weak_pointer(&canvas->cover, cover);
+    gtk_widget_queue_draw(GTK_WIDGET(canvas));
+}
+
+void tinker_canvas_set_marked(TinkerCanvas *canvas, const TinkerBlockId *blocks, int count)
+{
+    g_array_set_size(canvas->marked, 0);
+    if (count > 0) g_array_append_vals(canvas->marked, blocks, (guint)count);
+    gtk_widget_queue_draw(GTK_WIDGET(canvas));
+}
+
+static gboolean *switch_of(TinkerCanvas *canvas, guint property)
+{
+    switch (property) {
+    case PROP_SHOW_LABELS:
+        return &canvas->show_labels;
+    case PROP_SHOW_FORCES:
+        return &canvas->show_forces;
+    case PROP_SHOW_LOCAL_ORIGINS:
+        return &canvas->show_local_origins;
+    case PROP_FOLLOW:
+        return &canvas->follow;
+    case PROP_THIS_BODY_ONLY:
+        return &canvas->this_body_only;
+    default:
+        return &canvas->show_grid;
+    }
+}
+
+static void tinker_canvas_get_property(GObject *object, guint property, GValue *value, GParamSpec *spec)
+{
+    g_value_set_boolean(value, *switch_of(TINKER_CANVAS(object), property));
+}
+
+static void tinker_canvas_set_property(GObject *object, guint property, const GValue *value, GParamSpec *spec)
+{
+    *switch_of(TINKER_CANVAS(object), property) = g_value_get_boolean(value);
+    if (property == PROP_FOLLOW && TINKER_CANVAS(object)->document != NULL) canvas_follow(TINKER_CANVAS(object));
+    gtk_widget_queue_draw(GTK_WIDGET(object));
+}
+
+static void tinker_canvas_dispose(GObject *object)
+{
+    TinkerCanvas *canvas = TINKER_CANVAS(object);
+    if (canvas->document != NULL) canvas_cancel_gesture(canvas);
+    tinker_unparent_children(GTK_WIDGET(canvas));
+    g_clear_weak_pointer(&canvas->cover);
+    g_clear_object(&canvas->player);
+    g_clear_object(&canvas->document);
+    G_OBJECT_CLASS(tinker_canvas_parent_class)->dispose(object);
+}
+
+static void tinker_canvas_finalize(GObject *object)
+{
+    tinker_paint_memory_free(TINKER_CANVAS(object)->memory);
+    g_hash_table_unref(TINKER_CANVAS(object)->faults);
+    g_clear_handle_id(&TINKER_CANVAS(object)->telling, g_source_remove);
+    canvas_forces_free(TINKER_CANVAS(object)->forces);
+    g_array_unref(TINKER_CANVAS(object)->marked);
+    G_OBJECT_CLASS(tinker_canvas_parent_class)->finalize(object);
+}
+
+static void tinker_canvas_class_init(TinkerCanvasClass *class)
+{
+    GObjectClass *object_class = G_OBJECT_CLASS(class);
+    GtkWidgetClass *widget_class = GTK_WIDGET_CLASS(class);
+    object_class->get_property = tinker_canvas_get_property;
+    object_class->set_property = tinker_canvas_set_property;
+    object_class->dispose = tinker_canvas_dispose;
+    object_class->finalize = tinker_canvas_finalize;
+    widget_class->size_allocate = tinker_canvas_size_allocate;
+    widget_class->snapshot = tinker_canvas_snapshot;
+    const GParamFlags flags = G_PARAM_READWRITE | G_PARAM_STATIC_STRINGS;
+    properties[PROP_SHOW_LABELS] = g_param_spec_boolean("show-labels", NULL, NULL, TRUE, flags);
+    properties[PROP_SHOW_FORCES] = g_param_spec_boolean("show-forces", NULL, NULL, FALSE, flags);
+    properties[PROP_SHOW_LOCAL_ORIGINS] = g_param_spec_boolean("show-local-origins", NULL, NULL, FALSE, flags);
+    properties[PROP_SHOW_GRID] = g_param_spec_boolean("show-grid", NULL, NULL, TRUE, flags);
+    properties[PROP_THIS_BODY_ONLY] = g_param_spec_boolean("forces-on-this-body-only", NULL, NULL, TRUE, flags);
+    properties[PROP_FOLLOW] = g_param_spec_boolean("follow", NULL, NULL, FALSE, flags);
+    g_object_class_install_properties(object_class, PROPERTIES, properties);
+    view_changed_signal =
+        g_signal_new("view-changed", TINKER_TYPE_CANVAS, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL, G_TYPE_NONE, 0);
+    g_signal_new("faults", TINKER_TYPE_CANVAS, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL, G_TYPE_NONE, 0);
+    g_signal_new("menu", TINKER_TYPE_CANVAS, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL, G_TYPE_NONE, 2, G_TYPE_DOUBLE,
+                 G_TYPE_DOUBLE);
+    gtk_widget_class_set_css_name(widget_class, "canvas");
+    gtk_widget_class_set_accessible_role(widget_class, GTK_ACCESSIBLE_ROLE_IMG);
+}
+
+static void tinker_canvas_init(TinkerCanvas *canvas)
+{
+    canvas->show_labels = canvas->show_grid = canvas->this_body_only = TRUE;
+    canvas->force_factor = 1;
+    canvas->view = (TinkerView){.scale = 100, .origin_x = 0, .origin_y = 0};
+    canvas->highlighted = canvas->placing = canvas->followed = canvas->pressed.block = TINKER_NO_BLOCK;
+    canvas->faults = g_hash_table_new_full(NULL, NULL, NULL, g_free);
+    canvas->memory = tinker_paint_memory_new();
+    canvas->forces = canvas_forces_new();
+    canvas->marked = g_array_new(FALSE, FALSE, sizeof(TinkerBlockId));
+    gtk_widget_set_focusable(GTK_WIDGET(canvas), TRUE);
+    gtk_widget_set_overflow(GTK_WIDGET(canvas), GTK_OVERFLOW_HIDDEN);
+    gtk_accessible_update_property(GTK_ACCESSIBLE(canvas), GTK_ACCESSIBLE_PROPERTY_LABEL, "Canvas", -1);
+    canvas_add_input(canvas);
+}

@@ -1,0 +1,51 @@
+/* The canvas: the scene as the player has it, to look at and to edit with pointer and keys. */
+#ifndef TINKER_GUI_CANVAS_H
+#define TINKER_GUI_CANVAS_H
+
+#include <gtk/gtk.h>
+
+#include "gui/document/player.h"
+#include "render/painter.h"
+
+#define TINKER_TYPE_CANVAS (tinker_canvas_get_type())
+G_DECLARE_FINAL_TYPE(TinkerCanvas, tinker_canvas, TINKER, CANVAS, GtkWidget)
+
+/* Shows this document as the player has it. Takes references. */
+void tinker_canvas_set_player(TinkerCanvas *canvas, TinkerDocument *document, TinkerPlayer *player);
+
+/* What is shown beside the blocks. Properties "show-labels", "show-forces", "show-local-origins", "show-grid". */
+
+/* A widget that lies over the top of the canvas, as high as it is: marks at the edge keep below it. Whoever changes its height
+ * has the canvas drawn anew. Borrowed; NULL: there is none. */
+void tinker_canvas_set_cover(TinkerCanvas *canvas, GtkWidget *cover);
+
+/* Marks these blocks as those that something is wrong with; ids of blocks that are gone are passed over. Copied. */
+void tinker_canvas_set_marked(TinkerCanvas *canvas, const TinkerBlockId *blocks, int count);
+
+/* The signal "menu" (double x, double y, widget units) asks for the menu of what is selected. */
+
+/* What drawings of blocks did that they must not do, of const char *; told by the signal "faults". (transfer container) */
+GList *tinker_canvas_faults(TinkerCanvas *canvas);
+
+/* The view in widget coordinates. The signal "view-changed" tells of another one. */
+const TinkerView *tinker_canvas_view(TinkerCanvas *canvas);
+
+/* Zooms about the middle; fits everything into the window; shows as many m from left to right as the scene says. */
+void tinker_canvas_zoom(TinkerCanvas *canvas, double factor);
+void tinker_canvas_fit(TinkerCanvas *canvas);
+/* Draws arrows of forces longer by this factor than they are now. */
+void tinker_canvas_scale_forces(TinkerCanvas *canvas, double factor);
+void tinker_canvas_show_width(TinkerCanvas *canvas);
+/* As a scene is shown when it is opened. */
+void tinker_canvas_show_first(TinkerCanvas *canvas);
+
+/* A new block of a class on its way from the palette, as one step for undo: _move with a point in widget coordinates shows it
+ * there (or takes it away, outside of the canvas), _drop leaves it there, _cancel takes it away. */
+void tinker_canvas_place_move(TinkerCanvas *canvas, const TinkerBlockClass *block_class, double x, double y);
+TinkerBlockId tinker_canvas_place_drop(TinkerCanvas *canvas);
+void tinker_canvas_place_cancel(TinkerCanvas *canvas);
+
+/* Puts a new block where there is room; its ends onto the blocks that are selected, where they take them. */
+TinkerBlockId tinker_canvas_add(TinkerCanvas *canvas, const TinkerBlockClass *block_class);
+
+#endif

@@ -1,0 +1,110 @@
+/* A graph comes to the front as a copy behind the last one of the list, whose original is then removed. */
+#include "gui/document/graph-edit.h"
+
+#include <glib/gi18n.h>
+#include <math.h>
+#include <string.h>
+
+#define MARGIN 16.0 /* widget units, of a new graph to the border and to others */
+#define GAP    8.0
+#define STEPS  12 /* places that are tried along each side */
+
+static const TinkerSceneGraph *graph_of(TinkerDocument *document, int number)
+{
+    return g_ptr_array_index(tinker_scene_graphs(tinker_document_scene(document)), number);
+}
+
+int tinker_graph_add(TinkerDocument *document, TinkerBlockId block, const char *quantity, const char *against,
+                     const double place[2], const double size[2], GError **error)
+{
+    g_autofree char *name = g_strdup(tinker_scene_block_name(tinker_document_scene(document), block));
+    g_autofree char *y = g_strdup(quantity), *x = g_strdup(against != NULL ? against : "time");
+    TinkerSceneGraph graph = {.block = name, .quantity = y, .against = x};
+    graph.has_place = place != NULL;
+    graph.has_size = size != NULL;
+    if (place != NULL) memcpy(graph.place, place, sizeof graph.place);
+    if (size != NULL) memcpy(graph.size, size, sizeof graph.size);
+    tinker_document_begin(document, _("Add Graph"), NULL);
+    int32_t number = tinker_history_add_graph(tinker_document_history(document), &graph, error);
+    tinker_document_end(document);
+    return number;
+}
+
+void tinker_graph_remove(TinkerDocument *document, int number)
+{
+    tinker_document_begin(document, _("Delete Graph"), NULL);
+    tinker_history_remove_graph(tinker_document_history(document), number);
+    tinker_document_end(document);
+}
+
+static gboolean same_pair(const double a[2], const double b[2])
+{
+    return a[0] == b[0] && a[1] == b[1];
+}
+
+int tinker_graph_move(TinkerDocument *document, int number, const double place[2], const double size[2],
+                      gboolean in_front, const char *merge)
+{
+    const TinkerSceneGraph *before = graph_of(document, number);
+    int last = (int)tinker_scene_graphs(tinker_document_scene(document))->len - 1;
+    gboolean moved = place != NULL && !(before->has_place && same_pair(place, before->place));
+    gboolean resized = size != NULL && !(before->has_size && same_pair(size, before->size));
+    gboolean raised = in_front && number != last;
+    if (!moved && !resized && !raised) return number;
+    /* The texts are the original's, and copied by the history. */
+    TinkerSceneGraph graph = *before;
+    if (place != NULL) memcpy(graph.place, place, sizeof graph.place);
+    if (size != NULL) memcpy(graph.size, size, sizeof graph.size);
+    graph.has_place |= place != NULL;
+    graph.has_size |= size != NULL;
+    TinkerHistory *history = tinker_document_history(document);
+    const char *title = resized ? _("Resize Graph") : moved ? _("Move Graph") : _("Raise Graph");
+    tinker_document_begin(document, title, merge);
+    if (!raised) {
+        tinker_history_change_graph(history, number, &graph, NULL);
+    } else if (tinker_history_add_graph(history, &graph, NULL) >= 0) {
+        tinker_history_remove_graph(history, number);
+        number = last;
+    }
+    tinker_document_end(document);
+    return number;
+}
+
+void tinker_graph_dock(TinkerDocument *document, int number)
+{
+    TinkerSceneGraph graph = *graph_of(document, number);
+    if (!graph.has_place) return;
+    graph.has_place = FALSE;
+    tinker_document_begin(document, _("Dock Graph"), NULL);
+    tinker_history_change_graph(tinker_document_history(document), number, &graph, NULL);
+    tinker_document_end(document);
+}
+
+/* Room ---------------------------------------------------------------------------------------------------------------- */
+
+static double covered(const TinkerGraphBox *a, const TinkerGraphBox *b)
+{
+    double width = fmin(a->x + a->width, b->x + b->width) - fmax(a->x, b->x);
+    double height = fmin(a->y + a->height, b->y + b->height) - fmax(a->y, b->y);
+    return width > 0 && height > 0 ? width * height : 0;
+}
+
+void tinker_graph_find_room(TinkerGraphBox *box, double width, double height, const TinkerGraphBox *taken, int count)
+{
+    double right = fmax(width - box->width - MARGIN, 0), bottom = fmax(height - box->height - MARGIN, 0);
+    double left = fmin(MARGIN, right), top = fmin(MARGIN, bottom), least = INFINITY;
+    TinkerGraphBox best = *box;
+    for (int i = 0; i < STEPS * STEPS; i++) {
+        TinkerGraphBox tried = *box, around;
+        tried.x = right - (right - left) * (i / STEPS) / (STEPS - 1);
+        tried.y = top + (bottom - top) * (i % STEPS) / (STEPS - 1);
+        around = (TinkerGraphBox){tried.x - GAP, tried.y - GAP, tried.width + 2 * GAP, tried.height + 2 * GAP};
+        double sum = 0;
+        for (int k = 0; k < count; k++)
+            sum += covered(&around, &taken[k]);
+        if (sum >= least) continue;
+        least = sum;
+        best = tried;
+    }
+    *box = best;
+}

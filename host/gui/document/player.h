@@ -1,0 +1,92 @@
+/* The player: runs a document's scene and plays the record back at a pace. No widget.
+ *
+ * A thread records ahead (run-task.h), play-back reads the record: how often one looks never changes the motion. An edit
+ * of what may change on the way (a stiffness) goes on from here with the new value; any other that changes the motion rewinds to
+ * the start. Signals:
+ *   "state-changed"
+ *   "moved"             the time, or what the frame shows
+ *   "rewound"           an edit took the player back to the start
+ *   "failed"            (char *message) the run ended with an error; what was recorded up to then is kept
+ */
+#ifndef TINKER_GUI_PLAYER_H
+#define TINKER_GUI_PLAYER_H
+
+#include "gui/document/document.h"
+#include "gui/document/run-task.h"
+
+#define TINKER_TYPE_PLAYER (tinker_player_get_type())
+G_DECLARE_FINAL_TYPE(TinkerPlayer, tinker_player, TINKER, PLAYER, GObject)
+
+typedef enum {
+    TINKER_PLAYER_SETUP,   /* at the start, where nothing has been recorded */
+    TINKER_PLAYER_PLAYING, /* time goes on */
+    TINKER_PLAYER_PAUSED,  /* somewhere in the record */
+} TinkerPlayerState;
+
+/* Takes a reference of the document. (transfer full) */
+TinkerPlayer *tinker_player_new(TinkerDocument *document);
+
+TinkerPlayerState tinker_player_state(TinkerPlayer *player);
+double tinker_player_time(TinkerPlayer *player);     /* s: what is shown */
+double tinker_player_reached(TinkerPlayer *player);  /* s: as far as the record goes */
+double tinker_player_duration(TinkerPlayer *player); /* s: as far as it will go */
+
+/* s of motion a second, 1 at first. */
+double tinker_player_speed(TinkerPlayer *player);
+void tinker_player_set_speed(TinkerPlayer *player, double speed);
+/* The pace that was really kept lately, over the speed: below 1 where the run is slower than its play-back. */
+double tinker_player_pace(TinkerPlayer *player);
+
+/* Plays from here on; at the end, from the start. Where the scene cannot run: FALSE with an error that says why, and
+ * `culprit` is the block that is to blame, or TINKER_NO_BLOCK. */
+gboolean tinker_player_play(TinkerPlayer *player, TinkerBlockId *culprit, GError **error);
+void tinker_player_pause(TinkerPlayer *player);
+/* Goes on by one sample (`forward`) or back by one and pauses there: at once, or when it has been recorded. */
+gboolean tinker_player_step(TinkerPlayer *player, gboolean forward, TinkerBlockId *culprit, GError **error);
+/* Goes to a time, not beyond what is recorded; goes on playing if it does. */
+void tinker_player_seek(TinkerPlayer *player, double time);
+/* Goes to a time from the start to the end of the run and pauses there: at once, or when it has been recorded. */
+gboolean tinker_player_go_to(TinkerPlayer *player, double time, TinkerBlockId *culprit, GError **error);
+/* Back to the start, with the record forgotten. */
+void tinker_player_reset(TinkerPlayer *player);
+/* Likewise because somebody wants to edit the start: tells so. */
+void tinker_player_rewind(TinkerPlayer *player);
+
+/* As many real seconds have passed: moves on where it is playing, and looks after the run. */
+void tinker_player_advance(TinkerPlayer *player, double seconds);
+
+/* Records until `time` and waits for it; for pictures. FALSE where the run fails before. */
+gboolean tinker_player_wait(TinkerPlayer *player, double time, GError **error);
+
+/* What is to be drawn: the scene at the present time. NULL where a motion fails at the start. Borrowed, valid until the
+ * document changes. */
+TinkerFrame *tinker_player_frame(TinkerPlayer *player);
+
+/* A scene whose start is what is shown now (or the sample before it); NULL where it cannot go on from there. (transfer
+ * full) */
+TinkerScene *tinker_player_scene_now(TinkerPlayer *player);
+
+/* What a quantity is now, SI. FALSE where it is not recorded. */
+gboolean tinker_player_value(TinkerPlayer *player, TinkerBlockId block, int32_t quantity, double *value);
+
+/* How the run went so far. FALSE where there is none. */
+gboolean tinker_player_status(TinkerPlayer *player, TinkerRunStatus *status);
+/* What the run warned of, of char *; or of that alone what is about the scene itself, which no other method would spare.
+ * (transfer full) */
+GPtrArray *tinker_player_warnings(TinkerPlayer *player, gboolean of_scene);
+
+/* A number that changes whenever what was recorded is no longer true. */
+guint tinker_player_generation(TinkerPlayer *player);
+/* Appends what has been recorded of a quantity since the last call with this cursor (zeroed at first; begin anew, with
+ * empty arrays, when the generation changes), to arrays of double: of a long record a portion, and the cursor says that it
+ * is behind. FALSE where the quantity is not recorded; then it will be
+ * from the next run on. */
+typedef struct {
+    guint segment;
+    gsize row;
+    gboolean behind; /* there is more at once */
+} TinkerSeriesCursor;
+gboolean tinker_player_series(TinkerPlayer *player, TinkerQuantity quantity, TinkerSeriesCursor *cursor, GArray *times,
+                              GArray *values);
+
+#endif

@@ -1,0 +1,66 @@
+/* Quantities are cheap to record as long as there are few of them; so most runs have all, and a graph that is added afterwards has
+ * its curve at once. */
+#include "gui/document/recorded-quantities.h"
+
+#define MOST 4000 /* quantities that are recorded although nobody asked for them */
+
+static void add_quantities(GArray *columns, TinkerScene *scene, TinkerBlockId block)
+{
+    const TinkerBlockClass *block_class = tinker_scene_block_class(scene, block);
+    if (block_class == NULL || block_class->graph == NULL) return;
+    for (TinkerQuantity of = {block, 0}; of.quantity < block_class->quantity_count; of.quantity++)
+        g_array_append_val(columns, of);
+}
+
+static void add_graphed(GArray *columns, TinkerScene *scene, const TinkerSceneGraph *graph)
+{
+    TinkerBlockId block = tinker_scene_find_block(scene, graph->block);
+    const TinkerBlockClass *block_class = tinker_scene_block_class(scene, block);
+    const char *ids[] = {graph->quantity, graph->against};
+    for (gsize i = 0; block_class != NULL && block_class->graph != NULL && i < G_N_ELEMENTS(ids); i++) {
+        TinkerQuantity of = {block, tinker_block_class_quantity(block_class, ids[i])};
+        if (of.quantity >= 0) g_array_append_val(columns, of);
+    }
+}
+
+static int compare(const void *left, const void *right)
+{
+    const TinkerQuantity *l = left, *r = right;
+    if (l->block != r->block) return l->block < r->block ? -1 : 1;
+    return (l->quantity > r->quantity) - (l->quantity < r->quantity);
+}
+
+static void remove_repeated(GArray *columns)
+{
+    g_array_sort(columns, compare);
+    guint kept = 0;
+    for (guint i = 0; i < columns->len; i++) {
+        TinkerQuantity *quantities = (TinkerQuantity *)(gpointer)columns->data;
+        if (kept == 0 || compare(&quantities[kept - 1], &quantities[i]) != 0) quantities[kept++] = quantities[i];
+    }
+    g_array_set_size(columns, kept);
+}
+
+GArray *tinker_recorded_quantities(TinkerDocument *document, const GArray *asked)
+{
+    TinkerScene *scene = tinker_document_scene(document);
+    GArray *columns = g_array_new(FALSE, FALSE, sizeof(TinkerQuantity));
+    int32_t count = tinker_scene_block_count(scene);
+    for (int32_t place = 0; place < count && columns->len <= MOST; place++)
+        add_quantities(columns, scene, tinker_scene_block_at(scene, place));
+    if (columns->len <= MOST) return columns;
+    g_array_set_size(columns, 0);
+    GPtrArray *graphs = tinker_scene_graphs(scene);
+    for (guint i = 0; i < graphs->len; i++)
+        add_graphed(columns, scene, g_ptr_array_index(graphs, i));
+    int selected;
+    const TinkerBlockId *selection = tinker_document_selection(document, &selected);
+    for (int i = 0; i < selected && columns->len <= MOST; i++)
+        add_quantities(columns, scene, selection[i]);
+    for (guint i = 0; i < asked->len; i++) {
+        TinkerQuantity of = g_array_index(asked, TinkerQuantity, i);
+        if (tinker_scene_has_block(scene, of.block)) g_array_append_val(columns, of);
+    }
+    remove_repeated(columns);
+    return columns;
+}

@@ -1,0 +1,74 @@
+/* A run in a thread of its own, which records as far ahead as it can. No widget.
+ *
+ * Where the scene asks for an accuracy, the run may be made again: the samples of the first try are there to be read until those of
+ * the last one take their place, all at once.
+ *
+ * The thread works on a scene of its own; everything here may be called from the main thread at any time. A row of the
+ * record is a sample: the bodies' states, and the values of the columns. */
+#ifndef TINKER_GUI_RUN_TASK_H
+#define TINKER_GUI_RUN_TASK_H
+
+#include "gui/document/run-lane.h"
+#include "physics/run/simulation.h"
+
+typedef struct _TinkerRunTask TinkerRunTask;
+
+/* What is known of a run that is under way or over. */
+typedef struct {
+    gboolean finished; /* nothing more will come */
+    double reached;    /* s: time of the last sample */
+    gsize rows;        /* samples so far */
+    guint replaced;    /* how often all samples gave way to those of a tighter run, as an accuracy asked for it */
+    double rate;       /* s of motion a second of work, lately */
+    char method[32];   /* empty until it is known */
+    gboolean adaptive; /* whether `step` or `tolerance` counts */
+    double step, tolerance;
+    double error_estimate, energy_balance_error, constraint_error; /* relative; the first is NAN without one */
+    double predictable_until, valid_until;                         /* s */
+} TinkerRunStatus;
+
+/* A quantity of a block, by its number in the block's class. */
+typedef struct {
+    TinkerBlockId block;
+    int32_t quantity;
+} TinkerQuantity;
+
+/* A lane for runs of which only the newest counts. (transfer full) */
+TinkerRunLane *tinker_run_task_lane(void);
+
+/* Starts a run in the lane, whose first sample is called `start` (s); those in the lane before it have been stopped or freed.
+ * `scene` is the task's from now on; `columns`, of TinkerQuantity, are to be recorded (copied). (transfer full) */
+TinkerRunTask *tinker_run_task_new(TinkerRunLane *lane, TinkerScene *scene, double start, const GArray *columns);
+
+/* Nothing more is wanted of it than what it has recorded. Does not wait. */
+void tinker_run_task_stop(TinkerRunTask *task);
+
+/* Stops it, if it still runs, and frees it. Does not wait: the thread frees what it uses. */
+void tinker_run_task_free(TinkerRunTask *task);
+
+TinkerRunStatus tinker_run_task_status(TinkerRunTask *task);
+/* Why it failed, or NULL; and what it warned of (of char *), or of that alone what no other method would spare. (transfer
+ * full) */
+GError *tinker_run_task_error(TinkerRunTask *task);
+GPtrArray *tinker_run_task_warnings(TinkerRunTask *task, gboolean of_scene);
+
+/* The bodies of a row, in order, and the columns. Borrowed; fixed from the start. */
+const TinkerBlockId *tinker_run_task_bodies(TinkerRunTask *task, int *count);
+/* Place of a column in a row; -1 where it is not recorded. */
+int tinker_run_task_column(TinkerRunTask *task, TinkerQuantity quantity);
+
+/* Reads one sample: its time, the bodies' states, and (where `values` is not NULL) the columns. */
+gboolean tinker_run_task_read(TinkerRunTask *task, gsize row, double *time, TinkerBodySample *bodies, double *values);
+
+/* The value of one column in one sample. */
+gboolean tinker_run_task_value(TinkerRunTask *task, gsize row, int column, double *value);
+
+/* The last row that is not later than `time`, if there is any. */
+gboolean tinker_run_task_find(TinkerRunTask *task, double time, gsize *row);
+
+/* Appends the column's values, and their times, of the rows from `next` on that are not later than `until`, to arrays of
+ * double, and moves `next` behind them. No more than a frame has time for: FALSE where the rest is left for another call. */
+gboolean tinker_run_task_series(TinkerRunTask *task, int column, gsize *next, double until, GArray *times,
+                                GArray *values);
+
+#endif

@@ -1,0 +1,225 @@
+/* The picture is kept as a texture. What is new is looked for when a frame is drawn, so however often something is said to have
+ * changed, there is at most one painting a frame, and none while the graph is not to be seen. */
+#include "gui/graph/graph-plot.h"
+
+#include <glib/gi18n.h>
+
+#include "gui/document/desktop-theme.h"
+#include "gui/widget/image-texture.h"
+
+#define REACH          24.0 /* widget units: how near to the curve the pointer reads it */
+#define COMPACT_WIDTH  700  /* widget units: below either, texts are smaller */
+#define COMPACT_HEIGHT 420
+#define HINT_LEFT      48  /* widget units, beyond the labels of the upright axis */
+#define RECORDING_MS   100 /* how often the picture is renewed while the record grows and nothing plays */
+#define BEHIND_MS      15  /* and while there is more of the record than one frame reads */
+
+/* What a picture depends on. */
+typedef struct {
+    int width, height, factor;
+    const TinkerTheme *theme;
+    gboolean quick;
+    guint64 revision; /* of the data */
+} Picture;
+
+struct _TinkerGraphPlot {
+    GtkWidget parent_instance;
+    TinkerPlayer *player;
+    TinkerGraphData *data;
+    TinkerPaintMemory *memory;
+    Picture picture;
+    GdkTexture *texture;
+    gboolean show_values, pointer_inside, is_stale;
+    double pointer[2];
+    guint timer; /* or 0 */
+};
+
+G_DEFINE_FINAL_TYPE(TinkerGraphPlot, tinker_graph_plot, GTK_TYPE_WIDGET)
+
+TinkerGraphData *tinker_graph_plot_data(TinkerGraphPlot *plot)
+{
+    return plot->data;
+}
+
+static void renew(TinkerGraphPlot *plot)
+{
+    plot->is_stale = TRUE;
+    gtk_widget_queue_draw(GTK_WIDGET(plot));
+}
+
+void tinker_graph_plot_set_graph(TinkerGraphPlot *plot, const TinkerSceneGraph *graph)
+{
+    tinker_graph_data_set_graph(plot->data, graph);
+    renew(plot);
+}
+
+void tinker_graph_plot_set_show_values(TinkerGraphPlot *plot, gboolean show)
+{
+    plot->show_values = show;
+    renew(plot);
+}
+
+/* Painting ------------------------------------------------------------------------------------------------------------ */
+
+static void paint_hint(TinkerGraphPlot *plot, cairo_t *cairo)
+{
+    g_autoptr(PangoLayout) layout = gtk_widget_create_pango_layout(GTK_WIDGET(plot), _("Press Play to see the curve"));
+    const double *colour = plot->picture.theme->colours[TINKER_COLOUR_TEXT];
+    int width, height, left = HINT_LEFT;
+    g_autoptr(PangoAttrList) attributes = pango_attr_list_new();
+    pango_attr_list_insert(attributes, pango_attr_scale_new(PANGO_SCALE_SMALL));
+    pango_layout_set_attributes(layout, attributes);
+    pango_layout_set_width(layout, MAX(plot->picture.width - left - HINT_LEFT / 2, 1) * PANGO_SCALE);
+    pango_layout_set_alignment(layout, PANGO_ALIGN_CENTER);
+    pango_layout_get_pixel_size(layout, &width, &height);
+    cairo_set_source_rgba(cairo, colour[0], colour[1], colour[2], 0.7);
+    cairo_move_to(cairo, left, (plot->picture.height - height) / 2.0 - 8);
+    pango_cairo_show_layout(cairo, layout);
+}
+
+/* Draws the plot with the values of the point under the pointer. */
+static void paint_with_reading(TinkerGraphPlot *plot, cairo_t *cairo, const TinkerPlot *picture)
+{
+    TinkerPlotPoint found;
+    double width = plot->picture.width, height = plot->picture.height;
+    gboolean reads = plot->show_values && plot->pointer_inside && tinker_graph_data_count(plot->data) > 0 &&
+                     tinker_plot_pick(picture, width, height, plot->pointer[0], plot->pointer[1], REACH, &found) &&
+                     found.curve == 0;
+    if (!reads) {
+        tinker_plot_draw(cairo, picture, width, height);
+        return;
+    }
+    gsize point = tinker_graph_data_point(plot->data, found.point);
+    g_autofree char *x = tinker_graph_data_x_text(plot->data, point);
+    g_autofree char *y = tinker_graph_data_y_text(plot->data, point);
+    TinkerPlotReading reading = {.curve = found.curve, .point = found.point, .x = x, .y = y};
+    TinkerPlot with_reading = *picture;
+    with_reading.reading = &reading;
+    tinker_plot_draw(cairo, &with_reading, width, height);
+}
+
+static void paint(TinkerGraphPlot *plot, cairo_t *cairo)
+{
+    TinkerPlot picture = {.theme = plot->picture.theme, .quick = plot->picture.quick, .memory = plot->memory};
+    picture.compact = plot->picture.width < COMPACT_WIDTH || plot->picture.height < COMPACT_HEIGHT;
+    tinker_graph_data_fill_plot(plot->data, &picture);
+    paint_with_reading(plot, cairo, &picture);
+    if (tinker_graph_data_count(plot->data) == 0) paint_hint(plot, cairo);
+}
+
+static gboolean on_timer(gpointer plot)
+{
+    TINKER_GRAPH_PLOT(plot)->timer = 0;
+    gtk_widget_queue_draw(GTK_WIDGET(plot));
+    return G_SOURCE_REMOVE;
+}
+
+/* While it plays, the player asks for the next picture; while it only records, nobody does. */
+static void look_again_later(TinkerGraphPlot *plot)
+{
+    TinkerRunStatus status;
+    const gboolean behind = tinker_graph_data_is_behind(plot->data);
+    if (plot->timer != 0 || tinker_player_state(plot->player) == TINKER_PLAYER_PLAYING) return;
+    if (behind || (tinker_player_status(plot->player, &status) && !status.finished))
+        plot->timer = g_timeout_add(behind ? BEHIND_MS : RECORDING_MS, on_timer, plot);
+}
+
+static gboolean same_picture(const Picture *a, const Picture *b)
+{
+    return a->width == b->width && a->height == b->height && a->factor == b->factor && a->theme == b->theme &&
+           a->quick == b->quick && a->revision == b->revision;
+}
+
+static void tinker_graph_plot_snapshot(GtkWidget *widget, GtkSnapshot *snapshot)
+{
+    TinkerGraphPlot *plot = TINKER_GRAPH_PLOT(widget);
+    Picture picture = {
+        .width = gtk_widget_get_width(widget),
+        .height = gtk_widget_get_height(widget),
+        .factor = gtk_widget_get_scale_factor(widget),
+        .theme = tinker_desktop_theme(),
+        .quick = tinker_player_state(plot->player) == TINKER_PLAYER_PLAYING,
+        .revision = tinker_graph_data_update(plot->data),
+    };
+    if (picture.width < 1 || picture.height < 1) return;
+    if (plot->texture == NULL || plot->is_stale || !same_picture(&picture, &plot->picture)) {
+        plot->picture = picture;
+        plot->is_stale = FALSE;
+        cairo_surface_t *image = tinker_image_new(picture.width, picture.height, picture.factor);
+        cairo_t *cairo = cairo_create(image);
+        paint(plot, cairo);
+        cairo_destroy(cairo);
+        g_clear_object(&plot->texture);
+        plot->texture = tinker_image_to_texture(image);
+    }
+    gtk_snapshot_append_texture(snapshot, plot->texture,
+                                &GRAPHENE_RECT_INIT(0, 0, (float)picture.width, (float)picture.height));
+    look_again_later(plot);
+}
+
+gboolean tinker_graph_plot_any_behind(GtkWidget *root)
+{
+    if (!gtk_widget_get_mapped(root)) return FALSE;
+    if (TINKER_IS_GRAPH_PLOT(root) && tinker_graph_data_is_behind(TINKER_GRAPH_PLOT(root)->data)) return TRUE;
+    for (GtkWidget *child = gtk_widget_get_first_child(root); child != NULL; child = gtk_widget_get_next_sibling(child))
+        if (tinker_graph_plot_any_behind(child)) return TRUE;
+    return FALSE;
+}
+
+/* The pointer --------------------------------------------------------------------------------------------------------- */
+
+static void on_motion(GtkEventControllerMotion *controller, double x, double y, TinkerGraphPlot *plot)
+{
+    plot->pointer_inside = TRUE;
+    plot->pointer[0] = x;
+    plot->pointer[1] = y;
+    if (plot->show_values) renew(plot);
+}
+
+static void on_leave(GtkEventControllerMotion *controller, TinkerGraphPlot *plot)
+{
+    plot->pointer_inside = FALSE;
+    if (plot->show_values) renew(plot);
+}
+
+/* The widget ---------------------------------------------------------------------------------------------------------- */
+
+static void tinker_graph_plot_dispose(GObject *object)
+{
+    TinkerGraphPlot *plot = TINKER_GRAPH_PLOT(object);
+    g_clear_handle_id(&plot->timer, g_source_remove);
+    g_clear_object(&plot->texture);
+    g_clear_object(&plot->player);
+    g_clear_pointer(&plot->data, tinker_graph_data_free);
+    g_clear_pointer(&plot->memory, tinker_paint_memory_free);
+    G_OBJECT_CLASS(tinker_graph_plot_parent_class)->dispose(object);
+}
+
+static void tinker_graph_plot_class_init(TinkerGraphPlotClass *class)
+{
+    G_OBJECT_CLASS(class)->dispose = tinker_graph_plot_dispose;
+    GTK_WIDGET_CLASS(class)->snapshot = tinker_graph_plot_snapshot;
+    gtk_widget_class_set_css_name(GTK_WIDGET_CLASS(class), "plot");
+    gtk_widget_class_set_accessible_role(GTK_WIDGET_CLASS(class), GTK_ACCESSIBLE_ROLE_PRESENTATION);
+}
+
+static void tinker_graph_plot_init(TinkerGraphPlot *plot)
+{
+    plot->memory = tinker_paint_memory_new();
+    GtkEventController *motion = gtk_event_controller_motion_new();
+    g_signal_connect(motion, "motion", G_CALLBACK(on_motion), plot);
+    g_signal_connect(motion, "leave", G_CALLBACK(on_leave), plot);
+    gtk_widget_add_controller(GTK_WIDGET(plot), motion);
+    gtk_widget_set_overflow(GTK_WIDGET(plot), GTK_OVERFLOW_HIDDEN);
+}
+
+GtkWidget *tinker_graph_plot_new(TinkerDocument *document, TinkerPlayer *player)
+{
+    TinkerGraphPlot *plot = g_object_new(TINKER_TYPE_GRAPH_PLOT, NULL);
+    plot->player = g_object_ref(player);
+    plot->data = tinker_graph_data_new(document, player);
+    g_signal_connect_object(player, "moved", G_CALLBACK(gtk_widget_queue_draw), plot, G_CONNECT_SWAPPED);
+    g_signal_connect_object(player, "state-changed", G_CALLBACK(gtk_widget_queue_draw), plot, G_CONNECT_SWAPPED);
+    tinker_desktop_theme_redraws(GTK_WIDGET(plot));
+    return GTK_WIDGET(plot);
+}

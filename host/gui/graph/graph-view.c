@@ -1,0 +1,313 @@
+/* The view follows the scene's graph by its number, which its board keeps up to date. */
+#include "gui/graph/graph-view.h"
+
+#include <glib/gi18n.h>
+
+#include "gui/graph/graph-export.h"
+#include "gui/graph/graph-plot.h"
+#include "gui/widget/popup-menu.h"
+#include "gui/widget/unparent.h"
+
+#define TELL_US 1000000 /* at most so often is the present value told while it plays */
+
+struct _TinkerGraphView {
+    GtkWidget parent_instance;
+    TinkerDocument *document;
+    TinkerPlayer *player;
+    int number;
+    char *identity; /* block, quantities */
+    gboolean floats, show_values;
+    GtkWidget *bar, *title, *place_button, *plot, *corner;
+    gint64 told; /* us: when the value was told last */
+};
+
+G_DEFINE_FINAL_TYPE(TinkerGraphView, tinker_graph_view, GTK_TYPE_WIDGET)
+
+enum { PROP_0, PROP_SHOW_VALUES, PROPERTIES };
+static GParamSpec *properties[PROPERTIES];
+
+GtkWidget *tinker_graph_view_title_bar(TinkerGraphView *view)
+{
+    return view->bar;
+}
+
+GtkWidget *tinker_graph_view_corner(TinkerGraphView *view)
+{
+    return view->corner;
+}
+
+int tinker_graph_view_number(TinkerGraphView *view)
+{
+    return view->number;
+}
+
+static TinkerGraphData *data_of(TinkerGraphView *view)
+{
+    return tinker_graph_plot_data(TINKER_GRAPH_PLOT(view->plot));
+}
+
+/* The graph ----------------------------------------------------------------------------------------------------------- */
+
+static char *identity_of(const TinkerSceneGraph *graph)
+{
+    return g_strjoin("\n", graph->block, graph->quantity, graph->against, NULL);
+}
+
+gboolean tinker_graph_view_fits(TinkerGraphView *view, const TinkerSceneGraph *graph)
+{
+    g_autofree char *identity = identity_of(graph);
+    return g_strcmp0(identity, view->identity) == 0;
+}
+
+/* Tells assistive technologies what the graph shows now. */
+static void tell_value(TinkerGraphView *view)
+{
+    gsize point;
+    TinkerGraphData *data = data_of(view);
+    g_autofree char *text = NULL;
+    tinker_graph_data_update(data);
+    if (tinker_graph_data_present(data, &point)) {
+        g_autofree char *x = tinker_graph_data_x_text(data, point), *y = tinker_graph_data_y_text(data, point);
+        text = g_strdup_printf("%s, %s", x, y);
+    }
+    gtk_accessible_update_property(GTK_ACCESSIBLE(view), GTK_ACCESSIBLE_PROPERTY_DESCRIPTION,
+                                   text != NULL ? text : _("Press Play to see the curve"), -1);
+    view->told = g_get_monotonic_time();
+}
+
+static void on_moved(TinkerGraphView *view)
+{
+    gboolean playing = tinker_player_state(view->player) == TINKER_PLAYER_PLAYING;
+    if (!gtk_widget_get_mapped(GTK_WIDGET(view)) || (playing && g_get_monotonic_time() < view->told + TELL_US)) return;
+    tell_value(view);
+}
+
+void tinker_graph_view_set_number(TinkerGraphView *view, int number)
+{
+    GPtrArray *graphs = tinker_scene_graphs(tinker_document_scene(view->document));
+    const TinkerSceneGraph *graph = g_ptr_array_index(graphs, number);
+    view->number = number;
+    g_free(view->identity);
+    view->identity = identity_of(graph);
+    tinker_graph_plot_set_graph(TINKER_GRAPH_PLOT(view->plot), graph);
+    const char *title = tinker_graph_data_title(data_of(view));
+    g_autofree char *label = g_strdup_printf(_("Graph of %s"), title);
+    gtk_label_set_text(GTK_LABEL(view->title), title);
+    gtk_widget_set_tooltip_text(view->title, title);
+    gtk_accessible_update_property(GTK_ACCESSIBLE(view), GTK_ACCESSIBLE_PROPERTY_LABEL, label, -1);
+    tell_value(view);
+
+    const char *place = graph->has_place ? _("Dock Below the Canvas") : _("Float on the Canvas");
+    gtk_button_set_icon_name(GTK_BUTTON(view->place_button),
+                             graph->has_place ? "go-bottom-symbolic" : "view-restore-symbolic");
+    gtk_actionable_set_action_name(GTK_ACTIONABLE(view->place_button), graph->has_place ? "graph.dock" : "graph.float");
+    gtk_widget_set_tooltip_text(view->place_button, place);
+    gtk_accessible_update_property(GTK_ACCESSIBLE(view->place_button), GTK_ACCESSIBLE_PROPERTY_LABEL, place, -1);
+    gtk_widget_action_set_enabled(GTK_WIDGET(view), "graph.dock", graph->has_place);
+    gtk_widget_action_set_enabled(GTK_WIDGET(view), "graph.float", !graph->has_place);
+}
+
+/* Actions ------------------------------------------------------------------------------------------------------------- */
+
+/* Passes it on to the window, which may take the view away meanwhile. */
+static void edit(GtkWidget *widget, const char *name, GVariant *parameter)
+{
+    static const char *const of_window[][2] = {
+        {"graph.dock", "win.dock-graph"}, {"graph.float", "win.float-graph"}, {"graph.delete", "win.delete-graph"}};
+    g_autoptr(TinkerGraphView) view = g_object_ref(TINKER_GRAPH_VIEW(widget));
+    for (gsize i = 0; i < G_N_ELEMENTS(of_window); i++)
+        if (g_str_equal(of_window[i][0], name)) gtk_widget_activate_action(widget, of_window[i][1], "i", view->number);
+}
+
+static void copy(GtkWidget *widget, const char *name, GVariant *parameter)
+{
+    TinkerGraphView *view = TINKER_GRAPH_VIEW(widget);
+    tinker_graph_copy(widget, data_of(view), gtk_widget_get_width(view->plot), gtk_widget_get_height(view->plot));
+}
+
+static void save_image(GtkWidget *widget, const char *name, GVariant *parameter)
+{
+    TinkerGraphView *view = TINKER_GRAPH_VIEW(widget);
+    tinker_graph_save_image(widget, data_of(view), gtk_widget_get_width(view->plot), gtk_widget_get_height(view->plot));
+}
+
+static void export_values(GtkWidget *widget, const char *name, GVariant *parameter)
+{
+    tinker_graph_export_values(widget, data_of(TINKER_GRAPH_VIEW(widget)));
+}
+
+/* The menu ------------------------------------------------------------------------------------------------------------ */
+
+static void show_menu_at(TinkerGraphView *view, double x, double y)
+{
+    g_autoptr(GtkBuilder) builder = gtk_builder_new_from_resource("/org/tinker/Tinker/menus.ui");
+    GMenuModel *model = G_MENU_MODEL(gtk_builder_get_object(builder, "graph_menu"));
+    tinker_popup_menu(GTK_WIDGET(view), model, x, y);
+}
+
+static void show_menu(GtkWidget *widget, const char *name, GVariant *parameter)
+{
+    show_menu_at(TINKER_GRAPH_VIEW(widget), gtk_widget_get_width(widget) / 2.0, gtk_widget_get_height(widget) / 2.0);
+}
+
+static void on_right_press(GtkGestureClick *gesture, int presses, double x, double y, TinkerGraphView *view)
+{
+    gtk_gesture_set_state(GTK_GESTURE(gesture), GTK_EVENT_SEQUENCE_CLAIMED);
+    gtk_widget_grab_focus(GTK_WIDGET(view));
+    show_menu_at(view, x, y);
+}
+
+/* Presses on a graph are not the canvas's. */
+static void on_press(GtkGestureClick *gesture, int presses, double x, double y, TinkerGraphView *view)
+{
+    gtk_widget_grab_focus(GTK_WIDGET(view));
+}
+
+/* The widget ---------------------------------------------------------------------------------------------------------- */
+
+static GtkWidget *add_button(GtkWidget *bar, const char *icon, const char *label, const char *action)
+{
+    GtkWidget *button = gtk_button_new();
+    if (icon != NULL) gtk_button_set_icon_name(GTK_BUTTON(button), icon);
+    gtk_widget_add_css_class(button, "flat");
+    gtk_widget_add_css_class(button, "circular");
+    gtk_widget_set_valign(button, GTK_ALIGN_CENTER);
+    gtk_widget_set_tooltip_text(button, label);
+    gtk_accessible_update_property(GTK_ACCESSIBLE(button), GTK_ACCESSIBLE_PROPERTY_LABEL, label, -1);
+    gtk_actionable_set_action_name(GTK_ACTIONABLE(button), action);
+    gtk_box_append(GTK_BOX(bar), button);
+    return button;
+}
+
+static void add_title_bar(TinkerGraphView *view)
+{
+    view->bar = gtk_box_new(GTK_ORIENTATION_HORIZONTAL, 2);
+    view->title = gtk_label_new(NULL);
+    gtk_widget_add_css_class(view->bar, "graph-title");
+    gtk_label_set_ellipsize(GTK_LABEL(view->title), PANGO_ELLIPSIZE_END);
+    gtk_label_set_xalign(GTK_LABEL(view->title), 0);
+    gtk_widget_set_hexpand(view->title, TRUE);
+    gtk_box_append(GTK_BOX(view->bar), view->title);
+    view->place_button = add_button(view->bar, NULL, "", NULL);
+    add_button(view->bar, "window-close-symbolic", _("Delete Graph"), "graph.delete");
+    if (view->floats) gtk_widget_set_cursor_from_name(view->title, "move");
+    gtk_widget_set_parent(view->bar, GTK_WIDGET(view));
+}
+
+static void add_plot(TinkerGraphView *view)
+{
+    GtkWidget *overlay = gtk_overlay_new();
+    view->plot = tinker_graph_plot_new(view->document, view->player);
+    gtk_widget_set_vexpand(view->plot, TRUE);
+    gtk_overlay_set_child(GTK_OVERLAY(overlay), view->plot);
+    view->corner = gtk_box_new(GTK_ORIENTATION_HORIZONTAL, 0);
+    gtk_widget_add_css_class(view->corner, "graph-corner");
+    gtk_widget_set_halign(view->corner, GTK_ALIGN_END);
+    gtk_widget_set_valign(view->corner, GTK_ALIGN_END);
+    gtk_widget_set_cursor_from_name(view->corner, "se-resize");
+    gtk_widget_set_visible(view->corner, view->floats);
+    gtk_overlay_add_overlay(GTK_OVERLAY(overlay), view->corner);
+    gtk_widget_set_parent(overlay, GTK_WIDGET(view));
+}
+
+static void add_input(TinkerGraphView *view)
+{
+    const struct {
+        guint button;
+        GCallback pressed;
+    } presses[] = {{GDK_BUTTON_PRIMARY, G_CALLBACK(on_press)}, {GDK_BUTTON_SECONDARY, G_CALLBACK(on_right_press)}};
+    for (gsize i = 0; i < G_N_ELEMENTS(presses); i++) {
+        GtkGesture *click = gtk_gesture_click_new();
+        gtk_gesture_single_set_button(GTK_GESTURE_SINGLE(click), presses[i].button);
+        g_signal_connect(click, "pressed", presses[i].pressed, view);
+        gtk_widget_add_controller(GTK_WIDGET(view), GTK_EVENT_CONTROLLER(click));
+    }
+}
+
+static void tinker_graph_view_get_property(GObject *object, guint property, GValue *value, GParamSpec *spec)
+{
+    g_value_set_boolean(value, TINKER_GRAPH_VIEW(object)->show_values);
+}
+
+static void tinker_graph_view_set_property(GObject *object, guint property, const GValue *value, GParamSpec *spec)
+{
+    TinkerGraphView *view = TINKER_GRAPH_VIEW(object);
+    view->show_values = g_value_get_boolean(value);
+    if (view->plot != NULL) tinker_graph_plot_set_show_values(TINKER_GRAPH_PLOT(view->plot), view->show_values);
+}
+
+static void tinker_graph_view_dispose(GObject *object)
+{
+    TinkerGraphView *view = TINKER_GRAPH_VIEW(object);
+    tinker_unparent_children(GTK_WIDGET(object));
+    g_clear_object(&view->player);
+    g_clear_object(&view->document);
+    g_clear_pointer(&view->identity, g_free);
+    G_OBJECT_CLASS(tinker_graph_view_parent_class)->dispose(object);
+}
+
+static void add_commands(GtkWidgetClass *widget_class)
+{
+    static const struct {
+        const char *name;
+        GtkWidgetActionActivateFunc activate;
+        guint key;
+        GdkModifierType modifiers;
+    } commands[] = {
+        {"graph.copy", copy, GDK_KEY_c, GDK_CONTROL_MASK},
+        {"graph.save-image", save_image, GDK_KEY_s, GDK_CONTROL_MASK | GDK_ALT_MASK},
+        {"graph.export-values", export_values, GDK_KEY_e, GDK_CONTROL_MASK},
+        {"graph.dock", edit, 0, 0},
+        {"graph.float", edit, 0, 0},
+        {"graph.delete", edit, GDK_KEY_Delete, 0},
+        {"graph.menu", show_menu, GDK_KEY_Menu, 0},
+        {"graph.menu", NULL, GDK_KEY_F10, GDK_SHIFT_MASK},
+    };
+    for (gsize i = 0; i < G_N_ELEMENTS(commands); i++) {
+        if (commands[i].activate != NULL)
+            gtk_widget_class_install_action(widget_class, commands[i].name, NULL, commands[i].activate);
+        if (commands[i].key != 0)
+            gtk_widget_class_add_binding_action(widget_class, commands[i].key, commands[i].modifiers, commands[i].name,
+                                                NULL);
+    }
+    gtk_widget_class_install_property_action(widget_class, "graph.show-values", "show-values");
+}
+
+static void tinker_graph_view_class_init(TinkerGraphViewClass *class)
+{
+    GObjectClass *object_class = G_OBJECT_CLASS(class);
+    GtkWidgetClass *widget_class = GTK_WIDGET_CLASS(class);
+    object_class->get_property = tinker_graph_view_get_property;
+    object_class->set_property = tinker_graph_view_set_property;
+    object_class->dispose = tinker_graph_view_dispose;
+    properties[PROP_SHOW_VALUES] =
+        g_param_spec_boolean("show-values", NULL, NULL, FALSE, G_PARAM_READWRITE | G_PARAM_STATIC_STRINGS);
+    g_object_class_install_properties(object_class, PROPERTIES, properties);
+    gtk_widget_class_set_layout_manager_type(widget_class, GTK_TYPE_BOX_LAYOUT);
+    gtk_widget_class_set_css_name(widget_class, "graph");
+    gtk_widget_class_set_accessible_role(widget_class, GTK_ACCESSIBLE_ROLE_GROUP);
+    add_commands(widget_class);
+}
+
+static void tinker_graph_view_init(TinkerGraphView *view)
+{
+    GtkLayoutManager *layout = gtk_widget_get_layout_manager(GTK_WIDGET(view));
+    gtk_orientable_set_orientation(GTK_ORIENTABLE(layout), GTK_ORIENTATION_VERTICAL);
+    gtk_widget_set_focusable(GTK_WIDGET(view), TRUE);
+    gtk_widget_set_overflow(GTK_WIDGET(view), GTK_OVERFLOW_HIDDEN);
+    add_input(view);
+}
+
+TinkerGraphView *tinker_graph_view_new(TinkerDocument *document, TinkerPlayer *player, gboolean floats)
+{
+    TinkerGraphView *view = g_object_new(TINKER_TYPE_GRAPH_VIEW, NULL);
+    view->document = g_object_ref(document);
+    view->player = g_object_ref(player);
+    view->floats = floats;
+    if (floats) gtk_widget_add_css_class(GTK_WIDGET(view), "floating");
+    add_title_bar(view);
+    add_plot(view);
+    g_signal_connect_object(player, "moved", G_CALLBACK(on_moved), view, G_CONNECT_SWAPPED);
+    g_signal_connect_object(player, "state-changed", G_CALLBACK(on_moved), view, G_CONNECT_SWAPPED);
+    return view;
+}

@@ -1,0 +1,210 @@
+/* A list of buttons under headings. Which categories there are, and what is in them, the manifests tell; a block's library is
+ * opened for its icon. A drag is followed by a gesture of our own, so that the block itself can be seen on its way. */
+#include "gui/property/palette.h"
+
+#include <glib/gi18n.h>
+#include <string.h>
+
+#include "gui/document/desktop-theme.h"
+#include "gui/document/icon-guard.h"
+#include "gui/text/translate.h"
+#include "gui/widget/unparent.h"
+
+#define ICON_WIDTH     48
+#define ICON_HEIGHT    32
+#define DRAG_THRESHOLD 6.0
+
+struct _TinkerPalette {
+    GtkWidget parent_instance;
+    GtkWidget *list;
+    TinkerCatalogue *catalogue;
+    TinkerCanvas *canvas;
+};
+
+G_DEFINE_FINAL_TYPE(TinkerPalette, tinker_palette, GTK_TYPE_WIDGET)
+
+/* One block of the palette. */
+typedef struct {
+    TinkerPalette *palette;
+    const TinkerBlockClass *block_class;
+    GtkWidget *button;
+    gboolean dragged;
+} Item;
+
+/* What stands over the blocks of a category, and in which order; categories of others come behind, by their own name. */
+static const struct {
+    const char *category, *heading;
+} headings[] = {
+    {TINKER_CONNECTABLE, N_("Bodies")}, {TINKER_CONNECTOR, N_("Connectors")}, {TINKER_FORCE, N_("Forces")},
+    {TINKER_MOTION, N_("Motions")},     {TINKER_FIELD, N_("Fields")},
+};
+
+static guint rank_of(const char *category)
+{
+    guint rank = 0;
+    while (rank < G_N_ELEMENTS(headings) && g_strcmp0(headings[rank].category, category) != 0)
+        rank++;
+    return rank;
+}
+
+/* Placing ------------------------------------------------------------------------------------------------------------- */
+
+static void on_clicked(Item *item)
+{
+    if (!item->dragged) tinker_canvas_add(item->palette->canvas, item->block_class);
+    item->dragged = FALSE;
+    gtk_widget_grab_focus(GTK_WIDGET(item->palette->canvas));
+}
+
+static void on_drag(GtkGestureDrag *gesture, double dx, double dy, Item *item)
+{
+    double x, y, canvas_x, canvas_y;
+    if (!item->dragged && dx * dx + dy * dy < DRAG_THRESHOLD * DRAG_THRESHOLD) return;
+    item->dragged = TRUE;
+    gtk_gesture_drag_get_start_point(gesture, &x, &y);
+    GtkWidget *canvas = GTK_WIDGET(item->palette->canvas);
+    if (!gtk_widget_translate_coordinates(item->button, canvas, x + dx, y + dy, &canvas_x, &canvas_y)) return;
+    tinker_canvas_place_move(item->palette->canvas, item->block_class, canvas_x, canvas_y);
+}
+
+static void on_drag_end(GtkGestureDrag *gesture, double dx, double dy, Item *item)
+{
+    if (!item->dragged) return;
+    if (tinker_canvas_place_drop(item->palette->canvas) != TINKER_NO_BLOCK)
+        gtk_widget_grab_focus(GTK_WIDGET(item->palette->canvas));
+    /* The button that the drag began on reads the release as a click, which on_clicked passes over; unless it was left. */
+    double x = 0, y = 0;
+    gtk_gesture_drag_get_start_point(gesture, &x, &y);
+    if (!gtk_widget_contains(item->button, x + dx, y + dy)) item->dragged = FALSE;
+}
+
+static void on_drag_cancel(GtkGesture *gesture, GdkEventSequence *sequence, Item *item)
+{
+    item->dragged = FALSE;
+    tinker_canvas_place_cancel(item->palette->canvas);
+}
+
+/* The list ------------------------------------------------------------------------------------------------------------ */
+
+static void draw_icon(GtkDrawingArea *area, cairo_t *cairo, int width, int height, gpointer data)
+{
+    const Item *item = data;
+    tinker_guarded_icon_paint(cairo, item->block_class, width, height, tinker_desktop_theme());
+}
+
+static GtkWidget *icon_of(Item *item)
+{
+    GtkWidget *icon = gtk_drawing_area_new();
+    gtk_drawing_area_set_content_width(GTK_DRAWING_AREA(icon), ICON_WIDTH);
+    gtk_drawing_area_set_content_height(GTK_DRAWING_AREA(icon), ICON_HEIGHT);
+    gtk_drawing_area_set_draw_func(GTK_DRAWING_AREA(icon), draw_icon, item, NULL);
+    tinker_desktop_theme_redraws(icon);
+    return icon;
+}
+
+static GtkWidget *button_of(TinkerPalette *palette, const TinkerBlockClass *block_class)
+{
+    const TinkerBlockType *type = block_class->type;
+    const char *title = tinker_translate(type->title);
+    Item *item = g_new0(Item, 1);
+    item->palette = palette;
+    item->block_class = block_class;
+    item->button = gtk_button_new();
+    GtkWidget *row = gtk_box_new(GTK_ORIENTATION_HORIZONTAL, 8), *label = gtk_label_new(title);
+    gtk_label_set_xalign(GTK_LABEL(label), 0);
+    gtk_box_append(GTK_BOX(row), icon_of(item));
+    gtk_box_append(GTK_BOX(row), label);
+    gtk_button_set_child(GTK_BUTTON(item->button), row);
+    gtk_widget_add_css_class(item->button, "flat");
+    g_autofree char *tooltip = type->summary != NULL ? g_strdup_printf("%s.\n%s", tinker_translate(type->summary),
+                                                                       _("Click or drag it onto the canvas."))
+                                                     : NULL;
+    gtk_widget_set_tooltip_text(item->button, tooltip);
+    gtk_accessible_update_property(GTK_ACCESSIBLE(item->button), GTK_ACCESSIBLE_PROPERTY_LABEL, title, -1);
+    g_object_set_data_full(G_OBJECT(item->button), "item", item, g_free);
+    g_signal_connect_swapped(item->button, "clicked", G_CALLBACK(on_clicked), item);
+    GtkGesture *drag = gtk_gesture_drag_new();
+    gtk_event_controller_set_propagation_phase(GTK_EVENT_CONTROLLER(drag), GTK_PHASE_CAPTURE);
+    g_signal_connect(drag, "drag-update", G_CALLBACK(on_drag), item);
+    g_signal_connect(drag, "drag-end", G_CALLBACK(on_drag_end), item);
+    g_signal_connect(drag, "cancel", G_CALLBACK(on_drag_cancel), item);
+    gtk_widget_add_controller(item->button, GTK_EVENT_CONTROLLER(drag));
+    return item->button;
+}
+
+static void add_heading(TinkerPalette *palette, const char *category)
+{
+    guint rank = rank_of(category);
+    GtkWidget *label = gtk_label_new(rank < G_N_ELEMENTS(headings) ? _(headings[rank].heading) : category);
+    gtk_label_set_xalign(GTK_LABEL(label), 0);
+    gtk_widget_add_css_class(label, "heading");
+    gtk_widget_add_css_class(label, "palette-heading");
+    gtk_box_append(GTK_BOX(palette->list), label);
+}
+
+static int compare_types(const void *left, const void *right)
+{
+    const TinkerTypeEntry *l = *(TinkerTypeEntry *const *)left, *r = *(TinkerTypeEntry *const *)right;
+    int by_rank = (int)rank_of(l->category) - (int)rank_of(r->category);
+    if (by_rank != 0) return by_rank;
+    int by_category = g_strcmp0(l->category, r->category);
+    return by_category != 0 ? by_category : g_utf8_collate(tinker_translate(l->title), tinker_translate(r->title));
+}
+
+/* Every type that a scene could name, once, by category and title; borrowed from the libraries. */
+static GPtrArray *usable_types(const GPtrArray *libraries)
+{
+    GPtrArray *types = g_ptr_array_new();
+    for (guint i = 0; i < libraries->len; i++) {
+        const TinkerLibraryEntry *library = g_ptr_array_index(libraries, i);
+        if (library->refused != NULL || library->shadowed_by != NULL) continue;
+        for (guint k = 0; k < library->types->len; k++)
+            g_ptr_array_add(types, g_ptr_array_index(library->types, k));
+    }
+    g_ptr_array_sort(types, compare_types);
+    return types;
+}
+
+void tinker_palette_focus(TinkerPalette *palette)
+{
+    gtk_widget_child_focus(palette->list, GTK_DIR_TAB_FORWARD);
+}
+
+void tinker_palette_set_canvas(TinkerPalette *palette, TinkerCatalogue *catalogue, TinkerCanvas *canvas)
+{
+    palette->catalogue = catalogue;
+    palette->canvas = canvas;
+    g_autoptr(GPtrArray) libraries = tinker_catalogue_libraries(catalogue), types = usable_types(libraries);
+    const char *category = NULL;
+    for (guint i = 0; i < types->len; i++) {
+        const TinkerTypeEntry *entry = g_ptr_array_index(types, i);
+        const TinkerBlockClass *block_class = tinker_catalogue_type(catalogue, entry->id, NULL);
+        if (block_class == NULL) continue;
+        if (g_strcmp0(category, entry->category) != 0) add_heading(palette, entry->category);
+        category = entry->category;
+        gtk_box_append(GTK_BOX(palette->list), button_of(palette, block_class));
+    }
+}
+
+static void tinker_palette_dispose(GObject *object)
+{
+    tinker_unparent_children(GTK_WIDGET(object));
+    G_OBJECT_CLASS(tinker_palette_parent_class)->dispose(object);
+}
+
+static void tinker_palette_class_init(TinkerPaletteClass *class)
+{
+    G_OBJECT_CLASS(class)->dispose = tinker_palette_dispose;
+    gtk_widget_class_set_layout_manager_type(GTK_WIDGET_CLASS(class), GTK_TYPE_BIN_LAYOUT);
+    gtk_widget_class_set_css_name(GTK_WIDGET_CLASS(class), "palette");
+}
+
+static void tinker_palette_init(TinkerPalette *palette)
+{
+    GtkWidget *scrolled = gtk_scrolled_window_new();
+    gtk_scrolled_window_set_policy(GTK_SCROLLED_WINDOW(scrolled), GTK_POLICY_NEVER, GTK_POLICY_AUTOMATIC);
+    palette->list = gtk_box_new(GTK_ORIENTATION_VERTICAL, 2);
+    gtk_scrolled_window_set_child(GTK_SCROLLED_WINDOW(scrolled), palette->list);
+    gtk_widget_set_vexpand(scrolled, TRUE);
+    gtk_widget_set_parent(scrolled, GTK_WIDGET(palette));
+}

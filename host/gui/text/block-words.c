@@ -1,0 +1,56 @@
+/* Says in one line what a sighted user sees of a block on the canvas. */
+#include "gui/text/block-words.h"
+
+#include <glib/gi18n.h>
+
+#include "gui/text/translate.h"
+
+#define DECIMALS 5
+
+const char *tinker_block_type_title(const TinkerScene *scene, TinkerBlockId block)
+{
+    const TinkerBlockClass *block_class = tinker_scene_block_class(scene, block);
+    return block_class != NULL ? tinker_translate(block_class->type->title) : tinker_scene_block_type(scene, block);
+}
+
+static const char *end_words(const TinkerScene *scene, TinkerBlockId block, int32_t end)
+{
+    TinkerBlockId on = tinker_scene_end(scene, block, end).block;
+    return on != TINKER_NO_BLOCK ? tinker_scene_block_name(scene, on) : _("a loose end");
+}
+
+static char *ends_words(const TinkerScene *scene, TinkerBlockId block, int32_t count)
+{
+    if (count == 1) return g_strdup_printf(_("on %s"), end_words(scene, block, 0));
+    if (count == 2) return g_strdup_printf(_("from %s to %s"), end_words(scene, block, 0), end_words(scene, block, 1));
+    GString *text = g_string_new(_("between "));
+    for (int32_t i = 0; i < count; i++)
+        g_string_append_printf(text, "%s%s", i > 0 ? ", " : "", end_words(scene, block, i));
+    return g_string_free(text, FALSE);
+}
+
+char *tinker_block_place_words(TinkerScene *scene, TinkerBlockId block)
+{
+    const TinkerBlockClass *block_class = tinker_scene_block_class(scene, block);
+    if (block_class == NULL) return NULL;
+    int32_t ends = tinker_scene_end_count(scene, block);
+    if (ends > 0) return ends_words(scene, block, ends);
+    int32_t property = block_class->meanings[TINKER_MEANING_POSITION];
+    if (property < 0) return NULL;
+    const TinkerPropertyType *type = &block_class->properties[property];
+    TinkerUnitSystem system = tinker_scene_head(scene)->units;
+    const char *unit =
+        tinker_block_class_unit(block_class, type->id, type->dimension, system == TINKER_UNIT_SYSTEM_ENGLISH);
+    int32_t column = block_class->first_columns[property];
+    g_autofree char *x =
+        tinker_quantity_format(tinker_scene_get(scene, block, column), type->dimension, unit, system, DECIMALS);
+    g_autofree char *y =
+        tinker_quantity_format(tinker_scene_get(scene, block, column + 1), type->dimension, unit, system, DECIMALS);
+    return g_strdup_printf(_("at (%s, %s)"), x, y);
+}
+
+char *tinker_block_words(TinkerScene *scene, TinkerBlockId block)
+{
+    g_autofree char *place = tinker_block_place_words(scene, block);
+    return g_strjoin(", ", tinker_scene_block_name(scene, block), tinker_block_type_title(scene, block), place, NULL);
+}

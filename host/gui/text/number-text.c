@@ -1,0 +1,68 @@
+/* Numbers are shown with a point in every locale, as in files and messages. What is typed may have the comma of the locale; where
+ * that is no comma, none is read as a point: "1,000" is a thousand to some and one to others. */
+#include "gui/text/number-text.h"
+
+#include <glib/gi18n.h>
+#include <langinfo.h>
+#include <locale.h>
+#include <string.h>
+
+#define DECIMALS 5
+
+/* Of the user's locale, which the program itself does not write numbers by. */
+static gboolean locale_has_comma(void)
+{
+    static gsize known; /* 1: a point or what else there may be, 2: a comma */
+    if (g_once_init_enter(&known)) {
+        locale_t numeric = newlocale(LC_NUMERIC_MASK, "", (locale_t)0);
+        gboolean comma = numeric != (locale_t)0 && strcmp(nl_langinfo_l(RADIXCHAR, numeric), ",") == 0;
+        if (numeric != (locale_t)0) freelocale(numeric);
+        g_once_init_leave(&known, comma ? 2 : 1);
+    }
+    return known == 2;
+}
+
+/* (transfer full) */
+static char *with_point(const char *text)
+{
+    char *plain = g_strstrip(g_strdup(text)), *comma = strchr(plain, ',');
+    gboolean is_decimal = comma != NULL && locale_has_comma() && strpbrk(comma + 1, ",.") == NULL &&
+                          memchr(plain, '.', (gsize)(comma - plain)) == NULL;
+    if (is_decimal) *comma = '.';
+    return plain;
+}
+
+gboolean tinker_number_read(const char *text, TinkerDimension dimension, const char *unit, double *si, GError **error)
+{
+    static const TinkerDimension none = {0, 0, 0, 0};
+    g_autofree char *plain = with_point(text);
+    GError *cause = NULL;
+    TinkerUnit shown;
+    gboolean is_bare = strspn(plain, "0123456789.+-eE") == strlen(plain);
+    if (is_bare && tinker_unit_parse(unit, &shown, NULL) && tinker_quantity_parse(plain, none, si, NULL)) {
+        *si *= shown.factor;
+        return TRUE;
+    }
+    if (tinker_quantity_parse(plain, dimension, si, &cause)) return TRUE;
+    if (strchr(plain, ',') == NULL) {
+        g_propagate_error(error, cause);
+        return FALSE;
+    }
+    g_error_free(cause);
+    g_set_error_literal(error, TINKER_UNITS_ERROR, TINKER_UNITS_ERROR_SYNTAX,
+                        _("A number is written with a point and without thousands separators, as in 3.5."));
+    return FALSE;
+}
+
+char *tinker_number_write(double si, TinkerDimension dimension, const char *unit, TinkerUnitSystem system,
+                          gboolean trims)
+{
+    char *text = tinker_quantity_format(si, dimension, unit, system, DECIMALS), *point = strchr(text, '.');
+    if (!trims || point == NULL) return text;
+    char *end = point + 1 + strspn(point + 1, "0123456789"), *last = end;
+    while (last[-1] == '0')
+        last--;
+    if (last[-1] == '.') last--;
+    memmove(last, end, strlen(end) + 1);
+    return text;
+}

@@ -1,0 +1,143 @@
+/* Accuracy at a glance: the line at the bottom, the notices at the top and the page about it, fed from the plan and the run. */
+#include <glib/gi18n.h>
+
+#include "gui/document/run-choice.h"
+#include "gui/text/sentence.h"
+#include "gui/window/window-parts.h"
+
+#define PAGE    "accuracy"
+#define REFRESH 200 /* ms: how often the line is brought up to date while something happens */
+
+/* Notices ------------------------------------------------------------------------------------------------------------- */
+
+static void choose_automatically(void *data)
+{
+    TinkerWindow *window = data;
+    g_autoptr(GError) error = NULL;
+    gboolean done = tinker_run_choice_automatic(window->document, &error);
+    window_toast(window, done ? _("The method is chosen automatically from now on") : error->message);
+}
+
+static void show_accuracy(void *data)
+{
+    adw_view_stack_set_visible_child_name(TINKER_WINDOW(data)->pages, PAGE);
+}
+
+static void add_notice(GPtrArray *notices, TinkerWindow *window, const char *warning, const char *button,
+                       void (*cure)(void *data))
+{
+    g_autofree char *text = tinker_sentence_in(tinker_document_scene(window->document), warning);
+    g_ptr_array_add(notices, tinker_notice_new(TINKER_NOTICE_WARNING, text, button, cure, window, NULL));
+}
+
+static GPtrArray *new_notices(void)
+{
+    return g_ptr_array_new_with_free_func((GDestroyNotify)tinker_notice_free);
+}
+
+static gboolean is_among(const GPtrArray *warnings, const char *warning)
+{
+    return g_ptr_array_find_with_equal_func((GPtrArray *)warnings, warning, g_str_equal, NULL);
+}
+
+/* Of the plan's warnings those that another method avoids; what is wrong with the start, the advice tells. */
+static void show_plan_notices(TinkerWindow *window)
+{
+    const TinkerPlanResult *result = tinker_plan_task_result(window->plan);
+    GPtrArray *notices = new_notices();
+    for (guint i = 0; result != NULL && result->plan != NULL && i < result->plan->warnings->len; i++) {
+        const char *warning = g_ptr_array_index(result->plan->warnings, i);
+        if (is_among(result->avoidable, warning))
+            add_notice(notices, window, warning, _("Choose Automatically"), choose_automatically);
+    }
+    tinker_notice_bar_set(window->notices, "plan", notices);
+}
+
+/* A run tells at its end what it saw; the cure is another method, or a look at how they compare, where either helps. */
+static void show_run_notices(TinkerWindow *window)
+{
+    const char *method = tinker_scene_head(tinker_document_scene(window->document))->run.method;
+    gboolean automatic = g_str_equal(method, "auto");
+    g_autoptr(GPtrArray) warnings = tinker_player_warnings(window->player, FALSE);
+    g_autoptr(GPtrArray) of_scene = tinker_player_warnings(window->player, TRUE);
+    const TinkerPlanResult *result = tinker_plan_task_result(window->plan);
+    GPtrArray *notices = new_notices();
+    for (guint i = 0; i < warnings->len; i++) {
+        const char *warning = g_ptr_array_index(warnings, i);
+        if (result != NULL && result->plan != NULL && is_among(result->plan->warnings, warning)) continue;
+        if (is_among(of_scene, warning))
+            add_notice(notices, window, warning, NULL, NULL);
+        else
+            add_notice(notices, window, warning, automatic ? _("Compare Methods") : _("Choose Automatically"),
+                       automatic ? show_accuracy : choose_automatically);
+    }
+    tinker_notice_bar_set(window->notices, "run", notices);
+}
+
+/* The line ------------------------------------------------------------------------------------------------------------ */
+
+static gboolean on_refresh(void *data);
+
+/* While there is a run under way, again and again. */
+static void refresh_later(TinkerWindow *window)
+{
+    if (window->refresh == 0) window->refresh = g_timeout_add(REFRESH, on_refresh, window);
+}
+
+static gboolean on_refresh(void *data)
+{
+    TinkerWindow *window = data;
+    TinkerRunStatus status;
+    gboolean has_run = tinker_player_status(window->player, &status);
+    window->refresh = 0;
+    TinkerStatusFacts facts = {
+        .run = has_run ? &status : NULL,
+        .plan = tinker_plan_task_result(window->plan),
+        .duration = tinker_player_duration(window->player),
+        .speed = tinker_player_speed(window->player),
+        .pace = tinker_player_pace(window->player),
+    };
+    tinker_status_line_show(window->status_line, &facts);
+    gboolean over = !has_run || status.finished;
+    guint told = over ? tinker_player_generation(window->player) + has_run : 0;
+    if (over && told != window->told_run) show_run_notices(window);
+    window->told_run = told;
+    if (!over) refresh_later(window);
+    return G_SOURCE_REMOVE;
+}
+
+static void on_plan_changed(TinkerWindow *window)
+{
+    show_plan_notices(window);
+    refresh_later(window);
+}
+
+static void on_told(GtkWidget *page, const char *text, TinkerWindow *window)
+{
+    window_toast(window, text);
+}
+
+void window_add_accuracy(TinkerWindow *window)
+{
+    window->status_line = tinker_status_line_new();
+    window->notices = tinker_notice_bar_new();
+    gtk_box_append(window->status, GTK_WIDGET(window->status_line));
+    gtk_box_append(window->banners, GTK_WIDGET(window->notices));
+    window->accuracy = g_object_new(TINKER_TYPE_ACCURACY_PAGE, NULL);
+    AdwViewStackPage *page =
+        adw_view_stack_add_titled(window->pages, GTK_WIDGET(window->accuracy), PAGE, _("Accuracy"));
+    adw_view_stack_page_set_icon_name(page, "tinker-accuracy-symbolic");
+    tinker_accuracy_page_set_document(window->accuracy, window->document);
+    g_signal_connect_object(window->accuracy, "told", G_CALLBACK(on_told), window, 0);
+    g_signal_connect_object(window->plan, "changed", G_CALLBACK(on_plan_changed), window, G_CONNECT_SWAPPED);
+    g_signal_connect_object(window->document, "changed", G_CALLBACK(refresh_later), window, G_CONNECT_SWAPPED);
+    g_signal_connect_object(window->player, "moved", G_CALLBACK(refresh_later), window, G_CONNECT_SWAPPED);
+    g_signal_connect_object(window->player, "state-changed", G_CALLBACK(refresh_later), window, G_CONNECT_SWAPPED);
+}
+
+void window_remove_accuracy(TinkerWindow *window)
+{
+    if (window->refresh != 0) g_source_remove(window->refresh);
+    window->refresh = 0;
+    g_clear_object(&window->plan);
+}
