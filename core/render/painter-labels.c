@@ -12,8 +12,9 @@
 
 #define CELL            4.0    /* canvas units */
 #define LABEL_ROOM      3000.0 /* square canvas units for each name in sight: where there is less, names would cover all */
-#define LEAST_SYMBOL    5.0    /* canvas units: in a scene drawn smaller, */
-#define FEW             12     /* bodies have names, but no more than these */
+#define ALL_ROOM        3 /* times that for each name where connectors have theirs, too: nets would be full of names */
+#define LEAST_SYMBOL    5.0 /* canvas units: in a scene drawn smaller, */
+#define FEW             12  /* bodies have names, but no more than these */
 #define NAME_LIMIT      160.0
 #define KEEPS           1.0 /* what a name may cover of a drawing before it leaves its place in a film */
 #define KEEPS_CONNECTOR 0.3 /* and that of a connector, before it is left out */
@@ -188,6 +189,7 @@ void tinker_picture_draw_labels(TinkerPicture *picture, double (*taken)[4], int 
     write_names(&labels, picture->connectors, TRUE);
     if (!crowded) write_names(&labels, picture->bodies, FALSE);
     guint all = picture->bodies->len + picture->connectors->len;
-    if (has_room_for(picture, all) && !(small && all > FEW)) write_names(&labels, picture->connectors, FALSE);
+    if (has_room_for(picture, ALL_ROOM * all) && !(small && all > FEW))
+        write_names(&labels, picture->connectors, FALSE);
     tinker_occupancy_clear(&labels.map);
 }

@@ -154,12 +154,45 @@ static void test_steady(void)
     test_stage_close(&stage);
 }
 
+/* Connectors have names where there are few blocks; among many, bodies alone have. */
+static void test_nets(void)
+{
+    static const int rows[] = {3, 8};
+    for (gsize r = 0; r < G_N_ELEMENTS(rows); r++) {
+        g_autoptr(GString) blocks = g_string_new(NULL);
+        for (int i = 0; i < rows[r]; i++)
+            for (int side = 0; side < 2; side++)
+                g_string_append_printf(blocks,
+                                       "%s{\"type\": \"mass\", \"name\": \"B%d-%d\", \"position\": [%d, %g], "
+                                       "\"width\": 0.2, \"height\": 0.2}",
+                                       i + side ? "," : "", i, side, side ? 4 : -4, 3.5 - i);
+        for (int i = 0; i < rows[r]; i++)
+            for (int k = 0; k < 2; k++)
+                g_string_append_printf(
+                    blocks, ",{\"type\": \"rod\", \"name\": \"R%d-%d\", \"ends\": [\"B%d-0\", \"B%d-1\"]}", i, k, i, i);
+        TestStage stage;
+        test_stage_open(&stage, blocks->str);
+        stage.options.show_labels = TRUE;
+        test_stage_paint(&stage);
+        int bodies = 0, rods = 0;
+        for (guint i = 0; i < stage.written->len; i++) {
+            const TinkerWrittenText *text = g_ptr_array_index(stage.written, i);
+            bodies += text->text[0] == 'B';
+            rods += text->text[0] == 'R';
+        }
+        g_assert_cmpint(bodies, ==, 2 * rows[r]);
+        g_assert_cmpint(rods > 0, ==, r == 0);
+        test_stage_close(&stage);
+    }
+}
+
 static void add_tests(void)
 {
     g_test_add_func("/render/labels/beside", test_beside);
     g_test_add_func("/render/labels/crossed", test_crossed);
     g_test_add_func("/render/labels/whose", test_whose);
     g_test_add_func("/render/labels/steady", test_steady);
+    g_test_add_func("/render/labels/nets", test_nets);
 }
 
 int main(int argc, char **argv)
