@@ -5,17 +5,6 @@
 
 #include "plugin/process-state.h"
 
-int32_t kit_state_rows(const KitState *state)
-{
-    const TinkerPhysics *physics = state->block_class->physics;
-    return physics != NULL && physics->constraint != NULL ? physics->constraint->rows : 0;
-}
-
-int32_t kit_state_end_count(const KitState *state)
-{
-    return state->offsets[state->count];
-}
-
 static gpointer part(gconstpointer array, gsize first, gsize count, gsize size)
 {
     gpointer copy = g_malloc0((count + 1) * size);

@@ -11,8 +11,4 @@
  * status. */
 G_NORETURN void tinker_crash_end_with(int status, const char *what, const char *otherwise);
 
-/* For the whole process, once: where GLib or cJSON find no memory, the process ends as above, with that status. What is large is asked for with g_try_malloc() and the like instead, and its lack is an
- * error. */
-void tinker_crash_watch_memory(void);
-
 #endif

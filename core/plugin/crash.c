@@ -18,9 +18,6 @@
 /* A fault this near to the stack pointer, in bytes, is the stack running into its guard page. */
 #define NEAR_STACK 65536
 
-_Thread_local const TinkerPluginCall *volatile tinker_plugin_call;
-_Thread_local TinkerPluginLast tinker_plugin_last;
-
 static _Thread_local char handler_stack[STACK_BYTES];
 
 static const int signals[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
@@ -246,7 +243,6 @@ void tinker_crash_watch(const char *program)
         sigaction(signals[i], &action, &before[i]);
     watch_termination();
     atexit(on_exit_called);
-    tinker_crash_watch_memory();
 }
 
 void tinker_crash_change(void)

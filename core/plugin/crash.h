@@ -19,6 +19,11 @@
  * watches this thread. */
 void tinker_crash_watch(const char *program);
 
+/* For the whole process, once, after tinker_crash_watch(): where GLib or cJSON find no memory, the process ends with one line,
+ * the record written out, and status 5. What is large is asked for with g_try_malloc() and the like instead, and its lack is an
+ * error. */
+void tinker_crash_watch_memory(void);
+
 /* Gives the calling thread a stack of its own for the handler, so that a stack overflow can be told: for the first
  * lines of every other thread that calls plugins. */
 void tinker_crash_watch_thread(void);

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "plugin/crash-private.h"
+#include "plugin/crash.h"
 
 /* GLib's message of this end, of which the last words are the size. */
 #define REFUSED "failed to allocate "

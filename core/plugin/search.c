@@ -42,16 +42,6 @@ static gboolean is_listed(const GPtrArray *folders, const struct stat *status)
     return FALSE;
 }
 
-static int compare_paths(gconstpointer a, gconstpointer b)
-{
-    return strcmp(*(const char *const *)a, *(const char *const *)b);
-}
-
-void tinker_search_sort(GPtrArray *paths)
-{
-    g_ptr_array_sort(paths, compare_paths);
-}
-
 /* Lists a folder: files that end in ".so", or sub-folders that are marked as bundles; paths by name. */
 static void list_folder(const char *folder, GDir *directory, gboolean bundles, GPtrArray *paths)
 {

@@ -20,12 +20,6 @@
 #define MOST_HANDLES 16
 #define ORIGIN_ARM   0.8 /* of the symbol size: axes of a local origin */
 
-TinkerPaintOptions tinker_paint_options_default(void)
-{
-    return (TinkerPaintOptions){
-        .theme = tinker_theme_find("light"), .show_grid = TRUE, .show_labels = TRUE, .highlighted = TINKER_NO_BLOCK};
-}
-
 static void set_colour(cairo_t *cairo, const double colour[4])
 {
     cairo_set_source_rgba(cairo, colour[0], colour[1], colour[2], colour[3]);
@@ -86,16 +80,6 @@ static void mark_selected(TinkerPicture *picture)
     for (int i = 0; i < options->selected_count; i++)
         if (options->selected[i] >= 0 && options->selected[i] < picture->id_limit)
             picture->selected[options->selected[i]] = 1;
-}
-
-uint32_t tinker_picture_state(const TinkerPicture *picture, const TinkerPiece *piece)
-{
-    uint32_t state = 0;
-    for (int32_t end = 0; end < piece->instance.ends; end++)
-        if (!piece->instance.end[end].attached) state |= TINKER_STATE_DETACHED;
-    if (picture->selected != NULL && picture->selected[piece->block]) state |= TINKER_STATE_SELECTED;
-    if (picture->options->highlighted == piece->block) state |= TINKER_STATE_HIGHLIGHTED;
-    return state;
 }
 
 static gboolean is_visible(const TinkerPicture *picture, const TinkerPiece *piece)

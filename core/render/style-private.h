@@ -2,10 +2,15 @@
 #ifndef TINKER_RENDER_STYLE_PRIVATE_H
 #define TINKER_RENDER_STYLE_PRIVATE_H
 
+#include <math.h>
+
 #include "render/style.h"
 
 /* Length of one canvas unit in m. */
-double tinker_style_unit(const TinkerStyle *style);
+static inline double tinker_style_unit(const TinkerStyle *style)
+{
+    return 1 / hypot(style->transform[0], style->transform[3]);
+}
 
 /* Whether symbols are too small on the canvas to be told from lines and dots: marks and hatching are left out then. */
 gboolean tinker_style_is_tiny(const TinkerStyle *style);

@@ -208,3 +208,25 @@ GArray *tinker_scene_block_places(const char *text, gsize length)
     json_scan_clear(&scan);
     return places;
 }
+
+char *reader_suggest_block(SceneReader *reader, const char *name)
+{
+    TinkerScene *scene = reader->scene;
+    if (reader->block_names == NULL) {
+        reader->block_names = g_ptr_array_new();
+        for (int32_t place = 0; place < tinker_scene_block_count(scene); place++)
+            g_ptr_array_add(reader->block_names,
+                            (gpointer)tinker_scene_block_name(scene, tinker_scene_block_at(scene, place)));
+        g_ptr_array_add(reader->block_names, NULL);
+    }
+    if (reader->suggestions_left <= 0) return g_strdup("");
+    reader->suggestions_left -= reader->block_names->len;
+    return reader_suggestion(name, (const char *const *)reader->block_names->pdata, "");
+}
+
+cJSON *reader_parse(SceneReader *reader, const JsonPart *part)
+{
+    cJSON *json = cJSON_ParseWithLength(reader->text + part->start, part->end - part->start);
+    if (json == NULL) reader_error_at(reader, part->start, TINKER_SCENE_ERROR_SYNTAX, "this value cannot be parsed");
+    return json;
+}

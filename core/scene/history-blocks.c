@@ -13,7 +13,7 @@ static void free_state(gpointer state)
     scene_snapshot_free(state);
 }
 
-const HistoryKind history_block = {make, free_state};
+const HistoryKind history_block = {HISTORY_BLOCK, make, free_state};
 
 static void make_there(TinkerScene *scene, int32_t id, gconstpointer from, gconstpointer to)
 {
@@ -29,7 +29,7 @@ static void free_blocks(gpointer state)
     scene_blocks_free(state);
 }
 
-const HistoryKind history_blocks = {make_there, free_blocks};
+const HistoryKind history_blocks = {HISTORY_OTHER, make_there, free_blocks};
 
 static void record(TinkerHistory *history, const char *verb, TinkerBlockId id, SceneSnapshot *before)
 {

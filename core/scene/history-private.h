@@ -7,6 +7,7 @@
 
 /* A kind of thing that changes. A state is all that there is to know about one such thing; NULL where it was not there. */
 typedef struct {
+    enum { HISTORY_BLOCK, HISTORY_HEAD, HISTORY_OTHER } of; /* a block that stays, the scene's head, something else */
     /* Makes what is as in `from` be as in `to`; `id` says which one. */
     void (*make)(TinkerScene *scene, int32_t id, gconstpointer from, gconstpointer to);
     void (*free)(gpointer state);

@@ -63,13 +63,13 @@ static Step *step_new(const char *title, const char *merge, guint64 state)
 /* Alterations of blocks that keep their names, which touch nothing but their block, may be made in any order. */
 static gboolean is_plain(const Change *change)
 {
-    return change->kind == &history_block && !change->renames;
+    return change->kind->of == HISTORY_BLOCK && !change->renames;
 }
 
 /* Whether the order of two changes does not matter. Names are taken and given free, and graphs follow them. */
 static gboolean commute(const Change *a, const Change *b)
 {
-    if (a->kind == &history_head || b->kind == &history_head) return TRUE;
+    if (a->kind->of == HISTORY_HEAD || b->kind->of == HISTORY_HEAD) return TRUE;
     return is_plain(a) && is_plain(b);
 }
 
@@ -91,9 +91,9 @@ static int64_t find_same(const Step *step, const Change *change)
 /* Keeps the index that serves plain changes: of the blocks altered since the last change that they may not pass. */
 static void note_place(Step *step, const Change *change, guint at)
 {
-    if (change->kind == &history_head) return;
+    if (change->kind->of == HISTORY_HEAD) return;
     if (!is_plain(change)) g_hash_table_remove_all(step->plain);
-    if (change->kind == &history_block)
+    if (change->kind->of == HISTORY_BLOCK)
         g_hash_table_insert(step->plain, GINT_TO_POINTER(change->id), GINT_TO_POINTER((int)at));
 }
 
@@ -154,7 +154,7 @@ gboolean history_open_own(TinkerHistory *history, const char *verb, const char *
 void history_add(TinkerHistory *history, const HistoryKind *kind, int32_t id, gpointer before, gpointer after)
 {
     Change change = {kind, id, before, after, FALSE};
-    change.renames = kind == &history_block && alters(&change) && scene_snapshot_renames(before, after);
+    change.renames = kind->of == HISTORY_BLOCK && alters(&change) && scene_snapshot_renames(before, after);
     step_add(history->open, change);
     enter_state(history, history->revision + 1); /* a number that no state had before */
 }

@@ -94,21 +94,6 @@ void reader_ends(SceneReader *reader, const cJSON *json, JsonAt at, TinkerBlockI
     }
 }
 
-char *reader_suggest_block(SceneReader *reader, const char *name)
-{
-    TinkerScene *scene = reader->scene;
-    if (reader->block_names == NULL) {
-        reader->block_names = g_ptr_array_new();
-        for (int32_t place = 0; place < tinker_scene_block_count(scene); place++)
-            g_ptr_array_add(reader->block_names,
-                            (gpointer)tinker_scene_block_name(scene, tinker_scene_block_at(scene, place)));
-        g_ptr_array_add(reader->block_names, NULL);
-    }
-    if (reader->suggestions_left <= 0) return g_strdup("");
-    reader->suggestions_left -= reader->block_names->len;
-    return reader_suggestion(name, (const char *const *)reader->block_names->pdata, "");
-}
-
 static void name_unnamed(SceneReader *reader)
 {
     TinkerScene *scene = reader->scene;

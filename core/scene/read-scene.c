@@ -13,13 +13,6 @@
 
 #define MOST_STREAMED (1u << 30) /* bytes */
 
-cJSON *reader_parse(SceneReader *reader, const JsonPart *part)
-{
-    cJSON *json = cJSON_ParseWithLength(reader->text + part->start, part->end - part->start);
-    if (json == NULL) reader_error_at(reader, part->start, TINKER_SCENE_ERROR_SYNTAX, "this value cannot be parsed");
-    return json;
-}
-
 static void reader_init(SceneReader *reader, TinkerCatalogue *catalogue, const char *text, gsize length,
                         const char *path)
 {

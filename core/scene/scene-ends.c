@@ -60,25 +60,6 @@ char *scene_end_fault(const TinkerScene *scene, TinkerBlockId block, int32_t end
     return target_fault(scene, tinker_scene_block_class(scene, block)->type, end, to);
 }
 
-/* The value of the column with this meaning (and the one behind it), or 0. */
-static double meaning_value(const SceneTable *table, int32_t row, int32_t meaning, int32_t offset)
-{
-    int32_t column = tinker_block_class_meaning_column(table->block_class, meaning);
-    return column < 0 ? 0 : table->columns[column + offset][row];
-}
-
-void scene_end_place(const TinkerScene *scene, TinkerSceneEnd end, double place[2])
-{
-    place[0] = end.x;
-    place[1] = end.y;
-    const SceneTable *table = end.block == TINKER_NO_BLOCK ? NULL : scene_table_of(scene, end.block);
-    if (table == NULL) return;
-    int32_t row = scene_slot(scene, end.block)->row;
-    double angle = meaning_value(table, row, TINKER_MEANING_ORIENTATION, 0);
-    place[0] = meaning_value(table, row, TINKER_MEANING_POSITION, 0) + cos(angle) * end.x - sin(angle) * end.y;
-    place[1] = meaning_value(table, row, TINKER_MEANING_POSITION, 1) + sin(angle) * end.x + cos(angle) * end.y;
-}
-
 static gboolean is_on(const SceneTable *table, int32_t row, GHashTable *blocks)
 {
     const TinkerSceneEnd *ends = scene_table_ends(table, row);

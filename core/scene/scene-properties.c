@@ -231,15 +231,6 @@ void tinker_scene_set_text(TinkerScene *scene, TinkerBlockId block, int32_t prop
     scene_store_text(table, row, property, text);
 }
 
-TinkerWaveform *tinker_scene_get_waveform(const TinkerScene *scene, TinkerBlockId block, int32_t property)
-{
-    int32_t row;
-    const SceneTable *table = row_of(scene, block, &row);
-    g_assert(property >= 0 && property < table->block_class->property_count && table->waveforms[property] != NULL);
-    TinkerWaveform *waveform = table->waveforms[property][row];
-    return waveform != NULL ? waveform : table->default_waveforms[property];
-}
-
 void tinker_scene_set_waveform(TinkerScene *scene, TinkerBlockId block, int32_t property, TinkerWaveform *waveform)
 {
     int32_t row;

@@ -7,24 +7,6 @@
 #include "scene/text-hash.h"
 #include "units/plain-text.h"
 
-G_DEFINE_QUARK(tinker_scene_error_quark, tinker_scene_error)
-
-ScenePlaceholder *scene_placeholder_copy(const ScenePlaceholder *placeholder)
-{
-    ScenePlaceholder *copy = g_new(ScenePlaceholder, 1);
-    *copy = (ScenePlaceholder){g_strdup(placeholder->type), g_strdup(placeholder->text), g_strdup(placeholder->name),
-                               placeholder->named};
-    return copy;
-}
-
-void scene_placeholder_free(ScenePlaceholder *placeholder)
-{
-    g_free(placeholder->type);
-    g_free(placeholder->text);
-    g_free(placeholder->name);
-    g_free(placeholder);
-}
-
 /* Names -------------------------------------------------------------------------------------------------------- */
 
 char *scene_name_fault(const TinkerScene *scene, const char *name)
@@ -35,51 +17,6 @@ char *scene_name_fault(const TinkerScene *scene, const char *name)
     if (tinker_scene_find_block(scene, name) != TINKER_NO_BLOCK)
         return g_strdup_printf("the name \"%s\" is taken: every block needs a name of its own", name);
     return NULL;
-}
-
-/* A name that ends with a number may leave that number free for its title. */
-static void release_number(TinkerScene *scene, const char *name)
-{
-    const char *space = strrchr(name, ' ');
-    if (space == NULL || !g_ascii_isdigit(space[1])) return;
-    g_autofree char *title = g_strndup(name, (gsize)(space - name));
-    gpointer next;
-    if (!g_hash_table_lookup_extended(scene->next_number, title, NULL, &next)) return;
-    gint64 number = g_ascii_strtoll(space + 1, NULL, 10);
-    if (number < GPOINTER_TO_INT(next))
-        g_hash_table_insert(scene->next_number, g_steal_pointer(&title), GINT_TO_POINTER((int)number));
-}
-
-void scene_forget_name(TinkerScene *scene, TinkerBlockId block)
-{
-    SceneSlot *slot = scene_slot(scene, block);
-    if (slot->name == NULL) return;
-    if (tinker_scene_find_block(scene, slot->name) == block) {
-        g_hash_table_remove(scene->by_name, slot->name);
-        release_number(scene, slot->name);
-    }
-    slot->name = NULL;
-}
-
-/* Graphs name their block, so they follow it. */
-static void rename_graphs(TinkerScene *scene, const char *old_name, const char *new_name)
-{
-    for (guint i = 0; i < scene->graphs->len; i++) {
-        TinkerSceneGraph *graph = g_ptr_array_index(scene->graphs, i);
-        if (g_strcmp0(graph->block, old_name) != 0) continue;
-        g_free(graph->block);
-        graph->block = g_strdup(new_name);
-    }
-}
-
-void scene_assign_name(TinkerScene *scene, TinkerBlockId block, const char *name)
-{
-    SceneSlot *slot = scene_slot(scene, block);
-    const char *old_name = slot->name;
-    if (old_name != NULL) rename_graphs(scene, old_name, name);
-    scene_forget_name(scene, block);
-    slot->name = g_string_chunk_insert(scene->names, name);
-    g_hash_table_replace(scene->by_name, (gpointer)slot->name, GINT_TO_POINTER(block + 1));
 }
 
 /* What a type that is not installed is most likely titled, so that ends which count on its default name are found:
@@ -127,29 +64,10 @@ TinkerBlockId scene_append(TinkerScene *scene, const TinkerBlockClass *block_cla
     return id;
 }
 
-int32_t scene_order_of(const TinkerScene *scene, TinkerBlockId block)
-{
-    guint place = 0;
-    while (g_array_index(scene->order, TinkerBlockId, place) != block)
-        place++;
-    return (int32_t)place;
-}
-
 void scene_move_in_order(TinkerScene *scene, TinkerBlockId block, int32_t place)
 {
     g_array_remove_index(scene->order, (guint)scene_order_of(scene, block));
     g_array_insert_val(scene->order, (guint)place, block);
-}
-
-GArray *scene_graphs_of(const TinkerScene *scene, GHashTable *blocks)
-{
-    GArray *places = g_array_new(FALSE, FALSE, sizeof(guint));
-    for (guint i = scene->graphs->len; i-- > 0;) {
-        const TinkerSceneGraph *graph = g_ptr_array_index(scene->graphs, i);
-        const TinkerBlockId block = tinker_scene_find_block(scene, graph->block);
-        if (g_hash_table_contains(blocks, GINT_TO_POINTER(block))) g_array_append_val(places, i);
-    }
-    return places;
 }
 
 TinkerScene *tinker_scene_new(TinkerCatalogue *catalogue)
@@ -194,68 +112,6 @@ void tinker_scene_free(TinkerScene *scene)
     g_free(scene->canvas_extras);
     g_free(scene->run_extras);
     g_free(scene);
-}
-
-TinkerCatalogue *tinker_scene_catalogue(const TinkerScene *scene)
-{
-    return scene->catalogue;
-}
-
-TinkerSceneHead *tinker_scene_head(TinkerScene *scene)
-{
-    return &scene->head;
-}
-
-GPtrArray *tinker_scene_graphs(TinkerScene *scene)
-{
-    return scene->graphs;
-}
-
-int32_t tinker_scene_block_count(const TinkerScene *scene)
-{
-    return (int32_t)scene->order->len;
-}
-
-TinkerBlockId tinker_scene_block_at(const TinkerScene *scene, int32_t place)
-{
-    g_assert(place >= 0 && place < (int32_t)scene->order->len);
-    return g_array_index(scene->order, TinkerBlockId, place);
-}
-
-int32_t tinker_scene_id_limit(const TinkerScene *scene)
-{
-    return (int32_t)scene->slots->len;
-}
-
-gboolean tinker_scene_has_block(const TinkerScene *scene, TinkerBlockId block)
-{
-    return block >= 0 && block < (TinkerBlockId)scene->slots->len && scene_slot(scene, block)->table != SCENE_REMOVED;
-}
-
-TinkerBlockId tinker_scene_find_block(const TinkerScene *scene, const char *name)
-{
-    return GPOINTER_TO_INT(g_hash_table_lookup(scene->by_name, name)) - 1;
-}
-
-const char *tinker_scene_block_name(const TinkerScene *scene, TinkerBlockId block)
-{
-    g_assert(tinker_scene_has_block(scene, block));
-    return scene_slot(scene, block)->name;
-}
-
-const char *tinker_scene_block_type(const TinkerScene *scene, TinkerBlockId block)
-{
-    const TinkerBlockClass *block_class = tinker_scene_block_class(scene, block);
-    if (block_class != NULL) return block_class->type->id;
-    const ScenePlaceholder *placeholder = g_hash_table_lookup(scene->placeholders, GINT_TO_POINTER(block));
-    return placeholder->type;
-}
-
-const TinkerBlockClass *tinker_scene_block_class(const TinkerScene *scene, TinkerBlockId block)
-{
-    g_assert(tinker_scene_has_block(scene, block));
-    const SceneTable *table = scene_table_of(scene, block);
-    return table == NULL ? NULL : table->block_class;
 }
 
 TinkerBlockId tinker_scene_add_block(TinkerScene *scene, const TinkerBlockClass *block_class, const char *name,

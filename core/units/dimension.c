@@ -56,11 +56,6 @@ static const char *in_ascii(const char *unit)
     return intern(text->str);
 }
 
-gboolean tinker_dimension_equal(TinkerDimension a, TinkerDimension b)
-{
-    return a.mass == b.mass && a.length == b.length && a.time == b.time && a.angle == b.angle;
-}
-
 const char *tinker_unit_for(TinkerDimension dimension, TinkerUnitSystem system)
 {
     const gboolean english = system == TINKER_UNIT_SYSTEM_ENGLISH;

@@ -65,7 +65,10 @@ void tinker_number_to_text(double value, char *text, gsize room);
  * s" from there on. `digits` significant ones, 1 to 6. (transfer full) */
 char *tinker_duration_text(double seconds, int digits);
 
-gboolean tinker_dimension_equal(TinkerDimension a, TinkerDimension b);
+static inline gboolean tinker_dimension_equal(TinkerDimension a, TinkerDimension b)
+{
+    return a.mass == b.mass && a.length == b.length && a.time == b.time && a.angle == b.angle;
+}
 
 /* What a dimension is called: "mass", "length", "stiffness", "damping"; its SI symbol where it has no name. Interned. */
 const char *tinker_dimension_name(TinkerDimension dimension);

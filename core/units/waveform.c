@@ -28,8 +28,6 @@ struct _TinkerWaveformEvaluator {
     gsize table_piece;
 };
 
-G_DEFINE_QUARK(tinker_waveform_error_quark, tinker_waveform_error)
-
 static TinkerWaveform *waveform_new(TinkerWaveformKind kind)
 {
     TinkerWaveform *waveform = g_new0(TinkerWaveform, 1);

@@ -8,6 +8,7 @@
 void tinker_program_start(const char *name)
 {
     tinker_crash_watch(name);
+    tinker_crash_watch_memory();
     // It may be inherited as ignored: then a child that has ended leaves nothing to be waited for.
     signal(SIGCHLD, SIG_DFL);
     // A write beyond the limit of a file's size then fails with EFBIG, and is told as that of a full disk is.

@@ -57,6 +57,7 @@ static int manifest(const char *library)
 int main(int argc, char **argv)
 {
     tinker_crash_watch("fault-worker");
+    tinker_crash_watch_memory();
     if (argc == 2 && g_str_equal(argv[1], "record")) return record();
 #ifdef WITH_AUTOSAVE
     if (argc == 2 && g_str_equal(argv[1], "autosave")) return worker_autosave();
