@@ -1,7 +1,7 @@
 /* What hangs together: links of one block, and sets of bodies that ties make. */
 #include "analysis/start-private.h"
 
-#include "physics/model/disjoint-sets.h"
+#include "numerics/solve/disjoint-sets.h"
 
 static const TinkerBody *body_of(const TinkerBlockClass *block_class)
 {

@@ -51,22 +51,23 @@ static const Layer layers[] = {
 typedef struct {
     const char *folder;
     const char *rooms[20];
-    const char *face[20];
+    const char *face[24];
 } Rooms;
 
 static const Rooms folders_with_rooms[] = {
     {"core/numerics",
      {"sharing", "solve", "roots", "contact", "integrate", "exact", "methods", "stability"},
-     {"methods/integrators.h", "sharing/sharing.h", "solve/dense-solve.h", "solve/eigen.h", "solve/sparse-ldl.h",
-      "solve/symmetric-eigen.h", "solve/symmetric-solver.h", "roots/step-roots.h", "contact/contact-laws.h",
-      "exact/exact.h", "stability/amplification.h", "stability/coupled.h"}},
+     {"methods/integrators.h", "sharing/sharing.h", "solve/dense-solve.h", "solve/disjoint-sets.h", "solve/largest.h",
+      "solve/eigen.h", "solve/sparse-ldl.h", "solve/symmetric-eigen.h", "solve/symmetric-solver.h",
+      "roots/step-roots.h", "contact/contact-laws.h", "exact/exact.h", "stability/amplification.h",
+      "stability/coupled.h"}},
     {"core/physics",
      {"model", "constraint", "force", "contact", "compile", "line", "system", "impulse", "record", "linearise", "plan",
       "island", "event", "run"},
-     {"model/model.h", "model/breaks.h", "model/disjoint-sets.h", "compile/compile.h", "system/summary.h",
-      "impulse/impulse.h", "record/columns.h", "record/record.h", "linearise/linearise.h", "linearise/linear-probe.h",
-      "plan/islands.h", "plan/plan.h", "plan/run-options.h", "event/still-contacts.h", "run/simulation.h",
-      "run/accurate-run.h", "run/acting-forces.h", "run/plan-trial.h"}},
+     {"model/model.h", "model/breaks.h", "compile/compile.h", "system/summary.h", "impulse/impulse.h",
+      "record/columns.h", "record/record.h", "linearise/linearise.h", "linearise/linear-probe.h", "plan/islands.h",
+      "plan/plan.h", "plan/run-options.h", "event/still-contacts.h", "run/simulation.h", "run/accurate-run.h",
+      "run/acting-forces.h", "run/plan-trial.h"}},
     {"host/gui",
      {"text", "widget", "document", "canvas", "property", "start", "graph", "accuracy", "film", "window", "app"},
      {NULL}},

@@ -5,6 +5,7 @@
 
 #include "numerics/integrate/step-control.h"
 #include "numerics/methods/integrators.h"
+#include "numerics/solve/largest.h"
 #include "test-systems.h"
 
 static double error_of_tolerance(const TinkerIntegrator *method, Oscillator *o, double tolerance)

@@ -13,23 +13,6 @@
 #define MOST_MEMORY  ((gsize)1 << 30) /* bytes of propagators of one part */
 #define LEVEL_MEMORY ((gsize)1 << 27) /* bytes for the levels of halving, where they are wanted */
 
-void tinker_exact_signal_values(const TinkerSignal *signal, double t, TinkerExactValues values)
-{
-    const double *c = signal->coefficient;
-    double s = t - signal->origin;
-    if (signal->kind == TINKER_SIGNAL_HARMONIC) {
-        double phase = c[1] * s + c[2];
-        values[0] = c[0] * sin(phase);
-        values[1] = c[0] * cos(phase);
-        values[2] = values[3] = 0.0;
-        return;
-    }
-    values[0] = c[0] + s * (c[1] + s * (c[2] + s * c[3]));
-    values[1] = c[1] + s * (2.0 * c[2] + s * (3.0 * c[3]));
-    values[2] = 2.0 * c[2] + 6.0 * c[3] * s;
-    values[3] = 6.0 * c[3];
-}
-
 void tinker_exact_derivative(const TinkerLinearInput *input, const TinkerExactValues values, TinkerExactValues rate)
 {
     if (input->count == 2) {

@@ -132,8 +132,6 @@ gboolean tinker_exact_part_damp(TinkerExactPart *part, const TinkerLinearParts *
 
 /* exact-inputs.c: takes the signals of a piece over. FALSE where memory is out. */
 gboolean tinker_exact_part_enter(TinkerExactPart *part, const TinkerSignal *signals);
-/* Value and derivatives of a signal at t. */
-void tinker_exact_signal_values(const TinkerSignal *signal, double t, TinkerExactValues values);
 /* The same of its rate; and a bound on the value within h. */
 void tinker_exact_derivative(const TinkerLinearInput *input, const TinkerExactValues values, TinkerExactValues rate);
 double tinker_exact_bound(const TinkerLinearInput *input, const TinkerExactValues values, double h);

@@ -5,6 +5,7 @@
 
 #include "numerics/exact/exact-private.h"
 #include "numerics/exact/linear-dense.h"
+#include "numerics/integrate/signal.h"
 
 static double end_of(const TinkerExactPart *part, int32_t end, const double *x)
 {
@@ -61,7 +62,7 @@ void tinker_exact_part_press(TinkerExactPart *part)
 void tinker_exact_part_values(TinkerExactPart *part, const TinkerSignal *signals, double t, TinkerExactValues *values)
 {
     for (int32_t s = 0; s < part->signal_count; s++)
-        tinker_exact_signal_values(&signals[part->signals[s].id], t, values[s]);
+        tinker_signal_values(&signals[part->signals[s].id], t, values[s]);
 }
 
 void tinker_exact_part_start(TinkerExactPart *part, const double *q, const double *v, const TinkerSignal *signals,

@@ -1,32 +1,22 @@
 /* Connected parts by union and find, then two counting sorts. */
 #include "numerics/exact/linear-parts.h"
 
-static int32_t root_of(int32_t *parent, int32_t i)
-{
-    while (parent[i] != i) {
-        parent[i] = parent[parent[i]];
-        i = parent[i];
-    }
-    return i;
-}
+#include "numerics/solve/disjoint-sets.h"
 
-/* The smaller root stays, so that parts are numbered in the order of their first coordinates. */
+/* The first of a set stands for it, so that parts are numbered in the order of their first coordinates. */
 static void unite(const TinkerLinearSystem *system, int32_t *parent)
 {
-    for (int32_t i = 0; i < system->size; i++)
-        parent[i] = i;
+    tinker_sets_begin(parent, system->size);
     for (int32_t e = 0; e < system->edge_count; e++) {
         const TinkerLinearEdge *edge = &system->edges[e];
-        if (edge->a < 0 || edge->b < 0) continue;
-        int32_t a = root_of(parent, edge->a), b = root_of(parent, edge->b);
-        parent[MAX(a, b)] = MIN(a, b);
+        if (edge->a >= 0 && edge->b >= 0) tinker_sets_join(parent, edge->a, edge->b);
     }
 }
 
 static void number_parts(TinkerLinearParts *parts, int32_t size, int32_t *parent)
 {
     for (int32_t i = 0; i < size; i++) {
-        int32_t root = root_of(parent, i);
+        int32_t root = tinker_sets_first(parent, i);
         parts->part_of[i] = root == i ? parts->count++ : parts->part_of[root];
     }
 }

@@ -7,6 +7,7 @@
  * which is the method term by term, needs only the accelerations to be kept, and reads each once for both sums.
  */
 #include "numerics/integrate/explicit-rk.h"
+#include "numerics/solve/largest.h"
 
 #include <glib.h>
 #include <glib/gi18n-lib.h>

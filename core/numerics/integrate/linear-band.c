@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "numerics/integrate/signal.h"
 #include "numerics/solve/banded-ldl.h"
 #include "numerics/solve/narrow-band.h"
 
@@ -150,15 +151,10 @@ void tinker_linear_band_free(TinkerLinearBand *self)
 
 static void signal_at(const TinkerSignal *signal, double t, double *value, double *rate)
 {
-    const double *c = signal->coefficient;
-    double s = t - signal->origin;
-    if (signal->kind == TINKER_SIGNAL_HARMONIC) {
-        *value = c[0] * sin(c[1] * s + c[2]);
-        *rate = c[0] * c[1] * cos(c[1] * s + c[2]);
-        return;
-    }
-    *value = c[0] + s * (c[1] + s * (c[2] + s * c[3]));
-    *rate = c[1] + s * (2 * c[2] + s * 3 * c[3]);
+    double values[4];
+    tinker_signal_values(signal, t, values);
+    *value = values[0];
+    *rate = signal->kind == TINKER_SIGNAL_HARMONIC ? signal->coefficient[1] * values[1] : values[1];
 }
 
 /* What does not change while no edge turns round: constant loads, pushes, springs to unmoved anchors. */

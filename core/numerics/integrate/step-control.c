@@ -1,5 +1,6 @@
 /* Step size control: trial lengths, the error norm, the starting step. */
 #include "numerics/integrate/step-control.h"
+#include "numerics/solve/largest.h"
 
 #include <float.h>
 
@@ -63,21 +64,6 @@ int tinker_step_control_reject(TinkerStepControl *control, double t, double h, d
     if (isfinite(error)) factor = fmax(control->law->least_factor, SAFETY * pow(error, -control->law->exponent));
     control->h = h * factor;
     return control->h > least_step(t);
-}
-
-/* The bits of doubles without sign are ordered as the numbers are, with NaN above all. */
-double tinker_largest(int32_t count, const double *x)
-{
-    uint64_t largest = 0;
-    for (int32_t i = 0; i < count; i++) {
-        uint64_t bits;
-        memcpy(&bits, &x[i], sizeof bits);
-        bits &= UINT64_MAX >> 1;
-        if (bits > largest) largest = bits;
-    }
-    double result;
-    memcpy(&result, &largest, sizeof result);
-    return result;
 }
 
 double tinker_relative(double value, double scale)

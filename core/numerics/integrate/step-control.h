@@ -57,9 +57,6 @@ TinkerErrorScale tinker_error_scale(const TinkerSystem *system, const TinkerStep
                                     const double *q0, const double *v0, const double *q1, const double *v1,
                                     const double *a);
 
-/* The largest |x|; NaN or infinite where an entry is. */
-double tinker_largest(int32_t count, const double *x);
-
 /* value / scale, and 0 for 0 / 0. */
 double tinker_relative(double value, double scale);
 

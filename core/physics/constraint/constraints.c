@@ -10,6 +10,7 @@
  * the constraints means that the rows contradict each other. Where masses differ widely, eps is a share of each row's own
  * diagonal entry: dependent rods between masses in a ratio of 1e9 are solved. */
 #include "physics/constraint/constraints.h"
+#include "numerics/solve/largest.h"
 #include "physics/constraint/row-chains.h"
 #include "physics/model/model-data.h"
 
@@ -229,7 +230,7 @@ static double solve_proximally(TinkerModel *model, double *b)
     TinkerConstraints *all = &model->constraints;
     double *x = all->residual, *r = all->correction;
     double dropped = drop_rows_without_bodies(model, b);
-    double scale = tinker_greatest(b, all->rows), before = INFINITY, left = scale;
+    double scale = tinker_largest(all->rows, b), before = INFINITY, left = scale;
     memset(x, 0, (gsize)all->rows * sizeof(double));
     memcpy(r, b, (gsize)all->rows * sizeof(double));
     for (int iteration = 0; iteration < MOST_PROXIMAL_ITERATIONS; iteration++) {
@@ -243,7 +244,7 @@ static double solve_proximally(TinkerModel *model, double *b)
         tinker_constraints_rows_times(all, all->by_point, r);
         for (int32_t row = 0; row < all->rows; row++)
             r[row] = b[row] - r[row];
-        left = tinker_greatest(r, all->rows);
+        left = tinker_largest(all->rows, r);
     }
     memcpy(b, x, (gsize)all->rows * sizeof(double));
     return MAX(left, dropped);

@@ -1,6 +1,7 @@
 /* Which rows that keep bars straight are there already by what else holds the bar. */
 #include <string.h>
 
+#include "numerics/solve/largest.h"
 #include "physics/constraint/constraints.h"
 #include "physics/constraint/straight-bars.h"
 
@@ -25,7 +26,7 @@ static gboolean is_held(TinkerModel *model, const TinkerStraightRow *of, double 
     tinker_constraints_correct_velocities(model, v, TRUE, &moved);
     for (int32_t i = 0; i < 2 * model->bodies; i++)
         held += v[i] * v[i] * model->coordinate_mass[i];
-    return held <= HELD * freely && tinker_greatest(model->constraints.lambda, model->constraints.rows) <= HARDEST;
+    return held <= HELD * freely && tinker_largest(model->constraints.rows, model->constraints.lambda) <= HARDEST;
 }
 
 gboolean tinker_straight_rows_drop_held(TinkerModel *model, GArray *rows)

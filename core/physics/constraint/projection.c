@@ -9,6 +9,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "numerics/solve/largest.h"
 #include "physics/constraint/constraints.h"
 #include "physics/model/model-data.h"
 
@@ -154,8 +155,8 @@ double tinker_constraints_correct_velocities(TinkerModel *model, double *v, gboo
     } else {
         tinker_constraints_rates(model, asked);
     }
-    double most = tinker_greatest(asked, all->rows);
-    if (most == 0 || most <= 2 * DBL_EPSILON * tinker_greatest(v, 2 * model->bodies)) return 0;
+    double most = tinker_largest(all->rows, asked);
+    if (most == 0 || most <= 2 * DBL_EPSILON * tinker_largest(2 * model->bodies, v)) return 0;
     for (int32_t row = 0; row < all->rows; row++)
         asked[row] = -asked[row];
     *moved = TRUE;

@@ -5,7 +5,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "physics/model/disjoint-sets.h"
+#include "numerics/solve/disjoint-sets.h"
 #include "physics/model/model.h"
 
 /* A rod's length may miss the places of its ends by this share and be corrected (start.c). */

@@ -5,6 +5,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "numerics/solve/largest.h"
 #include "physics/constraint/constraints.h"
 #include "physics/contact/contacts-private.h"
 #include "physics/contact/contacts.h"
@@ -208,6 +209,6 @@ double tinker_contacts_correct_velocities(TinkerContacts *contacts, double *v, g
     if (contacts->rows->len > 0) correct_rows(contacts, v, homogeneous);
     for (gsize i = 0; i < n; i++)
         most = fmax(most, fabs(v[i] - before[i]));
-    *moved = most > 2 * DBL_EPSILON * tinker_greatest(v, (int32_t)n);
+    *moved = most > 2 * DBL_EPSILON * tinker_largest((int32_t)n, v);
     return tinker_model_kinetic_change(model, before, v);
 }

@@ -4,7 +4,7 @@
 #include <glib/gi18n-lib.h>
 #include <math.h>
 
-#include "physics/model/disjoint-sets.h"
+#include "numerics/solve/disjoint-sets.h"
 #include "physics/model/model-data.h"
 
 static int32_t shape_of(const TinkerBlockBatch *batch)

@@ -2,6 +2,7 @@
 #include <float.h>
 #include <math.h>
 
+#include "numerics/solve/largest.h"
 #include "physics/event/contact-run-private.h"
 
 /* Of the time: an instant is known no better. */
@@ -44,7 +45,7 @@ double tinker_contact_run_closed_gap(const TinkerContactRun *self)
     double extent, speed;
     TinkerIslandRun *run = self->run;
     run->system.system.scales(&run->system, run->state.q, run->state.v, &extent, &speed);
-    double size = extent + tinker_greatest(run->state.q, run->system.system.size) + self->contacts->thickness;
+    double size = extent + tinker_largest(run->system.system.size, run->state.q) + self->contacts->thickness;
     return TINKER_CLOSED_GAP * size + INSTANT * fabs(run->state.t) * fmax(speed, self->contacts->plate_speed);
 }
 

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "numerics/solve/largest.h"
 #include "physics/constraint/constraints.h"
 #include "physics/contact/contacts.h"
 #include "physics/event/contact-run-private.h"
@@ -273,7 +274,7 @@ static double resolved_limit(TinkerContactRun *self, double limit)
 /* The greatest speed (m/s) of any body, at most. */
 static double fastest(const TinkerContactRun *self, const double *v)
 {
-    return G_SQRT2 * tinker_greatest(v, self->run->system.system.size);
+    return G_SQRT2 * tinker_largest(self->run->system.system.size, v);
 }
 
 /* How far (m) anything may go from either end of a step at a speed. */
@@ -299,9 +300,9 @@ static double swing_limit(TinkerContactRun *self, double limit)
     const TinkerState *state = &run->state;
     gint64 evaluations = self->model->evaluations;
     if (system->acceleration(system->context, state->t, state->q, state->v, self->force, NULL) == TINKER_OK)
-        self->strongest = fmax(FADING * self->strongest, tinker_greatest(self->force, system->size));
+        self->strongest = fmax(FADING * self->strongest, tinker_largest(system->size, self->force));
     self->model->evaluations = evaluations;
-    self->fastest = fmax(FADING * self->fastest, tinker_greatest(state->v, system->size));
+    self->fastest = fmax(FADING * self->fastest, tinker_largest(system->size, state->v));
     if (!(self->strongest > 0)) return limit;
     double share = FIRST_SHARE * (limit - state->t);
     return fmin(limit, state->t + fmax(share, TINKER_LONGEST_ARC * self->fastest / self->strongest));

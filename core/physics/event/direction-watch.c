@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "numerics/roots/step-roots.h"
+#include "numerics/solve/largest.h"
 #include "physics/event/contact-run.h"
 #include "physics/event/direction-private.h"
 #include "physics/island/island-run.h"
@@ -90,7 +91,7 @@ static TinkerStatus part_ends(TinkerDirectionWatch *self, const TinkerDirectionL
     double pull[2];
     if (ends->length > 0 || tinker_direction_is_straight(run)) return TINKER_OK;
     TinkerStatus status = tinker_direction_acceleration(self, line, run->state.t, run->state.q, run->state.v, pull);
-    double most = hypot(pull[0], pull[1]), size = extent + tinker_greatest(run->state.q, run->system.system.size);
+    double most = hypot(pull[0], pull[1]), size = extent + tinker_largest(run->system.system.size, run->state.q);
     double by = PARTED * fmax(size, model->watched_length);
     if (status != TINKER_OK || !(most > 0) || !(by > 0)) return status;
     for (int k = 0; k < 2; k++) {

@@ -5,6 +5,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "numerics/solve/largest.h"
 #include "physics/force/derivatives.h"
 #include "physics/force/forces.h"
 #include "physics/model/model-data.h"
@@ -193,7 +194,7 @@ static TinkerStatus try_velocities(TinkerModel *model, double *d)
 /* The step has a floor, as in jacobian-asked.c: of a motion that has died away the difference would be rounding. */
 static TinkerStatus add_differences(TinkerModel *model, const double *d, double *force)
 {
-    double greatest = tinker_greatest(d, 2 * model->bodies), speed = 1;
+    double greatest = tinker_largest(2 * model->bodies, d), speed = 1;
     if (!(greatest > 0) || !isfinite(greatest)) return TINKER_OK;
     for (int32_t i = 0; i < model->bodies; i++)
         speed = fmax(speed, fmax(fabs(model->point[i].vx), fabs(model->point[i].vy)));

@@ -1,6 +1,7 @@
 /* Linearisation: lines by their exact derivatives; closed contacts, whose tops are straight; constraints and everything else
  * in files of their own. */
 #include "physics/linearise/linearise.h"
+#include "numerics/solve/largest.h"
 
 #include <float.h>
 #include <glib/gi18n-lib.h>
@@ -169,7 +170,7 @@ static TinkerStatus add_forces(TinkerLinearisation *linear, TinkerModel *model)
         tinker_constraints_accelerate(model, linear->force);
     if (model->constraints.rows > 0)
         linear->force_scale =
-            fmax(linear->force_scale, tinker_greatest(model->constraints.lambda, model->constraints.rows));
+            fmax(linear->force_scale, tinker_largest(model->constraints.rows, model->constraints.lambda));
     for (int32_t i = 0; i < linear->size; i++)
         linear->force[i] *= linear->mass[i];
     linear->force_noise = fmax(linear->force_noise, 8 * DBL_EPSILON * linear->force_scale);

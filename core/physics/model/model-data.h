@@ -234,9 +234,6 @@ static inline void tinker_model_watch_lines(TinkerModel *model, double length)
     model->lines.came_near = &model->came_near;
 }
 
-/* The largest |x|. */
-double tinker_greatest(const double *x, int32_t n);
-
 /* Called several times an evaluation, so without a call. */
 static inline TinkerStatus tinker_model_set_time(TinkerModel *model, double t)
 {

@@ -1,8 +1,6 @@
 /* What can be asked of a compiled model. */
 #include "physics/model/model-data.h"
 
-#include <math.h>
-
 G_DEFINE_QUARK(tinker_model_error_quark, tinker_model_error)
 
 const GPtrArray *tinker_model_warnings(const TinkerModel *model)
@@ -58,16 +56,4 @@ TinkerModelSizes tinker_model_sizes(const TinkerModel *model)
         .nonlinear_lines = count_asked(model->asked_lines),
         .moving_supports = model->moving_supports,
     };
-}
-
-double tinker_greatest(const double *x, int32_t n)
-{
-    double most[4] = {0, 0, 0, 0}; /* side by side, so that comparisons do not wait for each other */
-    int32_t i = 0;
-    for (; i + 4 <= n; i += 4)
-        for (int k = 0; k < 4; k++)
-            most[k] = MAX(most[k], fabs(x[i + k]));
-    for (; i < n; i++)
-        most[0] = MAX(most[0], fabs(x[i]));
-    return MAX(MAX(most[0], most[1]), MAX(most[2], most[3]));
 }

@@ -2,10 +2,10 @@
  * on and what moves those, is compiled into a model of its own. */
 #include "physics/plan/islands.h"
 
+#include "numerics/solve/disjoint-sets.h"
 #include "physics/compile/compile.h"
 #include "physics/contact/contacts.h"
 #include "physics/line/linear-form.h"
-#include "physics/model/disjoint-sets.h"
 #include "physics/model/model-data.h"
 
 #define MOST_BLOCKS_ASKED  20000000

@@ -1,6 +1,7 @@
 /* Three ways to a product: a linear form by its edges; a model of moderate size by its sparse Jacobian, evaluated once; a
  * large one by products of the forces' derivatives, so that nothing of the size of a matrix is made. */
 #include "physics/plan/start-matrices.h"
+#include "numerics/solve/largest.h"
 
 #include <math.h>
 #include <string.h>
@@ -243,10 +244,10 @@ static gboolean is_damped(const TinkerStartMatrices *self)
     if (self->linear != NULL) {
         for (int32_t i = 0; i < self->linear->edge_count; i++)
             if (self->linear->edges[i].damping != 0) return TRUE;
-        return self->linear->drag != NULL && tinker_greatest(self->linear->drag, self->n) > 0;
+        return self->linear->drag != NULL && tinker_largest(self->n, self->linear->drag) > 0;
     }
     if (self->jacobian != NULL)
-        return tinker_greatest(self->damping, tinker_jacobian_pattern(self->jacobian)->entries) > 0;
+        return tinker_largest(tinker_jacobian_pattern(self->jacobian)->entries, self->damping) > 0;
     return model->lines.any_damping || model->field_drag != 0 || model->asked_lines->len > 0 ||
            model->asked_forces->len > 0 || model->asked_fields->len > 0;
 }

@@ -1,5 +1,6 @@
 /* How a companion is stepped, and what its distance tells of the error. */
 #include "physics/run/companion.h"
+#include "numerics/solve/largest.h"
 #include "physics/island/island-run.h"
 #include "physics/line/linear-form.h"
 #include "physics/model/model-data.h"
@@ -74,7 +75,7 @@ static void put_off(TinkerIslandRun *run)
     run->system.system.scales(&run->system, run->state.q, run->state.v, &extent, &speed);
     if (run->contacts != NULL) {
         share = OFF_WHERE_BODIES_STRIKE;
-        extent = fmax(extent, tinker_greatest(run->state.q, run->system.system.size));
+        extent = fmax(extent, tinker_largest(run->system.system.size, run->state.q));
     }
     for (int32_t i = 0; i < run->system.system.size; i++) {
         double turn = i % 2 == 0 ? share : -share;

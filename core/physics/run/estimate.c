@@ -2,6 +2,7 @@
  * island's is stepped along with the run's, and compared at the ends of its steps and at samples, so that what is claimed does
  * not depend on how often somebody looks. */
 #include "physics/run/estimate.h"
+#include "numerics/solve/largest.h"
 #include "physics/event/contact-run.h"
 
 #include <float.h>
@@ -116,7 +117,7 @@ static double rounding(TinkerEstimate *estimate, guint number, double t)
     gint64 evaluations = run->model->evaluations;
     if (system->acceleration(system->context, run->state.t, run->state.q, run->state.v, estimate->ours.q, NULL) ==
         TINKER_OK)
-        *greatest = fmax(*greatest, tinker_greatest(estimate->ours.q, system->size));
+        *greatest = fmax(*greatest, tinker_largest(system->size, estimate->ours.q));
     run->model->evaluations = evaluations;
     system->scales(system->context, run->state.q, run->state.v, &extent, &speed);
     double places = extent > 0 ? speed / extent : 0, speeds = speed > 0 ? *greatest / speed : 0;
