@@ -7,8 +7,8 @@
 #include "analysis/start-private.h"
 #include "physics/compile/compile.h"
 #include "physics/model/model.h"
-#include "scene/boxes.h"
-#include "scene/overlaps.h"
+#include "scene/frame/boxes.h"
+#include "scene/frame/overlaps.h"
 
 /* Of the canvas's width: how far a loose end may be from what it is likely meant for. */
 #define NEAR_BY 0.1

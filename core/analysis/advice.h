@@ -2,7 +2,7 @@
 #ifndef TINKER_CORE_ADVICE_H
 #define TINKER_CORE_ADVICE_H
 
-#include "scene/history.h"
+#include "scene/history/history.h"
 
 typedef enum {
     TINKER_ADVICE_DETACHED_END, /* repair: connects it to the nearest block that it accepts */

@@ -6,7 +6,7 @@
 #ifndef TINKER_CORE_START_CONDITIONS_H
 #define TINKER_CORE_START_CONDITIONS_H
 
-#include "scene/history.h"
+#include "scene/history/history.h"
 
 typedef enum {
     /* of a body that can move */

@@ -8,7 +8,7 @@
 #include <math.h>
 
 #include "analysis/start-private.h"
-#include "scene/overlaps.h"
+#include "scene/frame/overlaps.h"
 
 /* A connector with a length, as it was before the step. */
 typedef struct {

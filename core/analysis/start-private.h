@@ -3,8 +3,8 @@
 #define TINKER_CORE_START_PRIVATE_H
 
 #include "analysis/equilibrium.h"
-#include "scene/history.h"
-#include "scene/tops.h"
+#include "scene/frame/tops.h"
+#include "scene/history/history.h"
 
 /* Classes ---------------------------------------------------------------------------------------------------------- */
 

@@ -10,7 +10,7 @@
 #include "physics/plan/run-options.h"
 #include "physics/record/columns.h"
 #include "physics/run/simulation.h"
-#include "scene/scene-json.h"
+#include "scene/read/scene-json.h"
 
 #define DURATION 0.2
 #define INTERVAL 0.02

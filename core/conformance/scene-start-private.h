@@ -3,7 +3,7 @@
 #define TINKER_CONFORMANCE_SCENE_START_PRIVATE_H
 
 #include "conformance/kit-private.h"
-#include "scene/scene.h"
+#include "scene/store/scene.h"
 
 /* Moves the bodies at the ends of a constraint to where it holds at t = 0, as far as steps of its own rows and Jacobian lead
  * there. Each end is to have a body of its own. Other blocks are left as they are. */

@@ -8,7 +8,7 @@
 #include <math.h>
 
 #include "conformance/state-private.h"
-#include "scene/frame.h"
+#include "scene/frame/frame.h"
 
 #define STEPS     40
 #define NEAR      1e-10 /* of g; the host corrects what is left */

@@ -2,8 +2,8 @@
 #ifndef TINKER_CORE_DRAG_H
 #define TINKER_CORE_DRAG_H
 
-#include "scene/frame.h"
-#include "scene/history.h"
+#include "scene/frame/frame.h"
+#include "scene/history/history.h"
 
 /* What lies under a point. */
 typedef struct {

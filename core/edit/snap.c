@@ -2,7 +2,7 @@
 #include <math.h>
 
 #include "edit/drag.h"
-#include "scene/tops.h"
+#include "scene/frame/tops.h"
 
 static double snapped(double grid, double value)
 {

@@ -7,7 +7,7 @@
 #include "render/paint-memory.h"
 #include "render/theme.h"
 #include "render/view.h"
-#include "scene/frame.h"
+#include "scene/frame/frame.h"
 
 typedef struct {
     const TinkerTheme *theme;

@@ -2,7 +2,7 @@
 #ifndef TINKER_CLI_BLOCK_PLACES_H
 #define TINKER_CLI_BLOCK_PLACES_H
 
-#include "scene/scene-json.h"
+#include "scene/read/scene-json.h"
 
 /* "FILE:LINE:COLUMN: MESSAGE" where the message begins with the name of a block, "Rod 0: ..."; else, and where the file
  * cannot be read once more (standard input), "FILE: MESSAGE". `path` is the file's, `name` what messages call it, `places` is

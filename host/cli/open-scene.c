@@ -9,7 +9,7 @@
 #include "output.h"
 #include "physics/model/model.h"
 #include "plugin-folders.h"
-#include "scene/overlaps.h"
+#include "scene/frame/overlaps.h"
 
 TinkerCatalogue *tinker_open_catalogue(char **plugin_folders)
 {

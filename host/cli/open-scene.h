@@ -4,7 +4,7 @@
 
 #include "file-set.h"
 #include "plugin/catalogue.h"
-#include "scene/scene-json.h"
+#include "scene/read/scene-json.h"
 
 /* The catalogue, with the folders of --plugins (NULL: none) searched first; tells of those that are not there.
  * (transfer full) */

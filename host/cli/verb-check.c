@@ -15,8 +15,8 @@
 #include "physics/plan/run-options.h"
 #include "physics/run/simulation.h"
 #include "print.h"
-#include "scene/boxes.h"
-#include "scene/overlaps.h"
+#include "scene/frame/boxes.h"
+#include "scene/frame/overlaps.h"
 
 static const TinkerVerbHelp help = {
     .verb = "check",

@@ -14,7 +14,7 @@
 #include "physics/run/plan-trial.h"
 #include "plan-report.h"
 #include "run-arguments.h"
-#include "scene/boxes.h"
+#include "scene/frame/boxes.h"
 
 static const TinkerVerbHelp help = {
     .verb = "plan",

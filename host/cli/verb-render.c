@@ -5,7 +5,7 @@
 #include "options.h"
 #include "output.h"
 #include "picture.h"
-#include "scene/tops.h"
+#include "scene/frame/tops.h"
 
 static const TinkerVerbHelp help = {
     .verb = "render",

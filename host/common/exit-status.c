@@ -8,7 +8,7 @@
 #include "physics/model/model.h"
 #include "plugin/catalogue.h"
 #include "print.h"
-#include "scene/scene.h"
+#include "scene/store/scene.h"
 #include "units/units.h"
 #include "units/waveform.h"
 

@@ -8,7 +8,7 @@
 #include <unistd.h>
 
 #include "exit-status.h"
-#include "scene/table-source.h"
+#include "scene/value/table-source.h"
 
 #define MOST_LINKS 40 /* as the system follows */
 

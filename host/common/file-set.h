@@ -6,7 +6,7 @@
 #ifndef TINKER_HOST_FILE_SET_H
 #define TINKER_HOST_FILE_SET_H
 
-#include "scene/scene.h"
+#include "scene/store/scene.h"
 
 typedef struct _TinkerFileSet TinkerFileSet;
 

@@ -3,7 +3,7 @@
 #define TINKER_COMMON_GRAPH_AXIS_H
 
 #include "csv-writer.h"
-#include "scene/scene.h"
+#include "scene/store/scene.h"
 
 /* What stands on one axis of one curve. Texts are borrowed from the block's class. */
 typedef struct {

@@ -3,7 +3,7 @@
 #define TEST_START_FIXTURE_H
 
 #include "physics-fixture.h"
-#include "scene/history.h"
+#include "scene/history/history.h"
 
 typedef struct {
     TinkerScene *scene;

@@ -5,7 +5,7 @@
 #include "analysis/start-conditions.h"
 #include "physics/compile/compile.h"
 #include "physics/model/model.h"
-#include "scene/overlaps.h"
+#include "scene/frame/overlaps.h"
 #include "start-fixture.h"
 
 #define G "{'type': 'gravity', 'acceleration': 9.81},"

@@ -4,7 +4,7 @@
 #include "build-catalogue.h"
 #include "measure.h"
 #include "report.h"
-#include "scene/history.h"
+#include "scene/history/history.h"
 #include "subject.h"
 
 #define EDITED 5000

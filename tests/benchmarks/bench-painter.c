@@ -9,7 +9,7 @@
 #include "render/plot.h"
 #include "report.h"
 #include "scene-text.h"
-#include "scene/scene-json.h"
+#include "scene/read/scene-json.h"
 #include "subject.h"
 
 #define WIDTH       1200

@@ -12,7 +12,7 @@
 #include "physics/run/plan-trial.h"
 #include "physics/run/simulation.h"
 #include "report.h"
-#include "scene/scene-json.h"
+#include "scene/read/scene-json.h"
 #include "subject.h"
 
 #define TRIES 5

@@ -11,7 +11,7 @@
 #include "physics/run/simulation.h"
 #include "report.h"
 #include "scene-text.h"
-#include "scene/scene-json.h"
+#include "scene/read/scene-json.h"
 #include "subject.h"
 
 #define LARGE_MASSES 100000

@@ -9,7 +9,7 @@
 #include "physics/compile/compile.h"
 #include "physics/plan/run-options.h"
 #include "physics/run/simulation.h"
-#include "scene/scene-json.h"
+#include "scene/read/scene-json.h"
 
 static void require(gboolean fine, const GError *error)
 {

@@ -12,7 +12,7 @@
 #include "physics/model/model.h"
 #include "physics/plan/run-options.h"
 #include "physics/run/simulation.h"
-#include "scene/scene-json.h"
+#include "scene/read/scene-json.h"
 #include "units/waveform.h"
 
 #define ROWS 1000

@@ -7,8 +7,8 @@
 #include "fuzz-target.h"
 #include "physics/compile/compile.h"
 #include "physics/model/model.h"
-#include "scene/difference.h"
-#include "scene/scene-json.h"
+#include "scene/history/difference.h"
+#include "scene/read/scene-json.h"
 
 static TinkerCatalogue *catalogue;
 static char *scene_path; /* of a scene that does not exist; beside it lie the tables that scenes may name */

@@ -10,7 +10,7 @@
 #include "physics/record/columns.h"
 #include "physics/run/simulation.h"
 #include "physics/system/summary.h"
-#include "scene/scene-json.h"
+#include "scene/read/scene-json.h"
 
 #define CLAIMS         20
 #define TIMES_A_CLAIM  16

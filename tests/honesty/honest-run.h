@@ -3,7 +3,7 @@
 #define TEST_HONEST_RUN_H
 
 #include "random-scenes.h"
-#include "scene/scene.h"
+#include "scene/store/scene.h"
 
 /* How a scene is run. */
 typedef struct {

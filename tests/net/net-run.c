@@ -10,7 +10,7 @@
 #include "physics/compile/compile.h"
 #include "physics/model/model.h"
 #include "physics/plan/run-options.h"
-#include "scene/scene-json.h"
+#include "scene/read/scene-json.h"
 
 #define IMPULSE "impulse"
 #define OWN     "own"

@@ -1,5 +1,5 @@
 /* Runs that are interrupted and continued, and runs of copies in several threads: both are the run in one go. */
-#include "scene/continued.h"
+#include "scene/history/continued.h"
 
 #include <math.h>
 #include <string.h>

@@ -3,7 +3,7 @@
 #ifndef TEST_SCENE_FIXTURE_H
 #define TEST_SCENE_FIXTURE_H
 
-#include "scene/scene-json.h"
+#include "scene/read/scene-json.h"
 
 /* Replaces g_test_init and g_test_run; answers the exit status. `add_tests` registers the tests. */
 int scene_fixture_main(int argc, char **argv, void (*add_tests)(void));

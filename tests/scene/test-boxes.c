@@ -1,5 +1,5 @@
 /* Boxes that meet: by hand; against clipping of their corners, and a search in steps of time; the first of all pairs. */
-#include "scene/boxes.h"
+#include "scene/frame/boxes.h"
 
 #include <math.h>
 #include <string.h>

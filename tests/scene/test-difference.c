@@ -1,8 +1,8 @@
 /* What an edit means to a run that is under way: each kind of change on a copy, by hand. */
 #include "scene-fixture.h"
 
-#include "scene/difference.h"
-#include "scene/history.h"
+#include "scene/history/difference.h"
+#include "scene/history/history.h"
 
 static const char scene_text[] = "{\"type\": \"support\", \"name\": \"S\", \"position\": [0, 3]},"
                                  "{\"type\": \"mass\", \"name\": \"M\", \"position\": [0, 1]},"

@@ -1,5 +1,5 @@
 /* Copies and fragments: a copy is the scene, and leads a life of its own; what is pasted is what was copied, elsewhere. */
-#include "scene/fragment.h"
+#include "scene/history/fragment.h"
 
 #include <math.h>
 #include <string.h>

@@ -3,8 +3,8 @@
 
 #include <math.h>
 
-#include "scene/frame-quantity.h"
-#include "scene/tops.h"
+#include "scene/frame/frame-quantity.h"
+#include "scene/frame/tops.h"
 
 #define TWO_MASSES                                                                                                     \
     "{\"type\": \"mass\", \"name\": \"A\", \"position\": [0, 0]}, {\"type\": \"mass\", \"name\": \"B\", "              \

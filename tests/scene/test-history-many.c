@@ -2,8 +2,8 @@
  * and each block is copied as often. */
 #include "scene-fixture.h"
 
-#include "scene/history.h"
-#include "scene/scene-private.h"
+#include "scene/history/history.h"
+#include "scene/store/scene-data.h"
 
 static int passes, copies;
 

@@ -1,5 +1,5 @@
 /* Undo and redo: whatever was done, taking all of it back gives the same text, and doing it again too. */
-#include "scene/history.h"
+#include "scene/history/history.h"
 
 #include <math.h>
 #include <string.h>

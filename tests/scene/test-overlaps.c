@@ -3,7 +3,7 @@
 
 #include <math.h>
 
-#include "scene/overlaps.h"
+#include "scene/frame/overlaps.h"
 
 #define FLOOR "{\"type\": \"support\", \"name\": \"Floor\", \"position\": [1, 2], \"width\": 4, \"height\": 0.4"
 

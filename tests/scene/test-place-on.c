@@ -4,10 +4,10 @@
 #include <string.h>
 
 #include "scene-fixture.h"
-#include "scene/continued.h"
-#include "scene/fragment.h"
-#include "scene/history.h"
-#include "scene/overlaps.h"
+#include "scene/frame/overlaps.h"
+#include "scene/history/continued.h"
+#include "scene/history/fragment.h"
+#include "scene/history/history.h"
 
 static const TinkerBlockClass *class_of(const TinkerScene *scene, const char *name)
 {

@@ -1,6 +1,6 @@
 /* Reading: what the scene holds afterwards. */
 #include "scene-fixture.h"
-#include "scene/table-source.h"
+#include "scene/value/table-source.h"
 
 #include <glib/gstdio.h>
 #include <math.h>

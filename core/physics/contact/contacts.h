@@ -19,7 +19,7 @@
 #include "numerics/contact/contact-laws.h"
 #include "numerics/solve/dense-solve.h"
 #include "physics/model/model-data.h"
-#include "scene/overlaps.h"
+#include "scene/frame/overlaps.h"
 
 /* A start that slides along a top slower than this share of the largest speed may stick. */
 #define TINKER_START_SLOW 1e-9

@@ -3,7 +3,7 @@
 #define TINKER_CORE_BREAKS_H
 
 #include "physics/model/model.h"
-#include "scene/batch.h"
+#include "scene/frame/batch.h"
 
 /* The first pole of a waveform (units/waveform-pole.h) in what the last search for a break went through; INFINITY for none. */
 double tinker_model_next_pole(const TinkerModel *model, TinkerBlockId *block);

@@ -15,8 +15,8 @@
 #include "numerics/sharing/sharing.h"
 #include "numerics/solve/sparse-ldl.h"
 #include "physics/model/model.h"
-#include "scene/batch.h"
-#include "scene/motions.h"
+#include "scene/frame/batch.h"
+#include "scene/frame/motions.h"
 
 /* Instances that one call of a plugin works on: their arrays stay in the L1 cache. */
 #define TINKER_CHUNK 256

@@ -7,8 +7,8 @@
 #ifndef TINKER_CORE_MODEL_H
 #define TINKER_CORE_MODEL_H
 
-#include "scene/frame.h"
-#include "scene/scene.h"
+#include "scene/frame/frame.h"
+#include "scene/store/scene.h"
 
 typedef enum {
     TINKER_MODEL_ERROR_SCENE,         /* nothing that could run: a detached end, a rod that does not fit, ... */

@@ -2,7 +2,7 @@
 #ifndef TINKER_CORE_RUN_OPTIONS_H
 #define TINKER_CORE_RUN_OPTIONS_H
 
-#include "scene/scene.h"
+#include "scene/store/scene.h"
 
 typedef struct {
     double duration;    /* s */

@@ -2,7 +2,7 @@
 #ifndef TINKER_CORE_COLUMNS_H
 #define TINKER_CORE_COLUMNS_H
 
-#include "scene/scene.h"
+#include "scene/store/scene.h"
 
 typedef struct {
     TinkerBlockId block;

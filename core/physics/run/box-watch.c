@@ -7,8 +7,8 @@
 #include <stdlib.h>
 
 #include "physics/model/model-data.h"
-#include "scene/boxes.h"
-#include "scene/tops.h"
+#include "scene/frame/boxes.h"
+#include "scene/frame/tops.h"
 
 typedef struct {
     TinkerBox box;

@@ -4,7 +4,7 @@
 #include "gui/document/background.h"
 #include "physics/model/model.h"
 #include "physics/plan/run-options.h"
-#include "scene/difference.h"
+#include "scene/history/difference.h"
 
 #define LOOK_AGAIN 100 /* ms: how often progress is told */
 #define FINENESS   10000

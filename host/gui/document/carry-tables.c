@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "scene/table-source.h"
+#include "scene/value/table-source.h"
 
 static gboolean same_contents(const char *a, const char *b)
 {

@@ -3,7 +3,7 @@
 #ifndef TINKER_GUI_CARRY_TABLES_H
 #define TINKER_GUI_CARRY_TABLES_H
 
-#include "scene/scene.h"
+#include "scene/store/scene.h"
 
 /* Copies the tables that the scene names from the folder of the file `from` into that of `to`. What is there already stays;
  * where it is something else than the table, that is an error. */

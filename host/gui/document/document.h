@@ -13,8 +13,8 @@
 #include <gio/gio.h>
 
 #include "file-set.h"
-#include "scene/history.h"
-#include "scene/scene-json.h"
+#include "scene/history/history.h"
+#include "scene/read/scene-json.h"
 
 #define TINKER_TYPE_DOCUMENT (tinker_document_get_type())
 G_DECLARE_FINAL_TYPE(TinkerDocument, tinker_document, TINKER, DOCUMENT, GObject)

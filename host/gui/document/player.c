@@ -6,9 +6,9 @@
 #include <math.h>
 
 #include "gui/document/recorded-quantities.h"
-#include "scene/continued.h"
-#include "scene/difference.h"
-#include "scene/tops.h"
+#include "scene/frame/tops.h"
+#include "scene/history/continued.h"
+#include "scene/history/difference.h"
 
 #define PACE_MEMORY 0.5 /* s: over which the pace is averaged */
 

@@ -7,7 +7,7 @@
 
 #include <glib-object.h>
 
-#include "scene/scene.h"
+#include "scene/store/scene.h"
 
 #define TINKER_TYPE_FILM_TASK (tinker_film_task_get_type())
 G_DECLARE_FINAL_TYPE(TinkerFilmTask, tinker_film_task, TINKER, FILM_TASK, GObject)

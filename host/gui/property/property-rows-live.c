@@ -3,7 +3,7 @@
 
 #include "gui/property/property-rows.h"
 #include "gui/text/translate.h"
-#include "scene/frame.h"
+#include "scene/frame/frame.h"
 
 #define LIVE_DIGITS 4 /* as many as can be read while they change */
 

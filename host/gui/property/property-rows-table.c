@@ -5,7 +5,7 @@
 
 #include "gui/document/carry-tables.h"
 #include "gui/property/property-rows.h"
-#include "scene/table-source.h"
+#include "scene/value/table-source.h"
 
 /* The waveform of the blocks, where all have the same; else NULL. */
 static TinkerWaveform *common_waveform(TinkerScene *scene, const TinkerBlockId *blocks, int count, int32_t property)

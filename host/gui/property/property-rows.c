@@ -8,7 +8,7 @@
 #include "gui/property/property-rows.h"
 #include "gui/text/number-text.h"
 #include "gui/text/translate.h"
-#include "scene/frame-quantity.h"
+#include "scene/frame/frame-quantity.h"
 
 static const TinkerPropertyType *type_of(const TinkerScene *scene, const TinkerPropertyRow *row)
 {

@@ -2,7 +2,7 @@
 #ifndef TINKER_GUI_BLOCK_WORDS_H
 #define TINKER_GUI_BLOCK_WORDS_H
 
-#include "scene/scene.h"
+#include "scene/store/scene.h"
 
 /* The title of its type, "Mass"; of a type that nobody provides, its id. Borrowed. */
 const char *tinker_block_type_title(const TinkerScene *scene, TinkerBlockId block);

@@ -2,7 +2,7 @@
 #ifndef TINKER_GUI_SENTENCE_H
 #define TINKER_GUI_SENTENCE_H
 
-#include "scene/scene.h"
+#include "scene/store/scene.h"
 
 /* With a capital and a full stop, where there is neither yet. (transfer full) */
 char *tinker_sentence(const char *message);

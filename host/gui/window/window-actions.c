@@ -3,7 +3,7 @@
 
 #include "gui/text/sentence.h"
 #include "gui/window/window-parts.h"
-#include "scene/fragment.h"
+#include "scene/history/fragment.h"
 
 #define ZOOM_STEP   1.25
 #define FORCES_STEP 2.0

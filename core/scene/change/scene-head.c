@@ -1,0 +1,164 @@
+/* The head of a scene, and its graphs: copying them, and what they may hold. */
+#include <math.h>
+#include <string.h>
+
+#include "scene/value/reader.h"
+
+const char *const scene_contacts[] = {"events", "impulse", NULL};
+
+#define POSITIVE       TINKER_HAS_MINIMUM | TINKER_OPEN_MINIMUM
+#define OFFSET(member) G_STRUCT_OFFSET(TinkerSceneHead, member)
+const SceneHeadNumber scene_head_numbers[] = {
+    {"canvas", {.id = "width", .dimension = {.length = 1}, .flags = POSITIVE}, OFFSET(canvas_width)},
+    {"canvas", {.id = "grid", .dimension = {.length = 1}, .flags = POSITIVE}, OFFSET(canvas_grid)},
+    {"run", {.id = "duration", .dimension = {.time = 1}, .flags = POSITIVE}, OFFSET(run.duration)},
+    {"run", {.id = "interval", .dimension = {.time = 1}, .flags = POSITIVE}, OFFSET(run.interval)},
+    {"run", {.id = "step", .dimension = {.time = 1}, .flags = POSITIVE}, OFFSET(run.step)},
+    {"run",
+     {.id = "tolerance", .flags = POSITIVE | TINKER_HAS_MAXIMUM | TINKER_OPEN_MAXIMUM, .hard_maximum = 1},
+     OFFSET(run.tolerance)},
+    {"run",
+     {.id = "accuracy", .flags = POSITIVE | TINKER_HAS_MAXIMUM | TINKER_OPEN_MAXIMUM, .hard_maximum = 1},
+     OFFSET(run.accuracy),
+     .may_be_none = TRUE},
+    {"run",
+     {.id = "spectral_radius", .flags = TINKER_HAS_MINIMUM | TINKER_HAS_MAXIMUM, .hard_maximum = 1},
+     OFFSET(run.spectral_radius)},
+    {NULL},
+};
+
+/* Head --------------------------------------------------------------------------------------------------------- */
+
+void scene_head_init(TinkerSceneHead *head)
+{
+    *head = (TinkerSceneHead){
+        .title = g_strdup(""),
+        .description = g_strdup(""),
+        .author = g_strdup(""),
+        .units = TINKER_UNIT_SYSTEM_SI,
+        .canvas_width = 10,
+        .canvas_grid = 0.2,
+        .canvas_snap = TRUE,
+        .run = {.duration = 10,
+                .interval = 0.01,
+                .method = g_strdup("auto"),
+                .step = 0.01,
+                .tolerance = 1e-9,
+                .contacts = g_strdup("events"),
+                .spectral_radius = 0.8},
+    };
+}
+
+void scene_head_clear(TinkerSceneHead *head)
+{
+    g_free(head->title);
+    g_free(head->description);
+    g_free(head->author);
+    g_free(head->run.method);
+    g_free(head->run.contacts);
+}
+
+TinkerSceneHead *scene_head_copy(const TinkerSceneHead *head)
+{
+    TinkerSceneHead *copy = g_new(TinkerSceneHead, 1);
+    *copy = *head;
+    copy->title = g_strdup(head->title);
+    copy->description = g_strdup(head->description);
+    copy->author = g_strdup(head->author);
+    copy->run.method = g_strdup(head->run.method);
+    copy->run.contacts = g_strdup(head->run.contacts);
+    return copy;
+}
+
+void scene_head_free(TinkerSceneHead *head)
+{
+    scene_head_clear(head);
+    g_free(head);
+}
+
+char *scene_head_fault(const TinkerSceneHead *head)
+{
+    const struct {
+        const char *what, *text;
+    } texts[] = {{"title", head->title},
+                 {"description", head->description},
+                 {"author", head->author},
+                 {"run: method", head->run.method},
+                 {"run: contacts", head->run.contacts}};
+    for (gsize i = 0; i < G_N_ELEMENTS(texts); i++)
+        if (texts[i].text == NULL || !g_utf8_validate(texts[i].text, -1, NULL))
+            return g_strdup_printf("%s must be UTF-8 text", texts[i].what);
+    if (!g_strv_contains(scene_contacts, head->run.contacts))
+        return g_strdup_printf("run: contacts must be \"events\" or \"impulse\" (it is \"%s\")", head->run.contacts);
+    if (head->units != TINKER_UNIT_SYSTEM_SI && head->units != TINKER_UNIT_SYSTEM_ENGLISH)
+        return g_strdup("units must be SI or English");
+    for (const SceneHeadNumber *number = scene_head_numbers; number->part != NULL; number++) {
+        double value;
+        memcpy(&value, G_STRUCT_MEMBER_P(head, number->offset), sizeof value);
+        if (number->may_be_none && value == 0) continue;
+        g_autofree char *fault = scene_value_fault(&number->type, &value, NULL);
+        if (fault != NULL) return g_strdup_printf("%s: %s", number->part, fault);
+    }
+    return NULL;
+}
+
+/* Graphs ------------------------------------------------------------------------------------------------------- */
+
+TinkerSceneGraph *scene_graph_copy(const TinkerSceneGraph *graph)
+{
+    TinkerSceneGraph *copy = g_new(TinkerSceneGraph, 1);
+    *copy = *graph;
+    copy->block = g_strdup(graph->block);
+    copy->quantity = g_strdup(graph->quantity);
+    copy->against = g_strdup(graph->against);
+    copy->title = g_strdup(graph->title);
+    copy->extras = g_strdup(graph->extras);
+    return copy;
+}
+
+void scene_graph_free(TinkerSceneGraph *graph)
+{
+    g_free(graph->block);
+    g_free(graph->quantity);
+    g_free(graph->against);
+    g_free(graph->title);
+    g_free(graph->extras);
+    g_free(graph);
+}
+
+char *scene_quantity_fault(const TinkerBlockClass *block_class, const char *quantity)
+{
+    if (tinker_block_class_quantity(block_class, quantity) >= 0) return NULL;
+    g_autofree const char **names = g_new0(const char *, (gsize)block_class->quantity_count + 1);
+    for (int32_t q = 0; q < block_class->quantity_count; q++)
+        names[q] = block_class->quantities[q].id;
+    g_autofree char *list = g_strjoinv("\", \"", (char **)names);
+    g_autofree char *otherwise =
+        names[0] == NULL ? g_strdup(" (it has none)") : g_strdup_printf(" (it has \"%s\")", list);
+    g_autofree char *suggestion = reader_suggestion(quantity, names, otherwise);
+    return g_strdup_printf("a %s has no quantity \"%s\"%s", block_class->type->id, quantity, suggestion);
+}
+
+char *scene_graph_size_fault(const double size[2])
+{
+    if (isfinite(size[0]) && isfinite(size[1]) && size[0] > 0 && size[1] > 0) return NULL;
+    return g_strdup("size: both numbers must be greater than 0");
+}
+
+char *scene_graph_fault(const TinkerScene *scene, const TinkerSceneGraph *graph)
+{
+    g_assert(graph->block != NULL && graph->quantity != NULL && graph->against != NULL);
+    if (graph->title != NULL && !g_utf8_validate(graph->title, -1, NULL)) return g_strdup("title must be UTF-8 text");
+    if (graph->has_place && !(isfinite(graph->place[0]) && isfinite(graph->place[1])))
+        return g_strdup("place must be finite");
+    char *fault = graph->has_size ? scene_graph_size_fault(graph->size) : NULL;
+    if (fault != NULL) return fault;
+    TinkerBlockId block = tinker_scene_find_block(scene, graph->block);
+    if (block == TINKER_NO_BLOCK) return g_strdup_printf("there is no block \"%s\"", graph->block);
+    const TinkerBlockClass *block_class = tinker_scene_block_class(scene, block);
+    if (block_class == NULL) return NULL; /* nobody knows the quantities of a placeholder */
+    fault = scene_quantity_fault(block_class, graph->quantity);
+    if (fault == NULL && !g_str_equal(graph->against, "time"))
+        fault = scene_quantity_fault(block_class, graph->against);
+    return fault;
+}

@@ -1,0 +1,13 @@
+/* What the last search for a break of a batch's waveforms went through. */
+#ifndef TINKER_CORE_BATCH_BREAKS_H
+#define TINKER_CORE_BATCH_BREAKS_H
+
+#include "scene/frame/batch.h"
+
+/* The block whose break tinker_block_batch_next_break found. */
+int32_t tinker_block_batch_break_row(const TinkerBlockBatch *batch);
+
+/* The first pole (units/waveform-pole.h) in what it searched, and the block whose it is; INFINITY for none. */
+double tinker_block_batch_next_pole(const TinkerBlockBatch *batch, int32_t *row);
+
+#endif

@@ -1,0 +1,247 @@
+/* Snapshots of tables. Property columns are copied; the three columns of each waveform property are filled by evaluators,
+ * one for every block, built from the block's own amplitude, frequency and phase. */
+#include "scene/frame/batch-breaks.h"
+
+#include <math.h>
+
+#include "units/waveform-pole.h"
+
+#include "plugin/guarded.h"
+#include "plugin/words.h"
+
+/* No break of a waveform lies between `from` and `next`, and none up to `horizon` where next is infinite; the first pole there,
+ * INFINITY for none. */
+struct _TinkerPiece {
+    double from, next, horizon, pole;
+    gboolean entered; /* the evaluator's switches are those of this piece */
+};
+
+static double column_or(const TinkerBlockBatch *batch, const char *property_id, int32_t row, double otherwise)
+{
+    if (property_id == NULL) return otherwise;
+    int32_t property = tinker_block_class_property(batch->block_class, property_id);
+    if (property < 0) return otherwise;
+    return batch->columns[batch->block_class->first_columns[property]][row];
+}
+
+/* A displacement is differentiated twice by whoever rides on it, so its value tables are read as C2 splines. */
+static gboolean drives_a_place(const TinkerBlockClass *block_class)
+{
+    return block_class->physics != NULL && block_class->physics->motion != NULL;
+}
+
+static void add_evaluators(TinkerBlockBatch *batch, TinkerScene *scene, int32_t property)
+{
+    const TinkerPropertyType *type = &batch->block_class->properties[property];
+    gboolean smooth = drives_a_place(batch->block_class);
+    for (int32_t row = 0; row < batch->count; row++) {
+        TinkerWaveform *waveform = tinker_scene_get_waveform(scene, batch->ids[row], property);
+        g_ptr_array_add(batch->evaluators,
+                        tinker_waveform_evaluator_new(waveform, column_or(batch, type->amplitude, row, 1.0),
+                                                      column_or(batch, type->frequency, row, 0.0),
+                                                      column_or(batch, type->phase, row, 0.0), smooth));
+    }
+}
+
+static void copy_waveforms(TinkerBlockBatch *batch, TinkerScene *scene)
+{
+    const TinkerBlockClass *block_class = batch->block_class;
+    batch->evaluators = g_ptr_array_new_with_free_func((GDestroyNotify)tinker_waveform_evaluator_free);
+    batch->waveform_columns = g_new0(int32_t, MAX(block_class->property_count, 1));
+    for (int32_t property = 0; property < block_class->property_count; property++) {
+        if (block_class->properties[property].kind != TINKER_KIND_WAVEFORM) continue;
+        batch->waveform_columns[batch->waveforms++] = block_class->first_columns[property];
+        add_evaluators(batch, scene, property);
+    }
+    batch->pieces = g_new(struct _TinkerPiece, MAX(batch->evaluators->len, 1));
+    for (guint i = 0; i < batch->evaluators->len; i++)
+        batch->pieces[i] = (struct _TinkerPiece){NAN, NAN, NAN, INFINITY, FALSE};
+}
+
+/* The rows of a table that are taken; their number is answered. */
+static int32_t choose_rows(const TinkerSceneTable *table, const gboolean *include, int32_t *rows)
+{
+    int32_t count = 0;
+    for (int32_t row = 0; row < table->count; row++)
+        if (include == NULL || include[table->ids[row]]) rows[count++] = row;
+    return count;
+}
+
+static void copy_columns(TinkerBlockBatch *batch, const TinkerSceneTable *table, const int32_t *rows)
+{
+    gsize count = (gsize)batch->count;
+    batch->ids = g_new(TinkerBlockId, count);
+    for (gsize i = 0; i < count; i++)
+        batch->ids[i] = table->ids[rows[i]];
+    batch->columns = g_new0(double *, MAX(batch->block_class->column_count, 1));
+    for (int32_t column = 0; column < batch->block_class->column_count; column++) {
+        batch->columns[column] = g_new(double, count);
+        for (gsize i = 0; i < count; i++)
+            batch->columns[column][i] = table->columns[column][rows[i]];
+    }
+}
+
+static void copy_ends(TinkerBlockBatch *batch, const TinkerSceneTable *table, const int32_t *rows)
+{
+    batch->end_offsets = g_new0(int32_t, batch->count + 1);
+    for (int32_t i = 0; i < batch->count; i++)
+        batch->end_offsets[i + 1] =
+            batch->end_offsets[i] + table->end_offsets[rows[i] + 1] - table->end_offsets[rows[i]];
+    batch->end_count = batch->end_offsets[batch->count];
+    batch->end = g_new0(TinkerSceneEnd, MAX(batch->end_count, 1));
+    for (int32_t i = 0; i < batch->count; i++)
+        for (int32_t e = batch->end_offsets[i], from = table->end_offsets[rows[i]]; e < batch->end_offsets[i + 1];)
+            batch->end[e++] = table->ends[from++];
+    const TinkerBlockType *type = table->block_class->type;
+    batch->ends = type->least_ends == type->most_ends ? type->least_ends : -1;
+}
+
+static void block_batch_free(TinkerBlockBatch *batch)
+{
+    for (int32_t column = 0; column < batch->block_class->column_count; column++)
+        g_free(batch->columns[column]);
+    g_free(batch->columns);
+    g_free(batch->ids);
+    g_free(batch->end_offsets);
+    g_free(batch->end);
+    g_free(batch->waveform_columns);
+    g_free(batch->pieces);
+    tinker_guarded_free(batch->scratch);
+    g_ptr_array_unref(batch->evaluators);
+    g_free(batch);
+}
+
+static TinkerBlockBatch *block_batch_new(TinkerScene *scene, const TinkerSceneTable *table, const int32_t *rows,
+                                         int32_t count)
+{
+    TinkerBlockBatch *batch = g_new0(TinkerBlockBatch, 1);
+    const TinkerBlockClass *block_class = table->block_class;
+    batch->scene = scene;
+    batch->block_class = block_class;
+    batch->count = count;
+    copy_columns(batch, table, rows);
+    copy_ends(batch, table, rows);
+    copy_waveforms(batch, scene);
+    if (block_class->physics != NULL && block_class->physics->scratch_size > 0)
+        batch->scratch = tinker_guarded_new((gsize)block_class->physics->scratch_size, block_class);
+    return batch;
+}
+
+GPtrArray *tinker_batches_new(TinkerScene *scene, const gboolean *include)
+{
+    GPtrArray *batches = g_ptr_array_new_with_free_func((GDestroyNotify)block_batch_free);
+    for (int32_t number = 0; number < tinker_scene_table_count(scene); number++) {
+        TinkerSceneTable table;
+        tinker_scene_table(scene, number, &table);
+        g_autofree int32_t *rows = g_new(int32_t, MAX(table.count, 1));
+        int32_t count = choose_rows(&table, include, rows);
+        if (count > 0) g_ptr_array_add(batches, block_batch_new(scene, &table, rows, count));
+    }
+    return batches;
+}
+
+const char *tinker_block_batch_name(const void *source, int32_t row)
+{
+    const TinkerBlockBatch *batch = source;
+    return row >= 0 && row < batch->count ? tinker_scene_block_name(batch->scene, batch->ids[row]) : NULL;
+}
+
+char *tinker_block_batch_refusal(const TinkerBlockBatch *batch, const TinkerBatch *view, const char *otherwise)
+{
+    const int32_t row = CLAMP(view->failed_instance, 0, batch->count - 1);
+    g_autofree char *words = tinker_plugin_words(batch->block_class, NULL, view->failure);
+    return g_strdup_printf("%s: %s", tinker_scene_block_name(batch->scene, batch->ids[row]),
+                           words != NULL ? words : otherwise);
+}
+
+TinkerBatch tinker_block_batch_view(TinkerBlockBatch *batch, double t)
+{
+    return (TinkerBatch){
+        .struct_size = sizeof(TinkerBatch),
+        .count = batch->count,
+        .ends = batch->ends,
+        .end_offsets = batch->ends < 0 ? batch->end_offsets : NULL,
+        .columns = (const double *const *)batch->columns,
+        .scratch = batch->scratch,
+        .time = t,
+        .failed_instance = -1,
+    };
+}
+
+static TinkerWaveformEvaluator *evaluator_of(const TinkerBlockBatch *batch, int32_t waveform, int32_t row)
+{
+    return g_ptr_array_index(batch->evaluators, (guint)(waveform * batch->count + row));
+}
+
+const TinkerWaveformEvaluator *tinker_block_batch_evaluator(const TinkerBlockBatch *batch, int32_t column, int32_t row)
+{
+    for (int32_t waveform = 0; waveform < batch->waveforms; waveform++)
+        if (batch->waveform_columns[waveform] == column) return evaluator_of(batch, waveform, row);
+    return NULL;
+}
+
+double tinker_block_batch_meaning(const TinkerBlockBatch *batch, int32_t row, int32_t meaning, int32_t component,
+                                  double otherwise)
+{
+    int32_t column = tinker_block_class_meaning_column(batch->block_class, meaning);
+    return column < 0 ? otherwise : batch->columns[column + component][row];
+}
+
+void tinker_block_batch_set_time(TinkerBlockBatch *batch, double t)
+{
+    for (int32_t waveform = 0; waveform < batch->waveforms; waveform++) {
+        double **columns = batch->columns + batch->waveform_columns[waveform];
+        for (int32_t row = 0; row < batch->count; row++) {
+            double result[3];
+            tinker_waveform_evaluate(evaluator_of(batch, waveform, row), t, result);
+            for (int derivative = 0; derivative < 3; derivative++)
+                columns[derivative][row] = result[derivative];
+        }
+    }
+}
+
+void tinker_block_batch_enter_piece(TinkerBlockBatch *batch, double inside)
+{
+    for (guint i = 0; i < batch->evaluators->len; i++) {
+        struct _TinkerPiece *piece = &batch->pieces[i];
+        if (piece->entered && piece->from < inside && inside < piece->next) continue;
+        piece->entered = TRUE;
+        tinker_waveform_enter_piece(g_ptr_array_index(batch->evaluators, i), inside);
+    }
+}
+
+double tinker_block_batch_next_break(TinkerBlockBatch *batch, double t, double horizon)
+{
+    double next = INFINITY;
+    for (guint i = 0; i < batch->evaluators->len; i++) {
+        struct _TinkerPiece *piece = &batch->pieces[i];
+        gboolean known = piece->from <= t && t < piece->next && (isfinite(piece->next) || horizon <= piece->horizon);
+        if (!known) {
+            const TinkerWaveformEvaluator *evaluator = g_ptr_array_index(batch->evaluators, i);
+            double at = tinker_waveform_next_break(evaluator, t, horizon);
+            double pole = tinker_waveform_next_pole(evaluator, t, fmin(at, horizon));
+            *piece = (struct _TinkerPiece){t, at, horizon, pole, FALSE};
+        }
+        next = MIN(next, piece->next);
+    }
+    return next <= horizon ? next : INFINITY;
+}
+
+int32_t tinker_block_batch_break_row(const TinkerBlockBatch *batch)
+{
+    guint first = 0;
+    for (guint i = 1; i < batch->evaluators->len; i++)
+        if (batch->pieces[i].next < batch->pieces[first].next) first = i;
+    return (int32_t)first % batch->count;
+}
+
+double tinker_block_batch_next_pole(const TinkerBlockBatch *batch, int32_t *row)
+{
+    double next = INFINITY;
+    for (guint i = 0; i < batch->evaluators->len; i++) {
+        if (!(batch->pieces[i].pole < next)) continue;
+        next = batch->pieces[i].pole;
+        *row = (int32_t)i % batch->count;
+    }
+    return next;
+}

@@ -1,0 +1,67 @@
+/* Snapshots of a scene's tables, ready to be handed to plugins: columns of their own, with defaults resolved and waveform
+ * columns kept up to date.
+ *
+ * A run works on a snapshot, so later edits of the scene do not reach it. */
+#ifndef TINKER_CORE_BATCH_H
+#define TINKER_CORE_BATCH_H
+
+#include "plugin/call.h"
+#include "scene/store/scene.h"
+
+typedef struct _TinkerBlockBatch TinkerBlockBatch;
+
+/* All blocks of one class. The members are read-only to others. */
+struct _TinkerBlockBatch {
+    const TinkerScene *scene; /* borrowed */
+    const TinkerBlockClass *block_class;
+    int32_t count;
+    TinkerBlockId *ids;
+    double **columns;            /* columns[c][row] */
+    int32_t ends;                /* of each block; -1 where they differ */
+    int32_t end_count;           /* of all blocks */
+    int32_t *end_offsets;        /* count + 1 entries */
+    TinkerSceneEnd *end;         /* of all blocks, row by row */
+    GPtrArray *evaluators;       /* of TinkerWaveformEvaluator: waveform by waveform, row by row */
+    int32_t *waveform_columns;   /* first column of each waveform property */
+    struct _TinkerPiece *pieces; /* of each evaluator, what is known of its next break */
+    int32_t waveforms;           /* waveform properties of the class */
+    void *scratch;               /* as the class's physics asked for; see guarded.h */
+};
+
+/* A snapshot of every table with at least one block, of the blocks that `include` has TRUE for (by block id; NULL: all).
+ * "As placed" properties stay NaN. Element: TinkerBlockBatch *. (transfer full) */
+GPtrArray *tinker_batches_new(TinkerScene *scene, const gboolean *include);
+
+/* The view of a whole batch that plugins get, at time t. */
+TinkerBatch tinker_block_batch_view(TinkerBlockBatch *batch, double t);
+
+/* The name of the block in a row; what TinkerPluginCall.name wants. */
+const char *tinker_block_batch_name(const void *batch, int32_t row);
+
+/* "NAME: what the plugin says of its failure", about the instance that the view names; `otherwise` (one that is translated)
+ * where it says nothing. (transfer full) */
+char *tinker_block_batch_refusal(const TinkerBlockBatch *batch, const TinkerBatch *view, const char *otherwise);
+
+/* Every call of a plugin about a batch: an expression of its answer. `function` names what is called, in messages. */
+#define TINKER_CALL_BATCH(blocks, function, view, call)                                                                \
+    TINKER_CALL(call, .phase = (function), .block_class = (blocks)->block_class, .batch = (view),                      \
+                .name = tinker_block_batch_name, .source = (blocks))
+
+/* The entry of a block's row that has a meaning (TINKER_MEANING_...), by component; `otherwise` where no property has it. */
+double tinker_block_batch_meaning(const TinkerBlockBatch *batch, int32_t row, int32_t meaning, int32_t component,
+                                  double otherwise);
+
+/* Evaluates all waveforms of the batch at t into its columns. */
+void tinker_block_batch_set_time(TinkerBlockBatch *batch, double t);
+
+/* The evaluator of the waveform whose first column is `column`; NULL where that is not the first column of one. Borrowed. */
+const TinkerWaveformEvaluator *tinker_block_batch_evaluator(const TinkerBlockBatch *batch, int32_t column, int32_t row);
+
+/* Enters the piece of every waveform that contains `inside`. */
+void tinker_block_batch_enter_piece(TinkerBlockBatch *batch, double inside);
+
+/* The first break after t, of waveforms alone, not after the horizon; INFINITY for none. What is found is remembered, so that
+ * only waveforms whose break has passed are asked again. */
+double tinker_block_batch_next_break(TinkerBlockBatch *batch, double t, double horizon);
+
+#endif

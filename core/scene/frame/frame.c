@@ -1,0 +1,300 @@
+/* A frame holds a snapshot of the scene and one place per block id. "As placed" lengths are worked out once, from the ends
+ * at t = 0. */
+#include "scene/frame/frame.h"
+
+#include <glib/gi18n-lib.h>
+#include <math.h>
+
+#include <tinker/shapes.h>
+
+#include "plugin/process-state.h"
+#include "scene/frame/batch.h"
+#include "scene/frame/lanes.h"
+#include "scene/frame/motions.h"
+
+/* Of the symbol size: the distance of two connectors side by side. */
+#define LANE_SHARE 1.2
+
+typedef struct {
+    double x, y, orientation;
+} Pose;
+
+typedef struct {
+    TinkerBlockBatch *batch; /* NULL: a placeholder, or no block at all */
+    int32_t row;
+} Location;
+
+struct _TinkerFrame {
+    TinkerScene *scene;
+    double time;
+    GPtrArray *batches;
+    int32_t limit;
+    Pose *placed; /* by block id, without motions */
+    Pose *poses;  /* by block id, now */
+    TinkerMotions *motions;
+    Location *locations;
+    double *columns;    /* of the instance handed out last */
+    GArray *ends;       /* likewise, of TinkerEnd */
+    double symbol_size; /* m, that instances report */
+    double *lanes;      /* by block id: see lanes.h */
+};
+
+static void locate(TinkerFrame *frame)
+{
+    for (guint i = 0; i < frame->batches->len; i++) {
+        TinkerBlockBatch *batch = g_ptr_array_index(frame->batches, i);
+        for (int32_t row = 0; row < batch->count; row++) {
+            TinkerBlockId id = batch->ids[row];
+            frame->locations[id] = (Location){batch, row};
+            frame->placed[id] = (Pose){tinker_block_batch_meaning(batch, row, TINKER_MEANING_POSITION, 0, NAN),
+                                       tinker_block_batch_meaning(batch, row, TINKER_MEANING_POSITION, 1, NAN),
+                                       tinker_block_batch_meaning(batch, row, TINKER_MEANING_ORIENTATION, 0, 0.0)};
+            frame->poses[id] = frame->placed[id];
+        }
+    }
+}
+
+static void end_place(const TinkerFrame *frame, const TinkerSceneEnd *end, TinkerEnd *out)
+{
+    *out = (TinkerEnd){end->x, end->y, 0, 0};
+    if (end->block == TINKER_NO_BLOCK) return;
+    const Pose *pose = &frame->poses[end->block];
+    double c = cos(pose->orientation), s = sin(pose->orientation);
+    *out = (TinkerEnd){pose->x + c * end->x - s * end->y, pose->y + s * end->x + c * end->y, 1, 0};
+}
+
+/* Of the path from end to end, in their order; NAN where there are not two. */
+static double placed_length(const TinkerFrame *frame, const TinkerSceneEnd *ends, int32_t count)
+{
+    TinkerEnd here, next;
+    if (count < 2) return NAN;
+    double length = 0;
+    end_place(frame, &ends[0], &here);
+    for (int32_t k = 1; k < count; k++, here = next) {
+        end_place(frame, &ends[k], &next);
+        length += hypot(next.x - here.x, next.y - here.y);
+    }
+    return length;
+}
+
+static void resolve_placed_lengths(TinkerFrame *frame)
+{
+    for (guint i = 0; i < frame->batches->len; i++) {
+        TinkerBlockBatch *batch = g_ptr_array_index(frame->batches, i);
+        const TinkerBlockClass *block_class = batch->block_class;
+        for (int32_t property = 0; property < block_class->property_count; property++) {
+            if (!(block_class->properties[property].flags & TINKER_DEFAULT_AS_PLACED)) continue;
+            double *column = batch->columns[block_class->first_columns[property]];
+            for (int32_t row = 0; row < batch->count; row++) {
+                const int32_t first = batch->end_offsets[row], count = batch->end_offsets[row + 1] - first;
+                if (isnan(column[row])) column[row] = placed_length(frame, &batch->end[first], count);
+            }
+        }
+    }
+}
+
+static gboolean move_supports(TinkerFrame *frame, GError **error)
+{
+    if (!tinker_motions_evaluate(frame->motions, frame->time)) {
+        const char *name = tinker_scene_block_name(frame->scene, tinker_motions_failure(frame->motions));
+        g_set_error(error, TINKER_SCENE_ERROR, TINKER_SCENE_ERROR_VALUE,
+                    _("%s: its motion at t = %g s is not a number (give it one that is finite at all times)"), name,
+                    frame->time);
+        return FALSE;
+    }
+    int32_t count;
+    const TinkerBlockId *moved = tinker_motions_blocks(frame->motions, &count);
+    for (int32_t i = 0; i < count; i++) {
+        const TinkerPlace *place = tinker_motions_place(frame->motions, moved[i]);
+        frame->poses[moved[i]].x = frame->placed[moved[i]].x + place->x;
+        frame->poses[moved[i]].y = frame->placed[moved[i]].y + place->y;
+    }
+    return TRUE;
+}
+
+/* A motion may look into the scratch that its `prepare` fills. */
+static gboolean prepare_motions(TinkerFrame *frame, GError **error)
+{
+    for (guint i = 0; i < frame->batches->len; i++) {
+        TinkerBlockBatch *batch = g_ptr_array_index(frame->batches, i);
+        const TinkerPhysics *physics = batch->block_class->physics;
+        if (physics == NULL || physics->motion == NULL || physics->prepare == NULL) continue;
+        TinkerBatch view = tinker_block_batch_view(batch, 0.0);
+        if (TINKER_CALL_BATCH(batch, "prepare", &view, tinker_prepare(physics, &view)) == TINKER_OK) continue;
+        g_autofree char *why = tinker_block_batch_refusal(batch, &view, _("its plugin refuses these properties"));
+        g_set_error_literal(error, TINKER_SCENE_ERROR, TINKER_SCENE_ERROR_VALUE, why);
+        return FALSE;
+    }
+    return TRUE;
+}
+
+TinkerFrame *tinker_frame_new(TinkerScene *scene, GError **error)
+{
+    TinkerFrame *frame = g_new0(TinkerFrame, 1);
+    frame->scene = scene;
+    frame->batches = tinker_batches_new(scene, NULL);
+    frame->limit = tinker_scene_id_limit(scene);
+    frame->placed = g_new(Pose, MAX(frame->limit, 1));
+    frame->poses = g_new(Pose, MAX(frame->limit, 1));
+    for (int32_t id = 0; id < frame->limit; id++)
+        frame->placed[id] = frame->poses[id] = (Pose){NAN, NAN, 0};
+    frame->motions = tinker_motions_new(frame->batches, frame->limit);
+    frame->lanes = tinker_lanes_new(scene);
+    frame->locations = g_new0(Location, MAX(frame->limit, 1));
+    frame->ends = g_array_new(FALSE, TRUE, sizeof(TinkerEnd));
+    locate(frame);
+    int32_t widest = 1;
+    for (guint i = 0; i < frame->batches->len; i++)
+        widest = MAX(widest, ((TinkerBlockBatch *)g_ptr_array_index(frame->batches, i))->block_class->column_count);
+    frame->columns = g_new0(double, widest);
+    if (!prepare_motions(frame, error) || !tinker_frame_set_time(frame, 0.0, error)) {
+        tinker_frame_free(frame);
+        return NULL;
+    }
+    resolve_placed_lengths(frame);
+    return frame;
+}
+
+void tinker_frame_free(TinkerFrame *frame)
+{
+    if (frame == NULL) return;
+    g_ptr_array_unref(frame->batches);
+    g_free(frame->placed);
+    g_free(frame->poses);
+    tinker_motions_free(frame->motions);
+    g_free(frame->lanes);
+    g_free(frame->locations);
+    g_free(frame->columns);
+    g_array_unref(frame->ends);
+    g_free(frame);
+}
+
+TinkerScene *tinker_frame_scene(const TinkerFrame *frame)
+{
+    return frame->scene;
+}
+
+double tinker_frame_time(const TinkerFrame *frame)
+{
+    return frame->time;
+}
+
+gboolean tinker_frame_set_time(TinkerFrame *frame, double t, GError **error)
+{
+    frame->time = t;
+    for (guint i = 0; i < frame->batches->len; i++) {
+        TinkerBlockBatch *batch = g_ptr_array_index(frame->batches, i);
+        if (batch->waveforms == 0) continue;
+        /* A frame shows what holds from t on, so it looks just behind a break that falls on t. */
+        double next = tinker_block_batch_next_break(batch, t, t + 1.0);
+        tinker_block_batch_enter_piece(batch, isfinite(next) ? 0.5 * (t + next) : t + 0.5);
+        tinker_block_batch_set_time(batch, t);
+    }
+    return move_supports(frame, error);
+}
+
+void tinker_frame_place(TinkerFrame *frame, TinkerBlockId block, double x, double y, double orientation)
+{
+    frame->poses[block] = (Pose){x, y, orientation};
+}
+
+void tinker_frame_centre(const TinkerFrame *frame, TinkerBlockId block, double *x, double *y, double *orientation)
+{
+    const Location *location = &frame->locations[block];
+    *x = frame->poses[block].x;
+    *y = frame->poses[block].y;
+    *orientation = frame->poses[block].orientation;
+    if (!isnan(*x) || location->batch == NULL) return;
+    int32_t first = location->batch->end_offsets[location->row];
+    int32_t count = location->batch->end_offsets[location->row + 1] - first;
+    if (count == 0) return;
+    *x = *y = 0;
+    for (int32_t k = 0; k < count; k++) {
+        TinkerEnd end;
+        end_place(frame, &location->batch->end[first + k], &end);
+        *x += end.x / count;
+        *y += end.y / count;
+    }
+}
+
+/* The lesser side of what an end is attached to; 0 where that has no size. */
+static double least_side(const TinkerFrame *frame, TinkerBlockId block)
+{
+    const Location *location = &frame->locations[block];
+    if (location->batch == NULL) return 0;
+    return fmin(tinker_block_batch_meaning(location->batch, location->row, TINKER_MEANING_WIDTH, 0, 0),
+                tinker_block_batch_meaning(location->batch, location->row, TINKER_MEANING_HEIGHT, 0, 0));
+}
+
+/* Moves both ends of a connector into its lane: across the line between them, without changing its length. */
+static void take_lane(TinkerFrame *frame, TinkerBlockId block, const TinkerSceneEnd *attached, TinkerInstance *instance)
+{
+    TinkerEnd *end = (TinkerEnd *)(void *)frame->ends->data;
+    double dx = end[1].x - end[0].x, dy = end[1].y - end[0].y, length = hypot(dx, dy);
+    if (!(length > 0)) return;
+    double spacing = LANE_SHARE * tinker_instance_symbol_size(instance);
+    for (int k = 0; k < 2; k++) {
+        double side = least_side(frame, attached[k].block);
+        if (side > 0) spacing = fmin(spacing, 0.5 * side);
+    }
+    double shift = frame->lanes[block] * spacing / length;
+    for (int k = 0; k < 2; k++) {
+        end[k].x -= shift * dy;
+        end[k].y += shift * dx;
+    }
+    instance->x -= shift * dy;
+    instance->y += shift * dx;
+}
+
+gboolean tinker_frame_instance(TinkerFrame *frame, TinkerBlockId block, TinkerInstance *instance)
+{
+    const Location *location = &frame->locations[block];
+    *instance = (TinkerInstance){
+        .struct_size = sizeof(TinkerInstance),
+        .name = tinker_scene_block_name(frame->scene, block),
+        .time = frame->time,
+        .symbol_size = frame->symbol_size,
+    };
+    tinker_frame_centre(frame, block, &instance->x, &instance->y, &instance->orientation);
+    if (location->batch == NULL) return FALSE;
+    const TinkerBlockBatch *batch = location->batch;
+    for (int32_t column = 0; column < batch->block_class->column_count; column++)
+        frame->columns[column] = batch->columns[column][location->row];
+    int32_t first = batch->end_offsets[location->row];
+    int32_t count = batch->end_offsets[location->row + 1] - first;
+    g_array_set_size(frame->ends, (guint)count);
+    for (int32_t k = 0; k < count; k++)
+        end_place(frame, &batch->end[first + k], &g_array_index(frame->ends, TinkerEnd, k));
+    instance->columns = frame->columns;
+    instance->ends = count;
+    instance->end = count > 0 ? (const TinkerEnd *)(void *)frame->ends->data : NULL;
+    if (frame->lanes[block] != 0) take_lane(frame, block, &batch->end[first], instance);
+    return TRUE;
+}
+
+void tinker_frame_set_symbol_size(TinkerFrame *frame, double symbol_size)
+{
+    frame->symbol_size = symbol_size;
+}
+
+double tinker_frame_column(const TinkerFrame *frame, TinkerBlockId block, int32_t column)
+{
+    const Location *location = &frame->locations[block];
+    return location->batch == NULL ? NAN : location->batch->columns[column][location->row];
+}
+
+double tinker_frame_meaning(const TinkerFrame *frame, TinkerBlockId block, int32_t meaning, int32_t component,
+                            double otherwise)
+{
+    const Location *location = &frame->locations[block];
+    if (location->batch == NULL) return otherwise;
+    return tinker_block_batch_meaning(location->batch, location->row, meaning, component, otherwise);
+}
+
+void tinker_frame_end(const TinkerFrame *frame, TinkerSceneEnd end, double place[2])
+{
+    TinkerEnd at;
+    end_place(frame, &end, &at);
+    place[0] = at.x;
+    place[1] = at.y;
+}

@@ -1,0 +1,52 @@
+/* A frame: where every block is and what its columns hold at one instant. Drawing and hit tests go by it.
+ *
+ * A frame of a scene that has not been run shows it as placed at t = 0, with every support where its motion has it then.
+ */
+#ifndef TINKER_CORE_FRAME_H
+#define TINKER_CORE_FRAME_H
+
+#include "scene/store/scene.h"
+
+#include <tinker/instance.h>
+
+typedef struct _TinkerFrame TinkerFrame;
+
+/* The scene as placed. The scene is borrowed and must not change as long as the frame lives. NULL where a plugin's
+ * motion fails. (transfer full) */
+TinkerFrame *tinker_frame_new(TinkerScene *scene, GError **error);
+void tinker_frame_free(TinkerFrame *frame);
+G_DEFINE_AUTOPTR_CLEANUP_FUNC(TinkerFrame, tinker_frame_free)
+
+TinkerScene *tinker_frame_scene(const TinkerFrame *frame);
+double tinker_frame_time(const TinkerFrame *frame);
+
+/* Goes to time t: waveform columns are evaluated there, and supports stand where their motions have them. Bodies that can
+ * move stay where they are until tinker_frame_place moves them. */
+gboolean tinker_frame_set_time(TinkerFrame *frame, double t, GError **error);
+
+/* Puts a body that can move somewhere. */
+void tinker_frame_place(TinkerFrame *frame, TinkerBlockId block, double x, double y, double orientation);
+
+/* Where a block's centre is; NAN for a block that has neither place nor ends. */
+void tinker_frame_centre(const TinkerFrame *frame, TinkerBlockId block, double *x, double *y, double *orientation);
+
+/* One block as drawing and editing see it; connectors between the same two places stand side by side. Borrowed memory:
+ * valid until the next call with the same frame or until it changes. FALSE for a placeholder, of which only name and centre
+ * (where its text tells one) are filled. */
+gboolean tinker_frame_instance(TinkerFrame *frame, TinkerBlockId block, TinkerInstance *instance);
+
+/* Sets the size of symbols (m) that instances report from now on: whoever draws the frame sets that of the style, so that
+ * what is hit is what was drawn. 0, the default: unknown. */
+void tinker_frame_set_symbol_size(TinkerFrame *frame, double symbol_size);
+
+/* A column of a block now: the snapshot's value, "as placed" lengths resolved from the ends at t = 0. */
+double tinker_frame_column(const TinkerFrame *frame, TinkerBlockId block, int32_t column);
+
+/* The column that has a meaning (TINKER_MEANING_...), by component; `otherwise` where the block has none such. */
+double tinker_frame_meaning(const TinkerFrame *frame, TinkerBlockId block, int32_t meaning, int32_t component,
+                            double otherwise);
+
+/* Where an end is, connectors side by side not moved apart. */
+void tinker_frame_end(const TinkerFrame *frame, TinkerSceneEnd end, double place[2]);
+
+#endif

@@ -1,0 +1,130 @@
+/* Tops from the meanings of properties; no plate is known by its type. */
+#include <math.h>
+
+#include "scene/frame/overlaps.h"
+#include "scene/frame/tops.h"
+
+#include <tinker/physics.h>
+
+/* Pairs of a body and a top: a picture does not wait for more. */
+#define MOST_PAIRS 1000000
+
+/* A slope less than this is rounding of the angle. */
+#define LEVEL 1e-9
+
+static const TinkerBody *body_of(const TinkerBlockClass *block_class)
+{
+    return block_class == NULL || block_class->physics == NULL ? NULL : block_class->physics->body;
+}
+
+gboolean tinker_class_has_top(const TinkerBlockClass *block_class)
+{
+    const TinkerBody *body = body_of(block_class);
+    return body != NULL && body->shape == TINKER_SHAPE_PLATE;
+}
+
+gboolean tinker_class_can_lie(const TinkerBlockClass *block_class)
+{
+    const TinkerBody *body = body_of(block_class);
+    return body != NULL && body->shape == TINKER_SHAPE_BOX && body->degrees_of_freedom > 0 &&
+           block_class->meanings[TINKER_MEANING_POSITION] >= 0;
+}
+
+static gboolean is_solid(const TinkerFrame *frame, TinkerBlockId block)
+{
+    return tinker_class_has_top(tinker_scene_block_class(tinker_frame_scene(frame), block)) &&
+           tinker_frame_meaning(frame, block, TINKER_MEANING_SOLID, 0, 1) != 0 &&
+           tinker_frame_meaning(frame, block, TINKER_MEANING_WIDTH, 0, 0) > 0;
+}
+
+TinkerTop tinker_top_of(const TinkerFrame *frame, TinkerBlockId plate)
+{
+    double x, y, half = 0.5 * tinker_frame_meaning(frame, plate, TINKER_MEANING_HEIGHT, 0, 0);
+    TinkerTop top = {.plate = plate};
+    tinker_frame_centre(frame, plate, &x, &y, &top.angle);
+    double c = cos(top.angle), s = sin(top.angle);
+    top.along[0] = top.normal[1] = c;
+    top.along[1] = s;
+    top.normal[0] = -s;
+    top.middle[0] = x + half * top.normal[0];
+    top.middle[1] = y + half * top.normal[1];
+    top.half_width = 0.5 * tinker_frame_meaning(frame, plate, TINKER_MEANING_WIDTH, 0, 0);
+    top.level = fabs(s) < LEVEL;
+    double sign = (top.level ? c : s) < 0 ? -1 : 1;
+    top.uphill[0] = sign * c;
+    top.uphill[1] = sign * s;
+    return top;
+}
+
+void tinker_top_foot(const TinkerFrame *frame, const TinkerTop *top, TinkerBlockId body, double *along, double *gap)
+{
+    double x, y, orientation;
+    tinker_frame_centre(frame, body, &x, &y, &orientation);
+    double dx = x - top->middle[0], dy = y - top->middle[1];
+    *along = top->along[0] * dx + top->along[1] * dy;
+    *gap = top->normal[0] * dx + top->normal[1] * dy -
+           0.5 * tinker_frame_meaning(frame, body, TINKER_MEANING_HEIGHT, 0, 0);
+}
+
+gboolean tinker_top_touches(const TinkerFrame *frame, const TinkerTop *top, TinkerBlockId body)
+{
+    double along, gap;
+    if (top->plate == TINKER_NO_BLOCK) return FALSE;
+    tinker_top_foot(frame, top, body, &along, &gap);
+    return fabs(gap) <= TINKER_TOUCHING && fabs(along) <= top->half_width;
+}
+
+void tinker_top_centre(const TinkerTop *top, double along, double height, double centre[2])
+{
+    for (int k = 0; k < 2; k++)
+        centre[k] = top->middle[k] + along * top->along[k] + 0.5 * height * top->normal[k];
+}
+
+static GArray *solid_tops(const TinkerFrame *frame)
+{
+    TinkerScene *scene = tinker_frame_scene(frame);
+    GArray *tops = g_array_new(FALSE, FALSE, sizeof(TinkerTop));
+    for (int32_t i = 0; i < tinker_scene_block_count(scene); i++) {
+        const TinkerBlockId block = tinker_scene_block_at(scene, i);
+        if (!is_solid(frame, block)) continue;
+        const TinkerTop top = tinker_top_of(frame, block);
+        g_array_append_val(tops, top);
+    }
+    return tops;
+}
+
+TinkerTop tinker_top_nearest(const TinkerFrame *frame, TinkerBlockId body)
+{
+    g_autoptr(GArray) tops = solid_tops(frame);
+    TinkerTop nearest = {.plate = TINKER_NO_BLOCK};
+    double least = INFINITY;
+    for (guint i = 0; i < tops->len; i++) {
+        const TinkerTop *top = &g_array_index(tops, TinkerTop, i);
+        double along, gap;
+        tinker_top_foot(frame, top, body, &along, &gap);
+        double distance = hypot(fmax(fabs(along) - top->half_width, 0), gap);
+        if (!(distance < least)) continue;
+        least = distance;
+        nearest = *top;
+    }
+    return nearest;
+}
+
+void tinker_tops_turn_bodies(TinkerFrame *frame)
+{
+    TinkerScene *scene = tinker_frame_scene(frame);
+    g_autoptr(GArray) tops = solid_tops(frame);
+    if ((gint64)tops->len * tinker_scene_block_count(scene) > MOST_PAIRS) return;
+    for (int32_t i = 0; i < tinker_scene_block_count(scene); i++) {
+        const TinkerBlockId body = tinker_scene_block_at(scene, i);
+        if (!tinker_class_can_lie(tinker_scene_block_class(scene, body))) continue;
+        for (guint k = 0; k < tops->len; k++) {
+            const TinkerTop *top = &g_array_index(tops, TinkerTop, k);
+            double x, y, orientation;
+            if (!tinker_top_touches(frame, top, body)) continue;
+            tinker_frame_centre(frame, body, &x, &y, &orientation);
+            tinker_frame_place(frame, body, x, y, top->angle);
+            break;
+        }
+    }
+}

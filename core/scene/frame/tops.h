@@ -1,0 +1,39 @@
+/* Tops: the solid sides of plates, and how bodies lie to them. A top is the side of +y of the plate's own axes, where the frame
+ * has the plate. */
+#ifndef TINKER_CORE_TOPS_H
+#define TINKER_CORE_TOPS_H
+
+#include "scene/frame/frame.h"
+
+typedef struct {
+    TinkerBlockId plate; /* TINKER_NO_BLOCK: none */
+    double middle[2];    /* m */
+    double along[2], normal[2];
+    double uphill[2]; /* along or against `along`; of a level top to the right */
+    gboolean level;
+    double half_width; /* m */
+    double angle;      /* rad: the plate's orientation */
+} TinkerTop;
+
+/* Whether blocks of this class are plates, and whether they are bodies that can move and lie on one. */
+gboolean tinker_class_has_top(const TinkerBlockClass *block_class);
+gboolean tinker_class_can_lie(const TinkerBlockClass *block_class);
+
+/* The top of a plate, solid or not. */
+TinkerTop tinker_top_of(const TinkerFrame *frame, TinkerBlockId plate);
+
+/* The solid top nearest to a body, with what the body touches before all others. */
+TinkerTop tinker_top_nearest(const TinkerFrame *frame, TinkerBlockId body);
+
+/* Of a body: how far its foot is along the top from its middle, and how far its side is off the top (m). */
+void tinker_top_foot(const TinkerFrame *frame, const TinkerTop *top, TinkerBlockId body, double *along, double *gap);
+gboolean tinker_top_touches(const TinkerFrame *frame, const TinkerTop *top, TinkerBlockId body);
+
+/* Turns the bodies that touch a solid top along it, as a run does from its start on. Scenes in which that would take long are
+ * left as they are. */
+void tinker_tops_turn_bodies(TinkerFrame *frame);
+
+/* Where the centre of a body of this height (m) is that touches the top so far (m) along it from its middle. */
+void tinker_top_centre(const TinkerTop *top, double along, double height, double centre[2]);
+
+#endif

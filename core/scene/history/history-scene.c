@@ -1,0 +1,131 @@
+/* The recorded setters of what is not a block: the head, graphs, and the drawing order. */
+#include "scene/history/history-private.h"
+
+/* Head --------------------------------------------------------------------------------------------------------- */
+
+static void make_head(TinkerScene *scene, int32_t id, gconstpointer from, gconstpointer to)
+{
+    (void)id, (void)from;
+    TinkerSceneHead *copy = scene_head_copy(to);
+    scene_head_clear(&scene->head);
+    scene->head = *copy;
+    g_free(copy); /* its texts are the scene's now */
+}
+
+static void free_head(gpointer state)
+{
+    scene_head_free(state);
+}
+
+const HistoryKind history_head = {HISTORY_HEAD, make_head, free_head};
+
+gboolean tinker_history_set_head(TinkerHistory *history, const TinkerSceneHead *head, GError **error)
+{
+    TinkerScene *scene = history_scene(history);
+    g_autofree char *fault = scene_head_fault(head);
+    if (fault != NULL) {
+        g_set_error_literal(error, TINKER_SCENE_ERROR, TINKER_SCENE_ERROR_VALUE, fault);
+        return FALSE;
+    }
+    TinkerSceneHead *before = scene_head_copy(&scene->head), *after = scene_head_copy(head);
+    make_head(scene, 0, before, after);
+    gboolean own = history_open_own(history, "Change", "Scene");
+    history_add(history, &history_head, 0, before, after);
+    if (own) tinker_history_end(history);
+    return TRUE;
+}
+
+/* Graphs ------------------------------------------------------------------------------------------------------- */
+
+static void make_graph(TinkerScene *scene, int32_t index, gconstpointer from, gconstpointer to)
+{
+    if (from != NULL) g_ptr_array_remove_index(scene->graphs, (guint)index);
+    if (to != NULL) g_ptr_array_insert(scene->graphs, index, scene_graph_copy(to));
+}
+
+static void free_graph(gpointer state)
+{
+    scene_graph_free(state);
+}
+
+const HistoryKind history_graph = {HISTORY_OTHER, make_graph, free_graph};
+
+/* Makes and records the change of a graph of `block`; takes both states, of which one may be NULL. */
+static void change_graph(TinkerHistory *history, const char *verb, const char *block, int32_t index,
+                         TinkerSceneGraph *before, TinkerSceneGraph *after)
+{
+    g_autofree char *name = g_strdup_printf("Graph of %s", block);
+    gboolean own = history_open_own(history, verb, name);
+    make_graph(history_scene(history), index, before, after);
+    history_add(history, &history_graph, index, before, after);
+    if (own) tinker_history_end(history);
+}
+
+static gboolean check_graph(TinkerHistory *history, const TinkerSceneGraph *graph, GError **error)
+{
+    g_autofree char *fault = scene_graph_fault(history_scene(history), graph);
+    if (fault == NULL) return TRUE;
+    g_set_error(error, TINKER_SCENE_ERROR, TINKER_SCENE_ERROR_VALUE, "graph: %s", fault);
+    return FALSE;
+}
+
+/* The graph as it is. (transfer full) */
+static TinkerSceneGraph *copy_of(TinkerHistory *history, int32_t index)
+{
+    const GPtrArray *graphs = history_scene(history)->graphs;
+    g_assert(index >= 0 && index < (int32_t)graphs->len);
+    return scene_graph_copy(g_ptr_array_index(graphs, index));
+}
+
+int32_t tinker_history_add_graph(TinkerHistory *history, const TinkerSceneGraph *graph, GError **error)
+{
+    if (!check_graph(history, graph, error)) return -1;
+    int32_t index = (int32_t)history_scene(history)->graphs->len;
+    change_graph(history, "Add", graph->block, index, NULL, scene_graph_copy(graph));
+    return index;
+}
+
+void tinker_history_remove_graph(TinkerHistory *history, int32_t index)
+{
+    TinkerSceneGraph *before = copy_of(history, index);
+    change_graph(history, "Remove", before->block, index, before, NULL);
+}
+
+gboolean tinker_history_change_graph(TinkerHistory *history, int32_t index, const TinkerSceneGraph *graph,
+                                     GError **error)
+{
+    if (!check_graph(history, graph, error)) return FALSE;
+    change_graph(history, "Change", graph->block, index, copy_of(history, index), scene_graph_copy(graph));
+    return TRUE;
+}
+
+/* Drawing order ------------------------------------------------------------------------------------------------ */
+
+static void make_order(TinkerScene *scene, int32_t block, gconstpointer from, gconstpointer to)
+{
+    (void)from;
+    scene_move_in_order(scene, block, GPOINTER_TO_INT(to) - 1);
+}
+
+const HistoryKind history_order = {HISTORY_OTHER, make_order, NULL};
+
+static void move_to(TinkerHistory *history, const char *verb, TinkerBlockId block, int32_t place)
+{
+    TinkerScene *scene = history_scene(history);
+    int32_t before = scene_order_of(scene, block);
+    if (before == place) return;
+    gboolean own = history_open_own(history, verb, tinker_scene_block_name(scene, block));
+    scene_move_in_order(scene, block, place);
+    history_add(history, &history_order, block, history_place(before), history_place(place));
+    if (own) tinker_history_end(history);
+}
+
+void tinker_history_raise(TinkerHistory *history, TinkerBlockId block)
+{
+    move_to(history, "Raise", block, tinker_scene_block_count(history_scene(history)) - 1);
+}
+
+void tinker_history_lower(TinkerHistory *history, TinkerBlockId block)
+{
+    move_to(history, "Lower", block, 0);
+}

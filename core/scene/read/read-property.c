@@ -1,0 +1,77 @@
+/* Reading the value of one property. */
+#include "scene/value/reader.h"
+
+/* A plain number is in radians; one of more turns than anybody writes was likely meant in degrees. */
+#define MOST_TURNS 2.0
+
+static gboolean property_choice(SceneReader *reader, const cJSON *json, JsonAt at, const TinkerPropertyType *type,
+                                double *value)
+{
+    g_autofree const char **choices = g_new0(const char *, (gsize)type->choice_count + 1);
+    for (int32_t i = 0; i < type->choice_count; i++)
+        choices[i] = type->choices[i];
+    int choice = reader_choice(reader, json, at, type->id, choices);
+    *value = choice;
+    return choice >= 0;
+}
+
+static void warn_of_turns(SceneReader *reader, const cJSON *json, JsonAt at, const TinkerPropertyType *type)
+{
+    static const TinkerDimension angle = {.angle = 1};
+    if (!cJSON_IsNumber(json) || !tinker_dimension_equal(type->dimension, angle)) return;
+    double turns = fabs(json->valuedouble) / (2 * G_PI);
+    if (turns <= MOST_TURNS || !isfinite(turns)) return;
+    reader_warning(reader, at, TINKER_SCENE_ERROR_VALUE, "%s: %g rad is %.3g turns (did you mean \"%g deg\"?)",
+                   type->id, json->valuedouble, turns, json->valuedouble);
+}
+
+/* The numbers of a property that has columns. */
+static gboolean property_numbers(SceneReader *reader, const cJSON *json, JsonAt at, const TinkerPropertyType *type,
+                                 double values[2])
+{
+    gboolean on;
+    switch (type->kind) {
+    case TINKER_KIND_VECTOR:
+        return reader_vector(reader, json, at, type->id, type->dimension, values);
+    case TINKER_KIND_SWITCH:
+        if (!reader_switch(reader, json, at, type->id, &on)) return FALSE;
+        values[0] = on ? 1 : 0;
+        return TRUE;
+    case TINKER_KIND_CHOICE:
+        return property_choice(reader, json, at, type, values);
+    default:
+        return reader_number(reader, json, at, type->id, type->dimension, values);
+    }
+}
+
+void reader_property(SceneReader *reader, const cJSON *json, JsonAt at, SceneTable *table, int32_t row,
+                     int32_t property)
+{
+    const TinkerPropertyType *type = &table->block_class->properties[property];
+    if (type->flags & (TINKER_READ_ONLY | TINKER_DERIVED)) {
+        reader_warning(reader, at_key(at), TINKER_SCENE_ERROR_VALUE,
+                       "%s is worked out, not set: what is given is ignored", type->id);
+        return;
+    }
+    if (type->kind == TINKER_KIND_TEXT) {
+        const char *text = reader_text(reader, json, at, type->id);
+        if (text != NULL) scene_store_text(table, row, property, text);
+        return;
+    }
+    warn_of_turns(reader, json, at, type);
+    if (type->kind == TINKER_KIND_WAVEFORM) {
+        g_autoptr(TinkerWaveform) waveform = reader_waveform(reader, json, at, type);
+        if (waveform != NULL) scene_store_waveform(table, row, property, waveform);
+        return;
+    }
+    double values[2] = {0, 0};
+    if (!property_numbers(reader, json, at, type, values)) return;
+    const gboolean vector = type->kind == TINKER_KIND_VECTOR;
+    const char *const typed[2] = {vector ? json->child->valuestring : json->valuestring,
+                                  vector ? json->child->next->valuestring : NULL};
+    g_autofree char *fault = scene_value_fault(type, values, typed);
+    if (fault != NULL)
+        reader_error(reader, at, TINKER_SCENE_ERROR_VALUE, "%s", fault);
+    else
+        scene_store(table, row, property, values);
+}
