@@ -1,8 +1,9 @@
-/* Sparse L D L^T against dense elimination with pivoting, on patterns of chance and of frames. */
+/* Sparse L D L^T, and L D U of values that are not symmetric, against dense elimination with pivoting, on patterns of chance and of frames. */
 #include <math.h>
 #include <string.h>
 
 #include "numerics/solve/sparse-ldl.h"
+#include "numerics/solve/sparse-ldu.h"
 
 /* A random symmetric pattern, each pair named once or more, in either triangle. */
 typedef struct {
@@ -122,6 +123,62 @@ static void compare_solutions(Problem *problem, GRand *random)
     tinker_sparse_ldl_free(ldl);
 }
 
+/* The same pattern with values that are not symmetric. */
+static void compare_unsymmetric(const Problem *problem, GRand *random)
+{
+    const int n = problem->n;
+    TinkerSparseLdu *ldu = tinker_sparse_ldu_new(n, (const int *)(const void *)problem->rows->data,
+                                                 (const int *)(const void *)problem->columns->data, problem->rows->len);
+    g_assert_nonnull(ldu);
+    double *values = tinker_sparse_ldu_values(ldu);
+    g_autofree double *b = g_new0(double, n + 1), *truth = g_new0(double, n + 1), *weight = g_new0(double, n + 1);
+    g_autofree double *least = g_new0(double, n + 1);
+    tinker_sparse_ldu_clear(ldu);
+    memset(problem->dense, 0, (gsize)n * (gsize)n * sizeof(double));
+    for (guint k = 0; k < 2 * problem->rows->len; k++) {
+        int i = g_array_index(problem->rows, int, k / 2), j = g_array_index(problem->columns, int, k / 2);
+        if (k % 2 == 1) {
+            const int kept = i;
+            i = j;
+            j = kept;
+        }
+        const double value = g_rand_double_range(random, -1, 1);
+        values[tinker_sparse_ldu_slot(ldu, i, j)] += value;
+        problem->dense[i * n + j] += value;
+        weight[i] += fabs(value);
+        weight[j] += fabs(value);
+    }
+    for (int i = 0; i < n; i++) {
+        const double own = (i % 2 == 0 ? 1 : -1) * (1 + weight[i]);
+        values[tinker_sparse_ldu_slot(ldu, i, i)] += own;
+        problem->dense[i * n + i] += own;
+        b[i] = truth[i] = g_rand_double_range(random, -1, 1);
+    }
+    g_assert_true(tinker_sparse_ldu_factor(ldu, least));
+    tinker_sparse_ldu_solve(ldu, b);
+    g_assert_true(dense_solve(n, problem->dense, truth));
+    for (int i = 0; i < n; i++)
+        g_assert_cmpfloat(fabs(b[i] - truth[i]), <=, 1e-14);
+    tinker_sparse_ldu_free(ldu);
+}
+
+/* A pivot that is as small as `least` stops it. */
+static void test_vanishing_pivot(void)
+{
+    static const int row[] = {1}, column[] = {0};
+    for (int vanishes = 0; vanishes < 2; vanishes++) {
+        TinkerSparseLdu *ldu = tinker_sparse_ldu_new(2, row, column, 1);
+        double *values = tinker_sparse_ldu_values(ldu);
+        tinker_sparse_ldu_clear(ldu);
+        values[tinker_sparse_ldu_slot(ldu, 0, 0)] = 2;
+        values[tinker_sparse_ldu_slot(ldu, 0, 1)] = 4;
+        values[tinker_sparse_ldu_slot(ldu, 1, 0)] = 3;
+        values[tinker_sparse_ldu_slot(ldu, 1, 1)] = vanishes ? 6 : 5;
+        g_assert_true(tinker_sparse_ldu_factor(ldu, (double[]){1e-10, 1e-10}) == !vanishes);
+        tinker_sparse_ldu_free(ldu);
+    }
+}
+
 static void test_random_patterns(void)
 {
     g_autoptr(GRand) random = g_rand_new_with_seed(7);
@@ -134,6 +191,7 @@ static void test_random_patterns(void)
             add_pair(&problem, row, (row + g_rand_int_range(random, 1, n)) % n);
         }
         compare_solutions(&problem, random);
+        compare_unsymmetric(&problem, random);
         problem_clear(&problem);
     }
 }
@@ -162,6 +220,7 @@ static void test_shapes(void)
         }
         if (shape == RING) add_pair(&problem, number[0], number[n - 1]);
         compare_solutions(&problem, random);
+        compare_unsymmetric(&problem, random);
         TinkerSparseLdl *ldl = compile(&problem);
         /* A root may keep an entry of 0. */
         if (shape <= STAR) g_assert_cmpuint(tinker_sparse_ldl_fill(ldl), <=, n);
@@ -260,5 +319,6 @@ int main(int argc, char **argv)
     g_test_add_func("/numerics/sparse-ldl/shapes", test_shapes);
     g_test_add_func("/numerics/sparse-ldl/rank", test_rank);
     g_test_add_func("/numerics/sparse-ldl/edges", test_edges);
+    g_test_add_func("/numerics/sparse-ldl/vanishing-pivot", test_vanishing_pivot);
     return g_test_run();
 }

@@ -6,7 +6,7 @@
  * A pattern without cycles (a chain of rods, a tree) needs no ordering by AMD: eliminating leaves first leaves every column
  * with one entry, the one of its parent, and no update lists. Leaves are taken in turns, so a chain is eliminated from both
  * ends at once: two runs of divisions that do not wait for each other. */
-#include "numerics/solve/sparse-ldl.h"
+#include "numerics/solve/sparse-ldl-private.h"
 
 #include <errno.h>
 #include <string.h>
@@ -14,21 +14,6 @@
 
 /* Beyond this many updates a factorisation takes longer than anybody waits for at every stage of a step. */
 #define MOST_UPDATES ((gsize)400000000)
-
-struct _TinkerSparseLdl {
-    int n;
-    int *place;       /* of a row in the order of elimination */
-    int *starts;      /* n + 1: column k of L holds rows[starts[k]] to rows[starts[k + 1] - 1] */
-    int *rows;        /* in the order of elimination */
-    int *updates;     /* slots */
-    double *values;   /* n + entries of L */
-    double *diagonal; /* 1 / d, n */
-    double *work;     /* n */
-    gboolean is_forest;
-    int *sequence;      /* of a forest: the row that is eliminated at each place */
-    int *parents;       /* of a forest: the row that the row at each place hangs on; itself where it hangs on none */
-    int *parent_places; /* and its place */
-};
 
 static int compare_ints(const void *a, const void *b)
 {
