@@ -9,6 +9,7 @@
 typedef struct {
     const TinkerImpact *impact;
     double *offset, *impulses;
+    double *after, *terms; /* 2m */
     TinkerContactResult result;
 } Trial;
 
@@ -19,7 +20,8 @@ static double lost_energy(void *data, double share)
     Trial *trial = data;
     const TinkerImpact *impact = trial->impact;
     if (trial->result == TINKER_CONTACT_NO_MEMORY) return -1;
-    TinkerContactProblem problem = {impact->count, impact->delassus, trial->offset, impact->friction, NULL};
+    TinkerContactProblem problem = {impact->count, impact->delassus, trial->offset, impact->friction,
+                                    NULL,          impact->motion};
     for (int32_t k = 0; k < impact->count; k++) {
         double normal = impact->velocity[2 * k];
         double least = impact->least != NULL ? impact->least[k]
@@ -32,12 +34,12 @@ static double lost_energy(void *data, double share)
     if (trial->result != TINKER_CONTACT_SOLVED) return -1;
     if (impact->least != NULL) return 0;
     double gained = 0, size = 0;
+    tinker_contact_velocities(&problem, trial->impulses, trial->after, trial->terms);
     for (int32_t i = 0; i < 2 * impact->count; i++) {
         /* offsets differ from velocities by what is asked for */
-        double terms, after = tinker_contact_velocity(&problem, trial->impulses, i, &terms);
-        after += impact->velocity[i] - trial->offset[i];
+        const double after = trial->after[i] + (impact->velocity[i] - trial->offset[i]);
         gained += trial->impulses[i] * (impact->velocity[i] + after) / 2;
-        size += fabs(trial->impulses[i]) * terms;
+        size += fabs(trial->impulses[i]) * trial->terms[i];
     }
     return fabs(gained) <= ROUNDING * size ? 0 : -gained;
 }
@@ -51,11 +53,12 @@ static double lost_or_none(void *data, double share)
 
 TinkerContactResult tinker_impact_solve(const TinkerImpact *impact, double *impulses)
 {
-    double few[16];
-    int32_t m = impact->count;
-    g_autofree double *many = m > 8 ? g_try_new(double, 2 * (gsize)m) : NULL;
+    double few[6 * 8];
+    const gsize m = (gsize)impact->count;
+    g_autofree double *many = m > 8 ? g_try_new(double, 6 * m) : NULL;
     if (m > 8 && many == NULL) return TINKER_CONTACT_NO_MEMORY;
-    Trial trial = {impact, many != NULL ? many : few, impulses, TINKER_CONTACT_SOLVED};
+    double *room = many != NULL ? many : few;
+    Trial trial = {impact, room, impulses, room + 2 * m, room + 4 * m, TINKER_CONTACT_SOLVED};
     if (lost_energy(&trial, 1) >= 0 || impact->least != NULL) return trial.result;
     if (lost_energy(&trial, 0) < 0 && trial.result != TINKER_CONTACT_SOLVED) {
         lost_energy(&trial, 1); /* of others, where one is blocked */

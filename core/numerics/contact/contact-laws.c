@@ -12,31 +12,30 @@
 
 /* Room for what is worked on. */
 typedef struct {
-    double few[5 * 8], *many;
+    double few[7 * 8], *many;
     double *offset, *friction; /* 2m, m */
-    double *v;                 /* 2m */
+    double *v, *size;          /* 2m */
 } Room;
 
 /* FALSE: no memory. */
 static gboolean room_init(Room *room, int32_t m)
 {
-    room->many = m > 8 ? g_try_new(double, 5 * (gsize)m) : NULL;
+    room->many = m > 8 ? g_try_new(double, 7 * (gsize)m) : NULL;
     if (m > 8 && room->many == NULL) return FALSE;
     room->offset = room->many != NULL ? room->many : room->few;
     room->friction = room->offset + 2 * m;
     room->v = room->friction + m;
+    room->size = room->v + 2 * m;
     return TRUE;
 }
 
 /* Accelerations under these forces; those that are rounding become 0. */
 static void accelerations(const TinkerClosedContacts *closed, const TinkerContactProblem *problem, const double *forces,
-                          double *a)
+                          double *a, double *size)
 {
-    for (int32_t i = 0; i < 2 * closed->count; i++) {
-        double size;
-        a[i] = tinker_contact_velocity(problem, forces, i, &size);
-        if (fabs(a[i]) <= closed->noise + ROUNDING * size) a[i] = 0;
-    }
+    tinker_contact_velocities(problem, forces, a, size);
+    for (int32_t i = 0; i < 2 * closed->count; i++)
+        if (fabs(a[i]) <= closed->noise + ROUNDING * size[i]) a[i] = 0;
 }
 
 static TinkerContactMode mode_of(const TinkerClosedContacts *closed, int32_t k, double force, const double *a)
@@ -52,7 +51,7 @@ TinkerContactResult tinker_contact_modes(const TinkerClosedContacts *closed, Tin
     int32_t m = closed->count;
     Room room;
     if (!room_init(&room, m)) return TINKER_CONTACT_NO_MEMORY;
-    TinkerContactProblem problem = {m, closed->delassus, room.offset, room.friction, closed->sliding};
+    TinkerContactProblem problem = {m, closed->delassus, room.offset, room.friction, closed->sliding, closed->motion};
     for (int32_t k = 0; k < m; k++) {
         double normal = closed->acceleration[2 * k];
         room.offset[2 * k] = fabs(normal) <= closed->noise ? 0 : normal;
@@ -65,7 +64,7 @@ TinkerContactResult tinker_contact_modes(const TinkerClosedContacts *closed, Tin
         changed = FALSE;
         result = tinker_contact_solve(&problem, forces);
         if (result != TINKER_CONTACT_SOLVED) break;
-        accelerations(closed, &problem, forces, room.v);
+        accelerations(closed, &problem, forces, room.v, room.size);
         for (int32_t k = 0; k < m; k++) {
             modes[k] = mode_of(closed, k, forces[2 * k], room.v);
             gboolean slips = modes[k] == TINKER_CONTACT_SLIP_FORWARD || modes[k] == TINKER_CONTACT_SLIP_BACKWARD;
@@ -86,7 +85,7 @@ TinkerContactResult tinker_contact_jam(const TinkerClosedContacts *closed, const
     int32_t m = closed->count;
     Room room;
     if (!room_init(&room, m)) return TINKER_CONTACT_NO_MEMORY;
-    TinkerContactProblem problem = {m, closed->delassus, room.offset, room.friction, NULL};
+    TinkerContactProblem problem = {m, closed->delassus, room.offset, room.friction, NULL, closed->motion};
     double fastest = 0, hardest = 0, *half = room.v;
     for (int32_t i = 0; i < 2 * m; i++) {
         fastest = MAX(fastest, fabs(velocity[i]));

@@ -11,6 +11,7 @@
 #ifndef TINKER_NUMERICS_CONTACT_LAWS_H
 #define TINKER_NUMERICS_CONTACT_LAWS_H
 
+#include <stddef.h>
 #include <stdint.h>
 
 typedef enum {
@@ -30,18 +31,34 @@ typedef enum {
     TINKER_CONTACT_NO_MEMORY,       /* for as many contacts at once */
 } TinkerContactResult;
 
+/* W of very many contacts is not written down; this is what it does. Functions of `context`, for vectors of 2m. */
+typedef struct {
+    void *context;
+    /* v = W p. `size` (or NULL) gets for each entry the sum of what meets in it. */
+    void (*times)(void *context, const double *p, double *v, double *size);
+    /* Writes p that is 0 but where `unknown`; there (W p)_i = b_i, as near as W can. A normal entry brings p_t = slope p_n with it
+     * where the tangential one is not unknown itself. 0 where that cannot be solved. */
+    int (*solve)(void *context, const int8_t *unknown, const double *slope, const double *b, double *p);
+    /* The same for W + softness / mass, which is solved to about rounding: first where unknown, with what slopes and how soft; then for
+     * as many b as anybody likes. */
+    void (*soften)(void *context, const int8_t *unknown, const double *slope, double softness);
+    void (*solve_soft)(void *context, const double *b, double *p);
+    const double *mass; /* m: of the bodies that touch, so that masses of all sizes are judged alike */
+} TinkerContactMotion;
+
 /* Impact. After it, for every contact:
  *     u_n' >= least_n,  p_n >= 0,  p_n (u_n' - least_n) = 0,
  *     |p_t| <= friction p_n;  u_t' = 0, or p_t = -friction p_n sign(u_t').
  * least_n is -restitution * u_n where the contact closes (u_n < 0), else 0 for contacts that rest. */
 typedef struct {
     int32_t count;             /* m */
-    const double *delassus;    /* 2m x 2m */
+    const double *delassus;    /* 2m x 2m; NULL: `motion` */
     const double *velocity;    /* 2m, before */
     const double *restitution; /* m */
     const double *friction;    /* m: dynamic coefficients */
     const double *least;       /* m: least normal velocities after the impact, in place of those that restitution
                                   gives; or NULL */
+    const TinkerContactMotion *motion;
 } TinkerImpact;
 
 /* Writes the impulses p (2m). No impact adds energy: where Newton's restitution together with friction would (the sum of
@@ -55,15 +72,27 @@ TinkerContactResult tinker_impact_solve(const TinkerImpact *impact, double *impu
  * come. `offset` is room for 2m. FALSE where a number is none. */
 int tinker_impact_sweep(const TinkerImpact *impact, double *offset, double *impulses);
 
+/* Impact with `least` and `motion`, for a step that asks for no more than its method makes of it: impulses that keep the laws to
+ * rounding; or but for what stresses that move nothing still lack (1e-5 of the largest velocity at most), so met; or as near as
+ * some hundred solves come. `room` holds tinker_impact_guess_room doubles. Allots nothing. */
+typedef enum {
+    TINKER_IMPACT_NO_NUMBER,
+    TINKER_IMPACT_APPROACHED,
+    TINKER_IMPACT_MET,
+} TinkerImpactGuess;
+size_t tinker_impact_guess_room(int32_t count);
+TinkerImpactGuess tinker_impact_guess(const TinkerImpact *impact, double *room, double *impulses);
+
 /* Contacts that are closed (gap 0, u_n = 0) and their forces. */
 typedef struct {
     int32_t count;                  /* m */
-    const double *delassus;         /* 2m x 2m */
+    const double *delassus;         /* 2m x 2m; NULL: `motion` */
     const double *acceleration;     /* 2m: relative accelerations without any contact force */
     const int8_t *sliding;          /* m: sign of u_t; 0: at rest along the top, and it may stick */
     const double *static_friction;  /* m */
     const double *dynamic_friction; /* m: at most the static ones */
     double noise;                   /* m/s^2: accelerations up to this are rounding */
+    const TinkerContactMotion *motion;
 } TinkerClosedContacts;
 
 /* Finds what every contact does from here on, and its forces f (2m):

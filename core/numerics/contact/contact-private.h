@@ -12,10 +12,11 @@
 
 typedef struct {
     int32_t count;
-    const double *delassus; /* 2m x 2m, symmetric positive semidefinite */
+    const double *delassus; /* 2m x 2m, symmetric positive semidefinite; NULL: `motion` */
     const double *offset;   /* 2m: b */
     const double *friction; /* m */
     const int8_t *sliding;  /* m: -1, 0, 1; NULL: none slides */
+    const TinkerContactMotion *motion;
 } TinkerContactProblem;
 
 /* Closed contacts keep p_t = slope p_n, but where they stick. */
@@ -33,6 +34,11 @@ TinkerContactResult tinker_contact_solve(const TinkerContactProblem *problem, do
 
 /* v = b + W p, entry i; `size` is the sum of what meets in it, or NULL. */
 double tinker_contact_velocity(const TinkerContactProblem *problem, const double *p, int32_t i, double *size);
+/* The same for all entries, of a matrix or of a motion. */
+void tinker_contact_velocities(const TinkerContactProblem *problem, const double *p, double *v, double *size);
+
+/* tinker_contact_solve where W is a motion; GAVE_UP where it finds none. */
+TinkerContactResult tinker_contact_solve_many(const TinkerContactProblem *problem, double *p);
 
 /* A problem with its scales and its room. Scales are powers of two, one a contact, so that cones of friction stay as they
  * are; W is near 1 then, and so is the largest b. */
@@ -57,6 +63,9 @@ typedef struct {
  * else `next`, if not NULL, is told what the states should rather be. */
 gboolean tinker_contact_check(TinkerContactWork *work, double tolerance, TinkerContactState *next);
 
+/* The same for v and size that were worked out. */
+gboolean tinker_contact_judge(TinkerContactWork *work, double tolerance, TinkerContactState *next);
+
 /* The same with the p that solves W p = -b as the states have it. */
 gboolean tinker_contact_try_states(TinkerContactWork *work, double tolerance, TinkerContactState *next);
 
@@ -69,7 +78,7 @@ static inline gboolean tinker_contact_grips(const TinkerContactProblem *problem,
 {
     int32_t t = 2 * k + 1;
     return (problem->sliding == NULL || problem->sliding[k] == 0) && problem->friction[k] > 0 &&
-           problem->delassus[t * (2 * problem->count + 1)] > 0;
+           (problem->delassus == NULL || problem->delassus[t * (2 * problem->count + 1)] > 0);
 }
 
 /* One sweep of projected Gauss-Seidel over all contacts, from the impulses p on; answers the largest change of a velocity. */

@@ -26,6 +26,8 @@ static const double softenings[] = {1e-6, 3e-5, 1e-3};
 #define SWEEPS_FIRST   400 /* before Lemke's method, whose path grows long where contacts are more than */
 #define MANY           8
 #define SWEEPS_BETWEEN 50
+/* W of more contacts is not written down. */
+#define MOST_WRITTEN 2000
 
 /* A normal direction that nothing moves along has W_nn of rounding alone. */
 #define IMMOVABLE 1e-13
@@ -254,10 +256,33 @@ static TinkerContactResult solve_several(TinkerContactWork *work, TinkerContactS
     return swept ? TINKER_CONTACT_SOLVED : TINKER_CONTACT_NO_ACCELERATION;
 }
 
+/* Without W, or with it after all. */
+static TinkerContactResult solve_many(const TinkerContactProblem *problem, double *p)
+{
+    const TinkerContactMotion *motion = problem->motion;
+    const TinkerContactResult result = tinker_contact_solve_many(problem, p);
+    if (result != TINKER_CONTACT_GAVE_UP) return result;
+    const gsize width = 2 * (gsize)problem->count;
+    if (problem->count > MOST_WRITTEN) return TINKER_CONTACT_GAVE_UP;
+    g_autofree double *matrix = g_try_new(double, width *width), *unit = g_try_new0(double, 2 * width);
+    if (matrix == NULL || unit == NULL) return TINKER_CONTACT_NO_MEMORY;
+    for (gsize j = 0; j < width; j++) {
+        unit[j] = 1;
+        motion->times(motion->context, unit, unit + width, NULL);
+        unit[j] = 0;
+        for (gsize i = 0; i < width; i++)
+            matrix[i * width + j] = unit[width + i];
+    }
+    TinkerContactProblem written = *problem;
+    written.delassus = matrix;
+    return tinker_contact_solve(&written, p);
+}
+
 TinkerContactResult tinker_contact_solve(const TinkerContactProblem *problem, double *p)
 {
     int32_t m = problem->count;
     if (m <= 0) return TINKER_CONTACT_SOLVED;
+    if (problem->delassus == NULL) return solve_many(problem, p);
     if (m == 1) return solve_single(problem, p);
     double small[SMALL_ROOM];
     g_autofree double *large = room_of(m) > SMALL_ROOM ? g_try_new(double, room_of(m)) : NULL;

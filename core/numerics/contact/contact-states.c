@@ -50,6 +50,21 @@ double tinker_contact_velocity(const TinkerContactProblem *problem, const double
     return sum;
 }
 
+void tinker_contact_velocities(const TinkerContactProblem *problem, const double *p, double *v, double *size)
+{
+    const int32_t width = 2 * problem->count;
+    if (problem->delassus != NULL) {
+        for (int32_t i = 0; i < width; i++)
+            v[i] = tinker_contact_velocity(problem, p, i, &size[i]);
+        return;
+    }
+    problem->motion->times(problem->motion->context, p, v, size);
+    for (int32_t i = 0; i < width; i++) {
+        v[i] += problem->offset[i];
+        size[i] += fabs(problem->offset[i]);
+    }
+}
+
 /* What is rounding in entry i of v. */
 static double slack(const TinkerContactWork *work, int32_t i, double tolerance)
 {
@@ -75,15 +90,13 @@ static TinkerContactState better_state(const TinkerContactWork *work, int32_t k,
     return along >= -slack(work, t, tolerance) ? state : TINKER_STATE_STICK;
 }
 
-gboolean tinker_contact_check(TinkerContactWork *work, double tolerance, TinkerContactState *next)
+gboolean tinker_contact_judge(TinkerContactWork *work, double tolerance, TinkerContactState *next)
 {
     const TinkerContactProblem *problem = &work->problem;
     double largest = 0;
     gboolean good = TRUE;
-    for (int32_t i = 0; i < 2 * problem->count; i++) {
-        work->v[i] = tinker_contact_velocity(problem, work->p, i, &work->size[i]);
+    for (int32_t i = 0; i < 2 * problem->count; i++)
         largest = MAX(largest, fabs(work->p[i]));
-    }
     for (int32_t k = 0; k < problem->count; k++) {
         int32_t n = 2 * k, t = n + 1;
         TinkerContactState state = work->state[k], better = better_state(work, k, tolerance, tolerance * largest);
@@ -93,6 +106,12 @@ gboolean tinker_contact_check(TinkerContactWork *work, double tolerance, TinkerC
         if (next != NULL) next[k] = better;
     }
     return good && isfinite(largest);
+}
+
+gboolean tinker_contact_check(TinkerContactWork *work, double tolerance, TinkerContactState *next)
+{
+    tinker_contact_velocities(&work->problem, work->p, work->v, work->size);
+    return tinker_contact_judge(work, tolerance, next);
 }
 
 gboolean tinker_contact_try_states(TinkerContactWork *work, double tolerance, TinkerContactState *next)

@@ -21,18 +21,35 @@ void tinker_contacts_let_constraints_answer(TinkerContacts *contacts, double *v)
     tinker_constraints_change_speeds(contacts->model, all->asked, v);
 }
 
-void tinker_contacts_push(TinkerContacts *contacts, int32_t body, double px, double py, double *v)
+void tinker_contacts_begin_pushes(TinkerContacts *contacts)
 {
-    TinkerModel *model = contacts->model;
-    TinkerConstraints *all = &model->constraints;
-    double change[2] = {px * model->inverse_mass[body], py * model->inverse_mass[body]};
+    contacts->pushed = FALSE;
+}
+
+void tinker_contacts_add_push(TinkerContacts *contacts, int32_t body, double px, double py, double *v)
+{
+    const TinkerModel *model = contacts->model;
+    const double change[2] = {px * model->inverse_mass[body], py * model->inverse_mass[body]};
+    double *by_point = model->constraints.by_point;
     v[2 * body] += change[0];
     v[2 * body + 1] += change[1];
     if (!contacts->held[body]) return;
-    memset(all->by_point, 0, 2 * (gsize)model->points * sizeof(double));
-    all->by_point[2 * body] = change[0];
-    all->by_point[2 * body + 1] = change[1];
-    tinker_contacts_let_constraints_answer(contacts, v);
+    if (!contacts->pushed) memset(by_point, 0, 2 * (gsize)model->points * sizeof(double));
+    contacts->pushed = TRUE;
+    by_point[2 * body] += change[0];
+    by_point[2 * body + 1] += change[1];
+}
+
+void tinker_contacts_end_pushes(TinkerContacts *contacts, double *v)
+{
+    if (contacts->pushed) tinker_contacts_let_constraints_answer(contacts, v);
+}
+
+void tinker_contacts_push(TinkerContacts *contacts, int32_t body, double px, double py, double *v)
+{
+    tinker_contacts_begin_pushes(contacts);
+    tinker_contacts_add_push(contacts, body, px, py, v);
+    tinker_contacts_end_pushes(contacts, v);
 }
 
 /* What a push in a direction does to all bodies, in contacts->column. */
@@ -79,10 +96,30 @@ static void factor_block(TinkerContacts *contacts, TinkerContactBlock *block, gb
     block->factored[moves] = !block->held;
 }
 
+/* `near`: what forces that nothing determines are near to; NULL: 0. */
+static void eliminate_block(TinkerContacts *contacts, TinkerContactBlock *block, gboolean moves, const double *near)
+{
+    const TinkerContactRow *rows = (const TinkerContactRow *)(const void *)contacts->rows->data + block->first;
+    double *asked = contacts->demand + block->first, *found = contacts->found + block->first;
+    for (int32_t i = 0; i < block->count; i++) {
+        found[i] = near != NULL ? near[i] * rows[i].weight : 0;
+        asked[i] /= rows[i].weight;
+    }
+    tinker_contact_elimination_take(block->elimination, contacts->equations[moves] + block->first, block->count);
+    const gboolean full = tinker_contact_elimination_solve(block->elimination, asked, found);
+    if (!moves) block->full = full;
+    for (int32_t i = 0; i < block->count; i++)
+        asked[i] = found[i] / rows[i].weight;
+}
+
 void tinker_contacts_solve_moves(TinkerContacts *contacts)
 {
     for (guint i = 0; i < contacts->blocks->len; i++) {
         TinkerContactBlock *block = &g_array_index(contacts->blocks, TinkerContactBlock, i);
+        if (block->elimination != NULL) {
+            eliminate_block(contacts, block, TRUE, NULL);
+            continue;
+        }
         if (!block->factored[TRUE]) factor_block(contacts, block, TRUE);
         tinker_dense_solve(block->solve[TRUE], contacts->demand + block->first);
     }
@@ -92,6 +129,10 @@ static void solve_forces(TinkerContacts *contacts)
 {
     for (guint i = 0; i < contacts->blocks->len; i++) {
         TinkerContactBlock *block = &g_array_index(contacts->blocks, TinkerContactBlock, i);
+        if (block->elimination != NULL) {
+            eliminate_block(contacts, block, FALSE, contacts->base + block->first);
+            continue;
+        }
         if (!block->factored[FALSE]) factor_block(contacts, block, FALSE);
         tinker_dense_solve_near(block->solve[FALSE], contacts->base + block->first, contacts->demand + block->first);
     }

@@ -87,12 +87,14 @@ static double measure_rows(TinkerContacts *contacts)
 static void push_rows(TinkerContacts *contacts, double *x)
 {
     tinker_contacts_solve_moves(contacts);
+    tinker_contacts_begin_pushes(contacts);
     for (guint i = 0; i < contacts->rows->len; i++) {
         const TinkerContactRow *row = &g_array_index(contacts->rows, TinkerContactRow, i);
         double push = contacts->demand[i] * row->weight;
-        tinker_contacts_push(contacts, tinker_contacts_closed(contacts, (guint)row->contact)->body, push * row->row[0],
-                             push * row->row[1], x);
+        tinker_contacts_add_push(contacts, tinker_contacts_closed(contacts, (guint)row->contact)->body,
+                                 push * row->row[0], push * row->row[1], x);
     }
+    tinker_contacts_end_pushes(contacts, x);
 }
 
 /* Moves the bodies of rows once; FALSE where nothing is to be gained any more. */

@@ -1,11 +1,15 @@
 /* What may touch what: compiling, and the list of the equations of closed contacts. */
-#include "physics/contact/contacts.h"
+#include "physics/contact/contacts-private.h"
 
 #include <glib/gi18n-lib.h>
 #include <math.h>
+#include <string.h>
 
 #include "numerics/solve/disjoint-sets.h"
 #include "physics/model/model-data.h"
+
+/* Up to so many equations W is cheaper than elimination, and its forces of least norm are those of a singular value decomposition. */
+#define FEW_ROWS 12
 
 static int32_t shape_of(const TinkerBlockBatch *batch)
 {
@@ -135,6 +139,7 @@ TinkerContacts *tinker_contacts_new(TinkerModel *model)
     contacts->simple = g_array_new(FALSE, TRUE, sizeof(int32_t));
     contacts->blocks = g_array_new(FALSE, TRUE, sizeof(TinkerContactBlock));
     g_array_set_clear_func(contacts->blocks, block_clear);
+    contacts->eliminations = g_new0(TinkerContactElimination *, MAX(model->bodies, 1));
     contacts->column = g_new0(double, 2 * (gsize)MAX(model->bodies, 1));
     contacts->before = g_new0(double, 2 * (gsize)MAX(model->bodies, 1));
     contacts->accelerations = g_new0(double, 2 * (gsize)MAX(model->bodies, 1));
@@ -152,9 +157,13 @@ void tinker_contacts_free(TinkerContacts *contacts)
     g_array_unref(contacts->rows);
     g_array_unref(contacts->simple);
     g_array_unref(contacts->blocks);
-    gpointer arrays[] = {contacts->plates,   contacts->half_height, contacts->held,          contacts->group,
-                         contacts->delassus, contacts->demand,      contacts->accelerations, contacts->column,
-                         contacts->before,   contacts->base};
+    for (int32_t i = 0; i < contacts->model->bodies; i++)
+        tinker_contact_elimination_free(contacts->eliminations[i]);
+    gpointer arrays[] = {
+        contacts->plates,           contacts->half_height,    contacts->held,          contacts->group,
+        contacts->delassus,         contacts->demand,         contacts->accelerations, contacts->column,
+        contacts->before,           contacts->base,           contacts->found,         contacts->eliminations,
+        contacts->equations[FALSE], contacts->equations[TRUE]};
     for (gsize i = 0; i < G_N_ELEMENTS(arrays); i++)
         g_free(arrays[i]);
     g_free(contacts);
@@ -233,19 +242,48 @@ static int by_group(const void *left, const void *right, void *data)
     return l->tangential - r->tangential;
 }
 
+TinkerContactElimination *tinker_contacts_elimination(TinkerContacts *contacts, int32_t body)
+{
+    TinkerContactElimination **own = &contacts->eliminations[contacts->group[body]];
+    if (*own == NULL) *own = tinker_contact_elimination_new(contacts->model, contacts->group, body);
+    return *own;
+}
+
+/* Whether no body has more equations than elimination takes: those of one body stand together. */
+static gboolean may_be_eliminated(const TinkerContacts *contacts, guint first, guint count)
+{
+    guint of_one = 0;
+    int32_t body = -1;
+    for (guint i = first; i < first + count; i++) {
+        const TinkerContactRow *row = &g_array_index(contacts->rows, TinkerContactRow, i);
+        const int32_t next = tinker_contacts_closed(contacts, (guint)row->contact)->body;
+        of_one = next == body ? of_one + 1 : 1;
+        body = next;
+        if (of_one > TINKER_MOST_EQUATIONS) return FALSE;
+    }
+    return TRUE;
+}
+
 /* FALSE: no memory. */
 static gboolean add_block(TinkerContacts *contacts, guint first, guint count)
 {
     const int32_t contact = g_array_index(contacts->rows, TinkerContactRow, first).contact;
     TinkerContactBlock block = {.first = (int32_t)first, .count = (int32_t)count};
     block.held = contacts->held[tinker_contacts_closed(contacts, (guint)contact)->body];
+    if (block.held && count > FEW_ROWS && may_be_eliminated(contacts, first, count)) {
+        block.elimination =
+            tinker_contacts_elimination(contacts, tinker_contacts_closed(contacts, (guint)contact)->body);
+        g_array_append_val(contacts->blocks, block);
+        return block.elimination != NULL && tinker_contact_elimination_make_room(block.elimination, count);
+    }
     for (int moves = FALSE; moves <= TRUE; moves++)
         block.solve[moves] = tinker_dense_solve_new(block.count);
     g_array_append_val(contacts->blocks, block);
     return block.solve[FALSE] != NULL && block.solve[TRUE] != NULL;
 }
 
-/* Rows of one group stand together and are solved together. Answers the rows of the largest; 0: no memory. */
+/* Rows of one group stand together and are solved together. Answers the rows of the largest that has a matrix, at least 1; 0: no
+ * memory. */
 static gsize find_blocks(TinkerContacts *contacts)
 {
     gsize most = 1;
@@ -255,9 +293,31 @@ static gsize find_blocks(TinkerContacts *contacts)
         for (end = first + 1; end < contacts->rows->len && group_of(contacts, end) == group;)
             end++;
         if (!add_block(contacts, first, end - first)) return 0;
-        most = MAX(most, end - first);
+        if (g_array_index(contacts->blocks, TinkerContactBlock, contacts->blocks->len - 1).elimination == NULL)
+            most = MAX(most, end - first);
     }
     return most;
+}
+
+static void list_equations(TinkerContacts *contacts)
+{
+    for (guint i = 0; i < contacts->rows->len; i++) {
+        const TinkerContactRow *row = &g_array_index(contacts->rows, TinkerContactRow, i);
+        const int32_t body = tinker_contacts_closed(contacts, (guint)row->contact)->body;
+        TinkerContactEquation equation = {body, {row->row[0], row->row[1]}, {row->force[0], row->force[1]}, 0};
+        contacts->equations[FALSE][i] = equation;
+        memcpy(equation.force, equation.row, sizeof(equation.force));
+        contacts->equations[TRUE][i] = equation;
+    }
+}
+
+static gboolean make_equations(TinkerContacts *contacts, gsize count)
+{
+    for (int moves = FALSE; moves <= TRUE; moves++) {
+        g_free(contacts->equations[moves]);
+        contacts->equations[moves] = g_try_new(TinkerContactEquation, count);
+    }
+    return contacts->equations[FALSE] != NULL && contacts->equations[TRUE] != NULL;
 }
 
 /* What it held is not kept. FALSE: no memory. */
@@ -274,8 +334,9 @@ static gboolean allot_rows(TinkerContacts *contacts)
     const gsize rows = contacts->rows->len, most = rows > 0 ? find_blocks(contacts) : 1;
     if (rows == 0) return TRUE;
     if (most == 0 || !make_room(&contacts->delassus, most * most) || !make_room(&contacts->demand, rows) ||
-        !make_room(&contacts->base, rows))
+        !make_room(&contacts->base, rows) || !make_room(&contacts->found, rows) || !make_equations(contacts, rows))
         return FALSE;
+    list_equations(contacts);
     tinker_contacts_take_shares(contacts);
     return TRUE;
 }

@@ -11,13 +11,15 @@
  *
  *     n . (a - a_c) = 0;   sticking: t . (a - a_c) = 0;   slipping: friction -mu N sign(u_t) along t.
  *
- * Bodies that no constraint holds and that touch one plate are solved one by one in closed form; the others together, by the
- * Delassus matrix of their contacts, W = C P M^-1 D, with P the projection onto the motions that the constraints allow. */
+ * Bodies that no constraint holds and that touch one plate are solved one by one in closed form; the others together: a few
+ * equations by the Delassus matrix of their contacts, W = C P M^-1 D, with P the projection onto the motions that the constraints
+ * allow; many by elimination (contact-elimination.h), without W. */
 #ifndef TINKER_CORE_CONTACTS_H
 #define TINKER_CORE_CONTACTS_H
 
 #include "numerics/contact/contact-laws.h"
 #include "numerics/solve/dense-solve.h"
+#include "physics/contact/contact-elimination.h"
 #include "physics/model/model-data.h"
 #include "scene/frame/overlaps.h"
 
@@ -59,6 +61,8 @@ typedef struct {
     gboolean held;              /* W changes with the constraints; else it is factored once */
     TinkerDenseSolve *solve[2]; /* W with the directions of the rows' forces; with those of the rows themselves */
     gboolean factored[2];
+    TinkerContactElimination *elimination; /* in place of W where there are many rows; borrowed */
+    gboolean full;                         /* its forces are determined */
 } TinkerContactBlock;
 
 struct _TinkerContacts {
@@ -77,11 +81,15 @@ struct _TinkerContacts {
     GArray *simple;    /* of int32_t: numbers of closed contacts that are solved one by one */
     GArray *rows;      /* of TinkerContactRow: the others' equations */
     gboolean any_slip_friction;
+    TinkerContactElimination **eliminations; /* by the first body of a group; made when they are asked for */
 
     /* working state; what depends on the rows is allotted when they change */
     GArray *blocks;                          /* of TinkerContactBlock */
-    double *delassus, *demand, *base;        /* of the largest block, rows x rows; of all rows; likewise */
+    double *delassus;                        /* of the largest block that is solved by it, rows x rows */
+    double *demand, *base, *found;           /* of all rows; of all rows; of all rows */
+    TinkerContactEquation *equations[2];     /* of all rows, as the blocks have them: for forces; for moves */
     double *column, *accelerations, *before; /* 2 per body */
+    gboolean pushed;                         /* held bodies, which constraints have not answered to yet */
     gint64 evaluations;                      /* of closed contacts, ever: 0 where nothing touched */
 };
 
@@ -150,6 +158,11 @@ static inline gboolean tinker_contacts_act(const TinkerContacts *contacts)
 TinkerStatus tinker_contacts_list_rows(TinkerContacts *contacts);
 /* Opens all, so that there are no equations. */
 void tinker_contacts_open_all(TinkerContacts *contacts);
+/* Whether the forces of a block were determined when they were solved for last; FALSE before. */
+static inline gboolean tinker_contact_block_is_full(const TinkerContactBlock *block)
+{
+    return block->elimination != NULL ? block->full : tinker_dense_solve_is_full(block->solve[FALSE]);
+}
 /* Takes over the shares of the load (base_normal, base_friction) of contacts whose equations are listed. */
 void tinker_contacts_take_shares(TinkerContacts *contacts);
 /* Records that there is no memory for the equations of so many contacts at once, as the model's failure. Answers TINKER_FAILED. */
@@ -180,6 +193,10 @@ TinkerStatus tinker_contacts_rattle(TinkerContacts *contacts, double t_from, con
 void tinker_contacts_delassus(TinkerContacts *contacts, const TinkerContact *touching, int32_t count, double *delassus);
 /* v += what an impulse on a body does to all of them, constraints included. */
 void tinker_contacts_push(TinkerContacts *contacts, int32_t body, double px, double py, double *v);
+/* The same for several, which the constraints answer to at once, in the end. */
+void tinker_contacts_begin_pushes(TinkerContacts *contacts);
+void tinker_contacts_add_push(TinkerContacts *contacts, int32_t body, double px, double py, double *v);
+void tinker_contacts_end_pushes(TinkerContacts *contacts, double *v);
 
 /* The first body of a constraint row; -1 for none. */
 int32_t tinker_contacts_row_body(const TinkerContacts *contacts, int32_t row);

@@ -20,11 +20,9 @@ gboolean tinker_change_push_all(TinkerContactChange *change, const double *impul
     double *v = self->run->state.v, *work = self->run->system.impact_work;
     g_autofree double *before = g_memdup2(v, 2 * (gsize)model->bodies * sizeof(double));
     g_autofree TinkerContactPlace *was = g_new(TinkerContactPlace, change->touches->len);
-    for (guint i = 0; i < change->touches->len; i++) {
+    for (guint i = 0; i < change->touches->len; i++)
         was[i] = tinker_touch(change, i)->place;
-        if (impulses[2 * i] != 0 || impulses[2 * i + 1] != 0)
-            tinker_change_push(change, i, impulses[2 * i], impulses[2 * i + 1], v);
-    }
+    tinker_change_push(change, impulses, v);
     if (tinker_change_set_state(change) != TINKER_OK) return FALSE;
     tinker_change_measure(change);
     double rest = tinker_model_kinetic_change(model, before, v);
@@ -80,6 +78,36 @@ static void fill_resting(const TinkerContactChange *change, TinkerContactLaws *l
     }
 }
 
+/* The normal impulses that take away the speeds of what rests, in `answers`. FALSE: no memory. */
+static gboolean rest_by_matrix(const TinkerContactChange *change, TinkerContactLaws *laws)
+{
+    const gsize m = laws->count;
+    g_autofree double *matrix = g_try_new(double, m *m);
+    TinkerDenseSolve *solve = tinker_dense_solve_new((int32_t)m);
+    const gboolean enough = matrix != NULL && solve != NULL;
+    if (enough) {
+        fill_resting(change, laws, matrix);
+        tinker_dense_solve_factor(solve, matrix);
+        tinker_dense_solve(solve, laws->first);
+    }
+    tinker_dense_solve_free(solve);
+    for (guint i = 0; enough && i < m; i++)
+        laws->answers[2 * i] = laws->first[i];
+    return enough;
+}
+
+static gboolean rest_by_solve(const TinkerContactChange *change, TinkerContactLaws *laws)
+{
+    g_autofree int8_t *unknown = g_try_new0(int8_t, 2 * laws->count);
+    if (unknown == NULL) return FALSE;
+    for (guint i = 0; i < laws->count; i++) {
+        unknown[2 * i] = rests(change, i);
+        laws->pairs[2 * i] = -tinker_touch(change, i)->place.normal_speed;
+    }
+    laws->motion->solve(laws->motion->context, unknown, laws->first, laws->pairs, laws->answers);
+    return TRUE;
+}
+
 /* Bodies that constraints couple may strike by turns, each blow throwing up the other less and less, infinitely often in
  * finite time: what parts too slowly to be seen does not part. Taking speeds away along normals takes energy only. */
 static gboolean settle(TinkerContactChange *change)
@@ -91,21 +119,10 @@ static gboolean settle(TinkerContactChange *change)
         any |= lingers(change, i);
     if (!any) return TRUE;
     if (tinker_contact_laws_init(&laws, change) != TINKER_OK) return FALSE;
-    g_autofree double *matrix = g_try_new(double, m *m);
-    TinkerDenseSolve *solve = tinker_dense_solve_new((int32_t)m);
-    const gboolean enough = matrix != NULL && solve != NULL;
-    if (enough) {
-        fill_resting(change, &laws, matrix);
-        tinker_dense_solve_factor(solve, matrix);
-        tinker_dense_solve(solve, laws.first);
-    }
-    tinker_dense_solve_free(solve);
-    if (!enough) {
+    if (!(laws.motion != NULL ? rest_by_solve(change, &laws) : rest_by_matrix(change, &laws))) {
         tinker_contacts_lack_memory(change->contacts, m);
         return FALSE;
     }
-    for (guint i = 0; i < m; i++)
-        laws.answers[2 * i] = laws.first[i];
     return tinker_change_push_all(change, laws.answers);
 }
 
@@ -157,7 +174,7 @@ gboolean tinker_change_strike(TinkerContactChange *change, GError **error)
         laws.first[i] = seen_restitution(change, i);
         laws.second[i] = plate != NULL ? plate->dynamic_friction : 0;
     }
-    TinkerImpact impact = {(int32_t)laws.count, laws.delassus, laws.pairs, laws.first, laws.second, NULL};
+    TinkerImpact impact = {(int32_t)laws.count, laws.delassus, laws.pairs, laws.first, laws.second, NULL, laws.motion};
     const TinkerContactResult result = tinker_impact_solve(&impact, laws.answers);
     if (result != TINKER_CONTACT_SOLVED)
         return tinker_change_refuse_laws(

@@ -2,6 +2,7 @@
 #ifndef TINKER_CORE_CONTACT_CHANGE_PRIVATE_H
 #define TINKER_CORE_CONTACT_CHANGE_PRIVATE_H
 
+#include "physics/contact/contact-reach.h"
 #include "physics/contact/contacts.h"
 #include "physics/event/contact-run-private.h"
 #include "physics/model/model-data.h"
@@ -49,15 +50,18 @@ static inline const TinkerPlate *tinker_touch_plate(const TinkerContactChange *c
 /* Contacts as the laws see them (numerics/contact-laws.h): m of them. */
 typedef struct {
     gsize count;
-    double *delassus, *pairs, *answers; /* 2m x 2m, 2m, 2m */
-    double *first, *second;             /* m */
+    double *delassus;                  /* 2m x 2m; NULL where they are many: */
+    TinkerContactReach reach;          /* then solves do, ... */
+    const TinkerContactMotion *motion; /* ... else NULL */
+    double *pairs, *answers;           /* 2m, 2m */
+    double *first, *second;            /* m */
     int8_t *sliding;
     TinkerContactMode *modes;
 } TinkerContactLaws;
 void tinker_contact_laws_clear(TinkerContactLaws *laws);
 G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC(TinkerContactLaws, tinker_contact_laws_clear)
 
-/* With their Delassus matrix. Where there is no memory for it, that is the model's failure. */
+/* With how they answer to one another. Where there is no memory for it, that is the model's failure. */
 TinkerStatus tinker_contact_laws_init(TinkerContactLaws *laws, const TinkerContactChange *change);
 
 /* Brings the model to the state of the run, constraint rows included. */
@@ -70,8 +74,8 @@ void tinker_change_measure(TinkerContactChange *change);
 gboolean tinker_change_is_trigger(const TinkerContactChange *change, const TinkerTouch *of);
 /* Whether the two come nearer to each other, for the state that the model was brought to. */
 gboolean tinker_change_approaches(const TinkerContactChange *change, const TinkerContactPair *pair);
-/* v += what an impulse (pn, pt) at a contact does. */
-void tinker_change_push(const TinkerContactChange *change, guint number, double pn, double pt, double *v);
+/* v += what impulses (pn, pt by turns) at all contacts do. */
+void tinker_change_push(const TinkerContactChange *change, const double *impulses, double *v);
 /* Accelerations with constraints but without contacts, relative to what is touched; *scale is the greatest that acts. */
 gboolean tinker_change_accelerations(TinkerContactChange *change, double *pairs, double *scale);
 void tinker_change_add_event(TinkerContactChange *change, const char *kind, const TinkerTouch *of);

@@ -88,8 +88,8 @@ static TinkerContactResult ask_modes(TinkerContactChange *change, TinkerContactL
         laws->first[i] = plate != NULL ? plate->static_friction : 0;
         laws->second[i] = plate != NULL ? plate->dynamic_friction : 0;
     }
-    TinkerClosedContacts closed = {(int32_t)laws->count, laws->delassus, laws->pairs,        laws->sliding,
-                                   laws->first,          laws->second,   FORCE_NOISE * scale};
+    TinkerClosedContacts closed = {(int32_t)laws->count, laws->delassus, laws->pairs,         laws->sliding,
+                                   laws->first,          laws->second,   FORCE_NOISE * scale, laws->motion};
     TinkerContactResult result = tinker_contact_modes(&closed, laws->modes, laws->answers);
     if (result != TINKER_CONTACT_NO_ACCELERATION) return result;
     g_autofree double *velocity = g_try_new(double, 2 * laws->count);
@@ -363,7 +363,7 @@ static gboolean shares_load(const TinkerContactChange *change)
         const TinkerContactBlock *block = &g_array_index(contacts->blocks, TinkerContactBlock, i);
         int32_t contact = g_array_index(contacts->rows, TinkerContactRow, (guint)block->first).contact;
         if (contacts->group[tinker_contacts_closed(contacts, (guint)contact)->body] == change->group)
-            return !tinker_dense_solve_is_full(block->solve[FALSE]);
+            return !tinker_contact_block_is_full(block);
     }
     return FALSE;
 }

@@ -155,7 +155,8 @@ void tinker_change_take(TinkerContactChange *change, double tolerance)
 
 /* Pushes ----------------------------------------------------------------------------------------------------------- */
 
-void tinker_change_push(const TinkerContactChange *change, guint number, double pn, double pt, double *v)
+/* v += what an impulse (pn, pt) at a contact does. */
+static void push(const TinkerContactChange *change, guint number, double pn, double pt, double *v)
 {
     const TinkerTouch *at = tinker_touch(change, number);
     if (at->row >= 0) {
@@ -164,6 +165,22 @@ void tinker_change_push(const TinkerContactChange *change, guint number, double 
     }
     const double *n = tinker_touch_plate(change, number)->normal;
     tinker_contacts_push(change->contacts, at->contact.body, pn * n[0] + pt * n[1], pn * n[1] - pt * n[0], v);
+}
+
+void tinker_change_push(const TinkerContactChange *change, const double *impulses, double *v)
+{
+    TinkerContacts *contacts = change->contacts;
+    tinker_contacts_begin_pushes(contacts);
+    for (guint i = 0; i < change->touches->len; i++) {
+        const TinkerTouch *at = tinker_touch(change, i);
+        const double pn = impulses[2 * i], pt = impulses[2 * i + 1];
+        if (at->row >= 0 || (pn == 0 && pt == 0)) continue;
+        const double *n = tinker_touch_plate(change, i)->normal;
+        tinker_contacts_add_push(contacts, at->contact.body, pn * n[0] + pt * n[1], pn * n[1] - pt * n[0], v);
+    }
+    tinker_contacts_end_pushes(contacts, v);
+    for (guint i = 0; i < change->touches->len; i++)
+        if (tinker_touch(change, i)->row >= 0 && impulses[2 * i] != 0) push(change, i, impulses[2 * i], 0, v);
 }
 
 /* What a change of velocities (or accelerations) of all bodies is along a contact: normal and tangential. */
@@ -187,21 +204,36 @@ void tinker_contact_laws_clear(TinkerContactLaws *laws)
                          laws->second,   laws->modes, laws->sliding};
     for (gsize i = 0; i < G_N_ELEMENTS(arrays); i++)
         g_free(arrays[i]);
+    tinker_contact_reach_clear(&laws->reach);
 }
 
 static gboolean allot_laws(TinkerContactLaws *laws)
 {
     const gsize m = laws->count;
-    if (m > MOST_TOUCHES) return FALSE;
-    laws->delassus = g_try_new0(double, 4 * m * m);
     laws->pairs = g_try_new0(double, 2 * m);
     laws->answers = g_try_new0(double, 2 * m);
     laws->first = g_try_new0(double, m);
     laws->second = g_try_new0(double, m);
     laws->sliding = g_try_new0(int8_t, m);
     laws->modes = g_try_new0(TinkerContactMode, m);
-    return laws->delassus != NULL && laws->pairs != NULL && laws->answers != NULL && laws->first != NULL &&
-           laws->second != NULL && laws->sliding != NULL && laws->modes != NULL;
+    return laws->pairs != NULL && laws->answers != NULL && laws->first != NULL && laws->second != NULL &&
+           laws->sliding != NULL && laws->modes != NULL;
+}
+
+/* Many contacts of plates alone. FALSE: no memory. */
+static gboolean reach_contacts(TinkerContactLaws *laws, const TinkerContactChange *change)
+{
+    const gsize m = laws->count;
+    if (m <= TINKER_FEW_CONTACTS || !change->contacts->held[tinker_touch(change, 0)->contact.body]) return TRUE;
+    g_autofree TinkerContact *touching = g_try_new(TinkerContact, m);
+    if (touching == NULL) return FALSE;
+    for (guint i = 0; i < m; i++) {
+        if (tinker_touch(change, i)->row >= 0) return TRUE;
+        touching[i] = tinker_touch(change, i)->contact;
+    }
+    if (!tinker_contact_reach_take(&laws->reach, change->contacts, touching, (int32_t)m)) return FALSE;
+    if (laws->reach.motion.context != NULL) laws->motion = &laws->reach.motion;
+    return TRUE;
 }
 
 TinkerStatus tinker_contact_laws_init(TinkerContactLaws *laws, const TinkerContactChange *change)
@@ -209,11 +241,14 @@ TinkerStatus tinker_contact_laws_init(TinkerContactLaws *laws, const TinkerConta
     const gsize m = change->touches->len;
     double *answer = change->contacts->column;
     *laws = (TinkerContactLaws){.count = m};
-    if (!allot_laws(laws)) return tinker_contacts_lack_memory(change->contacts, m);
+    if (!allot_laws(laws) || !reach_contacts(laws, change)) return tinker_contacts_lack_memory(change->contacts, m);
+    if (laws->motion != NULL) return TINKER_OK;
+    laws->delassus = m <= MOST_TOUCHES ? g_try_new0(double, 4 * m * m) : NULL;
+    if (laws->delassus == NULL) return tinker_contacts_lack_memory(change->contacts, m);
     for (guint column = 0; column < 2 * m; column++) {
         if (column % 2 == 1 && tinker_touch(change, column / 2)->row >= 0) continue;
         memset(answer, 0, 2 * (gsize)change->model->bodies * sizeof(double));
-        tinker_change_push(change, column / 2, column % 2 == 0, column % 2 == 1, answer);
+        push(change, column / 2, column % 2 == 0, column % 2 == 1, answer);
         for (guint i = 0; i < m; i++)
             along_contact(change, i, answer, &laws->delassus[2 * i * 2 * m + column],
                           &laws->delassus[(2 * i + 1) * 2 * m + column]);

@@ -167,7 +167,7 @@ static gboolean ask_laws(TinkerStillContacts *self, const TinkerContactChange *c
                 sticks ? self->contacts->plates[touch->contact.plate].static_friction : 0;
         }
         TinkerClosedContacts closed = {(int32_t)laws->count, laws->delassus, laws->pairs, laws->sliding,
-                                       laws->first,          laws->second,   noise};
+                                       laws->first,          laws->second,   noise,       laws->motion};
         const TinkerContactResult result = tinker_contact_modes(&closed, laws->modes, laws->answers);
         const gboolean solved = result == TINKER_CONTACT_SOLVED;
         if (result == TINKER_CONTACT_NO_MEMORY) {

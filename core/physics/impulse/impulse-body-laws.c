@@ -80,7 +80,8 @@ static gboolean solve_several(TinkerImpulseWay *way)
     for (int32_t i = 0; i < width; i++)
         for (int32_t j = 0; j < width; j++)
             delassus[i * width + j] = tinker_dot(directions[i], directions[j]);
-    if (!tinker_impulse_solve_laws(way->run, touches, way->count, delassus, velocity, least, room)) return FALSE;
+    const TinkerImpact impact = {.count = way->count, .delassus = delassus, .velocity = velocity, .least = least};
+    if (!tinker_impulse_solve_laws(way->run, touches, &impact, room)) return FALSE;
     memcpy(way->v, way->base, sizeof(way->v));
     for (int32_t k = 0; k < way->count; k++)
         for (int32_t i = 0; i < 2; i++)

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "physics/constraint/constraints.h"
 #include "physics/contact/contacts.h"
 #include "physics/impulse/impulse-private.h"
 #include "physics/model/model-data.h"
@@ -74,18 +75,29 @@ static void list_held(TinkerImpulses *self, const double *q, const double *v_sta
     }
 }
 
+static gboolean make_larger(const TinkerImpulses *self, double **array, gsize *size, gsize wanted, gsize contacts)
+{
+    if (wanted <= *size) return TRUE;
+    g_free(*array);
+    *size = 2 * wanted;
+    *array = g_try_new(double, *size);
+    if (*array != NULL) return TRUE;
+    *size = 0;
+    tinker_contacts_lack_memory(self->contacts, contacts);
+    return FALSE;
+}
+
 /* FALSE, with the model's failure set: no memory. */
+static gboolean make_matrix(TinkerImpulses *self, gsize count)
+{
+    return make_larger(self, &self->delassus, &self->delassus_size, 4 * count * count, count);
+}
+
+/* For velocities, least ones, laws and touches. FALSE, with the model's failure set: no memory. */
 static gboolean make_room(TinkerImpulses *self, gsize count)
 {
-    const gsize size = 4 * count * count + 2 * count + count + 6 * count + count;
-    if (size <= self->room_size) return TRUE;
-    g_free(self->room);
-    self->room_size = 2 * size;
-    self->room = g_try_new(double, self->room_size);
-    if (self->room != NULL) return TRUE;
-    self->room_size = 0;
-    tinker_contacts_lack_memory(self->contacts, count);
-    return FALSE;
+    const gsize size = 2 * count + count + tinker_impulse_laws_room(count) + count;
+    return make_larger(self, &self->room, &self->room_size, size, count);
 }
 
 /* Contacts of one group, from `first` on. */
@@ -103,12 +115,12 @@ static void choose_group(TinkerImpulses *self, guint first)
     }
 }
 
-static void push(TinkerImpulses *self, const TinkerImpulseTouch *touch, double *v)
+static void add_push(TinkerImpulses *self, const TinkerImpulseTouch *touch, double *v)
 {
     const double *n = self->plates[touch->plate].normal;
     if (touch->normal == 0 && touch->friction == 0) return;
-    tinker_contacts_push(self->contacts, touch->body, touch->normal * n[0] + touch->friction * n[1],
-                         touch->normal * n[1] - touch->friction * n[0], v);
+    tinker_contacts_add_push(self->contacts, touch->body, touch->normal * n[0] + touch->friction * n[1],
+                             touch->normal * n[1] - touch->friction * n[0], v);
 }
 
 /* What sticks has the velocity of its plate, to the last bit. */
@@ -119,26 +131,67 @@ static void settle(const TinkerImpulses *self, const TinkerImpulseTouch *touch, 
         memcpy(v + 2 * touch->body, plate->velocity, 2 * sizeof(double));
 }
 
+/* How the chosen contacts answer to one another: many by solves, few by a matrix. FALSE, with the model's failure set: no
+ * memory. */
+static gboolean find_answers(TinkerImpulses *self, TinkerImpact *impact)
+{
+    const int32_t count = impact->count;
+    const TinkerContact *touching = (const TinkerContact *)(const void *)self->laws->data;
+    if (count > TINKER_FEW_CONTACTS) {
+        if (!tinker_contact_reach_take(&self->reach, self->contacts, touching, count)) {
+            tinker_contacts_lack_memory(self->contacts, (gsize)count);
+            return FALSE;
+        }
+        if (self->reach.motion.context != NULL) impact->motion = &self->reach.motion;
+        if (impact->motion != NULL) return TRUE;
+    }
+    if (!make_matrix(self, (gsize)count)) return FALSE;
+    tinker_contacts_delassus(self->contacts, touching, count, self->delassus);
+    impact->delassus = self->delassus;
+    return TRUE;
+}
+
+/* v* but for what constraints do not let be. Impulses change what they let be alone; where bodies stick at both ends of a rod what is
+ * left, of second order in the step, would be a contradiction, which only as much stress as friction can hold resolves. The
+ * projection after the step takes it away in any case. */
+static const double *find_allowed(TinkerImpulses *self, const double *v)
+{
+    TinkerModel *model = self->model;
+    TinkerConstraints *all = &model->constraints;
+    double *allowed = self->contacts->accelerations;
+    for (int32_t i = 0; i < model->bodies; i++) {
+        model->point[i].vx = v[2 * i];
+        model->point[i].vy = v[2 * i + 1];
+    }
+    memcpy(allowed, v, 2 * (gsize)model->bodies * sizeof(double));
+    tinker_constraints_rates(model, all->asked);
+    for (int32_t row = 0; row < all->rows; row++)
+        all->asked[row] = -all->asked[row];
+    tinker_constraints_change_speeds(model, all->asked, allowed);
+    return allowed;
+}
+
 static gboolean solve_group(TinkerImpulses *self, double *v)
 {
     const gsize count = self->chosen->len;
     if (!make_room(self, count)) return FALSE;
-    double *delassus = self->room, *velocity = delassus + 4 * count * count, *least = velocity + 2 * count;
-    double *room = least + count;
-    TinkerImpulseTouch **touches = (TinkerImpulseTouch **)(void *)(room + 6 * count);
+    const double *from = count > TINKER_FEW_CONTACTS ? find_allowed(self, v) : v;
+    double *velocity = self->room, *least = velocity + 2 * count, *room = least + count;
+    TinkerImpulseTouch **touches = (TinkerImpulseTouch **)(void *)(room + tinker_impulse_laws_room(count));
     for (gsize k = 0; k < count; k++) {
         TinkerImpulseTouch *touch = touches[k] = held(self, (guint)g_array_index(self->chosen, int32_t, k));
         const TinkerImpulsePlate *plate = &self->plates[touch->plate];
-        const double *at = v + 2 * touch->body;
+        const double *at = from + 2 * touch->body;
         velocity[2 * k] = tinker_dot(plate->normal, at);
         velocity[2 * k + 1] = tinker_along(plate->normal, at) - tinker_along(plate->normal, plate->velocity);
         least[k] = touch->least;
     }
-    tinker_contacts_delassus(self->contacts, (const TinkerContact *)(const void *)self->laws->data, (int32_t)count,
-                             delassus);
-    if (!tinker_impulse_solve_laws(self, touches, (int32_t)count, delassus, velocity, least, room)) return FALSE;
+    TinkerImpact impact = {.count = (int32_t)count, .velocity = velocity, .least = least};
+    if (!find_answers(self, &impact) || !tinker_impulse_solve_laws(self, touches, &impact, room)) return FALSE;
+    tinker_contacts_begin_pushes(self->contacts);
     for (gsize k = 0; k < count; k++)
-        push(self, touches[k], v);
+        add_push(self, touches[k], v);
+    tinker_contacts_end_pushes(self->contacts, v);
     for (gsize k = 0; k < count; k++)
         settle(self, touches[k], v);
     return TRUE;

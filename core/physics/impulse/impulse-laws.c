@@ -1,4 +1,5 @@
-/* The laws of several contacts at once: to rounding where they are few, by projected Gauss-Seidel where they are many. */
+/* The laws of several contacts at once: to rounding where they are few; some more by projected Gauss-Seidel; many without their
+ * matrix. */
 #include <glib/gi18n-lib.h>
 #include <math.h>
 #include <string.h>
@@ -37,11 +38,20 @@ static gboolean let_slip(const TinkerImpulses *self, TinkerImpulseTouch *const *
     return any;
 }
 
-/* `room` holds 2 per contact. */
-static gboolean solve(const TinkerImpact *impact, double *impulses, double *room)
+/* `room` holds 2 per contact where there is a matrix. `last`: as near as it comes will do. */
+static gboolean solve(const TinkerImpact *impact, gboolean last, double *impulses, double *room)
 {
+    if (impact->delassus == NULL) {
+        const TinkerImpactGuess found = tinker_impact_guess(impact, room, impulses);
+        return found == TINKER_IMPACT_MET || (last && found == TINKER_IMPACT_APPROACHED);
+    }
     return impact->count > TINKER_MOST_TOUCHES ? tinker_impact_sweep(impact, room, impulses)
                                                : tinker_impact_solve(impact, impulses) == TINKER_CONTACT_SOLVED;
+}
+
+gsize tinker_impulse_laws_room(gsize count)
+{
+    return 4 * count + MAX(tinker_impact_guess_room((int32_t)count), 2 * count);
 }
 
 /* Where friction wedges, no impulses bring a body as far out as its gap or its restitution ask for: it comes to rest. */
@@ -54,20 +64,23 @@ static void ask_for_rest(const TinkerImpulses *self, TinkerImpulseTouch **touche
     }
 }
 
-gboolean tinker_impulse_solve_laws(const TinkerImpulses *self, TinkerImpulseTouch **touches, int32_t count,
-                                   const double *delassus, const double *velocity, const double *least, double *room)
+gboolean tinker_impulse_solve_laws(const TinkerImpulses *self, TinkerImpulseTouch **touches, const TinkerImpact *given,
+                                   double *room)
 {
+    const int32_t count = given->count;
     double *impulses = room, *friction = room + 2 * (gsize)count, *rest = friction + count;
     double *work = rest + count;
-    TinkerImpact impact = {count, delassus, velocity, NULL, friction, least};
+    TinkerImpact impact = *given;
+    impact.friction = friction;
     for (int32_t k = 0; k < count; k++)
         friction[k] = friction_of(self, touches[k]);
     for (int32_t tries = 0; tries <= count; tries++) {
-        gboolean solved = solve(&impact, impulses, work);
+        impact.least = given->least;
+        gboolean solved = solve(&impact, FALSE, impulses, work);
         if (!solved) {
-            ask_for_rest(self, touches, count, least, rest);
+            ask_for_rest(self, touches, count, given->least, rest);
             impact.least = rest;
-            solved = solve(&impact, impulses, work);
+            solved = solve(&impact, TRUE, impulses, work);
         }
         if (!solved) {
             g_snprintf(self->model->failure, sizeof(self->model->failure),

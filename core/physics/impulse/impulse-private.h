@@ -3,6 +3,7 @@
 #define TINKER_CORE_IMPULSE_PRIVATE_H
 
 #include "physics/contact/contact-neighbours.h"
+#include "physics/contact/contact-reach.h"
 #include "physics/contact/contacts.h"
 #include "physics/impulse/impulse.h"
 #include "physics/model/model-data.h"
@@ -59,6 +60,9 @@ typedef struct {
     GArray *laws;   /* of TinkerContact: the same, for the Delassus matrix */
     double *room;   /* for their laws */
     gsize room_size;
+    TinkerContactReach reach; /* of many; */
+    double *delassus;         /* or a matrix */
+    gsize delassus_size;
 } TinkerImpulses;
 
 /* TinkerIntegrator.create and .destroy. */
@@ -161,9 +165,10 @@ gboolean tinker_impulse_solve_way(TinkerImpulseWay *way);
 /* Changes the velocities (v* of all bodies) of what is held by constraints by the impulses of its contacts. */
 gboolean tinker_impulse_solve_held(TinkerImpulses *self, const double *q, double *v);
 
-/* The laws for `count` contacts, impulses for an offset `velocity` (see TinkerImpact); friction is that of each contact's
- * state. Sets impulses and what each does. FALSE where nothing satisfies them. `room` holds 6 per contact. */
-gboolean tinker_impulse_solve_laws(const TinkerImpulses *self, TinkerImpulseTouch **touches, int32_t count,
-                                   const double *delassus, const double *velocity, const double *least, double *room);
+/* The laws for contacts with these velocities and their least ones; friction is that of each contact's state. Sets impulses and what
+ * each does. FALSE where nothing satisfies them. `room` holds tinker_impulse_laws_room doubles. */
+gboolean tinker_impulse_solve_laws(const TinkerImpulses *self, TinkerImpulseTouch **touches, const TinkerImpact *given,
+                                   double *room);
+gsize tinker_impulse_laws_room(gsize count);
 
 #endif

@@ -88,8 +88,10 @@ void tinker_impulse_destroy(void *data)
     GArray *lists[] = {self->next, self->held, self->chosen, self->laws};
     for (gsize i = 0; i < G_N_ELEMENTS(lists); i++)
         g_array_unref(lists[i]);
-    gpointer arrays[] = {self->plates, self->orientation, self->from.q, self->from.v, self->from.books, self->to.q,
-                         self->to.v,   self->a,           self->power,  self->room,   self->velocity};
+    tinker_contact_reach_clear(&self->reach);
+    gpointer arrays[] = {self->plates,     self->orientation, self->from.q, self->from.v,
+                         self->from.books, self->to.q,        self->to.v,   self->a,
+                         self->power,      self->velocity,    self->room,   self->delassus};
     for (gsize i = 0; i < G_N_ELEMENTS(arrays); i++)
         g_free(arrays[i]);
     g_free(self);

@@ -1,0 +1,410 @@
+/* Contacts eliminated from constraint rows; see the header. */
+#include "physics/contact/contact-elimination.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "numerics/solve/pivoted-solve.h"
+#include "numerics/solve/sparse-ldu.h"
+#include "physics/constraint/constraints.h"
+
+/* As of constraint rows (constraints.c): a row that keeps no more than this share of itself depends on others. */
+#define DEPENDENT_PIVOT 1e-10
+/* Equations of one body whose pivot falls to this share depend on one another. */
+#define DEPENDENT_EQUATION 1e-10
+/* Of equations that depend on one another, and of rows that do: what is added to their diagonal. Each solve with it brings what is
+ * determined closer by this over its eigenvalue, as in constraints.c. */
+#define SOFTNESS    1e-5
+#define MOST_SOLVES 60
+/* Misses below this share of what meets in an equation are rounding; a solve that leaves more than half of one is the last. */
+#define ROUNDING 1e-15
+
+/* One end of a row on a body of the group. */
+typedef struct {
+    int32_t row, entry; /* in the group; in the Jacobian */
+} End;
+
+typedef struct {
+    int32_t body;
+    double inverse_mass;
+    int32_t first_end, end_count;
+    int32_t first_product; /* of end_count x end_count */
+    int32_t first, count;  /* equations */
+    double mobility[2][2]; /* 1 - D A^-1 C, over its mass */
+    double pushed[2];      /* D A^-1 b */
+} Body;
+
+typedef struct {
+    double inverse[TINKER_MOST_EQUATIONS]; /* its row of A^-1 */
+    double miss, move;                     /* what is still asked for; the force that does so */
+} Equation;
+
+struct _TinkerContactElimination {
+    TinkerModel *model;
+    int32_t bodies, rows, equations;
+    gsize room; /* for equations */
+    const TinkerContactEquation *of;
+    Body *body;
+    int32_t *of_body; /* by body of the model */
+    End *ends;
+    int *slots; /* of products */
+    TinkerSparseLdu *ldu;
+    double *least, *mu; /* by row */
+    int *diagonal;
+    Equation *equation;
+    double *along;   /* by equation */
+    double *by_body; /* 2 per body of the model */
+    gint64 solves;
+};
+
+static gboolean is_of_group(const TinkerModel *model, const int32_t *group, int32_t first, int32_t point)
+{
+    return point < model->bodies && group[point] == group[first];
+}
+
+/* Numbers the rows of the group; -1: of another. Answers how many. */
+static int32_t number_rows(const TinkerModel *model, const int32_t *group, int32_t first, int32_t *number)
+{
+    const TinkerConstraints *all = &model->constraints;
+    int32_t count = 0;
+    for (int32_t row = 0; row < all->rows; row++) {
+        gboolean own = FALSE;
+        for (int32_t e = all->row_starts[row]; e < all->row_starts[row + 1]; e++)
+            own |= is_of_group(model, group, first, all->points[e]);
+        number[row] = own ? count++ : -1;
+    }
+    return count;
+}
+
+static gboolean allot(TinkerContactElimination *self, gsize ends, gsize products)
+{
+    self->body = g_try_new0(Body, MAX(self->bodies, 1));
+    self->of_body = g_try_new0(int32_t, MAX(self->model->bodies, 1));
+    self->ends = g_try_new0(End, MAX(ends, 1));
+    self->slots = g_try_new0(int, MAX(products, 1));
+    self->least = g_try_new0(double, MAX(self->rows, 1));
+    self->mu = g_try_new0(double, MAX(self->rows, 1));
+    self->diagonal = g_try_new0(int, MAX(self->rows, 1));
+    self->by_body = g_try_new0(double, 2 * (gsize)MAX(self->model->bodies, 1));
+    return self->body != NULL && self->of_body != NULL && self->ends != NULL && self->slots != NULL &&
+           self->least != NULL && self->mu != NULL && self->diagonal != NULL && self->by_body != NULL;
+}
+
+/* Lists bodies with the ends of rows on them. */
+static void list_bodies(TinkerContactElimination *self, const int32_t *group, int32_t first, const int32_t *number)
+{
+    const TinkerConstraints *all = &self->model->constraints;
+    int32_t bodies = 0, ends = 0, products = 0;
+    for (int32_t i = 0; i < self->model->bodies; i++) {
+        self->of_body[i] = -1;
+        if (!is_of_group(self->model, group, first, i)) continue;
+        Body *body = &self->body[bodies];
+        *body = (Body){.body = i, .inverse_mass = self->model->inverse_mass[i], .first_end = ends};
+        body->first_product = products;
+        for (int32_t k = all->body_starts[i]; k < all->body_starts[i + 1]; k++) {
+            const int32_t entry = all->body_entries[k];
+            self->ends[ends++] = (End){number[all->row_of[entry]], entry};
+        }
+        body->end_count = ends - body->first_end;
+        products += body->end_count * body->end_count;
+        self->of_body[i] = bodies++;
+    }
+}
+
+/* The pattern, and where every product goes. FALSE: no memory. */
+static gboolean find_slots(TinkerContactElimination *self, gsize products)
+{
+    g_autofree int *rows = g_try_new(int, MAX(products, 1)), *columns = g_try_new(int, MAX(products, 1));
+    gsize count = 0;
+    if (rows == NULL || columns == NULL) return FALSE;
+    for (int pass = 0; pass < 2; pass++) {
+        count = 0;
+        for (int32_t i = 0; i < self->bodies; i++) {
+            const End *ends = self->ends + self->body[i].first_end;
+            const int32_t n = self->body[i].end_count;
+            for (int32_t k = 0; k < n * n; k++) {
+                const int row = ends[k / n].row, column = ends[k % n].row;
+                if (pass == 1)
+                    self->slots[self->body[i].first_product + k] = tinker_sparse_ldu_slot(self->ldu, row, column);
+                if (row == column) continue;
+                rows[count] = row;
+                columns[count++] = column;
+            }
+        }
+        if (pass == 0) self->ldu = tinker_sparse_ldu_new(self->rows, rows, columns, count);
+        if (self->ldu == NULL) return FALSE;
+    }
+    for (int32_t row = 0; row < self->rows; row++)
+        self->diagonal[row] = tinker_sparse_ldu_slot(self->ldu, row, row);
+    return TRUE;
+}
+
+TinkerContactElimination *tinker_contact_elimination_new(TinkerModel *model, const int32_t *group, int32_t first)
+{
+    const TinkerConstraints *all = &model->constraints;
+    g_autofree int32_t *number = g_try_new0(int32_t, MAX(all->rows, 1));
+    if (number == NULL) return NULL;
+    TinkerContactElimination *self = g_new0(TinkerContactElimination, 1);
+    gsize ends = 0, products = 0;
+    self->model = model;
+    self->rows = number_rows(model, group, first, number);
+    for (int32_t i = 0; i < model->bodies; i++) {
+        if (!is_of_group(model, group, first, i)) continue;
+        const gsize count = (gsize)(all->body_starts[i + 1] - all->body_starts[i]);
+        self->bodies++;
+        ends += count;
+        products += count * count;
+    }
+    gboolean done = products <= G_MAXINT32 && allot(self, ends, products);
+    if (done) list_bodies(self, group, first, number);
+    if (!done || !find_slots(self, products)) g_clear_pointer(&self, tinker_contact_elimination_free);
+    return self;
+}
+
+void tinker_contact_elimination_free(TinkerContactElimination *self)
+{
+    if (self == NULL) return;
+    tinker_sparse_ldu_free(self->ldu);
+    gpointer arrays[] = {self->body,  self->of_body,  self->ends,     self->slots, self->mu,
+                         self->least, self->diagonal, self->equation, self->along, self->by_body};
+    for (gsize i = 0; i < G_N_ELEMENTS(arrays); i++)
+        g_free(arrays[i]);
+    g_free(self);
+}
+
+gsize tinker_contact_elimination_fill(const TinkerContactElimination *self)
+{
+    return 2 * tinker_sparse_ldu_fill(self->ldu);
+}
+
+gint64 tinker_contact_elimination_solves(const TinkerContactElimination *self)
+{
+    return self->solves;
+}
+
+gboolean tinker_contact_elimination_make_room(TinkerContactElimination *self, gsize count)
+{
+    if (count <= self->room) return TRUE;
+    g_free(self->equation);
+    g_free(self->along);
+    self->room = 2 * count;
+    self->equation = g_try_new(Equation, self->room);
+    self->along = g_try_new(double, self->room);
+    if (self->equation == NULL || self->along == NULL) self->room = 0;
+    return self->room > 0;
+}
+
+void tinker_contact_elimination_take(TinkerContactElimination *self, const TinkerContactEquation *equations,
+                                     int32_t count)
+{
+    for (int32_t i = 0; i < self->bodies; i++)
+        self->body[i].count = 0;
+    for (int32_t k = 0; k < count; k++) {
+        Body *body = &self->body[self->of_body[equations[k].body]];
+        if (body->count++ == 0) body->first = k;
+    }
+    self->of = equations;
+    self->equations = count;
+}
+
+/* The factor ------------------------------------------------------------------------------------------------------- */
+
+static inline double dot(const double a[2], const double b[2])
+{
+    return a[0] * b[0] + a[1] * b[1];
+}
+
+/* A^-1 of several equations on one body, column by column; FALSE where they depend on one another. */
+static gboolean invert(const TinkerContactEquation *of, Equation *equation, int32_t count, double softness)
+{
+    for (int32_t column = 0; column < count; column++) {
+        double matrix[TINKER_MOST_EQUATIONS * TINKER_MOST_EQUATIONS], x[TINKER_MOST_EQUATIONS] = {0};
+        int32_t order[TINKER_MOST_EQUATIONS];
+        for (int32_t i = 0; i < count; i++)
+            for (int32_t j = 0; j < count; j++)
+                matrix[i * count + j] = dot(of[i].row, of[j].force) + (i == j ? softness : 0);
+        x[column] = 1;
+        if (tinker_pivoted_solve(count, matrix, x, order, DEPENDENT_EQUATION) < count) return FALSE;
+        for (int32_t i = 0; i < count; i++)
+            equation[i].inverse[column] = x[i];
+    }
+    return TRUE;
+}
+
+/* What is left of a body's mobility. FALSE where its equations depend on one another. */
+static gboolean find_mobility(const TinkerContactElimination *self, Body *body, double softness)
+{
+    const TinkerContactEquation *of = self->of + body->first;
+    Equation *equation = self->equation + body->first;
+    double left[2][2] = {{1, 0}, {0, 1}};
+    if (body->count == 1)
+        equation->inverse[0] = 1 / (dot(of->row, of->force) + softness);
+    else if (body->count > 1 && !invert(of, equation, body->count, softness))
+        return FALSE;
+    for (int32_t a = 0; a < body->count; a++)
+        for (int32_t b = 0; b < body->count; b++)
+            for (int k = 0; k < 4; k++)
+                left[k / 2][k % 2] -= of[a].force[k / 2] * equation[a].inverse[b] * of[b].row[k % 2];
+    for (int k = 0; k < 4; k++)
+        body->mobility[k / 2][k % 2] = left[k / 2][k % 2] * body->inverse_mass;
+    return TRUE;
+}
+
+/* Adds up S with what is left of the body's mobility, and in `least` what its diagonal is without contacts. */
+static void add_body(TinkerContactElimination *self, const Body *body)
+{
+    const double *j = self->model->constraints.jacobian;
+    double *values = tinker_sparse_ldu_values(self->ldu);
+    const End *ends = self->ends + body->first_end;
+    const int *slot = self->slots + body->first_product;
+    for (int32_t b = 0; b < body->end_count; b++) {
+        const double *at = j + 2 * ends[b].entry;
+        const double moved[2] = {dot(body->mobility[0], at), dot(body->mobility[1], at)};
+        self->least[ends[b].row] += body->inverse_mass * dot(at, at);
+        for (int32_t a = 0; a < body->end_count; a++)
+            values[slot[a * body->end_count + b]] += dot(j + 2 * ends[a].entry, moved);
+    }
+}
+
+static gboolean factor(TinkerContactElimination *self, double softness, double row_softness)
+{
+    double *values = tinker_sparse_ldu_values(self->ldu);
+    self->solves++;
+    tinker_sparse_ldu_clear(self->ldu);
+    memset(self->least, 0, (gsize)self->rows * sizeof(double));
+    for (int32_t i = 0; i < self->bodies; i++) {
+        Body *body = &self->body[i];
+        if (!find_mobility(self, body, softness)) return FALSE;
+        add_body(self, body);
+    }
+    for (int32_t row = 0; row < self->rows; row++) {
+        /* a row that no body feels, or a slack one, has no multiplier */
+        if (self->least[row] == 0) values[self->diagonal[row]] = 1;
+        values[self->diagonal[row]] += row_softness * self->least[row];
+        self->least[row] *= DEPENDENT_PIVOT;
+    }
+    return tinker_sparse_ldu_factor(self->ldu, self->least);
+}
+
+/* With as little softness as will do; answers whether without any. What was soft once is tried without again. */
+static gboolean factor_softly(TinkerContactElimination *self)
+{
+    if (factor(self, 0, 0)) return TRUE;
+    if (!factor(self, SOFTNESS, 0)) factor(self, SOFTNESS, SOFTNESS);
+    return FALSE;
+}
+
+/* Solving ---------------------------------------------------------------------------------------------------------- */
+
+/* mu of the right-hand side: what bodies would do, but for the constraints. */
+static void demand_rows(TinkerContactElimination *self)
+{
+    const double *j = self->model->constraints.jacobian;
+    memset(self->mu, 0, (gsize)self->rows * sizeof(double));
+    for (int32_t i = 0; i < self->bodies; i++) {
+        const Body *body = &self->body[i];
+        const Equation *equation = self->equation + body->first;
+        double pushed[2] = {0, 0};
+        if (body->count == 0) continue;
+        for (int32_t a = 0; a < body->count; a++) {
+            double sum = 0;
+            for (int32_t k = 0; k < body->count; k++)
+                sum += equation[a].inverse[k] * equation[k].miss;
+            pushed[0] += self->of[body->first + a].force[0] * sum;
+            pushed[1] += self->of[body->first + a].force[1] * sum;
+        }
+        for (int32_t e = body->first_end; e < body->first_end + body->end_count; e++)
+            self->mu[self->ends[e].row] -= dot(j + 2 * self->ends[e].entry, pushed);
+    }
+}
+
+/* The moves that would make up for the misses. */
+static void solve_once(TinkerContactElimination *self)
+{
+    const double *j = self->model->constraints.jacobian;
+    self->solves++;
+    demand_rows(self);
+    tinker_sparse_ldu_solve(self->ldu, self->mu);
+    for (int32_t i = 0; i < self->bodies; i++) {
+        const Body *body = &self->body[i];
+        Equation *equation = self->equation + body->first;
+        double asked[TINKER_MOST_EQUATIONS], pull[2] = {0, 0};
+        if (body->count == 0) continue;
+        for (int32_t e = body->first_end; e < body->first_end + body->end_count; e++)
+            for (int k = 0; k < 2; k++)
+                pull[k] += j[2 * self->ends[e].entry + k] * self->mu[self->ends[e].row];
+        for (int32_t a = 0; a < body->count; a++)
+            asked[a] = equation[a].miss / body->inverse_mass - dot(self->of[body->first + a].row, pull);
+        for (int32_t a = 0; a < body->count; a++) {
+            equation[a].move = 0;
+            for (int32_t k = 0; k < body->count; k++)
+                equation[a].move += equation[a].inverse[k] * asked[k];
+        }
+    }
+}
+
+void tinker_contact_elimination_push(TinkerContactElimination *self, const double *x, double *along)
+{
+    TinkerModel *model = self->model;
+    TinkerConstraints *all = &model->constraints;
+    const gsize bytes = 2 * (gsize)model->bodies * sizeof(double);
+    self->solves++;
+    memset(all->by_point, 0, 2 * (gsize)model->points * sizeof(double));
+    for (int32_t e = 0; e < self->equations; e++) {
+        const int32_t body = self->of[e].body;
+        for (int k = 0; k < 2; k++)
+            all->by_point[2 * body + k] += x[e] * self->of[e].force[k] * model->inverse_mass[body];
+    }
+    memcpy(self->by_body, all->by_point, bytes);
+    tinker_constraints_rows_times(all, all->by_point, all->asked);
+    for (int32_t row = 0; row < all->rows; row++)
+        all->asked[row] = -all->asked[row];
+    tinker_constraints_change_speeds(model, all->asked, self->by_body);
+    for (int32_t e = 0; e < self->equations; e++)
+        along[e] = dot(self->of[e].row, self->by_body + 2 * self->of[e].body);
+}
+
+/* What x still misses; answers the largest beside what meets there. */
+static double find_misses(TinkerContactElimination *self, const double *b, const double *x)
+{
+    double most = 0, size = 0;
+    tinker_contact_elimination_push(self, x, self->along);
+    for (int32_t e = 0; e < self->equations; e++) {
+        self->equation[e].miss = b[e] - self->along[e];
+        most = fmax(most, fabs(self->equation[e].miss));
+        size = fmax(size, fabs(b[e]) + fabs(x[e]) * self->model->inverse_mass[self->of[e].body]);
+    }
+    return size > 0 ? most / size : 0;
+}
+
+gboolean tinker_contact_elimination_solve(TinkerContactElimination *self, const double *b, double *x)
+{
+    const gboolean full = factor_softly(self);
+    double miss = find_misses(self, b, x);
+    for (int solves = 0; solves < MOST_SOLVES && miss > ROUNDING; solves++) {
+        const double before = miss;
+        solve_once(self);
+        for (int32_t e = 0; e < self->equations; e++)
+            x[e] += self->equation[e].move;
+        miss = find_misses(self, b, x);
+        if (miss <= 0.5 * before) continue;
+        for (int32_t e = 0; e < self->equations && !(miss <= before); e++)
+            x[e] -= self->equation[e].move;
+        break;
+    }
+    return full;
+}
+
+void tinker_contact_elimination_soften(TinkerContactElimination *self, double softness)
+{
+    if (!factor(self, softness, 0)) factor(self, softness, SOFTNESS);
+}
+
+void tinker_contact_elimination_solve_soft(TinkerContactElimination *self, const double *b, double *x)
+{
+    for (int32_t e = 0; e < self->equations; e++)
+        self->equation[e].miss = b[e];
+    solve_once(self);
+    for (int32_t e = 0; e < self->equations; e++)
+        x[e] = self->equation[e].move;
+}
