@@ -11,6 +11,7 @@ from .waiting import Gone  # noqa: E402
 
 ACCESSIBLE = "org.a11y.atspi.Accessible"
 TIMEOUT = 20000  # ms
+PROGRAM = 75     # the role of what all windows are in
 PAUSE = 2        # s, between two times that everybody is asked
 IN_WINDOW = 1    # coordinates: those of the screen are not told by GTK 4
 
@@ -55,8 +56,10 @@ class Node:
             return None
 
     def is_shown(self):
-        """Whether it and all that it is in are visible. GTK 4.8 tells of each only by itself."""
-        return self.has("visible") and all(node.has("visible") for node in self.ancestors() if node.role_number != 75)
+        """Whether it and all that it is in are visible, which GTK 4.8 tells of each only by itself, and it is in a window: a menu
+        that has closed can live on for a while without one, next to the windows, and still calls its items visible."""
+        chain = [node for node in (self, *self.ancestors()) if node.role_number != PROGRAM]
+        return all(node.has("visible") for node in chain) and bool(chain) and chain[-1].role != "menu"
 
     def __repr__(self):
         return f"{self.role} “{self.name}”"
