@@ -208,6 +208,19 @@ static void add_parts(TinkerNoticeBar *bar)
     g_signal_connect_swapped(bar->cure, "clicked", G_CALLBACK(on_cure), bar);
 }
 
+/* GTK's info bar makes the cross itself, of the style class "close", and gives it no name. */
+static void name_close_button(GtkWidget *widget)
+{
+    for (GtkWidget *child = gtk_widget_get_first_child(widget); child != NULL;
+         child = gtk_widget_get_next_sibling(child)) {
+        if (GTK_IS_BUTTON(child) && gtk_widget_has_css_class(child, "close")) {
+            gtk_widget_set_tooltip_text(child, _("Close Notice"));
+            gtk_accessible_update_property(GTK_ACCESSIBLE(child), GTK_ACCESSIBLE_PROPERTY_LABEL, _("Close Notice"), -1);
+        }
+        name_close_button(child);
+    }
+}
+
 static void tinker_notice_bar_init(TinkerNoticeBar *bar)
 {
     bar->sources = g_hash_table_new_full(g_str_hash, g_str_equal, g_free, (GDestroyNotify)g_ptr_array_unref);
@@ -216,6 +229,7 @@ static void tinker_notice_bar_init(TinkerNoticeBar *bar)
     bar->bar = gtk_info_bar_new();
     gtk_widget_set_visible(bar->bar, FALSE);
     gtk_info_bar_set_show_close_button(GTK_INFO_BAR(bar->bar), TRUE);
+    name_close_button(bar->bar);
     add_parts(bar);
     g_signal_connect_swapped(bar->bar, "response", G_CALLBACK(on_response), bar);
     gtk_widget_set_parent(bar->bar, GTK_WIDGET(bar));
