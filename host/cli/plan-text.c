@@ -29,7 +29,6 @@ static char *kind_text(const TinkerIslandPlan *island)
     if (island->constraint_rows > 0)
         g_string_append_printf(text, ", %d constraint%s", island->constraint_rows, plural(island->constraint_rows));
     if (island->redundant_rows > 0) g_string_append_printf(text, " (%d redundant)", island->redundant_rows);
-    if (island->joined > 1) g_string_append_printf(text, ", %d islands stepped together", island->joined);
     return g_string_free(g_steal_pointer(&text), FALSE);
 }
 

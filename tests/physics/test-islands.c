@@ -5,6 +5,7 @@
 #include "physics/compile/compile.h"
 #include "physics/model/model.h"
 #include "physics/plan/islands.h"
+#include "physics/plan/partition.h"
 #include "physics/system/summary.h"
 
 #include <glib/gstdio.h>
@@ -26,7 +27,6 @@ static void assert_islands(guint expected, const char *blocks)
     for (guint i = 0; i < islands->len; i++) {
         const TinkerIsland *island = g_ptr_array_index(islands, i);
         bodies += tinker_model_sizes(island->model).bodies;
-        g_assert_cmpint(island->joined, ==, 1);
     }
     g_assert_cmpint(bodies, ==, tinker_model_sizes(model).bodies);
 }
@@ -135,43 +135,79 @@ static void test_methods_of_their_own(void)
     g_assert_cmpstr(run->summary->method, ==, "auto");
 }
 
-/* --- more than are stepped apart --- */
+/* --- very many --- */
 
-/* Oscillators of their own stiffness each, a pair among them, side by side. */
-static void test_too_many(gconstpointer method)
+#define MANY           3000
+#define COMMON_SUPPORT "{'type': 'support', 'position': [-3, 0]}"
+#define OSCILLATOR                                                                                                     \
+    ", {'type': 'mass', 'name': 'M%d', 'position': [1.5, %d]},"                                                        \
+    "{'type': 'spring', 'ends': [{'block': 'Support 0', 'at': [3, %d]}, 'M%d'],"                                       \
+    "'rest_length': 1, 'stiffness': %.17g}"
+
+/* Oscillators of their own stiffness each, side by side, all on one support: each is an island, moves as it would alone, and is
+ * where its solution is. */
+static void test_many(gconstpointer method)
 {
-    const int count = TINKER_MOST_ISLANDS + 44;
-    GString *text = g_string_new("{'type': 'support', 'position': [-3, 0]}"), *columns = g_string_new(NULL);
-    for (int i = 0; i < count; i++) {
-        g_string_append_printf(text,
-                               ",{'type': 'mass', 'position': [1.5, %d]},"
-                               "{'type': 'spring', 'ends': [{'block': 'Support 0', 'at': [3, %d]}, 'Mass %d'],"
-                               "'rest_length': 1, 'stiffness': %.17g}",
-                               i, i, i, 10 + 0.1 * i);
-        g_string_append_printf(columns, "%sMass %d.x", i > 0 ? ", " : "", i);
+    GString *text = g_string_new(COMMON_SUPPORT), *columns = g_string_new(NULL);
+    for (int i = 0; i < MANY; i++) {
+        g_string_append_printf(text, OSCILLATOR, i, i, i, i, 10 + 0.1 * i);
+        g_string_append_printf(columns, "%sM%d.x", i > 0 ? ", " : "", i);
     }
-    g_autoptr(PhysicsRun) run = physics_run(&(PhysicsOptions){.method = method,
-                                                              .duration = 2,
-                                                              .interval = 0.25,
-                                                              .step = 1e-3,
-                                                              .tolerance = 1e-11,
-                                                              .columns = columns->str},
-                                            "%s", text->str);
+    PhysicsOptions options = {.method = method,
+                              .duration = 0.5,
+                              .interval = 0.125,
+                              .step = 5e-4,
+                              .tolerance = 1e-11,
+                              .columns = columns->str};
+    g_autoptr(PhysicsRun) run = physics_run(&options, "%s", text->str);
     g_string_free(text, TRUE);
     g_string_free(columns, TRUE);
-    g_assert_cmpuint(run->summary->islands->len, ==, TINKER_MOST_ISLANDS);
+    g_assert_cmpuint(run->summary->islands->len, ==, MANY);
     for (gsize i = 0; i < physics_samples(run); i++)
-        for (int k = 0; k < count; k++)
+        for (int k = 0; k < MANY; k++)
             physics_assert_near("x", physics_value(run, i, (gsize)k),
                                 1 + 0.5 * cos(sqrt(10 + 0.1 * k) * physics_time(run, i)), 1e-8);
-    guint bodies = 0, most = 0;
-    for (guint i = 0; i < run->summary->islands->len; i++) {
-        const TinkerIslandSummary *island = g_ptr_array_index(run->summary->islands, i);
-        bodies += island->bodies->len;
-        most = MAX(most, island->bodies->len);
+    for (int k = 0; k < MANY; k += 299) {
+        const TinkerIslandSummary *island = g_ptr_array_index(run->summary->islands, (guint)k);
+        g_autofree char *name = g_strdup_printf("M%d", k);
+        options.columns = NULL;
+        g_autoptr(PhysicsRun) alone = physics_run(&options, COMMON_SUPPORT OSCILLATOR, k, k, k, k, 10 + 0.1 * k);
+        g_assert_cmpuint(island->bodies->len, ==, 1);
+        assert_same_state(run, alone, name);
     }
-    g_assert_cmpuint(bodies, ==, (guint)count);
-    g_assert_cmpuint(most, ==, 45);
+}
+
+/* Pairs on one shaken support, in gravity, and as many that only lie about. */
+static gint64 blocks_asked(int pairs)
+{
+    GString *text = g_string_new("{'type': 'support'}, {'type': 'gravity'},"
+                                 "{'type': 'support-motion', 'ends': ['Support 0'], 'amplitude': 0.1}");
+    for (int i = 0; i < pairs; i++)
+        g_string_append_printf(text,
+                               ", {'type': 'mass', 'name': 'A%d', 'position': [1, %d]},"
+                               "{'type': 'mass', 'name': 'B%d', 'position': [2, %d]}, {'type': 'mass'},"
+                               "{'type': 'spring', 'ends': ['A%d', 'B%d']},"
+                               "{'type': 'damper', 'ends': [{'block': 'Support 0', 'at': [1, 2]}, 'A%d']}",
+                               i, i, i, i, i, i, i);
+    g_autoptr(TinkerScene) scene = physics_scene(NULL, text->str);
+    g_autoptr(GError) error = NULL;
+    g_autoptr(TinkerModel) model = tinker_model_new(scene, &error);
+    g_assert_no_error(error);
+    g_autoptr(TinkerPartition) partition = tinker_partition_new(model);
+    g_assert_cmpint(partition->count, ==, 2 * pairs);
+    /* of a pair: two masses, two connectors, support, motion and gravity; of a mass alone: that, the support, which has a solid
+     * top, its motion, and gravity */
+    g_assert_cmpuint(partition->numbers->len, ==, (guint)(pairs * (7 + 4)));
+    g_string_free(text, TRUE);
+    return partition->blocks_asked;
+}
+
+/* What finding the islands looks at goes with the number of blocks: three times as many are three times the work. */
+static void test_partition_is_linear(void)
+{
+    gint64 few = blocks_asked(500);
+    g_assert_cmpint(few, >, 0);
+    g_assert_cmpint(blocks_asked(1500), ==, 3 * few);
 }
 
 /* --- breaks, supports, samples, warnings --- */
@@ -351,9 +387,10 @@ static void add_tests(void)
     }
     g_test_add_data_func("/physics/islands/as-alone/auto", "auto", test_as_alone);
     g_test_add_func("/physics/islands/methods-of-their-own", test_methods_of_their_own);
-    g_test_add_data_func("/physics/islands/too-many/auto", "auto", test_too_many);
-    g_test_add_data_func("/physics/islands/too-many/rk4", "rk4", test_too_many);
-    g_test_add_data_func("/physics/islands/too-many/dop853", "dop853", test_too_many);
+    g_test_add_data_func("/physics/islands/many/auto", "auto", test_many);
+    g_test_add_data_func("/physics/islands/many/rk4", "rk4", test_many);
+    g_test_add_data_func("/physics/islands/many/dop853", "dop853", test_many);
+    g_test_add_func("/physics/islands/partition-is-linear", test_partition_is_linear);
     g_test_add_func("/physics/islands/breaks-of-one", test_breaks_of_one);
     g_test_add_func("/physics/islands/shared-support", test_shared_support);
     g_test_add_func("/physics/islands/shaken-oscillator", test_shaken_oscillator);

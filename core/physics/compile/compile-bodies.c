@@ -29,18 +29,19 @@ static gboolean check_class(const TinkerBlockBatch *batch, GError **error)
     return FALSE;
 }
 
-/* By block id: whether it can move, or something hangs on it. */
+/* By number of a block: whether it can move, or something hangs on it. */
 static gboolean *find_reach(const TinkerModel *model)
 {
-    gboolean *within = g_new0(gboolean, MAX(tinker_scene_id_limit(model->scene), 1));
+    gboolean *within = g_new0(gboolean, MAX(tinker_block_index_count(model->numbers), 1));
+    int32_t number = 0;
     for (guint i = 0; i < model->batches->len; i++) {
         const TinkerBlockBatch *batch = g_ptr_array_index(model->batches, i);
         const TinkerPhysics *physics = batch->block_class->physics;
         gboolean can_move = body_of(batch) != NULL && body_of(batch)->degrees_of_freedom > 0;
-        for (int32_t row = 0; can_move && row < batch->count; row++)
-            within[batch->ids[row]] = TRUE;
+        for (int32_t row = 0; row < batch->count; row++, number++)
+            within[number] |= can_move;
         for (int32_t e = 0; (physics == NULL || physics->motion == NULL) && e < batch->end_count; e++)
-            within[batch->end[e].block] = TRUE;
+            within[tinker_block_index_find(model->numbers, batch->end[e].block)] = TRUE;
     }
     return within;
 }
@@ -51,15 +52,16 @@ static void find_origin(TinkerModel *model)
 {
     g_autofree gboolean *within = find_reach(model);
     double least[2] = {INFINITY, INFINITY}, greatest[2] = {-INFINITY, -INFINITY};
+    const gboolean *counts = within;
     for (guint i = 0; i < model->batches->len; i++) {
         const TinkerBlockBatch *batch = g_ptr_array_index(model->batches, i);
-        if (body_of(batch) == NULL) continue;
-        for (int32_t row = 0; row < batch->count; row++)
-            for (int32_t k = 0; within[batch->ids[row]] && k < 2; k++) {
+        for (int32_t row = 0; body_of(batch) != NULL && row < batch->count; row++)
+            for (int32_t k = 0; counts[row] && k < 2; k++) {
                 double place = tinker_block_batch_meaning(batch, row, TINKER_MEANING_POSITION, k, 0);
                 least[k] = MIN(least[k], place);
                 greatest[k] = MAX(greatest[k], place);
             }
+        counts += batch->count;
     }
     double extent = MAX(greatest[0] - least[0], greatest[1] - least[1]);
     if (!(extent > 0) || !isfinite(extent)) return;
@@ -69,6 +71,11 @@ static void find_origin(TinkerModel *model)
         double grains = nearbyint(centre / grain); /* infinite for a scene that is a speck in one direction */
         if (fabs(centre) > 8.0 * extent && isfinite(grains)) model->origin[k] = grain * grains;
     }
+}
+
+static void set_centre(TinkerModel *model, TinkerBlockId block, int32_t point)
+{
+    model->centre_point[tinker_block_index_find(model->numbers, block)] = point;
 }
 
 static void add_body(TinkerModel *model, const TinkerBlockBatch *batch, int32_t row, int32_t number)
@@ -83,7 +90,7 @@ static void add_body(TinkerModel *model, const TinkerBlockBatch *batch, int32_t 
             tinker_block_batch_meaning(batch, row, TINKER_MEANING_POSITION, k, 0) - model->origin[k];
         model->v_start[2 * number + k] = tinker_block_batch_meaning(batch, row, TINKER_MEANING_VELOCITY, k, 0);
     }
-    model->centre_point[batch->ids[row]] = number;
+    set_centre(model, batch->ids[row], number);
 }
 
 static void add_bodies(TinkerModel *model)
@@ -144,16 +151,18 @@ typedef struct {
     int32_t row;
 } Location;
 
+/* By number of a block. */
 static Location *locate_supports(TinkerModel *model)
 {
-    Location *locations = g_new0(Location, MAX(tinker_scene_id_limit(model->scene), 1));
+    Location *locations = g_new0(Location, MAX(tinker_block_index_count(model->numbers), 1)), *of_batch = locations;
     for (guint i = 0; i < model->batches->len; i++) {
         const TinkerBlockBatch *batch = g_ptr_array_index(model->batches, i);
-        if (body_of(batch) == NULL || body_of(batch)->degrees_of_freedom != 0) continue;
-        for (int32_t row = 0; row < batch->count; row++) {
-            locations[batch->ids[row]] = (Location){batch, row};
-            model->centre_point[batch->ids[row]] = add_support_point(model, batch, row, 0, 0);
+        gboolean stands = body_of(batch) != NULL && body_of(batch)->degrees_of_freedom == 0;
+        for (int32_t row = 0; stands && row < batch->count; row++) {
+            of_batch[row] = (Location){batch, row};
+            set_centre(model, batch->ids[row], add_support_point(model, batch, row, 0, 0));
         }
+        of_batch += batch->count;
     }
     return locations;
 }
@@ -172,10 +181,11 @@ static gboolean connect_batch(TinkerModel *model, const TinkerBlockBatch *batch,
     for (int32_t row = 0; row < batch->count; row++) {
         for (int32_t e = batch->end_offsets[row]; e < batch->end_offsets[row + 1]; e++) {
             const TinkerSceneEnd *end = &batch->end[e];
-            if (end->block == TINKER_NO_BLOCK || model->centre_point[end->block] < 0)
+            const int32_t number = tinker_block_index_find(model->numbers, end->block);
+            if (number < 0 || model->centre_point[number] < 0)
                 return refuse_end(model, batch, row, e - batch->end_offsets[row], error);
-            points[e] = model->centre_point[end->block];
-            const Location *at = &locations[end->block];
+            points[e] = model->centre_point[number];
+            const Location *at = &locations[number];
             if (at->batch != NULL && (end->x != 0 || end->y != 0))
                 points[e] = add_support_point(model, at->batch, at->row, end->x, end->y);
         }
@@ -197,14 +207,11 @@ static gboolean connect_ends(TinkerModel *model, const Location *locations, GErr
 static void mark_moving(TinkerModel *model)
 {
     int32_t count;
-    const TinkerBlockId *moved = tinker_motions_blocks(model->motions, &count);
-    g_autofree gboolean *moves = g_new0(gboolean, MAX(tinker_scene_id_limit(model->scene), 1));
-    for (int32_t k = 0; k < count; k++)
-        moves[moved[k]] = TRUE;
+    tinker_motions_blocks(model->motions, &count);
     model->moving_supports = count;
     for (guint i = 0; i < model->support_points->len; i++) {
         TinkerSupportPoint *point = &g_array_index(model->support_points, TinkerSupportPoint, i);
-        point->moving = moves[point->support];
+        point->moving = tinker_motions_moves(model->motions, point->support);
     }
 }
 
@@ -225,16 +232,17 @@ gboolean tinker_model_compile_bodies(TinkerModel *model, GError **error)
 {
     for (guint i = 0; i < model->batches->len; i++)
         if (!check_class(g_ptr_array_index(model->batches, i), error)) return FALSE;
-    int32_t limit = tinker_scene_id_limit(model->scene);
-    model->centre_point = g_new(int32_t, MAX(limit, 1));
-    for (int32_t id = 0; id < limit; id++)
-        model->centre_point[id] = -1;
+    model->numbers = tinker_block_index_of_batches(model->batches);
+    const int32_t blocks = tinker_block_index_count(model->numbers);
+    model->centre_point = g_new(int32_t, MAX(blocks, 1));
+    for (int32_t i = 0; i < blocks; i++)
+        model->centre_point[i] = -1;
     find_origin(model);
     add_bodies(model);
     if (!check_masses(model, error)) return FALSE;
     g_autofree Location *locations = locate_supports(model);
     if (!connect_ends(model, locations, error)) return FALSE;
-    model->motions = tinker_motions_new(model->batches, limit);
+    model->motions = tinker_motions_new(model->batches);
     mark_moving(model);
     allot_points(model);
     return TRUE;

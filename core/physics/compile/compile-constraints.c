@@ -283,8 +283,8 @@ static gboolean compile_with(TinkerModel *model, GArray *straight, GError **erro
             model->has_book[TINKER_BOOK_MOTORS] = model->more_than_lines = TRUE;
     }
     add_straight_rows(all, straight);
-    if (!allot(model, error)) return FALSE;
     if (all->rows == 0) return TRUE;
+    if (!allot(model, error)) return FALSE;
     all->two_entries = TRUE;
     for (guint i = 0; i < all->batches->len; i++)
         number_entries(all, &g_array_index(all->batches, TinkerConstraintBatch, i));

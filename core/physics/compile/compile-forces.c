@@ -11,6 +11,9 @@
 #include "plugin/guarded.h"
 #include "plugin/process-state.h"
 
+/* Room for so many rows is enough for one that is asked again and again, for differences. */
+#define LEAST_CHUNK 4
+
 /* One linear law before merging. */
 typedef struct {
     int32_t a, b; /* a < b */
@@ -372,7 +375,8 @@ gboolean tinker_model_compile_forces(TinkerModel *model, GError **error)
     model->line_parts = tinker_line_parts_new(model);
     add_constant_accelerations(model);
     mark_used_points(model);
-    gsize doubles = (gsize)TINKER_CHUNK * (8 + (gsize)most_ends(model) * 6);
+    model->chunk_rows = CLAMP(tinker_batches_most_rows(model->batches), LEAST_CHUNK, TINKER_CHUNK);
+    gsize doubles = (gsize)model->chunk_rows * (8 + (gsize)most_ends(model) * 6);
     doubles = MAX(doubles, 8 * (gsize)MAX(model->bodies, 1));
     model->chunk = tinker_guarded_try_new(doubles * sizeof(double), NULL);
     if (model->chunk == NULL) return lack_memory(model, error);

@@ -68,7 +68,8 @@ static void enter_first_piece(TinkerModel *model)
     }
 }
 
-static gboolean compile(TinkerModel *model, GError **error)
+/* What holds for the whole scene, whatever part of it is compiled; lengths as placed are those of the whole scene, too. */
+static gboolean take_scene(TinkerModel *model, GError **error)
 {
     if (refuse_placeholder(model->scene, error)) return FALSE;
     TinkerBlockId loose = tinker_scene_first_detached(model->scene);
@@ -79,21 +80,17 @@ static gboolean compile(TinkerModel *model, GError **error)
         return FALSE;
     }
     g_autoptr(TinkerFrame) placed = tinker_frame_new(model->scene, error);
-    if (placed == NULL || !resolve_placed(model, placed, error)) return FALSE;
+    return placed != NULL && resolve_placed(model, placed, error);
+}
+
+static gboolean compile(TinkerModel *model, GError **error)
+{
     enter_first_piece(model);
     if (!tinker_model_compile_bodies(model, error) || !tinker_model_compile_forces(model, error) ||
         !tinker_model_compile_constraints(model, error))
         return FALSE;
     model->contacts = tinker_contacts_new(model);
     return tinker_model_check_start(model, error);
-}
-
-static int32_t most_rows(const GPtrArray *batches)
-{
-    int32_t most = 0;
-    for (guint i = 0; i < batches->len; i++)
-        most = MAX(most, ((TinkerBlockBatch *)g_ptr_array_index(batches, i))->count);
-    return most;
 }
 
 static int32_t most_columns(const GPtrArray *batches)
@@ -104,17 +101,12 @@ static int32_t most_columns(const GPtrArray *batches)
     return most;
 }
 
-TinkerModel *tinker_model_new(TinkerScene *scene, GError **error)
-{
-    return tinker_model_new_part(scene, NULL, error);
-}
-
-TinkerModel *tinker_model_new_part(TinkerScene *scene, const gboolean *include, GError **error)
+/* Takes the batches over. */
+static TinkerModel *model_new(TinkerScene *scene, GPtrArray *batches)
 {
     TinkerModel *model = g_new0(TinkerModel, 1);
-    model->part = include != NULL;
     model->scene = scene;
-    model->batches = tinker_batches_new(scene, include);
+    model->batches = batches;
     model->end_points = g_ptr_array_new_with_free_func(g_free);
     model->warnings = g_ptr_array_new_with_free_func(g_free);
     model->support_points = g_array_new(FALSE, TRUE, sizeof(TinkerSupportPoint));
@@ -124,10 +116,30 @@ TinkerModel *tinker_model_new_part(TinkerScene *scene, const gboolean *include, 
     model->driven = g_array_new(FALSE, TRUE, sizeof(TinkerDrivenForce));
     model->waveform_batches = g_ptr_array_new();
     model->column_views = g_new0(const double *, most_columns(model->batches));
-    model->chunk_offsets = g_new0(int32_t, most_rows(model->batches) + 1);
+    model->chunk_offsets = g_new0(int32_t, tinker_batches_most_rows(model->batches) + 1);
     model->time = NAN;
-    if (!compile(model, error)) g_clear_pointer(&model, tinker_model_free);
     return model;
+}
+
+TinkerModel *tinker_model_new(TinkerScene *scene, GError **error)
+{
+    return tinker_model_new_part(scene, NULL, error);
+}
+
+TinkerModel *tinker_model_new_part(TinkerScene *scene, const gboolean *include, GError **error)
+{
+    g_autoptr(TinkerModel) model = model_new(scene, tinker_batches_new(scene, include));
+    model->part = include != NULL;
+    if (!take_scene(model, error) || !compile(model, error)) return NULL;
+    return g_steal_pointer(&model);
+}
+
+TinkerModel *tinker_model_new_of(const TinkerModel *whole, const int32_t *numbers, int32_t count, GError **error)
+{
+    g_autoptr(TinkerModel) model = model_new(whole->scene, tinker_batches_take(whole->batches, numbers, count));
+    model->part = TRUE;
+    if (!compile(model, error)) return NULL;
+    return g_steal_pointer(&model);
 }
 
 void tinker_model_free(TinkerModel *model)
@@ -137,6 +149,7 @@ void tinker_model_free(TinkerModel *model)
     tinker_constraints_clear(&model->constraints);
     tinker_line_parts_free(model->line_parts);
     tinker_motions_free(model->motions);
+    tinker_block_index_free(model->numbers);
     g_ptr_array_unref(model->end_points);
     g_ptr_array_unref(model->warnings);
     g_ptr_array_unref(model->waveform_batches);

@@ -29,7 +29,7 @@ static void add_plate(TinkerContacts *contacts, const TinkerBlockBatch *batch, i
     TinkerPlate *plate = &contacts->plates[contacts->plate_count++];
     *plate = (TinkerPlate){
         .block = batch->ids[row],
-        .point = contacts->model->centre_point[batch->ids[row]],
+        .point = tinker_model_centre(contacts->model, batch->ids[row]),
         .orientation = angle,
         .normal = {-sin(angle), cos(angle)},
         .half_height = 0.5 * tinker_block_batch_meaning(batch, row, TINKER_MEANING_HEIGHT, 0, 0),
@@ -65,7 +65,7 @@ static void find_shapes(TinkerContacts *contacts, gboolean any_body)
     for (guint i = 0; i < model->batches->len; i++) {
         const TinkerBlockBatch *batch = g_ptr_array_index(model->batches, i);
         for (int32_t row = 0; row < batch->count; row++) {
-            int32_t point = model->centre_point[batch->ids[row]];
+            int32_t point = tinker_model_centre(model, batch->ids[row]);
             if (shape_of(batch) == TINKER_SHAPE_BOX && point >= 0 && point < model->bodies)
                 contacts->half_height[point] =
                     0.5 * tinker_block_batch_meaning(batch, row, TINKER_MEANING_HEIGHT, 0, 0);

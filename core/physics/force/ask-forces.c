@@ -19,8 +19,8 @@ TinkerStatus tinker_model_refuse_forces(TinkerModel *model, const TinkerBlockBat
 static TinkerLineChunk line_chunk(const TinkerModel *model)
 {
     double *c = model->chunk;
-    return (TinkerLineChunk){
-        c, c + TINKER_CHUNK, c + 2 * TINKER_CHUNK, c + 3 * TINKER_CHUNK, c + 4 * TINKER_CHUNK, c + 5 * TINKER_CHUNK};
+    const int32_t n = model->chunk_rows;
+    return (TinkerLineChunk){c, c + n, c + 2 * n, c + 3 * n, c + 4 * n, c + 5 * n};
 }
 
 static void chunk_geometry(TinkerModel *model, const int32_t *points, int32_t count, const TinkerLineChunk *chunk)

@@ -62,7 +62,7 @@ static TinkerStatus add_stored(TinkerModel *model, const TinkerBlockBatch *batch
 static TinkerStatus asked_lines_energy(TinkerModel *model, const TinkerAskedBatch *asked, double *sum)
 {
     const TinkerBlockBatch *batch = asked->batch;
-    double *length = model->chunk, *stored = model->chunk + TINKER_CHUNK;
+    double *length = model->chunk, *stored = model->chunk + model->chunk_rows;
     for (int32_t first = 0; first < batch->count; first += TINKER_CHUNK) {
         int32_t count = MIN(TINKER_CHUNK, batch->count - first);
         for (int32_t i = 0; i < count; i++) {

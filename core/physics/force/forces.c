@@ -20,10 +20,10 @@ static TinkerStatus take_line_power(TinkerModel *model, const TinkerAskedBatch *
                                     const TinkerLineChunk *chunk)
 {
     const TinkerLineLaw *law = asked->batch->block_class->physics->line_law;
-    memset(chunk->still, 0, sizeof(double) * TINKER_CHUNK);
+    memset(chunk->still, 0, sizeof(double) * (gsize)view->count);
     if (asked->stores_energy) {
-        double *zero = model->chunk + 6 * TINKER_CHUNK;
-        memset(zero, 0, sizeof(double) * TINKER_CHUNK);
+        double *zero = model->chunk + 6 * model->chunk_rows;
+        memset(zero, 0, sizeof(double) * (gsize)view->count);
         TinkerStatus status =
             TINKER_CALL_BATCH(asked->batch, "tension", view, law->tension(view, chunk->length, zero, chunk->still));
         if (status != TINKER_OK) return status;

@@ -16,6 +16,7 @@
 #include "numerics/solve/sparse-ldl.h"
 #include "physics/model/model.h"
 #include "scene/frame/batch.h"
+#include "scene/frame/block-index.h"
 #include "scene/frame/motions.h"
 
 /* Instances that one call of a plugin works on: their arrays stay in the L1 cache. */
@@ -147,9 +148,10 @@ struct _TinkerModel {
     double *q_start, *v_start;
     double start_impulse; /* N s that brought v_start onto the constraints */
     int32_t points;
-    GArray *support_points; /* of TinkerSupportPoint: points `bodies`, `bodies` + 1, ... */
-    int32_t *centre_point;  /* by block id: the point of a block's centre, or -1 */
-    gboolean *point_used;   /* whether a connector or a constraint attaches to the point */
+    GArray *support_points;    /* of TinkerSupportPoint: points `bodies`, `bodies` + 1, ... */
+    TinkerBlockIndex *numbers; /* of the batches' blocks */
+    int32_t *centre_point;     /* by number: the point of a block's centre, or -1 */
+    gboolean *point_used;      /* whether a connector or a constraint attaches to the point */
     TinkerMotions *motions;
     int32_t moving_supports;
 
@@ -175,7 +177,8 @@ struct _TinkerModel {
     TinkerPoint *point;
     double *point_acceleration;  /* 2 per point; of supports kept up to date, of bodies by whoever needs it */
     double *force;               /* 2 per point, and behind them 2 per slot of the line parts */
-    double *chunk;               /* six columns of TINKER_CHUNK and ends of a chunk */
+    int32_t chunk_rows;          /* at most TINKER_CHUNK: no batch has more rows, or they are asked in several goes */
+    double *chunk;               /* seven columns of chunk_rows and ends of a chunk */
     const double **column_views; /* room for the columns of any class */
     double *velocity_kept;       /* 2 a body, while differences change it (products.c) */
     int feels_velocity;          /* whether what is differenced depends on it: 1, -1: no, 0: nobody has tried */
@@ -191,6 +194,13 @@ struct _TinkerModel {
 
 /* Where a point is at the start, relative to the origin; of supports where they are unmoved. */
 void tinker_model_start_place(const TinkerModel *model, int32_t point, double place[2]);
+
+/* The point of a block's centre; -1 where it has none, or is not of the model. */
+static inline int32_t tinker_model_centre(const TinkerModel *model, TinkerBlockId block)
+{
+    const int32_t number = tinker_block_index_find(model->numbers, block);
+    return number < 0 ? -1 : model->centre_point[number];
+}
 
 /* The points of a batch's ends, or NULL. */
 const int32_t *tinker_model_end_points(const TinkerModel *model, const TinkerBlockBatch *batch);

@@ -195,7 +195,7 @@ static double stable_step(const TinkerSpectrum *spectrum, const TinkerIntegrator
 char *tinker_guard_explain(TinkerModel *model, const TinkerIntegrator *method, double step)
 {
     GString *text = g_string_new(NULL);
-    TinkerIsland island = {.model = model, .joined = 1, .linear = tinker_linear_form_new(model)};
+    TinkerIsland island = {.model = model, .linear = tinker_linear_form_new(model)};
     g_autoptr(TinkerSpectrum) spectrum = tinker_spectrum_new(&island);
     double stable = stable_step(spectrum, method);
     append_blame(text, model, spectrum, method, step <= stable);
@@ -214,7 +214,7 @@ char *tinker_guard_explain(TinkerModel *model, const TinkerIntegrator *method, d
 
 double tinker_guard_stable_step(TinkerModel *model, const TinkerIntegrator *method)
 {
-    TinkerIsland island = {.model = model, .joined = 1, .linear = tinker_linear_form_new(model)};
+    TinkerIsland island = {.model = model, .linear = tinker_linear_form_new(model)};
     g_autoptr(TinkerSpectrum) spectrum = tinker_spectrum_new(&island);
     tinker_linear_form_free(island.linear);
     return stable_step(spectrum, method);

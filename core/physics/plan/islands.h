@@ -1,21 +1,16 @@
 /* Islands: the parts of a model that nothing ties together. Each is a small model of its own, planned and stepped apart.
  *
- * Bodies belong to one island where a connector, a constraint or a field that couples bodies links them; a support links
- * nobody. Where there are more than TINKER_MOST_ISLANDS of them, fewer in a scene of very many blocks, the smallest are
- * stepped together as one. */
+ * Which bodies belong together: partition.h. */
 #ifndef TINKER_CORE_ISLANDS_H
 #define TINKER_CORE_ISLANDS_H
 
 #include "physics/line/linear-form.h"
 #include "physics/model/model.h"
 
-#define TINKER_MOST_ISLANDS 1024
-
 typedef struct {
     TinkerModel *model;       /* of this island alone; the whole model where it is the only one */
     gboolean owns_model;      /* else it is the whole one, borrowed */
     int32_t *body_of;         /* of each body of `model`: its number in the whole model */
-    int32_t joined;           /* how many islands are stepped together here; 1 but for the rest behind the limit */
     TinkerLinearForm *linear; /* NULL where the island is not linear */
 } TinkerIsland;
 

@@ -247,11 +247,10 @@ static gboolean any_nonlinear(const TinkerPlan *plan)
 
 static void describe_islands(TinkerPlan *plan)
 {
-    int32_t straight = 0, joined = 0, count = (int32_t)plan->islands->len;
+    int32_t straight = 0, count = (int32_t)plan->islands->len;
     for (guint i = 0; i < plan->islands->len; i++) {
         const TinkerIslandPlan *island = g_ptr_array_index(plan->islands, i);
         straight += island->straight;
-        joined = MAX(joined, island->joined);
         if (island->sideways_growth > 0)
             say(plan->warnings,
                 _("straight motion is unstable, grows at %.3g/s: island %u is stepped in both coordinates, and any "
@@ -266,7 +265,6 @@ static void describe_islands(TinkerPlan *plan)
             g_dngettext(GETTEXT_PACKAGE, "%d island, each with its own method and step",
                         "%d islands, each with its own method and step", (gulong)count),
             count);
-    if (joined > 1) say(plan->modelled, _("the %d smallest islands are stepped together"), joined);
     if (straight > 0)
         say(plan->left_out,
             g_dngettext(GETTEXT_PACKAGE, "motion across the line: %d island lies and moves along one line",

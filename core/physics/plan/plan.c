@@ -70,7 +70,6 @@ static TinkerIslandPlan *plan_island(const TinkerIsland *island, const TinkerRun
         .degrees_of_freedom = sizes.degrees_of_freedom,
         .constraint_rows = sizes.constraint_rows,
         .redundant_rows = sizes.redundant_rows,
-        .joined = island->joined,
         .linear = island->linear != NULL,
         .sideways_growth = tinker_model_sideways_growth(island->model),
         .omega_max = spectrum->omega_max,

@@ -142,7 +142,7 @@ static void gather(TinkerSampler *sampler, const TinkerBlockBatch *batch)
     const int32_t *points = tinker_model_end_points(model, batch);
     int32_t count = points != NULL ? batch->end_count : batch->count;
     for (int32_t e = 0; e < count; e++) {
-        int32_t point = points != NULL ? points[e] : model->centre_point[batch->ids[e]];
+        int32_t point = points != NULL ? points[e] : tinker_model_centre(model, batch->ids[e]);
         if (point < 0) continue;
         sampler->ends[e] = points != NULL ? model->point[point] : in_world(model, point);
         sampler->end_accelerations[2 * e] = model->point_acceleration[2 * point];
@@ -164,7 +164,7 @@ static const double *multipliers_of(const TinkerModel *model, const TinkerBlockB
 static void gather_contacts(TinkerSampler *sampler, const TinkerBlockBatch *batch)
 {
     for (int32_t row = 0; row < batch->count; row++) {
-        int32_t point = sampler->model->centre_point[batch->ids[row]];
+        int32_t point = tinker_model_centre(sampler->model, batch->ids[row]);
         if (point >= 0) memcpy(sampler->contacts + 4 * row, sampler->by_point + 4 * point, 4 * sizeof(double));
     }
 }

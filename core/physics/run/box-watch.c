@@ -35,7 +35,7 @@ static void add_batch(GArray *watched, const TinkerModel *model, const TinkerBlo
                                 .width = tinker_block_batch_meaning(batch, row, TINKER_MEANING_WIDTH, 0, 0),
                                 .height = tinker_block_batch_meaning(batch, row, TINKER_MEANING_HEIGHT, 0, 0)},
                         .start_angle = angle,
-                        .body = model->centre_point[batch->ids[row]]};
+                        .body = tinker_model_centre(model, batch->ids[row])};
         tinker_box_reach(&each.box, each.reach);
         if (each.box.width > 0 && each.box.height > 0 && each.body >= 0 && each.body < model->bodies)
             g_array_append_val(watched, each);

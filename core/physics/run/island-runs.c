@@ -21,7 +21,7 @@
 #include "physics/system/summary.h"
 
 /* Between two looks at whether the user has had enough: steps, each counted once for every body that it moves, so that few looks
- * fall into many short steps and many into few long ones. */
+ * fall into many short steps and many into few long ones; and no fewer than there are islands, which such a look goes through. */
 #define WORK_BETWEEN_CALLS 256
 
 void tinker_event_free(gpointer data)
@@ -167,7 +167,7 @@ static gboolean call_back(TinkerIslandRuns *self, TinkerIslandRun *run, GError *
 {
     const TinkerRunOptions *options = &self->options;
     self->work += MAX(run->model->bodies, 1);
-    if (self->work < WORK_BETWEEN_CALLS) return TRUE;
+    if (self->work < MAX(WORK_BETWEEN_CALLS, (gint64)self->runs->len)) return TRUE;
     self->work = 0;
     if (options->progress != NULL)
         options->progress(tinker_island_runs_time(self), self->times.duration, options->data);

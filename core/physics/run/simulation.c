@@ -120,7 +120,7 @@ gboolean tinker_simulation_place(TinkerSimulation *simulation, TinkerFrame *fram
 gboolean tinker_simulation_body(const TinkerSimulation *simulation, TinkerBlockId block, TinkerBodySample *sample)
 {
     const TinkerModel *model = simulation->all->model;
-    int32_t body = model->centre_point[block];
+    int32_t body = tinker_model_centre(model, block);
     if (body < 0 || body >= model->bodies) return FALSE;
     *sample = (TinkerBodySample){simulation->all->sample_q[2 * body] + model->origin[0],
                                  simulation->all->sample_q[2 * body + 1] + model->origin[1],
@@ -140,7 +140,7 @@ gboolean tinker_simulation_state(TinkerSimulation *simulation, TinkerBlockId blo
 {
     for (guint r = 0; r < simulation->all->runs->len; r++) {
         TinkerIslandRun *run = g_ptr_array_index(simulation->all->runs, r);
-        int32_t point = run->model->centre_point[block];
+        int32_t point = tinker_model_centre(run->model, block);
         if (point < 0 || point >= run->model->bodies) continue;
         tinker_island_run_place(run);
         for (int k = 0; k < 2; k++) {

@@ -140,6 +140,34 @@ GPtrArray *tinker_batches_new(TinkerScene *scene, const gboolean *include)
     return batches;
 }
 
+GPtrArray *tinker_batches_take(const GPtrArray *batches, const int32_t *numbers, int32_t count)
+{
+    GPtrArray *taken = g_ptr_array_new_with_free_func((GDestroyNotify)block_batch_free);
+    g_autofree int32_t *rows = g_new(int32_t, MAX(count, 1));
+    int32_t first = 0, next = 0;
+    for (guint i = 0; i < batches->len && next < count; i++) {
+        const TinkerBlockBatch *batch = g_ptr_array_index(batches, i);
+        int32_t own = 0;
+        for (; next < count && numbers[next] - first < batch->count; next++)
+            rows[own++] = numbers[next] - first;
+        first += batch->count;
+        if (own == 0) continue;
+        const TinkerSceneTable table = {batch->block_class, batch->count,
+                                        batch->ids,         (const double *const *)batch->columns,
+                                        batch->end,         batch->end_offsets};
+        g_ptr_array_add(taken, block_batch_new(batch->scene, &table, rows, own));
+    }
+    return taken;
+}
+
+int32_t tinker_batches_most_rows(const GPtrArray *batches)
+{
+    int32_t most = 0;
+    for (guint i = 0; i < batches->len; i++)
+        most = MAX(most, ((const TinkerBlockBatch *)g_ptr_array_index(batches, i))->count);
+    return most;
+}
+
 const char *tinker_block_batch_name(const void *source, int32_t row)
 {
     const TinkerBlockBatch *batch = source;

@@ -12,7 +12,7 @@ typedef struct _TinkerBlockBatch TinkerBlockBatch;
 
 /* All blocks of one class. The members are read-only to others. */
 struct _TinkerBlockBatch {
-    const TinkerScene *scene; /* borrowed */
+    TinkerScene *scene; /* borrowed */
     const TinkerBlockClass *block_class;
     int32_t count;
     TinkerBlockId *ids;
@@ -31,6 +31,13 @@ struct _TinkerBlockBatch {
 /* A snapshot of every table with at least one block, of the blocks that `include` has TRUE for (by block id; NULL: all).
  * "As placed" properties stay NaN. Element: TinkerBlockBatch *. (transfer full) */
 GPtrArray *tinker_batches_new(TinkerScene *scene, const gboolean *include);
+
+/* Some blocks of these batches, in batches of their own: `numbers` of rows, counted from 0 batch by batch, ascending. What was
+ * filled in since the snapshot, such as lengths as placed, is there as well; scratch is not. (transfer full) */
+GPtrArray *tinker_batches_take(const GPtrArray *batches, const int32_t *numbers, int32_t count);
+
+/* The rows of the largest batch. */
+int32_t tinker_batches_most_rows(const GPtrArray *batches);
 
 /* The view of a whole batch that plugins get, at time t. */
 TinkerBatch tinker_block_batch_view(TinkerBlockBatch *batch, double t);

@@ -138,7 +138,7 @@ TinkerFrame *tinker_frame_new(TinkerScene *scene, GError **error)
     frame->poses = g_new(Pose, MAX(frame->limit, 1));
     for (int32_t id = 0; id < frame->limit; id++)
         frame->placed[id] = frame->poses[id] = (Pose){NAN, NAN, 0};
-    frame->motions = tinker_motions_new(frame->batches, frame->limit);
+    frame->motions = tinker_motions_new(frame->batches);
     frame->lanes = tinker_lanes_new(scene);
     frame->locations = g_new0(Location, MAX(frame->limit, 1));
     frame->ends = g_array_new(FALSE, TRUE, sizeof(TinkerEnd));

@@ -4,11 +4,15 @@
 #include <math.h>
 #include <string.h>
 
+#include "scene/frame/block-index.h"
+
 struct _TinkerMotions {
-    GPtrArray *batches;  /* those that are motions; borrowed elements */
-    GArray *blocks;      /* of TinkerBlockId */
-    TinkerPlace *places; /* by block id */
-    double *values;      /* six for each motion of the largest batch */
+    GPtrArray *batches;      /* those that are motions; borrowed elements */
+    GArray *blocks;          /* of TinkerBlockId: those that are moved, without repetition */
+    TinkerBlockIndex *index; /* of what each motion moves, in the order of the batches and their rows */
+    TinkerPlace *places;     /* by number in the index */
+    int32_t *number;         /* of each motion: that of what it moves */
+    double *values;          /* six for each motion of the largest batch */
     TinkerBlockId failed;
 };
 
@@ -23,27 +27,40 @@ static TinkerBlockId moved_block(const TinkerBlockBatch *batch, int32_t row)
     return batch->end[batch->end_offsets[row]].block;
 }
 
-TinkerMotions *tinker_motions_new(GPtrArray *batches, int32_t id_limit)
+/* What the rows of all batches move; their number is answered. */
+static int32_t list_moved(const TinkerMotions *motions, TinkerBlockId *moved)
+{
+    int32_t count = 0;
+    for (guint i = 0; i < motions->batches->len; i++) {
+        const TinkerBlockBatch *batch = g_ptr_array_index(motions->batches, i);
+        for (int32_t row = 0; row < batch->count; row++)
+            moved[count++] = moved_block(batch, row);
+    }
+    return count;
+}
+
+TinkerMotions *tinker_motions_new(GPtrArray *batches)
 {
     TinkerMotions *motions = g_new0(TinkerMotions, 1);
     motions->batches = g_ptr_array_new();
     motions->blocks = g_array_new(FALSE, FALSE, sizeof(TinkerBlockId));
-    motions->places = g_new0(TinkerPlace, MAX(id_limit, 1));
     motions->failed = TINKER_NO_BLOCK;
-    g_autofree gboolean *seen = g_new0(gboolean, MAX(id_limit, 1));
-    int32_t largest = 0;
+    int32_t largest = 0, all = 0;
     for (guint i = 0; i < batches->len; i++) {
         TinkerBlockBatch *batch = g_ptr_array_index(batches, i);
         if (motion_of(batch) == NULL) continue;
         g_ptr_array_add(motions->batches, batch);
         largest = MAX(largest, batch->count);
-        for (int32_t row = 0; row < batch->count; row++) {
-            TinkerBlockId block = moved_block(batch, row);
-            if (block == TINKER_NO_BLOCK || seen[block]) continue;
-            seen[block] = TRUE;
-            g_array_append_val(motions->blocks, block);
-        }
+        all += batch->count;
     }
+    g_autofree TinkerBlockId *moved = g_new(TinkerBlockId, MAX(all, 1));
+    motions->index = tinker_block_index_new(moved, list_moved(motions, moved));
+    motions->number = g_new(int32_t, MAX(all, 1));
+    for (int32_t i = 0; i < all; i++) {
+        motions->number[i] = tinker_block_index_find(motions->index, moved[i]);
+        if (motions->number[i] == i && moved[i] != TINKER_NO_BLOCK) g_array_append_val(motions->blocks, moved[i]);
+    }
+    motions->places = g_new0(TinkerPlace, MAX(all, 1));
     motions->values = g_new0(double, 6 * (gsize)largest);
     return motions;
 }
@@ -53,7 +70,9 @@ void tinker_motions_free(TinkerMotions *motions)
     if (motions == NULL) return;
     g_ptr_array_unref(motions->batches);
     g_array_unref(motions->blocks);
+    tinker_block_index_free(motions->index);
     g_free(motions->places);
+    g_free(motions->number);
     g_free(motions->values);
     g_free(motions);
 }
@@ -64,7 +83,8 @@ const TinkerBlockId *tinker_motions_blocks(const TinkerMotions *motions, int32_t
     return (const TinkerBlockId *)(const void *)motions->blocks->data;
 }
 
-static gboolean add_batch(TinkerMotions *motions, TinkerBlockBatch *batch, double t)
+/* `number` of what each row moves. */
+static gboolean add_batch(TinkerMotions *motions, TinkerBlockBatch *batch, const int32_t *number, double t)
 {
     double *displacement = motions->values;
     double *velocity = displacement + 2 * batch->count, *acceleration = velocity + 2 * batch->count;
@@ -76,9 +96,8 @@ static gboolean add_batch(TinkerMotions *motions, TinkerBlockBatch *batch, doubl
         return FALSE;
     }
     for (int32_t row = 0; row < batch->count; row++) {
-        TinkerBlockId block = moved_block(batch, row);
-        if (block == TINKER_NO_BLOCK) continue;
-        TinkerPlace *place = &motions->places[block];
+        if (moved_block(batch, row) == TINKER_NO_BLOCK) continue;
+        TinkerPlace *place = &motions->places[number[row]];
         place->x += displacement[2 * row];
         place->y += displacement[2 * row + 1];
         place->vx += velocity[2 * row];
@@ -95,16 +114,24 @@ static gboolean add_batch(TinkerMotions *motions, TinkerBlockBatch *batch, doubl
 
 gboolean tinker_motions_evaluate(TinkerMotions *motions, double t)
 {
-    for (guint i = 0; i < motions->blocks->len; i++)
-        memset(&motions->places[g_array_index(motions->blocks, TinkerBlockId, i)], 0, sizeof(TinkerPlace));
-    for (guint i = 0; i < motions->batches->len; i++)
-        if (!add_batch(motions, g_ptr_array_index(motions->batches, i), t)) return FALSE;
+    memset(motions->places, 0, (gsize)tinker_block_index_count(motions->index) * sizeof(TinkerPlace));
+    const int32_t *number = motions->number;
+    for (guint i = 0; i < motions->batches->len; i++) {
+        TinkerBlockBatch *batch = g_ptr_array_index(motions->batches, i);
+        if (!add_batch(motions, batch, number, t)) return FALSE;
+        number += batch->count;
+    }
     return TRUE;
+}
+
+gboolean tinker_motions_moves(const TinkerMotions *motions, TinkerBlockId block)
+{
+    return tinker_block_index_find(motions->index, block) >= 0;
 }
 
 const TinkerPlace *tinker_motions_place(const TinkerMotions *motions, TinkerBlockId block)
 {
-    return &motions->places[block];
+    return &motions->places[tinker_block_index_find(motions->index, block)];
 }
 
 TinkerBlockId tinker_motions_failure(const TinkerMotions *motions)

@@ -11,8 +11,8 @@ typedef struct {
 
 typedef struct _TinkerMotions TinkerMotions;
 
-/* All motions among the batches, which are borrowed; `id_limit` is the scene's. (transfer full) */
-TinkerMotions *tinker_motions_new(GPtrArray *batches, int32_t id_limit);
+/* All motions among the batches, which are borrowed. (transfer full) */
+TinkerMotions *tinker_motions_new(GPtrArray *batches);
 void tinker_motions_free(TinkerMotions *motions);
 
 /* The blocks that are moved, without repetition. Borrowed. */
@@ -22,7 +22,10 @@ const TinkerBlockId *tinker_motions_blocks(const TinkerMotions *motions, int32_t
  * plugin fails or a value is not finite: see tinker_motions_failure. */
 gboolean tinker_motions_evaluate(TinkerMotions *motions, double t);
 
-/* The displacement of a block, as of the last evaluation; zeros for one that nothing moves. */
+/* Whether some motion moves the block. */
+gboolean tinker_motions_moves(const TinkerMotions *motions, TinkerBlockId block);
+
+/* The displacement of a block that is moved, as of the last evaluation. */
 const TinkerPlace *tinker_motions_place(const TinkerMotions *motions, TinkerBlockId block);
 
 /* The motion that failed last; TINKER_NO_BLOCK where none did. */
