@@ -134,7 +134,9 @@ char *reader_suggestion(const char *word, const char *const *candidates, const c
 void reader_keep_unknown(SceneReader *reader, JsonAt at, const char *key, const char *const *candidates,
                          GString **extras)
 {
-    g_autofree char *suggestion = reader_suggestion(key, candidates, "; it is kept as it is");
+    g_autofree char *known = g_strjoinv(", ", (char **)candidates);
+    g_autofree char *kept = g_strdup_printf("; it is kept as it is (known here: %s)", known);
+    g_autofree char *suggestion = reader_suggestion(key, candidates, kept);
     reader_keep_member(reader, at, key, suggestion, extras);
 }
 

@@ -117,7 +117,8 @@ void reader_label_entry(SceneReader *reader, const char *list, int number, const
 /* ` (did you mean "spring"?)`, or `otherwise` where no candidate is near. (transfer full) */
 char *reader_suggestion(const char *word, const char *const *candidates, const char *otherwise);
 
-/* An unknown key: a warning, and the member is added to `extras`, which is made where it is NULL. */
+/* An unknown key: a warning with the nearest of the candidates, or with all of them where none is near; the member is added to
+ * `extras`, which is made where it is NULL. */
 void reader_keep_unknown(SceneReader *reader, JsonAt at, const char *key, const char *const *candidates,
                          GString **extras);
 
