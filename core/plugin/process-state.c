@@ -25,6 +25,9 @@ struct _TinkerProcessState {
     struct sigaction handlers[G_N_ELEMENTS(watched)];
 };
 
+/* What is put back at the end of many calls of `prepare`; NULL: each puts back itself. */
+static _Thread_local TinkerProcessState *entered;
+
 /* The umask of the process cannot be read without being set: it is read once, when the first library is opened. */
 static mode_t process_umask(void)
 {
@@ -115,10 +118,26 @@ char *tinker_process_state_restore(TinkerProcessState *saved)
     return g_strjoinv(" and ", (char **)changed->pdata);
 }
 
+void tinker_process_state_enter(void)
+{
+    g_assert(entered == NULL);
+    entered = tinker_process_state_save();
+}
+
+void tinker_process_state_leave(void)
+{
+    g_free(tinker_process_state_restore(g_steal_pointer(&entered)));
+}
+
 TinkerStatus tinker_prepare(const TinkerPhysics *physics, TinkerBatch *batch)
 {
-    TinkerProcessState *saved = tinker_process_state_save();
+    if (entered == NULL) {
+        TinkerProcessState *saved = tinker_process_state_save();
+        const TinkerStatus status = physics->prepare(batch);
+        g_free(tinker_process_state_restore(saved));
+        return status;
+    }
     const TinkerStatus status = physics->prepare(batch);
-    g_free(tinker_process_state_restore(saved));
+    fesetenv(&entered->floating_point);
     return status;
 }

@@ -7,6 +7,7 @@
 #include "physics/line/linear-form.h"
 #include "physics/model/model-data.h"
 #include "physics/plan/partition.h"
+#include "plugin/process-state.h"
 
 static void island_free(gpointer data)
 {
@@ -31,6 +32,18 @@ static TinkerIsland *island_new(TinkerModel *model, gboolean owns_model, const T
     return island;
 }
 
+static gboolean add_islands(GPtrArray *islands, TinkerModel *whole, const TinkerPartition *partition, GError **error)
+{
+    for (int32_t set = 0; set < partition->count; set++) {
+        const guint *starts = &g_array_index(partition->starts, guint, set);
+        const int32_t *numbers = (const int32_t *)(const void *)partition->numbers->data + starts[0];
+        TinkerModel *part = tinker_model_new_of(whole, numbers, (int32_t)(starts[1] - starts[0]), error);
+        if (part == NULL) return FALSE;
+        g_ptr_array_add(islands, island_new(part, TRUE, whole, FALSE));
+    }
+    return TRUE;
+}
+
 GPtrArray *tinker_islands_new(TinkerModel *whole, GError **error)
 {
     g_autoptr(GPtrArray) islands = g_ptr_array_new_with_free_func(island_free);
@@ -39,14 +52,10 @@ GPtrArray *tinker_islands_new(TinkerModel *whole, GError **error)
         g_ptr_array_add(islands, island_new(whole, FALSE, whole, FALSE));
         return g_steal_pointer(&islands);
     }
-    for (int32_t set = 0; set < partition->count; set++) {
-        const guint *starts = &g_array_index(partition->starts, guint, set);
-        const int32_t *numbers = (const int32_t *)(const void *)partition->numbers->data + starts[0];
-        TinkerModel *part = tinker_model_new_of(whole, numbers, (int32_t)(starts[1] - starts[0]), error);
-        if (part == NULL) return NULL;
-        g_ptr_array_add(islands, island_new(part, TRUE, whole, FALSE));
-    }
-    return g_steal_pointer(&islands);
+    tinker_process_state_enter();
+    const gboolean done = add_islands(islands, whole, partition, error);
+    tinker_process_state_leave();
+    return done ? g_steal_pointer(&islands) : NULL;
 }
 
 GPtrArray *tinker_islands_for(TinkerModel *whole, gboolean impulses, GError **error)

@@ -36,25 +36,28 @@ static void add_evaluators(TinkerBlockBatch *batch, TinkerScene *scene, int32_t 
     gboolean smooth = drives_a_place(batch->block_class);
     for (int32_t row = 0; row < batch->count; row++) {
         TinkerWaveform *waveform = tinker_scene_get_waveform(scene, batch->ids[row], property);
-        g_ptr_array_add(batch->evaluators,
-                        tinker_waveform_evaluator_new(waveform, column_or(batch, type->amplitude, row, 1.0),
-                                                      column_or(batch, type->frequency, row, 0.0),
-                                                      column_or(batch, type->phase, row, 0.0), smooth));
+        batch->evaluators[batch->evaluator_count++] = tinker_waveform_evaluator_new(
+            waveform, column_or(batch, type->amplitude, row, 1.0), column_or(batch, type->frequency, row, 0.0),
+            column_or(batch, type->phase, row, 0.0), smooth);
     }
 }
 
 static void copy_waveforms(TinkerBlockBatch *batch, TinkerScene *scene)
 {
     const TinkerBlockClass *block_class = batch->block_class;
-    batch->evaluators = g_ptr_array_new_with_free_func((GDestroyNotify)tinker_waveform_evaluator_free);
-    batch->waveform_columns = g_new0(int32_t, MAX(block_class->property_count, 1));
-    for (int32_t property = 0; property < block_class->property_count; property++) {
+    for (int32_t property = 0; property < block_class->property_count; property++)
+        batch->waveforms += block_class->properties[property].kind == TINKER_KIND_WAVEFORM;
+    if (batch->waveforms == 0) return;
+    const gsize count = (gsize)batch->waveforms * (gsize)batch->count;
+    batch->waveform_columns = g_new0(int32_t, batch->waveforms);
+    batch->evaluators = g_new(TinkerWaveformEvaluator *, count);
+    for (int32_t property = 0, number = 0; property < block_class->property_count; property++) {
         if (block_class->properties[property].kind != TINKER_KIND_WAVEFORM) continue;
-        batch->waveform_columns[batch->waveforms++] = block_class->first_columns[property];
+        batch->waveform_columns[number++] = block_class->first_columns[property];
         add_evaluators(batch, scene, property);
     }
-    batch->pieces = g_new(struct _TinkerPiece, MAX(batch->evaluators->len, 1));
-    for (guint i = 0; i < batch->evaluators->len; i++)
+    batch->pieces = g_new(struct _TinkerPiece, count);
+    for (gsize i = 0; i < count; i++)
         batch->pieces[i] = (struct _TinkerPiece){NAN, NAN, NAN, INFINITY, FALSE};
 }
 
@@ -73,9 +76,11 @@ static void copy_columns(TinkerBlockBatch *batch, const TinkerSceneTable *table,
     batch->ids = g_new(TinkerBlockId, count);
     for (gsize i = 0; i < count; i++)
         batch->ids[i] = table->ids[rows[i]];
-    batch->columns = g_new0(double *, MAX(batch->block_class->column_count, 1));
-    for (int32_t column = 0; column < batch->block_class->column_count; column++) {
-        batch->columns[column] = g_new(double, count);
+    const gsize columns = (gsize)batch->block_class->column_count;
+    batch->columns = g_new(double *, MAX(columns, 1));
+    batch->entries = g_new(double, MAX(columns * count, 1));
+    for (gsize column = 0; column < columns; column++) {
+        batch->columns[column] = batch->entries + column * count;
         for (gsize i = 0; i < count; i++)
             batch->columns[column][i] = table->columns[column][rows[i]];
     }
@@ -98,16 +103,17 @@ static void copy_ends(TinkerBlockBatch *batch, const TinkerSceneTable *table, co
 
 static void block_batch_free(TinkerBlockBatch *batch)
 {
-    for (int32_t column = 0; column < batch->block_class->column_count; column++)
-        g_free(batch->columns[column]);
+    for (int32_t i = 0; i < batch->evaluator_count; i++)
+        tinker_waveform_evaluator_free(batch->evaluators[i]);
+    g_free(batch->evaluators);
     g_free(batch->columns);
+    g_free(batch->entries);
     g_free(batch->ids);
     g_free(batch->end_offsets);
     g_free(batch->end);
     g_free(batch->waveform_columns);
     g_free(batch->pieces);
     tinker_guarded_free(batch->scratch);
-    g_ptr_array_unref(batch->evaluators);
     g_free(batch);
 }
 
@@ -198,7 +204,7 @@ TinkerBatch tinker_block_batch_view(TinkerBlockBatch *batch, double t)
 
 static TinkerWaveformEvaluator *evaluator_of(const TinkerBlockBatch *batch, int32_t waveform, int32_t row)
 {
-    return g_ptr_array_index(batch->evaluators, (guint)(waveform * batch->count + row));
+    return batch->evaluators[waveform * batch->count + row];
 }
 
 const TinkerWaveformEvaluator *tinker_block_batch_evaluator(const TinkerBlockBatch *batch, int32_t column, int32_t row)
@@ -230,22 +236,22 @@ void tinker_block_batch_set_time(TinkerBlockBatch *batch, double t)
 
 void tinker_block_batch_enter_piece(TinkerBlockBatch *batch, double inside)
 {
-    for (guint i = 0; i < batch->evaluators->len; i++) {
+    for (int32_t i = 0; i < batch->evaluator_count; i++) {
         struct _TinkerPiece *piece = &batch->pieces[i];
         if (piece->entered && piece->from < inside && inside < piece->next) continue;
         piece->entered = TRUE;
-        tinker_waveform_enter_piece(g_ptr_array_index(batch->evaluators, i), inside);
+        tinker_waveform_enter_piece(batch->evaluators[i], inside);
     }
 }
 
 double tinker_block_batch_next_break(TinkerBlockBatch *batch, double t, double horizon)
 {
     double next = INFINITY;
-    for (guint i = 0; i < batch->evaluators->len; i++) {
+    for (int32_t i = 0; i < batch->evaluator_count; i++) {
         struct _TinkerPiece *piece = &batch->pieces[i];
         gboolean known = piece->from <= t && t < piece->next && (isfinite(piece->next) || horizon <= piece->horizon);
         if (!known) {
-            const TinkerWaveformEvaluator *evaluator = g_ptr_array_index(batch->evaluators, i);
+            const TinkerWaveformEvaluator *evaluator = batch->evaluators[i];
             double at = tinker_waveform_next_break(evaluator, t, horizon);
             double pole = tinker_waveform_next_pole(evaluator, t, fmin(at, horizon));
             *piece = (struct _TinkerPiece){t, at, horizon, pole, FALSE};
@@ -257,19 +263,19 @@ double tinker_block_batch_next_break(TinkerBlockBatch *batch, double t, double h
 
 int32_t tinker_block_batch_break_row(const TinkerBlockBatch *batch)
 {
-    guint first = 0;
-    for (guint i = 1; i < batch->evaluators->len; i++)
+    int32_t first = 0;
+    for (int32_t i = 1; i < batch->evaluator_count; i++)
         if (batch->pieces[i].next < batch->pieces[first].next) first = i;
-    return (int32_t)first % batch->count;
+    return first % batch->count;
 }
 
 double tinker_block_batch_next_pole(const TinkerBlockBatch *batch, int32_t *row)
 {
     double next = INFINITY;
-    for (guint i = 0; i < batch->evaluators->len; i++) {
+    for (int32_t i = 0; i < batch->evaluator_count; i++) {
         if (!(batch->pieces[i].pole < next)) continue;
         next = batch->pieces[i].pole;
-        *row = (int32_t)i % batch->count;
+        *row = i % batch->count;
     }
     return next;
 }

@@ -16,12 +16,15 @@ struct _TinkerBlockBatch {
     const TinkerBlockClass *block_class;
     int32_t count;
     TinkerBlockId *ids;
-    double **columns;            /* columns[c][row] */
-    int32_t ends;                /* of each block; -1 where they differ */
-    int32_t end_count;           /* of all blocks */
-    int32_t *end_offsets;        /* count + 1 entries */
-    TinkerSceneEnd *end;         /* of all blocks, row by row */
-    GPtrArray *evaluators;       /* of TinkerWaveformEvaluator: waveform by waveform, row by row */
+    double **columns;     /* columns[c][row] */
+    double *entries;      /* of all columns, one behind the other */
+    int32_t ends;         /* of each block; -1 where they differ */
+    int32_t end_count;    /* of all blocks */
+    int32_t *end_offsets; /* count + 1 entries */
+    TinkerSceneEnd *end;  /* of all blocks, row by row */
+    int32_t evaluator_count;
+    TinkerWaveformEvaluator *
+        *evaluators;             /* waveform by waveform, row by row; NULL where there are none, and so below */
     int32_t *waveform_columns;   /* first column of each waveform property */
     struct _TinkerPiece *pieces; /* of each evaluator, what is known of its next break */
     int32_t waveforms;           /* waveform properties of the class */
