@@ -36,9 +36,10 @@ typedef struct {
     void *context;
     /* v = W p. `size` (or NULL) gets for each entry the sum of what meets in it. */
     void (*times)(void *context, const double *p, double *v, double *size);
-    /* Writes p that is 0 but where `unknown`; there (W p)_i = b_i, as near as W can. A normal entry brings p_t = slope p_n with it
+    /* Writes p that is 0 but where `unknown`, and v and size of it; there (W p)_i = b_i, as near as W can. A normal entry brings p_t = slope p_n with it
      * where the tangential one is not unknown itself. 0 where that cannot be solved. */
-    int (*solve)(void *context, const int8_t *unknown, const double *slope, const double *b, double *p);
+    int (*solve)(void *context, const int8_t *unknown, const double *slope, const double *b, double *p, double *v,
+                 double *size);
     /* The same for W + softness / mass, which is solved to about rounding: first where unknown, with what slopes and how soft; then for
      * as many b as anybody likes. */
     void (*soften)(void *context, const int8_t *unknown, const double *slope, double softness);

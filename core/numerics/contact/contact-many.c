@@ -20,27 +20,27 @@
 #define ROUNDING 2e-13 /* of guesses: chains of many bodies gather more of it than few contacts do */
 #define LOOSE    1e-10
 /* Guesses that are followed from the offsets, and from what splitting gave. */
-#define FIRST_GUESSES 12
-#define LATER_GUESSES 6
-/* Splitting: steps between guesses, and at most; how far a step goes (1 to 2); the softness (of W of about 1), which follows what it
- * balances by no more than so much at a time. */
-#define STEPS_BETWEEN 10
+#define FIRST_GUESSES 3
+#define LATER_GUESSES 3
+/* Splitting: steps between guesses, and at most; how far a step goes (1 to 2). */
+#define STEPS_BETWEEN 15
 #define MOST_STEPS    600
 #define RELAXATION    1.6
+/* Its softness, where W is about 1: at first; how much it changes at once, to balance what is left to be done on both sides; bounds. */
+#define SOFTNESS   0.1
+#define UNBALANCED 5.0
+#define LEAST_SOFT 1e-6
+#define MOST_SOFT  1e3
+/* gamma goes so much of its way at once: with all of it contacts may swing between sticking and slipping. */
+#define FOLLOWING 0.3
 /* Sides that come no nearer to each other than by this share: what is asked for contradicts itself, or nearly, and impulses grow until
  * friction lets go. The softer, the faster. Where they still do after a while they grow without bound. */
 #define STALLED      0.9
 #define LET_GO       0.2
 #define MOST_STALLED 8
 /* Of impulses in a step: as near as this at once, so many times as far in the end. */
-#define NEAR       1e-9
-#define NEARLY     1e4
-#define SOFTNESS   0.1
-#define UNBALANCED 5.0
-#define FOLLOWING                                                                                                      \
-    0.3 /* gamma goes so much of its way at once: all of it, and contacts may swing between sticking and slipping */
-#define LEAST_SOFT 1e-6
-#define MOST_SOFT  1e3
+#define NEAR   1e-9
+#define NEARLY 1e4
 
 typedef struct {
     TinkerContactWork work; /* scaled, but for what only a written matrix needs */
@@ -106,8 +106,9 @@ static gboolean solve_states(Many *many)
         many->right[2 * k] = back * work->problem.offset[2 * k];
         many->right[2 * k + 1] = back * work->problem.offset[2 * k + 1];
     }
-    if (!many->motion->solve(many->motion->context, many->unknown, many->slope, many->right, many->raw)) return FALSE;
-    many->motion->times(many->motion->context, many->raw, work->v, work->size);
+    if (!many->motion->solve(many->motion->context, many->unknown, many->slope, many->right, many->raw, work->v,
+                             work->size))
+        return FALSE;
     for (int32_t i = 0; i < 2 * m; i++) {
         const double own = work->scale[i / 2] / work->unit, offset = work->problem.offset[i];
         work->p[i] = many->raw[i] / (work->scale[i / 2] * work->unit);

@@ -17,7 +17,7 @@
 #define SOFTNESS    1e-5
 #define MOST_SOLVES 60
 /* Misses below this share of what meets in an equation are rounding; a solve that leaves more than half of one is the last. */
-#define ROUNDING 1e-15
+#define ROUNDING 1e-14
 
 /* One end of a row on a body of the group. */
 typedef struct {
@@ -30,8 +30,6 @@ typedef struct {
     int32_t first_end, end_count;
     int32_t first_product; /* of end_count x end_count */
     int32_t first, count;  /* equations */
-    double mobility[2][2]; /* 1 - D A^-1 C, over its mass */
-    double pushed[2];      /* D A^-1 b */
 } Body;
 
 typedef struct {
@@ -231,38 +229,72 @@ static gboolean invert(const TinkerContactEquation *of, Equation *equation, int3
     return TRUE;
 }
 
-/* What is left of a body's mobility. FALSE where its equations depend on one another. */
-static gboolean find_mobility(const TinkerContactElimination *self, Body *body, double softness)
+/* The same of two, nearly all that there are. */
+static gboolean invert_two(const TinkerContactEquation *of, Equation *equation, double softness)
+{
+    const double a = dot(of[0].row, of[0].force) + softness, b = dot(of[0].row, of[1].force);
+    const double c = dot(of[1].row, of[0].force), d = dot(of[1].row, of[1].force) + softness;
+    const double determinant = a * d - b * c, size = fabs(a * d) + fabs(b * c);
+    if (!(fabs(determinant) > DEPENDENT_EQUATION * size)) return FALSE;
+    equation[0].inverse[0] = d / determinant;
+    equation[0].inverse[1] = -b / determinant;
+    equation[1].inverse[0] = -c / determinant;
+    equation[1].inverse[1] = a / determinant;
+    return TRUE;
+}
+
+/* What is left of the mobility of a body that equations act on. FALSE where they depend on one another. */
+static gboolean find_mobility(const TinkerContactElimination *self, const Body *body, double softness,
+                              double mobility[2][2])
 {
     const TinkerContactEquation *of = self->of + body->first;
     Equation *equation = self->equation + body->first;
     double left[2][2] = {{1, 0}, {0, 1}};
     if (body->count == 1)
         equation->inverse[0] = 1 / (dot(of->row, of->force) + softness);
-    else if (body->count > 1 && !invert(of, equation, body->count, softness))
+    else if (!(body->count == 2 ? invert_two(of, equation, softness) : invert(of, equation, body->count, softness)))
         return FALSE;
     for (int32_t a = 0; a < body->count; a++)
         for (int32_t b = 0; b < body->count; b++)
             for (int k = 0; k < 4; k++)
                 left[k / 2][k % 2] -= of[a].force[k / 2] * equation[a].inverse[b] * of[b].row[k % 2];
     for (int k = 0; k < 4; k++)
-        body->mobility[k / 2][k % 2] = left[k / 2][k % 2] * body->inverse_mass;
+        mobility[k / 2][k % 2] = left[k / 2][k % 2] * body->inverse_mass;
     return TRUE;
 }
 
-/* Adds up S with what is left of the body's mobility, and in `least` what its diagonal is without contacts. */
-static void add_body(TinkerContactElimination *self, const Body *body)
+/* Adds up S with what is left of a body's mobility, and in `least` what its diagonal is without contacts. */
+static void add_body(TinkerContactElimination *self, const Body *body, double mobility[2][2], double *values)
 {
     const double *j = self->model->constraints.jacobian;
-    double *values = tinker_sparse_ldu_values(self->ldu);
     const End *ends = self->ends + body->first_end;
     const int *slot = self->slots + body->first_product;
-    for (int32_t b = 0; b < body->end_count; b++) {
+    const int32_t count = body->end_count;
+    for (int32_t b = 0; b < count; b++) {
         const double *at = j + 2 * ends[b].entry;
-        const double moved[2] = {dot(body->mobility[0], at), dot(body->mobility[1], at)};
+        const double moved[2] = {dot(mobility[0], at), dot(mobility[1], at)};
         self->least[ends[b].row] += body->inverse_mass * dot(at, at);
-        for (int32_t a = 0; a < body->end_count; a++)
-            values[slot[a * body->end_count + b]] += dot(j + 2 * ends[a].entry, moved);
+        for (int32_t a = 0; a < count; a++)
+            values[slot[a * count + b]] += dot(j + 2 * ends[a].entry, moved);
+    }
+}
+
+/* The same of one that no equation acts on. */
+static void add_free_body(TinkerContactElimination *self, const Body *body, double *values)
+{
+    const double *j = self->model->constraints.jacobian;
+    const End *ends = self->ends + body->first_end;
+    const int *slot = self->slots + body->first_product;
+    const int32_t count = body->end_count;
+    for (int32_t b = 0; b < count; b++) {
+        const double *at = j + 2 * ends[b].entry, own = body->inverse_mass * dot(at, at);
+        self->least[ends[b].row] += own;
+        values[slot[b * count + b]] += own;
+        for (int32_t a = 0; a < b; a++) {
+            const double product = body->inverse_mass * dot(j + 2 * ends[a].entry, at);
+            values[slot[a * count + b]] += product;
+            values[slot[b * count + a]] += product;
+        }
     }
 }
 
@@ -273,9 +305,14 @@ static gboolean factor(TinkerContactElimination *self, double softness, double r
     tinker_sparse_ldu_clear(self->ldu);
     memset(self->least, 0, (gsize)self->rows * sizeof(double));
     for (int32_t i = 0; i < self->bodies; i++) {
-        Body *body = &self->body[i];
-        if (!find_mobility(self, body, softness)) return FALSE;
-        add_body(self, body);
+        const Body *body = &self->body[i];
+        double mobility[2][2];
+        if (body->count == 0) {
+            add_free_body(self, body, values);
+            continue;
+        }
+        if (!find_mobility(self, body, softness, mobility)) return FALSE;
+        add_body(self, body, mobility, values);
     }
     for (int32_t row = 0; row < self->rows; row++) {
         /* a row that no body feels, or a slack one, has no multiplier */
@@ -364,6 +401,11 @@ void tinker_contact_elimination_push(TinkerContactElimination *self, const doubl
         along[e] = dot(self->of[e].row, self->by_body + 2 * self->of[e].body);
 }
 
+const double *tinker_contact_elimination_pushed(const TinkerContactElimination *self)
+{
+    return self->by_body;
+}
+
 /* What x still misses; answers the largest beside what meets there. */
 static double find_misses(TinkerContactElimination *self, const double *b, const double *x)
 {
@@ -380,7 +422,12 @@ static double find_misses(TinkerContactElimination *self, const double *b, const
 gboolean tinker_contact_elimination_solve(TinkerContactElimination *self, const double *b, double *x)
 {
     const gboolean full = factor_softly(self);
-    double miss = find_misses(self, b, x);
+    /* what is determined does not depend on what it was */
+    for (int32_t e = 0; e < self->equations; e++) {
+        if (full) x[e] = 0;
+        self->equation[e].miss = b[e];
+    }
+    double miss = full ? 1 : find_misses(self, b, x);
     for (int solves = 0; solves < MOST_SOLVES && miss > ROUNDING; solves++) {
         const double before = miss;
         solve_once(self);
@@ -388,8 +435,10 @@ gboolean tinker_contact_elimination_solve(TinkerContactElimination *self, const 
             x[e] += self->equation[e].move;
         miss = find_misses(self, b, x);
         if (miss <= 0.5 * before) continue;
-        for (int32_t e = 0; e < self->equations && !(miss <= before); e++)
+        if (miss <= before) break;
+        for (int32_t e = 0; e < self->equations; e++)
             x[e] -= self->equation[e].move;
+        find_misses(self, b, x);
         break;
     }
     return full;

@@ -49,9 +49,12 @@ void tinker_contact_elimination_take(TinkerContactElimination *elimination, cons
  * last. */
 void tinker_contact_elimination_push(TinkerContactElimination *elimination, const double *x, double *along);
 
+/* What the bodies of the model did at the push made last: 2 per body, borrowed until the next one. */
+const double *tinker_contact_elimination_pushed(const TinkerContactElimination *elimination);
+
 /* Changes the forces x until they do b along each equation, for the constraint rows evaluated last: to rounding where that is to be
  * had. Where equations and rows depend on one another x is the solution that is nearest to what it was, by forces over the roots of
- * masses; FALSE then. Allots nothing. */
+ * masses; FALSE then. The last push is that of x. Allots nothing. */
 gboolean tinker_contact_elimination_solve(TinkerContactElimination *elimination, const double *b, double *x);
 
 /* The same with a softness s, once: as a step of an iteration, for which it is factored first. x need not be anything. */

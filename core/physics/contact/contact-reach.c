@@ -21,20 +21,29 @@ static double size_of(const TinkerModel *model, const TinkerContactEquation *of,
     return sum * model->inverse_mass[of->body];
 }
 
+/* How all contacts move by what the elimination pushed last, with impulses p. */
+static void read_motion(const TinkerContactReach *self, const double *p, double *v, double *size)
+{
+    const double *by_body = tinker_contact_elimination_pushed(self->elimination);
+    for (int32_t i = 0; i < 2 * self->count; i++) {
+        const TinkerContactEquation *of = &self->all[i];
+        v[i] = of->row[0] * by_body[2 * of->body] + of->row[1] * by_body[2 * of->body + 1];
+        if (size != NULL) size[i] = size_of(self->contacts->model, of, p[i]);
+    }
+}
+
 static void times(void *context, const double *p, double *v, double *size)
 {
     TinkerContactReach *self = context;
     const int32_t count = 2 * self->count;
     for (int32_t i = 0; i < count; i++) {
-        self->equations[i] = self->all[self->entry[i] = 2 * self->order[i / 2] + i % 2];
-        self->x[i] = p[self->entry[i]];
+        const int32_t at = 2 * self->order[i / 2] + i % 2;
+        self->equations[i] = self->all[at];
+        self->x[i] = p[at];
     }
     tinker_contact_elimination_take(self->elimination, self->equations, count);
     tinker_contact_elimination_push(self->elimination, self->x, self->b);
-    for (int32_t i = 0; i < count; i++) {
-        v[self->entry[i]] = self->b[i];
-        if (size != NULL) size[self->entry[i]] = size_of(self->contacts->model, &self->equations[i], self->x[i]);
-    }
+    read_motion(self, p, v, size);
 }
 
 /* Takes the equations of what is unknown. */
@@ -63,7 +72,8 @@ static void put_found(const TinkerContactReach *self, double *p)
     }
 }
 
-static int solve(void *context, const int8_t *unknown, const double *slope, const double *b, double *p)
+static int solve(void *context, const int8_t *unknown, const double *slope, const double *b, double *p, double *v,
+                 double *size)
 {
     TinkerContactReach *self = context;
     take_unknown(self, unknown, slope);
@@ -73,6 +83,7 @@ static int solve(void *context, const int8_t *unknown, const double *slope, cons
     }
     tinker_contact_elimination_solve(self->elimination, self->b, self->x);
     put_found(self, p);
+    read_motion(self, p, v, size);
     return 1;
 }
 

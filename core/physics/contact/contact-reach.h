@@ -3,14 +3,14 @@
  * same rows without the contacts' mobility (contact-elimination.h). So the laws cost in proportion to bodies and contacts, where the
  * Delassus matrix of m contacts has 4 m^2 entries, each column a solve.
  *
- * Few contacts are solved by their matrix: TINKER_FEW_CONTACTS. */
+ * Few contacts are solved by their matrix, by every means that there are for such (contact-solve.c): TINKER_FEW_CONTACTS. */
 #ifndef TINKER_CORE_CONTACT_REACH_H
 #define TINKER_CORE_CONTACT_REACH_H
 
 #include "physics/contact/contacts.h"
 
-/* Up to here a matrix is cheaper, as bench-contacts measures it. */
-#define TINKER_FEW_CONTACTS 12
+/* Up to here it takes about as long either way (bench-contact-chains). */
+#define TINKER_FEW_CONTACTS 8
 
 typedef struct {
     TinkerContactMotion motion;

@@ -98,13 +98,15 @@ static gboolean rest_by_matrix(const TinkerContactChange *change, TinkerContactL
 
 static gboolean rest_by_solve(const TinkerContactChange *change, TinkerContactLaws *laws)
 {
-    g_autofree int8_t *unknown = g_try_new0(int8_t, 2 * laws->count);
-    if (unknown == NULL) return FALSE;
+    const gsize width = 2 * laws->count;
+    g_autofree int8_t *unknown = g_try_new0(int8_t, width);
+    g_autofree double *left = g_try_new(double, 2 * width);
+    if (unknown == NULL || left == NULL) return FALSE;
     for (guint i = 0; i < laws->count; i++) {
         unknown[2 * i] = rests(change, i);
         laws->pairs[2 * i] = -tinker_touch(change, i)->place.normal_speed;
     }
-    laws->motion->solve(laws->motion->context, unknown, laws->first, laws->pairs, laws->answers);
+    laws->motion->solve(laws->motion->context, unknown, laws->first, laws->pairs, laws->answers, left, left + width);
     return TRUE;
 }
 
