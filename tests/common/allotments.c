@@ -3,7 +3,7 @@
 
 #include <glib.h>
 
-int allotments;
+_Atomic int allotments;
 
 /* Visible: the linker counts what libraries refer to as well. */
 #define WRAP(result, name, parameters, arguments)                                                                      \

@@ -3,6 +3,6 @@
 #ifndef TEST_ALLOTMENTS_H
 #define TEST_ALLOTMENTS_H
 
-extern int allotments;
+extern _Atomic int allotments; /* of all threads */
 
 #endif

@@ -9,6 +9,7 @@
 #include "net-scenes.h"
 #include "net-table.h"
 #include "net-workers.h"
+#include "numerics/sharing/sharing.h"
 
 #define USAGE                                                                                                          \
     "write FILE | compare OLD NEW | check FILE\n\n"                                                                    \
@@ -104,6 +105,7 @@ int main(int argc, char **argv)
     g_autoptr(GOptionContext) context = g_option_context_new(USAGE);
     g_option_context_add_main_entries(context, entries, NULL);
     int status = WRONG_USE;
+    tinker_share_set_threads(1); /* a run's companion is stepped where runs are cut by the number of questions */
     if (!g_option_context_parse(context, &argc, &argv, &error))
         fprintf(stderr, "net: %s\n", error->message);
     else if (argc == 3 && g_str_equal(argv[1], "write"))

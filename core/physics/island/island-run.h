@@ -36,8 +36,9 @@ typedef struct {
     double *line_q, *line_v; /* else these are, along the line; NULL where the island is not straight */
     double *sample_x, *sample_u;
     TinkerTimeGrid step_grid;
-    gint64 next_step;       /* on the step grid, of a method that is not adaptive */
-    double longest_step;    /* s: an adaptive method makes none longer; INFINITY but in a companion */
+    gint64 next_step; /* on the step grid, of a method that is not adaptive */
+    double
+        latest; /* s: of an adaptive method no step goes beyond it, unless it is behind; INFINITY but in a companion */
     double piece_end;       /* the current piece ends here: */
     gboolean ends_on_break; /* with a break, or only because nobody looked further */
     gboolean abandoned; /* of a companion: what it follows is not determined any more, and nobody asks where it is */

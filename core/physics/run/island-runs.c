@@ -79,14 +79,19 @@ static double steps_end(const TinkerIslandRuns *self, double t)
     return count * duration;
 }
 
+gboolean tinker_island_runs_fail_stopped(const TinkerIslandRuns *self, GError **error)
+{
+    g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_STOPPED, _("stopped at t = %.6g s of %.6g s"),
+                self->runs->len > 0 ? tinker_island_runs_time(self) : 0.0, self->times.duration);
+    return FALSE;
+}
+
 /* Whether nobody has had enough. */
 static gboolean goes_on(TinkerIslandRuns *self, GError **error)
 {
     const TinkerRunOptions *options = &self->options;
     if (options->cancelled == NULL || !options->cancelled(options->data)) return TRUE;
-    g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_STOPPED, _("stopped at t = %.6g s of %.6g s"),
-                self->runs->len > 0 ? tinker_island_runs_time(self) : 0.0, self->times.duration);
-    return FALSE;
+    return tinker_island_runs_fail_stopped(self, error);
 }
 
 static gboolean open_runs(TinkerIslandRuns *self, const TinkerChoice *choices, GError **error)

@@ -58,6 +58,9 @@ TinkerStatus tinker_island_runs_sample(TinkerIslandRuns *runs, double t);
 /* The time that all islands have reached. */
 double tinker_island_runs_time(const TinkerIslandRuns *runs);
 
+/* The error of runs that the user stopped. Answers FALSE. */
+gboolean tinker_island_runs_fail_stopped(const TinkerIslandRuns *runs, GError **error);
+
 /* Ends all runs at the duration. */
 gboolean tinker_island_runs_close(TinkerIslandRuns *runs, GError **error);
 

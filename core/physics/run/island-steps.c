@@ -74,7 +74,7 @@ TinkerIslandRun *tinker_island_run_new(const TinkerIsland *island, const TinkerC
     run->island = island;
     run->model = island->model;
     run->choice = *choice;
-    run->longest_step = INFINITY;
+    run->latest = INFINITY;
     run->step_grid = tinker_time_grid(choice->interval > 0 ? choice->interval : choice->step);
     open_summary(run, whole);
     run->spectral_radius = spectral_radius;
@@ -96,7 +96,7 @@ void tinker_island_run_free(TinkerIslandRun *run)
 static double step_limit(TinkerIslandRun *run, double run_end)
 {
     double t = run->state.t, end = MIN(MIN(run->piece_end, run->pole), run_end);
-    if (tinker_method_is_adaptive(run->choice.method)) return MIN(end, t + run->longest_step);
+    if (tinker_method_is_adaptive(run->choice.method)) return run->latest > t ? MIN(end, run->latest) : end;
     double slack = 1e-9 * run->step_grid.spacing, next;
     while ((next = tinker_time_grid_at(&run->step_grid, run->next_step)) <= t + slack)
         run->next_step++;

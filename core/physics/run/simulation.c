@@ -92,7 +92,7 @@ gboolean tinker_simulation_run(TinkerSimulation *simulation, const GArray *colum
     simulation->watch = tinker_box_watch_new(simulation->all->model);
     if (simulation->all->options.estimate) simulation->estimate = tinker_estimate_new(simulation->all, columns);
     gboolean done = run_to_end(simulation, sample, data, error);
-    if (simulation->estimate != NULL) tinker_estimate_close(simulation->estimate);
+    if (simulation->estimate != NULL && !tinker_estimate_close(simulation->estimate, done ? error : NULL)) done = FALSE;
     simulation->all->summary.wall_s = 1e-6 * (double)(g_get_monotonic_time() - started);
     add_up(simulation);
     return done;

@@ -24,7 +24,8 @@ typedef gboolean (*TinkerSampleFunc)(TinkerSimulation *simulation, double time, 
 
 /* Runs to the end. `columns` (of TinkerColumn, may be NULL) are evaluated at every sample. On failure (TINKER_MODEL_ERROR_RUN)
  * the message names the block, and the samples up to then have been handed out; summary->valid_until says how far they
- * are to be believed. */
+ * are to be believed. All functions that were given are called on the caller's thread; another one may step the companion
+ * meanwhile, so the scene must stay as it is. */
 gboolean tinker_simulation_run(TinkerSimulation *simulation, const GArray *columns, TinkerSampleFunc sample, void *data,
                                GError **error);
 

@@ -8,6 +8,8 @@
  * Besides q and v the system has `books`: energy integrals dw/dt = power(q, v, t) that are advanced with the method's
  * own order but never enter its error control.
  *
+ * Steppers may be at work at once, each on a thread of its own: what one keeps is in what `create` allotted, and nowhere else.
+ *
  * Waveforms switch only at breaks, and the host never asks for a step across one; within a step they are smooth up to
  * and including both ends.
  */

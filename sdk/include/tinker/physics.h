@@ -2,7 +2,8 @@
  *
  * A block fills one role, or the body role and one more. The host owns all state: it works out the kinematics, calls
  * a role's function over ranges of instances, and adds up what comes back in an order that never changes. A function
- * is a pure map: same input, same bits; it does not allocate, lock, log, do I/O or keep anything between calls.
+ * is a pure map: same input, same bits; it does not allocate, lock, log, do I/O or keep anything between calls. Models
+ * of one scene may be evaluated at once, each on a thread of its own, with a scratch of its own.
  *
  * Symbols: x, v position and velocity; d = x_b - x_a from a connector's first end to its second; L = |d|; n = d / L;
  * rate = dL/dt = n . (v_b - v_a); T tension, positive when it pulls the ends together; g constraint function;
