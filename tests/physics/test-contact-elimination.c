@@ -275,14 +275,15 @@ static void test_scale(void)
 }
 
 /* A truss of 16 panels stands on as many feet and slides: nothing determines how these share its weight, and friction stops it after
- * v^2 / (2 mu g), whatever they do. */
+ * v^2 / (2 mu g), whatever they do. With the floor at 0.2 m rounding made contacts open and close without end where
+ * they were solved by their matrix. */
 static void test_sliding_truss(void)
 {
-    g_autoptr(GString) blocks =
-        g_string_new(CONTACT_WEIGHT CONTACT_FLOOR ", 'width': 100, 'static_friction': 0.4, 'dynamic_friction': 0.3}");
+    g_autoptr(GString) blocks = g_string_new(
+        CONTACT_WEIGHT "{'type': 'support', 'width': 42, 'static_friction': 0.4, 'dynamic_friction': 0.3}");
     for (int i = 0; i < 32; i++)
-        g_string_append_printf(blocks, ", " CONTACT_POINT ", 'mass': %g, 'position': [%d, %d], 'velocity': [0.5, 0]}",
-                               1 + 0.1 * (i % 5), i / 2, i % 2);
+        g_string_append_printf(blocks, ", " CONTACT_POINT ", 'mass': %g, 'position': [%d, %g], 'velocity': [0.5, 0]}",
+                               1 + 0.1 * (i % 5), i / 2, i % 2 + 0.2);
     for (int i = 0; i < 32; i += 2) {
         g_string_append_printf(blocks, ", {'type': 'rod', 'ends': ['Mass %d', 'Mass %d']}", i, i + 1);
         for (int k = 0; i > 0 && k < 3; k++)
@@ -297,7 +298,7 @@ static void test_sliding_truss(void)
         g_autofree char *name = g_strdup_printf("Mass %d", i);
         physics_state(run, name, state);
         physics_assert_near("x", state[0], i / 2 + 0.25 / (2 * slow), 1e-10);
-        physics_assert_near("y", state[1], i % 2, 1e-10);
+        physics_assert_near("y", state[1], i % 2 + 0.2, 1e-10);
         physics_assert_near("vx", state[2], 0, 1e-10);
     }
 }
