@@ -99,7 +99,8 @@ def test_undo_in_a_field_takes_back_what_was_set_there(display):
         app.wait_read("Properties", "Mass", "1.00000 kg")
         app.press("ctrl+shift+z")
         app.wait_read("Properties", "Mass", "3.00000 kg")
-        app.type("7")  # over what is selected
+        app.press("ctrl+a")
+        app.type("7")
         app.wait_read("Properties", "Mass", "7")
         app.press("ctrl+z")  # what is being typed comes first
         app.wait_read("Properties", "Mass", "3.00000 kg")

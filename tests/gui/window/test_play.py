@@ -66,23 +66,22 @@ def test_time_line_looks_back(display):
 
 
 def test_play_at_the_end_begins_again(display):
-    with App(display, falling(duration=0.3)) as app:
+    with App(display, falling(duration=3)) as app:  # long enough to be seen by one who is slow to look
         app.click("Play")
-        wait(lambda: app.time() == 0.3 and not app.is_playing(), "the end")
+        wait(lambda: app.time() == 3 and not app.is_playing(), "the end")
         app.click("Play")
-        wait(lambda: app.time() < 0.3, "the beginning")
-        wait(lambda: app.time() == 0.3 and not app.is_playing(), "the end again")
+        wait(lambda: app.time() < 3, "the beginning")
+        wait(lambda: app.time() == 3 and not app.is_playing(), "the end again")
 
 
 def test_play_back_follows_the_clock(display):
-    """Whatever the frame rate: 1 s of the run takes 1 s, as long as it is computed in time."""
+    """Whatever the frame rate: 1 s of the run takes 1 s. That it takes no more, a busy machine cannot show."""
     import time
     with App(display, falling(duration=1.5)) as app:
-        app.click("Play")
-        wait(app.is_playing, "the run")
-        start = time.monotonic()
-        wait(lambda: not app.is_playing(), "the end")
-        check(1.2 < time.monotonic() - start < 5, f"1.5 s took {time.monotonic() - start:.2f} s")
+        play, start = app.find("button", "Play"), time.monotonic()
+        app.click(play)
+        wait(lambda: app.time() == 1.5, "the end")
+        check(time.monotonic() - start > 1.45, f"1.5 s took {time.monotonic() - start:.2f} s")
 
 
 def test_drag_after_the_start_goes_back_first(display):
