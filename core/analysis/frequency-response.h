@@ -7,8 +7,7 @@
 #ifndef TINKER_CORE_FREQUENCY_RESPONSE_H
 #define TINKER_CORE_FREQUENCY_RESPONSE_H
 
-#include <complex.h>
-
+#include "analysis/complex-numbers.h"
 #include "analysis/modes.h"
 #include "physics/linearise/linear-probe.h"
 

@@ -159,7 +159,6 @@ static void add_square(const Work *work, const TinkerLinearTerm *term, double *m
 static gboolean diagonalise(Work *work, double *matrix)
 {
     gsize m = (gsize)work->m;
-    g_autofree double *vectors = NULL;
     if (work->m <= MOST_FOR_JACOBI) {
         if (!tinker_symmetric_eigen(work->m, matrix, work->n, work->basis)) return FALSE;
         for (gsize i = 0; i < m; i++)

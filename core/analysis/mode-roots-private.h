@@ -2,8 +2,7 @@
 #ifndef TINKER_ANALYSIS_MODE_ROOTS_PRIVATE_H
 #define TINKER_ANALYSIS_MODE_ROOTS_PRIVATE_H
 
-#include <complex.h>
-
+#include "analysis/complex-numbers.h"
 #include "analysis/modal-basis.h"
 
 typedef struct {

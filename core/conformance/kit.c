@@ -4,7 +4,8 @@
 
 #include "conformance/kit-private.h"
 
-static void decide(KitCheck *check, TinkerConformanceOutcome outcome, const char *format, va_list arguments)
+__attribute__((format(printf, 3, 0))) static void decide(KitCheck *check, TinkerConformanceOutcome outcome,
+                                                         const char *format, va_list arguments)
 {
     KitSheet *sheet = check->sheet;
     if (sheet->decided) return;

@@ -67,8 +67,8 @@ static void watched_free(void *memory)
     free(memory);
 }
 
-#define WATCH_FORMATTED(name, told, parameters, print)                                                                 \
-    static int watched_##name parameters                                                                               \
+#define WATCH_FORMATTED(name, told, place, parameters, print)                                                          \
+    __attribute__((format(printf, place, 0))) static int watched_##name parameters                                     \
     {                                                                                                                  \
         va_list arguments;                                                                                             \
         va_start(arguments, format);                                                                                   \
@@ -78,11 +78,11 @@ static void watched_free(void *memory)
         return written;                                                                                                \
     }
 
-WATCH_FORMATTED(printf, "printf", (const char *format, ...), vprintf(format, arguments))
-WATCH_FORMATTED(fprintf, "fprintf", (FILE * file, const char *format, ...), vfprintf(file, format, arguments))
+WATCH_FORMATTED(printf, "printf", 1, (const char *format, ...), vprintf(format, arguments))
+WATCH_FORMATTED(fprintf, "fprintf", 2, (FILE * file, const char *format, ...), vfprintf(file, format, arguments))
 /* What the two are compiled to with -D_FORTIFY_SOURCE, which some systems set for everything. */
-WATCH_FORMATTED(__printf_chk, "printf", (int flag, const char *format, ...), vprintf(format, arguments))
-WATCH_FORMATTED(__fprintf_chk, "fprintf", (FILE * file, int flag, const char *format, ...),
+WATCH_FORMATTED(__printf_chk, "printf", 2, (int flag, const char *format, ...), vprintf(format, arguments))
+WATCH_FORMATTED(__fprintf_chk, "fprintf", 3, (FILE * file, int flag, const char *format, ...),
                 vfprintf(file, format, arguments))
 
 #define ROW(name)                                                                                                      \

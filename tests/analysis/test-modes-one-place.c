@@ -127,8 +127,8 @@ static void test_sum(void)
 static void test_dampers(void)
 {
     static const char *const laws[] = {
-        "{'type': 'spring', 'ends': ['Support 0', 'Mass 0'], 'stiffness': 9, 'rest_length': 0},"
-        "{'type': 'damper', 'ends': ['Support 0', 'Mass 0'], 'damping': 2}",
+        ("{'type': 'spring', 'ends': ['Support 0', 'Mass 0'], 'stiffness': 9, 'rest_length': 0},"
+         "{'type': 'damper', 'ends': ['Support 0', 'Mass 0'], 'damping': 2}"),
         "{'type': 'magnet', 'ends': ['Support 0', 'Mass 0'], 'strength': 9, 'softening': 1, 'resistance': 2}",
         "{'type': 'plain-magnet', 'ends': ['Support 0', 'Mass 0'], 'strength': 9, 'softening': 1, 'resistance': 2}"};
     for (gsize i = 0; i < G_N_ELEMENTS(laws); i++) {

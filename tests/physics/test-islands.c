@@ -363,9 +363,10 @@ static void test_far_apart(void)
         "{'type': 'spring', 'ends': ['Support 0', 'Mass 0'], 'rest_length': 1, 'stiffness': 30},"
         "{'type': 'mass', 'position': [1000003, -999999]}, {'type': 'rod', 'ends': ['Support 0', 'Mass 1']},"
         "{'type': 'gravity'}";
-    static const char *const others[] = {"{'type': 'mass'}", "{'type': 'support'}",
-                                         "{'type': 'support'}, {'type': 'mass', 'position': [0, 2]}, {'type': 'spring',"
-                                         "'ends': ['Support 1', 'Mass 2']}"};
+    static const char *const others[] = {
+        "{'type': 'mass'}", "{'type': 'support'}",
+        ("{'type': 'support'}, {'type': 'mass', 'position': [0, 2]}, {'type': 'spring',"
+         "'ends': ['Support 1', 'Mass 2']}")};
     g_autoptr(PhysicsRun) alone = physics_run(&options, "%s", here);
     for (gsize o = 0; o < G_N_ELEMENTS(others); o++) {
         g_autoptr(PhysicsRun) run = physics_run(&options, "%s, %s", here, others[o]);

@@ -77,8 +77,8 @@ static void test_not_straight(void)
         ",{'type': 'motor', 'ends': ['Mass 1'], 'amplitude': 1e-3, 'angle': '89 deg'}",
         ",{'type': 'support-motion', 'ends': ['Support 0'], 'amplitude': 1e-3, 'angle': '1 deg'}",
         ",{'type': 'mass', 'position': [3, 3.00000001]}, {'type': 'spring', 'ends': ['Mass 2', 'Mass 0']}",
-        ",{'type': 'mass', 'position': [5, 3], 'velocity': [0, 1e-6]}, {'type': 'spring', 'ends': ['Mass 2', 'Mass "
-        "0']}",
+        (",{'type': 'mass', 'position': [5, 3], 'velocity': [0, 1e-6]},"
+         "{'type': 'spring', 'ends': ['Mass 2', 'Mass 0']}"),
         ",{'type': 'mass', 'position': [5, 3]}, {'type': 'rod', 'ends': ['Mass 2', 'Mass 0']}",
         ",{'type': 'support', 'solid': false, 'position': [4, 9]}, {'type': 'damper', 'ends': ['Support 2', 'Mass 0']}",
         ",{'type': 'torsion', 'ends': ['Support 0', 'Mass 0', 'Mass 1']}",
