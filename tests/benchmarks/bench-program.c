@@ -18,15 +18,6 @@
 #define STARTS       20
 #define MEGABYTE     1e6
 
-/* The program under test. */
-static char *program(void)
-{
-    g_autofree char *own = g_file_read_link("/proc/self/exe", NULL);
-    g_autofree char *folder = g_path_get_dirname(own);
-    const char *given = g_getenv("TINKER_PROGRAM");
-    return given != NULL ? g_strdup(given) : g_build_filename(folder, "..", "..", "host", "cli", "tinker", NULL);
-}
-
 static char *write_large_scene(void)
 {
     g_autoptr(GError) error = NULL;
@@ -79,7 +70,7 @@ static void report_large_scene(BenchmarkReport *report)
 {
     const char *scene = "100000 masses, 400000 springs";
     if (!benchmark_report_wants(report, scene)) return;
-    g_autofree char *path = write_large_scene(), *tinker = program();
+    g_autofree char *path = write_large_scene(), *tinker = benchmark_program();
     double values[LOADED_COUNT];
     BenchmarkChild loaded = benchmark_in_child(load, path, values, LOADED_COUNT);
     if (!loaded.fine) g_error("%s could not be loaded", path);
@@ -140,7 +131,7 @@ static void report_long_runs(BenchmarkReport *report, const char *tinker, const 
 int main(int argc, char **argv)
 {
     BenchmarkReport *report = benchmark_report_new(argc, argv);
-    g_autofree char *tinker = program();
+    g_autofree char *tinker = benchmark_program();
     g_autofree char *folder = g_path_get_dirname(tinker);
     g_autofree char *path = g_build_filename(folder, "..", "scenes", "spring-mass.tinker.json", NULL);
     const char *run[] = {tinker, "run", path, NULL}, *version[] = {tinker, "--version", NULL};

@@ -61,13 +61,18 @@ void benchmark_time_pair(BenchmarkTask *first, BenchmarkTask *second)
         tasks[k]->timing = benchmark_summarize(values[k], BATCHES);
 }
 
+static double seconds(const struct timeval *time)
+{
+    return (double)time->tv_sec + 1e-6 * (double)time->tv_usec;
+}
+
 static BenchmarkChild wait_for(pid_t child, double started)
 {
     int status = 0;
     struct rusage used = {0};
     if (child < 0 || wait4(child, &status, 0, &used) != child) g_error("a child process could not be started");
     return (BenchmarkChild){WIFEXITED(status) && WEXITSTATUS(status) == 0, benchmark_now() - started,
-                            1024.0 * (double)used.ru_maxrss};
+                            seconds(&used.ru_utime) + seconds(&used.ru_stime), 1024.0 * (double)used.ru_maxrss};
 }
 
 static gboolean read_whole(int from, void *to, gsize size)
@@ -100,6 +105,14 @@ BenchmarkChild benchmark_in_child(void (*work)(void *data, double *values), void
     BenchmarkChild used = wait_for(child, started);
     used.fine = used.fine && heard;
     return used;
+}
+
+char *benchmark_program(void)
+{
+    g_autofree char *own = g_file_read_link("/proc/self/exe", NULL);
+    g_autofree char *folder = g_path_get_dirname(own);
+    const char *given = g_getenv("TINKER_PROGRAM");
+    return given != NULL ? g_strdup(given) : g_build_filename(folder, "..", "..", "host", "cli", "tinker", NULL);
 }
 
 BenchmarkChild benchmark_run(const char *const *arguments)

@@ -34,13 +34,17 @@ BenchmarkTiming benchmark_summarize(double *values, gsize count);
 
 /* What a finished child used. */
 typedef struct {
-    gboolean fine;   /* it exited with status 0 */
-    double wall;     /* s, from before its start until after its end */
-    double peak_rss; /* bytes; includes what this process had when it started the child */
+    gboolean fine;    /* it exited with status 0 */
+    double wall;      /* s, from before its start until after its end */
+    double processor; /* s, that it had a processor, the system's part included */
+    double peak_rss;  /* bytes; includes what this process had when it started the child */
 } BenchmarkChild;
 
 /* Does work in a child process, which fills in `count` values; what it allocates never becomes ours. */
 BenchmarkChild benchmark_in_child(void (*work)(void *data, double *values), void *data, double *values, gsize count);
+
+/* The program under test. (transfer full) */
+char *benchmark_program(void);
 
 /* Runs a program (arguments ended by NULL, the program first) with its standard output thrown away. */
 BenchmarkChild benchmark_run(const char *const *arguments);
