@@ -84,9 +84,10 @@ static const char *const c_headers[] = {"assert.h",  "ctype.h",     "errno.h",  
                                         "libintl.h", "limits.h",    "locale.h", "math.h",   "stdarg.h", "stdbool.h",
                                         "stddef.h",  "stdint.h",    "stdio.h",  "stdlib.h", "string.h", "time.h",
                                         "complex.h", "stdatomic.h", NULL};
-static const char *const system_headers[] = {
-    "dlfcn.h",   "elf.h", "fcntl.h", "grp.h",    "immintrin.h", "langinfo.h", "link.h",     "linux/",  "poll.h",
-    "pthread.h", "pwd.h", "sched.h", "signal.h", "sys/",        "unistd.h",   "ucontext.h", "utime.h", NULL};
+static const char *const system_headers[] = {"dlfcn.h",    "elf.h",      "fcntl.h", "grp.h",    "immintrin.h",
+                                             "langinfo.h", "link.h",     "linux/",  "malloc.h", "poll.h",
+                                             "pthread.h",  "pwd.h",      "sched.h", "signal.h", "sys/",
+                                             "unistd.h",   "ucontext.h", "utime.h", NULL};
 
 static const char *const block_ids[] = {"mass",  "support",        "spring",  "damper", "rod",
                                         "motor", "support-motion", "gravity", "wind",   NULL};
