@@ -101,12 +101,13 @@ static void add_bodies(TinkerModel *model)
     }
     gsize n = (gsize)MAX(model->bodies, 1);
     model->body_blocks = g_new0(TinkerBlockId, n);
-    model->mass = g_new0(double, n);
-    model->inverse_mass = g_new0(double, n);
-    model->coordinate_mass = g_new0(double, 2 * n);
-    model->q_start = g_new0(double, 2 * n);
-    model->v_start = g_new0(double, 2 * n);
-    model->constant_acceleration = g_new0(double, 2 * n);
+    model->of_bodies = g_new0(double, 10 * n);
+    model->mass = model->of_bodies;
+    model->inverse_mass = model->mass + n;
+    model->coordinate_mass = model->inverse_mass + n;
+    model->q_start = model->coordinate_mass + 2 * n;
+    model->v_start = model->q_start + 2 * n;
+    model->constant_acceleration = model->v_start + 2 * n;
     int32_t number = 0;
     for (guint i = 0; i < model->batches->len; i++) {
         const TinkerBlockBatch *batch = g_ptr_array_index(model->batches, i);

@@ -159,15 +159,22 @@ void tinker_model_free(TinkerModel *model)
     g_array_unref(model->asked_fields);
     g_array_unref(model->driven);
     TinkerMergedLines *lines = &model->lines;
-    gpointer arrays[] = {
-        model->body_blocks,    model->mass,       model->coordinate_mass,
-        model->inverse_mass,   model->q_start,    model->v_start,
-        model->centre_point,   model->point_used, model->constant_acceleration,
-        model->constant_force, model->point,      model->point_acceleration,
-        model->force,          lines->tension,    model->column_views,
-        model->chunk_offsets,  lines->a,          lines->b,
-        lines->stiffness,      lines->length,     lines->damping,
-    };
+    gpointer arrays[] = {model->body_blocks,
+                         model->of_bodies,
+                         model->centre_point,
+                         model->point_used,
+                         model->constant_force,
+                         model->point,
+                         model->point_acceleration,
+                         model->force,
+                         lines->tension,
+                         model->column_views,
+                         model->chunk_offsets,
+                         lines->a,
+                         lines->b,
+                         lines->stiffness,
+                         lines->length,
+                         lines->damping};
     for (gsize i = 0; i < G_N_ELEMENTS(arrays); i++)
         g_free(arrays[i]);
     g_free(model->velocity_kept);

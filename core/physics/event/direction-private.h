@@ -26,6 +26,7 @@ struct _TinkerDirectionWatch {
     double projection_work, position_error; /* of the system, where the step began */
     double *x, *u, *q, *v;                  /* a state within the step: of the system, of the bodies */
     double *acceleration;
+    double *room;    /* which all these lie in */
     double expected; /* s: ends may meet then, on the way to which the method makes several steps; INFINITY */
 };
 

@@ -35,8 +35,9 @@ TinkerDirectionWatch *tinker_direction_watch_new(TinkerIslandRun *run)
     }
     gsize n = 2 * (gsize)run->model->bodies;
     double **arrays[] = {&self->x, &self->u, &self->q, &self->v, &self->acceleration};
+    self->room = g_new0(double, G_N_ELEMENTS(arrays) * n);
     for (gsize i = 0; i < G_N_ELEMENTS(arrays); i++)
-        *arrays[i] = g_new0(double, n);
+        *arrays[i] = self->room + i * n;
     return self;
 }
 
@@ -44,9 +45,7 @@ void tinker_direction_watch_free(TinkerDirectionWatch *self)
 {
     if (self == NULL) return;
     g_array_unref(self->lines);
-    gpointer arrays[] = {self->x, self->u, self->q, self->v, self->acceleration};
-    for (gsize i = 0; i < G_N_ELEMENTS(arrays); i++)
-        g_free(arrays[i]);
+    g_free(self->room);
     g_free(self);
 }
 

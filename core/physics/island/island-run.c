@@ -34,18 +34,19 @@ void tinker_island_run_open_state(TinkerIslandRun *run)
     const TinkerModel *model = run->model;
     gsize n = 2 * (gsize)MAX(model->bodies, 1);
     tinker_model_system_init(&run->system, run->model, run->island->linear);
-    run->q = g_memdup2(model->q_start, n * sizeof(double));
-    run->v = g_memdup2(model->v_start, n * sizeof(double));
+    run->room = g_new0(double, 6 * n + (gsize)run->system.system.books + 1);
+    run->q = memcpy(run->room, model->q_start, n * sizeof(double));
+    run->v = memcpy(run->room + n, model->v_start, n * sizeof(double));
+    run->sample_x = run->room + 2 * n;
+    run->sample_u = run->room + 3 * n;
     run->state.q = run->q;
     run->state.v = run->v;
-    run->state.books = g_new0(double, run->system.system.books + 1);
+    run->state.books = run->room + 6 * n;
     if (run->system.system.size != 2 * model->bodies) {
-        run->state.q = run->line_q = g_new0(double, n);
-        run->state.v = run->line_v = g_new0(double, n);
+        run->state.q = run->line_q = run->room + 4 * n;
+        run->state.v = run->line_v = run->room + 5 * n;
         tinker_linear_form_reduce(run->island->linear, run->q, run->v, run->state.q, run->state.v);
     }
-    run->sample_x = g_new0(double, n);
-    run->sample_u = g_new0(double, n);
 }
 
 gboolean tinker_island_run_open_stepper(TinkerIslandRun *run, GError **error)
@@ -85,9 +86,7 @@ void tinker_island_run_clear(TinkerIslandRun *run)
     if (run->aside.stepper != NULL) tinker_method_destroy(run->aside.method, run->aside.stepper);
     tinker_stability_watch_free(run->stability);
     tinker_model_system_clear(&run->system);
-    gpointer arrays[] = {run->q, run->v, run->line_q, run->line_v, run->state.books, run->sample_x, run->sample_u};
-    for (gsize i = 0; i < G_N_ELEMENTS(arrays); i++)
-        g_free(arrays[i]);
+    g_free(run->room);
 }
 
 double tinker_island_run_speed_noise(const TinkerIslandRun *run, double extent)

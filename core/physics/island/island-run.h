@@ -35,6 +35,7 @@ typedef struct {
     double *q, *v; /* of the model's bodies: see tinker_island_run_place. The state's own where it is in the plane, */
     double *line_q, *line_v; /* else these are, along the line; NULL where the island is not straight */
     double *sample_x, *sample_u;
+    double *room; /* which all these and the books lie in */
     TinkerTimeGrid step_grid;
     gint64 next_step; /* on the step grid, of a method that is not adaptive */
     double

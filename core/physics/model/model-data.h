@@ -142,6 +142,7 @@ struct _TinkerModel {
     /* bodies and points */
     int32_t bodies;
     TinkerBlockId *body_blocks;
+    double *of_bodies;       /* what the next ones and constant_acceleration lie in */
     double *mass;            /* of each body */
     double *coordinate_mass; /* of each coordinate */
     double *inverse_mass;    /* of each body */

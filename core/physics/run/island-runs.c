@@ -206,30 +206,30 @@ static TinkerStatus collect(TinkerIslandRuns *self, TinkerIslandRun *run, double
     return status;
 }
 
-static int32_t plate_of_block(const TinkerContacts *contacts, TinkerBlockId block)
+/* The first row of each block of a model, by its number. (transfer full) */
+static int32_t *first_rows(const TinkerModel *model)
 {
-    int32_t plate = 0;
-    while (contacts->plates[plate].block != block)
-        plate++;
-    return plate;
+    const TinkerConstraints *all = &model->constraints;
+    int32_t *first = g_new0(int32_t, MAX(tinker_block_index_count(model->numbers), 1));
+    for (int32_t row = all->rows - 1; row >= 0; row--)
+        first[tinker_block_index_find(model->numbers, all->blocks[row])] = row;
+    return first;
 }
 
-/* The whole model's rows that hold in one direction only are slack as those of the islands; the rows of one block have one
- * order in all models. */
+/* The whole model's rows that hold in one direction only are slack as those of the islands; the rows of one block stand together
+ * and have one order in all models. */
 static void gather_slack(TinkerIslandRuns *self)
 {
-    TinkerConstraints *all = &self->model->constraints;
-    if (all->unilateral == NULL) return;
-    g_autofree int32_t *next = g_new0(int32_t, self->runs->len + 1);
-    for (int32_t row = 0; row < all->rows; row++) {
-        for (guint i = 0; all->unilateral[row] && i < self->runs->len; i++) {
-            const TinkerIslandRun *run = g_ptr_array_index(self->runs, i);
-            const TinkerConstraints *part = &run->model->constraints;
-            while (next[i] < part->rows && part->blocks[next[i]] != all->blocks[row] &&
-                   !(part->unilateral != NULL && part->unilateral[next[i]]))
-                next[i]++;
-            if (next[i] >= part->rows || part->blocks[next[i]] != all->blocks[row]) continue;
-            tinker_constraints_set_slack(self->model, row, part->slack[next[i]++]);
+    if (self->model->constraints.unilateral == NULL) return;
+    g_autofree int32_t *first = first_rows(self->model);
+    for (guint i = 0; i < self->runs->len; i++) {
+        const TinkerIslandRun *run = g_ptr_array_index(self->runs, i);
+        const TinkerConstraints *part = &run->model->constraints;
+        for (int32_t row = 0, begin = 0; part->unilateral != NULL && row < part->rows; row++) {
+            if (part->blocks[row] != part->blocks[begin]) begin = row;
+            const int32_t number = tinker_block_index_find(self->model->numbers, part->blocks[row]);
+            if (part->unilateral[row])
+                tinker_constraints_set_slack(self->model, first[number] + row - begin, part->slack[row]);
         }
     }
 }
@@ -244,7 +244,8 @@ static gint64 count_contact_changes(const TinkerIslandRuns *self)
     return changes;
 }
 
-/* Where the islands are stepped apart, the whole model's contacts are closed as theirs are. */
+/* Where the islands are stepped apart, the whole model's contacts are closed as theirs are. Parts whose bodies have a shape have all
+ * plates, in the same order. */
 static gboolean gather_contacts(TinkerIslandRuns *self, GError **error)
 {
     TinkerContacts *all = self->model->contacts;
@@ -259,7 +260,6 @@ static gboolean gather_contacts(TinkerIslandRuns *self, GError **error)
         for (guint k = 0; part != NULL && k < part->closed->len; k++) {
             TinkerContact contact = *tinker_contacts_closed(part, k);
             contact.body = run->island->body_of[contact.body];
-            contact.plate = plate_of_block(all, part->plates[contact.plate].block);
             g_array_append_val(all->closed, contact);
         }
     }

@@ -41,6 +41,10 @@ static int32_t list_moved(const TinkerMotions *motions, TinkerBlockId *moved)
 
 TinkerMotions *tinker_motions_new(GPtrArray *batches)
 {
+    gboolean any = FALSE;
+    for (guint i = 0; i < batches->len; i++)
+        any |= motion_of(g_ptr_array_index(batches, i)) != NULL;
+    if (!any) return NULL;
     TinkerMotions *motions = g_new0(TinkerMotions, 1);
     motions->batches = g_ptr_array_new();
     motions->blocks = g_array_new(FALSE, FALSE, sizeof(TinkerBlockId));
@@ -79,8 +83,8 @@ void tinker_motions_free(TinkerMotions *motions)
 
 const TinkerBlockId *tinker_motions_blocks(const TinkerMotions *motions, int32_t *count)
 {
-    *count = (int32_t)motions->blocks->len;
-    return (const TinkerBlockId *)(const void *)motions->blocks->data;
+    *count = motions != NULL ? (int32_t)motions->blocks->len : 0;
+    return *count == 0 ? NULL : (const TinkerBlockId *)(const void *)motions->blocks->data;
 }
 
 /* `number` of what each row moves. */
@@ -114,6 +118,7 @@ static gboolean add_batch(TinkerMotions *motions, TinkerBlockBatch *batch, const
 
 gboolean tinker_motions_evaluate(TinkerMotions *motions, double t)
 {
+    if (motions == NULL) return TRUE;
     memset(motions->places, 0, (gsize)tinker_block_index_count(motions->index) * sizeof(TinkerPlace));
     const int32_t *number = motions->number;
     for (guint i = 0; i < motions->batches->len; i++) {
@@ -126,7 +131,7 @@ gboolean tinker_motions_evaluate(TinkerMotions *motions, double t)
 
 gboolean tinker_motions_moves(const TinkerMotions *motions, TinkerBlockId block)
 {
-    return tinker_block_index_find(motions->index, block) >= 0;
+    return motions != NULL && tinker_block_index_find(motions->index, block) >= 0;
 }
 
 const TinkerPlace *tinker_motions_place(const TinkerMotions *motions, TinkerBlockId block)

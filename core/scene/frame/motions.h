@@ -11,7 +11,7 @@ typedef struct {
 
 typedef struct _TinkerMotions TinkerMotions;
 
-/* All motions among the batches, which are borrowed. (transfer full) */
+/* All motions among the batches, which are borrowed. NULL where there are none, which all below take for that. (transfer full) */
 TinkerMotions *tinker_motions_new(GPtrArray *batches);
 void tinker_motions_free(TinkerMotions *motions);
 
