@@ -39,6 +39,13 @@ static TinkerModel *joined(GRand *random, Shape shape, int masses, double bent)
     return model;
 }
 
+static void free_joined(TinkerModel *model)
+{
+    TinkerScene *scene = model->scene;
+    tinker_model_free(model);
+    tinker_scene_free(scene);
+}
+
 /* Elimination with row pivoting in extended precision. Answers the smallest pivot. */
 static long double dense_solve(int n, long double *a, long double *b)
 {
@@ -133,7 +140,7 @@ static void test_solve(void)
             physics_assert_near("a force", x[e], (double)solved[e], 1e-11 * largest * fmax(1, largest));
         g_assert_true(full == determined); /* a triangle of rods may stand on more than it takes to hold it */
         tinker_contact_elimination_free(elimination);
-        tinker_model_free(model);
+        free_joined(model);
     }
 }
 
@@ -163,7 +170,7 @@ static void test_least_norm(void)
     for (int i = 0; i < MASSES; i++)
         physics_assert_near("a share", x[2 * i + 1] * model->inverse_mass[i], 0.3, 1e-10);
     tinker_contact_elimination_free(elimination);
-    tinker_model_free(model);
+    free_joined(model);
 }
 
 /* By the definition in contact-laws.h, with the matrix written down. */
@@ -231,7 +238,7 @@ static void test_laws(void)
         g_assert_cmpint(tinker_impact_solve(&impact, p), ==, TINKER_CONTACT_SOLVED);
         check_laws(touching, model->contacts, masses, velocity, mu, p);
         tinker_contact_reach_clear(&reach);
-        tinker_model_free(model);
+        free_joined(model);
     }
 }
 
@@ -258,7 +265,7 @@ static gsize entries_of_chain(int masses, gint64 *solves)
     g_assert_null(block->solve[FALSE]);
     const gsize entries = tinker_contact_elimination_fill(block->elimination);
     *solves = tinker_contact_elimination_solves(block->elimination);
-    tinker_model_free(model);
+    free_joined(model);
     return entries;
 }
 

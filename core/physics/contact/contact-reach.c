@@ -55,9 +55,11 @@ static void take_unknown(TinkerContactReach *self, const int8_t *unknown, const 
         if (!unknown[at]) continue;
         TinkerContactEquation *equation = &self->equations[self->unknown];
         *equation = self->all[at];
-        equation->slope = i % 2 == 0 && !unknown[at + 1] ? slope[k] : 0;
-        for (int d = 0; d < 2; d++)
-            equation->force[d] += equation->slope * self->all[at + 1].row[d];
+        if (i % 2 == 0 && !unknown[at + 1]) {
+            equation->slope = slope[k];
+            for (int d = 0; d < 2; d++)
+                equation->force[d] += slope[k] * self->all[at + 1].row[d];
+        }
         self->entry[self->unknown++] = at;
     }
     tinker_contact_elimination_take(self->elimination, self->equations, self->unknown);
