@@ -39,11 +39,11 @@ static void add_island(cJSON *array, const TinkerPlanReport *report, const Tinke
         TinkerBlockId block = g_array_index(island->blocks, TinkerBlockId, i);
         cJSON_AddItemToArray(blocks, cJSON_CreateString(tinker_scene_block_name(report->scene, block)));
     }
-    cJSON_AddStringToObject(object, "method", island->method->id);
-    if (island->step > 0)
-        add_number(object, "step", island->step);
+    cJSON_AddStringToObject(object, "method", island->choice.method->id);
+    if (island->choice.step > 0)
+        add_number(object, "step", island->choice.step);
     else
-        add_number(object, "tolerance", island->tolerance);
+        add_number(object, "tolerance", island->choice.tolerance);
     cJSON_AddStringToObject(object, "reason", island->reason);
     add_number(object, "omega_max", island->omega_max);
     add_number(object, "damping_max", island->damping_max);

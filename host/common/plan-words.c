@@ -25,5 +25,5 @@ char *tinker_method_text(const char *method, double step, double tolerance)
 
 char *tinker_island_method_text(const TinkerIslandPlan *island)
 {
-    return tinker_method_text(island->method->id, island->step, island->tolerance);
+    return tinker_method_text(island->choice.method->id, island->choice.step, island->choice.tolerance);
 }

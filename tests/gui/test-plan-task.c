@@ -50,8 +50,8 @@ static void test_warning_and_cure(void)
     g_autoptr(TinkerPlanTask) task = tinker_plan_task_new(document);
     set_run(document, "rk4", 0.57);
     const TinkerPlanResult *result = wait_for_plan(task);
-    g_assert_cmpstr(only_island(result)->method->id, ==, "rk4");
-    g_assert_cmpfloat(only_island(result)->step, ==, 0.57);
+    g_assert_cmpstr(only_island(result)->choice.method->id, ==, "rk4");
+    g_assert_cmpfloat(only_island(result)->choice.step, ==, 0.57);
     g_assert_false(result->automatic);
     g_assert_cmpuint(result->plan->warnings->len, >, 0);
     g_assert_true(strstr(g_ptr_array_index(result->avoidable, 0), "0.566") != NULL);
@@ -88,7 +88,7 @@ static void test_superseded(void)
         if (i % 3 == 0) tinker_plan_task_demand(task); /* is under way when the next edit comes */
         g_assert_cmpint(changes, <=, 3);
     }
-    g_assert_cmpfloat(only_island(wait_for_plan(task))->step, ==, 0.01);
+    g_assert_cmpfloat(only_island(wait_for_plan(task))->choice.step, ==, 0.01);
     changes = 0;
     gui_fixture_pass(500);
     g_assert_cmpint(changes, ==, 0);

@@ -114,7 +114,8 @@ static void test_plan(void)
 {
     const TinkerIntegrator rk4 = {.id = "rk4"}, exact = {.id = "exact"};
     g_autoptr(GPtrArray) islands = g_ptr_array_new();
-    TinkerIslandPlan first = {.method = &rk4, .step = 0.005, .expected_error = 2e-7, .reason = (char *)"it suits"};
+    TinkerIslandPlan first = {
+        .choice = {.method = &rk4, .step = 0.005}, .expected_error = 2e-7, .reason = (char *)"it suits"};
     TinkerIslandPlan second = first;
     TinkerPlan plan = {.islands = islands};
     TinkerPlanResult result = {.plan = &plan, .automatic = TRUE};
@@ -124,7 +125,7 @@ static void test_plan(void)
     for (int count = 0; count < 3; count++) {
         if (count == 1) g_ptr_array_add(islands, &first);
         if (count == 2) {
-            second.method = &exact;
+            second.choice.method = &exact;
             second.expected_error = 3e-5;
             g_ptr_array_add(islands, &second);
         }

@@ -185,12 +185,12 @@ static void test_contact(void)
     g_auto(Planned) falls = plan(above, &options);
     assert_holds(falls.plan->modelled, "contact of 1 body with 1 solid side, with friction");
     assert_holds(falls.plan->left_out, "nothing touches at the start");
-    g_assert_cmpstr(island(&falls, 0)->method->id, ==, "exact");
+    g_assert_cmpstr(island(&falls, 0)->choice.method->id, ==, "exact");
     g_autofree char *smooth = g_strdup_printf(scene, "'static_friction': 0, 'dynamic_friction': 0", 0.4);
     g_auto(Planned) rests = plan(smooth, &options);
     assert_holds(rests.plan->left_out, "every solid side is smooth");
     g_assert_cmpint(count_holding(rests.plan->left_out, "nothing touches"), ==, 0);
-    g_assert_cmpstr(island(&rests, 0)->method->id, !=, "exact");
+    g_assert_cmpstr(island(&rests, 0)->choice.method->id, !=, "exact");
     g_autofree char *open = g_strdup_printf(scene, "'solid': false", 0.4);
     g_auto(Planned) passes = plan(open, &options);
     assert_holds(passes.plan->left_out, "nothing has a solid side");
@@ -301,12 +301,12 @@ static void test_stiff_chain(void)
     g_auto(Planned) second = plan(text, &loose);
     g_auto(Planned) exact = plan(text, &tight);
     const TinkerIslandPlan *chosen = island(&first, 0), *again = island(&second, 0);
-    g_assert_cmpstr(chosen->method->id, ==, "newmark");
-    g_assert_true(chosen->method == again->method && chosen->step == again->step);
+    g_assert_cmpstr(chosen->choice.method->id, ==, "newmark");
+    g_assert_true(chosen->choice.method == again->choice.method && chosen->choice.step == again->choice.step);
     g_assert_cmpfloat(chosen->operations, ==, again->operations);
-    g_assert_cmpfloat(chosen->step, >, 1e-3);
-    g_assert_cmpfloat(chosen->step, <, 0.1);
-    g_assert_cmpstr(island(&exact, 0)->method->id, ==, "exact");
+    g_assert_cmpfloat(chosen->choice.step, >, 1e-3);
+    g_assert_cmpfloat(chosen->choice.step, <, 0.1);
+    g_assert_cmpstr(island(&exact, 0)->choice.method->id, ==, "exact");
     g_assert_cmpfloat(chosen->operations, <, 0.2 * island(&exact, 0)->operations);
 }
 
@@ -343,7 +343,7 @@ static void test_strong_damper(void)
         "{'type': 'damper', 'ends': ['Mass 0', 'Mass 1'], 'damping': 1e5}";
     TinkerRunOptions options = options_of("auto", 0.01, 1e-2, 1);
     g_auto(Planned) planned = plan(scene, &options);
-    g_assert_cmpfloat(island(&planned, 0)->tolerance, <, 1e-3);
+    g_assert_cmpfloat(island(&planned, 0)->choice.tolerance, <, 1e-3);
     g_autoptr(PhysicsRun) run =
         physics_run(&(PhysicsOptions){.method = "auto", .tolerance = 1e-2, .duration = 1}, "%s", scene);
     g_assert_cmpfloat(run->summary->energy_balance_error, <, 1e-3);
@@ -355,9 +355,9 @@ static void test_smooth(void)
     g_auto(Planned) planned = plan("{'type': 'gravity'}, {'type': 'support'}, {'type': 'mass', 'position': [1, 0]},"
                                    "{'type': 'rod', 'ends': ['Support 0', 'Mass 0']}",
                                    &options);
-    g_assert_cmpstr(island(&planned, 0)->method->id, ==, "dop853");
-    g_assert_cmpfloat(island(&planned, 0)->tolerance, ==, 1e-9);
-    g_assert_cmpfloat(island(&planned, 0)->step, ==, 0);
+    g_assert_cmpstr(island(&planned, 0)->choice.method->id, ==, "dop853");
+    g_assert_cmpfloat(island(&planned, 0)->choice.tolerance, ==, 1e-9);
+    g_assert_cmpfloat(island(&planned, 0)->choice.step, ==, 0);
     g_assert_nonnull(strstr(island(&planned, 0)->reason, "not stiff"));
 }
 
@@ -395,7 +395,7 @@ static void test_ring(void)
     TinkerRunOptions options = options_of("auto", 0.01, 1e-12, 4);
     g_auto(Planned) place = plan(blocks[0], &options);
     g_auto(Planned) support = plan(blocks[1], &options);
-    g_assert_cmpstr(island(&place, 0)->method->id, ==, island(&support, 0)->method->id);
+    g_assert_cmpstr(island(&place, 0)->choice.method->id, ==, island(&support, 0)->choice.method->id);
     physics_assert_near("operations", island(&place, 0)->operations / island(&support, 0)->operations, 1, 0.02);
     const PhysicsOptions running = {.duration = 4, .columns = "Mass 0.x, Mass 0.vx"};
     g_autoptr(PhysicsRun) one = physics_run(&running, "%s", blocks[0]);

@@ -136,13 +136,6 @@ static double growth_at(Probe *probe, double step)
     return most;
 }
 
-double tinker_coupled_growth(const TinkerIntegrator *method, double spectral_radius, const TinkerCoupled *coupled,
-                             double step)
-{
-    g_auto(Probe) probe = {0};
-    return probe_open(&probe, method, spectral_radius, coupled) ? growth_at(&probe, step) : INFINITY;
-}
-
 static gboolean is_stable(Probe *probe, double step)
 {
     double tolerance = GROWTH_TOLERANCE * fmax(1, step * probe->coupled->rate / LONG);

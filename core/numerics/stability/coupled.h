@@ -18,11 +18,6 @@ typedef struct {
     double growth;                     /* 1/s: of their own accord */
 } TinkerCoupled;
 
-/* The largest amount of the map's eigenvalues, of all that does not stay where it is. INFINITY where the method cannot take the
- * step. */
-double tinker_coupled_growth(const TinkerIntegrator *method, double spectral_radius, const TinkerCoupled *coupled,
-                             double step);
-
 /* The largest step up to which none that is tried grows beside what grows of its own accord; they are tried at every 2 % from
  * 0.01 / rate on, and smaller ones where that grows and damping may help. INFINITY where nothing limits it up to 1e6 / rate, 0
  * where no step is stable. */

@@ -152,7 +152,7 @@ int32_t tinker_constraints_count_dependent(TinkerModel *model)
             LOOP((all)->row_starts[row], (all)->row_starts[row + 1])                                                   \
     } while (0)
 
-void tinker_constraints_add_impulse(TinkerModel *model, const double *restrict x, double *restrict target)
+static void add_impulse(TinkerModel *model, const double *restrict x, double *restrict target)
 {
     const TinkerConstraints *all = &model->constraints;
     const double *restrict j = all->jacobian, *restrict inverse_mass = model->inverse_mass;
@@ -240,7 +240,7 @@ static double solve_proximally(TinkerModel *model, double *b)
         for (int32_t row = 0; row < all->rows; row++)
             x[row] += r[row];
         memset(all->by_point, 0, 2 * (gsize)model->points * sizeof(double));
-        tinker_constraints_add_impulse(model, x, all->by_point);
+        add_impulse(model, x, all->by_point);
         tinker_constraints_rows_times(all, all->by_point, r);
         for (int32_t row = 0; row < all->rows; row++)
             r[row] = b[row] - r[row];
@@ -332,7 +332,7 @@ void tinker_constraints_newton_step(TinkerModel *model, gboolean roughly)
     else
         tinker_sparse_ldl_solve(all->ldl, all->lambda);
     memset(displacement, 0, 2 * (gsize)model->bodies * sizeof(double));
-    tinker_constraints_add_impulse(model, all->lambda, displacement);
+    add_impulse(model, all->lambda, displacement);
 }
 
 void tinker_constraints_change_speeds(TinkerModel *model, const double *asked, double *v)
@@ -344,7 +344,16 @@ void tinker_constraints_change_speeds(TinkerModel *model, const double *asked, d
     }
     memcpy(all->lambda, asked, (gsize)all->rows * sizeof(double));
     tinker_constraints_solve(model, all->lambda);
-    tinker_constraints_add_impulse(model, all->lambda, v);
+    add_impulse(model, all->lambda, v);
+}
+
+void tinker_constraints_answer(TinkerModel *model, double *v)
+{
+    TinkerConstraints *all = &model->constraints;
+    tinker_constraints_rows_times(all, all->by_point, all->asked);
+    for (int32_t row = 0; row < all->rows; row++)
+        all->asked[row] = -all->asked[row];
+    tinker_constraints_change_speeds(model, all->asked, v);
 }
 
 double tinker_constraints_accelerate(TinkerModel *model, double *a)
@@ -360,7 +369,7 @@ double tinker_constraints_accelerate(TinkerModel *model, double *a)
     for (int32_t row = 0; row < all->rows; row++)
         all->lambda[row] = -all->lambda[row] - all->drift[row];
     double left = tinker_constraints_solve(model, all->lambda);
-    tinker_constraints_add_impulse(model, all->lambda, a);
+    add_impulse(model, all->lambda, a);
     return left;
 }
 

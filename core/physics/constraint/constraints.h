@@ -24,8 +24,8 @@ double tinker_constraints_solve(TinkerModel *model, double *b);
 void tinker_constraints_newton_step(TinkerModel *model, gboolean roughly);
 /* Solves S x = asked, of one entry a row: leaves x in lambda and adds M^-1 J^T x to v. */
 void tinker_constraints_change_speeds(TinkerModel *model, const double *asked, double *v);
-/* target += M^-1 J^T x. */
-void tinker_constraints_add_impulse(TinkerModel *model, const double *x, double *target);
+/* Adds to v what the constraints answer to the change of velocities in by_point, so that it breaks none of the rows evaluated last. */
+void tinker_constraints_answer(TinkerModel *model, double *v);
 TinkerStatus tinker_constraints_project_positions(TinkerModel *model, double t, double *q, const double *v,
                                                   gboolean *moved);
 /* The same for velocities, with the rows evaluated last. Answers the kinetic energy (J) that this gave. */

@@ -393,10 +393,7 @@ void tinker_contact_elimination_push(TinkerContactElimination *self, const doubl
             all->by_point[2 * body + k] += x[e] * self->of[e].force[k] * model->inverse_mass[body];
     }
     memcpy(self->by_body, all->by_point, bytes);
-    tinker_constraints_rows_times(all, all->by_point, all->asked);
-    for (int32_t row = 0; row < all->rows; row++)
-        all->asked[row] = -all->asked[row];
-    tinker_constraints_change_speeds(model, all->asked, self->by_body);
+    tinker_constraints_answer(model, self->by_body);
     for (int32_t e = 0; e < self->equations; e++)
         along[e] = dot(self->of[e].row, self->by_body + 2 * self->of[e].body);
 }

@@ -12,15 +12,6 @@ static const double *acceleration_of(const TinkerContacts *contacts, const Tinke
     return contacts->model->point_acceleration + 2 * contacts->plates[contact->plate].point;
 }
 
-void tinker_contacts_let_constraints_answer(TinkerContacts *contacts, double *v)
-{
-    TinkerConstraints *all = &contacts->model->constraints;
-    tinker_constraints_rows_times(all, all->by_point, all->asked);
-    for (int32_t row = 0; row < all->rows; row++)
-        all->asked[row] = -all->asked[row];
-    tinker_constraints_change_speeds(contacts->model, all->asked, v);
-}
-
 void tinker_contacts_begin_pushes(TinkerContacts *contacts)
 {
     contacts->pushed = FALSE;
@@ -42,7 +33,7 @@ void tinker_contacts_add_push(TinkerContacts *contacts, int32_t body, double px,
 
 void tinker_contacts_end_pushes(TinkerContacts *contacts, double *v)
 {
-    if (contacts->pushed) tinker_contacts_let_constraints_answer(contacts, v);
+    if (contacts->pushed) tinker_constraints_answer(contacts->model, v);
 }
 
 void tinker_contacts_push(TinkerContacts *contacts, int32_t body, double px, double py, double *v)
@@ -271,5 +262,5 @@ void tinker_contacts_pull(TinkerContacts *contacts, int32_t row, double lambda, 
             v[2 * body + k] += change;
         }
     }
-    tinker_contacts_let_constraints_answer(contacts, v);
+    tinker_constraints_answer(contacts->model, v);
 }

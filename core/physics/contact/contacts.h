@@ -202,8 +202,6 @@ void tinker_contacts_end_pushes(TinkerContacts *contacts, double *v);
 int32_t tinker_contacts_row_body(const TinkerContacts *contacts, int32_t row);
 /* v += what the multiplier `lambda` of a row that holds in one direction only, slack or not, does to all bodies. */
 void tinker_contacts_pull(TinkerContacts *contacts, int32_t row, double lambda, double *v);
-/* Adds what the constraints answer to the change of velocities in constraints.by_point. */
-void tinker_contacts_let_constraints_answer(TinkerContacts *contacts, double *v);
 
 /* What contacts do to the points of bodies and plates, for the sampler: normal force, friction, fx, fy of each point. */
 void tinker_contacts_sum_forces(const TinkerContacts *contacts, double *by_point);

@@ -67,9 +67,6 @@ struct _TinkerLinearForm {
     double *stiffness, *damping; /* by entry of the pattern */
 };
 
-/* Lays the edges out for the loops of a step. */
-void tinker_linear_form_sort_edges(TinkerLinearForm *form);
-
 /* Works out pattern and values of the derivatives, once. */
 void tinker_linear_form_differentiate(TinkerLinearForm *form);
 

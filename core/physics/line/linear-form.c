@@ -209,6 +209,31 @@ static void close_system(TinkerLinearForm *form)
     system->support_book = tinker_model_book_index(model, TINKER_BOOK_SUPPORT_MOTION);
 }
 
+/* Lays the edges out for the loops of a step. */
+static void sort_edges(TinkerLinearForm *form)
+{
+    const TinkerLinearSystem *system = &form->system;
+    form->inner = g_new0(TinkerStraightEdge, system->edge_count + 1);
+    form->anchored = g_new0(TinkerStraightEdge, system->edge_count + 1);
+    form->anchor_place = g_memdup2(system->anchors, (gsize)system->anchor_count * sizeof(double));
+    form->anchor_speed = g_new0(double, system->anchor_count + 1);
+    form->load = g_new0(double, system->size);
+    for (int32_t i = 0; i < system->edge_count; i++) {
+        const TinkerLinearEdge *edge = &system->edges[i];
+        TinkerStraightEdge sorted = {edge->a, edge->b, edge->stiffness, edge->tension - edge->stiffness * edge->length,
+                                     edge->damping};
+        if (MIN(edge->a, edge->b) >= 0) {
+            form->inner[form->inner_count++] = sorted;
+            continue;
+        }
+        sorted.a = -1 - MIN(edge->a, edge->b);
+        sorted.b = MAX(edge->a, edge->b);
+        form->anchored[form->anchored_count++] = sorted;
+    }
+    for (int32_t i = 0; i < system->load_count; i++)
+        form->load[system->loads[i].target] += system->loads[i].force;
+}
+
 TinkerLinearForm *tinker_linear_form_new(TinkerModel *model)
 {
     if (!laws_are_linear(model)) return NULL;
@@ -234,7 +259,7 @@ TinkerLinearForm *tinker_linear_form_new(TinkerModel *model)
         return NULL;
     }
     close_system(form);
-    if (straight) tinker_linear_form_sort_edges(form);
+    if (straight) sort_edges(form);
     return form;
 }
 
@@ -323,28 +348,4 @@ gboolean tinker_linear_form_holds(const TinkerLinearForm *form, const double *q,
         if (off > TINKER_LINE_ACROSS * extent || aside > TINKER_LINE_ACROSS * speed) return FALSE;
     }
     return TRUE;
-}
-
-void tinker_linear_form_sort_edges(TinkerLinearForm *form)
-{
-    const TinkerLinearSystem *system = &form->system;
-    form->inner = g_new0(TinkerStraightEdge, system->edge_count + 1);
-    form->anchored = g_new0(TinkerStraightEdge, system->edge_count + 1);
-    form->anchor_place = g_memdup2(system->anchors, (gsize)system->anchor_count * sizeof(double));
-    form->anchor_speed = g_new0(double, system->anchor_count + 1);
-    form->load = g_new0(double, system->size);
-    for (int32_t i = 0; i < system->edge_count; i++) {
-        const TinkerLinearEdge *edge = &system->edges[i];
-        TinkerStraightEdge sorted = {edge->a, edge->b, edge->stiffness, edge->tension - edge->stiffness * edge->length,
-                                     edge->damping};
-        if (MIN(edge->a, edge->b) >= 0) {
-            form->inner[form->inner_count++] = sorted;
-            continue;
-        }
-        sorted.a = -1 - MIN(edge->a, edge->b);
-        sorted.b = MAX(edge->a, edge->b);
-        form->anchored[form->anchored_count++] = sorted;
-    }
-    for (int32_t i = 0; i < system->load_count; i++)
-        form->load[system->loads[i].target] += system->loads[i].force;
 }

@@ -11,7 +11,8 @@
 /* Parts of a second derivative that are smaller than this beside its largest are the differences' own. */
 #define HESSIAN_NOISE 1e-11
 
-void tinker_linear_add_row(TinkerLinearisation *linear, const TinkerConstraints *all, int32_t row)
+/* A row of the constraints, for the Jacobian evaluated last. */
+static void add_row(TinkerLinearisation *linear, const TinkerConstraints *all, int32_t row)
 {
     tinker_linear_begin_term(linear, linear->rows, 1);
     for (int32_t e = all->row_starts[row]; e < all->row_starts[row + 1]; e++) {
@@ -132,7 +133,7 @@ TinkerStatus tinker_linear_add_constraints(TinkerLinearisation *linear, TinkerMo
     if (status != TINKER_OK) return status;
     for (int32_t row = part->first_row; row < part->first_row + part->row_count; row++) {
         if (all->unilateral != NULL && all->slack[row]) continue;
-        tinker_linear_add_row(linear, all, row);
+        add_row(linear, all, row);
         gsize at = (gsize)(all->row_starts[row] - part->first_entry);
         if (!add_hessian(linear, all, row, hessians + 4 * (gsize)most * at)) return TINKER_FAILED;
     }
@@ -144,5 +145,5 @@ TinkerStatus tinker_linear_add_constraints(TinkerLinearisation *linear, TinkerMo
 void tinker_linear_add_straight_rows(TinkerLinearisation *linear, const TinkerConstraints *all)
 {
     for (int32_t row = all->first_straight; row < all->rows; row++)
-        tinker_linear_add_row(linear, all, row);
+        add_row(linear, all, row);
 }

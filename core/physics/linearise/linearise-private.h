@@ -14,10 +14,7 @@ void tinker_linear_add_entry(TinkerLinearisation *linear, GArray *terms, int32_t
 TinkerStatus tinker_linear_add_others(TinkerLinearisation *linear, TinkerModel *model, const double *q,
                                       const double *still);
 
-/* A row of the constraints, for the Jacobian evaluated last. */
-void tinker_linear_add_row(TinkerLinearisation *linear, const TinkerConstraints *all, int32_t row);
-
-/* The rows of straight bars (straight-bars.h), likewise. */
+/* The rows of straight bars (straight-bars.h), for the Jacobian evaluated last. */
 void tinker_linear_add_straight_rows(TinkerLinearisation *linear, const TinkerConstraints *all);
 
 /* Rows of one class of constraints that are tight, and what their forces do as they turn: for the rows and multipliers

@@ -26,11 +26,6 @@ TinkerStatus tinker_model_hold(TinkerModel *model)
     return status;
 }
 
-void tinker_model_release(TinkerModel *model)
-{
-    model->time = NAN; /* the supports have lost their velocities */
-}
-
 void tinker_model_start_places(const TinkerModel *model, double *q)
 {
     memcpy(q, model->q_start, 2 * (gsize)model->bodies * sizeof(double));

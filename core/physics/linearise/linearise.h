@@ -41,9 +41,9 @@ typedef struct {
 } TinkerLinearisation;
 
 /* Holds the model still at t = 0: supports stand where they are then, waveforms have their values. Everything below works
- * on a model that is held, and on places relative to its origin. Release it before it is run. */
+ * on a model that is held, and on places relative to its origin. It is not to be run any more: its supports
+ * have lost their velocities. */
 TinkerStatus tinker_model_hold(TinkerModel *model);
-void tinker_model_release(TinkerModel *model);
 
 /* About these places (2 entries a body). NULL with TINKER_MODEL_ERROR_RUN where a force cannot be worked out there.
  * (transfer full) */

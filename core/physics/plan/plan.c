@@ -77,15 +77,12 @@ static TinkerIslandPlan *plan_island(const TinkerIsland *island, const TinkerRun
         .growth_max = spectrum->growth_max,
         .spectral_radius = options->spectral_radius,
         .choice = decision.choice,
-        .method = decision.choice.method,
-        .step = decision.choice.step,
-        .tolerance = decision.choice.tolerance,
         .evaluations = decision.cost.evaluations,
         .operations = decision.cost.operations,
         .reason = g_strdup(reason->str),
         .expected_error = decision.cost.error,
     };
-    plan->operations += tinker_cost_samples(island, plan->method, tinker_options_samples(options));
+    plan->operations += tinker_cost_samples(island, plan->choice.method, tinker_options_samples(options));
     plan->expected_s = plan->operations * TINKER_SECONDS_PER_OPERATION;
     plan->spectrum = g_steal_pointer(&spectrum);
     if (island->linear != NULL) plan->straight = tinker_linear_form_is_straight(island->linear, plan->direction);
@@ -171,9 +168,10 @@ GPtrArray *tinker_plan_limited_methods(const TinkerIslandPlan *island)
     GPtrArray *methods = g_ptr_array_new();
     for (const TinkerIntegrator *const *each = tinker_integrator_builtins(); *each != NULL; each++)
         if (tinker_method_is_fixed_explicit(*each)) g_ptr_array_add(methods, (gpointer)*each);
-    gboolean contact = island->method == &tinker_integrator_impulse;
-    if (!contact && tinker_method_is_fixed_explicit(island->method) && !g_ptr_array_find(methods, island->method, NULL))
-        g_ptr_array_add(methods, (gpointer)island->method);
+    gboolean contact = island->choice.method == &tinker_integrator_impulse;
+    if (!contact && tinker_method_is_fixed_explicit(island->choice.method) &&
+        !g_ptr_array_find(methods, island->choice.method, NULL))
+        g_ptr_array_add(methods, (gpointer)island->choice.method);
     return methods;
 }
 

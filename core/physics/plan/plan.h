@@ -27,14 +27,12 @@ typedef struct {
     double growth_max;        /* 1/s: how fast the start is left, where it is not stable; 0 */
     TinkerSpectrum *spectrum; /* what limits steps (owned) */
     double spectral_radius;   /* of the run's options */
-    TinkerChoice choice;
-    const TinkerIntegrator *method;
-    double step, tolerance; /* whichever counts for the method; the other is 0 */
-    char *reason;           /* a sentence: why this method */
-    double evaluations;     /* of the accelerations, expected of the whole run without its companion */
-    double operations;      /* likewise: floating-point operations as counted by the cost model */
-    double expected_s;      /* the same in seconds on the machine that the counts were calibrated on once */
-    double expected_error;  /* relative to the scales of the island */
+    TinkerChoice choice;      /* of step and tolerance the one that does not count for the method is 0 */
+    char *reason;             /* a sentence: why this method */
+    double evaluations;       /* of the accelerations, expected of the whole run without its companion */
+    double operations;        /* likewise: floating-point operations as counted by the cost model */
+    double expected_s;        /* the same in seconds on the machine that the counts were calibrated on once */
+    double expected_error;    /* relative to the scales of the island */
 } TinkerIslandPlan;
 
 typedef struct {

@@ -78,8 +78,8 @@ static void count_run(TinkerIslandPlan *plan, const TinkerIsland *island, const 
     const TinkerCounts whole = {trial.counts.steps / trial.share, trial.counts.evaluations / trial.share,
                                 trial.counts.looks / trial.share};
     plan->evaluations = whole.evaluations;
-    plan->operations = tinker_cost_counted(island, plan->method, &whole) +
-                       tinker_cost_samples(island, plan->method, tinker_options_samples(options));
+    plan->operations = tinker_cost_counted(island, plan->choice.method, &whole) +
+                       tinker_cost_samples(island, plan->choice.method, tinker_options_samples(options));
     plan->expected_s = plan->operations * TINKER_SECONDS_PER_OPERATION;
 }
 

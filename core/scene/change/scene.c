@@ -20,7 +20,7 @@ char *scene_name_fault(const TinkerScene *scene, const char *name)
 }
 
 /* What a type that is not installed is most likely titled, so that ends which count on its default name are found:
- * "support-motion" is "Support Motion". (transfer full) */
+ * "my-block" is "My Block". (transfer full) */
 static char *likely_title(const char *type)
 {
     char *title = g_strdup(type);

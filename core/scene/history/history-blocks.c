@@ -13,7 +13,8 @@ static void free_state(gpointer state)
     scene_snapshot_free(state);
 }
 
-const HistoryKind history_block = {HISTORY_BLOCK, make, free_state};
+/* Of a block that stays: by block id; SceneSnapshot. */
+static const HistoryKind history_block = {HISTORY_BLOCK, make, free_state};
 
 static void make_there(TinkerScene *scene, int32_t id, gconstpointer from, gconstpointer to)
 {
@@ -29,7 +30,8 @@ static void free_blocks(gpointer state)
     scene_blocks_free(state);
 }
 
-const HistoryKind history_blocks = {HISTORY_OTHER, make_there, free_blocks};
+/* Of blocks that come or go: id 0; SceneBlocks. */
+static const HistoryKind history_blocks = {HISTORY_OTHER, make_there, free_blocks};
 
 static void record(TinkerHistory *history, const char *verb, TinkerBlockId id, SceneSnapshot *before)
 {

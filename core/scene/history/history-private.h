@@ -13,12 +13,6 @@ typedef struct {
     void (*free)(gpointer state);
 } HistoryKind;
 
-extern const HistoryKind history_block;  /* of one that stays: by block id; SceneSnapshot */
-extern const HistoryKind history_blocks; /* that come or go: id 0; SceneBlocks */
-extern const HistoryKind history_head;   /* id 0; TinkerSceneHead */
-extern const HistoryKind history_graph;  /* by place in the list; TinkerSceneGraph */
-extern const HistoryKind history_order;  /* by block id; its place, see history_place */
-
 /* A place in the drawing order as a state. */
 static inline gpointer history_place(int32_t place)
 {

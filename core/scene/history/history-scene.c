@@ -17,7 +17,8 @@ static void free_head(gpointer state)
     scene_head_free(state);
 }
 
-const HistoryKind history_head = {HISTORY_HEAD, make_head, free_head};
+/* Of the head: id 0; TinkerSceneHead. */
+static const HistoryKind history_head = {HISTORY_HEAD, make_head, free_head};
 
 gboolean tinker_history_set_head(TinkerHistory *history, const TinkerSceneHead *head, GError **error)
 {
@@ -48,7 +49,8 @@ static void free_graph(gpointer state)
     scene_graph_free(state);
 }
 
-const HistoryKind history_graph = {HISTORY_OTHER, make_graph, free_graph};
+/* Of a graph: by place in the list; TinkerSceneGraph. */
+static const HistoryKind history_graph = {HISTORY_OTHER, make_graph, free_graph};
 
 /* Makes and records the change of a graph of `block`; takes both states, of which one may be NULL. */
 static void change_graph(TinkerHistory *history, const char *verb, const char *block, int32_t index,
@@ -107,7 +109,8 @@ static void make_order(TinkerScene *scene, int32_t block, gconstpointer from, gc
     scene_move_in_order(scene, block, GPOINTER_TO_INT(to) - 1);
 }
 
-const HistoryKind history_order = {HISTORY_OTHER, make_order, NULL};
+/* Of the drawing order: by block id; its place, see history_place(). */
+static const HistoryKind history_order = {HISTORY_OTHER, make_order, NULL};
 
 static void move_to(TinkerHistory *history, const char *verb, TinkerBlockId block, int32_t place)
 {

@@ -5,7 +5,6 @@
 #include "scene/value/reader.h"
 
 const TinkerDimension reader_length = {.length = 1};
-const TinkerDimension reader_time = {.time = 1};
 const TinkerDimension reader_pure = {0};
 
 static const char *kind_name(const cJSON *json)

@@ -114,7 +114,7 @@ void reader_report_duplicates(SceneReader *reader, gsize start, gsize end);
 void reader_label(SceneReader *reader, const char *label);
 void reader_label_entry(SceneReader *reader, const char *list, int number, const char *type);
 
-/* ` (did you mean "spring"?)`, or `otherwise` where no candidate is near. (transfer full) */
+/* ` (did you mean "stiffness"?)`, or `otherwise` where no candidate is near. (transfer full) */
 char *reader_suggestion(const char *word, const char *const *candidates, const char *otherwise);
 
 /* An unknown key: a warning with the nearest of the candidates, or with all of them where none is near; the member is added to
@@ -184,6 +184,6 @@ void reader_finish_blocks(SceneReader *reader);
 void reader_graphs(SceneReader *reader, const JsonPart *part);
 
 /* Lengths and times, for what is not a property. */
-extern const TinkerDimension reader_length, reader_time, reader_pure;
+extern const TinkerDimension reader_length, reader_pure;
 
 #endif

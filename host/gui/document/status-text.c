@@ -31,7 +31,8 @@ static gboolean is_all_alike(const TinkerPlan *plan)
     const TinkerIslandPlan *first = g_ptr_array_index(plan->islands, 0);
     for (guint i = 1; i < plan->islands->len; i++) {
         const TinkerIslandPlan *island = g_ptr_array_index(plan->islands, i);
-        if (island->method != first->method || island->step != first->step || island->tolerance != first->tolerance)
+        if (island->choice.method != first->choice.method || island->choice.step != first->choice.step ||
+            island->choice.tolerance != first->choice.tolerance)
             return FALSE;
     }
     return TRUE;
