@@ -1,7 +1,7 @@
 /* Start velocities that constraints do not allow.
  *
- * The model projects them; the difference is told once for every set of bodies that constraints tie together, by the body
- * whose velocity changes most and the connector along which it moves fastest. */
+ * The model projects them; the difference is told once for every set of bodies that constraints tie together, by the
+ * body whose velocity changes most and the connector along which it moves fastest. */
 #include <glib/gi18n-lib.h>
 #include <math.h>
 
@@ -12,7 +12,8 @@
 
 static const TinkerDimension speed_dimension = TINKER_DIMENSION_VELOCITY;
 
-/* Of the fastest speed: less than this is what rounding leaves of what is held. As a velocity it would be a misfit again. */
+/* Of the fastest speed: less than this is what rounding leaves of what is held. As a velocity it would be a misfit
+ * again. */
 #define ROUNDING 1e-12
 
 /* A body whose velocity does not fit. */
@@ -52,8 +53,8 @@ static int by_set_and_change(gconstpointer a, gconstpointer b)
     return (first->change < second->change) - (first->change > second->change);
 }
 
-/* The connector that keeps its length along which the body's given velocity is greatest; the component away from the far end,
- * and the one across it that is allowed. */
+/* The connector that keeps its length along which the body's given velocity is greatest; the component away from the
+ * far end, and the one across it that is allowed. */
 static TinkerBlockId find_connector(const TinkerFrame *frame, const Misfit *misfit, double *along, double *left)
 {
     TinkerScene *scene = tinker_frame_scene(frame);

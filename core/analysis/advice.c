@@ -127,7 +127,8 @@ static void on_overlap(GPtrArray *all, TinkerScene *scene, const TinkerOverlap *
     advice->repair = g_strdup_printf(_("Move it out by %s"), depth);
 }
 
-/* Those that are not told of one by one: the bodies are what it is about. They take their turn when the first are mended. */
+/* Those that are not told of one by one: the bodies are what it is about. They take their turn when the first are
+ * mended. */
 static void on_more_overlaps(GPtrArray *all, const GArray *overlaps)
 {
     const guint more = overlaps->len - TINKER_OVERLAPS_TOLD;

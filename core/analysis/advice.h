@@ -35,16 +35,17 @@ typedef struct {
     gboolean contacts_apart; /* contacts are to be events again */
 } TinkerAdvice;
 
-/* All that can be told without planning a run, worst first, at the price of compiling the scene once; of TinkerAdvice *.
- * (transfer full) */
+/* All that can be told without planning a run, worst first, at the price of compiling the scene once; of TinkerAdvice
+ * *. (transfer full) */
 GPtrArray *tinker_advice_new(TinkerScene *scene);
 
 /* What the plan of a run has to say about the scene's method and step. Empty where the scene does not compile, of which
- * tinker_advice_new tells. Costs what tinker_plan_choose does for every island: for a pause in editing. (transfer full) */
+ * tinker_advice_new tells. Costs what tinker_plan_choose does for every island: for a pause in editing. (transfer full)
+ */
 GPtrArray *tinker_advice_plan_new(TinkerScene *scene);
 
-/* Does what the button says, as one undo step. Errors: TINKER_SCENE_ERROR, where the scene has changed since; then nothing has
- * changed. */
+/* Does what the button says, as one undo step. Errors: TINKER_SCENE_ERROR, where the scene has changed since; then
+ * nothing has changed. */
 gboolean tinker_advice_repair(TinkerHistory *history, TinkerScene *scene, const TinkerAdvice *advice, GError **error);
 
 #endif

@@ -1,11 +1,11 @@
 /* Newton's method with a trust radius, in the coordinates of the modes.
  *
- * A step is taken where the forces do work along it: (r + r') . dq / 2 > 0 with the unbalanced forces r before and r' after
- * it. That is a fall of the energy where there is one, and asks for none where there is not.
+ * A step is taken where the forces do work along it: (r + r') . dq / 2 > 0 with the unbalanced forces r before and r'
+ * after it. That is a fall of the energy where there is one, and asks for none where there is not.
  *
- * What is left at the end is held against the forces on the way. Where bodies that attract each other without bound fall into
- * one place, rounding of the places alone makes forces as large as those that pull, and "within rounding" says nothing: at a
- * rest state they cancel out, so that what is left is small beside what there was. */
+ * What is left at the end is held against the forces on the way. Where bodies that attract each other without bound
+ * fall into one place, rounding of the places alone makes forces as large as those that pull, and "within rounding"
+ * says nothing: at a rest state they cancel out, so that what is left is small beside what there was. */
 #include "analysis/equilibrium.h"
 
 #include <glib/gi18n-lib.h>
@@ -20,8 +20,8 @@
 #define FARTHEST     30.0
 /* Of the largest force: what may be left unbalanced where steps get no further. */
 #define BALANCED 1e-9
-/* How much more than at the start rounding may make of the places, and what is left still be taken for balanced by it alone.
- * Otherwise what is left has to be this small beside the largest force left on the way. */
+/* How much more than at the start rounding may make of the places, and what is left still be taken for balanced by it
+ * alone. Otherwise what is left has to be this small beside the largest force left on the way. */
 #define SAME_ROUNDING 1e3
 #define CANCELLED     1e-4
 /* Of the largest force: a push into a motion that nothing resists. */

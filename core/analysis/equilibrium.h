@@ -12,12 +12,12 @@ typedef struct {
     char why[256];     /* why none was found */
 } TinkerEquilibrium;
 
-/* Moves the places q (2 a body, relative to the model's origin) of a held model downhill to rest, by Newton steps along its
- * modes: each by force / |square|, so that they lead away from unstable places, held within a radius that shrinks where a
- * step would have to be pushed. A state that starts in balance stays, stable or not. None is found where forces grow without
- * bound as bodies fall into one place, or a line pulls with both ends at one place. Where none is found q is as before.
- * With `contacts` (NULL: none) steps end where something is touched, and bodies move along what they press on; what acts at the
- * rest is closed in the model. FALSE with an error where forces cannot be worked out. */
+/* Moves the places q (2 a body, relative to the model's origin) of a held model downhill to rest, by Newton steps along
+ * its modes: each by force / |square|, so that they lead away from unstable places, held within a radius that shrinks
+ * where a step would have to be pushed. A state that starts in balance stays, stable or not. None is found where forces
+ * grow without bound as bodies fall into one place, or a line pulls with both ends at one place. Where none is found q
+ * is as before. With `contacts` (NULL: none) steps end where something is touched, and bodies move along what they
+ * press on; what acts at the rest is closed in the model. FALSE with an error where forces cannot be worked out. */
 gboolean tinker_equilibrium_find(TinkerModel *model, TinkerStillContacts *contacts, double *q,
                                  TinkerEquilibrium *result, GError **error);
 

@@ -1,5 +1,5 @@
-/* Loads and outputs in the coordinates of the modes, and one solve a frequency: by a division a mode where damping couples
- * none, else by a linear system. */
+/* Loads and outputs in the coordinates of the modes, and one solve a frequency: by a division a mode where damping
+ * couples none, else by a linear system. */
 #include "analysis/frequency-response.h"
 
 #include <math.h>
@@ -26,7 +26,8 @@ struct _TinkerFrequencyResponse {
     lapack_int *pivots;
 };
 
-/* Setting up --------------------------------------------------------------------------------------------------------- */
+/* Setting up ---------------------------------------------------------------------------------------------------------
+ */
 
 /* out (size) -= sum of weight b (b . d) over the terms, for d over all coordinates. */
 static void take_terms(const TinkerLinearisation *linear, const GArray *terms, const double *d, double *out)
@@ -147,7 +148,8 @@ void tinker_frequency_response_free(TinkerFrequencyResponse *response)
     g_free(response);
 }
 
-/* One frequency ------------------------------------------------------------------------------------------------------ */
+/* One frequency ------------------------------------------------------------------------------------------------------
+ */
 
 /* y of the group's members; FALSE where the system is singular. */
 static gboolean solve_group(TinkerFrequencyResponse *response, const TinkerModeGroup *group, double omega)
@@ -201,7 +203,8 @@ double complex tinker_frequency_response_at(TinkerFrequencyResponse *response, d
     return isfinite(cabs(sum)) ? sum : CMPLX(INFINITY, 0);
 }
 
-/* Many frequencies ----------------------------------------------------------------------------------------------------- */
+/* Many frequencies
+ * ----------------------------------------------------------------------------------------------------- */
 
 static gboolean swings(const TinkerMode *mode)
 {

@@ -6,7 +6,8 @@
 
 typedef struct _TinkerGroupResponse TinkerGroupResponse;
 
-/* `load` and `read` over all modes of the basis, as in frequency-response.c. NULL where the reduction fails. (transfer full) */
+/* `load` and `read` over all modes of the basis, as in frequency-response.c. NULL where the reduction fails. (transfer
+ * full) */
 TinkerGroupResponse *tinker_group_response_new(const TinkerModeGroup *group, double *const load[2],
                                                double *const read[2]);
 void tinker_group_response_free(TinkerGroupResponse *response);

@@ -1,5 +1,6 @@
 /* In order: the motions Z that constraints allow; K there as G^T S G with one row of G a part of rank one; the singular
- * vectors of the rows with positive weights; the others, if any, as a change of that diagonal, by Jacobi's rotations. */
+ * vectors of the rows with positive weights; the others, if any, as a change of that diagonal, by Jacobi's rotations.
+ */
 #include "analysis/modal-basis.h"
 
 #include <math.h>
@@ -80,7 +81,8 @@ static void turn_basis(Work *work, const double *vectors)
     work->basis = turned;
 }
 
-/* Positive parts ----------------------------------------------------------------------------------------------------- */
+/* Positive parts -----------------------------------------------------------------------------------------------------
+ */
 
 static guint count_positive(const GArray *terms)
 {
@@ -119,7 +121,8 @@ static gboolean diagonalise_positive(Work *work)
     return TRUE;
 }
 
-/* The others --------------------------------------------------------------------------------------------------------- */
+/* The others ---------------------------------------------------------------------------------------------------------
+ */
 
 /* matrix (m by m) += the symmetric part of basis^T other basis; the largest of the other part is answered, and the part
  * itself left in `following`, where that is not NULL. */
@@ -193,7 +196,8 @@ static gboolean find_modes(Work *work)
     return diagonalise(work, matrix);
 }
 
-/* Finishing ---------------------------------------------------------------------------------------------------------- */
+/* Finishing ----------------------------------------------------------------------------------------------------------
+ */
 
 /* The largest that a part alone can make of a square: what its rounding is measured by. */
 static double strongest(const TinkerLinearisation *linear, const GArray *terms)

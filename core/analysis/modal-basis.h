@@ -2,8 +2,8 @@
  *
  * Motions that the constraints allow are spanned by the modes' shapes, v_i^T M v_j = 1 where i = j, else 0, and
  * v_i^T K v_j = square_i. Where K is a sum of positive parts of rank one, the modes are the singular vectors of its
- * factor, and every frequency has the relative accuracy of rounding, however far apart stiffnesses and masses are. Source:
- * Drmac, Veselic, "New fast and accurate Jacobi SVD algorithm", SIAM J. Matrix Anal. Appl. 29 (2008). */
+ * factor, and every frequency has the relative accuracy of rounding, however far apart stiffnesses and masses are.
+ * Source: Drmac, Veselic, "New fast and accurate Jacobi SVD algorithm", SIAM J. Matrix Anal. Appl. 29 (2008). */
 #ifndef TINKER_CORE_MODAL_BASIS_H
 #define TINKER_CORE_MODAL_BASIS_H
 
@@ -34,7 +34,8 @@ void tinker_modal_basis_reduce(const TinkerModalBasis *basis, const double *x, d
 /* out (size) = V y. */
 void tinker_modal_basis_expand(const TinkerModalBasis *basis, const double *y, double *out);
 
-/* Solves J x = b in the sense of least M-norm of x (size). `b` has one entry a row. FALSE where numbers leave their range. */
+/* Solves J x = b in the sense of least M-norm of x (size). `b` has one entry a row. FALSE where numbers leave their
+ * range. */
 gboolean tinker_linearisation_follow(const TinkerLinearisation *linear, const double *b, double *x);
 
 #endif

@@ -17,8 +17,8 @@ typedef struct {
     GPtrArray *modes; /* of TinkerMode * */
 } TinkerModeAnalysis;
 
-/* About the rest state that the start leads to, or about the start itself. Where no rest is found the analysis is about the
- * start, with about_rest FALSE and rest.why saying why. The scene is borrowed. (transfer full) */
+/* About the rest state that the start leads to, or about the start itself. Where no rest is found the analysis is about
+ * the start, with about_rest FALSE and rest.why saying why. The scene is borrowed. (transfer full) */
 TinkerModeAnalysis *tinker_mode_analysis_new(TinkerScene *scene, gboolean rest, GError **error);
 void tinker_mode_analysis_free(TinkerModeAnalysis *analysis);
 G_DEFINE_AUTOPTR_CLEANUP_FUNC(TinkerModeAnalysis, tinker_mode_analysis_free)

@@ -1,8 +1,9 @@
 /* The quadratic eigenvalue problem s^2 y + s C y + L y = 0, with L diagonal, as a state space.
  *
- * With W = |L|^1/2 and z = (W y, y') it is z' = [0 W; -sign(L) W, -C] z, whose two halves are of one size; coordinates of
- * rigid motions, W = 0, drop out of the first half. Following forces, which have no such form, take z = (y, y'). The roots
- * are then sharpened with Rayleigh's functional, y^T (s^2 + s C + L) y = 0, whose error is the square of the shape's. */
+ * With W = |L|^1/2 and z = (W y, y') it is z' = [0 W; -sign(L) W, -C] z, whose two halves are of one size; coordinates
+ * of rigid motions, W = 0, drop out of the first half. Following forces, which have no such form, take z = (y, y'). The
+ * roots are then sharpened with Rayleigh's functional, y^T (s^2 + s C + L) y = 0, whose error is the square of the
+ * shape's. */
 #include "analysis/mode-roots-private.h"
 
 #include <math.h>

@@ -1,7 +1,8 @@
 /* The modes of a scene: how it moves of itself, a little, about a state.
  *
- * x = Re(shape exp(s t)) with (s^2 M + s C + K) shape = 0 on what the constraints allow. Source: Meirovitch, "Fundamentals of
- * Vibrations" (2001), chapters 7 and 8; Tisseur, Meerbergen, "The quadratic eigenvalue problem", SIAM Review 43 (2001). */
+ * x = Re(shape exp(s t)) with (s^2 M + s C + K) shape = 0 on what the constraints allow. Source: Meirovitch,
+ * "Fundamentals of Vibrations" (2001), chapters 7 and 8; Tisseur, Meerbergen, "The quadratic eigenvalue problem", SIAM
+ * Review 43 (2001). */
 #ifndef TINKER_CORE_MODES_H
 #define TINKER_CORE_MODES_H
 
@@ -24,7 +25,8 @@ typedef struct {
     double *real, *imaginary; /* the shape, `size` entries each; the largest component is 1 */
 } TinkerMode;
 
-/* All modes, by |s|; element: TinkerMode *. NULL with an error where the eigenvalues do not converge. (transfer full) */
+/* All modes, by |s|; element: TinkerMode *. NULL with an error where the eigenvalues do not converge. (transfer full)
+ */
 GPtrArray *tinker_modes_of(const TinkerModalBasis *basis, GError **error);
 
 /* Whether the components of a shape are in step or in counterstep: it can be drawn as one displacement. */

@@ -120,8 +120,8 @@ static void add_turned(Asked *asked, TinkerBlockId body, const double pivot[2], 
     g_array_append_val(asked->places, place);
 }
 
-/* The body goes to length * (sin, -cos) of the angle from the pivot. What hangs on it by constraints turns with it, unless it
- * is tied to the pivot or to a support by another way. */
+/* The body goes to length * (sin, -cos) of the angle from the pivot. What hangs on it by constraints turns with it,
+ * unless it is tied to the pivot or to a support by another way. */
 static gboolean at_angle(Asked *asked, GError **error)
 {
     StartLink link;

@@ -1,5 +1,5 @@
-/* Start conditions in the words of problem statements: "released from equilibrium", "stretched by 5 cm", "at 30 degrees from
- * the vertical", "up the incline at 2 m/s".
+/* Start conditions in the words of problem statements: "released from equilibrium", "stretched by 5 cm", "at 30 degrees
+ * from the vertical", "up the incline at 2 m/s".
  *
  * What is offered follows from what a block is connected to; no block is known by name. Places are those at t = 0, with
  * supports where their motions have them then. */
@@ -35,14 +35,14 @@ typedef struct {
     double value;              /* what it is now, SI; 0 where that is not known */
 } TinkerStartOption;
 
-/* What can be offered for a block, in the order to show; of TinkerStartOption *. Empty for a placeholder and for a block with
- * nothing to offer. Looks for equilibrium only where few bodies hang together; where many do, it is offered and looked for
- * when applied. (transfer full) */
+/* What can be offered for a block, in the order to show; of TinkerStartOption *. Empty for a placeholder and for a
+ * block with nothing to offer. Looks for equilibrium only where few bodies hang together; where many do, it is offered
+ * and looked for when applied. (transfer full) */
 GPtrArray *tinker_start_options_new(TinkerScene *scene, TinkerBlockId block);
 
-/* Makes it so, as one undo step. Rest lengths stay what they were: one that was left to the drawing is given first where it
- * would change. On failure nothing has changed, and the message says what is in the way: no equilibrium, a rod that would
- * have to change its length, a plate. Errors: TINKER_MODEL_ERROR, TINKER_SCENE_ERROR. */
+/* Makes it so, as one undo step. Rest lengths stay what they were: one that was left to the drawing is given first
+ * where it would change. On failure nothing has changed, and the message says what is in the way: no equilibrium, a rod
+ * that would have to change its length, a plate. Errors: TINKER_MODEL_ERROR, TINKER_SCENE_ERROR. */
 gboolean tinker_start_apply(TinkerHistory *history, TinkerScene *scene, const TinkerStartOption *option, double value,
                             GError **error);
 

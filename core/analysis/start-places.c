@@ -2,7 +2,8 @@
  *
  * A length that is left to the drawing follows the bodies. That is right while a scene is drawn, and wrong for a start
  * condition: a spring that is to be stretched would take the stretched length for its rest. Such a length is therefore
- * given explicitly where the step changes the distance of the ends; a rigid connector, which has no other length, refuses. */
+ * given explicitly where the step changes the distance of the ends; a rigid connector, which has no other length,
+ * refuses. */
 #include <float.h>
 #include <glib/gi18n-lib.h>
 #include <math.h>

@@ -40,12 +40,12 @@ typedef enum {
     START_TIED_RIGIDLY, /* by constraints that hold in both directions */
 } StartTies;
 
-/* The sets that ties make of the bodies that can move: by block id, the least id of its set. `without` (or TINKER_NO_BLOCK)
- * ties nothing. (transfer full) */
+/* The sets that ties make of the bodies that can move: by block id, the least id of its set. `without` (or
+ * TINKER_NO_BLOCK) ties nothing. (transfer full) */
 int32_t *start_sets_new(TinkerScene *scene, StartTies ties, TinkerBlockId without);
 
-/* By block id: the bodies that are tied to `body`, itself among them. `anchored`: whether a support is tied to them too;
- * may be NULL. (transfer full) */
+/* By block id: the bodies that are tied to `body`, itself among them. `anchored`: whether a support is tied to them
+ * too; may be NULL. (transfer full) */
 gboolean *start_group_new(TinkerScene *scene, TinkerBlockId body, StartTies ties, TinkerBlockId without,
                           gboolean *anchored);
 
@@ -86,8 +86,8 @@ StartRest *start_rest_new(TinkerScene *scene, TinkerBlockId body, GError **error
 void start_rest_free(StartRest *rest);
 G_DEFINE_AUTOPTR_CLEANUP_FUNC(StartRest, start_rest_free)
 
-/* The direction in which a body is displaced from rest: along its first connector with a rest length, away from the far end;
- * down where there is none; along the top of a plate that it touches. */
+/* The direction in which a body is displaced from rest: along its first connector with a rest length, away from the far
+ * end; down where there is none; along the top of a plate that it touches. */
 void start_direction_at(TinkerScene *scene, const TinkerFrame *frame, TinkerBlockId body, const StartRest *rest,
                         double direction[2]);
 

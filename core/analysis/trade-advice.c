@@ -1,6 +1,6 @@
-/* The advice: of what was measured, and of settings between two measured ones that are then measured as well, the cheapest
- * that keeps to the error, or the most accurate within the budget. As it is picked among measurements, it costs no more
- * than the best of them. */
+/* The advice: of what was measured, and of settings between two measured ones that are then measured as well, the
+ * cheapest that keeps to the error, or the most accurate within the budget. As it is picked among measurements, it
+ * costs no more than the best of them. */
 #include <math.h>
 
 #include "analysis/trade-private.h"
@@ -60,7 +60,8 @@ static gboolean find_best(const TinkerTradeOptions *options, const TinkerTrade *
     return found;
 }
 
-/* Between settings -------------------------------------------------------------------------------------------------- */
+/* Between settings --------------------------------------------------------------------------------------------------
+ */
 
 /* Two significant digits, away from the coarser side: 0.0123456 becomes 0.012. */
 static double rounded_down(double value)
@@ -71,7 +72,8 @@ static double rounded_down(double value)
     return g_ascii_strtod(text, NULL);
 }
 
-/* Where on the straight line between two rows, in logarithms, a quantity takes a value: 0 at the coarse one, 1 at the fine. */
+/* Where on the straight line between two rows, in logarithms, a quantity takes a value: 0 at the coarse one, 1 at the
+ * fine. */
 static double share_at(double coarse, double fine, double value)
 {
     return log(coarse / value) / log(coarse / fine);
@@ -82,8 +84,8 @@ static double between(double coarse, double fine, double share)
     return coarse * pow(fine / coarse, share);
 }
 
-/* A setting between rows `place` - 1 and `place`, of which the first misses the wish by being too coarse or the second by
- * being too slow. */
+/* A setting between rows `place` - 1 and `place`, of which the first misses the wish by being too coarse or the second
+ * by being too slow. */
 static gboolean interpolate(const TinkerTradeOptions *options, const TinkerTrade *trade, TinkerTradeMethod *method,
                             guint place, Choice *choice)
 {

@@ -45,8 +45,8 @@ void tinker_trade_bench_enter(TinkerTradeBench *bench, double from, double to, d
 /* Tells the progress, and asks whether the caller has had enough: TRUE. */
 gboolean tinker_trade_bench_look(TinkerTradeBench *bench);
 
-/* Runs once with all samples, stopped after `most` seconds (TINKER_MODEL_ERROR_STOPPED). The trajectory is empty before,
- * and after a failure. */
+/* Runs once with all samples, stopped after `most` seconds (TINKER_MODEL_ERROR_STOPPED). The trajectory is empty
+ * before, and after a failure. */
 gboolean tinker_trade_bench_sample(TinkerTradeBench *bench, TinkerTradeSetting setting, double most,
                                    TinkerTrajectory *trajectory, GError **error);
 
@@ -56,7 +56,8 @@ double tinker_trade_bench_time(TinkerTradeBench *bench, TinkerTradeSetting setti
 void tinker_trajectory_clear(TinkerTrajectory *trajectory);
 G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC(TinkerTrajectory, tinker_trajectory_clear)
 
-/* The largest scaled difference of two trajectories over their first `samples` samples; INFINITY where one is shorter. */
+/* The largest scaled difference of two trajectories over their first `samples` samples; INFINITY where one is shorter.
+ */
 double tinker_trade_bench_distance(const TinkerTradeBench *bench, const TinkerTrajectory *left,
                                    const TinkerTrajectory *right, gsize samples, double extent, double speed);
 

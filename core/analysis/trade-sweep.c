@@ -68,7 +68,8 @@ static gboolean is_useless(const TinkerTradeRow *row)
     return !(row->error < MEANINGLESS);
 }
 
-/* Adds a row. At the coarse end the finest failure, and the finest run that is off by the motion itself, tell enough. */
+/* Adds a row. At the coarse end the finest failure, and the finest run that is off by the motion itself, tell enough.
+ */
 static void add_row(TinkerTradeMethod *method, TinkerTradeRow row)
 {
     const TinkerTradeRow *before = last_row(method, 0);

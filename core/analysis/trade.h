@@ -1,5 +1,5 @@
-/* The trade of speed against accuracy, measured on one scene: every suitable method over a range of steps or tolerances,
- * each run timed and compared with a reference that two different methods confirm to each other.
+/* The trade of speed against accuracy, measured on one scene: every suitable method over a range of steps or
+ * tolerances, each run timed and compared with a reference that two different methods confirm to each other.
  *
  * The error of a run is the largest, over the sampled times, of the Euclidean norm of the difference of its state from
  * the reference's: positions divided by the extent of the motion, velocities by its largest speed. The wall time is the
@@ -82,8 +82,8 @@ typedef struct {
 } TinkerTrade;
 
 /* Measures. Errors: those of tinker_model_new; TINKER_MODEL_ERROR_METHOD for an unknown method; TINKER_MODEL_ERROR_RUN
- * where no two methods agree on the motion, so that there is nothing to measure against; TINKER_MODEL_ERROR_STOPPED where
- * it was cancelled before there was a reference. (transfer full) */
+ * where no two methods agree on the motion, so that there is nothing to measure against; TINKER_MODEL_ERROR_STOPPED
+ * where it was cancelled before there was a reference. (transfer full) */
 TinkerTrade *tinker_trade_new(TinkerScene *scene, const TinkerTradeOptions *options, GError **error);
 void tinker_trade_free(TinkerTrade *trade);
 G_DEFINE_AUTOPTR_CLEANUP_FUNC(TinkerTrade, tinker_trade_free)
@@ -94,8 +94,8 @@ char *tinker_trade_advice_text(const TinkerTrade *trade, const TinkerTradeOption
 /* What errors were measured against, as a sentence. (transfer full) */
 char *tinker_trade_reference_text(const TinkerTrade *trade);
 
-/* Puts the advised method and its step or tolerance into the scene's run settings, and contact by events or as impulses;
- * an accuracy that is asked for there, in whose place the two are now, is taken out. */
+/* Puts the advised method and its step or tolerance into the scene's run settings, and contact by events or as
+ * impulses; an accuracy that is asked for there, in whose place the two are now, is taken out. */
 void tinker_trade_apply(const TinkerTrade *trade, TinkerScene *scene);
 
 #endif

@@ -1,5 +1,6 @@
-/* Children are forked, not started anew: a fork of a small program takes less than a millisecond, and what the parent knows
- * (the catalogue, the options) need not be handed over. Nothing of the library is in the parent, so each child opens it. */
+/* Children are forked, not started anew: a fork of a small program takes less than a millisecond, and what the parent
+ * knows (the catalogue, the options) need not be handed over. Nothing of the library is in the parent, so each child
+ * opens it. */
 #include "conformance/child-private.h"
 
 #include <errno.h>
@@ -79,8 +80,8 @@ static gboolean has_ended(pid_t child)
     return waitid(P_PID, (id_t)child, &info, WEXITED | WNOHANG | WNOWAIT) == 0 && info.si_pid == child;
 }
 
-/* FALSE where the time was up. In the end its group is ended, with what it left behind, while the child is not reaped yet:
- * so long nobody else can have its number. */
+/* FALSE where the time was up. In the end its group is ended, with what it left behind, while the child is not reaped
+ * yet: so long nobody else can have its number. */
 static gboolean wait_for(pid_t child, double seconds, int *status)
 {
     const gint64 deadline = g_get_monotonic_time() + (gint64)(CLAMP(seconds, 0, 3600) * G_USEC_PER_SEC);

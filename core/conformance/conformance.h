@@ -1,7 +1,8 @@
 /* The conformance kit: every rule of the contract, tried on every block type and integrator of a plugin file.
  *
- * Each rule is tried on each subject in a child process with a time limit, so that a plugin which crashes, hangs, aborts or
- * ends the process has failed that rule, and the caller goes on. The plugin is never opened in the caller's process.
+ * Each rule is tried on each subject in a child process with a time limit, so that a plugin which crashes, hangs,
+ * aborts or ends the process has failed that rule, and the caller goes on. The plugin is never opened in the caller's
+ * process.
  */
 #ifndef TINKER_CORE_CONFORMANCE_H
 #define TINKER_CORE_CONFORMANCE_H
@@ -44,9 +45,10 @@ typedef struct {
 #define TINKER_CONFORMANCE_SECONDS 10.0
 
 /* Tries the library at `path`. The catalogue (borrowed) provides the bodies that scenes need; nothing is opened in it.
- * To be called where there is one thread alone, since processes are forked, and where SIGCHLD is not ignored. FALSE only where
- * not everything could be tried: TINKER_PLUGIN_ERROR_FILE where the file cannot be read, or the system gives no memory or
- * process; _MISSING where it has nothing called `type`. A library that is refused is a result: its first rule has failed. */
+ * To be called where there is one thread alone, since processes are forked, and where SIGCHLD is not ignored. FALSE
+ * only where not everything could be tried: TINKER_PLUGIN_ERROR_FILE where the file cannot be read, or the system gives
+ * no memory or process; _MISSING where it has nothing called `type`. A library that is refused is a result: its first
+ * rule has failed. */
 gboolean tinker_conformance_check(TinkerCatalogue *catalogue, const char *path, const TinkerConformanceOptions *options,
                                   TinkerConformanceFunc result, gpointer data, GError **error);
 

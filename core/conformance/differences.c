@@ -1,7 +1,7 @@
-/* Differences are central, of the widths h, 2 h and 4 h, extrapolated from two neighbours each to h^4. The first of these is
- * wrong by a fifteenth of how far the two are apart where the function is smooth (Richardson). So where they are further
- * apart than is allowed nothing is told: there is a kink between, or the function bends within a few widths, as the
- * square root near 0 and a friction that is rounded off do. */
+/* Differences are central, of the widths h, 2 h and 4 h, extrapolated from two neighbours each to h^4. The first of
+ * these is wrong by a fifteenth of how far the two are apart where the function is smooth (Richardson). So where they
+ * are further apart than is allowed nothing is told: there is a kink between, or the function bends within a few
+ * widths, as the square root near 0 and a friction that is rounded off do. */
 #include "conformance/differences-private.h"
 
 #include <math.h>

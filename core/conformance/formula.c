@@ -1,4 +1,5 @@
-/* A formula is text for people; what is found in it are its words. "T = k (L - L0) + c dL/dt" has T, k, L, L0, c, dL, dt. */
+/* A formula is text for people; what is found in it are its words. "T = k (L - L0) + c dL/dt" has T, k, L, L0, c, dL,
+ * dt. */
 #include "conformance/formula-private.h"
 
 #include <string.h>
@@ -84,8 +85,8 @@ static gboolean is_known(const char *word, const char *const *symbols)
     return is_listed(stem, symbols);
 }
 
-/* What stands alone before an equals sign is defined there: the words of each left-hand side that has but one unknown one.
- * (transfer full) */
+/* What stands alone before an equals sign is defined there: the words of each left-hand side that has but one unknown
+ * one. (transfer full) */
 static GPtrArray *defined_by(const char *formula, const char *const *symbols)
 {
     GPtrArray *all = g_ptr_array_new_with_free_func(g_free);

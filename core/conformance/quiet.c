@@ -1,9 +1,10 @@
 /* quiet: what the contract forbids inside a step is noticed where the library calls it.
  *
  * The loader writes the address of every function of another object into a table of the calling object. In the child,
- * after the library is opened, the entries of functions that allot, lock, print or read are exchanged for counting ones.
- * So nothing is preloaded, the program's own allocations are not counted, and what the library brought with it (a solver)
- * is watched as well. What the C library allots for itself is not seen; the functions that do so are watched by name. */
+ * after the library is opened, the entries of functions that allot, lock, print or read are exchanged for counting
+ * ones. So nothing is preloaded, the program's own allocations are not counted, and what the library brought with it (a
+ * solver) is watched as well. What the C library allots for itself is not seen; the functions that do so are watched by
+ * name. */
 #include <link.h>
 #include <pthread.h>
 #include <stdarg.h>

@@ -1,5 +1,5 @@
-/* coupling: the host keeps bodies in one island only where a field says that it couples them. A field that does not say so sees
- * each island's bodies alone, so its force on a body has to be the same with nobody else there. */
+/* coupling: the host keeps bodies in one island only where a field says that it couples them. A field that does not say
+ * so sees each island's bodies alone, so its force on a body has to be the same with nobody else there. */
 #include <math.h>
 #include <string.h>
 

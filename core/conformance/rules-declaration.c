@@ -40,8 +40,8 @@ static void look_at_titles(KitCheck *check)
     }
 }
 
-/* A formula speaks of what can be set; a symbol that is no part of it may belong to the drawing or to contacts. One that is
- * declared twice means two things. */
+/* A formula speaks of what can be set; a symbol that is no part of it may belong to the drawing or to contacts. One
+ * that is declared twice means two things. */
 static void look_at_formula(KitCheck *check)
 {
     const TinkerBlockClass *c = check->block_class;
@@ -80,7 +80,8 @@ static void look_at_words(KitCheck *check)
                  c->type->formula, unknown, names->len > 0 ? names->str : "none has one");
 }
 
-/* Ids ----------------------------------------------------------------------------------------------------------------- */
+/* Ids -----------------------------------------------------------------------------------------------------------------
+ */
 
 /* A stable name: words of small letters and digits, the first of them a letter, between single dashes, underscores or
  * dots. */

@@ -13,8 +13,8 @@ static double *slopes(KitCheck *check, const KitFunction *function, int output, 
     return kit_slopes(check, function, output, state, move, which, degree, nearness);
 }
 
-/* One number against its slope. `number` is that of the instance, or of the body that a field acts on; `size` is what rounding
- * is measured by. */
+/* One number against its slope. `number` is that of the instance, or of the body that a field acts on; `size` is what
+ * rounding is measured by. */
 static void compare(KitCheck *check, const KitState *state, int32_t number, const char *what, double given,
                     double slope, double size, int *compared)
 {

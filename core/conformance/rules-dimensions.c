@@ -1,10 +1,10 @@
-/* dimensions: the laws of nature do not know our units. With kg, m and s exchanged for others, all inputs are rescaled by
- * their declared dimensions, and the results have to rescale by theirs. The units differ by powers of two, so that this
- * is exact but for what roots and powers round. A constant that hides in the code, or a wrong dimension in the
+/* dimensions: the laws of nature do not know our units. With kg, m and s exchanged for others, all inputs are rescaled
+ * by their declared dimensions, and the results have to rescale by theirs. The units differ by powers of two, so that
+ * this is exact but for what roots and powers round. A constant that hides in the code, or a wrong dimension in the
  * declaration, shows. Radians are not exchanged: the sine of an angle knows its unit.
  *
- * Each row of a constraint has a unit of its own (a distance and an angle may be held by one block), which is found as the
- * power by which its g rescales. */
+ * Each row of a constraint has a unit of its own (a distance and an angle may be held by one block), which is found as
+ * the power by which its g rescales. */
 #include <math.h>
 
 #include "conformance/state-private.h"

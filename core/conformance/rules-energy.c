@@ -4,8 +4,8 @@
  *   force element:  F(x, 0) = -dE/dx            (F(x, v) - F(x, 0)) . v <= 0
  *   field:          F(x, 0) = -dE/dx            the same
  *
- * A law that is the gradient of a function gives no energy round a closed path. A waveform may give energy: what it moves
- * is booked as a motor's. */
+ * A law that is the gradient of a function gives no energy round a closed path. A waveform may give energy: what it
+ * moves is booked as a motor's. */
 #include <math.h>
 
 #include "conformance/differences-private.h"
@@ -48,8 +48,8 @@ static void compare(KitCheck *check, const KitFunction *force, const KitState *s
              expected, values);
 }
 
-/* One coordinate: the length of all instances, a component of their end number which / 2, or of a body. Instances do not feel
- * one another, so all of them are moved at once. */
+/* One coordinate: the length of all instances, a component of their end number which / 2, or of a body. Instances do
+ * not feel one another, so all of them are moved at once. */
 static void compare_along(KitCheck *check, const KitFunction *force, const KitFunction *energy, const KitState *state,
                           const KitAnswer *forces, const KitAnswer *stored, int which, int *compared)
 {
@@ -81,7 +81,8 @@ static void compare_all(KitCheck *check, const KitFunction *force, const KitFunc
         compare_along(check, force, energy, state, forces, stored, which, compared);
 }
 
-/* Without energy nothing is stored, so a line law may not pull at rest: the host would book its power as taken by dampers. */
+/* Without energy nothing is stored, so a line law may not pull at rest: the host would book its power as taken by
+ * dampers. */
 static void expect_no_pull(KitCheck *check, const KitFunction *force, const KitState *state)
 {
     g_autoptr(KitAnswer) answer = kit_call_well(check, force, state);

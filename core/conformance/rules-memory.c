@@ -1,5 +1,6 @@
-/* memory: results and inputs lie against pages that nobody may touch, inputs in pages that nobody may write. Each function
- * is called twice: with everything ending where a forbidden page begins, and beginning where one ends. Also here: speed. */
+/* memory: results and inputs lie against pages that nobody may touch, inputs in pages that nobody may write. Each
+ * function is called twice: with everything ending where a forbidden page begins, and beginning where one ends. Also
+ * here: speed. */
 #include <signal.h>
 #include <stdio.h>
 #include <string.h>
@@ -162,7 +163,8 @@ void kit_try_memory(KitCheck *check)
     signal(SIGBUS, SIG_DFL);
 }
 
-/* speed --------------------------------------------------------------------------------------------------------------- */
+/* speed ---------------------------------------------------------------------------------------------------------------
+ */
 
 #define TIMED_COUNT 256
 #define TIMED_CALLS 2000

@@ -1,8 +1,9 @@
 /* limits, constrained: what a method says of its stability, and that it keeps a system on its constraints.
  *
- * The limits are those of integrator.h: h omega of an undamped oscillator x'' = -omega^2 x, and h c / m of a pure damper
- * x'' = -(c / m) x', at the edge of stability. Both are tried as they are defined, in many equal steps. The host warns by
- * them and chooses by them: one that is too large hides a run that blows up, one that is far too small spoils a good one. */
+ * The limits are those of integrator.h: h omega of an undamped oscillator x'' = -omega^2 x, and h c / m of a pure
+ * damper x'' = -(c / m) x', at the edge of stability. Both are tried as they are defined, in many equal steps. The host
+ * warns by them and chooses by them: one that is too large hides a run that blows up, one that is far too small spoils
+ * a good one. */
 #include <math.h>
 
 #include "conformance/kit-private.h"
@@ -113,7 +114,8 @@ void kit_try_method_limits(KitCheck *check)
     if (told->len > 0) kit_tell(check, "%s", told->str);
 }
 
-/* Constrained --------------------------------------------------------------------------------------------------------- */
+/* Constrained ---------------------------------------------------------------------------------------------------------
+ */
 
 #define SWINGS     2.0 /* s */
 #define LEAST      80  /* steps */

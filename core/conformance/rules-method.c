@@ -92,7 +92,8 @@ static void try_tolerances(KitCheck *check, const KitMotion *motion)
         kit_tell(check, "error %.2g with a tolerance of 1e-5, %.2g with 1e-9", coarse, fine);
 }
 
-/* The slope over the finest halving whose errors are above rounding; INFINITY where one halving takes the error down to it. */
+/* The slope over the finest halving whose errors are above rounding; INFINITY where one halving takes the error down to
+ * it. */
 static double order_on(KitCheck *check, const KitMotion *motion, double *before)
 {
     int steps = least_steps(check->integrator);
@@ -132,7 +133,8 @@ void kit_try_method_order(KitCheck *check)
         try_on(check, &kit_driven);
 }
 
-/* Steps land and dense output fits ------------------------------------------------------------------------------------ */
+/* Steps land and dense output fits ------------------------------------------------------------------------------------
+ */
 
 static void look_inside(KitCheck *check, const Run *run, double from, const double *q_from, const double *v_from)
 {

@@ -1,5 +1,6 @@
-/* process: what the process has one of for all its parts is left as it was found, by the library as it is opened and by the
- * functions of its block types. The host puts back what was changed by opening and by `prepare`, and by nothing else. */
+/* process: what the process has one of for all its parts is left as it was found, by the library as it is opened and by
+ * the functions of its block types. The host puts back what was changed by opening and by `prepare`, and by nothing
+ * else. */
 #include "conformance/state-private.h"
 #include "plugin/process-state.h"
 

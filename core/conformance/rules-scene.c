@@ -125,8 +125,8 @@ static gboolean take_sample(TinkerSimulation *simulation, double time, const dou
     return TRUE;
 }
 
-/* Values that do not go together are no fault of the plugin's; what its role lacks is, and the host says what that is. Of the
- * two rules it is `run` that fails of it. */
+/* Values that do not go together are no fault of the plugin's; what its role lacks is, and the host says what that is.
+ * Of the two rules it is `run` that fails of it. */
 static void tell_refusal(KitCheck *check, const GError *error, gboolean blame)
 {
     if (blame && g_error_matches(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_PLUGIN))

@@ -1,9 +1,10 @@
 /* momentum, moment, translation, rotation: what a scene's own forces cannot do.
  *
- * A force on one body alone, one of the category "force", and a field in which bodies do not feel one another, act from outside: they may change momentum,
- * and depend on the place. Turned with the scene they have to be all the same, as far as their properties tell a
- * direction: properties that are vectors, and angles, are turned along where that explains the answer. An angle between
- * two arms does not turn, the angle of a force does; which is which is found by trying. */
+ * A force on one body alone, one of the category "force", and a field in which bodies do not feel one another, act from
+ * outside: they may change momentum, and depend on the place. Turned with the scene they have to be all the same, as
+ * far as their properties tell a direction: properties that are vectors, and angles, are turned along where that
+ * explains the answer. An angle between two arms does not turn, the angle of a force does; which is which is found by
+ * trying. */
 #include <math.h>
 #include <string.h>
 
@@ -13,8 +14,8 @@
 #define CLOSE         1e-8 /* of the largest of an instance's numbers */
 #define MOST_PARTNERS 6    /* properties that are tried in all combinations */
 
-/* Whether it acts between things of a scene, and not from outside. A force that follows what it acts on (a jet, held along the
- * line between two ends) looks at several ends, and acts from outside all the same: its category says so. */
+/* Whether it acts between things of a scene, and not from outside. A force that follows what it acts on (a jet, held
+ * along the line between two ends) looks at several ends, and acts from outside all the same: its category says so. */
 static gboolean is_internal(const TinkerBlockClass *block_class)
 {
     const TinkerPhysics *physics = block_class->physics;
@@ -56,7 +57,8 @@ static const KitFunction *force_function(KitCheck *check, const GArray *function
     return kit_decided(check) ? NULL : function;
 }
 
-/* Sums --------------------------------------------------------------------------------------------------------------- */
+/* Sums ---------------------------------------------------------------------------------------------------------------
+ */
 
 typedef struct {
     double force[2], moment, size; /* size: sum of the magnitudes of all forces */
@@ -130,7 +132,8 @@ void kit_try_moment(KitCheck *check)
     try_sums(check, TRUE);
 }
 
-/* Moving and turning -------------------------------------------------------------------------------------------------- */
+/* Moving and turning --------------------------------------------------------------------------------------------------
+ */
 
 typedef struct {
     gboolean turn; /* else shift */

@@ -1,8 +1,8 @@
 /* Start positions that a constraint can have: the bodies at its ends are moved until its rows hold.
  *
- * Gauss-Newton steps of least norm, dx = -J^T (J J^T)^-1 g, over the places of all ends; rows that hold as g <= 0 are left
- * alone where they do. Rows that say the same twice make J J^T singular: a small share of its trace on the diagonal bears
- * that. Each step looks at the scene anew, since lengths that are taken as placed follow the ends. */
+ * Gauss-Newton steps of least norm, dx = -J^T (J J^T)^-1 g, over the places of all ends; rows that hold as g <= 0 are
+ * left alone where they do. Rows that say the same twice make J J^T singular: a small share of its trace on the
+ * diagonal bears that. Each step looks at the scene anew, since lengths that are taken as placed follow the ends. */
 #include "conformance/scene-start-private.h"
 
 #include <math.h>

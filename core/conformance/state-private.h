@@ -35,8 +35,8 @@ typedef struct {
 
 #define KIT_COUNT 24
 
-/* `count` instances with ordinary values, as the declaration suggests them, that the block does not refuse. On failure the
- * check is decided and NULL answered. (transfer full) */
+/* `count` instances with ordinary values, as the declaration suggests them, that the block does not refuse. On failure
+ * the check is decided and NULL answered. (transfer full) */
 KitState *kit_state_new(KitCheck *check, int32_t count);
 KitState *kit_state_copy(const KitState *state);
 /* The instances first to first + count - 1, with the whole's scratch. (transfer full) */
@@ -56,7 +56,8 @@ double kit_ordinary_value(const TinkerPropertyType *property, GRand *random);
 
 /* What a reader needs to see the instance: "stiffness = 3, ends (0, 1) (2, 1), ...". (transfer full) */
 char *kit_state_describe(const KitState *state, int32_t instance);
-/* Of what a field acts on: "body 3 of 2 kg at (0, 1) with velocity (2, 1)", and with one instance its values. (transfer full) */
+/* Of what a field acts on: "body 3 of 2 kg at (0, 1) with velocity (2, 1)", and with one instance its values. (transfer
+ * full) */
 char *kit_state_describe_body(const KitState *state, int32_t body);
 
 /* Functions ------------------------------------------------------------------------------------------------------ */
@@ -124,7 +125,7 @@ KitAnswer *kit_call(KitCheck *check, const KitFunction *function, const KitState
 void kit_answer_free(KitAnswer *answer);
 G_DEFINE_AUTOPTR_CLEANUP_FUNC(KitAnswer, kit_answer_free)
 
-/* The same where only TINKER_OK will do: else the check is decided and NULL answered, */
+/* Calls a function of which only TINKER_OK will do: else the check is decided and NULL answered, */
 KitAnswer *kit_call_well(KitCheck *check, const KitFunction *function, const KitState *state);
 
 /* The batch that a state's instances make; `columns` has room for one pointer a column. */
@@ -136,8 +137,8 @@ TinkerGraphInput kit_state_graph_input(const KitState *state);
 /* The instance that an entry of a result belongs to; -1 for a body's or the whole's. */
 int32_t kit_output_instance(const KitOutput *output, const KitState *state, gsize entry);
 
-/* What an entry of a result belongs to: "instance 3", "body 2", "the whole"; and what a reader needs to see it. (transfer
- * full) */
+/* What an entry of a result belongs to: "instance 3", "body 2", "the whole"; and what a reader needs to see it.
+ * (transfer full) */
 char *kit_entry_name(const KitOutput *output, const KitState *state, gsize entry);
 char *kit_entry_describe(const KitOutput *output, const KitState *state, gsize entry);
 

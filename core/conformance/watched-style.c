@@ -1,5 +1,5 @@
-/* The helpers of a style, exchanged for ones that look at their numbers before they draw. The host's helpers draw nothing where
- * a number is none, so that a mistake would show in no picture. */
+/* The helpers of a style, exchanged for ones that look at their numbers before they draw. The host's helpers draw
+ * nothing where a number is none, so that a mistake would show in no picture. */
 #include "conformance/watched-style-private.h"
 
 #include <math.h>

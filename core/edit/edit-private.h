@@ -7,8 +7,8 @@
 
 #define MOST_HANDLES 16 /* of one block that are looked at */
 
-/* The class's own interface, else the host's: of a connector its ends and the lines between them, of anything else (NULL:
- * of an unknown type) a spot around its centre that can be selected and not moved. Never NULL. */
+/* The class's own interface, else the host's: of a connector its ends and the lines between them, of anything else
+ * (NULL: of an unknown type) a spot around its centre that can be selected and not moved. Never NULL. */
 const TinkerEdit *edit_of(const TinkerBlockClass *block_class);
 
 /* The class, where that interface is its own; NULL where it is the host's. */

@@ -1,5 +1,5 @@
-/* Between making a file and locking it somebody else may take it for a dead one and remove it: so it is looked for again once it
- * is locked, and made anew where it is gone. */
+/* Between making a file and locking it somebody else may take it for a dead one and remove it: so it is looked for
+ * again once it is locked, and made anew where it is gone. */
 #include "files/unfinished.h"
 
 #include <errno.h>
@@ -13,7 +13,8 @@
 #define PREFIX  ".tinker-part-"
 #define LETTERS 6 /* of g_mkstemp and its like */
 
-/* Making -------------------------------------------------------------------------------------------------------------- */
+/* Making --------------------------------------------------------------------------------------------------------------
+ */
 
 static void forget(TinkerUnfinished *unfinished)
 {
@@ -69,7 +70,8 @@ gboolean tinker_unfinished_finish(TinkerUnfinished *unfinished, const char *plac
     return TRUE;
 }
 
-/* Removing ------------------------------------------------------------------------------------------------------------ */
+/* Removing ------------------------------------------------------------------------------------------------------------
+ */
 
 static void remove_folder(const char *path)
 {

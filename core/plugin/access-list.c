@@ -1,6 +1,6 @@
-/* Linux keeps the list in an extended attribute, little-endian: a version, then entries of kind, permissions and number. Where there
- * is one, the mode's bits of the group are its mask: the most that a named user, a named group or the owning group may do. Without
- * the bit to write, none of them may. */
+/* Linux keeps the list in an extended attribute, little-endian: a version, then entries of kind, permissions and
+ * number. Where there is one, the mode's bits of the group are its mask: the most that a named user, a named group or
+ * the owning group may do. Without the bit to write, none of them may. */
 #include "plugin/access-list-private.h"
 
 #include <errno.h>
@@ -48,7 +48,8 @@ static gboolean check_entry(const struct posix_acl_xattr_entry *entry, const str
     }
 }
 
-/* The attribute's bytes; NULL without an error where there is no list, or the file system knows of none. (transfer full) */
+/* The attribute's bytes; NULL without an error where there is no list, or the file system knows of none. (transfer
+ * full) */
 static char *read_list(const char *path, gsize *length, const char *what, GError **error)
 {
     g_autofree char *bytes = g_malloc(MOST_BYTES);

@@ -11,8 +11,8 @@ gboolean tinker_account_is_trusted(uid_t user);
 /* The owner of this program. */
 uid_t tinker_account_of_program(void);
 
-/* The name of a member of the group whom we do not trust, or words that say that the members are not known; NULL where there is
- * none. Any thread. (transfer full) */
+/* The name of a member of the group whom we do not trust, or words that say that the members are not known; NULL where
+ * there is none. Any thread. (transfer full) */
 char *tinker_account_in_group(gid_t group);
 
 #endif

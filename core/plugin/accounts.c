@@ -1,5 +1,5 @@
-/* Members of a group are those in its list, and those whose own group it is, who stand in no list: to know them all accounts
- * have to be gone through. That is done once. */
+/* Members of a group are those in its list, and those whose own group it is, who stand in no list: to know them all
+ * accounts have to be gone through. That is done once. */
 #include "plugin/accounts-private.h"
 
 #include <grp.h>

@@ -4,8 +4,8 @@
 
 #include "plugin/catalogue.h"
 
-/* Checks a block type and copies it, with its properties, quantities and interfaces. `type` is a copy of the host's size
- * that lives as long as the arena, as does the class. NULL when refused; the message begins with the type's id. */
+/* Checks a block type and copies it, with its properties, quantities and interfaces. `type` is a copy of the host's
+ * size that lives as long as the arena, as does the class. NULL when refused; the message begins with the type's id. */
 const TinkerBlockClass *tinker_block_class_build(TinkerBlockType *type, const TinkerPlugin *plugin, const char *path,
                                                  GPtrArray *arena, GError **error);
 

@@ -44,8 +44,8 @@ static cJSON *new_json(void)
     return json;
 }
 
-/* What the file says; NULL: nothing. One that others may write to is not believed, or they could claim any type for any library;
- * it goes, so that the next has permissions of its own. (transfer full) */
+/* What the file says; NULL: nothing. One that others may write to is not believed, or they could claim any type for any
+ * library; it goes, so that the next has permissions of its own. (transfer full) */
 static char *read_file(TinkerPluginCache *cache)
 {
     g_autofree char *path = g_build_filename(cache->folder, CACHE_FILE, NULL);

@@ -7,7 +7,8 @@
 
 #include "plugin/catalogue.h"
 
-/* Everything is borrowed until the call is left, and in memory of the host. Members that a call does not have are NULL. */
+/* Everything is borrowed until the call is left, and in memory of the host. Members that a call does not have are NULL.
+ */
 typedef struct TinkerPluginCall {
     const char *phase;                   /* name of the function, "force" */
     const TinkerBlockClass *block_class; /* whose function it is */
@@ -55,10 +56,11 @@ static inline int32_t tinker_call_leave(int32_t answer)
     return answer;
 }
 
-/* An expression: the answer of `call`, a status or another int32_t, while the note (members of TinkerPluginCall) stands. */
+/* An expression: the answer of `call`, a status or another int32_t, while the note (members of TinkerPluginCall)
+ * stands. */
 #define TINKER_CALL(call, ...) (tinker_call_enter(&(TinkerPluginCall){__VA_ARGS__}), tinker_call_leave(call))
 
-/* Likewise of a call that answers nothing. */
+/* A call of a plugin's function that answers nothing. */
 #define TINKER_CALL_VOID(call, ...)                                                                                    \
     (tinker_call_enter(&(TinkerPluginCall){__VA_ARGS__}), (call), (void)tinker_call_leave(TINKER_OK))
 

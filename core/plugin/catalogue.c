@@ -13,8 +13,8 @@
 
 #define USUAL_PROBE_SECONDS 5.0
 
-/* One thread at a time identifies and opens libraries, for seconds where one is probed. Whoever only wants to know what there
- * is waits for `lists` alone, which is held for a moment. */
+/* One thread at a time identifies and opens libraries, for seconds where one is probed. Whoever only wants to know what
+ * there is waits for `lists` alone, which is held for a moment. */
 struct _TinkerCatalogue {
     GMutex opening;   /* of what is written here: `found`, what is behind it, the cache */
     GPtrArray *found; /* of TinkerFound, in search order; none leaves it */
@@ -195,7 +195,8 @@ static TinkerFound *open_first(TinkerCatalogue *catalogue, GHashTable *table, co
     return opened ? found : NULL;
 }
 
-/* The opened library that provides the id, or NULL. One that is open already does not wait for one that is being probed. */
+/* The opened library that provides the id, or NULL. One that is open already does not wait for one that is being
+ * probed. */
 static TinkerFound *open_provider(TinkerCatalogue *catalogue, GHashTable *table, const char *what, const char *id,
                                   GError **error)
 {

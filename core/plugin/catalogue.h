@@ -1,8 +1,8 @@
 /* The catalogue: which block types and integrators are installed, in which library, and the way to open them.
  *
- * Finding is by manifest: a small JSON file beside each library (or in the user's cache) that the probe wrote. A library
- * is opened only when one of its types is asked for. What a plugin declares is copied into structs of this host's own
- * size, so that the rest of the core reads members without asking how old the plugin is.
+ * Finding is by manifest: a small JSON file beside each library (or in the user's cache) that the probe wrote. A
+ * library is opened only when one of its types is asked for. What a plugin declares is copied into structs of this
+ * host's own size, so that the rest of the core reads members without asking how old the plugin is.
  */
 #ifndef TINKER_CORE_CATALOGUE_H
 #define TINKER_CORE_CATALOGUE_H
@@ -52,7 +52,8 @@ int32_t tinker_kind_columns(int32_t kind);
 /* First column of the property that carries this meaning, or -1. */
 int32_t tinker_block_class_meaning_column(const TinkerBlockClass *block_class, int32_t meaning);
 
-/* Whether some property of the class is shown in the panel of what it is attached to, as those of a support's motion. */
+/* Whether some property of the class is shown in the panel of what it is attached to, as those of a support's motion.
+ */
 gboolean tinker_block_class_is_shown_elsewhere(const TinkerBlockClass *block_class);
 
 /* The unit in which a property or quantity is displayed: the block's own choice, else the one of its dimension. */
@@ -101,14 +102,14 @@ typedef struct {
     const char *probe_program; /* run as `PROGRAM plugins describe --output - FILE` in a child; NULL: libraries without
                                      a manifest are refused */
     double probe_seconds;      /* time limit of a probe; 0: 5 */
-    /* What is wrong with a method that a scene names, be it built in or of a library: "there is no method ...", or NULL where
-     * nothing is (transfer full). NULL: it is not looked at when a scene is read. */
+    /* What is wrong with a method that a scene names, be it built in or of a library: "there is no method ...", or NULL
+     * where nothing is (transfer full). NULL: it is not looked at when a scene is read. */
     char *(*method_fault)(TinkerCatalogue *catalogue, const char *id);
 } TinkerCatalogueOptions;
 
 /* Finds the libraries in search order: the command line's folders, TINKER_PLUGIN_PATH, the user's, the installed one;
- * with TINKER_SAFE_MODE=1 the installed one alone; behind each folder the bundles directly below it. Relative folders are
- * passed over with a warning. (transfer full) */
+ * with TINKER_SAFE_MODE=1 the installed one alone; behind each folder the bundles directly below it. Relative folders
+ * are passed over with a warning. (transfer full) */
 TinkerCatalogue *tinker_catalogue_new(const TinkerCatalogueOptions *options);
 
 /* As its options have it. (transfer full) */
@@ -117,8 +118,8 @@ void tinker_catalogue_free(TinkerCatalogue *catalogue);
 G_DEFINE_AUTOPTR_CLEANUP_FUNC(TinkerCatalogue, tinker_catalogue_free)
 
 /* All libraries found, in search order, with the refused and shadowed ones, as they are known at present; of const
- * TinkerLibraryEntry, which live as long as the array. It is shared and not to be changed. A library that was rebuilt is identified
- * anew when it is opened: hold the array while an id of it is used. Any thread. (transfer full) */
+ * TinkerLibraryEntry, which live as long as the array. It is shared and not to be changed. A library that was rebuilt
+ * is identified anew when it is opened: hold the array while an id of it is used. Any thread. (transfer full) */
 GPtrArray *tinker_catalogue_libraries(TinkerCatalogue *catalogue);
 
 /* The bundles found, in search order; of TinkerBundleEntry. Their libraries are among the others. (transfer none) */
@@ -133,17 +134,18 @@ GPtrArray *tinker_catalogue_warnings(TinkerCatalogue *catalogue);
  * alone) or _FILE. (transfer none: lives as long as the catalogue) */
 const TinkerLibraryEntry *tinker_catalogue_add_file(TinkerCatalogue *catalogue, const char *path, GError **error);
 
-/* The type of this id; opens its library if it is not open yet. NULL with TINKER_PLUGIN_ERROR_MISSING (the message names
- * the nearest type, and the reason where a library was refused that has it or may have it) or _REFUSED. May be called from
- * any thread, also at the same time. (transfer none) */
+/* The type of this id; opens its library if it is not open yet. NULL with TINKER_PLUGIN_ERROR_MISSING (the message
+ * names the nearest type, and the reason where a library was refused that has it or may have it) or _REFUSED. May be
+ * called from any thread, also at the same time. (transfer none) */
 const TinkerBlockClass *tinker_catalogue_type(TinkerCatalogue *catalogue, const char *id, GError **error);
 
-/* Likewise an integrator of a plugin. */
+/* The integrator of a plugin with this id, opened and refused as a type is. */
 const TinkerIntegrator *tinker_catalogue_integrator(TinkerCatalogue *catalogue, const char *id, GError **error);
 
-/* What refused libraries have to do with an id that nobody provides, to be put behind a message about it: ": the library
- * ... was refused: REASON" where one has it by its manifest or file name, "; it may be in a refused one: ..." where that
- * cannot be told, "" where none was refused. (transfer full) */
+/* What refused libraries have to do with an id that nobody provides, to be put behind a message about it: ": the
+ * library
+ * ... was refused: REASON" where one has it by its manifest or file name, "; it may be in a refused one: ..." where
+ * that cannot be told, "" where none was refused. (transfer full) */
 char *tinker_catalogue_explain_refused(TinkerCatalogue *catalogue, const char *id);
 
 /* Paths of the libraries that have been opened through this catalogue, in the order of opening; of char *. Any
@@ -161,8 +163,8 @@ GPtrArray *tinker_plugin_folder_libraries(const char *folder);
  * it in a child only. (transfer full) */
 char *tinker_plugin_describe(const char *path, GError **error);
 
-/* What opening the library at this absolute path changed of the state of the process (process-state.h), and was put back
- * since: "the locale". NULL where it changed nothing, or is not open. Borrowed. */
+/* What opening the library at this absolute path changed of the state of the process (process-state.h), and was put
+ * back since: "the locale". NULL where it changed nothing, or is not open. Borrowed. */
 const char *tinker_library_changed_process(const char *path);
 
 #endif

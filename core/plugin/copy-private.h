@@ -1,7 +1,7 @@
 /* Copies of what a plugin declares, in structs of this host's own size.
  *
- * A plugin compiled with older headers has shorter structs, one compiled with newer headers longer ones. A copy has this
- * host's size: what the plugin does not know is zero, what the host does not know is left behind.
+ * A plugin compiled with older headers has shorter structs, one compiled with newer headers longer ones. A copy has
+ * this host's size: what the plugin does not know is zero, what the host does not know is left behind.
  */
 #ifndef TINKER_PLUGIN_COPY_PRIVATE_H
 #define TINKER_PLUGIN_COPY_PRIVATE_H

@@ -37,7 +37,8 @@ static TinkerCrashText message;
 enum { NOTHING, BEGUN, COMPOSED, SAVED, TOLD };
 static _Thread_local volatile sig_atomic_t stage;
 
-/* What is left to be done ------------------------------------------------------------------------------------------- */
+/* What is left to be done -------------------------------------------------------------------------------------------
+ */
 
 /* Writes out the lines that are whole, once, and says where they are. */
 static void save_record(void)
@@ -69,7 +70,8 @@ static void begin_message(void)
     tinker_crash_text_add(&message, ": ");
 }
 
-/* Signals ----------------------------------------------------------------------------------------------------------- */
+/* Signals -----------------------------------------------------------------------------------------------------------
+ */
 
 static gsize number_of(int signal_number)
 {
@@ -108,8 +110,8 @@ static gboolean is_stack_overflow(int signal_number, const siginfo_t *info, cons
     return stack != 0 && fault + NEAR_STACK > stack && fault < stack + NEAR_STACK && info->si_code > 0;
 }
 
-/* `code` is the last error of the C library. GLib aborts where one of its locks finds no memory, and calls itself without end
- * where the message about it finds none; the error may be an old one. */
+/* `code` is the last error of the C library. GLib aborts where one of its locks finds no memory, and calls itself
+ * without end where the message about it finds none; the error may be an old one. */
 static void compose(int signal_number, const siginfo_t *info, const void *context, int code)
 {
     const gboolean overflowed = is_stack_overflow(signal_number, info, context);
@@ -205,7 +207,8 @@ void tinker_crash_end_with(int status, const char *what, const char *otherwise)
     _exit(status);
 }
 
-/* The end of the process -------------------------------------------------------------------------------------------- */
+/* The end of the process --------------------------------------------------------------------------------------------
+ */
 
 /* A plugin that ends the process would end it with its own status, as if the run were done. */
 static void on_exit_called(void)
@@ -214,7 +217,8 @@ static void on_exit_called(void)
     tinker_crash_end_with(1, " called exit()", "");
 }
 
-/* Public ------------------------------------------------------------------------------------------------------------ */
+/* Public ------------------------------------------------------------------------------------------------------------
+ */
 
 void tinker_crash_watch_thread(void)
 {

@@ -3,10 +3,10 @@
  *
  * tinker_crash_watch() sets a handler for SIGSEGV, SIGBUS, SIGFPE, SIGILL and SIGABRT. It writes one line to standard
  * error (plugin, signal, function, blocks, time), writes out the record that is being kept, and raises the signal
- * again, so that the process ends as it would have. SIGTERM, unless it is ignored, is told in the same way. It takes the places of GLib's default log handler and of cJSON's
- * allocation as well, for the whole process. Likewise where a plugin calls exit(): the process then ends with
- * status 1, whatever the plugin asked for; and where GLib or cJSON find no memory, so that nothing is left out quietly.
- * Nothing can be done about _exit() and SIGKILL.
+ * again, so that the process ends as it would have. SIGTERM, unless it is ignored, is told in the same way. It takes
+ * the places of GLib's default log handler and of cJSON's allocation as well, for the whole process. Likewise where a
+ * plugin calls exit(): the process then ends with status 1, whatever the plugin asked for; and where GLib or cJSON find
+ * no memory, so that nothing is left out quietly. Nothing can be done about _exit() and SIGKILL.
  *
  * What runs in the handler calls async-signal-safe functions alone (signal-safety(7)), allocates nothing and locks
  * nothing. */
@@ -19,9 +19,9 @@
  * watches this thread. */
 void tinker_crash_watch(const char *program);
 
-/* For the whole process, once, after tinker_crash_watch(): where GLib or cJSON find no memory, the process ends with one line,
- * the record written out, and status 5. What is large is asked for with g_try_malloc() and the like instead, and its lack is an
- * error. */
+/* For the whole process, once, after tinker_crash_watch(): where GLib or cJSON find no memory, the process ends with
+ * one line, the record written out, and status 5. What is large is asked for with g_try_malloc() and the like instead,
+ * and its lack is an error. */
 void tinker_crash_watch_memory(void);
 
 /* Gives the calling thread a stack of its own for the handler, so that a stack overflow can be told: for the first
@@ -36,9 +36,9 @@ typedef struct {
     gsize size; /* bytes of `text` that are whole lines */
 } TinkerCrashRecord;
 
-/* For a handler of a signal that asks the process to end (SIGINT, SIGTERM) and that cannot wait for what is under way, such
- * as a plugin that never comes back: says who is at work on this thread, writes out the record, and ends by that signal. While the record is being
- * changed it returns at once, and all that happens when the change is done. */
+/* For a handler of a signal that asks the process to end (SIGINT, SIGTERM) and that cannot wait for what is under way,
+ * such as a plugin that never comes back: says who is at work on this thread, writes out the record, and ends by that
+ * signal. While the record is being changed it returns at once, and all that happens when the change is done. */
 void tinker_crash_end(int signal_number);
 
 /* Has the handler leave the record alone until the next tinker_crash_keep: before its text or the file is changed. */

@@ -1,5 +1,5 @@
-/* What is known of a library at one time. An entry is filled in by whoever makes it and never changed once others can see it: news
- * of a library is another entry. It goes when nobody holds it. */
+/* What is known of a library at one time. An entry is filled in by whoever makes it and never changed once others can
+ * see it: news of a library is another entry. It goes when nobody holds it. */
 #ifndef TINKER_PLUGIN_ENTRY_PRIVATE_H
 #define TINKER_PLUGIN_ENTRY_PRIVATE_H
 
@@ -16,10 +16,10 @@ void tinker_library_entry_unref(TinkerLibraryEntry *entry);
 /* An array that holds entries. (transfer full) */
 GPtrArray *tinker_library_entries_new(void);
 
-/* The same library with nothing known of it but where it was found. (transfer full) */
+/* An entry for the library of another, with nothing known of it but where it was found. (transfer full) */
 TinkerLibraryEntry *tinker_library_entry_anew(const TinkerLibraryEntry *entry);
 
-/* The same library with all that is known of it, and refused for this reason. (transfer full) */
+/* An entry for the library of another, with all that is known of it, and refused for this reason. (transfer full) */
 TinkerLibraryEntry *tinker_library_entry_refused(const TinkerLibraryEntry *entry, const char *reason);
 
 /* While it is being filled in: takes over what a manifest says, which keeps its texts no longer. */

@@ -4,8 +4,8 @@
 
 #include <glib.h>
 
-/* What refusals have to do with a missing id, as tinker_catalogue_explain_refused; `libraries` is of TinkerLibraryEntry. `sure`: a
- * refused library has it by its manifest or file name. (transfer full) */
+/* What refusals have to do with a missing id, as tinker_catalogue_explain_refused; `libraries` is of
+ * TinkerLibraryEntry. `sure`: a refused library has it by its manifest or file name. (transfer full) */
 char *tinker_explain_refused(const GPtrArray *libraries, const char *id, gboolean *sure);
 
 /* What comes behind "no plugin provides ...": the reason, or the nearest of the ids that are the keys of `provided`.

@@ -4,7 +4,8 @@
 
 #include "plugin/catalogue.h"
 
-/* The host as one plugin sees it. `host` comes first: a service finds the plugin's name behind the pointer it is given. */
+/* The host as one plugin sees it. `host` comes first: a service finds the plugin's name behind the pointer it is given.
+ */
 typedef struct {
     TinkerHost host;
     const char *plugin_id; /* borrowed from the library */

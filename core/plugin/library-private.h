@@ -28,8 +28,8 @@ const TinkerPlugin *tinker_library_plugin_of_method(const TinkerIntegrator *meth
 /* The library at this path, where it was opened and has passed; else NULL. Locks nothing, either. */
 const TinkerLibrary *tinker_library_passed(const char *path);
 
-/* Makes all checks of a library on a descriptor that is in memory already (NULL is refused), and calls its init if it passes
- * them. Nothing of it is kept. FALSE with _REFUSED. */
+/* Makes all checks of a library on a descriptor that is in memory already (NULL is refused), and calls its init if it
+ * passes them. Nothing of it is kept. FALSE with _REFUSED. */
 gboolean tinker_library_check_descriptor(const TinkerPlugin *plugin, GError **error);
 
 #endif

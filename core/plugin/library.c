@@ -1,5 +1,6 @@
 /* Opening a library: the symbol, then the descriptor from its first word on, then what it declares, and only then init.
- * A library that the dynamic linker has mapped is never unmapped, so one record is kept for each path, passed or not. */
+ * A library that the dynamic linker has mapped is never unmapped, so one record is kept for each path, passed or not.
+ */
 #include "plugin/library-private.h"
 
 #include <gmodule.h>
@@ -187,8 +188,8 @@ static gboolean add_blocks(Record *record, GError **error)
     return TRUE;
 }
 
-/* The ids of plugin, types and methods are copied too: the message about a crash names them, also where the crash came of
- * the library's file being overwritten, which takes away what is mapped from it. */
+/* The ids of plugin, types and methods are copied too: the message about a crash names them, also where the crash came
+ * of the library's file being overwritten, which takes away what is mapped from it. */
 static void copy_descriptor(Record *record, const TinkerPlugin *own)
 {
     TinkerPlugin *copy = tinker_arena_allocate(record->arena, sizeof *copy);

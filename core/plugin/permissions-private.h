@@ -5,8 +5,8 @@
 #include "plugin/catalogue.h"
 
 /* Refuses a file that others than root, this user and the owner of this program can write to: by owner, by everybody,
- * by a group that has other members, or by an access control list that names any. All folders above it likewise, and where
- * symbolic links are on the way, all places that they lead to, and who owns the links. `path` is absolute. */
+ * by a group that has other members, or by an access control list that names any. All folders above it likewise, and
+ * where symbolic links are on the way, all places that they lead to, and who owns the links. `path` is absolute. */
 gboolean tinker_permissions_check(const char *path, GError **error);
 
 /* The text of a regular file of at most so many bytes that passes that check. NULL with an error otherwise.

@@ -50,8 +50,8 @@ static gboolean check_with_folders(const char *path, GError **error)
     return check_one(path, "it", error) && check_one(folder, "its folder", error) && check_above(folder, error);
 }
 
-/* The first link on the way to an absolute path, and what of the path is behind it; NULL: there is none. Steps back ("..") are taken from what is there. (transfer
- * full) */
+/* The first link on the way to an absolute path, and what of the path is behind it; NULL: there is none. Steps back
+ * ("..") are taken from what is there. (transfer full) */
 static char *first_link(const char *path, const char **rest)
 {
     g_autoptr(GString) way = g_string_new(NULL);
@@ -73,7 +73,8 @@ static char *first_link(const char *path, const char **rest)
     return NULL;
 }
 
-/* Checks the link, with what is left of the way behind it, and answers the path with this link followed; NULL with an error. (transfer full) */
+/* Checks the link, with what is left of the way behind it, and answers the path with this link followed; NULL with an
+ * error. (transfer full) */
 static char *follow(const char *link, const char *rest, GError **error)
 {
     struct stat status;

@@ -1,5 +1,5 @@
-/* Saving and putting back. Threads may make files meanwhile: the umask is set to something else for an instant alone, once, to
- * learn what it is. */
+/* Saving and putting back. Threads may make files meanwhile: the umask is set to something else for an instant alone,
+ * once, to learn what it is. */
 #include "plugin/process-state.h"
 
 #include <fenv.h>

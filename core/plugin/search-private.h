@@ -10,8 +10,8 @@ typedef struct {
     TinkerBundleEntry *bundle; /* where the folder is a bundle, else NULL */
 } TinkerSearchFolder;
 
-/* The folders in search order, each once, and behind each its bundles by name; of TinkerSearchFolder. Adds to `warnings`
- * (of char *) what is passed over. (transfer full) */
+/* The folders in search order, each once, and behind each its bundles by name; of TinkerSearchFolder. Adds to
+ * `warnings` (of char *) what is passed over. (transfer full) */
 GPtrArray *tinker_search_folders(const TinkerCatalogueOptions *options, GPtrArray *warnings);
 
 /* Paths of the files in the folder whose names end with ".so", by name; of char *. A folder that cannot be read adds to

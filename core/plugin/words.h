@@ -4,10 +4,10 @@
 
 #include "plugin/catalogue.h"
 
-/* A text that a plugin answered, as one line of valid UTF-8: line ends and other control characters become blanks, bytes that
- * are no text become U+FFFD, and what is longer than 1000 bytes is cut off. The text is read while the note of a call stands
- * (call.h), so that an address that leads nowhere is blamed on the plugin. One of block_class and method is NULL.
- * NULL where there is no text, or an empty one. (transfer full) */
+/* A text that a plugin answered, as one line of valid UTF-8: line ends and other control characters become blanks,
+ * bytes that are no text become U+FFFD, and what is longer than 1000 bytes is cut off. The text is read while the note
+ * of a call stands (call.h), so that an address that leads nowhere is blamed on the plugin. One of block_class and
+ * method is NULL. NULL where there is no text, or an empty one. (transfer full) */
 char *tinker_plugin_words(const TinkerBlockClass *block_class, const TinkerIntegrator *method, const char *text);
 
 #endif

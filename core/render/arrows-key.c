@@ -1,4 +1,5 @@
-/* Rows from the bottom up, over a ground that lets what lies beneath shine through: the kinds, and above them the length. */
+/* Rows from the bottom up, over a ground that lets what lies beneath shine through: the kinds, and above them the
+ * length. */
 #include "render/arrows-private.h"
 
 #include <math.h>

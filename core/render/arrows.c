@@ -1,6 +1,6 @@
-/* Arrows are drawn with the helper that blocks draw theirs with, each first with a halo of the background, so that it stands
- * out from what it lies over. Labels find their places as names do: on a map of what is taken, a label tries places around
- * the head of its arrow, the one straight ahead first, and takes the one that covers least. */
+/* Arrows are drawn with the helper that blocks draw theirs with, each first with a halo of the background, so that it
+ * stands out from what it lies over. Labels find their places as names do: on a map of what is taken, a label tries
+ * places around the head of its arrow, the one straight ahead first, and takes the one that covers least. */
 #include "render/arrows-private.h"
 
 #include <float.h>
@@ -198,8 +198,8 @@ static double keep_inside(double from, double width, double edge)
     return fmax(fmin(from, edge - MARGIN - width), MARGIN);
 }
 
-/* The place, number `turn` of those around the head and a step outwards, moved into the picture: the label's box, and the
- * cost of its being there. */
+/* The place, number `turn` of those around the head and a step outwards, moved into the picture: the label's box, and
+ * the cost of its being there. */
 static double place_cost(const Diagram *diagram, const Shaft *shaft, int turn, int step, const double size[2],
                          double box[4])
 {

@@ -39,15 +39,15 @@ typedef struct {
     int taken_count;
 } TinkerArrowOptions;
 
-/* A round scale (m per N; 1, 2 or 5 times a power of ten) at which the longest arrow is about a tenth of the view's longer
- * side. `previous` (0: none) is answered as long as it is within a factor of 3 of that, so that arrows of forces that
- * change do not jump. Forces that are 0 or not finite do not count. */
+/* A round scale (m per N; 1, 2 or 5 times a power of ten) at which the longest arrow is about a tenth of the view's
+ * longer side. `previous` (0: none) is answered as long as it is within a factor of 3 of that, so that arrows of forces
+ * that change do not jump. Forces that are 0 or not finite do not count. */
 double tinker_arrows_scale(const TinkerForceArrow *arrows, gsize count, const TinkerView *view, double previous);
 
-/* Draws the arrows and then their labels, those of the greatest forces first. A label stands by the head of its arrow and
- * inside the picture; one that could only stand on another is left out. Arrows that start together and point the same way
- * are drawn side by side. What is too short to be seen, not finite or out of the picture is passed over. The context's own
- * units are the view's canvas units. */
+/* Draws the arrows and then their labels, those of the greatest forces first. A label stands by the head of its arrow
+ * and inside the picture; one that could only stand on another is left out. Arrows that start together and point the
+ * same way are drawn side by side. What is too short to be seen, not finite or out of the picture is passed over. The
+ * context's own units are the view's canvas units. */
 void tinker_arrows_draw(cairo_t *cairo, const TinkerView *view, const TinkerForceArrow *arrows, gsize count,
                         const TinkerArrowOptions *options);
 
@@ -65,8 +65,8 @@ typedef struct {
     gsize word_count;
 } TinkerArrowKey;
 
-/* A force for the key, N: 1, 2 or 5 times a power of ten of the unit (N), whose arrow is 24 to 60 canvas units long at this
- * scale; 0 where there is none. */
+/* A force for the key, N: 1, 2 or 5 times a power of ten of the unit (N), whose arrow is 24 to 60 canvas units long at
+ * this scale; 0 where there is none. */
 double tinker_arrows_key_force(const TinkerView *view, double scale, double unit);
 
 /* Draws it in the lower left corner of the view. `written`: receives what it wrote (TinkerWrittenText), or NULL. */

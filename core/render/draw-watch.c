@@ -1,5 +1,5 @@
-/* How many states are saved cairo does not tell. But a state holds the greatest length of a mitre: within the drawing it is another
- * number than around it, by far less than can be seen, and so tells one from the other. */
+/* How many states are saved cairo does not tell. But a state holds the greatest length of a mitre: within the drawing
+ * it is another number than around it, by far less than can be seen, and so tells one from the other. */
 #include "render/draw-watch.h"
 
 #include <glib/gi18n-lib.h>

@@ -1,4 +1,5 @@
-/* The painter twice: first with a theme whose colours are nearly the background's, then with one without a background. */
+/* The painter twice: first with a theme whose colours are nearly the background's, then with one without a background.
+ */
 #include "render/ghost.h"
 
 #include <math.h>

@@ -10,8 +10,8 @@ typedef struct {
     gboolean arrows;
 } TinkerGhost;
 
-/* Draws it to .png, .svg or .pdf by the ending of `path`, both frames within the picture. Options as for a picture of one
- * frame; names stand beside the blocks as they are. */
+/* Draws it to .png, .svg or .pdf by the ending of `path`, both frames within the picture. Options as for a picture of
+ * one frame; names stand beside the blocks as they are. */
 gboolean tinker_ghost_to_file(const TinkerGhost *ghost, int width, int height, const TinkerPaintOptions *options,
                               const char *path, GError **error);
 

@@ -1,5 +1,6 @@
-/* The helpers for connectors: coil, dashpot, bar. Each is drawn along the x axis from 0 to its length, on a context that
- * is turned so that this is the line between the two points; where symbols are too small to be seen, it is a line. */
+/* The helpers for connectors: coil, dashpot, bar. Each is drawn along the x axis from 0 to its length, on a context
+ * that is turned so that this is the line between the two points; where symbols are too small to be seen, it is a line.
+ */
 #include "render/style-private.h"
 
 #include <math.h>
@@ -17,7 +18,8 @@
 #define CYLINDER_HALF   0.36
 #define BAR_HALF        0.16
 
-/* Turns the context so that the symbol lies along the x axis. FALSE where a plain line was drawn instead, or nothing. */
+/* Turns the context so that the symbol lies along the x axis. FALSE where a plain line was drawn instead, or nothing.
+ */
 static gboolean enter(const TinkerStyle *style, cairo_t *cairo, int32_t colour, const double line[4], double *length)
 {
     *length = hypot(line[2] - line[0], line[3] - line[1]);

@@ -1,6 +1,7 @@
 /* An icon is the drawing of a mock instance that is in no scene. What a default leaves open is chosen so that there is
- * something to be seen: connectors lie between a left and a right end at their rest length, waveforms are at their amplitude,
- * a field that would be still acts along x. The drawing is measured, and made anew with symbols and a scale that fit. */
+ * something to be seen: connectors lie between a left and a right end at their rest length, waveforms are at their
+ * amplitude, a field that would be still acts along x. The drawing is measured, and made anew with symbols and a scale
+ * that fit. */
 #include "render/icon.h"
 
 #include <math.h>
@@ -24,7 +25,8 @@ typedef struct {
     TinkerEnd *ends;
 } Mock;
 
-/* How it is drawn: canvas units per m, the size of symbols in canvas units, and the point of the canvas where it stands. */
+/* How it is drawn: canvas units per m, the size of symbols in canvas units, and the point of the canvas where it
+ * stands. */
 typedef struct {
     double width, height;
     double scale, symbol;

@@ -7,9 +7,9 @@
 #include "plugin/catalogue.h"
 #include "render/theme.h"
 
-/* Draws the picture that a class brings along (icon_path), else one block of it, as it is with its default properties, into the rectangle (0, 0, width, height) of the context,
- * on whatever is there. 48 by 32 is enough to tell blocks apart. The drawing fills the rectangle as far as its proportions
- * let it and never leaves it. */
+/* Draws the picture that a class brings along (icon_path), else one block of it, as it is with its default properties,
+ * into the rectangle (0, 0, width, height) of the context, on whatever is there. 48 by 32 is enough to tell blocks
+ * apart. The drawing fills the rectangle as far as its proportions let it and never leaves it. */
 void tinker_paint_block_icon(cairo_t *cairo, const TinkerBlockClass *block_class, double width, double height,
                              const TinkerTheme *theme);
 

@@ -30,8 +30,8 @@ int tinker_named_places(const TinkerNamed *named);
 /* The name's box (least and greatest x and y) in a place, and what it costs where nothing is in the way: near ones are
  * better, and above is better than below. */
 void tinker_named_place(const TinkerNamed *named, int number, double box[4]);
-/* A connector's name would be taken for that of another symbol close by: a box beyond the name that should be free as well.
- * Of others the name's own. */
+/* A connector's name would be taken for that of another symbol close by: a box beyond the name that should be free as
+ * well. Of others the name's own. */
 void tinker_named_clearance(const TinkerNamed *named, int number, double box[4]);
 double tinker_named_free_cost(const TinkerNamed *named, int number);
 

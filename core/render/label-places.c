@@ -1,5 +1,5 @@
-/* A body has places in eight directions, four steps outwards each; a connector on both sides of its longest piece, in the
- * middle of it and a third from either end; one with a single end in the eight directions, close by. */
+/* A body has places in eight directions, four steps outwards each; a connector on both sides of its longest piece, in
+ * the middle of it and a third from either end; one with a single end in the eight directions, close by. */
 #include "render/label-places-private.h"
 
 #include <math.h>
@@ -122,8 +122,8 @@ static void place_beside_body(const TinkerNamed *named, int number, double box[4
     box[1] = named->y + down / norm * reach + (down - 1) / 2 * named->name_height;
 }
 
-/* Across the connector, to the side that a place is on: of two that follow each other the first is above it (to the right
- * of one that is upright), the other beneath. */
+/* Across the connector, to the side that a place is on: of two that follow each other the first is above it (to the
+ * right of one that is upright), the other beneath. */
 static void side_of(const TinkerNamed *named, int number, double *across, double *down)
 {
     const double *line = named->line;
@@ -134,7 +134,8 @@ static void side_of(const TinkerNamed *named, int number, double *across, double
     *down = side * y;
 }
 
-/* The strip of a connector is taken in boxes, which reach out farther where the line is oblique; and so does the name. */
+/* The strip of a connector is taken in boxes, which reach out farther where the line is oblique; and so does the name.
+ */
 static void place_along_line(const TinkerNamed *named, int number, double box[4])
 {
     static const double parts[LINE_PARTS] = {1.0 / 2, 1.0 / 3, 2.0 / 3};

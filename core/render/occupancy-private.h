@@ -18,8 +18,8 @@ typedef struct {
 void tinker_occupancy_init(TinkerOccupancy *map, double left, double top, double width, double height, double cell);
 void tinker_occupancy_clear(TinkerOccupancy *map);
 
-/* Takes a box (least and greatest x and y), or the strip of this thickness about a line. What lies outside the map is cut
- * off. */
+/* Takes a box (least and greatest x and y), or the strip of this thickness about a line. What lies outside the map is
+ * cut off. */
 void tinker_occupancy_take_box(TinkerOccupancy *map, const double box[4], guint8 by);
 void tinker_occupancy_take_line(TinkerOccupancy *map, double x1, double y1, double x2, double y2, double thickness,
                                 guint8 by);

@@ -1,6 +1,6 @@
-/* Fields have no place in the world. The painter gives each a slot in the upper left corner of the canvas, as wide as its
- * drawing or its name, and moves the instance's point there; drawings stand on one line, names in a row beneath it. Their
- * size belongs to the canvas: it does not change when the view is zoomed. */
+/* Fields have no place in the world. The painter gives each a slot in the upper left corner of the canvas, as wide as
+ * its drawing or its name, and moves the instance's point there; drawings stand on one line, names in a row beneath it.
+ * Their size belongs to the canvas: it does not change when the view is zoomed. */
 #include "render/painter-private.h"
 
 #include <math.h>
@@ -30,8 +30,8 @@ static TinkerText name_of(const TinkerPicture *picture, TinkerBlockId block)
     return (TinkerText){.text = name, .size = TINKER_STYLE_TEXT, .limit = NAME_LIMIT, .anchor_x = 0.5};
 }
 
-/* The ink of the drawing, which a recording context measures: the declared bounds may be generous. A drawing without ink,
- * or a huge one, gets an empty slot. */
+/* The ink of the drawing, which a recording context measures: the declared bounds may be generous. A drawing without
+ * ink, or a huge one, gets an empty slot. */
 static void drawing_box(TinkerPiece piece, const TinkerStyle *style, double box[4])
 {
     cairo_surface_t *ink = cairo_recording_surface_create(CAIRO_CONTENT_COLOR_ALPHA, NULL);

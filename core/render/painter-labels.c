@@ -1,8 +1,8 @@
-/* Names beside bodies and connectors. The map of what is drawn is filled from the pieces' geometry; a name tries the places
- * of its block, near ones first, and takes the one that covers least. A body's name that would cover another name is left
- * out, unless its block is selected; bodies come first, since springs and rods are told by what they join. A connector's is
- * left out where it would cover anything, and that of one with a single end, whose arrow mostly lies upon other symbols, unless
- * it is selected. */
+/* Names beside bodies and connectors. The map of what is drawn is filled from the pieces' geometry; a name tries the
+ * places of its block, near ones first, and takes the one that covers least. A body's name that would cover another
+ * name is left out, unless its block is selected; bodies come first, since springs and rods are told by what they join.
+ * A connector's is left out where it would cover anything, and that of one with a single end, whose arrow mostly lies
+ * upon other symbols, unless it is selected. */
 #include <math.h>
 #include <string.h>
 

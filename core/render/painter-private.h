@@ -56,11 +56,11 @@ double tinker_frame_typical_size(TinkerFrame *frame);
  * tinker_draw_watch_end says. (transfer full) */
 char *tinker_piece_draw(const TinkerPiece *piece, cairo_t *cairo, const TinkerStyle *style);
 
-/* The same in a picture, within the world; what is broken is told and made anew. */
+/* Draws a piece in a picture, within the world; what is broken is told and made anew. */
 void tinker_picture_draw_piece(TinkerPicture *picture, const TinkerPiece *piece);
 
-/* Fields, side by side in the upper left corner, each with its name beneath; painter-fields.c. Widens `corner` (least and
- * greatest x and y, canvas units) to what they take. */
+/* Fields, side by side in the upper left corner, each with its name beneath; painter-fields.c. Widens `corner` (least
+ * and greatest x and y, canvas units) to what they take. */
 void tinker_picture_draw_fields(TinkerPicture *picture, double corner[4]);
 
 /* Widens `corner` likewise without drawing. */

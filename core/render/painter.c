@@ -1,5 +1,5 @@
-/* A picture is background, grid, the blocks layer by layer, marks of the selection, and on top what belongs to the canvas
- * and not to the world: fields, names, title and time. */
+/* A picture is background, grid, the blocks layer by layer, marks of the selection, and on top what belongs to the
+ * canvas and not to the world: fields, names, title and time. */
 #include "render/painter-private.h"
 
 #include <math.h>
@@ -25,7 +25,8 @@ static void set_colour(cairo_t *cairo, const double colour[4])
     cairo_set_source_rgba(cairo, colour[0], colour[1], colour[2], colour[3]);
 }
 
-/* Background and grid ------------------------------------------------------------------------------------------------ */
+/* Background and grid ------------------------------------------------------------------------------------------------
+ */
 
 static void draw_background(const TinkerPicture *picture)
 {
@@ -70,7 +71,8 @@ static void draw_grid(const TinkerPicture *picture)
     draw_grid_lines(picture, spacing, TRUE);
 }
 
-/* Blocks ------------------------------------------------------------------------------------------------------------- */
+/* Blocks -------------------------------------------------------------------------------------------------------------
+ */
 
 static void mark_selected(TinkerPicture *picture)
 {
@@ -156,7 +158,8 @@ static void draw_dots(TinkerPicture *picture)
     style->state = 0;
 }
 
-/* Marks of the selection and of local origins ------------------------------------------------------------------------- */
+/* Marks of the selection and of local origins -------------------------------------------------------------------------
+ */
 
 /* Handles change the scene as placed; while it is shown at another time, they would be anywhere. */
 static void draw_handles(TinkerPicture *picture)
@@ -207,7 +210,8 @@ static void draw_local_origins(TinkerPicture *picture)
     }
 }
 
-/* The canvas's own ----------------------------------------------------------------------------------------------------- */
+/* The canvas's own
+ * ----------------------------------------------------------------------------------------------------- */
 
 /* Writes a text and answers the box it takes. */
 static void write_text(TinkerPicture *picture, const TinkerText *text, double x, double y, double box[4])
@@ -301,7 +305,8 @@ void tinker_paint_scene(cairo_t *cairo, TinkerFrame *frame, const TinkerView *vi
     tinker_paint_scene_noting(cairo, frame, view, options, NULL);
 }
 
-/* Bounds and files ----------------------------------------------------------------------------------------------------- */
+/* Bounds and files
+ * ----------------------------------------------------------------------------------------------------- */
 
 static void unite(double box[4], const double other[4])
 {
@@ -362,8 +367,8 @@ static void bounds_in(TinkerFrame *frame, const TinkerView *view, double box[4])
 
 void tinker_painter_bounds(TinkerFrame *frame, double box[4])
 {
-    /* Marks are as large on the canvas whatever the view, and the view follows from the box: the first round takes marks
-     * without size, the second those of the view that shows the first box on a canvas of ordinary size. */
+    /* Marks are as large on the canvas whatever the view, and the view follows from the box: the first round takes
+     * marks without size, the second those of the view that shows the first box on a canvas of ordinary size. */
     TinkerView view = {.scale = 1e6, .width = 800, .height = 600};
     for (int round = 0; round < 2; round++) {
         bounds_in(frame, &view, box);

@@ -19,13 +19,11 @@ typedef struct {
     TinkerBlockId highlighted; /* or TINKER_NO_BLOCK */
     const TinkerBlockId *selected;
     int selected_count;
-    gboolean quick; /* for a window: edges in coarser shades, at less than half the cost */
-    TinkerPaintMemory
-        *memory; /* that all pictures of a film or a window share: each takes less time, and a name stays on
-                                  its side of its body. NULL: every picture is made by itself */
-    GHashTable *
-        faults; /* block class to text (owned): what drawings did to the context that they must not do, with the block's
-                         * name, once a class. NULL: it is not told */
+    gboolean quick;            /* for a window: edges in coarser shades, at less than half the cost */
+    TinkerPaintMemory *memory; /* that all pictures of a film or a window share: each takes less time, and a name stays
+                                  on its side of its body. NULL: every picture is made by itself */
+    GHashTable *faults; /* block class to text (owned): what drawings did to the context that they must not do, with the
+                         * block's name, once a class. NULL: it is not told */
 } TinkerPaintOptions;
 
 /* The light theme, grid and labels on, time and title off, nothing selected. */
@@ -34,8 +32,8 @@ TinkerPaintOptions tinker_paint_options_default(void);
 /* The world box that shows everything in the frame, drawings' bounds included. */
 void tinker_painter_bounds(TinkerFrame *frame, double box[4]);
 
-/* The world boxes of the drawings in a view, of double[4] as above, in drawing order; fields have none. The frame's symbol
- * size becomes that of the view. (transfer full) */
+/* The world boxes of the drawings in a view, of double[4] as above, in drawing order; fields have none. The frame's
+ * symbol size becomes that of the view. (transfer full) */
 GArray *tinker_painter_boxes(TinkerFrame *frame, const TinkerView *view);
 
 /* The size of symbols (m) that the painter draws this frame with at a scale (canvas units per m). */

@@ -1,6 +1,6 @@
-/* An axis: its range, its ticks, and labels that can be read. Numbers whose digits would fill the margin are shortened: a
- * power of ten moves into the unit of the axis's title ("Y Position [10⁻⁹ m]"), and a constant that all ticks share is
- * taken off and named there ("Y Position − 9.81 [10⁻⁶ m]"). */
+/* An axis: its range, its ticks, and labels that can be read. Numbers whose digits would fill the margin are shortened:
+ * a power of ten moves into the unit of the axis's title ("Y Position [10⁻⁹ m]"), and a constant that all ticks share
+ * is taken off and named there ("Y Position − 9.81 [10⁻⁶ m]"). */
 #include <math.h>
 #include <string.h>
 
@@ -59,7 +59,8 @@ void tinker_axis_clear(TinkerAxis *axis)
     g_clear_pointer(&axis->title, g_free);
 }
 
-/* Labels --------------------------------------------------------------------------------------------------------------- */
+/* Labels
+ * --------------------------------------------------------------------------------------------------------------- */
 
 static int decade_of(double value)
 {
@@ -143,7 +144,8 @@ static char *title_of(const char *label, const Shortening *shortening)
     return g_string_free(title, FALSE);
 }
 
-/* Ticks ---------------------------------------------------------------------------------------------------------------- */
+/* Ticks
+ * ---------------------------------------------------------------------------------------------------------------- */
 
 static void set_number_ticks(TinkerAxis *axis, double low, double high, int most, const char *label)
 {
@@ -180,8 +182,8 @@ static void set_decade_ticks(TinkerAxis *axis, int most, const char *label)
     axis->title = g_strdup(label ? label : "");
 }
 
-/* 1, 2 and 5 times powers of ten, as plain numbers. FALSE where fewer than three of them lie on the axis, or more than `most`
- * do. */
+/* 1, 2 and 5 times powers of ten, as plain numbers. FALSE where fewer than three of them lie on the axis, or more than
+ * `most` do. */
 static gboolean set_one_two_five_ticks(TinkerAxis *axis, int most, const char *label)
 {
     static const int mantissas[] = {1, 2, 5};

@@ -1,6 +1,6 @@
-/* Curves are thinned before they are drawn: of the consecutive points that share a pixel column the first, the least, the
- * greatest and the last are kept, in their order. What is left paints the same pixels, and a spike of one sample among
- * millions stays. As only neighbours are merged, this holds for paths in the plane too. */
+/* Curves are thinned before they are drawn: of the consecutive points that share a pixel column the first, the least,
+ * the greatest and the last are kept, in their order. What is left paints the same pixels, and a spike of one sample
+ * among millions stays. As only neighbours are merged, this holds for paths in the plane too. */
 #include <math.h>
 
 #include "render/plot-private.h"
@@ -12,8 +12,8 @@
 #define BAND_ALPHA    0.22
 #define CURVE_COLOURS 8
 
-/* The points of one column, by their numbers. They are compared as numbers of the data: only those that are kept are placed on
- * the canvas. */
+/* The points of one column, by their numbers. They are compared as numbers of the data: only those that are kept are
+ * placed on the canvas. */
 typedef struct {
     const TinkerPlotLayout *layout;
     const TinkerCurve *curve;
@@ -98,7 +98,8 @@ void tinker_plot_walk(const TinkerPlotLayout *layout, const TinkerCurve *curve, 
     close_column(&thinner);
 }
 
-/* Style ---------------------------------------------------------------------------------------------------------------- */
+/* Style
+ * ---------------------------------------------------------------------------------------------------------------- */
 
 static int colour_number(const TinkerCurve *curve)
 {
@@ -176,7 +177,8 @@ void tinker_plot_draw_marker(cairo_t *cairo, const TinkerCurve *curve, double x,
     cairo_fill(cairo);
 }
 
-/* Drawing -------------------------------------------------------------------------------------------------------------- */
+/* Drawing
+ * -------------------------------------------------------------------------------------------------------------- */
 
 /* A curve on its way to the path. */
 typedef struct {

@@ -1,6 +1,6 @@
 /* The layout: ranges from the data, then the margins that titles and tick labels need, then as many ticks as have room.
- * Each depends a little on the others, so it goes round twice; a legend that has no place among the curves costs one more
- * round. */
+ * Each depends a little on the others, so it goes round twice; a legend that has no place among the curves costs one
+ * more round. */
 #include <math.h>
 #include <string.h>
 

@@ -1,5 +1,6 @@
-/* The legend looks for the corner, then the side, that no curve passes; where there is none it stands beside the plot, and
- * where there is no room beside it, over the curves where it hides least, on a ground that lets them through a little. */
+/* The legend looks for the corner, then the side, that no curve passes; where there is none it stands beside the plot,
+ * and where there is no room beside it, over the curves where it hides least, on a ground that lets them through a
+ * little. */
 #include <math.h>
 
 #include "render/occupancy-private.h"

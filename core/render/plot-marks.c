@@ -1,5 +1,5 @@
-/* Marks over the curves of a graph in a window: an upright line where time is, with a dot on every curve, and the point that
- * is read, with a bubble beside it that says its values and never leaves the picture of the curves. */
+/* Marks over the curves of a graph in a window: an upright line where time is, with a dot on every curve, and the point
+ * that is read, with a bubble beside it that says its values and never leaves the picture of the curves. */
 #include <math.h>
 
 #include "render/plot-private.h"
@@ -34,7 +34,8 @@ static gboolean is_inside(const TinkerPlotLayout *layout, double x, double y)
     return x >= layout->left - 0.5 && x <= layout->right + 0.5 && y >= layout->top - 0.5 && y <= layout->bottom + 0.5;
 }
 
-/* Dots where the curve passes the cursor: on each piece between two points on either side of it, and on its last point. */
+/* Dots where the curve passes the cursor: on each piece between two points on either side of it, and on its last point.
+ */
 static void draw_dots(cairo_t *cairo, const TinkerPlotLayout *layout, const TinkerCurve *curve, double cursor)
 {
     double at = tinker_axis_place(&layout->x, cursor), x1, y1, x2, y2;
@@ -72,7 +73,8 @@ void tinker_plot_draw_cursor(cairo_t *cairo, const TinkerPlotLayout *layout)
         if (plot->curves[i].role == TINKER_CURVE_DATA) draw_dots(cairo, layout, &plot->curves[i], *plot->cursor);
 }
 
-/* Reading ------------------------------------------------------------------------------------------------------------ */
+/* Reading ------------------------------------------------------------------------------------------------------------
+ */
 
 static TinkerText line_of(const TinkerPlotLayout *layout, const char *words)
 {

@@ -1,5 +1,5 @@
-/* Round numbers. A tick is an integer times 1, 2 or 5 times a power of ten, and is made as decimal text and read back, so
- * that it is the double nearest to the round number in every decade. */
+/* Round numbers. A tick is an integer times 1, 2 or 5 times a power of ten, and is made as decimal text and read back,
+ * so that it is the double nearest to the round number in every decade. */
 #include <math.h>
 
 #include "render/plot-private.h"

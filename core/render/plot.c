@@ -28,7 +28,8 @@ static double place_of_tick(const TinkerAxis *axis, double tick)
     return axis->start + (tick - axis->low) / (axis->high - axis->low) * axis->length;
 }
 
-/* Grid ----------------------------------------------------------------------------------------------------------------- */
+/* Grid
+ * ----------------------------------------------------------------------------------------------------------------- */
 
 static void draw_grid_line(cairo_t *cairo, const TinkerPlotLayout *layout, const TinkerAxis *axis, double tick)
 {
@@ -71,7 +72,8 @@ static void draw_grid(cairo_t *cairo, const TinkerPlotLayout *layout)
     }
 }
 
-/* Frame and texts ------------------------------------------------------------------------------------------------------ */
+/* Frame and texts
+ * ------------------------------------------------------------------------------------------------------ */
 
 static void draw_frame(cairo_t *cairo, const TinkerPlotLayout *layout)
 {
@@ -172,7 +174,8 @@ static void draw_no_data(cairo_t *cairo, const TinkerPlotLayout *layout)
     tinker_text_draw(layout->pen, cairo, &text, (layout->left + layout->right) / 2, (layout->top + layout->bottom) / 2);
 }
 
-/* Curves --------------------------------------------------------------------------------------------------------------- */
+/* Curves
+ * --------------------------------------------------------------------------------------------------------------- */
 
 static double column_width(cairo_t *cairo, gboolean quick)
 {

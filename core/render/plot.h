@@ -62,8 +62,8 @@ typedef struct {
     double canvas_x, canvas_y;
 } TinkerPlotPoint;
 
-/* The point of any curve nearest to a place of the canvas, for reading values off a plot of this size. FALSE where there
- * is none within `reach` (canvas units). */
+/* The point of any curve nearest to a place of the canvas, for reading values off a plot of this size. FALSE where
+ * there is none within `reach` (canvas units). */
 gboolean tinker_plot_pick(const TinkerPlot *plot, double width, double height, double canvas_x, double canvas_y,
                           double reach, TinkerPlotPoint *found);
 

@@ -1,7 +1,7 @@
 /* The style that blocks draw with: the host's side of tinker/render.h.
  *
- * The painter makes one for every picture. Whoever draws something of his own over a scene (arrows of forces, a ghost of
- * what is being placed) makes one too and uses the same helpers. */
+ * The painter makes one for every picture. Whoever draws something of his own over a scene (arrows of forces, a ghost
+ * of what is being placed) makes one too and uses the same helpers. */
 #ifndef TINKER_CORE_STYLE_H
 #define TINKER_CORE_STYLE_H
 

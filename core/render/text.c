@@ -1,6 +1,7 @@
-/* One PangoLayout is kept by a pen and set anew for every text: layouts are dear to make and cheap to change. Where texts
- * come again in the next picture, a memory keeps one of each. Layouts belong to a context of our own and not to the cairo
- * context's, so that measuring needs no surface and the settings of a desktop (hinting, resolution) change no picture. */
+/* One PangoLayout is kept by a pen and set anew for every text: layouts are dear to make and cheap to change. Where
+ * texts come again in the next picture, a memory keeps one of each. Layouts belong to a context of our own and not to
+ * the cairo context's, so that measuring needs no surface and the settings of a desktop (hinting, resolution) change no
+ * picture. */
 #include "render/text-private.h"
 
 #include <math.h>

@@ -1,5 +1,5 @@
-/* The view: from world to canvas and back. World coordinates are in m with y up, canvas coordinates in pixels (or points)
- * with y down. */
+/* The view: from world to canvas and back. World coordinates are in m with y up, canvas coordinates in pixels (or
+ * points) with y down. */
 #ifndef TINKER_CORE_VIEW_H
 #define TINKER_CORE_VIEW_H
 

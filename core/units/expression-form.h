@@ -18,8 +18,8 @@ typedef struct {
     TinkerHarmonic harmonics[TINKER_MOST_HARMONICS];
 } TinkerForm;
 
-/* How many harmonics the program has at most, in any of its pieces, beside a polynomial of degree 3; -1 where it is not of
- * that form, or not seen to be. */
+/* How many harmonics the program has at most, in any of its pieces, beside a polynomial of degree 3; -1 where it is not
+ * of that form, or not seen to be. */
 int tinker_program_harmonics(const TinkerProgram *program);
 
 /* The form by the cells as they stand, about the time t. Only where tinker_program_harmonics is not -1. */

@@ -1,6 +1,6 @@
 /* Enclosing a program over an interval of time: the same rules as for jets, on intervals. What the search for breaks
- * needs: a range without zero excludes a root, a derivative without zero leaves one at most, a second derivative without
- * zero leaves two. */
+ * needs: a range without zero excludes a root, a derivative without zero leaves one at most, a second derivative
+ * without zero leaves two. */
 #include <math.h>
 
 #include "units/expression-private.h"

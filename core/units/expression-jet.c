@@ -1,5 +1,5 @@
-/* Jets: value, first and second derivative carried forward together (A. Griewank, A. Walther, Evaluating Derivatives, SIAM 2008,
- * chapter 13). */
+/* Jets: value, first and second derivative carried forward together (A. Griewank, A. Walther, Evaluating Derivatives,
+ * SIAM 2008, chapter 13). */
 #include <math.h>
 
 #include "units/expression-private.h"
@@ -88,8 +88,8 @@ static TinkerJet power(const TinkerJet *a, const TinkerJet *b)
     return (TinkerJet){value, value * h.first, value * (h.first * h.first + h.second)};
 }
 
-/* The angle of (x, y): its rate is (x y' - y x') / (x^2 + y^2). Behind the cut, where y has crossed to the other side of
- * the one that `cell` names, the angle goes on smoothly beyond pi or -pi. */
+/* The angle of (x, y): its rate is (x y' - y x') / (x^2 + y^2). Behind the cut, where y has crossed to the other side
+ * of the one that `cell` names, the angle goes on smoothly beyond pi or -pi. */
 static TinkerJet angle(const TinkerJet *y, const TinkerJet *x, double cell)
 {
     const double square = x->value * x->value + y->value * y->value;

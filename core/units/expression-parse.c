@@ -161,8 +161,8 @@ static int parse_branch(Parser *parser, int truth, gboolean taken)
     return value;
 }
 
-/* The arguments behind the opening bracket. Those of an `if` stand under guards: what switches in the branch that is not
- * taken is no break. */
+/* The arguments behind the opening bracket. Those of an `if` stand under guards: what switches in the branch that is
+ * not taken is no break. */
 static gboolean parse_arguments(Parser *parser, const TinkerFunction *function, int arguments[TINKER_MOST_ARGUMENTS])
 {
     const gboolean conditional = strcmp(function->name, "if") == 0;

@@ -1,12 +1,13 @@
 /* Where a program's value leaves the numbers: poles, and the edges of where it is defined.
  *
- * Only a few operations lead there, each where something comes to 0: a divisor, the base of a power, the argument of log and
- * sqrt, the cosine of that of tan, 1 - x^2 of asin and acos. These are walked along as the arguments of switches are: an
- * interval over which the enclosure excludes 0 holds none, one over which the derivative has no zero holds one where the signs at its
- * ends differ, any other is halved, down to 4 ulp. So a divisor that only touches 0 is found as well. A place that is found
- * counts where the value of the whole program grows towards it, from either side, or is no number behind it: sin(t) / t
- * passes. What grows is told by three places, each a hundred times as near as the one before: a function that is
- * bounded changes less and less between them, a logarithm by the same, a pole by more. */
+ * Only a few operations lead there, each where something comes to 0: a divisor, the base of a power, the argument of
+ * log and sqrt, the cosine of that of tan, 1 - x^2 of asin and acos. These are walked along as the arguments of
+ * switches are: an interval over which the enclosure excludes 0 holds none, one over which the derivative has no zero
+ * holds one where the signs at its ends differ, any other is halved, down to 4 ulp. So a divisor that only touches 0 is
+ * found as well. A place that is found counts where the value of the whole program grows towards it, from either side,
+ * or is no number behind it: sin(t) / t passes. What grows is told by three places, each a hundred times as near as the
+ * one before: a function that is bounded changes less and less between them, a logarithm by the same, a pole by more.
+ */
 #include <math.h>
 
 #include "units/expression-private.h"
@@ -15,8 +16,8 @@
 #define MOST_WORK 50000
 /* The first of the three places, as a share of the way there. */
 #define NEAR 1e-3
-/* Of the change from the first to the second: what that from the second to the third is at least; and of the value, which is
- * rounded. */
+/* Of the change from the first to the second: what that from the second to the third is at least; and of the value,
+ * which is rounded. */
 #define GROWS   0.75
 #define NOTICED 1e-3
 
@@ -119,8 +120,8 @@ static double next_zero(Search *search, double t, double end)
     return INFINITY;
 }
 
-/* Whether the program's value grows from one side towards a place. The last look is not so near that what cancels in a value with a
- * limit, such as (1 - cos(x))/x^2, is rounding. */
+/* Whether the program's value grows from one side towards a place. The last look is not so near that what cancels in a
+ * value with a limit, such as (1 - cos(x))/x^2, is rounding. */
 static gboolean grows(const TinkerProgramState *state, double place, double offset)
 {
     double value[3];

@@ -4,7 +4,8 @@
  * All switching goes through one instruction. TINKER_OP_SWITCH looks into which *cell* its argument falls: for a single
  * level, cell -1 below 0 and cell 0 from there on; for periodic levels, floor(argument / period). The functions that
  * switch are smooth functions of their arguments and of cells: abs(x) chooses -x or x by the cell of x, mod(a, b) is
- * a - b * floor(a / b). Cells are decided once for a piece and are constants within it. A break is where a cell changes.
+ * a - b * floor(a / b). Cells are decided once for a piece and are constants within it. A break is where a cell
+ * changes.
  */
 #ifndef TINKER_EXPRESSION_PRIVATE_H
 #define TINKER_EXPRESSION_PRIVATE_H
@@ -20,7 +21,8 @@ typedef enum {
     TINKER_OP_CONSTANT, /* number */
     TINKER_OP_TIME,
     TINKER_OP_SWITCH, /* the cell of a; number is the period of the levels, 0 for the single level 0 */
-    TINKER_OP_TRUTH, /* 0 where a is not 0, else -1: the condition of an `if`. What a compares to has breaks, this none */
+    TINKER_OP_TRUTH,  /* 0 where a is not 0, else -1: the condition of an `if`. What a compares to has breaks, this none
+                       */
     TINKER_OP_CHOOSE, /* a where the cell of c is negative, else b */
     TINKER_OP_PARITY, /* 1 where a is even, else -1 */
     TINKER_OP_NEGATE,
@@ -91,8 +93,8 @@ typedef struct {
     TinkerAffine *affine;
 } TinkerProgramState;
 
-/* Compiles; see tinker_waveform_new_expression. Where the text says t, the program takes t + shift. A text that was compiled
- * once can be compiled with any finite shift. (transfer full) */
+/* Compiles; see tinker_waveform_new_expression. Where the text says t, the program takes t + shift. A text that was
+ * compiled once can be compiled with any finite shift. (transfer full) */
 TinkerProgram *tinker_program_parse(const char *text, double shift, GError **error);
 
 /* The text with every t replaced by (t + shift). (transfer full) */
@@ -156,8 +158,8 @@ void tinker_program_select(TinkerProgramState *state, int root);
 TinkerJet tinker_program_evaluate(const TinkerProgramState *state, double t);
 TinkerRangeJet tinker_program_enclose(const TinkerProgramState *state, double low, double high);
 
-/* The degree that the program has as a polynomial of t within a piece, at most; more than any number of use where it is none,
- * or none that is seen to be one. */
+/* The degree that the program has as a polynomial of t within a piece, at most; more than any number of use where it is
+ * none, or none that is seen to be one. */
 int tinker_program_degree(const TinkerProgram *program);
 
 /* ulp of t: places as near as this are one, to the searches for breaks and for poles. */
@@ -178,8 +180,8 @@ double tinker_program_next_pole(TinkerProgramState *state, double t, double end)
 /* The cell of an argument, by a SWITCH or TRUTH instruction. */
 double tinker_instruction_cell(const TinkerInstruction *instruction, double argument);
 
-/* The cell of a piece, from the argument at a time inside it. That time may happen to be one at which the argument touches
- * a level or passes through 0: the derivatives then tell what it is on both sides. */
+/* The cell of a piece, from the argument at a time inside it. That time may happen to be one at which the argument
+ * touches a level or passes through 0: the derivatives then tell what it is on both sides. */
 double tinker_instruction_decide(const TinkerInstruction *instruction, const TinkerJet *argument);
 
 /* A smooth operation on its arguments; b only where it has two, `cell` only for TINKER_OP_ATAN2. */

@@ -1,5 +1,5 @@
-/* Tables in memory: linear between rows, along a natural cubic spline, or as an acceleration that is integrated exactly,
- * since the integrals of a line are polynomials. */
+/* Tables in memory: linear between rows, along a natural cubic spline, or as an acceleration that is integrated
+ * exactly, since the integrals of a line are polynomials. */
 #include <math.h>
 
 #include "units/table-private.h"
@@ -36,8 +36,8 @@ static gboolean integrate(TinkerTable *table, GError **error)
 }
 
 /* Second derivatives at the rows, from the equations of a C2 cubic with zero ones at both ends, solved by elimination:
- * h0 m0 + 2 (h0 + h1) m1 + h1 m2 = 6 (slope1 - slope0). C. de Boor, A Practical Guide to Splines, chapter IV. NULL: there is no
- * memory. */
+ * h0 m0 + 2 (h0 + h1) m1 + h1 m2 = 6 (slope1 - slope0). C. de Boor, A Practical Guide to Splines, chapter IV. NULL:
+ * there is no memory. */
 static double *spline_bends(const TinkerTable *table)
 {
     g_autofree double *bends = g_try_new0(double, table->rows), *ratios = g_try_new0(double, table->rows);

@@ -1,4 +1,5 @@
-/* The tables: every unit that can be written, with its exact factor, and what the dimensions are called and displayed in.
+/* The tables: every unit that can be written, with its exact factor, and what the dimensions are called and displayed
+ * in.
  *
  * English factors follow from four exact ones: the inch of 0.0254 m, the pound of 0.45359237 kg (international yard and
  * pound agreement, 1959), standard gravity 9.80665 m/s^2 (CGPM 1901) and the second. All else is computed from them by

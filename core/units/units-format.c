@@ -30,7 +30,8 @@ static double factor_of(const char *unit, TinkerDimension dimension, const char 
 }
 
 /* Next to a power of two the doubles below lie twice as close as those above, and the shortest number that reads back
- * may not be the nearest of its length but the one above it. Counts the last of 16 digits up; TRUE where it reads back. */
+ * may not be the nearest of its length but the one above it. Counts the last of 16 digits up; TRUE where it reads back.
+ */
 static gboolean print_digits_above(double value, char *text, gsize room)
 {
     int exponent;

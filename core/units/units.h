@@ -1,7 +1,8 @@
 /* Units: a table of exact factors, and the way from text to a number in SI and back.
  *
  * A unit is a product of powers of table entries, "N/m", "lbf*s/ft", "m/s^2", "N s/m", "kg·m^2"; `/` divides by the one
- * factor behind it. A number with a unit is a decimal number, optional space, and a unit: "12 in", "-3.5 ft/s", "30deg".
+ * factor behind it. A number with a unit is a decimal number, optional space, and a unit: "12 in", "-3.5 ft/s",
+ * "30deg".
  */
 #ifndef TINKER_CORE_UNITS_H
 #define TINKER_CORE_UNITS_H
@@ -46,8 +47,8 @@ const char *tinker_unit_for(TinkerDimension dimension, TinkerUnitSystem system);
  * Angles are "rad" here. Interned. */
 const char *tinker_unit_si_symbol(TinkerDimension dimension);
 
-/* A value for people: `decimals` digits behind the point and the unit, "0.06852 slug". `unit` is text as tinker_unit_parse
- * takes it, or NULL for tinker_unit_for. (transfer full) */
+/* A value for people: `decimals` digits behind the point and the unit, "0.06852 slug". `unit` is text as
+ * tinker_unit_parse takes it, or NULL for tinker_unit_for. (transfer full) */
 char *tinker_quantity_format(double si, TinkerDimension dimension, const char *unit, TinkerUnitSystem system,
                              int decimals);
 
@@ -61,8 +62,8 @@ char *tinker_quantity_to_text(double si, TinkerDimension dimension, TinkerUnitSy
 /* The shortest decimal text that reads back as the same double, '.' whatever the locale. `room` is at least 32. */
 void tinker_number_to_text(double value, char *text, gsize room);
 
-/* A length of time for people, in the unit that suits its size and without a power of ten: "680 ns", "49.1 µs", "0.5 s", "12
- * s" from there on. `digits` significant ones, 1 to 6. (transfer full) */
+/* A length of time for people, in the unit that suits its size and without a power of ten: "680 ns", "49.1 µs", "0.5
+ * s", "12 s" from there on. `digits` significant ones, 1 to 6. (transfer full) */
 char *tinker_duration_text(double seconds, int digits);
 
 static inline gboolean tinker_dimension_equal(TinkerDimension a, TinkerDimension b)
@@ -70,11 +71,12 @@ static inline gboolean tinker_dimension_equal(TinkerDimension a, TinkerDimension
     return a.mass == b.mass && a.length == b.length && a.time == b.time && a.angle == b.angle;
 }
 
-/* What a dimension is called: "mass", "length", "stiffness", "damping"; its SI symbol where it has no name. Interned. */
+/* What a dimension is called: "mass", "length", "stiffness", "damping"; its SI symbol where it has no name. Interned.
+ */
 const char *tinker_dimension_name(TinkerDimension dimension);
 
-/* The candidate nearest to `word` by edit distance, or NULL where none is near enough for a "did you mean". Borrowed from
- * `candidates`, which ends with NULL. */
+/* The candidate nearest to `word` by edit distance, or NULL where none is near enough for a "did you mean". Borrowed
+ * from `candidates`, which ends with NULL. */
 const char *tinker_nearest_word(const char *word, const char *const *candidates);
 
 #endif

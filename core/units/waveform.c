@@ -51,7 +51,8 @@ static void store(TinkerJet jet, double result[3])
     result[2] = jet.second;
 }
 
-/* The number of rows up to and including t. By the rows' own shifted times, so that a break that was reported is met. */
+/* The number of rows up to and including t. By the rows' own shifted times, so that a break that was reported is met.
+ */
 static gsize table_piece(const TinkerWaveform *waveform, double t)
 {
     const TinkerTable *table = waveform->table;
@@ -72,8 +73,8 @@ static double next_row(const TinkerWaveform *waveform, double t, double horizon)
     return next <= horizon ? next : INFINITY;
 }
 
-/* A time left of t with no break between them. Each width costs a search, so that there are few of them also where t is so
- * near to 0 that the smallest is a hundred decades away. */
+/* A time left of t with no break between them. Each width costs a search, so that there are few of them also where t is
+ * so near to 0 that the smallest is a hundred decades away. */
 static double inside_left(const TinkerWaveformEvaluator *evaluator, double t)
 {
     const double size = fmax(fabs(t), fabs(evaluator->waveform->shift));

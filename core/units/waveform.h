@@ -50,18 +50,18 @@ TinkerWaveform *tinker_waveform_new_table(const double *times, const double *val
                                           GError **error);
 
 /* Reads column `column` of a CSV file (time in column 0; a header line, blank lines and lines that begin with # are
- * passed over), multiplies it by `scale`. Errors name file, line and column; TINKER_WAVEFORM_ERROR_FILE where the file, or
- * memory for it, cannot be had. (transfer full) */
+ * passed over), multiplies it by `scale`. Errors name file, line and column; TINKER_WAVEFORM_ERROR_FILE where the file,
+ * or memory for it, cannot be had. (transfer full) */
 TinkerWaveform *tinker_waveform_new_table_file(const char *path, int column, double scale, TinkerTableKind kind,
                                                GError **error);
 
-/* Works out what reading the waveform as a smooth one needs (see tinker_waveform_evaluator_new), which a table's evaluator
- * else does, and ends the program where there is no memory: this says TINKER_WAVEFORM_ERROR_FILE. */
+/* Works out what reading the waveform as a smooth one needs (see tinker_waveform_evaluator_new), which a table's
+ * evaluator else does, and ends the program where there is no memory: this says TINKER_WAVEFORM_ERROR_FILE. */
 gboolean tinker_waveform_prepare_smooth(TinkerWaveform *waveform, GError **error);
 
-/* The waveform as it is `by` (s, finite) later: f(t + by), with everything that belongs to it: breaks, jumps, forms, and the
- * velocity and displacement that a table of accelerations has grown to. A harmonic's phase advances by frequency * by. What
- * was shifted once can be shifted again. (transfer full) */
+/* The waveform as it is `by` (s, finite) later: f(t + by), with everything that belongs to it: breaks, jumps, forms,
+ * and the velocity and displacement that a table of accelerations has grown to. A harmonic's phase advances by
+ * frequency * by. What was shifted once can be shifted again. (transfer full) */
 TinkerWaveform *tinker_waveform_shifted(TinkerWaveform *waveform, double by);
 
 TinkerWaveform *tinker_waveform_ref(TinkerWaveform *waveform);
@@ -98,18 +98,20 @@ void tinker_waveform_enter_piece(TinkerWaveformEvaluator *evaluator, double insi
 /* Value, first and second derivative at t, by the switches of the piece entered last. */
 void tinker_waveform_evaluate(const TinkerWaveformEvaluator *evaluator, double t, double result[3]);
 
-/* As how many signals the waveform can be given in every one of its pieces: polynomials of t up to degree 3 and harmonics,
- * which are added up; at least 1. 0 where it has no such form. Expressions have it where they are made of such terms. */
+/* As how many signals the waveform can be given in every one of its pieces: polynomials of t up to degree 3 and
+ * harmonics, which are added up; at least 1. 0 where it has no such form. Expressions have it where they are made of
+ * such terms. */
 int tinker_waveform_signals(const TinkerWaveformEvaluator *evaluator);
 
-/* Those signals in the piece entered last, about the time t, which is in the piece or at one of its ends. Allots memory. */
+/* Those signals in the piece entered last, about the time t, which is in the piece or at one of its ends. Allots
+ * memory. */
 void tinker_waveform_form(const TinkerWaveformEvaluator *evaluator, double t, TinkerSignal *signals);
 
 /* The first break after t and not after `horizon`; INFINITY where there is none. Switching arguments that are affine in
  * t are solved exactly; others by interval bisection, which finds every sign change that interval arithmetic cannot
- * exclude, down to a width of 4 ulp of t. Breaks nearer to t than that count as t itself. The work is bounded (half a million
- * instructions enclosed in one call); a horizon that is not searched by then is looked at in 1024 places. At a time that
- * is reported as a break nothing need jump. */
+ * exclude, down to a width of 4 ulp of t. Breaks nearer to t than that count as t itself. The work is bounded (half a
+ * million instructions enclosed in one call); a horizon that is not searched by then is looked at in 1024 places. At a
+ * time that is reported as a break nothing need jump. */
 double tinker_waveform_next_break(const TinkerWaveformEvaluator *evaluator, double t, double horizon);
 
 /* Whether value or first derivative jump at the break t, and by how much: right minus left. A rod or a contact on a

@@ -57,7 +57,8 @@ static gboolean sheet_write(Sheet *sheet, TinkerPlot plot, int width, int height
     return tinker_plot_to_file(&plot, width, height, path, error);
 }
 
-/* Where a step is accurate --------------------------------------------------------------------------------------------- */
+/* Where a step is accurate
+ * --------------------------------------------------------------------------------------------- */
 
 static gboolean is_accurate(const Method *method, double angle, double distance)
 {
@@ -82,7 +83,8 @@ static void place_of_accuracy(const void *data, double share, double *x, double 
     *y = low * sin(angle);
 }
 
-/* Regions -------------------------------------------------------------------------------------------------------------- */
+/* Regions
+ * -------------------------------------------------------------------------------------------------------------- */
 
 static void place_of_points(const void *data, double share, double *x, double *y)
 {
@@ -208,7 +210,8 @@ static gboolean draw_method(const char *folder, const Method *method, GError **e
     return draw_region(folder, method, limited ? explicit : implicit, square, error);
 }
 
-/* Comparisons ---------------------------------------------------------------------------------------------------------- */
+/* Comparisons
+ * ---------------------------------------------------------------------------------------------------------- */
 
 static void place_of_order(const void *data, double share, double *x, double *y)
 {

@@ -1,6 +1,6 @@
-/* Growth by the program's own steps wherever a method can be stepped at a given length; of the adaptive Runge-Kutta pairs,
- * whose steps choose their length themselves, by their tableaus; of the backward differentiation formulas by their
- * characteristic polynomials. */
+/* Growth by the program's own steps wherever a method can be stepped at a given length; of the adaptive Runge-Kutta
+ * pairs, whose steps choose their length themselves, by their tableaus; of the backward differentiation formulas by
+ * their characteristic polynomials. */
 #include "growth.h"
 
 #include <complex.h>
@@ -44,7 +44,8 @@ static double long_run_growth(const Method *method, double x, double y)
     return tinker_long_run_growth(docs_integrator(method), 0, oscillator_at(method, x, y), 1.0);
 }
 
-/* Runge-Kutta pairs -------------------------------------------------------------------------------------------------- */
+/* Runge-Kutta pairs --------------------------------------------------------------------------------------------------
+ */
 
 /* What y' = lambda y is multiplied by at a step. */
 static double complex tableau_factor(const Method *method, double complex z)
@@ -76,7 +77,8 @@ static double tableau_error(const Method *method, double x, double y)
     return worst;
 }
 
-/* Backward differentiation formulas ---------------------------------------------------------------------------------- */
+/* Backward differentiation formulas ----------------------------------------------------------------------------------
+ */
 
 /* The formula applied to y' = z y: sum_k coefficient[k] y_(n - k) = 0, from sum_j (1 - shift)^j / j = z. */
 static void bdf_coefficients(int order, double complex z, double complex *coefficient)
@@ -137,7 +139,8 @@ void docs_bdf_edge(int order, double angle, double *real, double *imaginary)
     *imaginary = cimag(edge);
 }
 
-/* Everything else ---------------------------------------------------------------------------------------------------- */
+/* Everything else ----------------------------------------------------------------------------------------------------
+ */
 
 static double exact_growth(const Method *method, double x, double y)
 {

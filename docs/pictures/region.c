@@ -48,7 +48,8 @@ static double *new_numbers(GPtrArray *numbers, gsize count)
     return made;
 }
 
-/* Shades --------------------------------------------------------------------------------------------------------------- */
+/* Shades
+ * --------------------------------------------------------------------------------------------------------------- */
 
 /* Where between two places growth passes the level, as a share of the way. */
 static double passing(double from, double to, double level)
@@ -98,7 +99,8 @@ void docs_add_shade(GArray *curves, GPtrArray *numbers, const Grid *grid, double
     g_array_append_val(curves, shade);
 }
 
-/* Edges ---------------------------------------------------------------------------------------------------------------- */
+/* Edges
+ * ---------------------------------------------------------------------------------------------------------------- */
 
 static void append_point(GArray *line, double x, double y)
 {

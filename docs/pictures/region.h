@@ -17,8 +17,8 @@ typedef struct {
 void docs_grid_init(Grid *grid, const Method *method, const double *view);
 void docs_grid_clear(Grid *grid);
 
-/* Adds a band that fills where growth is at most `level`, in a colour of the theme's curves. `curves`: of TinkerCurve, whose
- * numbers are added to `numbers`, to be freed with it. */
+/* Adds a band that fills where growth is at most `level`, in a colour of the theme's curves. `curves`: of TinkerCurve,
+ * whose numbers are added to `numbers`, to be freed with it. */
 void docs_add_shade(GArray *curves, GPtrArray *numbers, const Grid *grid, double level, int colour);
 
 /* Adds the line where growth is `level`. */

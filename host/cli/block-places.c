@@ -9,8 +9,8 @@ static gboolean is_about(const char *message, const char *name)
     return g_str_has_prefix(message, name) && g_str_has_prefix(message + strlen(name), ": ");
 }
 
-/* The place in the drawing order of the block that a message is about; -1: of none. Of the names that fit, as "A" and "A: B"
- * may both, the longest is meant. */
+/* The place in the drawing order of the block that a message is about; -1: of none. Of the names that fit, as "A" and
+ * "A: B" may both, the longest is meant. */
 static int32_t find_block(const TinkerScene *scene, const char *message)
 {
     int32_t found = -1;

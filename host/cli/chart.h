@@ -34,8 +34,8 @@ gboolean tinker_chart_add(TinkerChart *chart, const char *name, const char *agai
  * const TinkerSceneGraph *. */
 gboolean tinker_chart_add_graphs_of_scene(TinkerChart *chart, GPtrArray *left_out, GError **error);
 
-/* Takes a sample of all columns, as a TinkerSampleFunc hands it out. `bands` says how far each may be off (NAN: nobody knows);
- * NULL at all samples or at none. */
+/* Takes a sample of all columns, as a TinkerSampleFunc hands it out. `bands` says how far each may be off (NAN: nobody
+ * knows); NULL at all samples or at none. */
 gboolean tinker_chart_sample(TinkerChart *chart, double time, const double *values, const double *bands,
                              GError **error);
 

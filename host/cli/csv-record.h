@@ -1,8 +1,8 @@
 /* The record of a run, written as CSV while it runs.
  *
- * Rows are gathered and go to the file some at a time: when 64 KiB have come together, or 0.2 s after those before. What
- * is in the file always ends with a whole row. What is not yet there when a plugin crashes is written by the handler
- * (plugin/crash.h), so that no row is lost then; a process that is killed from outside loses the last 0.2 s. */
+ * Rows are gathered and go to the file some at a time: when 64 KiB have come together, or 0.2 s after those before.
+ * What is in the file always ends with a whole row. What is not yet there when a plugin crashes is written by the
+ * handler (plugin/crash.h), so that no row is lost then; a process that is killed from outside loses the last 0.2 s. */
 #ifndef TINKER_CLI_CSV_RECORD_H
 #define TINKER_CLI_CSV_RECORD_H
 
@@ -25,8 +25,8 @@ typedef struct {
 /* Opens the file and writes the header: "time [s]", then "NAME.QUANTITY [UNIT]" of every column. */
 gboolean tinker_csv_record_open(TinkerCsvRecord *record, const char *path, const GArray *columns, GError **error);
 
-/* From here on rows are held back until the record is closed, as the run may begin again: nothing of a try that is thrown away is
- * ever in the file. They are lost where a plugin crashes. */
+/* From here on rows are held back until the record is closed, as the run may begin again: nothing of a try that is
+ * thrown away is ever in the file. They are lost where a plugin crashes. */
 void tinker_csv_record_hold(TinkerCsvRecord *record);
 
 /* Forgets all rows that are held back. */

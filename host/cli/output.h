@@ -12,8 +12,8 @@ typedef struct {
     const char *path;   /* NULL: it was not asked for */
 } TinkerAskedOutput;
 
-/* Adds outputs to the files that a command reads; called before any of them is opened. TINKER_CLI_ERROR_USAGE where one is such a
- * file, or another output, or the file that the shell has put in the place of standard output. */
+/* Adds outputs to the files that a command reads; called before any of them is opened. TINKER_CLI_ERROR_USAGE where one
+ * is such a file, or another output, or the file that the shell has put in the place of standard output. */
 gboolean tinker_outputs_add(TinkerFileSet *files, const TinkerAskedOutput *outputs, GError **error);
 
 typedef struct {
@@ -31,8 +31,9 @@ gboolean tinker_output_open(TinkerOutput *output, const char *path, GError **err
  * before it, failed. */
 gboolean tinker_output_close(TinkerOutput *output, GError **error);
 
-/* Writes whole lines, of which the file then holds only whole ones (files/write-lines.h). For an output that nothing else is written
- * to. What goes wrong is told by tinker_output_check and tinker_output_close; after that nothing more is written. */
+/* Writes whole lines, of which the file then holds only whole ones (files/write-lines.h). For an output that nothing
+ * else is written to. What goes wrong is told by tinker_output_check and tinker_output_close; after that nothing more
+ * is written. */
 void tinker_output_lines(TinkerOutput *output, const char *text, gsize size);
 
 /* Sets TINKER_CLI_ERROR_FILE if a write has failed. */

@@ -1,4 +1,5 @@
-/* The plan for people: what is there, island by island how it is stepped and why, then what is modelled and what is not. */
+/* The plan for people: what is there, island by island how it is stepped and why, then what is modelled and what is
+ * not. */
 #include <math.h>
 
 #include "plan-report.h"

@@ -1,4 +1,5 @@
-/* Block types and integrators for people, as tables. Values are in SI, as in a scene; the unit they are displayed in stands beside. */
+/* Block types and integrators for people, as tables. Values are in SI, as in a scene; the unit they are displayed in
+ * stands beside. */
 #include "plugins-show.h"
 
 #include <string.h>

@@ -12,8 +12,8 @@
 
 static volatile sig_atomic_t interrupted;
 
-/* The first Ctrl-C lets the run end well. Who asks again, or asks with SIGTERM, does not wait for a plugin that may never
- * come back. */
+/* The first Ctrl-C lets the run end well. Who asks again, or asks with SIGTERM, does not wait for a plugin that may
+ * never come back. */
 static void on_signal(int number)
 {
     if (interrupted || number != SIGINT) tinker_crash_end(number);

@@ -22,8 +22,8 @@ void tinker_progress_end(TinkerProgress *progress);
 void tinker_progress_of_run(double t, double duration, void *data);
 gboolean tinker_progress_interrupted(void *data);
 
-/* From now on the first Ctrl-C (SIGINT) is remembered instead of ending the process; a second one ends it. One before is
- * forgotten. */
+/* From now on the first Ctrl-C (SIGINT) is remembered instead of ending the process; a second one ends it. One before
+ * is forgotten. */
 void tinker_progress_catch_interrupt(void);
 
 #endif

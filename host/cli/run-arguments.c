@@ -35,8 +35,8 @@ static gboolean apply_contacts(const char *text, TinkerRunOptions *options, GErr
     return FALSE;
 }
 
-/* An accuracy stands in the place of step and tolerance, and is held by the estimate: of what excludes each other on the command
- * line both cannot be meant; what it says goes before what the scene says. */
+/* An accuracy stands in the place of step and tolerance, and is held by the estimate: of what excludes each other on
+ * the command line both cannot be meant; what it says goes before what the scene says. */
 static gboolean apply_accuracy(const TinkerRunArguments *arguments, TinkerRunOptions *options, GError **error)
 {
     const char *other = arguments->step != NULL        ? "--step"

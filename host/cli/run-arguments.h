@@ -51,8 +51,8 @@ gboolean tinker_run_arguments_apply(const TinkerRunArguments *arguments, TinkerS
 /* Reads "T1,T2,..." of --at: ascending, each time once. (transfer full) */
 GArray *tinker_run_arguments_times(const char *text, GError **error);
 
-/* What the scene itself asks for in vain is the scene's fault, what the command line asks for the user's: turns an error of the
- * method or its step into a usage error where any of the arguments was given. */
+/* What the scene itself asks for in vain is the scene's fault, what the command line asks for the user's: turns an
+ * error of the method or its step into a usage error where any of the arguments was given. */
 void tinker_run_arguments_blame(const TinkerRunArguments *arguments, GError **error);
 
 /* A scene compiled and ready to run. */

@@ -1,5 +1,5 @@
-/* Templates are texts with words to be put in. They are all read from the program itself, so nothing of them can be missing,
- * and nothing is written before all is known. */
+/* Templates are texts with words to be put in. They are all read from the program itself, so nothing of them can be
+ * missing, and nothing is written before all is known. */
 #include "template-folder.h"
 
 #include <errno.h>

@@ -51,8 +51,8 @@ static void add_warning(Findings *findings, const char *text)
     findings->warnings++;
 }
 
-/* A scene with a block of a missing type, or with a missing method, can be opened and saved, so to the reader that is a warning;
- * here it is what keeps the scene from running. */
+/* A scene with a block of a missing type, or with a missing method, can be opened and saved, so to the reader that is a
+ * warning; here it is what keeps the scene from running. */
 static void add_of_reader(Findings *findings, const GPtrArray *found)
 {
     for (guint i = 0; i < found->len; i++) {

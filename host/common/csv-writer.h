@@ -17,8 +17,8 @@ typedef struct {
     gboolean signed_zero; /* whether "-0" is written, so that numbers read back to the same bits */
 } TinkerCsvWriter;
 
-/* A record: 17 significant digits, which read back to the same bits. Without a file (NULL) all rows stay in `text`. To be
- * cleared, as the other. */
+/* A record: 17 significant digits, which read back to the same bits. Without a file (NULL) all rows stay in `text`. To
+ * be cleared, as the other. */
 TinkerCsvWriter tinker_csv_writer_record(FILE *file);
 
 /* A graph's values: `decimals` digits behind the point, trailing zeros dropped; 9 significant digits where it is

@@ -24,8 +24,9 @@ GQuark tinker_cli_error_quark(void);
 /* The exit status that an error of the core, of GLib or of the program stands for. */
 int tinker_exit_status(const GError *error);
 
-/* Turns an error, if there is one, into TINKER_CLI_ERROR_USAGE (but for a missing plugin): what was asked for on the command line is the user's
- * fault, whatever part of the core found it. "--OPTION: " is put before the message; `option` may be NULL. */
+/* Turns an error, if there is one, into TINKER_CLI_ERROR_USAGE (but for a missing plugin): what was asked for on the
+ * command line is the user's fault, whatever part of the core found it. "--OPTION: " is put before the message;
+ * `option` may be NULL. */
 void tinker_blame_option(const char *option, GError **error);
 
 /* What the lines on standard error begin with: "tinker" at first. Static. */

@@ -43,7 +43,8 @@ void tinker_file_set_free(TinkerFileSet *files)
     g_free(files);
 }
 
-/* Keys ---------------------------------------------------------------------------------------------------------------- */
+/* Keys ----------------------------------------------------------------------------------------------------------------
+ */
 
 static char *key_of_inode(const GStatBuf *status)
 {
@@ -69,7 +70,8 @@ static char *target_of_link(const char *path)
     return g_build_filename(folder, target, NULL);
 }
 
-/* NULL where any number of outputs may go there, or it cannot be told, as where the folder is missing. (transfer full) */
+/* NULL where any number of outputs may go there, or it cannot be told, as where the folder is missing. (transfer full)
+ */
 static char *key_of_path(const char *path)
 {
     GStatBuf status;
@@ -91,7 +93,8 @@ static char *key_of_stream(int descriptor)
     return fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode) ? key_of_inode(&status) : NULL;
 }
 
-/* Adding -------------------------------------------------------------------------------------------------------------- */
+/* Adding --------------------------------------------------------------------------------------------------------------
+ */
 
 static gboolean is_stream(const char *path)
 {

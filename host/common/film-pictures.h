@@ -1,5 +1,5 @@
-/* The numbered pictures of a film. They lie in a folder beside their places until all are there, so that one that is given
- * up leaves nothing, and those of a film that was there before stay. */
+/* The numbered pictures of a film. They lie in a folder beside their places until all are there, so that one that is
+ * given up leaves nothing, and those of a film that was there before stay. */
 #ifndef TINKER_HOST_FILM_PICTURES_H
 #define TINKER_HOST_FILM_PICTURES_H
 

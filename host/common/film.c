@@ -1,5 +1,5 @@
-/* Films: raw frames down a pipe to ffmpeg, or numbered pictures. Nothing waits for ffmpeg without looking whether it still
- * should. */
+/* Films: raw frames down a pipe to ffmpeg, or numbered pictures. Nothing waits for ffmpeg without looking whether it
+ * still should. */
 #include "film.h"
 
 #include <errno.h>
@@ -90,7 +90,8 @@ static gboolean is_stopped(TinkerFilm *film, GError **error)
     return TRUE;
 }
 
-/* The encoder --------------------------------------------------------------------------------------------------------- */
+/* The encoder ---------------------------------------------------------------------------------------------------------
+ */
 
 /* A GIF gets a palette of its own, made from all its pictures; films for players get even sides and the one pixel
  * format that all of them know. */
@@ -101,8 +102,8 @@ static const char *filter_for(const char *path)
     return "pad=ceil(iw/2)*2:ceil(ih/2)*2,format=yuv420p";
 }
 
-/* An empty file in the folder where the film will be, with the film's ending: ffmpeg goes by that. A link stays a link: the
- * file that it leads to is replaced. */
+/* An empty file in the folder where the film will be, with the film's ending: ffmpeg goes by that. A link stays a link:
+ * the file that it leads to is replaced. */
 static gboolean begin_file(TinkerFilm *film, GError **error)
 {
     char *real = realpath(film->path, NULL);
@@ -239,7 +240,8 @@ static gboolean send(TinkerFilm *film, const unsigned char *bytes, gsize count, 
     return TRUE;
 }
 
-/* The film ------------------------------------------------------------------------------------------------------------ */
+/* The film ------------------------------------------------------------------------------------------------------------
+ */
 
 TinkerFilm *tinker_film_new(const char *path, int width, int height, double frames_per_second, GError **error)
 {

@@ -1,6 +1,6 @@
-/* Films: pictures of the same size in order, joined to a GIF, WebM or MP4 by the ffmpeg program, or written as numbered PNG
- * files. A film is written beside its place and put there when it is whole: what is given up
- * or fails leaves nothing, and a film that was there before stays as it was. */
+/* Films: pictures of the same size in order, joined to a GIF, WebM or MP4 by the ffmpeg program, or written as numbered
+ * PNG files. A film is written beside its place and put there when it is whole: what is given up or fails leaves
+ * nothing, and a film that was there before stays as it was. */
 #ifndef TINKER_HOST_FILM_H
 #define TINKER_HOST_FILM_H
 

@@ -1,4 +1,5 @@
-/* The axes of graphs, in the units that the scene displays: what both programs draw beside a curve and write over its column. */
+/* The axes of graphs, in the units that the scene displays: what both programs draw beside a curve and write over its
+ * column. */
 #ifndef TINKER_COMMON_GRAPH_AXIS_H
 #define TINKER_COMMON_GRAPH_AXIS_H
 

@@ -2,7 +2,8 @@
 #include "installation.h"
 #include "physics/plan/run-options.h"
 
-/* A folder of a build tree relative to the program's folder; the same below a prefix; and where it was configured to be. */
+/* A folder of a build tree relative to the program's folder; the same below a prefix; and where it was configured to
+ * be. */
 typedef struct {
     const char *in_build_tree, *in_prefix, *configured;
 } Place;

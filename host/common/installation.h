@@ -4,9 +4,9 @@
 
 #include "plugin/catalogue.h"
 
-/* The catalogue: folders of --plugins (absolute; NULL: none), TINKER_PLUGIN_PATH, the user's and the installed one. In a
- * build tree that is not installed, the installed folder is the tree's own. Libraries without a manifest are probed by
- * the program without a window. (transfer full) */
+/* The catalogue: folders of --plugins (absolute; NULL: none), TINKER_PLUGIN_PATH, the user's and the installed one. In
+ * a build tree that is not installed, the installed folder is the tree's own. Libraries without a manifest are probed
+ * by the program without a window. (transfer full) */
 TinkerCatalogue *tinker_installation_catalogue(const char *const *plugin_folders);
 
 /* The folder of the bundled scenes, and the path of one of them, "spring-mass.tinker.json". (transfer full) */

@@ -1,5 +1,5 @@
-/* The motion of a scene as a film: one run records where the bodies are at every picture's time; then every picture is drawn with
- * one view, that of the box that holds all of them. */
+/* The motion of a scene as a film: one run records where the bodies are at every picture's time; then every picture is
+ * drawn with one view, that of the box that holds all of them. */
 #ifndef TINKER_HOST_MOTION_FILM_H
 #define TINKER_HOST_MOTION_FILM_H
 

@@ -10,11 +10,11 @@
 /* "Mass 0, Spring 0": the first blocks of an island, and how many more there are. (transfer full) */
 char *tinker_island_blocks_text(const TinkerScene *scene, const TinkerIslandPlan *island);
 
-/* "rk4, step 0.01 s" or "dop853, tolerance 1e-09": by the one of `step` (s) and `tolerance` that is above 0, else the method alone.
- * (transfer full) */
+/* "rk4, step 0.01 s" or "dop853, tolerance 1e-09": by the one of `step` (s) and `tolerance` that is above 0, else the
+ * method alone. (transfer full) */
 char *tinker_method_text(const char *method, double step, double tolerance);
 
-/* The same for what an island is planned to run with. (transfer full) */
+/* What an island is planned to run with, as text. (transfer full) */
 char *tinker_island_method_text(const TinkerIslandPlan *island);
 
 #endif

@@ -1,5 +1,5 @@
-/* Writes the template of the texts that the window takes from descriptors: of the bundled blocks and methods, and the titles
- * of the bundled scenes. xgettext cannot find them, since the headers of the SDK compose descriptors by macros.
+/* Writes the template of the texts that the window takes from descriptors: of the bundled blocks and methods, and the
+ * titles of the bundled scenes. xgettext cannot find them, since the headers of the SDK compose descriptors by macros.
  *
  *     list-descriptors TINKER PLUGIN_FOLDER SCENE_FOLDER FILE */
 #include <cjson/cJSON.h>

@@ -1,10 +1,10 @@
 /* The books: integrals of powers over the step that was made.
  *
- * No error control of the state sees them: a body that sticks to an even belt moves evenly, which order 1 follows in a single
- * step, while the spring behind it is stretched and the belt works against it. So the powers are integrated along CVODE's
- * polynomial of the step, by Simpson's rule on so many parts as make them all but straight. Where a power is off a straight
- * line by a share d in the middle of a part, Simpson's rule is off by about (d / 6)^2, as long as its fourth derivative is as the
- * square of its second.
+ * No error control of the state sees them: a body that sticks to an even belt moves evenly, which order 1 follows in a
+ * single step, while the spring behind it is stretched and the belt works against it. So the powers are integrated
+ * along CVODE's polynomial of the step, by Simpson's rule on so many parts as make them all but straight. Where a power
+ * is off a straight line by a share d in the middle of a part, Simpson's rule is off by about (d / 6)^2, as long as its
+ * fourth derivative is as the square of its second.
  */
 #include "stepper-private.h"
 

@@ -3,8 +3,8 @@
  *     dq/dt = v,   dv/dt = a(t, q, v),   d(books)/dt = power(t, q, v)
  *
  * The books are pure quadratures over the steps that the state makes (books.c). With rods, a contains their forces, and
- * every solution of the formula is projected onto them before its error is judged (E. Eich, SIAM Journal on Numerical Analysis
- * 30 (1993) 1467-1482), so that history and state agree.
+ * every solution of the formula is projected onto them before its error is judged (E. Eich, SIAM Journal on Numerical
+ * Analysis 30 (1993) 1467-1482), so that history and state agree.
  */
 #include "stepper-private.h"
 
@@ -261,7 +261,8 @@ static TinkerStatus keep_books(Stepper *stepper, TinkerState *state, double t)
     return stepper_books_integrate(stepper, state->t, t, stepper->power_to, state->books);
 }
 
-/* Hands the new state to the host, on the rods to the last digit: at a limit it was interpolated over a rounding of t. */
+/* Hands the new state to the host, on the rods to the last digit: at a limit it was interpolated over a rounding of t.
+ */
 static TinkerStatus commit(Stepper *stepper, TinkerState *state, double t)
 {
     const TinkerSystem *system = stepper->system;
@@ -337,8 +338,8 @@ static TinkerStatus interpolate_books(Stepper *stepper, double t, double *books)
     return status == TINKER_OK ? stepper_books_integrate(stepper, stepper->from, t, power, books) : status;
 }
 
-/* CVODE's polynomial passes the states at the ends of a step by what Newton's iteration and projections leave. Added between them
- * by shares, this makes the motion one without jumps, in which contacts can be told. */
+/* CVODE's polynomial passes the states at the ends of a step by what Newton's iteration and projections leave. Added
+ * between them by shares, this makes the motion one without jumps, in which contacts can be told. */
 static TinkerStatus interpolate(void *data, double t, double *q, double *v, double *books)
 {
     Stepper *stepper = data;

@@ -3,10 +3,10 @@
  *     J = d(v, a)/d(q, v) = [ 0, I; -M^-1 K, -M^-1 C ],    K = -df/dq, C = -df/dv
  *
  * from the system's pattern and jacobian: dense for a handful of unknowns, else sparse and factored by KLU. K and C are
- * those of the applied forces; with rods they are not the derivatives of the accelerations, but Newton's iteration needs
- * these only in the rough, and differences of them cost more than the few iterations that they save. Where no jacobian
- * is offered, CVODE takes differences of a dense matrix. KLU allots memory when it analyses the matrix, in the first step
- * after a start; no other step allots any.
+ * those of the applied forces; with rods they are not the derivatives of the accelerations, but Newton's iteration
+ * needs these only in the rough, and differences of them cost more than the few iterations that they save. Where no
+ * jacobian is offered, CVODE takes differences of a dense matrix. KLU allots memory when it analyses the matrix, in the
+ * first step after a start; no other step allots any.
  */
 #include "stepper-private.h"
 

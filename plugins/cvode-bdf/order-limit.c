@@ -1,7 +1,7 @@
 /* How high the order may be.
  *
- * Above order 2 the formulas are unstable along a part of the imaginary axis: a fast vibration without damping, of which
- * nothing is to be seen any more, would tie the step to its own period. CVODE's stability limit detection (A. C.
+ * Above order 2 the formulas are unstable along a part of the imaginary axis: a fast vibration without damping, of
+ * which nothing is to be seen any more, would tie the step to its own period. CVODE's stability limit detection (A. C.
  * Hindmarsh, Applied Numerical Mathematics 17 (1995) 311-318) reports that a step is held down by stability, but
  * also where a slowly decaying vibration is being followed. What tells the two apart is the step: an order of up to 5
  * that follows the fastest vibration takes steps of about

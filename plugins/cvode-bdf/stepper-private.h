@@ -69,8 +69,8 @@ int stepper_order_watch(Stepper *stepper);
 
 /* scales.c ------------------------------------------------------------------------------------------------------- */
 
-/* Before CVODE is started: finds the scales that the motion is headed for, by what the accelerations `a` can bring about
- * until `limit`. */
+/* Before CVODE is started: finds the scales that the motion is headed for, by what the accelerations `a` can bring
+ * about until `limit`. */
 void stepper_scales_start(Stepper *stepper, const TinkerState *state, double limit, const double *a);
 
 /* CVODE's weights, the inverse of what errors in q and in v are measured against, and its norm: the largest weighted
@@ -84,8 +84,8 @@ realtype stepper_norm(N_Vector errors, N_Vector weights);
 int stepper_books_create(Stepper *stepper);
 void stepper_books_destroy(Stepper *stepper);
 
-/* Notes the books and the powers at the start of a step, where the last one ended, and how large the kinetic energy is: a
- * small share of it is all that books are asked for. */
+/* Notes the books and the powers at the start of a step, where the last one ended, and how large the kinetic energy is:
+ * a small share of it is all that books are asked for. */
 void stepper_books_begin(Stepper *stepper, const TinkerState *state);
 
 /* The books at `to`, within the last step that CVODE made from `from`, by the powers there. Uses `weights` for work. */

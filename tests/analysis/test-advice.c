@@ -1,5 +1,5 @@
-/* Advice: every kind is found where it is and nowhere else; after its repair it is gone, the scene compiles, and one undo
- * brings the text back. */
+/* Advice: every kind is found where it is and nowhere else; after its repair it is gone, the scene compiles, and one
+ * undo brings the text back. */
 #include <math.h>
 #include <string.h>
 
@@ -109,8 +109,8 @@ static void test_velocity(void)
     physics_assert_near("vy", start_fixture_get(f, "Mass 0", TINKER_MEANING_VELOCITY, 1), -1.08, 1e-14);
 }
 
-/* On a rod between 1 and 3 kg of which one is pushed along it with 4 m/s both move with 1, by momentum; a second such pair is
- * advice of its own. */
+/* On a rod between 1 and 3 kg of which one is pushed along it with 4 m/s both move with 1, by momentum; a second such
+ * pair is advice of its own. */
 static void test_velocity_of_two(void)
 {
     g_autoptr(StartFixture) f = start_fixture_new(
@@ -146,9 +146,10 @@ static void assert_contradiction(const char *blocks)
     assert_only(f, TINKER_ADVICE_MODEL, TRUE, "Rod 0", "no motion satisfies these constraints", NULL);
 }
 
-/* A mass between two rods in one line, of which one pulls with 1 m/s^2 and the other holds: no motion satisfies both. A rigid
- * triangle that hangs on parallel rods of 1, 2 and 3 m and starts across them with 1 m/s without turning: each rod asks for v^2 / l
- * upwards, 1, 1/2 and 1/3 m/s^2, and a rigid body's third corner, halfway along, for their mean, 3/4. */
+/* A mass between two rods in one line, of which one pulls with 1 m/s^2 and the other holds: no motion satisfies both. A
+ * rigid triangle that hangs on parallel rods of 1, 2 and 3 m and starts across them with 1 m/s without turning: each
+ * rod asks for v^2 / l upwards, 1, 1/2 and 1/3 m/s^2, and a rigid body's third corner, halfway along, for their mean,
+ * 3/4. */
 static void test_contradiction(void)
 {
     assert_contradiction(
@@ -167,8 +168,8 @@ static void test_contradiction(void)
         "{'type': 'rod', 'ends': ['Mass 1', 'Mass 2']}, {'type': 'rod', 'ends': ['Mass 2', 'Mass 0']}");
 }
 
-/* Rods in one line between supports are a straight bar, which holds what lies on it: a velocity across it is left out, and is none
- * along a rod. */
+/* Rods in one line between supports are a straight bar, which holds what lies on it: a velocity across it is left out,
+ * and is none along a rod. */
 static void test_velocity_across_a_bar(void)
 {
     g_autoptr(StartFixture) f = start_fixture_new(
@@ -193,8 +194,8 @@ static void test_overlap(void)
     physics_assert_near("y", start_fixture_get(f, "Mass 0", TINKER_MEANING_POSITION, 1), 0.6, 1e-15);
 }
 
-/* Of 40 boxes within a floor, all at one height, five are told of one by one and the other 35 at once; mended one after another
- * the last is told of in the end. */
+/* Of 40 boxes within a floor, all at one height, five are told of one by one and the other 35 at once; mended one after
+ * another the last is told of in the end. */
 static void test_many_overlaps(void)
 {
     g_autoptr(GString) blocks =
@@ -241,7 +242,8 @@ static void ask_for(StartFixture *f, const char *method, const char *contacts, d
     f->text = tinker_scene_to_text(f->scene, TINKER_WRITE_SI);
 }
 
-/* Repairs the first piece of advice on the plan; then there is none. Messages are for both programs: no options in them. */
+/* Repairs the first piece of advice on the plan; then there is none. Messages are for both programs: no options in
+ * them. */
 static void repair_plan(StartFixture *f)
 {
     g_autoptr(GError) error = NULL;
@@ -280,7 +282,8 @@ static void test_method(void)
     }
 }
 
-/* Two points of 1 kg on a spring of 1e6 N/m: omega = 1414 rad/s, at which a velocity solve a step is stable up to 2 / omega. */
+/* Two points of 1 kg on a spring of 1e6 N/m: omega = 1414 rad/s, at which a velocity solve a step is stable up to 2 /
+ * omega. */
 static void test_method_of_contacts(void)
 {
     g_autoptr(StartFixture) f =

@@ -1,5 +1,5 @@
-/* Modes of what lies on supports, sticks to them or hangs on ropes, against closed forms. Masses are 1 m high, so that they lie
- * 0.5 m off a top at 0.1 m, the underside of which nobody sees. */
+/* Modes of what lies on supports, sticks to them or hangs on ropes, against closed forms. Masses are 1 m high, so that
+ * they lie 0.5 m off a top at 0.1 m, the underside of which nobody sees. */
 #include <math.h>
 
 #include "modes-fixture.h"
@@ -135,7 +135,8 @@ static void test_rough_floor(void)
     }
 }
 
-/* On a slope below the angle of friction one block sticks, and another swings on it by a spring; above, both slide away. */
+/* On a slope below the angle of friction one block sticks, and another swings on it by a spring; above, both slide
+ * away. */
 static void test_rough_slope(void)
 {
     for (int steep = 0; steep <= 1; steep++) {
@@ -152,15 +153,16 @@ static void test_rough_slope(void)
             g_assert_false(a->analysis->about_rest);
             continue;
         }
-        /* hung below the slope, on whose solid side it does not lie: it swings up and down and as a pendulum of 1.0981 m */
+        /* hung below the slope, on whose solid side it does not lie: it swings up and down and as a pendulum of 1.0981
+         * m */
         assert_modes(a, 2, (const double[]){sqrt(g / (1 + 0.25 * g / 25)), 10}, 1e-9);
         g_assert_cmpint(assumed(a, 0).kind, ==, TINKER_STILL_STICKS);
         physics_assert_near("force", assumed(a, 0).force, 2.25 * g * cos(angle), 1e-8);
     }
 }
 
-/* A spring above that pulls with more than the weight lifts the block off: the floor is not there, as about the start, where
- * it still is. */
+/* A spring above that pulls with more than the weight lifts the block off: the floor is not there, as about the start,
+ * where it still is. */
 static void test_lifted(void)
 {
     static const char blocks[] =
@@ -216,7 +218,8 @@ static void test_between_two_tops(void)
     assert_modes(a, 1, (const double[]){10}, 1e-12);
 }
 
-/* A table that moves up and down carries a block, on which another stands on a spring: the transmissibility 1 / (1 - r^2). */
+/* A table that moves up and down carries a block, on which another stands on a spring: the transmissibility 1 / (1 -
+ * r^2). */
 static void test_carried(void)
 {
     g_autoptr(GError) error = NULL;

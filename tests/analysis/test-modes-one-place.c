@@ -1,7 +1,7 @@
 /* Modes where the ends of a line are at one place, or fall into one.
  *
- * A softened magnet, T = c L / (L^2 + s^2)^(5/2), has T(0) = 0 and dT/dL(0) = c / s^5: near L = 0 it is a spring of that
- * stiffness without length, the same in every direction. */
+ * A softened magnet, T = c L / (L^2 + s^2)^(5/2), has T(0) = 0 and dT/dL(0) = c / s^5: near L = 0 it is a spring of
+ * that stiffness without length, the same in every direction. */
 #include <math.h>
 #include <string.h>
 
@@ -106,8 +106,8 @@ static void test_rounding(void)
     }
 }
 
-/* Beside springs, K is the sum of both: 1 kg between two springs of 50 N/m, 1 m long and 0.2 m longer when relaxed, is pushed
- * out with 2 * 10 N/m, held along with 100 N/m; a magnet in the middle adds 32 N/m to both. */
+/* Beside springs, K is the sum of both: 1 kg between two springs of 50 N/m, 1 m long and 0.2 m longer when relaxed, is
+ * pushed out with 2 * 10 N/m, held along with 100 N/m; a magnet in the middle adds 32 N/m to both. */
 static void test_sum(void)
 {
     for (gsize i = 0; i < G_N_ELEMENTS(magnets); i++) {
@@ -178,7 +178,8 @@ static void test_pull_without_direction(void)
 }
 
 /* Nothing holds what attracts without bound: the modes are those of the start. Two masses of 2 kg with c / L^4 have the
- * reduced mass 1 kg, so along the line they grow as sqrt(4 c / L^5), and across it they swing as sqrt(T / L) = sqrt(c / L^5). */
+ * reduced mass 1 kg, so along the line they grow as sqrt(4 c / L^5), and across it they swing as sqrt(T / L) = sqrt(c /
+ * L^5). */
 static void test_collapse(void)
 {
     static const double places[][2] = {{0, 0}, {-3, 0}, {40, -7}};
@@ -219,8 +220,8 @@ static void test_other_collapses(void)
     }
 }
 
-/* Forces that are far larger at rest than at the start, and cancel out there, are a rest: cores hold the magnets apart where
- * c / L^4 = b / L^13, with the stiffness (13 - 4) c / L^5. From a hundred times as far. */
+/* Forces that are far larger at rest than at the start, and cancel out there, are a rest: cores hold the magnets apart
+ * where c / L^4 = b / L^13, with the stiffness (13 - 4) c / L^5. From a hundred times as far. */
 static void test_core(gconstpointer type)
 {
     static const double starts[] = {0.11, 0.5, 3, 10};

@@ -1,5 +1,5 @@
-/* Natural frequencies, damping ratios and shapes against closed forms. Lengths, masses and stiffnesses are chosen so that
- * rounding in the text of a scene plays no part. */
+/* Natural frequencies, damping ratios and shapes against closed forms. Lengths, masses and stiffnesses are chosen so
+ * that rounding in the text of a scene plays no part. */
 #include <math.h>
 #include <string.h>
 
@@ -107,8 +107,8 @@ static void test_two_masses(void)
     g_assert_cmpfloat_with_epsilon(against->real[2], -1, 1e-12);
 }
 
-/* n masses in a row. Both ends held: 2 sqrt(k/m) sin(j pi / (2 (n + 1))), j = 1..n. Both free: 2 sqrt(k/m) sin(j pi / (2 n)),
- * j = 0..n-1. */
+/* n masses in a row. Both ends held: 2 sqrt(k/m) sin(j pi / (2 (n + 1))), j = 1..n. Both free: 2 sqrt(k/m) sin(j pi /
+ * (2 n)), j = 0..n-1. */
 static void test_chain(gconstpointer data)
 {
     const gboolean is_free = GPOINTER_TO_INT(data);
@@ -162,7 +162,8 @@ static void test_double_pendulum(void)
     g_assert_cmpfloat_with_epsilon(a->analysis->q[1] - a->analysis->q[3], 1, 1e-10);
 }
 
-/* A straight bar of three masses on rods in one line, from 1 rad off: it swings as a whole, sqrt(g sum m x / sum m x^2). */
+/* A straight bar of three masses on rods in one line, from 1 rad off: it swings as a whole, sqrt(g sum m x / sum m
+ * x^2). */
 static void test_straight_bar(void)
 {
     g_autoptr(ModesFixture) a = analyse("{'type': 'gravity', 'acceleration': 9.81},"
@@ -191,7 +192,8 @@ static void test_coupled_pendulums(void)
     assert_frequencies(a, (double[]){sqrt(9.81 / 2), sqrt(9.81 / 2 + 7)}, 2);
 }
 
-/* A bar of two masses on two parallel rods (bifilar: it stays level) swings as sqrt(g / L); a third rod changes nothing. */
+/* A bar of two masses on two parallel rods (bifilar: it stays level) swings as sqrt(g / L); a third rod changes
+ * nothing. */
 static void test_parallelogram(gconstpointer data)
 {
     const char *blocks = "{'type': 'gravity', 'acceleration': 9.81},"
@@ -222,8 +224,8 @@ static void test_hanging_spring(void)
     g_assert_cmpfloat_with_epsilon(bounce->real[1], 1, 1e-12);
 }
 
-/* Springs of 1 and 1e12 N/m, 1 kg each: with r = 1e-12, omega^2 / 1e12 = 1 + r/2 -+ sqrt(1 + r^2/4), whose lesser root is
- * r / (1 + r/2 + sqrt(1 + r^2/4)). Masses of 1e9 and 1 kg as well. */
+/* Springs of 1 and 1e12 N/m, 1 kg each: with r = 1e-12, omega^2 / 1e12 = 1 + r/2 -+ sqrt(1 + r^2/4), whose lesser root
+ * is r / (1 + r/2 + sqrt(1 + r^2/4)). Masses of 1e9 and 1 kg as well. */
 static void test_extreme_ratios(void)
 {
     const char *format = "{'type': 'support', 'position': [0, 0]},"
@@ -244,8 +246,8 @@ static void test_extreme_ratios(void)
 }
 
 /* Masses of 1 kg on 1 N/m to a wall each and 1 N/m between, a damper of 0.5 N s/m on the first alone: the roots of
- * (s^2 + s/2 + 2)(s^2 + 2) = 1, the quartic s^4 + s^3/2 + 4 s^2 + s + 3 = 0, checked by putting them in. Likewise an absorber:
- * the product of all |s| is that of all undamped omega. */
+ * (s^2 + s/2 + 2)(s^2 + 2) = 1, the quartic s^4 + s^3/2 + 4 s^2 + s + 3 = 0, checked by putting them in. Likewise an
+ * absorber: the product of all |s| is that of all undamped omega. */
 static void test_damped_two_masses(void)
 {
     g_autoptr(ModesFixture) a = analyse("{'type': 'support', 'position': [0, 0]},"
@@ -283,7 +285,8 @@ static void test_free_damper(void)
     assert_relative("decay", mode_at(a, 4)->decay, 6 * (1 / 2.0 + 1 / 3.0), 1e-13);
 }
 
-/* A mass pressed between two springs, 0.2 m each over the straight place: along it 2 k, across it -2 T / L = -2 k 0.2 / 1. */
+/* A mass pressed between two springs, 0.2 m each over the straight place: along it 2 k, across it -2 T / L = -2 k 0.2
+ * / 1. */
 static void test_pressed_springs(void)
 {
     g_autoptr(ModesFixture) a =
@@ -358,8 +361,8 @@ static void test_cubic(void)
     assert_roughly(a, 1, sqrt(3 * 10 * 4.0 / 10));
 }
 
-/* Two masses that attract each other, held apart by a spring: G m^2 / r^2 = k (l - r). Their distance swings with the reduced
- * mass on k - 2 G m^2 / r^3; all else is free. */
+/* Two masses that attract each other, held apart by a spring: G m^2 / r^2 = k (l - r). Their distance swings with the
+ * reduced mass on k - 2 G m^2 / r^3; all else is free. */
 static void test_attraction(void)
 {
     g_autoptr(ModesFixture) a =

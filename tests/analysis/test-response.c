@@ -140,8 +140,9 @@ static void test_absorber(void)
     }
 }
 
-/* The support of a pendulum moves sideways by u: x = u g / (g - L omega^2), and by the rod alone the bob stays at its height.
- * The rod's tension does not change in first order along the swing, but follows the support up and down: m u'' there. */
+/* The support of a pendulum moves sideways by u: x = u g / (g - L omega^2), and by the rod alone the bob stays at its
+ * height. The rod's tension does not change in first order along the swing, but follows the support up and down: m u''
+ * there. */
 static void test_pendulum_on_moving_support(void)
 {
     const char *format = "{'type': 'gravity', 'acceleration': 9}, {'type': 'support', 'position': [0, 0]},"
@@ -173,9 +174,9 @@ static void test_tension_of_a_spring(void)
     }
 }
 
-/* A long chain whose dampers differ, so that its modes are all coupled: against the elimination of its own tridiagonal equations
- * from the support on, with d_i = k + i c_i omega of the link before mass i: the stiffness that is seen at mass i is
- * s_i = -m omega^2 + d_i s_(i-1) / (d_i + s_(i-1)), from s_1 = d_1 - m omega^2 on. */
+/* A long chain whose dampers differ, so that its modes are all coupled: against the elimination of its own tridiagonal
+ * equations from the support on, with d_i = k + i c_i omega of the link before mass i: the stiffness that is seen at
+ * mass i is s_i = -m omega^2 + d_i s_(i-1) / (d_i + s_(i-1)), from s_1 = d_1 - m omega^2 on. */
 static void test_damped_chain(void)
 {
     enum { N = 40 };

@@ -10,7 +10,8 @@
 
 #define G "{'type': 'gravity', 'acceleration': 9.81},"
 
-/* The option of a kind for a block, about `other` (NULL: any); NULL where it is not offered. Borrowed from `options`. */
+/* The option of a kind for a block, about `other` (NULL: any); NULL where it is not offered. Borrowed from `options`.
+ */
 static const TinkerStartOption *find(const StartFixture *f, const GPtrArray *options, TinkerStartKind kind,
                                      const char *other)
 {
@@ -105,8 +106,8 @@ static void test_equilibrium(void)
     }
 }
 
-/* A rest length that is left to the drawing is what it was drawn with, and stays that; else the spring would hang unstretched
- * with the mass at its start. */
+/* A rest length that is left to the drawing is what it was drawn with, and stays that; else the spring would hang
+ * unstretched with the mass at its start. */
 static void test_rest_length_stays(void)
 {
     const double drawn = hypot(0.3, 1.2);
@@ -196,8 +197,8 @@ static void test_rest_on_incline(void)
     assert_at(g, "Mass 0", (along - 0.3) * c - 0.3 * s, (along - 0.3) * s + 0.3 * c);
 }
 
-/* Wall, two masses on a floor, springs of 30 and 10 N/m: nothing pulls, so both are at their rest lengths, in spite of gravity;
- * without the wall the distance alone is given, and the middle stays. */
+/* Wall, two masses on a floor, springs of 30 and 10 N/m: nothing pulls, so both are at their rest lengths, in spite of
+ * gravity; without the wall the distance alone is given, and the middle stays. */
 static void test_rest_on_floor(void)
 {
     const char *blocks = G "{'type': 'support', 'name': 'Floor', 'position': [3, -0.6], 'width': 20, 'height': 0.4},"
@@ -313,8 +314,8 @@ static void test_thrown(void)
     assert_moves(h, "Mass 1", 2, 0);
 }
 
-/* A weight on a spring over a floor that is nearer than the spring would let it come rests on the floor; over one that is farther it
- * hangs m g / k below the spring's length. */
+/* A weight on a spring over a floor that is nearer than the spring would let it come rests on the floor; over one that
+ * is farther it hangs m g / k below the spring's length. */
 static void test_stopped_by_floor(void)
 {
     const double depths[] = {1.2, 3}, sag = 1 + 9.81 / 20;
@@ -404,8 +405,8 @@ static void test_nothing_to_offer(void)
     }
 }
 
-/* Every offer for every block of a bundled scene: applied with the value that it shows it is one step or changes nothing; what
- * it shows then is that value. */
+/* Every offer for every block of a bundled scene: applied with the value that it shows it is one step or changes
+ * nothing; what it shows then is that value. */
 static void try_all_offers(StartFixture *f, TinkerBlockId block)
 {
     g_autoptr(GPtrArray) options = tinker_start_options_new(f->scene, block);

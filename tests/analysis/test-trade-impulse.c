@@ -51,7 +51,8 @@ static void test_order(void)
     for (guint i = 0; i < method->rows->len; i++) {
         const TinkerTradeRow *row = &g_array_index(method->rows, TinkerTradeRow, i);
         g_assert_cmpstr(row->setting.method, ==, "impulse");
-        /* of the extent, 9.81 (sin 0.5 - 0.2 cos 0.5) 1.5^2 / 2 = 3.35 m, and the largest speed, 4.47 m/s: a half step late */
+        /* of the extent, 9.81 (sin 0.5 - 0.2 cos 0.5) 1.5^2 / 2 = 3.35 m, and the largest speed, 4.47 m/s: a half step
+         * late */
         if (row->setting.value < 0.01) g_assert_cmpfloat(row->error, <, row->setting.value);
     }
 }

@@ -1,5 +1,5 @@
-/* What the exhibits of the museum have in common: a block type and the texts of a descriptor without fault. Each exhibit
- * changes the one thing that it is named after. */
+/* What the exhibits of the museum have in common: a block type and the texts of a descriptor without fault. Each
+ * exhibit changes the one thing that it is named after. */
 #ifndef TINKER_EXHIBIT_H
 #define TINKER_EXHIBIT_H
 

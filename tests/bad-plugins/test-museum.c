@@ -99,8 +99,8 @@ static void test_probe_is_at_fault(Place *place, gconstpointer data)
     g_assert_null(entry_of(with, path)->refused);
 }
 
-/* What a library needs and does not find may be installed later: it is looked at anew each time. One that fails its own checks
- * is not. */
+/* What a library needs and does not find may be installed later: it is looked at anew each time. One that fails its own
+ * checks is not. */
 static void test_remembered(Place *place, gconstpointer data)
 {
     g_free(install_module("undefined-symbol", place->first, "lacks.so"));

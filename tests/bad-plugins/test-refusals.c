@@ -78,8 +78,8 @@ static void expect_message(TinkerCatalogue *catalogue, const char *type, const c
 #define WRONG_MAGIC "its magic number is 0xdeadbeef, 0x544e4b52 was expected"
 #define EMPTY       "it is empty, a shared object was expected"
 
-/* Neither manifest nor file name tells what a refused library has: it may be what is missing, and that is said instead of
- * where libraries belong. */
+/* Neither manifest nor file name tells what a refused library has: it may be what is missing, and that is said instead
+ * of where libraries belong. */
 static void test_may_be_refused(Place *place, gconstpointer data)
 {
     g_autofree char *good = install_module("good", place->first, "good.so");

@@ -60,8 +60,8 @@ static void report_pendulum(BenchmarkReport *report)
     benchmark_subject_clear(&subject);
 }
 
-/* x and y of both masses 5 s after both rods were let go level, to 1e-15: the equations in angles in 64-bit mantissas, by
- * the method of order 4 with 50 000 and 100 000 steps, extrapolated. */
+/* x and y of both masses 5 s after both rods were let go level, to 1e-15: the equations in angles in 64-bit mantissas,
+ * by the method of order 4 with 50 000 and 100 000 steps, extrapolated. */
 static const double double_pendulum_at_5[] = {-0.58686920981627138, -0.80968174647180144, -1.550778469470442,
                                               -1.0759127348126536};
 

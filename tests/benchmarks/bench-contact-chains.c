@@ -1,5 +1,5 @@
-/* What contacts of bodies that hang together cost: chains of rods that fall onto a floor, masses in a row of springs that slide on
- * one; and the equations of a few contacts by their matrix beside elimination. */
+/* What contacts of bodies that hang together cost: chains of rods that fall onto a floor, masses in a row of springs
+ * that slide on one; and the equations of a few contacts by their matrix beside elimination. */
 #include <math.h>
 #include <string.h>
 
@@ -62,7 +62,8 @@ static void measure_run(BenchmarkReport *report, const char *scene, char *text, 
     g_free(text);
 }
 
-/* Equations --------------------------------------------------------------------------------------------------------- */
+/* Equations ---------------------------------------------------------------------------------------------------------
+ */
 
 typedef struct {
     TinkerContacts *contacts;

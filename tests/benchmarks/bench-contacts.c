@@ -1,5 +1,5 @@
-/* What contact costs: 100 masses on ten supports, as impulses, and by events between events beside the same scene without
- * contact. */
+/* What contact costs: 100 masses on ten supports, as impulses, and by events between events beside the same scene
+ * without contact. */
 #include <math.h>
 
 #include "numerics/sharing/sharing.h"

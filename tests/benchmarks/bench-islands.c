@@ -1,5 +1,5 @@
-/* What many islands cost: independent oscillators loaded, planned and run for ten steps, and masses that bounce on one support.
- * Each is run with twice as many beside it, as what is wanted is that time and memory go with their number. */
+/* What many islands cost: independent oscillators loaded, planned and run for ten steps, and masses that bounce on one
+ * support. Each is run with twice as many beside it, as what is wanted is that time and memory go with their number. */
 #include <glib/gstdio.h>
 #include <math.h>
 #include <stdio.h>

@@ -1,5 +1,6 @@
-/* What a live window pays for a frame: moving the bodies, painting the scene into an image of 1200 by 800 pixels, and graphs
- * beside it. Labels are on, the theme is the light one; one memory serves all frames of a scene, as in a window. */
+/* What a live window pays for a frame: moving the bodies, painting the scene into an image of 1200 by 800 pixels, and
+ * graphs beside it. Labels are on, the theme is the light one; one memory serves all frames of a scene, as in a window.
+ */
 #include <cairo.h>
 #include <math.h>
 #include <string.h>

@@ -1,5 +1,5 @@
-/* What a plan says that each bundled scene will take, beside what its run takes: evaluations, which a test holds to a factor
- * of 3, and processor time, which depends on the machine. */
+/* What a plan says that each bundled scene will take, beside what its run takes: evaluations, which a test holds to a
+ * factor of 3, and processor time, which depends on the machine. */
 #include <math.h>
 
 #include "build-catalogue.h"

@@ -1,8 +1,8 @@
 /* Work against precision: what an error costs with each method of ours and with those of other people's solvers, on a
  * damped oscillator (S1), a double pendulum (S2) and a stiff chain (S6), all timed in turns within one run.
  *
- * Ours go the way of every scene: text, blocks of plugins, compiled model, watched run. The clock sees the steps, and the time
- * before the first is shown beside them. Theirs are handed the equations. */
+ * Ours go the way of every scene: text, blocks of plugins, compiled model, watched run. The clock sees the steps, and
+ * the time before the first is shown beside them. Theirs are handed the equations. */
 #include <math.h>
 #include <string.h>
 

@@ -1,5 +1,6 @@
-/* The program as a whole: reading a large scene, starting up, and memory over long runs. Times are those of the wall, since
- * a user waits for them. Work that takes memory is done in children, so that each figure is of one thing alone. */
+/* The program as a whole: reading a large scene, starting up, and memory over long runs. Times are those of the wall,
+ * since a user waits for them. Work that takes memory is done in children, so that each figure is of one thing alone.
+ */
 #include <glib/gstdio.h>
 #include <math.h>
 #include <stdio.h>

@@ -1,5 +1,5 @@
-/* What a step costs: small scenes, chains of rods and lattices of springs through the plugins, and beside each the floor of
- * floors.h, measured in turns in the same run. */
+/* What a step costs: small scenes, chains of rods and lattices of springs through the plugins, and beside each the
+ * floor of floors.h, measured in turns in the same run. */
 #include <math.h>
 #include <string.h>
 
@@ -136,8 +136,8 @@ static double chain_error(BenchmarkSubject *subject)
     return tinker_simulation_summary(subject->simulation)->constraint_position_error;
 }
 
-/* The chain's fastest mode is about 2 n sqrt(g / length): a step of 1/1000 s carries 1000 rods of a chain of 10 m, more need a
- * shorter one. */
+/* The chain's fastest mode is about 2 n sqrt(g / length): a step of 1/1000 s carries 1000 rods of a chain of 10 m, more
+ * need a shorter one. */
 static void measure_chain(BenchmarkReport *report, int rods, double *angles, const char *kind, double lap)
 {
     g_autofree double *own_angles = angles;

@@ -1,5 +1,5 @@
-/* What a second thread brings on lattices of springs: time that goes by, in turns with one thread, once with a processor
- * to spare and once with another program on it. */
+/* What a second thread brings on lattices of springs: time that goes by, in turns with one thread, once with a
+ * processor to spare and once with another program on it. */
 #include <math.h>
 #include <signal.h>
 #include <sys/wait.h>

@@ -1,9 +1,9 @@
-/* What the real window does: the time from its start to the first frame, frames a second while a scene plays, how long a whole
- * frame takes (from before-paint to after-paint), and how long the main loop lets an event wait. Needs a display; with no
- * graphics processor, GSK_RENDERER=cairo.
+/* What the real window does: the time from its start to the first frame, frames a second while a scene plays, how long
+ * a whole frame takes (from before-paint to after-paint), and how long the main loop lets an event wait. Needs a
+ * display; with no graphics processor, GSK_RENDERER=cairo.
  *
- * bench-window runs itself once for each case, as `bench-window --case SCENE` or `bench-window --drag SCENE`, so that every window
- * is the first. */
+ * bench-window runs itself once for each case, as `bench-window --case SCENE` or `bench-window --drag SCENE`, so that
+ * every window is the first. */
 #include <glib/gstdio.h>
 #include <math.h>
 #include <stdlib.h>

@@ -1,4 +1,5 @@
-/* A contest: solvers of one scene, each at several settings, timed in turns, and who needs the least time for an error. */
+/* A contest: solvers of one scene, each at several settings, timed in turns, and who needs the least time for an error.
+ */
 #ifndef BENCHMARK_CONTEST_H
 #define BENCHMARK_CONTEST_H
 

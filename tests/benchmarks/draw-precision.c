@@ -1,5 +1,5 @@
-/* Draws what bench-precision wrote as JSON: draw-precision FILE FOLDER makes one chart a scene, work-precision-s1.png and so
- * on. Each method of ours is a curve; of a library of others the best of all its methods at every error is. */
+/* Draws what bench-precision wrote as JSON: draw-precision FILE FOLDER makes one chart a scene, work-precision-s1.png
+ * and so on. Each method of ours is a curve; of a library of others the best of all its methods at every error is. */
 #include <cjson/cJSON.h>
 #include <glib.h>
 #include <math.h>

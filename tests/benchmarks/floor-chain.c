@@ -3,8 +3,8 @@
  *
  *   -d[k].d[k-1] m[k-1] + w[k] d[k].d[k] m[k] - d[k].d[k+1] m[k+1] = r[k],   w[0] = 1, else 2,
  *
- * with r = u.u, less g d_y for the first rod, for accelerations, d.u for the return of velocities and (d.d - length^2)/2 for
- * that of positions. Mass k then gets m[k+1] d[k+1] - m[k] d[k]. */
+ * with r = u.u, less g d_y for the first rod, for accelerations, d.u for the return of velocities and (d.d -
+ * length^2)/2 for that of positions. Mass k then gets m[k+1] d[k+1] - m[k] d[k]. */
 #include "floors.h"
 
 #include <math.h>
@@ -95,7 +95,7 @@ static void solve(FloorChain *chain)
         m[k] += chain->factor[k] * m[k + 1];
 }
 
-/* The same with the factor at hand; the d it is of may have changed since, by a step's error. */
+/* Solves with the factor at hand; the d it is of may have changed since, by a step's error. */
 static void solve_again(FloorChain *chain)
 {
     double *m = chain->m;

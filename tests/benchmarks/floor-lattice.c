@@ -1,5 +1,5 @@
-/* A lattice as a plain list of springs between masses that are packed as (x, y, vx, vy): four springs are worked out at a
- * time, in vectors of four, and their forces added one after the other. */
+/* A lattice as a plain list of springs between masses that are packed as (x, y, vx, vy): four springs are worked out at
+ * a time, in vectors of four, and their forces added one after the other. */
 #include "floors.h"
 
 #include <math.h>

@@ -1,5 +1,6 @@
-/* Unit masses in a line, each on a spring and a damper from the one before: a frame on a moving base by Runge-Kutta steps, and the
- * stiff chain by average acceleration, whose equations are factored once. Displacements from rest alone. */
+/* Unit masses in a line, each on a spring and a damper from the one before: a frame on a moving base by Runge-Kutta
+ * steps, and the stiff chain by average acceleration, whose equations are factored once. Displacements from rest alone.
+ */
 #include "floors.h"
 
 #include <math.h>

@@ -1,6 +1,6 @@
-/* The floor: what the same motion costs in plain C that was written for the one scene and knows nothing else. It takes the
- * same steps, classical Runge-Kutta ones but for the stiff chain (and, with rods, the same return to them after each), so the difference is the price of
- * blocks, plugins, watching and energy books. */
+/* The floor: what the same motion costs in plain C that was written for the one scene and knows nothing else. It takes
+ * the same steps, classical Runge-Kutta ones but for the stiff chain (and, with rods, the same return to them after
+ * each), so the difference is the price of blocks, plugins, watching and energy books. */
 #ifndef BENCHMARK_FLOORS_H
 #define BENCHMARK_FLOORS_H
 

@@ -4,8 +4,8 @@
 
 #include <glib.h>
 
-/* Seconds of one unit of work: the middle and the least of several batches. Neighbours on the machine make a batch slower,
- * never faster, so the least is what the program costs and the median what it cost today. */
+/* Seconds of one unit of work: the middle and the least of several batches. Neighbours on the machine make a batch
+ * slower, never faster, so the least is what the program costs and the median what it cost today. */
 typedef struct {
     double median, minimum;
 } BenchmarkTiming;
@@ -25,8 +25,8 @@ typedef struct {
     BenchmarkTiming timing;
 } BenchmarkTask;
 
-/* Warms up, finds how many units of each task take 12 ms or more, and times batches of that many, of the two in turns: what
- * slows the machine down meets both. */
+/* Warms up, finds how many units of each task take 12 ms or more, and times batches of that many, of the two in turns:
+ * what slows the machine down meets both. */
 void benchmark_time_pair(BenchmarkTask *first, BenchmarkTask *second);
 
 /* The middle and the least of values; sorts them. */

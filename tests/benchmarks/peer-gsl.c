@@ -1,5 +1,5 @@
-/* The explicit and multistep methods of the GNU Scientific Library. Those of its implicit methods that could take a stiff
- * problem factor a full matrix and do not stop at order 2: they are not tried. */
+/* The explicit and multistep methods of the GNU Scientific Library. Those of its implicit methods that could take a
+ * stiff problem factor a full matrix and do not stop at order 2: they are not tried. */
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_odeiv2.h>
 #include <string.h>

@@ -7,7 +7,8 @@
 #define GRAVITY      9.81
 #define CHAIN_MASSES 50
 
-/* S1 along its line: x, v ------------------------------------------------------------------------------------------- */
+/* S1 along its line: x, v -------------------------------------------------------------------------------------------
+ */
 
 static void oscillator_rates(double t, const double *y, double *f)
 {
@@ -22,10 +23,12 @@ static double oscillator_error(double t, const double *y)
     return fabs(y[0] - exp(-decay * t) * (cos(frequency * t) + decay / frequency * sin(frequency * t)));
 }
 
-/* S2: x1, y1, x2, y2 and their rates -------------------------------------------------------------------------------- */
+/* S2: x1, y1, x2, y2 and their rates --------------------------------------------------------------------------------
+ */
 
 /* With rods r1 = p1, r2 = p2 - p1, both of length 1, and forces l1, l2 in them, a1 = g + l1 r1 - l2 r2 and
- * a2 = g + l2 r2. The lengths stay where r1.a1 = -|v1|^2 and r2.(a2 - a1) = -|v2 - v1|^2: two equations for l1 and l2. */
+ * a2 = g + l2 r2. The lengths stay where r1.a1 = -|v1|^2 and r2.(a2 - a1) = -|v2 - v1|^2: two equations for l1 and l2.
+ */
 static void pendulum_rates(double t, const double *y, double *f)
 {
     double rx = y[2] - y[0], ry = y[3] - y[1], wx = y[6] - y[4], wy = y[7] - y[5];
@@ -40,8 +43,8 @@ static void pendulum_rates(double t, const double *y, double *f)
     f[7] = l2 * ry - GRAVITY;
 }
 
-/* Places of both masses 5 s after both rods were let go level, to 1e-15: the equations in angles in 64-bit mantissas, by
- * the method of order 4 with 50 000 and 100 000 steps, extrapolated. */
+/* Places of both masses 5 s after both rods were let go level, to 1e-15: the equations in angles in 64-bit mantissas,
+ * by the method of order 4 with 50 000 and 100 000 steps, extrapolated. */
 static double pendulum_error(double t, const double *y)
 {
     static const double truth[] = {-0.58686920981627138, -0.80968174647180144, -1.550778469470442, -1.0759127348126536};
@@ -72,7 +75,8 @@ static double angle_error(double t, const double *y)
     return pendulum_error(t, places);
 }
 
-/* S6: x and v of each mass in turns, which keeps the Jacobian in a band ---------------------------------------------- */
+/* S6: x and v of each mass in turns, which keeps the Jacobian in a band ----------------------------------------------
+ */
 
 static void chain_rates(double t, const double *y, double *f)
 {

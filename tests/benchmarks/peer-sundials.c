@@ -1,6 +1,6 @@
-/* SUNDIALS: explicit Runge-Kutta methods of ARKODE, and CVODE's of Adams and of backward differences. On the stiff problem
- * the latter go to order 2 alone, where they are stable on the imaginary axis: with their own order 5 they creep along at
- * the period of the lightly damped stiff modes. */
+/* SUNDIALS: explicit Runge-Kutta methods of ARKODE, and CVODE's of Adams and of backward differences. On the stiff
+ * problem the latter go to order 2 alone, where they are stable on the imaginary axis: with their own order 5 they
+ * creep along at the period of the lightly damped stiff modes. */
 #include <arkode/arkode_erkstep.h>
 #include <cvode/cvode.h>
 #include <nvector/nvector_serial.h>

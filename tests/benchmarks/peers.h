@@ -1,7 +1,7 @@
 /* The peers: solvers that others wrote, and the motions as the equations of first order that those take.
  *
- * A peer is handed exactly what it needs, with the right side written by hand; it knows of no blocks, keeps no energy books
- * and watches nothing. Where its library is missing it is left out. */
+ * A peer is handed exactly what it needs, with the right side written by hand; it knows of no blocks, keeps no energy
+ * books and watches nothing. Where its library is missing it is left out. */
 #ifndef BENCHMARK_PEERS_H
 #define BENCHMARK_PEERS_H
 

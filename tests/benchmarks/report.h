@@ -9,8 +9,8 @@
 
 typedef struct _BenchmarkReport BenchmarkReport;
 
-/* Reads `--json FILE`, and `--only TEXT`: only scenes whose name contains it are run. Ends the program with a message where
- * there is any other option. (transfer full) */
+/* Reads `--json FILE`, and `--only TEXT`: only scenes whose name contains it are run. Ends the program with a message
+ * where there is any other option. (transfer full) */
 BenchmarkReport *benchmark_report_new(int argc, char **argv);
 
 /* Writes the JSON. Answers the program's exit status. */

@@ -217,7 +217,8 @@ char *benchmark_frame(void)
     return end_text(text);
 }
 
-/* Neighbours right, above and in both diagonals; at the edges the count goes on, so that every mass has four springs. */
+/* Neighbours right, above and in both diagonals; at the edges the count goes on, so that every mass has four springs.
+ */
 void benchmark_write_large(FILE *file, int masses)
 {
     const int width = 400, steps[] = {1, width - 1, width, width + 1};

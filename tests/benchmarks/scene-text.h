@@ -5,35 +5,35 @@
 #include <glib.h>
 #include <stdio.h>
 
-/* 1 kg on a spring of 25 N/m beside a damper of 0.4 N s/m, let go 1 m from its rest. `hanging`: below a support with its
- * solid side down, with gravity; else sideways from a support that is not solid, without. */
+/* 1 kg on a spring of 25 N/m beside a damper of 0.4 N s/m, let go 1 m from its rest. `hanging`: below a support with
+ * its solid side down, with gravity; else sideways from a support that is not solid, without. */
 char *benchmark_oscillator(gboolean hanging);
 
 /* Masses of 1 kg one below the other on rods from the origin; the angle of each rod is counted from straight down. */
 char *benchmark_chain(int rods, const double *angles, double rod_length);
 
-/* A square of n times n masses of 1 kg, 1 m apart and each displaced by up to 1 cm, with a spring of 1000 N/m and a damper
- * of 0.5 N s/m to each of its 8 neighbours. The places, x and y in turns, are benchmark_lattice_places. */
+/* A square of n times n masses of 1 kg, 1 m apart and each displaced by up to 1 cm, with a spring of 1000 N/m and a
+ * damper of 0.5 N s/m to each of its 8 neighbours. The places, x and y in turns, are benchmark_lattice_places. */
 char *benchmark_lattice(int n);
 double *benchmark_lattice_places(int n);
 
-/* BENCHMARK_STIFF_MASSES masses of 1 kg in a line from a support at the origin, the last one free: springs of 1e2 and 1e8 N/m
- * in turns, each with a damper of 0.02 sqrt(k). At rest at first, with the pairs on stiff springs displaced together on a
- * ramp up to 1 m. Where they would rest is benchmark_line_rests. */
+/* BENCHMARK_STIFF_MASSES masses of 1 kg in a line from a support at the origin, the last one free: springs of 1e2 and
+ * 1e8 N/m in turns, each with a damper of 0.02 sqrt(k). At rest at first, with the pairs on stiff springs displaced
+ * together on a ramp up to 1 m. Where they would rest is benchmark_line_rests. */
 #define BENCHMARK_STIFF_MASSES 50
 char *benchmark_stiff_chain(void);
 
 /* Where the masses of a line rest, m from the origin. */
 double *benchmark_line_rests(int masses);
 
-/* A frame of BENCHMARK_STOREYS storeys, lying down: masses of 1 kg in a line from a support at the origin, which moves along it
- * by 5 cm at 7.3 rad/s and by 1 cm at 19.1 rad/s; springs of 600, 540, 480 and 420 N/m, each with a damper of 1.2 N s/m. At rest at first, where
- * benchmark_line_rests has them. */
+/* A frame of BENCHMARK_STOREYS storeys, lying down: masses of 1 kg in a line from a support at the origin, which moves
+ * along it by 5 cm at 7.3 rad/s and by 1 cm at 19.1 rad/s; springs of 600, 540, 480 and 420 N/m, each with a damper
+ * of 1.2 N s/m. At rest at first, where benchmark_line_rests has them. */
 #define BENCHMARK_STOREYS 4
 char *benchmark_frame(void);
 
-/* For pictures: a square of n times n masses of some size, 1 m apart, with a spring to each of its four neighbours, hung from
- * a row of supports. */
+/* For pictures: a square of n times n masses of some size, 1 m apart, with a spring to each of its four neighbours,
+ * hung from a row of supports. */
 char *benchmark_net(int n);
 
 /* Likewise: pendulums of 1 m, each with a support of its own, in a field half as high as it is wide. */

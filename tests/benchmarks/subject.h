@@ -1,4 +1,5 @@
-/* A scene as the program runs it: text read, plugins opened from the build, model compiled, and a run that is stepped. */
+/* A scene as the program runs it: text read, plugins opened from the build, model compiled, and a run that is stepped.
+ */
 #ifndef BENCHMARK_SUBJECT_H
 #define BENCHMARK_SUBJECT_H
 

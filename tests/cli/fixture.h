@@ -36,7 +36,7 @@ char *cli_read(const CliFixture *fixture, const char *name);
 /* Runs `tinker` with these words, split as a shell does it; "@" at the start of a word stands for the folder and a
  * slash. (transfer full) */
 TestProgram *cli_run(const CliFixture *fixture, const char *words);
-/* Likewise; fails the test unless it exits with 0, or with `status`. (transfer full) */
+/* Runs `tinker` as cli_run() does; fails the test unless it exits with 0, or with `status`. (transfer full) */
 TestProgram *cli_run_well(const CliFixture *fixture, const char *words);
 TestProgram *cli_run_badly(const CliFixture *fixture, const char *words, int status);
 

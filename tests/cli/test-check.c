@@ -75,8 +75,8 @@ static void test_slides_from_top(CliFixture *fixture, gconstpointer data)
     }
 }
 
-/* Two carts whose sides are 3.2 m apart and come nearer by 4 m/s meet at 0.8 s: told before the run, as long as it lasts until
- * then, and by the run at the first sample behind it. */
+/* Two carts whose sides are 3.2 m apart and come nearer by 4 m/s meet at 0.8 s: told before the run, as long as it
+ * lasts until then, and by the run at the first sample behind it. */
 static void test_carts(CliFixture *fixture, gconstpointer data)
 {
     g_autofree char *scene = cli_write(
@@ -99,8 +99,8 @@ static void test_carts(CliFixture *fixture, gconstpointer data)
                                   "bodies is not modelled\n");
 }
 
-/* A method that nobody knows has its place, and stands beside the other mistakes; a run that asks for it says the same, one that
- * asks for another goes on. */
+/* A method that nobody knows has its place, and stands beside the other mistakes; a run that asks for it says the same,
+ * one that asks for another goes on. */
 static void test_method(CliFixture *fixture, gconstpointer data)
 {
     static const char *const method =
@@ -143,8 +143,8 @@ static void test_missing_type_once(CliFixture *fixture, gconstpointer data)
     }
 }
 
-/* A pendulum that hangs still moves by what rounding makes of its forces, if at all: none of that is told as a number. Free fall is
- * stepped to rounding, and told so. */
+/* A pendulum that hangs still moves by what rounding makes of its forces, if at all: none of that is told as a number.
+ * Free fall is stepped to rounding, and told so. */
 static void test_rounding(CliFixture *fixture, gconstpointer data)
 {
     g_autofree char *scene = cli_write(

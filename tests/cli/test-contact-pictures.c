@@ -1,5 +1,5 @@
-/* What has landed on a support is drawn along it from then on. The corners of a box stand in an SVG in world coordinates,
- * as exactly as cairo keeps paths: 1/256 of a pixel. */
+/* What has landed on a support is drawn along it from then on. The corners of a box stand in an SVG in world
+ * coordinates, as exactly as cairo keeps paths: 1/256 of a pixel. */
 #include <math.h>
 #include <string.h>
 

@@ -77,7 +77,8 @@ static void test_exhibit(CliFixture *fixture, gconstpointer data)
     assert_record(fixture);
 }
 
-/* All rows are in the file already, as their text is longer than what is gathered: the message names it all the same. */
+/* All rows are in the file already, as their text is longer than what is gathered: the message names it all the same.
+ */
 static void test_nothing_gathered(CliFixture *fixture, gconstpointer data)
 {
     g_autoptr(GString) columns = g_string_new("Mass 0.x");
@@ -170,8 +171,8 @@ static void test_crash_at_end(CliFixture *fixture, gconstpointer data)
     g_assert_cmpuint(table->rows, ==, 25);
 }
 
-/* A plugin's `prepare` that changes locale, umask, rounding, traps and the answer to SIGTERM changes nothing for the run: two
- * masses fly as without it, the file may be read by whom the umask lets, and numbers have a point. */
+/* A plugin's `prepare` that changes locale, umask, rounding, traps and the answer to SIGTERM changes nothing for the
+ * run: two masses fly as without it, the file may be read by whom the umask lets, and numbers have a point. */
 static void test_changed_process(CliFixture *fixture, gconstpointer data)
 {
     g_autoptr(TestProgram) program = run_exhibit(fixture, "changes-process", "0.125", COLUMNS);
@@ -323,8 +324,8 @@ static void test_lost_state(CliFixture *fixture, gconstpointer data)
     cli_assert_holds(program->error, "the method put other arrays in the place of those of the state");
 }
 
-/* Times of a step that are not those of its contract: the run stops, and names the method. A mass would hang in the air otherwise, with
- * an error that is said to be nothing. */
+/* Times of a step that are not those of its contract: the run stops, and names the method. A mass would hang in the air
+ * otherwise, with an error that is said to be nothing. */
 static void test_wrong_times(CliFixture *fixture, gconstpointer data)
 {
     static const struct {
@@ -347,8 +348,8 @@ static void test_wrong_times(CliFixture *fixture, gconstpointer data)
     }
 }
 
-/* A drawing that leaves its context otherwise than it was spoils nothing of what is drawn after it: the picture is that of a block
- * that draws the same and behaves. The block is named. */
+/* A drawing that leaves its context otherwise than it was spoils nothing of what is drawn after it: the picture is that
+ * of a block that draws the same and behaves. The block is named. */
 static void test_drawings(CliFixture *fixture, gconstpointer data)
 {
     static const char *const types[] = {"draws-line", "draws-saved", "draws-restored", "draws-group", "draws-broken"};
@@ -383,7 +384,8 @@ static void test_drawings(CliFixture *fixture, gconstpointer data)
     }
 }
 
-/* A scene names types. What looks like a file is a type that nobody has: nothing is opened, though the file is there. */
+/* A scene names types. What looks like a file is a type that nobody has: nothing is opened, though the file is there.
+ */
 static void test_type_like_a_path(CliFixture *fixture, gconstpointer data)
 {
     g_autofree char *copy = copy_exhibit(fixture, "aborts", "evil.so");

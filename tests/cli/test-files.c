@@ -1,5 +1,5 @@
-/* The files of a command: none that it reads is written to, no two outputs go to one, and what cannot be written as a whole is
- * told. What could have been lost is compared byte by byte. */
+/* The files of a command: none that it reads is written to, no two outputs go to one, and what cannot be written as a
+ * whole is told. What could have been lost is compared byte by byte. */
 #include <glib/gstdio.h>
 #include <string.h>
 #include <sys/wait.h>
@@ -161,8 +161,8 @@ static void test_streams(CliFixture *fixture, gconstpointer data)
     }
 }
 
-/* A limit of the size of files is told as a full disk is. A record holds the first rows of the whole one then, all of them
- * whole; what is replaced as a whole is as it was, and nothing else is left. */
+/* A limit of the size of files is told as a full disk is. A record holds the first rows of the whole one then, all of
+ * them whole; what is replaced as a whole is as it was, and nothing else is left. */
 static void test_size_limit(CliFixture *fixture, gconstpointer data)
 {
     static const struct {

@@ -1,5 +1,5 @@
-/* Where films and numbered pictures end up: in their places when they are whole, and until then nowhere that the user looks.
- * ffmpeg's part is played by scripts. What a window does with films is in tests/gui/test-film-task.c. */
+/* Where films and numbered pictures end up: in their places when they are whole, and until then nowhere that the user
+ * looks. ffmpeg's part is played by scripts. What a window does with films is in tests/gui/test-film-task.c. */
 #include <glib/gstdio.h>
 #include <stdlib.h>
 #include <string.h>

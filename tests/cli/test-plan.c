@@ -1,4 +1,5 @@
-/* tinker plan: its JSON has the keys of the contract, its text says the same for people, and options override the scene. */
+/* tinker plan: its JSON has the keys of the contract, its text says the same for people, and options override the
+ * scene. */
 #include <cjson/cJSON.h>
 #include <math.h>
 #include <string.h>

@@ -1,9 +1,11 @@
-/* Nothing that a scene or an argument says reaches a terminal raw, and a message is one line, whatever names are in it. */
+/* Nothing that a scene or an argument says reaches a terminal raw, and a message is one line, whatever names are in it.
+ */
 #include <string.h>
 
 #include "fixture.h"
 
-/* In every text that a scene can have: ESC [ 31 m, which turns a terminal red, BEL, the CSI of ISO 8859-1, and a line feed. */
+/* In every text that a scene can have: ESC [ 31 m, which turns a terminal red, BEL, the CSI of ISO 8859-1, and a line
+ * feed. */
 #define BAD "\\u001b[31m\\u0007\\u009b\\n"
 
 /* No control character but the line feeds and tabs that the program writes itself. */

@@ -228,8 +228,8 @@ static void test_pictures(CliFixture *fixture, gconstpointer data)
     assert_png_size(fixture, "small.png", 321, 123);
 }
 
-/* The force is 0/0 at t = 1/16 s, which the companion meets at half the step and the run itself passes: the curve is drawn without
- * a band. */
+/* The force is 0/0 at t = 1/16 s, which the companion meets at half the step and the run itself passes: the curve is
+ * drawn without a band. */
 static void test_graph_without_band(CliFixture *fixture, gconstpointer data)
 {
     g_autofree char *scene =
@@ -303,8 +303,8 @@ static void test_animate(CliFixture *fixture, gconstpointer data)
     assert_begins(fixture, "film.gif", "GIF89a");
 }
 
-/* A film that cannot be joined is an error, told before anything is run, with what to install; nothing is written. Who asks for the
- * pictures gets them, whatever the output is called and is installed. */
+/* A film that cannot be joined is an error, told before anything is run, with what to install; nothing is written. Who
+ * asks for the pictures gets them, whatever the output is called and is installed. */
 static void test_animate_without_ffmpeg(CliFixture *fixture, gconstpointer data)
 {
     g_autofree char *scene = cli_write(fixture, "a.json", OSCILLATOR);

@@ -4,12 +4,12 @@
 
 #include <glib.h>
 
-/* A new folder with the staged SDK, TINKER_SDK_PACKAGE and the headers of TINKER_SOURCES, and the program of TINKER_PROGRAM
- * in `bin`. (transfer full) */
+/* A new folder with the staged SDK, TINKER_SDK_PACKAGE and the headers of TINKER_SOURCES, and the program of
+ * TINKER_PROGRAM in `bin`. (transfer full) */
 char *test_author_folder(void);
 
-/* Runs a tool; pkg-config finds the SDK of the folder, and the PATH its program. It has to end well and to say nothing on
- * standard error. `data_home` is XDG_DATA_HOME; NULL: as it is. */
+/* Runs a tool; pkg-config finds the SDK of the folder, and the PATH its program. It has to end well and to say nothing
+ * on standard error. `data_home` is XDG_DATA_HOME; NULL: as it is. */
 void test_author_run(const char *folder, const char *data_home, const char *const *arguments);
 
 /* Removes a file, or a folder with all that is in it. */

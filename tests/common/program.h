@@ -25,19 +25,20 @@ typedef struct {
     cJSON *summary;
 } TestSceneRun;
 
-/* `tinker run PATH options...`; fails the test with the program's message where that does not exit with 0. (transfer full) */
+/* `tinker run PATH options...`; fails the test with the program's message where that does not exit with 0. (transfer
+ * full) */
 TestSceneRun *test_scene_run(const char *path, const char *const *options);
 void test_scene_run_free(TestSceneRun *run);
 G_DEFINE_AUTOPTR_CLEANUP_FUNC(TestSceneRun, test_scene_run_free)
 
-/* The same with a sample at each of these times, and a tolerance. (transfer full) */
+/* Runs a scene with a sample at each of these times, and a tolerance. (transfer full) */
 TestSceneRun *test_scene_run_at(const char *path, const double *times, gsize count, const char *tolerance);
 
 /* A number of the summary; fails the test where there is none of that name. */
 double test_summary_number(const TestSceneRun *run, const char *key);
 
-/* From now on PATH is a folder made in `folder`, with nothing in it but this script under the name of a program; NULL: not even
- * that. */
+/* From now on PATH is a folder made in `folder`, with nothing in it but this script under the name of a program; NULL:
+ * not even that. */
 void test_pretend_program(const char *folder, const char *name, const char *script);
 
 /* A file's text. Fails the test where it cannot be read. (transfer full) */

@@ -1,5 +1,6 @@
-/* One good library, and with PLANT_... defined the same with one fault. It has line laws (pull, rub), force elements (pair,
- * follow), a field (gather), a body (ball), constraints (keep, hold), a motion (sway) and an integrator (simple). */
+/* One good library, and with PLANT_... defined the same with one fault. It has line laws (pull, rub), force elements
+ * (pair, follow), a field (gather), a body (ball), constraints (keep, hold), a motion (sway) and an integrator
+ * (simple). */
 #include <locale.h>
 #include <signal.h>
 #include <stdio.h>
@@ -276,8 +277,8 @@ static TinkerStatus gather_force(TinkerBatch *batch, const TinkerBodies *bodies,
     return TINKER_OK;
 }
 
-/* rub: Hertz's contact, F (e / D)^1.5 with e = D - L where that is positive, and dry friction that is rounded off, R tanh(rate
- * / s): right, with a kink in the slope and a bend within centimetres. */
+/* rub: Hertz's contact, F (e / D)^1.5 with e = D - L where that is positive, and dry friction that is rounded off, R
+ * tanh(rate / s): right, with a kink in the slope and a bend within centimetres. */
 
 enum { HARDNESS, DIAMETER, FRICTION, ROUNDING };
 

@@ -151,8 +151,8 @@ static void test_plant(gconstpointer data)
     cJSON_Delete(root);
 }
 
-/* The museum's plugins that go wrong while they run, and what the first failure says: to the last letter, but for the values of
- * the instance, which stand for "(...)". */
+/* The museum's plugins that go wrong while they run, and what the first failure says: to the last letter, but for the
+ * values of the instance, which stand for "(...)". */
 static const struct {
     const char *exhibit, *rule, *text;
 } exhibits[] = {

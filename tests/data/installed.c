@@ -1,5 +1,5 @@
-/* A package's installation (DESTDIR) of the desktop's files. The tools see it through XDG_DATA_DIRS, before the system's
- * data: what they answer is what a desktop with the package would answer. */
+/* A package's installation (DESTDIR) of the desktop's files. The tools see it through XDG_DATA_DIRS, before the
+ * system's data: what they answer is what a desktop with the package would answer. */
 #include "installed.h"
 
 #include <sys/wait.h>

@@ -15,9 +15,10 @@ char *test_installed_path(const char *relative);
 char *test_installed_text(const char *relative);
 
 /* Runs a tool with these arguments (ended by NULL), which finds the installed data beside that of the system, and gives
- * its exit status and, where `output` is not NULL, what it wrote to standard output and standard error. (transfer full) */
+ * its exit status and, where `output` is not NULL, what it wrote to standard output and standard error. (transfer full)
+ */
 int test_tool_run(const char *const *arguments, char **output);
-/* The same, and fails the test with what the tool wrote unless the status is 0. (transfer full) */
+/* Runs a tool as test_tool_run() does, and fails the test with what it wrote unless the status is 0. (transfer full) */
 char *test_tool_output(const char *const *arguments);
 
 #endif

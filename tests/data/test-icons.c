@@ -1,5 +1,5 @@
-/* The icons, drawn by librsvg as a desktop draws them: each gives a picture of the size asked for, fills a good part of it,
- * leaves its corners free, and has the colours that its kind must have. */
+/* The icons, drawn by librsvg as a desktop draws them: each gives a picture of the size asked for, fills a good part of
+ * it, leaves its corners free, and has the colours that its kind must have. */
 #include <cairo.h>
 #include <glib.h>
 #include <string.h>

@@ -35,7 +35,8 @@ static char *xpath(const char *relative, const char *expression)
     return g_strchomp(test_tool_output(arguments));
 }
 
-/* The hint that two main categories (education and science) may list the program twice is no mistake: it belongs in both. */
+/* The hint that two main categories (education and science) may list the program twice is no mistake: it belongs in
+ * both. */
 static void test_launcher_is_valid(void)
 {
     g_autofree char *path = test_installed_path(LAUNCHER);
@@ -100,7 +101,8 @@ static void test_version_is_released(void)
     g_assert_cmpstr(newest, ==, g_getenv("TINKER_VERSION"));
 }
 
-/* The files of a folder of the sources, and of those in it, that mark texts for translation, but are not in the list. */
+/* The files of a folder of the sources, and of those in it, that mark texts for translation, but are not in the list.
+ */
 static void find_unlisted(const char *folder, const char *const *listed)
 {
     g_autofree char *path = g_build_filename(g_getenv("TINKER_SOURCES"), folder, NULL);
@@ -133,8 +135,8 @@ static void test_texts_are_listed(void)
     find_unlisted("core", (const char *const *)listed);
 }
 
-/* Every string that xgettext finds has a translation in every language, none of them fuzzy, with the same placeholders and
- * a mnemonic where the original has one. */
+/* Every string that xgettext finds has a translation in every language, none of them fuzzy, with the same placeholders
+ * and a mnemonic where the original has one. */
 static void test_translations_are_complete(gconstpointer language)
 {
     const char *sources = g_getenv("TINKER_SOURCES");

@@ -110,8 +110,8 @@ static void test_links(void)
     }
 }
 
-/* What a page of a method must tell; that of auto, which is no method of its own, needs no equation, and that of impulse, which
- * is asked for by `contacts`, no picture. */
+/* What a page of a method must tell; that of auto, which is no method of its own, needs no equation, and that of
+ * impulse, which is asked for by `contacts`, no picture. */
 static void check_method_page(const char *name, const char *page, const char *overview)
 {
     static const char *const parts[] = {"\n## Order", "\n## Cost\n", "\n## When to take it", "\n## Source\n"};
@@ -239,7 +239,8 @@ static double oscillator_error(const char *plugin_folder, const char *step)
     return largest;
 }
 
-/* The integrator, built as its author does, keeps its order: between its steps, too, as 0.1 s is no multiple of them. */
+/* The integrator, built as its author does, keeps its order: between its steps, too, as 0.1 s is no multiple of them.
+ */
 static void test_integrator_builds(void)
 {
     static const char *const steps[] = {"0.016", "0.008", "0.004", "0.002"};

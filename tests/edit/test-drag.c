@@ -175,8 +175,8 @@ static void test_handles(Stage *stage, gconstpointer data)
     expect_untouched(stage);
 }
 
-/* The floor is turned by 90 degrees: its top faces left, at x = -0.2, from y = -5 to y = -1, so that a mass of height 0.8 touches
- * it with its centre at x = -0.6. */
+/* The floor is turned by 90 degrees: its top faces left, at x = -0.2, from y = -5 to y = -1, so that a mass of height
+ * 0.8 touches it with its centre at x = -0.6. */
 static void test_onto_top(Stage *stage, gconstpointer data)
 {
     static const struct {

@@ -49,7 +49,8 @@ static void expect(const Stage *stage, double x, double y, const char *name, int
 
 static void test_order(Stage *stage, gconstpointer data)
 {
-    /* The later mass covers the earlier one; an end comes before both; the line of a spring before the mass under it. */
+    /* The later mass covers the earlier one; an end comes before both; the line of a spring before the mass under it.
+     */
     expect(stage, 0.3, 0.3, "Above", TINKER_PART_WHOLE);
     expect(stage, -0.35, 0.3, "Below", TINKER_PART_WHOLE);
     expect(stage, 0.02, 0.02, "S", 0);

@@ -1,11 +1,10 @@
 /* Calls of the C library on files that fail when they are told to. The environment says which:
- *     TEST_FAULT          "CALL NUMBER KIND": the NUMBERth call (from 1) of open, read, write, fsync, close or rename fails;
- *                         KIND is the name of an error, which all later calls of it have too, "once" for a single EINTR,
- *                         or "short" for a single read or write of half of what was asked for
- *     TEST_FAULT_FOLDER   calls on files in this folder are meant; others are left alone
- *     TEST_FAULT_REACHED  a file that is made when the call comes
- * Streams do their reading and writing inside the C library, where nobody can put anything in front: those on such files are
- * replaced by streams over functions of this file. */
+ *     TEST_FAULT          "CALL NUMBER KIND": the NUMBERth call (from 1) of open, read, write, fsync, close or rename
+ * fails; KIND is the name of an error, which all later calls of it have too, "once" for a single EINTR, or "short" for
+ * a single read or write of half of what was asked for TEST_FAULT_FOLDER   calls on files in this folder are meant;
+ * others are left alone TEST_FAULT_REACHED  a file that is made when the call comes Streams do their reading and
+ * writing inside the C library, where nobody can put anything in front: those on such files are replaced by streams
+ * over functions of this file. */
 // Else open and fopen are other names for open64 and fopen64, which both are needed here.
 #undef _FILE_OFFSET_BITS
 #include <dlfcn.h>
@@ -181,7 +180,8 @@ static int mode_of(int flags, va_list arguments)
 OPEN(open)
 OPEN(open64)
 
-/* Streams ------------------------------------------------------------------------------------------------------------ */
+/* Streams ------------------------------------------------------------------------------------------------------------
+ */
 
 static ssize_t stream_read(void *file, char *bytes, size_t count)
 {

@@ -1,9 +1,8 @@
 /* Memory that cannot be had, when the environment says so:
- *     TEST_FAULT          "NUMBER KIND": the NUMBERth request for memory (from 1) since main began finds none; KIND is "once", or
- *                         "later" where all that come after it find none either
- *     TEST_FAULT_REACHED  a file that gets two numbers when main has returned: how many requests there were, and how many
- *                         pieces of memory were not given back
- * Children of the program have all the memory that there is. */
+ *     TEST_FAULT          "NUMBER KIND": the NUMBERth request for memory (from 1) since main began finds none; KIND is
+ * "once", or "later" where all that come after it find none either TEST_FAULT_REACHED  a file that gets two numbers
+ * when main has returned: how many requests there were, and how many pieces of memory were not given back Children of
+ * the program have all the memory that there is. */
 #include <dlfcn.h>
 #include <errno.h>
 #include <malloc.h>
@@ -92,7 +91,8 @@ VISIBLE void free(void *memory)
     void *symbol_##function = dlsym(RTLD_DEFAULT, name);                                                               \
     memcpy(&(function), &symbol_##function, sizeof(function))
 
-/* What GLib sets up once for the words of errors, and the names of files in them, is there before anything is counted. */
+/* What GLib sets up once for the words of errors, and the names of files in them, is there before anything is counted.
+ */
 static void prepare_words(void)
 {
     const char *(*words)(int);

@@ -1,5 +1,5 @@
-/* What is tried with faults: commands of the program and parts of the core, run in a child with a library put before the C
- * library (LD_PRELOAD). */
+/* What is tried with faults: commands of the program and parts of the core, run in a child with a library put before
+ * the C library (LD_PRELOAD). */
 #ifndef TEST_FAULTS_OPERATIONS_H
 #define TEST_FAULTS_OPERATIONS_H
 

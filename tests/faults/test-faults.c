@@ -1,6 +1,6 @@
-/* Every call on a file fails in turn, in every way that a disk has, until the operation no longer comes to it. Whatever fails:
- * what was to be written is there, whole, and the program says so; or it ends with the status of files, names the file and the
- * reason, and what was there before is as it was where it is replaced as a whole. */
+/* Every call on a file fails in turn, in every way that a disk has, until the operation no longer comes to it. Whatever
+ * fails: what was to be written is there, whole, and the program says so; or it ends with the status of files, names
+ * the file and the reason, and what was there before is as it was where it is replaced as a whole. */
 #include <errno.h>
 #include <glib/gstdio.h>
 #include <string.h>

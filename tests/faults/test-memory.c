@@ -1,7 +1,7 @@
-/* Requests for memory fail, one of them or all from one on. Whatever fails: what was to be written is there, whole; or the
- * program ends with a status that is not 0 and says that there is no memory, what was there before is as it was where it is
- * replaced as a whole, and what is written as the run goes is there up to some place. And where it goes on to its regular end,
- * it has given back as much as it ever does. */
+/* Requests for memory fail, one of them or all from one on. Whatever fails: what was to be written is there, whole; or
+ * the program ends with a status that is not 0 and says that there is no memory, what was there before is as it was
+ * where it is replaced as a whole, and what is written as the run goes is there up to some place. And where it goes on
+ * to its regular end, it has given back as much as it ever does. */
 #include <glib/gstdio.h>
 #include <signal.h>
 #include <stdlib.h>
@@ -9,7 +9,8 @@
 
 #include "operations.h"
 
-/* Pieces that a program may keep to its end and has not kept without a fault: names of kinds of errors, which are interned. */
+/* Pieces that a program may keep to its end and has not kept without a fault: names of kinds of errors, which are
+ * interned. */
 #define INTERNED 2
 
 /* How many of an operation's requests fail, evenly spread; TEST_MEMORY_EACH=1 in the environment: each. */
@@ -30,7 +31,8 @@ static Told read_mark(const CliFixture *fixture)
     return told;
 }
 
-/* GLib's words, the C library's, the dynamic linker's, and ours for a library that could not be opened for want of memory. */
+/* GLib's words, the C library's, the dynamic linker's, and ours for a library that could not be opened for want of
+ * memory. */
 static void assert_told(const TestProgram *ended)
 {
     static const char *const words[] = {"memory", "failed to allocate", "annot allocate", "cannot create shared object",
@@ -40,15 +42,16 @@ static void assert_told(const TestProgram *ended)
     g_error("status %d and no word of memory: \"%s\"", ended->status, ended->error);
 }
 
-/* GLib aborts where it has no memory for its locks, or before 2.76 for pieces of some sizes that it kept apart; and overflows the
- * stack where it has none for the message about it. */
+/* GLib aborts where it has no memory for its locks, or before 2.76 for pieces of some sizes that it kept apart; and
+ * overflows the stack where it has none for the message about it. */
 static void assert_ended_by_glib(const TestProgram *ended)
 {
     g_assert_true(ended->signal == SIGABRT || ended->signal == SIGSEGV);
     cli_assert_holds(ended->error, "maybe for want of memory");
 }
 
-/* Whether the warnings of a summary tell it: of a library that could not be opened, of an error that could not be estimated. */
+/* Whether the warnings of a summary tell it: of a library that could not be opened, of an error that could not be
+ * estimated. */
 static gboolean is_told_in_summary(GBytes *text)
 {
     cJSON *summary = cJSON_ParseWithLength(g_bytes_get_data(text, NULL), g_bytes_get_size(text));
@@ -60,8 +63,8 @@ static gboolean is_told_in_summary(GBytes *text)
     return told;
 }
 
-/* A library that could not be opened makes placeholders of its blocks, which are written as they were read, and it is told: with
- * the library at hand the scene is the same. */
+/* A library that could not be opened makes placeholders of its blocks, which are written as they were read, and it is
+ * told: with the library at hand the scene is the same. */
 static void assert_nothing_lost(const CliFixture *fixture, const FaultOperation *operation, const TestProgram *ended,
                                 GBytes *reference)
 {

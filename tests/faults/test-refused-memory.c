@@ -1,5 +1,6 @@
-/* Memory for what grows with the user's file: every request for it fails in turn. The error names the file, or what of the scene it is
- * for, and says that it is memory that lacks; nothing is kept of what was read; with memory at hand the same file is read. */
+/* Memory for what grows with the user's file: every request for it fails in turn. The error names the file, or what of
+ * the scene it is for, and says that it is memory that lacks; nothing is kept of what was read; with memory at hand the
+ * same file is read. */
 #include <errno.h>
 #include <fcntl.h>
 #include <glib/gstdio.h>
@@ -36,8 +37,8 @@ REFUSING(g_try_malloc_n, (gsize count, gsize size), (count, size))
 /* Reads a file; what was read is given back. */
 typedef gboolean (*Read)(const char *path, GError **error);
 
-/* Each request fails in turn until the call no longer comes to it; then all is well. `named` is what the message names. Answers how
- * many requests there were. */
+/* Each request fails in turn until the call no longer comes to it; then all is well. `named` is what the message names.
+ * Answers how many requests there were. */
 static int try_each(Read read_file, const char *path, const char *named)
 {
     for (failing = 1;; failing++) {
@@ -144,7 +145,8 @@ static gboolean compile_scene(const char *path, GError **error)
     return good;
 }
 
-/* A scene's equations: a frame of rods with a diagonal, so that they hang together in cycles, a spring, a damper and a force. */
+/* A scene's equations: a frame of rods with a diagonal, so that they hang together in cycles, a spring, a damper and a
+ * force. */
 static void test_equations(CliFixture *fixture, gconstpointer data)
 {
     static const char frame[] =
@@ -186,8 +188,9 @@ static gboolean run_scene(const char *path, GError **error)
     return good;
 }
 
-/* Contacts that are decided together: a chain of rods that falls flat on a rough floor and slides there, beside a mass that does so by
- * itself, so that the whole model's contacts are gathered from its islands. Answers how many requests there were. */
+/* Contacts that are decided together: a chain of rods that falls flat on a rough floor and slides there, beside a mass
+ * that does so by itself, so that the whole model's contacts are gathered from its islands. Answers how many requests
+ * there were. */
 static int try_contacts(CliFixture *fixture, gboolean as_impulses)
 {
     enum { MASSES = 12 };

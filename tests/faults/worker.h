@@ -1,5 +1,5 @@
-/* What the worker does beside the program itself. Each answers an exit status of the program's kind, and says on standard error
- * what went wrong. */
+/* What the worker does beside the program itself. Each answers an exit status of the program's kind, and says on
+ * standard error what went wrong. */
 #ifndef TEST_FAULT_WORKER_H
 #define TEST_FAULT_WORKER_H
 

@@ -1,4 +1,5 @@
-/* Files as a whole and by rows, and what killed processes leave of them. The truth is what stat(2) and the bytes say. */
+/* Files as a whole and by rows, and what killed processes leave of them. The truth is what stat(2) and the bytes say.
+ */
 #include <errno.h>
 #include <fcntl.h>
 #include <glib/gstdio.h>
@@ -49,7 +50,8 @@ static void assert_holds(const char *path, const char *text)
     g_assert_cmpstr(now, ==, text);
 }
 
-/* Replacing ----------------------------------------------------------------------------------------------------------- */
+/* Replacing -----------------------------------------------------------------------------------------------------------
+ */
 
 static void test_replace(Fixture *fixture, gconstpointer data)
 {
@@ -101,7 +103,8 @@ static void test_limit(Fixture *fixture, gconstpointer data)
     g_assert_cmpuint(count_files(fixture), ==, 1);
 }
 
-/* Killed processes ---------------------------------------------------------------------------------------------------- */
+/* Killed processes ----------------------------------------------------------------------------------------------------
+ */
 
 /* A process that has begun a file and a folder with a file in it, and waits. */
 static GPid begin_and_wait(const Fixture *fixture)
@@ -161,7 +164,8 @@ static void test_given_up(Fixture *fixture, gconstpointer data)
     g_assert_true(g_file_test(place, G_FILE_TEST_EXISTS));
 }
 
-/* Rows ---------------------------------------------------------------------------------------------------------------- */
+/* Rows ----------------------------------------------------------------------------------------------------------------
+ */
 
 /* A file that takes 10 bytes, for every length of a row: what is in it ends with a whole row. */
 static void test_rows(Fixture *fixture, gconstpointer data)

@@ -1,6 +1,7 @@
-/* Descriptors of plugins in memory, made by a list of choices, one byte each. Where the bytes run out every choice is the
- * proper one, so no byte at all makes a descriptor that passes. Spans have the memory that they claim and not a byte more, as
- * long as what they claim could be allowed. A pointer that leads nowhere cannot be told from a good one, so there is none. */
+/* Descriptors of plugins in memory, made by a list of choices, one byte each. Where the bytes run out every choice is
+ * the proper one, so no byte at all makes a descriptor that passes. Spans have the memory that they claim and not a
+ * byte more, as long as what they claim could be allowed. A pointer that leads nowhere cannot be told from a good one,
+ * so there is none. */
 #include <math.h>
 #include <string.h>
 
@@ -26,7 +27,8 @@ static gpointer allot(Maker *maker, gsize size)
     return memory;
 }
 
-/* Numbers ------------------------------------------------------------------------------------------------------------ */
+/* Numbers ------------------------------------------------------------------------------------------------------------
+ */
 
 static double number(Maker *maker, double proper)
 {
@@ -59,7 +61,8 @@ static TinkerDimension dimension(Maker *maker, TinkerDimension proper)
     }
 }
 
-/* Texts -------------------------------------------------------------------------------------------------------------- */
+/* Texts --------------------------------------------------------------------------------------------------------------
+ */
 
 static const char *text(Maker *maker, const char *proper)
 {
@@ -81,7 +84,8 @@ static const char *numbered(Maker *maker, const char *stem, int32_t i)
     return text(maker, proper);
 }
 
-/* Structs and spans -------------------------------------------------------------------------------------------------- */
+/* Structs and spans --------------------------------------------------------------------------------------------------
+ */
 
 /* The bytes that a struct of `size` is given: those of this host, or of an older or a newer one. */
 static gsize declared(Maker *maker, gsize size)
@@ -183,7 +187,8 @@ static void nothing(void) {}
         memcpy(&(target), &function_, sizeof function_);                                                               \
     } while (0)
 
-/* What a block declares ---------------------------------------------------------------------------------------------- */
+/* What a block declares ----------------------------------------------------------------------------------------------
+ */
 
 /* The proper ones: the place and mass of a body, then one of each kind. */
 static TinkerPropertyType property(Maker *maker, int32_t i)
@@ -248,7 +253,8 @@ static TinkerSpan quantities(Maker *maker)
     return span_of(maker, types, count, sizeof types[0], TRUE);
 }
 
-/* Interfaces --------------------------------------------------------------------------------------------------------- */
+/* Interfaces ---------------------------------------------------------------------------------------------------------
+ */
 
 static const void *body(Maker *maker)
 {
@@ -312,7 +318,8 @@ static TinkerSpan interfaces(Maker *maker)
     return span_of(maker, list, (int32_t)G_N_ELEMENTS(list), sizeof list[0], FALSE);
 }
 
-/* The descriptor ----------------------------------------------------------------------------------------------------- */
+/* The descriptor -----------------------------------------------------------------------------------------------------
+ */
 
 static TinkerSpan blocks(Maker *maker)
 {

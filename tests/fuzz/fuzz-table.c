@@ -1,5 +1,5 @@
-/* Tables in files: the first byte chooses column, scale and kind, the rest is the file. What was read is evaluated before,
- * between and behind its rows. */
+/* Tables in files: the first byte chooses column, scale and kind, the rest is the file. What was read is evaluated
+ * before, between and behind its rows. */
 #include <math.h>
 #include <sys/mman.h>
 #include <unistd.h>

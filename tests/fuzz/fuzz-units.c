@@ -1,5 +1,5 @@
-/* Units: the first byte chooses the dimension that is asked for and the system to write in, the rest is text. What was read
- * must read back from the text that is written of it, with the same bits. */
+/* Units: the first byte chooses the dimension that is asked for and the system to write in, the rest is text. What was
+ * read must read back from the text that is written of it, with the same bits. */
 #include <math.h>
 #include <string.h>
 

@@ -1,5 +1,5 @@
-/* Stands in for libFuzzer: gives a target each file of the folders that are named, once, as a test of its own. A finding
- * ends the program, so the file is named before it is tried. */
+/* Stands in for libFuzzer: gives a target each file of the folders that are named, once, as a test of its own. A
+ * finding ends the program, so the file is named before it is tried. */
 #include <glib.h>
 #include <stdio.h>
 

@@ -4,8 +4,8 @@
 
 #include "gui/document/document.h"
 
-/* Replaces g_test_init and g_test_run, in a state folder that nobody else has. Where the program is called as `PROGRAM child
- * WORD`, it does `child` instead (may be NULL) and ends. */
+/* Replaces g_test_init and g_test_run, in a state folder that nobody else has. Where the program is called as `PROGRAM
+ * child WORD`, it does `child` instead (may be NULL) and ends. */
 int files_fixture_main(int argc, char **argv, void (*add_tests)(void), void (*child)(const char *word));
 
 TinkerCatalogue *files_fixture_catalogue(void);

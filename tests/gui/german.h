@@ -4,8 +4,8 @@
 
 #define GERMAN_LOCALE "de_DE.UTF-8"
 
-/* Compiles the locale, from the system's definitions of the package "locales", and speaks German from here on, as main.c of the
- * window does; the catalogue is that of TINKER_LOCALE_FOLDER. */
+/* Compiles the locale, from the system's definitions of the package "locales", and speaks German from here on, as
+ * main.c of the window does; the catalogue is that of TINKER_LOCALE_FOLDER. */
 void german_begin(void);
 
 /* Deletes its files. */

@@ -18,7 +18,8 @@
 
 #define PATIENCE (30 * G_USEC_PER_SEC)
 
-/* The process that is killed ------------------------------------------------------------------------------------------ */
+/* The process that is killed ------------------------------------------------------------------------------------------
+ */
 
 /* Edits the scene in the file, and waits for its end, as if a plugin were at work. */
 static void edit_until_killed(const char *path)
@@ -95,7 +96,8 @@ static void discard_all(void)
     g_assert_cmpuint(count_copies(), ==, 0);
 }
 
-/* Tests --------------------------------------------------------------------------------------------------------------- */
+/* Tests ---------------------------------------------------------------------------------------------------------------
+ */
 
 static void test_crash(void)
 {
@@ -337,7 +339,8 @@ static void test_unwritable(void)
     tinker_autosave_forget(autosave);
 }
 
-/* Copies of another run that had the same process number, as in another container: none is written over, and all are found. */
+/* Copies of another run that had the same process number, as in another container: none is written over, and all are
+ * found. */
 static void test_same_number(void)
 {
     enum { COPIES = 9 };

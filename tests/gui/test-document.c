@@ -248,7 +248,8 @@ static void place_of(TinkerDocument *document, const char *name, double place[2]
         place[k] = tinker_scene_get(scene, block, column + k);
 }
 
-/* What lies on a support that is selected, too, goes as far as that, whichever was selected first, and goes on lying on it. */
+/* What lies on a support that is selected, too, goes as far as that, whichever was selected first, and goes on lying on
+ * it. */
 static void test_lies_on_what_moves(void)
 {
     static const char text[] = "{\"tinker\": 1, \"blocks\": [{\"type\": \"support\", \"name\": \"Floor\"}, "

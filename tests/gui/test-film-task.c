@@ -1,5 +1,6 @@
-/* Films in the background: what is written is a film of as many pictures as were asked for; what is cancelled or fails leaves
- * nothing, and what was there before stays. ffmpeg's part is played by scripts, where it is not about the film itself. */
+/* Films in the background: what is written is a film of as many pictures as were asked for; what is cancelled or fails
+ * leaves nothing, and what was there before stays. ffmpeg's part is played by scripts, where it is not about the film
+ * itself. */
 #include <glib/gstdio.h>
 #include <string.h>
 

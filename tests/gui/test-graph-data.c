@@ -1,5 +1,5 @@
-/* Graphs of the window: their values against closed forms and the published table of a free fall, and that every edit of them is
- * one step that can be taken back. */
+/* Graphs of the window: their values against closed forms and the published table of a free fall, and that every edit
+ * of them is one step that can be taken back. */
 #include <glib/gstdio.h>
 #include <string.h>
 #include <unistd.h>

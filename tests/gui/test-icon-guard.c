@@ -1,5 +1,5 @@
-/* A plugin that crashes in drawing its icon ends the program once: at the next start the icon is left out, the plugin is named, and all
- * other icons are there. */
+/* A plugin that crashes in drawing its icon ends the program once: at the next start the icon is left out, the plugin
+ * is named, and all other icons are there. */
 #include <glib/gstdio.h>
 #include <signal.h>
 #include <string.h>

@@ -1,4 +1,5 @@
-/* Thinning a path: no point may be farther from what is left of it than was promised, measured straight by the geometry. */
+/* Thinning a path: no point may be farther from what is left of it than was promised, measured straight by the
+ * geometry. */
 #include "gui/widget/path-thin.h"
 
 #include <math.h>

@@ -113,7 +113,8 @@ static void test_local_origin(void)
     g_assert_cmpint(fixture->rewound, ==, 0);
 }
 
-/* A pendulum of 1 m let go one degree from its top: the first try misses, and gives way to one that does not, all at once. */
+/* A pendulum of 1 m let go one degree from its top: the first try misses, and gives way to one that does not, all at
+ * once. */
 static void test_accuracy(void)
 {
     g_autoptr(Fixture) fixture = fixture_new(

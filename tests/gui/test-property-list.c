@@ -10,7 +10,8 @@
 #define ONE_SUPPORT "{\"type\": \"support\", \"name\": \"Support 0\", \"position\": [0, 4]}"
 #define ONE_SPRING  "{\"type\": \"spring\", \"name\": \"Spring 0\", \"ends\": [\"Support 0\", \"Mass 0\"]}"
 
-/* Fixtures ------------------------------------------------------------------------------------------------------------ */
+/* Fixtures ------------------------------------------------------------------------------------------------------------
+ */
 
 typedef struct {
     TinkerDocument *document;
@@ -161,7 +162,8 @@ static void go_english(Window *window)
     choose(window, "Scene", "Units", "English");
 }
 
-/* What is shown --------------------------------------------------------------------------------------------------------- */
+/* What is shown
+ * --------------------------------------------------------------------------------------------------------- */
 
 /* The strings of the thesis's figures, for one mass in both systems. */
 static void test_thesis_strings(void)
@@ -287,7 +289,8 @@ static void test_order(void)
     }
 }
 
-/* What is typed --------------------------------------------------------------------------------------------------------- */
+/* What is typed
+ * --------------------------------------------------------------------------------------------------------- */
 
 static void test_units(void)
 {
@@ -389,7 +392,8 @@ static void test_any_text(void)
     g_assert_cmpint(tinker_scene_block_count(again), ==, G_N_ELEMENTS(names));
 }
 
-/* Local coordinates ----------------------------------------------------------------------------------------------------- */
+/* Local coordinates
+ * ----------------------------------------------------------------------------------------------------- */
 
 static void test_offset(void)
 {
@@ -410,8 +414,8 @@ static void test_offset(void)
     assert_shown(&window, "Offset (Local Coordinates)", "Y", "0.50000 m");
 }
 
-/* A spring whose rest length was left to the drawing is stretched by an offset, as far as that leads: by 1 m straight away from the
- * support above. */
+/* A spring whose rest length was left to the drawing is stretched by an offset, as far as that leads: by 1 m straight
+ * away from the support above. */
 static void test_offset_stretches(void)
 {
     g_auto(Window) window =
@@ -424,7 +428,8 @@ static void test_offset_stretches(void)
     assert_undoes(&window, before);
 }
 
-/* Connections ----------------------------------------------------------------------------------------------------------- */
+/* Connections
+ * ----------------------------------------------------------------------------------------------------------- */
 
 static void test_ends(void)
 {
@@ -446,7 +451,8 @@ static void test_ends(void)
     g_assert_cmpint(tinker_scene_end(scene, spring, 1).block, ==, block_of(&window, "Mass 0"));
 }
 
-/* Lengths as placed ------------------------------------------------------------------------------------------------------ */
+/* Lengths as placed
+ * ------------------------------------------------------------------------------------------------------ */
 
 static void test_as_placed(void)
 {
@@ -462,7 +468,8 @@ static void test_as_placed(void)
     g_assert_cmpstr(after, ==, before);
 }
 
-/* Motions of supports ---------------------------------------------------------------------------------------------------- */
+/* Motions of supports
+ * ---------------------------------------------------------------------------------------------------- */
 
 static void test_motion(void)
 {
@@ -515,7 +522,8 @@ static void test_two_motions(void)
     g_assert_cmpfloat(stored(&window, "B", "amplitude", 0), ==, 2);
 }
 
-/* Several blocks --------------------------------------------------------------------------------------------------------- */
+/* Several blocks
+ * --------------------------------------------------------------------------------------------------------- */
 
 static void test_several(void)
 {
@@ -557,7 +565,8 @@ static void test_all_or_none(void)
     g_assert_cmpfloat(stored(&window, "A", "dynamic_friction", 0), ==, 0.5);
 }
 
-/* Other kinds, the scene, and the present ---------------------------------------------------------------------------------- */
+/* Other kinds, the scene, and the present
+ * ---------------------------------------------------------------------------------- */
 
 static void test_every_kind(void)
 {
@@ -581,7 +590,8 @@ static void test_every_kind(void)
                   seen[TINKER_ROW_SWITCH]);
 }
 
-/* Vectors with the same labels in one group are told apart by their own titles; components stay together in their order. */
+/* Vectors with the same labels in one group are told apart by their own titles; components stay together in their
+ * order. */
 static void test_vectors(void)
 {
     static const char *const titles[] = {"Centre X", "Centre Y", "Moment Along", "Moment Across", "Point X",

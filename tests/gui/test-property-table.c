@@ -1,5 +1,5 @@
-/* A table that is chosen as a waveform in the panel: what it is read as, against values worked out by hand; where its file ends
- * up; and that nothing is changed where it is refused. */
+/* A table that is chosen as a waveform in the panel: what it is read as, against values worked out by hand; where its
+ * file ends up; and that nothing is changed where it is refused. */
 #include <glib/gstdio.h>
 #include <string.h>
 #include <unistd.h>
@@ -15,7 +15,8 @@
     "{\"type\": \"motor\", \"name\": \"F\", \"ends\": [\"M\"]" waveform "}]}"
 #define SUPPORT "{\"tinker\": 1, \"blocks\": [{\"type\": \"support\", \"name\": \"S\"}]}"
 
-/* Fixtures ------------------------------------------------------------------------------------------------------------ */
+/* Fixtures ------------------------------------------------------------------------------------------------------------
+ */
 
 typedef struct {
     TinkerDocument *document;
@@ -185,7 +186,8 @@ static void assert_file_refused(Panel *panel, const char *path, const char *part
     assert_names(panel, files);
 }
 
-/* Choosing ------------------------------------------------------------------------------------------------------------ */
+/* Choosing ------------------------------------------------------------------------------------------------------------
+ */
 
 static void test_chosen(void)
 {
@@ -233,8 +235,8 @@ static void test_column_and_scale(void)
     }
 }
 
-/* A constant acceleration of 2 m/s^2 from rest moves the support by t^2. The motion is a block of its own, added in the same
- * step. */
+/* A constant acceleration of 2 m/s^2 from rest moves the support by t^2. The motion is a block of its own, added in the
+ * same step. */
 static void test_motion_by_acceleration(void)
 {
     g_auto(Panel) panel = panel_with(SUPPORT, RECORD, "S");
@@ -295,7 +297,8 @@ static void test_several(void)
     assert_absent(&panel, "Force", "Column"); /* they differ */
 }
 
-/* Where the file is --------------------------------------------------------------------------------------------------- */
+/* Where the file is ---------------------------------------------------------------------------------------------------
+ */
 
 static void test_in_a_folder_within(void)
 {
@@ -356,7 +359,8 @@ static void test_never_overwritten(void)
     g_assert_true(g_file_test(link, G_FILE_TEST_IS_SYMLINK));
 }
 
-/* Refusing ------------------------------------------------------------------------------------------------------------ */
+/* Refusing ------------------------------------------------------------------------------------------------------------
+ */
 
 static void test_refused(void)
 {

@@ -1,4 +1,5 @@
-/* Pictures of the window: the same bytes every time, another theme is another picture, and errors end as those of `tinker` do. */
+/* Pictures of the window: the same bytes every time, another theme is another picture, and errors end as those of
+ * `tinker` do. */
 #include <glib.h>
 #include <glib/gstdio.h>
 #include <string.h>

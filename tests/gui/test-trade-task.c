@@ -1,4 +1,5 @@
-/* Measuring in the background: it ends, it can be ended, its result can be used, and it knows when it is out of date. */
+/* Measuring in the background: it ends, it can be ended, its result can be used, and it knows when it is out of date.
+ */
 #include <glib/gstdio.h>
 #include <math.h>
 #include <utime.h>
@@ -247,8 +248,8 @@ static gboolean is_listed(const TinkerTrade *trade, const char *id)
     return FALSE;
 }
 
-/* The library of a method is touched between the search and the measuring, which asks for the method by the id that the search
- * found. */
+/* The library of a method is touched between the search and the measuring, which asks for the method by the id that the
+ * search found. */
 static void test_touched_library(void)
 {
     g_autofree char *folder = folder_of_method("pull.so"), *library = g_build_filename(folder, "pull.so", NULL);

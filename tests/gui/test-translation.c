@@ -1,5 +1,5 @@
-/* The window in German, in a locale of the test's own: gettext translates nothing where the locale is C. That each text has
- * a translation tests/data asks. */
+/* The window in German, in a locale of the test's own: gettext translates nothing where the locale is C. That each text
+ * has a translation tests/data asks. */
 #include <libintl.h>
 #include <math.h>
 #include <string.h>
@@ -88,7 +88,8 @@ static void test_start_labels(void)
     g_assert_true(g_hash_table_contains(labels, "Spring 0 gedehnt um"));
 }
 
-/* Keys of menus ------------------------------------------------------------------------------------------------------- */
+/* Keys of menus -------------------------------------------------------------------------------------------------------
+ */
 
 typedef struct {
     GPtrArray *menus; /* each within the one before: sets of keys */

@@ -1,5 +1,7 @@
-/* Holds the error estimate to what it claims, over random scenes of every kind: `estimate-honesty [--scenes N] [--seed N]
- * [--kind TEXT] [--method TEXT] [--verbose]` prints a table and fails where too many samples are off by more than is claimed. */
+/* Holds the error estimate to what it claims, over random scenes of every kind: `estimate-honesty [--scenes N] [--seed
+ * N]
+ * [--kind TEXT] [--method TEXT] [--verbose]` prints a table and fails where too many samples are off by more than is
+ * claimed. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

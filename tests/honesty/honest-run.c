@@ -43,8 +43,8 @@ static gboolean keep(TinkerSimulation *simulation, double time, const double *va
     return TRUE;
 }
 
-/* Runs the scene at these times. *believed, where it is not NULL, gets the time (s) up to which the record is to be believed and the
- * motion predictable. */
+/* Runs the scene at these times. *believed, where it is not NULL, gets the time (s) up to which the record is to be
+ * believed and the motion predictable. */
 static gboolean run(const HonestyTruth *truth, const HonestyMethod *method, const double *at, gsize count,
                     gboolean estimate, Record *record, double *believed, GError **error)
 {
@@ -119,8 +119,8 @@ static int by_value(const void *left, const void *right)
     return (l > r) - (l < r);
 }
 
-/* Claims are made at times that nothing in the scene knows of. Errors are found at those and at times between them, a quarter of
- * which lie in the first moments, whatever those are: that is where stiff motion is fastest. */
+/* Claims are made at times that nothing in the scene knows of. Errors are found at those and at times between them, a
+ * quarter of which lie in the first moments, whatever those are: that is where stiff motion is fastest. */
 static void draw_times(HonestyTruth *truth, guint32 seed)
 {
     g_autoptr(GRand) dice = g_rand_new_with_seed(seed);
@@ -190,7 +190,8 @@ void honesty_truth_free(HonestyTruth *truth)
 
 /* Judgement -------------------------------------------------------------------------------------------------------- */
 
-/* Claims are made in a run with few samples, errors found in one with many: what is recorded does not change the motion. */
+/* Claims are made in a run with few samples, errors found in one with many: what is recorded does not change the
+ * motion. */
 gboolean honesty_judge(const HonestyTruth *truth, const HonestyMethod *method, GArray *samples, guint *left_out,
                        GError **error)
 {

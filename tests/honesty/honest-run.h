@@ -28,8 +28,8 @@ typedef struct {
     double *doubt;           /* up to each time: how far the two are apart, as errors are measured */
 } HonestyTruth;
 
-/* The truth of a scene: order 8 at a tolerance near rounding, beside order 5. NULL where the scene has none: why is then
- * in *error. The text is borrowed. (transfer full) */
+/* The truth of a scene: order 8 at a tolerance near rounding, beside order 5. NULL where the scene has none: why is
+ * then in *error. The text is borrowed. (transfer full) */
 HonestyTruth *honesty_truth_new(TinkerCatalogue *catalogue, const RandomScene *text, guint32 seed, GError **error);
 void honesty_truth_free(HonestyTruth *truth);
 G_DEFINE_AUTOPTR_CLEANUP_FUNC(HonestyTruth, honesty_truth_free)

@@ -3,8 +3,8 @@
 #include <math.h>
 #include <stdarg.h>
 
-/* A scene that is being written. Dice are thrown in statements of their own, one in a call at most: in which order a compiler works
- * out several arguments is its own affair, and a seed is to give the same scene with any. */
+/* A scene that is being written. Dice are thrown in statements of their own, one in a call at most: in which order a
+ * compiler works out several arguments is its own affair, and a seed is to give the same scene with any. */
 typedef struct {
     GRand *dice;
     GString *blocks;

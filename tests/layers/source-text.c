@@ -1,4 +1,5 @@
-/* A tokenizer for as much of C as these questions need: comments, character constants, string literals, include lines. */
+/* A tokenizer for as much of C as these questions need: comments, character constants, string literals, include lines.
+ */
 #include "source-text.h"
 
 #include <string.h>

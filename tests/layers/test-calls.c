@@ -1,5 +1,6 @@
-/* Who calls whom, as the compiler left it in the objects of core: files that call each other in a circle can only be understood
- * together, so there are none but for those of the table. A symbol that one object defines and another leaves open is a call. */
+/* Who calls whom, as the compiler left it in the objects of core: files that call each other in a circle can only be
+ * understood together, so there are none but for those of the table. A symbol that one object defines and another
+ * leaves open is a call. */
 #include <glib.h>
 #include <string.h>
 

@@ -132,8 +132,8 @@ static int room_number(const Rooms *rooms, const char *room)
     return -1;
 }
 
-/* "physics/plan/plan.h": a room uses itself and those before it, and no private header but its own; other folders of core
- * use the face. */
+/* "physics/plan/plan.h": a room uses itself and those before it, and no private header but its own; other folders of
+ * core use the face. */
 static gboolean room_is_allowed(const Rooms *rooms, const Layer *layer, const char *file_folder, const char *inside)
 {
     g_autofree char *own_room = g_path_get_basename(file_folder), *room = g_path_get_dirname(inside);

@@ -14,8 +14,8 @@ typedef struct {
 typedef struct {
     gboolean comparable;  /* the same columns; rows that only one has are left out */
     NetLargest of_column; /* by the largest magnitude of the column in either */
-    NetLargest
-        of_unit; /* by that of all columns of its unit: what is rounding in a column that should be zero is small here */
+    NetLargest of_unit; /* by that of all columns of its unit: what is rounding in a column that should be zero is small
+                           here */
 } NetDifference;
 
 /* Compares what the folder holds under two hashes. FALSE with `error` where it does not. */

@@ -15,7 +15,8 @@
 #define IMPULSE "impulse"
 #define OWN     "own"
 
-/* How far a run goes, at most: what takes long is cut by counts, never by the clock, so that every machine cuts at the same place. */
+/* How far a run goes, at most: what takes long is cut by counts, never by the clock, so that every machine cuts at the
+ * same place. */
 #define LONGEST         10.0 /* s */
 #define LEAST_STEPS     50
 #define MOST_BODY_STEPS 200000 /* of a fixed step: steps, each counted once for every body */

@@ -9,8 +9,9 @@ typedef struct {
     char *text; /* its file */
 } NetScene;
 
-/* All bundled scenes, all reference problems that have a scene, and 500 random ones, or those of them whose name contains `only`
- * (NULL: all). Tables lie in net_scenes_folder, so that is to be the current folder where a text is read. (transfer full) */
+/* All bundled scenes, all reference problems that have a scene, and 500 random ones, or those of them whose name
+ * contains `only` (NULL: all). Tables lie in net_scenes_folder, so that is to be the current folder where a text is
+ * read. (transfer full) */
 GPtrArray *net_scenes_new(const char *only, GError **error);
 
 /* The folder of the bundled scenes. (transfer full) */

@@ -1,5 +1,5 @@
-/* Running many scenes in several processes: what goes wrong in one is told with its scene, and methods with state of their own
- * cannot meet. */
+/* Running many scenes in several processes: what goes wrong in one is told with its scene, and methods with state of
+ * their own cannot meet. */
 #ifndef NET_WORKERS_H
 #define NET_WORKERS_H
 

@@ -1,5 +1,5 @@
-/* A net under changes that are to change nothing: hashes of the records of many scenes under every method, and what two tables of
- * them differ in. See README.md. */
+/* A net under changes that are to change nothing: hashes of the records of many scenes under every method, and what two
+ * tables of them differ in. See README.md. */
 #include <glib/gstdio.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -6,8 +6,8 @@
 
 enum { CASE_CONTACTS = 10, CASE_WIDTH = 2 * CASE_CONTACTS };
 
-/* Solves n equations, the right side in column n, by partial pivoting; the solution is left there. FALSE where the system is
- * singular. */
+/* Solves n equations, the right side in column n, by partial pivoting; the solution is left there. FALSE where the
+ * system is singular. */
 gboolean contact_case_eliminate(int32_t n, long double a[CASE_WIDTH][CASE_WIDTH + 1]);
 
 typedef struct {
@@ -22,14 +22,15 @@ typedef struct {
 void contact_case_fill(ContactCase *self, GRand *random, int32_t count, int32_t freedoms, gboolean whole,
                        double spread);
 
-/* A chain of masses and rods on a plane and beside a wall, rods often level, upright or in line: W = J P M^-1 J^T with P that
- * keeps the rods' lengths. Velocities keep them too, often those of a single blow, and miss by up to `noise`. */
+/* A chain of masses and rods on a plane and beside a wall, rods often level, upright or in line: W = J P M^-1 J^T with
+ * P that keeps the rods' lengths. Velocities keep them too, often those of a single blow, and miss by up to `noise`. */
 void contact_case_fill_chain(ContactCase *self, GRand *random, double noise);
 
 /* before + W p, and what is rounding in it. */
 void contact_case_after(const ContactCase *self, const double *p, double *after, double *rounding);
 
-/* Whether any of all combinations of open, sticking and sliding solves, with v = before + W p, what contact-private.h says. */
+/* Whether any of all combinations of open, sticking and sliding solves, with v = before + W p, what contact-private.h
+ * says. */
 gboolean contact_case_has_solution(const ContactCase *self);
 
 #endif

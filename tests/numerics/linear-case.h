@@ -35,7 +35,7 @@ void case_load(LinearCase *c, int32_t target, int32_t book, double force);
 /* Goes to `to` in equal steps of the exact method; steps may land earlier, which is counted in the answer. */
 int case_run(LinearCase *c, double to, int steps);
 
-/* The same by Taylor series in `steps` equal steps; on edges of one sign only. */
+/* Goes to `to` by Taylor series in `steps` equal steps; on edges of one sign only. */
 void case_run_by_series(LinearCase *c, double to, int steps);
 
 /* Kinetic energy and that of the edges and of the loads without a book. */

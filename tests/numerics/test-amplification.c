@@ -23,8 +23,9 @@ static void test_runge_kutta(void)
     }
 }
 
-/* Average acceleration is the trapezoidal rule, whose factor (1 + z/2) / (1 - z/2) has the size 1 on the imaginary axis.
- * The products of the map's entries, whose difference counts, are of the size x^2: so much larger is their rounding. */
+/* Average acceleration is the trapezoidal rule, whose factor (1 + z/2) / (1 - z/2) has the size 1 on the imaginary
+ * axis. The products of the map's entries, whose difference counts, are of the size x^2: so much larger is their
+ * rounding. */
 static void test_average_acceleration(void)
 {
     for (double x = 0.01; x < 1e3; x *= 3)
@@ -40,8 +41,8 @@ static void test_real_factors(void)
     g_assert_cmpfloat_with_epsilon(growth_of("rk4", (TinkerOscillator){slow * fast, slow + fast}), r, 1e-12);
 }
 
-/* The spectral radius at infinite frequency is what generalized-alpha is made for: J. Chung, G. M. Hulbert, J. Appl. Mech. 60
- * (1993) 371-375. Slow motion keeps its size. */
+/* The spectral radius at infinite frequency is what generalized-alpha is made for: J. Chung, G. M. Hulbert, J. Appl.
+ * Mech. 60 (1993) 371-375. Slow motion keeps its size. */
 static void test_long_run(void)
 {
     const TinkerIntegrator *method = tinker_integrator_builtin("generalized-alpha");

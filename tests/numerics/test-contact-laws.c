@@ -1,5 +1,5 @@
-/* Impacts, forces and jams of contacts against closed forms, the laws themselves, and a search through all that contacts can
- * do. */
+/* Impacts, forces and jams of contacts against closed forms, the laws themselves, and a search through all that
+ * contacts can do. */
 #include <float.h>
 #include <math.h>
 #include <string.h>
@@ -368,7 +368,8 @@ static void fill_rod(double angle, double friction, int8_t sliding, double rate,
     rod->before[1] = rate * rate * c;
 }
 
-/* Without paradox below a friction of 4/3; else it jams where 1 + 3 cos^2 <= 3 friction sin cos and nothing lifts the end. */
+/* Without paradox below a friction of 4/3; else it jams where 1 + 3 cos^2 <= 3 friction sin cos and nothing lifts the
+ * end. */
 static void test_painleve(void)
 {
     int32_t jams = 0;
@@ -401,8 +402,8 @@ static void test_painleve(void)
     g_assert_cmpint(jams, >, 200);
 }
 
-/* Of several contacts, wherever no forces exist: an impulse that is one, keeps the laws of impact without restitution and
- * takes energy. */
+/* Of several contacts, wherever no forces exist: an impulse that is one, keeps the laws of impact without restitution
+ * and takes energy. */
 static void test_random_jams(void)
 {
     g_autoptr(GRand) random = g_rand_new_with_seed(7);
@@ -482,8 +483,8 @@ static double missed(const ContactCase *bodies, const double *least, const doubl
     return worst;
 }
 
-/* Chains that lie or fall on floors always have a solution: rods may tie contacts together so that W is singular, and then
- * velocities that are rounding decide nothing. */
+/* Chains that lie or fall on floors always have a solution: rods may tie contacts together so that W is singular, and
+ * then velocities that are rounding decide nothing. */
 static void test_chains(void)
 {
     static const double noises[] = {0, 1e-18, 1e-16, 1e-14, 1e-13};
@@ -511,8 +512,8 @@ static void test_chains(void)
     }
 }
 
-/* Five masses on a line of four rods, one of which strikes: all else rests, but for rounding. Tangential directions that
- * rods tie together are equal rows of W. */
+/* Five masses on a line of four rods, one of which strikes: all else rests, but for rounding. Tangential directions
+ * that rods tie together are equal rows of W. */
 static void test_resting_chain(void)
 {
     static const double distinct[4][4] = {

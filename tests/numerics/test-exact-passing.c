@@ -84,8 +84,8 @@ static void test_parts(void)
     assert_near(both.q[0], alone.q[0], 100.0 * DBL_EPSILON);
 }
 
-/* Stiff, damped and driven: after a moment nothing moves faster than the drive. The ends of the springs stay metres apart, and
- * one long step finds that out. The anchor's spring hardly gives: x = -6 + 0.8 sin 10 t to (10 / 3e4)^2. */
+/* Stiff, damped and driven: after a moment nothing moves faster than the drive. The ends of the springs stay metres
+ * apart, and one long step finds that out. The anchor's spring hardly gives: x = -6 + 0.8 sin 10 t to (10 / 3e4)^2. */
 static void test_out_of_reach(void)
 {
     LinearCase test;

@@ -1,5 +1,5 @@
-/* The implicit methods' own promises: closed-form recurrences, no limit of stability, the spectral radius at infinity, chains
- * by the band as by the general way, refusals that say what to do. */
+/* The implicit methods' own promises: closed-form recurrences, no limit of stability, the spectral radius at infinity,
+ * chains by the band as by the general way, refusals that say what to do. */
 #include <math.h>
 #include <string.h>
 
@@ -140,8 +140,8 @@ static void test_radius_at_infinity(void)
 
 /* --- a chain --- */
 
-/* Masses in a row, spring to the wall on the left, all numbered by `number`; each spring of the given rest length, with a damper.
- * The wall moves as `signal` says, which also pushes the last mass. */
+/* Masses in a row, spring to the wall on the left, all numbered by `number`; each spring of the given rest length, with
+ * a damper. The wall moves as `signal` says, which also pushes the last mass. */
 typedef struct {
     TinkerSystem system;
     TinkerLinearSystem linear;
@@ -271,8 +271,8 @@ static void chain_init(Chain *c, double stiffness, double damping, double length
     };
 }
 
-/* A mode of the chain with one end free: shape sin((j + 1) a), a = pi / (2 n + 1) (2 m - 1), w = 2 sqrt(k / M) sin(a / 2). Average
- * acceleration turns it by the angle whose cosine is (1 - z) / (1 + z), z = (w h / 2)^2, a step. */
+/* A mode of the chain with one end free: shape sin((j + 1) a), a = pi / (2 n + 1) (2 m - 1), w = 2 sqrt(k / M) sin(a /
+ * 2). Average acceleration turns it by the angle whose cosine is (1 - z) / (1 + z), z = (w h / 2)^2, a step. */
 static void test_modes_of_a_chain(void)
 {
     for (int way = 0; way < 4; way++) {
@@ -298,7 +298,8 @@ static void test_modes_of_a_chain(void)
     }
 }
 
-/* With everything that a linear system has, and masses that pass through one another: the band does as Newton's method. */
+/* With everything that a linear system has, and masses that pass through one another: the band does as Newton's method.
+ */
 static void test_band_as_newton(void)
 {
     const TinkerIntegrator *methods[] = {newmark(), alpha()};

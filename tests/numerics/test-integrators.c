@@ -1,5 +1,5 @@
-/* The kit that every integrator goes through: orders on closed forms, dense output, books, limits of stability, landing,
- * refusals, and that steps allot no memory. A new method is covered by being in the list. */
+/* The kit that every integrator goes through: orders on closed forms, dense output, books, limits of stability,
+ * landing, refusals, and that steps allot no memory. A new method is covered by being in the list. */
 #include <complex.h>
 #include <math.h>
 #include <string.h>

@@ -1,4 +1,5 @@
-/* Sparse L D L^T, and L D U of values that are not symmetric, against dense elimination with pivoting, on patterns of chance and of frames. */
+/* Sparse L D L^T, and L D U of values that are not symmetric, against dense elimination with pivoting, on patterns of
+ * chance and of frames. */
 #include <math.h>
 #include <string.h>
 
@@ -230,8 +231,8 @@ static void test_shapes(void)
     }
 }
 
-/* S = J J^T with rows of J of which `dependent` are sums of two others: that many pivots vanish, and what is marked can be
- * left out without loss of rank. Entries of J are small integers, so that sums are exact. */
+/* S = J J^T with rows of J of which `dependent` are sums of two others: that many pivots vanish, and what is marked can
+ * be left out without loss of rank. Entries of J are small integers, so that sums are exact. */
 static void count_dependent(GRand *random, int rows, int dependent)
 {
     enum { WIDTH = 24 };

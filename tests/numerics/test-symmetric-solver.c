@@ -1,5 +1,5 @@
-/* Banded and sparse solves against elimination of the full matrix, on chains, shuffled chains, ladders, lattices and loose parts;
- * the order of reverse Cuthill and McKee. */
+/* Banded and sparse solves against elimination of the full matrix, on chains, shuffled chains, ladders, lattices and
+ * loose parts; the order of reverse Cuthill and McKee. */
 #include <math.h>
 #include <string.h>
 

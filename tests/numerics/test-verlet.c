@@ -177,8 +177,8 @@ static TinkerStatus turned(void *context, double t, const double *q, const doubl
     return turned_product(context, t, q, v, v, a);
 }
 
-/* The implicit and the explicit half together multiply by (1 - z) / (1 + z), z = h (c + i g) / 2: a circle stays one at any
- * step. */
+/* The implicit and the explicit half together multiply by (1 - z) / (1 + z), z = h (c + i g) / 2: a circle stays one at
+ * any step. */
 static void test_turned(void)
 {
     const TinkerIntegrator *method = tinker_integrator_builtin("verlet");

@@ -1,5 +1,5 @@
-/* The composed Verlet's own promises: order 6 with rods and dampers, bounded energy over very long runs, reversibility, dense
- * output that keeps up. */
+/* The composed Verlet's own promises: order 6 with rods and dampers, bounded energy over very long runs, reversibility,
+ * dense output that keeps up. */
 #include <math.h>
 
 #include "numerics/methods/integrators.h"

@@ -1,5 +1,5 @@
-/* Sources of the closed forms: any textbook of mechanics; the pendulum by Jacobi's elliptic functions, Kepler's ellipse by his
- * equation. */
+/* Sources of the closed forms: any textbook of mechanics; the pendulum by Jacobi's elliptic functions, Kepler's ellipse
+ * by his equation. */
 #include "closed-form-motions.h"
 
 #include "test-systems.h"
@@ -123,7 +123,8 @@ static void chain(double t, Motion *motion)
     }
 }
 
-/* Two bodies of 3 and 1 kg that attract each other, G (m + M) = 1 m^3/s^2, half axis 1 m, e = 0.6, from the pericentre. */
+/* Two bodies of 3 and 1 kg that attract each other, G (m + M) = 1 m^3/s^2, half axis 1 m, e = 0.6, from the pericentre.
+ */
 static void kepler(double t, Motion *motion)
 {
     const double e = 0.6, minor = 0.8;

@@ -32,12 +32,12 @@ void contact_assert_count(const PhysicsRun *run, const char *kind, int count);
 
 void contact_assert_state(const PhysicsRun *run, const char *mass, const double state[4], double bound);
 
-/* The books close, and sliding and impacts took this much (J, not negative). What an impact takes along the top counts as an
- * impact's. */
+/* The books close, and sliding and impacts took this much (J, not negative). What an impact takes along the top counts
+ * as an impact's. */
 void contact_assert_taken(const PhysicsRun *run, double friction, double impacts, double bound);
 
-/* A support turned by `angle` whose top's middle is the point (x, y); `more` holds further members, or is empty. (transfer
- * full) */
+/* A support turned by `angle` whose top's middle is the point (x, y); `more` holds further members, or is empty.
+ * (transfer full) */
 char *contact_plate(double x, double y, double angle, double width, const char *more);
 
 /* Where f changes its sign between two times, by bisection. */

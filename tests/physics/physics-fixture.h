@@ -47,7 +47,7 @@ TinkerScene *physics_scene(const char *path, const char *blocks);
  * full) */
 PhysicsRun *physics_run(const PhysicsOptions *options, const char *blocks, ...) G_GNUC_PRINTF(2, 3);
 PhysicsRun *physics_try(const PhysicsOptions *options, const char *blocks, ...) G_GNUC_PRINTF(2, 3);
-/* The same up to the prepared simulation, which has not taken a step. */
+/* Compiles and prepares a simulation that has not taken a step. */
 PhysicsRun *physics_prepare(const PhysicsOptions *options, const char *blocks, ...) G_GNUC_PRINTF(2, 3);
 void physics_run_free(PhysicsRun *run);
 G_DEFINE_AUTOPTR_CLEANUP_FUNC(PhysicsRun, physics_run_free)

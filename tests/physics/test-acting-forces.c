@@ -1,5 +1,5 @@
-/* Forces told apart: they add up to mass times acceleration in every scene there is, have the values that statics asks for,
- * and looking at them changes no bit of a run. */
+/* Forces told apart: they add up to mass times acceleration in every scene there is, have the values that statics asks
+ * for, and looking at them changes no bit of a run. */
 #include "allotments.h"
 #include "physics-fixture.h"
 
@@ -254,7 +254,8 @@ static GArray *at_start(TinkerScene *scene)
     return out;
 }
 
-/* A mass hangs at rest from two springs side by side, which the model merges, and a third that hangs below holds nothing. */
+/* A mass hangs at rest from two springs side by side, which the model merges, and a third that hangs below holds
+ * nothing. */
 static void test_hanging(void)
 {
     g_autoptr(TinkerScene) scene =

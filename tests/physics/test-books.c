@@ -20,7 +20,8 @@ static void assert_books(const PhysicsRun *run, const double truth[TINKER_BOOK_C
     physics_assert_near("balance error", run->summary->energy_balance_error, 0, BALANCE);
 }
 
-/* A damper takes all there is in the end: 2 kg at 3 m/s, half a metre from rest on 50 N/m; the amplitude falls to e^-20. */
+/* A damper takes all there is in the end: 2 kg at 3 m/s, half a metre from rest on 50 N/m; the amplitude falls to
+ * e^-20. */
 static void test_damper_takes_all(void)
 {
     const double start = 0.5 * 2 * 9 + 0.5 * 50 * 0.25;

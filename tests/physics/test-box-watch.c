@@ -1,5 +1,5 @@
-/* A run that sees bodies pass through each other says so once, with the time of the sample: against all pairs of boxes that fly
- * straight on. */
+/* A run that sees bodies pass through each other says so once, with the time of the sample: against all pairs of boxes
+ * that fly straight on. */
 #include "physics-fixture.h"
 
 #include <math.h>
@@ -118,8 +118,9 @@ static void test_many(void)
     g_assert_cmpint(none, >, 2);
 }
 
-/* A box that lands on an incline is turned along it, and is looked at so: on a slope of 45 degrees two boxes of side 1 whose centres are
- * 1.2 m apart along it do not overlap, but they would upright, where their centres are 0.85 m apart both ways. */
+/* A box that lands on an incline is turned along it, and is looked at so: on a slope of 45 degrees two boxes of side 1
+ * whose centres are 1.2 m apart along it do not overlap, but they would upright, where their centres are 0.85 m apart
+ * both ways. */
 static void test_turned(void)
 {
     static const char *const blocks =

@@ -74,8 +74,8 @@ static void test_start_velocity_of_pendulum(void)
     g_assert_cmpfloat(event->time, ==, 0);
 }
 
-/* An impulse of 1.5 N s along the rod makes 1 kg at (2, 1) m/s and 3 kg at rest fit; they then turn about their centre of
- * mass with -1 m/s over 2 m. */
+/* An impulse of 1.5 N s along the rod makes 1 kg at (2, 1) m/s and 3 kg at rest fit; they then turn about their centre
+ * of mass with -1 m/s over 2 m. */
 static void test_start_velocity_of_pair(void)
 {
     g_autoptr(PhysicsRun) run = physics_run(

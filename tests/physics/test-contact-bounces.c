@@ -84,8 +84,8 @@ static void test_bounces_down_a_slope(void)
     }
 }
 
-/* An oblique impact on a turned plate without weight. What is left along the top: 0 where friction can take all of it, else
- * less by friction times (1 + e) of the speed across. */
+/* An oblique impact on a turned plate without weight. What is left along the top: 0 where friction can take all of it,
+ * else less by friction times (1 + e) of the speed across. */
 static void check_oblique(double angle, double across, double along, double friction, double e)
 {
     double normal[2] = {-sin(angle), cos(angle)}, tangent[2] = {cos(angle), sin(angle)};

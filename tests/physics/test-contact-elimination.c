@@ -1,5 +1,5 @@
-/* Closed contacts of bodies that rods join, solved without their matrix: against the equations themselves in extended precision,
- * against the laws by their definition, and how the work grows. */
+/* Closed contacts of bodies that rods join, solved without their matrix: against the equations themselves in extended
+ * precision, against the laws by their definition, and how the work grows. */
 #include <math.h>
 #include <string.h>
 
@@ -144,8 +144,8 @@ static void test_solve(void)
     }
 }
 
-/* All stick, on a straight chain: no force along it is determined. They hold what is asked for, and are those of least norm: what they
- * are made of is motion that the rods let be. */
+/* All stick, on a straight chain: no force along it is determined. They hold what is asked for, and are those of least
+ * norm: what they are made of is motion that the rods let be. */
 static void test_least_norm(void)
 {
     g_autoptr(GRand) random = g_rand_new_with_seed(4);
@@ -242,7 +242,8 @@ static void test_laws(void)
     }
 }
 
-/* Closes all bodies of a chain; answers the entries of the factor that solves them, and adds the solves that forces took. */
+/* Closes all bodies of a chain; answers the entries of the factor that solves them, and adds the solves that forces
+ * took. */
 static gsize entries_of_chain(int masses, gint64 *solves)
 {
     g_autoptr(GRand) random = g_rand_new_with_seed(6);
@@ -281,9 +282,9 @@ static void test_scale(void)
     }
 }
 
-/* A truss of 16 panels stands on as many feet and slides: nothing determines how these share its weight, and friction stops it after
- * v^2 / (2 mu g), whatever they do. With the floor at 0.2 m rounding made contacts open and close without end where
- * they were solved by their matrix. */
+/* A truss of 16 panels stands on as many feet and slides: nothing determines how these share its weight, and friction
+ * stops it after v^2 / (2 mu g), whatever they do. With the floor at 0.2 m rounding made contacts open and close
+ * without end where they were solved by their matrix. */
 static void test_sliding_truss(void)
 {
     g_autoptr(GString) blocks = g_string_new(

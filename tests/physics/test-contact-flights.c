@@ -1,5 +1,6 @@
-/* Long flights between blows: what is linear there is solved exactly, and rounding does not grow from blow to blow. The truth is
- * each flight in closed form, repeated; its phase is the remainder of a division of doubles, which is exact. */
+/* Long flights between blows: what is linear there is solved exactly, and rounding does not grow from blow to blow. The
+ * truth is each flight in closed form, repeated; its phase is the remainder of a division of doubles, which is exact.
+ */
 #include "contact-checks.h"
 #include "physics/system/summary.h"
 
@@ -30,8 +31,8 @@ static double ball_vy(double t, const void *half)
     return -CONTACT_GRAVITY * remainder(t, 2 * *(const double *)half);
 }
 
-/* Nearly 1e5 bounces in 1e5 s. The start's height is rounded, which moves the instants by 1e-11 s and the ball by 1e-10 m. A
- * mass that is no power of two rounds differently. */
+/* Nearly 1e5 bounces in 1e5 s. The start's height is rounded, which moves the instants by 1e-11 s and the ball by 1e-10
+ * m. A mass that is no power of two rounds differently. */
 static void test_elastic_ball(void)
 {
     static const double masses[] = {1, 0.3}, durations[] = {1e5, 1e4};
@@ -100,8 +101,8 @@ static void test_swing_onto_floor(void)
     assert_stepped_by(run, "exact");
 }
 
-/* What lies on a plate is stepped by the method of contacts, and flies on exactly behind its end: 0.6 m are slid down a smooth slope
- * of 30 degrees, from whose end the mass goes down to an elastic floor, where it bounces on. */
+/* What lies on a plate is stepped by the method of contacts, and flies on exactly behind its end: 0.6 m are slid down a
+ * smooth slope of 30 degrees, from whose end the mass goes down to an elastic floor, where it bounces on. */
 static void test_flight_behind_a_slope(void)
 {
     const double slope = -G_PI / 6, slid = 0.6, high = 1.3, fall = 0.05, g = CONTACT_GRAVITY;
@@ -126,7 +127,8 @@ static void test_flight_behind_a_slope(void)
     contact_assert_taken(run, 0, 0.5 * pow(g * landed * cos(slope), 2), 1e-9);
 }
 
-/* Between two slanted supports no digit lasts for long, so that a sample which changed a bit of the motion would show. */
+/* Between two slanted supports no digit lasts for long, so that a sample which changed a bit of the motion would show.
+ */
 static void test_samples_change_nothing(void)
 {
     static const double intervals[] = {60, 0.1, 0.037};

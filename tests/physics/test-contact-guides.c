@@ -1,12 +1,12 @@
-/* Guides without play: bodies between two tops that face each other just as far apart as they are high. They move along them, with
- * friction on the side that presses, and pass from one side to the other without an event. */
+/* Guides without play: bodies between two tops that face each other just as far apart as they are high. They move along
+ * them, with friction on the side that presses, and pass from one side to the other without an event. */
 #include "contact-checks.h"
 
 #include <math.h>
 #include <string.h>
 
-/* A guide for masses 0.2 m high along the line through (x, y) at an angle, of this width, with these coefficients of friction on
- * its lower and its upper top. (transfer full) */
+/* A guide for masses 0.2 m high along the line through (x, y) at an angle, of this width, with these coefficients of
+ * friction on its lower and its upper top. (transfer full) */
 static char *guide(double x, double y, double angle, double width, double below, double above)
 {
     g_autofree char *lower_friction = g_strdup_printf("'static_friction': %g, 'dynamic_friction': %g", below, below);
@@ -17,8 +17,9 @@ static char *guide(double x, double y, double angle, double width, double below,
     return g_strdup_printf("%s, %s,", lower, upper);
 }
 
-/* The slider-crank: a crank of 0.5 m with 1 kg at its pin, turning freely, a rod of 1.5 m, a piston of 1 kg with friction mu.
- * y = angle and rate of the crank. The rod pulls with T at the pin and at the piston; N is T's part across the guide. */
+/* The slider-crank: a crank of 0.5 m with 1 kg at its pin, turning freely, a rod of 1.5 m, a piston of 1 kg with
+ * friction mu. y = angle and rate of the crank. The rod pulls with T at the pin and at the piston; N is T's part across
+ * the guide. */
 static void crank_rate(double t, const double *y, double *rate, const void *data)
 {
     const double mu = *(const double *)data, r = 0.5, l = 1.5, s = sin(y[0]), c = cos(y[0]);
@@ -75,8 +76,8 @@ static void test_piston(void)
     }
 }
 
-/* 2 kg slide at 3 m/s along a guide whose lower top has mu = 0.1, the upper one 0.3; a motor pushes across with 20 N sin(5 t), up
- * first. The lost speed is mu / m times the integral of what presses, 4 N s a half wave. */
+/* 2 kg slide at 3 m/s along a guide whose lower top has mu = 0.1, the upper one 0.3; a motor pushes across with 20 N
+ * sin(5 t), up first. The lost speed is mu / m times the integral of what presses, 4 N s a half wave. */
 static void test_sides_by_turns(void)
 {
     for (gsize i = 0; i < CONTACT_METHODS; i++) {
@@ -158,8 +159,8 @@ static void test_with_play(void)
     physics_assert_near("speed", physics_last(run, 0), 3, 1e-12);
 }
 
-/* Two masses of 1 kg on a rod along the guide, on a spring of 1000 N/m along it: what presses is rounding of what pulls. They swing
- * as one, x = x0 + 0.5 cos(sqrt(k / 2 m) t), and no side is changed without end. */
+/* Two masses of 1 kg on a rod along the guide, on a spring of 1000 N/m along it: what presses is rounding of what
+ * pulls. They swing as one, x = x0 + 0.5 cos(sqrt(k / 2 m) t), and no side is changed without end. */
 static void test_pulled_along(void)
 {
     static const char *const methods[] = {"auto", "rk4", "verlet6", "newmark"};

@@ -1,8 +1,10 @@
-/* Rods and friction that leave no acceleration (Painleve's paradox): a dumbbell whose lower end slides on a rough floor.
+/* Rods and friction that leave no acceleration (Painleve's paradox): a dumbbell whose lower end slides on a rough
+ * floor.
  *
- * The rod leans back by 45 degrees against the sliding. With the upper mass's share b of the whole, pressing with N at the
- * lower end accelerates it upwards by N / m1 (1 - b cos (cos + mu sin)), which is not upwards any more from mu = 1.105 on.
- * Source: Genot, Brogliato, "New results on Painleve paradoxes", Eur. J. Mech. A 18 (1999) 653-677, for a rigid bar. */
+ * The rod leans back by 45 degrees against the sliding. With the upper mass's share b of the whole, pressing with N at
+ * the lower end accelerates it upwards by N / m1 (1 - b cos (cos + mu sin)), which is not upwards any more from mu
+ * = 1.105 on. Source: Genot, Brogliato, "New results on Painleve paradoxes", Eur. J. Mech. A 18 (1999) 653-677, for a
+ * rigid bar. */
 #include "contact-checks.h"
 
 #include <math.h>
@@ -41,8 +43,8 @@ static void upright(double t, const double *y, double *rate, const void *data)
     rate[1] = g * sin(y[0]);
 }
 
-/* Beyond it, an impulse ends the sliding at once. Nothing but rest of the lower end satisfies the laws behind it: the upper
- * one keeps what is across the rod, and swings about the lower one, which sticks. */
+/* Beyond it, an impulse ends the sliding at once. Nothing but rest of the lower end satisfies the laws behind it: the
+ * upper one keeps what is across the rod, and swings about the lower one, which sticks. */
 static void check_jam(double v)
 {
     const double friction = 2, end = 0.3;

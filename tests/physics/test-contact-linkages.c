@@ -7,8 +7,9 @@ static const double g = CONTACT_GRAVITY;
 
 /* --- a ladder --- */
 
-/* Two equal masses at the ends of a rod of 1 m, one along the wall, one along the floor: theta'' = g sin theta, theta from
- * the upright. The wall's force, m g sin theta (3 cos theta - 2 cos theta0), ends at cos theta = 2/3 cos theta0. */
+/* Two equal masses at the ends of a rod of 1 m, one along the wall, one along the floor: theta'' = g sin theta, theta
+ * from the upright. The wall's force, m g sin theta (3 cos theta - 2 cos theta0), ends at cos theta = 2/3 cos theta0.
+ */
 static void on_the_wall(double t, const double *y, double *rate, const void *data)
 {
     rate[0] = y[1];
@@ -108,8 +109,8 @@ static void test_pivot_that_sticks(void)
     }
 }
 
-/* A slider on a rough floor, drawn by a crank pin on a circle of 0.1 m: where it is follows from the pin alone; friction shows
- * in the forces, and in what it takes. */
+/* A slider on a rough floor, drawn by a crank pin on a circle of 0.1 m: where it is follows from the pin alone;
+ * friction shows in the forces, and in what it takes. */
 enum { CRANK_RATE = 3 };
 
 typedef struct {

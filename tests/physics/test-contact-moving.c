@@ -1,4 +1,5 @@
-/* Supports that move: their velocity counts at impacts and for friction, their acceleration for what presses and holds. */
+/* Supports that move: their velocity counts at impacts and for friction, their acceleration for what presses and holds.
+ */
 #include "contact-checks.h"
 
 #include <math.h>
@@ -29,8 +30,8 @@ static void test_lift(void)
     }
 }
 
-/* A platform sinks by 5 t^3, faster than the mass can fall from t = g / 30 on; from 0.6 s on it sinks evenly and the mass
- * lands on it. */
+/* A platform sinks by 5 t^3, faster than the mass can fall from t = g / 30 on; from 0.6 s on it sinks evenly and the
+ * mass lands on it. */
 static void test_platform_drops_away(void)
 {
     const double off = g / 30, y0 = -5 * off * off * off, v0 = -15 * off * off;
@@ -190,7 +191,8 @@ static void test_belt(void)
     check_belt(5);
 }
 
-/* A belt that speeds up evenly at `a`: what is at rest on it at first goes along up to friction g, else falls behind. */
+/* A belt that speeds up evenly at `a`: what is at rest on it at first goes along up to friction g, else falls behind.
+ */
 static void test_belt_speeds_up(void)
 {
     static const double rates[] = {2.9, 3.1};
@@ -211,8 +213,8 @@ static void test_belt_speeds_up(void)
 
 /* --- inclines that accelerate sideways --- */
 
-/* The plate, at `angle`, accelerates by `a` towards the side that its top faces. Along the top, relative to it, the mass
- * accelerates by a cos - g sin, held back by friction of what presses, m (g cos + a sin). */
+/* The plate, at `angle`, accelerates by `a` towards the side that its top faces. Along the top, relative to it, the
+ * mass accelerates by a cos - g sin, held back by friction of what presses, m (g cos + a sin). */
 static void check_incline(double angle, double a, double friction, double duration)
 {
     double drive = a * cos(angle) - g * sin(angle), press = g * cos(angle) + a * sin(angle);

@@ -1,5 +1,5 @@
-/* Contact as the thesis has it: a mass that meets a top from above stops, lies, slides with Coulomb friction, leaves over the
- * end and passes from behind. */
+/* Contact as the thesis has it: a mass that meets a top from above stops, lies, slides with Coulomb friction, leaves
+ * over the end and passes from behind. */
 #include "contact-checks.h"
 
 #include <math.h>
@@ -31,8 +31,8 @@ static void test_drop(void)
     }
 }
 
-/* A box falls on a plate turned by 30 degrees: what is across goes, a Coulomb impulse slows it along; it slides to the lower
- * end and flies on. */
+/* A box falls on a plate turned by 30 degrees: what is across goes, a Coulomb impulse slows it along; it slides to the
+ * lower end and flies on. */
 typedef struct {
     double landing, end, from, speed, left, acceleration; /* along the plate, positive upwards */
 } Slide;

@@ -52,8 +52,8 @@ static void test_pendulum_at_its_lowest(void)
     check_lowest(0.6);
 }
 
-/* Where the way stands oblique to the wall, the rod takes part: with one freedom left the speed along the way becomes -e
- * times itself, with and without friction. */
+/* Where the way stands oblique to the wall, the rod takes part: with one freedom left the speed along the way becomes
+ * -e times itself, with and without friction. */
 static void test_pendulum_oblique(void)
 {
     static const char *const walls[] = {CONTACT_SMOOTH ", 'restitution': 0.5",
@@ -114,8 +114,8 @@ static void test_dumbbell_flat(void)
     }
 }
 
-/* Tilted, without weight, its lower end first: the impulse (1 + e) v 2 m / (1 + cos^2 tilt) there moves the middle and turns
- * the rod; then it flies on turning evenly. */
+/* Tilted, without weight, its lower end first: the impulse (1 + e) v 2 m / (1 + cos^2 tilt) there moves the middle and
+ * turns the rod; then it flies on turning evenly. */
 static void test_dumbbell_tilted(void)
 {
     static const double restitutions[] = {0, 0.5, 1};
@@ -149,8 +149,9 @@ static void test_dumbbell_tilted(void)
     }
 }
 
-/* A chain of 70 masses, nearly level, comes down on a floor that throws nothing back, so that dozens of them strike by turns and at
- * once: none stops the run or goes through the floor, and what impacts and friction took is what is missing. */
+/* A chain of 70 masses, nearly level, comes down on a floor that throws nothing back, so that dozens of them strike by
+ * turns and at once: none stops the run or goes through the floor, and what impacts and friction took is what is
+ * missing. */
 static void test_chain_onto_floor(void)
 {
     const int count = 70;

@@ -145,8 +145,8 @@ static void test_pusher(void)
         check_pusher(&contact_methods[i], 0, 1e-9);
 }
 
-/* Where it comes up with the mass at 1 m/s, it throws it off the floor, the floor throws it off the plate, and so on, every
- * time a quarter as long: that ends at about 1.011 s, and from then on it pushes. */
+/* Where it comes up with the mass at 1 m/s, it throws it off the floor, the floor throws it off the plate, and so on,
+ * every time a quarter as long: that ends at about 1.011 s, and from then on it pushes. */
 static void test_pusher_catches_up(void)
 {
     check_pusher(&contact_methods[0], 0.25, 1e-8);
@@ -155,8 +155,8 @@ static void test_pusher_catches_up(void)
 
 /* --- from one support onto the next --- */
 
-/* From a floor onto a ramp: what goes across the ramp is lost, up and down again, and what goes across the floor. The centre
- * turns where it stands height / 2 off both. */
+/* From a floor onto a ramp: what goes across the ramp is lost, up and down again, and what goes across the floor. The
+ * centre turns where it stands height / 2 off both. */
 static void check_ramp(double height)
 {
     const double slope = 20 * G_PI / 180, v = 3, from = -1.5;

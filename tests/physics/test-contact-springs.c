@@ -162,8 +162,8 @@ static double error_of(const Order *order, double step, gboolean sliding)
     return fabs(now[0] - truth[0]);
 }
 
-/* Events do not cost a method its order: over four halvings of the step the error falls as fast as in smooth motion. One
- * pair of steps could cross zero by chance, so the largest of three near ones counts. */
+/* Events do not cost a method its order: over four halvings of the step the error falls as fast as in smooth motion.
+ * One pair of steps could cross zero by chance, so the largest of three near ones counts. */
 static void test_orders(void)
 {
     static const double nearby[] = {1, 0.93, 0.87};
@@ -186,8 +186,8 @@ static void test_orders(void)
 
 /* --- lifting off --- */
 
-/* A spring whose upper end rises at 0.5 m/s lifts the mass off once it bears the weight: then a free oscillation about a
- * place that rises. */
+/* A spring whose upper end rises at 0.5 m/s lifts the mass off once it bears the weight: then a free oscillation about
+ * a place that rises. */
 static void test_lifted_by_a_spring(void)
 {
     const double k = 50, m = 2, rise = 0.5;
@@ -210,8 +210,8 @@ static void test_lifted_by_a_spring(void)
     }
 }
 
-/* One mass upon another, a compressed spring between: released, the upper one rises and pulls the lower one off the floor
- * where the spring's tension is its weight. Then the centre of mass flies and the two oscillate about it. */
+/* One mass upon another, a compressed spring between: released, the upper one rises and pulls the lower one off the
+ * floor where the spring's tension is its weight. Then the centre of mass flies and the two oscillate about it. */
 static void test_jumps(void)
 {
     const double lower = 1, upper = 2, k = 400, amplitude = 0.2, flight = 0.07;
@@ -240,9 +240,10 @@ static void test_jumps(void)
     }
 }
 
-/* A belt at v takes a mass along against a spring up to mu m g / k, at t1 = mu m g / (k v). With one coefficient for both it has no
- * force left there and v, so that it swings on by v sin(w s) / w, and touches the belt's speed once a period without being
- * taken along: slipping begins with the second power of time, of which an order of 1 knows nothing. */
+/* A belt at v takes a mass along against a spring up to mu m g / k, at t1 = mu m g / (k v). With one coefficient for
+ * both it has no force left there and v, so that it swings on by v sin(w s) / w, and touches the belt's speed once a
+ * period without being taken along: slipping begins with the second power of time, of which an order of 1 knows
+ * nothing. */
 static void test_slips_from_a_belt(void)
 {
     static const struct {

@@ -1,4 +1,5 @@
-/* Nothing passes a top unseen: however fast, however long the step, however thin the plate, and however briefly it dips. */
+/* Nothing passes a top unseen: however fast, however long the step, however thin the plate, and however briefly it
+ * dips. */
 #include "contact-checks.h"
 
 #include <math.h>
@@ -76,8 +77,8 @@ static void test_to_and_fro(void)
     }
 }
 
-/* Thrown up through the plate, it comes back onto its top within the same step: at both ends of it the mass is below. Semi-
- * implicit Euler's throw does not reach the top with such a step. */
+/* Thrown up through the plate, it comes back onto its top within the same step: at both ends of it the mass is below.
+ * Semi- implicit Euler's throw does not reach the top with such a step. */
 static void test_up_and_down_in_a_step(void)
 {
     static const double steps[] = {0.38, 0.41, 1, 10};
@@ -126,7 +127,8 @@ static void test_grazing(void)
             double passed[4] = {0, v * duration - g / 2 * duration * duration, 0, v - g * duration};
             double stopped[4] = {0, ceiling - g / 2 * fall * fall, 0, -g * fall};
             /* at 1e-4 m/s, rounding of 1e-14 m moves the touch by 1e-10 s; the two ways lie 1e-4 m apart */
-            /* it touches at 1e-4 m/s: rounding of a place, 1e-16 m in each of a thousand steps, is 1e-9 s of that time */
+            /* it touches at 1e-4 m/s: rounding of a place, 1e-16 m in each of a thousand steps, is 1e-9 s of that time
+             */
             contact_assert_state(run, "Mass 0", above > 0 ? passed : stopped, above > 0 ? 1e-9 : 1e-8);
             physics_assert_near("touches", run->summary->events->len > 0, above < 0, 0);
         }

@@ -1,5 +1,6 @@
-/* Springs whose ends meet: at rest that is an event and the end of what is determined, with a velocity it is a passage, which turns
- * the force round and nothing else. The truth is the oscillation x = 1 + A cos(w t) about the rest length, in closed form. */
+/* Springs whose ends meet: at rest that is an event and the end of what is determined, with a velocity it is a passage,
+ * which turns the force round and nothing else. The truth is the oscillation x = 1 + A cos(w t) about the rest length,
+ * in closed form. */
 #include "contact-checks.h"
 
 #include <math.h>
@@ -9,8 +10,8 @@
 #define ANCHOR "{'type': 'support', 'solid': false, 'position': [0, 0]}"
 #define SPRING "{'type': 'spring', 'name': 'k', 'ends': ['Support 0', 'Mass 0'], 'stiffness': 25, 'rest_length': 1}"
 
-/* All methods, and what their instants may be off within a second. Ends that are slow are as good as closest for a while: within 1e-5 s the
- * mass gets 1e-9 m away from the anchor. */
+/* All methods, and what their instants may be off within a second. Ends that are slow are as good as closest for a
+ * while: within 1e-5 s the mass gets 1e-9 m away from the anchor. */
 typedef struct {
     const char *method;
     double instant;
@@ -154,8 +155,8 @@ static void test_near_misses(void)
     }
 }
 
-/* Of a law that the host does not know: T = k (L - l)^3 has the potential k (L - l)^4 / 4, and takes a mass from 2 l to the anchor, where it
- * comes to rest after half a period: t = 2 sqrt(2 m / k) / l int_0^1 du / sqrt(1 - u^4). */
+/* Of a law that the host does not know: T = k (L - l)^3 has the potential k (L - l)^4 / 4, and takes a mass from 2 l to
+ * the anchor, where it comes to rest after half a period: t = 2 sqrt(2 m / k) / l int_0^1 du / sqrt(1 - u^4). */
 static void test_law_of_a_plugin(void)
 {
     static const char *const some[] = {"auto", "dopri5", "rk4", "verlet"};
@@ -169,8 +170,9 @@ static void test_law_of_a_plugin(void)
     }
 }
 
-/* Two masses fall one above the other; the lower one lands, the upper one is slowed by the spring between them and lands on the same
- * place. s is its height over that: s = e + (1 - e) cos(w t) + v / w sin(w t), with e = 1 - g / w^2. */
+/* Two masses fall one above the other; the lower one lands, the upper one is slowed by the spring between them and
+ * lands on the same place. s is its height over that: s = e + (1 - e) cos(w t) + v / w sin(w t), with e = 1 - g / w^2.
+ */
 static double upper_height(double t, const void *omega)
 {
     const double w = *(const double *)omega, rest = 1 - CONTACT_GRAVITY / (w * w), speed = sqrt(2 * CONTACT_GRAVITY);
@@ -219,8 +221,8 @@ static void test_start_at_one_place(void)
     }
 }
 
-/* Two masses that a spring joins land on one place, and lose their direction; a pendulum far away, which has nothing to do with
- * them, is estimated on to the end: at this tolerance it is off by far more than rounding. */
+/* Two masses that a spring joins land on one place, and lose their direction; a pendulum far away, which has nothing to
+ * do with them, is estimated on to the end: at this tolerance it is off by far more than rounding. */
 static void test_others_are_estimated(void)
 {
     const PhysicsOptions options = {

@@ -1,5 +1,5 @@
-/* Rows that keep a distance, which the host works out: against their formulas in extended precision, for every number of
- * rows that is worked out in a different way; and which constraints they stand for. */
+/* Rows that keep a distance, which the host works out: against their formulas in extended precision, for every number
+ * of rows that is worked out in a different way; and which constraints they stand for. */
 #include <float.h>
 #include <math.h>
 #include <string.h>
@@ -125,7 +125,8 @@ static void test_extreme_lengths(void)
             }
 }
 
-/* Where the ends coincide a row has no direction and its g tells how wrong that is; the others are not touched by it. */
+/* Where the ends coincide a row has no direction and its g tells how wrong that is; the others are not touched by it.
+ */
 static void test_coincident_ends(void)
 {
     g_autoptr(GRand) random = g_rand_new_with_seed(14);

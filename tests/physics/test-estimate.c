@@ -423,7 +423,8 @@ static void test_rest(void)
     }
 }
 
-/* One step takes a loose run to its end, and its companion too: that they agree says nothing. Against x = (t - sin t). */
+/* One step takes a loose run to its end, and its companion too: that they agree says nothing. Against x = (t - sin t).
+ */
 static void test_equal_steps(void)
 {
     PhysicsOptions options = {
@@ -435,8 +436,8 @@ static void test_equal_steps(void)
     g_assert_cmpfloat(run->summary->error_estimate, >=, error);
 }
 
-/* Masses on a line whose ends pass each other again and again: what rounding starts grows there by far more than the time.
- * Runs that meet other samples round otherwise, and part by no more than both claim. */
+/* Masses on a line whose ends pass each other again and again: what rounding starts grows there by far more than the
+ * time. Runs that meet other samples round otherwise, and part by no more than both claim. */
 static void test_passing(void)
 {
     const char *scene = "{'type': 'support', 'solid': false},"
@@ -455,10 +456,10 @@ static void test_passing(void)
     g_assert_cmpfloat(claimed, >, 1e-8);
 }
 
-/* A mass on a stiff spring of some length, which is pushed slowly: its ends come nowhere near each other, so the exact solution
- * is off by rounding alone, of which speeds have more than places. Of m x'' = F (1 - cos W t) - k x from rest, with w^2 = k / m,
- *     x = F / k (1 - cos w t) - F / (m (w^2 - W^2)) (cos W t - cos w t).
- * Velocities are compared: places are so near to the rest length that what is recorded of them is that. */
+/* A mass on a stiff spring of some length, which is pushed slowly: its ends come nowhere near each other, so the exact
+ * solution is off by rounding alone, of which speeds have more than places. Of m x'' = F (1 - cos W t) - k x from rest,
+ * with w^2 = k / m, x = F / k (1 - cos w t) - F / (m (w^2 - W^2)) (cos W t - cos w t). Velocities are compared: places
+ * are so near to the rest length that what is recorded of them is that. */
 static void test_stiff_apart(void)
 {
     enum { TIMES = 10 };
@@ -500,8 +501,8 @@ static GArray *claims_of(const PhysicsOptions *options, const char *blocks)
     return claims;
 }
 
-/* Pushed along by 6 sin 5t while it falls onto a smooth floor and after: x = 6 (5t - sin 5t) / 25. The fall and its end are
- * exact, what follows is not. */
+/* Pushed along by 6 sin 5t while it falls onto a smooth floor and after: x = 6 (5t - sin 5t) / 25. The fall and its end
+ * are exact, what follows is not. */
 static void test_exact_then_contact(void)
 {
     static const double tolerances[] = {1e-3, 1e-6, 1e-9};
@@ -568,8 +569,8 @@ static void test_between_samples(void)
     }
 }
 
-/* Thrown from side to side of a smooth elastic wedge, a ball loses the last bit first and everything in the end. Two methods, both
- * right to rounding between blows, are within what each claims for as long as it claims to know. */
+/* Thrown from side to side of a smooth elastic wedge, a ball loses the last bit first and everything in the end. Two
+ * methods, both right to rounding between blows, are within what each claims for as long as it claims to know. */
 static void test_wedge(void)
 {
     const char *scene =

@@ -42,8 +42,8 @@ static void test_stiffness(void)
         check_stiffness(pow(10, decade));
 }
 
-/* Two free masses on a spring of 40 N/m and 1 m: they swing against each other with w^2 = k (1/m + 1/M), and turn about each
- * other where the spring pulls them to. */
+/* Two free masses on a spring of 40 N/m and 1 m: they swing against each other with w^2 = k (1/m + 1/M), and turn about
+ * each other where the spring pulls them to. */
 static void check_mass_ratio(double ratio)
 {
     double w = sqrt(40 * (1 + 1 / ratio)), turn = w / sqrt(3), share = 1 / (1 + ratio);

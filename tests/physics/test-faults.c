@@ -74,8 +74,8 @@ static void test_samples_before_a_fault(void)
     g_assert_cmpfloat(run->summary->valid_until, ==, 1);
 }
 
-/* A plugin that cannot tell its force behind a wall asks for smaller steps, and gets them: the mass turns back at the place
- * where v^2 / 2 = -ln(1 - x). */
+/* A plugin that cannot tell its force behind a wall asks for smaller steps, and gets them: the mass turns back at the
+ * place where v^2 / 2 = -ln(1 - x). */
 static void test_smaller_steps(void)
 {
     for (int digits = 2; digits <= 10; digits += 2) {

@@ -16,8 +16,8 @@ static double stable_step(const char *message)
     return g_ascii_strtod(found + strlen("step of about "), NULL);
 }
 
-/* Samples are finite: the fixture holds every one to that. They end where the run did, and are to be believed no farther
- * than that. */
+/* Samples are finite: the fixture holds every one to that. They end where the run did, and are to be believed no
+ * farther than that. */
 static void assert_kept(const PhysicsRun *run, double duration)
 {
     g_assert_cmpuint(physics_samples(run), >, 0);
@@ -78,8 +78,8 @@ static void test_damper(void)
     physics_assert_near("stable step", stable_step(run->error->message), 2.785293563 / 400, 0.05 * 2.785293563 / 400);
 }
 
-/* A step just below the limit runs to the end without a stop, though rk4 loses energy there and says so; that h omega = 2.68 is
- * wrong is said before. */
+/* A step just below the limit runs to the end without a stop, though rk4 loses energy there and says so; that h omega
+ * = 2.68 is wrong is said before. */
 static void test_stable_step_is_stable(void)
 {
     g_autoptr(PhysicsRun) run =
@@ -94,8 +94,9 @@ static void test_stable_step_is_stable(void)
     physics_assert_near("x", physics_last(run, 0), 1.9, 0.1);
 }
 
-/* A force presses a stiff spring ten times and lets it go: in the end all energies are as small as rounding again. An exact solution,
- * which needs no evaluations, is measured by what was exchanged on the way all the same, F^2 / 2k = 2e-6 J. */
+/* A force presses a stiff spring ten times and lets it go: in the end all energies are as small as rounding again. An
+ * exact solution, which needs no evaluations, is measured by what was exchanged on the way all the same, F^2 / 2k =
+ * 2e-6 J. */
 static void test_valid_where_exact(void)
 {
     g_autoptr(PhysicsRun) run = physics_run(
@@ -108,8 +109,9 @@ static void test_valid_where_exact(void)
     g_assert_cmpfloat(run->summary->energy_balance_error, <, 1e-4);
 }
 
-/* A slow oscillator of 12.5 J, all but loosely tied to a stiff one that begins with 5e-9 J and gains 6 % a step: what was recorded up to
- * valid_until has the right energy within what the guard allows, 1 %, and is all but the last part. */
+/* A slow oscillator of 12.5 J, all but loosely tied to a stiff one that begins with 5e-9 J and gains 6 % a step: what
+ * was recorded up to valid_until has the right energy within what the guard allows, 1 %, and is all but the last part.
+ */
 static void test_valid_part(void)
 {
     g_autoptr(PhysicsRun) run = physics_try(
@@ -135,8 +137,8 @@ static void test_valid_part(void)
     }
 }
 
-/* A stiff spring swings with all the energy there is, far too fast for the step: generalized-alpha takes it, and says so; that is
- * no divergence. Every other method at fault is stopped. */
+/* A stiff spring swings with all the energy there is, far too fast for the step: generalized-alpha takes it, and says
+ * so; that is no divergence. Every other method at fault is stopped. */
 static void test_loss_on_purpose(void)
 {
     static const char scene[] =
@@ -185,8 +187,9 @@ static gboolean warns(const PhysicsRun *run, const char *words)
     return FALSE;
 }
 
-/* A force across the velocity, W = 1 rad/s: circles of radius v / W. Semi-implicit Euler spirals outwards at every step, by
- * sqrt(1 + (h W)^2), and says so. Verlet turns by 2 atan(h W / 2) a step and keeps the speed, at steps of any length. */
+/* A force across the velocity, W = 1 rad/s: circles of radius v / W. Semi-implicit Euler spirals outwards at every
+ * step, by sqrt(1 + (h W)^2), and says so. Verlet turns by 2 atan(h W / 2) a step and keeps the speed, at steps of any
+ * length. */
 static void test_turned(void)
 {
     const char *blocks = "{'type': 'turned', 'rate': 1}, {'type': 'mass', 'mass': 2, 'velocity': [2, 0]}";
@@ -209,7 +212,8 @@ static void test_turned(void)
     }
 }
 
-/* A force that is not that of its energy is nobody's stiffness. Where it acts alone it is named, else the part of the scene is. */
+/* A force that is not that of its energy is nobody's stiffness. Where it acts alone it is named, else the part of the
+ * scene is. */
 static void test_nobody(void)
 {
     const char *one = "{'type': 'support', 'solid': false}, {'type': 'mass', 'name': 'Bob', 'position': [1.5, 0]},"
@@ -229,8 +233,8 @@ static void test_nobody(void)
                            NULL);
 }
 
-/* A mass on a spring swings and dies away to the place where it hangs, L0 + m g / k below, and no step fails there: forces that
- * cancel leave a rounding that neither velocities nor accelerations have the size of. */
+/* A mass on a spring swings and dies away to the place where it hangs, L0 + m g / k below, and no step fails there:
+ * forces that cancel leave a rounding that neither velocities nor accelerations have the size of. */
 static void test_rest(void)
 {
     static const double steps[] = {0.02, 0.005};
@@ -257,10 +261,10 @@ static void test_rest(void)
     "{'type': 'damper', 'ends': ['Support 0', 'Mass 0'], 'damping': 100},"                                             \
     "{'type': 'support-motion', 'ends': ['Support 0'], 'angle': '90 deg', 'waveform': {'expression': '" waveform "'}}"
 
-/* In the first steps of what is set going from rest the energy may be off by more than has been exchanged: at stable steps that is
- * no divergence, whether it begins at once, later, or ends with such a step. The machine follows by 1.63 times the ground's
- * 10 mm (the transmissibility at 4 pi rad/s), in the beginning by no more than twice that; steps of an eighth of a period add
- * a third of it, as the fixed-step methods swing faster or slower. */
+/* In the first steps of what is set going from rest the energy may be off by more than has been exchanged: at stable
+ * steps that is no divergence, whether it begins at once, later, or ends with such a step. The machine follows by 1.63
+ * times the ground's 10 mm (the transmissibility at 4 pi rad/s), in the beginning by no more than twice that; steps of
+ * an eighth of a period add a third of it, as the fixed-step methods swing faster or slower. */
 static void test_set_going(void)
 {
     static const char *const methods[] = {"semi-implicit-euler", "verlet", "rk4", "newmark", "generalized-alpha"};
@@ -279,7 +283,7 @@ static void test_set_going(void)
         }
 }
 
-/* And beyond the limit of 2 / 10 s it diverges, which a run of few steps tells as well. */
+/* Beyond the limit of 2 / 10 s a step diverges, which a run of few steps tells as well. */
 static void test_set_going_beyond(void)
 {
     static const double durations[] = {60, 3};

@@ -1,5 +1,5 @@
-/* Long runs whose energy is held: how their phase goes against Jacobi's elliptic functions, that the energy stays, and which runs
- * are not of that kind. */
+/* Long runs whose energy is held: how their phase goes against Jacobi's elliptic functions, that the energy stays, and
+ * which runs are not of that kind. */
 #include "physics-fixture.h"
 
 #include "physics/compile/compile.h"

@@ -1,5 +1,5 @@
-/* Implicit methods on compiled models: stiff springs with rods against the limit of no springs at all, conserved energy of a
- * pendulum, laws that are asked, failures that say what to do. */
+/* Implicit methods on compiled models: stiff springs with rods against the limit of no springs at all, conserved energy
+ * of a pendulum, laws that are asked, failures that say what to do. */
 #include "physics-fixture.h"
 
 #include "numerics/methods/integrators.h"
@@ -80,8 +80,8 @@ static double difference(const March *this, const double truth[8])
     return largest;
 }
 
-/* A double pendulum whose second rod is a spring of 1e8 N/m: the step is 140 times what resolves it, so what is left is the
- * motion with two rods, but for 1e-7 m of stretch. */
+/* A double pendulum whose second rod is a spring of 1e8 N/m: the step is 140 times what resolves it, so what is left is
+ * the motion with two rods, but for 1e-7 m of stretch. */
 static void test_stiff_spring_and_rod(gconstpointer data)
 {
     g_autoptr(PhysicsRun) rods = physics_run(&(PhysicsOptions){.duration = 1.5, .tolerance = 1e-12},

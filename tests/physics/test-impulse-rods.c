@@ -50,7 +50,7 @@ static void test_dumbbell_falls(void)
                     "Mass 0.x, Mass 0.y, Mass 1.x, Mass 1.y", 1.5, 4e-3, 10);
 }
 
-/* And lies at the end, without moving by a bit. */
+/* A dumbbell lies at the end, without moving by a bit. */
 static void test_dumbbell_rests(void)
 {
     PhysicsOptions options = {.impulses = TRUE,
@@ -127,8 +127,8 @@ static void test_pendulum_bounces(void)
         "Mass 0.x, Mass 0.y", 0.7, 2e-3, 20);
 }
 
-/* A pendulum comes down on a rough slope that its rod drives it into: no impulses of contact, friction and rod push it back out
- * of what the last step went too far. It wedges, slides down and comes to rest there as by events. */
+/* A pendulum comes down on a rough slope that its rod drives it into: no impulses of contact, friction and rod push it
+ * back out of what the last step went too far. It wedges, slides down and comes to rest there as by events. */
 static void test_pendulum_wedges(void)
 {
     check_converges(

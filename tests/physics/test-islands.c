@@ -144,8 +144,8 @@ static void test_methods_of_their_own(void)
     "{'type': 'spring', 'ends': [{'block': 'Support 0', 'at': [3, %d]}, 'M%d'],"                                       \
     "'rest_length': 1, 'stiffness': %.17g}"
 
-/* Oscillators of their own stiffness each, side by side, all on one support: each is an island, moves as it would alone, and is
- * where its solution is. */
+/* Oscillators of their own stiffness each, side by side, all on one support: each is an island, moves as it would
+ * alone, and is where its solution is. */
 static void test_many(gconstpointer method)
 {
     GString *text = g_string_new(COMMON_SUPPORT), *columns = g_string_new(NULL);
@@ -195,8 +195,8 @@ static gint64 blocks_asked(int pairs)
     g_assert_no_error(error);
     g_autoptr(TinkerPartition) partition = tinker_partition_new(model);
     g_assert_cmpint(partition->count, ==, 2 * pairs);
-    /* of a pair: two masses, two connectors, support, motion and gravity; of a mass alone: that, the support, which has a solid
-     * top, its motion, and gravity */
+    /* of a pair: two masses, two connectors, support, motion and gravity; of a mass alone: that, the support, which has
+     * a solid top, its motion, and gravity */
     g_assert_cmpuint(partition->numbers->len, ==, (guint)(pairs * (7 + 4)));
     g_string_free(text, TRUE);
     return partition->blocks_asked;

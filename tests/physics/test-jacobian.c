@@ -1,5 +1,5 @@
-/* The derivatives of the applied forces against differences of the forces themselves, role by role, at states where nothing
- * is aligned, at rest or relaxed. */
+/* The derivatives of the applied forces against differences of the forces themselves, role by role, at states where
+ * nothing is aligned, at rest or relaxed. */
 #include "physics-fixture.h"
 #include "physics/model/model-data.h"
 #include "physics/model/model.h"
@@ -228,8 +228,8 @@ static void test_ends_that_meet(void)
     case_clear(&this);
 }
 
-/* A law with T(0) = 0 pulls smoothly through the place where its ends meet, so differences of the forces hold there: of two
- * masses and a support at one place, with and without derivatives, beside what is not at one place. */
+/* A law with T(0) = 0 pulls smoothly through the place where its ends meet, so differences of the forces hold there: of
+ * two masses and a support at one place, with and without derivatives, beside what is not at one place. */
 static void test_laws_that_meet(void)
 {
     Case this;

@@ -25,8 +25,8 @@ static TinkerModel *compile(const char *blocks, TinkerScene **scene)
 
 /* --- where it is recognised --- */
 
-/* Two masses of 1 and 2 kg between two supports, on a line through (2, 3): springs, dampers, a motor, a moving support, gravity
- * and wind, all along it. What is added may leave the line. */
+/* Two masses of 1 and 2 kg between two supports, on a line through (2, 3): springs, dampers, a motor, a moving support,
+ * gravity and wind, all along it. What is added may leave the line. */
 static char *line_scene(double angle, const char *more)
 {
     double c = cos(angle), s = sin(angle);
@@ -106,8 +106,8 @@ static double growth_of(const char *blocks)
     return growth;
 }
 
-/* A spring of tension T and length L is one of stiffness T / L across: 2 kg between 20 N/m at 1 m and 40 N/m at 2 m, both
- * of which are compressed by half a metre at rest. The plane's motion leaves the line at that rate. */
+/* A spring of tension T and length L is one of stiffness T / L across: 2 kg between 20 N/m at 1 m and 40 N/m at 2 m,
+ * both of which are compressed by half a metre at rest. The plane's motion leaves the line at that rate. */
 static void test_pressed_mass(void)
 {
     double across = -(20 * 0.5 / 1 + 40 * 0.25 / 2), growth = sqrt(-across / 2);
@@ -128,8 +128,8 @@ static void test_pressed_mass(void)
     }
 }
 
-/* A spring without length in the middle of a pressed mass holds it on the line, with all of its stiffness where its ends are at
- * one place: 2 * 50 * 0.2 / 1 = 20 N/m push it off. */
+/* A spring without length in the middle of a pressed mass holds it on the line, with all of its stiffness where its
+ * ends are at one place: 2 * 50 * 0.2 / 1 = 20 N/m push it off. */
 static void test_guyed_mass(void)
 {
     static const double stiffnesses[] = {0, 19, 21};
@@ -146,8 +146,8 @@ static void test_guyed_mass(void)
     }
 }
 
-/* On 50 N/m, 9.81 N stand 0.1962 m lower: sqrt(g / L) is the rate of the inverted pendulum of that length. Hung up, the same
- * is stable; so is one that stands between a lower spring that is pressed and an upper one that pulls enough. */
+/* On 50 N/m, 9.81 N stand 0.1962 m lower: sqrt(g / L) is the rate of the inverted pendulum of that length. Hung up, the
+ * same is stable; so is one that stands between a lower spring that is pressed and an upper one that pulls enough. */
 static void test_columns(void)
 {
     physics_assert_near(
@@ -170,8 +170,8 @@ static void test_columns(void)
         0, 0);
 }
 
-/* Two unit masses stand on each other, 100 N/m each and 10 m/s^2: the lower spring bears 20 N at 0.8 m, the upper one 10 N at
- * 0.9 m, so K = [-20/0.8 - 10/0.9, 10/0.9; 10/0.9, -10/0.9]. */
+/* Two unit masses stand on each other, 100 N/m each and 10 m/s^2: the lower spring bears 20 N at 0.8 m, the upper one
+ * 10 N at 0.9 m, so K = [-20/0.8 - 10/0.9, 10/0.9; 10/0.9, -10/0.9]. */
 static void test_standing_pair(void)
 {
     double a = -20 / 0.8 - 10 / 0.9, b = 10 / 0.9, d = -10 / 0.9;

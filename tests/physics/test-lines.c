@@ -76,7 +76,7 @@ static void test_same_bits(void)
     g_free(net);
 }
 
-/* The same sums in extended precision, and of sizes for the bound on their rounding. */
+/* Sums of the lines' forces in extended precision, and of sizes for the bound on their rounding. */
 static void test_forces(void)
 {
     g_autoptr(GRand) random = g_rand_new_with_seed(21);

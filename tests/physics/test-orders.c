@@ -10,7 +10,8 @@
 #define ORDER_MARGIN 0.15
 #define DURATION     2.0
 
-/* An adaptive method is made to take steps of a length by breaks at its multiples: an idle motor that switches there. */
+/* An adaptive method is made to take steps of a length by breaks at its multiples: an idle motor that switches there.
+ */
 static char *idle_breaks(int steps)
 {
     return g_strdup_printf(", {'type': 'motor', 'ends': ['Mass 0'], 'waveform': {'expression': '0*floor(t*%d/2)'}}",

@@ -1,4 +1,5 @@
-/* The plan: islands, redundancy, what is left out, warnings exactly where they belong, and choices that rest on counts. */
+/* The plan: islands, redundancy, what is left out, warnings exactly where they belong, and choices that rest on counts.
+ */
 #include "physics-fixture.h"
 
 #include <math.h>
@@ -196,8 +197,8 @@ static void test_contact(void)
     assert_holds(passes.plan->left_out, "nothing has a solid side");
 }
 
-/* omega = 10: rk4 is stable up to 0.2828 s. Above it the warning names the limit; where h omega is above 0.5 the step is stable
- * and wrong; below that nothing is said. Implicit methods have no limit, but resolve no more. */
+/* omega = 10: rk4 is stable up to 0.2828 s. Above it the warning names the limit; where h omega is above 0.5 the step
+ * is stable and wrong; below that nothing is said. Implicit methods have no limit, but resolve no more. */
 static void test_warnings(void)
 {
     static const struct {
@@ -291,8 +292,8 @@ static char *stiff_chain(void)
     return g_string_free(text, FALSE);
 }
 
-/* By counts: steps that stability forces on an explicit method are far more than an implicit one needs at a loose tolerance,
- * while a tight one is for the exact method. Both times the same, as nothing looks at a clock. */
+/* By counts: steps that stability forces on an explicit method are far more than an implicit one needs at a loose
+ * tolerance, while a tight one is for the exact method. Both times the same, as nothing looks at a clock. */
 static void test_stiff_chain(void)
 {
     g_autofree char *text = stiff_chain();
@@ -323,8 +324,8 @@ static void test_stiff_chain_meets_tolerance(void)
         physics_assert_near("place", physics_last(run, column), physics_last(truth, column), 1e-4);
 }
 
-/* Air that slows a falling mass is motion itself: no step may be so large that it is not resolved. Against the closed form
- * y = -(m g / c) t + (m / c)^2 g (1 - exp(-c t / m)). */
+/* Air that slows a falling mass is motion itself: no step may be so large that it is not resolved. Against the closed
+ * form y = -(m g / c) t + (m / c)^2 g (1 - exp(-c t / m)). */
 static void test_falling_in_air(void)
 {
     const double m = 5, c = 0.1, t = 3, g = 9.81, decay = c / m;
@@ -334,8 +335,8 @@ static void test_falling_in_air(void)
     physics_assert_near("y", physics_last(run, 0), g / decay * (-expm1(-decay * t) / decay - t), 1e-7);
 }
 
-/* A damper so strong that its steps are those of stability: a loose tolerance saves none, and would lose the energy that the
- * damper takes. */
+/* A damper so strong that its steps are those of stability: a loose tolerance saves none, and would lose the energy
+ * that the damper takes. */
 static void test_strong_damper(void)
 {
     const char *scene =
@@ -361,8 +362,8 @@ static void test_smooth(void)
     g_assert_nonnull(strstr(island(&planned, 0)->reason, "not stiff"));
 }
 
-/* A plugin's method, the midpoint one, has its limit beside the others where it is chosen: with damping alone 2 m / c. Where its
- * name is mistyped it is meant. */
+/* A plugin's method, the midpoint one, has its limit beside the others where it is chosen: with damping alone 2 m / c.
+ * Where its name is mistyped it is meant. */
 static void test_plugin_method(void)
 {
     const char *blocks = "{'type': 'support', 'solid': false}, {'type': 'mass', 'mass': 2, 'position': [1, 0]},"
@@ -384,7 +385,8 @@ static void test_plugin_method(void)
     g_assert_nonnull(strstr(mistyped.error->message, ", and of plugins "));
 }
 
-/* A pendulum on a ring about a place is that on one about a support there: the same method, forecast and number of steps. */
+/* A pendulum on a ring about a place is that on one about a support there: the same method, forecast and number of
+ * steps. */
 static void test_ring(void)
 {
     static const char *const blocks[] = {

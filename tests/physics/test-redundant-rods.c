@@ -7,8 +7,8 @@
 #include <math.h>
 #include <string.h>
 
-/* Three links of 1 m, hung along a line at 0, 2 and 3 m, carry a straight coupler of three masses: two rods along it and
- * one over both, which is redundant. Every link swings as a pendulum of its own length from `start`. */
+/* Three links of 1 m, hung along a line at 0, 2 and 3 m, carry a straight coupler of three masses: two rods along it
+ * and one over both, which is redundant. Every link swings as a pendulum of its own length from `start`. */
 static void check_parallelogram(const char *method, double across, double start, double bound)
 {
     static const double hung_at[3] = {0, 2, 3}, masses[3] = {1, 4, 0.5};
@@ -90,9 +90,9 @@ static void test_equal_shares(void)
     }
 }
 
-/* A free square of 1 m with both diagonals turns at 2 rad/s and drifts. The force towards the centre, F = m w^2 / sqrt 2,
- * is that of a diagonal and of two sides at 45 degrees; of all pairs, the least norm of the six has T_side = F / (2 sqrt 2),
- * T_diagonal = F / 2. */
+/* A free square of 1 m with both diagonals turns at 2 rad/s and drifts. The force towards the centre, F = m w^2 / sqrt
+ * 2, is that of a diagonal and of two sides at 45 degrees; of all pairs, the least norm of the six has T_side = F / (2
+ * sqrt 2), T_diagonal = F / 2. */
 static void test_braced_square(void)
 {
     const double spin = 2, r = sqrt(0.5), force = 1.5 * spin * spin * r;
@@ -162,8 +162,8 @@ static void test_rod_between_parting_supports(void)
     g_assert_nonnull(strstr(run->error->message, "Rod 0"));
 }
 
-/* A mass in the middle of a straight line of two rods cannot move at all, though no rod resists it there to first order.
- * It stays, or the run says why not; it never moves or speeds up unsaid. */
+/* A mass in the middle of a straight line of two rods cannot move at all, though no rod resists it there to first
+ * order. It stays, or the run says why not; it never moves or speeds up unsaid. */
 static void test_straight_singular_mass(void)
 {
     static const char *const methods[] = {"rk4", "verlet", "dop853"};

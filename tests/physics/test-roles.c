@@ -30,7 +30,8 @@ static void test_cubic_line(void)
     assert_balanced(run);
 }
 
-/* A mass on a rod of 2 m, turned back by a torsional spring against the arm to another support: m L^2 phi'' = -k phi. */
+/* A mass on a rod of 2 m, turned back by a torsional spring against the arm to another support: m L^2 phi'' = -k phi.
+ */
 static void test_torsion(void)
 {
     const double start = 1.1, rate = sqrt(5 / (0.7 * 4));

@@ -1,5 +1,5 @@
-/* Constraint rows that hold in one direction only: a rope falls slack where it would have to push, and comes taut with a jerk
- * that takes what parts its ends, without a bounce. */
+/* Constraint rows that hold in one direction only: a rope falls slack where it would have to push, and comes taut with
+ * a jerk that takes what parts its ends, without a bounce. */
 #include "contact-checks.h"
 
 #include <math.h>
@@ -26,8 +26,8 @@ static void test_catches(void)
     }
 }
 
-/* On its way up a circle the rope goes slack where gravity alone bends the path as much: with v0^2 = 3.5 g L at the bottom at
- * cos(angle from the top) = (v0^2 / (g L) - 2) / 3; from there it is a parabola. */
+/* On its way up a circle the rope goes slack where gravity alone bends the path as much: with v0^2 = 3.5 g L at the
+ * bottom at cos(angle from the top) = (v0^2 / (g L) - 2) / 3; from there it is a parabola. */
 static void test_leaves_the_circle(void)
 {
     const double v0 = sqrt(3.5 * g), c = (3.5 - 2) / 3, s = sqrt(1 - c * c), v = sqrt(g * c), later = 0.1;

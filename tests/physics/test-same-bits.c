@@ -1,6 +1,6 @@
-/* Who looks when changes no bit: every bundled scene and random ones, by every method, contacts as events and as impulses, with
- * samples of several kinds. Times that two records share have the same values to the last bit, and runs of one length the same
- * summary. */
+/* Who looks when changes no bit: every bundled scene and random ones, by every method, contacts as events and as
+ * impulses, with samples of several kinds. Times that two records share have the same values to the last bit, and runs
+ * of one length the same summary. */
 #include "physics-fixture.h"
 
 #include <math.h>
@@ -130,8 +130,8 @@ static int by_size(const void *left, const void *right)
     return (l > r) - (l < r);
 }
 
-/* A run that is looked at ten times, and the same looked at otherwise: rarely, often, at a crowd of times, at two that end it
- * early, and beyond its end. */
+/* A run that is looked at ten times, and the same looked at otherwise: rarely, often, at a crowd of times, at two that
+ * end it early, and beyond its end. */
 static void check(const char *what, TinkerScene *scene, TinkerRunOptions options, GRand *random)
 {
     double duration = options.duration, times[SAMPLES + CROWD + 1];

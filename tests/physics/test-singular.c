@@ -1,5 +1,5 @@
-/* Singular places and hopeless scenes: ends that coincide, dead points, forces without bound, contradictions. Each has a clear
- * answer within bounded work. */
+/* Singular places and hopeless scenes: ends that coincide, dead points, forces without bound, contradictions. Each has
+ * a clear answer within bounded work. */
 #include "physics-fixture.h"
 #include "physics/model/model.h"
 
@@ -59,8 +59,8 @@ static void test_coincident_ends(void)
     }
 }
 
-/* So does a law that is asked: it has no direction where it pulls with its ends at one place, and is an oscillator where it
- * does not, small beside its softening: x'' = -c x / s^5. */
+/* So does a law that is asked: it has no direction where it pulls with its ends at one place, and is an oscillator
+ * where it does not, small beside its softening: x'' = -c x / s^5. */
 static void test_coincident_ends_of_a_law(void)
 {
     static const char *const methods[] = {"auto", "rk4", "verlet", "dop853", "newmark", "generalized-alpha"};
@@ -98,8 +98,8 @@ static void test_rod_without_length(void)
     g_test_message("%s", run->error != NULL ? run->error->message : "");
 }
 
-/* Cranks of 1 m 2 m apart on a coupler of 2 m, and a third one in between: every crank turns as one, through its dead points
- * again and again, at the speed that the energy leaves it: m_total v^2 / 2 is constant without gravity. */
+/* Cranks of 1 m 2 m apart on a coupler of 2 m, and a third one in between: every crank turns as one, through its dead
+ * points again and again, at the speed that the energy leaves it: m_total v^2 / 2 is constant without gravity. */
 static void test_dead_points(void)
 {
     g_autoptr(PhysicsRun) run = physics_run(
@@ -129,8 +129,8 @@ static void test_dead_points(void)
     g_assert_cmpfloat(run->summary->energy_balance_error, <, 1e-6);
 }
 
-/* A parallelogram with a third crank in which one mass is far heavier or lighter than the others: without gravity it turns as
- * evenly as ever. */
+/* A parallelogram with a third crank in which one mass is far heavier or lighter than the others: without gravity it
+ * turns as evenly as ever. */
 static void test_heavy_parallelogram(void)
 {
     for (int decade = -9; decade <= 9; decade += 3) {
@@ -220,8 +220,8 @@ static void test_four_bar(void)
 /* --- hopeless scenes --- */
 
 /* Two bodies that fall onto each other: the force has no bound, the steps go to nothing. They meet after
- * pi / (2 sqrt 2) r^(3/2) / sqrt(G (m + M)). A method of fixed steps may jump over that, but then says that what follows is
- * not to be believed. */
+ * pi / (2 sqrt 2) r^(3/2) / sqrt(G (m + M)). A method of fixed steps may jump over that, but then says that what
+ * follows is not to be believed. */
 static void test_collapse(void)
 {
     static const char *const methods[] = {"auto", "dopri5", "dop853", "rk4", "verlet", "newmark", "generalized-alpha"};

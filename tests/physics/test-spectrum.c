@@ -51,7 +51,8 @@ static double forecast_limit(const TinkerSpectrum *spectrum, const TinkerIntegra
     return tinker_spectrum_stable_step(spectrum, method, 0.8);
 }
 
-/* Observed limits --------------------------------------------------------------------------------------------------- */
+/* Observed limits ---------------------------------------------------------------------------------------------------
+ */
 
 /* The largest departure from the start, in some steps of h from step number `from` on. */
 static double largest_departure(const TinkerIntegrator *method, void *stepper, TinkerState *state, const double *start,
@@ -71,8 +72,8 @@ static double largest_departure(const TinkerIntegrator *method, void *stepper, T
     return largest;
 }
 
-/* Whether the motion that begins with small velocities of every shape still grows after some hundred steps of h. The start
- * is at rest and in balance. */
+/* Whether the motion that begins with small velocities of every shape still grows after some hundred steps of h. The
+ * start is at rest and in balance. */
 static gboolean grows(const TinkerIsland *island, const TinkerIntegrator *method, double h, double rate)
 {
     TinkerModelSystem system;
@@ -147,7 +148,8 @@ static void test_oscillators(void)
     }
 }
 
-/* A chain of `count` masses from wall to wall, at rest; dampers where `damping` is not 0, all of them or every third. */
+/* A chain of `count` masses from wall to wall, at rest; dampers where `damping` is not 0, all of them or every third.
+ */
 static char *chain(int count, double mass, double stiffness, double damping, int every)
 {
     GString *text = g_string_new("{'type': 'support'}");
@@ -215,8 +217,8 @@ static double rk4_limit(double stiffness, double damping)
     return low;
 }
 
-/* Large, with a damper beside every spring: each mode is an oscillator whose damping is in proportion, and the stiffest mode is
- * the most damped one, so that it alone limits. Semi-implicit Euler: h^2 k + 2 h c = 4. */
+/* Large, with a damper beside every spring: each mode is an oscillator whose damping is in proportion, and the stiffest
+ * mode is the most damped one, so that it alone limits. Semi-implicit Euler: h^2 k + 2 h c = 4. */
 static void test_large_damped_chain(void)
 {
     static const double dampings[] = {2, 60, 2000};
@@ -257,7 +259,8 @@ static void test_pendulums(void)
     physics_assert_near("slow mode", slow, sqrt(9.81 * (2 - G_SQRT2)), 1e-5);
 }
 
-/* On a softened magnet that it starts in the middle of, a mass swings as sqrt(c / s^5 / m): exactly, and by products. */
+/* On a softened magnet that it starts in the middle of, a mass swings as sqrt(c / s^5 / m): exactly, and by products.
+ */
 static void test_magnet(void)
 {
     static const char *const types[] = {"magnet", "plain-magnet"};
@@ -324,7 +327,8 @@ static void test_step_error(void)
     g_assert_cmpfloat(tinker_step_error(verlet, 0.8, (TinkerOscillator){omega * omega, 0}, 2.1 / omega, t), >, 1e6);
 }
 
-/* Forces across velocities --------------------------------------------------------------------------------------------- */
+/* Forces across velocities
+ * --------------------------------------------------------------------------------------------- */
 
 /* A mass that a spring of rest length 0 holds at its support: x'' = -k x - c x' + W J x'. */
 static char *turned(double stiffness, double rate, double drag)
@@ -335,9 +339,10 @@ static char *turned(double stiffness, double rate, double drag)
                            rate, drag, 3 * stiffness);
 }
 
-/* With z = x + iy and no drag, z = exp(i s t): s = -W/2 +- sqrt(W^2/4 + k). Of the fastest, rk4 is stable up to 2 sqrt 2 / s.
- * Semi-implicit Euler's map has the determinant |1 + i h W|^2 at every step: it grows at all of them. Verlet's multipliers are
- * the roots of (1 + z) m^2 - (2 - h^2 k) m + (1 - z), z = i h W / 2: on the unit circle while h^2 k <= 2 + 2 |1 + z|. */
+/* With z = x + iy and no drag, z = exp(i s t): s = -W/2 +- sqrt(W^2/4 + k). Of the fastest, rk4 is stable up to 2 sqrt
+ * 2 / s. Semi-implicit Euler's map has the determinant |1 + i h W|^2 at every step: it grows at all of them. Verlet's
+ * multipliers are the roots of (1 + z) m^2 - (2 - h^2 k) m + (1 - z), z = i h W / 2: on the unit circle while h^2 k <=
+ * 2 + 2 |1 + z|. */
 static void test_turned(void)
 {
     static const double cases[][2] = {{0, 1}, {4, 100}, {4, 1}, {1e-4, 1}, {1e6, 3}};
@@ -396,7 +401,8 @@ static void test_turned_on_a_rod(void)
     physics_assert_near("limit", limit * sqrt(1.5e4), 2, 1e-4);
 }
 
-/* Two springs of different stiffness across each other, so that no shapes are common to K and C: the limit is that observed. */
+/* Two springs of different stiffness across each other, so that no shapes are common to K and C: the limit is that
+ * observed. */
 static void test_turned_askew(void)
 {
     g_auto(Compiled) compiled =
@@ -409,9 +415,9 @@ static void test_turned_askew(void)
     assert_limits(first_island(&compiled), spectrum, 10, "turned, two springs");
 }
 
-/* A chain along x has no stiffness across: a mode of frequency w becomes one of sqrt(w^2 + W^2). Of many bodies, or by extreme
- * values alone, no limit is claimed of methods that split; of
- * few, the forces across leave that of Verlet at least as it was. */
+/* A chain along x has no stiffness across: a mode of frequency w becomes one of sqrt(w^2 + W^2). Of many bodies, or by
+ * extreme values alone, no limit is claimed of methods that split; of few, the forces across leave that of Verlet at
+ * least as it was. */
 static void test_turned_chains(void)
 {
     static const int counts[] = {5, 20, 120};

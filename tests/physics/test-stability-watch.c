@@ -11,8 +11,9 @@ static guint warnings_about(const PhysicsRun *run, const char *word)
     return count;
 }
 
-/* A heavy mass is thrown outwards and draws out two springs, T = k d^3 with d the stretch, whose stiffness 3 k d^2 grows; a
- * light one hangs between them. At a stretch of 3 m each they hold it with 540 N/m: 735 rad/s, 3.8 ms for rk4. */
+/* A heavy mass is thrown outwards and draws out two springs, T = k d^3 with d the stretch, whose stiffness 3 k d^2
+ * grows; a light one hangs between them. At a stretch of 3 m each they hold it with 540 N/m: 735 rad/s, 3.8 ms for rk4.
+ */
 static PhysicsRun *thrown(double step)
 {
     return physics_try(

@@ -1,5 +1,5 @@
-/* Straight bars of point masses on rods in one line, one rod as long as others together: compound pendulums, bars that are
- * thrown, loaded across or hinged to one another, against closed forms and an independent integration. */
+/* Straight bars of point masses on rods in one line, one rod as long as others together: compound pendulums, bars that
+ * are thrown, loaded across or hinged to one another, against closed forms and an independent integration. */
 #include "physics-fixture.h"
 
 #include "physics/model/model.h"
@@ -96,8 +96,8 @@ static void test_compound_pendulum(void)
         }
 }
 
-/* A bar of 1 kg, 2 kg and 5 kg at -1, 0.2 and 0.9 m that is thrown: its centre flies along a parabola, and it turns on as fast
- * as ever, also where that is a thousand times a second. What pulls its end inwards is m w^2 r. */
+/* A bar of 1 kg, 2 kg and 5 kg at -1, 0.2 and 0.9 m that is thrown: its centre flies along a parabola, and it turns on
+ * as fast as ever, also where that is a thousand times a second. What pulls its end inwards is m w^2 r. */
 static void test_thrown(void)
 {
     static const double mass[3] = {1, 2, 5}, at[3] = {-1, 0.2, 0.9}, spins[] = {3, 6283};
@@ -133,8 +133,8 @@ static void test_thrown(void)
     }
 }
 
-/* A beam of 2 m that hangs on rods at its ends carries 6 kg at 0.5 m from the left one: it stays as it is, and the rods share the
- * load by the lever rule, 3 : 1, beside what the ends weigh. Pressed together the bar stays straight, too. */
+/* A beam of 2 m that hangs on rods at its ends carries 6 kg at 0.5 m from the left one: it stays as it is, and the rods
+ * share the load by the lever rule, 3 : 1, beside what the ends weigh. Pressed together the bar stays straight, too. */
 static void test_loaded_across(void)
 {
     for (gsize m = 0; m < G_N_ELEMENTS(methods); m++) {
@@ -229,8 +229,8 @@ static void test_hinged(void)
     }
 }
 
-/* Places and lengths that are typed with a few digits: the middle mass is up to 1e-5 rad off the line, and lengths miss by up to
- * 5e-7. It is the uniform bar all the same, as exactly as that. */
+/* Places and lengths that are typed with a few digits: the middle mass is up to 1e-5 rad off the line, and lengths miss
+ * by up to 5e-7. It is the uniform bar all the same, as exactly as that. */
 static void test_few_digits(void)
 {
     static const double off[] = {1e-9, 1e-7, 1e-6, 4e-6, 6e-6, 1e-5, 2e-5}, miss[] = {0, 3e-7, -5e-7};

@@ -77,8 +77,8 @@ static void test_acceleration(void)
     }
 }
 
-/* u'' = -u''_ground - w^2 u of the mass relative to the ground, piece by piece: with the ground's acceleration p + r s, a
- * particular solution is -(p + r s) / w^2. */
+/* u'' = -u''_ground - w^2 u of the mass relative to the ground, piece by piece: with the ground's acceleration p + r s,
+ * a particular solution is -(p + r s) / w^2. */
 static void test_shaken_oscillator(void)
 {
     const double w = 5;

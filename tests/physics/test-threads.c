@@ -1,5 +1,5 @@
-/* Large nets of springs, whose forces threads share: the forces against extended precision, and the same bits however many
- * threads there are. */
+/* Large nets of springs, whose forces threads share: the forces against extended precision, and the same bits however
+ * many threads there are. */
 #include <math.h>
 #include <string.h>
 

@@ -24,7 +24,8 @@ void place_tear_down(Place *place, gconstpointer data);
 /* Path of a module that was built for the tests. (transfer full) */
 char *built_module(const char *name);
 
-/* Copies a module into a folder under a new name and answers its path. The copy has a time of its own. (transfer full) */
+/* Copies a module into a folder under a new name and answers its path. The copy has a time of its own. (transfer full)
+ */
 char *install_module(const char *module, const char *folder, const char *name);
 
 /* Writes a file of a folder; answers its path. (transfer full) */
@@ -42,7 +43,7 @@ const TinkerLibraryEntry *entry_of(TinkerCatalogue *catalogue, const char *path)
 /* How many a list of the catalogue has; frees it. */
 guint count_of(GPtrArray *list);
 
-/* Likewise that the text of this number is the one. */
+/* Fails the test unless the text of this number is the one. */
 void expect_text(GPtrArray *texts, guint number, const char *text);
 
 /* Sets a file's time of last change, in ns since 1970. */

@@ -1,5 +1,5 @@
-/* The plugin of test-growth.c. Compiled with the present headers and with those of the next minor version, in which every
- * struct has a member more, filled in here with what a host must not take for something else. */
+/* The plugin of test-growth.c. Compiled with the present headers and with those of the next minor version, in which
+ * every struct has a member more, filled in here with what a host must not take for something else. */
 #include <tinker/sdk.h>
 
 #if defined(TINKER_NEXT)

@@ -1,5 +1,5 @@
-/* The probe program of the tests: `probe-stub plugins describe --output - FILE` writes the manifest of FILE. Every start
- * adds a line to the file that TINKER_TEST_PROBE_LOG names, so that a test can count them. */
+/* The probe program of the tests: `probe-stub plugins describe --output - FILE` writes the manifest of FILE. Every
+ * start adds a line to the file that TINKER_TEST_PROBE_LOG names, so that a test can count them. */
 #include <signal.h>
 #include <stdio.h>
 #include <string.h>

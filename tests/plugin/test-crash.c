@@ -1,5 +1,5 @@
-/* The handler of crashes where something else goes wrong on the way: it says what it can, and never waits for itself. What
- * plugins bring about is in tests/cli/test-crashes.c. */
+/* The handler of crashes where something else goes wrong on the way: it says what it can, and never waits for itself.
+ * What plugins bring about is in tests/cli/test-crashes.c. */
 #include <math.h>
 #include <signal.h>
 #include <stdlib.h>

@@ -1,6 +1,6 @@
 /* Older and newer hosts with older and newer plugins, all real binaries. This test is compiled twice: with the present
- * headers and this host, and with the headers of the next minor version and a host that is compiled with them. Each opens
- * the plugin of both. */
+ * headers and this host, and with the headers of the next minor version and a host that is compiled with them. Each
+ * opens the plugin of both. */
 #include "fixture.h"
 
 #if defined(TINKER_NEXT)

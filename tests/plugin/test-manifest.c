@@ -159,8 +159,8 @@ static void test_damaged_cache(Place *place, gconstpointer data)
     }
 }
 
-/* A claim in the cache that the library provides what it does not, which somebody else wrote: it is not believed, and what is
- * found out instead stands in a file that nobody else may write. */
+/* A claim in the cache that the library provides what it does not, which somebody else wrote: it is not believed, and
+ * what is found out instead stands in a file that nobody else may write. */
 static void expect_distrusted(Place *place, const char *file, const char *reason)
 {
     const guint before = probe_count(place);

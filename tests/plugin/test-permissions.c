@@ -22,7 +22,7 @@ static void expect_refused(const Place *place, const char *path, const char *mes
     g_assert_true((error == NULL) == (message == NULL));
 }
 
-/* Likewise of a link, for the folder of what it leads to. */
+/* A link is refused for the folder of what it leads to. */
 static void expect_folder_refused(const Place *place, const char *link, const char *target)
 {
     g_autofree char *message = g_strdup_printf(

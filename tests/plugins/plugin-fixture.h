@@ -1,5 +1,5 @@
-/* What the tests of the block plugins share: opening the built libraries as a host would, and batches made from a block's
- * own declaration. */
+/* What the tests of the block plugins share: opening the built libraries as a host would, and batches made from a
+ * block's own declaration. */
 #ifndef TINKER_TESTS_PLUGIN_FIXTURE_H
 #define TINKER_TESTS_PLUGIN_FIXTURE_H
 
@@ -57,8 +57,8 @@ void block_batch_set(BlockBatch *batch, int32_t instance, const char *property, 
 /* Instances first to first + count - 1 as a plugin sees them. Valid until the next view of the same batch. */
 TinkerBatch block_batch_view(BlockBatch *batch, int32_t first, int32_t count);
 
-/* Units in which kg, m and s count 4, 8 and 1/2 (powers of two, so that rescaling is exact): the factor of a dimension, and
- * all columns of a batch converted by their declared dimensions. */
+/* Units in which kg, m and s count 4, 8 and 1/2 (powers of two, so that rescaling is exact): the factor of a dimension,
+ * and all columns of a batch converted by their declared dimensions. */
 double rescale_factor(TinkerDimension dimension);
 void block_batch_rescale(BlockBatch *batch);
 void points_rescale(TinkerPoint *points, int count);

@@ -121,9 +121,9 @@ static void test_without_plugin(void)
     g_rmdir(folder);
 }
 
-/* A mass of 1 kg on a spring of 1e12 N/m, whose length rounds to forces of 1e-4 N, under a load of 1000 (1 - cos 2 pi t) N:
- * at the end it is back at x = 1 m, to what the tolerance allows. (The energies are too small for their balance to tell
- * anything, as the guard says.) */
+/* A mass of 1 kg on a spring of 1e12 N/m, whose length rounds to forces of 1e-4 N, under a load of 1000 (1 - cos 2 pi
+ * t) N: at the end it is back at x = 1 m, to what the tolerance allows. (The energies are too small for their balance
+ * to tell anything, as the guard says.) */
 static void test_rounding_of_stiff_spring(void)
 {
     static const char *const tolerances[] = {"1e-6", "1e-8"};
@@ -166,9 +166,10 @@ static double work_of_belt(const char *mass, const char *spring)
 
 /* A mass that sticks to a belt moves evenly, which takes few steps, and the belt works all the while against a spring.
  *
- * Behind it: 1 kg slips at first, pushed by 5 N; x = 2.5 (1 - cos wt) with w^2 = 2 reaches 1 m/s at t1 = asin(1 / 2.5 w) / w.
- * Up to then the belt gives 5 N 1 m/s, from there on what the spring stores. Beside it, unstretched at 0.3 m and 0.5 m off the
- * belt: the mass goes along from the start, past the wall, and the belt gives what the spring has more at the end. */
+ * Behind it: 1 kg slips at first, pushed by 5 N; x = 2.5 (1 - cos wt) with w^2 = 2 reaches 1 m/s at t1 = asin(1 / 2.5
+ * w) / w. Up to then the belt gives 5 N 1 m/s, from there on what the spring stores. Beside it, unstretched at 0.3 m
+ * and 0.5 m off the belt: the mass goes along from the start, past the wall, and the belt gives what the spring has
+ * more at the end. */
 static void test_belt(void)
 {
     const double w = sqrt(2), t1 = asin(1 / (2.5 * w)) / w, x1 = 2.5 * (1 - cos(w * t1)), x2 = x1 + 2 - t1;
@@ -187,8 +188,8 @@ static void test_belt(void)
     "{\"tinker\": 1, \"run\": {\"duration\": 1, \"interval\": 0.1, \"tolerance\": 1e-7}, \"blocks\": "                 \
     "[{\"type\": \"gravity\"}, {\"type\": \"support\", \"name\": \"Top\", \"width\": 20, "
 
-/* Two masses on a rod land on a rough slope, slide down it under a force to and fro, stop at one instant and stick again; two
- * masses on a rod bounce ever less on a floor; a mass on a spring sticks to a table that is shaken. */
+/* Two masses on a rod land on a rough slope, slide down it under a force to and fro, stop at one instant and stick
+ * again; two masses on a rod bounce ever less on a floor; a mass on a spring sticks to a table that is shaken. */
 static const char *const contact_scenes[] = {
     TABLE
     "\"orientation\": -0.14, \"static_friction\": 0.64, \"dynamic_friction\": 0.55}, {\"type\": \"mass\", \"name\": "

@@ -151,8 +151,8 @@ static double run_chain(Chain *chain, double tolerance, int *steps)
     return distance(CHAIN, q, exact) / chain_start(CHAIN - 1);
 }
 
-/* The stiff springs vibrate at up to sqrt(2e8) rad/s and hardly decay. They are not seen, and must not be what the steps
- * follow: there are fewer steps than half the periods. */
+/* The stiff springs vibrate at up to sqrt(2e8) rad/s and hardly decay. They are not seen, and must not be what the
+ * steps follow: there are fewer steps than half the periods. */
 static void test_stiff_chain(void)
 {
     const double periods = 10.0 * sqrt(2e8) / (2.0 * G_PI);

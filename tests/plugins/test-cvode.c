@@ -233,7 +233,8 @@ static TinkerStatus fall(void *context, double t, const double *q, const double 
     return TINKER_OK;
 }
 
-/* A fall from rest at the origin, with drag: u being the final speed, q = u^2 / g log cosh(g t / u), v = u tanh(g t / u). */
+/* A fall from rest at the origin, with drag: u being the final speed, q = u^2 / g log cosh(g t / u), v = u tanh(g t /
+ * u). */
 static void test_from_rest(void)
 {
     const double final_speed = sqrt(GRAVITY / DRAG), end = 3.0, tolerance = 1e-8;

@@ -102,8 +102,8 @@ static void test_jacobian(void)
     }
 }
 
-/* Ends in straight uniform motion have no acceleration, so d2g/dt2 is the drift. L(t) = sqrt(q + 2 b t + w^2 t^2), whose
- * second derivative at 0 is (w^2 q - b^2) / q^(3/2): worked out in long double. */
+/* Ends in straight uniform motion have no acceleration, so d2g/dt2 is the drift. L(t) = sqrt(q + 2 b t + w^2 t^2),
+ * whose second derivative at 0 is (w^2 q - b^2) / q^(3/2): worked out in long double. */
 static void test_drift(void)
 {
     TinkerPoint ends[2 * COUNT];

@@ -133,7 +133,8 @@ static void test_one_body(void)
     stage_close(&stage);
 }
 
-/* An arrow that leaves the picture is labelled inside it; one that is out of it is not. Labels keep clear of what is taken. */
+/* An arrow that leaves the picture is labelled inside it; one that is out of it is not. Labels keep clear of what is
+ * taken. */
 static void test_edges(void)
 {
     const TinkerForceArrow out[] = {{5, 3, 1e4, 3e3, "A", 0}, {-5, 0, -1e150, 0, "B", 1}, {0, -3.9, 0, -3, "C", 2}};

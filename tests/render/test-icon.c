@@ -73,7 +73,8 @@ static void test_fit(void)
     g_assert_cmpint(drawn, >=, 9 * (int)G_N_ELEMENTS(sizes));
 }
 
-/* A connector is at rest and attached: neither red nor blue nor grey. A force is orange, though its sine starts at 0. */
+/* A connector is at rest and attached: neither red nor blue nor grey. A force is orange, though its sine starts at 0.
+ */
 static void test_colours(void)
 {
     static const struct {

@@ -1,4 +1,5 @@
-/* Names of connectors: beside their symbols, whole and upon nothing, or not at all. What is drawn is read from pictures. */
+/* Names of connectors: beside their symbols, whole and upon nothing, or not at all. What is drawn is read from
+ * pictures. */
 #include <math.h>
 
 #include "scene-fixture.h"
@@ -25,8 +26,8 @@ static double gap(double low, double high, double at)
     return fmax(fmax(low - at, at - high), 0);
 }
 
-/* On a spring of any direction between two bodies far apart the name stands by the middle: clear of the coils, and nearer to
- * them than a line of text is high. */
+/* On a spring of any direction between two bodies far apart the name stands by the middle: clear of the coils, and
+ * nearer to them than a line of text is high. */
 static void test_beside(void)
 {
     for (int i = 0; i < 24; i++) {
@@ -56,7 +57,8 @@ static void test_beside(void)
     }
 }
 
-/* Springs all over each other: a name that is written covers neither a drawing nor a text, some are written, not all. */
+/* Springs all over each other: a name that is written covers neither a drawing nor a text, some are written, not all.
+ */
 static void test_crossed(void)
 {
     int named = 0, springs = 0;
@@ -92,8 +94,8 @@ static void test_crossed(void)
     g_assert_cmpint(named, <, springs);
 }
 
-/* None where it would be taken for another's: on a short one, between two that run side by side, on a part of a support,
- * or on a motor, whose arrow may lie along a spring; but where it is selected. */
+/* None where it would be taken for another's: on a short one, between two that run side by side, on a part of a
+ * support, or on a motor, whose arrow may lie along a spring; but where it is selected. */
 static void test_whose(void)
 {
     TestStage stage;

@@ -57,7 +57,8 @@ static int changed_in_column(const TestPicture *a, const TestPicture *b, int x)
     return count;
 }
 
-/* The line stands at its x over the whole height, and nowhere else but for dots, which lie on the curves' own values. */
+/* The line stands at its x over the whole height, and nowhere else but for dots, which lie on the curves' own values.
+ */
 static void test_cursor(void)
 {
     static const double cursors[] = {0, 1.234, 4.9, 7.3, 10};
@@ -100,7 +101,8 @@ static void test_no_cursor(void)
     }
 }
 
-/* The bubble of any point lies within the curves' rectangle, and not on its point where there is room beside it, and both texts within the bubble. */
+/* The bubble of any point lies within the curves' rectangle, and not on its point where there is room beside it, and
+ * both texts within the bubble. */
 static void check_reading(const TinkerPlot *plot, int width, int height)
 {
     const TinkerPlotReading *reading = plot->reading;
@@ -176,8 +178,8 @@ static gboolean are_apart(const TinkerWrittenText *a, const TinkerWrittenText *b
     return a->box[2] <= b->box[0] || b->box[2] <= a->box[0] || a->box[3] <= b->box[1] || b->box[3] <= a->box[1];
 }
 
-/* Small and compact: the curves have more room than an ordinary plot of this size gives them, all texts stand apart and on
- * the picture, and both axes have numbers. */
+/* Small and compact: the curves have more room than an ordinary plot of this size gives them, all texts stand apart and
+ * on the picture, and both axes have numbers. */
 static void test_compact(void)
 {
     Graph graph;

@@ -49,8 +49,8 @@ static const double *colour_of(int curve)
     return tinker_theme_find("light")->curves[curve];
 }
 
-/* y = x runs from corner to corner of the data's box, and the places agree with the frame's own geometry: the first tick
- * pixel of the frame is where the axis says 0 is. */
+/* y = x runs from corner to corner of the data's box, and the places agree with the frame's own geometry: the first
+ * tick pixel of the frame is where the axis says 0 is. */
 static void test_diagonal(void)
 {
     Data data;
@@ -351,7 +351,8 @@ static void test_pick(void)
     g_assert_false(tinker_plot_pick(&plot, WIDTH, HEIGHT, x + 60, y + 60, 5, &point));
 }
 
-/* Texts ---------------------------------------------------------------------------------------------------------------- */
+/* Texts
+ * ---------------------------------------------------------------------------------------------------------------- */
 
 static void check_texts(const TinkerPlot *plot, int width, int height)
 {

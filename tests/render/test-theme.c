@@ -80,8 +80,8 @@ static void test_meanings(void)
     }
 }
 
-/* Texts, in any of the colours that something is written in; and what has to be seen to understand the picture. The grid stays
- * behind all of it. */
+/* Texts, in any of the colours that something is written in; and what has to be seen to understand the picture. The
+ * grid stays behind all of it. */
 static void test_contrast(void)
 {
     static const int texts[] = {TINKER_COLOUR_TEXT, TINKER_COLOUR_FIELD, TINKER_COLOUR_WARNING, TINKER_COLOUR_DETACHED};
@@ -103,11 +103,13 @@ static void test_contrast(void)
     }
 }
 
-/* Colour blindness ---------------------------------------------------------------------------------------------------- */
+/* Colour blindness ----------------------------------------------------------------------------------------------------
+ */
 
 /* What linear red, green and blue become: nothing lost; without long and without medium waves after Viénot, Brettel and
- * Mollon, "Digital video colourmaps for checking the legibility of displays by dichromats" (1999); without short ones after
- * Machado, Oliveira and Fernandes, "A physiologically-based model for simulation of color vision deficiency" (2009). */
+ * Mollon, "Digital video colourmaps for checking the legibility of displays by dichromats" (1999); without short ones
+ * after Machado, Oliveira and Fernandes, "A physiologically-based model for simulation of color vision deficiency"
+ * (2009). */
 static const double sights[4][3][3] = {
     {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
     {{0.11238, 0.88762, 0}, {0.11238, 0.88762, 0}, {0.00401, -0.00401, 1}},

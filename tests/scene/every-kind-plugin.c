@@ -1,5 +1,5 @@
-/* A block with a property of every kind, for the kinds that no installed block uses; and one with vectors, two of which have
- * the same labels in the same group. */
+/* A block with a property of every kind, for the kinds that no installed block uses; and one with vectors, two of which
+ * have the same labels in the same group. */
 #include <tinker/sdk.h>
 
 static const char *const shades[] = {"black", "grey", "white"};

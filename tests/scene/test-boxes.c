@@ -1,4 +1,5 @@
-/* Boxes that meet: by hand; against clipping of their corners, and a search in steps of time; the first of all pairs. */
+/* Boxes that meet: by hand; against clipping of their corners, and a search in steps of time; the first of all pairs.
+ */
 #include "scene/frame/boxes.h"
 
 #include <math.h>

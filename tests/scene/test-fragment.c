@@ -1,4 +1,5 @@
-/* Copies and fragments: a copy is the scene, and leads a life of its own; what is pasted is what was copied, elsewhere. */
+/* Copies and fragments: a copy is the scene, and leads a life of its own; what is pasted is what was copied, elsewhere.
+ */
 #include "scene/history/fragment.h"
 
 #include <math.h>

@@ -1,5 +1,5 @@
-/* Edits of many blocks at once: what is done of them is counted. A pass over the scene is made as often for many blocks as for few,
- * and each block is copied as often. */
+/* Edits of many blocks at once: what is done of them is counted. A pass over the scene is made as often for many blocks
+ * as for few, and each block is copied as often. */
 #include "scene-fixture.h"
 
 #include "scene/history/history.h"

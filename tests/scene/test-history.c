@@ -283,8 +283,8 @@ static void test_placeholder_ends(void)
     g_assert_cmpstr(redone, ==, after);
 }
 
-/* Where a block goes, an end on it stays lying where it was: of a support at (1, 2) turned by 180 deg, 0.5 m along it is
- * (0.5, 2). */
+/* Where a block goes, an end on it stays lying where it was: of a support at (1, 2) turned by 180 deg, 0.5 m along it
+ * is (0.5, 2). */
 static void test_placeholder_ends_detached(void)
 {
     g_autoptr(TinkerScene) scene = scene_fixture_read_blocks(

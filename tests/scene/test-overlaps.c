@@ -108,8 +108,8 @@ static void test_many(void)
     }
 }
 
-/* The line across the plate through a point, as the two places along the normal where the body's and the plate's corners
- * lie: worked out from corners in world coordinates. */
+/* The line across the plate through a point, as the two places along the normal where the body's and the plate's
+ * corners lie: worked out from corners in world coordinates. */
 static gboolean overlap_by_corners(double px, double py, double angle, double width, double height, double x, double y,
                                    double body_height)
 {

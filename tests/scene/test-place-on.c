@@ -1,5 +1,5 @@
-/* Bodies that lie on a top instead of having a position: where that is, by the rotation of the support's axes; what becomes of it
- * when the scene is edited, saved and copied. */
+/* Bodies that lie on a top instead of having a position: where that is, by the rotation of the support's axes; what
+ * becomes of it when the scene is edited, saved and copied. */
 #include <math.h>
 #include <string.h>
 

@@ -1,5 +1,5 @@
-/* Closed forms, put together from event to event: free flight is a parabola, sliding too, a block on a spring swings about
- * a place that friction shifts. Times of events that have no closed form come from bisection. */
+/* Closed forms, put together from event to event: free flight is a parabola, sliding too, a block on a spring swings
+ * about a place that friction shifts. Times of events that have no closed form come from bisection. */
 #include "contact-cases.h"
 
 #include <math.h>
@@ -18,7 +18,7 @@ static double at(const TestTable *record, double time, const char *column)
     return test_table_value(record, test_table_row(record, time), column);
 }
 
-/* The same of columns that are not recorded by themselves. (transfer full) */
+/* Values at a time of columns that are not recorded by themselves. (transfer full) */
 static TestTable *forces_at(const char *path, const char *time, const char *columns)
 {
     const char *options[] = {"--at", time, "--tolerance", "1e-11", "--columns", columns, NULL};
@@ -78,8 +78,9 @@ static Flight later(Flight from, double ax, double ay, double time)
                     from.y + from.vy * time + 0.5 * ay * time * time, from.vx + ax * time, from.vy + ay * time};
 }
 
-/* From rest at (-1.56, 3.99) onto the incline, down it and off its end, onto the floor, to rest there. The top of the incline
- * goes through n (0.2) above its centre (0, 1.2); the box stands off by another 0.3. The floor's top is at -2.4. */
+/* From rest at (-1.56, 3.99) onto the incline, down it and off its end, onto the floor, to rest there. The top of the
+ * incline goes through n (0.2) above its centre (0, 1.2); the box stands off by another 0.3. The floor's top is at
+ * -2.4. */
 static void incline_stages(Flight stages[5])
 {
     const double s = sin(RADIANS(-25)), c = cos(RADIANS(-25)), down = -s - 0.2 * c;
@@ -203,8 +204,8 @@ void check_friction_oscillator(const char *path)
     CLOSE(test_table_value(record, 6, "Block.vx"), 0.0, 1e-12);
 }
 
-/* Rides until the spring pulls with 0.5 m g, slips about the place where it pulls with 0.3 m g, and meets the belt's speed
- * again as far beyond that place as it left before it. */
+/* Rides until the spring pulls with 0.5 m g, slips about the place where it pulls with 0.3 m g, and meets the belt's
+ * speed again as far beyond that place as it left before it. */
 void check_stick_slip_belt(const char *path)
 {
     const double v = 0.3, w = sqrt(10.0), leaves = 0.5 * GRAVITY / 10.0, middle = 0.3 * GRAVITY / 10.0;
@@ -226,7 +227,8 @@ void check_stick_slip_belt(const char *path)
     }
 }
 
-/* Table at -0.1 cos(12 t). Given when it left: height over the table after t, and its acceleration against gravity's. */
+/* Table at -0.1 cos(12 t). Given when it left: height over the table after t, and its acceleration against gravity's.
+ */
 static double height_over_table(double t, const double *left)
 {
     const double from = -0.1 * cos(12.0 * left[0]), speed = 1.2 * sin(12.0 * left[0]), u = t - left[0];
@@ -268,8 +270,8 @@ void check_lift_off(const char *path)
     g_assert_cmpuint(flying, <, 11);
 }
 
-/* With both ends on wall and floor L a" = g sin a for the angle a from the vertical; the wall carries g sin a (3 cos a - 2 cos
- * a0) per mass. Integrated from rest by the classical method with steps far below what is asked here. */
+/* With both ends on wall and floor L a" = g sin a for the angle a from the vertical; the wall carries g sin a (3 cos a
+ * - 2 cos a0) per mass. Integrated from rest by the classical method with steps far below what is asked here. */
 static double ladder_leaves_wall(double from, double length)
 {
     const double h = 1e-4, rate = GRAVITY / length, until = acos(2.0 / 3.0 * cos(from));

@@ -10,12 +10,12 @@ TestTable *measure_at(const char *path, const double *times, gsize count);
 /* Runs a scene with samples over the last period of the angular frequency w (rad/s) before `until`. (transfer full) */
 TestTable *measure_last_period(const char *path, double w, double until);
 
-/* The amplitude with which a column swings over such a period: the first Fourier coefficient, to which a constant does not
- * contribute. */
+/* The amplitude with which a column swings over such a period: the first Fourier coefficient, to which a constant does
+ * not contribute. */
 double measure_amplitude(const TestTable *record, const char *column, double w);
 
-/* Fails the test unless the energy of all masses and springs of the scene stays what it was, to 1e-8 of the largest kinetic
- * energy. `gravity` in m/s^2, downwards. */
+/* Fails the test unless the energy of all masses and springs of the scene stays what it was, to 1e-8 of the largest
+ * kinetic energy. `gravity` in m/s^2, downwards. */
 void measure_check_energy(const char *path, double gravity, const char *duration);
 
 /* K(sin(angle / 2)), the complete elliptic integral, by the arithmetic-geometric mean: a quarter period of the pendulum

@@ -55,7 +55,8 @@ static void check_motor_on_mass(const char *path)
     CLOSE(measure_amplitude(record, "Mass 0.x", 3.0), 4.0 / cabs(25.0 - 9.0 + 3.0 * I), 1e-8);
 }
 
-/* A mass on a spring k to a support that moves by A sin(wt), with a damper c to the ground: k A / |k - m w^2 + i c w|. */
+/* A mass on a spring k to a support that moves by A sin(wt), with a damper c to the ground: k A / |k - m w^2 + i c w|.
+ */
 static void check_support_motion(const char *path)
 {
     g_autoptr(TestTable) record = measure_last_period(path, 4.0, 100.0);
@@ -130,8 +131,8 @@ static void check_pendulum_wave(const char *path)
     }
 }
 
-/* Displacements of three masses after 10 s, from an exponential of the chain's matrix in quadruple precision: a series of 23
- * terms and 33 doublings. */
+/* Displacements of three masses after 10 s, from an exponential of the chain's matrix in quadruple precision: a series
+ * of 23 terms and 33 doublings. */
 static void check_stiff_chain(const char *path)
 {
     const double times[] = {10.0};
@@ -249,8 +250,8 @@ static void check_four_bar(const char *path)
     measure_check_energy(path, 0.0, "10");
 }
 
-/* The mean motion is that of a particle in the potential -g L cos + (A w sin)^2 / 4 (Kapitza): upright is stable, so the
- * bob never comes further down than three times the start angle. */
+/* The mean motion is that of a particle in the potential -g L cos + (A w sin)^2 / 4 (Kapitza): upright is stable, so
+ * the bob never comes further down than three times the start angle. */
 static void check_kapitza(const char *path)
 {
     const char *options[] = {NULL};

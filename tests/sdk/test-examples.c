@@ -1,5 +1,6 @@
 /* A worked example of sdk/examples, as its author has it: the folder alone, against an installed SDK. It builds with
- * warnings as errors, its own test passes, and it keeps the rules of the contract. The example is named on the command line. */
+ * warnings as errors, its own test passes, and it keeps the rules of the contract. The example is named on the command
+ * line. */
 #include "author.h"
 
 #include "program.h"

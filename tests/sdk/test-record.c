@@ -1,5 +1,5 @@
-/* record.h, which every plugin made by `tinker plugins new` reads its records with: here of a program that writes what it is
- * told to. */
+/* record.h, which every plugin made by `tinker plugins new` reads its records with: here of a program that writes what
+ * it is told to. */
 #include "record.h"
 
 #include <glib.h>

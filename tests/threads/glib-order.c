@@ -1,7 +1,8 @@
-/* Tells the thread sanitizer what GLib's locks and counted references order. GLib itself is not compiled with the sanitizer, which
- * therefore sees neither its locks, which are built on futexes, nor what the last holder of a reference may do. Each function here
- * stands before GLib's own and says what that promises: what was done before an unlock, or before a reference was given up, is
- * done for whoever locks, or gives up the last one, after it. To be preloaded (LD_PRELOAD); the test setup "threads" does. */
+/* Tells the thread sanitizer what GLib's locks and counted references order. GLib itself is not compiled with the
+ * sanitizer, which therefore sees neither its locks, which are built on futexes, nor what the last holder of a
+ * reference may do. Each function here stands before GLib's own and says what that promises: what was done before an
+ * unlock, or before a reference was given up, is done for whoever locks, or gives up the last one, after it. To be
+ * preloaded (LD_PRELOAD); the test setup "threads" does. */
 #include <dlfcn.h>
 #include <glib.h>
 #include <string.h>
@@ -30,13 +31,15 @@ static void release(gconstpointer address)
         memcpy(&own, &symbol_, sizeof own);                                                                            \
     }
 
-/* The main context is there before any thread is: made by two of them at once it would seem to be a race within GLib. */
+/* The main context is there before any thread is: made by two of them at once it would seem to be a race within GLib.
+ */
 __attribute__((constructor)) static void make_main_context(void)
 {
     g_main_context_default();
 }
 
-/* Locks ------------------------------------------------------------------------------------------------------------------ */
+/* Locks
+ * ------------------------------------------------------------------------------------------------------------------ */
 
 VISIBLE void g_mutex_lock(GMutex *mutex)
 {
@@ -95,7 +98,8 @@ VISIBLE gboolean g_once_init_enter(volatile void *location)
     return first;
 }
 
-/* Counted references ----------------------------------------------------------------------------------------------------- */
+/* Counted references
+ * ----------------------------------------------------------------------------------------------------- */
 
 VISIBLE gboolean g_atomic_ref_count_dec(gatomicrefcount *count)
 {
@@ -106,8 +110,8 @@ VISIBLE gboolean g_atomic_ref_count_dec(gatomicrefcount *count)
     return last;
 }
 
-/* What is freed here may be freed by the last holder within the call, so that it is ordered before: behind all who gave theirs
- * up already. */
+/* What is freed here may be freed by the last holder within the call, so that it is ordered before: behind all who gave
+ * theirs up already. */
 #define UNREF(name, type)                                                                                              \
     VISIBLE void name(type *object)                                                                                    \
     {                                                                                                                  \
@@ -130,7 +134,8 @@ VISIBLE void g_atomic_rc_box_release_full(gpointer box, GDestroyNotify clear)
     own(box, clear);
 }
 
-/* Messages --------------------------------------------------------------------------------------------------------------- */
+/* Messages
+ * --------------------------------------------------------------------------------------------------------------- */
 
 typedef struct {
     GSourceFunc function;

@@ -1,6 +1,6 @@
 /* Random expressions against muParser, and their derivatives against Richardson-extrapolated differences of muParser's
- * values. Only what both read alike is written: muParser has its own min, max, abs and comparisons, no step, pulse, mod;
- * powers of signed numbers stand in brackets. */
+ * values. Only what both read alike is written: muParser has its own min, max, abs and comparisons, no step, pulse,
+ * mod; powers of signed numbers stand in brackets. */
 #include <math.h>
 #include <string.h>
 

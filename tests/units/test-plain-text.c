@@ -35,7 +35,8 @@ static void test_escapes(void)
     }
 }
 
-/* Every code up to U+00FF: those from 0 to 1F and from 7F to 9F are control characters (ISO 6429), the others are not. */
+/* Every code up to U+00FF: those from 0 to 1F and from 7F to 9F are control characters (ISO 6429), the others are not.
+ */
 static void test_codes(void)
 {
     for (gunichar c = 1; c <= 0xff; c++) {

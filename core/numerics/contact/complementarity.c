@@ -1,5 +1,5 @@
-/* The dictionary holds, by rows, the basic unknowns as functions of the n + 1 others: basic = constant - row . others. The
- * columns of the inverse of the basis, which the lexicographic rule compares, are columns of it or unit vectors. */
+/* The dictionary holds, by rows, the basic unknowns as functions of the n + 1 others: basic = constant - row . others.
+ * The columns of the inverse of the basis, which the lexicographic rule compares, are columns of it or unit vectors. */
 #include "numerics/contact/complementarity.h"
 
 #include <math.h>
@@ -152,7 +152,8 @@ static TinkerLcpResult walk(Dictionary *self)
     return TINKER_LCP_GAVE_UP;
 }
 
-/* z is cleared of rounding below 0; FALSE where it is no solution. `floor` is what (scaled) rows may miss in any case. */
+/* z is cleared of rounding below 0; FALSE where it is no solution. `floor` is what (scaled) rows may miss in any case.
+ */
 static gboolean holds(const Dictionary *self, const double *matrix, const double *q, double floor, double *z)
 {
     int32_t n = self->n;

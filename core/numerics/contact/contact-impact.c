@@ -13,8 +13,9 @@ typedef struct {
     TinkerContactResult result;
 } Trial;
 
-/* Impulses with a share of the restitution, and what energy they take from the bodies (0 where that is rounding); -1 where
- * there are none: bodies that wedge cannot part against their friction. Where memory lacked once nothing is tried any more. */
+/* Impulses with a share of the restitution, and what energy they take from the bodies (0 where that is rounding); -1
+ * where there are none: bodies that wedge cannot part against their friction. Where memory lacked once nothing is tried
+ * any more. */
 static double lost_energy(void *data, double share)
 {
     Trial *trial = data;

@@ -77,9 +77,9 @@ TinkerContactResult tinker_contact_modes(const TinkerClosedContacts *closed, Tin
     return result;
 }
 
-/* Over a moment in which accelerations change velocities by very little, forces that exist leave impulses as little; impulses
- * that the laws of impact ask for nevertheless are those of the jam. They are linear in a short moment: from a whole and a
- * half one, those of none. Source: Anitescu, Potra (1997), section 4. */
+/* Over a moment in which accelerations change velocities by very little, forces that exist leave impulses as little;
+ * impulses that the laws of impact ask for nevertheless are those of the jam. They are linear in a short moment: from a
+ * whole and a half one, those of none. Source: Anitescu, Potra (1997), section 4. */
 TinkerContactResult tinker_contact_jam(const TinkerClosedContacts *closed, const double *velocity, double *impulses)
 {
     int32_t m = closed->count;

@@ -1,13 +1,15 @@
 /* The laws of unilateral contact with Coulomb friction, for several contacts at once, as complementarity problems.
  *
- * Contact k has a normal and a tangential direction. Vectors hold normal and tangential entries by turns: n0, t0, n1, t1, ...;
- * u are relative velocities (normal: positive where it opens), a relative accelerations, p impulses, f forces, of what
- * touches. W, the Delassus matrix, is symmetric positive semidefinite, 2m x 2m by rows: what one unit of impulse at one
- * contact changes in the relative velocity at another. A contact without friction may leave its tangential row and column 0.
+ * Contact k has a normal and a tangential direction. Vectors hold normal and tangential entries by turns: n0, t0, n1,
+ * t1, ...; u are relative velocities (normal: positive where it opens), a relative accelerations, p impulses, f forces,
+ * of what touches. W, the Delassus matrix, is symmetric positive semidefinite, 2m x 2m by rows: what one unit of
+ * impulse at one contact changes in the relative velocity at another. A contact without friction may leave its
+ * tangential row and column 0.
  *
  * Sources: Anitescu, Potra, "Formulating dynamic multi-rigid-body contact problems with friction as solvable linear
- * complementarity problems", Nonlinear Dynamics 14 (1997) 231-247; Glocker, Pfeiffer, "Multibody Dynamics with Unilateral
- * Contacts" (1996); Genot, Brogliato, "New results on Painleve paradoxes", Eur. J. Mech. A 18 (1999) 653-677. */
+ * complementarity problems", Nonlinear Dynamics 14 (1997) 231-247; Glocker, Pfeiffer, "Multibody Dynamics with
+ * Unilateral Contacts" (1996); Genot, Brogliato, "New results on Painleve paradoxes", Eur. J. Mech. A 18 (1999)
+ * 653-677. */
 #ifndef TINKER_NUMERICS_CONTACT_LAWS_H
 #define TINKER_NUMERICS_CONTACT_LAWS_H
 
@@ -24,8 +26,8 @@ typedef enum {
 
 typedef enum {
     TINKER_CONTACT_SOLVED,
-    TINKER_CONTACT_NO_ACCELERATION, /* no finite forces satisfy the laws: Painleve's paradox, an impulse has to act; or a
-                                       contact closes whose normal direction (W_nn = 0) nothing can move along, or
+    TINKER_CONTACT_NO_ACCELERATION, /* no finite forces satisfy the laws: Painleve's paradox, an impulse has to act; or
+                                       a contact closes whose normal direction (W_nn = 0) nothing can move along, or
                                        bodies are squeezed, or wedge where they should part */
     TINKER_CONTACT_GAVE_UP,         /* a number that is none */
     TINKER_CONTACT_NO_MEMORY,       /* for as many contacts at once */
@@ -36,11 +38,12 @@ typedef struct {
     void *context;
     /* v = W p. `size` (or NULL) gets for each entry the sum of what meets in it. */
     void (*times)(void *context, const double *p, double *v, double *size);
-    /* Writes p that is 0 but where `unknown`, and v and size of it; there (W p)_i = b_i, as near as W can. A normal entry brings p_t = slope p_n with it
-     * where the tangential one is not unknown itself. 0 where that cannot be solved. */
+    /* Writes p that is 0 but where `unknown`, and v and size of it; there (W p)_i = b_i, as near as W can. A normal
+     * entry brings p_t = slope p_n with it where the tangential one is not unknown itself. 0 where that cannot be
+     * solved. */
     int (*solve)(void *context, const int8_t *unknown, const double *slope, const double *b, double *p, double *v,
                  double *size);
-    /* The same for W + softness / mass, which is solved to about rounding: first where unknown, with what slopes and how soft; then for
+    /* Solves with W + softness / mass, to about rounding: first where unknown, with what slopes and how soft; then for
      * as many b as anybody likes. */
     void (*soften)(void *context, const int8_t *unknown, const double *slope, double softness);
     void (*solve_soft)(void *context, const double *b, double *p);
@@ -62,20 +65,20 @@ typedef struct {
     const TinkerContactMotion *motion;
 } TinkerImpact;
 
-/* Writes the impulses p (2m). No impact adds energy: where Newton's restitution together with friction would (the sum of
- * p . (u + u') / 2 over all contacts > 0), all coefficients of restitution are taken as smaller by one common factor, the
- * largest that does not; so too where bodies wedge, so that no impulses make them rebound as much. That does not apply to
- * `least`, for which restitution may be NULL. Where the laws leave several answers, a contact by itself sticks if it can.
- * Velocities that miss what W can do by rounding are met to 1e-10 of the largest. */
+/* Writes the impulses p (2m). No impact adds energy: where Newton's restitution together with friction would (the sum
+ * of p . (u + u') / 2 over all contacts > 0), all coefficients of restitution are taken as smaller by one common
+ * factor, the largest that does not; so too where bodies wedge, so that no impulses make them rebound as much. That
+ * does not apply to `least`, for which restitution may be NULL. Where the laws leave several answers, a contact by
+ * itself sticks if it can. Velocities that miss what W can do by rounding are met to 1e-10 of the largest. */
 TinkerContactResult tinker_impact_solve(const TinkerImpact *impact, double *impulses);
 
-/* The same with `least` for very many contacts, to 1e-14 of the largest velocity or as near as 500 sweeps of projected Gauss-Seidel
- * come. `offset` is room for 2m. FALSE where a number is none. */
+/* Solves the laws of impact with `least` for very many contacts, to 1e-14 of the largest velocity or as near as 500
+ * sweeps of projected Gauss-Seidel come. `offset` is room for 2m. FALSE where a number is none. */
 int tinker_impact_sweep(const TinkerImpact *impact, double *offset, double *impulses);
 
-/* Impact with `least` and `motion`, for a step that asks for no more than its method makes of it: impulses that keep the laws to
- * rounding; or but for what stresses that move nothing still lack (1e-5 of the largest velocity at most), so met; or as near as
- * some hundred solves come. `room` holds tinker_impact_guess_room doubles. Allots nothing. */
+/* Impact with `least` and `motion`, for a step that asks for no more than its method makes of it: impulses that keep
+ * the laws to rounding; or but for what stresses that move nothing still lack (1e-5 of the largest velocity at most),
+ * so met; or as near as some hundred solves come. `room` holds tinker_impact_guess_room doubles. Allots nothing. */
 typedef enum {
     TINKER_IMPACT_NO_NUMBER,
     TINKER_IMPACT_APPROACHED,
@@ -101,13 +104,14 @@ typedef struct {
  *     sliding: f_t = -dynamic f_n sign(u_t);
  *     at rest: a_t = 0 and |f_t| <= static f_n, or it begins to slip against f_t = -dynamic f_n sign(a_t).
  * Whoever begins to slip rubs with its dynamic coefficient from then on: where with that it holds after all, it sticks.
- * A contact that neither presses nor parts (f_n = 0, a_n within the noise) counts as closed. Where many forces do the same (a
- * mass held twice over), any that keep the laws is taken. */
+ * A contact that neither presses nor parts (f_n = 0, a_n within the noise) counts as closed. Where many forces do the
+ * same (a mass held twice over), any that keep the laws is taken. */
 TinkerContactResult tinker_contact_modes(const TinkerClosedContacts *closed, TinkerContactMode *modes, double *forces);
 
-/* Where tinker_contact_modes has no solution: the impulses (2m), without any approach, that end the sliding of the contacts
- * that jam. `velocity` as in TinkerImpact; its normal entries count as 0. They keep the laws of an impact without restitution:
- * where p_n > 0, u_n' = 0, and u_t' = 0 or p_t = -friction p_n sign(u_t'); static coefficients at contacts at rest. */
+/* Where tinker_contact_modes has no solution: the impulses (2m), without any approach, that end the sliding of the
+ * contacts that jam. `velocity` as in TinkerImpact; its normal entries count as 0. They keep the laws of an impact
+ * without restitution: where p_n > 0, u_n' = 0, and u_t' = 0 or p_t = -friction p_n sign(u_t'); static coefficients at
+ * contacts at rest. */
 TinkerContactResult tinker_contact_jam(const TinkerClosedContacts *closed, const double *velocity, double *impulses);
 
 #endif

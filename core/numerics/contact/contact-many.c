@@ -1,16 +1,17 @@
-/* The laws for very many contacts, whose W is known by what it does: what each contact does is guessed, the impulses follow from
- * one solve, and whatever breaks a law changes what it does. That ends soon or goes in circles. Then the impulses are
- * approached by splitting (the alternating direction method of multipliers): by turns
+/* The laws for very many contacts, whose W is known by what it does: what each contact does is guessed, the impulses
+ * follow from one solve, and whatever breaks a law changes what it does. That ends soon or goes in circles. Then the
+ * impulses are approached by splitting (the alternating direction method of multipliers): by turns
  *
  *     p = -(W + rho)^-1 (b + gamma - rho (z - y)),   z = the nearest to p + y in the cones of friction,   y += p - z,
  *
- * with gamma = friction |v_t| along each normal, which makes Coulomb's law one of complementarity in cones (De Saxce); -rho y becomes
- * v + gamma. What it takes z for is a better guess now and then.
+ * with gamma = friction |v_t| along each normal, which makes Coulomb's law one of complementarity in cones (De Saxce);
+ * -rho y becomes v + gamma. What it takes z for is a better guess now and then.
  *
- * Sources: Judice, Pires, "A block principal pivoting algorithm for large-scale strictly monotone linear complementarity problems",
- * Computers & Operations Research 21 (1994) 587-596; Carpentier, Montaut, Le Lidec, "From compliant to rigid contact simulation: a
- * unified and efficient approach", RSS 2024; Boyd et al., "Distributed optimization and statistical learning via the alternating
- * direction method of multipliers" (2011), sections 3.3 and 3.4. Where neither ends, whoever asks has to write W down. */
+ * Sources: Judice, Pires, "A block principal pivoting algorithm for large-scale strictly monotone linear
+ * complementarity problems", Computers & Operations Research 21 (1994) 587-596; Carpentier, Montaut, Le Lidec, "From
+ * compliant to rigid contact simulation: a unified and efficient approach", RSS 2024; Boyd et al., "Distributed
+ * optimization and statistical learning via the alternating direction method of multipliers" (2011), sections 3.3
+ * and 3.4. Where neither ends, whoever asks has to write W down. */
 #include <math.h>
 #include <string.h>
 
@@ -26,15 +27,17 @@
 #define STEPS_BETWEEN 15
 #define MOST_STEPS    600
 #define RELAXATION    1.6
-/* Its softness, where W is about 1: at first; how much it changes at once, to balance what is left to be done on both sides; bounds. */
+/* Its softness, where W is about 1: at first; how much it changes at once, to balance what is left to be done on both
+ * sides; bounds. */
 #define SOFTNESS   0.1
 #define UNBALANCED 5.0
 #define LEAST_SOFT 1e-6
 #define MOST_SOFT  1e3
 /* gamma goes so much of its way at once: with all of it contacts may swing between sticking and slipping. */
 #define FOLLOWING 0.3
-/* Sides that come no nearer to each other than by this share: what is asked for contradicts itself, or nearly, and impulses grow until
- * friction lets go. The softer, the faster. Where they still do after a while they grow without bound. */
+/* Sides that come no nearer to each other than by this share: what is asked for contradicts itself, or nearly, and
+ * impulses grow until friction lets go. The softer, the faster. Where they still do after a while they grow without
+ * bound. */
 #define STALLED      0.9
 #define LET_GO       0.2
 #define MOST_STALLED 8
@@ -231,7 +234,8 @@ static void balance(Many *many, double apart, double moved)
     if (ratio <= 0.5 || ratio >= 2) set_softness(many, many->rho * CLAMP(ratio, 1 / UNBALANCED, UNBALANCED));
 }
 
-/* `near`: z will do, so that both sides meet but for this share of the largest velocity; 0: only what keeps the laws to rounding. */
+/* `near`: z will do, so that both sides meet but for this share of the largest velocity; 0: only what keeps the laws to
+ * rounding. */
 static gboolean by_splitting(Many *many, double near)
 {
     const gsize m = (gsize)many->work.problem.count;

@@ -28,20 +28,20 @@ typedef enum {
     TINKER_STATE_FREE,     /* without friction */
 } TinkerContactState;
 
-/* Writes p (2m). NO_ACCELERATION: there is none, because a contact slides with friction and jams; or a normal direction that
- * nothing moves along has b_n < 0 (then p is what the other contacts do). */
+/* Writes p (2m). NO_ACCELERATION: there is none, because a contact slides with friction and jams; or a normal direction
+ * that nothing moves along has b_n < 0 (then p is what the other contacts do). */
 TinkerContactResult tinker_contact_solve(const TinkerContactProblem *problem, double *p);
 
 /* v = b + W p, entry i; `size` is the sum of what meets in it, or NULL. */
 double tinker_contact_velocity(const TinkerContactProblem *problem, const double *p, int32_t i, double *size);
-/* The same for all entries, of a matrix or of a motion. */
+/* v = b + W p and the sizes for all entries, W given as a matrix or as a motion. */
 void tinker_contact_velocities(const TinkerContactProblem *problem, const double *p, double *v, double *size);
 
 /* tinker_contact_solve where W is a motion; GAVE_UP where it finds none. */
 TinkerContactResult tinker_contact_solve_many(const TinkerContactProblem *problem, double *p);
 
-/* A problem with its scales and its room. Scales are powers of two, one a contact, so that cones of friction stay as they
- * are; W is near 1 then, and so is the largest b. */
+/* A problem with its scales and its room. Scales are powers of two, one a contact, so that cones of friction stay as
+ * they are; W is near 1 then, and so is the largest b. */
 typedef struct {
     TinkerContactProblem problem; /* scaled */
     double *scale;                /* m: p = scaled p * scale * unit */
@@ -59,18 +59,18 @@ typedef struct {
     TinkerContactState *state;
 } TinkerContactWork;
 
-/* Works out v from p. TRUE where they keep the laws in these states, but for a share of `tolerance` of what meets in them;
- * else `next`, if not NULL, is told what the states should rather be. */
+/* Works out v from p. TRUE where they keep the laws in these states, but for a share of `tolerance` of what meets in
+ * them; else `next`, if not NULL, is told what the states should rather be. */
 gboolean tinker_contact_check(TinkerContactWork *work, double tolerance, TinkerContactState *next);
 
-/* The same for v and size that were worked out. */
+/* Checks the laws with v and size that were worked out before, as tinker_contact_check() does. */
 gboolean tinker_contact_judge(TinkerContactWork *work, double tolerance, TinkerContactState *next);
 
-/* The same with the p that solves W p = -b as the states have it. */
+/* Checks the states with the p that solves W p = -b as they have it. */
 gboolean tinker_contact_try_states(TinkerContactWork *work, double tolerance, TinkerContactState *next);
 
-/* The same problem as a linear complementarity problem, with softening (p - centre) added to v; centre may be NULL: 0. Leaves
- * p and state. */
+/* Solves the problem as a linear complementarity problem, with softening (p - centre) added to v; centre may be NULL:
+ * 0. Leaves p and state. */
 gboolean tinker_contact_by_complementarity(TinkerContactWork *work, double softening, const double *centre);
 
 /* Whether contact k may hold by friction. */
@@ -81,7 +81,8 @@ static inline gboolean tinker_contact_grips(const TinkerContactProblem *problem,
            (problem->delassus == NULL || problem->delassus[t * (2 * problem->count + 1)] > 0);
 }
 
-/* One sweep of projected Gauss-Seidel over all contacts, from the impulses p on; answers the largest change of a velocity. */
+/* One sweep of projected Gauss-Seidel over all contacts, from the impulses p on; answers the largest change of a
+ * velocity. */
 double tinker_contact_sweep(const TinkerContactProblem *problem, double *p);
 
 /* p_t / p_n of a closed contact that does not stick. */

@@ -1,5 +1,6 @@
-/* One contact is solved in closed form. Of several, most problems are settled by a few guesses at what each does; else by
- * Lemke's method; where that ends in a ray, by trying all states of few contacts, by proximal points, or by sweeps. */
+/* One contact is solved in closed form. Of several, most problems are settled by a few guesses at what each does; else
+ * by Lemke's method; where that ends in a ray, by trying all states of few contacts, by proximal points, or by sweeps.
+ */
 #include <math.h>
 #include <string.h>
 
@@ -174,9 +175,9 @@ static gboolean by_complementarity(TinkerContactWork *work, double tolerance)
     return tinker_contact_by_complementarity(work, 0, NULL) && settle(work, tolerance);
 }
 
-/* The proximal point method: the softened problem again and again, with the springs that soften it at rest where the last
- * impulses were, so that they press no more in the end. Each solve is well posed however singular W is. Source: Rockafellar,
- * "Monotone operators and the proximal point algorithm", SIAM J. Control Optim. 14 (1976) 877-898. */
+/* The proximal point method: the softened problem again and again, with the springs that soften it at rest where the
+ * last impulses were, so that they press no more in the end. Each solve is well posed however singular W is. Source:
+ * Rockafellar, "Monotone operators and the proximal point algorithm", SIAM J. Control Optim. 14 (1976) 877-898. */
 static gboolean by_proximal_points(TinkerContactWork *work, double softening, double tolerance)
 {
     double *centre = work->centre;

@@ -1,5 +1,5 @@
-/* Where it is known what every contact does, the impulses solve a linear system; whether they keep the laws says what the
- * contacts should do instead. */
+/* Where it is known what every contact does, the impulses solve a linear system; whether they keep the laws says what
+ * the contacts should do instead. */
 #include <math.h>
 
 #include "numerics/contact/contact-private.h"

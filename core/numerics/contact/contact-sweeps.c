@@ -1,6 +1,7 @@
-/* The laws by projected Gauss-Seidel: every contact by turns to what its own law asks for beside the impulses of the others.
- * Converges slowly where contacts lean on one another, and in any case. Source: Jourdan, Alart, Jean, "A Gauss-Seidel like
- * algorithm to solve frictional contact problems", Computer Methods in Applied Mechanics and Engineering 155 (1998) 31-47. */
+/* The laws by projected Gauss-Seidel: every contact by turns to what its own law asks for beside the impulses of the
+ * others. Converges slowly where contacts lean on one another, and in any case. Source: Jourdan, Alart, Jean, "A
+ * Gauss-Seidel like algorithm to solve frictional contact problems", Computer Methods in Applied Mechanics and
+ * Engineering 155 (1998) 31-47. */
 #include <math.h>
 #include <string.h>
 
@@ -20,7 +21,8 @@ static double velocity(const TinkerContactProblem *problem, const double *p, int
     return sum;
 }
 
-/* Brings one entry of p to where v is 0 in that direction, or as near as its bounds let it; answers by how much v changed. */
+/* Brings one entry of p to where v is 0 in that direction, or as near as its bounds let it; answers by how much v
+ * changed. */
 static double relax(const TinkerContactProblem *problem, int32_t i, double own, double least, double most, double *p)
 {
     const double before = p[i];

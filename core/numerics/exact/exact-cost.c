@@ -9,7 +9,8 @@
 #define SWEEPS          7.0 /* of rotations until columns are orthogonal */
 #define SERIES_TERMS    16.0
 #define USUAL_DOUBLINGS 20.0
-/* Intervals of a run. A prime number at the least: one that lasts for a round number of periods is seen in different phases. */
+/* Intervals of a run. A prime number at the least: one that lasts for a round number of periods is seen in different
+ * phases. */
 #define LEAST_INTERVALS 17.0
 #define MOST_INTERVALS  65537.0
 

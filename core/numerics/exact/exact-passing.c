@@ -80,8 +80,8 @@ static void bound_modes(const Reach *reach)
     }
 }
 
-/* Whether edge e can get to d = 0 within the reach of bounded modes, before the time t; sets the bound on d'' and how far
- * rounding may move d, of the anchors by rounding of t. `*lasting` is cleared where the answer depends on h. */
+/* Whether edge e can get to d = 0 within the reach of bounded modes, before the time t; sets the bound on d'' and how
+ * far rounding may move d, of the anchors by rounding of t. `*lasting` is cleared where the answer depends on h. */
 static gboolean can_pass(const Reach *reach, double t, int32_t e, gboolean *lasting)
 {
     const TinkerExactPart *part = reach->part;
@@ -226,8 +226,8 @@ static void mark(TinkerExactPart *part)
 }
 
 /* The search itself, as far as it gets with so many evaluations; the state at the start of the present piece is in the
- * scratch, that at its end behind it. What is within reach is bounded anew for every piece: over a long step a signal or a
- * fast motion that dies away would leave bounds, and so pieces, that are far too small. */
+ * scratch, that at its end behind it. What is within reach is bounded anew for every piece: over a long step a signal
+ * or a fast motion that dies away would leave bounds, and so pieces, that are far too small. */
 static double search(TinkerExactPart *part, const TinkerSignal *signals, double t, double h)
 {
     double *here = part->scratch, *there = here + 2 * part->n;

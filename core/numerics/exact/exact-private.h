@@ -132,7 +132,7 @@ gboolean tinker_exact_part_damp(TinkerExactPart *part, const TinkerLinearParts *
 
 /* exact-inputs.c: takes the signals of a piece over. FALSE where memory is out. */
 gboolean tinker_exact_part_enter(TinkerExactPart *part, const TinkerSignal *signals);
-/* The same of its rate; and a bound on the value within h. */
+/* Of an input with these values: those of its rate, and a bound on its value within h. */
 void tinker_exact_derivative(const TinkerLinearInput *input, const TinkerExactValues values, TinkerExactValues rate);
 double tinker_exact_bound(const TinkerLinearInput *input, const TinkerExactValues values, double h);
 
@@ -143,11 +143,12 @@ static inline gboolean tinker_exact_has_levels(const TinkerExactPart *part)
 }
 
 /* exact-slots.c: the propagator for h, to within `tolerance` of its length; NULL where h is too long.
- * Scratch slots are for interpolation and search, so that steps never use what those have made, nor lose what they use. */
+ * Scratch slots are for interpolation and search, so that steps never use what those have made, nor lose what they use.
+ */
 const TinkerExactSlot *tinker_exact_slot(TinkerExactPart *part, double h, double tolerance, gboolean scratch,
                                          gboolean with_books);
-/* What a step of h, at most TINKER_LINEAR_SERIES_REACH / part->rate, changes: z (2n, of coupled modes followed by the inputs; of
- * others `inputs`, entries x n) moves by `to` (2n). */
+/* What a step of h, at most TINKER_LINEAR_SERIES_REACH / part->rate, changes: z (2n, of coupled modes followed by the
+ * inputs; of others `inputs`, entries x n) moves by `to` (2n). */
 void tinker_exact_part_series(TinkerExactPart *part, double h, const double *z, const double *inputs, double *to);
 /* Empties all slots and lays them out for the present inputs. FALSE where memory is out. */
 gboolean tinker_exact_slots_prepare(TinkerExactPart *part);
@@ -157,7 +158,7 @@ gsize tinker_exact_slot_doubles(const TinkerExactPart *part);
 void tinker_exact_part_start(TinkerExactPart *part, const double *q, const double *v, const TinkerSignal *signals,
                              double t);
 /* Adds up the constant force on the modes from the edges' signs. */
-void tinker_exact_part_press(TinkerExactPart *part);
+void tinker_exact_part_set_constant_forces(TinkerExactPart *part);
 void tinker_exact_part_values(TinkerExactPart *part, const TinkerSignal *signals, double t, TinkerExactValues *values);
 /* Sets the amplitudes of the inputs from signal values. */
 void tinker_exact_part_drive(TinkerExactPart *part, TinkerExactValues *values);

@@ -43,7 +43,7 @@ static void place_edge(TinkerExactPart *part, int32_t e, const double *q, const 
     }
 }
 
-void tinker_exact_part_press(TinkerExactPart *part)
+void tinker_exact_part_set_constant_forces(TinkerExactPart *part)
 {
     gsize n = (gsize)part->n;
     part->quiet = FALSE;
@@ -78,7 +78,7 @@ void tinker_exact_part_start(TinkerExactPart *part, const double *q, const doubl
     tinker_exact_part_values(part, signals, t, part->values);
     for (int32_t e = 0; e < part->edge_count; e++)
         place_edge(part, e, q, v);
-    tinker_exact_part_press(part);
+    tinker_exact_part_set_constant_forces(part);
 }
 
 static void drive_modes(TinkerExactPart *part, TinkerExactValues *values)

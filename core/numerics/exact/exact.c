@@ -114,8 +114,8 @@ static gboolean is_carried(const Stepper *stepper, const TinkerState *state)
            memcmp(state->v, stepper->v, bytes) == 0;
 }
 
-/* Of a state that was changed, or gone back to: at the end of the last step or at its start it lags as it did, since whoever
- * changed it knew it so; anywhere else it is what it says. */
+/* Of a state that was changed, or gone back to: at the end of the last step or at its start it lags as it did, since
+ * whoever changed it knew it so; anywhere else it is what it says. */
 static double lag_at(const Stepper *stepper, const TinkerExactPart *part, double t)
 {
     if (t == stepper->t) return part->lag;
@@ -142,7 +142,7 @@ static void stand(Stepper *stepper, const TinkerState *state)
             part->edges[e].due = FALSE;
             turned = TRUE;
         }
-        if (turned) tinker_exact_part_press(part);
+        if (turned) tinker_exact_part_set_constant_forces(part);
     }
     /* From here on the parts are in this state, whatever becomes of the step. */
     tinker_copy(stepper->system->size, state->q, stepper->q);

@@ -21,9 +21,9 @@ double tinker_exact_operations(const TinkerLinearSystem *system, gint64 steps, d
 /* rad/s: a bound of the frequencies, by Gershgorin's circles about the rows of M^-1 K. */
 double tinker_exact_fastest(const TinkerLinearSystem *system);
 
-/* The interval (s) at which a run of `duration` is stepped: a share of it, so that the run is watched, and where signals (the
- * fastest of `drive`, rad/s) or dampers act on the modes together so short that states on the way cost little. It depends on
- * nothing else: who looks at the run when is not asked. */
+/* The interval (s) at which a run of `duration` is stepped: a share of it, so that the run is watched, and where
+ * signals (the fastest of `drive`, rad/s) or dampers act on the modes together so short that states on the way cost
+ * little. It depends on nothing else: who looks at the run when is not asked. */
 double tinker_exact_interval(const TinkerLinearSystem *system, double drive, double duration);
 
 /* The error to expect after the time T, relative to the system's scales: rounding times omega T, with omega a

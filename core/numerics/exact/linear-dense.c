@@ -1,5 +1,5 @@
-/* Products of small dense matrices: tiles of sums stay in registers. Every entry is summed in the order of the inner index,
- * so that its bits depend neither on the tiling nor on the vector width. */
+/* Products of small dense matrices: tiles of sums stay in registers. Every entry is summed in the order of the inner
+ * index, so that its bits depend neither on the tiling nor on the vector width. */
 #include "numerics/exact/linear-dense.h"
 
 #include <tinker/types.h>

@@ -66,8 +66,8 @@ gboolean tinker_linear_response(const TinkerLinearOscillators *oscillators, doub
 /* rate * h up to which a series over h alone is accurate to rounding. */
 #define TINKER_LINEAR_SERIES_REACH 1.0
 
-/* The change within h, rate * |h| <= TINKER_LINEAR_SERIES_REACH, of (scale eta, eta') from the vector z = (scale eta, eta', r):
- * `change` has 2 size entries, `work` room for 2 (2 size + entries). Forms and moments are not looked at. */
+/* The change within h, rate * |h| <= TINKER_LINEAR_SERIES_REACH, of (scale eta, eta') from the vector z = (scale eta,
+ * eta', r): `change` has 2 size entries, `work` room for 2 (2 size + entries). Forms and moments are not looked at. */
 void tinker_linear_series(const TinkerLinearOscillators *oscillators, double rate, double h, const double *z,
                           double *change, double *work);
 

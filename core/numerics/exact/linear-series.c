@@ -2,8 +2,9 @@
  *
  *     exp(A h) z - z = sum_k (A h)^k z / k!
  *
- * A product with A for each term in place of the matrix itself. Source: A. H. Al-Mohy, N. J. Higham, "Computing the action of the
- * matrix exponential", SIAM J. Sci. Comput. 33 (2011) 488-511, (3.10), without its steps: the time is short. */
+ * A product with A for each term in place of the matrix itself. Source: A. H. Al-Mohy, N. J. Higham, "Computing the
+ * action of the matrix exponential", SIAM J. Sci. Comput. 33 (2011) 488-511, (3.10), without its steps: the time is
+ * short. */
 #include <math.h>
 #include <string.h>
 

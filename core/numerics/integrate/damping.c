@@ -1,5 +1,5 @@
-/* Newton's method with conjugate gradients for the implicit half kick; with conjugate residuals where forces act across the
- * velocity.
+/* Newton's method with conjugate gradients for the implicit half kick; with conjugate residuals where forces act across
+ * the velocity.
  *
  * All norms are mass-weighted, so that lengths and angles can stand side by side. Linear damping takes one Newton step,
  * as the linear solves go down to rounding. */
@@ -79,7 +79,8 @@ static TinkerStatus apply_operator(TinkerDampingSolver *solver, double t, double
     return status;
 }
 
-/* Begins a solve: nothing found yet, and the residual over its greatest entry (see norm), which is answered, is left. */
+/* Begins a solve: nothing found yet, and the residual over its greatest entry (see norm), which is answered, is left.
+ */
 static double begin_correction(TinkerDampingSolver *solver)
 {
     int32_t n = solver->system->size;
@@ -117,8 +118,8 @@ static int is_symmetric(const TinkerDampingSolver *solver)
     return !(fabs(there - back) > SYMMETRIC * most);
 }
 
-/* A direction from the residual and its product, so that its image is at a right angle to those of the `*kept` before; where
- * these span all there is, they are forgotten. Answers the image's square. */
+/* A direction from the residual and its product, so that its image is at a right angle to those of the `*kept` before;
+ * where these span all there is, they are forgotten. Answers the image's square. */
 static double find_direction(TinkerDampingSolver *solver, int *kept)
 {
     const TinkerSystem *system = solver->system;
@@ -146,10 +147,10 @@ static double find_direction(TinkerDampingSolver *solver, int *kept)
     return across;
 }
 
-/* Conjugate residuals, each direction made so to those before (ORTHOMIN): for an operator that is not symmetric. The residual falls
- * at every iteration while x . A x > 0: S. C. Eisenstat, H. C. Elman, M. H. Schultz, SIAM Journal on Numerical Analysis 20
- * (1983) 345-357. Forces across the velocity alone make it 1 + an antisymmetric part, for which one direction before is as good
- * as all: V. Faber, T. Manteuffel, likewise 21 (1984) 352-362. */
+/* Conjugate residuals, each direction made so to those before (ORTHOMIN): for an operator that is not symmetric. The
+ * residual falls at every iteration while x . A x > 0: S. C. Eisenstat, H. C. Elman, M. H. Schultz, SIAM Journal on
+ * Numerical Analysis 20 (1983) 345-357. Forces across the velocity alone make it 1 + an antisymmetric part, for which
+ * one direction before is as good as all: V. Faber, T. Manteuffel, likewise 21 (1984) 352-362. */
 static TinkerStatus find_correction_without_symmetry(TinkerDampingSolver *solver, double t, double h, const double *q,
                                                      const double *v)
 {
@@ -178,8 +179,8 @@ static TinkerStatus find_correction_without_symmetry(TinkerDampingSolver *solver
     return TINKER_OK;
 }
 
-/* Solves (1 - h P D) correction = residual. Where the operator turns out not to be positive definite it stops with what it
- * has, which is at least the residual itself: Newton's check decides what that is worth. */
+/* Solves (1 - h P D) correction = residual. Where the operator turns out not to be positive definite it stops with what
+ * it has, which is at least the residual itself: Newton's check decides what that is worth. */
 static TinkerStatus find_correction(TinkerDampingSolver *solver, double t, double h, const double *q, const double *v)
 {
     const TinkerSystem *system = solver->system;
@@ -234,7 +235,8 @@ void tinker_damping_init(TinkerDampingSolver *solver, const TinkerSystem *system
     solver->images = tinker_take(next, TINKER_KEPT_DIRECTIONS * n);
 }
 
-/* What forces that cancel leave at rest: their rounding, beside which neither velocities nor accelerations have a size. */
+/* What forces that cancel leave at rest: their rounding, beside which neither velocities nor accelerations have a size.
+ */
 static double rest_noise(const TinkerSystem *system, const double *q, const double *v)
 {
     double extent, speed, mass = 0.0;

@@ -6,8 +6,8 @@
  *     v1 = v0 + h P a(v1)
  *
  * by Newton's method. The linear systems (1 - h P D) x = r, D = da/dv, are symmetric in the mass inner product wherever
- * forces come from line laws, and positive definite wherever they dissipate, so conjugate gradients need no matrix. Forces
- * across the velocity (Coriolis's, a magnet's) make them unsymmetric, and conjugate residuals as little.
+ * forces come from line laws, and positive definite wherever they dissipate, so conjugate gradients need no matrix.
+ * Forces across the velocity (Coriolis's, a magnet's) make them unsymmetric, and conjugate residuals as little.
  */
 #ifndef TINKER_NUMERICS_DAMPING_H
 #define TINKER_NUMERICS_DAMPING_H

@@ -1,4 +1,5 @@
-/* The method of Dormand and Prince of order 8 with Hairer's error estimate of orders 5 and 3 and dense output of order 7.
+/* The method of Dormand and Prince of order 8 with Hairer's error estimate of orders 5 and 3 and dense output of
+ * order 7.
  *
  * Constants as published with the program DOP853 of Hairer and Wanner. The acceleration at the new point, stage 12, and
  * the stages 13 to 15 are worked out only where dense output asks for them; stage 12 is then the next step's first. */

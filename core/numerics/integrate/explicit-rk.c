@@ -88,7 +88,7 @@ static inline __attribute__((always_inline)) void sum_pairs(const Stepper *stepp
     }
 }
 
-/* The same for one entry: both sums side by side. */
+/* The sums of one entry, side by side. */
 static inline Pair sum_one(const Stepper *stepper, const Row *row, double h, int32_t i)
 {
     Pair sum = {0.0, 0.0};

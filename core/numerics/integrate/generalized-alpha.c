@@ -1,5 +1,5 @@
-/* The generalized-alpha method: of all methods of its family with order 2 and no limit of stability, those that damp the
- * slow motion least for a spectral radius r at infinite frequency,
+/* The generalized-alpha method: of all methods of its family with order 2 and no limit of stability, those that damp
+ * the slow motion least for a spectral radius r at infinite frequency,
  *
  *     mean_acceleration = (2 r - 1) / (r + 1),  mean_force = r / (r + 1),
  *     gamma = 1/2 - mean_acceleration + mean_force,  beta = (1 - mean_acceleration + mean_force)^2 / 4.

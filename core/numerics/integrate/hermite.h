@@ -1,7 +1,7 @@
 /* Dense output by Hermite interpolation, for methods that have no polynomial of their own.
  *
- * q is the quintic through q, v, a at both ends of the step, v the cubic through v, a, the books the cubic through w and
- * power: errors of h^6, h^4 and h^4 beside those of the end values. The accelerations are worked out when somebody
+ * q is the quintic through q, v, a at both ends of the step, v the cubic through v, a, the books the cubic through w
+ * and power: errors of h^6, h^4 and h^4 beside those of the end values. The accelerations are worked out when somebody
  * asks, on copies of the ends, so that recording changes no step.
  */
 #ifndef TINKER_NUMERICS_HERMITE_H

@@ -1,4 +1,5 @@
-/* The matrices are kept by diagonals, in the order of the band; with a margin of zeros at both ends, products need no bounds. */
+/* The matrices are kept by diagonals, in the order of the band; with a margin of zeros at both ends, products need no
+ * bounds. */
 #include "numerics/integrate/linear-band.h"
 
 #include <math.h>
@@ -12,7 +13,8 @@
 /* Of a step in which edges turn round. */
 #define MOST_TURNS 8
 
-/* An edge with a force that depends on which side its ends are, places in the order of the band; -1 - k for anchor k. */
+/* An edge with a force that depends on which side its ends are, places in the order of the band; -1 - k for anchor k.
+ */
 typedef struct {
     int32_t a, b;
     double push; /* tension - stiffness * length */
@@ -29,7 +31,7 @@ struct _TinkerLinearBand {
     double *mass;
     double *stiffness, *damping; /* width + 1 diagonals, `stride` apart; entry p of diagonal k: (p, p + k) */
     gsize stride;
-    double *press, *load;   /* constant forces, all forces of the time in hand */
+    double *steady, *load;  /* constant forces, all forces of the time in hand */
     double *q, *v, *x, *at; /* predicted, with margins; found; the end in the order of the band */
     gboolean damped;
     TinkerBandedLdl ldl;
@@ -100,7 +102,7 @@ static void allot(TinkerLinearBand *self)
     self->q = next + 2 * diagonals + w;
     self->v = self->q + stride;
     next += 2 * diagonals + 2 * stride;
-    double **of_size[] = {&self->mass, &self->press, &self->load, &self->x, &self->at};
+    double **of_size[] = {&self->mass, &self->steady, &self->load, &self->x, &self->at};
     for (gsize i = 0; i < G_N_ELEMENTS(of_size); i++, next += n)
         *of_size[i] = next;
     self->turning = g_new0(Turning, MAX(self->linear->edge_count, 1));
@@ -158,23 +160,23 @@ static void signal_at(const TinkerSignal *signal, double t, double *value, doubl
 }
 
 /* What does not change while no edge turns round: constant loads, pushes, springs to unmoved anchors. */
-static void find_press(TinkerLinearBand *self)
+static void find_steady(TinkerLinearBand *self)
 {
     const TinkerLinearSystem *linear = self->linear;
-    memset(self->press, 0, sizeof(double) * (gsize)self->n);
+    memset(self->steady, 0, sizeof(double) * (gsize)self->n);
     for (int32_t i = 0; i < linear->load_count; i++)
-        self->press[self->place[linear->loads[i].target]] += linear->loads[i].force;
+        self->steady[self->place[linear->loads[i].target]] += linear->loads[i].force;
     for (int32_t i = 0; i < self->turning_count; i++) {
         const Turning *edge = &self->turning[i];
-        if (edge->a >= 0) self->press[edge->a] += edge->sign * edge->push;
-        if (edge->b >= 0) self->press[edge->b] -= edge->sign * edge->push;
+        if (edge->a >= 0) self->steady[edge->a] += edge->sign * edge->push;
+        if (edge->b >= 0) self->steady[edge->b] -= edge->sign * edge->push;
     }
     for (int32_t e = 0; e < linear->edge_count; e++) {
         const TinkerLinearEdge *edge = &linear->edges[e];
         if (edge->a >= 0 && edge->b < 0)
-            self->press[self->place[edge->a]] += edge->stiffness * linear->anchors[-1 - edge->b];
+            self->steady[self->place[edge->a]] += edge->stiffness * linear->anchors[-1 - edge->b];
         if (edge->b >= 0 && edge->a < 0)
-            self->press[self->place[edge->b]] += edge->stiffness * linear->anchors[-1 - edge->a];
+            self->steady[self->place[edge->b]] += edge->stiffness * linear->anchors[-1 - edge->a];
     }
 }
 
@@ -205,8 +207,8 @@ static void add_motions(TinkerLinearBand *self, double t)
 static const double *loads_at(TinkerLinearBand *self, double t)
 {
     const TinkerLinearSystem *linear = self->linear;
-    if (linear->force_count == 0 && linear->motion_count == 0) return self->press;
-    memcpy(self->load, self->press, sizeof(double) * (gsize)self->n);
+    if (linear->force_count == 0 && linear->motion_count == 0) return self->steady;
+    memcpy(self->load, self->steady, sizeof(double) * (gsize)self->n);
     for (int32_t i = 0; i < linear->force_count; i++) {
         const TinkerSignalUse *use = &linear->forces[i];
         double value, rate;
@@ -229,7 +231,7 @@ static gboolean turn(TinkerLinearBand *self, const double *at)
         edge->sign = b > a ? 1 : -1;
         turned = TRUE;
     }
-    if (turned) find_press(self);
+    if (turned) find_steady(self);
     return turned;
 }
 
@@ -246,7 +248,7 @@ TinkerStatus tinker_linear_band_enter(TinkerLinearBand *self, double t, const do
         self->turning[i].sign = 0;
     for (int32_t i = 0; i < self->n; i++)
         self->at[self->place[i]] = q[i];
-    find_press(self);
+    find_steady(self);
     loads_at(self, t);
     turn(self, self->at);
     return TINKER_OK;

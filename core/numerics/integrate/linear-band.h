@@ -23,8 +23,8 @@ typedef struct {
     const double *q, *v, *a, *behind;
 } TinkerBandStart;
 
-/* Finds the acceleration x and the end (q, v) at time t of a step that the matrix was factored for. Where the ends of an edge pass through one
- * another the step is worked out anew with the force turned round. */
+/* Finds the acceleration x and the end (q, v) at time t of a step that the matrix was factored for. Where the ends of
+ * an edge pass through one another the step is worked out anew with the force turned round. */
 void tinker_linear_band_step(TinkerLinearBand *band, const TinkerNewmarkWeights *weights, double h, double t,
                              const TinkerBandStart *start, double *x, double *q, double *v);
 

@@ -70,7 +70,8 @@ static void find_diagonal(Stepper *self, const TinkerPattern *pattern)
             if (pattern->columns[k] == row) self->diagonal[row] = k;
 }
 
-/* Whether the forces are linear in places and velocities: none turns round where the ends of an edge pass each other. */
+/* Whether the forces are linear in places and velocities: none turns round where the ends of an edge pass each other.
+ */
 static int has_one_matrix(const TinkerLinearSystem *linear)
 {
     if (linear == NULL) return 0;
@@ -190,8 +191,8 @@ static TinkerStatus factor(Stepper *self, double h, double limit)
     return self->factored ? TINKER_OK : TINKER_FAILED;
 }
 
-/* Replaces the residual by the correction of x. What the residual has along the rows of constraints does not move the end,
- * which is projected: it is met by the acceleration alone. */
+/* Replaces the residual by the correction of x. What the residual has along the rows of constraints does not move the
+ * end, which is projected: it is met by the acceleration alone. */
 static TinkerStatus solve(Stepper *self, double limit)
 {
     const TinkerSystem *system = self->system;
@@ -299,7 +300,7 @@ static TinkerStatus find_acceleration(Stepper *self, const TinkerState *state, d
     return TINKER_RETRY_SMALLER;
 }
 
-/* The same where the band does it in one go. */
+/* The acceleration of a linear system, which the band solves for in one go. */
 static TinkerStatus find_linear_acceleration(Stepper *self, const TinkerState *state, double h, double limit)
 {
     TinkerBandStart start = {state->q, state->v, self->a, self->behind};
@@ -324,8 +325,8 @@ static double lag(const TinkerNewmarkWeights *weights)
     return weights->mean_force - weights->mean_acceleration;
 }
 
-/* Chooses weights and takes the acceleration of the state where none is carried over. As that does not lag, and one of steps
- * of another length lags by another time, such a step is one of average acceleration. */
+/* Chooses weights and takes the acceleration of the state where none is carried over. As that does not lag, and one of
+ * steps of another length lags by another time, such a step is one of average acceleration. */
 static TinkerStatus begin(Stepper *self, const TinkerState *state, double h)
 {
     const TinkerSystem *system = self->system;
@@ -344,8 +345,8 @@ static TinkerStatus begin(Stepper *self, const TinkerState *state, double h)
     return status;
 }
 
-/* What the next step takes over: the acceleration that the forces give at the end, as x has it, and the method's own, after a
- * step of average acceleration between those of its two ends. */
+/* What the next step takes over: the acceleration that the forces give at the end, as x has it, and the method's own,
+ * after a step of average acceleration between those of its two ends. */
 static void carry_over(Stepper *self)
 {
     const TinkerNewmarkWeights *w = &self->weights;

@@ -46,7 +46,8 @@ static void first_stage(void *data, int32_t first, int32_t end)
     }
 }
 
-/* (q + h v + haa a1, v + ha a2): the stages 3 and 4, where a1 and a2 stand for the accelerations of two stages in turn. */
+/* (q + h v + haa a1, v + ha a2): the stages 3 and 4, where a1 and a2 stand for the accelerations of two stages in turn.
+ */
 static void later_stage(void *data, int32_t first, int32_t end)
 {
     const Loop *loop = data;
@@ -191,7 +192,8 @@ static TinkerStatus interpolate(void *data, double t, double *q, double *v, doub
     return tinker_hermite_interpolate(&stepper->dense, t, q, v, books);
 }
 
-/* R(z) = 1 + z + z^2/2 + z^3/6 + z^4/24: |R(iy)| = 1 at y = 2 sqrt(2), |R(-x)| = 1 at the root of x^3 - 4x^2 + 12x = 24. */
+/* R(z) = 1 + z + z^2/2 + z^3/6 + z^4/24: |R(iy)| = 1 at y = 2 sqrt(2), |R(-x)| = 1 at the root of x^3 - 4x^2 + 12x
+ * = 24. */
 const TinkerIntegrator tinker_integrator_rk4 = {
     .struct_size = sizeof(TinkerIntegrator),
     .flags = TINKER_INTEGRATOR_EXPLICIT,

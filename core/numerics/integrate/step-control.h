@@ -36,8 +36,8 @@ void tinker_step_control_init(TinkerStepControl *control, const TinkerStepLaw *l
 /* Forgets the step size and the last error. */
 void tinker_step_control_forget(TinkerStepControl *control);
 
-/* The length of the next trial: the known step, or less (or 1 % more) so as to end on `limit`, or half of what remains where one step
- * would leave a crumb. *lands becomes 1 where it ends on `limit`. */
+/* The length of the next trial: the known step, or less (or 1 % more) so as to end on `limit`, or half of what remains
+ * where one step would leave a crumb. *lands becomes 1 where it ends on `limit`. */
 double tinker_step_control_trial(const TinkerStepControl *control, double t, double limit, int *lands);
 
 /* After an accepted step of length h: sets the next one. A step that was cut short to land does not lower it, one that
@@ -50,9 +50,10 @@ int tinker_step_control_reject(TinkerStepControl *control, double t, double h, d
 
 /* The scales for a step of length h between two states with the accelerations `a` at its start. A scale that the system
  * does not have is replaced by what the step can bring about: h max|a| for the speed, h times the speed for the extent.
- * To the velocity's scale is added what moves the system by two roundings of its extent within a step of the usual length,
- * so that the rounding of large, balanced forces does not drive the step down. Of a shorter step it is less, as what such
- * forces do within it is: a force that jumps is no rounding, however short the steps are that find the jump. */
+ * To the velocity's scale is added what moves the system by two roundings of its extent within a step of the usual
+ * length, so that the rounding of large, balanced forces does not drive the step down. Of a shorter step it is less, as
+ * what such forces do within it is: a force that jumps is no rounding, however short the steps are that find the jump.
+ */
 TinkerErrorScale tinker_error_scale(const TinkerSystem *system, const TinkerStepControl *control, double h,
                                     const double *q0, const double *v0, const double *q1, const double *v1,
                                     const double *a);

@@ -46,9 +46,9 @@ size_t tinker_verlet_doubles(const TinkerSystem *system);
 /* Cuts the arrays off the memory at *next; nothing is carried over yet. */
 void tinker_verlet_init(TinkerVerlet *verlet, const TinkerSystem *system, int symmetric_books, double **next);
 
-/* Advances the state, books included, by h to the time `limit`. q_from and v_from are copies of its q and v; v_from is read
- * where books are extrapolated, q_from with rods. h may be negative. On failure the state is undefined and nothing is carried
- * over. */
+/* Advances the state, books included, by h to the time `limit`. q_from and v_from are copies of its q and v; v_from is
+ * read where books are extrapolated, q_from with rods. h may be negative. On failure the state is undefined and nothing
+ * is carried over. */
 TinkerStatus tinker_verlet_advance(TinkerVerlet *verlet, TinkerState *state, double h, double limit,
                                    const double *q_from, const double *v_from);
 

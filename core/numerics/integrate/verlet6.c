@@ -1,13 +1,13 @@
 /* A symmetric composition of nine steps of Verlet (verlet-step.h), some of them backwards in time.
  *
- * The step of Verlet is symmetric in q, v and the books, with rods and with damping too, so the conditions of order 6 for
- * symmetric compositions of symmetric steps hold: sum g = 1, sum g^3 = 0, sum g^5 = 0 and one condition more. Each step lands on
- * the rods, so the whole does.
+ * The step of Verlet is symmetric in q, v and the books, with rods and with damping too, so the conditions of order 6
+ * for symmetric compositions of symmetric steps hold: sum g = 1, sum g^3 = 0, sum g^5 = 0 and one condition more. Each
+ * step lands on the rods, so the whole does.
  *
- * Between the ends q is the quintic of hermite.h. For v and the books that would lose two orders, so accelerations and powers are
- * worked out at the thirds of the step as well, at places and velocities from the quintic, when somebody asks. The cubic
- * through the four slopes, with as much of the quartic that vanishes at their four times as makes the integral meet the end,
- * is integrated: errors of h^6.
+ * Between the ends q is the quintic of hermite.h. For v and the books that would lose two orders, so accelerations and
+ * powers are worked out at the thirds of the step as well, at places and velocities from the quintic, when somebody
+ * asks. The cubic through the four slopes, with as much of the quartic that vanishes at their four times as makes the
+ * integral meet the end, is integrated: errors of h^6.
  */
 #include <glib.h>
 

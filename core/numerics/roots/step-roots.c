@@ -57,8 +57,9 @@ static void fill_bernstein(int32_t n, Degree *degree)
     }
 }
 
-/* The Lebesgue constant of the n + 1 extrema of Chebyshev's polynomial of degree n is at most that of its n zeros, which is
- * in closed form. Source: Ehlich, Zeller, "Auswertung der Normen von Interpolationsoperatoren", Math. Ann. 164 (1966). */
+/* The Lebesgue constant of the n + 1 extrema of Chebyshev's polynomial of degree n is at most that of its n zeros,
+ * which is in closed form. Source: Ehlich, Zeller, "Auswertung der Normen von Interpolationsoperatoren", Math. Ann. 164
+ * (1966). */
 static double lebesgue_bound(int32_t n)
 {
     double sum = n == 0;
@@ -256,7 +257,8 @@ double tinker_step_refine(double from, double to, double (*f)(void *data, double
         }
         a = place;
         f_a = f_place;
-        /* Chandrupatla, Adv. Eng. Softw. 28 (1997): the inverse parabola where that is safe, else half of the bracket */
+        /* Chandrupatla, Adv. Eng. Softw. 28 (1997): the inverse parabola where that is safe, else half of the bracket
+         */
         double xi = (a - b) / (c - b), phi = (f_a - f_b) / (f_c - f_b);
         gboolean safe = asked < MOST_CLEVER && phi * phi < xi && (1 - phi) * (1 - phi) < 1 - xi;
         share = !safe

@@ -1,10 +1,10 @@
-/* One job at a time. Its parts are handed out by one atomic word that holds the number of the job and how many parts were
- * taken: by the caller from the front, by helpers from the back, so that the same arrays stay in the caches of the same
- * processors from loop to loop. A helper that comes late, with the fields of an older or a newer job in its hands, fails
- * to take a part of it.
+/* One job at a time. Its parts are handed out by one atomic word that holds the number of the job and how many parts
+ * were taken: by the caller from the front, by helpers from the back, so that the same arrays stay in the caches of the
+ * same processors from loop to loop. A helper that comes late, with the fields of an older or a newer job in its hands,
+ * fails to take a part of it.
  *
- * Helpers spin for a moment after a job, since the next loop of the same step follows at once, then sleep. The caller must
- * wait for a part that a helper has begun. Where it would have been done sooner alone, since the helper lost its
+ * Helpers spin for a moment after a job, since the next loop of the same step follows at once, then sleep. The caller
+ * must wait for a part that a helper has begun. Where it would have been done sooner alone, since the helper lost its
  * processor, the helpers are left out for a multiple of what was lost; likewise for a while where a helper finds itself
  * on the caller's processor, which it would only take time from. So however busy the machine, little is lost. */
 #include "numerics/sharing/sharing.h"

@@ -1,7 +1,8 @@
 /* L D L^T of symmetric matrices with a narrow band, without any indirection.
  *
- * Pivots are not exchanged: meant for matrices that are positive definite or nearly so. A negative pivot is let pass, as the
- * caller checks residuals. A tridiagonal matrix is eliminated from both ends to the middle, two runs that do not wait for each other. */
+ * Pivots are not exchanged: meant for matrices that are positive definite or nearly so. A negative pivot is let pass,
+ * as the caller checks residuals. A tridiagonal matrix is eliminated from both ends to the middle, two runs that do not
+ * wait for each other. */
 #ifndef TINKER_NUMERICS_BANDED_LDL_H
 #define TINKER_NUMERICS_BANDED_LDL_H
 

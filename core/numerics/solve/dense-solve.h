@@ -1,5 +1,5 @@
-/* Small dense systems A x = b that may be singular: by elimination where they are not, by the solution of least norm (least
- * squares, where they contradict themselves) where they are. Scale A so that its entries are about 1. */
+/* Small dense systems A x = b that may be singular: by elimination where they are not, by the solution of least norm
+ * (least squares, where they contradict themselves) where they are. Scale A so that its entries are about 1. */
 #ifndef TINKER_NUMERICS_DENSE_SOLVE_H
 #define TINKER_NUMERICS_DENSE_SOLVE_H
 
@@ -7,8 +7,8 @@
 
 typedef struct TinkerDenseSolve TinkerDenseSolve;
 
-/* Room for systems of n unknowns; NULL where there is no memory for it, or n is above 46340, whose n x n entries no int32_t
- * counts. (transfer full) */
+/* Room for systems of n unknowns; NULL where there is no memory for it, or n is above 46340, whose n x n entries no
+ * int32_t counts. (transfer full) */
 TinkerDenseSolve *tinker_dense_solve_new(int32_t n);
 void tinker_dense_solve_free(TinkerDenseSolve *solve);
 
@@ -18,11 +18,12 @@ int tinker_dense_solve_factor(TinkerDenseSolve *solve, const double *matrix);
 /* Whether the rank of the matrix taken last was full; 0 before the first. */
 int tinker_dense_solve_is_full(const TinkerDenseSolve *solve);
 
-/* Solves for the matrix taken last, in place of b. Singular values below 1e-10 of the largest count as 0. Source: LAPACK Users'
- * Guide, xGELSY (Quintana-Orti, Sun, Bischof). Allots nothing. */
+/* Solves for the matrix taken last, in place of b. Singular values below 1e-10 of the largest count as 0. Source:
+ * LAPACK Users' Guide, xGELSY (Quintana-Orti, Sun, Bischof). Allots nothing. */
 void tinker_dense_solve(TinkerDenseSolve *solve, double *b);
 
-/* The same, nearest to `near` where the matrix is singular: its parts that nothing determines are those of `near`. */
+/* Solves in place of b, nearest to `near` where the matrix is singular: its parts that nothing determines are those of
+ * `near`. */
 void tinker_dense_solve_near(TinkerDenseSolve *solve, const double *near, double *b);
 
 #endif

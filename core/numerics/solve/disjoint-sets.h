@@ -1,5 +1,5 @@
-/* Sets of numbered things that are joined pair by pair: each knows another of its set, and by steps the first of them, which
- * stands for the set. */
+/* Sets of numbered things that are joined pair by pair: each knows another of its set, and by steps the first of them,
+ * which stands for the set. */
 #ifndef TINKER_CORE_DISJOINT_SETS_H
 #define TINKER_CORE_DISJOINT_SETS_H
 

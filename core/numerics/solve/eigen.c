@@ -1,5 +1,5 @@
-/* LAPACK for what is small, ARPACK's reverse communication for what is large, and a Lanczos process of our own where a few
- * products have to do: it keeps all its vectors and orthogonalises against them, which a few bear. */
+/* LAPACK for what is small, ARPACK's reverse communication for what is large, and a Lanczos process of our own where a
+ * few products have to do: it keeps all its vectors and orthogonalises against them, which a few bear. */
 #include "numerics/solve/eigen.h"
 
 #include <arpack/arpack.h>
@@ -9,8 +9,8 @@
 
 #define RANK_TOLERANCE 1e-10
 
-/* Takes the place of LAPACKE's own, which tells on standard output, among what the program writes there, and goes on: callers
- * would take the want of memory for numbers that leave their range. */
+/* Takes the place of LAPACKE's own, which tells on standard output, among what the program writes there, and goes on:
+ * callers would take the want of memory for numbers that leave their range. */
 __attribute__((visibility("default"))) void LAPACKE_xerbla(const char *name, lapack_int info);
 void LAPACKE_xerbla(const char *name, lapack_int info)
 {

@@ -11,16 +11,16 @@
 /* y = A x. */
 typedef void (*TinkerOperator)(void *data, const double *x, double *y);
 
-/* Of a symmetric matrix of order n: values ascending, and in place of the matrix its vectors, column by column, of length 1.
- * FALSE where the iteration fails or an entry is not finite. */
+/* Of a symmetric matrix of order n: values ascending, and in place of the matrix its vectors, column by column, of
+ * length 1. FALSE where the iteration fails or an entry is not finite. */
 gboolean tinker_eigen_symmetric(int32_t n, double *matrix, double *values);
 
 /* Eigenvalues of any real matrix of order n, which is lost; conjugate pairs stand side by side. FALSE as above. */
 gboolean tinker_eigen_general(int32_t n, double *matrix, double *re, double *im);
 
-/* An orthonormal basis, column by column, of the vectors that a matrix of `rows` rows and n columns maps to 0, into `basis`
- * (room for n * n). `transposed` holds its rows one behind the other and is lost. Singular values below 1e-10 of the largest
- * count as 0. Answers how many vectors there are, or -1. */
+/* An orthonormal basis, column by column, of the vectors that a matrix of `rows` rows and n columns maps to 0, into
+ * `basis` (room for n * n). `transposed` holds its rows one behind the other and is lost. Singular values below 1e-10
+ * of the largest count as 0. Answers how many vectors there are, or -1. */
 int32_t tinker_null_space(int32_t rows, int32_t n, double *transposed, double *basis);
 
 /* The eigenvalue of a symmetric operator that is largest (algebraically), and its vector of length 1, to a relative
@@ -28,16 +28,16 @@ int32_t tinker_null_space(int32_t rows, int32_t n, double *transposed, double *b
 gboolean tinker_lanczos_largest(int32_t n, TinkerOperator apply, void *data, int32_t most_products, double tolerance,
                                 double *value, double *vector);
 
-/* The `wanted` eigenvalues of any operator that are largest in size; a conjugate pair counts as two. Answers how many were
- * found (`wanted` + 1 where a pair would be cut). Room for wanted + 1. n > 30. */
+/* The `wanted` eigenvalues of any operator that are largest in size; a conjugate pair counts as two. Answers how many
+ * were found (`wanted` + 1 where a pair would be cut). Room for wanted + 1. n > 30. */
 int32_t tinker_arnoldi_largest(int32_t n, int32_t wanted, TinkerOperator apply, void *data, int32_t most_products,
                                double tolerance, double *re, double *im);
 
-/* How a vector is made up of the eigenvectors of a symmetric operator, by at most `steps` products: the nodes and weights
- * (sum: 1) of the Gauss quadrature for its spectral measure. Where n <= steps, nodes are eigenvalues and a weight is the
- * square of the vector's part along them. Extreme eigenvalues that the vector contains come first. With `other`, `forms`
- * becomes x . B x for that operator B and the vector x of each node. Answers the number of nodes, which ascend; 0 for the
- * vector 0 or where an entry is not finite. */
+/* How a vector is made up of the eigenvectors of a symmetric operator, by at most `steps` products: the nodes and
+ * weights (sum: 1) of the Gauss quadrature for its spectral measure. Where n <= steps, nodes are eigenvalues and a
+ * weight is the square of the vector's part along them. Extreme eigenvalues that the vector contains come first. With
+ * `other`, `forms` becomes x . B x for that operator B and the vector x of each node. Answers the number of nodes,
+ * which ascend; 0 for the vector 0 or where an entry is not finite. */
 #define TINKER_MOST_NODES 48
 typedef struct {
     int32_t count;

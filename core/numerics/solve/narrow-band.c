@@ -1,4 +1,5 @@
-/* Breadth-first search, level by level, neighbours of small degree first, from a row at the far end of its component. */
+/* Breadth-first search, level by level, neighbours of small degree first, from a row at the far end of its component.
+ */
 #include "numerics/solve/narrow-band.h"
 
 #include <glib.h>

@@ -1,4 +1,5 @@
-/* What the factors of symmetric and of unsymmetric values share: the order of elimination, and where every update goes. */
+/* What the factors of symmetric and of unsymmetric values share: the order of elimination, and where every update goes.
+ */
 #ifndef TINKER_CORE_SPARSE_LDL_PRIVATE_H
 #define TINKER_CORE_SPARSE_LDL_PRIVATE_H
 

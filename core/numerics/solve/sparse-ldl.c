@@ -1,11 +1,11 @@
-/* Right-looking factorisation over precompiled update lists. Values lie in one array: the diagonal first, in the order of
- * elimination, then the columns of L one after the other with rows ascending. When column k is eliminated, the product of
- * its entries p and q is subtracted at a place that depends on the pattern alone; `updates` lists these places in the order
- * in which they are needed.
+/* Right-looking factorisation over precompiled update lists. Values lie in one array: the diagonal first, in the order
+ * of elimination, then the columns of L one after the other with rows ascending. When column k is eliminated, the
+ * product of its entries p and q is subtracted at a place that depends on the pattern alone; `updates` lists these
+ * places in the order in which they are needed.
  *
- * A pattern without cycles (a chain of rods, a tree) needs no ordering by AMD: eliminating leaves first leaves every column
- * with one entry, the one of its parent, and no update lists. Leaves are taken in turns, so a chain is eliminated from both
- * ends at once: two runs of divisions that do not wait for each other. */
+ * A pattern without cycles (a chain of rods, a tree) needs no ordering by AMD: eliminating leaves first leaves every
+ * column with one entry, the one of its parent, and no update lists. Leaves are taken in turns, so a chain is
+ * eliminated from both ends at once: two runs of divisions that do not wait for each other. */
 #include "numerics/solve/sparse-ldl-private.h"
 
 #include <errno.h>
@@ -20,8 +20,8 @@ static int compare_ints(const void *a, const void *b)
     return *(const int *)a - *(const int *)b;
 }
 
-/* A column of a pattern in the making. The patterns of large scenes take more than there may be, so none of this ends the
- * program. */
+/* A column of a pattern in the making. The patterns of large scenes take more than there may be, so none of this ends
+ * the program. */
 typedef struct {
     int *rows;
     gsize length, room;
@@ -124,8 +124,8 @@ static gboolean order(TinkerSparseLdl *ldl, const Neighbours *by, int *sequence)
     return result != AMD_OUT_OF_MEMORY;
 }
 
-/* The pattern of L: below the diagonal, column k holds what A has there, and what earlier columns whose first entry is k
- * pass on. Stops where it grows beyond what `compile` takes. FALSE: no memory. */
+/* The pattern of L: below the diagonal, column k holds what A has there, and what earlier columns whose first entry is
+ * k pass on. Stops where it grows beyond what `compile` takes. FALSE: no memory. */
 static gboolean fill_pattern(const TinkerSparseLdl *ldl, const int *rows, const int *columns, gsize count,
                              Column *pattern)
 {
@@ -351,8 +351,8 @@ static void solve_forest(const TinkerSparseLdl *ldl, double *restrict b)
     substitute_back(ldl, b);
 }
 
-/* Each division waits for the one before it on its branch of the forest, and nothing else does: the substitution of b goes
- * on beside it. */
+/* Each division waits for the one before it on its branch of the forest, and nothing else does: the substitution of b
+ * goes on beside it. */
 gboolean tinker_sparse_ldl_factor_and_solve(TinkerSparseLdl *ldl, double threshold, double *b)
 {
     if (!ldl->is_forest) {

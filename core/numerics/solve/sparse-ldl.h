@@ -1,8 +1,8 @@
-/* Sparse L D L^T of symmetric matrices whose pattern never changes: ordered by AMD once, every update's place worked out
- * once, so that the numeric phase is a straight run over index lists.
+/* Sparse L D L^T of symmetric matrices whose pattern never changes: ordered by AMD once, every update's place worked
+ * out once, so that the numeric phase is a straight run over index lists.
  *
- * Source of the ordering: Amestoy, Davis, Duff, "An approximate minimum degree ordering algorithm", SIAM J. Matrix Anal.
- * Appl. 17 (1996). */
+ * Source of the ordering: Amestoy, Davis, Duff, "An approximate minimum degree ordering algorithm", SIAM J. Matrix
+ * Anal. Appl. 17 (1996). */
 #ifndef TINKER_CORE_SPARSE_LDL_H
 #define TINKER_CORE_SPARSE_LDL_H
 
@@ -10,9 +10,9 @@
 
 typedef struct _TinkerSparseLdl TinkerSparseLdl;
 
-/* A matrix of order n with a full diagonal and the off-diagonal places (rows[k], columns[k]), each pair once or more, in
- * either triangle. NULL where the factor would be too large (errno EOVERFLOW), or there is no memory for it (ENOMEM).
- * (transfer full) */
+/* A matrix of order n with a full diagonal and the off-diagonal places (rows[k], columns[k]), each pair once or more,
+ * in either triangle. NULL where the factor would be too large (errno EOVERFLOW), or there is no memory for it
+ * (ENOMEM). (transfer full) */
 TinkerSparseLdl *tinker_sparse_ldl_new(int n, const int *rows, const int *columns, gsize count);
 void tinker_sparse_ldl_free(TinkerSparseLdl *ldl);
 
@@ -23,16 +23,16 @@ int tinker_sparse_ldl_slot(const TinkerSparseLdl *ldl, int row, int column);
 double *tinker_sparse_ldl_values(TinkerSparseLdl *ldl);
 void tinker_sparse_ldl_clear(TinkerSparseLdl *ldl);
 
-/* Adds `shift` to the diagonal and factors in place. A pivot that falls to `threshold` times its diagonal entry or below
- * stops it: FALSE. */
+/* Adds `shift` to the diagonal and factors in place. A pivot that falls to `threshold` times its diagonal entry or
+ * below stops it: FALSE. */
 gboolean tinker_sparse_ldl_factor(TinkerSparseLdl *ldl, double shift, double threshold);
 
-/* Factors as tinker_sparse_ldl_factor does without a shift, and solves with it in place of b; on the way, where the pattern
- * allows it. On FALSE b is lost. */
+/* Factors as tinker_sparse_ldl_factor does without a shift, and solves with it in place of b; on the way, where the
+ * pattern allows it. On FALSE b is lost. */
 gboolean tinker_sparse_ldl_factor_and_solve(TinkerSparseLdl *ldl, double threshold, double *b);
 
-/* Factors in place and counts the pivots that fall to `threshold` times their diagonal entry or below; such a row is left
- * out. `dependent` (n entries, may be NULL) is set to 1 for each of them. The factor is of no use for solving. */
+/* Factors in place and counts the pivots that fall to `threshold` times their diagonal entry or below; such a row is
+ * left out. `dependent` (n entries, may be NULL) is set to 1 for each of them. The factor is of no use for solving. */
 int tinker_sparse_ldl_count_dependent(TinkerSparseLdl *ldl, double threshold, char *dependent);
 
 /* Solves with the last factor, in place. */

@@ -1,6 +1,6 @@
-/* Values lie in one array: the diagonal in the order of elimination, the entries of L column by column, the entries of U row by
- * row in the same order. Eliminating k takes l_i u_j / d_k off every entry (i, j), at the places that the symmetric factor lists
- * for (i, j) with i >= j: there the product l_i u_j goes into L and l_j u_i into U.
+/* Values lie in one array: the diagonal in the order of elimination, the entries of L column by column, the entries of
+ * U row by row in the same order. Eliminating k takes l_i u_j / d_k off every entry (i, j), at the places that the
+ * symmetric factor lists for (i, j) with i >= j: there the product l_i u_j goes into L and l_j u_i into U.
  *
  * Tested against dense elimination in tests/numerics. */
 #include "numerics/solve/sparse-ldu.h"
@@ -66,7 +66,8 @@ static void eliminate_leaf(TinkerSparseLdu *ldu, int k, double inverse)
     upper[k] *= inverse;
 }
 
-/* Answers the place in the list of updates behind its own. An update on the diagonal has one place, any other has two. */
+/* Answers the place in the list of updates behind its own. An update on the diagonal has one place, any other has two.
+ */
 static const int *eliminate(TinkerSparseLdu *ldu, int k, double inverse, const int *update)
 {
     const TinkerSparseLdl *pattern = ldu->pattern;

@@ -1,6 +1,7 @@
-/* Sparse L D U of matrices whose pattern is symmetric and never changes, but whose values are not symmetric: as sparse-ldl.h, with
- * the same order of elimination and the same list of updates, for both triangles at once. No rows are exchanged: whoever asks
- * for a factor says how small a pivot he can live with, and mends what rounding left (iterative refinement). */
+/* Sparse L D U of matrices whose pattern is symmetric and never changes, but whose values are not symmetric: as
+ * sparse-ldl.h, with the same order of elimination and the same list of updates, for both triangles at once. No rows
+ * are exchanged: whoever asks for a factor says how small a pivot he can live with, and mends what rounding left
+ * (iterative refinement). */
 #ifndef TINKER_CORE_SPARSE_LDU_H
 #define TINKER_CORE_SPARSE_LDU_H
 
@@ -12,7 +13,8 @@ typedef struct _TinkerSparseLdu TinkerSparseLdu;
 TinkerSparseLdu *tinker_sparse_ldu_new(int n, const int *rows, const int *columns, gsize count);
 void tinker_sparse_ldu_free(TinkerSparseLdu *ldu);
 
-/* Where the entry (row, column) is to be added up in the values; of the pattern both (row, column) and (column, row). */
+/* Where the entry (row, column) is to be added up in the values; of the pattern both (row, column) and (column, row).
+ */
 int tinker_sparse_ldu_slot(const TinkerSparseLdu *ldu, int row, int column);
 
 /* The values to assemble into: set to 0 by clear. */

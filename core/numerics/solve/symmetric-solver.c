@@ -1,5 +1,5 @@
-/* Where each entry of the pattern goes is worked out once; an off-diagonal entry and its mirror image meet in one place, each
- * with half its value, which leaves the symmetric part. */
+/* Where each entry of the pattern goes is worked out once; an off-diagonal entry and its mirror image meet in one
+ * place, each with half its value, which leaves the symmetric part. */
 #include "numerics/solve/symmetric-solver.h"
 
 #include <math.h>

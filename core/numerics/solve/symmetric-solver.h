@@ -1,5 +1,5 @@
-/* Linear solves with symmetric matrices whose pattern never changes: by a band where there is a narrow one (a chain), else by
- * the sparse factor of sparse-ldl.h. */
+/* Linear solves with symmetric matrices whose pattern never changes: by a band where there is a narrow one (a chain),
+ * else by the sparse factor of sparse-ldl.h. */
 #ifndef TINKER_NUMERICS_SYMMETRIC_SOLVER_H
 #define TINKER_NUMERICS_SYMMETRIC_SOLVER_H
 

@@ -6,8 +6,8 @@
 
 /* A map may grow by this much a step: rounding. */
 #define GROWTH_TOLERANCE 1e-9
-/* Steps that are tried, times the oscillator's fastest rate: from where no method is unstable that is stable for any step, in
- * steps that no gap of a stability region is thought to fall between. */
+/* Steps that are tried, times the oscillator's fastest rate: from where no method is unstable that is stable for any
+ * step, in steps that no gap of a stability region is thought to fall between. */
 #define LEAST_TRIAL  0.05
 #define MOST_TRIAL   1e7
 #define TRIAL_FACTOR 1.02
@@ -137,7 +137,8 @@ static double swing(const Probe *probe, double x, double v)
     return hypot(sqrt(fmax(probe->oscillator.stiffness, 0)) * x, v);
 }
 
-/* The slope of the swing's logarithm by least squares: what it does besides growing comes and goes and is evened out. */
+/* The slope of the swing's logarithm by least squares: what it does besides growing comes and goes and is evened out.
+ */
 double tinker_long_run_growth(const TinkerIntegrator *method, double spectral_radius, TinkerOscillator oscillator,
                               double step)
 {

@@ -7,7 +7,8 @@
 
 #include "numerics/solve/eigen.h"
 
-/* A map may grow by this much a step, and in proportion more at long ones: rounding; and decays where it does so by more. */
+/* A map may grow by this much a step, and in proportion more at long ones: rounding; and decays where it does so by
+ * more. */
 #define GROWTH_TOLERANCE 1e-10
 #define LONG             1e3
 #define LEAST_DECAY      1e-12
@@ -142,8 +143,8 @@ static gboolean is_stable(Probe *probe, double step)
     return growth_at(probe, step) <= (1 + tolerance) * exp(probe->coupled->growth * step);
 }
 
-/* Where the first trial grows: a much smaller step at which all that moves decays, as of strong forces across velocities beside
- * little damping. */
+/* Where the first trial grows: a much smaller step at which all that moves decays, as of strong forces across
+ * velocities beside little damping. */
 static double first_decaying(Probe *probe)
 {
     double rate = probe->coupled->rate;

@@ -1,6 +1,7 @@
-/* What one step of a fixed-step method does to coupled oscillators, x'' = -K x - C x': a linear map of (x, x'), found by stepping
- * them with the method's own functions. For matrices that no shapes take apart: where forces act across velocities (Coriolis's,
- * a magnet's), C has an antisymmetric part, and no single damped oscillator (amplification.h) does as they do. */
+/* What one step of a fixed-step method does to coupled oscillators, x'' = -K x - C x': a linear map of (x, x'), found
+ * by stepping them with the method's own functions. For matrices that no shapes take apart: where forces act across
+ * velocities (Coriolis's, a magnet's), C has an antisymmetric part, and no single damped oscillator (amplification.h)
+ * does as they do. */
 #ifndef TINKER_CORE_COUPLED_H
 #define TINKER_CORE_COUPLED_H
 
@@ -18,9 +19,9 @@ typedef struct {
     double growth;                     /* 1/s: of their own accord */
 } TinkerCoupled;
 
-/* The largest step up to which none that is tried grows beside what grows of its own accord; they are tried at every 2 % from
- * 0.01 / rate on, and smaller ones where that grows and damping may help. INFINITY where nothing limits it up to 1e6 / rate, 0
- * where no step is stable. */
+/* The largest step up to which none that is tried grows beside what grows of its own accord; they are tried at every 2
+ * % from 0.01 / rate on, and smaller ones where that grows and damping may help. INFINITY where nothing limits it up to
+ * 1e6 / rate, 0 where no step is stable. */
 double tinker_coupled_stable_step(const TinkerIntegrator *method, double spectral_radius, const TinkerCoupled *coupled);
 
 #endif

@@ -233,7 +233,8 @@ static gboolean list_products(TinkerModel *model, gsize count, GError **error)
     return TRUE;
 }
 
-/* What falls on one slot stands together, so that it is added up in a register; the order within a slot is fixed, too. */
+/* What falls on one slot stands together, so that it is added up in a register; the order within a slot is fixed, too.
+ */
 static int compare_products(const void *left, const void *right)
 {
     const TinkerProduct *l = left, *r = right;
@@ -310,8 +311,8 @@ static GPtrArray *take_distances(TinkerConstraints *all)
     return distances;
 }
 
-/* Bars are looked for where the supports stand at the start, and where the other rows hold straight what they hold, they do
- * without rows of their own. */
+/* Bars are looked for where the supports stand at the start, and where the other rows hold straight what they hold,
+ * they do without rows of their own. */
 gboolean tinker_model_compile_constraints(TinkerModel *model, GError **error)
 {
     TinkerConstraints *all = &model->constraints;

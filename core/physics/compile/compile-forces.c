@@ -1,5 +1,5 @@
-/* Compiling, second part: forces. Laws that are linear with constants are merged and added up once; only what is left is
- * asked for at every evaluation. */
+/* Compiling, second part: forces. Laws that are linear with constants are merged and added up once; only what is left
+ * is asked for at every evaluation. */
 #include <glib/gi18n-lib.h>
 #include <math.h>
 #include <stdlib.h>
@@ -26,7 +26,7 @@ typedef struct {
     LinearLine *lines; /* the laws of lines that are linear ... */
     gsize count;       /* ... so far */
     gpointer answers;  /* of one batch to one question */
-} Workshop;
+} LineWork;
 
 /* Bytes: of four numbers for each end and one for each block, or a block's field. */
 static gsize room_for_answers(const TinkerBlockBatch *batch)
@@ -36,9 +36,9 @@ static gsize room_for_answers(const TinkerBlockBatch *batch)
 }
 
 /* (transfer none) */
-static gpointer clear_answers(Workshop *shop, gsize bytes)
+static gpointer clear_answers(LineWork *work, gsize bytes)
 {
-    return memset(shop->answers, 0, bytes);
+    return memset(work->answers, 0, bytes);
 }
 
 static gboolean lack_memory(const TinkerModel *model, GError **error)
@@ -82,12 +82,12 @@ static void warn_without_direction(TinkerModel *model, const TinkerBlockBatch *b
             tinker_scene_block_name(model->scene, batch->ids[row]), fabs(tension)));
 }
 
-static gboolean add_linear_lines(TinkerModel *model, TinkerBlockBatch *batch, const int32_t *points, Workshop *shop)
+static gboolean add_linear_lines(TinkerModel *model, TinkerBlockBatch *batch, const int32_t *points, LineWork *work)
 {
     const TinkerLineLaw *law = batch->block_class->physics->line_law;
     if (law->linear == NULL) return FALSE;
     gsize n = (gsize)batch->count;
-    double *values = clear_answers(shop, 4 * n * sizeof(double));
+    double *values = clear_answers(work, 4 * n * sizeof(double));
     TinkerBatch view = tinker_block_batch_view(batch, 0.0);
     if (TINKER_CALL_BATCH(batch, "linear", &view,
                           law->linear(&view, values, values + n, values + 2 * n, values + 3 * n)) != TINKER_OK)
@@ -97,9 +97,9 @@ static gboolean add_linear_lines(TinkerModel *model, TinkerBlockBatch *batch, co
         if (a == b || (a >= model->bodies && b >= model->bodies && model->moving_supports == 0)) continue;
         warn_without_direction(model, batch, (int32_t)i, points + 2 * i,
                                values[3 * n + i] - values[i] * values[2 * n + i]);
-        shop->lines[shop->count] = (LinearLine){MIN(a, b),         MAX(a, b),     (int32_t)shop->count, values[i],
+        work->lines[work->count] = (LinearLine){MIN(a, b),         MAX(a, b),     (int32_t)work->count, values[i],
                                                 values[2 * n + i], values[n + i], values[3 * n + i]};
-        shop->count++;
+        work->count++;
     }
     return TRUE;
 }
@@ -112,7 +112,8 @@ static int compare_lines(const void *left, const void *right)
     return l->order < r->order ? -1 : 1;
 }
 
-/* Written about the length of the first law with a stiffness, so that a single spring keeps its own length to the bit. */
+/* Written about the length of the first law with a stiffness, so that a single spring keeps its own length to the bit.
+ */
 static void merge(TinkerModel *model, LinearLine *into, const LinearLine *line)
 {
     double apart = into->length - line->length;
@@ -155,9 +156,9 @@ static gboolean allot_merged(TinkerMergedLines *merged, gsize count)
     return all;
 }
 
-static void merge_lines(TinkerModel *model, Workshop *shop)
+static void merge_lines(TinkerModel *model, LineWork *work)
 {
-    const gsize kept = merge_neighbours(model, shop->lines, shop->count);
+    const gsize kept = merge_neighbours(model, work->lines, work->count);
     TinkerMergedLines *merged = &model->lines;
     if (!allot_merged(merged, kept)) {
         model->lacks_memory = TRUE;
@@ -165,7 +166,7 @@ static void merge_lines(TinkerModel *model, Workshop *shop)
     }
     merged->count = (int32_t)kept;
     for (gsize i = 0; i < kept; i++) {
-        const LinearLine *line = &shop->lines[i];
+        const LinearLine *line = &work->lines[i];
         merged->a[i] = line->a;
         merged->b[i] = line->b;
         merged->stiffness[i] = line->stiffness;
@@ -177,7 +178,8 @@ static void merge_lines(TinkerModel *model, Workshop *shop)
     model->has_book[TINKER_BOOK_DAMPERS] |= merged->any_damping;
 }
 
-/* A law that a waveform changes gives energy of its own accord: nothing it stores is counted, its power is booked whole. */
+/* A law that a waveform changes gives energy of its own accord: nothing it stores is counted, its power is booked
+ * whole. */
 static gboolean stores_energy(const TinkerBlockBatch *batch, gboolean offered)
 {
     return offered && batch->waveforms == 0;
@@ -188,13 +190,14 @@ static gboolean moves_anything(const TinkerModel *model, const int32_t *points)
     return points[0] != points[1] && MIN(points[0], points[1]) < model->bodies;
 }
 
-/* The same of laws that are asked. One that refuses is left to the run, which says why. */
+/* Warns of laws that are asked and have no direction at the start. One that refuses is left to the run, which says why.
+ */
 static void warn_asked_without_direction(TinkerModel *model, TinkerBlockBatch *batch, const int32_t *points,
-                                         Workshop *shop)
+                                         LineWork *work)
 {
     const TinkerLineLaw *law = batch->block_class->physics->line_law;
     gsize n = (gsize)batch->count;
-    double *length = clear_answers(shop, 3 * n * sizeof(double));
+    double *length = clear_answers(work, 3 * n * sizeof(double));
     double *rate = length + n, *tension = length + 2 * n;
     gboolean any = FALSE;
     for (gsize i = 0; i < n; i++) {
@@ -209,12 +212,12 @@ static void warn_asked_without_direction(TinkerModel *model, TinkerBlockBatch *b
             warn_without_direction(model, batch, (int32_t)i, points + 2 * i, tension[i]);
 }
 
-static void ask_line(TinkerModel *model, TinkerBlockBatch *batch, const int32_t *points, Workshop *shop)
+static void ask_line(TinkerModel *model, TinkerBlockBatch *batch, const int32_t *points, LineWork *work)
 {
     const TinkerLineLaw *law = batch->block_class->physics->line_law;
     TinkerAskedBatch asked = {batch, points, stores_energy(batch, law->energy != NULL)};
     g_array_append_val(model->asked_lines, asked);
-    warn_asked_without_direction(model, batch, points, shop);
+    warn_asked_without_direction(model, batch, points, work);
     model->has_book[batch->waveforms > 0 ? TINKER_BOOK_MOTORS : TINKER_BOOK_DAMPERS] = TRUE;
 }
 
@@ -237,12 +240,12 @@ static void add_constant(TinkerModel *model, int32_t point, const double *force)
     model->constant_force[2 * point + 1] += force[1];
 }
 
-static gboolean add_linear_forces(TinkerModel *model, TinkerBlockBatch *batch, const int32_t *points, Workshop *shop)
+static gboolean add_linear_forces(TinkerModel *model, TinkerBlockBatch *batch, const int32_t *points, LineWork *work)
 {
     const TinkerForceElement *element = batch->block_class->physics->force_element;
     if (element->linear == NULL) return FALSE;
     gsize ends = (gsize)MAX(batch->end_count, 1);
-    double *constant = clear_answers(shop, room_for_answers(batch)), *direction = constant + 2 * ends;
+    double *constant = clear_answers(work, room_for_answers(batch)), *direction = constant + 2 * ends;
     int32_t *columns = (int32_t *)(void *)(direction + 2 * ends);
     TinkerBatch view = tinker_block_batch_view(batch, 0.0);
     if (TINKER_CALL_BATCH(batch, "linear", &view, element->linear(&view, constant, direction, columns)) != TINKER_OK)
@@ -259,11 +262,11 @@ static gboolean add_linear_forces(TinkerModel *model, TinkerBlockBatch *batch, c
 
 /* Fields --------------------------------------------------------------------------------------------------------- */
 
-static gboolean add_linear_fields(TinkerModel *model, TinkerBlockBatch *batch, Workshop *shop)
+static gboolean add_linear_fields(TinkerModel *model, TinkerBlockBatch *batch, LineWork *work)
 {
     const TinkerField *field = batch->block_class->physics->field;
     if (field->linear == NULL) return FALSE;
-    TinkerLinearField *laws = clear_answers(shop, (gsize)batch->count * sizeof(TinkerLinearField));
+    TinkerLinearField *laws = clear_answers(work, (gsize)batch->count * sizeof(TinkerLinearField));
     TinkerBatch view = tinker_block_batch_view(batch, 0.0);
     if (TINKER_CALL_BATCH(batch, "linear", &view, field->linear(&view, laws)) != TINKER_OK) return FALSE;
     for (int32_t row = 0; row < batch->count; row++) {
@@ -290,20 +293,20 @@ static void add_constant_accelerations(TinkerModel *model)
 
 /* All ------------------------------------------------------------------------------------------------------------ */
 
-static gboolean add_batch(TinkerModel *model, TinkerBlockBatch *batch, Workshop *shop, GError **error)
+static gboolean add_batch(TinkerModel *model, TinkerBlockBatch *batch, LineWork *work, GError **error)
 {
     const TinkerPhysics *physics = batch->block_class->physics;
     const int32_t *points = tinker_model_end_points(model, batch);
     if (!prepare(batch, error)) return FALSE;
     if (physics == NULL) return TRUE;
-    if (physics->line_law != NULL && !add_linear_lines(model, batch, points, shop))
-        ask_line(model, batch, points, shop);
+    if (physics->line_law != NULL && !add_linear_lines(model, batch, points, work))
+        ask_line(model, batch, points, work);
     if (physics->force_element != NULL) {
         model->has_book[TINKER_BOOK_MOTORS] = TRUE;
         TinkerAskedBatch asked = {batch, points, stores_energy(batch, physics->force_element->energy != NULL)};
-        if (!add_linear_forces(model, batch, points, shop)) g_array_append_val(model->asked_forces, asked);
+        if (!add_linear_forces(model, batch, points, work)) g_array_append_val(model->asked_forces, asked);
     }
-    if (physics->field != NULL && !add_linear_fields(model, batch, shop)) {
+    if (physics->field != NULL && !add_linear_fields(model, batch, work)) {
         TinkerAskedBatch asked = {batch, NULL, stores_energy(batch, physics->field->energy != NULL)};
         g_array_append_val(model->asked_fields, asked);
         model->has_book[TINKER_BOOK_FIELDS] = TRUE;
@@ -326,7 +329,7 @@ static void mark_used_points(TinkerModel *model)
         model->point_used[i] = TRUE;
 }
 
-static gboolean open_workshop(Workshop *shop, const TinkerModel *model)
+static gboolean open_line_work(LineWork *work, const TinkerModel *model)
 {
     gsize lines = 1, bytes = 1;
     for (guint i = 0; i < model->batches->len; i++) {
@@ -335,24 +338,24 @@ static gboolean open_workshop(Workshop *shop, const TinkerModel *model)
         if (physics != NULL && physics->line_law != NULL) lines += (gsize)batch->count;
         bytes = MAX(bytes, room_for_answers(batch));
     }
-    *shop = (Workshop){g_try_new(LinearLine, lines), 0, g_try_malloc(bytes)};
-    return shop->lines != NULL && shop->answers != NULL;
+    *work = (LineWork){g_try_new(LinearLine, lines), 0, g_try_malloc(bytes)};
+    return work->lines != NULL && work->answers != NULL;
 }
 
-static void close_workshop(Workshop *shop)
+static void close_line_work(LineWork *work)
 {
-    g_free(shop->lines);
-    g_free(shop->answers);
+    g_free(work->lines);
+    g_free(work->answers);
 }
 
 static gboolean add_batches(TinkerModel *model, GError **error)
 {
-    Workshop shop;
-    gboolean done = open_workshop(&shop, model) || lack_memory(model, error);
+    LineWork work;
+    gboolean done = open_line_work(&work, model) || lack_memory(model, error);
     for (guint i = 0; done && i < model->batches->len; i++)
-        done = add_batch(model, g_ptr_array_index(model->batches, i), &shop, error);
-    if (done) merge_lines(model, &shop);
-    close_workshop(&shop);
+        done = add_batch(model, g_ptr_array_index(model->batches, i), &work, error);
+    if (done) merge_lines(model, &work);
+    close_line_work(&work);
     return done;
 }
 

@@ -68,7 +68,8 @@ static void enter_first_piece(TinkerModel *model)
     }
 }
 
-/* What holds for the whole scene, whatever part of it is compiled; lengths as placed are those of the whole scene, too. */
+/* What holds for the whole scene, whatever part of it is compiled; lengths as placed are those of the whole scene, too.
+ */
 static gboolean take_scene(TinkerModel *model, GError **error)
 {
     if (refuse_placeholder(model->scene, error)) return FALSE;

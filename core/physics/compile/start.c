@@ -32,8 +32,8 @@ static double path_length(const TinkerModel *model, int32_t row)
     return length;
 }
 
-/* Where the row would be met if one end moved, a body's, by the row's derivatives: exactly for a row that is linear along
- * them, roughly for others. Answers that body, or -1 where the row moves none. */
+/* Where the row would be met if one end moved, a body's, by the row's derivatives: exactly for a row that is linear
+ * along them, roughly for others. Answers that body, or -1 where the row moves none. */
 static int32_t nearest_fit(const TinkerModel *model, int32_t row, double place[2])
 {
     const TinkerConstraints *all = &model->constraints;
@@ -159,8 +159,8 @@ static gboolean refuse_contradiction(TinkerModel *model, const double *a, GError
     return FALSE;
 }
 
-/* The largest sum of what a row's ends, by the applied forces alone, and its drift ask for: where they cancel each other,
- * rounding of it is all that is left. */
+/* The largest sum of what a row's ends, by the applied forces alone, and its drift ask for: where they cancel each
+ * other, rounding of it is all that is left. */
 static double largest_demand(const TinkerModel *model)
 {
     const TinkerConstraints *all = &model->constraints;
@@ -187,8 +187,8 @@ static gboolean check_accelerations(TinkerModel *model, GError **error)
     return refuse_contradiction(model, a, error);
 }
 
-/* Rows that hold in one direction only are slack until a run asks which of them are not, but for what is `stretched`: that is
- * brought back with the start positions. */
+/* Rows that hold in one direction only are slack until a run asks which of them are not, but for what is `stretched`:
+ * that is brought back with the start positions. */
 static void slacken(TinkerModel *model, gboolean stretched)
 {
     const TinkerConstraints *all = &model->constraints;

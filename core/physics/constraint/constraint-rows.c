@@ -21,8 +21,8 @@ static G_NO_INLINE TinkerStatus refuse_rows(TinkerModel *model, const TinkerCons
     return tinker_model_not_finite(model, part->batch, (row - part->first_row) / part->constraint->rows, "constraint");
 }
 
-/* Sums of zeros, unless something is not finite; several of them, so that additions do not wait for each other. Finds the
- * largest miss on the way. */
+/* Sums of zeros, unless something is not finite; several of them, so that additions do not wait for each other. Finds
+ * the largest miss on the way. */
 static gboolean look_at_rows(TinkerConstraints *all, const TinkerConstraintBatch *part)
 {
     const double *restrict g = all->g + part->first_row, *restrict drift = all->drift + part->first_row;

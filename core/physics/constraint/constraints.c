@@ -6,9 +6,9 @@
  *   lambda <- lambda + (S + eps I)^-1 (b - S lambda),  from lambda = 0,  eps = 1e-5 * mean diagonal.
  *
  * It converges to the solution of least norm, since it never leaves the range of S. Source: Parikh, Boyd, "Proximal
- * Algorithms" (2014), section 4.1; tested by rank-deficient frames in tests/physics. A residual that stalls at a state on
- * the constraints means that the rows contradict each other. Where masses differ widely, eps is a share of each row's own
- * diagonal entry: dependent rods between masses in a ratio of 1e9 are solved. */
+ * Algorithms" (2014), section 4.1; tested by rank-deficient frames in tests/physics. A residual that stalls at a state
+ * on the constraints means that the rows contradict each other. Where masses differ widely, eps is a share of each
+ * row's own diagonal entry: dependent rods between masses in a ratio of 1e9 are solved. */
 #include "physics/constraint/constraints.h"
 #include "numerics/solve/largest.h"
 #include "physics/constraint/row-chains.h"
@@ -17,12 +17,12 @@
 #include <math.h>
 #include <string.h>
 
-/* A row whose pivot falls to this share of its diagonal entry counts as dependent on the others: a mechanism within 1e-5 rad
- * of a singular place. Smaller, and what is left of the row is mostly rounding, which the solve would magnify; larger, and
- * chains of masses in the ratio 1e9 would be taken for singular. */
+/* A row whose pivot falls to this share of its diagonal entry counts as dependent on the others: a mechanism within
+ * 1e-5 rad of a singular place. Smaller, and what is left of the row is mostly rounding, which the solve would magnify;
+ * larger, and chains of masses in the ratio 1e9 would be taken for singular. */
 #define DEPENDENT_PIVOT 1e-10
-/* Each solve brings an independent part of lambda closer by this over its eigenvalue; what dependent rows disagree in by
- * rounding is magnified by its reciprocal. */
+/* Each solve brings an independent part of lambda closer by this over its eigenvalue; what dependent rows disagree in
+ * by rounding is magnified by its reciprocal. */
 #define PROXIMAL_SHIFT           1e-5
 #define MOST_PROXIMAL_ITERATIONS 60
 /* Rows whose diagonal entries differ by no more than this share one shift. */
@@ -85,9 +85,9 @@ static gboolean is_factored(const TinkerConstraints *all)
     return memcmp(all->jacobian, all->factored_jacobian, 2 * (gsize)all->entries * sizeof(double)) == 0;
 }
 
-/* Masses may differ so much that one shift for all rows drowns those of the heavy ones. Then every row is shifted by a share
- * of its own diagonal: the solution is the same motion, of least norm with the multipliers weighed by that. Answers what is
- * left to be added to all of them, which is no more than the least row's share. */
+/* Masses may differ so much that one shift for all rows drowns those of the heavy ones. Then every row is shifted by a
+ * share of its own diagonal: the solution is the same motion, of least norm with the multipliers weighed by that.
+ * Answers what is left to be added to all of them, which is no more than the least row's share. */
 static double shift_rows(TinkerConstraints *all)
 {
     double *values = tinker_sparse_ldl_values(all->ldl), least = INFINITY, greatest = 0;
@@ -116,8 +116,8 @@ static void factor_shifted(TinkerConstraints *all)
     tinker_sparse_ldl_factor(all->ldl, shift > 0 ? shift : 1.0, 0.0);
 }
 
-/* Factors S of the rows evaluated last and solves with it, in place of b; FALSE, with b as it was, where the factor had to
- * be shifted. */
+/* Factors S of the rows evaluated last and solves with it, in place of b; FALSE, with b as it was, where the factor had
+ * to be shifted. */
 static gboolean factor_and_solve(TinkerConstraints *all, double *b)
 {
     gsize bytes = (gsize)all->rows * sizeof(double);
@@ -205,7 +205,8 @@ void tinker_constraints_rates(const TinkerModel *model, double *out)
         out[row] += all->rate[row];
 }
 
-/* Sets the rows between supports alone to 0, since no multiplier changes them; answers the largest that they asked for. */
+/* Sets the rows between supports alone to 0, since no multiplier changes them; answers the largest that they asked for.
+ */
 static double drop_rows_without_bodies(const TinkerModel *model, double *b)
 {
     const TinkerConstraints *all = &model->constraints;
@@ -222,9 +223,9 @@ static double drop_rows_without_bodies(const TinkerModel *model, double *b)
 }
 
 /* Answers the residual that is left. Stages of a step stand off the constraints by the step's error, where rows that
- * depend on each other ask for slightly different things: what no multiplier can meet is left over, and does not reach the
- * accelerations, since J^T annuls it. It ends when the residual is rounding or no longer halves: close to a singular place
- * that leaves out what would have to be divided by nearly nothing. */
+ * depend on each other ask for slightly different things: what no multiplier can meet is left over, and does not reach
+ * the accelerations, since J^T annuls it. It ends when the residual is rounding or no longer halves: close to a
+ * singular place that leaves out what would have to be divided by nearly nothing. */
 static double solve_proximally(TinkerModel *model, double *b)
 {
     TinkerConstraints *all = &model->constraints;
@@ -250,9 +251,9 @@ static double solve_proximally(TinkerModel *model, double *b)
     return MAX(left, dropped);
 }
 
-/* Where the rows are chains without dependent ones, solves for a demand up to the last pass, with the factor of the rows
- * evaluated last, or `roughly` with any. FALSE: the general way is left, with a shifted factor where the rows turned out
- * to depend on each other here. */
+/* Where the rows are chains without dependent ones, solves for a demand up to the last pass, with the factor of the
+ * rows evaluated last, or `roughly` with any. FALSE: the general way is left, with a shifted factor where the rows
+ * turned out to depend on each other here. */
 static gboolean solve_chains(TinkerConstraints *all, const TinkerRowDemand *demand, gboolean roughly)
 {
     if (all->chains == NULL || all->redundant > 0) return FALSE;

@@ -4,31 +4,33 @@
 
 #include "physics/model/model-data.h"
 
-/* The greatest length (m) that a constraint with one end declares, else 0: it holds a body about a place where no point is. */
+/* The greatest length (m) that a constraint with one end declares, else 0: it holds a body about a place where no point
+ * is. */
 double tinker_constraints_reach(const TinkerModel *model);
 /* Rows at the state in the points: g, Jacobian, drift. */
 TinkerStatus tinker_constraints_evaluate(TinkerModel *model);
 /* Adds the constraint accelerations to a (2 per body), for the rows evaluated last; leaves lambda. Answers the largest
  * acceleration (m/s^2) that could not be met: see tinker_constraints_solve. */
 double tinker_constraints_accelerate(TinkerModel *model, double *a);
-/* Between two steps, before a sample is worked out: a factor that is at hand serves a first Newton step too, so that samples would
- * depend on those before them, and the next step on all of them. From here on there is none; the step's is put back by the
- * second of these, which does nothing where nobody has looked. */
+/* Between two steps, before a sample is worked out: a factor that is at hand serves a first Newton step too, so that
+ * samples would depend on those before them, and the next step on all of them. From here on there is none; the step's
+ * is put back by the second of these, which does nothing where nobody has looked. */
 void tinker_constraints_begin_look(TinkerModel *model);
 void tinker_constraints_end_look(TinkerModel *model);
 /* Solves S x = b, both of one entry a row; in place. Answers the largest residual: 0 where the rows are independent,
  * rounding where dependent rows agree, more where they contradict each other. Rows that no body feels get 0. */
 double tinker_constraints_solve(TinkerModel *model, double *b);
-/* A Newton step back to the constraints, S x = -g: leaves x in lambda and M^-1 J^T x in displacement. `roughly`: with the
- * factor at hand. */
+/* A Newton step back to the constraints, S x = -g: leaves x in lambda and M^-1 J^T x in displacement. `roughly`: with
+ * the factor at hand. */
 void tinker_constraints_newton_step(TinkerModel *model, gboolean roughly);
 /* Solves S x = asked, of one entry a row: leaves x in lambda and adds M^-1 J^T x to v. */
 void tinker_constraints_change_speeds(TinkerModel *model, const double *asked, double *v);
-/* Adds to v what the constraints answer to the change of velocities in by_point, so that it breaks none of the rows evaluated last. */
+/* Adds to v what the constraints answer to the change of velocities in by_point, so that it breaks none of the rows
+ * evaluated last. */
 void tinker_constraints_answer(TinkerModel *model, double *v);
 TinkerStatus tinker_constraints_project_positions(TinkerModel *model, double t, double *q, const double *v,
                                                   gboolean *moved);
-/* The same for velocities, with the rows evaluated last. Answers the kinetic energy (J) that this gave. */
+/* Brings velocities back onto the rows evaluated last. Answers the kinetic energy (J) that this gave. */
 double tinker_constraints_correct_velocities(TinkerModel *model, double *v, gboolean homogeneous, gboolean *moved);
 TinkerStatus tinker_constraints_project_velocities(TinkerModel *model, double t, const double *q, double *v,
                                                    gboolean homogeneous, gboolean *moved);
@@ -43,12 +45,12 @@ TinkerStatus tinker_constraints_errors(TinkerModel *model, double t, const doubl
                                        double *velocity);
 /* The largest |g| relative to its row's length, of the rows evaluated last. */
 double tinker_constraints_worst_miss(const TinkerModel *model);
-/* And the row. */
+/* The row that is off most, by the same measure. */
 int32_t tinker_constraints_worst_row(const TinkerModel *model);
 /* Of rows that hold in one direction only: whether one acts from the next evaluation on. */
 void tinker_constraints_set_slack(TinkerModel *model, int32_t row, gboolean slack);
-/* Whether it acts or not, for the rows evaluated last: dg/dt with the velocities in the points; J x of bodies alone (2 per
- * body); and what d2g/dt2 is beside J a of the bodies. */
+/* Whether it acts or not, for the rows evaluated last: dg/dt with the velocities in the points; J x of bodies alone (2
+ * per body); and what d2g/dt2 is beside J a of the bodies. */
 double tinker_constraints_own_rate(const TinkerModel *model, int32_t row);
 double tinker_constraints_own_row_times(const TinkerModel *model, int32_t row, const double *by_body);
 double tinker_constraints_own_drift(const TinkerModel *model, int32_t row);

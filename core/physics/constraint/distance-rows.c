@@ -4,9 +4,9 @@
  *     g = L - length,  J = dg/dx = (-n, n),  drift = (n x w)^2 / L,
  * derived in plugins/rod. 1 / L is worked out as L (1 / L^2), so that the division does not wait for the square root.
  *
- * On x86-64 two rows, or with AVX2 four, are worked out at once from packed points: a compiler turns points, which are rows
- * of four doubles each, into columns with twice the effort. All do the same operations in the same order, so they give
- * the same bits. Where some L^2 leaves the range of a double, all rows are done again, one by one. */
+ * On x86-64 two rows, or with AVX2 four, are worked out at once from packed points: a compiler turns points, which are
+ * rows of four doubles each, into columns with twice the effort. All do the same operations in the same order, so they
+ * give the same bits. Where some L^2 leaves the range of a double, all rows are done again, one by one. */
 #include "physics/constraint/distance-rows.h"
 
 #include <math.h>
@@ -39,8 +39,8 @@ static inline gboolean one_row(const TinkerDistances *rows, const TinkerPoint *p
     return square >= TINKER_LEAST_SQUARE && square <= TINKER_GREATEST_SQUARE;
 }
 
-/* One row that is immensely long or short. Where the ends coincide it has no direction, and can exert nothing; its g says
- * how wrong that is. */
+/* One row that is immensely long or short. Where the ends coincide it has no direction, and can exert nothing; its g
+ * says how wrong that is. */
 static void row_out_of_range(const TinkerDistances *rows, const TinkerPoint *points, int32_t i, const Results *to)
 {
     const TinkerPoint *a = &points[rows->ends[2 * i]], *b = &points[rows->ends[2 * i + 1]];
@@ -110,8 +110,8 @@ static inline void two_rows(const TinkerDistances *rows, const TinkerPoint *poin
     all->miss = _mm_max_pd(all->miss, _mm_mul_pd(magnitude(g), _mm_loadu_pd(rows->inverse_scale + i)));
 }
 
-/* Two rows or more. The last two overlap those before where need be: they come out the same. The loop has copies of where
- * things are, which no store into the results can change. */
+/* Two rows or more. The last two overlap those before where need be: they come out the same. The loop has copies of
+ * where things are, which no store into the results can change. */
 static gboolean rows_by_twos(const TinkerDistances *rows, const TinkerPoint *points, const Results *to, double *miss)
 {
     const TinkerDistances from = *rows;
@@ -127,7 +127,7 @@ static gboolean rows_by_twos(const TinkerDistances *rows, const TinkerPoint *poi
 
 #define AVX2 __attribute__((target("avx2")))
 
-/* The same of four of them. */
+/* What four rows side by side have in common. */
 typedef struct {
     __m256d in_range, zeros, miss;
 } Four;

@@ -12,8 +12,8 @@ typedef struct {
     const double *inverse_scale; /* 1/m: what |g| is measured by */
 } TinkerDistances;
 
-/* Works out the rows: g, four entries of the Jacobian each, and drift, as rows_at of TinkerConstraint; raises *miss to the
- * largest |g| * inverse scale. FALSE: some g or drift is not finite. */
+/* Works out the rows: g, four entries of the Jacobian each, and drift, as rows_at of TinkerConstraint; raises *miss to
+ * the largest |g| * inverse scale. FALSE: some g or drift is not finite. */
 gboolean tinker_distance_rows(const TinkerDistances *rows, const TinkerPoint *points, double *g, double *jacobian,
                               double *drift, double *miss);
 

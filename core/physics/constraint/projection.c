@@ -2,8 +2,8 @@
  *
  *   S mu = -g,  q <- q + M^-1 J^T mu,
  *
- * velocities by the one linear solve S mu = -(J v + dg/dt), v <- v + M^-1 J^T mu. The factor of the last stage of a step
- * serves the first Newton step: it differs by the stage's error alone, and what is left shows in the next g. */
+ * velocities by the one linear solve S mu = -(J v + dg/dt), v <- v + M^-1 J^T mu. The factor of the last stage of a
+ * step serves the first Newton step: it differs by the stage's error alone, and what is left shows in the next g. */
 #include <float.h>
 #include <glib/gi18n-lib.h>
 #include <math.h>
@@ -15,9 +15,9 @@
 
 #define MOST_NEWTON_STEPS 25
 #define ROUNDING_MISS     1e-12
-/* At a singular place (a flat parallelogram) rows depend on each other, Newton steps only halve the miss, and no first-order
- * step removes the last of it. So much of a row's length may be left there: the motion leaves the place again, and
- * the next projections mend it. */
+/* At a singular place (a flat parallelogram) rows depend on each other, Newton steps only halve the miss, and no
+ * first-order step removes the last of it. So much of a row's length may be left there: the motion leaves the place
+ * again, and the next projections mend it. */
 #define SINGULAR_MISS 1e-6
 
 /* Whether g is rounding: of the row's length, or of the coordinates that its ends are made of. */
@@ -81,8 +81,8 @@ static TinkerStatus stop_short(TinkerModel *model)
     return TINKER_OK;
 }
 
-/* q += displacement. What moving against the applied forces stores is counted with those evaluated last, which stood within a
- * step's error of here. */
+/* q += displacement. What moving against the applied forces stores is counted with those evaluated last, which stood
+ * within a step's error of here. */
 static void move_positions(TinkerModel *model, double *restrict q)
 {
     const double *restrict move = model->constraints.displacement, *restrict force = model->force;
@@ -96,8 +96,8 @@ static void move_positions(TinkerModel *model, double *restrict q)
     model->constraints.work -= work[0] + work[1];
 }
 
-/* Evaluates the rows at a place, and answers whether another Newton step is wanted. FALSE: *status is the answer. `before` is
- * the miss of the step before, at first INFINITY. */
+/* Evaluates the rows at a place, and answers whether another Newton step is wanted. FALSE: *status is the answer.
+ * `before` is the miss of the step before, at first INFINITY. */
 static gboolean wants_step(TinkerModel *model, const double *q, const double *v, double *before, TinkerStatus *status)
 {
     tinker_model_set_state(model, q, v);

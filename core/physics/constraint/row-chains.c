@@ -148,8 +148,8 @@ typedef struct {
     gboolean vanished;
 } Carry;
 
-/* Eliminates a row whose entry towards the middle is `entry`. The division of the carry does not wait for the one of the
- * reciprocal. */
+/* Eliminates a row whose entry towards the middle is `entry`. The division of the carry does not wait for the one of
+ * the reciprocal. */
 INLINE void eliminate(const Place *at, Solved *solved, const double *j, double threshold, const TinkerRowDemand *demand,
                       double entry, Carry *carry)
 {

@@ -1,5 +1,6 @@
-/* Constraint rows that hold in one direction only (a rope): a slack one is a row of zeros in everything that is solved, with
- * 1 on the diagonal of S, so that its multiplier is 0. Which are slack changes at events (contact-change-private.h). */
+/* Constraint rows that hold in one direction only (a rope): a slack one is a row of zeros in everything that is solved,
+ * with 1 on the diagonal of S, so that its multiplier is 0. Which are slack changes at events
+ * (contact-change-private.h). */
 #include <math.h>
 #include <string.h>
 

@@ -1,5 +1,5 @@
-/* Finding bars: lines with two points in common are one, and rods that the others of a bar leave nothing to do get lengths that
- * fit. */
+/* Finding bars: lines with two points in common are one, and rods that the others of a bar leave nothing to do get
+ * lengths that fit. */
 #include "physics/constraint/straight-lines.h"
 
 #include <math.h>
@@ -132,8 +132,8 @@ static gboolean fits(const TinkerLineFinder *finder, const TinkerLineRod *rod)
     return fabs(hypot(d[0], d[1]) - *rod->length) <= FITS * *rod->length;
 }
 
-/* The rods one after another, shorter ones first, and supports before all: a rod between points whose places along the line are
- * known by then has the length that fits, up to rounding or to what its places may be off by. */
+/* The rods one after another, shorter ones first, and supports before all: a rod between points whose places along the
+ * line are known by then has the length that fits, up to rounding or to what its places may be off by. */
 static void fit_lengths(const TinkerLineFinder *finder, Bar *bar, const GArray *rods)
 {
     for (int32_t i = 0; i < bar->count; i++) {

@@ -1,12 +1,13 @@
-/* Lines of rods: from one end of a rod rods are followed that lead on in its direction; what lies on a way to its other end is
- * held in line with it. So is what lies on a straight way from one support to another that stays where it is beside the first. */
+/* Lines of rods: from one end of a rod rods are followed that lead on in its direction; what lies on a way to its other
+ * end is held in line with it. So is what lies on a straight way from one support to another that stays where it is
+ * beside the first. */
 #include "physics/constraint/straight-lines.h"
 #include "physics/model/model-data.h"
 
 #include <math.h>
 
-/* rad: within this of its direction rods are in line with another, as are those between places that are typed with four or five
- * digits. Beyond, their own tensions hold what pushes across. */
+/* rad: within this of its direction rods are in line with another, as are those between places that are typed with four
+ * or five digits. Beyond, their own tensions hold what pushes across. */
 #define IN_LINE 1e-4
 
 gboolean tinker_line_stays(const TinkerModel *model, int32_t a, int32_t b)

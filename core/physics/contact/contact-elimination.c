@@ -12,11 +12,12 @@
 #define DEPENDENT_PIVOT 1e-10
 /* Equations of one body whose pivot falls to this share depend on one another. */
 #define DEPENDENT_EQUATION 1e-10
-/* Of equations that depend on one another, and of rows that do: what is added to their diagonal. Each solve with it brings what is
- * determined closer by this over its eigenvalue, as in constraints.c. */
+/* Of equations that depend on one another, and of rows that do: what is added to their diagonal. Each solve with it
+ * brings what is determined closer by this over its eigenvalue, as in constraints.c. */
 #define SOFTNESS    1e-5
 #define MOST_SOLVES 60
-/* Misses below this share of what meets in an equation are rounding; a solve that leaves more than half of one is the last. */
+/* Misses below this share of what meets in an equation are rounding; a solve that leaves more than half of one is the
+ * last. */
 #define ROUNDING 1e-14
 
 /* One end of a row on a body of the group. */
@@ -229,7 +230,7 @@ static gboolean invert(const TinkerContactEquation *of, Equation *equation, int3
     return TRUE;
 }
 
-/* The same of two, nearly all that there are. */
+/* A matrix of two equations, as nearly all have, is inverted in closed form. */
 static gboolean invert_two(const TinkerContactEquation *of, Equation *equation, double softness)
 {
     const double a = dot(of[0].row, of[0].force) + softness, b = dot(of[0].row, of[1].force);
@@ -279,7 +280,7 @@ static void add_body(TinkerContactElimination *self, const Body *body, double mo
     }
 }
 
-/* The same of one that no equation acts on. */
+/* The entries of a body that no contact's equation acts on: its mobility is 1 / mass. */
 static void add_free_body(TinkerContactElimination *self, const Body *body, double *values)
 {
     const double *j = self->model->constraints.jacobian;

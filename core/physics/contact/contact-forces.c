@@ -65,7 +65,8 @@ void tinker_contacts_delassus(TinkerContacts *contacts, const TinkerContact *tou
     }
 }
 
-/* Rows that are solved together --------------------------------------------------------------------------------------- */
+/* Rows that are solved together ---------------------------------------------------------------------------------------
+ */
 
 static int32_t body_of(const TinkerContacts *contacts, const TinkerContactRow *row)
 {

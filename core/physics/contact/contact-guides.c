@@ -1,6 +1,6 @@
-/* Guides: two tops that face each other just as far apart as a body is high. It moves along them as along a slot, and one contact
- * at a time stands for both: the one that presses. Where its force changes sign the other takes over, without a take-off, since
- * there is no way between them that the body could go. */
+/* Guides: two tops that face each other just as far apart as a body is high. It moves along them as along a slot, and
+ * one contact at a time stands for both: the one that presses. Where its force changes sign the other takes over,
+ * without a take-off, since there is no way between them that the body could go. */
 #include <math.h>
 
 #include "physics/contact/contacts.h"

@@ -1,5 +1,5 @@
-/* Which plates are near which body: so that what does not touch costs next to nothing. Every body has a neighbourhood, the
- * plates within some reach of where it was; it is listed anew when the body has left. */
+/* Which plates are near which body: so that what does not touch costs next to nothing. Every body has a neighbourhood,
+ * the plates within some reach of where it was; it is listed anew when the body has left. */
 #ifndef TINKER_CORE_CONTACT_NEIGHBOURS_H
 #define TINKER_CORE_CONTACT_NEIGHBOURS_H
 
@@ -25,12 +25,13 @@ void tinker_contact_neighbours_clear(TinkerContactNeighbours *self);
 /* The distance (m) of a body at a place (relative to the origin) from where it would touch the plate. */
 double tinker_contact_distance(const TinkerContacts *contacts, int32_t body, int32_t plate, const double place[2]);
 
-/* Lists anew what is near a body on its way between two places; beyond the way it is looked at least as far as `reach`. */
+/* Lists anew what is near a body on its way between two places; beyond the way it is looked at least as far as `reach`.
+ */
 void tinker_contact_neighbours_list(TinkerContactNeighbours *self, int32_t body, const double from[2],
                                     const double to[2], double reach);
 
-/* Whether the list holds whatever the body may come upon on a way between two places that leads no farther than `travel`
- * away from either. */
+/* Whether the list holds whatever the body may come upon on a way between two places that leads no farther than
+ * `travel` away from either. */
 static inline gboolean tinker_contact_neighbours_hold(const TinkerContactNeighbours *self, int32_t body,
                                                       const double from[2], const double to[2], double travel)
 {

@@ -1,6 +1,6 @@
-/* Bringing a state back onto closed contacts and constraints. A body that stands alone is set onto its plate, and one that
- * sticks onto its anchor, to the last bit; the others move along their rows, as little as their masses allow, until neither
- * a contact nor a constraint is missed. */
+/* Bringing a state back onto closed contacts and constraints. A body that stands alone is set onto its plate, and one
+ * that sticks onto its anchor, to the last bit; the others move along their rows, as little as their masses allow,
+ * until neither a contact nor a constraint is missed. */
 #include <float.h>
 #include <math.h>
 #include <string.h>
@@ -37,8 +37,8 @@ static void shift(const TinkerPlate *plate, double dn, double dt, double x[2])
     x[1] += dn * n[1] - dt * n[0];
 }
 
-/* What the applied forces that were evaluated last do along the moves of bodies from `first` to `end` - 1 (`moves` begins with
- * the first's); booked as the rods' own moves are. */
+/* What the applied forces that were evaluated last do along the moves of bodies from `first` to `end` - 1 (`moves`
+ * begins with the first's); booked as the rods' own moves are. */
 static double work_of_moves(const TinkerModel *model, int32_t first, int32_t end, const double *moves)
 {
     double work = 0;

@@ -1,9 +1,10 @@
 /* How contacts of one group of bodies answer to pushes, as the laws of contact ask for it (TinkerContactMotion in
- * numerics/contact/contact-laws.h): each push is one solve of the constraint rows, and what contacts of known states push with is one of the
- * same rows without the contacts' mobility (contact-elimination.h). So the laws cost in proportion to bodies and contacts, where the
- * Delassus matrix of m contacts has 4 m^2 entries, each column a solve.
+ * numerics/contact/contact-laws.h): each push is one solve of the constraint rows, and what contacts of known states
+ * push with is one of the same rows without the contacts' mobility (contact-elimination.h). So the laws cost in
+ * proportion to bodies and contacts, where the Delassus matrix of m contacts has 4 m^2 entries, each column a solve.
  *
- * Few contacts are solved by their matrix, by every means that there are for such (contact-solve.c): TINKER_FEW_CONTACTS. */
+ * Few contacts are solved by their matrix, by every means that there are for such (contact-solve.c):
+ * TINKER_FEW_CONTACTS. */
 #ifndef TINKER_CORE_CONTACT_REACH_H
 #define TINKER_CORE_CONTACT_REACH_H
 
@@ -26,8 +27,9 @@ typedef struct {
     double *mass, *b, *x;             /* m; 2m */
 } TinkerContactReach;
 
-/* Takes contacts, all of one group of bodies that constraints hold, whatever their modes. FALSE: no memory. Where there are too many
- * at one body a matrix has to do: then `motion.context` is NULL. To be cleared in the end; may take others before. */
+/* Takes contacts, all of one group of bodies that constraints hold, whatever their modes. FALSE: no memory. Where there
+ * are too many at one body a matrix has to do: then `motion.context` is NULL. To be cleared in the end; may take others
+ * before. */
 gboolean tinker_contact_reach_take(TinkerContactReach *reach, TinkerContacts *contacts, const TinkerContact *touching,
                                    int32_t count);
 void tinker_contact_reach_clear(TinkerContactReach *reach);

@@ -8,8 +8,8 @@
 #include "numerics/solve/disjoint-sets.h"
 #include "physics/model/model-data.h"
 
-/* Up to so many equations W solves them: one on 79 rods takes 0.36 us so and 1.5 us by elimination, four 1.5 us either way, eight 3.0
- * and 1.6 us, 64 take 52 and 2.6 us (bench-contact-chains).. */
+/* Up to so many equations W solves them: one on 79 rods takes 0.36 us so and 1.5 us by elimination, four 1.5 us either
+ * way, eight 3.0 and 1.6 us, 64 take 52 and 2.6 us (bench-contact-chains).. */
 #define FEW_ROWS 8
 
 static int32_t shape_of(const TinkerBlockBatch *batch)
@@ -283,8 +283,8 @@ static gboolean add_block(TinkerContacts *contacts, guint first, guint count)
     return block.solve[FALSE] != NULL && block.solve[TRUE] != NULL;
 }
 
-/* Rows of one group stand together and are solved together. Answers the rows of the largest that has a matrix, at least 1; 0: no
- * memory. */
+/* Rows of one group stand together and are solved together. Answers the rows of the largest that has a matrix, at least
+ * 1; 0: no memory. */
 static gsize find_blocks(TinkerContacts *contacts)
 {
     gsize most = 1;

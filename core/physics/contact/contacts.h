@@ -5,15 +5,15 @@
  *     gap   = n . (x - c) - top,   n the plate's normal, c its centre, top = (height of plate + height of body) / 2
  *     along = t . (x - c),         t = (n_y, -n_x), the plate's own +x; over the plate where |along| <= width / 2
  *
- * A contact is closed while the body rests on the top or slides along it. Which contacts are closed and whether they stick
- * changes at events alone (contact-change-private.h); between them closed contacts are equations, solved here together with the
- * constraint rows:
+ * A contact is closed while the body rests on the top or slides along it. Which contacts are closed and whether they
+ * stick changes at events alone (contact-change-private.h); between them closed contacts are equations, solved here
+ * together with the constraint rows:
  *
  *     n . (a - a_c) = 0;   sticking: t . (a - a_c) = 0;   slipping: friction -mu N sign(u_t) along t.
  *
- * Bodies that no constraint holds and that touch one plate are solved one by one in closed form; the others together: a few
- * equations by the Delassus matrix of their contacts, W = C P M^-1 D, with P the projection onto the motions that the constraints
- * allow; many by elimination (contact-elimination.h), without W. */
+ * Bodies that no constraint holds and that touch one plate are solved one by one in closed form; the others together: a
+ * few equations by the Delassus matrix of their contacts, W = C P M^-1 D, with P the projection onto the motions that
+ * the constraints allow; many by elimination (contact-elimination.h), without W. */
 #ifndef TINKER_CORE_CONTACTS_H
 #define TINKER_CORE_CONTACTS_H
 
@@ -41,13 +41,13 @@ typedef struct {
     double anchor;           /* along the top, of one that sticks */
     gboolean starts;         /* slips, and has no speed yet that tells which way */
     double normal, friction; /* N, on the body along n and t: as worked out last */
-    /* Where contacts hold a body more than once nothing determines how they share its load: the share stays as near to this
-     * one (N) as the load allows, which the laws of contact gave. */
+    /* Where contacts hold a body more than once nothing determines how they share its load: the share stays as near to
+     * this one (N) as the load allows, which the laws of contact gave. */
     double base_normal, base_friction;
 } TinkerContact;
 
-/* One equation of the closed contacts that are solved together: `row` is what it keeps at 0, `force` the direction of the
- * force that does so. */
+/* One equation of the closed contacts that are solved together: `row` is what it keeps at 0, `force` the direction of
+ * the force that does so. */
 typedef struct {
     int32_t contact;
     gboolean tangential;
@@ -93,8 +93,8 @@ struct _TinkerContacts {
     gint64 evaluations;                      /* of closed contacts, ever: 0 where nothing touched */
 };
 
-/* The contacts that a model may have; NULL where no plate is solid or no body has a shape, and no constraint holds in one
- * direction only. (transfer full) */
+/* The contacts that a model may have; NULL where no plate is solid or no body has a shape, and no constraint holds in
+ * one direction only. (transfer full) */
 TinkerContacts *tinker_contacts_new(TinkerModel *model);
 void tinker_contacts_free(TinkerContacts *contacts);
 
@@ -117,14 +117,14 @@ static inline TinkerContactPlace tinker_contact_place(const TinkerContacts *cont
 /* Whether any body touches a plate, and does not part from it, for the state in the points. */
 gboolean tinker_contacts_touch(const TinkerContacts *contacts);
 
-/* Whether two tops guide a body: they face each other, and are as far apart as it is high, to within TINKER_TOUCHING, for
- * the places and motions of the supports in the points. */
+/* Whether two tops guide a body: they face each other, and are as far apart as it is high, to within TINKER_TOUCHING,
+ * for the places and motions of the supports in the points. */
 gboolean tinker_contacts_are_guide(const TinkerContacts *contacts, int32_t body, int32_t a, int32_t b);
 /* Whether a plate and one that a body lies on guide it: a way from one to the other there is none. */
 gboolean tinker_contacts_is_guided(const TinkerContacts *contacts, int32_t body, int32_t plate);
 
-/* The greatest distance (m) of a body from the centre of a plate that it rests on, for the state in the points: what places are
- * measured from. 0 where no contact is closed. */
+/* The greatest distance (m) of a body from the centre of a plate that it rests on, for the state in the points: what
+ * places are measured from. 0 where no contact is closed. */
 double tinker_contacts_extent(const TinkerContacts *contacts);
 
 /* Friction along t over the normal force, of a contact that slips. */
@@ -134,7 +134,8 @@ static inline double tinker_contact_slip_share(const TinkerPlate *plate, TinkerC
     return mode == TINKER_CONTACT_SLIP_BACKWARD ? plate->dynamic_friction : 0.0;
 }
 
-/* Whether the foot of a body is over the plate. At the very end, within `tolerance` (m), one that moves on off it is not. */
+/* Whether the foot of a body is over the plate. At the very end, within `tolerance` (m), one that moves on off it is
+ * not. */
 static inline gboolean tinker_contact_is_over(const TinkerPlate *plate, const TinkerContactPlace *place,
                                               double tolerance)
 {
@@ -153,8 +154,8 @@ static inline gboolean tinker_contacts_act(const TinkerContacts *contacts)
     return G_UNLIKELY(contacts != NULL && contacts->closed->len > 0 && !contacts->impulses);
 }
 
-/* Sorts the closed contacts and lists their equations: after any change of them. Where there is no memory for the equations, none is
- * closed any more, and that is recorded as below. */
+/* Sorts the closed contacts and lists their equations: after any change of them. Where there is no memory for the
+ * equations, none is closed any more, and that is recorded as below. */
 TinkerStatus tinker_contacts_list_rows(TinkerContacts *contacts);
 /* Opens all, so that there are no equations. */
 void tinker_contacts_open_all(TinkerContacts *contacts);
@@ -165,21 +166,22 @@ static inline gboolean tinker_contact_block_is_full(const TinkerContactBlock *bl
 }
 /* Takes over the shares of the load (base_normal, base_friction) of contacts whose equations are listed. */
 void tinker_contacts_take_shares(TinkerContacts *contacts);
-/* Records that there is no memory for the equations of so many contacts at once, as the model's failure. Answers TINKER_FAILED. */
+/* Records that there is no memory for the equations of so many contacts at once, as the model's failure. Answers
+ * TINKER_FAILED. */
 TinkerStatus tinker_contacts_lack_memory(const TinkerContacts *contacts, gsize count);
 
 /* Between events, for the state in the points. ------------------------------------------------------------------- */
 
-/* a = M^-1 f becomes the acceleration with constraints, whose rows were evaluated, and closed contacts, whose forces are
- * noted. */
+/* a = M^-1 f becomes the acceleration with constraints, whose rows were evaluated, and closed contacts, whose forces
+ * are noted. */
 void tinker_contacts_accelerate(TinkerContacts *contacts, double *a);
 /* Adds what friction takes and what moving plates give to model->book_power, for the forces worked out last. */
 void tinker_contacts_add_power(TinkerContacts *contacts);
 /* Adds M^-1 times the friction of slipping contacts, as worked out last, to a. */
 void tinker_contacts_add_friction(const TinkerContacts *contacts, double *a);
 
-/* These bring a state onto closed contacts and constraints, as tinker_constraints_project_positions and its neighbours do
- * for constraints alone. Of positions the energy (J) that it gave is left in *work; of velocities it is answered. */
+/* These bring a state onto closed contacts and constraints, as tinker_constraints_project_positions and its neighbours
+ * do for constraints alone. Of positions the energy (J) that it gave is left in *work; of velocities it is answered. */
 TinkerStatus tinker_contacts_project_positions(TinkerContacts *contacts, double t, double *q, const double *v,
                                                gboolean *moved, double *work);
 double tinker_contacts_correct_velocities(TinkerContacts *contacts, double *v, gboolean homogeneous, gboolean *moved);
@@ -188,12 +190,12 @@ TinkerStatus tinker_contacts_rattle(TinkerContacts *contacts, double t_from, con
 
 /* At events. ----------------------------------------------------------------------------------------------------- */
 
-/* The Delassus matrix (2m x 2m, see numerics/contact-laws.h) of m contacts, whatever their modes, for the constraint rows
- * evaluated last. */
+/* The Delassus matrix (2m x 2m, see numerics/contact-laws.h) of m contacts, whatever their modes, for the constraint
+ * rows evaluated last. */
 void tinker_contacts_delassus(TinkerContacts *contacts, const TinkerContact *touching, int32_t count, double *delassus);
 /* v += what an impulse on a body does to all of them, constraints included. */
 void tinker_contacts_push(TinkerContacts *contacts, int32_t body, double px, double py, double *v);
-/* The same for several, which the constraints answer to at once, in the end. */
+/* Impulses on several bodies, which the constraints answer to at once, in the end. */
 void tinker_contacts_begin_pushes(TinkerContacts *contacts);
 void tinker_contacts_add_push(TinkerContacts *contacts, int32_t body, double px, double py, double *v);
 void tinker_contacts_end_pushes(TinkerContacts *contacts, double *v);
@@ -203,7 +205,8 @@ int32_t tinker_contacts_row_body(const TinkerContacts *contacts, int32_t row);
 /* v += what the multiplier `lambda` of a row that holds in one direction only, slack or not, does to all bodies. */
 void tinker_contacts_pull(TinkerContacts *contacts, int32_t row, double lambda, double *v);
 
-/* What contacts do to the points of bodies and plates, for the sampler: normal force, friction, fx, fy of each point. */
+/* What contacts do to the points of bodies and plates, for the sampler: normal force, friction, fx, fy of each point.
+ */
 void tinker_contacts_sum_forces(const TinkerContacts *contacts, double *by_point);
 
 #endif

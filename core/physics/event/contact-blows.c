@@ -44,8 +44,8 @@ static double restitution_of(const TinkerContactChange *change, guint number)
     return plate != NULL ? plate->restitution : 0;
 }
 
-/* Rebounds below this (m/s) are none. Without any loss along the normal a bounce never ends, but where something else takes
- * energy: friction, to and fro between rough plates, or a damper or the air on the way. */
+/* Rebounds below this (m/s) are none. Without any loss along the normal a bounce never ends, but where something else
+ * takes energy: friction, to and fro between rough plates, or a damper or the air on the way. */
 static double least_rebound(const TinkerContactChange *change, guint number)
 {
     const TinkerPlate *plate = tinker_touch_plate(change, number);
@@ -110,8 +110,9 @@ static gboolean rest_by_solve(const TinkerContactChange *change, TinkerContactLa
     return TRUE;
 }
 
-/* Bodies that constraints couple may strike by turns, each blow throwing up the other less and less, infinitely often in
- * finite time: what parts too slowly to be seen does not part. Taking speeds away along normals takes energy only. */
+/* Bodies that constraints couple may strike by turns, each blow throwing up the other less and less, infinitely often
+ * in finite time: what parts too slowly to be seen does not part. Taking speeds away along normals takes energy only.
+ */
 static gboolean settle(TinkerContactChange *change)
 {
     const gsize m = change->touches->len;

@@ -10,8 +10,8 @@
 /* Speeds below this share of the largest are rounding. */
 #define TINKER_STILL 1e-12
 
-/* A contact that is closed, or closes now: of a body with a plate; or a constraint row that holds in one direction only, and is
- * taut or becomes so. A row is a contact without friction that opens as its g falls. */
+/* A contact that is closed, or closes now: of a body with a plate; or a constraint row that holds in one direction
+ * only, and is taut or becomes so. A row is a contact without friction that opens as its g falls. */
 typedef struct {
     TinkerContact contact; /* of a row: its first body; no plate */
     int32_t row;           /* -1: a plate */
@@ -76,12 +76,13 @@ gboolean tinker_change_is_trigger(const TinkerContactChange *change, const Tinke
 gboolean tinker_change_approaches(const TinkerContactChange *change, const TinkerContactPair *pair);
 /* v += what impulses (pn, pt by turns) at all contacts do. */
 void tinker_change_push(const TinkerContactChange *change, const double *impulses, double *v);
-/* Accelerations with constraints but without contacts, relative to what is touched; *scale is the greatest that acts. */
+/* Accelerations with constraints but without contacts, relative to what is touched; *scale is the greatest that acts.
+ */
 gboolean tinker_change_accelerations(TinkerContactChange *change, double *pairs, double *scale);
 void tinker_change_add_event(TinkerContactChange *change, const char *kind, const TinkerTouch *of);
 /* Stops the run. Answers FALSE. */
 gboolean tinker_change_refuse(TinkerContactChange *change, const char *why, GError **error);
-/* The same where the laws were not solved: `why`, unless it was for want of memory. */
+/* Stops the run where the laws were not solved: `why`, unless it was for want of memory. */
 gboolean tinker_change_refuse_laws(TinkerContactChange *change, TinkerContactResult result, const char *why,
                                    GError **error);
 

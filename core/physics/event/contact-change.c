@@ -1,4 +1,5 @@
-/* What happens at an event: impacts where bodies approach what they touch, then which contacts are closed and which stick.
+/* What happens at an event: impacts where bodies approach what they touch, then which contacts are closed and which
+ * stick.
  *
  * 1. All contacts that are closed, or whose gap is closed and not opening, are taken together.
  * 2. Where one of them approaches, an impact changes velocities (numerics/contact-laws.h).
@@ -50,7 +51,8 @@ static int8_t sliding_of(const TinkerContactChange *change, guint number, double
     /* what falls over the length of the plate is a scale for what is the only thing that moves */
     double scale = change->speed + sqrt(acceleration * (plate->half_width + plate->half_height));
     if (fabs(speed) > change->slow * scale) return speed > 0 ? 1 : -1;
-    /* one that has just begun to slip goes on, until an event of its own says that it stops; what slipped clearly stops now */
+    /* one that has just begun to slip goes on, until an event of its own says that it stops; what slipped clearly stops
+     * now */
     gboolean begins = at->contact.starts || !change->run->starts_low;
     gboolean stops = tinker_change_is_trigger(change, at) || at->struck || !begins;
     if (stops || at->was == TINKER_CONTACT_OPEN || at->was == TINKER_CONTACT_STICK) return 0;
@@ -149,8 +151,8 @@ static gboolean has_let_go(const TinkerContactChange *change, const TinkerTouch 
     return tinker_change_is_trigger(change, at) && change->trigger.kind == TINKER_TRIGGER_NORMAL && !at->struck;
 }
 
-/* Which of two sides of a guide presses: not the one whose force has just come to 0, else the one that is pressed harder, else
- * the one that was. */
+/* Which of two sides of a guide presses: not the one whose force has just come to 0, else the one that is pressed
+ * harder, else the one that was. */
 static gboolean presses(const TinkerContactChange *change, const TinkerTouch *at, const TinkerTouch *other)
 {
     if (has_let_go(change, at) != has_let_go(change, other)) return has_let_go(change, other);
@@ -242,8 +244,8 @@ static void turn_bodies(TinkerContactChange *change)
     }
 }
 
-/* What opens by its acceleration alone is watched by that; what an event was about is done with, and what a blow on another body
- * throws back is watched by its gap again. */
+/* What opens by its acceleration alone is watched by that; what an event was about is done with, and what a blow on
+ * another body throws back is watched by its gap again. */
 static void note_leaving(TinkerContactChange *change)
 {
     GArray *leaving = change->run->leaving;
@@ -277,8 +279,8 @@ static void name_change(TinkerContactChange *change, guint number)
     tinker_change_add_event(change, name, at);
 }
 
-/* Whether it slips so slowly that a method whose first steps are of order 1 does not tell which way: its speed grows with the
- * second power of time. What was watched by its acceleration up to now is not any more. */
+/* Whether it slips so slowly that a method whose first steps are of order 1 does not tell which way: its speed grows
+ * with the second power of time. What was watched by its acceleration up to now is not any more. */
 static gboolean has_unclear_speed(const TinkerContactChange *change, const TinkerTouch *at)
 {
     const TinkerContactRun *self = change->run;
@@ -323,7 +325,8 @@ static gboolean close_contacts(TinkerContactChange *change, GError **error)
     return TRUE;
 }
 
-/* Shares of a load -------------------------------------------------------------------------------------------------- */
+/* Shares of a load --------------------------------------------------------------------------------------------------
+ */
 
 static gboolean keeps_laws(const TinkerContacts *contacts, const TinkerContact *contact)
 {
@@ -331,8 +334,8 @@ static gboolean keeps_laws(const TinkerContacts *contacts, const TinkerContact *
     return contact->normal >= 0 && (contact->mode != TINKER_CONTACT_STICK || fabs(contact->friction) <= most);
 }
 
-/* Where contacts hold bodies more than once: whether the even share, that of least norm, keeps the laws. It is taken where it
- * does; else the share that the laws gave, which may stand at a limit. */
+/* Where contacts hold bodies more than once: whether the even share, that of least norm, keeps the laws. It is taken
+ * where it does; else the share that the laws gave, which may stand at a limit. */
 static gboolean share_evenly(TinkerContactChange *change)
 {
     TinkerContactRun *self = change->run;
@@ -368,8 +371,8 @@ static gboolean shares_load(const TinkerContactChange *change)
     return FALSE;
 }
 
-/* Steps 3 and 4, and what is closed from here on. A contact that reaches the limit of sticking only by its share does not slip
- * where another share holds it. */
+/* Steps 3 and 4, and what is closed from here on. A contact that reaches the limit of sticking only by its share does
+ * not slip where another share holds it. */
 static gboolean settle_contacts(TinkerContactChange *change, GError **error)
 {
     gboolean limit = change->trigger.kind == TINKER_TRIGGER_FORWARD || change->trigger.kind == TINKER_TRIGGER_BACKWARD;

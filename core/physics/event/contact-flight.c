@@ -1,11 +1,14 @@
-/* Flights of an island that is solved exactly while nothing is closed. Two things would let rounding grow from blow to blow:
+/* Flights of an island that is solved exactly while nothing is closed. Two things would let rounding grow from blow to
+ * blow:
  *
- * 1. The instant of a blow is a number, and the blow falls up to half of its last digit beside it: at 1e5 s that is 7e-12 s, in
- *    which a body goes much farther than places are rounded. So the state is taken on to the blow itself, where what touches
- *    changes its speed, and back to the instant by the motion after it; within so short a time acceleration is constant.
- * 2. A speed that is rounded at every blow walks at random, and with it the length of all later flights: the error of n flights
- *    is that of n^(3/2) roundings. But of one body that nothing drives or brakes the energy along the plate's normal is a first
- *    integral of the flight, so that it comes back to the plate with the speed along it that it left with. */
+ * 1. The instant of a blow is a number, and the blow falls up to half of its last digit beside it: at 1e5 s that is
+ * 7e-12 s, in which a body goes much farther than places are rounded. So the state is taken on to the blow itself,
+ * where what touches changes its speed, and back to the instant by the motion after it; within so short a time
+ * acceleration is constant.
+ * 2. A speed that is rounded at every blow walks at random, and with it the length of all later flights: the error of n
+ * flights is that of n^(3/2) roundings. But of one body that nothing drives or brakes the energy along the plate's
+ * normal is a first integral of the flight, so that it comes back to the plate with the speed along it that it left
+ * with. */
 #include <float.h>
 #include <math.h>
 
@@ -51,7 +54,7 @@ void tinker_contact_flight_clear(TinkerContactFlight *flight)
     g_clear_pointer(&flight->rebound, g_free);
 }
 
-gboolean tinker_contact_flight_goes_on(TinkerContactRun *self)
+gboolean tinker_contact_flight_is_free(TinkerContactRun *self)
 {
     TinkerIslandRun *run = self->run;
     double extent, speed;
@@ -109,8 +112,8 @@ TinkerStatus tinker_contact_flight_meet(TinkerContactRun *self, const TinkerTrig
     return TINKER_OK;
 }
 
-/* After the blow the speed along the normal is what restitution makes of the approach, to the last digit; the other plates'
- * blows are forgotten where this one changed what they left. */
+/* After the blow the speed along the normal is what restitution makes of the approach, to the last digit; the other
+ * plates' blows are forgotten where this one changed what they left. */
 static void note_rebound(TinkerContactRun *self, const TinkerTrigger *trigger, const TinkerContactPlace *place)
 {
     TinkerContactFlight *flight = &self->flight;

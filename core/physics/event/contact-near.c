@@ -1,4 +1,5 @@
-/* Which pairs of body and plate a step may bring together: by distances, so that what does not touch costs next to nothing. */
+/* Which pairs of body and plate a step may bring together: by distances, so that what does not touch costs next to
+ * nothing. */
 #include <math.h>
 #include <string.h>
 

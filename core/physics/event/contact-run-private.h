@@ -46,9 +46,8 @@ typedef struct {
     gboolean exact;  /* it is solved so while nothing is closed */
     double ahead;    /* s: the blow that is passed falls so much later than its instant */
     double approach; /* m/s: with this speed along the normal; NAN where no such blow is passed */
-    double *
-        rebound; /* m/s: by plate, the speed along its normal that a body alone left it with, as far as that lasts; else
-                        NAN. NULL where it never does */
+    double *rebound; /* m/s: by plate, the speed along its normal that a body alone left it with, as far as that lasts;
+                        else NAN. NULL where it never does */
 } TinkerContactFlight;
 
 struct _TinkerContactRun {
@@ -81,8 +80,8 @@ struct _TinkerContactRun {
     /* it is solved exactly now: its steps resolve nothing, and are limited to what its motion swings by */
     gboolean exact;
     double fastest, strongest; /* of those: m/s and m/s^2, the largest speed and acceleration so far */
-    /* The method remembers its steps: one that is made again, from a start without memory, is many small ones of low order, whose
-     * end is off by other errors each time. */
+    /* The method remembers its steps: one that is made again, from a start without memory, is many small ones of low
+     * order, whose end is off by other errors each time. */
     gboolean remembers;
     gboolean starts_low; /* the method's first steps are of order 1 */
     int32_t degree;
@@ -92,9 +91,9 @@ struct _TinkerContactRun {
     double end_time;
     gint64 end_changes;
     GArray *near; /* of TinkerContactPair: those that a step comes close to */
-    /* Of TinkerContactPair: those that opened with no speed and are not clear of each other yet. Their gap grows with the second
-     * or third power of time, less than the error of a method of low order, or than rounding: what tells whether they part is the
-     * acceleration. */
+    /* Of TinkerContactPair: those that opened with no speed and are not clear of each other yet. Their gap grows with
+     * the second or third power of time, less than the error of a method of low order, or than rounding: what tells
+     * whether they part is the acceleration. */
     GArray *leaving;
     GArray *triggers; /* of TinkerTrigger: those of the step */
     double *values;   /* of triggers, node by node */
@@ -109,8 +108,8 @@ struct _TinkerContactRun {
     double quiet;    /* ... no plate was nearer to any body than this; 0 where one moves */
 };
 
-/* Lists the pairs whose gap may close on the way of the bodies from q_from to q_to, which leads no farther than `travel` (m)
- * away from either. */
+/* Lists the pairs whose gap may close on the way of the bodies from q_from to q_to, which leads no farther than
+ * `travel` (m) away from either. */
 void tinker_contact_run_find_near(TinkerContactRun *contact_run, const double *q_from, const double *q_to,
                                   double travel);
 /* Whether nothing can come near a plate within `travel` (m) of the state x (in the system's coordinates). */
@@ -124,19 +123,19 @@ TinkerStatus tinker_contact_run_state_at(TinkerContactRun *contact_run, double t
 TinkerStatus tinker_contact_run_look_at(TinkerContactRun *contact_run, double t, const double *q, const double *v);
 /* All triggers of a step with these near pairs. */
 TinkerStatus tinker_contact_run_list_triggers(TinkerContactRun *contact_run);
-/* Their values, for the state looked at last; and the level below which one has passed 0, once forces were noted at all nodes
- * (speed, m/s: the largest). */
+/* Their values, for the state looked at last; and the level below which one has passed 0, once forces were noted at all
+ * nodes (speed, m/s: the largest). */
 double tinker_trigger_value(const TinkerContactRun *contact_run, const TinkerTrigger *trigger);
 double tinker_trigger_level(const TinkerContactRun *contact_run, const TinkerTrigger *trigger, double speed);
 double tinker_trigger_place_rounding(const TinkerContactRun *contact_run, const TinkerTrigger *trigger);
 void tinker_contact_run_note_force_scales(TinkerContactRun *contact_run);
 
-/* How fast a plate swings (rad/s) between two times, as far as it shows at a few: its accelerations then beside its largest
- * speed so far. */
+/* How fast a plate swings (rad/s) between two times, as far as it shows at a few: its accelerations then beside its
+ * largest speed so far. */
 double tinker_contact_run_swing(TinkerContactRun *contact_run, int32_t point, double from, double to);
 
-/* The first fall of any trigger in the last step; its kind is NONE where there is none. *place gets its time and *slope how
- * fast it falls (per second). */
+/* The first fall of any trigger in the last step; its kind is NONE where there is none. *place gets its time and *slope
+ * how fast it falls (per second). */
 TinkerStatus tinker_contact_run_search(TinkerContactRun *contact_run, double from, double to, TinkerTrigger *found,
                                        double *time, double *slope);
 
@@ -144,7 +143,8 @@ TinkerStatus tinker_contact_run_search(TinkerContactRun *contact_run, double fro
 TinkerStatus tinker_contact_run_value(TinkerContactRun *contact_run, double t, const double *q, const double *v,
                                       const TinkerTrigger *trigger, double *value);
 
-/* Room for what is watched while these contacts are closed, so that steps allot nothing. No memory for it is the model's failure. */
+/* Room for what is watched while these contacts are closed, so that steps allot nothing. No memory for it is the
+ * model's failure. */
 TinkerStatus tinker_contact_run_make_room(TinkerContactRun *contact_run);
 
 /* Within this (m) of 0 a gap is closed: rounding, or another body at the same instant. */
@@ -153,8 +153,8 @@ double tinker_contact_run_closed_gap(const TinkerContactRun *contact_run);
 /* Places (m) are no more exact than this over the first steps of a method that remembers its steps; 0 of others. */
 double tinker_contact_run_place_noise(const TinkerContactRun *contact_run);
 
-/* Speeds along a top up to this share of the largest are what dense output and errors make of 0; and up to this (m/s) they do not
- * tell which way a contact slips. */
+/* Speeds along a top up to this share of the largest are what dense output and errors make of 0; and up to this (m/s)
+ * they do not tell which way a contact slips. */
 double tinker_contact_run_speed_noise(const TinkerContactRun *contact_run);
 double tinker_contact_run_unclear_speed(const TinkerContactRun *contact_run);
 
@@ -164,13 +164,14 @@ gboolean tinker_contact_run_leaves(const TinkerContactRun *contact_run, const Ti
 void tinker_contact_flight_init(TinkerContactFlight *flight, const TinkerContactRun *contact_run, gboolean exact);
 void tinker_contact_flight_clear(TinkerContactFlight *flight);
 /* Whether the island, which is in the plane, flies from its present state on as its linear form does. */
-gboolean tinker_contact_flight_goes_on(TinkerContactRun *contact_run);
-/* Before and after a blow in flight is passed, in the plane: takes the state on to the blow itself, and back to its instant. */
+gboolean tinker_contact_flight_is_free(TinkerContactRun *contact_run);
+/* Before and after a blow in flight is passed, in the plane: takes the state on to the blow itself, and back to its
+ * instant. */
 TinkerStatus tinker_contact_flight_meet(TinkerContactRun *contact_run, const TinkerTrigger *trigger);
 TinkerStatus tinker_contact_flight_part(TinkerContactRun *contact_run, const TinkerTrigger *trigger);
 
-/* Passes an event at the state of the run: impacts, and what is closed from here on. `tolerance` (m): within it a gap is
- * closed. */
+/* Passes an event at the state of the run: impacts, and what is closed from here on. `tolerance` (m): within it a gap
+ * is closed. */
 gboolean tinker_contact_run_change(TinkerContactRun *contact_run, const TinkerTrigger *trigger, double tolerance,
                                    double slow, GError **error);
 

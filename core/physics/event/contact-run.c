@@ -24,7 +24,8 @@
 #define LONGEST_SWING 0.2
 /* Beyond this share of the extent bodies that leave a plate are clear of it. */
 #define CLEAR 1e-9
-/* So many events within so short a time (a share of the time) never end, nor do so many times as many within a longer one. */
+/* So many events within so short a time (a share of the time) never end, nor do so many times as many within a longer
+ * one. */
 #define CROWD        500
 #define CROWDED      1e-9
 #define SLOW_CROWDED 1e-6
@@ -120,7 +121,7 @@ double tinker_contact_run_passed_impact(const TinkerContactRun *self)
     return self->passed_impact;
 }
 
-gboolean tinker_contact_run_stands_on_event(const TinkerContactRun *self)
+gboolean tinker_contact_run_has_pending_event(const TinkerContactRun *self)
 {
     return self->pending;
 }
@@ -148,7 +149,7 @@ static gboolean enter_plane(TinkerContactRun *self, GError **error)
     return TRUE;
 }
 
-/* And from here on exactly again. */
+/* From here on the island is solved exactly again. */
 static void leave_plane(TinkerContactRun *self)
 {
     tinker_island_run_leave_plane(self->run);
@@ -193,7 +194,7 @@ gboolean tinker_contact_run_start(TinkerContactRun *self, GError **error)
     return TRUE;
 }
 
-gboolean tinker_contact_run_think_again(TinkerContactRun *self, GError **error)
+gboolean tinker_contact_run_reclassify(TinkerContactRun *self, GError **error)
 {
     TinkerTrigger none = {.kind = TINKER_TRIGGER_NONE, .row = -1};
     if (self->contacts->closed->len == 0 && self->model->constraints.unilateral == NULL) return TRUE;
@@ -220,7 +221,7 @@ gboolean tinker_contact_run_pass(TinkerContactRun *self, GError **error)
 /* Steps ------------------------------------------------------------------------------------------------------------ */
 
 /* Forgets pairs that are clear of each other. */
-static void let_leave(TinkerContactRun *self)
+static void prune_separating(TinkerContactRun *self)
 {
     TinkerIslandRun *run = self->run;
     if (tinker_model_set_time(self->model, run->state.t) != TINKER_OK) return;
@@ -257,8 +258,8 @@ static void note_slipping(TinkerContactRun *self)
     }
 }
 
-/* What supports that move do to bodies that rest is a function of time that no error control sees, since the bodies stay or go
- * along: its work needs steps that resolve it. */
+/* What supports that move do to bodies that rest is a function of time that no error control sees, since the bodies
+ * stay or go along: its work needs steps that resolve it. */
 static double resolved_limit(TinkerContactRun *self, double limit)
 {
     const TinkerModel *model = self->model;
@@ -291,8 +292,9 @@ static void keep_start(TinkerContactRun *self, const TinkerState *state)
     memcpy(self->from.books, state->books, (gsize)self->run->system.system.books * sizeof(double));
 }
 
-/* How fast the motion swings that holds the energy: its largest acceleration beside its largest speed, of late. From rest the
- * speed is at first what one short step makes of the acceleration, so that steps grow as fast as the motion does. */
+/* How fast the motion swings that holds the energy: its largest acceleration beside its largest speed, of late. From
+ * rest the speed is at first what one short step makes of the acceleration, so that steps grow as fast as the motion
+ * does. */
 static double swing_limit(TinkerContactRun *self, double limit)
 {
     TinkerIslandRun *run = self->run;
@@ -311,9 +313,9 @@ static double swing_limit(TinkerContactRun *self, double limit)
 double tinker_contact_run_begin(TinkerContactRun *self, double limit)
 {
     const TinkerIslandRun *run = self->run;
-    if (self->leaving->len > 0) let_leave(self);
+    if (self->leaving->len > 0) prune_separating(self);
     if (self->starts_low) note_slipping(self);
-    if (self->in_plane && tinker_contact_flight_goes_on(self)) leave_plane(self);
+    if (self->in_plane && tinker_contact_flight_is_free(self)) leave_plane(self);
     gboolean adaptive = tinker_method_is_adaptive(run->choice.method);
     if (adaptive && self->model->moving_supports > 0) limit = resolved_limit(self, limit);
     if (self->exact) limit = swing_limit(self, limit);
@@ -413,8 +415,8 @@ static TinkerStatus cut_to_event(TinkerContactRun *self, const TinkerTrigger *tr
     return status;
 }
 
-/* The step is made again, to the event: dense output says when it is, the step itself how far it is off there. Where the
- * method makes several steps of it, the last of them goes on from here. */
+/* The step is made again, to the event: dense output says when it is, the step itself how far it is off there. Where
+ * the method makes several steps of it, the last of them goes on from here. */
 static TinkerStatus step_to_event(TinkerContactRun *self, const TinkerTrigger *trigger, double time, double slope,
                                   TinkerStepReport *report)
 {

@@ -1,5 +1,6 @@
-/* Contact in the run of an island: finds the instants at which contacts close, open, stick or slip, ends the step there, and
- * changes what is closed. Between them the island is stepped as if it had no contacts but for the closed ones' equations. */
+/* Contact in the run of an island: finds the instants at which contacts close, open, stick or slip, ends the step
+ * there, and changes what is closed. Between them the island is stepped as if it had no contacts but for the closed
+ * ones' equations. */
 #ifndef TINKER_CORE_CONTACT_RUN_H
 #define TINKER_CORE_CONTACT_RUN_H
 
@@ -19,7 +20,7 @@ gboolean tinker_contact_run_start(TinkerContactRun *contact_run, GError **error)
 gboolean tinker_contact_run_pass(TinkerContactRun *contact_run, GError **error);
 
 /* At a break: forces may have jumped, so that what is closed or sticks is asked anew. */
-gboolean tinker_contact_run_think_again(TinkerContactRun *contact_run, GError **error);
+gboolean tinker_contact_run_reclassify(TinkerContactRun *contact_run, GError **error);
 
 /* Before a step to `limit`: notes where it starts. Answers the limit, or an event that is known to come before it. */
 double tinker_contact_run_begin(TinkerContactRun *contact_run, double limit);
@@ -37,7 +38,7 @@ double tinker_contact_run_last_impact(const TinkerContactRun *contact_run);
 double tinker_contact_run_passed_impact(const TinkerContactRun *contact_run);
 
 /* Whether the state stands on an event that was found and not yet passed. */
-gboolean tinker_contact_run_stands_on_event(const TinkerContactRun *contact_run);
+gboolean tinker_contact_run_has_pending_event(const TinkerContactRun *contact_run);
 
 /* How many states it has looked at in search of events: what it costs. */
 gint64 tinker_contact_run_looks(const TinkerContactRun *contact_run);

@@ -1,5 +1,5 @@
-/* The first event in a step: what must not fall below zero is worked out at a few nodes of the step, from dense output; the
- * polynomials through these values have all their roots found. */
+/* The first event in a step: what must not fall below zero is worked out at a few nodes of the step, from dense output;
+ * the polynomials through these values have all their roots found. */
 #include <math.h>
 #include <string.h>
 
@@ -104,8 +104,8 @@ static gboolean rises_first(TinkerContactRun *self, const TinkerTrigger *trigger
     return value_at(self, from + FIRST_SHARE * (to - from), trigger, &soon) == TINKER_OK && soon > at_first;
 }
 
-/* The first fall of one trigger between two times and before one that is known; INFINITY for none, NAN where it has to be
- * looked at more closely. */
+/* The first fall of one trigger between two times and before one that is known; INFINITY for none, NAN where it has to
+ * be looked at more closely. */
 static double first_fall(TinkerContactRun *self, const TinkerTrigger *trigger, const double *values, double from,
                          double to, double known)
 {
@@ -122,8 +122,8 @@ static double first_fall(TinkerContactRun *self, const TinkerTrigger *trigger, c
     return INFINITY;
 }
 
-/* The polynomial through the values at the nodes. Source: Berrut, Trefethen, "Barycentric Lagrange interpolation", SIAM Review 46
- * (2004) 501-517, (5.4). */
+/* The polynomial through the values at the nodes. Source: Berrut, Trefethen, "Barycentric Lagrange interpolation", SIAM
+ * Review 46 (2004) 501-517, (5.4). */
 static double interpolated(const TinkerContactRun *self, const double *values, double place)
 {
     double sum = 0, weights = 0;
@@ -136,8 +136,8 @@ static double interpolated(const TinkerContactRun *self, const double *values, d
     return sum / weights;
 }
 
-/* Whether the polynomials tell what is between the nodes: at a place that is none of them. What drives bodies that rest may
- * swing many times within a step that they themselves do not limit. */
+/* Whether the polynomials tell what is between the nodes: at a place that is none of them. What drives bodies that rest
+ * may swing many times within a step that they themselves do not limit. */
 static TinkerStatus check_between(TinkerContactRun *self, double from, double to, gboolean *resolved)
 {
     double *v;
@@ -254,8 +254,8 @@ static TinkerStatus fill_place(TinkerContactRun *self, double t, double *values)
     return status;
 }
 
-/* Whether the least of some values is `times` as large as what they change by, in this step and in the one before: one step may
- * happen to end as it began, two do not. */
+/* Whether the least of some values is `times` as large as what they change by, in this step and in the one before: one
+ * step may happen to end as it began, two do not. */
 static gboolean is_far_off(const TinkerContactRun *self, guint places, double times)
 {
     guint count = self->triggers->len;
@@ -270,8 +270,8 @@ static gboolean is_far_off(const TinkerContactRun *self, guint places, double ti
     return TRUE;
 }
 
-/* Whether no trigger comes near its level, by far: from the values at the ends of the step, and where these change from the one
- * in its middle as well. What is at the end serves the next step as what is at its start. */
+/* Whether no trigger comes near its level, by far: from the values at the ends of the step, and where these change from
+ * the one in its middle as well. What is at the end serves the next step as what is at its start. */
 static TinkerStatus look_at_places(TinkerContactRun *self, double from, double to, gboolean *clear)
 {
     guint count = self->triggers->len;

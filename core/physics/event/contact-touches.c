@@ -102,8 +102,8 @@ static gboolean meets_now(const TinkerContactChange *change, const TinkerTouch *
            (change->trigger.kind == TINKER_TRIGGER_GAP || change->trigger.kind == TINKER_TRIGGER_LEAVING);
 }
 
-/* One that has just opened is watched by its acceleration, so that it is not taken for closed on the way; a blow on another
- * body may throw it back all the same. */
+/* One that has just opened is watched by its acceleration, so that it is not taken for closed on the way; a blow on
+ * another body may throw it back all the same. */
 static gboolean is_closed(const TinkerContactChange *change, const TinkerTouch *of, double tolerance)
 {
     const TinkerContactPair pair = {of->contact.body, of->contact.plate, of->row};

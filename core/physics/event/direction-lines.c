@@ -6,8 +6,8 @@
 #include "physics/line/linear-form.h"
 #include "physics/model/model-data.h"
 
-/* Evaluations nearer to length 0 than this share of the length at which the force is 0 are noted. Steps that resolve the motion
- * come nearer than that. */
+/* Evaluations nearer to length 0 than this share of the length at which the force is 0 are noted. Steps that resolve
+ * the motion come nearer than that. */
 #define NEAR 0.25
 
 /* Lines ------------------------------------------------------------------------------------------------------------ */

@@ -1,4 +1,5 @@
-/* What the files about directions that are lost share: the lines that have one to lose, and the motion of their ends. */
+/* What the files about directions that are lost share: the lines that have one to lose, and the motion of their ends.
+ */
 #ifndef TINKER_CORE_DIRECTION_PRIVATE_H
 #define TINKER_CORE_DIRECTION_PRIVATE_H
 
@@ -48,8 +49,8 @@ static inline gboolean tinker_direction_is_straight(const TinkerIslandRun *run)
     return run->q != run->state.q;
 }
 
-/* Lists the lines with a tension at length 0; answers the length (m) below which evaluations are of interest, 0 where that is not
- * known. */
+/* Lists the lines with a tension at length 0; answers the length (m) below which evaluations are of interest, 0 where
+ * that is not known. */
 double tinker_direction_list(TinkerDirectionWatch *watch);
 
 /* N, at length 0; 0 where the law has none there that is a number. */
@@ -63,7 +64,8 @@ char *tinker_direction_names(const TinkerDirectionWatch *watch, const TinkerDire
 TinkerStatus tinker_direction_measure(TinkerDirectionWatch *watch, const TinkerDirectionLine *line, double t,
                                       TinkerDirectionEnds *ends);
 
-/* The acceleration (m/s^2) of its second end relative to the first, in a state of the system. Costs the method no evaluation. */
+/* The acceleration (m/s^2) of its second end relative to the first, in a state of the system. Costs the method no
+ * evaluation. */
 TinkerStatus tinker_direction_acceleration(TinkerDirectionWatch *watch, const TinkerDirectionLine *line, double t,
                                            const double *x, const double *u, double relative[2]);
 

@@ -14,7 +14,7 @@
 
 /* Of the extent: ends so near to each other are at one place but for rounding. */
 #define ROUNDING 1e-13
-/* Likewise of extent times speed: moments of the relative motion. */
+/* Of extent times speed: what rounding makes of moments of the relative motion. */
 #define ROUNDING_OF_MOMENTS (8 * DBL_EPSILON)
 /* The run's energy is off by at most so many times as much as was seen of it. */
 #define SEEN 2.0
@@ -51,7 +51,8 @@ void tinker_direction_watch_free(TinkerDirectionWatch *self)
 
 /* Meeting ---------------------------------------------------------------------------------------------------------- */
 
-/* The energy of the ends where their acceleration takes the velocity to 0, which is within a step: the method need not end there. */
+/* The energy of the ends where their acceleration takes the velocity to 0, which is within a step: the method need not
+ * end there. */
 static TinkerStatus least_energy(TinkerDirectionWatch *self, const TinkerDirectionLine *line, TinkerDirectionEnds ends,
                                  double *energy)
 {
@@ -70,8 +71,8 @@ static TinkerStatus least_energy(TinkerDirectionWatch *self, const TinkerDirecti
     return TINKER_OK;
 }
 
-/* J: what rounding, the tolerance and the error of the energy may be of that. In the plane a moment of the relative motion that is
- * rounding keeps the ends apart by (mu l^2 / 2 |T0|)^(1/3). */
+/* J: what rounding, the tolerance and the error of the energy may be of that. In the plane a moment of the relative
+ * motion that is rounding keeps the ends apart by (mu l^2 / 2 |T0|)^(1/3). */
 static double unknown_energy(const TinkerIslandRun *run, const TinkerDirectionLine *line, double extent, double speed)
 {
     double tension = fabs(line->tension), share = ROUNDING, moment = 0;
@@ -80,8 +81,8 @@ static double unknown_energy(const TinkerIslandRun *run, const TinkerDirectionLi
     return SEEN * run->books.missing + share * tension * extent + cbrt(0.5 * line->mass * moment * moment);
 }
 
-/* Ends that are exactly at one place are parted the way that the other forces accelerate them, if they do: with a force that
- * jumps as they begin to move no step is small enough. */
+/* Ends that are exactly at one place are parted the way that the other forces accelerate them, if they do: with a force
+ * that jumps as they begin to move no step is small enough. */
 static TinkerStatus part_ends(TinkerDirectionWatch *self, const TinkerDirectionLine *line,
                               const TinkerDirectionEnds *ends, double extent)
 {
@@ -143,7 +144,8 @@ static TinkerStatus check_line(TinkerDirectionWatch *self, TinkerDirectionLine *
     double energy = tinker_direction_energy(line, &ends);
     if (line->tension == 0 || energy > FAR * fabs(line->tension) * extent) return TINKER_OK;
     if (closest) status = least_energy(self, line, ends, &energy);
-    if (closest && status == TINKER_OK) status = tinker_island_run_vouch(run); /* looks how far the energy is off */
+    if (closest && status == TINKER_OK)
+        status = tinker_island_run_mark_valid(run); /* looks how far the energy is off */
     if (status != TINKER_OK || energy > unknown_energy(run, line, extent, scales->speed)) return status;
     line->lost = TRUE;
     tell(self, line);
@@ -186,8 +188,9 @@ static double closing_at(void *data, double t)
     return tinker_direction_measure(meeting->watch, meeting->line, t, &ends) == TINKER_OK ? ends.closing : NAN;
 }
 
-/* Sets the time at which they are closest; leaves it where they are no nearer then than lengths of interest: the energies of a step
- * that is long beside the motion tell nothing, and what an iteration tried on the way is no motion. */
+/* Sets the time at which they are closest; leaves it where they are no nearer then than lengths of interest: the
+ * energies of a step that is long beside the motion tell nothing, and what an iteration tried on the way is no motion.
+ */
 static TinkerStatus refine_meeting(Meeting *meeting)
 {
     TinkerDirectionWatch *self = meeting->watch;
@@ -198,8 +201,8 @@ static TinkerStatus refine_meeting(Meeting *meeting)
     return status;
 }
 
-/* Sets the time: INFINITY where they do not meet. From rest at one place nothing gets farther within the step than its acceleration
- * takes it; that is told by the step's beginning, since the force may have turned round within. */
+/* Sets the time: INFINITY where they do not meet. From rest at one place nothing gets farther within the step than its
+ * acceleration takes it; that is told by the step's beginning, since the force may have turned round within. */
 static TinkerStatus find_meeting(Meeting *meeting)
 {
     TinkerDirectionWatch *self = meeting->watch;
@@ -250,8 +253,8 @@ static TinkerStatus step_again(TinkerDirectionWatch *self, double from, double i
     return tinker_island_run_make_step(run, instant, report);
 }
 
-/* Ends the step where ends of lines are closest, as dense output has it. A method that makes several steps of it gets there
- * with a later one. */
+/* Ends the step where ends of lines are closest, as dense output has it. A method that makes several steps of it gets
+ * there with a later one. */
 static TinkerStatus step_to(TinkerDirectionWatch *self, double from, double time, TinkerStepReport *report)
 {
     TinkerStatus status = step_again(self, from, time, report);
@@ -282,7 +285,7 @@ TinkerStatus tinker_direction_watch_look(TinkerDirectionWatch *self, double from
     if (run->choice.method->flags & TINKER_INTEGRATOR_LINEAR) return tinker_direction_watch_check(self);
     if (run->state.t >= self->expected) return check_closest(self);
     if (isfinite(self->expected) || !came_near(self)) return TINKER_OK;
-    if (run->contacts != NULL && tinker_contact_run_stands_on_event(run->contacts)) return TINKER_OK;
+    if (run->contacts != NULL && tinker_contact_run_has_pending_event(run->contacts)) return TINKER_OK;
     tinker_island_run_place(run);
     for (guint i = 0; i < self->lines->len; i++) {
         Meeting meeting = {.watch = self, .line = &g_array_index(self->lines, TinkerDirectionLine, i), .from = from};

@@ -1,11 +1,11 @@
-/* Lines whose ends meet without passing each other. Where a line law has a tension T0 at length 0, as a spring of some rest length
- * has, the direction of its force ends there: ends that come to one place with a relative velocity pass each other, and the force turns
- * round; ends that come to rest there may go on in any direction, and rounding or the method's error chooses one. That is an event,
- * `direction lost`: the run goes on, but is determined up to then only.
+/* Lines whose ends meet without passing each other. Where a line law has a tension T0 at length 0, as a spring of some
+ * rest length has, the direction of its force ends there: ends that come to one place with a relative velocity pass
+ * each other, and the force turns round; ends that come to rest there may go on in any direction, and rounding or the
+ * method's error chooses one. That is an event, `direction lost`: the run goes on, but is determined up to then only.
  *
- * The ends meet where their energy beside that of rest at one place, |T0| L + mu u^2 / 2 (mu their reduced mass, u their relative
- * velocity), is no more than what the run's own energy is off by. Steps in which a force was evaluated near length 0 are looked
- * into; one in which ends may meet is made again, to the instant at which they are closest. */
+ * The ends meet where their energy beside that of rest at one place, |T0| L + mu u^2 / 2 (mu their reduced mass, u
+ * their relative velocity), is no more than what the run's own energy is off by. Steps in which a force was evaluated
+ * near length 0 are looked into; one in which ends may meet is made again, to the instant at which they are closest. */
 #ifndef TINKER_CORE_DIRECTION_WATCH_H
 #define TINKER_CORE_DIRECTION_WATCH_H
 

@@ -1,5 +1,6 @@
-/* Plugins are asked for the forces of their blocks: of lines by their lengths and rates, of force elements by the places of
- * their ends, of fields by those of all bodies. Whoever adds forces up and whoever tells them apart asks here. */
+/* Plugins are asked for the forces of their blocks: of lines by their lengths and rates, of force elements by the
+ * places of their ends, of fields by those of all bodies. Whoever adds forces up and whoever tells them apart asks
+ * here. */
 #include <math.h>
 
 #include "physics/force/forces.h"

@@ -4,8 +4,8 @@
 
 /* Of a length or a rate: rounding and curvature both stay some nine digits below the law. */
 #define DIFFERENCE 1e-6
-/* Slopes at length 0 that change by more than this part as the length shrinks have not settled; by less than that, they are
- * good. */
+/* Slopes at length 0 that change by more than this part as the length shrinks have not settled; by less than that, they
+ * are good. */
 #define UNSETTLED   0.1
 #define SETTLED     1e-9
 #define MOST_SLOPES 10
@@ -35,9 +35,9 @@ static TinkerStatus difference(const Asked *asked, double dl, double dr, double 
     return status;
 }
 
-/* dT/dL at length 0 where T is 0, from lengths above it alone: (4 T(h) - T(2 h)) / 2 h is good to h^2. No length is known to
- * measure h by but how far the line is from the origin, so h shrinks until the slope settles. One that does not goes to 0, as
- * of L^3, or to infinity, as of the root of L. */
+/* dT/dL at length 0 where T is 0, from lengths above it alone: (4 T(h) - T(2 h)) / 2 h is good to h^2. No length is
+ * known to measure h by but how far the line is from the origin, so h shrinks until the slope settles. One that does
+ * not goes to 0, as of L^3, or to infinity, as of the root of L. */
 static TinkerStatus slope_at_zero(const Asked *asked, double *slope)
 {
     double h = DIFFERENCE * (asked->reach > 0 ? asked->reach : 1.0), least = UNSETTLED, first = NAN, last = NAN;

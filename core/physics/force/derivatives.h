@@ -6,13 +6,13 @@
  *     dF/dw = dT/drate n n^T
  *     dF/dd = dT/dL n n^T + T / L m m^T + dT/drate (m . w) / L n m^T
  *
- * as dn/dd = m m^T / L and drate/dd = (m . w) m / L. The last term is not symmetric and vanishes where the line does not
- * swing.
+ * as dn/dd = m m^T / L and drate/dd = (m . w) m / L. The last term is not symmetric and vanishes where the line does
+ * not swing.
  *
- * Where the ends are at one place nothing has a direction. A law with T(0) = 0 pulls like a spring without length there,
- * F = T(L) d / L -> dT/dL(0) d in every direction, so dF/dd = dT/dL(0) times the unit matrix. Where T(0) is not 0 there is no
- * derivative. Nor is there one by w: dT/drate n n^T depends on the direction in which the ends part. Both then count as
- * nothing, and are told apart from nothing by `pull_undefined` and `damping_undefined`.
+ * Where the ends are at one place nothing has a direction. A law with T(0) = 0 pulls like a spring without length
+ * there, F = T(L) d / L -> dT/dL(0) d in every direction, so dF/dd = dT/dL(0) times the unit matrix. Where T(0) is not
+ * 0 there is no derivative. Nor is there one by w: dT/drate n n^T depends on the direction in which the ends part. Both
+ * then count as nothing, and are told apart from nothing by `pull_undefined` and `damping_undefined`.
  */
 #ifndef TINKER_CORE_DERIVATIVES_H
 #define TINKER_CORE_DERIVATIVES_H
@@ -32,8 +32,8 @@ typedef struct {
     gboolean pull_undefined, damping_undefined; /* they count as 0, as the ends are at one place */
 } TinkerLineDerivatives;
 
-/* A length that rounding of the places alone can make: of those that are worked with, and of those in the scene, which are
- * relative to no origin. */
+/* A length that rounding of the places alone can make: of those that are worked with, and of those in the scene, which
+ * are relative to no origin. */
 static inline double tinker_line_rounding(const TinkerModel *model, const TinkerPoint *a, const TinkerPoint *b)
 {
     double reach = fabs(a->x) + fabs(a->y) + fabs(b->x) + fabs(b->y);

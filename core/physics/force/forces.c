@@ -1,8 +1,8 @@
 /* Applied forces: everything but the constraints. Forces are added up by point, in an order that never changes: merged
  * lines, lines that are asked for, driven forces, force elements, fields.
  *
- * The power of force elements and fields that store energy is booked whole; what they stored is taken off again where the
- * books are read (energy.c), so that no gradient is needed here. */
+ * The power of force elements and fields that store energy is booked whole; what they stored is taken off again where
+ * the books are read (energy.c), so that no gradient is needed here. */
 #include <glib/gi18n-lib.h>
 #include <math.h>
 #include <string.h>

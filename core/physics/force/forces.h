@@ -4,11 +4,11 @@
 
 #include "physics/model/model-data.h"
 
-/* Asking plugins for forces, for the state in the points. What is answered lies in the model's chunk until the next call. A
- * force that is not finite is a failure, which is recorded. */
+/* Asking plugins for forces, for the state in the points. What is answered lies in the model's chunk until the next
+ * call. A force that is not finite is a failure, which is recorded. */
 
-/* Of lines: lengths (m), their rates (m/s), tensions (N), and unit vectors from the first ends to the second, 0 at length
- * 0; with room for one more column. */
+/* Of lines: lengths (m), their rates (m/s), tensions (N), and unit vectors from the first ends to the second, 0 at
+ * length 0; with room for one more column. */
 typedef struct {
     double *length, *rate, *tension, *still, *x, *y;
 } TinkerLineChunk;
@@ -27,8 +27,8 @@ TinkerStatus tinker_model_ask_field(TinkerModel *model, const TinkerBlockBatch *
 TinkerStatus tinker_model_refuse_forces(TinkerModel *model, const TinkerBlockBatch *batch, const TinkerBatch *view,
                                         TinkerStatus status, const char *what);
 
-/* Adds up all applied forces by point, for the state in the points; a = M^-1 f. With `books` also the power that each book
- * gives, into model->book_power. */
+/* Adds up all applied forces by point, for the state in the points; a = M^-1 f. With `books` also the power that each
+ * book gives, into model->book_power. */
 TinkerStatus tinker_model_applied(TinkerModel *model, double *a, gboolean books);
 
 /* Energies (J), for the state in the points. */

@@ -3,12 +3,12 @@
  *   d = x_b - x_a,  L = |d|,  rate = d . (v_b - v_a) / L,
  *   T = tension + stiffness (L - length) + damping rate,   force on a: T d / L, on b the opposite.
  *
- * Where L is 0 the direction is undefined and the pair exerts nothing for that instant. 1 / L is worked out as L (1 / L^2),
- * so that the division does not wait for the square root.
+ * Where L is 0 the direction is undefined and the pair exerts nothing for that instant. 1 / L is worked out as L (1 /
+ * L^2), so that the division does not wait for the square root.
  *
  * On x86-64 with AVX2 four lines are worked out at once from packed points; the baseline is plain scalar code, which is
- * faster there than four-wide vectors made of pairs. Both do the same operations in the same order, so they give the same
- * bits; forces are added one line after the other.
+ * faster there than four-wide vectors made of pairs. Both do the same operations in the same order, so they give the
+ * same bits; forces are added one line after the other.
  */
 #include <math.h>
 #include <tinker/kernels.h>

@@ -1,7 +1,7 @@
-/* Products of the forces' derivatives with a vector: what implicit halves of a step and the forecast of a stable step need.
- * Line laws and fields with derivatives give theirs exactly. Of the others, what depends on velocities is found by differences along
- * the vector: an implicit step would not converge without. What depends on places is left out, which a forecast of a stable step
- * can bear. */
+/* Products of the forces' derivatives with a vector: what implicit halves of a step and the forecast of a stable step
+ * need. Line laws and fields with derivatives give theirs exactly. Of the others, what depends on velocities is found
+ * by differences along the vector: an implicit step would not converge without. What depends on places is left out,
+ * which a forecast of a stable step can bear. */
 #include <math.h>
 #include <string.h>
 
@@ -46,7 +46,8 @@ static void add_merged_stiffness(const TinkerModel *model, const double *d, doub
     }
 }
 
-/* Every step of a damped run comes here: of a line no more is worked out than its direction, which is 0 at one place. */
+/* Every step of a damped run comes here: of a line no more is worked out than its direction, which is 0 at one place.
+ */
 static void add_merged_damping(const TinkerModel *model, const double *d, double *force)
 {
     const TinkerMergedLines *lines = &model->lines;
@@ -164,7 +165,8 @@ static gboolean needs_differences(const TinkerModel *model)
     return needs;
 }
 
-/* The forces at two velocities, either side of the present one by `step` times d, the one less the other, times `scale`. */
+/* The forces at two velocities, either side of the present one by `step` times d, the one less the other, times
+ * `scale`. */
 static TinkerStatus add_difference(TinkerModel *model, double step, const double *d, double scale, double *force)
 {
     keep_velocities(model);
@@ -176,8 +178,8 @@ static TinkerStatus add_difference(TinkerModel *model, double step, const double
     return status;
 }
 
-/* Most such forces know nothing of velocities, and their differences would cost two evaluations a product for nothing. Tried once,
- * with `d`, scratch of 2 a body; uses model->force. */
+/* Most such forces know nothing of velocities, and their differences would cost two evaluations a product for nothing.
+ * Tried once, with `d`, scratch of 2 a body; uses model->force. */
 static TinkerStatus try_velocities(TinkerModel *model, double *d)
 {
     for (int32_t i = 0; i < 2 * model->bodies; i++)

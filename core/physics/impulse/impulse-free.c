@@ -1,7 +1,7 @@
 /* Bodies that no constraint holds: each goes its own way through the step, straight from plate to plate.
  *
- * The velocity at the start of a step belongs to its middle rather, half a step back, as in all such methods (leapfrog); so
- * does the velocity at an impact, which else would add up to energy. */
+ * The velocity at the start of a step belongs to its middle rather, half a step back, as in all such methods
+ * (leapfrog); so does the velocity at an impact, which else would add up to energy. */
 #include <float.h>
 #include <string.h>
 
@@ -109,7 +109,8 @@ static double find_meetings(TinkerImpulseWay *way)
     return earliest;
 }
 
-/* Books a contact that is over, or that lasts to the end of the step. The work of an impact is that of the velocities there. */
+/* Books a contact that is over, or that lasts to the end of the step. The work of an impact is that of the velocities
+ * there. */
 static void book(TinkerImpulseWay *way, TinkerImpulseTouch *touch)
 {
     TinkerImpulses *self = way->run;

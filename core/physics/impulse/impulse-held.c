@@ -1,5 +1,5 @@
-/* Bodies on constraints: the contacts of those that constraints join are solved together, for velocities at which no gap is
- * negative at the end of the step. */
+/* Bodies on constraints: the contacts of those that constraints join are solved together, for velocities at which no
+ * gap is negative at the end of the step. */
 #include <float.h>
 #include <math.h>
 #include <string.h>
@@ -131,8 +131,8 @@ static void settle(const TinkerImpulses *self, const TinkerImpulseTouch *touch, 
         memcpy(v + 2 * touch->body, plate->velocity, 2 * sizeof(double));
 }
 
-/* How the chosen contacts answer to one another: many by solves, few by a matrix. FALSE, with the model's failure set: no
- * memory. */
+/* How the chosen contacts answer to one another: many by solves, few by a matrix. FALSE, with the model's failure set:
+ * no memory. */
 static gboolean find_answers(TinkerImpulses *self, TinkerImpact *impact)
 {
     const int32_t count = impact->count;
@@ -151,9 +151,9 @@ static gboolean find_answers(TinkerImpulses *self, TinkerImpact *impact)
     return TRUE;
 }
 
-/* v* but for what constraints do not let be. Impulses change what they let be alone; where bodies stick at both ends of a rod what is
- * left, of second order in the step, would be a contradiction, which only as much stress as friction can hold resolves. The
- * projection after the step takes it away in any case. */
+/* v* but for what constraints do not let be. Impulses change what they let be alone; where bodies stick at both ends of
+ * a rod what is left, of second order in the step, would be a contradiction, which only as much stress as friction can
+ * hold resolves. The projection after the step takes it away in any case. */
 static const double *find_allowed(TinkerImpulses *self, const double *v)
 {
     TinkerModel *model = self->model;

@@ -1,5 +1,5 @@
-/* The laws of several contacts at once: to rounding where they are few; some more by projected Gauss-Seidel; many without their
- * matrix. */
+/* The laws of several contacts at once: to rounding where they are few; some more by projected Gauss-Seidel; many
+ * without their matrix. */
 #include <glib/gi18n-lib.h>
 #include <math.h>
 #include <string.h>
@@ -54,7 +54,8 @@ gsize tinker_impulse_laws_room(gsize count)
     return 4 * count + MAX(tinker_impact_guess_room((int32_t)count), 2 * count);
 }
 
-/* Where friction wedges, no impulses bring a body as far out as its gap or its restitution ask for: it comes to rest. */
+/* Where friction wedges, no impulses bring a body as far out as its gap or its restitution ask for: it comes to rest.
+ */
 static void ask_for_rest(const TinkerImpulses *self, TinkerImpulseTouch **touches, int32_t count, const double *least,
                          double *rest)
 {

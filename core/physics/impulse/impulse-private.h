@@ -146,8 +146,8 @@ static inline const GArray *tinker_impulse_neighbours(TinkerImpulses *self, int3
     return self->neighbours.lists[body];
 }
 
-/* Books the impulses (N s) of one contact on a body that went from velocity `before` to `after`: what an impact takes along
- * the top is the impact's. */
+/* Books the impulses (N s) of one contact on a body that went from velocity `before` to `after`: what an impact takes
+ * along the top is the impact's. */
 void tinker_impulse_book(TinkerImpulses *self, const TinkerImpulseTouch *touch, double normal, double friction,
                          const double before[2], const double after[2]);
 
@@ -159,14 +159,15 @@ void tinker_impulse_close(TinkerImpulses *self, const TinkerImpulseTouch *touch,
  * satisfy the laws. */
 gboolean tinker_impulse_move_free(TinkerImpulses *self, int32_t body, guint next, double *q, double *v);
 
-/* Sets the velocity from here on, and the impulses of all that touches, by the laws. FALSE where nothing satisfies them. */
+/* Sets the velocity from here on, and the impulses of all that touches, by the laws. FALSE where nothing satisfies
+ * them. */
 gboolean tinker_impulse_solve_way(TinkerImpulseWay *way);
 
 /* Changes the velocities (v* of all bodies) of what is held by constraints by the impulses of its contacts. */
 gboolean tinker_impulse_solve_held(TinkerImpulses *self, const double *q, double *v);
 
-/* The laws for contacts with these velocities and their least ones; friction is that of each contact's state. Sets impulses and what
- * each does. FALSE where nothing satisfies them. `room` holds tinker_impulse_laws_room doubles. */
+/* The laws for contacts with these velocities and their least ones; friction is that of each contact's state. Sets
+ * impulses and what each does. FALSE where nothing satisfies them. `room` holds tinker_impulse_laws_room doubles. */
 gboolean tinker_impulse_solve_laws(const TinkerImpulses *self, TinkerImpulseTouch **touches, const TinkerImpact *given,
                                    double *room);
 gsize tinker_impulse_laws_room(gsize count);

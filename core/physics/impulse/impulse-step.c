@@ -1,5 +1,5 @@
-/* The step: velocities of all bodies by what is applied to them, then each body's way, or those of bodies on constraints
- * together. */
+/* The step: velocities of all bodies by what is applied to them, then each body's way, or those of bodies on
+ * constraints together. */
 #include <glib/gi18n-lib.h>
 #include <math.h>
 #include <string.h>

@@ -96,7 +96,7 @@ double tinker_island_run_speed_noise(const TinkerIslandRun *run, double extent)
 }
 
 /* The method of flights and that of contacts change places; the one that comes forward may have no stepper yet. */
-static void change_places(TinkerIslandRun *run)
+static void exchange_methods(TinkerIslandRun *run)
 {
     const TinkerIntegrator *method = run->choice.method;
     void *stepper = run->stepper;
@@ -116,7 +116,7 @@ gboolean tinker_island_run_enter_plane(TinkerIslandRun *run, GError **error)
     g_clear_pointer(&run->stability, tinker_stability_watch_free);
     if (run->choice.method->flags & TINKER_INTEGRATOR_LINEAR) {
         if (run->aside.method == NULL) run->aside.method = tinker_integrator_builtin(METHOD_OF_CONTACTS);
-        change_places(run);
+        exchange_methods(run);
     } else {
         tinker_method_destroy(run->choice.method, run->stepper);
         run->stepper = NULL;
@@ -134,7 +134,7 @@ void tinker_island_run_leave_plane(TinkerIslandRun *run)
         run->state.v = run->line_v;
     }
     tinker_model_system_leave_plane(&run->system, run->island->linear);
-    change_places(run);
+    exchange_methods(run);
     tinker_method_restart(run->choice.method, run->stepper);
 }
 

@@ -24,8 +24,8 @@ typedef struct {
     TinkerModel *model; /* the island's */
     TinkerChoice choice;
     void *stepper;
-    /* Of an island that is solved exactly in its flights, once something has touched: the method of the flights while contacts
-     * are closed, that of contacts in flight. Else NULL. */
+    /* Of an island that is solved exactly in its flights, once something has touched: the method of the flights while
+     * contacts are closed, that of contacts in flight. Else NULL. */
     struct {
         const TinkerIntegrator *method;
         void *stepper;
@@ -58,31 +58,32 @@ typedef struct {
     TinkerSummary summary; /* of this island; events and warnings are those of the whole run, borrowed */
 } TinkerIslandRun;
 
-/* Opening and clearing, in parts: the state at the start; the method's stepper; what the summary says of the method. Contacts and
- * directions belong to whoever drives the run (event/), which clears them first. */
+/* Opening and clearing, in parts: the state at the start; the method's stepper; what the summary says of the method.
+ * Contacts and directions belong to whoever drives the run (event/), which clears them first. */
 void tinker_island_run_open_state(TinkerIslandRun *run);
 gboolean tinker_island_run_open_stepper(TinkerIslandRun *run, GError **error);
 void tinker_island_run_name_method(TinkerIslandRun *run);
 void tinker_island_run_clear(TinkerIslandRun *run);
 
-/* A step of the run's method, no farther than `limit`. What a plugin's method does against its contract is a failure, told in the
- * model's words: else a run would go on with times that are not those of its states. */
+/* A step of the run's method, no farther than `limit`. What a plugin's method does against its contract is a failure,
+ * told in the model's words: else a run would go on with times that are not those of its states. */
 TinkerStatus tinker_island_run_make_step(TinkerIslandRun *run, double limit, TinkerStepReport *report);
 
 /* Bodies meet plates: from the present state on the run is stepped in the plane, by a method that takes constraints. */
 gboolean tinker_island_run_enter_plane(TinkerIslandRun *run, GError **error);
 
-/* And back, where an island that is solved exactly flies again: nothing is closed, and its state is one of its linear form. */
+/* Out of the plane, where an island that is solved exactly flies again: nothing is closed, and its state is one of its
+ * linear form. */
 void tinker_island_run_leave_plane(TinkerIslandRun *run);
 
-/* The state in the system's coordinates at time t, within the last step; `books` may be NULL. What dense output evaluates is not
- * counted: how often a run is looked at would show. */
+/* The state in the system's coordinates at time t, within the last step; `books` may be NULL. What dense output
+ * evaluates is not counted: how often a run is looked at would show. */
 TinkerStatus tinker_island_run_interpolate(TinkerIslandRun *run, double t, double *x, double *u, double *books);
 
 /* The state of the model's bodies (relative to its origin) at time t, within the last step, on the constraints. */
 TinkerStatus tinker_island_run_state_at(TinkerIslandRun *run, double t, double *q, double *v);
 
-/* The same as the method interpolates it, wherever the constraints are. */
+/* The state of the model's bodies at time t as the method interpolates it, wherever the constraints are. */
 TinkerStatus tinker_island_run_unprojected_at(TinkerIslandRun *run, double t, double *q, double *v);
 
 /* Speeds (m/s) up to here are rounding of places from step to step: what is at rest has them. */
@@ -94,12 +95,12 @@ void tinker_island_run_place(TinkerIslandRun *run);
 /* Notes an event at the state's time. `blocks` are names, joined by ", ". */
 void tinker_island_run_add_event(TinkerIslandRun *run, const char *kind, const char *blocks);
 
-/* Looks into the books at the state: where they balance, it vouches for all before it. */
-TinkerStatus tinker_island_run_vouch(TinkerIslandRun *run);
+/* Looks into the books at the state: where they balance, the run is valid up to it. */
+TinkerStatus tinker_island_run_mark_valid(TinkerIslandRun *run);
 
 /* The error of a run that failed, and why (NULL or "" where nobody said). Answers FALSE. */
 gboolean tinker_island_run_fail(TinkerIslandRun *run, const char *why, GError **error);
-/* Likewise where the state is still that of the last good step: what it vouches for is not lost. */
+/* Fails the run where the state is still that of the last good step: how far it is valid is not lost. */
 gboolean tinker_island_run_fail_step(TinkerIslandRun *run, const char *why, GError **error);
 
 #endif

@@ -1,4 +1,4 @@
-/* What becomes of the run of an island: events, how far it is vouched for, how it fails. */
+/* What becomes of the run of an island: events, how far it is valid, how it fails. */
 #include <glib/gi18n-lib.h>
 #include <math.h>
 
@@ -28,7 +28,7 @@ gboolean tinker_island_run_fail(TinkerIslandRun *run, const char *why, GError **
     return FALSE;
 }
 
-TinkerStatus tinker_island_run_vouch(TinkerIslandRun *run)
+TinkerStatus tinker_island_run_mark_valid(TinkerIslandRun *run)
 {
     TinkerSummary *summary = &run->summary;
     run->looked_at = summary->steps;
@@ -46,6 +46,6 @@ TinkerStatus tinker_island_run_vouch(TinkerIslandRun *run)
 gboolean tinker_island_run_fail_step(TinkerIslandRun *run, const char *why, GError **error)
 {
     g_autofree char *kept = g_strdup(why);
-    tinker_island_run_vouch(run);
+    tinker_island_run_mark_valid(run);
     return tinker_island_run_fail(run, kept, error);
 }

@@ -1,5 +1,5 @@
-/* The largest frequency comes from power iteration on M^-1 K, from below. The vector is kept from look to look, so one round
- * each follows a spectrum that changes slowly; it costs about as much as an evaluation. */
+/* The largest frequency comes from power iteration on M^-1 K, from below. The vector is kept from look to look, so one
+ * round each follows a spectrum that changes slowly; it costs about as much as an evaluation. */
 #include "physics/island/stability-watch.h"
 #include "physics/system/method-call.h"
 

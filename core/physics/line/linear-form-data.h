@@ -33,8 +33,8 @@ typedef struct {
     double factor;
 } TinkerDrive;
 
-/* A spring and a damper on a line, for the loops of a step: between the coordinates a and b, or between the anchor a and the
- * coordinate b. With d = x_b - x_a the pull is stiffness * d + offset * sign(d) + damping * dd/dt. */
+/* A spring and a damper on a line, for the loops of a step: between the coordinates a and b, or between the anchor a
+ * and the coordinate b. With d = x_b - x_a the pull is stiffness * d + offset * sign(d) + damping * dd/dt. */
 typedef struct {
     int32_t a, b;
     double stiffness, offset, damping;
@@ -70,18 +70,19 @@ struct _TinkerLinearForm {
 /* Works out pattern and values of the derivatives, once. */
 void tinker_linear_form_differentiate(TinkerLinearForm *form);
 
-/* The line that all bodies and what they hang on lie on and move along: to 1e-12 of their extent, of their speeds and of their
- * loads. FALSE where there is none. */
+/* The line that all bodies and what they hang on lie on and move along: to 1e-12 of their extent, of their speeds and
+ * of their loads. FALSE where there is none. */
 gboolean tinker_model_find_line(TinkerModel *model, TinkerLine *line);
 
 /* The column of the batch that holds its waveform; -1. */
 int32_t tinker_driven_column(const TinkerDrivenForce *driven);
 
-/* The steady part of a driven force at the start (in units of its direction): its waveform without what swings about 0. */
+/* The steady part of a driven force at the start (in units of its direction): its waveform without what swings about 0.
+ */
 double tinker_driven_steady(const TinkerDrivenForce *driven);
 
-/* The direction of a motion at each row of its batch, and the waveform column that drives it; FALSE where a row is driven
- * otherwise. */
+/* The direction of a motion at each row of its batch, and the waveform column that drives it; FALSE where a row is
+ * driven otherwise. */
 gboolean tinker_motion_directions(const TinkerBlockBatch *batch, double *direction, int32_t *columns);
 
 /* The rate (1/s) at which a model on this line leaves it; 0 where it is stable across. */

@@ -33,8 +33,8 @@ TinkerStatus tinker_linear_form_signals(TinkerLinearForm *form, TinkerSignal *si
 void tinker_linear_form_expand(const TinkerLinearForm *form, const double *x, const double *u, double *q, double *v);
 void tinker_linear_form_reduce(const TinkerLinearForm *form, const double *q, const double *v, double *x, double *u);
 
-/* Whether a state of the model is one of the form: along its line, to 1e-12 of the extent (m) and of the speed (m/s) of the
- * motion, where it is straight. */
+/* Whether a state of the model is one of the form: along its line, to 1e-12 of the extent (m) and of the speed (m/s) of
+ * the motion, where it is straight. */
 gboolean tinker_linear_form_holds(const TinkerLinearForm *form, const double *q, const double *v, double extent,
                                   double speed);
 

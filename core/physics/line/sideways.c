@@ -1,9 +1,9 @@
 /* Whether motion along a line is stable across it.
  *
- * Across the line a connector acts as a spring of stiffness T / L, with T its tension and L its length at rest: pressed ones
- * push bodies off the line. Rest is found along the line under the steady loads; a part that hangs on nothing is taken
- * in the frame that falls with it. The smallest eigenvalue of M^-1/2 K M^-1/2, with K the stiffness across, comes from
- * power iteration on its distance to Gershgorin's upper bound. */
+ * Across the line a connector acts as a spring of stiffness T / L, with T its tension and L its length at rest: pressed
+ * ones push bodies off the line. Rest is found along the line under the steady loads; a part that hangs on nothing is
+ * taken in the frame that falls with it. The smallest eigenvalue of M^-1/2 K M^-1/2, with K the stiffness across, comes
+ * from power iteration on its distance to Gershgorin's upper bound. */
 #include <math.h>
 
 #include "physics/line/linear-form-data.h"

@@ -1,4 +1,5 @@
-/* Constraints made linear: their rows, and of each the second derivative, by differences of the plugin's own Jacobian. */
+/* Constraints made linear: their rows, and of each the second derivative, by differences of the plugin's own Jacobian.
+ */
 #include <math.h>
 #include <string.h>
 
@@ -140,8 +141,8 @@ TinkerStatus tinker_linear_add_constraints(TinkerLinearisation *linear, TinkerMo
     return TINKER_OK;
 }
 
-/* Motions that the rods of a bar allow turn u and w alike, so that the second derivative of h, 2 u' x w' / L, is 0 along them: it
- * adds nothing to the stiffness. */
+/* Motions that the rods of a bar allow turn u and w alike, so that the second derivative of h, 2 u' x w' / L, is 0
+ * along them: it adds nothing to the stiffness. */
 void tinker_linear_add_straight_rows(TinkerLinearisation *linear, const TinkerConstraints *all)
 {
     for (int32_t row = all->first_straight; row < all->rows; row++)

@@ -66,7 +66,8 @@ static TinkerStatus field_forces(TinkerModel *model, const TinkerAskedBatch *ask
     return tinker_model_fail(model, batch, view.failed_instance, "force", view.failure);
 }
 
-/* What a field that couples bodies does to the others where one body is moved: the jacobian has what it does to that one. */
+/* What a field that couples bodies does to the others where one body is moved: the jacobian has what it does to that
+ * one. */
 static TinkerStatus add_coupling(TinkerLinearisation *linear, TinkerModel *model, const TinkerAskedBatch *asked,
                                  int32_t body)
 {

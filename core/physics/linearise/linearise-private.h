@@ -9,8 +9,8 @@
 void tinker_linear_begin_term(const TinkerLinearisation *linear, GArray *terms, double weight);
 void tinker_linear_add_entry(TinkerLinearisation *linear, GArray *terms, int32_t coordinate, double value);
 
-/* Force elements and fields, as dense matrices: what the jacobian has more than the lines, which are there already; where a
- * field couples bodies, by differences of its own. `still` is a velocity of 0. */
+/* Force elements and fields, as dense matrices: what the jacobian has more than the lines, which are there already;
+ * where a field couples bodies, by differences of its own. `still` is a velocity of 0. */
 TinkerStatus tinker_linear_add_others(TinkerLinearisation *linear, TinkerModel *model, const double *q,
                                       const double *still);
 

@@ -1,5 +1,5 @@
-/* Linearisation: lines by their exact derivatives; closed contacts, whose tops are straight; constraints and everything else
- * in files of their own. */
+/* Linearisation: lines by their exact derivatives; closed contacts, whose tops are straight; constraints and everything
+ * else in files of their own. */
 #include "physics/linearise/linearise.h"
 #include "numerics/solve/largest.h"
 
@@ -131,7 +131,8 @@ static void add_contacts(TinkerLinearisation *linear, const TinkerModel *model)
     }
 }
 
-/* All ---------------------------------------------------------------------------------------------------------------- */
+/* All ----------------------------------------------------------------------------------------------------------------
+ */
 
 static void measure_extent(TinkerLinearisation *linear, const TinkerModel *model)
 {

@@ -1,16 +1,17 @@
 /* A model made linear about a state at which everything is held still: M x'' + C x' + K x = 0 on J x = 0.
  *
- * K and C are kept as sums of parts of rank one, weight * b b^T, as springs, dampers and constraint forces give them: added
- * up in a matrix, a spring of 1 N/m beside one of 1e12 N/m would lose its digits. K holds -df/dq, and of the constraint
- * forces -d(J^T lambda)/dq, whose second derivatives of g are differences of order 6 of the constraints' own Jacobians.
- * Velocities count as 0, of supports too: what a moving support does at t = 0 is where it is, not how fast it goes. */
+ * K and C are kept as sums of parts of rank one, weight * b b^T, as springs, dampers and constraint forces give them:
+ * added up in a matrix, a spring of 1 N/m beside one of 1e12 N/m would lose its digits. K holds -df/dq, and of the
+ * constraint forces -d(J^T lambda)/dq, whose second derivatives of g are differences of order 6 of the constraints' own
+ * Jacobians. Velocities count as 0, of supports too: what a moving support does at t = 0 is where it is, not how fast
+ * it goes. */
 #ifndef TINKER_CORE_LINEARISE_H
 #define TINKER_CORE_LINEARISE_H
 
 #include "physics/model/model.h"
 
-/* One component of b. Coordinate 2 p + k is the x (k = 0) or y (k = 1) of point p; the first points are the bodies, in the
- * model's order, the others lie on supports. */
+/* One component of b. Coordinate 2 p + k is the x (k = 0) or y (k = 1) of point p; the first points are the bodies, in
+ * the model's order, the others lie on supports. */
 typedef struct {
     int32_t coordinate;
     double value;
@@ -40,9 +41,9 @@ typedef struct {
     int32_t undefined_dampers; /* and whose resistance has none: left out of C */
 } TinkerLinearisation;
 
-/* Holds the model still at t = 0: supports stand where they are then, waveforms have their values. Everything below works
- * on a model that is held, and on places relative to its origin. It is not to be run any more: its supports
- * have lost their velocities. */
+/* Holds the model still at t = 0: supports stand where they are then, waveforms have their values. Everything below
+ * works on a model that is held, and on places relative to its origin. It is not to be run any more: its supports have
+ * lost their velocities. */
 TinkerStatus tinker_model_hold(TinkerModel *model);
 
 /* About these places (2 entries a body). NULL with TINKER_MODEL_ERROR_RUN where a force cannot be worked out there.
@@ -51,8 +52,8 @@ TinkerLinearisation *tinker_linearise(TinkerModel *model, const double *q, GErro
 void tinker_linearisation_free(TinkerLinearisation *linear);
 G_DEFINE_AUTOPTR_CLEANUP_FUNC(TinkerLinearisation, tinker_linearisation_free)
 
-/* The start places and velocities, as the constraints have them (2 entries a body); the bodies' blocks; the origin that places
- * are relative to. */
+/* The start places and velocities, as the constraints have them (2 entries a body); the bodies' blocks; the origin that
+ * places are relative to. */
 void tinker_model_start_places(const TinkerModel *model, double *q);
 void tinker_model_start_velocities(const TinkerModel *model, double *v);
 TinkerBlockId tinker_model_body_block(const TinkerModel *model, int32_t body);

@@ -6,8 +6,8 @@
 #include "physics/model/model-data.h"
 #include "scene/frame/batch-breaks.h"
 
-/* A run that needs more pieces than this of the size that they have would not end in a lifetime: so many of them in a row are
- * no pulse, but what goes on. */
+/* A run that needs more pieces than this of the size that they have would not end in a lifetime: so many of them in a
+ * row are no pulse, but what goes on. */
 #define MOST_PIECES_TO_COME 1e9
 #define MOST_TINY_PIECES    1000
 /* From the start on, before a run. */

@@ -5,7 +5,8 @@
 #include "physics/model/model.h"
 #include "scene/frame/batch.h"
 
-/* The first pole of a waveform (units/waveform-pole.h) in what the last search for a break went through; INFINITY for none. */
+/* The first pole of a waveform (units/waveform-pole.h) in what the last search for a break went through; INFINITY for
+ * none. */
 double tinker_model_next_pole(const TinkerModel *model, TinkerBlockId *block);
 
 /* Pieces in a row that are so short that a run would never end. */
@@ -19,8 +20,9 @@ gboolean tinker_break_crowd_add(TinkerBreakCrowd *crowd, double t, double next, 
 /* What is then to be said. (transfer full) */
 char *tinker_break_crowd_text(TinkerModel *model, double t, double next);
 
-/* Whether a run of `duration` (s) comes to an end of what switches: waveforms and blocks that do so faster than time can resolve, over
- * and over, are told with the block's name (TINKER_MODEL_ERROR_SCENE). Looks at the first few thousand switches. */
+/* Whether a run of `duration` (s) comes to an end of what switches: waveforms and blocks that do so faster than time
+ * can resolve, over and over, are told with the block's name (TINKER_MODEL_ERROR_SCENE). Looks at the first few
+ * thousand switches. */
 gboolean tinker_model_check_breaks(TinkerModel *model, double duration, GError **error);
 
 /* The next time after t, not after the horizon, at which a derivative of anything jumps; INFINITY for none. */

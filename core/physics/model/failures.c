@@ -5,8 +5,8 @@
 #include "plugin/guarded.h"
 #include "plugin/words.h"
 
-/* For the translators: what is worked out, as "Spring 0: its tension at t = 1 s is not a number". Quantities of blocks go by
- * their ids. */
+/* For the translators: what is worked out, as "Spring 0: its tension at t = 1 s is not a number". Quantities of blocks
+ * go by their ids. */
 G_GNUC_UNUSED static const char *const worked_out[] = {
     N_("tension"), N_("stiffness or damping"), N_("force"), N_("constraint"), N_("energy"),
 };

@@ -1,8 +1,8 @@
-/* What a compiled model consists of. Constant after compiling, but for the parts under "working state", which belong to the
- * one evaluation in progress.
+/* What a compiled model consists of. Constant after compiling, but for the parts under "working state", which belong to
+ * the one evaluation in progress.
  *
- * Symbols: q, v positions and velocities of the bodies that can move, two entries a body, relative to `origin`; f forces;
- * J rows of the constraints; lambda their multipliers; S = J M^-1 J^T.
+ * Symbols: q, v positions and velocities of the bodies that can move, two entries a body, relative to `origin`; f
+ * forces; J rows of the constraints; lambda their multipliers; S = J M^-1 J^T.
  *
  * Points: everything that something attaches to. The first `bodies` points are the bodies' centres; the others lie on
  * supports. Forces are added up by point, so the force on a support is known as well.
@@ -96,8 +96,8 @@ typedef struct {
     double *scales;                      /* of each row: the length its error is measured against */
     double *inverse_scales;
     TinkerBlockId *blocks; /* of each row */
-    /* Of rows that hold in one direction only, g <= 0; NULL where there are none. Slack rows do not act: their entries in the
-     * arrays below are 0, and what they would be is kept as their own. */
+    /* Of rows that hold in one direction only, g <= 0; NULL where there are none. Slack rows do not act: their entries
+     * in the arrays below are 0, and what they would be is kept as their own. */
     gboolean *unilateral, *slack; /* by row */
     int32_t *diagonal;            /* by row: its slot in S */
     double *own_g, *own_drift, *own_rate, *own_jacobian;
@@ -206,7 +206,8 @@ static inline int32_t tinker_model_centre(const TinkerModel *model, TinkerBlockI
 /* The points of a batch's ends, or NULL. */
 const int32_t *tinker_model_end_points(const TinkerModel *model, const TinkerBlockBatch *batch);
 
-/* A view of `count` rows of a batch from `first` on, for a call of its plugin. `columns` has room for the class's columns. */
+/* A view of `count` rows of a batch from `first` on, for a call of its plugin. `columns` has room for the class's
+ * columns. */
 TinkerBatch tinker_model_view(const TinkerModel *model, const TinkerBlockBatch *batch, int32_t first, int32_t count,
                               const double **columns);
 
@@ -214,12 +215,12 @@ TinkerBatch tinker_model_view(const TinkerModel *model, const TinkerBlockBatch *
 TinkerStatus tinker_model_fail(TinkerModel *model, const TinkerBlockBatch *batch, int32_t row, const char *what,
                                const char *why);
 
-/* Looks whether a plugin wrote beyond the memory that it was given (plugin/guarded.h). TINKER_FAILED and its name where one
- * did. */
+/* Looks whether a plugin wrote beyond the memory that it was given (plugin/guarded.h). TINKER_FAILED and its name where
+ * one did. */
 TinkerStatus tinker_model_check_guards(TinkerModel *model);
 
-/* Records that `what` of a block is not a finite number. Answers TINKER_RETRY_SMALLER: a trial that reached too far may be
- * cut; a method that cannot do so stops with what was recorded. */
+/* Records that `what` of a block is not a finite number. Answers TINKER_RETRY_SMALLER: a trial that reached too far may
+ * be cut; a method that cannot do so stops with what was recorded. */
 TinkerStatus tinker_model_not_finite(TinkerModel *model, const TinkerBlockBatch *batch, int32_t row, const char *what);
 
 /* The place of a book among those that are integrated; -1 where it is none. */
@@ -229,12 +230,12 @@ int32_t tinker_model_book_index(const TinkerModel *model, TinkerBook book);
 
 /* Brings waveforms, moving supports and their points to time t; does nothing where they are there already. */
 static inline TinkerStatus tinker_model_set_time(TinkerModel *model, double t);
-/* The same where the time is another one. */
+/* Brings the model to a time that is another one than the present. */
 TinkerStatus tinker_model_change_time(TinkerModel *model, double t);
 
 /* Packs q and v into the points. */
 static inline void tinker_model_set_state(TinkerModel *model, const double *q, const double *v);
-/* The same, shared among threads. */
+/* Packs q and v into the points, shared among threads. */
 void tinker_model_share_state(TinkerModel *model, const double *q, const double *v);
 
 /* Lines shorter than this (m; 0: none) are noted from now on. */

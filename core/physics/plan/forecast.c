@@ -112,8 +112,8 @@ static double turned_frequency(double omega, double turning)
     return 0.5 * turning + hypot(0.5 * turning, omega);
 }
 
-/* Forces across velocities (Coriolis's, a magnet's) turn the start's velocity by |A v| / |v|, A the antisymmetric part of the
- * damping; -A^2 is symmetric, and its largest eigenvalue the square of the fastest turn. */
+/* Forces across velocities (Coriolis's, a magnet's) turn the start's velocity by |A v| / |v|, A the antisymmetric part
+ * of the damping; -A^2 is symmetric, and its largest eigenvalue the square of the fastest turn. */
 static void square_of_turning(void *data, const double *x, double *y)
 {
     TinkerStartMatrices *matrices = data;
@@ -156,8 +156,8 @@ double tinker_forecast_drive(const TinkerLinearForm *form)
     return fastest;
 }
 
-/* What the forces hold and the parts so far, which are those of the acceleration, do not. A body that hardly anything holds
- * would move too far for any of this to be true. */
+/* What the forces hold and the parts so far, which are those of the acceleration, do not. A body that hardly anything
+ * holds would move too far for any of this to be true. */
 static void add_unseen(TinkerForecast *forecast, TinkerStartMatrices *matrices, const Measures *measures)
 {
     if (tinker_start_matrices_size(matrices) <= TINKER_FORECAST_STEPS || forecast->count == 0) return;

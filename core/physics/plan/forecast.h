@@ -1,12 +1,12 @@
-/* A forecast of an island's motion from its start: which frequencies it contains, and how fast the fastest are. Bounded by
- * about thirty products with vectors.
+/* A forecast of an island's motion from its start: which frequencies it contains, and how fast the fastest are. Bounded
+ * by about thirty products with vectors.
  *
  * On small displacements u from the equilibrium, M a = -K u, so a mode of frequency omega that the start's acceleration
- * contains with a_k holds the energy a_k^2 / (2 omega^2), constant loads included, and one that the velocity contains with v_k
- * holds v_k^2 / 2. The spectral measures of both vectors (numerics/eigen.h) give these energies without any mode being
- * worked out; up to TINKER_FORECAST_STEPS coordinates they are exact. Beyond, slow modes that a local load reaches far away are
- * not seen; the energy that all of them hold together is, by one solve, and is put down to the frequency of their
- * common displacement. */
+ * contains with a_k holds the energy a_k^2 / (2 omega^2), constant loads included, and one that the velocity contains
+ * with v_k holds v_k^2 / 2. The spectral measures of both vectors (numerics/eigen.h) give these energies without any
+ * mode being worked out; up to TINKER_FORECAST_STEPS coordinates they are exact. Beyond, slow modes that a local load
+ * reaches far away are not seen; the energy that all of them hold together is, by one solve, and is put down to the
+ * frequency of their common displacement. */
 #ifndef TINKER_CORE_FORECAST_H
 #define TINKER_CORE_FORECAST_H
 

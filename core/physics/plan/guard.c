@@ -1,5 +1,5 @@
-/* The block to blame is the one that holds most of the energy in the shape of the fastest mode; for a damper, that takes most
- * of the power in the shape with the largest damping over mass. */
+/* The block to blame is the one that holds most of the energy in the shape of the fastest mode; for a damper, that
+ * takes most of the power in the shape with the largest damping over mass. */
 #include "physics/plan/guard.h"
 #include "physics/system/method-call.h"
 
@@ -158,8 +158,8 @@ static void append_blame(GString *text, TinkerModel *model, const TinkerSpectrum
                                damping ? spectrum->damping_max : spectrum->omega_max);
 }
 
-/* A step that is stable, or that is finer than a stable one which was not good enough; and what `auto` takes here at the scene's
- * own tolerance. */
+/* A step that is stable, or that is finer than a stable one which was not good enough; and what `auto` takes here at
+ * the scene's own tolerance. */
 static void append_advice(GString *text, const TinkerIsland *island, const TinkerIntegrator *method, double step,
                           double stable)
 {

@@ -7,8 +7,8 @@
 /* One sentence for a run that diverged: block, property, stable step, and what may help. (transfer full) */
 char *tinker_guard_explain(TinkerModel *model, const TinkerIntegrator *integrator, double step);
 
-/* The largest step (s) at which a method is stable, for the model linearised about its start; INFINITY where nothing limits it, 0
- * where no step is stable, NAN where it is not known. Leaves the model in another state. */
+/* The largest step (s) at which a method is stable, for the model linearised about its start; INFINITY where nothing
+ * limits it, 0 where no step is stable, NAN where it is not known. Leaves the model in another state. */
 double tinker_guard_stable_step(TinkerModel *model, const TinkerIntegrator *integrator);
 
 #endif

@@ -1,4 +1,5 @@
-/* Islands: the parts of a model that nothing ties together. Each is a small model of its own, planned and stepped apart.
+/* Islands: the parts of a model that nothing ties together. Each is a small model of its own, planned and stepped
+ * apart.
  *
  * Which bodies belong together: partition.h. */
 #ifndef TINKER_CORE_ISLANDS_H
@@ -14,12 +15,12 @@ typedef struct {
     TinkerLinearForm *linear; /* NULL where the island is not linear */
 } TinkerIsland;
 
-/* The islands of a model, which they borrow; in the order of their first bodies. Element: TinkerIsland *. NULL with an error
- * of the model where a part does not compile. (transfer full) */
+/* The islands of a model, which they borrow; in the order of their first bodies. Element: TinkerIsland *. NULL with an
+ * error of the model where a part does not compile. (transfer full) */
 GPtrArray *tinker_islands_new(TinkerModel *whole, GError **error);
 
-/* Likewise for a run. With contact as `impulses` a model that has contacts is one island, stepped in the plane: its parts
- * cost less together than apart. */
+/* The islands of a run. With contact as `impulses` a model that has contacts is one island, stepped in the plane: its
+ * parts cost less together than apart. */
 GPtrArray *tinker_islands_for(TinkerModel *whole, gboolean impulses, GError **error);
 
 #endif

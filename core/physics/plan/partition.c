@@ -1,5 +1,5 @@
-/* Bodies are joined by union and find over the ends of whatever acts between them. The blocks of a set are then listed from its
- * bodies outwards, so that all sets together cost what their blocks and ends do. */
+/* Bodies are joined by union and find over the ends of whatever acts between them. The blocks of a set are then listed
+ * from its bodies outwards, so that all sets together cost what their blocks and ends do. */
 #include "physics/plan/partition.h"
 
 #include <math.h>

@@ -1,5 +1,5 @@
-/* The choice of a method: the one that is named, with warnings where its step does not suit; or the cheapest by counts that
- * meets the tolerance. */
+/* The choice of a method: the one that is named, with warnings where its step does not suit; or the cheapest by counts
+ * that meets the tolerance. */
 #include <glib/gi18n-lib.h>
 #include <math.h>
 
@@ -45,15 +45,15 @@ static const char *place_of(const TinkerIsland *island, char **text)
 
 /* Accuracy --------------------------------------------------------------------------------------------------------- */
 
-/* The error that the plan aims at where an accuracy is asked for: the estimate of a run claims twice what it sees, and what
- * is expected beforehand is rough. */
+/* The error that the plan aims at where an accuracy is asked for: the estimate of a run claims twice what it sees, and
+ * what is expected beforehand is rough. */
 static double aim_of(const TinkerRunOptions *options)
 {
     return options->accuracy / 5;
 }
 
-/* Whether the energy is to be held after every step of this method: nothing changes it, and the run is so long that its drift
- * would count. Straight and linear motion has exact solutions. */
+/* Whether the energy is to be held after every step of this method: nothing changes it, and the run is so long that its
+ * drift would count. Straight and linear motion has exact solutions. */
 static gboolean is_worth_holding(const TinkerIsland *island, const TinkerRunOptions *options,
                                  const TinkerForecast *forecast, const TinkerIntegrator *method)
 {
@@ -62,8 +62,8 @@ static gboolean is_worth_holding(const TinkerIsland *island, const TinkerRunOpti
     return suits && radians > LONG_RUN && island->linear == NULL && tinker_model_keeps_energy(island->model);
 }
 
-/* The tolerance that a method is to be taken at: the one asked for, or that at which the run is expected to end with the
- * accuracy asked for. That of a method of fixed step is what its run may miss. */
+/* The tolerance that a method is to be taken at: the one asked for, or that at which the run is expected to end with
+ * the accuracy asked for. That of a method of fixed step is what its run may miss. */
 static double wanted_tolerance(const TinkerIsland *island, const TinkerForecast *forecast,
                                const TinkerIntegrator *method, const TinkerRunOptions *options)
 {
@@ -78,9 +78,10 @@ static double wanted_tolerance(const TinkerIsland *island, const TinkerForecast 
 
 /* Automatic -------------------------------------------------------------------------------------------------------- */
 
-/* Methods that `auto` takes: exact ones, adaptive explicit ones, and implicit ones where the island is stiff and linear, so that
- * the error of a long step can be told beforehand; but not for an accuracy, which holds for the velocities of fast parts, too. Explicit ones of a fixed step are for those who ask for them: none is
- * cheaper at an error that somebody wants. */
+/* Methods that `auto` takes: exact ones, adaptive explicit ones, and implicit ones where the island is stiff and
+ * linear, so that the error of a long step can be told beforehand; but not for an accuracy, which holds for the
+ * velocities of fast parts, too. Explicit ones of a fixed step are for those who ask for them: none is cheaper at an
+ * error that somebody wants. */
 static gboolean is_candidate(const TinkerIsland *island, const TinkerRunOptions *options,
                              const TinkerIntegrator *method, gboolean stiff)
 {
@@ -90,8 +91,8 @@ static gboolean is_candidate(const TinkerIsland *island, const TinkerRunOptions 
     return tinker_method_is_adaptive(method);
 }
 
-/* Whether the fastest frequencies hold so little of the motion that explicit steps would be spent on them alone. That can be
- * told only of what moves of its own accord and without constraints, whose tensions change with the motion. */
+/* Whether the fastest frequencies hold so little of the motion that explicit steps would be spent on them alone. That
+ * can be told only of what moves of its own accord and without constraints, whose tensions change with the motion. */
 static gboolean is_stiff(const TinkerIsland *island, const TinkerForecast *forecast)
 {
     const TinkerModel *model = island->model;
@@ -250,8 +251,8 @@ static double stable_step(const TinkerIsland *island, const TinkerRunOptions *op
     return tinker_spectrum_stable_step(spectrum, method, options->spectral_radius);
 }
 
-/* The options with the step and the tolerance at which a run by this method is expected to end with the accuracy asked for. Where
- * the forecast sees nothing that could tell a step, the one of the options is the first to be tried. */
+/* The options with the step and the tolerance at which a run by this method is expected to end with the accuracy asked
+ * for. Where the forecast sees nothing that could tell a step, the one of the options is the first to be tried. */
 static TinkerRunOptions options_for_accuracy(const TinkerIsland *island, const TinkerRunOptions *options,
                                              const TinkerForecast *forecast, const TinkerSpectrum *spectrum,
                                              const TinkerIntegrator *method)

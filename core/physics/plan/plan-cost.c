@@ -1,6 +1,7 @@
-/* Operation counts of whole runs. The constants were measured once, on one machine, by runs of an oscillator, of a stiff chain
- * of fifty masses and of the bundled scenes; they are written down here and never measured again, so that a choice that
- * rests on them is the same everywhere and always. One operation stands for TINKER_SECONDS_PER_OPERATION there. */
+/* Operation counts of whole runs. The constants were measured once, on one machine, by runs of an oscillator, of a
+ * stiff chain of fifty masses and of the bundled scenes; they are written down here and never measured again, so that a
+ * choice that rests on them is the same everywhere and always. One operation stands for TINKER_SECONDS_PER_OPERATION
+ * there. */
 #include <math.h>
 
 #include "numerics/exact/exact.h"
@@ -43,8 +44,8 @@
 /* As tight as a tolerance is made where that costs nothing. */
 #define FREE_TOLERANCE 1e-6
 
-/* Of adaptive methods, measured on an oscillator: steps a radian at the tolerance 1e-9, which go with the tolerance to the
- * power -1 / root; and the error after CALIBRATION_RADIANS in units of the tolerance. */
+/* Of adaptive methods, measured on an oscillator: steps a radian at the tolerance 1e-9, which go with the tolerance to
+ * the power -1 / root; and the error after CALIBRATION_RADIANS in units of the tolerance. */
 typedef struct {
     const char *id;
     double steps, root, error;
@@ -92,7 +93,8 @@ static double explicit_operations(const TinkerIsland *island, double steps, doub
            evaluations * (tinker_cost_evaluation(island) + PER_STAGE_COORDINATE * coordinates(island));
 }
 
-/* Explicit, adaptive ------------------------------------------------------------------------------------------------ */
+/* Explicit, adaptive ------------------------------------------------------------------------------------------------
+ */
 
 static Adaptive adaptive_of(const TinkerIntegrator *method)
 {
@@ -101,8 +103,8 @@ static Adaptive adaptive_of(const TinkerIntegrator *method)
     return (Adaptive){method->id, 3.0, MAX(method->order, 1), 10.0};
 }
 
-/* The frequency that decides the steps: local errors of a part go with the root of its energy and with omega^(p + 1). What
- * holds less than the tolerance cannot miss by more. */
+/* The frequency that decides the steps: local errors of a part go with the root of its energy and with omega^(p + 1).
+ * What holds less than the tolerance cannot miss by more. */
 static double deciding_frequency(const TinkerIsland *island, const TinkerForecast *forecast, double order,
                                  double tolerance)
 {
@@ -117,8 +119,8 @@ static double deciding_frequency(const TinkerIsland *island, const TinkerForecas
     return fmax(frequency, fmax(forecast->drive, haste * forecast->speed_of_change));
 }
 
-/* Steps a second that stability asks for. An adaptive method whose limit on the imaginary axis is 0 or small creeps out of
- * its region there too slowly to matter: its limit on the real axis counts. */
+/* Steps a second that stability asks for. An adaptive method whose limit on the imaginary axis is 0 or small creeps out
+ * of its region there too slowly to matter: its limit on the real axis counts. */
 static double stability_rate(const TinkerForecast *forecast, const TinkerIntegrator *method)
 {
     double rate = 0;
@@ -166,10 +168,11 @@ static double step_error(const TinkerIntegrator *method, const TinkerRunOptions 
     return error;
 }
 
-/* Fixed steps ------------------------------------------------------------------------------------------------------- */
+/* Fixed steps -------------------------------------------------------------------------------------------------------
+ */
 
-/* Of displacements, relative to those of the motion. Velocities of parts that are fast and hold little are off by more, which is
- * what a method that steps across them is for. */
+/* Of displacements, relative to those of the motion. Velocities of parts that are fast and hold little are off by more,
+ * which is what a method that steps across them is for. */
 static double fixed_error(const TinkerForecast *forecast, const TinkerIntegrator *method,
                           const TinkerRunOptions *options, double step)
 {
@@ -201,8 +204,8 @@ static double fastest_seen(const TinkerForecast *forecast, double tolerance)
     return fastest;
 }
 
-/* The step at which a method of order p meets the tolerance: from the error at one step by its order, a few times, as the
- * order holds for small steps alone. */
+/* The step at which a method of order p meets the tolerance: from the error at one step by its order, a few times, as
+ * the order holds for small steps alone. */
 static double wanted_step(const TinkerForecast *forecast, const TinkerIntegrator *method,
                           const TinkerRunOptions *options, double tolerance)
 {
@@ -249,7 +252,8 @@ static void cost_fixed(const TinkerIsland *island, const TinkerForecast *forecas
     cost->error = fixed_error(forecast, method, options, cost->step);
 }
 
-/* Exact ------------------------------------------------------------------------------------------------------------- */
+/* Exact -------------------------------------------------------------------------------------------------------------
+ */
 
 double tinker_cost_interval(const TinkerIsland *island, const TinkerRunOptions *options)
 {

@@ -21,8 +21,8 @@ typedef struct {
 /* Operations of one evaluation of an island's accelerations. */
 double tinker_cost_evaluation(const TinkerIsland *island);
 
-/* The tolerance that an explicit adaptive method keeps at the same cost, as stability makes its steps small anyway: at most
- * the one asked for. Energies that strong dampers take are known far worse than places are at a loose one. */
+/* The tolerance that an explicit adaptive method keeps at the same cost, as stability makes its steps small anyway: at
+ * most the one asked for. Energies that strong dampers take are known far worse than places are at a loose one. */
 double tinker_free_tolerance(const TinkerIsland *island, const TinkerForecast *forecast, const TinkerIntegrator *method,
                              double tolerance);
 

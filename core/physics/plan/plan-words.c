@@ -1,5 +1,5 @@
-/* What is modelled, and what is not because nothing asks for it: sentences from the compiled model, which knows roles and no
- * block by name. */
+/* What is modelled, and what is not because nothing asks for it: sentences from the compiled model, which knows roles
+ * and no block by name. */
 #include <glib/gi18n-lib.h>
 #include <math.h>
 #include <stdarg.h>

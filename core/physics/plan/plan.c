@@ -89,7 +89,8 @@ static TinkerIslandPlan *plan_island(const TinkerIsland *island, const TinkerRun
     return plan;
 }
 
-/* Takes out of a row what lies along `count` others, which are of length 1 or 0; answers the length that is left, of 1. */
+/* Takes out of a row what lies along `count` others, which are of length 1 or 0; answers the length that is left, of 1.
+ */
 static double take_out(gsize n, gsize count, const double *others, double *row)
 {
     double size = 0, left = 0;

@@ -1,5 +1,5 @@
-/* The plan: what of a scene is modelled, how each island is stepped, and why. Worked out from the model and from operation
- * counts, never from a clock: the same scene has the same plan on every machine. */
+/* The plan: what of a scene is modelled, how each island is stepped, and why. Worked out from the model and from
+ * operation counts, never from a clock: the same scene has the same plan on every machine. */
 #ifndef TINKER_CORE_PLAN_H
 #define TINKER_CORE_PLAN_H
 
@@ -47,17 +47,17 @@ TinkerPlan *tinker_plan_new(TinkerModel *model, GPtrArray *islands, const Tinker
 void tinker_plan_free(TinkerPlan *plan);
 G_DEFINE_AUTOPTR_CLEANUP_FUNC(TinkerPlan, tinker_plan_free)
 
-/* The methods whose steps stability limits: the built-in ones and, where it is none of them, the island's own. Of const TinkerIntegrator *.
- * (transfer container) */
+/* The methods whose steps stability limits: the built-in ones and, where it is none of them, the island's own. Of const
+ * TinkerIntegrator *. (transfer container) */
 GPtrArray *tinker_plan_limited_methods(const TinkerIslandPlan *island);
 
-/* The largest step at which a fixed-step explicit method is stable on the linearised island; INFINITY where nothing limits
- * it, 0 where no step is stable, NAN where it is not known (spectrum.h). */
+/* The largest step at which a fixed-step explicit method is stable on the linearised island; INFINITY where nothing
+ * limits it, 0 where no step is stable, NAN where it is not known (spectrum.h). */
 double tinker_plan_stable_step(const TinkerIslandPlan *island, const TinkerIntegrator *method);
 
-/* What a run of one island needs before it starts: the method of `options`, or the one that suits. Cheap: bounded by about
- * thirty evaluations of the island's forces. Adds warnings (of char *): steps beyond the stable one, modes that carry
- * energy and are under-resolved. */
+/* What a run of one island needs before it starts: the method of `options`, or the one that suits. Cheap: bounded by
+ * about thirty evaluations of the island's forces. Adds warnings (of char *): steps beyond the stable one, modes that
+ * carry energy and are under-resolved. */
 gboolean tinker_plan_choose(const TinkerIsland *island, const TinkerRunOptions *options, TinkerChoice *choice,
                             GPtrArray *warnings, GError **error);
 

@@ -11,7 +11,7 @@
 #define DEFAULT_METHOD "dop853"
 /* More samples than this in one run are a mistake rather than a wish. */
 #define MOST_SAMPLES 1e10
-/* Likewise of steps: that many would take days at the least. */
+/* More steps than this are a mistake, too: that many would take days at the least. */
 #define MOST_STEPS 1e12
 
 TinkerRunOptions tinker_run_options_of(TinkerScene *scene)

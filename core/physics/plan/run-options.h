@@ -26,11 +26,12 @@ typedef struct {
 /* The scene's own settings. Strings are borrowed from it. */
 TinkerRunOptions tinker_run_options_of(TinkerScene *scene);
 
-/* What is wrong with a method of this name, "there is no method ...", or NULL: for TinkerCatalogueOptions. (transfer full) */
+/* What is wrong with a method of this name, "there is no method ...", or NULL: for TinkerCatalogueOptions. (transfer
+ * full) */
 char *tinker_method_fault(TinkerCatalogue *catalogue, const char *id);
 
-/* How long a run lasts (s): to the last sample; the time that methods and steps are chosen for, which samples do not change: the
- * scene's duration; and the number of samples. */
+/* How long a run lasts (s): to the last sample; the time that methods and steps are chosen for, which samples do not
+ * change: the scene's duration; and the number of samples. */
 double tinker_options_duration(const TinkerRunOptions *options);
 double tinker_options_span(const TinkerRunOptions *options);
 double tinker_options_samples(const TinkerRunOptions *options);

@@ -1,6 +1,6 @@
 /* Small islands: K and C projected on a basis of the tangent space. Where K and C commute (no damping, or
- * damping in proportion) they have common shapes, and each is a damped oscillator of its own. Large ones: extreme values by
- * Lanczos and Arnoldi iterations. */
+ * damping in proportion) they have common shapes, and each is a damped oscillator of its own. Large ones: extreme
+ * values by Lanczos and Arnoldi iterations. */
 #include "physics/plan/spectrum.h"
 
 #include <math.h>
@@ -225,8 +225,9 @@ static gboolean add_state_matrix(TinkerSpectrum *spectrum, const Dense *dense)
     return TRUE;
 }
 
-/* Steps between which the edge of semi-implicit Euler lies, for a largest stiffness and damping: h^2 stiffness + 2 h damping
- * is at least 4 at the largest of them, and at most 4 at the smallest. Last, INFINITY: where damping limits nothing. */
+/* Steps between which the edge of semi-implicit Euler lies, for a largest stiffness and damping: h^2 stiffness + 2 h
+ * damping is at least 4 at the largest of them, and at most 4 at the smallest. Last, INFINITY: where damping limits
+ * nothing. */
 static double mixture_step(double stiffness, double damping, int number)
 {
     if (number == MIXTURES) return INFINITY;
@@ -455,8 +456,8 @@ static GArray *oscillators_of(const GArray *eigenvalues)
     return oscillators;
 }
 
-/* Bodies that fall over but for such forces are not held to standing still: what is found of them is a limit, but that nothing
- * is found is not known to be the method's fault. */
+/* Bodies that fall over but for such forces are not held to standing still: what is found of them is a limit, but that
+ * nothing is found is not known to be the method's fault. */
 static double coupled_stable_step(const TinkerSpectrum *spectrum, const TinkerIntegrator *method,
                                   double spectral_radius)
 {

@@ -1,13 +1,13 @@
-/* The spectrum of an island, linearised about its start: M u'' + C u' + K u = 0 on the tangent space of its constraints, the
- * stiffness that tensions of constraints give included.
+/* The spectrum of an island, linearised about its start: M u'' + C u' + K u = 0 on the tangent space of its
+ * constraints, the stiffness that tensions of constraints give included.
  *
- * Up to TINKER_DENSE_SPECTRUM coordinates all eigenvalues (LAPACK), beyond that the extreme ones (ARPACK, by products); where
- * dampers couple the modes the extreme ones earlier.
- * Explicit methods are limited by two lists: those that treat all of a state alike by the eigenvalues of z' = A z; those that
- * treat places and velocities differently by pairs (u.K u, u.C u) for unit vectors u, of which the extreme ones are kept.
- * For semi-implicit Euler this is exact where K and C are symmetric and C takes energy: with q_k = (-1)^k u it is at its
- * edge where (h^2 K + 2 h C) u = 4 M u; for Verlet where h^2 K u = 4 M u, whatever C is. Where forces act across velocities
- * (Coriolis's, a magnet's; C is not symmetric) no such pairs say enough, and the method itself steps K and C. */
+ * Up to TINKER_DENSE_SPECTRUM coordinates all eigenvalues (LAPACK), beyond that the extreme ones (ARPACK, by products);
+ * where dampers couple the modes the extreme ones earlier. Explicit methods are limited by two lists: those that treat
+ * all of a state alike by the eigenvalues of z' = A z; those that treat places and velocities differently by pairs (u.K
+ * u, u.C u) for unit vectors u, of which the extreme ones are kept. For semi-implicit Euler this is exact where K and C
+ * are symmetric and C takes energy: with q_k = (-1)^k u it is at its edge where (h^2 K + 2 h C) u = 4 M u; for Verlet
+ * where h^2 K u = 4 M u, whatever C is. Where forces act across velocities (Coriolis's, a magnet's; C is not symmetric)
+ * no such pairs say enough, and the method itself steps K and C. */
 #ifndef TINKER_CORE_SPECTRUM_H
 #define TINKER_CORE_SPECTRUM_H
 
@@ -41,9 +41,9 @@ TinkerSpectrum *tinker_spectrum_new(const TinkerIsland *island);
 void tinker_spectrum_free(TinkerSpectrum *spectrum);
 G_DEFINE_AUTOPTR_CLEANUP_FUNC(TinkerSpectrum, tinker_spectrum_free)
 
-/* The largest step at which a fixed-step method is stable. INFINITY where nothing limits it, 0 where no step is stable, NAN where it
- * is not known: of methods that treat places and velocities differently where forces act across the velocities of many bodies,
- * or of bodies that would fall over without them. */
+/* The largest step at which a fixed-step method is stable. INFINITY where nothing limits it, 0 where no step is stable,
+ * NAN where it is not known: of methods that treat places and velocities differently where forces act across the
+ * velocities of many bodies, or of bodies that would fall over without them. */
 double tinker_spectrum_stable_step(const TinkerSpectrum *spectrum, const TinkerIntegrator *method,
                                    double spectral_radius);
 

@@ -1,5 +1,5 @@
-/* Three ways to a product: a linear form by its edges; a model of moderate size by its sparse Jacobian, evaluated once; a
- * large one by products of the forces' derivatives, so that nothing of the size of a matrix is made. */
+/* Three ways to a product: a linear form by its edges; a model of moderate size by its sparse Jacobian, evaluated once;
+ * a large one by products of the forces' derivatives, so that nothing of the size of a matrix is made. */
 #include "physics/plan/start-matrices.h"
 #include "numerics/solve/largest.h"
 
@@ -119,7 +119,8 @@ static void projected_product(TinkerStartMatrices *self, gboolean damping, const
     project(self, y);
 }
 
-/* What constraints' tensions add ------------------------------------------------------------------------------------ */
+/* What constraints' tensions add ------------------------------------------------------------------------------------
+ */
 
 typedef struct {
     TinkerStartMatrices *matrices;
@@ -208,7 +209,8 @@ static void add_geometry(TinkerStartMatrices *self, const double *lambda)
     }
 }
 
-/* Setting up -------------------------------------------------------------------------------------------------------- */
+/* Setting up --------------------------------------------------------------------------------------------------------
+ */
 
 /* Accelerations at the start, constraints included; the tensions of these go into the geometry. */
 static gboolean find_acceleration(TinkerStartMatrices *self, double *a)

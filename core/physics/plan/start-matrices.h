@@ -11,8 +11,8 @@
 
 typedef struct _TinkerStartMatrices TinkerStartMatrices;
 
-/* NULL where forces cannot be worked out at the start. The island is borrowed, and its model must not be used in between
- * products. (transfer full) */
+/* NULL where forces cannot be worked out at the start. The island is borrowed, and its model must not be used in
+ * between products. (transfer full) */
 TinkerStartMatrices *tinker_start_matrices_new(const TinkerIsland *island);
 void tinker_start_matrices_free(TinkerStartMatrices *matrices);
 G_DEFINE_AUTOPTR_CLEANUP_FUNC(TinkerStartMatrices, tinker_start_matrices_free)
@@ -23,13 +23,14 @@ gboolean tinker_start_matrices_damped(const TinkerStartMatrices *matrices);
 /* Whether forces act across velocities (Coriolis's, a magnet's): C has an antisymmetric part. */
 gboolean tinker_start_matrices_turned(const TinkerStartMatrices *matrices);
 
-/* TinkerOperator each, with the matrices as data; `turning`: of C's antisymmetric part, 0 of islands of thousands of bodies. */
+/* TinkerOperator each, with the matrices as data; `turning`: of C's antisymmetric part, 0 of islands of thousands of
+ * bodies. */
 void tinker_start_matrices_stiffness(void *matrices, const double *x, double *y);
 void tinker_start_matrices_damping(void *matrices, const double *x, double *y);
 void tinker_start_matrices_turning(void *matrices, const double *x, double *y);
 
-/* The products without P, and a basis of the tangent space instead (size * size doubles, column by column; its number of
- * vectors, or -1): for dense matrices. */
+/* The products without P, and a basis of the tangent space instead (size * size doubles, column by column; its number
+ * of vectors, or -1): for dense matrices. */
 void tinker_start_matrices_free_stiffness(void *matrices, const double *x, double *y);
 void tinker_start_matrices_free_damping(void *matrices, const double *x, double *y);
 int32_t tinker_start_matrices_tangents(TinkerStartMatrices *matrices, double *basis);
@@ -38,8 +39,9 @@ int32_t tinker_start_matrices_tangents(TinkerStartMatrices *matrices, double *ba
 const double *tinker_start_matrices_acceleration(const TinkerStartMatrices *matrices);
 const double *tinker_start_matrices_velocity(const TinkerStartMatrices *matrices);
 
-/* Twice the energy (J) that the start's forces hold against the stiffness: f . u with K u = f. NAN where K has no inverse that
- * is positive, or constraints hold the island, or it is large. *omega (rad/s) is the frequency of u by Rayleigh's quotient. */
+/* Twice the energy (J) that the start's forces hold against the stiffness: f . u with K u = f. NAN where K has no
+ * inverse that is positive, or constraints hold the island, or it is large. *omega (rad/s) is the frequency of u by
+ * Rayleigh's quotient. */
 double tinker_start_matrices_held_energy(TinkerStartMatrices *matrices, double *omega);
 
 /* Displacements, 2 a body of the model, of a mass-normalised vector. */

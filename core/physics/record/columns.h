@@ -23,8 +23,9 @@ GArray *tinker_columns_default(TinkerScene *scene);
 /* Adds a quantity of a block, by its number in the block's class. */
 void tinker_columns_add_quantity(GArray *columns, TinkerScene *scene, TinkerBlockId block, int32_t quantity);
 
-/* Adds the column called "BLOCK.QUANTITY"; the quantity begins behind the last dot. Errors (TINKER_SCENE_ERROR_NAME) name the
- * nearest block, or the quantities that the block has; TINKER_SCENE_ERROR_TYPE says why the block's type is missing. */
+/* Adds the column called "BLOCK.QUANTITY"; the quantity begins behind the last dot. Errors (TINKER_SCENE_ERROR_NAME)
+ * name the nearest block, or the quantities that the block has; TINKER_SCENE_ERROR_TYPE says why the block's type is
+ * missing. */
 gboolean tinker_columns_add(GArray *columns, TinkerScene *scene, const char *name, GError **error);
 
 /* Adds the columns of a comma-separated list. A name with a comma in it is found as well. */

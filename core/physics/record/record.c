@@ -1,6 +1,6 @@
-/* Rows in chunks of equal size. A chunk is filled in memory; once the memory is full, the oldest is written into an unnamed
- * temporary file, at its own place, and its memory taken for the next. The mutex is held to copy rows of one chunk, or to say
- * that a chunk has left the memory: never while the disk is at work. */
+/* Rows in chunks of equal size. A chunk is filled in memory; once the memory is full, the oldest is written into an
+ * unnamed temporary file, at its own place, and its memory taken for the next. The mutex is held to copy rows of one
+ * chunk, or to say that a chunk has left the memory: never while the disk is at work. */
 #include "physics/record/record.h"
 
 #include <errno.h>
@@ -45,7 +45,8 @@ void tinker_record_free(TinkerRecord *record)
     g_free(record);
 }
 
-/* The file ------------------------------------------------------------------------------------------------------------- */
+/* The file
+ * ------------------------------------------------------------------------------------------------------------- */
 
 typedef enum { WRITTEN, READ } FileWork;
 
@@ -105,7 +106,8 @@ static gboolean read_file(const TinkerRecord *record, gsize first, gsize count, 
            file_error(READ, error);
 }
 
-/* Growing -------------------------------------------------------------------------------------------------------------- */
+/* Growing
+ * -------------------------------------------------------------------------------------------------------------- */
 
 static gsize chunk_bytes(const TinkerRecord *record)
 {
@@ -144,8 +146,8 @@ static char *memory_for_chunk(TinkerRecord *record, GError **error)
     return full ? spill(record, error) : new_memory(record, error);
 }
 
-/* The chunk that the next row belongs into, which is in memory then. A record that was cut within a chunk of the file takes
- * that chunk back. */
+/* The chunk that the next row belongs into, which is in memory then. A record that was cut within a chunk of the file
+ * takes that chunk back. */
 static char *chunk_to_fill(TinkerRecord *record, GError **error)
 {
     const gsize number = record->rows / record->chunk_rows, started = record->rows % record->chunk_rows;
@@ -192,7 +194,8 @@ void tinker_record_cut(TinkerRecord *record, gsize rows)
     record->oldest = MIN(record->oldest, chunks);
 }
 
-/* Reading -------------------------------------------------------------------------------------------------------------- */
+/* Reading
+ * -------------------------------------------------------------------------------------------------------------- */
 
 /* Copies rows that lie in one chunk; FALSE where that is in the file alone. */
 static gboolean copy_from_memory(TinkerRecord *record, gsize first, gsize count, char *rows)

@@ -1,5 +1,5 @@
-/* A record: rows of doubles, kept in memory up to a limit and in a temporary file beyond it. One thread makes it longer and
- * shorter; any other may read at the same time, and is never kept waiting for the disk. */
+/* A record: rows of doubles, kept in memory up to a limit and in a temporary file beyond it. One thread makes it longer
+ * and shorter; any other may read at the same time, and is never kept waiting for the disk. */
 #ifndef TINKER_CORE_RECORD_H
 #define TINKER_CORE_RECORD_H
 

@@ -4,8 +4,8 @@
 
 #include <glib.h>
 
-/* Times i * spacing. Where the spacing is a whole fraction of a second they are worked out as i / n, so that they are the
- * doubles nearest to the decimal numbers that people expect: 0.3, not 0.30000000000000004. */
+/* Times i * spacing. Where the spacing is a whole fraction of a second they are worked out as i / n, so that they are
+ * the doubles nearest to the decimal numbers that people expect: 0.3, not 0.30000000000000004. */
 typedef struct {
     double spacing;
     double per_second; /* 0 where the spacing is no whole fraction */

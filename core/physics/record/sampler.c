@@ -134,8 +134,8 @@ static TinkerPoint in_world(const TinkerModel *model, int32_t point)
     return at;
 }
 
-/* The batch's ends, relative to the model's origin, so that lengths far away from the world's lose no digits; of a class that
- * is itself a body, its own centres, in the world. */
+/* The batch's ends, relative to the model's origin, so that lengths far away from the world's lose no digits; of a
+ * class that is itself a body, its own centres, in the world. */
 static void gather(TinkerSampler *sampler, const TinkerBlockBatch *batch)
 {
     const TinkerModel *model = sampler->model;

@@ -14,8 +14,9 @@ void tinker_sampler_free(TinkerSampler *sampler);
  * failures. */
 TinkerStatus tinker_sampler_values(TinkerSampler *sampler, double t, const double *q, const double *v, double *values);
 
-/* Evaluates the model at a state, with what touches as it is closed now: `a` (m/s^2) gets the accelerations of the bodies, 2
- * each; multipliers and forces of contacts are left where they are kept. Changes no bit of a run that stands there. */
+/* Evaluates the model at a state, with what touches as it is closed now: `a` (m/s^2) gets the accelerations of the
+ * bodies, 2 each; multipliers and forces of contacts are left where they are kept. Changes no bit of a run that stands
+ * there. */
 TinkerStatus tinker_sampler_look_at(TinkerModel *model, double t, const double *q, const double *v, double *a);
 
 #endif

@@ -15,8 +15,8 @@
 
 /* A further try aims at this share of the accuracy, since errors do not follow settings quite. */
 #define AIM 0.4
-/* How the logarithm of the estimate goes with that of the settings, at the least and at the most: two tries are few to tell
- * it from. */
+/* How the logarithm of the estimate goes with that of the settings, at the least and at the most: two tries are few to
+ * tell it from. */
 #define LEAST_SLOPE    0.5
 #define GREATEST_SLOPE 2.0
 /* A try takes at most so many times the steps of the one before it, of a fixed length; or so small a share of its
@@ -35,8 +35,8 @@ static TinkerChoice *choices_of(const TinkerSimulation *simulation)
     return choices;
 }
 
-/* Makes the settings so tight that errors become `share` of what they are. An exact method's tolerance is that of the one
- * that takes over where something touches. FALSE where nothing can be tightened. */
+/* Makes the settings so tight that errors become `share` of what they are. An exact method's tolerance is that of the
+ * one that takes over where something touches. FALSE where nothing can be tightened. */
 static gboolean tighten(TinkerChoice *choices, guint count, double share)
 {
     gboolean tighter = FALSE;
@@ -52,7 +52,8 @@ static gboolean tighten(TinkerChoice *choices, guint count, double share)
     return tighter;
 }
 
-/* What share of the last errors a further try is to have. `shares` are those that led to the tries so far, the first 1. */
+/* What share of the last errors a further try is to have. `shares` are those that led to the tries so far, the first 1.
+ */
 static double wanted_share(const TinkerSummary *summary, const double *shares)
 {
     const GArray *tries = summary->tries;
@@ -78,7 +79,7 @@ static gboolean is_met(const TinkerSummary *summary)
 
 static void explain_miss(const TinkerSummary *summary, GError **error)
 {
-    gboolean exhausted = summary->tries->len < TINKER_MOST_TRIES;
+    gboolean at_rounding = summary->tries->len < TINKER_MOST_TRIES;
     if (isnan(summary->error_estimate))
         g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_ACCURACY,
                     _("the accuracy of %g is not held: there is no error estimate to hold to it"), summary->accuracy);
@@ -89,10 +90,10 @@ static void explain_miss(const TinkerSummary *summary, GError **error)
                     summary->accuracy, summary->predictable_until);
     else
         g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_ACCURACY,
-                    exhausted ? _("the accuracy of %g is not met: the estimated error is %.2g, and rounding leaves "
-                                  "nothing to tighten (ask for less accuracy, or for a shorter run)")
-                              : _("the accuracy of %g is not met: the estimated error is %.2g after as many tries as "
-                                  "are made (ask for less accuracy, name another method, or run a shorter time)"),
+                    at_rounding ? _("the accuracy of %g is not met: the estimated error is %.2g, and rounding leaves "
+                                    "nothing to tighten (ask for less accuracy, or for a shorter run)")
+                                : _("the accuracy of %g is not met: the estimated error is %.2g after as many tries as "
+                                    "are made (ask for less accuracy, name another method, or run a shorter time)"),
                     summary->accuracy, summary->error_estimate);
 }
 

@@ -1,5 +1,5 @@
-/* The model's forces told apart. The model merges and adds up what it can, so each block's own law is asked here, for the
- * state that the sample is evaluated at; multipliers and forces of contacts come from that evaluation. */
+/* The model's forces told apart. The model merges and adds up what it can, so each block's own law is asked here, for
+ * the state that the sample is evaluated at; multipliers and forces of contacts come from that evaluation. */
 #include "physics/run/acting-forces.h"
 
 #include "physics/compile/compile.h"

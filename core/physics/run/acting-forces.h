@@ -1,5 +1,5 @@
-/* Which forces act on each body at an instant, one by one, each with the block that it comes from: what a free-body diagram
- * shows. */
+/* Which forces act on each body at an instant, one by one, each with the block that it comes from: what a free-body
+ * diagram shows. */
 #ifndef TINKER_CORE_ACTING_FORCES_H
 #define TINKER_CORE_ACTING_FORCES_H
 
@@ -15,8 +15,8 @@ typedef enum {
     TINKER_ACTING_FRICTION, /* and along it */
 } TinkerActingKind;
 
-/* One force. `by` is the connector, force element or field; of a contact, the other of the two blocks that touch. `on` is a
- * body that can move or a support. It may be 0: a slack rope, a wind that stands still. */
+/* One force. `by` is the connector, force element or field; of a contact, the other of the two blocks that touch. `on`
+ * is a body that can move or a support. It may be 0: a slack rope, a wind that stands still. */
 typedef struct {
     TinkerBlockId by, on;
     TinkerActingKind kind;
@@ -34,14 +34,14 @@ TinkerActingForces *tinker_acting_forces_new(TinkerModel *model);
 void tinker_acting_forces_free(TinkerActingForces *forces);
 G_DEFINE_AUTOPTR_CLEANUP_FUNC(TinkerActingForces, tinker_acting_forces_free)
 
-/* Inside a sample function of a simulation of this model: fills `out` anew with all forces at the sample, class by class in
- * the order of the scene, contacts last. What acts on a body adds up to its mass times its acceleration; where contact acts
- * as impulses, its forces are the means of the last step. The run goes on as if it had not been asked, to the bit; after
- * the first call memory is needed only where more touches than ever before. Errors: TINKER_MODEL_ERROR_RUN where a plugin
- * does not give its forces. */
+/* Inside a sample function of a simulation of this model: fills `out` anew with all forces at the sample, class by
+ * class in the order of the scene, contacts last. What acts on a body adds up to its mass times its acceleration; where
+ * contact acts as impulses, its forces are the means of the last step. The run goes on as if it had not been asked, to
+ * the bit; after the first call memory is needed only where more touches than ever before. Errors:
+ * TINKER_MODEL_ERROR_RUN where a plugin does not give its forces. */
 gboolean tinker_acting_forces_at(TinkerActingForces *forces, TinkerSimulation *simulation, GArray *out, GError **error);
 
-/* The same for a scene as it is set up, at t = 0: compiles it and lets it touch what it touches. Errors are those of
+/* The forces in a scene as it is set up, at t = 0: compiles it and lets it touch what it touches. Errors are those of
  * compiling. */
 gboolean tinker_acting_forces_at_start(TinkerScene *scene, GArray *out, GError **error);
 

@@ -51,7 +51,8 @@ static void name_method(TinkerIslandSummary *island, const TinkerSummary *part)
     island->tolerance = part->tolerance;
 }
 
-/* Islands run one after another between samples: events are told in the order of their times, whatever the samples are. */
+/* Islands run one after another between samples: events are told in the order of their times, whatever the samples are.
+ */
 static int by_time(const void *left, const void *right)
 {
     const TinkerEvent *l = *(TinkerEvent *const *)left, *r = *(TinkerEvent *const *)right;

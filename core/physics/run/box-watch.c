@@ -1,6 +1,6 @@
-/* Sweep and prune: the boxes are sorted by their lower sides along the axis on which they are spread wider, and only those
- * whose shadows on it overlap are looked at. From one sample to the next the order hardly changes, so it is kept, and mended by
- * insertion. */
+/* Sweep and prune: the boxes are sorted by their lower sides along the axis on which they are spread wider, and only
+ * those whose shadows on it overlap are looked at. From one sample to the next the order hardly changes, so it is kept,
+ * and mended by insertion. */
 #include "physics/run/box-watch.h"
 
 #include <math.h>

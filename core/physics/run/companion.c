@@ -13,13 +13,15 @@
 
 /* The distance from the companion is most of the error, not all: what is claimed is this much of it. */
 #define SAFETY 2.0
-/* No tolerance is driven below rounding (with room for the rounding of its own value). Where a tenth would be, the companion
- * is ten times coarser instead. It is off by up to ten times the error; less, the more of that is rounding. */
+/* No tolerance is driven below rounding (with room for the rounding of its own value). Where a tenth would be, the
+ * companion is ten times coarser instead. It is off by up to ten times the error; less, the more of that is rounding.
+ */
 #define LEAST_TOLERANCE 0.99e-14
 #define COARSER_FACTOR  1.0
-/* Where ends pass each other an exact solution is exact from one such instant to the next only, and rounding may grow at each:
- * from the first on the companion is off by this share of the scales. Where bodies strike, any solution is, every impact rounds
- * anew, and the scales may be 0 at the start: from there on it is off by this share of where bodies are. */
+/* Where ends pass each other an exact solution is exact from one such instant to the next only, and rounding may grow
+ * at each: from the first on the companion is off by this share of the scales. Where bodies strike, any solution is,
+ * every impact rounds anew, and the scales may be 0 at the start: from there on it is off by this share of where bodies
+ * are. */
 #define OFF_WHERE_ENDS_PASS     (6 * DBL_EPSILON)
 #define OFF_WHERE_BODIES_STRIKE (16 * DBL_EPSILON)
 /* Of the extent: ends nearer to each other pass, or nearly do. */
@@ -101,7 +103,8 @@ TinkerIslandRuns *tinker_companion_new(TinkerIslandRuns *runs, TinkerModel *mode
     return companion;
 }
 
-/* Ends that pass ---------------------------------------------------------------------------------------------------- */
+/* Ends that pass ----------------------------------------------------------------------------------------------------
+ */
 
 TinkerCompanionEnds *tinker_companion_ends_new(TinkerIslandRun *run)
 {
@@ -118,8 +121,8 @@ void tinker_companion_ends_free(TinkerCompanionEnds *ends)
     g_free(ends);
 }
 
-/* Whether the ends of some line are at one place, or have changed sides since this was asked last: islands that are solved exactly
- * and whose ends may pass move along a line. Where that cannot be told, they may have. */
+/* Whether the ends of some line are at one place, or have changed sides since this was asked last: islands that are
+ * solved exactly and whose ends may pass move along a line. Where that cannot be told, they may have. */
 static gboolean have_passed(TinkerCompanionEnds *ends)
 {
     TinkerIslandRun *run = ends->run;

@@ -14,16 +14,16 @@ double tinker_companion_factor(const TinkerIslandRun *run);
  * full) */
 TinkerIslandRuns *tinker_companion_new(TinkerIslandRuns *runs, TinkerModel *model, GError **error);
 
-/* The ends of an exact island of the companion, which may pass each other: as long as none do, there is nothing that lets rounding
- * grow, and the island is where the run's is. */
+/* The ends of an exact island of the companion, which may pass each other: as long as none do, there is nothing that
+ * lets rounding grow, and the island is where the run's is. */
 typedef struct _TinkerCompanionEnds TinkerCompanionEnds;
 
 /* NULL where none can pass, or where the island is off from its start. The run is borrowed. (transfer full) */
 TinkerCompanionEnds *tinker_companion_ends_new(TinkerIslandRun *run);
 void tinker_companion_ends_free(TinkerCompanionEnds *ends);
 
-/* To be called between steps: from the first on behind which ends have passed, the island is off by rounding. Answers whether it was
- * put off now, and then the ends are of no more use. */
+/* To be called between steps: from the first on behind which ends have passed, the island is off by rounding. Answers
+ * whether it was put off now, and then the ends are of no more use. */
 gboolean tinker_companion_look_at_ends(TinkerCompanionEnds *ends);
 
 #endif

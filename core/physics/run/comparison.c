@@ -24,9 +24,9 @@
 #define UNPREDICTABLE 0.1
 /* Samples so near to an impact (a share of the time) may lie on either side of it. */
 #define NEAR_IMPACT 1e-6
-/* Or of so many steps, where an impact is one of a whole step. */
+/* Near an impact, in steps, where an impact is one of a whole step. */
 #define STEPS_NEAR_IMPACT 3
-/* The same impact comes to the run and to its companion this much apart: so long after it they are taken to be
+/* One impact comes to the run and to its companion this much apart: so long after it they are taken to be
  * behind it. */
 #define BEHIND_IMPACT 2
 /* Instants are the same within this share of the time. */

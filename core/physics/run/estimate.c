@@ -236,8 +236,8 @@ static int32_t choose_points(Part *part, const TinkerIslandRun *run, double *tim
     }
     const int32_t points = choose_landings(part, times);
     part->landing = times[points - 1];
-    const gboolean stops =
-        run->state.t >= run->piece_end || (run->contacts != NULL && tinker_contact_run_stands_on_event(run->contacts));
+    const gboolean stops = run->state.t >= run->piece_end ||
+                           (run->contacts != NULL && tinker_contact_run_has_pending_event(run->contacts));
     part->beyond = stops ? part->reached : part->landing + STEP_BEYOND * part->length;
     return points;
 }

@@ -20,8 +20,9 @@
 #include "physics/run/simulation.h"
 #include "physics/system/summary.h"
 
-/* Between two looks at whether the user has had enough: steps, each counted once for every body that it moves, so that few looks
- * fall into many short steps and many into few long ones; and no fewer than there are islands, which such a look goes through. */
+/* Between two looks at whether the user has had enough: steps, each counted once for every body that it moves, so that
+ * few looks fall into many short steps and many into few long ones; and no fewer than there are islands, which such a
+ * look goes through. */
 #define WORK_BETWEEN_CALLS 256
 
 void tinker_event_free(gpointer data)
@@ -66,8 +67,8 @@ static void describe_island(TinkerIslandRuns *self, const TinkerIslandRun *run)
     g_ptr_array_add(self->summary.islands, island);
 }
 
-/* Where steps end, whatever is recorded: at the scene's duration, and where samples are asked for beyond that, at every multiple
- * of it. */
+/* Where steps end, whatever is recorded: at the scene's duration, and where samples are asked for beyond that, at every
+ * multiple of it. */
 static double steps_end(const TinkerIslandRuns *self, double t)
 {
     double duration = self->options.duration;
@@ -87,7 +88,7 @@ gboolean tinker_island_runs_fail_stopped(const TinkerIslandRuns *self, GError **
 }
 
 /* Whether nobody has had enough. */
-static gboolean goes_on(TinkerIslandRuns *self, GError **error)
+static gboolean check_cancelled(TinkerIslandRuns *self, GError **error)
 {
     const TinkerRunOptions *options = &self->options;
     if (options->cancelled == NULL || !options->cancelled(options->data)) return TRUE;
@@ -101,7 +102,7 @@ static gboolean open_runs(TinkerIslandRuns *self, const TinkerChoice *choices, G
     for (guint i = 0; i < self->islands->len; i++) {
         const TinkerIsland *island = g_ptr_array_index(self->islands, i);
         TinkerChoice choice;
-        if (!goes_on(self, error)) return FALSE;
+        if (!check_cancelled(self, error)) return FALSE;
         if (choices != NULL)
             choice = choices[i];
         else if (!tinker_plan_choose(island, &self->options, &choice, self->summary.warnings, error))
@@ -176,8 +177,8 @@ static gboolean call_back(TinkerIslandRuns *self, TinkerIslandRun *run, GError *
     self->work = 0;
     if (options->progress != NULL)
         options->progress(tinker_island_runs_time(self), self->times.duration, options->data);
-    if (goes_on(self, error)) return TRUE;
-    tinker_island_run_vouch(run);
+    if (check_cancelled(self, error)) return TRUE;
+    tinker_island_run_mark_valid(run);
     return FALSE;
 }
 
@@ -216,8 +217,8 @@ static int32_t *first_rows(const TinkerModel *model)
     return first;
 }
 
-/* The whole model's rows that hold in one direction only are slack as those of the islands; the rows of one block stand together
- * and have one order in all models. */
+/* The whole model's rows that hold in one direction only are slack as those of the islands; the rows of one block stand
+ * together and have one order in all models. */
 static void gather_slack(TinkerIslandRuns *self)
 {
     if (self->model->constraints.unilateral == NULL) return;
@@ -244,8 +245,8 @@ static gint64 count_contact_changes(const TinkerIslandRuns *self)
     return changes;
 }
 
-/* Where the islands are stepped apart, the whole model's contacts are closed as theirs are. Parts whose bodies have a shape have all
- * plates, in the same order. */
+/* Where the islands are stepped apart, the whole model's contacts are closed as theirs are. Parts whose bodies have a
+ * shape have all plates, in the same order. */
 static gboolean gather_contacts(TinkerIslandRuns *self, GError **error)
 {
     TinkerContacts *all = self->model->contacts;
@@ -311,7 +312,8 @@ gboolean tinker_island_runs_step_behind(TinkerIslandRuns *self, GError **error)
 
 /* Samples ---------------------------------------------------------------------------------------------------------- */
 
-/* The whole model has its own waveforms where it is not stepped itself: they enter the piece that t begins or lies in. */
+/* The whole model has its own waveforms where it is not stepped itself: they enter the piece that t begins or lies in.
+ */
 static void enter_piece_at(TinkerIslandRuns *self, double t)
 {
     const TinkerIslandRun *first = g_ptr_array_index(self->runs, 0);

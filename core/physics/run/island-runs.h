@@ -1,5 +1,5 @@
-/* The islands of a model, stepped together from sample to sample. What is worked out of them beside, such as an estimate of the
- * error, follows the runs from outside. */
+/* The islands of a model, stepped together from sample to sample. What is worked out of them beside, such as an
+ * estimate of the error, follows the runs from outside. */
 #ifndef TINKER_CORE_ISLAND_RUNS_H
 #define TINKER_CORE_ISLAND_RUNS_H
 
@@ -26,7 +26,8 @@ typedef struct {
     gint64 work;            /* of all runs together since the options' functions were last called */
     TinkerSampler *sampler;
     double *values;
-    /* Called after each step of an island on its way to a sample at t, and before the first; NULL: nobody follows. FALSE stops. */
+    /* Called after each step of an island on its way to a sample at t, and before the first; NULL: nobody follows.
+     * FALSE stops. */
     gboolean (*follow)(void *follower, guint island, double t, GError **error);
     void *follower;
     TinkerSummary summary;
@@ -35,8 +36,8 @@ typedef struct {
 /* Of a TinkerEvent. */
 void tinker_event_free(gpointer data);
 
-/* Runs that step their islands as they are told (one choice an island; NULL: as the options say). The model is borrowed.
- * (transfer full) */
+/* Runs that step their islands as they are told (one choice an island; NULL: as the options say). The model is
+ * borrowed. (transfer full) */
 TinkerIslandRuns *tinker_island_runs_new(TinkerModel *model, const TinkerRunOptions *options,
                                          const TinkerChoice *choices, GError **error);
 void tinker_island_runs_free(TinkerIslandRuns *runs);

@@ -25,8 +25,8 @@
 #include "physics/system/system.h"
 #include "plugin/words.h"
 
-/* A run that needs more steps than this of the size that it takes would not end in a lifetime: it is given up once so many
- * have been that small, one after the other. A stiff start has a few of them. */
+/* A run that needs more steps than this of the size that it takes would not end in a lifetime: it is given up once so
+ * many have been that small, one after the other. A stiff start has a few of them. */
 #define MOST_STEPS_TO_COME 1e12
 #define MOST_TINY_STEPS    10000
 /* Of the time at which a pole lies: how near an adaptive method comes to it at least. */
@@ -91,8 +91,8 @@ void tinker_island_run_free(TinkerIslandRun *run)
     g_free(run);
 }
 
-/* The end of the next step: the next time of the grid, or the end of the piece or the run where that comes first or all but
- * coincides. Never a sample: who looks when changes no step. */
+/* The end of the next step: the next time of the grid, or the end of the piece or the run where that comes first or all
+ * but coincides. Never a sample: who looks when changes no step. */
 static double step_limit(TinkerIslandRun *run, double run_end)
 {
     double t = run->state.t, end = MIN(MIN(run->piece_end, run->pole), run_end);
@@ -114,7 +114,7 @@ static gboolean is_hopeless(TinkerIslandRun *run, double step, double left)
 /* Passes what the state stands on: an event of contact, behind which velocities are others. */
 static gboolean pass_event(TinkerIslandRun *run, GError **error)
 {
-    if (run->contacts == NULL || !tinker_contact_run_stands_on_event(run->contacts)) return TRUE;
+    if (run->contacts == NULL || !tinker_contact_run_has_pending_event(run->contacts)) return TRUE;
     return tinker_contact_run_pass(run->contacts, error) && check_directions(run, error);
 }
 
@@ -129,7 +129,7 @@ static TinkerStatus step_to_contact(TinkerIslandRun *run, double limit, TinkerSt
     return status == TINKER_OK ? tinker_contact_run_look(run->contacts, report) : status;
 }
 
-/* And where a line's direction is lost. */
+/* One step, that ends where contacts change or a line's direction is lost. */
 static TinkerStatus step_once(TinkerIslandRun *run, double limit, TinkerStepReport *report)
 {
     double from = run->state.t;

@@ -16,8 +16,8 @@ void tinker_island_run_free(TinkerIslandRun *run);
 /* One step, not beyond `end`. */
 gboolean tinker_island_run_step(TinkerIslandRun *run, double end, GError **error);
 
-/* Where the state stands on a break enters the next piece, and where on an event of contact passes it: at the instant of a
- * jump the state after it counts. */
+/* Where the state stands on a break enters the next piece, and where on an event of contact passes it: at the instant
+ * of a jump the state after it counts. */
 gboolean tinker_island_run_pass_instant(TinkerIslandRun *run, double end, GError **error);
 
 /* Enters the piece that begins at the state's time: waveforms switch, a jump of a support is booked, and one that a
@@ -27,8 +27,8 @@ gboolean tinker_island_run_enter_piece(TinkerIslandRun *run, double horizon, GEr
 /* After a step: counts it, and looks into the books now and then. FALSE where the run has to stop. */
 gboolean tinker_island_run_watch(TinkerIslandRun *run, const TinkerStepReport *report, GError **error);
 
-/* Ends the run at t, a time within the last step: the state, the summary and its last look into the books are of that time, and
- * no step follows. FALSE where the books say that the run diverged. */
+/* Ends the run at t, a time within the last step: the state, the summary and its last look into the books are of that
+ * time, and no step follows. FALSE where the books say that the run diverged. */
 gboolean tinker_island_run_close(TinkerIslandRun *run, double t, GError **error);
 
 #endif

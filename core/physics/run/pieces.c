@@ -160,7 +160,7 @@ gboolean tinker_island_run_enter_piece(TinkerIslandRun *run, double horizon, GEr
     tinker_model_enter_piece(model, inside);
     if (tinker_model_set_time(model, t) != TINKER_OK) return tinker_island_run_fail(run, model->failure, error);
     if (t > 0 && !look_behind(run, &before, error)) return FALSE;
-    if (on_break && run->contacts != NULL && !tinker_contact_run_think_again(run->contacts, error)) return FALSE;
+    if (on_break && run->contacts != NULL && !tinker_contact_run_reclassify(run->contacts, error)) return FALSE;
     tinker_method_restart(run->choice.method, run->stepper);
     return TRUE;
 }

@@ -52,8 +52,8 @@ static TinkerTrial make_steps(TinkerIslandRun *run, double end, double operation
     return made;
 }
 
-/* Steps an island by `choice` until the run's end, or until about `operations` have been spent on it. By counts alone: the same
- * scene has the same trial on every machine. */
+/* Steps an island by `choice` until the run's end, or until about `operations` have been spent on it. By counts alone:
+ * the same scene has the same trial on every machine. */
 static TinkerTrial make_trial(const TinkerIsland *island, const TinkerChoice *choice, const TinkerRunOptions *options,
                               double operations)
 {

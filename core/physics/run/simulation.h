@@ -1,6 +1,7 @@
 /* A run: steps a model from t = 0 to its end and hands out samples.
  *
- * Samples come from dense output, projected onto the constraints, so how often and where one looks never changes a step.
+ * Samples come from dense output, projected onto the constraints, so how often and where one looks never changes a
+ * step.
  */
 #ifndef TINKER_CORE_SIMULATION_H
 #define TINKER_CORE_SIMULATION_H
@@ -22,10 +23,10 @@ G_DEFINE_AUTOPTR_CLEANUP_FUNC(TinkerSimulation, tinker_simulation_free)
 typedef gboolean (*TinkerSampleFunc)(TinkerSimulation *simulation, double time, const double *values, void *data,
                                      GError **error);
 
-/* Runs to the end. `columns` (of TinkerColumn, may be NULL) are evaluated at every sample. On failure (TINKER_MODEL_ERROR_RUN)
- * the message names the block, and the samples up to then have been handed out; summary->valid_until says how far they
- * are to be believed. All functions that were given are called on the caller's thread; another one may step the companion
- * meanwhile, so the scene must stay as it is. */
+/* Runs to the end. `columns` (of TinkerColumn, may be NULL) are evaluated at every sample. On failure
+ * (TINKER_MODEL_ERROR_RUN) the message names the block, and the samples up to then have been handed out;
+ * summary->valid_until says how far they are to be believed. All functions that were given are called on the caller's
+ * thread; another one may step the companion meanwhile, so the scene must stay as it is. */
 gboolean tinker_simulation_run(TinkerSimulation *simulation, const GArray *columns, TinkerSampleFunc sample, void *data,
                                GError **error);
 
@@ -43,8 +44,8 @@ typedef struct {
 gboolean tinker_simulation_body(const TinkerSimulation *simulation, TinkerBlockId block, TinkerBodySample *sample);
 
 /* Inside a sample function: how far each column may be off at this sample (the running maximum of its estimate), in the
- * column's unit; NAN from where the companion has stopped on. NULL at all samples of a run where `bands` was not asked for or
- * there is no companion. Borrowed. */
+ * column's unit; NAN from where the companion has stopped on. NULL at all samples of a run where `bands` was not asked
+ * for or there is no companion. Borrowed. */
 const double *tinker_simulation_bands(TinkerSimulation *simulation);
 
 /* What has happened so far, added up at every call and at the end of a run. Borrowed. */

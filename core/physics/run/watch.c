@@ -20,7 +20,7 @@
 #define BALANCED_AGAIN 0.5
 /* Of the largest energy exchanged. */
 #define DRIVEN 0.01
-/* Likewise: motion with less at its start began at rest. */
+/* Of the largest energy exchanged: motion with less at its start began at rest. */
 #define REST 1e-6
 /* The books cost about one evaluation: they are looked into after this many. A step that needs none counts as one. */
 #define EVALUATIONS_BETWEEN_LOOKS 40
@@ -110,8 +110,9 @@ static gboolean is_driven(const TinkerIslandRun *run)
     return fmax(driven, fabs(books[TINKER_BOOK_FIELDS])) > DRIVEN * run->books.exchanged;
 }
 
-/* Where something sets going what rests, the first steps of any size exchange little and may be wrong by more: that passes, at the
- * start, or later where something drives it. An energy that goes on to be off by more than was exchanged does not. */
+/* Where something sets going what rests, the first steps of any size exchange little and may be wrong by more: that
+ * passes, at the start, or later where something drives it. An energy that goes on to be off by more than was exchanged
+ * does not. */
 static gboolean has_diverged(TinkerIslandRun *run, gboolean last)
 {
     double imbalance = run->books.imbalance;
@@ -127,7 +128,7 @@ static gboolean has_diverged(TinkerIslandRun *run, gboolean last)
 static gboolean look(TinkerIslandRun *run, gboolean last, GError **error)
 {
     TinkerModel *model = run->model;
-    if (tinker_model_check_guards(model) != TINKER_OK || tinker_island_run_vouch(run) != TINKER_OK ||
+    if (tinker_model_check_guards(model) != TINKER_OK || tinker_island_run_mark_valid(run) != TINKER_OK ||
         !watch_constraints(run))
         return tinker_island_run_fail(run, model->failure, error);
     double imbalance = run->books.imbalance;

@@ -10,7 +10,7 @@
 
 /* Energies below this share of forces times extent are errors of place that every tolerance allows. */
 #define REST 1e-9
-/* And differences of energies below this share of them are rounding. */
+/* Differences of energies below this share of forces times extent are rounding. */
 #define ROUNDING (1e4 * DBL_EPSILON)
 /* What the last bits of energies and of places make is no imbalance, however little was exchanged. */
 #define LAST_BITS (16 * DBL_EPSILON)

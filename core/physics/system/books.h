@@ -21,8 +21,8 @@ typedef struct {
 /* Opens the books at the model's start. */
 TinkerStatus tinker_books_open(TinkerBooks *books, TinkerModelSystem *system);
 
-/* Looks at a state of the model's bodies with its integrals; updates the balance and fills `summary`'s energies. `extent` (m)
- * of the motion so far is what rounding is measured against at rest. */
+/* Looks at a state of the model's bodies with its integrals; updates the balance and fills `summary`'s energies.
+ * `extent` (m) of the motion so far is what rounding is measured against at rest. */
 TinkerStatus tinker_books_look(TinkerBooks *books, const TinkerState *state, double extent, TinkerSummary *summary);
 
 #endif

@@ -1,9 +1,10 @@
-/* With E = v M v / 2 + V(q) and a the acceleration by the applied forces on the tangent space, grad V = -M a there. A step of
+/* With E = v M v / 2 + V(q) and a the acceleration by the applied forces on the tangent space, grad V = -M a there. A
+ * step of
  *
  *   v <- v + mu v,   q <- q - mu a / w^2,   w = speed / extent
  *
- * changes E by mu (v M v + a M a / w^2) in first order. The energy that a step of the method loses is so small that what is left
- * after one such step is rounding. */
+ * changes E by mu (v M v + a M a / w^2) in first order. The energy that a step of the method loses is so small that
+ * what is left after one such step is rounding. */
 #include "physics/system/hold-energy.h"
 
 #include <math.h>
@@ -14,7 +15,8 @@
 #include "physics/model/model-data.h"
 #include "physics/system/system.h"
 
-/* A state that is off by more than this share is left alone: the run is failing, and whoever watches it shall see that. */
+/* A state that is off by more than this share is left alone: the run is failing, and whoever watches it shall see that.
+ */
 #define MOST_CHANGE 1e-3
 
 gboolean tinker_model_keeps_energy(const TinkerModel *model)
@@ -33,7 +35,7 @@ void tinker_model_system_start_holding(TinkerModelSystem *self, const TinkerEner
 }
 
 /* Leaves the direction of places in self->constrained; answers v M v + a M a / w^2. */
-static double find_way(TinkerModelSystem *self, const double *v, double slowness)
+static double squared_direction(TinkerModelSystem *self, const double *v, double slowness)
 {
     const double *a = self->constrained, *mass = self->model->coordinate_mass;
     double sum = 0;
@@ -76,7 +78,8 @@ TinkerStatus tinker_model_system_hold_energy(TinkerModelSystem *self, double t, 
     if (status != TINKER_OK) return status;
     self->system.scales(self, q, v, &extent, &speed);
     double slowness = speed > 0 ? extent / speed * (extent / speed) : 0; /* 1 / w^2 */
-    double missing = self->energy - now.kinetic - now.potential, change = missing / find_way(self, v, slowness);
+    double missing = self->energy - now.kinetic - now.potential,
+           change = missing / squared_direction(self, v, slowness);
     if (missing == 0 || !(fabs(change) < MOST_CHANGE)) return TINKER_OK;
     for (int32_t i = 0; i < 2 * model->bodies; i++) {
         v[i] += change * v[i];

@@ -1,5 +1,5 @@
-/* What the two halves of a jacobian share: its layout, in blocks of two by two, a body by a body. The rows 2 i and 2 i + 1 have
- * the same places, so a block is known by where its first entry is. */
+/* What the two halves of a jacobian share: its layout, in blocks of two by two, a body by a body. The rows 2 i and 2 i
+ * + 1 have the same places, so a block is known by where its first entry is. */
 #ifndef TINKER_CORE_JACOBIAN_PRIVATE_H
 #define TINKER_CORE_JACOBIAN_PRIVATE_H
 
@@ -39,8 +39,8 @@ static inline void tinker_jacobian_add(const TinkerJacobian *self, double *value
 /* Where the block of two bodies begins. */
 int32_t tinker_jacobian_find(const TinkerJacobian *jacobian, int32_t row, int32_t column);
 
-/* jacobian-asked.c: chooses how far differences reach, and adds what force elements and fields give, for the state in the
- * points. */
+/* jacobian-asked.c: chooses how far differences reach, and adds what force elements and fields give, for the state in
+ * the points. */
 void tinker_jacobian_choose_differences(TinkerJacobian *jacobian);
 TinkerStatus tinker_jacobian_add_elements(TinkerJacobian *jacobian, const TinkerAskedBatch *asked);
 TinkerStatus tinker_jacobian_add_field(TinkerJacobian *jacobian, const TinkerAskedBatch *asked);

@@ -15,9 +15,9 @@ void tinker_jacobian_free(TinkerJacobian *jacobian);
 /* 2 coordinates a body. Borrowed. */
 const TinkerPattern *tinker_jacobian_pattern(const TinkerJacobian *jacobian);
 
-/* stiffness = -df/dq and damping = -df/dv at a state, `entries` values each, in the order of the pattern. Line laws and fields
- * give theirs exactly (with the part that turns a line's direction); force elements by differences. Forces of a field
- * that couples bodies are differentiated by each body's own place alone. */
+/* stiffness = -df/dq and damping = -df/dv at a state, `entries` values each, in the order of the pattern. Line laws and
+ * fields give theirs exactly (with the part that turns a line's direction); force elements by differences. Forces of a
+ * field that couples bodies are differentiated by each body's own place alone. */
 TinkerStatus tinker_jacobian_evaluate(TinkerJacobian *jacobian, double t, const double *q, const double *v,
                                       double *stiffness, double *damping);
 

@@ -26,8 +26,8 @@ static inline void tinker_method_restart(const TinkerIntegrator *method, void *s
 /* Why a step failed that changed where the arrays of the state are. */
 extern const char *const tinker_method_swapped_state;
 
-/* Whether a method remembers its steps: an implicit one of variable step. From a start without memory it makes many small steps of
- * low order, and what it projects while it solves for a step is part of its formula. */
+/* Whether a method remembers its steps: an implicit one of variable step. From a start without memory it makes many
+ * small steps of low order, and what it projects while it solves for a step is part of its formula. */
 static inline gboolean tinker_method_remembers(const TinkerIntegrator *method)
 {
     const uint32_t multistep = TINKER_INTEGRATOR_ADAPTIVE | TINKER_INTEGRATOR_IMPLICIT;

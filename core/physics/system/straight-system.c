@@ -1,5 +1,5 @@
-/* A model on a line as the system that integrators see: one coordinate a body, springs and dampers between coordinates or
- * between one and an anchor. */
+/* A model on a line as the system that integrators see: one coordinate a body, springs and dampers between coordinates
+ * or between one and an anchor. */
 #include <math.h>
 #include <string.h>
 
@@ -26,8 +26,9 @@ static void move_anchors(const TinkerLinearForm *form)
 /* Sums that take turns, so that an addition need not wait for the one before. */
 #define TURNS 4
 
-/* The forces of the edges between coordinates; answers the power that their dampers take, where that is asked for. What ends at
- * the coordinate that the next edge starts from is added with that one's: along a chain no sum waits for memory. */
+/* The forces of the edges between coordinates; answers the power that their dampers take, where that is asked for. What
+ * ends at the coordinate that the next edge starts from is added with that one's: along a chain no sum waits for
+ * memory. */
 static inline __attribute__((always_inline)) double add_inner_edges(const TinkerLinearForm *form,
                                                                     const double *restrict x, const double *restrict u,
                                                                     double *restrict force, const gboolean books)
@@ -60,7 +61,7 @@ static inline __attribute__((always_inline)) double add_inner_edges(const Tinker
     return (taken[0] + taken[1]) + (taken[2] + taken[3]);
 }
 
-/* The same for the edges at anchors; *given gets what the motion of the anchors gives. */
+/* The forces of the edges at anchors, as add_inner_edges(); *given gets what the motion of the anchors gives. */
 static inline __attribute__((always_inline)) double add_anchored_edges(const TinkerLinearForm *form,
                                                                        const double *restrict x,
                                                                        const double *restrict u, double *restrict force,

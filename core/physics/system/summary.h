@@ -35,9 +35,8 @@ typedef struct {
     gint64 steps, rejected_steps, evaluations;
     gint64 contact_changes; /* events at which contacts closed, opened, stuck or slipped; 0 with `impulses` */
     double simulated_s, wall_s;
-    double constraint_position_error,
-        constraint_velocity_error; /* largest at any step's end, relative to lengths and speed
-                                                                    scale */
+    double constraint_position_error, constraint_velocity_error; /* largest at any step's end, relative to lengths and
+                                                                    speed scale */
     double kinetic_start, kinetic_end, potential_start, potential_end; /* J */
     double books[TINKER_BOOK_COUNT];                                   /* J given to the system, negative where taken */
     double energy_balance_error; /* largest, relative to the largest energy exchanged */

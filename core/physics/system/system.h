@@ -37,10 +37,10 @@ gboolean tinker_straight_system_is_near(const TinkerModelSystem *system, const d
 /* The reach along the line as a box in the plane, and back. */
 void tinker_straight_system_widen_box(TinkerModelSystem *system);
 void tinker_straight_system_narrow_box(TinkerModelSystem *system);
-/* From here on bodies may rest on plates: the system is that of the plane, and has constraints to a method that is created
- * then. What was reached and given so far stays. */
+/* From here on bodies may rest on plates: the system is that of the plane, and has constraints to a method that is
+ * created then. What was reached and given so far stays. */
 void tinker_model_system_enter_plane(TinkerModelSystem *system);
-/* And back: from here on it is again that of the form, with which it began. */
+/* Out of the plane: from here on the system is again that of the form, with which it began. */
 void tinker_model_system_leave_plane(TinkerModelSystem *system, TinkerLinearForm *form);
 /* Gives the system its pattern and jacobian, for a method that asks for them: before its stepper is created. */
 void tinker_model_system_offer_jacobian(TinkerModelSystem *system);

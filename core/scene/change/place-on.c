@@ -1,6 +1,6 @@
-/* Bodies that lie on a top. Their position and, where none is given, their orientation follow from the plate, as it is at
- * t = 0, motions applied; both are worked out into the columns after every change of the scene, so that whoever reads a
- * position need not know how it came about. */
+/* Bodies that lie on a top. Their position and, where none is given, their orientation follow from the plate, as it is
+ * at t = 0, motions applied; both are worked out into the columns after every change of the scene, so that whoever
+ * reads a position need not know how it came about. */
 #include "scene/frame/tops.h"
 #include "scene/store/scene-data.h"
 

@@ -1,6 +1,6 @@
-/* The ends of placeholders. Nobody knows what a type that is missing means by its keys, but the format says what ends are: where
- * blocks get other names, the names in a placeholder's ends follow; where a block goes, the ends on it stay lying where they
- * were; and everything else stays as it was read. */
+/* The ends of placeholders. Nobody knows what a type that is missing means by its keys, but the format says what ends
+ * are: where blocks get other names, the names in a placeholder's ends follow; where a block goes, the ends on it stay
+ * lying where they were; and everything else stays as it was read. */
 #include <math.h>
 
 #include "scene/value/reader.h"

@@ -1,6 +1,6 @@
-/* Copies of whole scenes. A copy has memory of its own; shared are only the catalogue, which guards itself, block classes, which
- * stay as they are as long as the process lives, and waveforms, which never change. So a copy may be used in one thread
- * while the original is edited in another. */
+/* Copies of whole scenes. A copy has memory of its own; shared are only the catalogue, which guards itself, block
+ * classes, which stay as they are as long as the process lives, and waveforms, which never change. So a copy may be
+ * used in one thread while the original is edited in another. */
 #include <string.h>
 
 #include "scene/store/scene-data.h"

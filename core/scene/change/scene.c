@@ -1,5 +1,6 @@
-/* Scenes: the list of blocks with their names, and the drawing order. Rows of blocks are in scene-table.c, several blocks at
- * once in scene-blocks.c, values in scene-properties.c, ends in scene-ends.c, head and graphs in scene-head.c. */
+/* Scenes: the list of blocks with their names, and the drawing order. Rows of blocks are in scene-table.c, several
+ * blocks at once in scene-blocks.c, values in scene-properties.c, ends in scene-ends.c, head and graphs in
+ * scene-head.c. */
 #include <glib/gi18n-lib.h>
 #include <string.h>
 

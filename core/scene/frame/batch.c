@@ -1,5 +1,5 @@
-/* Snapshots of tables. Property columns are copied; the three columns of each waveform property are filled by evaluators,
- * one for every block, built from the block's own amplitude, frequency and phase. */
+/* Snapshots of tables. Property columns are copied; the three columns of each waveform property are filled by
+ * evaluators, one for every block, built from the block's own amplitude, frequency and phase. */
 #include "scene/frame/batch-breaks.h"
 
 #include <math.h>
@@ -9,8 +9,8 @@
 #include "plugin/guarded.h"
 #include "plugin/words.h"
 
-/* No break of a waveform lies between `from` and `next`, and none up to `horizon` where next is infinite; the first pole there,
- * INFINITY for none. */
+/* No break of a waveform lies between `from` and `next`, and none up to `horizon` where next is infinite; the first
+ * pole there, INFINITY for none. */
 struct _TinkerPiece {
     double from, next, horizon, pole;
     gboolean entered; /* the evaluator's switches are those of this piece */

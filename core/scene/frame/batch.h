@@ -1,5 +1,5 @@
-/* Snapshots of a scene's tables, ready to be handed to plugins: columns of their own, with defaults resolved and waveform
- * columns kept up to date.
+/* Snapshots of a scene's tables, ready to be handed to plugins: columns of their own, with defaults resolved and
+ * waveform columns kept up to date.
  *
  * A run works on a snapshot, so later edits of the scene do not reach it. */
 #ifndef TINKER_CORE_BATCH_H
@@ -31,12 +31,13 @@ struct _TinkerBlockBatch {
     void *scratch;               /* as the class's physics asked for; see guarded.h */
 };
 
-/* A snapshot of every table with at least one block, of the blocks that `include` has TRUE for (by block id; NULL: all).
- * "As placed" properties stay NaN. Element: TinkerBlockBatch *. (transfer full) */
+/* A snapshot of every table with at least one block, of the blocks that `include` has TRUE for (by block id; NULL:
+ * all). "As placed" properties stay NaN. Element: TinkerBlockBatch *. (transfer full) */
 GPtrArray *tinker_batches_new(TinkerScene *scene, const gboolean *include);
 
-/* Some blocks of these batches, in batches of their own: `numbers` of rows, counted from 0 batch by batch, ascending. What was
- * filled in since the snapshot, such as lengths as placed, is there as well; scratch is not. (transfer full) */
+/* Some blocks of these batches, in batches of their own: `numbers` of rows, counted from 0 batch by batch, ascending.
+ * What was filled in since the snapshot, such as lengths as placed, is there as well; scratch is not. (transfer full)
+ */
 GPtrArray *tinker_batches_take(const GPtrArray *batches, const int32_t *numbers, int32_t count);
 
 /* The rows of the largest batch. */
@@ -48,8 +49,8 @@ TinkerBatch tinker_block_batch_view(TinkerBlockBatch *batch, double t);
 /* The name of the block in a row; what TinkerPluginCall.name wants. */
 const char *tinker_block_batch_name(const void *batch, int32_t row);
 
-/* "NAME: what the plugin says of its failure", about the instance that the view names; `otherwise` (one that is translated)
- * where it says nothing. (transfer full) */
+/* "NAME: what the plugin says of its failure", about the instance that the view names; `otherwise` (one that is
+ * translated) where it says nothing. (transfer full) */
 char *tinker_block_batch_refusal(const TinkerBlockBatch *batch, const TinkerBatch *view, const char *otherwise);
 
 /* Every call of a plugin about a batch: an expression of its answer. `function` names what is called, in messages. */
@@ -57,21 +58,23 @@ char *tinker_block_batch_refusal(const TinkerBlockBatch *batch, const TinkerBatc
     TINKER_CALL(call, .phase = (function), .block_class = (blocks)->block_class, .batch = (view),                      \
                 .name = tinker_block_batch_name, .source = (blocks))
 
-/* The entry of a block's row that has a meaning (TINKER_MEANING_...), by component; `otherwise` where no property has it. */
+/* The entry of a block's row that has a meaning (TINKER_MEANING_...), by component; `otherwise` where no property has
+ * it. */
 double tinker_block_batch_meaning(const TinkerBlockBatch *batch, int32_t row, int32_t meaning, int32_t component,
                                   double otherwise);
 
 /* Evaluates all waveforms of the batch at t into its columns. */
 void tinker_block_batch_set_time(TinkerBlockBatch *batch, double t);
 
-/* The evaluator of the waveform whose first column is `column`; NULL where that is not the first column of one. Borrowed. */
+/* The evaluator of the waveform whose first column is `column`; NULL where that is not the first column of one.
+ * Borrowed. */
 const TinkerWaveformEvaluator *tinker_block_batch_evaluator(const TinkerBlockBatch *batch, int32_t column, int32_t row);
 
 /* Enters the piece of every waveform that contains `inside`. */
 void tinker_block_batch_enter_piece(TinkerBlockBatch *batch, double inside);
 
-/* The first break after t, of waveforms alone, not after the horizon; INFINITY for none. What is found is remembered, so that
- * only waveforms whose break has passed are asked again. */
+/* The first break after t, of waveforms alone, not after the horizon; INFINITY for none. What is found is remembered,
+ * so that only waveforms whose break has passed are asked again. */
 double tinker_block_batch_next_break(TinkerBlockBatch *batch, double t, double horizon);
 
 #endif

@@ -1,5 +1,5 @@
-/* Ids that lie close together are looked up in a table, others by bisection: a part of a scene may hold its first block and its
- * last. */
+/* Ids that lie close together are looked up in a table, others by bisection: a part of a scene may hold its first block
+ * and its last. */
 #include "scene/frame/block-index.h"
 
 #include <stdlib.h>

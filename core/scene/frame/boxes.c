@@ -1,6 +1,6 @@
-/* The first meeting is looked for up to a horizon that doubles until there is one: up to that horizon each box stays in the
- * rectangle around its way, and only boxes whose rectangles overlap are looked at, found by sorting the rectangles by their left
- * sides. The mean velocity, which no meeting depends on, is taken out first. */
+/* The first meeting is looked for up to a horizon that doubles until there is one: up to that horizon each box stays in
+ * the rectangle around its way, and only boxes whose rectangles overlap are looked at, found by sorting the rectangles
+ * by their left sides. The mean velocity, which no meeting depends on, is taken out first. */
 #include "scene/frame/boxes.h"
 
 #include <glib/gi18n-lib.h>
@@ -12,8 +12,8 @@
 #define FIRST_SHARE (1.0 / 1024)
 #define MOST_PAIRS  100000000
 
-/* The boxes of all bodies that can move and have an extent in both directions, where the frame has them, with their start
- * velocities. Element: TinkerBox. (transfer full) */
+/* The boxes of all bodies that can move and have an extent in both directions, where the frame has them, with their
+ * start velocities. Element: TinkerBox. (transfer full) */
 static GArray *boxes_new(const TinkerFrame *frame)
 {
     TinkerScene *scene = tinker_frame_scene(frame);
@@ -128,8 +128,8 @@ static void keep_first(TinkerMeeting *meeting, const TinkerBox *a, const TinkerB
         *meeting = other;
 }
 
-/* The first meeting up to a horizon, kept where it is earlier than the one that is there. FALSE where there were too many
- * pairs. */
+/* The first meeting up to a horizon, kept where it is earlier than the one that is there. FALSE where there were too
+ * many pairs. */
 static gboolean look_up_to(const GArray *boxes, double horizon, gint64 *pairs, TinkerMeeting *meeting)
 {
     g_autoptr(GArray) ways = ways_new(boxes, horizon);

@@ -5,8 +5,8 @@
 #include "scene/frame/frame.h"
 
 /* The quantity of this number (SI), as its block's plugin tells it when everything stands still where the frame has it.
- * FALSE where it cannot be told so (a placeholder, a detached end, a quantity that needs accelerations or the force of a
- * constraint), or is not finite. */
+ * FALSE where it cannot be told so (a placeholder, a detached end, a quantity that needs accelerations or the force of
+ * a constraint), or is not finite. */
 gboolean tinker_frame_quantity(TinkerFrame *frame, TinkerBlockId block, int32_t quantity, double *value);
 
 #endif

@@ -1,5 +1,5 @@
-/* A frame holds a snapshot of the scene and one place per block id. "As placed" lengths are worked out once, from the ends
- * at t = 0. */
+/* A frame holds a snapshot of the scene and one place per block id. "As placed" lengths are worked out once, from the
+ * ends at t = 0. */
 #include "scene/frame/frame.h"
 
 #include <glib/gi18n-lib.h>

@@ -1,6 +1,7 @@
 /* A frame: where every block is and what its columns hold at one instant. Drawing and hit tests go by it.
  *
- * A frame of a scene that has not been run shows it as placed at t = 0, with every support where its motion has it then.
+ * A frame of a scene that has not been run shows it as placed at t = 0, with every support where its motion has it
+ * then.
  */
 #ifndef TINKER_CORE_FRAME_H
 #define TINKER_CORE_FRAME_H
@@ -20,8 +21,8 @@ G_DEFINE_AUTOPTR_CLEANUP_FUNC(TinkerFrame, tinker_frame_free)
 TinkerScene *tinker_frame_scene(const TinkerFrame *frame);
 double tinker_frame_time(const TinkerFrame *frame);
 
-/* Goes to time t: waveform columns are evaluated there, and supports stand where their motions have them. Bodies that can
- * move stay where they are until tinker_frame_place moves them. */
+/* Goes to time t: waveform columns are evaluated there, and supports stand where their motions have them. Bodies that
+ * can move stay where they are until tinker_frame_place moves them. */
 gboolean tinker_frame_set_time(TinkerFrame *frame, double t, GError **error);
 
 /* Puts a body that can move somewhere. */
@@ -31,12 +32,12 @@ void tinker_frame_place(TinkerFrame *frame, TinkerBlockId block, double x, doubl
 void tinker_frame_centre(const TinkerFrame *frame, TinkerBlockId block, double *x, double *y, double *orientation);
 
 /* One block as drawing and editing see it; connectors between the same two places stand side by side. Borrowed memory:
- * valid until the next call with the same frame or until it changes. FALSE for a placeholder, of which only name and centre
- * (where its text tells one) are filled. */
+ * valid until the next call with the same frame or until it changes. FALSE for a placeholder, of which only name and
+ * centre (where its text tells one) are filled. */
 gboolean tinker_frame_instance(TinkerFrame *frame, TinkerBlockId block, TinkerInstance *instance);
 
-/* Sets the size of symbols (m) that instances report from now on: whoever draws the frame sets that of the style, so that
- * what is hit is what was drawn. 0, the default: unknown. */
+/* Sets the size of symbols (m) that instances report from now on: whoever draws the frame sets that of the style, so
+ * that what is hit is what was drawn. 0, the default: unknown. */
 void tinker_frame_set_symbol_size(TinkerFrame *frame, double symbol_size);
 
 /* A column of a block now: the snapshot's value, "as placed" lengths resolved from the ends at t = 0. */

@@ -11,15 +11,16 @@ typedef struct {
 
 typedef struct _TinkerMotions TinkerMotions;
 
-/* All motions among the batches, which are borrowed. NULL where there are none, which all below take for that. (transfer full) */
+/* All motions among the batches, which are borrowed. NULL where there are none, which all below take for that.
+ * (transfer full) */
 TinkerMotions *tinker_motions_new(GPtrArray *batches);
 void tinker_motions_free(TinkerMotions *motions);
 
 /* The blocks that are moved, without repetition. Borrowed. */
 const TinkerBlockId *tinker_motions_blocks(const TinkerMotions *motions, int32_t *count);
 
-/* Works out all displacements at t; waveforms must be inside the piece that t belongs to. Allocates nothing. FALSE where a
- * plugin fails or a value is not finite: see tinker_motions_failure. */
+/* Works out all displacements at t; waveforms must be inside the piece that t belongs to. Allocates nothing. FALSE
+ * where a plugin fails or a value is not finite: see tinker_motions_failure. */
 gboolean tinker_motions_evaluate(TinkerMotions *motions, double t);
 
 /* Whether some motion moves the block. */

@@ -1,5 +1,5 @@
-/* Tops: the solid sides of plates, and how bodies lie to them. A top is the side of +y of the plate's own axes, where the frame
- * has the plate. */
+/* Tops: the solid sides of plates, and how bodies lie to them. A top is the side of +y of the plate's own axes, where
+ * the frame has the plate. */
 #ifndef TINKER_CORE_TOPS_H
 #define TINKER_CORE_TOPS_H
 
@@ -29,8 +29,8 @@ TinkerTop tinker_top_nearest(const TinkerFrame *frame, TinkerBlockId body);
 void tinker_top_foot(const TinkerFrame *frame, const TinkerTop *top, TinkerBlockId body, double *along, double *gap);
 gboolean tinker_top_touches(const TinkerFrame *frame, const TinkerTop *top, TinkerBlockId body);
 
-/* Turns the bodies that touch a solid top along it, as a run does from its start on. Scenes in which that would take long are
- * left as they are. */
+/* Turns the bodies that touch a solid top along it, as a run does from its start on. Scenes in which that would take
+ * long are left as they are. */
 void tinker_tops_turn_bodies(TinkerFrame *frame);
 
 /* Where the centre of a body of this height (m) is that touches the top so far (m) along it from its middle. */

@@ -1,5 +1,5 @@
-/* Pasting fragments: the text is read as a scene of its own, which finds every mistake and takes the displacement; only what is
- * good then goes over into the scene. */
+/* Pasting fragments: the text is read as a scene of its own, which finds every mistake and takes the displacement; only
+ * what is good then goes over into the scene. */
 #include <math.h>
 #include <string.h>
 

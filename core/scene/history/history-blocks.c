@@ -1,5 +1,5 @@
-/* The recorded setters of blocks. Every change is kept as what the block was before and after; of blocks that come or go, all of
- * them together. */
+/* The recorded setters of blocks. Every change is kept as what the block was before and after; of blocks that come or
+ * go, all of them together. */
 #include "scene/history/history-private.h"
 
 static void make(TinkerScene *scene, int32_t id, gconstpointer from, gconstpointer to)

@@ -5,7 +5,8 @@
 #include "scene/history/history.h"
 #include "scene/store/scene-data.h"
 
-/* A kind of thing that changes. A state is all that there is to know about one such thing; NULL where it was not there. */
+/* A kind of thing that changes. A state is all that there is to know about one such thing; NULL where it was not there.
+ */
 typedef struct {
     enum { HISTORY_BLOCK, HISTORY_HEAD, HISTORY_OTHER } of; /* a block that stays, the scene's head, something else */
     /* Makes what is as in `from` be as in `to`; `id` says which one. */
@@ -23,7 +24,7 @@ TinkerScene *history_scene(TinkerHistory *history);
 
 /* Opens a step where none is open, "VERB NAME"; answers whether it did, and then the caller ends it. */
 gboolean history_open_own(TinkerHistory *history, const char *verb, const char *name);
-/* The same with the name of one block, or "N Blocks". */
+/* Opens a step, "VERB NAME" of one block or "VERB N Blocks", where none is open; answers whether it did. */
 gboolean history_open_several(TinkerHistory *history, const char *verb, const TinkerBlockId *blocks, gsize count);
 
 /* Records blocks that were added to the scene, in a step of its own where none is open. */

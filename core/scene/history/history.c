@@ -1,5 +1,5 @@
-/* The history: every change is kept as what the thing it touched was before and after, so that undo and redo need to know
- * nothing of the kinds of change. The setters are in history-blocks.c and history-scene.c. */
+/* The history: every change is kept as what the thing it touched was before and after, so that undo and redo need to
+ * know nothing of the kinds of change. The setters are in history-blocks.c and history-scene.c. */
 #include "scene/history/history-private.h"
 
 typedef struct {
@@ -97,8 +97,8 @@ static void note_place(Step *step, const Change *change, guint at)
         g_hash_table_insert(step->plain, GINT_TO_POINTER(change->id), GINT_TO_POINTER((int)at));
 }
 
-/* Adds a change to a step; one that only alters a thing which was altered here before becomes part of that, where it could
- * as well have been made right behind it. */
+/* Adds a change to a step; one that only alters a thing which was altered here before becomes part of that, where it
+ * could as well have been made right behind it. */
 static void step_add(Step *step, Change change)
 {
     const int64_t same = alters(&change) ? find_same(step, &change) : -1;

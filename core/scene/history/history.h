@@ -28,7 +28,8 @@ gboolean tinker_history_is_open(const TinkerHistory *history);
 TinkerBlockId tinker_history_add_block(TinkerHistory *history, const TinkerBlockClass *block_class, const char *name,
                                        GError **error);
 void tinker_history_remove_block(TinkerHistory *history, TinkerBlockId block);
-/* Several different ones at once, in a time that does not depend on how many they are but by what has to be kept of each. */
+/* Several different ones at once, in a time that does not depend on how many they are but by what has to be kept of
+ * each. */
 void tinker_history_remove_blocks(TinkerHistory *history, const TinkerBlockId *blocks, gsize count);
 gboolean tinker_history_rename_block(TinkerHistory *history, TinkerBlockId block, const char *name, GError **error);
 gboolean tinker_history_set(TinkerHistory *history, TinkerBlockId block, int32_t property, const double *values,
@@ -43,8 +44,8 @@ gboolean tinker_history_set_end(TinkerHistory *history, TinkerBlockId block, int
 /* Takes over all of the head: title, units, canvas, run settings; ranges are those of the format. Texts are copied. */
 gboolean tinker_history_set_head(TinkerHistory *history, const TinkerSceneHead *head, GError **error);
 
-/* Adds a graph behind the others and answers its index in tinker_scene_graphs, or -1 where its block, a quantity or its size is
- * not good. Graphs are copied. */
+/* Adds a graph behind the others and answers its index in tinker_scene_graphs, or -1 where its block, a quantity or its
+ * size is not good. Graphs are copied. */
 int32_t tinker_history_add_graph(TinkerHistory *history, const TinkerSceneGraph *graph, GError **error);
 void tinker_history_remove_graph(TinkerHistory *history, int32_t index);
 gboolean tinker_history_change_graph(TinkerHistory *history, int32_t index, const TinkerSceneGraph *graph,
@@ -61,8 +62,9 @@ const char *tinker_history_can_redo(const TinkerHistory *history);
 void tinker_history_undo(TinkerHistory *history);
 void tinker_history_redo(TinkerHistory *history);
 
-/* Whether the scene is as it was when it was marked last, or at the beginning where it was not: also after undo and redo that
- * lead back to that state. Steps with the same `merge` key stay apart where the state between them was marked. */
+/* Whether the scene is as it was when it was marked last, or at the beginning where it was not: also after undo and
+ * redo that lead back to that state. Steps with the same `merge` key stay apart where the state between them was
+ * marked. */
 gboolean tinker_history_is_saved(const TinkerHistory *history);
 void tinker_history_mark_saved(TinkerHistory *history);
 

@@ -106,8 +106,8 @@ static gboolean check_end_count(SceneReader *reader, const BlockMembers *members
                         wanted, plural, given);
 }
 
-/* Makes the block's row with as many ends as are given, where that many are allowed. `read_ends` says whether they are to
- * be read. */
+/* Makes the block's row with as many ends as are given, where that many are allowed. `read_ends` says whether they are
+ * to be read. */
 static TinkerBlockId add_row(SceneReader *reader, const BlockMembers *members, JsonAt at,
                              const TinkerBlockClass *block_class, gboolean *read_ends)
 {

@@ -153,9 +153,11 @@ void scene_placeholder_free(ScenePlaceholder *placeholder);
 /* Names in the ends of a placeholder follow: old name to new name. Answers whether there was one. */
 gboolean scene_placeholder_rename_ends(ScenePlaceholder *placeholder, GHashTable *names);
 void scene_placeholders_follow(TinkerScene *scene, const char *old_name, const char *new_name);
-/* The placeholders in the scene whose ends name one of these blocks, but none of the blocks; of TinkerBlockId. (transfer full) */
+/* The placeholders in the scene whose ends name one of these blocks, but none of the blocks; of TinkerBlockId.
+ * (transfer full) */
 GArray *scene_placeholders_on(const TinkerScene *scene, GHashTable *blocks);
-/* Their ends on the blocks become detached ones at the same places, as those of other blocks do where these are removed. */
+/* Their ends on the blocks become detached ones at the same places, as those of other blocks do where these are
+ * removed. */
 void scene_placeholders_detach(TinkerScene *scene, GHashTable *blocks);
 
 /* The place of a block in the drawing order, 0 for the one that is drawn first; and moving it to another. */
@@ -175,8 +177,8 @@ GArray *scene_graphs_of(const TinkerScene *scene, GHashTable *blocks);
 
 /* Properties --------------------------------------------------------------------------------------------------- */
 
-/* What is wrong with a property's value ("mass must be greater than 0 kg (it is -1 kg)"), or NULL. `typed` has the text that each
- * of its numbers was given as ("-3 lb"), NULL for a plain number; it may be NULL. (transfer full) */
+/* What is wrong with a property's value ("mass must be greater than 0 kg (it is -1 kg)"), or NULL. `typed` has the text
+ * that each of its numbers was given as ("-3 lb"), NULL for a plain number; it may be NULL. (transfer full) */
 char *scene_value_fault(const TinkerPropertyType *property, const double *values, const char *const *typed);
 /* Stores values that have been checked; the caller resolves. */
 void scene_store(SceneTable *table, int32_t row, int32_t property, const double *values);
@@ -194,13 +196,14 @@ char *scene_end_fault(const TinkerScene *scene, TinkerBlockId block, int32_t end
 void scene_end_place(const TinkerScene *scene, TinkerSceneEnd end, double place[2]);
 /* The other blocks that have an end on one of these; of TinkerBlockId. (transfer full) */
 GArray *scene_attached_to(const TinkerScene *scene, GHashTable *blocks);
-/* Other blocks need these no more: ends on them, placeholders' too, become detached ones at the same places, and what lies on them
- * stays where it is. */
+/* Other blocks need these no more: ends on them, placeholders' too, become detached ones at the same places, and what
+ * lies on them stays where it is. */
 void scene_detach(TinkerScene *scene, GHashTable *blocks);
 
 /* Places on tops ----------------------------------------------------------------------------------------------- */
 
-/* How a body lies; NULL where it is by its position. Set with NULL: from now on it is. Nothing moves before scene_settle. */
+/* How a body lies; NULL where it is by its position. Set with NULL: from now on it is. Nothing moves before
+ * scene_settle. */
 const ScenePlaceOn *scene_place_on(const TinkerScene *scene, TinkerBlockId block);
 void scene_set_place_on(TinkerScene *scene, TinkerBlockId block, const ScenePlaceOn *on);
 /* What is wrong with lying on that block, or NULL. (transfer full) */
@@ -209,9 +212,11 @@ char *scene_place_on_fault(const TinkerScene *scene, TinkerBlockId block, Tinker
 GArray *scene_placed_on(const TinkerScene *scene, GHashTable *plates);
 /* The place of a body that lies on a top becomes its given position and orientation. */
 void scene_fix_place(TinkerScene *scene, TinkerBlockId block);
-/* Works out the places of all bodies that lie on tops: after every change of the scene. Costs nothing where there are none. */
+/* Works out the places of all bodies that lie on tops: after every change of the scene. Costs nothing where there are
+ * none. */
 void scene_settle(TinkerScene *scene);
-/* The same after a change of one block: costs nothing, either, where that has no top, moves none and lies on none. */
+/* Works out the places of bodies that lie on tops after a change of one block: costs nothing where that has no top,
+ * moves none and lies on none. */
 void scene_settle_after(TinkerScene *scene, TinkerBlockId block);
 
 /* Snapshots ---------------------------------------------------------------------------------------------------- */
@@ -231,8 +236,8 @@ void scene_snapshot_restore(TinkerScene *scene, const SceneSnapshot *snapshot);
 /* Gives a block all values and ends of one of the same class in another scene; ends keep the ids of that scene. */
 void scene_copy_row(const TinkerScene *from, TinkerBlockId block, TinkerScene *to, TinkerBlockId copy);
 
-/* Everything about several blocks, so that they can be taken out and brought back together: their snapshots, places in the drawing
- * order, and graphs. Each of these takes a pass over the scene, however many they are. */
+/* Everything about several blocks, so that they can be taken out and brought back together: their snapshots, places in
+ * the drawing order, and graphs. Each of these takes a pass over the scene, however many they are. */
 typedef struct _SceneBlocks SceneBlocks;
 SceneBlocks *scene_blocks_keep(const TinkerScene *scene, const TinkerBlockId *blocks, gsize count);
 void scene_blocks_free(SceneBlocks *blocks);

@@ -1,5 +1,6 @@
 /* Tables: the blocks of one class, a column of doubles per property component. Rows are kept in the order of their ids;
- * adding at the end is amortised O(1), removing or bringing back takes a pass over the table, for however many at once. */
+ * adding at the end is amortised O(1), removing or bringing back takes a pass over the table, for however many at once.
+ */
 #include <math.h>
 #include <string.h>
 
@@ -135,9 +136,11 @@ void scene_table_append(TinkerScene *scene, SceneTable *table, TinkerBlockId id,
     renumber(scene, table, row);
 }
 
-/* Several rows at once ---------------------------------------------------------------------------------------------- */
+/* Several rows at once ----------------------------------------------------------------------------------------------
+ */
 
-/* The array's entry `from` becomes the one `to`, for each row in turn: `from` is never before `to` in a table that gets shorter. */
+/* The array's entry `from` becomes the one `to`, for each row in turn: `from` is never before `to` in a table that gets
+ * shorter. */
 #define GATHER(array, kept, count)                                                                                     \
     for (int32_t i = 0; i < (count); i++)                                                                              \
     (array)[i] = (array)[(kept)[i]]

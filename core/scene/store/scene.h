@@ -1,7 +1,7 @@
 /* A scene: what the user built. Blocks of one type lie in one table, a column of doubles per property component.
  *
- * A block is known by its id, a number that stays the same as long as the scene lives and is never given again. All values
- * are SI. What a scene holds is always valid: setters refuse what the block's descriptor does not allow.
+ * A block is known by its id, a number that stays the same as long as the scene lives and is never given again. All
+ * values are SI. What a scene holds is always valid: setters refuse what the block's descriptor does not allow.
  */
 #ifndef TINKER_CORE_SCENE_H
 #define TINKER_CORE_SCENE_H
@@ -67,8 +67,8 @@ typedef struct _TinkerScene TinkerScene;
 
 /* An empty scene with the defaults of the format. The catalogue is borrowed and outlives it. (transfer full) */
 TinkerScene *tinker_scene_new(TinkerCatalogue *catalogue);
-/* The same scene in memory of its own: ids, names, order, placeholders, graphs, head. It may be used by another thread than
- * the original, also while that is edited. (transfer full) */
+/* The same scene in memory of its own: ids, names, order, placeholders, graphs, head. It may be used by another thread
+ * than the original, also while that is edited. (transfer full) */
 TinkerScene *tinker_scene_copy(const TinkerScene *scene);
 void tinker_scene_free(TinkerScene *scene);
 G_DEFINE_AUTOPTR_CLEANUP_FUNC(TinkerScene, tinker_scene_free)
@@ -103,8 +103,8 @@ const TinkerBlockClass *tinker_scene_block_class(const TinkerScene *scene, Tinke
 TinkerBlockId tinker_scene_add_block(TinkerScene *scene, const TinkerBlockClass *block_class, const char *name,
                                      GError **error);
 
-/* Removes a block and its graphs; ends attached to it become detached at the place they were, and what lay on it stays where it
- * was. */
+/* Removes a block and its graphs; ends attached to it become detached at the place they were, and what lay on it stays
+ * where it was. */
 void tinker_scene_remove_block(TinkerScene *scene, TinkerBlockId block);
 /* Graphs and the ends of placeholders follow their block's new name. */
 gboolean tinker_scene_rename_block(TinkerScene *scene, TinkerBlockId block, const char *name, GError **error);
@@ -124,8 +124,8 @@ gboolean tinker_scene_set(TinkerScene *scene, TinkerBlockId block, int32_t prope
 /* Back to the default. */
 void tinker_scene_unset(TinkerScene *scene, TinkerBlockId block, int32_t property);
 
-/* Whether a body lies on the top of a plate, so far (m) from its middle towards the plate's own +x: its position then follows from
- * that, as does its orientation where none is given. Setting its position ends it. */
+/* Whether a body lies on the top of a plate, so far (m) from its middle towards the plate's own +x: its position then
+ * follows from that, as does its orientation where none is given. Setting its position ends it. */
 gboolean tinker_scene_lies_on(const TinkerScene *scene, TinkerBlockId block, TinkerBlockId *plate, double *along);
 
 const char *tinker_scene_get_text(const TinkerScene *scene, TinkerBlockId block, int32_t property);
@@ -163,7 +163,8 @@ void tinker_scene_table(TinkerScene *scene, int32_t number, TinkerSceneTable *ta
 /* The first block of a type that nobody provides, or TINKER_NO_BLOCK. */
 TinkerBlockId tinker_scene_first_placeholder(const TinkerScene *scene);
 
-/* Why the type of a placeholder is missing, as its finding says: "no plugin provides the block type ...". (transfer full) */
+/* Why the type of a placeholder is missing, as its finding says: "no plugin provides the block type ...". (transfer
+ * full) */
 char *tinker_scene_missing_reason(const TinkerScene *scene, TinkerBlockId placeholder);
 
 /* The first block with a detached end, or TINKER_NO_BLOCK. */

@@ -117,12 +117,13 @@ void reader_label_entry(SceneReader *reader, const char *list, int number, const
 /* ` (did you mean "stiffness"?)`, or `otherwise` where no candidate is near. (transfer full) */
 char *reader_suggestion(const char *word, const char *const *candidates, const char *otherwise);
 
-/* An unknown key: a warning with the nearest of the candidates, or with all of them where none is near; the member is added to
- * `extras`, which is made where it is NULL. */
+/* An unknown key: a warning with the nearest of the candidates, or with all of them where none is near; the member is
+ * added to `extras`, which is made where it is NULL. */
 void reader_keep_unknown(SceneReader *reader, JsonAt at, const char *key, const char *const *candidates,
                          GString **extras);
 
-/* The same with what is to be told of it: a suggestion in brackets, or what becomes of it. */
+/* Keeps a member whose key is not known, with a warning that ends in `suggestion`: one in brackets, or what becomes of
+ * the member. */
 void reader_keep_member(SceneReader *reader, JsonAt at, const char *key, const char *suggestion, GString **extras);
 
 /* Sorts the findings into the order of the text, finds lines and columns, and adds them to `findings` (may be NULL).
@@ -157,8 +158,8 @@ TinkerWaveform *reader_table(const char *path, const TinkerTableSource *source, 
 /* Whether a property can be given by a table of this kind. */
 gboolean reader_table_fits(TinkerTableKind kind, const TinkerPropertyType *property, GError **error);
 
-/* As tinker_scene_read_text; `waveforms` (may be NULL) has the waveforms that are not to be read, by their JSON object on
- * one line. */
+/* As tinker_scene_read_text; `waveforms` (may be NULL) has the waveforms that are not to be read, by their JSON object
+ * on one line. */
 TinkerScene *reader_read_text(TinkerCatalogue *catalogue, const char *text, gsize length, const char *path,
                               GHashTable *waveforms, GPtrArray *findings, GError **error);
 

@@ -1,4 +1,5 @@
-/* The object that stands for a table in a scene's file is kept as text beside its waveform; here it is made and asked. */
+/* The object that stands for a table in a scene's file is kept as text beside its waveform; here it is made and asked.
+ */
 #include "scene/value/table-source.h"
 
 #include "scene/value/reader.h"
@@ -65,7 +66,8 @@ char *tinker_scene_table_file(const TinkerScene *scene, TinkerWaveform *waveform
     return file;
 }
 
-/* All files of a scene ------------------------------------------------------------------------------------------------ */
+/* All files of a scene ------------------------------------------------------------------------------------------------
+ */
 
 static void collect_from_json(const cJSON *json, GHashTable *files)
 {

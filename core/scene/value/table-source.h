@@ -1,5 +1,5 @@
-/* Waveforms that are tables in files: what a scene's file says of one, and reading one for a scene that is there already.
- * The format is docs/reference/scene-format.md. */
+/* Waveforms that are tables in files: what a scene's file says of one, and reading one for a scene that is there
+ * already. The format is docs/reference/scene-format.md. */
 #ifndef TINKER_CORE_TABLE_SOURCE_H
 #define TINKER_CORE_TABLE_SOURCE_H
 
@@ -15,18 +15,18 @@ typedef struct {
     TinkerTableKind kind;
 } TinkerTableSource;
 
-/* Reads a table as a waveform for the property; `path` is the scene's file, whose folder holds it. The scene knows from then
- * on how to write it. Keys that this program does not know are taken over from `former` (may be NULL), the table in its
- * place until now. Errors are those of reading a scene: of the file with its line and column. (transfer full) */
+/* Reads a table as a waveform for the property; `path` is the scene's file, whose folder holds it. The scene knows from
+ * then on how to write it. Keys that this program does not know are taken over from `former` (may be NULL), the table
+ * in its place until now. Errors are those of reading a scene: of the file with its line and column. (transfer full) */
 TinkerWaveform *tinker_scene_read_table(TinkerScene *scene, const char *path, const TinkerTableSource *source,
                                         const TinkerPropertyType *property, TinkerWaveform *former, GError **error);
 
-/* The file that a table of the scene was read from, relative to the scene's folder; NULL where it was not read from one.
- * (transfer full) */
+/* The file that a table of the scene was read from, relative to the scene's folder; NULL where it was not read from
+ * one. (transfer full) */
 char *tinker_scene_table_file(const TinkerScene *scene, TinkerWaveform *waveform);
 
-/* The files of all tables that the scene names, relative to its folder, each once and in no order; also of those in what is
- * kept as it was read: blocks of missing types and unknown keys. Of char *. (transfer full) */
+/* The files of all tables that the scene names, relative to its folder, each once and in no order; also of those in
+ * what is kept as it was read: blocks of missing types and unknown keys. Of char *. (transfer full) */
 GPtrArray *tinker_scene_table_files(const TinkerScene *scene);
 
 #endif

@@ -1,6 +1,5 @@
-/* The page "Accuracy": measures speed against accuracy on the scene, shows the result as a chart and a table, and uses the
- * point that is chosen. Signals:
- *   "told"   (const char *text) something was done that the user should hear of
+/* The page "Accuracy": measures speed against accuracy on the scene, shows the result as a chart and a table, and uses
+ * the point that is chosen. Signals: "told"   (const char *text) something was done that the user should hear of
  */
 #ifndef TINKER_GUI_ACCURACY_PAGE_H
 #define TINKER_GUI_ACCURACY_PAGE_H

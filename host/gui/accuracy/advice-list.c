@@ -35,7 +35,8 @@ static void set_findings(TinkerAdviceList *list, GPtrArray *findings)
     if (!both_empty) g_signal_emit(list, changed_signal, 0);
 }
 
-/* Looking ------------------------------------------------------------------------------------------------------------- */
+/* Looking -------------------------------------------------------------------------------------------------------------
+ */
 
 static void look_over(TinkerBackground *background, void *data)
 {
@@ -87,7 +88,8 @@ static void look_after(TinkerAdviceList *list, guint milliseconds)
     list->timer = g_timeout_add(milliseconds, on_timer, list);
 }
 
-/* What happens ---------------------------------------------------------------------------------------------------------- */
+/* What happens
+ * ---------------------------------------------------------------------------------------------------------- */
 
 static void on_changed(TinkerAdviceList *list)
 {
@@ -109,7 +111,8 @@ static void on_state_changed(TinkerAdviceList *list)
         set_findings(list, g_ptr_array_new());
 }
 
-/* Public ---------------------------------------------------------------------------------------------------------------- */
+/* Public
+ * ---------------------------------------------------------------------------------------------------------------- */
 
 TinkerAdviceList *tinker_advice_list_new(TinkerDocument *document, TinkerPlayer *player)
 {
@@ -162,7 +165,8 @@ gboolean tinker_advice_list_repair(TinkerAdviceList *list, guint finding, GError
     return TRUE;
 }
 
-/* Life ------------------------------------------------------------------------------------------------------------------ */
+/* Life
+ * ------------------------------------------------------------------------------------------------------------------ */
 
 static void tinker_advice_list_dispose(GObject *object)
 {

@@ -1,4 +1,5 @@
-/* A row of the list is an object that borrows its measurement; what a column shows and sorts by is in the table of columns. */
+/* A row of the list is an object that borrows its measurement; what a column shows and sorts by is in the table of
+ * columns. */
 #include "gui/accuracy/trade-table.h"
 
 #include <glib/gi18n.h>
@@ -9,7 +10,8 @@
 #include "trade-words.h"
 #include "units/units.h"
 
-/* Rows ---------------------------------------------------------------------------------------------------------------- */
+/* Rows ----------------------------------------------------------------------------------------------------------------
+ */
 
 #define TINKER_TYPE_TRADE_ITEM (tinker_trade_item_get_type())
 G_DECLARE_FINAL_TYPE(TinkerTradeItem, tinker_trade_item, TINKER, TRADE_ITEM, GObject)
@@ -26,7 +28,8 @@ static void tinker_trade_item_class_init(TinkerTradeItemClass *class) {}
 
 static void tinker_trade_item_init(TinkerTradeItem *item) {}
 
-/* Columns ------------------------------------------------------------------------------------------------------------- */
+/* Columns -------------------------------------------------------------------------------------------------------------
+ */
 
 static char *method_text(const TinkerTradeRow *row)
 {
@@ -139,7 +142,8 @@ static void on_bind(GtkSignalListItemFactory *factory, GtkListItem *cell, const 
         gtk_widget_remove_css_class(label, "advised");
 }
 
-/* The table ----------------------------------------------------------------------------------------------------------- */
+/* The table -----------------------------------------------------------------------------------------------------------
+ */
 
 struct _TinkerTradeTable {
     GtkWidget parent_instance;
@@ -163,7 +167,8 @@ static void add_method(TinkerTradeTable *table, const TinkerTradeMethod *method,
     }
 }
 
-/* The advised row is where one begins to read. A list that has just been filled cannot be scrolled before it is laid out. */
+/* The advised row is where one begins to read. A list that has just been filled cannot be scrolled before it is laid
+ * out. */
 static gboolean select_advised(void *data)
 {
     TinkerTradeTable *table = data;

@@ -1,4 +1,5 @@
-/* The thread measures a copy of the scene, which the result keeps: it says later on whether the scene is still the same. */
+/* The thread measures a copy of the scene, which the result keeps: it says later on whether the scene is still the
+ * same. */
 #include "gui/accuracy/trade-task.h"
 
 #include "gui/document/background.h"
@@ -49,7 +50,8 @@ static void job_free(void *data)
     g_free(job);
 }
 
-/* The thread ---------------------------------------------------------------------------------------------------------- */
+/* The thread ----------------------------------------------------------------------------------------------------------
+ */
 
 static gboolean is_cancelled(void *data)
 {
@@ -71,7 +73,8 @@ static void work(TinkerBackground *background, void *data)
     job->reference = tinker_trade_reference_text(job->trade);
 }
 
-/* The owner ----------------------------------------------------------------------------------------------------------- */
+/* The owner -----------------------------------------------------------------------------------------------------------
+ */
 
 static void emit(TinkerTradeTask *task, int signal)
 {
@@ -198,7 +201,8 @@ gboolean tinker_trade_task_is_stale(TinkerTradeTask *task)
     return task->stale;
 }
 
-/* The document -------------------------------------------------------------------------------------------------------- */
+/* The document --------------------------------------------------------------------------------------------------------
+ */
 
 static void on_changed(TinkerTradeTask *task)
 {
@@ -217,7 +221,8 @@ static void on_replaced(TinkerTradeTask *task)
     emit(task, CHANGED);
 }
 
-/* The object ---------------------------------------------------------------------------------------------------------- */
+/* The object ----------------------------------------------------------------------------------------------------------
+ */
 
 static void tinker_trade_task_finalize(GObject *object)
 {

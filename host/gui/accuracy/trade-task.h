@@ -14,8 +14,8 @@ G_DECLARE_FINAL_TYPE(TinkerTradeTask, tinker_trade_task, TINKER, TRADE_TASK, GOb
 /* Takes a reference of the document. (transfer full) */
 TinkerTradeTask *tinker_trade_task_new(TinkerDocument *document);
 
-/* Begins, on the scene as it is now; the advice will be for this error. `seconds` that it may take, about. One that is under
- * way ends without a result. */
+/* Begins, on the scene as it is now; the advice will be for this error. `seconds` that it may take, about. One that is
+ * under way ends without a result. */
 void tinker_trade_task_start(TinkerTradeTask *task, double error, double seconds);
 /* Ends it soon; what was measured up to then is the result. */
 void tinker_trade_task_cancel(TinkerTradeTask *task);

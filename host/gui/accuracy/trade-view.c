@@ -1,4 +1,5 @@
-/* The chart is drawn by the plots of the core; the point under the pointer is a reading of it. Keyboards have the table. */
+/* The chart is drawn by the plots of the core; the point under the pointer is a reading of it. Keyboards have the
+ * table. */
 #include "gui/accuracy/trade-view.h"
 
 #include <glib/gi18n.h>
@@ -47,7 +48,8 @@ static void draw(GtkDrawingArea *area, cairo_t *cairo, int width, int height, gp
     tinker_plot_draw(cairo, &plot, width, height);
 }
 
-/* The pointer ------------------------------------------------------------------------------------------------------- */
+/* The pointer -------------------------------------------------------------------------------------------------------
+ */
 
 static void hover(TinkerTradeView *view, double x, double y)
 {
@@ -81,7 +83,8 @@ static void on_click(GtkGestureClick *click, int presses, double x, double y, Ti
     if (view->row != NULL) g_signal_emit(view, chosen_signal, 0, view->row);
 }
 
-/* The widget ---------------------------------------------------------------------------------------------------------- */
+/* The widget ----------------------------------------------------------------------------------------------------------
+ */
 
 static void forget(TinkerTradeView *view)
 {

@@ -1,5 +1,5 @@
-/* One process serves all windows; a second start hands its files over to the first. With folders of plugins of its own, and for
- * pictures, a process stays by itself. */
+/* One process serves all windows; a second start hands its files over to the first. With folders of plugins of its own,
+ * and for pictures, a process stays by itself. */
 #include "gui/app/application.h"
 
 #include <glib/gi18n.h>
@@ -60,7 +60,8 @@ static TinkerWindow *new_window(TinkerApplication *application)
     return window;
 }
 
-/* Actions ------------------------------------------------------------------------------------------------------------- */
+/* Actions -------------------------------------------------------------------------------------------------------------
+ */
 
 static void on_new_window(GSimpleAction *action, GVariant *parameter, gpointer application)
 {
@@ -123,7 +124,8 @@ static void add_style_action(GApplication *application)
     apply_style(style);
 }
 
-/* The command line ---------------------------------------------------------------------------------------------------- */
+/* The command line ----------------------------------------------------------------------------------------------------
+ */
 
 static int tinker_application_handle_local_options(GApplication *base, GVariantDict *options)
 {
@@ -157,7 +159,8 @@ static gboolean tinker_application_local_command_line(GApplication *base, char *
     return handled;
 }
 
-/* Life ---------------------------------------------------------------------------------------------------------------- */
+/* Life ----------------------------------------------------------------------------------------------------------------
+ */
 
 static void tinker_application_startup(GApplication *base)
 {
@@ -216,8 +219,8 @@ static void tinker_application_open(GApplication *base, GFile **files, int count
     }
 }
 
-/* A thread is still at work though it was told to stop: a plugin never comes back. Everything is saved or given up by now,
- * and nothing that the thread may use can be freed. */
+/* A thread is still at work though it was told to stop: a plugin never comes back. Everything is saved or given up by
+ * now, and nothing that the thread may use can be freed. */
 G_NORETURN static void end_without_threads(void)
 {
     tinker_report_note(_("ended while a plugin was still at work (it may hang)"));

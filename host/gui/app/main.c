@@ -1,5 +1,5 @@
-/* tinker-gui, the program with a window. Numbers are read and written in the C locale everywhere; texts and characters follow
- * the user's. */
+/* tinker-gui, the program with a window. Numbers are read and written in the C locale everywhere; texts and characters
+ * follow the user's. */
 #include <gtk/gtk.h>
 #include <libintl.h>
 #include <locale.h>

@@ -1,5 +1,5 @@
-/* Nothing that depends on the clock may be in the picture: animations are off, and the run is waited for to its end, because the
- * time line shows how far it has come. */
+/* Nothing that depends on the clock may be in the picture: animations are off, and the run is waited for to its end,
+ * because the time line shows how far it has come. */
 #include "gui/app/screenshot.h"
 
 #include <glib/gi18n.h>
@@ -43,7 +43,8 @@ static void finish(Shot *shot, int status)
     g_free(shot);
 }
 
-/* The scene ----------------------------------------------------------------------------------------------------------- */
+/* The scene -----------------------------------------------------------------------------------------------------------
+ */
 
 static int usage_error(const char *option, const char *value, const char *right)
 {
@@ -121,7 +122,8 @@ static int show(TinkerWindow *window, const TinkerScreenshot *wanted)
     return status;
 }
 
-/* The picture --------------------------------------------------------------------------------------------------------- */
+/* The picture ---------------------------------------------------------------------------------------------------------
+ */
 
 static int write_picture(GdkTexture *texture, const char *path)
 {

@@ -8,8 +8,8 @@
 /* What must be set before GTK is: the renderer, the theme. */
 void tinker_screenshot_prepare(const TinkerScreenshot *screenshot);
 
-/* Shows the scene in a window, takes the picture when everything has been drawn, and calls `done` with the exit status; errors
- * have been told on standard error. The screenshot is borrowed, and outlives it. */
+/* Shows the scene in a window, takes the picture when everything has been drawn, and calls `done` with the exit status;
+ * errors have been told on standard error. The screenshot is borrowed, and outlives it. */
 typedef void (*TinkerScreenshotDone)(int status, gpointer data);
 void tinker_screenshot_take(TinkerApplication *application, const TinkerScreenshot *screenshot,
                             TinkerScreenshotDone done, gpointer data);

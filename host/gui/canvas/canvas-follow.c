@@ -1,5 +1,5 @@
-/* Bodies that leave the view: a mark at the edge says where they are, with their names, and one that is followed takes the view
- * along, so that it stays where it is on the canvas. */
+/* Bodies that leave the view: a mark at the edge says where they are, with their names, and one that is followed takes
+ * the view along, so that it stays where it is on the canvas. */
 #include <math.h>
 
 #include "gui/canvas/canvas-private.h"
@@ -31,7 +31,8 @@ static gboolean is_in_view(const TinkerCanvas *canvas, const double place[2])
     return place[0] >= 0 && place[1] >= 0 && place[0] <= canvas->view.width && place[1] <= canvas->view.height;
 }
 
-/* Marks ----------------------------------------------------------------------------------------------------------------- */
+/* Marks
+ * ----------------------------------------------------------------------------------------------------------------- */
 
 /* Where the canvas can be seen from (widget units): notices lie over its top. */
 static double seen_from(const TinkerCanvas *canvas)
@@ -83,7 +84,8 @@ void canvas_paint_edge_marks(TinkerCanvas *canvas, cairo_t *cairo, TinkerFrame *
     cairo_restore(cairo);
 }
 
-/* Following ------------------------------------------------------------------------------------------------------------- */
+/* Following
+ * ------------------------------------------------------------------------------------------------------------- */
 
 void canvas_follow(TinkerCanvas *canvas)
 {

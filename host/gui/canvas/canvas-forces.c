@@ -1,6 +1,6 @@
-/* The forces at a time are those at the start of a scene that goes on from there, so nothing of the run has to be kept for them.
- * How long an arrow is follows from the forces at the start of the run, all of them, and stays so: lengths can be compared,
- * over time and from body to body. */
+/* The forces at a time are those at the start of a scene that goes on from there, so nothing of the run has to be kept
+ * for them. How long an arrow is follows from the forces at the start of the run, all of them, and stays so: lengths
+ * can be compared, over time and from body to body. */
 #include "gui/canvas/canvas-forces.h"
 
 #include <glib/gi18n.h>
@@ -54,8 +54,8 @@ static void update(CanvasForces *forces, TinkerDocument *document, TinkerPlayer 
     forces->stale_at = now + PATIENCE * (now - began);
 }
 
-/* Whether the force is to be seen: of selected bodies those on them, unless `others` those that they exert, too; of selected
- * connectors and fields theirs; with nothing selected those on all that can move. */
+/* Whether the force is to be seen: of selected bodies those on them, unless `others` those that they exert, too; of
+ * selected connectors and fields theirs; with nothing selected those on all that can move. */
 static gboolean shows(TinkerDocument *document, const TinkerActingForce *force, gboolean others)
 {
     TinkerScene *scene = tinker_document_scene(document);
@@ -136,7 +136,8 @@ static char *label_of(TinkerScene *scene, const TinkerActingForce *force)
                    : g_strdup_printf("%s %s", by, value);
 }
 
-/* The key ------------------------------------------------------------------------------------------------------------- */
+/* The key -------------------------------------------------------------------------------------------------------------
+ */
 
 /* Of the kinds that there are now, and how long a round force is. */
 static void draw_key(cairo_t *cairo, const TinkerView *view, const GArray *arrows, const TinkerArrowOptions *options,

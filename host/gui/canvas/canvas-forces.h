@@ -1,5 +1,5 @@
-/* The forces that the canvas shows as arrows: on the bodies that are selected, or on all that can move. Beside them stands how
- * long a force is drawn, and what the colours mean. */
+/* The forces that the canvas shows as arrows: on the bodies that are selected, or on all that can move. Beside them
+ * stands how long a force is drawn, and what the colours mean. */
 #ifndef TINKER_GUI_CANVAS_FORCES_H
 #define TINKER_GUI_CANVAS_FORCES_H
 
@@ -22,8 +22,8 @@ typedef struct {
     gboolean others; /* with bodies selected, those that these exert on others are shown, too */
 } CanvasForcesLook;
 
-/* Draws those of the present time. Where working them out takes long, arrows of a little earlier are drawn while it plays. A
- * scene that cannot run has none. */
+/* Draws those of the present time. Where working them out takes long, arrows of a little earlier are drawn while it
+ * plays. A scene that cannot run has none. */
 void canvas_forces_draw(CanvasForces *forces, cairo_t *cairo, TinkerDocument *document, TinkerPlayer *player,
                         const TinkerView *view, const CanvasForcesLook *look);
 

@@ -27,8 +27,8 @@ static TinkerHit body_rather_than_end(TinkerCanvas *canvas, TinkerFrame *frame, 
     return under == body ? (TinkerHit){body, TINKER_PART_WHOLE} : hit;
 }
 
-/* What lies under a point, fields in their corner too. `handles`: those of what is selected come first, for only they are
- * drawn, and only of the scene as placed. */
+/* What lies under a point, fields in their corner too. `handles`: those of what is selected come first, for only they
+ * are drawn, and only of the scene as placed. */
 static TinkerHit hit_at(TinkerCanvas *canvas, double x, double y, gboolean handles)
 {
     TinkerFrame *frame = tinker_player_frame(canvas->player);
@@ -46,7 +46,8 @@ static TinkerHit hit_at(TinkerCanvas *canvas, double x, double y, gboolean handl
     return (TinkerHit){tinker_painter_field_at(frame, &canvas->view, x, y), TINKER_PART_NONE};
 }
 
-/* Dragging ------------------------------------------------------------------------------------------------------------ */
+/* Dragging ------------------------------------------------------------------------------------------------------------
+ */
 
 static void begin_drag(TinkerCanvas *canvas)
 {
@@ -177,7 +178,8 @@ void canvas_cancel_gesture(TinkerCanvas *canvas)
     set_highlighted(canvas, TINKER_NO_BLOCK);
 }
 
-/* Looking around ------------------------------------------------------------------------------------------------------ */
+/* Looking around ------------------------------------------------------------------------------------------------------
+ */
 
 static void on_pan_press(GtkGestureDrag *gesture, double x, double y, TinkerCanvas *canvas)
 {
@@ -228,7 +230,8 @@ static void on_pinch_begin(GtkGesture *gesture, GdkEventSequence *sequence, Tink
     g_object_set_data_full(G_OBJECT(gesture), "last", last, g_free);
 }
 
-/* The menu ------------------------------------------------------------------------------------------------------------ */
+/* The menu ------------------------------------------------------------------------------------------------------------
+ */
 
 static void on_menu(GtkGestureClick *gesture, int presses, double x, double y, TinkerCanvas *canvas)
 {
@@ -240,7 +243,8 @@ static void on_menu(GtkGestureClick *gesture, int presses, double x, double y, T
     g_signal_emit_by_name(canvas, "menu", x, y);
 }
 
-/* Keys ---------------------------------------------------------------------------------------------------------------- */
+/* Keys ----------------------------------------------------------------------------------------------------------------
+ */
 
 static gboolean nudge(TinkerCanvas *canvas, int right, int up, GdkModifierType modifiers)
 {

@@ -1,5 +1,5 @@
-/* What the canvas shows of a start beyond the scene itself: with which velocity bodies set off, and which blocks something is
- * wrong with. Arrows are those of forces, in the colour of motions and with the scale of velocities. */
+/* What the canvas shows of a start beyond the scene itself: with which velocity bodies set off, and which blocks
+ * something is wrong with. Arrows are those of forces, in the colour of motions and with the scale of velocities. */
 #include <math.h>
 
 #include "gui/canvas/canvas-private.h"
@@ -10,7 +10,8 @@
 #define BADGE_GAP  4.0
 #define BADGE_EDGE 2.0
 
-/* Velocities ------------------------------------------------------------------------------------------------------------ */
+/* Velocities
+ * ------------------------------------------------------------------------------------------------------------ */
 
 static gboolean is_marked(TinkerCanvas *canvas, TinkerBlockId block)
 {
@@ -59,10 +60,11 @@ static void paint_velocities(TinkerCanvas *canvas, cairo_t *cairo, TinkerFrame *
         g_free((char *)arrows[i].label);
 }
 
-/* Badges ---------------------------------------------------------------------------------------------------------------- */
+/* Badges
+ * ---------------------------------------------------------------------------------------------------------------- */
 
-/* Where the badge of a block goes, in widget units: into the upper right corner of a body that has room for it, where neither
- * names nor handles are; else beside the block's centre or corner. FALSE where the block is nowhere. */
+/* Where the badge of a block goes, in widget units: into the upper right corner of a body that has room for it, where
+ * neither names nor handles are; else beside the block's centre or corner. FALSE where the block is nowhere. */
 static gboolean place_of(TinkerCanvas *canvas, const TinkerFrame *frame, TinkerBlockId block, double place[2])
 {
     double x, y, orientation, off = (BADGE + BADGE_GAP) / canvas->view.scale;

@@ -31,7 +31,8 @@ enum {
 static GParamSpec *properties[PROPERTIES];
 static guint view_changed_signal;
 
-/* The view ------------------------------------------------------------------------------------------------------------ */
+/* The view ------------------------------------------------------------------------------------------------------------
+ */
 
 const TinkerView *tinker_canvas_view(TinkerCanvas *canvas)
 {
@@ -191,7 +192,8 @@ static void tinker_canvas_size_allocate(GtkWidget *widget, int width, int height
     canvas_view_changed(canvas);
 }
 
-/* Painting ------------------------------------------------------------------------------------------------------------ */
+/* Painting ------------------------------------------------------------------------------------------------------------
+ */
 
 static TinkerPaintOptions paint_options(TinkerCanvas *canvas)
 {
@@ -271,7 +273,8 @@ static void tinker_canvas_snapshot(GtkWidget *widget, GtkSnapshot *snapshot)
     gtk_snapshot_append_texture(snapshot, texture, &bounds);
 }
 
-/* The widget ---------------------------------------------------------------------------------------------------------- */
+/* The widget ----------------------------------------------------------------------------------------------------------
+ */
 
 static void on_replaced(TinkerCanvas *canvas)
 {

@@ -15,8 +15,8 @@ void tinker_canvas_set_player(TinkerCanvas *canvas, TinkerDocument *document, Ti
 
 /* What is shown beside the blocks. Properties "show-labels", "show-forces", "show-local-origins", "show-grid". */
 
-/* A widget that lies over the top of the canvas, as high as it is: marks at the edge keep below it. Whoever changes its height
- * has the canvas drawn anew. Borrowed; NULL: there is none. */
+/* A widget that lies over the top of the canvas, as high as it is: marks at the edge keep below it. Whoever changes its
+ * height has the canvas drawn anew. Borrowed; NULL: there is none. */
 void tinker_canvas_set_cover(TinkerCanvas *canvas, GtkWidget *cover);
 
 /* Marks these blocks as those that something is wrong with; ids of blocks that are gone are passed over. Copied. */
@@ -24,7 +24,8 @@ void tinker_canvas_set_marked(TinkerCanvas *canvas, const TinkerBlockId *blocks,
 
 /* The signal "menu" (double x, double y, widget units) asks for the menu of what is selected. */
 
-/* What drawings of blocks did that they must not do, of const char *; told by the signal "faults". (transfer container) */
+/* What drawings of blocks did that they must not do, of const char *; told by the signal "faults". (transfer container)
+ */
 GList *tinker_canvas_faults(TinkerCanvas *canvas);
 
 /* The view in widget coordinates. The signal "view-changed" tells of another one. */
@@ -39,8 +40,8 @@ void tinker_canvas_show_width(TinkerCanvas *canvas);
 /* As a scene is shown when it is opened. */
 void tinker_canvas_show_first(TinkerCanvas *canvas);
 
-/* A new block of a class on its way from the palette, as one step for undo: _move with a point in widget coordinates shows it
- * there (or takes it away, outside of the canvas), _drop leaves it there, _cancel takes it away. */
+/* A new block of a class on its way from the palette, as one step for undo: _move with a point in widget coordinates
+ * shows it there (or takes it away, outside of the canvas), _drop leaves it there, _cancel takes it away. */
 void tinker_canvas_place_move(TinkerCanvas *canvas, const TinkerBlockClass *block_class, double x, double y);
 TinkerBlockId tinker_canvas_place_drop(TinkerCanvas *canvas);
 void tinker_canvas_place_cancel(TinkerCanvas *canvas);

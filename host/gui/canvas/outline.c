@@ -1,5 +1,6 @@
-/* A list view over items that each hold the id of a block. The items are made anew only where blocks came, went, changed places
- * or names; what a row says beyond the name is asked for when it is shown, so that thousands of blocks cost little. */
+/* A list view over items that each hold the id of a block. The items are made anew only where blocks came, went,
+ * changed places or names; what a row says beyond the name is asked for when it is shown, so that thousands of blocks
+ * cost little. */
 #include "gui/canvas/outline.h"
 
 #include <glib/gi18n.h>
@@ -15,7 +16,8 @@
 #define SEARCH_FROM   8   /* blocks: fewer are seen at a glance */
 #define REFRESH_DELAY 100 /* ms: a drag need not be followed faster */
 
-/* Items --------------------------------------------------------------------------------------------------------------- */
+/* Items ---------------------------------------------------------------------------------------------------------------
+ */
 
 #define OUTLINE_TYPE_ITEM (outline_item_get_type())
 G_DECLARE_FINAL_TYPE(OutlineItem, outline_item, OUTLINE, ITEM, GObject)
@@ -53,7 +55,8 @@ static OutlineItem *item_new(TinkerScene *scene, TinkerBlockId block)
     return item;
 }
 
-/* The widget's parts ---------------------------------------------------------------------------------------------------- */
+/* The widget's parts
+ * ---------------------------------------------------------------------------------------------------- */
 
 struct _TinkerOutline {
     GtkWidget parent_instance;
@@ -78,7 +81,8 @@ static TinkerScene *scene_of(TinkerOutline *outline)
     return tinker_document_scene(outline->document);
 }
 
-/* Rows ---------------------------------------------------------------------------------------------------------------- */
+/* Rows ----------------------------------------------------------------------------------------------------------------
+ */
 
 static void draw_icon(GtkDrawingArea *area, cairo_t *cairo, int width, int height, gpointer data)
 {
@@ -159,7 +163,8 @@ static void on_unbind(GtkSignalListItemFactory *factory, GtkListItem *row, Tinke
     g_hash_table_remove(outline->rows, row);
 }
 
-/* Selection ----------------------------------------------------------------------------------------------------------- */
+/* Selection -----------------------------------------------------------------------------------------------------------
+ */
 
 /* By id; a set. (transfer full) */
 static GHashTable *selected_blocks(TinkerOutline *outline)
@@ -225,7 +230,8 @@ static void on_activated(TinkerOutline *outline)
     g_signal_emit(outline, signals[ACTIVATED], 0);
 }
 
-/* Items follow the scene ------------------------------------------------------------------------------------------------ */
+/* Items follow the scene
+ * ------------------------------------------------------------------------------------------------ */
 
 static gboolean is_current(TinkerOutline *outline)
 {
@@ -284,7 +290,8 @@ static void refresh_soon(TinkerOutline *outline)
     if (outline->refresh == 0) outline->refresh = g_timeout_add(REFRESH_DELAY, on_refresh, outline);
 }
 
-/* Searching ----------------------------------------------------------------------------------------------------------- */
+/* Searching -----------------------------------------------------------------------------------------------------------
+ */
 
 static gboolean is_wanted(gpointer item, gpointer data)
 {
@@ -316,7 +323,8 @@ static void on_search_stopped(TinkerOutline *outline)
     gtk_widget_grab_focus(outline->list);
 }
 
-/* The widget ---------------------------------------------------------------------------------------------------------- */
+/* The widget ----------------------------------------------------------------------------------------------------------
+ */
 
 static GtkWidget *make_header(TinkerOutline *outline)
 {

@@ -1,10 +1,10 @@
 /* Autosave: a copy of what one document has not saved, for the case that the program does not end properly. No widget.
  *
- * The copy is SESSION-N.tinker.json in the folder of tinker_autosave_folder(), with a companion SESSION-N.info that tells what it
- * is a copy of (recovery.h reads both); SESSION is the name of this run (session.h). It is written every 30 s (TINKER_AUTOSAVE_SECONDS) while there is something new to
- * save, and removed as soon as nothing is unsaved. Signals:
- *   "failed"    (char *message) the copy cannot be written; told once, until it can be again
- *   "working"   it can be again
+ * The copy is SESSION-N.tinker.json in the folder of tinker_autosave_folder(), with a companion SESSION-N.info that
+ * tells what it is a copy of (recovery.h reads both); SESSION is the name of this run (session.h). It is written every
+ * 30 s (TINKER_AUTOSAVE_SECONDS) while there is something new to save, and removed as soon as nothing is unsaved.
+ * Signals: "failed"    (char *message) the copy cannot be written; told once, until it can be again "working"   it can
+ * be again
  */
 #ifndef TINKER_GUI_AUTOSAVE_H
 #define TINKER_GUI_AUTOSAVE_H

@@ -1,4 +1,5 @@
-/* A piece of work is shared by its thread, its owner and the message that it is done, and freed by whichever lets go last. */
+/* A piece of work is shared by its thread, its owner and the message that it is done, and freed by whichever lets go
+ * last. */
 #include "gui/document/background.h"
 
 #include "plugin/crash.h"
@@ -61,7 +62,8 @@ static gpointer run(gpointer data)
     TinkerBackground *background = data;
     tinker_crash_watch_thread();
     background->work->work(background, background->data);
-    /* The message has the thread's reference, unless nobody would hear it: the data must be gone before the thread is. */
+    /* The message has the thread's reference, unless nobody would hear it: the data must be gone before the thread is.
+     */
     if (g_atomic_int_get(&background->let_go))
         unref(background);
     else

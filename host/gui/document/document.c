@@ -229,7 +229,8 @@ gboolean tinker_document_is_empty(TinkerDocument *document)
     return TRUE;
 }
 
-/* Editing ----------------------------------------------------------------------------------------------------------- */
+/* Editing -----------------------------------------------------------------------------------------------------------
+ */
 
 static void drop_removed(TinkerDocument *document)
 {
@@ -367,7 +368,8 @@ void tinker_document_move_selected(TinkerDocument *document, double dx, double d
     tinker_document_end(document);
 }
 
-/* Selection --------------------------------------------------------------------------------------------------------- */
+/* Selection ---------------------------------------------------------------------------------------------------------
+ */
 
 const TinkerBlockId *tinker_document_selection(TinkerDocument *document, int *count)
 {

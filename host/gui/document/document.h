@@ -33,11 +33,12 @@ TinkerHistory *tinker_document_history(TinkerDocument *document);
 gboolean tinker_document_start(TinkerDocument *document, const char *text, gsize length, const char *path,
                                GError **error);
 
-/* Opens a file; warnings of the reader are added to `findings` (of TinkerFinding *, may be NULL). On failure the document
- * stays as it was. */
+/* Opens a file; warnings of the reader are added to `findings` (of TinkerFinding *, may be NULL). On failure the
+ * document stays as it was. */
 gboolean tinker_document_open(TinkerDocument *document, const char *path, GPtrArray *findings, GError **error);
 
-/* Saves atomically, and goes on with that path. Tables that the scene reads go along into another folder; none is overwritten. */
+/* Saves atomically, and goes on with that path. Tables that the scene reads go along into another folder; none is
+ * overwritten. */
 gboolean tinker_document_save(TinkerDocument *document, const char *path, GError **error);
 
 /* NULL for a scene that has never been saved. */
@@ -49,7 +50,8 @@ const char *tinker_document_checksum(TinkerDocument *document);
 /* Whether somebody else has written the file since. */
 gboolean tinker_document_changed_on_disk(TinkerDocument *document);
 
-/* Its own file, where it has one, and what its scene reads: none of them is for something else to be written to. (transfer full) */
+/* Its own file, where it has one, and what its scene reads: none of them is for something else to be written to.
+ * (transfer full) */
 TinkerFileSet *tinker_document_files(TinkerDocument *document);
 
 /* What the title bar calls it: the scene's title, else the file's name, else "Untitled". (transfer full) */
@@ -68,7 +70,8 @@ gboolean tinker_document_recover(TinkerDocument *document, const char *text, gsi
 /* Whether there is nothing in the scene that has a place on the canvas. */
 gboolean tinker_document_is_empty(TinkerDocument *document);
 
-/* Editing ----------------------------------------------------------------------------------------------------------- */
+/* Editing -----------------------------------------------------------------------------------------------------------
+ */
 
 /* One step for undo; steps do not nest: one that is open is interrupted. `merge` as in history.h. */
 void tinker_document_begin(TinkerDocument *document, const char *title, const char *merge);
@@ -84,18 +87,20 @@ void tinker_document_interrupt(TinkerDocument *document);
 void tinker_document_undo(TinkerDocument *document);
 void tinker_document_redo(TinkerDocument *document);
 
-/* Inside a step: puts a block's centre at `place` (m), or the middle of its free ends, which lie `reach` (m) to the left and
- * right. */
+/* Inside a step: puts a block's centre at `place` (m), or the middle of its free ends, which lie `reach` (m) to the
+ * left and right. */
 void tinker_document_place(TinkerDocument *document, TinkerBlockId block, const double place[2], double reach);
 
 /* Removes what is selected. */
 void tinker_document_remove_selected(TinkerDocument *document);
 
-/* Moves what is selected, bodies and detached ends, by (dx, dy) m: inside a step, and as one. `merge` as in history.h. */
+/* Moves what is selected, bodies and detached ends, by (dx, dy) m: inside a step, and as one. `merge` as in history.h.
+ */
 void tinker_document_shift_selected(TinkerDocument *document, double dx, double dy);
 void tinker_document_move_selected(TinkerDocument *document, double dx, double dy, const char *merge);
 
-/* Selection --------------------------------------------------------------------------------------------------------- */
+/* Selection ---------------------------------------------------------------------------------------------------------
+ */
 
 /* In the order in which they were selected. Borrowed, valid until the selection changes. */
 const TinkerBlockId *tinker_document_selection(TinkerDocument *document, int *count);

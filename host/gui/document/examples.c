@@ -1,4 +1,5 @@
-/* The topics of the bundled scenes stand in the README of their folder, in a table with a row for each: | topic | `scene`, `scene` |. */
+/* The topics of the bundled scenes stand in the README of their folder, in a table with a row for each: | topic |
+ * `scene`, `scene` |. */
 #include "gui/document/examples.h"
 
 #include <cjson/cJSON.h>

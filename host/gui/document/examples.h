@@ -15,8 +15,8 @@ typedef struct {
     GPtrArray *examples; /* of TinkerExample * */
 } TinkerTopic;
 
-/* As the README of a folder of scenes groups them, with those that it does not name in a topic of their own at the end; of
- * TinkerTopic *, which it frees. Scenes that cannot be read are left out. (transfer full) */
+/* As the README of a folder of scenes groups them, with those that it does not name in a topic of their own at the end;
+ * of TinkerTopic *, which it frees. Scenes that cannot be read are left out. (transfer full) */
 GPtrArray *tinker_examples_read(const char *folder);
 
 /* Adds a topic for each bundle (of TinkerBundleEntry) that has scenes, under its title. */

@@ -1,5 +1,5 @@
-/* The record is read from where the last reading ended. Both quantities of a phase plot have a cursor of their own, and the run
- * may go on between the two readings: only points that have both count. */
+/* The record is read from where the last reading ended. Both quantities of a phase plot have a cursor of their own, and
+ * the run may go on between the two readings: only points that have both count. */
 #include "gui/document/graph-data.h"
 
 #include <glib/gi18n.h>
@@ -60,7 +60,8 @@ static const double *numbers(const GArray *array)
     return (const double *)(gpointer)array->data;
 }
 
-/* The graph ----------------------------------------------------------------------------------------------------------- */
+/* The graph -----------------------------------------------------------------------------------------------------------
+ */
 
 /* Nobody knows the quantities of a placeholder: it has their ids for titles. */
 static TinkerGraphAxis axis_of(TinkerScene *scene, const char *block_name, const char *id)
@@ -116,7 +117,8 @@ const char *tinker_graph_data_title(const TinkerGraphData *data)
     return data->title;
 }
 
-/* The record ---------------------------------------------------------------------------------------------------------- */
+/* The record ----------------------------------------------------------------------------------------------------------
+ */
 
 /* Takes over a portion. */
 static void take(TinkerGraphData *data, const char *quantity, TinkerSeriesCursor *cursor, double per_si, GArray *times,
@@ -194,7 +196,8 @@ gboolean tinker_graph_data_present(const TinkerGraphData *data, gsize *point)
     return low > 0;
 }
 
-/* Thinning ------------------------------------------------------------------------------------------------------------ */
+/* Thinning ------------------------------------------------------------------------------------------------------------
+ */
 
 static double range_of(const double *values, gsize count)
 {
@@ -233,7 +236,8 @@ gsize tinker_graph_data_point(const TinkerGraphData *data, gsize drawn)
     return data->drawn_thin ? g_array_index(data->kept, guint, drawn) : drawn;
 }
 
-/* The plot ------------------------------------------------------------------------------------------------------------ */
+/* The plot ------------------------------------------------------------------------------------------------------------
+ */
 
 /* A plot without a point has no axes: this curve lies on the frame, where nobody sees it. */
 static void fill_bare_axes(TinkerGraphData *data, TinkerPlot *plot)
@@ -289,7 +293,8 @@ void tinker_graph_data_fill_plot(TinkerGraphData *data, TinkerPlot *plot)
     add_present(data, plot);
 }
 
-/* Texts --------------------------------------------------------------------------------------------------------------- */
+/* Texts ---------------------------------------------------------------------------------------------------------------
+ */
 
 static char *value_text(const char *name, double value, const char *unit)
 {
@@ -313,7 +318,8 @@ char *tinker_graph_data_y_text(const TinkerGraphData *data, gsize point)
     return value_text(data->quantity, g_array_index(data->y, double, point), data->y_axis.unit);
 }
 
-/* CSV ----------------------------------------------------------------------------------------------------------------- */
+/* CSV -----------------------------------------------------------------------------------------------------------------
+ */
 
 static void write_rows(const TinkerGraphData *data, TinkerCsvWriter *writer, gboolean units)
 {
@@ -358,7 +364,8 @@ gboolean tinker_graph_data_write_csv(TinkerGraphData *data, const char *path, in
     return done;
 }
 
-/* Life ---------------------------------------------------------------------------------------------------------------- */
+/* Life ----------------------------------------------------------------------------------------------------------------
+ */
 
 TinkerGraphData *tinker_graph_data_new(TinkerDocument *document, TinkerPlayer *player)
 {

@@ -1,4 +1,5 @@
-/* What one graph shows: the points recorded so far in the units that the scene displays, ready to be plotted. No widget. */
+/* What one graph shows: the points recorded so far in the units that the scene displays, ready to be plotted. No
+ * widget. */
 #ifndef TINKER_GUI_GRAPH_DATA_H
 #define TINKER_GUI_GRAPH_DATA_H
 
@@ -13,15 +14,15 @@ TinkerGraphData *tinker_graph_data_new(TinkerDocument *document, TinkerPlayer *p
 void tinker_graph_data_free(TinkerGraphData *data);
 G_DEFINE_AUTOPTR_CLEANUP_FUNC(TinkerGraphData, tinker_graph_data_free)
 
-/* Which graph it is of, one of the document's scene; copied. To be called again whenever the scene has changed, for then units
- * and names may be others. */
+/* Which graph it is of, one of the document's scene; copied. To be called again whenever the scene has changed, for
+ * then units and names may be others. */
 void tinker_graph_data_set_graph(TinkerGraphData *data, const TinkerSceneGraph *graph);
 
 /* The graph's own title, else "Mass 0: Y Position", or "Mass 0: Y Velocity over Y Position". Borrowed. */
 const char *tinker_graph_data_title(const TinkerGraphData *data);
 
-/* Takes over what has been recorded since the last time, of a long record as much as a frame has time for, and the present time. A
- * number that is another whenever the picture is. */
+/* Takes over what has been recorded since the last time, of a long record as much as a frame has time for, and the
+ * present time. A number that is another whenever the picture is. */
 guint64 tinker_graph_data_update(TinkerGraphData *data);
 /* Whether the last update has left something for the next. */
 gboolean tinker_graph_data_is_behind(const TinkerGraphData *data);
@@ -30,19 +31,21 @@ void tinker_graph_data_catch_up(TinkerGraphData *data);
 
 /* Points; 0 before a run. */
 gsize tinker_graph_data_count(const TinkerGraphData *data);
-/* They themselves, in displayed units: of x (the time, or the other quantity) and of y. Borrowed until the next update. */
+/* They themselves, in displayed units: of x (the time, or the other quantity) and of y. Borrowed until the next update.
+ */
 const double *tinker_graph_data_x(const TinkerGraphData *data);
 const double *tinker_graph_data_y(const TinkerGraphData *data);
 
-/* Fills in curves, labels, ranges and the present time; the theme, the title and all else are the caller's. Borrowed from
- * `data` until the next update. Before a run: bare axes. Where the plot has to be quick, a path that is not over time is drawn with
- * as few points as show it. */
+/* Fills in curves, labels, ranges and the present time; the theme, the title and all else are the caller's. Borrowed
+ * from `data` until the next update. Before a run: bare axes. Where the plot has to be quick, a path that is not over
+ * time is drawn with as few points as show it. */
 void tinker_graph_data_fill_plot(TinkerGraphData *data, TinkerPlot *plot);
 
 /* Which point of the data a point of the first curve filled in last is. */
 gsize tinker_graph_data_point(const TinkerGraphData *data, gsize drawn);
 
-/* A point for people: "t = 1.25 s" (and the other quantity's value, if it is not over time), "y = −0.12 m". (transfer full) */
+/* A point for people: "t = 1.25 s" (and the other quantity's value, if it is not over time), "y = −0.12 m". (transfer
+ * full) */
 char *tinker_graph_data_x_text(const TinkerGraphData *data, gsize point);
 char *tinker_graph_data_y_text(const TinkerGraphData *data, gsize point);
 
@@ -52,9 +55,9 @@ gboolean tinker_graph_data_present(const TinkerGraphData *data, gsize *point);
 /* Whether a file is free for what is exported: not the scene's own, nor one that it reads. */
 gboolean tinker_graph_data_check_output(const TinkerGraphData *data, const char *path, GError **error);
 
-/* Writes all points as CSV, "Time [s],Y Position [m]", or the two quantities where it is not over time; `decimals` as in
- * csv-writer.h. With decimals it is the plain form "Time,Y Position", without units.
- * Atomic. Errors: G_FILE_ERROR, and those of tinker_graph_data_check_output. */
+/* Writes all points as CSV, "Time [s],Y Position [m]", or the two quantities where it is not over time; `decimals` as
+ * in csv-writer.h. With decimals it is the plain form "Time,Y Position", without units. Atomic. Errors: G_FILE_ERROR,
+ * and those of tinker_graph_data_check_output. */
 gboolean tinker_graph_data_write_csv(TinkerGraphData *data, const char *path, int decimals, GError **error);
 
 #endif

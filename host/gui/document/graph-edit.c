@@ -80,7 +80,8 @@ void tinker_graph_dock(TinkerDocument *document, int number)
     tinker_document_end(document);
 }
 
-/* Room ---------------------------------------------------------------------------------------------------------------- */
+/* Room ----------------------------------------------------------------------------------------------------------------
+ */
 
 static double covered(const TinkerGraphBox *a, const TinkerGraphBox *b)
 {

@@ -1,5 +1,5 @@
-/* The template is a scene file among the resources: it names the blocks that every new scene begins with, so that this code names
- * none. */
+/* The template is a scene file among the resources: it names the blocks that every new scene begins with, so that this
+ * code names none. */
 #include "gui/document/new-scene.h"
 
 #include <cjson/cJSON.h>

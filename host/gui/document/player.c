@@ -1,5 +1,5 @@
-/* What was recorded is a row of segments: each is a run, and counts from its start to that of the next. There is more than
- * one only where a property was changed on the way. */
+/* What was recorded is a row of segments: each is a run, and counts from its start to that of the next. There is more
+ * than one only where a property was changed on the way. */
 #include "gui/document/player.h"
 
 #include <glib/gi18n.h>
@@ -38,15 +38,16 @@ G_DEFINE_FINAL_TYPE(TinkerPlayer, tinker_player, G_TYPE_OBJECT)
 enum { STATE_CHANGED, MOVED, REWOUND, FAILED, SIGNALS };
 static guint signals[SIGNALS];
 
-/* The record ---------------------------------------------------------------------------------------------------------- */
+/* The record ----------------------------------------------------------------------------------------------------------
+ */
 
 static Segment *last_segment(TinkerPlayer *player)
 {
     return player->segments->len == 0 ? NULL : &g_array_index(player->segments, Segment, player->segments->len - 1);
 }
 
-/* The one that shows this time: of one that begins there and has recorded nothing yet, the start is the last sample of the one
- * before it. */
+/* The one that shows this time: of one that begins there and has recorded nothing yet, the start is the last sample of
+ * the one before it. */
 static Segment *segment_at(TinkerPlayer *player, double time)
 {
     for (guint i = player->segments->len; i-- > 0;) {
@@ -89,7 +90,8 @@ static void record_from_start(TinkerPlayer *player)
     add_segment(player, tinker_scene_copy(tinker_document_scene(player->document)), 0);
 }
 
-/* The frame ----------------------------------------------------------------------------------------------------------- */
+/* The frame -----------------------------------------------------------------------------------------------------------
+ */
 
 static void place_body(TinkerFrame *frame, TinkerBlockId block, const TinkerBodySample *a, const TinkerBodySample *b,
                        double share)
@@ -147,10 +149,11 @@ static void set_state(TinkerPlayer *player, TinkerPlayerState state)
     g_signal_emit(player, signals[STATE_CHANGED], 0);
 }
 
-/* Edits --------------------------------------------------------------------------------------------------------------- */
+/* Edits ---------------------------------------------------------------------------------------------------------------
+ */
 
-/* The scene as it is in the document, started from the sample shown now, to which the time is set. NULL where what the scene
- * has become cannot go on from there. (transfer full) */
+/* The scene as it is in the document, started from the sample shown now, to which the time is set. NULL where what the
+ * scene has become cannot go on from there. (transfer full) */
 static TinkerScene *continued_scene(TinkerPlayer *player)
 {
     const Segment *segment = segment_at(player, player->time);
@@ -230,7 +233,8 @@ static void on_replaced(TinkerPlayer *player)
     set_state(player, TINKER_PLAYER_SETUP);
 }
 
-/* Playing ------------------------------------------------------------------------------------------------------------- */
+/* Playing -------------------------------------------------------------------------------------------------------------
+ */
 
 static gboolean can_run(TinkerPlayer *player, TinkerBlockId *culprit, GError **error)
 {
@@ -374,7 +378,8 @@ gboolean tinker_player_wait(TinkerPlayer *player, double time, GError **error)
     return FALSE;
 }
 
-/* What there is to see ------------------------------------------------------------------------------------------------ */
+/* What there is to see ------------------------------------------------------------------------------------------------
+ */
 
 TinkerPlayerState tinker_player_state(TinkerPlayer *player)
 {
@@ -481,7 +486,8 @@ gboolean tinker_player_series(TinkerPlayer *player, TinkerQuantity quantity, Tin
     return TRUE;
 }
 
-/* The object ---------------------------------------------------------------------------------------------------------- */
+/* The object ----------------------------------------------------------------------------------------------------------
+ */
 
 static void tinker_player_finalize(GObject *object)
 {

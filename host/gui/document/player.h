@@ -1,12 +1,10 @@
 /* The player: runs a document's scene and plays the record back at a pace. No widget.
  *
- * A thread records ahead (run-task.h), play-back reads the record: how often one looks never changes the motion. An edit
- * of what may change on the way (a stiffness) goes on from here with the new value; any other that changes the motion rewinds to
- * the start. Signals:
- *   "state-changed"
- *   "moved"             the time, or what the frame shows
- *   "rewound"           an edit took the player back to the start
- *   "failed"            (char *message) the run ended with an error; what was recorded up to then is kept
+ * A thread records ahead (run-task.h), play-back reads the record: how often one looks never changes the motion. An
+ * edit of what may change on the way (a stiffness) goes on from here with the new value; any other that changes the
+ * motion rewinds to the start. Signals: "state-changed" "moved"             the time, or what the frame shows "rewound"
+ * an edit took the player back to the start "failed"            (char *message) the run ended with an error; what was
+ * recorded up to then is kept
  */
 #ifndef TINKER_GUI_PLAYER_H
 #define TINKER_GUI_PLAYER_H
@@ -49,7 +47,7 @@ void tinker_player_seek(TinkerPlayer *player, double time);
 gboolean tinker_player_go_to(TinkerPlayer *player, double time, TinkerBlockId *culprit, GError **error);
 /* Back to the start, with the record forgotten. */
 void tinker_player_reset(TinkerPlayer *player);
-/* Likewise because somebody wants to edit the start: tells so. */
+/* Goes back to the start, with the record forgotten, because somebody wants to edit the start: tells so. */
 void tinker_player_rewind(TinkerPlayer *player);
 
 /* As many real seconds have passed: moves on where it is playing, and looks after the run. */
@@ -71,16 +69,15 @@ gboolean tinker_player_value(TinkerPlayer *player, TinkerBlockId block, int32_t 
 
 /* How the run went so far. FALSE where there is none. */
 gboolean tinker_player_status(TinkerPlayer *player, TinkerRunStatus *status);
-/* What the run warned of, of char *; or of that alone what is about the scene itself, which no other method would spare.
- * (transfer full) */
+/* What the run warned of, of char *; or of that alone what is about the scene itself, which no other method would
+ * spare. (transfer full) */
 GPtrArray *tinker_player_warnings(TinkerPlayer *player, gboolean of_scene);
 
 /* A number that changes whenever what was recorded is no longer true. */
 guint tinker_player_generation(TinkerPlayer *player);
 /* Appends what has been recorded of a quantity since the last call with this cursor (zeroed at first; begin anew, with
- * empty arrays, when the generation changes), to arrays of double: of a long record a portion, and the cursor says that it
- * is behind. FALSE where the quantity is not recorded; then it will be
- * from the next run on. */
+ * empty arrays, when the generation changes), to arrays of double: of a long record a portion, and the cursor says that
+ * it is behind. FALSE where the quantity is not recorded; then it will be from the next run on. */
 typedef struct {
     guint segment;
     gsize row;

@@ -1,5 +1,5 @@
-/* Quantities are cheap to record as long as there are few of them; so most runs have all, and a graph that is added afterwards has
- * its curve at once. */
+/* Quantities are cheap to record as long as there are few of them; so most runs have all, and a graph that is added
+ * afterwards has its curve at once. */
 #include "gui/document/recorded-quantities.h"
 
 #define MOST 4000 /* quantities that are recorded although nobody asked for them */

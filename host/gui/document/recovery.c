@@ -33,7 +33,8 @@ char *tinker_recovery_discarded_folder(void)
     return g_build_filename(g_get_user_state_dir(), "tinker", "autosave-discarded", NULL);
 }
 
-/* Who was to blame ---------------------------------------------------------------------------------------------------- */
+/* Who was to blame ----------------------------------------------------------------------------------------------------
+ */
 
 static char *crash_note(const char *session)
 {
@@ -89,7 +90,8 @@ char *tinker_recovery_take_blame(void)
     return last;
 }
 
-/* The list ------------------------------------------------------------------------------------------------------------ */
+/* The list ------------------------------------------------------------------------------------------------------------
+ */
 
 static gint64 time_of_file(const char *stem)
 {
@@ -139,7 +141,8 @@ GPtrArray *tinker_recovery_list(void)
         g_autofree char *info_path = g_strconcat(stem, TINKER_AUTOSAVE_INFO, NULL);
         g_autoptr(GKeyFile) info = g_key_file_new();
         g_key_file_load_from_file(info, info_path, G_KEY_FILE_NONE, NULL);
-        // The name tells who has the file now; the companion says who wrote it, which differs where it has been taken over.
+        // The name tells who has the file now; the companion says who wrote it, which differs where it has been taken
+        // over.
         g_autofree char *owner = tinker_session_of_file(stem);
         if (!tinker_session_is_alive(owner)) g_ptr_array_add(list, recovery_new(stem, info));
     }
@@ -147,7 +150,8 @@ GPtrArray *tinker_recovery_list(void)
     return list;
 }
 
-/* Moving -------------------------------------------------------------------------------------------------------------- */
+/* Moving --------------------------------------------------------------------------------------------------------------
+ */
 
 static int move_one(const char *from, const char *to, const char *ending)
 {

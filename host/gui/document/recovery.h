@@ -17,8 +17,8 @@ typedef struct {
 /* Has a crash of this process leave its message for the next start, beside the copies. */
 void tinker_recovery_note_crashes(void);
 
-/* What the handler of crashes said of a process that left no scene behind, as where all was saved; told once. NULL: nothing.
- * (transfer full) */
+/* What the handler of crashes said of a process that left no scene behind, as where all was saved; told once. NULL:
+ * nothing. (transfer full) */
 char *tinker_recovery_take_blame(void);
 
 /* All of runs that have ended, the latest first; of TinkerRecovery *, which it frees. (transfer full) */
@@ -32,8 +32,8 @@ void tinker_recovery_remove(TinkerRecovery *recovery);
 /* Takes it out of the list; kept for 7 days in a folder beside, "autosave-discarded". */
 gboolean tinker_recovery_discard(TinkerRecovery *recovery, GError **error);
 
-/* Removes what was discarded, and notes of crashes, more than 7 days ago; and what runs that have ended left of their locks and of
- * copies that were not whole yet. */
+/* Removes what was discarded, and notes of crashes, more than 7 days ago; and what runs that have ended left of their
+ * locks and of copies that were not whole yet. */
 void tinker_recovery_purge(void);
 
 /* (transfer full) */

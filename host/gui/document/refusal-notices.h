@@ -5,8 +5,8 @@
 #include "gui/widget/notice-bar.h"
 #include "plugin/catalogue.h"
 
-/* A notice for each library that was refused, with the reason; of TinkerNotice *. Its button forgets all refusals, so that
- * the libraries are looked at again at the next start. The catalogue is borrowed for as long as the notices live.
+/* A notice for each library that was refused, with the reason; of TinkerNotice *. Its button forgets all refusals, so
+ * that the libraries are looked at again at the next start. The catalogue is borrowed for as long as the notices live.
  * (transfer full) */
 GPtrArray *tinker_refusal_notices(TinkerCatalogue *catalogue);
 

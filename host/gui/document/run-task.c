@@ -1,5 +1,5 @@
-/* The task is shared by the thread and its owner, and freed by whichever lets go last. The record guards itself; the mutex is
- * held only to note or to ask how far the run is, so that nobody waits for the other's work. */
+/* The task is shared by the thread and its owner, and freed by whichever lets go last. The record guards itself; the
+ * mutex is held only to note or to ask how far the run is, so that nobody waits for the other's work. */
 #include "gui/document/run-task.h"
 
 #include <math.h>
@@ -67,7 +67,8 @@ static gsize row_width(const TinkerRunTask *task)
     return 1 + STATE * (gsize)task->bodies->len + task->columns->len;
 }
 
-/* The thread ---------------------------------------------------------------------------------------------------------- */
+/* The thread ----------------------------------------------------------------------------------------------------------
+ */
 
 static gboolean is_cancelled(void *data)
 {
@@ -148,8 +149,8 @@ static void begin_again(void *data)
     task->next_times = g_array_new(FALSE, FALSE, sizeof(double));
 }
 
-/* The samples of the last try take the place of the first one's, which whoever reads them just now may go on reading. Called with
- * the mutex held. */
+/* The samples of the last try take the place of the first one's, which whoever reads them just now may go on reading.
+ * Called with the mutex held. */
 static void show_next(TinkerRunTask *task)
 {
     if (task->next_record == NULL || task->next_times->len == 0 || is_cancelled(task)) return;
@@ -242,7 +243,8 @@ static void drop(void *item)
     finish(item, NULL);
 }
 
-/* The owner ----------------------------------------------------------------------------------------------------------- */
+/* The owner -----------------------------------------------------------------------------------------------------------
+ */
 
 static GArray *movable_bodies(const TinkerScene *scene)
 {

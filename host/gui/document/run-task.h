@@ -1,7 +1,7 @@
 /* A run in a thread of its own, which records as far ahead as it can. No widget.
  *
- * Where the scene asks for an accuracy, the run may be made again: the samples of the first try are there to be read until those of
- * the last one take their place, all at once.
+ * Where the scene asks for an accuracy, the run may be made again: the samples of the first try are there to be read
+ * until those of the last one take their place, all at once.
  *
  * The thread works on a scene of its own; everything here may be called from the main thread at any time. A row of the
  * record is a sample: the bodies' states, and the values of the columns. */
@@ -36,8 +36,9 @@ typedef struct {
 /* A lane for runs of which only the newest counts. (transfer full) */
 TinkerRunLane *tinker_run_task_lane(void);
 
-/* Starts a run in the lane, whose first sample is called `start` (s); those in the lane before it have been stopped or freed.
- * `scene` is the task's from now on; `columns`, of TinkerQuantity, are to be recorded (copied). (transfer full) */
+/* Starts a run in the lane, whose first sample is called `start` (s); those in the lane before it have been stopped or
+ * freed. `scene` is the task's from now on; `columns`, of TinkerQuantity, are to be recorded (copied). (transfer full)
+ */
 TinkerRunTask *tinker_run_task_new(TinkerRunLane *lane, TinkerScene *scene, double start, const GArray *columns);
 
 /* Nothing more is wanted of it than what it has recorded. Does not wait. */
@@ -47,8 +48,8 @@ void tinker_run_task_stop(TinkerRunTask *task);
 void tinker_run_task_free(TinkerRunTask *task);
 
 TinkerRunStatus tinker_run_task_status(TinkerRunTask *task);
-/* Why it failed, or NULL; and what it warned of (of char *), or of that alone what no other method would spare. (transfer
- * full) */
+/* Why it failed, or NULL; and what it warned of (of char *), or of that alone what no other method would spare.
+ * (transfer full) */
 GError *tinker_run_task_error(TinkerRunTask *task);
 GPtrArray *tinker_run_task_warnings(TinkerRunTask *task, gboolean of_scene);
 
@@ -66,8 +67,9 @@ gboolean tinker_run_task_value(TinkerRunTask *task, gsize row, int column, doubl
 /* The last row that is not later than `time`, if there is any. */
 gboolean tinker_run_task_find(TinkerRunTask *task, double time, gsize *row);
 
-/* Appends the column's values, and their times, of the rows from `next` on that are not later than `until`, to arrays of
- * double, and moves `next` behind them. No more than a frame has time for: FALSE where the rest is left for another call. */
+/* Appends the column's values, and their times, of the rows from `next` on that are not later than `until`, to arrays
+ * of double, and moves `next` behind them. No more than a frame has time for: FALSE where the rest is left for another
+ * call. */
 gboolean tinker_run_task_series(TinkerRunTask *task, int column, gsize *next, double until, GArray *times,
                                 GArray *values);
 

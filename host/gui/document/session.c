@@ -35,7 +35,8 @@ static char *lock_path(const char *name)
     return g_strdup_printf("%s/%s" TINKER_SESSION_LOCK, folder, name);
 }
 
-/* Holding ------------------------------------------------------------------------------------------------------------- */
+/* Holding -------------------------------------------------------------------------------------------------------------
+ */
 
 static void close_lock(void)
 {
@@ -84,7 +85,8 @@ void tinker_session_release(void)
     close_lock();
 }
 
-/* Others -------------------------------------------------------------------------------------------------------------- */
+/* Others --------------------------------------------------------------------------------------------------------------
+ */
 
 /* Its lock, where nobody else holds it; -1: somebody does, or there is none. */
 static int take_lock(const char *path, gboolean *held)

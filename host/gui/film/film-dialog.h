@@ -1,7 +1,7 @@
 /* The dialog before a film: what it is to be, and what that comes to.
  *
- * The signal "chosen" (const TinkerFilmSettings *) tells the settings; their path is the ending alone, ".gif" and so on. The dialog has
- * closed itself then. */
+ * The signal "chosen" (const TinkerFilmSettings *) tells the settings; their path is the ending alone, ".gif" and so
+ * on. The dialog has closed itself then. */
 #ifndef TINKER_GUI_FILM_DIALOG_H
 #define TINKER_GUI_FILM_DIALOG_H
 

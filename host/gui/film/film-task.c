@@ -53,7 +53,8 @@ double tinker_film_settings_pictures(const TinkerFilmSettings *settings, double 
     return 1 + duration * settings->frames_per_second / settings->speed;
 }
 
-/* The thread ---------------------------------------------------------------------------------------------------------- */
+/* The thread ----------------------------------------------------------------------------------------------------------
+ */
 
 static gboolean is_cancelled(void *data)
 {
@@ -122,7 +123,8 @@ static void work(TinkerBackground *background, void *data)
                    tinker_motion_film_write(motion, &drawing, &drawn, &job->error);
 }
 
-/* The owner ----------------------------------------------------------------------------------------------------------- */
+/* The owner -----------------------------------------------------------------------------------------------------------
+ */
 
 static void let_go(TinkerFilmTask *task)
 {
@@ -200,7 +202,8 @@ const char *tinker_film_task_failure(TinkerFilmTask *task)
     return task->failure;
 }
 
-/* The object ---------------------------------------------------------------------------------------------------------- */
+/* The object ----------------------------------------------------------------------------------------------------------
+ */
 
 static void tinker_film_task_finalize(GObject *object)
 {

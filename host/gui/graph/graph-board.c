@@ -1,5 +1,5 @@
-/* After every change of the scene the views are brought in line with its graphs: those that still fit stay, and with them the focus
- * and what was switched on in them. The board is hidden where it shows none. */
+/* After every change of the scene the views are brought in line with its graphs: those that still fit stay, and with
+ * them the focus and what was switched on in them. The board is hidden where it shows none. */
 #include "gui/graph/graph-board.h"
 
 #include "gui/widget/unparent.h"
@@ -38,7 +38,8 @@ const TinkerSceneGraph *tinker_graph_board_graph(TinkerGraphBoard *board, Tinker
     return g_ptr_array_index(graphs, tinker_graph_view_number(view));
 }
 
-/* Keeping up ---------------------------------------------------------------------------------------------------------- */
+/* Keeping up ----------------------------------------------------------------------------------------------------------
+ */
 
 /* Takes the first view that fits out of `old`, or makes one. */
 static TinkerGraphView *view_for(TinkerGraphBoard *board, GPtrArray *old, const TinkerSceneGraph *graph)
@@ -91,7 +92,8 @@ void tinker_graph_board_set_player(TinkerGraphBoard *board, TinkerDocument *docu
     on_changed(board);
 }
 
-/* The widget ---------------------------------------------------------------------------------------------------------- */
+/* The widget ----------------------------------------------------------------------------------------------------------
+ */
 
 static void tinker_graph_board_dispose(GObject *object)
 {

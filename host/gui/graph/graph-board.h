@@ -1,5 +1,5 @@
-/* What shows several of the scene's graphs and keeps up with it. How they are arranged is the subclasses': graph-layer.h,
- * graph-dock.h, graph-grid.h. */
+/* What shows several of the scene's graphs and keeps up with it. How they are arranged is the subclasses':
+ * graph-layer.h, graph-dock.h, graph-grid.h. */
 #ifndef TINKER_GUI_GRAPH_BOARD_H
 #define TINKER_GUI_GRAPH_BOARD_H
 

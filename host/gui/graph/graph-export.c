@@ -1,4 +1,5 @@
-/* Pictures that leave the program are for white paper: the light theme, with the title, not in the window's compact form. */
+/* Pictures that leave the program are for white paper: the light theme, with the title, not in the window's compact
+ * form. */
 #include "gui/graph/graph-export.h"
 
 #include <adwaita.h>
@@ -46,7 +47,8 @@ void tinker_graph_copy(GtkWidget *widget, TinkerGraphData *data, int width, int 
     gdk_clipboard_set_texture(gtk_widget_get_clipboard(widget), texture);
 }
 
-/* Asking -------------------------------------------------------------------------------------------------------------- */
+/* Asking --------------------------------------------------------------------------------------------------------------
+ */
 
 static void question_free(Question *question)
 {
@@ -94,7 +96,8 @@ static char *chosen_path(GtkNativeDialog *dialog)
     return file != NULL ? g_file_get_path(file) : NULL;
 }
 
-/* Pictures ------------------------------------------------------------------------------------------------------------ */
+/* Pictures ------------------------------------------------------------------------------------------------------------
+ */
 
 static gboolean has_ending(const char *path, const char *ending)
 {
@@ -139,7 +142,8 @@ void tinker_graph_save_image(GtkWidget *view, TinkerGraphData *data, int width, 
     gtk_native_dialog_show(GTK_NATIVE_DIALOG(dialog));
 }
 
-/* Values -------------------------------------------------------------------------------------------------------------- */
+/* Values --------------------------------------------------------------------------------------------------------------
+ */
 
 static void on_values_file(GtkNativeDialog *dialog, int response, Question *question)
 {

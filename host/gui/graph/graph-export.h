@@ -6,8 +6,8 @@
 
 #include "gui/document/graph-data.h"
 
-/* Puts a picture of the graph, as wide and high as given (widget units), onto the widget's clipboard: in the light theme, at twice the
- * resolution, for documents. */
+/* Puts a picture of the graph, as wide and high as given (widget units), onto the widget's clipboard: in the light
+ * theme, at twice the resolution, for documents. */
 void tinker_graph_copy(GtkWidget *widget, TinkerGraphData *data, int width, int height);
 
 /* Ask for a file; then write the picture (.png, .svg, .pdf) or the values (CSV). `view` is the widget whose window the

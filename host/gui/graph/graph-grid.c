@@ -1,5 +1,5 @@
-/* As many columns as have room; the rows share the height that there is, and what the grid lies in scrolls where that is too
- * little. */
+/* As many columns as have room; the rows share the height that there is, and what the grid lies in scrolls where that
+ * is too little. */
 #include "gui/graph/graph-grid.h"
 
 #define LEAST_WIDTH  420 /* of a column where there is more than one; widget units */

@@ -1,5 +1,5 @@
-/* While a graph is dragged, only its box on the screen changes; the scene takes it over at the end, as one step. The layer itself
- * is not there for the pointer: what does not hit a graph goes to the canvas. */
+/* While a graph is dragged, only its box on the screen changes; the scene takes it over at the end, as one step. The
+ * layer itself is not there for the pointer: what does not hit a graph goes to the canvas. */
 #include "gui/graph/graph-layer.h"
 
 #include <math.h>
@@ -32,7 +32,8 @@ static gboolean floats(const TinkerSceneGraph *graph)
     return graph->has_place;
 }
 
-/* Places -------------------------------------------------------------------------------------------------------------- */
+/* Places --------------------------------------------------------------------------------------------------------------
+ */
 
 static double held(double length, double least, double most)
 {
@@ -115,7 +116,8 @@ void tinker_graph_layer_find_room(TinkerGraphLayer *layer, TinkerFrame *frame, c
     room[1] = box.height / view->scale;
 }
 
-/* Dragging ------------------------------------------------------------------------------------------------------------ */
+/* Dragging ------------------------------------------------------------------------------------------------------------
+ */
 
 static void commit(TinkerGraphLayer *layer, TinkerGraphView *graph_view, const TinkerGraphBox *box, gboolean moved,
                    gboolean sized, const char *merge)
@@ -202,7 +204,8 @@ static void on_released(GtkGestureClick *gesture, int presses, double x, double 
     commit(layer, view_of(gesture), &(TinkerGraphBox){0}, FALSE, FALSE, NULL);
 }
 
-/* Keys ---------------------------------------------------------------------------------------------------------------- */
+/* Keys ----------------------------------------------------------------------------------------------------------------
+ */
 
 static gboolean on_key(GtkEventControllerKey *controller, guint key, guint code, GdkModifierType modifiers,
                        TinkerGraphLayer *layer)
@@ -228,7 +231,8 @@ static gboolean on_key(GtkEventControllerKey *controller, guint key, guint code,
     return GDK_EVENT_PROPAGATE;
 }
 
-/* The widget ---------------------------------------------------------------------------------------------------------- */
+/* The widget ----------------------------------------------------------------------------------------------------------
+ */
 
 static void add_drag(TinkerGraphLayer *layer, GtkWidget *part)
 {

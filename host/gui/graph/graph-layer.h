@@ -1,5 +1,5 @@
-/* The graphs that float over the canvas: each keeps its place in the world. Dragging the title bar moves one, dragging the
- * lower right corner sizes it, a click brings it to the front; the arrow keys move it, and size it with Shift. */
+/* The graphs that float over the canvas: each keeps its place in the world. Dragging the title bar moves one, dragging
+ * the lower right corner sizes it, a click brings it to the front; the arrow keys move it, and size it with Shift. */
 #ifndef TINKER_GUI_GRAPH_LAYER_H
 #define TINKER_GUI_GRAPH_LAYER_H
 
@@ -12,8 +12,8 @@ G_DECLARE_FINAL_TYPE(TinkerGraphLayer, tinker_graph_layer, TINKER, GRAPH_LAYER, 
 /* Lies over this canvas. Takes a reference. To be called before tinker_graph_board_set_player. */
 void tinker_graph_layer_set_canvas(TinkerGraphLayer *layer, TinkerCanvas *canvas);
 
-/* Where a graph has room in what is seen now: covers other graphs and the blocks as little as can be. `size` (m) is the wanted
- * one, or NULL. `place` and `room` are the answers, in m. */
+/* Where a graph has room in what is seen now: covers other graphs and the blocks as little as can be. `size` (m) is the
+ * wanted one, or NULL. `place` and `room` are the answers, in m. */
 void tinker_graph_layer_find_room(TinkerGraphLayer *layer, TinkerFrame *frame, const double *size, double place[2],
                                   double room[2]);
 

@@ -1,5 +1,6 @@
-/* A phase plot is offered for a quantity and its rate. That one is the rate of another is told by their dimensions: among what is
- * recorded, the first of one dimension goes with the first of that over time, the second with the second. */
+/* A phase plot is offered for a quantity and its rate. That one is the rate of another is told by their dimensions:
+ * among what is recorded, the first of one dimension goes with the first of that over time, the second with the second.
+ */
 #include "gui/graph/graph-menu.h"
 
 #include <glib/gi18n.h>

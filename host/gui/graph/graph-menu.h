@@ -6,8 +6,8 @@
 
 #include "plugin/catalogue.h"
 
-/* What stands in a record comes first, the rest in a submenu, then the phase plots. Empty where the block has no graphs.
- * (transfer full) */
+/* What stands in a record comes first, the rest in a submenu, then the phase plots. Empty where the block has no
+ * graphs. (transfer full) */
 GMenuModel *tinker_graph_menu_new(const TinkerBlockClass *block_class);
 
 /* Whether blocks of this class, which may be NULL, have quantities to graph. */

@@ -20,7 +20,8 @@ struct _TinkerGraphPage {
 
 G_DEFINE_FINAL_TYPE(TinkerGraphPage, tinker_graph_page, GTK_TYPE_WIDGET)
 
-/* Lists --------------------------------------------------------------------------------------------------------------- */
+/* Lists ---------------------------------------------------------------------------------------------------------------
+ */
 
 static TinkerBlockId chosen_block(TinkerGraphPage *page)
 {
@@ -44,7 +45,8 @@ static gboolean same_texts(GListModel *list, const GPtrArray *texts)
     return same;
 }
 
-/* Shows these texts, of const char *; what was chosen stays, and FALSE is the answer, where they are the same as before. */
+/* Shows these texts, of const char *; what was chosen stays, and FALSE is the answer, where they are the same as
+ * before. */
 static gboolean set_texts(GtkWidget *list, GPtrArray *texts)
 {
     if (same_texts(gtk_drop_down_get_model(GTK_DROP_DOWN(list)), texts)) return FALSE;
@@ -130,7 +132,8 @@ static void on_add(TinkerGraphPage *page)
     gtk_widget_activate_action(GTK_WIDGET(page), "win.add-graph", "s", target);
 }
 
-/* The widget ---------------------------------------------------------------------------------------------------------- */
+/* The widget ----------------------------------------------------------------------------------------------------------
+ */
 
 static GtkWidget *add_list(GtkWidget *row, const char *title)
 {

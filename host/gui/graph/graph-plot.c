@@ -1,5 +1,5 @@
-/* The picture is kept as a texture. What is new is looked for when a frame is drawn, so however often something is said to have
- * changed, there is at most one painting a frame, and none while the graph is not to be seen. */
+/* The picture is kept as a texture. What is new is looked for when a frame is drawn, so however often something is said
+ * to have changed, there is at most one painting a frame, and none while the graph is not to be seen. */
 #include "gui/graph/graph-plot.h"
 
 #include <glib/gi18n.h>
@@ -59,7 +59,8 @@ void tinker_graph_plot_set_show_values(TinkerGraphPlot *plot, gboolean show)
     renew(plot);
 }
 
-/* Painting ------------------------------------------------------------------------------------------------------------ */
+/* Painting ------------------------------------------------------------------------------------------------------------
+ */
 
 static void paint_hint(TinkerGraphPlot *plot, cairo_t *cairo)
 {
@@ -166,7 +167,8 @@ gboolean tinker_graph_plot_any_behind(GtkWidget *root)
     return FALSE;
 }
 
-/* The pointer --------------------------------------------------------------------------------------------------------- */
+/* The pointer ---------------------------------------------------------------------------------------------------------
+ */
 
 static void on_motion(GtkEventControllerMotion *controller, double x, double y, TinkerGraphPlot *plot)
 {
@@ -182,7 +184,8 @@ static void on_leave(GtkEventControllerMotion *controller, TinkerGraphPlot *plot
     if (plot->show_values) renew(plot);
 }
 
-/* The widget ---------------------------------------------------------------------------------------------------------- */
+/* The widget ----------------------------------------------------------------------------------------------------------
+ */
 
 static void tinker_graph_plot_dispose(GObject *object)
 {

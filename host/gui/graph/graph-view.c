@@ -46,7 +46,8 @@ static TinkerGraphData *data_of(TinkerGraphView *view)
     return tinker_graph_plot_data(TINKER_GRAPH_PLOT(view->plot));
 }
 
-/* The graph ----------------------------------------------------------------------------------------------------------- */
+/* The graph -----------------------------------------------------------------------------------------------------------
+ */
 
 static char *identity_of(const TinkerSceneGraph *graph)
 {
@@ -107,7 +108,8 @@ void tinker_graph_view_set_number(TinkerGraphView *view, int number)
     gtk_widget_action_set_enabled(GTK_WIDGET(view), "graph.float", !graph->has_place);
 }
 
-/* Actions ------------------------------------------------------------------------------------------------------------- */
+/* Actions -------------------------------------------------------------------------------------------------------------
+ */
 
 /* Passes it on to the window, which may take the view away meanwhile. */
 static void edit(GtkWidget *widget, const char *name, GVariant *parameter)
@@ -136,7 +138,8 @@ static void export_values(GtkWidget *widget, const char *name, GVariant *paramet
     tinker_graph_export_values(widget, data_of(TINKER_GRAPH_VIEW(widget)));
 }
 
-/* The menu ------------------------------------------------------------------------------------------------------------ */
+/* The menu ------------------------------------------------------------------------------------------------------------
+ */
 
 static void show_menu_at(TinkerGraphView *view, double x, double y)
 {
@@ -163,7 +166,8 @@ static void on_press(GtkGestureClick *gesture, int presses, double x, double y, 
     gtk_widget_grab_focus(GTK_WIDGET(view));
 }
 
-/* The widget ---------------------------------------------------------------------------------------------------------- */
+/* The widget ----------------------------------------------------------------------------------------------------------
+ */
 
 static GtkWidget *add_button(GtkWidget *bar, const char *icon, const char *label, const char *action)
 {

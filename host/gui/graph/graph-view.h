@@ -1,5 +1,6 @@
-/* One graph: a title bar with its buttons, the plot, and the menu. Its commands are actions graph.* of the widget; those that edit the
- * scene are the window's: win.float-graph, win.dock-graph, win.delete-graph, each with the graph's number. */
+/* One graph: a title bar with its buttons, the plot, and the menu. Its commands are actions graph.* of the widget;
+ * those that edit the scene are the window's: win.float-graph, win.dock-graph, win.delete-graph, each with the graph's
+ * number. */
 #ifndef TINKER_GUI_GRAPH_VIEW_H
 #define TINKER_GUI_GRAPH_VIEW_H
 

@@ -1,5 +1,6 @@
-/* A list of buttons under headings. Which categories there are, and what is in them, the manifests tell; a block's library is
- * opened for its icon. A drag is followed by a gesture of our own, so that the block itself can be seen on its way. */
+/* A list of buttons under headings. Which categories there are, and what is in them, the manifests tell; a block's
+ * library is opened for its icon. A drag is followed by a gesture of our own, so that the block itself can be seen on
+ * its way. */
 #include "gui/property/palette.h"
 
 #include <glib/gi18n.h>
@@ -31,7 +32,8 @@ typedef struct {
     gboolean dragged;
 } Item;
 
-/* What stands over the blocks of a category, and in which order; categories of others come behind, by their own name. */
+/* What stands over the blocks of a category, and in which order; categories of others come behind, by their own name.
+ */
 static const struct {
     const char *category, *heading;
 } headings[] = {
@@ -47,7 +49,8 @@ static guint rank_of(const char *category)
     return rank;
 }
 
-/* Placing ------------------------------------------------------------------------------------------------------------- */
+/* Placing -------------------------------------------------------------------------------------------------------------
+ */
 
 static void on_clicked(Item *item)
 {
@@ -72,7 +75,8 @@ static void on_drag_end(GtkGestureDrag *gesture, double dx, double dy, Item *ite
     if (!item->dragged) return;
     if (tinker_canvas_place_drop(item->palette->canvas) != TINKER_NO_BLOCK)
         gtk_widget_grab_focus(GTK_WIDGET(item->palette->canvas));
-    /* The button that the drag began on reads the release as a click, which on_clicked passes over; unless it was left. */
+    /* The button that the drag began on reads the release as a click, which on_clicked passes over; unless it was left.
+     */
     double x = 0, y = 0;
     gtk_gesture_drag_get_start_point(gesture, &x, &y);
     if (!gtk_widget_contains(item->button, x + dx, y + dy)) item->dragged = FALSE;
@@ -84,7 +88,8 @@ static void on_drag_cancel(GtkGesture *gesture, GdkEventSequence *sequence, Item
     tinker_canvas_place_cancel(item->palette->canvas);
 }
 
-/* The list ------------------------------------------------------------------------------------------------------------ */
+/* The list ------------------------------------------------------------------------------------------------------------
+ */
 
 static void draw_icon(GtkDrawingArea *area, cairo_t *cairo, int width, int height, gpointer data)
 {

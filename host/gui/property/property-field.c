@@ -1,5 +1,5 @@
-/* Return or leaving an entry sets the row, Escape or Ctrl+Z takes back what was typed. A wrong entry stays, is marked, and says
- * why. With nothing typed, Ctrl+Z undoes the last edit of the scene, as it does elsewhere. */
+/* Return or leaving an entry sets the row, Escape or Ctrl+Z takes back what was typed. A wrong entry stays, is marked,
+ * and says why. With nothing typed, Ctrl+Z undoes the last edit of the scene, as it does elsewhere. */
 #include "gui/property/property-field.h"
 
 #include <glib/gi18n.h>
@@ -9,7 +9,8 @@
 #include "gui/widget/entry-select.h"
 #include "gui/widget/unparent.h"
 
-/* px, of 276 that the panel has inside. Controls have a least width so that a long title wraps instead of shifting them. */
+/* px, of 276 that the panel has inside. Controls have a least width so that a long title wraps instead of shifting
+ * them. */
 #define TITLE_WIDTH   140
 #define CONTROL_WIDTH 128
 
@@ -24,7 +25,8 @@ struct _TinkerPropertyField {
 
 G_DEFINE_FINAL_TYPE(TinkerPropertyField, tinker_property_field, GTK_TYPE_WIDGET)
 
-/* What is wrong ------------------------------------------------------------------------------------------------------- */
+/* What is wrong -------------------------------------------------------------------------------------------------------
+ */
 
 static void describe(TinkerPropertyField *field, const char *problem)
 {
@@ -50,7 +52,8 @@ static void set_problem(TinkerPropertyField *field, const char *problem)
     describe(field, problem);
 }
 
-/* Setting ------------------------------------------------------------------------------------------------------------- */
+/* Setting -------------------------------------------------------------------------------------------------------------
+ */
 
 static gboolean has_focus(TinkerPropertyField *field)
 {
@@ -84,7 +87,8 @@ static void commit(TinkerPropertyField *field)
         set_problem(field, error->message);
         return;
     }
-    /* The list that is made of the change brings the text as it is shown from now on; without one, it is what it was. */
+    /* The list that is made of the change brings the text as it is shown from now on; without one, it is what it was.
+     */
     field->dirty = FALSE;
     set_problem(field, NULL);
     if (g_str_equal(g_strstrip(text), field->row->text)) show_text(field);
@@ -102,7 +106,8 @@ static void on_typed(TinkerPropertyField *field)
     if (!field->showing) field->dirty = !g_str_equal(text, field->row->text);
 }
 
-/* Takes back what is being typed, or else the last edit. Answers whether the key was one of those that undo and redo. */
+/* Takes back what is being typed, or else the last edit. Answers whether the key was one of those that undo and redo.
+ */
 static gboolean undo(TinkerPropertyField *field, guint key, GdkModifierType modifiers)
 {
     const GdkModifierType relevant = modifiers & gtk_accelerator_get_default_mod_mask();
@@ -163,7 +168,8 @@ static void on_detach(TinkerPropertyField *field)
     if (!tinker_property_row_set(field->document, field->row, "", &error)) set_problem(field, error->message);
 }
 
-/* Showing ------------------------------------------------------------------------------------------------------------- */
+/* Showing -------------------------------------------------------------------------------------------------------------
+ */
 
 static void show_choices(TinkerPropertyField *field)
 {
@@ -224,7 +230,8 @@ void tinker_property_field_discard(TinkerPropertyField *field)
     if (field->dirty) revert(field);
 }
 
-/* Making -------------------------------------------------------------------------------------------------------------- */
+/* Making --------------------------------------------------------------------------------------------------------------
+ */
 
 static GtkWidget *make_entry(TinkerPropertyField *field)
 {

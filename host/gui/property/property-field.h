@@ -12,7 +12,8 @@ G_DECLARE_FINAL_TYPE(TinkerPropertyField, tinker_property_field, TINKER, PROPERT
 /* For rows of the kind of this one; shows it. Takes references. */
 GtkWidget *tinker_property_field_new(TinkerDocument *document, TinkerPropertyRow *row);
 
-/* Shows a row of the same kind. What has been typed, and not been taken yet, stays as long as the row is of the same thing. */
+/* Shows a row of the same kind. What has been typed, and not been taken yet, stays as long as the row is of the same
+ * thing. */
 void tinker_property_field_show(TinkerPropertyField *field, TinkerPropertyRow *row);
 
 /* Forgets what was typed and not taken: it belongs to a scene that is gone. */

@@ -4,7 +4,8 @@
 #include <glib/gi18n.h>
 #include <string.h>
 
-/* Rows ---------------------------------------------------------------------------------------------------------------- */
+/* Rows ----------------------------------------------------------------------------------------------------------------
+ */
 
 static void row_clear(gpointer data)
 {
@@ -68,7 +69,8 @@ void property_row_sort_by(TinkerPropertyRow *row, const char *text)
     row->sorted_by = g_strdup(text);
 }
 
-/* The list ------------------------------------------------------------------------------------------------------------ */
+/* The list ------------------------------------------------------------------------------------------------------------
+ */
 
 static int compare_rows(const void *left, const void *right)
 {
@@ -140,7 +142,8 @@ char *tinker_property_list_heading(TinkerDocument *document)
     return g_strdup_printf(_("%d Blocks"), count);
 }
 
-/* Setting ------------------------------------------------------------------------------------------------------------- */
+/* Setting -------------------------------------------------------------------------------------------------------------
+ */
 
 gboolean property_edit_all(TinkerDocument *document, const TinkerPropertyRow *row, PropertyEdit edit,
                            gconstpointer value, GError **error)

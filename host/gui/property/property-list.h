@@ -1,7 +1,8 @@
 /* The properties of what is selected, as rows to show and to set from what is typed. No widget.
  *
- * One block: everything that its descriptor declares, its name, what it is connected to, what it is now, and the properties
- * that blocks attached to it show in its panel. Several of one type: what they have in common. None: those of the scene.
+ * One block: everything that its descriptor declares, its name, what it is connected to, what it is now, and the
+ * properties that blocks attached to it show in its panel. Several of one type: what they have in common. None: those
+ * of the scene.
  */
 #ifndef TINKER_GUI_PROPERTY_LIST_H
 #define TINKER_GUI_PROPERTY_LIST_H
@@ -42,7 +43,8 @@ struct _TinkerPropertyRow {
 };
 
 /* Groups and rows in alphabetical order, but for the components of a vector, which stay together in theirs. Of
- * TinkerPropertyRow *. `trims`: numbers that are edited have no zeros at the end of their five decimals. (transfer full) */
+ * TinkerPropertyRow *. `trims`: numbers that are edited have no zeros at the end of their five decimals. (transfer
+ * full) */
 GPtrArray *tinker_property_list_new(TinkerDocument *document, TinkerPlayer *player, gboolean trims);
 
 /* What the list is of: "Mass 0", "3 Blocks", or the scene. (transfer full) */
@@ -55,25 +57,26 @@ G_DEFINE_AUTOPTR_CLEANUP_FUNC(TinkerPropertyRow, tinker_property_row_unref)
 /* Whether both set the same thing of the same blocks. */
 gboolean tinker_property_row_same_target(const TinkerPropertyRow *a, const TinkerPropertyRow *b);
 
-/* Sets what a row is of from text, as one step for undo; the same text as is shown does nothing. A number may have any unit of its
- * dimension; a plain one is in the unit that is shown. Where a default follows from others ("as placed"), empty text goes back
- * to it. FALSE with an error that is a whole sentence, and the scene as it was. */
+/* Sets what a row is of from text, as one step for undo; the same text as is shown does nothing. A number may have any
+ * unit of its dimension; a plain one is in the unit that is shown. Where a default follows from others ("as placed"),
+ * empty text goes back to it. FALSE with an error that is a whole sentence, and the scene as it was. */
 gboolean tinker_property_row_set(TinkerDocument *document, const TinkerPropertyRow *row, const char *text,
                                  GError **error);
 
-/* Likewise a choice, by its number, or a switch, 0 or 1. */
+/* Sets a choice, by its number, or a switch, 0 or 1. */
 gboolean tinker_property_row_choose(TinkerDocument *document, const TinkerPropertyRow *row, int choice, GError **error);
 
-/* Tables in files, for a row with a `file_choice` ----------------------------------------------------------------------- */
+/* Tables in files, for a row with a `file_choice`
+ * ----------------------------------------------------------------------- */
 
-/* Whether the file is a table that the row can take. One that lies outside of the folder of the document's file has to be
- * copied there: `copy` is under what name, else NULL (transfer full). FALSE with an error; that of a file that is no table
- * says line and column. */
+/* Whether the file is a table that the row can take. One that lies outside of the folder of the document's file has to
+ * be copied there: `copy` is under what name, else NULL (transfer full). FALSE with an error; that of a file that is no
+ * table says line and column. */
 gboolean tinker_property_row_check_file(TinkerDocument *document, const TinkerPropertyRow *row, const char *path,
                                         char **copy, GError **error);
 
-/* Takes the file, copied if it has to be, as one step for undo; a file is never overwritten. FALSE with an error, and scene and
- * folder as they were. */
+/* Takes the file, copied if it has to be, as one step for undo; a file is never overwritten. FALSE with an error, and
+ * scene and folder as they were. */
 gboolean tinker_property_row_choose_file(TinkerDocument *document, const TinkerPropertyRow *row, const char *path,
                                          GError **error);
 

@@ -1,5 +1,6 @@
-/* Groups that can be closed, with a field for each row of the property list. What changes is put into the fields there are, so
- * that the focus and what is being typed stay; fields are made and taken away only where the list has other rows. */
+/* Groups that can be closed, with a field for each row of the property list. What changes is put into the fields there
+ * are, so that the focus and what is being typed stay; fields are made and taken away only where the list has other
+ * rows. */
 #include "gui/property/property-panel.h"
 
 #include <glib/gi18n.h>
@@ -38,7 +39,8 @@ G_DEFINE_FINAL_TYPE(TinkerPropertyPanel, tinker_property_panel, GTK_TYPE_WIDGET)
 
 enum { PROP_TRIMS = 1 };
 
-/* Groups -------------------------------------------------------------------------------------------------------------- */
+/* Groups --------------------------------------------------------------------------------------------------------------
+ */
 
 static void on_expanded(GtkExpander *expander, GParamSpec *spec, TinkerPropertyPanel *panel)
 {
@@ -100,7 +102,8 @@ static void remove_others(TinkerPropertyPanel *panel)
     }
 }
 
-/* Refreshing ---------------------------------------------------------------------------------------------------------- */
+/* Refreshing ----------------------------------------------------------------------------------------------------------
+ */
 
 static void show_rows(TinkerPropertyPanel *panel, GPtrArray *rows)
 {
@@ -189,7 +192,8 @@ void tinker_property_panel_focus(TinkerPropertyPanel *panel)
     refresh_soon(panel);
 }
 
-/* The widget ---------------------------------------------------------------------------------------------------------- */
+/* The widget ----------------------------------------------------------------------------------------------------------
+ */
 
 static GtkWidget *make_header(TinkerPropertyPanel *panel)
 {

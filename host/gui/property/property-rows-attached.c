@@ -1,5 +1,5 @@
-/* Properties of other blocks that are shown where they are attached, as the descriptors ask for: each block has a group of its
- * own. Of types that could be attached, but are not, the waveform is shown, which is none. */
+/* Properties of other blocks that are shown where they are attached, as the descriptors ask for: each block has a group
+ * of its own. Of types that could be attached, but are not, the waveform is shown, which is none. */
 #include <string.h>
 
 #include "gui/property/property-rows.h"
@@ -12,7 +12,8 @@ static gboolean accepts(const TinkerBlockClass *block_class, const TinkerBlockCl
     return (block_class->type->end_accepts & (moves ? TINKER_ACCEPTS_BODY : TINKER_ACCEPTS_SUPPORT)) != 0;
 }
 
-/* Adds the rows of one block that it shows where its end `end` is. A second one of a group has its name in the title. */
+/* Adds the rows of one block that it shows where its end `end` is. A second one of a group has its name in the title.
+ */
 static void add_rows_of(PropertyBuilder *builder, TinkerBlockId block, int32_t end, GHashTable *groups)
 {
     PropertyBuilder own = *builder;

@@ -7,7 +7,8 @@
 
 #define LIVE_DIGITS 4 /* as many as can be read while they change */
 
-/* Readings ------------------------------------------------------------------------------------------------------------ */
+/* Readings ------------------------------------------------------------------------------------------------------------
+ */
 
 void property_rows_add_readings(PropertyBuilder *builder)
 {
@@ -26,7 +27,8 @@ void property_rows_add_readings(PropertyBuilder *builder)
     }
 }
 
-/* Ends ---------------------------------------------------------------------------------------------------------------- */
+/* Ends ----------------------------------------------------------------------------------------------------------------
+ */
 
 static gboolean edit_end(TinkerHistory *history, const TinkerPropertyRow *row, TinkerBlockId block, gconstpointer end,
                          GError **error)

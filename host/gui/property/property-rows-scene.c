@@ -1,5 +1,5 @@
-/* Rows of the scene itself: title, units, canvas, and how it is run. They change a copy of its head, which the history then
- * takes over as a whole. */
+/* Rows of the scene itself: title, units, canvas, and how it is run. They change a copy of its head, which the history
+ * then takes over as a whole. */
 #include <glib/gi18n.h>
 #include <string.h>
 
@@ -52,7 +52,8 @@ static const HeadMember texts[] = {
 
 static const char *const contacts_ids[] = {"events", "impulse", NULL};
 
-/* Setting ------------------------------------------------------------------------------------------------------------- */
+/* Setting -------------------------------------------------------------------------------------------------------------
+ */
 
 /* One step that makes the head what the copy has become. */
 static gboolean take_head(TinkerDocument *document, const char *title, const TinkerSceneHead *head, const char *part,
@@ -117,10 +118,11 @@ static gboolean choose_contacts(TinkerDocument *document, const TinkerPropertyRo
     return take_head(document, row->title, &head, "run", error);
 }
 
-/* Methods ------------------------------------------------------------------------------------------------------------- */
+/* Methods -------------------------------------------------------------------------------------------------------------
+ */
 
-/* Ids of the methods there are: the automatic choice, those linked in, those of plugins, and at the end the one that the scene has
- * where nobody provides it. (transfer full) */
+/* Ids of the methods there are: the automatic choice, those linked in, those of plugins, and at the end the one that
+ * the scene has where nobody provides it. (transfer full) */
 static GPtrArray *method_ids(TinkerDocument *document)
 {
     GPtrArray *ids = g_ptr_array_new_with_free_func(g_free);
@@ -156,7 +158,8 @@ static char *method_title(const char *id)
     return g_strdup(method != NULL ? tinker_translate(method->title) : id);
 }
 
-/* Rows ---------------------------------------------------------------------------------------------------------------- */
+/* Rows ----------------------------------------------------------------------------------------------------------------
+ */
 
 static TinkerPropertyRow *add_choice(PropertyBuilder *builder, const char *group, const char *title,
                                      const char *description, const char *const *choices, int chosen)

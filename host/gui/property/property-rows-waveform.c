@@ -1,7 +1,7 @@
 /* Rows of a function of time: its type, and the text of an expression. (Those of a table: property-rows-table.c.)
  *
- * A type of block that would show its waveform here, but of which none is attached yet, has the row Type alone: choosing one
- * adds the block. */
+ * A type of block that would show its waveform here, but of which none is attached yet, has the row Type alone:
+ * choosing one adds the block. */
 #include <glib/gi18n.h>
 
 #include "gui/property/property-rows.h"
@@ -43,7 +43,8 @@ gboolean property_plays_no_part(const TinkerScene *scene, TinkerBlockId block, i
     return used;
 }
 
-/* Setting ------------------------------------------------------------------------------------------------------------- */
+/* Setting -------------------------------------------------------------------------------------------------------------
+ */
 
 static double value_of(TinkerScene *scene, TinkerBlockId block, const char *id, double otherwise)
 {
@@ -52,7 +53,7 @@ static double value_of(TinkerScene *scene, TinkerBlockId block, const char *id, 
     return property < 0 ? otherwise : tinker_scene_get(scene, block, block_class->first_columns[property]);
 }
 
-/* The same function as it is now, to start from. (transfer full) */
+/* The function that the waveform is now, as an expression to start from. (transfer full) */
 static TinkerWaveform *as_expression(TinkerScene *scene, TinkerBlockId block, int32_t property)
 {
     const TinkerPropertyType *type = &tinker_scene_block_class(scene, block)->properties[property];
@@ -123,7 +124,8 @@ static gboolean set_expression(TinkerDocument *document, const TinkerPropertyRow
     return property_set_waveform(document, row, waveform, error);
 }
 
-/* Rows ---------------------------------------------------------------------------------------------------------------- */
+/* Rows ----------------------------------------------------------------------------------------------------------------
+ */
 
 /* A table that there is can be kept, and a file be chosen for another one. */
 static TinkerPropertyRow *add_type(PropertyBuilder *builder, const TinkerPropertyType *type, int32_t property,

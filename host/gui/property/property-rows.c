@@ -16,7 +16,8 @@ static const TinkerPropertyType *type_of(const TinkerScene *scene, const TinkerP
     return &tinker_scene_block_class(scene, block)->properties[row->property];
 }
 
-/* The name ------------------------------------------------------------------------------------------------------------ */
+/* The name ------------------------------------------------------------------------------------------------------------
+ */
 
 static gboolean rename_block(TinkerHistory *history, const TinkerPropertyRow *row, TinkerBlockId block,
                              gconstpointer name, GError **error)
@@ -49,7 +50,8 @@ void property_rows_add_name(PropertyBuilder *builder)
         row, g_strdup_printf(_("%s (not installed)"), tinker_scene_block_type(builder->scene, builder->blocks[0])));
 }
 
-/* Values -------------------------------------------------------------------------------------------------------------- */
+/* Values --------------------------------------------------------------------------------------------------------------
+ */
 
 static double offset_of(const TinkerScene *scene, const TinkerBlockClass *block_class, TinkerBlockId block,
                         int32_t component)
@@ -90,7 +92,8 @@ static char *number_text(const PropertyBuilder *builder, const TinkerPropertyTyp
     return tinker_number_write(value, type->dimension, unit, builder->system, builder->trims);
 }
 
-/* Setting ------------------------------------------------------------------------------------------------------------- */
+/* Setting -------------------------------------------------------------------------------------------------------------
+ */
 
 static gboolean store(TinkerHistory *history, TinkerScene *scene, TinkerBlockId block, int32_t property,
                       const double *values, GError **error)
@@ -228,7 +231,8 @@ static gboolean set_text(TinkerDocument *document, const TinkerPropertyRow *row,
     return property_edit_all(document, row, edit_text, text, error);
 }
 
-/* Rows ---------------------------------------------------------------------------------------------------------------- */
+/* Rows ----------------------------------------------------------------------------------------------------------------
+ */
 
 /* (transfer full) */
 static char *default_text(const PropertyBuilder *builder, int32_t property, int32_t component, const char *unit)
@@ -271,8 +275,8 @@ static gboolean holds(const char *text, const char *part)
     return strstr(folded_text, folded_part) != NULL;
 }
 
-/* Whether a vector's own title has to come before the labels of its components: "Centre X". It need not where the label or
- * the heading has it already, and must not where something else is shown, the offset. */
+/* Whether a vector's own title has to come before the labels of its components: "Centre X". It need not where the label
+ * or the heading has it already, and must not where something else is shown, the offset. */
 static gboolean needs_title(const PropertyBuilder *builder, int32_t property, int32_t component)
 {
     const TinkerPropertyType *type = &builder->block_class->properties[property];

@@ -64,8 +64,8 @@ gboolean property_parse_number(const char *text, TinkerDimension dimension, cons
                                GError **error);
 /* A value with its unit, in at most so many significant digits. (transfer full) */
 char *property_short_value(double si, const char *unit, int digits);
-/* Makes a message of core/ a sentence: without "column N: " and "Mass 0: " before it, ids as titles, a capital and a full
- * stop. `block_class` may be NULL. Takes the error. */
+/* Makes a message of core/ a sentence: without "column N: " and "Mass 0: " before it, ids as titles, a capital and a
+ * full stop. `block_class` may be NULL. Takes the error. */
 void property_fail(GError **error, GError *cause, const char *prefix, const TinkerBlockClass *block_class);
 gboolean property_refuse(GError **error, const char *format, ...) G_GNUC_PRINTF(2, 3);
 

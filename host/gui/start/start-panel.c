@@ -1,6 +1,6 @@
-/* Options cost a search for equilibrium, so they are asked for when the loop has nothing else to do, at most ten times a
- * second, and less often where they take long. Rows stay as they are as long as the same is offered: only their values change,
- * and what is being typed is left alone. */
+/* Options cost a search for equilibrium, so they are asked for when the loop has nothing else to do, at most ten times
+ * a second, and less often where they take long. Rows stay as they are as long as the same is offered: only their
+ * values change, and what is being typed is left alone. */
 #include "gui/start/start-panel.h"
 
 #include <glib/gi18n.h>
@@ -31,7 +31,8 @@ enum { PROP_TRIMS = 1 };
 
 static guint refused_signal;
 
-/* Applying -------------------------------------------------------------------------------------------------------------- */
+/* Applying
+ * -------------------------------------------------------------------------------------------------------------- */
 
 static const TinkerStartOption *option_of(TinkerStartPanel *panel, GtkWidget *widget)
 {
@@ -78,7 +79,8 @@ static void add_choice(TinkerStartPanel *panel, const TinkerStartOption *option,
     gtk_box_append(GTK_BOX(panel->choices), button);
 }
 
-/* Refreshing ------------------------------------------------------------------------------------------------------------ */
+/* Refreshing
+ * ------------------------------------------------------------------------------------------------------------ */
 
 static void remove_children(GtkWidget *parent, void (*remove)(GtkWidget *parent, GtkWidget *child))
 {
@@ -219,7 +221,8 @@ static void tinker_start_panel_map(GtkWidget *widget)
     if (panel->outdated) refresh_after(panel, 0);
 }
 
-/* The widget ---------------------------------------------------------------------------------------------------------- */
+/* The widget ----------------------------------------------------------------------------------------------------------
+ */
 
 static void tinker_start_panel_init(TinkerStartPanel *panel)
 {

@@ -41,7 +41,8 @@ static void set_error(TinkerStartRow *row, const char *message)
                                 message != NULL ? GTK_ACCESSIBLE_INVALID_TRUE : GTK_ACCESSIBLE_INVALID_FALSE, -1);
 }
 
-/* What happens ---------------------------------------------------------------------------------------------------------- */
+/* What happens
+ * ---------------------------------------------------------------------------------------------------------- */
 
 /* What is applied counts as shown: the next value takes its place. */
 static void on_apply(TinkerStartRow *row)
@@ -70,7 +71,8 @@ static gboolean on_key(GtkEventControllerKey *controller, guint key, guint code,
     return GDK_EVENT_STOP;
 }
 
-/* Public ---------------------------------------------------------------------------------------------------------------- */
+/* Public
+ * ---------------------------------------------------------------------------------------------------------------- */
 
 void tinker_start_row_show(TinkerStartRow *row, const char *value, const char *description)
 {
@@ -108,7 +110,8 @@ GtkWidget *tinker_start_wrapping_label(const char *text)
     return label;
 }
 
-/* The widget ---------------------------------------------------------------------------------------------------------- */
+/* The widget ----------------------------------------------------------------------------------------------------------
+ */
 
 TinkerStartRow *tinker_start_row_new(const char *label)
 {

@@ -1,4 +1,5 @@
-/* A row of the section "Start": what it asks for, an entry, the button that applies it, and what is wrong with what was typed.
+/* A row of the section "Start": what it asks for, an entry, the button that applies it, and what is wrong with what was
+ * typed.
  */
 #ifndef TINKER_GUI_START_ROW_H
 #define TINKER_GUI_START_ROW_H

@@ -1,5 +1,5 @@
-/* Numbers are shown with a point in every locale, as in files and messages. What is typed may have the comma of the locale; where
- * that is no comma, none is read as a point: "1,000" is a thousand to some and one to others. */
+/* Numbers are shown with a point in every locale, as in files and messages. What is typed may have the comma of the
+ * locale; where that is no comma, none is read as a point: "1,000" is a thousand to some and one to others. */
 #include "gui/text/number-text.h"
 
 #include <glib/gi18n.h>

@@ -6,12 +6,13 @@
 
 #include "units/units.h"
 
-/* Reads a quantity with any unit that fits; a bare number is in `unit` ("" for none). Where the locale writes a comma before
- * decimals, one comma is read as that. The answer is in SI. FALSE with an error that says what would be right. */
+/* Reads a quantity with any unit that fits; a bare number is in `unit` ("" for none). Where the locale writes a comma
+ * before decimals, one comma is read as that. The answer is in SI. FALSE with an error that says what would be right.
+ */
 gboolean tinker_number_read(const char *text, TinkerDimension dimension, const char *unit, double *si, GError **error);
 
-/* A value as it is shown where it can be edited: five decimals and the unit, "3.20000 m"; trimmed without the zeros at their
- * end, "3.2 m". `unit` as tinker_quantity_format takes it. (transfer full) */
+/* A value as it is shown where it can be edited: five decimals and the unit, "3.20000 m"; trimmed without the zeros at
+ * their end, "3.2 m". `unit` as tinker_quantity_format takes it. (transfer full) */
 char *tinker_number_write(double si, TinkerDimension dimension, const char *unit, TinkerUnitSystem system,
                           gboolean trims);
 

@@ -7,7 +7,8 @@
 /* With a capital and a full stop, where there is neither yet. (transfer full) */
 char *tinker_sentence(const char *message);
 
-/* Likewise, but the name of a block of the scene stays as it is where the message begins with it. (transfer full) */
+/* Translates a message, but the name of a block of the scene stays as it is where the message begins with it. (transfer
+ * full) */
 char *tinker_sentence_in(TinkerScene *scene, const char *message);
 
 #endif

@@ -1,7 +1,7 @@
 /* What the program remembers between its runs, in tinker/window.ini of the user's configuration folder. No widget.
  *
- * A key file and no schema of the desktop's, so that the program runs from where it was built. What cannot be read has its
- * default; what cannot be written is forgotten. */
+ * A key file and no schema of the desktop's, so that the program runs from where it was built. What cannot be read has
+ * its default; what cannot be written is forgotten. */
 #ifndef TINKER_GUI_SETTINGS_H
 #define TINKER_GUI_SETTINGS_H
 

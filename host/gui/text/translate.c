@@ -1,4 +1,5 @@
-/* One catalogue for the texts of the window and for those of descriptors: an entry is found by the English text itself. */
+/* One catalogue for the texts of the window and for those of descriptors: an entry is found by the English text itself.
+ */
 #include "gui/text/translate.h"
 
 #include <glib.h>

@@ -4,7 +4,8 @@
 
 #include <gtk/gtk.h>
 
-/* An image of this size in widget units, at `factor` device pixels each; the context draws in widget units. (transfer full) */
+/* An image of this size in widget units, at `factor` device pixels each; the context draws in widget units. (transfer
+ * full) */
 cairo_surface_t *tinker_image_new(int width, int height, int factor);
 
 /* What was painted, as a texture. Takes the image over. (transfer full) */

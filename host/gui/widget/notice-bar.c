@@ -1,5 +1,5 @@
-/* What each source gives is kept whole; what is shown is a list of borrowed notices that is made anew at every change. The
- * bar lies over the top of the canvas: it comes and goes by itself, so nothing may move for it. */
+/* What each source gives is kept whole; what is shown is a list of borrowed notices that is made anew at every change.
+ * The bar lies over the top of the canvas: it comes and goes by itself, so nothing may move for it. */
 #include "gui/widget/notice-bar.h"
 
 #include <glib/gi18n.h>
@@ -35,7 +35,8 @@ void tinker_notice_free(TinkerNotice *notice)
     g_free(notice);
 }
 
-/* The list ------------------------------------------------------------------------------------------------------------ */
+/* The list ------------------------------------------------------------------------------------------------------------
+ */
 
 static gboolean same_text(const void *left, const void *right)
 {
@@ -84,7 +85,8 @@ static void list_all(TinkerNoticeBar *bar)
     g_ptr_array_sort(bar->listed, by_severity);
 }
 
-/* Showing ------------------------------------------------------------------------------------------------------------- */
+/* Showing -------------------------------------------------------------------------------------------------------------
+ */
 
 static void fill(TinkerNoticeBar *bar)
 {
@@ -124,7 +126,8 @@ void tinker_notice_bar_set(TinkerNoticeBar *bar, const char *source, GPtrArray *
     show(bar);
 }
 
-/* Buttons ------------------------------------------------------------------------------------------------------------- */
+/* Buttons -------------------------------------------------------------------------------------------------------------
+ */
 
 static void on_next(TinkerNoticeBar *bar)
 {
@@ -155,7 +158,8 @@ static void on_response(TinkerNoticeBar *bar, int response)
     show(bar);
 }
 
-/* The widget ---------------------------------------------------------------------------------------------------------- */
+/* The widget ----------------------------------------------------------------------------------------------------------
+ */
 
 static void tinker_notice_bar_dispose(GObject *object)
 {

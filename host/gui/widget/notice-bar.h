@@ -1,5 +1,5 @@
-/* A bar for what the user should know and can do something about: one notice at a time, the gravest first, each with its
- * cure as a button. */
+/* A bar for what the user should know and can do something about: one notice at a time, the gravest first, each with
+ * its cure as a button. */
 #ifndef TINKER_GUI_NOTICE_BAR_H
 #define TINKER_GUI_NOTICE_BAR_H
 
@@ -32,8 +32,9 @@ G_DECLARE_FINAL_TYPE(TinkerNoticeBar, tinker_notice_bar, TINKER, NOTICE_BAR, Gtk
 
 TinkerNoticeBar *tinker_notice_bar_new(void);
 
-/* Replaces what this source ("plan") has to say by these, of TinkerNotice * (transfer full; freed by tinker_notice_free). A
- * notice that the user has closed stays closed until its source stops giving it. One that several give is shown once. */
+/* Replaces what this source ("plan") has to say by these, of TinkerNotice * (transfer full; freed by
+ * tinker_notice_free). A notice that the user has closed stays closed until its source stops giving it. One that
+ * several give is shown once. */
 void tinker_notice_bar_set(TinkerNoticeBar *bar, const char *source, GPtrArray *notices);
 
 #endif

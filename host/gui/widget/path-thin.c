@@ -1,6 +1,7 @@
-/* From the last point that was kept, the anchor, all straight lines that pass every later point within the tolerance lie in a cone.
- * It gets narrower with each point; one outside of it, or behind points that were passed before, makes the point before it
- * the next anchor. Source: J. Sklansky, V. Gonzalez, Fast polygonal approximation of digitized curves (1980). */
+/* From the last point that was kept, the anchor, all straight lines that pass every later point within the tolerance
+ * lie in a cone. It gets narrower with each point; one outside of it, or behind points that were passed before, makes
+ * the point before it the next anchor. Source: J. Sklansky, V. Gonzalez, Fast polygonal approximation of digitized
+ * curves (1980). */
 #include "gui/widget/path-thin.h"
 
 #include <math.h>

@@ -1,4 +1,5 @@
-/* A width that was not touched follows the system of units; a wrong one is marked as it is typed, and says why on Create. */
+/* A width that was not touched follows the system of units; a wrong one is marked as it is typed, and says why on
+ * Create. */
 #include "gui/window/new-dialog.h"
 
 #include <glib/gi18n.h>

@@ -1,5 +1,5 @@
-/* The time line is a scale as long as the run will be; what is recorded is shown as its filled part. The time beside it is an
- * entry: what is typed there is gone to, and recorded first where it is not yet. */
+/* The time line is a scale as long as the run will be; what is recorded is shown as its filled part. The time beside it
+ * is an entry: what is typed there is gone to, and recorded first where it is not yet. */
 #include "gui/window/playbar.h"
 
 #include <glib/gi18n.h>
@@ -85,7 +85,8 @@ static void on_line_moved(TinkerPlaybar *playbar)
     on_moved(playbar);
 }
 
-/* The time ------------------------------------------------------------------------------------------------------------ */
+/* The time ------------------------------------------------------------------------------------------------------------
+ */
 
 static void set_wrong(TinkerPlaybar *playbar, const char *problem)
 {
@@ -176,7 +177,8 @@ void tinker_playbar_set_player(TinkerPlaybar *playbar, TinkerPlayer *player)
     on_moved(playbar);
 }
 
-/* The widget ---------------------------------------------------------------------------------------------------------- */
+/* The widget ----------------------------------------------------------------------------------------------------------
+ */
 
 static GtkWidget *add_button(GtkWidget *box, const char *icon, const char *label, const char *action)
 {

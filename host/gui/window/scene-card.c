@@ -1,4 +1,5 @@
-/* Texts of the scene come from its head, those about the model from the plan, which is asked for when the card is looked at. */
+/* Texts of the scene come from its head, those about the model from the plan, which is asked for when the card is
+ * looked at. */
 #include "gui/window/scene-card.h"
 
 #include <glib/gi18n.h>
@@ -33,7 +34,8 @@ static void on_changed(TinkerSceneCard *card)
         gtk_widget_add_css_class(card->description, "dim-label");
 }
 
-/* What is modelled -------------------------------------------------------------------------------------------------------- */
+/* What is modelled
+ * -------------------------------------------------------------------------------------------------------- */
 
 static void add_sentences(GString *text, const char *heading, const GPtrArray *sentences)
 {
@@ -66,7 +68,8 @@ static void tinker_scene_card_map(GtkWidget *widget)
     tinker_plan_task_demand(TINKER_SCENE_CARD(widget)->plan);
 }
 
-/* Life ---------------------------------------------------------------------------------------------------------------- */
+/* Life ----------------------------------------------------------------------------------------------------------------
+ */
 
 static GtkWidget *add_label(GtkWidget *box, const char *css_class)
 {

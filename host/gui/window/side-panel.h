@@ -1,5 +1,5 @@
-/* The panel at the right: what the scene is about, the properties of what is selected or how it starts, and below them the
- * outline of the scene. */
+/* The panel at the right: what the scene is about, the properties of what is selected or how it starts, and below them
+ * the outline of the scene. */
 #ifndef TINKER_GUI_SIDE_PANEL_H
 #define TINKER_GUI_SIDE_PANEL_H
 
@@ -7,8 +7,8 @@
 
 #include "gui/document/player.h"
 
-/* `start` is the widget that says how things start, `card` the one that says what the scene is about, which is shown when a
- * scene with a description is opened. (transfer floating) */
+/* `start` is the widget that says how things start, `card` the one that says what the scene is about, which is shown
+ * when a scene with a description is opened. (transfer floating) */
 GtkWidget *tinker_side_panel_new(TinkerDocument *document, TinkerPlayer *player, GtkWidget *start, GtkWidget *card);
 
 /* Shows one of its pages, "scene", "properties" or "start"; FALSE where there is no such page. */

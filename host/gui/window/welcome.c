@@ -1,5 +1,5 @@
-/* The examples are the first of each topic. Their pictures are painted one at a time when there is nothing else to do, so that
- * the window is there first; and anew where the desktop goes dark. */
+/* The examples are the first of each topic. Their pictures are painted one at a time when there is nothing else to do,
+ * so that the window is there first; and anew where the desktop goes dark. */
 #include "gui/window/welcome.h"
 
 #include <adwaita.h>
@@ -31,7 +31,8 @@ struct _TinkerWelcome {
 
 G_DEFINE_FINAL_TYPE(TinkerWelcome, tinker_welcome, GTK_TYPE_WIDGET)
 
-/* Pictures ------------------------------------------------------------------------------------------------------------ */
+/* Pictures ------------------------------------------------------------------------------------------------------------
+ */
 
 static GdkTexture *texture_of(cairo_surface_t *surface)
 {
@@ -87,7 +88,8 @@ static void paint_pictures(TinkerWelcome *welcome)
         welcome->painter = g_idle_add_full(G_PRIORITY_LOW, paint_next, welcome, NULL);
 }
 
-/* The card ------------------------------------------------------------------------------------------------------------ */
+/* The card ------------------------------------------------------------------------------------------------------------
+ */
 
 static GtkWidget *example_button(TinkerWelcome *welcome, guint number)
 {
@@ -120,8 +122,8 @@ static GtkWidget *example_button(TinkerWelcome *welcome, guint number)
     return button;
 }
 
-/* The first of each topic, for they are unlike one another. Not before the card is shown: the files of all examples are read
- * for it. */
+/* The first of each topic, for they are unlike one another. Not before the card is shown: the files of all examples are
+ * read for it. */
 static void add_examples(TinkerWelcome *welcome)
 {
     const GPtrArray *topics = tinker_examples(tinker_document_catalogue(welcome->document));
@@ -178,7 +180,8 @@ static GtkWidget *card_new(TinkerWelcome *welcome)
     return card;
 }
 
-/* When it is shown ---------------------------------------------------------------------------------------------------- */
+/* When it is shown ----------------------------------------------------------------------------------------------------
+ */
 
 static void update(TinkerWelcome *welcome)
 {

@@ -1,5 +1,5 @@
-/* The welcome: what to do with an empty canvas, and examples to open. A card that lies over the canvas as long as there is
- * nothing on it; around the card the canvas gets everything. */
+/* The welcome: what to do with an empty canvas, and examples to open. A card that lies over the canvas as long as there
+ * is nothing on it; around the card the canvas gets everything. */
 #ifndef TINKER_GUI_WELCOME_H
 #define TINKER_GUI_WELCOME_H
 

@@ -1,4 +1,5 @@
-/* Accuracy at a glance: the line at the bottom, the notices at the top and the page about it, fed from the plan and the run. */
+/* Accuracy at a glance: the line at the bottom, the notices at the top and the page about it, fed from the plan and the
+ * run. */
 #include <glib/gi18n.h>
 
 #include "gui/document/run-choice.h"
@@ -8,7 +9,8 @@
 #define PAGE    "accuracy"
 #define REFRESH 200 /* ms: how often the line is brought up to date while something happens */
 
-/* Notices ------------------------------------------------------------------------------------------------------------- */
+/* Notices -------------------------------------------------------------------------------------------------------------
+ */
 
 static void choose_automatically(void *data)
 {
@@ -74,7 +76,8 @@ static void show_run_notices(TinkerWindow *window)
     tinker_notice_bar_set(window->notices, "run", notices);
 }
 
-/* The line ------------------------------------------------------------------------------------------------------------ */
+/* The line ------------------------------------------------------------------------------------------------------------
+ */
 
 static gboolean on_refresh(void *data);
 

@@ -10,7 +10,8 @@
 
 typedef void (*Command)(TinkerWindow *window);
 
-/* Running ------------------------------------------------------------------------------------------------------------- */
+/* Running -------------------------------------------------------------------------------------------------------------
+ */
 
 /* Says why the scene cannot run, and selects the block that is to blame. */
 static void tell_refusal(TinkerWindow *window, TinkerBlockId culprit, const GError *error)
@@ -64,7 +65,8 @@ static void reset(TinkerWindow *window)
     tinker_player_reset(window->player);
 }
 
-/* Editing ------------------------------------------------------------------------------------------------------------- */
+/* Editing -------------------------------------------------------------------------------------------------------------
+ */
 
 static void undo(TinkerWindow *window)
 {
@@ -153,7 +155,8 @@ static void select_all(TinkerWindow *window)
     tinker_document_select_all_of(window->document, blocks, count);
 }
 
-/* Looking ------------------------------------------------------------------------------------------------------------- */
+/* Looking -------------------------------------------------------------------------------------------------------------
+ */
 
 static void zoom_in(TinkerWindow *window)
 {
@@ -194,7 +197,8 @@ static void show_help_overlay(TinkerWindow *window)
     gtk_window_present(overlay);
 }
 
-/* Files --------------------------------------------------------------------------------------------------------------- */
+/* Files ---------------------------------------------------------------------------------------------------------------
+ */
 
 static void save(TinkerWindow *window)
 {
@@ -206,7 +210,8 @@ static void save_as(TinkerWindow *window)
     window_save(window, TRUE);
 }
 
-/* The table ----------------------------------------------------------------------------------------------------------- */
+/* The table -----------------------------------------------------------------------------------------------------------
+ */
 
 /* Keys that mean something to an entry, too, are caught behind it; see tinker_window_set_accels. */
 static const struct {
@@ -243,8 +248,8 @@ static const struct {
     {"shorter-forces", shorter_forces, {"bracketleft"}, TRUE},
 };
 
-/* An entry takes over what is being typed when it loses the focus. One that is wrong gets it back, for Escape and another
- * try. */
+/* An entry takes over what is being typed when it loses the focus. One that is wrong gets it back, for Escape and
+ * another try. */
 static void take_over_entry(TinkerWindow *window)
 {
     GtkWidget *focus = gtk_window_get_focus(GTK_WINDOW(window));

@@ -60,7 +60,8 @@ void window_note_recent(const char *path)
     if (uri != NULL) gtk_recent_manager_add_item(gtk_recent_manager_get_default(), uri);
 }
 
-/* Saving -------------------------------------------------------------------------------------------------------------- */
+/* Saving --------------------------------------------------------------------------------------------------------------
+ */
 
 static void ask_name(TinkerWindow *window, WindowThen then, const char *subject);
 
@@ -152,8 +153,8 @@ void window_add_filters(GtkFileChooserNative *dialog)
     gtk_file_chooser_add_filter(GTK_FILE_CHOOSER(dialog), all);
 }
 
-/* Begins beside the file, or among the documents with the scene's title. Without the ending, which is put on later: the chooser
- * would select "Untitled.tinker" alone to be typed over, and leave ".json". */
+/* Begins beside the file, or among the documents with the scene's title. Without the ending, which is put on later: the
+ * chooser would select "Untitled.tinker" alone to be typed over, and leave ".json". */
 static void suggest_name(GtkFileChooser *chooser, TinkerDocument *document)
 {
     const char *path = tinker_document_path(document);
@@ -207,7 +208,8 @@ void window_save(TinkerWindow *window, gboolean under_another_name)
     save_then(window, under_another_name, NULL, NULL);
 }
 
-/* The question -------------------------------------------------------------------------------------------------------- */
+/* The question --------------------------------------------------------------------------------------------------------
+ */
 
 static void on_answer(AdwMessageDialog *dialog, const char *answer, const Question *question)
 {

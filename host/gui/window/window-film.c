@@ -35,7 +35,8 @@ static char *first_file(const char *path)
     return tinker_film_is_joined(path) ? g_strdup(path) : tinker_film_picture_name(path, 1);
 }
 
-/* The bar ------------------------------------------------------------------------------------------------------------- */
+/* The bar -------------------------------------------------------------------------------------------------------------
+ */
 
 static void show_progress(TinkerWindow *window)
 {
@@ -120,7 +121,8 @@ void window_add_film(TinkerWindow *window)
     g_signal_connect_object(window->film, "progress", G_CALLBACK(show_progress), window, G_CONNECT_SWAPPED);
 }
 
-/* The file ------------------------------------------------------------------------------------------------------------ */
+/* The file ------------------------------------------------------------------------------------------------------------
+ */
 
 static void start(const Wish *wish)
 {

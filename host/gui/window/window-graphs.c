@@ -1,4 +1,5 @@
-/* Graphs in the window: on the canvas, in the dock below it, and on a page of their own; and the commands about them. */
+/* Graphs in the window: on the canvas, in the dock below it, and on a page of their own; and the commands about them.
+ */
 #include <glib/gi18n.h>
 #include <string.h>
 
@@ -17,7 +18,8 @@ static gboolean has_graph(TinkerWindow *window, GVariant *number)
     return g_variant_get_int32(number) >= 0 && g_variant_get_int32(number) < count;
 }
 
-/* Commands ------------------------------------------------------------------------------------------------------------ */
+/* Commands ------------------------------------------------------------------------------------------------------------
+ */
 
 /* Adds a graph of the selected block; the parameter is "QUANTITY" or "QUANTITY/AGAINST". */
 static void add_graph(GSimpleAction *action, GVariant *parameter, gpointer data)
@@ -69,7 +71,8 @@ void window_new_graph(TinkerWindow *window)
     gtk_widget_child_focus(adw_view_stack_get_visible_child(window->pages), GTK_DIR_TAB_FORWARD);
 }
 
-/* The menu ------------------------------------------------------------------------------------------------------------ */
+/* The menu ------------------------------------------------------------------------------------------------------------
+ */
 
 void window_append_graph_menu(TinkerWindow *window, GMenu *menu)
 {
@@ -83,9 +86,11 @@ void window_append_graph_menu(TinkerWindow *window, GMenu *menu)
     g_menu_append_section(menu, NULL, G_MENU_MODEL(section));
 }
 
-/* Parts --------------------------------------------------------------------------------------------------------------- */
+/* Parts ---------------------------------------------------------------------------------------------------------------
+ */
 
-/* A pane gives its lower part the least height until somebody has set the border: it stays where it was put at first. */
+/* A pane gives its lower part the least height until somebody has set the border: it stays where it was put at first.
+ */
 static gboolean keep_height(gpointer dock)
 {
     GtkWidget *pane = gtk_widget_get_ancestor(dock, GTK_TYPE_PANED);

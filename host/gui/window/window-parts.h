@@ -81,8 +81,8 @@ void window_add_graphs(TinkerWindow *window);
 void window_new_graph(TinkerWindow *window);
 /* Appends what graphs the selected block can have, if it can have any. */
 void window_append_graph_menu(TinkerWindow *window, GMenu *menu);
-/* How things start; window-start.c. Adds the advice and the action; the page of the panel (transfer floating); the submenu for
- * what is selected. */
+/* How things start; window-start.c. Adds the advice and the action; the page of the panel (transfer floating); the
+ * submenu for what is selected. */
 void window_add_start(TinkerWindow *window);
 GtkWidget *window_new_start_panel(TinkerWindow *window);
 void window_add_start_menu(TinkerWindow *window, GMenu *menu);

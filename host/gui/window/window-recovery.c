@@ -1,4 +1,5 @@
-/* Unsaved work: the window's autosave, and the question about what was left behind when the program did not close properly. */
+/* Unsaved work: the window's autosave, and the question about what was left behind when the program did not close
+ * properly. */
 #include "gui/window/window-recovery.h"
 
 #include <glib/gi18n.h>
@@ -7,7 +8,8 @@
 #include "gui/text/message.h"
 #include "gui/window/window-parts.h"
 
-/* The autosave -------------------------------------------------------------------------------------------------------- */
+/* The autosave --------------------------------------------------------------------------------------------------------
+ */
 
 /* NULL: there is nothing to tell any more. (transfer full) */
 static void set_notice(TinkerWindow *window, TinkerNotice *notice)
@@ -41,7 +43,8 @@ void window_add_autosave(TinkerWindow *window)
     g_signal_connect_object(window->autosave, "working", G_CALLBACK(on_working), window, 0);
 }
 
-/* The question -------------------------------------------------------------------------------------------------------- */
+/* The question --------------------------------------------------------------------------------------------------------
+ */
 
 /* What is asked about. */
 typedef struct {

@@ -14,7 +14,8 @@ typedef struct {
     guint finding;
 } Finding;
 
-/* Advice ---------------------------------------------------------------------------------------------------------------- */
+/* Advice
+ * ---------------------------------------------------------------------------------------------------------------- */
 
 static void repair(void *data)
 {
@@ -75,7 +76,8 @@ static void on_advice_changed(TinkerAdviceList *list, TinkerWindow *window)
     tinker_canvas_set_marked(window->canvas, (const TinkerBlockId *)(gpointer)blocks->data, (int)blocks->len);
 }
 
-/* Start conditions ------------------------------------------------------------------------------------------------------ */
+/* Start conditions
+ * ------------------------------------------------------------------------------------------------------ */
 
 static void on_refused(TinkerWindow *window, const char *message)
 {
@@ -95,7 +97,8 @@ static void on_start(GSimpleAction *action, GVariant *parameter, gpointer data)
     if (!tinker_start_do(window->document, window->player, option, 0, &error)) window_toast(window, error->message);
 }
 
-/* Public ---------------------------------------------------------------------------------------------------------------- */
+/* Public
+ * ---------------------------------------------------------------------------------------------------------------- */
 
 void window_add_start_menu(TinkerWindow *window, GMenu *menu)
 {

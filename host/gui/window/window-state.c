@@ -1,5 +1,5 @@
-/* What a window looks like is remembered when it closes, for the next one: its size, the panes that have a name, the panels
- * that are folded away, what the canvas shows. */
+/* What a window looks like is remembered when it closes, for the next one: its size, the panes that have a name, the
+ * panels that are folded away, what the canvas shows. */
 #include "gui/text/settings.h"
 #include "gui/window/window-parts.h"
 

@@ -28,7 +28,8 @@ void window_message(TinkerWindow *window, const char *heading, const char *body)
     tinker_message(GTK_WINDOW(window), heading, body);
 }
 
-/* Playing ------------------------------------------------------------------------------------------------------------- */
+/* Playing -------------------------------------------------------------------------------------------------------------
+ */
 
 static gboolean on_tick(GtkWidget *widget, GdkFrameClock *clock, gpointer data)
 {
@@ -64,7 +65,8 @@ static void on_rewound(TinkerWindow *window)
     window_toast(window, _("Back at the start, which is what you edit"));
 }
 
-/* The document -------------------------------------------------------------------------------------------------------- */
+/* The document --------------------------------------------------------------------------------------------------------
+ */
 
 static void on_file_changed(TinkerWindow *window)
 {
@@ -95,7 +97,8 @@ static gboolean tinker_window_close_request(GtkWindow *base)
     return GTK_WINDOW_CLASS(tinker_window_parent_class)->close_request(base);
 }
 
-/* The menu of the selection ---------------------------------------------------------------------------------------------- */
+/* The menu of the selection
+ * ---------------------------------------------------------------------------------------------- */
 
 static void on_menu(GtkWidget *over, double x, double y, TinkerWindow *window)
 {
@@ -106,7 +109,8 @@ static void on_menu(GtkWidget *over, double x, double y, TinkerWindow *window)
     tinker_popup_menu(over, G_MENU_MODEL(model), x, y);
 }
 
-/* Life ---------------------------------------------------------------------------------------------------------------- */
+/* Life ----------------------------------------------------------------------------------------------------------------
+ */
 
 static void on_canvas_faults(TinkerCanvas *canvas, TinkerWindow *window)
 {

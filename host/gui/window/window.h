@@ -18,7 +18,7 @@ gboolean tinker_window_is_untouched(TinkerWindow *window);
 /* Opens a file; says what is wrong with it. */
 void tinker_window_open(TinkerWindow *window, const char *path);
 
-/* Likewise; of a file without a local path it says what to do. */
+/* Opens a file; of one without a local path it says what to do. */
 void tinker_window_open_file(TinkerWindow *window, GFile *file);
 
 /* The dialog that begins a new scene in it. */

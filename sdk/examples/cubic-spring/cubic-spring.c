@@ -1,7 +1,7 @@
 /* Cubic spring: a line law that is not linear, T = k d + c d^3 with d = L - L0, and the energy k d^2 / 2 + c d^4 / 4.
  *
- * With c above 0 it hardens, below 0 it softens. Where c is 0 it says so by `linear`, and the host treats it as any other
- * spring: exact stepping, merged with its neighbours. */
+ * With c above 0 it hardens, below 0 it softens. Where c is 0 it says so by `linear`, and the host treats it as any
+ * other spring: exact stepping, merged with its neighbours. */
 #include <tinker/sdk.h>
 
 enum { COLUMN_STIFFNESS, COLUMN_CUBIC, COLUMN_REST_LENGTH };

@@ -6,10 +6,11 @@
  *     v1  = v0 + h sum b_j A_j,    q1  = q0 + h v0 + h^2 sum b_j (1 - c_j) A_j.
  *
  * The stages are found by iteration from those of the step before, extrapolated. On an oscillator an iteration leaves
- * (0.2153 h omega)^2 of what was wrong, on a damper 0.2153 h c / m, where 0.2153 is the spectral radius of the tableau: that,
- * and not the method, which is stable for any step, limits the step.
+ * (0.2153 h omega)^2 of what was wrong, on a damper 0.2153 h c / m, where 0.2153 is the spectral radius of the tableau:
+ * that, and not the method, which is stable for any step, limits the step.
  *
- * Source: E. Hairer, Ch. Lubich, G. Wanner, Geometric Numerical Integration, 2nd ed., II.1.3 (tableau), VIII.6 (iteration). */
+ * Source: E. Hairer, Ch. Lubich, G. Wanner, Geometric Numerical Integration, 2nd ed., II.1.3 (tableau), VIII.6
+ * (iteration). */
 #include <float.h>
 #include <math.h>
 #include <stdlib.h>
@@ -23,8 +24,8 @@ enum { STAGES = 3 };
 
 /* More than this never helps: what is left shrinks too slowly, and rounding is reached long before. */
 #define MOST_ITERATIONS 100
-/* The iteration has converged when a stage changes by no more than this share of the largest acceleration; where rounding
- * keeps it from that, when it no longer shrinks below the second share. */
+/* The iteration has converged when a stage changes by no more than this share of the largest acceleration; where
+ * rounding keeps it from that, when it no longer shrinks below the second share. */
 #define CONVERGED (4 * DBL_EPSILON)
 #define ROUNDING  1e-12
 

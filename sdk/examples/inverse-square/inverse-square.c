@@ -1,7 +1,7 @@
 /* Inverse-square field: all bodies attract each other with G m M / r^2, and store -G m M / r a pair.
  *
- * A field sees all bodies at once and is asked for the forces on a range of them. It says that it couples bodies, so that
- * the host keeps them together in one island. Several fields in one scene add up. */
+ * A field sees all bodies at once and is asked for the forces on a range of them. It says that it couples bodies, so
+ * that the host keeps them together in one island. Several fields in one scene add up. */
 #include <tinker/sdk.h>
 
 enum { COLUMN_G };

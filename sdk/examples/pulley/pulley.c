@@ -5,16 +5,16 @@
  *
  *     g = sum of L_k - l <= 0,   dg/dx_k = n_k - n_(k+1),   drift = sum of (n_k x w_k)^2 / L_k
  *
- * The row holds in one direction only: a rope can be shorter than its length, but not longer. Its multiplier is minus the
- * tension, which is the same in all strands. */
+ * The row holds in one direction only: a rope can be shorter than its length, but not longer. Its multiplier is minus
+ * the tension, which is the same in all strands. */
 #include <tinker/sdk.h>
 
 enum { COLUMN_LENGTH };
 
 enum { QUANTITY_TENSION, QUANTITY_SLACK };
 
-/* Where a rope pulls something into a wheel the strand between them swings round faster without end: small as the wheels are,
- * the motion ends there, at this share of the rope's length, unless the rope is slack. */
+/* Where a rope pulls something into a wheel the strand between them swings round faster without end: small as the
+ * wheels are, the motion ends there, at this share of the rope's length, unless the rope is slack. */
 #define LEAST_STRAND 1e-3
 #define NEARLY_TAUT  0.999
 

@@ -1,7 +1,7 @@
 /* Straight guide: keeps a body on the line through two points, which may themselves be bodies or moving supports.
  *
- * The ends are the body x and the points a and b. With d = b - a, L = |d|, n = d / L, m = n turned left by 90 deg, u = x - a,
- * s = n . u (how far along) and w = m . d' / L (how fast the line turns), n' = w m and m' = -w n:
+ * The ends are the body x and the points a and b. With d = b - a, L = |d|, n = d / L, m = n turned left by 90 deg, u =
+ * x - a, s = n . u (how far along) and w = m . d' / L (how fast the line turns), n' = w m and m' = -w n:
  *
  *     g  = m . u                                     the distance from the line, positive to its left
  *     g' = m . u' - w s,   so that   dg/dx = m,   dg/db = -(s / L) m,   dg/da = -(1 - s / L) m

@@ -1,15 +1,15 @@
 /* Torsional spring: turns two arms about a hinge towards their rest angle, M = k (theta - theta0).
  *
- * The ends are the tip of the first arm, the hinge, and the tip of the second arm; theta is the angle from the first arm
- * to the second, counter-clockwise. With a = x0 - x1, c = x2 - x1 and delta = theta - theta0,
+ * The ends are the tip of the first arm, the hinge, and the tip of the second arm; theta is the angle from the first
+ * arm to the second, counter-clockwise. With a = x0 - x1, c = x2 - x1 and delta = theta - theta0,
  *
  *     E = k delta^2 / 2,   F2 = -M (perp c) / |c|^2,   F0 = M (perp a) / |a|^2,   F1 = -(F0 + F2),
  *
  * where perp (x, y) = (-y, x): the forces and their moments add up to 0.
  *
- * From places alone nobody knows how often an arm has gone round, so delta is the angle from the *rest* direction, between
- * -180 and 180 deg: the jump lies opposite to rest, wherever rest is, and not where atan2 happens to have its own. Beyond
- * 170 deg the law is refused, so that no motion runs into the jump. */
+ * From places alone nobody knows how often an arm has gone round, so delta is the angle from the *rest* direction,
+ * between -180 and 180 deg: the jump lies opposite to rest, wherever rest is, and not where atan2 happens to have its
+ * own. Beyond 170 deg the law is refused, so that no motion runs into the jump. */
 #include <tinker/sdk.h>
 
 enum { COLUMN_STIFFNESS, COLUMN_REST_ANGLE };

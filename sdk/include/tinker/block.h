@@ -56,8 +56,9 @@ extern "C" {
 #define TINKER_DEFAULT_AS_PLACED (1u << 7) /* left out: the length from end to end at t = 0; needs two ends */
 #define TINKER_DEFAULT_SAME_AS   (1u << 8) /* left out, it equals the property that `default_from` names */
 
-/* A property. The window has a row for it, labelled by its title. A vector has two, labelled by its title and a component's,
- * "Centre X"; by the component's alone where that or the group has the title in it: "X Velocity", "Global Position". */
+/* A property. The window has a row for it, labelled by its title. A vector has two, labelled by its title and a
+ * component's, "Centre X"; by the component's alone where that or the group has the title in it: "X Velocity", "Global
+ * Position". */
 typedef struct TinkerPropertyType {
     uint32_t struct_size;
     int32_t kind;              /* TINKER_KIND_... */
@@ -98,8 +99,8 @@ typedef struct TinkerQuantityType {
     int32_t reserved;
 } TinkerQuantityType;
 
-/* Categories: where the palette shows a block. What the block does is said by its interfaces. `tinker plugins check` asks of a
- * force element of two or more ends that its forces sum to zero, unless it is of the category "force". */
+/* Categories: where the palette shows a block. What the block does is said by its interfaces. `tinker plugins check`
+ * asks of a force element of two or more ends that its forces sum to zero, unless it is of the category "force". */
 #define TINKER_CONNECTABLE "connectable"
 #define TINKER_CONNECTOR   "connector" /* acts between its ends */
 #define TINKER_FORCE       "force"     /* acts on its ends from outside */
@@ -118,9 +119,9 @@ typedef struct TinkerBlockType {
     const char *category;
     const char *summary; /* one sentence: what it is for */
     const char *formula; /* its law in the symbols of its properties, "T = k (L - L0)"; NULL where there is none */
-    /* A PNG beside the library, for palettes, where it is fitted into 48 by 32 pixels (make it larger, for fine screens); on
-     * whatever is behind, light or dark. NULL, or where it cannot be read: the block is drawn with its default properties, a
-     * connector from left to right. */
+    /* A PNG beside the library, for palettes, where it is fitted into 48 by 32 pixels (make it larger, for fine
+     * screens); on whatever is behind, light or dark. NULL, or where it cannot be read: the block is drawn with its
+     * default properties, a connector from left to right. */
     const char *icon_path;
     const char *help_link; /* NULL: none */
     int32_t least_ends;

@@ -84,8 +84,8 @@
         TINKER_QUANTITY(0, "ax", "X Acceleration", "Horizontal acceleration", TINKER_DIMENSION_ACCELERATION),          \
         TINKER_QUANTITY(0, "ay", "Y Acceleration", "Vertical acceleration", TINKER_DIMENSION_ACCELERATION)
 
-/* The three quantities of what stands on something, or is stood on, that tinker_contact_values (kernels.h) works out, in
- * its order. */
+/* The three quantities of what stands on something, or is stood on, that tinker_contact_values (kernels.h) works out,
+ * in its order. */
 #define TINKER_CONTACT_QUANTITIES                                                                                      \
     TINKER_QUANTITY(0, "normal force", "Normal Force", "What presses across the tops in contact; never negative",      \
                     TINKER_DIMENSION_FORCE),                                                                           \
@@ -107,7 +107,7 @@
         TINKER_NO_SPAN,     NULL};                                                                                     \
     TINKER_DEFINE_ENTRY
 
-/* Likewise of a plugin whose integrators stand in the static array `integrators_`. */
+/* Declares a plugin whose integrators stand in the static array `integrators_`. */
 #define TINKER_DEFINE_INTEGRATOR_PLUGIN(id_, title_, version_, licence_, integrators_)                                 \
     static const TinkerPlugin tinker_the_plugin = {TINKER_PLUGIN_HEAD, id_, title_,         version_,                  \
                                                    licence_,           "",  TINKER_NO_SPAN, TINKER_SPAN(integrators_), \

@@ -14,8 +14,8 @@ extern "C" {
 #define TINKER_GRAPH_INTERFACE "tinker.graph/1"
 
 /* What is known of the instances at the instant batch->time. Indexed as in physics.h; of a block that is itself a body,
- * its own centre is its one end. A field has no ends. Positions are relative to batch->origin, which is 0 for bodies and
- * fields. */
+ * its own centre is its one end. A field has no ends. Positions are relative to batch->origin, which is 0 for bodies
+ * and fields. */
 typedef struct TinkerGraphInput {
     uint32_t struct_size;
     int32_t reserved;
@@ -27,9 +27,10 @@ typedef struct TinkerGraphInput {
     const double *masses;        /* likewise their masses */
     int32_t body_count;
     int32_t reserved2;
-    /* Of a body or a plate: four numbers an instance (N), of what acts on it through its contacts. The sum of the normal
-     * forces, which is not negative; the friction along the tops, positive towards +x of the plate's own axes (the force
-     * on the body, or of a plate that on the plate); the whole force in x and in y. NULL where nothing is solid. */
+    /* Of a body or a plate: four numbers an instance (N), of what acts on it through its contacts. The sum of the
+     * normal forces, which is not negative; the friction along the tops, positive towards +x of the plate's own axes
+     * (the force on the body, or of a plate that on the plate); the whole force in x and in y. NULL where nothing is
+     * solid. */
     const double *contacts;
 } TinkerGraphInput;
 

@@ -8,7 +8,8 @@
  * Besides q and v the system has `books`: energy integrals dw/dt = power(q, v, t) that are advanced with the method's
  * own order but never enter its error control.
  *
- * Steppers may be at work at once, each on a thread of its own: what one keeps is in what `create` allotted, and nowhere else.
+ * Steppers may be at work at once, each on a thread of its own: what one keeps is in what `create` allotted, and
+ * nowhere else.
  *
  * Waveforms switch only at breaks, and the host never asks for a step across one; within a step they are smooth up to
  * and including both ends.
@@ -88,8 +89,8 @@ typedef struct TinkerLinearSystem {
     int32_t reserved;
 } TinkerLinearSystem;
 
-/* The system, as functions over plain arrays. All but those marked "may be NULL" are provided; arrays do not overlap unless it is said. Answers other
- * than TINKER_OK leave the outputs undefined. */
+/* The system, as functions over plain arrays. All but those marked "may be NULL" are provided; arrays do not overlap
+ * unless it is said. Answers other than TINKER_OK leave the outputs undefined. */
 typedef struct TinkerSystem {
     uint32_t struct_size;
     uint32_t flags;
@@ -119,8 +120,8 @@ typedef struct TinkerSystem {
     void (*scales)(void *context, const double *q, const double *v, double *extent, double *speed);
     /* Why the last function failed, as static or system-owned text; NULL where nothing is known. */
     const char *(*failure)(void *context);
-    /* The derivatives of the applied forces: stiffness = -df/dq (N/m) and damping = -df/dv (N s/m), `entries` values each in
-     * the order of the pattern. Exact where the blocks give theirs, differences elsewhere. */
+    /* The derivatives of the applied forces: stiffness = -df/dq (N/m) and damping = -df/dv (N s/m), `entries` values
+     * each in the order of the pattern. Exact where the blocks give theirs, differences elsewhere. */
     const TinkerPattern *pattern;
     TinkerStatus (*jacobian)(void *context, double t, const double *q, const double *v, double *stiffness,
                              double *damping);
@@ -128,9 +129,9 @@ typedef struct TinkerSystem {
     const TinkerLinearSystem *linear;
     /* The form of every signal in the piece between breaks that the host entered last. NULL where `linear` is. */
     TinkerStatus (*signals)(void *context, TinkerSignal *signals);
-    /* J^T W J at (t, q), `entries` values in the order of the pattern: W is diagonal, and holds the mass that moves along
-     * each row, 1 / (J M^-1 J^T). An implicit method adds a multiple of it, so that its linear solves leave the constraints
-     * alone. NULL where `jacobian` is, and on an unconstrained system. */
+    /* J^T W J at (t, q), `entries` values in the order of the pattern: W is diagonal, and holds the mass that moves
+     * along each row, 1 / (J M^-1 J^T). An implicit method adds a multiple of it, so that its linear solves leave the
+     * constraints alone. NULL where `jacobian` is, and on an unconstrained system. */
     TinkerStatus (*row_masses)(void *context, double t, const double *q, double *values);
 } TinkerSystem;
 
@@ -166,7 +167,7 @@ typedef struct TinkerStepReport {
 #define TINKER_INTEGRATOR_SYMPLECTIC (1u << 2) /* where the system is undamped */
 #define TINKER_INTEGRATOR_LINEAR     (1u << 3) /* needs TinkerSystem.linear */
 #define TINKER_INTEGRATOR_IMPLICIT   (1u << 4) /* asks for the jacobian */
-#define TINKER_INTEGRATOR_DISSIPATES (1u << 5) /* takes energy from motion that its steps do not resolve, on purpose */
+#define TINKER_INTEGRATOR_DISSIPATES (1u << 5) /* takes energy from unresolved motion, on purpose */
 
 typedef struct TinkerIntegrator {
     uint32_t struct_size;
@@ -179,20 +180,20 @@ typedef struct TinkerIntegrator {
     int32_t dense_order;          /* of the interpolation between steps */
     int32_t evaluations_per_step; /* of accelerations, where nothing is rejected */
     int32_t reserved;
-    double
-        imaginary_limit; /* h * omega of an undamped oscillator at the edge of stability; 0: unstable for any; < 0: none */
-    double real_limit; /* h * c / m of a pure damper at the edge of stability; < 0: no limit */
+    double imaginary_limit; /* h * omega of an undamped oscillator at the edge of stability; 0: unstable for any; < 0:
+                               none */
+    double real_limit;      /* h * c / m of a pure damper at the edge of stability; < 0: no limit */
 
-    /* A stepper for this system, which outlives it; all memory that steps need is allotted here, but for what a solver of
-     * somebody else's sets up when it sees its first matrix. NULL: out of memory. */
+    /* A stepper for this system, which outlives it; all memory that steps need is allotted here, but for what a solver
+     * of somebody else's sets up when it sees its first matrix. NULL: out of memory. */
     void *(*create)(const TinkerSystem *system, const TinkerIntegratorOptions *options);
     void (*destroy)(void *stepper);
     /* Forgets what was carried over from earlier steps: the state was changed, or a derivative jumped. */
     void (*restart)(void *stepper);
     /* One accepted step. A fixed-step method steps exactly to `limit`; an adaptive one as far as its error control
-     * allows, never past `limit`, and lands exactly on it where little remains; one of linear systems ends earlier where the
-     * system that it was given changes. On a constrained system the new state
-     * is projected. On failure the state is as before. */
+     * allows, never past `limit`, and lands exactly on it where little remains; one of linear systems ends earlier
+     * where the system that it was given changes. On a constrained system the new state is projected. On failure the
+     * state is as before. */
     TinkerStatus (*step)(void *stepper, TinkerState *state, double limit, TinkerStepReport *report);
     /* The state at t inside the last step, from dense output, not projected. `books` may be NULL. */
     TinkerStatus (*interpolate)(void *stepper, double t, double *q, double *v, double *books);

@@ -38,8 +38,8 @@ static inline TinkerStatus tinker_fail(TinkerBatch *batch, int32_t instance, con
     return TINKER_FAILED;
 }
 
-/* Reports an instance that is not computable here, as tinker_fail does. A smaller step may help; `text` is what the user reads
- * where none does. */
+/* Reports an instance that is not computable here, as tinker_fail does. A smaller step may help; `text` is what the
+ * user reads where none does. */
 static inline TinkerStatus tinker_retry(TinkerBatch *batch, int32_t instance, const char *text)
 {
     tinker_fail(batch, instance, text);
@@ -54,7 +54,8 @@ static inline double tinker_length(double x, double y)
 }
 
 /* The unit vector at an angle (rad). Quarter turns are exact: the rounded -pi/2 has the cosine 6e-17, which would let
- * whatever falls drift sideways. An angle counts as a quarter turn within four roundings, so that "270 deg" is one too. */
+ * whatever falls drift sideways. An angle counts as a quarter turn within four roundings, so that "270 deg" is one too.
+ */
 static inline void tinker_direction(double angle, double direction[2])
 {
     const double turn = floor(angle / (TINKER_PI / 2.0) + 0.5);

@@ -138,15 +138,15 @@ typedef struct TinkerConstraint {
     /* dg/dt of what is prescribed (a waveform), with the places held. NULL: 0. */
     TinkerStatus (*prescribed_rate)(TinkerBatch *batch, const TinkerPoint *ends, double *rate);
     /* The length (m) that an error of each row is measured against: a rod's own. NULL: the largest distance between
-     * its ends. Of a constraint with one end, about a place that is a property, it is also the extent of the motion, which
-     * steps and forecasts go by: tell it. */
+     * its ends. Of a constraint with one end, about a place that is a property, it is also the extent of the motion,
+     * which steps and forecasts go by: tell it. */
     TinkerStatus (*scale)(TinkerBatch *batch, double *length);
     /* Checks the properties, once before a run. TINKER_FAILED names the instance. */
     TinkerStatus (*check)(TinkerBatch *batch);
     double (*next_break)(TinkerBatch *batch); /* as for a line law */
-    /* Where every row says g = L - length between its two ends, with a constant length (m): the length of each instance;
-     * the host then works the rows out itself and calls nothing in the loop. For one row an instance, with nothing
-     * prescribed. TINKER_RETRY_SMALLER: not of that form; all of the type then go through rows_at. */
+    /* Where every row says g = L - length between its two ends, with a constant length (m): the length of each
+     * instance; the host then works the rows out itself and calls nothing in the loop. For one row an instance, with
+     * nothing prescribed. TINKER_RETRY_SMALLER: not of that form; all of the type then go through rows_at. */
     TinkerStatus (*distance)(TinkerBatch *batch, double *length);
 } TinkerConstraint;
 

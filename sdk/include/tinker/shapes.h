@@ -77,7 +77,7 @@ static inline void tinker_ends_move(const TinkerInstance *instance, int32_t part
     }
 }
 
-/* The same to a place: an end goes there; of the whole, its centre. */
+/* Moves to a place: an end goes there; of the whole, its centre. */
 static inline void tinker_ends_move_absolute(const TinkerInstance *instance, int32_t part, double x, double y,
                                              const TinkerEditor *editor)
 {

@@ -42,8 +42,8 @@ extern "C" {
 #endif
 
 /* Before a kernel over plain arrays: built for AVX2 as well, and chosen when the library is loaded. Both do the same
- * operations in the same order, since nothing is contracted, so they give the same bits. Not under the thread sanitizer, which
- * is not up yet when the choice is made. */
+ * operations in the same order, since nothing is contracted, so they give the same bits. Not under the thread
+ * sanitizer, which is not up yet when the choice is made. */
 #if defined(__x86_64__) && defined(__gnu_linux__) && defined(__GNUC__) && !defined(__clang__) &&                       \
     !defined(__SANITIZE_THREAD__)
 #define TINKER_VARIANTS __attribute__((target_clones("avx2", "default")))

@@ -1,5 +1,5 @@
-/* What a system without constraints answers when a method asks it about them: for those who try a method on a system of their
- * own, such as the test of an integrator. The functions fit the members of TinkerSystem that have their names. */
+/* What a system without constraints answers when a method asks it about them: for those who try a method on a system of
+ * their own, such as the test of an integrator. The functions fit the members of TinkerSystem that have their names. */
 #ifndef TINKER_UNCONSTRAINED_H
 #define TINKER_UNCONSTRAINED_H
 

@@ -8,8 +8,8 @@ enum { COLUMN_POINT, COLUMN_ANGLE = COLUMN_POINT + 2 };
 
 /* With the rail's normal n = (-sin a, cos a) and a point p of it: g(x) = n . (x - p) = 0.
  *
- * The host finds the force that keeps g at 0: lambda * J with J = dg/dx = n. `drift` is what d2g/dt2 has besides J times
- * the acceleration; of a straight rail that is nothing. Places of ends are relative to batch->origin. */
+ * The host finds the force that keeps g at 0: lambda * J with J = dg/dx = n. `drift` is what d2g/dt2 has besides J
+ * times the acceleration; of a straight rail that is nothing. Places of ends are relative to batch->origin. */
 static TinkerStatus rows_at(TinkerBatch *batch, const TinkerPoint *ends, double *g, double *jacobian, double *drift)
 {
     const double *px = tinker_column(batch, COLUMN_POINT), *py = tinker_column(batch, COLUMN_POINT + 1);

@@ -14,8 +14,8 @@ static void add_force(double c, const TinkerPoint *point, double force[2])
     force[1] -= factor * point->vy;
 }
 
-/* A field sees all bodies, and writes the force on those of the range: the sum over all fields of this type. Masses are in
- * bodies->masses. */
+/* A field sees all bodies, and writes the force on those of the range: the sum over all fields of this type. Masses are
+ * in bodies->masses. */
 static TinkerStatus force(TinkerBatch *batch, const TinkerBodies *bodies, double *result)
 {
     const double *c = tinker_column(batch, COLUMN_DRAG);
@@ -28,8 +28,8 @@ static TinkerStatus force(TinkerBatch *batch, const TinkerBodies *bodies, double
     return TINKER_OK;
 }
 
-/* A field that comes from a potential offers `.energy` as well. The force on a body here depends on that body alone; where
- * it depends on others, `.couples_bodies` is 1. */
+/* A field that comes from a potential offers `.energy` as well. The force on a body here depends on that body alone;
+ * where it depends on others, `.couples_bodies` is 1. */
 static const TinkerField field = {.struct_size = sizeof(TinkerField), .force = force};
 static const TinkerPhysics physics = {.struct_size = sizeof(TinkerPhysics), .field = &field};
 

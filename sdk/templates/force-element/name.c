@@ -1,4 +1,5 @@
-/* @title@: pushes one body sideways, square to its velocity, as a magnetic field does with a charge and spin with a ball. */
+/* @title@: pushes one body sideways, square to its velocity, as a magnetic field does with a charge and spin with a
+ * ball. */
 #include <tinker/sdk.h>
 
 /* A property's place among the columns: their order is that of the declaration below. */
@@ -8,8 +9,8 @@ enum { COLUMN_STRENGTH };
 
 /* F = b (-vy, vx): to the left of where it moves. It does no work, so the speed stays.
  *
- * `force` writes two numbers for each end of each block of the range: end k of block i is at i * ends + k. Here each block
- * has one end. A law that looks at places sees them relative to batch->origin. */
+ * `force` writes two numbers for each end of each block of the range: end k of block i is at i * ends + k. Here each
+ * block has one end. A law that looks at places sees them relative to batch->origin. */
 static TinkerStatus force(TinkerBatch *batch, const TinkerPoint *ends, double *result)
 {
     const double *b = tinker_column(batch, COLUMN_STRENGTH);

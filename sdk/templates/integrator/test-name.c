@@ -1,5 +1,6 @@
 /* The method keeps its order on a damped oscillator, between its steps, too:
- * x = 2 + 0.5 exp(-t / 5) (cos(w t) + sin(w t) / (5 w)) with w^2 = 4 - 1 / 25; half the step, a quarter of the error. */
+ * x = 2 + 0.5 exp(-t / 5) (cos(w t) + sin(w t) / (5 w)) with w^2 = 4 - 1 / 25; half the step, a quarter of the error.
+ */
 #include "record.h"
 
 /* The largest error with this step (s); 0.1 s, the recording interval, is no multiple of either. */

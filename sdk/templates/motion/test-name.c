@@ -1,5 +1,5 @@
-/* In the frame of the support the mass starts at its place of rest, backwards at the speed v: x = -L0 + v t - (v / w) sin(w t)
- * with w^2 = k / m. */
+/* In the frame of the support the mass starts at its place of rest, backwards at the speed v: x = -L0 + v t - (v / w)
+ * sin(w t) with w^2 = k / m. */
 #include "record.h"
 
 int main(int argc, char **argv)

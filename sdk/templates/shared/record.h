@@ -53,7 +53,8 @@ static inline int record_count_columns(const char *heading)
     exit(2);
 }
 
-/* The record of the scene, with these columns. The test is called as TEST TINKER SCENE PLUGIN-FOLDER [OPTIONS of run]. */
+/* The record of the scene, with these columns. The test is called as TEST TINKER SCENE PLUGIN-FOLDER [OPTIONS of run].
+ */
 static inline Record record_run(int argc, char **argv, const char *columns)
 {
     static char command[16384];
@@ -77,7 +78,8 @@ static inline Record record_run(int argc, char **argv, const char *columns)
     return record;
 }
 
-/* Reads the next row; 0 after the last one. What is no row ("# invalid from t = 1 s") is told, and has the test fail. */
+/* Reads the next row; 0 after the last one. What is no row ("# invalid from t = 1 s") is told, and has the test fail.
+ */
 static inline int record_next(Record *record)
 {
     char line[4096];

@@ -1,4 +1,5 @@
-/* Changes all that a process has one of, in its `prepare`: what reads and writes numbers and files after it shows that. */
+/* Changes all that a process has one of, in its `prepare`: what reads and writes numbers and files after it shows that.
+ */
 #include <fenv.h>
 #include <locale.h>
 #include <signal.h>

@@ -1,4 +1,5 @@
-/* Forces of nothing that all draw the same line; all but the first leave the context of the picture otherwise than it was. */
+/* Forces of nothing that all draw the same line; all but the first leave the context of the picture otherwise than it
+ * was. */
 #include <cairo.h>
 #include <tinker/sdk.h>
 

@@ -1,5 +1,5 @@
-/* What the exhibits have in common: a force element of one end whose force is 0 until t = 1 s, and then misbehaves. One that
- * defines EXHIBIT_FROM (s) misbehaves from then on. */
+/* What the exhibits have in common: a force element of one end whose force is 0 until t = 1 s, and then misbehaves. One
+ * that defines EXHIBIT_FROM (s) misbehaves from then on. */
 #ifndef TINKER_RUNNING_EXHIBIT_H
 #define TINKER_RUNNING_EXHIBIT_H
 

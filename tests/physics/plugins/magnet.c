@@ -1,5 +1,5 @@
-/* Magnets, softened: T = c L / r^5 - b L / r^14 + pull + resistance * rate with r^2 = L^2 + s^2. Where s is 0 they attract
- * without bound, unless their cores (b) hold them apart. Once with derivatives, once without. */
+/* Magnets, softened: T = c L / r^5 - b L / r^14 + pull + resistance * rate with r^2 = L^2 + s^2. Where s is 0 they
+ * attract without bound, unless their cores (b) hold them apart. Once with derivatives, once without. */
 #include "block.h"
 
 #include <math.h>

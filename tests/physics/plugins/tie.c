@@ -1,5 +1,5 @@
-/* A constraint that keeps a length, g = steepness (L - length): of the form that the host works out where the steepness is 1
- * alone. Asked for rows of that form it fails, since nobody should. */
+/* A constraint that keeps a length, g = steepness (L - length): of the form that the host works out where the steepness
+ * is 1 alone. Asked for rows of that form it fails, since nobody should. */
 #include "block.h"
 
 enum { COLUMN_LENGTH, COLUMN_STEEPNESS };

@@ -1,5 +1,5 @@
-/* A force element of three ends: a torsional spring about the second, E = k phi^2 / 2, with phi the angle from the arm of
- * the first end to that of the third. The force on the end of an arm r is -(dE/dphi)(dphi/dr), across the arm. */
+/* A force element of three ends: a torsional spring about the second, E = k phi^2 / 2, with phi the angle from the arm
+ * of the first end to that of the third. The force on the end of an arm r is -(dE/dphi)(dphi/dr), across the arm. */
 #include "block.h"
 
 enum { COLUMN_STIFFNESS };

@@ -1,5 +1,5 @@
-/* A field: F = m W (vy, -vx) - m c v on every body, as a frame's that turns with W/2, or a magnet's. It says what it holds about
- * velocities, but no energy: the part across the velocity does no work. */
+/* A field: F = m W (vy, -vx) - m c v on every body, as a frame's that turns with W/2, or a magnet's. It says what it
+ * holds about velocities, but no energy: the part across the velocity does no work. */
 #include "block.h"
 
 enum { COLUMN_RATE, COLUMN_DRAG };
