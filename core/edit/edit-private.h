@@ -3,7 +3,7 @@
 #define TINKER_EDIT_PRIVATE_H
 
 #include "edit/drag.h"
-#include "plugin/call.h"
+#include "plugin/call/call.h"
 
 #define MOST_HANDLES 16 /* of one block that are looked at */
 

@@ -3,7 +3,7 @@
 #define DOCS_REGION_H
 
 #include "growth.h"
-#include "render/plot.h"
+#include "render/plot/plot.h"
 
 /* What is drawn: from and to along x, from and to along y. */
 typedef double View[4];

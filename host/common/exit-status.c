@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "physics/model/model.h"
-#include "plugin/catalogue.h"
+#include "plugin/catalogue/catalogue.h"
 #include "print.h"
 #include "scene/store/scene.h"
 #include "units/units.h"

@@ -2,7 +2,7 @@
 #ifndef TINKER_HOST_INSTALLATION_H
 #define TINKER_HOST_INSTALLATION_H
 
-#include "plugin/catalogue.h"
+#include "plugin/catalogue/catalogue.h"
 
 /* The catalogue: folders of --plugins (absolute; NULL: none), TINKER_PLUGIN_PATH, the user's and the installed one. In
  * a build tree that is not installed, the installed folder is the tree's own. Libraries without a manifest are probed

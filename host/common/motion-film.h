@@ -4,7 +4,7 @@
 #define TINKER_HOST_MOTION_FILM_H
 
 #include "physics/run/simulation.h"
-#include "render/painter.h"
+#include "render/picture/painter.h"
 
 /* A film of more pictures, an hour long, is a slip: a speed or rate of the wrong size. */
 #define TINKER_MOTION_FILM_MOST_PICTURES 100000

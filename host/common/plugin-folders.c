@@ -2,7 +2,7 @@
 #include "plugin-folders.h"
 
 #include "exit-status.h"
-#include "plugin/catalogue.h"
+#include "plugin/catalogue/catalogue.h"
 
 /* Where meson puts the library of a project. (transfer full) */
 static char *build_folder(const char *project)

@@ -4,7 +4,7 @@
 #include <malloc.h>
 #include <signal.h>
 
-#include "plugin/crash.h"
+#include "plugin/call/crash.h"
 
 void tinker_program_start(const char *name)
 {

@@ -4,7 +4,7 @@
 #define TINKER_HOST_TRADE_CHART_H
 
 #include "analysis/trade.h"
-#include "render/plot.h"
+#include "render/plot/plot.h"
 
 typedef struct _TinkerTradeChart TinkerTradeChart;
 

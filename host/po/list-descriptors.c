@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "numerics/methods/integrators.h"
-#include "plugin/catalogue.h"
+#include "plugin/catalogue/catalogue.h"
 
 typedef struct {
     GString *text;

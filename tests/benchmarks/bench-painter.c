@@ -6,8 +6,8 @@
 #include <string.h>
 
 #include "build-catalogue.h"
-#include "render/painter.h"
-#include "render/plot.h"
+#include "render/picture/painter.h"
+#include "render/plot/plot.h"
 #include "report.h"
 #include "scene-text.h"
 #include "scene/read/scene-json.h"

@@ -6,7 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "render/plot.h"
+#include "render/plot/plot.h"
 
 #define LEAST_ERROR 1e-17 /* an error of 0 has no place on a logarithmic axis */
 #define WORST_ERROR 0.3   /* beyond it nothing was solved */

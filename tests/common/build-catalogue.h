@@ -2,7 +2,7 @@
 #ifndef TEST_BUILD_CATALOGUE_H
 #define TEST_BUILD_CATALOGUE_H
 
-#include "plugin/catalogue.h"
+#include "plugin/catalogue/catalogue.h"
 
 /* A catalogue of the plugins of TINKER_PLUGIN_PATH, else of the build tree: `build/tests/FOLDER/PROGRAM` finds
  * `build/plugins`. (transfer full) */

@@ -4,8 +4,8 @@
 #include <stdio.h>
 
 #include "physics/record/record.h"
-#include "plugin/cache-private.h"
-#include "plugin/crash.h"
+#include "plugin/call/crash.h"
+#include "plugin/catalogue/cache-private.h"
 
 int worker_failed(const GError *error)
 {

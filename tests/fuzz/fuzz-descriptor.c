@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "fuzz-target.h"
-#include "plugin/library-private.h"
+#include "plugin/call/library.h"
 
 typedef struct {
     const uint8_t *data;

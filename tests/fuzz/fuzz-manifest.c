@@ -2,7 +2,7 @@
 #include <string.h>
 
 #include "fuzz-target.h"
-#include "plugin/manifest-private.h"
+#include "plugin/catalogue/manifest-private.h"
 
 static void require(const char *text, const char *what)
 {

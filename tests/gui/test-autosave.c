@@ -12,8 +12,8 @@
 #include "gui/document/autosave.h"
 #include "gui/document/recovery.h"
 #include "gui/document/session.h"
-#include "plugin/call.h"
-#include "plugin/crash.h"
+#include "plugin/call/call.h"
+#include "plugin/call/crash.h"
 #include "program-start.h"
 
 #define PATIENCE (30 * G_USEC_PER_SEC)

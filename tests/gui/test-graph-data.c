@@ -7,7 +7,7 @@
 #include "gui-fixture.h"
 #include "gui/document/graph-data.h"
 #include "gui/document/graph-edit.h"
-#include "render/theme.h"
+#include "render/draw/theme.h"
 
 #define GRAVITY 9.81
 

@@ -8,7 +8,7 @@
 /* A folder, and what its files may include: folders of core, and libraries by the beginning of the header's name. */
 typedef struct {
     const char *folder;
-    const char *core[10];
+    const char *core[12];
     const char *libraries[12];
 } Layer;
 
@@ -34,7 +34,7 @@ static const Layer layers[] = {
      {"analysis", "physics", "numerics", "render", "edit", "scene", "plugin", "files", "units"},
      {"tinker/", "glib", "gmodule", "cairo", "cjson/"}},
     {"host/cli",
-     {"conformance", "analysis", "physics", "numerics", "render", "edit", "scene", "plugin", "files", "units"},
+     {"cli", "conformance", "analysis", "physics", "numerics", "render", "edit", "scene", "plugin", "files", "units"},
      {"tinker/", "glib", "gmodule", "gio/", "cairo", "pango/", "cjson/"}},
     {"host/gui",
      {"gui", "analysis", "physics", "numerics", "render", "edit", "scene", "plugin", "files", "units"},
@@ -74,6 +74,16 @@ static const Rooms folders_with_rooms[] = {
       "record/columns.h", "record/record.h", "linearise/linearise.h", "linearise/linear-probe.h", "plan/islands.h",
       "plan/plan.h", "plan/run-options.h", "event/still-contacts.h", "run/simulation.h", "run/accurate-run.h",
       "run/acting-forces.h", "run/plan-trial.h"}},
+    {"core/plugin",
+     {"trust", "descriptor", "call", "catalogue"},
+     {"call/call.h", "call/crash.h", "call/guarded.h", "call/library.h", "call/process-state.h", "call/words.h",
+      "catalogue/catalogue.h"}},
+    {"core/render",
+     {"draw", "picture", "plot"},
+     {"draw/draw-watch.h", "draw/style.h", "draw/theme.h", "draw/view.h", "picture/arrows.h", "picture/ghost.h",
+      "picture/icon.h", "picture/painter.h", "plot/plot.h", "plot/plot-stack.h"}},
+    {"core/conformance", {"probe", "rule"}, {"rule/conformance.h"}},
+    {"host/cli", {"command", "report", "plugins", "verb"}, {NULL}},
     {"host/gui",
      {"text", "widget", "document", "canvas", "property", "start", "graph", "accuracy", "film", "window", "app"},
      {NULL}},

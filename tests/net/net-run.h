@@ -3,7 +3,7 @@
 #define NET_RUN_H
 
 #include "net-scenes.h"
-#include "plugin/catalogue.h"
+#include "plugin/catalogue/catalogue.h"
 
 /* The names of the ways in which every scene is run, ended by NULL: each method, "auto" among them, with contact by
  * events; "impulse", `auto` with contact as impulses; "own", as the scene says, with its accuracy. (transfer full) */

@@ -2,7 +2,7 @@
 #ifndef TINKER_TESTS_PLUGIN_FIXTURE_H
 #define TINKER_TESTS_PLUGIN_FIXTURE_H
 
-#include "plugin/catalogue.h"
+#include "plugin/catalogue/catalogue.h"
 
 /* A test's own place. Every test of plugins starts with one, so that none sees the user's plugins or cache. */
 typedef struct {

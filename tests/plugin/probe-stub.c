@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "plugin/catalogue.h"
+#include "plugin/catalogue/catalogue.h"
 
 /* Exit statuses, as the command line's contract has them. */
 enum { STATUS_USAGE = 2, STATUS_REFUSED = 4, STATUS_FILE = 5 };

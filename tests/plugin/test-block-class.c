@@ -2,8 +2,9 @@
 #include <math.h>
 #include <string.h>
 
-#include "plugin/block-class-private.h"
-#include "plugin/catalogue.h"
+#include "plugin/catalogue/catalogue.h"
+#include "plugin/descriptor/block-class.h"
+#include "plugin/descriptor/class-build.h"
 
 /* A block type that can be spoilt: a connector with a property of every kind. */
 typedef struct {

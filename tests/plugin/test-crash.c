@@ -5,9 +5,9 @@
 #include <stdlib.h>
 #include <unistd.h>
 
-#include "plugin/call.h"
-#include "plugin/crash-text-private.h"
-#include "plugin/crash.h"
+#include "plugin/call/call.h"
+#include "plugin/call/crash-text-private.h"
+#include "plugin/call/crash.h"
 
 #define PATIENCE (60 * G_USEC_PER_SEC)
 

@@ -5,7 +5,7 @@
 #include <unistd.h>
 
 #include "fixture.h"
-#include "plugin/identity-private.h"
+#include "plugin/trust/identity.h"
 
 static const gint64 one_second = 1000000000;
 

@@ -3,7 +3,7 @@
 #define TEST_STAGE_H
 
 #include "picture.h"
-#include "render/painter-private.h"
+#include "render/picture/painter-private.h"
 
 #define TEST_STAGE_WIDTH  600
 #define TEST_STAGE_HEIGHT 400

@@ -3,8 +3,8 @@
 #include <string.h>
 
 #include "picture.h"
-#include "render/arrows-private.h"
-#include "render/text-private.h"
+#include "render/draw/text.h"
+#include "render/picture/arrows-private.h"
 
 #define WIDTH  600
 #define HEIGHT 400

@@ -2,7 +2,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "render/plot-private.h"
+#include "render/plot/plot-private.h"
 
 typedef struct {
     double least, greatest;

@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "render/plot.h"
+#include "render/plot/plot.h"
 
 typedef struct {
     char *folder;

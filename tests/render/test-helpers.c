@@ -3,7 +3,7 @@
 #include <tinker/shapes.h>
 
 #include "picture.h"
-#include "render/style.h"
+#include "render/draw/style.h"
 
 #define SIZE  400
 #define SCALE 50.0

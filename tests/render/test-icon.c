@@ -1,6 +1,6 @@
 /* Icons of all blocks that are installed: they have ink, keep within their rectangle, and show what the block is by its
  * colours. */
-#include "render/icon.h"
+#include "render/picture/icon.h"
 
 #include <glib/gstdio.h>
 

@@ -1,7 +1,7 @@
 /* The legend stands where no curve passes, or beside the plot. */
 #include <math.h>
 
-#include "render/plot-private.h"
+#include "render/plot/plot-private.h"
 
 #define COUNT 400
 

@@ -2,7 +2,7 @@
 #include <math.h>
 
 #include "picture.h"
-#include "render/plot-private.h"
+#include "render/plot/plot-private.h"
 
 #define COUNT 400
 

@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "picture.h"
-#include "render/plot-private.h"
+#include "render/plot/plot-private.h"
 
 #define WIDTH  640
 #define HEIGHT 420

@@ -1,7 +1,7 @@
 /* Themes are complete, and their colours can be told from the ground and from each other. */
 #include <math.h>
 
-#include "render/theme.h"
+#include "render/draw/theme.h"
 
 typedef struct {
     const char *id;

@@ -1,7 +1,7 @@
 /* Ticks are round numbers, in order, within the range, and as many as there is room for. */
 #include <math.h>
 
-#include "render/plot.h"
+#include "render/plot/plot.h"
 
 #define MOST 20
 

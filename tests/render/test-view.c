@@ -1,7 +1,7 @@
 /* The view: there and back again, what stays in place, round grids. */
 #include <math.h>
 
-#include "render/view.h"
+#include "render/draw/view.h"
 
 static TinkerView random_view(void)
 {

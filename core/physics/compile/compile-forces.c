@@ -8,8 +8,8 @@
 #include "physics/compile/compile-private.h"
 #include "physics/force/line-parts.h"
 #include "physics/model/model-data.h"
-#include "plugin/guarded.h"
-#include "plugin/process-state.h"
+#include "plugin/call/guarded.h"
+#include "plugin/call/process-state.h"
 
 /* Room for so many rows is enough for one that is asked again and again, for differences. */
 #define LEAST_CHUNK 4

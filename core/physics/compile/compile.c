@@ -9,7 +9,7 @@
 #include "physics/compile/compile.h"
 #include "physics/constraint/constraints.h"
 #include "physics/model/model-data.h"
-#include "plugin/guarded.h"
+#include "plugin/call/guarded.h"
 
 static gboolean refuse_placeholder(TinkerScene *scene, GError **error)
 {

@@ -10,8 +10,8 @@
 #include "physics/force/forces.h"
 #include "physics/force/line-parts.h"
 #include "physics/model/model-data.h"
-#include "plugin/guarded.h"
-#include "plugin/words.h"
+#include "plugin/call/guarded.h"
+#include "plugin/call/words.h"
 
 /* Lines whose plugin is asked -------------------------------------------------------------------------------------- */
 

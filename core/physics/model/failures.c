@@ -2,8 +2,8 @@
 #include <glib/gi18n-lib.h>
 
 #include "physics/model/model-data.h"
-#include "plugin/guarded.h"
-#include "plugin/words.h"
+#include "plugin/call/guarded.h"
+#include "plugin/call/words.h"
 
 /* For the translators: what is worked out, as "Spring 0: its tension at t = 1 s is not a number". Quantities of blocks
  * go by their ids. */

@@ -7,7 +7,7 @@
 #include "physics/line/linear-form.h"
 #include "physics/model/model-data.h"
 #include "physics/plan/partition.h"
-#include "plugin/process-state.h"
+#include "plugin/call/process-state.h"
 
 static void island_free(gpointer data)
 {

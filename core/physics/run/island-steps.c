@@ -23,7 +23,7 @@
 #include "physics/system/method-call.h"
 #include "physics/system/summary.h"
 #include "physics/system/system.h"
-#include "plugin/words.h"
+#include "plugin/call/words.h"
 
 /* A run that needs more steps than this of the size that it takes would not end in a lifetime: it is given up once so
  * many have been that small, one after the other. A stiff start has a few of them. */

@@ -3,7 +3,7 @@
 #include "physics/run/relay.h"
 
 #include "numerics/sharing/sharing.h"
-#include "plugin/crash.h"
+#include "plugin/call/crash.h"
 
 /* In the ring. */
 #define BATCHES 4

@@ -2,7 +2,7 @@
 #ifndef TINKER_CORE_METHOD_CALL_H
 #define TINKER_CORE_METHOD_CALL_H
 
-#include "plugin/call.h"
+#include "plugin/call/call.h"
 
 /* As the functions of TinkerIntegrator say. */
 static inline void *tinker_method_create(const TinkerIntegrator *method, const TinkerSystem *system,

@@ -6,8 +6,8 @@
 
 #include "units/waveform-pole.h"
 
-#include "plugin/guarded.h"
-#include "plugin/words.h"
+#include "plugin/call/guarded.h"
+#include "plugin/call/words.h"
 
 /* No break of a waveform lies between `from` and `next`, and none up to `horizon` where next is infinite; the first
  * pole there, INFINITY for none. */

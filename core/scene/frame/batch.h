@@ -5,7 +5,7 @@
 #ifndef TINKER_CORE_BATCH_H
 #define TINKER_CORE_BATCH_H
 
-#include "plugin/call.h"
+#include "plugin/call/call.h"
 #include "scene/store/scene.h"
 
 typedef struct _TinkerBlockBatch TinkerBlockBatch;

@@ -4,9 +4,9 @@
 
 #include <math.h>
 
-#include "plugin/call.h"
-#include "plugin/guarded.h"
-#include "plugin/process-state.h"
+#include "plugin/call/call.h"
+#include "plugin/call/guarded.h"
+#include "plugin/call/process-state.h"
 
 /* A batch of one, and the memory that it points to. */
 typedef struct {

@@ -7,7 +7,7 @@
 
 #include <tinker/shapes.h>
 
-#include "plugin/process-state.h"
+#include "plugin/call/process-state.h"
 #include "scene/frame/batch.h"
 #include "scene/frame/lanes.h"
 #include "scene/frame/motions.h"

@@ -8,7 +8,7 @@
 
 #include <glib.h>
 
-#include "plugin/catalogue.h"
+#include "plugin/catalogue/catalogue.h"
 #include "units/units.h"
 #include "units/waveform.h"
 

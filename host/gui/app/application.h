@@ -4,7 +4,7 @@
 
 #include <adwaita.h>
 
-#include "plugin/catalogue.h"
+#include "plugin/catalogue/catalogue.h"
 
 #define TINKER_APPLICATION_ID "org.tinker.Tinker"
 

@@ -7,7 +7,7 @@
 #include <math.h>
 
 #include "physics/run/acting-forces.h"
-#include "render/arrows.h"
+#include "render/picture/arrows.h"
 
 #define PATIENCE 5 /* parts of the time that working them out took: so long are they shown */
 

@@ -6,8 +6,8 @@
 #include <cairo.h>
 
 #include "gui/document/player.h"
-#include "render/theme.h"
-#include "render/view.h"
+#include "render/draw/theme.h"
+#include "render/draw/view.h"
 
 typedef struct _CanvasForces CanvasForces;
 

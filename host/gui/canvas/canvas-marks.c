@@ -3,7 +3,7 @@
 #include <math.h>
 
 #include "gui/canvas/canvas-private.h"
-#include "render/arrows.h"
+#include "render/picture/arrows.h"
 
 #define SHARE      0.7 /* of the length that arrows of forces have */
 #define BADGE      9.0 /* widget units: half the width of a badge */

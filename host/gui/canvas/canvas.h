@@ -5,7 +5,7 @@
 #include <gtk/gtk.h>
 
 #include "gui/document/player.h"
-#include "render/painter.h"
+#include "render/picture/painter.h"
 
 #define TINKER_TYPE_CANVAS (tinker_canvas_get_type())
 G_DECLARE_FINAL_TYPE(TinkerCanvas, tinker_canvas, TINKER, CANVAS, GtkWidget)

@@ -2,7 +2,7 @@
  * last. */
 #include "gui/document/background.h"
 
-#include "plugin/crash.h"
+#include "plugin/call/crash.h"
 
 struct _TinkerBackground {
     gatomicrefcount references;

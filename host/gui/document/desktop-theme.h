@@ -4,7 +4,7 @@
 
 #include <gtk/gtk.h>
 
-#include "render/theme.h"
+#include "render/draw/theme.h"
 
 /* As the desktop is now. Borrowed. */
 const TinkerTheme *tinker_desktop_theme(void);

@@ -2,7 +2,7 @@
 #ifndef TINKER_GUI_EXAMPLES_H
 #define TINKER_GUI_EXAMPLES_H
 
-#include "plugin/catalogue.h"
+#include "plugin/catalogue/catalogue.h"
 
 typedef struct {
     char *path;

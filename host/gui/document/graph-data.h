@@ -4,7 +4,7 @@
 #define TINKER_GUI_GRAPH_DATA_H
 
 #include "gui/document/player.h"
-#include "render/plot.h"
+#include "render/plot/plot.h"
 
 typedef struct _TinkerGraphData TinkerGraphData;
 

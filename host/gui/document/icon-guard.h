@@ -6,7 +6,7 @@
 #define TINKER_GUI_ICON_GUARD_H
 
 #include "gui/widget/notice-bar.h"
-#include "render/icon.h"
+#include "render/picture/icon.h"
 
 /* As tinker_paint_block_icon; draws nothing where the icon is left out. */
 void tinker_guarded_icon_paint(cairo_t *cairo, const TinkerBlockClass *block_class, double width, double height,

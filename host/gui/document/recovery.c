@@ -10,7 +10,7 @@
 #include "files/unfinished.h"
 #include "gui/document/autosave.h"
 #include "gui/document/session.h"
-#include "plugin/crash.h"
+#include "plugin/call/crash.h"
 
 #define CRASH_NOTE   ".crash" /* of a session: NAME.crash */
 #define KEPT_SECONDS ((gint64)7 * 24 * 3600)

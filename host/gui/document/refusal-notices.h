@@ -3,7 +3,7 @@
 #define TINKER_GUI_REFUSAL_NOTICES_H
 
 #include "gui/widget/notice-bar.h"
-#include "plugin/catalogue.h"
+#include "plugin/catalogue/catalogue.h"
 
 /* A notice for each library that was refused, with the reason; of TinkerNotice *. Its button forgets all refusals, so
  * that the libraries are looked at again at the next start. The catalogue is borrowed for as long as the notices live.

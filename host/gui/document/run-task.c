@@ -13,7 +13,7 @@
 #include "physics/run/accurate-run.h"
 #include "physics/run/simulation.h"
 #include "physics/system/summary.h"
-#include "plugin/crash.h"
+#include "plugin/call/crash.h"
 
 #define STATE            5                  /* doubles of a body in a row: x, y, vx, vy, orientation */
 #define LATELY           0.5                /* s: over which the rate is measured */

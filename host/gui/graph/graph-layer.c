@@ -5,7 +5,7 @@
 #include <math.h>
 
 #include "gui/document/graph-edit.h"
-#include "render/painter.h"
+#include "render/picture/painter.h"
 
 #define LEAST_WIDTH  200.0 /* widget units: readable */
 #define LEAST_HEIGHT 140.0

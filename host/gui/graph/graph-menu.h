@@ -4,7 +4,7 @@
 
 #include <gio/gio.h>
 
-#include "plugin/catalogue.h"
+#include "plugin/catalogue/catalogue.h"
 
 /* What stands in a record comes first, the rest in a submenu, then the phase plots. Empty where the block has no
  * graphs. (transfer full) */

@@ -8,7 +8,7 @@
 #include "gui/document/examples.h"
 #include "gui/text/translate.h"
 #include "gui/widget/unparent.h"
-#include "render/painter.h"
+#include "render/picture/painter.h"
 
 #define SHOWN_EXAMPLES 4
 #define CARD_WIDTH     660

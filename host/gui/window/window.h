@@ -4,7 +4,7 @@
 
 #include <adwaita.h>
 
-#include "plugin/catalogue.h"
+#include "plugin/catalogue/catalogue.h"
 
 #define TINKER_TYPE_WINDOW (tinker_window_get_type())
 G_DECLARE_FINAL_TYPE(TinkerWindow, tinker_window, TINKER, WINDOW, AdwApplicationWindow)

@@ -3,7 +3,7 @@ background."""
 
 BACKGROUND = (255, 255, 255)
 
-# Of the light theme, by what they mean; core/render/theme.c.
+# Of the light theme, by what they mean; core/render/draw/theme.c.
 CONNECTOR = (0x00, 0x00, 0x00)
 COMPRESSED = (0xd0, 0x10, 0x1b)
 STRETCHED = (0x12, 0x44, 0xd6)
@@ -13,7 +13,7 @@ HIGHLIGHTED = (0x26, 0xa2, 0x69)
 FORCE = (0xe6, 0x61, 0x00)
 BODY = (0xd6, 0xe4, 0xf2)
 FIELD = (0x6a, 0x4f, 0xb8)
-NORMAL = (0x00, 0x9e, 0x73)  # of arrows of forces; core/render/arrows-key.c
+NORMAL = (0x00, 0x9e, 0x73)  # of arrows of forces; core/render/picture/arrows-key.c
 CURVE = (0x00, 0x72, 0xb2)  # the first of a plot
 
 

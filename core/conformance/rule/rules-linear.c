@@ -1,0 +1,154 @@
+/* linear, breaks: short cuts that the host takes instead of the general functions say the same; breaks lie ahead. */
+#include <math.h>
+
+#include "conformance/probe/state.h"
+
+#define CLOSE  1e-9
+#define ROUNDS 2
+#define BREAKS 50
+
+/* `number` is that of the instance, or of the body that a field acts on. */
+static void compare(KitCheck *check, const KitState *state, int32_t number, const char *what, double general,
+                    double simple, double size)
+{
+    if (fabs(general - simple) <= CLOSE * fmax(fmax(fabs(general), fabs(simple)), size)) return;
+    const gboolean field = state->block_class->physics->field != NULL;
+    g_autofree char *whose = field ? g_strdup_printf("body %d", number) : g_strdup_printf("instance %d", number);
+    g_autofree char *values = field ? kit_state_describe_body(state, number) : kit_state_describe(state, number);
+    kit_fail(check, "%s of %s is %.12g, by the short form %.12g (%s)", what, whose, general, simple, values);
+}
+
+static void compare_line(KitCheck *check, const KitState *state, const KitAnswer *general, const KitAnswer *form)
+{
+    for (int32_t i = 0; i < state->count; i++) {
+        double *const *f = form->values; // stiffness, damping, length, tension
+        const double spring = f[0][i] * (state->lengths[i] - f[2][i]), damper = f[1][i] * state->rates[i];
+        compare(check, state, i, "tension", general->values[0][i], f[3][i] + spring + damper,
+                fabs(spring) + fabs(damper) + fabs(f[3][i]));
+    }
+}
+
+/* The columns of the waveform that a form names; NULL where it names none that there is. */
+static double *const *wave_of(KitCheck *check, const KitState *state, const double *columns, int32_t instance)
+{
+    const int32_t column = ((const int32_t *)(const void *)columns)[instance];
+    const TinkerBlockClass *c = state->block_class;
+    for (int32_t k = 0; k < c->property_count; k++)
+        if (c->properties[k].kind == TINKER_KIND_WAVEFORM && c->first_columns[k] == column)
+            return state->columns + column;
+    if (column != -1) kit_fail(check, "column %d is not the first one of a waveform", column);
+    return NULL;
+}
+
+static void compare_force(KitCheck *check, const KitState *state, const KitAnswer *general, const KitAnswer *form)
+{
+    for (int32_t i = 0; i < state->count; i++) {
+        double *const *wave = wave_of(check, state, form->values[2], i);
+        for (int32_t k = 2 * state->offsets[i]; k < 2 * state->offsets[i + 1]; k++) {
+            const double driven = wave != NULL ? wave[0][i] * form->values[1][k] : 0;
+            compare(check, state, i, "force", general->values[0][k], form->values[0][k] + driven, fabs(driven));
+        }
+    }
+}
+
+static void compare_field(KitCheck *check, const KitState *state, const KitAnswer *general, const KitAnswer *form)
+{
+    const TinkerLinearField *laws = (const TinkerLinearField *)(const void *)form->values[0];
+    for (int32_t b = 0; b < state->body_count; b++) {
+        const TinkerPoint *p = &state->bodies[b];
+        for (int axis = 0; axis < 2; axis++) {
+            double sum = 0, size = 0;
+            for (int32_t i = 0; i < state->count; i++) {
+                const double parts[] = {state->masses[b] * laws[i].acceleration[axis], laws[i].force[axis],
+                                        -laws[i].drag * (axis == 0 ? p->vx : p->vy)};
+                for (int k = 0; k < 3; k++) {
+                    sum += parts[k];
+                    size += fabs(parts[k]);
+                }
+            }
+            compare(check, state, b, "force", general->values[0][2 * b + axis], sum, size);
+        }
+    }
+}
+
+static void compare_motion(KitCheck *check, const KitState *state, const KitAnswer *general, const KitAnswer *form)
+{
+    static const char *const names[] = {"displacement", "velocity", "acceleration"};
+    for (int32_t i = 0; i < state->count; i++) {
+        double *const *wave = wave_of(check, state, form->values[1], i);
+        for (int k = 0; k < 6; k++)
+            compare(check, state, i, names[k / 2], general->values[k / 2][2 * i + k % 2],
+                    wave != NULL ? wave[k / 2][i] * form->values[0][2 * i + k % 2] : 0, 0);
+    }
+}
+
+static void compare_distance(KitCheck *check, const KitState *state, const KitAnswer *general, const KitAnswer *form)
+{
+    for (int32_t i = 0; i < state->count; i++) {
+        const TinkerPoint *a = &state->points[state->offsets[i]], *b = a + 1;
+        compare(check, state, i, "g", general->values[0][i], hypot(b->x - a->x, b->y - a->y) - form->values[0][i], 1);
+    }
+}
+
+/* Instances one by one: a form is refused for the type where one of them does not have it. */
+static int try_instance(KitCheck *check, const KitFunction *general, const KitFunction *form, const KitState *state)
+{
+    g_autoptr(KitAnswer) simple = kit_call(check, form, state);
+    if (simple->status == TINKER_RETRY_SMALLER) return 0;
+    if (simple->status != TINKER_OK) {
+        kit_fail(check, "%s answers %d", form->name, simple->status);
+        return 0;
+    }
+    g_autoptr(KitAnswer) whole = kit_call_well(check, general, state);
+    const TinkerPhysics *physics = check->block_class->physics;
+    if (whole == NULL) return 0;
+    if (physics->line_law != NULL) compare_line(check, state, whole, simple);
+    if (physics->force_element != NULL) compare_force(check, state, whole, simple);
+    if (physics->field != NULL) compare_field(check, state, whole, simple);
+    if (physics->motion != NULL) compare_motion(check, state, whole, simple);
+    if (physics->constraint != NULL) compare_distance(check, state, whole, simple);
+    return 1;
+}
+
+void kit_try_linear(KitCheck *check)
+{
+    static const char *const generals[] = {"tension", "force", "motion", "rows_at"};
+    g_autoptr(GArray) functions = kit_functions(check->block_class);
+    const KitFunction *form = kit_function(functions, "linear"), *general = NULL;
+    if (form == NULL) form = kit_function(functions, "distance");
+    for (gsize i = 0; i < G_N_ELEMENTS(generals) && general == NULL; i++)
+        general = kit_function(functions, generals[i]);
+    if (form == NULL || general == NULL) {
+        kit_skip(check, "it offers no such form");
+        return;
+    }
+    int compared = 0;
+    for (int round = 0; round < ROUNDS && !kit_decided(check); round++) {
+        g_autoptr(KitState) state = kit_state_new(check, KIT_COUNT);
+        for (int32_t i = 0; state != NULL && i < state->count && !kit_decided(check); i++) {
+            g_autoptr(KitState) one = kit_state_slice(state, i, 1);
+            compared += try_instance(check, general, form, one);
+        }
+    }
+    if (compared == 0) kit_skip(check, "no instance that was tried is of that form");
+}
+
+void kit_try_breaks(KitCheck *check)
+{
+    g_autoptr(GArray) functions = kit_functions(check->block_class);
+    const KitFunction *next = kit_function(functions, "next_break");
+    if (next == NULL) {
+        kit_skip(check, "it offers no next_break: the host looks after waveforms");
+        return;
+    }
+    g_autoptr(KitState) state = kit_state_new(check, KIT_COUNT);
+    for (int i = 0; state != NULL && i < BREAKS && !kit_decided(check); i++) {
+        g_autoptr(KitAnswer) answer = kit_call_well(check, next, state);
+        if (answer == NULL) return;
+        const double time = answer->values[0][0];
+        if (!(time > state->time))
+            kit_fail(check, "asked at %.17g s it answers %.17g s, a later time was expected", state->time, time);
+        if (isinf(time)) return;
+        state->time = time;
+    }
+}

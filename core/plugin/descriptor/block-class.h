@@ -1,0 +1,50 @@
+/* What a plugin declared of a block type, checked and copied. */
+#ifndef TINKER_PLUGIN_BLOCK_CLASS_H
+#define TINKER_PLUGIN_BLOCK_CLASS_H
+
+#include <glib.h>
+
+#include <tinker/sdk.h>
+
+/* A block type as the host uses it. Lives as long as the process: libraries are never closed. Interfaces that are not
+ * offered are NULL; those that are have the host's size, with NULL for functions the plugin does not know. */
+typedef struct {
+    const TinkerBlockType *type; /* its id is a copy; its spans are the plugin's own: use the arrays below */
+    const TinkerPlugin *plugin;
+    const char *path; /* of the library */
+
+    int32_t property_count;
+    const TinkerPropertyType *properties;   /* copies of the host's size */
+    const int32_t *first_columns;           /* of each property */
+    int32_t column_count;                   /* of all properties */
+    int32_t meanings[TINKER_MEANING_COUNT]; /* number of the property that carries the meaning, or -1 */
+
+    int32_t quantity_count;
+    const TinkerQuantityType *quantities;
+
+    const TinkerPhysics *physics;
+    const TinkerRender *render;
+    const TinkerEdit *edit;
+    const TinkerUnits *units;
+    const TinkerGraph *graph;
+} TinkerBlockClass;
+
+/* Number of the property or quantity with this id, or -1. */
+int32_t tinker_block_class_property(const TinkerBlockClass *block_class, const char *id);
+int32_t tinker_block_class_quantity(const TinkerBlockClass *block_class, const char *id);
+
+/* Columns that a property of this kind takes: 0 to 3. */
+int32_t tinker_kind_columns(int32_t kind);
+
+/* First column of the property that carries this meaning, or -1. */
+int32_t tinker_block_class_meaning_column(const TinkerBlockClass *block_class, int32_t meaning);
+
+/* Whether some property of the class is shown in the panel of what it is attached to, as those of a support's motion.
+ */
+gboolean tinker_block_class_is_shown_elsewhere(const TinkerBlockClass *block_class);
+
+/* The unit in which a property or quantity is displayed: the block's own choice, else the one of its dimension. */
+const char *tinker_block_class_unit(const TinkerBlockClass *block_class, const char *id, TinkerDimension dimension,
+                                    int english);
+
+#endif

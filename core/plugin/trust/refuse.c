@@ -1,0 +1,30 @@
+/* The errors of this folder. */
+#include "plugin/trust/refuse.h"
+
+G_DEFINE_QUARK(tinker_plugin_error_quark, tinker_plugin_error)
+
+static void set_error(GError **error, TinkerPluginError code, const char *format, va_list arguments)
+    G_GNUC_PRINTF(3, 0);
+
+static void set_error(GError **error, TinkerPluginError code, const char *format, va_list arguments)
+{
+    g_propagate_error(error, g_error_new_valist(TINKER_PLUGIN_ERROR, (int)code, format, arguments));
+}
+
+gboolean tinker_refuse(GError **error, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    set_error(error, TINKER_PLUGIN_ERROR_REFUSED, format, arguments);
+    va_end(arguments);
+    return FALSE;
+}
+
+gboolean tinker_fail_file(GError **error, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    set_error(error, TINKER_PLUGIN_ERROR_FILE, format, arguments);
+    va_end(arguments);
+    return FALSE;
+}

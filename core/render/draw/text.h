@@ -1,0 +1,59 @@
+/* Text by Pango, the same on every surface: sizes in canvas units, no hinting, so that a text is as wide on the screen
+ * as in a file. Nothing of Pango is touched before the first text is drawn. */
+#ifndef TINKER_RENDER_TEXT_H
+#define TINKER_RENDER_TEXT_H
+
+#include <cairo.h>
+#include <glib.h>
+
+/* What a pen has written: the text's box on the canvas, as least and greatest x and y. */
+typedef struct {
+    double box[4];
+    char *text;
+} TinkerWrittenText;
+
+/* Texts that have been laid out, for pens that write the same ones again and again. */
+typedef struct _TinkerTextMemory TinkerTextMemory;
+TinkerTextMemory *tinker_text_memory_new(void);
+void tinker_text_memory_free(TinkerTextMemory *memory);
+
+/* What it takes to write. Begin with TINKER_TEXT_PEN_INIT and end with tinker_text_pen_clear. */
+typedef struct {
+    void *layout;             /* PangoLayout, made at the first text */
+    GPtrArray *written;       /* of TinkerWrittenText, for whoever wants to know; or NULL. Borrowed */
+    TinkerTextMemory *memory; /* or NULL. Borrowed */
+} TinkerTextPen;
+#define TINKER_TEXT_PEN_INIT                                                                                           \
+    {                                                                                                                  \
+        NULL, NULL, NULL                                                                                               \
+    }
+
+/* One text. */
+typedef struct {
+    const char *text; /* UTF-8; what is not is replaced */
+    double size;      /* canvas units */
+    gboolean bold;
+    double limit;              /* canvas units: what is longer is cut with an ellipsis; 0: none */
+    int lines;                 /* where there is a limit, lines that it may be broken into; 0 and 1: one */
+    double angle;              /* rad, clockwise on the canvas */
+    double anchor_x, anchor_y; /* the point of the text's own box that lies at the place: 0, 0 its upper left corner */
+    gboolean passing;          /* will hardly be written again: no memory keeps it */
+} TinkerText;
+
+void tinker_text_pen_clear(TinkerTextPen *pen);
+
+/* Width and height before it is turned, canvas units. */
+void tinker_text_measure(TinkerTextPen *pen, const TinkerText *text, double *width, double *height);
+
+/* Writes at (x, y) in the context's present colour. */
+void tinker_text_draw(TinkerTextPen *pen, cairo_t *cairo, const TinkerText *text, double x, double y);
+
+/* An array for TinkerTextPen.written. (transfer full) */
+GPtrArray *tinker_written_texts_new(void);
+
+/* Appends a number as people write it: "-1.5e-09" becomes "−1.5×10⁻⁹". */
+void tinker_text_append_number(GString *to, const char *number);
+/* Appends "10" and the exponent raised. */
+void tinker_text_append_power(GString *to, int exponent);
+
+#endif

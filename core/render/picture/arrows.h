@@ -1,0 +1,76 @@
+/* Arrows of forces over a picture of a scene: a free-body diagram where the bodies are. */
+#ifndef TINKER_CORE_ARROWS_H
+#define TINKER_CORE_ARROWS_H
+
+#include <cairo.h>
+#include <glib.h>
+
+#include "render/draw/theme.h"
+#include "render/draw/view.h"
+
+/* What an arrow means, which its colour tells. */
+typedef enum {
+    TINKER_ARROW_FIELD,
+    TINKER_ARROW_NORMAL,
+    TINKER_ARROW_FRICTION,
+    TINKER_ARROW_CONNECTOR,
+    TINKER_ARROW_CONSTRAINT,
+    TINKER_ARROW_APPLIED,
+    TINKER_ARROW_MOTION, /* no force: a velocity */
+} TinkerArrowKind;
+#define TINKER_ARROW_KINDS (TINKER_ARROW_MOTION + 1)
+
+/* Borrowed. */
+const double *tinker_arrow_colour(const TinkerTheme *theme, TinkerArrowKind kind);
+
+/* One force. */
+typedef struct {
+    double x, y;       /* m: where it acts, in the world; the arrow starts there */
+    double fx, fy;     /* N */
+    const char *label; /* UTF-8, beside the arrow's head: "Spring 0 12.3 N". NULL: none. Borrowed */
+    TinkerArrowKind kind;
+} TinkerForceArrow;
+
+typedef struct {
+    const TinkerTheme *theme;
+    double scale; /* m per N */
+    const double (
+        *taken)[4]; /* boxes of the canvas (least and greatest x and y) that labels keep clear of; may be NULL */
+    int taken_count;
+} TinkerArrowOptions;
+
+/* A round scale (m per N; 1, 2 or 5 times a power of ten) at which the longest arrow is about a tenth of the view's
+ * longer side. `previous` (0: none) is answered as long as it is within a factor of 3 of that, so that arrows of forces
+ * that change do not jump. Forces that are 0 or not finite do not count. */
+double tinker_arrows_scale(const TinkerForceArrow *arrows, gsize count, const TinkerView *view, double previous);
+
+/* Draws the arrows and then their labels, those of the greatest forces first. A label stands by the head of its arrow
+ * and inside the picture; one that could only stand on another is left out. Arrows that start together and point the
+ * same way are drawn side by side. What is too short to be seen, not finite or out of the picture is passed over. The
+ * context's own units are the view's canvas units. */
+void tinker_arrows_draw(cairo_t *cairo, const TinkerView *view, const TinkerForceArrow *arrows, gsize count,
+                        const TinkerArrowOptions *options);
+
+/* One kind, in a word. */
+typedef struct {
+    TinkerArrowKind kind;
+    const char *word; /* borrowed */
+} TinkerArrowWord;
+
+/* What the key beside the arrows says: how long the arrow of a force is, and what the colours mean. */
+typedef struct {
+    double force;                 /* N */
+    const char *label;            /* of it: "5 N". Borrowed */
+    const TinkerArrowWord *words; /* borrowed */
+    gsize word_count;
+} TinkerArrowKey;
+
+/* A force for the key, N: 1, 2 or 5 times a power of ten of the unit (N), whose arrow is 24 to 60 canvas units long at
+ * this scale; 0 where there is none. */
+double tinker_arrows_key_force(const TinkerView *view, double scale, double unit);
+
+/* Draws it in the lower left corner of the view. `written`: receives what it wrote (TinkerWrittenText), or NULL. */
+void tinker_arrows_draw_key(cairo_t *cairo, const TinkerView *view, const TinkerArrowOptions *options,
+                            const TinkerArrowKey *key, GPtrArray *written);
+
+#endif

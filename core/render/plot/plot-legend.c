@@ -1,0 +1,174 @@
+/* The legend looks for the corner, then the side, that no curve passes; where there is none it stands beside the plot,
+ * and where there is no room beside it, over the curves where it hides least, on a ground that lets them through a
+ * little. */
+#include <math.h>
+
+#include "render/draw/occupancy.h"
+#include "render/plot/plot-private.h"
+
+#define INNER          7.0 /* canvas units: between frame and content */
+#define CELL           4.0
+#define WIDEST         0.45 /* of the plot: labels are cut beyond */
+#define WIDEST_COMPACT 0.65
+#define WIDEST_ASIDE   0.3  /* of the picture: likewise of a legend beside the plot */
+#define LEAST_ASIDE    90.0 /* a narrower legend beside the plot says too little */
+
+static const char *label_of(const TinkerPlotLayout *layout, int curve)
+{
+    const char *label = layout->plot->curves[curve].label;
+    return label && *label ? label : NULL;
+}
+
+static int count_entries(const TinkerPlotLayout *layout)
+{
+    int entries = 0;
+    for (int i = 0; i < layout->plot->curve_count; i++)
+        if (label_of(layout, i)) entries++;
+    return entries;
+}
+
+static double widest_label(TinkerPlotLayout *layout, double limit)
+{
+    double widest = 0;
+    for (int i = 0; i < layout->plot->curve_count; i++) {
+        if (!label_of(layout, i)) continue;
+        double width, height;
+        TinkerText text = {.text = label_of(layout, i), .size = layout->sizes->tick_text, .limit = limit};
+        tinker_text_measure(layout->pen, &text, &width, &height);
+        widest = fmax(widest, width);
+    }
+    return widest;
+}
+
+typedef struct {
+    TinkerOccupancy map;
+    double x, y;
+} Trace;
+
+static void trace_to(double x, double y, gboolean starts, gpointer data)
+{
+    Trace *trace = data;
+    tinker_occupancy_take_line(&trace->map, starts ? x : trace->x, starts ? y : trace->y, x, y, TINKER_PLOT_LINE + 2,
+                               TINKER_TAKEN_BY_DRAWING);
+    trace->x = x;
+    trace->y = y;
+}
+
+static void trace_points(const TinkerPlotLayout *layout, const TinkerCurve *curve, Trace *trace)
+{
+    for (gsize i = 0; i < curve->count; i++) {
+        double x, y;
+        if (!tinker_plot_place(layout, curve, i, &x, &y)) continue;
+        tinker_occupancy_take_box(&trace->map, (double[]){x - 4, y - 4, x + 4, y + 4}, TINKER_TAKEN_BY_DRAWING);
+    }
+}
+
+static void trace_curves(const TinkerPlotLayout *layout, Trace *trace)
+{
+    for (int i = 0; i < layout->plot->curve_count; i++) {
+        const TinkerCurve *curve = &layout->plot->curves[i];
+        if (tinker_plot_has_line(curve)) tinker_plot_walk(layout, curve, 1, trace_to, trace);
+        if (tinker_plot_has_markers(curve)) trace_points(layout, curve, trace);
+        if (!curve->low || !curve->high) continue;
+        TinkerCurve border = *curve;
+        border.y = curve->low;
+        tinker_plot_walk(layout, &border, 1, trace_to, trace);
+        border.y = curve->high;
+        tinker_plot_walk(layout, &border, 1, trace_to, trace);
+    }
+}
+
+/* Tries corners and sides of the plot; answers the share of the best one that curves pass. */
+static double find_inside(TinkerPlotLayout *layout, double width, double height)
+{
+    static const double spots[8][2] = {{1, 0}, {0, 0}, {1, 1}, {0, 1}, {1, 0.5}, {0, 0.5}, {0.5, 0}, {0.5, 1}};
+    Trace trace;
+    double across = layout->right - layout->left - 2 * layout->sizes->legend_inset - width;
+    double down = layout->bottom - layout->top - 2 * layout->sizes->legend_inset - height;
+    tinker_occupancy_init(&trace.map, layout->left, layout->top, layout->right - layout->left,
+                          layout->bottom - layout->top, CELL);
+    trace_curves(layout, &trace);
+    double best = INFINITY;
+    for (int i = 0; i < 8 && best > 0; i++) {
+        double x = layout->left + layout->sizes->legend_inset + spots[i][0] * across,
+               y = layout->top + layout->sizes->legend_inset + spots[i][1] * down;
+        const double box[4] = {x, y, x + width, y + height};
+        double share = tinker_occupancy_share(&trace.map, box, TINKER_TAKEN_BY_DRAWING);
+        if (share >= best) continue;
+        best = share;
+        for (int side = 0; side < 4; side++)
+            layout->legend.box[side] = box[side];
+    }
+    tinker_occupancy_clear(&trace.map);
+    return best;
+}
+
+void tinker_plot_place_legend(TinkerPlotLayout *layout)
+{
+    TinkerLegend *legend = &layout->legend;
+    int entries = count_entries(layout);
+    double room = layout->bottom - layout->top - 2 * layout->sizes->legend_inset - 2 * INNER;
+    int rows = MIN(entries, (int)floor(room / layout->sizes->legend_row));
+    legend->kind = TINKER_LEGEND_NONE;
+    if (rows < 1) return;
+    legend->entries = rows < entries ? rows - 1 : entries;
+    double widest = layout->plot->compact ? WIDEST_COMPACT : WIDEST;
+    legend->limit = fmax(widest * (layout->right - layout->left) - layout->sizes->legend_sample - 3 * INNER, 20);
+    double width = widest_label(layout, legend->limit) + layout->sizes->legend_sample + 3 * INNER,
+           height = rows * layout->sizes->legend_row + 2 * INNER - 3;
+    double share = find_inside(layout, width, height);
+    double aside = fmin(width, WIDEST_ASIDE * layout->width);
+    legend->kind = TINKER_LEGEND_INSIDE;
+    if (share <= 0 || layout->plot->compact || aside < fmin(width, LEAST_ASIDE)) return;
+    legend->kind = TINKER_LEGEND_OUTSIDE;
+    legend->limit = fmin(legend->limit, aside - layout->sizes->legend_sample - 3 * INNER);
+    legend->box[2] = legend->box[0] + aside;
+}
+
+static void draw_entry(cairo_t *cairo, const TinkerPlotLayout *layout, int curve, double x, double y)
+{
+    const TinkerCurve *drawn = &layout->plot->curves[curve];
+    tinker_plot_set_curve_style(cairo, layout, drawn);
+    if (tinker_plot_has_line(drawn) && drawn->count != 1) {
+        cairo_move_to(cairo, x, y);
+        cairo_line_to(cairo, x + layout->sizes->legend_sample, y);
+        cairo_stroke(cairo);
+    }
+    if (tinker_plot_has_markers(drawn)) tinker_plot_draw_marker(cairo, drawn, x + layout->sizes->legend_sample / 2, y);
+}
+
+static void draw_label(cairo_t *cairo, const TinkerPlotLayout *layout, const char *label, double x, double y)
+{
+    const double *c = layout->theme->colours[TINKER_COLOUR_TEXT];
+    TinkerText text = {.text = label, .size = layout->sizes->tick_text, .limit = layout->legend.limit, .anchor_y = 0.5};
+    cairo_set_source_rgba(cairo, c[0], c[1], c[2], c[3]);
+    tinker_text_draw(layout->pen, cairo, &text, x + layout->sizes->legend_sample + INNER, y);
+}
+
+void tinker_plot_draw_legend(cairo_t *cairo, const TinkerPlotLayout *layout)
+{
+    const TinkerLegend *legend = &layout->legend;
+    const double *ground = layout->theme->background, *edge = layout->theme->grid, *box = legend->box;
+    if (legend->kind == TINKER_LEGEND_NONE) return;
+    cairo_rectangle(cairo, floor(box[0]) + 0.5, floor(box[1]) + 0.5, round(box[2] - box[0]), round(box[3] - box[1]));
+    cairo_set_source_rgba(cairo, ground[0], ground[1], ground[2], layout->plot->compact ? 0.7 : 0.85);
+    cairo_fill_preserve(cairo);
+    cairo_set_source_rgba(cairo, edge[0], edge[1], edge[2], edge[3]);
+    cairo_set_line_width(cairo, 1);
+    if (!layout->plot->compact) cairo_stroke(cairo);
+    cairo_new_path(cairo);
+
+    double x = box[0] + INNER, y = box[1] + INNER - 1.5 + layout->sizes->legend_row / 2;
+    int shown = 0;
+    for (int i = 0; i < layout->plot->curve_count && shown < legend->entries; i++) {
+        if (!label_of(layout, i)) continue;
+        draw_entry(cairo, layout, i, x, y);
+        draw_label(cairo, layout, label_of(layout, i), x, y);
+        y += layout->sizes->legend_row;
+        shown++;
+    }
+    int left_out = count_entries(layout) - shown;
+    if (left_out == 0) return;
+    g_autofree char *more = g_strdup_printf("+ %d", left_out);
+    draw_label(cairo, layout, more, x, y);
+}

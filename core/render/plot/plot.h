@@ -1,0 +1,77 @@
+/* Plots: line graphs with round ticks, units, a legend and an optional band. */
+#ifndef TINKER_CORE_PLOT_H
+#define TINKER_CORE_PLOT_H
+
+#include <cairo.h>
+#include <glib.h>
+
+#include "render/draw/paint-memory.h"
+#include "render/draw/theme.h"
+
+/* What a curve is for. */
+typedef enum {
+    TINKER_CURVE_DATA,  /* in a colour of the theme's, by its number */
+    TINKER_CURVE_RING,  /* rings about points of other curves, to point them out; no line */
+    TINKER_CURVE_GUIDE, /* a dashed line in the axes' colour: a limit, a mean */
+} TinkerCurveRole;
+
+typedef struct {
+    const char *label;        /* in the legend; NULL: none */
+    const double *x, *y;      /* `count` points; a NaN interrupts the curve */
+    const double *low, *high; /* a band about the curve, or NULL */
+    gsize count;
+    int colour;       /* number of the theme's curve colour */
+    gboolean markers; /* a mark at every point */
+    gboolean no_line;
+    TinkerCurveRole role;
+} TinkerCurve;
+
+/* A point of a curve that is pointed out, with its values in a bubble beside it. */
+typedef struct {
+    int curve;
+    gsize point;
+    const char *x, *y; /* the bubble's lines, "t = 1.25 s"; NULL: left out */
+} TinkerPlotReading;
+
+typedef struct {
+    const char *title;   /* may be NULL */
+    const char *x_label; /* "Time [s]" */
+    const char *y_label;
+    gboolean x_logarithmic, y_logarithmic;
+    gboolean equal_scales;           /* of a path in the plane */
+    const double *x_range, *y_range; /* from, to: what an axis shows; NULL: all data */
+    const TinkerCurve *curves;
+    int curve_count;
+    const TinkerTheme *theme;
+    gboolean compact; /* for a small graph among others: smaller texts and margins, fewer ticks, a bare legend */
+    /* Of a graph in a window */
+    const double *cursor;             /* x of an upright line with a dot on every curve there: "now"; NULL: none */
+    const TinkerPlotReading *reading; /* NULL: none */
+    gboolean quick;                   /* edges in coarser shades, at less than half the cost */
+    TinkerPaintMemory *memory;        /* that all pictures of the graph share, so that each takes less time; or NULL */
+} TinkerPlot;
+
+/* Draws the plot into the rectangle (0, 0, width, height) of the context. Long records are thinned to what pixels can
+ * show: least and greatest value of each pixel column are kept. */
+void tinker_plot_draw(cairo_t *cairo, const TinkerPlot *plot, double width, double height);
+
+/* A point of a curve, and where it is drawn. */
+typedef struct {
+    int curve;
+    gsize point;
+    double canvas_x, canvas_y;
+} TinkerPlotPoint;
+
+/* The point of any curve nearest to a place of the canvas, for reading values off a plot of this size. FALSE where
+ * there is none within `reach` (canvas units). */
+gboolean tinker_plot_pick(const TinkerPlot *plot, double width, double height, double canvas_x, double canvas_y,
+                          double reach, TinkerPlotPoint *found);
+
+/* Draws to .png, .svg or .pdf by the ending. */
+gboolean tinker_plot_to_file(const TinkerPlot *plot, int width, int height, const char *path, GError **error);
+
+/* Round tick positions for a range: at most `most` of them, each a multiple of 1, 2 or 5 times a power of ten; decimals
+ * behind the point that their labels need. Answers how many. */
+int tinker_plot_ticks(double low, double high, int most, double *ticks, int *decimals);
+
+#endif

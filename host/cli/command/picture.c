@@ -1,0 +1,93 @@
+/* Pictures: what the verbs that draw have in common. */
+#include "cli/command/picture.h"
+
+#include "cli/command/options.h"
+#include "cli/command/output.h"
+#include "exit-status.h"
+#include "film.h"
+
+/* Cairo's image surfaces end at 32767 pixels; a picture of half of that takes a gigabyte. */
+#define GREATEST_SIDE 16384
+
+void tinker_picture_arguments_clear(TinkerPictureArguments *arguments)
+{
+    g_clear_pointer(&arguments->size, g_free);
+    g_clear_pointer(&arguments->theme, g_free);
+}
+
+static gboolean read_size(const char *text, int *width, int *height, GError **error)
+{
+    g_auto(GStrv) sides = g_strsplit(text, "x", 2);
+    if (g_strv_length(sides) != 2) {
+        g_set_error(error, TINKER_CLI_ERROR, TINKER_CLI_ERROR_USAGE,
+                    "--size \"%s\": not width and height in pixels (as in --size 800x600)", text);
+        return FALSE;
+    }
+    return tinker_option_integer("size", sides[0], 1, GREATEST_SIDE, width, error) &&
+           tinker_option_integer("size", sides[1], 1, GREATEST_SIDE, height, error);
+}
+
+gboolean tinker_picture_arguments_read(const TinkerPictureArguments *arguments, int *width, int *height,
+                                       const TinkerTheme **theme, GError **error)
+{
+    const char *const *themes = tinker_theme_ids();
+    int place = 0;
+    if (arguments->size != NULL && !read_size(arguments->size, width, height, error)) return FALSE;
+    if (arguments->theme != NULL && !tinker_option_choice("theme", arguments->theme, themes, &place, error))
+        return FALSE;
+    *theme = tinker_theme_find(themes[place]);
+    return TRUE;
+}
+
+int tinker_picture_ending(const char *path, const char *const *endings, GError **error)
+{
+    g_autofree char *list = g_strjoinv(", ", (char **)endings);
+    if (path == NULL) {
+        g_set_error(error, TINKER_CLI_ERROR, TINKER_CLI_ERROR_USAGE,
+                    "no output is given (add -o FILE; its ending says what is written: %s)", list);
+        return -1;
+    }
+    for (int place = 0; endings[place] != NULL; place++)
+        if (tinker_path_has_ending(path, endings[place])) return tinker_output_is_writable(path, error) ? place : -1;
+    g_set_error(error, TINKER_CLI_ERROR, TINKER_CLI_ERROR_USAGE,
+                "--output \"%s\": the ending must say what is written: %s", path, list);
+    return -1;
+}
+
+static gboolean place_frame(TinkerSimulation *simulation, double time, const double *values, void *data, GError **error)
+{
+    return tinker_simulation_place(simulation, data, error);
+}
+
+gboolean tinker_picture_run_to(TinkerFrame *frame, const TinkerOpenScene *open, const TinkerRunArguments *arguments,
+                               double time, GError **error)
+{
+    if (time <= 0) {
+        tinker_open_scene_report_warnings(open);
+        return TRUE;
+    }
+    TinkerRunOptions options;
+    if (!tinker_run_arguments_apply(arguments, open->scene, &options, error)) return FALSE;
+    options.at = &time;
+    options.at_count = 1;
+    g_auto(TinkerSceneRun) run = {0};
+    if (!tinker_scene_run_prepare(&run, open->scene, arguments, &options, error)) return FALSE;
+    const TinkerSampleTaker taker = {.sample = place_frame, .data = frame};
+    gboolean done = tinker_scene_run_go(&run, NULL, &taker, error);
+    tinker_scene_run_report_warnings(&run, open, arguments);
+    return done;
+}
+
+GHashTable *tinker_picture_faults_new(void)
+{
+    return g_hash_table_new_full(NULL, NULL, NULL, g_free);
+}
+
+void tinker_picture_report_faults(GHashTable *faults)
+{
+    GHashTableIter iter;
+    gpointer text;
+    g_hash_table_iter_init(&iter, faults);
+    while (g_hash_table_iter_next(&iter, NULL, &text))
+        tinker_report_warning("%s", (const char *)text);
+}

@@ -1,0 +1,53 @@
+/* A chart: curves of quantities, recorded while a scene runs, then drawn or written as CSV in the units that the scene
+ * displays. */
+#ifndef TINKER_CLI_CHART_H
+#define TINKER_CLI_CHART_H
+
+#include "physics/record/record.h"
+#include "physics/run/simulation.h"
+#include "render/draw/theme.h"
+
+/* One curve; x and y are places in a row of the record, whose place 0 is the time and i + 1 the column i. */
+typedef struct {
+    guint x, y;
+} TinkerChartCurve;
+
+typedef struct {
+    TinkerScene *scene;   /* borrowed */
+    GArray *columns;      /* of TinkerColumn: what is recorded */
+    GArray *curves;       /* of TinkerChartCurve */
+    TinkerRecord *record; /* rows of the time, the columns, and their bands where there are any */
+    gboolean has_bands;
+    char *title;
+} TinkerChart;
+
+/* A chart without curves, titled like the scene. (transfer full) */
+TinkerChart *tinker_chart_new(TinkerScene *scene);
+void tinker_chart_free(TinkerChart *chart);
+G_DEFINE_AUTOPTR_CLEANUP_FUNC(TinkerChart, tinker_chart_free)
+
+/* Adds the curve of "Mass 0.y": over time where `against` is NULL or "time", else against a quantity of the same block
+ * ("vx") or of any ("Mass 1.x"). Errors: TINKER_SCENE_ERROR_NAME. */
+gboolean tinker_chart_add(TinkerChart *chart, const char *name, const char *against, GError **error);
+
+/* Adds the graphs that the scene holds: the first, and all others of the same axes; the rest is added to `left_out`, of
+ * const TinkerSceneGraph *. */
+gboolean tinker_chart_add_graphs_of_scene(TinkerChart *chart, GPtrArray *left_out, GError **error);
+
+/* Takes a sample of all columns, as a TinkerSampleFunc hands it out. `bands` says how far each may be off (NAN: nobody
+ * knows); NULL at all samples or at none. */
+gboolean tinker_chart_sample(TinkerChart *chart, double time, const double *values, const double *bands,
+                             GError **error);
+
+/* Forgets the samples later than `time`: what a failed run is not to be believed in. */
+void tinker_chart_cut(TinkerChart *chart, double time);
+
+/* Draws the chart to .png, .svg or .pdf by the ending. */
+gboolean tinker_chart_draw(TinkerChart *chart, const TinkerTheme *theme, int width, int height, const char *path,
+                           GError **error);
+
+/* Writes CSV: "Time", then a column a curve, called like the quantity where there is one curve, else with the block's
+ * name before it; x and y of each curve where they are not over time. `decimals` as in csv-writer.h. */
+gboolean tinker_chart_write_csv(TinkerChart *chart, int decimals, const char *path, GError **error);
+
+#endif

@@ -1,0 +1,149 @@
+/* tinker graph: quantities over time, or against one another, as a plot or as CSV. */
+#include "cli/verb/verbs.h"
+
+#include <math.h>
+
+#include "cli/command/options.h"
+#include "cli/command/output.h"
+#include "cli/command/picture.h"
+#include "cli/report/chart.h"
+#include "exit-status.h"
+
+static const TinkerVerbHelp help = {
+    .verb = "graph",
+    .operands = "SCENE [\"BLOCK.QUANTITY\"...]",
+    .summary =
+        "Runs a scene and draws quantities over time in one graph, or writes them as CSV, in the units that the\n"
+        "scene displays. Without a curve the scene's own graphs are drawn. The ending of the output, .png, .svg,\n"
+        ".pdf or .csv, says what is written; - is CSV to standard output. `tinker plugins show TYPE` lists the\n"
+        "quantities of a block.",
+    .examples = "  tinker graph spring-mass.tinker.json \"Mass 0.y\" -o y.svg\n"
+                "  tinker graph spring-mass.tinker.json \"Mass 0.y\" --decimals 5 -o y.csv\n"
+                "  tinker graph spring-mass.tinker.json \"Mass 0.vy\" --against y -o phase.png",
+    .least_operands = 1,
+    .most_operands = -1,
+};
+
+typedef struct {
+    TinkerRunArguments run;
+    TinkerPictureArguments picture;
+    char *output, *decimals, *against;
+} GraphOptions;
+
+static void graph_options_clear(GraphOptions *options)
+{
+    tinker_run_arguments_clear(&options->run);
+    tinker_picture_arguments_clear(&options->picture);
+    g_free(options->output);
+    g_free(options->decimals);
+    g_free(options->against);
+}
+G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC(GraphOptions, graph_options_clear)
+
+/* How the graph is written. */
+typedef struct {
+    gboolean csv;
+    int decimals;
+    int width, height;
+    const TinkerTheme *theme;
+} GraphForm;
+
+static gboolean read_form(const GraphOptions *options, GraphForm *form, GError **error)
+{
+    static const char *const endings[] = {".csv", ".png", ".svg", ".pdf", NULL};
+    *form = (GraphForm){.decimals = -1, .width = 800, .height = 500};
+    if (options->decimals != NULL &&
+        !tinker_option_integer("decimals", options->decimals, 0, 17, &form->decimals, error))
+        return FALSE;
+    if (!tinker_picture_arguments_read(&options->picture, &form->width, &form->height, &form->theme, error))
+        return FALSE;
+    int place = tinker_is_standard_stream(options->output) ? 0 : tinker_picture_ending(options->output, endings, error);
+    form->csv = place == 0;
+    return place >= 0;
+}
+
+static void report_left_out(const TinkerSceneGraph *graph)
+{
+    gboolean over_time = g_str_equal(graph->against, "time");
+    g_autofree char *against = over_time ? g_strdup("") : g_strdup_printf(" --against \"%s\"", graph->against);
+    tinker_report_warning("graph of %s.%s left out: other axes than the first (to draw it: tinker graph SCENE "
+                          "\"%s.%s\"%s -o ...)",
+                          graph->block, graph->quantity, graph->block, graph->quantity, against);
+}
+
+static gboolean add_curves(TinkerChart *chart, const GraphOptions *options, char **names, GError **error)
+{
+    g_autoptr(GPtrArray) left_out = g_ptr_array_new();
+    for (char **name = names; *name != NULL; name++)
+        if (!tinker_chart_add(chart, *name, options->against, error)) {
+            tinker_blame_option(NULL, error);
+            return FALSE;
+        }
+    if (names[0] == NULL && !tinker_chart_add_graphs_of_scene(chart, left_out, error)) return FALSE;
+    for (guint i = 0; i < left_out->len; i++)
+        report_left_out(g_ptr_array_index(left_out, i));
+    if (chart->curves->len > 0) return TRUE;
+    g_set_error(error, TINKER_CLI_ERROR, TINKER_CLI_ERROR_USAGE,
+                "the scene holds no graphs; name a curve (as in \"Mass 0.y\")");
+    return FALSE;
+}
+
+static gboolean take_sample(TinkerSimulation *simulation, double time, const double *values, void *data, GError **error)
+{
+    return tinker_chart_sample(data, time, values, tinker_simulation_bands(simulation), error);
+}
+
+static void begin_again(void *chart)
+{
+    tinker_chart_cut(chart, -INFINITY);
+}
+
+/* What was recorded is written even when the run fails; its error is in `failure` then. */
+static gboolean graph(const GraphOptions *options, const TinkerOpenScene *open, char **names, GError **failure,
+                      GError **error)
+{
+    GraphForm form;
+    TinkerRunOptions run_options;
+    g_auto(TinkerSceneRun) run = {0};
+    const TinkerAskedOutput outputs[] = {{"--output", options->output}, {NULL, NULL}};
+    g_autoptr(TinkerFileSet) files = tinker_open_scene_files(open);
+    g_autoptr(TinkerChart) chart = tinker_chart_new(open->scene);
+    if (!tinker_outputs_add(files, outputs, error)) return FALSE;
+    if (!read_form(options, &form, error) || !add_curves(chart, options, names, error)) return FALSE;
+    if (!tinker_run_arguments_apply(&options->run, open->scene, &run_options, error)) return FALSE;
+    run_options.bands = !form.csv;
+    if (!tinker_scene_run_prepare(&run, open->scene, &options->run, &run_options, error)) return FALSE;
+    const TinkerSampleTaker taker = {take_sample, begin_again, chart};
+    (void)tinker_scene_run_go(&run, chart->columns, &taker, failure);
+    if (*failure != NULL) tinker_chart_cut(chart, tinker_simulation_summary(run.simulation)->valid_until);
+    tinker_scene_run_report_warnings(&run, open, &options->run);
+    if (form.csv) return tinker_chart_write_csv(chart, form.decimals, options->output, error);
+    return tinker_chart_draw(chart, form.theme, form.width, form.height, options->output, error);
+}
+
+int tinker_verb_graph(int argc, char **argv)
+{
+    g_auto(GraphOptions) options = {0};
+    const GOptionEntry entries[] = {
+        {"output", 'o', 0, G_OPTION_ARG_FILENAME, &options.output, "Write to FILE (.png, .svg, .pdf, .csv, or -)",
+         "FILE"},
+        {"against", 0, 0, G_OPTION_ARG_FILENAME, &options.against,
+         "Draw against this quantity instead of time: a phase plot", "QUANTITY"},
+        {"decimals", 0, 0, G_OPTION_ARG_FILENAME, &options.decimals,
+         "Digits behind the point in CSV, trailing zeros dropped (default: 9 significant digits)", "N"},
+        TINKER_PICTURE_ENTRIES(options.picture, "800x500"),
+        TINKER_RUN_ENTRIES(options.run),
+        G_OPTION_ENTRY_NULL,
+    };
+    g_auto(TinkerCommandLine) line = {0};
+    int status = TINKER_EXIT_DONE;
+    if (!tinker_command_line_read(&line, &help, entries, argc, argv, &status)) return status;
+
+    g_auto(TinkerOpenScene) open = {0};
+    status = tinker_open_scene(&open, line.plugin_folders, line.operands[0]);
+    if (status != TINKER_EXIT_DONE) return status;
+    g_autoptr(GError) error = NULL, failure = NULL;
+    if (!graph(&options, &open, line.operands + 1, &failure, &error))
+        return tinker_open_scene_report_error(&open, error);
+    return failure != NULL ? tinker_report_error(open.name, failure) : TINKER_EXIT_DONE;
+}
