@@ -82,7 +82,7 @@ static double solve_by_matrix(gint64 units, void *data)
     for (; units > 0; units--) {
         for (int j = 0; j < self->count; j++) {
             const TinkerContactEquation *of = &self->equations[j];
-            memset(self->column, 0, 2 * (gsize)self->contacts->model->bodies * sizeof(double));
+            memset(self->column, 0, (gsize)self->contacts->model->coordinates * sizeof(double));
             tinker_contacts_push(self->contacts, of->body, of->force[0], of->force[1], self->column);
             for (int i = 0; i < self->count; i++)
                 self->matrix[i * self->count + j] =

@@ -123,8 +123,8 @@ static void enter(const Entry *entry, const char *method, const char *setting, d
     options->estimate = FALSE;
     benchmark_subject_restart(&run->subject);
     TinkerIslandRun *island = g_ptr_array_index(run->subject.simulation->all->runs, 0);
-    run->q = g_new0(double, 2 * (gsize)island->model->bodies);
-    run->v = g_new0(double, 2 * (gsize)island->model->bodies);
+    run->q = g_new0(double, (gsize)island->model->coordinates);
+    run->v = g_new0(double, (gsize)island->model->coordinates);
     const TinkerIntegrator *chosen = island->choice.method;
     gboolean is_auto = strcmp(method, "auto") == 0;
     Contestant contestant = {

@@ -81,7 +81,7 @@ static long double solve_written(const TinkerModel *model, const TinkerContactEq
                                  long double *solved)
 {
     const TinkerConstraints *all = &model->constraints;
-    const int rows = all->rows, n = count + rows, width = 2 * model->bodies;
+    const int rows = all->rows, n = count + rows, width = model->coordinates;
     g_autofree long double *row = g_new0(long double, n *width), *force = g_new0(long double, n *width);
     g_autofree long double *matrix = g_new0(long double, n *n);
     for (int e = 0; e < count; e++)
@@ -106,7 +106,7 @@ static long double solve_written(const TinkerModel *model, const TinkerContactEq
 static int choose_equations(GRand *random, const TinkerModel *model, TinkerContactEquation *of)
 {
     int count = 0;
-    const int ways = 2 * model->bodies - model->constraints.rows;
+    const int ways = model->coordinates - model->constraints.rows;
     const int sticks = g_rand_int_range(random, 0, model->bodies);
     for (int i = 0; i < model->bodies; i++) {
         const double slope = g_rand_double_range(random, -0.2, 0.2);

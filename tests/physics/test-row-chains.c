@@ -91,7 +91,7 @@ static long double row_times(const TinkerModel *model, int32_t row, const double
 static void assert_impulses(const TinkerModel *model, const double *lambda, const double *before, const double *after)
 {
     const TinkerConstraints *all = &model->constraints;
-    gsize n = 2 * (gsize)model->bodies;
+    gsize n = (gsize)model->coordinates;
     g_autofree long double *force = g_new0(long double, n), *size = g_new0(long double, n);
     for (int32_t e = 0; e < all->entries; e++)
         for (int k = 0; k < 2 && all->points[e] < model->bodies; k++) {
@@ -118,7 +118,7 @@ static void test_accelerations(void)
 {
     g_autoptr(GRand) random = g_rand_new_with_seed(31);
     TinkerModel *model = chains(random);
-    int32_t n = 2 * model->bodies;
+    int32_t n = model->coordinates;
     g_autofree double *v = vector(random, n, 3);
     set_state(model, v);
     for (int solve = 0; solve < 2; solve++) {
@@ -138,7 +138,7 @@ static void test_velocities(void)
 {
     g_autoptr(GRand) random = g_rand_new_with_seed(32);
     TinkerModel *model = chains(random);
-    int32_t n = 2 * model->bodies;
+    int32_t n = model->coordinates;
     g_autofree double *given = vector(random, n, 3), *v = g_memdup2(given, (gsize)n * sizeof(double));
     gboolean moved;
     set_state(model, v);
@@ -157,7 +157,7 @@ static void test_positions(void)
 {
     g_autoptr(GRand) random = g_rand_new_with_seed(33);
     TinkerModel *model = chains(random);
-    int32_t n = 2 * model->bodies;
+    int32_t n = model->coordinates;
     g_autofree double *q = g_memdup2(model->q_start, (gsize)n * sizeof(double)), *off = vector(random, n, 1e-3);
     g_autofree double *v = g_new0(double, n);
     for (int32_t i = 2; i < n; i++)

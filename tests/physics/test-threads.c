@@ -57,7 +57,7 @@ static void test_forces(void)
     TinkerModel *model = tinker_model_new(scene, &error);
     g_assert_no_error(error);
     g_assert_nonnull(model->line_parts);
-    gsize n = 2 * (gsize)model->bodies, all = 2 * (gsize)model->points;
+    gsize n = (gsize)model->coordinates, all = 2 * (gsize)model->points;
     g_autofree double *v = g_new(double, n), *a = g_new(double, n);
     for (gsize i = 0; i < n; i++)
         v[i] = scatter((int)i + 5);

@@ -115,7 +115,8 @@ static void add_bodies(TinkerModel *model)
         for (int32_t row = 0; row < batch->count; row++)
             add_body(model, batch, row, number++);
     }
-    model->points = number;
+    model->coordinates = 2 * number;
+    model->points = model->first_attachment = model->first_support = number;
 }
 
 static gboolean check_masses(const TinkerModel *model, GError **error)
@@ -137,12 +138,13 @@ static int32_t add_support_point(TinkerModel *model, const TinkerBlockBatch *bat
            s = sin(angle);
     double place[2] = {tinker_block_batch_meaning(batch, row, TINKER_MEANING_POSITION, 0, 0),
                        tinker_block_batch_meaning(batch, row, TINKER_MEANING_POSITION, 1, 0)};
-    TinkerSupportPoint point = {
-        .support = batch->ids[row],
+    TinkerAttachment point = {
+        .block = batch->ids[row],
+        .body = -1,
         .x = place[0] - model->origin[0] + (x == 0 && y == 0 ? 0 : c * x - s * y),
         .y = place[1] - model->origin[1] + (x == 0 && y == 0 ? 0 : s * x + c * y),
     };
-    g_array_append_val(model->support_points, point);
+    g_array_append_val(model->attachments, point);
     return model->points++;
 }
 
@@ -210,9 +212,9 @@ static void mark_moving(TinkerModel *model)
     int32_t count;
     tinker_motions_blocks(model->motions, &count);
     model->moving_supports = count;
-    for (guint i = 0; i < model->support_points->len; i++) {
-        TinkerSupportPoint *point = &g_array_index(model->support_points, TinkerSupportPoint, i);
-        point->moving = tinker_motions_moves(model->motions, point->support);
+    for (int32_t point = model->first_support; point < model->points; point++) {
+        TinkerAttachment *at = tinker_model_attachment(model, point);
+        at->moving = tinker_motions_moves(model->motions, at->block);
     }
 }
 
@@ -223,9 +225,9 @@ static void allot_points(TinkerModel *model)
     model->point_acceleration = g_new0(double, 2 * n);
     model->force = g_new0(double, 2 * n);
     model->point_used = g_new0(gboolean, n);
-    for (guint i = 0; i < model->support_points->len; i++) {
-        const TinkerSupportPoint *point = &g_array_index(model->support_points, TinkerSupportPoint, i);
-        model->point[model->bodies + (int32_t)i] = (TinkerPoint){point->x, point->y, 0, 0};
+    for (int32_t point = model->first_support; point < model->points; point++) {
+        const TinkerAttachment *at = tinker_model_attachment(model, point);
+        model->point[point] = (TinkerPoint){at->x, at->y, 0, 0};
     }
 }
 

@@ -135,7 +135,7 @@ static gboolean allot(TinkerModel *model, GError **error)
     all->residual = ALLOT(model, double, rows);
     all->correction = ALLOT(model, double, rows);
     all->turned = ALLOT(model, double, 2 * entries);
-    all->displacement = ALLOT(model, double, 2 * (gsize)MAX(model->bodies, 1));
+    all->displacement = ALLOT(model, double, (gsize)MAX(model->coordinates, 1));
     all->by_point = ALLOT(model, double, 2 * (gsize)MAX(model->points, 1));
     return !model->lacks_memory || lack_memory(model, error);
 }

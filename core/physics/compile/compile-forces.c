@@ -94,7 +94,7 @@ static gboolean add_linear_lines(TinkerModel *model, TinkerBlockBatch *batch, co
         return FALSE;
     for (gsize i = 0; i < n; i++) {
         int32_t a = points[2 * i], b = points[2 * i + 1];
-        if (a == b || (a >= model->bodies && b >= model->bodies && model->moving_supports == 0)) continue;
+        if (a == b || (a >= model->first_support && b >= model->first_support && model->moving_supports == 0)) continue;
         warn_without_direction(model, batch, (int32_t)i, points + 2 * i,
                                values[3 * n + i] - values[i] * values[2 * n + i]);
         work->lines[work->count] = (LinearLine){MIN(a, b),         MAX(a, b),     (int32_t)work->count, values[i],
@@ -187,7 +187,7 @@ static gboolean stores_energy(const TinkerBlockBatch *batch, gboolean offered)
 
 static gboolean moves_anything(const TinkerModel *model, const int32_t *points)
 {
-    return points[0] != points[1] && MIN(points[0], points[1]) < model->bodies;
+    return points[0] != points[1] && MIN(points[0], points[1]) < model->first_support;
 }
 
 /* Warns of laws that are asked and have no direction at the start. One that refuses is left to the run, which says why.
@@ -373,7 +373,7 @@ static int32_t most_ends(const TinkerModel *model)
 gboolean tinker_model_compile_forces(TinkerModel *model, GError **error)
 {
     if (!add_batches(model, error)) return FALSE;
-    model->velocity_kept = g_try_new0(double, 2 * (gsize)MAX(model->bodies, 1));
+    model->velocity_kept = g_try_new0(double, (gsize)MAX(model->coordinates, 1));
     if (model->lacks_memory || model->velocity_kept == NULL) return lack_memory(model, error);
     model->line_parts = tinker_line_parts_new(model);
     add_constant_accelerations(model);

@@ -110,7 +110,7 @@ static TinkerModel *model_new(TinkerScene *scene, GPtrArray *batches)
     model->batches = batches;
     model->end_points = g_ptr_array_new_with_free_func(g_free);
     model->warnings = g_ptr_array_new_with_free_func(g_free);
-    model->support_points = g_array_new(FALSE, TRUE, sizeof(TinkerSupportPoint));
+    model->attachments = g_array_new(FALSE, TRUE, sizeof(TinkerAttachment));
     model->asked_lines = g_array_new(FALSE, TRUE, sizeof(TinkerAskedBatch));
     model->asked_forces = g_array_new(FALSE, TRUE, sizeof(TinkerAskedBatch));
     model->asked_fields = g_array_new(FALSE, TRUE, sizeof(TinkerAskedBatch));
@@ -154,7 +154,7 @@ void tinker_model_free(TinkerModel *model)
     g_ptr_array_unref(model->end_points);
     g_ptr_array_unref(model->warnings);
     g_ptr_array_unref(model->waveform_batches);
-    g_array_unref(model->support_points);
+    g_array_unref(model->attachments);
     g_array_unref(model->asked_lines);
     g_array_unref(model->asked_forces);
     g_array_unref(model->asked_fields);

@@ -110,7 +110,7 @@ static gboolean check_positions(TinkerModel *model, GError **error)
 static void warn_start_velocity(TinkerModel *model, const double *given)
 {
     double change = 0, fastest = 0, impulse = 0;
-    for (int32_t i = 0; i < 2 * model->bodies; i++) {
+    for (int32_t i = 0; i < model->coordinates; i++) {
         double dv = model->v_start[i] - given[i];
         change = MAX(change, fabs(dv));
         fastest = MAX(fastest, MAX(fabs(given[i]), fabs(model->v_start[i])));
@@ -137,7 +137,7 @@ static gboolean run_error(TinkerModel *model, TinkerModelError code, GError **er
 static gboolean refuse_contradiction(TinkerModel *model, const double *a, GError **error)
 {
     TinkerConstraints *all = &model->constraints;
-    memcpy(model->point_acceleration, a, 2 * (gsize)model->bodies * sizeof(double));
+    memcpy(model->point_acceleration, a, (gsize)model->coordinates * sizeof(double));
     tinker_constraints_rows_times(all, model->point_acceleration, all->residual);
     double worst = 0;
     for (int32_t row = 0; row < all->rows; row++) {
@@ -178,7 +178,7 @@ static double largest_demand(const TinkerModel *model)
 
 static gboolean check_accelerations(TinkerModel *model, GError **error)
 {
-    g_autofree double *a = g_new0(double, 2 * (gsize)MAX(model->bodies, 1));
+    g_autofree double *a = g_new0(double, (gsize)MAX(model->coordinates, 1));
     tinker_model_set_state(model, model->q_start, model->v_start);
     if (tinker_model_applied(model, a, FALSE) != TINKER_OK || tinker_constraints_evaluate(model) != TINKER_OK)
         return run_error(model, TINKER_MODEL_ERROR_RUN, error);
@@ -212,7 +212,7 @@ gboolean tinker_model_check_start(TinkerModel *model, GError **error)
     slacken(model, FALSE);
     if (all->unilateral != NULL && tinker_constraints_evaluate(model) != TINKER_OK)
         return run_error(model, TINKER_MODEL_ERROR_RUN, error);
-    g_autofree double *given = g_memdup2(model->v_start, 2 * (gsize)MAX(model->bodies, 1) * sizeof(double));
+    g_autofree double *given = g_memdup2(model->v_start, (gsize)MAX(model->coordinates, 1) * sizeof(double));
     tinker_constraints_correct_velocities(model, model->v_start, FALSE, &moved);
     if (moved) warn_start_velocity(model, given);
     return check_accelerations(model, error);

@@ -332,7 +332,7 @@ void tinker_constraints_newton_step(TinkerModel *model, gboolean roughly)
         tinker_constraints_solve(model, all->lambda);
     else
         tinker_sparse_ldl_solve(all->ldl, all->lambda);
-    memset(displacement, 0, 2 * (gsize)model->bodies * sizeof(double));
+    memset(displacement, 0, (gsize)model->coordinates * sizeof(double));
     add_impulse(model, all->lambda, displacement);
 }
 
@@ -361,7 +361,7 @@ double tinker_constraints_accelerate(TinkerModel *model, double *a)
 {
     TinkerConstraints *all = &model->constraints;
     double *by_point = model->point_acceleration;
-    memcpy(by_point, a, 2 * (gsize)model->bodies * sizeof(double));
+    memcpy(by_point, a, (gsize)model->coordinates * sizeof(double));
     if (solve_chains(all, &(TinkerRowDemand){by_point, 2, all->drift, -1}, FALSE)) {
         tinker_row_chains_finish(all->chains, all->jacobian, all->lambda, a, FALSE);
         return 0;

@@ -17,14 +17,14 @@ static gboolean is_held(TinkerModel *model, const TinkerStraightRow *of, double 
     double j[6], freely = 0, held = 0;
     gboolean moved;
     tinker_straight_row_gradient(model, of, j);
-    memset(v, 0, 2 * (gsize)model->bodies * sizeof(double));
+    memset(v, 0, (gsize)model->coordinates * sizeof(double));
     for (int k = 0; k < 6; k++) {
         if (points[k / 2] >= model->bodies) continue;
         v[2 * points[k / 2] + k % 2] = j[k] * model->inverse_mass[points[k / 2]];
         freely += j[k] * j[k] * model->inverse_mass[points[k / 2]];
     }
     tinker_constraints_correct_velocities(model, v, TRUE, &moved);
-    for (int32_t i = 0; i < 2 * model->bodies; i++)
+    for (int32_t i = 0; i < model->coordinates; i++)
         held += v[i] * v[i] * model->coordinate_mass[i];
     return held <= HELD * freely && tinker_largest(model->constraints.rows, model->constraints.lambda) <= HARDEST;
 }
@@ -35,7 +35,7 @@ gboolean tinker_straight_rows_drop_held(TinkerModel *model, GArray *rows)
     for (int32_t row = 0; all->unilateral != NULL && row < all->rows; row++)
         if (all->unilateral[row]) tinker_constraints_set_slack(model, row, TRUE);
     gboolean good = tinker_constraints_evaluate(model) == TINKER_OK;
-    g_autofree double *v = g_new0(double, 2 * (gsize)MAX(model->bodies, 1));
+    g_autofree double *v = g_new0(double, (gsize)MAX(model->coordinates, 1));
     for (guint i = rows->len; good && i-- > 0;)
         if (is_held(model, &g_array_index(rows, TinkerStraightRow, i), v)) g_array_remove_index(rows, i);
     for (int32_t row = 0; all->unilateral != NULL && row < all->rows; row++)

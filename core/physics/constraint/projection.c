@@ -149,14 +149,15 @@ double tinker_constraints_correct_velocities(TinkerModel *model, double *v, gboo
     double *asked = all->asked;
     *moved = FALSE;
     if (homogeneous) {
-        memcpy(all->by_point, v, 2 * (gsize)model->bodies * sizeof(double));
-        memset(all->by_point + 2 * model->bodies, 0, 2 * (gsize)(model->points - model->bodies) * sizeof(double));
+        memcpy(all->by_point, v, (gsize)model->coordinates * sizeof(double));
+        memset(all->by_point + model->coordinates, 0,
+               (2 * (gsize)model->points - (gsize)model->coordinates) * sizeof(double));
         tinker_constraints_rows_times(all, all->by_point, asked);
     } else {
         tinker_constraints_rates(model, asked);
     }
     double most = tinker_largest(all->rows, asked);
-    if (most == 0 || most <= 2 * DBL_EPSILON * tinker_largest(2 * model->bodies, v)) return 0;
+    if (most == 0 || most <= 2 * DBL_EPSILON * tinker_largest(model->coordinates, v)) return 0;
     for (int32_t row = 0; row < all->rows; row++)
         asked[row] = -asked[row];
     *moved = TRUE;
@@ -196,7 +197,7 @@ TinkerStatus tinker_constraints_rattle(TinkerModel *model, double t_from, const 
         if (!wants_step(model, q, v, &before, &status)) return status;
         memcpy(all->jacobian, all->turned, 2 * (gsize)all->entries * sizeof(double));
         tinker_constraints_newton_step(model, FALSE);
-        for (int32_t i = 0; i < 2 * model->bodies; i++) {
+        for (int32_t i = 0; i < model->coordinates; i++) {
             q[i] += displacement[i];
             v[i] += displacement[i] / h;
         }

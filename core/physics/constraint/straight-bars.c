@@ -171,11 +171,11 @@ static TinkerBlockId rod_across(const Bar *bar, const GArray *rods, int32_t numb
 
 static void add_rows(const TinkerLineFinder *finder, const Bar *bar, const GArray *rods, GArray *rows)
 {
-    const int32_t bodies = finder->model->bodies, a = bar->points[bar->first], c = bar->points[bar->last];
+    const int32_t supports = finder->model->first_support, a = bar->points[bar->first], c = bar->points[bar->last];
     double length = bar->along[bar->last] - bar->along[bar->first];
     for (int32_t i = 0; i < bar->count; i++) {
         TinkerStraightRow row = {a, bar->points[i], c, length, bar->across[i], rod_across(bar, rods, i)};
-        if (i == bar->first || i == bar->last || MIN(MIN(a, c), row.between) >= bodies) continue;
+        if (i == bar->first || i == bar->last || MIN(MIN(a, c), row.between) >= supports) continue;
         g_array_append_val(rows, row);
     }
 }

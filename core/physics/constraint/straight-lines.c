@@ -12,10 +12,9 @@
 
 gboolean tinker_line_stays(const TinkerModel *model, int32_t a, int32_t b)
 {
-    if (a == b || a < model->bodies || b < model->bodies) return FALSE;
-    const TinkerSupportPoint *p = &g_array_index(model->support_points, TinkerSupportPoint, (guint)(a - model->bodies));
-    const TinkerSupportPoint *q = &g_array_index(model->support_points, TinkerSupportPoint, (guint)(b - model->bodies));
-    return p->support == q->support || (!p->moving && !q->moving);
+    if (a == b || a < model->first_support || b < model->first_support) return FALSE;
+    const TinkerAttachment *p = tinker_model_attachment(model, a), *q = tinker_model_attachment(model, b);
+    return p->block == q->block || (!p->moving && !q->moving);
 }
 
 /* Collecting ------------------------------------------------------------------------------------------------------- */
@@ -152,12 +151,12 @@ static void search_from_support(TinkerLineFinder *finder, int32_t number, int32_
 
 static void search_all(TinkerLineFinder *finder)
 {
-    int32_t bodies = finder->model->bodies;
+    int32_t supports = finder->model->first_support;
     for (int32_t i = 0; i < (int32_t)finder->rods->len; i++) {
         const TinkerLineRod *rod = tinker_line_rod(finder, i);
         search_along_rod(finder, i);
         for (int k = 0; k < 2; k++)
-            if (rod->ends[k] >= bodies && rod->ends[1 - k] < bodies) search_from_support(finder, i, rod->ends[k]);
+            if (rod->ends[k] >= supports && rod->ends[1 - k] < supports) search_from_support(finder, i, rod->ends[k]);
     }
 }
 

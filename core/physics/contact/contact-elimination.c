@@ -84,7 +84,7 @@ static gboolean allot(TinkerContactElimination *self, gsize ends, gsize products
     self->least = g_try_new0(double, MAX(self->rows, 1));
     self->mu = g_try_new0(double, MAX(self->rows, 1));
     self->diagonal = g_try_new0(int, MAX(self->rows, 1));
-    self->by_body = g_try_new0(double, 2 * (gsize)MAX(self->model->bodies, 1));
+    self->by_body = g_try_new0(double, (gsize)MAX(self->model->coordinates, 1));
     return self->body != NULL && self->of_body != NULL && self->ends != NULL && self->slots != NULL &&
            self->least != NULL && self->mu != NULL && self->diagonal != NULL && self->by_body != NULL;
 }
@@ -385,7 +385,7 @@ void tinker_contact_elimination_push(TinkerContactElimination *self, const doubl
 {
     TinkerModel *model = self->model;
     TinkerConstraints *all = &model->constraints;
-    const gsize bytes = 2 * (gsize)model->bodies * sizeof(double);
+    const gsize bytes = (gsize)model->coordinates * sizeof(double);
     self->solves++;
     memset(all->by_point, 0, 2 * (gsize)model->points * sizeof(double));
     for (int32_t e = 0; e < self->equations; e++) {

@@ -46,7 +46,7 @@ void tinker_contacts_push(TinkerContacts *contacts, int32_t body, double px, dou
 /* What a push in a direction does to all bodies, in contacts->column. */
 static const double *answer_to(TinkerContacts *contacts, int32_t body, const double direction[2])
 {
-    memset(contacts->column, 0, 2 * (gsize)contacts->model->bodies * sizeof(double));
+    memset(contacts->column, 0, (gsize)contacts->model->coordinates * sizeof(double));
     tinker_contacts_push(contacts, body, direction[0], direction[1], contacts->column);
     return contacts->column;
 }
@@ -135,7 +135,7 @@ static void accelerate_rows(TinkerContacts *contacts, double *a)
     TinkerModel *model = contacts->model;
     const TinkerContactRow *rows = (const TinkerContactRow *)(const void *)contacts->rows->data;
     double *free_of_contacts = contacts->accelerations, *demand = contacts->demand;
-    memcpy(free_of_contacts, a, 2 * (gsize)model->bodies * sizeof(double));
+    memcpy(free_of_contacts, a, (gsize)model->coordinates * sizeof(double));
     if (model->constraints.rows > 0) tinker_constraints_accelerate(model, free_of_contacts);
     for (guint i = 0; i < contacts->rows->len; i++) {
         const double *at = free_of_contacts + 2 * body_of(contacts, &rows[i]);

@@ -103,7 +103,7 @@ static gboolean move_rows(TinkerContacts *contacts, double *q, double *v, double
     double miss = measure_rows(contacts), *moves = contacts->before;
     if (miss <= 1 || !(miss < 0.5 * *before)) return FALSE;
     *before = miss;
-    int32_t n = 2 * contacts->model->bodies;
+    int32_t n = contacts->model->coordinates;
     memset(moves, 0, (gsize)n * sizeof(double));
     push_rows(contacts, moves);
     *work -= work_of_moves(contacts->model, 0, contacts->model->bodies, moves);
@@ -198,7 +198,7 @@ double tinker_contacts_correct_velocities(TinkerContacts *contacts, double *v, g
 {
     TinkerModel *model = contacts->model;
     double *before = contacts->before, most = 0;
-    gsize n = 2 * (gsize)model->bodies;
+    gsize n = (gsize)model->coordinates;
     memcpy(before, v, n * sizeof(double));
     correct_alone(contacts, v, homogeneous);
     if (model->constraints.rows > 0) {

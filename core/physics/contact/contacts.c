@@ -39,9 +39,7 @@ static void add_plate(TinkerContacts *contacts, const TinkerBlockBatch *batch, i
         .dynamic_friction = tinker_block_batch_meaning(batch, row, TINKER_MEANING_DYNAMIC_FRICTION, 0, 0),
         .restitution = tinker_block_batch_meaning(batch, row, TINKER_MEANING_RESTITUTION, 0, 0),
     };
-    plate->moving = g_array_index(contacts->model->support_points, TinkerSupportPoint,
-                                  (guint)(plate->point - contacts->model->bodies))
-                        .moving;
+    plate->moving = tinker_model_attachment(contacts->model, plate->point)->moving;
     contacts->moving_plates += plate->moving;
 }
 
@@ -141,9 +139,9 @@ TinkerContacts *tinker_contacts_new(TinkerModel *model)
     contacts->blocks = g_array_new(FALSE, TRUE, sizeof(TinkerContactBlock));
     g_array_set_clear_func(contacts->blocks, block_clear);
     contacts->eliminations = g_new0(TinkerContactElimination *, MAX(model->bodies, 1));
-    contacts->column = g_new0(double, 2 * (gsize)MAX(model->bodies, 1));
-    contacts->before = g_new0(double, 2 * (gsize)MAX(model->bodies, 1));
-    contacts->accelerations = g_new0(double, 2 * (gsize)MAX(model->bodies, 1));
+    contacts->column = g_new0(double, (gsize)MAX(model->coordinates, 1));
+    contacts->before = g_new0(double, (gsize)MAX(model->coordinates, 1));
+    contacts->accelerations = g_new0(double, (gsize)MAX(model->coordinates, 1));
     find_shapes(contacts, any_body);
     find_groups(contacts);
     measure_thickness(contacts);

@@ -18,7 +18,7 @@ gboolean tinker_change_push_all(TinkerContactChange *change, const double *impul
     TinkerModel *model = change->model;
     TinkerContactRun *self = change->run;
     double *v = self->run->state.v, *work = self->run->system.impact_work;
-    g_autofree double *before = g_memdup2(v, 2 * (gsize)model->bodies * sizeof(double));
+    g_autofree double *before = g_memdup2(v, (gsize)model->coordinates * sizeof(double));
     g_autofree TinkerContactPlace *was = g_new(TinkerContactPlace, change->touches->len);
     for (guint i = 0; i < change->touches->len; i++)
         was[i] = tinker_touch(change, i)->place;

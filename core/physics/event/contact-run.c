@@ -38,7 +38,7 @@
 
 static void allot(TinkerContactRun *self)
 {
-    gsize n = 2 * (gsize)MAX(self->model->bodies, 1);
+    gsize n = (gsize)MAX(self->model->coordinates, 1);
     double **arrays[] = {&self->from.q, &self->from.v, &self->node_x, &self->node_u,
                          &self->node_q, &self->node_v, &self->force,  &self->quiet_x};
     for (gsize i = 0; i < G_N_ELEMENTS(arrays); i++)
@@ -55,7 +55,7 @@ static void allot(TinkerContactRun *self)
     self->values_room = 2 * pairs * (gsize)(TINKER_MOST_DEGREE + 1);
     self->values = g_new0(double, self->values_room);
     self->end_values = g_new0(double, self->values_room);
-    self->plate_speed = g_new0(double, self->model->support_points->len + 1);
+    self->plate_speed = g_new0(double, self->model->points - self->model->first_support + 1);
 }
 
 /* As many as dense output has degrees, and one to spare. */
@@ -264,9 +264,9 @@ static double resolved_limit(TinkerContactRun *self, double limit)
 {
     const TinkerModel *model = self->model;
     double from = self->run->state.t;
-    for (guint i = 0; self->contacts->closed->len > 0 && i < model->support_points->len; i++) {
-        if (!g_array_index(model->support_points, TinkerSupportPoint, i).moving) continue;
-        double swing = tinker_contact_run_swing(self, model->bodies + (int32_t)i, from, limit);
+    for (int32_t point = model->first_support; self->contacts->closed->len > 0 && point < model->points; point++) {
+        if (!tinker_model_attachment(model, point)->moving) continue;
+        double swing = tinker_contact_run_swing(self, point, from, limit);
         if (swing > 0) limit = MIN(limit, from + LONGEST_SWING / swing);
     }
     return limit;

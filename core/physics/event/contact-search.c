@@ -58,7 +58,7 @@ static TinkerStatus fill_values(TinkerContactRun *self, double from, double to)
         for (guint i = 0; i < self->triggers->len; i++)
             self->values[i * (guint)count + (guint)k] =
                 tinker_trigger_value(self, &g_array_index(self->triggers, TinkerTrigger, i));
-        for (int32_t i = 0; i < 2 * self->model->bodies; i++)
+        for (int32_t i = 0; i < self->model->coordinates; i++)
             speed = fmax(speed, fabs(v[i]));
     }
     for (guint i = 0; i < self->triggers->len; i++) {
@@ -200,7 +200,7 @@ static TinkerStatus search_part(TinkerContactRun *self, double from, double to, 
 
 double tinker_contact_run_swing(TinkerContactRun *self, int32_t point, double from, double to)
 {
-    double *speed = &self->plate_speed[point - self->model->bodies], change = 0;
+    double *speed = &self->plate_speed[point - self->model->first_support], change = 0;
     for (int k = 0; k <= 8; k++) {
         if (tinker_model_set_time(self->model, from + k * (to - from) / 8) != TINKER_OK) return 0;
         const double *a = self->model->point_acceleration + 2 * point;

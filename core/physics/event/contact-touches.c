@@ -247,7 +247,7 @@ TinkerStatus tinker_contact_laws_init(TinkerContactLaws *laws, const TinkerConta
     if (laws->delassus == NULL) return tinker_contacts_lack_memory(change->contacts, m);
     for (guint column = 0; column < 2 * m; column++) {
         if (column % 2 == 1 && tinker_touch(change, column / 2)->row >= 0) continue;
-        memset(answer, 0, 2 * (gsize)change->model->bodies * sizeof(double));
+        memset(answer, 0, (gsize)change->model->coordinates * sizeof(double));
         push(change, column / 2, column % 2 == 0, column % 2 == 1, answer);
         for (guint i = 0; i < m; i++)
             along_contact(change, i, answer, &laws->delassus[2 * i * 2 * m + column],

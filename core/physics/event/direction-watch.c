@@ -33,7 +33,7 @@ TinkerDirectionWatch *tinker_direction_watch_new(TinkerIslandRun *run)
         tinker_direction_watch_free(self);
         return NULL;
     }
-    gsize n = 2 * (gsize)run->model->bodies;
+    gsize n = (gsize)run->model->coordinates;
     double **arrays[] = {&self->x, &self->u, &self->q, &self->v, &self->acceleration};
     self->room = g_new0(double, G_N_ELEMENTS(arrays) * n);
     for (gsize i = 0; i < G_N_ELEMENTS(arrays); i++)

@@ -145,7 +145,7 @@ TinkerStatus tinker_model_energy(TinkerModel *model, TinkerEnergy *energy)
 double tinker_model_kinetic_change(const TinkerModel *model, const double *before, const double *after)
 {
     double sum = 0;
-    for (int32_t i = 0; i < 2 * model->bodies; i++)
+    for (int32_t i = 0; i < model->coordinates; i++)
         sum += 0.5 * model->coordinate_mass[i] * (after[i] - before[i]) * (after[i] + before[i]);
     return sum;
 }

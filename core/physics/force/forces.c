@@ -128,12 +128,11 @@ static void add_linear_field_power(TinkerModel *model)
 /* What moving supports give through the forces that act on them. */
 static void add_support_power(TinkerModel *model)
 {
-    for (guint i = 0; i < model->support_points->len; i++) {
-        if (!g_array_index(model->support_points, TinkerSupportPoint, i).moving) continue;
-        int32_t number = model->bodies + (int32_t)i;
-        const TinkerPoint *at = &model->point[number];
+    for (int32_t point = model->first_support; point < model->points; point++) {
+        if (!tinker_model_attachment(model, point)->moving) continue;
+        const TinkerPoint *at = &model->point[point];
         model->book_power[TINKER_BOOK_SUPPORT_MOTION] -=
-            model->force[2 * number] * at->vx + model->force[2 * number + 1] * at->vy;
+            model->force[2 * point] * at->vx + model->force[2 * point + 1] * at->vy;
     }
 }
 

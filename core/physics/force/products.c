@@ -182,7 +182,7 @@ static TinkerStatus add_difference(TinkerModel *model, double step, const double
  * Tried once, with `d`, scratch of 2 a body; uses model->force. */
 static TinkerStatus try_velocities(TinkerModel *model, double *d)
 {
-    for (int32_t i = 0; i < 2 * model->bodies; i++)
+    for (int32_t i = 0; i < model->coordinates; i++)
         d[i] = 1.0 + 0.5 * sin(12.9898 * (i + 1));
     memset(model->force, 0, 2 * (gsize)model->points * sizeof(double));
     TinkerStatus status = add_difference(model, 1, d, 1, model->force);
@@ -196,7 +196,7 @@ static TinkerStatus try_velocities(TinkerModel *model, double *d)
 /* The step has a floor, as in jacobian-asked.c: of a motion that has died away the difference would be rounding. */
 static TinkerStatus add_differences(TinkerModel *model, const double *d, double *force)
 {
-    double greatest = tinker_largest(2 * model->bodies, d), speed = 1;
+    double greatest = tinker_largest(model->coordinates, d), speed = 1;
     if (!(greatest > 0) || !isfinite(greatest)) return TINKER_OK;
     for (int32_t i = 0; i < model->bodies; i++)
         speed = fmax(speed, fmax(fabs(model->point[i].vx), fabs(model->point[i].vy)));
@@ -224,7 +224,7 @@ static TinkerStatus product(TinkerModel *model, gboolean damping, const double *
     for (guint i = 0; i < model->asked_fields->len; i++)
         add_field(model, &g_array_index(model->asked_fields, TinkerAskedBatch, i), damping, d, model->force);
     TinkerStatus status = differs ? add_differences(model, d, model->force) : TINKER_OK;
-    for (int32_t i = 0; i < 2 * model->bodies && status == TINKER_OK; i++) {
+    for (int32_t i = 0; i < model->coordinates && status == TINKER_OK; i++) {
         out[i] = model->force[i] * model->inverse_mass[i / 2];
         if (damping) out[i] -= model->field_drag * model->inverse_mass[i / 2] * d[i];
     }

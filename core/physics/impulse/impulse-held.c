@@ -163,7 +163,7 @@ static const double *find_allowed(TinkerImpulses *self, const double *v)
         model->point[i].vx = v[2 * i];
         model->point[i].vy = v[2 * i + 1];
     }
-    memcpy(allowed, v, 2 * (gsize)model->bodies * sizeof(double));
+    memcpy(allowed, v, (gsize)model->coordinates * sizeof(double));
     tinker_constraints_rates(model, all->asked);
     for (int32_t row = 0; row < all->rows; row++)
         all->asked[row] = -all->asked[row];

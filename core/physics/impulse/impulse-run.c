@@ -45,7 +45,7 @@ static void open_plates(TinkerImpulses *self)
 
 static void allot(TinkerImpulses *self)
 {
-    const gsize n = 2 * (gsize)MAX(self->model->bodies, 1);
+    const gsize n = (gsize)MAX(self->model->coordinates, 1);
     double **arrays[] = {&self->from.q, &self->from.v, &self->to.q, &self->to.v, &self->a, &self->velocity};
     for (gsize i = 0; i < G_N_ELEMENTS(arrays); i++)
         *arrays[i] = g_new0(double, n);
@@ -67,7 +67,7 @@ void *tinker_impulse_create(const TinkerSystem *system, const TinkerIntegratorOp
 {
     TinkerModelSystem *context = system->context;
     TinkerModel *model = context->model;
-    if (model->contacts == NULL || system->size != 2 * model->bodies) return NULL;
+    if (model->contacts == NULL || system->size != model->coordinates) return NULL;
     TinkerImpulses *self = g_new0(TinkerImpulses, 1);
     self->context = context;
     self->system = system;

@@ -24,7 +24,7 @@ static void finish_held(TinkerImpulses *self, TinkerState *state)
     }
     for (int k = 0; k < TINKER_BOOK_COUNT; k++)
         before -= self->work[k];
-    for (int32_t i = 0; i < 2 * model->bodies; i++)
+    for (int32_t i = 0; i < model->coordinates; i++)
         if (self->contacts->held[i / 2])
             total +=
                 0.5 * model->coordinate_mass[i] * (state->v[i] - self->velocity[i]) * (state->v[i] + self->from.v[i]);
@@ -47,9 +47,9 @@ static void move_held(TinkerImpulses *self, int32_t body, guint *touch, double *
 /* v* of bodies on constraints, which are solved together, becomes v'. */
 static gboolean solve_held(TinkerImpulses *self, TinkerState *state)
 {
-    for (int32_t i = 0; i < 2 * self->model->bodies; i++)
+    for (int32_t i = 0; i < self->model->coordinates; i++)
         if (self->contacts->held[i / 2]) state->v[i] += self->h * self->a[i];
-    memcpy(self->velocity, state->v, 2 * (gsize)self->model->bodies * sizeof(double));
+    memcpy(self->velocity, state->v, (gsize)self->model->coordinates * sizeof(double));
     if (!tinker_impulse_solve_held(self, state->q, state->v)) return FALSE;
     finish_held(self, state);
     return TRUE;
@@ -104,7 +104,7 @@ static TinkerStatus try_step(TinkerImpulses *self, TinkerState *state, double li
 /* Notes what was done. */
 static void keep(TinkerImpulses *self, const TinkerState *state)
 {
-    const gsize bytes = 2 * (gsize)self->model->bodies * sizeof(double);
+    const gsize bytes = (gsize)self->model->coordinates * sizeof(double);
     memcpy(self->to.q, state->q, bytes);
     memcpy(self->to.v, state->v, bytes);
     GArray *closed = self->contacts->closed;
@@ -117,7 +117,7 @@ static void keep(TinkerImpulses *self, const TinkerState *state)
 
 static void go_back(const TinkerImpulses *self, TinkerState *state)
 {
-    const gsize bytes = 2 * (gsize)self->model->bodies * sizeof(double);
+    const gsize bytes = (gsize)self->model->coordinates * sizeof(double);
     memcpy(state->q, self->from.q, bytes);
     memcpy(state->v, self->from.v, bytes);
     memcpy(state->books, self->from.books, (gsize)self->system->books * sizeof(double));
@@ -127,7 +127,7 @@ static void go_back(const TinkerImpulses *self, TinkerState *state)
 static TinkerStatus step(void *data, TinkerState *state, double limit, TinkerStepReport *report)
 {
     TinkerImpulses *self = data;
-    const gsize bytes = 2 * (gsize)self->model->bodies * sizeof(double);
+    const gsize bytes = (gsize)self->model->coordinates * sizeof(double);
     self->h = limit - state->t;
     report->rejected = 0;
     report->t_from = self->from.t = state->t;
@@ -159,7 +159,7 @@ static TinkerStatus interpolate(void *data, double t, double *q, double *v, doub
 {
     TinkerImpulses *self = data;
     const double share = (t - self->from.t) / (self->to.t - self->from.t);
-    for (int32_t i = 0; i < 2 * self->model->bodies; i++) {
+    for (int32_t i = 0; i < self->model->coordinates; i++) {
         q[i] = self->from.q[i] + share * (self->to.q[i] - self->from.q[i]);
         v[i] = self->from.v[i] + share * (self->to.v[i] - self->from.v[i]);
     }

@@ -32,7 +32,7 @@ void tinker_island_run_name_method(TinkerIslandRun *run)
 void tinker_island_run_open_state(TinkerIslandRun *run)
 {
     const TinkerModel *model = run->model;
-    gsize n = 2 * (gsize)MAX(model->bodies, 1);
+    gsize n = (gsize)MAX(model->coordinates, 1);
     tinker_model_system_init(&run->system, run->model, run->island->linear);
     run->room = g_new0(double, 6 * n + (gsize)run->system.system.books + 1);
     run->q = memcpy(run->room, model->q_start, n * sizeof(double));
@@ -42,7 +42,7 @@ void tinker_island_run_open_state(TinkerIslandRun *run)
     run->state.q = run->q;
     run->state.v = run->v;
     run->state.books = run->room + 6 * n;
-    if (run->system.system.size != 2 * model->bodies) {
+    if (run->system.system.size != model->coordinates) {
         run->state.q = run->line_q = run->room + 4 * n;
         run->state.v = run->line_v = run->room + 5 * n;
         tinker_linear_form_reduce(run->island->linear, run->q, run->v, run->state.q, run->state.v);

@@ -27,7 +27,7 @@ struct _TinkerStabilityWatch {
 static double norm(const TinkerModel *model, const double *x)
 {
     double sum = 0;
-    for (int32_t i = 0; i < 2 * model->bodies; i++)
+    for (int32_t i = 0; i < model->coordinates; i++)
         sum += model->coordinate_mass[i] * x[i] * x[i];
     return sqrt(sum);
 }
@@ -38,7 +38,7 @@ static double largest_frequency(TinkerStabilityWatch *watch, int rounds)
     for (int round = 0; round < rounds; round++) {
         double size = norm(watch->model, watch->x);
         if (!(size > 0) || !isfinite(size)) return 0;
-        for (int32_t i = 0; i < 2 * watch->model->bodies; i++)
+        for (int32_t i = 0; i < watch->model->coordinates; i++)
             watch->x[i] /= size;
         if (tinker_model_stiffness_product(watch->model, watch->x, watch->y) != TINKER_OK) return 0;
         square = norm(watch->model, watch->y);
@@ -57,7 +57,7 @@ TinkerStabilityWatch *tinker_stability_watch_new(const TinkerModelSystem *system
     if (!tinker_method_is_fixed_explicit(method) || system->form != NULL || model->constraints.rows > 0) return NULL;
     if (!(method->imaginary_limit > 0) || model->bodies == 0) return NULL;
     TinkerStabilityWatch *watch = g_new0(TinkerStabilityWatch, 1);
-    gsize n = 2 * (gsize)model->bodies;
+    gsize n = (gsize)model->coordinates;
     *watch = (TinkerStabilityWatch){
         .model = model,
         .limit = method->imaginary_limit,

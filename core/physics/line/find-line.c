@@ -99,10 +99,9 @@ gboolean tinker_motion_directions(const TinkerBlockBatch *batch, double *directi
 static gboolean moves_along(const TinkerModel *model, const TinkerLine *line)
 {
     g_autoptr(GHashTable) used = g_hash_table_new(NULL, NULL);
-    for (guint i = 0; i < model->support_points->len; i++)
-        if (model->point_used[model->bodies + (int32_t)i])
-            g_hash_table_add(used,
-                             GINT_TO_POINTER(g_array_index(model->support_points, TinkerSupportPoint, i).support));
+    for (int32_t point = model->first_support; point < model->points; point++)
+        if (model->point_used[point])
+            g_hash_table_add(used, GINT_TO_POINTER(tinker_model_attachment(model, point)->block));
     for (guint i = 0; i < model->batches->len; i++) {
         const TinkerBlockBatch *batch = g_ptr_array_index(model->batches, i);
         if (batch->block_class->physics == NULL || batch->block_class->physics->motion == NULL) continue;

@@ -115,7 +115,7 @@ static gboolean add_driven(TinkerLinearForm *form)
 static int32_t anchor_of(TinkerLinearForm *form, int32_t *anchors, int32_t point)
 {
     const TinkerModel *model = form->model;
-    int32_t number = point - model->bodies;
+    int32_t number = point - model->first_support;
     if (anchors[number] >= 0) return anchors[number];
     double place[2];
     tinker_model_start_place(model, point, place);
@@ -157,9 +157,8 @@ static gboolean add_motion(TinkerLinearForm *form, const int32_t *anchors, const
     for (int32_t row = 0; row < batch->count; row++) {
         TinkerBlockId support = batch->end[batch->end_offsets[row]].block;
         int32_t input = -1;
-        for (guint p = 0; p < model->support_points->len; p++) {
-            if (anchors[p] < 0 || g_array_index(model->support_points, TinkerSupportPoint, p).support != support)
-                continue;
+        for (int32_t p = 0; p < model->points - model->first_support; p++) {
+            if (anchors[p] < 0 || tinker_model_attachment(model, model->first_support + p)->block != support) continue;
             if (input < 0) input = add_input(form, batch, columns[row], row);
             if (input < 0) return FALSE;
             for (int32_t axis = 0; axis < axes(form); axis++)
@@ -173,7 +172,7 @@ static gboolean add_motion(TinkerLinearForm *form, const int32_t *anchors, const
 static gboolean add_geometry(TinkerLinearForm *form)
 {
     const TinkerModel *model = form->model;
-    gsize points = model->support_points->len;
+    gsize points = (gsize)(model->points - model->first_support);
     g_autofree int32_t *anchors = g_new(int32_t, MAX(points, 1));
     form->anchor_points = g_new0(int32_t, MAX(2 * points, 1));
     for (gsize i = 0; i < points; i++)

@@ -45,9 +45,8 @@ static gboolean find_force(const TinkerModel *model, TinkerLinearInput *input)
 static void move_support(const TinkerModel *model, TinkerLinearInput *input, TinkerBlockId support,
                          const double *direction)
 {
-    for (guint i = 0; i < model->support_points->len; i++) {
-        if (g_array_index(model->support_points, TinkerSupportPoint, i).support != support) continue;
-        int32_t point = model->bodies + (int32_t)i;
+    for (int32_t point = model->first_support; point < model->points; point++) {
+        if (tinker_model_attachment(model, point)->block != support) continue;
         input->place[2 * point] += direction[0];
         input->place[2 * point + 1] += direction[1];
     }
@@ -193,7 +192,7 @@ static gboolean has_motion_of_its_own(const TinkerLinearOutput *output, int32_t 
 
 static TinkerStatus differentiate_all(Probe *probe, double extent, double force, TinkerLinearOutput *output)
 {
-    int32_t size = 2 * probe->model->bodies;
+    int32_t size = probe->model->coordinates;
     TinkerStatus status = TINKER_OK;
     for (int32_t i = 0; i < size && status == TINKER_OK; i++) {
         status = differentiate(probe, i, probe->q, 0, STEP * extent, &output->by_place[i]);
@@ -209,11 +208,11 @@ static TinkerStatus differentiate_all(Probe *probe, double extent, double force,
 gboolean tinker_linear_output_find(TinkerModel *model, const double *q, const TinkerColumn *column,
                                    const TinkerLinearInput *input, TinkerLinearOutput *output, GError **error)
 {
-    gsize size = 2 * (gsize)MAX(model->bodies, 1);
+    gsize size = (gsize)MAX(model->coordinates, 1);
     g_autoptr(TinkerLinearisation) linear = tinker_linearise(model, q, error);
     if (linear == NULL) return FALSE;
     g_autofree double *place = g_new0(double, size), *speed = g_new0(double, size);
-    memcpy(place, q, sizeof(double) * 2 * (gsize)model->bodies);
+    memcpy(place, q, sizeof(double) * (gsize)model->coordinates);
     g_autoptr(GArray) columns = g_array_new(FALSE, FALSE, sizeof(TinkerColumn));
     g_array_append_val(columns, *column);
     *output = (TinkerLinearOutput){g_new0(double, size), g_new0(double, size), {0}};
@@ -221,7 +220,7 @@ gboolean tinker_linear_output_find(TinkerModel *model, const double *q, const Ti
     double force = linear->force_scale > 0 ? linear->force_scale : 1;
     TinkerStatus status = differentiate_all(&probe, linear->extent, force, output);
     tinker_sampler_free(probe.sampler);
-    if (status == TINKER_OK && has_motion_of_its_own(output, 2 * model->bodies)) return TRUE;
+    if (status == TINKER_OK && has_motion_of_its_own(output, model->coordinates)) return TRUE;
     g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_RUN, "\"%s\" %s", column->name,
                 status == TINKER_OK ? "does not change with small motions, so it has no frequency response"
                                     : "cannot be worked out near this state");

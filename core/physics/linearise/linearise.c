@@ -28,12 +28,12 @@ TinkerStatus tinker_model_hold(TinkerModel *model)
 
 void tinker_model_start_places(const TinkerModel *model, double *q)
 {
-    memcpy(q, model->q_start, 2 * (gsize)model->bodies * sizeof(double));
+    memcpy(q, model->q_start, (gsize)model->coordinates * sizeof(double));
 }
 
 void tinker_model_start_velocities(const TinkerModel *model, double *v)
 {
-    memcpy(v, model->v_start, 2 * (gsize)model->bodies * sizeof(double));
+    memcpy(v, model->v_start, (gsize)model->coordinates * sizeof(double));
 }
 
 TinkerBlockId tinker_model_body_block(const TinkerModel *model, int32_t body)
@@ -50,7 +50,7 @@ gboolean tinker_model_meet_constraints(TinkerModel *model, double *q)
 {
     gboolean moved;
     double work;
-    g_autofree double *still = g_new0(double, 2 * (gsize)MAX(model->bodies, 1));
+    g_autofree double *still = g_new0(double, (gsize)MAX(model->coordinates, 1));
     if (tinker_contacts_act(model->contacts))
         return tinker_contacts_project_positions(model->contacts, model->time, q, still, &moved, &work) == TINKER_OK;
     if (model->constraints.rows == 0) return TRUE;
@@ -176,7 +176,7 @@ static TinkerStatus add_forces(TinkerLinearisation *linear, TinkerModel *model)
 static TinkerLinearisation *allot(const TinkerModel *model)
 {
     TinkerLinearisation *linear = g_new0(TinkerLinearisation, 1);
-    linear->size = 2 * model->bodies;
+    linear->size = model->coordinates;
     linear->coordinates = 2 * model->points;
     linear->mass = g_memdup2(model->coordinate_mass, sizeof(double) * (gsize)MAX(linear->size, 1));
     linear->force = g_new0(double, MAX(linear->size, 1));

@@ -4,8 +4,8 @@
  * Symbols: q, v positions and velocities of the bodies that can move, two entries a body, relative to `origin`; f
  * forces; J rows of the constraints; lambda their multipliers; S = J M^-1 J^T.
  *
- * Points: everything that something attaches to. The first `bodies` points are the bodies' centres; the others lie on
- * supports. Forces are added up by point, so the force on a support is known as well.
+ * Points: everything that something attaches to. The first `bodies` points are the bodies' centres; the others are
+ * attachments, last those to supports. Forces are added up by point, so the force on a support is known as well.
  */
 #ifndef TINKER_CORE_MODEL_DATA_H
 #define TINKER_CORE_MODEL_DATA_H
@@ -22,12 +22,13 @@
 /* Instances that one call of a plugin works on: their arrays stay in the L1 cache. */
 #define TINKER_CHUNK 256
 
-/* A point that is fixed to a support. */
+/* A point that is fixed to something, and not at the centre of a body. */
 typedef struct {
-    TinkerBlockId support;
-    double x, y; /* with the support at its place, relative to the origin */
-    gboolean moving;
-} TinkerSupportPoint;
+    TinkerBlockId block; /* that it is fixed to */
+    int32_t body;        /* which of the bodies that is; -1: a support */
+    double x, y;         /* of a support: with the support at its place, relative to the origin */
+    gboolean moving;     /* of a support: whether it moves */
+} TinkerAttachment;
 
 /* Linear laws between the same two points, merged:
  * T = tension + stiffness * (L - length) + damping * rate. Columns, so that kernels load them four at a time. */
@@ -141,6 +142,7 @@ struct _TinkerModel {
 
     /* bodies and points */
     int32_t bodies;
+    int32_t coordinates; /* of all bodies: entries of q, v, a */
     TinkerBlockId *body_blocks;
     double *of_bodies;       /* what the next ones and constant_acceleration lie in */
     double *mass;            /* of each body */
@@ -149,10 +151,11 @@ struct _TinkerModel {
     double *q_start, *v_start;
     double start_impulse; /* N s that brought v_start onto the constraints */
     int32_t points;
-    GArray *support_points;    /* of TinkerSupportPoint: points `bodies`, `bodies` + 1, ... */
-    TinkerBlockIndex *numbers; /* of the batches' blocks */
-    int32_t *centre_point;     /* by number: the point of a block's centre, or -1 */
-    gboolean *point_used;      /* whether a connector or a constraint attaches to the point */
+    int32_t first_attachment, first_support; /* points: centres of bodies, attachments to bodies, those to supports */
+    GArray *attachments;                     /* of TinkerAttachment: from point `first_attachment` on */
+    TinkerBlockIndex *numbers;               /* of the batches' blocks */
+    int32_t *centre_point;                   /* by number: the point of a block's centre, or -1 */
+    gboolean *point_used;                    /* whether a connector or a constraint attaches to the point */
     TinkerMotions *motions;
     int32_t moving_supports;
 
@@ -195,6 +198,24 @@ struct _TinkerModel {
 
 /* Where a point is at the start, relative to the origin; of supports where they are unmoved. */
 void tinker_model_start_place(const TinkerModel *model, int32_t point, double place[2]);
+
+/* An attachment: a point from `first_attachment` on. */
+static inline TinkerAttachment *tinker_model_attachment(const TinkerModel *model, int32_t point)
+{
+    return &g_array_index(model->attachments, TinkerAttachment, (guint)(point - model->first_attachment));
+}
+
+/* The body that a point is fixed to; -1: a support. */
+static inline int32_t tinker_model_body_of(const TinkerModel *model, int32_t point)
+{
+    return point < model->bodies ? point : tinker_model_attachment(model, point)->body;
+}
+
+/* The block that a point is fixed to. */
+static inline TinkerBlockId tinker_model_block_of(const TinkerModel *model, int32_t point)
+{
+    return point < model->bodies ? model->body_blocks[point] : tinker_model_attachment(model, point)->block;
+}
 
 /* The point of a block's centre; -1 where it has none, or is not of the model. */
 static inline int32_t tinker_model_centre(const TinkerModel *model, TinkerBlockId block)

@@ -15,8 +15,7 @@ void tinker_model_start_place(const TinkerModel *model, int32_t point, double pl
         place[1] = model->q_start[2 * point + 1];
         return;
     }
-    const TinkerSupportPoint *support =
-        &g_array_index(model->support_points, TinkerSupportPoint, (guint)(point - model->bodies));
+    const TinkerAttachment *support = tinker_model_attachment(model, point);
     place[0] = support->x;
     place[1] = support->y;
 }
@@ -49,7 +48,7 @@ TinkerModelSizes tinker_model_sizes(const TinkerModel *model)
     const TinkerConstraints *all = &model->constraints;
     return (TinkerModelSizes){
         .bodies = model->bodies,
-        .degrees_of_freedom = 2 * model->bodies - (all->rows - all->redundant),
+        .degrees_of_freedom = model->coordinates - (all->rows - all->redundant),
         .constraint_rows = all->rows,
         .redundant_rows = all->redundant,
         .merged_lines = model->lines.count,

@@ -37,14 +37,13 @@ TinkerStatus tinker_model_change_time(TinkerModel *model, double t)
                    tinker_scene_block_name(model->scene, tinker_motions_failure(model->motions)), t);
         return TINKER_RETRY_SMALLER;
     }
-    for (guint i = 0; i < model->support_points->len; i++) {
-        const TinkerSupportPoint *point = &g_array_index(model->support_points, TinkerSupportPoint, i);
-        if (!point->moving) continue;
-        const TinkerPlace *place = tinker_motions_place(model->motions, point->support);
-        int32_t number = model->bodies + (int32_t)i;
-        model->point[number] = (TinkerPoint){point->x + place->x, point->y + place->y, place->vx, place->vy};
-        model->point_acceleration[2 * number] = place->ax;
-        model->point_acceleration[2 * number + 1] = place->ay;
+    for (int32_t point = model->first_support; point < model->points; point++) {
+        const TinkerAttachment *at = tinker_model_attachment(model, point);
+        if (!at->moving) continue;
+        const TinkerPlace *place = tinker_motions_place(model->motions, at->block);
+        model->point[point] = (TinkerPoint){at->x + place->x, at->y + place->y, place->vx, place->vy};
+        model->point_acceleration[2 * point] = place->ax;
+        model->point_acceleration[2 * point + 1] = place->ay;
     }
     return TINKER_OK;
 }

@@ -59,9 +59,10 @@ static void join_ends(const TinkerModel *model, const TinkerBlockBatch *batch, c
     for (int32_t row = 0; row < batch->count; row++) {
         int32_t first = -1;
         for (int32_t e = batch->end_offsets[row]; e < batch->end_offsets[row + 1]; e++) {
-            if (points[e] >= model->bodies) continue;
-            if (first >= 0) tinker_sets_join(parent, first, points[e]);
-            first = points[e];
+            const int32_t body = tinker_model_body_of(model, points[e]);
+            if (body < 0) continue;
+            if (first >= 0) tinker_sets_join(parent, first, body);
+            first = body;
         }
     }
 }
@@ -161,7 +162,7 @@ static void list_ends(Partitioning *work)
                 int32_t at = tinker_block_index_find(model->numbers, batch->end[e].block);
                 if (is_motion(batch))
                     add_pair(motions, at, number);
-                else if (points[e] < model->bodies)
+                else if (points[e] < model->first_support)
                     add_pair(connectors, at, number);
             }
         }

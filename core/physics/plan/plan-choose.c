@@ -242,7 +242,7 @@ static double stable_step(const TinkerIsland *island, const TinkerRunOptions *op
     double rough = rough_limit(forecast, method);
     g_autoptr(TinkerSpectrum) own = NULL;
     if (spectrum == NULL) {
-        gboolean small = 2 * island->model->bodies <= TINKER_DENSE_SPECTRUM;
+        gboolean small = island->model->coordinates <= TINKER_DENSE_SPECTRUM;
         gboolean splits = (method->flags & TINKER_INTEGRATOR_SYMPLECTIC) != 0, closer = splits && forecast->turned;
         if (!small) return closer ? NAN : rough;
         if (!closer && options->step < NEAR_LIMIT * rough) return rough;

@@ -58,7 +58,7 @@ static const Adaptive adaptives[] = {
 
 static int32_t coordinates(const TinkerIsland *island)
 {
-    return island->linear != NULL ? tinker_linear_form_system(island->linear)->size : 2 * island->model->bodies;
+    return island->linear != NULL ? tinker_linear_form_system(island->linear)->size : island->model->coordinates;
 }
 
 static double asked(const GArray *batches, double per_instance)

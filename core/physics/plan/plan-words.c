@@ -128,10 +128,7 @@ static void describe_bars(TinkerPlan *plan, const TinkerModel *model)
     g_autoptr(GString) names = g_string_new(NULL);
     for (guint i = 0; i < straight->len; i++) {
         const TinkerStraightRow *of = &g_array_index(straight, TinkerStraightRow, i);
-        TinkerBlockId block = of->between < model->bodies ? model->body_blocks[of->between]
-                                                          : g_array_index(model->support_points, TinkerSupportPoint,
-                                                                          (guint)(of->between - model->bodies))
-                                                                .support;
+        TinkerBlockId block = tinker_model_block_of(model, of->between);
         g_string_append_printf(names, "%s%s", i > 0 ? ", " : "", tinker_scene_block_name(model->scene, block));
     }
     if (names->len > 0)
@@ -163,14 +160,14 @@ static void describe_constraints(TinkerPlan *plan, const TinkerModel *model)
 static void describe_displaced(TinkerPlan *plan, const TinkerModel *model)
 {
     TinkerBlockId last = TINKER_NO_BLOCK;
-    for (guint i = 0; i < model->support_points->len; i++) {
-        const TinkerSupportPoint *at = &g_array_index(model->support_points, TinkerSupportPoint, i);
-        const TinkerPoint *now = &model->point[model->bodies + (int32_t)i];
+    for (int32_t point = model->first_support; point < model->points; point++) {
+        const TinkerAttachment *at = tinker_model_attachment(model, point);
+        const TinkerPoint *now = &model->point[point];
         double dx = now->x - at->x, dy = now->y - at->y;
-        if (!at->moving || at->support == last || hypot(dx, dy) == 0) continue;
-        last = at->support;
+        if (!at->moving || at->block == last || hypot(dx, dy) == 0) continue;
+        last = at->block;
         say(plan->modelled, _("%s starts displaced by (%.4g, %.4g) m: its motion does not begin at 0"),
-            tinker_scene_block_name(model->scene, at->support), dx, dy);
+            tinker_scene_block_name(model->scene, at->block), dx, dy);
     }
 }
 

@@ -44,7 +44,7 @@ static GArray *blocks_of(const TinkerModel *model)
         for (int32_t row = 0; row < batch->count; row++) {
             gboolean acts = FALSE;
             for (int32_t e = batch->end_offsets[row]; e < batch->end_offsets[row + 1]; e++)
-                acts |= points[e] < model->bodies;
+                acts |= points[e] < model->first_support;
             if (acts) g_array_append_val(others, batch->ids[row]);
         }
     }
@@ -119,7 +119,7 @@ static void name_redundant(TinkerModel *model, GPtrArray *names)
     if (all->redundant == 0 || all->rows > MOST_NAMED || tinker_model_set_time(model, 0.0) != TINKER_OK) return;
     tinker_model_set_state(model, model->q_start, model->v_start);
     if (tinker_constraints_evaluate(model) != TINKER_OK) return;
-    gsize n = 2 * (gsize)MAX(model->bodies, 1);
+    gsize n = (gsize)MAX(model->coordinates, 1);
     g_autofree double *rows = g_new0(double, n *(gsize)all->rows);
     TinkerBlockId last = TINKER_NO_BLOCK;
     for (int32_t row = 0; row < all->rows; row++) {

@@ -76,7 +76,7 @@ static void model_product(TinkerModel *model, gboolean damping, const double *d,
 {
     TinkerStatus status =
         damping ? tinker_model_damping_product(model, d, f) : tinker_model_stiffness_product(model, d, f);
-    for (int32_t i = 0; i < 2 * model->bodies; i++)
+    for (int32_t i = 0; i < model->coordinates; i++)
         f[i] = status == TINKER_OK ? -f[i] * model->coordinate_mass[i] : NAN;
 }
 
@@ -279,7 +279,7 @@ static gboolean is_turned(TinkerStartMatrices *self)
 static gboolean find_start(TinkerStartMatrices *self)
 {
     TinkerModel *model = self->model;
-    g_autofree double *a = g_new0(double, 2 * (gsize)MAX(model->bodies, 1));
+    g_autofree double *a = g_new0(double, (gsize)MAX(model->coordinates, 1));
     gint64 evaluations = model->evaluations;
     gboolean fine = find_acceleration(self, a);
     model->evaluations = evaluations;
@@ -305,7 +305,7 @@ TinkerStartMatrices *tinker_start_matrices_new(const TinkerIsland *island)
     self->island = island;
     self->model = island->model;
     self->linear = island->linear != NULL ? tinker_linear_form_system(island->linear) : NULL;
-    self->n = self->linear != NULL ? self->linear->size : 2 * island->model->bodies;
+    self->n = self->linear != NULL ? self->linear->size : island->model->coordinates;
     gsize n = (gsize)MAX(self->n, 1);
     self->inverse_root = g_new0(double, n);
     self->geometry = g_array_new(FALSE, FALSE, sizeof(Entry));
@@ -449,7 +449,7 @@ double tinker_start_matrices_held_energy(TinkerStartMatrices *self, double *omeg
 
 void tinker_start_matrices_shape(const TinkerStartMatrices *self, const double *x, double *shape)
 {
-    gsize n = 2 * (gsize)self->model->bodies;
+    gsize n = (gsize)self->model->coordinates;
     g_autofree double *moved = g_new0(double, MAX(self->n, 1));
     for (int32_t i = 0; i < self->n; i++)
         moved[i] = x[i] * self->inverse_root[i];

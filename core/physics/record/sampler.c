@@ -102,7 +102,7 @@ TinkerSampler *tinker_sampler_new(TinkerModel *model, const GArray *columns)
         const TinkerBlockBatch *batch = g_ptr_array_index(model->batches, i);
         most = MAX(most, (gsize)MAX(batch->count, batch->end_count));
     }
-    sampler->acceleration = g_new0(double, 2 * (gsize)MAX(model->bodies, 1));
+    sampler->acceleration = g_new0(double, (gsize)MAX(model->coordinates, 1));
     sampler->ends = g_new0(TinkerPoint, most);
     sampler->end_accelerations = g_new0(double, 2 * most);
     sampler->forces = g_new0(double, 2 * most);
@@ -218,7 +218,7 @@ static TinkerStatus accelerations_at(TinkerSampler *sampler, double t, const dou
     TinkerStatus status = tinker_sampler_look_at(model, t, q, v, sampler->acceleration);
     if (status != TINKER_OK) return status;
     if (sampler->by_point != NULL) tinker_contacts_sum_forces(model->contacts, sampler->by_point);
-    memcpy(model->point_acceleration, sampler->acceleration, 2 * (gsize)model->bodies * sizeof(double));
+    memcpy(model->point_acceleration, sampler->acceleration, (gsize)model->coordinates * sizeof(double));
     for (int32_t i = 0; i < model->bodies; i++)
         sampler->bodies[i] = in_world(model, i);
     return status;

@@ -31,7 +31,7 @@ TinkerActingForces *tinker_acting_forces_new(TinkerModel *model)
 {
     TinkerActingForces *forces = g_new0(TinkerActingForces, 1);
     forces->model = model;
-    forces->acceleration = g_new0(double, 2 * (gsize)MAX(model->bodies, 1));
+    forces->acceleration = g_new0(double, (gsize)MAX(model->coordinates, 1));
     return forces;
 }
 
@@ -44,8 +44,7 @@ void tinker_acting_forces_free(TinkerActingForces *forces)
 
 static TinkerBlockId block_of(const TinkerModel *model, int32_t point)
 {
-    if (point < model->bodies) return model->body_blocks[point];
-    return g_array_index(model->support_points, TinkerSupportPoint, point - model->bodies).support;
+    return tinker_model_block_of(model, point);
 }
 
 /* A force that acts at a point of the model. */

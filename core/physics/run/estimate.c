@@ -167,7 +167,7 @@ TinkerEstimate *tinker_estimate_new(TinkerIslandRuns *runs, const GArray *column
     estimate->parts = g_new0(Part, runs->runs->len);
     double **rooms[] = {&estimate->then.q, &estimate->then.v, &estimate->now.q, &estimate->now.v};
     for (gsize i = 0; i < G_N_ELEMENTS(rooms); i++)
-        *rooms[i] = g_new0(double, 2 * (gsize)runs->model->bodies + 1);
+        *rooms[i] = g_new0(double, (gsize)runs->model->coordinates + 1);
     for (guint i = 0; i < runs->runs->len; i++)
         open_part(&estimate->parts[i], g_ptr_array_index(runs->runs, i));
     estimate->comparison = tinker_comparison_new(runs, columns, &error);
@@ -244,7 +244,7 @@ static int32_t choose_points(Part *part, const TinkerIslandRun *run, double *tim
 
 static void write_states(const TinkerStepNews *news, TinkerIslandRun *run, double *states)
 {
-    const gsize n = 2 * (gsize)run->model->bodies;
+    const gsize n = (gsize)run->model->coordinates;
     for (int32_t k = 0; k < news->points; k++, states += 2 * n) {
         if (tinker_island_run_unprojected_at(run, news->times[k], states, states + n) == TINKER_OK) continue;
         for (gsize i = 0; i < 2 * n; i++)
@@ -347,7 +347,7 @@ static void scales_at(TinkerEstimate *estimate, TinkerIslandRun *run, const Part
         tinker_island_run_unprojected_at(run, t, now->q, now->v) != TINKER_OK)
         return;
     *extent = fmin(*extent, part->extent + largest_way(run, then->q, now->q));
-    for (int32_t i = 0; i < 2 * run->model->bodies; i++)
+    for (int32_t i = 0; i < run->model->coordinates; i++)
         then->v[i] = 0;
     *speed = fmin(*speed, fmax(part->speed, largest_way(run, then->v, now->v)));
 }
@@ -382,7 +382,7 @@ gboolean tinker_estimate_look(TinkerEstimate *estimate, double t, GError **error
     for (guint i = 0; i < runs->runs->len; i++)
         islands[i] = news_of(estimate, i, t);
     if (!tinker_comparison_has_companion(comparison)) return TRUE;
-    const gsize n = 2 * (gsize)runs->model->bodies;
+    const gsize n = (gsize)runs->model->coordinates;
     double *states = (double *)(gpointer)(islands + runs->runs->len);
     memcpy(states, runs->sample_q, n * sizeof(double));
     memcpy(states + n, runs->sample_v, n * sizeof(double));

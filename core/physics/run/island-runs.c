@@ -128,7 +128,7 @@ TinkerIslandRuns *tinker_island_runs_new(TinkerModel *model, const TinkerRunOpti
 {
     if (!check_times(options, error)) return NULL;
     g_autoptr(TinkerIslandRuns) self = g_new0(TinkerIslandRuns, 1);
-    gsize n = 2 * (gsize)MAX(model->bodies, 1);
+    gsize n = (gsize)MAX(model->coordinates, 1);
     self->model = model;
     self->options = *options;
     self->times =

@@ -30,10 +30,9 @@ static TinkerBlockId constraint_at(const TinkerModel *model, int32_t point)
     return TINKER_NO_BLOCK;
 }
 
-static gboolean refuse_jump(TinkerIslandRun *run, int32_t support, TinkerBlockId felt_by, GError **error)
+static gboolean refuse_jump(TinkerIslandRun *run, TinkerBlockId block, TinkerBlockId felt_by, GError **error)
 {
     TinkerModel *model = run->model;
-    TinkerBlockId block = g_array_index(model->support_points, TinkerSupportPoint, support).support;
     g_set_error(
         error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_SCENE,
         _("%s: its motion jumps at t = %.10g s, which %s cannot follow (give it a motion without a jump in place or "
@@ -47,13 +46,14 @@ static gboolean check_jumps(TinkerIslandRun *run, const TinkerPoint *before, GEr
     TinkerModel *model = run->model;
     double extent, speed;
     run->system.system.scales(&run->system, run->state.q, run->state.v, &extent, &speed);
-    for (guint i = 0; i < model->support_points->len; i++) {
-        if (!g_array_index(model->support_points, TinkerSupportPoint, i).moving) continue;
-        const TinkerPoint *now = &model->point[model->bodies + (int32_t)i];
-        gboolean jumps = hypot(now->x - before[i].x, now->y - before[i].y) > JUMP_TOLERANCE * extent ||
-                         hypot(now->vx - before[i].vx, now->vy - before[i].vy) > JUMP_TOLERANCE * MAX(speed, extent);
-        TinkerBlockId felt_by = jumps ? constraint_at(model, model->bodies + (int32_t)i) : TINKER_NO_BLOCK;
-        if (felt_by != TINKER_NO_BLOCK) return refuse_jump(run, (int32_t)i, felt_by, error);
+    for (int32_t point = model->first_support; point < model->points; point++) {
+        const TinkerAttachment *support = tinker_model_attachment(model, point);
+        if (!support->moving) continue;
+        const TinkerPoint *now = &model->point[point], *was = &before[point - model->first_support];
+        gboolean jumps = hypot(now->x - was->x, now->y - was->y) > JUMP_TOLERANCE * extent ||
+                         hypot(now->vx - was->vx, now->vy - was->vy) > JUMP_TOLERANCE * MAX(speed, extent);
+        TinkerBlockId felt_by = jumps ? constraint_at(model, point) : TINKER_NO_BLOCK;
+        if (felt_by != TINKER_NO_BLOCK) return refuse_jump(run, support->block, felt_by, error);
     }
     return TRUE;
 }
@@ -122,9 +122,9 @@ G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC(Before, before_clear)
 static gboolean look_before(TinkerIslandRun *run, Before *before)
 {
     TinkerModel *model = run->model;
-    guint supports = model->support_points->len;
+    gsize supports = (gsize)(model->points - model->first_support);
     if (tinker_model_set_time(model, run->state.t) != TINKER_OK) return FALSE;
-    before->supports = g_memdup2(model->point + model->bodies, supports * sizeof(TinkerPoint));
+    before->supports = g_memdup2(model->point + model->first_support, supports * sizeof(TinkerPoint));
     if (model->moving_supports > 0) before->stored = potential(run);
     if (!model->constraints.prescribed) return TRUE;
     before->g = g_new(double, model->constraints.rows);

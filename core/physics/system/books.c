@@ -27,7 +27,7 @@ static double potential_of_origin(const TinkerModel *model)
 static TinkerStatus evaluate_forces(TinkerModelSystem *system)
 {
     TinkerModel *model = system->model;
-    if (system->system.size == 2 * model->bodies) return TINKER_OK;
+    if (system->system.size == model->coordinates) return TINKER_OK;
     gint64 evaluations = model->evaluations;
     TinkerStatus status = tinker_model_applied(model, system->constrained, FALSE);
     model->evaluations = evaluations;
@@ -38,7 +38,7 @@ static TinkerStatus evaluate_forces(TinkerModelSystem *system)
 static double sum_of_forces(const TinkerModel *model)
 {
     double sum = 0;
-    for (int32_t i = 0; i < 2 * model->bodies; i++)
+    for (int32_t i = 0; i < model->coordinates; i++)
         sum += fabs(model->force[i]) + model->coordinate_mass[i] * fabs(model->constant_acceleration[i]);
     return sum;
 }

@@ -39,7 +39,7 @@ static double squared_direction(TinkerModelSystem *self, const double *v, double
 {
     const double *a = self->constrained, *mass = self->model->coordinate_mass;
     double sum = 0;
-    for (int32_t i = 0; i < 2 * self->model->bodies; i++)
+    for (int32_t i = 0; i < self->model->coordinates; i++)
         sum += mass[i] * (v[i] * v[i] + slowness * a[i] * a[i]);
     return sum;
 }
@@ -81,7 +81,7 @@ TinkerStatus tinker_model_system_hold_energy(TinkerModelSystem *self, double t, 
     double missing = self->energy - now.kinetic - now.potential,
            change = missing / squared_direction(self, v, slowness);
     if (missing == 0 || !(fabs(change) < MOST_CHANGE)) return TINKER_OK;
-    for (int32_t i = 0; i < 2 * model->bodies; i++) {
+    for (int32_t i = 0; i < model->coordinates; i++) {
         v[i] += change * v[i];
         q[i] -= change * slowness * self->constrained[i];
     }

@@ -75,7 +75,7 @@ static GArray *collect_blocks(const TinkerModel *model)
 static void make_pattern(TinkerJacobian *self)
 {
     g_autoptr(GArray) blocks = collect_blocks(self->model);
-    int32_t n = 2 * self->model->bodies, entry = 0;
+    int32_t n = self->model->coordinates, entry = 0;
     self->row_starts = g_new0(int32_t, (gsize)n + 1);
     self->columns = g_new(int32_t, 4 * (gsize)MAX(blocks->len, 1));
     self->diagonal = g_new(int32_t, MAX(self->model->bodies, 1));

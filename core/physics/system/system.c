@@ -69,7 +69,7 @@ static TinkerStatus acceleration(void *context, double t, const double *q, const
 /* Friction is applied, but follows from the normal forces, which the constrained accelerations tell. */
 static TinkerStatus apply_friction(TinkerModelSystem *self, double *a, gboolean books)
 {
-    memcpy(self->constrained, a, 2 * (gsize)self->model->bodies * sizeof(double));
+    memcpy(self->constrained, a, (gsize)self->model->coordinates * sizeof(double));
     TinkerStatus status = constrain_with_contacts(self->model, self->constrained, books);
     if (status == TINKER_OK) tinker_contacts_add_friction(self->model->contacts, a);
     return status;
@@ -88,7 +88,7 @@ static TinkerStatus applied(void *context, double t, const double *q, const doub
     }
     if (power == NULL) return status;
     if (constraints_give(self->model)) {
-        memcpy(self->constrained, a, 2 * (gsize)self->model->bodies * sizeof(double));
+        memcpy(self->constrained, a, (gsize)self->model->coordinates * sizeof(double));
         status = constrain(self->model, self->constrained, TRUE);
     }
     write_books(self, power);
@@ -254,7 +254,7 @@ static TinkerStatus signals(void *context, TinkerSignal *out)
 static void set_functions_of_plane(TinkerModelSystem *self)
 {
     TinkerSystem *system = &self->system;
-    system->size = 2 * self->model->bodies;
+    system->size = self->model->coordinates;
     system->mass = self->model->coordinate_mass;
     system->acceleration = acceleration;
     system->applied = applied;
@@ -285,7 +285,7 @@ void tinker_model_system_init(TinkerModelSystem *self, TinkerModel *model, Tinke
         .model = model,
         .box = {INFINITY, INFINITY, -INFINITY, -INFINITY},
         .reach = tinker_constraints_reach(model),
-        .constrained = g_new0(double, 2 * (gsize)MAX(model->bodies, 1)),
+        .constrained = g_new0(double, (gsize)MAX(model->coordinates, 1)),
     };
     self->system = (TinkerSystem){
         .struct_size = sizeof(TinkerSystem),
