@@ -21,6 +21,14 @@ static gboolean fail(const char *path, const char *reason, GError **error)
     return FALSE;
 }
 
+char *tinker_film_pictures_name(const char *path, int number)
+{
+    const char *name = strrchr(path, '/');
+    const char *dot = strrchr(name == NULL ? path : name, '.');
+    gsize stem = dot == NULL ? strlen(path) : (gsize)(dot - path);
+    return g_strdup_printf("%.*s-%04d.png", (int)stem, path, number);
+}
+
 TinkerFilmPictures *tinker_film_pictures_new(const char *path, GError **error)
 {
     g_autofree char *parent = g_path_get_dirname(path);
@@ -45,7 +53,7 @@ static char *unfinished_name(const TinkerFilmPictures *pictures, int number)
 gboolean tinker_film_pictures_add(TinkerFilmPictures *pictures, cairo_surface_t *picture, GError **error)
 {
     g_autofree char *unfinished = unfinished_name(pictures, ++pictures->count);
-    g_autofree char *name = tinker_film_picture_name(pictures->path, pictures->count);
+    g_autofree char *name = tinker_film_pictures_name(pictures->path, pictures->count);
     cairo_status_t status = cairo_surface_write_to_png(picture, unfinished);
     return status == CAIRO_STATUS_SUCCESS || fail(name, cairo_status_to_string(status), error);
 }
@@ -54,7 +62,7 @@ gboolean tinker_film_pictures_finish(TinkerFilmPictures *pictures, GError **erro
 {
     for (int number = 1; number <= pictures->count; number++) {
         g_autofree char *unfinished = unfinished_name(pictures, number);
-        g_autofree char *name = tinker_film_picture_name(pictures->path, number);
+        g_autofree char *name = tinker_film_pictures_name(pictures->path, number);
         if (g_rename(unfinished, name) != 0) return fail(name, g_strerror(errno), error);
     }
     return TRUE;

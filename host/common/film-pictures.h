@@ -8,7 +8,10 @@
 
 typedef struct _TinkerFilmPictures TinkerFilmPictures;
 
-/* For a film of this path; the names are those of tinker_film_picture_name. NULL with TINKER_CLI_ERROR_FILE.
+/* Name of the numbered picture `number`, from 1: "motion-0001.png" for "motion.gif". (transfer full) */
+char *tinker_film_pictures_name(const char *path, int number);
+
+/* For a film of this path; the names are those of tinker_film_pictures_name. NULL with TINKER_CLI_ERROR_FILE.
  * (transfer full) */
 TinkerFilmPictures *tinker_film_pictures_new(const char *path, GError **error);
 

@@ -52,20 +52,12 @@ gboolean tinker_film_is_joined(const char *path)
     return !tinker_path_has_ending(path, ".png");
 }
 
-char *tinker_film_picture_name(const char *path, int number)
-{
-    const char *name = strrchr(path, '/');
-    const char *dot = strrchr(name == NULL ? path : name, '.');
-    gsize stem = dot == NULL ? strlen(path) : (gsize)(dot - path);
-    return g_strdup_printf("%.*s-%04d.png", (int)stem, path, number);
-}
-
 gboolean tinker_film_add_outputs(TinkerFileSet *files, const char *option, const char *path, double count,
                                  GError **error)
 {
     if (tinker_film_is_joined(path)) return tinker_file_set_add_output(files, option, path, error);
     for (int number = 1; number <= count; number++) {
-        g_autofree char *picture = tinker_film_picture_name(path, number);
+        g_autofree char *picture = tinker_film_pictures_name(path, number);
         if (!tinker_file_set_add_output(files, option, picture, error)) return FALSE;
     }
     return TRUE;

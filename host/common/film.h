@@ -29,9 +29,6 @@ gboolean tinker_film_add(TinkerFilm *film, cairo_surface_t *picture, GError **er
 /* Waits until the film is written, and puts it in its place. */
 gboolean tinker_film_finish(TinkerFilm *film, GError **error);
 
-/* Name of the numbered picture `number`, from 1: "motion-0001.png" for "motion.gif". (transfer full) */
-char *tinker_film_picture_name(const char *path, int number);
-
 /* Adds what a film of `count` pictures writes to a command's files; see tinker_file_set_add_output. */
 gboolean tinker_film_add_outputs(TinkerFileSet *files, const char *option, const char *path, double count,
                                  GError **error);

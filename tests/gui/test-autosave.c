@@ -59,7 +59,7 @@ static guint count_in(const char *folder, const char *ending)
 
 static guint count_copies(void)
 {
-    g_autofree char *folder = tinker_autosave_folder();
+    g_autofree char *folder = tinker_session_folder();
     return count_in(folder, TINKER_AUTOSAVE_ENDING);
 }
 
@@ -194,7 +194,7 @@ static void test_nothing_left_behind(void)
 {
     g_autoptr(TinkerDocument) document = files_fixture_document();
     g_autoptr(TinkerAutosave) autosave = tinker_autosave_new(document);
-    g_autofree char *folder = tinker_autosave_folder(), *saved = files_fixture_folder();
+    g_autofree char *folder = tinker_session_folder(), *saved = files_fixture_folder();
     g_autofree char *path = g_build_filename(saved, "a.tinker.json", NULL);
     g_assert_true(tinker_autosave_now(autosave));
     g_assert_cmpuint(count_copies(), ==, 0);
@@ -317,7 +317,7 @@ static void count_plain(TinkerAutosave *autosave, int *times)
 static void test_unwritable(void)
 {
     int failed = 0, working = 0;
-    g_autofree char *folder = tinker_autosave_folder(), *away = g_strconcat(folder, "-away", NULL);
+    g_autofree char *folder = tinker_session_folder(), *away = g_strconcat(folder, "-away", NULL);
     g_assert_cmpint(g_rename(folder, away), ==, 0);
     g_assert_true(g_file_set_contents(folder, "", -1, NULL));
     g_autoptr(TinkerDocument) document = files_fixture_document();
@@ -345,7 +345,7 @@ static void test_same_number(void)
 {
     enum { COPIES = 9 };
     static const char copy[] = "{\"tinker\": 1, \"title\": \"of another run\"}";
-    g_autofree char *folder = tinker_autosave_folder();
+    g_autofree char *folder = tinker_session_folder();
     g_autoptr(TinkerDocument) document = files_fixture_document();
     g_autoptr(TinkerAutosave) autosave = tinker_autosave_new(document);
     g_assert_cmpint(g_mkdir_with_parents(folder, 0700), ==, 0);
@@ -371,7 +371,7 @@ static void test_same_number(void)
 /* The system limits the size of files: told as a full disk is, and nothing is left. */
 static void test_size_limit(void)
 {
-    g_autofree char *folder = tinker_autosave_folder();
+    g_autofree char *folder = tinker_session_folder();
     int failed = 0;
     struct rlimit before, limit;
     g_autoptr(TinkerDocument) document = files_fixture_document();
@@ -395,7 +395,7 @@ static void test_size_limit(void)
 /* One that was killed while it wrote leaves a part of the copy, which is removed at the next start; and its lock. */
 static void test_part_of_copy(void)
 {
-    g_autofree char *folder = tinker_autosave_folder(), *path = crash();
+    g_autofree char *folder = tinker_session_folder(), *path = crash();
     g_autofree char *part = g_build_filename(folder, ".tinker-part-A1B2C3", NULL);
     g_assert_true(g_file_set_contents(part, "{\"tinker\"", -1, NULL));
     tinker_recovery_purge();

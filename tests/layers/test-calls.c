@@ -1,6 +1,6 @@
-/* Who calls whom, as the compiler left it in the objects of core: files that call each other in a circle can only be
- * understood together, so there are none but for those of the table. A symbol that one object defines and another
- * leaves open is a call. */
+/* Who calls whom, as the compiler left it in the objects of core and of the hosts: files that call each other in a
+ * circle can only be understood together, so there are none but for those of the table. A symbol that one object
+ * defines and another leaves open is a call. */
 #include <glib.h>
 #include <string.h>
 
@@ -96,7 +96,7 @@ static void collect_calls(char **lines, GHashTable *defined, GHashTable *files)
     }
 }
 
-/* All files of core that call another. (transfer full) */
+/* All files that call another. (transfer full) */
 static GHashTable *read_calls(void)
 {
     GHashTable *files = g_hash_table_new_full(g_str_hash, g_str_equal, g_free, file_free);

@@ -8,6 +8,7 @@
 #include "cli/command/output.h"
 #include "cli/command/picture.h"
 #include "exit-status.h"
+#include "film-pictures.h"
 #include "film.h"
 #include "motion-film.h"
 
@@ -43,8 +44,8 @@ G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC(AnimateOptions, animate_options_clear)
 
 static void tell_numbered_pictures(const char *output, gsize count)
 {
-    g_autofree char *first = tinker_film_picture_name(output, 1);
-    g_autofree char *last = tinker_film_picture_name(output, (int)count);
+    g_autofree char *first = tinker_film_pictures_name(output, 1);
+    g_autofree char *last = tinker_film_pictures_name(output, (int)count);
     if (count > 1)
         tinker_report_note("wrote %" G_GSIZE_FORMAT " pictures, %s to %s", count, first, last);
     else

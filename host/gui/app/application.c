@@ -183,7 +183,8 @@ static void on_picture_taken(int status, gpointer data)
 static void take_picture(TinkerApplication *application)
 {
     g_application_hold(G_APPLICATION(application));
-    tinker_screenshot_take(application, application->line.screenshot, on_picture_taken, application);
+    tinker_screenshot_take(ADW_APPLICATION(application), tinker_application_catalogue(application),
+                           application->line.screenshot, on_picture_taken, application);
 }
 
 static void tinker_application_activate(GApplication *base)

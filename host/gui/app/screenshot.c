@@ -193,14 +193,12 @@ static gboolean on_frame(GtkWidget *widget, GdkFrameClock *clock, gpointer data)
     return G_SOURCE_REMOVE;
 }
 
-void tinker_screenshot_take(TinkerApplication *application, const TinkerScreenshot *screenshot,
+void tinker_screenshot_take(AdwApplication *application, TinkerCatalogue *catalogue, const TinkerScreenshot *screenshot,
                             TinkerScreenshotDone done, gpointer data)
 {
     g_object_set(gtk_settings_get_default(), "gtk-enable-animations", FALSE, "gtk-cursor-blink", FALSE, NULL);
     Shot *shot = g_new0(Shot, 1);
-    *shot =
-        (Shot){screenshot, tinker_window_new(ADW_APPLICATION(application), tinker_application_catalogue(application)),
-               done, data, 0};
+    *shot = (Shot){screenshot, tinker_window_new(application, catalogue), done, data, 0};
     int status = show(shot->window, screenshot);
     if (status != TINKER_EXIT_DONE) {
         finish(shot, status);

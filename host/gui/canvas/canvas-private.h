@@ -57,6 +57,8 @@ double canvas_reach(TinkerCanvas *canvas);
 /* The grid to snap to (m), or 0. */
 double canvas_grid(TinkerCanvas *canvas, GdkModifierType modifiers);
 void canvas_to_world(TinkerCanvas *canvas, double x, double y, double world[2]);
+/* Tells those who cannot see the canvas: what it shows, and what is selected. */
+void canvas_describe_view(TinkerCanvas *canvas);
 void canvas_view_changed(TinkerCanvas *canvas);
 
 /* Start velocities and warning marks over the scene; canvas-marks.c. */

@@ -9,12 +9,10 @@
 #include "gui/widget/image-texture.h"
 #include "gui/widget/unparent.h"
 
-#define LEAST_SCALE    1e-6 /* widget units per m */
-#define GREATEST_SCALE 1e9
-#define MOST_FACTOR    1e4 /* of arrows of forces */
-#define FIT_MARGIN     48.0
-#define NOTICE         48.0 /* widget units: a notice over the top, of which the margin leaves no room for as much */
-#define CANVAS_SHAPE   0.6  /* height of a canvas over its width, where only that is known */
+#define MOST_FACTOR  1e4 /* of arrows of forces */
+#define FIT_MARGIN   48.0
+#define NOTICE       48.0 /* widget units: a notice over the top, of which the margin leaves no room for as much */
+#define CANVAS_SHAPE 0.6  /* height of a canvas over its width, where only that is known */
 
 G_DEFINE_FINAL_TYPE(TinkerCanvas, tinker_canvas, GTK_TYPE_WIDGET)
 
@@ -29,63 +27,9 @@ enum {
     PROPERTIES
 };
 static GParamSpec *properties[PROPERTIES];
-static guint view_changed_signal;
 
 /* The view ------------------------------------------------------------------------------------------------------------
  */
-
-const TinkerView *tinker_canvas_view(TinkerCanvas *canvas)
-{
-    return &canvas->view;
-}
-
-double canvas_reach(TinkerCanvas *canvas)
-{
-    return CANVAS_REACH / canvas->view.scale;
-}
-
-double canvas_grid(TinkerCanvas *canvas, GdkModifierType modifiers)
-{
-    const TinkerSceneHead *head = tinker_scene_head(tinker_document_scene(canvas->document));
-    return head->canvas_snap && !(modifiers & GDK_ALT_MASK) ? head->canvas_grid : 0;
-}
-
-void canvas_to_world(TinkerCanvas *canvas, double x, double y, double world[2])
-{
-    tinker_view_to_world(&canvas->view, x, y, &world[0], &world[1]);
-}
-
-/* What is selected, in words, as it starts. (transfer full) */
-static char *selection_words(TinkerCanvas *canvas)
-{
-    int count = 0;
-    const TinkerBlockId *blocks = NULL;
-    if (canvas->document != NULL) blocks = tinker_document_selection(canvas->document, &count);
-    if (count == 1) return tinker_block_words(tinker_document_scene(canvas->document), blocks[0]);
-    if (count == 0) return g_strdup(_("nothing is selected"));
-    return g_strdup_printf(ngettext("%d block is selected", "%d blocks are selected", (gulong)count), count);
-}
-
-/* For those who cannot see it, and for tests, which find places by it: six digits are finer than a pixel. */
-static void describe_view(TinkerCanvas *canvas)
-{
-    const TinkerView *view = &canvas->view;
-    double middle[2];
-    canvas_to_world(canvas, view->width / 2, view->height / 2, middle);
-    g_autofree char *selection = selection_words(canvas);
-    g_autofree char *text =
-        g_strdup_printf(_("Shows %.6g m by %.6g m about (%.6g, %.6g); %s"), view->width / view->scale,
-                        view->height / view->scale, middle[0], middle[1], selection);
-    gtk_accessible_update_property(GTK_ACCESSIBLE(canvas), GTK_ACCESSIBLE_PROPERTY_DESCRIPTION, text, -1);
-}
-
-void canvas_view_changed(TinkerCanvas *canvas)
-{
-    canvas->view.scale = CLAMP(canvas->view.scale, LEAST_SCALE, GREATEST_SCALE);
-    describe_view(canvas);
-    gtk_widget_queue_draw(GTK_WIDGET(canvas));
-    g_signal_emit(canvas, view_changed_signal, 0);
-}
 
 void tinker_canvas_zoom(TinkerCanvas *canvas, double factor)
 {
@@ -302,7 +246,7 @@ static void on_moved(TinkerCanvas *canvas)
 static void on_selection_changed(TinkerCanvas *canvas)
 {
     canvas_follow(canvas);
-    describe_view(canvas);
+    canvas_describe_view(canvas);
     gtk_widget_queue_draw(GTK_WIDGET(canvas));
 }
 
@@ -408,8 +352,7 @@ static void tinker_canvas_class_init(TinkerCanvasClass *class)
     properties[PROP_THIS_BODY_ONLY] = g_param_spec_boolean("forces-on-this-body-only", NULL, NULL, TRUE, flags);
     properties[PROP_FOLLOW] = g_param_spec_boolean("follow", NULL, NULL, FALSE, flags);
     g_object_class_install_properties(object_class, PROPERTIES, properties);
-    view_changed_signal =
-        g_signal_new("view-changed", TINKER_TYPE_CANVAS, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL, G_TYPE_NONE, 0);
+    g_signal_new("view-changed", TINKER_TYPE_CANVAS, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL, G_TYPE_NONE, 0);
     g_signal_new("faults", TINKER_TYPE_CANVAS, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL, G_TYPE_NONE, 0);
     g_signal_new("menu", TINKER_TYPE_CANVAS, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL, G_TYPE_NONE, 2, G_TYPE_DOUBLE,
                  G_TYPE_DOUBLE);

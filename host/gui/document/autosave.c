@@ -29,15 +29,10 @@ static guint signals[SIGNALS];
 /* Names ---------------------------------------------------------------------------------------------------------------
  */
 
-char *tinker_autosave_folder(void)
-{
-    return g_build_filename(g_get_user_state_dir(), "tinker", "autosave", NULL);
-}
-
 char *tinker_autosave_new_stem(void)
 {
     static int number;
-    g_autofree char *folder = tinker_autosave_folder();
+    g_autofree char *folder = tinker_session_folder();
     return g_strdup_printf("%s/%s-%d", folder, tinker_session_name(), ++number);
 }
 

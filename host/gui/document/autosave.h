@@ -1,6 +1,6 @@
 /* Autosave: a copy of what one document has not saved, for the case that the program does not end properly. No widget.
  *
- * The copy is SESSION-N.tinker.json in the folder of tinker_autosave_folder(), with a companion SESSION-N.info that
+ * The copy is SESSION-N.tinker.json in the folder of tinker_session_folder(), with a companion SESSION-N.info that
  * tells what it is a copy of (recovery.h reads both); SESSION is the name of this run (session.h). It is written every
  * 30 s (TINKER_AUTOSAVE_SECONDS) while there is something new to save, and removed as soon as nothing is unsaved.
  * Signals: "failed"    (char *message) the copy cannot be written; told once, until it can be again "working"   it can
@@ -30,8 +30,5 @@ void tinker_autosave_forget(TinkerAutosave *autosave);
 
 /* A name in the folder, without an ending, that no other file of this or another run has. (transfer full) */
 char *tinker_autosave_new_stem(void);
-
-/* (transfer full) */
-char *tinker_autosave_folder(void);
 
 #endif

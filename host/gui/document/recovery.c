@@ -38,7 +38,7 @@ char *tinker_recovery_discarded_folder(void)
 
 static char *crash_note(const char *session)
 {
-    g_autofree char *folder = tinker_autosave_folder();
+    g_autofree char *folder = tinker_session_folder();
     return g_strdup_printf("%s/%s" CRASH_NOTE, folder, session);
 }
 
@@ -76,7 +76,7 @@ static char *take_note(const char *file)
 
 char *tinker_recovery_take_blame(void)
 {
-    g_autofree char *folder = tinker_autosave_folder();
+    g_autofree char *folder = tinker_session_folder();
     g_autoptr(GDir) dir = g_dir_open(folder, 0, NULL);
     char *last = NULL;
     if (dir == NULL) return NULL;
@@ -131,7 +131,7 @@ static gint latest_first(gconstpointer a, gconstpointer b)
 GPtrArray *tinker_recovery_list(void)
 {
     GPtrArray *list = g_ptr_array_new_with_free_func(recovery_free);
-    g_autofree char *folder = tinker_autosave_folder();
+    g_autofree char *folder = tinker_session_folder();
     g_autoptr(GDir) dir = g_dir_open(folder, 0, NULL);
     if (dir == NULL) return list;
     for (const char *name = g_dir_read_name(dir); name != NULL; name = g_dir_read_name(dir)) {
@@ -226,7 +226,7 @@ static void purge(const char *folder, const char *ending)
 
 void tinker_recovery_purge(void)
 {
-    g_autofree char *discarded = tinker_recovery_discarded_folder(), *folder = tinker_autosave_folder();
+    g_autofree char *discarded = tinker_recovery_discarded_folder(), *folder = tinker_session_folder();
     purge(discarded, "");
     purge(folder, CRASH_NOTE);
     tinker_unfinished_clean(folder);

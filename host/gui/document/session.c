@@ -8,7 +8,6 @@
 #include <unistd.h>
 
 #include "files/file-lock.h"
-#include "gui/document/autosave.h"
 
 static int lock = -1;
 
@@ -29,9 +28,14 @@ char *tinker_session_of_file(const char *file)
     return g_steal_pointer(&name);
 }
 
+char *tinker_session_folder(void)
+{
+    return g_build_filename(g_get_user_state_dir(), "tinker", "autosave", NULL);
+}
+
 static char *lock_path(const char *name)
 {
-    g_autofree char *folder = tinker_autosave_folder();
+    g_autofree char *folder = tinker_session_folder();
     return g_strdup_printf("%s/%s" TINKER_SESSION_LOCK, folder, name);
 }
 
@@ -58,7 +62,7 @@ static gboolean make_lock(const char *path)
 
 gboolean tinker_session_hold(GError **error)
 {
-    g_autofree char *folder = tinker_autosave_folder(), *path = lock_path(tinker_session_name());
+    g_autofree char *folder = tinker_session_folder(), *path = lock_path(tinker_session_name());
     /* the user may have removed the folder meanwhile */
     if (lock >= 0 && tinker_file_is_at(lock, path)) return TRUE;
     const char *failed = g_mkdir_with_parents(folder, 0700) != 0 ? folder : !make_lock(path) ? path : NULL;
@@ -70,7 +74,7 @@ gboolean tinker_session_hold(GError **error)
 
 static gboolean has_files(const char *name)
 {
-    g_autofree char *folder = tinker_autosave_folder(), *beginning = g_strconcat(name, "-", NULL);
+    g_autofree char *folder = tinker_session_folder(), *beginning = g_strconcat(name, "-", NULL);
     g_autoptr(GDir) dir = g_dir_open(folder, 0, NULL);
     for (const char *file = dir != NULL ? g_dir_read_name(dir) : NULL; file != NULL; file = g_dir_read_name(dir))
         if (g_str_has_prefix(file, beginning)) return TRUE;
@@ -118,7 +122,7 @@ static void purge(const char *name)
 
 void tinker_session_purge(void)
 {
-    g_autofree char *folder = tinker_autosave_folder();
+    g_autofree char *folder = tinker_session_folder();
     g_autoptr(GDir) dir = g_dir_open(folder, 0, NULL);
     for (const char *file = dir != NULL ? g_dir_read_name(dir) : NULL; file != NULL; file = g_dir_read_name(dir)) {
         if (!g_str_has_suffix(file, TINKER_SESSION_LOCK)) continue;

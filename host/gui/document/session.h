@@ -1,4 +1,4 @@
-/* A session: one run of the program, as the files call it that it leaves in the folder of tinker_autosave_folder(). Its
+/* A session: one run of the program, as the files call it that it leaves in the folder of tinker_session_folder(). Its
  * name is one that no other run has or had, on this machine or another: process numbers come again, after a restart as
  * in containers.
  *
@@ -10,6 +10,9 @@
 #include <glib.h>
 
 #define TINKER_SESSION_LOCK ".lock"
+
+/* (transfer full) */
+char *tinker_session_folder(void);
 
 /* Of this run. Static. */
 const char *tinker_session_name(void);

@@ -263,11 +263,6 @@ static char *describe(const PropertyBuilder *builder, int32_t property, int32_t 
     return g_string_free(text, FALSE);
 }
 
-const char *property_group_of(const PropertyBuilder *builder, const TinkerPropertyType *type)
-{
-    return builder->group != NULL ? builder->group : tinker_translate(type->group);
-}
-
 /* Whether one text has the other in it, in whatever case. */
 static gboolean holds(const char *text, const char *part)
 {

@@ -22,7 +22,8 @@ static void choose_automatically(void *data)
 
 static void show_accuracy(void *data)
 {
-    adw_view_stack_set_visible_child_name(TINKER_WINDOW(data)->pages, PAGE);
+    const TinkerWindow *window = data;
+    adw_view_stack_set_visible_child_name(window->pages, PAGE);
 }
 
 static void add_notice(GPtrArray *notices, TinkerWindow *window, const char *warning, const char *button,

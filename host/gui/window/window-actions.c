@@ -266,7 +266,7 @@ static void on_activate(GSimpleAction *action, GVariant *parameter, gpointer win
     take_over_entry(window);
     const char *name = g_action_get_name(G_ACTION(action));
     for (gsize i = 0; i < G_N_ELEMENTS(commands); i++)
-        if (g_strcmp0(commands[i].name, name) == 0) commands[i].command(TINKER_WINDOW(window));
+        if (g_strcmp0(commands[i].name, name) == 0) commands[i].command(window);
 }
 
 void tinker_window_set_accels(GtkApplication *application)

@@ -2,6 +2,7 @@
 #include <glib/gi18n.h>
 #include <string.h>
 
+#include "film-pictures.h"
 #include "film.h"
 #include "gui/film/film-dialog.h"
 #include "gui/text/message.h"
@@ -32,7 +33,7 @@ static void wish_free(gpointer data)
 /* The name of the first file that a film of this path is written to. (transfer full) */
 static char *first_file(const char *path)
 {
-    return tinker_film_is_joined(path) ? g_strdup(path) : tinker_film_picture_name(path, 1);
+    return tinker_film_is_joined(path) ? g_strdup(path) : tinker_film_pictures_name(path, 1);
 }
 
 /* The bar -------------------------------------------------------------------------------------------------------------
@@ -110,7 +111,6 @@ static void on_film_changed(TinkerWindow *window)
     gboolean running = tinker_film_task_state(window->film) == TINKER_FILM_UNDER_WAY;
     if (window->film_bar != NULL) remove_bar(window);
     if (running) add_bar(window);
-    window_update_actions(window);
     if (!running) tell_end(window);
 }
 

@@ -16,18 +16,6 @@ G_DEFINE_FINAL_TYPE(TinkerWindow, tinker_window, ADW_TYPE_APPLICATION_WINDOW)
 
 #define LONGEST_TICK 0.1 /* s: after a hang, playback goes on from where it was */
 
-void window_toast(TinkerWindow *window, const char *text)
-{
-    AdwToast *toast = adw_toast_new(text);
-    adw_toast_set_timeout(toast, 4);
-    adw_toast_overlay_add_toast(window->toasts, toast);
-}
-
-void window_message(TinkerWindow *window, const char *heading, const char *body)
-{
-    tinker_message(GTK_WINDOW(window), heading, body);
-}
-
 /* Playing -------------------------------------------------------------------------------------------------------------
  */
 
@@ -78,12 +66,6 @@ static void on_file_changed(TinkerWindow *window)
     adw_window_title_set_subtitle(window->title, folder != NULL ? folder : "");
     gtk_window_set_title(GTK_WINDOW(window), title);
     window_update_actions(window);
-}
-
-gboolean tinker_window_is_untouched(TinkerWindow *window)
-{
-    return tinker_document_path(window->document) == NULL && tinker_document_is_empty(window->document) &&
-           !tinker_document_is_modified(window->document);
 }
 
 static gboolean tinker_window_close_request(GtkWindow *base)
@@ -168,6 +150,7 @@ TinkerWindow *tinker_window_new(AdwApplication *application, TinkerCatalogue *ca
     connect_parts(window);
     window_add_accuracy(window);
     window_add_film(window);
+    g_signal_connect_object(window->film, "changed", G_CALLBACK(window_update_actions), window, G_CONNECT_SWAPPED);
     tinker_notice_bar_set(window->notices, "plugins",
                           tinker_refusal_notices(tinker_document_catalogue(window->document)));
     tinker_notice_bar_set(window->notices, "icons", tinker_guarded_icon_notices());
