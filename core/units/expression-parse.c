@@ -1,29 +1,29 @@
-/* From text to a program: a recursive descent over
+/* Reading an expression's text: a recursive descent over
  *     comparison = sum [ ("<" | "<=" | ">" | ">=" | "==" | "!=") sum ]
  *     sum        = product { ("+" | "-") product }
  *     product    = unary { ("*" | "/") unary }
  *     unary      = ("+" | "-") unary | power
  *     power      = primary [ "^" unary ]
- *     primary    = number | "t" | "pi" | function "(" comparison { "," comparison } ")" | "(" comparison ")"
- * Depth and length are limited, so no text can exhaust the stack or the memory. */
+ *     primary    = number | name | "t" | "pi" | function "(" comparison { "," comparison } ")" | "(" comparison ")"
+ * What is made of it, instructions or a tree, is the reader's affair. Depth and length are limited, so no text can
+ * exhaust the stack or the memory. */
 #include <math.h>
 #include <string.h>
 
 #include "units/expression-private.h"
 #include "units/units.h"
 
-#define PI                 3.14159265358979323846
-#define LONGEST_TEXT       65536 /* bytes */
-#define MOST_INSTRUCTIONS  32768
-#define SHIFT_INSTRUCTIONS 3   /* of a shifted time, so that what was read once can be shifted */
-#define DEEPEST            200 /* levels of brackets, signs and powers */
-#define LONGEST_NAME       32
+#define PI           3.14159265358979323846
+#define LONGEST_TEXT 65536 /* bytes */
+#define DEEPEST      200   /* levels of brackets, signs and powers */
+#define LONGEST_NAME 32
 
 typedef struct {
     const char *text;
     const char *at;
-    TinkerBuilder builder;
-    int time; /* the instruction that `t` means where time is shifted; -1 where it is not */
+    const TinkerReader *reader;
+    void *into;
+    const char *const *names; /* that the text may use beside t, pi and functions; NULL: none */
     int depth;
     GError **error;
 } Parser;
@@ -31,8 +31,8 @@ typedef struct {
 static int parse_comparison(Parser *parser);
 static int parse_unary(Parser *parser);
 
-/* Every parse function answers the instruction that holds the value, or FAILED with the error set. */
-#define FAILED (-1)
+/* Every parse function answers the reader's handle of the value, or FAILED with the error set. */
+#define FAILED TINKER_READER_FAILED
 
 static glong column_of(const Parser *parser, const char *place)
 {
@@ -64,12 +64,17 @@ static gboolean accept(Parser *parser, const char *sign)
     return TRUE;
 }
 
+static gboolean is_of_name(gunichar c)
+{
+    return c == '_' || (c < 128 ? g_ascii_isalnum((char)c) : g_unichar_isalpha(c));
+}
+
 static gsize name_length(const char *at)
 {
-    gsize length = 0;
-    while (g_ascii_isalnum(at[length]) || at[length] == '_')
-        length++;
-    return length;
+    const char *end = at;
+    while (is_of_name(g_utf8_get_char(end)))
+        end = g_utf8_next_char(end);
+    return (gsize)(end - at);
 }
 
 /* What stands at `at`, quoted for a message: a name, a number, a character, or "the end". (transfer full) */
@@ -103,11 +108,9 @@ static gboolean enter(Parser *parser)
         fail(parser, TINKER_WAVEFORM_ERROR_SYNTAX, parser->at, "nested more than %d levels deep", DEEPEST);
         return FALSE;
     }
-    if (parser->builder.program->code->len > MOST_INSTRUCTIONS + (parser->time >= 0 ? SHIFT_INSTRUCTIONS : 0)) {
-        fail(parser, TINKER_WAVEFORM_ERROR_SYNTAX, parser->at, "the expression is too long");
-        return FALSE;
-    }
-    return TRUE;
+    if (parser->reader->has_room(parser->into)) return TRUE;
+    fail(parser, TINKER_WAVEFORM_ERROR_SYNTAX, parser->at, "the expression is too long");
+    return FALSE;
 }
 
 static int parse_number(Parser *parser)
@@ -130,7 +133,7 @@ static int parse_number(Parser *parser)
     if (!isfinite(number))
         return fail(parser, TINKER_WAVEFORM_ERROR_SYNTAX, start, "the number is larger than 1.8e308");
     parser->at = end;
-    return tinker_build(&parser->builder, TINKER_OP_CONSTANT, -1, -1, -1, number);
+    return parser->reader->number(parser->into, number);
 }
 
 static int fail_name(Parser *parser, const char *start, const char *name)
@@ -139,6 +142,10 @@ static int fail_name(Parser *parser, const char *start, const char *name)
     g_autoptr(GString) all = g_string_new("t, pi");
     g_ptr_array_add(candidates, (gpointer) "t");
     g_ptr_array_add(candidates, (gpointer) "pi");
+    for (const char *const *each = parser->names; each != NULL && *each != NULL; each++) {
+        g_ptr_array_add(candidates, (gpointer)*each);
+        g_string_append_printf(all, ", %s", *each);
+    }
     for (const TinkerFunction *function = tinker_functions; function->name != NULL; function++) {
         g_ptr_array_add(candidates, (gpointer)function->name);
         g_string_append_printf(all, ", %s", function->name);
@@ -154,10 +161,9 @@ static int fail_name(Parser *parser, const char *start, const char *name)
 
 static int parse_branch(Parser *parser, int truth, gboolean taken)
 {
-    const int outer = parser->builder.guard;
-    parser->builder.guard = tinker_program_add_guard(parser->builder.program, (TinkerGuard){truth, outer, taken});
+    parser->reader->enter_branch(parser->into, truth, taken);
     const int value = parse_comparison(parser);
-    parser->builder.guard = outer;
+    parser->reader->leave_branch(parser->into);
     return value;
 }
 
@@ -177,8 +183,7 @@ static gboolean parse_arguments(Parser *parser, const TinkerFunction *function, 
         const int value =
             conditional && count > 0 ? parse_branch(parser, arguments[0], count == 1) : parse_comparison(parser);
         if (value == FAILED) return FALSE;
-        arguments[count] =
-            conditional && count == 0 ? tinker_build(&parser->builder, TINKER_OP_TRUTH, value, -1, -1, 0) : value;
+        arguments[count] = conditional && count == 0 ? parser->reader->condition(parser->into, value) : value;
         count++;
     } while (accept(parser, ","));
     if (count < function->arguments && (skip_blanks(parser), *parser->at == ')')) {
@@ -198,7 +203,7 @@ static int parse_call(Parser *parser, const TinkerFunction *function, const char
         return fail(parser, TINKER_WAVEFORM_ERROR_SYNTAX, start, "%s is a function, write %s", function->name,
                     function->form);
     if (!parse_arguments(parser, function, arguments)) return FAILED;
-    return tinker_build_function(&parser->builder, function, arguments);
+    return parser->reader->function(parser->into, function, arguments);
 }
 
 static int parse_name(Parser *parser)
@@ -207,9 +212,9 @@ static int parse_name(Parser *parser)
     const gsize length = name_length(start);
     g_autofree char *name = g_strndup(start, length);
     parser->at += length;
-    if (strcmp(name, "t") == 0 && parser->time >= 0) return parser->time;
-    if (strcmp(name, "t") == 0) return tinker_build(&parser->builder, TINKER_OP_TIME, -1, -1, -1, 0);
-    if (strcmp(name, "pi") == 0) return tinker_build(&parser->builder, TINKER_OP_CONSTANT, -1, -1, -1, PI);
+    if (parser->names != NULL && g_strv_contains(parser->names, name)) return parser->reader->name(parser->into, name);
+    if (strcmp(name, "t") == 0) return parser->reader->time(parser->into);
+    if (strcmp(name, "pi") == 0) return parser->reader->number(parser->into, PI);
     const TinkerFunction *function = tinker_function_lookup(name);
     return function != NULL ? parse_call(parser, function, start) : fail_name(parser, start, name);
 }
@@ -218,7 +223,7 @@ static int parse_primary(Parser *parser)
 {
     skip_blanks(parser);
     if (g_ascii_isdigit(*parser->at) || *parser->at == '.') return parse_number(parser);
-    if (g_ascii_isalpha(*parser->at) || *parser->at == '_') return parse_name(parser);
+    if (g_ascii_isalpha(*parser->at) || *parser->at == '_' || name_length(parser->at) > 0) return parse_name(parser);
     if (!accept(parser, "(")) return fail_unexpected(parser, "a number, t, a function or \"(\"");
     const int value = parse_comparison(parser);
     if (value == FAILED || accept(parser, ")")) return value;
@@ -230,7 +235,7 @@ static int parse_power(Parser *parser)
     const int base = parse_primary(parser);
     if (base == FAILED || !accept(parser, "^")) return base;
     const int exponent = parse_unary(parser);
-    return exponent == FAILED ? FAILED : tinker_build(&parser->builder, TINKER_OP_POWER, base, exponent, -1, 0);
+    return exponent == FAILED ? FAILED : parser->reader->operation(parser->into, TINKER_OP_POWER, base, exponent);
 }
 
 static int parse_unary(Parser *parser)
@@ -239,7 +244,7 @@ static int parse_unary(Parser *parser)
     int value;
     if (accept(parser, "-")) {
         value = parse_unary(parser);
-        if (value != FAILED) value = tinker_build(&parser->builder, TINKER_OP_NEGATE, value, -1, -1, 0);
+        if (value != FAILED) value = parser->reader->operation(parser->into, TINKER_OP_NEGATE, value, -1);
     } else {
         value = accept(parser, "+") ? parse_unary(parser) : parse_power(parser);
     }
@@ -256,7 +261,7 @@ static int parse_product(Parser *parser)
         const int factor = parse_unary(parser);
         if (factor == FAILED) return FAILED;
         const TinkerOperation operation = product ? TINKER_OP_MULTIPLY : TINKER_OP_DIVIDE;
-        value = tinker_build(&parser->builder, operation, value, factor, -1, 0);
+        value = parser->reader->operation(parser->into, operation, value, factor);
     }
     return FAILED;
 }
@@ -270,7 +275,7 @@ static int parse_sum(Parser *parser)
         const int term = parse_product(parser);
         if (term == FAILED) return FAILED;
         const TinkerOperation operation = sum ? TINKER_OP_ADD : TINKER_OP_SUBTRACT;
-        value = tinker_build(&parser->builder, operation, value, term, -1, 0);
+        value = parser->reader->operation(parser->into, operation, value, term);
     }
     return FAILED;
 }
@@ -296,7 +301,7 @@ static int parse_comparison(Parser *parser)
     if (accept_comparison(parser) >= 0)
         return fail(parser, TINKER_WAVEFORM_ERROR_SYNTAX, behind,
                     "comparisons do not chain; did you mean a product, (a < b)*(b < c)?");
-    return tinker_build_comparison(&parser->builder, (TinkerComparison)sign, a, b);
+    return parser->reader->comparison(parser->into, (TinkerComparison)sign, a, b);
 }
 
 /* Something is left behind a whole expression. */
@@ -314,14 +319,6 @@ static int fail_behind(Parser *parser)
     return fail_unexpected(parser, "an operator or the end");
 }
 
-/* t + shift, once for all places that name t. */
-static void build_shifted_time(Parser *parser, double shift)
-{
-    const int time = tinker_build(&parser->builder, TINKER_OP_TIME, -1, -1, -1, 0);
-    const int offset = tinker_build(&parser->builder, TINKER_OP_CONSTANT, -1, -1, -1, shift);
-    parser->time = tinker_build(&parser->builder, TINKER_OP_ADD, time, offset, -1, 0);
-}
-
 static gboolean check_text(Parser *parser)
 {
     const char *end;
@@ -335,19 +332,13 @@ static gboolean check_text(Parser *parser)
     return FALSE;
 }
 
-TinkerProgram *tinker_program_parse(const char *text, double shift, GError **error)
+int tinker_expression_read(const char *text, const char *const *names, const TinkerReader *reader, void *into,
+                           GError **error)
 {
-    g_autoptr(TinkerProgram) program = tinker_program_new();
-    Parser parser = {.text = text, .at = text, .builder = {program, -1}, .time = -1, .error = error};
-    if (!check_text(&parser)) return NULL;
-    if (shift != 0) build_shifted_time(&parser, shift);
+    Parser parser = {.text = text, .at = text, .reader = reader, .into = into, .names = names, .error = error};
+    if (!check_text(&parser)) return FAILED;
     const int value = parse_comparison(&parser);
-    if (value == FAILED) return NULL;
+    if (value == FAILED) return FAILED;
     skip_blanks(&parser);
-    if (*parser.at != '\0') {
-        fail_behind(&parser);
-        return NULL;
-    }
-    tinker_program_finish(program, value);
-    return g_steal_pointer(&program);
+    return *parser.at == '\0' ? value : fail_behind(&parser);
 }

@@ -143,6 +143,27 @@ extern const TinkerFunction tinker_functions[]; /* ends with an entry without na
 const TinkerFunction *tinker_function_lookup(const char *name);
 int tinker_build_function(TinkerBuilder *builder, const TinkerFunction *function, const int *arguments);
 
+/* What a text is read into, in the order in which it is worked out: every function but the branches' answers a handle
+ * of its own, at least 0. */
+typedef struct {
+    gboolean (*has_room)(void *into); /* FALSE: the text is too long */
+    int (*number)(void *into, double value);
+    int (*time)(void *into);
+    int (*name)(void *into, const char *name);                             /* NULL where no names are given */
+    int (*operation)(void *into, TinkerOperation operation, int a, int b); /* b is -1 where it has one argument */
+    int (*comparison)(void *into, TinkerComparison comparison, int a, int b);
+    int (*function)(void *into, const TinkerFunction *function, const int *arguments);
+    int (*condition)(void *into, int value);                     /* what the first argument of an `if` becomes; */
+    void (*enter_branch)(void *into, int truth, gboolean taken); /* its others stand in branches */
+    void (*leave_branch)(void *into);
+} TinkerReader;
+
+/* Reads a text, which may use these names (ended by NULL; NULL: none): the handle of its value, or
+ * TINKER_READER_FAILED. */
+#define TINKER_READER_FAILED (-1)
+int tinker_expression_read(const char *text, const char *const *names, const TinkerReader *reader, void *into,
+                           GError **error);
+
 const TinkerInstruction *tinker_program_code(const TinkerProgram *program, int *count);
 
 void tinker_program_state_init(TinkerProgramState *state, const TinkerProgram *program, gboolean searching);

@@ -77,6 +77,10 @@ static const TinkerPropertyType properties[] = {
      .description = "Damping: force per rate at which it gets longer"},
 };
 
+static const TinkerLawEquation law[] = {
+    TINKER_EQUATION("tension", "c*rate", NULL, TINKER_DIMENSION_FORCE),
+};
+
 static const TinkerQuantityType quantities[] = {
     TINKER_QUANTITY(0, "rate", "Rate", "How fast it gets longer", TINKER_DIMENSION_VELOCITY),
     TINKER_QUANTITY(TINKER_RECORDED, "tension", "Tension", "Force that pulls the ends together",
@@ -105,7 +109,7 @@ static const TinkerBlockType blocks[] = {
     {TINKER_BLOCK("damper", "Damper", TINKER_CONNECTOR),
      .summary = "Resists the rate at which its ends move apart or together", .formula = "T = c dL/dt", .least_ends = 2,
      .most_ends = 2, .end_accepts = TINKER_ACCEPTS_BODY | TINKER_ACCEPTS_SUPPORT, .properties = TINKER_SPAN(properties),
-     .quantities = TINKER_SPAN(quantities), .interfaces = TINKER_SPAN(interfaces)},
+     .quantities = TINKER_SPAN(quantities), .interfaces = TINKER_SPAN(interfaces), .law = TINKER_SPAN(law)},
 };
 
 TINKER_DEFINE_PLUGIN("org.tinker.damper", "Damper", "0.1.0", "MIT", blocks)

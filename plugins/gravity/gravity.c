@@ -160,6 +160,12 @@ static const TinkerPropertyType properties[] = {
      .variability = TINKER_TUNABLE, .description = "Direction of falling, counter-clockwise from the right"},
 };
 
+static const TinkerLawEquation law[] = {
+    TINKER_EQUATION("force_x", "m*g*cos(θ)", NULL, TINKER_DIMENSION_FORCE),
+    TINKER_EQUATION("force_y", "m*g*sin(θ)", NULL, TINKER_DIMENSION_FORCE),
+    TINKER_EQUATION("potential", "-m*g*(x*cos(θ) + y*sin(θ))", NULL, TINKER_DIMENSION_ENERGY),
+};
+
 static const TinkerQuantityType quantities[] = {
     TINKER_QUANTITY(0, "potential energy", "Potential Energy", "Of all masses, 0 at the origin",
                     TINKER_DIMENSION_ENERGY),
@@ -183,7 +189,7 @@ static const TinkerInterface interfaces[] = {
 static const TinkerBlockType blocks[] = {
     {TINKER_BLOCK("gravity", "Gravity", TINKER_FIELD), .summary = "Makes all masses fall",
      .formula = "F = m g (cos θ, sin θ)", .properties = TINKER_SPAN(properties), .quantities = TINKER_SPAN(quantities),
-     .interfaces = TINKER_SPAN(interfaces)},
+     .interfaces = TINKER_SPAN(interfaces), .law = TINKER_SPAN(law)},
 };
 
 TINKER_DEFINE_PLUGIN("org.tinker.gravity", "Gravity", "0.1.0", "MIT", blocks)

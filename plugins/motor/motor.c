@@ -138,6 +138,11 @@ static const TinkerPropertyType properties[] = {
      .description = "Direction of the force, counter-clockwise from the right"},
 };
 
+static const TinkerLawEquation law[] = {
+    TINKER_EQUATION("force_x", "w*cos(θ)", NULL, TINKER_DIMENSION_FORCE),
+    TINKER_EQUATION("force_y", "w*sin(θ)", NULL, TINKER_DIMENSION_FORCE),
+};
+
 static const TinkerQuantityType quantities[] = {
     TINKER_QUANTITY(0, "force", "Force", "Force along its angle", TINKER_DIMENSION_FORCE),
     TINKER_QUANTITY(0, "power", "Power", "Power given to the body", TINKER_DIMENSION_POWER),
@@ -163,7 +168,7 @@ static const TinkerBlockType blocks[] = {
     {TINKER_BLOCK("motor", "Motor", TINKER_FORCE), .summary = "A force on one mass that varies with time",
      .formula = "F = w(t) (cos θ, sin θ), w = A cos(ω t + φ)", .least_ends = 1, .most_ends = 1,
      .end_accepts = TINKER_ACCEPTS_BODY, .properties = TINKER_SPAN(properties), .quantities = TINKER_SPAN(quantities),
-     .interfaces = TINKER_SPAN(interfaces)},
+     .interfaces = TINKER_SPAN(interfaces), .law = TINKER_SPAN(law)},
 };
 
 TINKER_DEFINE_PLUGIN("org.tinker.motor", "Motor", "0.1.0", "MIT", blocks)

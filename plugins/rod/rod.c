@@ -88,6 +88,10 @@ static const TinkerPropertyType properties[] = {
      .variability = TINKER_STRUCTURAL, .description = "Distance that it keeps between its ends"},
 };
 
+static const TinkerLawEquation law[] = {
+    TINKER_EQUATION("g", "L - l", NULL, TINKER_DIMENSION_LENGTH),
+};
+
 static const TinkerQuantityType quantities[] = {
     TINKER_QUANTITY(TINKER_RECORDED, "tension", "Tension", "Force that pulls the ends together",
                     TINKER_DIMENSION_FORCE),
@@ -118,7 +122,7 @@ static const TinkerBlockType blocks[] = {
     {TINKER_BLOCK("rod", "Rod", TINKER_CONNECTOR), .summary = "Keeps a fixed distance between its ends",
      .formula = "|x2 - x1| = l", .least_ends = 2, .most_ends = 2,
      .end_accepts = TINKER_ACCEPTS_BODY | TINKER_ACCEPTS_SUPPORT, .properties = TINKER_SPAN(properties),
-     .quantities = TINKER_SPAN(quantities), .interfaces = TINKER_SPAN(interfaces)},
+     .quantities = TINKER_SPAN(quantities), .interfaces = TINKER_SPAN(interfaces), .law = TINKER_SPAN(law)},
 };
 
 TINKER_DEFINE_PLUGIN("org.tinker.rod", "Rod", "0.1.0", "MIT", blocks)

@@ -107,6 +107,11 @@ static const TinkerPropertyType properties[] = {
      .description = "Distance between its ends now"},
 };
 
+static const TinkerLawEquation law[] = {
+    TINKER_EQUATION("tension", "k*(L - L0)", NULL, TINKER_DIMENSION_FORCE),
+    TINKER_EQUATION("potential", "k*(L - L0)^2/2", NULL, TINKER_DIMENSION_ENERGY),
+};
+
 static const TinkerQuantityType quantities[] = {
     TINKER_QUANTITY(0, "length", "Length", "Distance between the ends", TINKER_DIMENSION_LENGTH),
     TINKER_QUANTITY(0, "extension", "Extension", "Length beyond the undeformed length", TINKER_DIMENSION_LENGTH),
@@ -138,7 +143,7 @@ static const TinkerBlockType blocks[] = {
     {TINKER_BLOCK("spring", "Spring", TINKER_CONNECTOR),
      .summary = "Pulls or pushes its ends towards its undeformed length", .formula = "T = k (L - L0)", .least_ends = 2,
      .most_ends = 2, .end_accepts = TINKER_ACCEPTS_BODY | TINKER_ACCEPTS_SUPPORT, .properties = TINKER_SPAN(properties),
-     .quantities = TINKER_SPAN(quantities), .interfaces = TINKER_SPAN(interfaces)},
+     .quantities = TINKER_SPAN(quantities), .interfaces = TINKER_SPAN(interfaces), .law = TINKER_SPAN(law)},
 };
 
 TINKER_DEFINE_PLUGIN("org.tinker.spring", "Spring", "0.1.0", "MIT", blocks)

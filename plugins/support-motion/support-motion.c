@@ -135,6 +135,11 @@ static const TinkerPropertyType properties[] = {
      .description = "Direction of the motion, counter-clockwise from the right"},
 };
 
+static const TinkerLawEquation law[] = {
+    TINKER_EQUATION("displacement_x", "u*cos(θ)", NULL, TINKER_DIMENSION_LENGTH),
+    TINKER_EQUATION("displacement_y", "u*sin(θ)", NULL, TINKER_DIMENSION_LENGTH),
+};
+
 static const TinkerQuantityType quantities[] = {
     TINKER_QUANTITY(0, "displacement", "Displacement", "Along its angle, from the support's place",
                     TINKER_DIMENSION_LENGTH),
@@ -161,7 +166,7 @@ static const TinkerBlockType blocks[] = {
     {TINKER_BLOCK("support-motion", "Support Motion", TINKER_MOTION), .summary = "Moves a support as time goes",
      .formula = "x = x0 + u(t) (cos θ, sin θ), u = A sin(ω t + φ)", .least_ends = 1, .most_ends = 1,
      .end_accepts = TINKER_ACCEPTS_SUPPORT, .properties = TINKER_SPAN(properties),
-     .quantities = TINKER_SPAN(quantities), .interfaces = TINKER_SPAN(interfaces)},
+     .quantities = TINKER_SPAN(quantities), .interfaces = TINKER_SPAN(interfaces), .law = TINKER_SPAN(law)},
 };
 
 TINKER_DEFINE_PLUGIN("org.tinker.support-motion", "Support Motion", "0.1.0", "MIT", blocks)

@@ -192,6 +192,12 @@ static const TinkerPropertyType properties[] = {
      .description = "Force per square of the speed relative to the air"},
 };
 
+static const TinkerLawEquation law[] = {
+    TINKER_EQUATION("u", "sqrt((vx - wx)^2 + (vy - wy)^2)", "speed against the air", TINKER_DIMENSION_VELOCITY),
+    TINKER_EQUATION("force_x", "-(c + c2*u)*(vx - wx)", NULL, TINKER_DIMENSION_FORCE),
+    TINKER_EQUATION("force_y", "-(c + c2*u)*(vy - wy)", NULL, TINKER_DIMENSION_FORCE),
+};
+
 static const TinkerQuantityType quantities[] = {
     TINKER_QUANTITY(0, "power", "Power", "Power given to all masses", TINKER_DIMENSION_POWER),
 };
@@ -215,7 +221,7 @@ static const TinkerInterface interfaces[] = {
 static const TinkerBlockType blocks[] = {
     {TINKER_BLOCK("wind", "Wind", TINKER_FIELD), .summary = "Drag of moving or still air on all masses",
      .formula = "F = -c (v - w) - c2 |v - w| (v - w)", .properties = TINKER_SPAN(properties),
-     .quantities = TINKER_SPAN(quantities), .interfaces = TINKER_SPAN(interfaces)},
+     .quantities = TINKER_SPAN(quantities), .interfaces = TINKER_SPAN(interfaces), .law = TINKER_SPAN(law)},
 };
 
 TINKER_DEFINE_PLUGIN("org.tinker.wind", "Wind", "0.1.0", "MIT", blocks)

@@ -16,6 +16,7 @@ static const Layer layers[] = {
     {"core/files", {"files"}, {"glib"}},
     {"core/units", {"units"}, {"tinker/types.h", "tinker/integrator.h", "glib", NULL}},
     {"core/plugin", {"plugin", "files", "units"}, {"tinker/", "glib", "gmodule", "cjson/"}},
+    {"core/law", {"law", "plugin", "units"}, {"tinker/", "glib"}},
     {"core/scene", {"scene", "files", "plugin", "units"}, {"tinker/", "glib", "cjson/"}},
     {"core/numerics",
      {"numerics"},

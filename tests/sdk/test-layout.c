@@ -24,16 +24,22 @@ AT(TinkerPropertyType, amplitude, 160) AT(TinkerPropertyType, frequency, 168) AT
 SIZE(TinkerQuantityType, 40) AT(TinkerQuantityType, struct_size, 0) AT(TinkerQuantityType, flags, 4)
 AT(TinkerQuantityType, id, 8) AT(TinkerQuantityType, title, 16) AT(TinkerQuantityType, description, 24)
 AT(TinkerQuantityType, dimension, 32) AT(TinkerQuantityType, reserved, 36)
-SIZE(TinkerBlockType, 128) AT(TinkerBlockType, struct_size, 0) AT(TinkerBlockType, schema_version, 4)
+SIZE(TinkerBlockType, 144) AT(TinkerBlockType, struct_size, 0) AT(TinkerBlockType, schema_version, 4)
 AT(TinkerBlockType, id, 8) AT(TinkerBlockType, title, 16) AT(TinkerBlockType, category, 24)
 AT(TinkerBlockType, summary, 32) AT(TinkerBlockType, formula, 40) AT(TinkerBlockType, icon_path, 48)
 AT(TinkerBlockType, help_link, 56) AT(TinkerBlockType, least_ends, 64) AT(TinkerBlockType, most_ends, 68)
 AT(TinkerBlockType, end_accepts, 72) AT(TinkerBlockType, reserved, 76) AT(TinkerBlockType, properties, 80)
-AT(TinkerBlockType, quantities, 96) AT(TinkerBlockType, interfaces, 112)
+AT(TinkerBlockType, quantities, 96) AT(TinkerBlockType, interfaces, 112) AT(TinkerBlockType, law, 128)
+
 SIZE(TinkerBatch, 80) AT(TinkerBatch, struct_size, 0) AT(TinkerBatch, first, 4) AT(TinkerBatch, count, 8)
 AT(TinkerBatch, ends, 12) AT(TinkerBatch, end_offsets, 16) AT(TinkerBatch, columns, 24) AT(TinkerBatch, scratch, 32)
 AT(TinkerBatch, time, 40) AT(TinkerBatch, origin, 48) AT(TinkerBatch, failed_instance, 64)
 AT(TinkerBatch, reserved, 68) AT(TinkerBatch, failure, 72)
+
+/* law.h */
+SIZE(TinkerLawEquation, 40) AT(TinkerLawEquation, struct_size, 0) AT(TinkerLawEquation, reserved, 4)
+AT(TinkerLawEquation, symbol, 8) AT(TinkerLawEquation, is, 16) AT(TinkerLawEquation, means, 24)
+AT(TinkerLawEquation, dimension, 32) AT(TinkerLawEquation, reserved_2, 36)
 
 /* edit.h */
 SIZE(TinkerEditor, 32) AT(TinkerEditor, struct_size, 0) AT(TinkerEditor, reserved, 4) AT(TinkerEditor, context, 8)

@@ -100,6 +100,23 @@ static gboolean add_quantities(TinkerBlockClass *block_class, GPtrArray *arena, 
     return TRUE;
 }
 
+/* What stands in an equation is read where it is used (law/block-law.h): one that is wrong is no reason to refuse. */
+static gboolean add_law(TinkerBlockClass *block_class, GPtrArray *arena, GError **error)
+{
+    TinkerLawEquation *copies = tinker_span_copy(&block_class->type->law, "equations of the law",
+                                                 TINKER_SHAPE_THROUGH(TinkerLawEquation, is), arena, error);
+    if (copies == NULL) return FALSE;
+    block_class->law = copies;
+    block_class->law_count = block_class->type->law.count;
+    for (int32_t i = 0; i < block_class->law_count; i++) {
+        if (!tinker_check_id(copies[i].symbol, "the symbol of an equation of its law", "", error) ||
+            !tinker_check_text(copies[i].is, "an equation of its law", TRUE, error) ||
+            !tinker_check_text(copies[i].means, "the meaning of an equation of its law", FALSE, error))
+            return FALSE;
+    }
+    return TRUE;
+}
+
 static void number_columns(TinkerBlockClass *block_class, GPtrArray *arena)
 {
     int32_t *first = tinker_arena_allocate(arena, (gsize)block_class->property_count * sizeof(int32_t));
@@ -128,7 +145,7 @@ static gboolean build(TinkerBlockClass *block_class, TinkerBlockType *type, GPtr
     block_class->properties = copy_properties(type, arena, error);
     if (block_class->properties == NULL) return FALSE;
     block_class->property_count = type->properties.count;
-    if (!add_quantities(block_class, arena, error)) return FALSE;
+    if (!add_quantities(block_class, arena, error) || !add_law(block_class, arena, error)) return FALSE;
     if (!tinker_block_class_check_properties(block_class, error)) return FALSE;
     number_columns(block_class, arena);
     find_meanings(block_class);

@@ -22,6 +22,9 @@ typedef struct {
     int32_t quantity_count;
     const TinkerQuantityType *quantities;
 
+    int32_t law_count; /* 0: its law is not stated */
+    const TinkerLawEquation *law;
+
     const TinkerPhysics *physics;
     const TinkerRender *render;
     const TinkerEdit *edit;

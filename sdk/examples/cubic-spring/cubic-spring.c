@@ -138,6 +138,11 @@ static const TinkerPropertyType properties[] = {
      .variability = TINKER_TUNABLE, .description = "Length at which it exerts no force"},
 };
 
+static const TinkerLawEquation law[] = {
+    TINKER_EQUATION("tension", "k*(L - L0) + c*(L - L0)^3", NULL, TINKER_DIMENSION_FORCE),
+    TINKER_EQUATION("potential", "k*(L - L0)^2/2 + c*(L - L0)^4/4", NULL, TINKER_DIMENSION_ENERGY),
+};
+
 static const TinkerQuantityType quantities[] = {
     TINKER_QUANTITY(0, "extension", "Extension", "d = L - L0", TINKER_DIMENSION_LENGTH),
     TINKER_QUANTITY(TINKER_RECORDED, "tension", "Tension", "Force that pulls the ends together",
@@ -157,7 +162,7 @@ static const TinkerBlockType blocks[] = {
      .summary = "A spring that hardens or softens with the cube of its extension",
      .formula = "T = k (L - L0) + c (L - L0)^3", .least_ends = 2, .most_ends = 2,
      .end_accepts = TINKER_ACCEPTS_BODY | TINKER_ACCEPTS_SUPPORT, .properties = TINKER_SPAN(properties),
-     .quantities = TINKER_SPAN(quantities), .interfaces = TINKER_SPAN(interfaces)},
+     .quantities = TINKER_SPAN(quantities), .interfaces = TINKER_SPAN(interfaces), .law = TINKER_SPAN(law)},
 };
 
 TINKER_DEFINE_PLUGIN("org.example.cubic-spring", "Cubic Spring", "1.0.0", "MIT", blocks)

@@ -114,6 +114,13 @@ static const TinkerPropertyType properties[] = {
      .description = "Gravitational constant; the default is that of nature (CODATA 2018)"},
 };
 
+static const TinkerLawEquation law[] = {
+    TINKER_EQUATION("r", "sqrt((x2 - x)^2 + (y2 - y)^2)", "distance of the two bodies", TINKER_DIMENSION_LENGTH),
+    TINKER_EQUATION("pair_force_x", "G*m*m2*(x2 - x)/r^3", NULL, TINKER_DIMENSION_FORCE),
+    TINKER_EQUATION("pair_force_y", "G*m*m2*(y2 - y)/r^3", NULL, TINKER_DIMENSION_FORCE),
+    TINKER_EQUATION("pair_potential", "-G*m*m2/r", NULL, TINKER_DIMENSION_ENERGY),
+};
+
 static const TinkerQuantityType quantities[] = {
     TINKER_QUANTITY(0, "energy", "Potential Energy", "-G m M / r of all pairs", TINKER_DIMENSION_ENERGY),
 };
@@ -128,7 +135,7 @@ static const TinkerBlockType blocks[] = {
     {TINKER_BLOCK("inverse-square", "Inverse-Square Field", TINKER_FIELD),
      .summary = "All bodies attract each other as stars do", .formula = "F = G m M / r^2",
      .properties = TINKER_SPAN(properties), .quantities = TINKER_SPAN(quantities),
-     .interfaces = TINKER_SPAN(interfaces)},
+     .interfaces = TINKER_SPAN(interfaces), .law = TINKER_SPAN(law)},
 };
 
 TINKER_DEFINE_PLUGIN("org.example.inverse-square", "Inverse-Square Field", "1.0.0", "MIT", blocks)

@@ -132,6 +132,10 @@ static const TinkerPropertyType properties[] = {
      .variability = TINKER_STRUCTURAL, .description = "Longest path from its first end over the wheels to its last"},
 };
 
+static const TinkerLawEquation law[] = {
+    TINKER_EQUATION("g", "L - l", NULL, TINKER_DIMENSION_LENGTH),
+};
+
 static const TinkerQuantityType quantities[] = {
     TINKER_QUANTITY(TINKER_RECORDED, "tension", "Tension", "Force along the rope, the same in all strands",
                     TINKER_DIMENSION_FORCE),
@@ -149,7 +153,7 @@ static const TinkerBlockType blocks[] = {
     {TINKER_BLOCK("pulley", "Pulley", TINKER_CONNECTOR), .summary = "A rope over wheels; it may be slack",
      .formula = "|x2 - x1| + |x3 - x2| + ... <= l", .least_ends = 2, .most_ends = -1,
      .end_accepts = TINKER_ACCEPTS_BODY | TINKER_ACCEPTS_SUPPORT, .properties = TINKER_SPAN(properties),
-     .quantities = TINKER_SPAN(quantities), .interfaces = TINKER_SPAN(interfaces)},
+     .quantities = TINKER_SPAN(quantities), .interfaces = TINKER_SPAN(interfaces), .law = TINKER_SPAN(law)},
 };
 
 TINKER_DEFINE_PLUGIN("org.example.pulley", "Pulley", "1.0.0", "MIT", blocks)

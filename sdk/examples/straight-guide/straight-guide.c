@@ -104,6 +104,11 @@ static const TinkerGraph graph = {.struct_size = sizeof(TinkerGraph), .values = 
 
 /* Declaration */
 
+static const TinkerLawEquation law[] = {
+    TINKER_EQUATION("d", "sqrt((x3 - x2)^2 + (y3 - y2)^2)", "distance of the two points", TINKER_DIMENSION_LENGTH),
+    TINKER_EQUATION("g", "((x3 - x2)*(y1 - y2) - (y3 - y2)*(x1 - x2))/d", NULL, TINKER_DIMENSION_LENGTH),
+};
+
 static const TinkerQuantityType quantities[] = {
     TINKER_QUANTITY(TINKER_RECORDED, "force", "Force", "On the body, to the left of the line from point to point",
                     TINKER_DIMENSION_FORCE),
@@ -123,7 +128,7 @@ static const TinkerBlockType blocks[] = {
     {TINKER_BLOCK("straight-guide", "Straight Guide", TINKER_CONNECTOR),
      .summary = "Keeps its first end on the line through the two others", .formula = "(x2 - x1) x (x0 - x1) = 0",
      .least_ends = ENDS, .most_ends = ENDS, .end_accepts = TINKER_ACCEPTS_BODY | TINKER_ACCEPTS_SUPPORT,
-     .quantities = TINKER_SPAN(quantities), .interfaces = TINKER_SPAN(interfaces)},
+     .quantities = TINKER_SPAN(quantities), .interfaces = TINKER_SPAN(interfaces), .law = TINKER_SPAN(law)},
 };
 
 TINKER_DEFINE_PLUGIN("org.example.straight-guide", "Straight Guide", "1.0.0", "MIT", blocks)

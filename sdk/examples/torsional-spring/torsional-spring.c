@@ -148,6 +148,7 @@ static const TinkerGraph graph = {.struct_size = sizeof(TinkerGraph), .values = 
 /* clang-format off */
 #define DIMENSION_MOMENT              {1, 2, -2, 0}
 #define DIMENSION_TORSIONAL_STIFFNESS {1, 2, -2, -1}
+#define DIMENSION_AREA                {0, 2, 0, 0}
 /* clang-format on */
 
 static const TinkerPropertyType properties[] = {
@@ -158,6 +159,16 @@ static const TinkerPropertyType properties[] = {
      TINKER_BETWEEN(0, -2.0 * TINKER_PI, 2.0 * TINKER_PI), .default_value = {TINKER_PI}, .symbol = "theta0",
      .variability = TINKER_TUNABLE, .description = "Angle from the first arm to the second without moment"},
 };
+
+/* clang-format off */
+static const TinkerLawEquation law[] = {
+    TINKER_EQUATION("along", "(x1 - x2)*(x3 - x2) + (y1 - y2)*(y3 - y2)", "product of the arms", DIMENSION_AREA),
+    TINKER_EQUATION("across", "(x1 - x2)*(y3 - y2) - (y1 - y2)*(x3 - x2)", "cross product of the arms", DIMENSION_AREA),
+    TINKER_EQUATION("turn", "atan2(across*cos(theta0) - along*sin(theta0), along*cos(theta0) + across*sin(theta0))",
+                    "angle from rest", TINKER_DIMENSION_ANGLE),
+    TINKER_EQUATION("potential", "k*turn^2/2", NULL, TINKER_DIMENSION_ENERGY),
+};
+/* clang-format on */
 
 static const TinkerQuantityType quantities[] = {
     TINKER_QUANTITY(TINKER_RECORDED, "angle", "Angle", "From the first arm to the second, within 170 deg of rest",
@@ -179,7 +190,7 @@ static const TinkerBlockType blocks[] = {
      .summary = "Turns two arms about a hinge towards their rest angle", .formula = "M = k (theta - theta0)",
      .least_ends = ENDS, .most_ends = ENDS, .end_accepts = TINKER_ACCEPTS_BODY | TINKER_ACCEPTS_SUPPORT,
      .properties = TINKER_SPAN(properties), .quantities = TINKER_SPAN(quantities),
-     .interfaces = TINKER_SPAN(interfaces)},
+     .interfaces = TINKER_SPAN(interfaces), .law = TINKER_SPAN(law)},
 };
 
 TINKER_DEFINE_PLUGIN("org.example.torsional-spring", "Torsional Spring", "1.0.0", "MIT", blocks)

@@ -6,6 +6,7 @@
 #ifndef TINKER_BLOCK_H
 #define TINKER_BLOCK_H
 
+#include "law.h"
 #include "types.h"
 
 #ifdef __cplusplus
@@ -131,6 +132,7 @@ typedef struct TinkerBlockType {
     TinkerSpan properties; /* of TinkerPropertyType; their order fixes the columns */
     TinkerSpan quantities; /* of TinkerQuantityType */
     TinkerSpan interfaces; /* of TinkerInterface */
+    TinkerSpan law;        /* of TinkerLawEquation (law.h): what its code works out, as data; none: not stated */
 } TinkerBlockType;
 
 /* Batches of instances ------------------------------------------------------------------------------------------- */

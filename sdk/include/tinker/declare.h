@@ -95,6 +95,12 @@
         TINKER_QUANTITY(0, "contact force", "Contact Force", "Magnitude of the whole force of all contacts",           \
                         TINKER_DIMENSION_FORCE)
 
+/* An equation of a block's law. */
+#define TINKER_EQUATION(symbol_, is_, means_, ...)                                                                     \
+    {                                                                                                                  \
+        (uint32_t)sizeof(TinkerLawEquation), 0, symbol_, is_, means_, __VA_ARGS__, 0                                   \
+    }
+
 /* The first members of a block type. */
 #define TINKER_BLOCK(id_, title_, category_)                                                                           \
     .struct_size = (uint32_t)sizeof(TinkerBlockType), .schema_version = 1, .id = id_, .title = title_,                 \

@@ -11,6 +11,7 @@
 #include "instance.h"
 #include "integrator.h"
 #include "kernels.h"
+#include "law.h"
 #include "physics.h"
 #include "plugin.h"
 #include "render.h"

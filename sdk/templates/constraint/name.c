@@ -91,6 +91,11 @@ static const TinkerPropertyType properties[] = {
      .description = "Direction of the rail, counter-clockwise from the right"},
 };
 
+/* The law once more, as data: from it come the equations of a scene, and a check of the code above. */
+static const TinkerLawEquation law[] = {
+    TINKER_EQUATION("g", "cos(a)*(y - py) - sin(a)*(x - px)", NULL, TINKER_DIMENSION_LENGTH),
+};
+
 static const TinkerQuantityType quantities[] = {
     TINKER_QUANTITY(TINKER_RECORDED, "force", "Force", "Force of the rail on the body, positive to the rail's left",
                     TINKER_DIMENSION_FORCE),
@@ -106,7 +111,7 @@ static const TinkerBlockType blocks[] = {
     {TINKER_BLOCK("@name@", "@title@", TINKER_CONNECTOR), .summary = "Keeps a body on a straight line",
      .formula = "n . (x - p) = 0, n = (-sin a, cos a)", .least_ends = 1, .most_ends = 1,
      .end_accepts = TINKER_ACCEPTS_BODY, .properties = TINKER_SPAN(properties), .quantities = TINKER_SPAN(quantities),
-     .interfaces = TINKER_SPAN(interfaces)},
+     .interfaces = TINKER_SPAN(interfaces), .law = TINKER_SPAN(law)},
 };
 
 TINKER_DEFINE_PLUGIN("org.example.@name@", "@title@", "0.1.0", "MIT", blocks)

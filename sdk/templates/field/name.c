@@ -77,6 +77,12 @@ static const TinkerPropertyType properties[] = {
      .description = "Force per square of the speed"},
 };
 
+/* The law once more, as data: from it come the equations of a scene, and a check of the code above. */
+static const TinkerLawEquation law[] = {
+    TINKER_EQUATION("force_x", "-c*sqrt(vx^2 + vy^2)*vx", NULL, TINKER_DIMENSION_FORCE),
+    TINKER_EQUATION("force_y", "-c*sqrt(vx^2 + vy^2)*vy", NULL, TINKER_DIMENSION_FORCE),
+};
+
 static const TinkerQuantityType quantities[] = {
     TINKER_QUANTITY(TINKER_RECORDED, "power", "Power", "Power given to all bodies", TINKER_DIMENSION_POWER),
 };
@@ -90,7 +96,7 @@ static const TinkerInterface interfaces[] = {
 static const TinkerBlockType blocks[] = {
     {TINKER_BLOCK("@name@", "@title@", TINKER_FIELD), .summary = "Resists all bodies by the square of their speed",
      .formula = "F = -c |v| v", .properties = TINKER_SPAN(properties), .quantities = TINKER_SPAN(quantities),
-     .interfaces = TINKER_SPAN(interfaces)},
+     .interfaces = TINKER_SPAN(interfaces), .law = TINKER_SPAN(law)},
 };
 
 TINKER_DEFINE_PLUGIN("org.example.@name@", "@title@", "0.1.0", "MIT", blocks)

@@ -65,6 +65,12 @@ static const TinkerPropertyType properties[] = {
      .description = "Force per speed; positive to the left"},
 };
 
+/* The law once more, as data: from it come the equations of a scene, and a check of the code above. */
+static const TinkerLawEquation law[] = {
+    TINKER_EQUATION("force_x", "-b*vy", NULL, TINKER_DIMENSION_FORCE),
+    TINKER_EQUATION("force_y", "b*vx", NULL, TINKER_DIMENSION_FORCE),
+};
+
 static const TinkerQuantityType quantities[] = {
     TINKER_QUANTITY(TINKER_RECORDED, "force", "Force", "Magnitude of the force", TINKER_DIMENSION_FORCE),
 };
@@ -79,7 +85,7 @@ static const TinkerBlockType blocks[] = {
     {TINKER_BLOCK("@name@", "@title@", TINKER_FORCE), .summary = "Pushes a body sideways as it moves",
      .formula = "F = b (-vy, vx)", .least_ends = 1, .most_ends = 1, .end_accepts = TINKER_ACCEPTS_BODY,
      .properties = TINKER_SPAN(properties), .quantities = TINKER_SPAN(quantities),
-     .interfaces = TINKER_SPAN(interfaces)},
+     .interfaces = TINKER_SPAN(interfaces), .law = TINKER_SPAN(law)},
 };
 
 TINKER_DEFINE_PLUGIN("org.example.@name@", "@title@", "0.1.0", "MIT", blocks)

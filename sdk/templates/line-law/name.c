@@ -95,6 +95,13 @@ static const TinkerPropertyType properties[] = {
      .variability = TINKER_STRUCTURAL, .description = "Length below which it is slack"},
 };
 
+/* The law once more, as data: from it come the equations of a scene, and a check of the code above. */
+static const TinkerLawEquation law[] = {
+    TINKER_EQUATION("e", "max(L - L0, 0)", "how far it is drawn out", TINKER_DIMENSION_LENGTH),
+    TINKER_EQUATION("tension", "k*e + k3*e^3", NULL, TINKER_DIMENSION_FORCE),
+    TINKER_EQUATION("potential", "k*e^2/2 + k3*e^4/4", NULL, TINKER_DIMENSION_ENERGY),
+};
+
 static const TinkerQuantityType quantities[] = {
     TINKER_QUANTITY(0, "length", "Length", "Distance between its ends", TINKER_DIMENSION_LENGTH),
     TINKER_QUANTITY(TINKER_RECORDED, "tension", "Tension", "Force that pulls the ends together",
@@ -112,7 +119,7 @@ static const TinkerBlockType blocks[] = {
     {TINKER_BLOCK("@name@", "@title@", TINKER_CONNECTOR), .summary = "Pulls like a rubber band, harder and harder",
      .formula = "T = k e + k3 e^3, e = max(L - L0, 0)", .least_ends = 2, .most_ends = 2,
      .end_accepts = TINKER_ACCEPTS_BODY | TINKER_ACCEPTS_SUPPORT, .properties = TINKER_SPAN(properties),
-     .quantities = TINKER_SPAN(quantities), .interfaces = TINKER_SPAN(interfaces)},
+     .quantities = TINKER_SPAN(quantities), .interfaces = TINKER_SPAN(interfaces), .law = TINKER_SPAN(law)},
 };
 
 TINKER_DEFINE_PLUGIN("org.example.@name@", "@title@", "0.1.0", "MIT", blocks)

@@ -71,6 +71,12 @@ static const TinkerPropertyType properties[] = {
      .description = "How fast it carries its support, and where to"},
 };
 
+/* The law once more, as data: from it come the equations of a scene, and a check of the code above. */
+static const TinkerLawEquation law[] = {
+    TINKER_EQUATION("displacement_x", "wx*t", NULL, TINKER_DIMENSION_LENGTH),
+    TINKER_EQUATION("displacement_y", "wy*t", NULL, TINKER_DIMENSION_LENGTH),
+};
+
 static const TinkerQuantityType quantities[] = {
     TINKER_QUANTITY(0, "distance", "Distance", "How far it has carried its support", TINKER_DIMENSION_LENGTH),
 };
@@ -85,7 +91,7 @@ static const TinkerBlockType blocks[] = {
     {TINKER_BLOCK("@name@", "@title@", TINKER_MOTION), .summary = "Carries a support along at a constant speed",
      .formula = "x = x0 + w t", .least_ends = 1, .most_ends = 1, .end_accepts = TINKER_ACCEPTS_SUPPORT,
      .properties = TINKER_SPAN(properties), .quantities = TINKER_SPAN(quantities),
-     .interfaces = TINKER_SPAN(interfaces)},
+     .interfaces = TINKER_SPAN(interfaces), .law = TINKER_SPAN(law)},
 };
 
 TINKER_DEFINE_PLUGIN("org.example.@name@", "@title@", "0.1.0", "MIT", blocks)

@@ -1,0 +1,178 @@
+/* Reading the law of a block type. */
+#include "law/block-law.h"
+
+#include <string.h>
+
+#include "units/waveform.h"
+
+static const TinkerDimension length = {0, 1, 0, 0}, velocity = {0, 1, -1, 0}, seconds = {0, 0, 1, 0},
+                             kilograms = {1, 0, 0, 0};
+
+TinkerLawRole tinker_law_role(const TinkerBlockClass *block_class)
+{
+    const TinkerPhysics *physics = block_class->physics;
+    if (physics == NULL) return TINKER_LAW_NONE;
+    if (physics->line_law != NULL) return TINKER_LAW_LINE;
+    if (physics->force_element != NULL) return TINKER_LAW_FORCE;
+    if (physics->field != NULL) return TINKER_LAW_FIELD;
+    if (physics->constraint != NULL) return TINKER_LAW_CONSTRAINT;
+    return physics->motion != NULL ? TINKER_LAW_MOTION : TINKER_LAW_NONE;
+}
+
+static void clear_symbol(void *data)
+{
+    g_free(((TinkerLawSymbol *)data)->name);
+}
+
+static void clear_definition(void *data)
+{
+    g_clear_pointer(&((TinkerLawDefinition *)data)->is, tinker_expression_unref);
+}
+
+static void add_symbol(TinkerBlockLaw *law, char *name, TinkerDimension dimension)
+{
+    const TinkerLawSymbol symbol = {.name = name, .property = -1, .column = -1, .dimension = dimension};
+    g_array_append_val(law->symbols, symbol);
+}
+
+static void add_point(TinkerBlockLaw *law, const char *number, gboolean moves)
+{
+    add_symbol(law, g_strconcat("x", number, NULL), length);
+    add_symbol(law, g_strconcat("y", number, NULL), length);
+    if (!moves) return;
+    add_symbol(law, g_strconcat("vx", number, NULL), velocity);
+    add_symbol(law, g_strconcat("vy", number, NULL), velocity);
+}
+
+static void add_ends(TinkerBlockLaw *law, int32_t ends, gboolean move)
+{
+    for (int32_t i = 0; i < ends; i++) {
+        g_autofree char *number = ends == 1 ? g_strdup("") : g_strdup_printf("%d", i + 1);
+        add_point(law, number, move);
+    }
+}
+
+static void add_role(TinkerBlockLaw *law, const TinkerBlockClass *block_class, int32_t ends)
+{
+    add_symbol(law, g_strdup("t"), seconds);
+    if (law->role == TINKER_LAW_LINE || law->role == TINKER_LAW_CONSTRAINT) add_symbol(law, g_strdup("L"), length);
+    if (law->role == TINKER_LAW_LINE) add_symbol(law, g_strdup("rate"), velocity);
+    if (law->role == TINKER_LAW_FORCE) add_ends(law, ends, TRUE);
+    if (law->role == TINKER_LAW_CONSTRAINT) add_ends(law, ends, FALSE);
+    if (law->role != TINKER_LAW_FIELD) return;
+    add_point(law, "", TRUE);
+    add_symbol(law, g_strdup("m"), kilograms);
+    if (!block_class->physics->field->couples_bodies) return;
+    add_point(law, "2", TRUE);
+    add_symbol(law, g_strdup("m2"), kilograms);
+}
+
+/* By its symbol, or by its id where it has none; components of the first are "wx", of the second "wind_x". */
+static void add_property(TinkerBlockLaw *law, const TinkerBlockClass *block_class, int32_t number)
+{
+    const TinkerPropertyType *property = &block_class->properties[number];
+    if (property->kind == TINKER_KIND_TEXT || (property->flags & TINKER_READ_ONLY) != 0) return;
+    const gboolean vector = property->kind == TINKER_KIND_VECTOR, named = property->symbol != NULL;
+    for (int component = 0; component < (vector ? 2 : 1); component++) {
+        const char *behind = !vector ? "" : component == 0 ? "x" : "y";
+        const TinkerLawSymbol symbol = {
+            .name = g_strconcat(named ? property->symbol : property->id, vector && !named ? "_" : "", behind, NULL),
+            .property = number,
+            .column = block_class->first_columns[number] + component,
+            .component = behind[0],
+            .at_time = property->kind == TINKER_KIND_WAVEFORM,
+            .dimension = property->dimension,
+        };
+        g_array_append_val(law->symbols, symbol);
+    }
+}
+
+/* The names that the next equation may use. (transfer full) */
+static GPtrArray *names_so_far(const TinkerBlockLaw *law)
+{
+    GPtrArray *names = g_ptr_array_new();
+    for (guint i = 0; i < law->symbols->len; i++)
+        g_ptr_array_add(names, g_array_index(law->symbols, TinkerLawSymbol, i).name);
+    for (guint i = 0; i < law->definitions->len; i++)
+        g_ptr_array_add(names, (void *)g_array_index(law->definitions, TinkerLawDefinition, i).symbol);
+    g_ptr_array_add(names, NULL);
+    return names;
+}
+
+static gboolean add_equation(TinkerBlockLaw *law, const TinkerLawEquation *equation, GError **error)
+{
+    g_autoptr(GPtrArray) names = names_so_far(law);
+    if (g_strv_contains((const char *const *)names->pdata, equation->symbol)) {
+        g_set_error(error, TINKER_WAVEFORM_ERROR, TINKER_WAVEFORM_ERROR_SYNTAX,
+                    "the symbol \"%s\" has a meaning already (an equation needs one of its own)", equation->symbol);
+        return FALSE;
+    }
+    const TinkerLawDefinition definition = {
+        .symbol = equation->symbol,
+        .means = equation->means,
+        .dimension = equation->dimension,
+        .is = tinker_expression_parse(equation->is, (const char *const *)names->pdata, error),
+    };
+    if (definition.is == NULL) {
+        g_prefix_error(error, "%s = %s: ", equation->symbol, equation->is);
+        return FALSE;
+    }
+    g_array_append_val(law->definitions, definition);
+    return TRUE;
+}
+
+TinkerBlockLaw *tinker_block_law_new(const TinkerBlockClass *block_class, int32_t ends, GError **error)
+{
+    if (block_class->law_count == 0 || tinker_law_role(block_class) == TINKER_LAW_NONE) return NULL;
+    TinkerBlockLaw *law = g_new0(TinkerBlockLaw, 1);
+    law->role = tinker_law_role(block_class);
+    law->symbols = g_array_new(FALSE, TRUE, sizeof(TinkerLawSymbol));
+    law->definitions = g_array_new(FALSE, TRUE, sizeof(TinkerLawDefinition));
+    g_array_set_clear_func(law->symbols, clear_symbol);
+    g_array_set_clear_func(law->definitions, clear_definition);
+    add_role(law, block_class, ends);
+    for (int32_t i = 0; i < block_class->property_count; i++)
+        add_property(law, block_class, i);
+    for (int32_t i = 0; i < block_class->law_count; i++) {
+        if (add_equation(law, &block_class->law[i], error)) continue;
+        tinker_block_law_free(law);
+        return NULL;
+    }
+    return law;
+}
+
+void tinker_block_law_free(TinkerBlockLaw *law)
+{
+    g_array_unref(law->symbols);
+    g_array_unref(law->definitions);
+    g_free(law);
+}
+
+const TinkerExpression *tinker_block_law_find(const TinkerBlockLaw *law, const char *symbol)
+{
+    for (guint i = 0; i < law->definitions->len; i++) {
+        const TinkerLawDefinition *definition = &g_array_index(law->definitions, TinkerLawDefinition, i);
+        if (strcmp(definition->symbol, symbol) == 0) return definition->is;
+    }
+    return NULL;
+}
+
+const TinkerLawSymbol *tinker_block_law_symbol(const TinkerBlockLaw *law, const char *name)
+{
+    for (guint i = 0; i < law->symbols->len; i++) {
+        const TinkerLawSymbol *symbol = &g_array_index(law->symbols, TinkerLawSymbol, i);
+        if (strcmp(symbol->name, name) == 0) return symbol;
+    }
+    return NULL;
+}
+
+gboolean tinker_law_is_step(const char *symbol)
+{
+    static const char *const asked[] = {"tension",        "potential",      "g",
+                                        "displacement_x", "displacement_y", "pair_force_x",
+                                        "pair_force_y",   "pair_potential", NULL};
+    if (g_strv_contains(asked, symbol)) return FALSE;
+    if (g_str_has_prefix(symbol, "force_x") || g_str_has_prefix(symbol, "force_y"))
+        return strspn(symbol + strlen("force_x"), "0123456789") != strlen(symbol + strlen("force_x"));
+    return symbol[0] != 'g' || strspn(symbol + 1, "0123456789") != strlen(symbol + 1);
+}

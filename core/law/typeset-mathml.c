@@ -1,0 +1,97 @@
+/* Expressions as presentation MathML Core. */
+#include <math.h>
+#include <string.h>
+
+#include "law/typeset-private.h"
+
+static void put_text(GString *text, const char *tag, const char *content)
+{
+    g_autofree char *escaped = g_markup_escape_text(content, -1);
+    g_string_append_printf(text, "<%s>%s</%s>", tag, escaped, tag);
+}
+
+static void put_letters(GString *text, const TinkerSymbolLook *look, gsize length)
+{
+    g_autofree char *letters = g_strndup(look->stem, length);
+    if (look->dots == 0) {
+        put_text(text, "mi", letters);
+        return;
+    }
+    g_string_append(text, "<mover accent=\"true\">");
+    put_text(text, "mi", letters);
+    g_string_append_printf(text, "<mo>%s</mo></mover>", look->dots == 2 ? "¨" : "˙");
+}
+
+static void put_symbol(GString *text, const TinkerSymbolLook *look)
+{
+    const gsize length = strcspn(look->stem, "0123456789");
+    const char *const parts[] = {look->stem + length, look->index, look->component != NULL ? look->component : ""};
+    g_autoptr(GString) index = g_string_new(NULL);
+    for (gsize i = 0; i < G_N_ELEMENTS(parts); i++) {
+        if (parts[i][0] == '\0') continue;
+        if (index->len > 0) g_string_append(index, "<mo>,</mo>");
+        put_text(index, strspn(parts[i], "0123456789") == strlen(parts[i]) ? "mn" : "mi", parts[i]);
+    }
+    if (index->len > 0) g_string_append(text, "<msub>");
+    put_letters(text, look, length);
+    if (index->len > 0) g_string_append_printf(text, "<mrow>%s</mrow></msub>", index->str);
+}
+
+static void put_number(GString *text, double number)
+{
+    char digits[32];
+    if (number == G_PI) {
+        put_text(text, "mi", "π");
+        return;
+    }
+    tinker_typeset_digits(digits, number);
+    char *power = strchr(digits, 'e');
+    if (power == NULL) {
+        put_text(text, "mn", digits);
+        return;
+    }
+    *power = '\0';
+    put_text(text, "mn", digits);
+    g_string_append_printf(text, "<mo>·</mo><msup><mn>10</mn><mn>%d</mn></msup>",
+                           (int)g_ascii_strtoll(power + 1, NULL, 10));
+}
+
+static void put_function(GString *text, const char *name)
+{
+    put_text(text, "mi", name);
+    g_string_append(text, "<mo>&#x2061;</mo>");
+}
+
+static void put_comparison(GString *text, const char *sign)
+{
+    const char *shown = strcmp(sign, "<=") == 0   ? "≤"
+                        : strcmp(sign, ">=") == 0 ? "≥"
+                        : strcmp(sign, "!=") == 0 ? "≠"
+                        : strcmp(sign, "==") == 0 ? "="
+                                                  : sign;
+    put_text(text, "mo", shown);
+}
+
+const TinkerTypesetStyle tinker_mathml_style = {
+    .open = "<mo>(</mo>",
+    .close = "<mo>)</mo>",
+    .plus = "<mo>+</mo>",
+    .minus = "<mo>−</mo>",
+    .sign = "<mo>−</mo>",
+    .times = "<mo>&#x2062;</mo>",
+    .times_number = "<mo>·</mo>",
+    .comma = "<mo>,</mo>",
+    .stacked = TRUE,
+    .group = {"<mrow>", "</mrow>"},
+    .fraction = {"<mfrac>", "", "</mfrac>"},
+    .power = {"<msup>", "", "</msup>"},
+    .root = {"<msqrt>", "</msqrt>"},
+    .absolute = {"<mo>|</mo>", "<mo>|</mo>"},
+    .cases = {"<mo>{</mo><mtable><mtr><mtd>", "</mtd><mtd><mtext>if </mtext>", "</mtd></mtr><mtr><mtd>",
+              "</mtd></mtr></mtable>"},
+    .otherwise = "</mtd><mtd><mtext>else</mtext>",
+    .number = put_number,
+    .symbol = put_symbol,
+    .function = put_function,
+    .compare = put_comparison,
+};

@@ -1,0 +1,46 @@
+/* What the three formats share. */
+#ifndef TINKER_CORE_LAW_TYPESET_PRIVATE_H
+#define TINKER_CORE_LAW_TYPESET_PRIVATE_H
+
+#include "law/typeset.h"
+
+/* How tightly a node binds; one that binds less than its place asks for stands in brackets. */
+typedef enum {
+    TINKER_BINDS_COMPARISON,
+    TINKER_BINDS_SUM,
+    TINKER_BINDS_SIGN,
+    TINKER_BINDS_PRODUCT,
+    TINKER_BINDS_POWER,
+    TINKER_BINDS_ATOM,
+} TinkerBinding;
+
+/* What differs between formats. Each part writes itself into the text. */
+typedef struct {
+    const char *open, *close; /* brackets */
+    const char *plus, *minus; /* between terms */
+    const char *sign;         /* before one */
+    const char *times;        /* between factors, */
+    const char *times_number; /* and before one that begins with a digit */
+    const char *comma;        /* between arguments */
+    gboolean stacked;         /* fractions and roots are drawn, and need no brackets */
+    const char *group[2];     /* around what is one thing to the format */
+    const char *fraction[3];  /* before, between, behind; of a stacked one */
+    const char *power[3];     /* likewise */
+    const char *root[2], *absolute[2];
+    const char *cases[4]; /* before; between value and condition; behind it; behind all */
+    const char *otherwise;
+    void (*number)(GString *text, double number);
+    void (*symbol)(GString *text, const TinkerSymbolLook *look);
+    void (*function)(GString *text, const char *name);
+    void (*compare)(GString *text, const char *sign);
+} TinkerTypesetStyle;
+
+extern const TinkerTypesetStyle tinker_text_style, tinker_latex_style, tinker_mathml_style;
+
+/* "12.5", "1.2e-05", without the format's own form of powers of ten. */
+void tinker_typeset_digits(char digits[32], double number);
+
+/* A Greek letter's name in LaTeX, "theta"; NULL where the letter is none. */
+const char *tinker_greek_name(const char *letter);
+
+#endif

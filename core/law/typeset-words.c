@@ -1,0 +1,25 @@
+/* Digits and letters that the formats share. */
+#include <string.h>
+
+#include "law/typeset-private.h"
+
+void tinker_typeset_digits(char digits[32], double number)
+{
+    char format[32];
+    g_ascii_formatd(format, sizeof format, "%.6g", number);
+    g_strlcpy(digits, format, 32);
+}
+
+const char *tinker_greek_name(const char *letter)
+{
+    static const struct {
+        const char *letter, *name;
+    } letters[] = {{"α", "alpha"}, {"β", "beta"},   {"γ", "gamma"}, {"δ", "delta"}, {"ε", "varepsilon"},
+                   {"ζ", "zeta"},  {"η", "eta"},    {"θ", "theta"}, {"κ", "kappa"}, {"λ", "lambda"},
+                   {"μ", "mu"},    {"ν", "nu"},     {"ξ", "xi"},    {"ρ", "rho"},   {"σ", "sigma"},
+                   {"τ", "tau"},   {"φ", "varphi"}, {"χ", "chi"},   {"ψ", "psi"},   {"ω", "omega"},
+                   {"Δ", "Delta"}, {"Ω", "Omega"},  {"Φ", "Phi"},   {"Θ", "Theta"}, {"π", "pi"}};
+    for (gsize i = 0; i < G_N_ELEMENTS(letters); i++)
+        if (strcmp(letters[i].letter, letter) == 0) return letters[i].name;
+    return NULL;
+}

@@ -1,0 +1,48 @@
+/* Tinker SDK: a block's law, stated as data beside its code.
+ *
+ * From it the host makes the equations of a scene and typesets them, differentiates them and checks their dimensions,
+ * and `tinker plugins check` holds the code to it at random states (rule "law"). A block may leave it out: all else
+ * works, and where equations are shown its force is named as one without a law.
+ *
+ * The law is a list of equations, symbol = expression, each of which may use the symbols before it. Expressions are of
+ * the grammar that waveforms have as well (docs/reference/expressions.md). Their symbols are:
+ *  - of each property its `symbol` ("k"), where it has none its id; of a vector with x and y behind it ("wx", "wy";
+ *    "point_x" where it is the id); of a waveform its value at t. Properties that are read-only or texts have none;
+ *  - t, and by role what is listed here. Where there are several ends they are counted from 1: x1, y1, x2, ...
+ *
+ * role           symbols                                        equations
+ * line law       L, rate                                        tension; potential, of L alone
+ * force element  x, y, vx, vy of its end, or x1, y1, ...        force_x and force_y of its end, or force_x1, ...
+ *                                                               potential: minus its gradient may stand for the forces
+ * field          x, y, vx, vy, m of the body                    force_x, force_y; potential
+ * that couples   those, and x2, y2, vx2, vy2, m2 of another     pair_force_x, pair_force_y: what the other does to the
+ *                                                               body; pair_potential, of each pair once
+ * constraint     x, y of its end, or x1, y1, ...; L, the sum    g, or g1, g2, ... of several rows
+ *                of the distances from end to end
+ * motion                                                        displacement_x, displacement_y
+ *
+ * Equations of other symbols are steps on the way. Where the code takes care of a limit, such as a direction at length
+ * 0, the law need not. Places are in the world. Angles count as numbers in dimensions. */
+#ifndef TINKER_LAW_H
+#define TINKER_LAW_H
+
+#include "types.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct TinkerLawEquation {
+    uint32_t struct_size;
+    int32_t reserved;
+    const char *symbol;        /* letters, digits and _, beginning with a letter */
+    const char *is;            /* the expression */
+    const char *means;         /* in a few words, "how far it is drawn out"; NULL for the symbols of the table */
+    TinkerDimension dimension; /* of the symbol */
+    int32_t reserved_2;
+} TinkerLawEquation;
+
+#ifdef __cplusplus
+}
+#endif
+#endif
