@@ -370,6 +370,16 @@ static int32_t most_ends(const TinkerModel *model)
     return most;
 }
 
+/* FALSE where there is no memory. */
+static gboolean allot_chunk(TinkerModel *model)
+{
+    model->chunk_rows = CLAMP(tinker_batches_most_rows(model->batches), LEAST_CHUNK, TINKER_CHUNK);
+    gsize doubles = (gsize)model->chunk_rows * (8 + (gsize)most_ends(model) * 6);
+    doubles = MAX(doubles, 8 * (gsize)MAX(model->bodies, 1));
+    model->chunk = tinker_guarded_try_new(doubles * sizeof(double), NULL);
+    return model->chunk != NULL;
+}
+
 gboolean tinker_model_compile_forces(TinkerModel *model, GError **error)
 {
     if (!add_batches(model, error)) return FALSE;
@@ -378,14 +388,11 @@ gboolean tinker_model_compile_forces(TinkerModel *model, GError **error)
     model->line_parts = tinker_line_parts_new(model);
     add_constant_accelerations(model);
     mark_used_points(model);
-    model->chunk_rows = CLAMP(tinker_batches_most_rows(model->batches), LEAST_CHUNK, TINKER_CHUNK);
-    gsize doubles = (gsize)model->chunk_rows * (8 + (gsize)most_ends(model) * 6);
-    doubles = MAX(doubles, 8 * (gsize)MAX(model->bodies, 1));
-    model->chunk = tinker_guarded_try_new(doubles * sizeof(double), NULL);
-    if (model->chunk == NULL) return lack_memory(model, error);
+    const guint asked = model->asked_lines->len + model->asked_forces->len + model->asked_fields->len;
+    /* of a whole scene single forces may be asked for, whatever was merged */
+    if ((asked > 0 || !model->part) && !allot_chunk(model)) return lack_memory(model, error);
     model->has_book[TINKER_BOOK_SUPPORT_MOTION] = model->moving_supports > 0;
-    model->more_than_lines = model->asked_lines->len + model->asked_forces->len + model->asked_fields->len > 0 ||
-                             model->driven->len > 0 || model->constant_force != NULL || model->moving_supports > 0 ||
-                             model->has_book[TINKER_BOOK_FIELDS];
+    model->more_than_lines = asked > 0 || model->driven->len > 0 || model->constant_force != NULL ||
+                             model->moving_supports > 0 || model->has_book[TINKER_BOOK_FIELDS];
     return TRUE;
 }

@@ -119,6 +119,7 @@ static TinkerModel *model_new(TinkerScene *scene, GPtrArray *batches)
     model->column_views = g_new0(const double *, most_columns(model->batches));
     model->chunk_offsets = g_new0(int32_t, tinker_batches_most_rows(model->batches) + 1);
     model->time = NAN;
+    model->failure = "";
     return model;
 }
 
@@ -160,7 +161,8 @@ void tinker_model_free(TinkerModel *model)
     g_array_unref(model->asked_fields);
     g_array_unref(model->driven);
     TinkerMergedLines *lines = &model->lines;
-    gpointer arrays[] = {model->body_blocks,
+    gpointer arrays[] = {model->failure_text,
+                         model->body_blocks,
                          model->of_bodies,
                          model->centre_point,
                          model->point_used,

@@ -11,7 +11,7 @@ TinkerModel *tinker_model_new(TinkerScene *scene, GError **error);
  * to be among them. (transfer full) */
 TinkerModel *tinker_model_new_part(TinkerScene *scene, const gboolean *include, GError **error);
 /* A model of some of a model's blocks: `numbers` as tinker_batches_take has them. What one of them has an end on is to
- * be among them. It costs what it holds, however large the whole is. (transfer full) */
+ * be among them. It costs what it holds, however large the whole is, which it borrows from. (transfer full) */
 TinkerModel *tinker_model_new_of(const TinkerModel *whole, const int32_t *numbers, int32_t count, GError **error);
 void tinker_model_free(TinkerModel *model);
 G_DEFINE_AUTOPTR_CLEANUP_FUNC(TinkerModel, tinker_model_free)

@@ -64,8 +64,8 @@ static TinkerStatus not_met(TinkerModel *model)
 {
     const TinkerConstraints *all = &model->constraints;
     int32_t worst = tinker_constraints_worst_row(model);
-    g_snprintf(
-        model->failure, sizeof(model->failure),
+    tinker_model_tell_failure(
+        model,
         _("%s: no position within reach satisfies it at t = %g s; it misses by %.3g m (the constraints contradict "
           "each other there, or the step is too large for this motion)"),
         tinker_scene_block_name(model->scene, all->blocks[worst]), model->time, fabs(all->g[worst]));

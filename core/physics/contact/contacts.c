@@ -388,7 +388,6 @@ TinkerStatus tinker_contacts_lack_memory(const TinkerContacts *contacts, gsize c
 {
     TinkerModel *model = contacts->model;
     model->lacks_memory = TRUE;
-    g_snprintf(model->failure, sizeof(model->failure),
-               _("there is no memory for the equations of %zu contacts at once"), count);
+    tinker_model_tell_failure(model, _("there is no memory for the equations of %zu contacts at once"), count);
     return TINKER_FAILED;
 }

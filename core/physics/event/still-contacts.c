@@ -234,7 +234,7 @@ static gboolean refuse(const TinkerStillContacts *self, const char *why, GError 
 
 gboolean tinker_still_contacts_decide(TinkerStillContacts *self, const double *q, GError **error)
 {
-    self->model->failure[0] = '\0';
+    self->model->failure = "";
     double scale;
     open_all(self);
     self->pushed = FALSE;

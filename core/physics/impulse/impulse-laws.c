@@ -84,8 +84,8 @@ gboolean tinker_impulse_solve_laws(const TinkerImpulses *self, TinkerImpulseTouc
             solved = solve(&impact, TRUE, impulses, work);
         }
         if (!solved) {
-            g_snprintf(self->model->failure, sizeof(self->model->failure),
-                       _("no impulses satisfy the laws of impact for all bodies that touch there"));
+            tinker_model_tell_failure(self->model,
+                                      _("no impulses satisfy the laws of impact for all bodies that touch there"));
             return FALSE;
         }
         if (!let_slip(self, touches, count, impulses, friction)) break;

@@ -152,28 +152,27 @@ static gboolean breaks_contract(TinkerIslandRun *run, double from, double limit,
     const double t = run->state.t, made = t - from;
     const gboolean free_to_end = !tinker_method_is_fixed(method);
     if (G_LIKELY(t > from && (t == limit || (free_to_end && t < limit)) && report->step == made)) return FALSE;
-    char *text = run->model->failure;
-    const gsize size = sizeof run->model->failure;
+    TinkerModel *model = run->model;
     if (!(t > from))
-        g_snprintf(text, size,
-                   _("the method %s answers that it made a step, but the time stands still (its plugin is at fault)"),
-                   method->id);
+        tinker_model_tell_failure(
+            model, _("the method %s answers that it made a step, but the time stands still (its plugin is at fault)"),
+            method->id);
     else if (!(t <= limit))
-        g_snprintf(
-            text, size,
+        tinker_model_tell_failure(
+            model,
             _("the method %s stepped to t = %.9g s, past the limit of %.9g s that it was given (its plugin is at "
               "fault)"),
             method->id, t, limit);
     else if (t != limit && !free_to_end)
-        g_snprintf(
-            text, size,
+        tinker_model_tell_failure(
+            model,
             _("the method %s takes fixed steps and was to step to t = %.9g s, but ended at %.9g s (its plugin is "
               "at fault)"),
             method->id, limit, t);
     else if (!(fabs(report->step - made) <= 1e-9 * made + 4 * DBL_EPSILON * fabs(t)))
-        g_snprintf(text, size,
-                   _("the method %s reports a step of %.9g s and made one of %.9g s (its plugin is at fault)"),
-                   method->id, report->step, made);
+        tinker_model_tell_failure(
+            model, _("the method %s reports a step of %.9g s and made one of %.9g s (its plugin is at fault)"),
+            method->id, report->step, made);
     else
         return FALSE;
     return TRUE;

@@ -45,14 +45,15 @@ struct _TinkerLinearForm {
     gboolean straight;
     TinkerLine line; /* of a straight one */
     TinkerLinearSystem system;
-    GArray *edges;   /* of TinkerLinearEdge */
-    GArray *anchors; /* of double */
+    /* NULL where there are none: */
     GArray *loads;   /* of TinkerConstantLoad */
     GArray *forces;  /* of TinkerSignalUse */
     GArray *motions; /* of TinkerSignalUse */
     GArray *inputs;  /* of TinkerInput */
     GArray *drives;  /* of TinkerDrive: what `forces` says signal by signal */
-    double *mass, *drag;
+    gpointer room;   /* which these and those of a straight one lie in: */
+    TinkerLinearEdge *edges;
+    double *anchors, *mass, *drag;
     int32_t *anchor_points; /* of each anchor: the model's point */
 
     /* of a straight one */

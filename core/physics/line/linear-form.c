@@ -37,12 +37,48 @@ static gboolean lines_have_no_length(const TinkerMergedLines *lines)
     return TRUE;
 }
 
+/* What most models have none of: made with the first. */
+static void append(GArray **array, guint size, gconstpointer item)
+{
+    if (*array == NULL) *array = g_array_new(FALSE, FALSE, size);
+    g_array_append_vals(*array, item, 1);
+}
+
+static int32_t length(const GArray *array)
+{
+    return array != NULL ? (int32_t)array->len : 0;
+}
+
+static gconstpointer items(const GArray *array)
+{
+    return array != NULL ? array->data : NULL;
+}
+
+/* One piece of memory for all arrays whose length is known from the start. */
+static void allot(TinkerLinearForm *form)
+{
+    const TinkerModel *model = form->model;
+    const gsize n = (gsize)form->system.size, edges = (gsize)axes(form) * (gsize)model->lines.count;
+    const gsize anchors = (gsize)axes(form) * (gsize)(model->points - model->first_support);
+    const gsize sorted = form->straight ? edges + 1 : 0;
+    form->room = g_malloc0((3 * n + 3 * anchors + 1) * sizeof(double) + anchors * sizeof(int32_t) +
+                           edges * sizeof(TinkerLinearEdge) + 2 * sorted * sizeof(TinkerStraightEdge));
+    form->edges = form->room;
+    form->inner = (TinkerStraightEdge *)(gpointer)(form->edges + edges);
+    form->anchored = form->inner + sorted;
+    form->mass = (double *)(gpointer)(form->anchored + sorted);
+    form->load = form->mass + n;
+    form->drag = model->field_drag != 0 ? form->load + n : NULL;
+    form->anchors = form->load + 2 * n;
+    form->anchor_place = form->anchors + anchors;
+    form->anchor_speed = form->anchor_place + anchors;
+    form->anchor_points = (int32_t *)(gpointer)(form->anchor_speed + anchors + 1);
+}
+
 static void add_mass_and_drag(TinkerLinearForm *form)
 {
     const TinkerModel *model = form->model;
     int32_t per_body = axes(form), n = form->system.size;
-    form->mass = g_new(double, n);
-    if (model->field_drag != 0) form->drag = g_new(double, n);
     for (int32_t i = 0; i < n; i++) {
         form->mass[i] = model->mass[i / per_body];
         if (form->drag != NULL) form->drag[i] = model->field_drag;
@@ -52,7 +88,7 @@ static void add_mass_and_drag(TinkerLinearForm *form)
 static void add_load(TinkerLinearForm *form, int32_t target, int32_t book, double force)
 {
     TinkerConstantLoad load = {target, book, force};
-    if (force != 0) g_array_append_val(form->loads, load);
+    if (force != 0) append(&form->loads, sizeof load, &load);
 }
 
 static void add_loads(TinkerLinearForm *form)
@@ -78,17 +114,18 @@ static int32_t add_input(TinkerLinearForm *form, const TinkerBlockBatch *batch, 
     if (input.evaluator != NULL) input.signals = tinker_waveform_signals(input.evaluator);
     if (input.signals == 0) return -1;
     form->system.signal_count += input.signals;
-    g_array_append_val(form->inputs, input);
-    return (int32_t)form->inputs->len - 1;
+    append(&form->inputs, sizeof input, &input);
+    return length(form->inputs) - 1;
 }
 
 /* Every signal of the input is used alike. */
-static void use_input(TinkerLinearForm *form, GArray *uses, int32_t target, int32_t number, int32_t book, double factor)
+static void use_input(TinkerLinearForm *form, GArray **uses, int32_t target, int32_t number, int32_t book,
+                      double factor)
 {
     const TinkerInput *input = &g_array_index(form->inputs, TinkerInput, (guint)number);
     for (int32_t i = 0; i < input->signals && factor != 0; i++) {
         TinkerSignalUse use = {target, input->first_signal + i, book, 0, factor};
-        g_array_append_val(uses, use);
+        append(uses, sizeof use, &use);
     }
 }
 
@@ -104,8 +141,8 @@ static gboolean add_driven(TinkerLinearForm *form)
         for (int32_t axis = 0; axis < axes(form); axis++) {
             TinkerDrive drive = {axes(form) * driven->point + axis, input, motors,
                                  component(form, driven->direction, axis)};
-            use_input(form, form->forces, drive.target, input, motors, drive.factor);
-            g_array_append_val(form->drives, drive);
+            use_input(form, &form->forces, drive.target, input, motors, drive.factor);
+            append(&form->drives, sizeof drive, &drive);
         }
     }
     return TRUE;
@@ -119,11 +156,10 @@ static int32_t anchor_of(TinkerLinearForm *form, int32_t *anchors, int32_t point
     if (anchors[number] >= 0) return anchors[number];
     double place[2];
     tinker_model_start_place(model, point, place);
-    anchors[number] = (int32_t)form->anchors->len;
+    anchors[number] = form->system.anchor_count;
     for (int32_t axis = 0; axis < axes(form); axis++) {
-        double at = component(form, place, axis);
-        form->anchor_points[form->anchors->len] = point;
-        g_array_append_val(form->anchors, at);
+        form->anchor_points[form->system.anchor_count] = point;
+        form->anchors[form->system.anchor_count++] = component(form, place, axis);
     }
     return anchors[number];
 }
@@ -143,7 +179,7 @@ static void add_edges(TinkerLinearForm *form, int32_t *anchors)
                                      lines->length[i],
                                      lines->damping[i],
                                      lines->tension[i]};
-            g_array_append_val(form->edges, edge);
+            form->edges[form->system.edge_count++] = edge;
         }
     }
 }
@@ -162,7 +198,7 @@ static gboolean add_motion(TinkerLinearForm *form, const int32_t *anchors, const
             if (input < 0) input = add_input(form, batch, columns[row], row);
             if (input < 0) return FALSE;
             for (int32_t axis = 0; axis < axes(form); axis++)
-                use_input(form, form->motions, anchors[p] + axis, input, -1,
+                use_input(form, &form->motions, anchors[p] + axis, input, -1,
                           component(form, direction + 2 * row, axis));
         }
     }
@@ -174,7 +210,6 @@ static gboolean add_geometry(TinkerLinearForm *form)
     const TinkerModel *model = form->model;
     gsize points = (gsize)(model->points - model->first_support);
     g_autofree int32_t *anchors = g_new(int32_t, MAX(points, 1));
-    form->anchor_points = g_new0(int32_t, MAX(2 * points, 1));
     for (gsize i = 0; i < points; i++)
         anchors[i] = -1;
     add_edges(form, anchors);
@@ -191,18 +226,16 @@ static void close_system(TinkerLinearForm *form)
     TinkerLinearSystem *system = &form->system;
     const TinkerModel *model = form->model;
     system->struct_size = sizeof(TinkerLinearSystem);
-    system->edge_count = (int32_t)form->edges->len;
-    system->anchor_count = (int32_t)form->anchors->len;
-    system->load_count = (int32_t)form->loads->len;
-    system->force_count = (int32_t)form->forces->len;
-    system->motion_count = (int32_t)form->motions->len;
+    system->load_count = length(form->loads);
+    system->force_count = length(form->forces);
+    system->motion_count = length(form->motions);
     system->mass = form->mass;
     system->drag = form->drag;
-    system->edges = (const TinkerLinearEdge *)(const void *)form->edges->data;
-    system->anchors = (const double *)(const void *)form->anchors->data;
-    system->loads = (const TinkerConstantLoad *)(const void *)form->loads->data;
-    system->forces = (const TinkerSignalUse *)(const void *)form->forces->data;
-    system->motions = (const TinkerSignalUse *)(const void *)form->motions->data;
+    system->edges = form->edges;
+    system->anchors = form->anchors;
+    system->loads = items(form->loads);
+    system->forces = items(form->forces);
+    system->motions = items(form->motions);
     system->damper_book = tinker_model_book_index(model, TINKER_BOOK_DAMPERS);
     system->drag_book = tinker_model_book_index(model, TINKER_BOOK_FIELDS);
     system->support_book = tinker_model_book_index(model, TINKER_BOOK_SUPPORT_MOTION);
@@ -212,11 +245,7 @@ static void close_system(TinkerLinearForm *form)
 static void sort_edges(TinkerLinearForm *form)
 {
     const TinkerLinearSystem *system = &form->system;
-    form->inner = g_new0(TinkerStraightEdge, system->edge_count + 1);
-    form->anchored = g_new0(TinkerStraightEdge, system->edge_count + 1);
-    form->anchor_place = g_memdup2(system->anchors, (gsize)system->anchor_count * sizeof(double));
-    form->anchor_speed = g_new0(double, system->anchor_count + 1);
-    form->load = g_new0(double, system->size);
+    memcpy(form->anchor_place, system->anchors, (gsize)system->anchor_count * sizeof(double));
     for (int32_t i = 0; i < system->edge_count; i++) {
         const TinkerLinearEdge *edge = &system->edges[i];
         TinkerStraightEdge sorted = {edge->a, edge->b, edge->stiffness, edge->tension - edge->stiffness * edge->length,
@@ -244,13 +273,7 @@ TinkerLinearForm *tinker_linear_form_new(TinkerModel *model)
     form->straight = straight;
     form->line = line;
     form->system.size = axes(form) * model->bodies;
-    form->edges = g_array_new(FALSE, FALSE, sizeof(TinkerLinearEdge));
-    form->anchors = g_array_new(FALSE, FALSE, sizeof(double));
-    form->loads = g_array_new(FALSE, FALSE, sizeof(TinkerConstantLoad));
-    form->forces = g_array_new(FALSE, FALSE, sizeof(TinkerSignalUse));
-    form->motions = g_array_new(FALSE, FALSE, sizeof(TinkerSignalUse));
-    form->inputs = g_array_new(FALSE, FALSE, sizeof(TinkerInput));
-    form->drives = g_array_new(FALSE, FALSE, sizeof(TinkerDrive));
+    allot(form);
     add_mass_and_drag(form);
     add_loads(form);
     if (!add_driven(form) || !add_geometry(form)) {
@@ -265,14 +288,10 @@ TinkerLinearForm *tinker_linear_form_new(TinkerModel *model)
 void tinker_linear_form_free(TinkerLinearForm *form)
 {
     if (form == NULL) return;
-    GArray *arrays[] = {form->edges,   form->anchors, form->loads, form->forces,
-                        form->motions, form->inputs,  form->drives};
+    GArray *arrays[] = {form->loads, form->forces, form->motions, form->inputs, form->drives};
     for (gsize i = 0; i < G_N_ELEMENTS(arrays); i++)
-        g_array_unref(arrays[i]);
-    g_free(form->mass);
-    g_free(form->drag);
-    gpointer memory[] = {form->anchor_points, form->row_starts, form->columns,      form->stiffness,    form->damping,
-                         form->inner,         form->anchored,   form->anchor_place, form->anchor_speed, form->load};
+        if (arrays[i] != NULL) g_array_unref(arrays[i]);
+    gpointer memory[] = {form->room, form->row_starts, form->columns, form->stiffness, form->damping};
     for (gsize i = 0; i < G_N_ELEMENTS(memory); i++)
         g_free(memory[i]);
     g_free(form);
@@ -299,7 +318,7 @@ double tinker_model_sideways_growth(TinkerModel *model)
 TinkerStatus tinker_linear_form_signals(TinkerLinearForm *form, TinkerSignal *signals)
 {
     double t = form->model->time;
-    for (guint i = 0; i < form->inputs->len; i++) {
+    for (int32_t i = 0; i < length(form->inputs); i++) {
         const TinkerInput *input = &g_array_index(form->inputs, TinkerInput, i);
         tinker_waveform_form(input->evaluator, t, &signals[input->first_signal]);
     }

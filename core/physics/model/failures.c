@@ -11,6 +11,19 @@ G_GNUC_UNUSED static const char *const worked_out[] = {
     N_("tension"), N_("stiffness or damping"), N_("force"), N_("constraint"), N_("energy"),
 };
 
+/* Of one text. Made with the first of a model, since few of very many islands fail. */
+#define TEXT_BYTES 512
+
+void tinker_model_tell_failure(TinkerModel *model, const char *format, ...)
+{
+    va_list values;
+    if (model->failure_text == NULL) model->failure_text = g_malloc(TEXT_BYTES);
+    va_start(values, format);
+    g_vsnprintf(model->failure_text, TEXT_BYTES, format, values);
+    va_end(values);
+    model->failure = model->failure_text;
+}
+
 static const char *name_of_row(const TinkerModel *model, const TinkerBlockBatch *batch, int32_t row)
 {
     return tinker_scene_block_name(model->scene, batch->ids[CLAMP(row, 0, batch->count - 1)]);
@@ -23,12 +36,12 @@ TinkerStatus tinker_model_fail(TinkerModel *model, const TinkerBlockBatch *batch
     const char *name = name_of_row(model, batch, row);
     g_autofree char *words = tinker_plugin_words(at_fault, NULL, why);
     if (words != NULL)
-        g_snprintf(model->failure, sizeof(model->failure), _("%s: its %s at t = %g s cannot be worked out: %s"), name,
-                   _(what), model->time, words);
+        tinker_model_tell_failure(model, _("%s: its %s at t = %g s cannot be worked out: %s"), name, _(what),
+                                  model->time, words);
     else
-        g_snprintf(model->failure, sizeof(model->failure),
-                   _("%s: its %s at t = %g s failed, and its plugin does not say why (block type %s of the plugin %s)"),
-                   name, _(what), model->time, at_fault->type->id, at_fault->plugin->id);
+        tinker_model_tell_failure(
+            model, _("%s: its %s at t = %g s failed, and its plugin does not say why (block type %s of the plugin %s)"),
+            name, _(what), model->time, at_fault->type->id, at_fault->plugin->id);
     return TINKER_FAILED;
 }
 
@@ -40,16 +53,16 @@ TinkerStatus tinker_model_check_guards(TinkerModel *model)
         if (!tinker_guarded_is_whole(batch->scratch)) at_fault = batch->block_class;
     }
     if (at_fault != NULL) {
-        g_snprintf(
-            model->failure, sizeof(model->failure),
+        tinker_model_tell_failure(
+            model,
             _("the plugin %s wrote beyond the scratch of its block type %s, so nothing that it computes is to be "
               "believed (tell its author)"),
             at_fault->plugin->id, at_fault->type->id);
         return TINKER_FAILED;
     }
     if (tinker_guarded_is_whole(model->chunk)) return TINKER_OK;
-    g_snprintf(
-        model->failure, sizeof(model->failure),
+    tinker_model_tell_failure(
+        model,
         _("a plugin wrote beyond the results that it was asked for, so nothing that is computed is to be believed "
           "(\"tinker plugins check\" finds out which one)"));
     return TINKER_FAILED;
@@ -58,8 +71,8 @@ TinkerStatus tinker_model_check_guards(TinkerModel *model)
 TinkerStatus tinker_model_not_finite(TinkerModel *model, const TinkerBlockBatch *batch, int32_t row, const char *what)
 {
     const TinkerBlockClass *at_fault = batch->block_class;
-    g_snprintf(model->failure, sizeof(model->failure),
-               _("%s: its %s at t = %g s is not a number (block type %s of the plugin %s)"),
-               name_of_row(model, batch, row), _(what), model->time, at_fault->type->id, at_fault->plugin->id);
+    tinker_model_tell_failure(model, _("%s: its %s at t = %g s is not a number (block type %s of the plugin %s)"),
+                              name_of_row(model, batch, row), _(what), model->time, at_fault->type->id,
+                              at_fault->plugin->id);
     return TINKER_RETRY_SMALLER;
 }

@@ -179,10 +179,10 @@ struct _TinkerModel {
 
     /* working state */
     TinkerPoint *point;
-    double *point_acceleration;  /* 2 per point; of supports kept up to date, of bodies by whoever needs it */
-    double *force;               /* 2 per point, and behind them 2 per slot of the line parts */
-    int32_t chunk_rows;          /* at most TINKER_CHUNK: no batch has more rows, or they are asked in several goes */
-    double *chunk;               /* seven columns of chunk_rows and ends of a chunk */
+    double *point_acceleration; /* 2 per point; of supports kept up to date, of bodies by whoever needs it */
+    double *force;              /* 2 per point, and behind them 2 per slot of the line parts */
+    int32_t chunk_rows;         /* at most TINKER_CHUNK: no batch has more rows, or they are asked in several goes */
+    double *chunk; /* seven columns of chunk_rows and ends of a chunk; NULL in a part that asks no plugin */
     const double **column_views; /* room for the columns of any class */
     double *velocity_kept;       /* 2 a body, while differences change it (products.c) */
     int feels_velocity;          /* whether what is differenced depends on it: 1, -1: no, 0: nobody has tried */
@@ -192,7 +192,8 @@ struct _TinkerModel {
     gint64 evaluations;
     double watched_length; /* m: whoever evaluates a line shorter than this sets ... */
     atomic_int came_near;  /* ... this, which nothing is ordered by; 0: none is watched (direction-watch.h) */
-    char failure[512];
+    const char *failure;   /* "", or the last one as tinker_model_tell_failure has it */
+    char *failure_text;
     gboolean lacks_memory; /* so that it cannot be compiled, or go on */
 };
 
@@ -231,6 +232,9 @@ const int32_t *tinker_model_end_points(const TinkerModel *model, const TinkerBlo
  * columns. */
 TinkerBatch tinker_model_view(const TinkerModel *model, const TinkerBlockBatch *batch, int32_t first, int32_t count,
                               const double **columns);
+
+/* Writes a failure down, in place of the last one. */
+void tinker_model_tell_failure(TinkerModel *model, const char *format, ...) G_GNUC_PRINTF(2, 3);
 
 /* Records that a plugin failed in its callback `what`. Answers TINKER_FAILED. */
 TinkerStatus tinker_model_fail(TinkerModel *model, const TinkerBlockBatch *batch, int32_t row, const char *what,

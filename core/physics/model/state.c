@@ -33,8 +33,8 @@ TinkerStatus tinker_model_change_time(TinkerModel *model, double t)
     if (model->moving_supports == 0) return TINKER_OK;
     if (!tinker_motions_evaluate(model->motions, t)) {
         model->time = NAN; /* some supports are there, others not */
-        g_snprintf(model->failure, sizeof(model->failure), _("%s: its motion at t = %g s is not a number"),
-                   tinker_scene_block_name(model->scene, tinker_motions_failure(model->motions)), t);
+        tinker_model_tell_failure(model, _("%s: its motion at t = %g s is not a number"),
+                                  tinker_scene_block_name(model->scene, tinker_motions_failure(model->motions)), t);
         return TINKER_RETRY_SMALLER;
     }
     for (int32_t point = model->first_support; point < model->points; point++) {

@@ -307,15 +307,27 @@ static gboolean needs_series(const TinkerIsland *island)
     return linear->force_count + linear->motion_count > 0 || !tinker_exact_is_proportional(linear);
 }
 
-double tinker_cost_counted(const TinkerIsland *island, const TinkerIntegrator *method, const TinkerCounts *counts)
+TinkerCostRates tinker_cost_rates(const TinkerIsland *island, const TinkerIntegrator *method)
 {
-    const double steps = counts->steps, looks = PER_LOOK * counts->looks;
-    if (method->flags & TINKER_INTEGRATOR_IMPLICIT) return looks + steps * implicit_step_operations(island);
-    if (!(method->flags & TINKER_INTEGRATOR_LINEAR))
-        return looks + explicit_operations(island, steps, counts->evaluations);
+    TinkerCostRates rates = {.look = PER_LOOK};
+    if (method->flags & TINKER_INTEGRATOR_IMPLICIT) {
+        rates.step = implicit_step_operations(island);
+        return rates;
+    }
+    rates.evaluation = explicit_operations(island, 0, 1);
+    if (!(method->flags & TINKER_INTEGRATOR_LINEAR)) {
+        rates.step = explicit_operations(island, 1, 0);
+        return rates;
+    }
     const double series = needs_series(island) ? SERIES_PER_STEP * PER_SERIES : 0;
-    return looks + exact_operations(island, steps) + steps * series +
-           explicit_operations(island, 0, counts->evaluations);
+    rates.step = series + PER_STEP + tinker_exact_operations(tinker_linear_form_system(island->linear), 1, &rates.once);
+    return rates;
+}
+
+double tinker_cost_counted(const TinkerCostRates *rates, const TinkerCounts *counts)
+{
+    return rates->once + rates->step * counts->steps + rates->evaluation * counts->evaluations +
+           rates->look * counts->looks;
 }
 
 double tinker_cost_samples(const TinkerIsland *island, const TinkerIntegrator *method, double samples)

@@ -37,8 +37,15 @@ typedef struct {
     double looks; /* states that were looked at in search of contacts */
 } TinkerCounts;
 
-/* Operations of what was counted, by a method that suits the island; and of samples. */
-double tinker_cost_counted(const TinkerIsland *island, const TinkerIntegrator *method, const TinkerCounts *counts);
+/* Operations of each thing that is counted, and before the first. */
+typedef struct {
+    double once, step, evaluation, look;
+} TinkerCostRates;
+
+/* Those of a method that suits the island. */
+TinkerCostRates tinker_cost_rates(const TinkerIsland *island, const TinkerIntegrator *method);
+/* Operations of what was counted; and of samples, by a method that suits the island. */
+double tinker_cost_counted(const TinkerCostRates *rates, const TinkerCounts *counts);
 double tinker_cost_samples(const TinkerIsland *island, const TinkerIntegrator *method, double samples);
 
 /* The interval (s) of an exact solution of a linear island: see tinker_exact_interval. */

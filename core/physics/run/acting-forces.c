@@ -196,7 +196,7 @@ gboolean tinker_acting_forces_at(TinkerActingForces *forces, TinkerSimulation *s
     g_assert(simulation->all->model == model);
     g_array_set_size(out, 0);
     forces->out = out;
-    model->failure[0] = '\0';
+    model->failure = "";
     TinkerStatus status = tinker_sampler_look_at(model, simulation->all->sample_time, simulation->all->sample_q,
                                                  simulation->all->sample_v, forces->acceleration);
     if (status == TINKER_OK) status = add_all(forces);

@@ -42,13 +42,25 @@ static void add_run(TinkerSummary *whole, TinkerIslandRun *run)
     }
 }
 
-/* A contact may have changed it. */
-static void name_method(TinkerIslandSummary *island, const TinkerSummary *part)
+/* At the first look; by what method, at each, as a contact may have changed that. */
+static void tell_islands(TinkerIslandRuns *self)
 {
-    island->method = part->method;
-    island->adaptive = part->adaptive;
-    island->step = part->step;
-    island->tolerance = part->tolerance;
+    GPtrArray *islands = self->summary.islands;
+    for (guint i = 0; i < self->runs->len; i++) {
+        const TinkerIslandRun *run = g_ptr_array_index(self->runs, i);
+        const TinkerSummary *part = &run->summary;
+        if (i == islands->len) {
+            TinkerIslandSummary *added = g_new0(TinkerIslandSummary, 1);
+            added->bodies = g_array_new(FALSE, FALSE, sizeof(TinkerBlockId));
+            g_array_append_vals(added->bodies, run->model->body_blocks, (guint)run->model->bodies);
+            g_ptr_array_add(islands, added);
+        }
+        TinkerIslandSummary *island = g_ptr_array_index(islands, i);
+        island->method = part->method;
+        island->adaptive = part->adaptive;
+        island->step = part->step;
+        island->tolerance = part->tolerance;
+    }
 }
 
 /* Islands run one after another between samples: events are told in the order of their times, whatever the samples are.
@@ -80,9 +92,7 @@ void tinker_island_runs_add_up(TinkerIslandRuns *self)
         .of_scene = kept.of_scene,
     };
     g_ptr_array_sort(whole->events, by_time);
-    for (guint i = 0; i < self->runs->len; i++) {
-        TinkerIslandRun *run = g_ptr_array_index(self->runs, i);
-        add_run(whole, run);
-        name_method(g_ptr_array_index(whole->islands, i), &run->summary);
-    }
+    for (guint i = 0; i < self->runs->len; i++)
+        add_run(whole, g_ptr_array_index(self->runs, i));
+    tell_islands(self);
 }

@@ -58,15 +58,6 @@ static void open_summary(TinkerIslandRuns *self)
         tinker_summary_warn_of_scene(summary, g_strdup(g_ptr_array_index(model->warnings, i)));
 }
 
-static void describe_island(TinkerIslandRuns *self, const TinkerIslandRun *run)
-{
-    TinkerIslandSummary *island = g_new0(TinkerIslandSummary, 1);
-    *island = (TinkerIslandSummary){g_array_new(FALSE, FALSE, sizeof(TinkerBlockId)), run->summary.method,
-                                    run->summary.adaptive, run->summary.step, run->summary.tolerance};
-    g_array_append_vals(island->bodies, run->model->body_blocks, (guint)run->model->bodies);
-    g_ptr_array_add(self->summary.islands, island);
-}
-
 /* Where steps end, whatever is recorded: at the scene's duration, and where samples are asked for beyond that, at every
  * multiple of it. */
 static double steps_end(const TinkerIslandRuns *self, double t)
@@ -111,7 +102,6 @@ static gboolean open_runs(TinkerIslandRuns *self, const TinkerChoice *choices, G
                                                      &self->summary, error);
         if (run == NULL) return FALSE;
         g_ptr_array_add(self->runs, run);
-        describe_island(self, run);
     }
     if (self->model->start_impulse > 0) tinker_island_run_add_event(g_ptr_array_index(self->runs, 0), "start", "");
     return TRUE;

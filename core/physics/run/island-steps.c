@@ -174,7 +174,7 @@ gboolean tinker_island_run_step(TinkerIslandRun *run, double end, GError **error
     tinker_constraints_end_look(run->model);
     if (!pass_event(run, error)) return FALSE;
     if (state->t >= run->piece_end && !tinker_island_run_enter_piece(run, horizon_of(run, end), error)) return FALSE;
-    run->model->failure[0] = '\0';
+    run->model->failure = "";
     run->model->constraints.gave_way = FALSE;
     double from = state->t, limit = step_limit(run, end);
     if (is_at_pole(run, limit)) return fail_at_pole(run, error);

@@ -37,7 +37,7 @@ static void unread_clear(TinkerSummary *unread)
 }
 
 /* Steps until the end or the limit; where a run stops by itself, it has come to its end, too. */
-static TinkerTrial make_steps(TinkerIslandRun *run, double end, double operations)
+static TinkerTrial make_steps(TinkerIslandRun *run, const TinkerCostRates *rates, double end, double operations)
 {
     TinkerTrial made = {0};
     gboolean stopped = FALSE;
@@ -46,7 +46,7 @@ static TinkerTrial make_steps(TinkerIslandRun *run, double end, double operation
         made.counts.steps = (double)run->summary.steps;
         made.counts.evaluations = (double)run->model->evaluations;
         if (run->contacts != NULL) made.counts.looks = (double)tinker_contact_run_looks(run->contacts);
-        if (tinker_cost_counted(run->island, run->choice.method, &made.counts) > operations) break;
+        if (tinker_cost_counted(rates, &made.counts) > operations) break;
     }
     made.share = stopped || run->state.t >= end ? 1 : run->state.t / end;
     return made;
@@ -55,7 +55,7 @@ static TinkerTrial make_steps(TinkerIslandRun *run, double end, double operation
 /* Steps an island by `choice` until the run's end, or until about `operations` have been spent on it. By counts alone:
  * the same scene has the same trial on every machine. */
 static TinkerTrial make_trial(const TinkerIsland *island, const TinkerChoice *choice, const TinkerRunOptions *options,
-                              double operations)
+                              const TinkerCostRates *rates, double operations)
 {
     const double end = tinker_options_span(options);
     TinkerTrial made = {0};
@@ -63,7 +63,7 @@ static TinkerTrial make_trial(const TinkerIsland *island, const TinkerChoice *ch
     unread_new(&unread);
     TinkerIslandRun *run =
         tinker_island_run_new(island, choice, options->spectral_radius, MAX(end, 1.0), &unread, NULL);
-    if (run != NULL) made = make_steps(run, end, operations);
+    if (run != NULL) made = make_steps(run, rates, end, operations);
     tinker_island_run_free(run);
     unread_clear(&unread);
     return made;
@@ -73,12 +73,13 @@ static TinkerTrial make_trial(const TinkerIsland *island, const TinkerChoice *ch
 static void count_run(TinkerIslandPlan *plan, const TinkerIsland *island, const TinkerRunOptions *options,
                       double operations)
 {
-    const TinkerTrial trial = make_trial(island, &plan->choice, options, operations);
+    const TinkerCostRates rates = tinker_cost_rates(island, plan->choice.method);
+    const TinkerTrial trial = make_trial(island, &plan->choice, options, &rates, operations);
     if (!(trial.share > 0)) return;
     const TinkerCounts whole = {trial.counts.steps / trial.share, trial.counts.evaluations / trial.share,
                                 trial.counts.looks / trial.share};
     plan->evaluations = whole.evaluations;
-    plan->operations = tinker_cost_counted(island, plan->choice.method, &whole) +
+    plan->operations = tinker_cost_counted(&rates, &whole) +
                        tinker_cost_samples(island, plan->choice.method, tinker_options_samples(options));
     plan->expected_s = plan->operations * TINKER_SECONDS_PER_OPERATION;
 }

@@ -101,7 +101,7 @@ static void add_edges(const TinkerLinearForm *form, const double *x, const doubl
 
 static void add_drives(const TinkerLinearForm *form, const double *u, double *force, double *power)
 {
-    for (guint i = 0; i < form->drives->len; i++) {
+    for (guint i = 0; form->drives != NULL && i < form->drives->len; i++) {
         const TinkerDrive *drive = &g_array_index(form->drives, TinkerDrive, i);
         const TinkerInput *input = &g_array_index(form->inputs, TinkerInput, (guint)drive->input);
         double value[3];

@@ -70,35 +70,75 @@ static int32_t choose_rows(const TinkerSceneTable *table, const gboolean *includ
     return count;
 }
 
-static void copy_columns(TinkerBlockBatch *batch, const TinkerSceneTable *table, const int32_t *rows)
+/* One piece of memory: the batch, and behind it so many bytes for its arrays, those of the widest entries first. */
+static TinkerBlockBatch *allot(TinkerScene *scene, const TinkerBlockClass *block_class, int32_t count, gsize bytes)
 {
-    gsize count = (gsize)batch->count;
-    batch->ids = g_new(TinkerBlockId, count);
-    for (gsize i = 0; i < count; i++)
-        batch->ids[i] = table->ids[rows[i]];
-    const gsize columns = (gsize)batch->block_class->column_count;
-    batch->columns = g_new(double *, MAX(columns, 1));
-    batch->entries = g_new(double, MAX(columns * count, 1));
-    for (gsize column = 0; column < columns; column++) {
-        batch->columns[column] = batch->entries + column * count;
-        for (gsize i = 0; i < count; i++)
-            batch->columns[column][i] = table->columns[column][rows[i]];
-    }
+    TinkerBlockBatch *batch = g_malloc0(sizeof(TinkerBlockBatch) + bytes);
+    batch->scene = scene;
+    batch->block_class = block_class;
+    batch->count = count;
+    batch->columns = (double **)(gpointer)(batch + 1);
+    const TinkerBlockType *type = block_class->type;
+    batch->ends = type->least_ends == type->most_ends ? type->least_ends : -1;
+    return batch;
 }
 
-static void copy_ends(TinkerBlockBatch *batch, const TinkerSceneTable *table, const int32_t *rows)
+static void count_ends(TinkerBlockBatch *batch, const TinkerSceneTable *table, const int32_t *rows)
 {
-    batch->end_offsets = g_new0(int32_t, batch->count + 1);
     for (int32_t i = 0; i < batch->count; i++)
         batch->end_offsets[i + 1] =
             batch->end_offsets[i] + table->end_offsets[rows[i] + 1] - table->end_offsets[rows[i]];
     batch->end_count = batch->end_offsets[batch->count];
-    batch->end = g_new0(TinkerSceneEnd, MAX(batch->end_count, 1));
-    for (int32_t i = 0; i < batch->count; i++)
+}
+
+static gsize ends_of(const TinkerSceneTable *table, const int32_t *rows, int32_t count)
+{
+    gsize ends = 0;
+    for (int32_t i = 0; i < count; i++)
+        ends += (gsize)(table->end_offsets[rows[i] + 1] - table->end_offsets[rows[i]]);
+    return ends;
+}
+
+/* With copies of all that the table says of the rows. */
+static TinkerBlockBatch *copy_rows(TinkerScene *scene, const TinkerSceneTable *table, const int32_t *rows,
+                                   int32_t count)
+{
+    const gsize columns = (gsize)table->block_class->column_count, n = (gsize)count, ends = ends_of(table, rows, count);
+    const gsize bytes = columns * (sizeof(double *) + n * sizeof(double)) + ends * sizeof(TinkerSceneEnd) +
+                        (n + 1) * sizeof(int32_t) + n * sizeof(TinkerBlockId);
+    TinkerBlockBatch *batch = allot(scene, table->block_class, count, bytes);
+    double *entries = (double *)(gpointer)(batch->columns + columns);
+    for (gsize column = 0; column < columns; column++, entries += n) {
+        batch->columns[column] = entries;
+        for (gsize i = 0; i < n; i++)
+            entries[i] = table->columns[column][rows[i]];
+    }
+    batch->end = (TinkerSceneEnd *)(gpointer)entries;
+    batch->end_offsets = (int32_t *)(gpointer)(batch->end + ends);
+    batch->ids = (TinkerBlockId *)(gpointer)(batch->end_offsets + n + 1);
+    count_ends(batch, table, rows);
+    for (int32_t i = 0; i < count; i++) {
+        batch->ids[i] = table->ids[rows[i]];
         for (int32_t e = batch->end_offsets[i], from = table->end_offsets[rows[i]]; e < batch->end_offsets[i + 1];)
             batch->end[e++] = table->ends[from++];
-    const TinkerBlockType *type = table->block_class->type;
-    batch->ends = type->least_ends == type->most_ends ? type->least_ends : -1;
+    }
+    return batch;
+}
+
+/* Of rows that lie one behind the other in a batch whose columns change no more: a window on them. */
+static TinkerBlockBatch *borrow_rows(const TinkerBlockBatch *of, const TinkerSceneTable *table, const int32_t *rows,
+                                     int32_t count)
+{
+    const gsize columns = (gsize)of->block_class->column_count;
+    TinkerBlockBatch *batch =
+        allot(of->scene, of->block_class, count, columns * sizeof(double *) + ((gsize)count + 1) * sizeof(int32_t));
+    for (gsize column = 0; column < columns; column++)
+        batch->columns[column] = of->columns[column] + rows[0];
+    batch->end_offsets = (int32_t *)(gpointer)(batch->columns + columns);
+    batch->end = of->end + of->end_offsets[rows[0]];
+    batch->ids = of->ids + rows[0];
+    count_ends(batch, table, rows);
+    return batch;
 }
 
 static void block_batch_free(TinkerBlockBatch *batch)
@@ -106,30 +146,18 @@ static void block_batch_free(TinkerBlockBatch *batch)
     for (int32_t i = 0; i < batch->evaluator_count; i++)
         tinker_waveform_evaluator_free(batch->evaluators[i]);
     g_free(batch->evaluators);
-    g_free(batch->columns);
-    g_free(batch->entries);
-    g_free(batch->ids);
-    g_free(batch->end_offsets);
-    g_free(batch->end);
     g_free(batch->waveform_columns);
     g_free(batch->pieces);
     tinker_guarded_free(batch->scratch);
     g_free(batch);
 }
 
-static TinkerBlockBatch *block_batch_new(TinkerScene *scene, const TinkerSceneTable *table, const int32_t *rows,
-                                         int32_t count)
+static TinkerBlockBatch *complete(TinkerBlockBatch *batch)
 {
-    TinkerBlockBatch *batch = g_new0(TinkerBlockBatch, 1);
-    const TinkerBlockClass *block_class = table->block_class;
-    batch->scene = scene;
-    batch->block_class = block_class;
-    batch->count = count;
-    copy_columns(batch, table, rows);
-    copy_ends(batch, table, rows);
-    copy_waveforms(batch, scene);
-    if (block_class->physics != NULL && block_class->physics->scratch_size > 0)
-        batch->scratch = tinker_guarded_new((gsize)block_class->physics->scratch_size, block_class);
+    const TinkerPhysics *physics = batch->block_class->physics;
+    copy_waveforms(batch, batch->scene);
+    if (physics != NULL && physics->scratch_size > 0)
+        batch->scratch = tinker_guarded_new((gsize)physics->scratch_size, batch->block_class);
     return batch;
 }
 
@@ -141,7 +169,7 @@ GPtrArray *tinker_batches_new(TinkerScene *scene, const gboolean *include)
         tinker_scene_table(scene, number, &table);
         g_autofree int32_t *rows = g_new(int32_t, MAX(table.count, 1));
         int32_t count = choose_rows(&table, include, rows);
-        if (count > 0) g_ptr_array_add(batches, block_batch_new(scene, &table, rows, count));
+        if (count > 0) g_ptr_array_add(batches, complete(copy_rows(scene, &table, rows, count)));
     }
     return batches;
 }
@@ -161,7 +189,9 @@ GPtrArray *tinker_batches_take(const GPtrArray *batches, const int32_t *numbers,
         const TinkerSceneTable table = {batch->block_class, batch->count,
                                         batch->ids,         (const double *const *)batch->columns,
                                         batch->end,         batch->end_offsets};
-        g_ptr_array_add(taken, block_batch_new(batch->scene, &table, rows, own));
+        const gboolean together = rows[own - 1] - rows[0] == own - 1 && batch->waveforms == 0;
+        g_ptr_array_add(taken, complete(together ? borrow_rows(batch, &table, rows, own)
+                                                 : copy_rows(batch->scene, &table, rows, own)));
     }
     return taken;
 }

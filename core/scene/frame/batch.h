@@ -10,14 +10,14 @@
 
 typedef struct _TinkerBlockBatch TinkerBlockBatch;
 
-/* All blocks of one class. The members are read-only to others. */
+/* All blocks of one class. The members are read-only to others; ids, columns and ends may be those of another batch
+ * (tinker_batches_take). */
 struct _TinkerBlockBatch {
     TinkerScene *scene; /* borrowed */
     const TinkerBlockClass *block_class;
     int32_t count;
     TinkerBlockId *ids;
     double **columns;     /* columns[c][row] */
-    double *entries;      /* of all columns, one behind the other */
     int32_t ends;         /* of each block; -1 where they differ */
     int32_t end_count;    /* of all blocks */
     int32_t *end_offsets; /* count + 1 entries */
@@ -35,9 +35,9 @@ struct _TinkerBlockBatch {
  * all). "As placed" properties stay NaN. Element: TinkerBlockBatch *. (transfer full) */
 GPtrArray *tinker_batches_new(TinkerScene *scene, const gboolean *include);
 
-/* Some blocks of these batches, in batches of their own: `numbers` of rows, counted from 0 batch by batch, ascending.
- * What was filled in since the snapshot, such as lengths as placed, is there as well; scratch is not. (transfer full)
- */
+/* Some blocks of these batches: `numbers` of rows, counted from 0 batch by batch, ascending. What was filled in since
+ * the snapshot, such as lengths as placed, is there as well; scratch is not. Rows without waveforms that lie one behind
+ * the other are not copied: these batches outlive those. (transfer full) */
 GPtrArray *tinker_batches_take(const GPtrArray *batches, const int32_t *numbers, int32_t count);
 
 /* The rows of the largest batch. */
