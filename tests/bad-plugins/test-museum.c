@@ -18,6 +18,7 @@ static const Exhibit exhibits[] = {
     {"wrong-sizes", "its double has 4 bytes and its index 8, this host's have 8 and 4", 0},
     {"newer-minor", "it needs a host of ABI 1.99 or newer, this host has ABI 1.0", 0},
     {"unknown-service", "it needs the service \"org.example.teleport/1\", this host offers \"tinker.log/1\"", 0},
+    {"unknown-flag", "integrator \"exhibit\": its flags 0x80000002 have bits that this version does not know", 0},
     {"duplicate-types", "its block types 0 and 2 both have the id \"exhibit\"", 0},
     {"duplicate-property", "block type \"exhibit\": two properties have the id \"weight\"", 0},
     {"negative-count", "block type \"exhibit\": the number of properties is -3, 0 to 10000 was expected", 0},

@@ -8,6 +8,7 @@
 #include "physics/contact/contacts.h"
 #include "physics/impulse/impulse-private.h"
 #include "physics/model/model-data.h"
+#include "physics/system/method-call.h"
 
 /* Bodies on constraints: what contacts did beside the constraints' answer to it goes to what moves. */
 static void finish_held(TinkerImpulses *self, TinkerState *state)
@@ -204,12 +205,12 @@ void tinker_impulse_add_accelerations(const TinkerContacts *contacts, double *a)
 
 const TinkerIntegrator *tinker_method_without_contact(const TinkerIntegrator *method)
 {
-    return method == &tinker_integrator_impulse ? tinker_integrator_builtin("semi-implicit-euler") : method;
+    return tinker_method_solves_contact(method) ? tinker_integrator_builtin("semi-implicit-euler") : method;
 }
 
 const TinkerIntegrator tinker_integrator_impulse = {
     .struct_size = sizeof(TinkerIntegrator),
-    .flags = TINKER_INTEGRATOR_EXPLICIT,
+    .flags = TINKER_INTEGRATOR_EXPLICIT | TINKER_METHOD_SOLVES_CONTACT,
     .id = "impulse",
     .title = "Contact as impulses (Moreau, Jean), order 1",
     .summary = "Many bodies that touch: one velocity solve a step, no events.",

@@ -169,7 +169,7 @@ static void append_advice(GString *text, const TinkerIsland *island, const Tinke
     tinker_forecast(island, &forecast);
     options.method = "auto";
     options.impulses = FALSE;
-    gboolean impulses = method == &tinker_integrator_impulse;
+    gboolean impulses = tinker_method_solves_contact(method);
     gboolean chosen = !impulses && tinker_plan_choose(island, &options, &choice, NULL, NULL) && choice.method != method;
     if (method->flags & TINKER_INTEGRATOR_ADAPTIVE)
         g_string_append(text, _("; use a smaller tolerance"));

@@ -211,7 +211,7 @@ double tinker_advised_step(const TinkerForecast *forecast, double stable)
 static void warn_unstable(const TinkerIsland *island, const TinkerRunOptions *options, const TinkerForecast *forecast,
                           const TinkerIntegrator *method, double stable, GPtrArray *warnings)
 {
-    g_autofree char *around = NULL, *other = method == &tinker_integrator_impulse
+    g_autofree char *around = NULL, *other = tinker_method_solves_contact(method)
                                                  ? g_strdup(_("contacts as events"))
                                                  : cheap_method(island, options, forecast);
     place_of(island, &around);
@@ -301,7 +301,7 @@ static void decide_named(const TinkerIsland *island, const TinkerRunOptions *opt
     decision->choice.holds_energy = options->accuracy > 0 && is_worth_holding(island, options, forecast, method);
     if (decision->reason != NULL) {
         g_string_append(decision->reason,
-                        method == &tinker_integrator_impulse
+                        tinker_method_solves_contact(method)
                             ? _("contacts are asked for as impulses: one velocity solve a step, order 1")
                             : _("asked for"));
         explain_holding(decision);

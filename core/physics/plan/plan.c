@@ -169,7 +169,7 @@ GPtrArray *tinker_plan_limited_methods(const TinkerIslandPlan *island)
     GPtrArray *methods = g_ptr_array_new();
     for (const TinkerIntegrator *const *each = tinker_integrator_builtins(); *each != NULL; each++)
         if (tinker_method_is_fixed_explicit(*each)) g_ptr_array_add(methods, (gpointer)*each);
-    gboolean contact = island->choice.method == &tinker_integrator_impulse;
+    gboolean contact = tinker_method_solves_contact(island->choice.method);
     if (!contact && tinker_method_is_fixed_explicit(island->choice.method) &&
         !g_ptr_array_find(methods, island->choice.method, NULL))
         g_ptr_array_add(methods, (gpointer)island->choice.method);

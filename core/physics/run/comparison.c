@@ -149,7 +149,7 @@ void tinker_comparison_free(TinkerComparison *self)
 
 TinkerImpacts tinker_impacts_of(const TinkerIslandRun *run)
 {
-    if (run->choice.method == &tinker_integrator_impulse)
+    if (tinker_method_solves_contact(run->choice.method))
         return (TinkerImpacts){tinker_impulse_last_impact(run->stepper), -INFINITY,
                                STEPS_NEAR_IMPACT * run->choice.step};
     if (run->contacts == NULL) return (TinkerImpacts){-INFINITY, -INFINITY, 0};

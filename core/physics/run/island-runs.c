@@ -10,7 +10,6 @@
 #include "physics/island/island-run.h"
 #include "physics/model/breaks.h"
 #include "physics/model/model-data.h"
-#include "physics/plan/islands.h"
 #include "physics/plan/plan-cost.h"
 #include "physics/plan/plan.h"
 #include "physics/plan/run-options.h"
@@ -18,6 +17,7 @@
 #include "physics/run/island-runs.h"
 #include "physics/run/island-steps.h"
 #include "physics/run/simulation.h"
+#include "physics/system/method-call.h"
 #include "physics/system/summary.h"
 
 /* Between two looks at whether the user has had enough: steps, each counted once for every body that it moves, so that
@@ -175,7 +175,7 @@ static gboolean call_back(TinkerIslandRuns *self, TinkerIslandRun *run, GError *
 /* How the bodies of one island were turned by what they touched, among all. */
 static void collect_orientations(TinkerIslandRuns *self, const TinkerIslandRun *run)
 {
-    gboolean impulses = run->choice.method == &tinker_integrator_impulse;
+    gboolean impulses = tinker_method_solves_contact(run->choice.method);
     for (int32_t i = 0; (run->contacts != NULL || impulses) && i < run->model->bodies; i++)
         self->orientation[run->island->body_of[i]] =
             impulses ? tinker_impulse_orientation(run->stepper, i) : tinker_contact_run_orientation(run->contacts, i);

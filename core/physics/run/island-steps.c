@@ -61,7 +61,7 @@ static gboolean open_run(TinkerIslandRun *run, double horizon, GError **error)
     if (run->choice.holds_energy) tinker_model_system_start_holding(&run->system, &run->books.start);
     run->books.allows_loss = (run->choice.method->flags & TINKER_INTEGRATOR_DISSIPATES) != 0;
     run->stability = tinker_stability_watch_new(&run->system, run->choice.method, run->choice.step);
-    if (run->choice.method != &tinker_integrator_impulse) run->contacts = tinker_contact_run_new(run);
+    if (!tinker_method_solves_contact(run->choice.method)) run->contacts = tinker_contact_run_new(run);
     if (run->contacts != NULL && !tinker_contact_run_start(run->contacts, error)) return FALSE;
     run->directions = tinker_direction_watch_new(run);
     return check_directions(run, error);

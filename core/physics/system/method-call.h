@@ -50,6 +50,15 @@ static inline gboolean tinker_method_is_fixed(const TinkerIntegrator *method)
     return !tinker_method_is_exact(method) && !tinker_method_is_adaptive(method);
 }
 
+/* The flag of a method whose steps solve contact themselves, as impulses. It needs the model, which methods of plugins
+ * do not see, so that theirs have no such flag. */
+#define TINKER_METHOD_SOLVES_CONTACT (1u << 31)
+
+static inline gboolean tinker_method_solves_contact(const TinkerIntegrator *method)
+{
+    return (method->flags & TINKER_METHOD_SOLVES_CONTACT) != 0;
+}
+
 /* Whether stability limits its steps at all: it is explicit and takes a step. */
 static inline gboolean tinker_method_is_fixed_explicit(const TinkerIntegrator *method)
 {

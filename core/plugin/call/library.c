@@ -147,6 +147,9 @@ static gboolean check_integrator(const TinkerIntegrator *integrators, int32_t nu
                              "integrator \"%s\": create, destroy, restart, step and interpolate are required, "
                              "one of them is NULL",
                              integrator->id);
+    if (integrator->flags & ~TINKER_INTEGRATOR_FLAGS)
+        return tinker_refuse(error, "integrator \"%s\": its flags 0x%x have bits that this version does not know",
+                             integrator->id, integrator->flags);
     return tinker_check_text(integrator->title, "an integrator's title", TRUE, error) &&
            tinker_check_text(integrator->summary, "an integrator's summary", FALSE, error) &&
            tinker_check_text(integrator->source, "an integrator's source", FALSE, error);

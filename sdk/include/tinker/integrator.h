@@ -168,6 +168,7 @@ typedef struct TinkerStepReport {
 #define TINKER_INTEGRATOR_LINEAR     (1u << 3) /* needs TinkerSystem.linear */
 #define TINKER_INTEGRATOR_IMPLICIT   (1u << 4) /* asks for the jacobian */
 #define TINKER_INTEGRATOR_DISSIPATES (1u << 5) /* takes energy from unresolved motion, on purpose */
+#define TINKER_INTEGRATOR_FLAGS      0x3fu     /* all of them; a library that sets others is refused */
 
 typedef struct TinkerIntegrator {
     uint32_t struct_size;
