@@ -5,7 +5,7 @@
 #include <math.h>
 #include <string.h>
 
-#include <lapacke.h>
+#include "numerics/solve/lapack.h"
 
 #include "analysis/group-response-private.h"
 
@@ -23,7 +23,7 @@ struct _TinkerFrequencyResponse {
     double *read[2];            /* of the modes: by place and by speed */
     double direct[3];           /* by the input, its rate, its second derivative */
     double complex *y, *matrix; /* of the largest group */
-    lapack_int *pivots;
+    int32_t *pivots;
 };
 
 /* Setting up ---------------------------------------------------------------------------------------------------------
@@ -123,7 +123,7 @@ TinkerFrequencyResponse *tinker_frequency_response_new(const TinkerLinearisation
     }
     response->y = g_new0(double complex, largest);
     response->matrix = g_new0(double complex, largest *largest);
-    response->pivots = g_new0(lapack_int, largest);
+    response->pivots = g_new0(int32_t, largest);
     g_autofree double *d = g_new0(double, MAX(linear->coordinates, 1));
     if (!follow_input(linear, input, d)) {
         g_set_error(
@@ -170,8 +170,7 @@ static gboolean solve_group(TinkerFrequencyResponse *response, const TinkerModeG
         response->y[0] /= response->matrix[0];
         return TRUE;
     }
-    return LAPACKE_zgesv(LAPACK_COL_MAJOR, (lapack_int)p, 1, response->matrix, (lapack_int)p, response->pivots,
-                         response->y, (lapack_int)p) == 0;
+    return tinker_solve_complex((int32_t)p, response->matrix, response->y, response->pivots);
 }
 
 double complex tinker_frequency_response_at(TinkerFrequencyResponse *response, double omega)

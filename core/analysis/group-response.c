@@ -9,7 +9,7 @@
 #include <math.h>
 #include <string.h>
 
-#include <lapacke.h>
+#include "numerics/solve/lapack.h"
 
 struct _TinkerGroupResponse {
     gsize order;
@@ -35,12 +35,10 @@ TinkerGroupResponse *tinker_group_response_new(const TinkerModeGroup *group, dou
     int32_t order = 0;
     g_autofree double *a = tinker_mode_state_matrix(group, &order);
     gsize n = (gsize)(guint)order;
-    g_autofree double *tau = g_new0(double, n), *q = NULL;
+    g_autofree double *q = g_new0(double, n *n);
     for (gsize i = 0; i < n * n; i++)
         if (!isfinite(a[i])) return NULL;
-    if (LAPACKE_dgehrd(LAPACK_COL_MAJOR, order, 1, order, a, order, tau) != 0) return NULL;
-    q = g_memdup2(a, n * n * sizeof(double));
-    if (LAPACKE_dorghr(LAPACK_COL_MAJOR, order, 1, order, q, order, tau) != 0) return NULL;
+    if (!tinker_hessenberg(order, a, q)) return NULL;
     TinkerGroupResponse *response = g_new0(TinkerGroupResponse, 1);
     response->order = n;
     response->hessenberg = g_new0(double, n *n);

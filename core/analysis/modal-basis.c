@@ -6,7 +6,7 @@
 #include <math.h>
 #include <string.h>
 
-#include <lapacke.h>
+#include "numerics/solve/lapack.h"
 
 #include "analysis/null-space-private.h"
 #include "numerics/solve/symmetric-eigen.h"
@@ -54,13 +54,12 @@ static gboolean start_basis(Work *work)
             work->basis[i + n * i] = 1 / sqrt(linear->mass[i]);
         return TRUE;
     }
-    TinkerNullSpace space;
-    gboolean found = tinker_null_space_find(&space, linear);
+    g_auto(TinkerNullSpace) space = {0};
+    gboolean found = tinker_null_space_of(linear, &space);
     work->m = found ? work->n - space.rank : 0;
     for (gsize c = 0; c < (gsize)work->m; c++)
         for (gsize i = 0; i < n; i++)
             work->basis[i + n * c] = space.q[i + n * (c + (gsize)space.rank)] / sqrt(linear->mass[i]);
-    tinker_null_space_clear(&space);
     return found;
 }
 
@@ -97,22 +96,20 @@ static gboolean diagonalise_positive(Work *work)
 {
     const GArray *terms = work->linear->stiffness;
     gsize m = (gsize)work->m, rows = MAX(count_positive(terms), m), row = 0;
-    g_autofree double *g = g_new0(double, rows *m), *v = g_new0(double, m *m), *unused = g_new0(double, 1);
+    g_autofree double *g = g_new0(double, rows *m), *v = g_new0(double, m *m);
     for (guint i = 0; i < terms->len; i++) {
         const TinkerLinearTerm *term = &g_array_index(terms, TinkerLinearTerm, i);
         if (term->weight > 0) row_times(work, term, sqrt(term->weight), g + row++, rows);
     }
-    double largest = 0, stat[7] = {1, 1};
+    double largest = 0;
     for (gsize i = 0; i < rows * m; i++) {
         if (!isfinite(g[i])) return FALSE;
         largest = fmax(largest, fabs(g[i]));
     }
     if (largest == 0) return TRUE;
-    lapack_int istat[3] = {0};
-    if (LAPACKE_dgejsv(LAPACK_COL_MAJOR, 'F', 'N', 'V', 'R', 'N', 'N', (lapack_int)rows, (lapack_int)m, g,
-                       (lapack_int)rows, work->squares, unused, 1, v, (lapack_int)m, stat, istat) != 0)
-        return FALSE;
-    double scale = stat[0] / stat[1], most = scale * work->squares[0];
+    double scale = 1;
+    if (!tinker_singular_values((int32_t)rows, (int32_t)m, g, work->squares, v, &scale)) return FALSE;
+    double most = scale * work->squares[0];
     for (gsize i = 0; i < m; i++) {
         double value = scale * work->squares[i];
         work->squares[i] = value > LEAST_SINGULAR * most ? value * value : 0;
@@ -170,7 +167,7 @@ static gboolean diagonalise(Work *work, double *matrix)
     }
     for (gsize i = 0; i < m * m; i++)
         if (!isfinite(matrix[i])) return FALSE;
-    if (LAPACKE_dsyevd(LAPACK_COL_MAJOR, 'V', 'L', work->m, matrix, work->m, work->squares) != 0) return FALSE;
+    if (!tinker_eigen_symmetric_large(work->m, matrix, work->squares)) return FALSE;
     turn_basis(work, matrix);
     return TRUE;
 }

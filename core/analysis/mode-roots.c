@@ -8,7 +8,7 @@
 
 #include <math.h>
 
-#include <lapacke.h>
+#include "numerics/solve/lapack.h"
 
 /* Roots this small beside the largest are rigid motions'. */
 #define LEAST_ROOT 1e-12
@@ -153,7 +153,7 @@ GPtrArray *tinker_mode_roots(const TinkerModeGroup *group)
     gboolean symmetric = is_symmetric(group);
     for (gsize i = 0; i < size * size; i++)
         if (!isfinite(a[i])) return NULL;
-    if (LAPACKE_dgeev(LAPACK_COL_MAJOR, 'N', 'V', n, a, n, real, imaginary, NULL, 1, vectors, n) != 0) return NULL;
+    if (!tinker_eigen_general(n, a, real, imaginary, vectors)) return NULL;
     for (gsize i = 0; i < size; i++)
         largest = fmax(largest, hypot(real[i], imaginary[i]));
     GPtrArray *roots = g_ptr_array_new_with_free_func(root_free);

@@ -2,24 +2,23 @@
 #include "numerics/solve/dense-solve.h"
 
 #include <glib.h>
-#include <lapacke.h>
 #include <math.h>
 #include <string.h>
 
-#define RANK 1e-10
+#include "numerics/solve/lapack.h"
+#include "numerics/solve/rank.h"
+
 /* The largest n whose square is an int32_t. */
 #define MOST_UNKNOWNS 46340
-/* Room that xGELSY wants for its blocks. */
-#define BLOCK 64
 
 struct TinkerDenseSolve {
-    int32_t n, room;
+    int32_t n;
     gboolean full;  /* rank, of the matrix taken last */
     double *matrix; /* by rows; or its factors */
     double *given;  /* of a singular one: by columns */
     double *work;
     int32_t *pivots;
-    lapack_int *order;
+    int32_t *order;
 };
 
 TinkerDenseSolve *tinker_dense_solve_new(int32_t n)
@@ -28,12 +27,11 @@ TinkerDenseSolve *tinker_dense_solve_new(int32_t n)
     TinkerDenseSolve *solve = g_new0(TinkerDenseSolve, 1);
     gsize size = (gsize)MAX(n, 1);
     solve->n = n;
-    solve->room = (int32_t)(4 * size + BLOCK * (size + 2));
     solve->matrix = g_try_new0(double, size *size);
     solve->given = g_try_new0(double, size *size);
-    solve->work = g_try_new0(double, solve->room);
+    solve->work = g_try_new0(double, tinker_least_norm_room((int32_t)size));
     solve->pivots = g_try_new0(int32_t, size);
-    solve->order = g_try_new0(lapack_int, size);
+    solve->order = g_try_new0(int32_t, size);
     if (solve->matrix == NULL || solve->given == NULL || solve->work == NULL || solve->pivots == NULL ||
         solve->order == NULL)
         g_clear_pointer(&solve, tinker_dense_solve_free);
@@ -69,7 +67,7 @@ static double greatest_entry(const double *a, int32_t count)
 int tinker_dense_solve_factor(TinkerDenseSolve *solve, const double *matrix)
 {
     int32_t n = solve->n;
-    double *a = solve->matrix, least = RANK * greatest_entry(matrix, n * n);
+    double *a = solve->matrix, least = TINKER_DEPENDENT * greatest_entry(matrix, n * n);
     memcpy(a, matrix, (gsize)n * (gsize)n * sizeof(double));
     for (int32_t i = 0; i < n; i++)
         for (int32_t j = 0; j < n; j++)
@@ -122,12 +120,10 @@ void tinker_dense_solve(TinkerDenseSolve *solve, double *b)
         substitute(solve, b);
         return;
     }
-    lapack_int n = solve->n, rank = 0;
-    memset(solve->order, 0, (gsize)n * sizeof(lapack_int));
-    memcpy(solve->matrix, solve->given, (gsize)n * (gsize)n * sizeof(double));
-    if (LAPACKE_dgelsy_work(LAPACK_COL_MAJOR, n, n, 1, solve->matrix, n, b, n, solve->order, RANK, &rank, solve->work,
-                            solve->room) != 0)
-        memset(b, 0, (gsize)n * sizeof(double));
+    const gsize n = (gsize)solve->n;
+    memcpy(solve->matrix, solve->given, n * n * sizeof(double));
+    if (!tinker_least_norm(solve->n, solve->matrix, b, TINKER_DEPENDENT, solve->order, solve->work))
+        memset(b, 0, n * sizeof(double));
 }
 
 void tinker_dense_solve_near(TinkerDenseSolve *solve, const double *near, double *b)

@@ -1,55 +1,12 @@
-/* LAPACK for what is small, ARPACK's reverse communication for what is large, and a Lanczos process of our own where a
+/* ARPACK's reverse communication, and a Lanczos process of our own where a
  * few products have to do: it keeps all its vectors and orthogonalises against them, which a few bear. */
 #include "numerics/solve/eigen.h"
 
 #include <arpack/arpack.h>
-#include <lapacke.h>
 #include <math.h>
 #include <string.h>
 
-#define RANK_TOLERANCE 1e-10
-
-/* Takes the place of LAPACKE's own, which tells on standard output, among what the program writes there, and goes on:
- * callers would take the want of memory for numbers that leave their range. */
-__attribute__((visibility("default"))) void LAPACKE_xerbla(const char *name, lapack_int info);
-void LAPACKE_xerbla(const char *name, lapack_int info)
-{
-    if (info == LAPACK_WORK_MEMORY_ERROR || info == LAPACK_TRANSPOSE_MEMORY_ERROR)
-        g_error("failed to allocate the work array of %s", name);
-    g_critical("%s: argument %d is wrong", name, -(int)info);
-}
-
-gboolean tinker_eigen_symmetric(int32_t n, double *matrix, double *values)
-{
-    if (n == 0) return TRUE;
-    return LAPACKE_dsyev(LAPACK_COL_MAJOR, 'V', 'U', n, matrix, n, values) == 0;
-}
-
-/* dgeev balances the matrix first, so states of very different size do no harm. */
-gboolean tinker_eigen_general(int32_t n, double *matrix, double *re, double *im)
-{
-    if (n == 0) return TRUE;
-    return LAPACKE_dgeev(LAPACK_COL_MAJOR, 'N', 'N', n, matrix, n, re, im, NULL, 1, NULL, 1) == 0;
-}
-
-int32_t tinker_null_space(int32_t rows, int32_t n, double *transposed, double *basis)
-{
-    gsize m = (gsize)n;
-    int32_t least = MIN(rows, n), rank = 0;
-    g_autofree double *all = g_new0(double, MAX(m * m, 1)), *singular = g_new0(double, MAX(least, 1));
-    g_autofree double *rest = g_new0(double, MAX(least, 1));
-    if (n == 0) return 0;
-    if (rows > 0 &&
-        LAPACKE_dgesvd(LAPACK_COL_MAJOR, 'A', 'N', n, rows, transposed, n, singular, all, n, NULL, 1, rest) != 0)
-        return -1;
-    while (rank < least && singular[rank] > RANK_TOLERANCE * singular[0])
-        rank++;
-    if (rows == 0)
-        for (gsize i = 0; i < m; i++)
-            all[i * m + i] = 1.0;
-    memcpy(basis, all + (gsize)rank * m, (m - (gsize)rank) * m * sizeof(double));
-    return n - rank;
-}
+#include "numerics/solve/lapack.h"
 
 /* ARPACK ----------------------------------------------------------------------------------------------------------- */
 
@@ -174,7 +131,7 @@ static int32_t gauss(int32_t n, int32_t count, double *diagonal, double *beside,
                      const double *basis, TinkerSpectralMeasure *measure)
 {
     g_autofree double *vectors = g_new0(double, (gsize)count *(gsize)count), *x = g_new(double, 2 * (gsize)n);
-    if (LAPACKE_dstev(LAPACK_COL_MAJOR, 'V', count, diagonal, beside, vectors, count) != 0) return 0;
+    if (!tinker_eigen_tridiagonal(count, diagonal, beside, vectors)) return 0;
     for (int32_t k = 0; k < count; k++) {
         const double *parts = vectors + (gsize)k * (gsize)count;
         measure->nodes[k] = diagonal[k];

@@ -1,8 +1,7 @@
-/* Eigenvalues of small dense matrices (LAPACK) and the largest ones of operators of any size (ARPACK, Lanczos).
+/* The largest eigenvalues of operators of any size (ARPACK, Lanczos). Those of small matrices: lapack.h.
  *
- * Matrices lie column by column. Nothing here is used inside a step. Sources: Anderson et al., LAPACK Users' Guide,
- * SIAM 1999; Lehoucq, Sorensen, Yang, ARPACK Users' Guide, SIAM 1998; Golub, Meurant, Matrices, Moments and Quadrature
- * with Applications, Princeton 2010. */
+ * Nothing here is used inside a step. Sources: Lehoucq, Sorensen, Yang, ARPACK Users' Guide, SIAM 1998; Golub, Meurant,
+ * Matrices, Moments and Quadrature with Applications, Princeton 2010. */
 #ifndef TINKER_CORE_EIGEN_H
 #define TINKER_CORE_EIGEN_H
 
@@ -10,18 +9,6 @@
 
 /* y = A x. */
 typedef void (*TinkerOperator)(void *data, const double *x, double *y);
-
-/* Of a symmetric matrix of order n: values ascending, and in place of the matrix its vectors, column by column, of
- * length 1. FALSE where the iteration fails or an entry is not finite. */
-gboolean tinker_eigen_symmetric(int32_t n, double *matrix, double *values);
-
-/* Eigenvalues of any real matrix of order n, which is lost; conjugate pairs stand side by side. FALSE as above. */
-gboolean tinker_eigen_general(int32_t n, double *matrix, double *re, double *im);
-
-/* An orthonormal basis, column by column, of the vectors that a matrix of `rows` rows and n columns maps to 0, into
- * `basis` (room for n * n). `transposed` holds its rows one behind the other and is lost. Singular values below 1e-10
- * of the largest count as 0. Answers how many vectors there are, or -1. */
-int32_t tinker_null_space(int32_t rows, int32_t n, double *transposed, double *basis);
 
 /* The eigenvalue of a symmetric operator that is largest (algebraically), and its vector of length 1, to a relative
  * `tolerance`; at most about `most_products` products. n > 30. FALSE where it did not converge. */

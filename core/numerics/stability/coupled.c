@@ -5,7 +5,7 @@
 #include <string.h>
 #include <tinker/unconstrained.h>
 
-#include "numerics/solve/eigen.h"
+#include "numerics/solve/lapack.h"
 
 /* A map may grow by this much a step, and in proportion more at long ones: rounding; and decays where it does so by
  * more. */
@@ -131,7 +131,7 @@ static double growth_at(Probe *probe, double step)
     double most = 0;
     for (int32_t j = 0; j < order; j++)
         if (!probe_column(probe, j, step)) return INFINITY;
-    if (!tinker_eigen_general(order, probe->map, probe->re, probe->im)) return INFINITY;
+    if (!tinker_eigen_general(order, probe->map, probe->re, probe->im, NULL)) return INFINITY;
     for (int32_t i = 0; i < order; i++)
         if (hypot(probe->re[i] - 1, probe->im[i]) > STAYS) most = fmax(most, hypot(probe->re[i], probe->im[i]));
     return most;

@@ -11,16 +11,13 @@
  * row's own diagonal entry: dependent rods between masses in a ratio of 1e9 are solved. */
 #include "physics/constraint/constraints.h"
 #include "numerics/solve/largest.h"
+#include "numerics/solve/rank.h"
 #include "physics/constraint/row-chains.h"
 #include "physics/model/model-data.h"
 
 #include <math.h>
 #include <string.h>
 
-/* A row whose pivot falls to this share of its diagonal entry counts as dependent on the others: a mechanism within
- * 1e-5 rad of a singular place. Smaller, and what is left of the row is mostly rounding, which the solve would magnify;
- * larger, and chains of masses in the ratio 1e9 would be taken for singular. */
-#define DEPENDENT_PIVOT 1e-10
 /* Each solve brings an independent part of lambda closer by this over its eigenvalue; what dependent rows disagree in
  * by rounding is magnified by its reciprocal. */
 #define PROXIMAL_SHIFT           1e-5
@@ -127,7 +124,7 @@ static gboolean factor_and_solve(TinkerConstraints *all, double *b)
     if (all->redundant == 0) {
         memcpy(all->residual, b, bytes);
         assemble(all);
-        if (tinker_sparse_ldl_factor_and_solve(all->ldl, DEPENDENT_PIVOT, b)) return TRUE;
+        if (tinker_sparse_ldl_factor_and_solve(all->ldl, TINKER_DEPENDENT, b)) return TRUE;
         memcpy(b, all->residual, bytes);
     }
     factor_shifted(all);
@@ -139,7 +136,7 @@ int32_t tinker_constraints_count_dependent(TinkerModel *model)
     TinkerConstraints *all = &model->constraints;
     assemble(all);
     all->factored = all->keeps_factored = FALSE;
-    return tinker_sparse_ldl_count_dependent(all->ldl, DEPENDENT_PIVOT, NULL);
+    return tinker_sparse_ldl_count_dependent(all->ldl, TINKER_DEPENDENT, NULL);
 }
 
 /* Loops over rows are written once, for a number of entries that the compiler knows (2, nearly all rows there are) or
@@ -263,7 +260,7 @@ static gboolean solve_chains(TinkerConstraints *all, const TinkerRowDemand *dema
     }
     all->factored = all->keeps_factored = TRUE;
     all->shifted = FALSE;
-    if (tinker_row_chains_factor(all->chains, all->jacobian, DEPENDENT_PIVOT, demand)) return TRUE;
+    if (tinker_row_chains_factor(all->chains, all->jacobian, TINKER_DEPENDENT, demand)) return TRUE;
     factor_shifted(all);
     return FALSE;
 }

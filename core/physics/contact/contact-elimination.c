@@ -5,13 +5,10 @@
 #include <string.h>
 
 #include "numerics/solve/pivoted-solve.h"
+#include "numerics/solve/rank.h"
 #include "numerics/solve/sparse-ldu.h"
 #include "physics/constraint/constraints.h"
 
-/* As of constraint rows (constraints.c): a row that keeps no more than this share of itself depends on others. */
-#define DEPENDENT_PIVOT 1e-10
-/* Equations of one body whose pivot falls to this share depend on one another. */
-#define DEPENDENT_EQUATION 1e-10
 /* Of equations that depend on one another, and of rows that do: what is added to their diagonal. Each solve with it
  * brings what is determined closer by this over its eigenvalue, as in constraints.c. */
 #define SOFTNESS    1e-5
@@ -223,7 +220,7 @@ static gboolean invert(const TinkerContactEquation *of, Equation *equation, int3
             for (int32_t j = 0; j < count; j++)
                 matrix[i * count + j] = dot(of[i].row, of[j].force) + (i == j ? softness : 0);
         x[column] = 1;
-        if (tinker_pivoted_solve(count, matrix, x, order, DEPENDENT_EQUATION) < count) return FALSE;
+        if (tinker_pivoted_solve(count, matrix, x, order, TINKER_DEPENDENT) < count) return FALSE;
         for (int32_t i = 0; i < count; i++)
             equation[i].inverse[column] = x[i];
     }
@@ -236,7 +233,7 @@ static gboolean invert_two(const TinkerContactEquation *of, Equation *equation, 
     const double a = dot(of[0].row, of[0].force) + softness, b = dot(of[0].row, of[1].force);
     const double c = dot(of[1].row, of[0].force), d = dot(of[1].row, of[1].force) + softness;
     const double determinant = a * d - b * c, size = fabs(a * d) + fabs(b * c);
-    if (!(fabs(determinant) > DEPENDENT_EQUATION * size)) return FALSE;
+    if (!(fabs(determinant) > TINKER_DEPENDENT * size)) return FALSE;
     equation[0].inverse[0] = d / determinant;
     equation[0].inverse[1] = -b / determinant;
     equation[1].inverse[0] = -c / determinant;
@@ -319,7 +316,7 @@ static gboolean factor(TinkerContactElimination *self, double softness, double r
         /* a row that no body feels, or a slack one, has no multiplier */
         if (self->least[row] == 0) values[self->diagonal[row]] = 1;
         values[self->diagonal[row]] += row_softness * self->least[row];
-        self->least[row] *= DEPENDENT_PIVOT;
+        self->least[row] *= TINKER_DEPENDENT;
     }
     return tinker_sparse_ldu_factor(self->ldu, self->least);
 }

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "numerics/solve/eigen.h"
+#include "numerics/solve/lapack.h"
 #include "physics/impulse/impulse.h"
 #include "physics/model/model.h"
 #include "physics/plan/islands.h"
@@ -219,7 +220,7 @@ static gboolean add_state_matrix(TinkerSpectrum *spectrum, const Dense *dense)
             state[(m + j) * order + m + i] = -dense->damping[j * m + i];
         }
     }
-    if (!tinker_eigen_general((int32_t)order, state, re, im)) return FALSE;
+    if (!tinker_eigen_general((int32_t)order, state, re, im, NULL)) return FALSE;
     for (gsize i = 0; i < order; i++)
         if (im[i] >= 0) add_eigenvalue(spectrum, re[i], im[i]);
     return TRUE;

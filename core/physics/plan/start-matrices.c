@@ -6,7 +6,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "numerics/solve/eigen.h"
+#include "numerics/solve/null-space.h"
 #include "numerics/solve/symmetric-solver.h"
 #include "physics/constraint/constraints.h"
 #include "physics/force/forces.h"
@@ -394,14 +394,18 @@ int32_t tinker_start_matrices_tangents(TinkerStartMatrices *self, double *basis)
     const TinkerConstraints *all = &self->model->constraints;
     int32_t rows = self->linear != NULL ? 0 : all->rows;
     gsize n = (gsize)self->n;
-    g_autofree double *transposed = g_new0(double, MAX(n * (gsize)rows, 1));
+    g_auto(TinkerNullSpace) space = {0};
+    tinker_null_space_open(&space, rows, self->n);
     for (int32_t row = 0; row < rows; row++)
         for (int32_t e = all->row_starts[row]; e < all->row_starts[row + 1]; e++)
             for (int32_t k = 0; k < 2 && all->points[e] < self->model->bodies; k++) {
                 gsize i = 2 * (gsize)all->points[e] + (gsize)k;
-                transposed[(gsize)row * n + i] += all->jacobian[2 * e + k] * self->inverse_root[i];
+                space.r[(gsize)row * n + i] += all->jacobian[2 * e + k] * self->inverse_root[i];
             }
-    return tinker_null_space(rows, self->n, transposed, basis);
+    if (!tinker_null_space_find(&space)) return -1;
+    const gsize free_columns = n - (gsize)space.rank;
+    memcpy(basis, space.q + n * (gsize)space.rank, n * free_columns * sizeof(double));
+    return (int32_t)free_columns;
 }
 
 const double *tinker_start_matrices_acceleration(const TinkerStartMatrices *self)
