@@ -10,13 +10,15 @@ TinkerGraphAxis tinker_graph_axis_time(void)
 
 TinkerGraphAxis tinker_graph_axis(TinkerScene *scene, TinkerBlockId block, int32_t quantity)
 {
-    const TinkerBlockClass *block_class = tinker_scene_block_class(scene, block);
-    const TinkerQuantityType *type = &block_class->quantities[quantity];
-    gboolean english = tinker_scene_head(scene)->units == TINKER_UNIT_SYSTEM_ENGLISH;
-    const char *name = tinker_block_class_unit(block_class, type->id, type->dimension, english);
-    TinkerUnit unit = {1, type->dimension};
+    const TinkerQuantityType type = tinker_scene_quantity_type(scene, block, quantity);
+    const TinkerUnitSystem system = tinker_scene_head(scene)->units;
+    const char *name = block == TINKER_NO_BLOCK
+                           ? tinker_unit_for(type.dimension, system)
+                           : tinker_block_class_unit(tinker_scene_block_class(scene, block), type.id, type.dimension,
+                                                     system == TINKER_UNIT_SYSTEM_ENGLISH);
+    TinkerUnit unit = {1, type.dimension};
     if (name[0] != '\0' && !tinker_unit_parse(name, &unit, NULL)) unit.factor = 1;
-    return (TinkerGraphAxis){type->title, name, 1 / unit.factor, type->dimension, block};
+    return (TinkerGraphAxis){type.title, name, 1 / unit.factor, type.dimension, block};
 }
 
 char *tinker_axis_label(const char *title, const char *unit)

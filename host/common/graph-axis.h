@@ -4,7 +4,7 @@
 #define TINKER_COMMON_GRAPH_AXIS_H
 
 #include "csv-writer.h"
-#include "scene/store/scene.h"
+#include "scene/store/quantities.h"
 
 /* What stands on one axis of one curve. Texts are borrowed from the block's class. */
 typedef struct {
@@ -17,7 +17,7 @@ typedef struct {
 
 TinkerGraphAxis tinker_graph_axis_time(void);
 
-/* The axis of a quantity of this block, which has a class. */
+/* The axis of a quantity of this block, or of the scene (quantities.h). */
 TinkerGraphAxis tinker_graph_axis(TinkerScene *scene, TinkerBlockId block, int32_t quantity);
 
 /* "Y Position [m]", or the title alone where there is no unit. (transfer full) */

@@ -136,8 +136,10 @@ TinkerStatus tinker_model_energy(TinkerModel *model, TinkerEnergy *energy)
         status = add_asked(model, model->asked_forces, asked_forces_energy, &energy->stored_in_forces);
     if (status == TINKER_OK)
         status = add_asked(model, model->asked_fields, asked_field_energy, &energy->stored_in_fields);
-    energy->potential = merged_lines_energy(model) + uniform_field_energy(model) + lines + energy->stored_in_forces +
-                        energy->stored_in_fields;
+    const double uniform = uniform_field_energy(model);
+    energy->in_fields = uniform + energy->stored_in_fields;
+    energy->potential =
+        merged_lines_energy(model) + uniform + lines + energy->stored_in_forces + energy->stored_in_fields;
     return status;
 }
 

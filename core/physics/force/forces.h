@@ -35,6 +35,7 @@ TinkerStatus tinker_model_applied(TinkerModel *model, double *a, gboolean books)
 typedef struct {
     double kinetic;
     double potential;        /* of all blocks, relative to the origin */
+    double in_fields;        /* part of it: of bodies in fields of any kind */
     double stored_in_forces; /* part of it: of force elements that are asked */
     double stored_in_fields; /* and of fields that are asked */
 } TinkerEnergy;

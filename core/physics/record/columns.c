@@ -17,14 +17,14 @@ GArray *tinker_columns_new(void)
 
 void tinker_columns_add_quantity(GArray *columns, TinkerScene *scene, TinkerBlockId block, int32_t quantity)
 {
-    const TinkerQuantityType *type = &tinker_scene_block_class(scene, block)->quantities[quantity];
+    const TinkerQuantityType type = tinker_scene_quantity_type(scene, block, quantity);
     TinkerColumn column = {
         .block = block,
         .quantity = quantity,
-        .name = g_strdup_printf("%s.%s", tinker_scene_block_name(scene, block), type->id),
-        .title = type->title,
-        .dimension = type->dimension,
-        .unit = tinker_unit_si_symbol(type->dimension),
+        .name = g_strdup_printf("%s.%s", tinker_scene_owner_name(scene, block), type.id),
+        .title = type.title,
+        .dimension = type.dimension,
+        .unit = tinker_unit_si_symbol(type.dimension),
     };
     g_array_append_val(columns, column);
 }
@@ -78,34 +78,42 @@ static gboolean unknown_block(TinkerScene *scene, const char *column, const char
     return FALSE;
 }
 
-static gboolean unknown_quantity(const TinkerBlockClass *block_class, const char *column, const char *quantity,
+/* "x, y, path length", of those that the block has. (transfer full) */
+static char *known_quantities(TinkerScene *scene, TinkerBlockId block)
+{
+    g_auto(GStrv) names = tinker_scene_quantity_names(scene, block);
+    return names[0] != NULL ? g_strjoinv(", ", names) : g_strdup("none");
+}
+
+static gboolean unknown_quantity(TinkerScene *scene, TinkerBlockId block, const char *column, const char *quantity,
                                  GError **error)
 {
-    g_autoptr(GString) known = g_string_new(NULL);
-    for (int32_t q = 0; q < block_class->quantity_count; q++)
-        g_string_append_printf(known, "%s%s", q > 0 ? ", " : "", block_class->quantities[q].id);
+    g_autofree char *known = known_quantities(scene, block);
+    g_auto(GStrv) names = tinker_scene_quantity_names(scene, block);
+    const char *other = tinker_quantity_other_name(quantity);
+    const char *nearest = other == NULL ? tinker_nearest_word(quantity, (const char *const *)names) : NULL;
+    g_autofree char *guess = nearest != NULL ? g_strdup_printf("; did you mean \"%s\"?", nearest) : g_strdup("");
+    g_autofree char *pair =
+        other != NULL ? g_strdup_printf(", as \"%s\" is not another block with a place", other) : g_strdup("");
     g_set_error(error, TINKER_SCENE_ERROR, TINKER_SCENE_ERROR_NAME,
-                "column \"%s\": this block has no quantity \"%s\" (it has %s)", column, quantity,
-                known->len > 0 ? known->str : "none");
+                "column \"%s\": %s has no quantity \"%s\"%s%s (it has %s)", column,
+                block == TINKER_NO_BLOCK ? "the scene" : "this block", quantity, pair, guess, known);
     return FALSE;
 }
 
-/* A block's name alone. */
+/* A name alone, of a block or of the scene. */
 static gboolean no_quantity(TinkerScene *scene, TinkerBlockId block, const char *column, GError **error)
 {
-    const TinkerBlockClass *block_class = tinker_scene_block_class(scene, block);
-    if (block_class == NULL || block_class->quantity_count == 0) {
+    g_auto(GStrv) names = tinker_scene_quantity_names(scene, block);
+    if (names[0] == NULL) {
         g_set_error(error, TINKER_SCENE_ERROR, TINKER_SCENE_ERROR_NAME,
                     "column \"%s\": this block has no quantities (a column is BLOCK.QUANTITY, as in \"Mass 0.x\")",
                     column);
         return FALSE;
     }
-    g_autoptr(GString) known = g_string_new(NULL);
-    for (int32_t q = 0; q < block_class->quantity_count; q++)
-        g_string_append_printf(known, "%s%s", q > 0 ? ", " : "", block_class->quantities[q].id);
+    g_autofree char *known = known_quantities(scene, block);
     g_set_error(error, TINKER_SCENE_ERROR, TINKER_SCENE_ERROR_NAME,
-                "column \"%s\": the quantity is missing, as in \"%s.%s\" (it has %s)", column, column,
-                block_class->quantities[0].id, known->str);
+                "column \"%s\": the quantity is missing, as in \"%s.%s\" (it has %s)", column, column, names[0], known);
     return FALSE;
 }
 
@@ -118,19 +126,31 @@ static gboolean missing_type(TinkerScene *scene, TinkerBlockId block, const char
     return FALSE;
 }
 
+/* The last dot that has a block's name, or the scene's, before it; else the last one, or NULL. */
+static const char *find_dot(const TinkerScene *scene, const char *name, TinkerBlockId *owner)
+{
+    const char *last = strrchr(name, '.');
+    for (const char *dot = last; dot != NULL; dot = g_strrstr_len(name, dot - name, ".")) {
+        g_autofree char *before = g_strndup(name, (gsize)(dot - name));
+        if (tinker_scene_find_owner(scene, before, owner)) return dot;
+    }
+    *owner = TINKER_NO_BLOCK;
+    return last;
+}
+
 gboolean tinker_columns_add(GArray *columns, TinkerScene *scene, const char *name, GError **error)
 {
-    const char *dot = strrchr(name, '.');
-    TinkerBlockId whole = tinker_scene_find_block(scene, name);
-    if (dot == NULL && whole != TINKER_NO_BLOCK) return no_quantity(scene, whole, name, error);
+    TinkerBlockId block;
+    const char *dot = strchr(name, '.');
+    if (dot == NULL && tinker_scene_find_owner(scene, name, &block)) return no_quantity(scene, block, name, error);
     if (dot == NULL) return unknown_block(scene, name, name, error);
-    g_autofree char *block_name = g_strndup(name, (gsize)(dot - name));
-    TinkerBlockId block = tinker_scene_find_block(scene, block_name);
-    if (block == TINKER_NO_BLOCK) return unknown_block(scene, name, block_name, error);
-    const TinkerBlockClass *block_class = tinker_scene_block_class(scene, block);
-    if (block_class == NULL) return missing_type(scene, block, name, error);
-    int32_t quantity = tinker_block_class_quantity(block_class, dot + 1);
-    if (quantity < 0) return unknown_quantity(block_class, name, dot + 1, error);
+    dot = find_dot(scene, name, &block);
+    g_autofree char *owner = g_strndup(name, (gsize)(dot - name));
+    if (!tinker_scene_find_owner(scene, owner, &block)) return unknown_block(scene, name, owner, error);
+    if (block != TINKER_NO_BLOCK && tinker_scene_block_class(scene, block) == NULL)
+        return missing_type(scene, block, name, error);
+    int32_t quantity = tinker_scene_find_quantity(scene, block, dot + 1);
+    if (quantity < 0) return unknown_quantity(scene, block, name, dot + 1, error);
     tinker_columns_add_quantity(columns, scene, block, quantity);
     return TRUE;
 }
@@ -157,4 +177,14 @@ gboolean tinker_columns_add_list(GArray *columns, TinkerScene *scene, const char
         }
     }
     return TRUE;
+}
+
+gboolean *tinker_columns_turn(const GArray *columns)
+{
+    gboolean *turns = g_new0(gboolean, columns->len + 1);
+    for (guint c = 0; c < columns->len; c++) {
+        const TinkerColumn *column = &g_array_index(columns, TinkerColumn, c);
+        turns[c] = column->block != TINKER_NO_BLOCK && column->quantity == TINKER_IMPLIED_ANGLE;
+    }
+    return turns;
 }

@@ -2,13 +2,13 @@
 #ifndef TINKER_CORE_COLUMNS_H
 #define TINKER_CORE_COLUMNS_H
 
-#include "scene/store/scene.h"
+#include "scene/store/quantities.h"
 
 typedef struct {
-    TinkerBlockId block;
-    int32_t quantity;  /* number of the quantity in its class */
-    char *name;        /* "Mass 0.x"; owned */
-    const char *title; /* of the quantity, "Y Position" */
+    TinkerBlockId block; /* TINKER_NO_BLOCK: of the scene */
+    int32_t quantity;    /* its number, see quantities.h */
+    char *name;          /* "Mass 0.x"; owned */
+    const char *title;   /* of the quantity, "Y Position" */
     TinkerDimension dimension;
     const char *unit; /* SI symbol, "m/s" */
 } TinkerColumn;
@@ -20,13 +20,17 @@ GArray *tinker_columns_new(void);
  * each in scene order. (transfer full) */
 GArray *tinker_columns_default(TinkerScene *scene);
 
-/* Adds a quantity of a block, by its number in the block's class. */
+/* Adds a quantity of a block or of the scene, by its number. */
 void tinker_columns_add_quantity(GArray *columns, TinkerScene *scene, TinkerBlockId block, int32_t quantity);
 
-/* Adds the column called "BLOCK.QUANTITY"; the quantity begins behind the last dot. Errors (TINKER_SCENE_ERROR_NAME)
+/* Adds the column called "BLOCK.QUANTITY"; the quantity begins behind the last dot that has a block's
+ * name, or "Scene", before it. Errors (TINKER_SCENE_ERROR_NAME)
  * name the nearest block, or the quantities that the block has; TINKER_SCENE_ERROR_TYPE says why the block's type is
  * missing. */
 gboolean tinker_columns_add(GArray *columns, TinkerScene *scene, const char *name, GError **error);
+
+/* Of each column whether its values start again after 2 pi, as those of an angle. (transfer full) */
+gboolean *tinker_columns_turn(const GArray *columns);
 
 /* Adds the columns of a comma-separated list. A name with a comma in it is found as well. */
 gboolean tinker_columns_add_list(GArray *columns, TinkerScene *scene, const char *list, GError **error);

@@ -10,6 +10,7 @@
 #include "physics/impulse/impulse.h"
 #include "physics/model/model-data.h"
 #include "physics/record/columns.h"
+#include "physics/record/implied.h"
 
 /* One quantity of one class: which rows go to which columns. */
 typedef struct {
@@ -21,7 +22,8 @@ typedef struct {
 
 struct _TinkerSampler {
     TinkerModel *model;
-    GPtrArray *wanted; /* of Wanted, those of one batch side by side */
+    GPtrArray *wanted;      /* of Wanted, those of one batch side by side */
+    TinkerImplied *implied; /* NULL where no such column is wanted */
     const GArray *columns;
     double *acceleration;
     TinkerPoint *ends; /* of the largest batch, in the world */
@@ -89,6 +91,7 @@ TinkerSampler *tinker_sampler_new(TinkerModel *model, const GArray *columns)
     g_autofree int32_t *rows = rows_by_block(model);
     for (guint c = 0; columns != NULL && c < columns->len; c++) {
         const TinkerColumn *column = &g_array_index(columns, TinkerColumn, c);
+        if (column->block == TINKER_NO_BLOCK || column->quantity >= TINKER_IMPLIED_LENGTH) continue;
         TinkerBlockBatch *batch = batch_of(model, column->block);
         if (batch == NULL || batch->block_class->graph == NULL) continue;
         Wanted *wanted = find_wanted(sampler, batch, column->quantity);
@@ -96,6 +99,7 @@ TinkerSampler *tinker_sampler_new(TinkerModel *model, const GArray *columns)
         g_array_append_val(wanted->rows, rows[column->block]);
         g_array_append_val(wanted->columns, number);
     }
+    sampler->implied = tinker_implied_new(model, columns);
     g_ptr_array_sort(sampler->wanted, compare_wanted);
     gsize most = 1;
     for (guint i = 0; i < model->batches->len; i++) {
@@ -119,6 +123,7 @@ void tinker_sampler_free(TinkerSampler *sampler)
 {
     if (sampler == NULL) return;
     g_ptr_array_unref(sampler->wanted);
+    tinker_implied_free(sampler->implied);
     gpointer arrays[] = {sampler->acceleration, sampler->ends,   sampler->end_accelerations, sampler->forces,
                          sampler->values,       sampler->bodies, sampler->contacts,          sampler->by_point};
     for (gsize i = 0; i < G_N_ELEMENTS(arrays); i++)
@@ -227,8 +232,9 @@ static TinkerStatus accelerations_at(TinkerSampler *sampler, double t, const dou
 TinkerStatus tinker_sampler_values(TinkerSampler *sampler, double t, const double *q, const double *v, double *values)
 {
     TinkerModel *model = sampler->model;
-    if (sampler->wanted->len == 0) return TINKER_OK;
+    if (sampler->wanted->len == 0 && sampler->implied == NULL) return TINKER_OK;
     TinkerStatus status = accelerations_at(sampler, t, q, v);
+    if (status == TINKER_OK && sampler->implied != NULL) status = tinker_implied_values(sampler->implied, values);
     TinkerBlockBatch *last = NULL;
     TinkerBatch view = {0};
     TinkerGraphInput input = {0};

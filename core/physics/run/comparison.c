@@ -14,6 +14,7 @@
 #include "physics/impulse/impulse.h"
 #include "physics/island/island-run.h"
 #include "physics/model/model-data.h"
+#include "physics/record/columns.h"
 #include "physics/run/companion.h"
 #include "physics/run/island-runs.h"
 #include "physics/system/method-call.h"
@@ -60,6 +61,7 @@ struct _TinkerComparison {
     Part *parts;                 /* island by island */
     double *q, *v;               /* room for the bodies of one */
     guint columns;               /* 0: no bands */
+    gboolean *turns;             /* of each column: whether it starts again after 2 pi */
     double *bands;
     TinkerFindings findings;
     gint state;              /* atomic: a TinkerComparisonState */
@@ -94,6 +96,7 @@ static gboolean open_companion(TinkerComparison *self, TinkerIslandRuns *runs, c
         self->columns = columns->len;
         self->findings.bands = self->bands = g_new0(double, columns->len + 1);
         tinker_island_runs_take_columns(companion, columns);
+        self->turns = tinker_columns_turn(columns);
     }
     for (guint i = 0; i < self->islands; i++) {
         Part *part = &self->parts[i];
@@ -139,7 +142,7 @@ void tinker_comparison_free(TinkerComparison *self)
     tinker_island_runs_free(self->companion);
     tinker_model_free(self->model);
     g_array_unref(self->sizes);
-    gpointer arrays[] = {self->parts, self->q, self->v, self->bands, self->findings.failure};
+    gpointer arrays[] = {self->parts, self->q, self->v, self->bands, self->turns, self->findings.failure};
     for (gsize i = 0; i < G_N_ELEMENTS(arrays); i++)
         g_free(arrays[i]);
     g_free(self);
@@ -318,8 +321,11 @@ static void widen_bands(TinkerComparison *self, double t, const double *values)
     double factor = 0;
     for (guint i = 0; i < self->islands; i++)
         factor = fmax(factor, self->parts[i].factor);
-    for (guint c = 0; c < self->columns; c++)
-        self->bands[c] = fmax(self->bands[c], factor * fabs(companion->values[c] - values[c]));
+    for (guint c = 0; c < self->columns; c++) {
+        double off = companion->values[c] - values[c];
+        if (self->turns[c]) off = remainder(off, 2 * G_PI);
+        self->bands[c] = fmax(self->bands[c], factor * fabs(off));
+    }
 }
 
 /* Where one motion of many is followed the companion may follow another, and their distance is no error. FALSE where

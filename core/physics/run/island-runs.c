@@ -143,6 +143,7 @@ void tinker_island_runs_free(TinkerIslandRuns *self)
 {
     if (self == NULL) return;
     tinker_sampler_free(self->sampler);
+    tinker_along_run_free(self->along);
     g_clear_pointer(&self->runs, g_ptr_array_unref);
     g_clear_pointer(&self->islands, g_ptr_array_unref);
     tinker_sample_times_clear(&self->times);
@@ -260,9 +261,18 @@ static gboolean gather_contacts(TinkerIslandRuns *self, GError **error)
     return FALSE;
 }
 
+/* What adds up along the island's last step. */
+static gboolean follow_paths(TinkerIslandRuns *self, guint number, double t, GError **error)
+{
+    if (self->along == NULL || tinker_along_run_follow(self->along, number, t) == TINKER_OK) return TRUE;
+    TinkerIslandRun *run = g_ptr_array_index(self->runs, number);
+    return tinker_island_run_fail(run, run->model->failure, error);
+}
+
 gboolean tinker_island_runs_step(TinkerIslandRuns *self, guint number, GError **error)
 {
     TinkerIslandRun *run = g_ptr_array_index(self->runs, number);
+    if (!follow_paths(self, number, run->state.t, error)) return FALSE;
     return tinker_island_run_step(run, steps_end(self, run->state.t), error) && call_back(self, run, error);
 }
 
@@ -280,6 +290,7 @@ gboolean tinker_island_runs_advance(TinkerIslandRuns *self, double t, GError **e
         if (!follow(self, i, t, error)) return FALSE;
         while (run->state.t < t)
             if (!tinker_island_runs_step(self, i, error) || !follow(self, i, t, error)) return FALSE;
+        if (!follow_paths(self, i, t, error)) return FALSE;
         double end = steps_end(self, t);
         if (t > 0 && run->state.t == t && !tinker_island_run_pass_instant(run, end, error)) return FALSE;
         TinkerStatus status = collect(self, run, t);
@@ -319,6 +330,7 @@ TinkerStatus tinker_island_runs_sample(TinkerIslandRuns *self, double t)
     gint64 evaluations = self->model->evaluations;
     enter_piece_at(self, t);
     TinkerStatus status = tinker_sampler_values(self->sampler, t, self->sample_q, self->sample_v, self->values);
+    if (status == TINKER_OK && self->along != NULL) status = tinker_along_run_values(self->along, t, self->values);
     self->model->evaluations = evaluations;
     return status;
 }
@@ -341,5 +353,6 @@ double tinker_island_runs_time(const TinkerIslandRuns *self)
 void tinker_island_runs_take_columns(TinkerIslandRuns *self, const GArray *columns)
 {
     self->sampler = tinker_sampler_new(self->model, columns);
+    self->along = tinker_along_run_new(self->model, self->runs, columns);
     self->values = g_new0(double, columns != NULL ? columns->len + 1 : 1);
 }

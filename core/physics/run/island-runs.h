@@ -8,6 +8,7 @@
 #include "physics/plan/run-options.h"
 #include "physics/record/sample-times.h"
 #include "physics/record/sampler.h"
+#include "physics/run/along-run.h"
 #include "physics/run/island-steps.h"
 #include "physics/system/summary.h"
 
@@ -25,6 +26,7 @@ typedef struct {
     double piece_end;       /* of the whole model, where it is not stepped itself */
     gint64 work;            /* of all runs together since the options' functions were last called */
     TinkerSampler *sampler;
+    TinkerAlongRun *along; /* NULL where no such column is wanted */
     double *values;
     /* Called after each step of an island on its way to a sample at t, and before the first; NULL: nobody follows.
      * FALSE stops. */

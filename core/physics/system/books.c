@@ -15,7 +15,7 @@
 /* What the last bits of energies and of places make is no imbalance, however little was exchanged. */
 #define LAST_BITS (16 * DBL_EPSILON)
 
-static double potential_of_origin(const TinkerModel *model)
+double tinker_books_potential_of_origin(const TinkerModel *model)
 {
     double mass = 0;
     for (int32_t i = 0; i < model->bodies; i++)
@@ -46,7 +46,7 @@ static double sum_of_forces(const TinkerModel *model)
 TinkerStatus tinker_books_open(TinkerBooks *books, TinkerModelSystem *system)
 {
     TinkerModel *model = system->model;
-    *books = (TinkerBooks){.system = system, .world_offset = potential_of_origin(model)};
+    *books = (TinkerBooks){.system = system, .world_offset = tinker_books_potential_of_origin(model)};
     TinkerStatus status = tinker_model_set_time(model, 0.0);
     if (status != TINKER_OK) return status;
     tinker_model_set_state(model, model->q_start, model->v_start);

@@ -18,6 +18,9 @@ typedef struct {
     double forces;        /* N: the largest sum of applied forces on all bodies so far */
 } TinkerBooks;
 
+/* The potential of bodies relative to the world's origin less that relative to the model's (J). */
+double tinker_books_potential_of_origin(const TinkerModel *model);
+
 /* Opens the books at the model's start. */
 TinkerStatus tinker_books_open(TinkerBooks *books, TinkerModelSystem *system);
 

@@ -6,6 +6,7 @@
 
 #include "cli/report/text-table.h"
 #include "print.h"
+#include "scene/store/quantities.h"
 #include "units/units.h"
 
 static const char *kind_name(int32_t kind)
@@ -103,13 +104,14 @@ static void show_properties(const TinkerBlockClass *block_class, FILE *file)
 
 static void show_quantities(const TinkerBlockClass *block_class, FILE *file)
 {
-    if (block_class->quantity_count == 0) return;
+    g_autoptr(GArray) types = tinker_class_quantities(block_class);
+    if (types->len == 0) return;
     static const char *const headings[] = {"QUANTITY", "CURVE", "SI UNIT", "SHOWN IN", "RECORDED", "MEANING"};
     g_autoptr(TinkerTextTable) table = tinker_text_table_new("llllll", 2);
     for (gsize i = 0; i < G_N_ELEMENTS(headings); i++)
         tinker_text_table_add(table, headings[i]);
-    for (int32_t i = 0; i < block_class->quantity_count; i++) {
-        const TinkerQuantityType *quantity = &block_class->quantities[i];
+    for (guint i = 0; i < types->len; i++) {
+        const TinkerQuantityType *quantity = &g_array_index(types, TinkerQuantityType, i);
         g_autofree char *units = display_units(block_class, quantity->id, quantity->dimension);
         tinker_text_table_add(table, quantity->id);
         tinker_text_table_add(table, quantity->title);
