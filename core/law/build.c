@@ -95,6 +95,17 @@ static TinkerExpression *signed_again(TinkerExpression *a, gboolean negative)
     return negative ? tinker_expression_negated(a) : a;
 }
 
+/* a (p / q) is (a p) / q: one fraction line. */
+static TinkerExpression *times_quotient(TinkerExpression *a, TinkerExpression *b)
+{
+    TinkerExpression *quotient = b->kind == TINKER_EXPRESSION_QUOTIENT ? b : a, *other = quotient == b ? a : b;
+    TinkerExpression *top = tinker_expression_ref(quotient->parts[0]),
+                     *below = tinker_expression_ref(quotient->parts[1]);
+    tinker_expression_unref(quotient);
+    return tinker_expression_over(
+        quotient == b ? tinker_expression_times(other, top) : tinker_expression_times(top, other), below);
+}
+
 TinkerExpression *tinker_expression_times(TinkerExpression *a, TinkerExpression *b)
 {
     gboolean negative = FALSE;
@@ -102,6 +113,8 @@ TinkerExpression *tinker_expression_times(TinkerExpression *a, TinkerExpression 
         return instead(a, b, tinker_expression_number(0));
     a = without_sign(a, &negative);
     b = without_sign(b, &negative);
+    if (a->kind == TINKER_EXPRESSION_QUOTIENT || b->kind == TINKER_EXPRESSION_QUOTIENT)
+        return signed_again(times_quotient(a, b), negative);
     g_autoptr(GPtrArray) parts = g_ptr_array_new();
     take_parts(parts, a, TINKER_EXPRESSION_PRODUCT);
     take_parts(parts, b, TINKER_EXPRESSION_PRODUCT);

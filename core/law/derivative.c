@@ -78,6 +78,22 @@ static TinkerExpression *of_mod(const TinkerExpression *node, const Rule *rule)
     return MINUS(da, TIMES(CALL("floor", OVER(COPY(a), COPY(b))), db));
 }
 
+/* Of sqrt(a^2 + b^2 + ...): (a a' + b b' + ...) / sqrt(...), as one writes it; of other terms c it has c'/2. */
+static TinkerExpression *of_root(const TinkerExpression *node, const Rule *rule)
+{
+    TinkerExpression *const inside = node->parts[0];
+    const gboolean sum = inside->kind == TINKER_EXPRESSION_SUM;
+    TinkerExpression *halves = N(0);
+    for (int i = 0; i < (sum ? inside->count : 1); i++) {
+        const TinkerExpression *term = sum ? inside->parts[i] : inside;
+        const gboolean square = term->kind == TINKER_EXPRESSION_POWER && tinker_expression_is_number(term->parts[1], 2);
+        TinkerExpression *half = square ? TIMES(COPY(term->parts[0]), differentiate(term->parts[0], rule))
+                                        : OVER(differentiate(term, rule), N(2));
+        halves = PLUS(halves, half);
+    }
+    return OVER(halves, COPY(node));
+}
+
 /* f' of a smooth function of one argument x; NULL where it is not one of these. */
 static TinkerExpression *slope(const char *name, const TinkerExpression *node)
 {
@@ -93,7 +109,6 @@ static TinkerExpression *slope(const char *name, const TinkerExpression *node)
     if (strcmp(name, "tanh") == 0) return MINUS(N(1), SQUARE(COPY(node)));
     if (strcmp(name, "exp") == 0) return COPY(node);
     if (strcmp(name, "log") == 0) return OVER(N(1), COPY(x));
-    if (strcmp(name, "sqrt") == 0) return OVER(N(1), TIMES(N(2), COPY(node)));
     if (strcmp(name, "abs") == 0)
         return tinker_expression_if(tinker_expression_compare("<", COPY(x), N(0)), N(-1), N(1));
     if (strcmp(name, "ramp") == 0) return CALL("step", COPY(x));
@@ -107,6 +122,7 @@ static TinkerExpression *of_function(const TinkerExpression *node, const Rule *r
     if (strcmp(name, "if") == 0 || strcmp(name, "min") == 0 || strcmp(name, "max") == 0) return of_choice(node, rule);
     if (strcmp(name, "atan2") == 0) return of_atan2(node, rule);
     if (strcmp(name, "mod") == 0) return of_mod(node, rule);
+    if (strcmp(name, "sqrt") == 0) return of_root(node, rule);
     TinkerExpression *inner = differentiate(node->parts[0], rule);
     if (tinker_expression_is_number(inner, 0)) return inner;
     TinkerExpression *outer = slope(name, node);

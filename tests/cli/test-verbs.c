@@ -6,10 +6,23 @@
 
 static void test_help(CliFixture *fixture, gconstpointer data)
 {
-    static const char *const verbs[] = {
-        "run",     "graph",        "render",           "animate",           "check", "convert",
-        "plugins", "plugins show", "plugins describe", "plugins refused",   "bench", "plan",
-        "demo",    "trade",        "plugins new",      "plugins new-bundle"};
+    static const char *const verbs[] = {"run",
+                                        "graph",
+                                        "render",
+                                        "animate",
+                                        "check",
+                                        "convert",
+                                        "plugins",
+                                        "plugins show",
+                                        "plugins describe",
+                                        "plugins refused",
+                                        "bench",
+                                        "plan",
+                                        "equations",
+                                        "demo",
+                                        "trade",
+                                        "plugins new",
+                                        "plugins new-bundle"};
     g_autoptr(TestProgram) all = cli_run_well(fixture, "--help");
     for (gsize i = 0; i < G_N_ELEMENTS(verbs); i++) {
         g_autofree char *words = g_strdup_printf("%s --help", verbs[i]);

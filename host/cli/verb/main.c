@@ -23,6 +23,7 @@ static const TinkerVerb verbs[] = {
     {"check", "list every mistake in a scene", tinker_verb_check},
     {"convert", "write a scene back in its normal form, in either system of units", tinker_verb_convert},
     {"plan", "tell what is modelled, how it would be stepped and why, and what it would cost", tinker_verb_plan},
+    {"equations", "write the equations of motion that a scene stands for", tinker_verb_equations},
     {"plugins", "list, show, check and describe blocks and methods", tinker_verb_plugins},
     {"trade", "measure speed against accuracy; advise a method and its step", tinker_verb_trade},
     {"modes", "natural frequencies, damping ratios, mode shapes, frequency response", tinker_verb_modes},

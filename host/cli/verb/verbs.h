@@ -9,6 +9,7 @@ int tinker_verb_animate(int argc, char **argv);
 int tinker_verb_check(int argc, char **argv);
 int tinker_verb_convert(int argc, char **argv);
 int tinker_verb_plan(int argc, char **argv);
+int tinker_verb_equations(int argc, char **argv);
 int tinker_verb_plugins(int argc, char **argv);
 int tinker_verb_trade(int argc, char **argv);
 int tinker_verb_modes(int argc, char **argv);

@@ -1,0 +1,105 @@
+/* The equations of a scene: for each body, mass times acceleration = the sum of the forces on it, one term a block that
+ * acts, over symbols with values. They say what is run: with the values of the symbols the terms are the forces of the
+ * run at that time, and at any other state with the same active set those that it would have there.
+ *
+ * Constraint forces are unknown multipliers times the gradient of their function g; the multiplier is what makes the
+ * second derivative of g by time 0. */
+#ifndef TINKER_CORE_EQUATIONS_H
+#define TINKER_CORE_EQUATIONS_H
+
+#include "equations/model-state.h"
+#include "law/typeset.h"
+#include "units/expression-tree.h"
+
+typedef enum {
+    TINKER_TERM_CONNECTOR,
+    TINKER_TERM_CONSTRAINT,
+    TINKER_TERM_FORCE,
+    TINKER_TERM_FIELD,
+    TINKER_TERM_NORMAL,
+    TINKER_TERM_FRICTION,
+} TinkerTermKind;
+
+/* "connector", ...: static. */
+const char *tinker_term_kind_name(TinkerTermKind kind);
+
+/* How a name looks in print; both texts are owned. */
+typedef struct {
+    char *stem, *index;
+    int dots;
+    const char *component; /* static, or NULL */
+} TinkerEquationLook;
+
+/* A number that is given: of a property, of the state, or a multiplier. */
+typedef struct {
+    char *name; /* unique */
+    double value;
+    TinkerDimension dimension;
+    TinkerBlockId block;  /* -1: of none */
+    char *property;       /* the scene's key, of a vector with " x" or " y" behind it; NULL: no property */
+    const char *quantity; /* "x", "tension": static, or NULL */
+} TinkerEquationSymbol;
+
+/* A name for an expression of symbols and of definitions before it. */
+typedef struct {
+    char *name;
+    TinkerBlockId block;
+    TinkerDimension dimension;
+    char *means;
+    TinkerExpression *is;
+    gboolean typed; /* by the user, in plain SI numbers */
+    double value;   /* at the time of the state */
+} TinkerEquationDefinition;
+
+typedef struct {
+    TinkerBlockId block;
+    TinkerTermKind kind;
+    TinkerExpression *x, *y; /* N */
+} TinkerTerm;
+
+typedef struct {
+    TinkerBlockId block;
+    TinkerExpression *mass;
+    GArray *terms; /* of TinkerTerm */
+} TinkerBodyEquation;
+
+typedef struct {
+    TinkerBlockId block;
+    TinkerExpression *g;
+    char *multiplier;
+    TinkerDimension dimension; /* of g */
+    gboolean active;           /* FALSE: a slack rope, whose multiplier is 0 and whose g is not */
+} TinkerConstraintEquation;
+
+/* What acts without a law that is stated: these symbols stand for its forces. */
+typedef struct {
+    TinkerBlockId block;
+    GPtrArray *symbols; /* of char * */
+    char *why;
+} TinkerNotWritten;
+
+typedef struct {
+    TinkerScene *scene; /* borrowed */
+    double time;        /* s */
+    GPtrArray *bodies;  /* of TinkerBodyEquation */
+    GPtrArray *symbols; /* of TinkerEquationSymbol */
+    GPtrArray *definitions;
+    GPtrArray *constraints;
+    GPtrArray *not_written;
+    GHashTable *looks;  /* name to TinkerEquationLook */
+    GHashTable *values; /* name to double: of symbols and definitions */
+} TinkerEquations;
+
+/* The equations of a scene at a state of it. The scene is borrowed and must not change as long as they live. Errors are
+ * those of placing the scene. (transfer full) */
+TinkerEquations *tinker_equations_new(TinkerScene *scene, const TinkerModelState *state, GError **error);
+void tinker_equations_free(TinkerEquations *equations);
+G_DEFINE_AUTOPTR_CLEANUP_FUNC(TinkerEquations, tinker_equations_free)
+
+/* The look of a name; for tinker_expression_typeset, with the equations as its data. */
+void tinker_equations_look(const char *symbol, TinkerSymbolLook *look, void *equations);
+
+/* An expression worked out with the values at the time. */
+double tinker_equations_value(const TinkerEquations *equations, const TinkerExpression *expression);
+
+#endif

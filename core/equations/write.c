@@ -1,0 +1,213 @@
+/* Newton's equations as a page: body by body, then the laws, the constraints, and the values. */
+#include "equations/write.h"
+
+#include <string.h>
+
+#include "equations/page-private.h"
+#include "law/build.h"
+
+static gboolean is_shown(const TinkerEquationsShown *shown, TinkerBlockId block)
+{
+    if (shown->blocks == NULL) return TRUE;
+    for (const TinkerBlockId *each = shown->blocks; *each >= 0; each++)
+        if (*each == block) return TRUE;
+    return FALSE;
+}
+
+static const char *name_of(const TinkerEquations *equations, TinkerBlockId block)
+{
+    return tinker_scene_block_name(equations->scene, block);
+}
+
+/* The sum of the terms along one axis. (transfer full) */
+static TinkerExpression *sum_of(const TinkerBodyEquation *body, gboolean along_x)
+{
+    TinkerExpression *sum = tinker_expression_number(0);
+    for (guint i = 0; i < body->terms->len; i++) {
+        const TinkerTerm *term = &g_array_index(body->terms, TinkerTerm, i);
+        sum = tinker_expression_plus(sum, tinker_expression_ref(along_x ? term->x : term->y));
+    }
+    return sum;
+}
+
+/* m x with two dots; the mass is a symbol or a number. */
+static char *left_side(const TinkerPage *page, const TinkerBodyEquation *body, const char *coordinate)
+{
+    static const char *const between[] = {" ", "\\,", "<mo>&#x2062;</mo>"};
+    g_autofree char *state = g_strconcat(name_of(page->equations, body->block), ".", coordinate, NULL);
+    g_autofree char *mass = tinker_page_expression(page, body->mass);
+    g_autofree char *acceleration = tinker_page_derivative(page, state, 2);
+    return g_strconcat(mass, between[page->format], acceleration, NULL);
+}
+
+/* "Gravity + Spring 0": who acts. */
+static char *names_of_terms(const TinkerEquations *equations, const TinkerBodyEquation *body, gboolean along_x)
+{
+    GString *names = g_string_new(NULL);
+    TinkerBlockId last = -1;
+    for (guint i = 0; i < body->terms->len; i++) {
+        const TinkerTerm *term = &g_array_index(body->terms, TinkerTerm, i);
+        if (tinker_expression_is_number(along_x ? term->x : term->y, 0) || term->block == last) continue;
+        g_string_append_printf(names, "%s%s", names->len > 0 ? " + " : "", name_of(equations, term->block));
+        last = term->block;
+    }
+    if (names->len == 0) g_string_append(names, "no force");
+    return g_string_free(names, FALSE);
+}
+
+static void write_component(TinkerPage *page, const TinkerBodyEquation *body, const char *coordinate, gboolean values)
+{
+    static const TinkerDimension force = {1, 1, -2, 0};
+    const gboolean along_x = coordinate[0] == 'x';
+    g_autoptr(TinkerExpression) sum = sum_of(body, along_x);
+    tinker_page_equation(page, left_side(page, body, coordinate), tinker_page_expression(page, sum),
+                         names_of_terms(page->equations, body, along_x));
+    if (!values) return;
+    /* the same with numbers, term by term */
+    TinkerExpression *numbers = tinker_expression_number(0);
+    g_autoptr(GPtrArray) parts = g_ptr_array_new();
+    for (guint i = 0; i < body->terms->len; i++) {
+        const TinkerTerm *term = &g_array_index(body->terms, TinkerTerm, i);
+        const TinkerExpression *part = along_x ? term->x : term->y;
+        if (tinker_expression_is_number(part, 0)) continue;
+        g_ptr_array_add(parts, tinker_expression_number(tinker_equations_value(page->equations, part)));
+    }
+    if (parts->len > 1) {
+        tinker_expression_unref(numbers);
+        numbers = tinker_expression_node(TINKER_EXPRESSION_SUM, NULL, (TinkerExpression *const *)parts->pdata,
+                                         (int)parts->len);
+        g_autofree char *terms = tinker_page_expression(page, numbers);
+        g_autofree char *total = tinker_page_quantity(page, tinker_equations_value(page->equations, sum), force);
+        const char *equals = page->format == TINKER_TYPESET_MATHML ? "<mo>=</mo>" : " = ";
+        tinker_page_equation(page, left_side(page, body, coordinate), g_strconcat(terms, equals, total, NULL), NULL);
+    } else {
+        if (parts->len == 1) tinker_expression_unref(g_ptr_array_index(parts, 0));
+        tinker_page_equation(page, left_side(page, body, coordinate),
+                             tinker_page_quantity(page, tinker_equations_value(page->equations, sum), force), NULL);
+    }
+    tinker_expression_unref(numbers);
+}
+
+/* Marks the names that an expression needs, and what those are made of. */
+static void mark(const TinkerEquations *equations, const TinkerExpression *expression, GHashTable *needed)
+{
+    for (int i = 0; i < expression->count; i++)
+        mark(equations, expression->parts[i], needed);
+    if (expression->kind == TINKER_EXPRESSION_SYMBOL) g_hash_table_add(needed, (void *)expression->name);
+}
+
+/* (transfer full) */
+static GHashTable *needed_names(const TinkerEquations *equations, const TinkerEquationsShown *shown)
+{
+    GHashTable *needed = g_hash_table_new(g_str_hash, g_str_equal);
+    for (guint i = 0; i < equations->bodies->len; i++) {
+        const TinkerBodyEquation *body = g_ptr_array_index(equations->bodies, i);
+        if (!is_shown(shown, body->block)) continue;
+        mark(equations, body->mass, needed);
+        for (guint k = 0; k < body->terms->len; k++) {
+            mark(equations, g_array_index(body->terms, TinkerTerm, k).x, needed);
+            mark(equations, g_array_index(body->terms, TinkerTerm, k).y, needed);
+        }
+    }
+    for (guint i = 0; i < equations->constraints->len; i++) {
+        const TinkerConstraintEquation *row = g_ptr_array_index(equations->constraints, i);
+        if (g_hash_table_contains(needed, row->multiplier)) mark(equations, row->g, needed);
+    }
+    for (guint i = equations->definitions->len; i > 0; i--) {
+        const TinkerEquationDefinition *definition = g_ptr_array_index(equations->definitions, i - 1);
+        if (g_hash_table_contains(needed, definition->name)) mark(equations, definition->is, needed);
+    }
+    return needed;
+}
+
+static void write_laws(TinkerPage *page, GHashTable *needed, gboolean values)
+{
+    const TinkerEquations *equations = page->equations;
+    gboolean first = TRUE;
+    for (guint i = 0; i < equations->definitions->len; i++) {
+        const TinkerEquationDefinition *definition = g_ptr_array_index(equations->definitions, i);
+        if (!g_hash_table_contains(needed, definition->name)) continue;
+        if (first) tinker_page_heading(page, "with");
+        first = FALSE;
+        char *comment = g_strdup_printf("%s: %s%s", name_of(equations, definition->block),
+                                        definition->means != NULL ? definition->means : "a step of its law",
+                                        definition->typed ? ", in SI" : "");
+        tinker_page_equation(page, tinker_page_symbol(page, definition->name),
+                             tinker_page_expression(page, definition->is), comment);
+        if (values)
+            tinker_page_equation(page, tinker_page_symbol(page, definition->name),
+                                 tinker_page_quantity(page, definition->value, definition->dimension), NULL);
+    }
+}
+
+static void write_constraints(TinkerPage *page, GHashTable *needed)
+{
+    const TinkerEquations *equations = page->equations;
+    gboolean first = TRUE;
+    for (guint i = 0; i < equations->constraints->len; i++) {
+        const TinkerConstraintEquation *row = g_ptr_array_index(equations->constraints, i);
+        if (!g_hash_table_contains(needed, row->multiplier)) continue;
+        if (first) tinker_page_heading(page, "held to");
+        first = FALSE;
+        g_autoptr(TinkerExpression) zero = tinker_expression_number(0);
+        g_autofree char *multiplier = tinker_page_symbol(page, row->multiplier);
+        g_autofree char *plain =
+            page->format == TINKER_TYPESET_TEXT ? g_strdup_printf(" (unknown force %s)", multiplier) : g_strdup("");
+        tinker_page_equation(page, tinker_page_expression(page, zero), tinker_page_expression(page, row->g),
+                             g_strconcat(name_of(equations, row->block), plain, row->active ? "" : ", slack", NULL));
+    }
+}
+
+static char *meaning_of(const TinkerEquations *equations, const TinkerEquationSymbol *symbol)
+{
+    const char *what = symbol->quantity != NULL ? symbol->quantity : symbol->property;
+    if (symbol->block < 0) return g_strdup(what);
+    g_autofree char *words = g_strdelimit(g_strdup(what != NULL ? what : ""), "_", ' ');
+    return g_strdup_printf("%s: %s", name_of(equations, symbol->block), words);
+}
+
+static void write_values(TinkerPage *page, GHashTable *needed, gboolean state)
+{
+    const TinkerEquations *equations = page->equations;
+    tinker_page_heading(page, "where");
+    for (guint i = 0; i < equations->symbols->len; i++) {
+        const TinkerEquationSymbol *symbol = g_ptr_array_index(equations->symbols, i);
+        const gboolean of_state = symbol->quantity != NULL;
+        if (!g_hash_table_contains(needed, symbol->name) || (of_state && !state)) continue;
+        tinker_page_equation(page, tinker_page_symbol(page, symbol->name),
+                             tinker_page_quantity(page, symbol->value, symbol->dimension),
+                             meaning_of(equations, symbol));
+    }
+}
+
+static void write_missing(TinkerPage *page)
+{
+    const TinkerEquations *equations = page->equations;
+    for (guint i = 0; i < equations->not_written->len; i++) {
+        const TinkerNotWritten *missing = g_ptr_array_index(equations->not_written, i);
+        g_autofree char *sentence =
+            g_strdup_printf("not written: %s (%s)", name_of(equations, missing->block), missing->why);
+        tinker_page_heading(page, sentence);
+    }
+}
+
+char *tinker_equations_write(const TinkerEquations *equations, const TinkerEquationsShown *shown)
+{
+    TinkerPage page;
+    g_autofree char *title =
+        shown->values ? g_strdup_printf("%s, at t = %g s", shown->title, equations->time) : g_strdup(shown->title);
+    tinker_page_begin(&page, shown->format, equations, title);
+    for (guint i = 0; i < equations->bodies->len; i++) {
+        const TinkerBodyEquation *body = g_ptr_array_index(equations->bodies, i);
+        if (!is_shown(shown, body->block)) continue;
+        tinker_page_heading(&page, name_of(equations, body->block));
+        write_component(&page, body, "x", shown->values);
+        write_component(&page, body, "y", shown->values);
+    }
+    g_autoptr(GHashTable) needed = needed_names(equations, shown);
+    write_laws(&page, needed, shown->values);
+    write_constraints(&page, needed);
+    write_values(&page, needed, shown->values);
+    write_missing(&page);
+    return tinker_page_end(&page);
+}

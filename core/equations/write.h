@@ -1,0 +1,18 @@
+/* Equations for people: a text for the terminal, a document of LaTeX, a page with MathML. */
+#ifndef TINKER_CORE_EQUATIONS_WRITE_H
+#define TINKER_CORE_EQUATIONS_WRITE_H
+
+#include "equations/equations.h"
+
+typedef struct {
+    TinkerTypesetFormat format;
+    const char *title;
+    const TinkerBlockId *blocks; /* of bodies that are shown, ended by -1; NULL: all */
+    gboolean values;             /* with the numbers at the time */
+} TinkerEquationsShown;
+
+/* Newton's equations: of each body, with the laws of its terms, constraints, and what the symbols stand for. (transfer
+ * full) */
+char *tinker_equations_write(const TinkerEquations *equations, const TinkerEquationsShown *shown);
+
+#endif

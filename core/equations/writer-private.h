@@ -1,0 +1,135 @@
+/* What the files that write equations share. */
+#ifndef TINKER_CORE_EQUATIONS_WRITER_PRIVATE_H
+#define TINKER_CORE_EQUATIONS_WRITER_PRIVATE_H
+
+#include "equations/equations.h"
+#include "law/block-law.h"
+#include "scene/frame/frame.h"
+
+extern const TinkerDimension tinker_length_dimension, tinker_velocity_dimension, tinker_force_dimension,
+    tinker_mass_dimension, tinker_pure_dimension;
+
+typedef struct {
+    TinkerEquations *equations;
+    TinkerScene *scene;
+    const TinkerModelState *state;
+    TinkerFrame *frame;  /* the scene as placed, for the columns of blocks */
+    GHashTable *indices; /* block to char *: its number among those of its group */
+    GHashTable *stems;   /* stem to how many blocks use it */
+    GHashTable *by_name; /* name to TinkerEquationDefinition */
+    GHashTable *points;  /* block of a support to its TinkerPointSymbols */
+    GHashTable *body_of; /* block of a body to its TinkerBodyEquation */
+} TinkerEquationWriter;
+
+/* A place and its velocity; each is owned. */
+typedef struct {
+    TinkerBlockId block; /* of a body that can move; -1: of none */
+    TinkerExpression *x, *y, *vx, *vy;
+} TinkerPointSymbols;
+
+void tinker_point_symbols_clear(TinkerPointSymbols *point);
+
+/* Names ----------------------------------------------------------------------------------------------------------- */
+
+/* Counts which stems are used by whom, and numbers the blocks. */
+void tinker_writer_number_blocks(TinkerEquationWriter *writer);
+
+/* A free name for a block's symbol, "k" or "k_1", with its look. Borrowed from the equations. */
+const char *tinker_writer_name(TinkerEquationWriter *writer, TinkerBlockId block, const char *stem, int dots,
+                               const char *component);
+/* The same with this index; "" for none. */
+const char *tinker_writer_indexed_name(TinkerEquationWriter *writer, TinkerBlockId block, const char *stem,
+                                       const char *index, int dots, const char *component);
+
+/* The number of a body among bodies; "" where it is the only one. Borrowed. */
+const char *tinker_writer_index(const TinkerEquationWriter *writer, TinkerBlockId block);
+
+/* Symbols --------------------------------------------------------------------------------------------------------- */
+
+/* A new symbol, of which the value is known. (transfer full) */
+TinkerExpression *tinker_writer_symbol(TinkerEquationWriter *writer, const char *name, TinkerBlockId block,
+                                       double value, TinkerDimension dimension, const char *property,
+                                       const char *quantity);
+
+/* What a property's column stands for: a symbol of this stem, the same for each call; 0 where its value is 0. (transfer
+ * full) */
+TinkerExpression *tinker_writer_property(TinkerEquationWriter *writer, TinkerBlockId block, int32_t property,
+                                         int32_t component, const char *stem);
+
+/* The property that carries a meaning. */
+TinkerExpression *tinker_writer_meaning(TinkerEquationWriter *writer, TinkerBlockId block, int32_t meaning,
+                                        int32_t component, const char *stem);
+
+/* A new definition; takes `is` over and answers its symbol; what is a number or one symbol needs none, and is
+ * answered itself. (transfer full) */
+TinkerExpression *tinker_writer_define(TinkerEquationWriter *writer, const char *name, TinkerBlockId block,
+                                       TinkerDimension dimension, const char *means, TinkerExpression *is,
+                                       gboolean typed);
+
+/* Takes back all definitions from this number on. */
+void tinker_writer_drop_definitions(TinkerEquationWriter *writer, guint from);
+
+/* The derivative of an expression by time, through definitions. (transfer full) */
+TinkerExpression *tinker_writer_rate(TinkerEquationWriter *writer, const TinkerExpression *expression);
+
+/* The derivative of an expression by a symbol, through definitions. (transfer full) */
+TinkerExpression *tinker_writer_derivative(TinkerEquationWriter *writer, const TinkerExpression *expression,
+                                           const char *symbol);
+
+/* A law with the names of one block: definitions of its steps are added, and what `wanted` says is answered (transfer
+ * full); NULL where the law does not say it. */
+typedef struct {
+    TinkerBlockId block;
+    const TinkerBlockLaw *law;
+    GHashTable *meanings; /* symbol of the law to TinkerExpression: what stands for it; those of the role are put in by
+                             the caller, others are added */
+    const char *index;    /* of definitions; NULL: the block's */
+} TinkerLawUse;
+
+void tinker_law_use_init(TinkerLawUse *use, TinkerBlockId block, const TinkerBlockLaw *law);
+void tinker_law_use_clear(TinkerLawUse *use);
+void tinker_law_use_set(TinkerLawUse *use, const char *symbol, const TinkerExpression *meaning);
+TinkerExpression *tinker_law_use_equation(TinkerEquationWriter *writer, TinkerLawUse *use, const char *wanted);
+
+/* Places ---------------------------------------------------------------------------------------------------------- */
+
+/* For TinkerEquationWriter.points. (transfer full) */
+GHashTable *tinker_writer_points_new(void);
+
+/* The centre of a support. */
+void tinker_writer_centre(TinkerEquationWriter *writer, TinkerBlockId support, TinkerPointSymbols *point);
+
+/* Of an end of a block. */
+void tinker_writer_end(TinkerEquationWriter *writer, TinkerBlockId connector, int32_t number,
+                       TinkerPointSymbols *point);
+
+/* Terms ----------------------------------------------------------------------------------------------------------- */
+
+/* Adds to a body's equation; takes x and y over. Nothing where both are 0, or where the block is no body. */
+void tinker_writer_add_term(TinkerEquationWriter *writer, TinkerBlockId body, TinkerBlockId by, TinkerTermKind kind,
+                            TinkerExpression *x, TinkerExpression *y);
+
+/* A block acts and does not say how: symbols for its forces on each body. */
+void tinker_writer_add_unwritten(TinkerEquationWriter *writer, TinkerBlockId block, TinkerTermKind kind,
+                                 const char *why);
+/* That a symbol stands for what is not written. */
+void tinker_writer_note_unwritten(TinkerEquationWriter *writer, TinkerBlockId block, const char *symbol,
+                                  const char *why);
+
+/* What a block of each role does. FALSE with the reason where its law does not say. */
+gboolean tinker_writer_add_line(TinkerEquationWriter *writer, TinkerBlockId block, const TinkerBlockLaw *law);
+gboolean tinker_writer_add_force(TinkerEquationWriter *writer, TinkerBlockId block, const TinkerBlockLaw *law);
+gboolean tinker_writer_add_field(TinkerEquationWriter *writer, TinkerBlockId block, const TinkerBlockLaw *law);
+gboolean tinker_writer_add_constraint(TinkerEquationWriter *writer, TinkerBlockId block, const TinkerBlockLaw *law);
+void tinker_writer_add_contacts(TinkerEquationWriter *writer);
+
+/* L, the sum of the distances along the ends, as a definition. (transfer full) */
+TinkerExpression *tinker_writer_length(TinkerEquationWriter *writer, TinkerBlockId block,
+                                       const TinkerPointSymbols *points, int32_t count);
+
+/* Adds a constraint with its multiplier, whose value is what fits the forces that the run has. Answers the multiplier's
+ * symbol. (transfer full) */
+void tinker_writer_add_row(TinkerEquationWriter *writer, TinkerBlockId block, TinkerExpression *g,
+                           TinkerDimension dimension, const char *multiplier, gboolean active);
+
+#endif

@@ -1,0 +1,140 @@
+/* Equations as JSON: expressions are arrays with the sign or the function in front. */
+#include "cli/report/equations-json.h"
+
+#include <cjson/cJSON.h>
+
+#include "units/units.h"
+
+static cJSON *expression_json(const TinkerExpression *expression)
+{
+    static const char *const signs[] = {
+        [TINKER_EXPRESSION_SUM] = "+",      [TINKER_EXPRESSION_PRODUCT] = "*", [TINKER_EXPRESSION_NEGATIVE] = "-",
+        [TINKER_EXPRESSION_QUOTIENT] = "/", [TINKER_EXPRESSION_POWER] = "^",
+    };
+    if (expression->kind == TINKER_EXPRESSION_NUMBER) return cJSON_CreateNumber(expression->number);
+    if (expression->kind == TINKER_EXPRESSION_SYMBOL) return cJSON_CreateString(expression->name);
+    cJSON *array = cJSON_CreateArray();
+    const char *sign = expression->name != NULL ? expression->name : signs[expression->kind];
+    cJSON_AddItemToArray(array, cJSON_CreateString(sign));
+    for (int i = 0; i < expression->count; i++)
+        cJSON_AddItemToArray(array, expression_json(expression->parts[i]));
+    return array;
+}
+
+static void add_block(cJSON *object, const TinkerEquations *equations, TinkerBlockId block)
+{
+    if (block >= 0)
+        cJSON_AddStringToObject(object, "block", tinker_scene_block_name(equations->scene, block));
+    else
+        cJSON_AddNullToObject(object, "block");
+}
+
+static gboolean is_wanted(const TinkerBlockId *blocks, TinkerBlockId block)
+{
+    if (blocks == NULL) return TRUE;
+    for (; *blocks >= 0; blocks++)
+        if (*blocks == block) return TRUE;
+    return FALSE;
+}
+
+static cJSON *body_json(const TinkerEquations *equations, const TinkerBodyEquation *body)
+{
+    cJSON *object = cJSON_CreateObject();
+    add_block(object, equations, body->block);
+    cJSON_AddItemToObject(object, "mass", expression_json(body->mass));
+    cJSON_AddNullToObject(object, "inertia");
+    cJSON *terms = cJSON_AddArrayToObject(object, "terms");
+    for (guint i = 0; i < body->terms->len; i++) {
+        const TinkerTerm *term = &g_array_index(body->terms, TinkerTerm, i);
+        cJSON *each = cJSON_CreateObject();
+        add_block(each, equations, term->block);
+        cJSON_AddStringToObject(each, "kind", tinker_term_kind_name(term->kind));
+        cJSON_AddItemToObject(each, "x", expression_json(term->x));
+        cJSON_AddItemToObject(each, "y", expression_json(term->y));
+        cJSON_AddNullToObject(each, "torque");
+        cJSON_AddItemToArray(terms, each);
+    }
+    return object;
+}
+
+static void add_symbols(cJSON *root, const TinkerEquations *equations)
+{
+    cJSON *symbols = cJSON_AddObjectToObject(root, "symbols");
+    for (guint i = 0; i < equations->symbols->len; i++) {
+        const TinkerEquationSymbol *symbol = g_ptr_array_index(equations->symbols, i);
+        cJSON *object = cJSON_AddObjectToObject(symbols, symbol->name);
+        cJSON_AddNumberToObject(object, "value", symbol->value);
+        cJSON_AddStringToObject(object, "unit", tinker_unit_si_symbol(symbol->dimension));
+        add_block(object, equations, symbol->block);
+        if (symbol->property != NULL) cJSON_AddStringToObject(object, "property", symbol->property);
+        if (symbol->quantity != NULL) cJSON_AddStringToObject(object, "quantity", symbol->quantity);
+    }
+}
+
+static void add_definitions(cJSON *root, const TinkerEquations *equations)
+{
+    cJSON *definitions = cJSON_AddArrayToObject(root, "definitions");
+    for (guint i = 0; i < equations->definitions->len; i++) {
+        const TinkerEquationDefinition *definition = g_ptr_array_index(equations->definitions, i);
+        cJSON *object = cJSON_CreateObject();
+        cJSON_AddStringToObject(object, "symbol", definition->name);
+        add_block(object, equations, definition->block);
+        cJSON_AddStringToObject(object, "unit", tinker_unit_si_symbol(definition->dimension));
+        if (definition->means != NULL) cJSON_AddStringToObject(object, "means", definition->means);
+        cJSON_AddItemToObject(object, "is", expression_json(definition->is));
+        if (definition->typed) cJSON_AddTrueToObject(object, "typed");
+        cJSON_AddItemToArray(definitions, object);
+    }
+}
+
+static void add_constraints(cJSON *root, const TinkerEquations *equations)
+{
+    cJSON *constraints = cJSON_AddArrayToObject(root, "constraints");
+    for (guint i = 0; i < equations->constraints->len; i++) {
+        const TinkerConstraintEquation *row = g_ptr_array_index(equations->constraints, i);
+        cJSON *object = cJSON_CreateObject();
+        add_block(object, equations, row->block);
+        cJSON_AddItemToObject(object, "g", expression_json(row->g));
+        cJSON_AddStringToObject(object, "multiplier", row->multiplier);
+        cJSON_AddStringToObject(object, "unit", tinker_unit_si_symbol(row->dimension));
+        cJSON_AddBoolToObject(object, "active", row->active);
+        cJSON_AddItemToArray(constraints, object);
+    }
+}
+
+static void add_not_written(cJSON *root, const TinkerEquations *equations)
+{
+    cJSON *list = cJSON_AddArrayToObject(root, "not_written");
+    for (guint i = 0; i < equations->not_written->len; i++) {
+        const TinkerNotWritten *missing = g_ptr_array_index(equations->not_written, i);
+        cJSON *object = cJSON_CreateObject();
+        add_block(object, equations, missing->block);
+        cJSON *symbols = cJSON_AddArrayToObject(object, "symbols");
+        for (guint k = 0; k < missing->symbols->len; k++)
+            cJSON_AddItemToArray(symbols, cJSON_CreateString(g_ptr_array_index(missing->symbols, k)));
+        cJSON_AddStringToObject(object, "why", missing->why);
+        cJSON_AddItemToArray(list, object);
+    }
+}
+
+char *tinker_equations_json(const TinkerEquations *equations, const TinkerBlockId *blocks)
+{
+    cJSON *root = cJSON_CreateObject();
+    cJSON_AddNumberToObject(root, "tinker_equations", 1);
+    cJSON_AddStringToObject(root, "form", "newton");
+    cJSON_AddNumberToObject(root, "time", equations->time);
+    cJSON *bodies = cJSON_AddArrayToObject(root, "bodies");
+    for (guint i = 0; i < equations->bodies->len; i++) {
+        const TinkerBodyEquation *body = g_ptr_array_index(equations->bodies, i);
+        if (is_wanted(blocks, body->block)) cJSON_AddItemToArray(bodies, body_json(equations, body));
+    }
+    add_symbols(root, equations);
+    add_definitions(root, equations);
+    add_constraints(root, equations);
+    add_not_written(root, equations);
+    char *text = cJSON_Print(root);
+    char *copy = g_strdup(text);
+    cJSON_free(text);
+    cJSON_Delete(root);
+    return copy;
+}

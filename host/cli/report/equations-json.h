@@ -1,0 +1,10 @@
+/* Equations as JSON, complete enough to be worked out by others: docs/reference/equations.md. */
+#ifndef TINKER_CLI_EQUATIONS_JSON_H
+#define TINKER_CLI_EQUATIONS_JSON_H
+
+#include "equations/equations.h"
+
+/* The forces on these bodies (ended by -1; NULL: on all). (transfer full, g_free) */
+char *tinker_equations_json(const TinkerEquations *equations, const TinkerBlockId *blocks);
+
+#endif

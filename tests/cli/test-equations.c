@@ -1,0 +1,115 @@
+/* tinker equations: the page of a spring-mass scene as a textbook has it, numbers against closed forms, and JSON that
+ * others can work out. */
+#include <cjson/cJSON.h>
+#include <math.h>
+#include <string.h>
+
+#include "fixture.h"
+
+/* A mass of 2 kg on a spring of 50 N/m below a ceiling: omega is 5 rad/s, rest is m g / k below the rest length. */
+#define HANGING                                                                                                        \
+    "{\"tinker\": 1, \"title\": \"Hanging\", \"run\": {\"duration\": 4}, \"blocks\": ["                                \
+    "{\"type\": \"gravity\", \"name\": \"Gravity\", \"acceleration\": 10},"                                            \
+    "{\"type\": \"support\", \"name\": \"Ceiling\", \"position\": [0, 4], \"solid\": false},"                          \
+    "{\"type\": \"mass\", \"name\": \"Load\", \"mass\": 2, \"position\": [0, 2]},"                                     \
+    "{\"type\": \"spring\", \"name\": \"Spring 0\", \"ends\": [\"Ceiling\", \"Load\"], \"stiffness\": 50,"             \
+    " \"rest_length\": 2}]}"
+
+static void test_page(CliFixture *fixture, gconstpointer data)
+{
+    static const char expected[] = "Hanging\n"
+                                   "\n"
+                                   "Load\n"
+                                   "  m ẍ = −T x / L               Spring 0\n"
+                                   "  m ÿ = −m g + T (Y − y) / L   Gravity + Spring 0\n"
+                                   "\n"
+                                   "with\n"
+                                   "  L = √(x² + (y − Y)²)   Spring 0: distance between the ends\n"
+                                   "  T = k (L − L0)         Spring 0: tension\n"
+                                   "\n"
+                                   "where\n"
+                                   "   m = 2 kg       Load: mass\n"
+                                   "   g = 10 m/s^2   Gravity: acceleration\n"
+                                   "   Y = 4 m        Ceiling: position y\n"
+                                   "   k = 50 N/m     Spring 0: stiffness\n"
+                                   "  L0 = 2 m        Spring 0: rest length\n";
+    g_autofree char *scene = cli_write(fixture, "scene.json", HANGING);
+    g_autoptr(TestProgram) program = cli_run_well(fixture, "equations @scene.json");
+    g_autofree char *found = g_utf8_normalize(program->output, -1, G_NORMALIZE_DEFAULT_COMPOSE);
+    g_autofree char *wanted = g_utf8_normalize(expected, -1, G_NORMALIZE_DEFAULT_COMPOSE);
+    g_assert_cmpstr(found, ==, wanted);
+}
+
+/* x = -(m g / k) (1 - cos omega t) below the start, where the tension is 0. */
+static void test_numbers(CliFixture *fixture, gconstpointer data)
+{
+    const double t = 0.7, down = 2 * 10 / 50.0 * (1 - cos(5 * t));
+    g_autofree char *scene = cli_write(fixture, "scene.json", HANGING);
+    g_autoptr(TestProgram) program = cli_run_well(fixture, "equations @scene.json --at 0.7 --as json");
+    cJSON *root = cJSON_Parse(program->output);
+    g_assert_nonnull(root);
+    const cJSON *symbols = cJSON_GetObjectItem(root, "symbols");
+    const double y = cJSON_GetObjectItem(cJSON_GetObjectItem(symbols, "Load.y"), "value")->valuedouble;
+    g_assert_cmpfloat(fabs(y - (2 - down)), <, 1e-8);
+    cJSON_Delete(root);
+    g_autoptr(TestProgram) page = cli_run_well(fixture, "equations @scene.json --at 0.7");
+    g_autofree char *tension = g_strdup_printf("T = %.6g N", 50 * down);
+    cli_assert_holds(page->output, tension);
+}
+
+static void assert_expression(cJSON *root, const char *kind, const char *axis, const char *expected)
+{
+    const cJSON *body = cJSON_GetArrayItem(cJSON_GetObjectItem(root, "bodies"), 0), *term;
+    cJSON_ArrayForEach(term, cJSON_GetObjectItem(body, "terms"))
+    {
+        if (strcmp(cJSON_GetObjectItem(term, "kind")->valuestring, kind) != 0) continue;
+        char *text = cJSON_PrintUnformatted(cJSON_GetObjectItem(term, axis));
+        g_assert_cmpstr(text, ==, expected);
+        cJSON_free(text);
+        return;
+    }
+    g_error("no term of kind %s", kind);
+}
+
+static void test_json(CliFixture *fixture, gconstpointer data)
+{
+    g_autofree char *scene = cli_write(fixture, "scene.json", HANGING);
+    g_autoptr(TestProgram) program = cli_run_well(fixture, "equations @scene.json --as json");
+    cJSON *root = cJSON_Parse(program->output);
+    g_assert_nonnull(root);
+    g_assert_cmpstr(cJSON_GetObjectItem(root, "form")->valuestring, ==, "newton");
+    assert_expression(root, "field", "y", "[\"-\",[\"*\",\"m\",\"g\"]]");
+    assert_expression(root, "connector", "x", "[\"-\",[\"/\",[\"*\",\"T\",\"Load.x\"],\"L\"]]");
+    cJSON_Delete(root);
+}
+
+static void test_formats(CliFixture *fixture, gconstpointer data)
+{
+    g_autofree char *scene = cli_write(fixture, "scene.json", HANGING);
+    g_autoptr(TestProgram) latex = cli_run_well(fixture, "equations @scene.json --as latex");
+    g_autoptr(TestProgram) mathml = cli_run_well(fixture, "equations @scene.json --as mathml");
+    cli_assert_holds(latex->output, "{T} &= {k}\\,\\left({L}-{L}_{0}\\right)");
+    cli_assert_holds(latex->output, "\\end{document}");
+    cli_assert_holds(mathml->output, "<mfrac>");
+    cli_assert_holds(mathml->output, "</html>");
+}
+
+static void test_refused(CliFixture *fixture, gconstpointer data)
+{
+    g_autofree char *scene = cli_write(fixture, "scene.json", HANGING);
+    g_autoptr(TestProgram) late = cli_run_badly(fixture, "equations @scene.json --at 5", 2);
+    cli_assert_holds(late->error, "--at 5: the scene's run lasts 4 s (a time from 0 to that)");
+    g_autoptr(TestProgram) stranger = cli_run_badly(fixture, "equations @scene.json --block Lod", 2);
+    cli_assert_holds(stranger->error, "--block \"Lod\": the scene has no such block");
+}
+
+int main(int argc, char **argv)
+{
+    g_test_init(&argc, &argv, NULL);
+    cli_test_add("/cli/equations/page", test_page);
+    cli_test_add("/cli/equations/numbers", test_numbers);
+    cli_test_add("/cli/equations/json", test_json);
+    cli_test_add("/cli/equations/formats", test_formats);
+    cli_test_add("/cli/equations/refused", test_refused);
+    return g_test_run();
+}
