@@ -190,8 +190,8 @@ TinkerStatus tinker_contacts_rattle(TinkerContacts *contacts, double t_from, con
 
 /* At events. ----------------------------------------------------------------------------------------------------- */
 
-/* The Delassus matrix (2m x 2m, see numerics/contact-laws.h) of m contacts, whatever their modes, for the constraint
- * rows evaluated last. */
+/* The Delassus matrix (2m x 2m, see numerics/contact/contact-laws.h) of m contacts, whatever their modes, for the
+ * constraint rows evaluated last. */
 void tinker_contacts_delassus(TinkerContacts *contacts, const TinkerContact *touching, int32_t count, double *delassus);
 /* v += what an impulse on a body does to all of them, constraints included. */
 void tinker_contacts_push(TinkerContacts *contacts, int32_t body, double px, double py, double *v);

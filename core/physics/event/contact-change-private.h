@@ -47,7 +47,7 @@ static inline const TinkerPlate *tinker_touch_plate(const TinkerContactChange *c
     return at->row < 0 ? &change->contacts->plates[at->contact.plate] : NULL;
 }
 
-/* Contacts as the laws see them (numerics/contact-laws.h): m of them. */
+/* Contacts as the laws see them (numerics/contact/contact-laws.h): m of them. */
 typedef struct {
     gsize count;
     double *delassus;                  /* 2m x 2m; NULL where they are many: */

@@ -2,7 +2,7 @@
  * stick.
  *
  * 1. All contacts that are closed, or whose gap is closed and not opening, are taken together.
- * 2. Where one of them approaches, an impact changes velocities (numerics/contact-laws.h).
+ * 2. Where one of them approaches, an impact changes velocities (numerics/contact/contact-laws.h).
  * 3. Of those that do not part by then, the laws at the level of accelerations tell the modes from here on.
  * 4. Where no acceleration satisfies them (Painleve), an impulse ends the sliding that jams, and 3. is asked again. */
 #include <glib/gi18n-lib.h>

@@ -5,7 +5,7 @@
  * constraint in both directions; what does not is left out. Where friction can hold a body it sticks. It does not where
  * the body slides at the start, or once its place asked for more than static friction gives: from then on it slides
  * smoothly, its friction left out, since that has no linear form about rest. The forces are those of the laws that also
- * rule at events (numerics/contact-laws.h), with everything at rest. */
+ * rule at events (numerics/contact/contact-laws.h), with everything at rest. */
 #ifndef TINKER_CORE_STILL_CONTACTS_H
 #define TINKER_CORE_STILL_CONTACTS_H
 

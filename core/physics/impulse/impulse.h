@@ -4,7 +4,7 @@
  *     v* = v + h a(q, v, t),   v' = v* + M^-1 D p,   q' = q + h v'
  *
  * with the impulses p of the contacts that the step brings together or holds together, by the laws of impact
- * (numerics/contact-laws.h) for the velocities of the plates at the end of the step:
+ * (numerics/contact/contact-laws.h) for the velocities of the plates at the end of the step:
  *
  *     u_n' >= 0, or -e u_n where the body strikes;  |p_t| <= mu p_n,  u_t' = 0 or p_t = -mu p_n sign(u_t').
  *
