@@ -165,9 +165,9 @@ static gboolean on_top(Asked *asked, GError **error)
     tinker_top_foot(asked->frame, &top, asked->option->block, &along, &gap);
     along = CLAMP(along, -INSIDE * top.half_width, INSIDE * top.half_width);
     StartPlace place = START_PLACE_AS_IT_IS(asked->option->block);
-    const double height = tinker_frame_meaning(asked->frame, place.body, TINKER_MEANING_HEIGHT, 0, 0);
-    tinker_top_centre(&top, along, height, place.place);
-    place.orientation = top.angle;
+    place.lies = TRUE;
+    place.plate = top.plate;
+    place.along = tinker_top_round(&top, along);
     g_array_append_val(asked->places, place);
     return TRUE;
 }

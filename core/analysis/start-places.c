@@ -83,7 +83,8 @@ static GArray *note_centres(const TinkerFrame *frame, const GArray *places)
 static gboolean write_place(TinkerHistory *history, TinkerScene *scene, const StartPlace *place, GError **error)
 {
     const TinkerBlockId body = place->body;
-    return (isnan(place->place[0]) ||
+    return (!place->lies || tinker_history_lay_on(history, body, place->plate, place->along, error)) &&
+           (isnan(place->place[0]) ||
             start_set_meaning(history, scene, body, TINKER_MEANING_POSITION, place->place, error)) &&
            (isnan(place->orientation) ||
             start_set_meaning(history, scene, body, TINKER_MEANING_ORIENTATION, &place->orientation, error)) &&

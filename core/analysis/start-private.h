@@ -55,9 +55,12 @@ gboolean *start_group_new(TinkerScene *scene, TinkerBlockId body, StartTies ties
 typedef struct {
     TinkerBlockId body;
     double place[2], orientation, velocity[2];
+    gboolean lies; /* on the top of the plate, so far along (m), in place of a place and an orientation */
+    TinkerBlockId plate;
+    double along;
 } StartPlace;
 
-#define START_PLACE_AS_IT_IS(body_) ((StartPlace){body_, {NAN, NAN}, NAN, {NAN, NAN}})
+#define START_PLACE_AS_IT_IS(body_) ((StartPlace){body_, {NAN, NAN}, NAN, {NAN, NAN}, FALSE, TINKER_NO_BLOCK, 0})
 
 /* A start position may miss a length by this much of it, as a run has it. */
 #define START_FITS 1e-6

@@ -32,15 +32,13 @@ gboolean tinker_snap_onto_top(TinkerHistory *history, TinkerScene *scene, Tinker
 {
     const TinkerBlockClass *block_class = tinker_scene_block_class(scene, body);
     if (!tinker_class_can_lie(block_class)) return FALSE;
-    g_autoptr(TinkerFrame) frame = tinker_frame_new(scene, NULL);
+    TinkerFrame *frame = tinker_frame_new(scene, NULL);
+    double along, gap;
     if (frame == NULL) return FALSE;
     const TinkerTop top = tinker_top_nearest(frame, body);
-    if (!is_dropped_on(frame, &top, body, reach)) return FALSE;
-    double along, gap, centre[2];
-    tinker_top_foot(frame, &top, body, &along, &gap);
-    tinker_top_centre(&top, along, tinker_frame_meaning(frame, body, TINKER_MEANING_HEIGHT, 0, 0), centre);
-    tinker_history_set(history, body, block_class->meanings[TINKER_MEANING_POSITION], centre, NULL);
-    const int32_t orientation = block_class->meanings[TINKER_MEANING_ORIENTATION];
-    if (orientation >= 0) tinker_history_set(history, body, orientation, &top.angle, NULL);
-    return TRUE;
+    const gboolean dropped = is_dropped_on(frame, &top, body, reach);
+    if (dropped) tinker_top_foot(frame, &top, body, &along, &gap);
+    tinker_frame_free(frame);
+    if (!dropped) return FALSE;
+    return tinker_history_lay_on(history, body, top.plate, tinker_top_round(&top, along), NULL);
 }

@@ -168,7 +168,8 @@ static void test_start_event(CliFixture *fixture, gconstpointer data)
                   "{\"type\": \"mass\", \"position\": [1, 0], \"velocity\": [1, 1]},"
                   "{\"type\": \"rod\", \"ends\": [\"Support 0\", \"Mass 0\"]}]}");
     g_autoptr(TestProgram) program = cli_run_well(fixture, "run @rod.json");
-    cli_assert_holds(program->output, "event at 0 s: start velocities changed\n");
+    cli_assert_holds(program->output,
+                     "event at 0 s: The start velocities are changed to what connectors and supports allow\n");
 }
 
 typedef struct {

@@ -120,6 +120,31 @@ static void test_follows(void)
     g_assert_cmpstr(after, ==, before);
 }
 
+/* Laid on a top it goes along with it, as if the file had said so; undo gives it its own place back, to the bit. */
+static void test_laid(void)
+{
+    g_autoptr(TinkerScene) scene = scene_fixture_read_blocks(
+        "{\"type\": \"mass\", \"name\": \"Box\", \"position\": [7, 9], \"orientation\": 1, \"height\": 0.7}, " INCLINE);
+    g_autoptr(TinkerHistory) history = tinker_history_new(scene);
+    g_autofree char *before = tinker_scene_to_text(scene, TINKER_WRITE_SI);
+    const TinkerBlockId box = tinker_scene_find_block(scene, "Box"),
+                        incline = tinker_scene_find_block(scene, "Incline");
+    const double angle = value(scene, "Incline", TINKER_MEANING_ORIENTATION, 0);
+    g_assert_true(tinker_history_lay_on(history, box, incline, -1.5, NULL));
+    expect_on(scene, "Box", 1, 2, angle, -1.5, 0.6);
+    set(history, scene, "Incline", TINKER_MEANING_ORIENTATION, 0.25, 0);
+    expect_on(scene, "Box", 1, 2, 0.25, -1.5, 0.6);
+    tinker_history_undo(history);
+    tinker_history_undo(history);
+    g_autofree char *after = tinker_scene_to_text(scene, TINKER_WRITE_SI);
+    g_assert_cmpstr(after, ==, before);
+    g_autoptr(GError) beyond = NULL, itself = NULL;
+    g_assert_false(tinker_history_lay_on(history, box, incline, 6.5, &beyond));
+    g_assert_nonnull(strstr(beyond->message, "from -6 m to 6 m"));
+    g_assert_false(tinker_history_lay_on(history, incline, box, 0, &itself));
+    g_assert_nonnull(strstr(itself->message, "Incline cannot lie on Box"));
+}
+
 /* A move makes a position of it, with the orientation that it had; undo takes that back. */
 static void test_moved(void)
 {
@@ -263,6 +288,7 @@ static void add_tests(void)
     g_test_add_func("/place-on/moved-support", test_moved_support);
     g_test_add_func("/place-on/orientation", test_orientation);
     g_test_add_func("/place-on/follows", test_follows);
+    g_test_add_func("/place-on/laid", test_laid);
     g_test_add_func("/place-on/moved", test_moved);
     g_test_add_func("/place-on/saved", test_saved);
     g_test_add_func("/place-on/removed", test_removed);

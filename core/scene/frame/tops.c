@@ -74,6 +74,12 @@ gboolean tinker_top_touches(const TinkerFrame *frame, const TinkerTop *top, Tink
     return fabs(gap) <= TINKER_TOUCHING && fabs(along) <= top->half_width;
 }
 
+double tinker_top_round(const TinkerTop *top, double along)
+{
+    const double rounded = round(along * 1e9) / 1e9;
+    return fmax(fmin(rounded, top->half_width), -top->half_width);
+}
+
 void tinker_top_centre(const TinkerTop *top, double along, double height, double centre[2])
 {
     for (int k = 0; k < 2; k++)

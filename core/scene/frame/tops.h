@@ -33,6 +33,9 @@ gboolean tinker_top_touches(const TinkerFrame *frame, const TinkerTop *top, Tink
  * long are left as they are. */
 void tinker_tops_turn_bodies(TinkerFrame *frame);
 
+/* A place along the top (m) to so many digits as anybody would type. */
+double tinker_top_round(const TinkerTop *top, double along);
+
 /* Where the centre of a body of this height (m) is that touches the top so far (m) along it from its middle. */
 void tinker_top_centre(const TinkerTop *top, double along, double height, double centre[2]);
 

@@ -153,6 +153,14 @@ gboolean tinker_history_set(TinkerHistory *history, TinkerBlockId block, int32_t
                      before);
 }
 
+gboolean tinker_history_lay_on(TinkerHistory *history, TinkerBlockId block, TinkerBlockId plate, double along,
+                               GError **error)
+{
+    SceneSnapshot *before = scene_snapshot_take(history_scene(history), block);
+    return record_if(tinker_scene_lay_on(history_scene(history), block, plate, along, error), history, "Place", block,
+                     before);
+}
+
 void tinker_history_unset(TinkerHistory *history, TinkerBlockId block, int32_t property)
 {
     SceneSnapshot *before = scene_snapshot_take(history_scene(history), block);

@@ -34,6 +34,8 @@ void tinker_history_remove_blocks(TinkerHistory *history, const TinkerBlockId *b
 gboolean tinker_history_rename_block(TinkerHistory *history, TinkerBlockId block, const char *name, GError **error);
 gboolean tinker_history_set(TinkerHistory *history, TinkerBlockId block, int32_t property, const double *values,
                             GError **error);
+gboolean tinker_history_lay_on(TinkerHistory *history, TinkerBlockId block, TinkerBlockId plate, double along,
+                               GError **error);
 void tinker_history_unset(TinkerHistory *history, TinkerBlockId block, int32_t property);
 void tinker_history_set_waveform(TinkerHistory *history, TinkerBlockId block, int32_t property,
                                  TinkerWaveform *waveform);

@@ -127,6 +127,10 @@ void tinker_scene_unset(TinkerScene *scene, TinkerBlockId block, int32_t propert
 /* Whether a body lies on the top of a plate, so far (m) from its middle towards the plate's own +x: its position then
  * follows from that, as does its orientation where none is given. Setting its position ends it. */
 gboolean tinker_scene_lies_on(const TinkerScene *scene, TinkerBlockId block, TinkerBlockId *plate, double *along);
+/* Lays a body on the top of a plate. Its orientation follows from the plate from then on. FALSE with an error where the
+ * body can lie on nothing, the plate has no top, or the top does not reach as far. */
+gboolean tinker_scene_lay_on(TinkerScene *scene, TinkerBlockId block, TinkerBlockId plate, double along,
+                             GError **error);
 
 const char *tinker_scene_get_text(const TinkerScene *scene, TinkerBlockId block, int32_t property);
 void tinker_scene_set_text(TinkerScene *scene, TinkerBlockId block, int32_t property, const char *text);

@@ -4,6 +4,7 @@
 #include <cjson/cJSON.h>
 
 #include "cli/report/summary.h"
+#include "event-words.h"
 #include "print.h"
 
 static void add_number(cJSON *object, const char *key, double value)
@@ -36,8 +37,9 @@ static void add_energy(cJSON *root, const TinkerSummary *run)
         add_number(energy, keys[book], run->books[book]);
 }
 
-static void add_events(cJSON *root, const TinkerSummary *run)
+static void add_events(cJSON *root, const TinkerRunReport *report)
 {
+    const TinkerSummary *run = report->run;
     cJSON *events = cJSON_AddArrayToObject(root, "events");
     for (guint i = 0; run->events != NULL && i < run->events->len; i++) {
         const TinkerEvent *event = g_ptr_array_index(run->events, i);
@@ -47,6 +49,8 @@ static void add_events(cJSON *root, const TinkerSummary *run)
         g_auto(GStrv) names = g_strsplit(event->blocks == NULL ? "" : event->blocks, ", ", -1);
         cJSON_AddItemToObject(entry, "blocks",
                               cJSON_CreateStringArray((const char *const *)names, (int)g_strv_length(names)));
+        g_autofree char *text = tinker_event_text(report->scene, event);
+        cJSON_AddStringToObject(entry, "text", text);
         cJSON_AddItemToArray(events, entry);
     }
 }
@@ -119,7 +123,7 @@ void tinker_summary_write_json(const TinkerRunReport *report, FILE *file)
     add_number(root, "error_estimate", run->error_estimate);
     add_tries(root, run);
     add_number(root, "valid_until", run->determined_until);
-    add_events(root, run);
+    add_events(root, report);
     add_islands(root, report);
     add_texts(root, "libraries", report->libraries);
     add_texts(root, "warnings", report->warnings);

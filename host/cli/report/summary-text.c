@@ -3,6 +3,7 @@
 
 #include "cli/report/summary.h"
 #include "cli/report/text-table.h"
+#include "event-words.h"
 #include "plan-words.h"
 #include "print.h"
 
@@ -171,20 +172,16 @@ static void write_energy(const TinkerSummary *run, FILE *file)
                       without_noise(run->energy_balance_error, 1));
 }
 
-static void write_event(const TinkerEvent *event, FILE *file)
-{
-    gboolean start = g_str_equal(event->kind, "start");
-    gboolean named = event->blocks != NULL && event->blocks[0] != '\0';
-    tinker_print_line(file, "  event at %.6g s: %s%s%s", event->time, start ? "start velocities changed" : event->kind,
-                      named ? ", " : "", named ? event->blocks : "");
-}
-
-static void write_events(const TinkerSummary *run, FILE *file)
+static void write_events(const TinkerRunReport *report, FILE *file)
 {
     const guint most = 10;
-    guint count = run->events == NULL ? 0 : run->events->len;
-    for (guint i = 0; i < MIN(count, most); i++)
-        write_event(g_ptr_array_index(run->events, i), file);
+    const GPtrArray *events = report->run->events;
+    guint count = events == NULL ? 0 : events->len;
+    for (guint i = 0; i < MIN(count, most); i++) {
+        const TinkerEvent *event = g_ptr_array_index(events, i);
+        g_autofree char *text = tinker_event_text(report->scene, event);
+        tinker_print_line(file, "  event at %.6g s: %s", event->time, text);
+    }
     if (count > most) tinker_print_line(file, "  and %u more events (all of them: --json FILE)", count - most);
 }
 
@@ -195,7 +192,7 @@ void tinker_summary_write_text(const TinkerRunReport *report, FILE *file)
     write_numbers(report->run, file);
     write_tries(report->run, file);
     write_energy(report->run, file);
-    write_events(report->run, file);
+    write_events(report, file);
     for (guint i = 0; i < report->warnings->len; i++)
         tinker_print_line(file, "  warning: %s", (const char *)g_ptr_array_index(report->warnings, i));
 }

@@ -157,7 +157,7 @@ static void on_release(GtkGestureDrag *gesture, double dx, double dy, TinkerCanv
     canvas->gesture = CANVAS_IDLE;
     if (ended == CANVAS_DRAG) {
         tinker_drag_end(g_steal_pointer(&canvas->drag), (modifiers & GDK_SHIFT_MASK) != 0,
-                        (modifiers & GDK_ALT_MASK) != 0 ? 0 : canvas_reach(canvas));
+                        (modifiers & GDK_ALT_MASK) != 0 ? 0 : canvas_top_reach(canvas));
         tinker_document_touch(canvas->document);
     }
     if (ended == CANVAS_GROUP) tinker_document_end(canvas->document);

@@ -65,7 +65,7 @@ TinkerBlockId tinker_canvas_place_drop(TinkerCanvas *canvas)
     canvas->placing = TINKER_NO_BLOCK;
     connect_ends(canvas, block);
     tinker_snap_onto_top(tinker_document_history(canvas->document), tinker_document_scene(canvas->document), block,
-                         canvas_reach(canvas));
+                         canvas_top_reach(canvas));
     tinker_document_end(canvas->document);
     return block;
 }

@@ -6,7 +6,8 @@
 #include "gui/canvas/canvas-forces.h"
 #include "gui/canvas/canvas.h"
 
-#define CANVAS_REACH 8.0 /* widget units: how near to a thing is on it */
+#define CANVAS_TOP   12.0 /* widget units: how near to a top a body is dropped on it */
+#define CANVAS_REACH 8.0  /* widget units: how near to a thing is on it */
 
 /* What a press with the first button has become. */
 typedef enum {
@@ -54,6 +55,8 @@ struct _TinkerCanvas {
 
 /* Reach in m. */
 double canvas_reach(TinkerCanvas *canvas);
+/* m: how near to a top a body is dropped on it */
+double canvas_top_reach(TinkerCanvas *canvas);
 /* The grid to snap to (m), or 0. */
 double canvas_grid(TinkerCanvas *canvas, GdkModifierType modifiers);
 void canvas_to_world(TinkerCanvas *canvas, double x, double y, double world[2]);

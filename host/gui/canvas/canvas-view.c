@@ -17,6 +17,11 @@ double canvas_reach(TinkerCanvas *canvas)
     return CANVAS_REACH / canvas->view.scale;
 }
 
+double canvas_top_reach(TinkerCanvas *canvas)
+{
+    return CANVAS_TOP / canvas->view.scale;
+}
+
 double canvas_grid(TinkerCanvas *canvas, GdkModifierType modifiers)
 {
     const TinkerSceneHead *head = tinker_scene_head(tinker_document_scene(canvas->document));

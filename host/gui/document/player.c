@@ -31,6 +31,8 @@ struct _TinkerPlayer {
     TinkerFrame *frame;
     GArray *asked; /* of TinkerQuantity: asked for in vain */
     guint generation;
+    GPtrArray *events; /* of TinkerRunEvent *: of this generation, when there were so many in all tasks */
+    guint events_generation, events_counted;
 };
 
 G_DEFINE_FINAL_TYPE(TinkerPlayer, tinker_player, G_TYPE_OBJECT)
@@ -459,6 +461,24 @@ guint tinker_player_generation(TinkerPlayer *player)
     return player->generation;
 }
 
+/* Of each segment those before the next one begins. */
+GPtrArray *tinker_player_events(TinkerPlayer *player)
+{
+    const guint generation = tinker_player_generation(player);
+    guint count = 0;
+    for (guint i = 0; i < player->segments->len; i++)
+        count += tinker_run_task_event_count(g_array_index(player->segments, Segment, i).task);
+    if (generation == player->events_generation && count == player->events_counted) return player->events;
+    g_ptr_array_unref(player->events);
+    player->events = g_ptr_array_new_with_free_func((GDestroyNotify)tinker_run_event_free);
+    player->events_generation = generation;
+    player->events_counted = count;
+    for (guint i = 0; i < player->segments->len; i++)
+        tinker_run_task_add_events(g_array_index(player->segments, Segment, i).task, segment_end(player, i),
+                                   player->events);
+    return player->events;
+}
+
 static void note_asked(TinkerPlayer *player, TinkerQuantity quantity)
 {
     for (guint i = 0; i < player->asked->len; i++) {
@@ -494,6 +514,7 @@ static void tinker_player_finalize(GObject *object)
     TinkerPlayer *player = TINKER_PLAYER(object);
     g_clear_pointer(&player->frame, tinker_frame_free);
     g_array_unref(player->segments);
+    g_ptr_array_unref(player->events);
     tinker_run_lane_unref(player->lane);
     g_clear_pointer(&player->ran, tinker_scene_free);
     g_array_unref(player->asked);
@@ -518,6 +539,7 @@ static void tinker_player_init(TinkerPlayer *player)
     player->speed = player->pace = 1;
     player->step_to = NAN;
     player->lane = tinker_run_task_lane();
+    player->events = g_ptr_array_new_with_free_func((GDestroyNotify)tinker_run_event_free);
     player->segments = g_array_new(FALSE, FALSE, sizeof(Segment));
     g_array_set_clear_func(player->segments, (GDestroyNotify)segment_clear);
     player->asked = g_array_new(FALSE, FALSE, sizeof(TinkerQuantity));

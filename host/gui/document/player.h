@@ -73,6 +73,10 @@ gboolean tinker_player_status(TinkerPlayer *player, TinkerRunStatus *status);
  * spare. (transfer full) */
 GPtrArray *tinker_player_warnings(TinkerPlayer *player, gboolean of_scene);
 
+/* What has happened in the run, of TinkerRunEvent *, in order of time: the same array as before where there is nothing
+ * new. Borrowed; keep a reference for what is to outlive the next call. */
+GPtrArray *tinker_player_events(TinkerPlayer *player);
+
 /* A number that changes whenever what was recorded is no longer true. */
 guint tinker_player_generation(TinkerPlayer *player);
 /* Appends what has been recorded of a quantity since the last call with this cursor (zeroed at first; begin anew, with

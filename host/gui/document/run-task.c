@@ -5,6 +5,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "event-words.h"
 #include "physics/compile/compile.h"
 #include "physics/model/model.h"
 #include "physics/plan/run-options.h"
@@ -19,6 +20,7 @@
 #define LATELY           0.5                /* s: over which the rate is measured */
 #define RECORD_IN_MEMORY ((gsize)256 << 20) /* bytes; beyond, a temporary file */
 #define PIECE            ((gsize)64 << 10)  /* bytes of the record that are read at once */
+#define MOST_EVENTS      10000              /* that are kept: what rattles has more than anybody looks at */
 #define PORTION          ((gsize)2 << 20)   /* and for one call, of which a frame may need a dozen */
 
 struct _TinkerRunTask {
@@ -35,6 +37,7 @@ struct _TinkerRunTask {
     TinkerRunStatus status;
     GError *error;
     GPtrArray *warnings, *of_scene;
+    GPtrArray *events; /* of TinkerRunEvent *, in order */
 
     /* The thread's own. */
     double *row;
@@ -43,6 +46,19 @@ struct _TinkerRunTask {
     gint64 rate_began; /* us */
     double rate_from;  /* s */
 };
+
+void tinker_run_event_free(TinkerRunEvent *event)
+{
+    g_free(event->text);
+    g_free(event);
+}
+
+static TinkerRunEvent *event_new(double time, const char *text)
+{
+    TinkerRunEvent *event = g_new(TinkerRunEvent, 1);
+    *event = (TinkerRunEvent){time, g_strdup(text)};
+    return event;
+}
 
 static void unref(TinkerRunTask *task)
 {
@@ -54,6 +70,7 @@ static void unref(TinkerRunTask *task)
     g_clear_error(&task->error);
     g_ptr_array_unref(task->warnings);
     g_ptr_array_unref(task->of_scene);
+    g_ptr_array_unref(task->events);
     tinker_record_free(task->record);
     g_mutex_clear(&task->mutex);
     g_clear_pointer(&task->next_record, tinker_record_free);
@@ -104,6 +121,19 @@ static void note_summary(TinkerRunTask *task, TinkerSimulation *simulation)
     g_mutex_unlock(&task->mutex);
 }
 
+/* Those of a further try show when its samples do. What came since is added: earlier ones stay as they were told. */
+static void note_events(TinkerRunTask *task, const GPtrArray *events)
+{
+    const guint count = events != NULL ? MIN(events->len, MOST_EVENTS) : 0;
+    g_mutex_lock(&task->mutex);
+    for (guint i = task->events->len; i < count; i++) {
+        const TinkerEvent *event = g_ptr_array_index(events, i);
+        g_autofree char *text = tinker_event_text(task->scene, event);
+        g_ptr_array_add(task->events, event_new(task->start + event->time, text));
+    }
+    g_mutex_unlock(&task->mutex);
+}
+
 static void note_rate(TinkerRunTask *task, TinkerSimulation *simulation, double time)
 {
     gint64 now = g_get_monotonic_time();
@@ -115,6 +145,7 @@ static void note_rate(TinkerRunTask *task, TinkerSimulation *simulation, double 
     task->rate_began = now;
     task->rate_from = time;
     note_summary(task, simulation);
+    note_events(task, tinker_simulation_summary(simulation)->events);
 }
 
 static gboolean take_next(TinkerRunTask *task, double time, GError **error)
@@ -163,6 +194,7 @@ static void show_next(TinkerRunTask *task)
     task->status.rows = task->times->len;
     task->status.reached = g_array_index(task->times, double, task->times->len - 1);
     task->status.replaced++;
+    g_ptr_array_set_size(task->events, 0);
 }
 
 static void add_copies(GPtrArray *to, const GPtrArray *from)
@@ -198,6 +230,7 @@ static gboolean run_scene(TinkerRunTask *task, GError **error)
     add_copies(task->warnings, tinker_simulation_summary(simulation)->warnings);
     add_copies(task->of_scene, tinker_simulation_summary(simulation)->of_scene);
     g_mutex_unlock(&task->mutex);
+    note_events(task, tinker_simulation_summary(simulation)->events);
     if (failure != NULL) g_propagate_error(error, failure);
     return done;
 }
@@ -208,6 +241,9 @@ static void forget_invalid(TinkerRunTask *task)
     gsize rows = task->times->len;
     while (rows > 1 && g_array_index(task->times, double, rows - 1) > task->status.valid_until)
         rows--;
+    for (guint i = task->events->len; i-- > 0;)
+        if (((TinkerRunEvent *)g_ptr_array_index(task->events, i))->time > task->status.valid_until)
+            g_ptr_array_remove_index(task->events, i);
     if (rows == task->times->len) return;
     g_array_set_size(task->times, (guint)rows);
     tinker_record_cut(task->record, rows);
@@ -279,6 +315,7 @@ TinkerRunTask *tinker_run_task_new(TinkerRunLane *lane, TinkerScene *scene, doub
     task->times = g_array_new(FALSE, FALSE, sizeof(double));
     task->warnings = g_ptr_array_new_with_free_func(g_free);
     task->of_scene = g_ptr_array_new_with_free_func(g_free);
+    task->events = g_ptr_array_new_with_free_func((GDestroyNotify)tinker_run_event_free);
     task->record = tinker_record_new(row_width(task), RECORD_IN_MEMORY);
     task->status.reached = start;
     task->status.error_estimate = NAN;
@@ -323,6 +360,24 @@ GPtrArray *tinker_run_task_warnings(TinkerRunTask *task, gboolean of_scene)
     add_copies(copy, of_scene ? task->of_scene : task->warnings);
     g_mutex_unlock(&task->mutex);
     return copy;
+}
+
+guint tinker_run_task_event_count(TinkerRunTask *task)
+{
+    g_mutex_lock(&task->mutex);
+    guint count = task->events->len;
+    g_mutex_unlock(&task->mutex);
+    return count;
+}
+
+void tinker_run_task_add_events(TinkerRunTask *task, double until, GPtrArray *to)
+{
+    g_mutex_lock(&task->mutex);
+    for (guint i = 0; i < task->events->len; i++) {
+        const TinkerRunEvent *event = g_ptr_array_index(task->events, i);
+        if (event->time < until) g_ptr_array_add(to, event_new(event->time, event->text));
+    }
+    g_mutex_unlock(&task->mutex);
 }
 
 const TinkerBlockId *tinker_run_task_bodies(TinkerRunTask *task, int *count)

@@ -27,6 +27,13 @@ typedef struct {
     double predictable_until, valid_until;                         /* s */
 } TinkerRunStatus;
 
+/* Something that happened in a run. */
+typedef struct {
+    double time; /* s */
+    char *text;  /* "Mass 0 leaves the end of Support 0" */
+} TinkerRunEvent;
+void tinker_run_event_free(TinkerRunEvent *event);
+
 /* A quantity of a block, by its number in the block's class. */
 typedef struct {
     TinkerBlockId block;
@@ -52,6 +59,11 @@ TinkerRunStatus tinker_run_task_status(TinkerRunTask *task);
  * (transfer full) */
 GError *tinker_run_task_error(TinkerRunTask *task);
 GPtrArray *tinker_run_task_warnings(TinkerRunTask *task, gboolean of_scene);
+
+/* How many events are known; and appends a copy of those before `until` (s), in order, to an array of TinkerRunEvent *
+ * that owns them. */
+guint tinker_run_task_event_count(TinkerRunTask *task);
+void tinker_run_task_add_events(TinkerRunTask *task, double until, GPtrArray *to);
 
 /* The bodies of a row, in order, and the columns. Borrowed; fixed from the start. */
 const TinkerBlockId *tinker_run_task_bodies(TinkerRunTask *task, int *count);

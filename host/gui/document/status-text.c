@@ -167,6 +167,17 @@ static void fill_constraints(const TinkerStatusFacts *facts, TinkerStatusItem *i
 /* How far it has got --------------------------------------------------------------------------------------------------
  */
 
+static void fill_event(const TinkerStatusFacts *facts, TinkerStatusItem *item)
+{
+    if (facts->event == NULL) return;
+    g_autofree char *time = tinker_status_size_text(facts->event->time, 4);
+    item->text = g_strdup_printf(_("%s s: %s"), time, facts->event->text);
+    item->tooltip =
+        g_strdup_printf(_("%s\nWhat happened last before the time that is shown. The marks on the time line "
+                          "are all such instants."),
+                        item->text);
+}
+
 static void fill_pace(const TinkerStatusFacts *facts, TinkerStatusItem *item)
 {
     double real = facts->pace * facts->speed;
@@ -195,6 +206,7 @@ void tinker_status_fill(const TinkerStatusFacts *facts, TinkerStatusItem items[T
     fill_error(facts, &items[TINKER_STATUS_ERROR]);
     fill_energy(facts, &items[TINKER_STATUS_ENERGY]);
     fill_constraints(facts, &items[TINKER_STATUS_CONSTRAINTS]);
+    fill_event(facts, &items[TINKER_STATUS_EVENT]);
     fill_pace(facts, &items[TINKER_STATUS_PACE]);
     fill_recorded(facts, &items[TINKER_STATUS_RECORDED]);
 }

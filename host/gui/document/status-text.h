@@ -10,6 +10,7 @@ typedef enum {
     TINKER_STATUS_ERROR,
     TINKER_STATUS_ENERGY,
     TINKER_STATUS_CONSTRAINTS,
+    TINKER_STATUS_EVENT,
     TINKER_STATUS_PACE,
     TINKER_STATUS_RECORDED,
     TINKER_STATUS_COUNT,
@@ -25,6 +26,7 @@ typedef struct {
 typedef struct {
     const TinkerRunStatus *run;   /* NULL before there is one */
     const TinkerPlanResult *plan; /* NULL while there is none */
+    const TinkerRunEvent *event;  /* the last one before the time that is shown; NULL: none */
     double duration;              /* s: as far as the run will go */
     double speed, pace;           /* of the play-back, as player.h has them */
 } TinkerStatusFacts;

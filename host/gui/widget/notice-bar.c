@@ -18,6 +18,8 @@ struct _TinkerNoticeBar {
 
 G_DEFINE_FINAL_TYPE(TinkerNoticeBar, tinker_notice_bar, GTK_TYPE_WIDGET)
 
+static guint done_signal;
+
 TinkerNotice *tinker_notice_new(TinkerNoticeSeverity severity, const char *text, const char *button,
                                 void (*cure)(void *data), void *data, GDestroyNotify free_data)
 {
@@ -140,7 +142,9 @@ static void on_text(TinkerNoticeBar *bar)
 {
     if (bar->listed->len == 0) return;
     const TinkerNotice *notice = g_ptr_array_index(bar->listed, bar->place);
-    if (notice->locate != NULL) notice->locate(notice->data);
+    if (notice->locate == NULL) return;
+    notice->locate(notice->data);
+    g_signal_emit(bar, done_signal, 0);
 }
 
 static void on_cure(TinkerNoticeBar *bar)
@@ -148,6 +152,7 @@ static void on_cure(TinkerNoticeBar *bar)
     if (bar->listed->len == 0) return;
     const TinkerNotice *notice = g_ptr_array_index(bar->listed, bar->place);
     if (notice->cure != NULL) notice->cure(notice->data); /* which may well take the notice away */
+    g_signal_emit(bar, done_signal, 0);
 }
 
 static void on_response(TinkerNoticeBar *bar, int response)
@@ -156,6 +161,7 @@ static void on_response(TinkerNoticeBar *bar, int response)
     g_hash_table_add(bar->closed, g_strdup(((TinkerNotice *)g_ptr_array_index(bar->listed, bar->place))->text));
     list_all(bar);
     show(bar);
+    g_signal_emit(bar, done_signal, 0);
 }
 
 /* The widget ----------------------------------------------------------------------------------------------------------
@@ -180,6 +186,7 @@ static void tinker_notice_bar_class_init(TinkerNoticeBarClass *class)
 {
     G_OBJECT_CLASS(class)->dispose = tinker_notice_bar_dispose;
     G_OBJECT_CLASS(class)->finalize = tinker_notice_bar_finalize;
+    done_signal = g_signal_new("done", TINKER_TYPE_NOTICE_BAR, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL, G_TYPE_NONE, 0);
     gtk_widget_class_set_layout_manager_type(GTK_WIDGET_CLASS(class), GTK_TYPE_BIN_LAYOUT);
     gtk_widget_class_set_css_name(GTK_WIDGET_CLASS(class), "noticebar");
 }

@@ -28,6 +28,7 @@ TinkerNotice *tinker_notice_new(TinkerNoticeSeverity severity, const char *text,
 void tinker_notice_free(TinkerNotice *notice);
 
 #define TINKER_TYPE_NOTICE_BAR (tinker_notice_bar_get_type())
+/* Signal: "done", when a button of it was pressed: whoever had the focus before may want it back. */
 G_DECLARE_FINAL_TYPE(TinkerNoticeBar, tinker_notice_bar, TINKER, NOTICE_BAR, GtkWidget)
 
 TinkerNoticeBar *tinker_notice_bar_new(void);

@@ -8,6 +8,7 @@
 #include "gui/property/property-rows.h"
 #include "gui/widget/entry-select.h"
 #include "gui/widget/unparent.h"
+#include "gui/window/event-marks.h"
 
 #define SLOW_PACE  0.95 /* below it, the run is said to be slower than its playback */
 #define LEAST_LINE 120  /* px: width of the time line in a narrow window */
@@ -16,7 +17,7 @@
 struct _TinkerPlaybar {
     GtkWidget parent_instance;
     TinkerPlayer *player;
-    GtkWidget *play, *line, *time, *pace, *speed;
+    GtkWidget *play, *line, *marks, *time, *pace, *speed;
     gboolean updating;
     gboolean typed; /* something was typed into the entry, and not gone to yet */
 };
@@ -61,6 +62,7 @@ static void on_moved(TinkerPlaybar *playbar)
     gtk_range_set_fill_level(GTK_RANGE(playbar->line), tinker_player_reached(playbar->player));
     gtk_range_set_value(GTK_RANGE(playbar->line), time);
     playbar->updating = FALSE;
+    tinker_event_marks_update(TINKER_EVENT_MARKS(playbar->marks));
     show_time(playbar);
     show_pace(playbar);
 }
@@ -171,9 +173,15 @@ static void on_speed_chosen(TinkerPlaybar *playbar)
 void tinker_playbar_set_player(TinkerPlaybar *playbar, TinkerPlayer *player)
 {
     playbar->player = g_object_ref(player);
+    tinker_event_marks_set_player(TINKER_EVENT_MARKS(playbar->marks), player);
     g_signal_connect_object(player, "moved", G_CALLBACK(on_moved), playbar, G_CONNECT_SWAPPED);
     g_signal_connect_object(player, "state-changed", G_CALLBACK(on_state_changed), playbar, G_CONNECT_SWAPPED);
     on_state_changed(playbar);
+    on_moved(playbar);
+}
+
+void tinker_playbar_update(TinkerPlaybar *playbar)
+{
     on_moved(playbar);
 }
 
@@ -245,13 +253,14 @@ static void tinker_playbar_init(TinkerPlaybar *playbar)
     playbar->play = add_button(box, "media-playback-start-symbolic", _("Play"), "win.play");
     add_button(box, "tinker-step-forward-symbolic", _("One Sample Forward"), "win.step");
     playbar->line = time_line();
+    playbar->marks = tinker_event_marks_new(playbar->line);
     GtkWidget *symbol = gtk_label_new("t =");
     playbar->time = time_entry(playbar);
     playbar->pace = gtk_label_new(NULL);
     gtk_label_set_ellipsize(GTK_LABEL(playbar->pace), PANGO_ELLIPSIZE_END);
     playbar->speed = speed_chooser();
     gtk_widget_add_css_class(playbar->pace, "warning");
-    GtkWidget *parts[] = {playbar->line, symbol, playbar->time, playbar->pace, playbar->speed};
+    GtkWidget *parts[] = {playbar->marks, symbol, playbar->time, playbar->pace, playbar->speed};
     for (gsize i = 0; i < G_N_ELEMENTS(parts); i++)
         gtk_box_append(GTK_BOX(box), parts[i]);
     gtk_widget_set_visible(playbar->pace, FALSE);

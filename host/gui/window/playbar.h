@@ -12,5 +12,7 @@ G_DECLARE_FINAL_TYPE(TinkerPlaybar, tinker_playbar, TINKER, PLAYBAR, GtkWidget)
 /* Follows this player, which it takes a reference of; the buttons are the actions win.play, win.step,
  * win.reset, and a time that is typed is given to win.go-to. */
 void tinker_playbar_set_player(TinkerPlaybar *playbar, TinkerPlayer *player);
+/* Looks whether more is known of the run, which happens while nothing moves. */
+void tinker_playbar_update(TinkerPlaybar *playbar);
 
 #endif

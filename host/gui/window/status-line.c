@@ -16,7 +16,10 @@ G_DEFINE_FINAL_TYPE(TinkerStatusLine, tinker_status_line, GTK_TYPE_WIDGET)
 static void show_item(TinkerStatusLine *line, int part, const TinkerStatusItem *item)
 {
     gtk_widget_set_visible(line->boxes[part], item->text != NULL);
-    if (item->text == NULL) return;
+    if (item->text == NULL) {
+        gtk_label_set_text(GTK_LABEL(line->labels[part]), ""); /* whoever reads labels would still find it */
+        return;
+    }
     GtkWidget *label = line->labels[part];
     if (strcmp(gtk_label_get_text(GTK_LABEL(label)), item->text) != 0) gtk_label_set_text(GTK_LABEL(label), item->text);
     if (g_strcmp0(gtk_widget_get_tooltip_text(line->boxes[part]), item->tooltip) != 0)
@@ -77,7 +80,7 @@ static void tinker_status_line_init(TinkerStatusLine *line)
 {
     GtkWidget *row = gtk_box_new(GTK_ORIENTATION_HORIZONTAL, 24);
     for (int part = 0; part < TINKER_STATUS_COUNT; part++) {
-        if (part == TINKER_STATUS_PACE) { /* from here on at the other end */
+        if (part == TINKER_STATUS_EVENT) { /* from here on at the other end */
             GtkWidget *gap = gtk_box_new(GTK_ORIENTATION_HORIZONTAL, 0);
             gtk_widget_set_hexpand(gap, TRUE);
             gtk_box_append(GTK_BOX(row), gap);

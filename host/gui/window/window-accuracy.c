@@ -88,6 +88,20 @@ static void refresh_later(TinkerWindow *window)
     if (window->refresh == 0) window->refresh = g_timeout_add(REFRESH, on_refresh, window);
 }
 
+/* The last one before the time that is shown; NULL: none. */
+static const TinkerRunEvent *last_event(TinkerPlayer *player)
+{
+    const GPtrArray *events = tinker_player_events(player);
+    const double now = tinker_player_time(player);
+    const TinkerRunEvent *last = NULL;
+    for (guint i = 0; i < events->len; i++) {
+        const TinkerRunEvent *event = g_ptr_array_index(events, i);
+        if (event->time > now) break;
+        last = event;
+    }
+    return last;
+}
+
 static gboolean on_refresh(void *data)
 {
     TinkerWindow *window = data;
@@ -97,11 +111,13 @@ static gboolean on_refresh(void *data)
     TinkerStatusFacts facts = {
         .run = has_run ? &status : NULL,
         .plan = tinker_plan_task_result(window->plan),
+        .event = last_event(window->player),
         .duration = tinker_player_duration(window->player),
         .speed = tinker_player_speed(window->player),
         .pace = tinker_player_pace(window->player),
     };
     tinker_status_line_show(window->status_line, &facts);
+    tinker_playbar_update(window->playbar);
     gboolean over = !has_run || status.finished;
     guint told = over ? tinker_player_generation(window->player) + has_run : 0;
     if (over && told != window->told_run) show_run_notices(window);
@@ -121,12 +137,19 @@ static void on_told(GtkWidget *page, const char *text, TinkerWindow *window)
     window_toast(window, text);
 }
 
+/* Keys mean the scene again; a button that has gone would keep them from it. */
+static void on_notice_done(TinkerWindow *window)
+{
+    gtk_widget_grab_focus(GTK_WIDGET(window->canvas));
+}
+
 void window_add_accuracy(TinkerWindow *window)
 {
     window->status_line = tinker_status_line_new();
     window->notices = tinker_notice_bar_new();
     gtk_box_append(window->status, GTK_WIDGET(window->status_line));
     gtk_box_append(window->banners, GTK_WIDGET(window->notices));
+    g_signal_connect_object(window->notices, "done", G_CALLBACK(on_notice_done), window, G_CONNECT_SWAPPED);
     window->accuracy = g_object_new(TINKER_TYPE_ACCURACY_PAGE, NULL);
     AdwViewStackPage *page =
         adw_view_stack_add_titled(window->pages, GTK_WIDGET(window->accuracy), PAGE, _("Accuracy"));

@@ -1,5 +1,6 @@
 /* How things start, and what is wrong with it: the section of the panel, notices, marks on the canvas and the menu. */
 #include "gui/accuracy/advice-list.h"
+#include "gui/start/left-behind.h"
 #include "gui/start/start-offer.h"
 #include "gui/start/start-panel.h"
 #include "gui/text/sentence.h"
@@ -76,6 +77,47 @@ static void on_advice_changed(TinkerAdviceList *list, TinkerWindow *window)
     tinker_canvas_set_marked(window->canvas, (const TinkerBlockId *)(gpointer)blocks->data, (int)blocks->len);
 }
 
+/* Left behind
+ * ---------------------------------------------------------------------------------------------------------- */
+
+typedef struct {
+    TinkerWindow *window;
+    TinkerLying lying;
+} Left;
+
+static void lay(void *data)
+{
+    const Left *left = data;
+    TinkerWindow *window = left->window;
+    g_autoptr(GError) error = NULL;
+    if (!tinker_left_behind_lay(window->document, &left->lying, &error)) window_toast(window, error->message);
+}
+
+static void select_left(void *data)
+{
+    const Left *left = data;
+    tinker_document_select(left->window->document, left->lying.body);
+}
+
+static void on_left_changed(TinkerLeftBehind *behind, TinkerWindow *window)
+{
+    const GArray *bodies = tinker_left_behind_bodies(behind);
+    TinkerScene *scene = tinker_document_scene(window->document);
+    GPtrArray *notices = g_ptr_array_new_with_free_func((GDestroyNotify)tinker_notice_free);
+    for (guint i = 0; i < bodies->len; i++) {
+        Left *left = g_new(Left, 1);
+        *left = (Left){window, g_array_index(bodies, TinkerLying, i)};
+        const char *plate = tinker_scene_block_name(scene, left->lying.plate);
+        g_autofree char *text = g_strdup_printf(_("%s stayed where it was, and does not lie on %s any more."),
+                                                tinker_scene_block_name(scene, left->lying.body), plate);
+        g_autofree char *button = g_strdup_printf(_("Place on %s"), plate);
+        TinkerNotice *notice = tinker_notice_new(TINKER_NOTICE_WARNING, text, button, lay, left, g_free);
+        notice->locate = select_left;
+        g_ptr_array_add(notices, notice);
+    }
+    tinker_notice_bar_set(window->notices, "left behind", notices);
+}
+
 /* Start conditions
  * ------------------------------------------------------------------------------------------------------ */
 
@@ -123,4 +165,7 @@ void window_add_start(TinkerWindow *window)
     TinkerAdviceList *list = tinker_advice_list_new(window->document, window->player);
     g_signal_connect_object(list, "changed", G_CALLBACK(on_advice_changed), window, 0);
     g_object_set_data_full(G_OBJECT(window->notices), "advice", list, g_object_unref);
+    TinkerLeftBehind *behind = tinker_left_behind_new(window->document);
+    g_signal_connect_object(behind, "changed", G_CALLBACK(on_left_changed), window, 0);
+    g_object_set_data_full(G_OBJECT(window->notices), "left-behind", behind, g_object_unref);
 }

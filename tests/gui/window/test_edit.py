@@ -68,9 +68,9 @@ def test_mass_dropped_on_a_top_lies_on_it(display):
         along, up = 1.0, 0.5  # a tenth of a metre too deep, and off by what the grid takes
         place = (along * math.cos(0.5) - up * math.sin(0.5), -1 + along * math.sin(0.5) + up * math.cos(0.5))
         app.drag((-2, 2), place)
-        blocks = app.blocks()
-        check_close(off_the_top(blocks["A"], blocks["Floor"]), 0, 1e-12, "gap")
-        check_close(blocks["A"]["orientation"], 0.5, 1e-12, "orientation")
+        block = app.blocks()["A"]
+        check_equal((block["on"], "position" in block, "orientation" in block), ("Floor", False, False), "A as it is saved")
+        check_close(block["along"], along, 0.1, "place along the top")
         app.activate("undo")
         check_equal(positions(app)["A"], (-2, 2), "place")
         app.drag((-2, 2), place, keys=["alt"])
@@ -89,6 +89,48 @@ def test_mass_on_a_top_is_kept_there_until_it_is_moved(display):
         block = app.blocks()["A"]
         check_equal(("on" in block, "along" in block), (False, False), "A when it was moved")
         check_equal(tuple(round(x, 9) for x in block["position"]), (3, 3), "place")
+
+
+def test_drop_is_as_near_as_it_looks(display):
+    """11 px above a top is on it, 14 px are not, whatever a metre is on the screen."""
+    for width in (4, 400):
+        grid, half = width * 1e-4, width * 0.04
+        block = {"type": "mass", "name": "A", "position": [0, 3 * half], "width": 2 * half, "height": 2 * half}
+        floor = support("Floor", 0, -half, width=20 * half, height=2 * half)
+        with App(display, scene(floor, block, width=width, grid=grid)) as app:
+            app.show_width()
+            pixel = 1 / app.scale()
+            for pixels, lies in ((14, False), (11, True)):
+                app.drag((half / 2, 3 * half), (half / 2, half + pixels * pixel))
+                check_equal("on" in app.blocks()["A"], lies, f"whether it lies on the floor from {pixels} px above, {width} m wide")
+                app.activate("undo")
+
+
+def test_placed_on_a_top_goes_along(display):
+    """By the button of the panel; the file says so."""
+    with App(display, scene(support("Floor", 0, -1, width=6), mass("A", 1, 2))) as app:
+        app.click_world(1.2, 2.2)
+        app.click("Start", role="tab")
+        app.click("Placed on Floor")
+        block = app.blocks()["A"]
+        check_equal((block["on"], block["along"], "position" in block), ("Floor", 1, False), "A")
+
+
+def test_what_stays_when_its_support_turns_is_told_of(display):
+    """A mass with a place of its own. Its notice lays it back; Ctrl+Z then takes that back, as the canvas has the focus."""
+    with App(display, scene(support("Floor", 0, 0, width=6), mass("A", -1, 0.6))) as app:
+        app.click_world(2, 0.1)
+        app.enter("Properties", "Orientation", "20 deg")
+        app.find("button", "A stayed where it was, and does not lie on Floor any more.")
+        app.click("Place on Floor")
+        wait(lambda: "on" in app.blocks()["A"], "A to be laid on the top")
+        block = app.blocks()["A"]
+        check_equal((block["on"], block["along"]), ("Floor", -1), "A on the turned top")
+        app.press("ctrl+z")
+        wait(lambda: app.blocks()["A"].get("position") == [-1, 0.6], "A to be back")
+        app.click("Close Notice")
+        app.press("ctrl+z")
+        wait(lambda: "orientation" not in app.blocks()["Floor"], "the turn to be undone, too")
 
 
 def test_press_that_does_not_move_changes_nothing(display):

@@ -1,0 +1,65 @@
+#!/usr/bin/python3
+"""What happens in a run is told, and marked on the time line. The truth is uniform motion: a block that slides without
+friction from the middle of a top 4 m long at 2 m/s is over its end at 1 s."""
+import re
+
+from harness import App, check, check_close, check_equal, main, mass, scene, support, wait
+
+GRAVITY = {"type": "gravity", "name": "Gravity"}
+LEAVES = "Block leaves the end of Table"
+
+
+def sliding(**more):
+    table = support("Table", 0, 0, width=4, static_friction=0, dynamic_friction=0)
+    block = {"type": "mass", "name": "Block", "on": "Table", "velocity": [2, 0], "width": 0.4, "height": 0.4}
+    return scene(table, block, GRAVITY, **{"duration": 2, **more})
+
+
+def told(app):
+    return app.look("label", re.compile(re.escape(LEAVES)))
+
+
+def test_last_event_is_told(display):
+    with App(display, sliding()) as app:
+        app.click("Play")
+        wait(lambda: app.time() == 2 and not app.is_playing(), "the end")
+        check_equal(app.find_text(LEAVES).name, f"1 s: {LEAVES}", "what is told at the end")
+        app.seek(0.25)
+        wait(lambda: told(app) is None, "nothing to be told of before it happens")
+        app.seek(0.75)
+        wait(lambda: told(app), "it to be told of again")
+        app.click("Reset to the Start")
+        wait(lambda: told(app) is None, "nothing to be told of before a run")
+
+
+def test_time_line_is_marked_where_something_happens(display):
+    with App(display, sliding()) as app:
+        app.click("Play")
+        wait(lambda: app.time() == 2 and not app.is_playing(), "the end")
+        line = app.find("slider", "Time line")
+        wait(lambda: line.refreshed().description == f"1 s: {LEAVES}", "the line to be described")
+        app.seek(0.2)
+        x, y, width, height = app.settled(line)
+        app.xdotool("mousemove", 10, 10)
+
+        def marked():
+            """Where something sticks out of the trough, right of the handle (px from the line's left)."""
+            first, picture = width * 0.3, app.picture()
+            rows = [list(picture.pixels((x + first, row, x + width, row + 1))) for row in range(round(y) - 8, round(y))]
+            return {first + place for row in rows for place, pixel in enumerate(row) if pixel != row[-1]}
+
+        wait(marked, "a mark")
+        check_close(sum(marked()) / len(marked()), width / 2, 2, "place of the mark (px), at half of the duration")
+        app.xdotool("mousemove", x + width / 2, y + height / 2)
+        app.find("label", f"1 s: {LEAVES}")
+
+
+def test_line_without_events_says_nothing(display):
+    with App(display, scene(mass("Ball", 0, 3), GRAVITY, duration=1)) as app:
+        app.click("Play")
+        wait(lambda: app.time() == 1 and not app.is_playing(), "the end")
+        check_equal(app.find("slider", "Time line").description, "", "description of the line")
+
+
+if __name__ == "__main__":
+    main()
