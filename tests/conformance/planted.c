@@ -509,6 +509,35 @@ static const TinkerPropertyType pull_properties[] = {
     {TINKER_REAL_PROPERTY("damping", "Damping", "Pull", TINKER_DIMENSION_DAMPING), TINKER_NOT_NEGATIVE(0, 2),
      .default_value = {1}, .symbol = "c", .description = "How it resists"},
 };
+/* Other faults are of the code, which a law would show as well. */
+#if defined(PLANT_none)
+#define PULL_LAW TINKER_EQUATION("tension", "k*(L - L0) + c*rate", NULL, TINKER_DIMENSION_FORCE)
+#elif defined(PLANT_law_value)
+#define PULL_LAW TINKER_EQUATION("tension", "k*(L - L0) + 1.000001*c*rate", NULL, TINKER_DIMENSION_FORCE)
+#elif defined(PLANT_law_unit)
+#define PULL_LAW                                                                                                       \
+    TINKER_EQUATION("e", "L - L0", "extension", TINKER_DIMENSION_VELOCITY),                                            \
+        TINKER_EQUATION("tension", "k*(L - L0) + c*rate", NULL, TINKER_DIMENSION_FORCE)
+#elif defined(PLANT_law_potential)
+#define PULL_LAW TINKER_EQUATION("tension", "k*(L - L0) + c*rate", NULL, TINKER_DIMENSION_FORCE)
+#elif defined(PLANT_law_text)
+#define PULL_LAW TINKER_EQUATION("tension", "k*(L - LO) + c*rate", NULL, TINKER_DIMENSION_FORCE)
+#elif defined(PLANT_law_missing)
+#define PULL_LAW TINKER_EQUATION("e", "L - L0", "extension", TINKER_DIMENSION_LENGTH)
+#endif
+#if defined(PULL_LAW)
+static const TinkerLawEquation pull_law[] = {
+    PULL_LAW,
+#if defined(PLANT_none)
+    TINKER_EQUATION("potential", "k*(L - L0)^2/2", NULL, TINKER_DIMENSION_ENERGY),
+#elif defined(PLANT_law_potential)
+    TINKER_EQUATION("potential", "k*(L - L0)^2", NULL, TINKER_DIMENSION_ENERGY),
+#endif
+};
+#define PULL_LAW_SPAN TINKER_SPAN(pull_law)
+#else
+#define PULL_LAW_SPAN TINKER_NO_SPAN
+#endif
 static const TinkerPropertyType follow_properties[] = {
     {TINKER_REAL_PROPERTY(THRUST_ID, "Thrust", "Follow", TINKER_DIMENSION_FORCE), TINKER_ANY_VALUE(0, -5, 5),
      .default_value = {1}, .description = "How strong the jet is"},
@@ -635,7 +664,7 @@ static const TinkerInterface sway_interfaces[] = {{TINKER_PHYSICS_INTERFACE, &sw
 static const TinkerBlockType blocks[] = {
     {TINKER_BLOCK("planted-pull", "Pull", TINKER_CONNECTOR), .summary = "Pulls", .formula = PULL_FORMULA,
      .least_ends = 2, .most_ends = 2, .end_accepts = ANY, .properties = TINKER_SPAN(pull_properties),
-     .quantities = TINKER_SPAN(quantities), .interfaces = TINKER_SPAN(pull_interfaces)},
+     .quantities = TINKER_SPAN(quantities), .interfaces = TINKER_SPAN(pull_interfaces), .law = PULL_LAW_SPAN},
     {TINKER_BLOCK("planted-pair", "Pair", TINKER_CONNECTOR), .summary = "Pulls two together", .least_ends = 2,
      .most_ends = 2, .end_accepts = ANY, .properties = TINKER_SPAN(pull_properties),
      .interfaces = TINKER_SPAN(pair_interfaces)},

@@ -28,7 +28,7 @@ static const Layer layers[] = {
     {"core/edit", {"edit", "scene", "plugin", "units"}, {"tinker/", "glib"}},
     {"core/analysis", {"analysis", "physics", "numerics", "scene", "plugin", "units"}, {"tinker/", "glib"}},
     {"core/conformance",
-     {"conformance", "physics", "render", "scene", "plugin", "units"},
+     {"conformance", "law", "physics", "render", "scene", "plugin", "units"},
      {"tinker/", "glib", "cairo"}},
     {"host/common",
      {"analysis", "physics", "numerics", "render", "edit", "scene", "plugin", "files", "units"},

@@ -68,6 +68,7 @@ void kit_try_jacobian(KitCheck *check);
 void kit_try_drift(KitCheck *check);
 void kit_try_motion(KitCheck *check);
 void kit_try_linear(KitCheck *check);
+void kit_try_law(KitCheck *check);
 void kit_try_breaks(KitCheck *check);
 void kit_try_dimensions(KitCheck *check);
 void kit_try_memory(KitCheck *check);
