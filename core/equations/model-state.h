@@ -8,6 +8,7 @@
 typedef struct {
     TinkerBlockId block;
     TinkerBodySample at;
+    double acceleration[2]; /* m/s^2, by the record; where it has none, by the forces */
 } TinkerBodyState;
 
 typedef struct {
@@ -16,9 +17,12 @@ typedef struct {
     GArray *forces; /* of TinkerActingForce */
 } TinkerModelState;
 
-/* Inside a sample function of a simulation of this model: takes the state there. (transfer full) */
+/* The columns that a run is to have for that: the accelerations of all bodies. (transfer full) */
+GArray *tinker_model_state_columns(TinkerScene *scene);
+
+/* Inside a sample function of a simulation of this model with these columns: takes the state there. (transfer full) */
 TinkerModelState *tinker_model_state_take(TinkerSimulation *simulation, TinkerModel *model, TinkerScene *scene,
-                                          double time, GError **error);
+                                          double time, const double *values, GError **error);
 void tinker_model_state_free(TinkerModelState *state);
 G_DEFINE_AUTOPTR_CLEANUP_FUNC(TinkerModelState, tinker_model_state_free)
 

@@ -24,6 +24,8 @@ static const TinkerVerb verbs[] = {
     {"convert", "write a scene back in its normal form, in either system of units", tinker_verb_convert},
     {"plan", "tell what is modelled, how it would be stepped and why, and what it would cost", tinker_verb_plan},
     {"equations", "write the equations of motion that a scene stands for", tinker_verb_equations},
+    {"diagram", "list the forces on a body, and what they add up to", tinker_verb_diagram},
+    {"books", "keep the books of bodies: Newton, work and energy, impulse and momentum", tinker_verb_books},
     {"plugins", "list, show, check and describe blocks and methods", tinker_verb_plugins},
     {"trade", "measure speed against accuracy; advise a method and its step", tinker_verb_trade},
     {"modes", "natural frequencies, damping ratios, mode shapes, frequency response", tinker_verb_modes},

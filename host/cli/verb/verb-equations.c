@@ -5,6 +5,7 @@
 #include "cli/command/options.h"
 #include "cli/command/output.h"
 #include "cli/command/run-arguments.h"
+#include "cli/command/state-at.h"
 #include "cli/report/equations-json.h"
 #include "cli/verb/verbs.h"
 #include "equations/write.h"
@@ -45,65 +46,6 @@ static void equations_options_clear(EquationsOptions *options)
 }
 G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC(EquationsOptions, equations_options_clear)
 
-/* What is looked at while the scene runs. */
-typedef struct {
-    TinkerSceneRun run;
-    TinkerScene *scene;
-    TinkerModelState *state;
-} StateJob;
-
-static void state_job_clear(StateJob *job)
-{
-    g_clear_pointer(&job->state, tinker_model_state_free);
-    tinker_scene_run_clear(&job->run);
-}
-G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC(StateJob, state_job_clear)
-
-static gboolean take_state(TinkerSimulation *simulation, double time, G_GNUC_UNUSED const double *values, void *data,
-                           GError **error)
-{
-    StateJob *job = data;
-    g_clear_pointer(&job->state, tinker_model_state_free);
-    job->state = tinker_model_state_take(simulation, job->run.model, job->scene, time, error);
-    return job->state != NULL;
-}
-
-/* Runs the scene to a time; the state there is left in the job. */
-static gboolean run_to(StateJob *job, const TinkerOpenScene *open, const EquationsOptions *options, double time,
-                       GError **error)
-{
-    TinkerRunOptions run;
-    if (!tinker_run_arguments_apply(&options->run, open->scene, &run, error)) return FALSE;
-    if (time > run.duration) {
-        g_set_error(error, TINKER_CLI_ERROR, TINKER_CLI_ERROR_USAGE,
-                    "--at %g: the scene's run lasts %g s (a time from 0 to that)", time, run.duration);
-        return FALSE;
-    }
-    run.at = &time;
-    run.at_count = 1;
-    run.estimate = FALSE;
-    job->scene = open->scene;
-    const TinkerSampleTaker taker = {take_state, NULL, job};
-    return tinker_scene_run_prepare(&job->run, open->scene, &options->run, &run, error) &&
-           tinker_scene_run_go(&job->run, NULL, &taker, error);
-}
-
-/* The blocks that were named, ended by -1. (transfer full) */
-static TinkerBlockId *blocks_named(const EquationsOptions *options, TinkerScene *scene, GError **error)
-{
-    const guint count = g_strv_length(options->blocks);
-    g_autofree TinkerBlockId *blocks = g_new(TinkerBlockId, count + 1);
-    for (guint i = 0; i < count; i++) {
-        blocks[i] = tinker_scene_find_block(scene, options->blocks[i]);
-        if (blocks[i] >= 0) continue;
-        g_set_error(error, TINKER_CLI_ERROR, TINKER_CLI_ERROR_USAGE, "--block \"%s\": the scene has no such block",
-                    options->blocks[i]);
-        return NULL;
-    }
-    blocks[count] = -1;
-    return g_steal_pointer(&blocks);
-}
-
 static gboolean write_equations(const EquationsOptions *options, const TinkerOpenScene *open, GError **error)
 {
     static const char *const formats[] = {"text", "latex", "mathml", "json", NULL};
@@ -116,11 +58,12 @@ static gboolean write_equations(const EquationsOptions *options, const TinkerOpe
     if (!tinker_outputs_add(files, outputs, error)) return FALSE;
     if (options->as != NULL && !tinker_option_choice("as", options->as, formats, &as, error)) return FALSE;
     if (options->at != NULL && !tinker_option_value("at", options->at, seconds, 0, FALSE, &time, error)) return FALSE;
-    if (options->blocks != NULL && (blocks = blocks_named(options, open->scene, error)) == NULL) return FALSE;
+    if (options->blocks != NULL && (blocks = tinker_blocks_named(open->scene, options->blocks, error)) == NULL)
+        return FALSE;
 
-    g_auto(StateJob) job = {0};
-    if (!run_to(&job, open, options, time, error)) return FALSE;
-    g_autoptr(TinkerEquations) equations = tinker_equations_new(open->scene, job.state, error);
+    g_autoptr(TinkerModelState) state = tinker_state_at(open, &options->run, "at", time, error);
+    if (state == NULL) return FALSE;
+    g_autoptr(TinkerEquations) equations = tinker_equations_new(open->scene, state, error);
     if (equations == NULL) return FALSE;
     const char *title = tinker_scene_head(open->scene)->title;
     const TinkerEquationsShown shown = {(TinkerTypesetFormat)as, title[0] != '\0' ? title : open->name, blocks,

@@ -10,6 +10,8 @@ int tinker_verb_check(int argc, char **argv);
 int tinker_verb_convert(int argc, char **argv);
 int tinker_verb_plan(int argc, char **argv);
 int tinker_verb_equations(int argc, char **argv);
+int tinker_verb_diagram(int argc, char **argv);
+int tinker_verb_books(int argc, char **argv);
 int tinker_verb_plugins(int argc, char **argv);
 int tinker_verb_trade(int argc, char **argv);
 int tinker_verb_modes(int argc, char **argv);

@@ -1,0 +1,136 @@
+/* Three accounts, one below the other: what there was, what each force gave, what there is, and what is left over. */
+#include "cli/report/books-report.h"
+#include "cli/report/text-table.h"
+#include "csv-writer.h"
+#include "print.h"
+
+static const TinkerBookEntry *entry_at(const TinkerBooks *books, guint number)
+{
+    return &g_array_index(books->entries, TinkerBookEntry, number);
+}
+
+static void add_number(TinkerTextTable *table, double value)
+{
+    g_autofree char *text = g_strdup_printf("%.6g", value);
+    tinker_text_table_add(table, text);
+}
+
+static void add_row(TinkerTextTable *table, const char *label, const double *values, int count)
+{
+    tinker_text_table_add(table, label);
+    for (int i = 0; i < count; i++)
+        add_number(table, values[i]);
+}
+
+static void heading(FILE *file, const char *text)
+{
+    fputc('\n', file);
+    tinker_print_line(file, "%s", text);
+}
+
+static void write_residual(FILE *file, const TinkerBookBalance *balance, const char *unit)
+{
+    tinker_print_line(file, "  left over: %.2g %s, %.1g of what was moved", balance->residual, unit,
+                      balance->scale > 0 ? ABS(balance->residual) / balance->scale : 0.0);
+}
+
+static void write_newton(const TinkerBooks *books, TinkerScene *scene, FILE *file)
+{
+    g_autoptr(TinkerTextTable) table = tinker_text_table_new("lrr", 2);
+    g_autofree char *title = g_strdup_printf("Newton, at t = %g s (N)", books->to);
+    heading(file, title);
+    for (guint i = 0; i < books->entries->len; i++)
+        if (!entry_at(books, i)->inner)
+            add_row(table, tinker_scene_block_name(scene, entry_at(books, i)->by), entry_at(books, i)->force, 2);
+    add_row(table, "= m a", books->rate, 2);
+    tinker_text_table_write(table, file);
+    write_residual(file, &books->newton, "N");
+}
+
+static void write_energy(const TinkerBooks *books, TinkerScene *scene, FILE *file)
+{
+    g_autoptr(TinkerTextTable) table = tinker_text_table_new("lr", 2);
+    heading(file, "Work and energy (J)");
+    add_row(table, "kinetic energy before", &books->kinetic[0], 1);
+    for (guint i = 0; i < books->entries->len; i++)
+        add_row(table, tinker_scene_block_name(scene, entry_at(books, i)->by), &entry_at(books, i)->work, 1);
+    add_row(table, "= kinetic energy after", &books->kinetic[1], 1);
+    tinker_text_table_write(table, file);
+    write_residual(file, &books->energy, "J");
+}
+
+static void write_momentum(const TinkerBooks *books, TinkerScene *scene, FILE *file)
+{
+    g_autoptr(TinkerTextTable) table = tinker_text_table_new("lrrr", 2);
+    g_autofree char *title = g_strdup_printf("Impulse and momentum (N s in x and y; N m s about (%g, %g))",
+                                             books->about[0], books->about[1]);
+    heading(file, title);
+    const double before[] = {books->momentum[0][0], books->momentum[0][1], books->angular[0]};
+    const double after[] = {books->momentum[1][0], books->momentum[1][1], books->angular[1]};
+    add_row(table, "momentum before", before, 3);
+    for (guint i = 0; i < books->entries->len; i++) {
+        const TinkerBookEntry *entry = entry_at(books, i);
+        const double values[] = {entry->impulse[0], entry->impulse[1], entry->angular};
+        if (!entry->inner) add_row(table, tinker_scene_block_name(scene, entry->by), values, 3);
+    }
+    add_row(table, "= momentum after", after, 3);
+    tinker_text_table_write(table, file);
+    write_residual(file, &books->impulse, "N s");
+    write_residual(file, &books->moment, "N m s");
+}
+
+static void write_impacts(const TinkerBooks *books, TinkerScene *scene, FILE *file)
+{
+    if (books->impacts->len > 0) heading(file, "Impacts, which are in the sums above");
+    for (guint i = 0; i < books->impacts->len; i++) {
+        const TinkerBookImpact *impact = &g_array_index(books->impacts, TinkerBookImpact, i);
+        tinker_print_line(file, "  t = %.6g s: %s on %s gave (%.6g, %.6g) N s and %.6g J", impact->time,
+                          impact->by >= 0 ? tinker_scene_block_name(scene, impact->by) : "several together",
+                          tinker_scene_block_name(scene, impact->on), impact->impulse[0], impact->impulse[1],
+                          impact->work);
+    }
+}
+
+void tinker_books_write_text(const TinkerBooks *books, TinkerScene *scene, const TinkerBlockId *bodies, FILE *file)
+{
+    g_autoptr(GString) names = g_string_new(NULL);
+    for (; *bodies >= 0; bodies++)
+        g_string_append_printf(names, "%s%s", names->len > 0 ? ", " : "", tinker_scene_block_name(scene, *bodies));
+    tinker_print_line(file, "Books of %s, from %g s to %g s", names->str, books->from, books->to);
+    write_newton(books, scene, file);
+    write_energy(books, scene, file);
+    write_momentum(books, scene, file);
+    write_impacts(books, scene, file);
+    gboolean first = TRUE;
+    for (guint i = 0; i < books->entries->len; i++) {
+        if (!entry_at(books, i)->inner) continue;
+        if (first) heading(file, "Between the bodies: forces cancel, and only work counts");
+        first = FALSE;
+        tinker_print_line(file, "  %s", tinker_scene_block_name(scene, entry_at(books, i)->by));
+    }
+}
+
+void tinker_books_write_csv(const TinkerBooks *books, TinkerScene *scene, FILE *file)
+{
+    static const char *const titles[] = {"block",
+                                         "force_x [N]",
+                                         "force_y [N]",
+                                         "work [J]",
+                                         "impulse_x [N s]",
+                                         "impulse_y [N s]",
+                                         "angular_impulse [N m s]"};
+    g_auto(TinkerCsvWriter) writer = tinker_csv_writer_record(file);
+    for (gsize i = 0; i < G_N_ELEMENTS(titles); i++)
+        tinker_csv_text(&writer, titles[i]);
+    tinker_csv_end_row(&writer);
+    for (guint i = 0; i < books->entries->len; i++) {
+        const TinkerBookEntry *entry = entry_at(books, i);
+        const double outer = entry->inner ? 0 : 1; /* what cancels counts as nothing */
+        const double values[] = {outer * entry->force[0],   outer * entry->force[1],   entry->work,
+                                 outer * entry->impulse[0], outer * entry->impulse[1], outer * entry->angular};
+        tinker_csv_text(&writer, tinker_scene_block_name(scene, entry->by));
+        for (gsize k = 0; k < G_N_ELEMENTS(values); k++)
+            tinker_csv_number(&writer, values[k]);
+        tinker_csv_end_row(&writer);
+    }
+}

@@ -1,0 +1,98 @@
+/* tinker diagram: the free-body diagram of a body, and its kinetic diagram. */
+#include "cli/command/open-scene.h"
+#include "cli/command/options.h"
+#include "cli/command/output.h"
+#include "cli/command/run-arguments.h"
+#include "cli/command/state-at.h"
+#include "cli/report/diagram-report.h"
+#include "cli/verb/verbs.h"
+#include "exit-status.h"
+#include "print.h"
+
+static const TinkerVerbHelp help = {
+    .verb = "diagram",
+    .operands = "SCENE",
+    .summary =
+        "Lists every force on a body at a time, each with the block that it comes from and the block on which its\n"
+        "opposite acts (the free-body diagram), and mass times acceleration, which they add up to (the kinetic one).\n"
+        "Of several bodies together only forces from outside are listed; of a support what acts on it.",
+    .examples = "  tinker diagram pendulum.tinker.json --block \"Mass 0\"\n"
+                "  tinker diagram pendulum.tinker.json --block \"Mass 0\" --time 1.5 --as json\n"
+                "  tinker diagram double-pendulum.tinker.json --block \"Mass 0\" --block \"Mass 1\"",
+    .least_operands = 1,
+    .most_operands = 1,
+};
+
+typedef struct {
+    TinkerRunArguments run;
+    char *time, *as, *output;
+    char **blocks;
+} DiagramOptions;
+
+static void diagram_options_clear(DiagramOptions *options)
+{
+    tinker_run_arguments_clear(&options->run);
+    g_free(options->time);
+    g_free(options->as);
+    g_free(options->output);
+    g_strfreev(options->blocks);
+}
+G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC(DiagramOptions, diagram_options_clear)
+
+static gboolean write_diagram(const DiagramOptions *options, const TinkerOpenScene *open, GError **error)
+{
+    static const char *const formats[] = {"text", "json", NULL};
+    static const TinkerDimension seconds = TINKER_DIMENSION_TIME;
+    const TinkerAskedOutput outputs[] = {{"--output", options->output}, {NULL, NULL}};
+    g_autoptr(TinkerFileSet) files = tinker_open_scene_files(open);
+    int as = 0;
+    double time = 0;
+    if (options->blocks == NULL) {
+        g_set_error(error, TINKER_CLI_ERROR, TINKER_CLI_ERROR_USAGE,
+                    "a body is needed (as in --block \"Mass 0\"; given several times, of these together)");
+        return FALSE;
+    }
+    if (!tinker_outputs_add(files, outputs, error)) return FALSE;
+    if (options->as != NULL && !tinker_option_choice("as", options->as, formats, &as, error)) return FALSE;
+    if (options->time != NULL && !tinker_option_value("time", options->time, seconds, 0, FALSE, &time, error))
+        return FALSE;
+    g_autofree TinkerBlockId *blocks = tinker_blocks_named(open->scene, options->blocks, error);
+    if (blocks == NULL) return FALSE;
+    g_autoptr(TinkerModelState) state = tinker_state_at(open, &options->run, "time", time, error);
+    if (state == NULL) return FALSE;
+    g_autoptr(TinkerDiagram) diagram = tinker_diagram_new(open->scene, state, blocks, error);
+    g_auto(TinkerOutput) output = {0};
+    if (diagram == NULL || !tinker_output_open(&output, options->output != NULL ? options->output : "-", error))
+        return FALSE;
+    if (as == 0) {
+        tinker_diagram_write_text(diagram, open->scene, blocks, output.file);
+    } else {
+        g_autofree char *text = tinker_diagram_json(diagram, open->scene, blocks);
+        tinker_print_text(output.file, text);
+    }
+    return tinker_output_close(&output, error);
+}
+
+int tinker_verb_diagram(int argc, char **argv)
+{
+    g_auto(DiagramOptions) options = {0};
+    const GOptionEntry entries[] = {
+        {"block", 0, 0, G_OPTION_ARG_FILENAME_ARRAY, &options.blocks,
+         "Of this body; given several times, of these together", "NAME"},
+        {"time", 0, 0, G_OPTION_ARG_FILENAME, &options.time, "Run the scene up to this time first (0)", "S"},
+        {"as", 0, 0, G_OPTION_ARG_FILENAME, &options.as, "text or json (text)", "FORMAT"},
+        {"output", 'o', 0, G_OPTION_ARG_FILENAME, &options.output, "Write to FILE (standard output)", "FILE"},
+        TINKER_RUN_METHOD_ENTRIES(options.run),
+        TINKER_RUN_ACCURACY_ENTRY(options.run),
+        G_OPTION_ENTRY_NULL,
+    };
+    g_auto(TinkerCommandLine) line = {0};
+    int status = TINKER_EXIT_DONE;
+    if (!tinker_command_line_read(&line, &help, entries, argc, argv, &status)) return status;
+
+    g_auto(TinkerOpenScene) open = {0};
+    status = tinker_open_scene(&open, line.plugin_folders, line.operands[0]);
+    if (status != TINKER_EXIT_DONE) return status;
+    g_autoptr(GError) error = NULL;
+    return write_diagram(&options, &open, &error) ? TINKER_EXIT_DONE : tinker_open_scene_report_error(&open, error);
+}
