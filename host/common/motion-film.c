@@ -86,6 +86,7 @@ static gboolean place_picture(TinkerMotionFilm *motion, gsize picture, GError **
     for (guint i = 0; i < motion->bodies->len; i++)
         tinker_frame_place(motion->frame, g_array_index(motion->bodies, TinkerBlockId, i), row[3 * i + 1],
                            row[3 * i + 2], row[3 * i + 3]);
+    tinker_frame_note_paths(motion->frame);
     return TRUE;
 }
 

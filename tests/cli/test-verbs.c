@@ -358,7 +358,7 @@ static void test_plugins(CliFixture *fixture, gconstpointer data)
 {
     g_autoptr(TestProgram) list = cli_run_well(fixture, "plugins");
     static const char *const types[] = {"mass",  "support",        "spring",  "damper", "rod",
-                                        "motor", "support-motion", "gravity", "wind"};
+                                        "motor", "support-motion", "gravity", "wind",   "marker"};
     for (gsize i = 0; i < G_N_ELEMENTS(types); i++) {
         g_autofree char *row = g_strdup_printf("\n%s ", types[i]);
         cli_assert_holds(list->output, row);

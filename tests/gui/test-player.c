@@ -15,6 +15,12 @@
     "{'type': 'mass', 'name': 'M', 'position': [0, 1]},"                                                               \
     "{'type': 'spring', 'name': 'K', 'ends': ['S', 'M'], 'stiffness': 25, 'rest_length': 2}]"
 
+#define MARKED_OSCILLATOR                                                                                              \
+    "'blocks': ["                                                                                                      \
+    "{'type': 'support', 'name': 'S', 'position': [0, 4], 'orientation': '180 deg'},"                                  \
+    "{'type': 'mass', 'name': 'M', 'position': [0, 1]}, {'type': 'marker', 'name': 'P', 'ends': ['M']},"               \
+    "{'type': 'spring', 'name': 'K', 'ends': ['S', 'M'], 'stiffness': 25, 'rest_length': 2}]"
+
 typedef struct {
     GuiFixture *base;
     TinkerDocument *document;
@@ -236,6 +242,47 @@ static void test_change_on_the_way(void)
     assert_close(height(fixture), 2 - cos(OMEGA * 0.5), CLOSE);
 }
 
+/* A marker's path up to now. */
+static const double *path_of(Fixture *fixture, int32_t *count)
+{
+    TinkerInstance instance;
+    tinker_frame_instance(tinker_player_frame(fixture->player), gui_fixture_block(fixture->base, "P"), &instance);
+    *count = instance.path_count;
+    return instance.path;
+}
+
+/* The path is that of all samples up to the time shown, wherever one seeks to, and over a change on the way. */
+static void test_path(void)
+{
+    g_autoptr(Fixture) fixture = fixture_new("'run': {'duration': 4, 'interval': 0.01}, " MARKED_OSCILLATOR);
+    static const double stops[] = {1.005, 3.2, 0.5, 2};
+    int32_t count;
+    path_of(fixture, &count);
+    g_assert_cmpint(count, ==, 0);
+    play(fixture);
+    wait_until(fixture, 4);
+    for (gsize i = 0; i < G_N_ELEMENTS(stops); i++) {
+        tinker_player_seek(fixture->player, stops[i]);
+        const double *path = path_of(fixture, &count);
+        g_assert_cmpint(count, ==, (int)floor(100 * stops[i] + 1e-6) + 1);
+        for (int32_t k = 0; k < count; k++)
+            assert_close(path[2 * k + 1], 2 - cos(OMEGA * 0.01 * k), CLOSE);
+    }
+    tinker_player_pause(fixture->player);
+    gui_fixture_set(fixture->base, "K", "stiffness", 0, 0); /* from here on straight on */
+    wait_until(fixture, 4);
+    tinker_player_seek(fixture->player, 3);
+    const double *path = path_of(fixture, &count);
+    g_assert_cmpint(count, ==, 301);
+    for (int32_t k = 0; k < count; k++) {
+        const double t = 0.01 * k, after = fmax(t - 2, 0);
+        assert_close(path[2 * k + 1], 2 - cos(OMEGA * (t - after)) + OMEGA * sin(OMEGA * 2) * after, CLOSE);
+    }
+    tinker_player_reset(fixture->player);
+    path_of(fixture, &count);
+    g_assert_cmpint(count, ==, 0);
+}
+
 /* A start that was edited takes back to it. */
 static void test_rewinds(void)
 {
@@ -400,6 +447,7 @@ static void add_tests(void)
     g_test_add_func("/player/step-and-seek", test_step_and_seek);
     g_test_add_func("/player/steps-in-a-row", test_steps_in_a_row);
     g_test_add_func("/player/change-on-the-way", test_change_on_the_way);
+    g_test_add_func("/player/path", test_path);
     g_test_add_func("/player/rewinds", test_rewinds);
     g_test_add_func("/player/drawing-goes-on", test_drawing_goes_on);
     g_test_add_func("/player/series", test_series);

@@ -7,7 +7,7 @@
 
 #include <tinker/sdk.h>
 
-/* All nine, ended by NULL. */
+/* All, ended by NULL. */
 extern const char *const block_names[];
 
 /* Path of the library of a block, in the folder that the environment variable TINKER_TEST_PLUGINS names.

@@ -98,6 +98,7 @@ static const struct { const char *block, *quantities; } expected_quantities[] = 
     {"support-motion", "displacement velocity acceleration"},
     {"gravity", "potential_energy"},
     {"wind", "power"},
+    {"marker", "+x +y +vx +vy speed ax ay"},
 };
 /* clang-format on */
 
@@ -161,7 +162,7 @@ static void test_plugin(gconstpointer data)
     const TinkerBlockType *block = block_open(data);
     g_assert_cmpstr(block->id, ==, data);
     g_assert_cmpuint(block->struct_size, ==, sizeof(TinkerBlockType));
-    g_assert_nonnull(block->formula);
+    g_assert_true((block->formula != NULL) == (block_interface(block, TINKER_PHYSICS_INTERFACE) != NULL));
     g_assert_nonnull(block->summary);
 }
 
@@ -174,8 +175,9 @@ static int roles(const TinkerPhysics *physics)
 static void test_interfaces(gconstpointer data)
 {
     const TinkerBlockType *block = block_open(data);
-    g_assert_cmpint(block->interfaces.count, ==, 5);
-    g_assert_cmpint(roles(block_physics(block)), ==, 1);
+    const gboolean acts = block_interface(block, TINKER_PHYSICS_INTERFACE) != NULL; /* a marker has no physics */
+    g_assert_cmpint(block->interfaces.count, ==, acts ? 5 : 4);
+    g_assert_cmpint(acts ? roles(block_physics(block)) : 1, ==, 1);
     const TinkerRender *render = block_interface(block, TINKER_RENDER_INTERFACE);
     const TinkerEdit *edit = block_interface(block, TINKER_EDIT_INTERFACE);
     const TinkerGraph *graph = block_interface(block, TINKER_GRAPH_INTERFACE);
@@ -276,6 +278,7 @@ static void test_ends(void)
         {"support-motion", "motion", 1, TINKER_ACCEPTS_SUPPORT},
         {"gravity", "field", 0, 0},
         {"wind", "field", 0, 0},
+        {"marker", "measure", 1, both},
     };
     for (size_t i = 0; i < G_N_ELEMENTS(rows); i++) {
         const TinkerBlockType *block = block_open(rows[i].block);

@@ -104,6 +104,17 @@ static void text(const TinkerStyle *style, struct _cairo *cairo, int32_t colour,
     touch(recorder, x, y, 0.5 * SYMBOL * (double)strlen(string));
 }
 
+/* As one note from its first point to its last. */
+static void polyline(const TinkerStyle *style, struct _cairo *cairo, int32_t colour, const double *points,
+                     int32_t count)
+{
+    const double *last = &points[2 * (count - 1)];
+    take(recorder_of(style), (Note){"polyline", colour, 0, points[0], points[1], last[0], last[1], count});
+    for (int32_t k = 0; k < count; k++) {
+        touch(recorder_of(style), points[2 * k], points[2 * k + 1], 0);
+    }
+}
+
 static void recorder_init(Recorder *recorder)
 {
     *recorder = (Recorder){.style = {.struct_size = sizeof(TinkerStyle),
@@ -122,7 +133,8 @@ static void recorder_init(Recorder *recorder)
                                      .arrow = arrow,
                                      .end_mark = end_mark,
                                      .circle = circle,
-                                     .text = text}};
+                                     .text = text,
+                                     .polyline = polyline}};
     tinker_bounds_clear(recorder->box);
 }
 
@@ -200,6 +212,25 @@ static void test_connector(gconstpointer data)
     g_assert_cmpfloat(note(&stage, "end_mark", 1)->x1, ==, 4);
     stage.ends[1] = stage.ends[0];
     draw(&stage);
+}
+
+/* A ring about its end; behind it the path, which goes on to where it is now. */
+static void test_marker(void)
+{
+    const double path[6] = {-7, 3, 2, 8, 1, 5};
+    Stage stage;
+    stage_init(&stage, "marker");
+    draw(&stage);
+    g_assert_cmpfloat(note(&stage, "circle", 0)->x1, ==, 1);
+    g_assert_cmpfloat(note(&stage, "circle", 0)->y1, ==, 2);
+    g_assert_cmpint(note(&stage, "circle", 0)->colour, ==, -1);
+    g_assert_cmpint(stage.recorder.count, ==, 6); /* with four ticks, and the mark of its end */
+    stage.instance.path = path;
+    stage.instance.path_count = 3;
+    draw(&stage);
+    g_assert_cmpfloat(note(&stage, "polyline", 0)->number, ==, 3);
+    assert_line(note(&stage, "polyline", 0), -7, 3, 1, 5);
+    assert_line(note(&stage, "polyline", 1), 1, 5, 1, 2);
 }
 
 /* Red, black, blue; black within a millionth of the rest length. The spring is 5 m long. */
@@ -345,6 +376,7 @@ int main(int argc, char **argv)
     g_test_add_func("/plugins/drawing/mass", test_mass);
     g_test_add_func("/plugins/drawing/support", test_support);
     g_test_add_func("/plugins/drawing/motor", test_motor);
+    g_test_add_func("/plugins/drawing/marker", test_marker);
     g_test_add_func("/plugins/drawing/support-motion", test_support_motion);
     g_test_add_func("/plugins/drawing/fields", test_fields);
     return g_test_run();

@@ -158,6 +158,30 @@ static void test_motor_and_motion(void)
     }
 }
 
+/* Its place is that in the world, though points come relative to an origin. */
+static void test_marker(void)
+{
+    const TinkerPoint end = {5, 2, 3, -4};
+    const double acceleration[2] = {7, 8};
+    const TinkerGraphInput input = {
+        .struct_size = sizeof(TinkerGraphInput), .ends = &end, .accelerations = acceleration};
+    g_autoptr(BlockBatch) marker = block_batch_new(block_open("marker"), 1);
+    static const struct {
+        const char *id;
+        double value;
+    } rows[] = {{"x", 1005}, {"y", -1998}, {"vx", 3}, {"vy", -4}, {"speed", 5}, {"ax", 7}, {"ay", 8}};
+    const TinkerGraph *graph = block_interface(marker->block, TINKER_GRAPH_INTERFACE);
+    for (size_t k = 0; k < G_N_ELEMENTS(rows); k++) {
+        TinkerBatch view = block_batch_view(marker, 0, 1);
+        double value;
+        view.origin[0] = 1000;
+        view.origin[1] = -2000;
+        const int32_t number = block_quantity_number(marker->block, rows[k].id);
+        g_assert_cmpint(graph->values(&view, &input, number, &value), ==, TINKER_OK);
+        g_assert_cmpfloat(value, ==, rows[k].value);
+    }
+}
+
 static void test_fields(void)
 {
     const TinkerPoint bodies[2] = {{5, 2, 3, 0}, {7, -1, 0, 1}};
@@ -185,6 +209,7 @@ int main(int argc, char **argv)
     g_test_add_func("/plugins/quantities/connectors", test_connectors);
     g_test_add_func("/plugins/quantities/coinciding-ends", test_coinciding_ends);
     g_test_add_func("/plugins/quantities/motor-and-motion", test_motor_and_motion);
+    g_test_add_func("/plugins/quantities/marker", test_marker);
     g_test_add_func("/plugins/quantities/fields", test_fields);
     return g_test_run();
 }

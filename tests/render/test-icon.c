@@ -88,7 +88,8 @@ static void test_colours(void)
                   {"motor", TINKER_COLOUR_FORCE},
                   {"gravity", TINKER_COLOUR_FIELD},
                   {"wind", TINKER_COLOUR_FIELD},
-                  {"support-motion", TINKER_COLOUR_MOTION}};
+                  {"support-motion", TINKER_COLOUR_MOTION},
+                  {"marker", TINKER_COLOUR_MOTION}};
     TinkerCatalogue *catalogue = scene_fixture_catalogue();
     for (gsize i = 0; i < G_N_ELEMENTS(wanted); i++)
         for (const char *const *theme = tinker_theme_ids(); *theme; theme++) {

@@ -145,8 +145,35 @@ static void test_lying_bodies(void)
     }
 }
 
+/* What was noted up to the frame's time, and no time twice; a block that leaves none has none. */
+static void test_paths(void)
+{
+    g_autoptr(TinkerScene) scene =
+        scene_fixture_read_blocks(TWO_MASSES ", {\"type\": \"marker\", \"name\": \"M\", \"ends\": [\"B\"]}");
+    g_autoptr(TinkerFrame) frame = tinker_frame_new(scene, NULL);
+    TinkerBlockId mass = tinker_scene_find_block(scene, "B"), marker = tinker_scene_find_block(scene, "M");
+    TinkerInstance instance;
+    g_assert_true(tinker_frame_leaves_paths(frame));
+    for (int k = 0; k < 5; k++) {
+        g_assert_true(tinker_frame_set_time(frame, k, NULL));
+        tinker_frame_place(frame, mass, k, k * k, 0);
+        tinker_frame_note_paths(frame);
+        tinker_frame_note_paths(frame);
+    }
+    for (int k = 4; k >= 0; k--) {
+        g_assert_true(tinker_frame_set_time(frame, k + 0.5, NULL));
+        g_assert_true(tinker_frame_instance(frame, marker, &instance));
+        g_assert_cmpint(instance.path_count, ==, k + 1);
+        g_assert_cmpfloat(instance.path[2 * k], ==, k);
+        g_assert_cmpfloat(instance.path[2 * k + 1], ==, k * k);
+        g_assert_true(tinker_frame_instance(frame, mass, &instance));
+        g_assert_true(instance.path == NULL && instance.path_count == 0);
+    }
+}
+
 static void add_tests(void)
 {
+    g_test_add_func("/scene/frame/paths", test_paths);
     g_test_add_func("/scene/frame/lying-bodies", test_lying_bodies);
     g_test_add_func("/scene/frame/quantity", test_quantity);
     g_test_add_func("/scene/frame/side-by-side", test_side_by_side);

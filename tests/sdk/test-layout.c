@@ -28,7 +28,7 @@ SIZE(TinkerBlockType, 144) AT(TinkerBlockType, struct_size, 0) AT(TinkerBlockTyp
 AT(TinkerBlockType, id, 8) AT(TinkerBlockType, title, 16) AT(TinkerBlockType, category, 24)
 AT(TinkerBlockType, summary, 32) AT(TinkerBlockType, formula, 40) AT(TinkerBlockType, icon_path, 48)
 AT(TinkerBlockType, help_link, 56) AT(TinkerBlockType, least_ends, 64) AT(TinkerBlockType, most_ends, 68)
-AT(TinkerBlockType, end_accepts, 72) AT(TinkerBlockType, reserved, 76) AT(TinkerBlockType, properties, 80)
+AT(TinkerBlockType, end_accepts, 72) AT(TinkerBlockType, flags, 76) AT(TinkerBlockType, properties, 80)
 AT(TinkerBlockType, quantities, 96) AT(TinkerBlockType, interfaces, 112) AT(TinkerBlockType, law, 128)
 
 SIZE(TinkerBatch, 80) AT(TinkerBatch, struct_size, 0) AT(TinkerBatch, first, 4) AT(TinkerBatch, count, 8)
@@ -58,9 +58,10 @@ SIZE(TinkerGraph, 16) AT(TinkerGraph, struct_size, 0) AT(TinkerGraph, reserved, 
 
 /* instance.h */
 SIZE(TinkerEnd, 24) AT(TinkerEnd, x, 0) AT(TinkerEnd, y, 8) AT(TinkerEnd, attached, 16) AT(TinkerEnd, reserved, 20)
-SIZE(TinkerInstance, 72) AT(TinkerInstance, struct_size, 0) AT(TinkerInstance, ends, 4) AT(TinkerInstance, name, 8)
+SIZE(TinkerInstance, 88) AT(TinkerInstance, struct_size, 0) AT(TinkerInstance, ends, 4) AT(TinkerInstance, name, 8)
 AT(TinkerInstance, columns, 16) AT(TinkerInstance, end, 24) AT(TinkerInstance, x, 32) AT(TinkerInstance, y, 40)
 AT(TinkerInstance, orientation, 48) AT(TinkerInstance, time, 56) AT(TinkerInstance, symbol_size, 64)
+AT(TinkerInstance, path, 72) AT(TinkerInstance, path_count, 80) AT(TinkerInstance, reserved, 84)
 
 /* integrator.h */
 SIZE(TinkerPattern, 24) AT(TinkerPattern, size, 0) AT(TinkerPattern, entries, 4) AT(TinkerPattern, row_starts, 8)
@@ -141,12 +142,12 @@ AT(TinkerPlugin, home_page, 56) AT(TinkerPlugin, blocks, 64) AT(TinkerPlugin, in
 AT(TinkerPlugin, services, 96) AT(TinkerPlugin, init, 112)
 
 /* render.h */
-SIZE(TinkerStyle, 648) AT(TinkerStyle, struct_size, 0) AT(TinkerStyle, state, 4) AT(TinkerStyle, pixel, 8)
+SIZE(TinkerStyle, 656) AT(TinkerStyle, struct_size, 0) AT(TinkerStyle, state, 4) AT(TinkerStyle, pixel, 8)
 AT(TinkerStyle, line_width, 16) AT(TinkerStyle, symbol_size, 24) AT(TinkerStyle, view, 32)
 AT(TinkerStyle, transform, 64) AT(TinkerStyle, colours, 112) AT(TinkerStyle, context, 560) AT(TinkerStyle, line, 568)
 AT(TinkerStyle, box, 576) AT(TinkerStyle, hatch, 584) AT(TinkerStyle, coil, 592) AT(TinkerStyle, dashpot, 600)
 AT(TinkerStyle, bar, 608) AT(TinkerStyle, arrow, 616) AT(TinkerStyle, end_mark, 624) AT(TinkerStyle, circle, 632)
-AT(TinkerStyle, text, 640)
+AT(TinkerStyle, text, 640) AT(TinkerStyle, polyline, 648)
 SIZE(TinkerRender, 24) AT(TinkerRender, struct_size, 0) AT(TinkerRender, layer, 4) AT(TinkerRender, draw, 8)
 AT(TinkerRender, bounds, 16)
 

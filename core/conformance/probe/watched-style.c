@@ -75,6 +75,14 @@ static void watched_text(const TinkerStyle *style, struct _cairo *cairo, int32_t
     plain.text(style, cairo, colour, x, y, text);
 }
 
+static void watched_polyline(const TinkerStyle *style, struct _cairo *cairo, int32_t colour, const double *points,
+                             int32_t count)
+{
+    for (int32_t i = 0; i < count; i++)
+        LOOK("polyline", "x, y", points[2 * i], points[2 * i + 1]);
+    plain.polyline(style, cairo, colour, points, count);
+}
+
 void kit_style_watch(TinkerStyle *style)
 {
     plain = *style;
@@ -89,6 +97,7 @@ void kit_style_watch(TinkerStyle *style)
     style->end_mark = watched_end_mark;
     style->circle = watched_circle;
     style->text = watched_text;
+    style->polyline = watched_polyline;
 }
 
 char *kit_style_seen(void)

@@ -16,11 +16,13 @@
 #define SYMBOL 0.25 /* m */
 #define FAINT  40   /* of 255: less is the edge of something else */
 #define ROUNDS 12
+#define PATH   9 /* places of a path */
 
 typedef struct {
     KitState *state; /* one instance */
     double columns[256];
     TinkerEnd ends[16];
+    double path[2 * PATH];
     TinkerInstance instance;
     TinkerView view;
     TinkerStyleBrush brush;
@@ -37,7 +39,11 @@ static double meaning(const Picture *picture, int32_t number, int component, dou
     return column < 0 ? otherwise : picture->columns[column + component];
 }
 
-static void set_instance(KitCheck *check, Picture *picture)
+typedef void (*Look)(KitCheck *check, const Picture *picture);
+
+static void look_for_hits(KitCheck *check, const Picture *picture);
+
+static void set_instance(KitCheck *check, Picture *picture, Look look)
 {
     const KitState *state = picture->state;
     const gboolean body = state->block_class->physics != NULL && state->block_class->physics->body != NULL;
@@ -65,6 +71,12 @@ static void set_instance(KitCheck *check, Picture *picture)
                                          .orientation = meaning(picture, TINKER_MEANING_ORIENTATION, 0, 0),
                                          .time = state->time,
                                          .symbol_size = SYMBOL};
+    /* A path need not be hit: what moves would lie under its own. */
+    if ((state->block_class->type->flags & TINKER_LEAVES_PATH) == 0 || look == look_for_hits) return;
+    for (int32_t k = 0; k < 2 * PATH; k++)
+        picture->path[k] = g_rand_double_range(check->random, -8, 8);
+    picture->instance.path = picture->path;
+    picture->instance.path_count = PATH;
 }
 
 /* Where it offers none, the box about the ends or the body's size. */
@@ -115,8 +127,6 @@ static gboolean is_inside(const double *bounds, double x, double y, double slack
 {
     return x >= bounds[0] - slack && y >= bounds[1] - slack && x <= bounds[2] + slack && y <= bounds[3] + slack;
 }
-
-typedef void (*Look)(KitCheck *check, const Picture *picture);
 
 static void look_for_ink(KitCheck *check, const Picture *picture)
 {
@@ -179,7 +189,7 @@ static void try_picture(KitCheck *check, KitState *state, Look look)
 {
     Picture *picture = g_new0(Picture, 1);
     picture->state = state;
-    set_instance(check, picture);
+    set_instance(check, picture, look);
     draw(check, picture);
     if (!kit_decided(check)) look(check, picture);
     cairo_restore(picture->cairo);

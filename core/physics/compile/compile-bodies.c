@@ -40,7 +40,7 @@ static gboolean *find_reach(const TinkerModel *model)
         gboolean can_move = body_of(batch) != NULL && body_of(batch)->degrees_of_freedom > 0;
         for (int32_t row = 0; row < batch->count; row++, number++)
             within[number] |= can_move;
-        for (int32_t e = 0; (physics == NULL || physics->motion == NULL) && e < batch->end_count; e++)
+        for (int32_t e = 0; physics != NULL && physics->motion == NULL && e < batch->end_count; e++)
             within[tinker_block_index_find(model->numbers, batch->end[e].block)] = TRUE;
     }
     return within;

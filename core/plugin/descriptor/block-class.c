@@ -8,8 +8,8 @@
 #include "plugin/trust/refuse.h"
 #include "units/units.h"
 
-static const char *const categories[] = {TINKER_CONNECTABLE, TINKER_CONNECTOR, TINKER_FORCE,
-                                         TINKER_MOTION,      TINKER_FIELD,     NULL};
+static const char *const categories[] = {TINKER_CONNECTABLE, TINKER_CONNECTOR, TINKER_FORCE,   TINKER_MOTION,
+                                         TINKER_FIELD,       TINKER_ROPE,      TINKER_MEASURE, NULL};
 
 static gboolean check_category(const char *category, GError **error)
 {

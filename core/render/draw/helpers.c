@@ -3,6 +3,7 @@
 #include "render/draw/strokes.h"
 
 #include <math.h>
+#include <string.h>
 
 #define HATCH_SHARE       0.5 /* of the symbol size: length and distance of hatch strokes */
 #define HEAD_LENGTH       0.8 /* likewise: of arrow heads */
@@ -14,6 +15,7 @@
 #define LEAST_DOT_UNITS   2.5
 #define LEAST_TEXT_SHARE  0.3 /* of its full size: where symbols are smaller on the canvas, texts are left out */
 #define LEAST_HATCH_UNITS 3.0
+#define LEAST_SEGMENT     0.5 /* device pixels */
 
 void tinker_helper_line(const TinkerStyle *style, cairo_t *cairo, int32_t colour, double x1, double y1, double x2,
                         double y2)
@@ -25,6 +27,34 @@ void tinker_helper_line(const TinkerStyle *style, cairo_t *cairo, int32_t colour
     cairo_move_to(cairo, x1 + from * ux, y1 + from * uy);
     cairo_line_to(cairo, to < length ? x1 + to * ux : x2, to < length ? y1 + to * uy : y2);
     tinker_style_stroke(style, cairo, colour, 1);
+}
+
+/* Points nearer to the last one drawn than half a pixel are passed over, so that a path of any number of points costs
+ * what can be seen of it; what lies wholly beside the view is left out. */
+void tinker_helper_polyline(const TinkerStyle *style, cairo_t *cairo, int32_t colour, const double *points,
+                            int32_t count)
+{
+    const double least = LEAST_SEGMENT * style->pixel;
+    double last[2] = {NAN, NAN}, drawn[2] = {NAN, NAN};
+    for (int32_t i = 0; i < count; i++) {
+        const double line[4] = {last[0], last[1], points[2 * i], points[2 * i + 1]};
+        double from, to;
+        const gboolean first = isnan(last[0]);
+        if (!tinker_style_finite(line + 2, 2)) continue;
+        if (!first && i + 1 < count && hypot(line[2] - last[0], line[3] - last[1]) < least) continue;
+        if (!first && tinker_style_clip(style, line, &from, &to)) {
+            const double length = hypot(line[2] - line[0], line[3] - line[1]);
+            const double ux = length > 0 ? (line[2] - line[0]) / length : 0;
+            const double uy = length > 0 ? (line[3] - line[1]) / length : 0;
+            if (from > 0 || drawn[0] != line[0] || drawn[1] != line[1])
+                cairo_move_to(cairo, line[0] + from * ux, line[1] + from * uy);
+            memcpy(drawn, line + 2, sizeof drawn);
+            if (to < length) drawn[0] = NAN;
+            cairo_line_to(cairo, to < length ? line[0] + to * ux : line[2], to < length ? line[1] + to * uy : line[3]);
+        }
+        memcpy(last, line + 2, sizeof last);
+    }
+    tinker_style_stroke(style, cairo, colour, 0.7);
 }
 
 void tinker_helper_circle(const TinkerStyle *style, cairo_t *cairo, int32_t fill, int32_t edge, double x, double y,

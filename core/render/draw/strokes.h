@@ -47,6 +47,8 @@ void tinker_helper_end_mark(const TinkerStyle *style, cairo_t *cairo, double x, 
 void tinker_helper_circle(const TinkerStyle *style, cairo_t *cairo, int32_t fill, int32_t edge, double x, double y,
                           double radius);
 void tinker_helper_text(const TinkerStyle *style, cairo_t *cairo, int32_t colour, double x, double y, const char *text);
+void tinker_helper_polyline(const TinkerStyle *style, cairo_t *cairo, int32_t colour, const double *points,
+                            int32_t count);
 void tinker_helper_coil(const TinkerStyle *style, cairo_t *cairo, int32_t colour, double x1, double y1, double x2,
                         double y2, double rest_length);
 void tinker_helper_dashpot(const TinkerStyle *style, cairo_t *cairo, int32_t colour, double x1, double y1, double x2,

@@ -18,6 +18,7 @@ static void set_helpers(TinkerStyle *style)
     style->end_mark = tinker_helper_end_mark;
     style->circle = tinker_helper_circle;
     style->text = tinker_helper_text;
+    style->polyline = tinker_helper_polyline;
 }
 
 /* Device pixels to a canvas unit: of a surface for a dense screen more than one. */

@@ -11,6 +11,7 @@
 #include "scene/frame/batch.h"
 #include "scene/frame/lanes.h"
 #include "scene/frame/motions.h"
+#include "scene/frame/paths.h"
 
 /* Of the symbol size: the distance of two connectors side by side. */
 #define LANE_SHARE 1.2
@@ -37,6 +38,7 @@ struct _TinkerFrame {
     GArray *ends;       /* likewise, of TinkerEnd */
     double symbol_size; /* m, that instances report */
     double *lanes;      /* by block id: see lanes.h */
+    TinkerPaths *paths; /* of the blocks that leave one; NULL where there are none */
 };
 
 static void locate(TinkerFrame *frame)
@@ -140,6 +142,7 @@ TinkerFrame *tinker_frame_new(TinkerScene *scene, GError **error)
         frame->placed[id] = frame->poses[id] = (Pose){NAN, NAN, 0};
     frame->motions = tinker_motions_new(frame->batches);
     frame->lanes = tinker_lanes_new(scene);
+    frame->paths = tinker_paths_new(scene);
     frame->locations = g_new0(Location, MAX(frame->limit, 1));
     frame->ends = g_array_new(FALSE, TRUE, sizeof(TinkerEnd));
     locate(frame);
@@ -163,6 +166,7 @@ void tinker_frame_free(TinkerFrame *frame)
     g_free(frame->poses);
     tinker_motions_free(frame->motions);
     g_free(frame->lanes);
+    tinker_paths_free(frame->paths);
     g_free(frame->locations);
     g_free(frame->columns);
     g_array_unref(frame->ends);
@@ -267,9 +271,33 @@ gboolean tinker_frame_instance(TinkerFrame *frame, TinkerBlockId block, TinkerIn
         end_place(frame, &batch->end[first + k], &g_array_index(frame->ends, TinkerEnd, k));
     instance->columns = frame->columns;
     instance->ends = count;
+    instance->path = tinker_paths_of(frame->paths, block, frame->time, &instance->path_count);
     instance->end = count > 0 ? (const TinkerEnd *)(void *)frame->ends->data : NULL;
     if (frame->lanes[block] != 0) take_lane(frame, block, &batch->end[first], instance);
     return TRUE;
+}
+
+gboolean tinker_frame_leaves_paths(const TinkerFrame *frame)
+{
+    return frame->paths != NULL;
+}
+
+void tinker_frame_note_paths(TinkerFrame *frame)
+{
+    int32_t count;
+    const TinkerBlockId *blocks = tinker_paths_blocks(frame->paths, &count);
+    if (count == 0 || frame->time <= tinker_paths_last(frame->paths)) return;
+    g_autofree double *places = g_new(double, 2 * (gsize)count);
+    for (int32_t i = 0; i < count; i++) {
+        const Location *location = &frame->locations[blocks[i]];
+        TinkerEnd end = {NAN, NAN, 0, 0};
+        const int32_t first = location->batch->end_offsets[location->row];
+        if (location->batch->end_offsets[location->row + 1] > first)
+            end_place(frame, &location->batch->end[first], &end);
+        places[2 * i] = end.x;
+        places[2 * i + 1] = end.y;
+    }
+    tinker_paths_note(frame->paths, frame->time, places);
 }
 
 void tinker_frame_set_symbol_size(TinkerFrame *frame, double symbol_size)

@@ -28,6 +28,13 @@ gboolean tinker_frame_set_time(TinkerFrame *frame, double t, GError **error);
 /* Puts a body that can move somewhere. */
 void tinker_frame_place(TinkerFrame *frame, TinkerBlockId block, double x, double y, double orientation);
 
+/* Whether any block leaves a path (TINKER_LEAVES_PATH). */
+gboolean tinker_frame_leaves_paths(const TinkerFrame *frame);
+
+/* Notes where the blocks that leave a path are now; a time that is not later than the last one noted adds nothing.
+ * Instances show what was noted up to the frame's time. */
+void tinker_frame_note_paths(TinkerFrame *frame);
+
 /* Where a block's centre is; NAN for a block that has neither place nor ends. */
 void tinker_frame_centre(const TinkerFrame *frame, TinkerBlockId block, double *x, double *y, double *orientation);
 

@@ -8,6 +8,7 @@
 
 /* Cairo's image surfaces end at 32767 pixels; a picture of half of that takes a gigabyte. */
 #define GREATEST_SIDE 16384
+#define MOST_PLACES   10000 /* of a path in a picture */
 
 void tinker_picture_arguments_clear(TinkerPictureArguments *arguments)
 {
@@ -56,7 +57,23 @@ int tinker_picture_ending(const char *path, const char *const *endings, GError *
 
 static gboolean place_frame(TinkerSimulation *simulation, double time, const double *values, void *data, GError **error)
 {
-    return tinker_simulation_place(simulation, data, error);
+    if (!tinker_simulation_place(simulation, data, error)) return FALSE;
+    tinker_frame_note_paths(data);
+    return TRUE;
+}
+
+/* The one sample that is drawn; before it, where blocks leave paths, one at every interval of the scene's. Element:
+ * double. (transfer full) */
+static GArray *sample_times(const TinkerFrame *frame, double interval, double time)
+{
+    GArray *times = g_array_new(FALSE, FALSE, sizeof(double));
+    interval = MAX(interval, time / MOST_PLACES);
+    for (gsize k = 0; tinker_frame_leaves_paths(frame) && (double)k * interval < time; k++) {
+        const double t = (double)k * interval;
+        g_array_append_val(times, t);
+    }
+    g_array_append_val(times, time);
+    return times;
 }
 
 gboolean tinker_picture_run_to(TinkerFrame *frame, const TinkerOpenScene *open, const TinkerRunArguments *arguments,
@@ -68,8 +85,9 @@ gboolean tinker_picture_run_to(TinkerFrame *frame, const TinkerOpenScene *open, 
     }
     TinkerRunOptions options;
     if (!tinker_run_arguments_apply(arguments, open->scene, &options, error)) return FALSE;
-    options.at = &time;
-    options.at_count = 1;
+    g_autoptr(GArray) times = sample_times(frame, tinker_scene_head(open->scene)->run.interval, time);
+    options.at = (const double *)(const void *)times->data;
+    options.at_count = times->len;
     g_auto(TinkerSceneRun) run = {0};
     if (!tinker_scene_run_prepare(&run, open->scene, arguments, &options, error)) return FALSE;
     const TinkerSampleTaker taker = {.sample = place_frame, .data = frame};

@@ -29,7 +29,9 @@ struct _TinkerPlayer {
     GArray *segments; /* of Segment */
     TinkerScene *ran; /* the scene as the last segment has it; NULL where there is none */
     TinkerFrame *frame;
-    GArray *asked; /* of TinkerQuantity: asked for in vain */
+    guint path_segment; /* where in the record the frame's paths end: everything before this row of this segment */
+    gsize path_row;     /* is noted */
+    GArray *asked;      /* of TinkerQuantity: asked for in vain */
     guint generation;
     GPtrArray *events; /* of TinkerRunEvent *: of this generation, when there were so many in all tasks */
     guint events_generation, events_counted;
@@ -103,6 +105,21 @@ static void place_body(TinkerFrame *frame, TinkerBlockId block, const TinkerBody
     tinker_frame_place(frame, block, a->x + share * (b->x - a->x), a->y + share * (b->y - a->y), orientation);
 }
 
+/* Puts everything where a sample has it. */
+static gboolean place_sample(TinkerPlayer *player, TinkerRunTask *task, gsize row)
+{
+    int count;
+    const TinkerBlockId *bodies = tinker_run_task_bodies(task, &count);
+    g_autofree TinkerBodySample *samples = g_new(TinkerBodySample, (gsize)count + 1);
+    double time;
+    if (!tinker_run_task_read(task, row, &time, samples, NULL) || !tinker_frame_set_time(player->frame, time, NULL))
+        return FALSE;
+    TinkerScene *scene = tinker_frame_scene(player->frame);
+    for (int i = 0; i < count; i++)
+        if (tinker_scene_has_block(scene, bodies[i])) place_body(player->frame, bodies[i], &samples[i], &samples[i], 0);
+    return TRUE;
+}
+
 /* Puts the bodies where the record has them, straight between two samples. */
 static void place_bodies(TinkerPlayer *player, TinkerRunTask *task, gsize row)
 {
@@ -120,9 +137,25 @@ static void place_bodies(TinkerPlayer *player, TinkerRunTask *task, gsize row)
             place_body(player->frame, bodies[i], &a[i], between ? &b[i] : &a[i], share);
 }
 
+/* Takes the frame through all samples that its paths lack, up to the time shown. */
+static void note_paths(TinkerPlayer *player)
+{
+    if (!tinker_frame_leaves_paths(player->frame)) return;
+    for (; player->path_segment < player->segments->len; player->path_segment++, player->path_row = 0) {
+        TinkerRunTask *task = g_array_index(player->segments, Segment, player->path_segment).task;
+        const double end = segment_end(player, player->path_segment);
+        gsize last;
+        if (!tinker_run_task_find(task, fmin(player->time, end), &last)) return;
+        for (; player->path_row <= last; player->path_row++)
+            if (place_sample(player, task, player->path_row)) tinker_frame_note_paths(player->frame);
+        if (player->time < end) return;
+    }
+}
+
 static void update_frame(TinkerPlayer *player)
 {
     if (player->frame == NULL) return;
+    note_paths(player);
     const Segment *segment = segment_at(player, player->time);
     gsize row;
     if (!tinker_frame_set_time(player->frame, player->time, NULL)) return;
@@ -134,6 +167,8 @@ static void renew_frame(TinkerPlayer *player)
 {
     g_clear_pointer(&player->frame, tinker_frame_free);
     player->frame = tinker_frame_new(tinker_document_scene(player->document), NULL);
+    player->path_segment = 0;
+    player->path_row = 0;
     if (player->frame != NULL) tinker_tops_turn_bodies(player->frame);
     update_frame(player);
 }
@@ -187,6 +222,8 @@ static gboolean go_on(TinkerPlayer *player)
         tinker_run_task_stop(g_array_index(player->segments, Segment, keep++).task); // it counts up to here
     g_array_set_size(player->segments, keep);
     player->generation++;
+    player->path_segment = MIN(player->path_segment, keep); /* noted up to here, as the frame was made anew */
+    player->path_row = 0;
     add_segment(player, continued, player->time);
     return TRUE;
 }
@@ -452,12 +489,15 @@ GPtrArray *tinker_player_warnings(TinkerPlayer *player, gboolean of_scene)
 /* A run that was made again for an accuracy has other samples from then on. */
 guint tinker_player_generation(TinkerPlayer *player)
 {
+    const guint before = player->generation;
     for (guint i = 0; i < player->segments->len; i++) {
         Segment *segment = &g_array_index(player->segments, Segment, i);
         guint replaced = tinker_run_task_status(segment->task).replaced;
         if (replaced != segment->replaced) player->generation++;
         segment->replaced = replaced;
     }
+    if (player->generation != before && player->frame != NULL && tinker_frame_leaves_paths(player->frame))
+        renew_frame(player); /* whose paths are those of the new samples */
     return player->generation;
 }
 

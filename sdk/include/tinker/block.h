@@ -107,10 +107,15 @@ typedef struct TinkerQuantityType {
 #define TINKER_FORCE       "force"     /* acts on its ends from outside */
 #define TINKER_MOTION      "motion"
 #define TINKER_FIELD       "field"
+#define TINKER_ROPE        "rope"    /* ropes and wheels */
+#define TINKER_MEASURE     "measure" /* acts on nothing: shows what others do */
 
 /* What an end accepts. */
 #define TINKER_ACCEPTS_BODY    (1u << 0) /* blocks that can move */
 #define TINKER_ACCEPTS_SUPPORT (1u << 1) /* blocks whose place is a known function of time */
+
+/* Flags of a block type. */
+#define TINKER_LEAVES_PATH (1u << 0) /* the host remembers where its first end has been: TinkerInstance.path */
 
 typedef struct TinkerBlockType {
     uint32_t struct_size;
@@ -128,7 +133,7 @@ typedef struct TinkerBlockType {
     int32_t least_ends;
     int32_t most_ends; /* -1: any number */
     uint32_t end_accepts;
-    int32_t reserved;
+    uint32_t flags;        /* TINKER_LEAVES_... */
     TinkerSpan properties; /* of TinkerPropertyType; their order fixes the columns */
     TinkerSpan quantities; /* of TinkerQuantityType */
     TinkerSpan interfaces; /* of TinkerInterface */

@@ -28,6 +28,10 @@ typedef struct TinkerInstance {
     double orientation;    /* rad */
     double time;           /* s */
     double symbol_size; /* m: that of the style it is drawn with, so that what is hit is what was drawn; 0: unknown */
+    const double *path; /* of a type with TINKER_LEAVES_PATH: x, y of each place where its first end has been up to
+                           now, from the start on; else NULL */
+    int32_t path_count; /* places; 0 where nothing has run */
+    int32_t reserved;
 } TinkerInstance;
 
 #ifdef __cplusplus

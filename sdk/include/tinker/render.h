@@ -85,6 +85,9 @@ typedef struct TinkerStyle {
     /* Upright text about the point, 12 pixels high at any zoom. */
     void (*text)(const struct TinkerStyle *style, struct _cairo *cairo, int32_t colour, double x, double y,
                  const char *text);
+    /* A thin line through `count` points, given as x, y, x, y, ...: however many there are, it is drawn at once. */
+    void (*polyline)(const struct TinkerStyle *style, struct _cairo *cairo, int32_t colour, const double *points,
+                     int32_t count);
 } TinkerStyle;
 
 typedef struct TinkerRender {

@@ -1,0 +1,81 @@
+/* Places are kept block by block, with one list of times for all. */
+#include "scene/frame/paths.h"
+
+#include <math.h>
+
+struct _TinkerPaths {
+    GArray *blocks;    /* of TinkerBlockId */
+    GArray *times;     /* of double, ascending */
+    GPtrArray *places; /* of GArray of double: x, y at each of the times, of each block */
+};
+
+TinkerPaths *tinker_paths_new(TinkerScene *scene)
+{
+    g_autoptr(GArray) blocks = g_array_new(FALSE, FALSE, sizeof(TinkerBlockId));
+    for (int32_t place = 0; place < tinker_scene_block_count(scene); place++) {
+        const TinkerBlockId block = tinker_scene_block_at(scene, place);
+        const TinkerBlockClass *block_class = tinker_scene_block_class(scene, block);
+        if (block_class != NULL && (block_class->type->flags & TINKER_LEAVES_PATH) != 0)
+            g_array_append_val(blocks, block);
+    }
+    if (blocks->len == 0) return NULL;
+    TinkerPaths *paths = g_new0(TinkerPaths, 1);
+    paths->blocks = g_steal_pointer(&blocks);
+    paths->times = g_array_new(FALSE, FALSE, sizeof(double));
+    paths->places = g_ptr_array_new_with_free_func((GDestroyNotify)g_array_unref);
+    for (guint i = 0; i < paths->blocks->len; i++)
+        g_ptr_array_add(paths->places, g_array_new(FALSE, FALSE, sizeof(double)));
+    return paths;
+}
+
+void tinker_paths_free(TinkerPaths *paths)
+{
+    if (paths == NULL) return;
+    g_array_unref(paths->blocks);
+    g_array_unref(paths->times);
+    g_ptr_array_unref(paths->places);
+    g_free(paths);
+}
+
+const TinkerBlockId *tinker_paths_blocks(const TinkerPaths *paths, int32_t *count)
+{
+    *count = paths == NULL ? 0 : (int32_t)paths->blocks->len;
+    return paths == NULL ? NULL : (const TinkerBlockId *)(const void *)paths->blocks->data;
+}
+
+double tinker_paths_last(const TinkerPaths *paths)
+{
+    return paths->times->len == 0 ? -INFINITY : g_array_index(paths->times, double, paths->times->len - 1);
+}
+
+void tinker_paths_note(TinkerPaths *paths, double t, const double *places)
+{
+    g_array_append_val(paths->times, t);
+    for (guint i = 0; i < paths->places->len; i++)
+        g_array_append_vals((GArray *)g_ptr_array_index(paths->places, i), &places[2 * i], 2);
+}
+
+/* How many of the times are not later than t. */
+static guint count_until(const GArray *times, double t)
+{
+    guint least = 0, beyond = times->len;
+    while (least < beyond) {
+        const guint middle = least + (beyond - least) / 2;
+        if (g_array_index(times, double, middle) <= t)
+            least = middle + 1;
+        else
+            beyond = middle;
+    }
+    return least;
+}
+
+const double *tinker_paths_of(const TinkerPaths *paths, TinkerBlockId block, double t, int32_t *count)
+{
+    *count = 0;
+    for (guint i = 0; paths != NULL && i < paths->blocks->len; i++) {
+        if (g_array_index(paths->blocks, TinkerBlockId, i) != block) continue;
+        *count = (int32_t)count_until(paths->times, t);
+        return (const double *)(const void *)((const GArray *)g_ptr_array_index(paths->places, i))->data;
+    }
+    return NULL;
+}
