@@ -10,6 +10,7 @@ typedef struct {
 
 static const Place plugins = {"../../plugins", TINKER_PLUGIN_FOLDER_IN_PREFIX, TINKER_PLUGIN_FOLDER};
 static const Place scenes = {"../scenes", TINKER_SCENE_FOLDER_IN_PREFIX, TINKER_SCENE_FOLDER};
+static const Place documents = {"../../docs/handbook", TINKER_DOCUMENT_FOLDER_IN_PREFIX, TINKER_DOCUMENT_FOLDER};
 static const Place locale = {"../po", TINKER_LOCALE_FOLDER_IN_PREFIX, TINKER_LOCALE_FOLDER};
 
 /* The folder the program lies in, without links. NULL where the system does not tell. */
@@ -66,6 +67,11 @@ char *tinker_installation_scene(const char *name)
 {
     g_autofree char *folder = tinker_installation_scene_folder();
     return g_build_filename(folder, name, NULL);
+}
+
+char *tinker_installation_document_folder(void)
+{
+    return folder_of(&documents);
 }
 
 char *tinker_installation_locale_folder(void)

@@ -13,6 +13,9 @@ TinkerCatalogue *tinker_installation_catalogue(const char *const *plugin_folders
 char *tinker_installation_scene_folder(void);
 char *tinker_installation_scene(const char *name);
 
+/* The folder of the documentation, whose README.md lists its pages. (transfer full) */
+char *tinker_installation_document_folder(void);
+
 /* The folder of the translations. (transfer full) */
 char *tinker_installation_locale_folder(void);
 

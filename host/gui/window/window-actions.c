@@ -2,6 +2,7 @@
 #include <glib/gi18n.h>
 
 #include "gui/text/sentence.h"
+#include "gui/window/help-window.h"
 #include "gui/window/window-parts.h"
 #include "scene/history/fragment.h"
 
@@ -197,6 +198,11 @@ static void show_help_overlay(TinkerWindow *window)
     gtk_window_present(overlay);
 }
 
+static void show_help(TinkerWindow *window)
+{
+    tinker_help_show(GTK_WINDOW(window), "README.md");
+}
+
 /* Files ---------------------------------------------------------------------------------------------------------------
  */
 
@@ -220,6 +226,7 @@ static const struct {
     const char *keys[3];
     gboolean of_canvas; /* keys count only where the canvas has the focus */
 } commands[] = {
+    {"help", show_help, {"F1"}, FALSE},
     {"show-help-overlay", show_help_overlay, {"<Control>question"}, FALSE},
     {"new", tinker_window_new_scene, {"<Control>n"}, FALSE},
     {"open", window_choose_file, {"<Control>o"}, FALSE},
