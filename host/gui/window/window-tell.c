@@ -1,11 +1,12 @@
 /* What every part of the window may tell, and may ask of it. */
 #include "gui/text/message.h"
+#include "gui/text/settings.h"
 #include "gui/window/window-parts.h"
 
 void window_toast(TinkerWindow *window, const char *text)
 {
     AdwToast *toast = adw_toast_new(text);
-    adw_toast_set_timeout(toast, 4);
+    adw_toast_set_timeout(toast, (guint)MAX(tinker_settings_integer("window", "message-seconds", 4), 0));
     adw_toast_overlay_add_toast(window->toasts, toast);
 }
 

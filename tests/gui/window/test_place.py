@@ -83,7 +83,7 @@ def test_click_with_one_selected_leaves_an_end_free(display):
 
 
 def test_placing_goes_back_to_the_start(display):
-    with App(display, scene(mass("Ball", 0, 0))) as app:
+    with App(display, scene(mass("Ball", 0, 0)), home=display.patient_home()) as app:
         app.click("One Sample Forward")
         wait(lambda: app.time() > 0, "a step")
         app.place("Mass")

@@ -85,7 +85,7 @@ def test_play_back_follows_the_clock(display):
 
 
 def test_drag_after_the_start_goes_back_first(display):
-    with App(display, falling()) as app:
+    with App(display, falling(), home=display.patient_home()) as app:
         app.show_width()
         app.click("One Sample Forward")
         wait(lambda: app.time() > 0, "a step")

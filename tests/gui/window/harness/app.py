@@ -519,18 +519,23 @@ class App:
         wait(is_inside, f"{node!r} to be scrolled to")
 
     def save_dialog(self, title, file):
-        """Answers a dialog that asks for the name of a file."""
-        self.find(None, title)
+        """Answers a dialog that asks for the name of a file. It is there before its entry takes keys, and looks into the folder
+        of what is typed: each thing is done when the one before it can be seen."""
+        dialog = self.find(None, title)
+
+        def entry():
+            node = self.look("text", re.compile("^Name"), inside=dialog)
+            return node if node and node.has("focused") else None
+
+        wait(entry, f"the entry of “{title}” to have the focus")
         self.xdotool("key", "ctrl+a")
         self.xdotool("type", "--delay", "1", str(file))
-        self.xdotool("key", "Return")
+        wait(lambda: entry().text() == str(file), f"{file} to be typed")
         self.actions_taken += 1
+        self._press_until_gone(title)
 
-    def open_dialog(self, title, file):
-        """Answers a dialog that asks for a file that there is. It looks into the folder of what is typed, and a key that comes
-        meanwhile is lost: Return is pressed again where the dialog is still there long after."""
-        pressed = [time.monotonic()]
-
+    def _press_until_gone(self, title):
+        """A Return that comes while the dialog looks into the folder is lost."""
         def is_answered():
             if self.look(None, title) is None:
                 return True
@@ -539,12 +544,17 @@ class App:
                 pressed[0] = time.monotonic()
             return False
 
+        self.xdotool("key", "Return")
+        pressed = [time.monotonic()]
+        wait(is_answered, f"“{title}” to be answered")
+
+    def open_dialog(self, title, file):
+        """Answers a dialog that asks for a file that there is. It looks into the folder of what is typed, and a key that comes
+        meanwhile is lost: Return is pressed again where the dialog is still there long after."""
         self.find(None, title)
         self.xdotool("type", "--delay", "1", "--", str(file))
-        self.xdotool("key", "Return")
         self.actions_taken += 1
-        pressed[0] = time.monotonic()
-        wait(is_answered, f"“{title}” to be answered")
+        self._press_until_gone(title)
 
     # Running
 

@@ -111,6 +111,14 @@ class Display:
         """A folder that holds everything that a user's programs remember."""
         return pathlib.Path(tempfile.mkdtemp(prefix="home-", dir=self.path))
 
+    def patient_home(self):
+        """One whose user has messages stay for a minute: who is slow to look would miss what goes by itself."""
+        home = self.new_home()
+        settings = home / "config" / "tinker" / "window.ini"
+        settings.parent.mkdir(parents=True)
+        settings.write_text("[window]\nmessage-seconds=60\n")
+        return home
+
     def environment_of(self, home):
         folders = {f"XDG_{name}_HOME": home / name.lower() for name in ("DATA", "CONFIG", "CACHE", "STATE")}
         for folder in folders.values():
