@@ -53,6 +53,21 @@ static void not_written_free(void *data)
     g_free(missing);
 }
 
+static void line_free(void *data)
+{
+    TinkerLineEquation *line = data;
+    tinker_expression_unref(line->length);
+    g_clear_pointer(&line->rate, tinker_expression_unref);
+    tinker_expression_unref(line->tension);
+    for (int end = 0; end < 2; end++) {
+        for (int axis = 0; axis < 2; axis++) {
+            tinker_expression_unref(line->place[end][axis]);
+            tinker_expression_unref(line->velocity[end][axis]);
+        }
+    }
+    g_free(line);
+}
+
 static void look_free(void *data)
 {
     TinkerEquationLook *look = data;
@@ -151,6 +166,7 @@ TinkerEquations *tinker_equations_new(TinkerScene *scene, const TinkerModelState
         .definitions = g_ptr_array_new_with_free_func(definition_free),
         .constraints = g_ptr_array_new_with_free_func(constraint_free),
         .not_written = g_ptr_array_new_with_free_func(not_written_free),
+        .lines = g_ptr_array_new_with_free_func(line_free),
         .looks = g_hash_table_new_full(g_str_hash, g_str_equal, g_free, look_free),
         .values = g_hash_table_new_full(g_str_hash, g_str_equal, g_free, g_free),
     };
@@ -174,8 +190,8 @@ TinkerEquations *tinker_equations_new(TinkerScene *scene, const TinkerModelState
 
 void tinker_equations_free(TinkerEquations *equations)
 {
-    GPtrArray *const lists[] = {equations->bodies, equations->symbols, equations->definitions, equations->constraints,
-                                equations->not_written};
+    GPtrArray *const lists[] = {equations->bodies,      equations->symbols,     equations->definitions,
+                                equations->constraints, equations->not_written, equations->lines};
     for (gsize i = 0; i < G_N_ELEMENTS(lists); i++)
         g_ptr_array_unref(lists[i]);
     g_hash_table_unref(equations->looks);

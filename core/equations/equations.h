@@ -78,6 +78,17 @@ typedef struct {
     char *why;
 } TinkerNotWritten;
 
+/* A connector along a line: its tension over the length and its rate, which are definitions. */
+typedef struct {
+    TinkerBlockId block;
+    TinkerBlockId ends[2];         /* bodies; -1 where an end is on none */
+    TinkerExpression *length;      /* a symbol, */
+    TinkerExpression *rate;        /* and another; NULL where the tension does not depend on it */
+    TinkerExpression *tension;     /* N */
+    TinkerExpression *place[2][2]; /* m: of its ends, x and y; */
+    TinkerExpression *velocity[2][2];
+} TinkerLineEquation;
+
 typedef struct {
     TinkerScene *scene; /* borrowed */
     double time;        /* s */
@@ -86,6 +97,7 @@ typedef struct {
     GPtrArray *definitions;
     GPtrArray *constraints;
     GPtrArray *not_written;
+    GPtrArray *lines;   /* of TinkerLineEquation */
     GHashTable *looks;  /* name to TinkerEquationLook */
     GHashTable *values; /* name to double: of symbols and definitions */
 } TinkerEquations;

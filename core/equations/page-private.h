@@ -18,6 +18,15 @@ void tinker_page_heading(TinkerPage *page, const char *heading);
 /* left = right, and what it is; all are taken over. `comment` is plain text, and may be NULL. */
 void tinker_page_equation(TinkerPage *page, char *left, char *right, char *comment);
 
+/* Ends a block of equations that are aligned with each other. */
+void tinker_page_gap(TinkerPage *page);
+
+/* Adds the names that an expression needs (const char *, interned). */
+void tinker_equations_mark(const TinkerEquations *equations, const TinkerExpression *expression, GHashTable *needed);
+
+/* The definitions that these names need, then the values of symbols. */
+void tinker_page_names(TinkerPage *page, GHashTable *needed, gboolean values);
+
 /* (transfer full) */
 char *tinker_page_end(TinkerPage *page);
 

@@ -130,6 +130,12 @@ void tinker_page_heading(TinkerPage *page, const char *heading)
     g_string_append_printf(page->text, "%s%s%s", around[0], safe, around[1]);
 }
 
+void tinker_page_gap(TinkerPage *page)
+{
+    flush(page);
+    if (page->format == TINKER_TYPESET_TEXT) g_string_append_c(page->text, '\n');
+}
+
 void tinker_page_equation(TinkerPage *page, char *left, char *right, char *comment)
 {
     char *const parts[] = {left, right, comment};

@@ -135,7 +135,7 @@ static TinkerExpression *offset(TinkerEquationWriter *writer, TinkerBlockId conn
     if (value == 0) return tinker_expression_number(0);
     g_autofree char *key = g_strdup_printf("ends %d at %s", number, along_x ? "x" : "y");
     g_autofree char *index = g_strdup_printf("%s%s%d", tinker_writer_index(writer, connector),
-                                             tinker_writer_index(writer, connector)[0] != '\0' ? "." : "", number);
+                                             tinker_writer_index(writer, connector)[0] != '\0' ? "," : "", number);
     const char *name = tinker_writer_indexed_name(writer, connector, along_x ? "ax" : "ay", index, 0, NULL);
     return tinker_writer_symbol(writer, name, connector, value, tinker_length_dimension, key, NULL);
 }

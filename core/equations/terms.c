@@ -120,6 +120,27 @@ static gboolean law_names(const TinkerBlockLaw *law, const char *symbol)
     return FALSE;
 }
 
+/* For who writes the equations of straight motion. */
+static void keep_line(TinkerEquationWriter *writer, TinkerBlockId block, const GArray *points,
+                      const TinkerExpression *length, const TinkerExpression *rate, const TinkerExpression *tension)
+{
+    TinkerLineEquation *line = g_new0(TinkerLineEquation, 1);
+    line->block = block;
+    line->length = copy(length);
+    line->rate = rate != NULL ? copy(rate) : NULL;
+    line->tension = copy(tension);
+    for (guint end = 0; end < 2; end++) {
+        const TinkerPointSymbols *point = point_at(points, end);
+        const TinkerExpression *const parts[] = {point->x, point->y, point->vx, point->vy};
+        line->ends[end] = point->block;
+        for (int axis = 0; axis < 2; axis++) {
+            line->place[end][axis] = copy(parts[axis]);
+            line->velocity[end][axis] = copy(parts[2 + axis]);
+        }
+    }
+    g_ptr_array_add(writer->equations->lines, line);
+}
+
 gboolean tinker_writer_add_line(TinkerEquationWriter *writer, TinkerBlockId block, const TinkerBlockLaw *law)
 {
     if (tinker_block_law_find(law, "tension") == NULL) return FALSE;
@@ -129,23 +150,21 @@ gboolean tinker_writer_add_line(TinkerEquationWriter *writer, TinkerBlockId bloc
     const guint definitions = writer->equations->definitions->len;
     g_autoptr(TinkerExpression) length =
         tinker_writer_length(writer, block, (TinkerPointSymbols *)(void *)points->data, 2);
+    g_autoptr(TinkerExpression) rate = law_names(law, "rate") ? rate_of(writer, block, a, b, length) : NULL;
     TinkerLawUse use;
     tinker_law_use_init(&use, block, law);
     tinker_law_use_set(&use, "L", length);
-    if (law_names(law, "rate")) {
-        g_autoptr(TinkerExpression) rate = rate_of(writer, block, a, b, length);
-        tinker_law_use_set(&use, "rate", rate);
-    }
-    TinkerExpression *is = tinker_law_use_equation(writer, &use, "tension");
+    if (rate != NULL) tinker_law_use_set(&use, "rate", rate);
+    g_autoptr(TinkerExpression) is = tinker_law_use_equation(writer, &use, "tension");
     tinker_law_use_clear(&use);
     if (tinker_expression_is_number(is, 0)) {
-        tinker_expression_unref(is);
         tinker_writer_drop_definitions(writer, definitions);
         return TRUE;
     }
+    keep_line(writer, block, points, length, rate, is);
     const char *name = tinker_writer_name(writer, block, "T", 0, NULL);
     g_autoptr(TinkerExpression) tension =
-        tinker_writer_define(writer, name, block, tinker_force_dimension, "tension", is, FALSE);
+        tinker_writer_define(writer, name, block, tinker_force_dimension, "tension", copy(is), FALSE);
     tinker_writer_add_term(writer, a->block, block, TINKER_TERM_CONNECTOR, pull(tension, b->x, a->x, length),
                            pull(tension, b->y, a->y, length));
     tinker_writer_add_term(writer, b->block, block, TINKER_TERM_CONNECTOR, pull(tension, a->x, b->x, length),

@@ -88,14 +88,6 @@ static void write_component(TinkerPage *page, const TinkerBodyEquation *body, co
     tinker_expression_unref(numbers);
 }
 
-/* Marks the names that an expression needs, and what those are made of. */
-static void mark(const TinkerEquations *equations, const TinkerExpression *expression, GHashTable *needed)
-{
-    for (int i = 0; i < expression->count; i++)
-        mark(equations, expression->parts[i], needed);
-    if (expression->kind == TINKER_EXPRESSION_SYMBOL) g_hash_table_add(needed, (void *)expression->name);
-}
-
 /* (transfer full) */
 static GHashTable *needed_names(const TinkerEquations *equations, const TinkerEquationsShown *shown)
 {
@@ -103,41 +95,17 @@ static GHashTable *needed_names(const TinkerEquations *equations, const TinkerEq
     for (guint i = 0; i < equations->bodies->len; i++) {
         const TinkerBodyEquation *body = g_ptr_array_index(equations->bodies, i);
         if (!is_shown(shown, body->block)) continue;
-        mark(equations, body->mass, needed);
+        tinker_equations_mark(equations, body->mass, needed);
         for (guint k = 0; k < body->terms->len; k++) {
-            mark(equations, g_array_index(body->terms, TinkerTerm, k).x, needed);
-            mark(equations, g_array_index(body->terms, TinkerTerm, k).y, needed);
+            tinker_equations_mark(equations, g_array_index(body->terms, TinkerTerm, k).x, needed);
+            tinker_equations_mark(equations, g_array_index(body->terms, TinkerTerm, k).y, needed);
         }
     }
     for (guint i = 0; i < equations->constraints->len; i++) {
         const TinkerConstraintEquation *row = g_ptr_array_index(equations->constraints, i);
-        if (g_hash_table_contains(needed, row->multiplier)) mark(equations, row->g, needed);
-    }
-    for (guint i = equations->definitions->len; i > 0; i--) {
-        const TinkerEquationDefinition *definition = g_ptr_array_index(equations->definitions, i - 1);
-        if (g_hash_table_contains(needed, definition->name)) mark(equations, definition->is, needed);
+        if (g_hash_table_contains(needed, row->multiplier)) tinker_equations_mark(equations, row->g, needed);
     }
     return needed;
-}
-
-static void write_laws(TinkerPage *page, GHashTable *needed, gboolean values)
-{
-    const TinkerEquations *equations = page->equations;
-    gboolean first = TRUE;
-    for (guint i = 0; i < equations->definitions->len; i++) {
-        const TinkerEquationDefinition *definition = g_ptr_array_index(equations->definitions, i);
-        if (!g_hash_table_contains(needed, definition->name)) continue;
-        if (first) tinker_page_heading(page, "with");
-        first = FALSE;
-        char *comment = g_strdup_printf("%s: %s%s", name_of(equations, definition->block),
-                                        definition->means != NULL ? definition->means : "a step of its law",
-                                        definition->typed ? ", in SI" : "");
-        tinker_page_equation(page, tinker_page_symbol(page, definition->name),
-                             tinker_page_expression(page, definition->is), comment);
-        if (values)
-            tinker_page_equation(page, tinker_page_symbol(page, definition->name),
-                                 tinker_page_quantity(page, definition->value, definition->dimension), NULL);
-    }
 }
 
 static void write_constraints(TinkerPage *page, GHashTable *needed)
@@ -155,28 +123,6 @@ static void write_constraints(TinkerPage *page, GHashTable *needed)
             page->format == TINKER_TYPESET_TEXT ? g_strdup_printf(" (unknown force %s)", multiplier) : g_strdup("");
         tinker_page_equation(page, tinker_page_expression(page, zero), tinker_page_expression(page, row->g),
                              g_strconcat(name_of(equations, row->block), plain, row->active ? "" : ", slack", NULL));
-    }
-}
-
-static char *meaning_of(const TinkerEquations *equations, const TinkerEquationSymbol *symbol)
-{
-    const char *what = symbol->quantity != NULL ? symbol->quantity : symbol->property;
-    if (symbol->block < 0) return g_strdup(what);
-    g_autofree char *words = g_strdelimit(g_strdup(what != NULL ? what : ""), "_", ' ');
-    return g_strdup_printf("%s: %s", name_of(equations, symbol->block), words);
-}
-
-static void write_values(TinkerPage *page, GHashTable *needed, gboolean state)
-{
-    const TinkerEquations *equations = page->equations;
-    tinker_page_heading(page, "where");
-    for (guint i = 0; i < equations->symbols->len; i++) {
-        const TinkerEquationSymbol *symbol = g_ptr_array_index(equations->symbols, i);
-        const gboolean of_state = symbol->quantity != NULL;
-        if (!g_hash_table_contains(needed, symbol->name) || (of_state && !state)) continue;
-        tinker_page_equation(page, tinker_page_symbol(page, symbol->name),
-                             tinker_page_quantity(page, symbol->value, symbol->dimension),
-                             meaning_of(equations, symbol));
     }
 }
 
@@ -205,9 +151,8 @@ char *tinker_equations_write(const TinkerEquations *equations, const TinkerEquat
         write_component(&page, body, "y", shown->values);
     }
     g_autoptr(GHashTable) needed = needed_names(equations, shown);
-    write_laws(&page, needed, shown->values);
     write_constraints(&page, needed);
-    write_values(&page, needed, shown->values);
+    tinker_page_names(&page, needed, shown->values);
     write_missing(&page);
     return tinker_page_end(&page);
 }

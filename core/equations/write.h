@@ -3,6 +3,7 @@
 #define TINKER_CORE_EQUATIONS_WRITE_H
 
 #include "equations/equations.h"
+#include "equations/matrix.h"
 
 typedef struct {
     TinkerTypesetFormat format;
@@ -14,5 +15,9 @@ typedef struct {
 /* Newton's equations: of each body, with the laws of its terms, constraints, and what the symbols stand for. (transfer
  * full) */
 char *tinker_equations_write(const TinkerEquations *equations, const TinkerEquationsShown *shown);
+
+/* Linear islands with their matrices; of one coordinate as the textbook has it, with its frequency. (transfer full) */
+char *tinker_equations_write_matrix(const TinkerEquations *equations, const TinkerMatrixForm *form,
+                                    const TinkerEquationsShown *shown);
 
 #endif

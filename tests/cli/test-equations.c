@@ -83,6 +83,29 @@ static void test_json(CliFixture *fixture, gconstpointer data)
     cJSON_Delete(root);
 }
 
+/* The textbook's equation about rest, which is m g / k below the rest length; damped it would have c q' as well. */
+static void test_matrix(CliFixture *fixture, gconstpointer data)
+{
+    g_autofree char *scene = cli_write(fixture, "scene.json", HANGING);
+    g_autoptr(TestProgram) page = cli_run_well(fixture, "equations @scene.json --form matrix");
+    g_autofree char *text = g_utf8_normalize(page->output, -1, G_NORMALIZE_DEFAULT_COMPOSE);
+    g_autofree char *wanted = g_utf8_normalize("m q̈ + k q = 0\n", -1, G_NORMALIZE_DEFAULT_COMPOSE);
+    cli_assert_holds(text, wanted);
+    cli_assert_holds(text, "q = y − 1.6 m   counted from rest");
+    cli_assert_holds(text, "ω₀ = 5 rad/s ");
+    cli_assert_holds(text, "τ = 1.25664 s ");
+    g_autoptr(TestProgram) program = cli_run_well(fixture, "equations @scene.json --form matrix --as json");
+    cJSON *root = cJSON_Parse(program->output);
+    const cJSON *island = cJSON_GetArrayItem(cJSON_GetObjectItem(root, "islands"), 0);
+    char *stiffness = cJSON_PrintUnformatted(cJSON_GetObjectItem(island, "K"));
+    g_assert_cmpstr(stiffness, ==, "[[\"k\"]]");
+    g_assert_cmpfloat(fabs(cJSON_GetArrayItem(cJSON_GetObjectItem(island, "omega"), 0)->valuedouble - 5), <, 1e-12);
+    g_assert_cmpfloat(fabs(cJSON_GetObjectItem(cJSON_GetObjectItem(island, "about"), "q_1")->valuedouble - 1.6), <,
+                      1e-12);
+    cJSON_free(stiffness);
+    cJSON_Delete(root);
+}
+
 static void test_formats(CliFixture *fixture, gconstpointer data)
 {
     g_autofree char *scene = cli_write(fixture, "scene.json", HANGING);
@@ -109,6 +132,7 @@ int main(int argc, char **argv)
     cli_test_add("/cli/equations/page", test_page);
     cli_test_add("/cli/equations/numbers", test_numbers);
     cli_test_add("/cli/equations/json", test_json);
+    cli_test_add("/cli/equations/matrix", test_matrix);
     cli_test_add("/cli/equations/formats", test_formats);
     cli_test_add("/cli/equations/refused", test_refused);
     return g_test_run();

@@ -23,7 +23,7 @@ static const Layer layers[] = {
      {"tinker/integrator.h", "tinker/types.h", "tinker/unconstrained.h", "glib", "suitesparse/amd.h", "lapacke.h",
       "arpack/"}},
     {"core/physics", {"physics", "numerics", "scene", "plugin", "units"}, {"tinker/", "glib"}},
-    {"core/equations", {"equations", "law", "physics", "scene", "plugin", "units"}, {"tinker/", "glib"}},
+    {"core/equations", {"equations", "law", "physics", "scene", "plugin", "units"}, {"tinker/", "glib", "lapacke.h"}},
     {"core/render", {"render", "files", "scene", "plugin", "units"}, {"tinker/", "glib", "cairo", "pango/"}},
     {"core/edit", {"edit", "scene", "plugin", "units"}, {"tinker/", "glib"}},
     {"core/analysis", {"analysis", "physics", "numerics", "scene", "plugin", "units"}, {"tinker/", "glib"}},

@@ -2,6 +2,7 @@
 #include "cli/report/equations-json.h"
 
 #include <cjson/cJSON.h>
+#include <math.h>
 
 #include "units/units.h"
 
@@ -117,12 +118,26 @@ static void add_not_written(cJSON *root, const TinkerEquations *equations)
     }
 }
 
-char *tinker_equations_json(const TinkerEquations *equations, const TinkerBlockId *blocks)
+static char *printed(cJSON *root)
+{
+    char *text = cJSON_Print(root), *copy = g_strdup(text);
+    cJSON_free(text);
+    cJSON_Delete(root);
+    return copy;
+}
+
+static cJSON *head_json(const TinkerEquations *equations, const char *form)
 {
     cJSON *root = cJSON_CreateObject();
     cJSON_AddNumberToObject(root, "tinker_equations", 1);
-    cJSON_AddStringToObject(root, "form", "newton");
+    cJSON_AddStringToObject(root, "form", form);
     cJSON_AddNumberToObject(root, "time", equations->time);
+    return root;
+}
+
+char *tinker_equations_json(const TinkerEquations *equations, const TinkerBlockId *blocks)
+{
+    cJSON *root = head_json(equations, "newton");
     cJSON *bodies = cJSON_AddArrayToObject(root, "bodies");
     for (guint i = 0; i < equations->bodies->len; i++) {
         const TinkerBodyEquation *body = g_ptr_array_index(equations->bodies, i);
@@ -132,9 +147,91 @@ char *tinker_equations_json(const TinkerEquations *equations, const TinkerBlockI
     add_definitions(root, equations);
     add_constraints(root, equations);
     add_not_written(root, equations);
-    char *text = cJSON_Print(root);
-    char *copy = g_strdup(text);
-    cJSON_free(text);
-    cJSON_Delete(root);
-    return copy;
+    return printed(root);
+}
+
+/* The matrix form ---------------------------------------------------------------------------------------------------
+ */
+
+static void add_entries(cJSON *object, const char *key, const GPtrArray *entries, guint n)
+{
+    cJSON *rows = cJSON_AddArrayToObject(object, key);
+    for (guint i = 0; i < n; i++) {
+        cJSON *row = cJSON_CreateArray();
+        for (guint k = 0; k < n; k++)
+            cJSON_AddItemToArray(row, expression_json(g_ptr_array_index(entries, i * n + k)));
+        cJSON_AddItemToArray(rows, row);
+    }
+}
+
+/* null where there is no number */
+static void add_numbers(cJSON *object, const char *key, const double *numbers, guint count)
+{
+    cJSON *list = cJSON_AddArrayToObject(object, key);
+    for (guint i = 0; i < count; i++)
+        cJSON_AddItemToArray(list, isnan(numbers[i]) ? cJSON_CreateNull() : cJSON_CreateNumber(numbers[i]));
+}
+
+static void add_unstable(cJSON *object, const TinkerMatrixIsland *island, guint n)
+{
+    cJSON *list = cJSON_AddArrayToObject(object, "unstable");
+    for (guint i = 0; i < n; i++)
+        if (!isnan(island->unstable[2 * i]))
+            cJSON_AddItemToArray(list, cJSON_CreateDoubleArray(&island->unstable[2 * i], 2));
+}
+
+static void add_coordinates(cJSON *object, const TinkerMatrixIsland *island)
+{
+    cJSON *list = cJSON_AddArrayToObject(object, "coordinates");
+    cJSON *about = cJSON_AddObjectToObject(object, "about");
+    for (guint i = 0; i < island->coordinates->len; i++) {
+        const TinkerMatrixCoordinate *coordinate = &g_array_index(island->coordinates, TinkerMatrixCoordinate, i);
+        cJSON *each = cJSON_CreateObject();
+        cJSON_AddStringToObject(each, "symbol", coordinate->symbol);
+        cJSON_AddStringToObject(each, "unit", "m");
+        cJSON_AddItemToObject(each, "is", expression_json(coordinate->is));
+        cJSON_AddItemToArray(list, each);
+        cJSON_AddNumberToObject(about, coordinate->symbol, coordinate->about);
+    }
+}
+
+static cJSON *island_json(const TinkerEquations *equations, const TinkerMatrixIsland *island)
+{
+    const guint n = island->coordinates->len;
+    cJSON *object = cJSON_CreateObject(), *blocks = cJSON_AddArrayToObject(object, "blocks");
+    for (guint i = 0; i < island->blocks->len; i++)
+        cJSON_AddItemToArray(blocks, cJSON_CreateString(tinker_scene_block_name(
+                                         equations->scene, g_array_index(island->blocks, TinkerBlockId, i))));
+    add_coordinates(object, island);
+    add_entries(object, "M", island->mass, n);
+    add_entries(object, "C", island->damping, n);
+    add_entries(object, "K", island->stiffness, n);
+    cJSON *load = cJSON_AddArrayToObject(object, "f");
+    for (guint i = 0; i < n; i++)
+        cJSON_AddItemToArray(load, expression_json(g_ptr_array_index(island->load, i)));
+    add_numbers(object, "omega", island->omega, n);
+    add_numbers(object, "zeta", island->zeta, n);
+    add_numbers(object, "decay", island->decay, n);
+    add_unstable(object, island, n);
+    return object;
+}
+
+char *tinker_equations_matrix_json(const TinkerEquations *equations, const TinkerMatrixForm *form)
+{
+    cJSON *root = head_json(equations, "matrix");
+    cJSON *islands = cJSON_AddArrayToObject(root, "islands");
+    for (guint i = 0; i < form->islands->len; i++)
+        cJSON_AddItemToArray(islands, island_json(equations, g_ptr_array_index(form->islands, i)));
+    cJSON *why = cJSON_AddArrayToObject(root, "why");
+    for (guint i = 0; i < form->why->len; i++) {
+        const TinkerNotWritten *reason = g_ptr_array_index(form->why, i);
+        cJSON *object = cJSON_CreateObject(), *blocks = cJSON_AddArrayToObject(object, "blocks");
+        if (reason->block >= 0)
+            cJSON_AddItemToArray(blocks, cJSON_CreateString(tinker_scene_block_name(equations->scene, reason->block)));
+        cJSON_AddStringToObject(object, "why", reason->why);
+        cJSON_AddItemToArray(why, object);
+    }
+    add_symbols(root, equations);
+    add_definitions(root, equations);
+    return printed(root);
 }

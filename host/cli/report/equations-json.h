@@ -3,8 +3,12 @@
 #define TINKER_CLI_EQUATIONS_JSON_H
 
 #include "equations/equations.h"
+#include "equations/matrix.h"
 
 /* The forces on these bodies (ended by -1; NULL: on all). (transfer full, g_free) */
 char *tinker_equations_json(const TinkerEquations *equations, const TinkerBlockId *blocks);
+
+/* The linear islands with matrices. (transfer full, g_free) */
+char *tinker_equations_matrix_json(const TinkerEquations *equations, const TinkerMatrixForm *form);
 
 #endif

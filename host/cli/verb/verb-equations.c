@@ -10,6 +10,9 @@
 #include "cli/verb/verbs.h"
 #include "equations/write.h"
 #include "exit-status.h"
+#include "physics/compile/compile.h"
+#include "physics/plan/islands.h"
+#include "physics/plan/plan.h"
 #include "print.h"
 
 static const TinkerVerbHelp help = {
@@ -21,6 +24,7 @@ static const TinkerVerbHelp help = {
         "With --at the scene is run to that time first, and the numbers then stand below the symbols.",
     .examples = "  tinker equations pendulum.tinker.json\n"
                 "  tinker equations pendulum.tinker.json --block \"Mass 0\" --at 1.5\n"
+                "  tinker equations spring-mass.tinker.json --form matrix\n"
                 "  tinker equations pendulum.tinker.json --as latex -o pendulum.tex\n"
                 "  tinker equations pendulum.tinker.json --as mathml -o pendulum.html\n"
                 "  tinker equations pendulum.tinker.json --at 1.5 --as json",
@@ -32,7 +36,7 @@ enum { AS_JSON = TINKER_TYPESET_MATHML + 1 };
 
 typedef struct {
     TinkerRunArguments run;
-    char *at, *as, *output;
+    char *at, *as, *form, *output;
     char **blocks;
 } EquationsOptions;
 
@@ -41,22 +45,48 @@ static void equations_options_clear(EquationsOptions *options)
     tinker_run_arguments_clear(&options->run);
     g_free(options->at);
     g_free(options->as);
+    g_free(options->form);
     g_free(options->output);
     g_strfreev(options->blocks);
 }
 G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC(EquationsOptions, equations_options_clear)
 
+/* (transfer full) */
+static char *newton_text(const TinkerEquations *equations, const TinkerEquationsShown *shown, int as)
+{
+    return as == AS_JSON ? tinker_equations_json(equations, shown->blocks) : tinker_equations_write(equations, shown);
+}
+
+/* What is linear is told by the plan. (transfer full) */
+static char *matrix_text(const TinkerEquations *equations, const TinkerEquationsShown *shown, int as,
+                         const EquationsOptions *options, const TinkerOpenScene *open, GError **error)
+{
+    TinkerRunOptions run;
+    g_autoptr(TinkerModel) model = NULL;
+    g_autoptr(GPtrArray) islands = NULL;
+    g_autoptr(TinkerPlan) plan = NULL;
+    if (!tinker_run_arguments_apply(&options->run, open->scene, &run, error)) return NULL;
+    if ((model = tinker_model_new(open->scene, error)) == NULL) return NULL;
+    if ((islands = tinker_islands_for(model, FALSE, error)) == NULL) return NULL;
+    if ((plan = tinker_plan_new(model, islands, &run, error)) == NULL) return NULL;
+    g_autoptr(TinkerMatrixForm) form = tinker_matrix_form_new(equations, plan);
+    return as == AS_JSON ? tinker_equations_matrix_json(equations, form)
+                         : tinker_equations_write_matrix(equations, form, shown);
+}
+
 static gboolean write_equations(const EquationsOptions *options, const TinkerOpenScene *open, GError **error)
 {
     static const char *const formats[] = {"text", "latex", "mathml", "json", NULL};
+    static const char *const forms[] = {"newton", "matrix", NULL};
     static const TinkerDimension seconds = TINKER_DIMENSION_TIME;
     const TinkerAskedOutput outputs[] = {{"--output", options->output}, {NULL, NULL}};
     g_autoptr(TinkerFileSet) files = tinker_open_scene_files(open);
     g_autofree TinkerBlockId *blocks = NULL;
-    int as = TINKER_TYPESET_TEXT;
+    int as = TINKER_TYPESET_TEXT, form = 0;
     double time = 0;
     if (!tinker_outputs_add(files, outputs, error)) return FALSE;
     if (options->as != NULL && !tinker_option_choice("as", options->as, formats, &as, error)) return FALSE;
+    if (options->form != NULL && !tinker_option_choice("form", options->form, forms, &form, error)) return FALSE;
     if (options->at != NULL && !tinker_option_value("at", options->at, seconds, 0, FALSE, &time, error)) return FALSE;
     if (options->blocks != NULL && (blocks = tinker_blocks_named(open->scene, options->blocks, error)) == NULL)
         return FALSE;
@@ -69,7 +99,8 @@ static gboolean write_equations(const EquationsOptions *options, const TinkerOpe
     const TinkerEquationsShown shown = {(TinkerTypesetFormat)as, title[0] != '\0' ? title : open->name, blocks,
                                         options->at != NULL};
     g_autofree char *text =
-        as == AS_JSON ? tinker_equations_json(equations, blocks) : tinker_equations_write(equations, &shown);
+        form == 0 ? newton_text(equations, &shown, as) : matrix_text(equations, &shown, as, options, open, error);
+    if (text == NULL) return FALSE;
     g_auto(TinkerOutput) output = {0};
     if (!tinker_output_open(&output, options->output != NULL ? options->output : "-", error)) return FALSE;
     tinker_print_text(output.file, g_strchomp(text));
@@ -83,6 +114,8 @@ int tinker_verb_equations(int argc, char **argv)
         {"block", 0, 0, G_OPTION_ARG_FILENAME_ARRAY, &options.blocks,
          "Of this body alone; may be given several times (all bodies)", "NAME"},
         {"at", 0, 0, G_OPTION_ARG_FILENAME, &options.at, "With the numbers at this time (none; JSON: those at 0)", "T"},
+        {"form", 0, 0, G_OPTION_ARG_FILENAME, &options.form,
+         "newton, or matrix: M q'' + C q' + K q = f of what is linear (newton)", "FORM"},
         {"as", 0, 0, G_OPTION_ARG_FILENAME, &options.as, "text, latex, mathml or json (text)", "FORMAT"},
         {"output", 'o', 0, G_OPTION_ARG_FILENAME, &options.output, "Write to FILE (standard output)", "FILE"},
         TINKER_RUN_METHOD_ENTRIES(options.run),

@@ -1,0 +1,161 @@
+/* The matrix form as a page. */
+#include <math.h>
+
+#include "equations/page-private.h"
+#include "equations/write.h"
+#include "law/build.h"
+
+#define ROUNDING     1e-12 /* damping ratios below it are 0 */
+#define MOST_WRITTEN 8     /* coordinates: beyond, the JSON has the entries */
+
+static const TinkerDimension length = {0, 1, 0, 0}, frequency = {0, 0, -1, 1}, seconds = {0, 0, 1, 0};
+
+static const TinkerMatrixCoordinate *coordinate_at(const TinkerMatrixIsland *island, guint number)
+{
+    return &g_array_index(island->coordinates, TinkerMatrixCoordinate, number);
+}
+
+/* q or q_1, with dots. */
+static char *coordinate(const TinkerPage *page, const TinkerMatrixIsland *island, guint number, int dots)
+{
+    GString *text = g_string_new(NULL);
+    g_autofree char *index = island->coordinates->len == 1 ? g_strdup("") : g_strdup_printf("%u", number + 1);
+    const TinkerSymbolLook look = {"q", index, dots, NULL};
+    tinker_symbol_typeset(text, &look, page->format);
+    return g_string_free(text, FALSE);
+}
+
+/* "+ c q'" where the coefficient is not 0. */
+static void add_term(GString *sum, const TinkerPage *page, const TinkerExpression *factor, char *variable)
+{
+    static const char *const plus[] = {" + ", "+", "<mo>+</mo>"}, *const minus[] = {" − ", "-", "<mo>−</mo>"};
+    static const char *const times[] = {" ", "\\,", "<mo>&#x2062;</mo>"};
+    static const char *const open[] = {"(", "\\left(", "<mo>(</mo>"};
+    static const char *const close[] = {")", "\\right)", "<mo>)</mo>"};
+    if (!tinker_expression_is_number(factor, 0)) {
+        const gboolean negative = factor->kind == TINKER_EXPRESSION_NEGATIVE;
+        const TinkerExpression *size = negative ? factor->parts[0] : factor;
+        const gboolean brackets = size->kind == TINKER_EXPRESSION_SUM;
+        g_autofree char *text = tinker_page_expression(page, size);
+        if (sum->len > 0 || negative) g_string_append(sum, negative ? minus[page->format] : plus[page->format]);
+        g_string_append_printf(sum, "%s%s%s%s%s", brackets ? open[page->format] : "", text,
+                               brackets ? close[page->format] : "", times[page->format], variable);
+    }
+    g_free(variable);
+}
+
+/* Row i: m q'' + c q' + k q = f. */
+static void write_row(TinkerPage *page, const TinkerMatrixIsland *island, guint i)
+{
+    const guint n = island->coordinates->len;
+    const GPtrArray *const matrices[] = {island->mass, island->damping, island->stiffness};
+    GString *sum = g_string_new(NULL);
+    for (int order = 0; order < 3; order++)
+        for (guint k = 0; k < n; k++)
+            add_term(sum, page, g_ptr_array_index(matrices[order], i * n + k), coordinate(page, island, k, 2 - order));
+    tinker_page_equation(page, g_string_free(sum, FALSE),
+                         tinker_page_expression(page, g_ptr_array_index(island->load, i)), NULL);
+}
+
+static void write_coordinate(TinkerPage *page, const TinkerMatrixIsland *island, guint number)
+{
+    const TinkerMatrixCoordinate *each = coordinate_at(island, number);
+    static const char *const minus[] = {" − ", "-", "<mo>−</mo>"}, *const plus[] = {" + ", "+", "<mo>+</mo>"};
+    g_autofree char *is = tinker_page_expression(page, each->is);
+    g_autofree char *about = tinker_page_quantity(page, fabs(each->about), length);
+    char *right = each->about == 0
+                      ? g_strdup(is)
+                      : g_strconcat(is, each->about > 0 ? minus[page->format] : plus[page->format], about, NULL);
+    tinker_page_equation(page, coordinate(page, island, number, 0), right,
+                         g_strdup(island->about_rest ? "counted from rest" : "its place"));
+}
+
+static char *named(const TinkerPage *page, const char *stem, const char *index)
+{
+    GString *text = g_string_new(NULL);
+    const TinkerSymbolLook look = {stem, index, 0, NULL};
+    tinker_symbol_typeset(text, &look, page->format);
+    return g_string_free(text, FALSE);
+}
+
+static void write_roots(TinkerPage *page, const TinkerMatrixIsland *island)
+{
+    static const TinkerDimension pure = {0, 0, 0, 0}, rate = {0, 0, -1, 0};
+    const guint n = island->coordinates->len;
+    for (guint i = 0; i < n; i++) {
+        g_autofree char *index = n == 1 ? g_strdup("0") : g_strdup_printf("%u", i + 1);
+        const double omega = island->omega[i], zeta = fabs(island->zeta[i]) < ROUNDING ? 0 : island->zeta[i];
+        if (isnan(omega)) {
+            tinker_page_equation(
+                page, named(page, "s", index),
+                tinker_page_quantity(page, fmax(island->unstable[2 * i], island->unstable[2 * i + 1]), rate),
+                g_strdup("it is not stable: so fast it leaves its rest"));
+            continue;
+        }
+        tinker_page_equation(page, named(page, "ω", index), tinker_page_quantity(page, omega, frequency),
+                             g_strdup(omega > 0 ? "natural frequency" : "nothing brings it back"));
+        if (!isnan(zeta))
+            tinker_page_equation(page, named(page, "ζ", n == 1 ? "" : index), tinker_page_quantity(page, zeta, pure),
+                                 g_strdup(zeta == 0  ? "damping ratio: none"
+                                          : zeta < 1 ? "damping ratio: it swings out"
+                                                     : "damping ratio: it creeps back"));
+        if (!isnan(zeta) && fabs(zeta) < 1)
+            tinker_page_equation(page, named(page, "τ", n == 1 ? "" : index),
+                                 tinker_page_quantity(page, 2 * G_PI / (omega * sqrt(1 - zeta * zeta)), seconds),
+                                 g_strdup("period"));
+    }
+}
+
+static void write_island(TinkerPage *page, const TinkerMatrixIsland *island)
+{
+    const guint n = island->coordinates->len;
+    g_autoptr(GString) heading = g_string_new(NULL);
+    for (guint i = 0; i < n; i++) {
+        const char *name = tinker_scene_block_name(page->equations->scene, coordinate_at(island, i)->body);
+        if (i > 0 && coordinate_at(island, i)->body == coordinate_at(island, i - 1)->body) continue;
+        if (i < MOST_WRITTEN) g_string_append_printf(heading, "%s%s", heading->len > 0 ? ", " : "", name);
+    }
+    if (n > MOST_WRITTEN) g_string_append_printf(heading, ", ...: %u coordinates (the JSON has the matrices)", n);
+    tinker_page_heading(page, heading->str);
+    if (n > MOST_WRITTEN) return;
+    for (guint i = 0; i < n; i++)
+        write_row(page, island, i);
+    tinker_page_gap(page);
+    for (guint i = 0; i < n; i++)
+        write_coordinate(page, island, i);
+    tinker_page_gap(page);
+    write_roots(page, island);
+}
+
+/* What the symbols of all islands stand for. */
+static void write_names(TinkerPage *page, const TinkerMatrixForm *form, gboolean values)
+{
+    g_autoptr(GHashTable) needed = g_hash_table_new(g_str_hash, g_str_equal);
+    for (guint i = 0; i < form->islands->len; i++) {
+        const TinkerMatrixIsland *island = g_ptr_array_index(form->islands, i);
+        const GPtrArray *const lists[] = {island->mass, island->damping, island->stiffness, island->load};
+        if (island->coordinates->len > MOST_WRITTEN) continue;
+        for (gsize k = 0; k < G_N_ELEMENTS(lists); k++)
+            for (guint e = 0; e < lists[k]->len; e++)
+                tinker_equations_mark(page->equations, g_ptr_array_index(lists[k], e), needed);
+    }
+    tinker_page_names(page, needed, values);
+}
+
+char *tinker_equations_write_matrix(const TinkerEquations *equations, const TinkerMatrixForm *form,
+                                    const TinkerEquationsShown *shown)
+{
+    TinkerPage page;
+    tinker_page_begin(&page, shown->format, equations, shown->title);
+    for (guint i = 0; i < form->islands->len; i++)
+        write_island(&page, g_ptr_array_index(form->islands, i));
+    write_names(&page, form, shown->values);
+    for (guint i = 0; i < form->why->len; i++) {
+        const TinkerNotWritten *reason = g_ptr_array_index(form->why, i);
+        g_autofree char *heading = g_strdup_printf(
+            "%s has no such equations: %s",
+            reason->block >= 0 ? tinker_scene_block_name(equations->scene, reason->block) : "it", reason->why);
+        tinker_page_heading(&page, heading);
+    }
+    return tinker_page_end(&page);
+}

@@ -1,0 +1,74 @@
+/* What the symbols of a page stand for: definitions, and values. */
+#include <string.h>
+
+#include "equations/page-private.h"
+
+static const char *name_of(const TinkerEquations *equations, TinkerBlockId block)
+{
+    return tinker_scene_block_name(equations->scene, block);
+}
+
+void tinker_equations_mark(const TinkerEquations *equations, const TinkerExpression *expression, GHashTable *needed)
+{
+    for (int i = 0; i < expression->count; i++)
+        tinker_equations_mark(equations, expression->parts[i], needed);
+    if (expression->kind == TINKER_EXPRESSION_SYMBOL) g_hash_table_add(needed, (void *)expression->name);
+}
+
+/* What definitions are made of is needed as well. */
+static void close_over_definitions(const TinkerEquations *equations, GHashTable *needed)
+{
+    for (guint i = equations->definitions->len; i > 0; i--) {
+        const TinkerEquationDefinition *definition = g_ptr_array_index(equations->definitions, i - 1);
+        if (g_hash_table_contains(needed, definition->name)) tinker_equations_mark(equations, definition->is, needed);
+    }
+}
+
+static void write_laws(TinkerPage *page, GHashTable *needed, gboolean values)
+{
+    const TinkerEquations *equations = page->equations;
+    gboolean first = TRUE;
+    for (guint i = 0; i < equations->definitions->len; i++) {
+        const TinkerEquationDefinition *definition = g_ptr_array_index(equations->definitions, i);
+        if (!g_hash_table_contains(needed, definition->name)) continue;
+        if (first) tinker_page_heading(page, "with");
+        first = FALSE;
+        char *comment = g_strdup_printf("%s: %s%s", name_of(equations, definition->block),
+                                        definition->means != NULL ? definition->means : "a step of its law",
+                                        definition->typed ? ", in SI" : "");
+        tinker_page_equation(page, tinker_page_symbol(page, definition->name),
+                             tinker_page_expression(page, definition->is), comment);
+        if (values)
+            tinker_page_equation(page, tinker_page_symbol(page, definition->name),
+                                 tinker_page_quantity(page, definition->value, definition->dimension), NULL);
+    }
+}
+
+static char *meaning_of(const TinkerEquations *equations, const TinkerEquationSymbol *symbol)
+{
+    const char *what = symbol->quantity != NULL ? symbol->quantity : symbol->property;
+    if (symbol->block < 0) return g_strdup(what);
+    g_autofree char *words = g_strdelimit(g_strdup(what != NULL ? what : ""), "_", ' ');
+    return g_strdup_printf("%s: %s", name_of(equations, symbol->block), words);
+}
+
+static void write_values(TinkerPage *page, GHashTable *needed, gboolean state)
+{
+    const TinkerEquations *equations = page->equations;
+    tinker_page_heading(page, "where");
+    for (guint i = 0; i < equations->symbols->len; i++) {
+        const TinkerEquationSymbol *symbol = g_ptr_array_index(equations->symbols, i);
+        const gboolean of_state = symbol->quantity != NULL;
+        if (!g_hash_table_contains(needed, symbol->name) || (of_state && !state)) continue;
+        tinker_page_equation(page, tinker_page_symbol(page, symbol->name),
+                             tinker_page_quantity(page, symbol->value, symbol->dimension),
+                             meaning_of(equations, symbol));
+    }
+}
+
+void tinker_page_names(TinkerPage *page, GHashTable *needed, gboolean values)
+{
+    close_over_definitions(page->equations, needed);
+    write_laws(page, needed, values);
+    write_values(page, needed, values);
+}
