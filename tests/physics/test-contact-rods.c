@@ -177,6 +177,9 @@ static void test_chain_onto_floor(void)
     const double *books = run->summary->books;
     g_assert_cmpfloat(books[TINKER_BOOK_CONTACTS], <, -1);
     g_assert_cmpfloat(books[TINKER_BOOK_FRICTION], <=, 0);
+    /* one that follows upon another takes little more than a step of 12 stages, its dense output and a few looks */
+    g_assert_cmpint(run->summary->contact_changes, >, 50);
+    g_assert_cmpint(run->summary->evaluations, <, 50 * run->summary->contact_changes);
     physics_assert_near("energy", energy, potential + books[TINKER_BOOK_CONTACTS] + books[TINKER_BOOK_FRICTION],
                         1e-7 * potential);
 }

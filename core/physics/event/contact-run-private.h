@@ -66,7 +66,10 @@ struct _TinkerContactRun {
     double hint;                            /* an event is known to come then; INFINITY */
     TinkerTrigger hint_trigger;
     double hint_slope;
-    double limit; /* of the step, but for that */
+    double limit;     /* of the step, but for that */
+    gboolean expects; /* the hint is when a contact should close, and the step goes there for the first time */
+    gboolean passed;  /* an event, since the last step */
+    double usual;     /* s: the length of the last step that ended where its method had it end */
     /* m/s: up to here nothing can come near anything in this step, whose start was not kept; 0: it was */
     double speed_bound;
     gboolean pending; /* the state stands on it */
@@ -169,6 +172,17 @@ gboolean tinker_contact_flight_is_free(TinkerContactRun *contact_run);
  * instant. */
 TinkerStatus tinker_contact_flight_meet(TinkerContactRun *contact_run, const TinkerTrigger *trigger);
 TinkerStatus tinker_contact_flight_part(TinkerContactRun *contact_run, const TinkerTrigger *trigger);
+
+/* Before a step: where a contact is to close in a small part of a usual step, the hint is just behind that. */
+void tinker_contact_run_expect(TinkerContactRun *contact_run);
+/* That contact, in a step that went there and found nothing, where it comes no more than a little behind its end; else
+ * *found is left as it is. */
+void tinker_contact_run_take_expected(TinkerContactRun *contact_run, TinkerTrigger *found, double *time, double *slope);
+/* Whether the step has ended so near to a time that it need not be made again to come there; and takes its state there
+ * (to where a gap is 0, to rounding). *there is FALSE where that is too far. */
+gboolean tinker_contact_run_ends_near(const TinkerContactRun *contact_run, double time);
+TinkerStatus tinker_contact_run_carry_to(TinkerContactRun *contact_run, const TinkerTrigger *trigger, double time,
+                                         TinkerStepReport *report, gboolean *there);
 
 /* Passes an event at the state of the run: impacts, and what is closed from here on. `tolerance` (m): within it a gap
  * is closed. */

@@ -207,6 +207,7 @@ gboolean tinker_contact_run_pass(TinkerContactRun *self, GError **error)
     if (!self->pending) return TRUE;
     self->pending = FALSE;
     self->passed_impact = self->last_impact;
+    self->passed = TRUE;
     self->quiet = 0;
     if (is_crowded(self))
         return tinker_island_run_fail_step(run,
@@ -330,6 +331,8 @@ double tinker_contact_run_begin(TinkerContactRun *self, double limit)
             self->speed_bound = speed;
     }
     if (!(self->speed_bound > 0)) keep_start(self, &run->state);
+    tinker_contact_run_expect(self);
+    self->passed = FALSE;
     return MIN(limit, self->hint);
 }
 
@@ -424,6 +427,7 @@ static TinkerStatus step_to_event(TinkerContactRun *self, const TinkerTrigger *t
     double from = self->from.t, end = self->limit;
     double first = MIN(from + fmax(AT_ONCE * (run->state.t - from), 4 * DBL_EPSILON * fabs(from)), end);
     Trial trial = {CLAMP(time, first, end), 0}, before = trial;
+    if (tinker_contact_run_ends_near(self, trial.time)) before.time = trial.time = run->state.t;
     for (int k = 0; k < MOST_TRIALS; k++) {
         TinkerStatus status = TINKER_OK;
         self->hint = trial.time;
@@ -441,6 +445,10 @@ static TinkerStatus step_to_event(TinkerContactRun *self, const TinkerTrigger *t
         if (status != TINKER_OK) return status;
         double next = CLAMP(next_trial(&trial, &before, &slope), first, end);
         if (fabs(next - trial.time) <= 2 * DBL_EPSILON * fabs(next)) break;
+        gboolean there;
+        status = tinker_contact_run_carry_to(self, trigger, next, report, &there);
+        if (status != TINKER_OK) return status;
+        if (there) break;
         before = trial;
         trial.time = next;
     }
@@ -474,11 +482,14 @@ TinkerStatus tinker_contact_run_look(TinkerContactRun *self, TinkerStepReport *r
     }
     double speed = fmax(run->system.speed, fmax(fastest(self, run->state.v), fastest(self, self->from.v)));
     double travel = travel_at(speed, run->state.t - self->from.t);
-    if (run->state.t == self->hint) {
+    const gboolean expected = self->expects && run->state.t == self->hint;
+    if (run->state.t == self->hint && !expected) {
         found = self->hint_trigger;
         return step_to_event(self, &found, self->hint, self->hint_slope, report);
     }
     self->hint = INFINITY;
+    self->expects = FALSE;
+    if (!expected) self->usual = run->state.t - self->from.t;
     if (tinker_contact_run_is_quiet(self, run->state.q, travel)) return TINKER_OK;
     tinker_island_run_place(run);
     if (!self->in_plane && run->q != run->state.q) {
@@ -490,6 +501,7 @@ TinkerStatus tinker_contact_run_look(TinkerContactRun *self, TinkerStepReport *r
     tinker_contact_run_find_near(self, from, run->q, travel);
     status = tinker_contact_run_search(self, self->from.t, run->state.t, &found, &time, &slope);
     if (status != TINKER_OK) return status;
+    if (found.kind == TINKER_TRIGGER_NONE && expected) tinker_contact_run_take_expected(self, &found, &time, &slope);
     if (found.kind != TINKER_TRIGGER_NONE)
         return self->remembers ? cut_to_event(self, &found, time, slope, report)
                                : step_to_event(self, &found, time, slope, report);

@@ -29,6 +29,34 @@
 #define SURELY      8.0
 #define MOST_SURELY 100.0
 
+/* Of a step: in so short a part of it an adaptive method's step is far smoother than it need be. */
+#define SHORT 0.0625
+
+/* Whether the trigger's value follows from where the bodies are and how they move, without the forces on them. */
+static gboolean is_of_place(const TinkerTrigger *trigger)
+{
+    switch (trigger->kind) {
+    case TINKER_TRIGGER_GAP:
+    case TINKER_TRIGGER_SPEED:
+    case TINKER_TRIGGER_END:
+    case TINKER_TRIGGER_BEGINNING:
+        return trigger->row < 0;
+    default:
+        return FALSE;
+    }
+}
+
+/* Brings the points to a time within the last step; *v gets the velocities of the bodies then. No force is worked out.
+ */
+static TinkerStatus place_at_time(TinkerContactRun *self, double t, double **v)
+{
+    double *q;
+    TinkerStatus status = tinker_contact_run_state_at(self, t, &q, v);
+    if (status == TINKER_OK) status = tinker_model_set_time(self->model, t);
+    if (status == TINKER_OK) tinker_model_set_state(self->model, q, *v);
+    return status;
+}
+
 /* Brings the model to a time within the last step; *v gets the velocities of the bodies then. */
 static TinkerStatus look_at_time(TinkerContactRun *self, double t, double **v)
 {
@@ -40,7 +68,7 @@ static TinkerStatus look_at_time(TinkerContactRun *self, double t, double **v)
 static TinkerStatus value_at(TinkerContactRun *self, double t, const TinkerTrigger *trigger, double *value)
 {
     double *v;
-    TinkerStatus status = look_at_time(self, t, &v);
+    TinkerStatus status = is_of_place(trigger) ? place_at_time(self, t, &v) : look_at_time(self, t, &v);
     if (status == TINKER_OK) *value = tinker_trigger_value(self, trigger);
     return status;
 }
@@ -296,6 +324,102 @@ static TinkerStatus look_at_places(TinkerContactRun *self, double from, double t
     return status;
 }
 
+/* Soon ------------------------------------------------------------------------------------------------------------- */
+
+/* Whether steps are held to a tolerance and nothing acts that swings by itself: what a few places within a short part
+ * of a step tell holds between them.
+ */
+static gboolean acts_evenly(const TinkerContactRun *self)
+{
+    const TinkerModel *model = self->model;
+    return tinker_method_is_adaptive(self->run->choice.method) && !self->exact && model->waveform_batches->len == 0 &&
+           model->asked_forces->len == 0 && model->moving_supports == 0 && model->constraints.unilateral == NULL;
+}
+
+/* The values of triggers of places at all nodes of the step, and their levels. */
+static TinkerStatus fill_places(TinkerContactRun *self, double from, double to)
+{
+    const guint count = (guint)self->degree + 1;
+    double speed = self->run->system.speed, *v;
+    for (guint k = 0; k < count; k++) {
+        const double t = k == 0 ? from : k == count - 1 ? to : from + self->nodes[k] * (to - from);
+        TinkerStatus status = place_at_time(self, t, &v);
+        if (status != TINKER_OK) return status;
+        for (guint i = 0; i < self->triggers->len; i++) {
+            const TinkerTrigger *trigger = &g_array_index(self->triggers, TinkerTrigger, i);
+            if (is_of_place(trigger)) self->values[i * count + k] = tinker_trigger_value(self, trigger);
+        }
+        for (int32_t i = 0; i < self->model->coordinates; i++)
+            speed = fmax(speed, fabs(v[i]));
+    }
+    for (guint i = 0; i < self->triggers->len; i++) {
+        TinkerTrigger *trigger = &g_array_index(self->triggers, TinkerTrigger, i);
+        if (is_of_place(trigger)) trigger->level = tinker_trigger_level(self, trigger, speed);
+    }
+    return TINKER_OK;
+}
+
+/* The first fall of a place in the step; *time is INFINITY where there is none, NAN where that has to be looked at more
+ * closely. */
+static TinkerStatus first_place_to_fall(TinkerContactRun *self, double from, double to, TinkerTrigger *found,
+                                        double *time)
+{
+    *time = INFINITY;
+    TinkerStatus status = fill_places(self, from, to);
+    for (guint i = 0; status == TINKER_OK && i < self->triggers->len; i++) {
+        const TinkerTrigger *trigger = &g_array_index(self->triggers, TinkerTrigger, i);
+        if (!is_of_place(trigger)) continue;
+        const double t = first_fall(self, trigger, self->values + i * (guint)(self->degree + 1), from, to, *time);
+        if (!(t < *time) && !isnan(t)) continue;
+        *time = t;
+        *found = *trigger;
+        if (isnan(t)) break;
+    }
+    return status;
+}
+
+/* Whether all forces stay far from where they change anything, from the first of two near times to the other: by their
+ * values there and halfway, which hardly differ. */
+static TinkerStatus forces_are_far_off(TinkerContactRun *self, double from, double to, gboolean *far)
+{
+    const guint count = self->triggers->len;
+    double *v;
+    *far = TRUE;
+    for (guint k = 0; k < 3; k++) {
+        TinkerStatus status = look_at_time(self, from + 0.5 * k * (to - from), &v);
+        if (status != TINKER_OK) return status;
+        for (guint i = 0; i < count; i++) {
+            const TinkerTrigger *trigger = &g_array_index(self->triggers, TinkerTrigger, i);
+            if (!is_of_place(trigger)) self->values[k * count + i] = tinker_trigger_value(self, trigger);
+        }
+    }
+    for (guint i = 0; i < count && *far; i++) {
+        if (is_of_place(&g_array_index(self->triggers, TinkerTrigger, i))) continue;
+        const double a = self->values[i], b = self->values[count + i], c = self->values[2 * count + i];
+        const double least = fmin(a, fmin(b, c)), most = fmax(a, fmax(b, c));
+        *far = least > SURELY * (most - least);
+    }
+    return TINKER_OK;
+}
+
+/* Where contacts follow upon one another, the first event is that of a place soon after the step's start. Then nothing
+ * has to be known of forces behind it. FALSE where that is not so, or not sure. */
+static TinkerStatus search_soon(TinkerContactRun *self, double from, double to, TinkerTrigger *found, double *time,
+                                gboolean *done)
+{
+    TinkerTrigger first;
+    double t;
+    *done = FALSE;
+    TinkerStatus status = first_place_to_fall(self, from, to, &first, &t);
+    if (status != TINKER_OK || isnan(t) || !(fmin(t, to) <= from + SHORT * self->usual)) return status;
+    status = t > from ? forces_are_far_off(self, from, fmin(t, to), done) : TINKER_OK;
+    *done |= t == from;
+    if (!*done || isinf(t)) return status;
+    *found = first;
+    *time = t;
+    return status;
+}
+
 TinkerStatus tinker_contact_run_search(TinkerContactRun *self, double from, double to, TinkerTrigger *found,
                                        double *time, double *slope)
 {
@@ -306,6 +430,11 @@ TinkerStatus tinker_contact_run_search(TinkerContactRun *self, double from, doub
     if (status != TINKER_OK || self->triggers->len == 0) return status;
     if (varies_slowly(self)) status = look_at_places(self, from, to, &clear);
     if (clear || status != TINKER_OK) return status;
+    gboolean done = FALSE;
+    if (self->contacts->closed->len > 0 && acts_evenly(self)) status = search_soon(self, from, to, found, time, &done);
+    if (status != TINKER_OK) return status;
+    if (done && found->kind == TINKER_TRIGGER_NONE) return TINKER_OK;
+    if (done) return find_slope(self, found, from, to, *time, slope);
     double arc = highest_frequency(self, from, to) * (to - from);
     int parts = (int)CLAMP(ceil(arc / TINKER_LONGEST_ARC), 1, MOST_PARTS);
     for (int k = 0; k < parts && status == TINKER_OK && found->kind == TINKER_TRIGGER_NONE; k++) {

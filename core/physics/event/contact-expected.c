@@ -1,0 +1,136 @@
+/* Contacts that follow upon one another, as of a chain that strikes the ground link by link: a step is made for the
+ * next one where that is to come soon, and its state is carried the little way that is left to the event, so that
+ * hardly any step is made twice. */
+#include <float.h>
+#include <math.h>
+
+#include "numerics/solve/largest.h"
+#include "physics/contact/contacts.h"
+#include "physics/event/contact-run-private.h"
+#include "physics/island/island-run.h"
+#include "physics/model/model-data.h"
+#include "physics/system/method-call.h"
+#include "physics/system/system.h"
+
+/* Of the tolerance: an error that is nothing beside what steps make. */
+#define CARRIED_SHARE 1e-4
+/* Accelerations change within a step by less than so many times as much. */
+#define CHANGE 10.0
+/* Of a step: so near to an event its state may be carried to it. */
+#define FARTHEST_CARRY 1e-3
+#define MOST_CARRIES   3
+/* Of a step: a contact that is expected so soon is what the step is made for. */
+#define SOON 0.0625
+
+/* How far in time (s) the state may be carried on by its velocities and accelerations, those that were worked out last:
+ * these change within a step of usual length by no more than so many times as much, which is to be nothing beside the
+ * error of the method. Where that is not held to a tolerance, states follow from steps alone. */
+static double longest_carry(const TinkerContactRun *self)
+{
+    const TinkerIslandRun *run = self->run;
+    const int32_t n = run->system.system.size;
+    if (!self->in_plane || !tinker_method_is_adaptive(run->choice.method)) return 0;
+    const double strongest = tinker_largest(n, self->force), speed = tinker_largest(n, run->state.v);
+    const double share = fmax(CARRIED_SHARE * run->choice.tolerance, DBL_EPSILON);
+    if (!(strongest > 0)) return 0;
+    return fmin(FARTHEST_CARRY * self->usual, sqrt(share * speed * self->usual / (CHANGE * strongest)));
+}
+
+gboolean tinker_contact_run_ends_near(const TinkerContactRun *self, double time)
+{
+    return fabs(time - self->run->state.t) < longest_carry(self);
+}
+
+/* Takes the state on by a short time (s), with the accelerations and powers that were worked out there. */
+static void carry(TinkerContactRun *self, double by, const double *power)
+{
+    TinkerState *state = &self->run->state;
+    const TinkerSystem *system = &self->run->system.system;
+    for (int32_t i = 0; i < system->size; i++) {
+        state->q[i] += by * (state->v[i] + 0.5 * by * self->force[i]);
+        state->v[i] += by * self->force[i];
+    }
+    for (int32_t i = 0; i < system->books; i++)
+        state->books[i] += by * power[i];
+}
+
+TinkerStatus tinker_contact_run_carry_to(TinkerContactRun *self, const TinkerTrigger *trigger, double time,
+                                         TinkerStepReport *report, gboolean *there)
+{
+    TinkerIslandRun *run = self->run;
+    TinkerState *state = &run->state;
+    TinkerSystem *system = &run->system.system;
+    const double before = state->t;
+    double power[TINKER_BOOK_COUNT];
+    *there = FALSE;
+    if (!(fabs(time - before) < FARTHEST_CARRY * self->usual) || !(longest_carry(self) > 0)) return TINKER_OK;
+    TinkerStatus status = system->acceleration(system->context, before, state->q, state->v, self->force, power);
+    if (status != TINKER_OK || !(fabs(time - before) <= longest_carry(self))) return status;
+    carry(self, time - before, power);
+    for (int k = 0; k < MOST_CARRIES && trigger->kind == TINKER_TRIGGER_GAP && trigger->row < 0; k++) {
+        status = tinker_model_set_time(self->model, time);
+        if (status != TINKER_OK) return status;
+        tinker_model_set_state(self->model, state->q, state->v);
+        const TinkerContactPlace place = tinker_contact_place(self->contacts, trigger->body, trigger->plate);
+        const double by = -place.gap / place.normal_speed;
+        if (!(fabs(by) > 2 * DBL_EPSILON * fabs(time)) || !(fabs(by) <= longest_carry(self))) break;
+        carry(self, by, power);
+        time += by;
+    }
+    state->t = fmax(time, self->from.t + 4 * DBL_EPSILON * fabs(self->from.t));
+    report->step += state->t - before;
+    *there = TRUE;
+    return TINKER_OK;
+}
+
+/* When the gap of an open pair falls to 0, by the accelerations worked out last; INFINITY where it does not soon. */
+static double arrival(const TinkerContactRun *self, const TinkerContactPair *pair)
+{
+    const TinkerPlate *plate = &self->contacts->plates[pair->plate];
+    const TinkerContactPlace place = tinker_contact_place(self->contacts, pair->body, pair->plate);
+    const double *a = self->force + 2 * pair->body;
+    const double bend = plate->normal[0] * a[0] + plate->normal[1] * a[1], speed = place.normal_speed;
+    const double root = speed * speed - 2 * bend * place.gap;
+    if (!(place.gap > tinker_contact_run_closed_gap(self)) || !(root >= 0) || fabs(place.along) > plate->half_width)
+        return INFINITY;
+    const double time = 2 * place.gap / (-speed + sqrt(root)); /* the nearer root, whatever its signs */
+    return time > 0 && !tinker_contact_run_leaves(self, pair) ? time : INFINITY;
+}
+
+void tinker_contact_run_expect(TinkerContactRun *self)
+{
+    TinkerIslandRun *run = self->run;
+    const TinkerState *state = &run->state;
+    double soonest = SOON * self->usual;
+    self->expects = FALSE;
+    if (!self->passed || !self->in_plane || self->remembers || isfinite(self->hint) || self->near->len == 0 ||
+        self->contacts->moving_plates > 0 || !tinker_method_is_adaptive(run->choice.method))
+        return;
+    if (run->system.system.acceleration(&run->system, state->t, state->q, state->v, self->force, NULL) != TINKER_OK)
+        return;
+    for (int32_t i = 0; i < self->model->bodies; i++) {
+        const GArray *plates = self->neighbours.lists[i];
+        for (guint k = 0; k < plates->len; k++) {
+            const TinkerContactPair pair = {i, g_array_index(plates, int32_t, k), -1};
+            const double time = arrival(self, &pair);
+            if (!(time < soonest)) continue;
+            self->hint_trigger = (TinkerTrigger){TINKER_TRIGGER_GAP, pair.body, pair.plate, -1, -1, 0};
+            soonest = time;
+            self->expects = TRUE;
+        }
+    }
+    if (self->expects) self->hint = state->t + soonest + 0.1 * longest_carry(self);
+}
+
+void tinker_contact_run_take_expected(TinkerContactRun *self, TinkerTrigger *found, double *time, double *slope)
+{
+    const TinkerIslandRun *run = self->run;
+    tinker_model_set_state(self->model, run->q, run->v);
+    const TinkerContactPlace place =
+        tinker_contact_place(self->contacts, self->hint_trigger.body, self->hint_trigger.plate);
+    const double left = -place.gap / place.normal_speed;
+    if (!(place.normal_speed < 0) || !tinker_contact_run_ends_near(self, run->state.t + left)) return;
+    *found = self->hint_trigger;
+    *time = run->state.t + left;
+    *slope = place.normal_speed;
+}
