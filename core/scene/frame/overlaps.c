@@ -1,17 +1,17 @@
 /* gap = n . (centre - top) - height / 2, with n the normal of the plate's solid side. Measured from the top, the plate
  * reaches from -(its height) to 0 and the body from gap to gap + (its height).
  *
- * Bodies are sorted by x; of each plate only those are looked at that lie within the sides of its box. */
+ * Bodies are sorted along the axis that they are spread out on more; of each plate only those are looked at that lie
+ * within the sides of its box there. */
 #include "scene/frame/overlaps.h"
 
 #include <math.h>
 
 #include <tinker/physics.h>
 
-/* A body in the order of x, or a plate. */
 typedef struct {
     TinkerBlockId block;
-    double x, y, angle, width, height;
+    double place[2], angle, width, height;
 } Box;
 
 static int32_t shape_of(const TinkerFrame *frame, TinkerBlockId block)
@@ -31,16 +31,30 @@ static GArray *boxes_of(const TinkerFrame *frame, int32_t shape)
         Box box = {.block = id,
                    .width = tinker_frame_meaning(frame, id, TINKER_MEANING_WIDTH, 0, 0),
                    .height = tinker_frame_meaning(frame, id, TINKER_MEANING_HEIGHT, 0, 0)};
-        tinker_frame_centre(frame, id, &box.x, &box.y, &box.angle);
+        tinker_frame_centre(frame, id, &box.place[0], &box.place[1], &box.angle);
         if (shape == TINKER_SHAPE_PLATE && !(box.width > 0)) continue;
         g_array_append_val(boxes, box);
     }
     return boxes;
 }
 
-static int compare_x(gconstpointer a, gconstpointer b)
+/* 0: x, 1: y. */
+static int longer_axis(const GArray *bodies)
 {
-    const double first = ((const Box *)a)->x, second = ((const Box *)b)->x;
+    double least[2] = {INFINITY, INFINITY}, most[2] = {-INFINITY, -INFINITY};
+    for (guint i = 0; i < bodies->len; i++) {
+        const double *place = g_array_index(bodies, Box, i).place;
+        for (int k = 0; k < 2; k++) {
+            least[k] = fmin(least[k], place[k]);
+            most[k] = fmax(most[k], place[k]);
+        }
+    }
+    return most[1] - least[1] > most[0] - least[0] ? 1 : 0;
+}
+
+static int compare_places(gconstpointer a, gconstpointer b, gpointer axis)
+{
+    const double first = ((const Box *)a)->place[*(int *)axis], second = ((const Box *)b)->place[*(int *)axis];
     return first < second ? -1 : first > second;
 }
 
@@ -51,13 +65,13 @@ static int compare_pairs(gconstpointer a, gconstpointer b)
     return first->body < second->body ? -1 : first->body > second->body;
 }
 
-/* The first body whose centre does not lie left of x. */
-static guint first_from(const GArray *bodies, double x)
+/* The first body whose centre does not lie before a place on the axis. */
+static guint first_from(const GArray *bodies, int axis, double place)
 {
     guint low = 0, high = bodies->len;
     while (low < high) {
         guint middle = low + (high - low) / 2;
-        if (g_array_index(bodies, Box, middle).x < x)
+        if (g_array_index(bodies, Box, middle).place[axis] < place)
             low = middle + 1;
         else
             high = middle;
@@ -65,17 +79,18 @@ static guint first_from(const GArray *bodies, double x)
     return low;
 }
 
-/* Half the extent in x of where the centre of a body of that height may lie. */
-static double reach_of(const Box *plate, double tallest)
+/* Half the extent along an axis of where the centre of a body of that height may lie. */
+static double reach_of(const Box *plate, int axis, double tallest)
 {
-    return fabs(cos(plate->angle)) * 0.5 * plate->width +
-           fabs(sin(plate->angle)) * (0.5 * plate->height + 0.5 * tallest);
+    const double c = fabs(cos(plate->angle)), s = fabs(sin(plate->angle));
+    const double across = 0.5 * plate->height + 0.5 * tallest;
+    return axis == 0 ? c * 0.5 * plate->width + s * across : s * 0.5 * plate->width + c * across;
 }
 
 static void look(const Box *plate, const Box *body, GArray *overlaps)
 {
     const double normal[2] = {-sin(plate->angle), cos(plate->angle)};
-    const double dx = body->x - plate->x, dy = body->y - plate->y;
+    const double dx = body->place[0] - plate->place[0], dy = body->place[1] - plate->place[1];
     const double along = normal[1] * dx - normal[0] * dy;
     const double gap = normal[0] * dx + normal[1] * dy - 0.5 * plate->height - 0.5 * body->height;
     const double above_underside = gap + body->height + plate->height;
@@ -93,13 +108,14 @@ GArray *tinker_overlaps_new(const TinkerFrame *frame)
     double tallest = 0;
     for (guint i = 0; i < bodies->len; i++)
         tallest = fmax(tallest, g_array_index(bodies, Box, i).height);
-    g_array_sort(bodies, compare_x);
+    int axis = longer_axis(bodies);
+    g_array_sort_with_data(bodies, compare_places, &axis);
     for (guint k = 0; k < plates->len; k++) {
         const Box *plate = &g_array_index(plates, Box, k);
-        const double reach = reach_of(plate, tallest);
-        for (guint i = first_from(bodies, plate->x - reach); i < bodies->len; i++) {
+        const double reach = reach_of(plate, axis, tallest);
+        for (guint i = first_from(bodies, axis, plate->place[axis] - reach); i < bodies->len; i++) {
             const Box *body = &g_array_index(bodies, Box, i);
-            if (body->x > plate->x + reach) break;
+            if (body->place[axis] > plate->place[axis] + reach) break;
             look(plate, body, overlaps);
         }
     }
