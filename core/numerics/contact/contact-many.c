@@ -22,9 +22,9 @@
 #define LOOSE    1e-10
 /* Guesses that are followed from the offsets, and from what splitting gave. */
 #define FIRST_GUESSES 3
-#define LATER_GUESSES 3
+#define LATER_GUESSES 1
 /* Splitting: steps between guesses, and at most; how far a step goes (1 to 2). */
-#define STEPS_BETWEEN 15
+#define STEPS_BETWEEN 10
 #define MOST_STEPS    600
 #define RELAXATION    1.6
 /* Its softness, where W is about 1: at first; how much it changes at once, to balance what is left to be done on both

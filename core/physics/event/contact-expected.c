@@ -83,16 +83,16 @@ TinkerStatus tinker_contact_run_carry_to(TinkerContactRun *self, const TinkerTri
     return TINKER_OK;
 }
 
-/* When the gap of an open pair falls to 0, by the accelerations worked out last; INFINITY where it does not soon. */
-static double arrival(const TinkerContactRun *self, const TinkerContactPair *pair)
+/* When the gap of an open pair falls to 0, by the accelerations worked out last; INFINITY where it does not. It is
+ * open beyond a gap of `closed`. */
+static double arrival(const TinkerContactRun *self, const TinkerContactPair *pair, double closed)
 {
     const TinkerPlate *plate = &self->contacts->plates[pair->plate];
     const TinkerContactPlace place = tinker_contact_place(self->contacts, pair->body, pair->plate);
     const double *a = self->force + 2 * pair->body;
     const double bend = plate->normal[0] * a[0] + plate->normal[1] * a[1], speed = place.normal_speed;
     const double root = speed * speed - 2 * bend * place.gap;
-    if (!(place.gap > tinker_contact_run_closed_gap(self)) || !(root >= 0) || fabs(place.along) > plate->half_width)
-        return INFINITY;
+    if (!(place.gap > closed) || !(root >= 0) || fabs(place.along) > plate->half_width) return INFINITY;
     const double time = 2 * place.gap / (-speed + sqrt(root)); /* the nearer root, whatever its signs */
     return time > 0 && !tinker_contact_run_leaves(self, pair) ? time : INFINITY;
 }
@@ -108,11 +108,12 @@ void tinker_contact_run_expect(TinkerContactRun *self)
         return;
     if (run->system.system.acceleration(&run->system, state->t, state->q, state->v, self->force, NULL) != TINKER_OK)
         return;
+    const double closed = tinker_contact_run_closed_gap(self);
     for (int32_t i = 0; i < self->model->bodies; i++) {
         const GArray *plates = self->neighbours.lists[i];
         for (guint k = 0; k < plates->len; k++) {
             const TinkerContactPair pair = {i, g_array_index(plates, int32_t, k), -1};
-            const double time = arrival(self, &pair);
+            const double time = arrival(self, &pair, closed);
             if (!(time < soonest)) continue;
             self->hint_trigger = (TinkerTrigger){TINKER_TRIGGER_GAP, pair.body, pair.plate, -1, -1, 0};
             soonest = time;
