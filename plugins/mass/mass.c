@@ -15,8 +15,9 @@ enum {
     COLUMN_HEIGHT,
 };
 
-/* Behind the six quantities of a point. */
+/* Behind the six quantities of a point; the last one behind the three of contacts. */
 enum { QUANTITY_SPEED = 6, QUANTITY_KINETIC_ENERGY, QUANTITY_X_MOMENTUM, QUANTITY_Y_MOMENTUM, QUANTITY_CONTACTS };
+#define QUANTITY_ACCELERATION (QUANTITY_CONTACTS + 3)
 
 static const TinkerBoxColumns box_columns = {COLUMN_POSITION, COLUMN_LOCAL_ORIGIN, COLUMN_ORIENTATION, COLUMN_WIDTH,
                                              COLUMN_HEIGHT};
@@ -61,13 +62,17 @@ static int32_t handles(const TinkerInstance *instance, TinkerHandle *list, int32
 static TinkerStatus values(TinkerBatch *batch, const TinkerGraphInput *input, int32_t quantity, double *result)
 {
     if (quantity < QUANTITY_SPEED) return tinker_point_values(batch, input, quantity, result);
-    if (quantity >= QUANTITY_CONTACTS) return tinker_contact_values(batch, input, quantity - QUANTITY_CONTACTS, result);
+    if (quantity >= QUANTITY_CONTACTS && quantity < QUANTITY_ACCELERATION)
+        return tinker_contact_values(batch, input, quantity - QUANTITY_CONTACTS, result);
     const double *mass = tinker_column(batch, COLUMN_MASS);
     for (int32_t i = 0; i < batch->count; i++) {
         const double vx = input->ends[i].vx, vy = input->ends[i].vy;
         switch (quantity) {
         case QUANTITY_SPEED:
             result[i] = tinker_length(vx, vy);
+            break;
+        case QUANTITY_ACCELERATION:
+            result[i] = tinker_length(input->accelerations[2 * i], input->accelerations[2 * i + 1]);
             break;
         case QUANTITY_KINETIC_ENERGY:
             result[i] = 0.5 * mass[i] * (vx * vx + vy * vy);
@@ -118,6 +123,7 @@ static const TinkerQuantityType quantities[] = {
     TINKER_QUANTITY(0, "x momentum", "X Momentum", "m vx", TINKER_DIMENSION_MOMENTUM),
     TINKER_QUANTITY(0, "y momentum", "Y Momentum", "m vy", TINKER_DIMENSION_MOMENTUM),
     TINKER_CONTACT_QUANTITIES,
+    TINKER_QUANTITY(0, "acceleration", "Acceleration", "Magnitude of the acceleration", TINKER_DIMENSION_ACCELERATION),
 };
 
 static const TinkerBody body = {sizeof(TinkerBody), 2, TINKER_SHAPE_BOX, 0};

@@ -27,6 +27,12 @@ completes 'plan plugins' tinker pl
 completes 'trade' tinker help tr
 completes '--duration=' tinker run --dur
 completes '--no-estimate' tinker run --no
+completes 'show' tinker plugins sh
+completes 'list show check describe refused new new-bundle' tinker plugins ''
+completes 'support-motion support' tinker plugins show sup
+completes 'rk4' tinker run a.json --method = rk
+completes 'verlet verlet6' tinker run --method=verl
+completes 'auto' tinker run --method au
 completes '--help' tinker modes --he
 completes "$2" tinker run "${2%sh}"
 echo "1..$number"

@@ -369,6 +369,13 @@ static void test_plugins(CliFixture *fixture, gconstpointer data)
                                         "as placed", "tension",   "line law", "MIT"};
     for (gsize i = 0; i < G_N_ELEMENTS(parts); i++)
         cli_assert_holds(show->output, parts[i]);
+    g_autoptr(TestProgram) mass = cli_run_well(fixture, "plugins show mass");
+    static const char *const mass_parts[] = {"\"on\": NAME", "\"along\"", "normal force", "friction force",
+                                             "acceleration "};
+    for (gsize i = 0; i < G_N_ELEMENTS(mass_parts); i++)
+        cli_assert_holds(mass->output, mass_parts[i]);
+    g_assert_null(strstr(show->output, "\"on\""));
+    cli_assert_holds(list->output, "\nrk4 ");
     g_autoptr(TestProgram) method = cli_run_well(fixture, "plugins show rk4 spring");
     static const char *const method_parts[] = {
         "rk4", "fixed steps, explicit", "2.828", "2.785", "built in", "Kutta", "stiffness"};

@@ -328,6 +328,31 @@ static void test_window_tutorial_damped(void)
     g_assert_cmpfloat_with_epsilon((most - least) / 2, 0.05 * sqrt(26), 1e-3);
 }
 
+/* A block on an incline: what the tutorial works out by hand, until it is over the end after 5 m. */
+static void test_incline_tutorial(void)
+{
+    const double g = 9.81, normal = 2 * g * sqrt(0.75), a = g * (0.5 - 0.3 * sqrt(0.75)), end = sqrt(10 / a);
+    g_autofree char *path = source_path("docs/examples/incline/block-on-incline.tinker.json");
+    const char *options[] = {"--columns", "Block.normal force,Block.friction force,Block.acceleration,Block.speed",
+                             NULL};
+    g_autoptr(TestSceneRun) run = test_scene_run(path, options);
+    for (gsize row = 0; row < run->record->rows; row++) {
+        const double t = test_table_value(run->record, row, "time");
+        const gboolean slides = t < end;
+        const struct {
+            const char *column;
+            double value;
+        } columns[] = {{"Block.normal force", slides ? normal : 0},
+                       {"Block.friction force", slides ? 0.3 * normal : 0},
+                       {"Block.acceleration", slides ? a : g}};
+        for (gsize i = 0; i < G_N_ELEMENTS(columns); i++)
+            g_assert_cmpfloat_with_epsilon(test_table_value(run->record, row, columns[i].column), columns[i].value,
+                                           1e-9);
+        if (slides) g_assert_cmpfloat_with_epsilon(test_table_value(run->record, row, "Block.speed"), a * t, 1e-8);
+    }
+    g_assert_cmpfloat_with_epsilon(end, 2.06009, 5e-6); /* as the tutorial has it */
+}
+
 int main(int argc, char **argv)
 {
     g_test_init(&argc, &argv, NULL);
@@ -337,6 +362,7 @@ int main(int argc, char **argv)
     g_test_add_func("/docs/methods", test_methods);
     g_test_add_func("/docs/tutorial/runs", test_tutorial_runs);
     g_test_add_func("/docs/tutorial/window", test_window_tutorials);
+    g_test_add_func("/docs/tutorial/incline", test_incline_tutorial);
     g_test_add_func("/docs/tutorial/window-damped", test_window_tutorial_damped);
     g_test_add_func("/docs/example/runs", test_example_runs);
     g_test_add_func("/docs/example/is-drawn", test_example_is_drawn);

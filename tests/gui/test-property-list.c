@@ -346,8 +346,6 @@ static void test_refused(void)
     assert_refused(&window, "Appearance", "Name", "Support 0", PARTS("Support 0", "already"));
     assert_refused(&window, "Appearance", "Name", " ", PARTS("name"));
     select_block(&window, "Support 0");
-    assert_refused(&window, "Friction", "Dynamic coefficient", "0.7",
-                   PARTS("“Dynamic coefficient”", "“Static coefficient”", "0.5", "0.7"));
     assert_refused(&window, "Properties", "Restitution", "1.5", PARTS("at most 1", "1.5"));
     go_english(&window);
     select_block(&window, "Mass 0");
@@ -554,14 +552,19 @@ static void test_several(void)
     g_assert_cmpstr(heading, ==, "3 Blocks");
 }
 
-/* Where one of several refuses, none is changed. */
-static void test_all_or_none(void)
+/* Of several supports each keeps its static coefficient, where that is not below the dynamic one that is typed for all.
+ */
+static void test_friction_of_several(void)
 {
     g_auto(Window) window = window_with("{\"type\": \"support\", \"name\": \"A\", \"static_friction\": 0.9},"
                                         "{\"type\": \"support\", \"name\": \"B\", \"static_friction\": 0.6}");
     const TinkerBlockId both[] = {block_of(&window, "A"), block_of(&window, "B")};
     tinker_document_select_all_of(window.document, both, 2);
-    assert_refused(&window, "Friction", "Dynamic coefficient", "0.8", PARTS("at most", "0.6"));
+    type_into(&window, "Friction", "Dynamic coefficient", "0.8");
+    g_assert_cmpfloat(stored(&window, "A", "static_friction", 0), ==, 0.9);
+    g_assert_cmpfloat(stored(&window, "B", "static_friction", 0), ==, 0.8);
+    tinker_document_undo(window.document);
+    g_assert_cmpfloat(stored(&window, "B", "static_friction", 0), ==, 0.6);
     g_assert_cmpfloat(stored(&window, "A", "dynamic_friction", 0), ==, 0.5);
 }
 
@@ -732,7 +735,7 @@ static void add_tests(void)
     g_test_add_func("/gui/property-list/motion", test_motion);
     g_test_add_func("/gui/property-list/two-motions", test_two_motions);
     g_test_add_func("/gui/property-list/several", test_several);
-    g_test_add_func("/gui/property-list/all-or-none", test_all_or_none);
+    g_test_add_func("/gui/property-list/friction-of-several", test_friction_of_several);
     g_test_add_func("/gui/property-list/every-kind", test_every_kind);
     g_test_add_func("/gui/property-list/vectors", test_vectors);
     g_test_add_func("/gui/property-list/scene", test_scene);

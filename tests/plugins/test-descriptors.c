@@ -89,7 +89,7 @@ static const Expected expected[] = {
 
 /* What can be graphed, in words of the scene format; + marks what is recorded without being asked for. */
 static const struct { const char *block, *quantities; } expected_quantities[] = {
-    {"mass", "+x +y +vx +vy ax ay speed kinetic_energy x_momentum y_momentum normal_force friction_force contact_force"},
+    {"mass", "+x +y +vx +vy ax ay speed kinetic_energy x_momentum y_momentum normal_force friction_force contact_force acceleration"},
     {"support", "x y vx vy ax ay normal_force friction_force contact_force"},
     {"spring", "length extension +tension energy"},
     {"damper", "rate +tension dissipated_power"},

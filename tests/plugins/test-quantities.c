@@ -8,15 +8,15 @@ static void test_mass(void)
     g_autoptr(BlockBatch) batch = block_batch_new(block_open("mass"), 1);
     block_batch_set(batch, 0, "mass", 0, 2);
     const TinkerPoint centre = {1, -2, 3, -4};
-    const double acceleration[2] = {5, -6};
+    const double acceleration[2] = {5, -12};
     const TinkerGraphInput input = {
         .struct_size = sizeof(TinkerGraphInput), .ends = &centre, .accelerations = acceleration};
     const struct {
         const char *quantity;
         double value;
-    } rows[] = {{"x", 1},          {"y", -2},         {"vx", 3},    {"vy", -4},
-                {"ax", 5},         {"ay", -6},        {"speed", 5}, {"kinetic energy", 25},
-                {"x momentum", 6}, {"y momentum", -8}};
+    } rows[] = {{"x", 1},          {"y", -2},          {"vx", 3},           {"vy", -4},
+                {"ax", 5},         {"ay", -12},        {"speed", 5},        {"kinetic energy", 25},
+                {"x momentum", 6}, {"y momentum", -8}, {"acceleration", 13}};
     for (size_t i = 0; i < G_N_ELEMENTS(rows); i++) {
         g_assert_cmpfloat(block_quantity_value(batch, &input, rows[i].quantity), ==, rows[i].value);
     }

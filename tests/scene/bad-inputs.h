@@ -110,6 +110,10 @@
      BLOCKS("{\"type\": \"support\", \"name\": \"Support 0\", \"static_friction\": 0.3,\n"
             " \"dynamic_friction\": 0.4}"),
      "3:22: Support 0: dynamic_friction must be at most static_friction, which is 0.3 (it is 0.4)\n"},
+    {"friction-one-given", BLOCKS("{\"type\": \"support\", \"name\": \"Support 0\", \"static_friction\": 0.3}"),
+     "2:61: Support 0: dynamic_friction must be at most static_friction, which is 0.3 (it is 0.5; dynamic_friction is "
+     "not "
+     "given: give both)\n"},
     {"switch", BLOCKS("{\"type\": \"support\", \"name\": \"Support 0\", \"solid\": \"yes\"}"),
      "2:51: Support 0: solid: true or false was expected, a text is given\n"},
     {"choice", BLOCKS("{\"type\": \"every-kind\", \"name\": \"Kind\", \"shade\": \"gray\"}"),
@@ -209,7 +213,7 @@
      "2:44: graphs[0]: quantity: a mass has no quantity \"sped\" (did you mean \"speed\"?)\n"
      "2:63: graphs[0]: against: a mass has no quantity \"velocity\" (it has \"x\", \"y\", \"vx\", \"vy\", \"ax\", "
      "\"ay\", \"speed\", \"kinetic energy\", \"x momentum\", \"y momentum\", \"normal force\", \"friction force\", "
-     "\"contact force\")\n"},
+     "\"contact force\", \"acceleration\")\n"},
     {"graph-missing", "{\"tinker\": 1, \"graphs\": [{}, 3]}",
      "1:26: graphs[0]: the key \"block\" is missing\n"
      "1:26: graphs[0]: the key \"quantity\" is missing\n"

@@ -86,10 +86,14 @@ char *scene_row_fault(const SceneTable *table, int32_t row)
     char most_text[64], given_text[64];
     tinker_number_to_text(most, most_text, sizeof most_text);
     tinker_number_to_text(given, given_text, sizeof given_text);
-    return g_strdup_printf("%s must be at most %s, which is %s (it is %s)",
-                           block_class->properties[block_class->meanings[TINKER_MEANING_DYNAMIC_FRICTION]].id,
-                           block_class->properties[block_class->meanings[TINKER_MEANING_STATIC_FRICTION]].id, most_text,
-                           given_text);
+    const int32_t above = block_class->meanings[TINKER_MEANING_DYNAMIC_FRICTION];
+    const int32_t below = block_class->meanings[TINKER_MEANING_STATIC_FRICTION];
+    const char *above_id = block_class->properties[above].id, *below_id = block_class->properties[below].id;
+    const char *not_given = !table->given[above][row] ? above_id : !table->given[below][row] ? below_id : NULL;
+    g_autofree char *advice =
+        not_given != NULL ? g_strdup_printf("; %s is not given: give both", not_given) : g_strdup("");
+    return g_strdup_printf("%s must be at most %s, which is %s (it is %s%s)", above_id, below_id, most_text, given_text,
+                           advice);
 }
 
 void scene_store(SceneTable *table, int32_t row, int32_t property, const double *values)

@@ -6,6 +6,7 @@
 
 #include "cli/report/text-table.h"
 #include "print.h"
+#include "scene/frame/tops.h"
 #include "scene/store/quantities.h"
 #include "units/units.h"
 
@@ -100,6 +101,11 @@ static void show_properties(const TinkerBlockClass *block_class, FILE *file)
     }
     fputs("\nProperties, as in a scene; values in SI:\n", file);
     tinker_text_table_write(table, file);
+    if (tinker_class_can_lie(block_class))
+        fputs("In place of a position: \"on\": NAME lies on the top of that support, and \"along\": NUMBER says how "
+              "far from "
+              "its middle,\nin m towards the support's +x (0).\n",
+              file);
 }
 
 static void show_quantities(const TinkerBlockClass *block_class, FILE *file)
@@ -120,7 +126,7 @@ static void show_quantities(const TinkerBlockClass *block_class, FILE *file)
         tinker_text_table_add(table, quantity->flags & TINKER_RECORDED ? "always" : "if asked");
         tinker_text_table_add(table, quantity->description);
     }
-    fputs("\nQuantities, for graphs and --columns:\n", file);
+    fputs("\nQuantities, for graphs and --columns, as in --columns \"NAME.QUANTITY,NAME.QUANTITY\":\n", file);
     tinker_text_table_write(table, file);
 }
 

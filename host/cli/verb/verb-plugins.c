@@ -93,6 +93,15 @@ static void list_library(const TinkerLibraryEntry *library, TinkerTextTable *tab
     }
 }
 
+static void list_built_in(TinkerTextTable *table)
+{
+    for (const TinkerIntegrator *const *method = tinker_integrator_builtins(); *method != NULL; method++) {
+        const char *const cells[] = {(*method)->id, (*method)->title, "integrator", "", "", "built in"};
+        for (gsize i = 0; i < G_N_ELEMENTS(cells); i++)
+            tinker_text_table_add(table, cells[i]);
+    }
+}
+
 /* An integrator with the id of a built-in one cannot be named. */
 static void warn_of_built_in(const TinkerLibraryEntry *library)
 {
@@ -136,6 +145,7 @@ static int list(int argc, char **argv)
         warn_of_built_in(library);
         shown++;
     }
+    list_built_in(table);
     if (shown > 0)
         tinker_text_table_write(table, stdout);
     else

@@ -111,6 +111,21 @@ typedef struct {
     const char *text;
 } Entered;
 
+/* The static coefficient of friction is never below the dynamic one: what was typed counts, and the other one follows
+ * where it has to, so that the two can be typed in either order. */
+static gboolean take_other_friction_along(TinkerHistory *history, TinkerScene *scene, TinkerBlockId block,
+                                          int32_t property, double value, GError **error)
+{
+    const TinkerBlockClass *block_class = tinker_scene_block_class(scene, block);
+    const int32_t fixed = block_class->meanings[TINKER_MEANING_STATIC_FRICTION];
+    const int32_t sliding = block_class->meanings[TINKER_MEANING_DYNAMIC_FRICTION];
+    if (fixed < 0 || sliding < 0 || (property != fixed && property != sliding)) return TRUE;
+    const int32_t other = property == fixed ? sliding : fixed;
+    const double present = tinker_scene_get(scene, block, block_class->first_columns[other]);
+    if (property == fixed ? present <= value : present >= value) return TRUE;
+    return store(history, scene, block, other, &value, error);
+}
+
 static gboolean edit_number(TinkerHistory *history, const TinkerPropertyRow *row, TinkerBlockId block,
                             gconstpointer data, GError **error)
 {
@@ -120,7 +135,8 @@ static gboolean edit_number(TinkerHistory *history, const TinkerPropertyRow *row
     int32_t first = block_class->first_columns[row->property];
     for (int32_t c = 0; c < tinker_kind_columns(block_class->properties[row->property].kind); c++)
         values[c] = c == row->component ? entered->value : tinker_scene_get(entered->scene, block, first + c);
-    return store(history, entered->scene, block, row->property, values, error);
+    return take_other_friction_along(history, entered->scene, block, row->property, values[0], error) &&
+           store(history, entered->scene, block, row->property, values, error);
 }
 
 /* Gives the rest lengths that were left to the drawing of the springs on a block, so that moving it stretches them. */

@@ -133,6 +133,22 @@ def test_what_stays_when_its_support_turns_is_told_of(display):
         wait(lambda: "orientation" not in app.blocks()["Floor"], "the turn to be undone, too")
 
 
+def test_friction_can_be_typed_in_either_order(display):
+    """The static coefficient is never below the dynamic one: the one that was not typed follows, as one step for undo."""
+    with App(display, scene(support("Floor", 0, 0))) as app:
+        app.click_world(1, 0.1)
+        for first, second in (("Static", "Dynamic"), ("Dynamic", "Static")):
+            values = {"Static": "0.35", "Dynamic": "0.3"}
+            for name in (first, second):
+                app.enter("Friction", f"{name} coefficient", values[name])
+            block = app.blocks()["Floor"]
+            check_equal((block["static_friction"], block["dynamic_friction"]), (0.35, 0.3), f"{first} first")
+            app.enter("Friction", "Dynamic coefficient", "0.9")
+            app.wait_read("Friction", "Static coefficient", "0.90000")
+            app.press("ctrl+z")
+            app.wait_read("Friction", "Static coefficient", "0.35000")
+
+
 def test_press_that_does_not_move_changes_nothing(display):
     with App(display, two_masses()) as app:
         x, y = app.at(-2, 0.2)
