@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "film.h"
+#include "force-arrows.h"
 #include "physics/record/record.h"
 #include "physics/run/simulation.h"
 
@@ -15,6 +16,8 @@ struct _TinkerMotionFilm {
     TinkerRecord *record;
     GArray *row; /* of double: scratch */
     double box[4];
+    TinkerActingForces *acting; /* NULL: forces are not shown */
+    GPtrArray *forces;          /* of GArray of TinkerActingForce, a picture each */
 };
 
 static gboolean can_move(const TinkerBlockClass *block_class)
@@ -30,6 +33,8 @@ void tinker_motion_film_free(TinkerMotionFilm *motion)
     g_array_unref(motion->bodies);
     tinker_record_free(motion->record);
     g_array_unref(motion->row);
+    g_clear_pointer(&motion->acting, tinker_acting_forces_free);
+    g_ptr_array_unref(motion->forces);
     g_free(motion);
 }
 
@@ -39,6 +44,7 @@ TinkerMotionFilm *tinker_motion_film_new(TinkerScene *scene, GError **error)
     if (frame == NULL) return NULL;
     TinkerMotionFilm *motion = g_new0(TinkerMotionFilm, 1);
     motion->frame = frame;
+    motion->forces = g_ptr_array_new_with_free_func((GDestroyNotify)g_array_unref);
     motion->bodies = g_array_new(FALSE, FALSE, sizeof(TinkerBlockId));
     for (int32_t place = 0; place < tinker_scene_block_count(scene); place++) {
         TinkerBlockId block = tinker_scene_block_at(scene, place);
@@ -51,11 +57,27 @@ TinkerMotionFilm *tinker_motion_film_new(TinkerScene *scene, GError **error)
     return motion;
 }
 
+void tinker_motion_film_show_forces(TinkerMotionFilm *motion, TinkerModel *model)
+{
+    motion->acting = tinker_acting_forces_new(model);
+}
+
+static gboolean keep_forces(TinkerMotionFilm *motion, TinkerSimulation *simulation, GError **error)
+{
+    if (motion->acting == NULL) return TRUE;
+    GArray *forces = tinker_acting_forces_array();
+    g_ptr_array_add(motion->forces, forces);
+    if (!tinker_acting_forces_at(motion->acting, simulation, forces, error)) return FALSE;
+    tinker_force_arrows_keep_moving(tinker_frame_scene(motion->frame), forces);
+    return TRUE;
+}
+
 gboolean tinker_motion_film_sample(TinkerSimulation *simulation, double time, const double *values, void *data,
                                    GError **error)
 {
     TinkerMotionFilm *motion = data;
-    if (!tinker_simulation_place(simulation, motion->frame, error)) return FALSE;
+    if (!tinker_simulation_place(simulation, motion->frame, error) || !keep_forces(motion, simulation, error))
+        return FALSE;
     double *row = (double *)(gpointer)motion->row->data;
     *row++ = time;
     for (guint i = 0; i < motion->bodies->len; i++, row += 3)
@@ -67,6 +89,7 @@ void tinker_motion_film_begin_again(void *data)
 {
     TinkerMotionFilm *motion = data;
     tinker_record_cut(motion->record, 0);
+    g_ptr_array_set_size(motion->forces, 0);
 }
 
 gsize tinker_motion_film_cut(TinkerMotionFilm *motion, double valid_until)
@@ -139,6 +162,7 @@ static gboolean draw_pictures(TinkerMotionFilm *motion, TinkerFilm *film, const 
     g_autoptr(TinkerPaintMemory) memory = tinker_paint_memory_new();
     TinkerPaintOptions paint = drawing->paint;
     paint.memory = memory;
+    TinkerForceArrows forces = {.scene = tinker_frame_scene(motion->frame)};
     cairo_t *cairo = cairo_create(surface);
     gsize count = tinker_record_rows(motion->record), picture = 0;
     gboolean fine = TRUE;
@@ -146,6 +170,11 @@ static gboolean draw_pictures(TinkerMotionFilm *motion, TinkerFilm *film, const 
         if (picture > 0 && drawing->enough != NULL && drawing->enough(drawing->data)) break;
         fine = place_picture(motion, picture, error);
         if (!fine) break;
+        if (motion->acting != NULL) {
+            forces.acting = g_ptr_array_index(motion->forces, picture);
+            paint.over = tinker_force_arrows_over;
+            paint.over_data = &forces;
+        }
         tinker_paint_scene(cairo, motion->frame, &view, &paint);
         fine = tinker_film_add(film, surface, error);
         if (fine && drawing->progress != NULL) drawing->progress((double)picture + 1, (double)count, drawing->data);

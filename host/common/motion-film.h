@@ -16,6 +16,10 @@ TinkerMotionFilm *tinker_motion_film_new(TinkerScene *scene, GError **error);
 void tinker_motion_film_free(TinkerMotionFilm *motion);
 G_DEFINE_AUTOPTR_CLEANUP_FUNC(TinkerMotionFilm, tinker_motion_film_free)
 
+/* The pictures show the forces, too, with a key: of the model that is run, borrowed until the last sample. To be called
+ * before the run. */
+void tinker_motion_film_show_forces(TinkerMotionFilm *motion, TinkerModel *model);
+
 /* A TinkerSampleFunc with a TinkerMotionFilm as its data: takes a picture's places from a run of the scene. */
 gboolean tinker_motion_film_sample(TinkerSimulation *simulation, double time, const double *values, void *motion,
                                    GError **error);

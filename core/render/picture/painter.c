@@ -288,6 +288,7 @@ void tinker_paint_scene_noting(cairo_t *cairo, TinkerFrame *frame, const TinkerV
     if (options->show_grid) draw_grid(&picture);
     draw_world(&picture);
     draw_canvas(&picture);
+    if (options->over != NULL) options->over(picture.cairo, view, options->theme, options->over_data);
     cairo_destroy(picture.cairo);
     cairo_set_antialias(cairo, antialias);
     forget_visible(&picture);

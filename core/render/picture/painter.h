@@ -22,6 +22,9 @@ typedef struct {
     gboolean quick;            /* for a window: edges in coarser shades, at less than half the cost */
     TinkerPaintMemory *memory; /* that all pictures of a film or a window share: each takes less time, and a name stays
                                   on its side of its body. NULL: every picture is made by itself */
+    /* Called when all is drawn, in canvas units: for what else is to be in the picture. NULL: nothing. */
+    void (*over)(cairo_t *cairo, const TinkerView *view, const TinkerTheme *theme, void *data);
+    void *over_data;
     GHashTable *faults; /* block class to text (owned): what drawings did to the context that they must not do, with the
                          * block's name, once a class. NULL: it is not told */
 } TinkerPaintOptions;

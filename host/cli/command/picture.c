@@ -5,6 +5,7 @@
 #include "cli/command/output.h"
 #include "exit-status.h"
 #include "film.h"
+#include "physics/run/acting-forces.h"
 
 /* Cairo's image surfaces end at 32767 pixels; a picture of half of that takes a gigabyte. */
 #define GREATEST_SIDE 16384
@@ -55,11 +56,19 @@ int tinker_picture_ending(const char *path, const char *const *endings, GError *
     return -1;
 }
 
+/* What a sample fills. */
+typedef struct {
+    TinkerFrame *frame;
+    TinkerActingForces *acting; /* NULL: not wanted */
+    GArray *forces;
+} Sampled;
+
 static gboolean place_frame(TinkerSimulation *simulation, double time, const double *values, void *data, GError **error)
 {
-    if (!tinker_simulation_place(simulation, data, error)) return FALSE;
-    tinker_frame_note_paths(data);
-    return TRUE;
+    Sampled *sampled = data;
+    if (!tinker_simulation_place(simulation, sampled->frame, error)) return FALSE;
+    tinker_frame_note_paths(sampled->frame);
+    return sampled->acting == NULL || tinker_acting_forces_at(sampled->acting, simulation, sampled->forces, error);
 }
 
 /* The one sample that is drawn; before it, where blocks leave paths, one at every interval of the scene's. Element:
@@ -77,11 +86,11 @@ static GArray *sample_times(const TinkerFrame *frame, double interval, double ti
 }
 
 gboolean tinker_picture_run_to(TinkerFrame *frame, const TinkerOpenScene *open, const TinkerRunArguments *arguments,
-                               double time, GError **error)
+                               double time, GArray *forces, GError **error)
 {
     if (time <= 0) {
         tinker_open_scene_report_warnings(open);
-        return TRUE;
+        return forces == NULL || tinker_acting_forces_at_start(open->scene, forces, error);
     }
     TinkerRunOptions options;
     if (!tinker_run_arguments_apply(arguments, open->scene, &options, error)) return FALSE;
@@ -90,7 +99,9 @@ gboolean tinker_picture_run_to(TinkerFrame *frame, const TinkerOpenScene *open, 
     options.at_count = times->len;
     g_auto(TinkerSceneRun) run = {0};
     if (!tinker_scene_run_prepare(&run, open->scene, arguments, &options, error)) return FALSE;
-    const TinkerSampleTaker taker = {.sample = place_frame, .data = frame};
+    g_autoptr(TinkerActingForces) acting = forces != NULL ? tinker_acting_forces_new(run.model) : NULL;
+    Sampled sampled = {frame, acting, forces};
+    const TinkerSampleTaker taker = {.sample = place_frame, .data = &sampled};
     gboolean done = tinker_scene_run_go(&run, NULL, &taker, error);
     tinker_scene_run_report_warnings(&run, open, arguments);
     return done;

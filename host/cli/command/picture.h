@@ -7,13 +7,15 @@
 
 typedef struct {
     char *size, *theme;
+    gboolean forces;
 } TinkerPictureArguments;
 
 void tinker_picture_arguments_clear(TinkerPictureArguments *arguments);
 G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC(TinkerPictureArguments, tinker_picture_arguments_clear)
 
 #define TINKER_PICTURE_ENTRIES(arguments, size_)                                                                       \
-    {"size", 0, 0, G_OPTION_ARG_FILENAME, &(arguments).size, "Width and height in pixels (" size_ ")", "WxH"},         \
+    {"forces", 0, 0, G_OPTION_ARG_NONE, &(arguments).forces, "Draw the forces on what can move, and their key", NULL}, \
+        {"size", 0, 0, G_OPTION_ARG_FILENAME, &(arguments).size, "Width and height in pixels (" size_ ")", "WxH"},     \
     {                                                                                                                  \
         "theme", 0, 0, G_OPTION_ARG_FILENAME, &(arguments).theme,                                                      \
             "Colours: light, dark, print, contrast-light or contrast-dark (light)", "NAME"                             \
@@ -28,9 +30,10 @@ gboolean tinker_picture_arguments_read(const TinkerPictureArguments *arguments, 
  * the ending's place, or -1 with `error` set. */
 int tinker_picture_ending(const char *path, const char *const *endings, GError **error);
 
-/* Brings a frame of the scene to `time` by running the scene up to it; t = 0 is the frame as it is made. */
+/* Brings a frame of the scene to `time` by running the scene up to it; t = 0 is the frame as it is made. `forces`
+ * (tinker_acting_forces_array; NULL: not wanted) receives those that act then. */
 gboolean tinker_picture_run_to(TinkerFrame *frame, const TinkerOpenScene *open, const TinkerRunArguments *arguments,
-                               double time, GError **error);
+                               double time, GArray *forces, GError **error);
 
 /* A table for TinkerPaintOptions.faults. (transfer full) */
 GHashTable *tinker_picture_faults_new(void);

@@ -108,6 +108,7 @@ static TinkerMotionFilm *run_motion(const AnimateOptions *options, const TinkerO
     g_autoptr(TinkerMotionFilm) motion = tinker_motion_film_new(open->scene, error);
     if (motion == NULL) return NULL;
     if (!tinker_scene_run_prepare(&run, open->scene, &options->run, &run_options, error)) return NULL;
+    if (options->picture.forces) tinker_motion_film_show_forces(motion, run.model);
     const TinkerSampleTaker taker = {tinker_motion_film_sample, tinker_motion_film_begin_again, motion};
     (void)tinker_scene_run_go(&run, NULL, &taker, failure);
     tinker_scene_run_report_warnings(&run, open, &options->run);

@@ -5,6 +5,7 @@
 #include "cli/command/output.h"
 #include "cli/command/picture.h"
 #include "exit-status.h"
+#include "force-arrows.h"
 #include "scene/frame/tops.h"
 
 static const TinkerVerbHelp help = {
@@ -53,7 +54,8 @@ static gboolean render(const RenderOptions *options, const TinkerOpenScene *open
     if (frame == NULL) return FALSE;
     tinker_tops_turn_bodies(frame);
     g_autoptr(GError) failure = NULL;
-    gboolean reached = tinker_picture_run_to(frame, open, &options->run, time, &failure) ||
+    g_autoptr(GArray) acting = options->picture.forces ? tinker_acting_forces_array() : NULL;
+    gboolean reached = tinker_picture_run_to(frame, open, &options->run, time, acting, &failure) ||
                        g_error_matches(failure, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_ACCURACY);
     gboolean drawn = FALSE;
     paint.show_labels = !options->no_labels;
@@ -61,6 +63,14 @@ static gboolean render(const RenderOptions *options, const TinkerOpenScene *open
     paint.show_time = time > 0;
     g_autoptr(GHashTable) faults = tinker_picture_faults_new();
     paint.faults = faults;
+    g_autoptr(GArray) at_start = tinker_acting_forces_array();
+    TinkerForceArrows forces = {.scene = open->scene, .acting = acting, .at_start = at_start};
+    if (reached && acting != NULL) {
+        if (!tinker_acting_forces_at_start(open->scene, at_start, error)) return FALSE;
+        tinker_force_arrows_keep_moving(open->scene, acting);
+        paint.over = tinker_force_arrows_over;
+        paint.over_data = &forces;
+    }
     if (reached) drawn = tinker_paint_to_file(frame, NULL, width, height, &paint, options->output, error);
     tinker_picture_report_faults(faults);
     if (failure == NULL || (reached && !drawn)) return drawn;

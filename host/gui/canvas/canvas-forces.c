@@ -3,11 +3,10 @@
  * can be compared, over time and from body to body. */
 #include "gui/canvas/canvas-forces.h"
 
-#include <glib/gi18n.h>
 #include <math.h>
 
+#include "force-arrows.h"
 #include "physics/run/acting-forces.h"
-#include "render/picture/arrows.h"
 
 #define PATIENCE 5 /* parts of the time that working them out took: so long are they shown */
 
@@ -67,17 +66,7 @@ static gboolean shows(TinkerDocument *document, const TinkerActingForce *force, 
         gboolean is_body = block_class != NULL && block_class->meanings[TINKER_MEANING_POSITION] >= 0;
         if (selection[i] == force->on || (selection[i] == force->by && (others || !is_body))) return TRUE;
     }
-    const TinkerBlockClass *on = tinker_scene_block_class(scene, force->on);
-    return selected == 0 && on->physics->body->degrees_of_freedom > 0;
-}
-
-static gboolean has_force(const GArray *acting)
-{
-    for (guint i = 0; i < acting->len; i++) {
-        const TinkerActingForce *force = &g_array_index(acting, TinkerActingForce, i);
-        if (hypot(force->fx, force->fy) > 0) return TRUE;
-    }
-    return FALSE;
+    return selected == 0 && tinker_force_acts_on_moving(scene, force);
 }
 
 /* One scale for a run: from the forces at its start, or where there are none from the first that there are. */
@@ -86,79 +75,16 @@ static void choose_scale(CanvasForces *forces, TinkerDocument *document, const T
     const gboolean edited = forces->scaled_revision != forces->revision;
     if (forces->pixels > 0 && !(edited && forces->time == 0)) return;
     if (edited) forces->start_is_known_empty = FALSE;
-    g_autoptr(GArray) start = tinker_acting_forces_array(), arrows = g_array_new(FALSE, TRUE, sizeof(TinkerForceArrow));
+    g_autoptr(GArray) start = tinker_acting_forces_array();
     const GArray *known = forces->acting;
     if (forces->time != 0 && !forces->start_is_known_empty) {
         tinker_acting_forces_at_start(tinker_document_scene(document), start, NULL);
-        forces->start_is_known_empty = !has_force(start);
+        forces->start_is_known_empty = !tinker_force_arrows_any(start);
         if (!forces->start_is_known_empty) known = start;
     }
-    for (guint i = 0; i < known->len; i++) {
-        const TinkerActingForce *force = &g_array_index(known, TinkerActingForce, i);
-        g_array_append_val(arrows, ((TinkerForceArrow){.fx = force->fx, .fy = force->fy}));
-    }
     forces->scaled_revision = forces->revision;
-    if (!has_force(known)) return;
-    forces->pixels = view->scale * tinker_arrows_scale((const TinkerForceArrow *)(gpointer)arrows->data, arrows->len,
-                                                       view, forces->pixels / view->scale);
-}
-
-static const struct {
-    TinkerActingKind acting;
-    TinkerArrowKind arrow;
-    const char *word;
-} kinds[] = {
-    {TINKER_ACTING_FIELD, TINKER_ARROW_FIELD, N_("Field")},
-    {TINKER_ACTING_NORMAL, TINKER_ARROW_NORMAL, N_("Normal force")},
-    {TINKER_ACTING_FRICTION, TINKER_ARROW_FRICTION, N_("Friction")},
-    {TINKER_ACTING_LINE, TINKER_ARROW_CONNECTOR, N_("Connector")},
-    {TINKER_ACTING_CONSTRAINT, TINKER_ARROW_CONSTRAINT, N_("Constraint")},
-    {TINKER_ACTING_ELEMENT, TINKER_ARROW_APPLIED, N_("Applied force")},
-};
-
-/* By its place in the list, whose last is what all others are. */
-static gsize kind_of(TinkerActingKind acting)
-{
-    gsize i = 0;
-    while (i + 1 < G_N_ELEMENTS(kinds) && kinds[i].acting != acting)
-        i++;
-    return i;
-}
-
-static char *label_of(TinkerScene *scene, const TinkerActingForce *force)
-{
-    static const TinkerDimension dimension = TINKER_DIMENSION_FORCE;
-    g_autofree char *value =
-        tinker_quantity_format(hypot(force->fx, force->fy), dimension, NULL, tinker_scene_head(scene)->units, 2);
-    gboolean contact = force->kind == TINKER_ACTING_NORMAL || force->kind == TINKER_ACTING_FRICTION;
-    const char *by = tinker_scene_block_name(scene, force->by);
-    return contact ? g_strdup_printf("%s (%s) %s", by, _(kinds[kind_of(force->kind)].word), value)
-                   : g_strdup_printf("%s %s", by, value);
-}
-
-/* The key -------------------------------------------------------------------------------------------------------------
- */
-
-/* Of the kinds that there are now, and how long a round force is. */
-static void draw_key(cairo_t *cairo, const TinkerView *view, const GArray *arrows, const TinkerArrowOptions *options,
-                     TinkerUnitSystem system)
-{
-    static const TinkerDimension dimension = TINKER_DIMENSION_FORCE;
-    TinkerArrowWord words[G_N_ELEMENTS(kinds)];
-    TinkerUnit unit = {1, TINKER_DIMENSION_FORCE};
-    gsize count = 0;
-    for (gsize k = 0; k < G_N_ELEMENTS(kinds); k++) {
-        gboolean is_there = FALSE;
-        for (guint i = 0; i < arrows->len && !is_there; i++)
-            is_there = g_array_index(arrows, TinkerForceArrow, i).kind == kinds[k].arrow;
-        if (is_there) words[count++] = (TinkerArrowWord){kinds[k].arrow, _(kinds[k].word)};
-    }
-    tinker_unit_parse(tinker_unit_for(dimension, system), &unit, NULL);
-    TinkerArrowKey key = {
-        .force = tinker_arrows_key_force(view, options->scale, unit.factor), .words = words, .word_count = count};
-    g_autofree char *label = tinker_quantity_brief(key.force, dimension, system);
-    key.label = label;
-    tinker_arrows_draw_key(cairo, view, options, &key, NULL);
+    if (!tinker_force_arrows_any(known)) return;
+    forces->pixels = tinker_force_arrows_scale(known, view, forces->pixels);
 }
 
 void canvas_forces_draw(CanvasForces *forces, cairo_t *cairo, TinkerDocument *document, TinkerPlayer *player,
@@ -166,20 +92,12 @@ void canvas_forces_draw(CanvasForces *forces, cairo_t *cairo, TinkerDocument *do
 {
     update(forces, document, player);
     choose_scale(forces, document, view);
-    TinkerScene *scene = tinker_document_scene(document);
-    g_autoptr(GPtrArray) labels = g_ptr_array_new_with_free_func(g_free);
-    g_autoptr(GArray) arrows = g_array_new(FALSE, FALSE, sizeof(TinkerForceArrow));
+    g_autoptr(GArray) shown = tinker_acting_forces_array();
     for (guint i = 0; i < forces->acting->len; i++) {
         const TinkerActingForce *force = &g_array_index(forces->acting, TinkerActingForce, i);
-        if (!shows(document, force, look->others)) continue;
-        char *label = label_of(scene, force);
-        g_ptr_array_add(labels, label);
-        TinkerForceArrow arrow = {force->x, force->y, force->fx, force->fy, label, kinds[kind_of(force->kind)].arrow};
-        g_array_append_val(arrows, arrow);
+        if (shows(document, force, look->others)) g_array_append_val(shown, *force);
     }
-    if (!(forces->pixels > 0)) return;
-    const TinkerForceArrow *list = (const TinkerForceArrow *)(gpointer)arrows->data;
-    TinkerArrowOptions options = {.theme = look->theme, .scale = look->factor * forces->pixels / view->scale};
-    tinker_arrows_draw(cairo, view, list, arrows->len, &options);
-    draw_key(cairo, view, arrows, &options, tinker_scene_head(scene)->units);
+    const TinkerForceArrows arrows = {
+        .scene = tinker_document_scene(document), .acting = shown, .pixels = look->factor * forces->pixels};
+    tinker_force_arrows_draw(&arrows, cairo, view, look->theme);
 }

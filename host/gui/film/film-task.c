@@ -88,6 +88,7 @@ static gboolean run_scene(Job *job, TinkerMotionFilm *motion, GError **error)
     options.data = job;
     g_autoptr(TinkerSimulation) simulation = tinker_simulation_new(model, &options, error);
     if (simulation == NULL) return FALSE;
+    if (job->settings.show_forces) tinker_motion_film_show_forces(motion, model);
     const TinkerSampleTaker taker = {tinker_motion_film_sample, tinker_motion_film_begin_again, motion};
     if (tinker_accurate_run(&simulation, NULL, &taker, &job->failure)) return TRUE;
     if (g_error_matches(job->failure, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_ACCURACY)) {

@@ -137,7 +137,8 @@ static void start(const Wish *wish)
         window_message(window, _("The Film Was Not Exported"), error->message);
         return;
     }
-    g_object_get(window->canvas, "show-labels", &settings.show_labels, "show-grid", &settings.show_grid, NULL);
+    g_object_get(window->canvas, "show-labels", &settings.show_labels, "show-grid", &settings.show_grid, "show-forces",
+                 &settings.show_forces, NULL);
     tinker_film_task_start(window->film, scene, &settings);
     gtk_widget_grab_focus(window->film_cancel);
 }
