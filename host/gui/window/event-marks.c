@@ -4,6 +4,7 @@
 
 #include <glib/gi18n.h>
 #include <math.h>
+#include <string.h>
 
 #include "gui/widget/unparent.h"
 
@@ -32,15 +33,35 @@ static guint count_of(const TinkerEventMarks *marks)
     return marks->events != NULL ? marks->events->len : 0;
 }
 
+/* The line's handle. */
+static GtkWidget *find_handle(GtkWidget *within)
+{
+    if (strcmp(gtk_widget_get_css_name(within), "slider") == 0) return within;
+    GtkWidget *found = NULL;
+    for (GtkWidget *child = gtk_widget_get_first_child(within); child != NULL && found == NULL;
+         child = gtk_widget_get_next_sibling(child))
+        found = find_handle(child);
+    return found;
+}
+
+/* How much of the trough the handle takes: a theme may let it stick out by margins below 0. (What
+ * gtk_range_get_slider_range() tells begins with the part of the trough before it.) */
+static double handle_room(GtkWidget *line)
+{
+    GtkWidget *handle = find_handle(line);
+    GtkBorder margin;
+    if (handle == NULL) return 0;
+    gtk_style_context_get_margin(gtk_widget_get_style_context(handle), &margin);
+    return gtk_widget_get_width(handle) + margin.left + margin.right;
+}
+
 /* Where the middle of the handle is for a time. */
 static double place_of(const TinkerEventMarks *marks, double time)
 {
     GdkRectangle trough;
-    int start, end;
     GtkAdjustment *adjustment = gtk_range_get_adjustment(GTK_RANGE(marks->line));
     gtk_range_get_range_rect(GTK_RANGE(marks->line), &trough);
-    gtk_range_get_slider_range(GTK_RANGE(marks->line), &start, &end);
-    double share = time / fmax(gtk_adjustment_get_upper(adjustment), 1e-9), handle = end - start;
+    double share = time / fmax(gtk_adjustment_get_upper(adjustment), 1e-9), handle = handle_room(marks->line);
     if (gtk_widget_get_direction(marks->line) == GTK_TEXT_DIR_RTL) share = 1 - share;
     return trough.x + handle / 2 + share * (trough.width - handle);
 }

@@ -33,9 +33,9 @@ def test_last_event_is_told(display):
 
 
 def test_time_line_is_marked_where_something_happens(display):
-    with App(display, sliding()) as app:
+    with App(display, sliding(duration=2.5)) as app:
         app.click("Play")
-        wait(lambda: app.time() == 2 and not app.is_playing(), "the end")
+        wait(lambda: app.time() == 2.5 and not app.is_playing(), "the end")
         line = app.find("slider", "Time line")
         wait(lambda: line.refreshed().description == f"1 s: {LEAVES}", "the line to be described")
         app.seek(0.2)
@@ -49,8 +49,8 @@ def test_time_line_is_marked_where_something_happens(display):
             return {first + place for row in rows for place, pixel in enumerate(row) if pixel != row[-1]}
 
         wait(marked, "a mark")
-        check_close(sum(marked()) / len(marked()), width / 2, 2, "place of the mark (px), at half of the duration")
-        app.xdotool("mousemove", x + width / 2, y + height / 2)
+        check_close(sum(marked()) / len(marked()), 0.4 * width, 2, "place of the mark (px), at 0.4 of the duration")
+        app.xdotool("mousemove", x + 0.4 * width, y + height / 2)
         app.find("label", f"1 s: {LEAVES}")
 
 
