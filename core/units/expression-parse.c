@@ -4,9 +4,9 @@
  *     product    = unary { ("*" | "/") unary }
  *     unary      = ("+" | "-") unary | power
  *     power      = primary [ "^" unary ]
- *     primary    = number | name | "t" | "pi" | function "(" comparison { "," comparison } ")" | "(" comparison ")"
- * What is made of it, instructions or a tree, is the reader's affair. Depth and length are limited, so no text can
- * exhaust the stack or the memory. */
+ *     primary    = number | name | "{" quantity "}" | "t" | "pi" | function "(" comparison { "," comparison } ")" | "("
+ * comparison ")" What is made of it, instructions or a tree, is the reader's affair. Depth and length are limited, so
+ * no text can exhaust the stack or the memory. */
 #include <math.h>
 #include <string.h>
 
@@ -23,7 +23,9 @@ typedef struct {
     const char *at;
     const TinkerReader *reader;
     void *into;
-    const char *const *names; /* that the text may use beside t, pi and functions; NULL: none */
+    const char *const *names;  /* that the text may use beside t, pi and functions; NULL: none */
+    TinkerReferenceFunc refer; /* says what may stand in braces; NULL: nothing */
+    void *data;
     int depth;
     GError **error;
 } Parser;
@@ -219,9 +221,25 @@ static int parse_name(Parser *parser)
     return function != NULL ? parse_call(parser, function, start) : fail_name(parser, start, name);
 }
 
+/* What stands in braces is a name, whatever it is made of. */
+static int parse_reference(Parser *parser)
+{
+    const char *start = parser->at, *end = strchr(start, '}');
+    g_autofree char *why = NULL;
+    if (parser->refer == NULL)
+        return fail(parser, TINKER_WAVEFORM_ERROR_SYNTAX, start, "quantities in braces are not known here, only t");
+    if (end == NULL) return fail(parser, TINKER_WAVEFORM_ERROR_SYNTAX, start, "\"{\" is not closed (as in {Mass 0.x})");
+    g_autofree char *symbol = g_strndup(start, (gsize)(end + 1 - start));
+    if (!parser->refer(symbol, parser->data, &why))
+        return fail(parser, TINKER_WAVEFORM_ERROR_UNKNOWN_NAME, start, "%s: %s", symbol, why);
+    parser->at = end + 1;
+    return parser->reader->name(parser->into, symbol);
+}
+
 static int parse_primary(Parser *parser)
 {
     skip_blanks(parser);
+    if (*parser->at == '{') return parse_reference(parser);
     if (g_ascii_isdigit(*parser->at) || *parser->at == '.') return parse_number(parser);
     if (g_ascii_isalpha(*parser->at) || *parser->at == '_' || name_length(parser->at) > 0) return parse_name(parser);
     if (!accept(parser, "(")) return fail_unexpected(parser, "a number, t, a function or \"(\"");
@@ -332,10 +350,15 @@ static gboolean check_text(Parser *parser)
     return FALSE;
 }
 
-int tinker_expression_read(const char *text, const char *const *names, const TinkerReader *reader, void *into,
+int tinker_expression_read(const char *text, const TinkerReadable *names, const TinkerReader *reader, void *into,
                            GError **error)
 {
-    Parser parser = {.text = text, .at = text, .reader = reader, .into = into, .names = names, .error = error};
+    Parser parser = {.text = text, .at = text, .reader = reader, .into = into, .error = error};
+    if (names != NULL) {
+        parser.names = names->names;
+        parser.refer = names->refer;
+        parser.data = names->data;
+    }
     if (!check_text(&parser)) return FAILED;
     const int value = parse_comparison(&parser);
     if (value == FAILED) return FAILED;

@@ -14,6 +14,7 @@
 
 #include <glib.h>
 
+#include "units/expression-tree.h"
 #include "units/interval.h"
 #include "units/waveform.h"
 
@@ -158,10 +159,16 @@ typedef struct {
     void (*leave_branch)(void *into);
 } TinkerReader;
 
-/* Reads a text, which may use these names (ended by NULL; NULL: none): the handle of its value, or
- * TINKER_READER_FAILED. */
+/* What a text may name beside t, pi and functions. */
+typedef struct {
+    const char *const *names;  /* ended by NULL; NULL: none */
+    TinkerReferenceFunc refer; /* of what stands in braces; NULL: nothing may */
+    void *data;
+} TinkerReadable;
+
+/* Reads a text, which may use these names (NULL: none): the handle of its value, or TINKER_READER_FAILED. */
 #define TINKER_READER_FAILED (-1)
-int tinker_expression_read(const char *text, const char *const *names, const TinkerReader *reader, void *into,
+int tinker_expression_read(const char *text, const TinkerReadable *names, const TinkerReader *reader, void *into,
                            GError **error);
 
 const TinkerInstruction *tinker_program_code(const TinkerProgram *program, int *count);

@@ -129,12 +129,23 @@ static const TinkerReader reader = {
     .leave_branch = leave_branch,
 };
 
-TinkerExpression *tinker_expression_parse(const char *text, const char *const *names, GError **error)
+static TinkerExpression *parse(const char *text, const TinkerReadable *names, GError **error)
 {
     g_autoptr(GPtrArray) nodes = g_ptr_array_new_with_free_func((GDestroyNotify)tinker_expression_unref);
     TreeMaker maker = {nodes, 0};
     const int value = tinker_expression_read(text, names, &reader, &maker, error);
     return value == TINKER_READER_FAILED ? NULL : tinker_expression_ref(at(&maker, value));
+}
+
+TinkerExpression *tinker_expression_parse(const char *text, const char *const *names, GError **error)
+{
+    return parse(text, &(TinkerReadable){.names = names}, error);
+}
+
+TinkerExpression *tinker_expression_parse_quantities(const char *text, TinkerReferenceFunc refer, void *data,
+                                                     GError **error)
+{
+    return parse(text, &(TinkerReadable){.refer = refer, .data = data}, error);
 }
 
 TinkerExpression *tinker_expression_number(double number)

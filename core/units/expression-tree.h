@@ -34,6 +34,13 @@ struct _TinkerExpression {
  * `pi` becomes a number. Errors are those of tinker_waveform_new_expression. (transfer full) */
 TinkerExpression *tinker_expression_parse(const char *text, const char *const *names, GError **error);
 
+/* Whether a name in braces, "{Mass 0.x}", with them, may stand in a text; `why` not, otherwise (transfer full). */
+typedef gboolean (*TinkerReferenceFunc)(const char *symbol, void *data, char **why);
+
+/* Reads a text in which names in braces may stand beside t. They become symbols, with their braces. (transfer full) */
+TinkerExpression *tinker_expression_parse_quantities(const char *text, TinkerReferenceFunc refer, void *data,
+                                                     GError **error);
+
 /* Nodes as they are, not simplified. What `parts` hold is taken over. (transfer full) */
 TinkerExpression *tinker_expression_number(double number);
 TinkerExpression *tinker_expression_symbol(const char *name);

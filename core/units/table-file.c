@@ -7,6 +7,7 @@
 #include <string.h>
 #include <sys/stat.h>
 
+#include "units/table-columns.h"
 #include "units/table-private.h"
 
 #define LONGEST_LINE 65536 /* bytes */
@@ -222,4 +223,16 @@ TinkerTable *tinker_table_read(const char *path, int column, double scale, Tinke
     table->column = column;
     table->scale = scale;
     return table;
+}
+
+gboolean tinker_table_read_column(const char *path, int column, GArray *rows, GError **error)
+{
+    TinkerTable *table = tinker_table_read(path, column, 1, TINKER_TABLE_VALUE, error);
+    if (table == NULL) return FALSE;
+    for (gsize i = 0; i < table->rows; i++) {
+        g_array_append_val(rows, table->times[i]);
+        g_array_append_val(rows, table->values[i]);
+    }
+    tinker_table_free(table);
+    return TRUE;
 }

@@ -222,8 +222,8 @@ static void test_edits_are_steps(void)
 
 static void assert_graph(const TinkerSceneGraph *graph, const char *quantity, const char *against, gboolean floats)
 {
-    g_assert_cmpstr(graph->block, ==, "Mass 0");
-    g_assert_cmpstr(graph->quantity, ==, quantity);
+    g_assert_cmpstr(tinker_scene_graph_curve(graph)->block, ==, "Mass 0");
+    g_assert_cmpstr(tinker_scene_graph_curve(graph)->quantity, ==, quantity);
     g_assert_cmpstr(graph->against, ==, against);
     g_assert_cmpint(graph->has_place, ==, floats);
 }

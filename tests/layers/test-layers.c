@@ -8,7 +8,7 @@
 /* A folder, and what its files may include: folders of core, and libraries by the beginning of the header's name. */
 typedef struct {
     const char *folder;
-    const char *core[12];
+    const char *core[16];
     const char *libraries[12];
 } Layer;
 
@@ -26,19 +26,22 @@ static const Layer layers[] = {
     {"core/equations", {"equations", "law", "physics", "scene", "plugin", "units"}, {"tinker/", "glib", "lapacke.h"}},
     {"core/render", {"render", "files", "scene", "plugin", "units"}, {"tinker/", "glib", "cairo", "pango/"}},
     {"core/edit", {"edit", "scene", "plugin", "units"}, {"tinker/", "glib"}},
+    {"core/measure",
+     {"measure", "physics", "numerics", "law", "scene", "plugin", "units"},
+     {"tinker/", "glib", "kissfft/"}},
     {"core/analysis", {"analysis", "physics", "numerics", "scene", "plugin", "units"}, {"tinker/", "glib"}},
     {"core/conformance",
      {"conformance", "law", "physics", "render", "scene", "plugin", "units"},
      {"tinker/", "glib", "cairo"}},
     {"host/common",
-     {"analysis", "physics", "numerics", "render", "edit", "scene", "plugin", "files", "units"},
+     {"measure", "analysis", "physics", "numerics", "render", "edit", "scene", "plugin", "files", "units"},
      {"tinker/", "glib", "gmodule", "cairo", "cjson/"}},
     {"host/cli",
-     {"cli", "equations", "conformance", "analysis", "physics", "numerics", "render", "edit", "scene", "plugin",
-      "files", "units"},
+     {"cli", "equations", "measure", "conformance", "analysis", "physics", "numerics", "render", "edit", "scene",
+      "plugin", "files", "units"},
      {"tinker/", "glib", "gmodule", "gio/", "cairo", "pango/", "cjson/"}},
     {"host/gui",
-     {"gui", "analysis", "physics", "numerics", "render", "edit", "scene", "plugin", "files", "units"},
+     {"gui", "measure", "analysis", "physics", "numerics", "render", "edit", "scene", "plugin", "files", "units"},
      {"tinker/", "glib", "gio/", "gtk/", "adwaita.h", "graphene", "libintl.h", "cairo", "cjson/"}},
     {"plugins", {NULL}, {"tinker/"}},
     {"plugins/cvode-bdf", {NULL}, {"tinker/", "cvodes/", "nvector/", "sundials/", "sunlinsol/", "sunmatrix/"}},
@@ -58,10 +61,10 @@ typedef struct {
 static const Rooms folders_with_rooms[] = {
     {"core/scene",
      {"json", "store", "value", "frame", "change", "read", "write", "history"},
-     {"store/scene.h", "store/quantities.h", "history/history.h", "history/difference.h", "history/fragment.h",
-      "history/continued.h", "frame/frame.h", "frame/tops.h", "frame/overlaps.h", "frame/boxes.h", "frame/batch.h",
-      "frame/batch-breaks.h", "frame/block-index.h", "frame/motions.h", "frame/lanes.h", "frame/frame-quantity.h",
-      "read/scene-json.h", "value/table-source.h"}},
+     {"store/scene.h", "store/quantities.h", "store/scene-expression.h", "history/history.h", "history/difference.h",
+      "history/fragment.h", "history/continued.h", "frame/frame.h", "frame/tops.h", "frame/overlaps.h", "frame/boxes.h",
+      "frame/batch.h", "frame/batch-breaks.h", "frame/block-index.h", "frame/motions.h", "frame/lanes.h",
+      "frame/frame-quantity.h", "read/scene-json.h", "value/table-source.h"}},
     {"core/numerics",
      {"sharing", "solve", "roots", "contact", "integrate", "exact", "methods", "stability"},
      {"methods/integrators.h",

@@ -335,6 +335,47 @@ static void test_ranges(void)
     tinker_text_pen_clear(&pen);
 }
 
+/* A curve of the second axis, a thousand times as high, lies where that of the first does; both axes have their texts,
+ * those of the second at the right of the frame. */
+static void test_second_axis(void)
+{
+    Data left, right;
+    fill(&left, same, 0, 10);
+    right = left;
+    for (int i = 0; i < 200; i++)
+        right.y[i] *= 1000;
+    const TinkerCurve curves[] = {{.x = left.x, .y = left.y, .count = 200},
+                                  {.x = right.x, .y = right.y, .count = 200, .colour = 1, .right = TRUE}};
+    TinkerPlot plot = {
+        .x_label = "X", .y_label = "Left [m]", .right_label = "Right [N]", .curves = curves, .curve_count = 2};
+    TinkerTextPen pen = TINKER_TEXT_PEN_INIT;
+    TinkerPlotLayout layout;
+    tinker_plot_lay_out(&layout, &plot, &pen, WIDTH, HEIGHT);
+    for (gsize i = 0; i < 200; i += 50) {
+        double x, y, other_x, other_y;
+        g_assert_true(tinker_plot_place(&layout, &curves[0], i, &x, &y));
+        g_assert_true(tinker_plot_place(&layout, &curves[1], i, &other_x, &other_y));
+        g_assert_cmpfloat(fabs(x - other_x) + fabs(y - other_y), <, 1e-9);
+    }
+    g_assert_cmpfloat(layout.right, <, WIDTH - 60);
+    g_assert_cmpstr(layout.second.title, ==, "Right [N]");
+    tinker_plot_layout_clear(&layout);
+    tinker_text_pen_clear(&pen);
+
+    g_autoptr(GPtrArray) written = g_ptr_array_new_with_free_func(g_free);
+    g_autoptr(TestPicture) picture = test_picture_new(WIDTH, HEIGHT);
+    tinker_plot_draw_noting(picture->cairo, &plot, WIDTH, HEIGHT, written);
+    plot.right_logarithmic = TRUE;
+    const double range[2] = {10, 1000};
+    plot.right_range = range;
+    tinker_plot_lay_out(&layout, &plot, &pen, WIDTH, HEIGHT);
+    /* 100 is in the middle of 10 and 1000 */
+    double middle = tinker_axis_place(&layout.second, 100);
+    g_assert_cmpfloat(fabs(middle - 0.5 * (layout.top + layout.bottom)), <, 1e-9);
+    tinker_plot_layout_clear(&layout);
+    tinker_text_pen_clear(&pen);
+}
+
 static void test_pick(void)
 {
     Data data;
@@ -429,6 +470,7 @@ int main(int argc, char **argv)
     g_test_add_func("/render/plot/band-with-gap", test_band_with_gap);
     g_test_add_func("/render/plot/equal-scales", test_equal_scales);
     g_test_add_func("/render/plot/ranges", test_ranges);
+    g_test_add_func("/render/plot/second-axis", test_second_axis);
     g_test_add_func("/render/plot/pick", test_pick);
     g_test_add_func("/render/plot/texts", test_texts);
     g_test_add_func("/render/plot/tiny", test_tiny);

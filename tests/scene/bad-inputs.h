@@ -213,7 +213,7 @@
      "2:44: graphs[0]: quantity: a mass has no quantity \"sped\" (did you mean \"speed\"?)\n"
      "2:63: graphs[0]: against: a mass has no quantity \"velocity\" (it has \"x\", \"y\", \"vx\", \"vy\", \"ax\", "
      "\"ay\", \"speed\", \"kinetic energy\", \"x momentum\", \"y momentum\", \"normal force\", \"friction force\", "
-     "\"contact force\", \"acceleration\")\n"},
+     "\"contact force\", \"acceleration\", \"path length\", \"distance to BLOCK\")\n"},
     {"graph-missing", "{\"tinker\": 1, \"graphs\": [{}, 3]}",
      "1:26: graphs[0]: the key \"block\" is missing\n"
      "1:26: graphs[0]: the key \"quantity\" is missing\n"

@@ -103,7 +103,7 @@ static void test_paste(void)
     g_assert_cmpint(tinker_scene_end(scene, tinker_scene_find_block(scene, "Motor 1"), 0).block, ==, mass);
     g_assert_cmpuint(tinker_scene_graphs(scene)->len, ==, 2);
     const TinkerSceneGraph *graph = g_ptr_array_index(tinker_scene_graphs(scene), 1);
-    g_assert_cmpstr(graph->block, ==, "Mass 1");
+    g_assert_cmpstr(tinker_scene_graph_curve(graph)->block, ==, "Mass 1");
     g_autofree char *after = text_of(scene);
     g_assert_nonnull(strstr(after, "\"ratio\": 2.50}"));
     g_assert_nonnull(strstr(after, "\"name\": \"Motor 1\", \"ends\": [\"Mass 1\"], \"waveform\": {\"expression\": "

@@ -187,7 +187,7 @@ static void test_rename_graphs(void)
     g_autoptr(TinkerScene) scene = scene_fixture_read(scene_fixture_example);
     g_assert_true(tinker_scene_rename_block(scene, tinker_scene_find_block(scene, "Mass 0"), "Bob", NULL));
     const TinkerSceneGraph *graph = g_ptr_array_index(tinker_scene_graphs(scene), 0);
-    g_assert_cmpstr(graph->block, ==, "Bob");
+    g_assert_cmpstr(tinker_scene_graph_curve(graph)->block, ==, "Bob");
 }
 
 static void add_tests(void)

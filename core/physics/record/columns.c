@@ -126,31 +126,19 @@ static gboolean missing_type(TinkerScene *scene, TinkerBlockId block, const char
     return FALSE;
 }
 
-/* The last dot that has a block's name, or the scene's, before it; else the last one, or NULL. */
-static const char *find_dot(const TinkerScene *scene, const char *name, TinkerBlockId *owner)
-{
-    const char *last = strrchr(name, '.');
-    for (const char *dot = last; dot != NULL; dot = g_strrstr_len(name, dot - name, ".")) {
-        g_autofree char *before = g_strndup(name, (gsize)(dot - name));
-        if (tinker_scene_find_owner(scene, before, owner)) return dot;
-    }
-    *owner = TINKER_NO_BLOCK;
-    return last;
-}
-
 gboolean tinker_columns_add(GArray *columns, TinkerScene *scene, const char *name, GError **error)
 {
     TinkerBlockId block;
-    const char *dot = strchr(name, '.');
+    const char *dot = strrchr(name, '.');
     if (dot == NULL && tinker_scene_find_owner(scene, name, &block)) return no_quantity(scene, block, name, error);
     if (dot == NULL) return unknown_block(scene, name, name, error);
-    dot = find_dot(scene, name, &block);
+    const char *id = tinker_scene_split_name(scene, name, &block);
     g_autofree char *owner = g_strndup(name, (gsize)(dot - name));
-    if (!tinker_scene_find_owner(scene, owner, &block)) return unknown_block(scene, name, owner, error);
+    if (id == NULL) return unknown_block(scene, name, owner, error);
     if (block != TINKER_NO_BLOCK && tinker_scene_block_class(scene, block) == NULL)
         return missing_type(scene, block, name, error);
-    int32_t quantity = tinker_scene_find_quantity(scene, block, dot + 1);
-    if (quantity < 0) return unknown_quantity(scene, block, name, dot + 1, error);
+    int32_t quantity = tinker_scene_find_quantity(scene, block, id);
+    if (quantity < 0) return unknown_quantity(scene, block, name, id, error);
     tinker_columns_add_quantity(columns, scene, block, quantity);
     return TRUE;
 }

@@ -28,7 +28,7 @@ typedef struct {
 gboolean tinker_plot_place(const TinkerPlotLayout *layout, const TinkerCurve *curve, gsize i, double *x, double *y)
 {
     *x = tinker_axis_place(&layout->x, curve->x[i]);
-    *y = tinker_axis_place(&layout->y, curve->y[i]);
+    *y = tinker_axis_place(tinker_plot_y_axis(layout, curve), curve->y[i]);
     return isfinite(*x) && isfinite(*y);
 }
 
@@ -85,7 +85,7 @@ void tinker_plot_walk(const TinkerPlotLayout *layout, const TinkerCurve *curve, 
 {
     Thinner thinner = {
         .layout = layout, .curve = curve, .path = path, .data = data, .column_width = column_width, .starts = TRUE};
-    gboolean positive_x = layout->x.logarithmic, positive_y = layout->y.logarithmic;
+    gboolean positive_x = layout->x.logarithmic, positive_y = tinker_plot_y_axis(layout, curve)->logarithmic;
     for (gsize i = 0; i < curve->count; i++) {
         double x = curve->x[i], y = curve->y[i];
         if (isfinite(x) && isfinite(y) && !(positive_x && x <= 0) && !(positive_y && y <= 0)) {
@@ -274,9 +274,9 @@ void tinker_plot_draw_band(cairo_t *cairo, const TinkerPlotLayout *layout, const
     cairo_new_path(cairo);
     for (gsize i = 0; i < curve->count; i++) {
         double x = tinker_axis_place(&layout->x, curve->x[i]);
-        double upper = tinker_axis_place(&layout->y, curve->high[i]);
-        double lower = tinker_axis_place(&layout->y, curve->low[i]);
-        if (layout->y.logarithmic && curve->low[i] <= 0) lower = layout->bottom;
+        double upper = tinker_axis_place(tinker_plot_y_axis(layout, curve), curve->high[i]);
+        double lower = tinker_axis_place(tinker_plot_y_axis(layout, curve), curve->low[i]);
+        if (tinker_plot_y_axis(layout, curve)->logarithmic && curve->low[i] <= 0) lower = layout->bottom;
         if (!isfinite(x) || !isfinite(upper) || !isfinite(lower)) {
             fill_run(cairo, run);
             continue;

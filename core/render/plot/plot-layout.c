@@ -49,22 +49,27 @@ static void add_values(const double *values, gsize count, gboolean logarithmic, 
 static void find_ranges(TinkerPlotLayout *layout)
 {
     const TinkerPlot *plot = layout->plot;
-    double *x = layout->x_range, *y = layout->y_range;
-    x[0] = y[0] = INFINITY;
-    x[1] = y[1] = -INFINITY;
+    double *x = layout->x_range, *left = layout->y_range, *second = layout->second_range;
+    x[0] = left[0] = second[0] = INFINITY;
+    x[1] = left[1] = second[1] = -INFINITY;
     layout->with_marks = plot->equal_scales;
     for (int i = 0; i < plot->curve_count; i++) {
         const TinkerCurve *curve = &plot->curves[i];
         add_values(curve->x, curve->count, plot->x_logarithmic, x);
-        add_values(curve->y, curve->count, plot->y_logarithmic, y);
-        add_values(curve->low, curve->count, plot->y_logarithmic, y);
-        add_values(curve->high, curve->count, plot->y_logarithmic, y);
+        double *y = curve->right ? second : left;
+        const gboolean logarithmic = curve->right ? plot->right_logarithmic : plot->y_logarithmic;
+        add_values(curve->y, curve->count, logarithmic, y);
+        add_values(curve->low, curve->count, logarithmic, y);
+        add_values(curve->high, curve->count, logarithmic, y);
+        layout->has_second = layout->has_second || curve->right;
         layout->with_marks = layout->with_marks || tinker_plot_has_markers(curve);
     }
     if (plot->x_range) memcpy(x, plot->x_range, sizeof layout->x_range);
-    if (plot->y_range) memcpy(y, plot->y_range, sizeof layout->y_range);
+    if (plot->y_range) memcpy(left, plot->y_range, sizeof layout->y_range);
+    if (plot->right_range) memcpy(second, plot->right_range, sizeof layout->second_range);
     layout->x.logarithmic = plot->x_logarithmic;
     layout->y.logarithmic = plot->y_logarithmic;
+    layout->second.logarithmic = plot->right_logarithmic;
 }
 
 static void set_ranges(TinkerPlotLayout *layout)
@@ -73,6 +78,9 @@ static void set_ranges(TinkerPlotLayout *layout)
     const double *x = layout->x_range, *y = layout->y_range;
     tinker_axis_set_range(&layout->x, x[0], x[1], layout->with_marks && !plot->x_range ? X_MARGIN : 0);
     tinker_axis_set_range(&layout->y, y[0], y[1], plot->y_range ? 0 : Y_MARGIN);
+    if (layout->has_second)
+        tinker_axis_set_range(&layout->second, layout->second_range[0], layout->second_range[1],
+                              plot->right_range ? 0 : Y_MARGIN);
 }
 
 static gboolean has_text(const TinkerPlotLayout *layout)
@@ -109,6 +117,8 @@ static void set_axes(TinkerPlotLayout *layout)
     layout->x.length = layout->right - layout->left;
     layout->y.start = layout->bottom;
     layout->y.length = layout->top - layout->bottom;
+    layout->second.start = layout->y.start;
+    layout->second.length = layout->y.length;
 }
 
 /* Takes away the labels that would touch the one before, where even the fewest ticks are too many. */
@@ -140,13 +150,23 @@ static void choose_x_ticks(TinkerPlotLayout *layout)
     thin_labels(&layout->x, width + 2);
 }
 
-static void choose_y_ticks(TinkerPlotLayout *layout)
+static void choose_y_ticks(TinkerPlotLayout *layout, TinkerAxis *axis, const char *label)
 {
     int most = (int)CLAMP((layout->bottom - layout->top) / layout->sizes->row, 2, 12);
     double width, height;
-    tinker_axis_choose_ticks(&layout->y, most, layout->plot->y_label);
-    measure_labels(layout, &layout->y, &width, &height);
-    thin_labels(&layout->y, height + 1);
+    tinker_axis_choose_ticks(axis, most, label);
+    measure_labels(layout, axis, &width, &height);
+    thin_labels(axis, height + 1);
+}
+
+/* What the second axis needs beside the curves. */
+static double room_at_right(TinkerPlotLayout *layout)
+{
+    double width = 0, height = 0;
+    if (!layout->has_second) return 0;
+    measure_labels(layout, &layout->second, &width, &height);
+    double title = text_height(layout, layout->second.title, layout->sizes->text, FALSE, 0, 1);
+    return layout->sizes->pad + (title > 0 ? title + layout->sizes->pad : 0) + width + layout->sizes->tick_gap;
 }
 
 /* Margins from what has to stand in them; `aside` is what a legend takes at the right. */
@@ -160,7 +180,8 @@ static void set_margins(TinkerPlotLayout *layout, double aside)
     double x_title = text_height(layout, layout->x.title, sizes->text, FALSE, 0, 1);
     double y_title = text_height(layout, layout->y.title, sizes->text, FALSE, 0, 1);
     layout->left = sizes->pad + (y_title > 0 ? y_title + sizes->pad : 0) + y_width + sizes->tick_gap;
-    layout->right = layout->width - aside - fmax(x_width / 2 + 2, sizes->pad) - sizes->pad / 2;
+    layout->right =
+        layout->width - aside - fmax(fmax(x_width / 2 + 2, sizes->pad) + sizes->pad / 2, room_at_right(layout));
     layout->top = (title > 0 ? sizes->pad + title : 0) + fmax(y_height / 2, sizes->pad) + 2;
     layout->bottom =
         layout->height - sizes->pad - (x_title > 0 ? x_title + sizes->pad / 2 : 0) - x_height - sizes->tick_gap;
@@ -196,7 +217,8 @@ static void arrange(TinkerPlotLayout *layout, double aside)
         set_ranges(layout);
         equalise(layout);
         set_axes(layout);
-        choose_y_ticks(layout);
+        choose_y_ticks(layout, &layout->y, layout->plot->y_label);
+        if (layout->has_second) choose_y_ticks(layout, &layout->second, layout->plot->right_label);
         choose_x_ticks(layout);
     }
 }
@@ -231,4 +253,5 @@ void tinker_plot_layout_clear(TinkerPlotLayout *layout)
 {
     tinker_axis_clear(&layout->x);
     tinker_axis_clear(&layout->y);
+    tinker_axis_clear(&layout->second);
 }

@@ -72,11 +72,19 @@ typedef struct {
     TinkerTextPen *pen;
     double width, height;
     double left, top, right, bottom; /* the rectangle of the curves */
-    double x_range[2], y_range[2]; /* from, to: of the data, or as the plot asks for; from > to where there are none */
-    gboolean with_marks;           /* curves have marks, which need room at the sides */
-    TinkerAxis x, y;
+    double x_range[2], y_range[2],
+        second_range[2];     /* from, to: of the data, or as the plot asks for; from > to where there are none */
+    gboolean with_marks;     /* curves have marks, which need room at the sides */
+    TinkerAxis x, y, second; /* the second y axis stands at the right */
+    gboolean has_second;
     TinkerLegend legend;
 } TinkerPlotLayout;
+
+/* The y axis that a curve belongs to. */
+static inline const TinkerAxis *tinker_plot_y_axis(const TinkerPlotLayout *layout, const TinkerCurve *curve)
+{
+    return curve->right ? &layout->second : &layout->y;
+}
 
 void tinker_plot_lay_out(TinkerPlotLayout *layout, const TinkerPlot *plot, TinkerTextPen *pen, double width,
                          double height);

@@ -95,6 +95,11 @@ static void draw_frame(cairo_t *cairo, const TinkerPlotLayout *layout)
         cairo_move_to(cairo, left, y);
         cairo_line_to(cairo, left + TICK_LENGTH, y);
     }
+    for (int i = 0; i < layout->second.tick_count; i++) {
+        double y = sharp(place_of_tick(&layout->second, layout->second.ticks[i]));
+        cairo_move_to(cairo, right, y);
+        cairo_line_to(cairo, right - TICK_LENGTH, y);
+    }
     cairo_stroke(cairo);
 }
 
@@ -112,6 +117,12 @@ static void draw_tick_labels(cairo_t *cairo, const TinkerPlotLayout *layout)
         text.text = layout->y.labels[i];
         double y = place_of_tick(&layout->y, layout->y.ticks[i]);
         tinker_text_draw(layout->pen, cairo, &text, layout->left - layout->sizes->tick_gap, y);
+    }
+    text.anchor_x = 0;
+    for (int i = 0; i < layout->second.tick_count; i++) {
+        text.text = layout->second.labels[i];
+        double y = place_of_tick(&layout->second, layout->second.ticks[i]);
+        tinker_text_draw(layout->pen, cairo, &text, layout->right + layout->sizes->tick_gap, y);
     }
 }
 
@@ -160,11 +171,33 @@ static void draw_axis_titles(cairo_t *cairo, const TinkerPlotLayout *layout, dou
                      held_between(centre, width, top + layout->sizes->pad / 2, bottom));
 }
 
+/* Beside its labels, since a legend may stand farther out. */
+static void draw_second_title(cairo_t *cairo, const TinkerPlotLayout *layout, double top)
+{
+    double width, height, labels = 0, bottom = layout->height - layout->sizes->pad;
+    if (!layout->has_second || layout->second.title == NULL) return;
+    for (int i = 0; i < layout->second.tick_count; i++) {
+        TinkerText label = {.text = layout->second.labels[i], .size = layout->sizes->tick_text};
+        tinker_text_measure(layout->pen, &label, &width, &height);
+        labels = fmax(labels, width);
+    }
+    TinkerText up = {.text = layout->second.title,
+                     .size = layout->sizes->text,
+                     .limit = fmax(bottom - top - layout->sizes->pad / 2, layout->sizes->pad),
+                     .angle = -G_PI / 2,
+                     .anchor_x = 0.5};
+    tinker_text_measure(layout->pen, &up, &width, &height);
+    tinker_text_draw(layout->pen, cairo, &up, layout->right + layout->sizes->tick_gap + labels + layout->sizes->pad / 2,
+                     held_between((layout->top + layout->bottom) / 2, width, top + layout->sizes->pad / 2, bottom));
+}
+
 static void draw_texts(cairo_t *cairo, const TinkerPlotLayout *layout)
 {
     set_colour(cairo, layout->theme->colours[TINKER_COLOUR_TEXT], 1);
     draw_tick_labels(cairo, layout);
-    draw_axis_titles(cairo, layout, draw_title(cairo, layout));
+    const double top = draw_title(cairo, layout);
+    draw_axis_titles(cairo, layout, top);
+    draw_second_title(cairo, layout, top);
 }
 
 static void draw_no_data(cairo_t *cairo, const TinkerPlotLayout *layout)
@@ -223,7 +256,8 @@ void tinker_plot_draw_noting(cairo_t *cairo, const TinkerPlot *plot, double widt
     cairo_fill(cairo);
     draw_grid(cairo, &layout);
     draw_frame(cairo, &layout);
-    if (layout.x.empty || layout.y.empty) {
+    const gboolean empty = layout.x.empty || (layout.y.empty && (!layout.has_second || layout.second.empty));
+    if (empty) {
         if (has_text) draw_no_data(cairo, &layout);
     } else {
         draw_curves(cairo, &layout);
@@ -231,7 +265,7 @@ void tinker_plot_draw_noting(cairo_t *cairo, const TinkerPlot *plot, double widt
         tinker_plot_draw_cursor(cairo, &layout);
     }
     if (has_text) draw_texts(cairo, &layout);
-    if (!layout.x.empty && !layout.y.empty) tinker_plot_draw_reading(cairo, &layout);
+    if (!empty) tinker_plot_draw_reading(cairo, &layout);
     cairo_restore(cairo);
     tinker_plot_layout_clear(&layout);
     tinker_text_pen_clear(&pen);

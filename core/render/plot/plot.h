@@ -23,6 +23,7 @@ typedef struct {
     int colour;       /* number of the theme's curve colour */
     gboolean markers; /* a mark at every point */
     gboolean no_line;
+    gboolean right; /* its values belong to the axis at the right */
     TinkerCurveRole role;
 } TinkerCurve;
 
@@ -37,9 +38,10 @@ typedef struct {
     const char *title;   /* may be NULL */
     const char *x_label; /* "Time [s]" */
     const char *y_label;
-    gboolean x_logarithmic, y_logarithmic;
-    gboolean equal_scales;           /* of a path in the plane */
-    const double *x_range, *y_range; /* from, to: what an axis shows; NULL: all data */
+    const char *right_label; /* of the axis at the right, which there is where a curve belongs to it; may be NULL */
+    gboolean x_logarithmic, y_logarithmic, right_logarithmic;
+    gboolean equal_scales;                         /* of a path in the plane */
+    const double *x_range, *y_range, *right_range; /* from, to: what an axis shows; NULL: all data */
     const TinkerCurve *curves;
     int curve_count;
     const TinkerTheme *theme;

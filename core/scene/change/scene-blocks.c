@@ -11,6 +11,7 @@ typedef struct {
 typedef struct {
     guint place; /* in the scene's list */
     TinkerSceneGraph *graph;
+    gboolean stays; /* with other curves */
 } Graph;
 
 struct _SceneBlocks {
@@ -50,8 +51,10 @@ static void keep_graphs(SceneBlocks *kept, const TinkerScene *scene, GHashTable 
     g_autoptr(GArray) places = scene_graphs_of(scene, set);
     for (guint i = 0; i < places->len; i++) {
         const guint place = g_array_index(places, guint, i);
-        Graph graph = {place, scene_graph_copy(g_ptr_array_index(scene->graphs, place))};
-        g_array_append_val(kept->graphs, graph);
+        const TinkerSceneGraph *graph = g_ptr_array_index(scene->graphs, place);
+        g_autoptr(TinkerSceneGraph) left = scene_graph_without(scene, graph, set);
+        Graph entry = {place, tinker_scene_graph_copy(graph), left->curves->len > 0};
+        g_array_append_val(kept->graphs, entry);
     }
 }
 
@@ -73,7 +76,7 @@ SceneBlocks *scene_blocks_keep(const TinkerScene *scene, const TinkerBlockId *bl
 void scene_blocks_free(SceneBlocks *blocks)
 {
     for (guint i = 0; i < blocks->graphs->len; i++)
-        scene_graph_free(g_array_index(blocks->graphs, Graph, i).graph);
+        tinker_scene_graph_free(g_array_index(blocks->graphs, Graph, i).graph);
     g_ptr_array_unref(blocks->snapshots);
     g_array_unref(blocks->places);
     g_array_unref(blocks->graphs);
@@ -92,12 +95,27 @@ static void leave_order(TinkerScene *scene, GHashTable *set)
     g_array_set_size(scene->order, count);
 }
 
+static void take_out_curves(TinkerScene *scene, GHashTable *set)
+{
+    g_autoptr(GArray) places = scene_graphs_of(scene, set);
+    for (guint i = 0; i < places->len; i++) {
+        const guint place = g_array_index(places, guint, i);
+        TinkerSceneGraph *graph = g_ptr_array_index(scene->graphs, place);
+        TinkerSceneGraph *left = scene_graph_without(scene, graph, set);
+        if (left->curves->len > 0) {
+            scene->graphs->pdata[place] = left;
+            tinker_scene_graph_free(graph);
+        } else {
+            tinker_scene_graph_free(left);
+            g_ptr_array_remove_index(scene->graphs, place);
+        }
+    }
+}
+
 void scene_take_out(TinkerScene *scene, GHashTable *set)
 {
-    g_autoptr(GArray) graphs = scene_graphs_of(scene, set);
+    take_out_curves(scene, set);
     g_autoptr(GHashTable) tables = g_hash_table_new(NULL, NULL);
-    for (guint i = 0; i < graphs->len; i++)
-        g_ptr_array_remove_index(scene->graphs, g_array_index(graphs, guint, i));
     leave_order(scene, set);
     GHashTableIter iter;
     gpointer id, table;
@@ -172,6 +190,8 @@ void scene_blocks_bring_back(TinkerScene *scene, const SceneBlocks *blocks)
         scene_snapshot_restore(scene, g_ptr_array_index(blocks->snapshots, i));
     for (guint i = blocks->graphs->len; i-- > 0;) {
         const Graph *graph = &g_array_index(blocks->graphs, Graph, i);
-        g_ptr_array_insert(scene->graphs, (int)MIN(graph->place, scene->graphs->len), scene_graph_copy(graph->graph));
+        const guint place = MIN(graph->place, scene->graphs->len);
+        if (graph->stays) g_ptr_array_remove_index(scene->graphs, place);
+        g_ptr_array_insert(scene->graphs, (int)place, tinker_scene_graph_copy(graph->graph));
     }
 }

@@ -76,7 +76,7 @@ TinkerScene *tinker_scene_new(TinkerCatalogue *catalogue)
     TinkerScene *scene = g_new0(TinkerScene, 1);
     scene->catalogue = catalogue;
     scene_head_init(&scene->head);
-    scene->graphs = g_ptr_array_new_with_free_func((GDestroyNotify)scene_graph_free);
+    scene->graphs = g_ptr_array_new_with_free_func((GDestroyNotify)tinker_scene_graph_free);
     scene->slots = g_array_new(FALSE, FALSE, sizeof(SceneSlot));
     scene->order = g_array_new(FALSE, FALSE, sizeof(TinkerBlockId));
     scene->tables = g_ptr_array_new_with_free_func((GDestroyNotify)scene_table_free);

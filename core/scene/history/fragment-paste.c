@@ -106,7 +106,8 @@ static gboolean displace(TinkerScene *scene, const double by[2], GError **error)
         graph->place[1] += by[1];
         g_autofree char *fault = scene_graph_fault(scene, graph);
         if (fault == NULL) continue;
-        g_set_error(error, TINKER_SCENE_ERROR, TINKER_SCENE_ERROR_VALUE, "graph of %s: %s", graph->block, fault);
+        g_set_error(error, TINKER_SCENE_ERROR, TINKER_SCENE_ERROR_VALUE, "graph of %s: %s", scene_graph_name(graph),
+                    fault);
         return FALSE;
     }
     return TRUE;
@@ -199,6 +200,20 @@ static void take_sources(Paste *paste)
     }
 }
 
+/* Gives the graph the names that its blocks have now. In two rounds, as one block may have got another's name. */
+static void rename_graph(const Paste *paste, TinkerSceneGraph *graph)
+{
+    for (int round = 0; round < 2; round++)
+        for (int32_t place = 0; place < tinker_scene_block_count(paste->from); place++) {
+            TinkerBlockId block = tinker_scene_block_at(paste->from, place);
+            g_autofree char *between = g_strdup_printf("\001%d", block);
+            if (round == 0)
+                scene_graph_rename(graph, tinker_scene_block_name(paste->from, block), between);
+            else
+                scene_graph_rename(graph, between, tinker_scene_block_name(paste->to, paste->ids[block]));
+        }
+}
+
 static void record(Paste *paste, TinkerHistory *history)
 {
     int32_t count = tinker_scene_block_count(paste->from);
@@ -208,12 +223,10 @@ static void record(Paste *paste, TinkerHistory *history)
     gboolean own = history_open_several(history, "Paste", pasted, (gsize)count);
     history_note_new(history, "Paste", pasted, (gsize)count);
     for (guint i = 0; i < paste->from->graphs->len; i++) {
-        TinkerSceneGraph *graph = scene_graph_copy(g_ptr_array_index(paste->from->graphs, i));
-        TinkerBlockId block = paste->ids[tinker_scene_find_block(paste->from, graph->block)];
-        g_free(graph->block);
-        graph->block = g_strdup(tinker_scene_block_name(paste->to, block));
+        TinkerSceneGraph *graph = tinker_scene_graph_copy(g_ptr_array_index(paste->from->graphs, i));
+        rename_graph(paste, graph);
         tinker_history_add_graph(history, graph, NULL);
-        scene_graph_free(graph);
+        tinker_scene_graph_free(graph);
     }
     if (own) tinker_history_end(history);
 }

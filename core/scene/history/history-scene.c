@@ -41,12 +41,12 @@ gboolean tinker_history_set_head(TinkerHistory *history, const TinkerSceneHead *
 static void make_graph(TinkerScene *scene, int32_t index, gconstpointer from, gconstpointer to)
 {
     if (from != NULL) g_ptr_array_remove_index(scene->graphs, (guint)index);
-    if (to != NULL) g_ptr_array_insert(scene->graphs, index, scene_graph_copy(to));
+    if (to != NULL) g_ptr_array_insert(scene->graphs, index, tinker_scene_graph_copy(to));
 }
 
 static void free_graph(gpointer state)
 {
-    scene_graph_free(state);
+    tinker_scene_graph_free(state);
 }
 
 /* Of a graph: by place in the list; TinkerSceneGraph. */
@@ -76,28 +76,29 @@ static TinkerSceneGraph *copy_of(TinkerHistory *history, int32_t index)
 {
     const GPtrArray *graphs = history_scene(history)->graphs;
     g_assert(index >= 0 && index < (int32_t)graphs->len);
-    return scene_graph_copy(g_ptr_array_index(graphs, index));
+    return tinker_scene_graph_copy(g_ptr_array_index(graphs, index));
 }
 
 int32_t tinker_history_add_graph(TinkerHistory *history, const TinkerSceneGraph *graph, GError **error)
 {
     if (!check_graph(history, graph, error)) return -1;
     int32_t index = (int32_t)history_scene(history)->graphs->len;
-    change_graph(history, "Add", graph->block, index, NULL, scene_graph_copy(graph));
+    change_graph(history, "Add", scene_graph_name(graph), index, NULL, tinker_scene_graph_copy(graph));
     return index;
 }
 
 void tinker_history_remove_graph(TinkerHistory *history, int32_t index)
 {
     TinkerSceneGraph *before = copy_of(history, index);
-    change_graph(history, "Remove", before->block, index, before, NULL);
+    change_graph(history, "Remove", scene_graph_name(before), index, before, NULL);
 }
 
 gboolean tinker_history_change_graph(TinkerHistory *history, int32_t index, const TinkerSceneGraph *graph,
                                      GError **error)
 {
     if (!check_graph(history, graph, error)) return FALSE;
-    change_graph(history, "Change", graph->block, index, copy_of(history, index), scene_graph_copy(graph));
+    change_graph(history, "Change", scene_graph_name(graph), index, copy_of(history, index),
+                 tinker_scene_graph_copy(graph));
     return TRUE;
 }
 

@@ -42,6 +42,15 @@ gboolean tinker_scene_find_owner(const TinkerScene *scene, const char *name, Tin
     return *block != TINKER_NO_BLOCK || strcmp(name, SCENE_NAME) == 0;
 }
 
+const char *tinker_scene_split_name(const TinkerScene *scene, const char *text, TinkerBlockId *block)
+{
+    for (const char *dot = strrchr(text, '.'); dot != NULL; dot = g_strrstr_len(text, dot - text, ".")) {
+        g_autofree char *before = g_strndup(text, (gsize)(dot - text));
+        if (tinker_scene_find_owner(scene, before, block)) return dot + 1;
+    }
+    return NULL;
+}
+
 const char *tinker_scene_owner_name(const TinkerScene *scene, TinkerBlockId block)
 {
     return block == TINKER_NO_BLOCK ? SCENE_NAME : tinker_scene_block_name(scene, block);

@@ -39,6 +39,10 @@ typedef enum {
 gboolean tinker_scene_find_owner(const TinkerScene *scene, const char *name, TinkerBlockId *block);
 const char *tinker_scene_owner_name(const TinkerScene *scene, TinkerBlockId block);
 
+/* What stands behind the block's name, or the scene's, and a dot: "x" of "Mass 0.x". The name is the longest that there
+ * is. NULL where the text begins with none. */
+const char *tinker_scene_split_name(const TinkerScene *scene, const char *text, TinkerBlockId *block);
+
 /* The number of a quantity; -1 where there is none of this name. */
 int32_t tinker_scene_find_quantity(const TinkerScene *scene, TinkerBlockId block, const char *id);
 

@@ -96,14 +96,28 @@ extern const char *const scene_contacts[];         /* what "contacts" may be; en
 
 /* Graphs ------------------------------------------------------------------------------------------------------- */
 
-TinkerSceneGraph *scene_graph_copy(const TinkerSceneGraph *graph);
-void scene_graph_free(TinkerSceneGraph *graph);
-/* What is wrong with a graph in this scene, or NULL. (transfer full) */
+void scene_curve_free(TinkerSceneCurve *curve);
+/* What a graph is called in messages: by its first curve. */
+const char *scene_graph_name(const TinkerSceneGraph *graph);
+/* What is wrong with a graph in this scene, with one of its curves, with its size, with a range; or NULL. (transfer
+ * full) */
 char *scene_graph_fault(const TinkerScene *scene, const TinkerSceneGraph *graph);
+char *scene_curve_fault(const TinkerScene *scene, const TinkerSceneGraph *graph, const TinkerSceneCurve *curve);
 char *scene_graph_size_fault(const double size[2]);
-/* That blocks of this class do not have the quantity, with a suggestion, or NULL. (transfer full) */
-char *scene_quantity_fault(const TinkerBlockClass *block_class, const char *quantity);
-
+char *scene_graph_range_fault(const TinkerSceneGraph *graph, int axis);
+/* That the block, or the scene, does not have the quantity, with a suggestion, or NULL. (transfer full) */
+char *scene_quantity_fault(const TinkerScene *scene, TinkerBlockId block, const char *quantity);
+/* Adds the blocks that a curve is of; some perhaps more than once. */
+void scene_curve_blocks(const TinkerScene *scene, const TinkerSceneCurve *curve, GArray *blocks);
+/* Of all curves of a graph. (transfer full) */
+GArray *scene_graph_blocks(const TinkerScene *scene, const TinkerSceneGraph *graph);
+/* The places of graphs with curves of these blocks in the scene's list of them, last first; of guint. (transfer full)
+ */
+GArray *scene_graphs_of(const TinkerScene *scene, GHashTable *blocks);
+/* The graph without the curves of these blocks. (transfer full) */
+TinkerSceneGraph *scene_graph_without(const TinkerScene *scene, const TinkerSceneGraph *graph, GHashTable *blocks);
+/* Graphs name their blocks, so they follow them. */
+void scene_graph_rename(TinkerSceneGraph *graph, const char *from, const char *to);
 /* Tables ------------------------------------------------------------------------------------------------------- */
 
 /* The table of a class, made where there is none yet. (transfer none) */
@@ -171,9 +185,6 @@ void scene_assign_name(TinkerScene *scene, TinkerBlockId block, const char *name
 /* Type's title and the smallest free number. */
 void scene_assign_default_name(TinkerScene *scene, TinkerBlockId block);
 void scene_forget_name(TinkerScene *scene, TinkerBlockId block);
-
-/* The places of these blocks' graphs in the scene's list of them, last first; of guint. (transfer full) */
-GArray *scene_graphs_of(const TinkerScene *scene, GHashTable *blocks);
 
 /* Properties --------------------------------------------------------------------------------------------------- */
 

@@ -73,17 +73,6 @@ int32_t scene_order_of(const TinkerScene *scene, TinkerBlockId block)
     return (int32_t)place;
 }
 
-GArray *scene_graphs_of(const TinkerScene *scene, GHashTable *blocks)
-{
-    GArray *places = g_array_new(FALSE, FALSE, sizeof(guint));
-    for (guint i = scene->graphs->len; i-- > 0;) {
-        const TinkerSceneGraph *graph = g_ptr_array_index(scene->graphs, i);
-        const TinkerBlockId block = tinker_scene_find_block(scene, graph->block);
-        if (g_hash_table_contains(blocks, GINT_TO_POINTER(block))) g_array_append_val(places, i);
-    }
-    return places;
-}
-
 TinkerWaveform *tinker_scene_get_waveform(const TinkerScene *scene, TinkerBlockId block, int32_t property)
 {
     g_assert(tinker_scene_has_block(scene, block));

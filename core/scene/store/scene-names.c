@@ -27,22 +27,12 @@ void scene_forget_name(TinkerScene *scene, TinkerBlockId block)
     slot->name = NULL;
 }
 
-/* Graphs name their block, so they follow it. */
-static void rename_graphs(TinkerScene *scene, const char *old_name, const char *new_name)
-{
-    for (guint i = 0; i < scene->graphs->len; i++) {
-        TinkerSceneGraph *graph = g_ptr_array_index(scene->graphs, i);
-        if (g_strcmp0(graph->block, old_name) != 0) continue;
-        g_free(graph->block);
-        graph->block = g_strdup(new_name);
-    }
-}
-
 void scene_assign_name(TinkerScene *scene, TinkerBlockId block, const char *name)
 {
     SceneSlot *slot = scene_slot(scene, block);
     const char *old_name = slot->name;
-    if (old_name != NULL) rename_graphs(scene, old_name, name);
+    for (guint i = 0; old_name != NULL && i < scene->graphs->len; i++)
+        scene_graph_rename(g_ptr_array_index(scene->graphs, i), old_name, name);
     scene_forget_name(scene, block);
     slot->name = g_string_chunk_insert(scene->names, name);
     g_hash_table_replace(scene->by_name, (gpointer)slot->name, GINT_TO_POINTER(block + 1));

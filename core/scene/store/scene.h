@@ -45,14 +45,30 @@ typedef struct {
     double x, y;         /* a point fixed to the block, in its own axes, from its centre */
 } TinkerSceneEnd;
 
+/* One curve of a graph: a quantity of a block or of the scene, or an expression of quantities, or the column of a table
+ * in a file. Strings are owned. */
 typedef struct {
-    char *block;    /* name */
-    char *quantity; /* id */
-    char *against;  /* "time" or a quantity */
-    char *title;    /* may be NULL */
+    char *block;      /* name, or "Scene"; NULL where it is no quantity */
+    char *quantity;   /* likewise its id */
+    char *expression; /* see scene-expression.h */
+    char *table;      /* relative to the scene's folder; time is in its column 0 */
+    int column;       /* of the table, from 1 */
+    char *title;      /* may be NULL */
+    char *unit;       /* of an expression or a table, as read by people; may be NULL */
+    int axis;         /* 1: left, 2: right */
+    char *extras;     /* keys that the reader did not know, as JSON members; may be NULL */
+} TinkerSceneCurve;
+
+typedef struct {
+    GPtrArray *curves; /* of TinkerSceneCurve, one at least */
+    char *against;     /* "time", or a quantity of each curve's own block */
+    char *title;       /* may be NULL */
     double place[2], size[2];
     gboolean has_place, has_size;
-    char *extras; /* keys that the reader did not know, as JSON members; owned, may be NULL */
+    gboolean logarithmic[2]; /* x, y */
+    gboolean has_range[2];
+    double range[2][2]; /* of x and of y, in SI */
+    char *extras;       /* keys that the reader did not know, as JSON members; owned, may be NULL */
 } TinkerSceneGraph;
 
 typedef struct {
@@ -81,6 +97,16 @@ TinkerSceneHead *tinker_scene_head(TinkerScene *scene);
 /* Of TinkerSceneGraph *; may be changed. (transfer none) */
 GPtrArray *tinker_scene_graphs(TinkerScene *scene);
 
+/* An empty graph over time; a curve of a block's quantity, added to it; a copy. (transfer full; none; full) */
+TinkerSceneGraph *tinker_scene_graph_new(void);
+TinkerSceneCurve *tinker_scene_graph_add(TinkerSceneGraph *graph, const char *block, const char *quantity);
+TinkerSceneGraph *tinker_scene_graph_copy(const TinkerSceneGraph *graph);
+void tinker_scene_graph_free(TinkerSceneGraph *graph);
+G_DEFINE_AUTOPTR_CLEANUP_FUNC(TinkerSceneGraph, tinker_scene_graph_free)
+
+/* The first curve that is a quantity; NULL where none is. */
+const TinkerSceneCurve *tinker_scene_graph_curve(const TinkerSceneGraph *graph);
+
 /* Blocks --------------------------------------------------------------------------------------------------------- */
 
 /* Number of blocks, and the id of the one at `place` in drawing order. */
@@ -103,8 +129,8 @@ const TinkerBlockClass *tinker_scene_block_class(const TinkerScene *scene, Tinke
 TinkerBlockId tinker_scene_add_block(TinkerScene *scene, const TinkerBlockClass *block_class, const char *name,
                                      GError **error);
 
-/* Removes a block and its graphs; ends attached to it become detached at the place they were, and what lay on it stays
- * where it was. */
+/* Removes a block and its curves, with the graphs that have no others; ends attached to it become detached at the place
+ * they were, and what lay on it stays where it was. */
 void tinker_scene_remove_block(TinkerScene *scene, TinkerBlockId block);
 /* Graphs and the ends of placeholders follow their block's new name. */
 gboolean tinker_scene_rename_block(TinkerScene *scene, TinkerBlockId block, const char *name, GError **error);

@@ -215,8 +215,9 @@ static void find_named(SceneWriter *writer)
         writer->named[((const ScenePlaceOn *)on)->plate] = 1;
     for (guint i = 0; i < scene->graphs->len; i++) {
         const TinkerSceneGraph *graph = g_ptr_array_index(scene->graphs, i);
-        TinkerBlockId block = graph->block == NULL ? TINKER_NO_BLOCK : tinker_scene_find_block(scene, graph->block);
-        if (block != TINKER_NO_BLOCK) writer->named[block] = 1;
+        g_autoptr(GArray) blocks = scene_graph_blocks(scene, graph);
+        for (guint k = 0; k < blocks->len; k++)
+            writer->named[g_array_index(blocks, TinkerBlockId, k)] = 1;
     }
 }
 

@@ -63,14 +63,79 @@ static void write_run(SceneWriter *writer, const TinkerSceneHead *defaults)
     g_string_append_c(writer->out, '}');
 }
 
+static void write_curve(SceneWriter *writer, const TinkerSceneCurve *curve)
+{
+    const struct {
+        const char *key, *text;
+    } texts[] = {{"block", curve->block},
+                 {"quantity", curve->quantity},
+                 {"expression", curve->expression},
+                 {"table", curve->table}};
+    for (gsize i = 0; i < G_N_ELEMENTS(texts); i++)
+        if (texts[i].text != NULL) scene_write_text_member(writer, texts[i].key, texts[i].text);
+    if (curve->table != NULL) {
+        scene_write_key(writer, "column");
+        g_string_append_printf(writer->out, "%d", curve->column);
+    }
+    if (curve->title != NULL) scene_write_text_member(writer, "title", curve->title);
+    if (curve->unit != NULL) scene_write_text_member(writer, "unit", curve->unit);
+    if (curve->axis == 2) {
+        scene_write_key(writer, "axis");
+        g_string_append_c(writer->out, '2');
+    }
+    scene_write_extras(writer, curve->extras);
+}
+
+/* A curve that is a quantity and nothing else stands in the graph itself, if it is the only one. */
+static gboolean is_short(const TinkerSceneGraph *graph)
+{
+    const TinkerSceneCurve *curve = g_ptr_array_index(graph->curves, 0);
+    return graph->curves->len == 1 && curve->block != NULL && curve->title == NULL && curve->axis == 1 &&
+           curve->extras == NULL;
+}
+
+static void write_curves(SceneWriter *writer, const TinkerSceneGraph *graph)
+{
+    if (is_short(graph)) {
+        write_curve(writer, g_ptr_array_index(graph->curves, 0));
+        return;
+    }
+    scene_write_key(writer, "curves");
+    for (guint i = 0; i < graph->curves->len; i++) {
+        g_string_append(writer->out, i == 0 ? "[{" : ", {");
+        write_curve(writer, g_ptr_array_index(graph->curves, i));
+        g_string_append_c(writer->out, '}');
+    }
+    g_string_append_c(writer->out, ']');
+}
+
+static void write_axes(SceneWriter *writer, const TinkerSceneGraph *graph)
+{
+    if (graph->logarithmic[0] || graph->logarithmic[1]) {
+        scene_write_key(writer, "scale");
+        g_string_append_printf(writer->out, "[\"%s\", \"%s\"]", graph->logarithmic[0] ? "log" : "linear",
+                               graph->logarithmic[1] ? "log" : "linear");
+    }
+    if (!graph->has_range[0] && !graph->has_range[1]) return;
+    static const TinkerDimension plain = {0};
+    scene_write_key(writer, "range");
+    for (int axis = 0; axis < 2; axis++) {
+        g_string_append(writer->out, axis == 0 ? "[" : ", ");
+        if (graph->has_range[axis])
+            scene_write_vector(writer, graph->range[axis], plain);
+        else
+            g_string_append(writer->out, "null");
+    }
+    g_string_append_c(writer->out, ']');
+}
+
 static void write_graph(SceneWriter *writer, const TinkerSceneGraph *graph)
 {
     static const TinkerDimension length = {.length = 1};
     g_string_append_c(writer->out, '{');
-    scene_write_text_member(writer, "block", graph->block);
-    scene_write_text_member(writer, "quantity", graph->quantity);
-    if (graph->against != NULL && !g_str_equal(graph->against, "time"))
-        scene_write_text_member(writer, "against", graph->against);
+    write_curves(writer, graph);
+    if (!g_str_equal(graph->against, "time")) scene_write_text_member(writer, "against", graph->against);
+    write_axes(writer, graph);
     if (graph->has_place) {
         scene_write_key(writer, "place");
         scene_write_vector(writer, graph->place, length);
@@ -109,13 +174,23 @@ void scene_write_blocks(SceneWriter *writer)
     g_string_append(writer->out, written == 0 ? "]" : "\n  ]");
 }
 
+/* Of some blocks alone those graphs are written that need no others. */
+static gboolean all_written(const SceneWriter *writer, const TinkerSceneGraph *graph)
+{
+    if (writer->only == NULL) return TRUE;
+    g_autoptr(GArray) blocks = scene_graph_blocks(writer->scene, graph);
+    for (guint i = 0; i < blocks->len; i++)
+        if (!is_written(writer, g_array_index(blocks, TinkerBlockId, i))) return FALSE;
+    return blocks->len > 0;
+}
+
 void scene_write_graphs(SceneWriter *writer)
 {
     const GPtrArray *graphs = writer->scene->graphs;
     int32_t written = 0;
     for (guint i = 0; i < graphs->len; i++) {
         const TinkerSceneGraph *graph = g_ptr_array_index(graphs, i);
-        if (!is_written(writer, tinker_scene_find_block(writer->scene, graph->block))) continue;
+        if (!all_written(writer, graph)) continue;
         if (written == 0) {
             top_key(writer, "graphs");
             g_string_append_c(writer->out, '[');

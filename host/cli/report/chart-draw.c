@@ -44,10 +44,28 @@ static void fill_bucket(CurvePoints *points, const double point[3])
     points->filled = TRUE;
 }
 
-static gboolean read_points(const TinkerChart *chart, TinkerChartCurve curve, CurvePoints *points, GError **error)
+/* A curve's band where it has one: that of its column, or of what its formula is made of. */
+static double band_of(const TinkerChart *chart, const TinkerChartCurve *curve, const double *row)
+{
+    const double *bands = row + 1 + chart->columns->len;
+    if (curve->formula != NULL) return tinker_formula_band(curve->formula, row[0], row + 1, bands);
+    return bands[curve->y - 1];
+}
+
+static void read_table(const TinkerChartCurve *curve, CurvePoints *points)
+{
+    for (guint i = 0; i + 1 < curve->table->len; i += 2) {
+        const double *row = &g_array_index(curve->table, double, i);
+        const double point[3] = {row[0], curve->axis.per_si * row[1], 0};
+        append_point(points, point);
+    }
+}
+
+static gboolean read_points(const TinkerChart *chart, const TinkerChartCurve *curve, CurvePoints *points,
+                            GError **error)
 {
     guint width = tinker_chart_width(chart);
-    double x_factor = tinker_chart_axis(chart, curve.x).per_si, y_factor = tinker_chart_axis(chart, curve.y).per_si;
+    double x_factor = tinker_chart_axis(chart, curve->x).per_si, y_factor = curve->axis.per_si;
     gsize count = chart->record == NULL ? 0 : tinker_record_rows(chart->record);
     gsize bucket = count / MOST_BUCKETS + 1;
     g_autofree double *rows = g_new(double, (gsize)ROWS_AT_ONCE *width);
@@ -56,11 +74,11 @@ static gboolean read_points(const TinkerChart *chart, TinkerChartCurve curve, Cu
         if (place == 0 && !tinker_record_read(chart->record, row, MIN(ROWS_AT_ONCE, count - row), rows, error))
             return FALSE;
         const double *values = rows + place * width;
-        double point[3] = {x_factor * values[curve.x], y_factor * values[curve.y], 0};
-        if (points->has_band) point[2] = y_factor * values[chart->columns->len + curve.y];
-        if (bucket == 1 || (curve.x > 0 && row % bucket == 0))
+        double point[3] = {x_factor * values[curve->x], y_factor * tinker_chart_value(curve, values), 0};
+        if (points->has_band) point[2] = y_factor * band_of(chart, curve, values);
+        if (bucket == 1 || (curve->x > 0 && row % bucket == 0))
             append_point(points, point);
-        else if (curve.x == 0)
+        else if (curve->x == 0)
             fill_bucket(points, point);
         if (row % bucket == bucket - 1) empty_bucket(points);
     }
@@ -68,31 +86,41 @@ static gboolean read_points(const TinkerChart *chart, TinkerChartCurve curve, Cu
     return TRUE;
 }
 
+static const TinkerChartCurve *curve_at(const TinkerChart *chart, guint number)
+{
+    return &g_array_index(chart->curves, TinkerChartCurve, number);
+}
+
 /* The label of a lone curve's axis. It names the block, but on the x axis only where y is another's. */
 static char *lone_label(const TinkerChart *chart, gboolean of_x)
 {
-    TinkerChartCurve curve = g_array_index(chart->curves, TinkerChartCurve, 0);
-    TinkerGraphAxis x = tinker_chart_axis(chart, curve.x), y = tinker_chart_axis(chart, curve.y);
-    TinkerGraphAxis axis = of_x ? x : y;
+    const TinkerChartCurve *curve = curve_at(chart, 0);
+    TinkerGraphAxis x = tinker_chart_axis(chart, curve->x), y = curve->axis, axis = of_x ? x : y;
     if (axis.block == TINKER_NO_BLOCK || (of_x && x.block == y.block)) return tinker_axis_label(axis.title, axis.unit);
     g_autofree char *title = g_strdup_printf("%s: %s", tinker_scene_block_name(chart->scene, axis.block), axis.title);
     return tinker_axis_label(title, axis.unit);
 }
 
-/* The label that all curves share on one axis: up to two titles, or what is measured, and the unit. */
-static char *common_label(const TinkerChart *chart, gboolean of_x)
+typedef enum { AXIS_X, AXIS_LEFT, AXIS_RIGHT } AxisPlace;
+
+/* The label that all curves share on one axis: up to two titles, or what is measured, and the unit. NULL where no curve
+ * belongs to it. */
+static char *common_label(const TinkerChart *chart, AxisPlace place)
 {
-    TinkerChartCurve first = g_array_index(chart->curves, TinkerChartCurve, 0);
-    TinkerGraphAxis axis = tinker_chart_axis(chart, of_x ? first.x : first.y);
+    TinkerGraphAxis axis = {0};
     const char *second = NULL; /* title */
-    gboolean two_titles = TRUE, same_unit = TRUE;
-    for (guint i = 1; i < chart->curves->len; i++) {
-        TinkerChartCurve curve = g_array_index(chart->curves, TinkerChartCurve, i);
-        TinkerGraphAxis other = tinker_chart_axis(chart, of_x ? curve.x : curve.y);
+    gboolean two_titles = TRUE, same_unit = TRUE, any = FALSE;
+    for (guint i = 0; i < chart->curves->len; i++) {
+        const TinkerChartCurve *curve = curve_at(chart, i);
+        if (place != AXIS_X && curve->right != (place == AXIS_RIGHT)) continue;
+        TinkerGraphAxis other = place == AXIS_X ? tinker_chart_axis(chart, curve->x) : curve->axis;
+        if (!any) axis = other;
+        any = TRUE;
         if (second == NULL && strcmp(axis.title, other.title) != 0) second = other.title;
         if (strcmp(axis.title, other.title) != 0 && strcmp(second, other.title) != 0) two_titles = FALSE;
         if (strcmp(axis.unit, other.unit) != 0) same_unit = FALSE;
     }
+    if (!any) return NULL;
     if (!same_unit) return g_strdup("units as in the legend");
     if (second == NULL) return tinker_axis_label(axis.title, axis.unit);
     g_autofree char *name =
@@ -103,16 +131,16 @@ static char *common_label(const TinkerChart *chart, gboolean of_x)
 
 static gboolean is_path(const TinkerChart *chart)
 {
-    TinkerChartCurve first = g_array_index(chart->curves, TinkerChartCurve, 0);
-    TinkerGraphAxis x = tinker_chart_axis(chart, first.x), y = tinker_chart_axis(chart, first.y);
-    return tinker_graph_axes_of_path(&x, &y);
+    TinkerGraphAxis x = tinker_chart_axis(chart, curve_at(chart, 0)->x);
+    return tinker_graph_axes_of_path(&x, &curve_at(chart, 0)->axis);
 }
 
-static char *legend_label(const TinkerChart *chart, TinkerChartCurve curve)
+/* Where there are several runs of one curve the run alone names it. */
+static char *legend_label(const TinkerChart *chart, const TinkerChartCurve *curve, gboolean several)
 {
-    const TinkerColumn *column = &g_array_index(chart->columns, TinkerColumn, curve.y - 1);
-    TinkerGraphAxis axis = tinker_chart_axis(chart, curve.y);
-    return tinker_axis_label(column->name, axis.unit);
+    g_autofree char *label = tinker_axis_label(curve->name, curve->axis.unit);
+    if (chart->run == NULL) return g_steal_pointer(&label);
+    return several ? g_strdup_printf("%s: %s", chart->run, label) : g_strdup(chart->run);
 }
 
 static void free_points(gpointer data)
@@ -140,39 +168,90 @@ static const double *numbers(const GArray *array)
     return (const double *)(gpointer)array->data;
 }
 
-gboolean tinker_chart_draw(TinkerChart *chart, const TinkerTheme *theme, int width, int height, const char *path,
-                           GError **error)
+/* Everything that a plot borrows. */
+typedef struct {
+    GArray *curves;    /* of TinkerCurve */
+    GPtrArray *points; /* of CurvePoints */
+    GPtrArray *labels;
+} Drawing;
+
+static void drawing_clear(Drawing *drawing)
 {
-    guint count = chart->curves->len;
-    g_autofree TinkerCurve *curves = g_new0(TinkerCurve, count);
-    g_autoptr(GPtrArray) all_points = g_ptr_array_new_with_free_func(free_points);
-    g_autoptr(GPtrArray) labels = g_ptr_array_new_with_free_func(g_free);
-    for (guint i = 0; i < count; i++) {
-        TinkerChartCurve curve = g_array_index(chart->curves, TinkerChartCurve, i);
-        CurvePoints *points = curve_points_new(chart->has_bands && curve.x == 0);
-        g_ptr_array_add(all_points, points);
-        if (!read_points(chart, curve, points, error)) return FALSE;
-        g_ptr_array_add(labels, legend_label(chart, curve));
-        curves[i] = (TinkerCurve){
-            .label = count > 1 ? g_ptr_array_index(labels, i) : NULL,
+    g_array_unref(drawing->curves);
+    g_ptr_array_unref(drawing->points);
+    g_ptr_array_unref(drawing->labels);
+}
+G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC(Drawing, drawing_clear)
+
+static gboolean add_curves(Drawing *drawing, const TinkerChart *chart, GError **error)
+{
+    for (guint i = 0; i < chart->curves->len; i++) {
+        const TinkerChartCurve *from = curve_at(chart, i);
+        CurvePoints *points = curve_points_new(chart->has_bands && from->x == 0 && from->table == NULL);
+        g_ptr_array_add(drawing->points, points);
+        if (from->table != NULL)
+            read_table(from, points);
+        else if (!read_points(chart, from, points, error))
+            return FALSE;
+        g_ptr_array_add(drawing->labels, legend_label(chart, from, chart->curves->len > 1));
+        TinkerCurve curve = {
+            .label = g_ptr_array_index(drawing->labels, drawing->labels->len - 1),
             .x = numbers(points->x),
             .y = numbers(points->y),
             .low = points->has_band ? numbers(points->bottom) : NULL,
             .high = points->has_band ? numbers(points->top) : NULL,
             .count = points->x->len,
-            .colour = (int)i,
+            .colour = (int)drawing->curves->len,
+            .markers = from->table != NULL,
+            .no_line = from->table != NULL,
+            .right = from->right,
         };
+        g_array_append_val(drawing->curves, curve);
     }
-    g_autofree char *x_label = count > 1 ? common_label(chart, TRUE) : lone_label(chart, TRUE);
-    g_autofree char *y_label = count > 1 ? common_label(chart, FALSE) : lone_label(chart, FALSE);
+    return TRUE;
+}
+
+/* What the scene's graph asks of its axes, in displayed units. */
+static void set_axes(TinkerPlot *plot, const TinkerChart *chart, double ranges[2][2])
+{
+    const TinkerSceneGraph *axes = chart->axes;
+    plot->x_logarithmic = chart->logarithmic[0] || (axes != NULL && axes->logarithmic[0]);
+    plot->y_logarithmic = chart->logarithmic[1] || (axes != NULL && axes->logarithmic[1]);
+    plot->right_logarithmic = plot->y_logarithmic;
+    if (axes == NULL) return;
+    const double factors[2] = {tinker_chart_axis(chart, curve_at(chart, 0)->x).per_si, curve_at(chart, 0)->axis.per_si};
+    for (int axis = 0; axis < 2; axis++)
+        for (int end = 0; end < 2; end++)
+            ranges[axis][end] = factors[axis] * axes->range[axis][end];
+    if (axes->has_range[0]) plot->x_range = ranges[0];
+    if (axes->has_range[1]) plot->y_range = ranges[1];
+}
+
+gboolean tinker_chart_draw(TinkerChart *chart, const TinkerTheme *theme, int width, int height, const char *path,
+                           GError **error)
+{
+    g_auto(Drawing) drawing = {g_array_new(FALSE, TRUE, sizeof(TinkerCurve)),
+                               g_ptr_array_new_with_free_func(free_points), g_ptr_array_new_with_free_func(g_free)};
+    if (!add_curves(&drawing, chart, error)) return FALSE;
+    for (guint i = 0; i < chart->others->len; i++)
+        if (!add_curves(&drawing, g_ptr_array_index(chart->others, i), error)) return FALSE;
+    TinkerCurve *curves = (TinkerCurve *)(gpointer)drawing.curves->data;
+    if (drawing.curves->len == 1) curves[0].label = NULL;
+    const gboolean lone = chart->curves->len == 1;
+    g_autofree char *x_label = lone ? lone_label(chart, TRUE) : common_label(chart, AXIS_X);
+    g_autofree char *y_label = lone ? lone_label(chart, FALSE) : common_label(chart, AXIS_LEFT);
+    g_autofree char *right_label = common_label(chart, AXIS_RIGHT);
+    double ranges[2][2];
     TinkerPlot plot = {
         .title = chart->title[0] != '\0' ? chart->title : NULL,
         .x_label = x_label,
         .y_label = y_label,
+        .right_label = right_label,
         .equal_scales = is_path(chart),
         .curves = curves,
-        .curve_count = (int)count,
+        .curve_count = (int)drawing.curves->len,
         .theme = theme,
     };
+    set_axes(&plot, chart, ranges);
     return tinker_plot_to_file(&plot, width, height, path, error);
 }

@@ -3,10 +3,21 @@
 
 #include <string.h>
 
+#include "units/table-columns.h"
+
 #include "cli/command/output.h"
 #include "exit-status.h"
 
-#define ROWS_AT_ONCE 1024
+#define ROWS_AT_ONCE ((gsize)1024)
+
+static void clear_curve(gpointer data)
+{
+    TinkerChartCurve *curve = data;
+    g_clear_pointer(&curve->formula, tinker_formula_free);
+    g_clear_pointer(&curve->table, g_array_unref);
+    g_free(curve->name);
+    g_free(curve->title);
+}
 
 TinkerChart *tinker_chart_new(TinkerScene *scene)
 {
@@ -14,6 +25,8 @@ TinkerChart *tinker_chart_new(TinkerScene *scene)
     chart->scene = scene;
     chart->columns = tinker_columns_new();
     chart->curves = g_array_new(FALSE, FALSE, sizeof(TinkerChartCurve));
+    g_array_set_clear_func(chart->curves, clear_curve);
+    chart->others = g_ptr_array_new_with_free_func((GDestroyNotify)tinker_chart_free);
     chart->title = g_strdup(tinker_scene_head(scene)->title);
     return chart;
 }
@@ -24,7 +37,9 @@ void tinker_chart_free(TinkerChart *chart)
     g_array_unref(chart->columns);
     g_array_unref(chart->curves);
     g_clear_pointer(&chart->record, tinker_record_free);
+    g_ptr_array_unref(chart->others);
     g_free(chart->title);
+    g_free(chart->run);
     g_free(chart);
 }
 
@@ -49,34 +64,127 @@ static char *full_name(const char *beside, const char *name)
     return g_strdup_printf("%.*s.%s", (int)(dot - beside), beside, name);
 }
 
+/* The axis of a value in SI, in the unit that is displayed or asked for. A unit of another dimension is shown as it is
+ * written, and the number in SI. */
+static TinkerGraphAxis axis_of_value(const TinkerChart *chart, const char *title, const TinkerDimension *dimension,
+                                     const char *wanted)
+{
+    static const TinkerDimension none = {0};
+    const char *shown = dimension != NULL ? tinker_unit_for(*dimension, tinker_scene_head(chart->scene)->units) : "";
+    const char *name = wanted != NULL ? wanted : shown;
+    TinkerUnit unit = {1, none};
+    const gboolean fits = dimension != NULL && name[0] != '\0' && tinker_unit_parse(name, &unit, NULL) &&
+                          tinker_dimension_equal(unit.dimension, *dimension);
+    return (TinkerGraphAxis){g_intern_string(title), g_intern_string(name), fits ? 1 / unit.factor : 1,
+                             dimension != NULL ? *dimension : none, TINKER_NO_BLOCK};
+}
+
+static gboolean add_formula(TinkerChart *chart, const char *text, const TinkerSceneCurve *as, GError **error)
+{
+    TinkerChartCurve curve = {.right = as != NULL && as->axis == 2};
+    TinkerDimension dimension;
+    curve.formula = tinker_formula_new(chart->scene, text, chart->columns, error);
+    if (curve.formula == NULL) {
+        g_prefix_error(error, "\"%s\": ", text);
+        return FALSE;
+    }
+    gboolean known = tinker_formula_dimension(curve.formula, &dimension, NULL);
+    curve.name = g_strdup(as != NULL && as->title != NULL ? as->title : text);
+    curve.axis = axis_of_value(chart, curve.name, known ? &dimension : NULL, as != NULL ? as->unit : NULL);
+    g_array_append_val(chart->curves, curve);
+    return TRUE;
+}
+
 gboolean tinker_chart_add(TinkerChart *chart, const char *name, const char *against, GError **error)
 {
-    TinkerChartCurve curve = {0, 0};
+    TinkerChartCurve curve = {0};
+    if (strchr(name, '{') != NULL && (against == NULL || strcmp(against, "time") == 0))
+        return add_formula(chart, name, NULL, error);
     if (!column_place(chart, name, &curve.y, error)) return FALSE;
     if (against != NULL && strcmp(against, "time") != 0) {
         g_autofree char *other = full_name(name, against);
         if (!column_place(chart, other, &curve.x, error)) return FALSE;
     }
+    curve.name = g_strdup(g_array_index(chart->columns, TinkerColumn, curve.y - 1).name);
+    curve.axis = tinker_chart_axis(chart, curve.y);
     g_array_append_val(chart->curves, curve);
     return TRUE;
 }
 
-static gboolean same_axes(const TinkerChart *chart, const TinkerSceneGraph *first, const TinkerSceneGraph *graph)
+double tinker_chart_value(const TinkerChartCurve *curve, const double *row)
 {
-    if (first == graph) return TRUE;
-    if (strcmp(first->against, graph->against) != 0) return FALSE;
-    TinkerBlockId a = tinker_scene_find_block(chart->scene, first->block);
-    TinkerBlockId b = tinker_scene_find_block(chart->scene, graph->block);
-    const TinkerBlockClass *class_a = tinker_scene_block_class(chart->scene, a);
-    const TinkerBlockClass *class_b = tinker_scene_block_class(chart->scene, b);
-    if (class_a == NULL || class_b == NULL) return FALSE;
-    int32_t quantity_a = tinker_block_class_quantity(class_a, first->quantity);
-    int32_t quantity_b = tinker_block_class_quantity(class_b, graph->quantity);
-    return quantity_a >= 0 && quantity_b >= 0 &&
-           tinker_dimension_equal(class_a->quantities[quantity_a].dimension, class_b->quantities[quantity_b].dimension);
+    return curve->formula != NULL ? tinker_formula_value(curve->formula, row[0], row + 1) : row[curve->y];
 }
 
-gboolean tinker_chart_add_graphs_of_scene(TinkerChart *chart, GPtrArray *left_out, GError **error)
+void tinker_chart_part_axes(TinkerChart *chart)
+{
+    const char *units[2] = {NULL, NULL};
+    for (guint i = 0; i < chart->curves->len; i++) {
+        const TinkerChartCurve *curve = &g_array_index(chart->curves, TinkerChartCurve, i);
+        int k = 0;
+        while (k < 2 && units[k] != NULL && strcmp(units[k], curve->axis.unit) != 0)
+            k++;
+        if (k == 2 || curve->x != 0) return;
+        units[k] = curve->axis.unit;
+    }
+    for (guint i = 0; units[1] != NULL && i < chart->curves->len; i++) {
+        TinkerChartCurve *curve = &g_array_index(chart->curves, TinkerChartCurve, i);
+        curve->right = strcmp(curve->axis.unit, units[1]) == 0;
+    }
+}
+
+/* Graphs of the scene ---------------------------------------------------------------------------------------------- */
+
+/* The only curve of a graph, where it is a quantity. */
+static const TinkerSceneCurve *only_quantity(const TinkerSceneGraph *graph)
+{
+    return graph->curves->len == 1 ? tinker_scene_graph_curve(graph) : NULL;
+}
+
+static gboolean find_dimension(const TinkerChart *chart, const TinkerSceneCurve *curve, TinkerDimension *dimension)
+{
+    TinkerBlockId block;
+    if (curve == NULL || !tinker_scene_find_owner(chart->scene, curve->block, &block)) return FALSE;
+    int32_t quantity = tinker_scene_find_quantity(chart->scene, block, curve->quantity);
+    if (quantity >= 0) *dimension = tinker_scene_quantity_type(chart->scene, block, quantity).dimension;
+    return quantity >= 0;
+}
+
+static gboolean same_axes(const TinkerChart *chart, const TinkerSceneGraph *first, const TinkerSceneGraph *graph)
+{
+    TinkerDimension a, b;
+    if (first == graph) return TRUE;
+    return strcmp(first->against, graph->against) == 0 && find_dimension(chart, only_quantity(first), &a) &&
+           find_dimension(chart, only_quantity(graph), &b) && tinker_dimension_equal(a, b);
+}
+
+static gboolean add_table(TinkerChart *chart, const TinkerSceneCurve *from, const char *path, GError **error)
+{
+    TinkerChartCurve curve = {.right = from->axis == 2, .table = g_array_new(FALSE, FALSE, sizeof(double))};
+    g_autofree char *folder = g_path_get_dirname(path), *file = g_build_filename(folder, from->table, NULL);
+    curve.name = from->title != NULL ? g_strdup(from->title) : g_strdup_printf("%s, %d", from->table, from->column);
+    curve.axis = axis_of_value(chart, curve.name, NULL, from->unit);
+    g_array_append_val(chart->curves, curve);
+    return tinker_table_read_column(file, from->column, curve.table, error);
+}
+
+static gboolean add_curve(TinkerChart *chart, const TinkerSceneGraph *graph, const TinkerSceneCurve *curve,
+                          const char *path, GError **error)
+{
+    if (curve->table != NULL) return add_table(chart, curve, path, error);
+    if (curve->expression != NULL) return add_formula(chart, curve->expression, curve, error);
+    g_autofree char *name = g_strdup_printf("%s.%s", curve->block, curve->quantity);
+    if (!tinker_chart_add(chart, name, graph->against, error)) return FALSE;
+    TinkerChartCurve *added = &g_array_index(chart->curves, TinkerChartCurve, chart->curves->len - 1);
+    added->right = curve->axis == 2;
+    if (curve->title == NULL) return TRUE;
+    g_free(added->name);
+    added->name = g_strdup(curve->title);
+    added->axis.title = g_intern_string(curve->title);
+    return TRUE;
+}
+
+gboolean tinker_chart_add_graphs_of_scene(TinkerChart *chart, const char *path, GPtrArray *left_out, GError **error)
 {
     GPtrArray *graphs = tinker_scene_graphs(chart->scene);
     for (guint i = 0; i < graphs->len; i++) {
@@ -85,10 +193,11 @@ gboolean tinker_chart_add_graphs_of_scene(TinkerChart *chart, GPtrArray *left_ou
             g_ptr_array_add(left_out, graph);
             continue;
         }
-        g_autofree char *name = g_strdup_printf("%s.%s", graph->block, graph->quantity);
-        if (!tinker_chart_add(chart, name, graph->against, error)) return FALSE;
+        for (guint k = 0; k < graph->curves->len; k++)
+            if (!add_curve(chart, graph, g_ptr_array_index(graph->curves, k), path, error)) return FALSE;
     }
     const TinkerSceneGraph *only = graphs->len == 1 ? g_ptr_array_index(graphs, 0) : NULL;
+    if (graphs->len > 0) chart->axes = g_ptr_array_index(graphs, 0);
     if (only != NULL && only->title != NULL) {
         g_free(chart->title);
         chart->title = g_strdup(only->title);
@@ -134,36 +243,106 @@ TinkerGraphAxis tinker_chart_axis(const TinkerChart *chart, guint place)
     return tinker_graph_axis(chart->scene, column->block, column->quantity);
 }
 
-/* The places of a row that are written, in order: the time once, if any curve is over it. */
-static GArray *csv_places(const TinkerChart *chart)
+/* CSV -------------------------------------------------------------------------------------------------------------- */
+
+/* One column of the file. */
+typedef struct {
+    const TinkerChart *chart;      /* of this run */
+    const TinkerChartCurve *curve; /* NULL: the time; */
+    guint place;                   /* else where this is not 0 what it is drawn against */
+    gboolean times;                /* of the curve's own table */
+} CsvColumn;
+
+static gsize rows_of(const CsvColumn *column)
 {
-    GArray *places = g_array_new(FALSE, FALSE, sizeof(guint));
-    for (guint i = 0; i < chart->curves->len; i++) {
-        TinkerChartCurve curve = g_array_index(chart->curves, TinkerChartCurve, i);
-        if (curve.x > 0 || i == 0) g_array_append_val(places, curve.x);
-        g_array_append_val(places, curve.y);
-    }
-    return places;
+    if (column->curve != NULL && column->curve->table != NULL) return column->curve->table->len / 2;
+    return column->chart->record == NULL ? 0 : tinker_record_rows(column->chart->record);
 }
 
-static gboolean write_rows(TinkerCsvWriter *writer, const TinkerChart *chart, const GArray *places, GError **error)
+static void add_csv_columns(const TinkerChart *chart, GArray *columns)
 {
-    guint width = tinker_chart_width(chart);
+    for (guint i = 0; i < chart->curves->len; i++) {
+        const TinkerChartCurve *curve = &g_array_index(chart->curves, TinkerChartCurve, i);
+        CsvColumn x = {chart, curve->table != NULL ? curve : NULL, curve->x, curve->table != NULL},
+                  y = {chart, curve, 0, FALSE};
+        if (curve->x > 0 || x.times || i == 0) g_array_append_val(columns, x);
+        g_array_append_val(columns, y);
+    }
+}
+
+/* The columns that are written, in order: the time once for each run, if any curve is over it. (transfer full) */
+static GArray *csv_columns(const TinkerChart *chart)
+{
+    GArray *columns = g_array_new(FALSE, FALSE, sizeof(CsvColumn));
+    add_csv_columns(chart, columns);
+    for (guint i = 0; i < chart->others->len; i++)
+        add_csv_columns(g_ptr_array_index(chart->others, i), columns);
+    return columns;
+}
+
+static TinkerGraphAxis csv_axis(const CsvColumn *column)
+{
+    if (column->times) return tinker_graph_axis_time();
+    return column->curve != NULL ? column->curve->axis : tinker_chart_axis(column->chart, column->place);
+}
+
+/* Cells of the rows from `first` on; nothing where a run has no such row. */
+static gboolean read_cells(const CsvColumn *column, gsize first, gsize count, double *rows, double *cells,
+                           GError **error)
+{
+    const TinkerChartCurve *curve = column->curve;
+    const double per_si = csv_axis(column).per_si;
+    const gsize have = rows_of(column), some = first < have ? MIN(count, have - first) : 0;
+    const guint width = tinker_chart_width(column->chart);
+    const gboolean table = curve != NULL && curve->table != NULL;
+    if (!table && some > 0 && !tinker_record_read(column->chart->record, first, some, rows, error)) return FALSE;
+    for (gsize i = 0; i < some; i++) {
+        if (table)
+            cells[i] = per_si * g_array_index(curve->table, double, 2 * (first + i) + !column->times);
+        else
+            cells[i] = per_si *
+                       (curve != NULL ? tinker_chart_value(curve, rows + i * width) : rows[i * width + column->place]);
+    }
+    return TRUE;
+}
+
+static gboolean write_rows(TinkerCsvWriter *writer, const GArray *columns, GError **error)
+{
+    gsize count = 0;
+    guint width = 0;
+    for (guint c = 0; c < columns->len; c++) {
+        const CsvColumn *column = &g_array_index(columns, CsvColumn, c);
+        count = MAX(count, rows_of(column));
+        width = MAX(width, tinker_chart_width(column->chart));
+    }
     g_autofree double *rows = g_new(double, (gsize)ROWS_AT_ONCE *width);
-    g_autofree double *factors = g_new(double, places->len);
-    for (guint i = 0; i < places->len; i++)
-        factors[i] = tinker_chart_axis(chart, g_array_index(places, guint, i)).per_si;
-    gsize count = chart->record == NULL ? 0 : tinker_record_rows(chart->record);
+    g_autofree double *cells = g_new(double, (gsize)ROWS_AT_ONCE * columns->len);
     for (gsize first = 0; first < count; first += ROWS_AT_ONCE) {
-        gsize some = MIN(ROWS_AT_ONCE, count - first);
-        if (!tinker_record_read(chart->record, first, some, rows, error)) return FALSE;
-        for (gsize row = 0; row < some; row++) {
-            for (guint i = 0; i < places->len; i++)
-                tinker_csv_number(writer, factors[i] * rows[row * width + g_array_index(places, guint, i)]);
+        for (guint c = 0; c < columns->len; c++)
+            if (!read_cells(&g_array_index(columns, CsvColumn, c), first, ROWS_AT_ONCE, rows, cells + c * ROWS_AT_ONCE,
+                            error))
+                return FALSE;
+        for (gsize row = 0; row < MIN(ROWS_AT_ONCE, count - first); row++) {
+            for (guint c = 0; c < columns->len; c++)
+                if (first + row < rows_of(&g_array_index(columns, CsvColumn, c)))
+                    tinker_csv_number(writer, cells[c * ROWS_AT_ONCE + row]);
+                else
+                    tinker_csv_text(writer, "");
             tinker_csv_end_row(writer);
         }
     }
     return TRUE;
+}
+
+static void write_heading(TinkerCsvWriter *writer, const TinkerChart *chart, const CsvColumn *column)
+{
+    TinkerGraphAxis axis = csv_axis(column);
+    if (column->chart->run == NULL || column->curve == NULL) {
+        tinker_csv_axis(writer, chart->scene, &axis, chart->curves->len > 1, FALSE);
+        return;
+    }
+    g_autofree char *heading = g_strdup_printf("%s (%s)", column->curve->name, column->chart->run);
+    tinker_csv_text(writer, heading);
 }
 
 gboolean tinker_chart_write_csv(TinkerChart *chart, int decimals, const char *path, GError **error)
@@ -171,12 +350,10 @@ gboolean tinker_chart_write_csv(TinkerChart *chart, int decimals, const char *pa
     g_auto(TinkerOutput) output = {0};
     if (!tinker_output_open(&output, path, error)) return FALSE;
     g_auto(TinkerCsvWriter) writer = tinker_csv_writer_graph(output.file, decimals);
-    g_autoptr(GArray) places = csv_places(chart);
-    for (guint i = 0; i < places->len; i++) {
-        TinkerGraphAxis axis = tinker_chart_axis(chart, g_array_index(places, guint, i));
-        tinker_csv_axis(&writer, chart->scene, &axis, chart->curves->len > 1, FALSE);
-    }
+    g_autoptr(GArray) columns = csv_columns(chart);
+    for (guint c = 0; c < columns->len; c++)
+        write_heading(&writer, chart, &g_array_index(columns, CsvColumn, c));
     tinker_csv_end_row(&writer);
-    if (!write_rows(&writer, chart, places, error)) return FALSE;
+    if (!write_rows(&writer, columns, error)) return FALSE;
     return tinker_output_close(&output, error);
 }

@@ -3,13 +3,22 @@
 #ifndef TINKER_CLI_CHART_H
 #define TINKER_CLI_CHART_H
 
+#include "graph-axis.h"
+#include "measure/formula.h"
 #include "physics/record/record.h"
 #include "physics/run/simulation.h"
 #include "render/draw/theme.h"
 
-/* One curve; x and y are places in a row of the record, whose place 0 is the time and i + 1 the column i. */
+/* One curve; x and y are places in a row of the record, whose place 0 is the time and i + 1 the column i. In the place
+ * of y there may be a formula or a table. */
 typedef struct {
     guint x, y;
+    TinkerFormula *formula; /* NULL: y */
+    GArray *table;          /* of double, time and value in turn; NULL: of the run */
+    char *name;             /* in a legend: "Mass 0.y" */
+    char *title;            /* that the axis has, where the scene gives one; NULL */
+    TinkerGraphAxis axis;   /* of its values */
+    gboolean right;         /* on the second axis */
 } TinkerChartCurve;
 
 typedef struct {
@@ -19,6 +28,10 @@ typedef struct {
     TinkerRecord *record; /* rows of the time, the columns, and their bands where there are any */
     gboolean has_bands;
     char *title;
+    char *run;                    /* what sets this run apart from others in a chart; NULL */
+    GPtrArray *others;            /* of TinkerChart: the same curves of other runs; owned */
+    const TinkerSceneGraph *axes; /* scales and ranges; borrowed from the scene; NULL */
+    gboolean logarithmic[2];      /* asked for besides: x, y */
 } TinkerChart;
 
 /* A chart without curves, titled like the scene. (transfer full) */
@@ -26,13 +39,21 @@ TinkerChart *tinker_chart_new(TinkerScene *scene);
 void tinker_chart_free(TinkerChart *chart);
 G_DEFINE_AUTOPTR_CLEANUP_FUNC(TinkerChart, tinker_chart_free)
 
-/* Adds the curve of "Mass 0.y": over time where `against` is NULL or "time", else against a quantity of the same block
- * ("vx") or of any ("Mass 1.x"). Errors: TINKER_SCENE_ERROR_NAME. */
+/* Adds the curve of "Mass 0.y", or of an expression, which has a name in braces: over time where `against` is NULL or
+ * "time", else against a quantity of the same block
+ * ("vx") or of any ("Mass 1.x"). Errors: TINKER_SCENE_ERROR_NAME, TINKER_WAVEFORM_ERROR. */
 gboolean tinker_chart_add(TinkerChart *chart, const char *name, const char *against, GError **error);
 
-/* Adds the graphs that the scene holds: the first, and all others of the same axes; the rest is added to `left_out`, of
+/* The second unit, where curves have two, goes to the axis at the right. */
+void tinker_chart_part_axes(TinkerChart *chart);
+
+/* The value of a curve in a row of the record, in SI; of one that is no table. */
+double tinker_chart_value(const TinkerChartCurve *curve, const double *row);
+
+/* Adds the graphs that the scene holds: the first, and all others of the same axes. `path` is the scene's file, beside
+ * which tables are looked for; the rest is added to `left_out`, of
  * const TinkerSceneGraph *. */
-gboolean tinker_chart_add_graphs_of_scene(TinkerChart *chart, GPtrArray *left_out, GError **error);
+gboolean tinker_chart_add_graphs_of_scene(TinkerChart *chart, const char *path, GPtrArray *left_out, GError **error);
 
 /* Takes a sample of all columns, as a TinkerSampleFunc hands it out. `bands` says how far each may be off (NAN: nobody
  * knows); NULL at all samples or at none. */

@@ -52,7 +52,7 @@ static gboolean demo_init(Demo *demo, TinkerScene *scene, const char *csv, GErro
 {
     g_autoptr(GPtrArray) left_out = g_ptr_array_new();
     demo->chart = tinker_chart_new(scene);
-    if (!tinker_chart_add_graphs_of_scene(demo->chart, left_out, error)) return FALSE;
+    if (!tinker_chart_add_graphs_of_scene(demo->chart, "", left_out, error)) return FALSE;
     demo->record_columns = tinker_columns_default(scene);
     demo->all_columns = g_array_new(FALSE, FALSE, sizeof(TinkerColumn));
     g_array_append_vals(demo->all_columns, demo->record_columns->data, demo->record_columns->len);

@@ -11,15 +11,17 @@
 
 static const TinkerVerbHelp help = {
     .verb = "graph",
-    .operands = "SCENE [\"BLOCK.QUANTITY\"...]",
+    .operands = "SCENE [\"BLOCK.QUANTITY\"|\"EXPRESSION\"...]",
     .summary =
         "Runs a scene and draws quantities over time in one graph, or writes them as CSV, in the units that the\n"
         "scene displays. Without a curve the scene's own graphs are drawn. The ending of the output, .png, .svg,\n"
         ".pdf or .csv, says what is written; - is CSV to standard output. `tinker plugins show TYPE` lists the\n"
-        "quantities of a block.",
-    .examples = "  tinker graph spring-mass.tinker.json \"Mass 0.y\" -o y.svg\n"
-                "  tinker graph spring-mass.tinker.json \"Mass 0.y\" --decimals 5 -o y.csv\n"
-                "  tinker graph spring-mass.tinker.json \"Mass 0.vy\" --against y -o phase.png",
+        "quantities of a block. In an expression quantities and properties stand in braces; values are in SI.",
+    .examples =
+        "  tinker graph spring-mass.tinker.json \"Mass 0.y\" -o y.svg\n"
+        "  tinker graph spring-mass.tinker.json \"Mass 0.y\" --decimals 5 -o y.csv\n"
+        "  tinker graph spring-mass.tinker.json \"0.5*{Mass 0.mass}*{Mass 0.vy}^2\" Scene.energy -o energy.svg\n"
+        "  tinker graph spring-mass.tinker.json \"Mass 0.vy\" --against y -o phase.png",
     .least_operands = 1,
     .most_operands = -1,
 };
@@ -27,7 +29,7 @@ static const TinkerVerbHelp help = {
 typedef struct {
     TinkerRunArguments run;
     TinkerPictureArguments picture;
-    char *output, *decimals, *against;
+    char *output, *decimals, *against, *log;
 } GraphOptions;
 
 static void graph_options_clear(GraphOptions *options)
@@ -37,6 +39,7 @@ static void graph_options_clear(GraphOptions *options)
     g_free(options->output);
     g_free(options->decimals);
     g_free(options->against);
+    g_free(options->log);
 }
 G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC(GraphOptions, graph_options_clear)
 
@@ -64,14 +67,33 @@ static gboolean read_form(const GraphOptions *options, GraphForm *form, GError *
 
 static void report_left_out(const TinkerSceneGraph *graph)
 {
+    const TinkerSceneCurve *curve = tinker_scene_graph_curve(graph);
+    if (graph->curves->len > 1 || curve == NULL) {
+        tinker_report_warning("a graph of several curves left out: other axes than the first");
+        return;
+    }
     gboolean over_time = g_str_equal(graph->against, "time");
     g_autofree char *against = over_time ? g_strdup("") : g_strdup_printf(" --against \"%s\"", graph->against);
     tinker_report_warning("graph of %s.%s left out: other axes than the first (to draw it: tinker graph SCENE "
                           "\"%s.%s\"%s -o ...)",
-                          graph->block, graph->quantity, graph->block, graph->quantity, against);
+                          curve->block, curve->quantity, curve->block, curve->quantity, against);
 }
 
-static gboolean add_curves(TinkerChart *chart, const GraphOptions *options, char **names, GError **error)
+static gboolean read_log(TinkerChart *chart, const char *axes, GError **error)
+{
+    for (const char *axis = axes; axis != NULL && *axis != '\0'; axis++) {
+        if (*axis != 'x' && *axis != 'y') {
+            g_set_error(error, TINKER_CLI_ERROR, TINKER_CLI_ERROR_USAGE, "--log is \"%s\" (it must be x, y or xy)",
+                        axes);
+            return FALSE;
+        }
+        chart->logarithmic[*axis == 'y'] = TRUE;
+    }
+    return TRUE;
+}
+
+static gboolean add_curves(TinkerChart *chart, const GraphOptions *options, const char *path, char **names,
+                           GError **error)
 {
     g_autoptr(GPtrArray) left_out = g_ptr_array_new();
     for (char **name = names; *name != NULL; name++)
@@ -79,9 +101,10 @@ static gboolean add_curves(TinkerChart *chart, const GraphOptions *options, char
             tinker_blame_option(NULL, error);
             return FALSE;
         }
-    if (names[0] == NULL && !tinker_chart_add_graphs_of_scene(chart, left_out, error)) return FALSE;
+    if (names[0] == NULL && !tinker_chart_add_graphs_of_scene(chart, path, left_out, error)) return FALSE;
     for (guint i = 0; i < left_out->len; i++)
         report_left_out(g_ptr_array_index(left_out, i));
+    if (names[0] != NULL) tinker_chart_part_axes(chart);
     if (chart->curves->len > 0) return TRUE;
     g_set_error(error, TINKER_CLI_ERROR, TINKER_CLI_ERROR_USAGE,
                 "the scene holds no graphs; name a curve (as in \"Mass 0.y\")");
@@ -109,7 +132,8 @@ static gboolean graph(const GraphOptions *options, const TinkerOpenScene *open, 
     g_autoptr(TinkerFileSet) files = tinker_open_scene_files(open);
     g_autoptr(TinkerChart) chart = tinker_chart_new(open->scene);
     if (!tinker_outputs_add(files, outputs, error)) return FALSE;
-    if (!read_form(options, &form, error) || !add_curves(chart, options, names, error)) return FALSE;
+    if (!read_log(chart, options->log, error)) return FALSE;
+    if (!read_form(options, &form, error) || !add_curves(chart, options, open->name, names, error)) return FALSE;
     if (!tinker_run_arguments_apply(&options->run, open->scene, &run_options, error)) return FALSE;
     run_options.bands = !form.csv;
     if (!tinker_scene_run_prepare(&run, open->scene, &options->run, &run_options, error)) return FALSE;
@@ -129,6 +153,7 @@ int tinker_verb_graph(int argc, char **argv)
          "FILE"},
         {"against", 0, 0, G_OPTION_ARG_FILENAME, &options.against,
          "Draw against this quantity instead of time: a phase plot", "QUANTITY"},
+        {"log", 0, 0, G_OPTION_ARG_FILENAME, &options.log, "Logarithmic axes: x, y or xy", "AXES"},
         {"decimals", 0, 0, G_OPTION_ARG_FILENAME, &options.decimals,
          "Digits behind the point in CSV, trailing zeros dropped (default: 9 significant digits)", "N"},
         TINKER_PICTURE_ENTRIES(options.picture, "800x500"),

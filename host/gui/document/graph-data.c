@@ -66,9 +66,9 @@ static const double *numbers(const GArray *array)
 /* Nobody knows the quantities of a placeholder: it has their ids for titles. */
 static TinkerGraphAxis axis_of(TinkerScene *scene, const char *block_name, const char *id)
 {
-    TinkerBlockId block = tinker_scene_find_block(scene, block_name);
-    const TinkerBlockClass *block_class = block != TINKER_NO_BLOCK ? tinker_scene_block_class(scene, block) : NULL;
-    int32_t quantity = block_class != NULL ? tinker_block_class_quantity(block_class, id) : -1;
+    TinkerBlockId block;
+    int32_t quantity =
+        tinker_scene_find_owner(scene, block_name, &block) ? tinker_scene_find_quantity(scene, block, id) : -1;
     if (quantity < 0) return (TinkerGraphAxis){.title = id, .unit = "", .per_si = 1, .block = block};
     return tinker_graph_axis(scene, block, quantity);
 }
@@ -92,14 +92,16 @@ static void renew_texts(TinkerGraphData *data, const char *own_title)
 void tinker_graph_data_set_graph(TinkerGraphData *data, const TinkerSceneGraph *graph)
 {
     TinkerScene *scene = tinker_document_scene(data->document);
+    static const TinkerSceneCurve none = {.block = (char *)"", .quantity = (char *)""};
+    const TinkerSceneCurve *first = tinker_scene_graph_curve(graph), *curve = first != NULL ? first : &none;
     gboolean over_time = g_str_equal(graph->against, "time");
-    gboolean same = g_strcmp0(data->block, graph->block) == 0 && g_strcmp0(data->quantity, graph->quantity) == 0 &&
+    gboolean same = g_strcmp0(data->block, curve->block) == 0 && g_strcmp0(data->quantity, curve->quantity) == 0 &&
                     g_strcmp0(data->against, over_time ? NULL : graph->against) == 0;
     double x_factor = data->x_axis.per_si, y_factor = data->y_axis.per_si;
     if (!same) {
         char *names[] = {data->block, data->quantity, data->against};
-        data->block = g_strdup(graph->block);
-        data->quantity = g_strdup(graph->quantity);
+        data->block = g_strdup(curve->block);
+        data->quantity = g_strdup(curve->quantity);
         data->against = over_time ? NULL : g_strdup(graph->against);
         for (gsize i = 0; i < G_N_ELEMENTS(names); i++)
             g_free(names[i]);
@@ -125,12 +127,12 @@ static void take(TinkerGraphData *data, const char *quantity, TinkerSeriesCursor
                  GArray *values)
 {
     TinkerScene *scene = tinker_document_scene(data->document);
-    TinkerBlockId block = tinker_scene_find_block(scene, data->block);
-    const TinkerBlockClass *block_class = block != TINKER_NO_BLOCK ? tinker_scene_block_class(scene, block) : NULL;
+    TinkerBlockId block;
+    gboolean found = tinker_scene_find_owner(scene, data->block, &block);
     guint first = values->len;
     cursor->behind = FALSE;
-    if (block_class == NULL) return;
-    TinkerQuantity of = {block, tinker_block_class_quantity(block_class, quantity)};
+    TinkerQuantity of = {block, found ? tinker_scene_find_quantity(scene, block, quantity) : -1};
+    if (of.quantity < 0) return;
     tinker_player_series(data->player, of, cursor, times, values);
     for (guint i = first; i < values->len; i++)
         g_array_index(values, double, i) *= per_si;

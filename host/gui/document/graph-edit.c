@@ -17,15 +17,18 @@ static const TinkerSceneGraph *graph_of(TinkerDocument *document, int number)
 int tinker_graph_add(TinkerDocument *document, TinkerBlockId block, const char *quantity, const char *against,
                      const double place[2], const double size[2], GError **error)
 {
-    g_autofree char *name = g_strdup(tinker_scene_block_name(tinker_document_scene(document), block));
-    g_autofree char *y = g_strdup(quantity), *x = g_strdup(against != NULL ? against : "time");
-    TinkerSceneGraph graph = {.block = name, .quantity = y, .against = x};
-    graph.has_place = place != NULL;
-    graph.has_size = size != NULL;
-    if (place != NULL) memcpy(graph.place, place, sizeof graph.place);
-    if (size != NULL) memcpy(graph.size, size, sizeof graph.size);
+    g_autoptr(TinkerSceneGraph) graph = tinker_scene_graph_new();
+    tinker_scene_graph_add(graph, tinker_scene_block_name(tinker_document_scene(document), block), quantity);
+    if (against != NULL) {
+        g_free(graph->against);
+        graph->against = g_strdup(against);
+    }
+    graph->has_place = place != NULL;
+    graph->has_size = size != NULL;
+    if (place != NULL) memcpy(graph->place, place, sizeof graph->place);
+    if (size != NULL) memcpy(graph->size, size, sizeof graph->size);
     tinker_document_begin(document, _("Add Graph"), NULL);
-    int32_t number = tinker_history_add_graph(tinker_document_history(document), &graph, error);
+    int32_t number = tinker_history_add_graph(tinker_document_history(document), graph, error);
     tinker_document_end(document);
     return number;
 }

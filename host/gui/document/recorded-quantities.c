@@ -2,6 +2,8 @@
  * afterwards has its curve at once. */
 #include "gui/document/recorded-quantities.h"
 
+#include "scene/store/quantities.h"
+
 #define MOST 4000 /* quantities that are recorded although nobody asked for them */
 
 static void add_quantities(GArray *columns, TinkerScene *scene, TinkerBlockId block)
@@ -14,12 +16,15 @@ static void add_quantities(GArray *columns, TinkerScene *scene, TinkerBlockId bl
 
 static void add_graphed(GArray *columns, TinkerScene *scene, const TinkerSceneGraph *graph)
 {
-    TinkerBlockId block = tinker_scene_find_block(scene, graph->block);
-    const TinkerBlockClass *block_class = tinker_scene_block_class(scene, block);
-    const char *ids[] = {graph->quantity, graph->against};
-    for (gsize i = 0; block_class != NULL && block_class->graph != NULL && i < G_N_ELEMENTS(ids); i++) {
-        TinkerQuantity of = {block, tinker_block_class_quantity(block_class, ids[i])};
-        if (of.quantity >= 0) g_array_append_val(columns, of);
+    for (guint k = 0; k < graph->curves->len; k++) {
+        const TinkerSceneCurve *curve = g_ptr_array_index(graph->curves, k);
+        TinkerBlockId block;
+        if (curve->block == NULL || !tinker_scene_find_owner(scene, curve->block, &block)) continue;
+        const char *ids[] = {curve->quantity, graph->against};
+        for (gsize i = 0; i < G_N_ELEMENTS(ids); i++) {
+            TinkerQuantity of = {block, tinker_scene_find_quantity(scene, block, ids[i])};
+            if (of.quantity >= 0) g_array_append_val(columns, of);
+        }
     }
 }
 
@@ -48,17 +53,23 @@ GArray *tinker_recorded_quantities(TinkerDocument *document, const GArray *asked
     int32_t count = tinker_scene_block_count(scene);
     for (int32_t place = 0; place < count && columns->len <= MOST; place++)
         add_quantities(columns, scene, tinker_scene_block_at(scene, place));
-    if (columns->len <= MOST) return columns;
-    g_array_set_size(columns, 0);
+    const gboolean all = columns->len <= MOST;
+    if (!all) g_array_set_size(columns, 0);
     GPtrArray *graphs = tinker_scene_graphs(scene);
     for (guint i = 0; i < graphs->len; i++)
         add_graphed(columns, scene, g_ptr_array_index(graphs, i));
+    if (all) {
+        remove_repeated(columns);
+        return columns;
+    }
     int selected;
     const TinkerBlockId *selection = tinker_document_selection(document, &selected);
     for (int i = 0; i < selected && columns->len <= MOST; i++)
         add_quantities(columns, scene, selection[i]);
     for (guint i = 0; i < asked->len; i++) {
         TinkerQuantity of = g_array_index(asked, TinkerQuantity, i);
+        const TinkerBlockId other = tinker_quantity_other(of.quantity);
+        if (other != TINKER_NO_BLOCK && !tinker_scene_has_block(scene, other)) continue;
         if (tinker_scene_has_block(scene, of.block)) g_array_append_val(columns, of);
     }
     remove_repeated(columns);

@@ -51,7 +51,9 @@ static TinkerGraphData *data_of(TinkerGraphView *view)
 
 static char *identity_of(const TinkerSceneGraph *graph)
 {
-    return g_strjoin("\n", graph->block, graph->quantity, graph->against, NULL);
+    const TinkerSceneCurve *curve = tinker_scene_graph_curve(graph);
+    if (curve == NULL) return g_strdup("");
+    return g_strjoin("\n", curve->block, curve->quantity, graph->against, NULL);
 }
 
 gboolean tinker_graph_view_fits(TinkerGraphView *view, const TinkerSceneGraph *graph)
