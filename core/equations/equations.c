@@ -167,6 +167,7 @@ TinkerEquations *tinker_equations_new(TinkerScene *scene, const TinkerModelState
         .constraints = g_ptr_array_new_with_free_func(constraint_free),
         .not_written = g_ptr_array_new_with_free_func(not_written_free),
         .lines = g_ptr_array_new_with_free_func(line_free),
+        .rods = g_ptr_array_new_with_free_func(line_free),
         .looks = g_hash_table_new_full(g_str_hash, g_str_equal, g_free, look_free),
         .values = g_hash_table_new_full(g_str_hash, g_str_equal, g_free, g_free),
     };
@@ -191,7 +192,8 @@ TinkerEquations *tinker_equations_new(TinkerScene *scene, const TinkerModelState
 void tinker_equations_free(TinkerEquations *equations)
 {
     GPtrArray *const lists[] = {equations->bodies,      equations->symbols,     equations->definitions,
-                                equations->constraints, equations->not_written, equations->lines};
+                                equations->constraints, equations->not_written, equations->lines,
+                                equations->rods};
     for (gsize i = 0; i < G_N_ELEMENTS(lists); i++)
         g_ptr_array_unref(lists[i]);
     g_hash_table_unref(equations->looks);

@@ -98,6 +98,7 @@ typedef struct {
     GPtrArray *constraints;
     GPtrArray *not_written;
     GPtrArray *lines;   /* of TinkerLineEquation */
+    GPtrArray *rods;    /* of TinkerLineEquation: what keeps two places apart, with that length in place of a tension */
     GHashTable *looks;  /* name to TinkerEquationLook */
     GHashTable *values; /* name to double: of symbols and definitions */
 } TinkerEquations;

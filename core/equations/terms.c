@@ -120,9 +120,9 @@ static gboolean law_names(const TinkerBlockLaw *law, const char *symbol)
     return FALSE;
 }
 
-/* For who writes the equations of straight motion. */
-static void keep_line(TinkerEquationWriter *writer, TinkerBlockId block, const GArray *points,
-                      const TinkerExpression *length, const TinkerExpression *rate, const TinkerExpression *tension)
+/* For who writes equations of another form. */
+static void keep_line(GPtrArray *list, TinkerBlockId block, const GArray *points, const TinkerExpression *length,
+                      const TinkerExpression *rate, const TinkerExpression *tension)
 {
     TinkerLineEquation *line = g_new0(TinkerLineEquation, 1);
     line->block = block;
@@ -138,7 +138,7 @@ static void keep_line(TinkerEquationWriter *writer, TinkerBlockId block, const G
             line->velocity[end][axis] = copy(parts[2 + axis]);
         }
     }
-    g_ptr_array_add(writer->equations->lines, line);
+    g_ptr_array_add(list, line);
 }
 
 gboolean tinker_writer_add_line(TinkerEquationWriter *writer, TinkerBlockId block, const TinkerBlockLaw *law)
@@ -161,7 +161,7 @@ gboolean tinker_writer_add_line(TinkerEquationWriter *writer, TinkerBlockId bloc
         tinker_writer_drop_definitions(writer, definitions);
         return TRUE;
     }
-    keep_line(writer, block, points, length, rate, is);
+    keep_line(writer->equations->lines, block, points, length, rate, is);
     const char *name = tinker_writer_name(writer, block, "T", 0, NULL);
     g_autoptr(TinkerExpression) tension =
         tinker_writer_define(writer, name, block, tinker_force_dimension, "tension", copy(is), FALSE);
@@ -366,6 +366,18 @@ void tinker_writer_add_row(TinkerEquationWriter *writer, TinkerBlockId block, Ti
     g_ptr_array_add(writer->equations->constraints, row);
 }
 
+/* g = L - l of two ends, for good: a rod. */
+static void keep_rod(TinkerEquationWriter *writer, TinkerBlockId block, const GArray *points, const TinkerExpression *g)
+{
+    const gboolean unilateral = tinker_scene_block_class(writer->scene, block)->physics->constraint->unilateral != 0;
+    if (points->len != 2 || unilateral || g->kind != TINKER_EXPRESSION_SUM || g->count != 2) return;
+    const TinkerExpression *length = g->parts[0], *kept = g->parts[1];
+    if (length->kind != TINKER_EXPRESSION_SYMBOL || kept->kind != TINKER_EXPRESSION_NEGATIVE) return;
+    const TinkerEquationDefinition *distance = g_hash_table_lookup(writer->by_name, length->name);
+    if (distance == NULL || distance->block != block || kept->parts[0]->kind != TINKER_EXPRESSION_SYMBOL) return;
+    keep_line(writer->equations->rods, block, points, length, NULL, kept->parts[0]);
+}
+
 gboolean tinker_writer_add_constraint(TinkerEquationWriter *writer, TinkerBlockId block, const TinkerBlockLaw *law)
 {
     const int32_t rows = tinker_scene_block_class(writer->scene, block)->physics->constraint->rows;
@@ -382,6 +394,7 @@ gboolean tinker_writer_add_constraint(TinkerEquationWriter *writer, TinkerBlockI
     }
     TinkerExpression *g = tinker_law_use_equation(writer, &use, "g");
     tinker_law_use_clear(&use);
+    keep_rod(writer, block, points, g);
     add_row(writer, block, g, tinker_length_dimension, points);
     return TRUE;
 }

@@ -55,11 +55,13 @@ static char *meaning_of(const TinkerEquations *equations, const TinkerEquationSy
 static void write_values(TinkerPage *page, GHashTable *needed, gboolean state)
 {
     const TinkerEquations *equations = page->equations;
-    tinker_page_heading(page, "where");
+    gboolean first = TRUE;
     for (guint i = 0; i < equations->symbols->len; i++) {
         const TinkerEquationSymbol *symbol = g_ptr_array_index(equations->symbols, i);
         const gboolean of_state = symbol->quantity != NULL;
         if (!g_hash_table_contains(needed, symbol->name) || (of_state && !state)) continue;
+        if (first) tinker_page_heading(page, "where");
+        first = FALSE;
         tinker_page_equation(page, tinker_page_symbol(page, symbol->name),
                              tinker_page_quantity(page, symbol->value, symbol->dimension),
                              meaning_of(equations, symbol));

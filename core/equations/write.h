@@ -2,6 +2,7 @@
 #ifndef TINKER_CORE_EQUATIONS_WRITE_H
 #define TINKER_CORE_EQUATIONS_WRITE_H
 
+#include "equations/angles.h"
 #include "equations/equations.h"
 #include "equations/matrix.h"
 
@@ -18,6 +19,10 @@ char *tinker_equations_write(const TinkerEquations *equations, const TinkerEquat
 
 /* Linear islands with their matrices; of one coordinate as the textbook has it, with its frequency. (transfer full) */
 char *tinker_equations_write_matrix(const TinkerEquations *equations, const TinkerMatrixForm *form,
+                                    const TinkerEquationsShown *shown);
+
+/* Trees of rods in their angles. (transfer full) */
+char *tinker_equations_write_angles(const TinkerEquations *equations, const TinkerAngleForm *form,
                                     const TinkerEquationsShown *shown);
 
 #endif

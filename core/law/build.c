@@ -106,6 +106,18 @@ static TinkerExpression *times_quotient(TinkerExpression *a, TinkerExpression *b
         quotient == b ? tinker_expression_times(other, top) : tinker_expression_times(top, other), below);
 }
 
+/* A symbol that is a factor already becomes its square; it is used up. */
+static gboolean squares(GPtrArray *parts, guint count, TinkerExpression *part)
+{
+    for (guint i = 0; part->kind == TINKER_EXPRESSION_SYMBOL && i < count; i++) {
+        if (!tinker_expression_equal(g_ptr_array_index(parts, i), part)) continue;
+        parts->pdata[i] = tinker_expression_squared(g_ptr_array_index(parts, i));
+        tinker_expression_unref(part);
+        return TRUE;
+    }
+    return FALSE;
+}
+
 TinkerExpression *tinker_expression_times(TinkerExpression *a, TinkerExpression *b)
 {
     gboolean negative = FALSE;
@@ -125,7 +137,7 @@ TinkerExpression *tinker_expression_times(TinkerExpression *a, TinkerExpression 
         if (is_number(part)) {
             number *= part->number;
             tinker_expression_unref(part);
-        } else {
+        } else if (!squares(parts, kept, part)) {
             parts->pdata[kept++] = part;
         }
     }

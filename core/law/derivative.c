@@ -26,9 +26,9 @@ static TinkerExpression *of_product(const TinkerExpression *node, const Rule *ru
 {
     TinkerExpression *sum = N(0);
     for (int i = 0; i < node->count; i++) {
-        TinkerExpression *term = differentiate(node->parts[i], rule);
+        TinkerExpression *term = N(1); /* its factors stay in their order */
         for (int k = 0; k < node->count; k++)
-            if (k != i) term = TIMES(term, COPY(node->parts[k]));
+            term = TIMES(term, k == i ? differentiate(node->parts[k], rule) : COPY(node->parts[k]));
         sum = PLUS(sum, term);
     }
     return sum;
@@ -127,7 +127,7 @@ static TinkerExpression *of_function(const TinkerExpression *node, const Rule *r
     if (tinker_expression_is_number(inner, 0)) return inner;
     TinkerExpression *outer = slope(name, node);
     /* step, pulse, square, floor */
-    return TIMES(outer != NULL ? outer : N(0), inner);
+    return TIMES(inner, outer != NULL ? outer : N(0));
 }
 
 static TinkerExpression *differentiate(const TinkerExpression *expression, const Rule *rule)

@@ -106,6 +106,34 @@ static void test_matrix(CliFixture *fixture, gconstpointer data)
     cJSON_Delete(root);
 }
 
+/* A pendulum, and one whose pivot is shaken up and down, as textbooks have them. */
+static void test_angles(CliFixture *fixture, gconstpointer data)
+{
+    static const char pendulum[] =
+        "{\"tinker\": 1, \"blocks\": [{\"type\": \"gravity\", \"name\": \"Gravity\"},"
+        "{\"type\": \"support\", \"name\": \"Pivot\", \"position\": [0, 3], \"solid\": false},"
+        "{\"type\": \"mass\", \"name\": \"Bob\", \"mass\": 2, \"position\": [1, 3]},"
+        "{\"type\": \"rod\", \"name\": \"Rod\", \"ends\": [\"Bob\", \"Pivot\"]}%s]}";
+    static const char shake[] = ",{\"type\": \"support-motion\", \"name\": \"Shake\", \"ends\": [\"Pivot\"],"
+                                "\"amplitude\": 0.1, \"frequency\": 9, \"angle\": \"90 deg\"}";
+    const char *const pages[][2] = {{"", "m l² θ̈ + m g l sin(θ) = 0\n"},
+                                    {shake, "m l² θ̈ + m Ÿ l sin(θ) + m g l sin(θ) = 0\n"}};
+    for (gsize i = 0; i < G_N_ELEMENTS(pages); i++) {
+        g_auto(GStrv) around = g_strsplit(pendulum, "%s", 2);
+        g_autofree char *scene = g_strconcat(around[0], pages[i][0], around[1], NULL);
+        g_autofree char *path = cli_write(fixture, "scene.json", scene);
+        g_autoptr(TestProgram) page = cli_run_well(fixture, "equations @scene.json --form angles");
+        g_autofree char *text = g_utf8_normalize(page->output, -1, G_NORMALIZE_DEFAULT_COMPOSE);
+        g_autofree char *wanted = g_utf8_normalize(pages[i][1], -1, G_NORMALIZE_DEFAULT_COMPOSE);
+        cli_assert_holds(text, wanted);
+        cli_assert_holds(text, "θ = 1.5708 rad   Rod, from straight down");
+        if (i == 1) cli_assert_holds(text, "Ÿ = −A ω² sin(ω t)");
+    }
+    g_autofree char *hanging = cli_write(fixture, "scene.json", HANGING);
+    g_autoptr(TestProgram) none = cli_run_well(fixture, "equations @scene.json --form angles");
+    cli_assert_holds(none->output, "Load has no equations in angles: it hangs on no rod from a support");
+}
+
 static void test_formats(CliFixture *fixture, gconstpointer data)
 {
     g_autofree char *scene = cli_write(fixture, "scene.json", HANGING);
@@ -133,6 +161,7 @@ int main(int argc, char **argv)
     cli_test_add("/cli/equations/numbers", test_numbers);
     cli_test_add("/cli/equations/json", test_json);
     cli_test_add("/cli/equations/matrix", test_matrix);
+    cli_test_add("/cli/equations/angles", test_angles);
     cli_test_add("/cli/equations/formats", test_formats);
     cli_test_add("/cli/equations/refused", test_refused);
     return g_test_run();

@@ -72,11 +72,10 @@ static void add_symbols(cJSON *root, const TinkerEquations *equations)
     }
 }
 
-static void add_definitions(cJSON *root, const TinkerEquations *equations)
+static void add_definitions(cJSON *definitions, const TinkerEquations *equations, const GPtrArray *list)
 {
-    cJSON *definitions = cJSON_AddArrayToObject(root, "definitions");
-    for (guint i = 0; i < equations->definitions->len; i++) {
-        const TinkerEquationDefinition *definition = g_ptr_array_index(equations->definitions, i);
+    for (guint i = 0; i < list->len; i++) {
+        const TinkerEquationDefinition *definition = g_ptr_array_index(list, i);
         cJSON *object = cJSON_CreateObject();
         cJSON_AddStringToObject(object, "symbol", definition->name);
         add_block(object, equations, definition->block);
@@ -144,10 +143,23 @@ char *tinker_equations_json(const TinkerEquations *equations, const TinkerBlockI
         if (is_wanted(blocks, body->block)) cJSON_AddItemToArray(bodies, body_json(equations, body));
     }
     add_symbols(root, equations);
-    add_definitions(root, equations);
+    add_definitions(cJSON_AddArrayToObject(root, "definitions"), equations, equations->definitions);
     add_constraints(root, equations);
     add_not_written(root, equations);
     return printed(root);
+}
+
+static void add_reasons(cJSON *root, const TinkerEquations *equations, const GPtrArray *reasons)
+{
+    cJSON *why = cJSON_AddArrayToObject(root, "why");
+    for (guint i = 0; i < reasons->len; i++) {
+        const TinkerNotWritten *reason = g_ptr_array_index(reasons, i);
+        cJSON *object = cJSON_CreateObject(), *blocks = cJSON_AddArrayToObject(object, "blocks");
+        if (reason->block >= 0)
+            cJSON_AddItemToArray(blocks, cJSON_CreateString(tinker_scene_block_name(equations->scene, reason->block)));
+        cJSON_AddStringToObject(object, "why", reason->why);
+        cJSON_AddItemToArray(why, object);
+    }
 }
 
 /* The matrix form ---------------------------------------------------------------------------------------------------
@@ -222,16 +234,49 @@ char *tinker_equations_matrix_json(const TinkerEquations *equations, const Tinke
     cJSON *islands = cJSON_AddArrayToObject(root, "islands");
     for (guint i = 0; i < form->islands->len; i++)
         cJSON_AddItemToArray(islands, island_json(equations, g_ptr_array_index(form->islands, i)));
-    cJSON *why = cJSON_AddArrayToObject(root, "why");
-    for (guint i = 0; i < form->why->len; i++) {
-        const TinkerNotWritten *reason = g_ptr_array_index(form->why, i);
-        cJSON *object = cJSON_CreateObject(), *blocks = cJSON_AddArrayToObject(object, "blocks");
-        if (reason->block >= 0)
-            cJSON_AddItemToArray(blocks, cJSON_CreateString(tinker_scene_block_name(equations->scene, reason->block)));
-        cJSON_AddStringToObject(object, "why", reason->why);
-        cJSON_AddItemToArray(why, object);
-    }
+    add_reasons(root, equations, form->why);
     add_symbols(root, equations);
-    add_definitions(root, equations);
+    add_definitions(cJSON_AddArrayToObject(root, "definitions"), equations, equations->definitions);
+    return printed(root);
+}
+
+/* Angles ----------------------------------------------------------------------------------------------------------- */
+
+static cJSON *tree_json(const TinkerEquations *equations, const TinkerAngleTree *tree)
+{
+    cJSON *object = cJSON_CreateObject(), *blocks = cJSON_AddArrayToObject(object, "blocks");
+    cJSON *angles = cJSON_AddArrayToObject(object, "angles");
+    cJSON *accelerations = cJSON_AddArrayToObject(object, "accelerations");
+    cJSON *list = cJSON_AddArrayToObject(object, "equations");
+    for (guint i = 0; i < tree->angles->len; i++) {
+        const TinkerRodAngle *angle = &g_array_index(tree->angles, TinkerRodAngle, i);
+        const char *rod = tinker_scene_block_name(equations->scene, angle->rod);
+        cJSON_AddItemToArray(blocks, cJSON_CreateString(tinker_scene_block_name(equations->scene, angle->body)));
+        cJSON_AddItemToArray(blocks, cJSON_CreateString(rod));
+        cJSON *each = cJSON_CreateObject();
+        cJSON_AddStringToObject(each, "symbol", angle->angle);
+        cJSON_AddStringToObject(each, "block", rod);
+        cJSON_AddNumberToObject(each, "value", angle->value);
+        cJSON_AddStringToObject(each, "rate", angle->rate);
+        cJSON_AddNumberToObject(each, "rate_value", angle->rate_value);
+        cJSON_AddStringToObject(each, "acceleration", angle->acceleration);
+        cJSON_AddItemToArray(angles, each);
+        cJSON_AddItemToArray(accelerations, cJSON_CreateString(angle->acceleration));
+        cJSON_AddItemToArray(list, expression_json(g_ptr_array_index(tree->equations, i)));
+    }
+    return object;
+}
+
+char *tinker_equations_angles_json(const TinkerEquations *equations, const TinkerAngleForm *form)
+{
+    cJSON *root = head_json(equations, "angles");
+    cJSON *islands = cJSON_AddArrayToObject(root, "islands");
+    for (guint i = 0; i < form->trees->len; i++)
+        cJSON_AddItemToArray(islands, tree_json(equations, g_ptr_array_index(form->trees, i)));
+    add_reasons(root, equations, form->why);
+    add_symbols(root, equations);
+    cJSON *definitions = cJSON_AddArrayToObject(root, "definitions");
+    add_definitions(definitions, equations, equations->definitions);
+    add_definitions(definitions, equations, form->definitions);
     return printed(root);
 }

@@ -2,6 +2,7 @@
 #ifndef TINKER_CLI_EQUATIONS_JSON_H
 #define TINKER_CLI_EQUATIONS_JSON_H
 
+#include "equations/angles.h"
 #include "equations/equations.h"
 #include "equations/matrix.h"
 
@@ -10,5 +11,8 @@ char *tinker_equations_json(const TinkerEquations *equations, const TinkerBlockI
 
 /* The linear islands with matrices. (transfer full, g_free) */
 char *tinker_equations_matrix_json(const TinkerEquations *equations, const TinkerMatrixForm *form);
+
+/* Trees of rods in their angles. (transfer full, g_free) */
+char *tinker_equations_angles_json(const TinkerEquations *equations, const TinkerAngleForm *form);
 
 #endif

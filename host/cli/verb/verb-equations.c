@@ -57,6 +57,14 @@ static char *newton_text(const TinkerEquations *equations, const TinkerEquations
     return as == AS_JSON ? tinker_equations_json(equations, shown->blocks) : tinker_equations_write(equations, shown);
 }
 
+/* (transfer full) */
+static char *angles_text(TinkerEquations *equations, const TinkerEquationsShown *shown, int as)
+{
+    g_autoptr(TinkerAngleForm) form = tinker_angle_form_new(equations);
+    return as == AS_JSON ? tinker_equations_angles_json(equations, form)
+                         : tinker_equations_write_angles(equations, form, shown);
+}
+
 /* What is linear is told by the plan. (transfer full) */
 static char *matrix_text(const TinkerEquations *equations, const TinkerEquationsShown *shown, int as,
                          const EquationsOptions *options, const TinkerOpenScene *open, GError **error)
@@ -77,7 +85,7 @@ static char *matrix_text(const TinkerEquations *equations, const TinkerEquations
 static gboolean write_equations(const EquationsOptions *options, const TinkerOpenScene *open, GError **error)
 {
     static const char *const formats[] = {"text", "latex", "mathml", "json", NULL};
-    static const char *const forms[] = {"newton", "matrix", NULL};
+    static const char *const forms[] = {"newton", "matrix", "angles", NULL};
     static const TinkerDimension seconds = TINKER_DIMENSION_TIME;
     const TinkerAskedOutput outputs[] = {{"--output", options->output}, {NULL, NULL}};
     g_autoptr(TinkerFileSet) files = tinker_open_scene_files(open);
@@ -98,8 +106,9 @@ static gboolean write_equations(const EquationsOptions *options, const TinkerOpe
     const char *title = tinker_scene_head(open->scene)->title;
     const TinkerEquationsShown shown = {(TinkerTypesetFormat)as, title[0] != '\0' ? title : open->name, blocks,
                                         options->at != NULL};
-    g_autofree char *text =
-        form == 0 ? newton_text(equations, &shown, as) : matrix_text(equations, &shown, as, options, open, error);
+    g_autofree char *text = form == 0   ? newton_text(equations, &shown, as)
+                            : form == 1 ? matrix_text(equations, &shown, as, options, open, error)
+                                        : angles_text(equations, &shown, as);
     if (text == NULL) return FALSE;
     g_auto(TinkerOutput) output = {0};
     if (!tinker_output_open(&output, options->output != NULL ? options->output : "-", error)) return FALSE;
@@ -115,7 +124,8 @@ int tinker_verb_equations(int argc, char **argv)
          "Of this body alone; may be given several times (all bodies)", "NAME"},
         {"at", 0, 0, G_OPTION_ARG_FILENAME, &options.at, "With the numbers at this time (none; JSON: those at 0)", "T"},
         {"form", 0, 0, G_OPTION_ARG_FILENAME, &options.form,
-         "newton, or matrix: M q'' + C q' + K q = f of what is linear (newton)", "FORM"},
+         "newton; matrix: M q'' + C q' + K q = f of what is linear; angles: Lagrange's of trees of rods (newton)",
+         "FORM"},
         {"as", 0, 0, G_OPTION_ARG_FILENAME, &options.as, "text, latex, mathml or json (text)", "FORMAT"},
         {"output", 'o', 0, G_OPTION_ARG_FILENAME, &options.output, "Write to FILE (standard output)", "FILE"},
         TINKER_RUN_METHOD_ENTRIES(options.run),
