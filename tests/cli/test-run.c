@@ -1,4 +1,5 @@
 /* tinker run: the record, the summary, and what happens when it goes wrong. */
+#include <math.h>
 #include <string.h>
 
 #include "fixture.h"
@@ -265,6 +266,29 @@ static void wait_for_rows(const char *path)
     }
 }
 
+/* y = -9.81 t^2 / 2: at -1.2 m after sqrt(2.4 / 9.81) s, where the record and the run end. */
+static void test_until(CliFixture *fixture, gconstpointer data)
+{
+    g_autofree char *scene = cli_write(fixture, "a.json", FREE_FALL);
+    const double end = sqrt(2.4 / 9.81);
+    g_autoptr(TestProgram) run =
+        cli_run_well(fixture, "run @a.json --until '{Mass 0.vy} < -9' --until '{Mass 0.y} = -1.2' "
+                              "--csv @r.csv --json @s.json");
+    g_autofree char *csv = cli_read(fixture, "r.csv"), *json = cli_read(fixture, "s.json");
+    g_autoptr(TestTable) table = test_table_new(csv);
+    g_assert_cmpuint(table->rows, ==, 51);
+    g_assert_cmpfloat(fabs(test_table_value(table, 50, "time") - end), <, 1e-9);
+    g_assert_cmpfloat(fabs(test_table_value(table, 50, "Mass 0.y") + 1.2), <, 1e-8);
+    g_assert_cmpfloat(test_table_value(table, 29, "time"), ==, 0.29);
+    cli_assert_holds(json, "\"stopped_by\":\t\"{Mass 0.y} = -1.2\"");
+    cli_assert_holds(json, "\"simulated_s\":\t0.494");
+    g_autoptr(TestProgram) never = cli_run_well(fixture, "run @a.json --until 'event(impact)' --json -");
+    cli_assert_holds(never->output, "\"stopped_by\":\tnull");
+    g_autoptr(TestProgram) wrong = cli_run_badly(fixture, "run @a.json --until '{Mass 0.y}'", 2);
+    cli_assert_holds(wrong->error, "--until");
+    cli_assert_holds(wrong->error, "it is no condition");
+}
+
 static void test_interrupt(CliFixture *fixture, gconstpointer data)
 {
     g_autofree char *scene = cli_write(fixture, "a.json", OSCILLATOR);
@@ -295,6 +319,7 @@ int main(int argc, char **argv)
     cli_test_add("/run/standard-input", test_standard_input);
     cli_test_add("/run/options-without-record", test_options_without_record);
     cli_test_add("/run/start-event", test_start_event);
+    cli_test_add("/run/until", test_until);
     cli_test_add("/run/interrupt", test_interrupt);
     return g_test_run();
 }

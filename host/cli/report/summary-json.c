@@ -123,6 +123,10 @@ void tinker_summary_write_json(const TinkerRunReport *report, FILE *file)
     add_number(root, "error_estimate", run->error_estimate);
     add_tries(root, run);
     add_number(root, "valid_until", run->determined_until);
+    if (report->has_until && report->stopped_by != NULL)
+        cJSON_AddStringToObject(root, "stopped_by", report->stopped_by);
+    else if (report->has_until)
+        cJSON_AddNullToObject(root, "stopped_by");
     add_events(root, report);
     add_islands(root, report);
     add_texts(root, "libraries", report->libraries);

@@ -13,6 +13,8 @@ typedef struct {
     const TinkerSummary *run;
     const GPtrArray *libraries; /* of char *: paths of the plugin files opened */
     const GPtrArray *warnings;  /* of char * */
+    gboolean has_until;         /* the run was to end at a condition: */
+    const char *stopped_by;     /* the one that held; NULL: none did */
 } TinkerRunReport;
 
 /* JSON with the keys of docs/reference/cli.md. A number that is not finite is null. */
