@@ -27,7 +27,7 @@ static GArray *find_misfits(const TinkerFrame *frame, const TinkerModel *model, 
 {
     GArray *misfits = g_array_new(FALSE, FALSE, sizeof(Misfit));
     const int32_t bodies = tinker_model_sizes(model).bodies;
-    g_autofree double *allowed = g_new0(double, 2 * (gsize)MAX(bodies, 1));
+    g_autofree double *allowed = g_new0(double, MAX(tinker_model_sizes(model).coordinates, 1));
     double fastest = 0;
     tinker_model_start_velocities(model, allowed);
     for (int pass = 0; pass < 2; pass++)

@@ -9,7 +9,7 @@
 typedef struct {
     TinkerModel *model;            /* held */
     TinkerStillContacts *contacts; /* NULL: nothing can touch anything; they tell what was assumed */
-    double *q;                     /* places that the modes are about: 2 a body, relative to the model's origin */
+    double *q;                     /* places that the modes are about, by coordinate, relative to the model's origin */
     gboolean about_rest;
     TinkerEquilibrium rest; /* where it was looked for */
     TinkerLinearisation *linear;

@@ -60,7 +60,7 @@ StartRest *start_rest_new(TinkerScene *scene, TinkerBlockId body, GError **error
     g_autoptr(TinkerModel) model = tinker_model_new_part(scene, include, error);
     if (model == NULL) return NULL;
     const int32_t bodies = tinker_model_sizes(model).bodies;
-    g_autofree double *q = g_new0(double, 2 * (gsize)MAX(bodies, 1));
+    g_autofree double *q = g_new0(double, MAX(tinker_model_sizes(model).coordinates, 1));
     tinker_model_start_places(model, q);
     g_autoptr(TinkerStillContacts) contacts = tinker_still_contacts_new(model); /* before it is held */
     if (contacts != NULL) tinker_still_contacts_leave_out_friction(contacts);

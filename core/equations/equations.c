@@ -139,6 +139,12 @@ static void add_block(TinkerEquationWriter *writer, TinkerBlockId block)
     tinker_writer_add_unwritten(writer, block, roles[role].kind, why);
 }
 
+static gboolean turns(const TinkerBlockClass *block_class)
+{
+    const TinkerPhysics *physics = block_class != NULL ? block_class->physics : NULL;
+    return physics != NULL && physics->body != NULL && physics->body->degrees_of_freedom == 3;
+}
+
 static void write_all(TinkerEquationWriter *writer)
 {
     const TinkerModelState *state = writer->state;
@@ -148,8 +154,12 @@ static void write_all(TinkerEquationWriter *writer)
         const TinkerBodyState *body = &g_array_index(state->bodies, TinkerBodyState, i);
         add_body(writer, body->block, &body->at);
     }
-    for (int32_t i = 0; i < tinker_scene_block_count(writer->scene); i++)
-        add_block(writer, tinker_scene_block_at(writer->scene, i));
+    for (int32_t i = 0; i < tinker_scene_block_count(writer->scene); i++) {
+        const TinkerBlockId block = tinker_scene_block_at(writer->scene, i);
+        add_block(writer, block);
+        if (turns(tinker_scene_block_class(writer->scene, block)))
+            tinker_writer_note_unwritten(writer, block, "its angle", "how it turns is not written yet");
+    }
     tinker_writer_add_contacts(writer);
 }
 

@@ -628,7 +628,7 @@ static const TinkerPhysics rub = {.struct_size = sizeof(TinkerPhysics), .line_la
 static const TinkerPhysics follow = {.struct_size = sizeof(TinkerPhysics), .force_element = &follow_element};
 static const TinkerPhysics gather = {.struct_size = sizeof(TinkerPhysics), .field = &field};
 #if defined(PLANT_freedoms)
-#define FREEDOMS 3
+#define FREEDOMS 1
 #else
 #define FREEDOMS 2
 #endif

@@ -105,7 +105,7 @@ static const struct {
     {"breaks_cairo", "bounds", "planted-pull", "its drawing leaves cairo in the state \""},
     {"size_nan", "bounds", "planted-pull", "it draws a box with (x, y, width, height, orientation) = ("},
     {"unhittable", "hit", "planted-pull", "finds nothing"},
-    {"freedoms", "run", "planted-ball", "lacks a number of degrees of freedom that this version can move (0 or 2)"},
+    {"freedoms", "descriptor", "", "its body has 1 degrees of freedom, 0, 2 or 3 was expected"},
     {"counts", "saved", "planted-pull", "runs to other bits"},
     {"counts_rows", "saved", "planted-hold", "runs to other bits"},
     {"order", "order", "planted-simple", "2 is declared"},

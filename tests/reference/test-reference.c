@@ -61,7 +61,7 @@ static double speed_scale(const cJSON *states, const char *mass)
     cJSON_ArrayForEach(state, states)
     {
         const cJSON *expected = member(state, mass);
-        if (cJSON_GetArraySize(expected) == 4)
+        if (cJSON_GetArraySize(expected) >= 4)
             scale = fmax(scale, hypot(component(expected, 2), component(expected, 3)));
     }
     return scale;
@@ -76,9 +76,15 @@ static double state_error(const cJSON *states, const cJSON *expected, const Test
     g_assert_cmpfloat(off, <=, position_limit);
     const double position_error = off / fmax(1.0, hypot(x, y));
     if (cJSON_GetArraySize(expected) < 4) return position_error;
+    double turn_error = 0;
+    if (cJSON_GetArraySize(expected) == 6) {
+        const double angle = component(expected, 4), rate = component(expected, 5);
+        turn_error = fmax(fabs(value_of(record, row, mass, "angle") - angle) / fmax(1.0, fabs(angle)),
+                          fabs(value_of(record, row, mass, "angular velocity") - rate) / fmax(1.0, fabs(rate)));
+    }
     const double velocity_error = hypot(value_of(record, row, mass, "vx") - component(expected, 2),
                                         value_of(record, row, mass, "vy") - component(expected, 3));
-    return fmax(position_error, velocity_error / speed_scale(states, mass));
+    return fmax(fmax(position_error, turn_error), velocity_error / speed_scale(states, mass));
 }
 
 static void check_states(const cJSON *problem, const char *path)

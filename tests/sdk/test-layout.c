@@ -50,10 +50,11 @@ SIZE(TinkerEdit, 40) AT(TinkerEdit, struct_size, 0) AT(TinkerEdit, reserved, 4) 
 AT(TinkerEdit, move, 16) AT(TinkerEdit, move_absolute, 24) AT(TinkerEdit, handles, 32)
 
 /* graph.h */
-SIZE(TinkerGraphInput, 72) AT(TinkerGraphInput, struct_size, 0) AT(TinkerGraphInput, reserved, 4)
+SIZE(TinkerGraphInput, 80) AT(TinkerGraphInput, struct_size, 0) AT(TinkerGraphInput, reserved, 4)
 AT(TinkerGraphInput, ends, 8) AT(TinkerGraphInput, accelerations, 16) AT(TinkerGraphInput, multipliers, 24)
 AT(TinkerGraphInput, forces, 32) AT(TinkerGraphInput, bodies, 40) AT(TinkerGraphInput, masses, 48)
 AT(TinkerGraphInput, body_count, 56) AT(TinkerGraphInput, reserved2, 60) AT(TinkerGraphInput, contacts, 64)
+AT(TinkerGraphInput, poses, 72)
 SIZE(TinkerGraph, 16) AT(TinkerGraph, struct_size, 0) AT(TinkerGraph, reserved, 4) AT(TinkerGraph, values, 8)
 
 /* instance.h */
@@ -105,8 +106,8 @@ AT(TinkerIntegrator, destroy, 80) AT(TinkerIntegrator, restart, 88) AT(TinkerInt
 AT(TinkerIntegrator, interpolate, 104)
 
 /* physics.h */
-SIZE(TinkerBody, 16) AT(TinkerBody, struct_size, 0) AT(TinkerBody, degrees_of_freedom, 4) AT(TinkerBody, shape, 8)
-AT(TinkerBody, reserved, 12)
+SIZE(TinkerBody, 24) AT(TinkerBody, struct_size, 0) AT(TinkerBody, degrees_of_freedom, 4) AT(TinkerBody, shape, 8)
+AT(TinkerBody, reserved, 12) AT(TinkerBody, as_shaped, 16)
 SIZE(TinkerLineLaw, 48) AT(TinkerLineLaw, struct_size, 0) AT(TinkerLineLaw, reserved, 4) AT(TinkerLineLaw, tension, 8)
 AT(TinkerLineLaw, derivatives, 16) AT(TinkerLineLaw, energy, 24) AT(TinkerLineLaw, linear, 32)
 AT(TinkerLineLaw, next_break, 40)
@@ -121,7 +122,7 @@ SIZE(TinkerField, 48) AT(TinkerField, struct_size, 0) AT(TinkerField, couples_bo
 AT(TinkerField, energy, 16) AT(TinkerField, linear, 24) AT(TinkerField, next_break, 32)
 AT(TinkerField, derivatives, 40)
 SIZE(TinkerConstraint, 64) AT(TinkerConstraint, struct_size, 0) AT(TinkerConstraint, rows, 4)
-AT(TinkerConstraint, unilateral, 8) AT(TinkerConstraint, reserved, 12) AT(TinkerConstraint, rows_at, 16)
+AT(TinkerConstraint, unilateral, 8) AT(TinkerConstraint, joint, 12) AT(TinkerConstraint, rows_at, 16)
 AT(TinkerConstraint, prescribed_rate, 24) AT(TinkerConstraint, scale, 32) AT(TinkerConstraint, check, 40)
 AT(TinkerConstraint, next_break, 48) AT(TinkerConstraint, distance, 56)
 SIZE(TinkerMotion, 32) AT(TinkerMotion, struct_size, 0) AT(TinkerMotion, reserved, 4) AT(TinkerMotion, motion, 8)
@@ -156,6 +157,7 @@ SIZE(TinkerSpan, 16) AT(TinkerSpan, data, 0) AT(TinkerSpan, count, 8) AT(TinkerS
 SIZE(TinkerDimension, 4) AT(TinkerDimension, mass, 0) AT(TinkerDimension, length, 1) AT(TinkerDimension, time, 2)
 AT(TinkerDimension, angle, 3)
 SIZE(TinkerInterface, 16) AT(TinkerInterface, id, 0) AT(TinkerInterface, vtable, 8)
+SIZE(TinkerPose, 24) AT(TinkerPose, angle, 0) AT(TinkerPose, rate, 8) AT(TinkerPose, acceleration, 16)
 SIZE(TinkerPoint, 32) AT(TinkerPoint, x, 0) AT(TinkerPoint, y, 8) AT(TinkerPoint, vx, 16) AT(TinkerPoint, vy, 24)
 
 /* units.h */

@@ -24,8 +24,10 @@ static void make_room(KitAnswer *answer, const KitFunction *function, const KitS
 TinkerGraphInput kit_state_graph_input(const KitState *state)
 {
     const TinkerPhysics *physics = state->block_class->physics;
-    TinkerGraphInput input = {
-        .struct_size = sizeof(TinkerGraphInput), .ends = state->points, .accelerations = state->accelerations};
+    TinkerGraphInput input = {.struct_size = sizeof(TinkerGraphInput),
+                              .ends = state->points,
+                              .accelerations = state->accelerations,
+                              .poses = state->poses};
     if (physics == NULL) return input;
     if (physics->constraint != NULL) input.multipliers = state->multipliers;
     if (physics->force_element != NULL) input.forces = state->forces;

@@ -42,6 +42,7 @@ static KitState *state_of(TinkerFrame *frame, const TinkerScene *scene, TinkerBl
     state->forces = g_new0(double, 2 * ends + 1);
     state->multipliers = g_new0(double, c->physics->constraint->rows + 1);
     state->contacts = g_new0(double, 5);
+    state->poses = g_new0(TinkerPose, ends + 1);
     g_strlcpy(state->label, "the start of a run", sizeof state->label);
     return state;
 }

@@ -136,6 +136,10 @@ static KitState *draw_instance(const TinkerBlockClass *block_class, GRand *rando
     state->multipliers = draw_numbers(random, kit_state_rows(state), 5);
     state->contacts = draw_numbers(random, 4, 5);
     state->contacts[0] = fabs(state->contacts[0]);
+    g_autoptr(GRand) turning = g_rand_copy(random); /* so that what is drawn from here on does not hang on them */
+    state->poses = g_new0(TinkerPose, ends + 1);
+    for (int32_t e = 0; e < ends; e++)
+        state->poses[e] = (TinkerPose){between(turning, -4, 4), between(turning, -3, 3), between(turning, -5, 5)};
     g_strlcpy(state->label, "ordinary values", sizeof state->label);
     return state;
 }
@@ -228,6 +232,7 @@ static KitState *join(GPtrArray *parts)
     state->forces = JOIN(parts, forces, pairs_each);
     state->multipliers = JOIN(parts, multipliers, rows_each);
     state->contacts = JOIN(parts, contacts, four_each);
+    state->poses = JOIN(parts, poses, ends_each);
     state->scratch = NULL;
     add_bodies(state, first);
     return state;

@@ -43,6 +43,7 @@ KitState *kit_state_slice(const KitState *state, int32_t first, int32_t count)
     cut->rates = numbers(state->rates, first, count);
     cut->accelerations = numbers(state->accelerations, 2 * from, 2 * ends);
     cut->forces = numbers(state->forces, 2 * from, 2 * ends);
+    cut->poses = part(state->poses, (gsize)from, (gsize)ends, sizeof(TinkerPose));
     cut->multipliers = numbers(state->multipliers, rows * first, rows * count);
     cut->contacts = numbers(state->contacts, 4 * first, 4 * count);
     cut->bodies = part(state->bodies, 0, (gsize)state->body_count, sizeof(TinkerPoint));
@@ -69,6 +70,7 @@ void kit_state_free(KitState *state)
     g_free(state->rates);
     g_free(state->accelerations);
     g_free(state->forces);
+    g_free(state->poses);
     g_free(state->multipliers);
     g_free(state->contacts);
     g_free(state->bodies);

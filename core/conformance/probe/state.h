@@ -20,6 +20,7 @@ typedef struct {
     double *rates;         /*   independent of `points` */
     double *accelerations; /* what graphs see: two of each end, */
     double *forces;        /*   two of each end, */
+    TinkerPose *poses;     /*   one of each end, */
     double *multipliers;   /*   one a row, */
     double *contacts;      /*   four an instance */
     int32_t body_count;    /* what fields see */

@@ -67,6 +67,10 @@ static KitState *rescaled(const KitState *state, Units units, const Rows *g)
     scale(copy->accelerations, 2 * ends, ldexp(1.0, units.length - 2 * units.time));
     scale(copy->forces, 2 * ends, force);
     scale(copy->contacts, 4 * count, force);
+    for (gsize e = 0; e < ends; e++) {
+        copy->poses[e].rate *= ldexp(1.0, -units.time);
+        copy->poses[e].acceleration *= ldexp(1.0, -2 * units.time);
+    }
     for (int32_t k = 0; k < state->count * rows; k++)
         scale(copy->multipliers + k, 1, force * ldexp(1.0, units.length - g->of[k % rows]));
     scale(copy->masses, (gsize)copy->body_count, ldexp(1.0, units.mass));

@@ -131,6 +131,7 @@ static void call_guarded(KitCheck *check, const KitFunction *function, const Kit
     graph.ends = points;
     if (graph.forces != NULL) graph.forces = GUARD(state->forces, 2 * ends, "forces");
     if (graph.contacts != NULL) graph.contacts = GUARD(state->contacts, 4 * state->count, "contacts");
+    graph.poses = GUARD(state->poses, ends, "poses");
     if (graph.bodies != NULL) graph.bodies = bodies.points;
     if (graph.masses != NULL) graph.masses = bodies.masses;
     const double *lengths = GUARD(state->lengths, state->count, "length"),

@@ -65,7 +65,8 @@ static void set_values(KitCheck *check, TinkerScene *scene, TinkerBlockId block)
         const TinkerPropertyType *property = &c->properties[i];
         const double values[2] = {kit_ordinary_value(property, check->random),
                                   kit_ordinary_value(property, check->random)};
-        const guint32 others = TINKER_READ_ONLY | TINKER_DERIVED | TINKER_DEFAULT_AS_PLACED | TINKER_DEFAULT_SAME_AS;
+        const guint32 others = TINKER_READ_ONLY | TINKER_DERIVED | TINKER_DEFAULT_AS_PLACED | TINKER_DEFAULT_SAME_AS |
+                               TINKER_DEFAULT_AS_SHAPED;
         const gboolean kept = property->flags & others || property->meaning == TINKER_MEANING_POSITION ||
                               property->kind == TINKER_KIND_TEXT || property->kind == TINKER_KIND_WAVEFORM;
         if (!kept && g_rand_boolean(check->random)) tinker_scene_set(scene, block, i, values, NULL);

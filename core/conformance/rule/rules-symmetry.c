@@ -224,6 +224,28 @@ static void change_answer(const KitFunction *function, KitAnswer *answer, const 
             change_direction(change, &answer->values[k][i], &answer->values[k][i + 1]);
 }
 
+/* The first two rows of a joint may be the two components of one vector, and then turn along, too: g and drift, and of
+ * the Jacobian each number with that of the other row. */
+static void change_joint_rows(const KitFunction *function, const KitState *state, KitAnswer *answer,
+                              const Change *change)
+{
+    const int32_t rows = kit_state_rows(state);
+    for (int k = 0; k < function->output_count; k++) {
+        const gsize all = answer->entries[k] / (gsize)MAX(state->count, 1), one = all / (gsize)rows;
+        for (int32_t i = 0; i < state->count; i++)
+            for (gsize c = 0; c < one; c++) {
+                double *first = &answer->values[k][(gsize)i * all + c];
+                change_direction(change, first, first + one);
+            }
+    }
+}
+
+static gboolean is_joint(const KitState *state)
+{
+    const TinkerConstraint *constraint = state->block_class->physics->constraint;
+    return constraint != NULL && constraint->joint != 0 && constraint->rows >= 2;
+}
+
 static double miss_with(KitCheck *check, const KitFunction *function, const KitState *state, const KitAnswer *expected,
                         const Change *change, const int32_t *partners, guint taking_part)
 {
@@ -276,6 +298,7 @@ static void try_change(KitCheck *check, const KitFunction *function, gboolean tu
         g_autoptr(KitAnswer) expected = state == NULL ? NULL : kit_call_well(check, function, state);
         if (expected == NULL) return;
         change_answer(function, expected, &change);
+        if (turn && is_joint(state)) change_joint_rows(function, state, expected, &change);
         for (guint taking_part = 0; taking_part < 1u << count; taking_part++)
             misses[taking_part] =
                 fmax(misses[taking_part], miss_with(check, function, state, expected, &change, partners, taking_part));

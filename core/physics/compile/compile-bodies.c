@@ -1,6 +1,7 @@
 /* Compiling, first part: bodies that can move become coordinates, supports and the places on them become points. */
 #include <glib/gi18n-lib.h>
 #include <math.h>
+#include <string.h>
 
 #include "physics/compile/compile-private.h"
 #include "physics/model/model-data.h"
@@ -17,11 +18,15 @@ static gboolean check_class(const TinkerBlockBatch *batch, GError **error)
     if (body_of(batch) == NULL) return TRUE;
     if (tinker_block_class_meaning_column(block_class, TINKER_MEANING_POSITION) < 0)
         lacks = _("a property that means its position");
-    else if (body_of(batch)->degrees_of_freedom == 2 &&
+    else if (body_of(batch)->degrees_of_freedom >= 2 &&
              tinker_block_class_meaning_column(block_class, TINKER_MEANING_MASS) < 0)
         lacks = _("a property that means its mass");
-    else if (body_of(batch)->degrees_of_freedom != 0 && body_of(batch)->degrees_of_freedom != 2)
-        lacks = _("a number of degrees of freedom that this version can move (0 or 2)");
+    else if (body_of(batch)->degrees_of_freedom == 3 &&
+             tinker_block_class_meaning_column(block_class, TINKER_MEANING_INERTIA) < 0)
+        lacks = _("a property that means its inertia");
+    else if (!(body_of(batch)->degrees_of_freedom == 0 || body_of(batch)->degrees_of_freedom == 2 ||
+               body_of(batch)->degrees_of_freedom == 3))
+        lacks = _("a number of degrees of freedom that there is (0, 2 or 3)");
     if (lacks == NULL) return TRUE;
     g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_PLUGIN,
                 _("the block type \"%s\" cannot be run: its plugin %s lacks %s"), block_class->type->id,
@@ -78,6 +83,20 @@ static void set_centre(TinkerModel *model, TinkerBlockId block, int32_t point)
     model->centre_point[tinker_block_index_find(model->numbers, block)] = point;
 }
 
+/* Turns are numbered in the order of their bodies. */
+static void add_turn(TinkerModel *model, const TinkerBlockBatch *batch, int32_t row, int32_t body)
+{
+    const double inertia = tinker_block_batch_meaning(batch, row, TINKER_MEANING_INERTIA, 0, 1.0);
+    const int32_t number = model->turning++, coordinate = 2 * model->bodies + number;
+    const double gyration = sqrt(inertia / model->mass[body]);
+    model->turn_of[body] = number;
+    model->turns[number] = (TinkerTurn){.body = body, .gyration = gyration};
+    model->coordinate_mass[coordinate] = model->mass[body];
+    model->q_start[coordinate] = gyration * tinker_block_batch_meaning(batch, row, TINKER_MEANING_ORIENTATION, 0, 0.0);
+    model->v_start[coordinate] =
+        gyration * tinker_block_batch_meaning(batch, row, TINKER_MEANING_ANGULAR_VELOCITY, 0, 0.0);
+}
+
 static void add_body(TinkerModel *model, const TinkerBlockBatch *batch, int32_t row, int32_t number)
 {
     double mass = tinker_block_batch_meaning(batch, row, TINKER_MEANING_MASS, 0, 1.0);
@@ -91,32 +110,44 @@ static void add_body(TinkerModel *model, const TinkerBlockBatch *batch, int32_t 
         model->v_start[2 * number + k] = tinker_block_batch_meaning(batch, row, TINKER_MEANING_VELOCITY, k, 0);
     }
     set_centre(model, batch->ids[row], number);
+    if (body_of(batch)->degrees_of_freedom == 3) add_turn(model, batch, row, number);
+}
+
+static void allot_bodies(TinkerModel *model, int32_t turning)
+{
+    gsize n = (gsize)MAX(model->bodies, 1), coordinates = 2 * n + (gsize)turning;
+    model->coordinates = 2 * model->bodies + turning;
+    model->body_blocks = g_new0(TinkerBlockId, n);
+    model->of_bodies = g_new0(double, 2 * n + 4 * coordinates);
+    model->mass = model->of_bodies;
+    model->inverse_mass = model->mass + n;
+    model->coordinate_mass = model->inverse_mass + n;
+    model->q_start = model->coordinate_mass + coordinates;
+    model->v_start = model->q_start + coordinates;
+    model->constant_acceleration = model->v_start + coordinates;
+    if (turning == 0) return;
+    model->turns = g_new0(TinkerTurn, turning);
+    model->turn_of = g_new(int32_t, n);
+    memset(model->turn_of, 0xff, n * sizeof(int32_t));
 }
 
 static void add_bodies(TinkerModel *model)
 {
+    int32_t turning = 0, number = 0;
     for (guint i = 0; i < model->batches->len; i++) {
         const TinkerBlockBatch *batch = g_ptr_array_index(model->batches, i);
-        if (body_of(batch) != NULL && body_of(batch)->degrees_of_freedom == 2) model->bodies += batch->count;
+        const int32_t freedoms = body_of(batch) != NULL ? body_of(batch)->degrees_of_freedom : 0;
+        if (freedoms > 0) model->bodies += batch->count;
+        if (freedoms == 3) turning += batch->count;
     }
-    gsize n = (gsize)MAX(model->bodies, 1);
-    model->body_blocks = g_new0(TinkerBlockId, n);
-    model->of_bodies = g_new0(double, 10 * n);
-    model->mass = model->of_bodies;
-    model->inverse_mass = model->mass + n;
-    model->coordinate_mass = model->inverse_mass + n;
-    model->q_start = model->coordinate_mass + 2 * n;
-    model->v_start = model->q_start + 2 * n;
-    model->constant_acceleration = model->v_start + 2 * n;
-    int32_t number = 0;
+    allot_bodies(model, turning);
     for (guint i = 0; i < model->batches->len; i++) {
         const TinkerBlockBatch *batch = g_ptr_array_index(model->batches, i);
-        if (body_of(batch) == NULL || body_of(batch)->degrees_of_freedom != 2) continue;
+        if (body_of(batch) == NULL || body_of(batch)->degrees_of_freedom == 0) continue;
         for (int32_t row = 0; row < batch->count; row++)
             add_body(model, batch, row, number++);
     }
-    model->coordinates = 2 * number;
-    model->points = model->first_attachment = model->first_support = number;
+    model->points = model->first_attachment = number + (turning + 1) / 2;
 }
 
 static gboolean check_masses(const TinkerModel *model, GError **error)
@@ -128,7 +159,56 @@ static gboolean check_masses(const TinkerModel *model, GError **error)
                     tinker_scene_block_name(model->scene, model->body_blocks[i]), model->mass[i]);
         return FALSE;
     }
+    for (int32_t k = 0; k < model->turning; k++) {
+        const TinkerTurn *turn = &model->turns[k];
+        if (isnormal(turn->gyration) && isfinite(1 / turn->gyration)) continue;
+        g_set_error(
+            error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_SCENE,
+            _("%s: with its inertia its radius of gyration is %g m, which nothing can be reckoned with (give it "
+              "an inertia above 0, or leave it out)"),
+            tinker_scene_block_name(model->scene, model->body_blocks[turn->body]), turn->gyration);
+        return FALSE;
+    }
     return TRUE;
+}
+
+/* Ends on bodies that turn, off their centres --------------------------------------------------------------------- */
+
+/* An attachment to be, and the end that is to have its point. */
+typedef struct {
+    TinkerAttachment point;
+    int32_t *end;
+} Attached;
+
+static int compare_attached(const void *left, const void *right)
+{
+    const Attached *l = left, *r = right;
+    return l->point.body < r->point.body ? -1 : l->point.body > r->point.body;
+}
+
+/* Attachments to one body stand together, so that its angle is looked at once. */
+static void attach_to_bodies(TinkerModel *model)
+{
+    g_autoptr(GArray) attached = g_array_new(FALSE, FALSE, sizeof(Attached));
+    for (guint i = 0; i < model->batches->len && model->turning > 0; i++) {
+        const TinkerBlockBatch *batch = g_ptr_array_index(model->batches, i);
+        int32_t *points = g_ptr_array_index(model->end_points, i);
+        for (int32_t e = 0; e < batch->end_count; e++) {
+            const TinkerSceneEnd *end = &batch->end[e];
+            const int32_t number = tinker_block_index_find(model->numbers, end->block);
+            const int32_t body = number < 0 ? -1 : model->centre_point[number];
+            if (body < 0 || model->turn_of[body] < 0 || (end->x == 0 && end->y == 0)) continue;
+            Attached point = {{.block = end->block, .body = body, .x = end->x, .y = end->y}, &points[e]};
+            g_array_append_val(attached, point);
+        }
+    }
+    g_array_sort(attached, compare_attached);
+    for (guint i = 0; i < attached->len; i++) {
+        const Attached *at = &g_array_index(attached, Attached, i);
+        g_array_append_val(model->attachments, at->point);
+        *at->end = model->points++;
+    }
+    model->first_support = model->points;
 }
 
 /* A point of a support: its place, with the support unmoved. */
@@ -185,6 +265,7 @@ static gboolean connect_batch(TinkerModel *model, const TinkerBlockBatch *batch,
         for (int32_t e = batch->end_offsets[row]; e < batch->end_offsets[row + 1]; e++) {
             const TinkerSceneEnd *end = &batch->end[e];
             const int32_t number = tinker_block_index_find(model->numbers, end->block);
+            if (points[e] >= 0) continue;
             if (number < 0 || model->centre_point[number] < 0)
                 return refuse_end(model, batch, row, e - batch->end_offsets[row], error);
             points[e] = model->centre_point[number];
@@ -199,12 +280,23 @@ static gboolean connect_batch(TinkerModel *model, const TinkerBlockBatch *batch,
 static gboolean connect_ends(TinkerModel *model, const Location *locations, GError **error)
 {
     for (guint i = 0; i < model->batches->len; i++) {
+        int32_t *points = g_ptr_array_index(model->end_points, i);
+        if (points != NULL && !connect_batch(model, g_ptr_array_index(model->batches, i), locations, points, error))
+            return FALSE;
+    }
+    return TRUE;
+}
+
+/* Of each batch, -1 for what is not known yet. */
+static void allot_end_points(TinkerModel *model)
+{
+    for (guint i = 0; i < model->batches->len; i++) {
         const TinkerBlockBatch *batch = g_ptr_array_index(model->batches, i);
         int32_t *points = batch->end_count > 0 ? g_new(int32_t, batch->end_count) : NULL;
         g_ptr_array_add(model->end_points, points);
-        if (points != NULL && !connect_batch(model, batch, locations, points, error)) return FALSE;
+        for (int32_t e = 0; e < batch->end_count; e++)
+            points[e] = -1;
     }
-    return TRUE;
 }
 
 static void mark_moving(TinkerModel *model)
@@ -243,6 +335,8 @@ gboolean tinker_model_compile_bodies(TinkerModel *model, GError **error)
     find_origin(model);
     add_bodies(model);
     if (!check_masses(model, error)) return FALSE;
+    allot_end_points(model);
+    attach_to_bodies(model);
     g_autofree Location *locations = locate_supports(model);
     if (!connect_ends(model, locations, error)) return FALSE;
     model->motions = tinker_motions_new(model->batches);

@@ -59,7 +59,7 @@ static void number_entries(TinkerConstraints *all, const TinkerConstraintBatch *
             all->blocks[row] = part->batch->ids[i];
             for (int32_t k = 0; k < ends_of(part->batch, i); k++, entry++) {
                 all->row_of[entry] = row;
-                all->points[entry] = part->end_points[part->batch->end_offsets[i] + k];
+                all->ends_at[entry] = part->end_points[part->batch->end_offsets[i] + k];
             }
             all->two_entries &= entry - all->row_starts[row] == 2;
         }
@@ -86,7 +86,7 @@ static void number_straight_entries(TinkerConstraints *all)
         all->inverse_scales[row] = 1 / of->length;
         for (int k = 0; k < 3; k++, entry++) {
             all->row_of[entry] = row;
-            all->points[entry] = k == 0 ? of->first : k == 1 ? of->between : of->last;
+            all->ends_at[entry] = k == 0 ? of->first : k == 1 ? of->between : of->last;
         }
         all->row_starts[row + 1] = entry;
         all->two_entries = FALSE;
@@ -109,6 +109,27 @@ static gboolean lack_memory(const TinkerModel *model, GError **error)
     return FALSE;
 }
 
+/* Where bodies turn: whom the entries belong to, and which of them turn their body. */
+static gboolean number_turns(TinkerModel *model, GError **error)
+{
+    TinkerConstraints *all = &model->constraints;
+    all->turns = ALLOT(model, TinkerTurnEntry, all->entries);
+    all->turn_starts = ALLOT(model, int32_t, all->rows + 1);
+    if (model->lacks_memory) return lack_memory(model, error);
+    for (int32_t e = 0; e < all->entries; e++) {
+        const int32_t body = tinker_model_body_of(model, all->ends_at[e]);
+        all->points[e] = body >= 0 ? body : all->ends_at[e];
+        if (body < 0 || all->ends_at[e] == body) continue;
+        const int32_t turn = model->turn_of[body];
+        all->turns[all->turn_count++] = (TinkerTurnEntry){e, all->row_of[e], turn, 2 * model->bodies + turn};
+        all->turn_starts[all->row_of[e] + 1]++;
+    }
+    for (int32_t row = 0; row < all->rows; row++)
+        all->turn_starts[row + 1] += all->turn_starts[row];
+    all->jacobian_size += (gsize)all->turn_count;
+    return TRUE;
+}
+
 static gboolean allot(TinkerModel *model, GError **error)
 {
     TinkerConstraints *all = &model->constraints;
@@ -118,30 +139,51 @@ static gboolean allot(TinkerModel *model, GError **error)
         most_ends = MAX(most_ends, g_array_index(all->batches, TinkerConstraintBatch, i).batch->end_count);
     all->row_starts = ALLOT(model, int32_t, rows + 1);
     all->points = ALLOT(model, int32_t, entries);
+    all->ends_at = model->turning > 0 ? ALLOT(model, int32_t, entries) : all->points;
     all->row_of = ALLOT(model, int32_t, entries);
-    all->factored_jacobian = ALLOT(model, double, 2 * entries);
-    all->kept_jacobian = ALLOT(model, double, 2 * entries);
-    all->kept_factored_jacobian = ALLOT(model, double, 2 * entries);
     all->scales = ALLOT(model, double, rows);
     all->inverse_scales = ALLOT(model, double, rows);
     all->asked = ALLOT(model, double, rows);
     all->blocks = ALLOT(model, TinkerBlockId, rows);
     all->ends = ALLOT(model, TinkerPoint, most_ends);
-    all->jacobian = ALLOT(model, double, 2 * entries);
     all->g = ALLOT(model, double, rows);
     all->drift = ALLOT(model, double, rows);
     all->rate = ALLOT(model, double, rows);
     all->lambda = ALLOT(model, double, rows);
     all->residual = ALLOT(model, double, rows);
     all->correction = ALLOT(model, double, rows);
-    all->turned = ALLOT(model, double, 2 * entries);
     all->displacement = ALLOT(model, double, (gsize)MAX(model->coordinates, 1));
     all->by_point = ALLOT(model, double, 2 * (gsize)MAX(model->points, 1));
     return !model->lacks_memory || lack_memory(model, error);
 }
 
+static gboolean allot_jacobians(TinkerModel *model, GError **error)
+{
+    TinkerConstraints *all = &model->constraints;
+    double **jacobians[] = {&all->jacobian, &all->factored_jacobian, &all->kept_jacobian, &all->kept_factored_jacobian,
+                            &all->turned};
+    for (gsize i = 0; i < G_N_ELEMENTS(jacobians); i++)
+        *jacobians[i] = ALLOT(model, double, all->jacobian_size);
+    return !model->lacks_memory || lack_memory(model, error);
+}
+
+/* The larger side of the box about all points that something can be at, for the places in them. */
+static double extent_of(const TinkerModel *model)
+{
+    double least[2] = {INFINITY, INFINITY}, greatest[2] = {-INFINITY, -INFINITY};
+    for (int32_t i = 0; i < model->points; i++) {
+        if (i >= model->bodies && i < model->first_attachment) continue;
+        const double place[2] = {model->point[i].x, model->point[i].y};
+        for (int k = 0; k < 2; k++) {
+            least[k] = MIN(least[k], place[k]);
+            greatest[k] = MAX(greatest[k], place[k]);
+        }
+    }
+    return MAX(MAX(greatest[0] - least[0], greatest[1] - least[1]), 0);
+}
+
 /* The rows' lengths: the block's own word, else the largest distance between its ends at the start. */
-static void measure(TinkerModel *model, const TinkerConstraintBatch *part)
+static void measure(TinkerModel *model, const TinkerConstraintBatch *part, double extent)
 {
     TinkerConstraints *all = &model->constraints;
     double *scale = all->scales + part->first_row;
@@ -151,10 +193,10 @@ static void measure(TinkerModel *model, const TinkerConstraintBatch *part)
     for (int32_t row = part->first_row; row < part->first_row + part->row_count; row++) {
         all->inverse_scales[row] = 1.0 / all->scales[row];
         if (told && all->scales[row] > 0) continue;
-        double largest = 0;
-        const TinkerPoint *first = &model->point[all->points[all->row_starts[row]]];
+        double largest = part->constraint->joint != 0 ? extent : 0;
+        const TinkerPoint *first = &model->point[all->ends_at[all->row_starts[row]]];
         for (int32_t e = all->row_starts[row]; e < all->row_starts[row + 1]; e++) {
-            const TinkerPoint *other = &model->point[all->points[e]];
+            const TinkerPoint *other = &model->point[all->ends_at[e]];
             largest = MAX(largest, hypot(other->x - first->x, other->y - first->y));
         }
         all->scales[row] = largest > 0 ? largest : 1.0;
@@ -243,6 +285,34 @@ static int compare_products(const void *left, const void *right)
     return l->second_entry < r->second_entry ? -1 : 1;
 }
 
+/* Products of what turns a body: of every two entries there. */
+static gboolean list_turn_products(TinkerModel *model, GError **error)
+{
+    TinkerConstraints *all = &model->constraints;
+    g_autoptr(GArray) products = g_array_new(FALSE, FALSE, sizeof(TinkerProduct));
+    g_autofree int32_t *number_of = ALLOT(model, int32_t, all->entries); /* of an entry: its turn's, + 1 */
+    if (model->lacks_memory) return lack_memory(model, error);
+    for (int32_t k = 0; k < all->turn_count; k++)
+        number_of[all->turns[k].entry] = k + 1;
+    for (int32_t k = 0; k < all->turn_count; k++) {
+        const int32_t entry = all->turns[k].entry, body = all->points[entry];
+        for (int32_t p = all->body_starts[body]; p < all->body_starts[body + 1]; p++) {
+            const int32_t other = all->body_entries[p];
+            if (other < entry || number_of[other] == 0) continue;
+            double weight = model->inverse_mass[body];
+            if (other != entry && all->row_of[other] == all->row_of[entry]) weight *= 2;
+            const int32_t first = 2 * all->entries + k, second = 2 * all->entries + number_of[other] - 1;
+            TinkerProduct product = {tinker_sparse_ldl_slot(all->ldl, all->row_of[entry], all->row_of[other]), first,
+                                     second, weight};
+            g_array_append_val(products, product);
+        }
+    }
+    qsort(products->data, products->len, sizeof(TinkerProduct), compare_products);
+    all->turn_product_count = products->len;
+    all->turn_products = g_memdup2(products->data, products->len * sizeof(TinkerProduct));
+    return TRUE;
+}
+
 /* Where any row holds in one direction only. */
 static gboolean allot_unilateral(TinkerModel *model, GError **error)
 {
@@ -258,7 +328,7 @@ static gboolean allot_unilateral(TinkerModel *model, GError **error)
     all->own_g = ALLOT(model, double, rows);
     all->own_drift = ALLOT(model, double, rows);
     all->own_rate = ALLOT(model, double, rows);
-    all->own_jacobian = ALLOT(model, double, 2 * (gsize)all->entries);
+    all->own_jacobian = ALLOT(model, double, all->jacobian_size);
     if (model->lacks_memory) return lack_memory(model, error);
     for (guint i = 0; i < all->batches->len; i++) {
         const TinkerConstraintBatch *part = &g_array_index(all->batches, TinkerConstraintBatch, i);
@@ -290,13 +360,18 @@ static gboolean compile_with(TinkerModel *model, GArray *straight, GError **erro
     for (guint i = 0; i < all->batches->len; i++)
         number_entries(all, &g_array_index(all->batches, TinkerConstraintBatch, i));
     number_straight_entries(all);
+    all->jacobian_size = 2 * (gsize)all->entries;
+    if (model->turning > 0 && !number_turns(model, error)) return FALSE;
+    if (!allot_jacobians(model, error)) return FALSE;
+    const double extent = extent_of(model);
     for (guint i = 0; i < all->batches->len; i++)
-        measure(model, &g_array_index(all->batches, TinkerConstraintBatch, i));
+        measure(model, &g_array_index(all->batches, TinkerConstraintBatch, i), extent);
     if (!list_entries_by_body(model, error)) return FALSE;
     const double products = count_products(model);
     if (products > MOST_PRODUCTS) return refuse_entangled(model, error);
     if (!compile_pattern(model, (gsize)products, error) || !list_products(model, (gsize)products, error)) return FALSE;
     qsort(all->products, all->product_count, sizeof(TinkerProduct), compare_products);
+    if (all->turn_count > 0 && !list_turn_products(model, error)) return FALSE;
     if (!allot_unilateral(model, error)) return FALSE;
     if (all->unilateral == NULL) all->chains = tinker_row_chains_new(model);
     return TRUE;
@@ -344,7 +419,10 @@ void tinker_constraints_clear(TinkerConstraints *all)
     if (all->straight != NULL) g_array_unref(all->straight);
     tinker_sparse_ldl_free(all->ldl);
     tinker_row_chains_free(all->chains);
-    gpointer arrays[] = {all->row_starts,     all->products,
+    if (all->ends_at != all->points) g_free(all->ends_at);
+    g_free(all->turn_starts);
+    gpointer arrays[] = {all->turns,          all->turn_products,
+                         all->row_starts,     all->products,
                          all->points,         all->scales,
                          all->blocks,         all->ends,
                          all->jacobian,       all->g,

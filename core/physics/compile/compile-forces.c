@@ -230,9 +230,17 @@ static void add_driven(TinkerModel *model, const TinkerBlockBatch *batch, int32_
     g_array_append_val(model->driven, force);
 }
 
-static void add_constant(TinkerModel *model, int32_t point, const double *force)
+/* Off the centre of a body that turns a constant force is driven by the value 1: its torque changes. */
+static void add_constant(TinkerModel *model, const TinkerBlockBatch *batch, int32_t row, int32_t point,
+                         const double *force)
 {
+    static const double one = 1;
     if (force[0] == 0 && force[1] == 0) return;
+    if (point >= model->first_attachment && point < model->first_support) {
+        TinkerDrivenForce driven = {point, {force[0], force[1]}, &one, batch, row};
+        g_array_append_val(model->driven, driven);
+        return;
+    }
     if (model->constant_force == NULL) model->constant_force = g_try_new0(double, 2 * (gsize)MAX(model->points, 1));
     model->lacks_memory |= model->constant_force == NULL;
     if (model->constant_force == NULL) return;
@@ -252,7 +260,7 @@ static gboolean add_linear_forces(TinkerModel *model, TinkerBlockBatch *batch, c
         return FALSE;
     for (int32_t row = 0; row < batch->count; row++) {
         for (int32_t e = batch->end_offsets[row]; e < batch->end_offsets[row + 1]; e++) {
-            add_constant(model, points[e], constant + 2 * e);
+            add_constant(model, batch, row, points[e], constant + 2 * e);
             if (columns[row] >= 0 && columns[row] < batch->block_class->column_count)
                 add_driven(model, batch, row, points[e], direction + 2 * e, columns[row]);
         }
@@ -383,7 +391,7 @@ static gboolean allot_chunk(TinkerModel *model)
 gboolean tinker_model_compile_forces(TinkerModel *model, GError **error)
 {
     if (!add_batches(model, error)) return FALSE;
-    model->velocity_kept = g_try_new0(double, (gsize)MAX(model->coordinates, 1));
+    model->velocity_kept = g_try_new0(double, 2 * (gsize)MAX(model->coordinates, 1));
     if (model->lacks_memory || model->velocity_kept == NULL) return lack_memory(model, error);
     model->line_parts = tinker_line_parts_new(model);
     add_constant_accelerations(model);

@@ -35,7 +35,7 @@ static gboolean check_placed(TinkerModel *model, const TinkerBlockBatch *batch, 
     return FALSE;
 }
 
-/* Lengths that the scene leaves to where the blocks are placed. */
+/* Lengths that the scene leaves to where the blocks are placed, and what it leaves to their shapes. */
 static gboolean resolve_placed(TinkerModel *model, TinkerFrame *placed, GError **error)
 {
     for (guint i = 0; i < model->batches->len; i++) {
@@ -43,12 +43,13 @@ static gboolean resolve_placed(TinkerModel *model, TinkerFrame *placed, GError *
         const TinkerBlockClass *block_class = batch->block_class;
         for (int32_t p = 0; p < block_class->property_count; p++) {
             const TinkerPropertyType *property = &block_class->properties[p];
-            if (!(property->flags & TINKER_DEFAULT_AS_PLACED)) continue;
+            const gboolean shaped = (property->flags & TINKER_DEFAULT_AS_SHAPED) != 0;
+            if (!shaped && !(property->flags & TINKER_DEFAULT_AS_PLACED)) continue;
             int32_t column = block_class->first_columns[p];
             for (int32_t row = 0; row < batch->count; row++) {
                 if (!isnan(batch->columns[column][row])) continue;
                 double value = tinker_frame_column(placed, batch->ids[row], column);
-                if (!check_placed(model, batch, row, property, value, error)) return FALSE;
+                if (!shaped && !check_placed(model, batch, row, property, value, error)) return FALSE;
                 batch->columns[column][row] = value;
             }
         }
@@ -161,7 +162,9 @@ void tinker_model_free(TinkerModel *model)
     g_array_unref(model->asked_fields);
     g_array_unref(model->driven);
     TinkerMergedLines *lines = &model->lines;
-    gpointer arrays[] = {model->failure_text,
+    gpointer arrays[] = {model->turns,
+                         model->turn_of,
+                         model->failure_text,
                          model->body_blocks,
                          model->of_bodies,
                          model->centre_point,

@@ -26,7 +26,7 @@ static double path_length(const TinkerModel *model, int32_t row)
     const TinkerConstraints *all = &model->constraints;
     double length = 0;
     for (int32_t e = all->row_starts[row] + 1; e < all->row_starts[row + 1]; e++) {
-        const TinkerPoint *a = &model->point[all->points[e - 1]], *b = &model->point[all->points[e]];
+        const TinkerPoint *a = &model->point[all->ends_at[e - 1]], *b = &model->point[all->ends_at[e]];
         length += hypot(b->x - a->x, b->y - a->y);
     }
     return length;
@@ -65,6 +65,18 @@ static void refuse_misfit(const TinkerModel *model, int32_t row, const char *nam
                 name, fabs(all->g[row]), START_TOLERANCE, all->scales[row], hint);
 }
 
+static void refuse_joint(const TinkerModel *model, int32_t row, const char *name, GError **error)
+{
+    const TinkerConstraints *all = &model->constraints;
+    const TinkerPoint *a = &model->point[all->ends_at[all->row_starts[row]]];
+    const TinkerPoint *b = &model->point[all->ends_at[all->row_starts[row + 1] - 1]];
+    g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_SCENE,
+                _("%s: its ends do not fit together at t = 0: they are at (%.10g, %.10g) and (%.10g, %.10g) m (move "
+                  "one to the other; at most %.0e of the scene's extent, %.3g m, is corrected)"),
+                name, a->x + model->origin[0], a->y + model->origin[1], b->x + model->origin[0],
+                b->y + model->origin[1], START_TOLERANCE, START_TOLERANCE * all->scales[row]);
+}
+
 static gboolean refuse_row(TinkerModel *model, const TinkerConstraintBatch *part, int32_t row, GError **error)
 {
     const TinkerConstraints *all = &model->constraints;
@@ -73,7 +85,9 @@ static gboolean refuse_row(TinkerModel *model, const TinkerConstraintBatch *part
     int32_t ends = all->row_starts[row + 1] - all->row_starts[row];
     int32_t column = path_column(batch->block_class, ends);
     const char *name = tinker_scene_block_name(model->scene, batch->ids[instance]);
-    if (column >= 0) {
+    if (part->constraint->joint != 0) {
+        refuse_joint(model, row, name, error);
+    } else if (column >= 0) {
         g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_SCENE,
                     ends == 2 ? _("%s: its length is %.10g m, but its ends are %.10g m apart at t = 0 (move an end, "
                                   "change the length, or leave the length out)")
@@ -165,6 +179,9 @@ static double largest_demand(const TinkerModel *model)
 {
     const TinkerConstraints *all = &model->constraints;
     double most = 0;
+    for (int32_t k = 0; k < all->turn_count; k++)
+        most =
+            MAX(most, fabs(all->jacobian[2 * all->entries + k] * model->point_acceleration[all->turns[k].coordinate]));
     for (int32_t row = 0; row < all->rows; row++) {
         double sum = fabs(all->drift[row]);
         for (int32_t e = all->row_starts[row]; e < all->row_starts[row + 1]; e++) {

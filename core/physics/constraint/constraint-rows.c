@@ -119,6 +119,23 @@ static void turn_jacobians(TinkerConstraints *all)
     all->keeps_factored = FALSE;
 }
 
+/* Rows are over points; what they are over the coordinates of a body that turns: of a point at its arm r a row with the
+ * entry j has r x j / (radius of gyration) in the column of the turn, and w^2 r of the point's acceleration is drift.
+ */
+static G_NO_INLINE void turn_rows(TinkerModel *model)
+{
+    TinkerConstraints *all = &model->constraints;
+    double *turned = all->jacobian + 2 * all->entries;
+    for (int32_t k = 0; k < all->turn_count; k++) {
+        const TinkerTurnEntry *of = &all->turns[k];
+        const TinkerTurn *turn = &model->turns[of->turn];
+        const double *j = all->jacobian + 2 * of->entry;
+        const double *r = tinker_model_attachment(model, all->ends_at[of->entry])->arm;
+        turned[k] = (r[0] * j[1] - r[1] * j[0]) / turn->gyration;
+        all->drift[of->row] -= turn->rate * turn->rate * (r[0] * j[0] + r[1] * j[1]);
+    }
+}
+
 TinkerStatus tinker_constraints_evaluate(TinkerModel *model)
 {
     TinkerConstraints *all = &model->constraints;
@@ -130,6 +147,7 @@ TinkerStatus tinker_constraints_evaluate(TinkerModel *model)
         if (status != TINKER_OK) return status;
     }
     if (G_UNLIKELY(all->straight->len > 0)) tinker_straight_rows_evaluate(model);
+    if (G_UNLIKELY(all->turn_count > 0)) turn_rows(model);
     if (G_UNLIKELY(all->unilateral != NULL)) tinker_constraints_hide_slack(all);
     return TINKER_OK;
 }

@@ -56,6 +56,10 @@ static void assemble(TinkerConstraints *all)
         } while (++p < end && p->slot == slot);
         values[slot] = sum;
     }
+    for (gsize i = 0; i < all->turn_product_count; i++) {
+        const TinkerProduct *turn = &all->turn_products[i];
+        values[turn->slot] += turn->inverse_mass * j[turn->first_entry] * j[turn->second_entry];
+    }
     for (int32_t row = 0; all->unilateral != NULL && row < all->rows; row++)
         if (all->slack[row]) values[all->diagonal[row]] = 1.0;
 }
@@ -70,6 +74,10 @@ static double mean_diagonal(const TinkerConstraints *all)
         const double *at = j + 2 * p->first_entry;
         if (p->first_entry == p->second_entry) sum += p->inverse_mass * (at[0] * at[0] + at[1] * at[1]);
     }
+    for (gsize i = 0; i < all->turn_product_count; i++) {
+        const TinkerProduct *p = &all->turn_products[i];
+        if (p->first_entry == p->second_entry) sum += p->inverse_mass * j[p->first_entry] * j[p->first_entry];
+    }
     return sum / all->rows;
 }
 
@@ -79,7 +87,7 @@ static gboolean is_factored(const TinkerConstraints *all)
 {
     if (!all->factored || all->keeps_factored) return all->factored;
     if (all->jacobian[0] != all->factored_jacobian[0]) return FALSE;
-    return memcmp(all->jacobian, all->factored_jacobian, 2 * (gsize)all->entries * sizeof(double)) == 0;
+    return memcmp(all->jacobian, all->factored_jacobian, all->jacobian_size * sizeof(double)) == 0;
 }
 
 /* Masses may differ so much that one shift for all rows drowns those of the heavy ones. Then every row is shifted by a
@@ -167,6 +175,10 @@ static void add_impulse(TinkerModel *model, const double *restrict x, double *re
         target[2 * i] += px * inverse_mass[i];
         target[2 * i + 1] += py * inverse_mass[i];
     }
+    for (int32_t k = 0; k < all->turn_count; k++) {
+        const TinkerTurnEntry *of = &all->turns[k];
+        target[of->coordinate] += x[of->row] * j[2 * all->entries + k] * inverse_mass[all->points[of->entry]];
+    }
 }
 
 void tinker_constraints_rows_times(const TinkerConstraints *all, const double *by_point, double *out)
@@ -182,6 +194,8 @@ void tinker_constraints_rows_times(const TinkerConstraints *all, const double *b
     }
     FOR_ROWS(all, ROW_TIMES);
 #undef ROW_TIMES
+    for (int32_t k = 0; k < all->turn_count; k++)
+        out[all->turns[k].row] += j[2 * all->entries + k] * by_point[all->turns[k].coordinate];
 }
 
 void tinker_constraints_rates(const TinkerModel *model, double *out)
@@ -198,6 +212,8 @@ void tinker_constraints_rates(const TinkerModel *model, double *out)
     }
     FOR_ROWS(all, ROW_RATE);
 #undef ROW_RATE
+    for (int32_t k = 0; k < all->turn_count; k++)
+        out[all->turns[k].row] += j[2 * all->entries + k] * model->turns[all->turns[k].turn].speed;
     for (int32_t row = 0; all->prescribed && row < all->rows; row++)
         out[row] += all->rate[row];
 }
@@ -270,7 +286,7 @@ void tinker_constraints_begin_look(TinkerModel *model)
     TinkerConstraints *all = &model->constraints;
     if (all->rows == 0) return;
     if (!all->looked) {
-        gsize bytes = 2 * (gsize)all->entries * sizeof(double);
+        gsize bytes = all->jacobian_size * sizeof(double);
         memcpy(all->kept_jacobian, all->jacobian, bytes);
         memcpy(all->kept_factored_jacobian, all->factored_jacobian, bytes);
         all->kept = (TinkerFactorState){all->factored, all->keeps_factored, all->shifted};
@@ -284,7 +300,7 @@ void tinker_constraints_end_look(TinkerModel *model)
 {
     TinkerConstraints *all = &model->constraints;
     if (!all->looked) return;
-    gsize bytes = 2 * (gsize)all->entries * sizeof(double);
+    gsize bytes = all->jacobian_size * sizeof(double);
     all->looked = FALSE;
     if (all->kept.factored) {
         memcpy(all->jacobian, all->kept.keeps_factored ? all->kept_jacobian : all->kept_factored_jacobian, bytes);

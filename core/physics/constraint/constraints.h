@@ -57,6 +57,35 @@ double tinker_constraints_own_drift(const TinkerModel *model, int32_t row);
 /* Keeps what the rows are as their own, and takes the slack ones out. Called by tinker_constraints_evaluate. */
 void tinker_constraints_hide_slack(TinkerConstraints *constraints);
 
+/* The first entry of a row in `turns`; of the row behind the last one, their end. */
+static inline int32_t tinker_row_turns(const TinkerConstraints *all, int32_t row)
+{
+    return all->turn_starts != NULL ? all->turn_starts[row] : 0;
+}
+
+/* A row evaluated last over coordinates, and over what supports have in a vector by point; one coordinate may come more
+ * than once. `list` has room for three entries an end. Answers how many there are. */
+static inline int32_t tinker_constraints_list_row(const TinkerConstraints *all, int32_t row,
+                                                  TinkerCoordinateEntry *list)
+{
+    int32_t count = 0;
+    for (int32_t e = all->row_starts[row]; e < all->row_starts[row + 1]; e++)
+        for (int32_t k = 0; k < 2; k++)
+            list[count++] = (TinkerCoordinateEntry){2 * all->points[e] + k, all->jacobian[2 * e + k]};
+    for (int32_t k = tinker_row_turns(all, row); k < tinker_row_turns(all, row + 1); k++)
+        list[count++] = (TinkerCoordinateEntry){all->turns[k].coordinate, all->jacobian[2 * all->entries + k]};
+    return count;
+}
+
+/* Room for any row. (transfer full) */
+static inline TinkerCoordinateEntry *tinker_constraints_row_room(const TinkerConstraints *all)
+{
+    int32_t most = 0;
+    for (int32_t row = 0; row < all->rows; row++)
+        most = MAX(most, all->row_starts[row + 1] - all->row_starts[row]);
+    return g_new(TinkerCoordinateEntry, 3 * (gsize)most + 1);
+}
+
 /* How many rows depend on others, at the rows evaluated last. */
 int32_t tinker_constraints_count_dependent(TinkerModel *model);
 /* Adds the power that moving supports and prescribed rows give through the constraints to model->book_power, with the

@@ -27,7 +27,7 @@ static gboolean row_is_met(const TinkerModel *model, int32_t row)
     double miss = fabs(all->g[row]), reach = all->scales[row];
     if (miss <= 4 * DBL_EPSILON * reach) return TRUE;
     for (int32_t e = all->row_starts[row]; e < all->row_starts[row + 1]; e++) {
-        const TinkerPoint *at = &model->point[all->points[e]];
+        const TinkerPoint *at = &model->point[all->ends_at[e]];
         reach = MAX(reach, MAX(fabs(at->x), fabs(at->y)));
     }
     return miss <= 4 * DBL_EPSILON * reach;
@@ -93,6 +93,10 @@ static void move_positions(TinkerModel *model, double *restrict q)
             work[k] += (force[2 * i + k] + mass[i] * constant[2 * i + k]) * move[2 * i + k];
             q[2 * i + k] += move[2 * i + k];
         }
+    for (int32_t k = 0, i = 2 * model->bodies; k < model->turning; k++, i++) {
+        work[0] += (force[i] + mass[model->turns[k].body] * constant[i]) * move[i];
+        q[i] += move[i];
+    }
     model->constraints.work -= work[0] + work[1];
 }
 
@@ -188,14 +192,14 @@ TinkerStatus tinker_constraints_rattle(TinkerModel *model, double t_from, const 
     tinker_model_set_state(model, q_from, v);
     status = tinker_constraints_evaluate(model);
     if (status != TINKER_OK) return status;
-    memcpy(all->turned, all->jacobian, 2 * (gsize)all->entries * sizeof(double));
+    memcpy(all->turned, all->jacobian, all->jacobian_size * sizeof(double));
     double *displacement = all->displacement;
     double before = INFINITY;
     status = tinker_model_set_time(model, t);
     if (status != TINKER_OK) return status;
     for (int step = 0; step < 2 * MOST_NEWTON_STEPS; step++) {
         if (!wants_step(model, q, v, &before, &status)) return status;
-        memcpy(all->jacobian, all->turned, 2 * (gsize)all->entries * sizeof(double));
+        memcpy(all->jacobian, all->turned, all->jacobian_size * sizeof(double));
         tinker_constraints_newton_step(model, FALSE);
         for (int32_t i = 0; i < model->coordinates; i++) {
             q[i] += displacement[i];

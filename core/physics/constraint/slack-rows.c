@@ -19,7 +19,7 @@ void tinker_constraints_hide_slack(TinkerConstraints *all)
     memcpy(all->own_g, all->g, rows * sizeof(double));
     memcpy(all->own_drift, all->drift, rows * sizeof(double));
     memcpy(all->own_rate, all->rate, rows * sizeof(double));
-    memcpy(all->own_jacobian, all->jacobian, 2 * (gsize)all->entries * sizeof(double));
+    memcpy(all->own_jacobian, all->jacobian, all->jacobian_size * sizeof(double));
     all->miss = 0;
     for (int32_t row = 0; row < all->rows; row++) {
         if (!all->slack[row]) {
@@ -30,6 +30,8 @@ void tinker_constraints_hide_slack(TinkerConstraints *all)
         all->g[row] = all->drift[row] = all->rate[row] = 0;
         memset(all->jacobian + 2 * first, 0, 2 * (gsize)entries * sizeof(double));
     }
+    for (int32_t k = 0; k < all->turn_count; k++)
+        if (all->slack[all->turns[k].row]) all->jacobian[2 * all->entries + k] = 0;
 }
 
 double tinker_constraints_own_rate(const TinkerModel *model, int32_t row)
@@ -40,6 +42,8 @@ double tinker_constraints_own_rate(const TinkerModel *model, int32_t row)
         const TinkerPoint *at = &model->point[all->points[e]];
         sum += all->own_jacobian[2 * e] * at->vx + all->own_jacobian[2 * e + 1] * at->vy;
     }
+    for (int32_t k = tinker_row_turns(all, row); k < tinker_row_turns(all, row + 1); k++)
+        sum += all->own_jacobian[2 * all->entries + k] * model->turns[all->turns[k].turn].speed;
     return sum;
 }
 
@@ -51,6 +55,8 @@ double tinker_constraints_own_row_times(const TinkerModel *model, int32_t row, c
         const double *j = all->own_jacobian + 2 * e, *of = by_body + 2 * all->points[e];
         if (all->points[e] < model->bodies) sum += j[0] * of[0] + j[1] * of[1];
     }
+    for (int32_t k = tinker_row_turns(all, row); k < tinker_row_turns(all, row + 1); k++)
+        sum += all->own_jacobian[2 * all->entries + k] * by_body[all->turns[k].coordinate];
     return sum;
 }
 

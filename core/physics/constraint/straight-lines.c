@@ -19,6 +19,12 @@ gboolean tinker_line_stays(const TinkerModel *model, int32_t a, int32_t b)
 
 /* Collecting ------------------------------------------------------------------------------------------------------- */
 
+/* A place of a body that turns, which is held by more than rods. */
+static gboolean is_off_centre(const TinkerModel *model, int32_t point)
+{
+    return point >= model->first_attachment && point < model->first_support;
+}
+
 static void collect_rods(TinkerLineFinder *finder)
 {
     const GArray *batches = finder->model->constraints.batches;
@@ -27,7 +33,10 @@ static void collect_rods(TinkerLineFinder *finder)
         for (int32_t i = 0; part->distances != NULL && i < part->row_count; i++) {
             TinkerLineRod rod = {
                 {part->end_points[2 * i], part->end_points[2 * i + 1]}, &part->distances[i], part->batch->ids[i]};
-            if (rod.ends[0] != rod.ends[1]) g_array_append_val(finder->rods, rod);
+            if (rod.ends[0] == rod.ends[1] || is_off_centre(finder->model, rod.ends[0]) ||
+                is_off_centre(finder->model, rod.ends[1]))
+                continue;
+            g_array_append_val(finder->rods, rod);
         }
     }
 }

@@ -263,5 +263,11 @@ void tinker_contacts_pull(TinkerContacts *contacts, int32_t row, double lambda, 
             v[2 * body + k] += change;
         }
     }
+    for (int32_t k = tinker_row_turns(all, row); k < tinker_row_turns(all, row + 1); k++) {
+        const TinkerTurnEntry *of = &all->turns[k];
+        double change = lambda * all->own_jacobian[2 * all->entries + k] * model->inverse_mass[all->points[of->entry]];
+        all->by_point[of->coordinate] += change;
+        v[of->coordinate] += change;
+    }
     tinker_constraints_answer(contacts->model, v);
 }

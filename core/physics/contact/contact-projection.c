@@ -156,7 +156,7 @@ TinkerStatus tinker_contacts_rattle(TinkerContacts *contacts, double t_from, con
         /* the constraints answer along their old directions: that is what makes the method symmetric */
         if (model->constraints.rows > 0)
             memcpy(model->constraints.jacobian, model->constraints.turned,
-                   2 * (gsize)model->constraints.entries * sizeof(double));
+                   model->constraints.jacobian_size * sizeof(double));
         if (!move_rows(contacts, q, v, 1 / h, &before, &work)) break;
     }
     return status;
@@ -202,10 +202,7 @@ double tinker_contacts_correct_velocities(TinkerContacts *contacts, double *v, g
     memcpy(before, v, n * sizeof(double));
     correct_alone(contacts, v, homogeneous);
     if (model->constraints.rows > 0) {
-        for (int32_t i = 0; i < model->bodies; i++) {
-            model->point[i].vx = v[2 * i];
-            model->point[i].vy = v[2 * i + 1];
-        }
+        tinker_model_set_velocities(model, v);
         tinker_constraints_correct_velocities(model, v, homogeneous, moved);
     }
     if (contacts->rows->len > 0) correct_rows(contacts, v, homogeneous);

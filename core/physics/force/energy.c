@@ -14,6 +14,10 @@ static double kinetic_energy(const TinkerModel *model)
         const TinkerPoint *at = &model->point[i];
         sum += model->mass[i] * (at->vx * at->vx + at->vy * at->vy);
     }
+    for (int32_t k = 0; k < model->turning; k++) {
+        const TinkerTurn *turn = &model->turns[k];
+        sum += model->mass[turn->body] * turn->speed * turn->speed;
+    }
     return 0.5 * sum;
 }
 

@@ -169,6 +169,18 @@ static void accelerate(void *data, int32_t first, int32_t end)
     }
 }
 
+/* The accelerations of turns. */
+static G_NO_INLINE void turn(TinkerModel *model, double *a)
+{
+    for (int32_t point = model->first_attachment; point < model->first_support; point++)
+        memcpy(tinker_model_attachment(model, point)->force, model->force + 2 * point, 2 * sizeof(double));
+    tinker_model_reduce_forces(model);
+    for (int32_t k = 0; k < model->turning; k++) {
+        const int32_t at = 2 * model->bodies + k;
+        a[at] = model->constant_acceleration[at] + model->force[at] * model->inverse_mass[model->turns[k].body];
+    }
+}
+
 /* The forces of merged lines alone; answers the power that dampers take. */
 static inline double lines_forces(TinkerModel *model)
 {
@@ -199,6 +211,7 @@ TinkerStatus tinker_model_applied(TinkerModel *model, double *a, gboolean books)
     if (books && model->more_than_lines) memset(model->book_power, 0, sizeof(model->book_power));
     model->book_power[TINKER_BOOK_DAMPERS] = -lines_forces(model);
     TinkerStatus status = model->more_than_lines ? add_more_than_lines(model, books) : TINKER_OK;
+    if (status == TINKER_OK && model->turning > 0) turn(model, a);
     if (status == TINKER_OK) tinker_share_range(model->bodies, accelerate, &(Acceleration){model, a});
     return status;
 }

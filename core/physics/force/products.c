@@ -17,9 +17,10 @@
 static void add_line(const TinkerModel *model, int32_t a, int32_t b, const double block[4], const double *d,
                      double *force)
 {
-    double ax = a < model->bodies ? d[2 * a] : 0, ay = a < model->bodies ? d[2 * a + 1] : 0;
-    double bx = b < model->bodies ? d[2 * b] : 0, by = b < model->bodies ? d[2 * b + 1] : 0;
-    double dx = bx - ax, dy = by - ay;
+    double at_a[2], at_b[2];
+    tinker_model_at_point(model, a, d, at_a);
+    tinker_model_at_point(model, b, d, at_b);
+    double dx = at_b[0] - at_a[0], dy = at_b[1] - at_a[1];
     double fx = block[0] * dx + block[1] * dy, fy = block[2] * dx + block[3] * dy;
     force[2 * a] += fx;
     force[2 * a + 1] += fy;
@@ -135,10 +136,10 @@ static TinkerStatus add_forces_now(TinkerModel *model, double scale, double *sum
 
 static void set_velocities(TinkerModel *model, double scale, const double *d)
 {
-    for (int32_t i = 0; i < model->bodies; i++) {
-        model->point[i].vx = model->velocity_kept[2 * i] + scale * d[2 * i];
-        model->point[i].vy = model->velocity_kept[2 * i + 1] + scale * d[2 * i + 1];
-    }
+    double *v = model->velocity_kept + model->coordinates;
+    for (int32_t i = 0; i < model->coordinates; i++)
+        v[i] = model->velocity_kept[i] + scale * d[i];
+    tinker_model_set_velocities(model, v);
 }
 
 static void keep_velocities(TinkerModel *model)
@@ -147,14 +148,8 @@ static void keep_velocities(TinkerModel *model)
         model->velocity_kept[2 * i] = model->point[i].vx;
         model->velocity_kept[2 * i + 1] = model->point[i].vy;
     }
-}
-
-static void restore_velocities(TinkerModel *model)
-{
-    for (int32_t i = 0; i < model->bodies; i++) {
-        model->point[i].vx = model->velocity_kept[2 * i];
-        model->point[i].vy = model->velocity_kept[2 * i + 1];
-    }
+    for (int32_t k = 0; k < model->turning; k++)
+        model->velocity_kept[2 * model->bodies + k] = model->turns[k].speed;
 }
 
 static gboolean needs_differences(const TinkerModel *model)
@@ -174,7 +169,7 @@ static TinkerStatus add_difference(TinkerModel *model, double step, const double
     TinkerStatus status = add_forces_now(model, scale, force);
     set_velocities(model, -step, d);
     if (status == TINKER_OK) status = add_forces_now(model, -scale, force);
-    restore_velocities(model);
+    tinker_model_set_velocities(model, model->velocity_kept);
     return status;
 }
 
@@ -206,6 +201,18 @@ static TinkerStatus add_differences(TinkerModel *model, const double *d, double 
 
 /* All -------------------------------------------------------------------------------------------------------------- */
 
+/* The torque of a force also changes as its arm r turns: by -r . F an angle. */
+static void add_turned_arms(const TinkerModel *model, const double *d, double *out)
+{
+    for (int32_t point = model->first_attachment; point < model->first_support; point++) {
+        const TinkerAttachment *at = tinker_model_attachment(model, point);
+        const TinkerTurn *turn = &model->turns[model->turn_of[at->body]];
+        const double along = at->arm[0] * at->force[0] + at->arm[1] * at->force[1];
+        const int32_t i = 2 * model->bodies + model->turn_of[at->body];
+        out[i] -= along / (turn->gyration * turn->gyration) * model->inverse_mass[at->body] * d[i];
+    }
+}
+
 static TinkerStatus product(TinkerModel *model, gboolean damping, const double *d, double *out)
 {
     gboolean differs = damping && model->feels_velocity >= 0 && needs_differences(model);
@@ -224,10 +231,12 @@ static TinkerStatus product(TinkerModel *model, gboolean damping, const double *
     for (guint i = 0; i < model->asked_fields->len; i++)
         add_field(model, &g_array_index(model->asked_fields, TinkerAskedBatch, i), damping, d, model->force);
     TinkerStatus status = differs ? add_differences(model, d, model->force) : TINKER_OK;
+    if (model->turning > 0) tinker_model_reduce_forces(model);
     for (int32_t i = 0; i < model->coordinates && status == TINKER_OK; i++) {
-        out[i] = model->force[i] * model->inverse_mass[i / 2];
-        if (damping) out[i] -= model->field_drag * model->inverse_mass[i / 2] * d[i];
+        out[i] = model->force[i] * model->inverse_mass[tinker_model_moved_by(model, i)];
+        if (damping && i < 2 * model->bodies) out[i] -= model->field_drag * model->inverse_mass[i / 2] * d[i];
     }
+    if (!damping && status == TINKER_OK) add_turned_arms(model, d, out);
     return status;
 }
 

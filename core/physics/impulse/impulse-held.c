@@ -159,10 +159,7 @@ static const double *find_allowed(TinkerImpulses *self, const double *v)
     TinkerModel *model = self->model;
     TinkerConstraints *all = &model->constraints;
     double *allowed = self->contacts->accelerations;
-    for (int32_t i = 0; i < model->bodies; i++) {
-        model->point[i].vx = v[2 * i];
-        model->point[i].vy = v[2 * i + 1];
-    }
+    tinker_model_set_velocities(model, v);
     memcpy(allowed, v, (gsize)model->coordinates * sizeof(double));
     tinker_constraints_rates(model, all->asked);
     for (int32_t row = 0; row < all->rows; row++)

@@ -26,7 +26,7 @@ static void finish_held(TinkerImpulses *self, TinkerState *state)
     for (int k = 0; k < TINKER_BOOK_COUNT; k++)
         before -= self->work[k];
     for (int32_t i = 0; i < model->coordinates; i++)
-        if (self->contacts->held[i / 2])
+        if (self->contacts->held[tinker_model_moved_by(model, i)])
             total +=
                 0.5 * model->coordinate_mass[i] * (state->v[i] - self->velocity[i]) * (state->v[i] + self->from.v[i]);
     self->work[TINKER_BOOK_SUPPORT_MOTION] += total + before;
@@ -49,7 +49,7 @@ static void move_held(TinkerImpulses *self, int32_t body, guint *touch, double *
 static gboolean solve_held(TinkerImpulses *self, TinkerState *state)
 {
     for (int32_t i = 0; i < self->model->coordinates; i++)
-        if (self->contacts->held[i / 2]) state->v[i] += self->h * self->a[i];
+        if (self->contacts->held[tinker_model_moved_by(self->model, i)]) state->v[i] += self->h * self->a[i];
     memcpy(self->velocity, state->v, (gsize)self->model->coordinates * sizeof(double));
     if (!tinker_impulse_solve_held(self, state->q, state->v)) return FALSE;
     finish_held(self, state);
@@ -77,6 +77,10 @@ static gboolean move_bodies(TinkerImpulses *self, TinkerState *state)
                 q[k] += self->h * v[k];
             }
         }
+    }
+    for (int32_t i = 2 * self->model->bodies; i < self->model->coordinates; i++) { /* what turns */
+        if (!any_held || !contacts->held[tinker_model_moved_by(self->model, i)]) state->v[i] += self->h * self->a[i];
+        state->q[i] += self->h * state->v[i];
     }
     return TRUE;
 }

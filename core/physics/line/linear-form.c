@@ -25,7 +25,7 @@ static gboolean laws_are_linear(const TinkerModel *model)
 {
     for (int32_t i = 0; i < model->lines.count; i++)
         if (MIN(model->lines.a[i], model->lines.b[i]) >= model->bodies) return FALSE;
-    return model->bodies > 0 && model->constraints.rows == 0 && model->asked_lines->len == 0 &&
+    return model->bodies > 0 && model->turning == 0 && model->constraints.rows == 0 && model->asked_lines->len == 0 &&
            model->asked_forces->len == 0 && model->asked_fields->len == 0;
 }
 

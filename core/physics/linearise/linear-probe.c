@@ -35,8 +35,12 @@ static gboolean find_force(const TinkerModel *model, TinkerLinearInput *input)
         const TinkerDrivenForce *driven = &g_array_index(model->driven, TinkerDrivenForce, i);
         if (driven->batch->ids[driven->row] != input->block) continue;
         input->unit = unit_of_column(driven->batch->block_class, column_of(driven->batch, driven->row, driven->value));
-        input->force[2 * driven->point] += driven->direction[0];
-        input->force[2 * driven->point + 1] += driven->direction[1];
+        for (int axis = 0; axis < 2; axis++) {
+            TinkerCoordinateEntry entries[2];
+            const int32_t count = tinker_model_point_entries(model, driven->point, axis, entries);
+            for (int32_t k = 0; k < count; k++)
+                input->force[entries[k].coordinate] += driven->direction[axis] * entries[k].value;
+        }
         found = TRUE;
     }
     return found;

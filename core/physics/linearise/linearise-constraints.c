@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "numerics/solve/symmetric-eigen.h"
+#include "physics/constraint/constraints.h"
 #include "physics/linearise/linearise-private.h"
 #include "physics/model/model-data.h"
 
@@ -16,9 +17,31 @@
 static void add_row(TinkerLinearisation *linear, const TinkerConstraints *all, int32_t row)
 {
     tinker_linear_begin_term(linear, linear->rows, 1);
-    for (int32_t e = all->row_starts[row]; e < all->row_starts[row + 1]; e++) {
-        tinker_linear_add_entry(linear, linear->rows, 2 * all->points[e], all->jacobian[2 * e]);
-        tinker_linear_add_entry(linear, linear->rows, 2 * all->points[e] + 1, all->jacobian[2 * e + 1]);
+    g_autofree TinkerCoordinateEntry *entries = tinker_constraints_row_room(all);
+    const int32_t count = tinker_constraints_list_row(all, row, entries);
+    for (int32_t k = 0; k < count; k++)
+        tinker_linear_add_entry(linear, linear->rows, entries[k].coordinate, entries[k].value);
+}
+
+/* As an arm r turns, the torque of a force F there changes by -r . F an angle. */
+static void add_turned_arm(TinkerLinearisation *linear, const TinkerModel *model, const TinkerAttachment *at,
+                           const double force[2])
+{
+    const int32_t turn = tinker_model_turn_of(model, at->body);
+    tinker_linear_begin_term(linear, linear->stiffness, at->arm[0] * force[0] + at->arm[1] * force[1]);
+    tinker_linear_add_entry(linear, linear->stiffness, turn, 1 / model->turns[model->turn_of[at->body]].gyration);
+}
+
+void tinker_linear_add_turned_arms(TinkerLinearisation *linear, const TinkerModel *model)
+{
+    const TinkerConstraints *all = &model->constraints;
+    for (int32_t point = model->first_attachment; point < model->first_support; point++)
+        add_turned_arm(linear, model, tinker_model_attachment(model, point),
+                       tinker_model_attachment(model, point)->force);
+    for (int32_t k = 0; k < all->turn_count; k++) {
+        const double *j = all->jacobian + 2 * all->turns[k].entry, lambda = all->lambda[all->turns[k].row];
+        add_turned_arm(linear, model, tinker_model_attachment(model, all->ends_at[all->turns[k].entry]),
+                       (const double[2]){lambda * j[0], lambda * j[1]});
     }
 }
 
@@ -66,8 +89,9 @@ static TinkerStatus differentiate(Difference *d, int32_t slot, int axis)
 }
 
 /* The second derivative of one row, as parts of rank one with the weight -lambda. */
-static gboolean add_hessian(TinkerLinearisation *linear, const TinkerConstraints *all, int32_t row, double *hessian)
+static gboolean add_hessian(TinkerLinearisation *linear, const TinkerModel *model, int32_t row, double *hessian)
 {
+    const TinkerConstraints *all = &model->constraints;
     int32_t first = all->row_starts[row], n = 2 * (all->row_starts[row + 1] - first);
     g_autofree double *vectors = g_new0(double, (gsize)n *(gsize)n);
     double largest = 0;
@@ -83,9 +107,9 @@ static gboolean add_hessian(TinkerLinearisation *linear, const TinkerConstraints
         double value = hessian[i + n * i];
         if (fabs(value) <= HESSIAN_NOISE * largest || all->lambda[row] == 0) continue;
         tinker_linear_begin_term(linear, linear->stiffness, -all->lambda[row] * value);
-        for (int32_t k = 0; k < n; k++)
-            tinker_linear_add_entry(linear, linear->stiffness, 2 * all->points[first + k / 2] + k % 2,
-                                    vectors[k + n * i]);
+        for (int32_t k = 0; k < n; k += 2)
+            tinker_linear_add_point(linear, model, linear->stiffness, all->ends_at[first + k / 2], vectors[k + n * i],
+                                    vectors[k + 1 + n * i]);
     }
     return TRUE;
 }
@@ -136,7 +160,7 @@ TinkerStatus tinker_linear_add_constraints(TinkerLinearisation *linear, TinkerMo
         if (all->unilateral != NULL && all->slack[row]) continue;
         add_row(linear, all, row);
         gsize at = (gsize)(all->row_starts[row] - part->first_entry);
-        if (!add_hessian(linear, all, row, hessians + 4 * (gsize)most * at)) return TINKER_FAILED;
+        if (!add_hessian(linear, model, row, hessians + 4 * (gsize)most * at)) return TINKER_FAILED;
     }
     return TINKER_OK;
 }

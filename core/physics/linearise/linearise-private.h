@@ -8,6 +8,9 @@
 /* Begins a part of rank one at the end of `terms`, and adds a component to it; zeros are left out. */
 void tinker_linear_begin_term(const TinkerLinearisation *linear, GArray *terms, double weight);
 void tinker_linear_add_entry(TinkerLinearisation *linear, GArray *terms, int32_t coordinate, double value);
+/* Adds (x, y) times the place of a point. */
+void tinker_linear_add_point(TinkerLinearisation *linear, const TinkerModel *model, GArray *terms, int32_t point,
+                             double x, double y);
 
 /* Force elements and fields, as dense matrices: what the jacobian has more than the lines, which are there already;
  * where a field couples bodies, by differences of its own. `still` is a velocity of 0. */
@@ -21,5 +24,7 @@ void tinker_linear_add_straight_rows(TinkerLinearisation *linear, const TinkerCo
  * evaluated last. */
 TinkerStatus tinker_linear_add_constraints(TinkerLinearisation *linear, TinkerModel *model,
                                            TinkerConstraintBatch *part);
+/* What forces on places of bodies that turn do as their arms turn, those of constraints evaluated last among them. */
+void tinker_linear_add_turned_arms(TinkerLinearisation *linear, const TinkerModel *model);
 
 #endif

@@ -41,6 +41,13 @@ TinkerBlockId tinker_model_body_block(const TinkerModel *model, int32_t body)
     return model->body_blocks[body];
 }
 
+int32_t tinker_model_body_turn(const TinkerModel *model, int32_t body, double *radius)
+{
+    const int32_t turn = tinker_model_turn_of(model, body);
+    *radius = turn < 0 ? 0 : model->turns[turn - 2 * model->bodies].gyration;
+    return turn;
+}
+
 void tinker_model_origin(const TinkerModel *model, double origin[2])
 {
     memcpy(origin, model->origin, sizeof(model->origin));
@@ -60,31 +67,29 @@ gboolean tinker_model_meet_constraints(TinkerModel *model, double *q)
 /* Terms ------------------------------------------------------------------------------------------------------------ */
 
 /* weight times the square of (x, y) . (x_b - x_a). */
-static void add_line_term(TinkerLinearisation *linear, GArray *terms, double weight, int32_t a, int32_t b, double x,
-                          double y)
+static void add_line_term(TinkerLinearisation *linear, const TinkerModel *model, GArray *terms, double weight,
+                          int32_t a, int32_t b, double x, double y)
 {
     if (weight == 0) return;
     tinker_linear_begin_term(linear, terms, weight);
-    tinker_linear_add_entry(linear, terms, 2 * a, -x);
-    tinker_linear_add_entry(linear, terms, 2 * a + 1, -y);
-    tinker_linear_add_entry(linear, terms, 2 * b, x);
-    tinker_linear_add_entry(linear, terms, 2 * b + 1, y);
+    tinker_linear_add_point(linear, model, terms, a, -x, -y);
+    tinker_linear_add_point(linear, model, terms, b, x, y);
 }
 
 /* A tension that rounding of the places alone would make counts as none: else it would hold what nothing holds. */
 static void add_line(TinkerLinearisation *linear, const TinkerModel *model, int32_t a, int32_t b,
                      TinkerLineDerivatives line)
 {
-    if (a == b || (a >= model->bodies && b >= model->bodies)) return;
+    if (a == b || (a >= model->first_support && b >= model->first_support)) return;
     const TinkerPoint *pa = &model->point[a], *pb = &model->point[b];
     double reach = fmax(fmax(fabs(pa->x), fabs(pa->y)), fmax(fabs(pb->x), fabs(pb->y))) + line.length;
     double noise = 8 * DBL_EPSILON * fabs(line.along) * reach;
     if (line.length > 0 && fabs(line.across) * line.length <= noise) line.across = 0;
     linear->undefined_pulls += line.pull_undefined;
     linear->undefined_dampers += line.damping_undefined;
-    add_line_term(linear, linear->stiffness, line.along, a, b, line.x, line.y);
-    add_line_term(linear, linear->stiffness, line.across, a, b, -line.y, line.x);
-    add_line_term(linear, linear->damping, line.damping, a, b, line.x, line.y);
+    add_line_term(linear, model, linear->stiffness, line.along, a, b, line.x, line.y);
+    add_line_term(linear, model, linear->stiffness, line.across, a, b, -line.y, line.x);
+    add_line_term(linear, model, linear->damping, line.damping, a, b, line.x, line.y);
     linear->force_scale = fmax(linear->force_scale, fabs(line.across) * line.length);
     linear->force_noise = fmax(linear->force_noise, noise);
 }
@@ -102,7 +107,7 @@ static TinkerStatus add_lines(TinkerLinearisation *linear, TinkerModel *model)
             add_line(linear, model, asked->end_points[2 * i], asked->end_points[2 * i + 1], line);
         }
     }
-    for (int32_t i = 0; i < linear->size && model->field_drag != 0; i++) {
+    for (int32_t i = 0; i < 2 * model->bodies && model->field_drag != 0; i++) {
         tinker_linear_begin_term(linear, linear->damping, model->field_drag);
         tinker_linear_add_entry(linear, linear->damping, i, 1);
     }
@@ -200,6 +205,7 @@ TinkerLinearisation *tinker_linearise(TinkerModel *model, const double *q, GErro
         status = tinker_linear_add_constraints(linear, model,
                                                &g_array_index(model->constraints.batches, TinkerConstraintBatch, i));
     if (status == TINKER_OK) tinker_linear_add_straight_rows(linear, &model->constraints);
+    if (status == TINKER_OK && model->turning > 0) tinker_linear_add_turned_arms(linear, model);
     if (status == TINKER_OK) add_contacts(linear, model);
     if (status == TINKER_OK) return g_steal_pointer(&linear);
     g_set_error_literal(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_RUN,

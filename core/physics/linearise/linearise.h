@@ -10,8 +10,8 @@
 
 #include "physics/model/model.h"
 
-/* One component of b. Coordinate 2 p + k is the x (k = 0) or y (k = 1) of point p; the first points are the bodies, in
- * the model's order, the others lie on supports. */
+/* One component of b. The first coordinates are those of the model; 2 p + k, where that is beyond them, is the x (k =
+ * 0) or y (k = 1) of the point p of a support. */
 typedef struct {
     int32_t coordinate;
     double value;
@@ -24,7 +24,7 @@ typedef struct {
 } TinkerLinearTerm;
 
 typedef struct {
-    int32_t size;            /* coordinates of bodies: 2 a body */
+    int32_t size;            /* coordinates of bodies */
     int32_t coordinates;     /* of all points */
     double *mass;            /* size */
     GArray *entries;         /* of TinkerLinearEntry */
@@ -46,7 +46,7 @@ typedef struct {
  * lost their velocities. */
 TinkerStatus tinker_model_hold(TinkerModel *model);
 
-/* About these places (2 entries a body). NULL with TINKER_MODEL_ERROR_RUN where a force cannot be worked out there.
+/* About these places (by coordinate). NULL with TINKER_MODEL_ERROR_RUN where a force cannot be worked out there.
  * (transfer full) */
 TinkerLinearisation *tinker_linearise(TinkerModel *model, const double *q, GError **error);
 void tinker_linearisation_free(TinkerLinearisation *linear);
@@ -57,6 +57,8 @@ G_DEFINE_AUTOPTR_CLEANUP_FUNC(TinkerLinearisation, tinker_linearisation_free)
 void tinker_model_start_places(const TinkerModel *model, double *q);
 void tinker_model_start_velocities(const TinkerModel *model, double *v);
 TinkerBlockId tinker_model_body_block(const TinkerModel *model, int32_t body);
+/* The coordinate that a body turns by, which is its angle times *radius (m); -1 where it does not turn. */
+int32_t tinker_model_body_turn(const TinkerModel *model, int32_t body, double *radius);
 void tinker_model_origin(const TinkerModel *model, double origin[2]);
 
 /* Brings places onto the constraints. FALSE where there is no way there. */

@@ -1,11 +1,17 @@
 /* What a compiled model consists of. Constant after compiling, but for the parts under "working state", which belong to
  * the one evaluation in progress.
  *
- * Symbols: q, v positions and velocities of the bodies that can move, two entries a body, relative to `origin`; f
- * forces; J rows of the constraints; lambda their multipliers; S = J M^-1 J^T.
+ * Symbols: q, v positions and velocities of the bodies that can move, by coordinate, relative to `origin`; f forces; J
+ * rows of the constraints; lambda their multipliers; S = J M^-1 J^T.
  *
- * Points: everything that something attaches to. The first `bodies` points are the bodies' centres; the others are
- * attachments, last those to supports. Forces are added up by point, so the force on a support is known as well.
+ * Coordinates: x and y of body i are 2 i and 2 i + 1; those of all bodies come first. Behind them each body that turns
+ * has a third one, k * angle with k = (inertia / mass)^1/2, its radius of gyration: a length, which the body's mass
+ * moves along as it does along x and y.
+ *
+ * Points: everything that something attaches to. The first `bodies` points are the bodies' centres; the last ones are
+ * attachments: places of bodies that turn, off their centres, then those of supports. Between both stand points that
+ * nothing attaches to, one for two bodies that turn, so that any vector by point (two entries a point: accelerations,
+ * forces) begins with the coordinates: what belongs to coordinate c is its entry c.
  */
 #ifndef TINKER_CORE_MODEL_DATA_H
 #define TINKER_CORE_MODEL_DATA_H
@@ -22,13 +28,29 @@
 /* Instances that one call of a plugin works on: their arrays stay in the L1 cache. */
 #define TINKER_CHUNK 256
 
-/* A point that is fixed to something, and not at the centre of a body. */
+/* A point that is fixed to a body off its centre, or to a support. */
 typedef struct {
     TinkerBlockId block; /* that it is fixed to */
     int32_t body;        /* which of the bodies that is; -1: a support */
-    double x, y;         /* of a support: with the support at its place, relative to the origin */
+    double x, y;         /* of a body: from its centre, in its own axes; of a support: with the support at its place */
     gboolean moving;     /* of a support: whether it moves */
+    double arm[2];       /* of a body: from its centre, now; */
+    double force[2];     /* what the applied forces were there that were evaluated last */
 } TinkerAttachment;
+
+/* One entry of a row or a column over coordinates. */
+typedef struct {
+    int32_t coordinate;
+    double value;
+} TinkerCoordinateEntry;
+
+/* A body that turns. Its coordinate is 2 * bodies + its number among those that do. */
+typedef struct {
+    int32_t body;
+    double gyration; /* m */
+    double speed;    /* m/s: along its coordinate, now */
+    double rate;     /* rad/s: speed / gyration */
+} TinkerTurn;
 
 /* Linear laws between the same two points, merged:
  * T = tension + stiffness * (L - length) + damping * rate. Columns, so that kernels load them four at a time. */
@@ -72,6 +94,13 @@ typedef struct {
 
 typedef struct _TinkerRowChains TinkerRowChains;
 
+/* An entry on a body that turns: what the row has beside it in the column of that body's turn. */
+typedef struct {
+    int32_t entry, row;
+    int32_t turn;       /* the body's number among those that turn */
+    int32_t coordinate; /* its turn's */
+} TinkerTurnEntry;
+
 /* One product that is added up in S: inverse mass * J of one entry . J of another, on the same body. */
 typedef struct {
     int32_t slot, first_entry, second_entry;
@@ -90,7 +119,8 @@ typedef struct {
     int32_t first_straight; /* ... from this one on, behind all others */
     int32_t fitted; /* rods of bars that depend on the others there, however nearly their rows say that they do not */
     int32_t *row_starts;                 /* rows + 1: the entries of each row */
-    int32_t *points;                     /* of each entry */
+    int32_t *points;                     /* of each entry: the centre of its body, or the point of a support */
+    int32_t *ends_at;                    /* of each entry: the point itself; the array above where none turns */
     int32_t *row_of;                     /* of each entry */
     int32_t *body_starts, *body_entries; /* bodies + 1: the entries on each body */
     gboolean two_entries;                /* every row has two */
@@ -104,6 +134,12 @@ typedef struct {
     double *own_g, *own_drift, *own_rate, *own_jacobian;
     TinkerProduct *products;
     gsize product_count;
+    TinkerTurnEntry *turns; /* in the order of the rows */
+    int32_t turn_count;
+    int32_t *turn_starts;         /* rows + 1: where those of each row begin; NULL where nothing turns */
+    TinkerProduct *turn_products; /* of two turns' entries, by their numbers in a Jacobian */
+    gsize turn_product_count;
+    gsize jacobian_size; /* numbers in a Jacobian: two an entry, then one for each of `turns` */
     TinkerSparseLdl *ldl;
     TinkerRowChains *chains; /* of rows that hang together in chains alone; else NULL */
     double work;             /* J: what the last projection of positions gave, by the applied forces evaluated last */
@@ -112,7 +148,7 @@ typedef struct {
 
     /* working state */
     TinkerPoint *ends; /* gathered, of the largest batch */
-    double *jacobian;  /* 2 per entry */
+    double *jacobian;
     double *g, *drift, *rate;
     double miss; /* the largest |g| relative to its row's length */
     double *lambda, *residual, *correction;
@@ -142,7 +178,10 @@ struct _TinkerModel {
 
     /* bodies and points */
     int32_t bodies;
-    int32_t coordinates; /* of all bodies: entries of q, v, a */
+    int32_t turning;     /* bodies that turn */
+    int32_t coordinates; /* 2 * bodies + turning */
+    TinkerTurn *turns;
+    int32_t *turn_of; /* of each body: its number among those that turn, or -1; NULL where none does */
     TinkerBlockId *body_blocks;
     double *of_bodies;       /* what the next ones and constant_acceleration lie in */
     double *mass;            /* of each body */
@@ -151,11 +190,12 @@ struct _TinkerModel {
     double *q_start, *v_start;
     double start_impulse; /* N s that brought v_start onto the constraints */
     int32_t points;
-    int32_t first_attachment, first_support; /* points: centres of bodies, attachments to bodies, those to supports */
-    GArray *attachments;                     /* of TinkerAttachment: from point `first_attachment` on */
-    TinkerBlockIndex *numbers;               /* of the batches' blocks */
-    int32_t *centre_point;                   /* by number: the point of a block's centre, or -1 */
-    gboolean *point_used;                    /* whether a connector or a constraint attaches to the point */
+    int32_t first_attachment, first_support;
+    GArray
+        *attachments; /* of TinkerAttachment: from point `first_attachment` on; of supports from `first_support` on */
+    TinkerBlockIndex *numbers; /* of the batches' blocks */
+    int32_t *centre_point;     /* by number: the point of a block's centre, or -1 */
+    gboolean *point_used;      /* whether a connector or a constraint attaches to the point */
     TinkerMotions *motions;
     int32_t moving_supports;
 
@@ -184,7 +224,7 @@ struct _TinkerModel {
     int32_t chunk_rows;         /* at most TINKER_CHUNK: no batch has more rows, or they are asked in several goes */
     double *chunk; /* seven columns of chunk_rows and ends of a chunk; NULL in a part that asks no plugin */
     const double **column_views; /* room for the columns of any class */
-    double *velocity_kept;       /* 2 a body, while differences change it (products.c) */
+    double *velocity_kept;       /* by coordinate, while differences change it (products.c); and room for as much */
     int feels_velocity;          /* whether what is differenced depends on it: 1, -1: no, 0: nobody has tried */
     int32_t *chunk_offsets;      /* of the ends of a chunk, where blocks differ in their number */
     double time;                 /* that waveforms and supports were evaluated at */
@@ -216,6 +256,60 @@ static inline int32_t tinker_model_body_of(const TinkerModel *model, int32_t poi
 static inline TinkerBlockId tinker_model_block_of(const TinkerModel *model, int32_t point)
 {
     return point < model->bodies ? model->body_blocks[point] : tinker_model_attachment(model, point)->block;
+}
+
+/* The coordinate that a body turns by; -1 where it does not. */
+static inline int32_t tinker_model_turn_of(const TinkerModel *model, int32_t body)
+{
+    const int32_t turn = model->turn_of != NULL ? model->turn_of[body] : -1;
+    return turn < 0 ? -1 : 2 * model->bodies + turn;
+}
+
+/* The body that moves along a coordinate. */
+static inline int32_t tinker_model_moved_by(const TinkerModel *model, int32_t coordinate)
+{
+    return coordinate < 2 * model->bodies ? coordinate / 2 : model->turns[coordinate - 2 * model->bodies].body;
+}
+
+/* What a vector by coordinate means for a point: of velocities its velocity, of displacements its displacement. */
+static inline void tinker_model_at_point(const TinkerModel *model, int32_t point, const double *by_coordinate,
+                                         double out[2])
+{
+    const int32_t body = tinker_model_body_of(model, point);
+    out[0] = out[1] = 0;
+    if (body < 0) return;
+    out[0] = by_coordinate[2 * body];
+    out[1] = by_coordinate[2 * body + 1];
+    if (point == body) return;
+    const int32_t number = model->turn_of[body];
+    const double turned = by_coordinate[2 * model->bodies + number] / model->turns[number].gyration;
+    const double *arm = tinker_model_attachment(model, point)->arm;
+    out[0] -= turned * arm[1];
+    out[1] += turned * arm[0];
+}
+
+/* How the x (axis 0) or y (1) of a point depends on the coordinates, for the state set last; of a support on its own
+ * entries in a vector by point. Answers how many entries there are. */
+static inline int32_t tinker_model_point_entries(const TinkerModel *model, int32_t point, int axis,
+                                                 TinkerCoordinateEntry list[2])
+{
+    if (point < model->bodies || point >= model->first_support) {
+        list[0] = (TinkerCoordinateEntry){2 * point + axis, 1};
+        return 1;
+    }
+    const TinkerAttachment *at = tinker_model_attachment(model, point);
+    const int32_t number = model->turn_of[at->body];
+    const double arm = axis == 0 ? -at->arm[1] : at->arm[0];
+    list[0] = (TinkerCoordinateEntry){2 * at->body + axis, 1};
+    list[1] = (TinkerCoordinateEntry){2 * model->bodies + number, arm / model->turns[number].gyration};
+    return 2;
+}
+
+/* The angle (rad, counting turns) and the rate (rad/s) of a body at a state; 0 where it does not turn. */
+static inline double tinker_model_angle(const TinkerModel *model, int32_t body, const double *q)
+{
+    const int32_t at = tinker_model_turn_of(model, body);
+    return at < 0 ? 0 : q[at] / model->turns[at - 2 * model->bodies].gyration;
 }
 
 /* The point of a block's centre; -1 where it has none, or is not of the model. */
@@ -260,7 +354,17 @@ TinkerStatus tinker_model_change_time(TinkerModel *model, double t);
 
 /* Packs q and v into the points. */
 static inline void tinker_model_set_state(TinkerModel *model, const double *q, const double *v);
-/* Packs q and v into the points, shared among threads. */
+/* Velocities alone, of places that were set before. */
+void tinker_model_set_velocities(TinkerModel *model, const double *v);
+/* The other way: point_acceleration of attachments to bodies, from that of the coordinates; and force of the
+ * coordinates, which gets what acts on attachments to bodies. */
+void tinker_model_accelerate_attachments(TinkerModel *model);
+void tinker_model_reduce_forces(TinkerModel *model);
+/* The part of a state that belongs to bodies that turn. Called by the functions above. */
+void tinker_model_set_turns(TinkerModel *model, const double *q, const double *v);
+/* Angles alone, of places that were set before: attachments to bodies are put where they are then. */
+void tinker_model_set_angles(TinkerModel *model, const double *q);
+/* Packs q and v into the points: of many bodies, shared among threads, or of some that turn. */
 void tinker_model_share_state(TinkerModel *model, const double *q, const double *v);
 
 /* Lines shorter than this (m; 0: none) are noted from now on. */
@@ -280,7 +384,7 @@ static inline TinkerStatus tinker_model_set_time(TinkerModel *model, double t)
 static inline void tinker_model_set_state(TinkerModel *model, const double *q, const double *v)
 {
     TinkerPoint *point = model->point;
-    if (G_UNLIKELY(model->bodies >= TINKER_SHARE_LEAST)) {
+    if (G_UNLIKELY(model->bodies >= TINKER_SHARE_LEAST || model->turning > 0)) {
         tinker_model_share_state(model, q, v);
         return;
     }

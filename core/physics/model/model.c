@@ -1,4 +1,6 @@
 /* What can be asked of a compiled model. */
+#include <math.h>
+
 #include "physics/model/model-data.h"
 
 G_DEFINE_QUARK(tinker_model_error_quark, tinker_model_error)
@@ -15,9 +17,13 @@ void tinker_model_start_place(const TinkerModel *model, int32_t point, double pl
         place[1] = model->q_start[2 * point + 1];
         return;
     }
-    const TinkerAttachment *support = tinker_model_attachment(model, point);
-    place[0] = support->x;
-    place[1] = support->y;
+    const TinkerAttachment *at = tinker_model_attachment(model, point);
+    place[0] = at->x;
+    place[1] = at->y;
+    if (at->body < 0) return;
+    const double angle = tinker_model_angle(model, at->body, model->q_start), c = cos(angle), s = sin(angle);
+    place[0] = model->q_start[2 * at->body] + c * at->x - s * at->y;
+    place[1] = model->q_start[2 * at->body + 1] + s * at->x + c * at->y;
 }
 
 const int32_t *tinker_model_end_points(const TinkerModel *model, const TinkerBlockBatch *batch)
@@ -48,6 +54,8 @@ TinkerModelSizes tinker_model_sizes(const TinkerModel *model)
     const TinkerConstraints *all = &model->constraints;
     return (TinkerModelSizes){
         .bodies = model->bodies,
+        .turning = model->turning,
+        .coordinates = model->coordinates,
         .degrees_of_freedom = model->coordinates - (all->rows - all->redundant),
         .constraint_rows = all->rows,
         .redundant_rows = all->redundant,

@@ -40,6 +40,8 @@ typedef struct _TinkerModel TinkerModel;
 /* Sizes of what was compiled. */
 typedef struct {
     int32_t bodies;             /* that can move */
+    int32_t turning;            /* of them */
+    int32_t coordinates;        /* two a body, and one more of each that turns, behind those of all */
     int32_t degrees_of_freedom; /* coordinates less independent constraint rows */
     int32_t constraint_rows;
     int32_t redundant_rows;

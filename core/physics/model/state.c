@@ -48,6 +48,81 @@ TinkerStatus tinker_model_change_time(TinkerModel *model, double t)
     return TINKER_OK;
 }
 
+/* Turning bodies: a place r of a body's own axes, with the body turned by the angle a, is at
+ *
+ *     x + R(a) r,  v + w x R(a) r,  with the acceleration  x'' + w' x R(a) r - w^2 R(a) r;
+ *
+ * a force F there is F on the centre and the torque R(a) r x F, or that divided by the radius of gyration along the
+ * coordinate of the turn. */
+
+static void set_turn_rates(TinkerModel *model, const double *v)
+{
+    for (int32_t k = 0; k < model->turning; k++) {
+        model->turns[k].speed = v[2 * model->bodies + k];
+        model->turns[k].rate = model->turns[k].speed / model->turns[k].gyration;
+    }
+    for (int32_t point = model->first_attachment; point < model->first_support; point++) {
+        const TinkerAttachment *at = tinker_model_attachment(model, point);
+        const TinkerPoint *centre = &model->point[at->body];
+        const double rate = model->turns[model->turn_of[at->body]].rate;
+        model->point[point].vx = centre->vx - rate * at->arm[1];
+        model->point[point].vy = centre->vy + rate * at->arm[0];
+    }
+}
+
+void tinker_model_set_angles(TinkerModel *model, const double *q)
+{
+    int32_t turned = -1; /* attachments to one body stand together */
+    double c = 1, s = 0;
+    for (int32_t point = model->first_attachment; point < model->first_support; point++) {
+        TinkerAttachment *at = tinker_model_attachment(model, point);
+        const TinkerPoint *centre = &model->point[at->body];
+        if (at->body != turned) {
+            const double angle = tinker_model_angle(model, at->body, q);
+            c = cos(angle);
+            s = sin(angle);
+            turned = at->body;
+        }
+        at->arm[0] = c * at->x - s * at->y;
+        at->arm[1] = s * at->x + c * at->y;
+        model->point[point].x = centre->x + at->arm[0];
+        model->point[point].y = centre->y + at->arm[1];
+    }
+}
+
+void tinker_model_set_turns(TinkerModel *model, const double *q, const double *v)
+{
+    tinker_model_set_angles(model, q);
+    set_turn_rates(model, v);
+}
+
+void tinker_model_accelerate_attachments(TinkerModel *model)
+{
+    double *a = model->point_acceleration;
+    for (int32_t point = model->first_attachment; point < model->first_support; point++) {
+        const TinkerAttachment *at = tinker_model_attachment(model, point);
+        const int32_t number = model->turn_of[at->body];
+        const TinkerTurn *turn = &model->turns[number];
+        const double w = turn->rate, alpha = a[2 * model->bodies + number] / turn->gyration;
+        a[2 * point] = a[2 * at->body] - alpha * at->arm[1] - w * w * at->arm[0];
+        a[2 * point + 1] = a[2 * at->body + 1] + alpha * at->arm[0] - w * w * at->arm[1];
+    }
+}
+
+void tinker_model_reduce_forces(TinkerModel *model)
+{
+    for (int32_t point = model->first_attachment; point < model->first_support; point++) {
+        const TinkerAttachment *at = tinker_model_attachment(model, point);
+        const int32_t number = model->turn_of[at->body];
+        const double *f = model->force + 2 * point;
+        double *on_body = model->force + 2 * at->body;
+        on_body[0] += f[0];
+        on_body[1] += f[1];
+        model->force[2 * model->bodies + number] +=
+            (at->arm[0] * f[1] - at->arm[1] * f[0]) / model->turns[number].gyration;
+    }
+}
+
 typedef struct {
     TinkerPoint *point;
     const double *q, *v;
@@ -65,4 +140,14 @@ static void pack(void *data, int32_t first, int32_t end)
 void tinker_model_share_state(TinkerModel *model, const double *q, const double *v)
 {
     tinker_share_range(model->bodies, pack, &(Packing){model->point, q, v});
+    if (model->turning > 0) tinker_model_set_turns(model, q, v);
+}
+
+void tinker_model_set_velocities(TinkerModel *model, const double *v)
+{
+    for (int32_t i = 0; i < model->bodies; i++) {
+        model->point[i].vx = v[2 * i];
+        model->point[i].vy = v[2 * i + 1];
+    }
+    if (model->turning > 0) set_turn_rates(model, v);
 }

@@ -24,8 +24,10 @@ typedef struct {
 /* d . n of the displacements of a line's ends. */
 static double stretch(const TinkerModel *model, const double *shape, int32_t a, int32_t b, double x, double y)
 {
-    double ax = a < model->bodies ? shape[2 * a] : 0, ay = a < model->bodies ? shape[2 * a + 1] : 0;
-    double bx = b < model->bodies ? shape[2 * b] : 0, by = b < model->bodies ? shape[2 * b + 1] : 0;
+    double at_a[2], at_b[2];
+    tinker_model_at_point(model, a, shape, at_a);
+    tinker_model_at_point(model, b, shape, at_b);
+    const double ax = at_a[0], ay = at_a[1], bx = at_b[0], by = at_b[1];
     return x * (bx - ax) + y * (by - ay);
 }
 

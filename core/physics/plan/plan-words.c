@@ -43,12 +43,24 @@ static void describe_bodies(TinkerPlan *plan, const TinkerModel *model)
 {
     char text[128];
     TinkerModelSizes sizes = tinker_model_sizes(model);
-    say(plan->modelled,
-        g_dngettext(GETTEXT_PACKAGE, "%s as points with two coordinates each: %d degree of freedom",
-                    "%s as points with two coordinates each: %d degrees of freedom", (gulong)sizes.degrees_of_freedom),
-        counted(text, g_dngettext(GETTEXT_PACKAGE, "%d body", "%d bodies", (gulong)model->bodies), model->bodies),
-        sizes.degrees_of_freedom);
-    if (model->bodies > 0) say(plan->left_out, _("rotation: every body that moves is a point"));
+    const char *bodies =
+        counted(text, g_dngettext(GETTEXT_PACKAGE, "%d body", "%d bodies", (gulong)model->bodies), model->bodies);
+    if (model->turning > 0)
+        say(plan->modelled,
+            g_dngettext(GETTEXT_PACKAGE, "%s, of which %d with an angle beside its place: %d degrees of freedom",
+                        "%s, of which %d with an angle beside their places: %d degrees of freedom",
+                        (gulong)model->turning),
+            bodies, model->turning, sizes.degrees_of_freedom);
+    else
+        say(plan->modelled,
+            g_dngettext(GETTEXT_PACKAGE, "%s as points with two coordinates each: %d degree of freedom",
+                        "%s as points with two coordinates each: %d degrees of freedom",
+                        (gulong)sizes.degrees_of_freedom),
+            bodies, sizes.degrees_of_freedom);
+    if (model->turning > 0)
+        say(plan->left_out, _("contact of bodies that turn: they meet no support, and pass through each other"));
+    else if (model->bodies > 0)
+        say(plan->left_out, _("rotation: every body that moves is a point"));
     if (model->bodies > 1) say(plan->left_out, _("contact between bodies: they pass through each other"));
 }
 

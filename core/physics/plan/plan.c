@@ -121,12 +121,15 @@ static void name_redundant(TinkerModel *model, GPtrArray *names)
     if (tinker_constraints_evaluate(model) != TINKER_OK) return;
     gsize n = (gsize)MAX(model->coordinates, 1);
     g_autofree double *rows = g_new0(double, n *(gsize)all->rows);
+    g_autofree TinkerCoordinateEntry *entries = tinker_constraints_row_room(all);
     TinkerBlockId last = TINKER_NO_BLOCK;
     for (int32_t row = 0; row < all->rows; row++) {
         double *own = rows + (gsize)row * n;
-        for (int32_t e = all->row_starts[row]; e < all->row_starts[row + 1]; e++)
-            for (int32_t k = 0; k < 2 && all->points[e] < model->bodies; k++)
-                own[2 * all->points[e] + k] += all->jacobian[2 * e + k] * sqrt(model->inverse_mass[all->points[e]]);
+        const int32_t count = tinker_constraints_list_row(all, row, entries);
+        for (int32_t k = 0; k < count; k++)
+            if (entries[k].coordinate < model->coordinates)
+                own[entries[k].coordinate] +=
+                    entries[k].value * sqrt(model->inverse_mass[tinker_model_moved_by(model, entries[k].coordinate)]);
         if (take_out(n, (gsize)row, rows, own) > 0 || all->blocks[row] == last) continue;
         last = all->blocks[row];
         g_ptr_array_add(names, g_strdup(tinker_scene_block_name(model->scene, last)));

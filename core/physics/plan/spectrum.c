@@ -177,10 +177,10 @@ static gboolean commute(const Dense *dense)
 }
 
 /* Displacements of a vector over the basis. */
-static double *shape_of(const Dense *dense, const double *x, int32_t bodies)
+static double *shape_of(const Dense *dense, const double *x, int32_t coordinates)
 {
     g_autofree double *sum = g_new0(double, MAX(dense->n, 1));
-    double *shape = g_new0(double, 2 * (gsize)MAX(bodies, 1));
+    double *shape = g_new0(double, MAX(coordinates, 1));
     for (gsize j = 0; j < dense->m; j++)
         for (gsize i = 0; i < dense->n; i++)
             sum[i] += x[j] * dense->basis[j * dense->n + i];
@@ -265,12 +265,12 @@ static gboolean keep_coupled(TinkerSpectrum *spectrum, const Dense *dense)
 }
 
 /* The largest eigenvalue of a symmetric part, and its shape where it is above 0. */
-static double largest(const Dense *dense, const double *a, int32_t bodies, double **shape)
+static double largest(const Dense *dense, const double *a, int32_t coordinates, double **shape)
 {
     g_autofree double *vectors = mixture(dense, 1, a, 0, a), *values = g_new0(double, dense->m);
     if (!tinker_eigen_symmetric((int32_t)dense->m, vectors, values)) return NAN;
     double value = values[dense->m - 1];
-    if (value > 0) *shape = shape_of(dense, vectors + (dense->m - 1) * dense->m, bodies);
+    if (value > 0) *shape = shape_of(dense, vectors + (dense->m - 1) * dense->m, coordinates);
     return value;
 }
 
@@ -358,7 +358,7 @@ static void add_large_state(TinkerSpectrum *spectrum, Large *large)
     }
 }
 
-static gboolean fill_large(TinkerSpectrum *spectrum, TinkerStartMatrices *matrices, int32_t bodies)
+static gboolean fill_large(TinkerSpectrum *spectrum, TinkerStartMatrices *matrices, int32_t coordinates)
 {
     gsize n = (gsize)tinker_start_matrices_size(matrices);
     g_autofree double *room = g_new0(double, n), *x = g_new0(double, n);
@@ -367,7 +367,7 @@ static gboolean fill_large(TinkerSpectrum *spectrum, TinkerStartMatrices *matric
     double stiffness = largest_of(&large, tinker_start_matrices_stiffness, matrices, x, &settled), damping = 0;
     if (!isfinite(stiffness)) return FALSE;
     spectrum->omega_max = sqrt(fmax(stiffness, 0));
-    spectrum->fastest = g_new0(double, 2 * (gsize)bodies);
+    spectrum->fastest = g_new0(double, coordinates);
     tinker_start_matrices_shape(matrices, x, spectrum->fastest);
     if (!tinker_start_matrices_damped(matrices)) {
         add_oscillator(spectrum, stiffness, 0);
@@ -376,7 +376,7 @@ static gboolean fill_large(TinkerSpectrum *spectrum, TinkerStartMatrices *matric
     }
     damping = largest_of(&large, tinker_start_matrices_damping, matrices, x, &settled);
     if (!isfinite(damping)) return FALSE;
-    spectrum->most_damped = g_new0(double, 2 * (gsize)bodies);
+    spectrum->most_damped = g_new0(double, coordinates);
     tinker_start_matrices_shape(matrices, x, spectrum->most_damped);
     add_large_mixtures(spectrum, &large, stiffness, damping, x);
     large.scale = fmax(spectrum->omega_max, damping);
@@ -384,7 +384,7 @@ static gboolean fill_large(TinkerSpectrum *spectrum, TinkerStartMatrices *matric
     return TRUE;
 }
 
-static gboolean fill_dense(TinkerSpectrum *spectrum, TinkerStartMatrices *matrices, int32_t bodies)
+static gboolean fill_dense(TinkerSpectrum *spectrum, TinkerStartMatrices *matrices, int32_t coordinates)
 {
     g_auto(Dense) dense = {0};
     if (!dense_open(&dense, matrices)) return FALSE;
@@ -397,10 +397,10 @@ static gboolean fill_dense(TinkerSpectrum *spectrum, TinkerStartMatrices *matric
     spectrum->turned = !is_symmetric(&dense, dense.damping, dense.greatest[1]);
     if (!common && dense.m > MOST_STATES) {
         spectrum->complete = FALSE;
-        return fill_large(spectrum, matrices, bodies);
+        return fill_large(spectrum, matrices, coordinates);
     }
-    double stiffness = largest(&dense, dense.stiffness, bodies, &spectrum->fastest);
-    double damping = largest(&dense, dense.damping, bodies, &spectrum->most_damped);
+    double stiffness = largest(&dense, dense.stiffness, coordinates, &spectrum->fastest);
+    double damping = largest(&dense, dense.damping, coordinates, &spectrum->most_damped);
     spectrum->omega_max = sqrt(fmax(stiffness, 0));
     if (common) return add_common_shapes(spectrum, &dense);
     if (!add_state_matrix(spectrum, &dense)) return FALSE;
@@ -428,8 +428,8 @@ TinkerSpectrum *tinker_spectrum_new(const TinkerIsland *island)
     if (matrices == NULL || tinker_start_matrices_size(matrices) == 0) return spectrum;
     gboolean small = tinker_start_matrices_size(matrices) <= TINKER_DENSE_SPECTRUM;
     spectrum->turned = tinker_start_matrices_turned(matrices);
-    int32_t bodies = tinker_model_sizes(island->model).bodies;
-    if (!(small ? fill_dense : fill_large)(spectrum, matrices, bodies)) {
+    int32_t coordinates = tinker_model_sizes(island->model).coordinates;
+    if (!(small ? fill_dense : fill_large)(spectrum, matrices, coordinates)) {
         g_array_set_size(spectrum->eigenvalues, 0);
         g_array_set_size(spectrum->oscillators, 0);
         spectrum->complete = FALSE;

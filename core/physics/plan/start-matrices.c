@@ -156,9 +156,31 @@ static gboolean evaluate_moved(Geometry *work, int32_t slot, int k, double sign,
 
 static void add_entry(Geometry *work, int32_t on, int d, int32_t of, int k, double stiffness)
 {
-    int32_t bodies = work->matrices->model->bodies;
-    Entry entry = {2 * on + d, 2 * of + k, stiffness};
-    if (on < bodies && of < bodies && stiffness != 0 && isfinite(stiffness)) g_array_append_val(work->found, entry);
+    const TinkerModel *model = work->matrices->model;
+    TinkerCoordinateEntry rows[2], columns[2];
+    if (on >= model->first_support || of >= model->first_support || stiffness == 0 || !isfinite(stiffness)) return;
+    const int32_t row_count = tinker_model_point_entries(model, on, d, rows);
+    const int32_t column_count = tinker_model_point_entries(model, of, k, columns);
+    for (int32_t r = 0; r < row_count; r++)
+        for (int32_t c = 0; c < column_count; c++) {
+            Entry entry = {rows[r].coordinate, columns[c].coordinate, stiffness * rows[r].value * columns[c].value};
+            g_array_append_val(work->found, entry);
+        }
+}
+
+/* The torque of what a constraint does at the arm r changes as that turns: by -r . F an angle. */
+static void add_turned_arms(TinkerStartMatrices *self, const double *lambda)
+{
+    const TinkerModel *model = self->model;
+    const TinkerConstraints *all = &model->constraints;
+    for (int32_t k = 0; k < all->turn_count; k++) {
+        const TinkerTurnEntry *of = &all->turns[k];
+        const double *r = tinker_model_attachment(model, all->ends_at[of->entry])->arm;
+        const double *j = all->jacobian + 2 * of->entry, gyration = model->turns[of->turn].gyration;
+        const double along = lambda[of->row] * (r[0] * j[0] + r[1] * j[1]);
+        Entry entry = {of->coordinate, of->coordinate, along / (gyration * gyration)};
+        if (isfinite(along)) g_array_append_val(self->geometry, entry);
+    }
 }
 
 /* -lambda times the difference of the two Jacobians, row by row. */
@@ -224,6 +246,7 @@ static gboolean find_acceleration(TinkerStartMatrices *self, double *a)
     tinker_constraints_accelerate(model, a);
     g_autofree double *lambda = g_memdup2(model->constraints.lambda, (gsize)model->constraints.rows * sizeof(double));
     add_geometry(self, lambda);
+    add_turned_arms(self, lambda);
     return TRUE;
 }
 
@@ -396,12 +419,14 @@ int32_t tinker_start_matrices_tangents(TinkerStartMatrices *self, double *basis)
     gsize n = (gsize)self->n;
     g_auto(TinkerNullSpace) space = {0};
     tinker_null_space_open(&space, rows, self->n);
-    for (int32_t row = 0; row < rows; row++)
-        for (int32_t e = all->row_starts[row]; e < all->row_starts[row + 1]; e++)
-            for (int32_t k = 0; k < 2 && all->points[e] < self->model->bodies; k++) {
-                gsize i = 2 * (gsize)all->points[e] + (gsize)k;
-                space.r[(gsize)row * n + i] += all->jacobian[2 * e + k] * self->inverse_root[i];
-            }
+    g_autofree TinkerCoordinateEntry *entries = tinker_constraints_row_room(all);
+    for (int32_t row = 0; row < rows; row++) {
+        const int32_t count = tinker_constraints_list_row(all, row, entries);
+        for (int32_t k = 0; k < count; k++) {
+            const int32_t i = entries[k].coordinate;
+            if (i < self->n) space.r[(gsize)row * n + (gsize)i] += entries[k].value * self->inverse_root[i];
+        }
+    }
     if (!tinker_null_space_find(&space)) return -1;
     const gsize free_columns = n - (gsize)space.rank;
     memcpy(basis, space.q + n * (gsize)space.rank, n * free_columns * sizeof(double));

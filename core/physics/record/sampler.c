@@ -29,6 +29,7 @@ struct _TinkerSampler {
     TinkerPoint *ends; /* of the largest batch, in the world */
     double *end_accelerations, *forces, *values;
     TinkerPoint *bodies;         /* in the world */
+    TinkerPose *poses;           /* of the ends; NULL where nothing turns */
     double *contacts, *by_point; /* four numbers each, of the largest batch and of all points; NULL without contact */
 };
 
@@ -112,6 +113,7 @@ TinkerSampler *tinker_sampler_new(TinkerModel *model, const GArray *columns)
     sampler->forces = g_new0(double, 2 * most);
     sampler->values = g_new0(double, most);
     sampler->bodies = g_new0(TinkerPoint, MAX(model->bodies, 1));
+    if (model->turning > 0) sampler->poses = g_new0(TinkerPose, most);
     if (model->contacts != NULL) {
         sampler->contacts = g_new0(double, 4 * most);
         sampler->by_point = g_new0(double, 4 * (gsize)MAX(model->points, 1));
@@ -124,6 +126,7 @@ void tinker_sampler_free(TinkerSampler *sampler)
     if (sampler == NULL) return;
     g_ptr_array_unref(sampler->wanted);
     tinker_implied_free(sampler->implied);
+    g_free(sampler->poses);
     gpointer arrays[] = {sampler->acceleration, sampler->ends,   sampler->end_accelerations, sampler->forces,
                          sampler->values,       sampler->bodies, sampler->contacts,          sampler->by_point};
     for (gsize i = 0; i < G_N_ELEMENTS(arrays); i++)
@@ -139,9 +142,19 @@ static TinkerPoint in_world(const TinkerModel *model, int32_t point)
     return at;
 }
 
+/* How what a point is on is turned. */
+static TinkerPose pose_of(const TinkerSampler *sampler, int32_t point, const double *q)
+{
+    const TinkerModel *model = sampler->model;
+    const int32_t body = tinker_model_body_of(model, point), at = body < 0 ? -1 : tinker_model_turn_of(model, body);
+    if (at < 0) return (TinkerPose){0, 0, 0};
+    const TinkerTurn *turn = &model->turns[at - 2 * model->bodies];
+    return (TinkerPose){tinker_model_angle(model, body, q), turn->rate, sampler->acceleration[at] / turn->gyration};
+}
+
 /* The batch's ends, relative to the model's origin, so that lengths far away from the world's lose no digits; of a
  * class that is itself a body, its own centres, in the world. */
-static void gather(TinkerSampler *sampler, const TinkerBlockBatch *batch)
+static void gather(TinkerSampler *sampler, const TinkerBlockBatch *batch, const double *q)
 {
     const TinkerModel *model = sampler->model;
     const int32_t *points = tinker_model_end_points(model, batch);
@@ -152,6 +165,7 @@ static void gather(TinkerSampler *sampler, const TinkerBlockBatch *batch)
         sampler->ends[e] = points != NULL ? model->point[point] : in_world(model, point);
         sampler->end_accelerations[2 * e] = model->point_acceleration[2 * point];
         sampler->end_accelerations[2 * e + 1] = model->point_acceleration[2 * point + 1];
+        if (sampler->poses != NULL) sampler->poses[e] = pose_of(sampler, point, q);
     }
 }
 
@@ -174,15 +188,16 @@ static void gather_contacts(TinkerSampler *sampler, const TinkerBlockBatch *batc
     }
 }
 
-static TinkerGraphInput input_of(TinkerSampler *sampler, TinkerBlockBatch *batch, TinkerBatch *view)
+static TinkerGraphInput input_of(TinkerSampler *sampler, TinkerBlockBatch *batch, TinkerBatch *view, const double *q)
 {
     const TinkerPhysics *physics = batch->block_class->physics;
-    gather(sampler, batch);
+    gather(sampler, batch, q);
     TinkerGraphInput input = {
         .struct_size = sizeof(TinkerGraphInput),
         .ends = sampler->ends,
         .accelerations = sampler->end_accelerations,
         .multipliers = multipliers_of(sampler->model, batch),
+        .poses = sampler->poses,
     };
     if (sampler->contacts != NULL && physics != NULL && physics->body != NULL) {
         gather_contacts(sampler, batch);
@@ -224,6 +239,7 @@ static TinkerStatus accelerations_at(TinkerSampler *sampler, double t, const dou
     if (status != TINKER_OK) return status;
     if (sampler->by_point != NULL) tinker_contacts_sum_forces(model->contacts, sampler->by_point);
     memcpy(model->point_acceleration, sampler->acceleration, (gsize)model->coordinates * sizeof(double));
+    if (model->turning > 0) tinker_model_accelerate_attachments(model);
     for (int32_t i = 0; i < model->bodies; i++)
         sampler->bodies[i] = in_world(model, i);
     return status;
@@ -245,7 +261,7 @@ TinkerStatus tinker_sampler_values(TinkerSampler *sampler, double t, const doubl
             if (last->waveforms > 0) tinker_block_batch_set_time(last, t);
             view = tinker_block_batch_view(last, t);
             if (last->end_count > 0) memcpy(view.origin, model->origin, sizeof(model->origin));
-            input = input_of(sampler, last, &view);
+            input = input_of(sampler, last, &view, q);
         }
         const TinkerGraph *graph = last->block_class->graph;
         if (TINKER_CALL_BATCH(last, "values", &view, graph->values(&view, &input, wanted->quantity, sampler->values)) !=

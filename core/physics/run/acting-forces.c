@@ -128,7 +128,7 @@ static void add_straight_rows(TinkerActingForces *forces)
     const TinkerConstraints *all = &forces->model->constraints;
     for (int32_t row = all->first_straight; row < all->rows; row++)
         for (int32_t e = all->row_starts[row]; e < all->row_starts[row + 1]; e++)
-            add(forces, TINKER_ACTING_CONSTRAINT, all->blocks[row], all->points[e],
+            add(forces, TINKER_ACTING_CONSTRAINT, all->blocks[row], all->ends_at[e],
                 all->lambda[row] * all->jacobian[2 * e], all->lambda[row] * all->jacobian[2 * e + 1]);
 }
 

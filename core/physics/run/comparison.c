@@ -53,13 +53,13 @@ typedef struct {
 } Part;
 
 struct _TinkerComparison {
-    GArray *sizes; /* of int32_t: the bodies of each island */
+    GArray *sizes; /* of int32_t: the coordinates of each island */
     guint islands;
-    int32_t bodies;
+    int32_t coordinates;
     TinkerModel *model;          /* of the companion */
     TinkerIslandRuns *companion; /* NULL where no island needs one */
     Part *parts;                 /* island by island */
-    double *q, *v;               /* room for the bodies of one */
+    double *q, *v;               /* room for the coordinates of one */
     guint columns;               /* 0: no bands */
     gboolean *turns;             /* of each column: whether it starts again after 2 pi */
     double *bands;
@@ -102,7 +102,7 @@ static gboolean open_companion(TinkerComparison *self, TinkerIslandRuns *runs, c
         Part *part = &self->parts[i];
         TinkerIslandRun *other = g_ptr_array_index(companion->runs, i);
         part->ends = tinker_companion_ends_new(other);
-        part->kept = g_new0(double, 4 * TINKER_MOST_POINTS * (gsize)other->model->bodies);
+        part->kept = g_new0(double, 2 * TINKER_MOST_POINTS * (gsize)other->model->coordinates);
         other->abandoned = part->factor == 0 && self->bands == NULL; /* nobody asks where it is */
     }
     return TRUE;
@@ -114,16 +114,16 @@ TinkerComparison *tinker_comparison_new(TinkerIslandRuns *runs, const GArray *co
     gboolean compares = FALSE;
     self->sizes = g_array_new(FALSE, FALSE, sizeof(int32_t));
     self->islands = runs->runs->len;
-    self->bodies = runs->model->bodies;
+    self->coordinates = runs->model->coordinates;
     self->parts = g_new0(Part, self->islands);
-    self->q = g_new0(double, 2 * (gsize)self->bodies + 1);
-    self->v = g_new0(double, 2 * (gsize)self->bodies + 1);
+    self->q = g_new0(double, (gsize)self->coordinates + 1);
+    self->v = g_new0(double, (gsize)self->coordinates + 1);
     self->findings = (TinkerFindings){.predictable_until = INFINITY};
     self->owner = g_thread_self();
     self->of_the_run = runs->options;
     for (guint i = 0; i < self->islands; i++) {
         const TinkerIslandRun *run = g_ptr_array_index(runs->runs, i);
-        g_array_append_val(self->sizes, run->model->bodies);
+        g_array_append_val(self->sizes, run->model->coordinates);
         self->parts[i].factor = tinker_companion_factor(run);
         compares |= self->parts[i].factor > 0;
     }
@@ -193,12 +193,21 @@ static double largest_square(int32_t bodies, const double *from, const double *t
     return MAX(one, other);
 }
 
+/* Of a body that turns what its places turn by counts as well: its angle times its radius of gyration. */
+static double largest_way(const TinkerModel *model, const double *from, const double *to, double so_far)
+{
+    so_far = largest_square(model->bodies, from, to, so_far);
+    for (int32_t i = 2 * model->bodies; i < model->coordinates; i++)
+        so_far = MAX(so_far, (to[i] - from[i]) * (to[i] - from[i]));
+    return so_far;
+}
+
 /* Where the companion has come to a point, or past it where it is exact, which states within its steps are then,
  * too. */
 static void compare_at_point(TinkerComparison *self, Part *part, TinkerIslandRun *other)
 {
-    const int32_t bodies = other->model->bodies;
-    const double t = part->times[part->behind], *q = part->states + 4 * (gsize)bodies * (gsize)part->behind;
+    const gsize n = (gsize)other->model->coordinates;
+    const double t = part->times[part->behind], *q = part->states + 2 * n * (gsize)part->behind;
     const double *other_q = other->state.q, *other_v = other->state.v;
     part->behind++;
     if (t != other->state.t && !tinker_method_is_exact(other->choice.method)) return;
@@ -210,8 +219,8 @@ static void compare_at_point(TinkerComparison *self, Part *part, TinkerIslandRun
     const TinkerImpacts impacts = tinker_impacts_of(other);
     gboolean speeds =
         !strikes_near(&part->impacts, t) && !strikes_near(&impacts, t) && !strikes_between(&part->impacts, &impacts, t);
-    part->places = largest_square(bodies, q, other_q, part->places);
-    if (speeds) part->speeds = largest_square(bodies, q + 2 * (gsize)bodies, other_v, part->speeds);
+    part->places = largest_way(other->model, q, other_q, part->places);
+    if (speeds) part->speeds = largest_way(other->model, q + n, other_v, part->speeds);
 }
 
 static void compare_samples(TinkerComparison *self, guint number, const TinkerIslandNews *news, const double *q,
@@ -226,6 +235,11 @@ static void compare_samples(TinkerComparison *self, guint number, const TinkerIs
         const int32_t body = 2 * other->island->body_of[i];
         part->places = largest_square(1, q + body, companion->sample_q + body, part->places);
         if (speeds) part->speeds = largest_square(1, v + body, companion->sample_v + body, part->speeds);
+        const int32_t turn = tinker_model_turn_of(companion->model, body / 2);
+        if (turn < 0) continue;
+        const double way = companion->sample_q[turn] - q[turn], change = companion->sample_v[turn] - v[turn];
+        part->places = MAX(part->places, way * way);
+        if (speeds) part->speeds = MAX(part->speeds, change * change);
     }
 }
 
@@ -271,10 +285,10 @@ static gboolean aim(Part *part, TinkerIslandRun *other)
 }
 
 /* The news go; what of them is still to be compared stays. */
-static void keep_points(Part *part, int32_t bodies)
+static void keep_points(Part *part, int32_t coordinates)
 {
     if (part->behind == part->points || part->states == part->kept) return;
-    memcpy(part->kept, part->states, 4 * (gsize)bodies * (gsize)part->points * sizeof(double));
+    memcpy(part->kept, part->states, 2 * (gsize)coordinates * (gsize)part->points * sizeof(double));
     part->states = part->kept;
 }
 
@@ -309,7 +323,7 @@ static void take_step(TinkerComparison *self, const TinkerStepNews *news)
             return;
         }
     }
-    keep_points(part, other->model->bodies);
+    keep_points(part, other->model->coordinates);
 }
 
 /* Samples ---------------------------------------------------------------------------------------------------------- */
@@ -359,7 +373,7 @@ static void take_sample(TinkerComparison *self, const TinkerSampleNews *news)
     GError *failed = NULL;
     TinkerFindings *findings = &self->findings;
     const TinkerIslandNews *islands = (const TinkerIslandNews *)(gconstpointer)(news + 1);
-    const double *q = (const double *)(gconstpointer)(islands + self->islands), *v = q + 2 * (gsize)self->bodies;
+    const double *q = (const double *)(gconstpointer)(islands + self->islands), *v = q + (gsize)self->coordinates;
     const gboolean determined = abandon_undetermined(self, islands);
     if (self->companion != NULL && !tinker_island_runs_advance(self->companion, news->t, &failed)) {
         give_up(self, news->t, news->warnings, failed);
@@ -372,7 +386,7 @@ static void take_sample(TinkerComparison *self, const TinkerSampleNews *news)
         findings->predictable_until = INFINITY;
     else if (isinf(findings->predictable_until))
         findings->predictable_until = news->t;
-    if (self->bands != NULL && determined) widen_bands(self, news->t, v + 2 * (gsize)self->bodies);
+    if (self->bands != NULL && determined) widen_bands(self, news->t, v + (gsize)self->coordinates);
 }
 
 /* News ------------------------------------------------------------------------------------------------------------- */
@@ -389,13 +403,13 @@ guint tinker_comparison_columns(const TinkerComparison *self)
 
 gsize tinker_comparison_step_bytes(const TinkerComparison *self, guint island, int32_t points)
 {
-    const int32_t bodies = g_array_index(self->sizes, int32_t, island);
-    return sizeof(TinkerStepNews) + 4 * (gsize)bodies * (gsize)points * sizeof(double);
+    const int32_t coordinates = g_array_index(self->sizes, int32_t, island);
+    return sizeof(TinkerStepNews) + 2 * (gsize)coordinates * (gsize)points * sizeof(double);
 }
 
 gsize tinker_comparison_sample_bytes(const TinkerComparison *self)
 {
-    const gsize states = self->companion != NULL ? 4 * (gsize)self->bodies : 0;
+    const gsize states = self->companion != NULL ? 2 * (gsize)self->coordinates : 0;
     return sizeof(TinkerSampleNews) + self->islands * sizeof(TinkerIslandNews) +
            (states + self->columns) * sizeof(double);
 }

@@ -195,6 +195,11 @@ static TinkerStatus collect(TinkerIslandRuns *self, TinkerIslandRun *run, double
             self->sample_v[body + k] = self->part_v[2 * i + k];
         }
     }
+    for (int32_t i = 2 * part->bodies; i < part->coordinates; i++) {
+        const int32_t at = tinker_model_turn_of(whole, run->island->body_of[tinker_model_moved_by(part, i)]);
+        self->sample_q[at] = self->part_q[i];
+        self->sample_v[at] = self->part_v[i];
+    }
     return status;
 }
 

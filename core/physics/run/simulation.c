@@ -111,6 +111,7 @@ gboolean tinker_simulation_place(TinkerSimulation *simulation, TinkerFrame *fram
         double x, y, orientation, turned = simulation->all->orientation[i];
         tinker_frame_centre(frame, model->body_blocks[i], &x, &y, &orientation);
         if (!isnan(turned)) orientation = turned;
+        if (tinker_model_turn_of(model, i) >= 0) orientation = tinker_model_angle(model, i, simulation->all->sample_q);
         tinker_frame_place(frame, model->body_blocks[i], simulation->all->sample_q[2 * i] + model->origin[0],
                            simulation->all->sample_q[2 * i + 1] + model->origin[1], orientation);
     }

@@ -31,10 +31,16 @@ static double *coordinate_of(const TinkerJacobian *self, TinkerPoint *point, int
     return coordinates[k];
 }
 
-/* The force on end `on` by coordinate k of end `of`: one column of a block. */
-static void add_column(const TinkerJacobian *self, int32_t slot, int32_t row, int k, double fx, double fy)
+/* The force on the point `on` by coordinate k of the point `of`: one column of a block. */
+static void add_column(const TinkerJacobian *self, int32_t on, int32_t of, int k, double fx, double fy)
 {
     double *values = k < 2 ? self->stiffness : self->damping;
+    if (self->model->turning > 0) {
+        const double block[4] = {k % 2 == 0 ? fx : 0, k % 2 == 1 ? fx : 0, k % 2 == 0 ? fy : 0, k % 2 == 1 ? fy : 0};
+        tinker_jacobian_spread(self, values, on, of, -1, block);
+        return;
+    }
+    const int32_t row = on, slot = on == of ? self->diagonal[on] : tinker_jacobian_find(self, on, of);
     int32_t below = slot + self->row_starts[2 * row + 1] - self->row_starts[2 * row];
     values[slot + k % 2] -= fx;
     values[below + k % 2] -= fy;
@@ -67,11 +73,11 @@ static TinkerStatus add_element_end(TinkerJacobian *self, const TinkerAskedBatch
         *coordinate = kept;
         if (status != TINKER_OK) return status;
         for (int32_t e = 0; e < count; e++) {
-            if (points[e] >= self->model->bodies) continue;
+            if (points[e] >= self->model->first_support) continue;
             double fx = (high[2 * e] - low[2 * e]) / (2 * step);
             double fy = (high[2 * e + 1] - low[2 * e + 1]) / (2 * step);
             if (!isfinite(fx + fy)) return tinker_model_not_finite(self->model, asked->batch, row, "force");
-            add_column(self, tinker_jacobian_find(self, points[e], of), points[e], k, fx, fy);
+            add_column(self, points[e], of, k, fx, fy);
         }
     }
     return TINKER_OK;
@@ -86,7 +92,7 @@ TinkerStatus tinker_jacobian_add_elements(TinkerJacobian *self, const TinkerAske
         for (int32_t e = 0; e < count; e++)
             ends[e] = self->model->point[asked->end_points[from + e]];
         for (int32_t e = 0; e < count; e++) {
-            if (asked->end_points[from + e] >= self->model->bodies) continue;
+            if (asked->end_points[from + e] >= self->model->first_support) continue;
             TinkerStatus status = add_element_end(self, asked, row, ends, e);
             if (status != TINKER_OK) return status;
         }
@@ -120,7 +126,7 @@ static TinkerStatus add_body_of_field(TinkerJacobian *self, const TinkerAskedBat
         if (status != TINKER_OK) return field_status(model, asked, &view, status);
         double fx = (high[0] - low[0]) / (2 * step), fy = (high[1] - low[1]) / (2 * step);
         if (!isfinite(fx + fy)) return tinker_model_not_finite(model, asked->batch, 0, "force");
-        add_column(self, self->diagonal[body], body, k, fx, fy);
+        add_column(self, body, body, k, fx, fy);
     }
     return TINKER_OK;
 }

@@ -1,5 +1,6 @@
 /* What the two halves of a jacobian share: its layout, in blocks of two by two, a body by a body. The rows 2 i and 2 i
- * + 1 have the same places, so a block is known by where its first entry is. */
+ * + 1 have the same places, so a block is known by where its first entry is. Where bodies turn, the columns of turns
+ * stand behind those blocks and their rows behind all others; such a model goes by coordinates one by one. */
 #ifndef TINKER_CORE_JACOBIAN_PRIVATE_H
 #define TINKER_CORE_JACOBIAN_PRIVATE_H
 
@@ -36,6 +37,16 @@ static inline void tinker_jacobian_add(const TinkerJacobian *self, double *value
     values[below + 1] += sign * block[3];
 }
 
+/* jacobian-turns.c: adds sign * block, of what acts on one point by the place of another, to the coordinates that both
+ * depend on. */
+void tinker_jacobian_spread(const TinkerJacobian *jacobian, double *values, int32_t on, int32_t of, double sign,
+                            const double block[4]);
+/* Where the entry of two coordinates is. */
+int32_t tinker_jacobian_find_entry(const TinkerJacobian *jacobian, int32_t row, int32_t column);
+/* The part of what forces at arms do that comes of the arms' turning. */
+TinkerStatus tinker_jacobian_add_turned_arms(TinkerJacobian *jacobian);
+/* mass J^T J of a row. */
+void tinker_jacobian_add_row_mass(const TinkerJacobian *jacobian, int32_t row, double mass, double *values);
 /* Where the block of two bodies begins. */
 int32_t tinker_jacobian_find(const TinkerJacobian *jacobian, int32_t row, int32_t column);
 

@@ -14,9 +14,10 @@ typedef struct {
 
 /* Pattern ---------------------------------------------------------------------------------------------------------- */
 
-static void note_block(const TinkerModel *model, GArray *blocks, int32_t a, int32_t b)
+static void note_block(const TinkerModel *model, GArray *blocks, int32_t one, int32_t other)
 {
-    if (a >= model->bodies || b >= model->bodies || a == b) return;
+    const int32_t a = tinker_model_body_of(model, one), b = tinker_model_body_of(model, other);
+    if (a < 0 || b < 0 || a == b) return;
     Block there = {a, b}, back = {b, a};
     g_array_append_val(blocks, there);
     g_array_append_val(blocks, back);
@@ -72,12 +73,40 @@ static GArray *collect_blocks(const TinkerModel *model)
     return blocks;
 }
 
+/* The columns of the turns of the bodies of a row of blocks, which are numbered as the bodies are. */
+static int32_t add_turn_columns(TinkerJacobian *self, const GArray *blocks, guint first, guint end, int32_t entry)
+{
+    for (guint i = first; i < end && self->model->turning > 0; i++) {
+        const int32_t turn = tinker_model_turn_of(self->model, g_array_index(blocks, Block, i).column);
+        if (turn >= 0) self->columns[entry++] = turn;
+    }
+    return entry;
+}
+
+/* The rows of turns, which have the columns that the body's other rows have. */
+static int32_t add_turn_rows(TinkerJacobian *self, const GArray *blocks, int32_t entry)
+{
+    const TinkerModel *model = self->model;
+    for (guint first = 0, end; first < blocks->len; first = end) {
+        const int32_t row = g_array_index(blocks, Block, first).row, turn = tinker_model_turn_of(model, row);
+        for (end = first; end < blocks->len && g_array_index(blocks, Block, end).row == row;)
+            end++;
+        if (turn < 0) continue;
+        for (guint i = first; i < end; i++)
+            for (int32_t k = 0; k < 2; k++)
+                self->columns[entry++] = 2 * g_array_index(blocks, Block, i).column + k;
+        entry = add_turn_columns(self, blocks, first, end, entry);
+        self->row_starts[turn + 1] = entry;
+    }
+    return entry;
+}
+
 static void make_pattern(TinkerJacobian *self)
 {
     g_autoptr(GArray) blocks = collect_blocks(self->model);
     int32_t n = self->model->coordinates, entry = 0;
     self->row_starts = g_new0(int32_t, (gsize)n + 1);
-    self->columns = g_new(int32_t, 4 * (gsize)MAX(blocks->len, 1));
+    self->columns = g_new(int32_t, (self->model->turning > 0 ? 9 : 4) * (gsize)MAX(blocks->len, 1));
     self->diagonal = g_new(int32_t, MAX(self->model->bodies, 1));
     for (guint first = 0, end; first < blocks->len; first = end) {
         int32_t row = g_array_index(blocks, Block, first).row;
@@ -90,14 +119,17 @@ static void make_pattern(TinkerJacobian *self)
                 self->columns[entry++] = 2 * column;
                 self->columns[entry++] = 2 * column + 1;
             }
+            entry = add_turn_columns(self, blocks, first, end, entry);
             self->row_starts[2 * row + half + 1] = entry;
         }
     }
+    if (self->model->turning > 0) entry = add_turn_rows(self, blocks, entry);
     self->pattern = (TinkerPattern){n, entry, self->row_starts, self->columns};
 }
 
 static TinkerLineSlots find_slots(const TinkerJacobian *self, int32_t a, int32_t b)
 {
+    if (self->model->turning > 0) return (TinkerLineSlots){-1, -1};
     if (a >= self->model->bodies || b >= self->model->bodies) return (TinkerLineSlots){-1, -1};
     return (TinkerLineSlots){tinker_jacobian_find(self, a, b), tinker_jacobian_find(self, b, a)};
 }
@@ -164,6 +196,12 @@ static inline void add_to_ends(const TinkerJacobian *self, double *values, int32
                                const double block[4])
 {
     if (a == b) return;
+    if (G_UNLIKELY(self->model->turning > 0)) {
+        const int32_t ends[2] = {a, b};
+        for (int i = 0; i < 4; i++)
+            tinker_jacobian_spread(self, values, ends[i / 2], ends[i % 2], i / 2 == i % 2 ? 1 : -1, block);
+        return;
+    }
     if (a < self->model->bodies) tinker_jacobian_add(self, values, a, self->diagonal[a], 1, block);
     if (b < self->model->bodies) tinker_jacobian_add(self, values, b, self->diagonal[b], 1, block);
     if (slots.ab < 0) return;
@@ -221,6 +259,7 @@ TinkerStatus tinker_jacobian_evaluate(TinkerJacobian *self, double t, const doub
     self->damping = damping;
     memset(stiffness, 0, sizeof(double) * (gsize)self->pattern.entries);
     memset(damping, 0, sizeof(double) * (gsize)self->pattern.entries);
+    if (model->turning > 0) status = tinker_jacobian_add_turned_arms(self);
     add_merged(self);
     add_drag(self);
     for (guint i = 0; i < model->asked_lines->len && status == TINKER_OK; i++)
@@ -242,6 +281,10 @@ static double row_mass(const TinkerModel *model, int32_t row)
         if (all->points[e] < model->bodies)
             mobility += model->inverse_mass[all->points[e]] * (j[0] * j[0] + j[1] * j[1]);
     }
+    for (int32_t k = tinker_row_turns(all, row); k < tinker_row_turns(all, row + 1); k++) {
+        const double j = all->jacobian[2 * all->entries + k];
+        mobility += model->inverse_mass[all->points[all->turns[k].entry]] * j * j;
+    }
     return mobility > 0 ? 1 / mobility : 0;
 }
 
@@ -249,6 +292,10 @@ static void add_row_mass(const TinkerJacobian *self, int32_t row, double *values
 {
     const TinkerConstraints *all = &self->model->constraints;
     double mass = row_mass(self->model, row);
+    if (all->turn_count > 0) {
+        tinker_jacobian_add_row_mass(self, row, mass, values);
+        return;
+    }
     for (int32_t e = all->row_starts[row]; e < all->row_starts[row + 1]; e++)
         for (int32_t k = all->row_starts[row]; k < all->row_starts[row + 1]; k++) {
             int32_t on = all->points[e], of = all->points[k];
@@ -284,6 +331,7 @@ TinkerStatus tinker_jacobian_row_masses(TinkerJacobian *self, double t, const do
         model->point[i].x = q[2 * i];
         model->point[i].y = q[2 * i + 1];
     }
+    if (model->turning > 0) tinker_model_set_angles(model, q);
     status = tinker_constraints_evaluate(model);
     if (status != TINKER_OK) return status;
     memset(values, 0, sizeof(double) * (gsize)self->pattern.entries);

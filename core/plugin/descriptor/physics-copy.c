@@ -75,6 +75,14 @@ static gboolean needs_meaning(const TinkerBlockClass *block_class, int32_t meani
     return block_class->meanings[meaning] >= 0 || tinker_refuse(error, "it is a body, but no property means %s", name);
 }
 
+static gboolean needs_as_shaped(const TinkerBlockClass *block_class)
+{
+    gboolean needs = FALSE;
+    for (int32_t i = 0; i < block_class->property_count; i++)
+        needs |= (block_class->properties[i].flags & TINKER_DEFAULT_AS_SHAPED) != 0;
+    return needs;
+}
+
 static gboolean check_body(const TinkerBody *body, const TinkerBlockClass *block_class, GError **error)
 {
     if (body == NULL) return TRUE;
@@ -84,6 +92,7 @@ static gboolean check_body(const TinkerBody *body, const TinkerBlockClass *block
     if (body->shape < TINKER_SHAPE_NONE || body->shape > TINKER_SHAPE_PLATE)
         return tinker_refuse(error, "its body has the shape %d, %d to %d was expected", body->shape, TINKER_SHAPE_NONE,
                              TINKER_SHAPE_PLATE);
+    if (body->as_shaped == NULL && needs_as_shaped(block_class)) return lacks("body", "as_shaped", error);
     return needs_meaning(block_class, TINKER_MEANING_POSITION, "its position", error) &&
            (freedoms < 2 || needs_meaning(block_class, TINKER_MEANING_MASS, "its mass", error)) &&
            (freedoms < 3 || needs_meaning(block_class, TINKER_MEANING_INERTIA, "its inertia", error));

@@ -134,7 +134,8 @@ static gboolean check_default(const TinkerPropertyType *property, GError **error
 {
     const int components = property->kind == TINKER_KIND_VECTOR ? 2 : 1;
     // A default that is never used as a value need not be one.
-    const guint32 elsewhere = TINKER_DERIVED | TINKER_READ_ONLY | TINKER_DEFAULT_AS_PLACED | TINKER_DEFAULT_SAME_AS;
+    const guint32 elsewhere = TINKER_DERIVED | TINKER_READ_ONLY | TINKER_DEFAULT_AS_PLACED | TINKER_DEFAULT_SAME_AS |
+                              TINKER_DEFAULT_AS_SHAPED;
     for (int i = 0; i < components; i++) {
         const double value = property->default_value[i];
         if (!isfinite(value)) return tinker_refuse(error, "its default is not a finite number");

@@ -72,6 +72,14 @@ static const char *name_of_single(const void *name, int32_t row)
     TINKER_CALL(call, .phase = (function), .block_class = block_class, .batch = &single.batch, .name = name_of_single, \
                 .source = (block_name))
 
+/* As placed: of a body its own. */
+static void fill_poses(TinkerPose *poses, const TinkerFrame *frame, TinkerBlockId block, const TinkerInstance *instance)
+{
+    if (instance->ends > 0) return;
+    poses[0].angle = instance->orientation;
+    poses[0].rate = tinker_frame_meaning(frame, block, TINKER_MEANING_ANGULAR_VELOCITY, 0, 0);
+}
+
 gboolean tinker_frame_quantity(TinkerFrame *frame, TinkerBlockId block, int32_t quantity, double *value)
 {
     TinkerInstance instance;
@@ -86,7 +94,9 @@ gboolean tinker_frame_quantity(TinkerFrame *frame, TinkerBlockId block, int32_t 
         CALL_SINGLE(instance.name, "prepare", tinker_prepare(physics, &single.batch)) != TINKER_OK)
         return FALSE;
 
-    TinkerGraphInput input = {.struct_size = sizeof(TinkerGraphInput), .ends = single.points};
+    g_autofree TinkerPose *poses = g_new0(TinkerPose, MAX(single.point_count, 1));
+    TinkerGraphInput input = {.struct_size = sizeof(TinkerGraphInput), .ends = single.points, .poses = poses};
+    fill_poses(poses, frame, block, &instance);
     if (physics != NULL && physics->force_element != NULL) {
         single.forces = g_new0(double, 2 * (gsize)single.point_count);
         if (CALL_SINGLE(instance.name, "force",

@@ -95,6 +95,45 @@ static void resolve_placed_lengths(TinkerFrame *frame)
     }
 }
 
+/* What bodies work out of their other properties where it is left out. */
+static gboolean resolve_shaped(TinkerBlockBatch *batch, int32_t property, GError **error)
+{
+    const TinkerBlockClass *block_class = batch->block_class;
+    const TinkerBody *body = block_class->physics->body;
+    const int32_t first = block_class->first_columns[property];
+    const int32_t width = tinker_kind_columns(block_class->properties[property].kind);
+    TinkerBatch view = tinker_block_batch_view(batch, 0.0);
+    g_autofree double *values = g_new0(double, (gsize)width *(gsize)MAX(batch->count, 1));
+    if (TINKER_CALL_BATCH(batch, "as_shaped", &view, body->as_shaped(&view, property, values)) != TINKER_OK) {
+        g_autofree char *why = tinker_block_batch_refusal(batch, &view, _("its plugin refuses these properties"));
+        g_set_error_literal(error, TINKER_SCENE_ERROR, TINKER_SCENE_ERROR_VALUE, why);
+        return FALSE;
+    }
+    for (int32_t row = 0; row < batch->count; row++)
+        for (int32_t c = 0; c < width; c++)
+            if (isnan(batch->columns[first + c][row])) batch->columns[first + c][row] = values[row * width + c];
+    return TRUE;
+}
+
+static gboolean has_shape(const TinkerBlockClass *block_class)
+{
+    const TinkerPhysics *physics = block_class->physics;
+    return physics != NULL && physics->body != NULL && physics->body->as_shaped != NULL;
+}
+
+static gboolean resolve_all_shaped(TinkerFrame *frame, GError **error)
+{
+    for (guint i = 0; i < frame->batches->len; i++) {
+        TinkerBlockBatch *batch = g_ptr_array_index(frame->batches, i);
+        const TinkerBlockClass *block_class = batch->block_class;
+        for (int32_t p = 0; p < block_class->property_count; p++) {
+            if (!(block_class->properties[p].flags & TINKER_DEFAULT_AS_SHAPED) || !has_shape(block_class)) continue;
+            if (!resolve_shaped(batch, p, error)) return FALSE;
+        }
+    }
+    return TRUE;
+}
+
 static gboolean move_supports(TinkerFrame *frame, GError **error)
 {
     if (!tinker_motions_evaluate(frame->motions, frame->time)) {
@@ -150,7 +189,8 @@ TinkerFrame *tinker_frame_new(TinkerScene *scene, GError **error)
     for (guint i = 0; i < frame->batches->len; i++)
         widest = MAX(widest, ((TinkerBlockBatch *)g_ptr_array_index(frame->batches, i))->block_class->column_count);
     frame->columns = g_new0(double, widest);
-    if (!prepare_motions(frame, error) || !tinker_frame_set_time(frame, 0.0, error)) {
+    if (!resolve_all_shaped(frame, error) || !prepare_motions(frame, error) ||
+        !tinker_frame_set_time(frame, 0.0, error)) {
         tinker_frame_free(frame);
         return NULL;
     }

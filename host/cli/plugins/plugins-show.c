@@ -33,6 +33,7 @@ static char *default_text(const TinkerPropertyType *property)
     char first[32], second[32];
     if (property->flags & TINKER_READ_ONLY) return g_strdup("read-only");
     if (property->flags & TINKER_DEFAULT_AS_PLACED) return g_strdup("as placed");
+    if (property->flags & TINKER_DEFAULT_AS_SHAPED) return g_strdup("as shaped");
     if (property->flags & TINKER_DEFAULT_SAME_AS) return g_strdup_printf("= %s", property->default_from);
     switch (property->kind) {
     case TINKER_KIND_SWITCH:

@@ -64,13 +64,19 @@ static void add_contacts(cJSON *root, const TinkerModeReport *report)
 static void add_shape(cJSON *object, const TinkerModeReport *report, const TinkerMode *mode)
 {
     cJSON *shape = cJSON_AddArrayToObject(object, "shape");
-    for (int32_t body = 0; body < report->analysis->basis->size / 2; body++) {
+    for (int32_t body = 0; body < tinker_model_sizes(report->analysis->model).bodies; body++) {
         cJSON *component = cJSON_CreateObject();
         cJSON_AddStringToObject(component, "block", name_of_body(report, body));
         add_number(component, "x", mode->real[2 * body]);
         add_number(component, "y", mode->real[2 * body + 1]);
         add_number(component, "x_imaginary", mode->imaginary[2 * body]);
         add_number(component, "y_imaginary", mode->imaginary[2 * body + 1]);
+        double radius;
+        const int32_t turn = tinker_model_body_turn(report->analysis->model, body, &radius);
+        if (turn >= 0) {
+            add_number(component, "angle", mode->real[turn] / radius);
+            add_number(component, "angle_imaginary", mode->imaginary[turn] / radius);
+        }
         cJSON_AddItemToArray(shape, component);
     }
 }

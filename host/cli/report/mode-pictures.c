@@ -14,11 +14,14 @@ static void place_bodies(TinkerFrame *frame, const TinkerModeAnalysis *analysis,
 {
     double origin[2], x, y, orientation;
     tinker_model_origin(analysis->model, origin);
-    for (int32_t body = 0; body < analysis->basis->size / 2; body++) {
+    for (int32_t body = 0; body < tinker_model_sizes(analysis->model).bodies; body++) {
         TinkerBlockId block = tinker_model_body_block(analysis->model, body);
         tinker_frame_centre(frame, block, &x, &y, &orientation);
         double dx = mode != NULL ? amplitude * mode->real[2 * body] : 0;
         double dy = mode != NULL ? amplitude * mode->real[2 * body + 1] : 0;
+        double radius;
+        const int32_t turn = tinker_model_body_turn(analysis->model, body, &radius);
+        if (turn >= 0) orientation = (analysis->q[turn] + (mode != NULL ? amplitude * mode->real[turn] : 0)) / radius;
         tinker_frame_place(frame, block, origin[0] + analysis->q[2 * body] + dx,
                            origin[1] + analysis->q[2 * body + 1] + dy, orientation);
     }

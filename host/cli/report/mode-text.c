@@ -103,15 +103,29 @@ static int whole_degrees(double real, double imaginary)
     return degrees == -180 ? 180 : degrees;
 }
 
-static void add_component(TinkerTextTable *table, const TinkerMode *mode, int32_t coordinate, gboolean standing)
+static void add_component(TinkerTextTable *table, const TinkerMode *mode, int32_t coordinate, double radius,
+                          gboolean standing)
 {
-    double real = mode->real[coordinate], imaginary = mode->imaginary[coordinate];
+    double real = mode->real[coordinate] / radius, imaginary = mode->imaginary[coordinate] / radius;
     if (hypot(real, imaginary) < NOTHING)
         tinker_text_table_add(table, "0");
     else if (standing)
         tinker_text_table_add_format(table, "%.4f", real);
     else
         tinker_text_table_add_format(table, "%.4f at %d deg", hypot(real, imaginary), whole_degrees(real, imaginary));
+}
+
+/* One coordinate of the modes from `first` to `end` - 1; of an angle `radius` is what it is multiplied by there. */
+static void add_row(const TinkerModeReport *report, TinkerTextTable *table, const char *name, const char *component,
+                    int32_t coordinate, double radius, guint first, guint end)
+{
+    const TinkerModeAnalysis *analysis = report->analysis;
+    tinker_text_table_add(table, name);
+    tinker_text_table_add(table, component);
+    for (guint i = first; i < end; i++) {
+        const TinkerMode *mode = g_ptr_array_index(analysis->modes, i);
+        add_component(table, mode, coordinate, radius, tinker_mode_is_standing(mode, analysis->basis->size));
+    }
 }
 
 static void write_shapes(const TinkerModeReport *report, guint first, guint end, FILE *file)
@@ -125,14 +139,13 @@ static void write_shapes(const TinkerModeReport *report, guint first, guint end,
     tinker_text_table_add(table, "");
     for (guint i = first; i < end; i++)
         tinker_text_table_add_format(table, "mode %u", i + 1);
-    for (int32_t c = 0; c < analysis->basis->size; c++) {
-        TinkerBlockId block = tinker_model_body_block(analysis->model, c / 2);
-        tinker_text_table_add(table, c % 2 == 0 ? tinker_scene_block_name(report->scene, block) : "");
-        tinker_text_table_add(table, c % 2 == 0 ? "x" : "y");
-        for (guint i = first; i < end; i++) {
-            const TinkerMode *mode = g_ptr_array_index(analysis->modes, i);
-            add_component(table, mode, c, tinker_mode_is_standing(mode, analysis->basis->size));
-        }
+    for (int32_t body = 0; body < tinker_model_sizes(analysis->model).bodies; body++) {
+        double radius;
+        const int32_t turn = tinker_model_body_turn(analysis->model, body, &radius);
+        TinkerBlockId block = tinker_model_body_block(analysis->model, body);
+        add_row(report, table, tinker_scene_block_name(report->scene, block), "x", 2 * body, 1, first, end);
+        add_row(report, table, "", "y", 2 * body + 1, 1, first, end);
+        if (turn >= 0) add_row(report, table, "", "angle [rad/m]", turn, radius, first, end);
     }
     fputc('\n', file);
     tinker_text_table_write(table, file);

@@ -56,6 +56,7 @@ extern "C" {
 #define TINKER_DERIVED           (1u << 6) /* its value is that of the quantity with the same id */
 #define TINKER_DEFAULT_AS_PLACED (1u << 7) /* left out: the length from end to end at t = 0; needs two ends */
 #define TINKER_DEFAULT_SAME_AS   (1u << 8) /* left out, it equals the property that `default_from` names */
+#define TINKER_DEFAULT_AS_SHAPED (1u << 9) /* left out, a body works it out: TinkerBody.as_shaped (physics.h) */
 
 /* A property. The window has a row for it, labelled by its title. A vector has two, labelled by its title and a
  * component's, "Centre X"; by the component's alone where that or the group has the title in it: "X Velocity", "Global

@@ -32,6 +32,7 @@ typedef struct TinkerGraphInput {
      * (the force on the body, or of a plate that on the plate); the whole force in x and in y. NULL where nothing is
      * solid. */
     const double *contacts;
+    const TinkerPose *poses; /* of each end: how what it is on is turned; of a body itself: how that is */
 } TinkerGraphInput;
 
 typedef struct TinkerGraph {

@@ -29,12 +29,18 @@ extern "C" {
 #define TINKER_SHAPE_PLATE 2 /* a segment of `width` with one solid side, +height / 2 along its own y axis */
 
 /* Something that connectors attach to. Its place, velocity, mass and size are the properties that carry the meanings
- * TINKER_MEANING_POSITION, _VELOCITY, _MASS, _INERTIA, _ORIENTATION, _WIDTH, _HEIGHT and so on. */
+ * TINKER_MEANING_POSITION, _VELOCITY, _MASS, _INERTIA, _ORIENTATION, _ANGULAR_VELOCITY, _WIDTH, _HEIGHT and so on. A
+ * rigid body's position is that of its centre of mass. Connectors attach to any place of it, and of what does not move;
+ * blocks hear of places in the world alone: the host works out where they are and what forces there do to the body. */
 typedef struct TinkerBody {
     uint32_t struct_size;
-    int32_t degrees_of_freedom; /* 0: moves as a known function of time; 2: point mass; 3: rigid body, not run yet */
-    int32_t shape;              /* TINKER_SHAPE_... */
+    int32_t degrees_of_freedom; /* 0: moves as a known function of time; 2: point mass; 3: rigid body, which turns */
+    int32_t shape;              /* TINKER_SHAPE_...; of a rigid body NONE: its contacts are not worked out yet */
     int32_t reserved;
+    /* Required where a property has TINKER_DEFAULT_AS_SHAPED: its value for every instance, from the other properties
+     * (an inertia from mass and size). `property` is its number in the order of the declaration; of a vector x and y
+     * are written instance by instance. Asked whenever one is left out, before `prepare`. */
+    TinkerStatus (*as_shaped)(TinkerBatch *batch, int32_t property, double *values);
 } TinkerBody;
 
 /* Line law ------------------------------------------------------------------------------------------------------- */
@@ -129,7 +135,9 @@ typedef struct TinkerConstraint {
     uint32_t struct_size;
     int32_t rows;       /* rows of each instance, at least 1 */
     int32_t unilateral; /* 1: the rows say g <= 0 (a rope); else 0 */
-    int32_t reserved;
+    /* 1: a joint of two ends that lie at one place. Its first rows may be the two components of one vector; errors of
+     * all rows are measured against the scene's extent. Else 0. */
+    int32_t joint;
     /* Required. Row r of instance i is at i * rows + r; its Jacobian over the ends at
      * jacobian[2 * ((i * rows + r) * ends + k)], as d g / d x_k and d g / d y_k. (Where the number of ends differs,
      * row r of instance i starts at 2 * (rows * end_offsets[i] + r * ends of i).)

@@ -5,6 +5,7 @@
 #include "types.h"
 
 #include "block.h"
+#include "body.h"
 #include "declare.h"
 #include "edit.h"
 #include "graph.h"

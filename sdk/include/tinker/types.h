@@ -86,6 +86,12 @@ typedef struct TinkerPoint {
     double x, y, vx, vy;
 } TinkerPoint;
 
+/* How what a point is fixed to is turned: its angle (rad, counter-clockwise, counting turns), how fast that grows
+ * (rad/s), and its acceleration (rad/s^2; 0 where nobody knows it). What cannot turn has rate and acceleration 0. */
+typedef struct TinkerPose {
+    double angle, rate, acceleration;
+} TinkerPose;
+
 #ifdef __cplusplus
 }
 #endif

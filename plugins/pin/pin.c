@@ -1,0 +1,104 @@
+/* Pin: holds two points together and lets what they are on turn, g = x_b - x_a = 0.
+ *
+ * Its rows do not depend on where the points are: the Jacobian is constant and the drift is 0. The multipliers push the
+ * second end along +x and +y where they are positive, and the first one the other way. */
+#include <tinker/sdk.h>
+
+enum { QUANTITY_FORCE_X, QUANTITY_FORCE_Y, QUANTITY_FORCE, QUANTITY_TORQUE };
+
+/* Physics */
+
+static TinkerStatus rows_at(TinkerBatch *batch, const TinkerPoint *ends, double *g, double *jacobian, double *drift)
+{
+    for (int32_t i = 0; i < batch->count; i++) {
+        const TinkerPoint *a = &ends[2 * i], *b = a + 1;
+        double *j = jacobian + 8 * i;
+        g[2 * i] = b->x - a->x;
+        g[2 * i + 1] = b->y - a->y;
+        for (int32_t k = 0; k < 8; k++) {
+            j[k] = 0.0;
+        }
+        j[0] = j[5] = -1.0;
+        j[2] = j[7] = 1.0;
+        drift[2 * i] = drift[2 * i + 1] = 0.0;
+    }
+    return TINKER_OK;
+}
+
+/* Drawing */
+
+static double ring(const TinkerStyle *style)
+{
+    return 0.3 * style->symbol_size;
+}
+
+static void draw(const TinkerInstance *instance, struct _cairo *cairo, const TinkerStyle *style)
+{
+    const TinkerEnd *a = &instance->end[0], *b = &instance->end[1];
+    if (tinker_length(b->x - a->x, b->y - a->y) > ring(style)) {
+        style->line(style, cairo, TINKER_COLOUR_CONNECTOR, a->x, a->y, b->x, b->y);
+        tinker_ends_draw_marks(instance, cairo, style);
+    }
+    style->circle(style, cairo, TINKER_COLOUR_SUPPORT, TINKER_COLOUR_CONNECTOR, instance->x, instance->y, ring(style));
+}
+
+/* Graphs */
+
+/* What acts on end 1. */
+static TinkerStatus values(TinkerBatch *batch, const TinkerGraphInput *input, int32_t quantity, double *result)
+{
+    if (input->multipliers == NULL) return tinker_fail(batch, 0, "the pin's force is not known yet");
+    for (int32_t i = 0; i < batch->count; i++) {
+        const double fx = -input->multipliers[2 * i], fy = -input->multipliers[2 * i + 1];
+        result[i] = quantity == QUANTITY_FORCE_X   ? fx
+                    : quantity == QUANTITY_FORCE_Y ? fy
+                    : quantity == QUANTITY_FORCE   ? tinker_length(fx, fy)
+                                                   : 0.0;
+    }
+    return TINKER_OK;
+}
+
+/* Tables */
+
+/* Friction of pins is not worked out yet: both are 0. */
+static const TinkerPropertyType properties[] = {
+    {TINKER_REAL_PROPERTY("friction_radius", "Radius", "Friction", TINKER_DIMENSION_LENGTH),
+     .flags = TINKER_HAS_MINIMUM | TINKER_HAS_MAXIMUM, .variability = TINKER_STRUCTURAL,
+     .description = "Of the bolt, at whose rim friction acts; friction of pins is not worked out yet, so it is 0"},
+    {TINKER_REAL_PROPERTY("friction", "Friction", "Friction", TINKER_DIMENSION_NONE),
+     .flags = TINKER_HAS_MINIMUM | TINKER_HAS_MAXIMUM, .variability = TINKER_STRUCTURAL,
+     .description = "Its coefficient; friction of pins is not worked out yet, so it is 0"},
+};
+
+static const TinkerQuantityType quantities[] = {
+    TINKER_QUANTITY(TINKER_RECORDED, "force x", "X Force", "Horizontal force on its first end", TINKER_DIMENSION_FORCE),
+    TINKER_QUANTITY(TINKER_RECORDED, "force y", "Y Force", "Vertical force on its first end", TINKER_DIMENSION_FORCE),
+    TINKER_QUANTITY(0, "force", "Force", "Magnitude of the force on either end", TINKER_DIMENSION_FORCE),
+    TINKER_QUANTITY(0, "torque", "Torque", "On what its first end is on", TINKER_DIMENSION_ENERGY),
+};
+
+static const TinkerConstraint constraint = {
+    .struct_size = sizeof(TinkerConstraint), .rows = 2, .joint = 1, .rows_at = rows_at};
+static const TinkerPhysics physics = {.struct_size = sizeof(TinkerPhysics), .constraint = &constraint};
+static const TinkerRender render = {sizeof(TinkerRender), 2, draw, tinker_connector_bounds};
+static const TinkerEdit edit = {sizeof(TinkerEdit),        0,   tinker_connector_hit, tinker_ends_move,
+                                tinker_ends_move_absolute, NULL};
+static const TinkerGraph graph = {sizeof(TinkerGraph), 0, values};
+
+static const TinkerUnitChoice unit_choices[] = {
+    {"force", "N", "lbf"}, {"force x", "N", "lbf"}, {"force y", "N", "lbf"}};
+static const TinkerUnits units = {sizeof(TinkerUnits), 0, TINKER_SPAN(unit_choices)};
+
+static const TinkerInterface interfaces[] = {
+    {TINKER_PHYSICS_INTERFACE, &physics}, {TINKER_RENDER_INTERFACE, &render}, {TINKER_EDIT_INTERFACE, &edit},
+    {TINKER_UNITS_INTERFACE, &units},     {TINKER_GRAPH_INTERFACE, &graph},
+};
+
+static const TinkerBlockType blocks[] = {
+    {TINKER_BLOCK("pin", "Pin", TINKER_CONNECTOR), .summary = "Holds two points together and lets them turn",
+     .formula = "x2 = x1", .least_ends = 2, .most_ends = 2, .end_accepts = TINKER_ACCEPTS_BODY | TINKER_ACCEPTS_SUPPORT,
+     .properties = TINKER_SPAN(properties), .quantities = TINKER_SPAN(quantities),
+     .interfaces = TINKER_SPAN(interfaces)},
+};
+
+TINKER_DEFINE_PLUGIN("org.tinker.pin", "Pin", "0.1.0", "MIT", blocks)
