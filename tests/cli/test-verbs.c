@@ -257,6 +257,36 @@ static void test_render_shows_time(CliFixture *fixture, gconstpointer data)
     g_assert_cmpstr(a, !=, c);
 }
 
+/* A block at rest on an incline, which gravity, the top and its friction act on: each has the colour of its kind, in
+ * the arrow and in the key; and so has a film's picture. */
+static void test_forces(CliFixture *fixture, gconstpointer data)
+{
+    static const char *const colours[] = {"rgb(0%,61.96",
+                                          "rgb(54.90"}; /* of normal forces and of friction, as in the window */
+    g_autofree char *scene = cli_write(
+        fixture, "a.json",
+        "{\"tinker\": 1, \"run\": {\"duration\": 0.1}, \"blocks\": [{\"type\": \"gravity\"},"
+        "{\"type\": \"support\", \"orientation\": \"20 deg\"}, {\"type\": \"mass\", \"on\": \"Support 0\"}]}");
+    g_autoptr(TestProgram) with = cli_run_well(fixture, "render @a.json --forces -o @with.svg");
+    g_autoptr(TestProgram) later = cli_run_well(fixture, "render @a.json --forces -o @later.svg --time 0.1");
+    g_autoptr(TestProgram) without = cli_run_well(fixture, "render @a.json -o @without.svg");
+    g_autofree char *a = cli_read(fixture, "with.svg"), *b = cli_read(fixture, "without.svg");
+    g_autofree char *c = cli_read(fixture, "later.svg");
+    for (gsize i = 0; i < G_N_ELEMENTS(colours); i++) {
+        cli_assert_holds(a, colours[i]);
+        cli_assert_holds(c, colours[i]);
+        g_assert_null(strstr(b, colours[i]));
+    }
+    g_autoptr(TestProgram) plain = cli_run_well(fixture, "animate @a.json -o @plain.png --fps 10 --size 320x240");
+    g_autoptr(TestProgram) film =
+        cli_run_well(fixture, "animate @a.json --forces -o @film.png --fps 10 --size 320x240");
+    g_autofree char *p = cli_path(fixture, "plain-0002.png"), *q = cli_path(fixture, "film-0002.png"), *d = NULL,
+                    *e = NULL;
+    gsize plain_length, film_length;
+    g_assert_true(g_file_get_contents(p, &d, &plain_length, NULL) && g_file_get_contents(q, &e, &film_length, NULL));
+    g_assert_cmpuint(film_length, >, plain_length); /* there is more in it */
+}
+
 static void test_picture_mistakes(CliFixture *fixture, gconstpointer data)
 {
     static const struct {
@@ -472,6 +502,7 @@ int main(int argc, char **argv)
     cli_test_add("/verbs/pictures", test_pictures);
     cli_test_add("/verbs/graph-without-band", test_graph_without_band);
     cli_test_add("/verbs/render-shows-time", test_render_shows_time);
+    cli_test_add("/verbs/forces", test_forces);
     cli_test_add("/verbs/picture-mistakes", test_picture_mistakes);
     cli_test_add("/verbs/animate", test_animate);
     cli_test_add("/verbs/animate-without-ffmpeg", test_animate_without_ffmpeg);

@@ -241,8 +241,10 @@ static void draw_time(TinkerPicture *picture, double box[4])
     g_autoptr(GString) words = g_string_new("t = ");
     tinker_text_append_number(words, number);
     g_string_append(words, " s");
-    TinkerText text = {.text = words->str, .size = TIME_SIZE, .anchor_y = 1, .passing = TRUE};
-    write_text(picture, &text, CORNER, picture->view->height - CORNER, box);
+    const gboolean at_right = picture->options->over != NULL; /* the left corner is for the key */
+    const double x = at_right ? picture->view->width - CORNER : CORNER;
+    TinkerText text = {.text = words->str, .size = TIME_SIZE, .anchor_x = at_right, .anchor_y = 1, .passing = TRUE};
+    write_text(picture, &text, x, picture->view->height - CORNER, box);
 }
 
 /* What belongs to the canvas: fields, title and time, then names where there is room beside them. */

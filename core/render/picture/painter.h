@@ -22,7 +22,8 @@ typedef struct {
     gboolean quick;            /* for a window: edges in coarser shades, at less than half the cost */
     TinkerPaintMemory *memory; /* that all pictures of a film or a window share: each takes less time, and a name stays
                                   on its side of its body. NULL: every picture is made by itself */
-    /* Called when all is drawn, in canvas units: for what else is to be in the picture. NULL: nothing. */
+    /* Called when all is drawn, in canvas units: for what else is to be in the picture, such as forces and their key in
+     * the lower left corner, which the time leaves free. NULL: nothing. */
     void (*over)(cairo_t *cairo, const TinkerView *view, const TinkerTheme *theme, void *data);
     void *over_data;
     GHashTable *faults; /* block class to text (owned): what drawings did to the context that they must not do, with the

@@ -173,10 +173,10 @@ static void paint(TinkerCanvas *canvas, cairo_t *cairo)
     if (frame == NULL) return;
     tinker_paint_scene(cairo, frame, &canvas->view, &options);
     canvas_paint_marks(canvas, cairo, frame, options.theme);
-    canvas_paint_edge_marks(canvas, cairo, frame, options.theme);
     CanvasForcesLook look = {options.theme, canvas->force_factor, !canvas->this_body_only};
     if (canvas->show_forces)
         canvas_forces_draw(canvas->forces, cairo, canvas->document, canvas->player, &canvas->view, &look);
+    canvas_paint_edge_marks(canvas, cairo, frame, options.theme); /* over the key of the forces */
     if (canvas->gesture == CANVAS_BAND && canvas->moved) paint_band(canvas, cairo, options.theme);
 }
 

@@ -149,6 +149,19 @@ def test_force_arrows_have_one_scale(display):
         check_close(field_arrow(app, -3, 3), 0.4 * alone, 4, "length of the arrow by a factor of 4")
 
 
+def test_mark_at_the_edge_is_not_beneath_the_key(display):
+    """A ball far below on the left, where the key of the forces stands."""
+    with App(display, scene(mass("Ball", 0, 0), mass("Low", -400, -400), {"type": "gravity", "name": "Gravity"})) as app:
+        app.show_width()
+        left, top, width, height = app.canvas_box()
+        corner = (left, top + height - 40, left + 40, top + height)
+        wait(lambda: colours.fill_count(app.picture(), corner, BODY_EDGE) > 40, "a mark in the corner")
+        before = colours.fill_count(app.picture(), corner, BODY_EDGE)
+        show_forces(app)
+        wait(lambda: field_arrow(app, 0, 0) > 20, "the arrow of gravity, and with it the key")
+        check_equal(colours.fill_count(app.picture(), corner, BODY_EDGE), before, "pixels of the mark")
+
+
 def test_forces_on_the_selected_body_only(display):
     floor, box = support("Floor", 0, 0), mass("Box", 0, 0.6)
     with App(display, scene(floor, box, {"type": "gravity", "name": "Gravity"})) as app:
