@@ -54,12 +54,32 @@ static void carry(TinkerContactRun *self, double by, const double *power)
         state->books[i] += by * power[i];
 }
 
+/* Carries the state of a time on until a gap is 0 to rounding; *closed is FALSE where it does not get there, as one
+ * that closes too slowly. */
+static TinkerStatus close_gap(TinkerContactRun *self, const TinkerTrigger *trigger, const double *power, double *time,
+                              gboolean *closed)
+{
+    const TinkerState *state = &self->run->state;
+    *closed = FALSE;
+    for (int k = 0; k < MOST_CARRIES; k++) {
+        TinkerStatus status = tinker_model_set_time(self->model, *time);
+        if (status != TINKER_OK) return status;
+        tinker_model_set_state(self->model, state->q, state->v);
+        const TinkerContactPlace place = tinker_contact_place(self->contacts, trigger->body, trigger->plate);
+        const double by = -place.gap / place.normal_speed;
+        *closed = fabs(by) <= 2 * DBL_EPSILON * fabs(*time);
+        if (*closed || !(fabs(by) <= longest_carry(self))) break;
+        carry(self, by, power);
+        *time += by;
+    }
+    return TINKER_OK;
+}
+
 TinkerStatus tinker_contact_run_carry_to(TinkerContactRun *self, const TinkerTrigger *trigger, double time,
                                          TinkerStepReport *report, gboolean *there)
 {
-    TinkerIslandRun *run = self->run;
-    TinkerState *state = &run->state;
-    TinkerSystem *system = &run->system.system;
+    TinkerState *state = &self->run->state;
+    TinkerSystem *system = &self->run->system.system;
     const double before = state->t;
     double power[TINKER_BOOK_COUNT];
     *there = FALSE;
@@ -67,19 +87,11 @@ TinkerStatus tinker_contact_run_carry_to(TinkerContactRun *self, const TinkerTri
     TinkerStatus status = system->acceleration(system->context, before, state->q, state->v, self->force, power);
     if (status != TINKER_OK || !(fabs(time - before) <= longest_carry(self))) return status;
     carry(self, time - before, power);
-    for (int k = 0; k < MOST_CARRIES && trigger->kind == TINKER_TRIGGER_GAP && trigger->row < 0; k++) {
-        status = tinker_model_set_time(self->model, time);
-        if (status != TINKER_OK) return status;
-        tinker_model_set_state(self->model, state->q, state->v);
-        const TinkerContactPlace place = tinker_contact_place(self->contacts, trigger->body, trigger->plate);
-        const double by = -place.gap / place.normal_speed;
-        if (!(fabs(by) > 2 * DBL_EPSILON * fabs(time)) || !(fabs(by) <= longest_carry(self))) break;
-        carry(self, by, power);
-        time += by;
-    }
+    *there = TRUE;
+    if (trigger->kind == TINKER_TRIGGER_GAP && trigger->row < 0) status = close_gap(self, trigger, power, &time, there);
+    if (status != TINKER_OK || !*there) return status;
     state->t = fmax(time, self->from.t + 4 * DBL_EPSILON * fabs(self->from.t));
     report->step += state->t - before;
-    *there = TRUE;
     return TINKER_OK;
 }
 

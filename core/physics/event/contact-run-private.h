@@ -179,7 +179,7 @@ void tinker_contact_run_expect(TinkerContactRun *contact_run);
  * *found is left as it is. */
 void tinker_contact_run_take_expected(TinkerContactRun *contact_run, TinkerTrigger *found, double *time, double *slope);
 /* Whether the step has ended so near to a time that it need not be made again to come there; and takes its state there
- * (to where a gap is 0, to rounding). *there is FALSE where that is too far. */
+ * (to where a gap is 0, to rounding). *there is FALSE where that is too far: then the state is to be made again. */
 gboolean tinker_contact_run_ends_near(const TinkerContactRun *contact_run, double time);
 TinkerStatus tinker_contact_run_carry_to(TinkerContactRun *contact_run, const TinkerTrigger *trigger, double time,
                                          TinkerStepReport *report, gboolean *there);
