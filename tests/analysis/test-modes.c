@@ -164,6 +164,36 @@ static void test_double_pendulum(void)
 
 /* A straight bar of three masses on rods in one line, from 1 rad off: it swings as a whole, sqrt(g sum m x / sum m
  * x^2). */
+/* Bars on pins: one swings with omega^2 = 3 g / 2 L, two equal ones with (3 -+ 6 / sqrt 7) g / L. */
+static void test_bars(void)
+{
+    g_autoptr(ModesFixture) one =
+        analyse("{'type': 'gravity', 'acceleration': 9.75}, {'type': 'support'},"
+                "{'type': 'bar', 'length': 1.5, 'position': [0.75, 0]},"
+                "{'type': 'pin', 'ends': ['Support 0', {'block': 'Bar 0', 'at': [-0.75, 0]}]}");
+    assert_frequencies(one, (const double[]){sqrt(9.75)}, 1);
+    g_autoptr(ModesFixture) two =
+        analyse("{'type': 'gravity', 'acceleration': 9.75}, {'type': 'support'},"
+                "{'type': 'bar', 'length': 1.5, 'position': [0, -0.75], 'orientation': '-90 deg'},"
+                "{'type': 'bar', 'length': 1.5, 'position': [0, -2.25], 'orientation': '-90 deg'},"
+                "{'type': 'pin', 'ends': ['Support 0', {'block': 'Bar 0', 'at': [-0.75, 0]}]},"
+                "{'type': 'pin', 'ends': [{'block': 'Bar 0', 'at': [0.75, 0]}, {'block': 'Bar 1', 'at': [-0.75, 0]}]}");
+    assert_frequencies(two, (const double[]){sqrt((3 - 6 / sqrt(7)) * 6.5), sqrt((3 + 6 / sqrt(7)) * 6.5)}, 2);
+}
+
+/* A bar on an upright spring at each end bounces with 2 k / m and pitches with 6 k / m; sideways nothing holds it. */
+static void test_bar_on_springs(void)
+{
+    g_autoptr(ModesFixture) a =
+        analyse("{'type': 'support', 'position': [-1, -1], 'solid': false}, {'type': 'support', 'position': [1, -1], "
+                "'solid': false},"
+                "{'type': 'bar', 'mass': 4, 'length': 2},"
+                "{'type': 'spring', 'stiffness': 50, 'ends': ['Support 0', {'block': 'Bar 0', 'at': [-1, 0]}]},"
+                "{'type': 'spring', 'stiffness': 50, 'ends': [{'block': 'Bar 0', 'at': [1, 0]}, 'Support 1']}");
+    assert_frequencies(a, (const double[]){5, sqrt(75)}, 2);
+    g_assert_cmpuint(count_kind(a, TINKER_MODE_RIGID), ==, 1);
+}
+
 static void test_straight_bar(void)
 {
     g_autoptr(ModesFixture) a = analyse("{'type': 'gravity', 'acceleration': 9.81},"
@@ -398,6 +428,8 @@ static void add_tests(void)
     g_test_add_data_func("/modes/chain/free", GINT_TO_POINTER(TRUE), test_chain);
     g_test_add_func("/modes/pendulum", test_pendulum);
     g_test_add_func("/modes/double-pendulum", test_double_pendulum);
+    g_test_add_func("/modes/bars", test_bars);
+    g_test_add_func("/modes/bar-on-springs", test_bar_on_springs);
     g_test_add_func("/modes/straight-bar", test_straight_bar);
     g_test_add_func("/modes/coupled-pendulums", test_coupled_pendulums);
     g_test_add_data_func("/modes/parallelogram/plain", NULL, test_parallelogram);

@@ -6,6 +6,7 @@
 #include "test-systems.h"
 
 #include <math.h>
+#include <string.h>
 
 #define LENGTH  1.2
 #define GRAVITY 9.81
@@ -241,6 +242,48 @@ static void test_beside_impulses(void)
     physics_assert_near("angle", physics_last(run, 0), angle_of(0.5, &rate), 1e-3);
 }
 
+/* A beam on many feet that comes down flat stays where it lands, with contacts solved exactly and as impulses. */
+static void test_many_feet(void)
+{
+    g_autoptr(GString) blocks =
+        g_string_new("{'type': 'gravity'}, {'type': 'support', 'width': 40, 'height': 2,"
+                     " 'position': [0, -1]}, {'type': 'bar', 'length': 12, 'position': [0, 1]}");
+    for (int i = 0; i < 12; i++) {
+        const double x = i - 5.5;
+        g_string_append_printf(blocks,
+                               ", {'type': 'mass', 'width': 0.2, 'height': 0.2, 'position': [%g, 1]},"
+                               "{'type': 'pin', 'ends': ['Mass %d', {'block': 'Bar 0', 'at': [%g, 0]}]}",
+                               x, i, x);
+    }
+    for (int impulses = 0; impulses < 2; impulses++) {
+        g_autoptr(PhysicsRun) run = physics_run(
+            &(PhysicsOptions){
+                .duration = 1, .step = 0.001, .impulses = impulses, .columns = "Bar 0.y, Bar 0.angle, Mass 3.y"},
+            "%s", blocks->str);
+        physics_assert_near("y", physics_last(run, 0), 0.1, 1e-9);
+        physics_assert_near("angle", physics_last(run, 1), 0, 1e-9);
+        physics_assert_near("foot", physics_last(run, 2), 0.1, 1e-9);
+    }
+}
+
+/* What turns meets no support yet, which is said unless it is meant. */
+static void test_passes_supports(void)
+{
+    static const char *const solid[] = {"true", "false"};
+    for (guint i = 0; i < 2; i++) {
+        g_autoptr(PhysicsRun) run =
+            physics_run(&(PhysicsOptions){.duration = 1, .columns = "Disc 0.y"},
+                        "{'type': 'gravity', 'acceleration': 8}, {'type': 'support', 'position': [0, -2]},"
+                        "{'type': 'disc', 'solid': %s}",
+                        solid[i]);
+        physics_assert_near("y", physics_last(run, 0), -4, 1e-12);
+        guint told = 0;
+        for (guint k = 0; k < run->summary->warnings->len; k++)
+            told += strstr(g_ptr_array_index(run->summary->warnings, k), "Disc 0 passes through supports") != NULL;
+        g_assert_cmpuint(told, ==, 1 - i);
+    }
+}
+
 static void test_refused(void)
 {
     g_autoptr(PhysicsRun) apart = physics_try(
@@ -262,6 +305,8 @@ static void add_tests(void)
     g_test_add_func("/physics/turning/islands", test_islands);
     g_test_add_func("/physics/turning/estimate", test_estimate);
     g_test_add_func("/physics/turning/beside-impulses", test_beside_impulses);
+    g_test_add_func("/physics/turning/many-feet", test_many_feet);
+    g_test_add_func("/physics/turning/passes-supports", test_passes_supports);
     g_test_add_func("/physics/turning/refused", test_refused);
 }
 

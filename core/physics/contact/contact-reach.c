@@ -140,8 +140,10 @@ static gboolean make_room(TinkerContactReach *self, gsize count)
     return TRUE;
 }
 
+/* The elimination goes along rods between points: what pins do to the turns of bodies is left to the matrix. */
 static gboolean fits(const TinkerContactReach *self)
 {
+    if (self->contacts->model->constraints.turn_count > 0) return FALSE;
     const int32_t most = TINKER_MOST_EQUATIONS / 2;
     for (int32_t i = most; i < self->count; i++)
         if (self->all[2 * self->order[i]].body == self->all[2 * self->order[i - most]].body) return FALSE;

@@ -121,10 +121,30 @@ static void open_books(TinkerContacts *contacts)
     }
 }
 
+/* Once for the scene, of the first body that turns and says that it is solid. */
+static void warn_of_turning(TinkerModel *model)
+{
+    for (guint i = 0; i < model->batches->len; i++) {
+        const TinkerBlockBatch *batch = g_ptr_array_index(model->batches, i);
+        const TinkerPhysics *physics = batch->block_class->physics;
+        if (physics == NULL || physics->body == NULL || physics->body->degrees_of_freedom != 3) continue;
+        for (int32_t row = 0; row < batch->count; row++) {
+            if (tinker_block_batch_meaning(batch, row, TINKER_MEANING_SOLID, 0, 0) == 0) continue;
+            g_ptr_array_add(
+                model->warnings,
+                g_strdup_printf(_("%s passes through supports: contact of bodies that turn is not worked out "
+                                  "yet (with \"solid\": false it is meant to)"),
+                                tinker_scene_block_name(model->scene, batch->ids[row])));
+            return;
+        }
+    }
+}
+
 TinkerContacts *tinker_contacts_new(TinkerModel *model)
 {
     gboolean any_body = FALSE;
     int32_t plates = count_plates(model, &any_body);
+    if (model->turning > 0 && plates > 0 && !model->part) warn_of_turning(model);
     if (!any_body) plates = 0;
     if (plates == 0 && model->constraints.unilateral == NULL) return NULL;
     TinkerContacts *contacts = g_new0(TinkerContacts, 1);
@@ -253,6 +273,7 @@ static gboolean may_be_eliminated(const TinkerContacts *contacts, guint first, g
 {
     guint of_one = 0;
     int32_t body = -1;
+    if (contacts->model->constraints.turn_count > 0) return FALSE;
     for (guint i = first; i < first + count; i++) {
         const TinkerContactRow *row = &g_array_index(contacts->rows, TinkerContactRow, i);
         const int32_t next = tinker_contacts_closed(contacts, (guint)row->contact)->body;
