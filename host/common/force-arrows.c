@@ -70,8 +70,10 @@ static void draw_key(cairo_t *cairo, const TinkerView *view, const GArray *arrow
     gsize count = 0;
     for (gsize k = 0; k < G_N_ELEMENTS(kinds); k++) {
         gboolean is_there = FALSE;
-        for (guint i = 0; i < arrows->len && !is_there; i++)
-            is_there = g_array_index(arrows, TinkerForceArrow, i).kind == kinds[k].arrow;
+        for (guint i = 0; i < arrows->len && !is_there; i++) {
+            const TinkerForceArrow *arrow = &g_array_index(arrows, TinkerForceArrow, i);
+            is_there = arrow->kind == kinds[k].arrow && hypot(arrow->fx, arrow->fy) > 0;
+        }
         if (is_there) words[count++] = (TinkerArrowWord){kinds[k].arrow, _(kinds[k].word)};
     }
     tinker_unit_parse(tinker_unit_for(dimension, system), &unit, NULL);

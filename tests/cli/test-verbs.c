@@ -277,6 +277,14 @@ static void test_forces(CliFixture *fixture, gconstpointer data)
         cli_assert_holds(c, colours[i]);
         g_assert_null(strstr(b, colours[i]));
     }
+    /* where nothing pulls along the top there is no friction, in the key neither */
+    g_autofree char *level = cli_write(fixture, "level.json",
+                                       "{\"tinker\": 1, \"blocks\": [{\"type\": \"gravity\"}, {\"type\": \"support\"},"
+                                       "{\"type\": \"mass\", \"on\": \"Support 0\"}]}");
+    g_autoptr(TestProgram) flat = cli_run_well(fixture, "render @level.json --forces -o @level.svg");
+    g_autofree char *f = cli_read(fixture, "level.svg");
+    cli_assert_holds(f, colours[0]);
+    g_assert_null(strstr(f, colours[1]));
     g_autoptr(TestProgram) plain = cli_run_well(fixture, "animate @a.json -o @plain.png --fps 10 --size 320x240");
     g_autoptr(TestProgram) film =
         cli_run_well(fixture, "animate @a.json --forces -o @film.png --fps 10 --size 320x240");

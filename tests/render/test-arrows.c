@@ -259,9 +259,26 @@ static void test_key(void)
     g_assert_cmpfloat(tinker_arrows_key_force(&view, NAN, 1), ==, 0);
 }
 
+/* In a picture that is not three times as high as the key, the words are left out and the scale stays. */
+static void test_key_of_small_picture(void)
+{
+    static const TinkerArrowWord words[] = {{TINKER_ARROW_FIELD, "field"}, {TINKER_ARROW_FRICTION, "friction"}};
+    TinkerView small = view;
+    small.height = 150;
+    Stage stage;
+    stage_open(&stage, "light", 1);
+    TinkerArrowKey key = {
+        .force = tinker_arrows_key_force(&small, 1, 1), .label = "5 N", .words = words, .word_count = 2};
+    tinker_arrows_draw_key(stage.picture->cairo, &small, &stage.options, &key, stage.written);
+    g_assert_cmpuint(stage.written->len, ==, 1);
+    g_assert_cmpstr(written(&stage, 0)->text, ==, "5 N");
+    stage_close(&stage);
+}
+
 int main(int argc, char **argv)
 {
     g_test_init(&argc, &argv, NULL);
+    g_test_add_func("/render/arrows/key-of-small-picture", test_key_of_small_picture);
     g_test_add_data_func("/render/arrows/place/light", "light", test_place);
     g_test_add_data_func("/render/arrows/place/dark", "dark", test_place);
     g_test_add_func("/render/arrows/crowd", test_crowd);

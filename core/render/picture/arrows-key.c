@@ -67,6 +67,12 @@ static void draw_line(cairo_t *cairo, double x, double y, double length)
     cairo_stroke(cairo);
 }
 
+/* Whether the kinds have room: in a small picture the key would lie over most of it. */
+static gboolean has_room_for_words(const TinkerView *view, const TinkerArrowKey *key)
+{
+    return ROW * (double)(key->word_count + 1) + 2 * PAD <= view->height / 3;
+}
+
 void tinker_arrows_draw_key(cairo_t *cairo, const TinkerView *view, const TinkerArrowOptions *options,
                             const TinkerArrowKey *key, GPtrArray *written)
 {
@@ -79,13 +85,14 @@ void tinker_arrows_draw_key(cairo_t *cairo, const TinkerView *view, const Tinker
     pen.written = written;
     tinker_text_measure(&pen, &text, &widest, &height);
     widest += length;
-    for (gsize i = 0; i < key->word_count; i++) {
+    const gsize words = has_room_for_words(view, key) ? key->word_count : 0;
+    for (gsize i = 0; i < words; i++) {
         double width;
         text.text = key->words[i].word;
         tinker_text_measure(&pen, &text, &width, &height);
         widest = fmax(widest, SWATCH + width);
     }
-    const double down = ROW * (double)(key->word_count + 1);
+    const double down = ROW * (double)(words + 1);
     double x = CORNER + PAD, y = view->height - CORNER - PAD - down + ROW / 2;
     cairo_save(cairo);
     set_colour(cairo, theme->background, GROUND_ALPHA);
@@ -95,7 +102,7 @@ void tinker_arrows_draw_key(cairo_t *cairo, const TinkerView *view, const Tinker
     draw_line(cairo, x, y, length);
     text.text = key->label;
     tinker_text_draw(&pen, cairo, &text, x + length + GAP, y);
-    for (gsize i = 0; i < key->word_count; i++) {
+    for (gsize i = 0; i < words; i++) {
         y += ROW;
         set_colour(cairo, tinker_arrow_colour(theme, key->words[i].kind), 1);
         cairo_rectangle(cairo, x, y - SHAFT / 2, SWATCH, SHAFT);

@@ -69,7 +69,8 @@ typedef struct {
  * this scale; 0 where there is none. */
 double tinker_arrows_key_force(const TinkerView *view, double scale, double unit);
 
-/* Draws it in the lower left corner of the view. `written`: receives what it wrote (TinkerWrittenText), or NULL. */
+/* Draws it in the lower left corner of the view, without the words where it would take more than a third of the height.
+ * `written`: receives what it wrote (TinkerWrittenText), or NULL. */
 void tinker_arrows_draw_key(cairo_t *cairo, const TinkerView *view, const TinkerArrowOptions *options,
                             const TinkerArrowKey *key, GPtrArray *written);
 
