@@ -257,6 +257,29 @@ static void test_standard_input(CliFixture *fixture, gconstpointer data)
 }
 
 /* Waits until the run has written something, so that it is surely under way. */
+/* x = 2 + cos 10t over two periods. */
+static void test_statistics(CliFixture *fixture, gconstpointer data)
+{
+    g_autofree char *scene = cli_write(fixture, "a.json", OSCILLATOR);
+    g_autoptr(TestProgram) run = cli_run_well(fixture, "graph @a.json 'Mass 0.x' --interval 0.01 --statistics --to "
+                                                       "1.2566370614359172 --json -");
+    const struct {
+        const char *key;
+        double truth, bound;
+    } all[] = {{"mean", 2, 1e-9}, {"rms", sqrt(4.5), 1e-9}, {"max", 3, 1e-9}, {"period", G_PI / 5, 1e-7}};
+    for (gsize i = 0; i < G_N_ELEMENTS(all); i++) {
+        g_autofree char *key = g_strdup_printf("\"%s\":", all[i].key);
+        const char *at = strstr(run->output, key);
+        g_assert_nonnull(at);
+        const double value = g_ascii_strtod(strstr(at, "\"value\":") + strlen("\"value\":"), NULL);
+        g_assert_cmpfloat(fabs(value - all[i].truth), <, all[i].bound);
+    }
+    g_autoptr(TestProgram) text = cli_run_well(fixture, "graph @a.json 'Mass 0.x' --interval 0.01 --statistics");
+    cli_assert_holds(text->output, "amplitude");
+    g_autoptr(TestProgram) wrong = cli_run_badly(fixture, "graph @a.json 'Mass 0.x' --statistics --from 3", 2);
+    cli_assert_holds(wrong->error, "--from and --to leave nothing");
+}
+
 static void wait_for_rows(const char *path)
 {
     for (;;) {
@@ -320,6 +343,7 @@ int main(int argc, char **argv)
     cli_test_add("/run/options-without-record", test_options_without_record);
     cli_test_add("/run/start-event", test_start_event);
     cli_test_add("/run/until", test_until);
+    cli_test_add("/run/statistics", test_statistics);
     cli_test_add("/run/interrupt", test_interrupt);
     return g_test_run();
 }

@@ -7,6 +7,7 @@
 #include "cli/command/output.h"
 #include "cli/command/picture.h"
 #include "cli/report/chart.h"
+#include "cli/report/statistics-report.h"
 #include "exit-status.h"
 
 static const TinkerVerbHelp help = {
@@ -21,6 +22,7 @@ static const TinkerVerbHelp help = {
         "  tinker graph spring-mass.tinker.json \"Mass 0.y\" -o y.svg\n"
         "  tinker graph spring-mass.tinker.json \"Mass 0.y\" --decimals 5 -o y.csv\n"
         "  tinker graph spring-mass.tinker.json \"0.5*{Mass 0.mass}*{Mass 0.vy}^2\" Scene.energy -o energy.svg\n"
+        "  tinker graph spring-mass.tinker.json \"Mass 0.y\" --statistics --from 2\n"
         "  tinker graph spring-mass.tinker.json \"Mass 0.vy\" --against y -o phase.png",
     .least_operands = 1,
     .most_operands = -1,
@@ -30,6 +32,8 @@ typedef struct {
     TinkerRunArguments run;
     TinkerPictureArguments picture;
     char *output, *decimals, *against, *log;
+    gboolean statistics;
+    char *from, *to, *json;
 } GraphOptions;
 
 static void graph_options_clear(GraphOptions *options)
@@ -40,6 +44,9 @@ static void graph_options_clear(GraphOptions *options)
     g_free(options->decimals);
     g_free(options->against);
     g_free(options->log);
+    g_free(options->from);
+    g_free(options->to);
+    g_free(options->json);
 }
 G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC(GraphOptions, graph_options_clear)
 
@@ -121,6 +128,53 @@ static void begin_again(void *chart)
     tinker_chart_cut(chart, -INFINITY);
 }
 
+/* Between two samples curves are made of cubics: so many samples an interval make them as good as the run. */
+#define STATISTIC_SAMPLES 16
+
+/* The interval of the statistics: all of the run where nothing is said. */
+static gboolean read_interval(const GraphOptions *options, double *from, double *to, GError **error)
+{
+    static const TinkerDimension time = {.time = 1};
+    if (options->from != NULL && !tinker_option_value("from", options->from, time, 0, FALSE, from, error)) return FALSE;
+    if (options->to != NULL && !tinker_option_value("to", options->to, time, 0, TRUE, to, error)) return FALSE;
+    if (*from < *to) return TRUE;
+    g_set_error(error, TINKER_CLI_ERROR, TINKER_CLI_ERROR_USAGE, "--from and --to leave nothing (from %g s to %g s)",
+                *from, *to);
+    return FALSE;
+}
+
+static gboolean statistics(const GraphOptions *options, const TinkerOpenScene *open, char **names, GError **failure,
+                           GError **error)
+{
+    TinkerRunOptions run_options;
+    g_auto(TinkerSceneRun) run = {0};
+    g_auto(TinkerOutput) json = {0};
+    const TinkerAskedOutput outputs[] = {{"--json", options->json}, {NULL, NULL}};
+    g_autoptr(TinkerFileSet) files = tinker_open_scene_files(open);
+    g_autoptr(TinkerChart) chart = tinker_chart_new(open->scene);
+    if (options->output != NULL || options->against != NULL) {
+        g_set_error(error, TINKER_CLI_ERROR, TINKER_CLI_ERROR_USAGE,
+                    "--statistics draws nothing, and measures curves over time (leave out --output and --against)");
+        return FALSE;
+    }
+    if (!tinker_outputs_add(files, outputs, error)) return FALSE;
+    if (!add_curves(chart, options, open->name, names, error)) return FALSE;
+    if (!tinker_run_arguments_apply(&options->run, open->scene, &run_options, error)) return FALSE;
+    double from = 0, to = run_options.duration;
+    if (!read_interval(options, &from, &to, error)) return FALSE;
+    run_options.interval /= STATISTIC_SAMPLES;
+    if (!tinker_scene_run_prepare(&run, open->scene, &options->run, &run_options, error)) return FALSE;
+    const TinkerSampleTaker taker = {take_sample, begin_again, chart};
+    if (!tinker_scene_run_go(&run, chart->columns, &taker, failure))
+        tinker_chart_cut(chart, tinker_simulation_summary(run.simulation)->valid_until);
+    tinker_scene_run_report_warnings(&run, open, &options->run);
+    if (options->json != NULL && !tinker_output_open(&json, options->json, error)) return FALSE;
+    if (!tinker_statistics_report(chart, from, to, tinker_is_standard_stream(options->json) ? NULL : stdout, json.file,
+                                  error))
+        return FALSE;
+    return tinker_output_close(&json, error);
+}
+
 /* What was recorded is written even when the run fails; its error is in `failure` then. */
 static gboolean graph(const GraphOptions *options, const TinkerOpenScene *open, char **names, GError **failure,
                       GError **error)
@@ -154,6 +208,11 @@ int tinker_verb_graph(int argc, char **argv)
         {"against", 0, 0, G_OPTION_ARG_FILENAME, &options.against,
          "Draw against this quantity instead of time: a phase plot", "QUANTITY"},
         {"log", 0, 0, G_OPTION_ARG_FILENAME, &options.log, "Logarithmic axes: x, y or xy", "AXES"},
+        {"statistics", 0, 0, G_OPTION_ARG_NONE, &options.statistics,
+         "Tell mean, rms, extrema, period and damping of each curve, with their errors, in the place of drawing", NULL},
+        {"from", 0, 0, G_OPTION_ARG_FILENAME, &options.from, "Statistics from this time on", "T"},
+        {"to", 0, 0, G_OPTION_ARG_FILENAME, &options.to, "Statistics up to this time", "T"},
+        {"json", 0, 0, G_OPTION_ARG_FILENAME, &options.json, "Write the statistics to FILE as JSON", "FILE"},
         {"decimals", 0, 0, G_OPTION_ARG_FILENAME, &options.decimals,
          "Digits behind the point in CSV, trailing zeros dropped (default: 9 significant digits)", "N"},
         TINKER_PICTURE_ENTRIES(options.picture, "800x500"),
@@ -168,7 +227,9 @@ int tinker_verb_graph(int argc, char **argv)
     status = tinker_open_scene(&open, line.plugin_folders, line.operands[0]);
     if (status != TINKER_EXIT_DONE) return status;
     g_autoptr(GError) error = NULL, failure = NULL;
-    if (!graph(&options, &open, line.operands + 1, &failure, &error))
+    gboolean (*work)(const GraphOptions *, const TinkerOpenScene *, char **, GError **, GError **) =
+        options.statistics ? statistics : graph;
+    if (!work(&options, &open, line.operands + 1, &failure, &error))
         return tinker_open_scene_report_error(&open, error);
     return failure != NULL ? tinker_report_error(open.name, failure) : TINKER_EXIT_DONE;
 }

@@ -1,0 +1,27 @@
+/* Statistics of a curve over an interval. The curve is that through the samples, piece by piece a cubic with slopes
+ * from five samples each (of fourth order in their spacing), not the samples themselves. */
+#ifndef TINKER_CORE_STATISTICS_H
+#define TINKER_CORE_STATISTICS_H
+
+#include <glib.h>
+
+/* A number and how far it may be off; NAN where it is not defined. The error is what the number changes by where every
+ * second sample is left out; of a period and a decrement the standard error of their mean is added. */
+typedef struct {
+    double value, error;
+} TinkerStatistic;
+
+typedef struct {
+    TinkerStatistic mean, rms, least, greatest;
+    TinkerStatistic amplitude; /* half of greatest less least */
+    TinkerStatistic period;    /* s: twice the mean time from one extremum to the next; of three extrema at least */
+    TinkerStatistic decrement; /* logarithmic, a period: of the ways from one extremum to the next, by least squares */
+    TinkerStatistic damping;   /* ratio of critical damping, d / sqrt(4 pi^2 + d^2) */
+} TinkerStatistics;
+
+/* Of a curve given by at least eight samples at rising times, from `from` to `to`, which lie within them. FALSE where
+ * there are too few. */
+gboolean tinker_statistics(const double *times, const double *values, gsize count, double from, double to,
+                           TinkerStatistics *statistics);
+
+#endif

@@ -1,0 +1,100 @@
+/* Statistics of curves whose mean, extrema, period and damping are known. Errors cover what is off. */
+#include <math.h>
+
+#include "measure/statistics.h"
+#include "physics-fixture.h"
+
+#define MOST 20001
+
+static double times[MOST], values[MOST];
+
+static void fill(gsize count, double to, double (*function)(double))
+{
+    for (gsize i = 0; i < count; i++) {
+        times[i] = to * (double)i / (double)(count - 1);
+        values[i] = function(times[i]);
+    }
+}
+
+static void check(const char *what, TinkerStatistic found, double truth, double bound)
+{
+    physics_assert_near(what, found.value, truth, bound);
+    physics_assert_near("error", found.error, 0, 100 * bound);
+    if (!(fabs(found.value - truth) <= found.error + 1e-12 * fabs(truth)))
+        g_test_fail_printf("%s is off by %.3g, and says %.3g", what, fabs(found.value - truth), found.error);
+}
+
+static double wave(double t)
+{
+    return 2 + 3 * sin(2 * G_PI * t + 0.3);
+}
+
+/* Over four whole periods; the samples know neither a maximum nor the ends of the interval. */
+static void test_wave(void)
+{
+    TinkerStatistics s;
+    fill(1000, 5, wave);
+    g_assert_true(tinker_statistics(times, values, 1000, 0.5, 4.5, &s));
+    check("mean", s.mean, 2, 1e-9);
+    check("rms", s.rms, sqrt(4 + 4.5), 1e-8);
+    check("least", s.least, -1, 1e-7);
+    check("greatest", s.greatest, 5, 1e-7);
+    check("amplitude", s.amplitude, 3, 1e-7);
+    check("period", s.period, 1, 1e-6);
+    physics_assert_near("damping", s.damping.value, 0, 1e-7);
+}
+
+/* Coarser samples are worse, by what is said. */
+static void test_coarse(void)
+{
+    TinkerStatistics s;
+    fill(101, 5, wave);
+    g_assert_true(tinker_statistics(times, values, 101, 0.5, 4.5, &s));
+    check("greatest", s.greatest, 5, 1e-3);
+    check("rms", s.rms, sqrt(8.5), 1e-3);
+}
+
+/* z = 0.05, about 1.7: extrema are half a damped period from each other, and their distances fall by exp(-d/2). */
+static double damped(double t)
+{
+    return 1.7 + exp(-0.05 * 4 * t) * cos(4 * sqrt(1 - 0.0025) * t + 1);
+}
+
+static void test_damped(void)
+{
+    TinkerStatistics s;
+    fill(20001, 20, damped);
+    g_assert_true(tinker_statistics(times, values, 20001, 0, 20, &s));
+    check("period", s.period, 2 * G_PI / (4 * sqrt(1 - 0.0025)), 1e-7);
+    check("decrement", s.decrement, 2 * G_PI * 0.05 / sqrt(1 - 0.0025), 1e-7);
+    check("damping", s.damping, 0.05, 1e-8);
+}
+
+static double straight(double t)
+{
+    return 3 - 2 * t;
+}
+
+static void test_no_oscillation(void)
+{
+    TinkerStatistics s;
+    fill(100, 2, straight);
+    g_assert_true(tinker_statistics(times, values, 100, 0, 2, &s));
+    check("mean", s.mean, 1, 1e-12);
+    check("rms", s.rms, sqrt(7.0 / 3), 1e-12);
+    check("least", s.least, -1, 1e-12);
+    g_assert_true(isnan(s.period.value));
+    g_assert_true(isnan(s.damping.value));
+    g_assert_false(tinker_statistics(times, values, 6, 0, 0.1, &s));
+}
+
+int main(int argc, char **argv)
+{
+    g_test_init(&argc, &argv, NULL);
+    g_test_set_nonfatal_assertions();
+    g_test_add_func("/measure/statistics/wave", test_wave);
+    g_test_add_func("/measure/statistics/coarse", test_coarse);
+    g_test_add_func("/measure/statistics/damped", test_damped);
+    g_test_add_func("/measure/statistics/no-oscillation", test_no_oscillation);
+    return g_test_run();
+}
