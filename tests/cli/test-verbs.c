@@ -395,8 +395,8 @@ static void test_animate_interrupted(CliFixture *fixture, gconstpointer data)
 static void test_plugins(CliFixture *fixture, gconstpointer data)
 {
     g_autoptr(TestProgram) list = cli_run_well(fixture, "plugins");
-    static const char *const types[] = {"mass",  "support",        "spring",  "damper", "rod",
-                                        "motor", "support-motion", "gravity", "wind",   "marker"};
+    static const char *const types[] = {"mass",           "support", "spring", "damper", "rod", "motor",
+                                        "support-motion", "gravity", "wind",   "marker", "rope"};
     for (gsize i = 0; i < G_N_ELEMENTS(types); i++) {
         g_autofree char *row = g_strdup_printf("\n%s ", types[i]);
         cli_assert_holds(list->output, row);

@@ -86,8 +86,112 @@ static void test_with_a_plate(void)
     }
 }
 
+/* Ropes over wheels: a load m1 that hangs in n strands and a weight m2 at the rope's end, pulled down. n a1 = -a2, so
+ * T = (n + 1) g m1 m2 / (m1 + n^2 m2); n = 1 is Atwood's machine. */
+static void check_tackle(const char *load_ends, int strands, double tolerance)
+{
+    const double m1 = 5, m2 = 2, n = strands;
+    const double tension = (n + 1) * g * m1 * m2 / (m1 + n * n * m2), a1 = n * tension / m1 - g, a2 = tension / m2 - g;
+    physics_assert_near("the rope's condition", n * a1 + a2, 0, 1e-13);
+    static const char *const methods[] = {"auto", "rk4", "dop853", "verlet"};
+    for (gsize i = 0; i < G_N_ELEMENTS(methods); i++) {
+        const PhysicsOptions options = {
+            .method = methods[i], .columns = "Load.y, Load.ay, Weight.y, Weight.ay, Rope 0.tension, Rope 0.slack"};
+        g_autoptr(PhysicsRun) run =
+            physics_run(&options,
+                        "{'type': 'gravity'}, {'type': 'support', 'solid': false},"
+                        "{'type': 'mass', 'name': 'Load', 'mass': %.17g, 'position': [0, -8]},"
+                        "{'type': 'mass', 'name': 'Weight', 'mass': %.17g, 'position': [1, -10]},"
+                        "{'type': 'rope', 'ends': [%s, {'block': 'Support 0', 'at': [1, 0]}, 'Weight']}",
+                        m1, m2, load_ends);
+        for (gsize k = 0; k < physics_samples(run); k++) {
+            const double t = physics_time(run, k), s = t * t / 2;
+            const double truth[] = {-8 + a1 * s, a1, -10 + a2 * s, a2, tension, 0};
+            for (gsize c = 0; c < G_N_ELEMENTS(truth); c++)
+                physics_assert_near(methods[i], physics_value(run, k, c), truth[c], tolerance * fmax(1, tension));
+        }
+        contact_assert_taken(run, 0, 0, 1e-10);
+    }
+}
+
+static void test_tackles(void)
+{
+    check_tackle("'Load', 'Support 0'", 1, 1e-10);
+    check_tackle("'Support 0', 'Load', 'Support 0'", 2, 1e-10);
+    check_tackle("'Support 0', 'Load', 'Support 0', 'Load', 'Support 0'", 4, 1e-10);
+}
+
+/* A mass of 2 kg thrown off obliquely: when its rope of length l comes taut the rope takes the part of its velocity
+ * along itself, m (v . n)^2 / 2, and nothing else. Without weight it then goes round with what is left. */
+static void test_thrown(void)
+{
+    const double l = 2, vx = 3, vy = 1, m = 2;
+    /* |(0.5 + vx t, vy t)| = l */
+    const double a = vx * vx + vy * vy, b = 0.5 * vx, c = 0.25 - l * l, taut = (-b + sqrt(b * b - a * c)) / a;
+    const double nx = (0.5 + vx * taut) / l, ny = vy * taut / l, along = vx * nx + vy * ny, across = nx * vy - ny * vx;
+    for (gsize i = 0; i < CONTACT_METHODS; i++) {
+        PhysicsOptions options = contact_options(&contact_methods[i], 2, NULL);
+        g_autoptr(PhysicsRun) run =
+            physics_run(&options,
+                        "%s{'type': 'mass', 'mass': %g, 'position': [0.5, 0], 'velocity': [%g, %g]},"
+                        "{'type': 'rope', 'ends': ['Support 0', 'Mass 0'], 'length': %g}",
+                        pivot, m, vx, vy, l);
+        const double turned = atan2(ny, nx) + across / l * (2 - taut), bound = 10 * contact_methods[i].smooth + 1e-9;
+        contact_assert_event(run, "taut", "Rope 0", taut, bound);
+        contact_assert_state(run, "Mass 0",
+                             (double[]){l * cos(turned), l * sin(turned), -across * sin(turned), across * cos(turned)},
+                             10 * bound);
+        contact_assert_taken(run, 0, m * along * along / 2, 50 * bound);
+    }
+}
+
+/* A rope is the limit of ever stiffer springs that are damped critically, so that they do not throw back. Of masses
+ * that part they keep w t e^(-w t) of the parting speed, with w the root of stiffness by reduced mass: after 0.1 s a
+ * tenth, and less than a thousandth. */
+static void test_limit_of_stiff_springs(void)
+{
+    const char *const masses = "{'type': 'mass', 'mass': 3}, {'type': 'mass', 'position': [1, 0], 'velocity': [2, 0]}";
+    const PhysicsOptions options = {.duration = 0.1, .method = "dop853"};
+    double rope[4], before = INFINITY;
+    g_autoptr(PhysicsRun) with = physics_run(&options, "%s, {'type': 'rope', 'ends': ['Mass 0', 'Mass 1']}", masses);
+    physics_state(with, "Mass 1", rope);
+    for (double stiffness = 1e3; stiffness < 2e4; stiffness *= 10) {
+        double state[4];
+        const double damping = 2 * sqrt(stiffness * 0.75); /* of the reduced mass 3 * 1 / (3 + 1) */
+        g_autoptr(PhysicsRun) run = physics_run(&options,
+                                                "%s, {'type': 'spring', 'ends': ['Mass 0', 'Mass 1'], 'stiffness': %g},"
+                                                "{'type': 'damper', 'ends': ['Mass 0', 'Mass 1'], 'damping': %g}",
+                                                masses, stiffness, damping);
+        physics_state(run, "Mass 1", state);
+        const double off = hypot(state[0] - rope[0], state[2] - rope[2]);
+        g_assert_cmpfloat(off, <, 0.01 * before);
+        before = off;
+    }
+    g_assert_cmpfloat(before, <, 1e-3);
+}
+
+/* One that is too short is refused, by name and with both lengths; one that is too short by less than the millionth
+ * that places are given to is put right. */
+static void test_too_short(void)
+{
+    const char *const over = "{'type': 'support', 'solid': false}, {'type': 'mass', 'position': [-1, -1]},"
+                             "{'type': 'mass', 'position': [1, -1]}, {'type': 'rope', 'ends': ['Mass 0',"
+                             "{'block': 'Support 0', 'at': [-1, 0]}, {'block': 'Support 0', 'at': [1, 0]}, 'Mass 1'],"
+                             "'length': %.12g}";
+    const PhysicsOptions options = {.method = "dop853", .columns = "Rope 0.slack"};
+    g_autoptr(PhysicsRun) refused = physics_try(&options, over, 4 * (1 - 2e-6));
+    physics_assert_refused(refused, TINKER_MODEL_ERROR_SCENE, "Rope 0: its length is 3.999992 m",
+                           "the path through its ends is 4 m long", NULL);
+    g_autoptr(PhysicsRun) run = physics_run(&options, over, 4 * (1 - 0.5e-6));
+    physics_assert_near("the slack of the rope that was put right", physics_last(run, 0), 0, 1e-12);
+}
+
 static void add_tests(void)
 {
+    g_test_add_func("/physics/ropes/tackles", test_tackles);
+    g_test_add_func("/physics/ropes/thrown", test_thrown);
+    g_test_add_func("/physics/ropes/limit-of-stiff-springs", test_limit_of_stiff_springs);
+    g_test_add_func("/physics/ropes/too-short", test_too_short);
     g_test_add_func("/physics/ropes/catches", test_catches);
     g_test_add_func("/physics/ropes/leaves-the-circle", test_leaves_the_circle);
     g_test_add_func("/physics/ropes/pulls-together", test_pulls_together);

@@ -5,8 +5,8 @@
 #include <math.h>
 #include <string.h>
 
-const char *const block_names[] = {"mass",           "support", "spring", "damper", "rod", "motor",
-                                   "support-motion", "gravity", "wind",   "marker", NULL};
+const char *const block_names[] = {"mass",           "support", "spring", "damper", "rod",  "motor",
+                                   "support-motion", "gravity", "wind",   "marker", "rope", NULL};
 
 char *plugin_path(const char *block_name)
 {

@@ -70,6 +70,7 @@ static const Expected expected[] = {
     {"spring", "length", "Length", "Spring Properties", LENGTH, 0, 0, FREE, FALSE, INFINITY, TINKER_READ_ONLY | TINKER_DERIVED, TINKER_MEANING_NONE, NULL},
     {"damper", "damping", "C", "Damper Properties", {1, 0, -1, 0}, 1, 0, 0, FALSE, INFINITY, 0, TINKER_MEANING_NONE, NULL},
     {"rod", "length", "Length", "Rod Properties", LENGTH, 0, 0, 0, TRUE, INFINITY, TINKER_DEFAULT_AS_PLACED, TINKER_MEANING_LENGTH, NULL},
+    {"rope", "length", "Length", "Rope", LENGTH, 0, 0, 0, TRUE, INFINITY, TINKER_DEFAULT_AS_PLACED, TINKER_MEANING_LENGTH, NULL},
     {"motor", "waveform", "Type", "Force", FORCE, 0, 0, FREE, FALSE, INFINITY, 0, TINKER_MEANING_NONE, "cosine"},
     {"motor", "amplitude", "Amplitude", "Force", FORCE, 1, 0, FREE, FALSE, INFINITY, 0, TINKER_MEANING_NONE, NULL},
     {"motor", "frequency", "Frequency", "Force", TURN, 1, 0, FREE, FALSE, INFINITY, 0, TINKER_MEANING_NONE, NULL},
@@ -98,6 +99,7 @@ static const struct { const char *block, *quantities; } expected_quantities[] = 
     {"support-motion", "displacement velocity acceleration"},
     {"gravity", "potential_energy"},
     {"wind", "power"},
+    {"rope", "+tension slack"},
     {"marker", "+x +y +vx +vy speed ax ay"},
 };
 /* clang-format on */
@@ -280,6 +282,11 @@ static void test_ends(void)
         {"wind", "field", 0, 0},
         {"marker", "measure", 1, both},
     };
+    const TinkerBlockType *rope = block_open("rope");
+    g_assert_cmpstr(rope->category, ==, "rope");
+    g_assert_cmpint(rope->least_ends, ==, 2);
+    g_assert_cmpint(rope->most_ends, ==, -1);
+    g_assert_cmpuint(rope->end_accepts, ==, both);
     for (size_t i = 0; i < G_N_ELEMENTS(rows); i++) {
         const TinkerBlockType *block = block_open(rows[i].block);
         g_assert_cmpstr(block->category, ==, rows[i].category);

@@ -142,7 +142,7 @@ static void recorder_init(Recorder *recorder)
 typedef struct {
     BlockBatch *batch;
     double columns[32];
-    TinkerEnd ends[2];
+    TinkerEnd ends[4];
     TinkerInstance instance;
     Recorder recorder;
 } Stage;
@@ -155,7 +155,7 @@ static void stage_init(Stage *stage, const char *name)
         stage->columns[column] = batch->columns[column][0];
     }
     stage->instance = (TinkerInstance){.struct_size = sizeof(TinkerInstance),
-                                       .ends = batch->block->most_ends,
+                                       .ends = MAX(batch->block->most_ends, batch->block->least_ends),
                                        .name = name,
                                        .columns = stage->columns,
                                        .end = stage->ends,
@@ -212,6 +212,43 @@ static void test_connector(gconstpointer data)
     g_assert_cmpfloat(note(&stage, "end_mark", 1)->x1, ==, 4);
     stage.ends[1] = stage.ends[0];
     draw(&stage);
+}
+
+/* Over two wheels, up, across and down: strands touch the wheels on the outside, from a radius below each mass's line
+ * to one above the wheels, and what lies on a wheel is as far from its centre as that is large. */
+static void test_rope(void)
+{
+    const double radius = 0.5 * SYMBOL;
+    Stage stage;
+    stage_init(&stage, "rope");
+    stage.instance.ends = 4;
+    const TinkerEnd ends[4] = {{-1, -3, 1, 0}, {-1, 0, 1, 0}, {2, 0, 1, 0}, {2, -4, 0, 0}};
+    memcpy(stage.ends, ends, sizeof ends);
+    stage_set(&stage, "length", 10);
+    draw(&stage);
+    for (int wheel = 0; wheel < 2; wheel++) {
+        g_assert_cmpfloat(note(&stage, "circle", wheel)->x1, ==, wheel == 0 ? -1 : 2);
+        g_assert_cmpfloat(note(&stage, "circle", wheel)->number, ==, radius);
+    }
+    const Note *up = note(&stage, "line", 0);
+    g_assert_cmpfloat(up->x1, ==, -1);
+    g_assert_cmpfloat(up->y1, ==, -3);
+    g_assert_cmpfloat(up->x2, <, -1);
+    g_assert_cmpint(up->colour, ==, TINKER_COLOUR_CONNECTOR);
+    for (int i = 0; i < stage.recorder.count; i++) {
+        const Note *line = &stage.recorder.notes[i];
+        if (strcmp(line->helper, "line") != 0) continue;
+        /* nowhere does the rope cut into a wheel, but for the chords of its arcs */
+        for (int wheel = 0; wheel < 2; wheel++) {
+            const double x = wheel == 0 ? -1 : 2;
+            g_assert_cmpfloat(tinker_segment_distance(x, 0, line->x1, line->y1, line->x2, line->y2), >, 0.98 * radius);
+        }
+    }
+    /* the middle strand is the common tangent above */
+    assert_line(note(&stage, "line", 13), -1, radius, 2, radius);
+    stage_set(&stage, "length", 10.1);
+    draw(&stage);
+    g_assert_cmpint(note(&stage, "line", 0)->colour, ==, TINKER_COLOUR_COMPRESSED);
 }
 
 /* A ring about its end; behind it the path, which goes on to where it is now. */
@@ -376,6 +413,7 @@ int main(int argc, char **argv)
     g_test_add_func("/plugins/drawing/mass", test_mass);
     g_test_add_func("/plugins/drawing/support", test_support);
     g_test_add_func("/plugins/drawing/motor", test_motor);
+    g_test_add_func("/plugins/drawing/rope", test_rope);
     g_test_add_func("/plugins/drawing/marker", test_marker);
     g_test_add_func("/plugins/drawing/support-motion", test_support_motion);
     g_test_add_func("/plugins/drawing/fields", test_fields);

@@ -89,6 +89,7 @@ static void test_colours(void)
                   {"gravity", TINKER_COLOUR_FIELD},
                   {"wind", TINKER_COLOUR_FIELD},
                   {"support-motion", TINKER_COLOUR_MOTION},
+                  {"rope", TINKER_COLOUR_CONNECTOR},
                   {"marker", TINKER_COLOUR_MOTION}};
     TinkerCatalogue *catalogue = scene_fixture_catalogue();
     for (gsize i = 0; i < G_N_ELEMENTS(wanted); i++)

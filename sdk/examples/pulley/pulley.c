@@ -1,9 +1,9 @@
 /* Pulley: a rope of fixed length from its first end over any number of small wheels to its last end.
  *
- * The wheels are the ends between: points of bodies or supports that the rope passes without friction. With the strands
- * k = 1 ... n from end to end, d_k = x_k - x_(k-1), L_k = |d_k|, n_k = d_k / L_k and w_k = v_k - v_(k-1):
+ * The wheels are the ends between: points of bodies or supports that the rope passes without friction. With L, the path
+ * from end to end (tinker_path_row):
  *
- *     g = sum of L_k - l <= 0,   dg/dx_k = n_k - n_(k+1),   drift = sum of (n_k x w_k)^2 / L_k
+ *     g = L - l <= 0
  *
  * The row holds in one direction only: a rope can be shorter than its length, but not longer. Its multiplier is minus
  * the tension, which is the same in all strands. */
@@ -23,35 +23,12 @@ enum { QUANTITY_TENSION, QUANTITY_SLACK };
 
 /* Physics */
 
-/* The row of one rope; answers its shortest strand. One of length 0 has no direction, and pulls nobody. */
-static double add_up_strands(const TinkerPoint *end, int32_t ends, double *path, double *jacobian, double *drift)
-{
-    double shortest = INFINITY;
-    *path = *drift = 0.0;
-    for (int32_t k = 0; k < 2 * ends; k++)
-        jacobian[k] = 0.0;
-    for (int32_t k = 1; k < ends; k++) {
-        const TinkerPoint *a = &end[k - 1], *b = &end[k];
-        const double dx = b->x - a->x, dy = b->y - a->y, length = tinker_length(dx, dy);
-        shortest = fmin(shortest, length);
-        if (length == 0.0) continue;
-        const double nx = dx / length, ny = dy / length, across = nx * (b->vy - a->vy) - ny * (b->vx - a->vx);
-        *path += length;
-        *drift += across / length * across;
-        jacobian[2 * k - 2] -= nx;
-        jacobian[2 * k - 1] -= ny;
-        jacobian[2 * k] += nx;
-        jacobian[2 * k + 1] += ny;
-    }
-    return shortest;
-}
-
 static TinkerStatus rows_at(TinkerBatch *batch, const TinkerPoint *ends, double *g, double *jacobian, double *drift)
 {
     const double *length = tinker_column(batch, COLUMN_LENGTH);
     for (int32_t i = 0; i < batch->count; i++) {
         const int32_t first = tinker_first_end(batch, i), count = tinker_first_end(batch, i + 1) - first;
-        const double shortest = add_up_strands(&ends[first], count, &g[i], &jacobian[2 * first], &drift[i]);
+        const double shortest = tinker_path_row(&ends[first], count, &g[i], &jacobian[2 * first], &drift[i]);
         if (shortest < LEAST_STRAND * length[i] && g[i] > NEARLY_TAUT * length[i])
             return tinker_retry(batch, i, "what it pulls has run into a wheel (or two of its ends are in one place)");
         g[i] -= length[i];

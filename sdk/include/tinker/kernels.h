@@ -90,6 +90,35 @@ static inline void tinker_end_rates(int32_t count, const TinkerPoint *TINKER_RES
     }
 }
 
+/* The row of a path from end to end, as a rope over wheels has one. With its strands k = 1 ... n, d_k = x_k - x_(k-1),
+ * L_k = |d_k|, n_k = d_k / L_k and w_k = v_k - v_(k-1):
+ *     path = sum of L_k,   dpath/dx_k = n_k - n_(k+1),   drift = sum of (n_k x w_k)^2 / L_k.
+ * Writes the derivatives as x and y of each end; answers the shortest strand. A strand of length 0 has no direction,
+ * and counts for nothing. */
+static inline double tinker_path_row(const TinkerPoint *end, int32_t ends, double *path, double *jacobian,
+                                     double *drift)
+{
+    double shortest = INFINITY;
+    *path = *drift = 0.0;
+    for (int32_t k = 0; k < 2 * ends; k++) {
+        jacobian[k] = 0.0;
+    }
+    for (int32_t k = 1; k < ends; k++) {
+        const TinkerPoint *a = &end[k - 1], *b = &end[k];
+        const double dx = b->x - a->x, dy = b->y - a->y, length = tinker_length(dx, dy);
+        shortest = fmin(shortest, length);
+        if (length == 0.0) continue;
+        const double nx = dx / length, ny = dy / length, across = nx * (b->vy - a->vy) - ny * (b->vx - a->vx);
+        *path += length;
+        *drift += across / length * across;
+        jacobian[2 * k - 2] -= nx;
+        jacobian[2 * k - 1] -= ny;
+        jacobian[2 * k] += nx;
+        jacobian[2 * k + 1] += ny;
+    }
+    return shortest;
+}
+
 /* Component 0 to 5 (x, y, vx, vy, ax, ay) of the first end of every instance that has exactly one. */
 static inline TinkerStatus tinker_point_values(TinkerBatch *batch, const TinkerGraphInput *input, int32_t component,
                                                double *values)
