@@ -280,6 +280,25 @@ static void test_statistics(CliFixture *fixture, gconstpointer data)
     cli_assert_holds(wrong->error, "--from and --to leave nothing");
 }
 
+/* Curves of a scene, of one that is four times as stiff, and of the first one's record. */
+static void test_with(CliFixture *fixture, gconstpointer data)
+{
+    g_autofree char *scene = cli_write(fixture, "a.json", OSCILLATOR);
+    g_auto(GStrv) parts = g_strsplit(OSCILLATOR, "\"stiffness\": 100", 2);
+    g_autofree char *stiffer = g_strjoinv("\"stiffness\": 400", parts), *other = cli_write(fixture, "b.json", stiffer);
+    g_autoptr(TestProgram) record = cli_run_well(fixture, "run @a.json --csv @a.csv");
+    g_autoptr(TestProgram) run = cli_run_well(fixture, "graph @a.json 'Mass 0.x' --with @b.json --with @a.csv -o -");
+    g_auto(GStrv) lines = g_strsplit(run->output, "\n", -1);
+    g_assert_cmpstr(lines[0], ==, "Time,Mass 0.x (a),Time,Mass 0.x (Spring 0: K 100 → 400 N/m),Time,Mass 0.x (a)");
+    g_auto(GStrv) cells = g_strsplit(lines[2], ",", -1);
+    g_assert_cmpuint(g_strv_length(cells), ==, 6);
+    g_assert_cmpfloat(fabs(g_ascii_strtod(cells[1], NULL) - 2 - cos(5)), <, 1e-6);
+    g_assert_cmpfloat(fabs(g_ascii_strtod(cells[3], NULL) - 2 - cos(10)), <, 1e-5);
+    g_assert_cmpstr(cells[5], ==, cells[1]);
+    g_autoptr(TestProgram) lacks = cli_run_badly(fixture, "graph @a.json 'Mass 0.ax' --with @a.csv -o -", 2);
+    cli_assert_holds(lacks->error, "has no column \"Mass 0.ax\"");
+}
+
 static void wait_for_rows(const char *path)
 {
     for (;;) {
@@ -344,6 +363,7 @@ int main(int argc, char **argv)
     cli_test_add("/run/start-event", test_start_event);
     cli_test_add("/run/until", test_until);
     cli_test_add("/run/statistics", test_statistics);
+    cli_test_add("/run/with", test_with);
     cli_test_add("/run/interrupt", test_interrupt);
     return g_test_run();
 }

@@ -2,13 +2,16 @@
 #include "cli/verb/verbs.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "cli/command/options.h"
 #include "cli/command/output.h"
 #include "cli/command/picture.h"
+#include "cli/report/chart-table.h"
 #include "cli/report/chart.h"
 #include "cli/report/statistics-report.h"
 #include "exit-status.h"
+#include "measure/changes.h"
 
 static const TinkerVerbHelp help = {
     .verb = "graph",
@@ -33,6 +36,8 @@ typedef struct {
     TinkerPictureArguments picture;
     char *output, *decimals, *against, *log;
     gboolean statistics;
+    char **with;
+    char **plugin_folders; /* of the command line; borrowed */
     char *from, *to, *json;
 } GraphOptions;
 
@@ -47,6 +52,7 @@ static void graph_options_clear(GraphOptions *options)
     g_free(options->from);
     g_free(options->to);
     g_free(options->json);
+    g_strfreev(options->with);
 }
 G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC(GraphOptions, graph_options_clear)
 
@@ -128,6 +134,75 @@ static void begin_again(void *chart)
     tinker_chart_cut(chart, -INFINITY);
 }
 
+#define MOST_OTHERS 8
+
+/* "stiff" of "some/stiff.tinker.json". (transfer full) */
+static char *short_name(const char *path)
+{
+    char *name = g_path_get_basename(path);
+    static const char *const endings[] = {".tinker.json", ".json", ".csv"};
+    for (gsize i = 0; i < G_N_ELEMENTS(endings); i++)
+        if (g_str_has_suffix(name, endings[i]) && strlen(name) > strlen(endings[i])) {
+            name[strlen(name) - strlen(endings[i])] = '\0';
+            break;
+        }
+    return name;
+}
+
+static void free_open_scene(gpointer open)
+{
+    tinker_open_scene_clear(open);
+    g_free(open);
+}
+
+/* The same curves of another scene, run with the same options. */
+static TinkerChart *chart_of_scene(const GraphOptions *options, TinkerOpenScene *other, TinkerScene *scene,
+                                   char **names, GError **error)
+{
+    TinkerRunOptions run_options;
+    g_auto(TinkerSceneRun) run = {0};
+    g_autoptr(TinkerChart) chart = tinker_chart_new(other->scene);
+    if (!add_curves(chart, options, other->name, names, error)) return NULL;
+    if (!tinker_run_arguments_apply(&options->run, other->scene, &run_options, error)) return NULL;
+    if (!tinker_scene_run_prepare(&run, other->scene, &options->run, &run_options, error)) return NULL;
+    const TinkerSampleTaker taker = {take_sample, begin_again, chart};
+    if (!tinker_scene_run_go(&run, chart->columns, &taker, error)) return NULL;
+    chart->run = tinker_scene_changes(scene, other->scene);
+    return g_steal_pointer(&chart);
+}
+
+/* The runs of --with, in the chart of this one. `scenes` keeps theirs. */
+static gboolean add_others(TinkerChart *chart, const GraphOptions *options, const TinkerOpenScene *open, char **names,
+                           GPtrArray *scenes, GError **error)
+{
+    if (options->with == NULL) return TRUE;
+    if (names[0] == NULL || g_strv_length(options->with) > MOST_OTHERS) {
+        g_set_error(error, TINKER_CLI_ERROR, TINKER_CLI_ERROR_USAGE, "--with %s",
+                    names[0] == NULL ? "needs a curve that is named (as in \"Mass 0.y\")"
+                                     : "may be given eight times at most");
+        return FALSE;
+    }
+    chart->run = short_name(open->name);
+    for (char **path = options->with; *path != NULL; path++) {
+        TinkerChart *other = NULL;
+        if (g_str_has_suffix(*path, ".csv")) {
+            other = tinker_chart_of_table(chart, names, options->against, *path, error);
+        } else {
+            TinkerOpenScene *scene = g_new0(TinkerOpenScene, 1);
+            g_ptr_array_add(scenes, scene);
+            if (tinker_open_scene(scene, options->plugin_folders, *path) != TINKER_EXIT_DONE) {
+                g_set_error(error, TINKER_CLI_ERROR, TINKER_CLI_ERROR_USAGE, "--with: %s cannot be opened", *path);
+                return FALSE;
+            }
+            other = chart_of_scene(options, scene, open->scene, names, error);
+        }
+        if (other == NULL) return FALSE;
+        if (other->run == NULL) other->run = short_name(*path);
+        g_ptr_array_add(chart->others, other);
+    }
+    return TRUE;
+}
+
 /* Between two samples curves are made of cubics: so many samples an interval make them as good as the run. */
 #define STATISTIC_SAMPLES 16
 
@@ -184,12 +259,14 @@ static gboolean graph(const GraphOptions *options, const TinkerOpenScene *open, 
     g_auto(TinkerSceneRun) run = {0};
     const TinkerAskedOutput outputs[] = {{"--output", options->output}, {NULL, NULL}};
     g_autoptr(TinkerFileSet) files = tinker_open_scene_files(open);
+    g_autoptr(GPtrArray) scenes = g_ptr_array_new_with_free_func(free_open_scene);
     g_autoptr(TinkerChart) chart = tinker_chart_new(open->scene);
     if (!tinker_outputs_add(files, outputs, error)) return FALSE;
     if (!read_log(chart, options->log, error)) return FALSE;
     if (!read_form(options, &form, error) || !add_curves(chart, options, open->name, names, error)) return FALSE;
     if (!tinker_run_arguments_apply(&options->run, open->scene, &run_options, error)) return FALSE;
-    run_options.bands = !form.csv;
+    run_options.bands = !form.csv && options->with == NULL;
+    if (!add_others(chart, options, open, names, scenes, error)) return FALSE;
     if (!tinker_scene_run_prepare(&run, open->scene, &options->run, &run_options, error)) return FALSE;
     const TinkerSampleTaker taker = {take_sample, begin_again, chart};
     (void)tinker_scene_run_go(&run, chart->columns, &taker, failure);
@@ -207,6 +284,8 @@ int tinker_verb_graph(int argc, char **argv)
          "FILE"},
         {"against", 0, 0, G_OPTION_ARG_FILENAME, &options.against,
          "Draw against this quantity instead of time: a phase plot", "QUANTITY"},
+        {"with", 0, 0, G_OPTION_ARG_FILENAME_ARRAY, &options.with,
+         "The same curves of another scene, or of a record (.csv), in one graph (up to eight times)", "FILE"},
         {"log", 0, 0, G_OPTION_ARG_FILENAME, &options.log, "Logarithmic axes: x, y or xy", "AXES"},
         {"statistics", 0, 0, G_OPTION_ARG_NONE, &options.statistics,
          "Tell mean, rms, extrema, period and damping of each curve, with their errors, in the place of drawing", NULL},
@@ -223,6 +302,7 @@ int tinker_verb_graph(int argc, char **argv)
     int status = TINKER_EXIT_DONE;
     if (!tinker_command_line_read(&line, &help, entries, argc, argv, &status)) return status;
 
+    options.plugin_folders = line.plugin_folders;
     g_auto(TinkerOpenScene) open = {0};
     status = tinker_open_scene(&open, line.plugin_folders, line.operands[0]);
     if (status != TINKER_EXIT_DONE) return status;
