@@ -9,6 +9,8 @@ const FaultOperation fault_operations[] = {
     {"json", FALSE, "run @scene.json --json @new.json", "new.json", FALSE, NULL},
     {"automatic", FALSE, "run @chain.json --json @new.json", "new.json", FALSE, NULL},
     {"modes", FALSE, "modes @chain.json --json @new.json", "new.json", FALSE, NULL},
+    {"equations", FALSE, "equations @chain.json --as json -o @new.json", "new.json", FALSE, NULL},
+    {"books", FALSE, "books @scene.json --to 0.1 --as json -o @new.json", "new.json", FALSE, NULL},
     {"graph-csv", FALSE, "graph @scene.json -o @new.csv", "new.csv", FALSE, NULL},
     {"graph-png", FALSE, "graph @scene.json -o @new.png", "new.png", FALSE, NULL},
     {"graph-svg", FALSE, "graph @scene.json -o @new.svg", "new.svg", FALSE, NULL},
