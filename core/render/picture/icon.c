@@ -146,7 +146,7 @@ static gboolean measure(Mock *mock, const TinkerTheme *theme, const Fit *fit, do
     return box[2] > 0 && box[3] > 0 && extent < GREATEST_EXTENT * fmax(fit->width, fit->height);
 }
 
-/* The first guess; a body by its size, anything else by its symbols. */
+/* The first guess; a body by its size, or as if that were 1 m; anything else by its symbols. */
 static Fit first_fit(const Mock *mock, double width, double height)
 {
     Fit fit = {.width = width, .height = height, .scale = 1, .symbol = SYMBOL_SHARE * fmin(width, height)};
@@ -154,7 +154,7 @@ static Fit first_fit(const Mock *mock, double width, double height)
     if (piece->kind != TINKER_PIECE_BODY) return fit;
     double across = piece->width > 0 ? BODY_SHARE * width / piece->width : INFINITY;
     double up = piece->height > 0 ? BODY_SHARE * height / piece->height : INFINITY;
-    if (isfinite(fmin(across, up))) fit.scale = fmin(across, up);
+    fit.scale = isfinite(fmin(across, up)) ? fmin(across, up) : BODY_SHARE * fmin(width, height);
     return fit;
 }
 
