@@ -111,6 +111,12 @@ static void add_body(TinkerEquationWriter *writer, TinkerBlockId block, const Ti
     g_array_set_clear_func(body->terms, term_clear);
     g_ptr_array_add(equations->bodies, body);
     g_hash_table_insert(writer->body_of, GINT_TO_POINTER(block), body);
+    /* what acts away from its centre is written as if it acted there: better told than left out */
+    if (tinker_scene_block_class(writer->scene, block)->physics->body->degrees_of_freedom <= 2) return;
+    TinkerNotWritten *missing = g_new(TinkerNotWritten, 1);
+    *missing = (TinkerNotWritten){block, g_ptr_array_new_with_free_func(g_free),
+                                  g_strdup("it turns: its rotation, and the places of its ends, are not written yet")};
+    g_ptr_array_add(equations->not_written, missing);
 }
 
 typedef gboolean (*AddRole)(TinkerEquationWriter *writer, TinkerBlockId block, const TinkerBlockLaw *law);
