@@ -38,6 +38,9 @@ static double error_of(const char *method, double step)
                                             BAR_PENDULUM);
     double rate, angle = angle_of(0.8, &rate);
     if (step == 0) physics_assert_near("rate", physics_last(run, 1), rate, 1e-8);
+    TinkerBodySample sample;
+    g_assert_true(tinker_simulation_body(run->simulation, tinker_scene_find_block(run->scene, "Bar 0"), &sample));
+    g_assert_cmpfloat(sample.orientation, ==, physics_last(run, 0)); /* as it is drawn */
     return fabs(physics_last(run, 0) - angle);
 }
 

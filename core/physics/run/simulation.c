@@ -127,6 +127,8 @@ gboolean tinker_simulation_body(const TinkerSimulation *simulation, TinkerBlockI
                                  simulation->all->sample_q[2 * body + 1] + model->origin[1],
                                  simulation->all->sample_v[2 * body], simulation->all->sample_v[2 * body + 1],
                                  simulation->all->orientation[body]};
+    if (tinker_model_turn_of(model, body) >= 0)
+        sample->orientation = tinker_model_angle(model, body, simulation->all->sample_q);
     return TRUE;
 }
 
