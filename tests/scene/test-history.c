@@ -11,6 +11,27 @@ static char *text_of(TinkerScene *scene)
     return tinker_scene_to_text(scene, TINKER_WRITE_SI);
 }
 
+/* A rope with four ends comes and goes as a whole, and its ends are set one by one. */
+static void test_ends_of_choice(void)
+{
+    g_autoptr(TinkerScene) scene = tinker_scene_new(scene_fixture_catalogue());
+    g_autoptr(TinkerHistory) history = tinker_history_new(scene);
+    TinkerBlockId mass = tinker_history_add_block(history, scene_fixture_class("mass"), NULL, NULL);
+    TinkerBlockId rope = tinker_history_add_block_of(history, scene_fixture_class("rope"), 4);
+    g_assert_cmpint(tinker_scene_end_count(scene, rope), ==, 4);
+    g_assert_cmpstr(tinker_scene_block_name(scene, rope), ==, "Rope 0");
+    g_assert_true(tinker_history_set_end(history, rope, 3, (TinkerSceneEnd){mass, 0, 0}, NULL));
+    g_autofree char *whole = text_of(scene);
+    tinker_history_undo(history);
+    tinker_history_undo(history);
+    g_assert_cmpint(tinker_scene_block_count(scene), ==, 1);
+    tinker_history_redo(history);
+    tinker_history_redo(history);
+    g_autofree char *again = text_of(scene);
+    g_assert_cmpstr(again, ==, whole);
+    g_assert_cmpint(tinker_scene_end(scene, rope, 3).block, ==, mass);
+}
+
 static void test_titles_and_merging(void)
 {
     g_autoptr(TinkerScene) scene = tinker_scene_new(scene_fixture_catalogue());
@@ -456,6 +477,7 @@ static void test_saved_and_revision(void)
 
 static void add_tests(void)
 {
+    g_test_add_func("/scene/history/ends-of-choice", test_ends_of_choice);
     g_test_add_func("/scene/history/titles-and-merging", test_titles_and_merging);
     g_test_add_func("/scene/history/abort", test_abort);
     g_test_add_func("/scene/history/removal", test_removal);

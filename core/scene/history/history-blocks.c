@@ -67,6 +67,16 @@ TinkerBlockId tinker_history_add_block(TinkerHistory *history, const TinkerBlock
     return id;
 }
 
+TinkerBlockId tinker_history_add_block_of(TinkerHistory *history, const TinkerBlockClass *block_class, int32_t ends)
+{
+    g_assert(ends >= block_class->type->least_ends);
+    g_assert(block_class->type->most_ends < 0 || ends <= block_class->type->most_ends);
+    const TinkerBlockId id = scene_append(history_scene(history), block_class, ends, NULL);
+    scene_assign_default_name(history_scene(history), id);
+    history_note_new(history, "Add", &id, 1);
+    return id;
+}
+
 void history_note_new(TinkerHistory *history, const char *verb, const TinkerBlockId *blocks, gsize count)
 {
     gboolean own = history_open_several(history, verb, blocks, count);

@@ -27,6 +27,8 @@ gboolean tinker_history_is_open(const TinkerHistory *history);
 /* The setters of scene.h, recorded. Outside begin and end each is a step of its own. */
 TinkerBlockId tinker_history_add_block(TinkerHistory *history, const TinkerBlockClass *block_class, const char *name,
                                        GError **error);
+/* One of a type with a number of ends of choice, which the type must allow; its name is the first that is free. */
+TinkerBlockId tinker_history_add_block_of(TinkerHistory *history, const TinkerBlockClass *block_class, int32_t ends);
 void tinker_history_remove_block(TinkerHistory *history, TinkerBlockId block);
 /* Several different ones at once, in a time that does not depend on how many they are but by what has to be kept of
  * each. */

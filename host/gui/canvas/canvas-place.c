@@ -135,6 +135,19 @@ static void free_end_beside(TinkerCanvas *canvas, TinkerBlockId block, double pl
     place[1] += 2 * half_connector(canvas);
 }
 
+/* As many ends as there are selected blocks that ends can be on, where the type lets it: a rope goes over all of them.
+ */
+static int32_t wanted_ends(TinkerCanvas *canvas, const TinkerBlockType *type, const TinkerBlockId *targets, int count)
+{
+    int32_t bodies = 0;
+    for (int i = 0; i < count; i++) {
+        const TinkerBlockClass *of = tinker_scene_block_class(tinker_document_scene(canvas->document), targets[i]);
+        if (of != NULL && of->physics != NULL && of->physics->body != NULL) bodies++;
+    }
+    if (type->most_ends >= 0) bodies = MIN(bodies, type->most_ends);
+    return MAX(bodies, MAX(type->least_ends, 0));
+}
+
 TinkerBlockId tinker_canvas_add(TinkerCanvas *canvas, const TinkerBlockClass *block_class)
 {
     int count;
@@ -143,7 +156,8 @@ TinkerBlockId tinker_canvas_add(TinkerCanvas *canvas, const TinkerBlockClass *bl
     if (tinker_player_time(canvas->player) > 0) tinker_player_rewind(canvas->player);
     g_autofree char *title = g_strdup_printf(_("Add %s"), tinker_translate(block_class->type->title));
     tinker_document_begin(canvas->document, title, NULL);
-    TinkerBlockId block = tinker_history_add_block(tinker_document_history(canvas->document), block_class, NULL, NULL);
+    TinkerBlockId block = tinker_history_add_block_of(tinker_document_history(canvas->document), block_class,
+                                                      wanted_ends(canvas, block_class->type, targets, count));
     double place[2];
     find_room(canvas, block, place);
     if (connect_to(canvas, block, targets, count) > 0) free_end_beside(canvas, block, place);

@@ -73,6 +73,19 @@ def test_click_with_two_selected_connects_them(display):
         check_equal(ends(app, "Spring 0"), ["Wall", "Ball"], "ends")
 
 
+def test_rope_goes_over_all_that_is_selected(display):
+    with App(display, scene(support("Wheel", 0, 3), mass("Load", -1, 0), mass("Weight", 1, 0))) as app:
+        app.click_world(-1, 0)
+        app.click_world(0, 3, keys=["shift"])
+        app.click_world(1, 0, keys=["shift"])
+        app.place("Rope")
+        check_equal(ends(app, "Rope 0"), ["Load", "Wheel", "Weight"], "ends")
+        app.press("ctrl+z")
+        check("Rope 0" not in app.blocks(), "the rope is taken back")
+        app.press("ctrl+y")
+        check_equal(ends(app, "Rope 0"), ["Load", "Wheel", "Weight"], "ends after redo")
+
+
 def test_click_with_one_selected_leaves_an_end_free(display):
     with App(display, scene(mass("Ball", 0, 0))) as app:
         app.click_world(0, 0)
