@@ -299,6 +299,18 @@ static void test_with(CliFixture *fixture, gconstpointer data)
     cli_assert_holds(lacks->error, "has no column \"Mass 0.ax\"");
 }
 
+/* It is drawn; what cannot be is refused. The numbers are those of tests/measure. */
+static void test_spectrum(CliFixture *fixture, gconstpointer data)
+{
+    g_autofree char *scene = cli_write(fixture, "a.json", OSCILLATOR);
+    g_autoptr(TestProgram) run =
+        cli_run_well(fixture, "graph @a.json 'Mass 0.x' --interval 0.01 --spectrum hann -o @s.svg");
+    g_autofree char *svg = cli_read(fixture, "s.svg");
+    cli_assert_holds(svg, "<svg");
+    g_autoptr(TestProgram) wrong = cli_run_badly(fixture, "graph @a.json 'Mass 0.x' --spectrum box -o @s.svg", 2);
+    cli_assert_holds(wrong->error, "it must be hann or none");
+}
+
 static void wait_for_rows(const char *path)
 {
     for (;;) {
@@ -364,6 +376,7 @@ int main(int argc, char **argv)
     cli_test_add("/run/until", test_until);
     cli_test_add("/run/statistics", test_statistics);
     cli_test_add("/run/with", test_with);
+    cli_test_add("/run/spectrum", test_spectrum);
     cli_test_add("/run/interrupt", test_interrupt);
     return g_test_run();
 }

@@ -5,6 +5,7 @@
 
 #include "graph-axis.h"
 #include "measure/formula.h"
+#include "measure/spectrum.h"
 #include "physics/record/record.h"
 #include "physics/run/simulation.h"
 #include "render/draw/theme.h"
@@ -66,6 +67,11 @@ void tinker_chart_cut(TinkerChart *chart, double time);
 /* Draws the chart to .png, .svg or .pdf by the ending. */
 gboolean tinker_chart_draw(TinkerChart *chart, const TinkerTheme *theme, int width, int height, const char *path,
                            GError **error);
+
+/* Draws amplitudes over frequency in the place of values over time: of the last even number of samples, which are
+ * evenly spaced. */
+gboolean tinker_chart_draw_spectrum(TinkerChart *chart, TinkerWindow window, const TinkerTheme *theme, int width,
+                                    int height, const char *path, GError **error);
 
 /* Writes CSV: "Time", then a column a curve, called like the quantity where there is one curve, else with the block's
  * name before it; x and y of each curve where they are not over time. `decimals` as in csv-writer.h. */

@@ -38,7 +38,7 @@ typedef struct {
     gboolean statistics;
     char **with;
     char **plugin_folders; /* of the command line; borrowed */
-    char *from, *to, *json;
+    char *from, *to, *json, *spectrum;
 } GraphOptions;
 
 static void graph_options_clear(GraphOptions *options)
@@ -52,6 +52,7 @@ static void graph_options_clear(GraphOptions *options)
     g_free(options->from);
     g_free(options->to);
     g_free(options->json);
+    g_free(options->spectrum);
     g_strfreev(options->with);
 }
 G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC(GraphOptions, graph_options_clear)
@@ -90,6 +91,22 @@ static void report_left_out(const TinkerSceneGraph *graph)
     tinker_report_warning("graph of %s.%s left out: other axes than the first (to draw it: tinker graph SCENE "
                           "\"%s.%s\"%s -o ...)",
                           curve->block, curve->quantity, curve->block, curve->quantity, against);
+}
+
+static gboolean read_window(const GraphOptions *options, TinkerWindow *window, GError **error)
+{
+    *window = g_strcmp0(options->spectrum, "hann") == 0 ? TINKER_WINDOW_HANN : TINKER_WINDOW_RECTANGULAR;
+    const char *wrong = NULL;
+    if (options->spectrum == NULL) return TRUE;
+    if (*window != TINKER_WINDOW_HANN && !g_str_equal(options->spectrum, "none"))
+        wrong = "it must be hann or none";
+    else if (options->against != NULL || options->with != NULL)
+        wrong = "a spectrum is of curves over time, and of one run: leave out --against and --with";
+    else if (tinker_is_standard_stream(options->output) || g_str_has_suffix(options->output, ".csv"))
+        wrong = "a spectrum is drawn: give -o FILE.png, .svg or .pdf";
+    if (wrong == NULL) return TRUE;
+    g_set_error(error, TINKER_CLI_ERROR, TINKER_CLI_ERROR_USAGE, "--spectrum %s: %s", options->spectrum, wrong);
+    return FALSE;
 }
 
 static gboolean read_log(TinkerChart *chart, const char *axes, GError **error)
@@ -262,7 +279,8 @@ static gboolean graph(const GraphOptions *options, const TinkerOpenScene *open, 
     g_autoptr(GPtrArray) scenes = g_ptr_array_new_with_free_func(free_open_scene);
     g_autoptr(TinkerChart) chart = tinker_chart_new(open->scene);
     if (!tinker_outputs_add(files, outputs, error)) return FALSE;
-    if (!read_log(chart, options->log, error)) return FALSE;
+    TinkerWindow window;
+    if (!read_log(chart, options->log, error) || !read_window(options, &window, error)) return FALSE;
     if (!read_form(options, &form, error) || !add_curves(chart, options, open->name, names, error)) return FALSE;
     if (!tinker_run_arguments_apply(&options->run, open->scene, &run_options, error)) return FALSE;
     run_options.bands = !form.csv && options->with == NULL;
@@ -272,6 +290,8 @@ static gboolean graph(const GraphOptions *options, const TinkerOpenScene *open, 
     (void)tinker_scene_run_go(&run, chart->columns, &taker, failure);
     if (*failure != NULL) tinker_chart_cut(chart, tinker_simulation_summary(run.simulation)->valid_until);
     tinker_scene_run_report_warnings(&run, open, &options->run);
+    if (options->spectrum != NULL)
+        return tinker_chart_draw_spectrum(chart, window, form.theme, form.width, form.height, options->output, error);
     if (form.csv) return tinker_chart_write_csv(chart, form.decimals, options->output, error);
     return tinker_chart_draw(chart, form.theme, form.width, form.height, options->output, error);
 }
@@ -289,6 +309,8 @@ int tinker_verb_graph(int argc, char **argv)
         {"log", 0, 0, G_OPTION_ARG_FILENAME, &options.log, "Logarithmic axes: x, y or xy", "AXES"},
         {"statistics", 0, 0, G_OPTION_ARG_NONE, &options.statistics,
          "Tell mean, rms, extrema, period and damping of each curve, with their errors, in the place of drawing", NULL},
+        {"spectrum", 0, 0, G_OPTION_ARG_FILENAME, &options.spectrum,
+         "Draw amplitudes over frequency, with this window: hann or none", "WINDOW"},
         {"from", 0, 0, G_OPTION_ARG_FILENAME, &options.from, "Statistics from this time on", "T"},
         {"to", 0, 0, G_OPTION_ARG_FILENAME, &options.to, "Statistics up to this time", "T"},
         {"json", 0, 0, G_OPTION_ARG_FILENAME, &options.json, "Write the statistics to FILE as JSON", "FILE"},
