@@ -94,6 +94,32 @@ static void test_crossed(void)
     g_assert_cmpint(named, <, springs);
 }
 
+/* A body in the middle of others that leave no place beside it: its name stands farther off, on nothing, and a line
+ * leads to it. */
+static void test_far(void)
+{
+    g_autoptr(GString) blocks = g_string_new("{\"type\": \"mass\", \"name\": \"Middle\", \"width\": 0.8}");
+    for (int i = 0; i < 8; i++)
+        g_string_append_printf(blocks, ",{\"type\": \"mass\", \"name\": \"B%d\", \"position\": [%g, %g]}", i,
+                               1.0 * ((const int[]){1, 1, 0, -1, -1, -1, 0, 1})[i],
+                               1.0 * ((const int[]){0, 1, 1, 1, 0, -1, -1, -1})[i]);
+    TestStage stage, plain;
+    test_stage_open(&stage, blocks->str);
+    test_stage_open(&plain, blocks->str);
+    stage.options.show_labels = TRUE;
+    test_stage_paint(&stage);
+    test_stage_paint(&plain);
+    const TinkerWrittenText *name = test_stage_text(&stage, "Middle");
+    g_assert_nonnull(name);
+    g_assert_cmpint(drawn_beneath(name, &plain), ==, 0);
+    /* beyond its neighbours, at 50 pixels a metre */
+    g_assert_cmpfloat(fmax(gap(name->box[0], name->box[2], TEST_STAGE_WIDTH / 2),
+                           gap(name->box[1], name->box[3], TEST_STAGE_HEIGHT / 2)),
+                      >, 50);
+    test_stage_close(&plain);
+    test_stage_close(&stage);
+}
+
 /* None where it would be taken for another's: on a short one, between two that run side by side, on a part of a
  * support, or on a motor, whose arrow may lie along a spring; but where it is selected. */
 static void test_whose(void)
@@ -192,6 +218,7 @@ static void add_tests(void)
 {
     g_test_add_func("/render/labels/beside", test_beside);
     g_test_add_func("/render/labels/crossed", test_crossed);
+    g_test_add_func("/render/labels/far", test_far);
     g_test_add_func("/render/labels/whose", test_whose);
     g_test_add_func("/render/labels/steady", test_steady);
     g_test_add_func("/render/labels/nets", test_nets);

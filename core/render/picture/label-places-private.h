@@ -27,6 +27,11 @@ gboolean tinker_named_init(TinkerNamed *named, const TinkerPicture *picture, con
  * seen whose name it is. */
 int tinker_named_places(const TinkerNamed *named);
 
+/* Whether a place is so far from its body that a line has to lead to it; and that line, from the body's edge to the
+ * name's box: canvas x, y of both ends. */
+gboolean tinker_named_is_far(const TinkerNamed *named, int number);
+void tinker_named_leader(const TinkerNamed *named, const double box[4], double line[4]);
+
 /* The name's box (least and greatest x and y) in a place, and what it costs where nothing is in the way: near ones are
  * better, and above is better than below. */
 void tinker_named_place(const TinkerNamed *named, int number, double box[4]);

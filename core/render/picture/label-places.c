@@ -1,5 +1,6 @@
-/* A body has places in eight directions, four steps outwards each; a connector on both sides of its longest piece, in
- * the middle of it and a third from either end; one with a single end in the eight directions, close by. */
+/* A body has places in eight directions, four steps outwards each, and farther ones with a line that leads to it; a
+ * connector on both sides of its longest piece, in the middle of it and a third from either end; one with a single end
+ * in the eight directions, close by. */
 #include "render/picture/label-places-private.h"
 
 #include <math.h>
@@ -11,6 +12,7 @@
 #define STEP        (2.5 * GAP)
 #define DIRECTIONS  8
 #define BODY_STEPS  4
+#define FAR_STEPS   6 /* behind those, each as long as two */
 #define LINE_PARTS  3 /* points along a connector, */
 #define LINE_PLACES (2 * LINE_PARTS)
 #define LINE_STEPS  2
@@ -88,7 +90,7 @@ gboolean tinker_named_init(TinkerNamed *named, const TinkerPicture *picture, con
 
 int tinker_named_places(const TinkerNamed *named)
 {
-    if (!named->is_line) return (named->is_connector ? 1 : BODY_STEPS) * DIRECTIONS;
+    if (!named->is_line) return (named->is_connector ? 1 : BODY_STEPS + FAR_STEPS) * DIRECTIONS;
     return length_of(named->line) >= named->name_width ? LINE_STEPS * LINE_PLACES : 0;
 }
 
@@ -96,6 +98,11 @@ double tinker_named_free_cost(const TinkerNamed *named, int number)
 {
     int round = named->is_line ? LINE_PLACES : DIRECTIONS;
     return 0.001 * (number % round) + 0.01 * (number / round);
+}
+
+gboolean tinker_named_is_far(const TinkerNamed *named, int number)
+{
+    return !named->is_connector && number / DIRECTIONS >= BODY_STEPS;
 }
 
 /* How far it is from a body's centre to its edge in this direction of the canvas. */
@@ -117,9 +124,20 @@ static void place_beside_body(const TinkerNamed *named, int number, double box[4
                                                      {1, -1}, {-1, -1}, {1, 1}, {-1, 1}};
     double across = directions[number % DIRECTIONS][0], down = directions[number % DIRECTIONS][1];
     double norm = hypot(across, down);
-    double reach = reach_of(named, atan2(down, across)) + GAP + STEP * (number / DIRECTIONS);
+    const int steps = number / DIRECTIONS + MAX(number / DIRECTIONS - BODY_STEPS + 1, 0);
+    double reach = reach_of(named, atan2(down, across)) + GAP + STEP * steps;
     box[0] = named->x + across / norm * reach + (across - 1) / 2 * named->name_width;
     box[1] = named->y + down / norm * reach + (down - 1) / 2 * named->name_height;
+}
+
+void tinker_named_leader(const TinkerNamed *named, const double box[4], double line[4])
+{
+    line[2] = CLAMP(named->x, box[0], box[2]);
+    line[3] = CLAMP(named->y, box[1], box[3]);
+    const double x = line[2] - named->x, y = line[3] - named->y, length = fmax(hypot(x, y), 1e-9);
+    const double reach = fmin(reach_of(named, atan2(y, x)), length);
+    line[0] = named->x + x / length * reach;
+    line[1] = named->y + y / length * reach;
 }
 
 /* Across the connector, to the side that a place is on: of two that follow each other the first is above it (to the

@@ -1,8 +1,8 @@
 /* Names beside bodies and connectors. The map of what is drawn is filled from the pieces' geometry; a name tries the
  * places of its block, near ones first, and takes the one that covers least. A body's name that would cover another
- * name is left out, unless its block is selected; bodies come first, since springs and rods are told by what they join.
- * A connector's is left out where it would cover anything, and that of one with a single end, whose arrow mostly lies
- * upon other symbols, unless it is selected. */
+ * name, or much of a drawing, is left out, unless its block is selected; bodies come first, since springs and rods are
+ * told by what they join. A connector's is left out where it would cover anything, and that of one with a single end,
+ * whose arrow mostly lies upon other symbols, unless it is selected. */
 #include <math.h>
 #include <string.h>
 
@@ -16,8 +16,10 @@
 #define LEAST_SYMBOL    5.0 /* canvas units: in a scene drawn smaller, */
 #define FEW             12  /* bodies have names, but no more than these */
 #define NAME_LIMIT      160.0
-#define KEEPS           1.0 /* what a name may cover of a drawing before it leaves its place in a film */
-#define KEEPS_CONNECTOR 0.3 /* and that of a connector, before it is left out */
+#define LEADER          0.75 /* width of the line to a name that is far off */
+#define KEEPS           1.0  /* what a name may cover of a drawing before it leaves its place in a film */
+#define COVERS          0.25 /* and the most that one covers of drawings in a place that is new to it */
+#define KEEPS_CONNECTOR 0.3  /* and that of a connector, before it is left out */
 
 typedef struct {
     TinkerPicture *picture;
@@ -101,9 +103,19 @@ static gboolean may_stand(const Labels *labels, const TinkerNamed *named, int ch
 {
     double box[4], covers = covered_by(labels, named, chosen, box);
     gboolean covers_text = tinker_occupancy_share(&labels->map, box, TINKER_TAKEN_BY_TEXT) > 0;
-    if (!named->is_connector) return wanted || !covers_text;
+    if (!named->is_connector) return wanted || (!covers_text && (chosen == kept || covers <= COVERS));
     if (wanted || covers_text) return !covers_text;
     return named->is_line && covers <= (chosen == kept ? KEEPS_CONNECTOR : 0);
+}
+
+static void draw_leader(cairo_t *cairo, const TinkerNamed *named, const double box[4])
+{
+    double line[4];
+    tinker_named_leader(named, box, line);
+    cairo_move_to(cairo, line[0], line[1]);
+    cairo_line_to(cairo, line[2], line[3]);
+    cairo_set_line_width(cairo, LEADER);
+    cairo_stroke(cairo);
 }
 
 static void write_name(Labels *labels, const TinkerPiece *piece, gboolean wanted)
@@ -131,6 +143,7 @@ static void write_name(Labels *labels, const TinkerPiece *piece, gboolean wanted
     }
     const double *c = picture->options->theme->colours[TINKER_COLOUR_TEXT];
     cairo_set_source_rgba(picture->cairo, c[0], c[1], c[2], c[3]);
+    if (tinker_named_is_far(&named, chosen)) draw_leader(picture->cairo, &named, best);
     tinker_text_draw(&picture->brush.pen, picture->cairo, &name, best[0], best[1]);
     tinker_occupancy_take_box(&labels->map, best, TINKER_TAKEN_BY_TEXT);
 }
