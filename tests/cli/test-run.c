@@ -338,6 +338,9 @@ static void test_until(CliFixture *fixture, gconstpointer data)
     cli_assert_holds(json, "\"simulated_s\":\t0.494");
     g_autoptr(TestProgram) never = cli_run_well(fixture, "run @a.json --until 'event(impact)' --json -");
     cli_assert_holds(never->output, "\"stopped_by\":\tnull");
+    cli_assert_holds(never->error, "no condition of --until came true in");
+    cli_assert_holds(run->output, "  ended at 0.494");
+    cli_assert_holds(run->output, " s, where {Mass 0.y} = -1.2\n");
     g_autoptr(TestProgram) wrong = cli_run_badly(fixture, "run @a.json --until '{Mass 0.y}'", 2);
     cli_assert_holds(wrong->error, "--until");
     cli_assert_holds(wrong->error, "it is no condition");

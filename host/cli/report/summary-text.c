@@ -185,6 +185,14 @@ static void write_events(const TinkerRunReport *report, FILE *file)
     if (count > most) tinker_print_line(file, "  and %u more events (all of them: --json FILE)", count - most);
 }
 
+static void write_end(const TinkerRunReport *report, FILE *file)
+{
+    if (report->stopped_by != NULL)
+        tinker_print_line(file, "  ended at %.10g s, where %s", report->run->simulated_s, report->stopped_by);
+    else if (report->has_until)
+        tinker_print_line(file, "  no condition of --until came true in %g s", report->run->simulated_s);
+}
+
 void tinker_summary_write_text(const TinkerRunReport *report, FILE *file)
 {
     const char *title = tinker_scene_head(report->scene)->title;
@@ -193,6 +201,7 @@ void tinker_summary_write_text(const TinkerRunReport *report, FILE *file)
     write_tries(report->run, file);
     write_energy(report->run, file);
     write_events(report, file);
+    write_end(report, file);
     for (guint i = 0; i < report->warnings->len; i++)
         tinker_print_line(file, "  warning: %s", (const char *)g_ptr_array_index(report->warnings, i));
 }
