@@ -111,7 +111,8 @@ TinkerQuantityType tinker_scene_quantity_type(const TinkerScene *scene, TinkerBl
 {
     if (block == TINKER_NO_BLOCK) return of_scene[number];
     if (number < TINKER_IMPLIED_LENGTH) return tinker_scene_block_class(scene, block)->quantities[number];
-    if (number < TINKER_IMPLIED_DISTANCE) return implied[number - TINKER_IMPLIED_LENGTH];
+    const int32_t place = number - TINKER_IMPLIED_LENGTH;
+    if (place < (int32_t)G_N_ELEMENTS(implied)) return implied[place];
     const char *other = tinker_scene_block_name(scene, tinker_quantity_other(number));
     g_autofree char *id = g_strconcat(DISTANCE_TO, other, NULL), *title = g_strconcat("Distance to ", other, NULL);
     return (TinkerQuantityType)TINKER_QUANTITY(0, g_intern_string(id), g_intern_string(title),

@@ -111,10 +111,10 @@ static char *anchor_of(const char *heading)
 static void add_heading(Maker *maker, const char *line)
 {
     static const char *const classes[] = {"title-1", "title-2", "title-3", "title-4"};
-    const gsize level = strspn(line, "#");
+    const gsize level = strspn(line, "#"), below = level > 0 ? level - 1 : 0;
     const char *text = line + level + strspn(line + level, " ");
     end_paragraph(maker);
-    GtkWidget *label = label_new(maker, text, classes[MIN(level, G_N_ELEMENTS(classes)) - 1]);
+    GtkWidget *label = label_new(maker, text, classes[MIN(below, G_N_ELEMENTS(classes) - 1)]);
     g_autofree char *anchor = anchor_of(text);
     gtk_label_set_selectable(GTK_LABEL(label), FALSE);
     gtk_widget_set_name(label, anchor);
