@@ -146,7 +146,7 @@ static void test_column_errors(void)
     assert_column_error("Mass 0.colour",
                         "column \"Mass 0.colour\": this block has no quantity \"colour\" (it has x, y, vx, "
                         "vy, ax, ay, speed, kinetic energy, x momentum, y momentum, "
-                        "normal force, friction force, contact force)");
+                        "normal force, friction force, contact force, acceleration, path length, distance to BLOCK)");
 }
 
 static void assert_columns(const GArray *columns, const char *const *names)
