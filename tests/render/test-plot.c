@@ -362,9 +362,13 @@ static void test_second_axis(void)
     tinker_plot_layout_clear(&layout);
     tinker_text_pen_clear(&pen);
 
-    g_autoptr(GPtrArray) written = g_ptr_array_new_with_free_func(g_free);
+    g_autoptr(GPtrArray) written = tinker_written_texts_new();
     g_autoptr(TestPicture) picture = test_picture_new(WIDTH, HEIGHT);
     tinker_plot_draw_noting(picture->cairo, &plot, WIDTH, HEIGHT, written);
+    gboolean titled = FALSE;
+    for (guint i = 0; i < written->len; i++)
+        titled |= g_str_equal(((TinkerWrittenText *)g_ptr_array_index(written, i))->text, "Right [N]");
+    g_assert_true(titled);
     plot.right_logarithmic = TRUE;
     const double range[2] = {10, 1000};
     plot.right_range = range;

@@ -37,10 +37,10 @@ static void test_warnings(void)
          "2:31: warning: M: unknown key \"M\" (did you mean \"mass\"?)\n"
          "2:39: warning: M: unknown key \"q\"; it is kept as it is (known here: mass, position, velocity, "
          "local_origin, orientation, width, height, type, name, on, along)\n"},
-        {"{\"type\": \"sprng\"},\n{\"type\": \"sprng\"}, {\"type\": \"rope\"},\n{\"type\": \"sprng\"}",
+        {"{\"type\": \"sprng\"},\n{\"type\": \"sprng\"}, {\"type\": \"kite\"},\n{\"type\": \"sprng\"}",
          "2:10: warning: blocks[0] (sprng): no plugin provides the block type \"sprng\" (did you mean \"spring\"?); 2 "
          "more blocks are of it\n"
-         "3:29: warning: blocks[2] (rope): no plugin provides the block type \"rope\" (its library belongs into a "
+         "3:29: warning: blocks[2] (kite): no plugin provides the block type \"kite\" (its library belongs into a "
          "plugin "
          "folder, or into one named by --plugins)\n"},
     };
