@@ -110,9 +110,9 @@ def test_side_panels_fold_away_and_stay_so(display):
 def test_insert_places_by_keys_alone(display):
     with App(display, scene(mass("A", 0, 0))) as app:
         app.click_world(2, 2)
-        app.press("Insert", "Down", "Return")  # the first is a mass, the second a support
-        app.find_starting("list item", "Support")
-        check_equal(sorted(block["type"] for block in app.blocks().values()), ["mass", "support"], "blocks")
+        app.press("Insert", "Down", "Return")  # the first is a bar, the second a box
+        app.find_starting("list item", "Box")
+        check_equal(sorted(block["type"] for block in app.blocks().values()), ["box", "mass"], "blocks")
         app.press("Delete")  # the canvas has the focus again, and the new block is selected
         check_equal(list(app.blocks()), ["A"], "blocks")
 
