@@ -290,7 +290,7 @@ static void test_forces(CliFixture *fixture, gconstpointer data)
         cli_run_well(fixture, "animate @a.json --forces -o @film.png --fps 10 --size 320x240");
     g_autofree char *p = cli_path(fixture, "plain-0002.png"), *q = cli_path(fixture, "film-0002.png"), *d = NULL,
                     *e = NULL;
-    gsize plain_length, film_length;
+    gsize plain_length = 0, film_length = 0;
     g_assert_true(g_file_get_contents(p, &d, &plain_length, NULL) && g_file_get_contents(q, &e, &film_length, NULL));
     g_assert_cmpuint(film_length, >, plain_length); /* there is more in it */
 }
