@@ -132,8 +132,8 @@ static void write_name(Labels *labels, const TinkerPiece *piece, gboolean wanted
     int kept = place != NULL ? *place - 1 : -1;
     int chosen = tinker_named_places(&named) > 0 ? choose_place(labels, &named, kept, best) : -1;
     gboolean stands = chosen >= 0 && may_stand(labels, &named, chosen, kept, wanted);
-    /* What a connector's name may cover where it was does not hold where it was not. */
-    if (place != NULL) *place = (signed char)(stands || !named.is_connector ? 1 + chosen : 0);
+    /* What a name may cover where it was does not hold where it was not. */
+    if (place != NULL) *place = (signed char)(stands ? 1 + chosen : 0);
     if (!stands) return;
     if (tinker_occupancy_share(&labels->map, best, TINKER_TAKEN_BY_DRAWING) > 0) {
         const double *ground = picture->options->theme->background;
