@@ -48,7 +48,7 @@ void test_author_run(const char *folder, const char *data_home, const char *cons
     environment = g_environ_setenv(environment, "PATH", path, TRUE);
     if (data_home != NULL) environment = g_environ_setenv(environment, "XDG_DATA_HOME", data_home, TRUE);
     int wait_status = 0;
-    g_spawn_sync(NULL, (char **)arguments, environment, G_SPAWN_SEARCH_PATH, NULL, NULL, &output, &message,
+    g_spawn_sync(folder, (char **)arguments, environment, G_SPAWN_SEARCH_PATH, NULL, NULL, &output, &message,
                  &wait_status, &error);
     g_assert_no_error(error);
     g_assert_cmpstr(message, ==, "");

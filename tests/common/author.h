@@ -9,7 +9,8 @@
 char *test_author_folder(void);
 
 /* Runs a tool; pkg-config finds the SDK of the folder, and the PATH its program. It has to end well and to say nothing
- * on standard error. `data_home` is XDG_DATA_HOME; NULL: as it is. */
+ * on standard error. `data_home` is XDG_DATA_HOME; NULL: as it is. It works in the folder: where it starts, meson takes
+ * a .ninja_deps for that of the build it sets up. */
 void test_author_run(const char *folder, const char *data_home, const char *const *arguments);
 
 /* Removes a file, or a folder with all that is in it. */
