@@ -75,6 +75,14 @@ int tinker_open_scene(TinkerOpenScene *open, char **plugin_folders, const char *
     return TINKER_EXIT_DONE;
 }
 
+gboolean tinker_open_scene_of_line(TinkerOpenScene *open, TinkerCommandLine *line, const TinkerVerbHelp *help,
+                                   const GOptionEntry *entries, int argc, char **argv, int *status)
+{
+    if (!tinker_command_line_read(line, help, entries, argc, argv, status)) return FALSE;
+    *status = tinker_open_scene(open, line->plugin_folders, line->operands[0]);
+    return *status == TINKER_EXIT_DONE;
+}
+
 void tinker_open_scene_report_warnings(const TinkerOpenScene *open)
 {
     for (guint i = 0; i < open->warnings->len; i++)

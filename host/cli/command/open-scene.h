@@ -2,6 +2,7 @@
 #ifndef TINKER_CLI_OPEN_SCENE_H
 #define TINKER_CLI_OPEN_SCENE_H
 
+#include "cli/command/options.h"
 #include "file-set.h"
 #include "plugin/catalogue/catalogue.h"
 #include "scene/read/scene-json.h"
@@ -24,6 +25,11 @@ typedef struct {
 /* Opens the scene at `path`; "-" is standard input. Reports what is wrong; answers the exit status, 0 where it is
  * open. */
 int tinker_open_scene(TinkerOpenScene *open, char **plugin_folders, const char *path);
+
+/* Reads the command line of a verb whose first operand is a scene, and opens that. TRUE: go on, `status` is 0. FALSE:
+ * the help was printed or an error was reported; `status` is then the exit status. */
+gboolean tinker_open_scene_of_line(TinkerOpenScene *open, TinkerCommandLine *line, const TinkerVerbHelp *help,
+                                   const GOptionEntry *entries, int argc, char **argv, int *status);
 
 /* Reports the warnings, for a verb that has none of its own. */
 void tinker_open_scene_report_warnings(const TinkerOpenScene *open);

@@ -161,12 +161,9 @@ int tinker_verb_books(int argc, char **argv)
         G_OPTION_ENTRY_NULL,
     };
     g_auto(TinkerCommandLine) line = {0};
-    int status = TINKER_EXIT_DONE;
-    if (!tinker_command_line_read(&line, &help, entries, argc, argv, &status)) return status;
-
     g_auto(TinkerOpenScene) open = {0};
-    status = tinker_open_scene(&open, line.plugin_folders, line.operands[0]);
-    if (status != TINKER_EXIT_DONE) return status;
+    int status = TINKER_EXIT_DONE;
+    if (!tinker_open_scene_of_line(&open, &line, &help, entries, argc, argv, &status)) return status;
     g_autoptr(GError) error = NULL;
     Wish wish = {0};
     const gboolean done = write_books(&options, &open, &wish, &error);
