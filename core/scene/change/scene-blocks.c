@@ -15,9 +15,10 @@ typedef struct {
 } Graph;
 
 struct _SceneBlocks {
-    GPtrArray *snapshots; /* of SceneSnapshot, by id */
-    GArray *places;       /* of Place, the first to be drawn last */
-    GArray *graphs;       /* of Graph, last first */
+    GPtrArray *snapshots;   /* of SceneSnapshot, by id */
+    GArray *places;         /* of Place, the first to be drawn last */
+    GArray *graphs;         /* of Graph, last first */
+    GPtrArray *instruments; /* all of the scene, where some are of these blocks; else NULL */
 };
 
 GHashTable *scene_block_set(const TinkerBlockId *blocks, gsize count)
@@ -58,6 +59,13 @@ static void keep_graphs(SceneBlocks *kept, const TinkerScene *scene, GHashTable 
     }
 }
 
+static gboolean has_instruments(const TinkerScene *scene, GHashTable *set)
+{
+    for (guint i = 0; i < scene->instruments->len; i++)
+        if (scene_instrument_is_of(scene, g_ptr_array_index(scene->instruments, i), set)) return TRUE;
+    return FALSE;
+}
+
 SceneBlocks *scene_blocks_keep(const TinkerScene *scene, const TinkerBlockId *blocks, gsize count)
 {
     SceneBlocks *kept = g_new0(SceneBlocks, 1);
@@ -70,6 +78,7 @@ SceneBlocks *scene_blocks_keep(const TinkerScene *scene, const TinkerBlockId *bl
     g_ptr_array_sort(kept->snapshots, by_id);
     keep_places(kept, scene, set);
     keep_graphs(kept, scene, set);
+    if (has_instruments(scene, set)) kept->instruments = scene_instruments_copy(scene->instruments);
     return kept;
 }
 
@@ -80,6 +89,7 @@ void scene_blocks_free(SceneBlocks *blocks)
     g_ptr_array_unref(blocks->snapshots);
     g_array_unref(blocks->places);
     g_array_unref(blocks->graphs);
+    g_clear_pointer(&blocks->instruments, g_ptr_array_unref);
     g_free(blocks);
 }
 
@@ -115,6 +125,9 @@ static void take_out_curves(TinkerScene *scene, GHashTable *set)
 void scene_take_out(TinkerScene *scene, GHashTable *set)
 {
     take_out_curves(scene, set);
+    for (guint i = scene->instruments->len; i-- > 0;)
+        if (scene_instrument_is_of(scene, g_ptr_array_index(scene->instruments, i), set))
+            g_ptr_array_remove_index(scene->instruments, i);
     g_autoptr(GHashTable) tables = g_hash_table_new(NULL, NULL);
     leave_order(scene, set);
     GHashTableIter iter;
@@ -194,4 +207,7 @@ void scene_blocks_bring_back(TinkerScene *scene, const SceneBlocks *blocks)
         if (graph->stays) g_ptr_array_remove_index(scene->graphs, place);
         g_ptr_array_insert(scene->graphs, (int)place, tinker_scene_graph_copy(graph->graph));
     }
+    if (blocks->instruments == NULL) return;
+    g_ptr_array_unref(scene->instruments);
+    scene->instruments = scene_instruments_copy(blocks->instruments);
 }

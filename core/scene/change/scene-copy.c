@@ -116,6 +116,8 @@ TinkerScene *tinker_scene_copy(const TinkerScene *scene)
     g_free(head); /* its texts are the copy's now */
     for (guint i = 0; i < scene->graphs->len; i++)
         g_ptr_array_add(copy->graphs, tinker_scene_graph_copy(g_ptr_array_index(scene->graphs, i)));
+    g_ptr_array_unref(copy->instruments);
+    copy->instruments = scene_instruments_copy(scene->instruments);
     if (scene->order->len > 0) g_array_append_vals(copy->order, scene->order->data, scene->order->len);
     copy_tables(scene, copy);
     copy_names(scene, copy);

@@ -77,6 +77,7 @@ TinkerScene *tinker_scene_new(TinkerCatalogue *catalogue)
     scene->catalogue = catalogue;
     scene_head_init(&scene->head);
     scene->graphs = g_ptr_array_new_with_free_func((GDestroyNotify)tinker_scene_graph_free);
+    scene->instruments = g_ptr_array_new_with_free_func((GDestroyNotify)tinker_scene_instrument_free);
     scene->slots = g_array_new(FALSE, FALSE, sizeof(SceneSlot));
     scene->order = g_array_new(FALSE, FALSE, sizeof(TinkerBlockId));
     scene->tables = g_ptr_array_new_with_free_func((GDestroyNotify)scene_table_free);
@@ -97,6 +98,7 @@ void tinker_scene_free(TinkerScene *scene)
     if (scene == NULL) return;
     scene_head_clear(&scene->head);
     g_ptr_array_unref(scene->graphs);
+    g_ptr_array_unref(scene->instruments);
     g_array_unref(scene->slots);
     g_array_unref(scene->order);
     g_ptr_array_unref(scene->tables);

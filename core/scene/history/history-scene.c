@@ -102,6 +102,44 @@ gboolean tinker_history_change_graph(TinkerHistory *history, int32_t index, cons
     return TRUE;
 }
 
+/* Instruments -------------------------------------------------------------------------------------------------- */
+
+static void make_instruments(TinkerScene *scene, int32_t id, gconstpointer from, gconstpointer to)
+{
+    (void)id, (void)from;
+    GPtrArray *before = scene->instruments;
+    scene->instruments = scene_instruments_copy(to);
+    g_ptr_array_unref(before);
+}
+
+static void free_instruments(gpointer state)
+{
+    g_ptr_array_unref(state);
+}
+
+/* Of all instruments: id 0; GPtrArray of TinkerSceneInstrument *. */
+static const HistoryKind history_instruments = {HISTORY_OTHER, make_instruments, free_instruments};
+
+gboolean tinker_history_set_instrument(TinkerHistory *history, int32_t index, const TinkerSceneInstrument *instrument,
+                                       GError **error)
+{
+    TinkerScene *scene = history_scene(history);
+    g_assert(index >= 0 && index <= (int32_t)scene->instruments->len);
+    g_autofree char *fault = instrument != NULL ? scene_instrument_fault(scene, instrument) : NULL;
+    if (fault != NULL) {
+        g_set_error_literal(error, TINKER_SCENE_ERROR, TINKER_SCENE_ERROR_VALUE, fault);
+        return FALSE;
+    }
+    GPtrArray *before = scene_instruments_copy(scene->instruments), *after = scene_instruments_copy(before);
+    if (index < (int32_t)after->len) g_ptr_array_remove_index(after, (guint)index);
+    if (instrument != NULL) g_ptr_array_insert(after, index, tinker_scene_instrument_copy(instrument));
+    gboolean own = history_open_own(history, "Change", "Instruments");
+    make_instruments(scene, 0, before, after);
+    history_add(history, &history_instruments, 0, before, after);
+    if (own) tinker_history_end(history);
+    return TRUE;
+}
+
 /* Drawing order ------------------------------------------------------------------------------------------------ */
 
 static void make_order(TinkerScene *scene, int32_t block, gconstpointer from, gconstpointer to)

@@ -54,6 +54,10 @@ int32_t tinker_history_add_graph(TinkerHistory *history, const TinkerSceneGraph 
 void tinker_history_remove_graph(TinkerHistory *history, int32_t index);
 gboolean tinker_history_change_graph(TinkerHistory *history, int32_t index, const TinkerSceneGraph *graph,
                                      GError **error);
+/* Puts an instrument in place of the one at `index` of tinker_scene_instruments, or behind the last; NULL: takes that
+ * one out. FALSE where what it is of, its range or its step are not good. It is copied. */
+gboolean tinker_history_set_instrument(TinkerHistory *history, int32_t index, const TinkerSceneInstrument *instrument,
+                                       GError **error);
 
 /* Moves a block to the end of the drawing order, on top of all others, or to its beginning. */
 void tinker_history_raise(TinkerHistory *history, TinkerBlockId block);

@@ -133,8 +133,8 @@ static char *part_key(SceneReader *reader, const JsonPart *part)
 
 void reader_head(SceneReader *reader)
 {
-    static const char *const keys[] = {"tinker", "title", "description", "author", "units",
-                                       "canvas", "run",   "blocks",      "graphs", NULL};
+    static const char *const keys[] = {"tinker", "title",  "description", "author",   "units",  "canvas",
+                                       "run",    "blocks", "graphs",      "controls", "meters", NULL};
     gboolean has_version = FALSE;
     GString *unknown = NULL;
     reader_label(reader, NULL);
@@ -142,7 +142,7 @@ void reader_head(SceneReader *reader)
         const JsonPart *part = &g_array_index(reader->scan.members, JsonPart, i);
         g_autofree char *key = part_key(reader, part);
         has_version = has_version || g_str_equal(key, "tinker");
-        if (g_str_equal(key, "graphs")) continue;
+        if (g_str_equal(key, "graphs") || g_str_equal(key, "controls") || g_str_equal(key, "meters")) continue;
         if (g_str_equal(key, "blocks")) {
             if (reader->text[part->start] != '[')
                 reader_error_at(reader, part->start, TINKER_SCENE_ERROR_VALUE, "blocks: an array was expected");

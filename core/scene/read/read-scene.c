@@ -91,6 +91,8 @@ static void read_document(SceneReader *reader)
     for (guint i = 0; i < reader->scan.members->len; i++) {
         const JsonPart *part = &g_array_index(reader->scan.members, JsonPart, i);
         if (json_key_is(reader->text, part, "graphs")) reader_graphs(reader, part);
+        if (json_key_is(reader->text, part, "controls")) reader_instruments(reader, part, TRUE);
+        if (json_key_is(reader->text, part, "meters")) reader_instruments(reader, part, FALSE);
     }
     report_other_duplicates(reader);
 }

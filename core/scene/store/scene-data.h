@@ -48,6 +48,7 @@ struct _TinkerScene {
     TinkerCatalogue *catalogue;
     TinkerSceneHead head;
     GPtrArray *graphs;
+    GPtrArray *instruments;
     GArray *slots;        /* of SceneSlot, by id */
     GArray *order;        /* of TinkerBlockId: the drawing order */
     GPtrArray *tables;    /* of SceneTable * */
@@ -118,6 +119,17 @@ GArray *scene_graphs_of(const TinkerScene *scene, GHashTable *blocks);
 TinkerSceneGraph *scene_graph_without(const TinkerScene *scene, const TinkerSceneGraph *graph, GHashTable *blocks);
 /* Graphs name their blocks, so they follow them. */
 void scene_graph_rename(TinkerSceneGraph *graph, const char *from, const char *to);
+
+/* Instruments -------------------------------------------------------------------------------------------------- */
+
+extern const char *const scene_instrument_kinds[]; /* by TinkerInstrumentKind; ends with NULL */
+/* (transfer full) */
+GPtrArray *scene_instruments_copy(const GPtrArray *instruments);
+/* What is wrong with one in this scene, or NULL. (transfer full) */
+char *scene_instrument_fault(const TinkerScene *scene, const TinkerSceneInstrument *instrument);
+gboolean scene_instrument_is_of(const TinkerScene *scene, const TinkerSceneInstrument *instrument, GHashTable *blocks);
+void scene_instrument_rename(TinkerSceneInstrument *instrument, const char *from, const char *to);
+
 /* Tables ------------------------------------------------------------------------------------------------------- */
 
 /* The table of a class, made where there is none yet. (transfer none) */

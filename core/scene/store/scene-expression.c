@@ -9,23 +9,6 @@ static gboolean is_number(const TinkerPropertyType *property)
            property->kind == TINKER_KIND_SWITCH || property->kind == TINKER_KIND_VECTOR;
 }
 
-/* "mass", or "velocity.x" of a vector. */
-static gboolean find_property(const TinkerBlockClass *block_class, const char *name, TinkerReference *reference)
-{
-    for (int32_t p = 0; p < block_class->property_count; p++) {
-        const TinkerPropertyType *property = &block_class->properties[p];
-        if (!is_number(property) || !g_str_has_prefix(name, property->id)) continue;
-        const char *rest = name + strlen(property->id);
-        const gboolean vector = property->kind == TINKER_KIND_VECTOR;
-        if (vector ? strcmp(rest, ".x") != 0 && strcmp(rest, ".y") != 0 : rest[0] != '\0') continue;
-        reference->quantity = -1;
-        reference->column = block_class->first_columns[p] + (vector && rest[1] == 'y');
-        reference->dimension = property->dimension;
-        return TRUE;
-    }
-    return FALSE;
-}
-
 static char *unknown_block(const TinkerScene *scene, const char *name)
 {
     g_autoptr(GPtrArray) names = g_ptr_array_new();
@@ -64,14 +47,17 @@ gboolean tinker_scene_find_reference(const TinkerScene *scene, const char *name,
         *why = unknown_block(scene, name);
         return FALSE;
     }
-    const TinkerBlockClass *block_class = block == TINKER_NO_BLOCK ? NULL : tinker_scene_block_class(scene, block);
+    TinkerNumber number;
     *reference = (TinkerReference){.block = block, .quantity = tinker_scene_find_quantity(scene, block, rest)};
     if (reference->quantity >= 0)
         reference->dimension = tinker_scene_quantity_type(scene, block, reference->quantity).dimension;
-    else if (block_class == NULL || !find_property(block_class, rest, reference)) {
+    if (reference->quantity >= 0) return TRUE;
+    if (!tinker_scene_find_number(scene, block, rest, &number)) {
         *why = unknown_quantity(scene, block, rest);
         return FALSE;
     }
+    reference->column = number.column;
+    reference->dimension = number.type->dimension;
     return TRUE;
 }
 

@@ -33,6 +33,8 @@ void scene_assign_name(TinkerScene *scene, TinkerBlockId block, const char *name
     const char *old_name = slot->name;
     for (guint i = 0; old_name != NULL && i < scene->graphs->len; i++)
         scene_graph_rename(g_ptr_array_index(scene->graphs, i), old_name, name);
+    for (guint i = 0; old_name != NULL && i < scene->instruments->len; i++)
+        scene_instrument_rename(g_ptr_array_index(scene->instruments, i), old_name, name);
     scene_forget_name(scene, block);
     slot->name = g_string_chunk_insert(scene->names, name);
     g_hash_table_replace(scene->by_name, (gpointer)slot->name, GINT_TO_POINTER(block + 1));

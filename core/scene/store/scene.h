@@ -71,6 +71,31 @@ typedef struct {
     char *extras;       /* keys that the reader did not know, as JSON members; owned, may be NULL */
 } TinkerSceneGraph;
 
+/* What stands on the canvas beside the scene: controls set a number of a block, meters show a quantity. */
+typedef enum {
+    TINKER_INSTRUMENT_SLIDER,
+    TINKER_INSTRUMENT_KNOB,
+    TINKER_INSTRUMENT_SWITCH,
+    TINKER_INSTRUMENT_NUMBER, /* the first of the meters */
+    TINKER_INSTRUMENT_DIAL,
+    TINKER_INSTRUMENT_BAR,
+} TinkerInstrumentKind;
+
+typedef struct {
+    TinkerInstrumentKind kind;
+    char *block;           /* name, or of a meter "Scene"; owned */
+    char *of;              /* of a control a property, or "velocity.x" of a vector; of a meter a quantity; owned */
+    double from, to, step; /* of a control, in SI; a switch is off at `from`; step 0: any value */
+    gboolean has_place;
+    double place[2]; /* of its upper left corner */
+    char *extras;    /* keys that the reader did not know, as JSON members; owned, may be NULL */
+} TinkerSceneInstrument;
+
+static inline gboolean tinker_instrument_controls(const TinkerSceneInstrument *instrument)
+{
+    return instrument->kind < TINKER_INSTRUMENT_NUMBER;
+}
+
 typedef struct {
     char *title, *description, *author; /* never NULL */
     TinkerUnitSystem units;
@@ -103,6 +128,14 @@ TinkerSceneCurve *tinker_scene_graph_add(TinkerSceneGraph *graph, const char *bl
 TinkerSceneGraph *tinker_scene_graph_copy(const TinkerSceneGraph *graph);
 void tinker_scene_graph_free(TinkerSceneGraph *graph);
 G_DEFINE_AUTOPTR_CLEANUP_FUNC(TinkerSceneGraph, tinker_scene_graph_free)
+
+/* Of TinkerSceneInstrument *, controls and meters; changed by the history alone. (transfer none) */
+GPtrArray *tinker_scene_instruments(TinkerScene *scene);
+/* Of a control the range is 0 to 1, without steps. (transfer full) */
+TinkerSceneInstrument *tinker_scene_instrument_new(TinkerInstrumentKind kind, const char *block, const char *of);
+TinkerSceneInstrument *tinker_scene_instrument_copy(const TinkerSceneInstrument *instrument);
+void tinker_scene_instrument_free(TinkerSceneInstrument *instrument);
+G_DEFINE_AUTOPTR_CLEANUP_FUNC(TinkerSceneInstrument, tinker_scene_instrument_free)
 
 /* The first curve that is a quantity; NULL where none is. */
 const TinkerSceneCurve *tinker_scene_graph_curve(const TinkerSceneGraph *graph);
@@ -157,6 +190,16 @@ gboolean tinker_scene_lies_on(const TinkerScene *scene, TinkerBlockId block, Tin
  * body can lie on nothing, the plate has no top, or the top does not reach as far. */
 gboolean tinker_scene_lay_on(TinkerScene *scene, TinkerBlockId block, TinkerBlockId plate, double along,
                              GError **error);
+
+/* A number among a block's properties. */
+typedef struct {
+    int32_t property, component; /* of a vector 0 or 1 */
+    int32_t column;              /* of the block's values */
+    const TinkerPropertyType *type;
+} TinkerNumber;
+/* By the property's id, with ".x" or ".y" behind that of a vector; FALSE where there is none of this name. */
+gboolean tinker_scene_find_number(const TinkerScene *scene, TinkerBlockId block, const char *name,
+                                  TinkerNumber *number);
 
 const char *tinker_scene_get_text(const TinkerScene *scene, TinkerBlockId block, int32_t property);
 void tinker_scene_set_text(TinkerScene *scene, TinkerBlockId block, int32_t property, const char *text);

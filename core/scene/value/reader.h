@@ -183,6 +183,8 @@ char *reader_suggest_block(SceneReader *reader, const char *name);
 /* What can only be done when all blocks have been read: names, ends that name later blocks. */
 void reader_finish_blocks(SceneReader *reader);
 void reader_graphs(SceneReader *reader, const JsonPart *part);
+/* The list "controls" or "meters". */
+void reader_instruments(SceneReader *reader, const JsonPart *part, gboolean controls);
 
 /* Lengths and times, for what is not a property. */
 extern const TinkerDimension reader_length, reader_pure;

@@ -219,6 +219,11 @@ static void find_named(SceneWriter *writer)
         for (guint k = 0; k < blocks->len; k++)
             writer->named[g_array_index(blocks, TinkerBlockId, k)] = 1;
     }
+    for (guint i = 0; i < scene->instruments->len; i++) {
+        const TinkerSceneInstrument *instrument = g_ptr_array_index(scene->instruments, i);
+        const TinkerBlockId block = tinker_scene_find_block(scene, instrument->block);
+        if (block != TINKER_NO_BLOCK) writer->named[block] = 1;
+    }
 }
 
 /* As it was read; but its name is the one it has now, and is there if something uses it. */

@@ -215,6 +215,7 @@ static void write_document(SceneWriter *writer)
     write_run(writer, &defaults);
     scene_write_blocks(writer);
     scene_write_graphs(writer);
+    scene_write_instruments(writer);
     if (writer->scene->head_extras != NULL) g_string_append_printf(writer->out, ",\n  %s", writer->scene->head_extras);
     g_string_append(writer->out, "\n}\n");
     scene_head_clear(&defaults);

@@ -26,6 +26,8 @@ typedef struct {
 /* The members "blocks" and "graphs" of the top level, each on a line of its own, with a comma in front. */
 void scene_write_blocks(SceneWriter *writer);
 void scene_write_graphs(SceneWriter *writer);
+/* "controls" and "meters", where there are any. */
+void scene_write_instruments(SceneWriter *writer);
 
 /* A number; in English units where the text reads back to the same bits. */
 void scene_write_number(SceneWriter *writer, double value, TinkerDimension dimension);
