@@ -9,6 +9,7 @@
 #include <string.h>
 
 #define FAMILY    "DejaVu Sans, Sans"
+#define FORMULAS  "DejaVu Serif, Serif"
 #define MOST_KEPT 2000 /* layouts in a memory, before it begins anew */
 
 struct _TinkerTextMemory {
@@ -62,14 +63,15 @@ void tinker_text_memory_free(TinkerTextMemory *memory)
 /* Everything that a layout depends on, as one string. */
 static void write_key(const TinkerText *text, char *key, gsize size)
 {
-    g_snprintf(key, (gulong)size, "%a %a %d %d %d %s", text->size, text->limit, text->bold, text->lines,
+    g_snprintf(key, (gulong)size, "%a %a %d %d %d %d %s", text->size, text->limit, text->face, text->bold, text->lines,
                text->anchor_x == 0.5, text->text ? text->text : "");
 }
 
 static void set_text(PangoLayout *layout, const TinkerText *text)
 {
     PangoFontDescription *font = pango_font_description_new();
-    pango_font_description_set_family_static(font, FAMILY);
+    pango_font_description_set_family_static(font, text->face == TINKER_FACE_PLAIN ? FAMILY : FORMULAS);
+    pango_font_description_set_style(font, text->face == TINKER_FACE_LETTER ? PANGO_STYLE_ITALIC : PANGO_STYLE_NORMAL);
     pango_font_description_set_weight(font, text->bold ? PANGO_WEIGHT_BOLD : PANGO_WEIGHT_NORMAL);
     pango_font_description_set_absolute_size(font, text->size * PANGO_SCALE);
     pango_layout_set_font_description(layout, font);
@@ -163,6 +165,33 @@ void tinker_text_measure(TinkerTextPen *pen, const TinkerText *text, double *wid
     layout_box(lay_out(pen, text), box);
     *width = box[2];
     *height = box[3];
+}
+
+void tinker_text_measure_ink(TinkerTextPen *pen, const TinkerText *text, double *width, double *above, double *below)
+{
+    PangoLayout *layout = lay_out(pen, text);
+    PangoRectangle ink, logical;
+    pango_layout_get_extents(layout, &ink, &logical);
+    const int line = pango_layout_get_baseline(layout);
+    *width = (double)logical.width / PANGO_SCALE;
+    *above = (double)(line - ink.y) / PANGO_SCALE;
+    *below = (double)(ink.y + ink.height - line) / PANGO_SCALE;
+}
+
+void tinker_text_draw_on_line(TinkerTextPen *pen, cairo_t *cairo, const TinkerText *text, double x, double y)
+{
+    PangoLayout *layout = lay_out(pen, text);
+    PangoRectangle logical;
+    pango_layout_get_extents(layout, NULL, &logical);
+    cairo_move_to(cairo, x - (double)logical.x / PANGO_SCALE,
+                  y - (double)pango_layout_get_baseline(layout) / PANGO_SCALE);
+    pango_cairo_show_layout(cairo, layout);
+    cairo_new_path(cairo);
+    if (!pen->written) return;
+    TinkerText copy = *text;
+    copy.angle = copy.anchor_x = copy.anchor_y = 0;
+    note(pen, &copy, x, y - (double)pango_layout_get_baseline(layout) / PANGO_SCALE,
+         (double)logical.width / PANGO_SCALE, (double)logical.height / PANGO_SCALE);
 }
 
 void tinker_text_draw(TinkerTextPen *pen, cairo_t *cairo, const TinkerText *text, double x, double y)

@@ -28,10 +28,14 @@ typedef struct {
         NULL, NULL, NULL                                                                                               \
     }
 
+/* What a text is written in: that of formulas has serifs, its letters are slanted. */
+typedef enum { TINKER_FACE_PLAIN, TINKER_FACE_FORMULA, TINKER_FACE_LETTER } TinkerFace;
+
 /* One text. */
 typedef struct {
     const char *text; /* UTF-8; what is not is replaced */
     double size;      /* canvas units */
+    TinkerFace face;
     gboolean bold;
     double limit;              /* canvas units: what is longer is cut with an ellipsis; 0: none */
     int lines;                 /* where there is a limit, lines that it may be broken into; 0 and 1: one */
@@ -44,6 +48,11 @@ void tinker_text_pen_clear(TinkerTextPen *pen);
 
 /* Width and height before it is turned, canvas units. */
 void tinker_text_measure(TinkerTextPen *pen, const TinkerText *text, double *width, double *height);
+
+/* How far the text takes the pen along, and how far its ink reaches above and below the line that it stands on. */
+void tinker_text_measure_ink(TinkerTextPen *pen, const TinkerText *text, double *width, double *above, double *below);
+/* Writes with the pen at (x, y) on the line that it stands on; anchors and angle do not matter. */
+void tinker_text_draw_on_line(TinkerTextPen *pen, cairo_t *cairo, const TinkerText *text, double x, double y);
 
 /* Writes at (x, y) in the context's present colour. */
 void tinker_text_draw(TinkerTextPen *pen, cairo_t *cairo, const TinkerText *text, double x, double y);
