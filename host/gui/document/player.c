@@ -1,5 +1,4 @@
-/* What was recorded is a row of segments: each is a run, and counts from its start to that of the next. There is more
- * than one only where a property was changed on the way. */
+/* Play-back of what was recorded, whose last segment may still grow. */
 #include "gui/document/player.h"
 
 #include <glib/gi18n.h>
@@ -12,13 +11,6 @@
 
 #define PACE_MEMORY 0.5 /* s: over which the pace is averaged */
 
-typedef struct {
-    TinkerRunTask *task;
-    double start; /* s */
-    gboolean failure_told;
-    guint replaced; /* as in the task's status when it was looked at last */
-} Segment;
-
 struct _TinkerPlayer {
     GObject parent_instance;
     TinkerDocument *document;
@@ -26,14 +18,13 @@ struct _TinkerPlayer {
     double time, speed, pace;
     double step_to; /* s: as soon as this is recorded it is shown, and time stands still; NAN while it plays freely */
     TinkerRunLane *lane;
-    GArray *segments; /* of Segment */
+    TinkerRecording recording;
     TinkerScene *ran; /* the scene as the last segment has it; NULL where there is none */
     TinkerFrame *frame;
     guint path_segment; /* where in the record the frame's paths end: everything before this row of this segment */
     gsize path_row;     /* is noted */
     GArray *asked;      /* of TinkerQuantity: asked for in vain */
-    guint generation;
-    GPtrArray *events; /* of TinkerRunEvent *: of this generation, when there were so many in all tasks */
+    GPtrArray *events;  /* of TinkerRunEvent *: of this generation, when there were so many in all tasks */
     guint events_generation, events_counted;
 };
 
@@ -45,45 +36,21 @@ static guint signals[SIGNALS];
 /* The record ----------------------------------------------------------------------------------------------------------
  */
 
-static Segment *last_segment(TinkerPlayer *player)
+static TinkerSegment *segment_of(TinkerPlayer *player, guint number)
 {
-    return player->segments->len == 0 ? NULL : &g_array_index(player->segments, Segment, player->segments->len - 1);
-}
-
-/* The one that shows this time: of one that begins there and has recorded nothing yet, the start is the last sample of
- * the one before it. */
-static Segment *segment_at(TinkerPlayer *player, double time)
-{
-    for (guint i = player->segments->len; i-- > 0;) {
-        Segment *segment = &g_array_index(player->segments, Segment, i);
-        gsize row;
-        if (i == 0 || (segment->start <= time && tinker_run_task_find(segment->task, time, &row))) return segment;
-    }
-    return NULL;
-}
-
-static double segment_end(TinkerPlayer *player, guint number)
-{
-    return number + 1 < player->segments->len ? g_array_index(player->segments, Segment, number + 1).start : INFINITY;
-}
-
-static void segment_clear(Segment *segment)
-{
-    tinker_run_task_free(segment->task);
+    return &g_array_index(player->recording.segments, TinkerSegment, number);
 }
 
 static void forget_record(TinkerPlayer *player)
 {
-    g_array_set_size(player->segments, 0);
+    tinker_recording_forget(&player->recording);
     g_clear_pointer(&player->ran, tinker_scene_free);
-    player->generation++;
 }
 
 static void add_segment(TinkerPlayer *player, TinkerScene *scene, double start)
 {
     g_autoptr(GArray) columns = tinker_recorded_quantities(player->document, player->asked);
-    Segment segment = {tinker_run_task_new(player->lane, scene, start, columns), start, FALSE, 0};
-    g_array_append_val(player->segments, segment);
+    tinker_recording_add(&player->recording, tinker_run_task_new(player->lane, scene, start, columns), start);
     g_clear_pointer(&player->ran, tinker_scene_free);
     player->ran = tinker_scene_copy(tinker_document_scene(player->document));
 }
@@ -97,57 +64,18 @@ static void record_from_start(TinkerPlayer *player)
 /* The frame -----------------------------------------------------------------------------------------------------------
  */
 
-static void place_body(TinkerFrame *frame, TinkerBlockId block, const TinkerBodySample *a, const TinkerBodySample *b,
-                       double share)
-{
-    double orientation = a->orientation;
-    if (isnan(orientation)) orientation = tinker_frame_meaning(frame, block, TINKER_MEANING_ORIENTATION, 0, 0);
-    tinker_frame_place(frame, block, a->x + share * (b->x - a->x), a->y + share * (b->y - a->y), orientation);
-}
-
-/* Puts everything where a sample has it. */
-static gboolean place_sample(TinkerPlayer *player, TinkerRunTask *task, gsize row)
-{
-    int count;
-    const TinkerBlockId *bodies = tinker_run_task_bodies(task, &count);
-    g_autofree TinkerBodySample *samples = g_new(TinkerBodySample, (gsize)count + 1);
-    double time;
-    if (!tinker_run_task_read(task, row, &time, samples, NULL) || !tinker_frame_set_time(player->frame, time, NULL))
-        return FALSE;
-    TinkerScene *scene = tinker_frame_scene(player->frame);
-    for (int i = 0; i < count; i++)
-        if (tinker_scene_has_block(scene, bodies[i])) place_body(player->frame, bodies[i], &samples[i], &samples[i], 0);
-    return TRUE;
-}
-
-/* Puts the bodies where the record has them, straight between two samples. */
-static void place_bodies(TinkerPlayer *player, TinkerRunTask *task, gsize row)
-{
-    int count;
-    const TinkerBlockId *bodies = tinker_run_task_bodies(task, &count);
-    g_autofree TinkerBodySample *a = g_new(TinkerBodySample, (gsize)count + 1);
-    g_autofree TinkerBodySample *b = g_new(TinkerBodySample, (gsize)count + 1);
-    double before, after, share = 0;
-    if (!tinker_run_task_read(task, row, &before, a, NULL)) return;
-    gboolean between = player->time > before && tinker_run_task_read(task, row + 1, &after, b, NULL) && after > before;
-    if (between) share = fmin((player->time - before) / (after - before), 1);
-    TinkerScene *scene = tinker_frame_scene(player->frame);
-    for (int i = 0; i < count; i++)
-        if (tinker_scene_has_block(scene, bodies[i]))
-            place_body(player->frame, bodies[i], &a[i], between ? &b[i] : &a[i], share);
-}
-
 /* Takes the frame through all samples that its paths lack, up to the time shown. */
 static void note_paths(TinkerPlayer *player)
 {
     if (!tinker_frame_leaves_paths(player->frame)) return;
-    for (; player->path_segment < player->segments->len; player->path_segment++, player->path_row = 0) {
-        TinkerRunTask *task = g_array_index(player->segments, Segment, player->path_segment).task;
-        const double end = segment_end(player, player->path_segment);
+    for (; player->path_segment < player->recording.segments->len; player->path_segment++, player->path_row = 0) {
+        TinkerRunTask *task = segment_of(player, player->path_segment)->task;
+        const double end = tinker_recording_end(&player->recording, player->path_segment);
         gsize last;
         if (!tinker_run_task_find(task, fmin(player->time, end), &last)) return;
         for (; player->path_row <= last; player->path_row++)
-            if (place_sample(player, task, player->path_row)) tinker_frame_note_paths(player->frame);
+            if (tinker_recording_place_sample(player->frame, task, player->path_row))
+                tinker_frame_note_paths(player->frame);
         if (player->time < end) return;
     }
 }
@@ -156,11 +84,7 @@ static void update_frame(TinkerPlayer *player)
 {
     if (player->frame == NULL) return;
     note_paths(player);
-    const Segment *segment = segment_at(player, player->time);
-    gsize row;
-    if (!tinker_frame_set_time(player->frame, player->time, NULL)) return;
-    if (segment != NULL && tinker_run_task_find(segment->task, player->time, &row))
-        place_bodies(player, segment->task, row);
+    (void)tinker_recording_place(&player->recording, player->frame, player->time);
 }
 
 static void renew_frame(TinkerPlayer *player)
@@ -193,7 +117,7 @@ static void set_state(TinkerPlayer *player, TinkerPlayerState state)
  * scene has become cannot go on from there. (transfer full) */
 static TinkerScene *continued_scene(TinkerPlayer *player)
 {
-    const Segment *segment = segment_at(player, player->time);
+    const TinkerSegment *segment = tinker_recording_at(&player->recording, player->time);
     TinkerScene *scene = tinker_document_scene(player->document);
     gsize row;
     if (player->frame == NULL || !tinker_run_task_find(segment->task, player->time, &row)) return NULL;
@@ -218,10 +142,12 @@ static gboolean go_on(TinkerPlayer *player)
     if (continued == NULL) return FALSE;
     tinker_scene_head(continued)->run.duration = fmax(tinker_player_duration(player) - player->time, 0);
     guint keep = 0;
-    while (keep < player->segments->len && g_array_index(player->segments, Segment, keep).start < player->time)
-        tinker_run_task_stop(g_array_index(player->segments, Segment, keep++).task); // it counts up to here
-    g_array_set_size(player->segments, keep);
-    player->generation++;
+    while (keep < player->recording.segments->len && segment_of(player, keep)->start < player->time)
+        tinker_run_task_stop(segment_of(player, keep++)->task); // it counts up to here
+    for (guint i = keep; i < player->recording.segments->len; i++)
+        tinker_run_task_stop(segment_of(player, i)->task);
+    g_array_set_size(player->recording.segments, keep);
+    player->recording.generation++;
     player->path_segment = MIN(player->path_segment, keep); /* noted up to here, as the frame was made anew */
     player->path_row = 0;
     add_segment(player, continued, player->time);
@@ -230,7 +156,7 @@ static gboolean go_on(TinkerPlayer *player)
 
 TinkerScene *tinker_player_scene_now(TinkerPlayer *player)
 {
-    if (player->segments->len == 0 || player->time == 0)
+    if (player->recording.segments->len == 0 || player->time == 0)
         return tinker_scene_copy(tinker_document_scene(player->document));
     double time = player->time;
     TinkerScene *scene = continued_scene(player);
@@ -298,7 +224,7 @@ static gboolean can_run(TinkerPlayer *player, TinkerBlockId *culprit, GError **e
 /* Makes sure that there is a record, or one in the making. */
 static gboolean have_record(TinkerPlayer *player, TinkerBlockId *culprit, GError **error)
 {
-    if (player->segments->len > 0) return TRUE;
+    if (player->recording.segments->len > 0) return TRUE;
     if (!can_run(player, culprit, error)) return FALSE;
     record_from_start(player);
     return TRUE;
@@ -309,7 +235,7 @@ gboolean tinker_player_play(TinkerPlayer *player, TinkerBlockId *culprit, GError
     *culprit = TINKER_NO_BLOCK;
     TinkerRunStatus status;
     gboolean at_end = tinker_player_status(player, &status) && status.finished && player->time >= status.reached;
-    if (at_end && last_segment(player)->failure_told)
+    if (at_end && tinker_recording_last(&player->recording)->failure_told)
         tinker_player_reset(player);
     else if (at_end)
         player->time = 0;
@@ -349,7 +275,7 @@ gboolean tinker_player_go_to(TinkerPlayer *player, double time, TinkerBlockId *c
 
 void tinker_player_seek(TinkerPlayer *player, double time)
 {
-    if (player->segments->len == 0) return;
+    if (player->recording.segments->len == 0) return;
     player->time = CLAMP(time, 0, tinker_player_reached(player));
     if (player->state == TINKER_PLAYER_SETUP) set_state(player, TINKER_PLAYER_PAUSED);
     moved(player);
@@ -372,7 +298,7 @@ void tinker_player_rewind(TinkerPlayer *player)
 
 static void tell_failure(TinkerPlayer *player)
 {
-    Segment *segment = last_segment(player);
+    TinkerSegment *segment = tinker_recording_last(&player->recording);
     g_autoptr(GError) error = tinker_run_task_error(segment->task);
     if (error == NULL || segment->failure_told) return;
     segment->failure_told = TRUE;
@@ -387,7 +313,7 @@ static void note_pace(TinkerPlayer *player, double seconds, double pace)
 void tinker_player_advance(TinkerPlayer *player, double seconds)
 {
     if (player->state != TINKER_PLAYER_PLAYING) return;
-    TinkerRunStatus status = tinker_run_task_status(last_segment(player)->task);
+    TinkerRunStatus status = tinker_run_task_status(tinker_recording_last(&player->recording)->task);
     gboolean steps = !isnan(player->step_to);
     double before = player->time, wanted = steps ? player->step_to : before + seconds * player->speed;
     gboolean recorded = status.rows > 0 && wanted <= status.reached, over = status.finished && !recorded;
@@ -400,8 +326,8 @@ void tinker_player_advance(TinkerPlayer *player, double seconds)
 
 gboolean tinker_player_wait(TinkerPlayer *player, double time, GError **error)
 {
-    if (player->segments->len == 0) return TRUE;
-    TinkerRunTask *task = last_segment(player)->task;
+    if (player->recording.segments->len == 0) return TRUE;
+    TinkerRunTask *task = tinker_recording_last(&player->recording)->task;
     gboolean to_end =
         tinker_scene_head(player->ran)->run.accuracy > 0; /* else samples of a try that misses may be read */
     for (;;) {
@@ -412,7 +338,7 @@ gboolean tinker_player_wait(TinkerPlayer *player, double time, GError **error)
     }
     GError *failure = tinker_run_task_error(task);
     if (failure == NULL) return TRUE;
-    last_segment(player)->failure_told = TRUE;
+    tinker_recording_last(&player->recording)->failure_told = TRUE;
     g_propagate_error(error, failure);
     return FALSE;
 }
@@ -432,7 +358,7 @@ double tinker_player_time(TinkerPlayer *player)
 
 double tinker_player_reached(TinkerPlayer *player)
 {
-    const Segment *last = last_segment(player);
+    const TinkerSegment *last = tinker_recording_last(&player->recording);
     return last == NULL ? 0 : tinker_run_task_status(last->task).reached;
 }
 
@@ -465,7 +391,7 @@ TinkerFrame *tinker_player_frame(TinkerPlayer *player)
 
 gboolean tinker_player_value(TinkerPlayer *player, TinkerBlockId block, int32_t quantity, double *value)
 {
-    const Segment *segment = segment_at(player, player->time);
+    const TinkerSegment *segment = tinker_recording_at(&player->recording, player->time);
     gsize row;
     if (segment == NULL || !tinker_run_task_find(segment->task, player->time, &row)) return FALSE;
     int column = tinker_run_task_column(segment->task, (TinkerQuantity){block, quantity});
@@ -474,7 +400,7 @@ gboolean tinker_player_value(TinkerPlayer *player, TinkerBlockId block, int32_t 
 
 gboolean tinker_player_status(TinkerPlayer *player, TinkerRunStatus *status)
 {
-    const Segment *last = last_segment(player);
+    const TinkerSegment *last = tinker_recording_last(&player->recording);
     if (last == NULL) return FALSE;
     *status = tinker_run_task_status(last->task);
     return TRUE;
@@ -482,23 +408,17 @@ gboolean tinker_player_status(TinkerPlayer *player, TinkerRunStatus *status)
 
 GPtrArray *tinker_player_warnings(TinkerPlayer *player, gboolean of_scene)
 {
-    const Segment *last = last_segment(player);
+    const TinkerSegment *last = tinker_recording_last(&player->recording);
     return last == NULL ? g_ptr_array_new_with_free_func(g_free) : tinker_run_task_warnings(last->task, of_scene);
 }
 
 /* A run that was made again for an accuracy has other samples from then on. */
 guint tinker_player_generation(TinkerPlayer *player)
 {
-    const guint before = player->generation;
-    for (guint i = 0; i < player->segments->len; i++) {
-        Segment *segment = &g_array_index(player->segments, Segment, i);
-        guint replaced = tinker_run_task_status(segment->task).replaced;
-        if (replaced != segment->replaced) player->generation++;
-        segment->replaced = replaced;
-    }
-    if (player->generation != before && player->frame != NULL && tinker_frame_leaves_paths(player->frame))
+    const guint before = player->recording.generation, now = tinker_recording_generation(&player->recording);
+    if (now != before && player->frame != NULL && tinker_frame_leaves_paths(player->frame))
         renew_frame(player); /* whose paths are those of the new samples */
-    return player->generation;
+    return now;
 }
 
 /* Of each segment those before the next one begins. */
@@ -506,15 +426,15 @@ GPtrArray *tinker_player_events(TinkerPlayer *player)
 {
     const guint generation = tinker_player_generation(player);
     guint count = 0;
-    for (guint i = 0; i < player->segments->len; i++)
-        count += tinker_run_task_event_count(g_array_index(player->segments, Segment, i).task);
+    for (guint i = 0; i < player->recording.segments->len; i++)
+        count += tinker_run_task_event_count(segment_of(player, i)->task);
     if (generation == player->events_generation && count == player->events_counted) return player->events;
     g_ptr_array_unref(player->events);
     player->events = g_ptr_array_new_with_free_func((GDestroyNotify)tinker_run_event_free);
     player->events_generation = generation;
     player->events_counted = count;
-    for (guint i = 0; i < player->segments->len; i++)
-        tinker_run_task_add_events(g_array_index(player->segments, Segment, i).task, segment_end(player, i),
+    for (guint i = 0; i < player->recording.segments->len; i++)
+        tinker_run_task_add_events(segment_of(player, i)->task, tinker_recording_end(&player->recording, i),
                                    player->events);
     return player->events;
 }
@@ -531,19 +451,9 @@ static void note_asked(TinkerPlayer *player, TinkerQuantity quantity)
 gboolean tinker_player_series(TinkerPlayer *player, TinkerQuantity quantity, TinkerSeriesCursor *cursor, GArray *times,
                               GArray *values)
 {
-    for (; cursor->segment < player->segments->len; cursor->segment++, cursor->row = 0) {
-        TinkerRunTask *task = g_array_index(player->segments, Segment, cursor->segment).task;
-        int column = tinker_run_task_column(task, quantity);
-        cursor->behind = FALSE;
-        if (column < 0) {
-            note_asked(player, quantity);
-            return FALSE;
-        }
-        double end = segment_end(player, cursor->segment);
-        cursor->behind = !tinker_run_task_series(task, column, &cursor->row, nextafter(end, 0), times, values);
-        if (isinf(end) || cursor->behind) break;
-    }
-    return TRUE;
+    if (tinker_recording_series(&player->recording, quantity, cursor, times, values)) return TRUE;
+    note_asked(player, quantity);
+    return FALSE;
 }
 
 /* The object ----------------------------------------------------------------------------------------------------------
@@ -553,7 +463,8 @@ static void tinker_player_finalize(GObject *object)
 {
     TinkerPlayer *player = TINKER_PLAYER(object);
     g_clear_pointer(&player->frame, tinker_frame_free);
-    g_array_unref(player->segments);
+    tinker_recording_forget(&player->recording);
+    tinker_recording_clear(&player->recording);
     g_ptr_array_unref(player->events);
     tinker_run_lane_unref(player->lane);
     g_clear_pointer(&player->ran, tinker_scene_free);
@@ -580,8 +491,7 @@ static void tinker_player_init(TinkerPlayer *player)
     player->step_to = NAN;
     player->lane = tinker_run_task_lane();
     player->events = g_ptr_array_new_with_free_func((GDestroyNotify)tinker_run_event_free);
-    player->segments = g_array_new(FALSE, FALSE, sizeof(Segment));
-    g_array_set_clear_func(player->segments, (GDestroyNotify)segment_clear);
+    tinker_recording_init(&player->recording);
     player->asked = g_array_new(FALSE, FALSE, sizeof(TinkerQuantity));
 }
 

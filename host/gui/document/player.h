@@ -10,7 +10,7 @@
 #define TINKER_GUI_PLAYER_H
 
 #include "gui/document/document.h"
-#include "gui/document/run-task.h"
+#include "gui/document/recording.h"
 
 #define TINKER_TYPE_PLAYER (tinker_player_get_type())
 G_DECLARE_FINAL_TYPE(TinkerPlayer, tinker_player, TINKER, PLAYER, GObject)
@@ -79,14 +79,7 @@ GPtrArray *tinker_player_events(TinkerPlayer *player);
 
 /* A number that changes whenever what was recorded is no longer true. */
 guint tinker_player_generation(TinkerPlayer *player);
-/* Appends what has been recorded of a quantity since the last call with this cursor (zeroed at first; begin anew, with
- * empty arrays, when the generation changes), to arrays of double: of a long record a portion, and the cursor says that
- * it is behind. FALSE where the quantity is not recorded; then it will be from the next run on. */
-typedef struct {
-    guint segment;
-    gsize row;
-    gboolean behind; /* there is more at once */
-} TinkerSeriesCursor;
+/* As tinker_recording_series; what is not recorded will be from the next run on. */
 gboolean tinker_player_series(TinkerPlayer *player, TinkerQuantity quantity, TinkerSeriesCursor *cursor, GArray *times,
                               GArray *values);
 

@@ -60,7 +60,13 @@ static TinkerRunEvent *event_new(double time, const char *text)
     return event;
 }
 
-static void unref(TinkerRunTask *task)
+TinkerRunTask *tinker_run_task_ref(TinkerRunTask *task)
+{
+    g_atomic_ref_count_inc(&task->references);
+    return task;
+}
+
+void tinker_run_task_unref(TinkerRunTask *task)
 {
     if (!g_atomic_ref_count_dec(&task->references)) return;
     tinker_scene_free(task->scene);
@@ -259,7 +265,7 @@ static void finish(TinkerRunTask *task, GError *error)
     if (error != NULL) forget_invalid(task);
     task->status.finished = TRUE;
     g_mutex_unlock(&task->mutex);
-    unref(task);
+    tinker_run_task_unref(task);
 }
 
 static void work(void *item)
@@ -334,7 +340,7 @@ void tinker_run_task_free(TinkerRunTask *task)
 {
     if (task == NULL) return;
     tinker_run_task_stop(task);
-    unref(task);
+    tinker_run_task_unref(task);
 }
 
 TinkerRunStatus tinker_run_task_status(TinkerRunTask *task)

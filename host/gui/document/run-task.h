@@ -51,7 +51,11 @@ TinkerRunTask *tinker_run_task_new(TinkerRunLane *lane, TinkerScene *scene, doub
 /* Nothing more is wanted of it than what it has recorded. Does not wait. */
 void tinker_run_task_stop(TinkerRunTask *task);
 
-/* Stops it, if it still runs, and frees it. Does not wait: the thread frees what it uses. */
+/* It is freed by whoever lets go of it last; a thread that still runs goes on until it is stopped. Does not wait. */
+TinkerRunTask *tinker_run_task_ref(TinkerRunTask *task);
+void tinker_run_task_unref(TinkerRunTask *task);
+
+/* Stops it, if it still runs, and lets go of it. */
 void tinker_run_task_free(TinkerRunTask *task);
 
 TinkerRunStatus tinker_run_task_status(TinkerRunTask *task);

@@ -1,0 +1,149 @@
+/* Frames are placed straight between two samples of one segment. */
+#include "gui/document/recording.h"
+
+#include <math.h>
+
+static void clear_segment(gpointer segment)
+{
+    tinker_run_task_unref(((TinkerSegment *)segment)->task);
+}
+
+void tinker_recording_init(TinkerRecording *recording)
+{
+    recording->segments = g_array_new(FALSE, FALSE, sizeof(TinkerSegment));
+    g_array_set_clear_func(recording->segments, clear_segment);
+}
+
+void tinker_recording_clear(TinkerRecording *recording)
+{
+    g_clear_pointer(&recording->segments, g_array_unref);
+}
+
+static TinkerSegment *segment_of(const TinkerRecording *recording, guint number)
+{
+    return &g_array_index(recording->segments, TinkerSegment, number);
+}
+
+void tinker_recording_forget(TinkerRecording *recording)
+{
+    for (guint i = 0; i < recording->segments->len; i++)
+        tinker_run_task_stop(segment_of(recording, i)->task);
+    g_array_set_size(recording->segments, 0);
+    recording->generation++;
+}
+
+void tinker_recording_add(TinkerRecording *recording, TinkerRunTask *task, double start)
+{
+    const TinkerSegment segment = {task, start, FALSE, 0};
+    g_array_append_val(recording->segments, segment);
+}
+
+void tinker_recording_share(TinkerRecording *recording, const TinkerRecording *other)
+{
+    for (guint i = 0; i < other->segments->len; i++) {
+        TinkerSegment segment = *segment_of(other, i);
+        tinker_run_task_ref(segment.task);
+        g_array_append_val(recording->segments, segment);
+    }
+    recording->generation++;
+}
+
+TinkerSegment *tinker_recording_last(const TinkerRecording *recording)
+{
+    return recording->segments->len == 0 ? NULL : segment_of(recording, recording->segments->len - 1);
+}
+
+TinkerSegment *tinker_recording_at(const TinkerRecording *recording, double time)
+{
+    for (guint i = recording->segments->len; i-- > 0;) {
+        TinkerSegment *segment = segment_of(recording, i);
+        gsize row;
+        if (i == 0 || (segment->start <= time && tinker_run_task_find(segment->task, time, &row))) return segment;
+    }
+    return NULL;
+}
+
+double tinker_recording_end(const TinkerRecording *recording, guint number)
+{
+    return number + 1 < recording->segments->len ? segment_of(recording, number + 1)->start : INFINITY;
+}
+
+guint tinker_recording_generation(TinkerRecording *recording)
+{
+    for (guint i = 0; i < recording->segments->len; i++) {
+        TinkerSegment *segment = segment_of(recording, i);
+        const guint replaced = tinker_run_task_status(segment->task).replaced;
+        if (replaced != segment->replaced) recording->generation++;
+        segment->replaced = replaced;
+    }
+    return recording->generation;
+}
+
+/* Frames --------------------------------------------------------------------------------------------------------------
+ */
+
+static void place_body(TinkerFrame *frame, TinkerBlockId block, const TinkerBodySample *a, const TinkerBodySample *b,
+                       double share)
+{
+    double orientation = a->orientation;
+    if (isnan(orientation)) orientation = tinker_frame_meaning(frame, block, TINKER_MEANING_ORIENTATION, 0, 0);
+    tinker_frame_place(frame, block, a->x + share * (b->x - a->x), a->y + share * (b->y - a->y), orientation);
+}
+
+gboolean tinker_recording_place_sample(TinkerFrame *frame, TinkerRunTask *task, gsize row)
+{
+    int count;
+    const TinkerBlockId *bodies = tinker_run_task_bodies(task, &count);
+    g_autofree TinkerBodySample *samples = g_new(TinkerBodySample, (gsize)count + 1);
+    double time;
+    if (!tinker_run_task_read(task, row, &time, samples, NULL) || !tinker_frame_set_time(frame, time, NULL))
+        return FALSE;
+    TinkerScene *scene = tinker_frame_scene(frame);
+    for (int i = 0; i < count; i++)
+        if (tinker_scene_has_block(scene, bodies[i])) place_body(frame, bodies[i], &samples[i], &samples[i], 0);
+    return TRUE;
+}
+
+static void place_bodies(TinkerFrame *frame, TinkerRunTask *task, gsize row, double time)
+{
+    int count;
+    const TinkerBlockId *bodies = tinker_run_task_bodies(task, &count);
+    g_autofree TinkerBodySample *a = g_new(TinkerBodySample, (gsize)count + 1);
+    g_autofree TinkerBodySample *b = g_new(TinkerBodySample, (gsize)count + 1);
+    double before, after, share = 0;
+    if (!tinker_run_task_read(task, row, &before, a, NULL)) return;
+    gboolean between = time > before && tinker_run_task_read(task, row + 1, &after, b, NULL) && after > before;
+    if (between) share = fmin((time - before) / (after - before), 1);
+    TinkerScene *scene = tinker_frame_scene(frame);
+    for (int i = 0; i < count; i++)
+        if (tinker_scene_has_block(scene, bodies[i]))
+            place_body(frame, bodies[i], &a[i], between ? &b[i] : &a[i], share);
+}
+
+gboolean tinker_recording_place(const TinkerRecording *recording, TinkerFrame *frame, double time)
+{
+    const TinkerSegment *segment = tinker_recording_at(recording, time);
+    gsize row;
+    if (!tinker_frame_set_time(frame, time, NULL)) return FALSE;
+    if (segment != NULL && tinker_run_task_find(segment->task, time, &row))
+        place_bodies(frame, segment->task, row, time);
+    return TRUE;
+}
+
+/* Curves --------------------------------------------------------------------------------------------------------------
+ */
+
+gboolean tinker_recording_series(const TinkerRecording *recording, TinkerQuantity quantity, TinkerSeriesCursor *cursor,
+                                 GArray *times, GArray *values)
+{
+    for (; cursor->segment < recording->segments->len; cursor->segment++, cursor->row = 0) {
+        TinkerRunTask *task = segment_of(recording, cursor->segment)->task;
+        const int column = tinker_run_task_column(task, quantity);
+        cursor->behind = FALSE;
+        if (column < 0) return FALSE;
+        const double end = tinker_recording_end(recording, cursor->segment);
+        cursor->behind = !tinker_run_task_series(task, column, &cursor->row, nextafter(end, 0), times, values);
+        if (isinf(end) || cursor->behind) break;
+    }
+    return TRUE;
+}

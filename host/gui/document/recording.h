@@ -1,0 +1,60 @@
+/* What was recorded of a scene: a row of segments. Each is a run, and counts from its start to that of the next. There
+ * is more than one only where a property was changed on the way. No widget. */
+#ifndef TINKER_GUI_RECORDING_H
+#define TINKER_GUI_RECORDING_H
+
+#include "gui/document/run-task.h"
+#include "scene/frame/frame.h"
+
+typedef struct {
+    TinkerRunTask *task;
+    double start; /* s */
+    gboolean failure_told;
+    guint replaced; /* as in the task's status when it was looked at last */
+} TinkerSegment;
+
+typedef struct {
+    GArray *segments; /* of TinkerSegment */
+    guint generation; /* another one whenever what was recorded is no longer true */
+} TinkerRecording;
+
+/* Empty. */
+void tinker_recording_init(TinkerRecording *recording);
+/* Lets go of its runs without stopping them, and frees what it holds. */
+void tinker_recording_clear(TinkerRecording *recording);
+
+/* Forgets all, whose runs are stopped. */
+void tinker_recording_forget(TinkerRecording *recording);
+/* Adds a run, which is the recording's from now on. */
+void tinker_recording_add(TinkerRecording *recording, TinkerRunTask *task, double start);
+/* The same runs, which the other goes on holding: what is recorded stays when that one forgets it. */
+void tinker_recording_share(TinkerRecording *recording, const TinkerRecording *other);
+
+/* NULL where there is none. Borrowed until a segment is added or taken away, as all. */
+TinkerSegment *tinker_recording_last(const TinkerRecording *recording);
+/* The one that shows this time: of one that begins there and has recorded nothing yet, the start is the last sample of
+ * the one before it. */
+TinkerSegment *tinker_recording_at(const TinkerRecording *recording, double time);
+/* s: where a segment gives way to the next; INFINITY. */
+double tinker_recording_end(const TinkerRecording *recording, guint number);
+
+/* The generation, which is another one where a run was made again for an accuracy, and has other samples now. */
+guint tinker_recording_generation(TinkerRecording *recording);
+
+/* Puts everything where a sample has it. */
+gboolean tinker_recording_place_sample(TinkerFrame *frame, TinkerRunTask *task, gsize row);
+/* Puts everything where the record has it at a time, straight between two samples. FALSE where a motion fails. */
+gboolean tinker_recording_place(const TinkerRecording *recording, TinkerFrame *frame, double time);
+
+/* Appends what has been recorded of a quantity since the last call with this cursor (zeroed at first; begin anew, with
+ * empty arrays, when the generation changes), to arrays of double: of a long record a portion, and the cursor says that
+ * it is behind. FALSE where the quantity is not recorded. */
+typedef struct {
+    guint segment;
+    gsize row;
+    gboolean behind; /* there is more at once */
+} TinkerSeriesCursor;
+gboolean tinker_recording_series(const TinkerRecording *recording, TinkerQuantity quantity, TinkerSeriesCursor *cursor,
+                                 GArray *times, GArray *values);
+
+#endif
