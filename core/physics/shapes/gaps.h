@@ -1,0 +1,89 @@
+/* Gaps between two shapes, and how they change as the shapes move.
+ *
+ * A gap function is of one *tip* and one *seat*, each fixed to a frame (a body or a support):
+ *
+ *     tip:   a corner, or the centre of a disc of radius r
+ *     seat:  an edge, with its outward normal n, or a round: a corner, or the centre of a disc, of radius s
+ *
+ *          tip o                            gap = n . (P - C) - r        edge:  n is the edge's
+ *              | gap                        gap = |P - C| - s - r        round: n points from C to P
+ *        ------C------ seat   t --->
+ *
+ * t = (n_y, -n_x) runs along the seat. Two convex shapes touch where one of their gap functions is 0 and its tip is
+ * over the seat, `along` within +-half_width; each corner has functions of its own, which never jump. Where a disc goes
+ * from an edge over a corner, one function takes over from another with the same gap and speed.
+ *
+ * Derivatives are by the six coordinates of both frames, x, y and angle of the tip's, then those of the seat's:
+ *
+ *     gap'' = row[0] . (x_tip'', y_tip'', angle_tip'', ...) + drift[0]
+ *     u'    = row[1] . (...) + drift[1],   u: speed along t of the tip's material at the contact, relative to the
+ * seat's
+ *
+ * `rolled` is the integral of u while the gap is 0: what stays constant of a contact that sticks. */
+#ifndef TINKER_CORE_GAPS_H
+#define TINKER_CORE_GAPS_H
+
+#include <glib.h>
+#include <stdint.h>
+
+typedef enum {
+    TINKER_OUTLINE_DISC,
+    TINKER_OUTLINE_POLYGON, /* convex */
+    TINKER_OUTLINE_TOP,     /* of a support: two corners, towards -x first, and the solid side between them */
+} TinkerOutlineKind;
+
+#define TINKER_MOST_CORNERS 64
+
+/* In the axes of its frame. */
+typedef struct {
+    TinkerOutlineKind kind;
+    double radius;         /* m: of a disc; of others the farthest corner's distance from the frame's place */
+    int32_t count;         /* corners, counter-clockwise; those of a polygon of two edges are the ends of a line */
+    const double *corners; /* 2 each */
+} TinkerOutline;
+
+typedef struct {
+    double x, y, angle;
+    double vx, vy, rate;
+} TinkerPose;
+
+/* Of shapes 0 and 1; places and directions in the axes of the frames that they are fixed to. */
+typedef struct {
+    int32_t tip_of; /* 0 or 1; the seat is of the other */
+    gboolean round; /* the seat */
+    gboolean rolls; /* the tip or the seat has a radius: it moves along the seat without slipping, too */
+    double tip[2], tip_radius;
+    double seat[2], seat_radius; /* the middle of an edge; the centre of a round */
+    double normal[2];            /* of an edge; of a round the middle of the directions in which it is the nearest */
+    double half_width;           /* m; INFINITY: all around */
+    double above[2];             /* the end of a top meets what comes from there alone; (0, 0): no end of a top */
+} TinkerGapFunction;
+
+typedef struct {
+    double gap, along, rolled; /* m */
+    double period;             /* m: `rolled` is known but for multiples of this; 0: for none */
+    double normal_speed, tangential_speed, along_speed;
+    double normal[2]; /* from the seat to the tip */
+    double point[2];  /* where the tip's surface is nearest to the seat */
+    double row[2][6], drift[2];
+} TinkerGap;
+
+/* Writes the gap functions of two shapes, at most `room`; answers how many there are. */
+int32_t tinker_gap_functions(const TinkerOutline *first, const TinkerOutline *second, TinkerGapFunction *list,
+                             int32_t room);
+
+void tinker_gap_measure(const TinkerGapFunction *function, const TinkerPose *first, const TinkerPose *second,
+                        TinkerGap *gap);
+
+/* Whether the tip is over the seat, so that the gap is one between the shapes. Within `tolerance` (m) of an end one
+ * that moves on over it is not. */
+gboolean tinker_gap_is_over(const TinkerGapFunction *function, const TinkerPose *first, const TinkerPose *second,
+                            const TinkerGap *gap, double tolerance);
+
+/* How far (m) two shapes overlap: the least way along one of their normals that parts them; negative: they are that far
+ * apart, along such a normal. A top has no inside: of it, how far anything of the other is below the top and over it.
+ */
+double tinker_outlines_overlap(const TinkerOutline *first, const TinkerPose *at_first, const TinkerOutline *second,
+                               const TinkerPose *at_second);
+
+#endif
