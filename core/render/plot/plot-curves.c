@@ -32,13 +32,6 @@ gboolean tinker_plot_place(const TinkerPlotLayout *layout, const TinkerCurve *cu
     return isfinite(*x) && isfinite(*y);
 }
 
-/* The number that lies at a place of the canvas. */
-static double number_at(const TinkerAxis *axis, double place)
-{
-    double value = axis->low + (place - axis->start) / axis->length * (axis->high - axis->low);
-    return axis->logarithmic ? pow(10, value) : value;
-}
-
 static void emit(Thinner *thinner, gsize i)
 {
     double x, y;
@@ -62,8 +55,8 @@ static void open_column(Thinner *thinner, gsize i)
 {
     const TinkerAxis *axis = &thinner->layout->x;
     double column = floor(tinker_axis_place(axis, thinner->curve->x[i]) / thinner->column_width);
-    thinner->from = number_at(axis, column * thinner->column_width);
-    thinner->to = number_at(axis, (column + 1) * thinner->column_width);
+    thinner->from = tinker_axis_value(axis, column * thinner->column_width);
+    thinner->to = tinker_axis_value(axis, (column + 1) * thinner->column_width);
     thinner->first = thinner->least = thinner->greatest = i;
     thinner->open = TRUE;
 }
@@ -80,12 +73,50 @@ static void add_point(Thinner *thinner, gsize i)
     thinner->last = i;
 }
 
+gboolean tinker_plot_can_index(const TinkerCurve *curve, gboolean x_logarithmic, gboolean y_logarithmic)
+{
+    gsize least, greatest;
+    if (curve->index == NULL || curve->count == 0 || tinker_curve_index_count(curve->index) != curve->count ||
+        !tinker_curve_index_is_ordered(curve->index))
+        return FALSE;
+    if (x_logarithmic && !(curve->x[0] > 0)) return FALSE;
+    if (!y_logarithmic) return TRUE;
+    tinker_curve_index_extremes(curve->index, curve->y, 0, curve->count, &least, &greatest);
+    return curve->y[least] > 0;
+}
+
+/* Column by column, as add_point() would come upon them; from the column of the frame's left edge and the point before
+ * it to the first point beyond the right edge. */
+static void walk_by_index(Thinner *thinner)
+{
+    const TinkerCurve *curve = thinner->curve;
+    const TinkerPlotLayout *layout = thinner->layout;
+    const double width = thinner->column_width;
+    const double left = tinker_axis_value(&layout->x, floor(layout->left / width - 2) * width);
+    const double right = tinker_axis_value(&layout->x, layout->right + 2 * width);
+    gsize i = tinker_curve_first_from(curve->x, curve->count, left);
+    for (i = i > 0 ? i - 1 : 0; i < curve->count;) {
+        open_column(thinner, i);
+        const gsize beyond = i + tinker_curve_first_from(curve->x + i, curve->count - i, thinner->to);
+        const gsize end = MAX(beyond, i + 1);
+        tinker_curve_index_extremes(curve->index, curve->y, i, end, &thinner->least, &thinner->greatest);
+        thinner->last = end - 1;
+        close_column(thinner);
+        if (curve->x[i] > right) return;
+        i = end;
+    }
+}
+
 void tinker_plot_walk(const TinkerPlotLayout *layout, const TinkerCurve *curve, double column_width,
                       TinkerPathFunction path, gpointer data)
 {
     Thinner thinner = {
         .layout = layout, .curve = curve, .path = path, .data = data, .column_width = column_width, .starts = TRUE};
     gboolean positive_x = layout->x.logarithmic, positive_y = tinker_plot_y_axis(layout, curve)->logarithmic;
+    if (tinker_plot_can_index(curve, positive_x, positive_y)) {
+        walk_by_index(&thinner);
+        return;
+    }
     for (gsize i = 0; i < curve->count; i++) {
         double x = curve->x[i], y = curve->y[i];
         if (isfinite(x) && isfinite(y) && !(positive_x && x <= 0) && !(positive_y && y <= 0)) {

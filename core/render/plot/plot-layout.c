@@ -45,6 +45,17 @@ static void add_values(const double *values, gsize count, gboolean logarithmic, 
     range[1] = greatest;
 }
 
+/* Both numbers of a curve that has an index. */
+static void add_extremes(const TinkerCurve *curve, double x[2], double y[2])
+{
+    gsize least, greatest;
+    tinker_curve_index_extremes(curve->index, curve->y, 0, curve->count, &least, &greatest);
+    x[0] = fmin(x[0], curve->x[0]);
+    x[1] = fmax(x[1], curve->x[curve->count - 1]);
+    y[0] = fmin(y[0], curve->y[least]);
+    y[1] = fmax(y[1], curve->y[greatest]);
+}
+
 /* What the axes have to show. */
 static void find_ranges(TinkerPlotLayout *layout)
 {
@@ -55,10 +66,14 @@ static void find_ranges(TinkerPlotLayout *layout)
     layout->with_marks = plot->equal_scales;
     for (int i = 0; i < plot->curve_count; i++) {
         const TinkerCurve *curve = &plot->curves[i];
-        add_values(curve->x, curve->count, plot->x_logarithmic, x);
         double *y = curve->right ? second : left;
         const gboolean logarithmic = curve->right ? plot->right_logarithmic : plot->y_logarithmic;
-        add_values(curve->y, curve->count, logarithmic, y);
+        if (tinker_plot_can_index(curve, plot->x_logarithmic, logarithmic)) {
+            add_extremes(curve, x, y);
+        } else {
+            add_values(curve->x, curve->count, plot->x_logarithmic, x);
+            add_values(curve->y, curve->count, logarithmic, y);
+        }
         add_values(curve->low, curve->count, logarithmic, y);
         add_values(curve->high, curve->count, logarithmic, y);
         layout->has_second = layout->has_second || curve->right;

@@ -71,6 +71,7 @@ static void trace_curves(const TinkerPlotLayout *layout, Trace *trace)
         if (tinker_plot_has_markers(curve)) trace_points(layout, curve, trace);
         if (!curve->low || !curve->high) continue;
         TinkerCurve border = *curve;
+        border.index = NULL;
         border.y = curve->low;
         tinker_plot_walk(layout, &border, 1, trace_to, trace);
         border.y = curve->high;

@@ -40,7 +40,13 @@ static void draw_dots(cairo_t *cairo, const TinkerPlotLayout *layout, const Tink
 {
     double at = tinker_axis_place(&layout->x, cursor), x1, y1, x2, y2;
     int dots = 0;
-    for (gsize i = 0; i < curve->count && dots < MOST_DOTS; i++) {
+    gsize first = 0, end = curve->count;
+    if (tinker_plot_can_index(curve, FALSE, FALSE)) {
+        const gsize beyond = tinker_curve_first_from(curve->x, curve->count, cursor);
+        first = beyond > 0 ? beyond - 1 : 0;
+        end = MIN(curve->count, beyond + MOST_DOTS);
+    }
+    for (gsize i = first; i < end && dots < MOST_DOTS; i++) {
         gsize next = MIN(i + 1, curve->count - 1);
         gboolean passes = curve->x[i] == cursor || (curve->x[i] < cursor) != (curve->x[next] < cursor);
         if (!passes || !tinker_plot_place(layout, curve, i, &x1, &y1)) continue;
@@ -89,6 +95,11 @@ static gboolean place_point(const TinkerPlotLayout *layout, double *x, double *y
     const TinkerPlotReading *reading = plot->reading;
     if (!reading || reading->curve < 0 || reading->curve >= plot->curve_count) return FALSE;
     const TinkerCurve *curve = &plot->curves[reading->curve];
+    if (reading->at != NULL) {
+        *x = tinker_axis_place(&layout->x, reading->at[0]);
+        *y = tinker_axis_place(tinker_plot_y_axis(layout, curve), reading->at[1]);
+        return isfinite(*x) && isfinite(*y) && is_inside(layout, *x, *y);
+    }
     return reading->point < curve->count && tinker_plot_place(layout, curve, reading->point, x, y) &&
            is_inside(layout, *x, *y);
 }

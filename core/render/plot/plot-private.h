@@ -55,6 +55,16 @@ static inline double tinker_axis_place(const TinkerAxis *axis, double value)
     return axis->start + (value - axis->low) / (axis->high - axis->low) * axis->length;
 }
 
+/* The number that lies at a place of the canvas. */
+static inline double tinker_axis_value(const TinkerAxis *axis, double place)
+{
+    const double value = axis->low + (place - axis->start) / axis->length * (axis->high - axis->low);
+    return axis->logarithmic ? pow(10, value) : value;
+}
+
+/* Whether a curve's index can be asked on these axes: what a logarithm does not have is not in the way of it. */
+gboolean tinker_plot_can_index(const TinkerCurve *curve, gboolean x_logarithmic, gboolean y_logarithmic);
+
 /* Where the legend stands. */
 typedef enum { TINKER_LEGEND_NONE, TINKER_LEGEND_INSIDE, TINKER_LEGEND_OUTSIDE } TinkerLegendKind;
 typedef struct {

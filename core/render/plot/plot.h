@@ -7,6 +7,7 @@
 
 #include "render/draw/paint-memory.h"
 #include "render/draw/theme.h"
+#include "render/plot/curve-index.h"
 
 /* What a curve is for. */
 typedef enum {
@@ -20,8 +21,9 @@ typedef struct {
     const double *x, *y;      /* `count` points; a NaN interrupts the curve */
     const double *low, *high; /* a band about the curve, or NULL */
     gsize count;
-    int colour;       /* number of the theme's curve colour */
-    gboolean markers; /* a mark at every point */
+    const TinkerCurveIndex *index; /* of all these points, where there are many: it is quicker to draw; NULL */
+    int colour;                    /* number of the theme's curve colour */
+    gboolean markers;              /* a mark at every point */
     gboolean no_line;
     gboolean right; /* its values belong to the axis at the right */
     TinkerCurveRole role;
@@ -32,6 +34,7 @@ typedef struct {
     int curve;
     gsize point;
     const char *x, *y; /* the bubble's lines, "t = 1.25 s"; NULL: left out */
+    const double *at;  /* x and y of the place itself, where it lies between points; NULL: the point */
 } TinkerPlotReading;
 
 typedef struct {
@@ -68,6 +71,23 @@ typedef struct {
  * there is none within `reach` (canvas units). */
 gboolean tinker_plot_pick(const TinkerPlot *plot, double width, double height, double canvas_x, double canvas_y,
                           double reach, TinkerPlotPoint *found);
+
+/* Where the axes of a plot of this size lie. */
+typedef struct {
+    gboolean logarithmic;
+    double low, high;     /* what it shows, as common logarithms where it is logarithmic */
+    double start, length; /* canvas units: where `low` is, and the way from there to `high` */
+} TinkerPlotScale;
+typedef struct {
+    double left, top, right, bottom; /* canvas units: the rectangle of the curves */
+    TinkerPlotScale x, y, second;
+    gboolean has_second; /* an axis at the right */
+} TinkerPlotGeometry;
+void tinker_plot_measure(const TinkerPlot *plot, double width, double height, TinkerPlotGeometry *geometry);
+
+/* The place of a value on the canvas, NAN where it has none; and back. */
+double tinker_plot_scale_place(const TinkerPlotScale *scale, double value);
+double tinker_plot_scale_value(const TinkerPlotScale *scale, double place);
 
 /* Draws to .png, .svg or .pdf by the ending. */
 gboolean tinker_plot_to_file(const TinkerPlot *plot, int width, int height, const char *path, GError **error);
