@@ -2,6 +2,7 @@
 #include "graph-axis.h"
 
 #include <glib/gi18n.h>
+#include <string.h>
 
 TinkerGraphAxis tinker_graph_axis_time(void)
 {
@@ -32,11 +33,40 @@ gboolean tinker_graph_axes_of_path(const TinkerGraphAxis *x, const TinkerGraphAx
     return tinker_dimension_equal(x->dimension, length) && tinker_dimension_equal(y->dimension, length);
 }
 
-void tinker_csv_axis(TinkerCsvWriter *writer, const TinkerScene *scene, const TinkerGraphAxis *axis, gboolean several,
-                     gboolean units)
+TinkerGraphAxis tinker_graph_axis_of_value(TinkerScene *scene, const char *title, const TinkerDimension *dimension,
+                                           const char *wanted)
+{
+    static const TinkerDimension none = {0};
+    const char *shown = dimension != NULL ? tinker_unit_for(*dimension, tinker_scene_head(scene)->units) : "";
+    const char *name = wanted != NULL ? wanted : shown;
+    TinkerUnit unit = {1, none};
+    const gboolean fits = dimension != NULL && name[0] != '\0' && tinker_unit_parse(name, &unit, NULL) &&
+                          tinker_dimension_equal(unit.dimension, *dimension);
+    return (TinkerGraphAxis){g_intern_string(title), g_intern_string(name), fits ? 1 / unit.factor : 1,
+                             dimension != NULL ? *dimension : none, TINKER_NO_BLOCK};
+}
+
+char *tinker_graph_axes_label(const TinkerGraphAxis *axes, guint count)
+{
+    const char *second = NULL; /* title */
+    gboolean two_titles = TRUE, same_unit = TRUE;
+    if (count == 0) return NULL;
+    for (guint i = 1; i < count; i++) {
+        if (second == NULL && strcmp(axes[0].title, axes[i].title) != 0) second = axes[i].title;
+        if (strcmp(axes[0].title, axes[i].title) != 0 && strcmp(second, axes[i].title) != 0) two_titles = FALSE;
+        if (strcmp(axes[0].unit, axes[i].unit) != 0) same_unit = FALSE;
+    }
+    if (!same_unit) return g_strdup(_("units as in the legend"));
+    if (second == NULL) return tinker_axis_label(axes[0].title, axes[0].unit);
+    g_autofree char *name = two_titles ? g_strdup_printf("%s, %s", axes[0].title, second)
+                                       : g_strdup(tinker_dimension_name(axes[0].dimension));
+    if (!two_titles) name[0] = g_ascii_toupper(name[0]);
+    return tinker_axis_label(name, axes[0].unit);
+}
+
+void tinker_csv_axis(TinkerCsvWriter *writer, const TinkerScene *scene, const TinkerGraphAxis *axis, gboolean several)
 {
     const char *block = several && axis->block != TINKER_NO_BLOCK ? tinker_scene_block_name(scene, axis->block) : "";
-    g_autofree char *title = tinker_axis_label(axis->title, units ? axis->unit : "");
-    g_autofree char *heading = g_strconcat(block, *block != '\0' ? " " : "", title, NULL);
+    g_autofree char *heading = g_strconcat(block, *block != '\0' ? " " : "", axis->title, NULL);
     tinker_csv_text(writer, heading);
 }

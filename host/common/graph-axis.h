@@ -20,6 +20,15 @@ TinkerGraphAxis tinker_graph_axis_time(void);
 /* The axis of a quantity of this block, or of the scene (quantities.h). */
 TinkerGraphAxis tinker_graph_axis(TinkerScene *scene, TinkerBlockId block, int32_t quantity);
 
+/* The axis of a value in SI, in the unit that is displayed or asked for (`wanted`; NULL). A unit of another dimension
+ * is shown as it is written, and the number in SI; so is any where the dimension is not known (NULL). */
+TinkerGraphAxis tinker_graph_axis_of_value(TinkerScene *scene, const char *title, const TinkerDimension *dimension,
+                                           const char *wanted);
+
+/* The label that several curves share on one axis: up to two titles, or what is measured, and the unit. NULL where
+ * there are none. (transfer full) */
+char *tinker_graph_axes_label(const TinkerGraphAxis *axes, guint count);
+
 /* "Y Position [m]", or the title alone where there is no unit. (transfer full) */
 char *tinker_axis_label(const char *title, const char *unit);
 
@@ -27,8 +36,7 @@ char *tinker_axis_label(const char *title, const char *unit);
 gboolean tinker_graph_axes_of_path(const TinkerGraphAxis *x, const TinkerGraphAxis *y);
 
 /* The heading of a graph's CSV column: the axis's title, with the block's name before it where several curves are
- * written, and the unit behind it, "Time [s]", where `units`. Time has no block. */
-void tinker_csv_axis(TinkerCsvWriter *writer, const TinkerScene *scene, const TinkerGraphAxis *axis, gboolean several,
-                     gboolean units);
+ * written. Time has no block. */
+void tinker_csv_axis(TinkerCsvWriter *writer, const TinkerScene *scene, const TinkerGraphAxis *axis, gboolean several);
 
 #endif

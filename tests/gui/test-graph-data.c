@@ -69,7 +69,7 @@ static void test_published_table(void)
     g_autofree char *exact = NULL;
     g_assert_true(tinker_graph_data_write_csv(data, path, -1, &error));
     g_assert_true(g_file_get_contents(path, &exact, NULL, &error));
-    g_assert_true(g_str_has_prefix(exact, "Time [s],Y Position [m]\n0,0\n0.01,-0.0004905\n"));
+    g_assert_true(g_str_has_prefix(exact, "Time,Y Position\n0,0\n0.01,-0.0004905\n"));
     g_remove(path);
     g_assert_false(tinker_graph_data_write_csv(data, "/nowhere/at/all.csv", 5, &error));
     g_assert_error(error, G_FILE_ERROR, G_FILE_ERROR_NOENT);
@@ -106,10 +106,10 @@ static void test_phase_plot(void)
     g_assert_cmpuint(count, >=, 31);
     for (gsize i = 0; i < count; i++)
         g_assert_cmpfloat_with_epsilon(v[i] * v[i], -2 * GRAVITY * y[i], 1e-9);
-    g_assert_true(tinker_graph_data_present(data, &present));
+    g_assert_true(tinker_graph_data_present(data, 0, &present));
     g_assert_cmpfloat_with_epsilon(v[present], -GRAVITY * 0.3, 1e-9);
     g_assert_cmpstr(tinker_graph_data_title(data), ==, "Mass 0: Y Velocity over Y Position");
-    g_autofree char *x_text = tinker_graph_data_x_text(data, 10), *y_text = tinker_graph_data_y_text(data, 10);
+    g_autofree char *x_text = tinker_graph_data_x_text(data, 0, 10), *y_text = tinker_graph_data_y_text(data, 0, 10);
     g_assert_cmpstr(x_text, ==, "t = 0.1 s, y = −0.04905 m");
     g_assert_cmpstr(y_text, ==, "vy = −0.981 m/s");
     TinkerPlot plot = {.theme = tinker_theme_find("light")};
@@ -148,6 +148,84 @@ static void test_english_units(void)
     g_assert_cmpstr(plot.y_label, ==, "Y Position [ft]");
 }
 
+/* Two quantities, a whole energy and a table in one graph: a fall from rest has y = -g t^2 / 2, vy = -g t, and the sum
+ * of its energies stays 0. The table's rows are its own. */
+static void test_several_curves(void)
+{
+    static const char graph[] =
+        "{'curves': [{'block': 'Mass 0', 'quantity': 'y'}, {'block': 'Mass 0', 'quantity': 'vy', 'axis': 2, 'title': "
+        "'speed'}, {'expression': '0.5*{Mass 0.mass}*{Mass 0.vy}^2 + 9.81*{Mass 0.mass}*{Mass 0.y}', 'unit': 'J', "
+        "'title': 'sum'}, {'expression': '2*t'}, {'table': 'measured.csv', 'column': 1, 'unit': 'm'}]}";
+    g_autofree char *folder = g_dir_make_tmp("tinker-graph-XXXXXX", NULL);
+    g_autofree char *path = g_build_filename(folder, "scene.tinker.json", NULL);
+    g_autofree char *table = g_build_filename(folder, "measured.csv", NULL);
+    g_autofree char *csv = g_build_filename(folder, "out.csv", NULL), *text = NULL;
+    g_autoptr(GError) error = NULL;
+    g_assert_true(g_file_set_contents(table, "0,0\n0.1,-0.05\n0.2,-0.2\n", -1, NULL));
+    g_autoptr(GuiFixture) fixture = fall("SI", "{'block': 'Mass 0', 'quantity': 'y'}");
+    g_assert_true(tinker_document_save(fixture->document, path, &error));
+    g_assert_true(g_file_get_contents(path, &text, NULL, NULL));
+    g_autofree char *graphs = g_strdelimit(g_strdup(graph), "'", '"');
+    char **parts = g_regex_split_simple("\"graphs\": *\\[.*\\]", text, G_REGEX_DOTALL, 0);
+    g_assert_cmpuint(g_strv_length(parts), ==, 2);
+    g_autofree char *whole = g_strconcat(parts[0], "\"graphs\": [", graphs, "]", parts[1], NULL);
+    g_strfreev(parts);
+    g_clear_pointer(&text, g_free);
+    g_assert_true(g_file_set_contents(path, whole, -1, NULL));
+    g_assert_true(tinker_document_open(fixture->document, path, NULL, &error));
+    g_assert_no_error(error);
+    run_until(fixture, 0.5);
+    g_autoptr(TinkerGraphData) data = data_of(fixture);
+    g_assert_cmpuint(tinker_graph_data_curves(data), ==, 5);
+    for (guint k = 0; k < 4; k++)
+        g_assert_cmpuint(tinker_graph_series_count(tinker_graph_data_curve(data, k)), ==, 51);
+    for (gsize i = 0; i < 51; i++) {
+        const double t = tinker_graph_data_x(data)[i];
+        const double expected[] = {-0.5 * GRAVITY * t * t, -GRAVITY * t, 0, 2 * t};
+        for (guint k = 0; k < G_N_ELEMENTS(expected); k++)
+            g_assert_cmpfloat_with_epsilon(tinker_graph_series_y(tinker_graph_data_curve(data, k))[i], expected[k],
+                                           1e-9);
+    }
+    const TinkerGraphSeries *measured = tinker_graph_data_curve(data, 4);
+    g_assert_cmpuint(tinker_graph_series_count(measured), ==, 3);
+    g_assert_cmpfloat(tinker_graph_series_y(measured)[2], ==, -0.2);
+    g_assert_cmpstr(tinker_graph_data_name(data, 0), ==, "Mass 0: Y Position");
+
+    TinkerPlot plot = {0};
+    tinker_graph_data_fill_plot(data, &plot);
+    g_assert_cmpint(plot.curve_count, ==, 5);
+    g_assert_true(plot.curves[1].right && !plot.curves[0].right);
+    g_assert_true(plot.curves[4].no_line && plot.curves[4].markers);
+    g_assert_cmpstr(plot.right_label, ==, "speed [m/s]");
+    g_assert_cmpstr(plot.y_label, ==, "units as in the legend");
+    g_assert_cmpstr(plot.curves[2].label, ==, "sum [J]");
+
+    /* the columns that the command line writes of such a graph */
+    g_assert_true(tinker_graph_data_write_csv(data, csv, 5, &error));
+    g_assert_true(g_file_get_contents(csv, &text, NULL, NULL));
+    g_auto(GStrv) lines = g_strsplit(text, "\n", -1);
+    g_assert_cmpstr(lines[0], ==, "Time,Mass 0 Y Position,Mass 0 speed,sum,2*t,Time,\"measured.csv, 1\"");
+    g_assert_cmpstr(lines[3], ==, "0.02,-0.00196,-0.1962,0,0.04,0.2,-0.2");
+    g_assert_cmpstr(lines[4], ==, "0.03,-0.00441,-0.2943,0,0.06,,");
+    const char *files[] = {path, table, csv, folder};
+    for (gsize i = 0; i < G_N_ELEMENTS(files); i++)
+        g_remove(files[i]);
+}
+
+/* Scales and ranges are the scene's, in the units that it displays. */
+static void test_scales(void)
+{
+    g_autoptr(GuiFixture) fixture = fall("English", "{'block': 'Mass 0', 'quantity': 'y', 'scale': ['log', 'linear'], "
+                                                    "'range': [[0.1, 0.4], [-3.048, 0]]}");
+    run_until(fixture, 0.5);
+    g_autoptr(TinkerGraphData) data = data_of(fixture);
+    TinkerPlot plot = {0};
+    tinker_graph_data_fill_plot(data, &plot);
+    g_assert_true(plot.x_logarithmic && !plot.y_logarithmic);
+    g_assert_cmpfloat(plot.x_range[1], ==, 0.4);
+    g_assert_cmpfloat_with_epsilon(plot.y_range[0], -10, 1e-12);
+}
+
 /* Before a run there are axes and no point; a reset forgets what was recorded; another run fills it anew. */
 static void test_generations(void)
 {
@@ -156,7 +234,7 @@ static void test_generations(void)
     g_autoptr(GuiFixture) fixture = fall("SI", "{'block': 'Mass 0', 'quantity': 'y'}");
     g_autoptr(TinkerGraphData) data = data_of(fixture);
     g_assert_cmpuint(tinker_graph_data_count(data), ==, 0);
-    g_assert_false(tinker_graph_data_present(data, &point));
+    g_assert_false(tinker_graph_data_present(data, 0, &point));
     tinker_graph_data_fill_plot(data, &plot);
     g_assert_cmpfloat(plot.x_range[1], ==, 0.5);
     g_assert_cmpint(plot.curve_count, ==, 1);
@@ -291,6 +369,8 @@ static void add_tests(void)
     g_test_add_func("/gui/graph-data/scene-stays", test_scene_stays);
     g_test_add_func("/gui/graph-data/phase-plot", test_phase_plot);
     g_test_add_func("/gui/graph-data/english-units", test_english_units);
+    g_test_add_func("/gui/graph-data/several-curves", test_several_curves);
+    g_test_add_func("/gui/graph-data/scales", test_scales);
     g_test_add_func("/gui/graph-data/generations", test_generations);
     g_test_add_func("/gui/graph-edit/steps", test_edits_are_steps);
     g_test_add_func("/gui/graph-edit/saved-and-read", test_saved_and_read);

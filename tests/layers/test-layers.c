@@ -102,7 +102,7 @@ static const Rooms folders_with_rooms[] = {
      {"draw", "formula", "picture", "plot"},
      {"draw/draw-watch.h", "draw/style.h", "draw/surface.h", "draw/text.h", "draw/theme.h", "draw/view.h",
       "formula/formula.h", "picture/arrows.h", "picture/ghost.h", "picture/icon.h", "picture/painter.h", "plot/plot.h",
-      "plot/plot-stack.h"}},
+      "plot/curve-index.h", "plot/plot-stack.h"}},
     {"core/conformance", {"probe", "rule"}, {"rule/conformance.h"}},
     {"host/cli", {"command", "report", "plugins", "verb"}, {NULL}},
     {"host/gui",

@@ -1,6 +1,5 @@
 /* The index of a long curve against a look at every point, and pictures drawn with it against those drawn without. */
 #include <math.h>
-#include <string.h>
 
 #include "picture.h"
 #include "render/plot/plot.h"
@@ -80,15 +79,15 @@ static TestPicture *draw(const Data *data, const TinkerCurveIndex *index, const 
     return picture;
 }
 
-static int differing(const TestPicture *a, const TestPicture *b)
+/* The largest difference of any colour of any pixel, of 255. */
+static int difference(const TestPicture *a, const TestPicture *b)
 {
     const guchar *left = cairo_image_surface_get_data(a->surface), *right = cairo_image_surface_get_data(b->surface);
     const gsize stride = (gsize)cairo_image_surface_get_stride(a->surface);
-    int pixels = 0;
-    for (gsize y = 0; y < HEIGHT; y++)
-        for (gsize x = 0; x < WIDTH; x++)
-            pixels += memcmp(left + y * stride + 4 * x, right + y * stride + 4 * x, 4) != 0;
-    return pixels;
+    int largest = 0;
+    for (gsize i = 0; i < HEIGHT * stride; i++)
+        largest = MAX(largest, ABS((int)left[i] - (int)right[i]));
+    return largest;
 }
 
 /* All of it, and stretches down to a few points; with what is beyond the frame left out. */
@@ -105,13 +104,13 @@ static void test_same_pictures(void)
             const double *y_range = zoomed ? levels : NULL;
             g_autoptr(TestPicture) quick = draw(&data, data.index, range, y_range, FALSE);
             g_autoptr(TestPicture) plain = draw(&data, NULL, range, y_range, FALSE);
-            /* where the frame cuts a line off, its way to the point beyond may be another in the last bit */
-            g_assert_cmpint(differing(quick, plain), <=, 4);
+            /* what lies beyond the frame takes part in the rounding of shades, in steps of 1/15 */
+            g_assert_cmpint(difference(quick, plain), <=, 40);
         }
     }
     g_autoptr(TestPicture) quick = draw(&data, data.index, NULL, NULL, TRUE);
     g_autoptr(TestPicture) plain = draw(&data, NULL, NULL, NULL, TRUE);
-    g_assert_cmpint(differing(quick, plain), ==, 0);
+    g_assert_cmpint(difference(quick, plain), ==, 0);
     data_clear(&data);
 }
 

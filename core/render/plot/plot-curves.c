@@ -11,6 +11,7 @@
 #define GUIDE_LINE    1.2
 #define BAND_ALPHA    0.22
 #define CURVE_COLOURS 8
+#define BEYOND        6.0 /* canvas units beyond the frame, whose ink may reach into it */
 
 /* The points of one column, by their numbers. They are compared as numbers of the data: only those that are kept are
  * placed on the canvas. */
@@ -85,15 +86,15 @@ gboolean tinker_plot_can_index(const TinkerCurve *curve, gboolean x_logarithmic,
     return curve->y[least] > 0;
 }
 
-/* Column by column, as add_point() would come upon them; from the column of the frame's left edge and the point before
+/* Column by column, as add_point() would come upon them; from a little left of the frame and the point before
  * it to the first point beyond the right edge. */
 static void walk_by_index(Thinner *thinner)
 {
     const TinkerCurve *curve = thinner->curve;
     const TinkerPlotLayout *layout = thinner->layout;
     const double width = thinner->column_width;
-    const double left = tinker_axis_value(&layout->x, floor(layout->left / width - 2) * width);
-    const double right = tinker_axis_value(&layout->x, layout->right + 2 * width);
+    const double left = tinker_axis_value(&layout->x, floor((layout->left - BEYOND) / width) * width);
+    const double right = tinker_axis_value(&layout->x, layout->right + BEYOND);
     gsize i = tinker_curve_first_from(curve->x, curve->count, left);
     for (i = i > 0 ? i - 1 : 0; i < curve->count;) {
         open_column(thinner, i);

@@ -106,30 +106,17 @@ static char *lone_label(const TinkerChart *chart, gboolean of_x)
 
 typedef enum { AXIS_X, AXIS_LEFT, AXIS_RIGHT } AxisPlace;
 
-/* The label that all curves share on one axis: up to two titles, or what is measured, and the unit. NULL where no curve
- * belongs to it. */
+/* The label that all curves share on one axis. NULL where no curve belongs to it. */
 static char *common_label(const TinkerChart *chart, AxisPlace place)
 {
-    TinkerGraphAxis axis = {0};
-    const char *second = NULL; /* title */
-    gboolean two_titles = TRUE, same_unit = TRUE, any = FALSE;
+    g_autoptr(GArray) axes = g_array_new(FALSE, FALSE, sizeof(TinkerGraphAxis));
     for (guint i = 0; i < chart->curves->len; i++) {
         const TinkerChartCurve *curve = curve_at(chart, i);
         if (place != AXIS_X && curve->right != (place == AXIS_RIGHT)) continue;
-        TinkerGraphAxis other = place == AXIS_X ? tinker_chart_axis(chart, curve->x) : curve->axis;
-        if (!any) axis = other;
-        any = TRUE;
-        if (second == NULL && strcmp(axis.title, other.title) != 0) second = other.title;
-        if (strcmp(axis.title, other.title) != 0 && strcmp(second, other.title) != 0) two_titles = FALSE;
-        if (strcmp(axis.unit, other.unit) != 0) same_unit = FALSE;
+        const TinkerGraphAxis axis = place == AXIS_X ? tinker_chart_axis(chart, curve->x) : curve->axis;
+        g_array_append_val(axes, axis);
     }
-    if (!any) return NULL;
-    if (!same_unit) return g_strdup("units as in the legend");
-    if (second == NULL) return tinker_axis_label(axis.title, axis.unit);
-    g_autofree char *name =
-        two_titles ? g_strdup_printf("%s, %s", axis.title, second) : g_strdup(tinker_dimension_name(axis.dimension));
-    if (!two_titles) name[0] = g_ascii_toupper(name[0]);
-    return tinker_axis_label(name, axis.unit);
+    return tinker_graph_axes_label((const TinkerGraphAxis *)(gpointer)axes->data, axes->len);
 }
 
 static gboolean is_path(const TinkerChart *chart)

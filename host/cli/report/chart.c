@@ -64,21 +64,6 @@ static char *full_name(const char *beside, const char *name)
     return g_strdup_printf("%.*s.%s", (int)(dot - beside), beside, name);
 }
 
-/* The axis of a value in SI, in the unit that is displayed or asked for. A unit of another dimension is shown as it is
- * written, and the number in SI. */
-static TinkerGraphAxis axis_of_value(const TinkerChart *chart, const char *title, const TinkerDimension *dimension,
-                                     const char *wanted)
-{
-    static const TinkerDimension none = {0};
-    const char *shown = dimension != NULL ? tinker_unit_for(*dimension, tinker_scene_head(chart->scene)->units) : "";
-    const char *name = wanted != NULL ? wanted : shown;
-    TinkerUnit unit = {1, none};
-    const gboolean fits = dimension != NULL && name[0] != '\0' && tinker_unit_parse(name, &unit, NULL) &&
-                          tinker_dimension_equal(unit.dimension, *dimension);
-    return (TinkerGraphAxis){g_intern_string(title), g_intern_string(name), fits ? 1 / unit.factor : 1,
-                             dimension != NULL ? *dimension : none, TINKER_NO_BLOCK};
-}
-
 static gboolean add_formula(TinkerChart *chart, const char *text, const TinkerSceneCurve *as, GError **error)
 {
     TinkerChartCurve curve = {.right = as != NULL && as->axis == 2};
@@ -90,7 +75,8 @@ static gboolean add_formula(TinkerChart *chart, const char *text, const TinkerSc
     }
     gboolean known = tinker_formula_dimension(curve.formula, &dimension, NULL);
     curve.name = g_strdup(as != NULL && as->title != NULL ? as->title : text);
-    curve.axis = axis_of_value(chart, curve.name, known ? &dimension : NULL, as != NULL ? as->unit : NULL);
+    curve.axis =
+        tinker_graph_axis_of_value(chart->scene, curve.name, known ? &dimension : NULL, as != NULL ? as->unit : NULL);
     g_array_append_val(chart->curves, curve);
     return TRUE;
 }
@@ -163,7 +149,7 @@ static gboolean add_table(TinkerChart *chart, const TinkerSceneCurve *from, cons
     TinkerChartCurve curve = {.right = from->axis == 2, .table = g_array_new(FALSE, FALSE, sizeof(double))};
     g_autofree char *folder = g_path_get_dirname(path), *file = g_build_filename(folder, from->table, NULL);
     curve.name = from->title != NULL ? g_strdup(from->title) : g_strdup_printf("%s, %d", from->table, from->column);
-    curve.axis = axis_of_value(chart, curve.name, NULL, from->unit);
+    curve.axis = tinker_graph_axis_of_value(chart->scene, curve.name, NULL, from->unit);
     g_array_append_val(chart->curves, curve);
     return tinker_table_read_column(file, from->column, curve.table, error);
 }
@@ -338,7 +324,7 @@ static void write_heading(TinkerCsvWriter *writer, const TinkerChart *chart, con
 {
     TinkerGraphAxis axis = csv_axis(column);
     if (column->chart->run == NULL || column->curve == NULL) {
-        tinker_csv_axis(writer, chart->scene, &axis, chart->curves->len > 1, FALSE);
+        tinker_csv_axis(writer, chart->scene, &axis, chart->curves->len > 1);
         return;
     }
     g_autofree char *heading = g_strdup_printf("%s (%s)", column->curve->name, column->chart->run);

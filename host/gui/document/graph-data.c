@@ -1,117 +1,191 @@
-/* The record is read from where the last reading ended. Both quantities of a phase plot have a cursor of their own, and
- * the run may go on between the two readings: only points that have both count. */
+/* The curves of the graph, each of which reads the record by itself. */
 #include "gui/document/graph-data.h"
 
 #include <glib/gi18n.h>
 #include <math.h>
-#include <stdio.h>
 
-#include "files/replace-file.h"
-#include "graph-axis.h"
+#include "gui/document/thin-path.h"
 #include "gui/text/translate.h"
-#include "gui/widget/path-thin.h"
 
-#define THIN_SHARE 3000.0 /* of the range: less than a pixel */
-#define THIN_TAIL  50     /* the part of the points that may be new before all are thinned again */
+/* One curve. */
+typedef struct {
+    TinkerGraphSeries *series;
+    char *name, *label;  /* in a legend */
+    TinkerThinPath thin; /* of a path */
+} Line;
 
 struct _TinkerGraphData {
     TinkerDocument *document;
     TinkerPlayer *player;
 
     /* The graph. */
-    char *block, *quantity, *against; /* `against` is NULL over time */
+    TinkerSceneGraph *graph; /* NULL at first */
+    GPtrArray *lines;        /* of Line */
     char *title;
-    char *x_label, *y_label;
-    TinkerGraphAxis x_axis, y_axis;
-    gboolean is_path;
+    char *x_label, *y_label, *right_label;
+    gboolean over_time, is_path;
 
     /* The record. */
     guint generation;
-    TinkerSeriesCursor x_cursor, y_cursor;
-    GArray *times, *x, *y; /* of double; x is empty over time */
-    double time;           /* s: the present */
-    guint64 revision;      /* of the picture */
-
-    /* The path thinned, as far as its first points. */
-    GArray *kept;            /* of guint */
-    GArray *thin_x, *thin_y; /* of double */
-    gsize thinned;
+    double time;      /* s: the present */
+    guint64 revision; /* of the picture */
     gboolean drawn_thin;
 
     /* What a plot borrows. */
-    TinkerCurve curves[2];
-    double now, now_x, now_y;
-    double axes_x[2], axes_y[2], floor_y[2];
+    GArray *curves; /* of TinkerCurve */
+    GArray *now;    /* of double: x and y of each curve at present, in turn */
+    double axes_x[2], axes_y[2], floor_y[2], ranges[2][2];
 };
+
+static Line *line_of(const TinkerGraphData *data, guint number)
+{
+    return g_ptr_array_index(data->lines, number);
+}
+
+static void line_free(Line *line)
+{
+    tinker_graph_series_free(line->series);
+    tinker_thin_path_clear(&line->thin);
+    g_free(line->name);
+    g_free(line->label);
+    g_free(line);
+}
 
 static void forget_points(TinkerGraphData *data)
 {
-    g_array_set_size(data->times, 0);
-    g_array_set_size(data->x, 0);
-    g_array_set_size(data->y, 0);
-    g_array_set_size(data->kept, 0);
-    data->thinned = 0;
-    data->x_cursor = data->y_cursor = (TinkerSeriesCursor){0};
+    for (guint i = 0; i < data->lines->len; i++) {
+        tinker_graph_series_forget(line_of(data, i)->series);
+        tinker_thin_path_forget(&line_of(data, i)->thin);
+    }
     data->revision++;
-}
-
-static const double *numbers(const GArray *array)
-{
-    return (const double *)(gpointer)array->data;
 }
 
 /* The graph -----------------------------------------------------------------------------------------------------------
  */
 
-/* Nobody knows the quantities of a placeholder: it has their ids for titles. */
-static TinkerGraphAxis axis_of(TinkerScene *scene, const char *block_name, const char *id)
+static const char *y_title(const TinkerGraphData *data, guint number)
 {
-    TinkerBlockId block;
-    int32_t quantity =
-        tinker_scene_find_owner(scene, block_name, &block) ? tinker_scene_find_quantity(scene, block, id) : -1;
-    if (quantity < 0) return (TinkerGraphAxis){.title = id, .unit = "", .per_si = 1, .block = block};
-    return tinker_graph_axis(scene, block, quantity);
+    return tinker_translate(tinker_graph_series_y_axis(line_of(data, number)->series)->title);
 }
 
-static void renew_texts(TinkerGraphData *data, const char *own_title)
+/* "Mass 0: Y Position"; "Y Position" where all curves are of one block. (transfer full) */
+static char *name_of(const TinkerGraphData *data, guint number, gboolean with_block)
 {
-    g_free(data->title);
-    g_free(data->x_label);
-    g_free(data->y_label);
-    const char *y = tinker_translate(data->y_axis.title), *x = tinker_translate(data->x_axis.title);
-    if (own_title != NULL && own_title[0] != '\0')
-        data->title = g_strdup(own_title);
-    else if (data->against == NULL)
-        data->title = g_strdup_printf("%s: %s", data->block, y);
-    else
-        data->title = g_strdup_printf(_("%s: %s over %s"), data->block, y, x);
-    data->x_label = tinker_axis_label(x, data->x_axis.unit);
-    data->y_label = tinker_axis_label(y, data->y_axis.unit);
+    const char *block = tinker_graph_series_block(line_of(data, number)->series);
+    if (!with_block || block[0] == '\0') return g_strdup(y_title(data, number));
+    return g_strdup_printf("%s: %s", block, y_title(data, number));
+}
+
+static gboolean has_one_block(const TinkerGraphData *data)
+{
+    const char *first = tinker_graph_series_block(line_of(data, 0)->series);
+    for (guint i = 1; i < data->lines->len; i++)
+        if (!g_str_equal(tinker_graph_series_block(line_of(data, i)->series), first)) return FALSE;
+    return TRUE;
+}
+
+typedef enum { AXIS_X, AXIS_LEFT, AXIS_RIGHT } AxisPlace;
+
+/* (transfer full) */
+static GArray *axes_of(const TinkerGraphData *data, AxisPlace place)
+{
+    GArray *axes = g_array_new(FALSE, FALSE, sizeof(TinkerGraphAxis));
+    for (guint i = 0; i < data->lines->len; i++) {
+        const TinkerGraphSeries *series = line_of(data, i)->series;
+        if (place != AXIS_X && tinker_graph_series_is_right(series) != (place == AXIS_RIGHT)) continue;
+        TinkerGraphAxis axis =
+            *(place == AXIS_X ? tinker_graph_series_x_axis(series) : tinker_graph_series_y_axis(series));
+        axis.title = tinker_translate(axis.title);
+        g_array_append_val(axes, axis);
+    }
+    return axes;
+}
+
+static char *label_of(const TinkerGraphData *data, AxisPlace place)
+{
+    g_autoptr(GArray) axes = axes_of(data, place);
+    return tinker_graph_axes_label((const TinkerGraphAxis *)(gpointer)axes->data, axes->len);
+}
+
+static char *title_of(const TinkerGraphData *data)
+{
+    if (data->graph->title != NULL && data->graph->title[0] != '\0') return g_strdup(data->graph->title);
+    const gboolean one_block = has_one_block(data);
+    g_autofree char *first = name_of(data, 0, TRUE);
+    if (data->lines->len == 1 && !data->over_time)
+        return g_strdup_printf(_("%s over %s"), first,
+                               tinker_translate(tinker_graph_series_x_axis(line_of(data, 0)->series)->title));
+    GString *title = g_string_new(first);
+    for (guint i = 1; i < data->lines->len; i++) {
+        g_autofree char *name = name_of(data, i, !one_block);
+        g_string_append_printf(title, ", %s", name);
+    }
+    return g_string_free(title, FALSE);
+}
+
+static gboolean has_several_units(const TinkerGraphData *data, gboolean right)
+{
+    g_autoptr(GArray) axes = axes_of(data, right ? AXIS_RIGHT : AXIS_LEFT);
+    for (guint i = 1; i < axes->len; i++)
+        if (!g_str_equal(g_array_index(axes, TinkerGraphAxis, i).unit, g_array_index(axes, TinkerGraphAxis, 0).unit))
+            return TRUE;
+    return FALSE;
+}
+
+static void renew_texts(TinkerGraphData *data)
+{
+    char **texts[] = {&data->title, &data->x_label, &data->y_label, &data->right_label};
+    for (gsize i = 0; i < G_N_ELEMENTS(texts); i++)
+        g_clear_pointer(texts[i], g_free);
+    const gboolean one_block = has_one_block(data);
+    data->title = title_of(data);
+    data->x_label = label_of(data, AXIS_X);
+    data->y_label = label_of(data, AXIS_LEFT);
+    data->right_label = label_of(data, AXIS_RIGHT);
+    for (guint i = 0; i < data->lines->len; i++) {
+        Line *line = line_of(data, i);
+        const char *unit = tinker_graph_series_y_axis(line->series)->unit;
+        line->name = name_of(data, i, !one_block);
+        line->label = has_several_units(data, tinker_graph_series_is_right(line->series))
+                          ? tinker_axis_label(line->name, unit)
+                          : g_strdup(line->name);
+    }
+}
+
+static void add_line(TinkerGraphData *data, const TinkerSceneCurve *curve, GPtrArray *old)
+{
+    Line *line = g_new0(Line, 1);
+    line->series = tinker_graph_series_new(tinker_document_scene(data->document), tinker_document_base(data->document),
+                                           data->graph, curve);
+    tinker_thin_path_init(&line->thin);
+    for (guint i = 0; i < old->len; i++) {
+        if (!tinker_graph_series_take_over(line->series, ((Line *)g_ptr_array_index(old, i))->series)) continue;
+        g_ptr_array_remove_index(old, i);
+        break;
+    }
+    g_ptr_array_add(data->lines, line);
 }
 
 void tinker_graph_data_set_graph(TinkerGraphData *data, const TinkerSceneGraph *graph)
 {
-    TinkerScene *scene = tinker_document_scene(data->document);
-    static const TinkerSceneCurve none = {.block = (char *)"", .quantity = (char *)""};
-    const TinkerSceneCurve *first = tinker_scene_graph_curve(graph), *curve = first != NULL ? first : &none;
-    gboolean over_time = g_str_equal(graph->against, "time");
-    gboolean same = g_strcmp0(data->block, curve->block) == 0 && g_strcmp0(data->quantity, curve->quantity) == 0 &&
-                    g_strcmp0(data->against, over_time ? NULL : graph->against) == 0;
-    double x_factor = data->x_axis.per_si, y_factor = data->y_axis.per_si;
-    if (!same) {
-        char *names[] = {data->block, data->quantity, data->against};
-        data->block = g_strdup(curve->block);
-        data->quantity = g_strdup(curve->quantity);
-        data->against = over_time ? NULL : g_strdup(graph->against);
-        for (gsize i = 0; i < G_N_ELEMENTS(names); i++)
-            g_free(names[i]);
-    }
-    data->y_axis = axis_of(scene, data->block, data->quantity);
-    data->x_axis = over_time ? tinker_graph_axis_time() : axis_of(scene, data->block, data->against);
-    data->is_path = tinker_graph_axes_of_path(&data->x_axis, &data->y_axis);
+    g_autoptr(GPtrArray) old = g_steal_pointer(&data->lines);
+    g_clear_pointer(&data->graph, tinker_scene_graph_free);
+    data->graph = tinker_scene_graph_copy(graph);
+    data->lines = g_ptr_array_new_with_free_func((GDestroyNotify)line_free);
+    data->over_time = g_str_equal(graph->against, "time");
+    for (guint i = 0; i < graph->curves->len; i++)
+        add_line(data, g_ptr_array_index(graph->curves, i), old);
+    data->is_path = !data->over_time;
+    for (guint i = 0; i < data->lines->len && data->is_path; i++)
+        data->is_path = tinker_graph_axes_of_path(tinker_graph_series_x_axis(line_of(data, i)->series),
+                                                  tinker_graph_series_y_axis(line_of(data, i)->series));
     data->revision++;
-    if (!same || data->x_axis.per_si != x_factor || data->y_axis.per_si != y_factor) forget_points(data);
-    renew_texts(data, graph->title);
+    renew_texts(data);
+}
+
+TinkerDocument *tinker_graph_data_document(const TinkerGraphData *data)
+{
+    return data->document;
 }
 
 const char *tinker_graph_data_title(const TinkerGraphData *data)
@@ -119,46 +193,38 @@ const char *tinker_graph_data_title(const TinkerGraphData *data)
     return data->title;
 }
 
+gboolean tinker_graph_data_is_over_time(const TinkerGraphData *data)
+{
+    return data->over_time;
+}
+
 /* The record ----------------------------------------------------------------------------------------------------------
  */
 
-/* Takes over a portion. */
-static void take(TinkerGraphData *data, const char *quantity, TinkerSeriesCursor *cursor, double per_si, GArray *times,
-                 GArray *values)
+static gboolean read_player(gpointer source, TinkerQuantity quantity, TinkerSeriesCursor *cursor, GArray *times,
+                            GArray *values)
 {
-    TinkerScene *scene = tinker_document_scene(data->document);
-    TinkerBlockId block;
-    gboolean found = tinker_scene_find_owner(scene, data->block, &block);
-    guint first = values->len;
-    cursor->behind = FALSE;
-    TinkerQuantity of = {block, found ? tinker_scene_find_quantity(scene, block, quantity) : -1};
-    if (of.quantity < 0) return;
-    tinker_player_series(data->player, of, cursor, times, values);
-    for (guint i = first; i < values->len; i++)
-        g_array_index(values, double, i) *= per_si;
+    return tinker_player_series(source, quantity, cursor, times, values);
 }
 
 guint64 tinker_graph_data_update(TinkerGraphData *data)
 {
-    if (data->block == NULL) return data->revision;
-    guint generation = tinker_player_generation(data->player);
-    double before = data->time;
-    gsize count = tinker_graph_data_count(data);
+    const guint generation = tinker_player_generation(data->player);
+    const double before = data->time;
     if (generation != data->generation) forget_points(data);
     data->generation = generation;
-    take(data, data->quantity, &data->y_cursor, data->y_axis.per_si, data->times, data->y);
-    if (data->against != NULL) {
-        g_autoptr(GArray) same_times = g_array_new(FALSE, FALSE, sizeof(double));
-        take(data, data->against, &data->x_cursor, data->x_axis.per_si, same_times, data->x);
-    }
+    for (guint i = 0; i < data->lines->len; i++)
+        if (tinker_graph_series_update(line_of(data, i)->series, read_player, data->player)) data->revision++;
     data->time = tinker_player_time(data->player);
-    if (data->time != before || count != tinker_graph_data_count(data)) data->revision++;
+    if (data->time != before) data->revision++;
     return data->revision;
 }
 
 gboolean tinker_graph_data_is_behind(const TinkerGraphData *data)
 {
-    return data->y_cursor.behind || data->x_cursor.behind;
+    for (guint i = 0; i < data->lines->len; i++)
+        if (tinker_graph_series_is_behind(line_of(data, i)->series)) return TRUE;
+    return FALSE;
 }
 
 void tinker_graph_data_catch_up(TinkerGraphData *data)
@@ -168,74 +234,51 @@ void tinker_graph_data_catch_up(TinkerGraphData *data)
     while (tinker_graph_data_is_behind(data));
 }
 
+guint tinker_graph_data_curves(const TinkerGraphData *data)
+{
+    return data->lines->len;
+}
+
+const TinkerGraphSeries *tinker_graph_data_curve(const TinkerGraphData *data, guint curve)
+{
+    return line_of(data, curve)->series;
+}
+
+const char *tinker_graph_data_name(const TinkerGraphData *data, guint curve)
+{
+    return line_of(data, curve)->name;
+}
+
 gsize tinker_graph_data_count(const TinkerGraphData *data)
 {
-    return data->against != NULL ? MIN(data->x->len, data->y->len) : data->y->len;
+    return data->lines->len > 0 ? tinker_graph_series_count(line_of(data, 0)->series) : 0;
 }
 
 const double *tinker_graph_data_x(const TinkerGraphData *data)
 {
-    return numbers(data->against != NULL ? data->x : data->times);
+    return tinker_graph_series_x(line_of(data, 0)->series);
 }
 
 const double *tinker_graph_data_y(const TinkerGraphData *data)
 {
-    return numbers(data->y);
+    return tinker_graph_series_y(line_of(data, 0)->series);
 }
 
-gboolean tinker_graph_data_present(const TinkerGraphData *data, gsize *point)
+gboolean tinker_graph_data_is_empty(const TinkerGraphData *data)
 {
-    const double *times = numbers(data->times);
-    gsize low = 0, high = tinker_graph_data_count(data);
-    while (low < high) {
-        gsize middle = low + (high - low) / 2;
-        if (times[middle] <= data->time)
-            low = middle + 1;
-        else
-            high = middle;
-    }
-    *point = low - 1;
-    return low > 0;
+    for (guint i = 0; i < data->lines->len; i++)
+        if (tinker_graph_series_count(line_of(data, i)->series) > 0) return FALSE;
+    return TRUE;
 }
 
-/* Thinning ------------------------------------------------------------------------------------------------------------
- */
-
-static double range_of(const double *values, gsize count)
+gboolean tinker_graph_data_present(const TinkerGraphData *data, guint curve, gsize *point)
 {
-    double least = INFINITY, greatest = -INFINITY;
-    for (gsize i = 0; i < count; i++) {
-        least = values[i] < least ? values[i] : least;
-        greatest = values[i] > greatest ? values[i] : greatest;
-    }
-    return greatest > least ? greatest - least : 1;
+    return curve < data->lines->len && tinker_graph_series_find(line_of(data, curve)->series, data->time, point);
 }
 
-/* While the record grows, most points were thinned before. */
-static void thin(TinkerGraphData *data)
+gsize tinker_graph_data_point(const TinkerGraphData *data, guint curve, gsize drawn)
 {
-    const double *x = numbers(data->x), *y = numbers(data->y);
-    gsize count = tinker_graph_data_count(data);
-    if (count > data->thinned + data->thinned / THIN_TAIL) {
-        double tolerance[2] = {range_of(x, count) / THIN_SHARE, range_of(y, count) / THIN_SHARE};
-        g_array_set_size(data->kept, 0);
-        tinker_path_thin(x, y, count, tolerance, data->kept);
-        data->thinned = count;
-    }
-    for (guint i = g_array_index(data->kept, guint, data->kept->len - 1) + 1; i < count; i++)
-        g_array_append_val(data->kept, i);
-    g_array_set_size(data->thin_x, 0);
-    g_array_set_size(data->thin_y, 0);
-    for (guint i = 0; i < data->kept->len; i++) {
-        guint point = g_array_index(data->kept, guint, i);
-        g_array_append_val(data->thin_x, x[point]);
-        g_array_append_val(data->thin_y, y[point]);
-    }
-}
-
-gsize tinker_graph_data_point(const TinkerGraphData *data, gsize drawn)
-{
-    return data->drawn_thin ? g_array_index(data->kept, guint, drawn) : drawn;
+    return data->drawn_thin ? g_array_index(line_of(data, curve)->thin.kept, guint, drawn) : drawn;
 }
 
 /* The plot ------------------------------------------------------------------------------------------------------------
@@ -246,59 +289,110 @@ static void fill_bare_axes(TinkerGraphData *data, TinkerPlot *plot)
 {
     double duration = tinker_player_duration(data->player);
     data->axes_x[0] = data->axes_y[0] = data->floor_y[0] = data->floor_y[1] = 0;
-    data->axes_x[1] = data->against == NULL && duration > 0 ? duration : 1;
+    data->axes_x[1] = data->over_time && duration > 0 ? duration : 1;
     data->axes_y[1] = 1;
-    data->curves[0] = (TinkerCurve){.x = data->axes_x, .y = data->floor_y, .count = 2, .role = TINKER_CURVE_GUIDE};
-    plot->curve_count = 1;
+    const TinkerCurve floor = {.x = data->axes_x, .y = data->floor_y, .count = 2, .role = TINKER_CURVE_GUIDE};
+    g_array_append_val(data->curves, floor);
     plot->x_range = data->axes_x;
     plot->y_range = data->axes_y;
 }
 
+static void add_curve(TinkerGraphData *data, guint number, gboolean thin)
+{
+    Line *line = line_of(data, number);
+    const TinkerGraphSeries *series = line->series;
+    TinkerCurve curve = {.label = data->lines->len > 1 ? line->label : NULL,
+                         .x = tinker_graph_series_x(series),
+                         .y = tinker_graph_series_y(series),
+                         .count = tinker_graph_series_count(series),
+                         .index = tinker_graph_series_index(series),
+                         .colour = (int)number,
+                         .right = tinker_graph_series_is_right(series),
+                         .markers = tinker_graph_series_is_table(series),
+                         .no_line = tinker_graph_series_is_table(series)};
+    if (thin && curve.count > 0) {
+        tinker_thin_path_update(&line->thin, curve.x, curve.y, curve.count);
+        curve.x = (const double *)(gpointer)line->thin.x->data;
+        curve.y = (const double *)(gpointer)line->thin.y->data;
+        curve.count = line->thin.kept->len;
+    }
+    g_array_append_val(data->curves, curve);
+}
+
 /* The present point of a phase plot, straight between two samples; over time the cursor marks it. */
+static void find_present(const TinkerGraphData *data, guint number, double now[2])
+{
+    const TinkerGraphSeries *series = line_of(data, number)->series;
+    gsize point;
+    now[0] = now[1] = NAN;
+    if (!tinker_graph_series_find(series, data->time, &point)) return;
+    const double *times = tinker_graph_series_times(series), *x = tinker_graph_series_x(series),
+                 *y = tinker_graph_series_y(series);
+    const gsize next = MIN(point + 1, tinker_graph_series_count(series) - 1);
+    const double span = times[next] - times[point], share = span > 0 ? fmin((data->time - times[point]) / span, 1) : 0;
+    now[0] = x[point] + share * (x[next] - x[point]);
+    now[1] = y[point] + share * (y[next] - y[point]);
+}
+
 static void add_present(TinkerGraphData *data, TinkerPlot *plot)
 {
-    gsize point, last = tinker_graph_data_count(data) - 1;
-    if (data->against == NULL) {
-        data->now = data->time;
-        plot->cursor = &data->now;
-    } else if (tinker_graph_data_present(data, &point)) {
-        const double *times = numbers(data->times), *x = numbers(data->x), *y = numbers(data->y);
-        gsize next = MIN(point + 1, last);
-        double span = times[next] - times[point], share = span > 0 ? fmin((data->time - times[point]) / span, 1) : 0;
-        data->now_x = x[point] + share * (x[next] - x[point]);
-        data->now_y = y[point] + share * (y[next] - y[point]);
-        data->curves[1] =
-            (TinkerCurve){.x = &data->now_x, .y = &data->now_y, .count = 1, .role = TINKER_CURVE_RING, .no_line = TRUE};
-        plot->curve_count = 2;
+    if (data->over_time) {
+        plot->cursor = &data->time;
+        return;
     }
+    g_array_set_size(data->now, 2 * data->lines->len);
+    for (guint i = 0; i < data->lines->len; i++) {
+        double *now = &g_array_index(data->now, double, 2 * i);
+        find_present(data, i, now);
+        const TinkerCurve ring = {.x = now,
+                                  .y = now + 1,
+                                  .count = 1,
+                                  .role = TINKER_CURVE_RING,
+                                  .no_line = TRUE,
+                                  .right = tinker_graph_series_is_right(line_of(data, i)->series)};
+        if (!isnan(now[0])) g_array_append_val(data->curves, ring);
+    }
+}
+
+/* What the scene's graph asks of its axes, in displayed units. */
+static void set_axes(TinkerGraphData *data, TinkerPlot *plot)
+{
+    const TinkerSceneGraph *graph = data->graph;
+    const TinkerGraphSeries *first = line_of(data, 0)->series;
+    const double factors[2] = {tinker_graph_series_x_axis(first)->per_si, tinker_graph_series_y_axis(first)->per_si};
+    plot->x_logarithmic = graph->logarithmic[0];
+    plot->y_logarithmic = plot->right_logarithmic = graph->logarithmic[1];
+    for (int axis = 0; axis < 2; axis++)
+        for (int end = 0; end < 2; end++)
+            data->ranges[axis][end] = factors[axis] * graph->range[axis][end];
+    if (graph->has_range[0]) plot->x_range = data->ranges[0];
+    if (graph->has_range[1]) plot->y_range = data->ranges[1];
 }
 
 void tinker_graph_data_fill_plot(TinkerGraphData *data, TinkerPlot *plot)
 {
-    gsize count = tinker_graph_data_count(data);
     plot->x_label = data->x_label;
     plot->y_label = data->y_label;
+    plot->right_label = data->right_label;
     plot->equal_scales = data->is_path;
-    plot->curves = data->curves;
-    if (count == 0) {
+    data->drawn_thin = !data->over_time && plot->quick;
+    g_array_set_size(data->curves, 0);
+    if (tinker_graph_data_is_empty(data)) {
         fill_bare_axes(data, plot);
-        return;
+    } else {
+        for (guint i = 0; i < data->lines->len; i++)
+            add_curve(data, i, data->drawn_thin);
+        set_axes(data, plot);
+        add_present(data, plot);
     }
-    data->curves[0] = (TinkerCurve){.x = tinker_graph_data_x(data), .y = tinker_graph_data_y(data), .count = count};
-    data->drawn_thin = data->against != NULL && plot->quick;
-    if (data->drawn_thin) {
-        thin(data);
-        data->curves[0] =
-            (TinkerCurve){.x = numbers(data->thin_x), .y = numbers(data->thin_y), .count = data->kept->len};
-    }
-    plot->curve_count = 1;
-    add_present(data, plot);
+    plot->curves = (const TinkerCurve *)(gpointer)data->curves->data;
+    plot->curve_count = (int)data->curves->len;
 }
 
 /* Texts ---------------------------------------------------------------------------------------------------------------
  */
 
-static char *value_text(const char *name, double value, const char *unit)
+char *tinker_graph_value_text(const char *name, double value, const char *unit)
 {
     char number[G_ASCII_DTOSTR_BUF_SIZE];
     g_ascii_formatd(number, sizeof number, "%.5g", value + 0.0);
@@ -307,63 +401,21 @@ static char *value_text(const char *name, double value, const char *unit)
                             : g_strdup_printf("%s = %s%s%s", name, number, gap, unit);
 }
 
-char *tinker_graph_data_x_text(const TinkerGraphData *data, gsize point)
+char *tinker_graph_data_x_text(const TinkerGraphData *data, guint curve, gsize point)
 {
-    g_autofree char *time = value_text("t", g_array_index(data->times, double, point), "s");
-    if (data->against == NULL) return g_steal_pointer(&time);
-    g_autofree char *x = value_text(data->against, g_array_index(data->x, double, point), data->x_axis.unit);
+    const TinkerGraphSeries *series = line_of(data, curve)->series;
+    g_autofree char *time = tinker_graph_value_text("t", tinker_graph_series_times(series)[point], "s");
+    if (data->over_time) return g_steal_pointer(&time);
+    g_autofree char *x = tinker_graph_value_text(data->graph->against, tinker_graph_series_x(series)[point],
+                                                 tinker_graph_series_x_axis(series)->unit);
     return g_strdup_printf("%s, %s", time, x);
 }
 
-char *tinker_graph_data_y_text(const TinkerGraphData *data, gsize point)
+char *tinker_graph_data_y_text(const TinkerGraphData *data, guint curve, gsize point)
 {
-    return value_text(data->quantity, g_array_index(data->y, double, point), data->y_axis.unit);
-}
-
-/* CSV -----------------------------------------------------------------------------------------------------------------
- */
-
-static void write_rows(const TinkerGraphData *data, TinkerCsvWriter *writer, gboolean units)
-{
-    const TinkerScene *scene = tinker_document_scene(data->document);
-    const double *x = tinker_graph_data_x(data), *y = tinker_graph_data_y(data);
-    tinker_csv_axis(writer, scene, &data->x_axis, FALSE, units);
-    tinker_csv_axis(writer, scene, &data->y_axis, FALSE, units);
-    tinker_csv_end_row(writer);
-    for (gsize i = 0; i < tinker_graph_data_count(data); i++) {
-        tinker_csv_number(writer, x[i]);
-        tinker_csv_number(writer, y[i]);
-        tinker_csv_end_row(writer);
-    }
-}
-
-gboolean tinker_graph_data_check_output(const TinkerGraphData *data, const char *path, GError **error)
-{
-    g_autoptr(TinkerFileSet) files = tinker_document_files(data->document);
-    return tinker_file_set_add_output(files, NULL, path, error);
-}
-
-gboolean tinker_graph_data_write_csv(TinkerGraphData *data, const char *path, int decimals, GError **error)
-{
-    if (!tinker_graph_data_check_output(data, path, error)) return FALSE;
-    char *text = NULL;
-    size_t length = 0;
-    FILE *stream = open_memstream(&text, &length);
-    gboolean done = FALSE;
-    if (stream != NULL) {
-        g_auto(TinkerCsvWriter) writer = tinker_csv_writer_graph(stream, decimals);
-        write_rows(data, &writer, decimals < 0);
-        done = fclose(stream) == 0 && !writer.failed;
-    }
-    if (done && !tinker_replace_file(path, text, length, 0666, error)) {
-        done = FALSE;
-        g_prefix_error(error, "%s: ", path);
-    } else if (!done) {
-        g_set_error(error, G_FILE_ERROR, G_FILE_ERROR_NOMEM, _("there is no memory to write %zu rows"),
-                    tinker_graph_data_count(data));
-    }
-    free(text);
-    return done;
+    const TinkerGraphSeries *series = line_of(data, curve)->series;
+    return tinker_graph_value_text(tinker_graph_series_symbol(series), tinker_graph_series_y(series)[point],
+                                   tinker_graph_series_y_axis(series)->unit);
 }
 
 /* Life ----------------------------------------------------------------------------------------------------------------
@@ -375,10 +427,9 @@ TinkerGraphData *tinker_graph_data_new(TinkerDocument *document, TinkerPlayer *p
     data->document = g_object_ref(document);
     data->player = g_object_ref(player);
     data->generation = tinker_player_generation(player);
-    GArray **arrays[] = {&data->times, &data->x, &data->y, &data->thin_x, &data->thin_y};
-    for (gsize i = 0; i < G_N_ELEMENTS(arrays); i++)
-        *arrays[i] = g_array_new(FALSE, FALSE, sizeof(double));
-    data->kept = g_array_new(FALSE, FALSE, sizeof(guint));
+    data->lines = g_ptr_array_new_with_free_func((GDestroyNotify)line_free);
+    data->curves = g_array_new(FALSE, FALSE, sizeof(TinkerCurve));
+    data->now = g_array_new(FALSE, FALSE, sizeof(double));
     return data;
 }
 
@@ -387,11 +438,12 @@ void tinker_graph_data_free(TinkerGraphData *data)
     if (data == NULL) return;
     g_object_unref(data->document);
     g_object_unref(data->player);
-    char *texts[] = {data->block, data->quantity, data->against, data->title, data->x_label, data->y_label};
+    g_clear_pointer(&data->graph, tinker_scene_graph_free);
+    char *texts[] = {data->title, data->x_label, data->y_label, data->right_label};
     for (gsize i = 0; i < G_N_ELEMENTS(texts); i++)
         g_free(texts[i]);
-    GArray *arrays[] = {data->times, data->x, data->y, data->thin_x, data->thin_y, data->kept};
-    for (gsize i = 0; i < G_N_ELEMENTS(arrays); i++)
-        g_array_unref(arrays[i]);
+    g_ptr_array_unref(data->lines);
+    g_array_unref(data->curves);
+    g_array_unref(data->now);
     g_free(data);
 }

@@ -1,9 +1,9 @@
-/* What one graph shows: the points recorded so far in the units that the scene displays, ready to be plotted. No
- * widget. */
+/* What one graph shows: the points of its curves recorded so far in the units that the scene displays, ready to be
+ * plotted. No widget. */
 #ifndef TINKER_GUI_GRAPH_DATA_H
 #define TINKER_GUI_GRAPH_DATA_H
 
-#include "gui/document/player.h"
+#include "gui/document/graph-series.h"
 #include "render/plot/plot.h"
 
 typedef struct _TinkerGraphData TinkerGraphData;
@@ -18,8 +18,13 @@ G_DEFINE_AUTOPTR_CLEANUP_FUNC(TinkerGraphData, tinker_graph_data_free)
  * then units and names may be others. */
 void tinker_graph_data_set_graph(TinkerGraphData *data, const TinkerSceneGraph *graph);
 
-/* The graph's own title, else "Mass 0: Y Position", or "Mass 0: Y Velocity over Y Position". Borrowed. */
+TinkerDocument *tinker_graph_data_document(const TinkerGraphData *data);
+
+/* The graph's own title, else "Mass 0: Y Position", or "Mass 0: Y Velocity over Y Position", or those of all curves.
+ * Borrowed. */
 const char *tinker_graph_data_title(const TinkerGraphData *data);
+/* Whether it is over time. */
+gboolean tinker_graph_data_is_over_time(const TinkerGraphData *data);
 
 /* Takes over what has been recorded since the last time, of a long record as much as a frame has time for, and the
  * present time. A number that is another whenever the picture is. */
@@ -29,35 +34,44 @@ gboolean tinker_graph_data_is_behind(const TinkerGraphData *data);
 /* Updates until nothing is left, however long that takes. */
 void tinker_graph_data_catch_up(TinkerGraphData *data);
 
-/* Points; 0 before a run. */
+/* Its curves, in order: how many, one of them (borrowed), and its name in a legend. */
+guint tinker_graph_data_curves(const TinkerGraphData *data);
+const TinkerGraphSeries *tinker_graph_data_curve(const TinkerGraphData *data, guint curve);
+const char *tinker_graph_data_name(const TinkerGraphData *data, guint curve);
+
+/* Points of the first curve; 0 before a run. They themselves, in displayed units: of x (the time, or the other
+ * quantity) and of y. Borrowed until the next update. */
 gsize tinker_graph_data_count(const TinkerGraphData *data);
-/* They themselves, in displayed units: of x (the time, or the other quantity) and of y. Borrowed until the next update.
- */
 const double *tinker_graph_data_x(const TinkerGraphData *data);
 const double *tinker_graph_data_y(const TinkerGraphData *data);
+/* Whether no curve has a point. */
+gboolean tinker_graph_data_is_empty(const TinkerGraphData *data);
 
-/* Fills in curves, labels, ranges and the present time; the theme, the title and all else are the caller's. Borrowed
- * from `data` until the next update. Before a run: bare axes. Where the plot has to be quick, a path that is not over
- * time is drawn with as few points as show it. */
+/* Fills in curves, labels, scales, ranges and the present time; the theme, the title and all else are the caller's.
+ * Borrowed from `data` until the next update. The first curves are those of the graph, further ones point something
+ * out. Before a run: bare axes. Where the plot has to be quick, a path that is not over time is drawn with as few
+ * points as show it. */
 void tinker_graph_data_fill_plot(TinkerGraphData *data, TinkerPlot *plot);
 
-/* Which point of the data a point of the first curve filled in last is. */
-gsize tinker_graph_data_point(const TinkerGraphData *data, gsize drawn);
+/* Which point of its curve a point of the curve filled in last is. */
+gsize tinker_graph_data_point(const TinkerGraphData *data, guint curve, gsize drawn);
 
 /* A point for people: "t = 1.25 s" (and the other quantity's value, if it is not over time), "y = −0.12 m". (transfer
  * full) */
-char *tinker_graph_data_x_text(const TinkerGraphData *data, gsize point);
-char *tinker_graph_data_y_text(const TinkerGraphData *data, gsize point);
+char *tinker_graph_data_x_text(const TinkerGraphData *data, guint curve, gsize point);
+char *tinker_graph_data_y_text(const TinkerGraphData *data, guint curve, gsize point);
+/* "y = −0.12 m". (transfer full) */
+char *tinker_graph_value_text(const char *name, double value, const char *unit);
 
-/* The point at the present time, or before it. FALSE where there is none. */
-gboolean tinker_graph_data_present(const TinkerGraphData *data, gsize *point);
+/* The point of a curve at the present time, or before it. FALSE where there is none. */
+gboolean tinker_graph_data_present(const TinkerGraphData *data, guint curve, gsize *point);
 
 /* Whether a file is free for what is exported: not the scene's own, nor one that it reads. */
 gboolean tinker_graph_data_check_output(const TinkerGraphData *data, const char *path, GError **error);
 
-/* Writes all points as CSV, "Time [s],Y Position [m]", or the two quantities where it is not over time; `decimals` as
- * in csv-writer.h. With decimals it is the plain form "Time,Y Position", without units. Atomic. Errors: G_FILE_ERROR,
- * and those of tinker_graph_data_check_output. */
+/* Writes all points as CSV, with the headings that the command line writes: "Time,Y Position"; the time and then a
+ * column a curve, or two where it is not over time; `decimals` as in csv-writer.h. Atomic. Errors: G_FILE_ERROR, and
+ * those of tinker_graph_data_check_output. */
 gboolean tinker_graph_data_write_csv(TinkerGraphData *data, const char *path, int decimals, GError **error);
 
 #endif

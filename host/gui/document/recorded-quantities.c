@@ -2,7 +2,7 @@
  * afterwards has its curve at once. */
 #include "gui/document/recorded-quantities.h"
 
-#include "scene/store/quantities.h"
+#include "gui/document/graph-series.h"
 
 #define MOST 4000 /* quantities that are recorded although nobody asked for them */
 
@@ -16,16 +16,8 @@ static void add_quantities(GArray *columns, TinkerScene *scene, TinkerBlockId bl
 
 static void add_graphed(GArray *columns, TinkerScene *scene, const TinkerSceneGraph *graph)
 {
-    for (guint k = 0; k < graph->curves->len; k++) {
-        const TinkerSceneCurve *curve = g_ptr_array_index(graph->curves, k);
-        TinkerBlockId block;
-        if (curve->block == NULL || !tinker_scene_find_owner(scene, curve->block, &block)) continue;
-        const char *ids[] = {curve->quantity, graph->against};
-        for (gsize i = 0; i < G_N_ELEMENTS(ids); i++) {
-            TinkerQuantity of = {block, tinker_scene_find_quantity(scene, block, ids[i])};
-            if (of.quantity >= 0) g_array_append_val(columns, of);
-        }
-    }
+    for (guint k = 0; k < graph->curves->len; k++)
+        tinker_graph_curve_quantities(scene, graph, g_ptr_array_index(graph->curves, k), columns);
 }
 
 static int compare(const void *left, const void *right)

@@ -32,7 +32,7 @@ static TinkerPlot plot_for_paper(TinkerGraphData *data)
     tinker_graph_data_fill_plot(data, &plot);
     /* "Now" is the window's. */
     plot.cursor = NULL;
-    plot.curve_count = 1;
+    plot.curve_count = MIN(plot.curve_count, (int)MAX(tinker_graph_data_curves(data), 1));
     return plot;
 }
 

@@ -83,16 +83,17 @@ static void paint_with_reading(TinkerGraphPlot *plot, cairo_t *cairo, const Tink
 {
     TinkerPlotPoint found;
     double width = plot->picture.width, height = plot->picture.height;
-    gboolean reads = plot->show_values && plot->pointer_inside && tinker_graph_data_count(plot->data) > 0 &&
+    gboolean reads = plot->show_values && plot->pointer_inside && !tinker_graph_data_is_empty(plot->data) &&
                      tinker_plot_pick(picture, width, height, plot->pointer[0], plot->pointer[1], REACH, &found) &&
-                     found.curve == 0;
+                     found.curve < (int)tinker_graph_data_curves(plot->data);
     if (!reads) {
         tinker_plot_draw(cairo, picture, width, height);
         return;
     }
-    gsize point = tinker_graph_data_point(plot->data, found.point);
-    g_autofree char *x = tinker_graph_data_x_text(plot->data, point);
-    g_autofree char *y = tinker_graph_data_y_text(plot->data, point);
+    const guint curve = (guint)found.curve;
+    gsize point = tinker_graph_data_point(plot->data, curve, found.point);
+    g_autofree char *x = tinker_graph_data_x_text(plot->data, curve, point);
+    g_autofree char *y = tinker_graph_data_y_text(plot->data, curve, point);
     TinkerPlotReading reading = {.curve = found.curve, .point = found.point, .x = x, .y = y};
     TinkerPlot with_reading = *picture;
     with_reading.reading = &reading;
@@ -105,7 +106,7 @@ static void paint(TinkerGraphPlot *plot, cairo_t *cairo)
     picture.compact = plot->picture.width < COMPACT_WIDTH || plot->picture.height < COMPACT_HEIGHT;
     tinker_graph_data_fill_plot(plot->data, &picture);
     paint_with_reading(plot, cairo, &picture);
-    if (tinker_graph_data_count(plot->data) == 0) paint_hint(plot, cairo);
+    if (tinker_graph_data_is_empty(plot->data)) paint_hint(plot, cairo);
 }
 
 static gboolean on_timer(gpointer plot)

@@ -51,9 +51,14 @@ static TinkerGraphData *data_of(TinkerGraphView *view)
 
 static char *identity_of(const TinkerSceneGraph *graph)
 {
-    const TinkerSceneCurve *curve = tinker_scene_graph_curve(graph);
-    if (curve == NULL) return g_strdup("");
-    return g_strjoin("\n", curve->block, curve->quantity, graph->against, NULL);
+    GString *identity = g_string_new(graph->against);
+    for (guint i = 0; i < graph->curves->len; i++) {
+        const TinkerSceneCurve *curve = g_ptr_array_index(graph->curves, i);
+        const char *const of[] = {curve->block, curve->quantity, curve->expression, curve->table};
+        for (gsize k = 0; k < G_N_ELEMENTS(of); k++)
+            g_string_append_printf(identity, "\n%s", of[k] != NULL ? of[k] : "");
+    }
+    return g_string_free(identity, FALSE);
 }
 
 gboolean tinker_graph_view_fits(TinkerGraphView *view, const TinkerSceneGraph *graph)
@@ -69,9 +74,13 @@ static void tell_value(TinkerGraphView *view)
     TinkerGraphData *data = data_of(view);
     g_autofree char *text = NULL;
     tinker_graph_data_update(data);
-    if (tinker_graph_data_present(data, &point)) {
-        g_autofree char *x = tinker_graph_data_x_text(data, point), *y = tinker_graph_data_y_text(data, point);
-        text = g_strdup_printf("%s, %s", x, y);
+    if (tinker_graph_data_present(data, 0, &point)) {
+        text = tinker_graph_data_x_text(data, 0, point);
+        for (guint i = 0; i < tinker_graph_data_curves(data); i++) {
+            if (!tinker_graph_data_present(data, i, &point)) continue;
+            g_autofree char *before = g_steal_pointer(&text), *y = tinker_graph_data_y_text(data, i, point);
+            text = g_strdup_printf("%s, %s", before, y);
+        }
     }
     gtk_accessible_update_property(GTK_ACCESSIBLE(view), GTK_ACCESSIBLE_PROPERTY_DESCRIPTION,
                                    text != NULL ? text : _("Press Play to see the curve"), -1);

@@ -144,7 +144,7 @@ def test_export_of_a_fall(display):
         wait(file.exists, "the file")
         with open(file, newline="") as opened:
             head, *rows = csv.reader(opened)
-        check_equal(head, ["Time [s]", "Y Position [m]"], "head of the table")
+        check_equal(head, ["Time", "Y Position"], "head of the table")
         check_equal(len(rows), 11, "rows")
         shown = [-0.00049, -0.00196, -0.00441, -0.00785, -0.01226, -0.01766, -0.02403, -0.03139, -0.03973, -0.04905]
         for number, (time, y) in enumerate(rows):

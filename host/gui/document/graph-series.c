@@ -1,0 +1,333 @@
+/* Each quantity that a curve is made of has a cursor of its own in the record, and the run may go on between two
+ * readings: only rows that all of them have make points. What is read and has made its point is forgotten, but for the
+ * values of the curve itself. */
+#include "gui/document/graph-series.h"
+
+#include <string.h>
+
+#include "measure/formula.h"
+#include "physics/record/columns.h"
+#include "units/table-columns.h"
+
+/* One quantity of the record. */
+typedef struct {
+    TinkerQuantity of;
+    TinkerSeriesCursor cursor;
+    GArray *times, *values; /* of double: read, and not yet part of a point */
+} Source;
+
+struct _TinkerGraphSeries {
+    char *block, *symbol, *fault, *key; /* `key`: what tells whose points they are */
+    TinkerGraphAxis x_axis, y_axis;
+    gboolean right, is_table, over_time;
+    TinkerFormula *formula; /* NULL: y is the first source; x is the last, where it is not over time */
+    GArray *sources;        /* of Source */
+    gboolean behind;
+    GArray *times, *x, *y; /* of double; x is empty over time */
+    TinkerCurveIndex *index;
+};
+
+static void clear_source(gpointer data)
+{
+    Source *source = data;
+    g_array_unref(source->times);
+    g_array_unref(source->values);
+}
+
+static const double *numbers(const GArray *array)
+{
+    return (const double *)(gconstpointer)array->data;
+}
+
+/* What the curve is ---------------------------------------------------------------------------------------------------
+ */
+
+static void add_source(TinkerGraphSeries *series, TinkerBlockId block, int32_t quantity)
+{
+    const Source source = {.of = {block, quantity},
+                           .times = g_array_new(FALSE, FALSE, sizeof(double)),
+                           .values = g_array_new(FALSE, FALSE, sizeof(double))};
+    g_array_append_val(series->sources, source);
+}
+
+/* Nobody knows the quantities of a placeholder: it has their ids for titles. */
+static TinkerGraphAxis find_axis(TinkerGraphSeries *series, TinkerScene *scene, const char *block_name, const char *id)
+{
+    TinkerBlockId block = TINKER_NO_BLOCK;
+    const int32_t quantity =
+        tinker_scene_find_owner(scene, block_name, &block) ? tinker_scene_find_quantity(scene, block, id) : -1;
+    if (quantity < 0) {
+        series->fault = g_strdup_printf("%s.%s", block_name, id);
+        return (TinkerGraphAxis){.title = g_intern_string(id), .unit = "", .per_si = 1, .block = block};
+    }
+    TinkerGraphAxis axis = tinker_graph_axis(scene, block, quantity);
+    axis.unit = g_intern_string(axis.unit);
+    add_source(series, block, quantity);
+    return axis;
+}
+
+static void find_quantity(TinkerGraphSeries *series, TinkerScene *scene, const TinkerSceneGraph *graph,
+                          const TinkerSceneCurve *curve)
+{
+    series->block = g_strdup(curve->block);
+    series->symbol = g_strdup(curve->quantity);
+    series->y_axis = find_axis(series, scene, curve->block, curve->quantity);
+    series->over_time = g_str_equal(graph->against, "time");
+    if (!series->over_time) series->x_axis = find_axis(series, scene, curve->block, graph->against);
+    if (curve->title != NULL) series->y_axis.title = g_intern_string(curve->title);
+}
+
+static void find_formula(TinkerGraphSeries *series, TinkerScene *scene, const TinkerSceneCurve *curve)
+{
+    g_autoptr(GArray) columns = tinker_columns_new();
+    g_autoptr(GError) error = NULL;
+    TinkerDimension dimension;
+    const char *title = curve->title != NULL ? curve->title : curve->expression;
+    series->symbol = g_strdup(title);
+    series->formula = tinker_formula_new(scene, curve->expression, columns, &error);
+    const gboolean known = series->formula != NULL && tinker_formula_dimension(series->formula, &dimension, NULL);
+    series->y_axis = tinker_graph_axis_of_value(scene, title, known ? &dimension : NULL, curve->unit);
+    if (series->formula == NULL) series->fault = g_strdup(error->message);
+    for (guint i = 0; series->formula != NULL && i < columns->len; i++) {
+        const TinkerColumn *column = &g_array_index(columns, TinkerColumn, i);
+        add_source(series, column->block, column->quantity);
+    }
+    /* what depends on the time alone has its points where the record has */
+    if (series->formula != NULL && columns->len == 0) add_source(series, TINKER_NO_BLOCK, TINKER_SCENE_KINETIC);
+}
+
+static void read_table(TinkerGraphSeries *series, TinkerScene *scene, const char *base, const TinkerSceneCurve *curve)
+{
+    g_autofree char *folder = base != NULL ? g_path_get_dirname(base) : g_strdup(".");
+    g_autofree char *file = g_build_filename(folder, curve->table, NULL);
+    g_autoptr(GArray) rows = g_array_new(FALSE, FALSE, sizeof(double));
+    g_autoptr(GError) error = NULL;
+    series->is_table = TRUE;
+    series->symbol =
+        curve->title != NULL ? g_strdup(curve->title) : g_strdup_printf("%s, %d", curve->table, curve->column);
+    series->y_axis = tinker_graph_axis_of_value(scene, series->symbol, NULL, curve->unit);
+    if (!tinker_table_read_column(file, curve->column, rows, &error)) {
+        series->fault = g_strdup(error->message);
+        return;
+    }
+    for (guint i = 0; i + 1 < rows->len; i += 2) {
+        g_array_append_val(series->times, g_array_index(rows, double, i));
+        g_array_append_val(series->y, g_array_index(rows, double, i + 1));
+    }
+    tinker_curve_index_add(series->index, numbers(series->times), numbers(series->y), series->y->len);
+}
+
+TinkerGraphSeries *tinker_graph_series_new(TinkerScene *scene, const char *base, const TinkerSceneGraph *graph,
+                                           const TinkerSceneCurve *curve)
+{
+    TinkerGraphSeries *series = g_new0(TinkerGraphSeries, 1);
+    GArray **arrays[] = {&series->times, &series->x, &series->y};
+    for (gsize i = 0; i < G_N_ELEMENTS(arrays); i++)
+        *arrays[i] = g_array_new(FALSE, FALSE, sizeof(double));
+    series->sources = g_array_new(FALSE, FALSE, sizeof(Source));
+    g_array_set_clear_func(series->sources, clear_source);
+    series->index = tinker_curve_index_new();
+    series->right = curve->axis == 2;
+    series->over_time = TRUE;
+    series->x_axis = tinker_graph_axis_time();
+    if (curve->table != NULL)
+        read_table(series, scene, base, curve);
+    else if (curve->expression != NULL)
+        find_formula(series, scene, curve);
+    else
+        find_quantity(series, scene, graph, curve);
+    if (series->block == NULL) series->block = g_strdup("");
+    series->key = g_strdup_printf("%s\n%s\n%s\n%.17g\n%.17g", series->block, series->symbol, graph->against,
+                                  series->x_axis.per_si, series->y_axis.per_si);
+    return series;
+}
+
+void tinker_graph_series_free(TinkerGraphSeries *series)
+{
+    char *texts[] = {series->block, series->symbol, series->fault, series->key};
+    for (gsize i = 0; i < G_N_ELEMENTS(texts); i++)
+        g_free(texts[i]);
+    g_clear_pointer(&series->formula, tinker_formula_free);
+    GArray *arrays[] = {series->sources, series->times, series->x, series->y};
+    for (gsize i = 0; i < G_N_ELEMENTS(arrays); i++)
+        g_array_unref(arrays[i]);
+    tinker_curve_index_free(series->index);
+    g_free(series);
+}
+
+/* A formula may have other values for its properties. */
+gboolean tinker_graph_series_take_over(TinkerGraphSeries *series, TinkerGraphSeries *old)
+{
+    if (series->formula != NULL || series->is_table || old->formula != NULL || old->is_table ||
+        !g_str_equal(series->key, old->key) || series->sources->len != old->sources->len)
+        return FALSE;
+    for (guint i = 0; i < series->sources->len; i++) {
+        const TinkerQuantity *a = &g_array_index(series->sources, Source, i).of,
+                             *b = &g_array_index(old->sources, Source, i).of;
+        if (a->block != b->block || a->quantity != b->quantity) return FALSE;
+    }
+    GArray **mine[] = {&series->sources, &series->times, &series->x, &series->y};
+    GArray **its[] = {&old->sources, &old->times, &old->x, &old->y};
+    for (gsize i = 0; i < G_N_ELEMENTS(mine); i++) {
+        GArray *swapped = *mine[i];
+        *mine[i] = *its[i];
+        *its[i] = swapped;
+    }
+    TinkerCurveIndex *index = series->index;
+    series->index = old->index;
+    old->index = index;
+    return TRUE;
+}
+
+const char *tinker_graph_series_block(const TinkerGraphSeries *series)
+{
+    return series->block;
+}
+
+const char *tinker_graph_series_symbol(const TinkerGraphSeries *series)
+{
+    return series->symbol;
+}
+
+const char *tinker_graph_series_fault(const TinkerGraphSeries *series)
+{
+    return series->fault;
+}
+
+const TinkerGraphAxis *tinker_graph_series_x_axis(const TinkerGraphSeries *series)
+{
+    return &series->x_axis;
+}
+
+const TinkerGraphAxis *tinker_graph_series_y_axis(const TinkerGraphSeries *series)
+{
+    return &series->y_axis;
+}
+
+gboolean tinker_graph_series_is_right(const TinkerGraphSeries *series)
+{
+    return series->right;
+}
+
+gboolean tinker_graph_series_is_table(const TinkerGraphSeries *series)
+{
+    return series->is_table;
+}
+
+/* The record ----------------------------------------------------------------------------------------------------------
+ */
+
+void tinker_graph_series_forget(TinkerGraphSeries *series)
+{
+    if (series->is_table) return;
+    GArray *arrays[] = {series->times, series->x, series->y};
+    for (gsize i = 0; i < G_N_ELEMENTS(arrays); i++)
+        g_array_set_size(arrays[i], 0);
+    for (guint i = 0; i < series->sources->len; i++) {
+        Source *source = &g_array_index(series->sources, Source, i);
+        g_array_set_size(source->times, 0);
+        g_array_set_size(source->values, 0);
+        source->cursor = (TinkerSeriesCursor){0};
+    }
+    tinker_curve_index_clear(series->index);
+    series->behind = FALSE;
+}
+
+static Source *source_of(const TinkerGraphSeries *series, guint number)
+{
+    return &g_array_index(series->sources, Source, number);
+}
+
+/* Makes points of the first rows that are read. */
+static void make_points(TinkerGraphSeries *series, guint rows)
+{
+    const guint sources = series->sources->len;
+    g_autofree double *row = g_new(double, sources);
+    for (guint i = 0; i < rows; i++) {
+        const double time = g_array_index(source_of(series, 0)->times, double, i);
+        for (guint k = 0; k < sources; k++)
+            row[k] = g_array_index(source_of(series, k)->values, double, i);
+        const double y = series->formula != NULL ? tinker_formula_value(series->formula, time, row) : row[0];
+        const double shown = y * series->y_axis.per_si, x = row[sources - 1] * series->x_axis.per_si;
+        g_array_append_val(series->times, time);
+        g_array_append_val(series->y, shown);
+        if (!series->over_time) g_array_append_val(series->x, x);
+    }
+    for (guint k = 0; k < sources; k++) {
+        g_array_remove_range(source_of(series, k)->times, 0, rows);
+        g_array_remove_range(source_of(series, k)->values, 0, rows);
+    }
+    if (series->over_time)
+        tinker_curve_index_add(series->index, numbers(series->times), numbers(series->y), series->y->len);
+}
+
+gboolean tinker_graph_series_update(TinkerGraphSeries *series, TinkerSeriesReader read, gpointer source)
+{
+    guint rows = G_MAXUINT;
+    series->behind = FALSE;
+    if (series->fault != NULL || series->sources->len == 0) return FALSE;
+    for (guint i = 0; i < series->sources->len; i++) {
+        Source *next = source_of(series, i);
+        next->cursor.behind = FALSE;
+        read(source, next->of, &next->cursor, next->times, next->values);
+        series->behind |= next->cursor.behind;
+        rows = MIN(rows, next->values->len);
+    }
+    if (rows > 0) make_points(series, rows);
+    return rows > 0;
+}
+
+gboolean tinker_graph_series_is_behind(const TinkerGraphSeries *series)
+{
+    return series->behind;
+}
+
+gsize tinker_graph_series_count(const TinkerGraphSeries *series)
+{
+    return series->y->len;
+}
+
+const double *tinker_graph_series_times(const TinkerGraphSeries *series)
+{
+    return numbers(series->times);
+}
+
+const double *tinker_graph_series_x(const TinkerGraphSeries *series)
+{
+    return numbers(series->over_time ? series->times : series->x);
+}
+
+const double *tinker_graph_series_y(const TinkerGraphSeries *series)
+{
+    return numbers(series->y);
+}
+
+const TinkerCurveIndex *tinker_graph_series_index(const TinkerGraphSeries *series)
+{
+    return series->over_time ? series->index : NULL;
+}
+
+gboolean tinker_graph_series_find(const TinkerGraphSeries *series, double time, gsize *point)
+{
+    const double *times = numbers(series->times);
+    gsize low = 0, high = series->y->len;
+    while (low < high) {
+        const gsize middle = low + (high - low) / 2;
+        if (times[middle] <= time)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    *point = low - 1;
+    return low > 0;
+}
+
+void tinker_graph_curve_quantities(TinkerScene *scene, const TinkerSceneGraph *graph, const TinkerSceneCurve *curve,
+                                   GArray *quantities)
+{
+    if (curve->table != NULL) return;
+    TinkerGraphSeries *series = tinker_graph_series_new(scene, NULL, graph, curve);
+    for (guint i = 0; i < series->sources->len; i++)
+        g_array_append_val(quantities, source_of(series, i)->of);
+    tinker_graph_series_free(series);
+}
