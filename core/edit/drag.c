@@ -3,7 +3,11 @@
  * own interface move it, through an editor whose calls go to the history. */
 #include <math.h>
 
+#include <tinker/shapes.h>
+
 #include "edit/edit-private.h"
+
+#define ANGLE_SNAP (TINKER_PI / 12.0) /* rad: 15 degrees, beside the grid of places */
 
 struct _TinkerDrag {
     TinkerHistory *history;
@@ -14,7 +18,9 @@ struct _TinkerDrag {
     double grip[2];                      /* from the pointer to the part's own point */
     gboolean gripped;                    /* the grip is known */
     gboolean moved;                      /* the undo step is open */
+    gboolean snaps_angles;
     double symbol_size;
+    double reach; /* m: of the pointer */
     double pointer[2];
     TinkerBlockId target; /* that releasing would connect to */
 };
@@ -58,6 +64,9 @@ static void editor_set(const TinkerEditor *editor, int32_t column, double value)
     if (property->kind == TINKER_KIND_WAVEFORM || (property->flags & (TINKER_READ_ONLY | TINKER_DERIVED))) return;
     int32_t first = drag->block_class->first_columns[number], count = tinker_kind_columns(property->kind);
     double values[2] = {0, 0};
+    if (drag->snaps_angles &&
+        column == tinker_block_class_meaning_column(drag->block_class, TINKER_MEANING_ORIENTATION))
+        value = ANGLE_SNAP * round(value / ANGLE_SNAP) + 0.0;
     for (int32_t i = 0; i < MIN(count, 2); i++)
         values[i] = tinker_scene_get(drag->scene, drag->hit.block, first + i);
     values[column - first] = held_to_range(property, value);
@@ -126,7 +135,8 @@ static void move_part(TinkerDrag *drag, double grid)
         drag->gripped = TRUE;
     }
     double x = drag->pointer[0] + drag->grip[0], y = drag->pointer[1] + drag->grip[1];
-    tinker_snap(grid, &x, &y);
+    drag->snaps_angles = grid > 0 && drag->hit.part == TINKER_HANDLE_ROTATION;
+    if (!drag->snaps_angles) tinker_snap(grid, &x, &y);
     if (!drag->moved) {
         if (x == point[0] && y == point[1]) return;
         g_autofree char *title = g_strdup_printf("Move %s", tinker_scene_block_name(drag->scene, drag->hit.block));
@@ -168,6 +178,7 @@ TinkerBlockId tinker_drag_to(TinkerDrag *drag, double x, double y, double grid, 
     if (!isfinite(x) || !isfinite(y)) return drag->target;
     drag->pointer[0] = x;
     drag->pointer[1] = y;
+    drag->reach = reach;
     move_part(drag, grid);
     drag->target = TINKER_NO_BLOCK;
     if (drag->moved && is_end(drag)) {
@@ -178,25 +189,27 @@ TinkerBlockId tinker_drag_to(TinkerDrag *drag, double x, double y, double grid, 
     return drag->target;
 }
 
-/* The point under the pointer, in the target's own axes. */
-static void point_on_target(const TinkerDrag *drag, double point[2])
+/* Where the end goes, in the target's own axes: to its centre; to the point under the pointer; on a body that turns to
+ * where the end lies, snapped as it is. */
+static void place_on_target(const TinkerDrag *drag, gboolean at_point, double own[2])
 {
-    g_autoptr(TinkerFrame) frame = tinker_frame_new(drag->scene, NULL);
-    point[0] = point[1] = 0;
+    TinkerInstance instance;
+    own[0] = own[1] = 0;
+    const TinkerBlockClass *target = tinker_scene_block_class(drag->scene, drag->target);
+    const gboolean keeps = edit_keeps_places(drag->scene, drag->target);
+    if (!keeps && (!at_point || target->physics->body->degrees_of_freedom == 2)) return;
+    g_autoptr(TinkerFrame) frame = look(drag, &instance);
     if (frame == NULL) return;
-    double x, y, orientation;
-    tinker_frame_centre(frame, drag->target, &x, &y, &orientation);
-    double dx = drag->pointer[0] - x, dy = drag->pointer[1] - y;
-    point[0] = dx * cos(orientation) + dy * sin(orientation);
-    point[1] = dy * cos(orientation) - dx * sin(orientation);
+    double place[2] = {drag->pointer[0], drag->pointer[1]};
+    if (keeps && !at_point) point_of_part(drag, &instance, place);
+    edit_own_place(frame, drag->target, place, at_point ? 0 : drag->reach, own);
 }
 
 static void connect_end(TinkerDrag *drag, gboolean at_point)
 {
-    const TinkerBlockClass *target = tinker_scene_block_class(drag->scene, drag->target);
-    double point[2] = {0, 0};
-    if (at_point && target->physics->body->degrees_of_freedom != 2) point_on_target(drag, point);
-    TinkerSceneEnd to = {drag->target, point[0], point[1]};
+    double own[2];
+    place_on_target(drag, at_point, own);
+    TinkerSceneEnd to = {drag->target, own[0], own[1]};
     tinker_history_set_end(drag->history, drag->hit.block, drag->hit.part, to, NULL);
 }
 

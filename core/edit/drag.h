@@ -19,6 +19,23 @@ TinkerHit tinker_hit(TinkerFrame *frame, double x, double y, double reach, Tinke
 /* The connectable block under the point that the end of this block's type would accept, or TINKER_NO_BLOCK. */
 TinkerBlockId tinker_hit_connectable(TinkerFrame *frame, TinkerBlockId connector, double x, double y, double reach);
 
+/* Whether a block is a joint: two ends that lie at one place. */
+gboolean tinker_is_joint(TinkerScene *scene, TinkerBlockId block);
+
+/* Drops a joint at a place: its ends go onto the two topmost blocks there that accept them, the first one onto the
+ * lower, at the place itself, or the centre or end of a body that is within `reach` (m) of it. Ends for which there is
+ * none lie there loose. Inside a step. Answers how many found one. */
+int32_t tinker_joint_drop(TinkerHistory *history, TinkerScene *scene, TinkerBlockId joint, double x, double y,
+                          double reach);
+
+/* Puts a joint between two blocks, where their centres or ends are nearest to each other. Inside a step. */
+void tinker_joint_put_between(TinkerHistory *history, TinkerScene *scene, TinkerBlockId joint,
+                              const TinkerBlockId blocks[2]);
+
+/* The topmost body whose centre or an end of it lies within `reach` (m) of one of this body's, both of which turn and
+ * have no joint yet; TINKER_NO_BLOCK where there is none. */
+TinkerBlockId tinker_body_met(TinkerScene *scene, TinkerBlockId body, double reach);
+
 /* The handle of one block (a selected one: only those are drawn) under the point; the block is TINKER_NO_BLOCK where
  * there is none. */
 TinkerHit tinker_hit_handle(TinkerFrame *frame, TinkerBlockId block, double x, double y, double reach);
@@ -45,7 +62,8 @@ void tinker_drag_set_symbol_size(TinkerDrag *drag, double symbol_size);
 TinkerBlockId tinker_drag_to(TinkerDrag *drag, double x, double y, double grid, double reach);
 
 /* Releases: a connector's end over a block that it accepts is connected to its centre, or, where `at_point` is set and
- * the block is not a point mass, to the point under it; a body is put onto the top that it is dropped on, see
+ * the block is not a point mass, to the point under it; on a body that turns always to that, or to its centre or an end
+ * of it that is near; a body is put onto the top that it is dropped on, see
  * tinker_snap_onto_top (`reach` of 0: it is not). Frees the drag. */
 void tinker_drag_end(TinkerDrag *drag, gboolean at_point, double reach);
 

@@ -21,4 +21,15 @@ int32_t edit_hit(const TinkerBlockClass *block_class, const TinkerInstance *inst
 int32_t edit_handles(const TinkerBlockClass *block_class, const TinkerInstance *instance, TinkerHandle *handles,
                      int32_t room);
 
+/* The blocks under a point that the ends of this connector's type would accept, from the top of the picture down; at
+ * most `room`. */
+int32_t edit_hit_connectables(TinkerFrame *frame, TinkerBlockId connector, double x, double y, double reach,
+                              TinkerBlockId *blocks, int32_t room);
+
+/* Whether an end that is dropped on this body stays at its place, without being asked to. */
+gboolean edit_keeps_places(TinkerScene *scene, TinkerBlockId target);
+
+/* A place in the axes of a block, from its centre; on a body that turns its centre or an end of it within `reach`. */
+void edit_own_place(TinkerFrame *frame, TinkerBlockId target, const double place[2], double reach, double own[2]);
+
 #endif

@@ -48,22 +48,30 @@ static gboolean accepts(const TinkerBlockType *type, const TinkerBlockClass *bod
     return (type->end_accepts & (moves ? TINKER_ACCEPTS_BODY : TINKER_ACCEPTS_SUPPORT)) != 0;
 }
 
-TinkerBlockId tinker_hit_connectable(TinkerFrame *frame, TinkerBlockId connector, double x, double y, double reach)
+int32_t edit_hit_connectables(TinkerFrame *frame, TinkerBlockId connector, double x, double y, double reach,
+                              TinkerBlockId *blocks, int32_t room)
 {
     TinkerScene *scene = tinker_frame_scene(frame);
     const TinkerBlockClass *connector_class = tinker_scene_block_class(scene, connector);
-    if (connector_class == NULL || !isfinite(x) || !isfinite(y)) return TINKER_NO_BLOCK;
+    int32_t count = 0;
+    if (connector_class == NULL || !isfinite(x) || !isfinite(y)) return 0;
     for (int32_t layer = LAYERS - 1; layer >= 0; layer--)
-        for (int32_t place = tinker_scene_block_count(scene) - 1; place >= 0; place--) {
+        for (int32_t place = tinker_scene_block_count(scene) - 1; place >= 0 && count < room; place--) {
             TinkerBlockId block = tinker_scene_block_at(scene, place);
             const TinkerBlockClass *block_class = tinker_scene_block_class(scene, block);
             if (block == connector || layer_of(block_class) != layer) continue;
             if (!accepts(connector_class->type, block_class)) continue;
             TinkerInstance instance;
             if (!tinker_frame_instance(frame, block, &instance) || !is_placed(&instance)) continue;
-            if (edit_hit(block_class, &instance, x, y, reach) != TINKER_PART_NONE) return block;
+            if (edit_hit(block_class, &instance, x, y, reach) != TINKER_PART_NONE) blocks[count++] = block;
         }
-    return TINKER_NO_BLOCK;
+    return count;
+}
+
+TinkerBlockId tinker_hit_connectable(TinkerFrame *frame, TinkerBlockId connector, double x, double y, double reach)
+{
+    TinkerBlockId block;
+    return edit_hit_connectables(frame, connector, x, y, reach, &block, 1) > 0 ? block : TINKER_NO_BLOCK;
 }
 
 TinkerHit tinker_hit_handle(TinkerFrame *frame, TinkerBlockId block, double x, double y, double reach)

@@ -145,6 +145,79 @@ static void test_connect_at_point(Stage *stage, gconstpointer data)
     }
 }
 
+/* A bar from (5, 0) to (6, 0), and one over its right end, turned by a right angle: (6, 0) to (6, 1). */
+static TinkerScene *bars(void)
+{
+    return scene_fixture_read_blocks(
+        "{\"type\": \"bar\", \"name\": \"Lower\", \"position\": [5.5, 0]},"
+        "{\"type\": \"bar\", \"name\": \"Upper\", \"position\": [6, 0.5], \"orientation\": \"90 deg\"},"
+        "{\"type\": \"mass\", \"name\": \"Point\", \"position\": [5.2, 0.02], \"width\": 0, \"height\": 0},"
+        "{\"type\": \"spring\", \"name\": \"S\", \"ends\": [\"Point\", [2, 2]]},"
+        "{\"type\": \"pin\", \"name\": \"Pin\", \"ends\": [[9, 9], [9, 9]]}");
+}
+
+static void expect_end(TinkerScene *scene, const char *name, int32_t number, const char *block, double x, double y)
+{
+    const TinkerSceneEnd end = tinker_scene_end(scene, tinker_scene_find_block(scene, name), number);
+    g_assert_cmpstr(tinker_scene_block_name(scene, end.block), ==, block);
+    g_assert_cmpfloat_with_epsilon(end.x, x, 1e-12);
+    g_assert_cmpfloat_with_epsilon(end.y, y, 1e-12);
+}
+
+/* On a body that turns an end stays where it is dropped, or goes to the centre or the end that is near. */
+static void test_connect_to_what_turns(Stage *stage, gconstpointer data)
+{
+    static const double rows[][3] = {{0.8, 0.02, 0.3}, {0.55, 0.02, 0}, {0.96, 0.01, -0.5}}; /* from (5, 0); own x */
+    for (gsize i = 0; i < G_N_ELEMENTS(rows); i++) {
+        g_autoptr(TinkerScene) scene = bars();
+        TinkerHistory *history = tinker_history_new(scene);
+        TinkerDrag *drag = tinker_drag_begin(history, scene, (TinkerHit){tinker_scene_find_block(scene, "S"), 1}, 2, 2);
+        tinker_drag_to(drag, 5 + rows[i][0], rows[i][1], 0, REACH);
+        tinker_drag_end(drag, FALSE, 0);
+        expect_end(scene, "S", 1, i == 2 ? "Upper" : "Lower", rows[i][2], i == 0 ? rows[i][1] : 0);
+        tinker_history_free(history);
+    }
+}
+
+/* A pin goes onto the two topmost bodies, at one place: that of a marked point, and of a point mass its centre. */
+static void test_joint_drop(Stage *stage, gconstpointer data)
+{
+    g_autoptr(TinkerScene) scene = bars();
+    TinkerHistory *history = tinker_history_new(scene);
+    const TinkerBlockId pin = tinker_scene_find_block(scene, "Pin");
+    tinker_history_begin(history, "Drop", NULL);
+    g_assert_cmpint(tinker_joint_drop(history, scene, pin, 5.97, 0.02, REACH), ==, 2);
+    expect_end(scene, "Pin", 0, "Lower", 0.5, 0);
+    expect_end(scene, "Pin", 1, "Upper", -0.5, 0);
+    g_assert_cmpint(tinker_joint_drop(history, scene, pin, 5.22, 0.0, REACH), ==, 2);
+    expect_end(scene, "Pin", 0, "Lower", -0.3, 0.02);
+    expect_end(scene, "Pin", 1, "Point", 0, 0);
+    g_assert_cmpint(tinker_joint_drop(history, scene, pin, 5.7, 0.0, 0.01), ==, 1);
+    expect_end(scene, "Pin", 0, "Lower", 0.2, 0);
+    g_assert_cmpint(tinker_scene_end(scene, pin, 1).block, ==, TINKER_NO_BLOCK);
+    g_assert_cmpint(tinker_joint_drop(history, scene, pin, 3, 3, REACH), ==, 0);
+    tinker_history_end(history);
+    tinker_history_free(history);
+}
+
+/* Ends that meet are found, until they are joined; what does not turn has none. */
+static void test_bodies_meet(Stage *stage, gconstpointer data)
+{
+    g_autoptr(TinkerScene) scene = bars();
+    TinkerHistory *history = tinker_history_new(scene);
+    const TinkerBlockId lower = tinker_scene_find_block(scene, "Lower"),
+                        upper = tinker_scene_find_block(scene, "Upper");
+    g_assert_cmpint(tinker_body_met(scene, lower, REACH), ==, upper);
+    g_assert_cmpint(tinker_body_met(scene, tinker_scene_find_block(scene, "Point"), REACH), ==, TINKER_NO_BLOCK);
+    tinker_history_begin(history, "Join", NULL);
+    tinker_joint_put_between(history, scene, tinker_scene_find_block(scene, "Pin"), (TinkerBlockId[]){upper, lower});
+    tinker_history_end(history);
+    expect_end(scene, "Pin", 0, "Upper", -0.5, 0);
+    expect_end(scene, "Pin", 1, "Lower", 0.5, 0);
+    g_assert_cmpint(tinker_body_met(scene, lower, REACH), ==, TINKER_NO_BLOCK);
+    tinker_history_free(history);
+}
+
 /* An attached end that is dragged into the open comes off and lies there. */
 static void test_detach(Stage *stage, gconstpointer data)
 {
@@ -219,6 +292,9 @@ static void add_tests(void)
     add("/edit/drag/click", test_click);
     add("/edit/drag/connect", test_connect);
     add("/edit/drag/connect-at-point", test_connect_at_point);
+    add("/edit/drag/connect-to-what-turns", test_connect_to_what_turns);
+    add("/edit/drag/joint-drop", test_joint_drop);
+    add("/edit/drag/bodies-meet", test_bodies_meet);
     add("/edit/drag/detach", test_detach);
     add("/edit/drag/handles", test_handles);
     add("/edit/drag/onto-top", test_onto_top);

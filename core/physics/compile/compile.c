@@ -35,9 +35,10 @@ static gboolean check_placed(TinkerModel *model, const TinkerBlockBatch *batch, 
     return FALSE;
 }
 
-/* Lengths that the scene leaves to where the blocks are placed, and what it leaves to their shapes. */
-static gboolean resolve_placed(TinkerModel *model, TinkerFrame *placed, GError **error)
+gboolean tinker_model_resolve_placed(TinkerModel *model, GError **error)
 {
+    g_autoptr(TinkerFrame) placed = tinker_frame_new(model->scene, error);
+    if (placed == NULL) return FALSE;
     for (guint i = 0; i < model->batches->len; i++) {
         TinkerBlockBatch *batch = g_ptr_array_index(model->batches, i);
         const TinkerBlockClass *block_class = batch->block_class;
@@ -81,16 +82,19 @@ static gboolean take_scene(TinkerModel *model, GError **error)
                     tinker_scene_block_name(model->scene, loose));
         return FALSE;
     }
-    g_autoptr(TinkerFrame) placed = tinker_frame_new(model->scene, error);
-    return placed != NULL && resolve_placed(model, placed, error);
+    return tinker_model_resolve_placed(model, error);
+}
+
+gboolean tinker_model_compile_parts(TinkerModel *model, GError **error)
+{
+    enter_first_piece(model);
+    return tinker_model_compile_bodies(model, error) && tinker_model_compile_forces(model, error) &&
+           tinker_model_compile_constraints(model, error);
 }
 
 static gboolean compile(TinkerModel *model, GError **error)
 {
-    enter_first_piece(model);
-    if (!tinker_model_compile_bodies(model, error) || !tinker_model_compile_forces(model, error) ||
-        !tinker_model_compile_constraints(model, error))
-        return FALSE;
+    if (!tinker_model_compile_parts(model, error)) return FALSE;
     model->contacts = tinker_contacts_new(model);
     return tinker_model_check_start(model, error);
 }
@@ -103,8 +107,7 @@ static int32_t most_columns(const GPtrArray *batches)
     return most;
 }
 
-/* Takes the batches over. */
-static TinkerModel *model_new(TinkerScene *scene, GPtrArray *batches)
+TinkerModel *tinker_model_new_of_batches(TinkerScene *scene, GPtrArray *batches)
 {
     TinkerModel *model = g_new0(TinkerModel, 1);
     model->scene = scene;
@@ -131,7 +134,7 @@ TinkerModel *tinker_model_new(TinkerScene *scene, GError **error)
 
 TinkerModel *tinker_model_new_part(TinkerScene *scene, const gboolean *include, GError **error)
 {
-    g_autoptr(TinkerModel) model = model_new(scene, tinker_batches_new(scene, include));
+    g_autoptr(TinkerModel) model = tinker_model_new_of_batches(scene, tinker_batches_new(scene, include));
     model->part = include != NULL;
     if (!take_scene(model, error) || !compile(model, error)) return NULL;
     return g_steal_pointer(&model);
@@ -139,7 +142,8 @@ TinkerModel *tinker_model_new_part(TinkerScene *scene, const gboolean *include, 
 
 TinkerModel *tinker_model_new_of(const TinkerModel *whole, const int32_t *numbers, int32_t count, GError **error)
 {
-    g_autoptr(TinkerModel) model = model_new(whole->scene, tinker_batches_take(whole->batches, numbers, count));
+    g_autoptr(TinkerModel) model =
+        tinker_model_new_of_batches(whole->scene, tinker_batches_take(whole->batches, numbers, count));
     model->part = TRUE;
     if (!compile(model, error)) return NULL;
     return g_steal_pointer(&model);

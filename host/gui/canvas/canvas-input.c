@@ -2,6 +2,7 @@
 #include <math.h>
 
 #include "gui/canvas/canvas-private.h"
+#include "gui/document/joined.h"
 
 #define THRESHOLD  4.0  /* widget units: a press that moves less is a click */
 #define WHEEL_ZOOM 1.15 /* by one notch */
@@ -74,8 +75,11 @@ static void drag_part(TinkerCanvas *canvas, GdkModifierType modifiers)
     TinkerFrame *frame = tinker_player_frame(canvas->player);
     canvas_to_world(canvas, canvas->pointer[0], canvas->pointer[1], world);
     if (frame != NULL) tinker_drag_set_symbol_size(canvas->drag, tinker_painter_symbol_size(frame, canvas->view.scale));
+    TinkerScene *scene = tinker_document_scene(canvas->document);
+    const TinkerPlacement before = tinker_placement_of(scene, canvas->pressed.block);
     TinkerBlockId target =
         tinker_drag_to(canvas->drag, world[0], world[1], canvas_grid(canvas, modifiers), canvas_reach(canvas));
+    tinker_joined_follow(tinker_document_history(canvas->document), scene, &before, NULL);
     tinker_document_touch(canvas->document);
     set_highlighted(canvas, target);
 }
@@ -159,6 +163,7 @@ static void on_release(GtkGestureDrag *gesture, double dx, double dy, TinkerCanv
         tinker_drag_end(g_steal_pointer(&canvas->drag), (modifiers & GDK_SHIFT_MASK) != 0,
                         (modifiers & GDK_ALT_MASK) != 0 ? 0 : canvas_top_reach(canvas));
         tinker_document_touch(canvas->document);
+        g_signal_emit_by_name(canvas, "dropped", canvas->pressed.block, canvas_reach(canvas));
     }
     if (ended == CANVAS_GROUP) tinker_document_end(canvas->document);
     if (ended == CANVAS_BAND) select_in_band(canvas);

@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "gui/canvas/canvas-private.h"
+#include "gui/document/joined.h"
 #include "gui/text/translate.h"
 
 #define HALF_CONNECTOR 60.0 /* widget units: half the length of a connector that lies free */
@@ -16,10 +17,21 @@ static double half_connector(TinkerCanvas *canvas)
     return grid > 0 ? fmax(round(half / grid), 1) * grid : half;
 }
 
+/* Half the length at which a new block's ends lie apart. */
+static double half_apart(TinkerCanvas *canvas, TinkerBlockId block)
+{
+    return tinker_is_joint(tinker_document_scene(canvas->document), block) ? 0 : half_connector(canvas);
+}
+
 /* Puts a free connector's ends onto what lies under them. */
 static void connect_ends(TinkerCanvas *canvas, TinkerBlockId block)
 {
     TinkerScene *scene = tinker_document_scene(canvas->document);
+    if (tinker_is_joint(scene, block)) {
+        const TinkerSceneEnd at = tinker_scene_end(scene, block, 0);
+        tinker_joint_drop(tinker_document_history(canvas->document), scene, block, at.x, at.y, canvas_reach(canvas));
+        return;
+    }
     g_autoptr(TinkerFrame) frame = tinker_frame_new(scene, NULL);
     for (int32_t i = 0; frame != NULL && i < tinker_scene_end_count(scene, block); i++) {
         TinkerSceneEnd end = tinker_scene_end(scene, block, i);
@@ -54,7 +66,7 @@ void tinker_canvas_place_move(TinkerCanvas *canvas, const TinkerBlockClass *bloc
         canvas->placing = tinker_history_add_block(tinker_document_history(canvas->document), block_class, NULL, NULL);
         tinker_document_select(canvas->document, canvas->placing);
     }
-    tinker_document_place(canvas->document, canvas->placing, place, half_connector(canvas));
+    tinker_document_place(canvas->document, canvas->placing, place, half_apart(canvas, canvas->placing));
     tinker_document_touch(canvas->document);
 }
 
@@ -117,7 +129,13 @@ static void find_room(TinkerCanvas *canvas, TinkerBlockId block, double place[2]
 static int connect_to(TinkerCanvas *canvas, TinkerBlockId block, const TinkerBlockId *targets, int count)
 {
     TinkerHistory *history = tinker_document_history(canvas->document);
-    int32_t ends = tinker_scene_end_count(tinker_document_scene(canvas->document), block), end = 0;
+    TinkerScene *scene = tinker_document_scene(canvas->document);
+    int32_t ends = tinker_scene_end_count(scene, block), end = 0;
+    if (count == 2 && tinker_is_joint(scene, block)) {
+        tinker_joint_put_between(history, scene, block, targets);
+        tinker_joined_bring(history, scene, targets[0]);
+        return count;
+    }
     for (int i = 0; i < count && end < ends; i++)
         if (tinker_history_set_end(history, block, end, (TinkerSceneEnd){targets[i], 0, 0}, NULL)) end++;
     return end;
@@ -161,7 +179,7 @@ TinkerBlockId tinker_canvas_add(TinkerCanvas *canvas, const TinkerBlockClass *bl
     double place[2];
     find_room(canvas, block, place);
     if (connect_to(canvas, block, targets, count) > 0) free_end_beside(canvas, block, place);
-    tinker_document_place(canvas->document, block, place, half_connector(canvas));
+    tinker_document_place(canvas->document, block, place, half_apart(canvas, block));
     tinker_document_end(canvas->document);
     tinker_document_select(canvas->document, block);
     return block;

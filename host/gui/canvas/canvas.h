@@ -24,6 +24,8 @@ void tinker_canvas_set_marked(TinkerCanvas *canvas, const TinkerBlockId *blocks,
 
 /* The signal "menu" (double x, double y, widget units) asks for the menu of what is selected. */
 
+/* The signal "dropped" (TinkerBlockId block, double reach, m): a drag of it has ended, and is part of the history. */
+
 /* What drawings of blocks did that they must not do, of const char *; told by the signal "faults". (transfer container)
  */
 GList *tinker_canvas_faults(TinkerCanvas *canvas);

@@ -5,6 +5,7 @@
 #include <math.h>
 
 #include "gui/document/carry-tables.h"
+#include "gui/document/joined.h"
 
 struct _TinkerDocument {
     GObject parent_instance;
@@ -363,8 +364,11 @@ void tinker_document_shift_selected(TinkerDocument *document, double dx, double 
 void tinker_document_move_selected(TinkerDocument *document, double dx, double dy, const char *merge)
 {
     if (document->selection->len == 0) return;
+    const TinkerBlockId block = tinker_document_selected(document);
+    const TinkerPlacement before = tinker_placement_of(document->scene, block);
     tinker_document_begin(document, _("Move"), merge);
     tinker_document_shift_selected(document, dx, dy);
+    if (block != TINKER_NO_BLOCK) tinker_joined_follow(document->history, document->scene, &before, NULL);
     tinker_document_end(document);
 }
 

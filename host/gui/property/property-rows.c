@@ -5,6 +5,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "gui/document/joined.h"
 #include "gui/property/property-rows.h"
 #include "gui/text/number-text.h"
 #include "gui/text/translate.h"
@@ -135,8 +136,14 @@ static gboolean edit_number(TinkerHistory *history, const TinkerPropertyRow *row
     int32_t first = block_class->first_columns[row->property];
     for (int32_t c = 0; c < tinker_kind_columns(block_class->properties[row->property].kind); c++)
         values[c] = c == row->component ? entered->value : tinker_scene_get(entered->scene, block, first + c);
-    return take_other_friction_along(history, entered->scene, block, row->property, values[0], error) &&
-           store(history, entered->scene, block, row->property, values, error);
+    const TinkerPlacement before = tinker_placement_of(entered->scene, block);
+    GError *cause = NULL;
+    if (!take_other_friction_along(history, entered->scene, block, row->property, values[0], error) ||
+        !store(history, entered->scene, block, row->property, values, error))
+        return FALSE;
+    if (tinker_joined_follow(history, entered->scene, &before, &cause)) return TRUE;
+    property_fail(error, cause, tinker_scene_block_name(entered->scene, block), block_class);
+    return FALSE;
 }
 
 /* Gives the rest lengths that were left to the drawing of the springs on a block, so that moving it stretches them. */

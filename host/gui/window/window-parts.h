@@ -87,6 +87,9 @@ void window_add_start(TinkerWindow *window);
 GtkWidget *window_new_start_panel(TinkerWindow *window);
 void window_add_start_menu(TinkerWindow *window, GMenu *menu);
 
+/* Offers a joint where a body is dropped onto another; window-joints.c. */
+void window_add_joints(TinkerWindow *window);
+
 /* Saving; window-files.c. Each asks where something could be lost. */
 void window_save(TinkerWindow *window, gboolean under_another_name);
 /* Asks whether to save; then closes. */

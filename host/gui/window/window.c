@@ -155,6 +155,7 @@ TinkerWindow *tinker_window_new(AdwApplication *application, TinkerCatalogue *ca
                           tinker_refusal_notices(tinker_document_catalogue(window->document)));
     tinker_notice_bar_set(window->notices, "icons", tinker_guarded_icon_notices());
     window_add_start(window);
+    window_add_joints(window);
     window_restore_state(window);
     window_start_first(window);
     on_file_changed(window);

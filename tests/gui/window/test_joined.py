@@ -1,0 +1,93 @@
+#!/usr/bin/python3
+"""Joints: where a pin goes, and what follows when a body that is joined is moved."""
+import math
+
+from harness import App, check, check_close, check_equal, main, scene, support, wait
+from harness import colours
+
+
+def bar(name, x, y, angle=0.0, length=1.0):
+    return {"type": "bar", "name": name, "position": [x, y], "orientation": angle, "length": length}
+
+
+def pin(name, *ends):
+    return {"type": "pin", "name": name, "ends": list(ends)}
+
+
+def at(block, x, y=0.0):
+    return {"block": block, "at": [x, y]}
+
+
+def end_of(app, name, along):
+    """Where the place at `along` of a bar's axis is."""
+    block = app.blocks()[name]
+    angle = block.get("orientation", 0.0)
+    x, y = block["position"]
+    return x + along * math.cos(angle), y + along * math.sin(angle)
+
+
+def check_meet(app, first, second, what):
+    a, b = end_of(app, *first), end_of(app, *second)
+    check(math.dist(a, b) < 1e-9, f"{what}: {a} and {b}")
+
+
+def test_pin_dropped_on_two_bars_joins_them_there(display):
+    with App(display, scene(bar("Lower", 0, 0), bar("Upper", 0.5, 0.5, math.pi / 2))) as app:
+        app.drag_pixels(app.middle(app.find("button", "Pin")), app.at(2, 2), app.at(0.5, 0.02))
+        lower, upper = app.blocks()["Pin 0"]["ends"]
+        check_equal([lower["block"], upper["block"]], ["Lower", "Upper"], "what it joins")
+        check_close(lower["at"][0], 0.5, 1e-12, "at the lower one's end")
+        check_close(upper["at"][0], -0.5, 1e-12, "and at the upper one's")
+        app.press("ctrl+z")
+        check("Pin 0" not in app.blocks(), "one step for undo")
+
+
+def test_pin_dropped_beside_ends_keeps_its_place(display):
+    with App(display, scene(support("Wall", 0, 0), bar("Bar", 0, 0, length=3))) as app:
+        app.drag_pixels(app.middle(app.find("button", "Pin")), app.at(2, 2), app.at(0.8, 0.0))
+        wall, on_bar = app.blocks()["Pin 0"]["ends"]
+        check_equal(wall["block"], "Wall", "the first end")
+        check_close(wall["at"][0], 0.8, 1e-12, "on the wall")
+        check_close(on_bar["at"][0], 0.8, 1e-12, "on the bar")
+
+
+def test_bodies_follow_the_one_that_is_dragged(display):
+    blocks = (support("Wall", -0.5, 0), bar("Crank", 0, 0), bar("Link", 1, 0),
+              pin("A", at("Wall", 0), at("Crank", -0.5)), pin("B", at("Crank", 0.5), at("Link", -0.5)))
+    with App(display, scene(*blocks)) as app:
+        app.drag((0.2, 0), (-0.3, 0.5))
+        check_meet(app, ("Crank", 0.5), ("Link", -0.5), "the pin between them")
+        x, y = end_of(app, "Crank", -0.5)
+        check(math.hypot(x + 0.5, y) < 1e-9, f"the crank left its pin: {x}, {y}")
+        check(app.blocks()["Crank"]["orientation"] > 0.8, "it has turned")
+        app.press("ctrl+z")
+        check_equal(app.blocks()["Link"]["position"], [1, 0], "one step for undo")
+
+
+def test_typed_angle_takes_the_others_along(display):
+    blocks = (support("Wall", -0.5, 0), bar("Crank", 0, 0), pin("A", at("Wall", 0), at("Crank", -0.5)))
+    with App(display, scene(*blocks)) as app:
+        app.click_world(0, 0)
+        app.enter("Properties", "Orientation", "90 deg")
+        check_close(app.blocks()["Crank"]["orientation"], math.pi / 2, 1e-12, "the angle that was typed")
+        check_close(app.blocks()["Crank"]["position"][0], -0.5, 1e-9, "the crank stands over its pin")
+
+
+def test_turned_by_its_handle_it_snaps(display):
+    with App(display, scene(bar("Bar", 0, 0))) as app:
+        app.click_world(0, 0)
+        handle = wait(lambda: app.middle_of_colour(colours.SELECTED, (-0.1, 0.1), (0.1, 0.6)), "the handle")
+        app.drag(handle, (-1.0, 1.05))
+        check_close(app.blocks()["Bar"]["orientation"], math.pi / 4, 1e-12, "45 degrees")
+
+
+def test_pin_is_offered_where_ends_meet(display):
+    with App(display, scene(bar("Base", 0, 0), bar("Arm", 2, 1))) as app:
+        app.drag((2, 1), (1.0, 0))
+        app.find_text("Arm and Base meet there.")
+        app.click("Add Pin")
+        check_equal(app.blocks()["Pin 0"]["ends"], [at("Base", 0.5), at("Arm", -0.5)], "what it joins")
+
+
+if __name__ == "__main__":
+    main()
