@@ -72,6 +72,15 @@ static TinkerExpression *half(TinkerExpression *height)
     return tinker_expression_over(height, tinker_expression_number(2));
 }
 
+/* What the row that was added last does to the body. */
+static void note_slope(TinkerEquationWriter *writer, TinkerBlockId body, const TinkerExpression *x,
+                       const TinkerExpression *y)
+{
+    const double slope[] = {tinker_equations_value(writer->equations, x), tinker_equations_value(writer->equations, y),
+                            0};
+    tinker_writer_note_slope(writer, body, slope);
+}
+
 static TinkerExpression *add_normal(TinkerEquationWriter *writer, const Contact *contact, const Top *top)
 {
     const TinkerBlockId support = contact->support, body = contact->body;
@@ -83,9 +92,11 @@ static TinkerExpression *add_normal(TinkerEquationWriter *writer, const Contact 
         tinker_writer_symbol(writer, name, support, contact->normal, tinker_force_dimension, NULL, "normal force");
     tinker_writer_add_row(writer, support, tinker_expression_minus(across(top, top->dx, top->dy), heights),
                           tinker_length_dimension, name, TRUE);
-    tinker_writer_add_term(writer, body, support, TINKER_TERM_NORMAL,
+    note_slope(writer, body, top->normal[0], top->normal[1]);
+    const TinkerPointSymbols centre = {.block = body};
+    tinker_writer_add_term(writer, &centre, support, TINKER_TERM_NORMAL,
                            tinker_expression_times(copy(normal), copy(top->normal[0])),
-                           tinker_expression_times(copy(normal), copy(top->normal[1])));
+                           tinker_expression_times(copy(normal), copy(top->normal[1])), NULL);
     return normal;
 }
 
@@ -94,7 +105,8 @@ static void add_friction_term(TinkerEquationWriter *writer, const Contact *conta
 {
     TinkerExpression *x = tinker_expression_times(copy(force), copy(top->normal[1]));
     TinkerExpression *y = tinker_expression_negated(tinker_expression_times(force, copy(top->normal[0])));
-    tinker_writer_add_term(writer, contact->body, contact->support, TINKER_TERM_FRICTION, x, y);
+    const TinkerPointSymbols centre = {.block = contact->body};
+    tinker_writer_add_term(writer, &centre, contact->support, TINKER_TERM_FRICTION, x, y, NULL);
 }
 
 static void add_sticking(TinkerEquationWriter *writer, const Contact *contact, const Top *top)
@@ -109,6 +121,8 @@ static void add_sticking(TinkerEquationWriter *writer, const Contact *contact, c
     TinkerExpression *friction =
         tinker_writer_symbol(writer, name, support, contact->friction, tinker_force_dimension, NULL, "friction force");
     tinker_writer_add_row(writer, support, tinker_expression_minus(place, from), tinker_length_dimension, name, TRUE);
+    g_autoptr(TinkerExpression) back = tinker_expression_negated(copy(top->normal[0]));
+    note_slope(writer, contact->body, top->normal[1], back);
     add_friction_term(writer, contact, top, friction);
 }
 
@@ -155,7 +169,7 @@ void tinker_writer_add_contacts(TinkerEquationWriter *writer)
         if (normal->kind != TINKER_ACTING_NORMAL ||
             !g_hash_table_contains(writer->body_of, GINT_TO_POINTER(normal->on)))
             continue;
-        double orientation, place[2], friction[2];
+        double orientation, place[2], friction[3];
         tinker_frame_centre(writer->frame, normal->by, &place[0], &place[1], &orientation);
         const double n[] = {-sin(orientation), cos(orientation)};
         (void)tinker_model_state_force(writer->state, normal->by, normal->on, TINKER_ACTING_FRICTION, friction);

@@ -33,12 +33,22 @@ static TinkerTermKind kind_of(TinkerScene *scene, const TinkerActingForce *actin
     return strcmp(category, TINKER_CONNECTOR) == 0 ? TINKER_TERM_CONNECTOR : TINKER_TERM_FORCE;
 }
 
-static TinkerBlockId partner_of(TinkerScene *scene, const TinkerActingForce *acting)
+/* Who stands at the other end: of a rope its neighbours on the path. -1 for none. */
+static void find_partners(TinkerScene *scene, const TinkerActingForce *acting, TinkerBlockId partners[2])
 {
-    if (acting->kind == TINKER_ACTING_NORMAL || acting->kind == TINKER_ACTING_FRICTION) return acting->by;
-    if (tinker_scene_end_count(scene, acting->by) != 2) return -1;
-    const TinkerBlockId first = tinker_scene_end(scene, acting->by, 0).block;
-    return first == acting->on ? tinker_scene_end(scene, acting->by, 1).block : first;
+    partners[0] = partners[1] = -1;
+    if (acting->kind == TINKER_ACTING_NORMAL || acting->kind == TINKER_ACTING_FRICTION) {
+        partners[0] = acting->by;
+        return;
+    }
+    const int32_t ends = tinker_scene_end_count(scene, acting->by);
+    int found = 0;
+    if (acting->end < 0 && ends == 2) { /* across a rod that is held straight */
+        const TinkerBlockId first = tinker_scene_end(scene, acting->by, 0).block;
+        partners[0] = first == acting->on ? tinker_scene_end(scene, acting->by, 1).block : first;
+    }
+    for (int32_t end = acting->end - 1; acting->end >= 0 && end <= acting->end + 1; end += 2)
+        if (end >= 0 && end < ends) partners[found++] = tinker_scene_end(scene, acting->by, end).block;
 }
 
 static void add_cancelled(TinkerDiagram *diagram, TinkerBlockId by)
@@ -58,9 +68,16 @@ static void add_forces(TinkerDiagram *diagram, TinkerScene *scene, const TinkerM
             add_cancelled(diagram, acting->by);
             continue;
         }
-        const TinkerDiagramForce force = {
-            acting->by, kind_of(scene, acting),   {acting->x, acting->y}, {acting->fx, acting->fy},
-            acting->on, partner_of(scene, acting)};
+        TinkerBlockId partners[2];
+        find_partners(scene, acting, partners);
+        const TinkerDiagramForce force = {.from = acting->by,
+                                          .kind = kind_of(scene, acting),
+                                          .point = {acting->x, acting->y},
+                                          .force = {acting->fx, acting->fy},
+                                          .torque = acting->torque,
+                                          .on = acting->on,
+                                          .partner = partners[0],
+                                          .second = partners[1]};
         g_array_append_val(diagram->forces, force);
     }
 }
@@ -79,6 +96,10 @@ static void add_bodies(TinkerDiagram *diagram, const TinkerFrame *frame, const T
             diagram->centre[axis] += (place[axis] - diagram->centre[axis]) * mass / diagram->mass;
             diagram->kinetic[axis] += mass * body->acceleration[axis];
         }
+        /* of several bodies together moments are not balanced */
+        const gboolean alone = blocks[1] < 0 && body->turns;
+        diagram->inertia = alone ? tinker_frame_meaning(frame, body->block, TINKER_MEANING_INERTIA, 0, 0) : NAN;
+        diagram->turning = alone ? diagram->inertia * body->angular_acceleration : 0;
     }
 }
 
@@ -89,6 +110,7 @@ TinkerDiagram *tinker_diagram_new(TinkerScene *scene, const TinkerModelState *st
     if (frame == NULL || !tinker_frame_set_time(frame, state->time, error)) return NULL;
     TinkerDiagram *diagram = g_new0(TinkerDiagram, 1);
     *diagram = (TinkerDiagram){.time = state->time,
+                               .inertia = NAN,
                                .forces = g_array_new(FALSE, FALSE, sizeof(TinkerDiagramForce)),
                                .cancelled = g_array_new(FALSE, FALSE, sizeof(TinkerBlockId))};
     add_bodies(diagram, frame, state, blocks);

@@ -22,17 +22,11 @@ static void definition_free(void *data)
     g_free(definition);
 }
 
-static void term_clear(void *data)
-{
-    TinkerTerm *term = data;
-    tinker_expression_unref(term->x);
-    tinker_expression_unref(term->y);
-}
-
 static void body_free(void *data)
 {
     TinkerBodyEquation *body = data;
     tinker_expression_unref(body->mass);
+    g_clear_pointer(&body->inertia, tinker_expression_unref);
     g_array_unref(body->terms);
     g_free(body);
 }
@@ -91,32 +85,39 @@ static void add_time(TinkerEquationWriter *writer)
     add_look(writer->equations, "t", "t", "", 0);
 }
 
-/* The symbols of a body's state, and its mass. */
-static void add_body(TinkerEquationWriter *writer, TinkerBlockId block, const TinkerBodySample *at)
+/* The symbols of a body's state, its mass, and its inertia if it turns. */
+static void add_body(TinkerEquationWriter *writer, const TinkerBodyState *state)
 {
-    static const char *const quantities[] = {"x", "y", "vx", "vy"}, *const stems[] = {"x", "y"};
-    const double values[] = {at->x, at->y, at->vx, at->vy};
+    const struct {
+        const char *quantity, *stem;
+        int dots;
+        double value;
+        TinkerDimension dimension;
+    } quantities[] = {
+        {"x", "x", 0, state->at.x, tinker_length_dimension},
+        {"y", "y", 0, state->at.y, tinker_length_dimension},
+        {"vx", "x", 1, state->at.vx, tinker_velocity_dimension},
+        {"vy", "y", 1, state->at.vy, tinker_velocity_dimension},
+        {"angle", "θ", 0, state->angle, tinker_angle_dimension},
+        {"rate", "θ", 1, state->rate, {0, 0, -1, 1}},
+    };
+    const TinkerBlockId block = state->block;
     const char *block_name = tinker_scene_block_name(writer->scene, block);
     const char *index = tinker_writer_index(writer, block);
     TinkerEquations *equations = writer->equations;
-    for (int i = 0; i < 4; i++) {
-        g_autofree char *name = g_strconcat(block_name, ".", quantities[i], NULL);
-        const TinkerDimension dimension = i < 2 ? tinker_length_dimension : tinker_velocity_dimension;
-        add_look(equations, name, stems[i % 2], index, i / 2);
-        tinker_expression_unref(tinker_writer_symbol(writer, name, block, values[i], dimension, NULL, quantities[i]));
+    for (gsize i = 0; i < (state->turns ? 6 : 4); i++) {
+        g_autofree char *name = g_strconcat(block_name, ".", quantities[i].quantity, NULL);
+        add_look(equations, name, quantities[i].stem, index, quantities[i].dots);
+        tinker_expression_unref(tinker_writer_symbol(writer, name, block, quantities[i].value, quantities[i].dimension,
+                                                     NULL, quantities[i].quantity));
     }
     TinkerBodyEquation *body = g_new(TinkerBodyEquation, 1);
-    *body = (TinkerBodyEquation){block, tinker_writer_meaning(writer, block, TINKER_MEANING_MASS, 0, "m"),
+    *body = (TinkerBodyEquation){block, tinker_writer_meaning(writer, block, TINKER_MEANING_MASS, 0, "m"), NULL,
                                  g_array_new(FALSE, FALSE, sizeof(TinkerTerm))};
-    g_array_set_clear_func(body->terms, term_clear);
+    if (state->turns) body->inertia = tinker_writer_meaning(writer, block, TINKER_MEANING_INERTIA, 0, "I");
+    g_array_set_clear_func(body->terms, tinker_term_clear);
     g_ptr_array_add(equations->bodies, body);
     g_hash_table_insert(writer->body_of, GINT_TO_POINTER(block), body);
-    /* what acts away from its centre is written as if it acted there: better told than left out */
-    if (tinker_scene_block_class(writer->scene, block)->physics->body->degrees_of_freedom <= 2) return;
-    TinkerNotWritten *missing = g_new(TinkerNotWritten, 1);
-    *missing = (TinkerNotWritten){block, g_ptr_array_new_with_free_func(g_free),
-                                  g_strdup("it turns: its rotation, and the places of its ends, are not written yet")};
-    g_ptr_array_add(equations->not_written, missing);
 }
 
 typedef gboolean (*AddRole)(TinkerEquationWriter *writer, TinkerBlockId block, const TinkerBlockLaw *law);
@@ -145,34 +146,23 @@ static void add_block(TinkerEquationWriter *writer, TinkerBlockId block)
     tinker_writer_add_unwritten(writer, block, roles[role].kind, why);
 }
 
-static gboolean turns(const TinkerBlockClass *block_class)
-{
-    const TinkerPhysics *physics = block_class != NULL ? block_class->physics : NULL;
-    return physics != NULL && physics->body != NULL && physics->body->degrees_of_freedom == 3;
-}
-
 static void write_all(TinkerEquationWriter *writer)
 {
     const TinkerModelState *state = writer->state;
     tinker_writer_number_blocks(writer);
     add_time(writer);
-    for (guint i = 0; i < state->bodies->len; i++) {
-        const TinkerBodyState *body = &g_array_index(state->bodies, TinkerBodyState, i);
-        add_body(writer, body->block, &body->at);
-    }
-    for (int32_t i = 0; i < tinker_scene_block_count(writer->scene); i++) {
-        const TinkerBlockId block = tinker_scene_block_at(writer->scene, i);
-        add_block(writer, block);
-        if (turns(tinker_scene_block_class(writer->scene, block)))
-            tinker_writer_note_unwritten(writer, block, "its angle", "how it turns is not written yet");
-    }
+    for (guint i = 0; i < state->bodies->len; i++)
+        add_body(writer, &g_array_index(state->bodies, TinkerBodyState, i));
+    for (int32_t i = 0; i < tinker_scene_block_count(writer->scene); i++)
+        add_block(writer, tinker_scene_block_at(writer->scene, i));
     tinker_writer_add_contacts(writer);
+    tinker_writer_mark_redundant(writer);
 }
 
 TinkerEquations *tinker_equations_new(TinkerScene *scene, const TinkerModelState *state, GError **error)
 {
-    g_autoptr(TinkerFrame) frame = tinker_frame_new(scene, error);
-    if (frame == NULL) return NULL;
+    g_autoptr(TinkerFrame) start = tinker_frame_new(scene, error), frame = tinker_frame_new(scene, NULL);
+    if (start == NULL || frame == NULL || !tinker_frame_set_time(frame, state->time, error)) return NULL;
     TinkerEquations *equations = g_new0(TinkerEquations, 1);
     *equations = (TinkerEquations){
         .scene = scene,
@@ -192,14 +182,19 @@ TinkerEquations *tinker_equations_new(TinkerScene *scene, const TinkerModelState
         .scene = scene,
         .state = state,
         .frame = frame,
+        .start = start,
         .indices = g_hash_table_new_full(NULL, NULL, NULL, g_free),
         .stems = g_hash_table_new_full(g_str_hash, g_str_equal, g_free, NULL),
         .by_name = g_hash_table_new(g_str_hash, g_str_equal),
         .points = tinker_writer_points_new(),
         .body_of = g_hash_table_new(NULL, NULL),
+        .places = g_hash_table_new_full(g_str_hash, g_str_equal, g_free, NULL),
+        .slopes = g_array_new(FALSE, FALSE, sizeof(TinkerRowSlope)),
     };
     write_all(&writer);
-    GHashTable *const tables[] = {writer.indices, writer.stems, writer.by_name, writer.points, writer.body_of};
+    g_array_unref(writer.slopes);
+    GHashTable *const tables[] = {writer.indices, writer.stems,   writer.by_name,
+                                  writer.points,  writer.body_of, writer.places};
     for (gsize i = 0; i < G_N_ELEMENTS(tables); i++)
         g_hash_table_unref(tables[i]);
     return equations;

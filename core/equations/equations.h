@@ -1,5 +1,6 @@
-/* The equations of a scene: for each body, mass times acceleration = the sum of the forces on it, one term a block that
- * acts, over symbols with values. They say what is run: with the values of the symbols the terms are the forces of the
+/* The equations of a scene: for each body, mass times acceleration = the sum of the forces on it, and for one that
+ * turns inertia times angular acceleration = the sum of their moments, one term a block that acts, over symbols with
+ * values. They say what is run: with the values of the symbols the terms are the forces of the
  * run at that time, and at any other state with the same active set those that it would have there.
  *
  * Constraint forces are unknown multipliers times the gradient of their function g; the multiplier is what makes the
@@ -54,13 +55,15 @@ typedef struct {
 typedef struct {
     TinkerBlockId block;
     TinkerTermKind kind;
-    TinkerExpression *x, *y; /* N */
+    TinkerExpression *x, *y;  /* N */
+    TinkerExpression *torque; /* N m, about the centre; NULL of a body that does not turn */
 } TinkerTerm;
 
 typedef struct {
     TinkerBlockId block;
     TinkerExpression *mass;
-    GArray *terms; /* of TinkerTerm */
+    TinkerExpression *inertia; /* about the centre; NULL: it does not turn */
+    GArray *terms;             /* of TinkerTerm */
 } TinkerBodyEquation;
 
 typedef struct {
@@ -69,6 +72,7 @@ typedef struct {
     char *multiplier;
     TinkerDimension dimension; /* of g */
     gboolean active;           /* FALSE: a slack rope, whose multiplier is 0 and whose g is not */
+    gboolean redundant;        /* it depends on others: the multipliers are those of least norm */
 } TinkerConstraintEquation;
 
 /* What acts without a law that is stated: these symbols stand for its forces. */

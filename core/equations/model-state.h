@@ -8,7 +8,9 @@
 typedef struct {
     TinkerBlockId block;
     TinkerBodySample at;
-    double acceleration[2]; /* m/s^2, by the record; where it has none, by the forces */
+    double acceleration[2];                   /* m/s^2, by the record; where it has none, by the forces */
+    gboolean turns;                           /* a body that turns has besides, by the record: */
+    double angle, rate, angular_acceleration; /* rad, rad/s, rad/s^2; else 0 */
 } TinkerBodyState;
 
 typedef struct {
@@ -27,10 +29,18 @@ void tinker_model_state_free(TinkerModelState *state);
 G_DEFINE_AUTOPTR_CLEANUP_FUNC(TinkerModelState, tinker_model_state_free)
 
 /* NULL for a block that is no body that can move. */
+const TinkerBodyState *tinker_model_state_find(const TinkerModelState *state, TinkerBlockId block);
 const TinkerBodySample *tinker_model_state_body(const TinkerModelState *state, TinkerBlockId block);
 
-/* The sum of what `by` does to `on` (-1: to any block), of one kind (-1: of any). FALSE where there is nothing. */
+/* The moment of a force about the centre of the body it acts on (N m). */
+double tinker_model_state_moment(const TinkerModelState *state, const TinkerActingForce *acting);
+
+/* The sum of what `by` does to `on` (-1: to any block), of one kind (-1: of any): force, and moment about the centre of
+ * each body. FALSE where there is nothing. */
 gboolean tinker_model_state_force(const TinkerModelState *state, TinkerBlockId by, TinkerBlockId on, int kind,
-                                  double force[2]);
+                                  double force[3]);
+
+/* What a block does at one of its ends: force, and torque beside that. FALSE where there is nothing. */
+gboolean tinker_model_state_end_force(const TinkerModelState *state, TinkerBlockId by, int32_t end, double force[3]);
 
 #endif

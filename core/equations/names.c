@@ -53,7 +53,7 @@ static void count_stem(TinkerEquationWriter *writer, const char *stem)
 static void count_stems(TinkerEquationWriter *writer, TinkerBlockId block, const TinkerBlockClass *block_class,
                         Group group)
 {
-    static const char *const of_bodies[] = {"m", "x", "y", "h", NULL};
+    static const char *const of_bodies[] = {"m", "I", "x", "y", "θ", "h", NULL};
     static const char *const of_supports[] = {"X", "Y", "φ", "H", "N", "f", "µs", "µd", "s0", "σ", NULL};
     static const char *const of_lines[] = {"L", "T", NULL}, *const of_constraints[] = {"L", "λ", NULL};
     static const char *const of_others[] = {"V", "F", NULL};

@@ -10,12 +10,21 @@ void tinker_point_symbols_clear(TinkerPointSymbols *point)
     g_clear_pointer(&point->y, tinker_expression_unref);
     g_clear_pointer(&point->vx, tinker_expression_unref);
     g_clear_pointer(&point->vy, tinker_expression_unref);
+    g_clear_pointer(&point->angle, tinker_expression_unref);
+    g_clear_pointer(&point->rate, tinker_expression_unref);
+    g_clear_pointer(&point->arm_x, tinker_expression_unref);
+    g_clear_pointer(&point->arm_y, tinker_expression_unref);
 }
 
 static void point_copy(TinkerPointSymbols *to, const TinkerPointSymbols *from)
 {
-    *to = (TinkerPointSymbols){from->block, tinker_expression_ref(from->x), tinker_expression_ref(from->y),
-                               tinker_expression_ref(from->vx), tinker_expression_ref(from->vy)};
+    *to = (TinkerPointSymbols){.block = from->block,
+                               .x = tinker_expression_ref(from->x),
+                               .y = tinker_expression_ref(from->y),
+                               .vx = tinker_expression_ref(from->vx),
+                               .vy = tinker_expression_ref(from->vy),
+                               .angle = tinker_expression_ref(from->angle),
+                               .rate = tinker_expression_ref(from->rate)};
 }
 
 static void point_free(void *data)
@@ -123,7 +132,9 @@ static const TinkerPointSymbols *centre_of(TinkerEquationWriter *writer, TinkerB
         define_moved(writer, support, stems[axis], start, displacement[axis], &place[axis], &rate[axis]);
     }
     TinkerPointSymbols *point = g_new(TinkerPointSymbols, 1);
-    *point = (TinkerPointSymbols){-1, place[0], place[1], rate[0], rate[1]};
+    *point = (TinkerPointSymbols){.block = -1, .x = place[0], .y = place[1], .vx = rate[0], .vy = rate[1]};
+    point->angle = tinker_writer_meaning(writer, support, TINKER_MEANING_ORIENTATION, 0, "φ");
+    point->rate = tinker_expression_number(0);
     g_hash_table_insert(writer->points, GINT_TO_POINTER(support), point);
     return point;
 }
@@ -140,41 +151,101 @@ static TinkerExpression *offset(TinkerEquationWriter *writer, TinkerBlockId conn
     return tinker_writer_symbol(writer, name, connector, value, tinker_length_dimension, key, NULL);
 }
 
-/* Turns the offset (a, b) by the block's angle and adds it to the point. Uses a and b up. */
-static void add_offset(TinkerEquationWriter *writer, TinkerPointSymbols *point, TinkerBlockId block,
-                       TinkerExpression *a, TinkerExpression *b)
+/* The offset (a, b) turned by an angle. Uses a and b up; fills both components (transfer full). */
+static void turn_offset(const TinkerExpression *angle, TinkerExpression *a, TinkerExpression *b,
+                        TinkerExpression *turned[2])
 {
-    g_autoptr(TinkerExpression) angle = tinker_writer_meaning(writer, block, TINKER_MEANING_ORIENTATION, 0, "φ");
     TinkerExpression *c[2], *s[2];
     for (int i = 0; i < 2; i++) {
         c[i] = tinker_expression_call("cos", tinker_expression_ref(angle));
         s[i] = tinker_expression_call("sin", tinker_expression_ref(angle));
     }
     TinkerExpression *a_again = tinker_expression_ref(a), *b_again = tinker_expression_ref(b);
-    point->x = tinker_expression_plus(
-        point->x, tinker_expression_minus(tinker_expression_times(a, c[0]), tinker_expression_times(b, s[0])));
-    point->y = tinker_expression_plus(point->y, tinker_expression_plus(tinker_expression_times(a_again, s[1]),
-                                                                       tinker_expression_times(b_again, c[1])));
+    turned[0] = tinker_expression_minus(tinker_expression_times(a, c[0]), tinker_expression_times(b, s[0]));
+    turned[1] = tinker_expression_plus(tinker_expression_times(a_again, s[1]), tinker_expression_times(b_again, c[1]));
+}
+
+static TinkerExpression *state_of(const TinkerEquationWriter *writer, TinkerBlockId body, const char *quantity)
+{
+    g_autofree char *symbol = g_strconcat(tinker_scene_block_name(writer->scene, body), ".", quantity, NULL);
+    return tinker_expression_symbol(symbol);
+}
+
+/* A definition of a connector's end on a body, which slopes take as it stands. */
+static TinkerExpression *define_of_end(TinkerEquationWriter *writer, TinkerBlockId connector, const char *index,
+                                       const char *stem, int dots, int axis, const char *means, TinkerExpression *is)
+{
+    static const char *const components[] = {"x", "y"};
+    const TinkerDimension dimension = dots == 0 ? tinker_length_dimension : tinker_velocity_dimension;
+    const char *name = tinker_writer_indexed_name(writer, connector, stem, index, dots, components[axis]);
+    g_hash_table_add(writer->places, g_strdup(name));
+    return tinker_writer_define(writer, name, connector, dimension, means, is, FALSE);
+}
+
+/* A point off the centre of a body that turns: its arm r, its place, and its velocity v + omega x r. */
+static void add_arm(TinkerEquationWriter *writer, TinkerPointSymbols *point, TinkerBlockId connector, int32_t number,
+                    const TinkerSceneEnd *end)
+{
+    const char *of_connector = tinker_writer_index(writer, connector);
+    g_autofree char *index = g_strdup_printf("%s%s%d", of_connector, of_connector[0] != '\0' ? "," : "", number + 1);
+    TinkerExpression *arm[2], **const places[] = {&point->x, &point->y}, **const rates[] = {&point->vx, &point->vy};
+    turn_offset(point->angle, offset(writer, connector, number, end->x, TRUE),
+                offset(writer, connector, number, end->y, FALSE), arm);
+    for (int axis = 0; axis < 2; axis++)
+        arm[axis] = define_of_end(writer, connector, index, "r", 0, axis, "arm from the centre of mass", arm[axis]);
+    for (int axis = 0; axis < 2; axis++) {
+        TinkerExpression *const along = tinker_expression_ref(arm[1 - axis]);
+        TinkerExpression *turning = tinker_expression_times(tinker_expression_ref(point->rate), along);
+        if (axis == 0) turning = tinker_expression_negated(turning);
+        *places[axis] = define_of_end(writer, connector, index, "p", 0, axis, "where its end is",
+                                      tinker_expression_plus(*places[axis], tinker_expression_ref(arm[axis])));
+        *rates[axis] = define_of_end(writer, connector, index, "p", 1, axis, "velocity of that end",
+                                     tinker_expression_plus(*rates[axis], turning));
+    }
+    point->arm_x = arm[0];
+    point->arm_y = arm[1];
 }
 
 void tinker_writer_end(TinkerEquationWriter *writer, TinkerBlockId connector, int32_t number, TinkerPointSymbols *point)
 {
     const TinkerSceneEnd end = tinker_scene_end(writer->scene, connector, number);
-    if (g_hash_table_contains(writer->body_of, GINT_TO_POINTER(end.block))) {
-        const char *name = tinker_scene_block_name(writer->scene, end.block);
-        static const char *const quantities[] = {"x", "y", "vx", "vy"};
-        TinkerExpression *parts[4];
-        for (int i = 0; i < 4; i++) {
-            g_autofree char *symbol = g_strconcat(name, ".", quantities[i], NULL);
-            parts[i] = tinker_expression_symbol(symbol);
-        }
-        *point = (TinkerPointSymbols){end.block, parts[0], parts[1], parts[2], parts[3]};
+    const TinkerBodyEquation *body = g_hash_table_lookup(writer->body_of, GINT_TO_POINTER(end.block));
+    if (body != NULL) {
+        const gboolean turns = body->inertia != NULL;
+        *point = (TinkerPointSymbols){.block = end.block,
+                                      .x = state_of(writer, end.block, "x"),
+                                      .y = state_of(writer, end.block, "y"),
+                                      .vx = state_of(writer, end.block, "vx"),
+                                      .vy = state_of(writer, end.block, "vy")};
+        point->angle = turns ? state_of(writer, end.block, "angle") : tinker_expression_number(0);
+        point->rate = turns ? state_of(writer, end.block, "rate") : tinker_expression_number(0);
+        if (turns && (end.x != 0 || end.y != 0)) add_arm(writer, point, connector, number, &end);
         return;
     }
     point_copy(point, centre_of(writer, end.block));
     if (end.x == 0 && end.y == 0) return;
-    add_offset(writer, point, end.block, offset(writer, connector, number, end.x, TRUE),
-               offset(writer, connector, number, end.y, FALSE));
+    TinkerExpression *turned[2];
+    turn_offset(point->angle, offset(writer, connector, number, end.x, TRUE),
+                offset(writer, connector, number, end.y, FALSE), turned);
+    point->x = tinker_expression_plus(point->x, turned[0]);
+    point->y = tinker_expression_plus(point->y, turned[1]);
+}
+
+TinkerExpression *tinker_writer_start(TinkerEquationWriter *writer, TinkerBlockId connector, int32_t number,
+                                      char quantity)
+{
+    static const char *const stems[] = {"x0", "y0", "θ0"}, *const means[] = {"x at the start", "y at the start",
+                                                                             "angle at the start"};
+    const TinkerSceneEnd end = tinker_scene_end(writer->scene, connector, number);
+    const TinkerDimension dimension = quantity == 't' ? tinker_angle_dimension : tinker_length_dimension;
+    const int which = quantity == 'x' ? 0 : quantity == 'y' ? 1 : 2;
+    double at[3], centre[2];
+    tinker_frame_end(writer->start, end, at);
+    tinker_frame_centre(writer->start, end.block, &centre[0], &centre[1], &at[2]);
+    const char *of_connector = tinker_writer_index(writer, connector);
+    g_autofree char *index = g_strdup_printf("%s%s%d", of_connector, of_connector[0] != '\0' ? "," : "", number + 1);
+    const char *name = tinker_writer_indexed_name(writer, connector, stems[which], index, 0, NULL);
+    return tinker_writer_symbol(writer, name, connector, at[which], dimension, NULL, means[which]);
 }
 
 GHashTable *tinker_writer_points_new(void)

@@ -10,7 +10,8 @@
 
 const TinkerDimension tinker_length_dimension = {0, 1, 0, 0}, tinker_velocity_dimension = {0, 1, -1, 0},
                       tinker_force_dimension = {1, 1, -2, 0}, tinker_mass_dimension = {1, 0, 0, 0},
-                      tinker_pure_dimension = {0, 0, 0, 0};
+                      tinker_pure_dimension = {0, 0, 0, 0}, tinker_torque_dimension = {1, 2, -2, 0},
+                      tinker_angle_dimension = {0, 0, 0, 1};
 
 static void keep_value(TinkerEquationWriter *writer, const char *name, double value)
 {
@@ -87,12 +88,17 @@ typedef struct {
     const char *by;
 } Derivative;
 
-/* The velocity of a body's place: "Mass 0.x" to "Mass 0.vx". */
+/* The velocity of a body's place: "Mass 0.x" to "Mass 0.vx", "Bar 0.angle" to "Bar 0.rate". */
 static TinkerExpression *velocity_of(const TinkerEquationWriter *writer, const char *symbol)
 {
     const char *dot = strrchr(symbol, '.');
-    if (dot == NULL || (strcmp(dot, ".x") != 0 && strcmp(dot, ".y") != 0)) return NULL;
-    g_autofree char *velocity = g_strdup_printf("%.*s.v%s", (int)(dot - symbol), symbol, dot + 1);
+    if (dot == NULL) return NULL;
+    const char *rate = strcmp(dot, ".x") == 0       ? "vx"
+                       : strcmp(dot, ".y") == 0     ? "vy"
+                       : strcmp(dot, ".angle") == 0 ? "rate"
+                                                    : NULL;
+    if (rate == NULL) return NULL;
+    g_autofree char *velocity = g_strdup_printf("%.*s.%s", (int)(dot - symbol), symbol, rate);
     return g_hash_table_contains(writer->equations->values, velocity) ? tinker_expression_symbol(velocity) : NULL;
 }
 
@@ -103,6 +109,7 @@ static TinkerExpression *derivative_of(const char *symbol, void *data)
         return tinker_expression_number(1);
     const TinkerEquationDefinition *definition = g_hash_table_lookup(asked->writer->by_name, symbol);
     if (definition == NULL) return asked->by == NULL ? velocity_of(asked->writer, symbol) : NULL;
+    if (asked->by != NULL && g_hash_table_contains(asked->writer->places, symbol)) return NULL;
     TinkerExpression *found = tinker_expression_derivative(definition->is, derivative_of, data);
     /* that of a distance L has L below the line, which has a name */
     const gboolean negative = found->kind == TINKER_EXPRESSION_NEGATIVE;

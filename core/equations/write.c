@@ -1,6 +1,7 @@
 /* Newton's equations as a page: body by body, then the laws, the constraints, and the values. */
 #include "equations/write.h"
 
+#include <stddef.h>
 #include <string.h>
 
 #include "equations/page-private.h"
@@ -19,73 +20,98 @@ static const char *name_of(const TinkerEquations *equations, TinkerBlockId block
     return tinker_scene_block_name(equations->scene, block);
 }
 
-/* The sum of the terms along one axis. (transfer full) */
-static TinkerExpression *sum_of(const TinkerBodyEquation *body, gboolean along_x)
+/* One of the equations of a body. */
+typedef struct {
+    const char *coordinate; /* of its state */
+    gsize member;           /* of a term */
+    TinkerDimension dimension;
+} Component;
+
+static const Component components[] = {
+    {"x", offsetof(TinkerTerm, x), {1, 1, -2, 0}},
+    {"y", offsetof(TinkerTerm, y), {1, 1, -2, 0}},
+    {"angle", offsetof(TinkerTerm, torque), {1, 2, -2, 0}},
+};
+
+/* Those that a body has. */
+static gsize count_components(const TinkerBodyEquation *body)
+{
+    return body->inertia != NULL ? 3 : 2;
+}
+
+static TinkerExpression *part_of(const TinkerTerm *term, const Component *component)
+{
+    return *(TinkerExpression *const *)(const void *)((const char *)term + component->member);
+}
+
+/* The sum of the terms. (transfer full) */
+static TinkerExpression *sum_of(const TinkerBodyEquation *body, const Component *component)
 {
     TinkerExpression *sum = tinker_expression_number(0);
     for (guint i = 0; i < body->terms->len; i++) {
         const TinkerTerm *term = &g_array_index(body->terms, TinkerTerm, i);
-        sum = tinker_expression_plus(sum, tinker_expression_ref(along_x ? term->x : term->y));
+        sum = tinker_expression_plus(sum, tinker_expression_ref(part_of(term, component)));
     }
     return sum;
 }
 
-/* m x with two dots; the mass is a symbol or a number. */
-static char *left_side(const TinkerPage *page, const TinkerBodyEquation *body, const char *coordinate)
+/* m x, or I θ, with two dots; the mass is a symbol or a number. */
+static char *left_side(const TinkerPage *page, const TinkerBodyEquation *body, const Component *component)
 {
     static const char *const between[] = {" ", "\\,", "<mo>&#x2062;</mo>"};
-    g_autofree char *state = g_strconcat(name_of(page->equations, body->block), ".", coordinate, NULL);
-    g_autofree char *mass = tinker_page_expression(page, body->mass);
+    const gboolean turning = component->dimension.length == 2;
+    g_autofree char *state = g_strconcat(name_of(page->equations, body->block), ".", component->coordinate, NULL);
+    g_autofree char *mass = tinker_page_expression(page, turning ? body->inertia : body->mass);
     g_autofree char *acceleration = tinker_page_derivative(page, state, 2);
     return g_strconcat(mass, between[page->format], acceleration, NULL);
 }
 
 /* "Gravity + Spring 0": who acts. */
-static char *names_of_terms(const TinkerEquations *equations, const TinkerBodyEquation *body, gboolean along_x)
+static char *names_of_terms(const TinkerEquations *equations, const TinkerBodyEquation *body,
+                            const Component *component)
 {
     GString *names = g_string_new(NULL);
     TinkerBlockId last = -1;
     for (guint i = 0; i < body->terms->len; i++) {
         const TinkerTerm *term = &g_array_index(body->terms, TinkerTerm, i);
-        if (tinker_expression_is_number(along_x ? term->x : term->y, 0) || term->block == last) continue;
+        if (tinker_expression_is_number(part_of(term, component), 0) || term->block == last) continue;
         g_string_append_printf(names, "%s%s", names->len > 0 ? " + " : "", name_of(equations, term->block));
         last = term->block;
     }
-    if (names->len == 0) g_string_append(names, "no force");
+    if (names->len == 0) g_string_append(names, component->dimension.length == 2 ? "no torque" : "no force");
     return g_string_free(names, FALSE);
 }
 
-static void write_component(TinkerPage *page, const TinkerBodyEquation *body, const char *coordinate, gboolean values)
+/* The equation with numbers, term by term. */
+static void write_values(TinkerPage *page, const TinkerBodyEquation *body, const Component *component,
+                         const TinkerExpression *sum)
 {
-    static const TinkerDimension force = {1, 1, -2, 0};
-    const gboolean along_x = coordinate[0] == 'x';
-    g_autoptr(TinkerExpression) sum = sum_of(body, along_x);
-    tinker_page_equation(page, left_side(page, body, coordinate), tinker_page_expression(page, sum),
-                         names_of_terms(page->equations, body, along_x));
-    if (!values) return;
-    /* the same with numbers, term by term */
-    TinkerExpression *numbers = tinker_expression_number(0);
-    g_autoptr(GPtrArray) parts = g_ptr_array_new();
+    g_autoptr(GPtrArray) parts = g_ptr_array_new_with_free_func((GDestroyNotify)tinker_expression_unref);
     for (guint i = 0; i < body->terms->len; i++) {
-        const TinkerTerm *term = &g_array_index(body->terms, TinkerTerm, i);
-        const TinkerExpression *part = along_x ? term->x : term->y;
-        if (tinker_expression_is_number(part, 0)) continue;
-        g_ptr_array_add(parts, tinker_expression_number(tinker_equations_value(page->equations, part)));
+        const TinkerExpression *part = part_of(&g_array_index(body->terms, TinkerTerm, i), component);
+        if (!tinker_expression_is_number(part, 0))
+            g_ptr_array_add(parts, tinker_expression_number(tinker_equations_value(page->equations, part)));
     }
+    char *total = tinker_page_quantity(page, tinker_equations_value(page->equations, sum), component->dimension);
     if (parts->len > 1) {
-        tinker_expression_unref(numbers);
-        numbers = tinker_expression_node(TINKER_EXPRESSION_SUM, NULL, (TinkerExpression *const *)parts->pdata,
-                                         (int)parts->len);
-        g_autofree char *terms = tinker_page_expression(page, numbers);
-        g_autofree char *total = tinker_page_quantity(page, tinker_equations_value(page->equations, sum), force);
+        for (guint i = 0; i < parts->len; i++)
+            tinker_expression_ref(g_ptr_array_index(parts, i));
+        g_autoptr(TinkerExpression) numbers = tinker_expression_node(
+            TINKER_EXPRESSION_SUM, NULL, (TinkerExpression *const *)parts->pdata, (int)parts->len);
+        g_autofree char *terms = tinker_page_expression(page, numbers), *last = total;
         const char *equals = page->format == TINKER_TYPESET_MATHML ? "<mo>=</mo>" : " = ";
-        tinker_page_equation(page, left_side(page, body, coordinate), g_strconcat(terms, equals, total, NULL), NULL);
-    } else {
-        if (parts->len == 1) tinker_expression_unref(g_ptr_array_index(parts, 0));
-        tinker_page_equation(page, left_side(page, body, coordinate),
-                             tinker_page_quantity(page, tinker_equations_value(page->equations, sum), force), NULL);
+        total = g_strconcat(terms, equals, last, NULL);
     }
-    tinker_expression_unref(numbers);
+    tinker_page_equation(page, left_side(page, body, component), total, NULL);
+}
+
+static void write_component(TinkerPage *page, const TinkerBodyEquation *body, const Component *component,
+                            gboolean values)
+{
+    g_autoptr(TinkerExpression) sum = sum_of(body, component);
+    tinker_page_equation(page, left_side(page, body, component), tinker_page_expression(page, sum),
+                         names_of_terms(page->equations, body, component));
+    if (values) write_values(page, body, component, sum);
 }
 
 /* (transfer full) */
@@ -96,10 +122,11 @@ static GHashTable *needed_names(const TinkerEquations *equations, const TinkerEq
         const TinkerBodyEquation *body = g_ptr_array_index(equations->bodies, i);
         if (!is_shown(shown, body->block)) continue;
         tinker_equations_mark(equations, body->mass, needed);
-        for (guint k = 0; k < body->terms->len; k++) {
-            tinker_equations_mark(equations, g_array_index(body->terms, TinkerTerm, k).x, needed);
-            tinker_equations_mark(equations, g_array_index(body->terms, TinkerTerm, k).y, needed);
-        }
+        if (body->inertia != NULL) tinker_equations_mark(equations, body->inertia, needed);
+        for (guint k = 0; k < body->terms->len; k++)
+            for (gsize c = 0; c < count_components(body); c++)
+                tinker_equations_mark(equations, part_of(&g_array_index(body->terms, TinkerTerm, k), &components[c]),
+                                      needed);
     }
     for (guint i = 0; i < equations->constraints->len; i++) {
         const TinkerConstraintEquation *row = g_ptr_array_index(equations->constraints, i);
@@ -122,7 +149,11 @@ static void write_constraints(TinkerPage *page, GHashTable *needed)
         g_autofree char *plain =
             page->format == TINKER_TYPESET_TEXT ? g_strdup_printf(" (unknown force %s)", multiplier) : g_strdup("");
         tinker_page_equation(page, tinker_page_expression(page, zero), tinker_page_expression(page, row->g),
-                             g_strconcat(name_of(equations, row->block), plain, row->active ? "" : ", slack", NULL));
+                             g_strconcat(name_of(equations, row->block), plain,
+                                         !row->active     ? ", slack"
+                                         : row->redundant ? ", one of those that share the load: least norm"
+                                                          : "",
+                                         NULL));
     }
 }
 
@@ -147,8 +178,8 @@ char *tinker_equations_write(const TinkerEquations *equations, const TinkerEquat
         const TinkerBodyEquation *body = g_ptr_array_index(equations->bodies, i);
         if (!is_shown(shown, body->block)) continue;
         tinker_page_heading(&page, name_of(equations, body->block));
-        write_component(&page, body, "x", shown->values);
-        write_component(&page, body, "y", shown->values);
+        for (gsize c = 0; c < count_components(body); c++)
+            write_component(&page, body, &components[c], shown->values);
     }
     g_autoptr(GHashTable) needed = needed_names(equations, shown);
     write_constraints(&page, needed);

@@ -7,24 +7,37 @@
 #include "scene/frame/frame.h"
 
 extern const TinkerDimension tinker_length_dimension, tinker_velocity_dimension, tinker_force_dimension,
-    tinker_mass_dimension, tinker_pure_dimension;
+    tinker_mass_dimension, tinker_pure_dimension, tinker_torque_dimension, tinker_angle_dimension;
 
 typedef struct {
     TinkerEquations *equations;
     TinkerScene *scene;
     const TinkerModelState *state;
-    TinkerFrame *frame;  /* the scene as placed, for the columns of blocks */
+    TinkerFrame *frame;  /* at the state's time, for the columns of blocks and supports that nobody describes */
+    TinkerFrame *start;  /* as placed */
     GHashTable *indices; /* block to char *: its number among those of its group */
     GHashTable *stems;   /* stem to how many blocks use it */
     GHashTable *by_name; /* name to TinkerEquationDefinition */
     GHashTable *points;  /* block of a support to its TinkerPointSymbols */
     GHashTable *body_of; /* block of a body to its TinkerBodyEquation */
+    GHashTable *places;  /* names of definitions that say where points of bodies are: slopes by a place or an angle
+                            take these as they stand */
+    GArray *slopes;      /* of TinkerRowSlope */
 } TinkerEquationWriter;
+
+/* What a constraint row does to a body: its slopes by x, y and angle, each over the root of what is moved. */
+typedef struct {
+    guint row; /* number of the constraint equation */
+    TinkerBlockId body;
+    double slope[3];
+} TinkerRowSlope;
 
 /* A place and its velocity; each is owned. */
 typedef struct {
     TinkerBlockId block; /* of a body that can move; -1: of none */
     TinkerExpression *x, *y, *vx, *vy;
+    TinkerExpression *angle, *rate;  /* of what it is on; 0 of a point mass */
+    TinkerExpression *arm_x, *arm_y; /* from the centre of a body that turns; NULL at the centre, and of others */
 } TinkerPointSymbols;
 
 void tinker_point_symbols_clear(TinkerPointSymbols *point);
@@ -87,6 +100,8 @@ typedef struct {
 } TinkerLawUse;
 
 void tinker_law_use_init(TinkerLawUse *use, TinkerBlockId block, const TinkerBlockLaw *law);
+/* Gives the symbols of ends that the law names their meaning. */
+void tinker_law_use_set_ends(TinkerEquationWriter *writer, TinkerLawUse *use, const GArray *points);
 void tinker_law_use_clear(TinkerLawUse *use);
 void tinker_law_use_set(TinkerLawUse *use, const char *symbol, const TinkerExpression *meaning);
 TinkerExpression *tinker_law_use_equation(TinkerEquationWriter *writer, TinkerLawUse *use, const char *wanted);
@@ -103,11 +118,20 @@ void tinker_writer_centre(TinkerEquationWriter *writer, TinkerBlockId support, T
 void tinker_writer_end(TinkerEquationWriter *writer, TinkerBlockId connector, int32_t number,
                        TinkerPointSymbols *point);
 
+/* Of all ends. Element: TinkerPointSymbols. (transfer full) */
+GArray *tinker_writer_ends(TinkerEquationWriter *writer, TinkerBlockId block);
+
+/* What an end had at the start, as a symbol: its 'x', 'y', or its 't'urn. (transfer full) */
+TinkerExpression *tinker_writer_start(TinkerEquationWriter *writer, TinkerBlockId connector, int32_t number,
+                                      char quantity);
+
 /* Terms ----------------------------------------------------------------------------------------------------------- */
 
-/* Adds to a body's equation; takes x and y over. Nothing where both are 0, or where the block is no body. */
-void tinker_writer_add_term(TinkerEquationWriter *writer, TinkerBlockId body, TinkerBlockId by, TinkerTermKind kind,
-                            TinkerExpression *x, TinkerExpression *y);
+/* Adds to the equation of the body at a point; takes x, y and torque (NULL: none beside that of the force) over.
+ * Nothing where all are 0, or where the point is on no body. */
+void tinker_writer_add_term(TinkerEquationWriter *writer, const TinkerPointSymbols *at, TinkerBlockId by,
+                            TinkerTermKind kind, TinkerExpression *x, TinkerExpression *y, TinkerExpression *torque);
+void tinker_term_clear(void *term);
 
 /* A block acts and does not say how: symbols for its forces on each body. */
 void tinker_writer_add_unwritten(TinkerEquationWriter *writer, TinkerBlockId block, TinkerTermKind kind,
@@ -131,5 +155,15 @@ TinkerExpression *tinker_writer_length(TinkerEquationWriter *writer, TinkerBlock
  * symbol. (transfer full) */
 void tinker_writer_add_row(TinkerEquationWriter *writer, TinkerBlockId block, TinkerExpression *g,
                            TinkerDimension dimension, const char *multiplier, gboolean active);
+
+/* Says of the row that was added last what it does to a body. */
+void tinker_writer_note_slope(TinkerEquationWriter *writer, TinkerBlockId body, const double slope[3]);
+
+/* Marks the active rows that depend on each other. */
+void tinker_writer_mark_redundant(TinkerEquationWriter *writer);
+
+/* For who writes equations of another form: a line between the two ends. */
+void tinker_writer_keep_line(GPtrArray *list, TinkerBlockId block, const GArray *points, const TinkerExpression *length,
+                             const TinkerExpression *rate, const TinkerExpression *tension);
 
 #endif

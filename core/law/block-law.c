@@ -3,10 +3,12 @@
 
 #include <string.h>
 
+#include "law/build.h"
 #include "units/waveform.h"
 
 static const TinkerDimension length = {0, 1, 0, 0}, velocity = {0, 1, -1, 0}, seconds = {0, 0, 1, 0},
-                             kilograms = {1, 0, 0, 0};
+                             kilograms = {1, 0, 0, 0}, angle = {0, 0, 0, 1}, angular_velocity = {0, 0, -1, 1},
+                             pure = {0, 0, 0, 0};
 
 TinkerLawRole tinker_law_role(const TinkerBlockClass *block_class)
 {
@@ -31,24 +33,48 @@ static void clear_definition(void *data)
 
 static void add_symbol(TinkerBlockLaw *law, char *name, TinkerDimension dimension)
 {
-    const TinkerLawSymbol symbol = {.name = name, .property = -1, .column = -1, .dimension = dimension};
+    const TinkerLawSymbol symbol = {.name = name, .property = -1, .column = -1, .end = -1, .dimension = dimension};
     g_array_append_val(law->symbols, symbol);
 }
 
-static void add_point(TinkerBlockLaw *law, const char *number, gboolean moves)
+static void add_point(TinkerBlockLaw *law, const char *number)
 {
     add_symbol(law, g_strconcat("x", number, NULL), length);
     add_symbol(law, g_strconcat("y", number, NULL), length);
-    if (!moves) return;
     add_symbol(law, g_strconcat("vx", number, NULL), velocity);
     add_symbol(law, g_strconcat("vy", number, NULL), velocity);
 }
 
-static void add_ends(TinkerBlockLaw *law, int32_t ends, gboolean move)
+static void add_ends(TinkerBlockLaw *law, int32_t ends)
 {
+    const struct {
+        const char *quantity, *stem, *behind;
+        gboolean of_force, of_constraint;
+        TinkerDimension dimension;
+    } known[] = {
+        {"x", "x", "", TRUE, TRUE, length},
+        {"y", "y", "", TRUE, TRUE, length},
+        {"vx", "vx", "", TRUE, FALSE, velocity},
+        {"vy", "vy", "", TRUE, FALSE, velocity},
+        {"theta", "theta", "", TRUE, TRUE, angle},
+        {"omega", "omega", "", TRUE, FALSE, angular_velocity},
+        {"turns", "turns", "", TRUE, TRUE, pure},
+        {"x_start", "x", "_start", FALSE, TRUE, length},
+        {"y_start", "y", "_start", FALSE, TRUE, length},
+        {"theta_start", "theta", "_start", FALSE, TRUE, angle},
+    };
     for (int32_t i = 0; i < ends; i++) {
         g_autofree char *number = ends == 1 ? g_strdup("") : g_strdup_printf("%d", i + 1);
-        add_point(law, number, move);
+        for (gsize k = 0; k < G_N_ELEMENTS(known); k++) {
+            if (law->role == TINKER_LAW_FORCE ? !known[k].of_force : !known[k].of_constraint) continue;
+            const TinkerLawSymbol symbol = {.name = g_strconcat(known[k].stem, number, known[k].behind, NULL),
+                                            .property = -1,
+                                            .column = -1,
+                                            .end = i,
+                                            .quantity = known[k].quantity,
+                                            .dimension = known[k].dimension};
+            g_array_append_val(law->symbols, symbol);
+        }
     }
 }
 
@@ -57,13 +83,12 @@ static void add_role(TinkerBlockLaw *law, const TinkerBlockClass *block_class, i
     add_symbol(law, g_strdup("t"), seconds);
     if (law->role == TINKER_LAW_LINE || law->role == TINKER_LAW_CONSTRAINT) add_symbol(law, g_strdup("L"), length);
     if (law->role == TINKER_LAW_LINE) add_symbol(law, g_strdup("rate"), velocity);
-    if (law->role == TINKER_LAW_FORCE) add_ends(law, ends, TRUE);
-    if (law->role == TINKER_LAW_CONSTRAINT) add_ends(law, ends, FALSE);
+    if (law->role == TINKER_LAW_FORCE || law->role == TINKER_LAW_CONSTRAINT) add_ends(law, ends);
     if (law->role != TINKER_LAW_FIELD) return;
-    add_point(law, "", TRUE);
+    add_point(law, "");
     add_symbol(law, g_strdup("m"), kilograms);
     if (!block_class->physics->field->couples_bodies) return;
-    add_point(law, "2", TRUE);
+    add_point(law, "2");
     add_symbol(law, g_strdup("m2"), kilograms);
 }
 
@@ -80,6 +105,7 @@ static void add_property(TinkerBlockLaw *law, const TinkerBlockClass *block_clas
             .property = number,
             .column = block_class->first_columns[number] + component,
             .component = behind[0],
+            .end = -1,
             .at_time = property->kind == TINKER_KIND_WAVEFORM,
             .dimension = property->dimension,
         };
@@ -148,13 +174,26 @@ void tinker_block_law_free(TinkerBlockLaw *law)
     g_free(law);
 }
 
-const TinkerExpression *tinker_block_law_find(const TinkerBlockLaw *law, const char *symbol)
+const TinkerLawDefinition *tinker_block_law_definition(const TinkerBlockLaw *law, const char *symbol)
 {
     for (guint i = 0; i < law->definitions->len; i++) {
         const TinkerLawDefinition *definition = &g_array_index(law->definitions, TinkerLawDefinition, i);
-        if (strcmp(definition->symbol, symbol) == 0) return definition->is;
+        if (strcmp(definition->symbol, symbol) == 0) return definition;
     }
     return NULL;
+}
+
+const TinkerExpression *tinker_block_law_find(const TinkerBlockLaw *law, const char *symbol)
+{
+    const TinkerLawDefinition *definition = tinker_block_law_definition(law, symbol);
+    return definition != NULL ? definition->is : NULL;
+}
+
+gboolean tinker_block_law_names(const TinkerBlockLaw *law, const char *symbol)
+{
+    for (guint i = 0; i < law->definitions->len; i++)
+        if (tinker_expression_uses(g_array_index(law->definitions, TinkerLawDefinition, i).is, symbol)) return TRUE;
+    return FALSE;
 }
 
 const TinkerLawSymbol *tinker_block_law_symbol(const TinkerBlockLaw *law, const char *name)
@@ -172,7 +211,10 @@ gboolean tinker_law_is_step(const char *symbol)
                                         "displacement_x", "displacement_y", "pair_force_x",
                                         "pair_force_y",   "pair_potential", NULL};
     if (g_strv_contains(asked, symbol)) return FALSE;
-    if (g_str_has_prefix(symbol, "force_x") || g_str_has_prefix(symbol, "force_y"))
-        return strspn(symbol + strlen("force_x"), "0123456789") != strlen(symbol + strlen("force_x"));
+    static const char *const counted[] = {"force_x", "force_y", "torque"};
+    for (gsize i = 0; i < G_N_ELEMENTS(counted); i++)
+        if (g_str_has_prefix(symbol, counted[i]) &&
+            strspn(symbol + strlen(counted[i]), "0123456789") == strlen(symbol + strlen(counted[i])))
+            return FALSE;
     return symbol[0] != 'g' || strspn(symbol + 1, "0123456789") != strlen(symbol + 1);
 }

@@ -19,10 +19,12 @@ TinkerLawRole tinker_law_role(const TinkerBlockClass *block_class);
 /* Something that a law may name. */
 typedef struct {
     char *name;
-    int32_t property; /* of the class; -1: it belongs to the role */
-    int32_t column;   /* of the property's value */
-    char component;   /* 'x' or 'y' of a vector; 0: the property is none */
-    gboolean at_time; /* a waveform: its value at t */
+    int32_t property;     /* of the class; -1: it belongs to the role */
+    int32_t column;       /* of the property's value */
+    char component;       /* 'x' or 'y' of a vector; 0: the property is none */
+    gboolean at_time;     /* a waveform: its value at t */
+    int32_t end;          /* of an end: its number, from 0; else -1 */
+    const char *quantity; /* of an end: "x", "y", "vx", "vy", "theta", "omega", "turns", "x_start", ...; static */
     TinkerDimension dimension;
 } TinkerLawSymbol;
 
@@ -47,6 +49,12 @@ G_DEFINE_AUTOPTR_CLEANUP_FUNC(TinkerBlockLaw, tinker_block_law_free)
 
 /* What an equation says of its symbol; NULL where there is none. Borrowed. */
 const TinkerExpression *tinker_block_law_find(const TinkerBlockLaw *law, const char *symbol);
+
+/* The whole of it. */
+const TinkerLawDefinition *tinker_block_law_definition(const TinkerBlockLaw *law, const char *symbol);
+
+/* Whether an equation uses a symbol. */
+gboolean tinker_block_law_names(const TinkerBlockLaw *law, const char *symbol);
 
 const TinkerLawSymbol *tinker_block_law_symbol(const TinkerBlockLaw *law, const char *name);
 

@@ -70,6 +70,11 @@ static const TinkerPropertyType properties[] = {
      .description = "Its coefficient; friction of pins is not worked out yet, so it is 0"},
 };
 
+static const TinkerLawEquation law[] = {
+    TINKER_EQUATION("g1", "x2 - x1", NULL, TINKER_DIMENSION_LENGTH),
+    TINKER_EQUATION("g2", "y2 - y1", NULL, TINKER_DIMENSION_LENGTH),
+};
+
 static const TinkerQuantityType quantities[] = {
     TINKER_QUANTITY(TINKER_RECORDED, "force x", "X Force", "Horizontal force on its first end", TINKER_DIMENSION_FORCE),
     TINKER_QUANTITY(TINKER_RECORDED, "force y", "Y Force", "Vertical force on its first end", TINKER_DIMENSION_FORCE),
@@ -98,7 +103,7 @@ static const TinkerBlockType blocks[] = {
     {TINKER_BLOCK("pin", "Pin", TINKER_CONNECTOR), .summary = "Holds two points together and lets them turn",
      .formula = "x2 = x1", .least_ends = 2, .most_ends = 2, .end_accepts = TINKER_ACCEPTS_BODY | TINKER_ACCEPTS_SUPPORT,
      .properties = TINKER_SPAN(properties), .quantities = TINKER_SPAN(quantities),
-     .interfaces = TINKER_SPAN(interfaces)},
+     .interfaces = TINKER_SPAN(interfaces), .law = TINKER_SPAN(law)},
 };
 
 TINKER_DEFINE_PLUGIN("org.tinker.pin", "Pin", "0.1.0", "MIT", blocks)

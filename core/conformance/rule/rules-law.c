@@ -2,7 +2,6 @@
  * together, and with forces that are minus the gradient of the potential where it states one. */
 #include <float.h>
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "conformance/probe/state.h"
@@ -25,27 +24,26 @@ typedef struct {
     GRand *shake; /* NULL: exactly there */
 } Place;
 
-static double of_point(const TinkerPoint *point, const double origin[2], char quantity, gboolean velocity)
+/* x, y, vx, vy of a point; places are in the world. */
+static double of_point(const Place *place, const TinkerPoint *point, const char *quantity)
 {
-    if (velocity) return quantity == 'x' ? point->vx : point->vy;
-    return quantity == 'x' ? point->x + origin[0] : point->y + origin[1];
+    const KitState *state = place->state;
+    const gboolean velocity = quantity[0] == 'v', along_x = quantity[velocity ? 1 : 0] == 'x';
+    const int axis = along_x ? 0 : 1;
+    if (velocity) return place->at_rest ? 0 : along_x ? point->vx : point->vy;
+    /* the points of fields are in the world already */
+    const double origin = place->law->role == TINKER_LAW_FIELD ? 0 : state->origin[axis];
+    return (along_x ? point->x : point->y) + origin;
 }
 
-/* x, y, vx, vy with or without a number. */
-static double of_place(const Place *place, const char *symbol)
+/* What the role has for an end. Ends of the kit are on point masses, which have no angle and do not turn. */
+static double of_end(const Place *place, const TinkerLawSymbol *symbol)
 {
-    static const double nowhere[2] = {0, 0};
     const KitState *state = place->state;
-    const gboolean velocity = symbol[0] == 'v';
-    const char *digits = symbol + (velocity ? 2 : 1);
-    const double *origin = state->block_class->physics->field != NULL || velocity ? nowhere : state->origin;
-    if (velocity && place->at_rest) return 0;
-    const TinkerPoint *point;
-    if (place->law->role == TINKER_LAW_FIELD)
-        point = &state->bodies[digits[0] == '2' ? place->other : place->body];
-    else
-        point = &state->points[state->offsets[place->instance] + (digits[0] != '\0' ? atoi(digits) - 1 : 0)];
-    return of_point(point, origin, symbol[velocity ? 1 : 0], velocity);
+    const TinkerPoint *point = &state->points[state->offsets[place->instance] + symbol->end];
+    static const char *const turning[] = {"theta", "omega", "turns", "theta_start", NULL};
+    if (g_strv_contains(turning, symbol->quantity)) return 0;
+    return of_point(place, point, symbol->quantity);
 }
 
 static double length_of(const Place *place)
@@ -65,7 +63,8 @@ static double of_role(const Place *place, const char *symbol)
     if (strcmp(symbol, "L") == 0) return length_of(place);
     if (strcmp(symbol, "rate") == 0) return place->at_rest ? 0 : state->rates[place->instance];
     if (symbol[0] == 'm') return state->masses[symbol[1] == '2' ? place->other : place->body];
-    return of_place(place, symbol);
+    const char last = symbol[strlen(symbol) - 1];
+    return of_point(place, &state->bodies[last == '2' ? place->other : place->body], symbol);
 }
 
 static double value_at(const char *symbol, void *data)
@@ -73,8 +72,9 @@ static double value_at(const char *symbol, void *data)
     const Place *place = data;
     const TinkerLawSymbol *known = tinker_block_law_symbol(place->law, symbol);
     if (known == NULL) return tinker_expression_value(tinker_block_law_find(place->law, symbol), value_at, data);
-    const double value =
-        known->property >= 0 ? place->state->columns[known->column][place->instance] : of_role(place, symbol);
+    const double value = known->property >= 0 ? place->state->columns[known->column][place->instance]
+                         : known->end >= 0    ? of_end(place, known)
+                                              : of_role(place, symbol);
     return place->shake == NULL ? value
                                 : value * (1 + g_rand_double_range(place->shake, -SHAKEN, SHAKEN) * DBL_EPSILON);
 }

@@ -47,14 +47,20 @@ static TinkerBlockId block_of(const TinkerModel *model, int32_t point)
     return tinker_model_block_of(model, point);
 }
 
-/* A force that acts at a point of the model. */
-static void add(TinkerActingForces *forces, TinkerActingKind kind, TinkerBlockId by, int32_t point, double fx,
-                double fy)
+/* A force that acts at a point of the model: end `end` of the block, or -1. */
+static void add(TinkerActingForces *forces, TinkerActingKind kind, TinkerBlockId by, int32_t end, int32_t point,
+                double fx, double fy)
 {
     const TinkerModel *model = forces->model;
     const TinkerPoint *at = &model->point[point];
-    TinkerActingForce force = {by, block_of(model, point), kind, at->x + model->origin[0], at->y + model->origin[1], fx,
-                               fy};
+    TinkerActingForce force = {.by = by,
+                               .on = block_of(model, point),
+                               .kind = kind,
+                               .x = at->x + model->origin[0],
+                               .y = at->y + model->origin[1],
+                               .fx = fx,
+                               .fy = fy,
+                               .end = end};
     g_array_append_val(forces->out, force);
 }
 
@@ -70,8 +76,8 @@ static TinkerStatus add_lines(TinkerActingForces *forces, const TinkerBlockBatch
         if (status != TINKER_OK) return status;
         for (int32_t i = 0; i < count; i++) {
             double fx = chunk.tension[i] * chunk.x[i], fy = chunk.tension[i] * chunk.y[i];
-            add(forces, TINKER_ACTING_LINE, batch->ids[first + i], points[2 * i], fx, fy);
-            add(forces, TINKER_ACTING_LINE, batch->ids[first + i], points[2 * i + 1], -fx, -fy);
+            add(forces, TINKER_ACTING_LINE, batch->ids[first + i], 0, points[2 * i], fx, fy);
+            add(forces, TINKER_ACTING_LINE, batch->ids[first + i], 1, points[2 * i + 1], -fx, -fy);
         }
     }
     return TINKER_OK;
@@ -85,7 +91,7 @@ static TinkerStatus add_elements(TinkerActingForces *forces, const TinkerBlockBa
         TinkerStatus status = tinker_model_ask_element(forces->model, batch, points, row, 1, &force);
         if (status != TINKER_OK) return status;
         for (int32_t e = 0; e < batch->end_offsets[row + 1] - batch->end_offsets[row]; e++)
-            add(forces, TINKER_ACTING_ELEMENT, batch->ids[row], points[e], force[2 * e], force[2 * e + 1]);
+            add(forces, TINKER_ACTING_ELEMENT, batch->ids[row], e, points[e], force[2 * e], force[2 * e + 1]);
     }
     return TINKER_OK;
 }
@@ -97,7 +103,7 @@ static TinkerStatus add_fields(TinkerActingForces *forces, const TinkerBlockBatc
         TinkerStatus status = tinker_model_ask_field(forces->model, batch, row, 1, &force);
         if (status != TINKER_OK) return status;
         for (int32_t i = 0; i < forces->model->bodies; i++)
-            add(forces, TINKER_ACTING_FIELD, batch->ids[row], i, force[2 * i], force[2 * i + 1]);
+            add(forces, TINKER_ACTING_FIELD, batch->ids[row], -1, i, force[2 * i], force[2 * i + 1]);
     }
     return TINKER_OK;
 }
@@ -117,7 +123,7 @@ static void add_constraints(TinkerActingForces *forces, const TinkerConstraintBa
                 fx += all->lambda[row] * jacobian[0];
                 fy += all->lambda[row] * jacobian[1];
             }
-            add(forces, TINKER_ACTING_CONSTRAINT, batch->ids[i], part->end_points[from + e], fx, fy);
+            add(forces, TINKER_ACTING_CONSTRAINT, batch->ids[i], e, part->end_points[from + e], fx, fy);
         }
     }
 }
@@ -128,7 +134,7 @@ static void add_straight_rows(TinkerActingForces *forces)
     const TinkerConstraints *all = &forces->model->constraints;
     for (int32_t row = all->first_straight; row < all->rows; row++)
         for (int32_t e = all->row_starts[row]; e < all->row_starts[row + 1]; e++)
-            add(forces, TINKER_ACTING_CONSTRAINT, all->blocks[row], all->ends_at[e],
+            add(forces, TINKER_ACTING_CONSTRAINT, all->blocks[row], -1, all->ends_at[e],
                 all->lambda[row] * all->jacobian[2 * e], all->lambda[row] * all->jacobian[2 * e + 1]);
 }
 
@@ -143,7 +149,8 @@ static void add_touch(TinkerActingForces *forces, TinkerActingKind kind, const T
     double off = model->contacts->half_height[contact->body];
     double x = centre->x - off * plate->normal[0] + model->origin[0];
     double y = centre->y - off * plate->normal[1] + model->origin[1];
-    TinkerActingForce pair[2] = {{plate->block, body, kind, x, y, fx, fy}, {body, plate->block, kind, x, y, -fx, -fy}};
+    TinkerActingForce pair[2] = {{plate->block, body, kind, x, y, fx, fy, 0, -1},
+                                 {body, plate->block, kind, x, y, -fx, -fy, 0, -1}};
     g_array_append_vals(forces->out, pair, 2);
 }
 

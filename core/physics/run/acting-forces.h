@@ -22,6 +22,8 @@ typedef struct {
     TinkerActingKind kind;
     double x, y;   /* m: where it acts, in the world */
     double fx, fy; /* N */
+    double torque; /* N m: beside that of the force at its arm */
+    int32_t end;   /* of `by`: the number of the end it acts at; -1: at none */
 } TinkerActingForce;
 
 typedef struct _TinkerActingForces TinkerActingForces;

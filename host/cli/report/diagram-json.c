@@ -1,4 +1,6 @@
+/* A diagram as JSON. */
 #include <cjson/cJSON.h>
+#include <math.h>
 
 #include "cli/report/diagram-report.h"
 
@@ -14,8 +16,12 @@ static void add_force(cJSON *list, const TinkerDiagramForce *force, TinkerScene 
     cJSON_AddStringToObject(object, "kind", tinker_term_kind_name(force->kind));
     add_pair(object, "point", force->point);
     add_pair(object, "force", force->force);
-    cJSON_AddNumberToObject(object, "torque", 0);
-    if (force->partner >= 0)
+    cJSON_AddNumberToObject(object, "torque", force->torque);
+    if (force->second >= 0) {
+        cJSON *both = cJSON_AddArrayToObject(object, "partner");
+        cJSON_AddItemToArray(both, cJSON_CreateString(tinker_scene_block_name(scene, force->partner)));
+        cJSON_AddItemToArray(both, cJSON_CreateString(tinker_scene_block_name(scene, force->second)));
+    } else if (force->partner >= 0)
         cJSON_AddStringToObject(object, "partner", tinker_scene_block_name(scene, force->partner));
     else
         cJSON_AddNullToObject(object, "partner");
@@ -58,7 +64,10 @@ char *tinker_diagram_json(const TinkerDiagram *diagram, TinkerScene *scene, cons
         cJSON_AddNumberToObject(root, "mass", diagram->mass);
     else
         cJSON_AddNullToObject(root, "mass");
-    cJSON_AddNullToObject(root, "inertia");
+    if (isnan(diagram->inertia))
+        cJSON_AddNullToObject(root, "inertia");
+    else
+        cJSON_AddNumberToObject(root, "inertia", diagram->inertia);
     add_pair(root, "centre", diagram->centre);
     cJSON *forces = cJSON_AddArrayToObject(root, "forces");
     for (guint i = 0; i < diagram->forces->len; i++)
@@ -67,7 +76,7 @@ char *tinker_diagram_json(const TinkerDiagram *diagram, TinkerScene *scene, cons
     if (diagram->moves) {
         cJSON *kinetic = cJSON_AddObjectToObject(root, "kinetic");
         add_pair(kinetic, "force", diagram->kinetic);
-        cJSON_AddNumberToObject(kinetic, "torque", 0);
+        cJSON_AddNumberToObject(kinetic, "torque", diagram->turning);
     }
     char *text = cJSON_Print(root), *copy = g_strdup(text);
     cJSON_free(text);

@@ -43,7 +43,10 @@ static cJSON *body_json(const TinkerEquations *equations, const TinkerBodyEquati
     cJSON *object = cJSON_CreateObject();
     add_block(object, equations, body->block);
     cJSON_AddItemToObject(object, "mass", expression_json(body->mass));
-    cJSON_AddNullToObject(object, "inertia");
+    if (body->inertia != NULL)
+        cJSON_AddItemToObject(object, "inertia", expression_json(body->inertia));
+    else
+        cJSON_AddNullToObject(object, "inertia");
     cJSON *terms = cJSON_AddArrayToObject(object, "terms");
     for (guint i = 0; i < body->terms->len; i++) {
         const TinkerTerm *term = &g_array_index(body->terms, TinkerTerm, i);
@@ -52,7 +55,10 @@ static cJSON *body_json(const TinkerEquations *equations, const TinkerBodyEquati
         cJSON_AddStringToObject(each, "kind", tinker_term_kind_name(term->kind));
         cJSON_AddItemToObject(each, "x", expression_json(term->x));
         cJSON_AddItemToObject(each, "y", expression_json(term->y));
-        cJSON_AddNullToObject(each, "torque");
+        if (term->torque != NULL)
+            cJSON_AddItemToObject(each, "torque", expression_json(term->torque));
+        else
+            cJSON_AddNullToObject(each, "torque");
         cJSON_AddItemToArray(terms, each);
     }
     return object;
@@ -98,6 +104,7 @@ static void add_constraints(cJSON *root, const TinkerEquations *equations)
         cJSON_AddStringToObject(object, "multiplier", row->multiplier);
         cJSON_AddStringToObject(object, "unit", tinker_unit_si_symbol(row->dimension));
         cJSON_AddBoolToObject(object, "active", row->active);
+        if (row->redundant) cJSON_AddTrueToObject(object, "redundant");
         cJSON_AddItemToArray(constraints, object);
     }
 }

@@ -12,14 +12,31 @@
  *
  * role           symbols                                        equations
  * line law       L, rate                                        tension; potential, of L alone
- * force element  x, y, vx, vy of its end, or x1, y1, ...        force_x and force_y of its end, or force_x1, ...
- *                                                               potential: minus its gradient may stand for the forces
+ * force element  x, y, vx, vy, theta, omega, turns of its end,  force_x and force_y of its end, or force_x1, ...;
+ *                or x1, y1, ...                                 torque, torque1, ... beside what the forces do by their
+ *                                                               arms; potential: minus its gradient may stand for both
  * field          x, y, vx, vy, m of the body                    force_x, force_y; potential
  * that couples   those, and x2, y2, vx2, vy2, m2 of another     pair_force_x, pair_force_y: what the other does to the
  *                                                               body; pair_potential, of each pair once
- * constraint     x, y of its end, or x1, y1, ...; L, the sum    g, or g1, g2, ... of several rows
- *                of the distances from end to end
+ * constraint     x, y, theta, turns of its end, or x1, y1,      g, or g1, g2, ... of several rows
+ *                ...; x_start, y_start, theta_start, or
+ *                x1_start, ...: what they were at the start;
+ *                L, the sum of the distances from end to end
  * motion                                                        displacement_x, displacement_y
+ *
+ * theta is the angle of what an end is on, omega how fast it turns, both counter-clockwise; turns is 1 where that has
+ * an angle, a body that turns or a support, and 0 for a point mass, whose theta is 0. With it a joint says what a point
+ * mass leaves of it: g3 = turns1*turns2*(theta2 - theta2_start - theta1 + theta1_start) of a weld. A row that is 0
+ * whatever the places are is left out of the equations.
+ *
+ * A joint states its rows and nothing else: the host takes their gradients, which are the directions in which their
+ * multipliers act at each end, and the moments of these by the arms. A row g has the unit of its declared dimension;
+ * where it is an angle its multiplier is a torque.
+ *
+ *     static const TinkerLawEquation law[] = {        (a pin)
+ *         TINKER_EQUATION("g1", "x2 - x1", NULL, TINKER_DIMENSION_LENGTH),
+ *         TINKER_EQUATION("g2", "y2 - y1", NULL, TINKER_DIMENSION_LENGTH),
+ *     };
  *
  * Equations of other symbols are steps on the way. Where the code takes care of a limit, such as a direction at length
  * 0, the law need not. Places are in the world. Angles count as numbers in dimensions. */
