@@ -5,8 +5,6 @@
 #include <glib/gi18n.h>
 #include <math.h>
 
-#include "render/picture/arrows.h"
-
 gboolean tinker_force_arrows_any(const GArray *acting)
 {
     for (guint i = 0; i < acting->len; i++) {
@@ -47,6 +45,14 @@ static gsize kind_of(TinkerActingKind acting)
     while (i + 1 < G_N_ELEMENTS(kinds) && kinds[i].acting != acting)
         i++;
     return i;
+}
+
+const char *tinker_force_arrow_word(TinkerArrowKind kind)
+{
+    gsize i = 0;
+    while (i + 1 < G_N_ELEMENTS(kinds) && kinds[i].arrow != kind)
+        i++;
+    return _(kinds[i].word);
 }
 
 static char *label_of(TinkerScene *scene, const TinkerActingForce *force)

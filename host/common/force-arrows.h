@@ -7,6 +7,7 @@
 #include "physics/run/acting-forces.h"
 #include "render/draw/theme.h"
 #include "render/draw/view.h"
+#include "render/picture/arrows.h"
 
 /* Everything is borrowed. */
 typedef struct {
@@ -15,6 +16,9 @@ typedef struct {
     const GArray *at_start; /* likewise, of the start of the run, whose scale the arrows have; NULL: their own */
     double pixels;          /* canvas units per N; 0: not known yet */
 } TinkerForceArrows;
+
+/* What a kind of arrow is called, in a word. */
+const char *tinker_force_arrow_word(TinkerArrowKind kind);
 
 /* Whether one of them is not 0. */
 gboolean tinker_force_arrows_any(const GArray *acting);

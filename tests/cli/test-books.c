@@ -1,9 +1,12 @@
 /* tinker books and tinker diagram: against closed forms of a throw, a bounce and a pendulum. */
+#include <cairo.h>
 #include <cjson/cJSON.h>
 #include <math.h>
 #include <string.h>
 
+#include "diagram-scale.h"
 #include "fixture.h"
+#include "render/picture/arrows.h"
 
 #define SCENE(blocks)                                                                                                  \
     "{\"tinker\": 1, \"run\": {\"duration\": 4, \"tolerance\": 1e-12}, \"blocks\": ["                                  \
@@ -128,6 +131,111 @@ static void test_pages(CliFixture *fixture, gconstpointer data)
     cli_assert_holds(field->error, "it is no body that can move");
 }
 
+/* Whether a picture has pixels of this colour, and the middle of their places. */
+static gboolean find_colour(cairo_surface_t *surface, const double colour[4], double middle[2])
+{
+    const int width = cairo_image_surface_get_width(surface), height = cairo_image_surface_get_height(surface);
+    const int stride = cairo_image_surface_get_stride(surface);
+    const unsigned char *data = cairo_image_surface_get_data(surface);
+    int count = 0;
+    middle[0] = middle[1] = 0;
+    for (int y = 0; y < height * 4 / 5; y++) /* the list beneath has the colours, too */
+        for (int x = 0; x < width; x++) {
+            const unsigned char *pixel = data + y * stride + 4 * x;
+            gboolean near = TRUE;
+            for (int k = 0; k < 3; k++)
+                near = near && fabs(pixel[2 - k] - 255 * colour[k]) < 2;
+            if (!near) continue;
+            middle[0] += x;
+            middle[1] += y;
+            count++;
+        }
+    for (int axis = 0; axis < 2; axis++)
+        middle[axis] /= MAX(count, 1);
+    return count > 20;
+}
+
+static cairo_surface_t *draw_diagram(CliFixture *fixture, const char *time)
+{
+    g_autofree char *words = g_strdup_printf("diagram @scene.json --block Bob --time %s -o @d.png", time);
+    g_autoptr(TestProgram) drawn = cli_run_well(fixture, words);
+    g_autofree char *path = g_build_filename(fixture->folder, "d.png", NULL);
+    cairo_surface_t *surface = cairo_image_surface_create_from_png(path);
+    g_assert_cmpint(cairo_surface_status(surface), ==, CAIRO_STATUS_SUCCESS);
+    return surface;
+}
+
+/* The bob begins to fall freely: the rod gives nothing yet, and no arrow of it is drawn; m a is as long as its weight,
+ * and beside it. Later the rod pulls to the left and up, where the pivot is. */
+static void test_picture(CliFixture *fixture, gconstpointer data)
+{
+    const TinkerTheme *theme = tinker_theme_find("light");
+    const double *rod = tinker_arrow_colour(theme, TINKER_ARROW_CONSTRAINT);
+    const double *weight = tinker_arrow_colour(theme, TINKER_ARROW_FIELD);
+    const double *result = tinker_arrow_colour(theme, TINKER_ARROW_MOTION);
+    double at[2], of_weight[2], of_result[2];
+    g_autofree char *path = cli_write(fixture, "scene.json", PENDULUM);
+    cairo_surface_t *start = draw_diagram(fixture, "0");
+    g_assert_false(find_colour(start, rod, at));
+    g_assert_true(find_colour(start, weight, of_weight));
+    g_assert_true(find_colour(start, result, of_result));
+    g_assert_cmpfloat(fabs(of_weight[1] - of_result[1]), <, 12); /* the bars beside their labels stand apart a little */
+    g_assert_cmpfloat(of_weight[0] + 100, <, of_result[0]);
+    cairo_surface_destroy(start);
+    cairo_surface_t *later = draw_diagram(fixture, "0.5");
+    g_assert_true(find_colour(later, rod, at));
+    g_assert_true(find_colour(later, weight, of_weight));
+    g_assert_cmpfloat(at[0], <, of_weight[0]);
+    g_assert_cmpfloat(at[1], <, of_weight[1]);
+    cairo_surface_destroy(later);
+}
+
+/* A picture's name never holds a text, nor a text's a picture. */
+static void test_endings(CliFixture *fixture, gconstpointer data)
+{
+    static const struct {
+        const char *words, *says;
+    } cases[] = {
+        {"diagram @scene.json --block Bob --as text -o @x.png", "would be a picture by its ending"},
+        {"books @scene.json --as csv -o @x.svg", "would be a picture by its ending"},
+        {"equations @scene.json -o @x.png", "equations are written as text"},
+        {"diagram @scene.json --block Bob --theme dark", "--theme belongs to a picture"},
+        {"diagram @scene.json --block Bob --kind kinetic", "--kind belongs to a picture"},
+        {"diagram @scene.json --block Pivot --kind kinetic -o @x.svg", "cannot move"},
+        {"books @scene.json --size 5x5 -o @x.csv", "--size belongs to a picture"},
+    };
+    static const struct {
+        const char *words, *file, *begins;
+    } pictures[] = {
+        {"diagram @scene.json --block Pivot -o @p.svg", "p.svg", "<?xml"},
+        {"diagram @scene.json --block Bob --kind kinetic --theme print -o @p.pdf", "p.pdf", "%PDF"},
+        {"books @scene.json --to 0.5 --theme contrast-dark -o @p.png", "p.png", "\x89PNG"},
+    };
+    g_autofree char *path = cli_write(fixture, "scene.json", PENDULUM);
+    for (gsize i = 0; i < G_N_ELEMENTS(cases); i++) {
+        g_autoptr(TestProgram) program = cli_run_badly(fixture, cases[i].words, 2);
+        cli_assert_holds(program->error, cases[i].says);
+    }
+    for (gsize i = 0; i < G_N_ELEMENTS(pictures); i++) {
+        g_autoptr(TestProgram) program = cli_run_well(fixture, pictures[i].words);
+        g_autofree char *file = g_build_filename(fixture->folder, pictures[i].file, NULL), *content = NULL;
+        g_assert_true(g_file_get_contents(file, &content, NULL, NULL));
+        g_assert_true(g_str_has_prefix(content, pictures[i].begins));
+    }
+}
+
+/* As many as can be within 20 to 1; of as many, the greater ones. */
+static void test_scale(void)
+{
+    const double all[] = {3, 1, 20}, far[] = {1, 2, 3, 1000}, small[] = {5, 9.81, 1e-6}, none[] = {0, 0},
+                 two[] = {1, 500};
+    g_assert_cmpfloat(tinker_diagram_greatest_to_scale(all, 3), ==, 20);
+    g_assert_cmpfloat(tinker_diagram_greatest_to_scale(far, 4), ==, 3);
+    g_assert_cmpfloat(tinker_diagram_greatest_to_scale(small, 3), ==, 9.81);
+    g_assert_cmpfloat(tinker_diagram_greatest_to_scale(none, 2), ==, 0);
+    g_assert_cmpfloat(tinker_diagram_greatest_to_scale(two, 2), ==, 500);
+}
+
 /* At the start the bob falls freely: a = g, and the rod gives 0. */
 static void test_diagram(CliFixture *fixture, gconstpointer data)
 {
@@ -151,5 +259,8 @@ int main(int argc, char **argv)
     cli_test_add("/cli/books/pendulum", test_pendulum);
     cli_test_add("/cli/books/pages", test_pages);
     cli_test_add("/cli/books/diagram", test_diagram);
+    cli_test_add("/cli/books/picture", test_picture);
+    cli_test_add("/cli/books/endings", test_endings);
+    g_test_add_func("/cli/books/scale", test_scale);
     return g_test_run();
 }

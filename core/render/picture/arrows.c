@@ -34,8 +34,13 @@
 #define STEPS       5
 #define MOST_LABELS 300
 #define PLATE_ALPHA 0.86
+#define FADED_ALPHA 0.3
+#define BREAK       5.0 /* canvas units: half the width of the gap in a broken shaft */
+#define BREAK_ARM   5.0 /* half the length of the strokes at its ends */
+#define RING        3.0 /* its radius */
 #define TURN_COST   0.02
 #define STEP_COST   0.05
+#define ROOMY       5 /* what covering a drawing costs where there is room */
 
 /* An arrow in the picture, m. */
 typedef struct {
@@ -158,6 +163,51 @@ static const double *colour_of(const Diagram *diagram, const Shaft *shaft)
     return tinker_arrow_colour(diagram->options->theme, shaft->arrow->kind);
 }
 
+/* Two slanted strokes with a gap between them, across the middle of the shaft. */
+static void draw_break(const Diagram *diagram, const Shaft *shaft)
+{
+    const double *ground = diagram->options->theme->background, *colour = colour_of(diagram, shaft);
+    const double unit = 1 / diagram->view->scale, length = hypot(shaft->x2 - shaft->x1, shaft->y2 - shaft->y1);
+    const double ux = (shaft->x2 - shaft->x1) / length, uy = (shaft->y2 - shaft->y1) / length;
+    const double middle[] = {(shaft->x1 + shaft->x2) / 2, (shaft->y1 + shaft->y2) / 2};
+    const double arm[] = {BREAK_ARM * unit * (0.5 * ux - uy), BREAK_ARM * unit * (0.5 * uy + ux)};
+    cairo_t *cairo = diagram->cairo;
+    for (int pass = 0; pass < 2; pass++) {
+        const double *ink = pass == 0 ? ground : colour;
+        for (int side = -1; side <= 1; side += 2) {
+            const double x = middle[0] + side * BREAK / 2 * unit * ux, y = middle[1] + side * BREAK / 2 * unit * uy;
+            cairo_move_to(cairo, x - arm[0], y - arm[1]);
+            cairo_line_to(cairo, x + arm[0], y + arm[1]);
+        }
+        cairo_set_source_rgba(cairo, ink[0], ink[1], ink[2], ink[3]);
+        cairo_set_line_width(cairo, (pass == 0 ? 1.5 * BREAK : 1.6) * unit);
+        cairo_stroke(cairo);
+    }
+}
+
+static void draw_ring(const Diagram *diagram, const Shaft *shaft)
+{
+    const double *ground = diagram->options->theme->background, *colour = colour_of(diagram, shaft);
+    cairo_t *cairo = diagram->cairo;
+    cairo_arc(cairo, shaft->x1, shaft->y1, RING / diagram->view->scale, 0, 2 * G_PI);
+    cairo_set_source_rgba(cairo, ground[0], ground[1], ground[2], ground[3]);
+    cairo_fill_preserve(cairo);
+    cairo_set_source_rgba(cairo, colour[0], colour[1], colour[2], colour[3]);
+    cairo_set_line_width(cairo, 1.6 / diagram->view->scale);
+    cairo_stroke(cairo);
+}
+
+/* What is not looked at has little of its colour. */
+static void set_shaft_colour(const Diagram *diagram, const Shaft *shaft, TinkerStyle *style)
+{
+    const double *colour = colour_of(diagram, shaft), *ground = diagram->options->theme->background;
+    const double share = shaft->arrow->look & TINKER_ARROW_FADED ? FADED_ALPHA : 1;
+    double *to = style->colours[TINKER_COLOUR_FORCE];
+    for (int k = 0; k < 3; k++)
+        to[k] = ground[k] + share * (colour[k] - ground[k]);
+    to[3] = colour[3];
+}
+
 static void draw_shafts(Diagram *diagram, gboolean halo)
 {
     TinkerStyle style = diagram->brush.style;
@@ -166,10 +216,12 @@ static void draw_shafts(Diagram *diagram, gboolean halo)
     memcpy(style.colours[TINKER_COLOUR_HIGHLIGHTED], theme->background, sizeof(theme->background));
     for (guint i = 0; i < diagram->shafts->len; i++) {
         const Shaft *shaft = &g_array_index(diagram->shafts, Shaft, i);
-        memcpy(style.colours[TINKER_COLOUR_FORCE], colour_of(diagram, shaft), sizeof(theme->background));
+        set_shaft_colour(diagram, shaft, &style);
         double length = hypot(shaft->x2 - shaft->x1, shaft->y2 - shaft->y1);
         style.symbol_size = fmin(diagram->brush.style.symbol_size, HEAD_SHARE * length);
         style.arrow(&style, diagram->cairo, TINKER_COLOUR_FORCE, shaft->x1, shaft->y1, shaft->x2, shaft->y2);
+        if (!halo && (shaft->arrow->look & TINKER_ARROW_BROKEN)) draw_break(diagram, shaft);
+        if (!halo && (shaft->arrow->look & TINKER_ARROW_STUB)) draw_ring(diagram, shaft);
     }
 }
 
@@ -182,6 +234,8 @@ static void take_places(Diagram *diagram)
     tinker_occupancy_init(&diagram->map, 0, 0, view->width, view->height, CELL);
     for (int i = 0; i < diagram->options->taken_count; i++)
         tinker_occupancy_take_box(&diagram->map, diagram->options->taken[i], TINKER_TAKEN_BY_TEXT);
+    for (int i = 0; i < diagram->options->drawn_count; i++)
+        tinker_occupancy_take_box(&diagram->map, diagram->options->drawn[i], TINKER_TAKEN_BY_DRAWING);
     for (guint i = 0; i < diagram->shafts->len; i++) {
         const Shaft *shaft = &g_array_index(diagram->shafts, Shaft, i);
         tinker_view_to_canvas(view, shaft->x1, shaft->y1, &x1, &y1);
@@ -203,18 +257,20 @@ static double keep_inside(double from, double width, double edge)
 static double place_cost(const Diagram *diagram, const Shaft *shaft, int turn, int step, const double size[2],
                          double box[4])
 {
-    double x, y, ahead = atan2(shaft->y1 - shaft->y2, shaft->x2 - shaft->x1);
+    const gboolean at_start = (shaft->arrow->look & TINKER_ARROW_PUSHES) != 0;
+    double x, y, ahead = atan2(shaft->y1 - shaft->y2, shaft->x2 - shaft->x1) + (at_start ? G_PI : 0);
     double angle = ahead + (turn % 2 ? 1 : -1) * ((turn + 1) / 2) * 2 * G_PI / DIRECTIONS;
     double across = cos(angle), down = sin(angle), gap = GAP + STEP * step;
     double reach = fmin((size[0] / 2 + gap) / fabs(across), (size[1] / 2 + gap) / fabs(down));
-    tinker_view_to_canvas(diagram->view, shaft->x2, shaft->y2, &x, &y);
+    tinker_view_to_canvas(diagram->view, at_start ? shaft->x1 : shaft->x2, at_start ? shaft->y1 : shaft->y2, &x, &y);
     box[0] = keep_inside(x + reach * across - size[0] / 2, size[0], diagram->view->width);
     box[1] = keep_inside(y + reach * down - size[1] / 2, size[1], diagram->view->height);
     box[2] = box[0] + size[0];
     box[3] = box[1] + size[1];
     double drawing = tinker_occupancy_share(&diagram->map, box, TINKER_TAKEN_BY_DRAWING);
     double text = tinker_occupancy_share(&diagram->map, box, TINKER_TAKEN_BY_TEXT);
-    return 10 * text + drawing + TURN_COST * ((turn + 1) / 2) + STEP_COST * step;
+    return 10 * text + (diagram->options->roomy ? ROOMY : 1) * drawing + TURN_COST * ((turn + 1) / 2) +
+           STEP_COST * step;
 }
 
 /* The label's ground, and the bar that says by its colour which arrow it belongs to. */
@@ -232,7 +288,9 @@ static void draw_plate(Diagram *diagram, const Shaft *shaft, const double box[4]
 
 static void write_label(Diagram *diagram, const Shaft *shaft)
 {
-    TinkerText label = {.text = shaft->arrow->label, .size = TINKER_STYLE_TEXT, .limit = LABEL_LIMIT};
+    TinkerText label = {.text = shaft->arrow->label,
+                        .size = TINKER_STYLE_TEXT,
+                        .limit = LABEL_LIMIT * (diagram->options->roomy ? 2 : 1)};
     double size[2], best[4] = {0}, least = INFINITY;
     tinker_text_measure(&diagram->brush.pen, &label, &size[0], &size[1]);
     size[0] += BAR + BAR_GAP;

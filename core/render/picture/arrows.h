@@ -23,12 +23,19 @@ typedef enum {
 /* Borrowed. */
 const double *tinker_arrow_colour(const TinkerTheme *theme, TinkerArrowKind kind);
 
+/* How an arrow differs from others, as flags. */
+#define TINKER_ARROW_BROKEN (1u << 0) /* longer than it is drawn: a gap in the shaft */
+#define TINKER_ARROW_STUB   (1u << 1) /* shorter than it is drawn: a ring at its start */
+#define TINKER_ARROW_FADED  (1u << 2) /* others are what is looked at */
+#define TINKER_ARROW_PUSHES (1u << 3) /* ends on what it acts on: the label stands at its start */
+
 /* One force. */
 typedef struct {
     double x, y;       /* m: where it acts, in the world; the arrow starts there */
     double fx, fy;     /* N */
     const char *label; /* UTF-8, beside the arrow's head: "Spring 0 12.3 N". NULL: none. Borrowed */
     TinkerArrowKind kind;
+    guint look; /* TINKER_ARROW_... */
 } TinkerForceArrow;
 
 typedef struct {
@@ -37,6 +44,10 @@ typedef struct {
     const double (
         *taken)[4]; /* boxes of the canvas (least and greatest x and y) that labels keep clear of; may be NULL */
     int taken_count;
+    const double (*drawn)[4]; /* likewise, of drawings that labels keep clear of where there is room; may be NULL */
+    int drawn_count;
+    gboolean roomy; /* there is room around the arrows: labels go farther off before they cover a drawing, and are cut
+                       later */
 } TinkerArrowOptions;
 
 /* A round scale (m per N; 1, 2 or 5 times a power of ten) at which the longest arrow is about a tenth of the view's

@@ -99,6 +99,14 @@ static int layer_of(const TinkerPiece *piece)
     return block_class && block_class->type->least_ends > 0 ? 2 : 1;
 }
 
+static gboolean is_wanted(const TinkerPicture *picture, TinkerBlockId block)
+{
+    const TinkerBlockId *each = picture->options->only;
+    while (each != NULL && *each != TINKER_NO_BLOCK && *each != block)
+        each++;
+    return each == NULL || *each == block;
+}
+
 /* Looks every block up once: what is out of sight is not looked at again. */
 static void find_visible(TinkerPicture *picture)
 {
@@ -110,7 +118,8 @@ static void find_visible(TinkerPicture *picture)
     for (int32_t place = 0; place < picture->block_count; place++) {
         TinkerPiece piece;
         tinker_piece_init(&piece, picture->frame, tinker_scene_block_at(scene, place));
-        if (piece.kind == TINKER_PIECE_FIELD || !is_visible(picture, &piece)) continue;
+        if (piece.kind == TINKER_PIECE_FIELD || !is_wanted(picture, piece.block) || !is_visible(picture, &piece))
+            continue;
         g_array_append_val(picture->visible[layer_of(&piece)], piece.block);
         if (piece.kind != TINKER_PIECE_CONNECTOR)
             g_array_append_val(picture->bodies, piece.block);
@@ -252,7 +261,7 @@ static void draw_canvas(TinkerPicture *picture)
 {
     double taken[3][4] = {{0}};
     double width = picture->view->width;
-    tinker_picture_draw_fields(picture, taken[0]);
+    if (picture->options->only == NULL) tinker_picture_draw_fields(picture, taken[0]);
     TinkerText title = title_text(picture->frame, width, taken[0][2]);
     if (picture->options->show_title) write_text(picture, &title, width / 2, CORNER, taken[1]);
     if (picture->options->show_time) draw_time(picture, taken[2]);
@@ -327,27 +336,58 @@ static void make_room(double box[4], double least)
     unite(box, (double[]){box[0] - room, box[1] - room, box[2] + room, box[3] + room});
 }
 
+/* What boxes are measured with: a style of this view, on a context that keeps nothing. */
+typedef struct {
+    TinkerStyleBrush brush;
+    cairo_surface_t *surface;
+    cairo_t *cairo;
+} Measure;
+
+static void measure_begin(Measure *measure, TinkerFrame *frame, const TinkerView *view)
+{
+    const double symbol = tinker_style_symbol(view->scale, tinker_frame_typical_size(frame));
+    measure->surface = cairo_recording_surface_create(CAIRO_CONTENT_COLOR_ALPHA, NULL);
+    measure->cairo = cairo_create(measure->surface);
+    tinker_frame_set_symbol_size(frame, symbol);
+    tinker_style_begin(&measure->brush, measure->cairo, tinker_theme_find("light"), view, symbol);
+}
+
+static void measure_end(Measure *measure)
+{
+    tinker_style_end(&measure->brush);
+    cairo_destroy(measure->cairo);
+    cairo_surface_destroy(measure->surface);
+}
+
+static gboolean measure_block(const Measure *measure, TinkerFrame *frame, TinkerBlockId block, double box[4])
+{
+    TinkerPiece piece;
+    tinker_piece_init(&piece, frame, block);
+    return piece.kind != TINKER_PIECE_FIELD && tinker_piece_box(&piece, &measure->brush.style, box);
+}
+
 GArray *tinker_painter_boxes(TinkerFrame *frame, const TinkerView *view)
 {
     GArray *boxes = g_array_new(FALSE, FALSE, 4 * sizeof(double));
     TinkerScene *scene = tinker_frame_scene(frame);
-    cairo_surface_t *surface = cairo_recording_surface_create(CAIRO_CONTENT_COLOR_ALPHA, NULL);
-    cairo_t *cairo = cairo_create(surface);
-    double symbol = tinker_style_symbol(view->scale, tinker_frame_typical_size(frame));
-    TinkerStyleBrush brush;
-    tinker_frame_set_symbol_size(frame, symbol);
-    tinker_style_begin(&brush, cairo, tinker_theme_find("light"), view, symbol);
+    Measure measure;
+    measure_begin(&measure, frame, view);
     for (int32_t place = 0; place < tinker_scene_block_count(scene); place++) {
-        TinkerPiece piece;
         double own[4];
-        tinker_piece_init(&piece, frame, tinker_scene_block_at(scene, place));
-        if (piece.kind != TINKER_PIECE_FIELD && tinker_piece_box(&piece, &brush.style, own))
+        if (measure_block(&measure, frame, tinker_scene_block_at(scene, place), own))
             g_array_append_vals(boxes, own, 1);
     }
-    tinker_style_end(&brush);
-    cairo_destroy(cairo);
-    cairo_surface_destroy(surface);
+    measure_end(&measure);
     return boxes;
+}
+
+gboolean tinker_painter_box(TinkerFrame *frame, TinkerBlockId block, const TinkerView *view, double box[4])
+{
+    Measure measure;
+    measure_begin(&measure, frame, view);
+    const gboolean has_box = measure_block(&measure, frame, block, box);
+    measure_end(&measure);
+    return has_box;
 }
 
 /* The box of all drawings in this view; where there are none, the box of an empty canvas. */

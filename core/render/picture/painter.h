@@ -16,6 +16,8 @@ typedef struct {
     gboolean show_local_origins;
     gboolean show_time; /* "t = 1.25 s" in a corner */
     gboolean show_title;
+    const TinkerBlockId *only; /* of blocks with a place these alone, ended by TINKER_NO_BLOCK, and nothing beside them;
+                                  NULL: all */
     TinkerBlockId highlighted; /* or TINKER_NO_BLOCK */
     const TinkerBlockId *selected;
     int selected_count;
@@ -39,6 +41,9 @@ void tinker_painter_bounds(TinkerFrame *frame, double box[4]);
 /* The world boxes of the drawings in a view, of double[4] as above, in drawing order; fields have none. The frame's
  * symbol size becomes that of the view. (transfer full) */
 GArray *tinker_painter_boxes(TinkerFrame *frame, const TinkerView *view);
+
+/* The world box of one block's drawing in a view; FALSE where it has none. */
+gboolean tinker_painter_box(TinkerFrame *frame, TinkerBlockId block, const TinkerView *view, double box[4]);
 
 /* The size of symbols (m) that the painter draws this frame with at a scale (canvas units per m). */
 double tinker_painter_symbol_size(TinkerFrame *frame, double scale);

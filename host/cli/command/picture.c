@@ -41,6 +41,28 @@ gboolean tinker_picture_arguments_read(const TinkerPictureArguments *arguments, 
     return TRUE;
 }
 
+gboolean tinker_picture_or_text(const TinkerPictureArguments *arguments, const char *path, const char *as,
+                                gboolean *is_picture, GError **error)
+{
+    static const char *const endings[] = {".png", ".svg", ".pdf", NULL};
+    *is_picture = FALSE;
+    for (int i = 0; path != NULL && endings[i] != NULL; i++)
+        *is_picture = *is_picture || tinker_path_has_ending(path, endings[i]);
+    if (*is_picture && as != NULL) {
+        g_set_error(error, TINKER_CLI_ERROR, TINKER_CLI_ERROR_USAGE,
+                    "--as %s: \"%s\" would be a picture by its ending (leave out --as, or choose another ending)", as,
+                    path);
+        return FALSE;
+    }
+    if (!*is_picture && (arguments->size != NULL || arguments->theme != NULL)) {
+        g_set_error(error, TINKER_CLI_ERROR, TINKER_CLI_ERROR_USAGE,
+                    "--%s belongs to a picture; none is asked for (add -o FILE.svg, .png or .pdf)",
+                    arguments->size != NULL ? "size" : "theme");
+        return FALSE;
+    }
+    return !*is_picture || tinker_output_is_writable(path, error);
+}
+
 int tinker_picture_ending(const char *path, const char *const *endings, GError **error)
 {
     g_autofree char *list = g_strjoinv(", ", (char **)endings);

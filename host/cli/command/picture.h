@@ -13,18 +13,27 @@ typedef struct {
 void tinker_picture_arguments_clear(TinkerPictureArguments *arguments);
 G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC(TinkerPictureArguments, tinker_picture_arguments_clear)
 
-#define TINKER_PICTURE_ENTRIES(arguments, size_)                                                                       \
-    {"forces", 0, 0, G_OPTION_ARG_NONE, &(arguments).forces, "Draw the forces on what can move, and their key", NULL}, \
-        {"size", 0, 0, G_OPTION_ARG_FILENAME, &(arguments).size, "Width and height in pixels (" size_ ")", "WxH"},     \
+#define TINKER_PICTURE_LOOK_ENTRIES(arguments, size_)                                                                  \
+    {"size", 0, 0, G_OPTION_ARG_FILENAME, &(arguments).size, "Width and height in pixels (" size_ ")", "WxH"},         \
     {                                                                                                                  \
         "theme", 0, 0, G_OPTION_ARG_FILENAME, &(arguments).theme,                                                      \
             "Colours: light, dark, print, contrast-light or contrast-dark (light)", "NAME"                             \
     }
 
+#define TINKER_PICTURE_ENTRIES(arguments, size_)                                                                       \
+    {"forces", 0, 0, G_OPTION_ARG_NONE, &(arguments).forces, "Draw the forces on what can move, and their key", NULL}, \
+        TINKER_PICTURE_LOOK_ENTRIES(arguments, size_)
+
 /* Reads size and theme; `width` and `height` keep what they hold where no size is given. Errors:
  * TINKER_CLI_ERROR_USAGE. */
 gboolean tinker_picture_arguments_read(const TinkerPictureArguments *arguments, int *width, int *height,
                                        const TinkerTheme **theme, GError **error);
+
+/* Of a verb that writes texts and pictures: whether the output's ending is that of a picture. Errors,
+ * TINKER_CLI_ERROR_USAGE: `as`, the text that is asked for (NULL: none is), does not go with it; or size and theme are
+ * given and it is no picture. */
+gboolean tinker_picture_or_text(const TinkerPictureArguments *arguments, const char *path, const char *as,
+                                gboolean *is_picture, GError **error);
 
 /* Checks that an output is given, has one of these endings (".png", ...; NULL-terminated), and can be written; answers
  * the ending's place, or -1 with `error` set. */

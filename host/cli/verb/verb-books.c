@@ -1,9 +1,11 @@
 /* tinker books: Newton's law, work and energy, impulse and momentum of bodies over an interval. */
 #include <math.h>
 
+#include "books-picture.h"
 #include "cli/command/open-scene.h"
 #include "cli/command/options.h"
 #include "cli/command/output.h"
+#include "cli/command/picture.h"
 #include "cli/command/run-arguments.h"
 #include "cli/command/state-at.h"
 #include "cli/report/books-json.h"
@@ -12,6 +14,7 @@
 #include "equations/books.h"
 #include "exit-status.h"
 #include "print.h"
+#include "render/draw/surface.h"
 
 static const TinkerVerbHelp help = {
     .verb = "books",
@@ -20,17 +23,20 @@ static const TinkerVerbHelp help = {
         "Keeps the books of bodies over an interval, three ways: Newton's law at its end, work and energy, impulse "
         "and\n"
         "momentum (linear, and angular about a point). Each lists what every force gave, and says what is left over.\n"
-        "Of several bodies together, forces between them cancel, and only their work counts.",
+        "Of several bodies together, forces between them cancel, and only their work counts.\n"
+        "With -o FILE.svg, .png or .pdf it draws them as bars.",
     .examples = "  tinker books pendulum.tinker.json\n"
                 "  tinker books pendulum.tinker.json --block \"Mass 0\" --from 0.5 --to 2\n"
                 "  tinker books bouncing-balls.tinker.json --to 1.5 --about 0,0.4\n"
-                "  tinker books pendulum.tinker.json --as csv -o books.csv",
+                "  tinker books pendulum.tinker.json --as csv -o books.csv\n"
+                "  tinker books pendulum.tinker.json -o books.svg --theme print",
     .least_operands = 1,
     .most_operands = 1,
 };
 
 typedef struct {
     TinkerRunArguments run;
+    TinkerPictureArguments picture;
     char *from, *to, *about, *as, *output;
     char **blocks;
 } BooksOptions;
@@ -38,6 +44,7 @@ typedef struct {
 static void books_options_clear(BooksOptions *options)
 {
     tinker_run_arguments_clear(&options->run);
+    tinker_picture_arguments_clear(&options->picture);
     g_free(options->from);
     g_free(options->to);
     g_free(options->about);
@@ -53,6 +60,9 @@ enum { AS_TEXT, AS_JSON, AS_CSV };
 typedef struct {
     double from, to, about[2];
     int as;
+    gboolean is_picture;
+    int width, height;
+    const TinkerTheme *theme;
     TinkerBlockId *bodies; /* ended by -1; owned */
     TinkerRunOptions run;
 } Wish;
@@ -110,7 +120,10 @@ static gboolean read_wish(const BooksOptions *options, const TinkerOpenScene *op
 {
     static const char *const formats[] = {"text", "json", "csv", NULL};
     static const TinkerDimension seconds = TINKER_DIMENSION_TIME;
-    *wish = (Wish){0};
+    *wish = (Wish){.width = 900, .height = 720};
+    if (!tinker_picture_or_text(&options->picture, options->output, options->as, &wish->is_picture, error) ||
+        !tinker_picture_arguments_read(&options->picture, &wish->width, &wish->height, &wish->theme, error))
+        return FALSE;
     if (options->as != NULL && !tinker_option_choice("as", options->as, formats, &wish->as, error)) return FALSE;
     if (options->from != NULL && !tinker_option_value("from", options->from, seconds, 0, FALSE, &wish->from, error))
         return FALSE;
@@ -124,16 +137,11 @@ static gboolean read_wish(const BooksOptions *options, const TinkerOpenScene *op
     return wish->bodies != NULL;
 }
 
-static gboolean write_books(const BooksOptions *options, const TinkerOpenScene *open, Wish *wish, GError **error)
+static gboolean write_file(const BooksOptions *options, const TinkerOpenScene *open, const Wish *wish,
+                           const TinkerBooks *books, GError **error)
 {
-    const TinkerAskedOutput outputs[] = {{"--output", options->output}, {NULL, NULL}};
-    g_autoptr(TinkerFileSet) files = tinker_open_scene_files(open);
-    if (!tinker_outputs_add(files, outputs, error) || !read_wish(options, open, wish, error)) return FALSE;
-    g_autoptr(TinkerBooks) books =
-        tinker_books_new(open->scene, &wish->run, wish->bodies, wish->from, wish->to, wish->about, error);
     g_auto(TinkerOutput) output = {0};
-    if (books == NULL || !tinker_output_open(&output, options->output != NULL ? options->output : "-", error))
-        return FALSE;
+    if (!tinker_output_open(&output, options->output != NULL ? options->output : "-", error)) return FALSE;
     if (wish->as == AS_TEXT) {
         tinker_books_write_text(books, open->scene, wish->bodies, output.file);
     } else if (wish->as == AS_CSV) {
@@ -143,6 +151,19 @@ static gboolean write_books(const BooksOptions *options, const TinkerOpenScene *
         tinker_print_text(output.file, text);
     }
     return tinker_output_close(&output, error);
+}
+
+static gboolean write_books(const BooksOptions *options, const TinkerOpenScene *open, Wish *wish, GError **error)
+{
+    const TinkerAskedOutput outputs[] = {{"--output", options->output}, {NULL, NULL}};
+    g_autoptr(TinkerFileSet) files = tinker_open_scene_files(open);
+    if (!tinker_outputs_add(files, outputs, error) || !read_wish(options, open, wish, error)) return FALSE;
+    g_autoptr(TinkerBooks) books =
+        tinker_books_new(open->scene, &wish->run, wish->bodies, wish->from, wish->to, wish->about, error);
+    if (books == NULL) return FALSE;
+    if (!wish->is_picture) return write_file(options, open, wish, books, error);
+    TinkerBooksPicture picture = {open->scene, books, wish->bodies, wish->theme, TINKER_NO_BLOCK};
+    return tinker_surface_to_file(tinker_books_draw, &picture, wish->width, wish->height, options->output, error);
 }
 
 int tinker_verb_books(int argc, char **argv)
@@ -155,7 +176,9 @@ int tinker_verb_books(int argc, char **argv)
         {"to", 0, 0, G_OPTION_ARG_FILENAME, &options.to, "End at this time (the end of the run)", "T"},
         {"about", 0, 0, G_OPTION_ARG_FILENAME, &options.about, "Angular momentum about this point (0,0)", "X,Y"},
         {"as", 0, 0, G_OPTION_ARG_FILENAME, &options.as, "text, json or csv (text)", "FORMAT"},
-        {"output", 'o', 0, G_OPTION_ARG_FILENAME, &options.output, "Write to FILE (standard output)", "FILE"},
+        {"output", 'o', 0, G_OPTION_ARG_FILENAME, &options.output,
+         "Write to FILE (standard output); .png, .svg or .pdf: draw", "FILE"},
+        TINKER_PICTURE_LOOK_ENTRIES(options.picture, "900x720"),
         TINKER_RUN_METHOD_ENTRIES(options.run),
         TINKER_RUN_ACCURACY_ENTRY(options.run),
         G_OPTION_ENTRY_NULL,

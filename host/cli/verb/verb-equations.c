@@ -4,6 +4,7 @@
 #include "cli/command/open-scene.h"
 #include "cli/command/options.h"
 #include "cli/command/output.h"
+#include "cli/command/picture.h"
 #include "cli/command/run-arguments.h"
 #include "cli/command/state-at.h"
 #include "cli/report/equations-json.h"
@@ -82,6 +83,20 @@ static char *matrix_text(const TinkerEquations *equations, const TinkerEquations
                          : tinker_equations_write_matrix(equations, form, shown);
 }
 
+/* A browser and LaTeX make pictures of equations. */
+static gboolean is_no_picture(const char *path, GError **error)
+{
+    static const TinkerPictureArguments none = {0};
+    gboolean is_picture;
+    if (!tinker_picture_or_text(&none, path, NULL, &is_picture, error)) return FALSE;
+    if (!is_picture) return TRUE;
+    g_set_error(error, TINKER_CLI_ERROR, TINKER_CLI_ERROR_USAGE,
+                "--output \"%s\": equations are written as text, not drawn (as in --as mathml -o FILE.html, --as latex "
+                "-o FILE.tex)",
+                path);
+    return FALSE;
+}
+
 static gboolean write_equations(const EquationsOptions *options, const TinkerOpenScene *open, GError **error)
 {
     static const char *const formats[] = {"text", "latex", "mathml", "json", NULL};
@@ -92,7 +107,7 @@ static gboolean write_equations(const EquationsOptions *options, const TinkerOpe
     g_autofree TinkerBlockId *blocks = NULL;
     int as = TINKER_TYPESET_TEXT, form = 0;
     double time = 0;
-    if (!tinker_outputs_add(files, outputs, error)) return FALSE;
+    if (!tinker_outputs_add(files, outputs, error) || !is_no_picture(options->output, error)) return FALSE;
     if (options->as != NULL && !tinker_option_choice("as", options->as, formats, &as, error)) return FALSE;
     if (options->form != NULL && !tinker_option_choice("form", options->form, forms, &form, error)) return FALSE;
     if (options->at != NULL && !tinker_option_value("at", options->at, seconds, 0, FALSE, &time, error)) return FALSE;

@@ -1,0 +1,23 @@
+/* The books of bodies as a picture: for each way of keeping them what was there before, what every force gave, each bar
+ * where the one before it ended, and what came of it. */
+#ifndef TINKER_HOST_BOOKS_PICTURE_H
+#define TINKER_HOST_BOOKS_PICTURE_H
+
+#include <cairo.h>
+
+#include "equations/books.h"
+#include "render/draw/theme.h"
+
+/* Everything is borrowed. */
+typedef struct {
+    TinkerScene *scene;
+    const TinkerBooks *books;
+    const TinkerBlockId *bodies; /* that they are of, ended by TINKER_NO_BLOCK */
+    const TinkerTheme *theme;
+    TinkerBlockId lit; /* whose bars are looked at; TINKER_NO_BLOCK: no block's more than others' */
+} TinkerBooksPicture;
+
+/* Draws them over all of width and height; `data` is a TinkerBooksPicture. */
+void tinker_books_draw(cairo_t *cairo, double width, double height, void *data);
+
+#endif
