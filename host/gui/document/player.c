@@ -16,6 +16,7 @@ struct _TinkerPlayer {
     TinkerDocument *document;
     TinkerPlayerState state;
     double time, speed, pace;
+    gboolean trial; /* edits are those of a hand that tries */
     double step_to; /* s: as soon as this is recorded it is shown, and time stands still; NAN while it plays freely */
     TinkerRunLane *lane;
     TinkerRecording recording;
@@ -175,6 +176,20 @@ static void rewind_after_edit(TinkerPlayer *player)
     if (under_way) g_signal_emit(player, signals[REWOUND], 0);
 }
 
+static gboolean can_run(TinkerPlayer *player, TinkerBlockId *culprit, GError **error);
+
+/* A new run from the start in place of the one there is, at the same time. FALSE where the scene cannot run. */
+static gboolean run_anew(TinkerPlayer *player)
+{
+    TinkerBlockId culprit;
+    if (!can_run(player, &culprit, NULL)) return FALSE;
+    record_from_start(player);
+    player->path_segment = 0;
+    player->path_row = 0;
+    if (player->state == TINKER_PLAYER_SETUP) set_state(player, TINKER_PLAYER_PAUSED);
+    return TRUE;
+}
+
 static void on_changed(TinkerPlayer *player)
 {
     TinkerDifference difference = player->ran == NULL
@@ -182,6 +197,13 @@ static void on_changed(TinkerPlayer *player)
                                       : tinker_scene_difference(player->ran, tinker_document_scene(player->document));
     gboolean under_way = player->time > 0;
     renew_frame(player);
+    const gboolean on_the_way = difference == TINKER_DIFFERENCE_TUNABLE && player->state == TINKER_PLAYER_PLAYING;
+    const gboolean anew =
+        player->trial && !on_the_way && (player->ran == NULL || difference != TINKER_DIFFERENCE_DRAWING);
+    if (anew && run_anew(player)) {
+        g_signal_emit(player, signals[MOVED], 0);
+        return;
+    }
     if (difference == TINKER_DIFFERENCE_START || (difference == TINKER_DIFFERENCE_TUNABLE && !under_way))
         rewind_after_edit(player);
     else if (difference == TINKER_DIFFERENCE_TUNABLE && !go_on(player))
@@ -296,6 +318,21 @@ void tinker_player_rewind(TinkerPlayer *player)
     g_signal_emit(player, signals[REWOUND], 0);
 }
 
+void tinker_player_begin_trial(TinkerPlayer *player)
+{
+    player->trial = TRUE;
+}
+
+void tinker_player_end_trial(TinkerPlayer *player)
+{
+    player->trial = FALSE;
+}
+
+void tinker_player_refresh(TinkerPlayer *player)
+{
+    moved(player);
+}
+
 static void tell_failure(TinkerPlayer *player)
 {
     TinkerSegment *segment = tinker_recording_last(&player->recording);
@@ -317,7 +354,9 @@ void tinker_player_advance(TinkerPlayer *player, double seconds)
     gboolean steps = !isnan(player->step_to);
     double before = player->time, wanted = steps ? player->step_to : before + seconds * player->speed;
     gboolean recorded = status.rows > 0 && wanted <= status.reached, over = status.finished && !recorded;
-    if (!steps || recorded || over) player->time = fmin(wanted, status.reached);
+    /* A run that has just been made anew has first to come to where time stands. */
+    const double limit = over ? status.reached : fmax(status.reached, before);
+    if (!steps || recorded || over) player->time = fmin(wanted, limit);
     if (!steps && !over && wanted > before) note_pace(player, seconds, (player->time - before) / (wanted - before));
     moved(player);
     if (over || (steps && recorded)) set_state(player, TINKER_PLAYER_PAUSED);

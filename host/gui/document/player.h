@@ -50,6 +50,13 @@ void tinker_player_reset(TinkerPlayer *player);
 /* Goes back to the start, with the record forgotten, because somebody wants to edit the start: tells so. */
 void tinker_player_rewind(TinkerPlayer *player);
 
+/* Between these two, an edit that changes the motion is of a hand that tries: the run is made anew from the start and
+ * the time stays, also where nothing had been run; what may change on the way does so while it plays. */
+void tinker_player_begin_trial(TinkerPlayer *player);
+void tinker_player_end_trial(TinkerPlayer *player);
+/* Tells "moved" again, as the record goes on while time stands still. */
+void tinker_player_refresh(TinkerPlayer *player);
+
 /* As many real seconds have passed: moves on where it is playing, and looks after the run. */
 void tinker_player_advance(TinkerPlayer *player, double seconds);
 

@@ -20,6 +20,14 @@ static void add_graphed(GArray *columns, TinkerScene *scene, const TinkerSceneGr
         tinker_graph_curve_quantities(scene, graph, g_ptr_array_index(graph->curves, k), columns);
 }
 
+static void add_metered(GArray *columns, TinkerScene *scene, const TinkerSceneInstrument *meter)
+{
+    TinkerBlockId block;
+    if (tinker_instrument_controls(meter) || !tinker_scene_find_owner(scene, meter->block, &block)) return;
+    TinkerQuantity of = {block, tinker_scene_find_quantity(scene, block, meter->of)};
+    if (of.quantity >= 0) g_array_append_val(columns, of);
+}
+
 static int compare(const void *left, const void *right)
 {
     const TinkerQuantity *l = left, *r = right;
@@ -50,6 +58,9 @@ GArray *tinker_recorded_quantities(TinkerDocument *document, const GArray *asked
     GPtrArray *graphs = tinker_scene_graphs(scene);
     for (guint i = 0; i < graphs->len; i++)
         add_graphed(columns, scene, g_ptr_array_index(graphs, i));
+    GPtrArray *instruments = tinker_scene_instruments(scene);
+    for (guint i = 0; i < instruments->len; i++)
+        add_metered(columns, scene, g_ptr_array_index(instruments, i));
     if (all) {
         remove_repeated(columns);
         return columns;

@@ -96,17 +96,23 @@ static void add_blocks(TinkerFrame *frame, const TinkerView *view, GArray *taken
     }
 }
 
-void tinker_graph_layer_find_room(TinkerGraphLayer *layer, TinkerFrame *frame, const double *size, double place[2],
-                                  double room[2])
+GArray *tinker_graph_layer_taken(TinkerGraphLayer *layer, TinkerFrame *frame)
 {
-    const TinkerView *view = tinker_canvas_view(layer->canvas);
     TinkerGraphBoard *board = TINKER_GRAPH_BOARD(layer);
-    g_autoptr(GArray) taken = g_array_new(FALSE, FALSE, sizeof(TinkerGraphBox));
+    GArray *taken = g_array_new(FALSE, FALSE, sizeof(TinkerGraphBox));
     for (int i = 0; i < tinker_graph_board_count(board); i++) {
         TinkerGraphBox box = box_of(layer, tinker_graph_board_view(board, i));
         g_array_append_val(taken, box);
     }
-    if (frame != NULL) add_blocks(frame, view, taken);
+    if (frame != NULL) add_blocks(frame, tinker_canvas_view(layer->canvas), taken);
+    return taken;
+}
+
+void tinker_graph_layer_find_room(TinkerGraphLayer *layer, TinkerFrame *frame, const double *size, double place[2],
+                                  double room[2])
+{
+    const TinkerView *view = tinker_canvas_view(layer->canvas);
+    g_autoptr(GArray) taken = tinker_graph_layer_taken(layer, frame);
     TinkerGraphBox box = {0};
     size_on_screen(layer, size, &box);
     tinker_graph_find_room(&box, view->width, view->height - BAR_HEIGHT, (const TinkerGraphBox *)(gpointer)taken->data,

@@ -17,4 +17,7 @@ void tinker_graph_layer_set_canvas(TinkerGraphLayer *layer, TinkerCanvas *canvas
 void tinker_graph_layer_find_room(TinkerGraphLayer *layer, TinkerFrame *frame, const double *size, double place[2],
                                   double room[2]);
 
+/* What of the layer is taken by graphs and by blocks, of TinkerGraphBox. The frame may be NULL. (transfer full) */
+GArray *tinker_graph_layer_taken(TinkerGraphLayer *layer, TinkerFrame *frame);
+
 #endif

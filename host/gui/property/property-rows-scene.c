@@ -177,7 +177,7 @@ static TinkerPropertyRow *add_number(PropertyBuilder *builder, const HeadMember 
     double value;
     memcpy(&value, G_STRUCT_MEMBER_P(tinker_scene_head(builder->scene), member->offset), sizeof value);
     row->unit = tinker_unit_for(member->dimension, builder->system);
-    property_row_take_text(row, member == &tolerance ? property_short_value(value, "", PROPERTY_DIGITS)
+    property_row_take_text(row, member == &tolerance ? tinker_number_short(value, "", PROPERTY_DIGITS)
                                                      : tinker_number_write(value, member->dimension, NULL,
                                                                            builder->system, builder->trims));
     row->data = member;
@@ -200,7 +200,7 @@ static void add_accuracy(PropertyBuilder *builder)
 {
     TinkerPropertyRow *row = add_number(builder, &accuracy);
     double value = tinker_scene_head(builder->scene)->run.accuracy;
-    property_row_take_text(row, value > 0 ? property_short_value(value, "", PROPERTY_DIGITS) : g_strdup(""));
+    property_row_take_text(row, value > 0 ? tinker_number_short(value, "", PROPERTY_DIGITS) : g_strdup(""));
     row->set = set_accuracy;
 }
 

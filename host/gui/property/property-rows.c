@@ -200,8 +200,8 @@ static gboolean edit_text(TinkerHistory *history, const TinkerPropertyRow *row, 
 /* "greater than 0 kg", "from 0 to 1"; NULL where anything goes. (transfer full) */
 static char *range_text(const TinkerPropertyType *type, const char *unit)
 {
-    g_autofree char *least = property_short_value(type->hard_minimum, unit, PROPERTY_DIGITS);
-    g_autofree char *most = property_short_value(type->hard_maximum, unit, PROPERTY_DIGITS);
+    g_autofree char *least = tinker_number_short(type->hard_minimum, unit, PROPERTY_DIGITS);
+    g_autofree char *most = tinker_number_short(type->hard_maximum, unit, PROPERTY_DIGITS);
     g_autofree char *low =
         g_strdup_printf(type->flags & TINKER_OPEN_MINIMUM ? _("greater than %s") : _("at least %s"), least);
     g_autofree char *high =
@@ -229,7 +229,7 @@ static gboolean set_number(TinkerDocument *document, const TinkerPropertyRow *ro
     if (!property_parse_number(text, type->dimension, row->unit, &entered.value, error)) return FALSE;
     if (is_outside(type, entered.value)) {
         g_autofree char *range = range_text(type, row->unit),
-                        *given = property_short_value(entered.value, row->unit, PROPERTY_DIGITS);
+                        *given = tinker_number_short(entered.value, row->unit, PROPERTY_DIGITS);
         return property_refuse(error, _("“%s” must be %s (it is %s)."), row->title, range, given);
     }
     return property_edit_all(document, row, edit_number, &entered, error);

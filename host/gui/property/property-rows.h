@@ -62,8 +62,6 @@ gboolean property_edit_all(TinkerDocument *document, const TinkerPropertyRow *ro
 /* Reads a number in any unit; without one it is in `unit`. The error is a sentence. */
 gboolean property_parse_number(const char *text, TinkerDimension dimension, const char *unit, double *si,
                                GError **error);
-/* A value with its unit, in at most so many significant digits. (transfer full) */
-char *property_short_value(double si, const char *unit, int digits);
 /* Makes a message of core/ a sentence: without "column N: " and "Mass 0: " before it, ids as titles, a capital and a
  * full stop. `block_class` may be NULL. Takes the error. */
 void property_fail(GError **error, GError *cause, const char *prefix, const TinkerBlockClass *block_class);

@@ -75,13 +75,3 @@ gboolean property_parse_number(const char *text, TinkerDimension dimension, cons
     property_fail(error, cause, NULL, NULL); /* in an entry of a few characters nobody counts columns */
     return FALSE;
 }
-
-char *property_short_value(double si, const char *unit, int digits)
-{
-    char number[G_ASCII_DTOSTR_BUF_SIZE], format[16];
-    TinkerUnit shown = {1, {0, 0, 0, 0}};
-    tinker_unit_parse(unit, &shown, NULL);
-    g_snprintf(format, sizeof format, "%%.%dg", digits);
-    g_ascii_formatd(number, sizeof number, format, si / shown.factor);
-    return *unit == '\0' ? g_strdup(number) : g_strdup_printf("%s %s", number, unit);
-}

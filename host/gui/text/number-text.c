@@ -66,3 +66,13 @@ char *tinker_number_write(double si, TinkerDimension dimension, const char *unit
     memmove(last, end, strlen(end) + 1);
     return text;
 }
+
+char *tinker_number_short(double si, const char *unit, int digits)
+{
+    char number[G_ASCII_DTOSTR_BUF_SIZE], format[16];
+    TinkerUnit shown = {1, {0, 0, 0, 0}};
+    tinker_unit_parse(unit, &shown, NULL);
+    g_snprintf(format, sizeof format, "%%.%dg", digits);
+    g_ascii_formatd(number, sizeof number, format, si / shown.factor);
+    return *unit == '\0' ? g_strdup(number) : g_strdup_printf("%s %s", number, unit);
+}

@@ -16,4 +16,7 @@ gboolean tinker_number_read(const char *text, TinkerDimension dimension, const c
 char *tinker_number_write(double si, TinkerDimension dimension, const char *unit, TinkerUnitSystem system,
                           gboolean trims);
 
+/* A value with its unit, in at most so many significant digits. (transfer full) */
+char *tinker_number_short(double si, const char *unit, int digits);
+
 #endif

@@ -7,6 +7,7 @@
 #include "gui/document/autosave.h"
 #include "gui/film/film-task.h"
 #include "gui/graph/graph-layer.h"
+#include "gui/instrument/instrument-layer.h"
 #include "gui/property/palette.h"
 #include "gui/widget/notice-bar.h"
 #include "gui/window/playbar.h"
@@ -37,6 +38,7 @@ struct _TinkerWindow {
     GtkBox *banners;
     GtkOverlay *canvas_overlay;
     TinkerGraphLayer *graph_layer;
+    TinkerInstrumentLayer *instruments;
     TinkerAccuracyPage *accuracy;
     GMenu *recent_menu;
     GMenu *examples_menu;
@@ -81,6 +83,10 @@ void window_add_graphs(TinkerWindow *window);
 void window_new_graph(TinkerWindow *window);
 /* Appends what graphs the selected block can have, if it can have any. */
 void window_append_graph_menu(TinkerWindow *window, GMenu *menu);
+/* Controls and meters on the canvas; window-instruments.c. Shows them; appends which the selected block, or the scene,
+ * can have. */
+void window_add_instruments(TinkerWindow *window);
+void window_append_instrument_menu(TinkerWindow *window, GMenu *menu);
 /* How things start; window-start.c. Adds the advice and the action; the page of the panel (transfer floating); the
  * submenu for what is selected. */
 void window_add_start(TinkerWindow *window);

@@ -88,6 +88,7 @@ static void on_menu(GtkWidget *over, double x, double y, TinkerWindow *window)
     GMenu *model = G_MENU(gtk_builder_get_object(builder, "canvas_menu"));
     window_add_start_menu(window, model);
     window_append_graph_menu(window, model);
+    window_append_instrument_menu(window, model);
     tinker_popup_menu(over, G_MENU_MODEL(model), x, y);
 }
 
@@ -119,6 +120,7 @@ static void connect_parts(TinkerWindow *window)
     tinker_palette_set_canvas(window->palette, tinker_document_catalogue(window->document), window->canvas);
     tinker_playbar_set_player(window->playbar, window->player);
     window_add_graphs(window);
+    window_add_instruments(window);
     GtkWidget *start = window_new_start_panel(window);
     GtkWidget *side_panel = tinker_side_panel_new(window->document, window->player, start,
                                                   tinker_scene_card_new(window->document, window->plan));

@@ -1,0 +1,151 @@
+/* While a run is under way, a timer looks after it: it applies what waits, and has the window look at the record. */
+#include "gui/instrument/hand.h"
+
+#include <glib/gi18n.h>
+
+#define PATIENCE 0.25 /* s that a run has before the next may take its place */
+#define LOOK     5    /* ms */
+
+struct _TinkerHand {
+    TinkerDocument *document;
+    TinkerPlayer *player;
+    TinkerBlockId block; /* of what was set last */
+    char *name;
+    double value;
+    gboolean waits;
+    guint steps;     /* of undo, so far */
+    gint64 began_us; /* the run; 0: none is looked after */
+    double rate;
+    char *problem;
+    guint timer;
+};
+
+static gboolean set_number(TinkerHand *hand, TinkerScene *scene, const TinkerNumber *number, GError **error)
+{
+    double values[2] = {hand->value, hand->value};
+    if (number->type->kind == TINKER_KIND_VECTOR)
+        values[1 - number->component] =
+            tinker_scene_get(scene, hand->block, number->column + (number->component == 0 ? 1 : -1));
+    return tinker_history_set(tinker_document_history(hand->document), hand->block, number->property, values, error);
+}
+
+static void apply(TinkerHand *hand)
+{
+    TinkerScene *scene = tinker_document_scene(hand->document);
+    TinkerNumber number;
+    g_autoptr(GError) error = NULL;
+    hand->waits = FALSE;
+    if (!tinker_scene_has_block(scene, hand->block) ||
+        !tinker_scene_find_number(scene, hand->block, hand->name, &number))
+        return;
+    g_autofree char *title = g_strdup_printf(_("Turn %s"), tinker_scene_block_name(scene, hand->block));
+    g_autofree char *merge = g_strdup_printf("hand %u", hand->steps);
+    g_clear_pointer(&hand->problem, g_free);
+    tinker_document_begin(hand->document, title, merge);
+    if (!set_number(hand, scene, &number, &error)) {
+        tinker_document_abort(hand->document);
+        hand->problem = g_strdup(error->message);
+        return;
+    }
+    tinker_player_begin_trial(hand->player);
+    hand->began_us = g_get_monotonic_time();
+    tinker_document_end(hand->document);
+    tinker_player_end_trial(hand->player);
+}
+
+/* Whether the run that was begun last is over, or has had its time. */
+static gboolean may_run(TinkerHand *hand, gboolean *over)
+{
+    TinkerRunStatus status;
+    const double elapsed = 1e-6 * (double)(g_get_monotonic_time() - hand->began_us);
+    *over = !tinker_player_status(hand->player, &status) || status.finished;
+    if (hand->began_us == 0) return TRUE;
+    if (*over || elapsed >= PATIENCE) hand->rate = 1 / MAX(elapsed, 1e-3);
+    return *over || elapsed >= PATIENCE;
+}
+
+static gboolean look(gpointer data)
+{
+    TinkerHand *hand = data;
+    gboolean over;
+    const gboolean may = may_run(hand, &over);
+    if (over) hand->began_us = 0;
+    if (hand->waits && may) {
+        apply(hand);
+        over = FALSE;
+    }
+    tinker_player_refresh(hand->player);
+    if (!over || hand->waits) return G_SOURCE_CONTINUE;
+    hand->timer = 0;
+    return G_SOURCE_REMOVE;
+}
+
+void tinker_hand_set(TinkerHand *hand, TinkerBlockId block, const char *name, double value)
+{
+    gboolean over;
+    if (hand->name == NULL || block != hand->block || !g_str_equal(name, hand->name)) {
+        hand->steps++;
+        g_free(hand->name);
+        hand->name = g_strdup(name);
+    }
+    hand->block = block;
+    hand->value = value;
+    hand->waits = TRUE;
+    if (hand->timer != 0) return; /* which will see to it */
+    if (may_run(hand, &over)) apply(hand);
+    hand->timer = g_timeout_add(LOOK, look, hand);
+}
+
+void tinker_hand_let_go(TinkerHand *hand)
+{
+    if (hand->waits) apply(hand);
+    hand->steps++;
+}
+
+gboolean tinker_hand_wanted(TinkerHand *hand, TinkerBlockId block, const char *name, double *value)
+{
+    if (!hand->waits || block != hand->block || !g_str_equal(name, hand->name)) return FALSE;
+    *value = hand->value;
+    return TRUE;
+}
+
+double tinker_hand_rate(TinkerHand *hand)
+{
+    return hand->rate;
+}
+
+const char *tinker_hand_problem(TinkerHand *hand)
+{
+    return hand->problem;
+}
+
+/* Another scene: what waits was for the last one. */
+static void on_replaced(TinkerHand *hand)
+{
+    hand->waits = FALSE;
+    hand->rate = 0;
+    g_clear_pointer(&hand->name, g_free);
+    g_clear_pointer(&hand->problem, g_free);
+}
+
+TinkerHand *tinker_hand_new(TinkerDocument *document, TinkerPlayer *player)
+{
+    TinkerHand *hand = g_new0(TinkerHand, 1);
+    hand->document = g_object_ref(document);
+    hand->player = g_object_ref(player);
+    hand->block = TINKER_NO_BLOCK;
+    g_signal_connect_swapped(document, "replaced", G_CALLBACK(on_replaced), hand);
+    return hand;
+}
+
+void tinker_hand_free(TinkerHand *hand)
+{
+    if (hand == NULL) return;
+    g_clear_handle_id(&hand->timer, g_source_remove);
+    g_signal_handlers_disconnect_by_data(hand->document, hand);
+    g_object_unref(hand->document);
+    g_object_unref(hand->player);
+    g_free(hand->name);
+    g_free(hand->problem);
+    g_free(hand);
+}

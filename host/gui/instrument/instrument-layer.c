@@ -1,0 +1,258 @@
+/* After every change of the scene the views are brought in line with its instruments. The layer itself is not there for
+ * the pointer. */
+#include "gui/instrument/instrument-layer.h"
+
+#include <math.h>
+
+#include "gui/document/graph-edit.h"
+#include "gui/instrument/instrument-edit.h"
+#include "gui/instrument/instrument-view.h"
+#include "gui/widget/unparent.h"
+
+#define USUAL_WIDTH  210.0 /* widget units: what is looked for as room for a new one */
+#define USUAL_HEIGHT 84.0
+#define BAR_HEIGHT   64.0 /* likewise at the bottom, where a bar may float */
+#define NUDGE        10.0
+#define EDGE         4.0
+
+struct _TinkerInstrumentLayer {
+    GtkWidget parent_instance;
+    TinkerCanvas *canvas;
+    TinkerGraphLayer *graphs;
+    TinkerDocument *document;
+    TinkerPlayer *player;
+    TinkerHand *hand;
+    GPtrArray *views; /* of TinkerInstrumentView, which are children: borrowed */
+
+    TinkerInstrumentView *dragged; /* borrowed; NULL: none */
+    double press[2], from[2], way[2];
+};
+
+G_DEFINE_FINAL_TYPE(TinkerInstrumentLayer, tinker_instrument_layer, GTK_TYPE_WIDGET)
+
+static const TinkerSceneInstrument *instrument_of(TinkerInstrumentLayer *layer, TinkerInstrumentView *view)
+{
+    return g_ptr_array_index(tinker_scene_instruments(tinker_document_scene(layer->document)),
+                             (guint)tinker_instrument_view_number(view));
+}
+
+/* Places --------------------------------------------------------------------------------------------------------------
+ */
+
+/* On the layer: always within it, however the canvas is looked at. One without a place stands at the left. */
+static void place_of(TinkerInstrumentLayer *layer, TinkerInstrumentView *view, double size[2], double place[2])
+{
+    const TinkerSceneInstrument *instrument = instrument_of(layer, view);
+    GtkRequisition natural;
+    gtk_widget_get_preferred_size(GTK_WIDGET(view), NULL, &natural);
+    size[0] = natural.width;
+    size[1] = natural.height;
+    if (instrument->has_place) {
+        tinker_view_to_canvas(tinker_canvas_view(layer->canvas), instrument->place[0], instrument->place[1], &place[0],
+                              &place[1]);
+    } else {
+        place[0] = EDGE;
+        place[1] = EDGE + tinker_instrument_view_number(view) * (USUAL_HEIGHT + EDGE);
+    }
+    if (view == layer->dragged) {
+        place[0] = layer->from[0] + layer->way[0];
+        place[1] = layer->from[1] + layer->way[1];
+    }
+    place[0] = fmax(fmin(round(place[0]), gtk_widget_get_width(GTK_WIDGET(layer)) - size[0] - EDGE), EDGE);
+    place[1] = fmax(fmin(round(place[1]), gtk_widget_get_height(GTK_WIDGET(layer)) - size[1] - EDGE), EDGE);
+}
+
+static void tinker_instrument_layer_size_allocate(GtkWidget *widget, int width, int height, int baseline)
+{
+    TinkerInstrumentLayer *layer = TINKER_INSTRUMENT_LAYER(widget);
+    for (guint i = 0; i < layer->views->len; i++) {
+        double size[2], place[2];
+        place_of(layer, g_ptr_array_index(layer->views, i), size, place);
+        const GtkAllocation allocation = {(int)place[0], (int)place[1], (int)size[0], (int)size[1]};
+        gtk_widget_size_allocate(g_ptr_array_index(layer->views, i), &allocation, -1);
+    }
+}
+
+static gboolean tinker_instrument_layer_contains(GtkWidget *widget, double x, double y)
+{
+    return FALSE;
+}
+
+void tinker_instrument_layer_find_room(TinkerInstrumentLayer *layer, double place[2])
+{
+    const TinkerView *view = tinker_canvas_view(layer->canvas);
+    TinkerGraphBox box = {.width = USUAL_WIDTH, .height = USUAL_HEIGHT};
+    g_autoptr(GArray) taken = tinker_graph_layer_taken(layer->graphs, tinker_player_frame(layer->player));
+    for (guint i = 0; i < layer->views->len; i++) {
+        double size[2], at[2];
+        place_of(layer, g_ptr_array_index(layer->views, i), size, at);
+        const TinkerGraphBox other = {at[0], at[1], size[0], size[1]};
+        g_array_append_val(taken, other);
+    }
+    tinker_graph_find_room(&box, view->width, view->height - BAR_HEIGHT, (const TinkerGraphBox *)(gpointer)taken->data,
+                           (int)taken->len);
+    tinker_view_to_world(view, box.x, box.y, &place[0], &place[1]);
+}
+
+/* Moving --------------------------------------------------------------------------------------------------------------
+ */
+
+static void commit(TinkerInstrumentLayer *layer, TinkerInstrumentView *view, const double at[2], const char *merge)
+{
+    double place[2];
+    tinker_view_to_world(tinker_canvas_view(layer->canvas), at[0], at[1], &place[0], &place[1]);
+    tinker_instrument_move(layer->document, tinker_instrument_view_number(view), place, merge);
+}
+
+static TinkerInstrumentView *view_of(gpointer controller)
+{
+    GtkWidget *widget = gtk_event_controller_get_widget(controller);
+    return TINKER_INSTRUMENT_VIEW(
+        TINKER_IS_INSTRUMENT_VIEW(widget) ? widget : gtk_widget_get_ancestor(widget, TINKER_TYPE_INSTRUMENT_VIEW));
+}
+
+static void pointer_of(TinkerInstrumentLayer *layer, GtkGestureDrag *gesture, double dx, double dy, double place[2])
+{
+    double x, y;
+    gtk_gesture_drag_get_start_point(gesture, &x, &y);
+    GtkWidget *part = gtk_event_controller_get_widget(GTK_EVENT_CONTROLLER(gesture));
+    gtk_widget_translate_coordinates(part, GTK_WIDGET(layer), x + dx, y + dy, &place[0], &place[1]);
+}
+
+static void on_drag_begin(GtkGestureDrag *gesture, double x, double y, TinkerInstrumentLayer *layer)
+{
+    double size[2];
+    gtk_widget_grab_focus(GTK_WIDGET(view_of(gesture)));
+    place_of(layer, view_of(gesture), size, layer->from);
+    layer->dragged = view_of(gesture);
+    layer->way[0] = layer->way[1] = 0;
+    pointer_of(layer, gesture, 0, 0, layer->press);
+}
+
+static void on_drag_update(GtkGestureDrag *gesture, double dx, double dy, TinkerInstrumentLayer *layer)
+{
+    double pointer[2];
+    if (layer->dragged != view_of(gesture)) return;
+    gtk_gesture_set_state(GTK_GESTURE(gesture), GTK_EVENT_SEQUENCE_CLAIMED);
+    pointer_of(layer, gesture, dx, dy, pointer);
+    layer->way[0] = pointer[0] - layer->press[0];
+    layer->way[1] = pointer[1] - layer->press[1];
+    gtk_widget_queue_allocate(GTK_WIDGET(layer));
+}
+
+static void on_drag_end(GtkGestureDrag *gesture, double dx, double dy, TinkerInstrumentLayer *layer)
+{
+    TinkerInstrumentView *view = view_of(gesture);
+    double size[2], place[2];
+    if (layer->dragged != view) return;
+    place_of(layer, view, size, place);
+    layer->dragged = NULL;
+    if (layer->way[0] != 0 || layer->way[1] != 0) commit(layer, view, place, NULL);
+}
+
+static gboolean on_key(GtkEventControllerKey *controller, guint key, guint code, GdkModifierType modifiers,
+                       TinkerInstrumentLayer *layer)
+{
+    const int right = (key == GDK_KEY_Right) - (key == GDK_KEY_Left),
+              down = (key == GDK_KEY_Down) - (key == GDK_KEY_Up);
+    if ((right == 0 && down == 0) || !(modifiers & GDK_SHIFT_MASK)) return GDK_EVENT_PROPAGATE;
+    double size[2], place[2];
+    place_of(layer, view_of(controller), size, place);
+    place[0] += NUDGE * right;
+    place[1] += NUDGE * down;
+    commit(layer, view_of(controller), place, "nudge instrument");
+    return GDK_EVENT_STOP;
+}
+
+/* Keeping up ----------------------------------------------------------------------------------------------------------
+ */
+
+static TinkerInstrumentView *view_new(TinkerInstrumentLayer *layer, int number)
+{
+    TinkerInstrumentView *view = tinker_instrument_view_new(layer->document, layer->player, layer->hand, number);
+    gtk_widget_set_parent(GTK_WIDGET(view), GTK_WIDGET(layer));
+    GtkGesture *drag = gtk_gesture_drag_new();
+    g_signal_connect(drag, "drag-begin", G_CALLBACK(on_drag_begin), layer);
+    g_signal_connect(drag, "drag-update", G_CALLBACK(on_drag_update), layer);
+    g_signal_connect(drag, "drag-end", G_CALLBACK(on_drag_end), layer);
+    gtk_widget_add_controller(tinker_instrument_view_bar(view), GTK_EVENT_CONTROLLER(drag));
+    GtkEventController *keys = gtk_event_controller_key_new();
+    gtk_event_controller_set_propagation_phase(keys, GTK_PHASE_CAPTURE);
+    g_signal_connect(keys, "key-pressed", G_CALLBACK(on_key), layer);
+    gtk_widget_add_controller(GTK_WIDGET(view), keys);
+    return view;
+}
+
+/* The first of the old ones that fits, or a new one. */
+static TinkerInstrumentView *view_for(TinkerInstrumentLayer *layer, GPtrArray *old, int number)
+{
+    GPtrArray *all = tinker_scene_instruments(tinker_document_scene(layer->document));
+    for (guint i = 0; i < old->len; i++)
+        if (tinker_instrument_view_fits(g_ptr_array_index(old, i), g_ptr_array_index(all, (guint)number)))
+            return g_ptr_array_steal_index(old, i);
+    return view_new(layer, number);
+}
+
+static void on_changed(TinkerInstrumentLayer *layer)
+{
+    GPtrArray *all = tinker_scene_instruments(tinker_document_scene(layer->document));
+    g_autoptr(GPtrArray) old = g_steal_pointer(&layer->views);
+    layer->views = g_ptr_array_new();
+    for (guint i = 0; i < all->len; i++) {
+        TinkerInstrumentView *view = view_for(layer, old, (int)i);
+        tinker_instrument_view_set_number(view, (int)i);
+        g_ptr_array_add(layer->views, view);
+    }
+    for (guint i = 0; i < old->len; i++) {
+        if (g_ptr_array_index(old, i) == layer->dragged) layer->dragged = NULL;
+        gtk_widget_unparent(g_ptr_array_index(old, i));
+    }
+    gtk_widget_set_visible(GTK_WIDGET(layer), layer->views->len > 0);
+    gtk_widget_queue_allocate(GTK_WIDGET(layer));
+}
+
+/* The widget ----------------------------------------------------------------------------------------------------------
+ */
+
+static void tinker_instrument_layer_dispose(GObject *object)
+{
+    TinkerInstrumentLayer *layer = TINKER_INSTRUMENT_LAYER(object);
+    tinker_unparent_children(GTK_WIDGET(object));
+    g_clear_pointer(&layer->views, g_ptr_array_unref);
+    g_clear_pointer(&layer->hand, tinker_hand_free);
+    g_clear_object(&layer->canvas);
+    g_clear_object(&layer->graphs);
+    g_clear_object(&layer->player);
+    g_clear_object(&layer->document);
+    G_OBJECT_CLASS(tinker_instrument_layer_parent_class)->dispose(object);
+}
+
+static void tinker_instrument_layer_class_init(TinkerInstrumentLayerClass *class)
+{
+    G_OBJECT_CLASS(class)->dispose = tinker_instrument_layer_dispose;
+    GTK_WIDGET_CLASS(class)->size_allocate = tinker_instrument_layer_size_allocate;
+    GTK_WIDGET_CLASS(class)->contains = tinker_instrument_layer_contains;
+    gtk_widget_class_set_css_name(GTK_WIDGET_CLASS(class), "instrument-layer");
+    gtk_widget_class_set_accessible_role(GTK_WIDGET_CLASS(class), GTK_ACCESSIBLE_ROLE_GROUP);
+}
+
+static void tinker_instrument_layer_init(TinkerInstrumentLayer *layer)
+{
+    layer->views = g_ptr_array_new();
+    gtk_widget_set_overflow(GTK_WIDGET(layer), GTK_OVERFLOW_HIDDEN);
+}
+
+GtkWidget *tinker_instrument_layer_new(TinkerCanvas *canvas, TinkerGraphLayer *graphs, TinkerDocument *document,
+                                       TinkerPlayer *player)
+{
+    TinkerInstrumentLayer *layer = g_object_new(TINKER_TYPE_INSTRUMENT_LAYER, NULL);
+    layer->canvas = g_object_ref(canvas);
+    layer->graphs = g_object_ref(graphs);
+    layer->document = g_object_ref(document);
+    layer->player = g_object_ref(player);
+    layer->hand = tinker_hand_new(document, player);
+    g_signal_connect_object(canvas, "view-changed", G_CALLBACK(gtk_widget_queue_allocate), layer, G_CONNECT_SWAPPED);
+    g_signal_connect_object(document, "changed", G_CALLBACK(on_changed), layer, G_CONNECT_SWAPPED);
+    on_changed(layer);
+    return GTK_WIDGET(layer);
+}

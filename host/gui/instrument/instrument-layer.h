@@ -1,0 +1,18 @@
+/* The controls and meters on the canvas, each at its place in the world, as far as that can be seen; they are dragged
+ * by their titles, or moved by Shift and the arrow keys. */
+#ifndef TINKER_GUI_INSTRUMENT_LAYER_H
+#define TINKER_GUI_INSTRUMENT_LAYER_H
+
+#include "gui/graph/graph-layer.h"
+
+#define TINKER_TYPE_INSTRUMENT_LAYER (tinker_instrument_layer_get_type())
+G_DECLARE_FINAL_TYPE(TinkerInstrumentLayer, tinker_instrument_layer, TINKER, INSTRUMENT_LAYER, GtkWidget)
+
+/* Over that canvas, whose graphs new ones do not cover. Takes references. (transfer floating) */
+GtkWidget *tinker_instrument_layer_new(TinkerCanvas *canvas, TinkerGraphLayer *graphs, TinkerDocument *document,
+                                       TinkerPlayer *player);
+
+/* A place (m) in the view that is free of blocks, graphs and other instruments. */
+void tinker_instrument_layer_find_room(TinkerInstrumentLayer *layer, double place[2]);
+
+#endif

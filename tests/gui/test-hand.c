@@ -1,0 +1,149 @@
+/* The hand on a control against closed forms: a mass of 1 kg on a spring, let go 1 m below its rest at y = 2, is at
+ * 2 - cos(omega t), with omega the root of the stiffness. */
+#include "gui-fixture.h"
+
+#include <math.h>
+
+#include "gui/instrument/hand.h"
+
+#define OSCILLATOR                                                                                                     \
+    "'run': {'duration': 4, 'interval': 0.01}, 'blocks': ["                                                            \
+    "{'type': 'support', 'name': 'S', 'position': [0, 4], 'orientation': '180 deg'},"                                  \
+    "{'type': 'mass', 'name': 'M', 'position': [0, 1]},"                                                               \
+    "{'type': 'spring', 'name': 'K', 'ends': ['S', 'M'], 'stiffness': 25, 'rest_length': 2}]"
+#define CLOSE 1e-6 /* m: of tolerance 1e-9 */
+
+typedef struct {
+    GuiFixture *base;
+    TinkerHand *hand;
+    int rewound;
+} Fixture;
+
+static void on_rewound(Fixture *fixture)
+{
+    fixture->rewound++;
+}
+
+static Fixture *fixture_new(void)
+{
+    Fixture *fixture = g_new0(Fixture, 1);
+    fixture->base = gui_fixture_new("");
+    gui_fixture_start_scene(fixture->base, OSCILLATOR);
+    fixture->hand = tinker_hand_new(fixture->base->document, fixture->base->player);
+    g_signal_connect_swapped(fixture->base->player, "rewound", G_CALLBACK(on_rewound), fixture);
+    return fixture;
+}
+
+static void fixture_free(Fixture *fixture)
+{
+    tinker_hand_free(fixture->hand);
+    gui_fixture_free(fixture->base);
+    g_free(fixture);
+}
+G_DEFINE_AUTOPTR_CLEANUP_FUNC(Fixture, fixture_free)
+
+static double stiffness(Fixture *fixture)
+{
+    TinkerScene *scene = tinker_document_scene(fixture->base->document);
+    const TinkerBlockId spring = gui_fixture_block(fixture->base, "K");
+    TinkerNumber number;
+    g_assert_true(tinker_scene_find_number(scene, spring, "stiffness", &number));
+    return tinker_scene_get(scene, spring, number.column);
+}
+
+static void turn(Fixture *fixture, double to)
+{
+    tinker_hand_set(fixture->hand, gui_fixture_block(fixture->base, "K"), "stiffness", to);
+}
+
+static gboolean is_whole(void *data)
+{
+    Fixture *fixture = data;
+    TinkerRunStatus status;
+    double wanted;
+    const TinkerBlockId spring = gui_fixture_block(fixture->base, "K");
+    return !tinker_hand_wanted(fixture->hand, spring, "stiffness", &wanted) &&
+           tinker_player_status(fixture->base->player, &status) && status.finished;
+}
+
+static double height(Fixture *fixture)
+{
+    double x, y, orientation;
+    tinker_player_refresh(fixture->base->player);
+    tinker_frame_centre(tinker_player_frame(fixture->base->player), gui_fixture_block(fixture->base, "M"), &x, &y,
+                        &orientation);
+    return y;
+}
+
+/* At the start, where nothing has been run, the whole curve is there; what was wanted last is what is shown. */
+static void test_from_the_start(void)
+{
+    g_autoptr(Fixture) fixture = fixture_new();
+    for (double k = 30; k <= 100; k += 10)
+        turn(fixture, k);
+    g_assert_true(gui_fixture_wait(is_whole, fixture));
+    g_assert_cmpfloat(stiffness(fixture), ==, 100);
+    g_assert_cmpfloat(tinker_player_time(fixture->base->player), ==, 0);
+    g_assert_cmpfloat(tinker_player_reached(fixture->base->player), ==, 4);
+    tinker_player_seek(fixture->base->player, 4);
+    g_assert_cmpfloat_with_epsilon(height(fixture), 2 - cos(40), CLOSE);
+    g_assert_cmpfloat(tinker_hand_rate(fixture->hand), >, 0);
+}
+
+/* In the middle of a record the time stays, and what is shown is that of a run from the start. */
+static void test_time_stays(void)
+{
+    g_autoptr(Fixture) fixture = fixture_new();
+    turn(fixture, 36);
+    g_assert_true(gui_fixture_wait(is_whole, fixture));
+    tinker_player_seek(fixture->base->player, 2);
+    g_assert_cmpfloat_with_epsilon(height(fixture), 2 - cos(12), CLOSE);
+    turn(fixture, 49);
+    g_assert_true(gui_fixture_wait(is_whole, fixture));
+    g_assert_cmpfloat(tinker_player_time(fixture->base->player), ==, 2);
+    g_assert_cmpfloat_with_epsilon(height(fixture), 2 - cos(14), CLOSE);
+    g_assert_cmpint(fixture->rewound, ==, 0);
+}
+
+/* What a hand does without letting go is one step. */
+static void test_one_step(void)
+{
+    g_autoptr(Fixture) fixture = fixture_new();
+    for (int i = 0; i < 3; i++) {
+        turn(fixture, 40 + i);
+        g_assert_true(gui_fixture_wait(is_whole, fixture));
+    }
+    tinker_hand_let_go(fixture->hand);
+    turn(fixture, 60);
+    g_assert_true(gui_fixture_wait(is_whole, fixture));
+    tinker_document_undo(fixture->base->document);
+    g_assert_cmpfloat(stiffness(fixture), ==, 42);
+    tinker_document_undo(fixture->base->document);
+    g_assert_cmpfloat(stiffness(fixture), ==, 25);
+}
+
+/* What cannot be is said, and changes nothing. */
+static void test_refused(void)
+{
+    g_autoptr(Fixture) fixture = fixture_new();
+    turn(fixture, -1);
+    gui_fixture_pass(20);
+    g_assert_nonnull(tinker_hand_problem(fixture->hand));
+    g_assert_cmpfloat(stiffness(fixture), ==, 25);
+    turn(fixture, 26);
+    g_assert_true(gui_fixture_wait(is_whole, fixture));
+    g_assert_null(tinker_hand_problem(fixture->hand));
+}
+
+static void add_tests(void)
+{
+    g_test_add_func("/gui/hand/from-the-start", test_from_the_start);
+    g_test_add_func("/gui/hand/time-stays", test_time_stays);
+    g_test_add_func("/gui/hand/one-step", test_one_step);
+    g_test_add_func("/gui/hand/refused", test_refused);
+}
+
+int main(int argc, char **argv)
+{
+    return scene_fixture_main(argc, argv, add_tests);
+}

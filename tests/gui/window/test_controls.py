@@ -1,0 +1,119 @@
+#!/usr/bin/python3
+"""Controls and meters on the canvas: added by menus, turned by mouse and keys, moved, saved."""
+import math
+import re
+
+from harness import App, check, check_close, check_equal, main, mass, scene, spring, support, wait
+
+OSCILLATOR = (support("Roof", 0, 4, orientation="180 deg"), mass("Bob", 0, 1), spring("Coil", "Roof", "Bob", stiffness=25, rest_length=2))
+
+
+def oscillator(**more):
+    return scene(*OSCILLATOR, duration=4, **more)
+
+
+STIFFNESS = {"block": "Coil", "property": "stiffness", "from": 0, "to": 100, "kind": "slider", "place": [-4.5, 2]}
+HEIGHT = {"block": "Bob", "quantity": "y", "kind": "number", "place": [2, 2]}
+
+
+def height_shown(app):
+    meter = app.find(None, "Meter of Bob: Y Position").refreshed()
+    read = re.match(r"(\S+) m$", meter.description)
+    return float(read.group(1)) if read else None
+
+
+def test_added_by_the_menu(display):
+    with App(display, oscillator()) as app:
+        app.show_width()
+        app.click_world(0.13, 1.13, button=3)
+        app.choose("Add Control", "Mass")
+        app.find("slider", "Bob: Mass")
+        app.click_world(0.13, 1.13, button=3)
+        app.choose("Add Meter", "Speed")
+        app.find(None, "Meter of Bob: Speed")
+        saved = app.saved()
+        check_equal([(each["block"], each["property"], each["kind"]) for each in saved["controls"]],
+                    [("Bob", "mass", "slider")], "controls in the file")
+        check_equal(saved["controls"][0]["to"], 2, "twice the mass of 1 kg")
+        check_equal([(each["block"], each["quantity"]) for each in saved["meters"]], [("Bob", "speed")], "meters in the file")
+        app.press("ctrl+z", "ctrl+z")
+        app.gone("slider", "Bob: Mass")
+        check("controls" not in app.saved(), "no control is left")
+
+
+def test_curve_follows_the_hand(display):
+    """At 4 s the mass is at 2 - cos(4 omega) m, omega the root of the stiffness."""
+    with App(display, oscillator(controls=[STIFFNESS], meters=[HEIGHT])) as app:
+        app.click("Play")
+        wait(lambda: app.time() == 4 and not app.is_playing(), "the end of the run")
+        wait(lambda: height_shown(app) == round(2 - math.cos(20), 3), "the height with 25 N/m")
+        slider = app.find("slider", "Coil: K")
+        x, y, width, height = app.settled(slider)
+        app.drag_pixels((x + 8 + 0.25 * (width - 16), y + height / 2), (x + 0.6 * width, y + height / 2))
+        wait(lambda: slider.value() > 50, "the slider to be drawn")
+        omega = math.sqrt(slider.value())
+        wait(lambda: height_shown(app) is not None and abs(height_shown(app) - (2 - math.cos(4 * omega))) < 2e-3,
+             "the height with another stiffness")
+        check_equal(app.time(), 4, "the time that is shown")
+        check_close(app.saved()["blocks"][2]["stiffness"], slider.value(), 1e-9, "stiffness in the file")
+        app.click("Undo")
+        wait(lambda: slider.value() == 25, "one step back to what it was")
+
+
+def test_keys(display):
+    with App(display, oscillator(controls=[{**STIFFNESS, "step": 5}])) as app:
+        slider = app.find("slider", "Coil: K")
+        app.click(slider)
+        app.press("Home")
+        wait(lambda: slider.value() == 0, "the least")
+        app.press("Right", "Right")
+        wait(lambda: slider.value() == 10, "two steps")
+        app.press("shift+Right", "shift+Down")
+        left, top = app.saved()["controls"][0]["place"]
+        check(left > -4.5 and top < 2, f"it was moved to ({left}, {top})")
+        app.press("Delete")
+        app.gone("slider", "Coil: K")
+
+
+def test_moved_by_its_title(display):
+    with App(display, oscillator(meters=[HEIGHT])) as app:
+        app.show_width()
+        title = app.find("label", "Bob: Y Position")
+        x, y = app.middle(title)
+        app.drag_pixels((x, y), (x - 60, y + 40))
+        left, top = app.saved()["meters"][0]["place"]
+        scale = app.scale()
+        check_close(left, 2 - 60 / scale, 1.5 / scale, "its left edge (m)")
+        check_close(top, 2 - 40 / scale, 1.5 / scale, "its upper edge (m)")
+
+
+def test_other_kinds_and_range(display):
+    with App(display, oscillator(controls=[STIFFNESS], meters=[HEIGHT])) as app:
+        app.click(app.find(None, "Control of Coil: K"), button=3)
+        app.choose("Knob")
+        wait(lambda: app.saved()["controls"][0]["kind"] == "knob", "a knob in the file")
+        knob = app.find("slider", "Coil: K")
+        x, y = app.middle(knob)
+        app.drag_pixels((x, y), (x, y - 40))
+        wait(lambda: abs(app.blocks()["Coil"]["stiffness"] - 50) < 1.5, "a quarter of the range more")
+        app.click(app.find("label", "Coil: K"), button=3)
+        app.choose("Set Range…")
+        to = app.find("text", "To")
+        app.retype(to, "10 kN/m")
+        app.press("Return")
+        wait(lambda: app.saved()["controls"][0]["to"] == 10000, "the range in the file")
+        app.click(app.find(None, "Meter of Bob: Y Position"), button=3)
+        app.choose("Dial")
+        wait(lambda: app.saved()["meters"][0]["kind"] == "dial", "a dial in the file")
+
+
+def test_switch(display):
+    with App(display, scene(support("Floor", 0, -2), mass("Bob", 0, 1), {"type": "gravity", "name": "Gravity"},
+                            controls=[{"block": "Floor", "property": "solid", "kind": "switch", "place": [-4.5, 2]}])) as app:
+        switch = app.find("check box", "Floor: Solid")
+        app.click(switch)
+        wait(lambda: app.blocks()["Floor"].get("solid") is False, "a floor that nothing meets")
+
+
+if __name__ == "__main__":
+    main()
