@@ -30,9 +30,9 @@ void advice_add_block(TinkerAdvice *advice, TinkerBlockId block)
     g_array_append_val(advice->blocks, block);
 }
 
-void advice_add_vector(TinkerAdvice *advice, TinkerBlockId block, double x, double y)
+void advice_add_vector(TinkerAdvice *advice, TinkerBlockId block, double x, double y, double rate)
 {
-    TinkerAdviceVector vector = {block, x, y};
+    TinkerAdviceVector vector = {block, x, y, rate};
     if (advice->vectors == NULL) advice->vectors = g_array_new(FALSE, FALSE, sizeof(TinkerAdviceVector));
     g_array_append_val(advice->vectors, vector);
 }

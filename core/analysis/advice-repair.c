@@ -23,6 +23,9 @@ static gboolean set_vectors(TinkerHistory *history, TinkerScene *scene, const Ti
         for (int32_t k = 0; add && column >= 0 && k < 2; k++)
             values[k] += tinker_scene_get(scene, vector->block, column + k);
         if (!start_set_meaning(history, scene, vector->block, meaning, values, error)) return FALSE;
+        if (!isnan(vector->rate) &&
+            !start_set_meaning(history, scene, vector->block, TINKER_MEANING_ANGULAR_VELOCITY, &vector->rate, error))
+            return FALSE;
     }
     return TRUE;
 }

@@ -20,8 +20,23 @@ static const TinkerDimension speed_dimension = TINKER_DIMENSION_VELOCITY;
 typedef struct {
     TinkerBlockId block;
     int32_t set;
-    double given[2], allowed[2], change; /* m/s */
+    double given[2], allowed[2], change; /* m/s; that of what turns at its radius of gyration is part of the change */
+    double rate;                         /* rad/s: allowed; NAN where it does not turn */
 } Misfit;
+
+/* What is said of the body's turning; its speed at the radius of gyration, m/s. */
+static double look_at_rate(const TinkerFrame *frame, const TinkerModel *model, int32_t body, const double *allowed,
+                           Misfit *misfit)
+{
+    double radius;
+    const int32_t turn = tinker_model_body_turn(model, body, &radius);
+    misfit->rate = NAN;
+    if (turn < 0) return 0;
+    const double given = tinker_frame_meaning(frame, misfit->block, TINKER_MEANING_ANGULAR_VELOCITY, 0, 0);
+    misfit->rate = allowed[turn] / radius;
+    misfit->change = hypot(misfit->change, radius * (misfit->rate - given));
+    return radius * fmax(fabs(given), fabs(misfit->rate));
+}
 
 static GArray *find_misfits(const TinkerFrame *frame, const TinkerModel *model, const int32_t *sets)
 {
@@ -39,6 +54,7 @@ static GArray *find_misfits(const TinkerFrame *frame, const TinkerModel *model, 
             fastest = fmax(fastest,
                            fmax(hypot(misfit.given[0], misfit.given[1]), hypot(misfit.allowed[0], misfit.allowed[1])));
             misfit.change = hypot(misfit.allowed[0] - misfit.given[0], misfit.allowed[1] - misfit.given[1]);
+            fastest = fmax(fastest, look_at_rate(frame, model, i, allowed, &misfit));
             for (int axis = 0; axis < 2; axis++)
                 if (fabs(misfit.allowed[axis]) <= ROUNDING * fastest) misfit.allowed[axis] = 0;
             if (pass == 1 && misfit.change > START_FITS * fastest) g_array_append_val(misfits, misfit);
@@ -124,7 +140,7 @@ static void tell(GPtrArray *all, const TinkerFrame *frame, const Misfit *misfits
                                : g_strdup_printf(_("Set the velocity to %s"), speed);
     for (guint i = 0; i < count; i++) {
         advice_add_block(advice, misfits[i].block);
-        advice_add_vector(advice, misfits[i].block, misfits[i].allowed[0], misfits[i].allowed[1]);
+        advice_add_vector(advice, misfits[i].block, misfits[i].allowed[0], misfits[i].allowed[1], misfits[i].rate);
     }
     if (connector != TINKER_NO_BLOCK) advice_add_block(advice, connector);
 }

@@ -123,7 +123,8 @@ static void on_overlap(GPtrArray *all, TinkerScene *scene, const TinkerOverlap *
                                    tinker_scene_block_name(scene, overlap->plate)));
     advice_add_block(advice, overlap->body);
     advice_add_block(advice, overlap->plate);
-    advice_add_vector(advice, overlap->body, overlap->depth * overlap->normal[0], overlap->depth * overlap->normal[1]);
+    advice_add_vector(advice, overlap->body, overlap->depth * overlap->normal[0], overlap->depth * overlap->normal[1],
+                      NAN);
     advice->repair = g_strdup_printf(_("Move it out by %s"), depth);
 }
 

@@ -19,6 +19,7 @@ typedef enum {
 typedef struct {
     TinkerBlockId block;
     double x, y;
+    double rate; /* rad/s: that it is to turn at; NAN: as it is */
 } TinkerAdviceVector;
 
 typedef struct {

@@ -115,6 +115,8 @@ static void add_turned(Asked *asked, TinkerBlockId body, const double pivot[2], 
     double dx = centre[0] - pivot[0], dy = centre[1] - pivot[1];
     place.place[0] = pivot[0] + c * dx - s * dy + shift[0];
     place.place[1] = pivot[1] + s * dx + c * dy + shift[1];
+    if (start_turns(asked->scene, body))
+        place.orientation = tinker_frame_meaning(asked->frame, body, TINKER_MEANING_ORIENTATION, 0, 0) + turn;
     place.velocity[0] = c * velocity[0] - s * velocity[1];
     place.velocity[1] = s * velocity[0] + c * velocity[1];
     g_array_append_val(asked->places, place);
@@ -237,6 +239,8 @@ static gboolean find_places(Asked *asked, GError **error)
         return thrown(asked, error);
     default:
         set_velocity(asked, 0, 0);
+        if (start_turns(asked->scene, asked->option->block))
+            g_array_index(asked->places, StartPlace, asked->places->len - 1).rate = 0;
         return TRUE;
     }
 }
@@ -261,6 +265,10 @@ gboolean tinker_start_apply(TinkerHistory *history, TinkerScene *scene, const Ti
     asked.frame = frame;
     if (frame == NULL) return FALSE;
     if (is_of_length(option->kind)) return set_length(history, &asked, title, error);
+    if (start_turn_is(option->kind)) {
+        g_clear_pointer(&frame, tinker_frame_free);
+        return start_turn_apply(history, scene, option, asked.value, title, error);
+    }
     if (!find_places(&asked, error)) return FALSE;
     g_clear_pointer(&frame, tinker_frame_free); /* it must not outlive the scene as it is */
     return start_places_write(history, scene, title, places, error);

@@ -19,6 +19,11 @@ typedef enum {
     TINKER_START_AT_REST,
     TINKER_START_SPEED,     /* the direction stays; m/s */
     TINKER_START_DIRECTION, /* counter-clockwise from +x, the speed stays; rad */
+    /* of a body that turns; what is joined to it goes along */
+    TINKER_START_LEVEL,    /* its own x axis, a bar's length, along the world's */
+    TINKER_START_UPRIGHT,  /* along the world's y axis */
+    TINKER_START_INCLINED, /* at this angle, counter-clockwise from the right; rad */
+    TINKER_START_SPINNING, /* turns at this rate, counter-clockwise, about what it is joined to; rad/s */
     /* of a connector that has a length */
     TINKER_START_LENGTH_AS_DRAWN,  /* the length becomes the distance of its ends */
     TINKER_START_LENGTH_STRETCHED, /* the length becomes that much less than the distance of its ends; m */

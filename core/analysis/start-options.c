@@ -9,7 +9,8 @@
 #define MOST_LOOKED_FOR 24
 
 static const TinkerDimension no_dimension = TINKER_DIMENSION_NONE, length_dimension = TINKER_DIMENSION_LENGTH,
-                             angle_dimension = TINKER_DIMENSION_ANGLE, speed_dimension = TINKER_DIMENSION_VELOCITY;
+                             angle_dimension = TINKER_DIMENSION_ANGLE, speed_dimension = TINKER_DIMENSION_VELOCITY,
+                             rate_dimension = TINKER_DIMENSION_ANGULAR_FREQUENCY;
 
 static void option_free(gpointer data)
 {
@@ -184,6 +185,37 @@ static void offer_velocities(GPtrArray *options, TinkerScene *scene, const Tinke
           g_strdup_printf(_("%s starts with its present speed at that angle, counter-clockwise from the right"), name));
 }
 
+/* Turning ---------------------------------------------------------------------------------------------------------- */
+
+static void offer_turned(GPtrArray *options, TinkerScene *scene, const TinkerFrame *frame, TinkerBlockId body)
+{
+    const char *name = tinker_scene_block_name(scene, body);
+    offer(options, (TinkerStartOption){TINKER_START_LEVEL, body, TINKER_NO_BLOCK, .dimension = no_dimension},
+          g_strdup(_("Horizontal")),
+          g_strdup_printf(_("Turns %s until its length is horizontal; what is joined to it goes along"), name));
+    offer(options, (TinkerStartOption){TINKER_START_UPRIGHT, body, TINKER_NO_BLOCK, .dimension = no_dimension},
+          g_strdup(_("Vertical")),
+          g_strdup_printf(_("Turns %s until its length is vertical; what is joined to it goes along"), name));
+    offer(options,
+          (TinkerStartOption){TINKER_START_INCLINED, body, TINKER_NO_BLOCK, .asks = TRUE, .dimension = angle_dimension,
+                              .value = tinker_frame_meaning(frame, body, TINKER_MEANING_ORIENTATION, 0, 0)},
+          g_strdup(_("Angle from the horizontal")),
+          g_strdup_printf(
+              _("Turns %s to that angle, counter-clockwise from the right; what is joined to it goes along"), name));
+}
+
+static void offer_spinning(GPtrArray *options, TinkerScene *scene, const TinkerFrame *frame, TinkerBlockId body)
+{
+    offer(
+        options,
+        (TinkerStartOption){TINKER_START_SPINNING, body, TINKER_NO_BLOCK, .asks = TRUE, .dimension = rate_dimension,
+                            .value = tinker_frame_meaning(frame, body, TINKER_MEANING_ANGULAR_VELOCITY, 0, 0)},
+        g_strdup(_("Spinning at")),
+        g_strdup_printf(_("%s starts to turn at that rate, counter-clockwise (as in 120 rpm), about what it is joined "
+                          "to; that starts as it must then"),
+                        tinker_scene_block_name(scene, body)));
+}
+
 /* A block ---------------------------------------------------------------------------------------------------------- */
 
 static void offer_for_body(GPtrArray *options, TinkerScene *scene, const TinkerFrame *frame, TinkerBlockId body)
@@ -194,7 +226,9 @@ static void offer_for_body(GPtrArray *options, TinkerScene *scene, const TinkerF
     if (links->len > 0) offer_equilibrium(options, scene, frame, body, anchored);
     offer_links(options, scene, frame, body, anchored);
     offer_plate(options, scene, frame, body);
+    if (start_is_long(scene, body)) offer_turned(options, scene, frame, body);
     offer_velocities(options, scene, frame, body);
+    if (start_turns(scene, body)) offer_spinning(options, scene, frame, body);
 }
 
 static void offer_for_connector(GPtrArray *options, TinkerScene *scene, const TinkerFrame *frame,

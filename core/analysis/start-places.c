@@ -89,7 +89,9 @@ static gboolean write_place(TinkerHistory *history, TinkerScene *scene, const St
            (isnan(place->orientation) ||
             start_set_meaning(history, scene, body, TINKER_MEANING_ORIENTATION, &place->orientation, error)) &&
            (isnan(place->velocity[0]) ||
-            start_set_meaning(history, scene, body, TINKER_MEANING_VELOCITY, place->velocity, error));
+            start_set_meaning(history, scene, body, TINKER_MEANING_VELOCITY, place->velocity, error)) &&
+           (isnan(place->rate) ||
+            start_set_meaning(history, scene, body, TINKER_MEANING_ANGULAR_VELOCITY, &place->rate, error));
 }
 
 static gboolean refuse_span(TinkerScene *scene, const Span *span, double distance, GError **error)

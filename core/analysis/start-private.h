@@ -3,6 +3,7 @@
 #define TINKER_CORE_START_PRIVATE_H
 
 #include "analysis/equilibrium.h"
+#include "analysis/start-conditions.h"
 #include "scene/frame/tops.h"
 #include "scene/history/history.h"
 
@@ -54,13 +55,13 @@ gboolean *start_group_new(TinkerScene *scene, TinkerBlockId body, StartTies ties
 /* Where a body is to start. What is NAN stays. */
 typedef struct {
     TinkerBlockId body;
-    double place[2], orientation, velocity[2];
+    double place[2], orientation, velocity[2], rate;
     gboolean lies; /* on the top of the plate, so far along (m), in place of a place and an orientation */
     TinkerBlockId plate;
     double along;
 } StartPlace;
 
-#define START_PLACE_AS_IT_IS(body_) ((StartPlace){body_, {NAN, NAN}, NAN, {NAN, NAN}, FALSE, TINKER_NO_BLOCK, 0})
+#define START_PLACE_AS_IT_IS(body_) ((StartPlace){body_, {NAN, NAN}, NAN, {NAN, NAN}, NAN, FALSE, TINKER_NO_BLOCK, 0})
 
 /* A start position may miss a length by this much of it, as a run has it. */
 #define START_FITS 1e-6
@@ -74,6 +75,17 @@ void start_velocity_of(const TinkerFrame *frame, TinkerBlockId body, double velo
 /* Puts bodies there, as one step. See tinker_start_apply for what is kept and what is refused. */
 gboolean start_places_write(TinkerHistory *history, TinkerScene *scene, const char *title, const GArray *places,
                             GError **error);
+
+/* Turning ---------------------------------------------------------------------------------------------------------- */
+
+/* A body that turns; one that has a length, too, so that it can be level. */
+gboolean start_turns(const TinkerScene *scene, TinkerBlockId body);
+gboolean start_is_long(const TinkerScene *scene, TinkerBlockId body);
+
+/* Whether a start is about how a body is turned or turns; and making it so, as one step. */
+gboolean start_turn_is(TinkerStartKind kind);
+gboolean start_turn_apply(TinkerHistory *history, TinkerScene *scene, const TinkerStartOption *option, double value,
+                          const char *title, GError **error);
 
 /* Rest ------------------------------------------------------------------------------------------------------------- */
 

@@ -82,8 +82,17 @@ StartRest *start_rest_new(TinkerScene *scene, TinkerBlockId body, GError **error
     rest->lands = lands(frame, contacts);
     rest->bodies = g_array_new(FALSE, FALSE, sizeof(StartPlace));
     for (int32_t i = 0; i < bodies; i++) {
-        StartPlace place = {
-            tinker_model_body_block(model, i), {q[2 * i] + origin[0], q[2 * i + 1] + origin[1]}, NAN, {0, 0}};
+        double radius;
+        const int32_t turn = tinker_model_body_turn(model, i, &radius);
+        StartPlace place = START_PLACE_AS_IT_IS(tinker_model_body_block(model, i));
+        for (int k = 0; k < 2; k++) {
+            place.place[k] = q[2 * i + k] + origin[k];
+            place.velocity[k] = 0;
+        }
+        if (turn >= 0) {
+            place.orientation = q[turn] / radius;
+            place.rate = 0;
+        }
         if (place.body == body) rest->own = (guint)i;
         g_array_append_val(rest->bodies, place);
     }

@@ -353,8 +353,22 @@ static void test_bundled_scenes(void)
     g_assert_cmpint(scenes, >, 20);
 }
 
+/* A bar on a pin that is told to spin, and its centre to stand still: the repair gives both what fits. */
+static void test_rate(void)
+{
+    g_autoptr(StartFixture) f =
+        start_fixture_new("{'type': 'support'}, {'type': 'bar', 'position': [0.5, 0], 'angular_velocity': 4},"
+                          "{'type': 'pin', 'ends': ['Support 0', {'block': 'Bar 0', 'at': [-0.5, 0]}]}");
+    assert_only(f, TINKER_ADVICE_VELOCITY, FALSE, "Bar 0", "does not fit what ties it", "Set the velocity to 0.5 m/s");
+    repair(f);
+    const double rate = start_fixture_get(f, "Bar 0", TINKER_MEANING_ANGULAR_VELOCITY, 0);
+    physics_assert_near("rate", rate, 4 * (1 / 12.0) / (1 / 12.0 + 0.25), 1e-12); /* I / (I + m l^2 / 4) of it */
+    physics_assert_near("vy", start_fixture_get(f, "Bar 0", TINKER_MEANING_VELOCITY, 1), 0.5 * rate, 1e-12);
+}
+
 static void add_tests(void)
 {
+    g_test_add_func("/advice/rate", test_rate);
     g_test_add_func("/advice/nothing-wrong", test_nothing_wrong);
     g_test_add_func("/advice/detached-end", test_detached_end);
     g_test_add_func("/advice/missing-type", test_missing_type);

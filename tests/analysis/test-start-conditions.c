@@ -455,6 +455,75 @@ static void test_bundled_scenes(void)
     g_assert_cmpint(scenes, >, 20);
 }
 
+/* Bodies that turn ------------------------------------------------------------------------------------------------- */
+
+/* A bar of 1 m that hangs on a pin at its end, 30 degrees off the vertical. */
+#define HANGING_BAR                                                                                                    \
+    "{'type': 'support'}, {'type': 'bar', 'position': [0.25, -0.4330127018922193], 'orientation': "                    \
+    "-1.0471975511965976},"                                                                                            \
+    "{'type': 'pin', 'ends': ['Support 0', {'block': 'Bar 0', 'at': [-0.5, 0]}]}"
+
+static void assert_bar(const StartFixture *f, const char *name, double x, double y, double angle)
+{
+    physics_assert_near("x", start_fixture_get(f, name, TINKER_MEANING_POSITION, 0), x, 1e-9);
+    physics_assert_near("y", start_fixture_get(f, name, TINKER_MEANING_POSITION, 1), y, 1e-9);
+    physics_assert_near("angle", start_fixture_get(f, name, TINKER_MEANING_ORIENTATION, 0), angle, 1e-9);
+}
+
+/* It turns about its pin, the shorter way. */
+static void test_turned(void)
+{
+    g_autoptr(StartFixture) f = start_fixture_new(HANGING_BAR);
+    apply(f, "Bar 0", TINKER_START_LEVEL, NULL, 0);
+    assert_bar(f, "Bar 0", 0.5, 0, 0);
+    g_autoptr(StartFixture) again = start_fixture_new(HANGING_BAR);
+    apply(again, "Bar 0", TINKER_START_UPRIGHT, NULL, 0);
+    assert_bar(again, "Bar 0", 0, -0.5, -G_PI / 2);
+    g_autoptr(StartFixture) inclined = start_fixture_new(HANGING_BAR);
+    apply(inclined, "Bar 0", TINKER_START_INCLINED, NULL, G_PI / 6);
+    assert_bar(inclined, "Bar 0", 0.5 * cos(G_PI / 6), 0.25, G_PI / 6);
+}
+
+/* Spinning about the pin: the centre moves across the bar at half a metre; what hangs on its end goes along. */
+static void test_spinning(void)
+{
+    g_autoptr(StartFixture) f =
+        start_fixture_new(HANGING_BAR ", {'type': 'mass', 'position': [0.5, -0.8660254037844386]},"
+                                      "{'type': 'pin', 'ends': [{'block': 'Bar 0', 'at': [0.5, 0]}, 'Mass 0']}");
+    apply(f, "Bar 0", TINKER_START_SPINNING, NULL, 3);
+    physics_assert_near("vx", start_fixture_get(f, "Bar 0", TINKER_MEANING_VELOCITY, 0), 1.5 * sqrt(0.75), 1e-9);
+    physics_assert_near("vy", start_fixture_get(f, "Bar 0", TINKER_MEANING_VELOCITY, 1), 1.5 * 0.5, 1e-9);
+    physics_assert_near("mass vx", start_fixture_get(f, "Mass 0", TINKER_MEANING_VELOCITY, 0), 3 * sqrt(0.75), 1e-9);
+    physics_assert_near("mass vy", start_fixture_get(f, "Mass 0", TINKER_MEANING_VELOCITY, 1), 3 * 0.5, 1e-9);
+    g_autoptr(TinkerModel) model = tinker_model_new(f->scene, NULL);
+    g_assert_nonnull(model);
+    g_assert_cmpuint(tinker_model_warnings(model)->len, ==, 0); /* nothing had to be changed */
+    g_assert_true(try_apply(f, "Bar 0", TINKER_START_AT_REST, NULL, 0, NULL));
+    g_assert_cmpfloat(start_fixture_get(f, "Bar 0", TINKER_MEANING_ANGULAR_VELOCITY, 0), ==, 0);
+}
+
+/* Free, it spins about its centre, which keeps its velocity. */
+static void test_spinning_freely(void)
+{
+    g_autoptr(StartFixture) f = start_fixture_new("{'type': 'disc', 'velocity': [2, 1]}");
+    apply(f, "Disc 0", TINKER_START_SPINNING, NULL, 4 * G_PI);
+    g_assert_cmpfloat(start_fixture_get(f, "Disc 0", TINKER_MEANING_VELOCITY, 0), ==, 2);
+    g_assert_false(is_offered(f, "Disc 0", TINKER_START_LEVEL, NULL)); /* round */
+    g_autoptr(StartFixture) mass = start_fixture_new("{'type': 'mass'}");
+    g_assert_false(is_offered(mass, "Mass 0", TINKER_START_SPINNING, NULL));
+}
+
+/* At rest a bar hangs straight down from its pin, and is turned so. */
+static void test_bar_at_equilibrium(void)
+{
+    g_autoptr(StartFixture) f = start_fixture_new(G HANGING_BAR);
+    apply(f, "Bar 0", TINKER_START_AT_EQUILIBRIUM, NULL, 0);
+    assert_bar(f, "Bar 0", 0, -0.5, -G_PI / 2);
+    g_autoptr(GError) error = NULL;
+    g_autoptr(TinkerModel) model = tinker_model_new(f->scene, &error);
+    g_assert_no_error(error);
+}
+
 static void add_tests(void)
 {
     g_test_add_func("/start/equilibrium", test_equilibrium);
@@ -474,6 +543,10 @@ static void add_tests(void)
     g_test_add_func("/start/lengths-of-connectors", test_lengths_of_connectors);
     g_test_add_func("/start/nothing-to-offer", test_nothing_to_offer);
     g_test_add_func("/start/bundled-scenes", test_bundled_scenes);
+    g_test_add_func("/start/turned", test_turned);
+    g_test_add_func("/start/spinning", test_spinning);
+    g_test_add_func("/start/spinning-freely", test_spinning_freely);
+    g_test_add_func("/start/bar-at-equilibrium", test_bar_at_equilibrium);
 }
 
 int main(int argc, char **argv)

@@ -97,36 +97,70 @@ static GArray *bodies_of(const TinkerModel *model)
     for (int32_t i = 0; i < model->bodies; i++) {
         const int32_t turn = model->turn_of != NULL ? model->turn_of[i] : -1;
         TinkerAssembledBody body = {.block = model->body_blocks[i], .turns = turn >= 0};
-        for (int k = 0; k < 2; k++)
+        for (int k = 0; k < 2; k++) {
             body.place[k] = model->origin[k] + model->q_start[2 * i + k];
-        if (turn >= 0) body.orientation = model->q_start[2 * model->bodies + turn] / model->turns[turn].gyration;
+            body.velocity[k] = model->v_start[2 * i + k];
+        }
+        if (turn >= 0) {
+            body.orientation = model->q_start[2 * model->bodies + turn] / model->turns[turn].gyration;
+            body.rate = model->v_start[2 * model->bodies + turn] / model->turns[turn].gyration;
+        }
         g_array_append_val(bodies, body);
     }
     return bodies;
+}
+
+/* The number of the held body; -1: it is a support. */
+static int32_t held_body(const TinkerModel *model, const TinkerHeldBody *held)
+{
+    for (int32_t i = 0; i < model->bodies; i++)
+        if (model->body_blocks[i] == held->block) return i;
+    return -1;
+}
+
+/* The coordinate that a body turns by; -1: none. */
+static int32_t turn_coordinate(const TinkerModel *model, int32_t body)
+{
+    const int32_t turn = body >= 0 && model->turn_of != NULL ? model->turn_of[body] : -1;
+    return turn >= 0 ? 2 * model->bodies + turn : -1;
 }
 
 /* Newton steps go along the rows as they lie at first, and so not to the place that is nearest to the hand: what it
  * holds is put back into it, with the others where they came to stand, until that changes little. */
 static TinkerStatus follow_hand(TinkerModel *model, const TinkerHeldBody *held)
 {
-    int32_t body = 0;
-    gboolean moved;
-    while (body < model->bodies && model->body_blocks[body] != held->block)
-        body++;
-    if (body == model->bodies) /* a support in hand: where it is, is no question */
-        return tinker_constraints_project_positions(model, 0.0, model->q_start, model->v_start, &moved);
-    const int32_t turn = model->turn_of != NULL ? model->turn_of[body] : -1, angle = 2 * model->bodies + turn;
+    const int32_t body = held_body(model, held), angle = turn_coordinate(model, body);
     double *q = model->q_start;
-    const double place[2] = {q[2 * body], q[2 * body + 1]}, orientation = turn >= 0 ? q[angle] : 0;
+    const double place[2] = {body >= 0 ? q[2 * body] : 0, body >= 0 ? q[2 * body + 1] : 0};
+    const double orientation = angle >= 0 ? q[angle] : 0;
     TinkerStatus status = TINKER_OK;
     double missed = INFINITY, before;
     for (int tries = 0; tries < MOST_TRIES && status == TINKER_OK; tries++) {
-        if (held->place) memcpy(q + 2 * body, place, sizeof place);
-        if (held->orientation && turn >= 0) q[angle] = orientation;
+        gboolean moved;
+        if (held->place && body >= 0) memcpy(q + 2 * body, place, sizeof place);
+        if (held->orientation && angle >= 0) q[angle] = orientation;
         status = tinker_constraints_project_positions(model, 0.0, q, model->v_start, &moved);
         before = missed;
-        missed = held->place ? hypot(q[2 * body] - place[0], q[2 * body + 1] - place[1]) : 0;
-        if (held->orientation && turn >= 0) missed += fabs(q[angle] - orientation);
+        missed = held->place && body >= 0 ? hypot(q[2 * body] - place[0], q[2 * body + 1] - place[1]) : 0;
+        if (held->orientation && angle >= 0) missed += fabs(q[angle] - orientation);
+        if (!(fabs(before - missed) > LITTLE * missed)) break;
+    }
+    return status;
+}
+
+/* Likewise for the rate. */
+static TinkerStatus follow_rate(TinkerModel *model, const TinkerHeldBody *held)
+{
+    const int32_t angle = turn_coordinate(model, held_body(model, held));
+    const double rate = angle >= 0 ? model->v_start[angle] : 0;
+    TinkerStatus status = TINKER_OK;
+    double missed = INFINITY, before;
+    for (int tries = 0; tries < MOST_TRIES && status == TINKER_OK; tries++) {
+        gboolean moved;
+        if (angle >= 0) model->v_start[angle] = rate;
+        status = tinker_constraints_project_velocities(model, 0.0, model->q_start, model->v_start, FALSE, &moved);
+        before = missed;
+        missed = angle >= 0 ? fabs(model->v_start[angle] - rate) : 0;
         if (!(fabs(before - missed) > LITTLE * missed)) break;
     }
     return status;
@@ -142,6 +176,7 @@ static gboolean bring_together(TinkerModel *model, const TinkerHeldBody *held, G
         all->redundant = MAX(tinker_constraints_count_dependent(model), all->fitted);
         status = follow_hand(model, held);
     }
+    if (status == TINKER_OK && held->rate) status = follow_rate(model, held);
     if (status != TINKER_OK)
         g_set_error_literal(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_CONTRADICTION, model->failure);
     return status == TINKER_OK;
@@ -160,7 +195,7 @@ GArray *tinker_assemble(TinkerScene *scene, const TinkerHeldBody *held, GError *
     model->part = TRUE;
     if (!tinker_model_resolve_placed(model, error)) return NULL;
     if (held->place) weigh_down(model->batches, held->block, TINKER_MEANING_MASS);
-    if (held->orientation) weigh_down(model->batches, held->block, TINKER_MEANING_INERTIA);
+    if (held->orientation || held->rate) weigh_down(model->batches, held->block, TINKER_MEANING_INERTIA);
     if (!tinker_model_compile_parts(model, error) || !bring_together(model, held, error)) return NULL;
     return bodies_of(model);
 }

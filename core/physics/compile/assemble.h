@@ -1,4 +1,4 @@
-/* Assembling: where bodies stand once what joins them fits. Positions alone, at t = 0. */
+/* Assembling: where bodies stand at t = 0 once what joins them fits, and how they move then. */
 #ifndef TINKER_CORE_ASSEMBLE_H
 #define TINKER_CORE_ASSEMBLE_H
 
@@ -8,13 +8,16 @@
 typedef struct {
     TinkerBlockId block;
     gboolean place, orientation;
+    gboolean rate; /* velocities are brought onto what joins, too */
 } TinkerHeldBody;
 
 /* Where a body stands then. */
 typedef struct {
     TinkerBlockId block;
     double place[2];    /* m */
-    double orientation; /* rad; of a body that turns */
+    double orientation; /* rad; of a body that turns, as is the rate */
+    double velocity[2]; /* m/s; as given, unless the rate is held */
+    double rate;        /* rad/s */
     gboolean turns;
 } TinkerAssembledBody;
 

@@ -1,8 +1,8 @@
 /* Gestures and keys. A press decides by what lies under it; nothing is changed before the pointer has moved. */
 #include <math.h>
 
+#include "analysis/joined.h"
 #include "gui/canvas/canvas-private.h"
-#include "gui/document/joined.h"
 
 #define THRESHOLD  4.0  /* widget units: a press that moves less is a click */
 #define WHEEL_ZOOM 1.15 /* by one notch */

@@ -2,8 +2,8 @@
 #include <glib/gi18n.h>
 #include <math.h>
 
+#include "analysis/joined.h"
 #include "gui/canvas/canvas-private.h"
-#include "gui/document/joined.h"
 #include "gui/text/translate.h"
 
 #define HALF_CONNECTOR 60.0 /* widget units: half the length of a connector that lies free */

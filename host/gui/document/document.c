@@ -4,8 +4,8 @@
 #include <glib/gi18n-lib.h>
 #include <math.h>
 
+#include "analysis/joined.h"
 #include "gui/document/carry-tables.h"
-#include "gui/document/joined.h"
 
 struct _TinkerDocument {
     GObject parent_instance;

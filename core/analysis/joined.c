@@ -1,10 +1,11 @@
 /* Where the bodies stand then is worked out by the physics' own constraints, and goes to the history as any edit does.
  */
-#include "gui/document/joined.h"
+#include "analysis/joined.h"
 
 #include <math.h>
 #include <string.h>
 
+#include "analysis/start-private.h"
 #include "physics/compile/assemble.h"
 
 #define NO_MOVE 1e-12 /* m and rad, of 1 or of the value: rounding of the constraints is no edit */
@@ -49,7 +50,7 @@ static void put(TinkerHistory *history, const TinkerScene *scene, const TinkerPl
 /* Whether what joins a block fits where the scene is now. */
 static gboolean fits(TinkerScene *scene, TinkerBlockId block)
 {
-    const TinkerHeldBody held = {block, TRUE, TRUE};
+    const TinkerHeldBody held = {block, TRUE, TRUE, FALSE};
     g_autoptr(GArray) bodies = tinker_assemble(scene, &held, NULL);
     return bodies != NULL;
 }
@@ -68,7 +69,8 @@ static void put_all(TinkerHistory *history, TinkerScene *scene, const GArray *bo
 gboolean tinker_joined_follow(TinkerHistory *history, TinkerScene *scene, const TinkerPlacement *before, GError **error)
 {
     const TinkerPlacement now = tinker_placement_of(scene, before->block);
-    const TinkerHeldBody held = {now.block, is_elsewhere(&now, before), differs(now.orientation, before->orientation)};
+    const TinkerHeldBody held = {now.block, is_elsewhere(&now, before), differs(now.orientation, before->orientation),
+                                 FALSE};
     if (!held.place && !held.orientation) return TRUE;
     GError *cause = NULL;
     g_autoptr(GArray) bodies = tinker_assemble(scene, &held, &cause);
@@ -88,7 +90,21 @@ gboolean tinker_joined_follow(TinkerHistory *history, TinkerScene *scene, const 
 
 void tinker_joined_bring(TinkerHistory *history, TinkerScene *scene, TinkerBlockId block)
 {
-    const TinkerHeldBody held = {block, TRUE, TRUE};
+    const TinkerHeldBody held = {block, TRUE, TRUE, FALSE};
     g_autoptr(GArray) bodies = tinker_assemble(scene, &held, NULL);
     if (bodies != NULL) put_all(history, scene, bodies);
+}
+
+gboolean tinker_joined_spin(TinkerHistory *history, TinkerScene *scene, TinkerBlockId block, GError **error)
+{
+    const TinkerHeldBody held = {block, FALSE, FALSE, TRUE};
+    g_autoptr(GArray) bodies = tinker_assemble(scene, &held, error);
+    for (guint i = 0; bodies != NULL && i < bodies->len; i++) {
+        const TinkerAssembledBody *body = &g_array_index(bodies, TinkerAssembledBody, i);
+        if (!start_set_meaning(history, scene, body->block, TINKER_MEANING_VELOCITY, body->velocity, error) ||
+            (body->turns &&
+             !start_set_meaning(history, scene, body->block, TINKER_MEANING_ANGULAR_VELOCITY, &body->rate, error)))
+            return FALSE;
+    }
+    return bodies != NULL;
 }

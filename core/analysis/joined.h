@@ -1,0 +1,30 @@
+/* What is joined to a block follows it where that is moved: joints and lengths that are given hold while a scene is
+ * being set up, too. Each call is part of a step of the history. */
+#ifndef TINKER_CORE_JOINED_H
+#define TINKER_CORE_JOINED_H
+
+#include "scene/history/history.h"
+
+/* Where a block is placed, and how it is turned. */
+typedef struct {
+    TinkerBlockId block;
+    double place[2];    /* m */
+    double orientation; /* rad */
+} TinkerPlacement;
+
+TinkerPlacement tinker_placement_of(const TinkerScene *scene, TinkerBlockId block);
+
+/* The block was moved or turned away from `before`: brings what is joined to it behind it, and itself onto what holds
+ * it. FALSE: nothing within reach fits, as it did before; the block is back there, and the error names what does not
+ * fit. */
+gboolean tinker_joined_follow(TinkerHistory *history, TinkerScene *scene, const TinkerPlacement *before,
+                              GError **error);
+
+/* Brings what is joined to a block to it, where the block is. What does not fit stays as it is. */
+void tinker_joined_bring(TinkerHistory *history, TinkerScene *scene, TinkerBlockId block);
+
+/* The block was given another angular velocity: gives it, and what is joined to it, velocities that what joins them
+ * allows. Errors as of tinker_assemble. */
+gboolean tinker_joined_spin(TinkerHistory *history, TinkerScene *scene, TinkerBlockId block, GError **error);
+
+#endif
