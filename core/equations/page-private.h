@@ -2,13 +2,15 @@
 #ifndef TINKER_CORE_EQUATIONS_PAGE_PRIVATE_H
 #define TINKER_CORE_EQUATIONS_PAGE_PRIVATE_H
 
-#include "equations/equations.h"
+#include "equations/write.h"
 
 typedef struct {
     GString *text;
     TinkerTypesetFormat format;
     const TinkerEquations *equations;
-    GPtrArray *rows; /* of char *: left, right and comment of equations that have not been written yet */
+    GPtrArray *rows;     /* of char *: left, right and comment of equations that have not been written yet */
+    GPtrArray *lines;    /* of TinkerEquationLine: where they go instead (lines.h), without a text; or NULL */
+    TinkerBlockId about; /* whose the next equations are; -1: nobody's, as after each heading */
 } TinkerPage;
 
 void tinker_page_begin(TinkerPage *page, TinkerTypesetFormat format, const TinkerEquations *equations,
@@ -17,6 +19,19 @@ void tinker_page_heading(TinkerPage *page, const char *heading);
 
 /* left = right, and what it is; all are taken over. `comment` is plain text, and may be NULL. */
 void tinker_page_equation(TinkerPage *page, char *left, char *right, char *comment);
+
+/* The same in lines; page-lines.c. A sum has its terms added one by one. */
+GPtrArray *tinker_page_lines_new(void);
+void tinker_page_line_heading(TinkerPage *page, const char *heading);
+void tinker_page_line(TinkerPage *page, char *left, char *right, char *comment);
+void tinker_page_line_sum(TinkerPage *page, char *left, int component, char *comment);
+void tinker_page_line_term(TinkerPage *page, TinkerBlockId block, TinkerTermKind kind,
+                           const TinkerExpression *expression);
+
+/* What the writers of write.h put between a page's beginning and its end. */
+void tinker_equations_put_newton(TinkerPage *page, const TinkerEquationsShown *shown);
+void tinker_equations_put_matrix(TinkerPage *page, const TinkerMatrixForm *form, const TinkerEquationsShown *shown);
+void tinker_equations_put_angles(TinkerPage *page, const TinkerAngleForm *form, const TinkerEquationsShown *shown);
 
 /* Ends a block of equations that are aligned with each other. */
 void tinker_page_gap(TinkerPage *page);

@@ -41,7 +41,7 @@ static char *safe_text(const TinkerPage *page, const char *text)
 void tinker_page_begin(TinkerPage *page, TinkerTypesetFormat format, const TinkerEquations *equations,
                        const char *title)
 {
-    *page = (TinkerPage){g_string_new(NULL), format, equations, g_ptr_array_new_with_free_func(g_free)};
+    *page = (TinkerPage){g_string_new(NULL), format, equations, g_ptr_array_new_with_free_func(g_free), NULL, -1};
     g_autofree char *safe = safe_text(page, title);
     if (format == TINKER_TYPESET_LATEX)
         g_string_append_printf(page->text, "%s\\section*{%s}\n", latex_head, safe);
@@ -124,6 +124,11 @@ static void flush(TinkerPage *page)
 void tinker_page_heading(TinkerPage *page, const char *heading)
 {
     static const char *const forms[] = {"\n%s\n", "\\subsection*{%s}\n", "<h2>%s</h2>\n"};
+    page->about = -1;
+    if (page->lines != NULL) {
+        tinker_page_line_heading(page, heading);
+        return;
+    }
     flush(page);
     g_autofree char *safe = safe_text(page, heading);
     g_auto(GStrv) around = g_strsplit(forms[page->format], "%s", 2);
@@ -139,6 +144,10 @@ void tinker_page_gap(TinkerPage *page)
 void tinker_page_equation(TinkerPage *page, char *left, char *right, char *comment)
 {
     char *const parts[] = {left, right, comment};
+    if (page->lines != NULL) {
+        tinker_page_line(page, left, right, comment);
+        return;
+    }
     for (int i = 0; i < PARTS; i++)
         g_ptr_array_add(page->rows, parts[i]);
 }

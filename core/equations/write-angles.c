@@ -25,31 +25,37 @@ static void write_tree(TinkerPage *page, const TinkerAngleTree *tree)
     }
 }
 
-char *tinker_equations_write_angles(const TinkerEquations *equations, const TinkerAngleForm *form,
-                                    const TinkerEquationsShown *shown)
+void tinker_equations_put_angles(TinkerPage *page, const TinkerAngleForm *form, const TinkerEquationsShown *shown)
 {
-    TinkerPage page;
+    const TinkerEquations *equations = page->equations;
     g_autoptr(GHashTable) needed = g_hash_table_new(g_str_hash, g_str_equal);
-    tinker_page_begin(&page, shown->format, equations, shown->title);
     for (guint i = 0; i < form->trees->len; i++) {
         const TinkerAngleTree *tree = g_ptr_array_index(form->trees, i);
-        write_tree(&page, tree);
+        write_tree(page, tree);
         for (guint k = 0; k < tree->equations->len; k++)
             tinker_equations_mark(equations, g_ptr_array_index(tree->equations, k), needed);
     }
-    if (form->definitions->len > 0) tinker_page_heading(&page, "moved by");
+    if (form->definitions->len > 0) tinker_page_heading(page, "moved by");
     for (guint i = 0; i < form->definitions->len; i++) {
         const TinkerEquationDefinition *definition = g_ptr_array_index(form->definitions, i);
         tinker_equations_mark(equations, definition->is, needed);
-        tinker_page_equation(&page, tinker_page_symbol(&page, definition->name),
-                             tinker_page_expression(&page, definition->is), g_strdup(definition->means));
+        tinker_page_equation(page, tinker_page_symbol(page, definition->name),
+                             tinker_page_expression(page, definition->is), g_strdup(definition->means));
     }
-    tinker_page_names(&page, needed, shown->values);
+    tinker_page_names(page, needed, shown->values);
     for (guint i = 0; i < form->why->len; i++) {
         const TinkerNotWritten *reason = g_ptr_array_index(form->why, i);
         g_autofree char *heading = g_strdup_printf(
             "%s has no equations in angles: %s", tinker_scene_block_name(equations->scene, reason->block), reason->why);
-        tinker_page_heading(&page, heading);
+        tinker_page_heading(page, heading);
     }
+}
+
+char *tinker_equations_write_angles(const TinkerEquations *equations, const TinkerAngleForm *form,
+                                    const TinkerEquationsShown *shown)
+{
+    TinkerPage page;
+    tinker_page_begin(&page, shown->format, equations, shown->title);
+    tinker_equations_put_angles(&page, form, shown);
     return tinker_page_end(&page);
 }

@@ -28,10 +28,11 @@ static char *coordinate(const TinkerPage *page, const TinkerMatrixIsland *island
 /* "+ c q'" where the coefficient is not 0. */
 static void add_term(GString *sum, const TinkerPage *page, const TinkerExpression *factor, char *variable)
 {
-    static const char *const plus[] = {" + ", "+", "<mo>+</mo>"}, *const minus[] = {" − ", "-", "<mo>−</mo>"};
-    static const char *const times[] = {" ", "\\,", "<mo>&#x2062;</mo>"};
-    static const char *const open[] = {"(", "\\left(", "<mo>(</mo>"};
-    static const char *const close[] = {")", "\\right)", "<mo>)</mo>"};
+    static const char *const plus[] = {" + ", "+", "<mo>+</mo>", " plus "}, *const minus[] = {" − ", "-", "<mo>−</mo>",
+                                                                                              " minus "};
+    static const char *const times[] = {" ", "\\,", "<mo>&#x2062;</mo>", " times "};
+    static const char *const open[] = {"(", "\\left(", "<mo>(</mo>", ", "};
+    static const char *const close[] = {")", "\\right)", "<mo>)</mo>", ", "};
     if (!tinker_expression_is_number(factor, 0)) {
         const gboolean negative = factor->kind == TINKER_EXPRESSION_NEGATIVE;
         const TinkerExpression *size = negative ? factor->parts[0] : factor;
@@ -60,7 +61,8 @@ static void write_row(TinkerPage *page, const TinkerMatrixIsland *island, guint 
 static void write_coordinate(TinkerPage *page, const TinkerMatrixIsland *island, guint number)
 {
     const TinkerMatrixCoordinate *each = coordinate_at(island, number);
-    static const char *const minus[] = {" − ", "-", "<mo>−</mo>"}, *const plus[] = {" + ", "+", "<mo>+</mo>"};
+    static const char *const minus[] = {" − ", "-", "<mo>−</mo>", " minus "}, *const plus[] = {" + ", "+", "<mo>+</mo>",
+                                                                                               " plus "};
     g_autofree char *is = tinker_page_expression(page, each->is);
     g_autofree char *about = tinker_page_quantity(page, fabs(each->about), length);
     char *right = each->about == 0
@@ -142,20 +144,25 @@ static void write_names(TinkerPage *page, const TinkerMatrixForm *form, gboolean
     tinker_page_names(page, needed, values);
 }
 
+void tinker_equations_put_matrix(TinkerPage *page, const TinkerMatrixForm *form, const TinkerEquationsShown *shown)
+{
+    for (guint i = 0; i < form->islands->len; i++)
+        write_island(page, g_ptr_array_index(form->islands, i));
+    write_names(page, form, shown->values);
+    for (guint i = 0; i < form->why->len; i++) {
+        const TinkerNotWritten *reason = g_ptr_array_index(form->why, i);
+        g_autofree char *heading = g_strdup_printf(
+            "%s has no such equations: %s",
+            reason->block >= 0 ? tinker_scene_block_name(page->equations->scene, reason->block) : "it", reason->why);
+        tinker_page_heading(page, heading);
+    }
+}
+
 char *tinker_equations_write_matrix(const TinkerEquations *equations, const TinkerMatrixForm *form,
                                     const TinkerEquationsShown *shown)
 {
     TinkerPage page;
     tinker_page_begin(&page, shown->format, equations, shown->title);
-    for (guint i = 0; i < form->islands->len; i++)
-        write_island(&page, g_ptr_array_index(form->islands, i));
-    write_names(&page, form, shown->values);
-    for (guint i = 0; i < form->why->len; i++) {
-        const TinkerNotWritten *reason = g_ptr_array_index(form->why, i);
-        g_autofree char *heading = g_strdup_printf(
-            "%s has no such equations: %s",
-            reason->block >= 0 ? tinker_scene_block_name(equations->scene, reason->block) : "it", reason->why);
-        tinker_page_heading(&page, heading);
-    }
+    tinker_equations_put_matrix(&page, form, shown);
     return tinker_page_end(&page);
 }

@@ -33,6 +33,7 @@ static void write_laws(TinkerPage *page, GHashTable *needed, gboolean values)
         if (!g_hash_table_contains(needed, definition->name)) continue;
         if (first) tinker_page_heading(page, "with");
         first = FALSE;
+        page->about = definition->block;
         char *comment = g_strdup_printf("%s: %s%s", name_of(equations, definition->block),
                                         definition->means != NULL ? definition->means : "a step of its law",
                                         definition->typed ? ", in SI" : "");
@@ -62,6 +63,7 @@ static void write_values(TinkerPage *page, GHashTable *needed, gboolean state)
         if (!g_hash_table_contains(needed, symbol->name) || (of_state && !state)) continue;
         if (first) tinker_page_heading(page, "where");
         first = FALSE;
+        page->about = symbol->block;
         tinker_page_equation(page, tinker_page_symbol(page, symbol->name),
                              tinker_page_quantity(page, symbol->value, symbol->dimension),
                              meaning_of(equations, symbol));

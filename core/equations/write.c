@@ -58,7 +58,7 @@ static TinkerExpression *sum_of(const TinkerBodyEquation *body, const Component 
 /* m x, or I θ, with two dots; the mass is a symbol or a number. */
 static char *left_side(const TinkerPage *page, const TinkerBodyEquation *body, const Component *component)
 {
-    static const char *const between[] = {" ", "\\,", "<mo>&#x2062;</mo>"};
+    static const char *const between[] = {" ", "\\,", "<mo>&#x2062;</mo>", " "};
     const gboolean turning = component->dimension.length == 2;
     g_autofree char *state = g_strconcat(name_of(page->equations, body->block), ".", component->coordinate, NULL);
     g_autofree char *mass = tinker_page_expression(page, turning ? body->inertia : body->mass);
@@ -105,9 +105,30 @@ static void write_values(TinkerPage *page, const TinkerBodyEquation *body, const
     tinker_page_equation(page, left_side(page, body, component), total, NULL);
 }
 
+/* Where nothing acts the sum is 0, of the body itself. */
+static void write_terms(TinkerPage *page, const TinkerBodyEquation *body, const Component *component)
+{
+    gboolean any = FALSE;
+    tinker_page_line_sum(page, left_side(page, body, component), (int)(component - components),
+                         names_of_terms(page->equations, body, component));
+    for (guint i = 0; i < body->terms->len; i++) {
+        const TinkerTerm *term = &g_array_index(body->terms, TinkerTerm, i);
+        if (tinker_expression_is_number(part_of(term, component), 0)) continue;
+        tinker_page_line_term(page, term->block, term->kind, part_of(term, component));
+        any = TRUE;
+    }
+    g_autoptr(TinkerExpression) zero = tinker_expression_number(0);
+    if (!any) tinker_page_line_term(page, body->block, TINKER_TERM_FORCE, zero);
+}
+
 static void write_component(TinkerPage *page, const TinkerBodyEquation *body, const Component *component,
                             gboolean values)
 {
+    page->about = body->block;
+    if (page->lines != NULL) {
+        write_terms(page, body, component);
+        return;
+    }
     g_autoptr(TinkerExpression) sum = sum_of(body, component);
     tinker_page_equation(page, left_side(page, body, component), tinker_page_expression(page, sum),
                          names_of_terms(page->equations, body, component));
@@ -145,6 +166,7 @@ static void write_constraints(TinkerPage *page, GHashTable *needed)
         if (first) tinker_page_heading(page, "held to");
         first = FALSE;
         g_autoptr(TinkerExpression) zero = tinker_expression_number(0);
+        page->about = row->block;
         g_autofree char *multiplier = tinker_page_symbol(page, row->multiplier);
         g_autofree char *plain =
             page->format == TINKER_TYPESET_TEXT ? g_strdup_printf(" (unknown force %s)", multiplier) : g_strdup("");
@@ -168,22 +190,28 @@ static void write_missing(TinkerPage *page)
     }
 }
 
+void tinker_equations_put_newton(TinkerPage *page, const TinkerEquationsShown *shown)
+{
+    const TinkerEquations *equations = page->equations;
+    for (guint i = 0; i < equations->bodies->len; i++) {
+        const TinkerBodyEquation *body = g_ptr_array_index(equations->bodies, i);
+        if (!is_shown(shown, body->block)) continue;
+        tinker_page_heading(page, name_of(equations, body->block));
+        for (gsize c = 0; c < count_components(body); c++)
+            write_component(page, body, &components[c], shown->values);
+    }
+    g_autoptr(GHashTable) needed = needed_names(equations, shown);
+    write_constraints(page, needed);
+    tinker_page_names(page, needed, shown->values);
+    write_missing(page);
+}
+
 char *tinker_equations_write(const TinkerEquations *equations, const TinkerEquationsShown *shown)
 {
     TinkerPage page;
     g_autofree char *title =
         shown->values ? g_strdup_printf("%s, at t = %g s", shown->title, equations->time) : g_strdup(shown->title);
     tinker_page_begin(&page, shown->format, equations, title);
-    for (guint i = 0; i < equations->bodies->len; i++) {
-        const TinkerBodyEquation *body = g_ptr_array_index(equations->bodies, i);
-        if (!is_shown(shown, body->block)) continue;
-        tinker_page_heading(&page, name_of(equations, body->block));
-        for (gsize c = 0; c < count_components(body); c++)
-            write_component(&page, body, &components[c], shown->values);
-    }
-    g_autoptr(GHashTable) needed = needed_names(equations, shown);
-    write_constraints(&page, needed);
-    tinker_page_names(&page, needed, shown->values);
-    write_missing(&page);
+    tinker_equations_put_newton(&page, shown);
     return tinker_page_end(&page);
 }

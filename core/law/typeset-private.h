@@ -26,6 +26,7 @@ typedef struct {
     const char *group[2];     /* around what is one thing to the format */
     const char *fraction[3];  /* before, between, behind; of a stacked one */
     const char *power[3];     /* likewise */
+    const char *raised[10];   /* powers of 0 to 9 that are written behind what they are of; NULL: this one is not */
     const char *root[2], *absolute[2];
     const char *cases[4]; /* before; between value and condition; behind it; behind all */
     const char *otherwise;
@@ -36,6 +37,11 @@ typedef struct {
 } TinkerTypesetStyle;
 
 extern const TinkerTypesetStyle tinker_text_style, tinker_latex_style, tinker_mathml_style;
+
+/* What is read out has words that belong to a language. */
+const TinkerTypesetStyle *tinker_speech_style(void);
+/* Takes out spaces and pauses that come twice, or at an end. */
+void tinker_speech_tidy(GString *text);
 
 /* "12.5", "1.2e-05", without the format's own form of powers of ten. */
 void tinker_typeset_digits(char digits[32], double number);

@@ -65,6 +65,7 @@ const TinkerTypesetStyle tinker_text_style = {
     .group = {"", ""},
     .fraction = {"", " / ", ""},
     .power = {"", "^", ""},
+    .raised = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"},
     .root = {"√", ""},
     .absolute = {"|", "|"},
     .cases = {"(", " if ", ", else ", ")"},

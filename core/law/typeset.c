@@ -41,22 +41,26 @@ static void put(const Typesetter *to, const char *text)
     g_string_append(to->text, text);
 }
 
+/* One behind others. */
+static void write_term(const Typesetter *to, const TinkerExpression *part)
+{
+    if (part->kind == TINKER_EXPRESSION_NEGATIVE) {
+        put(to, to->style->minus);
+        put_node(to, part->parts[0], TINKER_BINDS_PRODUCT);
+    } else if (part->kind == TINKER_EXPRESSION_NUMBER && part->number < 0) {
+        put(to, to->style->minus);
+        to->style->number(to->text, -part->number);
+    } else {
+        put(to, to->style->plus);
+        put_node(to, part, TINKER_BINDS_PRODUCT);
+    }
+}
+
 static void write_sum(const Typesetter *to, const TinkerExpression *node)
 {
     put_node(to, node->parts[0], TINKER_BINDS_SIGN);
-    for (int i = 1; i < node->count; i++) {
-        const TinkerExpression *part = node->parts[i];
-        if (part->kind == TINKER_EXPRESSION_NEGATIVE) {
-            put(to, to->style->minus);
-            put_node(to, part->parts[0], TINKER_BINDS_PRODUCT);
-        } else if (part->kind == TINKER_EXPRESSION_NUMBER && part->number < 0) {
-            put(to, to->style->minus);
-            to->style->number(to->text, -part->number);
-        } else {
-            put(to, to->style->plus);
-            put_node(to, part, TINKER_BINDS_PRODUCT);
-        }
-    }
+    for (int i = 1; i < node->count; i++)
+        write_term(to, node->parts[i]);
 }
 
 static gboolean begins_with_digit(const TinkerExpression *node)
@@ -89,11 +93,10 @@ static void write_quotient(const Typesetter *to, const TinkerExpression *node)
 /* In a line of text a whole number from 0 to 9 is raised, x². */
 static gboolean write_raised(const Typesetter *to, const TinkerExpression *exponent)
 {
-    static const char *const raised[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
-    if (to->style->stacked || exponent->kind != TINKER_EXPRESSION_NUMBER) return FALSE;
+    if (exponent->kind != TINKER_EXPRESSION_NUMBER) return FALSE;
     const double n = exponent->number;
-    if (n != floor(n) || n < 0 || n > 9) return FALSE;
-    put(to, raised[(int)n]);
+    if (n != floor(n) || n < 0 || n > 9 || to->style->raised[(int)n] == NULL) return FALSE;
+    put(to, to->style->raised[(int)n]);
     return TRUE;
 }
 
@@ -200,7 +203,13 @@ static void put_node(const Typesetter *to, const TinkerExpression *node, TinkerB
 static const TinkerTypesetStyle *style_of(TinkerTypesetFormat format)
 {
     static const TinkerTypesetStyle *const styles[] = {&tinker_text_style, &tinker_latex_style, &tinker_mathml_style};
-    return styles[format];
+    return format == TINKER_TYPESET_SPEECH ? tinker_speech_style() : styles[format];
+}
+
+static char *finish(const Typesetter *to, TinkerTypesetFormat format)
+{
+    if (format == TINKER_TYPESET_SPEECH) tinker_speech_tidy(to->text);
+    return g_string_free(to->text, FALSE);
 }
 
 char *tinker_expression_typeset(const TinkerExpression *expression, TinkerTypesetFormat format, TinkerLookFunc look,
@@ -208,7 +217,18 @@ char *tinker_expression_typeset(const TinkerExpression *expression, TinkerTypese
 {
     const Typesetter to = {g_string_new(NULL), style_of(format), look, data};
     put_node(&to, expression, TINKER_BINDS_COMPARISON);
-    return g_string_free(to.text, FALSE);
+    return finish(&to, format);
+}
+
+char *tinker_expression_typeset_term(const TinkerExpression *expression, gboolean first, TinkerTypesetFormat format,
+                                     TinkerLookFunc look, void *data)
+{
+    const Typesetter to = {g_string_new(NULL), style_of(format), look, data};
+    if (first)
+        put_node(&to, expression, TINKER_BINDS_SIGN);
+    else
+        write_term(&to, expression);
+    return finish(&to, format);
 }
 
 void tinker_symbol_typeset(GString *text, const TinkerSymbolLook *look, TinkerTypesetFormat format)

@@ -1,10 +1,15 @@
-/* Expressions written for people: as a line of text, as LaTeX, as MathML. */
+/* Expressions written for people: as a line of text, as LaTeX, as MathML, as it is read out. */
 #ifndef TINKER_CORE_LAW_TYPESET_H
 #define TINKER_CORE_LAW_TYPESET_H
 
 #include "units/expression-tree.h"
 
-typedef enum { TINKER_TYPESET_TEXT, TINKER_TYPESET_LATEX, TINKER_TYPESET_MATHML } TinkerTypesetFormat;
+typedef enum {
+    TINKER_TYPESET_TEXT,
+    TINKER_TYPESET_LATEX,
+    TINKER_TYPESET_MATHML,
+    TINKER_TYPESET_SPEECH
+} TinkerTypesetFormat;
 
 /* How a symbol looks: "x" with the index "1" and one dot is x₁ with a dot over it. */
 typedef struct {
@@ -19,6 +24,10 @@ typedef void (*TinkerLookFunc)(const char *symbol, TinkerSymbolLook *look, void 
 /* Numbers have six significant digits. (transfer full) */
 char *tinker_expression_typeset(const TinkerExpression *expression, TinkerTypesetFormat format, TinkerLookFunc look,
                                 void *data);
+
+/* As a term of a sum: with its sign, plus or minus, unless it is the first and positive. (transfer full) */
+char *tinker_expression_typeset_term(const TinkerExpression *expression, gboolean first, TinkerTypesetFormat format,
+                                     TinkerLookFunc look, void *data);
 
 /* One symbol, appended. */
 void tinker_symbol_typeset(GString *text, const TinkerSymbolLook *look, TinkerTypesetFormat format);

@@ -32,6 +32,21 @@ static const struct {
     {"2*pi*x", "2 π x", NULL},
 };
 
+/* Of each case in the same order, read out. */
+static const char *const spoken[] = {
+    "k one times, L one minus L nought one",
+    "minus m times 9.81",
+    "m times x squared over 2",
+    "x over, m times x dot",
+    "x over m, times x dot",
+    "x minus, m minus x dot",
+    "x plus 1, to the power, minus 0.5",
+    "root of, x squared plus 1",
+    "sine of, theta, times the size of x",
+    "2 if x is less than 1 else 3 times ten to the -7",
+    "2 times pi times x",
+};
+
 static char *typeset(const char *source, TinkerTypesetFormat format)
 {
     g_autoptr(GError) error = NULL;
@@ -48,6 +63,8 @@ static void test_lines(void)
         g_autofree char *composed = g_utf8_normalize(text, -1, G_NORMALIZE_DEFAULT_COMPOSE);
         g_assert_cmpstr(composed, ==, cases[i].text);
         if (cases[i].latex != NULL) g_assert_cmpstr(latex, ==, cases[i].latex);
+        g_autofree char *speech = typeset(cases[i].source, TINKER_TYPESET_SPEECH);
+        g_assert_cmpstr(speech, ==, spoken[i]);
     }
 }
 
