@@ -20,6 +20,7 @@ struct _TinkerPlayer {
     double step_to; /* s: as soon as this is recorded it is shown, and time stands still; NAN while it plays freely */
     TinkerRunLane *lane;
     TinkerRecording recording;
+    TinkerTimeSpan *span;
     TinkerScene *ran; /* the scene as the last segment has it; NULL where there is none */
     TinkerFrame *frame;
     guint path_segment; /* where in the record the frame's paths end: everything before this row of this segment */
@@ -216,6 +217,7 @@ static void on_replaced(TinkerPlayer *player)
     g_clear_pointer(&player->frame, tinker_frame_free);
     forget_record(player);
     g_array_set_size(player->asked, 0);
+    tinker_time_span_set(player->span, NULL);
     player->time = 0;
     set_state(player, TINKER_PLAYER_SETUP);
 }
@@ -406,6 +408,11 @@ double tinker_player_duration(TinkerPlayer *player)
     return tinker_scene_head(tinker_document_scene(player->document))->run.duration;
 }
 
+TinkerTimeSpan *tinker_player_span(TinkerPlayer *player)
+{
+    return player->span;
+}
+
 double tinker_player_speed(TinkerPlayer *player)
 {
     return player->speed;
@@ -504,6 +511,7 @@ static void tinker_player_finalize(GObject *object)
     g_clear_pointer(&player->frame, tinker_frame_free);
     tinker_recording_forget(&player->recording);
     tinker_recording_clear(&player->recording);
+    g_object_unref(player->span);
     g_ptr_array_unref(player->events);
     tinker_run_lane_unref(player->lane);
     g_clear_pointer(&player->ran, tinker_scene_free);
@@ -531,6 +539,7 @@ static void tinker_player_init(TinkerPlayer *player)
     player->lane = tinker_run_task_lane();
     player->events = g_ptr_array_new_with_free_func((GDestroyNotify)tinker_run_event_free);
     tinker_recording_init(&player->recording);
+    player->span = tinker_time_span_new();
     player->asked = g_array_new(FALSE, FALSE, sizeof(TinkerQuantity));
 }
 

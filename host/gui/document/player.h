@@ -11,6 +11,7 @@
 
 #include "gui/document/document.h"
 #include "gui/document/recording.h"
+#include "gui/document/time-span.h"
 
 #define TINKER_TYPE_PLAYER (tinker_player_get_type())
 G_DECLARE_FINAL_TYPE(TinkerPlayer, tinker_player, TINKER, PLAYER, GObject)
@@ -34,6 +35,9 @@ double tinker_player_speed(TinkerPlayer *player);
 void tinker_player_set_speed(TinkerPlayer *player, double speed);
 /* The pace that was really kept lately, over the speed: below 1 where the run is slower than its play-back. */
 double tinker_player_pace(TinkerPlayer *player);
+
+/* What graphs over time show of it. Borrowed. */
+TinkerTimeSpan *tinker_player_span(TinkerPlayer *player);
 
 /* Plays from here on; at the end, from the start. Where the scene cannot run: FALSE with an error that says why, and
  * `culprit` is the block that is to blame, or TINKER_NO_BLOCK. */

@@ -1,38 +1,18 @@
 /* The picture is kept as a texture. What is new is looked for when a frame is drawn, so however often something is said
  * to have changed, there is at most one painting a frame, and none while the graph is not to be seen. */
-#include "gui/graph/graph-plot.h"
+#include "gui/graph/graph-plot-private.h"
 
 #include <glib/gi18n.h>
 
 #include "gui/document/desktop-theme.h"
 #include "gui/widget/image-texture.h"
 
-#define REACH          24.0 /* widget units: how near to the curve the pointer reads it */
+#define SNAP           12.0 /* widget units: how near to a maximum, minimum or zero it is that which is read */
 #define COMPACT_WIDTH  700  /* widget units: below either, texts are smaller */
 #define COMPACT_HEIGHT 420
 #define HINT_LEFT      48  /* widget units, beyond the labels of the upright axis */
 #define RECORDING_MS   100 /* how often the picture is renewed while the record grows and nothing plays */
 #define BEHIND_MS      15  /* and while there is more of the record than one frame reads */
-
-/* What a picture depends on. */
-typedef struct {
-    int width, height, factor;
-    const TinkerTheme *theme;
-    gboolean quick;
-    guint64 revision; /* of the data */
-} Picture;
-
-struct _TinkerGraphPlot {
-    GtkWidget parent_instance;
-    TinkerPlayer *player;
-    TinkerGraphData *data;
-    TinkerPaintMemory *memory;
-    Picture picture;
-    GdkTexture *texture;
-    gboolean show_values, pointer_inside, is_stale;
-    double pointer[2];
-    guint timer; /* or 0 */
-};
 
 G_DEFINE_FINAL_TYPE(TinkerGraphPlot, tinker_graph_plot, GTK_TYPE_WIDGET)
 
@@ -41,7 +21,7 @@ TinkerGraphData *tinker_graph_plot_data(TinkerGraphPlot *plot)
     return plot->data;
 }
 
-static void renew(TinkerGraphPlot *plot)
+void tinker_graph_plot_renew(TinkerGraphPlot *plot)
 {
     plot->is_stale = TRUE;
     gtk_widget_queue_draw(GTK_WIDGET(plot));
@@ -49,14 +29,16 @@ static void renew(TinkerGraphPlot *plot)
 
 void tinker_graph_plot_set_graph(TinkerGraphPlot *plot, const TinkerSceneGraph *graph)
 {
+    const guint before = tinker_graph_data_curves(plot->data);
     tinker_graph_data_set_graph(plot->data, graph);
-    renew(plot);
+    if (tinker_graph_data_curves(plot->data) != before) plot->cursor_count = 0;
+    tinker_graph_plot_renew(plot);
 }
 
 void tinker_graph_plot_set_show_values(TinkerGraphPlot *plot, gboolean show)
 {
     plot->show_values = show;
-    renew(plot);
+    tinker_graph_plot_renew(plot);
 }
 
 /* Painting ------------------------------------------------------------------------------------------------------------
@@ -78,35 +60,78 @@ static void paint_hint(TinkerGraphPlot *plot, cairo_t *cairo)
     pango_cairo_show_layout(cairo, layout);
 }
 
+gboolean tinker_graph_plot_read(TinkerGraphPlot *plot, const TinkerPlot *picture, double x, double y,
+                                TinkerGraphReading *reading)
+{
+    TinkerPlotPoint found;
+    if (tinker_graph_data_is_empty(plot->data) ||
+        !tinker_plot_pick(picture, plot->picture.width, plot->picture.height, x, y, TINKER_GRAPH_REACH, &found) ||
+        found.curve >= (int)tinker_graph_data_curves(plot->data))
+        return FALSE;
+    const guint curve = (guint)found.curve;
+    const TinkerGraphSeries *series = tinker_graph_data_curve(plot->data, curve);
+    reading->curve = curve;
+    if (tinker_graph_reading_snap(series, &plot->geometry, x, y, SNAP, reading)) return TRUE;
+    reading->kind = TINKER_READING_POINT;
+    reading->point = tinker_graph_data_point(plot->data, curve, found.point);
+    reading->at[0] = tinker_graph_series_x(series)[reading->point];
+    reading->at[1] = tinker_graph_series_y(series)[reading->point];
+    return TRUE;
+}
+
+/* "y = −0.12 m (minimum)". (transfer full) */
+static char *words_of(TinkerGraphPlot *plot, const TinkerGraphReading *reading)
+{
+    static const char *const kinds[] = {NULL, N_("maximum"), N_("minimum"), N_("zero")};
+    const TinkerGraphSeries *series = tinker_graph_data_curve(plot->data, reading->curve);
+    char *value = tinker_graph_value_text(tinker_graph_series_symbol(series), reading->at[1],
+                                          tinker_graph_series_y_axis(series)->unit);
+    if (reading->kind == TINKER_READING_POINT) return value;
+    g_autofree char *plain = value;
+    return g_strdup_printf("%s (%s)", plain, _(kinds[reading->kind]));
+}
+
 /* Draws the plot with the values of the point under the pointer. */
 static void paint_with_reading(TinkerGraphPlot *plot, cairo_t *cairo, const TinkerPlot *picture)
 {
-    TinkerPlotPoint found;
-    double width = plot->picture.width, height = plot->picture.height;
-    gboolean reads = plot->show_values && plot->pointer_inside && !tinker_graph_data_is_empty(plot->data) &&
-                     tinker_plot_pick(picture, width, height, plot->pointer[0], plot->pointer[1], REACH, &found) &&
-                     found.curve < (int)tinker_graph_data_curves(plot->data);
+    TinkerGraphReading read;
+    const double width = plot->picture.width, height = plot->picture.height;
+    const gboolean reads = plot->show_values && plot->pointer_inside && plot->drag == TINKER_GRAPH_NO_DRAG &&
+                           tinker_graph_plot_read(plot, picture, plot->pointer[0], plot->pointer[1], &read);
     if (!reads) {
         tinker_plot_draw(cairo, picture, width, height);
         return;
     }
-    const guint curve = (guint)found.curve;
-    gsize point = tinker_graph_data_point(plot->data, curve, found.point);
-    g_autofree char *x = tinker_graph_data_x_text(plot->data, curve, point);
-    g_autofree char *y = tinker_graph_data_y_text(plot->data, curve, point);
-    TinkerPlotReading reading = {.curve = found.curve, .point = found.point, .x = x, .y = y};
+    g_autofree char *x = read.kind == TINKER_READING_POINT
+                             ? tinker_graph_data_x_text(plot->data, read.curve, read.point)
+                             : tinker_graph_value_text("t", read.at[0], "s");
+    g_autofree char *y = words_of(plot, &read);
+    TinkerPlotReading reading = {.curve = (int)read.curve, .point = read.point, .x = x, .y = y, .at = read.at};
     TinkerPlot with_reading = *picture;
     with_reading.reading = &reading;
     tinker_plot_draw(cairo, &with_reading, width, height);
 }
 
+void tinker_graph_plot_fill(TinkerGraphPlot *plot, TinkerPlot *picture)
+{
+    picture->compact = plot->picture.width < COMPACT_WIDTH || plot->picture.height < COMPACT_HEIGHT;
+    tinker_graph_data_fill_plot(plot->data, picture);
+    if (tinker_graph_data_is_empty(plot->data)) return;
+    if (tinker_graph_data_is_over_time(plot->data))
+        plot->zoom.is_set[0] = tinker_time_span_get(tinker_player_span(plot->player), plot->zoom.range[0]);
+    tinker_graph_zoom_apply(&plot->zoom, picture);
+}
+
 static void paint(TinkerGraphPlot *plot, cairo_t *cairo)
 {
     TinkerPlot picture = {.theme = plot->picture.theme, .quick = plot->picture.quick, .memory = plot->memory};
-    picture.compact = plot->picture.width < COMPACT_WIDTH || plot->picture.height < COMPACT_HEIGHT;
-    tinker_graph_data_fill_plot(plot->data, &picture);
+    tinker_graph_plot_fill(plot, &picture);
+    tinker_plot_measure(&picture, plot->picture.width, plot->picture.height, &plot->geometry);
     paint_with_reading(plot, cairo, &picture);
-    if (tinker_graph_data_is_empty(plot->data)) paint_hint(plot, cairo);
+    if (tinker_graph_data_is_empty(plot->data))
+        paint_hint(plot, cairo);
+    else
+        tinker_graph_plot_draw_marks(plot, cairo);
 }
 
 static gboolean on_timer(gpointer plot)
@@ -126,7 +151,7 @@ static void look_again_later(TinkerGraphPlot *plot)
         plot->timer = g_timeout_add(behind ? BEHIND_MS : RECORDING_MS, on_timer, plot);
 }
 
-static gboolean same_picture(const Picture *a, const Picture *b)
+static gboolean same_picture(const TinkerGraphPicture *a, const TinkerGraphPicture *b)
 {
     return a->width == b->width && a->height == b->height && a->factor == b->factor && a->theme == b->theme &&
            a->quick == b->quick && a->revision == b->revision;
@@ -135,7 +160,7 @@ static gboolean same_picture(const Picture *a, const Picture *b)
 static void tinker_graph_plot_snapshot(GtkWidget *widget, GtkSnapshot *snapshot)
 {
     TinkerGraphPlot *plot = TINKER_GRAPH_PLOT(widget);
-    Picture picture = {
+    TinkerGraphPicture picture = {
         .width = gtk_widget_get_width(widget),
         .height = gtk_widget_get_height(widget),
         .factor = gtk_widget_get_scale_factor(widget),
@@ -168,23 +193,6 @@ gboolean tinker_graph_plot_any_behind(GtkWidget *root)
     return FALSE;
 }
 
-/* The pointer ---------------------------------------------------------------------------------------------------------
- */
-
-static void on_motion(GtkEventControllerMotion *controller, double x, double y, TinkerGraphPlot *plot)
-{
-    plot->pointer_inside = TRUE;
-    plot->pointer[0] = x;
-    plot->pointer[1] = y;
-    if (plot->show_values) renew(plot);
-}
-
-static void on_leave(GtkEventControllerMotion *controller, TinkerGraphPlot *plot)
-{
-    plot->pointer_inside = FALSE;
-    if (plot->show_values) renew(plot);
-}
-
 /* The widget ----------------------------------------------------------------------------------------------------------
  */
 
@@ -203,6 +211,7 @@ static void tinker_graph_plot_class_init(TinkerGraphPlotClass *class)
 {
     G_OBJECT_CLASS(class)->dispose = tinker_graph_plot_dispose;
     GTK_WIDGET_CLASS(class)->snapshot = tinker_graph_plot_snapshot;
+    g_signal_new("looks-changed", TINKER_TYPE_GRAPH_PLOT, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL, G_TYPE_NONE, 0);
     gtk_widget_class_set_css_name(GTK_WIDGET_CLASS(class), "plot");
     gtk_widget_class_set_accessible_role(GTK_WIDGET_CLASS(class), GTK_ACCESSIBLE_ROLE_PRESENTATION);
 }
@@ -210,10 +219,6 @@ static void tinker_graph_plot_class_init(TinkerGraphPlotClass *class)
 static void tinker_graph_plot_init(TinkerGraphPlot *plot)
 {
     plot->memory = tinker_paint_memory_new();
-    GtkEventController *motion = gtk_event_controller_motion_new();
-    g_signal_connect(motion, "motion", G_CALLBACK(on_motion), plot);
-    g_signal_connect(motion, "leave", G_CALLBACK(on_leave), plot);
-    gtk_widget_add_controller(GTK_WIDGET(plot), motion);
     gtk_widget_set_overflow(GTK_WIDGET(plot), GTK_OVERFLOW_HIDDEN);
 }
 
@@ -222,6 +227,7 @@ GtkWidget *tinker_graph_plot_new(TinkerDocument *document, TinkerPlayer *player)
     TinkerGraphPlot *plot = g_object_new(TINKER_TYPE_GRAPH_PLOT, NULL);
     plot->player = g_object_ref(player);
     plot->data = tinker_graph_data_new(document, player);
+    tinker_graph_plot_add_input(plot);
     g_signal_connect_object(player, "moved", G_CALLBACK(gtk_widget_queue_draw), plot, G_CONNECT_SWAPPED);
     g_signal_connect_object(player, "state-changed", G_CALLBACK(gtk_widget_queue_draw), plot, G_CONNECT_SWAPPED);
     tinker_desktop_theme_redraws(GTK_WIDGET(plot));

@@ -5,6 +5,7 @@
 #include <gtk/gtk.h>
 
 #include "gui/document/graph-data.h"
+#include "gui/document/graph-zoom.h"
 
 #define TINKER_TYPE_GRAPH_PLOT (tinker_graph_plot_get_type())
 G_DECLARE_FINAL_TYPE(TinkerGraphPlot, tinker_graph_plot, TINKER, GRAPH_PLOT, GtkWidget)
@@ -20,6 +21,23 @@ void tinker_graph_plot_set_graph(TinkerGraphPlot *plot, const TinkerSceneGraph *
 
 /* Whether the values of the point under the pointer are shown. */
 void tinker_graph_plot_set_show_values(TinkerGraphPlot *plot, gboolean show);
+
+/* Signal: "looks-changed" when what is zoomed or measured has.
+ *
+ * Zooms about the middle; moves on by shares of what is seen; shows all again, also of the time in other graphs. */
+void tinker_graph_plot_zoom(TinkerGraphPlot *plot, TinkerGraphAxes axes, double factor);
+void tinker_graph_plot_pan(TinkerGraphPlot *plot, double right, double up);
+void tinker_graph_plot_show_all(TinkerGraphPlot *plot);
+/* Goes to the time of the first curve's next maximum, minimum or zero, or the one before. */
+void tinker_graph_plot_go_to_next(TinkerGraphPlot *plot, gboolean forward);
+
+/* One of two cursors, at the present time; none; and what they read: "Δt = 0.5 s, Δy = 0.2 m, 1/Δt = 2 Hz" (transfer
+ * full; NULL: there is none). */
+void tinker_graph_plot_put_cursor(TinkerGraphPlot *plot);
+void tinker_graph_plot_clear_cursors(TinkerGraphPlot *plot);
+/* "shows 0.5 to 1.2 s" where the time that is seen is not all (transfer full; NULL). */
+char *tinker_graph_plot_zoom_text(TinkerGraphPlot *plot);
+char *tinker_graph_plot_cursor_text(TinkerGraphPlot *plot);
 
 /* Whether a plot that is to be seen, this widget or one below it, has more of the record to read. */
 gboolean tinker_graph_plot_any_behind(GtkWidget *root);

@@ -4,6 +4,7 @@
 #include <glib/gi18n.h>
 
 #include "gui/graph/graph-export.h"
+#include "gui/graph/graph-looks.h"
 #include "gui/graph/graph-plot.h"
 #include "gui/widget/popup-menu.h"
 #include "gui/widget/unparent.h"
@@ -81,6 +82,13 @@ static void tell_value(TinkerGraphView *view)
             g_autofree char *before = g_steal_pointer(&text), *y = tinker_graph_data_y_text(data, i, point);
             text = g_strdup_printf("%s, %s", before, y);
         }
+    }
+    g_autofree char *zoom = tinker_graph_plot_zoom_text(TINKER_GRAPH_PLOT(view->plot));
+    g_autofree char *cursors = tinker_graph_plot_cursor_text(TINKER_GRAPH_PLOT(view->plot));
+    const char *const more[] = {zoom, cursors};
+    for (gsize i = 0; text != NULL && i < G_N_ELEMENTS(more); i++) {
+        g_autofree char *before = text;
+        text = more[i] != NULL ? g_strdup_printf("%s; %s", before, more[i]) : g_steal_pointer(&before);
     }
     gtk_accessible_update_property(GTK_ACCESSIBLE(view), GTK_ACCESSIBLE_PROPERTY_DESCRIPTION,
                                    text != NULL ? text : _("Press Play to see the curve"), -1);
@@ -213,6 +221,9 @@ static void add_plot(TinkerGraphView *view)
 {
     GtkWidget *overlay = gtk_overlay_new();
     view->plot = tinker_graph_plot_new(view->document, view->player);
+    tinker_graph_plot_set_show_values(TINKER_GRAPH_PLOT(view->plot), view->show_values);
+    tinker_graph_looks_add(GTK_WIDGET(view), TINKER_GRAPH_PLOT(view->plot));
+    g_signal_connect_swapped(view->plot, "looks-changed", G_CALLBACK(tell_value), view);
     gtk_widget_set_vexpand(view->plot, TRUE);
     gtk_overlay_set_child(GTK_OVERLAY(overlay), view->plot);
     view->corner = gtk_box_new(GTK_ORIENTATION_HORIZONTAL, 0);
@@ -285,6 +296,7 @@ static void add_commands(GtkWidgetClass *widget_class)
             gtk_widget_class_add_binding_action(widget_class, commands[i].key, commands[i].modifiers, commands[i].name,
                                                 NULL);
     }
+    tinker_graph_looks_bind(widget_class);
     gtk_widget_class_install_property_action(widget_class, "graph.show-values", "show-values");
 }
 
@@ -296,7 +308,7 @@ static void tinker_graph_view_class_init(TinkerGraphViewClass *class)
     object_class->set_property = tinker_graph_view_set_property;
     object_class->dispose = tinker_graph_view_dispose;
     properties[PROP_SHOW_VALUES] =
-        g_param_spec_boolean("show-values", NULL, NULL, FALSE, G_PARAM_READWRITE | G_PARAM_STATIC_STRINGS);
+        g_param_spec_boolean("show-values", NULL, NULL, TRUE, G_PARAM_READWRITE | G_PARAM_STATIC_STRINGS);
     g_object_class_install_properties(object_class, PROPERTIES, properties);
     gtk_widget_class_set_layout_manager_type(widget_class, GTK_TYPE_BOX_LAYOUT);
     gtk_widget_class_set_css_name(widget_class, "graph");
@@ -308,6 +320,7 @@ static void tinker_graph_view_init(TinkerGraphView *view)
 {
     GtkLayoutManager *layout = gtk_widget_get_layout_manager(GTK_WIDGET(view));
     gtk_orientable_set_orientation(GTK_ORIENTABLE(layout), GTK_ORIENTATION_VERTICAL);
+    view->show_values = TRUE;
     gtk_widget_set_focusable(GTK_WIDGET(view), TRUE);
     gtk_widget_set_overflow(GTK_WIDGET(view), GTK_OVERFLOW_HIDDEN);
     add_input(view);

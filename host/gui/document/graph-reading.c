@@ -1,0 +1,129 @@
+/* A sample hits neither an extremum nor a zero: the curve is taken for smooth across a few of its points. */
+#include "gui/document/graph-reading.h"
+
+#include <math.h>
+
+#define BISECTIONS 60
+#define SAME_TIME  1e-9 /* of the time: nearer to it is not the next */
+
+static gboolean can_read(const TinkerGraphSeries *series)
+{
+    const TinkerCurveIndex *index = tinker_graph_series_index(series);
+    return index != NULL && tinker_curve_index_is_ordered(index);
+}
+
+/* The polynomial through `count` points, by Lagrange. */
+static double interpolated(const double *x, const double *y, int count, double at)
+{
+    double sum = 0;
+    for (int i = 0; i < count; i++) {
+        double product = y[i];
+        for (int k = 0; k < count; k++)
+            if (k != i) product *= (at - x[k]) / (x[i] - x[k]);
+        sum += product;
+    }
+    return sum;
+}
+
+static gboolean extremum_about(const double *x, const double *y, gsize count, gsize point, TinkerGraphReading *reading)
+{
+    if (point == 0 || point + 1 >= count) return FALSE;
+    const double *at = x + point - 1, *values = y + point - 1;
+    const gboolean highest = values[1] > values[0] && values[1] >= values[2],
+                   lowest = values[1] < values[0] && values[1] <= values[2];
+    if (!(highest || lowest) || !(at[0] < at[1]) || !(at[1] < at[2])) return FALSE;
+    /* slopes of the two chords; the parabola's slope is 0 where the line through them at their middles is */
+    const double before = (values[1] - values[0]) / (at[1] - at[0]), after = (values[2] - values[1]) / (at[2] - at[1]);
+    const double middle = 0.5 * (at[0] + at[1]);
+    reading->at[0] = CLAMP(middle + before / (before - after) * 0.5 * (at[2] - at[0]), at[0], at[2]);
+    reading->at[1] = interpolated(at, values, 3, reading->at[0]);
+    reading->kind = highest ? TINKER_READING_MAXIMUM : TINKER_READING_MINIMUM;
+    return TRUE;
+}
+
+static gboolean zero_about(const double *x, const double *y, gsize count, gsize point, TinkerGraphReading *reading)
+{
+    if (point + 1 >= count || !(x[point] < x[point + 1])) return FALSE;
+    if (!((y[point] < 0) != (y[point + 1] < 0))) return FALSE;
+    gsize first = point, points = 2;
+    if (point > 0 && point + 2 < count && x[point - 1] < x[point] && x[point + 1] < x[point + 2]) {
+        first = point - 1;
+        points = 4;
+    }
+    double low = x[point], high = x[point + 1];
+    for (int i = 0; i < BISECTIONS; i++) {
+        const double half = 0.5 * (low + high);
+        if ((interpolated(x + first, y + first, (int)points, half) < 0) == (y[point] < 0))
+            low = half;
+        else
+            high = half;
+    }
+    reading->at[0] = 0.5 * (low + high);
+    reading->at[1] = 0;
+    reading->kind = TINKER_READING_ZERO;
+    return TRUE;
+}
+
+gboolean tinker_graph_reading_about(const TinkerGraphSeries *series, gsize point, TinkerGraphReading *reading)
+{
+    const double *x = tinker_graph_series_x(series), *y = tinker_graph_series_y(series);
+    const gsize count = tinker_graph_series_count(series);
+    reading->point = point;
+    return can_read(series) && (extremum_about(x, y, count, point, reading) || zero_about(x, y, count, point, reading));
+}
+
+gboolean tinker_graph_reading_snap(const TinkerGraphSeries *series, const TinkerPlotGeometry *geometry, double x,
+                                   double y, double reach, TinkerGraphReading *reading)
+{
+    const TinkerPlotScale *up = tinker_graph_series_is_right(series) ? &geometry->second : &geometry->y;
+    const gsize count = tinker_graph_series_count(series);
+    double nearest = reach;
+    if (!can_read(series)) return FALSE;
+    const double *points = tinker_graph_series_x(series);
+    gsize first = tinker_curve_first_from(points, count, tinker_plot_scale_value(&geometry->x, x - reach));
+    const gsize end = tinker_curve_first_from(points, count, tinker_plot_scale_value(&geometry->x, x + reach));
+    for (first = first > 0 ? first - 1 : 0; first < end; first++) {
+        TinkerGraphReading tried = *reading;
+        if (!tinker_graph_reading_about(series, first, &tried)) continue;
+        const double away =
+            hypot(tinker_plot_scale_place(&geometry->x, tried.at[0]) - x, tinker_plot_scale_place(up, tried.at[1]) - y);
+        if (!(away <= nearest)) continue;
+        nearest = away;
+        *reading = tried;
+    }
+    return nearest < reach;
+}
+
+gboolean tinker_graph_reading_next(const TinkerGraphSeries *series, double time, gboolean forward,
+                                   TinkerGraphReading *reading)
+{
+    const gsize count = tinker_graph_series_count(series);
+    const double near = SAME_TIME * fmax(1, fabs(time));
+    if (!can_read(series) || count == 0) return FALSE;
+    gsize i = tinker_curve_first_from(tinker_graph_series_x(series), count, time);
+    i = forward ? (i > 1 ? i - 2 : 0) : MIN(i + 1, count - 1);
+    for (; i < count; i = forward ? i + 1 : i - 1) {
+        TinkerGraphReading tried = *reading;
+        const gboolean is_there = tinker_graph_reading_about(series, i, &tried);
+        if (is_there && (forward ? tried.at[0] > time + near : tried.at[0] < time - near)) {
+            *reading = tried;
+            return TRUE;
+        }
+        if (!forward && i == 0) break;
+    }
+    return FALSE;
+}
+
+gboolean tinker_graph_reading_at(const TinkerGraphSeries *series, double x, TinkerGraphReading *reading)
+{
+    const double *xs = tinker_graph_series_x(series), *ys = tinker_graph_series_y(series);
+    const gsize count = tinker_graph_series_count(series);
+    if (!can_read(series) || count == 0 || x < xs[0] || x > xs[count - 1]) return FALSE;
+    const gsize next = MAX(tinker_curve_first_from(xs, count, x), 1), before = next - 1;
+    const double span = next < count ? xs[next] - xs[before] : 0, share = span > 0 ? (x - xs[before]) / span : 0;
+    reading->point = before;
+    reading->kind = TINKER_READING_POINT;
+    reading->at[0] = x;
+    reading->at[1] = ys[before] + (share > 0 ? share * (ys[next] - ys[before]) : 0);
+    return TRUE;
+}

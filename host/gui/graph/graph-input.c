@@ -1,0 +1,279 @@
+/* A press that goes nowhere is a click, any other draws a box or takes the curves along. Graphs over time share what
+ * they show of it; other axes are each graph's own. */
+#include <glib/gi18n.h>
+#include <math.h>
+
+#include "gui/graph/graph-plot-private.h"
+
+#define A_CLICK    5.0  /* widget units: a press that moved no farther is one */
+#define THIN_BOX   12.0 /* a box less high, or wide, is of the other axis alone */
+#define WHEEL_STEP 1.2
+
+static gboolean is_over_time(const TinkerGraphPlot *plot)
+{
+    return tinker_graph_data_is_over_time(plot->data);
+}
+
+/* What was zoomed is seen, here and in the other graphs. */
+static void zoomed(TinkerGraphPlot *plot, TinkerGraphAxes axes)
+{
+    if (is_over_time(plot) && (axes & TINKER_GRAPH_X))
+        tinker_time_span_set(tinker_player_span(plot->player), plot->zoom.is_set[0] ? plot->zoom.range[0] : NULL);
+    tinker_graph_plot_renew(plot);
+    g_signal_emit_by_name(plot, "looks-changed");
+}
+
+char *tinker_graph_plot_zoom_text(TinkerGraphPlot *plot)
+{
+    if (!plot->zoom.is_set[0]) return NULL;
+    return g_strdup_printf(is_over_time(plot) ? _("shows %.5g to %.5g s") : _("shows %.5g to %.5g"),
+                           plot->zoom.range[0][0], plot->zoom.range[0][1]);
+}
+
+/* Commands ------------------------------------------------------------------------------------------------------------
+ */
+
+void tinker_graph_plot_zoom(TinkerGraphPlot *plot, TinkerGraphAxes axes, double factor)
+{
+    const TinkerPlotGeometry *geometry = &plot->geometry;
+    if (!(geometry->right > geometry->left)) return;
+    tinker_graph_zoom_by(&plot->zoom, geometry, axes, (geometry->left + geometry->right) / 2,
+                         (geometry->top + geometry->bottom) / 2, factor);
+    zoomed(plot, axes);
+}
+
+void tinker_graph_plot_pan(TinkerGraphPlot *plot, double right, double up)
+{
+    const TinkerPlotGeometry *geometry = &plot->geometry;
+    if (!(geometry->right > geometry->left)) return;
+    const TinkerGraphAxes axes = right != 0 ? TINKER_GRAPH_X : TINKER_GRAPH_UP;
+    tinker_graph_zoom_pan(&plot->zoom, geometry, axes, -right * (geometry->right - geometry->left),
+                          up * (geometry->bottom - geometry->top));
+    zoomed(plot, axes);
+}
+
+void tinker_graph_plot_show_all(TinkerGraphPlot *plot)
+{
+    tinker_graph_zoom_reset(&plot->zoom, TINKER_GRAPH_ALL);
+    zoomed(plot, TINKER_GRAPH_ALL);
+}
+
+static void go_to(TinkerGraphPlot *plot, double time)
+{
+    gtk_widget_activate_action(GTK_WIDGET(plot), "win.go-to", "d", fmax(time, 0));
+}
+
+void tinker_graph_plot_go_to_next(TinkerGraphPlot *plot, gboolean forward)
+{
+    TinkerGraphReading reading = {0};
+    if (is_over_time(plot) && tinker_graph_data_curves(plot->data) > 0 &&
+        tinker_graph_reading_next(tinker_graph_data_curve(plot->data, 0), tinker_player_time(plot->player), forward,
+                                  &reading))
+        go_to(plot, reading.at[0]);
+    else
+        gtk_widget_error_bell(GTK_WIDGET(plot));
+}
+
+/* Cursors -------------------------------------------------------------------------------------------------------------
+ */
+
+/* A third one takes the place of the nearer of two. */
+static void put_cursor(TinkerGraphPlot *plot, const TinkerGraphReading *reading)
+{
+    int number = plot->cursor_count;
+    if (number == 2)
+        number = fabs(plot->cursors[0].at[0] - reading->at[0]) <= fabs(plot->cursors[1].at[0] - reading->at[0]) ? 0 : 1;
+    plot->cursors[number] = *reading;
+    plot->cursor_count = MAX(plot->cursor_count, number + 1);
+    tinker_graph_plot_renew(plot);
+    g_signal_emit_by_name(plot, "looks-changed");
+}
+
+void tinker_graph_plot_put_cursor(TinkerGraphPlot *plot)
+{
+    TinkerGraphReading reading = {0};
+    if (is_over_time(plot) && tinker_graph_data_curves(plot->data) > 0 &&
+        tinker_graph_reading_at(tinker_graph_data_curve(plot->data, 0), tinker_player_time(plot->player), &reading))
+        put_cursor(plot, &reading);
+    else
+        gtk_widget_error_bell(GTK_WIDGET(plot));
+}
+
+void tinker_graph_plot_clear_cursors(TinkerGraphPlot *plot)
+{
+    plot->cursor_count = 0;
+    tinker_graph_plot_renew(plot);
+    g_signal_emit_by_name(plot, "looks-changed");
+}
+
+static char *unit_of(const TinkerGraphPlot *plot, int cursor)
+{
+    return g_strdup(tinker_graph_series_y_axis(tinker_graph_data_curve(plot->data, plot->cursors[cursor].curve))->unit);
+}
+
+char *tinker_graph_plot_cursor_text(TinkerGraphPlot *plot)
+{
+    if (plot->cursor_count == 0) return NULL;
+    const double *a = plot->cursors[0].at, *b = plot->cursors[1].at;
+    g_autofree char *unit = unit_of(plot, 0);
+    if (plot->cursor_count == 1) {
+        g_autofree char *x = tinker_graph_value_text("t", a[0], "s"), *y = tinker_graph_value_text("y", a[1], unit);
+        return g_strdup_printf("A: %s, %s", x, y);
+    }
+    g_autofree char *other = unit_of(plot, 1), *dt = tinker_graph_value_text("Δt", b[0] - a[0], "s");
+    g_autofree char *rate = tinker_graph_value_text("1/Δt", 1 / fabs(b[0] - a[0]), "Hz");
+    if (!g_str_equal(unit, other)) return g_strdup_printf("%s, %s", dt, rate);
+    g_autofree char *dy = tinker_graph_value_text("Δy", b[1] - a[1], unit);
+    return g_strdup_printf("%s, %s, %s", dt, dy, rate);
+}
+
+/* The mouse -----------------------------------------------------------------------------------------------------------
+ */
+
+static GdkModifierType modifiers_of(gpointer controller)
+{
+    return gtk_event_controller_get_current_event_state(controller);
+}
+
+/* The curve under the pointer, else the first one at its time. */
+static gboolean read_for_cursor(TinkerGraphPlot *plot, double x, double y, TinkerGraphReading *reading)
+{
+    TinkerPlot picture = {.memory = plot->memory};
+    tinker_graph_plot_fill(plot, &picture);
+    return tinker_graph_plot_read(plot, &picture, x, y, reading) ||
+           (tinker_graph_data_curves(plot->data) > 0 &&
+            tinker_graph_reading_at(tinker_graph_data_curve(plot->data, 0),
+                                    tinker_plot_scale_value(&plot->geometry.x, x), reading));
+}
+
+static void clicked(TinkerGraphPlot *plot, double x, double y, GdkModifierType modifiers)
+{
+    const TinkerPlotGeometry *at = &plot->geometry;
+    TinkerGraphReading reading = {0};
+    if (x < at->left || x > at->right || y < at->top || y > at->bottom) return;
+    if (modifiers & GDK_CONTROL_MASK) {
+        if (is_over_time(plot) && read_for_cursor(plot, x, y, &reading)) put_cursor(plot, &reading);
+    } else if (is_over_time(plot)) {
+        if (!tinker_graph_data_is_empty(plot->data)) go_to(plot, tinker_plot_scale_value(&at->x, x));
+    } else if (read_for_cursor(plot, x, y, &reading)) {
+        go_to(plot, tinker_graph_series_times(tinker_graph_data_curve(plot->data, reading.curve))[reading.point]);
+    }
+}
+
+static void on_drag_begin(GtkGestureDrag *gesture, double x, double y, TinkerGraphPlot *plot)
+{
+    const guint button = gtk_gesture_single_get_current_button(GTK_GESTURE_SINGLE(gesture));
+    const gboolean pans = button == GDK_BUTTON_MIDDLE || (modifiers_of(gesture) & GDK_SHIFT_MASK);
+    if (button == GDK_BUTTON_SECONDARY) {
+        gtk_gesture_set_state(GTK_GESTURE(gesture), GTK_EVENT_SEQUENCE_DENIED);
+        return;
+    }
+    plot->drag = pans ? TINKER_GRAPH_PAN : TINKER_GRAPH_BOX;
+    plot->drag_start[0] = plot->drag_now[0] = x;
+    plot->drag_start[1] = plot->drag_now[1] = y;
+}
+
+static void on_drag_update(GtkGestureDrag *gesture, double dx, double dy, TinkerGraphPlot *plot)
+{
+    const double x = plot->drag_start[0] + dx, y = plot->drag_start[1] + dy;
+    const TinkerGraphAxes axes = tinker_graph_axes_at(&plot->geometry, plot->drag_start[0], plot->drag_start[1]);
+    if (plot->drag == TINKER_GRAPH_PAN) {
+        tinker_graph_zoom_pan(&plot->zoom, &plot->geometry, axes, x - plot->drag_now[0], y - plot->drag_now[1]);
+        zoomed(plot, axes);
+    }
+    plot->drag_now[0] = x;
+    plot->drag_now[1] = y;
+    tinker_graph_plot_renew(plot);
+}
+
+TinkerGraphAxes tinker_graph_box_axes(const TinkerGraphPlot *plot)
+{
+    const double width = fabs(plot->drag_now[0] - plot->drag_start[0]),
+                 height = fabs(plot->drag_now[1] - plot->drag_start[1]);
+    if (fmax(width, height) < A_CLICK) return 0;
+    if (height < THIN_BOX) return TINKER_GRAPH_X;
+    return width < THIN_BOX ? TINKER_GRAPH_UP : TINKER_GRAPH_ALL;
+}
+
+static void on_drag_end(GtkGestureDrag *gesture, double dx, double dy, TinkerGraphPlot *plot)
+{
+    const TinkerGraphAxes axes = tinker_graph_box_axes(plot);
+    const TinkerGraphDrag drag = plot->drag;
+    plot->drag = TINKER_GRAPH_NO_DRAG;
+    if (drag == TINKER_GRAPH_BOX && axes != 0) {
+        tinker_graph_zoom_box(&plot->zoom, &plot->geometry, axes, plot->drag_start, plot->drag_now);
+        zoomed(plot, axes);
+    } else if (drag != TINKER_GRAPH_NO_DRAG && axes == 0) {
+        clicked(plot, plot->drag_start[0], plot->drag_start[1], modifiers_of(gesture));
+    }
+    tinker_graph_plot_renew(plot);
+}
+
+static void on_drag_cancel(GtkGesture *gesture, GdkEventSequence *sequence, TinkerGraphPlot *plot)
+{
+    plot->drag = TINKER_GRAPH_NO_DRAG;
+    tinker_graph_plot_renew(plot);
+}
+
+static void on_pressed(GtkGestureClick *gesture, int presses, double x, double y, TinkerGraphPlot *plot)
+{
+    if (presses == 2) tinker_graph_plot_show_all(plot);
+}
+
+/* Both axes, with Control the one across alone, with Shift the one upwards; and beside the curves that beside which it
+ * is. */
+static gboolean on_scroll(GtkEventControllerScroll *scroll, double dx, double dy, TinkerGraphPlot *plot)
+{
+    const GdkModifierType modifiers = modifiers_of(scroll);
+    const double by = dy != 0 ? dy : dx;
+    TinkerGraphAxes axes = tinker_graph_axes_at(&plot->geometry, plot->pointer[0], plot->pointer[1]);
+    if (modifiers & GDK_CONTROL_MASK) axes = TINKER_GRAPH_X;
+    if (modifiers & GDK_SHIFT_MASK) axes = TINKER_GRAPH_UP;
+    tinker_graph_zoom_by(&plot->zoom, &plot->geometry, axes, plot->pointer[0], plot->pointer[1], pow(WHEEL_STEP, -by));
+    zoomed(plot, axes);
+    return GDK_EVENT_STOP;
+}
+
+static void on_motion(GtkEventControllerMotion *controller, double x, double y, TinkerGraphPlot *plot)
+{
+    plot->pointer_inside = TRUE;
+    plot->pointer[0] = x;
+    plot->pointer[1] = y;
+    if (plot->show_values) tinker_graph_plot_renew(plot);
+}
+
+static void on_leave(GtkEventControllerMotion *controller, TinkerGraphPlot *plot)
+{
+    plot->pointer_inside = FALSE;
+    if (plot->show_values) tinker_graph_plot_renew(plot);
+}
+
+static void on_span_changed(TinkerGraphPlot *plot)
+{
+    if (!is_over_time(plot)) return;
+    plot->zoom.is_set[0] = tinker_time_span_get(tinker_player_span(plot->player), plot->zoom.range[0]);
+    tinker_graph_plot_renew(plot);
+    g_signal_emit_by_name(plot, "looks-changed");
+}
+
+void tinker_graph_plot_add_input(TinkerGraphPlot *plot)
+{
+    GtkEventController *motion = gtk_event_controller_motion_new();
+    GtkEventController *scroll = gtk_event_controller_scroll_new(GTK_EVENT_CONTROLLER_SCROLL_BOTH_AXES);
+    GtkGesture *drag = gtk_gesture_drag_new(), *click = gtk_gesture_click_new();
+    g_signal_connect(motion, "enter", G_CALLBACK(on_motion), plot);
+    g_signal_connect(motion, "motion", G_CALLBACK(on_motion), plot);
+    g_signal_connect(motion, "leave", G_CALLBACK(on_leave), plot);
+    g_signal_connect(scroll, "scroll", G_CALLBACK(on_scroll), plot);
+    gtk_gesture_single_set_button(GTK_GESTURE_SINGLE(drag), 0);
+    g_signal_connect(drag, "drag-begin", G_CALLBACK(on_drag_begin), plot);
+    g_signal_connect(drag, "drag-update", G_CALLBACK(on_drag_update), plot);
+    g_signal_connect(drag, "drag-end", G_CALLBACK(on_drag_end), plot);
+    g_signal_connect(drag, "cancel", G_CALLBACK(on_drag_cancel), plot);
+    g_signal_connect(click, "pressed", G_CALLBACK(on_pressed), plot);
+    GtkEventController *all[] = {motion, scroll, GTK_EVENT_CONTROLLER(drag), GTK_EVENT_CONTROLLER(click)};
+    for (gsize i = 0; i < G_N_ELEMENTS(all); i++)
+        gtk_widget_add_controller(GTK_WIDGET(plot), all[i]);
+    g_signal_connect_object(tinker_player_span(plot->player), "changed", G_CALLBACK(on_span_changed), plot,
+                            G_CONNECT_SWAPPED);
+}

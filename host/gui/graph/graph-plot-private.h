@@ -1,0 +1,57 @@
+/* The plot's state, which painting and input share. */
+#ifndef TINKER_GUI_GRAPH_PLOT_PRIVATE_H
+#define TINKER_GUI_GRAPH_PLOT_PRIVATE_H
+
+#include "gui/document/graph-reading.h"
+#include "gui/document/graph-zoom.h"
+#include "gui/graph/graph-plot.h"
+
+#define TINKER_GRAPH_REACH 24.0 /* widget units: how near to the curve the pointer reads it */
+
+/* What a picture depends on. */
+typedef struct {
+    int width, height, factor;
+    const TinkerTheme *theme;
+    gboolean quick;
+    guint64 revision; /* of the data */
+} TinkerGraphPicture;
+
+typedef enum { TINKER_GRAPH_NO_DRAG, TINKER_GRAPH_BOX, TINKER_GRAPH_PAN } TinkerGraphDrag;
+
+struct _TinkerGraphPlot {
+    GtkWidget parent_instance;
+    TinkerPlayer *player;
+    TinkerGraphData *data;
+    TinkerPaintMemory *memory;
+    TinkerGraphPicture picture;
+    GdkTexture *texture;
+    gboolean show_values, pointer_inside, is_stale;
+    double pointer[2];
+    guint timer; /* or 0 */
+
+    TinkerGraphZoom zoom;
+    TinkerPlotGeometry geometry; /* of the last picture */
+    TinkerGraphDrag drag;
+    double drag_start[2], drag_now[2];
+
+    TinkerGraphReading cursors[2];
+    int cursor_count;
+};
+
+/* Draws anew at the next frame. */
+void tinker_graph_plot_renew(TinkerGraphPlot *plot);
+/* What is drawn, but for theme and reading. */
+void tinker_graph_plot_fill(TinkerGraphPlot *plot, TinkerPlot *picture);
+/* What the pointer reads: the nearest curve's maximum, minimum or zero, or its point. */
+gboolean tinker_graph_plot_read(TinkerGraphPlot *plot, const TinkerPlot *picture, double x, double y,
+                                TinkerGraphReading *reading);
+
+/* The axes that the box which is dragged is of; 0: it is none yet. */
+TinkerGraphAxes tinker_graph_box_axes(const TinkerGraphPlot *plot);
+
+void tinker_graph_plot_add_input(TinkerGraphPlot *plot);
+
+/* The box that is being dragged, and the cursors with what lies between them. */
+void tinker_graph_plot_draw_marks(TinkerGraphPlot *plot, cairo_t *cairo);
+
+#endif
