@@ -5,7 +5,7 @@
 #include <unistd.h>
 
 #include "gui-fixture.h"
-#include "gui/document/graph-data.h"
+#include "gui/curve/graph-data.h"
 #include "gui/document/graph-edit.h"
 #include "render/draw/theme.h"
 

@@ -2,7 +2,9 @@
  * afterwards has its curve at once. */
 #include "gui/document/recorded-quantities.h"
 
-#include "gui/document/graph-series.h"
+#include "measure/formula.h"
+#include "physics/record/columns.h"
+#include "scene/store/quantities.h"
 
 #define MOST 4000 /* quantities that are recorded although nobody asked for them */
 
@@ -14,10 +16,37 @@ static void add_quantities(GArray *columns, TinkerScene *scene, TinkerBlockId bl
         g_array_append_val(columns, of);
 }
 
+static void add_named(GArray *columns, TinkerScene *scene, const char *name, const char *id)
+{
+    TinkerBlockId block;
+    if (!tinker_scene_find_owner(scene, name, &block)) return;
+    const TinkerQuantity of = {block, tinker_scene_find_quantity(scene, block, id)};
+    if (of.quantity >= 0) g_array_append_val(columns, of);
+}
+
+/* What depends on the time alone needs some record all the same. */
+static void add_expression(GArray *columns, TinkerScene *scene, const char *expression)
+{
+    static const TinkerQuantity any = {TINKER_NO_BLOCK, TINKER_SCENE_KINETIC};
+    g_autoptr(GArray) needed = tinker_columns_new();
+    g_autoptr(TinkerFormula) formula = tinker_formula_new(scene, expression, needed, NULL);
+    for (guint i = 0; i < needed->len; i++) {
+        const TinkerColumn *column = &g_array_index(needed, TinkerColumn, i);
+        const TinkerQuantity of = {column->block, column->quantity};
+        g_array_append_val(columns, of);
+    }
+    if (formula != NULL && needed->len == 0) g_array_append_val(columns, any);
+}
+
 static void add_graphed(GArray *columns, TinkerScene *scene, const TinkerSceneGraph *graph)
 {
-    for (guint k = 0; k < graph->curves->len; k++)
-        tinker_graph_curve_quantities(scene, graph, g_ptr_array_index(graph->curves, k), columns);
+    for (guint k = 0; k < graph->curves->len; k++) {
+        const TinkerSceneCurve *curve = g_ptr_array_index(graph->curves, k);
+        if (curve->expression != NULL) add_expression(columns, scene, curve->expression);
+        if (curve->block == NULL) continue;
+        add_named(columns, scene, curve->block, curve->quantity);
+        add_named(columns, scene, curve->block, graph->against);
+    }
 }
 
 static void add_metered(GArray *columns, TinkerScene *scene, const TinkerSceneInstrument *meter)

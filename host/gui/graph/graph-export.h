@@ -4,7 +4,7 @@
 
 #include <gtk/gtk.h>
 
-#include "gui/document/graph-data.h"
+#include "gui/curve/graph-data.h"
 
 /* Puts a picture of the graph, as wide and high as given (widget units), onto the widget's clipboard: in the light
  * theme, at twice the resolution, for documents. */

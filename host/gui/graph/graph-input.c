@@ -5,8 +5,6 @@
 
 #include "gui/graph/graph-plot-private.h"
 
-#define A_CLICK    5.0  /* widget units: a press that moved no farther is one */
-#define THIN_BOX   12.0 /* a box less high, or wide, is of the other axis alone */
 #define WHEEL_STEP 1.2
 
 static gboolean is_over_time(const TinkerGraphPlot *plot)
@@ -184,15 +182,6 @@ static void on_drag_update(GtkGestureDrag *gesture, double dx, double dy, Tinker
     plot->drag_now[0] = x;
     plot->drag_now[1] = y;
     tinker_graph_plot_renew(plot);
-}
-
-TinkerGraphAxes tinker_graph_box_axes(const TinkerGraphPlot *plot)
-{
-    const double width = fabs(plot->drag_now[0] - plot->drag_start[0]),
-                 height = fabs(plot->drag_now[1] - plot->drag_start[1]);
-    if (fmax(width, height) < A_CLICK) return 0;
-    if (height < THIN_BOX) return TINKER_GRAPH_X;
-    return width < THIN_BOX ? TINKER_GRAPH_UP : TINKER_GRAPH_ALL;
 }
 
 static void on_drag_end(GtkGestureDrag *gesture, double dx, double dy, TinkerGraphPlot *plot)

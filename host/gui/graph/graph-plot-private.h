@@ -2,8 +2,8 @@
 #ifndef TINKER_GUI_GRAPH_PLOT_PRIVATE_H
 #define TINKER_GUI_GRAPH_PLOT_PRIVATE_H
 
-#include "gui/document/graph-reading.h"
-#include "gui/document/graph-zoom.h"
+#include "gui/curve/graph-reading.h"
+#include "gui/curve/graph-zoom.h"
 #include "gui/graph/graph-plot.h"
 
 #define TINKER_GRAPH_REACH 24.0 /* widget units: how near to the curve the pointer reads it */

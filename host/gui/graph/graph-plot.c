@@ -7,24 +7,15 @@
 #include "gui/document/desktop-theme.h"
 #include "gui/widget/image-texture.h"
 
-#define SNAP           12.0 /* widget units: how near to a maximum, minimum or zero it is that which is read */
-#define COMPACT_WIDTH  700  /* widget units: below either, texts are smaller */
-#define COMPACT_HEIGHT 420
-#define HINT_LEFT      48  /* widget units, beyond the labels of the upright axis */
-#define RECORDING_MS   100 /* how often the picture is renewed while the record grows and nothing plays */
-#define BEHIND_MS      15  /* and while there is more of the record than one frame reads */
+#define HINT_LEFT    48  /* widget units, beyond the labels of the upright axis */
+#define RECORDING_MS 100 /* how often the picture is renewed while the record grows and nothing plays */
+#define BEHIND_MS    15  /* and while there is more of the record than one frame reads */
 
 G_DEFINE_FINAL_TYPE(TinkerGraphPlot, tinker_graph_plot, GTK_TYPE_WIDGET)
 
 TinkerGraphData *tinker_graph_plot_data(TinkerGraphPlot *plot)
 {
     return plot->data;
-}
-
-void tinker_graph_plot_renew(TinkerGraphPlot *plot)
-{
-    plot->is_stale = TRUE;
-    gtk_widget_queue_draw(GTK_WIDGET(plot));
 }
 
 void tinker_graph_plot_set_graph(TinkerGraphPlot *plot, const TinkerSceneGraph *graph)
@@ -60,25 +51,6 @@ static void paint_hint(TinkerGraphPlot *plot, cairo_t *cairo)
     pango_cairo_show_layout(cairo, layout);
 }
 
-gboolean tinker_graph_plot_read(TinkerGraphPlot *plot, const TinkerPlot *picture, double x, double y,
-                                TinkerGraphReading *reading)
-{
-    TinkerPlotPoint found;
-    if (tinker_graph_data_is_empty(plot->data) ||
-        !tinker_plot_pick(picture, plot->picture.width, plot->picture.height, x, y, TINKER_GRAPH_REACH, &found) ||
-        found.curve >= (int)tinker_graph_data_curves(plot->data))
-        return FALSE;
-    const guint curve = (guint)found.curve;
-    const TinkerGraphSeries *series = tinker_graph_data_curve(plot->data, curve);
-    reading->curve = curve;
-    if (tinker_graph_reading_snap(series, &plot->geometry, x, y, SNAP, reading)) return TRUE;
-    reading->kind = TINKER_READING_POINT;
-    reading->point = tinker_graph_data_point(plot->data, curve, found.point);
-    reading->at[0] = tinker_graph_series_x(series)[reading->point];
-    reading->at[1] = tinker_graph_series_y(series)[reading->point];
-    return TRUE;
-}
-
 /* "y = −0.12 m (minimum)". (transfer full) */
 static char *words_of(TinkerGraphPlot *plot, const TinkerGraphReading *reading)
 {
@@ -110,16 +82,6 @@ static void paint_with_reading(TinkerGraphPlot *plot, cairo_t *cairo, const Tink
     TinkerPlot with_reading = *picture;
     with_reading.reading = &reading;
     tinker_plot_draw(cairo, &with_reading, width, height);
-}
-
-void tinker_graph_plot_fill(TinkerGraphPlot *plot, TinkerPlot *picture)
-{
-    picture->compact = plot->picture.width < COMPACT_WIDTH || plot->picture.height < COMPACT_HEIGHT;
-    tinker_graph_data_fill_plot(plot->data, picture);
-    if (tinker_graph_data_is_empty(plot->data)) return;
-    if (tinker_graph_data_is_over_time(plot->data))
-        plot->zoom.is_set[0] = tinker_time_span_get(tinker_player_span(plot->player), plot->zoom.range[0]);
-    tinker_graph_zoom_apply(&plot->zoom, picture);
 }
 
 static void paint(TinkerGraphPlot *plot, cairo_t *cairo)

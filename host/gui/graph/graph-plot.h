@@ -4,8 +4,8 @@
 
 #include <gtk/gtk.h>
 
-#include "gui/document/graph-data.h"
-#include "gui/document/graph-zoom.h"
+#include "gui/curve/graph-data.h"
+#include "gui/curve/graph-zoom.h"
 
 #define TINKER_TYPE_GRAPH_PLOT (tinker_graph_plot_get_type())
 G_DECLARE_FINAL_TYPE(TinkerGraphPlot, tinker_graph_plot, TINKER, GRAPH_PLOT, GtkWidget)

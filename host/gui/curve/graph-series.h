@@ -50,8 +50,4 @@ const TinkerCurveIndex *tinker_graph_series_index(const TinkerGraphSeries *serie
 /* The last point not later than a time (s). FALSE where there is none. */
 gboolean tinker_graph_series_find(const TinkerGraphSeries *series, double time, gsize *point);
 
-/* Adds the quantities that a curve is made of to an array of TinkerQuantity: they are to be recorded. */
-void tinker_graph_curve_quantities(TinkerScene *scene, const TinkerSceneGraph *graph, const TinkerSceneCurve *curve,
-                                   GArray *quantities);
-
 #endif

@@ -1,5 +1,5 @@
 /* All points are thinned anew only once they are a good deal more than at the last time. */
-#include "gui/document/thin-path.h"
+#include "gui/curve/thin-path.h"
 
 #include <math.h>
 

@@ -1,5 +1,5 @@
 /* A sample hits neither an extremum nor a zero: the curve is taken for smooth across a few of its points. */
-#include "gui/document/graph-reading.h"
+#include "gui/curve/graph-reading.h"
 
 #include <math.h>
 

@@ -2,7 +2,7 @@
 #ifndef TINKER_GUI_GRAPH_READING_H
 #define TINKER_GUI_GRAPH_READING_H
 
-#include "gui/document/graph-series.h"
+#include "gui/curve/graph-series.h"
 #include "render/plot/plot.h"
 
 typedef enum {

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 
 #include "files/replace-file.h"
-#include "gui/document/graph-data.h"
+#include "gui/curve/graph-data.h"
 
 /* One column of the table. */
 typedef struct {

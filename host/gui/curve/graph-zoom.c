@@ -1,5 +1,5 @@
 /* Places of the canvas are mapped back onto the axes, so that logarithmic ones need no case of their own. */
-#include "gui/document/graph-zoom.h"
+#include "gui/curve/graph-zoom.h"
 
 #include <math.h>
 

@@ -1,7 +1,7 @@
 /* Each quantity that a curve is made of has a cursor of its own in the record, and the run may go on between two
  * readings: only rows that all of them have make points. What is read and has made its point is forgotten, but for the
  * values of the curve itself. */
-#include "gui/document/graph-series.h"
+#include "gui/curve/graph-series.h"
 
 #include <string.h>
 
@@ -320,14 +320,4 @@ gboolean tinker_graph_series_find(const TinkerGraphSeries *series, double time, 
     }
     *point = low - 1;
     return low > 0;
-}
-
-void tinker_graph_curve_quantities(TinkerScene *scene, const TinkerSceneGraph *graph, const TinkerSceneCurve *curve,
-                                   GArray *quantities)
-{
-    if (curve->table != NULL) return;
-    TinkerGraphSeries *series = tinker_graph_series_new(scene, NULL, graph, curve);
-    for (guint i = 0; i < series->sources->len; i++)
-        g_array_append_val(quantities, source_of(series, i)->of);
-    tinker_graph_series_free(series);
 }

@@ -3,7 +3,7 @@
 #ifndef TINKER_GUI_GRAPH_DATA_H
 #define TINKER_GUI_GRAPH_DATA_H
 
-#include "gui/document/graph-series.h"
+#include "gui/curve/graph-series.h"
 #include "render/plot/plot.h"
 
 typedef struct _TinkerGraphData TinkerGraphData;

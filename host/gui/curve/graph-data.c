@@ -1,10 +1,10 @@
 /* The curves of the graph, each of which reads the record by itself. */
-#include "gui/document/graph-data.h"
+#include "gui/curve/graph-data.h"
 
 #include <glib/gi18n.h>
 #include <math.h>
 
-#include "gui/document/thin-path.h"
+#include "gui/curve/thin-path.h"
 #include "gui/text/translate.h"
 
 /* One curve. */

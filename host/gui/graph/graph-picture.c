@@ -1,0 +1,54 @@
+/* What is drawn, and what of it is read: for painting and for input. */
+#include <math.h>
+
+#include "gui/graph/graph-plot-private.h"
+
+#define SNAP           12.0 /* widget units: how near to a maximum, minimum or zero it is that which is read */
+#define COMPACT_WIDTH  700  /* widget units: below either, texts are smaller */
+#define COMPACT_HEIGHT 420
+#define A_CLICK        5.0  /* widget units: a press that moved no farther is one */
+#define THIN_BOX       12.0 /* a box less high, or wide, is of the other axis alone */
+
+void tinker_graph_plot_renew(TinkerGraphPlot *plot)
+{
+    plot->is_stale = TRUE;
+    gtk_widget_queue_draw(GTK_WIDGET(plot));
+}
+
+void tinker_graph_plot_fill(TinkerGraphPlot *plot, TinkerPlot *picture)
+{
+    picture->compact = plot->picture.width < COMPACT_WIDTH || plot->picture.height < COMPACT_HEIGHT;
+    tinker_graph_data_fill_plot(plot->data, picture);
+    if (tinker_graph_data_is_empty(plot->data)) return;
+    if (tinker_graph_data_is_over_time(plot->data))
+        plot->zoom.is_set[0] = tinker_time_span_get(tinker_player_span(plot->player), plot->zoom.range[0]);
+    tinker_graph_zoom_apply(&plot->zoom, picture);
+}
+
+gboolean tinker_graph_plot_read(TinkerGraphPlot *plot, const TinkerPlot *picture, double x, double y,
+                                TinkerGraphReading *reading)
+{
+    TinkerPlotPoint found;
+    if (tinker_graph_data_is_empty(plot->data) ||
+        !tinker_plot_pick(picture, plot->picture.width, plot->picture.height, x, y, TINKER_GRAPH_REACH, &found) ||
+        found.curve >= (int)tinker_graph_data_curves(plot->data))
+        return FALSE;
+    const guint curve = (guint)found.curve;
+    const TinkerGraphSeries *series = tinker_graph_data_curve(plot->data, curve);
+    reading->curve = curve;
+    if (tinker_graph_reading_snap(series, &plot->geometry, x, y, SNAP, reading)) return TRUE;
+    reading->kind = TINKER_READING_POINT;
+    reading->point = tinker_graph_data_point(plot->data, curve, found.point);
+    reading->at[0] = tinker_graph_series_x(series)[reading->point];
+    reading->at[1] = tinker_graph_series_y(series)[reading->point];
+    return TRUE;
+}
+
+TinkerGraphAxes tinker_graph_box_axes(const TinkerGraphPlot *plot)
+{
+    const double width = fabs(plot->drag_now[0] - plot->drag_start[0]),
+                 height = fabs(plot->drag_now[1] - plot->drag_start[1]);
+    if (fmax(width, height) < A_CLICK) return 0;
+    if (height < THIN_BOX) return TINKER_GRAPH_X;
+    return width < THIN_BOX ? TINKER_GRAPH_UP : TINKER_GRAPH_ALL;
+}
