@@ -3,12 +3,32 @@
 #include <math.h>
 
 #include "analysis/advice.h"
+#include "analysis/joined.h"
 #include "analysis/start-private.h"
 
+/* A place in a block's own axes. */
+static gboolean to_own(TinkerScene *scene, TinkerBlockId block, const double place[2], TinkerSceneEnd *end,
+                       GError **error)
+{
+    g_autoptr(TinkerFrame) frame = tinker_frame_new(scene, error);
+    double x, y, angle;
+    if (frame == NULL) return FALSE;
+    tinker_frame_centre(frame, block, &x, &y, &angle);
+    const double dx = place[0] - x, dy = place[1] - y;
+    *end = (TinkerSceneEnd){block, dx * cos(angle) + dy * sin(angle), dy * cos(angle) - dx * sin(angle)};
+    return TRUE;
+}
+
+/* To the centre; a joint, and what is on a body that turns, at the place where the end lies. */
 static gboolean connect_end(TinkerHistory *history, TinkerScene *scene, const TinkerAdvice *advice, GError **error)
 {
     TinkerBlockId connector = g_array_index(advice->blocks, TinkerBlockId, 0);
+    const int32_t freedoms = tinker_scene_block_class(scene, advice->target)->physics->body->degrees_of_freedom;
+    const TinkerSceneEnd loose = tinker_scene_end(scene, connector, advice->end);
     TinkerSceneEnd to = {advice->target, 0, 0};
+    if ((freedoms == 3 || (freedoms == 0 && start_is_joint(tinker_scene_block_class(scene, connector)))) &&
+        !to_own(scene, advice->target, (const double[]){loose.x, loose.y}, &to, error))
+        return FALSE;
     return tinker_history_set_end(history, connector, advice->end, to, error);
 }
 
@@ -48,6 +68,9 @@ static gboolean do_repair(TinkerHistory *history, TinkerScene *scene, const Tink
     case TINKER_ADVICE_LENGTH:
         return start_set_meaning(history, scene, g_array_index(advice->blocks, TinkerBlockId, 0), TINKER_MEANING_LENGTH,
                                  &advice->length, error);
+    case TINKER_ADVICE_JOINT:
+        tinker_joined_bring(history, scene, advice->target);
+        return TRUE;
     case TINKER_ADVICE_VELOCITY:
         return set_vectors(history, scene, advice, TINKER_MEANING_VELOCITY, FALSE, error);
     case TINKER_ADVICE_OVERLAP:
@@ -64,8 +87,9 @@ static gboolean still_stands(TinkerScene *scene, const TinkerAdvice *advice)
         TinkerBlockId block = g_array_index(advice->blocks, TinkerBlockId, i);
         if (!tinker_scene_has_block(scene, block) || tinker_scene_block_class(scene, block) == NULL) return FALSE;
     }
+    if (advice->kind == TINKER_ADVICE_JOINT) return tinker_scene_has_block(scene, advice->target);
     if (advice->kind != TINKER_ADVICE_DETACHED_END) return TRUE;
-    return tinker_scene_has_block(scene, advice->target) &&
+    return tinker_scene_has_block(scene, advice->target) && tinker_scene_block_class(scene, advice->target) != NULL &&
            advice->end < tinker_scene_end_count(scene, g_array_index(advice->blocks, TinkerBlockId, 0));
 }
 

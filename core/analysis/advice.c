@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "analysis/advice-private.h"
+#include "analysis/joined.h"
 #include "analysis/start-private.h"
 #include "physics/compile/compile.h"
 #include "physics/model/model.h"
@@ -178,15 +179,32 @@ static void add_named_blocks(TinkerAdvice *advice, TinkerScene *scene)
     }
 }
 
+/* Where it is a joint that does not fit, its bodies can be moved. */
+static void offer_to_assemble(TinkerAdvice *advice, TinkerScene *scene)
+{
+    if (advice->blocks->len == 0) return;
+    const TinkerBlockId joint = g_array_index(advice->blocks, TinkerBlockId, 0);
+    if (!start_is_joint(tinker_scene_block_class(scene, joint))) return;
+    const TinkerBlockId ends[2] = {tinker_scene_end(scene, joint, 0).block, tinker_scene_end(scene, joint, 1).block};
+    if (!tinker_joined_can_be_brought(scene, ends[0])) return;
+    advice->kind = TINKER_ADVICE_JOINT;
+    advice->target = ends[0];
+    advice->repair = g_strdup_printf(_("Bring %s and %s together"), tinker_scene_block_name(scene, ends[0]),
+                                     tinker_scene_block_name(scene, ends[1]));
+}
+
 static void on_model(GPtrArray *all, const TinkerFrame *frame)
 {
     TinkerScene *scene = tinker_frame_scene(frame);
     g_autoptr(GError) error = NULL;
     g_autoptr(TinkerModel) model = tinker_model_new(scene, &error);
-    if (model != NULL)
+    if (model != NULL) {
         advice_on_velocities(all, frame, model);
-    else
-        add_named_blocks(advice_add(all, TINKER_ADVICE_MODEL, TRUE, g_strdup(error->message)), scene);
+        return;
+    }
+    TinkerAdvice *advice = advice_add(all, TINKER_ADVICE_MODEL, TRUE, g_strdup(error->message));
+    add_named_blocks(advice, scene);
+    offer_to_assemble(advice, scene);
 }
 
 GPtrArray *tinker_advice_new(TinkerScene *scene)

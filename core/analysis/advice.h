@@ -8,6 +8,7 @@ typedef enum {
     TINKER_ADVICE_DETACHED_END, /* repair: connects it to the nearest block that it accepts */
     TINKER_ADVICE_MISSING_TYPE, /* no repair */
     TINKER_ADVICE_LENGTH,       /* a given length that is not as drawn; repair: as drawn */
+    TINKER_ADVICE_JOINT,        /* a joint whose ends do not fit together; repair: its bodies are moved */
     TINKER_ADVICE_VELOCITY,     /* start velocities that constraints do not allow; repair: what they leave of them */
     TINKER_ADVICE_MODEL,        /* whatever else keeps the scene from running; no repair */
     TINKER_ADVICE_OVERLAP,      /* a body that starts in a plate; repair: out of it */

@@ -47,8 +47,7 @@ static void put(TinkerHistory *history, const TinkerScene *scene, const TinkerPl
         tinker_history_set(history, to->block, orientation, &to->orientation, NULL);
 }
 
-/* Whether what joins a block fits where the scene is now. */
-static gboolean fits(TinkerScene *scene, TinkerBlockId block)
+gboolean tinker_joined_can_be_brought(TinkerScene *scene, TinkerBlockId block)
 {
     const TinkerHeldBody held = {block, TRUE, TRUE, FALSE};
     g_autoptr(GArray) bodies = tinker_assemble(scene, &held, NULL);
@@ -79,7 +78,7 @@ gboolean tinker_joined_follow(TinkerHistory *history, TinkerScene *scene, const 
         return TRUE;
     }
     put(history, scene, before);
-    if (fits(scene, now.block)) {
+    if (tinker_joined_can_be_brought(scene, now.block)) {
         g_propagate_error(error, cause);
         return FALSE;
     }

@@ -20,6 +20,9 @@ TinkerPlacement tinker_placement_of(const TinkerScene *scene, TinkerBlockId bloc
 gboolean tinker_joined_follow(TinkerHistory *history, TinkerScene *scene, const TinkerPlacement *before,
                               GError **error);
 
+/* Whether there are places where all that is joined to a block fits, with the block where it is. */
+gboolean tinker_joined_can_be_brought(TinkerScene *scene, TinkerBlockId block);
+
 /* Brings what is joined to a block to it, where the block is. What does not fit stays as it is. */
 void tinker_joined_bring(TinkerHistory *history, TinkerScene *scene, TinkerBlockId block);
 

@@ -38,6 +38,12 @@ gboolean start_is_rigid(const TinkerBlockClass *block_class)
            !block_class->physics->constraint->unilateral;
 }
 
+gboolean start_is_joint(const TinkerBlockClass *block_class)
+{
+    return start_is_rigid(block_class) && block_class->physics->constraint->joint != 0 &&
+           block_class->type->least_ends == 2 && block_class->type->most_ends == 2;
+}
+
 gboolean start_set_meaning(TinkerHistory *history, TinkerScene *scene, TinkerBlockId block, int32_t meaning,
                            const double *values, GError **error)
 {

@@ -16,6 +16,8 @@ gboolean start_has_rest_length(const TinkerBlockClass *block_class);
 gboolean start_keeps_length(const TinkerBlockClass *block_class);
 /* A constraint that holds in both directions. */
 gboolean start_is_rigid(const TinkerBlockClass *block_class);
+/* One whose two ends lie at one place. */
+gboolean start_is_joint(const TinkerBlockClass *block_class);
 
 /* Sets the property with a meaning. */
 gboolean start_set_meaning(TinkerHistory *history, TinkerScene *scene, TinkerBlockId block, int32_t meaning,

@@ -366,9 +366,36 @@ static void test_rate(void)
     physics_assert_near("vy", start_fixture_get(f, "Bar 0", TINKER_MEANING_VELOCITY, 1), 0.5 * rate, 1e-12);
 }
 
+/* A pin whose ends lie 0.3 m apart, and a bar behind it: the repair moves the bars, the wall stays. */
+static void test_joint(void)
+{
+    g_autoptr(StartFixture) f = start_fixture_new(
+        "{'type': 'support'}, {'type': 'bar', 'position': [0.8, 0]}, {'type': 'bar', 'position': [2, 0]},"
+        "{'type': 'pin', 'ends': ['Support 0', {'block': 'Bar 0', 'at': [-0.5, 0]}]},"
+        "{'type': 'pin', 'ends': [{'block': 'Bar 0', 'at': [0.5, 0]}, {'block': 'Bar 1', 'at': [-0.5, "
+        "0]}]}");
+    assert_only(f, TINKER_ADVICE_JOINT, TRUE, "Pin 0", "do not fit together", "Bring Support 0 and Bar 0 together");
+    repair(f);
+    physics_assert_near("x", start_fixture_get(f, "Bar 0", TINKER_MEANING_POSITION, 0), 0.5, 1e-12);
+    physics_assert_near("second x", start_fixture_get(f, "Bar 1", TINKER_MEANING_POSITION, 0), 1.5, 1e-12);
+}
+
+/* A loose end of a pin is connected where it lies, not to the centre. */
+static void test_loose_pin(void)
+{
+    g_autoptr(StartFixture) f = start_fixture_new("{'type': 'support'}, {'type': 'bar', 'position': [0.5, 0]},"
+                                                  "{'type': 'pin', 'ends': ['Support 0', [0, 0]]}");
+    assert_only(f, TINKER_ADVICE_DETACHED_END, TRUE, "Pin 0", "is not connected", "Connect it to Bar 0");
+    repair(f);
+    const TinkerSceneEnd end = tinker_scene_end(f->scene, start_fixture_block(f, "Pin 0"), 1);
+    g_assert_cmpfloat(end.x, ==, -0.5);
+}
+
 static void add_tests(void)
 {
     g_test_add_func("/advice/rate", test_rate);
+    g_test_add_func("/advice/joint", test_joint);
+    g_test_add_func("/advice/loose-pin", test_loose_pin);
     g_test_add_func("/advice/nothing-wrong", test_nothing_wrong);
     g_test_add_func("/advice/detached-end", test_detached_end);
     g_test_add_func("/advice/missing-type", test_missing_type);
