@@ -37,7 +37,8 @@ static TinkerHit hit_at(TinkerCanvas *canvas, double x, double y, gboolean handl
     if (frame == NULL) return hit;
     double world[2];
     canvas_to_world(canvas, x, y, world);
-    tinker_frame_set_symbol_size(frame, tinker_painter_symbol_size(frame, canvas->view.scale));
+    tinker_frame_set_symbol_size(frame,
+                                 tinker_painter_symbol_size(frame, canvas->view.scale / canvas_magnification(canvas)));
     TinkerBlockId selected = tinker_document_selected(canvas->document);
     if (handles && selected != TINKER_NO_BLOCK && tinker_frame_time(frame) == 0)
         hit = tinker_hit_handle(frame, selected, world[0], world[1], canvas_reach(canvas));
@@ -74,7 +75,9 @@ static void drag_part(TinkerCanvas *canvas, GdkModifierType modifiers)
     double world[2];
     TinkerFrame *frame = tinker_player_frame(canvas->player);
     canvas_to_world(canvas, canvas->pointer[0], canvas->pointer[1], world);
-    if (frame != NULL) tinker_drag_set_symbol_size(canvas->drag, tinker_painter_symbol_size(frame, canvas->view.scale));
+    if (frame != NULL)
+        tinker_drag_set_symbol_size(
+            canvas->drag, tinker_painter_symbol_size(frame, canvas->view.scale / canvas_magnification(canvas)));
     TinkerScene *scene = tinker_document_scene(canvas->document);
     const TinkerPlacement before = tinker_placement_of(scene, canvas->pressed.block);
     TinkerBlockId target =

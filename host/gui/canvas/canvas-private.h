@@ -22,6 +22,7 @@ struct _TinkerCanvas {
     TinkerDocument *document;
     TinkerPlayer *player;
     gboolean show_labels, show_forces, show_local_origins, show_grid;
+    gboolean large;          /* what is drawn */
     gboolean follow;         /* the selected body takes the view along */
     gboolean this_body_only; /* of forces, with a body selected */
     double force_factor;     /* how much longer than usual their arrows are */
@@ -52,6 +53,12 @@ struct _TinkerCanvas {
 
     TinkerBlockId placing; /* the block on its way from the palette */
 };
+
+#define CANVAS_LARGE 1.6 /* how much larger things are drawn for those who sit at the back */
+static inline double canvas_magnification(const TinkerCanvas *canvas)
+{
+    return canvas->large ? CANVAS_LARGE : 1;
+}
 
 /* Reach in m. */
 double canvas_reach(TinkerCanvas *canvas);

@@ -24,6 +24,7 @@ enum {
     PROP_SHOW_GRID,
     PROP_THIS_BODY_ONLY,
     PROP_FOLLOW,
+    PROP_LARGE,
     PROPERTIES
 };
 static GParamSpec *properties[PROPERTIES];
@@ -166,18 +167,49 @@ static void paint_band(TinkerCanvas *canvas, cairo_t *cairo, const TinkerTheme *
     cairo_stroke(cairo);
 }
 
+/* The view in units of what is drawn larger. */
+static TinkerView larger(const TinkerView *view, double factor)
+{
+    return (TinkerView){view->scale / factor, view->origin_x / factor, view->origin_y / factor, view->width / factor,
+                        view->height / factor};
+}
+
 static void paint(TinkerCanvas *canvas, cairo_t *cairo)
 {
     TinkerFrame *frame = tinker_player_frame(canvas->player);
     TinkerPaintOptions options = paint_options(canvas);
     if (frame == NULL) return;
+    const TinkerView seen = canvas->view;
+    const double factor = canvas_magnification(canvas);
+    cairo_save(cairo);
+    cairo_scale(cairo, factor, factor);
+    canvas->view = larger(&seen, factor);
     tinker_paint_scene(cairo, frame, &canvas->view, &options);
     canvas_paint_marks(canvas, cairo, frame, options.theme);
     CanvasForcesLook look = {options.theme, canvas->force_factor, !canvas->this_body_only};
     if (canvas->show_forces)
         canvas_forces_draw(canvas->forces, cairo, canvas->document, canvas->player, &canvas->view, &look);
     canvas_paint_edge_marks(canvas, cairo, frame, options.theme); /* over the key of the forces */
+    canvas->view = seen;
+    cairo_restore(cairo);
     if (canvas->gesture == CANVAS_BAND && canvas->moved) paint_band(canvas, cairo, options.theme);
+}
+
+void tinker_canvas_draw_for_paper(TinkerCanvas *canvas, cairo_t *cairo)
+{
+    TinkerFrame *frame = tinker_player_frame(canvas->player);
+    TinkerPaintOptions options = paint_options(canvas);
+    if (frame == NULL) return;
+    options.theme = tinker_theme_find("light");
+    options.highlighted = TINKER_NO_BLOCK;
+    options.selected_count = 0;
+    options.quick = FALSE;
+    options.memory = NULL;
+    options.faults = NULL;
+    tinker_paint_scene(cairo, frame, &canvas->view, &options);
+    const CanvasForcesLook look = {options.theme, canvas->force_factor, !canvas->this_body_only};
+    if (canvas->show_forces)
+        canvas_forces_draw(canvas->forces, cairo, canvas->document, canvas->player, &canvas->view, &look);
 }
 
 GList *tinker_canvas_faults(TinkerCanvas *canvas)
@@ -294,6 +326,8 @@ static gboolean *switch_of(TinkerCanvas *canvas, guint property)
         return &canvas->show_local_origins;
     case PROP_FOLLOW:
         return &canvas->follow;
+    case PROP_LARGE:
+        return &canvas->large;
     case PROP_THIS_BODY_ONLY:
         return &canvas->this_body_only;
     default:
@@ -309,6 +343,7 @@ static void tinker_canvas_get_property(GObject *object, guint property, GValue *
 static void tinker_canvas_set_property(GObject *object, guint property, const GValue *value, GParamSpec *spec)
 {
     *switch_of(TINKER_CANVAS(object), property) = g_value_get_boolean(value);
+    if (property == PROP_LARGE && TINKER_CANVAS(object)->document != NULL) renew_memory(TINKER_CANVAS(object));
     if (property == PROP_FOLLOW && TINKER_CANVAS(object)->document != NULL) canvas_follow(TINKER_CANVAS(object));
     gtk_widget_queue_draw(GTK_WIDGET(object));
 }
@@ -350,6 +385,7 @@ static void tinker_canvas_class_init(TinkerCanvasClass *class)
     properties[PROP_SHOW_LOCAL_ORIGINS] = g_param_spec_boolean("show-local-origins", NULL, NULL, FALSE, flags);
     properties[PROP_SHOW_GRID] = g_param_spec_boolean("show-grid", NULL, NULL, TRUE, flags);
     properties[PROP_THIS_BODY_ONLY] = g_param_spec_boolean("forces-on-this-body-only", NULL, NULL, TRUE, flags);
+    properties[PROP_LARGE] = g_param_spec_boolean("large", NULL, NULL, FALSE, flags);
     properties[PROP_FOLLOW] = g_param_spec_boolean("follow", NULL, NULL, FALSE, flags);
     g_object_class_install_properties(object_class, PROPERTIES, properties);
     g_signal_new("view-changed", TINKER_TYPE_CANVAS, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL, G_TYPE_NONE, 0);

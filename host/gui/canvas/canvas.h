@@ -13,7 +13,8 @@ G_DECLARE_FINAL_TYPE(TinkerCanvas, tinker_canvas, TINKER, CANVAS, GtkWidget)
 /* Shows this document as the player has it. Takes references. */
 void tinker_canvas_set_player(TinkerCanvas *canvas, TinkerDocument *document, TinkerPlayer *player);
 
-/* What is shown beside the blocks. Properties "show-labels", "show-forces", "show-local-origins", "show-grid". */
+/* What is shown beside the blocks. Properties "show-labels", "show-forces", "show-local-origins", "show-grid"; "large":
+ * all that is drawn is larger, for those who sit at the back. */
 
 /* A widget that lies over the top of the canvas, as high as it is: marks at the edge keep below it. Whoever changes its
  * height has the canvas drawn anew. Borrowed; NULL: there is none. */
@@ -50,5 +51,8 @@ void tinker_canvas_place_cancel(TinkerCanvas *canvas);
 
 /* Puts a new block where there is room; its ends onto the blocks that are selected, where they take them. */
 TinkerBlockId tinker_canvas_add(TinkerCanvas *canvas, const TinkerBlockClass *block_class);
+
+/* Draws what it shows for white paper, without selection and marks, as large as it is in the window. */
+void tinker_canvas_draw_for_paper(TinkerCanvas *canvas, cairo_t *cairo);
 
 #endif

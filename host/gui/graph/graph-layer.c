@@ -5,6 +5,7 @@
 #include <math.h>
 
 #include "gui/document/graph-edit.h"
+#include "gui/graph/graph-export.h"
 #include "render/picture/painter.h"
 
 #define LEAST_WIDTH  200.0 /* widget units: readable */
@@ -120,6 +121,25 @@ void tinker_graph_layer_find_room(TinkerGraphLayer *layer, TinkerFrame *frame, c
     tinker_view_to_world(view, box.x, box.y, &place[0], &place[1]);
     room[0] = box.width / view->scale;
     room[1] = box.height / view->scale;
+}
+
+void tinker_graph_layer_draw_for_paper(TinkerGraphLayer *layer, cairo_t *cairo)
+{
+    TinkerGraphBoard *board = TINKER_GRAPH_BOARD(layer);
+    for (int i = 0; i < tinker_graph_board_count(board); i++) {
+        TinkerGraphView *view = tinker_graph_board_view(board, i);
+        const TinkerGraphBox box = box_of(layer, view);
+        cairo_save(cairo);
+        cairo_translate(cairo, box.x, box.y);
+        cairo_rectangle(cairo, 0, 0, box.width, box.height);
+        cairo_clip(cairo);
+        tinker_graph_draw_for_paper(tinker_graph_view_data(view), cairo, box.width, box.height);
+        cairo_rectangle(cairo, 0, 0, box.width, box.height);
+        cairo_set_source_rgb(cairo, 0.6, 0.6, 0.6);
+        cairo_set_line_width(cairo, 2); /* the outer half is cut off */
+        cairo_stroke(cairo);
+        cairo_restore(cairo);
+    }
 }
 
 /* Dragging ------------------------------------------------------------------------------------------------------------

@@ -20,4 +20,7 @@ void tinker_graph_layer_find_room(TinkerGraphLayer *layer, TinkerFrame *frame, c
 /* What of the layer is taken by graphs and by blocks, of TinkerGraphBox. The frame may be NULL. (transfer full) */
 GArray *tinker_graph_layer_taken(TinkerGraphLayer *layer, TinkerFrame *frame);
 
+/* Draws the graphs where they are on the canvas, for white paper. */
+void tinker_graph_layer_draw_for_paper(TinkerGraphLayer *layer, cairo_t *cairo);
+
 #endif

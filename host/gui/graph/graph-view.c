@@ -42,7 +42,7 @@ int tinker_graph_view_number(TinkerGraphView *view)
     return view->number;
 }
 
-static TinkerGraphData *data_of(TinkerGraphView *view)
+TinkerGraphData *tinker_graph_view_data(TinkerGraphView *view)
 {
     return tinker_graph_plot_data(TINKER_GRAPH_PLOT(view->plot));
 }
@@ -72,7 +72,7 @@ gboolean tinker_graph_view_fits(TinkerGraphView *view, const TinkerSceneGraph *g
 static void tell_value(TinkerGraphView *view)
 {
     gsize point;
-    TinkerGraphData *data = data_of(view);
+    TinkerGraphData *data = tinker_graph_view_data(view);
     g_autofree char *text = NULL;
     tinker_graph_data_update(data);
     if (tinker_graph_data_present(data, 0, &point)) {
@@ -110,7 +110,7 @@ void tinker_graph_view_set_number(TinkerGraphView *view, int number)
     g_free(view->identity);
     view->identity = identity_of(graph);
     tinker_graph_plot_set_graph(TINKER_GRAPH_PLOT(view->plot), graph);
-    const char *title = tinker_graph_data_title(data_of(view));
+    const char *title = tinker_graph_data_title(tinker_graph_view_data(view));
     g_autofree char *label = g_strdup_printf(_("Graph of %s"), title);
     gtk_label_set_text(GTK_LABEL(view->title), title);
     gtk_widget_set_tooltip_text(view->title, title);
@@ -143,18 +143,20 @@ static void edit(GtkWidget *widget, const char *name, GVariant *parameter)
 static void copy(GtkWidget *widget, const char *name, GVariant *parameter)
 {
     TinkerGraphView *view = TINKER_GRAPH_VIEW(widget);
-    tinker_graph_copy(widget, data_of(view), gtk_widget_get_width(view->plot), gtk_widget_get_height(view->plot));
+    tinker_graph_copy(widget, tinker_graph_view_data(view), gtk_widget_get_width(view->plot),
+                      gtk_widget_get_height(view->plot));
 }
 
 static void save_image(GtkWidget *widget, const char *name, GVariant *parameter)
 {
     TinkerGraphView *view = TINKER_GRAPH_VIEW(widget);
-    tinker_graph_save_image(widget, data_of(view), gtk_widget_get_width(view->plot), gtk_widget_get_height(view->plot));
+    tinker_graph_save_image(widget, tinker_graph_view_data(view), gtk_widget_get_width(view->plot),
+                            gtk_widget_get_height(view->plot));
 }
 
 static void export_values(GtkWidget *widget, const char *name, GVariant *parameter)
 {
-    tinker_graph_export_values(widget, data_of(TINKER_GRAPH_VIEW(widget)));
+    tinker_graph_export_values(widget, tinker_graph_view_data(TINKER_GRAPH_VIEW(widget)));
 }
 
 /* The menu ------------------------------------------------------------------------------------------------------------

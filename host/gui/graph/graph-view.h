@@ -6,7 +6,7 @@
 
 #include <gtk/gtk.h>
 
-#include "gui/document/player.h"
+#include "gui/document/graph-data.h"
 
 #define TINKER_TYPE_GRAPH_VIEW (tinker_graph_view_get_type())
 G_DECLARE_FINAL_TYPE(TinkerGraphView, tinker_graph_view, TINKER, GRAPH_VIEW, GtkWidget)
@@ -20,6 +20,9 @@ int tinker_graph_view_number(TinkerGraphView *view);
 
 /* Whether it shows a graph of the same quantities, so that it can stay where the scene has changed. */
 gboolean tinker_graph_view_fits(TinkerGraphView *view, const TinkerSceneGraph *graph);
+
+/* What it shows. Borrowed. */
+TinkerGraphData *tinker_graph_view_data(TinkerGraphView *view);
 
 /* What it is moved by and sized by. Borrowed. */
 GtkWidget *tinker_graph_view_title_bar(TinkerGraphView *view);

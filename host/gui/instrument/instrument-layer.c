@@ -94,6 +94,24 @@ void tinker_instrument_layer_find_room(TinkerInstrumentLayer *layer, double plac
     tinker_view_to_world(view, box.x, box.y, &place[0], &place[1]);
 }
 
+void tinker_instrument_layer_draw(TinkerInstrumentLayer *layer, cairo_t *cairo)
+{
+    for (guint i = 0; i < layer->views->len; i++) {
+        double size[2], place[2];
+        place_of(layer, g_ptr_array_index(layer->views, i), size, place);
+        g_autoptr(GdkPaintable) seen = gtk_widget_paintable_new(g_ptr_array_index(layer->views, i));
+        GtkSnapshot *snapshot = gtk_snapshot_new();
+        gdk_paintable_snapshot(seen, snapshot, size[0], size[1]);
+        GskRenderNode *node = gtk_snapshot_free_to_node(snapshot);
+        if (node == NULL) continue;
+        cairo_save(cairo);
+        cairo_translate(cairo, place[0], place[1]);
+        gsk_render_node_draw(node, cairo);
+        cairo_restore(cairo);
+        gsk_render_node_unref(node);
+    }
+}
+
 /* Moving --------------------------------------------------------------------------------------------------------------
  */
 

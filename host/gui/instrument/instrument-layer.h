@@ -15,4 +15,7 @@ GtkWidget *tinker_instrument_layer_new(TinkerCanvas *canvas, TinkerGraphLayer *g
 /* A place (m) in the view that is free of blocks, graphs and other instruments. */
 void tinker_instrument_layer_find_room(TinkerInstrumentLayer *layer, double place[2]);
 
+/* Draws them as they are seen, where they are on the canvas. */
+void tinker_instrument_layer_draw(TinkerInstrumentLayer *layer, cairo_t *cairo);
+
 #endif

@@ -233,6 +233,8 @@ static const struct {
     {"save", save, {"<Control>s"}, FALSE},
     {"save-as", save_as, {"<Control><Shift>s"}, FALSE},
     {"export-film", window_export_film, {NULL}, FALSE},
+    {"save-picture", window_save_picture, {"<Control><Shift>p"}, FALSE},
+    {"print", window_print, {"<Control>p"}, FALSE},
     {"undo", undo, {"<Control>z"}, TRUE},
     {"redo", redo, {"<Control><Shift>z", "<Control>y"}, TRUE},
     {"cut", cut, {"<Control>x"}, TRUE},
@@ -286,6 +288,7 @@ void tinker_window_set_accels(GtkApplication *application)
     }
     gtk_application_set_accels_for_action(application, "win.show-palette", (const char *[]){"F9", NULL});
     gtk_application_set_accels_for_action(application, "win.show-panel", (const char *[]){"<Shift>F9", NULL});
+    gtk_application_set_accels_for_action(application, "win.present", (const char *[]){"F11", NULL});
     gtk_application_set_accels_for_action(application, "app.quit", (const char *[]){"<Control>q", NULL});
     gtk_application_set_accels_for_action(application, "app.new-window", (const char *[]){"<Control><Shift>n", NULL});
     gtk_application_set_accels_for_action(application, "window.close", (const char *[]){"<Control>w", NULL});

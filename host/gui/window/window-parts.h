@@ -25,6 +25,7 @@ struct _TinkerWindow {
 
     /* Parts of window.ui. */
     TinkerCanvas *canvas;
+    GtkWidget *header;
     TinkerPalette *palette;
     TinkerPlaybar *playbar;
     AdwToastOverlay *toasts;
@@ -71,6 +72,13 @@ void window_remove_accuracy(TinkerWindow *window);
 void window_add_film(TinkerWindow *window);
 void window_export_film(TinkerWindow *window);
 gboolean window_can_export_film(TinkerWindow *window);
+
+/* Pictures of the canvas, and printing; window-paper.c. */
+void window_save_picture(TinkerWindow *window);
+void window_print(TinkerWindow *window);
+
+/* Full screen for a projector, with large type; window-present.c. */
+void window_add_present(TinkerWindow *window);
 
 /* A line that goes by itself. */
 void window_toast(TinkerWindow *window, const char *text);

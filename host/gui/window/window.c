@@ -152,6 +152,7 @@ TinkerWindow *tinker_window_new(AdwApplication *application, TinkerCatalogue *ca
     connect_parts(window);
     window_add_accuracy(window);
     window_add_film(window);
+    window_add_present(window);
     g_signal_connect_object(window->film, "changed", G_CALLBACK(window_update_actions), window, G_CONNECT_SWAPPED);
     tinker_notice_bar_set(window->notices, "plugins",
                           tinker_refusal_notices(tinker_document_catalogue(window->document)));
@@ -189,6 +190,7 @@ static void tinker_window_class_init(TinkerWindowClass *class)
     GTK_WINDOW_CLASS(class)->close_request = tinker_window_close_request;
     gtk_widget_class_set_template_from_resource(widget_class, "/org/tinker/Tinker/window.ui");
     BIND(canvas);
+    BIND(header);
     BIND(palette);
     BIND(playbar);
     BIND(toasts);
