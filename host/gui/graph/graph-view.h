@@ -6,7 +6,7 @@
 
 #include <gtk/gtk.h>
 
-#include "gui/document/graph-data.h"
+#include "gui/curve/graph-data.h"
 
 #define TINKER_TYPE_GRAPH_VIEW (tinker_graph_view_get_type())
 G_DECLARE_FINAL_TYPE(TinkerGraphView, tinker_graph_view, TINKER, GRAPH_VIEW, GtkWidget)
