@@ -83,6 +83,55 @@ void tinker_graph_dock(TinkerDocument *document, int number)
     tinker_document_end(document);
 }
 
+/* Curves --------------------------------------------------------------------------------------------------------------
+ */
+
+static gboolean change(TinkerDocument *document, int number, const TinkerSceneGraph *graph, GError **error)
+{
+    tinker_document_begin(document, _("Change Graph"), NULL);
+    const gboolean done = tinker_history_change_graph(tinker_document_history(document), number, graph, error);
+    tinker_document_end(document);
+    return done;
+}
+
+gboolean tinker_graph_add_curve(TinkerDocument *document, int number, const TinkerSceneCurve *curve, GError **error)
+{
+    g_autoptr(TinkerSceneGraph) graph = tinker_scene_graph_copy(graph_of(document, number));
+    TinkerSceneCurve *added = tinker_scene_graph_add(graph, NULL, NULL);
+    added->block = g_strdup(curve->block);
+    added->quantity = g_strdup(curve->quantity);
+    added->expression = g_strdup(curve->expression);
+    added->table = g_strdup(curve->table);
+    added->title = g_strdup(curve->title);
+    added->unit = g_strdup(curve->unit);
+    added->column = curve->column;
+    added->axis = curve->axis;
+    return change(document, number, graph, error);
+}
+
+gboolean tinker_graph_remove_curve(TinkerDocument *document, int number, guint curve, GError **error)
+{
+    g_autoptr(TinkerSceneGraph) graph = tinker_scene_graph_copy(graph_of(document, number));
+    if (graph->curves->len < 2) return TRUE;
+    g_ptr_array_remove_index(graph->curves, curve);
+    return change(document, number, graph, error);
+}
+
+gboolean tinker_graph_set_curve_axis(TinkerDocument *document, int number, guint curve, int axis, GError **error)
+{
+    g_autoptr(TinkerSceneGraph) graph = tinker_scene_graph_copy(graph_of(document, number));
+    ((TinkerSceneCurve *)g_ptr_array_index(graph->curves, curve))->axis = axis;
+    return change(document, number, graph, error);
+}
+
+gboolean tinker_graph_set_logarithmic(TinkerDocument *document, int number, int axis, gboolean logarithmic,
+                                      GError **error)
+{
+    g_autoptr(TinkerSceneGraph) graph = tinker_scene_graph_copy(graph_of(document, number));
+    graph->logarithmic[axis] = logarithmic;
+    return change(document, number, graph, error);
+}
+
 /* Room ----------------------------------------------------------------------------------------------------------------
  */
 

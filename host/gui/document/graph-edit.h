@@ -23,6 +23,14 @@ int tinker_graph_move(TinkerDocument *document, int number, const double place[2
 /* Takes its place away: it is docked. */
 void tinker_graph_dock(TinkerDocument *document, int number);
 
+/* Adds a curve behind the others (copied), takes one away (not the last one that there is), puts one to the axis at the
+ * left (1) or right (2), and makes the axis across (0) or upwards (1) logarithmic. Errors: TINKER_SCENE_ERROR. */
+gboolean tinker_graph_add_curve(TinkerDocument *document, int number, const TinkerSceneCurve *curve, GError **error);
+gboolean tinker_graph_remove_curve(TinkerDocument *document, int number, guint curve, GError **error);
+gboolean tinker_graph_set_curve_axis(TinkerDocument *document, int number, guint curve, int axis, GError **error);
+gboolean tinker_graph_set_logarithmic(TinkerDocument *document, int number, int axis, gboolean logarithmic,
+                                      GError **error);
+
 /* A rectangle on the canvas (widget units). */
 typedef struct {
     double x, y, width, height;

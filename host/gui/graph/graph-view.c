@@ -3,6 +3,7 @@
 
 #include <glib/gi18n.h>
 
+#include "gui/graph/curves-dialog.h"
 #include "gui/graph/graph-export.h"
 #include "gui/graph/graph-looks.h"
 #include "gui/graph/graph-plot.h"
@@ -159,6 +160,12 @@ static void export_values(GtkWidget *widget, const char *name, GVariant *paramet
     tinker_graph_export_values(widget, tinker_graph_view_data(TINKER_GRAPH_VIEW(widget)));
 }
 
+static void edit_curves(GtkWidget *widget, const char *name, GVariant *parameter)
+{
+    TinkerGraphView *view = TINKER_GRAPH_VIEW(widget);
+    tinker_curves_dialog_open(widget, view->document, view->number);
+}
+
 /* The menu ------------------------------------------------------------------------------------------------------------
  */
 
@@ -285,6 +292,7 @@ static void add_commands(GtkWidgetClass *widget_class)
         {"graph.copy", copy, GDK_KEY_c, GDK_CONTROL_MASK},
         {"graph.save-image", save_image, GDK_KEY_s, GDK_CONTROL_MASK | GDK_ALT_MASK},
         {"graph.export-values", export_values, GDK_KEY_e, GDK_CONTROL_MASK},
+        {"graph.curves", edit_curves, GDK_KEY_l, GDK_CONTROL_MASK},
         {"graph.dock", edit, 0, 0},
         {"graph.float", edit, 0, 0},
         {"graph.delete", edit, GDK_KEY_Delete, 0},

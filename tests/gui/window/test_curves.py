@@ -1,0 +1,76 @@
+#!/usr/bin/python3
+"""Several curves in one graph: added, put to the other axis, taken away; each change is in the file and can be undone."""
+import re
+
+from harness import App, check, check_equal, main, mass, scene, wait
+
+GRAVITY = {"type": "gravity", "name": "Gravity"}
+GRAPH = {"block": "Ball", "quantity": "y"}
+
+
+def falling(**more):
+    return scene(mass("Ball", 0, 0), mass("Stone", 2, 0), GRAVITY, duration=0.1, graphs=[GRAPH], **more)
+
+
+def graph(app):
+    return app.find(None, re.compile("^Graph of "))
+
+
+def open_dialog(app):
+    x, y, _, _ = app.settled(graph(app))
+    app._click_at(x + 40, y + 9)
+    app.press("ctrl+l")
+    return app.find(None, "Curves of the Graph")
+
+
+def close_dialog(app):
+    app.press("Escape")
+    app.gone(None, "Curves of the Graph")
+    app.focus_window()
+
+
+def curves(app):
+    found = app.saved()["graphs"][0]
+    return found.get("curves") or [{key: found[key] for key in ("block", "quantity")}]
+
+
+def add_quantity(app, dialog, block, quantity):
+    app.choose_from(app.find("combo box", "Block", inside=dialog), block)
+    app.choose_from(app.find("combo box", "Quantity", inside=dialog), quantity)
+    app.click("Add", inside=dialog)
+
+
+def test_quantities_of_two_blocks(display):
+    with App(display, falling()) as app:
+        dialog = open_dialog(app)
+        app.click("Add", inside=dialog)  # the first block's first quantity
+        app.find("button", re.compile("^Remove Ball.x"), inside=dialog)
+        close_dialog(app)
+        check_equal([curve.get("quantity") for curve in curves(app)], ["y", "x"], "quantities in the file")
+        app.find(None, re.compile("^Graph of Ball: Y Position, Ball: X Position|^Graph of Ball: Y Position, X Position"))
+        app.click("Undo")
+        check_equal([curve.get("quantity") for curve in curves(app)], ["y"], "quantities after undo")
+
+
+def test_expression(display):
+    with App(display, falling()) as app:
+        dialog = open_dialog(app)
+        entry = app.find("text", "Expression", inside=dialog)
+        app.retype(entry, "{Ball.z}^2")
+        app.press("Return")
+        wait(lambda: app.look("alert", re.compile("Ball has no quantity"), inside=dialog), "what is wrong with it")
+        app.retype(entry, "{Ball.vy}^2")
+        app.press("Return")
+        app.find("button", "Remove {Ball.vy}^2", inside=dialog)
+        app.click("Remove Ball.y", inside=dialog)
+        wait(lambda: app.look("button", "Remove Ball.y", inside=dialog) is None, "the first curve to go")
+        close_dialog(app)
+        check_equal([curve.get("expression") for curve in curves(app)], ["{Ball.vy}^2"], "curves in the file")
+        app.click("Play")
+        wait(lambda: app.time() == 0.1 and not app.is_playing(), "the end of the run")
+        # v = -9.81 m/s^2 · 0.1 s
+        wait(lambda: "= 0.96236 m" in graph(app).description, "its value")
+
+
+if __name__ == "__main__":
+    main()
