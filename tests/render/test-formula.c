@@ -171,7 +171,7 @@ static void test_extents(void)
         "</msqrt>",
         "<mi>F</mi><mo>=</mo><mo>{</mo><mtable><mtr><mtd>" X "</mtd><mtd><mtext>if </mtext>" X
         "<mo>&lt;</mo><mn>0</mn></mtd></mtr><mtr><mtd><mn>0</mn></mtd><mtd><mtext>else</mtext></mtd></mtr></mtable>",
-        "<msub><mi>µd</mi><mrow><mn>3</mn><mo>,</mo><mi>x</mi></mrow></msub><mo>&#x2062;</mo>"
+        "<msub><mi>µd</mi><mrow><mn>3</mn><mo>,</mo>" X "</mrow></msub><mo>&#x2062;</mo>"
         "<mi>sin</mi><mo>&#x2061;</mo><mo>(</mo><mi>φ</mi><mo>)</mo>",
     };
     for (gsize i = 0; i < G_N_ELEMENTS(texts); i++) {

@@ -163,7 +163,7 @@ typedef struct {
 
 static Point point_at(const TinkerPose *pose, const double local[2])
 {
-    Point point;
+    Point point = {0};
     turn(pose->angle, local, point.arm);
     across(point.arm, point.turned);
     for (int k = 0; k < 2; k++) {
