@@ -137,8 +137,7 @@ static void add_block(TinkerEquationWriter *writer, TinkerBlockId block)
     const TinkerLawRole role = tinker_law_role(block_class);
     if (role >= TINKER_LAW_MOTION) return;
     g_autoptr(GError) error = NULL;
-    g_autoptr(TinkerBlockLaw) law =
-        tinker_block_law_new(block_class, tinker_scene_end_count(writer->scene, block), &error);
+    g_autoptr(TinkerBlockLaw) law = tinker_writer_law_of(writer, block, &error);
     if (law != NULL && roles[role].add(writer, block, law)) return;
     g_autofree char *why = error != NULL ? g_strdup_printf("its law cannot be read: %s", error->message)
                            : law != NULL ? g_strdup("its law does not say what it does to its ends")

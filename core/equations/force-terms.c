@@ -19,6 +19,17 @@ static TinkerExpression *by_place(TinkerEquationWriter *writer, const TinkerExpr
                                                    : tinker_expression_number(0);
 }
 
+/* A component of a typed law, which is in plain numbers, as a definition of its own; `index` is NULL for the block's.
+ */
+static TinkerExpression *as_typed(TinkerEquationWriter *writer, TinkerBlockId block, const TinkerBlockLaw *law,
+                                  const char *index, const char *component, TinkerExpression *is)
+{
+    if (!law->typed || is == NULL || is->kind == TINKER_EXPRESSION_NUMBER) return is;
+    const char *name = index != NULL ? tinker_writer_indexed_name(writer, block, "F", index, 0, component)
+                                     : tinker_writer_name(writer, block, "F", 0, component);
+    return tinker_writer_define(writer, name, block, tinker_force_dimension, "its force", is, TRUE);
+}
+
 gboolean tinker_writer_add_force(TinkerEquationWriter *writer, TinkerBlockId block, const TinkerBlockLaw *law)
 {
     g_autoptr(GArray) points = tinker_writer_ends(writer, block);
@@ -28,6 +39,8 @@ gboolean tinker_writer_add_force(TinkerEquationWriter *writer, TinkerBlockId blo
     TinkerLawUse use;
     tinker_law_use_init(&use, block, law);
     tinker_law_use_set_ends(writer, &use, points);
+    const TinkerBodyEquation *body = g_hash_table_lookup(writer->body_of, GINT_TO_POINTER(point_at(points, 0)->block));
+    if (law->typed && body != NULL) tinker_law_use_set(&use, "m", body->mass);
     g_autoptr(TinkerExpression) potential = NULL;
     gboolean known = TRUE;
     for (guint i = 0; i < points->len && known; i++) {
@@ -46,12 +59,14 @@ gboolean tinker_writer_add_force(TinkerEquationWriter *writer, TinkerBlockId blo
                 if (!known) break;
                 const TinkerDimension energy = {1, 2, -2, 0};
                 const char *name = tinker_writer_name(writer, block, "V", 0, NULL);
-                potential = tinker_writer_define(writer, name, block, energy, "stored energy", is, FALSE);
+                potential = tinker_writer_define(writer, name, block, energy, "stored energy", is, law->typed);
             }
             x = tinker_expression_negated(by_place(writer, potential, point->x));
             y = tinker_expression_negated(by_place(writer, potential, point->y));
             torque = tinker_expression_negated(by_place(writer, potential, point->angle));
         }
+        x = as_typed(writer, block, law, NULL, "x", x);
+        y = as_typed(writer, block, law, NULL, "y", y);
         tinker_writer_add_term(writer, point, block, kind, x != NULL ? x : tinker_expression_number(0),
                                y != NULL ? y : tinker_expression_number(0), torque);
     }
@@ -107,8 +122,9 @@ static void add_field_of_others(TinkerEquationWriter *writer, TinkerBlockId bloc
 gboolean tinker_writer_add_field(TinkerEquationWriter *writer, TinkerBlockId block, const TinkerBlockLaw *law)
 {
     const gboolean pairs = tinker_block_law_find(law, "pair_force_x") != NULL;
-    if (!pairs && tinker_block_law_find(law, "force_x") == NULL && tinker_block_law_find(law, "force_y") == NULL)
-        return FALSE;
+    const gboolean by_potential =
+        tinker_block_law_find(law, "force_x") == NULL && tinker_block_law_find(law, "force_y") == NULL;
+    if (!pairs && by_potential && tinker_block_law_find(law, "potential") == NULL) return FALSE;
     for (guint i = 0; i < writer->equations->bodies->len; i++) {
         const TinkerBodyEquation *body = g_ptr_array_index(writer->equations->bodies, i);
         if (pairs) {
@@ -119,10 +135,19 @@ gboolean tinker_writer_add_field(TinkerEquationWriter *writer, TinkerBlockId blo
         tinker_law_use_init(&use, block, law);
         use.index = tinker_writer_index(writer, body->block);
         set_body(writer, &use, body, "");
-        TinkerExpression *x = tinker_law_use_equation(writer, &use, "force_x");
-        TinkerExpression *y = tinker_law_use_equation(writer, &use, "force_y");
+        TinkerExpression *parts[2];
+        static const char *const equations[] = {"force_x", "force_y"}, *const components[] = {"x", "y"};
+        g_autoptr(TinkerExpression) potential =
+            by_potential ? tinker_law_use_equation(writer, &use, "potential") : NULL;
+        for (int axis = 0; axis < 2; axis++) {
+            const TinkerExpression *place = g_hash_table_lookup(use.meanings, components[axis]);
+            parts[axis] = by_potential
+                              ? tinker_expression_negated(tinker_writer_derivative(writer, potential, place->name))
+                              : tinker_law_use_equation(writer, &use, equations[axis]);
+            parts[axis] = as_typed(writer, block, law, use.index, components[axis], parts[axis]);
+        }
         const TinkerPointSymbols centre = {.block = body->block};
-        tinker_writer_add_term(writer, &centre, block, TINKER_TERM_FIELD, or_zero(x), or_zero(y), NULL);
+        tinker_writer_add_term(writer, &centre, block, TINKER_TERM_FIELD, or_zero(parts[0]), or_zero(parts[1]), NULL);
         tinker_law_use_clear(&use);
     }
     return TRUE;

@@ -55,7 +55,8 @@ void tinker_writer_keep_line(GPtrArray *list, TinkerBlockId block, const GArray 
 
 gboolean tinker_writer_add_line(TinkerEquationWriter *writer, TinkerBlockId block, const TinkerBlockLaw *law)
 {
-    if (tinker_block_law_find(law, "tension") == NULL) return FALSE;
+    const gboolean by_potential = tinker_block_law_find(law, "tension") == NULL;
+    if (by_potential && tinker_block_law_find(law, "potential") == NULL) return FALSE;
     g_autoptr(GArray) points = tinker_writer_ends(writer, block);
     const TinkerPointSymbols *a = point_at(points, 0), *b = point_at(points, 1);
     const gboolean nothing = tinker_expression_equal(a->x, b->x) && tinker_expression_equal(a->y, b->y);
@@ -69,7 +70,9 @@ gboolean tinker_writer_add_line(TinkerEquationWriter *writer, TinkerBlockId bloc
     tinker_law_use_init(&use, block, law);
     tinker_law_use_set(&use, "L", length);
     if (rate != NULL) tinker_law_use_set(&use, "rate", rate);
-    g_autoptr(TinkerExpression) is = tinker_law_use_equation(writer, &use, "tension");
+    g_autoptr(TinkerExpression) stated = tinker_law_use_equation(writer, &use, by_potential ? "potential" : "tension");
+    g_autoptr(TinkerExpression) is =
+        by_potential ? tinker_writer_derivative(writer, stated, length->name) : copy(stated);
     tinker_law_use_clear(&use);
     if (tinker_expression_is_number(is, 0)) {
         tinker_writer_drop_definitions(writer, definitions);
@@ -78,7 +81,7 @@ gboolean tinker_writer_add_line(TinkerEquationWriter *writer, TinkerBlockId bloc
     tinker_writer_keep_line(writer->equations->lines, block, points, length, rate, is);
     const char *name = tinker_writer_name(writer, block, "T", 0, NULL);
     g_autoptr(TinkerExpression) tension =
-        tinker_writer_define(writer, name, block, tinker_force_dimension, "tension", copy(is), FALSE);
+        tinker_writer_define(writer, name, block, tinker_force_dimension, "tension", copy(is), law->typed);
     tinker_writer_add_term(writer, a, block, TINKER_TERM_CONNECTOR, pull(tension, b->x, a->x, length),
                            pull(tension, b->y, a->y, length), NULL);
     tinker_writer_add_term(writer, b, block, TINKER_TERM_CONNECTOR, pull(tension, a->x, b->x, length),

@@ -44,6 +44,27 @@ static void number_group(TinkerEquationWriter *writer, const GArray *blocks)
     }
 }
 
+typedef struct {
+    const TinkerScene *scene;
+    TinkerBlockId block;
+} TextSource;
+
+static const char *text_of(int32_t property, void *data)
+{
+    const TextSource *source = data;
+    return tinker_scene_get_text(source->scene, source->block, property);
+}
+
+TinkerBlockLaw *tinker_writer_law_of(const TinkerEquationWriter *writer, TinkerBlockId block, GError **error)
+{
+    const TinkerBlockClass *block_class = tinker_scene_block_class(writer->scene, block);
+    const int32_t ends = tinker_scene_end_count(writer->scene, block);
+    if (block_class->law_count > 0 || tinker_law_role(block_class) == TINKER_LAW_NONE)
+        return tinker_block_law_new(block_class, ends, error);
+    TextSource source = {writer->scene, block};
+    return tinker_block_law_new_typed(block_class, ends, text_of, &source, error);
+}
+
 static void count_stem(TinkerEquationWriter *writer, const char *stem)
 {
     const int before = GPOINTER_TO_INT(g_hash_table_lookup(writer->stems, stem));
@@ -65,8 +86,7 @@ static void count_stems(TinkerEquationWriter *writer, TinkerBlockId block, const
                                                                : of_others;
     for (; *stems != NULL; stems++)
         count_stem(writer, *stems);
-    g_autoptr(TinkerBlockLaw) law =
-        tinker_block_law_new(block_class, tinker_scene_end_count(writer->scene, block), NULL);
+    g_autoptr(TinkerBlockLaw) law = tinker_writer_law_of(writer, block, NULL);
     for (guint i = 0; law != NULL && i < law->symbols->len; i++) {
         const TinkerLawSymbol *symbol = &g_array_index(law->symbols, TinkerLawSymbol, i);
         if (symbol->property >= 0) count_stem(writer, symbol->name);

@@ -211,6 +211,14 @@ static TinkerExpression *waveform(TinkerEquationWriter *writer, const TinkerLawU
                                 kind == TINKER_WAVEFORM_EXPRESSION);
 }
 
+/* A number of a typed law. */
+static TinkerExpression *typed_number(const Use *use, const TinkerLawSymbol *symbol)
+{
+    const TinkerBlockId block = use->use->block;
+    const char *name = tinker_writer_name(use->writer, block, symbol->name, 0, NULL);
+    return tinker_writer_symbol(use->writer, name, block, symbol->number, symbol->dimension, symbol->name, NULL);
+}
+
 static TinkerExpression *meaning_of(const char *name, void *data)
 {
     const Use *use = data;
@@ -218,9 +226,11 @@ static TinkerExpression *meaning_of(const char *name, void *data)
     if (known != NULL) return tinker_expression_ref(known);
     const TinkerLawSymbol *symbol = tinker_block_law_symbol(use->use->law, name);
     if (symbol == NULL || symbol->property < 0) return NULL;
-    TinkerExpression *found = symbol->at_time ? waveform(use->writer, use->use, symbol)
-                                              : tinker_writer_property(use->writer, use->use->block, symbol->property,
-                                                                       symbol->component == 'y' ? 1 : 0, symbol->name);
+    TinkerExpression *found = use->use->law->typed ? typed_number(use, symbol)
+                              : symbol->at_time
+                                  ? waveform(use->writer, use->use, symbol)
+                                  : tinker_writer_property(use->writer, use->use->block, symbol->property,
+                                                           symbol->component == 'y' ? 1 : 0, symbol->name);
     tinker_law_use_set(use->use, name, found);
     return found;
 }
@@ -232,7 +242,7 @@ static gboolean direction_is_exact(const Use *use, const TinkerExpression *node,
     const gboolean cosine = strcmp(node->name, "cos") == 0;
     if ((!cosine && strcmp(node->name, "sin") != 0) || node->parts[0]->kind != TINKER_EXPRESSION_SYMBOL) return FALSE;
     const TinkerLawSymbol *symbol = tinker_block_law_symbol(use->use->law, node->parts[0]->name);
-    if (symbol == NULL || symbol->property < 0 || symbol->at_time || symbol->dimension.angle != 1) return FALSE;
+    if (symbol == NULL || symbol->column < 0 || symbol->at_time || symbol->dimension.angle != 1) return FALSE;
     double direction[2];
     tinker_direction(tinker_frame_column(use->writer->frame, use->use->block, symbol->column), direction);
     *value = cosine ? direction[0] : direction[1];

@@ -42,6 +42,10 @@ typedef struct {
 
 void tinker_point_symbols_clear(TinkerPointSymbols *point);
 
+/* The law of a block: that which its type states, or which is typed into it. NULL: none, or with an error one that
+ * cannot be read. (transfer full) */
+TinkerBlockLaw *tinker_writer_law_of(const TinkerEquationWriter *writer, TinkerBlockId block, GError **error);
+
 /* Names ----------------------------------------------------------------------------------------------------------- */
 
 /* Counts which stems are used by whom, and numbers the blocks. */

@@ -147,9 +147,8 @@ static gboolean add_equation(TinkerBlockLaw *law, const TinkerLawEquation *equat
     return TRUE;
 }
 
-TinkerBlockLaw *tinker_block_law_new(const TinkerBlockClass *block_class, int32_t ends, GError **error)
+static TinkerBlockLaw *law_new(const TinkerBlockClass *block_class, int32_t ends)
 {
-    if (block_class->law_count == 0 || tinker_law_role(block_class) == TINKER_LAW_NONE) return NULL;
     TinkerBlockLaw *law = g_new0(TinkerBlockLaw, 1);
     law->role = tinker_law_role(block_class);
     law->symbols = g_array_new(FALSE, TRUE, sizeof(TinkerLawSymbol));
@@ -157,6 +156,13 @@ TinkerBlockLaw *tinker_block_law_new(const TinkerBlockClass *block_class, int32_
     g_array_set_clear_func(law->symbols, clear_symbol);
     g_array_set_clear_func(law->definitions, clear_definition);
     add_role(law, block_class, ends);
+    return law;
+}
+
+TinkerBlockLaw *tinker_block_law_new(const TinkerBlockClass *block_class, int32_t ends, GError **error)
+{
+    if (block_class->law_count == 0 || tinker_law_role(block_class) == TINKER_LAW_NONE) return NULL;
+    TinkerBlockLaw *law = law_new(block_class, ends);
     for (int32_t i = 0; i < block_class->property_count; i++)
         add_property(law, block_class, i);
     for (int32_t i = 0; i < block_class->law_count; i++) {
@@ -165,6 +171,46 @@ TinkerBlockLaw *tinker_block_law_new(const TinkerBlockClass *block_class, int32_
         return NULL;
     }
     return law;
+}
+
+/* A number that the texts name. */
+static gboolean add_number(TinkerBlockLaw *law, const TinkerPropertyType *type, int32_t property, const char *text,
+                           GError **error)
+{
+    TinkerLawSymbol symbol = {.name = g_strdup(type->id), .property = property, .column = -1, .end = -1};
+    const gboolean good = tinker_any_quantity_parse(text, &symbol.number, &symbol.dimension, error);
+    if (good)
+        g_array_append_val(law->symbols, symbol);
+    else
+        g_free(symbol.name);
+    return good;
+}
+
+static gboolean add_typed(TinkerBlockLaw *law, const TinkerBlockClass *block_class, int32_t property, const char *text,
+                          GError **error)
+{
+    const TinkerPropertyType *type = &block_class->properties[property];
+    if (text[0] == '\0') return TRUE;
+    if ((type->flags & TINKER_TEXT_QUANTITY) != 0) return add_number(law, type, property, text, error);
+    TinkerExpression *is = tinker_typed_parse(block_class, property, text, error);
+    const TinkerLawDefinition definition = {.symbol = type->id, .dimension = type->dimension, .is = is};
+    if (is != NULL) g_array_append_val(law->definitions, definition);
+    return is != NULL;
+}
+
+TinkerBlockLaw *tinker_block_law_new_typed(const TinkerBlockClass *block_class, int32_t ends,
+                                           TinkerTypedLawTextFunc text_of, void *data, GError **error)
+{
+    TinkerBlockLaw *law = law_new(block_class, ends);
+    law->typed = TRUE;
+    if (law->role == TINKER_LAW_FORCE) add_symbol(law, g_strdup("m"), kilograms);
+    gboolean good = TRUE;
+    for (int32_t i = 0; i < block_class->property_count && good; i++)
+        if ((block_class->properties[i].flags & (TINKER_TEXT_LAW | TINKER_TEXT_QUANTITY)) != 0)
+            good = add_typed(law, block_class, i, text_of(i, data), error);
+    if (good && law->definitions->len > 0) return law;
+    tinker_block_law_free(law);
+    return NULL;
 }
 
 void tinker_block_law_free(TinkerBlockLaw *law)

@@ -2,6 +2,7 @@
 #ifndef TINKER_CORE_BLOCK_LAW_H
 #define TINKER_CORE_BLOCK_LAW_H
 
+#include "law/typed-law.h"
 #include "plugin/catalogue/catalogue.h"
 #include "units/expression-tree.h"
 
@@ -26,6 +27,7 @@ typedef struct {
     int32_t end;          /* of an end: its number, from 0; else -1 */
     const char *quantity; /* of an end: "x", "y", "vx", "vy", "theta", "omega", "turns", "x_start", ...; static */
     TinkerDimension dimension;
+    double number; /* of a property that is a text: its number, SI */
 } TinkerLawSymbol;
 
 typedef struct {
@@ -36,6 +38,7 @@ typedef struct {
 
 typedef struct {
     TinkerLawRole role;
+    gboolean typed;      /* by the user: in plain SI numbers, whatever its units come to */
     GArray *symbols;     /* of TinkerLawSymbol */
     GArray *definitions; /* of TinkerLawDefinition, in the order in which each uses those before it */
 } TinkerBlockLaw;
@@ -44,6 +47,10 @@ typedef struct {
  * error where it states none, or nothing for this role; with one where it cannot be read: which equation, and why
  * (transfer full). */
 TinkerBlockLaw *tinker_block_law_new(const TinkerBlockClass *block_class, int32_t ends, GError **error);
+/* The law that is typed into a block (typed-law.h), whose texts these are: NULL without an error where the class has no
+ * such properties, or all of them are empty. Errors as above. (transfer full) */
+TinkerBlockLaw *tinker_block_law_new_typed(const TinkerBlockClass *block_class, int32_t ends,
+                                           TinkerTypedLawTextFunc text_of, void *data, GError **error);
 void tinker_block_law_free(TinkerBlockLaw *law);
 G_DEFINE_AUTOPTR_CLEANUP_FUNC(TinkerBlockLaw, tinker_block_law_free)
 

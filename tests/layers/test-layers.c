@@ -17,7 +17,7 @@ static const Layer layers[] = {
     {"core/units", {"units"}, {"tinker/types.h", "tinker/integrator.h", "glib", NULL}},
     {"core/plugin", {"plugin", "files", "units"}, {"tinker/", "glib", "gmodule", "cjson/"}},
     {"core/law", {"law", "plugin", "units"}, {"tinker/", "glib"}},
-    {"core/scene", {"scene", "files", "plugin", "units"}, {"tinker/", "glib", "cjson/"}},
+    {"core/scene", {"scene", "law", "files", "plugin", "units"}, {"tinker/", "glib", "cjson/"}},
     {"core/numerics",
      {"numerics"},
      {"tinker/integrator.h", "tinker/types.h", "tinker/unconstrained.h", "glib", "suitesparse/amd.h", "lapacke.h",

@@ -31,10 +31,11 @@ AT(TinkerBlockType, help_link, 56) AT(TinkerBlockType, least_ends, 64) AT(Tinker
 AT(TinkerBlockType, end_accepts, 72) AT(TinkerBlockType, flags, 76) AT(TinkerBlockType, properties, 80)
 AT(TinkerBlockType, quantities, 96) AT(TinkerBlockType, interfaces, 112) AT(TinkerBlockType, law, 128)
 
-SIZE(TinkerBatch, 80) AT(TinkerBatch, struct_size, 0) AT(TinkerBatch, first, 4) AT(TinkerBatch, count, 8)
+SIZE(TinkerBatch, 96) AT(TinkerBatch, struct_size, 0) AT(TinkerBatch, first, 4) AT(TinkerBatch, count, 8)
 AT(TinkerBatch, ends, 12) AT(TinkerBatch, end_offsets, 16) AT(TinkerBatch, columns, 24) AT(TinkerBatch, scratch, 32)
 AT(TinkerBatch, time, 40) AT(TinkerBatch, origin, 48) AT(TinkerBatch, failed_instance, 64)
-AT(TinkerBatch, reserved, 68) AT(TinkerBatch, failure, 72)
+AT(TinkerBatch, law_count, 68) AT(TinkerBatch, failure, 72) AT(TinkerBatch, laws, 80)
+AT(TinkerBatch, end_masses, 88)
 
 /* law.h */
 SIZE(TinkerLawEquation, 40) AT(TinkerLawEquation, struct_size, 0) AT(TinkerLawEquation, reserved, 4)
@@ -108,7 +109,7 @@ AT(TinkerIntegrator, interpolate, 104)
 /* physics.h */
 SIZE(TinkerBody, 24) AT(TinkerBody, struct_size, 0) AT(TinkerBody, degrees_of_freedom, 4) AT(TinkerBody, shape, 8)
 AT(TinkerBody, reserved, 12) AT(TinkerBody, as_shaped, 16)
-SIZE(TinkerLineLaw, 48) AT(TinkerLineLaw, struct_size, 0) AT(TinkerLineLaw, reserved, 4) AT(TinkerLineLaw, tension, 8)
+SIZE(TinkerLineLaw, 48) AT(TinkerLineLaw, struct_size, 0) AT(TinkerLineLaw, partly_stores, 4) AT(TinkerLineLaw, tension, 8)
 AT(TinkerLineLaw, derivatives, 16) AT(TinkerLineLaw, energy, 24) AT(TinkerLineLaw, linear, 32)
 AT(TinkerLineLaw, next_break, 40)
 SIZE(TinkerForceElement, 40) AT(TinkerForceElement, struct_size, 0) AT(TinkerForceElement, reserved, 4)

@@ -1,6 +1,8 @@
 /* States: what they own, copies and slices. */
 #include "conformance/probe/state.h"
 
+#include "conformance/probe/sample-laws.h"
+
 #include <string.h>
 
 #include "plugin/call/process-state.h"
@@ -83,7 +85,7 @@ TinkerBatch kit_state_view(const KitState *state, const double **columns)
 {
     for (int32_t c = 0; c < state->block_class->column_count; c++)
         columns[c] = state->columns[c];
-    return (TinkerBatch){
+    TinkerBatch view = {
         .struct_size = sizeof(TinkerBatch),
         .first = state->first,
         .count = state->count,
@@ -95,6 +97,8 @@ TinkerBatch kit_state_view(const KitState *state, const double **columns)
         .origin = {state->origin[0], state->origin[1]},
         .failed_instance = -1,
     };
+    view.laws = kit_sample_laws(state->block_class, &view.law_count);
+    return view;
 }
 
 TinkerStatus kit_state_prepare(KitState *state, const char **failure)

@@ -7,6 +7,7 @@
  * the power by which its g rescales. */
 #include <math.h>
 
+#include "conformance/probe/sample-laws.h"
 #include "conformance/probe/state.h"
 
 #define CLOSE     1e-9
@@ -167,7 +168,9 @@ void kit_try_dimensions(KitCheck *check)
     static const Units exchanges[] = {{2, 0, 0}, {0, 3, 0}, {0, 0, -2}, {1, -2, 3}};
     g_autoptr(GArray) functions = kit_functions(check->block_class);
     const TinkerPhysics *physics = check->block_class->physics;
+    int32_t typed;
     if (functions->len == 0) kit_skip(check, "it offers no function over batches");
+    if (kit_sample_laws(check->block_class, &typed) != NULL) kit_skip(check, "its law is typed, in plain SI numbers");
     if (physics != NULL && physics->constraint != NULL && physics->constraint->rows > MOST_ROWS)
         kit_skip(check, "it has more than %d rows", MOST_ROWS);
     for (gsize i = 0; i < G_N_ELEMENTS(exchanges) && !kit_decided(check); i++) {

@@ -51,6 +51,10 @@ static gboolean lack_memory(const TinkerModel *model, GError **error)
 static gboolean prepare(TinkerBlockBatch *batch, GError **error)
 {
     const TinkerPhysics *physics = batch->block_class->physics;
+    if (batch->law_fault != NULL) {
+        g_set_error_literal(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_SCENE, batch->law_fault);
+        return FALSE;
+    }
     if (physics == NULL || physics->prepare == NULL) return TRUE;
     TinkerBatch view = tinker_block_batch_view(batch, 0.0);
     if (TINKER_CALL_BATCH(batch, "prepare", &view, tinker_prepare(physics, &view)) == TINKER_OK) return TRUE;
@@ -299,6 +303,19 @@ static void add_constant_accelerations(TinkerModel *model)
         model->has_book[TINKER_BOOK_FIELDS] = TRUE;
 }
 
+/* What each end of a force element is on. */
+static void note_end_masses(const TinkerModel *model, TinkerBlockBatch *batch, const int32_t *points)
+{
+    if (batch->law_count == 0) return;
+    batch->end_masses = g_new(double, MAX(batch->end_count, 1));
+    for (int32_t e = 0; e < batch->end_count; e++) {
+        const int32_t body = points[e] < model->bodies             ? points[e]
+                             : points[e] < model->first_attachment ? -1
+                                                                   : tinker_model_attachment(model, points[e])->body;
+        batch->end_masses[e] = body >= 0 ? model->mass[body] : INFINITY;
+    }
+}
+
 /* All ------------------------------------------------------------------------------------------------------------ */
 
 static gboolean add_batch(TinkerModel *model, TinkerBlockBatch *batch, LineWork *work, GError **error)
@@ -310,6 +327,7 @@ static gboolean add_batch(TinkerModel *model, TinkerBlockBatch *batch, LineWork 
     if (physics->line_law != NULL && !add_linear_lines(model, batch, points, work))
         ask_line(model, batch, points, work);
     if (physics->force_element != NULL) {
+        note_end_masses(model, batch, points);
         model->has_book[TINKER_BOOK_MOTORS] = TRUE;
         TinkerAskedBatch asked = {batch, points, stores_energy(batch, physics->force_element->energy != NULL)};
         if (!add_linear_forces(model, batch, points, work)) g_array_append_val(model->asked_forces, asked);

@@ -79,6 +79,7 @@ static TinkerStatus asked_lines_energy(TinkerModel *model, const TinkerAskedBatc
         if (TINKER_CALL_BATCH(batch, "energy", &view, law->energy(&view, length, stored)) != TINKER_OK)
             return tinker_model_fail(model, batch, first + MAX(view.failed_instance, 0), "energy", view.failure);
         for (int32_t i = 0; i < count; i++) {
+            if (law->partly_stores != 0 && isnan(stored[i])) continue;
             TinkerStatus status = add_stored(model, batch, first + i, stored[i], sum);
             if (status != TINKER_OK) return status;
         }

@@ -27,6 +27,12 @@ static TinkerStatus take_line_power(TinkerModel *model, const TinkerAskedBatch *
         TinkerStatus status =
             TINKER_CALL_BATCH(asked->batch, "tension", view, law->tension(view, chunk->length, zero, chunk->still));
         if (status != TINKER_OK) return status;
+        /* of what stores nothing, all is taken */
+        if (law->partly_stores != 0)
+            status = TINKER_CALL_BATCH(asked->batch, "energy", view, law->energy(view, chunk->length, zero));
+        for (int32_t i = 0; law->partly_stores != 0 && i < view->count; i++)
+            if (isnan(zero[i])) chunk->still[i] = 0;
+        if (status != TINKER_OK) return status;
     }
     TinkerBook book = asked->batch->waveforms > 0 ? TINKER_BOOK_MOTORS : TINKER_BOOK_DAMPERS;
     for (int32_t i = 0; i < view->count; i++)

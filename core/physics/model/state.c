@@ -22,6 +22,9 @@ TinkerBatch tinker_model_view(const TinkerModel *model, const TinkerBlockBatch *
         .time = model->time,
         .origin = {model->origin[0], model->origin[1]},
         .failed_instance = -1,
+        .law_count = batch->law_count,
+        .end_masses = batch->end_masses != NULL ? batch->end_masses + batch->end_offsets[first] : NULL,
+        .laws = (const struct TinkerTypedLaw *const *)batch->laws + (gsize)first * (gsize)batch->law_count,
     };
 }
 

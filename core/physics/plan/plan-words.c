@@ -183,6 +183,16 @@ static void describe_displaced(TinkerPlan *plan, const TinkerModel *model)
     }
 }
 
+/* Where units do not come out. */
+static void describe_typed_laws(TinkerPlan *plan, const TinkerModel *model)
+{
+    for (guint i = 0; i < model->batches->len; i++) {
+        const TinkerBlockBatch *batch = g_ptr_array_index(model->batches, i);
+        for (guint k = 0; batch->law_notes != NULL && k < batch->law_notes->len; k++)
+            g_ptr_array_add(plan->modelled, g_strdup(g_ptr_array_index(batch->law_notes, k)));
+    }
+}
+
 static void describe_supports(TinkerPlan *plan, TinkerModel *model)
 {
     if (model->moving_supports == 0) {
@@ -291,6 +301,7 @@ void tinker_plan_describe(TinkerPlan *plan, TinkerModel *model, const TinkerRunO
     describe_forces(plan, model);
     describe_constraints(plan, model);
     describe_supports(plan, model);
+    describe_typed_laws(plan, model);
     describe_contact(plan, model, options);
     if (!is_damped(model) && !is_rough(model)) say(plan->left_out, _("damping: no block takes energy"));
     if (options->accuracy > 0)

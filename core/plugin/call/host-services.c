@@ -1,7 +1,11 @@
-/* The services of the host: today the log. */
+/* The services of the host: the log, and formulas. */
 #include "plugin/call/host-services-private.h"
 
 #include <string.h>
+
+#include "units/compiled.h"
+
+#include <tinker/typed-law.h>
 
 static void log_text(const TinkerHost *host, int32_t level, const char *text)
 {
@@ -15,9 +19,34 @@ static void log_text(const TinkerHost *host, int32_t level, const char *text)
 
 static const TinkerLogService log_service = {sizeof(TinkerLogService), 0, log_text};
 
+static double formula_value(const TinkerTypedLaw *formula, const double *arguments)
+{
+    return tinker_compiled_value(formula->value, arguments);
+}
+
+static double formula_slope(const TinkerTypedLaw *formula, int32_t by, const double *arguments)
+{
+    return tinker_compiled_value(formula->slopes[by], arguments);
+}
+
+static double formula_curvature(const TinkerTypedLaw *formula, int32_t by, int32_t and_by, const double *arguments)
+{
+    return tinker_compiled_value(formula->curvatures[by * formula->count + and_by], arguments);
+}
+
+static const TinkerTypedLawService formula_service = {sizeof(TinkerTypedLawService), 0, formula_value, formula_slope,
+                                                      formula_curvature};
+
+static const struct {
+    const char *id;
+    const void *service;
+} services[] = {{TINKER_LOG_SERVICE, &log_service}, {TINKER_TYPED_SERVICE, &formula_service}};
+
 static const void *find_service(const char *id)
 {
-    return id != NULL && strcmp(id, TINKER_LOG_SERVICE) == 0 ? &log_service : NULL;
+    for (gsize i = 0; id != NULL && i < G_N_ELEMENTS(services); i++)
+        if (strcmp(id, services[i].id) == 0) return services[i].service;
+    return NULL;
 }
 
 static const void *service(const TinkerHost *host, const char *id)
@@ -38,5 +67,5 @@ gboolean tinker_host_offers(const char *service_id)
 
 const char *tinker_host_service_names(void)
 {
-    return "\"" TINKER_LOG_SERVICE "\"";
+    return "\"" TINKER_LOG_SERVICE "\", \"" TINKER_TYPED_SERVICE "\"";
 }

@@ -88,6 +88,13 @@ static gboolean check_choices(const TinkerPropertyType *property, GError **error
 {
     if (property->choice_count < 0 || property->choice_count > MOST_CHOICES)
         return tinker_refuse(error, "it has %d choices, 0 to %d was expected", property->choice_count, MOST_CHOICES);
+    const gboolean formula = (property->flags & TINKER_TEXT_LAW) != 0;
+    if ((property->flags & (TINKER_TEXT_LAW | TINKER_TEXT_QUANTITY)) != 0 && property->kind != TINKER_KIND_TEXT)
+        return tinker_refuse(error, "it is a formula or a number with any unit and of kind %s, text was expected",
+                             kind_names[property->kind]);
+    for (int32_t i = 0; formula && i < property->choice_count; i++)
+        if (property->choices == NULL || property->choices[i] == NULL)
+            return tinker_refuse(error, "it is a formula whose argument %d has no name", i + 1);
     if (property->kind != TINKER_KIND_CHOICE) return TRUE;
     if (property->choice_count == 0 || property->choices == NULL)
         return tinker_refuse(error, "it is a choice without choices");

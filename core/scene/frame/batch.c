@@ -6,6 +6,7 @@
 
 #include "units/waveform-pole.h"
 
+#include "law/typed-law.h"
 #include "plugin/call/guarded.h"
 #include "plugin/call/words.h"
 
@@ -149,13 +150,62 @@ static void block_batch_free(TinkerBlockBatch *batch)
     g_free(batch->waveform_columns);
     g_free(batch->pieces);
     tinker_guarded_free(batch->scratch);
+    for (int32_t i = 0; i < batch->count * batch->law_count; i++)
+        tinker_typed_free(batch->laws[i]);
+    g_free(batch->laws);
+    g_free(batch->end_masses);
+    g_free(batch->law_fault);
+    g_clear_pointer(&batch->law_notes, g_ptr_array_unref);
     g_free(batch);
+}
+
+typedef struct {
+    const TinkerScene *scene;
+    TinkerBlockId block;
+} TextSource;
+
+static const char *text_of(int32_t property, void *data)
+{
+    const TextSource *source = data;
+    return tinker_scene_get_text(source->scene, source->block, property);
+}
+
+/* The laws of one block; the first that cannot be read is told by the batch. */
+static void compile_row(TinkerBlockBatch *batch, int32_t row)
+{
+    TextSource source = {batch->scene, batch->ids[row]};
+    TinkerTypedLaw **law = batch->laws + (gsize)row * (gsize)batch->law_count;
+    for (int32_t p = 0; p < batch->block_class->property_count; p++) {
+        if ((batch->block_class->properties[p].flags & TINKER_TEXT_LAW) == 0) continue;
+        g_autoptr(GError) error = NULL;
+        if (text_of(p, &source)[0] != '\0') *law = tinker_typed_new(batch->block_class, p, text_of, &source, &error);
+        if (error != NULL && batch->law_fault == NULL)
+            batch->law_fault =
+                g_strdup_printf("%s: %s", tinker_scene_block_name(batch->scene, source.block), error->message);
+        g_autofree char *note = tinker_typed_note(batch->block_class, p, text_of, &source);
+        if (note != NULL)
+            g_ptr_array_add(batch->law_notes,
+                            g_strdup_printf("%s: %s", tinker_scene_block_name(batch->scene, source.block), note));
+        law++;
+    }
+}
+
+static void compile_laws(TinkerBlockBatch *batch)
+{
+    for (int32_t p = 0; p < batch->block_class->property_count; p++)
+        batch->law_count += (batch->block_class->properties[p].flags & TINKER_TEXT_LAW) != 0;
+    if (batch->law_count == 0) return;
+    batch->law_notes = g_ptr_array_new_with_free_func(g_free);
+    batch->laws = g_new0(TinkerTypedLaw *, (gsize)batch->count * (gsize)batch->law_count);
+    for (int32_t row = 0; row < batch->count; row++)
+        compile_row(batch, row);
 }
 
 static TinkerBlockBatch *complete(TinkerBlockBatch *batch)
 {
     const TinkerPhysics *physics = batch->block_class->physics;
     copy_waveforms(batch, batch->scene);
+    compile_laws(batch);
     if (physics != NULL && physics->scratch_size > 0)
         batch->scratch = tinker_guarded_new((gsize)physics->scratch_size, batch->block_class);
     return batch;
@@ -229,6 +279,8 @@ TinkerBatch tinker_block_batch_view(TinkerBlockBatch *batch, double t)
         .scratch = batch->scratch,
         .time = t,
         .failed_instance = -1,
+        .law_count = batch->law_count,
+        .laws = (const TinkerTypedLaw *const *)batch->laws,
     };
 }
 

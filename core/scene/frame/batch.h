@@ -24,11 +24,16 @@ struct _TinkerBlockBatch {
     TinkerSceneEnd *end;  /* of all blocks, row by row */
     int32_t evaluator_count;
     TinkerWaveformEvaluator *
-        *evaluators;             /* waveform by waveform, row by row; NULL where there are none, and so below */
-    int32_t *waveform_columns;   /* first column of each waveform property */
-    struct _TinkerPiece *pieces; /* of each evaluator, what is known of its next break */
-    int32_t waveforms;           /* waveform properties of the class */
-    void *scratch;               /* as the class's physics asked for; see guarded.h */
+        *evaluators;              /* waveform by waveform, row by row; NULL where there are none, and so below */
+    int32_t *waveform_columns;    /* first column of each waveform property */
+    struct _TinkerPiece *pieces;  /* of each evaluator, what is known of its next break */
+    int32_t waveforms;            /* waveform properties of the class */
+    void *scratch;                /* as the class's physics asked for; see guarded.h */
+    double *end_masses;           /* kg: see TinkerBatch; NULL: not known */
+    int32_t law_count;            /* typed laws of each block, */
+    struct TinkerTypedLaw **laws; /* row by row; NULL: an empty text, or one that cannot be read: */
+    GPtrArray *law_notes;         /* of char *: "NAME: ...", where units do not come out; NULL: nothing is typed */
+    char *law_fault;              /* "NAME: ..."; NULL: none */
 };
 
 /* A snapshot of every table with at least one block, of the blocks that `include` has TRUE for (by block id; NULL:

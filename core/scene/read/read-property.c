@@ -1,6 +1,9 @@
 /* Reading the value of one property. */
 #include "scene/value/reader.h"
 
+#include "law/typed-law.h"
+#include "units/units.h"
+
 /* A plain number is in radians; one of more turns than anybody writes was likely meant in degrees. */
 #define MOST_TURNS 2.0
 
@@ -44,6 +47,23 @@ static gboolean property_numbers(SceneReader *reader, const cJSON *json, JsonAt 
     }
 }
 
+/* What typed laws and their numbers must be. */
+static gboolean text_is_good(SceneReader *reader, JsonAt at, const TinkerBlockClass *block_class, int32_t property,
+                             const char *text)
+{
+    const TinkerPropertyType *type = &block_class->properties[property];
+    g_autoptr(GError) error = NULL;
+    g_autoptr(TinkerExpression) parsed = NULL;
+    if (text[0] != '\0' && (type->flags & TINKER_TEXT_LAW) != 0)
+        parsed = tinker_typed_parse(block_class, property, text, &error);
+    double si;
+    TinkerDimension dimension;
+    if (text[0] != '\0' && (type->flags & TINKER_TEXT_QUANTITY) != 0)
+        (void)tinker_any_quantity_parse(text, &si, &dimension, &error);
+    if (error != NULL) reader_error(reader, at, TINKER_SCENE_ERROR_VALUE, "%s: %s", type->id, error->message);
+    return error == NULL;
+}
+
 void reader_property(SceneReader *reader, const cJSON *json, JsonAt at, SceneTable *table, int32_t row,
                      int32_t property)
 {
@@ -54,8 +74,13 @@ void reader_property(SceneReader *reader, const cJSON *json, JsonAt at, SceneTab
         return;
     }
     if (type->kind == TINKER_KIND_TEXT) {
-        const char *text = reader_text(reader, json, at, type->id);
-        if (text != NULL) scene_store_text(table, row, property, text);
+        /* a number that laws name may stand without quotes */
+        const gboolean plain = (type->flags & TINKER_TEXT_QUANTITY) != 0 && cJSON_IsNumber(json);
+        g_autofree char *digits =
+            plain ? tinker_quantity_to_text(json->valuedouble, type->dimension, TINKER_UNIT_SYSTEM_SI) : NULL;
+        const char *text = plain ? digits : reader_text(reader, json, at, type->id);
+        if (text != NULL && text_is_good(reader, at, table->block_class, property, text))
+            scene_store_text(table, row, property, text);
         return;
     }
     warn_of_turns(reader, json, at, type);

@@ -1,4 +1,5 @@
 /* Writing one block on one line: its ends, the values that were given, and what the reader did not know. */
+#include <math.h>
 #include <string.h>
 
 #include "scene/write/writer.h"
@@ -109,7 +110,15 @@ static void write_property(SceneWriter *writer, TinkerBlockId id, const TinkerBl
     const TinkerPropertyType *type = &block_class->properties[property];
     if (!tinker_scene_property_given(writer->scene, id, property)) return;
     if (type->kind == TINKER_KIND_TEXT) {
-        scene_write_text_member(writer, type->id, tinker_scene_get_text(writer->scene, id, property));
+        const char *text = tinker_scene_get_text(writer->scene, id, property);
+        char *end = NULL;
+        if ((type->flags & TINKER_TEXT_QUANTITY) != 0 && isfinite(g_ascii_strtod(text, &end)) && end != text &&
+            *end == '\0') {
+            scene_write_key(writer, type->id);
+            g_string_append(writer->out, text);
+            return;
+        }
+        scene_write_text_member(writer, type->id, text);
         return;
     }
     if (type->kind == TINKER_KIND_WAVEFORM) {

@@ -47,16 +47,18 @@ extern "C" {
 #define TINKER_MEANING_COUNT            15
 
 /* Flags of a property. */
-#define TINKER_HAS_MINIMUM       (1u << 0) /* hard_minimum counts */
-#define TINKER_HAS_MAXIMUM       (1u << 1) /* hard_maximum counts */
-#define TINKER_OPEN_MINIMUM      (1u << 2) /* the minimum itself is not allowed */
-#define TINKER_OPEN_MAXIMUM      (1u << 3) /* the maximum itself is not allowed */
-#define TINKER_HAS_SOFT_RANGE    (1u << 4) /* soft_minimum and soft_maximum count: the range of a slider */
-#define TINKER_READ_ONLY         (1u << 5) /* shown, never typed; not part of a scene */
-#define TINKER_DERIVED           (1u << 6) /* its value is that of the quantity with the same id */
-#define TINKER_DEFAULT_AS_PLACED (1u << 7) /* left out: the length from end to end at t = 0; needs two ends */
-#define TINKER_DEFAULT_SAME_AS   (1u << 8) /* left out, it equals the property that `default_from` names */
-#define TINKER_DEFAULT_AS_SHAPED (1u << 9) /* left out, a body works it out: TinkerBody.as_shaped (physics.h) */
+#define TINKER_HAS_MINIMUM       (1u << 0)  /* hard_minimum counts */
+#define TINKER_HAS_MAXIMUM       (1u << 1)  /* hard_maximum counts */
+#define TINKER_OPEN_MINIMUM      (1u << 2)  /* the minimum itself is not allowed */
+#define TINKER_OPEN_MAXIMUM      (1u << 3)  /* the maximum itself is not allowed */
+#define TINKER_HAS_SOFT_RANGE    (1u << 4)  /* soft_minimum and soft_maximum count: the range of a slider */
+#define TINKER_READ_ONLY         (1u << 5)  /* shown, never typed; not part of a scene */
+#define TINKER_DERIVED           (1u << 6)  /* its value is that of the quantity with the same id */
+#define TINKER_DEFAULT_AS_PLACED (1u << 7)  /* left out: the length from end to end at t = 0; needs two ends */
+#define TINKER_DEFAULT_SAME_AS   (1u << 8)  /* left out, it equals the property that `default_from` names */
+#define TINKER_DEFAULT_AS_SHAPED (1u << 9)  /* left out, a body works it out: TinkerBody.as_shaped (physics.h) */
+#define TINKER_TEXT_LAW          (1u << 10) /* a text in the grammar of expressions: see typed-law.h */
+#define TINKER_TEXT_QUANTITY     (1u << 11) /* a text that is a number with any unit, which laws name by its id */
 
 /* A property. The window has a row for it, labelled by its title. A vector has two, labelled by its title and a
  * component's, "Centre X"; by the component's alone where that or the group has the title in it: "X Velocity", "Global
@@ -160,8 +162,11 @@ typedef struct TinkerBatch {
                                      scene far from the world's origin loses no digits */
     int32_t failed_instance;      /* set by the callee before it answers TINKER_FAILED, 0 to count - 1; it may be set
                                      before TINKER_RETRY_SMALLER, for where no step is small enough */
-    int32_t reserved;
-    const char *failure; /* likewise: static text, what is wrong and what would be right */
+    int32_t law_count;            /* laws of each instance: the properties with TINKER_TEXT_LAW, in order */
+    const char *failure;          /* likewise: static text, what is wrong and what would be right */
+    const struct TinkerTypedLaw *const *laws; /* of instance i from i * law_count on; NULL: an empty text */
+    const double *end_masses; /* kg: of a force element, the mass of what each end is on, INFINITY of a support, laid
+                                 out as its ends; NULL elsewhere */
 } TinkerBatch;
 
 #ifdef __cplusplus

@@ -48,7 +48,7 @@ typedef struct TinkerBody {
 /* A connector of two ends whose force acts along the line between them. The host does the geometry. */
 typedef struct TinkerLineLaw {
     uint32_t struct_size;
-    int32_t reserved;
+    int32_t partly_stores; /* 1: `energy` answers NAN for instances that store nothing; else 0 */
     /* Required: T (N) of every instance. Where L is 0 the direction is undefined: `rate` is 0 there, and only a law
      * with T = 0 at L = 0 is continuous. */
     TinkerStatus (*tension)(TinkerBatch *batch, const double *length, const double *rate, double *tension);

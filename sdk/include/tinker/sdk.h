@@ -17,6 +17,7 @@
 #include "plugin.h"
 #include "render.h"
 #include "shapes.h"
+#include "typed-law.h"
 #include "units.h"
 
 #endif

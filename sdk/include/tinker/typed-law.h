@@ -1,0 +1,162 @@
+/* Tinker SDK: laws that the user types.
+ *
+ * A text property with TINKER_TEXT_LAW holds an expression (docs/reference/expressions.md). Its `choices` name its
+ * arguments ("L", "rate", "t"); besides, it may name the block's properties with TINKER_TEXT_QUANTITY by their ids,
+ * which stand for their numbers in SI. The host reads it, compiles it with its exact derivatives and hands it to every
+ * call in TinkerBatch.laws; the plugin works it out by this service, which needs no memory and may be used on any
+ * thread:
+ *
+ *     static const TinkerTypedLawService *service;
+ *     static TinkerStatus init(const TinkerHost *host)
+ *     {
+ *         service = host->service(host, TINKER_TYPED_SERVICE);
+ *         return service != NULL ? TINKER_OK : TINKER_FAILED;
+ *     }
+ *
+ * A text that cannot be read is an error of the scene before any call. */
+#ifndef TINKER_TYPED_LAW_H
+#define TINKER_TYPED_LAW_H
+
+#include "declare.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define TINKER_TYPED_SERVICE "tinker.typed-laws/1"
+
+typedef struct TinkerTypedLaw TinkerTypedLaw;
+
+/* `arguments` are as many as the property names, in their order. What switches has the slope of the piece it is in. */
+typedef struct TinkerTypedLawService {
+    uint32_t struct_size;
+    int32_t reserved;
+    double (*value)(const TinkerTypedLaw *formula, const double *arguments);
+    double (*slope)(const TinkerTypedLaw *formula, int32_t by, const double *arguments);
+    double (*curvature)(const TinkerTypedLaw *formula, int32_t by, int32_t and_by, const double *arguments);
+} TinkerTypedLawService;
+
+/* The formula of an instance; NULL where its text is empty. */
+static inline const TinkerTypedLaw *tinker_typed(const TinkerBatch *batch, int32_t instance, int32_t number)
+{
+    return batch->laws != 0 ? batch->laws[instance * batch->law_count + number] : 0;
+}
+
+/* A typed law over the arguments `names_`, a static array. */
+#define TINKER_TYPED_PROPERTY(id_, title_, names_, ...)                                                                \
+    TINKER_PROPERTY_IN_PANEL(-1, TINKER_KIND_TEXT, id_, title_, "Law", __VA_ARGS__),                                   \
+        .flags = TINKER_TEXT_LAW, .default_text = "", .choices = (names_),                                             \
+        .choice_count = (int32_t)(sizeof(names_) / sizeof((names_)[0])), .variability = TINKER_STRUCTURAL
+
+/* A number of a typed law. */
+#define TINKER_TYPED_PARAMETER(id_)                                                                                    \
+    {                                                                                                                  \
+        TINKER_PROPERTY_IN_PANEL(-1, TINKER_KIND_TEXT, id_, id_, "Numbers", {0, 0, 0, 0}),                             \
+            .flags = TINKER_TEXT_QUANTITY, .default_text = "", .variability = TINKER_STRUCTURAL,                       \
+            .description = "A number that the law names, with any unit"                                                \
+    }
+#define TINKER_TYPED_PARAMETERS                                                                                        \
+    TINKER_TYPED_PARAMETER("a"), TINKER_TYPED_PARAMETER("b"), TINKER_TYPED_PARAMETER("c"),                             \
+        TINKER_TYPED_PARAMETER("d"), TINKER_TYPED_PARAMETER("e"), TINKER_TYPED_PARAMETER("f"),                         \
+        TINKER_TYPED_PARAMETER("g"), TINKER_TYPED_PARAMETER("h")
+
+/* A law at a point: the first three laws of a block are force_x and force_y over x, y, vx, vy, t and m, and the
+ * potential over x, y, t and m, which is given instead of both. */
+enum { TINKER_TYPED_FORCE_X, TINKER_TYPED_FORCE_Y, TINKER_TYPED_POTENTIAL };
+
+/* The arguments of both, places in the world. */
+typedef struct TinkerTypedLawPlace {
+    double of_force[6], of_potential[4];
+} TinkerTypedLawPlace;
+
+static inline TinkerTypedLawPlace tinker_typed_place(const TinkerBatch *batch, const TinkerPoint *point, double mass)
+{
+    const double x = point->x + batch->origin[0], y = point->y + batch->origin[1], t = batch->time;
+    TinkerTypedLawPlace place = {{x, y, point->vx, point->vy, t, mass}, {x, y, t, mass}};
+    return place;
+}
+
+static inline double tinker_typed_force(const TinkerTypedLawService *service, const TinkerBatch *batch,
+                                        int32_t instance, int32_t axis, const TinkerTypedLawPlace *place)
+{
+    const TinkerTypedLaw *force = tinker_typed(batch, instance, TINKER_TYPED_FORCE_X + axis);
+    const TinkerTypedLaw *potential = tinker_typed(batch, instance, TINKER_TYPED_POTENTIAL);
+    if (potential != NULL) return -service->slope(potential, axis, place->of_potential);
+    return force != NULL ? service->value(force, place->of_force) : 0.0;
+}
+
+/* The derivative of a force by x, y, vx or vy (0 to 3). */
+static inline double tinker_typed_force_slope(const TinkerTypedLawService *service, const TinkerBatch *batch,
+                                              int32_t instance, int32_t axis, int32_t by,
+                                              const TinkerTypedLawPlace *place)
+{
+    const TinkerTypedLaw *force = tinker_typed(batch, instance, TINKER_TYPED_FORCE_X + axis);
+    const TinkerTypedLaw *potential = tinker_typed(batch, instance, TINKER_TYPED_POTENTIAL);
+    if (potential != NULL) return by < 2 ? -service->curvature(potential, axis, by, place->of_potential) : 0.0;
+    return force != NULL ? service->slope(force, by, place->of_force) : 0.0;
+}
+
+/* The energy of a potential; 0 where there is none. */
+static inline double tinker_typed_energy(const TinkerTypedLawService *service, const TinkerBatch *batch,
+                                         int32_t instance, const TinkerTypedLawPlace *place)
+{
+    const TinkerTypedLaw *potential = tinker_typed(batch, instance, TINKER_TYPED_POTENTIAL);
+    return potential != NULL ? service->value(potential, place->of_potential) : 0.0;
+}
+
+/* TinkerPhysics.prepare of such a block. */
+static inline TinkerStatus tinker_typed_prepare(TinkerBatch *batch)
+{
+    for (int32_t i = 0; i < batch->count; i++) {
+        const int forces = tinker_typed(batch, i, TINKER_TYPED_FORCE_X) != NULL ||
+                           tinker_typed(batch, i, TINKER_TYPED_FORCE_Y) != NULL;
+        const int potential = tinker_typed(batch, i, TINKER_TYPED_POTENTIAL) != NULL;
+        if (forces == potential) {
+            batch->failed_instance = i;
+            batch->failure =
+                forces ? "it has forces and a potential; minus the potential's gradient is the force: give one"
+                       : "it has no law; give force_x and force_y, or a potential";
+            return TINKER_FAILED;
+        }
+    }
+    return TINKER_OK;
+}
+
+static const char *const tinker_typed_of_force[] = {"x", "y", "vx", "vy", "t", "m"};
+static const char *const tinker_typed_of_potential[] = {"x", "y", "t", "m"};
+
+/* Its properties. */
+#define TINKER_TYPED_FORCES                                                                                            \
+    {TINKER_TYPED_PROPERTY("force_x", "X Force", tinker_typed_of_force, TINKER_DIMENSION_FORCE),                       \
+     .description = "Of x, y, vx, vy, t and m: -a*x"},                                                                 \
+        {TINKER_TYPED_PROPERTY("force_y", "Y Force", tinker_typed_of_force, TINKER_DIMENSION_FORCE),                   \
+         .description = "Of x, y, vx, vy, t and m: -a*y - m*9.81"},                                                    \
+        {TINKER_TYPED_PROPERTY("potential", "Potential", tinker_typed_of_potential, TINKER_DIMENSION_ENERGY),          \
+         .description = "Instead of forces: of x, y, t and m, of which they are minus the gradient"},                  \
+        TINKER_TYPED_PARAMETERS
+
+/* Declares a plugin whose blocks stand in the static array `blocks_`, and which cannot do without laws. */
+#define TINKER_DEFINE_TYPED_PLUGIN(id_, title_, version_, licence_, blocks_)                                           \
+    static const TinkerTypedLawService *tinker_typed_laws;                                                             \
+    static const char *const tinker_needed_services[] = {TINKER_TYPED_SERVICE};                                        \
+    static TinkerStatus tinker_find_formulas(const TinkerHost *host)                                                   \
+    {                                                                                                                  \
+        tinker_typed_laws = (const TinkerTypedLawService *)host->service(host, TINKER_TYPED_SERVICE);                  \
+        return tinker_typed_laws != NULL ? TINKER_OK : TINKER_FAILED;                                                  \
+    }                                                                                                                  \
+    static const TinkerPlugin tinker_the_plugin = {TINKER_PLUGIN_HEAD,                                                 \
+                                                   id_,                                                                \
+                                                   title_,                                                             \
+                                                   version_,                                                           \
+                                                   licence_,                                                           \
+                                                   "",                                                                 \
+                                                   TINKER_SPAN(blocks_),                                               \
+                                                   TINKER_NO_SPAN,                                                     \
+                                                   TINKER_SPAN(tinker_needed_services),                                \
+                                                   tinker_find_formulas};                                              \
+    TINKER_DEFINE_ENTRY
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,113 @@
+/* Laws that are typed into a scene: what runs, what is refused and how, and the equations that are made from them. */
+#include <cjson/cJSON.h>
+#include <math.h>
+#include <string.h>
+
+#include "fixture.h"
+
+#define HEAD "{\"tinker\": 1, \"run\": {\"duration\": 1, \"tolerance\": 1e-12}, \"blocks\": ["
+#define WALL "{\"type\": \"support\", \"name\": \"Wall\", \"position\": [0, 0], \"solid\": false},"
+#define LOAD "{\"type\": \"mass\", \"name\": \"Load\", \"mass\": 2, \"position\": [1.5, 0]},"
+#define LAW  "{\"type\": \"law-connector\", \"name\": \"Law\", \"ends\": [\"Wall\", \"Load\"], "
+
+static void assert_refused(CliFixture *fixture, const char *law, const char *why)
+{
+    g_autofree char *text = g_strconcat(HEAD, WALL, LOAD, LAW, law, "}]}", NULL);
+    g_autofree char *scene = cli_write(fixture, "scene.json", text);
+    g_autoptr(TestProgram) program = cli_run(fixture, "run @scene.json");
+    g_assert_cmpint(program->status, !=, 0);
+    cli_assert_holds(program->error, why);
+}
+
+static void test_refused(CliFixture *fixture, gconstpointer data)
+{
+    assert_refused(fixture, "\"tension\": \"L\", \"potential\": \"L^2\"", "Law: it has a tension and a potential");
+    assert_refused(fixture, "\"a\": 3", "Law: it has no law");
+    assert_refused(fixture, "\"tension\": \"a*L\"", "Law: tension names a, which has no value");
+    assert_refused(fixture, "\"tension\": \"a*(L\", \"a\": 3", "tension: ");
+    assert_refused(fixture, "\"potential\": \"t*L\"", "potential");
+    assert_refused(fixture, "\"tension\": \"L\", \"a\": \"3 parrots\"", "a: ");
+}
+
+static double at_end(CliFixture *fixture, const char *law, const char *column)
+{
+    g_autofree char *text = g_strconcat(HEAD, WALL, LOAD, law, "}]}", NULL);
+    g_autofree char *scene = cli_write(fixture, "scene.json", text);
+    g_autofree char *words = g_strdup_printf("run @scene.json --at 1 --no-estimate --csv - --columns %s", column);
+    g_autoptr(TestProgram) program = cli_run_well(fixture, words);
+    return g_ascii_strtod(strchr(strchr(program->output, '\n'), ',') + 1, NULL);
+}
+
+/* 2 x'' = -18 (x - 1): x = 1 + cos(3 t) / 2, whichever way it is said. */
+static void test_same_motion(CliFixture *fixture, gconstpointer data)
+{
+    static const char *const ways[] = {
+        LAW "\"tension\": \"a*(L - b)\", \"a\": \"18 N/m\", \"b\": 1",
+        LAW "\"potential\": \"a*(L - b)^2/2\", \"a\": 18, \"b\": \"100 cm\"",
+        "{\"type\": \"law-force\", \"name\": \"Law\", \"ends\": [\"Load\"], \"force_x\": \"-9*m*(x - 1)\"",
+        "{\"type\": \"law-force\", \"name\": \"Law\", \"ends\": [\"Load\"], \"potential\": \"a*(x - 1)^2\", \"a\": 9",
+        "{\"type\": \"law-field\", \"name\": \"Law\", \"potential\": \"4.5*m*(x - 1)^2\"",
+        "{\"type\": \"law-field\", \"name\": \"Law\", \"force_x\": \"-m*a*(x - 1)\", \"a\": \"9 1/s^2\"",
+    };
+    for (gsize i = 0; i < G_N_ELEMENTS(ways); i++) {
+        const double x = at_end(fixture, ways[i], "Load.x");
+        if (fabs(x - (1 + cos(3.0) / 2)) > 1e-9) g_error("%s: %.15g", ways[i], x);
+    }
+}
+
+/* Written back as it was typed. */
+static void test_kept(CliFixture *fixture, gconstpointer data)
+{
+    g_autofree char *scene = cli_write(fixture, "scene.json",
+                                       HEAD WALL LOAD LAW "\"tension\": \"a*(L - b)\", \"a\": \"18 N/m\", \"b\": 1}]}");
+    g_autoptr(TestProgram) program = cli_run_well(fixture, "convert @scene.json");
+    cli_assert_holds(program->output, "\"tension\": \"a*(L - b)\", \"a\": \"18 N/m\", \"b\": 1");
+}
+
+/* A note where units do not come out, and none where they do. */
+static void test_units(CliFixture *fixture, gconstpointer data)
+{
+    static const char *const laws[] = {"\"tension\": \"a*L\", \"a\": \"25 N/m\"",
+                                       "\"tension\": \"a*L\", \"a\": \"25 N\""};
+    for (int i = 0; i < 2; i++) {
+        g_autofree char *text = g_strconcat(HEAD, WALL, LOAD, LAW, laws[i], "}]}", NULL);
+        g_autofree char *scene = cli_write(fixture, "scene.json", text);
+        g_autoptr(TestProgram) program = cli_run_well(fixture, "plan @scene.json");
+        const gboolean told = strstr(program->output, "taken in SI") != NULL;
+        g_assert_cmpint(told, ==, i == 1);
+    }
+}
+
+/* T = -dV/dL with its sign, by the grammar: of a L^-1 it is a L^-2. */
+static void test_equations(CliFixture *fixture, gconstpointer data)
+{
+    g_autofree char *scene =
+        cli_write(fixture, "scene.json", HEAD WALL LOAD LAW "\"potential\": \"-a/L\", \"a\": \"3 J m\"}]}");
+    g_autoptr(TestProgram) program = cli_run_well(fixture, "equations @scene.json --as json");
+    cJSON *root = cJSON_Parse(program->output);
+    g_assert_nonnull(root);
+    g_assert_cmpint(cJSON_GetArraySize(cJSON_GetObjectItem(root, "not_written")), ==, 0);
+    const cJSON *definition;
+    gboolean found = FALSE;
+    cJSON_ArrayForEach(definition, cJSON_GetObjectItem(root, "definitions"))
+    {
+        if (strcmp(cJSON_GetObjectItem(definition, "symbol")->valuestring, "T") != 0) continue;
+        found = TRUE;
+        g_assert_true(cJSON_IsTrue(cJSON_GetObjectItem(definition, "typed")));
+    }
+    g_assert_true(found);
+    cJSON_Delete(root);
+    g_autoptr(TestProgram) page = cli_run_well(fixture, "equations @scene.json --at 0");
+    cli_assert_holds(page->output, "T = 1.33333 N");
+}
+
+int main(int argc, char **argv)
+{
+    g_test_init(&argc, &argv, NULL);
+    cli_test_add("/cli/typed-laws/refused", test_refused);
+    cli_test_add("/cli/typed-laws/same-motion", test_same_motion);
+    cli_test_add("/cli/typed-laws/kept", test_kept);
+    cli_test_add("/cli/typed-laws/units", test_units);
+    cli_test_add("/cli/typed-laws/equations", test_equations);
+    return g_test_run();
+}
