@@ -100,6 +100,19 @@ static void test_islands(void)
     assert_holds(planned.plan->modelled, "3 islands");
 }
 
+/* A double pendulum that is let go level: gravity pulls along no rod, so that nothing brings it back at first. */
+static void test_level(void)
+{
+    TinkerRunOptions options = options_of("auto", 0.01, 1e-9, 1);
+    g_auto(Planned) planned =
+        plan("{'type': 'gravity'}, {'type': 'support'}, {'type': 'mass', 'position': [0.7, -5e-17]},"
+             "{'type': 'mass', 'position': [1.1, -8e-17]},"
+             "{'type': 'rod', 'ends': ['Support 0', 'Mass 0']},"
+             "{'type': 'rod', 'ends': ['Mass 0', 'Mass 1']}",
+             &options);
+    g_assert_cmpfloat(island(&planned, 0)->omega_max, ==, 0);
+}
+
 /* Three parallel rods between two bars: any one of them follows from the others; the last is named. */
 static void test_redundant(void)
 {
@@ -410,6 +423,7 @@ static void test_ring(void)
 static void add_tests(void)
 {
     g_test_add_func("/physics/plan/islands", test_islands);
+    g_test_add_func("/physics/plan/level", test_level);
     g_test_add_func("/physics/plan/redundant", test_redundant);
     g_test_add_func("/physics/plan/straight-bar", test_straight_bar);
     g_test_add_func("/physics/plan/bare", test_bare);

@@ -369,6 +369,7 @@ gboolean tinker_decide(const TinkerIsland *island, const TinkerRunOptions *optio
     gboolean fixed = tinker_method_is_fixed(method);
     TinkerForecast forecast = {0};
     if (automatic || fixed || decision->reason != NULL || options->accuracy > 0) tinker_forecast(island, &forecast);
+    decision->speed_of_change = forecast.speed_of_change;
     if (automatic) {
         decide_automatically(island, options, &forecast, decision);
     } else {

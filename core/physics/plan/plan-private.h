@@ -17,7 +17,8 @@
 typedef struct {
     TinkerChoice choice;
     TinkerCost cost;
-    GString *reason; /* a sentence; NULL: not asked for */
+    GString *reason;        /* a sentence; NULL: not asked for */
+    double speed_of_change; /* rad/s: of the forecast, where one was made */
 } TinkerDecision;
 
 /* As tinker_plan_choose. `spectrum` may be NULL: it is worked out where a step is near a limit. */

@@ -17,6 +17,8 @@
 /* What is left of a dependent row, as constraints.c has it; rows of one island up to which they are named. */
 #define DEPENDENT  1e-5
 #define MOST_NAMED 600
+/* Beside how fast an island that is not linear changes: the root of what rounding makes of a stiffness. */
+#define LEAST_SWING 1e-6
 
 static void island_plan_free(gpointer data)
 {
@@ -55,6 +57,12 @@ static GArray *blocks_of(const TinkerModel *model)
     return blocks;
 }
 
+/* Whether a frequency is more than rounding: what pulls along and across a level bar or rod cancels to that. */
+static gboolean swings(const TinkerIsland *island, double omega, const TinkerDecision *decision)
+{
+    return island->linear != NULL || omega > LEAST_SWING * decision->speed_of_change;
+}
+
 static TinkerIslandPlan *plan_island(const TinkerIsland *island, const TinkerRunOptions *options, GPtrArray *warnings,
                                      GError **error)
 {
@@ -72,7 +80,7 @@ static TinkerIslandPlan *plan_island(const TinkerIsland *island, const TinkerRun
         .redundant_rows = sizes.redundant_rows,
         .linear = island->linear != NULL,
         .sideways_growth = tinker_model_sideways_growth(island->model),
-        .omega_max = spectrum->omega_max,
+        .omega_max = swings(island, spectrum->omega_max, &decision) ? spectrum->omega_max : 0,
         .damping_max = spectrum->damping_max,
         .growth_max = spectrum->growth_max,
         .spectral_radius = options->spectral_radius,
