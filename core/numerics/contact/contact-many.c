@@ -21,8 +21,10 @@
 #define ROUNDING 2e-13 /* of guesses: chains of many bodies gather more of it than few contacts do */
 #define LOOSE    1e-10
 /* Guesses that are followed from the offsets, and from what splitting gave. */
-#define FIRST_GUESSES 3
+#define FIRST_GUESSES 8
 #define LATER_GUESSES 1
+/* Of the largest velocity: what is slower rests. */
+#define RESTING 1e-9
 /* Splitting: steps between guesses, and at most; how far a step goes (1 to 2). */
 #define STEPS_BETWEEN 10
 #define MOST_STEPS    600
@@ -62,7 +64,23 @@ static gsize room_of(gsize m)
     return 2 * m + 8 * 2 * m + m + 2 * m * sizeof(TinkerContactState) / sizeof(double) + 2 + 2 * m / sizeof(double) + 2;
 }
 
-/* The first guess is what the offsets alone ask for. */
+/* What a contact that closes would do by itself: it slips on where it is too fast to be stopped along the top. */
+static TinkerContactState state_by_itself(const TinkerContactProblem *problem, int32_t k, double normal, double along)
+{
+    if (!tinker_contact_grips(problem, k)) return TINKER_STATE_FREE;
+    if (problem->sliding != NULL || fabs(along) <= fmax(-problem->friction[k] * normal, RESTING))
+        return TINKER_STATE_STICK;
+    return along > 0 ? TINKER_STATE_FORWARD : TINKER_STATE_BACKWARD;
+}
+
+/* From the offsets alone. One that rests while others strike is pressed by them, as likely as not. */
+static TinkerContactState first_guess(const TinkerContactProblem *problem, int32_t k)
+{
+    const double normal = problem->offset[2 * k], along = problem->offset[2 * k + 1];
+    if (problem->sliding != NULL ? normal >= 0 : normal > RESTING) return TINKER_STATE_OPEN;
+    return state_by_itself(problem, k, normal, along);
+}
+
 static void set_up(Many *many, const TinkerContactProblem *problem, double *room)
 {
     const gsize m = (gsize)problem->count;
@@ -91,9 +109,7 @@ static void set_up(Many *many, const TinkerContactProblem *problem, double *room
     for (gsize i = 0; i < 2 * m; i++)
         offset[i] = problem->offset[i] * work->scale[i / 2] / work->unit;
     for (int32_t k = 0; k < problem->count; k++)
-        work->state[k] = offset[2 * k] >= 0                 ? TINKER_STATE_OPEN
-                         : tinker_contact_grips(problem, k) ? TINKER_STATE_STICK
-                                                            : TINKER_STATE_FREE;
+        work->state[k] = first_guess(&work->problem, k);
 }
 
 /* p of the states, v of p. FALSE where they cannot be solved for. */
@@ -129,6 +145,9 @@ static gboolean guess(Many *many, int most, double tolerance)
     for (int tries = 0; tries < most; tries++) {
         if (!solve_states(many)) return FALSE;
         if (tinker_contact_judge(work, tolerance, many->next)) return TRUE;
+        for (int32_t k = 0; k < work->problem.count; k++)
+            if (work->state[k] == TINKER_STATE_OPEN && many->next[k] == TINKER_STATE_STICK)
+                many->next[k] = state_by_itself(&work->problem, k, work->v[2 * k], work->v[2 * k + 1]);
         if (memcmp(many->next, work->state, bytes) == 0) return FALSE;
         memcpy(work->state, many->next, bytes);
     }

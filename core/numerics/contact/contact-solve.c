@@ -151,7 +151,7 @@ static gboolean guess(TinkerContactWork *work, double tolerance, TinkerContactSt
         work->state[k] = problem->offset[2 * k] >= 0        ? TINKER_STATE_OPEN
                          : tinker_contact_grips(problem, k) ? TINKER_STATE_STICK
                                                             : TINKER_STATE_FREE;
-    for (int32_t tries = 0; tries < problem->count + 6; tries++) {
+    for (int32_t tries = 0; tries < MIN(problem->count, MANY) + 6; tries++) {
         if (tinker_contact_try_states(work, tolerance, next)) return TRUE;
         if (memcmp(next, work->state, (gsize)problem->count * sizeof *next) == 0) return FALSE;
         memcpy(work->state, next, (gsize)problem->count * sizeof *next);

@@ -29,7 +29,7 @@ gboolean tinker_contacts_are_guide(const TinkerContacts *contacts, int32_t body,
 
 gboolean tinker_contacts_is_guided(const TinkerContacts *contacts, int32_t body, int32_t plate)
 {
-    for (guint i = 0; i < contacts->closed->len; i++) {
+    for (guint i = 0; contacts->plate_count > 1 && i < contacts->closed->len; i++) {
         const TinkerContact *contact = tinker_contacts_closed(contacts, i);
         if (contact->body == body && contact->plate != plate &&
             tinker_contacts_are_guide(contacts, body, contact->plate, plate))

@@ -161,15 +161,38 @@ static gboolean refuse_squeezed(TinkerContactChange *change, GError **error)
     return tinker_change_refuse(change, why, error);
 }
 
-gboolean tinker_change_strike(TinkerContactChange *change, GError **error)
+static void drop_leaving(TinkerContactChange *change)
 {
-    if (!approaches(change)) return TRUE;
+    for (guint i = 0; i < change->touches->len; i++) {
+        TinkerTouch *at = tinker_touch(change, i);
+        at->dropped = at->leaves && !at->struck;
+    }
+    tinker_change_drop(change);
+}
+
+/* What was met at rounding below its plate while it parts from it, too slowly to be seen: met again at once. */
+static gboolean is_met_parting(const TinkerContactChange *change)
+{
+    for (guint i = 0; change->trigger.kind == TINKER_TRIGGER_GAP && i < change->touches->len; i++)
+        if (tinker_change_is_trigger(change, tinker_touch(change, i))) return lingers(change, i);
+    return FALSE;
+}
+
+/* What rises to no more than the tolerance, or than the method resolves, by the accelerations that act. */
+static gboolean note_least_rise(TinkerContactChange *change, double *pairs)
+{
     double scale;
-    g_auto(TinkerContactLaws) laws = {0};
-    if (tinker_contact_laws_init(&laws, change) != TINKER_OK ||
-        !tinker_change_accelerations(change, laws.pairs, &scale))
-        return tinker_change_refuse(change, change->model->failure, error);
+    if (!tinker_change_accelerations(change, pairs, &scale)) return FALSE;
     change->least_rise = 2 * sqrt(scale * fmax(change->tolerance, tinker_contact_run_place_noise(change->run)));
+    return TRUE;
+}
+
+/* The impact itself. */
+static gboolean strike(TinkerContactChange *change, GError **error)
+{
+    g_auto(TinkerContactLaws) laws = {0};
+    if (tinker_contact_laws_init(&laws, change) != TINKER_OK)
+        return tinker_change_refuse(change, change->model->failure, error);
     for (guint i = 0; i < laws.count; i++) {
         const TinkerPlate *plate = tinker_touch_plate(change, i);
         laws.pairs[2 * i] = tinker_touch(change, i)->place.normal_speed;
@@ -187,8 +210,21 @@ gboolean tinker_change_strike(TinkerContactChange *change, GError **error)
         at->struck = laws.answers[2 * i] > 0;
         if (at->struck) at->contact.normal = laws.answers[2 * i];
     }
-    gboolean pushed = tinker_change_push_all(change, laws.answers);
-    if (pushed && is_squeezed(change)) return refuse_squeezed(change, error);
-    if (pushed && settle(change)) return TRUE;
-    return tinker_change_refuse(change, change->model->failure, error);
+    if (!tinker_change_push_all(change, laws.answers))
+        return tinker_change_refuse(change, change->model->failure, error);
+    return !is_squeezed(change) || refuse_squeezed(change, error);
+}
+
+gboolean tinker_change_strike(TinkerContactChange *change, GError **error)
+{
+    const gboolean blow = approaches(change);
+    if (blow || change->trigger.kind == TINKER_TRIGGER_GAP) {
+        g_autofree double *pairs = g_new(double, 2 * change->touches->len + 1);
+        if (!note_least_rise(change, pairs)) return tinker_change_refuse(change, change->model->failure, error);
+    }
+    if (blow && !strike(change, error)) return FALSE;
+    if ((blow || is_met_parting(change)) && !settle(change))
+        return tinker_change_refuse(change, change->model->failure, error);
+    drop_leaving(change);
+    return TRUE;
 }

@@ -18,7 +18,9 @@ typedef struct {
     TinkerContactPlace place;
     TinkerContactMode was; /* before the event; OPEN where it was not closed */
     gboolean struck;
-    gboolean at_end; /* of the top: it ends unless something stops the body there */
+    gboolean at_end;  /* of the top: it ends unless something stops the body there */
+    gboolean leaves;  /* it has just opened, and is asked for impulses alone: a blow may throw it back */
+    gboolean dropped; /* on its way out of the list */
 } TinkerTouch;
 
 typedef struct {
@@ -69,6 +71,8 @@ TinkerStatus tinker_change_set_state(const TinkerContactChange *change);
 
 /* Takes everything of the group that touches, within `tolerance` (m). */
 void tinker_change_take(TinkerContactChange *change, double tolerance);
+/* Takes what is `dropped` off the list. */
+void tinker_change_drop(TinkerContactChange *change);
 /* Looks where they are now. */
 void tinker_change_measure(TinkerContactChange *change);
 gboolean tinker_change_is_trigger(const TinkerContactChange *change, const TinkerTouch *of);

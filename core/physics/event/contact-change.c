@@ -1,7 +1,8 @@
 /* What happens at an event: impacts where bodies approach what they touch, then which contacts are closed and which
  * stick.
  *
- * 1. All contacts that are closed, or whose gap is closed and not opening, are taken together.
+ * 1. All contacts that are closed, or whose gap is closed and not opening, are taken together; for 2. also those that
+ *    have just opened.
  * 2. Where one of them approaches, an impact changes velocities (numerics/contact/contact-laws.h).
  * 3. Of those that do not part by then, the laws at the level of accelerations tell the modes from here on.
  * 4. Where no acceleration satisfies them (Painleve), an impulse ends the sliding that jams, and 3. is asked again. */
@@ -69,17 +70,18 @@ static gboolean goes_over_end(const TinkerContactChange *change, const TinkerTou
 static void drop_parting(TinkerContactChange *change)
 {
     for (guint i = change->touches->len; i-- > 0;) {
-        const TinkerTouch *at = tinker_touch(change, i);
+        TinkerTouch *at = tinker_touch(change, i);
         gboolean over = goes_over_end(change, at);
-        if (!over && !(at->place.normal_speed > TINKER_STILL * change->speed)) continue;
+        at->dropped = over || at->place.normal_speed > TINKER_STILL * change->speed;
+        if (!at->dropped) continue;
         if (over)
             tinker_change_add_event(change, "end", at);
         else if (at->was != TINKER_CONTACT_OPEN)
             tinker_change_add_event(change, at->row < 0 ? "take-off" : "slack", at);
         else if (at->struck)
             tinker_change_add_event(change, at->row < 0 ? "impact" : "jerk", at);
-        g_array_remove_index(change->touches, i);
     }
+    tinker_change_drop(change);
 }
 
 static TinkerContactResult ask_modes(TinkerContactChange *change, TinkerContactLaws *laws, double scale)
@@ -130,7 +132,8 @@ static void note_modes(TinkerContactChange *change, const TinkerContactLaws *law
 /* What guides the body together with a touch; NULL for nothing. */
 static TinkerTouch *other_side(const TinkerContactChange *change, const TinkerTouch *at)
 {
-    for (guint i = 0; at->row < 0 && i < change->touches->len; i++) {
+    const gboolean guides = at->row < 0 && change->contacts->plate_count > 1;
+    for (guint i = 0; guides && i < change->touches->len; i++) {
         TinkerTouch *other = tinker_touch(change, i);
         if (other != at && other->row < 0 && other->contact.body == at->contact.body &&
             tinker_contacts_are_guide(change->contacts, at->contact.body, at->contact.plate, other->contact.plate))
@@ -232,16 +235,30 @@ static const char *name_of_change(TinkerContactMode was, TinkerContactMode is, g
 /* Every body lies along what pushes it hardest. */
 static void turn_bodies(TinkerContactChange *change)
 {
+    double *hardest = change->acceleration; /* for work, by body */
+    for (guint i = 0; i < change->touches->len; i++)
+        hardest[tinker_touch(change, i)->contact.body] = -INFINITY;
+    for (guint i = 0; i < change->touches->len; i++) {
+        const TinkerTouch *at = tinker_touch(change, i);
+        if (at->row < 0) hardest[at->contact.body] = fmax(hardest[at->contact.body], at->contact.normal);
+    }
     for (guint i = 0; i < change->touches->len; i++) {
         const TinkerTouch *at = tinker_touch(change, i);
         if (at->row >= 0 || changes_side(change, at)) continue;
-        gboolean hardest = at->struck || at->contact.mode != TINKER_CONTACT_OPEN;
-        for (guint k = 0; k < change->touches->len; k++)
-            if (tinker_touch(change, k)->contact.body == at->contact.body && tinker_touch(change, k)->row < 0 &&
-                tinker_touch(change, k)->contact.normal > at->contact.normal)
-                hardest = FALSE;
-        if (hardest) change->run->orientation[at->contact.body] = tinker_touch_plate(change, i)->orientation;
+        const gboolean pushed = at->struck || at->contact.mode != TINKER_CONTACT_OPEN;
+        if (pushed && at->contact.normal >= hardest[at->contact.body])
+            change->run->orientation[at->contact.body] = tinker_touch_plate(change, i)->orientation;
     }
+}
+
+/* Whether a blow on another body threw it back: it is closed, or has opened once more. */
+static gboolean was_thrown_back(const TinkerContactChange *change, const TinkerContactPair *pair)
+{
+    for (guint i = 0; i < change->touches->len; i++) {
+        const TinkerTouch *at = tinker_touch(change, i);
+        if (at->leaves && at->contact.body == pair->body && at->contact.plate == pair->plate) return TRUE;
+    }
+    return FALSE;
 }
 
 /* What opens by its acceleration alone is watched by that; what an event was about is done with, and what a blow on
@@ -253,7 +270,8 @@ static void note_leaving(TinkerContactChange *change)
     for (guint i = leaving->len; i-- > 0;) {
         const TinkerContactPair *pair = &g_array_index(leaving, TinkerContactPair, i);
         const TinkerTouch of = {.contact = {.body = pair->body, .plate = pair->plate}, .row = pair->row};
-        if (tinker_change_is_trigger(change, &of) || tinker_change_approaches(change, pair))
+        if (tinker_change_is_trigger(change, &of) || tinker_change_approaches(change, pair) ||
+            was_thrown_back(change, pair))
             g_array_remove_index_fast(leaving, i);
     }
     for (guint i = 0; i < change->touches->len; i++) {

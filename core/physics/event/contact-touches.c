@@ -8,9 +8,13 @@
 #include "physics/force/forces.h"
 #include "physics/island/island-run.h"
 #include "physics/model/model-data.h"
+#include "physics/system/method-call.h"
+#include "physics/system/system.h"
 
 /* The largest m whose 2m x 2m entries an int32_t counts. */
 #define MOST_TOUCHES 23170
+/* Of the tolerance: a gap that is nothing beside what steps make of places. */
+#define LEFT 1e-2
 
 void tinker_change_add_event(TinkerContactChange *change, const char *kind, const TinkerTouch *of)
 {
@@ -146,10 +150,48 @@ static void take_rows(TinkerContactChange *change, double tolerance)
     }
 }
 
+/* Within this (m) of a plate that it has just left a body is there for a blow: rounding, and no more than what a method
+ * that holds a tolerance makes of a place. */
+static double left_gap(const TinkerContactChange *change, double tolerance)
+{
+    const TinkerIslandRun *run = change->run->run;
+    double extent, speed;
+    if (!tinker_method_is_adaptive(run->choice.method)) return tolerance;
+    run->system.system.scales(run->system.system.context, run->state.q, run->state.v, &extent, &speed);
+    return fmax(tolerance, LEFT * run->choice.tolerance * extent);
+}
+
+/* What has just opened, neither closes nor is clear of its plate. If a blow on another body that throws it back were
+ * followed by one of its own, that might throw back the other, and so on without end. */
+static void take_leaving(TinkerContactChange *change, double tolerance)
+{
+    const TinkerContactRun *self = change->run;
+    const double near = self->leaving->len > 0 ? left_gap(change, tolerance) : 0;
+    for (guint i = 0; i < self->leaving->len; i++) {
+        const TinkerContactPair *pair = &g_array_index(self->leaving, TinkerContactPair, i);
+        if (pair->row >= 0 || self->contacts->group[pair->body] != change->group) continue;
+        TinkerTouch taken = {.contact = {.body = pair->body, .plate = pair->plate}, .row = -1, .leaves = TRUE};
+        taken.place = place_of(change, &taken);
+        const gboolean closes = is_closed(change, &taken, tolerance) || meets_now(change, &taken);
+        if (!closes && fabs(taken.place.gap) <= near &&
+            tinker_contact_is_over(&self->contacts->plates[pair->plate], &taken.place, tolerance))
+            g_array_append_val(change->touches, taken);
+    }
+}
+
+void tinker_change_drop(TinkerContactChange *change)
+{
+    guint kept = 0;
+    for (guint i = 0; i < change->touches->len; i++)
+        if (!tinker_touch(change, i)->dropped) *tinker_touch(change, kept++) = *tinker_touch(change, i);
+    g_array_set_size(change->touches, kept);
+}
+
 void tinker_change_take(TinkerContactChange *change, double tolerance)
 {
     take_closed(change);
     take_open(change, tolerance);
+    take_leaving(change, tolerance);
     take_rows(change, tolerance);
 }
 
