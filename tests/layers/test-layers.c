@@ -108,7 +108,7 @@ static const Rooms folders_with_rooms[] = {
     {"host/cli", {"command", "report", "plugins", "verb"}, {NULL}},
     {"host/gui",
      {"text", "widget", "document", "curve", "canvas", "property", "start", "graph", "instrument", "accuracy", "film",
-      "window", "app"},
+      "gallery", "window", "app"},
      {NULL}},
 };
 

@@ -1,6 +1,7 @@
 /* Every command is an action, so that menus, keys, buttons, tests and D-Bus share one path. */
 #include <glib/gi18n.h>
 
+#include "gui/gallery/gallery.h"
 #include "gui/text/sentence.h"
 #include "gui/window/help-window.h"
 #include "gui/window/window-parts.h"
@@ -198,6 +199,11 @@ static void show_help_overlay(TinkerWindow *window)
     gtk_window_present(overlay);
 }
 
+static void show_gallery(TinkerWindow *window)
+{
+    tinker_gallery_show(GTK_WINDOW(window), tinker_document_catalogue(window->document));
+}
+
 static void show_help(TinkerWindow *window)
 {
     tinker_help_show(GTK_WINDOW(window), "README.md");
@@ -230,6 +236,7 @@ static const struct {
     {"show-help-overlay", show_help_overlay, {"<Control>question"}, FALSE},
     {"new", tinker_window_new_scene, {"<Control>n"}, FALSE},
     {"open", window_choose_file, {"<Control>o"}, FALSE},
+    {"gallery", show_gallery, {"<Control><Shift>o"}, FALSE},
     {"save", save, {"<Control>s"}, FALSE},
     {"save-as", save_as, {"<Control><Shift>s"}, FALSE},
     {"export-film", window_export_film, {NULL}, FALSE},

@@ -5,12 +5,12 @@
 
 #include "gui/document/icon-guard.h"
 #include "gui/document/refusal-notices.h"
+#include "gui/gallery/welcome.h"
 #include "gui/text/message.h"
 #include "gui/text/sentence.h"
 #include "gui/widget/popup-menu.h"
 #include "gui/window/scene-card.h"
 #include "gui/window/side-panel.h"
-#include "gui/window/welcome.h"
 
 G_DEFINE_FINAL_TYPE(TinkerWindow, tinker_window, ADW_TYPE_APPLICATION_WINDOW)
 

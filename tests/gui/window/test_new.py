@@ -45,14 +45,14 @@ def test_wrong_widths_are_refused(display):
             app.click("Create", inside=dialog)
             check_equal(app.find("text", "Maximum Canvas Width", inside=dialog).text(), text, "what stays in the dialog")
         app.click("Cancel", inside=dialog)
-        app.gone(None, "New Scene")
+        app.gone("text", "Maximum Canvas Width")
 
 
 def test_cancel_keeps_the_scene(display):
     with App(display, scene(mass("A", 0, 0))) as app:
         app.press("ctrl+n")
         app.click("Cancel", inside=app.find(None, "New Scene"))
-        app.gone(None, "New Scene")
+        app.gone("text", "Maximum Canvas Width")
         check_equal(sorted(app.blocks()), ["A"], "blocks")
 
 

@@ -1,0 +1,11 @@
+/* A button for an example: its picture and title. What it does is for who asks for it. */
+#ifndef TINKER_GUI_EXAMPLE_BUTTON_H
+#define TINKER_GUI_EXAMPLE_BUTTON_H
+
+#include "gui/document/examples.h"
+#include "gui/gallery/example-pictures.h"
+
+/* (transfer floating) */
+GtkWidget *tinker_example_button_new(const TinkerExample *example, TinkerExamplePictures *pictures);
+
+#endif
