@@ -212,6 +212,72 @@ static void test_several_curves(void)
         g_remove(files[i]);
 }
 
+static void set_velocity(GuiFixture *fixture, double upwards)
+{
+    gui_fixture_set(fixture, "Mass 0", "velocity", 0, upwards);
+}
+
+/* Runs that are kept stay beside the next ones, with what was changed for a name: y = v t - g t^2 / 2 of each v. */
+static void test_kept_runs(void)
+{
+    static const double velocities[] = {0, 1, 2};
+    g_autofree char *path = g_build_filename(g_get_tmp_dir(), "tinker-kept.csv", NULL), *text = NULL;
+    g_autoptr(GuiFixture) fixture = fall("SI", "{'block': 'Mass 0', 'quantity': 'y'}");
+    g_autoptr(TinkerGraphData) data = data_of(fixture);
+    TinkerKeptRuns *kept = tinker_player_kept(fixture->player);
+    g_assert_false(tinker_player_keep(fixture->player)); /* there is none yet */
+    for (gsize k = 0; k < G_N_ELEMENTS(velocities); k++) {
+        if (k > 0) {
+            g_assert_true(tinker_player_keep(fixture->player));
+            set_velocity(fixture, velocities[k]);
+        }
+        run_until(fixture, 0.5);
+    }
+    tinker_graph_data_catch_up(data);
+    g_assert_cmpuint(tinker_graph_data_own_curves(data), ==, 1);
+    g_assert_cmpuint(tinker_graph_data_curves(data), ==, 3);
+    static const int order[] = {2, 0, 1}; /* the present one, then the kept ones */
+    for (guint curve = 0; curve < 3; curve++) {
+        const TinkerGraphSeries *series = tinker_graph_data_curve(data, curve);
+        g_assert_cmpuint(tinker_graph_series_count(series), ==, 51);
+        const double v = velocities[order[curve]];
+        g_assert_cmpfloat_with_epsilon(tinker_graph_series_y(series)[50], 0.5 * v - 0.5 * GRAVITY * 0.25, 1e-9);
+    }
+    TinkerPlot plot = {0};
+    set_velocity(fixture, 2); /* nothing, but the graph looks again */
+    tinker_graph_data_set_graph(data,
+                                g_ptr_array_index(tinker_scene_graphs(tinker_document_scene(fixture->document)), 0));
+    tinker_graph_data_fill_plot(data, &plot);
+    g_assert_cmpstr(plot.curves[0].label, ==, "Mass 0: Vy 1 → 2 m/s");
+    g_assert_cmpstr(plot.curves[1].label, ==, "Run 1");
+    g_assert_cmpstr(plot.curves[2].label, ==, "Mass 0: Vy 0 → 1 m/s");
+    g_assert_cmpint(plot.curves[1].colour, !=, plot.curves[2].colour);
+    const int colour = plot.curves[2].colour;
+
+    /* the ghost of the motion is where its curve is */
+    TinkerFrame *frame = tinker_kept_run_frame(tinker_kept_runs_at(kept, 1), 0.25);
+    double x, y, angle;
+    tinker_frame_centre(frame, gui_fixture_block(fixture, "Mass 0"), &x, &y, &angle);
+    g_assert_cmpfloat_with_epsilon(y, 0.25 - 0.5 * GRAVITY * 0.0625, 1e-9);
+
+    tinker_kept_runs_rename(kept, 1, "thrown");
+    g_assert_true(tinker_graph_data_write_csv(data, path, 5, NULL));
+    g_assert_true(g_file_get_contents(path, &text, NULL, NULL));
+    g_assert_true(g_str_has_prefix(text, "Time,Y Position,Time,Mass 0.y (Run 1),Time,Mass 0.y (thrown)\n"));
+    g_remove(path);
+
+    tinker_kept_runs_show(kept, 0, FALSE);
+    g_assert_null(tinker_kept_run_frame(tinker_kept_runs_at(kept, 0), 0.25));
+    tinker_graph_data_fill_plot(data, &plot);
+    g_assert_cmpint(plot.curve_count, ==, 2);
+    g_assert_cmpint(plot.curves[1].colour, ==, colour);
+    tinker_kept_runs_remove(kept, 1);
+    g_assert_cmpuint(tinker_graph_data_curves(data), ==, 1);
+    for (int i = 0; i < TINKER_MOST_KEPT - 1; i++)
+        g_assert_true(tinker_player_keep(fixture->player));
+    g_assert_false(tinker_player_keep(fixture->player));
+}
+
 /* Scales and ranges are the scene's, in the units that it displays. */
 static void test_scales(void)
 {
@@ -370,6 +436,7 @@ static void add_tests(void)
     g_test_add_func("/gui/graph-data/phase-plot", test_phase_plot);
     g_test_add_func("/gui/graph-data/english-units", test_english_units);
     g_test_add_func("/gui/graph-data/several-curves", test_several_curves);
+    g_test_add_func("/gui/graph-data/kept-runs", test_kept_runs);
     g_test_add_func("/gui/graph-data/scales", test_scales);
     g_test_add_func("/gui/graph-data/generations", test_generations);
     g_test_add_func("/gui/graph-edit/steps", test_edits_are_steps);

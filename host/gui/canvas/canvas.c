@@ -9,6 +9,7 @@
 #include "gui/widget/image-texture.h"
 #include "gui/widget/unparent.h"
 
+#define GHOST        0.3 /* how much of a run that is kept is seen */
 #define MOST_FACTOR  1e4 /* of arrows of forces */
 #define FIT_MARGIN   48.0
 #define NOTICE       48.0 /* widget units: a notice over the top, of which the margin leaves no room for as much */
@@ -174,6 +175,28 @@ static TinkerView larger(const TinkerView *view, double factor)
                         view->height / factor};
 }
 
+/* Where runs that are kept are at this time, as ghosts over the present one. */
+static void paint_kept(TinkerCanvas *canvas, cairo_t *cairo, const TinkerPaintOptions *as)
+{
+    TinkerKeptRuns *runs = tinker_player_kept(canvas->player);
+    TinkerPaintOptions options = *as;
+    TinkerTheme theme = *as->theme;
+    theme.background[3] = theme.colours[TINKER_COLOUR_FIELD][3] = theme.colours[TINKER_COLOUR_TEXT][3] = 0;
+    options.theme = &theme;
+    options.show_grid = options.show_labels = options.show_local_origins = FALSE;
+    options.highlighted = TINKER_NO_BLOCK;
+    options.selected_count = 0;
+    options.memory = NULL;
+    for (guint i = 0; i < tinker_kept_runs_count(runs); i++) {
+        TinkerFrame *frame = tinker_kept_run_frame(tinker_kept_runs_at(runs, i), tinker_player_time(canvas->player));
+        if (frame == NULL) continue;
+        cairo_push_group(cairo);
+        tinker_paint_scene(cairo, frame, &canvas->view, &options);
+        cairo_pop_group_to_source(cairo);
+        cairo_paint_with_alpha(cairo, GHOST);
+    }
+}
+
 static void paint(TinkerCanvas *canvas, cairo_t *cairo)
 {
     TinkerFrame *frame = tinker_player_frame(canvas->player);
@@ -185,6 +208,7 @@ static void paint(TinkerCanvas *canvas, cairo_t *cairo)
     cairo_scale(cairo, factor, factor);
     canvas->view = larger(&seen, factor);
     tinker_paint_scene(cairo, frame, &canvas->view, &options);
+    paint_kept(canvas, cairo, &options);
     canvas_paint_marks(canvas, cairo, frame, options.theme);
     CanvasForcesLook look = {options.theme, canvas->force_factor, !canvas->this_body_only};
     if (canvas->show_forces)

@@ -11,7 +11,15 @@
 typedef struct {
     const TinkerGraphSeries *series;
     gboolean is_x;
+    const char *run; /* NULL: the present one */
 } Column;
+
+/* Whether it is the first curve of a run that is kept. */
+static gboolean begins_run(const TinkerGraphData *data, guint curve)
+{
+    return curve == tinker_graph_data_own_curves(data) ||
+           tinker_graph_data_run(data, curve) != tinker_graph_data_run(data, curve - 1);
+}
 
 /* (transfer full) */
 static GArray *columns_of(const TinkerGraphData *data)
@@ -19,26 +27,41 @@ static GArray *columns_of(const TinkerGraphData *data)
     GArray *columns = g_array_new(FALSE, FALSE, sizeof(Column));
     for (guint i = 0; i < tinker_graph_data_curves(data); i++) {
         const TinkerGraphSeries *series = tinker_graph_data_curve(data, i);
-        const Column x = {series, TRUE}, y = {series, FALSE};
-        const gboolean own_times = tinker_graph_series_is_table(series) || !tinker_graph_data_is_over_time(data);
+        const Column x = {series, TRUE, NULL}, y = {series, FALSE, tinker_graph_data_run(data, i)};
+        const guint own = tinker_graph_data_own_curves(data);
+        const gboolean own_times = tinker_graph_series_is_table(series) || !tinker_graph_data_is_over_time(data) ||
+                                   (i >= own && begins_run(data, i));
         if (i == 0 || own_times) g_array_append_val(columns, x);
         g_array_append_val(columns, y);
     }
     return columns;
 }
 
-static void write_rows(const TinkerGraphData *data, TinkerCsvWriter *writer)
+/* As the command line writes them: of another run "Mass 0.y (Run 1)". */
+static void write_heading(TinkerCsvWriter *writer, const TinkerGraphData *data, const Column *column, gboolean several)
 {
     const TinkerScene *scene = tinker_document_scene(tinker_graph_data_document(data));
-    const gboolean several = tinker_graph_data_curves(data) > 1;
+    const TinkerGraphSeries *series = column->series;
+    const char *block = tinker_graph_series_block(series), *symbol = tinker_graph_series_symbol(series);
+    if (column->run == NULL) {
+        tinker_csv_axis(writer, scene,
+                        column->is_x ? tinker_graph_series_x_axis(series) : tinker_graph_series_y_axis(series),
+                        several);
+        return;
+    }
+    g_autofree char *name = block[0] != '\0' ? g_strdup_printf("%s.%s (%s)", block, symbol, column->run)
+                                             : g_strdup_printf("%s (%s)", symbol, column->run);
+    tinker_csv_text(writer, name);
+}
+
+static void write_rows(const TinkerGraphData *data, TinkerCsvWriter *writer)
+{
+    const gboolean several = tinker_graph_data_own_curves(data) > 1;
     g_autoptr(GArray) columns = columns_of(data);
     gsize rows = 0;
     for (guint k = 0; k < columns->len; k++) {
         const Column *column = &g_array_index(columns, Column, k);
-        tinker_csv_axis(writer, scene,
-                        column->is_x ? tinker_graph_series_x_axis(column->series)
-                                     : tinker_graph_series_y_axis(column->series),
-                        several);
+        write_heading(writer, data, column, several);
         rows = MAX(rows, tinker_graph_series_count(column->series));
     }
     tinker_csv_end_row(writer);

@@ -10,6 +10,8 @@
 /* One curve. */
 typedef struct {
     TinkerGraphSeries *series;
+    TinkerKeptRun *run;  /* borrowed; NULL: the present one */
+    guint generation;    /* of what is kept */
     char *name, *label;  /* in a legend */
     TinkerThinPath thin; /* of a path */
 } Line;
@@ -20,7 +22,8 @@ struct _TinkerGraphData {
 
     /* The graph. */
     TinkerSceneGraph *graph; /* NULL at first */
-    GPtrArray *lines;        /* of Line */
+    GPtrArray *lines;        /* of Line: the present run's, then those of each run that is kept */
+    guint own;               /* lines of the present run */
     char *title;
     char *x_label, *y_label, *right_label;
     gboolean over_time, is_path;
@@ -54,6 +57,7 @@ static void line_free(Line *line)
 static void forget_points(TinkerGraphData *data)
 {
     for (guint i = 0; i < data->lines->len; i++) {
+        if (line_of(data, i)->run != NULL) continue;
         tinker_graph_series_forget(line_of(data, i)->series);
         tinker_thin_path_forget(&line_of(data, i)->thin);
     }
@@ -79,7 +83,7 @@ static char *name_of(const TinkerGraphData *data, guint number, gboolean with_bl
 static gboolean has_one_block(const TinkerGraphData *data)
 {
     const char *first = tinker_graph_series_block(line_of(data, 0)->series);
-    for (guint i = 1; i < data->lines->len; i++)
+    for (guint i = 1; i < data->own; i++)
         if (!g_str_equal(tinker_graph_series_block(line_of(data, i)->series), first)) return FALSE;
     return TRUE;
 }
@@ -112,11 +116,11 @@ static char *title_of(const TinkerGraphData *data)
     if (data->graph->title != NULL && data->graph->title[0] != '\0') return g_strdup(data->graph->title);
     const gboolean one_block = has_one_block(data);
     g_autofree char *first = name_of(data, 0, TRUE);
-    if (data->lines->len == 1 && !data->over_time)
+    if (data->own == 1 && !data->over_time)
         return g_strdup_printf(_("%s over %s"), first,
                                tinker_translate(tinker_graph_series_x_axis(line_of(data, 0)->series)->title));
     GString *title = g_string_new(first);
-    for (guint i = 1; i < data->lines->len; i++) {
+    for (guint i = 1; i < data->own; i++) {
         g_autofree char *name = name_of(data, i, !one_block);
         g_string_append_printf(title, ", %s", name);
     }
@@ -138,6 +142,8 @@ static void renew_texts(TinkerGraphData *data)
     for (gsize i = 0; i < G_N_ELEMENTS(texts); i++)
         g_clear_pointer(texts[i], g_free);
     const gboolean one_block = has_one_block(data);
+    g_autofree char *now =
+        tinker_kept_runs_name_of(tinker_player_kept(data->player), tinker_document_scene(data->document));
     data->title = title_of(data);
     data->x_label = label_of(data, AXIS_X);
     data->y_label = label_of(data, AXIS_LEFT);
@@ -146,24 +152,61 @@ static void renew_texts(TinkerGraphData *data)
         Line *line = line_of(data, i);
         const char *unit = tinker_graph_series_y_axis(line->series)->unit;
         line->name = name_of(data, i, !one_block);
+        if (data->lines->len > data->own && !tinker_graph_series_is_table(line->series)) {
+            /* several runs of one curve are told apart by the run alone */
+            g_autofree char *plain = line->name;
+            const char *run = line->run != NULL ? line->run->name : now;
+            line->name = data->own == 1 ? g_strdup(run) : g_strdup_printf("%s (%s)", plain, run);
+        }
         line->label = has_several_units(data, tinker_graph_series_is_right(line->series))
                           ? tinker_axis_label(line->name, unit)
                           : g_strdup(line->name);
     }
 }
 
-static void add_line(TinkerGraphData *data, const TinkerSceneCurve *curve, GPtrArray *old)
+static void add_line(TinkerGraphData *data, const TinkerSceneCurve *curve, TinkerKeptRun *run, GPtrArray *old)
 {
     Line *line = g_new0(Line, 1);
-    line->series = tinker_graph_series_new(tinker_document_scene(data->document), tinker_document_base(data->document),
-                                           data->graph, curve);
+    TinkerScene *now = tinker_document_scene(data->document), *scene = run != NULL ? run->scene : now;
+    if (run != NULL) tinker_scene_head(scene)->units = tinker_scene_head(now)->units;
+    line->series = tinker_graph_series_new(scene, tinker_document_base(data->document), data->graph, curve);
+    line->run = run;
     tinker_thin_path_init(&line->thin);
     for (guint i = 0; i < old->len; i++) {
-        if (!tinker_graph_series_take_over(line->series, ((Line *)g_ptr_array_index(old, i))->series)) continue;
+        Line *other = g_ptr_array_index(old, i);
+        if (other->run != run || !tinker_graph_series_take_over(line->series, other->series)) continue;
+        line->generation = other->generation;
         g_ptr_array_remove_index(old, i);
         break;
     }
     g_ptr_array_add(data->lines, line);
+}
+
+static void add_lines_of(TinkerGraphData *data, TinkerKeptRun *run, GPtrArray *old)
+{
+    for (guint i = 0; i < data->graph->curves->len; i++) {
+        const TinkerSceneCurve *curve = g_ptr_array_index(data->graph->curves, i);
+        if (run == NULL || curve->table == NULL) add_line(data, curve, run, old);
+    }
+}
+
+static void add_lines(TinkerGraphData *data, GPtrArray *old)
+{
+    TinkerKeptRuns *kept = tinker_player_kept(data->player);
+    data->lines = g_ptr_array_new_with_free_func((GDestroyNotify)line_free);
+    add_lines_of(data, NULL, old);
+    data->own = data->lines->len;
+    for (guint i = 0; i < tinker_kept_runs_count(kept); i++)
+        if (tinker_kept_runs_at(kept, i)->shown) add_lines_of(data, tinker_kept_runs_at(kept, i), old);
+}
+
+static void on_kept_changed(TinkerKeptRuns *runs, TinkerGraphData *data)
+{
+    if (data->graph == NULL) return;
+    g_autoptr(GPtrArray) old = g_steal_pointer(&data->lines);
+    add_lines(data, old);
+    data->revision++;
+    renew_texts(data);
 }
 
 void tinker_graph_data_set_graph(TinkerGraphData *data, const TinkerSceneGraph *graph)
@@ -171,10 +214,8 @@ void tinker_graph_data_set_graph(TinkerGraphData *data, const TinkerSceneGraph *
     g_autoptr(GPtrArray) old = g_steal_pointer(&data->lines);
     g_clear_pointer(&data->graph, tinker_scene_graph_free);
     data->graph = tinker_scene_graph_copy(graph);
-    data->lines = g_ptr_array_new_with_free_func((GDestroyNotify)line_free);
     data->over_time = g_str_equal(graph->against, "time");
-    for (guint i = 0; i < graph->curves->len; i++)
-        add_line(data, g_ptr_array_index(graph->curves, i), old);
+    add_lines(data, old);
     data->is_path = !data->over_time;
     for (guint i = 0; i < data->lines->len && data->is_path; i++)
         data->is_path = tinker_graph_axes_of_path(tinker_graph_series_x_axis(line_of(data, i)->series),
@@ -207,6 +248,24 @@ static gboolean read_player(gpointer source, TinkerQuantity quantity, TinkerSeri
     return tinker_player_series(source, quantity, cursor, times, values);
 }
 
+static gboolean read_kept(gpointer source, TinkerQuantity quantity, TinkerSeriesCursor *cursor, GArray *times,
+                          GArray *values)
+{
+    return tinker_recording_series(source, quantity, cursor, times, values);
+}
+
+static gboolean update_line(TinkerGraphData *data, Line *line)
+{
+    if (line->run == NULL) return tinker_graph_series_update(line->series, read_player, data->player);
+    const guint generation = tinker_recording_generation(&line->run->recording);
+    if (generation != line->generation) {
+        tinker_graph_series_forget(line->series);
+        tinker_thin_path_forget(&line->thin);
+    }
+    line->generation = generation;
+    return tinker_graph_series_update(line->series, read_kept, &line->run->recording);
+}
+
 guint64 tinker_graph_data_update(TinkerGraphData *data)
 {
     const guint generation = tinker_player_generation(data->player);
@@ -214,7 +273,7 @@ guint64 tinker_graph_data_update(TinkerGraphData *data)
     if (generation != data->generation) forget_points(data);
     data->generation = generation;
     for (guint i = 0; i < data->lines->len; i++)
-        if (tinker_graph_series_update(line_of(data, i)->series, read_player, data->player)) data->revision++;
+        if (update_line(data, line_of(data, i))) data->revision++;
     data->time = tinker_player_time(data->player);
     if (data->time != before) data->revision++;
     return data->revision;
@@ -234,6 +293,11 @@ void tinker_graph_data_catch_up(TinkerGraphData *data)
     while (tinker_graph_data_is_behind(data));
 }
 
+guint tinker_graph_data_own_curves(const TinkerGraphData *data)
+{
+    return data->own;
+}
+
 guint tinker_graph_data_curves(const TinkerGraphData *data)
 {
     return data->lines->len;
@@ -247,6 +311,11 @@ const TinkerGraphSeries *tinker_graph_data_curve(const TinkerGraphData *data, gu
 const char *tinker_graph_data_name(const TinkerGraphData *data, guint curve)
 {
     return line_of(data, curve)->name;
+}
+
+const char *tinker_graph_data_run(const TinkerGraphData *data, guint curve)
+{
+    return line_of(data, curve)->run != NULL ? line_of(data, curve)->run->name : NULL;
 }
 
 gsize tinker_graph_data_count(const TinkerGraphData *data)
@@ -297,6 +366,17 @@ static void fill_bare_axes(TinkerGraphData *data, TinkerPlot *plot)
     plot->y_range = data->axes_y;
 }
 
+/* A run that is kept has the same colours whichever others are shown. */
+static int colour_of(const TinkerGraphData *data, guint number)
+{
+    guint tables = 0;
+    for (guint i = 0; i < data->own; i++)
+        tables += tinker_graph_series_is_table(line_of(data, i)->series);
+    const guint of_run = MAX(data->own - tables, 1);
+    const guint in_run = (number - data->own) % of_run;
+    return (int)(data->own + of_run * (guint)line_of(data, number)->run->number + in_run);
+}
+
 static void add_curve(TinkerGraphData *data, guint number, gboolean thin)
 {
     Line *line = line_of(data, number);
@@ -306,7 +386,7 @@ static void add_curve(TinkerGraphData *data, guint number, gboolean thin)
                          .y = tinker_graph_series_y(series),
                          .count = tinker_graph_series_count(series),
                          .index = tinker_graph_series_index(series),
-                         .colour = (int)number,
+                         .colour = line->run == NULL ? (int)number : colour_of(data, number),
                          .right = tinker_graph_series_is_right(series),
                          .markers = tinker_graph_series_is_table(series),
                          .no_line = tinker_graph_series_is_table(series)};
@@ -428,6 +508,7 @@ TinkerGraphData *tinker_graph_data_new(TinkerDocument *document, TinkerPlayer *p
     data->player = g_object_ref(player);
     data->generation = tinker_player_generation(player);
     data->lines = g_ptr_array_new_with_free_func((GDestroyNotify)line_free);
+    g_signal_connect(tinker_player_kept(player), "changed", G_CALLBACK(on_kept_changed), data);
     data->curves = g_array_new(FALSE, FALSE, sizeof(TinkerCurve));
     data->now = g_array_new(FALSE, FALSE, sizeof(double));
     return data;
@@ -436,6 +517,7 @@ TinkerGraphData *tinker_graph_data_new(TinkerDocument *document, TinkerPlayer *p
 void tinker_graph_data_free(TinkerGraphData *data)
 {
     if (data == NULL) return;
+    g_signal_handlers_disconnect_by_data(tinker_player_kept(data->player), data);
     g_object_unref(data->document);
     g_object_unref(data->player);
     g_clear_pointer(&data->graph, tinker_scene_graph_free);

@@ -36,8 +36,12 @@ void tinker_graph_data_catch_up(TinkerGraphData *data);
 
 /* Its curves, in order: how many, one of them (borrowed), and its name in a legend. */
 guint tinker_graph_data_curves(const TinkerGraphData *data);
+/* The first so many are of the present run, the others of runs that are kept. */
+guint tinker_graph_data_own_curves(const TinkerGraphData *data);
 const TinkerGraphSeries *tinker_graph_data_curve(const TinkerGraphData *data, guint curve);
 const char *tinker_graph_data_name(const TinkerGraphData *data, guint curve);
+/* The name of the kept run that it is of; NULL: of the present one. */
+const char *tinker_graph_data_run(const TinkerGraphData *data, guint curve);
 
 /* Points of the first curve; 0 before a run. They themselves, in displayed units: of x (the time, or the other
  * quantity) and of y. Borrowed until the next update. */

@@ -21,6 +21,7 @@ struct _TinkerPlayer {
     TinkerRunLane *lane;
     TinkerRecording recording;
     TinkerTimeSpan *span;
+    TinkerKeptRuns *kept;
     TinkerScene *ran; /* the scene as the last segment has it; NULL where there is none */
     TinkerFrame *frame;
     guint path_segment; /* where in the record the frame's paths end: everything before this row of this segment */
@@ -218,6 +219,7 @@ static void on_replaced(TinkerPlayer *player)
     forget_record(player);
     g_array_set_size(player->asked, 0);
     tinker_time_span_set(player->span, NULL);
+    tinker_kept_runs_remove_all(player->kept);
     player->time = 0;
     set_state(player, TINKER_PLAYER_SETUP);
 }
@@ -408,6 +410,17 @@ double tinker_player_duration(TinkerPlayer *player)
     return tinker_scene_head(tinker_document_scene(player->document))->run.duration;
 }
 
+TinkerKeptRuns *tinker_player_kept(TinkerPlayer *player)
+{
+    return player->kept;
+}
+
+gboolean tinker_player_keep(TinkerPlayer *player)
+{
+    return player->recording.segments->len > 0 &&
+           tinker_kept_runs_add(player->kept, tinker_document_scene(player->document), &player->recording);
+}
+
 TinkerTimeSpan *tinker_player_span(TinkerPlayer *player)
 {
     return player->span;
@@ -512,6 +525,7 @@ static void tinker_player_finalize(GObject *object)
     tinker_recording_forget(&player->recording);
     tinker_recording_clear(&player->recording);
     g_object_unref(player->span);
+    g_object_unref(player->kept);
     g_ptr_array_unref(player->events);
     tinker_run_lane_unref(player->lane);
     g_clear_pointer(&player->ran, tinker_scene_free);
@@ -540,6 +554,7 @@ static void tinker_player_init(TinkerPlayer *player)
     player->events = g_ptr_array_new_with_free_func((GDestroyNotify)tinker_run_event_free);
     tinker_recording_init(&player->recording);
     player->span = tinker_time_span_new();
+    player->kept = tinker_kept_runs_new();
     player->asked = g_array_new(FALSE, FALSE, sizeof(TinkerQuantity));
 }
 

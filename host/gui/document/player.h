@@ -10,7 +10,7 @@
 #define TINKER_GUI_PLAYER_H
 
 #include "gui/document/document.h"
-#include "gui/document/recording.h"
+#include "gui/document/kept-runs.h"
 #include "gui/document/time-span.h"
 
 #define TINKER_TYPE_PLAYER (tinker_player_get_type())
@@ -35,6 +35,11 @@ double tinker_player_speed(TinkerPlayer *player);
 void tinker_player_set_speed(TinkerPlayer *player, double speed);
 /* The pace that was really kept lately, over the speed: below 1 where the run is slower than its play-back. */
 double tinker_player_pace(TinkerPlayer *player);
+
+/* Runs that are kept to be compared with this one. Borrowed. */
+TinkerKeptRuns *tinker_player_kept(TinkerPlayer *player);
+/* Keeps what is recorded now. FALSE where nothing is, or as many are kept as can be. */
+gboolean tinker_player_keep(TinkerPlayer *player);
 
 /* What graphs over time show of it. Borrowed. */
 TinkerTimeSpan *tinker_player_span(TinkerPlayer *player);

@@ -245,6 +245,14 @@ static void on_span_changed(TinkerGraphPlot *plot)
     g_signal_emit_by_name(plot, "looks-changed");
 }
 
+/* A cursor may be on a curve of a run that is gone. */
+static void on_kept_changed(TinkerGraphPlot *plot)
+{
+    for (int i = 0; i < plot->cursor_count; i++)
+        if (plot->cursors[i].curve >= tinker_graph_data_own_curves(plot->data)) plot->cursor_count = 0;
+    tinker_graph_plot_renew(plot);
+}
+
 void tinker_graph_plot_add_input(TinkerGraphPlot *plot)
 {
     GtkEventController *motion = gtk_event_controller_motion_new();
@@ -263,6 +271,8 @@ void tinker_graph_plot_add_input(TinkerGraphPlot *plot)
     GtkEventController *all[] = {motion, scroll, GTK_EVENT_CONTROLLER(drag), GTK_EVENT_CONTROLLER(click)};
     for (gsize i = 0; i < G_N_ELEMENTS(all); i++)
         gtk_widget_add_controller(GTK_WIDGET(plot), all[i]);
+    g_signal_connect_object(tinker_player_kept(plot->player), "changed", G_CALLBACK(on_kept_changed), plot,
+                            G_CONNECT_SWAPPED);
     g_signal_connect_object(tinker_player_span(plot->player), "changed", G_CALLBACK(on_span_changed), plot,
                             G_CONNECT_SWAPPED);
 }

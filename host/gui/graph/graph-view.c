@@ -78,7 +78,7 @@ static void tell_value(TinkerGraphView *view)
     tinker_graph_data_update(data);
     if (tinker_graph_data_present(data, 0, &point)) {
         text = tinker_graph_data_x_text(data, 0, point);
-        for (guint i = 0; i < tinker_graph_data_curves(data); i++) {
+        for (guint i = 0; i < tinker_graph_data_own_curves(data); i++) {
             if (!tinker_graph_data_present(data, i, &point)) continue;
             g_autofree char *before = g_steal_pointer(&text), *y = tinker_graph_data_y_text(data, i, point);
             text = g_strdup_printf("%s, %s", before, y);

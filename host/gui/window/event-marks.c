@@ -111,6 +111,23 @@ static gboolean on_tooltip(GtkWidget *line, int x, int y, gboolean by_keyboard, 
     return TRUE;
 }
 
+/* Before the line itself, which would go to the pointer's place alone. */
+static void on_pressed(GtkGestureClick *gesture, int presses, double x, double y, TinkerEventMarks *marks)
+{
+    const TinkerRunEvent *event = tinker_event_marks_at(marks, x);
+    if (event == NULL) return;
+    gtk_gesture_set_state(GTK_GESTURE(gesture), GTK_EVENT_SEQUENCE_CLAIMED);
+    gtk_widget_activate_action(GTK_WIDGET(marks), "win.go-to", "d", event->time);
+}
+
+static void add_click(TinkerEventMarks *marks)
+{
+    GtkGesture *click = gtk_gesture_click_new();
+    gtk_event_controller_set_propagation_phase(GTK_EVENT_CONTROLLER(click), GTK_PHASE_CAPTURE);
+    g_signal_connect(click, "pressed", G_CALLBACK(on_pressed), marks);
+    gtk_widget_add_controller(marks->line, GTK_EVENT_CONTROLLER(click));
+}
+
 /* Drawing -------------------------------------------------------------------------------------------------------------
  */
 
@@ -182,6 +199,7 @@ GtkWidget *tinker_event_marks_new(GtkWidget *line)
     gtk_widget_set_parent(line, GTK_WIDGET(marks));
     gtk_widget_set_parent(marks->layer, GTK_WIDGET(marks));
     gtk_widget_set_hexpand(GTK_WIDGET(marks), TRUE);
+    add_click(marks);
     g_signal_connect(line, "query-tooltip", G_CALLBACK(on_tooltip), marks);
     g_signal_connect_object(gtk_range_get_adjustment(GTK_RANGE(line)), "changed", G_CALLBACK(gtk_widget_queue_draw),
                             marks->layer, G_CONNECT_SWAPPED);

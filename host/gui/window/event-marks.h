@@ -1,5 +1,5 @@
-/* Marks over the time line: the instants at which something happened in the run. They take no clicks, and the line says
- * in its tooltip what happened where the pointer is. */
+/* Marks over the time line: the instants at which something happened in the run. A click on one goes there, and the
+ * line says in its tooltip what happened where the pointer is. */
 #ifndef TINKER_GUI_EVENT_MARKS_H
 #define TINKER_GUI_EVENT_MARKS_H
 

@@ -252,6 +252,8 @@ static const struct {
     {"place", place, {"Insert"}, FALSE},
     {"select-all", select_all, {"<Control>a"}, TRUE},
     {"new-graph", window_new_graph, {"<Control>g"}, FALSE},
+    {"keep-run", window_keep_run, {"<Control>k"}, FALSE},
+    {"kept-runs", window_kept_runs, {"<Control><Shift>k"}, FALSE},
     {"play", play, {"space"}, TRUE},
     {"step", step_forward, {"period"}, TRUE},
     {"step-back", step_back, {"comma"}, TRUE},

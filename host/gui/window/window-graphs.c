@@ -8,6 +8,7 @@
 #include "gui/graph/graph-layer.h"
 #include "gui/graph/graph-menu.h"
 #include "gui/graph/graph-page.h"
+#include "gui/graph/kept-dialog.h"
 #include "gui/window/window-parts.h"
 
 #define PAGE "graphs"
@@ -69,6 +70,25 @@ void window_new_graph(TinkerWindow *window)
 {
     adw_view_stack_set_visible_child_name(window->pages, PAGE);
     gtk_widget_child_focus(adw_view_stack_get_visible_child(window->pages), GTK_DIR_TAB_FORWARD);
+}
+
+void window_keep_run(TinkerWindow *window)
+{
+    TinkerKeptRuns *kept = tinker_player_kept(window->player);
+    if (tinker_player_keep(window->player)) {
+        g_autofree char *text =
+            g_strdup_printf(_("Kept as “%s”"), tinker_kept_runs_at(kept, tinker_kept_runs_count(kept) - 1)->name);
+        window_toast(window, text);
+    } else {
+        window_toast(window, tinker_kept_runs_count(kept) == TINKER_MOST_KEPT
+                                 ? _("Eight runs are kept: remove one first")
+                                 : _("Press Play first: there is no run to keep"));
+    }
+}
+
+void window_kept_runs(TinkerWindow *window)
+{
+    tinker_kept_dialog_open(GTK_WINDOW(window), tinker_player_kept(window->player));
 }
 
 /* The menu ------------------------------------------------------------------------------------------------------------

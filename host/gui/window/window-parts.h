@@ -89,6 +89,9 @@ void window_message(TinkerWindow *window, const char *heading, const char *body)
 void window_add_graphs(TinkerWindow *window);
 /* Goes to where a graph can be chosen. */
 void window_new_graph(TinkerWindow *window);
+/* Keeps the present run to be compared with; those that are kept. */
+void window_keep_run(TinkerWindow *window);
+void window_kept_runs(TinkerWindow *window);
 /* Appends what graphs the selected block can have, if it can have any. */
 void window_append_graph_menu(TinkerWindow *window, GMenu *menu);
 /* Controls and meters on the canvas; window-instruments.c. Shows them; appends which the selected block, or the scene,

@@ -52,6 +52,8 @@ def test_time_line_is_marked_where_something_happens(display):
         check_close(sum(marked()) / len(marked()), 0.4 * width, 2, "place of the mark (px), at 0.4 of the duration")
         app.xdotool("mousemove", x + 0.4 * width, y + height / 2)
         app.find("label", f"1 s: {LEAVES}")
+        app._click_at(x + 0.4 * width + 2, y + height / 2)
+        wait(lambda: app.time() == 1, "the time of the event, not that of the pointer beside its mark")
 
 
 def test_line_without_events_says_nothing(display):

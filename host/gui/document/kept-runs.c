@@ -1,0 +1,133 @@
+/* A run that is kept shares its tasks with the player, and lives on when that one forgets them. */
+#include "gui/document/kept-runs.h"
+
+#include <glib/gi18n.h>
+
+#include "measure/changes.h"
+#include "scene/frame/tops.h"
+
+struct _TinkerKeptRuns {
+    GObject parent_instance;
+    GPtrArray *runs; /* of TinkerKeptRun */
+    guint next_id;
+};
+
+G_DEFINE_FINAL_TYPE(TinkerKeptRuns, tinker_kept_runs, G_TYPE_OBJECT)
+
+static guint changed;
+
+static void run_free(gpointer data)
+{
+    TinkerKeptRun *run = data;
+    g_clear_pointer(&run->frame, tinker_frame_free);
+    tinker_recording_clear(&run->recording);
+    tinker_scene_free(run->scene);
+    g_free(run->name);
+    g_free(run);
+}
+
+guint tinker_kept_runs_count(TinkerKeptRuns *runs)
+{
+    return runs->runs->len;
+}
+
+TinkerKeptRun *tinker_kept_runs_at(TinkerKeptRuns *runs, guint place)
+{
+    return g_ptr_array_index(runs->runs, place);
+}
+
+static int free_number(TinkerKeptRuns *runs)
+{
+    for (int number = 0;; number++) {
+        gboolean taken = FALSE;
+        for (guint i = 0; i < runs->runs->len; i++)
+            taken |= tinker_kept_runs_at(runs, i)->number == number;
+        if (!taken) return number;
+    }
+}
+
+char *tinker_kept_runs_name_of(TinkerKeptRuns *runs, TinkerScene *scene)
+{
+    char *changes =
+        runs->runs->len > 0 ? tinker_scene_changes(tinker_kept_runs_at(runs, runs->runs->len - 1)->scene, scene) : NULL;
+    return changes != NULL ? changes : g_strdup_printf(_("Run %u"), runs->next_id + 1);
+}
+
+gboolean tinker_kept_runs_add(TinkerKeptRuns *runs, TinkerScene *scene, const TinkerRecording *recording)
+{
+    if (runs->runs->len >= TINKER_MOST_KEPT) return FALSE;
+    TinkerKeptRun *run = g_new0(TinkerKeptRun, 1);
+    run->name = tinker_kept_runs_name_of(runs, scene);
+    run->id = runs->next_id++;
+    run->shown = TRUE;
+    run->number = free_number(runs);
+    run->scene = tinker_scene_copy(scene);
+    run->frame = tinker_frame_new(run->scene, NULL);
+    if (run->frame != NULL) tinker_tops_turn_bodies(run->frame);
+    tinker_recording_init(&run->recording);
+    tinker_recording_share(&run->recording, recording);
+    g_ptr_array_add(runs->runs, run);
+    g_signal_emit(runs, changed, 0);
+    return TRUE;
+}
+
+void tinker_kept_runs_remove(TinkerKeptRuns *runs, guint place)
+{
+    TinkerKeptRun *run = g_ptr_array_steal_index(runs->runs, place);
+    g_signal_emit(runs, changed, 0);
+    run_free(run);
+}
+
+void tinker_kept_runs_remove_all(TinkerKeptRuns *runs)
+{
+    while (runs->runs->len > 0)
+        tinker_kept_runs_remove(runs, runs->runs->len - 1);
+    runs->next_id = 0;
+}
+
+void tinker_kept_runs_rename(TinkerKeptRuns *runs, guint place, const char *name)
+{
+    TinkerKeptRun *run = tinker_kept_runs_at(runs, place);
+    if (g_str_equal(run->name, name)) return;
+    g_free(run->name);
+    run->name = g_strdup(name);
+    g_signal_emit(runs, changed, 0);
+}
+
+void tinker_kept_runs_show(TinkerKeptRuns *runs, guint place, gboolean shown)
+{
+    TinkerKeptRun *run = tinker_kept_runs_at(runs, place);
+    if (run->shown == shown) return;
+    run->shown = shown;
+    g_signal_emit(runs, changed, 0);
+}
+
+TinkerFrame *tinker_kept_run_frame(TinkerKeptRun *run, double time)
+{
+    const TinkerSegment *last = tinker_recording_last(&run->recording);
+    if (!run->shown || run->frame == NULL || last == NULL || time > tinker_run_task_status(last->task).reached)
+        return NULL;
+    return tinker_recording_place(&run->recording, run->frame, time) ? run->frame : NULL;
+}
+
+static void tinker_kept_runs_finalize(GObject *object)
+{
+    g_ptr_array_unref(TINKER_KEPT_RUNS(object)->runs);
+    G_OBJECT_CLASS(tinker_kept_runs_parent_class)->finalize(object);
+}
+
+static void tinker_kept_runs_class_init(TinkerKeptRunsClass *class)
+{
+    G_OBJECT_CLASS(class)->finalize = tinker_kept_runs_finalize;
+    changed = g_signal_new("changed", TINKER_TYPE_KEPT_RUNS, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL, G_TYPE_NONE, 0);
+}
+
+static void tinker_kept_runs_init(TinkerKeptRuns *runs)
+{
+    runs->runs = g_ptr_array_new_with_free_func(run_free);
+}
+
+TinkerKeptRuns *tinker_kept_runs_new(void)
+{
+    return g_object_new(TINKER_TYPE_KEPT_RUNS, NULL);
+}
