@@ -1,14 +1,17 @@
-/* Lagrange's equations of trees of rods, in the angles of the rods: m l^2 theta'' + m g l sin theta = 0. */
+/* Lagrange's equations of trees of rods and pinned bodies, in their angles: m l^2 theta'' + m g l sin theta = 0. */
 #ifndef TINKER_CORE_EQUATION_ANGLES_H
 #define TINKER_CORE_EQUATION_ANGLES_H
 
 #include "equations/equations.h"
 
-/* Of a rod: from its end nearer to the support to the other, counter-clockwise from straight down. */
+/* Of a rod: from its end nearer to the support to the other; of a body that turns: from the joint nearer to the support
+ * to its centre. Counter-clockwise from straight down; of a body that is pinned at its centre, its own angle. */
 typedef struct {
-    TinkerBlockId rod, body;        /* the body at its far end */
-    int before;                     /* the number of the rod that it hangs on; -1: the support */
-    const TinkerLineEquation *line; /* borrowed from the equations */
+    TinkerBlockId rod, body;        /* whose angle it is: the rod, or the body itself; and the body that it moves */
+    int before;                     /* the number of the angle that it hangs on; -1: the support */
+    const TinkerLineEquation *line; /* the rod or the pin that it hangs by; borrowed from the equations */
+    int near;                       /* the end of that which is nearer to the support */
+    gboolean turns;                 /* it is that of a body */
     char *angle, *rate, *acceleration;
     double value, rate_value; /* rad, rad/s */
 } TinkerRodAngle;

@@ -149,6 +149,18 @@ static void keep_rod(TinkerEquationWriter *writer, const Rows *rows, const Tinke
     tinker_writer_keep_line(writer->equations->rods, rows->block, rows->points, length, NULL, kept->parts[0]);
 }
 
+/* x2 - x1 = 0 and y2 - y1 = 0: a pin. */
+static void keep_pin(TinkerEquationWriter *writer, const Rows *rows, const GPtrArray *g)
+{
+    if (rows->points->len != 2 || g->len != 2) return;
+    const TinkerPointSymbols *a = point_at(rows->points, 0), *b = point_at(rows->points, 1);
+    g_autoptr(TinkerExpression) x = tinker_expression_minus(tinker_expression_ref(b->x), tinker_expression_ref(a->x)),
+                                y = tinker_expression_minus(tinker_expression_ref(b->y), tinker_expression_ref(a->y)),
+                                none = tinker_expression_number(0);
+    if (tinker_expression_equal(x, g_ptr_array_index(g, 0)) && tinker_expression_equal(y, g_ptr_array_index(g, 1)))
+        tinker_writer_keep_line(writer->equations->pins, rows->block, rows->points, none, NULL, none);
+}
+
 /* What the law says of each row; those that are 0 for these ends are left out. FALSE where it does not say. */
 static gboolean rows_of(TinkerEquationWriter *writer, TinkerBlockId block, const TinkerBlockLaw *law,
                         const GArray *points, GPtrArray *g, GArray *dimensions)
@@ -193,6 +205,7 @@ gboolean tinker_writer_add_constraint(TinkerEquationWriter *writer, TinkerBlockI
     for (guint r = 0; r < g->len; r++)
         add_slopes(writer, &rows, g_ptr_array_index(g, r));
     if (g->len == 1) keep_rod(writer, &rows, g_ptr_array_index(g, 0));
+    keep_pin(writer, &rows, g);
     g_autofree double *values = fitted(writer, &rows);
     const gboolean active = !unilateral || acts(writer, &rows);
     g_autoptr(GPtrArray) multipliers = g_ptr_array_new_with_free_func((GDestroyNotify)tinker_expression_unref);

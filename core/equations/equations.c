@@ -57,6 +57,7 @@ static void line_free(void *data)
         for (int axis = 0; axis < 2; axis++) {
             tinker_expression_unref(line->place[end][axis]);
             tinker_expression_unref(line->velocity[end][axis]);
+            tinker_expression_unref(line->local[end][axis]);
         }
     }
     g_free(line);
@@ -172,6 +173,7 @@ TinkerEquations *tinker_equations_new(TinkerScene *scene, const TinkerModelState
         .constraints = g_ptr_array_new_with_free_func(constraint_free),
         .not_written = g_ptr_array_new_with_free_func(not_written_free),
         .lines = g_ptr_array_new_with_free_func(line_free),
+        .pins = g_ptr_array_new_with_free_func(line_free),
         .rods = g_ptr_array_new_with_free_func(line_free),
         .looks = g_hash_table_new_full(g_str_hash, g_str_equal, g_free, look_free),
         .values = g_hash_table_new_full(g_str_hash, g_str_equal, g_free, g_free),
@@ -203,7 +205,7 @@ void tinker_equations_free(TinkerEquations *equations)
 {
     GPtrArray *const lists[] = {equations->bodies,      equations->symbols,     equations->definitions,
                                 equations->constraints, equations->not_written, equations->lines,
-                                equations->rods};
+                                equations->rods,        equations->pins};
     for (gsize i = 0; i < G_N_ELEMENTS(lists); i++)
         g_ptr_array_unref(lists[i]);
     g_hash_table_unref(equations->looks);

@@ -91,6 +91,7 @@ typedef struct {
     TinkerExpression *tension;     /* N */
     TinkerExpression *place[2][2]; /* m: of its ends, x and y; */
     TinkerExpression *velocity[2][2];
+    TinkerExpression *local[2][2]; /* m: where it is on a body that turns, in the body's axes from its centre; else 0 */
 } TinkerLineEquation;
 
 typedef struct {
@@ -102,6 +103,7 @@ typedef struct {
     GPtrArray *constraints;
     GPtrArray *not_written;
     GPtrArray *lines;   /* of TinkerLineEquation */
+    GPtrArray *pins;    /* of TinkerLineEquation, without length and tension: what holds two places together */
     GPtrArray *rods;    /* of TinkerLineEquation: what keeps two places apart, with that length in place of a tension */
     GHashTable *looks;  /* name to TinkerEquationLook */
     GHashTable *values; /* name to double: of symbols and definitions */

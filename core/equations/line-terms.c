@@ -48,6 +48,8 @@ void tinker_writer_keep_line(GPtrArray *list, TinkerBlockId block, const GArray 
         for (int axis = 0; axis < 2; axis++) {
             line->place[end][axis] = copy(parts[axis]);
             line->velocity[end][axis] = copy(parts[2 + axis]);
+            const TinkerExpression *local = axis == 0 ? point->local_x : point->local_y;
+            line->local[end][axis] = local != NULL ? copy(local) : tinker_expression_number(0);
         }
     }
     g_ptr_array_add(list, line);

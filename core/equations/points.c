@@ -14,6 +14,8 @@ void tinker_point_symbols_clear(TinkerPointSymbols *point)
     g_clear_pointer(&point->rate, tinker_expression_unref);
     g_clear_pointer(&point->arm_x, tinker_expression_unref);
     g_clear_pointer(&point->arm_y, tinker_expression_unref);
+    g_clear_pointer(&point->local_x, tinker_expression_unref);
+    g_clear_pointer(&point->local_y, tinker_expression_unref);
 }
 
 static void point_copy(TinkerPointSymbols *to, const TinkerPointSymbols *from)
@@ -189,8 +191,9 @@ static void add_arm(TinkerEquationWriter *writer, TinkerPointSymbols *point, Tin
     const char *of_connector = tinker_writer_index(writer, connector);
     g_autofree char *index = g_strdup_printf("%s%s%d", of_connector, of_connector[0] != '\0' ? "," : "", number + 1);
     TinkerExpression *arm[2], **const places[] = {&point->x, &point->y}, **const rates[] = {&point->vx, &point->vy};
-    turn_offset(point->angle, offset(writer, connector, number, end->x, TRUE),
-                offset(writer, connector, number, end->y, FALSE), arm);
+    point->local_x = offset(writer, connector, number, end->x, TRUE);
+    point->local_y = offset(writer, connector, number, end->y, FALSE);
+    turn_offset(point->angle, tinker_expression_ref(point->local_x), tinker_expression_ref(point->local_y), arm);
     for (int axis = 0; axis < 2; axis++)
         arm[axis] = define_of_end(writer, connector, index, "r", 0, axis, "arm from the centre of mass", arm[axis]);
     for (int axis = 0; axis < 2; axis++) {

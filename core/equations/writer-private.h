@@ -36,8 +36,9 @@ typedef struct {
 typedef struct {
     TinkerBlockId block; /* of a body that can move; -1: of none */
     TinkerExpression *x, *y, *vx, *vy;
-    TinkerExpression *angle, *rate;  /* of what it is on; 0 of a point mass */
-    TinkerExpression *arm_x, *arm_y; /* from the centre of a body that turns; NULL at the centre, and of others */
+    TinkerExpression *angle, *rate;      /* of what it is on; 0 of a point mass */
+    TinkerExpression *arm_x, *arm_y;     /* from the centre of a body that turns; NULL at the centre, and of others */
+    TinkerExpression *local_x, *local_y; /* likewise, in the body's own axes */
 } TinkerPointSymbols;
 
 void tinker_point_symbols_clear(TinkerPointSymbols *point);

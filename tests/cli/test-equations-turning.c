@@ -74,6 +74,33 @@ static void test_pendulum(CliFixture *fixture, gconstpointer data)
     cJSON_Delete(root);
 }
 
+/* The compound pendulum of a textbook, (m d^2 + I) theta'' + m g d sin theta = 0, with d = -ax: the pin is behind the
+ * centre. A rod that hangs on its other end makes it a double pendulum, in two angles. */
+static void test_angles(CliFixture *fixture, gconstpointer data)
+{
+    g_autofree char *text = pendulum(), *scene = cli_write(fixture, "scene.json", text);
+    g_autoptr(TestProgram) page = cli_run_well(fixture, "equations @scene.json --form angles");
+    g_autofree char *shown = g_utf8_normalize(page->output, -1, G_NORMALIZE_DEFAULT_COMPOSE);
+    g_autofree char *wanted =
+        g_utf8_normalize("(m ax₁² + I) θ̈ − m g ax₁ sin(θ) = 0\n", -1, G_NORMALIZE_DEFAULT_COMPOSE);
+    cli_assert_holds(shown, wanted);
+    cli_assert_holds(shown, "θ = 0.5 rad   Bar, from straight down");
+    static const char more[] =
+        ",{\"type\": \"mass\", \"name\": \"Bob\", \"mass\": 1, \"position\": [0.6, 1]},"
+        "{\"type\": \"rod\", \"name\": \"Rod\", \"ends\": [\"Bob\", {\"block\": \"Bar\", \"at\": "
+        "[0.6, 0]}]}]}";
+    text[strlen(text) - 2] = '\0';
+    g_autofree char *longer = g_strconcat(text, more, NULL), *second = cli_write(fixture, "scene.json", longer);
+    cJSON *root = parsed(fixture, "equations @scene.json --form angles --as json");
+    const cJSON *island = cJSON_GetArrayItem(cJSON_GetObjectItem(root, "islands"), 0);
+    const cJSON *rod = cJSON_GetArrayItem(cJSON_GetObjectItem(island, "angles"), 1);
+    g_assert_cmpint(cJSON_GetArraySize(cJSON_GetObjectItem(island, "equations")), ==, 2);
+    g_assert_cmpstr(cJSON_GetObjectItem(rod, "block")->valuestring, ==, "Rod");
+    const double x = LENGTH * sin(AT_START), y = 3 - LENGTH * cos(AT_START);
+    assert_near(cJSON_GetObjectItem(rod, "value")->valuedouble, atan2(0.6 - x, y - 1), 1e-12);
+    cJSON_Delete(root);
+}
+
 static const cJSON *account(const cJSON *root, const char *section, const char *list, const char *block)
 {
     return cJSON_GetObjectItemCaseSensitive(cJSON_GetObjectItem(cJSON_GetObjectItem(root, section), list), block);
@@ -155,6 +182,7 @@ int main(int argc, char **argv)
 {
     g_test_init(&argc, &argv, NULL);
     cli_test_add("/cli/equations-turning/pendulum", test_pendulum);
+    cli_test_add("/cli/equations-turning/angles", test_angles);
     cli_test_add("/cli/equations-turning/books", test_books);
     cli_test_add("/cli/equations-turning/redundant", test_redundant);
     cli_test_add("/cli/equations-turning/rope", test_rope);
