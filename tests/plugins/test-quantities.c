@@ -182,6 +182,28 @@ static void test_marker(void)
     }
 }
 
+/* The second end is the corner; the ways are turned by known angles and angular velocities about it. */
+static void test_angle_mark(void)
+{
+    static const struct {
+        double first, third, angle; /* deg */
+    } cases[] = {{0, 90, 90}, {90, 0, -90}, {10, 190, 180}, {-170, 170, -20}, {30, 75, 45}};
+    g_autoptr(BlockBatch) mark = block_batch_new(block_open("angle-mark"), 1);
+    for (size_t k = 0; k < G_N_ELEMENTS(cases); k++) {
+        const double a = cases[k].first * G_PI / 180, b = cases[k].third * G_PI / 180;
+        /* Of lengths 2 and 3; the first way turns with 0.5, the third with 2 rad/s, the corner moves with (7, -1). */
+        const TinkerPoint ends[3] = {
+            {4 + 2 * cos(a), 5 + 2 * sin(a), 7 - 0.5 * 2 * sin(a), -1 + 0.5 * 2 * cos(a)},
+            {4, 5, 7, -1},
+            {4 + 3 * cos(b), 5 + 3 * sin(b), 7 - 2 * 3 * sin(b), -1 + 2 * 3 * cos(b)},
+        };
+        const TinkerGraphInput input = {.struct_size = sizeof(TinkerGraphInput), .ends = ends};
+        const double angle = block_quantity_value(mark, &input, "angle"), expected = cases[k].angle * G_PI / 180;
+        g_assert_cmpfloat(fabs(remainder(angle - expected, 2 * G_PI)), <, 1e-14); /* 180 and -180 are one */
+        g_assert_cmpfloat_with_epsilon(block_quantity_value(mark, &input, "angle rate"), 1.5, 1e-14);
+    }
+}
+
 static void test_fields(void)
 {
     const TinkerPoint bodies[2] = {{5, 2, 3, 0}, {7, -1, 0, 1}};
@@ -210,6 +232,7 @@ int main(int argc, char **argv)
     g_test_add_func("/plugins/quantities/coinciding-ends", test_coinciding_ends);
     g_test_add_func("/plugins/quantities/motor-and-motion", test_motor_and_motion);
     g_test_add_func("/plugins/quantities/marker", test_marker);
+    g_test_add_func("/plugins/quantities/angle-mark", test_angle_mark);
     g_test_add_func("/plugins/quantities/fields", test_fields);
     return g_test_run();
 }
