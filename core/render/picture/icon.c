@@ -114,6 +114,11 @@ static void draw_end(const TinkerStyle *style, cairo_t *cairo, double x, double 
     style->circle(style, cairo, TINKER_COLOUR_CONNECTOR, -1, x, y, DOT_SHARE * style->symbol_size);
 }
 
+/* Values are of no use here, and too small to be read. */
+static void draw_no_text(const TinkerStyle *style, cairo_t *cairo, int32_t colour, double x, double y, const char *text)
+{
+}
+
 /* Draws the mock about the fit's point. */
 static void draw(cairo_t *cairo, Mock *mock, const TinkerTheme *theme, const Fit *fit)
 {
@@ -121,6 +126,7 @@ static void draw(cairo_t *cairo, Mock *mock, const TinkerTheme *theme, const Fit
     TinkerStyleBrush brush;
     tinker_style_begin(&brush, cairo, theme, &view, fit->symbol / fit->scale);
     brush.style.end_mark = draw_end;
+    if (mock->piece.instance.ends > 1) brush.style.text = draw_no_text;
     /* Helpers draw what is visible: all of it is. */
     double far = GREATEST_EXTENT * fmax(fit->width, fit->height) / fit->scale;
     brush.style.view[0] = brush.style.view[1] = -far;
