@@ -1,10 +1,12 @@
 /* Graphs of the window: their values against closed forms and the published table of a free fall, and that every edit
  * of them is one step that can be taken back. */
 #include <glib/gstdio.h>
+#include <math.h>
 #include <string.h>
 #include <unistd.h>
 
 #include "gui-fixture.h"
+#include "gui/curve/energy-data.h"
 #include "gui/curve/graph-data.h"
 #include "gui/document/graph-edit.h"
 #include "render/draw/theme.h"
@@ -278,6 +280,51 @@ static void test_kept_runs(void)
     g_assert_false(tinker_player_keep(fixture->player));
 }
 
+/* A fall: what is kinetic was potential, from the lowest place on; an oscillator with a damper: all that was taken is
+ * there, and nothing is given. */
+static void test_energy(void)
+{
+    double layers[TINKER_ENERGY_LAYERS], sum, all = 0;
+    g_autoptr(GuiFixture) fixture = fall("SI", "");
+    g_autoptr(TinkerEnergyData) data = tinker_energy_data_new(fixture->document, fixture->player);
+    tinker_energy_data_update(data);
+    g_assert_false(tinker_energy_data_now(data, layers, &sum));
+    run_until(fixture, 0.5);
+    tinker_player_seek(fixture->player, 0.3);
+    tinker_energy_data_update(data);
+    g_assert_cmpuint(tinker_energy_data_count(data), ==, 51);
+    g_assert_true(tinker_energy_data_now(data, layers, &sum));
+    const double square = GRAVITY * GRAVITY;
+    g_assert_cmpfloat_with_epsilon(layers[TINKER_ENERGY_KINETIC], 0.5 * square * 0.09, 1e-9);
+    g_assert_cmpfloat_with_epsilon(layers[TINKER_ENERGY_POTENTIAL], 0.5 * square * (0.25 - 0.09), 1e-9);
+    g_assert_cmpfloat_with_epsilon(sum, 0.5 * square * 0.25, 1e-9);
+    TinkerPlot plot = {0};
+    tinker_energy_data_fill_plot(data, &plot);
+    g_assert_cmpint(plot.curve_count, ==, TINKER_ENERGY_LAYERS + 1);
+    for (gsize i = 0; i < 51; i++) /* the layers reach up to the line */
+        g_assert_cmpfloat_with_epsilon(plot.curves[TINKER_ENERGY_LAYERS - 1].high[i],
+                                       plot.curves[TINKER_ENERGY_LAYERS].y[i], 1e-9);
+
+    g_autoptr(GuiFixture) damped = gui_fixture_new("");
+    gui_fixture_start_scene(damped,
+                            "'run': {'duration': 2, 'interval': 0.01}, 'blocks': [{'type': 'support', 'name': 'Wall', "
+                            "'position': [0, 0]}, {'type': 'mass', 'name': 'Mass 0', 'position': [0, -2], 'mass': 1, "
+                            "'velocity': [0, 1]}, {'type': 'spring', 'name': 'Spring 0', 'stiffness': 25, 'ends': "
+                            "['Wall', 'Mass 0']}, {'type': 'damper', 'name': 'Damper 0', 'damping': 1, 'ends': "
+                            "['Wall', 'Mass 0']}]");
+    g_autoptr(TinkerEnergyData) books = tinker_energy_data_new(damped->document, damped->player);
+    run_until(damped, 2);
+    tinker_energy_data_update(books);
+    g_assert_true(tinker_energy_data_now(books, layers, &sum));
+    for (int k = 0; k < TINKER_ENERGY_LAYERS; k++)
+        all += layers[k];
+    g_assert_cmpfloat_with_epsilon(sum, 0.5, 1e-7); /* m v^2 / 2 at the start */
+    g_assert_cmpfloat_with_epsilon(all, sum, 1e-7);
+    /* what is left falls as exp(-c t / m), within a factor that the phase makes of it */
+    g_assert_cmpfloat(layers[TINKER_ENERGY_DAMPERS], >, 0.5 * (1 - 1.3 * exp(-2)));
+    g_assert_cmpfloat(layers[TINKER_ENERGY_DAMPERS], <, 0.5 * (1 - 0.7 * exp(-2)));
+}
+
 /* Scales and ranges are the scene's, in the units that it displays. */
 static void test_scales(void)
 {
@@ -437,6 +484,7 @@ static void add_tests(void)
     g_test_add_func("/gui/graph-data/english-units", test_english_units);
     g_test_add_func("/gui/graph-data/several-curves", test_several_curves);
     g_test_add_func("/gui/graph-data/kept-runs", test_kept_runs);
+    g_test_add_func("/gui/graph-data/energy", test_energy);
     g_test_add_func("/gui/graph-data/scales", test_scales);
     g_test_add_func("/gui/graph-data/generations", test_generations);
     g_test_add_func("/gui/graph-edit/steps", test_edits_are_steps);

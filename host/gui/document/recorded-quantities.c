@@ -82,6 +82,8 @@ GArray *tinker_recorded_quantities(TinkerDocument *document, const GArray *asked
     int32_t count = tinker_scene_block_count(scene);
     for (int32_t place = 0; place < count && columns->len <= MOST; place++)
         add_quantities(columns, scene, tinker_scene_block_at(scene, place));
+    for (TinkerQuantity of = {TINKER_NO_BLOCK, 0}; of.quantity < TINKER_SCENE_QUANTITIES; of.quantity++)
+        g_array_append_val(columns, of);
     const gboolean all = columns->len <= MOST;
     if (!all) g_array_set_size(columns, 0);
     GPtrArray *graphs = tinker_scene_graphs(scene);

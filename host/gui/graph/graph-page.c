@@ -4,6 +4,7 @@
 #include <adwaita.h>
 #include <glib/gi18n.h>
 
+#include "gui/graph/energy-chart.h"
 #include "gui/graph/graph-grid.h"
 #include "gui/graph/graph-menu.h"
 #include "gui/text/translate.h"
@@ -14,7 +15,7 @@ struct _TinkerGraphPage {
     GtkWidget parent_instance;
     TinkerDocument *document;
     GArray *blocks; /* of TinkerBlockId: those in the list */
-    GtkWidget *row, *block, *quantity, *against, *stack;
+    GtkWidget *row, *block, *quantity, *against, *energy, *stack;
     gboolean updating;
 };
 
@@ -156,6 +157,9 @@ static void add_row(TinkerGraphPage *page)
     GtkWidget *button = gtk_button_new_with_mnemonic(_("_Add Graph"));
     gtk_widget_add_css_class(button, "suggested-action");
     gtk_box_append(GTK_BOX(page->row), button);
+    page->energy = gtk_toggle_button_new_with_mnemonic(_("_Energy"));
+    gtk_widget_set_tooltip_text(page->energy, _("Where the energy is and where it went"));
+    gtk_box_append(GTK_BOX(page->row), page->energy);
     g_signal_connect_swapped(page->block, "notify::selected", G_CALLBACK(on_block_chosen), page);
     g_signal_connect_swapped(button, "clicked", G_CALLBACK(on_add), page);
     gtk_widget_set_parent(page->row, GTK_WIDGET(page));
@@ -177,6 +181,15 @@ static void add_stack(TinkerGraphPage *page, TinkerPlayer *player)
     gtk_stack_add_named(GTK_STACK(page->stack), none, "none");
     gtk_stack_add_named(GTK_STACK(page->stack), scroller, "graphs");
     gtk_widget_set_parent(page->stack, GTK_WIDGET(page));
+}
+
+/* Between the row and the graphs. */
+static void add_energy(TinkerGraphPage *page, TinkerPlayer *player)
+{
+    GtkWidget *chart = tinker_energy_chart_new(page->document, player);
+    gtk_widget_add_css_class(chart, "energy");
+    gtk_widget_insert_after(chart, GTK_WIDGET(page), page->row);
+    g_object_bind_property(page->energy, "active", chart, "visible", G_BINDING_SYNC_CREATE);
 }
 
 static void tinker_graph_page_dispose(GObject *object)
@@ -209,6 +222,7 @@ GtkWidget *tinker_graph_page_new(TinkerDocument *document, TinkerPlayer *player)
     page->document = g_object_ref(document);
     add_row(page);
     add_stack(page, player);
+    add_energy(page, player);
     g_signal_connect_object(document, "changed", G_CALLBACK(on_changed), page, G_CONNECT_SWAPPED);
     g_signal_connect_object(document, "selection-changed", G_CALLBACK(on_selection_changed), page, G_CONNECT_SWAPPED);
     on_changed(page);
