@@ -137,8 +137,7 @@ gboolean tinker_energy_data_now(const TinkerEnergyData *data, double layers[TINK
 void tinker_energy_data_fill_plot(TinkerEnergyData *data, TinkerPlot *plot)
 {
     for (int k = 0; k < TINKER_ENERGY_LAYERS; k++)
-        data->curves[k] = (TinkerCurve){.label = tinker_energy_layer_name(k),
-                                        .x = numbers(data->times[0]),
+        data->curves[k] = (TinkerCurve){.x = numbers(data->times[0]),
                                         .y = numbers(data->tops[k]),
                                         .low = numbers(k > 0 ? data->tops[k - 1] : data->floor),
                                         .high = numbers(data->tops[k]),

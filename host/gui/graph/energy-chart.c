@@ -65,7 +65,7 @@ static void draw_bars(Chart *chart, cairo_t *cairo, const TinkerTheme *theme, do
     for (int k = 0; k <= TINKER_ENERGY_LAYERS; k++) {
         const double value = k < TINKER_ENERGY_LAYERS ? layers[k] : sum, whole = fmax(all, fabs(sum));
         g_autofree char *number = number_text(value);
-        const char *name = k < TINKER_ENERGY_LAYERS ? tinker_energy_layer_name((TinkerEnergyLayer)k) : _("Given");
+        const char *name = k < TINKER_ENERGY_LAYERS ? tinker_energy_layer_name((TinkerEnergyLayer)k) : _("In All");
         set_colour(cairo, theme->colours[TINKER_COLOUR_TEXT]);
         write_text(chart, cairo, name, left, y, FALSE);
         write_text(chart, cairo, number, left + BARS - ROW, y, TRUE);
@@ -125,7 +125,7 @@ static void tell(Chart *chart)
     if (tinker_energy_data_now(chart->data, layers, &sum)) {
         for (int k = 0; k < TINKER_ENERGY_LAYERS; k++)
             g_string_append_printf(text, "%s %.4g J, ", tinker_energy_layer_name((TinkerEnergyLayer)k), layers[k]);
-        g_string_append_printf(text, "%s %.4g J", _("Given"), sum);
+        g_string_append_printf(text, "%s %.4g J", _("In All"), sum);
     }
     gtk_accessible_update_property(GTK_ACCESSIBLE(chart->area), GTK_ACCESSIBLE_PROPERTY_DESCRIPTION, text->str, -1);
     g_string_free(text, TRUE);
