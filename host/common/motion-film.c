@@ -3,6 +3,7 @@
 
 #include <math.h>
 
+#include "film-graphs.h"
 #include "film.h"
 #include "force-arrows.h"
 #include "physics/record/record.h"
@@ -17,6 +18,7 @@ struct _TinkerMotionFilm {
     GArray *row; /* of double: scratch */
     double box[4];
     TinkerActingForces *acting; /* NULL: forces are not shown */
+    TinkerFilmGraphs *graphs;   /* NULL: none are shown */
     GPtrArray *forces;          /* of GArray of TinkerActingForce, a picture each */
 };
 
@@ -35,6 +37,7 @@ void tinker_motion_film_free(TinkerMotionFilm *motion)
     g_array_unref(motion->row);
     g_clear_pointer(&motion->acting, tinker_acting_forces_free);
     g_ptr_array_unref(motion->forces);
+    tinker_film_graphs_free(motion->graphs);
     g_free(motion);
 }
 
@@ -62,6 +65,16 @@ void tinker_motion_film_show_forces(TinkerMotionFilm *motion, TinkerModel *model
     motion->acting = tinker_acting_forces_new(model);
 }
 
+void tinker_motion_film_show_graphs(TinkerMotionFilm *motion)
+{
+    motion->graphs = tinker_film_graphs_new(tinker_frame_scene(motion->frame));
+}
+
+const GArray *tinker_motion_film_columns(const TinkerMotionFilm *motion)
+{
+    return motion->graphs != NULL ? tinker_film_graphs_columns(motion->graphs) : NULL;
+}
+
 static gboolean keep_forces(TinkerMotionFilm *motion, TinkerSimulation *simulation, GError **error)
 {
     if (motion->acting == NULL) return TRUE;
@@ -78,6 +91,7 @@ gboolean tinker_motion_film_sample(TinkerSimulation *simulation, double time, co
     TinkerMotionFilm *motion = data;
     if (!tinker_simulation_place(simulation, motion->frame, error) || !keep_forces(motion, simulation, error))
         return FALSE;
+    if (motion->graphs != NULL) tinker_film_graphs_add(motion->graphs, time, values);
     double *row = (double *)(gpointer)motion->row->data;
     *row++ = time;
     for (guint i = 0; i < motion->bodies->len; i++, row += 3)
@@ -90,6 +104,7 @@ void tinker_motion_film_begin_again(void *data)
     TinkerMotionFilm *motion = data;
     tinker_record_cut(motion->record, 0);
     g_ptr_array_set_size(motion->forces, 0);
+    if (motion->graphs != NULL) tinker_film_graphs_cut(motion->graphs, 0);
 }
 
 gsize tinker_motion_film_cut(TinkerMotionFilm *motion, double valid_until)
@@ -98,6 +113,7 @@ gsize tinker_motion_film_cut(TinkerMotionFilm *motion, double valid_until)
     gsize count = tinker_record_rows(motion->record);
     while (count > 0 && tinker_record_read(motion->record, count - 1, 1, row, NULL) && row[0] > valid_until)
         tinker_record_cut(motion->record, --count);
+    if (motion->graphs != NULL) tinker_film_graphs_cut(motion->graphs, count);
     return count;
 }
 
@@ -154,11 +170,24 @@ static gboolean bound_motion(TinkerMotionFilm *motion, const TinkerFilmDrawing *
     return TRUE;
 }
 
+static void draw_picture(TinkerMotionFilm *motion, cairo_t *cairo, const TinkerView *view,
+                         const TinkerPaintOptions *paint, double height)
+{
+    tinker_paint_scene(cairo, motion->frame, view, paint);
+    if (motion->graphs == NULL) return;
+    cairo_save(cairo);
+    cairo_translate(cairo, 0, view->height);
+    tinker_film_graphs_draw(motion->graphs, cairo, paint->theme, view->width, height - view->height,
+                            tinker_frame_time(motion->frame));
+    cairo_restore(cairo);
+}
+
 static gboolean draw_pictures(TinkerMotionFilm *motion, TinkerFilm *film, const TinkerFilmDrawing *drawing,
                               cairo_surface_t *surface, gsize *drawn, GError **error)
 {
     int width = drawing->width, height = drawing->height;
-    TinkerView view = tinker_view_fit(motion->box, width, height, MARGIN * MIN(width, height));
+    const double below = motion->graphs != NULL ? floor(tinker_film_graphs_height(height)) : 0;
+    const TinkerView view = tinker_view_fit(motion->box, width, height - below, MARGIN * MIN(width, height - below));
     g_autoptr(TinkerPaintMemory) memory = tinker_paint_memory_new();
     TinkerPaintOptions paint = drawing->paint;
     paint.memory = memory;
@@ -175,7 +204,7 @@ static gboolean draw_pictures(TinkerMotionFilm *motion, TinkerFilm *film, const 
             paint.over = tinker_force_arrows_over;
             paint.over_data = &forces;
         }
-        tinker_paint_scene(cairo, motion->frame, &view, &paint);
+        draw_picture(motion, cairo, &view, &paint, height);
         fine = tinker_film_add(film, surface, error);
         if (fine && drawing->progress != NULL) drawing->progress((double)picture + 1, (double)count, drawing->data);
     }

@@ -20,6 +20,12 @@ G_DEFINE_AUTOPTR_CLEANUP_FUNC(TinkerMotionFilm, tinker_motion_film_free)
  * before the run. */
 void tinker_motion_film_show_forces(TinkerMotionFilm *motion, TinkerModel *model);
 
+/* The pictures show the scene's graphs, too, below the motion, if it has any over time. To be called before the run,
+ * which is to record the columns below. */
+void tinker_motion_film_show_graphs(TinkerMotionFilm *motion);
+/* What the run is to record, of TinkerColumn; NULL: nothing. Borrowed. */
+const GArray *tinker_motion_film_columns(const TinkerMotionFilm *motion);
+
 /* A TinkerSampleFunc with a TinkerMotionFilm as its data: takes a picture's places from a run of the scene. */
 gboolean tinker_motion_film_sample(TinkerSimulation *simulation, double time, const double *values, void *motion,
                                    GError **error);

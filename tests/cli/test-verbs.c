@@ -341,6 +341,33 @@ static void test_animate(CliFixture *fixture, gconstpointer data)
     assert_begins(fixture, "film.gif", "GIF89a");
 }
 
+/* Below the motion of a mass on a spring its height over time: in each picture more than without, in the second it
+ * differs from the first; a scene without graphs has the film that it has without asking for them. */
+static void test_animate_graphs(CliFixture *fixture, gconstpointer data)
+{
+    g_autofree char *bare = cli_write(fixture, "a.json", OSCILLATOR);
+    g_autofree char *members = g_strndup(OSCILLATOR, strlen(OSCILLATOR) - 2);
+    g_autofree char *text = g_strconcat(members, ", \"graphs\": [{\"block\": \"Mass 0\", \"quantity\": \"x\"}]}", NULL);
+    g_autofree char *graphed = cli_write(fixture, "b.json", text);
+    static const char *const films[] = {"a", "b"};
+    g_autoptr(TestProgram) without = cli_run_well(fixture, "animate @b.json -o @c.png --fps 10 --duration 0.3");
+    g_autofree char *plain = cli_read(fixture, "c-0001.png");
+    for (gsize i = 0; i < G_N_ELEMENTS(films); i++) {
+        g_autofree char *words =
+            g_strdup_printf("animate @%s.json --graphs -o @%s.png --fps 10 --duration 0.3", films[i], films[i]);
+        g_autoptr(TestProgram) film = cli_run_well(fixture, words);
+        g_autofree char *first = g_strconcat(films[i], "-0001.png", NULL);
+        assert_png_size(fixture, first, 640, 480);
+    }
+    gsize a_length = 0, b_length = 0, c_length = 0;
+    g_autofree char *a = cli_path(fixture, "a-0001.png"), *b = cli_path(fixture, "b-0001.png"),
+                    *c = cli_path(fixture, "c-0001.png"), *as = NULL, *bs = NULL, *cs = NULL;
+    g_assert_true(g_file_get_contents(a, &as, &a_length, NULL) && g_file_get_contents(b, &bs, &b_length, NULL) &&
+                  g_file_get_contents(c, &cs, &c_length, NULL));
+    g_assert_cmpmem(as, a_length, cs, c_length);
+    g_assert_cmpuint(b_length, >, c_length + 1000); /* axes, numbers and a curve */
+}
+
 /* A film that cannot be joined is an error, told before anything is run, with what to install; nothing is written. Who
  * asks for the pictures gets them, whatever the output is called and is installed. */
 static void test_animate_without_ffmpeg(CliFixture *fixture, gconstpointer data)
@@ -513,6 +540,7 @@ int main(int argc, char **argv)
     cli_test_add("/verbs/forces", test_forces);
     cli_test_add("/verbs/picture-mistakes", test_picture_mistakes);
     cli_test_add("/verbs/animate", test_animate);
+    cli_test_add("/verbs/animate-graphs", test_animate_graphs);
     cli_test_add("/verbs/animate-without-ffmpeg", test_animate_without_ffmpeg);
     cli_test_add("/verbs/animate-interrupted", test_animate_interrupted);
     cli_test_add("/verbs/plugins", test_plugins);

@@ -29,7 +29,7 @@ typedef struct {
     TinkerRunArguments run;
     TinkerPictureArguments picture;
     char *output, *fps, *speed;
-    gboolean frames, no_labels, no_grid;
+    gboolean frames, graphs, no_labels, no_grid;
 } AnimateOptions;
 
 static void animate_options_clear(AnimateOptions *options)
@@ -109,8 +109,9 @@ static TinkerMotionFilm *run_motion(const AnimateOptions *options, const TinkerO
     if (motion == NULL) return NULL;
     if (!tinker_scene_run_prepare(&run, open->scene, &options->run, &run_options, error)) return NULL;
     if (options->picture.forces) tinker_motion_film_show_forces(motion, run.model);
+    if (options->graphs) tinker_motion_film_show_graphs(motion);
     const TinkerSampleTaker taker = {tinker_motion_film_sample, tinker_motion_film_begin_again, motion};
-    (void)tinker_scene_run_go(&run, NULL, &taker, failure);
+    (void)tinker_scene_run_go(&run, tinker_motion_film_columns(motion), &taker, failure);
     tinker_scene_run_report_warnings(&run, open, &options->run);
     (void)tinker_motion_film_cut(motion, tinker_simulation_summary(run.simulation)->valid_until);
     return g_steal_pointer(&motion);
@@ -165,6 +166,8 @@ int tinker_verb_animate(int argc, char **argv)
         {"frames", 0, 0, G_OPTION_ARG_NONE, &options.frames, "Write numbered pictures, FILE-0001.png and so on", NULL},
         {"speed", 0, 0, G_OPTION_ARG_FILENAME, &options.speed, "Times real time: 0.5 is slow motion (1)", "X"},
         TINKER_PICTURE_ENTRIES(options.picture, "640x480"),
+        {"graphs", 0, 0, G_OPTION_ARG_NONE, &options.graphs, "Show the scene's graphs over time below the motion",
+         NULL},
         {"no-labels", 0, 0, G_OPTION_ARG_NONE, &options.no_labels, "Leave out the names", NULL},
         {"no-grid", 0, 0, G_OPTION_ARG_NONE, &options.no_grid, "Leave out the grid", NULL},
         {"duration", 0, 0, G_OPTION_ARG_FILENAME, &options.run.duration, "How long to run", "S"},

@@ -12,6 +12,7 @@ struct _TinkerFilmDialog {
 
     /* Parts of film-dialog.ui. */
     AdwComboRow *format, *size, *rate, *speed;
+    GtkSwitch *graphs;
     GtkLabel *sum;
     GtkWidget *missing, *choose;
 };
@@ -45,6 +46,7 @@ static TinkerFilmSettings settings_of(TinkerFilmDialog *dialog)
         .height = size[1],
         .frames_per_second = rates[adw_combo_row_get_selected(dialog->rate)],
         .speed = speeds[adw_combo_row_get_selected(dialog->speed)],
+        .show_graphs = gtk_switch_get_active(dialog->graphs),
     };
 }
 
@@ -122,6 +124,7 @@ static void tinker_film_dialog_class_init(TinkerFilmDialogClass *class)
     gtk_widget_class_bind_template_child(widget_class, TinkerFilmDialog, size);
     gtk_widget_class_bind_template_child(widget_class, TinkerFilmDialog, rate);
     gtk_widget_class_bind_template_child(widget_class, TinkerFilmDialog, speed);
+    gtk_widget_class_bind_template_child(widget_class, TinkerFilmDialog, graphs);
     gtk_widget_class_bind_template_child(widget_class, TinkerFilmDialog, sum);
     gtk_widget_class_bind_template_child(widget_class, TinkerFilmDialog, missing);
     gtk_widget_class_bind_template_child(widget_class, TinkerFilmDialog, choose);

@@ -89,8 +89,9 @@ static gboolean run_scene(Job *job, TinkerMotionFilm *motion, GError **error)
     g_autoptr(TinkerSimulation) simulation = tinker_simulation_new(model, &options, error);
     if (simulation == NULL) return FALSE;
     if (job->settings.show_forces) tinker_motion_film_show_forces(motion, model);
+    if (job->settings.show_graphs) tinker_motion_film_show_graphs(motion);
     const TinkerSampleTaker taker = {tinker_motion_film_sample, tinker_motion_film_begin_again, motion};
-    if (tinker_accurate_run(&simulation, NULL, &taker, &job->failure)) return TRUE;
+    if (tinker_accurate_run(&simulation, tinker_motion_film_columns(motion), &taker, &job->failure)) return TRUE;
     if (g_error_matches(job->failure, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_ACCURACY)) {
         g_clear_error(&job->failure); /* the film is whole, and the window's own run tells what it misses */
         return TRUE;

@@ -18,7 +18,7 @@ typedef struct {
     int width, height;        /* pixels */
     double frames_per_second; /* of the film */
     double speed;             /* times real time */
-    gboolean show_labels, show_grid, show_forces;
+    gboolean show_labels, show_grid, show_forces, show_graphs;
 } TinkerFilmSettings;
 
 typedef enum {
