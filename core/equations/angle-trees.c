@@ -1,6 +1,9 @@
 /* Which rods and bodies make a tree on one support. */
 #include "equations/angles-private.h"
 
+/* Each equation has terms of all angles, over all bodies beyond them: longer ones are nothing to read. */
+#define MOST_ANGLES 24
+
 const TinkerBodyEquation *tinker_angle_body(const TinkerEquations *equations, TinkerBlockId block)
 {
     for (guint i = 0; i < equations->bodies->len; i++) {
@@ -78,5 +81,7 @@ const char *tinker_angle_tree_fill(TinkerAngleTree *tree, const TinkerEquations 
     for (guint i = 0; i < tree->angles->len && good; i++)
         good =
             grow_from(tree, equations, equations->rods, (int)i) && grow_from(tree, equations, equations->pins, (int)i);
-    return good ? held_otherwise(tree, equations) : "its rods and pins are no tree of angles on one support";
+    if (!good) return "its rods and pins are no tree of angles on one support";
+    return tree->angles->len > MOST_ANGLES ? "it has too many angles to be written out (24 can be)"
+                                           : held_otherwise(tree, equations);
 }

@@ -123,6 +123,22 @@ static void test_books(CliFixture *fixture, gconstpointer data)
     cJSON_Delete(root);
 }
 
+/* A chain of 500 rods is not written out in its angles, and says so at once. */
+static void test_long_chain(CliFixture *fixture, gconstpointer data)
+{
+    g_autoptr(GString) text = g_string_new("{\"tinker\": 1, \"run\": {\"duration\": 1}, \"blocks\": ["
+                                           "{\"type\": \"support\", \"name\": \"M0\", \"solid\": false}");
+    for (int i = 1; i <= 500; i++)
+        g_string_append_printf(text,
+                               ",{\"type\": \"mass\", \"name\": \"M%d\", \"position\": [%d, %g]},"
+                               "{\"type\": \"rod\", \"name\": \"R%d\", \"ends\": [\"M%d\", \"M%d\"]}",
+                               i, i, 0.1 * (i % 2), i, i - 1, i);
+    g_string_append(text, "]}");
+    g_autofree char *scene = cli_write(fixture, "scene.json", text->str);
+    g_autoptr(TestProgram) page = cli_run_well(fixture, "equations @scene.json --form angles");
+    cli_assert_holds(page->output, "M1 has no equations in angles: it has too many angles to be written out");
+}
+
 /* A level beam pinned at both ends: the two pins share what pushes along it as they like, and each carries half of its
  * weight. */
 static void test_redundant(CliFixture *fixture, gconstpointer data)
@@ -183,6 +199,7 @@ int main(int argc, char **argv)
     g_test_init(&argc, &argv, NULL);
     cli_test_add("/cli/equations-turning/pendulum", test_pendulum);
     cli_test_add("/cli/equations-turning/angles", test_angles);
+    cli_test_add("/cli/equations-turning/long-chain", test_long_chain);
     cli_test_add("/cli/equations-turning/books", test_books);
     cli_test_add("/cli/equations-turning/redundant", test_redundant);
     cli_test_add("/cli/equations-turning/rope", test_rope);
