@@ -14,6 +14,9 @@
 #define BAR_HEIGHT   64.0 /* likewise at the bottom, where a bar may float */
 #define NUDGE        10.0
 #define EDGE         4.0
+#define ROOMY_WIDTH  560.0 /* widget units of a canvas on which they have their full size, */
+#define ROOMY_HEIGHT 320.0
+#define LEAST_SIZE   0.7 /* and how small they may become: readable */
 
 struct _TinkerInstrumentLayer {
     GtkWidget parent_instance;
@@ -39,14 +42,21 @@ static const TinkerSceneInstrument *instrument_of(TinkerInstrumentLayer *layer, 
 /* Places --------------------------------------------------------------------------------------------------------------
  */
 
+/* On a small canvas they are smaller, so that they leave something of it to be seen. */
+static double shrinkage(TinkerInstrumentLayer *layer)
+{
+    const double width = gtk_widget_get_width(GTK_WIDGET(layer)), height = gtk_widget_get_height(GTK_WIDGET(layer));
+    return CLAMP(fmin(width / ROOMY_WIDTH, height / ROOMY_HEIGHT), LEAST_SIZE, 1);
+}
+
 /* On the layer: always within it, however the canvas is looked at. One without a place stands at the left. */
 static void place_of(TinkerInstrumentLayer *layer, TinkerInstrumentView *view, double size[2], double place[2])
 {
     const TinkerSceneInstrument *instrument = instrument_of(layer, view);
     GtkRequisition natural;
     gtk_widget_get_preferred_size(GTK_WIDGET(view), NULL, &natural);
-    size[0] = natural.width;
-    size[1] = natural.height;
+    size[0] = shrinkage(layer) * natural.width;
+    size[1] = shrinkage(layer) * natural.height;
     if (instrument->has_place) {
         tinker_view_to_canvas(tinker_canvas_view(layer->canvas), instrument->place[0], instrument->place[1], &place[0],
                               &place[1]);
@@ -67,9 +77,12 @@ static void tinker_instrument_layer_size_allocate(GtkWidget *widget, int width, 
     TinkerInstrumentLayer *layer = TINKER_INSTRUMENT_LAYER(widget);
     for (guint i = 0; i < layer->views->len; i++) {
         double size[2], place[2];
-        place_of(layer, g_ptr_array_index(layer->views, i), size, place);
-        const GtkAllocation allocation = {(int)place[0], (int)place[1], (int)size[0], (int)size[1]};
-        gtk_widget_size_allocate(g_ptr_array_index(layer->views, i), &allocation, -1);
+        GtkWidget *view = g_ptr_array_index(layer->views, i);
+        const float factor = (float)shrinkage(layer);
+        place_of(layer, TINKER_INSTRUMENT_VIEW(view), size, place);
+        GskTransform *there = gsk_transform_translate(NULL, &GRAPHENE_POINT_INIT((float)place[0], (float)place[1]));
+        gtk_widget_allocate(view, (int)round(size[0] / factor), (int)round(size[1] / factor), -1,
+                            gsk_transform_scale(there, factor, factor));
     }
 }
 
@@ -101,11 +114,12 @@ void tinker_instrument_layer_draw(TinkerInstrumentLayer *layer, cairo_t *cairo)
         place_of(layer, g_ptr_array_index(layer->views, i), size, place);
         g_autoptr(GdkPaintable) seen = gtk_widget_paintable_new(g_ptr_array_index(layer->views, i));
         GtkSnapshot *snapshot = gtk_snapshot_new();
-        gdk_paintable_snapshot(seen, snapshot, size[0], size[1]);
+        gdk_paintable_snapshot(seen, snapshot, size[0] / shrinkage(layer), size[1] / shrinkage(layer));
         GskRenderNode *node = gtk_snapshot_free_to_node(snapshot);
         if (node == NULL) continue;
         cairo_save(cairo);
         cairo_translate(cairo, place[0], place[1]);
+        cairo_scale(cairo, shrinkage(layer), shrinkage(layer));
         gsk_render_node_draw(node, cairo);
         cairo_restore(cairo);
         gsk_render_node_unref(node);

@@ -4,7 +4,7 @@ so that the window is the same wherever it is tested; the film itself is tested 
 import os
 import re
 
-from harness import App, check, check_equal, main, mass, scene, wait
+from harness import App, colours, check, check_equal, main, mass, scene, wait
 
 TAKES_ALL = "#!/bin/sh\nfor last; do :; done\nexec /bin/cat >\"${last#file:}\"\n"
 BYTES = 640 * 480 * 4  # of a picture
@@ -46,6 +46,23 @@ def test_film_is_exported(display):
         app.find_text("Saved as film.mp4")
         app.gone("progress bar", "Progress of the film")
         check_equal(left_over(app), ["film.mp4"], "files")
+
+
+def test_graphs_below_the_motion(display):
+    """What goes to ffmpeg has the colour of curves, blue first, where graphs are asked for."""
+    home = display.new_home()
+    graphed = scene(mass("A", 0, 0, velocity=[1, 0]), duration=1, graphs=[{"block": "A", "quantity": "x"}])
+    curve = bytes(reversed(colours.CURVE))
+    with App(display, graphed, home=home, environment=environment(display, home, TAKES_ALL)) as app:
+        for name, wanted in (("plain.mp4", False), ("graphs.mp4", True)):
+            dialog = ask_for_film(app)
+            if wanted:
+                app.click(app.find("check box", "Graphs below the Motion", inside=dialog))
+            app.click(re.compile("^Export…"), inside=dialog)
+            app.save_dialog("Save Film", app.home / name)
+            wait((app.home / name).exists, "the film")
+            check_equal(curve in (app.home / name).read_bytes(), wanted, f"a curve in {name}")
+            app.gone("progress bar", "Progress of the film")
 
 
 def test_film_is_cancelled(display):
