@@ -1,4 +1,5 @@
-/* Six accounts in two columns: forces and momentum along x and y, energy, angular momentum. */
+/* Six accounts in two columns, in a narrow picture in one: forces and momentum along x and y, energy, angular momentum.
+ */
 #include "books-picture.h"
 
 #include <glib/gi18n.h>
@@ -16,6 +17,8 @@
 #define BAR        0.62 /* of a row */
 #define NAME_ROOM  0.3  /* of an account's width */
 #define VALUE_ROOM 112.0
+
+#define NARROW 600.0 /* canvas units: below it accounts stand in one column */
 
 #define FADED   0.3
 #define NOTHING 1e-12 /* of what was moved: below it a bar is none */
@@ -258,14 +261,16 @@ static char *title_of(const Drawing *drawing)
 void tinker_books_draw(cairo_t *cairo, double width, double height, void *data)
 {
     Drawing drawing = {.picture = data, .cairo = cairo, .pen = TINKER_TEXT_PEN_INIT};
-    const double top = 2 * EDGE + TITLE, column = (width - 4 * EDGE) / 2, line = (height - top) / (ACCOUNTS / 2.0);
+    const int columns = width < NARROW ? 1 : 2;
+    const double top = 2 * EDGE + TITLE, column = (width - 2 * EDGE * columns) / columns,
+                 line = (height - top) * columns / ACCOUNTS;
     set_colour(&drawing, drawing.picture->theme->background, 1);
     cairo_paint(cairo);
     g_autofree char *title = title_of(&drawing);
     write_text(&drawing, (TinkerText){.text = title, .size = TITLE, .bold = TRUE, .limit = fmax(width - 2 * EDGE, 1)},
                EDGE, EDGE / 2);
     for (int which = 0; which < ACCOUNTS; which++) {
-        const double left = EDGE + (which % 2) * (column + 2 * EDGE), above = top + (which / 2) * line;
+        const double left = EDGE + (which % columns) * (column + 2 * EDGE), above = top + (which / columns) * line;
         draw_account(&drawing, (Which)which, (double[]){left, above, left + column, above + line - EDGE / 2});
     }
     tinker_text_pen_clear(&drawing.pen);

@@ -6,6 +6,7 @@
 
 #define NOTHING   1e-12 /* components below this share of the greatest force are 0 */
 #define MOST_ROWS 10
+#define NARROW    560.0 /* canvas units: below it partners are left out */
 
 /* The list -----------------------------------------------------------------------------------------------------------
  */
@@ -79,7 +80,10 @@ void diagram_draw_list(DiagramDrawing *drawing, double width, double top)
 {
     g_autoptr(GArray) rows = list_of(drawing);
     /* where columns end, for numbers, or begin */
-    const double ends[COLUMNS] = {DIAGRAM_EDGE + 14, 0.46 * width, 0.58 * width, 0.7 * width, 0.72 * width};
+    const gboolean narrow = width < NARROW;
+    const double wide_ends[COLUMNS] = {DIAGRAM_EDGE + 14, 0.46 * width, 0.58 * width, 0.7 * width, 0.72 * width};
+    const double narrow_ends[COLUMNS] = {DIAGRAM_EDGE + 14, 0.58 * width, 0.78 * width, 0.98 * width, width};
+    const double *ends = narrow ? narrow_ends : wide_ends;
     for (guint i = 0; i < rows->len; i++) {
         const ListRow *row = &g_array_index(rows, ListRow, i);
         const double y = top + DIAGRAM_ROW * (i + 0.5);
@@ -90,7 +94,7 @@ void diagram_draw_list(DiagramDrawing *drawing, double width, double top)
         }
         for (int k = 0; k < COLUMNS; k++) {
             const gboolean number = k >= ALONG_X && k <= SIZE, whole = row->texts[ALONG_X] == NULL;
-            if (row->texts[k] == NULL) continue;
+            if (row->texts[k] == NULL || (narrow && k == PARTNER)) continue;
             const double limit = whole          ? width - 2 * DIAGRAM_EDGE
                                  : k == NAME    ? 0.3 * width
                                  : k == PARTNER ? 0.28 * width - DIAGRAM_EDGE

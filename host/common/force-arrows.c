@@ -90,10 +90,24 @@ static void draw_key(cairo_t *cairo, const TinkerView *view, const GArray *arrow
     tinker_arrows_draw_key(cairo, view, options, &key, NULL);
 }
 
+/* By a block, or on one. */
+static gboolean is_of(const TinkerActingForce *force, TinkerBlockId block)
+{
+    return force->by == block || force->on == block;
+}
+
+static gboolean any_is_lit(const TinkerForceArrows *forces)
+{
+    for (guint i = 0; forces->lit != TINKER_NO_BLOCK && i < forces->acting->len; i++)
+        if (is_of(&g_array_index(forces->acting, TinkerActingForce, i), forces->lit)) return TRUE;
+    return FALSE;
+}
+
 void tinker_force_arrows_draw(const TinkerForceArrows *forces, cairo_t *cairo, const TinkerView *view,
                               const TinkerTheme *theme)
 {
     if (!(forces->pixels > 0)) return;
+    const gboolean some_lit = any_is_lit(forces);
     g_autoptr(GPtrArray) labels = g_ptr_array_new_with_free_func(g_free);
     g_autoptr(GArray) arrows = g_array_new(FALSE, FALSE, sizeof(TinkerForceArrow));
     for (guint i = 0; i < forces->acting->len; i++) {
@@ -101,6 +115,7 @@ void tinker_force_arrows_draw(const TinkerForceArrows *forces, cairo_t *cairo, c
         char *label = label_of(forces->scene, force);
         g_ptr_array_add(labels, label);
         TinkerForceArrow arrow = {force->x, force->y, force->fx, force->fy, label, kinds[kind_of(force->kind)].arrow};
+        if (some_lit && !is_of(force, forces->lit)) arrow.look = TINKER_ARROW_FADED;
         g_array_append_val(arrows, arrow);
     }
     TinkerArrowOptions options = {.theme = theme, .scale = forces->pixels / view->scale};

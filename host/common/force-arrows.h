@@ -15,6 +15,7 @@ typedef struct {
     const GArray *acting;   /* of TinkerActingForce: all that are to be shown */
     const GArray *at_start; /* likewise, of the start of the run, whose scale the arrows have; NULL: their own */
     double pixels;          /* canvas units per N; 0: not known yet */
+    TinkerBlockId lit;      /* whose forces stand out from others, where any are shown; TINKER_NO_BLOCK: nobody's */
 } TinkerForceArrows;
 
 /* What a kind of arrow is called, in a word. */

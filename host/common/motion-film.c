@@ -191,7 +191,7 @@ static gboolean draw_pictures(TinkerMotionFilm *motion, TinkerFilm *film, const 
     g_autoptr(TinkerPaintMemory) memory = tinker_paint_memory_new();
     TinkerPaintOptions paint = drawing->paint;
     paint.memory = memory;
-    TinkerForceArrows forces = {.scene = tinker_frame_scene(motion->frame)};
+    TinkerForceArrows forces = {.scene = tinker_frame_scene(motion->frame), .lit = TINKER_NO_BLOCK};
     cairo_t *cairo = cairo_create(surface);
     gsize count = tinker_record_rows(motion->record), picture = 0;
     gboolean fine = TRUE;

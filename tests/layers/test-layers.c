@@ -107,8 +107,8 @@ static const Rooms folders_with_rooms[] = {
     {"core/conformance", {"probe", "rule"}, {"rule/conformance.h"}},
     {"host/cli", {"command", "report", "plugins", "verb"}, {NULL}},
     {"host/gui",
-     {"text", "widget", "document", "curve", "canvas", "property", "start", "graph", "instrument", "accuracy", "film",
-      "gallery", "window", "app"},
+     {"text", "widget", "document", "curve", "canvas", "equation", "property", "start", "graph", "instrument",
+      "accuracy", "film", "gallery", "window", "app"},
      {NULL}},
 };
 

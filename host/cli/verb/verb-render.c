@@ -64,7 +64,7 @@ static gboolean render(const RenderOptions *options, const TinkerOpenScene *open
     g_autoptr(GHashTable) faults = tinker_picture_faults_new();
     paint.faults = faults;
     g_autoptr(GArray) at_start = tinker_acting_forces_array();
-    TinkerForceArrows forces = {.scene = open->scene, .acting = acting, .at_start = at_start};
+    TinkerForceArrows forces = {.scene = open->scene, .acting = acting, .at_start = at_start, .lit = TINKER_NO_BLOCK};
     if (reached && acting != NULL) {
         if (!tinker_acting_forces_at_start(open->scene, at_start, error)) return FALSE;
         tinker_force_arrows_keep_moving(open->scene, acting);

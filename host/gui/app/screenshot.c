@@ -185,6 +185,7 @@ static gboolean on_frame(GtkWidget *widget, GdkFrameClock *clock, gpointer data)
     /* Whether the desktop gives it the focus is chance. */
     gtk_widget_unset_state_flags(widget, GTK_STATE_FLAG_BACKDROP);
     if (shot->frames == 0 && tinker_plan_task_is_due(shot->window->plan)) return G_SOURCE_CONTINUE;
+    if (tinker_equations_page_is_behind(TINKER_EQUATIONS_PAGE(shot->window->equations))) return G_SOURCE_CONTINUE;
     if (tinker_graph_plot_any_behind(widget)) shot->frames = MIN(shot->frames, FRAMES_BEFORE + 1);
     /* It was set for a canvas that may have been larger. */
     if (shot->frames == FRAMES_BEFORE) tinker_canvas_show_first(shot->window->canvas);

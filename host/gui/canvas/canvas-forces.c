@@ -1,21 +1,14 @@
-/* The forces at a time are those at the start of a scene that goes on from there, so nothing of the run has to be kept
- * for them. How long an arrow is follows from the forces at the start of the run, all of them, and stays so: lengths
+/* How long an arrow is follows from the forces at the start of the run, all of them, and stays so: lengths
  * can be compared, over time and from body to body. */
 #include "gui/canvas/canvas-forces.h"
 
 #include <math.h>
 
 #include "force-arrows.h"
+#include "gui/document/forces-now.h"
 #include "physics/run/acting-forces.h"
 
-#define PATIENCE 5 /* parts of the time that working them out took: so long are they shown */
-
 struct _CanvasForces {
-    GArray *acting;   /* of TinkerActingForce */
-    double time;      /* s: that they belong to */
-    guint64 revision; /* of the document's history */
-    gboolean known;
-    gint64 stale_at;               /* us: not worked out anew before, while it plays */
     double pixels;                 /* canvas units per N, for a factor of 1; 0: not known yet */
     guint64 scaled_revision;       /* of the document's history, that it belongs to */
     gboolean start_is_known_empty; /* no force acts at the start of that revision */
@@ -23,34 +16,12 @@ struct _CanvasForces {
 
 CanvasForces *canvas_forces_new(void)
 {
-    CanvasForces *forces = g_new0(CanvasForces, 1);
-    forces->acting = tinker_acting_forces_array();
-    return forces;
+    return g_new0(CanvasForces, 1);
 }
 
 void canvas_forces_free(CanvasForces *forces)
 {
-    g_array_unref(forces->acting);
     g_free(forces);
-}
-
-static void update(CanvasForces *forces, TinkerDocument *document, TinkerPlayer *player)
-{
-    guint64 revision = tinker_history_revision(tinker_document_history(document));
-    double time = tinker_player_time(player);
-    gboolean same_scene = forces->known && forces->revision == revision;
-    if (same_scene && forces->time == time) return;
-    gint64 began = g_get_monotonic_time();
-    gboolean playing = tinker_player_state(player) == TINKER_PLAYER_PLAYING;
-    if (same_scene && playing && began < forces->stale_at) return;
-    g_autoptr(TinkerScene) scene = tinker_player_scene_now(player);
-    if (scene == NULL || !tinker_acting_forces_at_start(scene, forces->acting, NULL))
-        g_array_set_size(forces->acting, 0);
-    forces->known = TRUE;
-    forces->revision = revision;
-    forces->time = time;
-    gint64 now = g_get_monotonic_time();
-    forces->stale_at = now + PATIENCE * (now - began);
 }
 
 /* Whether the force is to be seen: of selected bodies those on them, unless `others` those that they exert, too; of
@@ -70,19 +41,21 @@ static gboolean shows(TinkerDocument *document, const TinkerActingForce *force, 
 }
 
 /* One scale for a run: from the forces at its start, or where there are none from the first that there are. */
-static void choose_scale(CanvasForces *forces, TinkerDocument *document, const TinkerView *view)
+static void choose_scale(CanvasForces *forces, const GArray *acting, TinkerDocument *document, double time,
+                         const TinkerView *view)
 {
-    const gboolean edited = forces->scaled_revision != forces->revision;
-    if (forces->pixels > 0 && !(edited && forces->time == 0)) return;
+    const guint64 revision = tinker_history_revision(tinker_document_history(document));
+    const gboolean edited = forces->scaled_revision != revision;
+    if (forces->pixels > 0 && !(edited && time == 0)) return;
     if (edited) forces->start_is_known_empty = FALSE;
     g_autoptr(GArray) start = tinker_acting_forces_array();
-    const GArray *known = forces->acting;
-    if (forces->time != 0 && !forces->start_is_known_empty) {
+    const GArray *known = acting;
+    if (time != 0 && !forces->start_is_known_empty) {
         tinker_acting_forces_at_start(tinker_document_scene(document), start, NULL);
         forces->start_is_known_empty = !tinker_force_arrows_any(start);
         if (!forces->start_is_known_empty) known = start;
     }
-    forces->scaled_revision = forces->revision;
+    forces->scaled_revision = revision;
     if (!tinker_force_arrows_any(known)) return;
     forces->pixels = tinker_force_arrows_scale(known, view, forces->pixels);
 }
@@ -90,14 +63,16 @@ static void choose_scale(CanvasForces *forces, TinkerDocument *document, const T
 void canvas_forces_draw(CanvasForces *forces, cairo_t *cairo, TinkerDocument *document, TinkerPlayer *player,
                         const TinkerView *view, const CanvasForcesLook *look)
 {
-    update(forces, document, player);
-    choose_scale(forces, document, view);
+    const GArray *acting = tinker_forces_now(document, player);
+    choose_scale(forces, acting, document, tinker_player_time(player), view);
     g_autoptr(GArray) shown = tinker_acting_forces_array();
-    for (guint i = 0; i < forces->acting->len; i++) {
-        const TinkerActingForce *force = &g_array_index(forces->acting, TinkerActingForce, i);
+    for (guint i = 0; i < acting->len; i++) {
+        const TinkerActingForce *force = &g_array_index(acting, TinkerActingForce, i);
         if (shows(document, force, look->others)) g_array_append_val(shown, *force);
     }
-    const TinkerForceArrows arrows = {
-        .scene = tinker_document_scene(document), .acting = shown, .pixels = look->factor * forces->pixels};
+    const TinkerForceArrows arrows = {.scene = tinker_document_scene(document),
+                                      .acting = shown,
+                                      .pixels = look->factor * forces->pixels,
+                                      .lit = look->lit};
     tinker_force_arrows_draw(&arrows, cairo, view, look->theme);
 }

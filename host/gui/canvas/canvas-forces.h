@@ -18,8 +18,9 @@ void canvas_forces_free(CanvasForces *forces);
 /* How they are drawn. */
 typedef struct {
     const TinkerTheme *theme;
-    double factor;   /* how much longer than usual arrows are */
-    gboolean others; /* with bodies selected, those that these exert on others are shown, too */
+    double factor;     /* how much longer than usual arrows are */
+    TinkerBlockId lit; /* whose forces are looked at; TINKER_NO_BLOCK: no block's more than others' */
+    gboolean others;   /* with bodies selected, those that these exert on others are shown, too */
 } CanvasForcesLook;
 
 /* Draws those of the present time. Where working them out takes long, arrows of a little earlier are drawn while it

@@ -220,6 +220,15 @@ static void on_motion(GtkEventControllerMotion *controller, double x, double y, 
     if (canvas->gesture != CANVAS_IDLE) return;
     canvas->pointer[0] = x;
     canvas->pointer[1] = y;
+    canvas->points = TRUE;
+    if (tinker_player_state(canvas->player) != TINKER_PLAYER_PLAYING)
+        tinker_document_point(canvas->document, hit_at(canvas, x, y, FALSE).block);
+}
+
+static void on_leave(TinkerCanvas *canvas)
+{
+    if (canvas->document != NULL) tinker_document_point(canvas->document, TINKER_NO_BLOCK);
+    canvas->points = FALSE;
 }
 
 static void on_pinch(GtkGestureZoom *gesture, double scale, TinkerCanvas *canvas)
@@ -341,6 +350,7 @@ void canvas_add_input(TinkerCanvas *canvas)
     gtk_widget_add_controller(GTK_WIDGET(canvas), scroll);
     GtkEventController *motion = gtk_event_controller_motion_new();
     g_signal_connect(motion, "motion", G_CALLBACK(on_motion), canvas);
+    g_signal_connect_swapped(motion, "leave", G_CALLBACK(on_leave), canvas);
     gtk_widget_add_controller(GTK_WIDGET(canvas), motion);
     GtkEventController *keys = gtk_event_controller_key_new();
     g_signal_connect(keys, "key-pressed", G_CALLBACK(on_key), canvas);

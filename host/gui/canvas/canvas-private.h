@@ -43,6 +43,7 @@ struct _TinkerCanvas {
     gboolean moved;
     TinkerDrag *drag;
     TinkerBlockId highlighted;
+    gboolean points;       /* what is pointed at, is pointed at here, which shows it anyway */
     double group_moved[2]; /* m: so far */
     double panned[2];      /* widget units: so far, with the middle button */
 

@@ -141,6 +141,12 @@ static void tinker_canvas_size_allocate(GtkWidget *widget, int width, int height
 /* Painting ------------------------------------------------------------------------------------------------------------
  */
 
+/* What is pointed at somewhere else. */
+static TinkerBlockId lit_block(TinkerCanvas *canvas)
+{
+    return canvas->points ? TINKER_NO_BLOCK : tinker_document_pointed(canvas->document);
+}
+
 static TinkerPaintOptions paint_options(TinkerCanvas *canvas)
 {
     TinkerPaintOptions options = tinker_paint_options_default();
@@ -148,7 +154,7 @@ static TinkerPaintOptions paint_options(TinkerCanvas *canvas)
     options.show_labels = canvas->show_labels && !canvas->show_forces; /* arrows have labels of their own */
     options.show_grid = canvas->show_grid;
     options.show_local_origins = canvas->show_local_origins;
-    options.highlighted = canvas->highlighted;
+    options.highlighted = canvas->highlighted != TINKER_NO_BLOCK ? canvas->highlighted : lit_block(canvas);
     options.selected = tinker_document_selection(canvas->document, &options.selected_count);
     options.quick = TRUE;
     options.memory = canvas->memory;
@@ -210,7 +216,7 @@ static void paint(TinkerCanvas *canvas, cairo_t *cairo)
     tinker_paint_scene(cairo, frame, &canvas->view, &options);
     paint_kept(canvas, cairo, &options);
     canvas_paint_marks(canvas, cairo, frame, options.theme);
-    CanvasForcesLook look = {options.theme, canvas->force_factor, !canvas->this_body_only};
+    const CanvasForcesLook look = {options.theme, canvas->force_factor, lit_block(canvas), !canvas->this_body_only};
     if (canvas->show_forces)
         canvas_forces_draw(canvas->forces, cairo, canvas->document, canvas->player, &canvas->view, &look);
     canvas_paint_edge_marks(canvas, cairo, frame, options.theme); /* over the key of the forces */
@@ -322,6 +328,7 @@ void tinker_canvas_set_player(TinkerCanvas *canvas, TinkerDocument *document, Ti
     g_signal_connect_object(document, "interrupted", G_CALLBACK(on_interrupted), canvas, G_CONNECT_SWAPPED);
     g_signal_connect_object(document, "changed", G_CALLBACK(on_changed), canvas, G_CONNECT_SWAPPED);
     g_signal_connect_object(document, "selection-changed", G_CALLBACK(on_selection_changed), canvas, G_CONNECT_SWAPPED);
+    g_signal_connect_object(document, "pointed-changed", G_CALLBACK(gtk_widget_queue_draw), canvas, G_CONNECT_SWAPPED);
     g_signal_connect_object(player, "moved", G_CALLBACK(on_moved), canvas, G_CONNECT_SWAPPED);
     tinker_desktop_theme_redraws(GTK_WIDGET(canvas));
 }

@@ -15,11 +15,12 @@ struct _TinkerDocument {
     TinkerDocumentOrigin origin;
     gboolean recovered; /* counts as modified until it is saved */
     GArray *selection;  /* of TinkerBlockId */
+    TinkerBlockId pointed;
 };
 
 G_DEFINE_FINAL_TYPE(TinkerDocument, tinker_document, G_TYPE_OBJECT)
 
-enum { CHANGED, REPLACED, SELECTION_CHANGED, FILE_CHANGED, INTERRUPTED, SIGNALS };
+enum { CHANGED, REPLACED, SELECTION_CHANGED, FILE_CHANGED, INTERRUPTED, POINTED_CHANGED, SIGNALS };
 static guint signals[SIGNALS];
 
 static void emit(TinkerDocument *document, int signal)
@@ -46,8 +47,8 @@ static void tinker_document_finalize(GObject *object)
 
 static void tinker_document_class_init(TinkerDocumentClass *class)
 {
-    static const char *const names[SIGNALS] = {"changed", "replaced", "selection-changed", "file-changed",
-                                               "interrupted"};
+    static const char *const names[SIGNALS] = {"changed",      "replaced",    "selection-changed",
+                                               "file-changed", "interrupted", "pointed-changed"};
     G_OBJECT_CLASS(class)->finalize = tinker_document_finalize;
     for (int i = 0; i < SIGNALS; i++)
         signals[i] =
@@ -57,6 +58,7 @@ static void tinker_document_class_init(TinkerDocumentClass *class)
 static void tinker_document_init(TinkerDocument *document)
 {
     document->selection = g_array_new(FALSE, FALSE, sizeof(TinkerBlockId));
+    document->pointed = TINKER_NO_BLOCK;
 }
 
 TinkerDocument *tinker_document_new(TinkerCatalogue *catalogue)
@@ -407,6 +409,19 @@ void tinker_document_select_all_of(TinkerDocument *document, const TinkerBlockId
     g_array_set_size(document->selection, 0);
     if (count > 0) g_array_append_vals(document->selection, blocks, (guint)count);
     emit(document, SELECTION_CHANGED);
+}
+
+/* It may have been removed since. */
+TinkerBlockId tinker_document_pointed(TinkerDocument *document)
+{
+    return tinker_scene_has_block(document->scene, document->pointed) ? document->pointed : TINKER_NO_BLOCK;
+}
+
+void tinker_document_point(TinkerDocument *document, TinkerBlockId block)
+{
+    if (document->pointed == block) return;
+    document->pointed = block;
+    emit(document, POINTED_CHANGED);
 }
 
 void tinker_document_toggle(TinkerDocument *document, TinkerBlockId block)

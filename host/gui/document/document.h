@@ -4,6 +4,7 @@
  *   "changed"            the scene is another than before: an edit, undo, redo, or another scene altogether
  *   "replaced"           another scene altogether, before "changed": forget everything that came from the last one
  *   "selection-changed"
+ *   "pointed-changed"    another block is pointed at, or none any more
  *   "file-changed"       the path, or whether there is something to save
  *   "interrupted"        something else is to be done in the middle of a step: who keeps it open aborts it
  */
@@ -112,6 +113,10 @@ gboolean tinker_document_is_selected(TinkerDocument *document, TinkerBlockId blo
 void tinker_document_select(TinkerDocument *document, TinkerBlockId block);
 /* Selects these blocks alone. */
 void tinker_document_select_all_of(TinkerDocument *document, const TinkerBlockId *blocks, int count);
+/* The block that is pointed at somewhere, whose counterparts in other views light up; TINKER_NO_BLOCK: none. */
+TinkerBlockId tinker_document_pointed(TinkerDocument *document);
+void tinker_document_point(TinkerDocument *document, TinkerBlockId block);
+
 /* Adds it to the selection, or takes it out. */
 void tinker_document_toggle(TinkerDocument *document, TinkerBlockId block);
 

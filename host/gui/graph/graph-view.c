@@ -103,6 +103,25 @@ static void on_moved(TinkerGraphView *view)
     tell_value(view);
 }
 
+/* Lights up where a curve is of the block that is pointed at. */
+static void on_pointed(TinkerGraphView *view)
+{
+    TinkerScene *scene = tinker_document_scene(view->document);
+    const TinkerBlockId pointed = tinker_document_pointed(view->document);
+    const GPtrArray *graphs = tinker_scene_graphs(scene);
+    const char *name = pointed != TINKER_NO_BLOCK ? tinker_scene_block_name(scene, pointed) : NULL;
+    gboolean lit = FALSE;
+    if (name != NULL && view->number < (int)graphs->len) {
+        const TinkerSceneGraph *graph = g_ptr_array_index(graphs, view->number);
+        for (guint i = 0; i < graph->curves->len; i++)
+            lit = lit || g_strcmp0(((const TinkerSceneCurve *)g_ptr_array_index(graph->curves, i))->block, name) == 0;
+    }
+    if (lit)
+        gtk_widget_add_css_class(GTK_WIDGET(view), "lit");
+    else
+        gtk_widget_remove_css_class(GTK_WIDGET(view), "lit");
+}
+
 void tinker_graph_view_set_number(TinkerGraphView *view, int number)
 {
     GPtrArray *graphs = tinker_scene_graphs(tinker_document_scene(view->document));
@@ -345,6 +364,7 @@ TinkerGraphView *tinker_graph_view_new(TinkerDocument *document, TinkerPlayer *p
     if (floats) gtk_widget_add_css_class(GTK_WIDGET(view), "floating");
     add_title_bar(view);
     add_plot(view);
+    g_signal_connect_object(document, "pointed-changed", G_CALLBACK(on_pointed), view, G_CONNECT_SWAPPED);
     g_signal_connect_object(player, "moved", G_CALLBACK(on_moved), view, G_CONNECT_SWAPPED);
     g_signal_connect_object(player, "state-changed", G_CALLBACK(on_moved), view, G_CONNECT_SWAPPED);
     return view;

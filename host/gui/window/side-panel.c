@@ -8,6 +8,7 @@
 
 #define PROPERTIES_HEIGHT 160 /* px: at least */
 #define OUTLINE_HEIGHT    130
+#define EQUATIONS_WIDTH   440
 #define STACK             "stack" /* data of the panel: what holds its pages */
 #define OUTLINE           "outline"
 #define PROPERTIES        "properties"
@@ -21,12 +22,18 @@ static GtkWidget *scrolled(GtkWidget *child)
 }
 
 /* Pages behind a switch: what the scene is about, what a block is, and how it starts. */
-static GtkWidget *pages_of(GtkWidget *stack, GtkWidget *card, GtkWidget *properties, GtkWidget *start)
+static GtkWidget *pages_of(GtkWidget *stack, GtkWidget *card, GtkWidget *properties, GtkWidget *start,
+                           GtkWidget *equations)
 {
     GtkWidget *switcher = gtk_stack_switcher_new(), *box = gtk_box_new(GTK_ORIENTATION_VERTICAL, 0);
     gtk_stack_add_titled(GTK_STACK(stack), scrolled(card), "scene", _("Scene"));
     gtk_stack_add_titled(GTK_STACK(stack), properties, "properties", _("Properties"));
     gtk_stack_add_titled(GTK_STACK(stack), scrolled(start), "start", _("Start"));
+    GtkWidget *model = scrolled(equations);
+    gtk_scrolled_window_set_policy(GTK_SCROLLED_WINDOW(model), GTK_POLICY_AUTOMATIC, GTK_POLICY_AUTOMATIC);
+    gtk_widget_set_size_request(model, EQUATIONS_WIDTH, -1);
+    gtk_stack_add_titled(GTK_STACK(stack), model, "equations", _("Equations"));
+    gtk_stack_set_hhomogeneous(GTK_STACK(stack), FALSE); /* equations are wider than the rest */
     gtk_stack_set_visible_child_name(GTK_STACK(stack), "properties");
     gtk_stack_switcher_set_stack(GTK_STACK_SWITCHER(switcher), GTK_STACK(stack));
     gtk_box_layout_set_homogeneous(GTK_BOX_LAYOUT(gtk_widget_get_layout_manager(switcher)), FALSE);
@@ -53,11 +60,12 @@ static void on_selection_changed(TinkerDocument *document, GtkStack *stack)
         gtk_stack_set_visible_child_name(stack, "properties");
 }
 
-GtkWidget *tinker_side_panel_new(TinkerDocument *document, TinkerPlayer *player, GtkWidget *start, GtkWidget *card)
+GtkWidget *tinker_side_panel_new(TinkerDocument *document, TinkerPlayer *player, GtkWidget *start, GtkWidget *card,
+                                 GtkWidget *equations)
 {
     GtkWidget *paned = gtk_paned_new(GTK_ORIENTATION_VERTICAL);
     GtkWidget *properties = tinker_property_panel_new(document, player), *outline = tinker_outline_new(document);
-    GtkWidget *stack = gtk_stack_new(), *pages = pages_of(stack, card, properties, start);
+    GtkWidget *stack = gtk_stack_new(), *pages = pages_of(stack, card, properties, start, equations);
     g_object_set_data(G_OBJECT(paned), STACK, stack);
     g_object_set_data(G_OBJECT(paned), OUTLINE, outline);
     g_object_set_data(G_OBJECT(paned), PROPERTIES, properties);

@@ -8,10 +8,11 @@
 #include "gui/document/player.h"
 
 /* `start` is the widget that says how things start, `card` the one that says what the scene is about, which is shown
- * when a scene with a description is opened. (transfer floating) */
-GtkWidget *tinker_side_panel_new(TinkerDocument *document, TinkerPlayer *player, GtkWidget *start, GtkWidget *card);
+ * when a scene with a description is opened, `equations` the one with the model. (transfer floating) */
+GtkWidget *tinker_side_panel_new(TinkerDocument *document, TinkerPlayer *player, GtkWidget *start, GtkWidget *card,
+                                 GtkWidget *equations);
 
-/* Shows one of its pages, "scene", "properties" or "start"; FALSE where there is no such page. */
+/* Shows one of its pages, "scene", "properties", "start" or "equations"; FALSE where there is no such page. */
 gboolean tinker_side_panel_show(GtkWidget *side_panel, const char *page);
 
 /* The panel of properties and the outline in it. (transfer none) */

@@ -5,6 +5,7 @@
 #include "gui/accuracy/accuracy-page.h"
 #include "gui/canvas/canvas.h"
 #include "gui/document/autosave.h"
+#include "gui/equation/equations-page.h"
 #include "gui/film/film-task.h"
 #include "gui/graph/graph-layer.h"
 #include "gui/instrument/instrument-layer.h"
@@ -34,6 +35,7 @@ struct _TinkerWindow {
     GtkBox *panel;
     GtkBox *palette_side, *panel_side; /* what folds away */
     GtkWidget *properties;             /* the panel of properties */
+    GtkWidget *equations;              /* the page of equations */
     GtkBox *dock;
     GtkBox *status;
     GtkBox *banners;

@@ -122,8 +122,10 @@ static void connect_parts(TinkerWindow *window)
     window_add_graphs(window);
     window_add_instruments(window);
     GtkWidget *start = window_new_start_panel(window);
-    GtkWidget *side_panel = tinker_side_panel_new(window->document, window->player, start,
-                                                  tinker_scene_card_new(window->document, window->plan));
+    window->equations = tinker_equations_page_new(window->document, window->player);
+    GtkWidget *side_panel =
+        tinker_side_panel_new(window->document, window->player, start,
+                              tinker_scene_card_new(window->document, window->plan), window->equations);
     window->properties = tinker_side_panel_properties(side_panel);
     g_object_bind_property(window->properties, "trims", start, "trims", G_BINDING_SYNC_CREATE);
     window_add_switch(window, "trim-decimals", window->properties, "trims");

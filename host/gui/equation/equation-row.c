@@ -1,0 +1,213 @@
+#include "gui/equation/equation-row.h"
+
+#include <glib/gi18n.h>
+#include <math.h>
+
+#include "gui/widget/unparent.h"
+#include "physics/run/acting-forces.h"
+
+#define LINE_GAP 4
+#define TERM_GAP 2
+
+/* What the value of a term is added up from. */
+typedef struct {
+    TinkerEquationTerm *term; /* a child */
+    TinkerBlockId block;
+    TinkerTermKind kind;
+} Term;
+
+struct _TinkerEquationRow {
+    GtkWidget parent_instance;
+    TinkerBlockId body;
+    int component;
+    GArray *terms; /* of Term */
+};
+
+G_DEFINE_FINAL_TYPE(TinkerEquationRow, tinker_equation_row, GTK_TYPE_WIDGET)
+
+/* Layout --------------------------------------------------------------------------------------------------------------
+ */
+
+static void size_of(GtkWidget *child, int size[2])
+{
+    gtk_widget_measure(child, GTK_ORIENTATION_HORIZONTAL, -1, NULL, &size[0], NULL, NULL);
+    gtk_widget_measure(child, GTK_ORIENTATION_VERTICAL, -1, NULL, &size[1], NULL, NULL);
+}
+
+/* How far above and below their letters' line the children from `first` to before `last` reach. */
+static void line_reach(GtkWidget *first, GtkWidget *last, double reach[2])
+{
+    reach[0] = reach[1] = 0;
+    for (GtkWidget *child = first; child != last; child = gtk_widget_get_next_sibling(child)) {
+        int size[2];
+        const double above = tinker_equation_term_above(TINKER_EQUATION_TERM(child));
+        size_of(child, size);
+        reach[0] = fmax(reach[0], above);
+        reach[1] = fmax(reach[1], size[1] - above);
+    }
+}
+
+/* Lays out within a width and answers the height; `place`: and gives the children their places. */
+static double lay_out(GtkWidget *row, double width, gboolean place)
+{
+    GtkWidget *first = gtk_widget_get_first_child(row);
+    int size[2];
+    double y = 0, indent = 0;
+    if (first == NULL) return 0;
+    size_of(first, size);
+    indent = fmin(size[0] + TERM_GAP, width / 2);
+    for (GtkWidget *begin = first; begin != NULL;) {
+        double x = begin == first ? 0 : indent, reach[2];
+        GtkWidget *end = begin;
+        do {
+            size_of(end, size);
+            x += size[0] + TERM_GAP;
+            end = gtk_widget_get_next_sibling(end);
+            if (end != NULL) size_of(end, size);
+        } while (end != NULL && x + size[0] <= width);
+        line_reach(begin, end, reach);
+        x = begin == first ? 0 : indent;
+        for (GtkWidget *child = begin; child != end && place; child = gtk_widget_get_next_sibling(child)) {
+            size_of(child, size);
+            const double above = tinker_equation_term_above(TINKER_EQUATION_TERM(child));
+            const GtkAllocation box = {(int)x, (int)(y + reach[0] - above), size[0], size[1]};
+            gtk_widget_size_allocate(child, &box, -1);
+            x += size[0] + TERM_GAP;
+        }
+        y += reach[0] + reach[1] + (end != NULL ? LINE_GAP : 0);
+        begin = end;
+    }
+    return y;
+}
+
+static GtkSizeRequestMode tinker_equation_row_mode(GtkWidget *widget)
+{
+    return GTK_SIZE_REQUEST_HEIGHT_FOR_WIDTH;
+}
+
+static void tinker_equation_row_measure(GtkWidget *widget, GtkOrientation orientation, int for_size, int *minimum,
+                                        int *natural, int *minimum_baseline, int *natural_baseline)
+{
+    *minimum_baseline = *natural_baseline = -1;
+    *minimum = *natural = 0;
+    if (orientation == GTK_ORIENTATION_VERTICAL) {
+        *minimum = *natural = (int)ceil(lay_out(widget, for_size < 0 ? G_MAXINT : for_size, FALSE)) + 1;
+        return;
+    }
+    GtkWidget *first = gtk_widget_get_first_child(widget);
+    for (GtkWidget *child = first; child != NULL; child = gtk_widget_get_next_sibling(child)) {
+        int size[2], left[2];
+        size_of(child, size);
+        size_of(first, left);
+        *minimum = MAX(*minimum, size[0] + (child != first ? left[0] + TERM_GAP : 0));
+        *natural += size[0] + TERM_GAP;
+    }
+}
+
+static void tinker_equation_row_size_allocate(GtkWidget *widget, int width, int height, int baseline)
+{
+    lay_out(widget, width, TRUE);
+}
+
+/* Values --------------------------------------------------------------------------------------------------------------
+ */
+
+/* Whether a force is what the term stands for: of what touches there are two. */
+static gboolean is_of(const TinkerActingForce *force, const Term *term, TinkerBlockId body)
+{
+    if (force->by != term->block || force->on != body) return FALSE;
+    if (term->kind == TINKER_TERM_NORMAL) return force->kind == TINKER_ACTING_NORMAL;
+    if (term->kind == TINKER_TERM_FRICTION) return force->kind == TINKER_ACTING_FRICTION;
+    return force->kind != TINKER_ACTING_NORMAL && force->kind != TINKER_ACTING_FRICTION;
+}
+
+/* Terms of one block and kind, as of a rope that runs over a wheel, share their force: the first one has it. */
+static gboolean is_first(const TinkerEquationRow *row, guint number)
+{
+    const Term *term = &g_array_index(row->terms, Term, number);
+    for (guint i = 0; i < number; i++) {
+        const Term *other = &g_array_index(row->terms, Term, i);
+        if (other->block == term->block && other->kind == term->kind) return FALSE;
+    }
+    return TRUE;
+}
+
+void tinker_equation_row_show_values(TinkerEquationRow *row, const GArray *forces, TinkerUnitSystem units,
+                                     gboolean tell)
+{
+    static const TinkerDimension dimension = TINKER_DIMENSION_FORCE;
+    const gboolean shows = forces != NULL && (row->component == 0 || row->component == 1);
+    for (guint i = 0; i < row->terms->len; i++) {
+        const Term *term = &g_array_index(row->terms, Term, i);
+        double sum = 0;
+        tinker_equation_term_show_value(term->term, shows);
+        for (guint k = 0; shows && k < forces->len; k++) {
+            const TinkerActingForce *force = &g_array_index(forces, TinkerActingForce, k);
+            if (is_of(force, term, row->body)) sum += row->component == 0 ? force->fx : force->fy;
+        }
+        g_autofree char *size = shows && is_first(row, i) ? tinker_quantity_brief(fabs(sum), dimension, units) : NULL;
+        g_autofree char *value = size != NULL ? g_strconcat(sum < 0 ? "−" : "", size, NULL) : NULL;
+        tinker_equation_term_set_value(term->term, value, tell);
+    }
+}
+
+/* Life ----------------------------------------------------------------------------------------------------------------
+ */
+
+static void add_left(TinkerEquationRow *row, TinkerDocument *document, const TinkerEquationLine *shown,
+                     const TinkerEquationLine *spoken)
+{
+    g_autofree char *mathml = g_strconcat(shown->left, "<mo>=</mo>", NULL);
+    g_autofree char *reading = g_strdup_printf(_("%s equals"), spoken->left);
+    GtkWidget *left = tinker_equation_term_new(document, shown->block, mathml, reading);
+    gtk_widget_set_parent(left, GTK_WIDGET(row));
+}
+
+GtkWidget *tinker_equation_row_new(TinkerDocument *document, const TinkerEquationLine *shown,
+                                   const TinkerEquationLine *spoken)
+{
+    TinkerEquationRow *row = g_object_new(TINKER_TYPE_EQUATION_ROW, NULL);
+    row->body = shown->block;
+    row->component = shown->component;
+    add_left(row, document, shown, spoken);
+    for (guint i = 0; i < shown->terms->len; i++) {
+        const TinkerLineTerm *term = &g_array_index(shown->terms, TinkerLineTerm, i);
+        const TinkerLineTerm *reading = &g_array_index(spoken->terms, TinkerLineTerm, i);
+        /* what stands before a sign keeps room around it */
+        g_autofree char *mathml = g_strconcat(i > 0 ? "<mrow></mrow>" : "", term->text, NULL);
+        GtkWidget *widget = tinker_equation_term_new(document, term->block, mathml, reading->text);
+        const Term one = {TINKER_EQUATION_TERM(widget), term->block, term->kind};
+        gtk_widget_set_parent(widget, GTK_WIDGET(row));
+        if (shown->component >= 0) g_array_append_val(row->terms, one);
+    }
+    return GTK_WIDGET(row);
+}
+
+static void tinker_equation_row_dispose(GObject *object)
+{
+    tinker_unparent_children(GTK_WIDGET(object));
+    G_OBJECT_CLASS(tinker_equation_row_parent_class)->dispose(object);
+}
+
+static void tinker_equation_row_finalize(GObject *object)
+{
+    g_array_unref(TINKER_EQUATION_ROW(object)->terms);
+    G_OBJECT_CLASS(tinker_equation_row_parent_class)->finalize(object);
+}
+
+static void tinker_equation_row_class_init(TinkerEquationRowClass *class)
+{
+    GtkWidgetClass *widget_class = GTK_WIDGET_CLASS(class);
+    G_OBJECT_CLASS(class)->dispose = tinker_equation_row_dispose;
+    G_OBJECT_CLASS(class)->finalize = tinker_equation_row_finalize;
+    widget_class->get_request_mode = tinker_equation_row_mode;
+    widget_class->measure = tinker_equation_row_measure;
+    widget_class->size_allocate = tinker_equation_row_size_allocate;
+    gtk_widget_class_set_css_name(widget_class, "equationrow");
+    gtk_widget_class_set_accessible_role(widget_class, GTK_ACCESSIBLE_ROLE_GROUP);
+}
+
+static void tinker_equation_row_init(TinkerEquationRow *row)
+{
+    row->terms = g_array_new(FALSE, FALSE, sizeof(Term));
+}

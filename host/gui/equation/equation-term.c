@@ -1,0 +1,194 @@
+#include "gui/equation/equation-term.h"
+
+#include <math.h>
+
+#include "render/formula/formula.h"
+
+#define SIZE        17.0 /* of letters, px */
+#define VALUE_SIZE  11.0
+#define VALUE_ROOM  16.0 /* beneath the formula */
+#define VALUE_WIDTH 66.0 /* of the longest value: terms keep their places while values change */
+#define PAD         3.0
+
+struct _TinkerEquationTerm {
+    GtkWidget parent_instance;
+    TinkerDocument *document;
+    TinkerBlockId block;
+    TinkerMathText *formula;
+    char *value;
+    gboolean shows_value, told; /* told: the description has the value */
+    double width, above, below; /* of the formula */
+};
+
+G_DEFINE_FINAL_TYPE(TinkerEquationTerm, tinker_equation_term, GTK_TYPE_WIDGET)
+
+static void tinker_equation_term_measure(GtkWidget *widget, GtkOrientation orientation, int for_size, int *minimum,
+                                         int *natural, int *minimum_baseline, int *natural_baseline)
+{
+    const TinkerEquationTerm *term = TINKER_EQUATION_TERM(widget);
+    const double width = term->shows_value ? fmax(term->width, VALUE_WIDTH) : term->width;
+    const double height = term->above + term->below + (term->shows_value ? VALUE_ROOM : 0);
+    *minimum = *natural = (int)ceil((orientation == GTK_ORIENTATION_HORIZONTAL ? width : height) + 2 * PAD);
+    *minimum_baseline = *natural_baseline = -1;
+}
+
+static void draw_value(TinkerEquationTerm *term, cairo_t *cairo, double width, double height)
+{
+    TinkerTextPen pen = TINKER_TEXT_PEN_INIT;
+    const TinkerText text = {
+        .text = term->value, .size = VALUE_SIZE, .anchor_x = 0.5, .anchor_y = 1, .limit = width, .passing = TRUE};
+    tinker_text_draw(&pen, cairo, &text, width / 2, height - 1);
+    tinker_text_pen_clear(&pen);
+}
+
+static void tinker_equation_term_snapshot(GtkWidget *widget, GtkSnapshot *snapshot)
+{
+    TinkerEquationTerm *term = TINKER_EQUATION_TERM(widget);
+    const double width = gtk_widget_get_width(widget), height = gtk_widget_get_height(widget);
+    const graphene_rect_t bounds = GRAPHENE_RECT_INIT(0, 0, (float)width, (float)height);
+    GdkRGBA colour;
+    if (term->formula == NULL) return;
+    gtk_style_context_get_color(gtk_widget_get_style_context(widget), &colour);
+    cairo_t *cairo = gtk_snapshot_append_cairo(snapshot, &bounds);
+    gdk_cairo_set_source_rgba(cairo, &colour);
+    tinker_math_text_draw(term->formula, cairo, (width - term->width) / 2, PAD + term->above);
+    if (term->shows_value && term->value != NULL) draw_value(term, cairo, width, height);
+    cairo_destroy(cairo);
+}
+
+/* Pointing ------------------------------------------------------------------------------------------------------------
+ */
+
+static void point(TinkerEquationTerm *term)
+{
+    if (term->block != TINKER_NO_BLOCK) tinker_document_point(term->document, term->block);
+}
+
+static void point_away(TinkerEquationTerm *term)
+{
+    if (tinker_document_pointed(term->document) == term->block) tinker_document_point(term->document, TINKER_NO_BLOCK);
+}
+
+static void on_pointed(TinkerEquationTerm *term)
+{
+    const gboolean lit = term->block != TINKER_NO_BLOCK && tinker_document_pointed(term->document) == term->block;
+    if (lit)
+        gtk_widget_add_css_class(GTK_WIDGET(term), "lit");
+    else
+        gtk_widget_remove_css_class(GTK_WIDGET(term), "lit");
+}
+
+static void choose(TinkerEquationTerm *term)
+{
+    if (tinker_scene_has_block(tinker_document_scene(term->document), term->block))
+        tinker_document_select(term->document, term->block);
+}
+
+static void on_click(GtkGestureClick *gesture, int presses, double x, double y, TinkerEquationTerm *term)
+{
+    gtk_widget_grab_focus(GTK_WIDGET(term));
+    choose(term);
+}
+
+static gboolean on_key(GtkEventControllerKey *keys, guint key, guint code, GdkModifierType modifiers,
+                       TinkerEquationTerm *term)
+{
+    if (key != GDK_KEY_Return && key != GDK_KEY_KP_Enter) return GDK_EVENT_PROPAGATE;
+    choose(term);
+    return GDK_EVENT_STOP;
+}
+
+static void add_input(TinkerEquationTerm *term)
+{
+    GtkEventController *motion = gtk_event_controller_motion_new(), *focus = gtk_event_controller_focus_new();
+    GtkEventController *keys = gtk_event_controller_key_new();
+    GtkGesture *click = gtk_gesture_click_new();
+    g_signal_connect_swapped(motion, "enter", G_CALLBACK(point), term);
+    g_signal_connect_swapped(motion, "leave", G_CALLBACK(point_away), term);
+    g_signal_connect_swapped(focus, "enter", G_CALLBACK(point), term);
+    g_signal_connect_swapped(focus, "leave", G_CALLBACK(point_away), term);
+    g_signal_connect(keys, "key-pressed", G_CALLBACK(on_key), term);
+    g_signal_connect(click, "pressed", G_CALLBACK(on_click), term);
+    gtk_widget_add_controller(GTK_WIDGET(term), motion);
+    gtk_widget_add_controller(GTK_WIDGET(term), focus);
+    gtk_widget_add_controller(GTK_WIDGET(term), keys);
+    gtk_widget_add_controller(GTK_WIDGET(term), GTK_EVENT_CONTROLLER(click));
+    gtk_widget_set_focusable(GTK_WIDGET(term), TRUE);
+    g_signal_connect_object(term->document, "pointed-changed", G_CALLBACK(on_pointed), term, G_CONNECT_SWAPPED);
+    on_pointed(term);
+}
+
+/* Values --------------------------------------------------------------------------------------------------------------
+ */
+
+double tinker_equation_term_above(TinkerEquationTerm *term)
+{
+    return PAD + term->above;
+}
+
+void tinker_equation_term_show_value(TinkerEquationTerm *term, gboolean shown)
+{
+    if (term->shows_value == shown) return;
+    term->shows_value = shown;
+    gtk_widget_queue_resize(GTK_WIDGET(term));
+}
+
+void tinker_equation_term_set_value(TinkerEquationTerm *term, const char *value, gboolean tell)
+{
+    if (g_strcmp0(term->value, value) != 0) {
+        g_free(term->value);
+        term->value = g_strdup(value);
+        term->told = FALSE;
+        gtk_widget_queue_draw(GTK_WIDGET(term));
+    }
+    if (!tell || term->told) return;
+    term->told = TRUE;
+    gtk_accessible_update_property(GTK_ACCESSIBLE(term), GTK_ACCESSIBLE_PROPERTY_DESCRIPTION,
+                                   value != NULL ? value : "", -1);
+}
+
+/* Life ----------------------------------------------------------------------------------------------------------------
+ */
+
+GtkWidget *tinker_equation_term_new(TinkerDocument *document, TinkerBlockId block, const char *mathml,
+                                    const char *spoken)
+{
+    TinkerEquationTerm *term = g_object_new(TINKER_TYPE_EQUATION_TERM, NULL);
+    const char *name =
+        block != TINKER_NO_BLOCK ? tinker_scene_block_name(tinker_document_scene(document), block) : NULL;
+    g_autofree char *label = name != NULL ? g_strdup_printf("%s: %s", name, spoken) : g_strdup(spoken);
+    term->document = g_object_ref(document);
+    term->block = block;
+    term->formula = tinker_math_text_new(mathml, SIZE, NULL);
+    if (term->formula != NULL) tinker_math_text_measure(term->formula, &term->width, &term->above, &term->below);
+    gtk_accessible_update_property(GTK_ACCESSIBLE(term), GTK_ACCESSIBLE_PROPERTY_LABEL, label, -1);
+    if (name != NULL) {
+        gtk_widget_set_tooltip_text(GTK_WIDGET(term), name);
+        add_input(term);
+    }
+    return GTK_WIDGET(term);
+}
+
+static void tinker_equation_term_finalize(GObject *object)
+{
+    TinkerEquationTerm *term = TINKER_EQUATION_TERM(object);
+    g_clear_pointer(&term->formula, tinker_math_text_free);
+    g_free(term->value);
+    g_object_unref(term->document);
+    G_OBJECT_CLASS(tinker_equation_term_parent_class)->finalize(object);
+}
+
+static void tinker_equation_term_class_init(TinkerEquationTermClass *class)
+{
+    GtkWidgetClass *widget_class = GTK_WIDGET_CLASS(class);
+    G_OBJECT_CLASS(class)->finalize = tinker_equation_term_finalize;
+    widget_class->measure = tinker_equation_term_measure;
+    widget_class->snapshot = tinker_equation_term_snapshot;
+    gtk_widget_class_set_css_name(widget_class, "equationterm");
+    gtk_widget_class_set_accessible_role(widget_class, GTK_ACCESSIBLE_ROLE_IMG);
+}
+
+static void tinker_equation_term_init(TinkerEquationTerm *term)
+{
+    term->block = TINKER_NO_BLOCK;
+}

@@ -1,0 +1,26 @@
+/* One term of an equation: drawn, pointed at, reached by keys, and read out. Pointing at it points at its block in the
+ * document. */
+#ifndef TINKER_GUI_EQUATION_TERM_H
+#define TINKER_GUI_EQUATION_TERM_H
+
+#include "gui/document/document.h"
+
+#include <gtk/gtk.h>
+
+#define TINKER_TYPE_EQUATION_TERM (tinker_equation_term_get_type())
+G_DECLARE_FINAL_TYPE(TinkerEquationTerm, tinker_equation_term, TINKER, EQUATION_TERM, GtkWidget)
+
+/* `mathml` as core/law writes it; `spoken` is its reading; `block` whose it is, or TINKER_NO_BLOCK: then it is no more
+ * than drawn and read. Takes a reference of the document. (transfer floating) */
+GtkWidget *tinker_equation_term_new(TinkerDocument *document, TinkerBlockId block, const char *mathml,
+                                    const char *spoken);
+
+/* Above the line that its letters stand on, px. */
+double tinker_equation_term_above(TinkerEquationTerm *term);
+
+/* Makes room for a value beneath it, or takes that away. */
+void tinker_equation_term_show_value(TinkerEquationTerm *term, gboolean shown);
+/* The value, as text; NULL: none is known. `tell`: those who hear it are told, too. */
+void tinker_equation_term_set_value(TinkerEquationTerm *term, const char *value, gboolean tell);
+
+#endif

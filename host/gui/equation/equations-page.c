@@ -1,0 +1,366 @@
+/* The rows are made anew with each result of the task; while it plays their values alone change. */
+#include "gui/equation/equations-page.h"
+
+#include <glib/gi18n.h>
+#include <string.h>
+
+#include "books-picture.h"
+#include "diagram-picture.h"
+#include "equations/lines.h"
+#include "gui/document/desktop-theme.h"
+#include "gui/document/forces-now.h"
+#include "gui/equation/equation-row.h"
+#include "gui/text/sentence.h"
+#include "gui/widget/unparent.h"
+
+#define MOST_BODIES    30 /* whose equations are shown where none are selected */
+#define DIAGRAM_HEIGHT 340
+#define BOOKS_HEIGHT   840
+
+enum { NEWTON, MATRIX, ANGLES };
+
+struct _TinkerEquationsPage {
+    GtkWidget parent_instance;
+    TinkerDocument *document;
+    TinkerPlayer *player;
+    TinkerModelTask *task;
+    GtkWidget *rows, *rest; /* what bodies do, and what the symbols stand for */
+    GtkWidget *forms, *values, *diagram_heading, *diagram, *books_heading, *books;
+};
+
+G_DEFINE_FINAL_TYPE(TinkerEquationsPage, tinker_equations_page, GTK_TYPE_WIDGET)
+
+/* Equations -----------------------------------------------------------------------------------------------------------
+ */
+
+static guint form_of(TinkerEquationsPage *page)
+{
+    return gtk_drop_down_get_selected(GTK_DROP_DOWN(page->forms));
+}
+
+static gboolean shows_values(TinkerEquationsPage *page)
+{
+    return gtk_check_button_get_active(GTK_CHECK_BUTTON(page->values));
+}
+
+/* What is selected, else the first of all. (transfer full) */
+static TinkerBlockId *shown_bodies(const TinkerModelResult *result)
+{
+    const GPtrArray *all = result->equations->bodies;
+    guint count = 0;
+    while (result->bodies[count] != TINKER_NO_BLOCK)
+        count++;
+    const gboolean some = count > 0;
+    if (!some) count = MIN(all->len, MOST_BODIES);
+    TinkerBlockId *bodies = g_new(TinkerBlockId, count + 1);
+    for (guint i = 0; i < count; i++)
+        bodies[i] = some ? result->bodies[i] : ((const TinkerBodyEquation *)g_ptr_array_index(all, i))->block;
+    bodies[count] = TINKER_NO_BLOCK;
+    return bodies;
+}
+
+/* (transfer full) */
+static GPtrArray *lines_of(TinkerEquationsPage *page, const TinkerModelResult *result, TinkerTypesetFormat format)
+{
+    g_autofree TinkerBlockId *bodies = shown_bodies(result);
+    const TinkerEquationsShown shown = {format, "", bodies, FALSE};
+    const guint form = form_of(page);
+    return tinker_equations_lines(result->equations, form == MATRIX ? result->matrix : NULL,
+                                  form == ANGLES ? result->angles : NULL, &shown);
+}
+
+static GtkWidget *new_label(const char *text, const char *css_class)
+{
+    GtkWidget *label = gtk_label_new(text);
+    gtk_label_set_xalign(GTK_LABEL(label), 0);
+    gtk_label_set_wrap(GTK_LABEL(label), TRUE);
+    gtk_label_set_wrap_mode(GTK_LABEL(label), PANGO_WRAP_WORD_CHAR);
+    gtk_widget_add_css_class(label, css_class);
+    return label;
+}
+
+static void add_label(GtkWidget *box, const char *text, const char *css_class)
+{
+    gtk_box_append(GTK_BOX(box), new_label(text, css_class));
+}
+
+/* Beside a value stands what it is of. */
+static void add_value(GtkWidget *box, GtkWidget *row, const char *comment)
+{
+    GtkWidget *both = gtk_box_new(GTK_ORIENTATION_HORIZONTAL, 12), *label = new_label(comment, "dim-label");
+    gtk_widget_set_hexpand(label, TRUE);
+    gtk_box_append(GTK_BOX(both), row);
+    gtk_box_append(GTK_BOX(both), label);
+    gtk_box_append(GTK_BOX(box), both);
+}
+
+static gboolean is_value(const TinkerEquationLine *line)
+{
+    return line->terms->len == 1 && strstr(g_array_index(line->terms, TinkerLineTerm, 0).text, "<mtext>") != NULL;
+}
+
+static void add_line(TinkerEquationsPage *page, GtkWidget *box, const TinkerEquationLine *shown,
+                     const TinkerEquationLine *spoken)
+{
+    if (shown->heading != NULL) {
+        add_label(box, shown->heading, "heading");
+        return;
+    }
+    GtkWidget *row = tinker_equation_row_new(page->document, shown, spoken);
+    const gboolean has_comment = shown->comment != NULL && shown->component < 0;
+    if (has_comment && is_value(shown)) {
+        add_value(box, row, shown->comment);
+        return;
+    }
+    gtk_box_append(GTK_BOX(box), row);
+    if (has_comment) add_label(box, shown->comment, "caption");
+}
+
+static void update_values(TinkerEquationsPage *page)
+{
+    const gboolean shown = shows_values(page) && form_of(page) == NEWTON;
+    const GArray *forces = shown ? tinker_forces_now(page->document, page->player) : NULL;
+    const TinkerUnitSystem units = tinker_scene_head(tinker_document_scene(page->document))->units;
+    const gboolean tell = tinker_player_state(page->player) != TINKER_PLAYER_PLAYING; /* else it would never end */
+    GtkWidget *row = gtk_widget_get_first_child(page->rows);
+    for (; row != NULL; row = gtk_widget_get_next_sibling(row))
+        if (TINKER_IS_EQUATION_ROW(row)) tinker_equation_row_show_values(TINKER_EQUATION_ROW(row), forces, units, tell);
+}
+
+static void show_rows(TinkerEquationsPage *page, const TinkerModelResult *result)
+{
+    g_autoptr(GPtrArray) shown = lines_of(page, result, TINKER_TYPESET_MATHML);
+    g_autoptr(GPtrArray) spoken = lines_of(page, result, TINKER_TYPESET_SPEECH);
+    GtkWidget *box = page->rows;
+    for (guint i = 0; i < shown->len; i++) {
+        const TinkerEquationLine *next = i + 1 < shown->len ? g_ptr_array_index(shown, i + 1) : NULL;
+        const TinkerEquationLine *line = g_ptr_array_index(shown, i);
+        if (form_of(page) == NEWTON && line->heading != NULL && next != NULL && next->component < 0) box = page->rest;
+        add_line(page, box, line, g_ptr_array_index(spoken, i));
+    }
+    if (shown->len == 0) add_label(page->rows, _("Nothing in this scene can move."), "dim-label");
+    if (result->bodies[0] == TINKER_NO_BLOCK && result->equations->bodies->len > MOST_BODIES)
+        add_label(page->rows, _("Select bodies to see theirs."), "dim-label");
+    update_values(page);
+}
+
+static void on_task_changed(TinkerEquationsPage *page)
+{
+    const TinkerModelResult *result = tinker_model_task_result(page->task);
+    const gboolean has_body = result != NULL && result->equations != NULL && result->bodies[0] != TINKER_NO_BLOCK;
+    tinker_unparent_children(page->rows);
+    tinker_unparent_children(page->rest);
+    if (result != NULL && result->equations != NULL) {
+        show_rows(page, result);
+    } else if (result != NULL && result->error != NULL) {
+        g_autofree char *text = tinker_sentence_in(tinker_document_scene(page->document), result->error->message);
+        add_label(page->rows, text, "dim-label");
+    }
+    gtk_widget_set_visible(page->diagram, has_body);
+    gtk_widget_set_visible(page->diagram_heading, has_body);
+    gtk_widget_set_visible(page->books, has_body && result->books != NULL);
+    gtk_widget_set_visible(page->books_heading, has_body && result->books != NULL);
+    gtk_widget_queue_draw(page->diagram);
+    gtk_widget_queue_draw(page->books);
+}
+
+/* Copying -------------------------------------------------------------------------------------------------------------
+ */
+
+static void copy_equations(GtkWidget *widget, const char *name, GVariant *parameter)
+{
+    static const char *const names[] = {"text", "latex", "mathml", NULL};
+    TinkerEquationsPage *page = TINKER_EQUATIONS_PAGE(widget);
+    const TinkerModelResult *result = tinker_model_task_result(page->task);
+    int format = 0;
+    while (names[format] != NULL && !g_str_equal(names[format], g_variant_get_string(parameter, NULL)))
+        format++;
+    if (result == NULL || result->equations == NULL || names[format] == NULL) return;
+    g_autofree TinkerBlockId *bodies = shown_bodies(result);
+    g_autofree char *title = tinker_document_name(page->document);
+    const TinkerEquationsShown shown = {(TinkerTypesetFormat)format, title, bodies, FALSE};
+    g_autofree char *text = form_of(page) == MATRIX && result->matrix != NULL
+                                ? tinker_equations_write_matrix(result->equations, result->matrix, &shown)
+                            : form_of(page) == ANGLES
+                                ? tinker_equations_write_angles(result->equations, result->angles, &shown)
+                                : tinker_equations_write(result->equations, &shown);
+    gdk_clipboard_set_text(gtk_widget_get_clipboard(widget), text);
+}
+
+/* Pictures ------------------------------------------------------------------------------------------------------------
+ */
+
+/* What is pointed at, where the result's scene has it. */
+static TinkerBlockId lit_block(TinkerEquationsPage *page, const TinkerModelResult *result)
+{
+    const TinkerBlockId pointed = tinker_document_pointed(page->document);
+    return tinker_scene_has_block(result->scene, pointed) ? pointed : TINKER_NO_BLOCK;
+}
+
+static void draw_diagram(GtkDrawingArea *area, cairo_t *cairo, int width, int height, gpointer data)
+{
+    TinkerEquationsPage *page = data;
+    const TinkerModelResult *result = tinker_model_task_result(page->task);
+    if (result == NULL || result->state == NULL || result->bodies[0] == TINKER_NO_BLOCK) return;
+    g_autoptr(TinkerFrame) frame = tinker_diagram_frame(result->scene, result->state, NULL);
+    g_autoptr(TinkerDiagram) diagram = tinker_diagram_new(result->scene, result->state, result->bodies, NULL);
+    if (frame == NULL || diagram == NULL) return;
+    TinkerDiagramPicture picture = {.frame = frame,
+                                    .diagram = diagram,
+                                    .blocks = result->bodies,
+                                    .theme = tinker_desktop_theme(),
+                                    .lit = lit_block(page, result)};
+    tinker_diagram_draw(cairo, width, height, &picture);
+}
+
+static void draw_books(GtkDrawingArea *area, cairo_t *cairo, int width, int height, gpointer data)
+{
+    TinkerEquationsPage *page = data;
+    const TinkerModelResult *result = tinker_model_task_result(page->task);
+    if (result == NULL || result->books == NULL) return;
+    TinkerBooksPicture picture = {result->scene, result->books, result->bodies, tinker_desktop_theme(),
+                                  lit_block(page, result)};
+    tinker_books_draw(cairo, width, height, &picture);
+}
+
+/* What is going on ----------------------------------------------------------------------------------------------------
+ */
+
+static void on_moved(TinkerEquationsPage *page)
+{
+    if (gtk_widget_get_mapped(GTK_WIDGET(page)) && shows_values(page)) update_values(page);
+}
+
+static void on_pointed(TinkerEquationsPage *page)
+{
+    if (!gtk_widget_get_mapped(GTK_WIDGET(page))) return;
+    gtk_widget_queue_draw(page->diagram);
+    gtk_widget_queue_draw(page->books);
+}
+
+static void tinker_equations_page_map(GtkWidget *widget)
+{
+    GTK_WIDGET_CLASS(tinker_equations_page_parent_class)->map(widget);
+    tinker_model_task_want(TINKER_EQUATIONS_PAGE(widget)->task, TRUE);
+}
+
+static void tinker_equations_page_unmap(GtkWidget *widget)
+{
+    tinker_model_task_want(TINKER_EQUATIONS_PAGE(widget)->task, FALSE);
+    GTK_WIDGET_CLASS(tinker_equations_page_parent_class)->unmap(widget);
+}
+
+gboolean tinker_equations_page_is_behind(TinkerEquationsPage *page)
+{
+    return tinker_model_task_is_due(page->task);
+}
+
+/* Life ----------------------------------------------------------------------------------------------------------------
+ */
+
+static GtkWidget *new_copy_button(void)
+{
+    GtkWidget *button = gtk_menu_button_new();
+    g_autoptr(GMenu) menu = g_menu_new();
+    g_menu_append(menu, _("Copy as Text"), "equations.copy::text");
+    g_menu_append(menu, _("Copy as LaTeX"), "equations.copy::latex");
+    g_menu_append(menu, _("Copy as MathML"), "equations.copy::mathml");
+    gtk_menu_button_set_icon_name(GTK_MENU_BUTTON(button), "edit-copy-symbolic");
+    gtk_menu_button_set_menu_model(GTK_MENU_BUTTON(button), G_MENU_MODEL(menu));
+    gtk_widget_set_tooltip_text(button, _("Copy the Equations"));
+    gtk_accessible_update_property(GTK_ACCESSIBLE(button), GTK_ACCESSIBLE_PROPERTY_LABEL, _("Copy the Equations"), -1);
+    return button;
+}
+
+static void add_tools(TinkerEquationsPage *page)
+{
+    const char *const forms[] = {_("Newton"), _("Matrix"), _("Angles"), NULL};
+    GtkWidget *tools = gtk_box_new(GTK_ORIENTATION_HORIZONTAL, 8), *copy = new_copy_button();
+    page->forms = gtk_drop_down_new_from_strings(forms);
+    page->values = gtk_check_button_new_with_mnemonic(_("_Values"));
+    gtk_accessible_update_property(GTK_ACCESSIBLE(page->forms), GTK_ACCESSIBLE_PROPERTY_LABEL, _("Form of Equations"),
+                                   -1);
+    gtk_widget_set_tooltip_text(page->values, _("The force of each term now, beneath it"));
+    gtk_widget_set_hexpand(page->values, TRUE);
+    gtk_box_append(GTK_BOX(tools), page->forms);
+    gtk_box_append(GTK_BOX(tools), page->values);
+    gtk_box_append(GTK_BOX(tools), copy);
+    gtk_widget_set_parent(tools, GTK_WIDGET(page));
+    g_signal_connect_swapped(page->forms, "notify::selected", G_CALLBACK(on_task_changed), page);
+    g_signal_connect_swapped(page->values, "toggled", G_CALLBACK(update_values), page);
+}
+
+static GtkWidget *add_heading(TinkerEquationsPage *page, const char *text)
+{
+    GtkWidget *label = gtk_label_new(text);
+    gtk_label_set_xalign(GTK_LABEL(label), 0);
+    gtk_widget_add_css_class(label, "heading");
+    gtk_widget_set_visible(label, FALSE);
+    gtk_widget_set_parent(label, GTK_WIDGET(page));
+    return label;
+}
+
+static GtkWidget *add_picture(TinkerEquationsPage *page, GtkDrawingAreaDrawFunc draw, int height, const char *label)
+{
+    GtkWidget *area = gtk_drawing_area_new();
+    gtk_drawing_area_set_content_height(GTK_DRAWING_AREA(area), height);
+    gtk_drawing_area_set_draw_func(GTK_DRAWING_AREA(area), draw, page, NULL);
+    gtk_accessible_update_property(GTK_ACCESSIBLE(area), GTK_ACCESSIBLE_PROPERTY_LABEL, label, -1);
+    tinker_desktop_theme_redraws(area);
+    gtk_widget_set_visible(area, FALSE);
+    gtk_widget_set_parent(area, GTK_WIDGET(page));
+    return area;
+}
+
+GtkWidget *tinker_equations_page_new(TinkerDocument *document, TinkerPlayer *player)
+{
+    TinkerEquationsPage *page = g_object_new(TINKER_TYPE_EQUATIONS_PAGE, NULL);
+    page->document = g_object_ref(document);
+    page->player = g_object_ref(player);
+    page->task = tinker_model_task_new(document, player);
+    g_signal_connect_object(page->task, "changed", G_CALLBACK(on_task_changed), page, G_CONNECT_SWAPPED);
+    g_signal_connect_object(player, "moved", G_CALLBACK(on_moved), page, G_CONNECT_SWAPPED);
+    g_signal_connect_object(player, "state-changed", G_CALLBACK(on_moved), page, G_CONNECT_SWAPPED);
+    g_signal_connect_object(document, "pointed-changed", G_CALLBACK(on_pointed), page, G_CONNECT_SWAPPED);
+    return GTK_WIDGET(page);
+}
+
+static void tinker_equations_page_dispose(GObject *object)
+{
+    TinkerEquationsPage *page = TINKER_EQUATIONS_PAGE(object);
+    if (page->rows != NULL) tinker_unparent_children(GTK_WIDGET(object));
+    page->rows = NULL;
+    g_clear_object(&page->task);
+    g_clear_object(&page->player);
+    g_clear_object(&page->document);
+    G_OBJECT_CLASS(tinker_equations_page_parent_class)->dispose(object);
+}
+
+static void tinker_equations_page_class_init(TinkerEquationsPageClass *class)
+{
+    GtkWidgetClass *widget_class = GTK_WIDGET_CLASS(class);
+    G_OBJECT_CLASS(class)->dispose = tinker_equations_page_dispose;
+    widget_class->map = tinker_equations_page_map;
+    widget_class->unmap = tinker_equations_page_unmap;
+    gtk_widget_class_install_action(widget_class, "equations.copy", "s", copy_equations);
+    gtk_widget_class_set_layout_manager_type(widget_class, GTK_TYPE_BOX_LAYOUT);
+    gtk_widget_class_set_css_name(widget_class, "equationspage");
+    gtk_widget_class_set_accessible_role(widget_class, GTK_ACCESSIBLE_ROLE_GROUP);
+}
+
+static void tinker_equations_page_init(TinkerEquationsPage *page)
+{
+    GtkLayoutManager *layout = gtk_widget_get_layout_manager(GTK_WIDGET(page));
+    gtk_orientable_set_orientation(GTK_ORIENTABLE(layout), GTK_ORIENTATION_VERTICAL);
+    gtk_box_layout_set_spacing(GTK_BOX_LAYOUT(layout), 8);
+    add_tools(page);
+    page->rows = gtk_box_new(GTK_ORIENTATION_VERTICAL, 4);
+    gtk_widget_set_parent(page->rows, GTK_WIDGET(page));
+    page->diagram_heading = add_heading(page, _("Diagram"));
+    page->diagram = add_picture(page, draw_diagram, DIAGRAM_HEIGHT, _("Free-body diagram"));
+    page->rest = gtk_box_new(GTK_ORIENTATION_VERTICAL, 4);
+    gtk_widget_set_parent(page->rest, GTK_WIDGET(page));
+    page->books_heading = add_heading(page, _("Books"));
+    page->books = add_picture(page, draw_books, BOOKS_HEIGHT, _("Work and energy, impulse and momentum"));
+    gtk_accessible_update_property(GTK_ACCESSIBLE(page), GTK_ACCESSIBLE_PROPERTY_LABEL, _("Equations"), -1);
+}

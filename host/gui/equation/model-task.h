@@ -1,0 +1,42 @@
+/* The equations of a document's scene at the time that the player shows, and the books up to it, worked out in a thread
+ * a moment after the last edit or move. No widget.
+ *
+ * Nothing is worked out before it is asked for. Signals:
+ *   "changed"   there is another result
+ */
+#ifndef TINKER_GUI_MODEL_TASK_H
+#define TINKER_GUI_MODEL_TASK_H
+
+#include "equations/books.h"
+#include "equations/write.h"
+#include "gui/document/player.h"
+
+#define TINKER_TYPE_MODEL_TASK (tinker_model_task_get_type())
+G_DECLARE_FINAL_TYPE(TinkerModelTask, tinker_model_task, TINKER, MODEL_TASK, GObject)
+
+/* What is known of the scene as it was. */
+typedef struct {
+    TinkerScene *scene;      /* a copy of it */
+    double time;             /* s */
+    TinkerModelState *state; /* NULL where the scene cannot run: */
+    GError *error;           /* why */
+    TinkerEquations *equations;
+    TinkerMatrixForm *matrix; /* NULL where no plan could be made */
+    TinkerAngleForm *angles;
+    TinkerBlockId *bodies; /* that were selected, ended by TINKER_NO_BLOCK */
+    TinkerBooks *books;    /* of them, from the start to `time`; NULL where none is selected, or at the start */
+} TinkerModelResult;
+
+/* Takes references. (transfer full) */
+TinkerModelTask *tinker_model_task_new(TinkerDocument *document, TinkerPlayer *player);
+
+/* The last result, or NULL. Borrowed until "changed". */
+const TinkerModelResult *tinker_model_task_result(TinkerModelTask *task);
+
+/* Whether somebody looks: else nothing is worked out. */
+void tinker_model_task_want(TinkerModelTask *task, gboolean wanted);
+
+/* Whether another result is to come. */
+gboolean tinker_model_task_is_due(TinkerModelTask *task);
+
+#endif

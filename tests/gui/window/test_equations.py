@@ -1,0 +1,90 @@
+#!/usr/bin/python3
+"""The page "Equations": its terms are read out, light up with their blocks, and have values; diagram and books."""
+import re
+
+from harness import App, check, colours, main, mass, scene, spring, support, wait
+
+GRAVITY = {"type": "gravity", "name": "Gravity", "acceleration": 10}
+WEIGHT = "Gravity: minus m times g"
+PULL = re.compile("^Spring: plus T times")
+
+
+def hanging():
+    return scene(GRAVITY, support("Wall", 0, 3, solid=False), mass("Bob", 0, 0, mass=2),
+                 spring("Spring", "Wall", "Bob", stiffness=25, rest_length=2))
+
+
+def open_page(app):
+    app.show_width()
+    app.click("Equations", role="tab")
+    return app.find("image", WEIGHT)
+
+
+def test_terms_are_read_out(display):
+    with App(display, hanging()) as app:
+        open_page(app)
+        app.find("image", "Bob: m times y double dot equals")
+        app.find("image", PULL)
+        app.find("image", "Spring: k times, L minus L nought")
+
+
+def test_pointing_at_a_term_lights_its_block(display):
+    """And at a block its terms. The spring runs from (0, 3) to (0, 0)."""
+    with App(display, hanging()) as app:
+        open_page(app)
+        term = app.find("image", PULL)
+        about = app.area(-0.5, 1, 0.5, 2)
+        halo = lambda: len(colours.places(app.picture(), about, colours.halo(colours.HIGHLIGHTED), 0.5, 1.2))
+        box = app.box(term)
+        inside = box[0], box[1], box[0] + box[2], box[1] + box[3]
+        app.xdotool("mousemove", *app.middle(app.find("image", WEIGHT)))
+        wait(lambda: halo() == 0, "no halo about the spring")
+        dark = app.picture().cut(inside)
+        app.xdotool("mousemove", *app.middle(term))
+        wait(lambda: halo() > 20, "a halo about the spring")
+        app.xdotool("mousemove", *app.at(2.5, -1))
+        wait(lambda: halo() == 0, "it to go")
+        wait(lambda: app.picture().cut(inside) == dark, "the term as it was")
+        app.xdotool("mousemove", *app.at(0, 1.5))
+        wait(lambda: app.picture().cut(inside) != dark, "the term to light up")
+
+
+def test_keys_reach_a_term_and_select_its_block(display):
+    with App(display, hanging()) as app:
+        open_page(app)
+        app.click(app.find("image", "Bob: m times y double dot equals"))
+        for _ in range(6):
+            if app.find("image", WEIGHT).refreshed().has("focused"):
+                break
+            app.press("Tab")
+        check(app.find("image", WEIGHT).refreshed().has("focused"), "Tab reaches the weight")
+        app.press("Return")
+        app.click("Properties", role="tab")
+        app.wait_read("Appearance", "Name", "Gravity")
+
+
+def test_values_beneath_the_terms(display):
+    """2 kg under 10 m/s^2; the spring is longer by 1 m."""
+    with App(display, hanging()) as app:
+        open_page(app)
+        app.click("Values", role="check box")
+        for name, value in ((WEIGHT, "−20 N"), (PULL, "25 N")):
+            wait(lambda: app.look("image", name, description=value), f"{name}: {value}")
+
+
+def test_selected_body_has_diagram_and_books(display):
+    with App(display, hanging()) as app:
+        open_page(app)
+        check(app.look("image", "Free-body diagram") is None, "no diagram while nothing is selected")
+        app.click_world(0.2, 0.2)
+        app.click("Equations", role="tab")
+        app.find("image", "Free-body diagram")
+        app.activate("play")
+        wait(lambda: app.time() > 0.2, "time to go on")
+        app.activate("play")
+        wait(lambda: app.tree.refresh(True) and any(node.name == "Work and energy, impulse and momentum"
+                                                    and node.is_shown() for node in app.tree.refresh(True)), "books")
+
+
+if __name__ == "__main__":
+    main()
