@@ -28,9 +28,6 @@ static char *coordinate(const TinkerPage *page, const TinkerMatrixIsland *island
 /* "+ c q'" where the coefficient is not 0. */
 static void add_term(GString *sum, const TinkerPage *page, const TinkerExpression *factor, char *variable)
 {
-    static const char *const plus[] = {" + ", "+", "<mo>+</mo>", " plus "}, *const minus[] = {" − ", "-", "<mo>−</mo>",
-                                                                                              " minus "};
-    static const char *const times[] = {" ", "\\,", "<mo>&#x2062;</mo>", " times "};
     static const char *const open[] = {"(", "\\left(", "<mo>(</mo>", ", "};
     static const char *const close[] = {")", "\\right)", "<mo>)</mo>", ", "};
     if (!tinker_expression_is_number(factor, 0)) {
@@ -38,9 +35,9 @@ static void add_term(GString *sum, const TinkerPage *page, const TinkerExpressio
         const TinkerExpression *size = negative ? factor->parts[0] : factor;
         const gboolean brackets = size->kind == TINKER_EXPRESSION_SUM;
         g_autofree char *text = tinker_page_expression(page, size);
-        if (sum->len > 0 || negative) g_string_append(sum, negative ? minus[page->format] : plus[page->format]);
+        if (sum->len > 0 || negative) g_string_append(sum, tinker_typeset_sign(page->format, negative ? '-' : '+'));
         g_string_append_printf(sum, "%s%s%s%s%s", brackets ? open[page->format] : "", text,
-                               brackets ? close[page->format] : "", times[page->format], variable);
+                               brackets ? close[page->format] : "", tinker_typeset_sign(page->format, '*'), variable);
     }
     g_free(variable);
 }
@@ -61,13 +58,11 @@ static void write_row(TinkerPage *page, const TinkerMatrixIsland *island, guint 
 static void write_coordinate(TinkerPage *page, const TinkerMatrixIsland *island, guint number)
 {
     const TinkerMatrixCoordinate *each = coordinate_at(island, number);
-    static const char *const minus[] = {" − ", "-", "<mo>−</mo>", " minus "}, *const plus[] = {" + ", "+", "<mo>+</mo>",
-                                                                                               " plus "};
     g_autofree char *is = tinker_page_expression(page, each->is);
     g_autofree char *about = tinker_page_quantity(page, fabs(each->about), length);
     char *right = each->about == 0
                       ? g_strdup(is)
-                      : g_strconcat(is, each->about > 0 ? minus[page->format] : plus[page->format], about, NULL);
+                      : g_strconcat(is, tinker_typeset_sign(page->format, each->about > 0 ? '-' : '+'), about, NULL);
     tinker_page_equation(page, coordinate(page, island, number, 0), right,
                          g_strdup(island->about_rest ? "counted from rest" : "its place"));
 }

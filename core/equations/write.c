@@ -58,12 +58,11 @@ static TinkerExpression *sum_of(const TinkerBodyEquation *body, const Component 
 /* m x, or I θ, with two dots; the mass is a symbol or a number. */
 static char *left_side(const TinkerPage *page, const TinkerBodyEquation *body, const Component *component)
 {
-    static const char *const between[] = {" ", "\\,", "<mo>&#x2062;</mo>", " "};
     const gboolean turning = component->dimension.length == 2;
     g_autofree char *state = g_strconcat(name_of(page->equations, body->block), ".", component->coordinate, NULL);
     g_autofree char *mass = tinker_page_expression(page, turning ? body->inertia : body->mass);
     g_autofree char *acceleration = tinker_page_derivative(page, state, 2);
-    return g_strconcat(mass, between[page->format], acceleration, NULL);
+    return g_strconcat(mass, tinker_typeset_sign(page->format, '*'), acceleration, NULL);
 }
 
 /* "Gravity + Spring 0": who acts. */

@@ -235,3 +235,9 @@ void tinker_symbol_typeset(GString *text, const TinkerSymbolLook *look, TinkerTy
 {
     style_of(format)->symbol(text, look);
 }
+
+const char *tinker_typeset_sign(TinkerTypesetFormat format, char sign)
+{
+    const TinkerTypesetStyle *style = style_of(format);
+    return sign == '+' ? style->plus : sign == '-' ? style->minus : style->times;
+}

@@ -29,6 +29,9 @@ char *tinker_expression_typeset(const TinkerExpression *expression, TinkerTypese
 char *tinker_expression_typeset_term(const TinkerExpression *expression, gboolean first, TinkerTypesetFormat format,
                                      TinkerLookFunc look, void *data);
 
+/* What stands between terms, '+' and '-', and between factors, '*'. Static. */
+const char *tinker_typeset_sign(TinkerTypesetFormat format, char sign);
+
 /* One symbol, appended. */
 void tinker_symbol_typeset(GString *text, const TinkerSymbolLook *look, TinkerTypesetFormat format);
 

@@ -277,7 +277,7 @@ static void add_tools(TinkerEquationsPage *page)
     const char *const forms[] = {_("Newton"), _("Matrix"), _("Angles"), NULL};
     GtkWidget *tools = gtk_box_new(GTK_ORIENTATION_HORIZONTAL, 8), *copy = new_copy_button();
     page->forms = gtk_drop_down_new_from_strings(forms);
-    page->values = gtk_check_button_new_with_mnemonic(_("_Values"));
+    page->values = gtk_check_button_new_with_label(_("Values"));
     gtk_accessible_update_property(GTK_ACCESSIBLE(page->forms), GTK_ACCESSIBLE_PROPERTY_LABEL, _("Form of Equations"),
                                    -1);
     gtk_widget_set_tooltip_text(page->values, _("The force of each term now, beneath it"));
@@ -302,7 +302,7 @@ static GtkWidget *add_heading(TinkerEquationsPage *page, const char *text)
 
 static GtkWidget *add_picture(TinkerEquationsPage *page, GtkDrawingAreaDrawFunc draw, int height, const char *label)
 {
-    GtkWidget *area = gtk_drawing_area_new();
+    GtkWidget *area = g_object_new(GTK_TYPE_DRAWING_AREA, "accessible-role", GTK_ACCESSIBLE_ROLE_IMG, NULL);
     gtk_drawing_area_set_content_height(GTK_DRAWING_AREA(area), height);
     gtk_drawing_area_set_draw_func(GTK_DRAWING_AREA(area), draw, page, NULL);
     gtk_accessible_update_property(GTK_ACCESSIBLE(area), GTK_ACCESSIBLE_PROPERTY_LABEL, label, -1);
