@@ -139,47 +139,60 @@ void tinker_compiled_free(TinkerCompiled *compiled)
     g_free(compiled);
 }
 
-/* The operations that laws are mostly made of stand here; the others are asked where they have their meaning. */
-static double apply(const TinkerInstruction *instruction, const double *results, const double *arguments)
+/* The operations that are not among the common ones are asked where they have their meaning. */
+static double apply(const TinkerInstruction *instruction, const double *results)
 {
-    const double a = instruction->a >= 0 ? results[instruction->a] : 0,
-                 b = instruction->b >= 0 ? results[instruction->b] : 0,
-                 c = instruction->c >= 0 ? results[instruction->c] : 0;
-    switch (instruction->operation) {
-    case TINKER_OP_CONSTANT:
-        return instruction->number;
-    case TINKER_OP_TIME:
-        return arguments[(int)instruction->number];
-    case TINKER_OP_SWITCH:
-    case TINKER_OP_TRUTH:
-        return tinker_instruction_cell(instruction, a);
-    case TINKER_OP_CHOOSE:
-        return c < 0 ? a : b;
-    case TINKER_OP_NEGATE:
-        return -a;
-    case TINKER_OP_ADD:
-        return a + b;
-    case TINKER_OP_SUBTRACT:
-        return a - b;
-    case TINKER_OP_MULTIPLY:
-        return a * b;
-    case TINKER_OP_DIVIDE:
-        return a / b;
-    case TINKER_OP_POWER:
-        return pow(a, b);
-    case TINKER_OP_SQRT:
-        return sqrt(a);
-    default:
-        break;
-    }
-    const TinkerJet first = {a, 0, 0}, second = {b, 0, 0};
-    return tinker_jet_apply(instruction->operation, &first, &second, c).value;
+    const TinkerJet a = {results[instruction->a], 0, 0};
+    const TinkerJet b = {instruction->b >= 0 ? results[instruction->b] : 0, 0, 0};
+    return tinker_jet_apply(instruction->operation, &a, &b, instruction->c >= 0 ? results[instruction->c] : 0).value;
 }
 
+/* Laws are called at every evaluation of a run, and are mostly made of the operations that stand in the loop. */
 double tinker_compiled_value(const TinkerCompiled *compiled, const double *arguments)
 {
-    double results[MOST_INSTRUCTIONS + 1];
-    for (int i = 0; i < compiled->count; i++)
-        results[i] = apply(&compiled->code[i], results, arguments);
-    return results[compiled->count - 1];
+    double results[MOST_INSTRUCTIONS + 1], last = 0;
+    const TinkerInstruction *code = compiled->code;
+    for (int i = 0; i < compiled->count; i++) {
+        const TinkerInstruction *at = &code[i];
+        switch (at->operation) {
+        case TINKER_OP_CONSTANT:
+            last = at->number;
+            break;
+        case TINKER_OP_TIME:
+            last = arguments[(int)at->number];
+            break;
+        case TINKER_OP_SWITCH:
+        case TINKER_OP_TRUTH:
+            last = tinker_instruction_cell(at, results[at->a]);
+            break;
+        case TINKER_OP_CHOOSE:
+            last = results[results[at->c] < 0 ? at->a : at->b];
+            break;
+        case TINKER_OP_NEGATE:
+            last = -results[at->a];
+            break;
+        case TINKER_OP_ADD:
+            last = results[at->a] + results[at->b];
+            break;
+        case TINKER_OP_SUBTRACT:
+            last = results[at->a] - results[at->b];
+            break;
+        case TINKER_OP_MULTIPLY:
+            last = results[at->a] * results[at->b];
+            break;
+        case TINKER_OP_DIVIDE:
+            last = results[at->a] / results[at->b];
+            break;
+        case TINKER_OP_POWER:
+            last = pow(results[at->a], results[at->b]);
+            break;
+        case TINKER_OP_SQRT:
+            last = sqrt(results[at->a]);
+            break;
+        default:
+            last = apply(at, results);
+        }
+        results[i] = last;
+    }
+    return last;
 }
