@@ -160,9 +160,9 @@ static double work_plotting(gint64 units, void *data)
     return benchmark_processor_time() - started;
 }
 
-static double report_graph(BenchmarkReport *report, gsize points, double goal)
+static double report_graph(BenchmarkReport *report, gsize points, gboolean indexed, double goal)
 {
-    g_autofree char *name = g_strdup_printf("graph of %" G_GSIZE_FORMAT " points", points);
+    g_autofree char *name = g_strdup_printf("graph of %" G_GSIZE_FORMAT " points%s", points, indexed ? ", zoomed" : "");
     g_autofree double *t = g_new(double, points), *y = g_new(double, points);
     double ignored, ms;
     if (!benchmark_report_wants(report, name)) return NAN;
@@ -170,10 +170,15 @@ static double report_graph(BenchmarkReport *report, gsize points, double goal)
         t[i] = 10.0 * (double)i / (double)(points - 1);
         y[i] = exp(-0.1 * t[i]) * cos(7 * t[i]) + 0.1 * sin(90 * t[i]);
     }
+    static const double part[2] = {2.5, 7.5};
+    g_autoptr(TinkerCurveIndex) index = tinker_curve_index_new();
+    tinker_curve_index_add(index, t, y, points);
     cairo_surface_t *surface = cairo_image_surface_create(CAIRO_FORMAT_ARGB32, PLOT_WIDTH, PLOT_HEIGHT);
-    Graph graph = {.curve = {.label = "y", .x = t, .y = y, .count = points}, .cairo = cairo_create(surface)};
+    Graph graph = {.curve = {.label = "y", .x = t, .y = y, .count = points, .index = indexed ? index : NULL},
+                   .cairo = cairo_create(surface)};
     graph.plot = (TinkerPlot){.x_label = "Time [s]",
                               .y_label = "Y Position [m]",
+                              .x_range = indexed ? part : NULL,
                               .curves = &graph.curve,
                               .curve_count = 1,
                               .quick = TRUE,
@@ -193,7 +198,8 @@ int main(int argc, char **argv)
     report_scene(report, "lattice of about 5000 blocks", benchmark_net(41), 25);
     report_scene(report, "pendulums, about 200 blocks", benchmark_pendulums(67), 6);
     report_scene(report, "pendulums, about 5000 blocks", benchmark_pendulums(1667), 25);
-    report_graph(report, 1000, 1);
-    report_graph(report, 100000, 2);
+    report_graph(report, 1000, FALSE, 1);
+    report_graph(report, 100000, FALSE, 2);
+    report_graph(report, 1000000, TRUE, 16);
     return benchmark_report_end(report);
 }

@@ -7,6 +7,7 @@
 #include "gui/graph/graph-export.h"
 #include "gui/graph/graph-looks.h"
 #include "gui/graph/graph-plot.h"
+#include "gui/graph/graph-statistics.h"
 #include "gui/widget/popup-menu.h"
 #include "gui/widget/unparent.h"
 
@@ -185,6 +186,15 @@ static void edit_curves(GtkWidget *widget, const char *name, GVariant *parameter
     tinker_curves_dialog_open(widget, view->document, view->number);
 }
 
+static void show_statistics(GtkWidget *widget, const char *name, GVariant *parameter)
+{
+    TinkerGraphView *view = TINKER_GRAPH_VIEW(widget);
+    double range[2];
+    const gboolean part = tinker_graph_data_is_over_time(tinker_graph_view_data(view)) &&
+                          tinker_time_span_get(tinker_player_span(view->player), range);
+    tinker_graph_show_statistics(widget, tinker_graph_view_data(view), part ? range : NULL);
+}
+
 /* The menu ------------------------------------------------------------------------------------------------------------
  */
 
@@ -312,6 +322,7 @@ static void add_commands(GtkWidgetClass *widget_class)
         {"graph.save-image", save_image, GDK_KEY_s, GDK_CONTROL_MASK | GDK_ALT_MASK},
         {"graph.export-values", export_values, GDK_KEY_e, GDK_CONTROL_MASK},
         {"graph.curves", edit_curves, GDK_KEY_l, GDK_CONTROL_MASK},
+        {"graph.statistics", show_statistics, GDK_KEY_s, 0},
         {"graph.dock", edit, 0, 0},
         {"graph.float", edit, 0, 0},
         {"graph.delete", edit, GDK_KEY_Delete, 0},

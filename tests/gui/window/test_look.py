@@ -124,5 +124,18 @@ def test_two_cursors_by_mouse(display):
         check_close(rate, 1 / interval, 1e-4 * rate, "1/Δt (Hz)")
 
 
+def test_statistics(display):
+    """Of the throw: the mean height of the first 2 s is 2/3 of the greatest; over all 2.5 s that of the parabola there."""
+    with App(display, thrown(HEIGHT)) as app:
+        run(app)
+        focus(app, graph(app))
+        app.press("s")
+        mean = 9.81 * 2.5 / 2 - 9.81 * 2.5 ** 2 / 6
+        text = wait(lambda: app.look("label", re.compile("Mean = ")), "the statistics").name
+        check_close(float(re.search(r"Mean = (\S+) m", text).group(1)), mean, 1e-4, "mean (m)")
+        check_close(float(re.search(r"Greatest = (\S+) m", text).group(1)), 4.905, 1e-4, "greatest (m)")
+        app.click("Close", inside=app.find(None, "Statistics"))
+
+
 if __name__ == "__main__":
     main()
