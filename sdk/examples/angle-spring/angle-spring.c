@@ -1,4 +1,4 @@
-/* Torsional spring: turns two arms about a hinge towards their rest angle, M = k (theta - theta0).
+/* Angle spring: turns two arms about a hinge towards their rest angle, M = k (theta - theta0).
  *
  * The ends are the tip of the first arm, the hinge, and the tip of the second arm; theta is the angle from the first
  * arm to the second, counter-clockwise. With a = x0 - x1, c = x2 - x1 and delta = theta - theta0,
@@ -152,10 +152,10 @@ static const TinkerGraph graph = {.struct_size = sizeof(TinkerGraph), .values = 
 /* clang-format on */
 
 static const TinkerPropertyType properties[] = {
-    {TINKER_REAL_PROPERTY("stiffness", "Stiffness", "Torsional Spring", DIMENSION_TORSIONAL_STIFFNESS),
+    {TINKER_REAL_PROPERTY("stiffness", "Stiffness", "Angle Spring", DIMENSION_TORSIONAL_STIFFNESS),
      TINKER_NOT_NEGATIVE(0, 20.0), .default_value = {1.0}, .symbol = "k", .variability = TINKER_TUNABLE,
      .description = "Moment per angle"},
-    {TINKER_REAL_PROPERTY("rest_angle", "Rest Angle", "Torsional Spring", TINKER_DIMENSION_ANGLE),
+    {TINKER_REAL_PROPERTY("rest_angle", "Rest Angle", "Angle Spring", TINKER_DIMENSION_ANGLE),
      TINKER_BETWEEN(0, -2.0 * TINKER_PI, 2.0 * TINKER_PI), .default_value = {TINKER_PI}, .symbol = "theta0",
      .variability = TINKER_TUNABLE, .description = "Angle from the first arm to the second without moment"},
 };
@@ -186,11 +186,11 @@ static const TinkerInterface interfaces[] = {
 };
 
 static const TinkerBlockType blocks[] = {
-    {TINKER_BLOCK("torsional-spring", "Torsional Spring", TINKER_CONNECTOR),
+    {TINKER_BLOCK("angle-spring", "Angle Spring", TINKER_CONNECTOR),
      .summary = "Turns two arms about a hinge towards their rest angle", .formula = "M = k (theta - theta0)",
      .least_ends = ENDS, .most_ends = ENDS, .end_accepts = TINKER_ACCEPTS_BODY | TINKER_ACCEPTS_SUPPORT,
      .properties = TINKER_SPAN(properties), .quantities = TINKER_SPAN(quantities),
      .interfaces = TINKER_SPAN(interfaces), .law = TINKER_SPAN(law)},
 };
 
-TINKER_DEFINE_PLUGIN("org.example.torsional-spring", "Torsional Spring", "1.0.0", "MIT", blocks)
+TINKER_DEFINE_PLUGIN("org.example.angle-spring", "Angle Spring", "1.0.0", "MIT", blocks)

@@ -1,4 +1,4 @@
-"""The torsional spring against closed forms. Run by `meson test`."""
+"""The angle spring against closed forms. Run by `meson test`."""
 import csv
 import io
 import json
@@ -31,7 +31,7 @@ def mass(name, kilograms, place, velocity=(0, 0)):
 
 
 def spring(ends, **properties):
-    return {"type": "torsional-spring", "name": "Spring", "ends": ends, **properties}
+    return {"type": "angle-spring", "name": "Spring", "ends": ends, **properties}
 
 
 def arm(rest_angle, turn, stiffness=2.0):
@@ -48,7 +48,7 @@ class Arm(unittest.TestCase):
     RATE = math.sqrt(2.0 / (0.5 * 0.6**2))
 
     def test_scene(self):
-        with open("torsional-spring.tinker.json", encoding="utf-8") as file:
+        with open("angle-spring.tinker.json", encoding="utf-8") as file:
             record = run(json.load(file), "Spring.angle", tolerance="1e-12")
         for t, row in record.items():
             self.assertAlmostEqual(row["Spring.angle"], math.pi + 2.8 * math.cos(self.RATE * t), delta=1e-9)
