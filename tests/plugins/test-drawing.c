@@ -222,7 +222,7 @@ static void test_rope(void)
     Stage stage;
     stage_init(&stage, "rope");
     stage.instance.ends = 4;
-    const TinkerEnd ends[4] = {{-1, -3, 1, 0}, {-1, 0, 1, 0}, {2, 0, 1, 0}, {2, -4, 0, 0}};
+    const TinkerEnd ends[4] = {{-1, -3, 1, 0, 0}, {-1, 0, 1, 0, 0}, {2, 0, 1, 0, 0}, {2, -4, 0, 0, 0}};
     memcpy(stage.ends, ends, sizeof ends);
     stage_set(&stage, "length", 10);
     draw(&stage);

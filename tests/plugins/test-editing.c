@@ -32,7 +32,7 @@ static void stage_set_end(const TinkerEditor *editor, int32_t end, double x, dou
     Stage *stage = editor->context;
     g_assert_cmpint(end, >=, 0);
     g_assert_cmpint(end, <, stage->instance.ends);
-    stage->ends[end] = (TinkerEnd){x, y, 0, 0};
+    stage->ends[end] = (TinkerEnd){x, y, 0, 0, 0};
     stage->calls++;
 }
 
@@ -198,8 +198,8 @@ static void test_connector(gconstpointer data)
 {
     Stage stage;
     stage_init(&stage, data);
-    stage.ends[0] = (TinkerEnd){0, 0, 1, 0};
-    stage.ends[1] = (TinkerEnd){3, 4, 0, 0};
+    stage.ends[0] = (TinkerEnd){0, 0, 1, 0, 0};
+    stage.ends[1] = (TinkerEnd){3, 4, 0, 0, 0};
     stage.instance.x = 1.5;
     stage.instance.y = 2;
     g_assert_cmpint(hit(&stage, 0.02, 0.01), ==, 0);
@@ -243,7 +243,7 @@ static void test_arrow_of_one_end(gconstpointer data)
     Stage stage;
     TinkerHandle handle = {0};
     stage_init(&stage, data);
-    stage.ends[0] = (TinkerEnd){1, 1, 1, 0};
+    stage.ends[0] = (TinkerEnd){1, 1, 1, 0, 0};
     stage.instance.x = stage.instance.y = 1;
     *stage_column(&stage, "waveform") = 1;
     g_assert_cmpint(hit(&stage, 1, 1), ==, 0);

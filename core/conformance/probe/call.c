@@ -18,6 +18,7 @@ static void make_room(KitAnswer *answer, const KitFunction *function, const KitS
             answer->memory[k][i] = NAN;
         answer->values[k] = answer->memory[k] + ROOM;
         if (output->integers) memset(answer->memory[k], 0xff, whole * sizeof(double));
+        if (output->angular) memset(answer->values[k], 0, answer->entries[k] * sizeof(double)); // so it is for a run
     }
 }
 
@@ -31,6 +32,7 @@ TinkerGraphInput kit_state_graph_input(const KitState *state)
     if (physics == NULL) return input;
     if (physics->constraint != NULL) input.multipliers = state->multipliers;
     if (physics->force_element != NULL) input.forces = state->forces;
+    if (physics->force_element != NULL && physics->force_element->angles != 0) input.torques = state->torques;
     if (physics->body != NULL) input.contacts = state->contacts;
     if (physics->field == NULL) return input;
     input.bodies = state->bodies;

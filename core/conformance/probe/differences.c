@@ -35,6 +35,12 @@ void kit_move_end(KitState *state, int which, double by)
             shift_point(&state->points[state->offsets[i] + which / 2], which % 2, by);
 }
 
+void kit_turn_end(KitState *state, int which, double by)
+{
+    for (int32_t i = 0; i < state->count; i++)
+        if (state->offsets[i] + which < state->offsets[i + 1]) state->poses[state->offsets[i] + which].angle += by;
+}
+
 void kit_go_on(KitState *state, int which, double by)
 {
     const TinkerBlockClass *c = state->block_class;
@@ -50,6 +56,7 @@ void kit_go_on(KitState *state, int which, double by)
     for (int32_t e = 0; which == 1 && e < kit_state_end_count(state); e++) {
         state->points[e].x += by * state->points[e].vx;
         state->points[e].y += by * state->points[e].vy;
+        state->poses[e].angle += by * state->poses[e].rate;
     }
 }
 

@@ -15,6 +15,8 @@ void kit_move_end(KitState *state, int which, double by);
 void kit_move_body(KitState *state, int which, double by);
 /* Time goes on, with waveforms by their derivatives, which is a Taylor series up to its square: enough for second
  * derivatives where it begins. With which = 1 the ends as well, with their velocities. */
+/* Turns what end number `which` of every instance is on. */
+void kit_turn_end(KitState *state, int which, double by);
 void kit_go_on(KitState *state, int which, double by);
 
 /* How near to each other differences have to be. */

@@ -14,19 +14,31 @@ CALL(call_tension, line_law, tension, w->lengths, w->rates, w->outputs[0])
 CALL(call_line_derivatives, line_law, derivatives, w->lengths, w->rates, w->outputs[0], w->outputs[1])
 CALL(call_line_energy, line_law, energy, w->lengths, w->outputs[0])
 CALL(call_line_linear, line_law, linear, w->outputs[0], w->outputs[1], w->outputs[2], w->outputs[3])
-CALL(call_force, force_element, force, w->points, w->outputs[0])
 CALL(call_force_energy, force_element, energy, w->points, w->outputs[0])
 CALL(call_force_linear, force_element, linear, w->outputs[0], w->outputs[1], w->outputs[2])
 CALL(call_field_force, field, force, w->bodies, w->outputs[0])
 CALL(call_field_energy, field, energy, w->bodies, w->outputs[0])
 CALL(call_field_linear, field, linear, w->outputs[0])
 CALL(call_field_derivatives, field, derivatives, w->bodies, w->outputs[0])
-CALL(call_rows, constraint, rows_at, w->points, w->outputs[0], w->outputs[1], w->outputs[2])
+CALL(call_rotation, motion, rotation, w->outputs[0])
 CALL(call_prescribed_rate, constraint, prescribed_rate, w->points, w->outputs[0])
 CALL(call_scale, constraint, scale, w->outputs[0])
 CALL(call_distance, constraint, distance, w->outputs[0])
 CALL(call_motion, motion, motion, w->outputs[0], w->outputs[1], w->outputs[2])
 CALL(call_motion_linear, motion, linear, w->outputs[0], w->outputs[1])
+
+/* What speaks of angles answers that through the batch, as the last of its results. */
+static TinkerStatus call_force(const KitFunction *function, const TinkerBlockClass *block_class, const KitArguments *w)
+{
+    w->batch->angular = function->output_count > 1 ? w->outputs[1] : NULL;
+    return block_class->physics->force_element->force(w->batch, w->points, w->outputs[0]);
+}
+
+static TinkerStatus call_rows(const KitFunction *function, const TinkerBlockClass *block_class, const KitArguments *w)
+{
+    w->batch->angular = function->output_count > 3 ? w->outputs[3] : NULL;
+    return block_class->physics->constraint->rows_at(w->batch, w->points, w->outputs[0], w->outputs[1], w->outputs[2]);
+}
 
 static TinkerStatus call_values(const KitFunction *function, const TinkerBlockClass *block_class, const KitArguments *w)
 {
@@ -140,6 +152,15 @@ static const KitFunction motion = {
      {"velocity", KIT_INSTANCES, 2, .dimension = {TINKER_DIMENSION_VELOCITY, TINKER_DIMENSION_VELOCITY}},
      {"acceleration", KIT_INSTANCES, 2, .dimension = {TINKER_DIMENSION_ACCELERATION, TINKER_DIMENSION_ACCELERATION}}},
     call_motion};
+/* TinkerPose: three doubles. */
+static const KitFunction rotation = {
+    "rotation",
+    TRUE,
+    FALSE,
+    0,
+    1,
+    {{"rotation", KIT_INSTANCES, 3, .dimension = {{0, 0, 0, 1}, {0, 0, -1, 1}, {0, 0, -2, 1}}}},
+    call_rotation};
 static const KitFunction motion_linear = {
     "linear",
     FALSE,
@@ -181,6 +202,15 @@ static KitFunction with_direction(KitFunction function, int output, const Tinker
     return function;
 }
 
+static const KitOutput torque = {"torque", KIT_ENDS, 1, .angular = TRUE, .dimension = {TINKER_DIMENSION_ENERGY}};
+static const KitOutput third_column = {"angular", KIT_ROW_ENDS, 1, .angular = TRUE, .of_g = TRUE};
+
+static KitFunction with_output(KitFunction function, gboolean wanted, const KitOutput *output)
+{
+    if (wanted) function.outputs[function.output_count++] = *output;
+    return function;
+}
+
 static void add_forces(GArray *list, const TinkerBlockClass *block_class)
 {
     const TinkerLineLaw *line = block_class->physics->line_law;
@@ -193,7 +223,7 @@ static void add_forces(GArray *list, const TinkerBlockClass *block_class)
         add(list, line->next_break != NULL, next_break(break_line_law));
     }
     if (element != NULL) {
-        add(list, TRUE, force);
+        add(list, TRUE, with_output(force, element->angles != 0, &torque));
         add(list, element->energy != NULL, force_energy);
         add(list, element->linear != NULL,
             with_direction(force_linear, 1, block_class, (TinkerDimension)TINKER_DIMENSION_FORCE));
@@ -214,14 +244,15 @@ static void add_others(GArray *list, const TinkerBlockClass *block_class)
         add(list, field->next_break != NULL, next_break(break_field));
     }
     if (constraint != NULL) {
-        add(list, TRUE, rows);
+        add(list, TRUE, with_output(rows, constraint->angles != 0, &third_column));
         add(list, constraint->prescribed_rate != NULL, prescribed_rate);
         add(list, constraint->scale != NULL, scale);
         add(list, constraint->distance != NULL, distance);
         add(list, constraint->next_break != NULL, next_break(break_constraint));
     }
     if (role != NULL) {
-        add(list, TRUE, motion);
+        add(list, role->motion != NULL, motion);
+        add(list, role->rotation != NULL, rotation);
         add(list, role->linear != NULL,
             with_direction(motion_linear, 0, block_class, (TinkerDimension)TINKER_DIMENSION_LENGTH));
         add(list, role->next_break != NULL, next_break(break_motion));

@@ -26,9 +26,11 @@ static KitState *state_of(TinkerFrame *frame, const TinkerScene *scene, TinkerBl
     state->offsets = g_new0(int32_t, 2);
     state->offsets[1] = ends;
     state->columns = g_new0(double *, c->column_count + 1);
+    state->placed_columns = g_new0(double *, c->column_count + 1);
     for (int32_t k = 0; k < c->column_count; k++) {
         state->columns[k] = g_new0(double, 2);
         state->columns[k][0] = tinker_frame_column(frame, block, k);
+        state->placed_columns[k] = g_memdup2(state->columns[k], 2 * sizeof(double));
     }
     state->points = g_new0(TinkerPoint, ends + 1);
     for (int32_t e = 0; e < ends; e++) {
@@ -43,6 +45,16 @@ static KitState *state_of(TinkerFrame *frame, const TinkerScene *scene, TinkerBl
     state->multipliers = g_new0(double, c->physics->constraint->rows + 1);
     state->contacts = g_new0(double, 5);
     state->poses = g_new0(TinkerPose, ends + 1);
+    state->torques = g_new0(double, ends + 1);
+    state->has_angle = g_new0(int32_t, ends + 1);
+    for (int32_t e = 0; e < ends; e++) {
+        double x, y;
+        const TinkerBlockId on = tinker_scene_end(scene, block, e).block;
+        state->has_angle[e] = tinker_block_class_has_angle(tinker_scene_block_class(scene, on));
+        tinker_frame_centre(frame, on, &x, &y, &state->poses[e].angle);
+    }
+    state->placed = g_memdup2(state->points, ((gsize)ends + 1) * sizeof(TinkerPoint));
+    state->placed_poses = g_memdup2(state->poses, ((gsize)ends + 1) * sizeof(TinkerPose));
     g_strlcpy(state->label, "the start of a run", sizeof state->label);
     return state;
 }

@@ -140,6 +140,20 @@ static KitState *draw_instance(const TinkerBlockClass *block_class, GRand *rando
     state->poses = g_new0(TinkerPose, ends + 1);
     for (int32_t e = 0; e < ends; e++)
         state->poses[e] = (TinkerPose){between(turning, -4, 4), between(turning, -3, 3), between(turning, -5, 5)};
+    state->torques = draw_numbers(turning, ends, 5);
+    state->placed = draw_points(turning, ends);
+    state->placed_columns = g_new0(double *, block_class->column_count + 1);
+    for (int32_t c = 0; c < block_class->column_count; c++)
+        state->placed_columns[c] = g_memdup2(state->columns[c], 2 * sizeof(double));
+    state->has_angle = g_new0(int32_t, ends + 1);
+    for (int32_t e = 0; e < ends; e++)
+        state->has_angle[e] = g_rand_int_range(turning, 0, 8) > 0;
+    for (int32_t e = 0; e < ends && tinker_block_class_speaks_of_angles(block_class); e++)
+        if (!state->has_angle[e]) state->poses[e] = (TinkerPose){0, 0, 0};
+    state->placed_poses = g_new0(TinkerPose, ends + 1);
+    for (int32_t e = 0; e < ends; e++)
+        if (state->has_angle[e])
+            state->placed_poses[e] = (TinkerPose){between(turning, -4, 4), between(turning, -3, 3), 0};
     g_strlcpy(state->label, "ordinary values", sizeof state->label);
     return state;
 }
@@ -220,10 +234,15 @@ static KitState *join(GPtrArray *parts)
     for (guint i = 0; i < parts->len; i++)
         state->offsets[i + 1] = state->offsets[i] + kit_state_end_count(parts->pdata[i]);
     state->columns = g_new0(double *, state->block_class->column_count + 1);
+    state->placed_columns = g_new0(double *, state->block_class->column_count + 1);
     for (int32_t c = 0; c < state->block_class->column_count; c++) {
         state->columns[c] = g_new0(double, parts->len + 1);
-        for (guint i = 0; i < parts->len; i++)
-            state->columns[c][i] = ((KitState *)parts->pdata[i])->columns[c][0];
+        state->placed_columns[c] = g_new0(double, parts->len + 1);
+        for (guint i = 0; i < parts->len; i++) {
+            const KitState *one = parts->pdata[i];
+            state->columns[c][i] = one->columns[c][0];
+            state->placed_columns[c][i] = one->placed_columns[c][0];
+        }
     }
     state->points = JOIN(parts, points, ends_each);
     state->lengths = JOIN(parts, lengths, one_each);
@@ -233,6 +252,10 @@ static KitState *join(GPtrArray *parts)
     state->multipliers = JOIN(parts, multipliers, rows_each);
     state->contacts = JOIN(parts, contacts, four_each);
     state->poses = JOIN(parts, poses, ends_each);
+    state->torques = JOIN(parts, torques, ends_each);
+    state->has_angle = JOIN(parts, has_angle, ends_each);
+    state->placed = JOIN(parts, placed, ends_each);
+    state->placed_poses = JOIN(parts, placed_poses, ends_each);
     state->scratch = NULL;
     add_bodies(state, first);
     return state;
@@ -244,7 +267,9 @@ static void fill_forces(KitCheck *check, KitState *state, const GArray *function
     const KitFunction *force = kit_function(functions, "force");
     if (force == NULL || force->outputs[0].extent != KIT_ENDS) return;
     g_autoptr(KitAnswer) answer = kit_call(check, force, state);
-    if (answer->status == TINKER_OK) memcpy(state->forces, answer->values[0], answer->entries[0] * sizeof(double));
+    if (answer->status != TINKER_OK) return;
+    memcpy(state->forces, answer->values[0], answer->entries[0] * sizeof(double));
+    if (force->output_count > 1) memcpy(state->torques, answer->values[1], answer->entries[1] * sizeof(double));
 }
 
 KitState *kit_state_new(KitCheck *check, int32_t count)

@@ -19,12 +19,13 @@ static double *numbers(const double *array, int32_t first, int32_t count)
     return part(array, (gsize)first, (gsize)count, sizeof *array);
 }
 
-static void cut_columns(KitState *cut, const KitState *state, int32_t first)
+static double **cut_columns(const KitState *cut, double *const *from, int32_t first)
 {
-    const int32_t columns = state->block_class->column_count;
-    cut->columns = g_new0(double *, columns + 1);
+    const int32_t columns = cut->block_class->column_count;
+    double **copy = g_new0(double *, columns + 1);
     for (int32_t c = 0; c < columns; c++)
-        cut->columns[c] = numbers(state->columns[c], first, cut->count);
+        copy[c] = numbers(from[c], first, cut->count);
+    return copy;
 }
 
 KitState *kit_state_slice(const KitState *state, int32_t first, int32_t count)
@@ -39,13 +40,18 @@ KitState *kit_state_slice(const KitState *state, int32_t first, int32_t count)
     cut->offsets = part(state->offsets, (gsize)first, (gsize)count + 1, sizeof(int32_t));
     for (int32_t i = 0; i <= count; i++)
         cut->offsets[i] -= from;
-    cut_columns(cut, state, first);
+    cut->columns = cut_columns(cut, state->columns, first);
+    cut->placed_columns = cut_columns(cut, state->placed_columns, first);
     cut->points = part(state->points, (gsize)from, (gsize)ends, sizeof(TinkerPoint));
     cut->lengths = numbers(state->lengths, first, count);
     cut->rates = numbers(state->rates, first, count);
     cut->accelerations = numbers(state->accelerations, 2 * from, 2 * ends);
     cut->forces = numbers(state->forces, 2 * from, 2 * ends);
     cut->poses = part(state->poses, (gsize)from, (gsize)ends, sizeof(TinkerPose));
+    cut->placed = part(state->placed, (gsize)from, (gsize)ends, sizeof(TinkerPoint));
+    cut->placed_poses = part(state->placed_poses, (gsize)from, (gsize)ends, sizeof(TinkerPose));
+    cut->has_angle = part(state->has_angle, (gsize)from, (gsize)ends, sizeof(int32_t));
+    cut->torques = numbers(state->torques, from, ends);
     cut->multipliers = numbers(state->multipliers, rows * first, rows * count);
     cut->contacts = numbers(state->contacts, 4 * first, 4 * count);
     cut->bodies = part(state->bodies, 0, (gsize)state->body_count, sizeof(TinkerPoint));
@@ -63,9 +69,13 @@ KitState *kit_state_copy(const KitState *state)
 void kit_state_free(KitState *state)
 {
     if (state == NULL) return;
-    for (int32_t c = 0; c < state->block_class->column_count; c++)
+    for (int32_t c = 0; c < state->block_class->column_count; c++) {
         g_free(state->columns[c]);
+        g_free(state->placed_columns[c]);
+    }
     g_free(state->columns);
+    g_free(state->placed_columns);
+    g_free(state->has_angle);
     g_free(state->offsets);
     g_free(state->points);
     g_free(state->lengths);
@@ -73,6 +83,9 @@ void kit_state_free(KitState *state)
     g_free(state->accelerations);
     g_free(state->forces);
     g_free(state->poses);
+    g_free(state->placed);
+    g_free(state->placed_poses);
+    g_free(state->torques);
     g_free(state->multipliers);
     g_free(state->contacts);
     g_free(state->bodies);
@@ -85,6 +98,7 @@ TinkerBatch kit_state_view(const KitState *state, const double **columns)
 {
     for (int32_t c = 0; c < state->block_class->column_count; c++)
         columns[c] = state->columns[c];
+    const gboolean angles = tinker_block_class_speaks_of_angles(state->block_class);
     TinkerBatch view = {
         .struct_size = sizeof(TinkerBatch),
         .first = state->first,
@@ -96,6 +110,11 @@ TinkerBatch kit_state_view(const KitState *state, const double **columns)
         .time = state->time,
         .origin = {state->origin[0], state->origin[1]},
         .failed_instance = -1,
+        .poses = angles ? state->poses : NULL,
+        .placed = angles ? state->placed : NULL,
+        .placed_poses = angles ? state->placed_poses : NULL,
+        .has_angle = angles ? state->has_angle : NULL,
+        .placed_columns = angles ? (const double *const *)state->placed_columns : NULL,
     };
     view.laws = kit_sample_laws(state->block_class, &view.law_count);
     return view;
@@ -163,6 +182,9 @@ char *kit_state_describe(const KitState *state, int32_t instance)
         const TinkerPoint *p = &state->points[e];
         g_string_append_printf(text, "%send %d at (%.6g, %.6g) with velocity (%.6g, %.6g)", text->len > 0 ? ", " : "",
                                e - state->offsets[instance], p->x, p->y, p->vx, p->vy);
+        if (tinker_block_class_speaks_of_angles(state->block_class))
+            g_string_append_printf(text, " turned by %.6g rad at %.6g rad/s", state->poses[e].angle,
+                                   state->poses[e].rate);
     }
     return g_string_free(text, FALSE);
 }

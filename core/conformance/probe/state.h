@@ -12,18 +12,23 @@
 typedef struct {
     const TinkerBlockClass *block_class;
     int32_t count;
-    int32_t ends;          /* of each instance; -1 where they differ */
-    int32_t *offsets;      /* count + 1 */
-    double **columns;      /* columns[c][i] */
-    TinkerPoint *points;   /* of every end */
-    double *lengths;       /* of a line law, one an instance; */
-    double *rates;         /*   independent of `points` */
-    double *accelerations; /* what graphs see: two of each end, */
-    double *forces;        /*   two of each end, */
-    TinkerPose *poses;     /*   one of each end, */
-    double *multipliers;   /*   one a row, */
-    double *contacts;      /*   four an instance */
-    int32_t body_count;    /* what fields see */
+    int32_t ends;        /* of each instance; -1 where they differ */
+    int32_t *offsets;    /* count + 1 */
+    double **columns;    /* columns[c][i] */
+    TinkerPoint *points; /* of every end */
+    TinkerPoint *placed; /* of every end, where angles are spoken of: at t = 0 */
+    TinkerPose *placed_poses;
+    int32_t *has_angle;      /* of every end */
+    double **placed_columns; /* as columns, at t = 0 */
+    double *lengths;         /* of a line law, one an instance; */
+    double *rates;           /*   independent of `points` */
+    double *accelerations;   /* what graphs see: two of each end, */
+    double *forces;          /*   two of each end, */
+    TinkerPose *poses;       /*   one of each end (and what speaks of angles sees), */
+    double *torques;         /*   one of each end, */
+    double *multipliers;     /*   one a row, */
+    double *contacts;        /*   four an instance */
+    int32_t body_count;      /* what fields see */
     TinkerPoint *bodies;
     double *masses;
     int32_t first_body, body_range; /* whose forces are asked for */
@@ -73,6 +78,7 @@ typedef struct {
     gboolean integers;  /* of int32_t */
     gboolean infinite;  /* may be INFINITY */
     gboolean tolerance; /* says how nearly, not what: it may be a plain 1 m */
+    gboolean angular;   /* what is written through batch->angular */
     gboolean of_g;      /* of a constraint, whose rows have a unit of their own: dimension is relative to it */
     TinkerDimension dimension[8]; /* of each of the numbers */
 } KitOutput;

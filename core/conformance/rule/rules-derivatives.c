@@ -78,6 +78,33 @@ static void try_ends(KitCheck *check, const GArray *functions, const KitState *s
     }
 }
 
+static void try_turns(KitCheck *check, const GArray *functions, const KitState *state, int *compared)
+{
+    const KitFunction *rows = kit_function(functions, "rows_at");
+    g_autoptr(KitAnswer) given = rows->output_count > 3 ? kit_call_well(check, rows, state) : NULL;
+    const int32_t row_count = kit_state_rows(state);
+    int32_t most = 0;
+    for (int32_t i = 0; i < state->count; i++)
+        most = MAX(most, state->offsets[i + 1] - state->offsets[i]);
+    for (int which = 0; given != NULL && which < most && !kit_decided(check); which++) {
+        g_autofree double *slope = slopes(check, rows, 0, state, kit_turn_end, which, 1);
+        for (int32_t i = 0; slope != NULL && i < state->count; i++) {
+            const int32_t ends = state->offsets[i + 1] - state->offsets[i];
+            for (int32_t r = 0; which < ends && r < row_count; r++) {
+                g_autofree char *what = g_strdup_printf("row %d: d g / d angle of end %d", r, which);
+                const int32_t at = row_count * state->offsets[i] + r * ends + which;
+                compare(check, state, i, what, given->values[3][at], slope[i * row_count + r], 1e-3, compared);
+            }
+        }
+    }
+}
+
+static void try_columns(KitCheck *check, const GArray *functions, const KitState *state, int *compared)
+{
+    try_ends(check, functions, state, compared);
+    try_turns(check, functions, state, compared);
+}
+
 static void try_drift(KitCheck *check, const GArray *functions, const KitState *state, int *compared)
 {
     const KitFunction *rows = kit_function(functions, "rows_at"), *rate = kit_function(functions, "prescribed_rate");
@@ -107,6 +134,19 @@ static void try_motion(KitCheck *check, const GArray *functions, const KitState 
     }
 }
 
+static void try_rotation(KitCheck *check, const GArray *functions, const KitState *state, int *compared)
+{
+    const KitFunction *rotation = kit_function(functions, "rotation");
+    g_autoptr(KitAnswer) given = kit_call_well(check, rotation, state);
+    g_autofree double *first = given == NULL ? NULL : slopes(check, rotation, 0, state, kit_go_on, 0, 1);
+    g_autofree double *second = first == NULL ? NULL : slopes(check, rotation, 0, state, kit_go_on, 0, 2);
+    for (int32_t i = 0; second != NULL && i < state->count; i++) {
+        compare(check, state, i, "the rate", given->values[0][3 * i + 1], first[3 * i], 1e-3, compared);
+        compare(check, state, i, "the angular acceleration", given->values[0][3 * i + 2], second[3 * i], 1e-3,
+                compared);
+    }
+}
+
 static void try_with(KitCheck *check, const char *needed, const char *absent,
                      void (*try_state)(KitCheck *, const GArray *, const KitState *, int *))
 {
@@ -132,7 +172,7 @@ void kit_try_derivatives(KitCheck *check)
 
 void kit_try_jacobian(KitCheck *check)
 {
-    try_with(check, "rows_at", "it is no constraint", try_ends);
+    try_with(check, "rows_at", "it is no constraint", try_columns);
 }
 
 void kit_try_drift(KitCheck *check)
@@ -142,5 +182,7 @@ void kit_try_drift(KitCheck *check)
 
 void kit_try_motion(KitCheck *check)
 {
-    try_with(check, "motion", "it is no motion", try_motion);
+    const TinkerPhysics *physics = check->block_class->physics;
+    const gboolean turns = physics != NULL && physics->motion != NULL && physics->motion->motion == NULL;
+    try_with(check, turns ? "rotation" : "motion", "it is no motion", turns ? try_rotation : try_motion);
 }

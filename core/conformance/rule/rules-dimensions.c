@@ -42,6 +42,7 @@ static void scale_columns(KitState *state, Units units)
             TinkerDimension d = c->properties[k].dimension;
             if (c->properties[k].kind == TINKER_KIND_WAVEFORM) d.time = (int8_t)(d.time - part);
             scale(state->columns[c->first_columns[k] + part], (gsize)state->count, factor(units, d));
+            scale(state->placed_columns[c->first_columns[k] + part], (gsize)state->count, factor(units, d));
         }
 }
 
@@ -62,15 +63,18 @@ static KitState *rescaled(const KitState *state, Units units, const Rows *g)
     KitState *copy = kit_state_copy(state);
     scale_columns(copy, units);
     scale_points(copy->points, (int32_t)ends, units);
+    scale_points(copy->placed, (int32_t)ends, units);
     scale_points(copy->bodies, copy->body_count, units);
     scale(copy->lengths, count, ldexp(1.0, units.length));
     scale(copy->rates, count, ldexp(1.0, units.length - units.time));
     scale(copy->accelerations, 2 * ends, ldexp(1.0, units.length - 2 * units.time));
     scale(copy->forces, 2 * ends, force);
+    scale(copy->torques, ends, force * ldexp(1.0, units.length));
     scale(copy->contacts, 4 * count, force);
     for (gsize e = 0; e < ends; e++) {
         copy->poses[e].rate *= ldexp(1.0, -units.time);
         copy->poses[e].acceleration *= ldexp(1.0, -2 * units.time);
+        copy->placed_poses[e].rate *= ldexp(1.0, -units.time);
     }
     for (int32_t k = 0; k < state->count * rows; k++)
         scale(copy->multipliers + k, 1, force * ldexp(1.0, units.length - g->of[k % rows]));

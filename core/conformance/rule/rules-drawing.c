@@ -51,7 +51,8 @@ static void set_instance(KitCheck *check, Picture *picture, Look look)
     double x = 0, y = 0;
     for (int32_t k = 0; k < ends && k < (int32_t)G_N_ELEMENTS(picture->ends); k++) {
         const TinkerPoint *p = &state->points[k];
-        picture->ends[k] = (TinkerEnd){p->x, p->y, g_rand_boolean(check->random), 0};
+        picture->ends[k] =
+            (TinkerEnd){p->x, p->y, g_rand_boolean(check->random), 0, g_rand_double_range(check->random, -4, 4)};
         x += p->x / ends;
         y += p->y / ends;
     }

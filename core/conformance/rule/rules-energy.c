@@ -27,9 +27,31 @@ static void set_at_rest(KitState *state)
     for (int32_t i = 0; i < state->count; i++)
         state->rates[i] = 0;
     for (int32_t e = 0; e < kit_state_end_count(state); e++)
-        state->points[e].vx = state->points[e].vy = 0;
+        state->points[e].vx = state->points[e].vy = state->poses[e].rate = 0;
     for (int32_t b = 0; b < state->body_count; b++)
         state->bodies[b].vx = state->bodies[b].vy = 0;
+}
+
+/* The torques against the energy's slopes along the angles of the ends. */
+static void compare_turns(KitCheck *check, const KitFunction *force, const KitFunction *energy, const KitState *state,
+                          const KitAnswer *forces, int *compared)
+{
+    int32_t most = 0;
+    for (int32_t i = 0; force->output_count > 1 && i < state->count; i++)
+        most = MAX(most, state->offsets[i + 1] - state->offsets[i]);
+    for (int which = 0; which < most && !kit_decided(check); which++) {
+        g_autofree double *slope = kit_slopes(check, energy, 0, state, kit_turn_end, which, 1, nearness);
+        for (int32_t i = 0; slope != NULL && i < state->count && !kit_decided(check); i++) {
+            const int32_t end = state->offsets[i] + which;
+            if (end >= state->offsets[i + 1] || isnan(slope[i])) continue;
+            const double given = forces->values[1][end];
+            (*compared)++;
+            if (fabs(given + slope[i]) <= nearness.close * fmax(fabs(given), fabs(slope[i]))) continue;
+            g_autofree char *values = kit_state_describe(state, i);
+            kit_fail(check, "torque is %.9g N m where the gradient of the energy is %.9g N m (%s)", given, -slope[i],
+                     values);
+        }
+    }
 }
 
 /* The number `entry` of the force against the energy's slope along it. `stored` is the energy. */
@@ -79,6 +101,7 @@ static void compare_all(KitCheck *check, const KitFunction *force, const KitFunc
         coordinates = MAX(coordinates, 2 * (state->offsets[i + 1] - state->offsets[i]));
     for (int which = 0; forces != NULL && stored != NULL && which < coordinates && !kit_decided(check); which++)
         compare_along(check, force, energy, state, forces, stored, which, compared);
+    if (forces != NULL && stored != NULL) compare_turns(check, force, energy, state, forces, compared);
 }
 
 /* Without energy nothing is stored, so a line law may not pull at rest: the host would book its power as taken by
@@ -155,12 +178,22 @@ static void try_powers(KitCheck *check, const KitFunction *force)
         const gsize past = bodies || i + 1 == state->count ? with->entries[0]
                                                            : width * kit_output_first(&force->outputs[0], state, i + 1);
         double size = 0;
-        const double power = power_of(state, force, with->values[0], without->values[0], first, past - first, &size);
+        double power = power_of(state, force, with->values[0], without->values[0], first, past - first, &size);
+        for (gsize e = first / 2; force->output_count > 1 && force->outputs[1].angular && e < past / 2; e++) {
+            power += (with->values[1][e] - without->values[1][e]) * state->poses[e].rate;
+            size += fmax(fabs(with->values[1][e]), fabs(without->values[1][e])) * fabs(state->poses[e].rate);
+        }
         if (!(power > GIVEN * size)) continue;
         g_autofree char *values = kit_state_describe(state, bodies ? -1 : i);
         kit_fail(check, "what depends on velocity gives %.6g W, none was expected (%s)", power, values);
         return;
     }
+}
+
+static gboolean dissipates(const TinkerBlockClass *block_class)
+{
+    const TinkerForceElement *element = block_class->physics->force_element;
+    return element != NULL && element->dissipates != 0;
 }
 
 void kit_try_passive(KitCheck *check)
@@ -172,7 +205,7 @@ void kit_try_passive(KitCheck *check)
         kit_skip(check, "it gives no force of its own");
     else if (has_waveform(check->block_class))
         kit_skip(check, "a waveform drives it, which may give energy");
-    else if (tension == NULL && kit_function(functions, "energy") == NULL)
+    else if (tension == NULL && kit_function(functions, "energy") == NULL && !dissipates(check->block_class))
         kit_skip(check, check->block_class->physics->field != NULL ? "its power is booked as given by fields"
                                                                    : "its power is booked as a motor's");
     for (int round = 0; round < ROUNDS && !kit_decided(check); round++)

@@ -14,6 +14,7 @@ static void each_point(KitState *state, double place, double velocity)
     for (int32_t e = 0; e < kit_state_end_count(state); e++) {
         TinkerPoint *p = &state->points[e];
         *p = (TinkerPoint){p->x * place, p->y * place, p->vx * velocity, p->vy * velocity};
+        state->poses[e].rate *= velocity;
     }
     for (int32_t b = 0; b < state->body_count; b++) {
         TinkerPoint *p = &state->bodies[b];

@@ -36,14 +36,19 @@ static double of_point(const Place *place, const TinkerPoint *point, const char 
     return (along_x ? point->x : point->y) + origin;
 }
 
-/* What the role has for an end. Ends of the kit are on point masses, which have no angle and do not turn. */
+/* What the role has for an end. Of a block that asks for no angles ends are as on point masses. */
 static double of_end(const Place *place, const TinkerLawSymbol *symbol)
 {
     const KitState *state = place->state;
-    const TinkerPoint *point = &state->points[state->offsets[place->instance] + symbol->end];
-    static const char *const turning[] = {"theta", "omega", "turns", "theta_start", NULL};
-    if (g_strv_contains(turning, symbol->quantity)) return 0;
-    return of_point(place, point, symbol->quantity);
+    const int32_t end = state->offsets[place->instance] + symbol->end;
+    const gboolean angles = tinker_block_class_speaks_of_angles(state->block_class);
+    const char *quantity = symbol->quantity;
+    if (strcmp(quantity, "theta") == 0) return angles ? state->poses[end].angle : 0;
+    if (strcmp(quantity, "omega") == 0) return angles && !place->at_rest ? state->poses[end].rate : 0;
+    if (strcmp(quantity, "turns") == 0) return angles ? state->has_angle[end] : 0;
+    if (strcmp(quantity, "theta_start") == 0) return angles ? state->placed_poses[end].angle : 0;
+    const gboolean start = angles && g_str_has_suffix(quantity, "_start");
+    return of_point(place, start ? &state->placed[end] : &state->points[end], quantity);
 }
 
 static double length_of(const Place *place)
@@ -214,6 +219,27 @@ static void compare_instance(KitCheck *check, const TinkerBlockLaw *law, const K
     }
 }
 
+/* The torques of a force element that gives them. */
+static void compare_torques(KitCheck *check, const TinkerBlockLaw *law, const KitFunction *function,
+                            const KitState *state, const KitAnswer *answer, int32_t instance)
+{
+    const int32_t first = state->offsets[instance], ends = state->offsets[instance + 1] - first;
+    for (int32_t k = 0; function->output_count > 1 && k < ends && !kit_decided(check); k++) {
+        const Place place = {.law = law, .state = state, .instance = instance};
+        g_autofree char *digits = ends > 1 ? g_strdup_printf("%d", k + 1) : g_strdup("");
+        g_autofree char *name = g_strconcat("torque", digits, NULL), *by = g_strconcat("theta", digits, NULL);
+        const TinkerExpression *is = tinker_block_law_find(law, name);
+        g_autoptr(TinkerExpression) slope = is == NULL ? slope_of(law, "potential", by) : NULL;
+        double lost = 0, expected = 0;
+        if (is != NULL)
+            expected = worked_out(&place, is, &lost);
+        else if (slope != NULL)
+            expected = -worked_out(&place, slope, &lost);
+        expect_near(check, &function->outputs[1], state, (gsize)(first + k), answer->values[1][first + k], expected,
+                    lost);
+    }
+}
+
 /* The force of all instances on one body. */
 static void compare_body(KitCheck *check, const TinkerBlockLaw *law, const KitFunction *function, const KitState *state,
                          const KitAnswer *answer, int32_t number)
@@ -272,6 +298,7 @@ static void compare_state(KitCheck *check, const TinkerBlockLaw *law, const KitF
     if (answer == NULL) return;
     for (int32_t i = 0; i < state->count && !kit_decided(check); i++) {
         if (law->role != TINKER_LAW_FIELD) compare_instance(check, law, function, state, answer, i);
+        if (law->role == TINKER_LAW_FORCE) compare_torques(check, law, function, state, answer, i);
         compare_potential(check, law, state, i);
     }
     for (int32_t b = 0; law->role == TINKER_LAW_FIELD && b < state->body_range && !kit_decided(check); b++)

@@ -132,6 +132,13 @@ static void call_guarded(KitCheck *check, const KitFunction *function, const Kit
     if (graph.forces != NULL) graph.forces = GUARD(state->forces, 2 * ends, "forces");
     if (graph.contacts != NULL) graph.contacts = GUARD(state->contacts, 4 * state->count, "contacts");
     graph.poses = GUARD(state->poses, ends, "poses");
+    if (graph.torques != NULL) graph.torques = GUARD(state->torques, ends, "torques");
+    if (view.poses != NULL) {
+        view.poses = graph.poses;
+        view.placed = GUARD(state->placed, ends, "placed");
+        view.placed_poses = GUARD(state->placed_poses, ends, "placed_poses");
+        view.has_angle = GUARD(state->has_angle, ends, "has_angle");
+    }
     if (graph.bodies != NULL) graph.bodies = bodies.points;
     if (graph.masses != NULL) graph.masses = bodies.masses;
     const double *lengths = GUARD(state->lengths, state->count, "length"),
@@ -172,7 +179,7 @@ void kit_try_memory(KitCheck *check)
 
 void kit_try_speed(KitCheck *check)
 {
-    static const char *const names[] = {"tension", "force", "rows_at", "motion"};
+    static const char *const names[] = {"tension", "force", "rows_at", "motion", "rotation"};
     g_autoptr(GArray) functions = kit_functions(check->block_class);
     const KitFunction *function = NULL;
     for (gsize i = 0; i < G_N_ELEMENTS(names) && function == NULL; i++)

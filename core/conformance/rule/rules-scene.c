@@ -23,6 +23,7 @@ typedef struct {
 static Bodies find_bodies(KitCheck *check)
 {
     Bodies bodies = {NULL, NULL};
+    const int32_t wanted = tinker_block_class_speaks_of_angles(check->block_class) ? 3 : 2; // degrees of freedom
     g_autoptr(GPtrArray) libraries = tinker_catalogue_libraries(check->catalogue);
     for (guint i = 0; i < libraries->len; i++) {
         const TinkerLibraryEntry *library = g_ptr_array_index(libraries, i);
@@ -32,8 +33,8 @@ static Bodies find_bodies(KitCheck *check)
             const TinkerBlockClass *c = tinker_catalogue_type(check->catalogue, type->id, NULL);
             if (c == NULL || c->physics == NULL || c->physics->body == NULL) continue;
             const int32_t freedoms = c->physics->body->degrees_of_freedom;
-            const TinkerBlockClass **slot = freedoms == 2 ? &bodies.mover : &bodies.support;
-            if (freedoms != 2 && freedoms != 0) continue;
+            const TinkerBlockClass **slot = freedoms == wanted ? &bodies.mover : &bodies.support;
+            if (freedoms != wanted && freedoms != 0) continue;
             if (*slot == NULL || (*slot)->quantity_count < c->quantity_count) *slot = c;
         }
     }

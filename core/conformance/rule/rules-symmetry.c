@@ -63,11 +63,13 @@ static const KitFunction *force_function(KitCheck *check, const GArray *function
 typedef struct {
     double force[2], moment, size; /* size: sum of the magnitudes of all forces */
     double reach;                  /* largest distance from the middle */
+    double turning;                /* sum of the magnitudes of all torques */
 } Sum;
 
-static Sum sum_of(const TinkerPoint *points, const double *force, int32_t count)
+/* `torques` of the ends, or NULL. */
+static Sum sum_of(const TinkerPoint *points, const double *force, const double *torques, int32_t count)
 {
-    Sum sum = {{0, 0}, 0, 0, 0};
+    Sum sum = {{0, 0}, 0, 0, 0, 0};
     double x = 0, y = 0;
     for (int32_t i = 0; i < count; i++) {
         x += points[i].x / count;
@@ -80,6 +82,9 @@ static Sum sum_of(const TinkerPoint *points, const double *force, int32_t count)
         sum.moment += dx * force[2 * i + 1] - dy * force[2 * i];
         sum.size += hypot(force[2 * i], force[2 * i + 1]);
         sum.reach = fmax(sum.reach, hypot(dx, dy));
+        if (torques == NULL) continue;
+        sum.moment += torques[i];
+        sum.turning += fabs(torques[i]);
     }
     return sum;
 }
@@ -95,8 +100,9 @@ static void judge_sum(KitCheck *check, const KitState *state, int32_t instance, 
     const gboolean balanced = is_zero(hypot(sum.force[0], sum.force[1]), sum.size);
     if (moment && !balanced)
         kit_skip(check, "the forces do not sum to zero, so that their moment depends on the point: see momentum");
-    else if (moment && !is_zero(sum.moment, sum.size * sum.reach))
-        kit_fail(check, "the forces have the moment %.6g N m about the middle of the ends, 0 was expected (%s)",
+    else if (moment && !is_zero(sum.moment, sum.size * sum.reach + sum.turning))
+        kit_fail(check,
+                 "the forces and torques have the moment %.6g N m about the middle of the ends, 0 was expected (%s)",
                  sum.moment, values);
     else if (!moment && !balanced)
         kit_fail(check, "the forces sum to (%.6g, %.6g) N, 0 was expected (%s)", sum.force[0], sum.force[1], values);
@@ -111,13 +117,16 @@ static void try_sums(KitCheck *check, gboolean moment)
         g_autoptr(KitAnswer) answer = state == NULL ? NULL : kit_call_well(check, function, state);
         if (answer == NULL) return;
         if (function->outputs[0].extent == KIT_BODIES) {
-            judge_sum(check, state, -1, sum_of(state->bodies, answer->values[0], state->body_count), moment);
+            judge_sum(check, state, -1, sum_of(state->bodies, answer->values[0], NULL, state->body_count), moment);
             continue;
         }
         for (int32_t i = 0; i < state->count && !kit_decided(check); i++) {
             const int32_t from = state->offsets[i];
             judge_sum(check, state, i,
-                      sum_of(state->points + from, answer->values[0] + 2 * from, state->offsets[i + 1] - from), moment);
+                      sum_of(state->points + from, answer->values[0] + 2 * from,
+                             function->output_count > 1 ? answer->values[1] + from : NULL,
+                             state->offsets[i + 1] - from),
+                      moment);
         }
     }
 }
@@ -243,7 +252,7 @@ static void change_joint_rows(const KitFunction *function, const KitState *state
 static gboolean is_joint(const KitState *state)
 {
     const TinkerConstraint *constraint = state->block_class->physics->constraint;
-    return constraint != NULL && constraint->joint != 0 && constraint->rows >= 2;
+    return constraint != NULL && constraint->joint == 1 && constraint->rows >= 2;
 }
 
 static double miss_with(KitCheck *check, const KitFunction *function, const KitState *state, const KitAnswer *expected,
@@ -251,7 +260,13 @@ static double miss_with(KitCheck *check, const KitFunction *function, const KitS
 {
     g_autoptr(KitState) changed = kit_state_copy(state);
     change_points(change, changed->points, kit_state_end_count(changed));
+    change_points(change, changed->placed, kit_state_end_count(changed));
     change_points(change, changed->bodies, changed->body_count);
+    for (int32_t e = 0; change->turn && e < kit_state_end_count(changed); e++) {
+        if (!changed->has_angle[e]) continue;
+        changed->poses[e].angle += change->angle;
+        changed->placed_poses[e].angle += change->angle;
+    }
     for (int k = 0; k < MOST_PARTNERS; k++)
         if (taking_part & 1u << k) change_property(changed, partners[k], change);
     g_strlcpy(changed->label, change->turn ? "turned values" : "shifted values", sizeof changed->label);
@@ -332,6 +347,7 @@ static void try_origin(KitCheck *check, const KitFunction *function)
     other->origin[0] = 6.5;
     other->origin[1] = -9.25;
     move_back(other->points, kit_state_end_count(other), other->origin);
+    move_back(other->placed, kit_state_end_count(other), other->origin);
     move_back(other->bodies, other->body_count, other->origin);
     g_strlcpy(other->label, "another origin", sizeof other->label);
     g_autoptr(KitAnswer) answer = kit_call_well(check, function, other);

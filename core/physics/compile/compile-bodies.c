@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "physics/compile/compile-private.h"
-#include "physics/model/model-data.h"
+#include "physics/model/angles.h"
 
 static const TinkerBody *body_of(const TinkerBlockBatch *batch)
 {
@@ -183,30 +183,39 @@ typedef struct {
 static int compare_attached(const void *left, const void *right)
 {
     const Attached *l = left, *r = right;
-    return l->point.body < r->point.body ? -1 : l->point.body > r->point.body;
+    if (l->point.body != r->point.body) return l->point.body < r->point.body ? -1 : 1;
+    return (l->point.turn != 0) - (r->point.turn != 0);
 }
 
-/* Attachments to one body stand together, so that its angle is looked at once. */
+/* Attachments to one body stand together, so that its angle is looked at once; its turn is one for all ends. */
 static void attach_to_bodies(TinkerModel *model)
 {
     g_autoptr(GArray) attached = g_array_new(FALSE, FALSE, sizeof(Attached));
     for (guint i = 0; i < model->batches->len && model->turning > 0; i++) {
         const TinkerBlockBatch *batch = g_ptr_array_index(model->batches, i);
+        const gboolean turns = tinker_block_class_speaks_of_angles(batch->block_class);
         int32_t *points = g_ptr_array_index(model->end_points, i);
         for (int32_t e = 0; e < batch->end_count; e++) {
             const TinkerSceneEnd *end = &batch->end[e];
             const int32_t number = tinker_block_index_find(model->numbers, end->block);
             const int32_t body = number < 0 ? -1 : model->centre_point[number];
-            if (body < 0 || model->turn_of[body] < 0 || (end->x == 0 && end->y == 0)) continue;
+            if (body < 0 || model->turn_of[body] < 0) continue;
             Attached point = {{.block = end->block, .body = body, .x = end->x, .y = end->y}, &points[e]};
-            g_array_append_val(attached, point);
+            Attached turn = {{.block = end->block, .body = body, .turn = TRUE}, &points[batch->end_count + e]};
+            if (end->x != 0 || end->y != 0) g_array_append_val(attached, point);
+            if (turns) g_array_append_val(attached, turn);
         }
     }
     g_array_sort(attached, compare_attached);
     for (guint i = 0; i < attached->len; i++) {
         const Attached *at = &g_array_index(attached, Attached, i);
-        g_array_append_val(model->attachments, at->point);
-        *at->end = model->points++;
+        const Attached *last = i > 0 ? at - 1 : NULL;
+        const gboolean again = last != NULL && at->point.turn && compare_attached(last, at) == 0;
+        if (!again) {
+            g_array_append_val(model->attachments, at->point);
+            model->points++;
+        }
+        *at->end = model->points - 1;
     }
     model->first_support = model->points;
 }
@@ -223,8 +232,25 @@ static int32_t add_support_point(TinkerModel *model, const TinkerBlockBatch *bat
         .body = -1,
         .x = place[0] - model->origin[0] + (x == 0 && y == 0 ? 0 : c * x - s * y),
         .y = place[1] - model->origin[1] + (x == 0 && y == 0 ? 0 : s * x + c * y),
+        .arm = {c * x - s * y, s * x + c * y},
     };
     g_array_append_val(model->attachments, point);
+    return model->points++;
+}
+
+/* The turn of a support, which has a batch, or of a mass, which has no angle: that is one for all of them. */
+static int32_t add_support_turn(TinkerModel *model, const TinkerBlockBatch *batch, int32_t row)
+{
+    TinkerAttachment turn = {.block = TINKER_NO_BLOCK, .body = -1, .turn = TRUE};
+    if (batch != NULL) {
+        turn.block = batch->ids[row];
+        turn.x = tinker_block_batch_meaning(batch, row, TINKER_MEANING_ORIENTATION, 0, 0);
+    }
+    for (int32_t point = model->first_support; batch == NULL && point < model->points; point++) {
+        const TinkerAttachment *at = tinker_model_attachment(model, point);
+        if (at->turn && at->block == TINKER_NO_BLOCK) return point;
+    }
+    g_array_append_val(model->attachments, turn);
     return model->points++;
 }
 
@@ -277,24 +303,38 @@ static gboolean connect_batch(TinkerModel *model, const TinkerBlockBatch *batch,
     return TRUE;
 }
 
+static void connect_turns(TinkerModel *model, const TinkerBlockBatch *batch, const Location *locations, int32_t *turns)
+{
+    for (int32_t e = 0; e < batch->end_count; e++) {
+        const Location *at = &locations[tinker_block_index_find(model->numbers, batch->end[e].block)];
+        if (turns[e] < 0) turns[e] = add_support_turn(model, at->batch, at->row);
+    }
+}
+
 static gboolean connect_ends(TinkerModel *model, const Location *locations, GError **error)
 {
     for (guint i = 0; i < model->batches->len; i++) {
         int32_t *points = g_ptr_array_index(model->end_points, i);
         if (points != NULL && !connect_batch(model, g_ptr_array_index(model->batches, i), locations, points, error))
             return FALSE;
+        const TinkerBlockBatch *batch = g_ptr_array_index(model->batches, i);
+        if (points != NULL && tinker_block_class_speaks_of_angles(batch->block_class))
+            connect_turns(model, batch, locations, points + batch->end_count);
     }
     return TRUE;
 }
 
-/* Of each batch, -1 for what is not known yet. */
+/* Of each batch, -1 for what is not known yet; where it speaks of angles, its turns stand behind. */
 static void allot_end_points(TinkerModel *model)
 {
     for (guint i = 0; i < model->batches->len; i++) {
         const TinkerBlockBatch *batch = g_ptr_array_index(model->batches, i);
-        int32_t *points = batch->end_count > 0 ? g_new(int32_t, batch->end_count) : NULL;
+        const int32_t count =
+            tinker_block_class_speaks_of_angles(batch->block_class) ? 2 * batch->end_count : batch->end_count;
+        int32_t *points = count > 0 ? g_new(int32_t, count) : NULL;
         g_ptr_array_add(model->end_points, points);
-        for (int32_t e = 0; e < batch->end_count; e++)
+        g_ptr_array_add(model->angles, tinker_angles_new(batch, points));
+        for (int32_t e = 0; e < count; e++)
             points[e] = -1;
     }
 }

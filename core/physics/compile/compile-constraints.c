@@ -9,7 +9,7 @@
 #include "physics/constraint/constraints.h"
 #include "physics/constraint/row-chains.h"
 #include "physics/constraint/straight-bars.h"
-#include "physics/model/model-data.h"
+#include "physics/model/angles.h"
 
 /* Beyond this many products a factorisation takes longer, and more memory, than anybody has. */
 #define MOST_PRODUCTS 2e7
@@ -41,12 +41,13 @@ static void add_constraint_batch(TinkerModel *model, TinkerBlockBatch *batch)
         .first_row = all->rows,
         .row_count = batch->count * constraint->rows,
         .first_entry = all->entries,
+        .angles = tinker_model_angles(model, batch),
         .view = tinker_block_batch_view(batch, 0.0),
     };
     memcpy(added.view.origin, model->origin, sizeof(model->origin));
     added.distances = distances_of(batch, &added.view);
     all->rows += added.row_count;
-    all->entries += batch->end_count * constraint->rows;
+    all->entries += (added.angles != NULL ? 2 : 1) * batch->end_count * constraint->rows;
     g_array_append_val(all->batches, added);
 }
 
@@ -60,6 +61,10 @@ static void number_entries(TinkerConstraints *all, const TinkerConstraintBatch *
             for (int32_t k = 0; k < ends_of(part->batch, i); k++, entry++) {
                 all->row_of[entry] = row;
                 all->ends_at[entry] = part->end_points[part->batch->end_offsets[i] + k];
+            }
+            for (int32_t k = 0; part->angles != NULL && k < ends_of(part->batch, i); k++, entry++) {
+                all->row_of[entry] = row;
+                all->ends_at[entry] = part->angles->turns[part->batch->end_offsets[i] + k];
             }
             all->two_entries &= entry - all->row_starts[row] == 2;
         }
@@ -167,19 +172,25 @@ static gboolean allot_jacobians(TinkerModel *model, GError **error)
     return !model->lacks_memory || lack_memory(model, error);
 }
 
+/* Of how far from the origin something is: an extent that is less is rounding of places. */
+#define LEAST_EXTENT 1e-6
+
 /* The larger side of the box about all points that something can be at, for the places in them. */
 static double extent_of(const TinkerModel *model)
 {
+    double far = 0;
     double least[2] = {INFINITY, INFINITY}, greatest[2] = {-INFINITY, -INFINITY};
     for (int32_t i = 0; i < model->points; i++) {
         if (i >= model->bodies && i < model->first_attachment) continue;
+        if (i >= model->first_attachment && tinker_model_attachment(model, i)->turn) continue;
         const double place[2] = {model->point[i].x, model->point[i].y};
         for (int k = 0; k < 2; k++) {
             least[k] = MIN(least[k], place[k]);
             greatest[k] = MAX(greatest[k], place[k]);
+            far = MAX(far, fabs(place[k] + model->origin[k]));
         }
     }
-    return MAX(MAX(greatest[0] - least[0], greatest[1] - least[1]), 0);
+    return MAX(MAX(greatest[0] - least[0], greatest[1] - least[1]), LEAST_EXTENT * far);
 }
 
 /* The rows' lengths: the block's own word, else the largest distance between its ends at the start. */
@@ -197,6 +208,9 @@ static void measure(TinkerModel *model, const TinkerConstraintBatch *part, doubl
         const TinkerPoint *first = &model->point[all->ends_at[all->row_starts[row]]];
         for (int32_t e = all->row_starts[row]; e < all->row_starts[row + 1]; e++) {
             const TinkerPoint *other = &model->point[all->ends_at[e]];
+            if (part->angles != NULL &&
+                e - all->row_starts[row] >= (all->row_starts[row + 1] - all->row_starts[row]) / 2)
+                break; /* turns are no places */
             largest = MAX(largest, hypot(other->x - first->x, other->y - first->y));
         }
         all->scales[row] = largest > 0 ? largest : 1.0;

@@ -7,7 +7,7 @@
 
 #include "physics/compile/compile-private.h"
 #include "physics/force/line-parts.h"
-#include "physics/model/model-data.h"
+#include "physics/model/angles.h"
 #include "plugin/call/guarded.h"
 #include "plugin/call/process-state.h"
 
@@ -219,7 +219,7 @@ static void warn_asked_without_direction(TinkerModel *model, TinkerBlockBatch *b
 static void ask_line(TinkerModel *model, TinkerBlockBatch *batch, const int32_t *points, LineWork *work)
 {
     const TinkerLineLaw *law = batch->block_class->physics->line_law;
-    TinkerAskedBatch asked = {batch, points, stores_energy(batch, law->energy != NULL)};
+    TinkerAskedBatch asked = {batch, points, stores_energy(batch, law->energy != NULL), NULL};
     g_array_append_val(model->asked_lines, asked);
     warn_asked_without_direction(model, batch, points, work);
     model->has_book[batch->waveforms > 0 ? TINKER_BOOK_MOTORS : TINKER_BOOK_DAMPERS] = TRUE;
@@ -328,12 +328,13 @@ static gboolean add_batch(TinkerModel *model, TinkerBlockBatch *batch, LineWork 
         ask_line(model, batch, points, work);
     if (physics->force_element != NULL) {
         note_end_masses(model, batch, points);
-        model->has_book[TINKER_BOOK_MOTORS] = TRUE;
-        TinkerAskedBatch asked = {batch, points, stores_energy(batch, physics->force_element->energy != NULL)};
+        model->has_book[physics->force_element->dissipates ? TINKER_BOOK_DAMPERS : TINKER_BOOK_MOTORS] = TRUE;
+        TinkerAskedBatch asked = {batch, points, stores_energy(batch, physics->force_element->energy != NULL),
+                                  tinker_model_angles(model, batch)};
         if (!add_linear_forces(model, batch, points, work)) g_array_append_val(model->asked_forces, asked);
     }
     if (physics->field != NULL && !add_linear_fields(model, batch, work)) {
-        TinkerAskedBatch asked = {batch, NULL, stores_energy(batch, physics->field->energy != NULL)};
+        TinkerAskedBatch asked = {batch, NULL, stores_energy(batch, physics->field->energy != NULL), NULL};
         g_array_append_val(model->asked_fields, asked);
         model->has_book[TINKER_BOOK_FIELDS] = TRUE;
     }

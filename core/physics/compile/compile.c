@@ -8,7 +8,7 @@
 #include "physics/compile/compile-private.h"
 #include "physics/compile/compile.h"
 #include "physics/constraint/constraints.h"
-#include "physics/model/model-data.h"
+#include "physics/model/angles.h"
 #include "plugin/call/guarded.h"
 
 static gboolean refuse_placeholder(TinkerScene *scene, GError **error)
@@ -88,8 +88,12 @@ static gboolean take_scene(TinkerModel *model, GError **error)
 gboolean tinker_model_compile_parts(TinkerModel *model, GError **error)
 {
     enter_first_piece(model);
-    return tinker_model_compile_bodies(model, error) && tinker_model_compile_forces(model, error) &&
-           tinker_model_compile_constraints(model, error);
+    if (!tinker_model_compile_bodies(model, error) || !tinker_model_compile_forces(model, error)) return FALSE;
+    if (tinker_model_set_time(model, 0.0) == TINKER_OK) {
+        tinker_model_set_state(model, model->q_start, model->v_start);
+        tinker_model_place_angles(model);
+    }
+    return tinker_model_compile_constraints(model, error);
 }
 
 static gboolean compile(TinkerModel *model, GError **error)
@@ -113,6 +117,7 @@ TinkerModel *tinker_model_new_of_batches(TinkerScene *scene, GPtrArray *batches)
     model->scene = scene;
     model->batches = batches;
     model->end_points = g_ptr_array_new_with_free_func(g_free);
+    model->angles = g_ptr_array_new_with_free_func((GDestroyNotify)tinker_angles_free);
     model->warnings = g_ptr_array_new_with_free_func(g_free);
     model->attachments = g_array_new(FALSE, TRUE, sizeof(TinkerAttachment));
     model->asked_lines = g_array_new(FALSE, TRUE, sizeof(TinkerAskedBatch));
@@ -157,6 +162,7 @@ void tinker_model_free(TinkerModel *model)
     tinker_line_parts_free(model->line_parts);
     tinker_motions_free(model->motions);
     tinker_block_index_free(model->numbers);
+    g_ptr_array_unref(model->angles);
     g_ptr_array_unref(model->end_points);
     g_ptr_array_unref(model->warnings);
     g_ptr_array_unref(model->waveform_batches);

@@ -21,11 +21,11 @@ static int32_t path_column(const TinkerBlockClass *block_class, int32_t ends)
     return along ? block_class->first_columns[property] : -1;
 }
 
-static double path_length(const TinkerModel *model, int32_t row)
+static double path_length(const TinkerModel *model, int32_t row, int32_t ends)
 {
     const TinkerConstraints *all = &model->constraints;
     double length = 0;
-    for (int32_t e = all->row_starts[row] + 1; e < all->row_starts[row + 1]; e++) {
+    for (int32_t e = all->row_starts[row] + 1; e < all->row_starts[row] + ends; e++) {
         const TinkerPoint *a = &model->point[all->ends_at[e - 1]], *b = &model->point[all->ends_at[e]];
         length += hypot(b->x - a->x, b->y - a->y);
     }
@@ -69,7 +69,7 @@ static void refuse_joint(const TinkerModel *model, int32_t row, const char *name
 {
     const TinkerConstraints *all = &model->constraints;
     const TinkerPoint *a = &model->point[all->ends_at[all->row_starts[row]]];
-    const TinkerPoint *b = &model->point[all->ends_at[all->row_starts[row + 1] - 1]];
+    const TinkerPoint *b = &model->point[all->ends_at[all->row_starts[row] + 1]];
     g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_SCENE,
                 _("%s: its ends do not fit together at t = 0: they are at (%.10g, %.10g) and (%.10g, %.10g) m (move "
                   "one to the other; at most %.0e of the scene's extent, %.3g m, is corrected)"),
@@ -79,10 +79,9 @@ static void refuse_joint(const TinkerModel *model, int32_t row, const char *name
 
 static gboolean refuse_row(TinkerModel *model, const TinkerConstraintBatch *part, int32_t row, GError **error)
 {
-    const TinkerConstraints *all = &model->constraints;
     const TinkerBlockBatch *batch = part->batch;
     int32_t instance = (row - part->first_row) / part->constraint->rows;
-    int32_t ends = all->row_starts[row + 1] - all->row_starts[row];
+    int32_t ends = batch->end_offsets[instance + 1] - batch->end_offsets[instance];
     int32_t column = path_column(batch->block_class, ends);
     const char *name = tinker_scene_block_name(model->scene, batch->ids[instance]);
     if (part->constraint->joint != 0) {
@@ -93,7 +92,7 @@ static gboolean refuse_row(TinkerModel *model, const TinkerConstraintBatch *part
                                   "change the length, or leave the length out)")
                               : _("%s: its length is %.10g m, but the path through its ends is %.10g m long at t = 0 "
                                   "(move an end, change the length, or leave the length out)"),
-                    name, batch->columns[column][instance], path_length(model, row));
+                    name, batch->columns[column][instance], path_length(model, row, ends));
     } else {
         refuse_misfit(model, row, name, error);
     }

@@ -1,10 +1,11 @@
 /* Constraint rows at the state in the points: g, Jacobian and drift, and how far they are off. */
 #include <math.h>
+#include <string.h>
 
 #include "physics/constraint/constraints.h"
 #include "physics/constraint/distance-rows.h"
 #include "physics/constraint/straight-bars.h"
-#include "physics/model/model-data.h"
+#include "physics/model/angles.h"
 
 static G_NO_INLINE TinkerStatus refuse_rows(TinkerModel *model, const TinkerConstraintBatch *part, TinkerStatus status)
 {
@@ -51,18 +52,53 @@ static void gather(const TinkerModel *model, const int32_t *points, int32_t coun
         ends[e] = point[points[e]];
 }
 
+/* What rows that depend on angles answered, in the order of the entries: of each row its ends, then their turns. */
+static void spread_columns(const TinkerConstraintBatch *part, const TinkerBatch *view, const double *columns,
+                           double *jacobian)
+{
+    const int32_t *offsets = part->batch->end_offsets + view->first, rows = part->constraint->rows;
+    const double *angular = view->angular;
+    for (int32_t i = 0; i < view->count; i++)
+        for (int32_t r = 0; r < rows; r++) {
+            const int32_t ends = offsets[i + 1] - offsets[i];
+            memcpy(jacobian, columns, 2 * (gsize)ends * sizeof(double));
+            jacobian += 2 * ends;
+            columns += 2 * ends;
+            for (int32_t k = 0; k < ends; k++) {
+                *jacobian++ = *angular++;
+                *jacobian++ = 0;
+            }
+        }
+}
+
+TinkerStatus tinker_constraints_ask(const TinkerConstraintBatch *part, TinkerBatch *view, const TinkerPoint *ends,
+                                    double *g, double *jacobian, double *drift)
+{
+    TinkerAngles *angles = part->angles;
+    const TinkerConstraint *constraint = part->constraint;
+    if (G_LIKELY(angles == NULL))
+        return TINKER_CALL_BATCH(part->batch, "rows_at", view, constraint->rows_at(view, ends, g, jacobian, drift));
+    const int32_t *offsets = part->batch->end_offsets + view->first;
+    tinker_angles_show(angles, view, offsets[0], offsets[view->count] - offsets[0]);
+    TinkerStatus status =
+        TINKER_CALL_BATCH(part->batch, "rows_at", view, constraint->rows_at(view, ends, g, angles->jacobian, drift));
+    if (status == TINKER_OK) spread_columns(part, view, angles->jacobian, jacobian);
+    return status;
+}
+
 /* Asks for the rows of a range of blocks. */
 static TinkerStatus ask_rows(TinkerModel *model, const TinkerConstraintBatch *part, TinkerBatch *view)
 {
     TinkerConstraints *all = &model->constraints;
     const int32_t *offsets = part->batch->end_offsets;
-    int32_t from = offsets[view->first], rows = part->constraint->rows;
+    int32_t from = offsets[view->first], rows = part->constraint->rows,
+            count = offsets[view->first + view->count] - from;
     int32_t first_row = part->first_row + view->first * rows;
-    gather(model, part->end_points + from, offsets[view->first + view->count] - from);
-    TinkerStatus status = TINKER_CALL_BATCH(
-        part->batch, "rows_at", view,
-        part->constraint->rows_at(view, all->ends, all->g + first_row,
-                                  all->jacobian + 2 * (part->first_entry + from * rows), all->drift + first_row));
+    int32_t first_entry = part->first_entry + (part->angles != NULL ? 2 : 1) * from * rows;
+    gather(model, part->end_points + from, count);
+    if (part->angles != NULL) tinker_angles_gather(part->angles, model, from, count);
+    TinkerStatus status = tinker_constraints_ask(part, view, all->ends, all->g + first_row,
+                                                 all->jacobian + 2 * first_entry, all->drift + first_row);
     if (status == TINKER_OK && part->constraint->prescribed_rate != NULL) {
         status = TINKER_CALL_BATCH(part->batch, "prescribed_rate", view,
                                    part->constraint->prescribed_rate(view, all->ends, all->rate + first_row));
@@ -129,8 +165,14 @@ static G_NO_INLINE void turn_rows(TinkerModel *model)
     for (int32_t k = 0; k < all->turn_count; k++) {
         const TinkerTurnEntry *of = &all->turns[k];
         const TinkerTurn *turn = &model->turns[of->turn];
-        const double *j = all->jacobian + 2 * of->entry;
-        const double *r = tinker_model_attachment(model, all->ends_at[of->entry])->arm;
+        double *j = all->jacobian + 2 * of->entry;
+        const TinkerAttachment *at = tinker_model_attachment(model, all->ends_at[of->entry]);
+        const double *r = at->arm;
+        if (at->turn) { // not along the body's centre, which it shares its entries with
+            turned[k] = j[0] / turn->gyration;
+            j[0] = 0;
+            continue;
+        }
         turned[k] = (r[0] * j[1] - r[1] * j[0]) / turn->gyration;
         all->drift[of->row] -= turn->rate * turn->rate * (r[0] * j[0] + r[1] * j[1]);
     }

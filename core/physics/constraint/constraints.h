@@ -9,6 +9,10 @@
 double tinker_constraints_reach(const TinkerModel *model);
 /* Rows at the state in the points: g, Jacobian, drift. */
 TinkerStatus tinker_constraints_evaluate(TinkerModel *model);
+/* Asks a plugin for the rows of a view of its batch, whose ends are at these places and, where the rows depend on
+ * angles, turned as part->angles has it: g and drift a row, two numbers of the Jacobian an entry. */
+TinkerStatus tinker_constraints_ask(const TinkerConstraintBatch *part, TinkerBatch *view, const TinkerPoint *ends,
+                                    double *g, double *jacobian, double *drift);
 /* Adds the constraint accelerations to a (2 per body), for the rows evaluated last; leaves lambda. Answers the largest
  * acceleration (m/s^2) that could not be met: see tinker_constraints_solve. */
 double tinker_constraints_accelerate(TinkerModel *model, double *a);

@@ -4,7 +4,7 @@
 #include <math.h>
 
 #include "physics/force/forces.h"
-#include "physics/model/model-data.h"
+#include "physics/model/angles.h"
 
 TinkerStatus tinker_model_refuse_forces(TinkerModel *model, const TinkerBlockBatch *batch, const TinkerBatch *view,
                                         TinkerStatus status, const char *what)
@@ -64,8 +64,9 @@ static int32_t row_of_end(const TinkerBlockBatch *batch, int32_t end)
 }
 
 TinkerStatus tinker_model_ask_element(TinkerModel *model, const TinkerBlockBatch *batch, const int32_t *points,
-                                      int32_t first, int32_t count, const double **answer)
+                                      int32_t first, int32_t count, TinkerElementForces *answer)
 {
+    TinkerAngles *angles = tinker_model_angles(model, batch);
     int32_t from = batch->end_offsets[first], ends = batch->end_offsets[first + count] - from;
     TinkerPoint *gathered = (TinkerPoint *)(void *)model->chunk;
     double *force = (double *)(void *)(gathered + ends);
@@ -73,12 +74,18 @@ TinkerStatus tinker_model_ask_element(TinkerModel *model, const TinkerBlockBatch
         gathered[e] = model->point[points[e]];
     TinkerBatch view = tinker_model_view(model, batch, first, count, model->column_views);
     const TinkerForceElement *element = batch->block_class->physics->force_element;
+    if (angles != NULL) {
+        tinker_angles_gather(angles, model, from, ends);
+        tinker_angles_show(angles, &view, from, ends);
+    }
     TinkerStatus status = TINKER_CALL_BATCH(batch, "force", &view, element->force(&view, gathered, force));
     if (status != TINKER_OK) return tinker_model_refuse_forces(model, batch, &view, status, "force");
     for (int32_t e = 0; e < ends; e++)
-        if (!isfinite(force[2 * e] + force[2 * e + 1]))
+        if (!isfinite(force[2 * e] + force[2 * e + 1] + (angles != NULL ? view.angular[e] : 0)))
             return tinker_model_not_finite(model, batch, row_of_end(batch, from + e), "force");
-    *answer = force;
+    answer->force = force;
+    answer->torque = view.angular;
+    answer->turns = angles != NULL ? angles->turns + from : NULL;
     return TINKER_OK;
 }
 

@@ -2,7 +2,7 @@
 #include <math.h>
 
 #include "physics/force/forces.h"
-#include "physics/model/model-data.h"
+#include "physics/model/angles.h"
 
 /* m and m/s. */
 #define BEYOND 1e60
@@ -99,6 +99,10 @@ static TinkerStatus asked_forces_energy(TinkerModel *model, const TinkerAskedBat
             gathered[e] = model->point[asked->end_points[from + e]];
         TinkerBatch view = tinker_model_view(model, batch, first, count, model->column_views);
         const TinkerForceElement *element = batch->block_class->physics->force_element;
+        if (asked->angles != NULL) {
+            tinker_angles_gather(asked->angles, model, from, ends);
+            tinker_angles_show(asked->angles, &view, from, ends);
+        }
         if (TINKER_CALL_BATCH(batch, "energy", &view, element->energy(&view, gathered, stored)) != TINKER_OK)
             return tinker_model_fail(model, batch, first + MAX(view.failed_instance, 0), "energy", view.failure);
         for (int32_t i = 0; i < count; i++) {

@@ -68,12 +68,15 @@ static TinkerStatus add_asked_lines(TinkerModel *model, const TinkerAskedBatch *
 
 /* Forces on single points ------------------------------------------------------------------------------------------ */
 
-static void push(TinkerModel *model, int32_t point, double fx, double fy, gboolean books)
+/* Books whose power nobody asks for go to this. */
+#define NO_BOOK TINKER_BOOK_COUNT
+
+static void push(TinkerModel *model, int32_t point, double fx, double fy, TinkerBook book)
 {
     const TinkerPoint *at = &model->point[point];
     model->force[2 * point] += fx;
     model->force[2 * point + 1] += fy;
-    if (books) model->book_power[TINKER_BOOK_MOTORS] += fx * at->vx + fy * at->vy;
+    if (book != NO_BOOK) model->book_power[book] += fx * at->vx + fy * at->vy;
 }
 
 static TinkerStatus add_driven_forces(TinkerModel *model, gboolean books)
@@ -82,7 +85,7 @@ static TinkerStatus add_driven_forces(TinkerModel *model, gboolean books)
         const TinkerDrivenForce *driven = &g_array_index(model->driven, TinkerDrivenForce, i);
         double fx = *driven->value * driven->direction[0], fy = *driven->value * driven->direction[1];
         if (!isfinite(fx + fy)) return tinker_model_not_finite(model, driven->batch, driven->row, "force");
-        push(model, driven->point, fx, fy, books);
+        push(model, driven->point, fx, fy, books ? TINKER_BOOK_MOTORS : NO_BOOK);
     }
     if (!books || model->constant_force == NULL) return TINKER_OK;
     for (int32_t i = 0; i < model->bodies; i++)
@@ -94,14 +97,18 @@ static TinkerStatus add_driven_forces(TinkerModel *model, gboolean books)
 static TinkerStatus add_asked_forces(TinkerModel *model, const TinkerAskedBatch *asked, gboolean books)
 {
     const TinkerBlockBatch *batch = asked->batch;
+    const gboolean dissipates = batch->block_class->physics->force_element->dissipates != 0;
+    const TinkerBook book = !books ? NO_BOOK : dissipates ? TINKER_BOOK_DAMPERS : TINKER_BOOK_MOTORS;
     for (int32_t first = 0; first < batch->count; first += TINKER_CHUNK) {
         int32_t count = MIN(TINKER_CHUNK, batch->count - first);
         const int32_t *points = asked->end_points + batch->end_offsets[first];
-        const double *force;
-        TinkerStatus status = tinker_model_ask_element(model, batch, points, first, count, &force);
+        TinkerElementForces on;
+        TinkerStatus status = tinker_model_ask_element(model, batch, points, first, count, &on);
         if (status != TINKER_OK) return status;
-        for (int32_t e = 0; e < batch->end_offsets[first + count] - batch->end_offsets[first]; e++)
-            push(model, points[e], force[2 * e], force[2 * e + 1], books);
+        for (int32_t e = 0; e < batch->end_offsets[first + count] - batch->end_offsets[first]; e++) {
+            push(model, points[e], on.force[2 * e], on.force[2 * e + 1], book);
+            if (on.torque != NULL) push(model, on.turns[e], on.torque[e], 0, book);
+        }
     }
     return TINKER_OK;
 }

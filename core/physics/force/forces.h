@@ -17,9 +17,14 @@ typedef struct {
 TinkerStatus tinker_model_ask_lines(TinkerModel *model, const TinkerBlockBatch *batch, const int32_t *points,
                                     TinkerBatch *view, TinkerLineChunk *chunk);
 /* Of `count` force elements from `first` on, at most TINKER_CHUNK: the force (N) on each of their ends, which lie on
- * `points`. */
+ * `points`, and the torque (N m) on what each end is on. */
+typedef struct {
+    const double *force;  /* two an end */
+    const double *torque; /* NULL where they give none, ... */
+    const int32_t *turns; /* ... and so this: the points that torques act on */
+} TinkerElementForces;
 TinkerStatus tinker_model_ask_element(TinkerModel *model, const TinkerBlockBatch *batch, const int32_t *points,
-                                      int32_t first, int32_t count, const double **force);
+                                      int32_t first, int32_t count, TinkerElementForces *answer);
 /* Of `count` fields from `first` on: the force (N) of all of them on each body. */
 TinkerStatus tinker_model_ask_field(TinkerModel *model, const TinkerBlockBatch *batch, int32_t first, int32_t count,
                                     const double **force);

@@ -118,10 +118,13 @@ static TinkerStatus add_forces_now(TinkerModel *model, double scale, double *sum
         for (int32_t first = 0; first < batch->count; first += TINKER_CHUNK) {
             int32_t count = MIN(TINKER_CHUNK, batch->count - first), from = batch->end_offsets[first];
             const int32_t *points = asked->end_points + from;
-            TinkerStatus status = tinker_model_ask_element(model, batch, points, first, count, &force);
+            TinkerElementForces on;
+            TinkerStatus status = tinker_model_ask_element(model, batch, points, first, count, &on);
             if (status != TINKER_OK) return status;
-            for (int32_t e = 0; e < batch->end_offsets[first + count] - from; e++)
-                add_scaled(2, scale, force + 2 * e, sum + 2 * points[e]);
+            for (int32_t e = 0; e < batch->end_offsets[first + count] - from; e++) {
+                add_scaled(2, scale, on.force + 2 * e, sum + 2 * points[e]);
+                if (on.torque != NULL) sum[2 * on.turns[e]] += scale * on.torque[e];
+            }
         }
     }
     for (guint i = 0; i < model->asked_fields->len; i++) {

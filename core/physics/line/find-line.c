@@ -87,7 +87,7 @@ gboolean tinker_motion_directions(const TinkerBlockBatch *batch, double *directi
 {
     const TinkerMotion *motion = batch->block_class->physics->motion;
     TinkerBatch view = tinker_block_batch_view((TinkerBlockBatch *)batch, 0.0);
-    if (motion->linear == NULL ||
+    if (motion->linear == NULL || motion->rotation != NULL ||
         TINKER_CALL_BATCH(batch, "linear", &view, motion->linear(&view, direction, columns)) != TINKER_OK)
         return FALSE;
     for (int32_t row = 0; row < batch->count; row++)

@@ -50,7 +50,8 @@ static void move_support(const TinkerModel *model, TinkerLinearInput *input, Tin
                          const double *direction)
 {
     for (int32_t point = model->first_support; point < model->points; point++) {
-        if (tinker_model_attachment(model, point)->block != support) continue;
+        const TinkerAttachment *at = tinker_model_attachment(model, point);
+        if (at->block != support || at->turn) continue;
         input->place[2 * point] += direction[0];
         input->place[2 * point + 1] += direction[1];
     }

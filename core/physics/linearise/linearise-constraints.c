@@ -6,10 +6,12 @@
 #include "numerics/solve/symmetric-eigen.h"
 #include "physics/constraint/constraints.h"
 #include "physics/linearise/linearise-private.h"
-#include "physics/model/model-data.h"
+#include "physics/model/angles.h"
 
 /* Of a row's length: the step of differences of order 6, whose truncation and rounding are both some 1e-13 there. */
 #define HESSIAN_STEP 3e-3
+/* Of an angle, rad. */
+#define ANGLE_STEP 3e-3
 /* Parts of a second derivative that are smaller than this beside its largest are the differences' own. */
 #define HESSIAN_NOISE 1e-11
 
@@ -45,6 +47,12 @@ void tinker_linear_add_turned_arms(TinkerLinearisation *linear, const TinkerMode
     }
 }
 
+/* Entries of a row for each of its ends. */
+static int32_t width_of(const TinkerConstraintBatch *part)
+{
+    return part->angles != NULL ? 2 : 1;
+}
+
 /* Second derivatives of all rows of a part by coordinate `axis` of end `slot` of each instance: 2 entries an end. */
 typedef struct {
     const TinkerModel *model;
@@ -64,23 +72,38 @@ static double step_of(const Difference *d, int32_t instance)
     return HESSIAN_STEP * least;
 }
 
+/* The coordinate that a difference moves: of an end, or behind the ends of an instance of one's turn. */
+static void move(Difference *d, int32_t instance, int32_t slot, int axis, double steps)
+{
+    const int32_t from = d->part->batch->end_offsets[instance];
+    const int32_t ends = d->part->batch->end_offsets[instance + 1] - from;
+    if (slot < ends)
+        *(axis == 0 ? &d->ends[from + slot].x : &d->ends[from + slot].y) += steps * step_of(d, instance);
+    else if (d->part->angles != NULL && slot < 2 * ends && axis == 0)
+        d->part->angles->poses[from + slot - ends].angle += steps * ANGLE_STEP;
+}
+
+/* How far a step of it is: m, or rad. */
+static double step_along(const Difference *d, int32_t instance, int32_t slot)
+{
+    const int32_t ends = d->part->batch->end_offsets[instance + 1] - d->part->batch->end_offsets[instance];
+    return slot < ends ? step_of(d, instance) : ANGLE_STEP;
+}
+
 static TinkerStatus differentiate(Difference *d, int32_t slot, int axis)
 {
     static const double weights[] = {-1, 9, -45, 0, 45, -9, 1}; /* / 60 h */
     const TinkerBlockBatch *batch = d->part->batch;
-    int32_t entries = batch->end_count * d->part->constraint->rows;
+    int32_t entries = width_of(d->part) * batch->end_count * d->part->constraint->rows;
     memset(d->column, 0, 2 * (gsize)entries * sizeof(double));
     for (int k = -3; k <= 3; k++) {
         if (k == 0) continue;
+        for (int32_t e = 0; e < batch->end_count; e++)
+            d->ends[e] = d->model->point[d->part->end_points[e]];
+        if (d->part->angles != NULL) tinker_angles_gather(d->part->angles, d->model, 0, batch->end_count);
         for (int32_t i = 0; i < batch->count; i++)
-            for (int32_t e = batch->end_offsets[i]; e < batch->end_offsets[i + 1]; e++) {
-                d->ends[e] = d->model->point[d->part->end_points[e]];
-                if (e - batch->end_offsets[i] != slot) continue;
-                *(axis == 0 ? &d->ends[e].x : &d->ends[e].y) += k * step_of(d, i);
-            }
-        TinkerStatus status =
-            TINKER_CALL_BATCH(batch, "rows_at", &d->part->view,
-                              d->part->constraint->rows_at(&d->part->view, d->ends, d->g, d->jacobian, d->drift));
+            move(d, i, slot, axis, k);
+        TinkerStatus status = tinker_constraints_ask(d->part, &d->part->view, d->ends, d->g, d->jacobian, d->drift);
         if (status != TINKER_OK) return status;
         for (int32_t e = 0; e < 2 * entries; e++)
             d->column[e] += weights[k + 3] * d->jacobian[e];
@@ -129,8 +152,8 @@ static TinkerStatus fill_hessians(Difference *d, int32_t most, double *hessians)
                 if (2 * slot >= n) continue;
                 double *column = hessians + 4 * (gsize)most * (gsize)at + (gsize)n * (gsize)(2 * slot + axis);
                 for (int32_t k = 0; k < n; k++)
-                    column[k] =
-                        d->column[2 * at + k] / (60 * step_of(d, (row - part->first_row) / part->constraint->rows));
+                    column[k] = d->column[2 * at + k] /
+                                (60 * step_along(d, (row - part->first_row) / part->constraint->rows, slot));
             }
         }
     return TINKER_OK;
@@ -141,9 +164,9 @@ TinkerStatus tinker_linear_add_constraints(TinkerLinearisation *linear, TinkerMo
     const TinkerConstraints *all = &model->constraints;
     const TinkerBlockBatch *batch = part->batch;
     int32_t rows = part->constraint->rows, most = 0;
-    gsize entries = (gsize)batch->end_count * (gsize)rows;
+    gsize entries = (gsize)width_of(part) * (gsize)batch->end_count * (gsize)rows;
     for (int32_t i = 0; i < batch->count; i++)
-        most = MAX(most, batch->end_offsets[i + 1] - batch->end_offsets[i]);
+        most = MAX(most, width_of(part) * (batch->end_offsets[i + 1] - batch->end_offsets[i]));
     g_autofree TinkerPoint *ends = g_new0(TinkerPoint, MAX(batch->end_count, 1));
     g_autofree double *room = g_new0(double, 2 * (gsize)part->row_count + 4 * entries + 1);
     g_autofree double *hessians = g_new0(double, MAX(4 * entries * (gsize)most, 1)); /* of each row: its columns */

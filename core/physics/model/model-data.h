@@ -28,13 +28,17 @@
 /* Instances that one call of a plugin works on: their arrays stay in the L1 cache. */
 #define TINKER_CHUNK 256
 
-/* A point that is fixed to a body off its centre, or to a support. */
+/* A point that is fixed to a body off its centre, or to a support. Blocks that speak of angles have a turn beside each
+ * end: a point that is no place, whose x is the angle (rad) of what the end is on, vx its rate, the x of its
+ * acceleration the angular one, and what acts along it a torque. So whoever goes from points to coordinates has turns
+ * as well. */
 typedef struct {
     TinkerBlockId block; /* that it is fixed to */
     int32_t body;        /* which of the bodies that is; -1: a support */
     double x, y;         /* of a body: from its centre, in its own axes; of a support: with the support at its place */
+    gboolean turn;       /* it is a turn; of a support x is how that is turned unmoved */
     gboolean moving;     /* of a support: whether it moves */
-    double arm[2];       /* of a body: from its centre, now; */
+    double arm[2];       /* from the centre: of a body, now; of a support, unmoved */
     double force[2];     /* what the applied forces were there that were evaluated last */
 } TinkerAttachment;
 
@@ -65,11 +69,15 @@ typedef struct {
 
 typedef struct _TinkerLineParts TinkerLineParts;
 
+/* What a batch that speaks of angles has of its ends beside their points (angles.h). */
+typedef struct _TinkerAngles TinkerAngles;
+
 /* Blocks of one class whose plugin is asked at every evaluation. */
 typedef struct {
     TinkerBlockBatch *batch;
     const int32_t *end_points; /* of the batch's ends, row by row */
     gboolean stores_energy;
+    TinkerAngles *angles; /* of a force element that speaks of them; else NULL. Borrowed. */
 } TinkerAskedBatch;
 
 /* A force that does not depend on the state: value of a waveform * direction at one point. */
@@ -87,9 +95,10 @@ typedef struct {
     const TinkerConstraint *constraint;
     const int32_t *end_points;
     int32_t first_row, row_count;
-    int32_t first_entry; /* an entry is one end of one row */
-    double *distances;   /* of rows that keep a constant distance, which the host works out: one each; else NULL */
-    TinkerBatch view;    /* of the whole batch */
+    int32_t first_entry;  /* an entry is one end of one row, or its turn: those of a row stand behind its ends */
+    TinkerAngles *angles; /* of rows that depend on them; else NULL. Borrowed. */
+    double *distances;    /* of rows that keep a constant distance, which the host works out: one each; else NULL */
+    TinkerBatch view;     /* of the whole batch */
 } TinkerConstraintBatch;
 
 typedef struct _TinkerRowChains TinkerRowChains;
@@ -173,6 +182,7 @@ struct _TinkerModel {
     gboolean part;         /* of the scene: other bodies of it are in other models */
     GPtrArray *batches;    /* of TinkerBlockBatch */
     GPtrArray *end_points; /* of int32_t *: of each batch, by batch; NULL for one without ends */
+    GPtrArray *angles;     /* of TinkerAngles: of each batch, by batch; NULL for one that knows none */
     GPtrArray *warnings;
     double origin[2];
 
@@ -283,9 +293,14 @@ static inline void tinker_model_at_point(const TinkerModel *model, int32_t point
     if (point == body) return;
     const int32_t number = model->turn_of[body];
     const double turned = by_coordinate[2 * model->bodies + number] / model->turns[number].gyration;
-    const double *arm = tinker_model_attachment(model, point)->arm;
-    out[0] -= turned * arm[1];
-    out[1] += turned * arm[0];
+    const TinkerAttachment *at = tinker_model_attachment(model, point);
+    if (at->turn) {
+        out[0] = turned;
+        out[1] = 0;
+        return;
+    }
+    out[0] -= turned * at->arm[1];
+    out[1] += turned * at->arm[0];
 }
 
 /* How the x (axis 0) or y (1) of a point depends on the coordinates, for the state set last; of a support on its own
@@ -299,6 +314,10 @@ static inline int32_t tinker_model_point_entries(const TinkerModel *model, int32
     }
     const TinkerAttachment *at = tinker_model_attachment(model, point);
     const int32_t number = model->turn_of[at->body];
+    if (at->turn) {
+        list[0] = (TinkerCoordinateEntry){2 * model->bodies + number, 1 / model->turns[number].gyration};
+        return axis == 0 ? 1 : 0;
+    }
     const double arm = axis == 0 ? -at->arm[1] : at->arm[0];
     list[0] = (TinkerCoordinateEntry){2 * at->body + axis, 1};
     list[1] = (TinkerCoordinateEntry){2 * model->bodies + number, arm / model->turns[number].gyration};

@@ -22,6 +22,10 @@ void tinker_model_start_place(const TinkerModel *model, int32_t point, double pl
     place[1] = at->y;
     if (at->body < 0) return;
     const double angle = tinker_model_angle(model, at->body, model->q_start), c = cos(angle), s = sin(angle);
+    if (at->turn) {
+        place[0] = angle;
+        return;
+    }
     place[0] = model->q_start[2 * at->body] + c * at->x - s * at->y;
     place[1] = model->q_start[2 * at->body + 1] + s * at->x + c * at->y;
 }

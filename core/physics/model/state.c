@@ -28,6 +28,26 @@ TinkerBatch tinker_model_view(const TinkerModel *model, const TinkerBlockBatch *
     };
 }
 
+/* Of a support that is turned by a about its centre: c + R(a) r, c' + w x R(a) r, c'' + w' x R(a) r - w^2 R(a) r, with
+ * the arm r that it has unmoved. */
+static void turn_support_point(TinkerModel *model, int32_t point, const TinkerAttachment *at, const TinkerPlace *place)
+{
+    double *a = &model->point_acceleration[2 * point];
+    const double w = place->rate, alpha = place->angular_acceleration;
+    if (at->turn) {
+        model->point[point] = (TinkerPoint){at->x + place->angle, 0, w, 0};
+        a[0] = alpha;
+        a[1] = 0;
+        return;
+    }
+    const double c = cos(place->angle), s = sin(place->angle);
+    const double r[2] = {c * at->arm[0] - s * at->arm[1], s * at->arm[0] + c * at->arm[1]};
+    model->point[point] = (TinkerPoint){at->x - at->arm[0] + place->x + r[0], at->y - at->arm[1] + place->y + r[1],
+                                        place->vx - w * r[1], place->vy + w * r[0]};
+    a[0] = place->ax - alpha * r[1] - w * w * r[0];
+    a[1] = place->ay + alpha * r[0] - w * w * r[1];
+}
+
 TinkerStatus tinker_model_change_time(TinkerModel *model, double t)
 {
     model->time = t;
@@ -44,6 +64,10 @@ TinkerStatus tinker_model_change_time(TinkerModel *model, double t)
         const TinkerAttachment *at = tinker_model_attachment(model, point);
         if (!at->moving) continue;
         const TinkerPlace *place = tinker_motions_place(model->motions, at->block);
+        if (at->turn || place->turns) {
+            turn_support_point(model, point, at, place);
+            continue;
+        }
         model->point[point] = (TinkerPoint){at->x + place->x, at->y + place->y, place->vx, place->vy};
         model->point_acceleration[2 * point] = place->ax;
         model->point_acceleration[2 * point + 1] = place->ay;
@@ -68,6 +92,10 @@ static void set_turn_rates(TinkerModel *model, const double *v)
         const TinkerAttachment *at = tinker_model_attachment(model, point);
         const TinkerPoint *centre = &model->point[at->body];
         const double rate = model->turns[model->turn_of[at->body]].rate;
+        if (at->turn) {
+            model->point[point].vx = rate;
+            continue;
+        }
         model->point[point].vx = centre->vx - rate * at->arm[1];
         model->point[point].vy = centre->vy + rate * at->arm[0];
     }
@@ -76,15 +104,19 @@ static void set_turn_rates(TinkerModel *model, const double *v)
 void tinker_model_set_angles(TinkerModel *model, const double *q)
 {
     int32_t turned = -1; /* attachments to one body stand together */
-    double c = 1, s = 0;
+    double angle = 0, c = 1, s = 0;
     for (int32_t point = model->first_attachment; point < model->first_support; point++) {
         TinkerAttachment *at = tinker_model_attachment(model, point);
         const TinkerPoint *centre = &model->point[at->body];
         if (at->body != turned) {
-            const double angle = tinker_model_angle(model, at->body, q);
+            angle = tinker_model_angle(model, at->body, q);
             c = cos(angle);
             s = sin(angle);
             turned = at->body;
+        }
+        if (at->turn) {
+            model->point[point].x = angle;
+            continue;
         }
         at->arm[0] = c * at->x - s * at->y;
         at->arm[1] = s * at->x + c * at->y;
@@ -107,6 +139,11 @@ void tinker_model_accelerate_attachments(TinkerModel *model)
         const int32_t number = model->turn_of[at->body];
         const TinkerTurn *turn = &model->turns[number];
         const double w = turn->rate, alpha = a[2 * model->bodies + number] / turn->gyration;
+        if (at->turn) {
+            a[2 * point] = alpha;
+            a[2 * point + 1] = 0;
+            continue;
+        }
         a[2 * point] = a[2 * at->body] - alpha * at->arm[1] - w * w * at->arm[0];
         a[2 * point + 1] = a[2 * at->body + 1] + alpha * at->arm[0] - w * w * at->arm[1];
     }
@@ -119,6 +156,10 @@ void tinker_model_reduce_forces(TinkerModel *model)
         const int32_t number = model->turn_of[at->body];
         const double *f = model->force + 2 * point;
         double *on_body = model->force + 2 * at->body;
+        if (at->turn) {
+            model->force[2 * model->bodies + number] += f[0] / model->turns[number].gyration;
+            continue;
+        }
         on_body[0] += f[0];
         on_body[1] += f[1];
         model->force[2 * model->bodies + number] +=

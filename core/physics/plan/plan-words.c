@@ -176,7 +176,7 @@ static void describe_displaced(TinkerPlan *plan, const TinkerModel *model)
         const TinkerAttachment *at = tinker_model_attachment(model, point);
         const TinkerPoint *now = &model->point[point];
         double dx = now->x - at->x, dy = now->y - at->y;
-        if (!at->moving || at->block == last || hypot(dx, dy) == 0) continue;
+        if (!at->moving || at->turn || at->block == last || hypot(dx, dy) == 0) continue;
         last = at->block;
         say(plan->modelled, _("%s starts displaced by (%.4g, %.4g) m: its motion does not begin at 0"),
             tinker_scene_block_name(model->scene, at->block), dx, dy);

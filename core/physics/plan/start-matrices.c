@@ -12,7 +12,7 @@
 #include "physics/force/forces.h"
 #include "physics/line/linear-form-data.h"
 #include "physics/line/linear-form.h"
-#include "physics/model/model-data.h"
+#include "physics/model/angles.h"
 #include "physics/plan/islands.h"
 #include "physics/system/jacobian.h"
 
@@ -136,6 +136,31 @@ static double *moved_coordinate(TinkerPoint *end, int k)
     return k == 0 ? &end->x : &end->y;
 }
 
+static int32_t end_count(const TinkerConstraintBatch *part, int32_t instance)
+{
+    return part->batch->end_offsets[instance + 1] - part->batch->end_offsets[instance];
+}
+
+/* Entries of a row of an instance: its ends, and behind them their turns where the rows depend on angles. */
+static int32_t entry_count(const TinkerConstraintBatch *part, int32_t instance)
+{
+    return (part->angles != NULL ? 2 : 1) * end_count(part, instance);
+}
+
+/* The point of an entry of an instance. */
+static int32_t entry_point(const TinkerConstraintBatch *part, int32_t instance, int32_t slot)
+{
+    const int32_t from = part->batch->end_offsets[instance], ends = end_count(part, instance);
+    return slot < ends ? part->end_points[from + slot] : part->angles->turns[from + slot - ends];
+}
+
+/* How far differences go: m, or rad. */
+static double reach_of(const TinkerConstraintBatch *part, const TinkerConstraints *all, int32_t instance, int32_t slot)
+{
+    if (slot >= end_count(part, instance)) return DIFFERENCE;
+    return DIFFERENCE * all->scales[part->first_row + instance * part->constraint->rows];
+}
+
 /* Moves end number `slot` of every instance along coordinate k and evaluates all rows. */
 static gboolean evaluate_moved(Geometry *work, int32_t slot, int k, double sign, double *jacobian)
 {
@@ -143,15 +168,18 @@ static gboolean evaluate_moved(Geometry *work, int32_t slot, int k, double sign,
     const TinkerConstraints *all = &work->matrices->model->constraints;
     for (int32_t e = 0; e < part->batch->end_count; e++)
         work->ends[e] = work->matrices->model->point[part->end_points[e]];
+    if (part->angles != NULL) tinker_angles_gather(part->angles, work->matrices->model, 0, part->batch->end_count);
     for (int32_t i = 0; i < part->batch->count; i++) {
-        int32_t end = part->batch->end_offsets[i] + slot;
-        double scale = all->scales[part->first_row + i * part->constraint->rows];
-        if (end < part->batch->end_offsets[i + 1]) *moved_coordinate(&work->ends[end], k) += sign * DIFFERENCE * scale;
+        const int32_t from = part->batch->end_offsets[i], ends = end_count(part, i);
+        const double step = sign * reach_of(part, all, i, slot);
+        if (slot < ends)
+            *moved_coordinate(&work->ends[from + slot], k) += step;
+        else if (k == 0 && slot < entry_count(part, i))
+            part->angles->poses[from + slot - ends].angle += step;
     }
     TinkerBatch view = part->view;
     view.time = 0;
-    return TINKER_CALL_BATCH(part->batch, "rows_at", &view,
-                             part->constraint->rows_at(&view, work->ends, work->g, jacobian, work->drift)) == TINKER_OK;
+    return tinker_constraints_ask(part, &view, work->ends, work->g, jacobian, work->drift) == TINKER_OK;
 }
 
 static void add_entry(Geometry *work, int32_t on, int d, int32_t of, int k, double stiffness)
@@ -188,16 +216,15 @@ static void add_differences(Geometry *work, int32_t slot, int k)
 {
     const TinkerConstraintBatch *part = work->part;
     const TinkerConstraints *all = &work->matrices->model->constraints;
-    const int32_t *offsets = part->batch->end_offsets;
+    gsize first = 0;
     for (int32_t i = 0; i < part->batch->count; i++) {
-        int32_t ends = offsets[i + 1] - offsets[i];
-        if (slot >= ends) continue;
-        double scale = all->scales[part->first_row + i * part->constraint->rows];
-        for (int32_t r = 0; r < part->constraint->rows; r++) {
-            double factor = -work->lambda[part->first_row + i * part->constraint->rows + r] / (2 * DIFFERENCE * scale);
-            gsize first = 2 * ((gsize)part->constraint->rows * (gsize)offsets[i] + (gsize)r * (gsize)ends);
-            for (int32_t e = 0; e < 2 * ends; e++)
-                add_entry(work, part->end_points[offsets[i] + e / 2], e % 2, part->end_points[offsets[i] + slot], k,
+        const int32_t entries = entry_count(part, i);
+        for (int32_t r = 0; r < part->constraint->rows; r++, first += 2 * (gsize)entries) {
+            if (slot >= entries) continue;
+            const double lambda = work->lambda[part->first_row + i * part->constraint->rows + r];
+            const double factor = -lambda / (2 * reach_of(part, all, i, slot));
+            for (int32_t e = 0; e < 2 * entries; e++)
+                add_entry(work, entry_point(part, i, e / 2), e % 2, entry_point(part, i, slot), k,
                           factor * (work->high[first + (gsize)e] - work->low[first + (gsize)e]));
         }
     }
@@ -205,10 +232,9 @@ static void add_differences(Geometry *work, int32_t slot, int k)
 
 static void add_part(Geometry *work)
 {
-    const TinkerBlockBatch *batch = work->part->batch;
     int32_t most = 0;
-    for (int32_t i = 0; i < batch->count; i++)
-        most = MAX(most, batch->end_offsets[i + 1] - batch->end_offsets[i]);
+    for (int32_t i = 0; i < work->part->batch->count; i++)
+        most = MAX(most, entry_count(work->part, i));
     for (int32_t slot = 0; slot < most; slot++)
         for (int k = 0; k < 2; k++)
             if (evaluate_moved(work, slot, k, -1, work->low) && evaluate_moved(work, slot, k, 1, work->high))
@@ -221,7 +247,7 @@ static void add_geometry(TinkerStartMatrices *self, const double *lambda)
     for (guint p = 0; p < all->batches->len; p++) {
         const TinkerConstraintBatch *part = &g_array_index(all->batches, TinkerConstraintBatch, p);
         gsize rows = (gsize)MAX(part->row_count, 1), entries = (gsize)MAX(part->batch->end_count, 1);
-        entries *= (gsize)MAX(part->constraint->rows, 1);
+        entries *= (gsize)MAX(part->constraint->rows, 1) * (part->angles != NULL ? 2 : 1);
         g_autofree TinkerPoint *ends = g_new(TinkerPoint, MAX(part->batch->end_count, 1));
         g_autofree double *room = g_new0(double, 2 * rows + 4 * entries);
         Geometry work = {self,          part,        lambda,          ends,

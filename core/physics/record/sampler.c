@@ -8,7 +8,7 @@
 #include "physics/contact/contacts.h"
 #include "physics/force/forces.h"
 #include "physics/impulse/impulse.h"
-#include "physics/model/model-data.h"
+#include "physics/model/angles.h"
 #include "physics/record/columns.h"
 #include "physics/record/implied.h"
 
@@ -202,6 +202,13 @@ static TinkerGraphInput input_of(TinkerSampler *sampler, TinkerBlockBatch *batch
     if (sampler->contacts != NULL && physics != NULL && physics->body != NULL) {
         gather_contacts(sampler, batch);
         input.contacts = sampler->contacts;
+    }
+    TinkerAngles *angles = tinker_model_angles(sampler->model, batch);
+    if (angles != NULL) {
+        tinker_angles_gather(angles, sampler->model, 0, batch->end_count);
+        tinker_angles_show(angles, view, 0, batch->end_count);
+        input.poses = angles->poses;
+        input.torques = physics->force_element != NULL ? view->angular : NULL;
     }
     if (physics != NULL && physics->force_element != NULL &&
         TINKER_CALL_BATCH(batch, "force", view, physics->force_element->force(view, sampler->ends, sampler->forces)) ==

@@ -87,11 +87,11 @@ static TinkerStatus add_elements(TinkerActingForces *forces, const TinkerBlockBa
 {
     for (int32_t row = 0; row < batch->count; row++) {
         const int32_t *points = end_points + batch->end_offsets[row];
-        const double *force;
-        TinkerStatus status = tinker_model_ask_element(forces->model, batch, points, row, 1, &force);
+        TinkerElementForces on;
+        TinkerStatus status = tinker_model_ask_element(forces->model, batch, points, row, 1, &on);
         if (status != TINKER_OK) return status;
         for (int32_t e = 0; e < batch->end_offsets[row + 1] - batch->end_offsets[row]; e++)
-            add(forces, TINKER_ACTING_ELEMENT, batch->ids[row], e, points[e], force[2 * e], force[2 * e + 1]);
+            add(forces, TINKER_ACTING_ELEMENT, batch->ids[row], e, points[e], on.force[2 * e], on.force[2 * e + 1]);
     }
     return TINKER_OK;
 }

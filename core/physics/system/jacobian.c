@@ -166,7 +166,7 @@ TinkerJacobian *tinker_jacobian_new(TinkerModel *model)
     self->model = model;
     make_pattern(self);
     find_all_slots(self);
-    self->force = g_new(double, 4 * (gsize)most_ends(model));
+    self->force = g_new(double, 8 * (gsize)most_ends(model)); /* forces, and twice forces with torques */
     return self;
 }
 
@@ -292,7 +292,7 @@ static void add_row_mass(const TinkerJacobian *self, int32_t row, double *values
 {
     const TinkerConstraints *all = &self->model->constraints;
     double mass = row_mass(self->model, row);
-    if (all->turn_count > 0) {
+    if (self->model->turning > 0) {
         tinker_jacobian_add_row_mass(self, row, mass, values);
         return;
     }

@@ -213,6 +213,11 @@ static void scales(void *context, const double *q, const double *v, double *exte
     for (int32_t i = 0; i < model->bodies; i++)
         fastest = MAX(fastest, v[2 * i] * v[2 * i] + v[2 * i + 1] * v[2 * i + 1]);
     *extent = model->bodies > 0 ? MAX(hypot(box[2] - box[0], box[3] - box[1]), self->reach) : 0;
+    for (int32_t k = 0; k < model->turning; k++) { // a body that turns in one place has its own size
+        const double along = v[2 * model->bodies + k];
+        fastest = MAX(fastest, along * along);
+        *extent = MAX(*extent, 2 * model->turns[k].gyration);
+    }
     *speed = MAX(self->speed, sqrt(fastest));
 }
 

@@ -8,8 +8,9 @@
 #include "plugin/trust/refuse.h"
 #include "units/units.h"
 
-static const char *const categories[] = {TINKER_CONNECTABLE, TINKER_CONNECTOR, TINKER_FORCE,   TINKER_MOTION,
-                                         TINKER_FIELD,       TINKER_ROPE,      TINKER_MEASURE, NULL};
+static const char *const categories[] = {TINKER_CONNECTABLE, TINKER_CONNECTOR, TINKER_FORCE,
+                                         TINKER_MOTION,      TINKER_FIELD,     TINKER_JOINT,
+                                         TINKER_ROPE,        TINKER_MEASURE,   NULL};
 
 static gboolean check_category(const char *category, GError **error)
 {
@@ -178,6 +179,20 @@ int32_t tinker_block_class_meaning_column(const TinkerBlockClass *block_class, i
     if (meaning <= TINKER_MEANING_NONE || meaning >= TINKER_MEANING_COUNT) return -1;
     const int32_t property = block_class->meanings[meaning];
     return property < 0 ? -1 : block_class->first_columns[property];
+}
+
+gboolean tinker_block_class_has_angle(const TinkerBlockClass *block_class)
+{
+    const TinkerPhysics *physics = block_class != NULL ? block_class->physics : NULL;
+    return physics != NULL && physics->body != NULL && physics->body->degrees_of_freedom != 2;
+}
+
+gboolean tinker_block_class_speaks_of_angles(const TinkerBlockClass *block_class)
+{
+    const TinkerPhysics *physics = block_class->physics;
+    if (physics == NULL || physics->body != NULL) return FALSE;
+    return (physics->constraint != NULL && physics->constraint->angles != 0) ||
+           (physics->force_element != NULL && physics->force_element->angles != 0);
 }
 
 gboolean tinker_block_class_is_shown_elsewhere(const TinkerBlockClass *block_class)

@@ -42,6 +42,12 @@ int32_t tinker_kind_columns(int32_t kind);
 /* First column of the property that carries this meaning, or -1. */
 int32_t tinker_block_class_meaning_column(const TinkerBlockClass *block_class, int32_t meaning);
 
+/* Whether its blocks are bodies that have an angle: those that turn, and those that do not move by themselves. */
+gboolean tinker_block_class_has_angle(const TinkerBlockClass *block_class);
+
+/* Whether its role asks for the angles of what its ends are on. */
+gboolean tinker_block_class_speaks_of_angles(const TinkerBlockClass *block_class);
+
 /* Whether some property of the class is shown in the panel of what it is attached to, as those of a support's motion.
  */
 gboolean tinker_block_class_is_shown_elsewhere(const TinkerBlockClass *block_class);

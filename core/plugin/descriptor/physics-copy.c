@@ -36,7 +36,8 @@ static gboolean check_functions(const TinkerPhysics *physics, GError **error)
     if (physics->field != NULL && physics->field->force == NULL) return lacks("field", "force", error);
     if (physics->constraint != NULL && physics->constraint->rows_at == NULL)
         return lacks("constraint", "rows_at", error);
-    if (physics->motion != NULL && physics->motion->motion == NULL) return lacks("motion", "motion", error);
+    if (physics->motion != NULL && physics->motion->motion == NULL && physics->motion->rotation == NULL)
+        return lacks("motion", "motion", error);
     if (physics->constraint != NULL && physics->constraint->rows < 1)
         return tinker_refuse(error, "its constraint has %d rows, at least 1 was expected", physics->constraint->rows);
     return TRUE;

@@ -83,7 +83,7 @@ static void mock_init(Mock *mock, const TinkerBlockClass *block_class, double le
     mock->columns = g_new0(double, MAX(block_class->column_count, 1) + 2);
     mock->ends = g_new0(TinkerEnd, MAX(ends, 1));
     for (int32_t k = 0; k < ends; k++)
-        mock->ends[k] = (TinkerEnd){ends > 1 ? span * (k / (ends - 1.0) - 0.5) : 0, 0, 1, 0};
+        mock->ends[k] = (TinkerEnd){ends > 1 ? span * (k / (ends - 1.0) - 0.5) : 0, 0, 1, 0, 0};
     gboolean is_field = ends == 0 && block_class->meanings[TINKER_MEANING_POSITION] < 0;
     set_plain_defaults(mock, is_field);
     set_other_defaults(mock, span);

@@ -14,7 +14,9 @@ typedef struct {
     const double **columns;
     TinkerPoint *points; /* its ends; of a body, its own centre */
     int32_t point_count;
-    double *forces;
+    TinkerPose *poses;
+    double *forces, *torques;
+    int32_t *has_angle;
     void *scratch;
 } Single;
 
@@ -23,6 +25,9 @@ static void single_clear(Single *single)
     g_free(single->columns);
     g_free(single->points);
     g_free(single->forces);
+    g_free(single->poses);
+    g_free(single->torques);
+    g_free(single->has_angle);
     tinker_guarded_free(single->scratch);
 }
 G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC(Single, single_clear)
@@ -72,12 +77,26 @@ static const char *name_of_single(const void *name, int32_t row)
     TINKER_CALL(call, .phase = (function), .block_class = block_class, .batch = &single.batch, .name = name_of_single, \
                 .source = (block_name))
 
-/* As placed: of a body its own. */
-static void fill_poses(TinkerPose *poses, const TinkerFrame *frame, TinkerBlockId block, const TinkerInstance *instance)
+/* As placed: of a body its own, of a connector those of what its ends are on. */
+static void fill_poses(Single *single, const TinkerFrame *frame, TinkerBlockId block, const TinkerInstance *instance)
 {
-    if (instance->ends > 0) return;
-    poses[0].angle = instance->orientation;
-    poses[0].rate = tinker_frame_meaning(frame, block, TINKER_MEANING_ANGULAR_VELOCITY, 0, 0);
+    const gsize count = (gsize)MAX(single->point_count, 1);
+    single->poses = g_new0(TinkerPose, count);
+    single->torques = g_new0(double, count);
+    single->batch.poses = single->batch.placed_poses = single->poses;
+    single->batch.placed = single->points;
+    single->batch.angular = single->torques;
+    single->batch.placed_columns = single->columns;
+    single->batch.has_angle = single->has_angle = g_new0(int32_t, count);
+    for (int32_t k = 0; k < (int32_t)count; k++) {
+        const TinkerBlockId on =
+            instance->ends > 0 ? tinker_scene_end(tinker_frame_scene(frame), block, k).block : block;
+        double x, y;
+        const TinkerBlockClass *c = tinker_scene_block_class(tinker_frame_scene(frame), on);
+        single->has_angle[k] = tinker_block_class_has_angle(c);
+        tinker_frame_centre(frame, on, &x, &y, &single->poses[k].angle);
+        single->poses[k].rate = tinker_frame_meaning(frame, on, TINKER_MEANING_ANGULAR_VELOCITY, 0, 0);
+    }
 }
 
 gboolean tinker_frame_quantity(TinkerFrame *frame, TinkerBlockId block, int32_t quantity, double *value)
@@ -94,14 +113,14 @@ gboolean tinker_frame_quantity(TinkerFrame *frame, TinkerBlockId block, int32_t 
         CALL_SINGLE(instance.name, "prepare", tinker_prepare(physics, &single.batch)) != TINKER_OK)
         return FALSE;
 
-    g_autofree TinkerPose *poses = g_new0(TinkerPose, MAX(single.point_count, 1));
-    TinkerGraphInput input = {.struct_size = sizeof(TinkerGraphInput), .ends = single.points, .poses = poses};
-    fill_poses(poses, frame, block, &instance);
+    fill_poses(&single, frame, block, &instance);
+    TinkerGraphInput input = {.struct_size = sizeof(TinkerGraphInput), .ends = single.points, .poses = single.poses};
     if (physics != NULL && physics->force_element != NULL) {
         single.forces = g_new0(double, 2 * (gsize)single.point_count);
         if (CALL_SINGLE(instance.name, "force",
                         physics->force_element->force(&single.batch, single.points, single.forces)) == TINKER_OK)
             input.forces = single.forces;
+        if (input.forces != NULL && physics->force_element->angles != 0) input.torques = single.torques;
     }
     double result = NAN;
     TinkerStatus status =

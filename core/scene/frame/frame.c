@@ -58,11 +58,11 @@ static void locate(TinkerFrame *frame)
 
 static void end_place(const TinkerFrame *frame, const TinkerSceneEnd *end, TinkerEnd *out)
 {
-    *out = (TinkerEnd){end->x, end->y, 0, 0};
+    *out = (TinkerEnd){end->x, end->y, 0, 0, 0};
     if (end->block == TINKER_NO_BLOCK) return;
     const Pose *pose = &frame->poses[end->block];
     double c = cos(pose->orientation), s = sin(pose->orientation);
-    *out = (TinkerEnd){pose->x + c * end->x - s * end->y, pose->y + s * end->x + c * end->y, 1, 0};
+    *out = (TinkerEnd){pose->x + c * end->x - s * end->y, pose->y + s * end->x + c * end->y, 1, 0, pose->orientation};
 }
 
 /* Of the path from end to end, in their order; NAN where there are not two. */
@@ -79,6 +79,22 @@ static double placed_length(const TinkerFrame *frame, const TinkerSceneEnd *ends
     return length;
 }
 
+/* From what the first end is on to what the second is on; NAN where there are not two. */
+static double placed_angle(const TinkerFrame *frame, const TinkerSceneEnd *ends, int32_t count)
+{
+    TinkerEnd first, second;
+    if (count < 2) return NAN;
+    end_place(frame, &ends[0], &first);
+    end_place(frame, &ends[1], &second);
+    return second.angle - first.angle;
+}
+
+static gboolean is_angle(TinkerDimension d)
+{
+    return d.mass == 0 && d.length == 0 && d.time == 0 && d.angle == 1;
+}
+
+/* Lengths from end to end, and angles between two. */
 static void resolve_placed_lengths(TinkerFrame *frame)
 {
     for (guint i = 0; i < frame->batches->len; i++) {
@@ -87,9 +103,12 @@ static void resolve_placed_lengths(TinkerFrame *frame)
         for (int32_t property = 0; property < block_class->property_count; property++) {
             if (!(block_class->properties[property].flags & TINKER_DEFAULT_AS_PLACED)) continue;
             double *column = batch->columns[block_class->first_columns[property]];
+            const gboolean angle = is_angle(block_class->properties[property].dimension);
             for (int32_t row = 0; row < batch->count; row++) {
                 const int32_t first = batch->end_offsets[row], count = batch->end_offsets[row + 1] - first;
-                if (isnan(column[row])) column[row] = placed_length(frame, &batch->end[first], count);
+                const TinkerSceneEnd *ends = &batch->end[first];
+                if (isnan(column[row]))
+                    column[row] = angle ? placed_angle(frame, ends, count) : placed_length(frame, ends, count);
             }
         }
     }
@@ -149,6 +168,7 @@ static gboolean move_supports(TinkerFrame *frame, GError **error)
         const TinkerPlace *place = tinker_motions_place(frame->motions, moved[i]);
         frame->poses[moved[i]].x = frame->placed[moved[i]].x + place->x;
         frame->poses[moved[i]].y = frame->placed[moved[i]].y + place->y;
+        if (place->turns) frame->poses[moved[i]].orientation = frame->placed[moved[i]].orientation + place->angle;
     }
     return TRUE;
 }

@@ -13,6 +13,7 @@ struct _TinkerMotions {
     TinkerPlace *places;     /* by number in the index */
     int32_t *number;         /* of each motion: that of what it moves */
     double *values;          /* six for each motion of the largest batch */
+    TinkerPose *rotations;   /* one for each of them */
     TinkerBlockId failed;
 };
 
@@ -66,6 +67,7 @@ TinkerMotions *tinker_motions_new(GPtrArray *batches)
     }
     motions->places = g_new0(TinkerPlace, MAX(all, 1));
     motions->values = g_new0(double, 6 * (gsize)largest);
+    motions->rotations = g_new0(TinkerPose, largest);
     return motions;
 }
 
@@ -78,6 +80,7 @@ void tinker_motions_free(TinkerMotions *motions)
     g_free(motions->places);
     g_free(motions->number);
     g_free(motions->values);
+    g_free(motions->rotations);
     g_free(motions);
 }
 
@@ -87,18 +90,21 @@ const TinkerBlockId *tinker_motions_blocks(const TinkerMotions *motions, int32_t
     return *count == 0 ? NULL : (const TinkerBlockId *)(const void *)motions->blocks->data;
 }
 
+static gboolean fail(TinkerMotions *motions, const TinkerBlockBatch *batch, int32_t row)
+{
+    motions->failed = batch->ids[CLAMP(row, 0, batch->count - 1)];
+    return FALSE;
+}
+
 /* `number` of what each row moves. */
-static gboolean add_batch(TinkerMotions *motions, TinkerBlockBatch *batch, const int32_t *number, double t)
+static gboolean add_displacements(TinkerMotions *motions, TinkerBlockBatch *batch, const int32_t *number,
+                                  TinkerBatch *view)
 {
     double *displacement = motions->values;
     double *velocity = displacement + 2 * batch->count, *acceleration = velocity + 2 * batch->count;
-    tinker_block_batch_set_time(batch, t);
-    TinkerBatch view = tinker_block_batch_view(batch, t);
-    if (TINKER_CALL_BATCH(batch, "motion", &view,
-                          motion_of(batch)->motion(&view, displacement, velocity, acceleration)) != TINKER_OK) {
-        motions->failed = batch->ids[CLAMP(view.failed_instance, 0, batch->count - 1)];
-        return FALSE;
-    }
+    if (TINKER_CALL_BATCH(batch, "motion", view,
+                          motion_of(batch)->motion(view, displacement, velocity, acceleration)) != TINKER_OK)
+        return fail(motions, batch, view->failed_instance);
     for (int32_t row = 0; row < batch->count; row++) {
         if (moved_block(batch, row) == TINKER_NO_BLOCK) continue;
         TinkerPlace *place = &motions->places[number[row]];
@@ -108,12 +114,35 @@ static gboolean add_batch(TinkerMotions *motions, TinkerBlockBatch *batch, const
         place->vy += velocity[2 * row + 1];
         place->ax += acceleration[2 * row];
         place->ay += acceleration[2 * row + 1];
-        if (!isfinite(place->x + place->y + place->vx + place->vy + place->ax + place->ay)) {
-            motions->failed = batch->ids[row];
-            return FALSE;
-        }
+        if (!isfinite(place->x + place->y + place->vx + place->vy + place->ax + place->ay))
+            return fail(motions, batch, row);
     }
     return TRUE;
+}
+
+static gboolean add_rotations(TinkerMotions *motions, TinkerBlockBatch *batch, const int32_t *number, TinkerBatch *view)
+{
+    TinkerPose *rotations = motions->rotations;
+    if (TINKER_CALL_BATCH(batch, "rotation", view, motion_of(batch)->rotation(view, rotations)) != TINKER_OK)
+        return fail(motions, batch, view->failed_instance);
+    for (int32_t row = 0; row < batch->count; row++) {
+        if (moved_block(batch, row) == TINKER_NO_BLOCK) continue;
+        TinkerPlace *place = &motions->places[number[row]];
+        place->turns = TRUE;
+        place->angle += rotations[row].angle;
+        place->rate += rotations[row].rate;
+        place->angular_acceleration += rotations[row].acceleration;
+        if (!isfinite(place->angle + place->rate + place->angular_acceleration)) return fail(motions, batch, row);
+    }
+    return TRUE;
+}
+
+static gboolean add_batch(TinkerMotions *motions, TinkerBlockBatch *batch, const int32_t *number, double t)
+{
+    tinker_block_batch_set_time(batch, t);
+    TinkerBatch view = tinker_block_batch_view(batch, t);
+    return (motion_of(batch)->motion == NULL || add_displacements(motions, batch, number, &view)) &&
+           (motion_of(batch)->rotation == NULL || add_rotations(motions, batch, number, &view));
 }
 
 gboolean tinker_motions_evaluate(TinkerMotions *motions, double t)

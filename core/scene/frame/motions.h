@@ -4,9 +4,12 @@
 
 #include "scene/frame/batch.h"
 
-/* Displacement of one block's centre from its place (m), its velocity and its acceleration. */
+/* Displacement of one block's centre from its place (m), its velocity and its acceleration; how far it is turned from
+ * its orientation (rad), and the derivatives of that. */
 typedef struct {
     double x, y, vx, vy, ax, ay;
+    double angle, rate, angular_acceleration;
+    gboolean turns; /* some motion turns it */
 } TinkerPlace;
 
 typedef struct _TinkerMotions TinkerMotions;

@@ -54,7 +54,9 @@ extern "C" {
 #define TINKER_HAS_SOFT_RANGE    (1u << 4)  /* soft_minimum and soft_maximum count: the range of a slider */
 #define TINKER_READ_ONLY         (1u << 5)  /* shown, never typed; not part of a scene */
 #define TINKER_DERIVED           (1u << 6)  /* its value is that of the quantity with the same id */
-#define TINKER_DEFAULT_AS_PLACED (1u << 7)  /* left out: the length from end to end at t = 0; needs two ends */
+#define TINKER_DEFAULT_AS_PLACED (1u << 7)  /* left out: the length from end to end at t = 0, or of an
+                                               angle that from what the first end is on to what the
+                                               second is on; needs two ends */
 #define TINKER_DEFAULT_SAME_AS   (1u << 8)  /* left out, it equals the property that `default_from` names */
 #define TINKER_DEFAULT_AS_SHAPED (1u << 9)  /* left out, a body works it out: TinkerBody.as_shaped (physics.h) */
 #define TINKER_TEXT_LAW          (1u << 10) /* a text in the grammar of expressions: see typed-law.h */
@@ -110,6 +112,7 @@ typedef struct TinkerQuantityType {
 #define TINKER_FORCE       "force"     /* acts on its ends from outside */
 #define TINKER_MOTION      "motion"
 #define TINKER_FIELD       "field"
+#define TINKER_JOINT       "joint"   /* ties bodies together */
 #define TINKER_ROPE        "rope"    /* ropes and wheels */
 #define TINKER_MEASURE     "measure" /* acts on nothing: shows what others do */
 
@@ -167,6 +170,14 @@ typedef struct TinkerBatch {
     const struct TinkerTypedLaw *const *laws; /* of instance i from i * law_count on; NULL: an empty text */
     const double *end_masses; /* kg: of a force element, the mass of what each end is on, INFINITY of a support, laid
                                  out as its ends; NULL elsewhere */
+    /* Of roles that ask for angles (physics.h), in calls that have ends, and indexed as those are; else NULL. */
+    const TinkerPose *poses;             /* how what each end is on is turned: a mass not at all */
+    const TinkerPoint *placed;           /* the ends where the scene places them, at t = 0, ... */
+    const TinkerPose *placed_poses;      /* ... and how what they are on is turned there */
+    const int32_t *has_angle;            /* 0 where what the end is on has no angle, as a mass; else 1 */
+    const double *const *placed_columns; /* the columns as they are at t = 0: waveforms are there at their start */
+    double *angular; /* what the callee writes of angles, zeroed before the call: of a force element the torque (N m) on
+                        what each end is on, counter-clockwise; of a constraint the third column of each end */
 } TinkerBatch;
 
 #ifdef __cplusplus

@@ -33,6 +33,7 @@ typedef struct TinkerGraphInput {
      * solid. */
     const double *contacts;
     const TinkerPose *poses; /* of each end: how what it is on is turned; of a body itself: how that is */
+    const double *torques;   /* of a force element that asks for angles: the torque on what each end is on (N m) */
 } TinkerGraphInput;
 
 typedef struct TinkerGraph {

@@ -8,11 +8,13 @@
 extern "C" {
 #endif
 
-/* An end of an instance: where it lies now (m), and whether it is attached to a block. */
+/* An end of an instance: where it lies now (m), how what it is on is turned (rad), and whether it is attached to a
+ * block. */
 typedef struct TinkerEnd {
     double x, y;
     int32_t attached; /* 1 or 0 */
     int32_t reserved;
+    double angle;
 } TinkerEnd;
 
 /* Everything is borrowed for the length of the call. */

@@ -9,6 +9,11 @@
  * rate = dL/dt = n . (v_b - v_a); T tension, positive when it pulls the ends together; g constraint function;
  * J = dg/dx; lambda multiplier.
  *
+ * Ends are points. Forces on them turn what they are on, places turn with it, and the host takes care of both: a law
+ * of places alone says nothing of angles. One that speaks of angles itself (a torsional spring, a weld, a gear) sets
+ * `angles`: it is then shown how what its ends are on is turned, and writes torques or a third column beside what it
+ * writes of the points. There angles are those of whole blocks, in the world, and count turns.
+ *
  * Every function but those marked "required" may be NULL.
  */
 #ifndef TINKER_PHYSICS_H
@@ -74,17 +79,21 @@ typedef struct TinkerLineLaw {
  * where the number differs, at end_offsets[i] + k. */
 typedef struct TinkerForceElement {
     uint32_t struct_size;
-    int32_t reserved;
+    int32_t angles; /* 1: depends on angles or gives torques: `force` and `energy` have batch->poses, and `force` writes
+                       batch->angular[end], the torque on what each end is on, beside its forces; else 0 */
     /* Required: writes force[2 * end] and force[2 * end + 1] (N), the force on each end. */
     TinkerStatus (*force)(TinkerBatch *batch, const TinkerPoint *ends, double *force);
     /* Stored energy (J) of every instance, of which the position-dependent part of the force is minus the gradient.
      * NULL: nothing is stored and all of the power is booked as given by motors. */
     TinkerStatus (*energy)(TinkerBatch *batch, const TinkerPoint *ends, double *stored);
     /* Where the force on each end does not depend on the ends: force = constant + value of the waveform * direction.
-     * Writes constant[2 * end], direction[2 * end] and the first column of the waveform, or -1, per instance.
+     * Writes constant[2 * end], direction[2 * end] and the first column of the waveform, or -1, per instance. What it
+     * writes for angles is 0 then, and it does not depend on them.
      * TINKER_RETRY_SMALLER: not of that form. */
     TinkerStatus (*linear)(TinkerBatch *batch, double *constant, double *direction, int32_t *waveform_column);
     double (*next_break)(TinkerBatch *batch); /* as for a line law */
+    int32_t dissipates; /* 1: stores nothing, and what it takes is booked as taken by dampers; else 0 */
+    int32_t reserved;
 } TinkerForceElement;
 
 /* Field ---------------------------------------------------------------------------------------------------------- */
@@ -135,8 +144,8 @@ typedef struct TinkerConstraint {
     uint32_t struct_size;
     int32_t rows;       /* rows of each instance, at least 1 */
     int32_t unilateral; /* 1: the rows say g <= 0 (a rope); else 0 */
-    /* 1: a joint of two ends that lie at one place. Its first rows may be the two components of one vector; errors of
-     * all rows are measured against the scene's extent. Else 0. */
+    /* 1 or 2: a joint of two ends, errors of whose rows are measured against the scene's extent. 1: its first two rows
+     * are the two components of one vector. Else 0. */
     int32_t joint;
     /* Required. Row r of instance i is at i * rows + r; its Jacobian over the ends at
      * jacobian[2 * ((i * rows + r) * ends + k)], as d g / d x_k and d g / d y_k. (Where the number of ends differs,
@@ -156,21 +165,31 @@ typedef struct TinkerConstraint {
      * instance; the host then works the rows out itself and calls nothing in the loop. For one row an instance, with
      * nothing prescribed. TINKER_RETRY_SMALLER: not of that form; all of the type then go through rows_at. */
     TinkerStatus (*distance)(TinkerBatch *batch, double *length);
+    /* 1: the rows depend on how what the ends are on is turned. `rows_at` and `prescribed_rate` then have batch->poses,
+     * and `rows_at` writes the third column of each end, d g / d angle (m), to
+     * batch->angular[(i * rows + r) * ends + k] (where the number of ends differs, row r of instance i starts at
+     * rows * end_offsets[i] + r * ends of i). A row of angles alone may be in rad: its multiplier is a torque. Else
+     * 0. */
+    int32_t angles;
+    int32_t reserved;
 } TinkerConstraint;
 
 /* Motion --------------------------------------------------------------------------------------------------------- */
 
 /* Moves the body at its one end, which must have no degrees of freedom: displacement from its place, and its exact
- * first and second derivatives. Several motions of one body add up. */
+ * first and second derivatives; or turns it about its centre. Several motions of one body add up. */
 typedef struct TinkerMotion {
     uint32_t struct_size;
     int32_t reserved;
-    /* Required: writes x and y, instance by instance. */
+    /* Writes x and y, instance by instance. Required, unless there is `rotation`; NULL: it is not displaced. */
     TinkerStatus (*motion)(TinkerBatch *batch, double *displacement, double *velocity, double *acceleration);
     /* Where displacement = value of a waveform * direction: the direction, and the waveform's first column.
      * TINKER_RETRY_SMALLER: not of that form. */
     TinkerStatus (*linear)(TinkerBatch *batch, double *direction, int32_t *waveform_column);
     double (*next_break)(TinkerBatch *batch); /* as for a line law */
+    /* Writes how far each instance turns the body from its orientation, counter-clockwise, and the exact first and
+     * second derivatives of that. NULL: it is not turned. */
+    TinkerStatus (*rotation)(TinkerBatch *batch, TinkerPose *rotation);
 } TinkerMotion;
 
 /* The interface -------------------------------------------------------------------------------------------------- */

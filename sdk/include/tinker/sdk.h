@@ -11,6 +11,7 @@
 #include "graph.h"
 #include "instance.h"
 #include "integrator.h"
+#include "joint.h"
 #include "kernels.h"
 #include "law.h"
 #include "physics.h"
