@@ -8,18 +8,26 @@ enum {
     COLUMN_FREQUENCY,
     COLUMN_PHASE,
     COLUMN_ANGLE,
+    COLUMN_FOLLOWS,
 };
 
 enum { QUANTITY_FORCE, QUANTITY_POWER };
 
 /* Physics */
 
+/* The angle is in the world, or in the axes of what the motor is on, which is turned by `turned`. */
+static double angle_of(double angle, double follows, double turned)
+{
+    return follows != 0.0 ? angle + turned : angle;
+}
+
 static TinkerStatus force(TinkerBatch *batch, const TinkerPoint *ends, double *result)
 {
     const double *value = tinker_column(batch, COLUMN_WAVEFORM), *angle = tinker_column(batch, COLUMN_ANGLE);
+    const double *follows = tinker_column(batch, COLUMN_FOLLOWS);
     for (int32_t i = 0; i < batch->count; i++) {
         double direction[2];
-        tinker_direction(angle[i], direction);
+        tinker_direction(angle_of(angle[i], follows[i], batch->poses[i].angle), direction);
         result[2 * i] = value[i] * direction[0];
         result[2 * i + 1] = value[i] * direction[1];
     }
@@ -28,8 +36,9 @@ static TinkerStatus force(TinkerBatch *batch, const TinkerPoint *ends, double *r
 
 static TinkerStatus linear(TinkerBatch *batch, double *constant, double *direction, int32_t *waveform_column)
 {
-    const double *angle = tinker_column(batch, COLUMN_ANGLE);
+    const double *angle = tinker_column(batch, COLUMN_ANGLE), *follows = tinker_column(batch, COLUMN_FOLLOWS);
     for (int32_t i = 0; i < batch->count; i++) {
+        if (follows[i] != 0.0) return TINKER_RETRY_SMALLER;
         constant[2 * i] = constant[2 * i + 1] = 0.0;
         tinker_direction(angle[i], &direction[2 * i]);
         waveform_column[i] = COLUMN_WAVEFORM;
@@ -47,7 +56,9 @@ static TinkerArrow arrow_of(const TinkerInstance *instance, double symbol_size)
     const double greatest = fmax(fabs(instance->columns[COLUMN_AMPLITUDE]), fabs(value));
     const double part = greatest > 0.0 ? value / greatest : 0.0;
     double direction[2];
-    tinker_direction(instance->columns[COLUMN_ANGLE], direction);
+    tinker_direction(
+        angle_of(instance->columns[COLUMN_ANGLE], instance->columns[COLUMN_FOLLOWS], instance->end[0].angle),
+        direction);
     return tinker_arrow_from(instance->end[0].x, instance->end[0].y, direction,
                              5.0 * symbol_size * copysign(fmax(fabs(part), 0.2), part));
 }
@@ -84,7 +95,12 @@ static void move_absolute(const TinkerInstance *instance, int32_t part, double x
 {
     if (part == TINKER_PART_HANDLE) {
         const double side = copysign(1.0, instance->columns[COLUMN_WAVEFORM]);
-        tinker_set_angle(editor, COLUMN_ANGLE, side * (x - instance->end[0].x), side * (y - instance->end[0].y));
+        const double dx = side * (x - instance->end[0].x), dy = side * (y - instance->end[0].y);
+        if (instance->columns[COLUMN_FOLLOWS] == 0.0) {
+            tinker_set_angle(editor, COLUMN_ANGLE, dx, dy);
+        } else if (dx != 0.0 || dy != 0.0) {
+            editor->set(editor, COLUMN_ANGLE, atan2(dy, dx) - instance->end[0].angle);
+        }
     } else {
         tinker_ends_move_absolute(instance, part, x, y, editor);
     }
@@ -111,9 +127,11 @@ static int32_t handles(const TinkerInstance *instance, TinkerHandle *list, int32
 static TinkerStatus values(TinkerBatch *batch, const TinkerGraphInput *input, int32_t quantity, double *result)
 {
     const double *value = tinker_column(batch, COLUMN_WAVEFORM), *angle = tinker_column(batch, COLUMN_ANGLE);
+    const double *follows = tinker_column(batch, COLUMN_FOLLOWS);
+    const TinkerPose *poses = TINKER_HAS(TinkerGraphInput, input, poses) ? input->poses : NULL;
     for (int32_t i = 0; i < batch->count; i++) {
         double direction[2];
-        tinker_direction(angle[i], direction);
+        tinker_direction(angle_of(angle[i], follows[i], poses != NULL ? poses[i].angle : 0.0), direction);
         const double along = direction[0] * input->ends[i].vx + direction[1] * input->ends[i].vy;
         result[i] = quantity == QUANTITY_FORCE ? value[i] : value[i] * along;
     }
@@ -136,11 +154,13 @@ static const TinkerPropertyType properties[] = {
     {TINKER_REAL_PROPERTY("angle", "Angle", "Force", TINKER_DIMENSION_ANGLE),
      TINKER_ANY_VALUE(0, -TINKER_PI, TINKER_PI), .symbol = "θ", .variability = TINKER_TUNABLE,
      .description = "Direction of the force, counter-clockwise from the right"},
+    {TINKER_SWITCH_PROPERTY("follows", "Follows", "Force"), .symbol = "f", .variability = TINKER_STRUCTURAL,
+     .description = "Whether the angle is counted from the axes of what it is on, and turns with it"},
 };
 
 static const TinkerLawEquation law[] = {
-    TINKER_EQUATION("force_x", "w*cos(θ)", NULL, TINKER_DIMENSION_FORCE),
-    TINKER_EQUATION("force_y", "w*sin(θ)", NULL, TINKER_DIMENSION_FORCE),
+    TINKER_EQUATION("force_x", "w*cos(θ + f*theta)", NULL, TINKER_DIMENSION_FORCE),
+    TINKER_EQUATION("force_y", "w*sin(θ + f*theta)", NULL, TINKER_DIMENSION_FORCE),
 };
 
 static const TinkerQuantityType quantities[] = {
@@ -149,7 +169,7 @@ static const TinkerQuantityType quantities[] = {
 };
 
 static const TinkerForceElement force_element = {
-    .struct_size = sizeof(TinkerForceElement), .force = force, .linear = linear};
+    .struct_size = sizeof(TinkerForceElement), .angles = 1, .force = force, .linear = linear};
 static const TinkerPhysics physics = {.struct_size = sizeof(TinkerPhysics), .force_element = &force_element};
 static const TinkerRender render = {sizeof(TinkerRender), 3, draw, bounds};
 static const TinkerEdit edit = {sizeof(TinkerEdit), 0, hit, move, move_absolute, handles};

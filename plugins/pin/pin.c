@@ -4,6 +4,8 @@
  * second end along +x and +y where they are positive, and the first one the other way. */
 #include <tinker/sdk.h>
 
+enum { COLUMN_FRICTION_RADIUS, COLUMN_FRICTION };
+
 enum { QUANTITY_FORCE_X, QUANTITY_FORCE_Y, QUANTITY_FORCE, QUANTITY_TORQUE };
 
 /* Physics */
@@ -21,6 +23,19 @@ static TinkerStatus rows_at(TinkerBatch *batch, const TinkerPoint *ends, double 
         j[0] = j[5] = -1.0;
         j[2] = j[7] = 1.0;
         drift[2 * i] = drift[2 * i + 1] = 0.0;
+    }
+    return TINKER_OK;
+}
+
+/* The range of a slider has to have a length: so much is none. */
+#define NONE 1e-12
+
+static TinkerStatus check(TinkerBatch *batch)
+{
+    const double *friction = tinker_column(batch, COLUMN_FRICTION);
+    for (int32_t i = 0; i < batch->count; i++) {
+        if (friction[i] > NONE)
+            return tinker_fail(batch, i, "friction of pins is not worked out yet (leave its friction at 0)");
     }
     return TINKER_OK;
 }
@@ -60,13 +75,13 @@ static TinkerStatus values(TinkerBatch *batch, const TinkerGraphInput *input, in
 
 /* Tables */
 
-/* Friction of pins is not worked out yet: both are 0. */
+/* Friction of pins is not worked out yet: `check` says so where it is asked for. */
 static const TinkerPropertyType properties[] = {
     {TINKER_REAL_PROPERTY("friction_radius", "Radius", "Friction", TINKER_DIMENSION_LENGTH),
-     .flags = TINKER_HAS_MINIMUM | TINKER_HAS_MAXIMUM, .variability = TINKER_STRUCTURAL,
+     .flags = TINKER_HAS_MINIMUM | TINKER_HAS_SOFT_RANGE, .soft_maximum = NONE, .variability = TINKER_STRUCTURAL,
      .description = "Of the bolt, at whose rim friction acts; friction of pins is not worked out yet, so it is 0"},
     {TINKER_REAL_PROPERTY("friction", "Friction", "Friction", TINKER_DIMENSION_NONE),
-     .flags = TINKER_HAS_MINIMUM | TINKER_HAS_MAXIMUM, .variability = TINKER_STRUCTURAL,
+     .flags = TINKER_HAS_MINIMUM | TINKER_HAS_SOFT_RANGE, .soft_maximum = NONE, .variability = TINKER_STRUCTURAL,
      .description = "Its coefficient; friction of pins is not worked out yet, so it is 0"},
 };
 
@@ -83,7 +98,7 @@ static const TinkerQuantityType quantities[] = {
 };
 
 static const TinkerConstraint constraint = {
-    .struct_size = sizeof(TinkerConstraint), .rows = 2, .joint = 1, .rows_at = rows_at};
+    .struct_size = sizeof(TinkerConstraint), .rows = 2, .joint = 1, .rows_at = rows_at, .check = check};
 static const TinkerPhysics physics = {.struct_size = sizeof(TinkerPhysics), .constraint = &constraint};
 static const TinkerRender render = {sizeof(TinkerRender), 2, draw, tinker_connector_bounds};
 static const TinkerEdit edit = {sizeof(TinkerEdit),        0,   tinker_connector_hit, tinker_ends_move,
@@ -100,7 +115,7 @@ static const TinkerInterface interfaces[] = {
 };
 
 static const TinkerBlockType blocks[] = {
-    {TINKER_BLOCK("pin", "Pin", TINKER_CONNECTOR), .summary = "Holds two points together and lets them turn",
+    {TINKER_BLOCK("pin", "Pin", TINKER_JOINT), .summary = "Holds two points together and lets them turn",
      .formula = "x2 = x1", .least_ends = 2, .most_ends = 2, .end_accepts = TINKER_ACCEPTS_BODY | TINKER_ACCEPTS_SUPPORT,
      .properties = TINKER_SPAN(properties), .quantities = TINKER_SPAN(quantities),
      .interfaces = TINKER_SPAN(interfaces), .law = TINKER_SPAN(law)},

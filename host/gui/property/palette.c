@@ -37,9 +37,9 @@ typedef struct {
 static const struct {
     const char *category, *heading;
 } headings[] = {
-    {TINKER_CONNECTABLE, N_("Bodies")},    {TINKER_CONNECTOR, N_("Connectors")}, {TINKER_FORCE, N_("Forces")},
-    {TINKER_ROPE, N_("Ropes and wheels")}, {TINKER_MOTION, N_("Motions")},       {TINKER_FIELD, N_("Fields")},
-    {TINKER_MEASURE, N_("Measuring")},
+    {TINKER_CONNECTABLE, N_("Bodies")}, {TINKER_CONNECTOR, N_("Connectors")},  {TINKER_JOINT, N_("Joints")},
+    {TINKER_FORCE, N_("Forces")},       {TINKER_ROPE, N_("Ropes and wheels")}, {TINKER_MOTION, N_("Motions")},
+    {TINKER_FIELD, N_("Fields")},       {TINKER_MEASURE, N_("Measuring")},
 };
 
 static guint rank_of(const char *category)

@@ -47,15 +47,16 @@ extern "C" {
 #define TINKER_MEANING_COUNT            15
 
 /* Flags of a property. */
-#define TINKER_HAS_MINIMUM       (1u << 0)  /* hard_minimum counts */
-#define TINKER_HAS_MAXIMUM       (1u << 1)  /* hard_maximum counts */
-#define TINKER_OPEN_MINIMUM      (1u << 2)  /* the minimum itself is not allowed */
-#define TINKER_OPEN_MAXIMUM      (1u << 3)  /* the maximum itself is not allowed */
-#define TINKER_HAS_SOFT_RANGE    (1u << 4)  /* soft_minimum and soft_maximum count: the range of a slider */
-#define TINKER_READ_ONLY         (1u << 5)  /* shown, never typed; not part of a scene */
-#define TINKER_DERIVED           (1u << 6)  /* its value is that of the quantity with the same id */
-#define TINKER_DEFAULT_AS_PLACED (1u << 7)  /* left out: the length from end to end at t = 0, or of an
-                                               angle that from what the first end is on to what the
+#define TINKER_HAS_MINIMUM    (1u << 0) /* hard_minimum counts */
+#define TINKER_HAS_MAXIMUM    (1u << 1) /* hard_maximum counts */
+#define TINKER_OPEN_MINIMUM   (1u << 2) /* the minimum itself is not allowed */
+#define TINKER_OPEN_MAXIMUM   (1u << 3) /* the maximum itself is not allowed */
+#define TINKER_HAS_SOFT_RANGE (1u << 4) /* soft_minimum and soft_maximum count: the range of a slider */
+#define TINKER_READ_ONLY      (1u << 5) /* shown, never typed; not part of a scene */
+#define TINKER_DERIVED        (1u << 6) /* its value is that of the quantity with the same id */
+#define TINKER_DEFAULT_AS_PLACED                                                                                       \
+    (1u << 7)                               /* left out: the length from end to end at t = 0, or of an                 \
+                                               angle that from what the first end is on to what the                    \
                                                second is on; needs two ends */
 #define TINKER_DEFAULT_SAME_AS   (1u << 8)  /* left out, it equals the property that `default_from` names */
 #define TINKER_DEFAULT_AS_SHAPED (1u << 9)  /* left out, a body works it out: TinkerBody.as_shaped (physics.h) */
