@@ -76,6 +76,7 @@ static const Expected expected[] = {
     {"motor", "frequency", "Frequency", "Force", TURN, 1, 0, FREE, FALSE, INFINITY, 0, TINKER_MEANING_NONE, NULL},
     {"motor", "phase", "Phase", "Force", ANGLE, 0, 0, FREE, FALSE, INFINITY, 0, TINKER_MEANING_NONE, NULL},
     {"motor", "angle", "Angle", "Force", ANGLE, 0, 0, FREE, FALSE, INFINITY, 0, TINKER_MEANING_NONE, NULL},
+    {"motor", "follows", "Follows", "Force", PURE, 0, 0, FREE, FALSE, INFINITY, 0, TINKER_MEANING_NONE, NULL},
     {"support-motion", "waveform", "Type", "Motion", LENGTH, 0, 0, FREE, FALSE, INFINITY, 0, TINKER_MEANING_NONE, "sine"},
     {"support-motion", "amplitude", "Amplitude", "Motion", LENGTH, 0, 0, FREE, FALSE, INFINITY, 0, TINKER_MEANING_NONE, NULL},
     {"support-motion", "frequency", "Frequency", "Motion", TURN, 0, 0, FREE, FALSE, INFINITY, 0, TINKER_MEANING_NONE, NULL},
