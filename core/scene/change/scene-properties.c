@@ -217,16 +217,6 @@ void tinker_scene_unset(TinkerScene *scene, TinkerBlockId block, int32_t propert
     scene_table_resolve(table, row);
 }
 
-const char *tinker_scene_get_text(const TinkerScene *scene, TinkerBlockId block, int32_t property)
-{
-    int32_t row;
-    const SceneTable *table = row_of(scene, block, &row);
-    g_assert(property >= 0 && property < table->block_class->property_count && table->texts[property] != NULL);
-    const char *text = table->texts[property][row];
-    if (text == NULL) text = table->block_class->properties[property].default_text;
-    return text == NULL ? "" : text;
-}
-
 void tinker_scene_set_text(TinkerScene *scene, TinkerBlockId block, int32_t property, const char *text)
 {
     int32_t row;

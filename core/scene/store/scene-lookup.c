@@ -65,6 +65,17 @@ const char *tinker_scene_block_type(const TinkerScene *scene, TinkerBlockId bloc
     return placeholder->type;
 }
 
+const char *tinker_scene_get_text(const TinkerScene *scene, TinkerBlockId block, int32_t property)
+{
+    g_assert(tinker_scene_has_block(scene, block));
+    const SceneTable *table = scene_table_of(scene, block);
+    g_assert(table != NULL && property >= 0 && property < table->block_class->property_count &&
+             table->texts[property] != NULL);
+    const char *text = table->texts[property][scene_slot(scene, block)->row];
+    if (text == NULL) text = table->block_class->properties[property].default_text;
+    return text == NULL ? "" : text;
+}
+
 int32_t scene_order_of(const TinkerScene *scene, TinkerBlockId block)
 {
     guint place = 0;
