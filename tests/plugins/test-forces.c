@@ -255,7 +255,9 @@ static void test_motor(void)
     const TinkerPoint ends[2] = {{1, 2, 3, 4}, {5, 6, 7, 8}};
     double force[4], constant[4], direction[4];
     int32_t column[2];
+    TinkerPose poses[2] = {{.angle = 0.7}, {.angle = 0.4}}; /* of what they are on; they do not follow it */
     TinkerBatch view = block_batch_view(batch, 0, 2);
+    view.poses = poses;
     g_assert_cmpint(motor->force(&view, ends, force), ==, TINKER_OK);
     g_assert_cmpfloat(force[0], ==, 0);
     g_assert_cmpfloat(force[1], ==, -3);
@@ -269,6 +271,12 @@ static void test_motor(void)
         g_assert_cmpfloat(constant[2 * i + 1] + value * direction[2 * i + 1], ==, force[2 * i + 1]);
     }
     g_assert_null(motor->energy);
+    block_batch_set(batch, 1, "follows", 0, 1);
+    poses[1].angle = PI / 6;
+    g_assert_cmpint(motor->force(&view, ends, force), ==, TINKER_OK);
+    g_assert_cmpfloat(force[1], ==, -3);
+    assert_close(force[2], 0, 4 * DBL_EPSILON);
+    assert_close(force[3], 2, 4 * DBL_EPSILON);
 }
 
 static void test_support_motion(void)
