@@ -76,7 +76,7 @@ static const TinkerPropertyType properties[] = {
 
 static const TinkerQuantityType quantities[] = {TINKER_BODY_QUANTITIES};
 
-static const TinkerBody body = {sizeof(TinkerBody), 3, TINKER_SHAPE_NONE, 0, as_shaped};
+static const TinkerBody body = {sizeof(TinkerBody), 3, TINKER_SHAPE_BOX, 0, as_shaped};
 static const TinkerPhysics physics = {.struct_size = sizeof(TinkerPhysics), .body = &body};
 static const TinkerRender render = {sizeof(TinkerRender), 1, draw, bounds};
 static const TinkerEdit edit = {sizeof(TinkerEdit), 0, hit, move, move_absolute, handles};

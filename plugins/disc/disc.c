@@ -99,13 +99,13 @@ static void move(const TinkerInstance *instance, int32_t part, double dx, double
 static const TinkerPropertyType properties[] = {
     TINKER_BODY_PROPERTIES(TINKER_SOLID),
     {TINKER_REAL_PROPERTY("radius", "Radius", "Size", TINKER_DIMENSION_LENGTH), TINKER_POSITIVE(0, 0.1, 2.0),
-     .default_value = {0.4}, .symbol = "r", .variability = TINKER_STRUCTURAL,
+     .meaning = TINKER_MEANING_RADIUS, .default_value = {0.4}, .symbol = "r", .variability = TINKER_STRUCTURAL,
      .description = "From its centre to its rim"},
 };
 
 static const TinkerQuantityType quantities[] = {TINKER_BODY_QUANTITIES};
 
-static const TinkerBody body = {sizeof(TinkerBody), 3, TINKER_SHAPE_NONE, 0, as_shaped};
+static const TinkerBody body = {sizeof(TinkerBody), 3, TINKER_SHAPE_DISC, 0, as_shaped};
 static const TinkerPhysics physics = {.struct_size = sizeof(TinkerPhysics), .body = &body};
 static const TinkerRender render = {sizeof(TinkerRender), 1, draw, bounds};
 static const TinkerEdit edit = {sizeof(TinkerEdit), 0, hit, move, move_absolute, handles};

@@ -30,13 +30,13 @@ static double between(GRand *random, double from, double to)
     return g_rand_double_range(random, from, to);
 }
 
-static TinkerPose random_pose(GRand *random)
+static TinkerBodyPose random_pose(GRand *random)
 {
-    return (TinkerPose){between(random, -1.2, 1.2), between(random, -1.2, 1.2), between(random, -7, 7),
-                        between(random, -2, 2),     between(random, -2, 2),     between(random, -3, 3)};
+    return (TinkerBodyPose){between(random, -1.2, 1.2), between(random, -1.2, 1.2), between(random, -7, 7),
+                            between(random, -2, 2),     between(random, -2, 2),     between(random, -3, 3)};
 }
 
-static void corner_at(const TinkerOutline *outline, const TinkerPose *pose, int32_t number, double at[2])
+static void corner_at(const TinkerOutline *outline, const TinkerBodyPose *pose, int32_t number, double at[2])
 {
     const double *local = outline->corners + 2 * (number % outline->count), c = cos(pose->angle), s = sin(pose->angle);
     at[0] = pose->x + c * local[0] - s * local[1];
@@ -53,7 +53,7 @@ static double from_segment(const double p[2], const double a[2], const double b[
 }
 
 /* Of a point from a polygon; negative within it. */
-static double from_polygon(const double p[2], const TinkerOutline *outline, const TinkerPose *pose)
+static double from_polygon(const double p[2], const TinkerOutline *outline, const TinkerBodyPose *pose)
 {
     double least = INFINITY;
     gboolean inside = outline->count > 2;
@@ -72,8 +72,8 @@ static double side_of(const double a[2], const double b[2], const double p[2])
     return (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0]);
 }
 
-static gboolean sides_cross(const TinkerOutline *first, const TinkerPose *p, const TinkerOutline *second,
-                            const TinkerPose *q)
+static gboolean sides_cross(const TinkerOutline *first, const TinkerBodyPose *p, const TinkerOutline *second,
+                            const TinkerBodyPose *q)
 {
     for (int32_t i = 0; i < first->count; i++)
         for (int32_t k = 0; k < second->count; k++) {
@@ -88,8 +88,8 @@ static gboolean sides_cross(const TinkerOutline *first, const TinkerPose *p, con
 }
 
 /* Negative where they overlap. */
-static double distance_of(const TinkerOutline *first, const TinkerPose *p, const TinkerOutline *second,
-                          const TinkerPose *q)
+static double distance_of(const TinkerOutline *first, const TinkerBodyPose *p, const TinkerOutline *second,
+                          const TinkerBodyPose *q)
 {
     const double at_p[2] = {p->x, p->y}, at_q[2] = {q->x, q->y};
     const gboolean disc = first->kind == TINKER_OUTLINE_DISC, other_disc = second->kind == TINKER_OUTLINE_DISC;
@@ -111,8 +111,8 @@ static double distance_of(const TinkerOutline *first, const TinkerPose *p, const
 }
 
 /* Two corners that are nearest to each other have no function: they meet in no more than single motions. */
-static double nearest_corners(const TinkerOutline *first, const TinkerPose *p, const TinkerOutline *second,
-                              const TinkerPose *q)
+static double nearest_corners(const TinkerOutline *first, const TinkerBodyPose *p, const TinkerOutline *second,
+                              const TinkerBodyPose *q)
 {
     double least = INFINITY;
     for (int32_t i = 0; i < first->count; i++)
@@ -135,7 +135,7 @@ static void test_distance(void)
     for (int32_t i = 0; i < POSES; i++) {
         const TinkerOutline *first = &shapes[g_rand_int_range(random, 0, G_N_ELEMENTS(shapes))];
         const TinkerOutline *second = &shapes[g_rand_int_range(random, 0, G_N_ELEMENTS(shapes))];
-        const TinkerPose p = random_pose(random), q = random_pose(random);
+        const TinkerBodyPose p = random_pose(random), q = random_pose(random);
         const double distance = distance_of(first, &p, second, &q);
         const double overlap = tinker_outlines_overlap(first, &p, second, &q);
         if (fabs(distance) < 1e-9) continue;
@@ -160,7 +160,7 @@ static void test_distance(void)
 }
 
 /* The part of a top that is within a polygon, by cutting it at all sides. */
-static double length_within(const TinkerPose *at_top, const TinkerOutline *other, const TinkerPose *pose)
+static double length_within(const TinkerBodyPose *at_top, const TinkerOutline *other, const TinkerBodyPose *pose)
 {
     double a[2], b[2], from = 0, to = 1;
     corner_at(&top, at_top, 0, a);
@@ -182,7 +182,7 @@ static void test_tops(void)
     g_autoptr(GRand) random = g_rand_new_with_seed(12);
     guint within = 0;
     for (int32_t i = 0; i < POSES / 4; i++) {
-        const TinkerPose p = random_pose(random), q = random_pose(random);
+        const TinkerBodyPose p = random_pose(random), q = random_pose(random);
         const TinkerOutline *other = &shapes[g_rand_int_range(random, 0, 5)];
         const double overlap = tinker_outlines_overlap(&top, &p, other, &q);
         gboolean is_within;
@@ -201,14 +201,14 @@ static void test_tops(void)
     g_assert_cmpuint(within, >, POSES / 40);
 }
 
-static TinkerPose moved(const TinkerPose *pose, const double a[3], double time)
+static TinkerBodyPose moved(const TinkerBodyPose *pose, const double a[3], double time)
 {
-    return (TinkerPose){pose->x + time * (pose->vx + 0.5 * time * a[0]),
-                        pose->y + time * (pose->vy + 0.5 * time * a[1]),
-                        pose->angle + time * (pose->rate + 0.5 * time * a[2]),
-                        pose->vx + time * a[0],
-                        pose->vy + time * a[1],
-                        pose->rate + time * a[2]};
+    return (TinkerBodyPose){pose->x + time * (pose->vx + 0.5 * time * a[0]),
+                            pose->y + time * (pose->vy + 0.5 * time * a[1]),
+                            pose->angle + time * (pose->rate + 0.5 * time * a[2]),
+                            pose->vx + time * a[0],
+                            pose->vy + time * a[1],
+                            pose->rate + time * a[2]};
 }
 
 static double second_by_rows(const TinkerGap *gap, int which, double a[2][3], int32_t tip_of)
@@ -224,12 +224,12 @@ static void assert_near(double found, double expected, double size)
     if (!(fabs(found - expected) <= size)) g_error("%.15g in place of %.15g", found, expected);
 }
 
-static void check_derivatives(const TinkerGapFunction *function, const TinkerPose pose[2], double a[2][3])
+static void check_derivatives(const TinkerGapFunction *function, const TinkerBodyPose pose[2], double a[2][3])
 {
     const double h = 1e-5;
     TinkerGap gap[3];
     for (int k = 0; k < 3; k++) {
-        const TinkerPose p = moved(&pose[0], a[0], h * (k - 1)), q = moved(&pose[1], a[1], h * (k - 1));
+        const TinkerBodyPose p = moved(&pose[0], a[0], h * (k - 1)), q = moved(&pose[1], a[1], h * (k - 1));
         tinker_gap_measure(function, &p, &q, &gap[k]);
     }
     const TinkerGap *at = &gap[1];
@@ -246,10 +246,10 @@ static void check_derivatives(const TinkerGapFunction *function, const TinkerPos
 }
 
 /* With the gap 0 `rolled` is what the speed along it adds up to: the tip's frame is put there along the normal. */
-static void check_rolled(const TinkerGapFunction *function, const TinkerPose pose[2])
+static void check_rolled(const TinkerGapFunction *function, const TinkerBodyPose pose[2])
 {
     const double h = 1e-5, none[3] = {0, 0, 0};
-    TinkerPose at[2] = {pose[0], pose[1]}, *tip = &at[function->tip_of];
+    TinkerBodyPose at[2] = {pose[0], pose[1]}, *tip = &at[function->tip_of];
     TinkerGap gap, ends[2];
     tinker_gap_measure(function, &at[0], &at[1], &gap);
     tip->x -= gap.gap * gap.normal[0];
@@ -257,7 +257,7 @@ static void check_rolled(const TinkerGapFunction *function, const TinkerPose pos
     tinker_gap_measure(function, &at[0], &at[1], &gap);
     g_assert_cmpfloat(fabs(gap.gap), <, 1e-12);
     for (int k = 0; k < 2; k++) {
-        const TinkerPose p = moved(&at[0], none, h * (2 * k - 1)), q = moved(&at[1], none, h * (2 * k - 1));
+        const TinkerBodyPose p = moved(&at[0], none, h * (2 * k - 1)), q = moved(&at[1], none, h * (2 * k - 1));
         tinker_gap_measure(function, &p, &q, &ends[k]);
     }
     double change = ends[1].rolled - ends[0].rolled;
@@ -272,7 +272,7 @@ static void test_derivatives(void)
         const TinkerOutline *first = &shapes[g_rand_int_range(random, 0, G_N_ELEMENTS(shapes))];
         const int32_t other = g_rand_int_range(random, 0, G_N_ELEMENTS(shapes) + 1);
         const TinkerOutline *second = other < (int32_t)G_N_ELEMENTS(shapes) ? &shapes[other] : &top;
-        const TinkerPose pose[2] = {random_pose(random), random_pose(random)};
+        const TinkerBodyPose pose[2] = {random_pose(random), random_pose(random)};
         double a[2][3];
         for (int k = 0; k < 6; k++)
             a[k / 3][k % 3] = between(random, -3, 3);
@@ -289,13 +289,13 @@ static void test_derivatives(void)
  */
 static void test_round_a_box(void)
 {
-    const TinkerPose box = {.angle = 0.3};
+    const TinkerBodyPose box = {.angle = 0.3};
     TinkerGapFunction functions[MOST];
     const int32_t count = tinker_gap_functions(&shapes[3], &shapes[0], functions, MOST);
     double before = NAN;
     for (int32_t i = 0; i <= 100000; i++) {
         const double angle = 2 * G_PI * i / 100000;
-        const TinkerPose disc = {.x = 0.9 * cos(angle), .y = 0.9 * sin(angle)};
+        const TinkerBodyPose disc = {.x = 0.9 * cos(angle), .y = 0.9 * sin(angle)};
         double least = INFINITY;
         for (int32_t k = 0; k < count; k++) {
             TinkerGap gap;

@@ -281,7 +281,7 @@ static const Fault faults[] = {
     {"variability", spoil_variability, "property \"turns\": its variability is 3, 0 to 2 was expected"},
     {"panel", spoil_panel,
      "property \"turns\": its panel is that of end 2, but the block has at most 2 ends (-1: its own panel)"},
-    {"meaning", spoil_meaning, "property \"turns\": its meaning is 99, 0 to 14 was expected"},
+    {"meaning", spoil_meaning, "property \"turns\": its meaning is 99, 0 to 15 was expected"},
     {"meaning-twice", spoil_meaning_twice,
      "property \"drive\": it means the length, and so does \"rest\"; one property may"},
     {"meaning-kind", spoil_meaning_kind,
@@ -338,7 +338,7 @@ static const Fault faults[] = {
     {"body", spoil_body, "it is a body, but no property means its position"},
     {"body-mass", spoil_body_mass, "it is a body, but no property means its mass"},
     {"freedoms", spoil_freedoms, "its body has 1 degrees of freedom, 0, 2 or 3 was expected"},
-    {"shape", spoil_shape, "its body has the shape 5, 0 to 2 was expected"},
+    {"shape", spoil_shape, "its body has the shape 5, 0 to 3 was expected"},
 };
 
 static void test_fault(gconstpointer data)

@@ -1,4 +1,5 @@
 /* The forces of closed contacts, between events. */
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -6,6 +7,9 @@
 #include "physics/contact/contacts-private.h"
 #include "physics/contact/contacts.h"
 #include "physics/model/model-data.h"
+
+/* Of the applied accelerations. */
+#define CANCELLED (16 * DBL_EPSILON)
 
 static const double *acceleration_of(const TinkerContacts *contacts, const TinkerContact *contact)
 {
@@ -29,6 +33,107 @@ void tinker_contacts_add_push(TinkerContacts *contacts, int32_t body, double px,
     contacts->pushed = TRUE;
     by_point[2 * body] += change[0];
     by_point[2 * body + 1] += change[1];
+}
+
+/* Pushes along a row of entries, by so many N s. */
+static void add_entry_push(TinkerContacts *contacts, const TinkerContactEntries *entries, double normal,
+                           double tangential, double *v)
+{
+    const TinkerModel *model = contacts->model;
+    double *by_point = model->constraints.by_point;
+    for (int32_t k = 0; k < entries->count; k++) {
+        const int32_t at = entries->coordinate[k], body = tinker_model_moved_by(model, at);
+        const double change =
+            (entries->row[0][k] * normal + entries->row[1][k] * tangential) * model->inverse_mass[body];
+        v[at] += change;
+        if (!contacts->held[body]) continue;
+        if (!contacts->pushed) memset(by_point, 0, 2 * (gsize)model->points * sizeof(double));
+        contacts->pushed = TRUE;
+        by_point[at] += change;
+    }
+}
+
+void tinker_contacts_push_along(TinkerContacts *contacts, const TinkerContact *contact, double normal,
+                                double tangential, double *v)
+{
+    const TinkerPlate *plate = &contacts->plates[contact->plate];
+    const double *n = plate->normal;
+    TinkerContactEntries entries;
+    if (plate->gap == NULL) {
+        tinker_contacts_add_push(contacts, contact->body, normal * n[0] + tangential * n[1],
+                                 normal * n[1] - tangential * n[0], v);
+        return;
+    }
+    tinker_contact_gap_entries(contacts, contact->plate, &entries);
+    add_entry_push(contacts, &entries, normal, tangential, v);
+}
+
+void tinker_contacts_along(const TinkerContacts *contacts, const TinkerContact *contact, const double *by_coordinate,
+                           double along[2])
+{
+    const TinkerPlate *plate = &contacts->plates[contact->plate];
+    const double *n = plate->normal, *at = by_coordinate + 2 * contact->body;
+    TinkerContactEntries entries;
+    if (plate->gap == NULL) {
+        along[0] = n[0] * at[0] + n[1] * at[1];
+        along[1] = n[1] * at[0] - n[0] * at[1];
+        return;
+    }
+    tinker_contact_gap_entries(contacts, contact->plate, &entries);
+    for (int which = 0; which < 2; which++)
+        along[which] = tinker_contact_times(&entries, which, by_coordinate);
+}
+
+void tinker_contacts_relative_acceleration(const TinkerContacts *contacts, const TinkerContact *contact,
+                                           const double *a, double along[2])
+{
+    const TinkerPlate *plate = &contacts->plates[contact->plate];
+    const double *n = plate->normal, *at = a + 2 * contact->body, *base = acceleration_of(contacts, contact);
+    TinkerContactEntries entries;
+    if (plate->gap == NULL) {
+        along[0] = n[0] * (at[0] - base[0]) + n[1] * (at[1] - base[1]);
+        along[1] = n[1] * (at[0] - base[0]) - n[0] * (at[1] - base[1]);
+        return;
+    }
+    tinker_contact_gap_entries(contacts, contact->plate, &entries);
+    for (int which = 0; which < 2; which++)
+        along[which] = tinker_contact_times(&entries, which, a) + entries.drift[which];
+}
+
+static const TinkerContactEntries *entries_of(const TinkerContacts *contacts, const TinkerContactRow *row)
+{
+    return &g_array_index(contacts->entries, TinkerContactEntries, (guint)row->entries);
+}
+
+void tinker_contacts_refresh_entries(TinkerContacts *contacts)
+{
+    for (guint i = 0; contacts->entries->len > 0 && i < contacts->rows->len; i++) {
+        const TinkerContactRow *row = &g_array_index(contacts->rows, TinkerContactRow, i);
+        if (row->entries < 0 || row->tangential) continue;
+        tinker_contact_gap_entries(contacts, tinker_contacts_closed(contacts, (guint)row->contact)->plate,
+                                   &g_array_index(contacts->entries, TinkerContactEntries, (guint)row->entries));
+    }
+}
+
+double tinker_contact_row_times(const TinkerContacts *contacts, const TinkerContactRow *row,
+                                const double *by_coordinate)
+{
+    const double *at = by_coordinate + 2 * tinker_contacts_closed(contacts, (guint)row->contact)->body;
+    if (row->entries >= 0) return tinker_contact_times(entries_of(contacts, row), row->tangential, by_coordinate);
+    return row->row[0] * at[0] + row->row[1] * at[1];
+}
+
+void tinker_contact_row_push(TinkerContacts *contacts, const TinkerContactRow *row, double push, gboolean moves,
+                             double *v)
+{
+    const double *direction = moves ? row->row : row->force;
+    if (row->entries < 0)
+        tinker_contacts_add_push(contacts, tinker_contacts_closed(contacts, (guint)row->contact)->body,
+                                 push * direction[0], push * direction[1], v);
+    else if (row->tangential)
+        add_entry_push(contacts, entries_of(contacts, row), 0, push, v);
+    else
+        add_entry_push(contacts, entries_of(contacts, row), push, moves ? 0 : push * row->share, v);
 }
 
 void tinker_contacts_end_pushes(TinkerContacts *contacts, double *v)
@@ -76,13 +181,15 @@ static int32_t body_of(const TinkerContacts *contacts, const TinkerContactRow *r
 static void factor_block(TinkerContacts *contacts, TinkerContactBlock *block, gboolean moves)
 {
     const TinkerContactRow *rows = (const TinkerContactRow *)(const void *)contacts->rows->data + block->first;
+    double *change = contacts->column;
     for (int32_t j = 0; j < block->count; j++) {
-        const double *change = answer_to(contacts, body_of(contacts, &rows[j]), moves ? rows[j].row : rows[j].force);
-        for (int32_t i = 0; i < block->count; i++) {
-            const double *at = change + 2 * body_of(contacts, &rows[i]);
+        memset(change, 0, (gsize)contacts->model->coordinates * sizeof(double));
+        tinker_contacts_begin_pushes(contacts);
+        tinker_contact_row_push(contacts, &rows[j], 1, moves, change);
+        tinker_contacts_end_pushes(contacts, change);
+        for (int32_t i = 0; i < block->count; i++)
             contacts->delassus[i * block->count + j] =
-                (rows[i].row[0] * at[0] + rows[i].row[1] * at[1]) * (rows[i].weight * rows[j].weight);
-        }
+                tinker_contact_row_times(contacts, &rows[i], change) * (rows[i].weight * rows[j].weight);
     }
     tinker_dense_solve_factor(block->solve[moves], contacts->delassus);
     block->factored[moves] = !block->held;
@@ -130,24 +237,49 @@ static void solve_forces(TinkerContacts *contacts)
     }
 }
 
+/* a += M^-1 times a row's force; constraints answer later. */
+static void accelerate_by(const TinkerContacts *contacts, const TinkerContactRow *row, double force, double *a)
+{
+    const TinkerModel *model = contacts->model;
+    const int32_t body = body_of(contacts, row);
+    if (row->entries < 0) {
+        a[2 * body] += row->force[0] * force * model->inverse_mass[body];
+        a[2 * body + 1] += row->force[1] * force * model->inverse_mass[body];
+        return;
+    }
+    const TinkerContactEntries *entries = entries_of(contacts, row);
+    for (int32_t k = 0; k < entries->count; k++) {
+        const int32_t at = entries->coordinate[k];
+        const double along = entries->row[row->tangential][k] + (row->tangential ? 0 : row->share * entries->row[1][k]);
+        a[at] += along * force * model->inverse_mass[tinker_model_moved_by(model, at)];
+    }
+}
+
 static void accelerate_rows(TinkerContacts *contacts, double *a)
 {
     TinkerModel *model = contacts->model;
     const TinkerContactRow *rows = (const TinkerContactRow *)(const void *)contacts->rows->data;
     double *free_of_contacts = contacts->accelerations, *demand = contacts->demand;
+    tinker_contacts_refresh_entries(contacts);
     memcpy(free_of_contacts, a, (gsize)model->coordinates * sizeof(double));
     if (model->constraints.rows > 0) tinker_constraints_accelerate(model, free_of_contacts);
     for (guint i = 0; i < contacts->rows->len; i++) {
         const double *at = free_of_contacts + 2 * body_of(contacts, &rows[i]);
+        if (rows[i].entries >= 0) {
+            const TinkerContactEntries *entries = entries_of(contacts, &rows[i]);
+            const int which = rows[i].tangential;
+            demand[i] =
+                -(tinker_contact_times(entries, which, free_of_contacts) + entries->drift[which]) * rows[i].weight;
+            continue;
+        }
         const double *plate = acceleration_of(contacts, tinker_contacts_closed(contacts, (guint)rows[i].contact));
         demand[i] = -(rows[i].row[0] * (at[0] - plate[0]) + rows[i].row[1] * (at[1] - plate[1])) * rows[i].weight;
     }
     solve_forces(contacts);
     for (guint i = 0; i < contacts->rows->len; i++) {
         TinkerContact *contact = tinker_contacts_closed(contacts, (guint)rows[i].contact);
-        double force = demand[i] * rows[i].weight, *at = a + 2 * contact->body;
-        at[0] += rows[i].force[0] * force * model->inverse_mass[contact->body];
-        at[1] += rows[i].force[1] * force * model->inverse_mass[contact->body];
+        double force = demand[i] * rows[i].weight;
+        accelerate_by(contacts, &rows[i], force, a);
         if (rows[i].tangential) {
             contact->friction = force;
         } else {
@@ -179,14 +311,38 @@ static inline void accelerate_alone(TinkerContacts *contacts, TinkerContact *con
     at[1] = base[1] - nx * slides;
 }
 
+/* What forces that cancel leave of accelerations is nothing: else the steps of what lies still would resolve it. */
+static void clear_rest(const TinkerContacts *contacts, const TinkerContactEntries *entries, double *a)
+{
+    for (int32_t k = 0; k < entries->count; k++) {
+        const int32_t at = entries->coordinate[k], body = tinker_model_moved_by(contacts->model, at);
+        const double *applied = contacts->before + 2 * body;
+        const double acts = fabs(applied[0]) + fabs(applied[1]) + fabs(contacts->before[at]);
+        if (fabs(a[at]) <= CANCELLED * acts) a[at] = 0;
+    }
+}
+
 void tinker_contacts_accelerate(TinkerContacts *contacts, double *a)
 {
     const int32_t *simple = (const int32_t *)(const void *)contacts->simple->data;
     contacts->evaluations++;
     for (guint i = 0; i < contacts->simple->len; i++)
         accelerate_alone(contacts, tinker_contacts_closed(contacts, (guint)simple[i]), a);
+    if (contacts->entries->len > 0) memcpy(contacts->before, a, (gsize)contacts->model->coordinates * sizeof(double));
     if (contacts->rows->len > 0) accelerate_rows(contacts, a);
     if (contacts->model->constraints.rows > 0) tinker_constraints_accelerate(contacts->model, a);
+    for (guint i = 0; i < contacts->entries->len; i++)
+        clear_rest(contacts, &g_array_index(contacts->entries, TinkerContactEntries, i), a);
+}
+
+static void add_gap_friction(const TinkerContacts *contacts, const TinkerContact *contact, double *a)
+{
+    TinkerContactEntries entries;
+    tinker_contact_gap_entries(contacts, contact->plate, &entries);
+    for (int32_t k = 0; k < entries.count; k++) {
+        const int32_t at = entries.coordinate[k], body = tinker_model_moved_by(contacts->model, at);
+        a[at] += entries.row[1][k] * contact->friction * contacts->model->inverse_mass[body];
+    }
 }
 
 void tinker_contacts_add_friction(const TinkerContacts *contacts, double *a)
@@ -195,10 +351,27 @@ void tinker_contacts_add_friction(const TinkerContacts *contacts, double *a)
         const TinkerContact *contact = tinker_contacts_closed(contacts, i);
         if (contact->mode == TINKER_CONTACT_STICK) continue;
         const double *n = contacts->plates[contact->plate].normal;
+        if (tinker_contacts_is_gap(contacts, contact)) {
+            add_gap_friction(contacts, contact, a);
+            continue;
+        }
         double push = contact->friction * contacts->model->inverse_mass[contact->body];
         a[2 * contact->body] += n[1] * push;
         a[2 * contact->body + 1] -= n[0] * push;
     }
+}
+
+static void add_gap_power(TinkerContacts *contacts, const TinkerContact *contact)
+{
+    TinkerModel *model = contacts->model;
+    TinkerContactEntries entries;
+    tinker_contact_gap_entries(contacts, contact->plate, &entries);
+    if (contact->mode != TINKER_CONTACT_STICK)
+        model->book_power[TINKER_BOOK_FRICTION] +=
+            contact->friction * tinker_contact_gap_place(contacts, contact->plate).tangential_speed;
+    if (contacts->plates[contact->plate].moving)
+        model->book_power[TINKER_BOOK_SUPPORT_MOTION] -=
+            contact->normal * entries.of_supports[0] + contact->friction * entries.of_supports[1];
 }
 
 void tinker_contacts_add_power(TinkerContacts *contacts)
@@ -210,6 +383,10 @@ void tinker_contacts_add_power(TinkerContacts *contacts)
         const TinkerPlate *plate = &contacts->plates[contact->plate];
         const double nx = plate->normal[0], ny = plate->normal[1];
         const TinkerPoint *at = &model->point[contact->body], *base = &model->point[plate->point];
+        if (plate->gap != NULL) {
+            add_gap_power(contacts, contact);
+            continue;
+        }
         if (contact->mode != TINKER_CONTACT_STICK)
             model->book_power[TINKER_BOOK_FRICTION] +=
                 contact->friction * (ny * (at->vx - base->vx) - nx * (at->vy - base->vy));
@@ -228,6 +405,20 @@ static void add_force(double *sums, double normal, double friction, double fx, d
     sums[3] += fy;
 }
 
+/* On the second of the pair along its own axes, as supports have it. */
+static void add_gap_force(const TinkerContacts *contacts, const TinkerContact *contact, double *by_point)
+{
+    const TinkerPlate *plate = &contacts->plates[contact->plate];
+    const int32_t tip = plate->gap->tip_of, on = plate->pair->point[0], by = plate->pair->point[1];
+    TinkerContactEntries entries;
+    tinker_contact_gap_entries(contacts, contact->plate, &entries);
+    const double *n = entries.normal, sign = tip == 0 ? 1 : -1;
+    const double fx = sign * (contact->normal * n[0] + contact->friction * n[1]);
+    const double fy = sign * (contact->normal * n[1] - contact->friction * n[0]);
+    add_force(by_point + 4 * on, contact->normal, contact->friction, fx, fy);
+    add_force(by_point + 4 * by, contact->normal, -contact->friction, -fx, -fy);
+}
+
 void tinker_contacts_sum_forces(const TinkerContacts *contacts, double *by_point)
 {
     memset(by_point, 0, 4 * (gsize)contacts->model->points * sizeof(double));
@@ -235,6 +426,10 @@ void tinker_contacts_sum_forces(const TinkerContacts *contacts, double *by_point
         const TinkerContact *contact = tinker_contacts_closed(contacts, i);
         const TinkerPlate *plate = &contacts->plates[contact->plate];
         const double nx = plate->normal[0], ny = plate->normal[1];
+        if (plate->gap != NULL) {
+            add_gap_force(contacts, contact, by_point);
+            continue;
+        }
         double fx = contact->normal * nx + contact->friction * ny, fy = contact->normal * ny - contact->friction * nx;
         add_force(by_point + 4 * contact->body, contact->normal, contact->friction, fx, fy);
         add_force(by_point + 4 * plate->point, contact->normal, -contact->friction, -fx, -fy);

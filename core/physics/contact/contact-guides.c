@@ -29,9 +29,10 @@ gboolean tinker_contacts_are_guide(const TinkerContacts *contacts, int32_t body,
 
 gboolean tinker_contacts_is_guided(const TinkerContacts *contacts, int32_t body, int32_t plate)
 {
+    if (plate >= contacts->plate_count) return FALSE;
     for (guint i = 0; contacts->plate_count > 1 && i < contacts->closed->len; i++) {
         const TinkerContact *contact = tinker_contacts_closed(contacts, i);
-        if (contact->body == body && contact->plate != plate &&
+        if (contact->body == body && contact->plate != plate && contact->plate < contacts->plate_count &&
             tinker_contacts_are_guide(contacts, body, contact->plate, plate))
             return TRUE;
     }

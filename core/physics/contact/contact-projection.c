@@ -19,14 +19,16 @@ static double rounding_of(const TinkerContacts *contacts, const TinkerContact *c
 {
     const TinkerPoint *at = &contacts->model->point[contact->body];
     const TinkerPoint *base = &contacts->model->point[contacts->plates[contact->plate].point];
+    const double places = fabs(at->x) + fabs(at->y) + fabs(base->x) + fabs(base->y);
+    if (tinker_contacts_is_gap(contacts, contact)) return 4 * DBL_EPSILON * (places + contacts->thickness);
     return 4 * DBL_EPSILON *
-           (fabs(at->x) + fabs(at->y) + fabs(base->x) + fabs(base->y) + contacts->half_height[contact->body] +
-            contacts->plates[contact->plate].half_height);
+           (places + contacts->half_height[contact->body] + contacts->plates[contact->plate].half_height);
 }
 
 static void set_state(TinkerContacts *contacts, const double *q, const double *v)
 {
     tinker_model_set_state(contacts->model, q, v);
+    tinker_contacts_refresh_entries(contacts);
 }
 
 /* Adds a move by dn along the normal and dt along the top. */
@@ -44,6 +46,15 @@ static double work_of_moves(const TinkerModel *model, int32_t first, int32_t end
     double work = 0;
     for (int32_t i = 2 * first; i < 2 * end; i++)
         work += (model->force[i] + model->coordinate_mass[i] * model->constant_acceleration[i]) * moves[i - 2 * first];
+    return work;
+}
+
+/* Of the moves of turns; constant accelerations have no part in them. */
+static double work_of_turns(const TinkerModel *model, const double *moves)
+{
+    double work = 0;
+    for (int32_t i = 2 * model->bodies; i < model->coordinates; i++)
+        work += model->force[i] * moves[i];
     return work;
 }
 
@@ -76,7 +87,7 @@ static double measure_rows(TinkerContacts *contacts)
         const TinkerContactRow *row = &g_array_index(contacts->rows, TinkerContactRow, i);
         const TinkerContact *contact = tinker_contacts_closed(contacts, (guint)row->contact);
         TinkerContactPlace place = tinker_contact_place(contacts, contact->body, contact->plate);
-        double miss = row->tangential ? place.along - contact->anchor : place.gap;
+        double miss = row->tangential ? tinker_contact_creep(&place, contact->anchor) : place.gap;
         most = fmax(most, fabs(miss) / rounding_of(contacts, contact));
         contacts->demand[i] = -miss * row->weight;
     }
@@ -90,9 +101,7 @@ static void push_rows(TinkerContacts *contacts, double *x)
     tinker_contacts_begin_pushes(contacts);
     for (guint i = 0; i < contacts->rows->len; i++) {
         const TinkerContactRow *row = &g_array_index(contacts->rows, TinkerContactRow, i);
-        double push = contacts->demand[i] * row->weight;
-        tinker_contacts_add_push(contacts, tinker_contacts_closed(contacts, (guint)row->contact)->body,
-                                 push * row->row[0], push * row->row[1], x);
+        tinker_contact_row_push(contacts, row, contacts->demand[i] * row->weight, TRUE, x);
     }
     tinker_contacts_end_pushes(contacts, x);
 }
@@ -106,7 +115,7 @@ static gboolean move_rows(TinkerContacts *contacts, double *q, double *v, double
     int32_t n = contacts->model->coordinates;
     memset(moves, 0, (gsize)n * sizeof(double));
     push_rows(contacts, moves);
-    *work -= work_of_moves(contacts->model, 0, contacts->model->bodies, moves);
+    *work -= work_of_moves(contacts->model, 0, contacts->model->bodies, moves) + work_of_turns(contacts->model, moves);
     for (int32_t i = 0; i < n; i++) {
         q[i] += moves[i];
         if (rate != 0) v[i] += rate * moves[i];
@@ -186,6 +195,13 @@ static void correct_rows(TinkerContacts *contacts, double *v, gboolean homogeneo
     for (guint i = 0; i < contacts->rows->len; i++) {
         const TinkerContactRow *row = &g_array_index(contacts->rows, TinkerContactRow, i);
         const TinkerContact *contact = tinker_contacts_closed(contacts, (guint)row->contact);
+        if (row->entries >= 0) {
+            const TinkerContactEntries *entries =
+                &g_array_index(contacts->entries, TinkerContactEntries, (guint)row->entries);
+            const double moved = homogeneous ? 0 : entries->of_supports[row->tangential];
+            contacts->demand[i] = -(tinker_contact_row_times(contacts, row, v) + moved) * row->weight;
+            continue;
+        }
         const TinkerPoint *base =
             homogeneous ? &still : &contacts->model->point[contacts->plates[contact->plate].point];
         const double *at = v + 2 * contact->body;

@@ -8,6 +8,21 @@
 /* For the bodies that constraints join to one; NULL: no memory. Owned by the contacts. */
 TinkerContactElimination *tinker_contacts_elimination(TinkerContacts *contacts, int32_t body);
 
+/* Finds the outlines of bodies that turn, and the gap functions of those that may touch. */
+void tinker_contacts_list_gaps(TinkerContacts *contacts);
+int32_t tinker_model_solid_bodies(const TinkerModel *model);
+/* Whether they meet each other: where the scene does not have too many. */
+gboolean tinker_model_bodies_meet(const TinkerModel *model);
+/* The entries of closed gap functions, for the state in the points. */
+void tinker_contacts_refresh_entries(TinkerContacts *contacts);
+
+/* A row times a vector by coordinate; and v += what its force (`moves`: a push along itself) does, between
+ * begin_pushes and end_pushes. */
+double tinker_contact_row_times(const TinkerContacts *contacts, const TinkerContactRow *row,
+                                const double *by_coordinate);
+void tinker_contact_row_push(TinkerContacts *contacts, const TinkerContactRow *row, double push, gboolean moves,
+                             double *v);
+
 /* Solves for the demand of all rows, for the constraint rows evaluated last: how far each row is to push along itself.
  */
 void tinker_contacts_solve_moves(TinkerContacts *contacts);

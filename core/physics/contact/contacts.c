@@ -12,10 +12,12 @@
  * way, eight 3.0 and 1.6 us, 64 take 52 and 2.6 us (bench-contact-chains).. */
 #define FEW_ROWS 8
 
+/* As masses and supports have it. */
 static int32_t shape_of(const TinkerBlockBatch *batch)
 {
     const TinkerPhysics *physics = batch->block_class->physics;
-    return physics != NULL && physics->body != NULL ? physics->body->shape : TINKER_SHAPE_NONE;
+    if (physics == NULL || physics->body == NULL || physics->body->degrees_of_freedom == 3) return TINKER_SHAPE_NONE;
+    return physics->body->shape;
 }
 
 static gboolean is_solid(const TinkerBlockBatch *batch, int32_t row)
@@ -89,6 +91,9 @@ static void find_groups(TinkerContacts *contacts)
             first = all->points[e];
         }
     }
+    for (int32_t i = 0; i < contacts->pair_count; i++)
+        if (contacts->pairs[i].point[1] < model->bodies)
+            tinker_sets_join(contacts->group, contacts->pairs[i].point[0], contacts->pairs[i].point[1]);
     for (int32_t i = 0; i < model->bodies; i++)
         contacts->group[i] = tinker_sets_first(contacts->group, i);
 }
@@ -103,6 +108,8 @@ static void block_clear(gpointer data)
 static void measure_thickness(TinkerContacts *contacts)
 {
     double plate = 0, body = 0;
+    for (int32_t i = 0; i < contacts->model->bodies; i++)
+        body = fmax(body, contacts->reach[i]);
     for (int32_t i = 0; i < contacts->plate_count; i++)
         plate = fmax(plate, contacts->plates[i].half_height);
     for (int32_t i = 0; i < contacts->model->bodies; i++)
@@ -114,29 +121,10 @@ static void measure_thickness(TinkerContacts *contacts)
 static void open_books(TinkerContacts *contacts)
 {
     TinkerModel *model = contacts->model;
-    for (int32_t k = 0; k < contacts->plate_count; k++) {
+    for (int32_t k = 0; k < contacts->plate_count + contacts->gap_count; k++) {
         const TinkerPlate *plate = &contacts->plates[k];
         if (plate->dynamic_friction > 0) model->has_book[TINKER_BOOK_FRICTION] = TRUE;
         if (plate->moving) model->has_book[TINKER_BOOK_SUPPORT_MOTION] = model->more_than_lines = TRUE;
-    }
-}
-
-/* Once for the scene, of the first body that turns and says that it is solid. */
-static void warn_of_turning(TinkerModel *model)
-{
-    for (guint i = 0; i < model->batches->len; i++) {
-        const TinkerBlockBatch *batch = g_ptr_array_index(model->batches, i);
-        const TinkerPhysics *physics = batch->block_class->physics;
-        if (physics == NULL || physics->body == NULL || physics->body->degrees_of_freedom != 3) continue;
-        for (int32_t row = 0; row < batch->count; row++) {
-            if (tinker_block_batch_meaning(batch, row, TINKER_MEANING_SOLID, 0, 0) == 0) continue;
-            g_ptr_array_add(
-                model->warnings,
-                g_strdup_printf(_("%s passes through supports: contact of bodies that turn is not worked out "
-                                  "yet (with \"solid\": false it is meant to)"),
-                                tinker_scene_block_name(model->scene, batch->ids[row])));
-            return;
-        }
     }
 }
 
@@ -144,15 +132,20 @@ TinkerContacts *tinker_contacts_new(TinkerModel *model)
 {
     gboolean any_body = FALSE;
     int32_t plates = count_plates(model, &any_body);
-    if (model->turning > 0 && plates > 0 && !model->part) warn_of_turning(model);
+    const int32_t solid = tinker_model_solid_bodies(model);
+    any_body |= solid > 0;
     if (!any_body) plates = 0;
-    if (plates == 0 && model->constraints.unilateral == NULL) return NULL;
+    const gboolean meet = solid > 1 && tinker_model_bodies_meet(model);
+    if (plates == 0 && !meet && model->constraints.unilateral == NULL) return NULL;
     TinkerContacts *contacts = g_new0(TinkerContacts, 1);
     contacts->model = model;
     contacts->plates = g_new0(TinkerPlate, MAX(plates, 1));
     contacts->half_height = g_new0(double, MAX(model->bodies, 1));
     contacts->held = g_new0(gboolean, MAX(model->bodies, 1));
     contacts->group = g_new0(int32_t, MAX(model->bodies, 1));
+    contacts->reach = g_new0(double, MAX(model->bodies, 1));
+    contacts->first_gap = g_new0(int32_t, model->bodies + 1);
+    contacts->entries = g_array_new(FALSE, TRUE, sizeof(TinkerContactEntries));
     contacts->closed = g_array_new(FALSE, TRUE, sizeof(TinkerContact));
     contacts->rows = g_array_new(FALSE, TRUE, sizeof(TinkerContactRow));
     contacts->simple = g_array_new(FALSE, TRUE, sizeof(int32_t));
@@ -163,6 +156,7 @@ TinkerContacts *tinker_contacts_new(TinkerModel *model)
     contacts->before = g_new0(double, (gsize)MAX(model->coordinates, 1));
     contacts->accelerations = g_new0(double, (gsize)MAX(model->coordinates, 1));
     find_shapes(contacts, any_body);
+    tinker_contacts_list_gaps(contacts);
     find_groups(contacts);
     measure_thickness(contacts);
     open_books(contacts);
@@ -174,15 +168,31 @@ void tinker_contacts_free(TinkerContacts *contacts)
     if (contacts == NULL) return;
     g_array_unref(contacts->closed);
     g_array_unref(contacts->rows);
+    g_array_unref(contacts->entries);
     g_array_unref(contacts->simple);
     g_array_unref(contacts->blocks);
     for (int32_t i = 0; i < contacts->model->bodies; i++)
         tinker_contact_elimination_free(contacts->eliminations[i]);
-    gpointer arrays[] = {
-        contacts->plates,           contacts->half_height,    contacts->held,          contacts->group,
-        contacts->delassus,         contacts->demand,         contacts->accelerations, contacts->column,
-        contacts->before,           contacts->base,           contacts->found,         contacts->eliminations,
-        contacts->equations[FALSE], contacts->equations[TRUE]};
+    gpointer arrays[] = {contacts->plates,
+                         contacts->half_height,
+                         contacts->held,
+                         contacts->group,
+                         contacts->delassus,
+                         contacts->demand,
+                         contacts->accelerations,
+                         contacts->column,
+                         contacts->before,
+                         contacts->base,
+                         contacts->found,
+                         contacts->eliminations,
+                         contacts->equations[FALSE],
+                         contacts->equations[TRUE],
+                         contacts->reach,
+                         contacts->first_gap,
+                         contacts->outlines,
+                         contacts->pairs,
+                         contacts->functions,
+                         contacts->corners};
     for (gsize i = 0; i < G_N_ELEMENTS(arrays); i++)
         g_free(arrays[i]);
     g_free(contacts);
@@ -198,6 +208,12 @@ gboolean tinker_contacts_touch(const TinkerContacts *contacts)
             if (fabs(place.gap) <= TINKER_TOUCHING && beside <= TINKER_TOUCHING && place.normal_speed <= still)
                 return TRUE;
         }
+    for (int32_t k = contacts->plate_count; k < contacts->plate_count + contacts->gap_count; k++) {
+        const TinkerContactPlace place = tinker_contact_gap_place(contacts, k);
+        if (fabs(place.gap) <= TINKER_TOUCHING && tinker_contact_gap_is_over(contacts, k, TINKER_TOUCHING) &&
+            place.normal_speed <= 1e-12 * fabs(place.tangential_speed))
+            return TRUE;
+    }
     return FALSE;
 }
 
@@ -226,7 +242,7 @@ static gboolean stands_alone(const TinkerContacts *contacts, guint number)
 {
     const GArray *closed = contacts->closed;
     int32_t body = g_array_index(closed, TinkerContact, number).body;
-    if (contacts->held[body]) return FALSE;
+    if (contacts->held[body] || contacts->reach[body] > 0) return FALSE;
     if (number > 0 && g_array_index(closed, TinkerContact, number - 1).body == body) return FALSE;
     return number + 1 == closed->len || g_array_index(closed, TinkerContact, number + 1).body != body;
 }
@@ -237,10 +253,12 @@ static void add_rows(TinkerContacts *contacts, int32_t number)
     const TinkerPlate *plate = &contacts->plates[contact->plate];
     double nx = plate->normal[0], ny = plate->normal[1], share = tinker_contact_slip_share(plate, contact->mode);
     double weight = sqrt(contacts->model->mass[contact->body]);
-    TinkerContactRow normal = {number, FALSE, {nx, ny}, {nx + share * ny, ny - share * nx}, weight};
+    const int32_t entries = plate->gap != NULL ? (int32_t)contacts->entries->len : -1;
+    TinkerContactRow normal = {number, FALSE, {nx, ny}, {nx + share * ny, ny - share * nx}, weight, entries, share};
     g_array_append_val(contacts->rows, normal);
+    if (plate->gap != NULL) g_array_set_size(contacts->entries, contacts->entries->len + 1);
     if (contact->mode != TINKER_CONTACT_STICK) return;
-    TinkerContactRow tangential = {number, TRUE, {ny, -nx}, {ny, -nx}, weight};
+    TinkerContactRow tangential = {number, TRUE, {ny, -nx}, {ny, -nx}, weight, entries, 0};
     g_array_append_val(contacts->rows, tangential);
 }
 
@@ -277,6 +295,7 @@ static gboolean may_be_eliminated(const TinkerContacts *contacts, guint first, g
     for (guint i = first; i < first + count; i++) {
         const TinkerContactRow *row = &g_array_index(contacts->rows, TinkerContactRow, i);
         const int32_t next = tinker_contacts_closed(contacts, (guint)row->contact)->body;
+        if (row->entries >= 0) return FALSE;
         of_one = next == body ? of_one + 1 : 1;
         body = next;
         if (of_one > TINKER_MOST_EQUATIONS) return FALSE;
@@ -290,6 +309,8 @@ static gboolean add_block(TinkerContacts *contacts, guint first, guint count)
     const int32_t contact = g_array_index(contacts->rows, TinkerContactRow, first).contact;
     TinkerContactBlock block = {.first = (int32_t)first, .count = (int32_t)count};
     block.held = contacts->held[tinker_contacts_closed(contacts, (guint)contact)->body];
+    for (guint i = first; i < first + count; i++)
+        block.held |= g_array_index(contacts->rows, TinkerContactRow, i).entries >= 0;
     if (block.held && count > FEW_ROWS && may_be_eliminated(contacts, first, count)) {
         block.elimination =
             tinker_contacts_elimination(contacts, tinker_contacts_closed(contacts, (guint)contact)->body);
@@ -373,6 +394,7 @@ void tinker_contacts_take_shares(TinkerContacts *contacts)
 static void clear_rows(TinkerContacts *contacts)
 {
     g_array_set_size(contacts->rows, 0);
+    g_array_set_size(contacts->entries, 0);
     g_array_set_size(contacts->simple, 0);
     g_array_set_size(contacts->blocks, 0);
     contacts->any_slip_friction = FALSE;

@@ -11,54 +11,84 @@
  *
  *     n . (a - a_c) = 0;   sticking: t . (a - a_c) = 0;   slipping: friction -mu N sign(u_t) along t.
  *
+ * Bodies that turn have a shape. Each gap function of a pair of shapes (shapes/gaps.h) stands for a plate of its own
+ * here, behind the tops: then n, t and where they act follow from the state, and the same holds of rows over up to six
+ * coordinates. Whatever is closed, opens, sticks or slips does so function by function.
+ *
  * Bodies that no constraint holds and that touch one plate are solved one by one in closed form; the others together: a
  * few equations by the Delassus matrix of their contacts, W = C P M^-1 D, with P the projection onto the motions that
  * the constraints allow; many by elimination (contact-elimination.h), without W. */
 #ifndef TINKER_CORE_CONTACTS_H
 #define TINKER_CORE_CONTACTS_H
 
+#include <math.h>
+
 #include "numerics/contact/contact-laws.h"
 #include "numerics/solve/dense-solve.h"
 #include "physics/contact/contact-elimination.h"
 #include "physics/model/model-data.h"
+#include "physics/shapes/gaps.h"
 #include "scene/frame/overlaps.h"
 
 /* A start that slides along a top slower than this share of the largest speed may stick. */
 #define TINKER_START_SLOW 1e-9
 
+/* Two shapes that may touch: a body's and a support's or another body's. */
 typedef struct {
-    TinkerBlockId block;
+    int32_t point[2]; /* of their centres: of bodies, or of a support */
+    const TinkerOutline *outline[2];
+    double angle[2];      /* rad: of what does not turn */
+    int32_t first, count; /* its gap functions, among the plates */
+    gboolean passes;      /* they overlap, and do so until they have parted */
+} TinkerTouchingPair;
+
+typedef struct {
+    TinkerBlockId block;           /* of a gap function: of the second of the pair */
     int32_t point;                 /* of its centre */
     double orientation, normal[2]; /* rad; out of the solid side */
     double half_height, half_width;
     double static_friction, dynamic_friction, restitution;
     gboolean moving;
+    const TinkerGapFunction *gap; /* NULL: a top, as masses meet it; else that of ... */
+    const TinkerTouchingPair *pair;
 } TinkerPlate;
 
 typedef struct {
     int32_t body, plate;
     TinkerContactMode mode;  /* not OPEN */
-    double anchor;           /* along the top, of one that sticks */
+    double anchor;           /* `rolled` of one that sticks (TinkerContactPlace) */
     gboolean starts;         /* slips, and has no speed yet that tells which way */
-    double normal, friction; /* N, on the body along n and t: as worked out last */
+    double normal, friction; /* N, on the body along n and t (on what has the tip of a gap): as worked out last */
     /* Where contacts hold a body more than once nothing determines how they share its load: the share stays as near to
      * this one (N) as the load allows, which the laws of contact gave. */
     double base_normal, base_friction;
 } TinkerContact;
 
+/* How a gap function's gap and its speed along the seat depend on the motion of its bodies. */
+typedef struct {
+    int32_t count, coordinate[6];
+    double row[2][6];      /* normal, tangential: by these coordinates */
+    double of_supports[2]; /* m/s: speeds that supports give to the two, beside the rows' */
+    double drift[2];       /* m/s^2: accelerations beside the rows', those of supports included */
+    double normal[2];
+    double point[2]; /* where it touches, relative to the origin */
+} TinkerContactEntries;
+
 /* One equation of the closed contacts that are solved together: `row` is what it keeps at 0, `force` the direction of
- * the force that does so. */
+ * the force that does so. Of a gap function they are found anew for every state, by the coordinates of its entries. */
 typedef struct {
     int32_t contact;
     gboolean tangential;
     double row[2], force[2];
-    double weight; /* root of the body's mass: W is scaled by it to about 1 */
+    double weight;   /* root of the body's mass: W is scaled by it to about 1 */
+    int32_t entries; /* of a gap function: its number among contacts->entries; else -1 */
+    double share;    /* of slipping friction, along with a normal force */
 } TinkerContactRow;
 
 /* Rows of one group of bodies, behind one another: no other row changes what they ask for. */
 typedef struct {
     int32_t first, count;
-    gboolean held;              /* W changes with the constraints; else it is factored once */
+    gboolean held;              /* W changes with the constraints or the state; else it is factored once */
     TinkerDenseSolve *solve[2]; /* W with the directions of the rows' forces; with those of the rows themselves */
     gboolean factored[2];
     TinkerContactElimination *elimination; /* in place of W where there are many rows; borrowed */
@@ -67,7 +97,15 @@ typedef struct {
 
 struct _TinkerContacts {
     TinkerModel *model;
-    int32_t plate_count, moving_plates;
+    int32_t plate_count, moving_plates; /* tops; behind them stand the gap functions */
+    int32_t gap_count;
+    int32_t *first_gap;        /* bodies + 1: the plate that the gap functions of each body begin with */
+    TinkerOutline *outlines;   /* of bodies that turn and are solid, then of tops; kind of others: none, corners NULL */
+    TinkerTouchingPair *pairs; /* that have gap functions */
+    int32_t pair_count;
+    double *reach; /* of each body: its farthest point from its centre; 0: it has no outline */
+    TinkerGapFunction *functions;
+    double *corners;    /* what outlines lie in */
     double thickness;   /* m: the largest half heights of a plate and a body */
     double plate_speed; /* m/s: of moving plates, the largest so far */
     TinkerPlate *plates;
@@ -80,6 +118,7 @@ struct _TinkerContacts {
     gboolean impulses; /* act on them, step by step (impulse.h): they are no equations, and have none */
     GArray *simple;    /* of int32_t: numbers of closed contacts that are solved one by one */
     GArray *rows;      /* of TinkerContactRow: the others' equations */
+    GArray *entries;   /* of TinkerContactEntries: of closed gap functions, for the state they were listed at last */
     gboolean any_slip_friction;
     TinkerContactElimination **eliminations; /* by the first body of a group; made when they are asked for */
 
@@ -102,16 +141,53 @@ void tinker_contacts_free(TinkerContacts *contacts);
 typedef struct {
     double gap, along;                     /* m */
     double normal_speed, tangential_speed; /* m/s, relative to the plate */
+    double along_speed;                    /* m/s: how `along` grows, of one that rolls more than its slipping */
+    double rolled, period; /* m: what stays of one that sticks, but for multiples of the period (0: none) */
 } TinkerContactPlace;
+
+/* Of a gap function. */
+TinkerContactPlace tinker_contact_gap_place(const TinkerContacts *contacts, int32_t number);
+void tinker_contact_gap_entries(const TinkerContacts *contacts, int32_t number, TinkerContactEntries *entries);
+/* One of its rows (0: normal, 1: tangential) times a vector by coordinate. */
+double tinker_contact_times(const TinkerContactEntries *entries, int which, const double *by_coordinate);
+/* Whether the tip is over the seat (TinkerContactPlace.along), and the pair does not pass. */
+gboolean tinker_contact_gap_is_over(const TinkerContacts *contacts, int32_t number, double tolerance);
+/* How far (m) two shapes overlap, as tinker_outlines_overlap has it. */
+double tinker_contact_pair_overlap(const TinkerContacts *contacts, const TinkerTouchingPair *pair);
+
+static inline gboolean tinker_contacts_is_gap(const TinkerContacts *contacts, const TinkerContact *contact)
+{
+    return contact->plate >= contacts->plate_count;
+}
+
+/* What a contact that sticks has left its place by (m). */
+static inline double tinker_contact_creep(const TinkerContactPlace *place, double anchor)
+{
+    const double off = place->rolled - anchor;
+    return place->period > 0 ? remainder(off, place->period) : off;
+}
+
+/* Whether a body may touch anything. */
+static inline gboolean tinker_contacts_may_touch(const TinkerContacts *contacts, int32_t body)
+{
+    return !isnan(contacts->half_height[body]) || contacts->reach[body] > 0;
+}
 
 static inline TinkerContactPlace tinker_contact_place(const TinkerContacts *contacts, int32_t body, int32_t number)
 {
     const TinkerPlate *plate = &contacts->plates[number];
+    if (plate->gap != NULL) return tinker_contact_gap_place(contacts, number);
     const TinkerPoint *at = &contacts->model->point[body], *centre = &contacts->model->point[plate->point];
     const double dx = at->x - centre->x, dy = at->y - centre->y, ux = at->vx - centre->vx, uy = at->vy - centre->vy;
     const double nx = plate->normal[0], ny = plate->normal[1];
+    const double along = ny * dx - nx * dy, slides = ny * ux - nx * uy;
     return (TinkerContactPlace){nx * dx + ny * dy - (plate->half_height + contacts->half_height[body]),
-                                ny * dx - nx * dy, nx * ux + ny * uy, ny * ux - nx * uy};
+                                along,
+                                nx * ux + ny * uy,
+                                slides,
+                                slides,
+                                along,
+                                0};
 }
 
 /* Whether any body touches a plate, and does not part from it, for the state in the points. */
@@ -136,9 +212,11 @@ static inline double tinker_contact_slip_share(const TinkerPlate *plate, TinkerC
 
 /* Whether the foot of a body is over the plate. At the very end, within `tolerance` (m), one that moves on off it is
  * not. */
-static inline gboolean tinker_contact_is_over(const TinkerPlate *plate, const TinkerContactPlace *place,
-                                              double tolerance)
+static inline gboolean tinker_contact_is_over(const TinkerContacts *contacts, int32_t number,
+                                              const TinkerContactPlace *place, double tolerance)
 {
+    const TinkerPlate *plate = &contacts->plates[number];
+    if (plate->gap != NULL) return tinker_contact_gap_is_over(contacts, number, tolerance);
     double beyond = fabs(place->along) - plate->half_width;
     return beyond <= -tolerance || (beyond <= tolerance && place->along * place->tangential_speed <= 0);
 }
@@ -199,6 +277,15 @@ void tinker_contacts_push(TinkerContacts *contacts, int32_t body, double px, dou
 void tinker_contacts_begin_pushes(TinkerContacts *contacts);
 void tinker_contacts_add_push(TinkerContacts *contacts, int32_t body, double px, double py, double *v);
 void tinker_contacts_end_pushes(TinkerContacts *contacts, double *v);
+
+/* The same along a contact, for the state in the points: impulses along its normal and its tangent. */
+void tinker_contacts_push_along(TinkerContacts *contacts, const TinkerContact *contact, double normal,
+                                double tangential, double *v);
+/* What changes of velocities of all bodies are along a contact; and accelerations, relative to what is touched. */
+void tinker_contacts_along(const TinkerContacts *contacts, const TinkerContact *contact, const double *by_coordinate,
+                           double along[2]);
+void tinker_contacts_relative_acceleration(const TinkerContacts *contacts, const TinkerContact *contact,
+                                           const double *a, double along[2]);
 
 /* The first body of a constraint row; -1 for none. */
 int32_t tinker_contacts_row_body(const TinkerContacts *contacts, int32_t row);

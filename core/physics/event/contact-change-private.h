@@ -24,6 +24,11 @@ typedef struct {
 } TinkerTouch;
 
 typedef struct {
+    const char *kind;
+    const TinkerTouchingPair *pair;
+} TinkerToldEvent;
+
+typedef struct {
     TinkerContactRun *run; /* NULL: of a model that is held still (still-contacts.h), which knows no events */
     TinkerModel *model;
     TinkerContacts *contacts;
@@ -31,6 +36,7 @@ typedef struct {
     TinkerTrigger trigger;
     int32_t group;
     GArray *touches;  /* of TinkerTouch: of this group of bodies */
+    GArray *told;     /* of TinkerToldEvent: two corners of one pair that do the same are one event */
     gboolean forced;  /* what was found to reach the limit of sticking slips, whatever the laws could share otherwise */
     double tolerance; /* m: within it a gap is closed */
     double speed, slow; /* m/s: the largest; the share of it that is still */

@@ -21,6 +21,8 @@
 #define STOPPED 1e-10
 /* Or at so many times what the method makes of 0. */
 #define STOPPED_NOISES 10
+/* Of the largest speed: what slides slower behind a blow is at rest, as a rebound so slow is none. */
+#define SLOW_SLIDE 1e-6
 /* Forces below this share of what acts are rounding. */
 #define FORCE_NOISE 1e-10
 /* What was found to press no more, at an instant that is known no better, presses by no more than this share. */
@@ -36,6 +38,17 @@ static gboolean has_stopped(const TinkerContactChange *change, double speed)
     return (kind == TINKER_TRIGGER_SPEED || kind == TINKER_TRIGGER_STARTING) && fabs(speed) <= noise * change->speed;
 }
 
+/* Whether a corner slides, behind a blow, by too little to be seen. Blocks that rock down to rest strike with their
+ * corners by turns and slide a little in between, infinitely often in finite time. */
+static gboolean hardly_slides(const TinkerContactChange *change, const TinkerTouch *at)
+{
+    if (!tinker_contacts_is_gap(change->contacts, &at->contact)) return FALSE;
+    if (fabs(at->place.tangential_speed) > SLOW_SLIDE * change->speed) return FALSE;
+    for (guint i = 0; i < change->touches->len; i++)
+        if (tinker_touch(change, i)->struck) return TRUE;
+    return FALSE;
+}
+
 /* Which way it slides; 0 where it is slow enough to stick. An event says that it stops, or that it begins. */
 static int8_t sliding_of(const TinkerContactChange *change, guint number, double acceleration)
 {
@@ -49,8 +62,10 @@ static int8_t sliding_of(const TinkerContactChange *change, guint number, double
         if (has_stopped(change, speed)) return 0;
     }
     if (plate->static_friction == 0) return 1;
+    if (hardly_slides(change, at)) return 0;
     /* what falls over the length of the plate is a scale for what is the only thing that moves */
-    double scale = change->speed + sqrt(acceleration * (plate->half_width + plate->half_height));
+    double length = plate->gap != NULL ? change->contacts->thickness : plate->half_width + plate->half_height;
+    double scale = change->speed + sqrt(acceleration * length);
     if (fabs(speed) > change->slow * scale) return speed > 0 ? 1 : -1;
     /* one that has just begun to slip goes on, until an event of its own says that it stops; what slipped clearly stops
      * now */
@@ -62,7 +77,7 @@ static int8_t sliding_of(const TinkerContactChange *change, guint number, double
 
 static gboolean goes_over_end(const TinkerContactChange *change, const TinkerTouch *at)
 {
-    double outwards = at->place.along > 0 ? at->place.tangential_speed : -at->place.tangential_speed;
+    double outwards = at->place.along > 0 ? at->place.along_speed : -at->place.along_speed;
     return at->at_end && outwards > TINKER_STILL * change->speed;
 }
 
@@ -132,10 +147,12 @@ static void note_modes(TinkerContactChange *change, const TinkerContactLaws *law
 /* What guides the body together with a touch; NULL for nothing. */
 static TinkerTouch *other_side(const TinkerContactChange *change, const TinkerTouch *at)
 {
-    const gboolean guides = at->row < 0 && change->contacts->plate_count > 1;
+    const gboolean top = at->row < 0 && !tinker_contacts_is_gap(change->contacts, &at->contact);
+    const gboolean guides = top && change->contacts->plate_count > 1;
     for (guint i = 0; guides && i < change->touches->len; i++) {
         TinkerTouch *other = tinker_touch(change, i);
         if (other != at && other->row < 0 && other->contact.body == at->contact.body &&
+            other->contact.plate < change->contacts->plate_count &&
             tinker_contacts_are_guide(change->contacts, at->contact.body, at->contact.plate, other->contact.plate))
             return other;
     }
@@ -244,7 +261,8 @@ static void turn_bodies(TinkerContactChange *change)
     }
     for (guint i = 0; i < change->touches->len; i++) {
         const TinkerTouch *at = tinker_touch(change, i);
-        if (at->row >= 0 || changes_side(change, at)) continue;
+        if (at->row >= 0 || tinker_contacts_is_gap(change->contacts, &at->contact) || changes_side(change, at))
+            continue;
         const gboolean pushed = at->struck || at->contact.mode != TINKER_CONTACT_OPEN;
         if (pushed && at->contact.normal >= hardest[at->contact.body])
             change->run->orientation[at->contact.body] = tinker_touch_plate(change, i)->orientation;
@@ -317,7 +335,7 @@ static void close_one(TinkerContactChange *change, guint number)
         tinker_constraints_set_slack(change->model, at->row, FALSE);
         return;
     }
-    if (at->was != TINKER_CONTACT_STICK) at->contact.anchor = at->place.along;
+    if (at->was != TINKER_CONTACT_STICK) at->contact.anchor = at->place.rolled;
     at->contact.starts = has_unclear_speed(change, at);
     g_array_append_val(change->run->contacts->closed, at->contact);
 }
@@ -432,6 +450,7 @@ static gboolean change_group(TinkerContactRun *self, const TinkerTrigger *trigge
         .trigger = *trigger,
         .group = group,
         .touches = g_array_new(FALSE, TRUE, sizeof(TinkerTouch)),
+        .told = g_array_new(FALSE, FALSE, sizeof(TinkerToldEvent)),
         .tolerance = fmin(tolerance, tinker_contact_run_closed_gap(self)),
         .slow = fmax(slow, self->remembers ? STOPPED_NOISES * tinker_contact_run_speed_noise(self) : TINKER_STILL),
     };
@@ -450,6 +469,7 @@ static gboolean change_group(TinkerContactRun *self, const TinkerTrigger *trigge
     if (done) turn_bodies(&change);
     if (done) note_leaving(&change);
     g_array_unref(change.touches);
+    g_array_unref(change.told);
     return done;
 }
 

@@ -95,7 +95,7 @@ TinkerStatus tinker_contact_flight_meet(TinkerContactRun *self, const TinkerTrig
     flight->ahead = 0;
     flight->approach = NAN;
     if (!flight->exact || self->contacts->closed->len > 0 || trigger->kind != TINKER_TRIGGER_GAP || trigger->row >= 0 ||
-        self->contacts->plates[trigger->plate].moving)
+        self->contacts->plates[trigger->plate].moving || trigger->plate >= self->contacts->plate_count)
         return TINKER_OK;
     TinkerStatus status = measure(self, trigger, &place);
     double ahead = -place.gap / place.normal_speed;

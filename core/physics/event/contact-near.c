@@ -43,6 +43,50 @@ static gboolean may_touch(const TinkerContacts *contacts, int32_t body, int32_t 
     return !stays_beyond(gap[0], gap[1], 0, travel) && !stays_beyond(along[0], along[1], plate->half_width, travel);
 }
 
+/* How far a body's centre is from a top, from end to end. */
+static double from_top(const TinkerContacts *contacts, const TinkerTouchingPair *pair, const double *at)
+{
+    const TinkerPlate *plate = &contacts->plates[pair->first];
+    const TinkerPoint *centre = &contacts->model->point[pair->point[1]];
+    const double dx = at[0] - centre->x, dy = at[1] - centre->y, *corners = pair->outline[1]->corners;
+    const double over = plate->normal[0] * dx + plate->normal[1] * dy - corners[1];
+    const double beside = fabs(plate->normal[1] * dx - plate->normal[0] * dy) - corners[2];
+    return hypot(over, fmax(beside, 0));
+}
+
+/* How far (m) what moves of a pair may go before the shapes can touch; of two bodies each as far as the other. */
+static double apart_by_reach(const TinkerContacts *contacts, const TinkerTouchingPair *pair, const double *q)
+{
+    const int32_t a = pair->point[0], b = pair->point[1];
+    if (b < contacts->model->bodies)
+        return 0.5 *
+               (hypot(q[2 * a] - q[2 * b], q[2 * a + 1] - q[2 * b + 1]) - contacts->reach[a] - contacts->reach[b]);
+    return from_top(contacts, pair, q + 2 * pair->point[0]) - contacts->reach[pair->point[0]];
+}
+
+static gboolean pair_may_touch(const TinkerContacts *contacts, const TinkerTouchingPair *pair, const double *q_from,
+                               const double *q_to, double travel)
+{
+    if (contacts->plates[pair->first].moving) return TRUE;
+    return fmin(apart_by_reach(contacts, pair, q_from), apart_by_reach(contacts, pair, q_to)) <= travel;
+}
+
+/* Gap functions of a body. */
+static void find_near_gaps(TinkerContactRun *self, int32_t body, const double *q_from, const double *q_to,
+                           double travel, guint next)
+{
+    const TinkerContacts *contacts = self->contacts;
+    for (int32_t k = contacts->first_gap[body]; k < contacts->first_gap[body + 1];) {
+        const TinkerTouchingPair *pair = contacts->plates[k].pair;
+        const int32_t end = pair->first + pair->count;
+        const gboolean near = pair_may_touch(contacts, pair, q_from, q_to, travel);
+        for (; k < end; k++) {
+            const TinkerContactPair each = {body, k, -1};
+            if (near && !is_closed(contacts, body, k, next)) g_array_append_val(self->near, each);
+        }
+    }
+}
+
 void tinker_contact_run_find_near(TinkerContactRun *self, const double *q_from, const double *q_to, double travel)
 {
     const TinkerContacts *contacts = self->contacts;
@@ -55,6 +99,7 @@ void tinker_contact_run_find_near(TinkerContactRun *self, const double *q_from, 
         const double *from = q_from + 2 * i, *to = q_to + 2 * i;
         while (next < contacts->closed->len && tinker_contacts_closed(contacts, next)->body < i)
             next++;
+        if (contacts->gap_count > 0) find_near_gaps(self, i, q_from, q_to, travel, next);
         if (isnan(contacts->half_height[i])) continue;
         if (!tinker_contact_neighbours_hold(&self->neighbours, i, from, to, travel))
             tinker_contact_neighbours_list(&self->neighbours, i, from, to, reach);
@@ -81,6 +126,8 @@ void tinker_contact_run_note_quiet(TinkerContactRun *self, const double *x, cons
     self->quiet = 0;
     if (contacts->moving_plates > 0 || contacts->closed->len > 0) return;
     double nearest = INFINITY;
+    for (int32_t i = 0; i < contacts->pair_count; i++)
+        nearest = fmin(nearest, apart_by_reach(contacts, &contacts->pairs[i], q));
     for (int32_t i = 0; i < self->model->bodies; i++) {
         if (isnan(contacts->half_height[i])) continue;
         /* plates beyond the neighbourhood are farther than what is left of it */

@@ -31,6 +31,8 @@
 #define SLOW_CROWDED 1e-6
 #define SLOW_CROWDS  20
 #define MOST_TRIALS  12
+/* rad that a body may turn within a step. */
+#define MOST_TURNING 100.0
 /* Of a step: an event so near to its start is at its start. */
 #define AT_ONCE 1e-15
 /* Near pairs that there is room for at first. */
@@ -179,6 +181,22 @@ static gboolean is_crowded(TinkerContactRun *self)
     return passed <= CROWDED * fabs(t) || self->slow_crowds >= SLOW_CROWDS;
 }
 
+/* Shapes that have come to overlap without touching, from below or past an end of a top, do so until they have parted.
+ */
+static void watch_overlaps(TinkerContactRun *self)
+{
+    TinkerContacts *contacts = self->contacts;
+    TinkerIslandRun *run = self->run;
+    if (contacts->pair_count == 0 || tinker_model_set_time(self->model, run->state.t) != TINKER_OK) return;
+    tinker_island_run_place(run);
+    tinker_model_set_state(self->model, run->q, run->v);
+    for (int32_t i = 0; i < contacts->pair_count; i++) {
+        TinkerTouchingPair *pair = &contacts->pairs[i];
+        const double overlap = tinker_contact_pair_overlap(contacts, pair);
+        pair->passes = overlap > TINKER_TOUCHING || (pair->passes && overlap > 0);
+    }
+}
+
 gboolean tinker_contact_run_start(TinkerContactRun *self, GError **error)
 {
     TinkerIslandRun *run = self->run;
@@ -187,6 +205,9 @@ gboolean tinker_contact_run_start(TinkerContactRun *self, GError **error)
     if (tinker_model_set_time(self->model, 0.0) != TINKER_OK)
         return tinker_island_run_fail(run, self->model->failure, error);
     tinker_model_set_state(self->model, run->q, run->v);
+    for (int32_t i = 0; i < self->contacts->pair_count; i++)
+        self->contacts->pairs[i].passes = FALSE;
+    watch_overlaps(self);
     if (self->model->constraints.unilateral == NULL && !tinker_contacts_touch(self->contacts)) return TRUE;
     if (!enter_plane(self, error)) return FALSE;
     if (!tinker_contact_run_change(self, &none, TINKER_TOUCHING, TINKER_START_SLOW, error)) return FALSE;
@@ -311,9 +332,21 @@ static double swing_limit(TinkerContactRun *self, double limit)
     return fmin(limit, state->t + fmax(share, TINKER_LONGEST_ARC * self->fastest / self->strongest));
 }
 
+/* The search for events follows no more turns than so many within a step. */
+static double turning_limit(const TinkerContactRun *self, double limit)
+{
+    const TinkerModel *model = self->model;
+    double rate = 0;
+    for (int32_t k = 0; self->contacts->gap_count > 0 && k < model->turning; k++)
+        rate = fmax(rate, fabs(self->run->state.v[2 * model->bodies + k]) / model->turns[k].gyration);
+    return rate > 0 ? fmin(limit, self->run->state.t + MOST_TURNING / rate) : limit;
+}
+
 double tinker_contact_run_begin(TinkerContactRun *self, double limit)
 {
     const TinkerIslandRun *run = self->run;
+    watch_overlaps(self);
+    limit = turning_limit(self, limit);
     if (self->leaving->len > 0) prune_separating(self);
     if (self->starts_low) note_slipping(self);
     if (self->in_plane && tinker_contact_flight_is_free(self)) leave_plane(self);

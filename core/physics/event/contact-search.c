@@ -105,8 +105,7 @@ static gboolean meets(TinkerContactRun *self, const TinkerTrigger *trigger, doub
         return FALSE;
     tinker_model_set_state(self->model, q, v);
     TinkerContactPlace place = tinker_contact_place(self->contacts, trigger->body, trigger->plate);
-    return tinker_contact_is_over(&self->contacts->plates[trigger->plate], &place,
-                                  tinker_trigger_place_rounding(self, trigger));
+    return tinker_contact_is_over(self->contacts, trigger->plate, &place, tinker_trigger_place_rounding(self, trigger));
 }
 
 /* Whether it has fallen by the first node, from a value that is nothing beside what follows. */
@@ -239,11 +238,24 @@ double tinker_contact_run_swing(TinkerContactRun *self, int32_t point, double fr
     return *speed > 0 ? change / *speed : 0;
 }
 
-/* The fastest swing of moving plates. */
+/* How fast (rad/s) bodies turn whose corners may touch: at the ends of the step. */
+static double highest_rate(const TinkerContactRun *self)
+{
+    const TinkerModel *model = self->model;
+    double highest = 0;
+    for (int32_t k = 0; self->contacts->gap_count > 0 && k < model->turning; k++) {
+        const int32_t at = 2 * model->bodies + k;
+        const double speed = fmax(fabs(self->from.v[at]), fabs(self->run->state.v[at]));
+        if (self->contacts->reach[model->turns[k].body] > 0) highest = fmax(highest, speed / model->turns[k].gyration);
+    }
+    return highest;
+}
+
+/* The fastest swing of moving plates, and of what turns. */
 static double highest_frequency(TinkerContactRun *self, double from, double to)
 {
     const TinkerContacts *contacts = self->contacts;
-    double highest = 0;
+    double highest = highest_rate(self);
     for (int32_t i = 0; contacts->moving_plates > 0 && i < contacts->plate_count; i++)
         if (contacts->plates[i].moving)
             highest = fmax(highest, tinker_contact_run_swing(self, contacts->plates[i].point, from, to));

@@ -16,6 +16,18 @@
 /* Of the tolerance: a gap that is nothing beside what steps make of places. */
 #define LEFT 1e-2
 
+/* Whether an event of this kind was told of the pair already; notes that it is now. */
+static gboolean was_told(TinkerContactChange *change, const char *kind, const TinkerTouchingPair *pair)
+{
+    for (guint i = 0; pair != NULL && i < change->told->len; i++) {
+        const TinkerToldEvent *told = &g_array_index(change->told, TinkerToldEvent, i);
+        if (told->pair == pair && g_str_equal(told->kind, kind)) return TRUE;
+    }
+    const TinkerToldEvent now = {kind, pair};
+    if (pair != NULL) g_array_append_val(change->told, now);
+    return FALSE;
+}
+
 void tinker_change_add_event(TinkerContactChange *change, const char *kind, const TinkerTouch *of)
 {
     TinkerScene *scene = change->model->scene;
@@ -24,6 +36,7 @@ void tinker_change_add_event(TinkerContactChange *change, const char *kind, cons
                                     tinker_scene_block_name(scene, change->model->constraints.blocks[of->row]));
         return;
     }
+    if (was_told(change, kind, change->contacts->plates[of->contact.plate].pair)) return;
     g_autofree char *names =
         g_strdup_printf("%s, %s", tinker_scene_block_name(scene, change->model->body_blocks[of->contact.body]),
                         tinker_scene_block_name(scene, change->contacts->plates[of->contact.plate].block));
@@ -127,7 +140,7 @@ static void take_open(TinkerContactChange *change, double tolerance)
         gboolean guided = tinker_contacts_is_guided(self->contacts, pair->body, pair->plate);
         double near = guided ? fmax(tolerance, 2 * TINKER_TOUCHING) : tolerance;
         gboolean closed = is_closed(change, &taken, near) &&
-                          tinker_contact_is_over(&self->contacts->plates[pair->plate], &taken.place, tolerance);
+                          tinker_contact_is_over(self->contacts, pair->plate, &taken.place, tolerance);
         if (closed || meets_now(change, &taken)) g_array_append_val(change->touches, taken);
     }
 }
@@ -174,7 +187,7 @@ static void take_leaving(TinkerContactChange *change, double tolerance)
         taken.place = place_of(change, &taken);
         const gboolean closes = is_closed(change, &taken, tolerance) || meets_now(change, &taken);
         if (!closes && fabs(taken.place.gap) <= near &&
-            tinker_contact_is_over(&self->contacts->plates[pair->plate], &taken.place, tolerance))
+            tinker_contact_is_over(self->contacts, pair->plate, &taken.place, tolerance))
             g_array_append_val(change->touches, taken);
     }
 }
@@ -205,8 +218,9 @@ static void push(const TinkerContactChange *change, guint number, double pn, dou
         tinker_contacts_pull(change->contacts, at->row, -pn, v);
         return;
     }
-    const double *n = tinker_touch_plate(change, number)->normal;
-    tinker_contacts_push(change->contacts, at->contact.body, pn * n[0] + pt * n[1], pn * n[1] - pt * n[0], v);
+    tinker_contacts_begin_pushes(change->contacts);
+    tinker_contacts_push_along(change->contacts, &at->contact, pn, pt, v);
+    tinker_contacts_end_pushes(change->contacts, v);
 }
 
 void tinker_change_push(const TinkerContactChange *change, const double *impulses, double *v)
@@ -217,8 +231,7 @@ void tinker_change_push(const TinkerContactChange *change, const double *impulse
         const TinkerTouch *at = tinker_touch(change, i);
         const double pn = impulses[2 * i], pt = impulses[2 * i + 1];
         if (at->row >= 0 || (pn == 0 && pt == 0)) continue;
-        const double *n = tinker_touch_plate(change, i)->normal;
-        tinker_contacts_add_push(contacts, at->contact.body, pn * n[0] + pt * n[1], pn * n[1] - pt * n[0], v);
+        tinker_contacts_push_along(contacts, &at->contact, pn, pt, v);
     }
     tinker_contacts_end_pushes(contacts, v);
     for (guint i = 0; i < change->touches->len; i++)
@@ -235,9 +248,10 @@ static void along_contact(const TinkerContactChange *change, guint number, const
         *normal = -tinker_constraints_own_row_times(change->model, at->row, by_body);
         return;
     }
-    const double *n = tinker_touch_plate(change, number)->normal, *of = by_body + 2 * at->contact.body;
-    *normal = n[0] * of[0] + n[1] * of[1];
-    *tangential = n[1] * of[0] - n[0] * of[1];
+    double along[2];
+    tinker_contacts_along(change->contacts, &at->contact, by_body, along);
+    *normal = along[0];
+    *tangential = along[1];
 }
 
 void tinker_contact_laws_clear(TinkerContactLaws *laws)
@@ -270,7 +284,7 @@ static gboolean reach_contacts(TinkerContactLaws *laws, const TinkerContactChang
     g_autofree TinkerContact *touching = g_try_new(TinkerContact, m);
     if (touching == NULL) return FALSE;
     for (guint i = 0; i < m; i++) {
-        if (tinker_touch(change, i)->row >= 0) return TRUE;
+        if (tinker_touch(change, i)->row >= 0 || tinker_touch_plate(change, i)->gap != NULL) return TRUE;
         touching[i] = tinker_touch(change, i)->contact;
     }
     if (!tinker_contact_reach_take(&laws->reach, change->contacts, touching, (int32_t)m)) return FALSE;
@@ -310,7 +324,9 @@ gboolean tinker_change_accelerations(TinkerContactChange *change, double *pairs,
         const TinkerPlate *plate = tinker_touch_plate(change, i);
         int32_t body = at->contact.body;
         along_contact(change, i, a, &pairs[2 * i], &pairs[2 * i + 1]);
-        if (plate != NULL) {
+        if (plate != NULL && plate->gap != NULL) {
+            tinker_contacts_relative_acceleration(change->contacts, &at->contact, a, &pairs[2 * i]);
+        } else if (plate != NULL) {
             const double *base = model->point_acceleration + 2 * plate->point, *n = plate->normal;
             pairs[2 * i] -= n[0] * base[0] + n[1] * base[1];
             pairs[2 * i + 1] -= n[1] * base[0] - n[0] * base[1];

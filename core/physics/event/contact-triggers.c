@@ -15,7 +15,7 @@
 #define FORCE_ROUNDING 1e-11
 #define PLACE_ROUNDING (16 * DBL_EPSILON)
 /* Triggers of one closed contact. */
-#define MOST_OF_ONE 4
+#define MOST_OF_ONE 5
 
 /* States on the way -------------------------------------------------------------------------------------------------
  */
@@ -63,19 +63,19 @@ static double parting_acceleration(const TinkerContactRun *self, const TinkerTri
     if (trigger->row >= 0)
         return -tinker_constraints_own_row_times(self->model, trigger->row, self->force) -
                tinker_constraints_own_drift(self->model, trigger->row);
-    const TinkerPlate *plate = &self->contacts->plates[trigger->plate];
-    const double *base = self->model->point_acceleration + 2 * plate->point, *at = self->force + 2 * trigger->body;
-    return plate->normal[0] * (at[0] - base[0]) + plate->normal[1] * (at[1] - base[1]);
+    const TinkerContact pair = {.body = trigger->body, .plate = trigger->plate};
+    double along[2];
+    tinker_contacts_relative_acceleration(self->contacts, &pair, self->force, along);
+    return along[0];
 }
 
 /* How the contact speeds up the way it slips, by the accelerations worked out last. */
 static double starting_acceleration(const TinkerContactRun *self, const TinkerTrigger *trigger)
 {
     const TinkerContact *contact = tinker_contacts_closed(self->contacts, (guint)trigger->closed);
-    const TinkerPlate *plate = &self->contacts->plates[trigger->plate];
-    const double *base = self->model->point_acceleration + 2 * plate->point, *at = self->force + 2 * trigger->body;
-    const double along = plate->normal[1] * (at[0] - base[0]) - plate->normal[0] * (at[1] - base[1]);
-    return contact->mode == TINKER_CONTACT_SLIP_FORWARD ? along : -along;
+    double along[2];
+    tinker_contacts_relative_acceleration(self->contacts, contact, self->force, along);
+    return contact->mode == TINKER_CONTACT_SLIP_FORWARD ? along[1] : -along[1];
 }
 
 /* A row is slack as long as g is below 0, and taut as long as it pulls. */
@@ -148,16 +148,19 @@ static void watch_closed(TinkerContactRun *self, int32_t number)
     const TinkerPlate *plate = &self->contacts->plates[contact->plate];
     int32_t body = contact->body, on = contact->plate;
     gboolean forward = contact->mode == TINKER_CONTACT_SLIP_FORWARD, slips_freely = plate->dynamic_friction == 0;
+    /* what rolls, or lies on what turns, moves along without slipping, too */
+    gboolean ends = isfinite(plate->half_width), rolls = plate->gap != NULL;
     add_trigger(self, TINKER_TRIGGER_NORMAL, body, on, number);
     if (contact->mode == TINKER_CONTACT_STICK) {
         add_trigger(self, TINKER_TRIGGER_FORWARD, body, on, number);
         add_trigger(self, TINKER_TRIGGER_BACKWARD, body, on, number);
-        return;
+    } else if (!slips_freely) {
+        add_trigger(self, contact->starts ? TINKER_TRIGGER_STARTING : TINKER_TRIGGER_SPEED, body, on, number);
     }
-    TinkerTriggerKind stops = contact->starts ? TINKER_TRIGGER_STARTING : TINKER_TRIGGER_SPEED;
-    if (!slips_freely) add_trigger(self, stops, body, on, number);
-    if (forward || slips_freely) add_trigger(self, TINKER_TRIGGER_END, body, on, number);
-    if (!forward || slips_freely) add_trigger(self, TINKER_TRIGGER_BEGINNING, body, on, number);
+    if (rolls ? !plate->gap->rolls && contact->mode == TINKER_CONTACT_STICK : contact->mode == TINKER_CONTACT_STICK)
+        return;
+    if (ends && (forward || slips_freely || rolls)) add_trigger(self, TINKER_TRIGGER_END, body, on, number);
+    if (ends && (!forward || slips_freely || rolls)) add_trigger(self, TINKER_TRIGGER_BEGINNING, body, on, number);
 }
 
 /* FALSE: no memory. */
@@ -212,8 +215,9 @@ double tinker_trigger_place_rounding(const TinkerContactRun *self, const TinkerT
     if (trigger->row >= 0) return PLACE_ROUNDING * self->model->constraints.scales[trigger->row];
     const TinkerPlate *plate = &self->contacts->plates[trigger->plate];
     const TinkerPoint *at = &self->model->point[trigger->body], *base = &self->model->point[plate->point];
-    return PLACE_ROUNDING * (fabs(at->x) + fabs(at->y) + fabs(base->x) + fabs(base->y) + plate->half_height +
-                             self->contacts->half_height[trigger->body]);
+    const double thick = plate->gap != NULL ? self->contacts->thickness
+                                            : plate->half_height + self->contacts->half_height[trigger->body];
+    return PLACE_ROUNDING * (fabs(at->x) + fabs(at->y) + fabs(base->x) + fabs(base->y) + thick);
 }
 
 /* What constraints pull a body with, each by itself: what presses may be what is left of it. */

@@ -118,7 +118,7 @@ static void take_touching(TinkerStillContacts *self)
             TinkerTouch touch = {.contact = {.body = body, .plate = plate}, .row = -1};
             touch.place = tinker_contact_place(self->contacts, body, plate);
             if (!(fabs(touch.place.gap) <= TINKER_TOUCHING) ||
-                !tinker_contact_is_over(&self->contacts->plates[plate], &touch.place, TINKER_TOUCHING))
+                !tinker_contact_is_over(self->contacts, plate, &touch.place, TINKER_TOUCHING))
                 continue;
             g_array_append_val(self->touches, touch);
         }

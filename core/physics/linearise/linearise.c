@@ -124,6 +124,17 @@ static void add_contact_row(TinkerLinearisation *linear, int32_t body, int32_t p
     tinker_linear_add_entry(linear, linear->rows, 2 * plate + 1, -y);
 }
 
+static void add_gap_rows(TinkerLinearisation *linear, const TinkerContacts *contacts, const TinkerContact *contact)
+{
+    TinkerContactEntries entries;
+    tinker_contact_gap_entries(contacts, contact->plate, &entries);
+    for (int which = 0; which <= (contact->mode == TINKER_CONTACT_STICK); which++) {
+        tinker_linear_begin_term(linear, linear->rows, 1);
+        for (int32_t k = 0; k < entries.count; k++)
+            tinker_linear_add_entry(linear, linear->rows, entries.coordinate[k], entries.row[which][k]);
+    }
+}
+
 static void add_contacts(TinkerLinearisation *linear, const TinkerModel *model)
 {
     if (!tinker_contacts_act(model->contacts)) return;
@@ -131,6 +142,10 @@ static void add_contacts(TinkerLinearisation *linear, const TinkerModel *model)
         const TinkerContact *contact = tinker_contacts_closed(model->contacts, i);
         const TinkerPlate *plate = &model->contacts->plates[contact->plate];
         const double *n = plate->normal;
+        if (plate->gap != NULL) {
+            add_gap_rows(linear, model->contacts, contact);
+            continue;
+        }
         add_contact_row(linear, contact->body, plate->point, n[0], n[1]);
         if (contact->mode == TINKER_CONTACT_STICK) add_contact_row(linear, contact->body, plate->point, n[1], -n[0]);
     }

@@ -54,6 +54,7 @@ typedef struct {
     double gyration; /* m */
     double speed;    /* m/s: along its coordinate, now */
     double rate;     /* rad/s: speed / gyration */
+    double angle;    /* rad, counting turns: now */
 } TinkerTurn;
 
 /* Linear laws between the same two points, merged:

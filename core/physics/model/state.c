@@ -105,6 +105,8 @@ void tinker_model_set_angles(TinkerModel *model, const double *q)
 {
     int32_t turned = -1; /* attachments to one body stand together */
     double angle = 0, c = 1, s = 0;
+    for (int32_t k = 0; k < model->turning; k++)
+        model->turns[k].angle = q[2 * model->bodies + k] / model->turns[k].gyration;
     for (int32_t point = model->first_attachment; point < model->first_support; point++) {
         TinkerAttachment *at = tinker_model_attachment(model, point);
         const TinkerPoint *centre = &model->point[at->body];

@@ -69,7 +69,7 @@ static void join_ends(const TinkerModel *model, const TinkerBlockBatch *batch, c
 
 static gboolean has_shape(const TinkerModel *model, int32_t body)
 {
-    return model->contacts != NULL && !isnan(model->contacts->half_height[body]);
+    return model->contacts != NULL && tinker_contacts_may_touch(model->contacts, body);
 }
 
 static int32_t plate_count(const TinkerModel *model)
@@ -102,6 +102,10 @@ static int32_t find_sets(const TinkerModel *model, int32_t *set_of)
         if (!is_field(batch) || !physics_of(batch)->field->couples_bodies) continue;
         for (int32_t body = 1; body < model->bodies; body++)
             tinker_sets_join(parent, 0, body);
+    }
+    for (int32_t i = 0; model->contacts != NULL && i < model->contacts->pair_count; i++) {
+        const int32_t *point = model->contacts->pairs[i].point;
+        if (point[1] < model->bodies) tinker_sets_join(parent, point[0], point[1]);
     }
     join_crowd(model, parent);
     int32_t sets = 0;

@@ -353,6 +353,20 @@ static gboolean refuse_ropes(const TinkerIsland *island, GError **error)
     return FALSE;
 }
 
+/* Once, of the first body that turns and would meet something. */
+static void warn_of_turning(const TinkerModel *model, GPtrArray *warnings)
+{
+    int32_t body = 0;
+    while (body < model->bodies && !(model->contacts->reach[body] > 0))
+        body++;
+    if (body == model->bodies || warnings == NULL) return;
+    g_ptr_array_add(
+        warnings, g_strdup_printf(_("%s passes through supports: with \"contacts\": \"impulse\" contact of bodies that "
+                                    "turn is not worked out (\"events\" works it out; with \"solid\": false it is "
+                                    "meant to pass)"),
+                                  tinker_scene_block_name(model->scene, model->body_blocks[body])));
+}
+
 gboolean tinker_decide(const TinkerIsland *island, const TinkerRunOptions *options, const TinkerSpectrum *spectrum,
                        TinkerDecision *decision, GPtrArray *warnings, GError **error)
 {
@@ -361,6 +375,7 @@ gboolean tinker_decide(const TinkerIsland *island, const TinkerRunOptions *optio
     gboolean automatic = !impulses && g_str_equal(options->method, "auto");
     const TinkerIntegrator *method = &tinker_integrator_impulse;
     if (!impulses) method = tinker_run_method(island->model->scene, options->method, error);
+    if (impulses) warn_of_turning(island->model, warnings);
     if (options->impulses && island->model->constraints.unilateral != NULL) return refuse_ropes(island, error);
     if (method == NULL || !tinker_run_options_check(options, method, tinker_options_duration(options), error))
         return FALSE;

@@ -39,6 +39,39 @@ static int32_t count_asked(const GArray *batches)
     return count;
 }
 
+/* The first body that turns and may touch something; -1: none. */
+static int32_t first_solid(const TinkerModel *model)
+{
+    for (int32_t i = 0; model->contacts != NULL && i < model->bodies; i++)
+        if (model->contacts->reach[i] > 0) return i;
+    return -1;
+}
+
+static gboolean any_meet(const TinkerContacts *contacts)
+{
+    for (int32_t i = 0; contacts != NULL && i < contacts->pair_count; i++)
+        if (contacts->pairs[i].point[1] < contacts->model->bodies) return TRUE;
+    return FALSE;
+}
+
+/* Contact of bodies among themselves. */
+static void describe_meeting(TinkerPlan *plan, const TinkerModel *model)
+{
+    int32_t solid = 0;
+    char text[128];
+    for (int32_t i = 0; model->contacts != NULL && i < model->bodies; i++)
+        solid += model->contacts->reach[i] > 0;
+    if (!any_meet(model->contacts)) {
+        if (model->bodies > 1) say(plan->left_out, _("contact between bodies: they pass through each other"));
+        return;
+    }
+    say(plan->modelled,
+        _("contact among %s, with a friction of 0.5 and without rebound: impacts and changes of friction are events"),
+        counted(text, g_dngettext(GETTEXT_PACKAGE, "%d body that turns", "%d bodies that turn", (gulong)solid), solid));
+    if (solid < model->bodies)
+        say(plan->left_out, _("contact of other bodies with each other and with these: they pass through each other"));
+}
+
 static void describe_bodies(TinkerPlan *plan, const TinkerModel *model)
 {
     char text[128];
@@ -57,11 +90,11 @@ static void describe_bodies(TinkerPlan *plan, const TinkerModel *model)
                         "%s as points with two coordinates each: %d degrees of freedom",
                         (gulong)sizes.degrees_of_freedom),
             bodies, sizes.degrees_of_freedom);
-    if (model->turning > 0)
-        say(plan->left_out, _("contact of bodies that turn: they meet no support, and pass through each other"));
-    else if (model->bodies > 0)
-        say(plan->left_out, _("rotation: every body that moves is a point"));
-    if (model->bodies > 1) say(plan->left_out, _("contact between bodies: they pass through each other"));
+    if (model->turning == 0 && model->bodies > 0) say(plan->left_out, _("rotation: every body that moves is a point"));
+    if (model->turning > 0 && first_solid(model) < 0)
+        say(plan->left_out,
+            _("contact of bodies that turn: none of them is solid, or nothing that they could meet is"));
+    describe_meeting(plan, model);
 }
 
 static void describe_lines(TinkerPlan *plan, const TinkerModel *model)
@@ -213,7 +246,7 @@ static int32_t count_shapes(const TinkerContacts *contacts)
 {
     int32_t count = 0;
     for (int32_t i = 0; i < contacts->model->bodies; i++)
-        count += !isnan(contacts->half_height[i]);
+        count += tinker_contacts_may_touch(contacts, i);
     return count;
 }
 
@@ -233,7 +266,9 @@ static void describe_contact(TinkerPlan *plan, TinkerModel *model, const TinkerR
         say(plan->left_out, _("contact and friction: nothing has a solid side that a body could meet"));
         return;
     }
-    int32_t shapes = count_shapes(contacts);
+    const int32_t shapes = count_shapes(contacts), turns = first_solid(model);
+    if (turns >= 0 && options->impulses)
+        say(plan->left_out, _("contact of bodies that turn: impulses are worked out for masses alone"));
     gboolean rough = is_rough(model);
     counted(bodies, g_dngettext(GETTEXT_PACKAGE, "%d body", "%d bodies", (gulong)shapes), shapes);
     counted(plates, g_dngettext(GETTEXT_PACKAGE, "%d solid side", "%d solid sides", (gulong)contacts->plate_count),

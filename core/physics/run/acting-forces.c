@@ -164,12 +164,39 @@ static void make_room(TinkerActingForces *forces)
     g_array_set_size(forces->out, now);
 }
 
+/* On what has the tip of a gap, and the opposite on the other. */
+static void add_gap(TinkerActingForces *forces, const TinkerContact *contact)
+{
+    const TinkerModel *model = forces->model;
+    const TinkerPlate *plate = &model->contacts->plates[contact->plate];
+    const int32_t tip = plate->gap->tip_of;
+    TinkerContactEntries entries;
+    TinkerBlockId block[2];
+    tinker_contact_gap_entries(model->contacts, contact->plate, &entries);
+    for (int k = 0; k < 2; k++)
+        block[k] = tinker_model_block_of(model, plate->pair->point[k]);
+    const double *n = entries.normal, x = entries.point[0] + model->origin[0], y = entries.point[1] + model->origin[1];
+    const double push[2][2] = {{contact->normal * n[0], contact->normal * n[1]},
+                               {contact->friction * n[1], -contact->friction * n[0]}};
+    for (int k = 0; k < 2; k++) {
+        const TinkerActingKind kind = k == 0 ? TINKER_ACTING_NORMAL : TINKER_ACTING_FRICTION;
+        const double fx = push[k][0], fy = push[k][1];
+        TinkerActingForce pair[2] = {{block[1 - tip], block[tip], kind, x, y, fx, fy},
+                                     {block[tip], block[1 - tip], kind, x, y, -fx, -fy}};
+        g_array_append_vals(forces->out, pair, 2);
+    }
+}
+
 static void add_contacts(TinkerActingForces *forces)
 {
     const TinkerContacts *contacts = forces->model->contacts;
     for (guint i = 0; contacts != NULL && i < contacts->closed->len; i++) {
         const TinkerContact *contact = tinker_contacts_closed(contacts, i);
         const double *n = contacts->plates[contact->plate].normal;
+        if (tinker_contacts_is_gap(contacts, contact)) {
+            add_gap(forces, contact);
+            continue;
+        }
         add_touch(forces, TINKER_ACTING_NORMAL, contact, contact->normal * n[0], contact->normal * n[1]);
         add_touch(forces, TINKER_ACTING_FRICTION, contact, contact->friction * n[1], -contact->friction * n[0]);
     }

@@ -256,7 +256,10 @@ static gboolean gather_contacts(TinkerIslandRuns *self, GError **error)
         const TinkerContacts *part = run->model->contacts;
         for (guint k = 0; part != NULL && k < part->closed->len; k++) {
             TinkerContact contact = *tinker_contacts_closed(part, k);
-            contact.body = run->island->body_of[contact.body];
+            const int32_t body = run->island->body_of[contact.body];
+            if (tinker_contacts_is_gap(part, &contact))
+                contact.plate += all->first_gap[body] - part->first_gap[contact.body];
+            contact.body = body;
             g_array_append_val(all->closed, contact);
         }
     }

@@ -12,6 +12,9 @@
 
 #include <math.h>
 
+/* Sines of angles up to this are 0 but for what methods make of it. */
+#define NOT_INTO 1e-6
+
 static double dot(const double a[2], const double b[2])
 {
     return a[0] * b[0] + a[1] * b[1];
@@ -78,6 +81,17 @@ static void seat_edge(TinkerGapFunction *function, const TinkerOutline *outline,
     function->half_width = 0.5 * hypot(b[0] - a[0], b[1] - a[1]);
 }
 
+static void take_sides(TinkerGapFunction *function, const TinkerOutline *outline, int32_t number)
+{
+    const double *at = outline->corners + 2 * number;
+    for (int k = 0; k < 2; k++) {
+        const int32_t next = (number + (k == 0 ? 1 : outline->count - 1)) % outline->count;
+        const double x = outline->corners[2 * next] - at[0], y = outline->corners[2 * next + 1] - at[1];
+        function->sides[k][0] = x / hypot(x, y);
+        function->sides[k][1] = y / hypot(x, y);
+    }
+}
+
 /* Corners and centres of `tips` over edges of `seats`. */
 static void add_edges(List *list, const TinkerOutline *tips, const TinkerOutline *seats, int32_t tip_of)
 {
@@ -86,6 +100,7 @@ static void add_edges(List *list, const TinkerOutline *tips, const TinkerOutline
     for (int32_t i = 0; i < (disc ? 1 : tips->count); i++) {
         TinkerGapFunction function = {.tip_of = tip_of, .rolls = disc, .tip_radius = disc ? tips->radius : 0};
         if (!disc) set(function.tip, tips->corners + 2 * i);
+        if (tips->kind == TINKER_OUTLINE_POLYGON) take_sides(&function, tips, i);
         if (tips->kind == TINKER_OUTLINE_TOP) edge_normal(tips, 0, function.above);
         for (int32_t k = 0; k < edges_of(seats); k++) {
             seat_edge(&function, seats, k);
@@ -161,7 +176,7 @@ typedef struct {
     double place[2], arm[2], turned[2], velocity[2], bend[2];
 } Point;
 
-static Point point_at(const TinkerPose *pose, const double local[2])
+static Point point_at(const TinkerBodyPose *pose, const double local[2])
 {
     Point point = {0};
     turn(pose->angle, local, point.arm);
@@ -184,13 +199,13 @@ static void fill_row(double row[6], const double direction[2], double by_tip, do
     row[5] = -by_seat;
 }
 
-static double rate_of(const double row[6], const TinkerPose *tip, const TinkerPose *seat)
+static double rate_of(const double row[6], const TinkerBodyPose *tip, const TinkerBodyPose *seat)
 {
     return row[0] * tip->vx + row[1] * tip->vy + row[2] * tip->rate + row[3] * seat->vx + row[4] * seat->vy +
            row[5] * seat->rate;
 }
 
-static void measure_edge(const TinkerGapFunction *function, const TinkerPose *tip, const TinkerPose *seat,
+static void measure_edge(const TinkerGapFunction *function, const TinkerBodyPose *tip, const TinkerBodyPose *seat,
                          TinkerGap *gap)
 {
     const Point p = point_at(tip, function->tip), c = point_at(seat, function->seat);
@@ -213,7 +228,7 @@ static void measure_edge(const TinkerGapFunction *function, const TinkerPose *ti
     gap->drift[1] = dot(t, bend) + w * dot(n, moves) + w * gap->normal_speed;
 }
 
-static void measure_round(const TinkerGapFunction *function, const TinkerPose *tip, const TinkerPose *seat,
+static void measure_round(const TinkerGapFunction *function, const TinkerBodyPose *tip, const TinkerBodyPose *seat,
                           TinkerGap *gap)
 {
     const Point p = point_at(tip, function->tip), c = point_at(seat, function->seat);
@@ -241,10 +256,10 @@ static void measure_round(const TinkerGapFunction *function, const TinkerPose *t
     gap->drift[1] = dot(t, bend) - slides * dot(n, moves) / far;
 }
 
-void tinker_gap_measure(const TinkerGapFunction *function, const TinkerPose *first, const TinkerPose *second,
+void tinker_gap_measure(const TinkerGapFunction *function, const TinkerBodyPose *first, const TinkerBodyPose *second,
                         TinkerGap *gap)
 {
-    const TinkerPose *tip = function->tip_of == 0 ? first : second, *seat = function->tip_of == 0 ? second : first;
+    const TinkerBodyPose *tip = function->tip_of == 0 ? first : second, *seat = function->tip_of == 0 ? second : first;
     if (function->round)
         measure_round(function, tip, seat, gap);
     else
@@ -254,14 +269,19 @@ void tinker_gap_measure(const TinkerGapFunction *function, const TinkerPose *fir
         gap->point[k] = p.place[k] - function->tip_radius * gap->normal[k];
 }
 
-gboolean tinker_gap_is_over(const TinkerGapFunction *function, const TinkerPose *first, const TinkerPose *second,
-                            const TinkerGap *gap, double tolerance)
+gboolean tinker_gap_is_over(const TinkerGapFunction *function, const TinkerBodyPose *first,
+                            const TinkerBodyPose *second, const TinkerGap *gap, double tolerance)
 {
-    const TinkerPose *tip = function->tip_of == 0 ? first : second;
+    const TinkerBodyPose *tip = function->tip_of == 0 ? first : second;
     (void)second;
     double above[2];
     const double beyond = fabs(gap->along) - function->half_width;
     if (beyond > tolerance || (beyond > -tolerance && gap->along * gap->along_speed > 0)) return FALSE;
+    for (int k = 0; k < 2; k++) {
+        double side[2];
+        turn(tip->angle, function->sides[k], side);
+        if (dot(side, gap->normal) < -NOT_INTO) return FALSE;
+    }
     if (function->above[0] == 0 && function->above[1] == 0) return TRUE;
     turn(tip->angle, function->above, above);
     return dot(gap->normal, above) < 0;

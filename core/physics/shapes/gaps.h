@@ -45,7 +45,7 @@ typedef struct {
 typedef struct {
     double x, y, angle;
     double vx, vy, rate;
-} TinkerPose;
+} TinkerBodyPose;
 
 /* Of shapes 0 and 1; places and directions in the axes of the frames that they are fixed to. */
 typedef struct {
@@ -56,6 +56,7 @@ typedef struct {
     double seat[2], seat_radius; /* the middle of an edge; the centre of a round */
     double normal[2];            /* of an edge; of a round the middle of the directions in which it is the nearest */
     double half_width;           /* m; INFINITY: all around */
+    double sides[2][2];          /* of a corner: the directions of its edges; (0, 0): none */
     double above[2];             /* the end of a top meets what comes from there alone; (0, 0): no end of a top */
 } TinkerGapFunction;
 
@@ -72,18 +73,19 @@ typedef struct {
 int32_t tinker_gap_functions(const TinkerOutline *first, const TinkerOutline *second, TinkerGapFunction *list,
                              int32_t room);
 
-void tinker_gap_measure(const TinkerGapFunction *function, const TinkerPose *first, const TinkerPose *second,
+void tinker_gap_measure(const TinkerGapFunction *function, const TinkerBodyPose *first, const TinkerBodyPose *second,
                         TinkerGap *gap);
 
-/* Whether the tip is over the seat, so that the gap is one between the shapes. Within `tolerance` (m) of an end one
- * that moves on over it is not. */
-gboolean tinker_gap_is_over(const TinkerGapFunction *function, const TinkerPose *first, const TinkerPose *second,
-                            const TinkerGap *gap, double tolerance);
+/* Whether the tip is over the seat, and none of its own edges leads on into it, so that the gap is one between the
+ * shapes: of two boxes on one floor whose lower corners meet, none is above or below the other. Within `tolerance` (m)
+ * of an end one that moves on over it is not. */
+gboolean tinker_gap_is_over(const TinkerGapFunction *function, const TinkerBodyPose *first,
+                            const TinkerBodyPose *second, const TinkerGap *gap, double tolerance);
 
 /* How far (m) two shapes overlap: the least way along one of their normals that parts them; negative: they are that far
  * apart, along such a normal. A top has no inside: of it, how far anything of the other is below the top and over it.
  */
-double tinker_outlines_overlap(const TinkerOutline *first, const TinkerPose *at_first, const TinkerOutline *second,
-                               const TinkerPose *at_second);
+double tinker_outlines_overlap(const TinkerOutline *first, const TinkerBodyPose *at_first, const TinkerOutline *second,
+                               const TinkerBodyPose *at_second);
 
 #endif

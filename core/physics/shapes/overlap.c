@@ -4,7 +4,7 @@
 
 #include "physics/shapes/gaps.h"
 
-static void place_of(const TinkerPose *pose, const double local[2], double out[2])
+static void place_of(const TinkerBodyPose *pose, const double local[2], double out[2])
 {
     const double c = cos(pose->angle), s = sin(pose->angle);
     out[0] = pose->x + c * local[0] - s * local[1];
@@ -12,7 +12,7 @@ static void place_of(const TinkerPose *pose, const double local[2], double out[2
 }
 
 /* The shadow of a shape along a direction of length 1. */
-static void shadow_of(const TinkerOutline *outline, const TinkerPose *pose, const double axis[2], double shadow[2])
+static void shadow_of(const TinkerOutline *outline, const TinkerBodyPose *pose, const double axis[2], double shadow[2])
 {
     if (outline->kind == TINKER_OUTLINE_DISC) {
         const double middle = axis[0] * pose->x + axis[1] * pose->y;
@@ -33,7 +33,7 @@ static void shadow_of(const TinkerOutline *outline, const TinkerPose *pose, cons
 
 typedef struct {
     const TinkerOutline *outline[2];
-    const TinkerPose *pose[2];
+    const TinkerBodyPose *pose[2];
     double least;
 } Pair;
 
@@ -50,7 +50,7 @@ static void try_axis(Pair *pair, double x, double y)
 static void try_axes_of(Pair *pair, int which)
 {
     const TinkerOutline *outline = pair->outline[which], *other = pair->outline[1 - which];
-    const TinkerPose *pose = pair->pose[which], *at_other = pair->pose[1 - which];
+    const TinkerBodyPose *pose = pair->pose[which], *at_other = pair->pose[1 - which];
     if (outline->kind == TINKER_OUTLINE_DISC) {
         if (other->kind == TINKER_OUTLINE_DISC) try_axis(pair, at_other->x - pose->x, at_other->y - pose->y);
         return;
@@ -96,8 +96,8 @@ static void take_disc(Over *over, const double at[2], double radius)
     take(over, at[1] + half);
 }
 
-static double overlap_of_top(const TinkerOutline *top, const TinkerPose *at_top, const TinkerOutline *other,
-                             const TinkerPose *at_other)
+static double overlap_of_top(const TinkerOutline *top, const TinkerBodyPose *at_top, const TinkerOutline *other,
+                             const TinkerBodyPose *at_other)
 {
     Over over = {{top->corners[0], top->corners[2]}, {INFINITY, -INFINITY}, INFINITY};
     const double c = cos(at_top->angle), s = sin(at_top->angle), raised = top->corners[1];
@@ -118,8 +118,8 @@ static double overlap_of_top(const TinkerOutline *top, const TinkerPose *at_top,
     return over.height[1] < over.height[0] ? -over.beside : fmin(-over.height[0], over.height[1]);
 }
 
-double tinker_outlines_overlap(const TinkerOutline *first, const TinkerPose *at_first, const TinkerOutline *second,
-                               const TinkerPose *at_second)
+double tinker_outlines_overlap(const TinkerOutline *first, const TinkerBodyPose *at_first, const TinkerOutline *second,
+                               const TinkerBodyPose *at_second)
 {
     if (first->kind == TINKER_OUTLINE_TOP) return overlap_of_top(first, at_first, second, at_second);
     if (second->kind == TINKER_OUTLINE_TOP) return overlap_of_top(second, at_second, first, at_first);

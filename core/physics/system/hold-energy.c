@@ -23,7 +23,7 @@ gboolean tinker_model_keeps_energy(const TinkerModel *model)
 {
     for (int book = 0; book < TINKER_BOOK_COUNT; book++)
         if (model->has_book[book]) return FALSE;
-    gboolean touches = model->contacts != NULL && model->contacts->plate_count > 0;
+    gboolean touches = model->contacts != NULL && model->contacts->plate_count + model->contacts->gap_count > 0;
     return !touches && model->constraints.unilateral == NULL && model->waveform_batches->len == 0;
 }
 

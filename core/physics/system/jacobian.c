@@ -313,6 +313,10 @@ static void add_contact_masses(const TinkerJacobian *self, double *values)
     for (guint i = 0; i < contacts->closed->len; i++) {
         const TinkerContact *contact = tinker_contacts_closed(contacts, i);
         const double *n = contacts->plates[contact->plate].normal;
+        if (tinker_contacts_is_gap(contacts, contact)) {
+            tinker_jacobian_add_gap_mass(self, contact, values);
+            continue;
+        }
         double stuck = contact->mode == TINKER_CONTACT_STICK ? 1.0 : 0.0;
         double block[4] = {n[0] * n[0] + stuck * n[1] * n[1], (1 - stuck) * n[0] * n[1], (1 - stuck) * n[0] * n[1],
                            n[1] * n[1] + stuck * n[0] * n[0]};

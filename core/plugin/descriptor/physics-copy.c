@@ -90,9 +90,9 @@ static gboolean check_body(const TinkerBody *body, const TinkerBlockClass *block
     const int32_t freedoms = body->degrees_of_freedom;
     if (freedoms != 0 && freedoms != 2 && freedoms != 3)
         return tinker_refuse(error, "its body has %d degrees of freedom, 0, 2 or 3 was expected", freedoms);
-    if (body->shape < TINKER_SHAPE_NONE || body->shape > TINKER_SHAPE_PLATE)
+    if (body->shape < TINKER_SHAPE_NONE || body->shape > TINKER_SHAPE_DISC)
         return tinker_refuse(error, "its body has the shape %d, %d to %d was expected", body->shape, TINKER_SHAPE_NONE,
-                             TINKER_SHAPE_PLATE);
+                             TINKER_SHAPE_DISC);
     if (body->as_shaped == NULL && needs_as_shaped(block_class)) return lacks("body", "as_shaped", error);
     return needs_meaning(block_class, TINKER_MEANING_POSITION, "its position", error) &&
            (freedoms < 2 || needs_meaning(block_class, TINKER_MEANING_MASS, "its mass", error)) &&

@@ -31,6 +31,7 @@ static const Meaning meanings[TINKER_MEANING_COUNT] = {
     [TINKER_MEANING_DYNAMIC_FRICTION] = {"the dynamic friction", TINKER_KIND_REAL, {0, 0, 0, 0}},
     [TINKER_MEANING_RESTITUTION] = {"the restitution", TINKER_KIND_REAL, {0, 0, 0, 0}},
     [TINKER_MEANING_LENGTH] = {"the length", TINKER_KIND_REAL, {0, 1, 0, 0}},
+    [TINKER_MEANING_RADIUS] = {"the radius", TINKER_KIND_REAL, {0, 1, 0, 0}},
 };
 
 static const char *const kind_names[] = {"real", "integer", "switch", "choice", "text", "vector", "waveform"};

@@ -18,7 +18,8 @@ static int32_t shape_of(const TinkerFrame *frame, TinkerBlockId block)
 {
     const TinkerBlockClass *block_class = tinker_scene_block_class(tinker_frame_scene(frame), block);
     const TinkerPhysics *physics = block_class == NULL ? NULL : block_class->physics;
-    return physics == NULL || physics->body == NULL ? TINKER_SHAPE_NONE : physics->body->shape;
+    if (physics == NULL || physics->body == NULL || physics->body->degrees_of_freedom == 3) return TINKER_SHAPE_NONE;
+    return physics->body->shape;
 }
 
 /* All blocks of a shape; of plates those alone that are solid and have a top. */

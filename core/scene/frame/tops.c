@@ -26,7 +26,7 @@ gboolean tinker_class_has_top(const TinkerBlockClass *block_class)
 gboolean tinker_class_can_lie(const TinkerBlockClass *block_class)
 {
     const TinkerBody *body = body_of(block_class);
-    return body != NULL && body->shape == TINKER_SHAPE_BOX && body->degrees_of_freedom > 0 &&
+    return body != NULL && body->shape == TINKER_SHAPE_BOX && body->degrees_of_freedom == 2 &&
            block_class->meanings[TINKER_MEANING_POSITION] >= 0;
 }
 

@@ -44,7 +44,8 @@ extern "C" {
 #define TINKER_MEANING_DYNAMIC_FRICTION 12
 #define TINKER_MEANING_RESTITUTION      13
 #define TINKER_MEANING_LENGTH           14 /* m: the length that a connector keeps or tends to */
-#define TINKER_MEANING_COUNT            15
+#define TINKER_MEANING_RADIUS           15 /* m: of a disc about the block's centre */
+#define TINKER_MEANING_COUNT            16
 
 /* Flags of a property. */
 #define TINKER_HAS_MINIMUM    (1u << 0) /* hard_minimum counts */

@@ -8,7 +8,7 @@
  *          .default_value = {0.4}, .variability = TINKER_STRUCTURAL},
  *     };
  *     static const TinkerQuantityType quantities[] = {TINKER_BODY_QUANTITIES};
- *     static const TinkerBody body = {sizeof(TinkerBody), 3, TINKER_SHAPE_NONE, 0, as_shaped};
+ *     static const TinkerBody body = {sizeof(TinkerBody), 3, TINKER_SHAPE_DISC, 0, as_shaped};
  *     static const TinkerGraph graph = {sizeof(TinkerGraph), 0, tinker_body_values};
  */
 #ifndef TINKER_BODY_H
@@ -90,9 +90,7 @@ enum {
     {                                                                                                                  \
         TINKER_SWITCH_PROPERTY("solid", "Solid", "Properties"),                                                        \
             .default_value = {solid_}, .meaning = TINKER_MEANING_SOLID, .variability = TINKER_STRUCTURAL,              \
-            .description =                                                                                             \
-                "Whether it is to meet supports and other solid bodies (contact of bodies that turn is not "           \
-                "worked out yet)"                                                                                      \
+            .description = "Whether it meets the solid sides of supports"                                              \
     }
 
 /* The quantities that tinker_body_values works out, in its order. */

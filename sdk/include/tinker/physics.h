@@ -29,9 +29,13 @@ extern "C" {
 
 /* Body ----------------------------------------------------------------------------------------------------------- */
 
-#define TINKER_SHAPE_NONE  0 /* touches nothing */
-#define TINKER_SHAPE_BOX   1 /* meets a surface when its centre is height / 2 from it, however it is turned */
+#define TINKER_SHAPE_NONE 0 /* touches nothing */
+#define TINKER_SHAPE_BOX                                                                                               \
+    1                        /* of a point mass: meets a surface when its centre is height / 2 from it, however it is  \
+                                turned; of a rigid body: a box of `width` along its own x axis and `height`, whose     \
+                                corners meet surfaces */
 #define TINKER_SHAPE_PLATE 2 /* a segment of `width` with one solid side, +height / 2 along its own y axis */
+#define TINKER_SHAPE_DISC  3 /* of a rigid body: a disc of `radius` (TINKER_MEANING_RADIUS), which rolls */
 
 /* Something that connectors attach to. Its place, velocity, mass and size are the properties that carry the meanings
  * TINKER_MEANING_POSITION, _VELOCITY, _MASS, _INERTIA, _ORIENTATION, _ANGULAR_VELOCITY, _WIDTH, _HEIGHT and so on. A
@@ -40,7 +44,7 @@ extern "C" {
 typedef struct TinkerBody {
     uint32_t struct_size;
     int32_t degrees_of_freedom; /* 0: moves as a known function of time; 2: point mass; 3: rigid body, which turns */
-    int32_t shape;              /* TINKER_SHAPE_...; of a rigid body NONE: its contacts are not worked out yet */
+    int32_t shape;              /* TINKER_SHAPE_... */
     int32_t reserved;
     /* Required where a property has TINKER_DEFAULT_AS_SHAPED: its value for every instance, from the other properties
      * (an inertia from mass and size). `property` is its number in the order of the declaration; of a vector x and y

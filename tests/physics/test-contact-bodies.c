@@ -1,0 +1,218 @@
+/* Solid bodies that turn meet each other: against closed forms, and against the momentum of all of them. */
+#include "contact-checks.h"
+
+#include <math.h>
+
+static const double g = CONTACT_GRAVITY;
+
+#define FLOOR CONTACT_WEIGHT CONTACT_FLOOR ", 'width': 40, 'static_friction': 0.8, 'dynamic_friction': 0.8}"
+
+/* Two discs run into each other and go on together, without rebound. */
+static void test_discs(void)
+{
+    for (gsize i = 0; i < CONTACT_METHODS; i++) {
+        PhysicsOptions options =
+            contact_options(&contact_methods[i], 2, "Disc 0.x, Disc 1.x, Disc 0.vx, Disc 1.vx, Disc 0.angle");
+        g_autoptr(PhysicsRun) run =
+            physics_run(&options, "{'type': 'disc', 'radius': 0.3, 'velocity': [2, 0]},"
+                                  "{'type': 'disc', 'radius': 0.2, 'mass': 3, 'position': [1.5, 0]}");
+        contact_assert_event(run, "rest", "Disc 0, Disc 1", 0.5, 1e-9);
+        physics_assert_near("vx", physics_last(run, 2), 0.5, 1e-10);
+        physics_assert_near("the other's", physics_last(run, 3), 0.5, 1e-10);
+        physics_assert_near("x", physics_last(run, 0), 1.75, 1e-9);
+        physics_assert_near("apart", physics_last(run, 1) - physics_last(run, 0), 0.5, 1e-12);
+        physics_assert_near("angle", physics_last(run, 4), 0, 1e-12);
+    }
+}
+
+/* A disc strikes the upper side of a box, 0.1 m beside its middle: the impulses that leave the point of contact without
+ * any speed, along the normal and along the side, by the two equations of it. */
+static void test_disc_strikes_box(void)
+{
+    const double r = 0.2, c = 0.1, h = 0.3, inertia = (0.8 * 0.8 + 0.6 * 0.6) / 12, disc = 0.5 * r * r;
+    const double nn = 2 + c * c / inertia, nt = -c * h / inertia, tt = 2 + h * h / inertia + r * r / disc, v = 1.5;
+    const double det = nn * tt - nt * nt, normal = v * tt / det, along = -v * nt / det;
+    g_assert_cmpfloat(fabs(along), <, 0.5 * normal);
+    g_autoptr(PhysicsRun) run =
+        physics_run(&(PhysicsOptions){.duration = 0.7,
+                                      .columns = "Box 0.vx, Box 0.vy, Box 0.angular velocity, Disc 0.vx, Disc 0.vy,"
+                                                 "Disc 0.angular velocity"},
+                    "{'type': 'box', 'width': 0.8, 'height': 0.6},"
+                    "{'type': 'disc', 'radius': 0.2, 'position': [0.1, 1.4], 'velocity': [0, -1.5]}");
+    contact_assert_event(run, "rest", "Box 0, Disc 0", 0.6, 1e-12);
+    g_autoptr(PhysicsRun) just =
+        physics_run(&(PhysicsOptions){.duration = 0.6 + 1e-9,
+                                      .columns = "Box 0.vx, Box 0.vy, Box 0.angular velocity, Disc 0.vx, Disc 0.vy,"
+                                                 "Disc 0.angular velocity"},
+                    "{'type': 'box', 'width': 0.8, 'height': 0.6},"
+                    "{'type': 'disc', 'radius': 0.2, 'position': [0.1, 1.4], 'velocity': [0, -1.5]}");
+    physics_assert_near("vx", physics_last(just, 0), -along, 1e-7);
+    physics_assert_near("vy", physics_last(just, 1), -normal, 1e-7);
+    physics_assert_near("rate", physics_last(just, 2), (-c * normal + h * along) / inertia, 1e-7);
+    physics_assert_near("disc vx", physics_last(just, 3), along, 1e-7);
+    physics_assert_near("disc vy", physics_last(just, 4), normal - v, 1e-7);
+    physics_assert_near("disc rate", physics_last(just, 5), r * along / disc, 1e-7);
+}
+
+/* Ten boxes upon one another stand still, and press with the weight of what is above. */
+static void test_stack(void)
+{
+    g_autoptr(GString) blocks = g_string_new(FLOOR);
+    for (int i = 0; i < 10; i++)
+        g_string_append_printf(blocks, ", {'type': 'box', 'width': 0.8, 'height': 0.4, 'position': [0, %.17g]}",
+                               0.2 + 0.4 * i);
+    g_autoptr(PhysicsRun) run =
+        physics_run(&(PhysicsOptions){.duration = 10,
+                                      .columns = "Box 0.y, Box 9.y, Box 9.x, Box 9.angle, Support 0.normal force,"
+                                                 "Box 9.normal force, Box 4.normal force"},
+                    "%s", blocks->str);
+    physics_assert_near("lowest", physics_last(run, 0), 0.2, 1e-13);
+    physics_assert_near("highest", physics_last(run, 1), 3.8, 1e-12);
+    physics_assert_near("x", physics_last(run, 2), 0, 1e-12);
+    physics_assert_near("angle", physics_last(run, 3), 0, 1e-12);
+    physics_assert_near("floor", physics_last(run, 4), 10 * g, 1e-9);
+    physics_assert_near("top", physics_last(run, 5), g, 1e-9);
+    physics_assert_near("middle", physics_last(run, 6), 6 * g + 5 * g, 1e-9);
+    g_assert_cmpuint(run->summary->events->len, ==, 0);
+}
+
+/* On a box that the floor holds another slides until v / (mu g); and a disc until v / (3 mu g), which rolls then. */
+static void test_slides_on_a_box(void)
+{
+    g_autoptr(PhysicsRun) run =
+        physics_run(&(PhysicsOptions){.duration = 0.6, .columns = "Box 0.x, Box 1.x, Box 1.vx, Disc 0.vx"},
+                    FLOOR ", {'type': 'box', 'width': 8, 'height': 0.5, 'position': [0, 0.25], 'mass': 20},"
+                          "{'type': 'box', 'width': 0.5, 'height': 0.2, 'position': [-2, 0.6], 'velocity': [2, 0]},"
+                          "{'type': 'disc', 'radius': 0.25, 'position': [1, 0.75], 'velocity': [3, 0]}");
+    contact_assert_event(run, "stick", "Box 0, Box 1", 2 / (0.5 * g), 1e-9);
+    contact_assert_event(run, "stick", "Box 0, Disc 0", 1 / (0.5 * g), 1e-9);
+    physics_assert_near("held", physics_last(run, 0), 0, 1e-12);
+    physics_assert_near("x", physics_last(run, 1), -2 + 4 / g, 1e-9);
+    physics_assert_near("vx", physics_last(run, 2), 0, 1e-12);
+    physics_assert_near("rolls", physics_last(run, 3), 2, 1e-9);
+}
+
+/* Two boxes that lie on one floor, side by side: the lower corners meet at the floor, and neither is under the other.
+ */
+static void test_side_by_side(void)
+{
+    g_autoptr(PhysicsRun) run =
+        physics_run(&(PhysicsOptions){.duration = 1, .columns = "Box 0.vx, Box 1.vx, Box 0.y, Box 0.angle"},
+                    CONTACT_WEIGHT CONTACT_FLOOR
+                    ", 'width': 40, " CONTACT_SMOOTH "},"
+                    "{'type': 'box', 'width': 1, 'height': 0.4, 'position': [0, 0.2], 'velocity': [2, 0]},"
+                    "{'type': 'box', 'width': 1, 'height': 0.4, 'position': [2, 0.2]}");
+    contact_assert_event(run, "rest", "Box 0, Box 1", 0.5, 1e-9);
+    contact_assert_count(run, "jam", 0);
+    physics_assert_near("vx", physics_last(run, 0), 1, 1e-9);
+    physics_assert_near("the other's", physics_last(run, 1), 1, 1e-9);
+    physics_assert_near("y", physics_last(run, 2), 0.2, 1e-9);
+}
+
+/* What a joint ties together does not meet; what overlaps at the start passes until it has parted. */
+static void test_passes(void)
+{
+    g_autoptr(PhysicsRun) joined =
+        physics_run(&(PhysicsOptions){.duration = 1, .columns = "Box 1.angle"},
+                    "{'type': 'box'}, {'type': 'box', 'position': [0.4, 0], 'angular_velocity': 1},"
+                    "{'type': 'pin', 'ends': [{'block': 'Box 0', 'at': [0.4, 0]}, 'Box 1']}");
+    physics_assert_near("turns", physics_last(joined, 0), 1, 1e-12);
+    g_autoptr(PhysicsRun) over =
+        physics_run(&(PhysicsOptions){.duration = 1, .columns = "Box 1.x"},
+                    "{'type': 'box'}, {'type': 'box', 'position': [0.4, 0], 'velocity': [1, 0]}");
+    physics_assert_near("x", physics_last(over, 0), 1.4, 1e-12);
+    g_assert_cmpuint(over->summary->events->len, ==, 0);
+}
+
+typedef struct {
+    double momentum[2], angular, energy;
+} Total;
+
+/* Of so many boxes and discs, by turns, of mass 1. */
+static Total total_of(const PhysicsRun *run, gsize sample, int count, const double *inertia)
+{
+    Total total = {{0, 0}, 0, 0};
+    for (int i = 0; i < count; i++) {
+        double at[5];
+        for (gsize k = 0; k < 5; k++)
+            at[k] = physics_value(run, sample, 5 * (gsize)i + k);
+        total.momentum[0] += at[2];
+        total.momentum[1] += at[3];
+        total.angular += at[0] * at[3] - at[1] * at[2] + inertia[i % 2] * at[4];
+        total.energy += 0.5 * (at[2] * at[2] + at[3] * at[3] + inertia[i % 2] * at[4] * at[4]);
+    }
+    return total;
+}
+
+/* Boxes and discs that fly together from all sides: momentum and angular momentum stay, and energy never grows. */
+static void test_momentum(void)
+{
+    enum { COUNT = 6 };
+    const double inertia[] = {(0.36 + 0.16) / 12, 0.5 * 0.0625};
+    for (guint32 seed = 0; seed < 10; seed++) {
+        g_autoptr(GRand) random = g_rand_new_with_seed(seed);
+        g_autoptr(GString) blocks = g_string_new("{'type': 'support', 'solid': false}"), columns = g_string_new(NULL);
+        for (int i = 0; i < COUNT; i++) {
+            const double a = 2 * G_PI * i / COUNT, v = g_rand_double_range(random, 0.5, 1.5);
+            g_string_append_printf(blocks,
+                                   ", {'type': '%s', %s, 'position': [%.17g, %.17g], 'velocity': [%.17g, %.17g],"
+                                   " 'orientation': %.17g, 'angular_velocity': %.17g}",
+                                   i % 2 == 0 ? "box" : "disc",
+                                   i % 2 == 0 ? "'width': 0.6, 'height': 0.4" : "'radius': 0.25", 1.5 * cos(a),
+                                   1.5 * sin(a), -v * cos(a) + g_rand_double_range(random, -0.1, 0.1),
+                                   -v * sin(a) + g_rand_double_range(random, -0.1, 0.1), g_rand_double(random),
+                                   g_rand_double_range(random, -3, 3));
+            const char *name = i % 2 == 0 ? "Box" : "Disc";
+            for (int k = 0; k < 5; k++)
+                g_string_append_printf(columns, "%s%s %d.%s", columns->len > 0 ? ", " : "", name, i / 2,
+                                       ((const char *const[]){"x", "y", "vx", "vy", "angular velocity"})[k]);
+        }
+        g_autoptr(PhysicsRun) run =
+            physics_run(&(PhysicsOptions){.duration = 3, .interval = 0.05, .columns = columns->str}, "%s", blocks->str);
+        g_assert_cmpuint(run->summary->events->len, >, 0);
+        const Total first = total_of(run, 0, COUNT, inertia);
+        double before = first.energy;
+        for (gsize i = 0; i < physics_samples(run); i++) {
+            const Total now = total_of(run, i, COUNT, inertia);
+            physics_assert_near("momentum along x", now.momentum[0], first.momentum[0], 1e-10);
+            physics_assert_near("momentum along y", now.momentum[1], first.momentum[1], 1e-10);
+            physics_assert_near("angular momentum", now.angular, first.angular, 1e-9);
+            g_assert_cmpfloat(now.energy, <=, before + 1e-10);
+            before = now.energy;
+        }
+        physics_assert_near("the error of the books", run->summary->energy_balance_error, 0, 1e-8);
+    }
+}
+
+/* Wheels that mesh touch where their rims meet, and do not meet there: the small one turns by M t^2 / 2 over the
+ * inertia of both, 0.125 + 0.25 * 2. */
+static void test_gears_do_not_meet(void)
+{
+    g_autoptr(PhysicsRun) run =
+        physics_run(&(PhysicsOptions){.duration = 1, .tolerance = 1e-10, .columns = "Disc 0.angle"},
+                    "{'type': 'support', 'position': [0, 4], 'solid': false},"
+                    "{'type': 'disc', 'radius': 0.5, 'position': [0, 4]},"
+                    "{'type': 'disc', 'radius': 1, 'mass': 4, 'position': [1.5, 4]}, {'type': 'pin', 'ends': ['Support "
+                    "0', 'Disc 0']},"
+                    "{'type': 'pin', 'ends': [{'block': 'Support 0', 'at': [1.5, 0]}, 'Disc 1']},"
+                    "{'type': 'gear', 'ends': ['Disc 0', 'Disc 1'], 'ratio': 0.5},"
+                    "{'type': 'torque', 'ends': ['Disc 0'], 'waveform': 'cosine', 'amplitude': 2}");
+    physics_assert_near("angle", physics_last(run, 0), 2 * 0.5 / (0.125 + 0.25 * 2), 1e-8);
+}
+
+static void add_tests(void)
+{
+    g_test_add_func("/physics/contact-bodies/discs", test_discs);
+    g_test_add_func("/physics/contact-bodies/gears-do-not-meet", test_gears_do_not_meet);
+    g_test_add_func("/physics/contact-bodies/disc-strikes-box", test_disc_strikes_box);
+    g_test_add_func("/physics/contact-bodies/stack", test_stack);
+    g_test_add_func("/physics/contact-bodies/slides-on-a-box", test_slides_on_a_box);
+    g_test_add_func("/physics/contact-bodies/side-by-side", test_side_by_side);
+    g_test_add_func("/physics/contact-bodies/passes", test_passes);
+    g_test_add_func("/physics/contact-bodies/momentum", test_momentum);
+}
+
+int main(int argc, char **argv)
+{
+    return physics_main(argc, argv, add_tests);
+}
