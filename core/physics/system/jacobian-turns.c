@@ -66,9 +66,10 @@ void tinker_jacobian_add_row_mass(const TinkerJacobian *self, int32_t row, doubl
 
 void tinker_jacobian_add_gap_mass(const TinkerJacobian *self, const TinkerContact *contact, double *values)
 {
+    const int rows = contact->mode == TINKER_CONTACT_STICK ? 2 : 1; /* along the normal; along the tangent */
     TinkerContactEntries entries;
     tinker_contact_gap_entries(self->model->contacts, contact->plate, &entries);
-    for (int which = 0; which <= (contact->mode == TINKER_CONTACT_STICK); which++)
+    for (int which = 0; which < rows; which++)
         for (int32_t r = 0; r < entries.count; r++)
             for (int32_t c = 0; c < entries.count; c++)
                 values[tinker_jacobian_find_entry(self, entries.coordinate[r], entries.coordinate[c])] +=
