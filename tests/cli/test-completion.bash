@@ -29,7 +29,7 @@ completes '--duration=' tinker run --dur
 completes '--no-estimate' tinker run --no
 completes 'show' tinker plugins sh
 completes 'list show check describe refused new new-bundle' tinker plugins ''
-completes 'support-motion support' tinker plugins show sup
+completes 'support-motion support-turn support' tinker plugins show sup
 completes 'rk4' tinker run a.json --method = rk
 completes 'verlet verlet6' tinker run --method=verl
 completes 'auto' tinker run --method au

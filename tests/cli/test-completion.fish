@@ -24,7 +24,7 @@ completes trade 'tinker help tr'
 completes --duration= 'tinker run --dur'
 completes --no-estimate 'tinker run --no'
 completes show 'tinker plugins sh'
-completes 'support support-motion' 'tinker plugins show supp'
+completes 'support support-motion support-turn' 'tinker plugins show supp'
 completes '--method=verlet --method=verlet6' 'tinker run --method=verl'
 if type -q tinker-gui
     completes --screenshot= 'tinker-gui --screens'

@@ -256,7 +256,8 @@ SPOIL(spoil_shape, m->physics.body = &m->body; m->body.shape = 5)
 
 static const Fault faults[] = {
     {"category", spoil_category,
-     "its category is \"conector\", one of connectable, connector, force, motion, field, rope, measure was expected"},
+     "its category is \"conector\", one of connectable, connector, force, motion, field, joint, rope, measure was "
+     "expected"},
     {"schema", spoil_schema, "its schema version is 0, at least 1 was expected"},
     {"title", spoil_title, "its title is not valid UTF-8"},
     {"title-lines", spoil_title_lines, "its title must be one line of text, because its blocks are named after it"},
