@@ -7,17 +7,12 @@
 
 #include <glib.h>
 
+#include "numerics/contact/tolerances.h"
 #include "numerics/solve/pivoted-solve.h"
 #include "numerics/solve/power-of-two.h"
 
-/* Of numbers near 1: what counts as 0. */
-#define SMALLEST_PIVOT    1e-12
-#define SMALLEST_CONSTANT 1e-13
-
-/* What a solution may miss an inequality by, as a share of the terms that meet in it; if none keeps to that,
- * then by a share of the largest constant, since those below SMALLEST_CONSTANT are taken as 0 on the way. */
-#define TOLERANCE 1e-11
-#define FLOOR     (10 * SMALLEST_CONSTANT)
+/* Of the largest constant, since those below TINKER_SMALLEST_CONSTANT are taken as 0 on the way. */
+#define FLOOR (10 * TINKER_SMALLEST_CONSTANT)
 
 /* Unknown 0 .. n-1 is w, n .. 2n-1 is z, 2n the covering one. */
 typedef struct {
@@ -84,7 +79,7 @@ static gboolean is_before(const Dictionary *self, int32_t i, int32_t k, int32_t 
         int32_t row = column < 0 ? find(self->basic, self->n, unknown) : -1;
         double a = (column < 0 ? row == i : row_of(self, i)[column]) / of_i;
         double b = (column < 0 ? row == k : row_of(self, k)[column]) / of_k;
-        if (fabs(a - b) > SMALLEST_PIVOT * MAX(fabs(a), fabs(b)) + SMALLEST_CONSTANT) return a < b;
+        if (fabs(a - b) > TINKER_SMALLEST_PIVOT * MAX(fabs(a), fabs(b)) + TINKER_SMALLEST_CONSTANT) return a < b;
     }
     return i < k;
 }
@@ -96,9 +91,9 @@ static int32_t leaving_row(const Dictionary *self, int32_t entering)
     double least = 0;
     for (int32_t i = 0; i < self->n; i++) {
         const double *row = row_of(self, i);
-        if (!(row[entering] > SMALLEST_PIVOT)) continue;
+        if (!(row[entering] > TINKER_SMALLEST_PIVOT)) continue;
         double ratio = row[self->n + 1] / row[entering];
-        double tie = SMALLEST_CONSTANT / row[entering] + SMALLEST_PIVOT * fabs(least);
+        double tie = TINKER_SMALLEST_CONSTANT / row[entering] + TINKER_SMALLEST_PIVOT * fabs(least);
         if (best < 0 || ratio < least - tie) {
             best = i;
             least = ratio;
@@ -124,7 +119,7 @@ static void pivot(Dictionary *self, int32_t leaving, int32_t entering)
         changed[entering] = 0;
         for (int32_t j = 0; j < width; j++)
             changed[j] -= factor * row[j];
-        if (fabs(changed[width - 1]) < SMALLEST_CONSTANT) changed[width - 1] = 0;
+        if (fabs(changed[width - 1]) < TINKER_SMALLEST_CONSTANT) changed[width - 1] = 0;
     }
     int32_t left = self->basic[leaving];
     self->basic[leaving] = self->other[entering];
@@ -146,7 +141,7 @@ static TinkerLcpResult walk(Dictionary *self)
         leaving = leaving_row(self, entering);
         if (leaving < 0) {
             double covering = row_of(self, find(self->basic, n, 2 * n))[n + 1];
-            return fabs(covering) <= TOLERANCE ? TINKER_LCP_SOLVED : TINKER_LCP_RAY;
+            return fabs(covering) <= TINKER_LCP_MISS ? TINKER_LCP_SOLVED : TINKER_LCP_RAY;
         }
     }
     return TINKER_LCP_GAVE_UP;
@@ -166,7 +161,7 @@ static gboolean holds(const Dictionary *self, const double *matrix, const double
             w += term;
             size += fabs(term);
         }
-        double slack = TOLERANCE * size + floor / self->scale[i];
+        double slack = TINKER_LCP_MISS * size + floor / self->scale[i];
         if (!(z[i] > 0 ? fabs(w) <= slack : w >= -slack)) return FALSE;
     }
     return TRUE;
@@ -194,7 +189,7 @@ static gboolean finish(Dictionary *self, const double *matrix, const double *q, 
             system[(int64_t)i * count + j] =
                 self->scale[chosen[i]] * matrix[(int64_t)chosen[i] * n + chosen[j]] * self->scale[chosen[j]];
     }
-    if (tinker_pivoted_solve(count, system, right, order, SMALLEST_PIVOT) == count)
+    if (tinker_pivoted_solve(count, system, right, order, TINKER_SMALLEST_PIVOT) == count)
         for (int32_t i = 0; i < count; i++)
             solved[chosen[i]] = right[i] * self->scale[chosen[i]];
     for (int32_t pass = 0; pass < 2; pass++) {

@@ -1,10 +1,8 @@
 #include <math.h>
 
 #include "numerics/contact/contact-private.h"
+#include "numerics/contact/tolerances.h"
 #include "numerics/roots/step-roots.h"
-
-/* Energies this small, as a share of the terms that they are the sum of, are rounding. */
-#define ROUNDING 2e-15
 
 typedef struct {
     const TinkerImpact *impact;
@@ -42,7 +40,7 @@ static double lost_energy(void *data, double share)
         gained += trial->impulses[i] * (impact->velocity[i] + after) / 2;
         size += fabs(trial->impulses[i]) * trial->terms[i];
     }
-    return fabs(gained) <= ROUNDING * size ? 0 : -gained;
+    return fabs(gained) <= TINKER_ENERGY_ROUNDING * size ? 0 : -gained;
 }
 
 /* For tinker_step_refine: what is rounding counts as a little lost. */

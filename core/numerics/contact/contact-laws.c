@@ -1,14 +1,10 @@
 #include "numerics/contact/contact-laws.h"
+#include "numerics/contact/tolerances.h"
 
 #include <math.h>
 #include <string.h>
 
 #include "numerics/contact/contact-private.h"
-
-#define ROUNDING 1e-13
-
-/* As a share of the time in which accelerations change velocities. */
-#define MOMENT 1e-7
 
 /* Room for what is worked on. */
 typedef struct {
@@ -35,7 +31,7 @@ static void accelerations(const TinkerClosedContacts *closed, const TinkerContac
 {
     tinker_contact_velocities(problem, forces, a, size);
     for (int32_t i = 0; i < 2 * closed->count; i++)
-        if (fabs(a[i]) <= closed->noise + ROUNDING * size[i]) a[i] = 0;
+        if (fabs(a[i]) <= closed->noise + TINKER_MODE_ROUNDING * size[i]) a[i] = 0;
 }
 
 static TinkerContactMode mode_of(const TinkerClosedContacts *closed, int32_t k, double force, const double *a)
@@ -91,7 +87,7 @@ TinkerContactResult tinker_contact_jam(const TinkerClosedContacts *closed, const
         fastest = MAX(fastest, fabs(velocity[i]));
         hardest = MAX(hardest, fabs(closed->acceleration[i]));
     }
-    double moment = hardest > 0 ? MOMENT * fastest / hardest : 0;
+    double moment = hardest > 0 ? TINKER_MOMENT * fastest / hardest : 0;
     for (int32_t k = 0; k < m; k++)
         room.friction[k] = closed->sliding[k] != 0 ? closed->dynamic_friction[k] : closed->static_friction[k];
     TinkerContactResult result = TINKER_CONTACT_SOLVED;
@@ -102,7 +98,7 @@ TinkerContactResult tinker_contact_jam(const TinkerClosedContacts *closed, const
     }
     for (int32_t k = 0; k < m && result == TINKER_CONTACT_SOLVED; k++) {
         double normal = 2 * half[2 * k] - impulses[2 * k], along = 2 * half[2 * k + 1] - impulses[2 * k + 1];
-        double noise = ROUNDING * half[2 * k], most = room.friction[k] * normal;
+        double noise = TINKER_MODE_ROUNDING * half[2 * k], most = room.friction[k] * normal;
         impulses[2 * k] = normal > noise ? normal : 0;
         impulses[2 * k + 1] = normal > noise ? CLAMP(along, -most, most) : 0;
     }

@@ -16,15 +16,12 @@
 #include <string.h>
 
 #include "numerics/contact/contact-private.h"
+#include "numerics/contact/tolerances.h"
 #include "numerics/solve/power-of-two.h"
 
-#define ROUNDING 2e-13 /* of guesses: chains of many bodies gather more of it than few contacts do */
-#define LOOSE    1e-10
 /* Guesses that are followed from the offsets, and from what splitting gave. */
 #define FIRST_GUESSES 8
 #define LATER_GUESSES 1
-/* Of the largest velocity: what is slower rests. */
-#define RESTING 1e-9
 /* Splitting: steps between guesses, and at most; how far a step goes (1 to 2). */
 #define STEPS_BETWEEN 10
 #define MOST_STEPS    600
@@ -43,9 +40,6 @@
 #define STALLED      0.9
 #define LET_GO       0.2
 #define MOST_STALLED 8
-/* Of impulses in a step: as near as this at once, so many times as far in the end. */
-#define NEAR   1e-9
-#define NEARLY 1e4
 
 typedef struct {
     TinkerContactWork work; /* scaled, but for what only a written matrix needs */
@@ -68,7 +62,7 @@ static gsize room_of(gsize m)
 static TinkerContactState state_by_itself(const TinkerContactProblem *problem, int32_t k, double normal, double along)
 {
     if (!tinker_contact_grips(problem, k)) return TINKER_STATE_FREE;
-    if (problem->sliding != NULL || fabs(along) <= fmax(-problem->friction[k] * normal, RESTING))
+    if (problem->sliding != NULL || fabs(along) <= fmax(-problem->friction[k] * normal, TINKER_RESTING))
         return TINKER_STATE_STICK;
     return along > 0 ? TINKER_STATE_FORWARD : TINKER_STATE_BACKWARD;
 }
@@ -77,7 +71,7 @@ static TinkerContactState state_by_itself(const TinkerContactProblem *problem, i
 static TinkerContactState first_guess(const TinkerContactProblem *problem, int32_t k)
 {
     const double normal = problem->offset[2 * k], along = problem->offset[2 * k + 1];
-    if (problem->sliding != NULL ? normal >= 0 : normal > RESTING) return TINKER_STATE_OPEN;
+    if (problem->sliding != NULL ? normal >= 0 : normal > TINKER_RESTING) return TINKER_STATE_OPEN;
     return state_by_itself(problem, k, normal, along);
 }
 
@@ -268,7 +262,7 @@ static gboolean by_splitting(Many *many, double near)
             split(many, &apart, &moved);
         for (gsize k = 0; k < m; k++)
             many->work.state[k] = state_by(many, (int32_t)k);
-        if (guess(many, LATER_GUESSES, 2 * steps < MOST_STEPS ? ROUNDING : LOOSE)) return TRUE;
+        if (guess(many, LATER_GUESSES, 2 * steps < MOST_STEPS ? TINKER_MANY_ROUNDING : TINKER_LOOSE)) return TRUE;
         const gboolean stalls = apart > STALLED * before;
         before = apart;
         if (!stalls) {
@@ -279,12 +273,12 @@ static gboolean by_splitting(Many *many, double near)
         set_softness(many, LET_GO * many->rho);
     }
     memcpy(many->work.p, many->z, 2 * m * sizeof(double));
-    return many->rho * apart <= NEARLY * near;
+    return many->rho * apart <= TINKER_MANY_NEARLY * near;
 }
 
 static gboolean find(Many *many, double near)
 {
-    return guess(many, FIRST_GUESSES, ROUNDING) || by_splitting(many, near);
+    return guess(many, FIRST_GUESSES, TINKER_MANY_ROUNDING) || by_splitting(many, near);
 }
 
 static void write_found(const Many *many, double *p)
@@ -324,7 +318,7 @@ TinkerImpactGuess tinker_impact_guess(const TinkerImpact *impact, double *room, 
         offset[i] = impact->velocity[i] - (i % 2 == 0 ? impact->least[i / 2] : 0);
     set_up(&many, &problem, room + 2 * impact->count);
     if (!isfinite(many.work.unit)) return TINKER_IMPACT_NO_NUMBER;
-    const gboolean met = find(&many, NEAR);
+    const gboolean met = find(&many, TINKER_MANY_NEAR);
     write_found(&many, impulses);
     for (int32_t i = 0; i < 2 * impact->count; i++)
         sum += impulses[i];

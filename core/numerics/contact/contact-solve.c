@@ -6,6 +6,7 @@
 
 #include "numerics/contact/complementarity.h"
 #include "numerics/contact/contact-private.h"
+#include "numerics/contact/tolerances.h"
 #include "numerics/solve/power-of-two.h"
 
 /* Doubles on the stack, enough for 5 contacts. */
@@ -14,15 +15,10 @@
 /* Contacts whose states may all be tried. */
 #define FEW 4
 
-#define ROUNDING 2e-14 /* of guesses */
-#define LOOSE    1e-10 /* of what is found no better */
-
 /* Of proximal points: where small ones leave W too nearly singular, large ones take more passes. */
 static const double softenings[] = {1e-6, 3e-5, 1e-3};
 #define MOST_PASSES 20
 
-/* Friction nearer to its bound than this share slides. */
-#define AT_BOUND       1e-9
 #define MOST_SWEEPS    2000
 #define SWEEPS_FIRST   400 /* before Lemke's method, whose path grows long where contacts are more than */
 #define MANY           8
@@ -30,14 +26,11 @@ static const double softenings[] = {1e-6, 3e-5, 1e-3};
 /* W of more contacts is not written down. */
 #define MOST_WRITTEN 2000
 
-/* A normal direction that nothing moves along has W_nn of rounding alone. */
-#define IMMOVABLE 1e-13
-
 static gboolean is_immovable(const TinkerContactProblem *problem, int32_t k)
 {
     gsize width = 2 * (gsize)problem->count, n = 2 * (gsize)k;
     double normal = problem->delassus[n * (width + 1)], along = problem->delassus[(n + 1) * (width + 1)];
-    return !(normal > IMMOVABLE * along);
+    return !(normal > TINKER_IMMOVABLE * along);
 }
 
 /* A contact that slides one way, sigma: p_t = -friction p_n sigma. */
@@ -89,7 +82,8 @@ static TinkerContactResult solve_single(const TinkerContactProblem *problem, dou
         double sigma = problem->sliding == NULL ? 0 : problem->sliding[0];
         return slide_single(problem, sigma, p) ? TINKER_CONTACT_SOLVED : TINKER_CONTACT_NO_ACCELERATION;
     }
-    if (grip_single(problem, ROUNDING, p) || grip_single(problem, LOOSE, p)) return TINKER_CONTACT_SOLVED;
+    if (grip_single(problem, TINKER_GUESS_ROUNDING, p) || grip_single(problem, TINKER_LOOSE, p))
+        return TINKER_CONTACT_SOLVED;
     p[0] = p[1] = 0;
     return TINKER_CONTACT_NO_ACCELERATION;
 }
@@ -196,11 +190,11 @@ static void read_states(TinkerContactWork *work)
     const TinkerContactProblem *problem = &work->problem;
     for (int32_t k = 0; k < problem->count; k++) {
         const double pn = work->p[2 * k], pt = work->p[2 * k + 1];
-        work->state[k] = !(pn > 0)                                               ? TINKER_STATE_OPEN
-                         : !tinker_contact_grips(problem, k)                     ? TINKER_STATE_FREE
-                         : fabs(pt) < (1 - AT_BOUND) * problem->friction[k] * pn ? TINKER_STATE_STICK
-                         : pt < 0                                                ? TINKER_STATE_FORWARD
-                                                                                 : TINKER_STATE_BACKWARD;
+        work->state[k] = !(pn > 0)                                                      ? TINKER_STATE_OPEN
+                         : !tinker_contact_grips(problem, k)                            ? TINKER_STATE_FREE
+                         : fabs(pt) < (1 - TINKER_AT_BOUND) * problem->friction[k] * pn ? TINKER_STATE_STICK
+                         : pt < 0                                                       ? TINKER_STATE_FORWARD
+                                                                                        : TINKER_STATE_BACKWARD;
     }
 }
 
@@ -243,7 +237,7 @@ static TinkerContactResult solve_several(TinkerContactWork *work, TinkerContactS
     if (!isfinite(work->unit)) return TINKER_CONTACT_GAVE_UP;
     /* to rounding, else near enough: where one contact is about to do something else, a loose answer is a poor one */
     for (int32_t pass = 0; pass < 2; pass++) {
-        double tolerance = pass == 0 ? ROUNDING : LOOSE;
+        double tolerance = pass == 0 ? TINKER_GUESS_ROUNDING : TINKER_LOOSE;
         if (guess(work, tolerance, next)) return TINKER_CONTACT_SOLVED;
         if (problem->count > MANY && by_sweeps(work, SWEEPS_FIRST, tolerance)) return TINKER_CONTACT_SOLVED;
         if (by_complementarity(work, tolerance)) return TINKER_CONTACT_SOLVED;
@@ -252,8 +246,8 @@ static TinkerContactResult solve_several(TinkerContactWork *work, TinkerContactS
     /* rods tie contacts together: velocities that contradict one another by rounding have no better answer */
     work->floor = 1;
     for (gsize i = 0; i < G_N_ELEMENTS(softenings); i++)
-        if (by_proximal_points(work, softenings[i], LOOSE)) return TINKER_CONTACT_SOLVED;
-    const gboolean swept = problem->count > MANY && by_sweeps(work, MOST_SWEEPS, LOOSE);
+        if (by_proximal_points(work, softenings[i], TINKER_LOOSE)) return TINKER_CONTACT_SOLVED;
+    const gboolean swept = problem->count > MANY && by_sweeps(work, MOST_SWEEPS, TINKER_LOOSE);
     return swept ? TINKER_CONTACT_SOLVED : TINKER_CONTACT_NO_ACCELERATION;
 }
 

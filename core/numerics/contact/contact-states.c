@@ -3,10 +3,8 @@
 #include <math.h>
 
 #include "numerics/contact/contact-private.h"
+#include "numerics/contact/tolerances.h"
 #include "numerics/solve/pivoted-solve.h"
-
-/* Pivots below this share of the largest entry of a scaled problem are rounding. */
-#define SMALLEST_PIVOT 1e-12
 
 static void solve_system(TinkerContactWork *work)
 {
@@ -28,7 +26,7 @@ static void solve_system(TinkerContactWork *work)
             work->system[i * count + j] = entry;
         }
     }
-    tinker_pivoted_solve(count, work->system, work->right, work->order, SMALLEST_PIVOT);
+    tinker_pivoted_solve(count, work->system, work->right, work->order, TINKER_SMALLEST_PIVOT);
     for (int32_t i = 0; i < count; i++)
         work->p[work->unknown[i]] = work->right[i];
     for (int32_t k = 0; k < m; k++)

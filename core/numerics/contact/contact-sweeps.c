@@ -6,10 +6,9 @@
 #include <string.h>
 
 #include "numerics/contact/contact-private.h"
+#include "numerics/contact/tolerances.h"
 
 #define MOST_SWEEPS 500
-/* Changes of velocities below this share of the largest end the sweeps. */
-#define CONVERGED 1e-14
 
 static double velocity(const TinkerContactProblem *problem, const double *p, int32_t i)
 {
@@ -63,6 +62,6 @@ int tinker_impact_sweep(const TinkerImpact *impact, double *offset, double *impu
         finite = finite && isfinite(offset[i]);
     }
     for (int sweeps = 0; sweeps < MOST_SWEEPS; sweeps++)
-        if (tinker_contact_sweep(&problem, impulses) <= CONVERGED * scale) break;
+        if (tinker_contact_sweep(&problem, impulses) <= TINKER_SWEEPS_CONVERGED * scale) break;
     return finite;
 }

@@ -6,11 +6,9 @@
 
 #include "physics/compile/compile-private.h"
 #include "physics/constraint/constraints.h"
+#include "physics/constraint/tolerances.h"
 #include "physics/force/forces.h"
 #include "physics/model/model-data.h"
-
-/* A start position may miss a constraint by this much of its length. */
-#define START_TOLERANCE 1e-6
 
 /* The column of the length that a row keeps from end to end; -1 where it says no such thing. */
 static int32_t path_column(const TinkerBlockClass *block_class, int32_t ends)
@@ -62,7 +60,7 @@ static void refuse_misfit(const TinkerModel *model, int32_t row, const char *nam
                                    tinker_scene_block_name(model->scene, model->body_blocks[body]), place[0], place[1]);
     g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_SCENE,
                 _("%s: the start positions miss it by %.3g m (at most %.0e of its length, %.3g m, is corrected; %s)"),
-                name, fabs(all->g[row]), START_TOLERANCE, all->scales[row], hint);
+                name, fabs(all->g[row]), TINKER_START_MISS, all->scales[row], hint);
 }
 
 static void refuse_joint(const TinkerModel *model, int32_t row, const char *name, GError **error)
@@ -74,7 +72,7 @@ static void refuse_joint(const TinkerModel *model, int32_t row, const char *name
                 _("%s: its ends do not fit together at t = 0: they are at (%.10g, %.10g) and (%.10g, %.10g) m (move "
                   "one to the other; at most %.0e of the scene's extent, %.3g m, is corrected)"),
                 name, a->x + model->origin[0], a->y + model->origin[1], b->x + model->origin[0],
-                b->y + model->origin[1], START_TOLERANCE, START_TOLERANCE * all->scales[row]);
+                b->y + model->origin[1], TINKER_START_MISS, TINKER_START_MISS * all->scales[row]);
 }
 
 static gboolean refuse_row(TinkerModel *model, const TinkerConstraintBatch *part, int32_t row, GError **error)
@@ -113,8 +111,8 @@ static gboolean check_positions(TinkerModel *model, GError **error)
             return FALSE;
         }
         for (int32_t row = part->first_row; row < part->first_row + part->row_count; row++)
-            if (part->constraint->unilateral ? !(all->g[row] <= START_TOLERANCE * all->scales[row])
-                                             : !(fabs(all->g[row]) <= START_TOLERANCE * all->scales[row]))
+            if (part->constraint->unilateral ? !(all->g[row] <= TINKER_START_MISS * all->scales[row])
+                                             : !(fabs(all->g[row]) <= TINKER_START_MISS * all->scales[row]))
                 return refuse_row(model, part, row, error);
     }
     return TRUE;
@@ -130,7 +128,7 @@ static void warn_start_velocity(TinkerModel *model, const double *given)
         impulse += model->coordinate_mass[i] * model->coordinate_mass[i] * dv * dv;
     }
     model->start_impulse = sqrt(impulse);
-    if (change > START_TOLERANCE * fastest)
+    if (change > TINKER_START_MISS * fastest)
         g_ptr_array_add(
             model->warnings,
             g_strdup_printf(_("the start velocities did not fit the constraints: they were changed by up to %.3g "
@@ -199,7 +197,7 @@ static gboolean check_accelerations(TinkerModel *model, GError **error)
     if (tinker_model_applied(model, a, FALSE) != TINKER_OK || tinker_constraints_evaluate(model) != TINKER_OK)
         return run_error(model, TINKER_MODEL_ERROR_RUN, error);
     double missing = tinker_constraints_accelerate(model, a);
-    if (missing <= START_TOLERANCE * largest_demand(model)) return TRUE;
+    if (missing <= TINKER_START_MISS * largest_demand(model)) return TRUE;
     return refuse_contradiction(model, a, error);
 }
 

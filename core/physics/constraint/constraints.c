@@ -13,17 +13,13 @@
 #include "numerics/solve/largest.h"
 #include "numerics/solve/rank.h"
 #include "physics/constraint/row-chains.h"
+#include "physics/constraint/tolerances.h"
 #include "physics/model/model-data.h"
 
 #include <math.h>
 #include <string.h>
 
-/* Each solve brings an independent part of lambda closer by this over its eigenvalue; what dependent rows disagree in
- * by rounding is magnified by its reciprocal. */
-#define PROXIMAL_SHIFT           1e-5
 #define MOST_PROXIMAL_ITERATIONS 60
-/* Rows whose diagonal entries differ by no more than this share one shift. */
-#define EVEN_ROWS 1e3
 
 double tinker_constraints_reach(const TinkerModel *model)
 {
@@ -102,14 +98,14 @@ static double shift_rows(TinkerConstraints *all)
         least = MIN(least, values[products[i].slot]);
         greatest = MAX(greatest, values[products[i].slot]);
     }
-    if (!(greatest > EVEN_ROWS * least)) return PROXIMAL_SHIFT * mean_diagonal(all);
+    if (!(greatest > TINKER_EVEN_ROWS * least)) return TINKER_PROXIMAL_SHIFT * mean_diagonal(all);
     int32_t last = -1;
     for (gsize i = 0; i < all->product_count; i++) {
         if (products[i].first_entry != products[i].second_entry || products[i].slot == last) continue;
         last = products[i].slot;
-        values[last] *= 1 + PROXIMAL_SHIFT;
+        values[last] *= 1 + TINKER_PROXIMAL_SHIFT;
     }
-    return PROXIMAL_SHIFT * least;
+    return TINKER_PROXIMAL_SHIFT * least;
 }
 
 static void factor_shifted(TinkerConstraints *all)

@@ -4,11 +4,7 @@
 #include "numerics/solve/largest.h"
 #include "physics/constraint/constraints.h"
 #include "physics/constraint/straight-bars.h"
-
-/* Of the energy of a push: what is left where the constraints hold against it. */
-#define HELD 1e-9
-/* Times as hard as they are pushed: what holds no better does so by being a little off a straight line alone. */
-#define HARDEST 1e3
+#include "physics/constraint/tolerances.h"
 
 /* Whether other constraints hold a push across the bar: by what it moves with them and without, sums of m v^2. */
 static gboolean is_held(TinkerModel *model, const TinkerStraightRow *of, double *v)
@@ -26,7 +22,8 @@ static gboolean is_held(TinkerModel *model, const TinkerStraightRow *of, double 
     tinker_constraints_correct_velocities(model, v, TRUE, &moved);
     for (int32_t i = 0; i < model->coordinates; i++)
         held += v[i] * v[i] * model->coordinate_mass[i];
-    return held <= HELD * freely && tinker_largest(model->constraints.rows, model->constraints.lambda) <= HARDEST;
+    return held <= TINKER_HELD * freely &&
+           tinker_largest(model->constraints.rows, model->constraints.lambda) <= TINKER_HARDEST;
 }
 
 gboolean tinker_straight_rows_drop_held(TinkerModel *model, GArray *rows)

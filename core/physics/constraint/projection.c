@@ -11,14 +11,10 @@
 
 #include "numerics/solve/largest.h"
 #include "physics/constraint/constraints.h"
+#include "physics/constraint/tolerances.h"
 #include "physics/model/model-data.h"
 
 #define MOST_NEWTON_STEPS 25
-#define ROUNDING_MISS     1e-12
-/* At a singular place (a flat parallelogram) rows depend on each other, Newton steps only halve the miss, and no
- * first-order step removes the last of it. So much of a row's length may be left there: the motion leaves the place
- * again, and the next projections mend it. */
-#define SINGULAR_MISS 1e-6
 
 /* Whether g is rounding: of the row's length, or of the coordinates that its ends are made of. */
 static gboolean row_is_met(const TinkerModel *model, int32_t row)
@@ -76,7 +72,7 @@ static TinkerStatus not_met(TinkerModel *model)
 static TinkerStatus stop_short(TinkerModel *model)
 {
     TinkerConstraints *all = &model->constraints;
-    if (!all->shifted || !(tinker_constraints_worst_miss(model) < SINGULAR_MISS)) return not_met(model);
+    if (!all->shifted || !(tinker_constraints_worst_miss(model) < TINKER_SINGULAR_MISS)) return not_met(model);
     all->gave_way = TRUE;
     return TINKER_OK;
 }
@@ -109,7 +105,7 @@ static gboolean wants_step(TinkerModel *model, const double *q, const double *v,
     if (*status != TINKER_OK || all_met(model)) return FALSE;
     double miss = tinker_constraints_worst_miss(model);
     /* Rounding may keep a row just above its bound; no step can then do better. */
-    if (!(miss < 0.5 * *before) && miss < ROUNDING_MISS) return FALSE;
+    if (!(miss < 0.5 * *before) && miss < TINKER_ROUNDING_MISS) return FALSE;
     if (!(miss < 4.0 * *before)) {
         *status = stop_short(model);
         return FALSE;

@@ -6,10 +6,8 @@
 #include <string.h>
 
 #include "numerics/solve/disjoint-sets.h"
+#include "physics/constraint/tolerances.h"
 #include "physics/model/model.h"
-
-/* A rod's length may miss the places of its ends by this share and be corrected (start.c). */
-#define FITS 1e-6
 
 /* Joins the lines that have two points in common. Answers whether any were not one already. */
 static gboolean join_lines(const TinkerLineFinder *finder, int32_t *set, GPtrArray *lines_at)
@@ -129,7 +127,7 @@ static gboolean fits(const TinkerLineFinder *finder, const TinkerLineRod *rod)
 {
     double d[2];
     tinker_line_way(finder, rod->ends[0], rod->ends[1], d);
-    return fabs(hypot(d[0], d[1]) - *rod->length) <= FITS * *rod->length;
+    return fabs(hypot(d[0], d[1]) - *rod->length) <= TINKER_START_MISS * *rod->length;
 }
 
 /* The rods one after another, shorter ones first, and supports before all: a rod between points whose places along the

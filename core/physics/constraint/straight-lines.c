@@ -2,13 +2,10 @@
  * end is held in line with it. So is what lies on a straight way from one support to another that stays where it is
  * beside the first. */
 #include "physics/constraint/straight-lines.h"
+#include "physics/constraint/tolerances.h"
 #include "physics/model/model-data.h"
 
 #include <math.h>
-
-/* rad: within this of its direction rods are in line with another, as are those between places that are typed with four
- * or five digits. Beyond, their own tensions hold what pushes across. */
-#define IN_LINE 1e-4
 
 gboolean tinker_line_stays(const TinkerModel *model, int32_t a, int32_t b)
 {
@@ -68,8 +65,8 @@ static gboolean leads_on(const TinkerLineFinder *finder, const TinkerLineWay *li
     double across = step[0] * line->along[1] - step[1] * line->along[0];
     double far = whole[0] * line->along[0] + whole[1] * line->along[1];
     double off = whole[0] * line->along[1] - whole[1] * line->along[0];
-    return ahead > 0 && fabs(across) <= IN_LINE * ahead && fabs(off) <= IN_LINE * far &&
-           far <= line->most * (1 + IN_LINE);
+    return ahead > 0 && fabs(across) <= TINKER_IN_LINE * ahead && fabs(off) <= TINKER_IN_LINE * far &&
+           far <= line->most * (1 + TINKER_IN_LINE);
 }
 
 /* Marks what lies ahead, from the points in the queue on. */

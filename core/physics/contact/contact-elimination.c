@@ -8,14 +8,10 @@
 #include "numerics/solve/rank.h"
 #include "numerics/solve/sparse-ldu.h"
 #include "physics/constraint/constraints.h"
+#include "physics/constraint/tolerances.h"
+#include "physics/contact/tolerances.h"
 
-/* Of equations that depend on one another, and of rows that do: what is added to their diagonal. Each solve with it
- * brings what is determined closer by this over its eigenvalue, as in constraints.c. */
-#define SOFTNESS    1e-5
 #define MOST_SOLVES 60
-/* Misses below this share of what meets in an equation are rounding; a solve that leaves more than half of one is the
- * last. */
-#define ROUNDING 1e-14
 
 /* One end of a row on a body of the group. */
 typedef struct {
@@ -325,7 +321,7 @@ static gboolean factor(TinkerContactElimination *self, double softness, double r
 static gboolean factor_softly(TinkerContactElimination *self)
 {
     if (factor(self, 0, 0)) return TRUE;
-    if (!factor(self, SOFTNESS, 0)) factor(self, SOFTNESS, SOFTNESS);
+    if (!factor(self, TINKER_PROXIMAL_SHIFT, 0)) factor(self, TINKER_PROXIMAL_SHIFT, TINKER_PROXIMAL_SHIFT);
     return FALSE;
 }
 
@@ -423,7 +419,7 @@ gboolean tinker_contact_elimination_solve(TinkerContactElimination *self, const 
         self->equation[e].miss = b[e];
     }
     double miss = full ? 1 : find_misses(self, b, x);
-    for (int solves = 0; solves < MOST_SOLVES && miss > ROUNDING; solves++) {
+    for (int solves = 0; solves < MOST_SOLVES && miss > TINKER_MISS_ROUNDING; solves++) {
         const double before = miss;
         solve_once(self);
         for (int32_t e = 0; e < self->equations; e++)
@@ -441,7 +437,7 @@ gboolean tinker_contact_elimination_solve(TinkerContactElimination *self, const 
 
 void tinker_contact_elimination_soften(TinkerContactElimination *self, double softness)
 {
-    if (!factor(self, softness, 0)) factor(self, softness, SOFTNESS);
+    if (!factor(self, softness, 0)) factor(self, softness, TINKER_PROXIMAL_SHIFT);
 }
 
 void tinker_contact_elimination_solve_soft(TinkerContactElimination *self, const double *b, double *x)

@@ -4,10 +4,8 @@
 #include <math.h>
 
 #include "physics/contact/contacts.h"
+#include "physics/contact/tolerances.h"
 #include "physics/model/model-data.h"
-
-/* Two normals are opposite to within this. */
-#define OPPOSITE 1e-12
 
 /* Whether two points of supports move alike at this time. */
 static gboolean move_alike(const TinkerModel *model, int32_t a, int32_t b)
@@ -20,7 +18,7 @@ static gboolean move_alike(const TinkerModel *model, int32_t a, int32_t b)
 gboolean tinker_contacts_are_guide(const TinkerContacts *contacts, int32_t body, int32_t a, int32_t b)
 {
     const TinkerPlate *p = &contacts->plates[a], *q = &contacts->plates[b];
-    if (p->normal[0] * q->normal[0] + p->normal[1] * q->normal[1] > -1 + OPPOSITE) return FALSE;
+    if (p->normal[0] * q->normal[0] + p->normal[1] * q->normal[1] > -1 + TINKER_OPPOSITE) return FALSE;
     const TinkerPoint *from = &contacts->model->point[p->point], *to = &contacts->model->point[q->point];
     double apart = p->normal[0] * (to->x - from->x) + p->normal[1] * (to->y - from->y);
     double play = apart - p->half_height - q->half_height - 2 * contacts->half_height[body];

@@ -26,12 +26,10 @@
 #include "numerics/contact/contact-laws.h"
 #include "numerics/solve/dense-solve.h"
 #include "physics/contact/contact-elimination.h"
+#include "physics/contact/tolerances.h"
 #include "physics/model/model-data.h"
 #include "physics/shapes/gaps.h"
 #include "scene/frame/overlaps.h"
-
-/* A start that slides along a top slower than this share of the largest speed may stick. */
-#define TINKER_START_SLOW 1e-9
 
 /* Two shapes that may touch: a body's and a support's or another body's. */
 typedef struct {

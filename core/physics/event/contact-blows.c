@@ -3,14 +3,11 @@
 #include <math.h>
 
 #include "physics/contact/contacts.h"
+#include "physics/contact/tolerances.h"
 #include "physics/event/contact-change-private.h"
+#include "physics/event/tolerances.h"
 #include "physics/force/forces.h"
 #include "physics/model/model.h"
-
-/* A rebound below this share of the largest speed ends in rest, but for one that loses nothing. */
-#define LEAST_REBOUND 1e-6
-/* What closes faster than this share of the largest speed after an impact cannot be kept out. */
-#define SQUEEZED 1e-6
 
 /* What contacts take goes into their book, the rest is by what moves. */
 gboolean tinker_change_push_all(TinkerContactChange *change, const double *impulses)
@@ -49,10 +46,10 @@ static double restitution_of(const TinkerContactChange *change, guint number)
 static double least_rebound(const TinkerContactChange *change, guint number)
 {
     const TinkerPlate *plate = tinker_touch_plate(change, number);
-    if (restitution_of(change, number) < 1) return fmax(LEAST_REBOUND * change->speed, change->least_rise);
+    if (restitution_of(change, number) < 1) return fmax(TINKER_LEAST_REBOUND * change->speed, change->least_rise);
     gboolean between = change->run->neighbours.lists[tinker_touch(change, number)->contact.body]->len > 1;
     gboolean damped = change->model->lines.any_damping || change->model->field_drag != 0;
-    return damped || (between && plate->dynamic_friction > 0) ? LEAST_REBOUND * change->speed : 0;
+    return damped || (between && plate->dynamic_friction > 0) ? TINKER_LEAST_REBOUND * change->speed : 0;
 }
 
 /* Parts, but too slowly to be seen. */
@@ -147,7 +144,7 @@ static double seen_restitution(const TinkerContactChange *change, guint number)
 static gboolean is_squeezed(const TinkerContactChange *change)
 {
     for (guint i = 0; i < change->touches->len; i++)
-        if (tinker_touch(change, i)->place.normal_speed < -SQUEEZED * change->speed) return TRUE;
+        if (tinker_touch(change, i)->place.normal_speed < -TINKER_SQUEEZED * change->speed) return TRUE;
     return FALSE;
 }
 

@@ -5,10 +5,8 @@
 #include "physics/contact/contact-reach.h"
 #include "physics/contact/contacts.h"
 #include "physics/event/contact-run-private.h"
+#include "physics/event/tolerances.h"
 #include "physics/model/model-data.h"
-
-/* Speeds below this share of the largest are rounding. */
-#define TINKER_STILL 1e-12
 
 /* A contact that is closed, or closes now: of a body with a plate; or a constraint row that holds in one direction
  * only, and is taut or becomes so. A row is a contact without friction that opens as its g falls. */

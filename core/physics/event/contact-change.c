@@ -13,20 +13,11 @@
 #include "physics/constraint/constraints.h"
 #include "physics/contact/contacts.h"
 #include "physics/event/contact-change-private.h"
+#include "physics/event/tolerances.h"
 #include "physics/island/island-run.h"
 #include "physics/model/model-data.h"
 
 #define MOST_JAMS 8
-/* What an event finds at this share of the largest speed has stopped. */
-#define STOPPED 1e-10
-/* Or at so many times what the method makes of 0. */
-#define STOPPED_NOISES 10
-/* Of the largest speed: what slides slower behind a blow is at rest, as a rebound so slow is none. */
-#define SLOW_SLIDE 1e-6
-/* Forces below this share of what acts are rounding. */
-#define FORCE_NOISE 1e-10
-/* What was found to press no more, at an instant that is known no better, presses by no more than this share. */
-#define LET_GO 1e-7
 
 /* Steps 3 and 4 ---------------------------------------------------------------------------------------------------- */
 
@@ -34,7 +25,7 @@
 static gboolean has_stopped(const TinkerContactChange *change, double speed)
 {
     const TinkerTriggerKind kind = change->trigger.kind;
-    double noise = fmax(STOPPED, STOPPED_NOISES * tinker_contact_run_speed_noise(change->run));
+    double noise = fmax(TINKER_STOPPED, TINKER_STOPPED_NOISES * tinker_contact_run_speed_noise(change->run));
     return (kind == TINKER_TRIGGER_SPEED || kind == TINKER_TRIGGER_STARTING) && fabs(speed) <= noise * change->speed;
 }
 
@@ -43,7 +34,7 @@ static gboolean has_stopped(const TinkerContactChange *change, double speed)
 static gboolean hardly_slides(const TinkerContactChange *change, const TinkerTouch *at)
 {
     if (!tinker_contacts_is_gap(change->contacts, &at->contact)) return FALSE;
-    if (fabs(at->place.tangential_speed) > SLOW_SLIDE * change->speed) return FALSE;
+    if (fabs(at->place.tangential_speed) > TINKER_SLOW_SLIDE * change->speed) return FALSE;
     for (guint i = 0; i < change->touches->len; i++)
         if (tinker_touch(change, i)->struck) return TRUE;
     return FALSE;
@@ -107,8 +98,9 @@ static TinkerContactResult ask_modes(TinkerContactChange *change, TinkerContactL
         laws->first[i] = plate != NULL ? plate->static_friction : 0;
         laws->second[i] = plate != NULL ? plate->dynamic_friction : 0;
     }
-    TinkerClosedContacts closed = {(int32_t)laws->count, laws->delassus, laws->pairs,         laws->sliding,
-                                   laws->first,          laws->second,   FORCE_NOISE * scale, laws->motion};
+    TinkerClosedContacts closed = {
+        (int32_t)laws->count,       laws->delassus, laws->pairs, laws->sliding, laws->first, laws->second,
+        TINKER_FORCE_NOISE * scale, laws->motion};
     TinkerContactResult result = tinker_contact_modes(&closed, laws->modes, laws->answers);
     if (result != TINKER_CONTACT_NO_ACCELERATION) return result;
     g_autofree double *velocity = g_try_new(double, 2 * laws->count);
@@ -126,7 +118,7 @@ static TinkerContactResult ask_modes(TinkerContactChange *change, TinkerContactL
 static gboolean lets_go(const TinkerContactChange *change, const TinkerTouch *at, double force, double noise)
 {
     return tinker_change_is_trigger(change, at) && change->trigger.kind == TINKER_TRIGGER_NORMAL &&
-           force <= LET_GO * noise;
+           force <= TINKER_LET_GO * noise;
 }
 
 static void note_modes(TinkerContactChange *change, const TinkerContactLaws *laws, double scale)
@@ -452,7 +444,8 @@ static gboolean change_group(TinkerContactRun *self, const TinkerTrigger *trigge
         .touches = g_array_new(FALSE, TRUE, sizeof(TinkerTouch)),
         .told = g_array_new(FALSE, FALSE, sizeof(TinkerToldEvent)),
         .tolerance = fmin(tolerance, tinker_contact_run_closed_gap(self)),
-        .slow = fmax(slow, self->remembers ? STOPPED_NOISES * tinker_contact_run_speed_noise(self) : TINKER_STILL),
+        .slow =
+            fmax(slow, self->remembers ? TINKER_STOPPED_NOISES * tinker_contact_run_speed_noise(self) : TINKER_STILL),
     };
     run->system.system.scales(&run->system, run->state.q, run->state.v, &extent, &change.speed);
     gboolean done =

@@ -7,20 +7,13 @@
 #include "numerics/solve/largest.h"
 #include "physics/contact/contacts.h"
 #include "physics/event/contact-run-private.h"
+#include "physics/event/tolerances.h"
 #include "physics/island/island-run.h"
 #include "physics/model/model-data.h"
 #include "physics/system/method-call.h"
 #include "physics/system/system.h"
 
-/* Of the tolerance: an error that is nothing beside what steps make. */
-#define CARRIED_SHARE 1e-4
-/* Accelerations change within a step by less than so many times as much. */
-#define CHANGE 10.0
-/* Of a step: so near to an event its state may be carried to it. */
-#define FARTHEST_CARRY 1e-3
-#define MOST_CARRIES   3
-/* Of a step: a contact that is expected so soon is what the step is made for. */
-#define SOON 0.0625
+#define MOST_CARRIES 3
 
 /* How far in time (s) the state may be carried on by its velocities and accelerations, those that were worked out last:
  * these change within a step of usual length by no more than so many times as much, which is to be nothing beside the
@@ -31,9 +24,10 @@ static double longest_carry(const TinkerContactRun *self)
     const int32_t n = run->system.system.size;
     if (!self->in_plane || !tinker_method_is_adaptive(run->choice.method)) return 0;
     const double strongest = tinker_largest(n, self->force), speed = tinker_largest(n, run->state.v);
-    const double share = fmax(CARRIED_SHARE * run->choice.tolerance, DBL_EPSILON);
+    const double share = fmax(TINKER_CARRIED_SHARE * run->choice.tolerance, DBL_EPSILON);
     if (!(strongest > 0)) return 0;
-    return fmin(FARTHEST_CARRY * self->usual, sqrt(share * speed * self->usual / (CHANGE * strongest)));
+    return fmin(TINKER_FARTHEST_CARRY * self->usual,
+                sqrt(share * speed * self->usual / (TINKER_CARRIED_CHANGE * strongest)));
 }
 
 gboolean tinker_contact_run_ends_near(const TinkerContactRun *self, double time)
@@ -83,7 +77,7 @@ TinkerStatus tinker_contact_run_carry_to(TinkerContactRun *self, const TinkerTri
     const double before = state->t;
     double power[TINKER_BOOK_COUNT];
     *there = FALSE;
-    if (!(fabs(time - before) < FARTHEST_CARRY * self->usual) || !(longest_carry(self) > 0)) return TINKER_OK;
+    if (!(fabs(time - before) < TINKER_FARTHEST_CARRY * self->usual) || !(longest_carry(self) > 0)) return TINKER_OK;
     TinkerStatus status = system->acceleration(system->context, before, state->q, state->v, self->force, power);
     if (status != TINKER_OK || !(fabs(time - before) <= longest_carry(self))) return status;
     carry(self, time - before, power);
@@ -113,7 +107,7 @@ void tinker_contact_run_expect(TinkerContactRun *self)
 {
     TinkerIslandRun *run = self->run;
     const TinkerState *state = &run->state;
-    double soonest = SOON * self->usual;
+    double soonest = TINKER_SOON * self->usual;
     self->expects = FALSE;
     if (!self->passed || !self->in_plane || self->remembers || isfinite(self->hint) || self->near->len == 0 ||
         self->contacts->moving_plates > 0 || !tinker_method_is_adaptive(run->choice.method))

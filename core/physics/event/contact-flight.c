@@ -14,23 +14,17 @@
 
 #include "physics/contact/contacts.h"
 #include "physics/event/contact-run-private.h"
+#include "physics/event/tolerances.h"
 #include "physics/island/island-run.h"
 #include "physics/line/linear-form.h"
 #include "physics/model/model-data.h"
-
-/* Of the time: a blow falls within so much of its instant. */
-#define LAST_DIGITS (16 * DBL_EPSILON)
-/* Speeds that differ by more than this share differ by more than rounding. */
-#define SAME_SPEED 1e-10
-/* Cosines and sines up to here are 0 but for rounding of angles. */
-#define NO_ANGLE (4 * DBL_EPSILON)
 
 /* Whether what one plate does cannot change the energy along the normal of another. */
 static gboolean leaves_energy_along(const TinkerPlate *struck, const TinkerPlate *other)
 {
     const double *n = struck->normal, *m = other->normal;
-    if (fabs(n[0] * m[0] + n[1] * m[1]) <= NO_ANGLE) return struck->dynamic_friction == 0;
-    return fabs(n[0] * m[1] - n[1] * m[0]) <= NO_ANGLE && struck->restitution == 1;
+    if (fabs(n[0] * m[0] + n[1] * m[1]) <= TINKER_NO_ANGLE) return struck->dynamic_friction == 0;
+    return fabs(n[0] * m[1] - n[1] * m[0]) <= TINKER_NO_ANGLE && struck->restitution == 1;
 }
 
 static gboolean keeps_energy(const TinkerModel *model)
@@ -99,7 +93,7 @@ TinkerStatus tinker_contact_flight_meet(TinkerContactRun *self, const TinkerTrig
         return TINKER_OK;
     TinkerStatus status = measure(self, trigger, &place);
     double ahead = -place.gap / place.normal_speed;
-    if (status != TINKER_OK || !(place.normal_speed < 0) || fabs(ahead) > LAST_DIGITS * self->run->state.t)
+    if (status != TINKER_OK || !(place.normal_speed < 0) || fabs(ahead) > TINKER_BLOW_INSTANT * self->run->state.t)
         return status;
     status = go_on(self, ahead);
     if (status == TINKER_OK) status = measure(self, trigger, &place);
@@ -108,7 +102,7 @@ TinkerStatus tinker_contact_flight_meet(TinkerContactRun *self, const TinkerTrig
     flight->approach = -place.normal_speed;
     if (flight->rebound == NULL) return TINKER_OK;
     double left = flight->rebound[trigger->plate];
-    if (fabs(left - flight->approach) <= SAME_SPEED * left) flight->approach = left;
+    if (fabs(left - flight->approach) <= TINKER_SAME_SPEED * left) flight->approach = left;
     return TINKER_OK;
 }
 
@@ -119,7 +113,7 @@ static void note_rebound(TinkerContactRun *self, const TinkerTrigger *trigger, c
     TinkerContactFlight *flight = &self->flight;
     const TinkerPlate *plate = &self->contacts->plates[trigger->plate];
     double rebound = plate->restitution * flight->approach, *v = self->run->state.v + 2 * trigger->body;
-    gboolean same = fabs(rebound - place->normal_speed) <= SAME_SPEED * rebound;
+    gboolean same = fabs(rebound - place->normal_speed) <= TINKER_SAME_SPEED * rebound;
     if (same)
         for (int k = 0; k < 2; k++)
             v[k] += (rebound - place->normal_speed) * plate->normal[k];

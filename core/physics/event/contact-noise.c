@@ -4,21 +4,13 @@
 
 #include "numerics/solve/largest.h"
 #include "physics/event/contact-run-private.h"
-
-/* Of the time: an instant is known no better. */
-#define INSTANT (8 * DBL_EPSILON)
-/* Shares of the largest speed that are rounding: of adaptive methods, of fixed steps. */
-#define SPEED_ROUNDING          1e-13
-#define SPEED_ROUNDING_OF_STEPS 1e-11
-/* Of the largest speed: with less of it a contact may have begun to slip either way. Likewise, of the noise. */
-#define UNCLEAR_SPEED  1e-9
-#define UNCLEAR_NOISES 10
+#include "physics/event/tolerances.h"
 
 double tinker_contact_run_speed_noise(const TinkerContactRun *self)
 {
     const TinkerIslandRun *run = self->run;
     gboolean adaptive = tinker_method_is_adaptive(run->choice.method);
-    return adaptive ? fmax(SPEED_ROUNDING, 0.1 * run->choice.tolerance) : SPEED_ROUNDING_OF_STEPS;
+    return adaptive ? fmax(TINKER_SPEED_ROUNDING, 0.1 * run->choice.tolerance) : TINKER_SPEED_ROUNDING_OF_STEPS;
 }
 
 double tinker_contact_run_unclear_speed(const TinkerContactRun *self)
@@ -26,7 +18,7 @@ double tinker_contact_run_unclear_speed(const TinkerContactRun *self)
     double extent, speed;
     const TinkerIslandRun *run = self->run;
     run->system.system.scales(run->system.system.context, run->state.q, run->state.v, &extent, &speed);
-    return fmax(UNCLEAR_SPEED, UNCLEAR_NOISES * tinker_contact_run_speed_noise(self)) *
+    return fmax(TINKER_UNCLEAR_SPEED, TINKER_UNCLEAR_NOISES * tinker_contact_run_speed_noise(self)) *
            fmax(speed, self->contacts->plate_speed);
 }
 
@@ -46,7 +38,7 @@ double tinker_contact_run_closed_gap(const TinkerContactRun *self)
     TinkerIslandRun *run = self->run;
     run->system.system.scales(&run->system, run->state.q, run->state.v, &extent, &speed);
     double size = extent + tinker_largest(run->system.system.size, run->state.q) + self->contacts->thickness;
-    return TINKER_CLOSED_GAP * size + INSTANT * fabs(run->state.t) * fmax(speed, self->contacts->plate_speed);
+    return TINKER_CLOSED_GAP * size + TINKER_INSTANT * fabs(run->state.t) * fmax(speed, self->contacts->plate_speed);
 }
 
 gboolean tinker_contact_run_leaves(const TinkerContactRun *self, const TinkerContactPair *sought)

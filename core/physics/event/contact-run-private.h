@@ -5,14 +5,10 @@
 #include "numerics/roots/step-roots.h"
 #include "physics/contact/contact-neighbours.h"
 #include "physics/event/contact-run.h"
+#include "physics/event/tolerances.h"
 #include "physics/island/island-run.h"
 #include "physics/model/model-data.h"
 #include "physics/system/method-call.h"
-
-/* In a run a gap is closed within this share of the extent: rounding, or another body at the same instant. */
-#define TINKER_CLOSED_GAP 1e-13
-/* A polynomial follows so much of a swing (rad) to rounding. */
-#define TINKER_LONGEST_ARC 1.5
 
 /* What ends a phase of a contact when it falls below zero. */
 typedef enum {

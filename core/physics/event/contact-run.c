@@ -8,33 +8,19 @@
 #include "physics/constraint/constraints.h"
 #include "physics/contact/contacts.h"
 #include "physics/event/contact-run-private.h"
+#include "physics/event/tolerances.h"
 #include "physics/island/island-run.h"
 #include "physics/line/linear-form.h"
 #include "physics/model/model-data.h"
 #include "physics/system/method-call.h"
 #include "physics/system/system.h"
 
-/* In a step that nothing comes near in nobody gets faster than so many times as fast. */
-#define FASTER 4.0
 /* What was large and is no more loses so much of its say in every step. */
 #define FADING 0.9
-/* Of the way to the limit: the first step of an exact island from rest. */
-#define FIRST_SHARE 1e-4
-/* rad that a plate may swing within a step while bodies rest on it. */
-#define LONGEST_SWING 0.2
-/* Beyond this share of the extent bodies that leave a plate are clear of it. */
-#define CLEAR 1e-9
-/* So many events within so short a time (a share of the time) never end, nor do so many times as many within a longer
- * one. */
-#define CROWD        500
-#define CROWDED      1e-9
-#define SLOW_CROWDED 1e-6
-#define SLOW_CROWDS  20
-#define MOST_TRIALS  12
-/* rad that a body may turn within a step. */
-#define MOST_TURNING 100.0
-/* Of a step: an event so near to its start is at its start. */
-#define AT_ONCE 1e-15
+/* So many events within TINKER_CROWDED never end, nor do so many times as many, each within TINKER_SLOW_CROWDED. */
+#define CROWD       500
+#define SLOW_CROWDS 20
+#define MOST_TRIALS 12
 /* Near pairs that there is room for at first. */
 #define MOST_EXPECTED 16
 
@@ -177,8 +163,8 @@ static gboolean is_crowded(TinkerContactRun *self)
     if (++self->crowd < CROWD) return FALSE;
     self->crowd = 0;
     self->crowd_began = t;
-    self->slow_crowds = passed <= SLOW_CROWDED * fabs(t) ? self->slow_crowds + 1 : 0;
-    return passed <= CROWDED * fabs(t) || self->slow_crowds >= SLOW_CROWDS;
+    self->slow_crowds = passed <= TINKER_SLOW_CROWDED * fabs(t) ? self->slow_crowds + 1 : 0;
+    return passed <= TINKER_CROWDED * fabs(t) || self->slow_crowds >= SLOW_CROWDS;
 }
 
 /* Shapes that have come to overlap without touching, from below or past an end of a top, do so until they have parted.
@@ -249,7 +235,7 @@ static void prune_separating(TinkerContactRun *self)
     if (tinker_model_set_time(self->model, run->state.t) != TINKER_OK) return;
     tinker_model_set_state(self->model, run->state.q, run->state.v);
     if (self->model->constraints.unilateral != NULL && tinker_constraints_evaluate(self->model) != TINKER_OK) return;
-    double clear = CLEAR * (tinker_contact_run_closed_gap(self) / TINKER_CLOSED_GAP);
+    double clear = TINKER_CLEAR * (tinker_contact_run_closed_gap(self) / TINKER_CLOSED_GAP);
     for (guint i = self->leaving->len; i-- > 0;) {
         const TinkerContactPair *pair = &g_array_index(self->leaving, TinkerContactPair, i);
         gboolean left;
@@ -289,7 +275,7 @@ static double resolved_limit(TinkerContactRun *self, double limit)
     for (int32_t point = model->first_support; self->contacts->closed->len > 0 && point < model->points; point++) {
         if (!tinker_model_attachment(model, point)->moving) continue;
         double swing = tinker_contact_run_swing(self, point, from, limit);
-        if (swing > 0) limit = MIN(limit, from + LONGEST_SWING / swing);
+        if (swing > 0) limit = MIN(limit, from + TINKER_LONGEST_SWING / swing);
     }
     return limit;
 }
@@ -328,7 +314,7 @@ static double swing_limit(TinkerContactRun *self, double limit)
     self->model->evaluations = evaluations;
     self->fastest = fmax(FADING * self->fastest, tinker_largest(system->size, state->v));
     if (!(self->strongest > 0)) return limit;
-    double share = FIRST_SHARE * (limit - state->t);
+    double share = TINKER_FIRST_WAY * (limit - state->t);
     return fmin(limit, state->t + fmax(share, TINKER_LONGEST_ARC * self->fastest / self->strongest));
 }
 
@@ -339,7 +325,7 @@ static double turning_limit(const TinkerContactRun *self, double limit)
     double rate = 0;
     for (int32_t k = 0; self->contacts->gap_count > 0 && k < model->turning; k++)
         rate = fmax(rate, fabs(self->run->state.v[2 * model->bodies + k]) / model->turns[k].gyration);
-    return rate > 0 ? fmin(limit, self->run->state.t + MOST_TURNING / rate) : limit;
+    return rate > 0 ? fmin(limit, self->run->state.t + TINKER_LONGEST_TURN / rate) : limit;
 }
 
 double tinker_contact_run_begin(TinkerContactRun *self, double limit)
@@ -359,7 +345,7 @@ double tinker_contact_run_begin(TinkerContactRun *self, double limit)
     self->position_error = run->system.position_error;
     self->speed_bound = 0;
     if (!adaptive && self->quiet > 0) {
-        double speed = FASTER * fastest(self, run->state.v);
+        double speed = TINKER_FASTER * fastest(self, run->state.v);
         if (tinker_contact_run_is_quiet(self, run->state.q, travel_at(speed, limit - run->state.t)))
             self->speed_bound = speed;
     }
@@ -458,7 +444,7 @@ static TinkerStatus step_to_event(TinkerContactRun *self, const TinkerTrigger *t
 {
     TinkerIslandRun *run = self->run;
     double from = self->from.t, end = self->limit;
-    double first = MIN(from + fmax(AT_ONCE * (run->state.t - from), 4 * DBL_EPSILON * fabs(from)), end);
+    double first = MIN(from + fmax(TINKER_AT_ONCE * (run->state.t - from), 4 * DBL_EPSILON * fabs(from)), end);
     Trial trial = {CLAMP(time, first, end), 0}, before = trial;
     if (tinker_contact_run_ends_near(self, trial.time)) before.time = trial.time = run->state.t;
     for (int k = 0; k < MOST_TRIALS; k++) {

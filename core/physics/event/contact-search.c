@@ -6,31 +6,18 @@
 #include "physics/constraint/constraints.h"
 #include "physics/contact/contacts.h"
 #include "physics/event/contact-run-private.h"
+#include "physics/event/tolerances.h"
 #include "physics/model/model-data.h"
 #include "physics/system/method-call.h"
 
-/* Of the largest value in a step: what a polynomial through them does not resolve. */
-#define NOTHING    1e-13
 #define MOST_PARTS 256
 #define MOST_FALLS 8
-/* What rises and falls within so small a share of a step is looked at as closely as this many times. */
-#define DEEPEST     12
-#define FIRST_SHARE 1e-3
+/* What rises and falls within a small share of a step is looked at as closely as this many times. */
+#define DEEPEST 12
 /* Of a part of a step: between two nodes of either number. */
 #define PLACE_BETWEEN 0.317
-/* What the polynomial may miss there: of what it changes by, and of its size. */
-#define RESOLVED 1e-3
-#define NOTICED  1e-7
-/* Of the level of a trigger, which is rounding: what it may miss all the same. */
-#define NOISE 1e3
 /* A step is cut into no more than 2 to the power of this many parts for that. */
 #define MOST_HALVINGS 6
-/* Beside what it changes by within a step a value that is so many times as large does not reach 0. */
-#define SURELY      8.0
-#define MOST_SURELY 100.0
-
-/* Of a step: in so short a part of it an adaptive method's step is far smoother than it need be. */
-#define SHORT 0.0625
 
 /* Whether the trigger's value follows from where the bodies are and how they move, without the forces on them. */
 static gboolean is_of_place(const TinkerTrigger *trigger)
@@ -114,7 +101,7 @@ static gboolean falls_soon(const TinkerContactRun *self, const TinkerTrigger *tr
     double most = 0;
     for (int32_t k = 0; k <= self->degree; k++)
         most = fmax(most, fabs(values[k]));
-    if (!(values[1] < trigger->level) || values[0] > NOTHING * most) return FALSE;
+    if (!(values[1] < trigger->level) || values[0] > TINKER_NOTHING * most) return FALSE;
     return trigger->kind != TINKER_TRIGGER_GAP ||
            values[0] >= -tinker_contact_run_closed_gap(self); /* else from behind */
 }
@@ -128,7 +115,7 @@ static gboolean rises_first(TinkerContactRun *self, const TinkerTrigger *trigger
         return tinker_constraints_own_rate(self->model, trigger->row) < 0;
     if (trigger->kind == TINKER_TRIGGER_GAP)
         return tinker_contact_place(self->contacts, trigger->body, trigger->plate).normal_speed > 0;
-    return value_at(self, from + FIRST_SHARE * (to - from), trigger, &soon) == TINKER_OK && soon > at_first;
+    return value_at(self, from + TINKER_FALLS_AT_ONCE * (to - from), trigger, &soon) == TINKER_OK && soon > at_first;
 }
 
 /* The first fall of one trigger between two times and before one that is known; INFINITY for none, NAN where it has to
@@ -178,9 +165,9 @@ static TinkerStatus check_between(TinkerContactRun *self, double from, double to
             most = fmax(most, values[k]);
         }
         const TinkerTrigger *trigger = &g_array_index(self->triggers, TinkerTrigger, i);
-        double value = tinker_trigger_value(self, trigger), noise = NOISE * fabs(trigger->level);
+        double value = tinker_trigger_value(self, trigger), noise = TINKER_MISSED_NOISE * fabs(trigger->level);
         double miss = fabs(value - interpolated(self, values, PLACE_BETWEEN));
-        *resolved &= miss <= RESOLVED * (most - least) + NOTICED * fmax(fabs(least), fabs(most)) + noise;
+        *resolved &= miss <= TINKER_RESOLVED * (most - least) + TINKER_NOTICED * fmax(fabs(least), fabs(most)) + noise;
     }
     return status;
 }
@@ -322,10 +309,10 @@ static TinkerStatus look_at_places(TinkerContactRun *self, double from, double t
     TinkerStatus status = follows ? TINKER_OK : fill_place(self, from, first);
     if (status == TINKER_OK) status = fill_place(self, to, last);
     if (status != TINKER_OK) return status;
-    *clear = follows && is_far_off(self, 2, MOST_SURELY);
+    *clear = follows && is_far_off(self, 2, TINKER_MOST_SURELY);
     if (follows && !*clear) {
         status = fill_place(self, 0.5 * (from + to), middle);
-        *clear = status == TINKER_OK && is_far_off(self, 3, SURELY);
+        *clear = status == TINKER_OK && is_far_off(self, 3, TINKER_SURELY);
     }
     self->end_time = to;
     self->end_changes = self->changes;
@@ -409,7 +396,7 @@ static TinkerStatus forces_are_far_off(TinkerContactRun *self, double from, doub
         if (is_of_place(&g_array_index(self->triggers, TinkerTrigger, i))) continue;
         const double a = self->values[i], b = self->values[count + i], c = self->values[2 * count + i];
         const double least = fmin(a, fmin(b, c)), most = fmax(a, fmax(b, c));
-        *far = least > SURELY * (most - least);
+        *far = least > TINKER_SURELY * (most - least);
     }
     return TINKER_OK;
 }
@@ -423,7 +410,7 @@ static TinkerStatus search_soon(TinkerContactRun *self, double from, double to, 
     double t;
     *done = FALSE;
     TinkerStatus status = first_place_to_fall(self, from, to, &first, &t);
-    if (status != TINKER_OK || isnan(t) || !(fmin(t, to) <= from + SHORT * self->usual)) return status;
+    if (status != TINKER_OK || isnan(t) || !(fmin(t, to) <= from + TINKER_SOON * self->usual)) return status;
     status = t > from ? forces_are_far_off(self, from, fmin(t, to), done) : TINKER_OK;
     *done |= t == from;
     if (!*done || isinf(t)) return status;

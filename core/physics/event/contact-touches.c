@@ -5,6 +5,7 @@
 #include "physics/constraint/constraints.h"
 #include "physics/contact/contacts.h"
 #include "physics/event/contact-change-private.h"
+#include "physics/event/tolerances.h"
 #include "physics/force/forces.h"
 #include "physics/island/island-run.h"
 #include "physics/model/model-data.h"
@@ -13,8 +14,6 @@
 
 /* The largest m whose 2m x 2m entries an int32_t counts. */
 #define MOST_TOUCHES 23170
-/* Of the tolerance: a gap that is nothing beside what steps make of places. */
-#define LEFT 1e-2
 
 /* Whether an event of this kind was told of the pair already; notes that it is now. */
 static gboolean was_told(TinkerContactChange *change, const char *kind, const TinkerTouchingPair *pair)
@@ -171,7 +170,7 @@ static double left_gap(const TinkerContactChange *change, double tolerance)
     double extent, speed;
     if (!tinker_method_is_adaptive(run->choice.method)) return tolerance;
     run->system.system.scales(run->system.system.context, run->state.q, run->state.v, &extent, &speed);
-    return fmax(tolerance, LEFT * run->choice.tolerance * extent);
+    return fmax(tolerance, TINKER_LEFT * run->choice.tolerance * extent);
 }
 
 /* What has just opened, neither closes nor is clear of its plate. If a blow on another body that throws it back were

@@ -6,14 +6,12 @@
 #include "physics/constraint/constraints.h"
 #include "physics/contact/contacts.h"
 #include "physics/event/contact-run-private.h"
+#include "physics/event/tolerances.h"
 #include "physics/island/island-run.h"
 #include "physics/line/linear-form.h"
 #include "physics/model/model-data.h"
 #include "physics/system/method-call.h"
 
-/* Below this share of what it is made of a value is rounding. */
-#define FORCE_ROUNDING 1e-11
-#define PLACE_ROUNDING (16 * DBL_EPSILON)
 /* Triggers of one closed contact. */
 #define MOST_OF_ONE 5
 
@@ -212,12 +210,12 @@ TinkerStatus tinker_contact_run_list_triggers(TinkerContactRun *self)
 
 double tinker_trigger_place_rounding(const TinkerContactRun *self, const TinkerTrigger *trigger)
 {
-    if (trigger->row >= 0) return PLACE_ROUNDING * self->model->constraints.scales[trigger->row];
+    if (trigger->row >= 0) return TINKER_PLACE_ROUNDING * self->model->constraints.scales[trigger->row];
     const TinkerPlate *plate = &self->contacts->plates[trigger->plate];
     const TinkerPoint *at = &self->model->point[trigger->body], *base = &self->model->point[plate->point];
     const double thick = plate->gap != NULL ? self->contacts->thickness
                                             : plate->half_height + self->contacts->half_height[trigger->body];
-    return PLACE_ROUNDING * (fabs(at->x) + fabs(at->y) + fabs(base->x) + fabs(base->y) + thick);
+    return TINKER_PLACE_ROUNDING * (fabs(at->x) + fabs(at->y) + fabs(base->x) + fabs(base->y) + thick);
 }
 
 /* What constraints pull a body with, each by itself: what presses may be what is left of it. */
@@ -262,7 +260,7 @@ static double acceleration_scale(const TinkerContactRun *self, const TinkerTrigg
 /* What dense output makes of an acceleration that is 0, as a share of what acts. */
 static double acceleration_noise(const TinkerContactRun *self)
 {
-    return self->remembers ? fmax(FORCE_ROUNDING, self->run->choice.tolerance) : FORCE_ROUNDING;
+    return self->remembers ? fmax(TINKER_FORCE_ROUNDING, self->run->choice.tolerance) : TINKER_FORCE_ROUNDING;
 }
 
 double tinker_trigger_level(const TinkerContactRun *self, const TinkerTrigger *trigger, double speed)
@@ -279,7 +277,7 @@ double tinker_trigger_level(const TinkerContactRun *self, const TinkerTrigger *t
         return -acceleration_noise(self) * acceleration_scale(self, trigger);
     default:
         if (trigger->row >= 0)
-            return -FORCE_ROUNDING * self->model->mass[trigger->body] * acceleration_scale(self, trigger);
-        return -FORCE_ROUNDING * self->force_scale[trigger->closed];
+            return -TINKER_FORCE_ROUNDING * self->model->mass[trigger->body] * acceleration_scale(self, trigger);
+        return -TINKER_FORCE_ROUNDING * self->force_scale[trigger->closed];
     }
 }

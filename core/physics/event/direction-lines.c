@@ -2,13 +2,10 @@
 #include <math.h>
 
 #include "physics/event/direction-private.h"
+#include "physics/event/tolerances.h"
 #include "physics/island/island-run.h"
 #include "physics/line/linear-form.h"
 #include "physics/model/model-data.h"
-
-/* Evaluations nearer to length 0 than this share of the length at which the force is 0 are noted. Steps that resolve
- * the motion come nearer than that. */
-#define NEAR 0.25
 
 /* Lines ------------------------------------------------------------------------------------------------------------ */
 
@@ -41,7 +38,7 @@ static void add_line(TinkerDirectionWatch *self, TinkerDirectionLine line, doubl
     line.mass = 1 / inverse;
     line.start = start_length(model, &line);
     if (!(force_free > 0)) force_free = line.start;
-    if (force_free > 0) *nearest = fmin(*nearest, NEAR * force_free);
+    if (force_free > 0) *nearest = fmin(*nearest, TINKER_LOST_NEAR * force_free);
     g_array_append_val(self->lines, line);
 }
 

@@ -7,21 +7,11 @@
 #include "numerics/solve/largest.h"
 #include "physics/event/contact-run.h"
 #include "physics/event/direction-private.h"
+#include "physics/event/tolerances.h"
 #include "physics/island/island-run.h"
 #include "physics/model/model-data.h"
 #include "physics/system/method-call.h"
 #include "physics/system/system.h"
-
-/* Of the extent: ends so near to each other are at one place but for rounding. */
-#define ROUNDING 1e-13
-/* Of extent times speed: what rounding makes of moments of the relative motion. */
-#define ROUNDING_OF_MOMENTS (8 * DBL_EPSILON)
-/* The run's energy is off by at most so many times as much as was seen of it. */
-#define SEEN 2.0
-/* Of |T0| times the extent: beyond it nobody asks how far the energy is off. */
-#define FAR 0.1
-/* Of the extent: ends that are exactly at one place are parted by so much. */
-#define PARTED (64 * DBL_EPSILON)
 
 TinkerDirectionWatch *tinker_direction_watch_new(TinkerIslandRun *run)
 {
@@ -75,10 +65,10 @@ static TinkerStatus least_energy(TinkerDirectionWatch *self, const TinkerDirecti
  * motion that is rounding keeps the ends apart by (mu l^2 / 2 |T0|)^(1/3). */
 static double unknown_energy(const TinkerIslandRun *run, const TinkerDirectionLine *line, double extent, double speed)
 {
-    double tension = fabs(line->tension), share = ROUNDING, moment = 0;
+    double tension = fabs(line->tension), share = TINKER_MET, moment = 0;
     if (tinker_method_is_adaptive(run->choice.method)) share = fmax(share, run->choice.tolerance);
-    if (!tinker_direction_is_straight(run)) moment = ROUNDING_OF_MOMENTS * extent * speed * tension;
-    return SEEN * run->books.missing + share * tension * extent + cbrt(0.5 * line->mass * moment * moment);
+    if (!tinker_direction_is_straight(run)) moment = TINKER_ROUNDING_OF_MOMENTS * extent * speed * tension;
+    return TINKER_SEEN * run->books.missing + share * tension * extent + cbrt(0.5 * line->mass * moment * moment);
 }
 
 /* Ends that are exactly at one place are parted the way that the other forces accelerate them, if they do: with a force
@@ -92,7 +82,7 @@ static TinkerStatus part_ends(TinkerDirectionWatch *self, const TinkerDirectionL
     if (ends->length > 0 || tinker_direction_is_straight(run)) return TINKER_OK;
     TinkerStatus status = tinker_direction_acceleration(self, line, run->state.t, run->state.q, run->state.v, pull);
     double most = hypot(pull[0], pull[1]), size = extent + tinker_largest(run->system.system.size, run->state.q);
-    double by = PARTED * fmax(size, model->watched_length);
+    double by = TINKER_PARTED * fmax(size, model->watched_length);
     if (status != TINKER_OK || !(most > 0) || !(by > 0)) return status;
     for (int k = 0; k < 2; k++) {
         if (line->b < model->bodies)
@@ -142,7 +132,7 @@ static TinkerStatus check_line(TinkerDirectionWatch *self, TinkerDirectionLine *
     if (status != TINKER_OK) return status;
     if (line->asked != NULL) line->tension = tinker_direction_tension(self->model, line->asked->batch, line->row);
     double energy = tinker_direction_energy(line, &ends);
-    if (line->tension == 0 || energy > FAR * fabs(line->tension) * extent) return TINKER_OK;
+    if (line->tension == 0 || energy > TINKER_FAR_OFF * fabs(line->tension) * extent) return TINKER_OK;
     if (closest) status = least_energy(self, line, ends, &energy);
     if (closest && status == TINKER_OK)
         status = tinker_island_run_mark_valid(run); /* looks how far the energy is off */
@@ -219,7 +209,7 @@ static TinkerStatus find_meeting(Meeting *meeting)
     double change = h * hypot(a[0], a[1]);
     double most = fabs(line->tension) * change * h + line->mass * change * change;
     if (status == TINKER_OK && fmin(tinker_direction_energy(line, &first), tinker_direction_energy(line, &last)) <=
-                                   most + SEEN * self->run->books.missing)
+                                   most + TINKER_SEEN * self->run->books.missing)
         return refine_meeting(meeting);
     return status;
 }

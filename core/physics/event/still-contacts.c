@@ -8,10 +8,8 @@
 #include "physics/constraint/constraints.h"
 #include "physics/contact/contacts.h"
 #include "physics/event/still-contacts-private.h"
+#include "physics/event/tolerances.h"
 #include "physics/model/model-data.h"
-
-/* Forces below this share of what acts are none. */
-#define NO_FORCE 1e-10
 
 static gboolean may_touch(const TinkerContacts *contacts)
 {
@@ -248,9 +246,9 @@ gboolean tinker_still_contacts_decide(TinkerStillContacts *self, const double *q
     if (tinker_contact_laws_init(&laws, &change) != TINKER_OK ||
         !tinker_change_accelerations(&change, laws.pairs, &scale))
         return refuse(self, _("the forces cannot be made linear there"), error);
-    if (!ask_laws(self, &change, &laws, NO_FORCE * scale))
+    if (!ask_laws(self, &change, &laws, TINKER_FORCE_NOISE * scale))
         return refuse(self, _("no motion satisfies the laws of friction for all bodies that touch there"), error);
-    if (close_what_acts(self, &laws, NO_FORCE * scale) == TINKER_OK) return TRUE;
+    if (close_what_acts(self, &laws, TINKER_FORCE_NOISE * scale) == TINKER_OK) return TRUE;
     return refuse(self, NULL, error);
 }
 

@@ -6,16 +6,12 @@
 #include <string.h>
 
 #include "physics/contact/contacts.h"
+#include "physics/contact/tolerances.h"
 #include "physics/impulse/impulse-private.h"
+#include "physics/impulse/tolerances.h"
 
 /* The way is divided where it meets a plate, so many times at most: then the body stays where it is. */
 #define MOST_PARTS 16
-/* Of the largest speed: a rebound below ends in rest, but for one that loses nothing. */
-#define LEAST_REBOUND 1e-6
-/* Shares of the step that are as good as one. */
-#define AT_ONCE 1e-12
-/* Of what meets in a speed: rounding. */
-#define SPEED_ROUNDING (16 * DBL_EPSILON)
 
 double tinker_impulse_meeting(const TinkerImpulses *self, int32_t body, int32_t number, gboolean closed,
                               const double x[2], const double v[2], double share)
@@ -62,10 +58,10 @@ static void find_least(const TinkerImpulseWay *way, TinkerImpulseTouch *touch)
     if (touch->was != TINKER_CONTACT_OPEN) return;
     const double pull = self->h * (0.5 - touch->share) * tinker_dot(n, self->a + 2 * way->body);
     const double approach = tinker_dot(n, touch->before) - rest, rebound = -e * approach;
-    touch->strikes =
-        approach < -self->h * fabs(tinker_dot(n, self->a + 2 * way->body)) - SPEED_ROUNDING * self->context->speed;
+    touch->strikes = approach < -self->h * fabs(tinker_dot(n, self->a + 2 * way->body)) -
+                                    TINKER_MEETING_ROUNDING * self->context->speed;
     if (!touch->strikes || e <= 0) return;
-    if (e < 1 && !(rebound > LEAST_REBOUND * self->context->speed)) return;
+    if (e < 1 && !(rebound > TINKER_LEAST_REBOUND * self->context->speed)) return;
     if (!(rebound + pull > 0)) return;
     touch->least = rest + rebound + pull;
     touch->bounces = TRUE;
@@ -90,8 +86,8 @@ static double find_meetings(TinkerImpulseWay *way)
         if (first > 0 && touches_already(way, plate)) continue;
         const TinkerContact *closed = way->share == 0 ? tinker_impulse_closed(self, way->body, plate, way->next) : NULL;
         const double share = tinker_impulse_meeting(self, way->body, plate, closed != NULL, way->x, way->v, way->share);
-        if (share > earliest + AT_ONCE || way->count == TINKER_MOST_TOUCHES) continue;
-        if (share < earliest - AT_ONCE) way->count = first;
+        if (share > earliest + TINKER_WHOLE_STEP || way->count == TINKER_MOST_TOUCHES) continue;
+        if (share < earliest - TINKER_WHOLE_STEP) way->count = first;
         earliest = MIN(earliest, share);
         TinkerImpulseTouch *touch = &way->touches[way->count++];
         *touch = (TinkerImpulseTouch){

@@ -7,10 +7,8 @@
 #include "physics/constraint/constraints.h"
 #include "physics/contact/contacts.h"
 #include "physics/impulse/impulse-private.h"
+#include "physics/impulse/tolerances.h"
 #include "physics/model/model-data.h"
-
-/* A gap (of what it is the difference of) that is rounding. */
-#define ROUNDING (64 * DBL_EPSILON)
 
 static TinkerImpulseTouch *held(const TinkerImpulses *self, guint number)
 {
@@ -23,8 +21,8 @@ static void find_least(const TinkerImpulses *self, TinkerImpulseTouch *touch, co
     const TinkerImpulsePlate *plate = &self->plates[touch->plate];
     const double *n = plate->normal, *x = q + 2 * touch->body, rest = tinker_dot(n, plate->velocity);
     const double gap = tinker_impulse_gap(self, plate, touch->body, x, 1);
-    const double rounding =
-        ROUNDING * (fabs(x[0]) + fabs(x[1]) + fabs(plate->top[1]) + self->contacts->half_height[touch->body]);
+    const double rounding = TINKER_GAP_ROUNDING *
+                            (fabs(x[0]) + fabs(x[1]) + fabs(plate->top[1]) + self->contacts->half_height[touch->body]);
     touch->least = fabs(gap) <= rounding ? 0 : -gap / self->h;
     if (touch->was != TINKER_CONTACT_OPEN || touch->share > 1) return;
     const double approach = tinker_dot(n, self->from.v + 2 * touch->body) - rest;

@@ -4,10 +4,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "numerics/contact/tolerances.h"
 #include "physics/impulse/impulse-private.h"
-
-/* Friction nearer to its bound than this share holds no more. */
-#define AT_BOUND 1e-9
 
 static double friction_of(const TinkerImpulses *self, const TinkerImpulseTouch *touch)
 {
@@ -19,7 +17,7 @@ static TinkerContactMode mode_of(const double *impulses, double friction)
 {
     if (!(impulses[0] > 0)) return TINKER_CONTACT_OPEN;
     const double most = friction * impulses[0];
-    if (most > 0 && fabs(impulses[1]) < (1 - AT_BOUND) * most) return TINKER_CONTACT_STICK;
+    if (most > 0 && fabs(impulses[1]) < (1 - TINKER_AT_BOUND) * most) return TINKER_CONTACT_STICK;
     return impulses[1] > 0 ? TINKER_CONTACT_SLIP_BACKWARD : TINKER_CONTACT_SLIP_FORWARD;
 }
 

@@ -1,0 +1,18 @@
+/* What is rounding, and what is let pass, of contacts, by events and as impulses. Each: its unit and what it is
+ * relative to; what it says; and where that was tried, tests that fail where it is 1e4 times as large or as small
+ * ("-": none). */
+#ifndef TINKER_CONTACT_TOLERANCES_H
+#define TINKER_CONTACT_TOLERANCES_H
+
+/* No unit; of the largest speed: a slower rebound ends in rest, but for one that loses nothing. Held by:
+ * physics-contact-bounces. */
+#define TINKER_LEAST_REBOUND 1e-6
+/* No unit; of the largest speed: a start that slides along a top more slowly may stick. Held by: -. */
+#define TINKER_START_SLOW 1e-9
+/* No unit; 1 - the cosine of the angle: two normals are opposite to within this. Held by: -. */
+#define TINKER_OPPOSITE 1e-12
+/* No unit; of what meets in an equation: smaller misses of an elimination are rounding; a solve that leaves more than
+ * half of one is the last. Held by: physics-contact-elimination. */
+#define TINKER_MISS_ROUNDING 1e-14
+
+#endif
