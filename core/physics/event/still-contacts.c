@@ -47,8 +47,8 @@ TinkerStillContacts *tinker_still_contacts_new(TinkerModel *model)
           gaps = bodies * (gsize)model->contacts->plate_count + (gsize)model->constraints.rows;
     self->model = model;
     self->contacts = model->contacts;
-    self->still = g_new0(double, 2 * bodies);
-    self->acceleration = g_new0(double, 2 * bodies);
+    self->still = g_new0(double, (gsize)MAX(model->coordinates, 1));
+    self->acceleration = g_new0(double, (gsize)MAX(model->coordinates, 1));
     self->touches = g_array_new(FALSE, TRUE, sizeof(TinkerTouch));
     self->resting = g_array_new(FALSE, TRUE, sizeof(TinkerContactPair));
     self->sliding = g_array_new(FALSE, TRUE, sizeof(TinkerContactPair));
