@@ -33,7 +33,7 @@ def check_meet(app, first, second, what):
 
 def test_pin_dropped_on_two_bars_joins_them_there(display):
     with App(display, scene(bar("Lower", 0, 0), bar("Upper", 0.5, 0.5, math.pi / 2))) as app:
-        app.drag_pixels(app.middle(app.find("button", "Pin")), app.at(2, 2), app.at(0.5, 0.02))
+        app.drag_pixels(app.middle(app.palette_button("Pin")), app.at(2, 2), app.at(0.5, 0.02))
         lower, upper = app.blocks()["Pin 0"]["ends"]
         check_equal([lower["block"], upper["block"]], ["Lower", "Upper"], "what it joins")
         check_close(lower["at"][0], 0.5, 1e-12, "at the lower one's end")
@@ -44,7 +44,7 @@ def test_pin_dropped_on_two_bars_joins_them_there(display):
 
 def test_pin_dropped_beside_ends_keeps_its_place(display):
     with App(display, scene(support("Wall", 0, 0), bar("Bar", 0, 0, length=3))) as app:
-        app.drag_pixels(app.middle(app.find("button", "Pin")), app.at(2, 2), app.at(0.8, 0.0))
+        app.drag_pixels(app.middle(app.palette_button("Pin")), app.at(2, 2), app.at(0.8, 0.0))
         wall, on_bar = app.blocks()["Pin 0"]["ends"]
         check_equal(wall["block"], "Wall", "the first end")
         check_close(wall["at"][0], 0.8, 1e-12, "on the wall")

@@ -26,7 +26,7 @@ def test_names_count_up(display):
 
 def test_drag_shows_block_on_its_way(display):
     with App(display, scene()) as app:
-        start, target = app.middle(app.find("button", "Mass")), app.at(1.03, 1.98)
+        start, target = app.middle(app.palette_button("Mass")), app.at(1.03, 1.98)
         app.drag_pixels(start, app.at(-2, 0), release=False)
         app.wait_fill(colours.BODY, (-2.4, -0.4), (-1.6, 0.4), least=500)
         app.xdotool("mousemove", *target)
@@ -38,10 +38,10 @@ def test_drag_shows_block_on_its_way(display):
 
 def test_drag_back_places_nothing(display):
     with App(display, scene()) as app:
-        start = app.middle(app.find("button", "Mass"))
+        start = app.middle(app.palette_button("Mass"))
         app.drag_pixels(start, app.at(0, 0), release=False)
         app.wait_fill(colours.BODY, (-0.4, -0.4), (0.4, 0.4), least=500)
-        app.xdotool("mousemove", *app.middle(app.find("button", "Support")))
+        app.xdotool("mousemove", *app.middle(app.palette_button("Support")))
         app.wait_fill(colours.BODY, (-0.4, -0.4), (0.4, 0.4), most=0)
         app.release()
         check_equal(app.blocks(), {}, "blocks")
@@ -50,7 +50,7 @@ def test_drag_back_places_nothing(display):
 
 def test_drag_is_one_step_for_undo(display):
     with App(display, scene()) as app:
-        app.drag_pixels(app.middle(app.find("button", "Mass")), app.at(0, 0), app.at(1, 1), app.at(2, 2))
+        app.drag_pixels(app.middle(app.palette_button("Mass")), app.at(0, 0), app.at(1, 1), app.at(2, 2))
         check_equal(app.blocks()["Mass 0"]["position"], [2, 2], "place")
         app.press("ctrl+z")
         check_equal(app.blocks(), {}, "after undo")
@@ -60,7 +60,7 @@ def test_drag_is_one_step_for_undo(display):
 
 def test_connector_dropped_between_bodies_is_connected(display):
     with App(display, scene(mass("A", 0, 0), mass("B", 3, 0))) as app:
-        app.drag_pixels(app.middle(app.find("button", "Spring")), app.at(1, 1), app.at(0.8, 0.0))
+        app.drag_pixels(app.middle(app.palette_button("Spring")), app.at(1, 1), app.at(0.8, 0.0))
         place = ends(app, "Spring 0")
         check_equal(place[0], "A", "the end that lies on A")
 

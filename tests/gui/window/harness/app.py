@@ -282,12 +282,27 @@ class App:
         self.actions_taken += 1
         self._click_at(*self.middle(node), button=button)
 
+    def palette_button(self, title):
+        """A block of the palette, scrolled to."""
+        button = self.find("button", title)
+        _, top, _, height = self.canvas_box()
+
+        def is_inside():
+            x, y = self.middle(button)
+            if top < y < top + height - 20:
+                return True
+            self.xdotool("mousemove", float(x), float(top + height / 2), "click", 5 if y > top else 4)
+            return False
+
+        wait(is_inside, f"{title} to be scrolled to")
+        return button
+
     def place(self, title):
         """Clicks a block of the palette and waits for it; answers its name."""
         def names():
             return {node.name for node in self.tree.refresh(self.tree.is_due()) if node.role == "list item" and node.is_shown()}
 
-        before, button = names(), self.find("button", title)
+        before, button = names(), self.palette_button(title)
         self.click(button)
         self.xdotool("mousemove", *self.middle(self.canvas()))  # before a tooltip covers the next one
         new = wait(lambda: names() - before, f"a new {title}")
