@@ -45,7 +45,10 @@ extern "C" {
 #define TINKER_MEANING_RESTITUTION      13
 #define TINKER_MEANING_LENGTH           14 /* m: the length that a connector keeps or tends to */
 #define TINKER_MEANING_RADIUS           15 /* m: of a disc about the block's centre */
-#define TINKER_MEANING_COUNT            16
+#define TINKER_MEANING_INSTANT          16 /* s: when in a run something happens; before 0: it has */
+#define TINKER_MEANING_CENTRE_OF_MASS   17 /* vector, m: in the axes of the points of an outline */
+#define TINKER_MEANING_COLLIDES         18 /* switch, of a point mass: whether it meets others and bodies that turn */
+#define TINKER_MEANING_COUNT            19
 
 /* Flags of a property. */
 #define TINKER_HAS_MINIMUM    (1u << 0) /* hard_minimum counts */
@@ -58,10 +61,16 @@ extern "C" {
 #define TINKER_DEFAULT_AS_PLACED                                                                                       \
     (1u << 7)                               /* left out: the length from end to end at t = 0, or of an                 \
                                                angle that from what the first end is on to what the                    \
-                                               second is on; needs two ends */
+                                               second is on; needs two ends.                                           \
+                                               Of a property that means the radius:                                    \
+                                               that of what the first end is on; a length                              \
+                                               beside it is that of the tangent from                                   \
+                                               there to the second end */
 #define TINKER_DEFAULT_SAME_AS   (1u << 8)  /* left out, it equals the property that `default_from` names */
 #define TINKER_DEFAULT_AS_SHAPED (1u << 9)  /* left out, a body works it out: TinkerBody.as_shaped (physics.h) */
+#define TINKER_DEFAULT_NONE      (1u << 13) /* left out, it has no value: NaN in its column; of a real alone */
 #define TINKER_TEXT_LAW          (1u << 10) /* a text in the grammar of expressions: see typed-law.h */
+#define TINKER_TEXT_POINTS       (1u << 12) /* a text that is a list of points, "x y; x y; ..."; [[x, y], ...] in a scene */
 #define TINKER_TEXT_QUANTITY     (1u << 11) /* a text that is a number with any unit, which laws name by its id */
 
 /* A property. The window has a row for it, labelled by its title. A vector has two, labelled by its title and a
@@ -148,6 +157,13 @@ typedef struct TinkerBlockType {
     TinkerSpan law;        /* of TinkerLawEquation (law.h): what its code works out, as data; none: not stated */
 } TinkerBlockType;
 
+/* The points of a property with TINKER_TEXT_POINTS, in SI; a text that cannot be read has none. */
+typedef struct TinkerPointList {
+    const double *points; /* x and y by turns */
+    int32_t count;
+    int32_t reserved;
+} TinkerPointList;
+
 /* Batches of instances ------------------------------------------------------------------------------------------- */
 
 /* A range of the instances of one type. Every array of a call is indexed from 0 to count - 1 within the range.
@@ -180,6 +196,9 @@ typedef struct TinkerBatch {
     const double *const *placed_columns; /* the columns as they are at t = 0: waveforms are there at their start */
     double *angular; /* what the callee writes of angles, zeroed before the call: of a force element the torque (N m) on
                         what each end is on, counter-clockwise; of a constraint the third column of each end */
+    const TinkerPointList *point_lists; /* of instance i from i * point_list_count on; NULL: there are none */
+    int32_t point_list_count;           /* of each instance: the properties with TINKER_TEXT_POINTS, in order */
+    int32_t reserved;
 } TinkerBatch;
 
 #ifdef __cplusplus

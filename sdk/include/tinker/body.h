@@ -32,6 +32,9 @@ enum {
     TINKER_BODY_ANGULAR_VELOCITY = TINKER_BODY_VELOCITY + 2,
     TINKER_BODY_LOCAL_ORIGIN,
     TINKER_BODY_SOLID = TINKER_BODY_LOCAL_ORIGIN + 2,
+    TINKER_BODY_STATIC_FRICTION,
+    TINKER_BODY_DYNAMIC_FRICTION,
+    TINKER_BODY_RESTITUTION,
     TINKER_BODY_COLUMNS
 };
 
@@ -87,11 +90,10 @@ enum {
          .meaning = TINKER_MEANING_LOCAL_ORIGIN,                                                                       \
          .variability = TINKER_TUNABLE,                                                                                \
          .description = "Where its offset is measured from; the motion does not depend on it"},                        \
-    {                                                                                                                  \
-        TINKER_SWITCH_PROPERTY("solid", "Solid", "Properties"),                                                        \
-            .default_value = {solid_}, .meaning = TINKER_MEANING_SOLID, .variability = TINKER_STRUCTURAL,              \
-            .description = "Whether it meets the solid sides of supports"                                              \
-    }
+        {TINKER_SWITCH_PROPERTY("solid", "Solid", "Properties"), .default_value = {solid_},                            \
+         .meaning = TINKER_MEANING_SOLID, .variability = TINKER_STRUCTURAL,                                            \
+         .description = "Whether it meets the solid sides of supports, and other solid bodies"},                       \
+        TINKER_SURFACE_PROPERTIES
 
 /* The quantities that tinker_body_values works out, in its order. */
 #define TINKER_BODY_QUANTITIES                                                                                         \

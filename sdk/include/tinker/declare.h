@@ -50,6 +50,11 @@
 #define TINKER_VECTOR_PROPERTY(id_, title_, group_, x_, y_, ...)                                                       \
     TINKER_PROPERTY_IN_PANEL(-1, TINKER_KIND_VECTOR, id_, title_, group_, __VA_ARGS__), .component_titles = {x_, y_}
 
+/* A list of points, as "0 0; 1 0; 0 1". */
+#define TINKER_POINTS_PROPERTY(id_, title_, group_, points_, ...)                                                      \
+    TINKER_PROPERTY_IN_PANEL(-1, TINKER_KIND_TEXT, id_, title_, group_, __VA_ARGS__), .flags = TINKER_TEXT_POINTS,     \
+                                                                                      .default_text = points_
+
 /* A waveform that the properties "amplitude", "frequency" and "phase" of the same block scale, turn and shift. */
 #define TINKER_WAVEFORM_IN_PANEL(panel_, id_, title_, group_, kind_, ...)                                              \
     TINKER_PROPERTY_IN_PANEL(panel_, TINKER_KIND_WAVEFORM, id_, title_, group_, __VA_ARGS__),                          \
@@ -67,6 +72,27 @@
 #define TINKER_BETWEEN(more, least, greatest)                                                                          \
     .flags = TINKER_HAS_MINIMUM | TINKER_HAS_MAXIMUM | TINKER_HAS_SOFT_RANGE | (more), .hard_minimum = (least),        \
     .hard_maximum = (greatest), .soft_minimum = (least), .soft_maximum = (greatest)
+
+/* The surface of a block that moves: three properties, each left out where it has none of its own. */
+#define TINKER_SURFACE_PROPERTIES                                                                                      \
+    {TINKER_REAL_PROPERTY("static_friction", "Static coefficient", "Friction", TINKER_DIMENSION_NONE),                 \
+     TINKER_NOT_NEGATIVE(TINKER_DEFAULT_NONE, 1.0),                                                                    \
+     .symbol = "µs",                                                                                                   \
+     .meaning = TINKER_MEANING_STATIC_FRICTION,                                                                        \
+     .variability = TINKER_TUNABLE,                                                                                    \
+     .description = "Friction that holds it on what it touches, at most, per normal force"},                           \
+        {TINKER_REAL_PROPERTY("dynamic_friction", "Dynamic coefficient", "Friction", TINKER_DIMENSION_NONE),           \
+         TINKER_NOT_NEGATIVE(TINKER_DEFAULT_NONE, 1.0),                                                                \
+         .symbol = "µd",                                                                                               \
+         .meaning = TINKER_MEANING_DYNAMIC_FRICTION,                                                                   \
+         .variability = TINKER_TUNABLE,                                                                                \
+         .description = "Friction where it slides, per normal force; at most the static coefficient"},                 \
+    {                                                                                                                  \
+        TINKER_REAL_PROPERTY("restitution", "Restitution", "Properties", TINKER_DIMENSION_NONE),                       \
+            TINKER_BETWEEN(TINKER_DEFAULT_NONE, 0.0, 1.0),                                                             \
+            .symbol = "e", .meaning = TINKER_MEANING_RESTITUTION, .variability = TINKER_TUNABLE,                       \
+            .description = "How much of its normal velocity it keeps when it bounces: 0 none, 1 all"                   \
+    }
 
 /* A whole quantity. */
 #define TINKER_QUANTITY(flags_, id_, title_, description_, ...)                                                        \

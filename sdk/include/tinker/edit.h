@@ -18,6 +18,9 @@ extern "C" {
 #define TINKER_PART_NONE   (-1)
 #define TINKER_PART_WHOLE  1000 /* the block itself; end n of a connector is part n; handle n is part 2000 + n */
 #define TINKER_PART_HANDLE 2000
+/* The handle of point n of a list of points is part 3000 + n. The host itself moves it, adds and removes points: of a
+ * type with TINKER_MEANING_CENTRE_OF_MASS. */
+#define TINKER_PART_POINT 3000
 
 /* The host's side of an edit. Each call is part of the same undo step. */
 typedef struct TinkerEditor {

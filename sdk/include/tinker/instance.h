@@ -33,7 +33,10 @@ typedef struct TinkerInstance {
     const double *path; /* of a type with TINKER_LEAVES_PATH: x, y of each place where its first end has been up to
                            now, from the start on; else NULL */
     int32_t path_count; /* places; 0 where nothing has run */
-    int32_t reserved;
+    int32_t point_list_count;
+    const TinkerPointList *point_lists; /* of the properties with TINKER_TEXT_POINTS, in order; NULL: there are none */
+    int32_t text_count;                 /* entries of `texts` */
+    const char *const *texts; /* the values of its properties that are texts, in the order of the declaration, UTF-8 */
 } TinkerInstance;
 
 #ifdef __cplusplus

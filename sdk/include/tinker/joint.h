@@ -48,6 +48,27 @@ static inline void tinker_row_clear(double *jacobian, double *angular, int32_t e
     }
 }
 
+/* Writes what a torque between the two ends of an instance does, as a call of `force` has to: no force, and the torque
+ * on what the first end is on, its opposite on what the second is on. */
+static inline void tinker_pair_of_torques(const TinkerBatch *batch, int32_t instance, double torque, double *forces)
+{
+    for (int32_t k = 0; k < 4; k++) {
+        forces[4 * instance + k] = 0.0;
+    }
+    batch->angular[2 * instance] = torque;
+    batch->angular[2 * instance + 1] = -torque;
+}
+
+/* `scale` of a constraint of angles alone, whose rows are in rad: an error is measured against one radian, wherever the
+ * ends are. */
+static inline TinkerStatus tinker_scale_of_angles(TinkerBatch *batch, double *scale)
+{
+    for (int32_t i = 0; i < batch->count; i++) {
+        scale[i] = 1.0;
+    }
+    return TINKER_OK;
+}
+
 /* Drawing ---------------------------------------------------------------------------------------------------------- */
 
 #define TINKER_ARC_LINES 24
@@ -96,6 +117,16 @@ static inline int32_t tinker_round_hit(const TinkerInstance *instance, double ra
     const double middle = tinker_length(x - instance->x, y - instance->y);
     const double first = tinker_length(x - instance->end[0].x, y - instance->end[0].y);
     return fmin(middle, first) <= radius + reach ? TINKER_PART_WHOLE : TINKER_PART_NONE;
+}
+
+/* Bounds of what is drawn in the middle within so many symbols, along the lines between its ends where they
+ * have come apart. */
+static inline void tinker_symbol_bounds(const TinkerInstance *instance, const TinkerStyle *style, double symbols,
+                                        double box[4])
+{
+    const double radius = symbols * style->symbol_size;
+    tinker_round_bounds(instance, style, radius, box);
+    tinker_bounds_add(box, instance->x, instance->y, radius + tinker_drawing_margin(style));
 }
 
 /* Where its ends have come apart, as in a scene whose start does not fit, what is between them. */

@@ -22,12 +22,15 @@
  *                ...; x_start, y_start, theta_start, or
  *                x1_start, ...: what they were at the start;
  *                L, the sum of the distances from end to end
- * motion                                                        displacement_x, displacement_y
+ *                w_start of each waveform w: its value at the
+ *                start
+ * motion                                                        displacement_x, displacement_y; rotation
  *
  * theta is the angle of what an end is on, omega how fast it turns, both counter-clockwise; turns is 1 where that has
  * an angle, a body that turns or a support, and 0 for a point mass, whose theta is 0. With it a joint says what a point
  * mass leaves of it: g3 = turns1*turns2*(theta2 - theta2_start - theta1 + theta1_start) of a weld. A row that is 0
- * whatever the places are is left out of the equations.
+ * whatever the places are is left out of the equations. All symbols of an end that a block may have and has not are 0.
+ * At an end of which a law states a torque, a force that it does not state is 0.
  *
  * A joint states its rows and nothing else: the host takes their gradients, which are the directions in which their
  * multipliers act at each end, and the moments of these by the arms. A row g has the unit of its declared dimension;

@@ -36,6 +36,9 @@ extern "C" {
                                 corners meet surfaces */
 #define TINKER_SHAPE_PLATE 2 /* a segment of `width` with one solid side, +height / 2 along its own y axis */
 #define TINKER_SHAPE_DISC  3 /* of a rigid body: a disc of `radius` (TINKER_MEANING_RADIUS), which rolls */
+#define TINKER_SHAPE_OUTLINE                                                                                           \
+    4 /* of a rigid body: the polygon of its list of points (TINKER_TEXT_POINTS), convex or not; its centre of mass is \
+         at TINKER_MEANING_CENTRE_OF_MASS among them */
 
 /* Something that connectors attach to. Its place, velocity, mass and size are the properties that carry the meanings
  * TINKER_MEANING_POSITION, _VELOCITY, _MASS, _INERTIA, _ORIENTATION, _ANGULAR_VELOCITY, _WIDTH, _HEIGHT and so on. A
@@ -98,6 +101,22 @@ typedef struct TinkerForceElement {
     double (*next_break)(TinkerBatch *batch); /* as for a line law */
     int32_t dissipates; /* 1: stores nothing, and what it takes is booked as taken by dampers; else 0 */
     int32_t reserved;
+    /* Blows: impulses that act at an instant, which joints and contacts answer to as to an impact; no step crosses one,
+     * and what they give is booked as given by motors. The next instant after batch->time at which an instance strikes,
+     * INFINITY for none. Asked with a time before 0 first: a blow at 0 acts before the first sample. NULL: there are
+     * none. */
+    double (*next_blow)(TinkerBatch *batch);
+    /* Required beside next_blow: writes impulse[2 * end] and impulse[2 * end + 1] (N s), what is given to each end at
+     * batch->time, 0 by instances that do not strike then; with `angles`, batch->angular[end] (N m s) as well. The ends
+     * are as they are before it. */
+    TinkerStatus (*blow)(TinkerBatch *batch, const TinkerPoint *ends, double *impulse);
+    /* Where an instance gives no forces, but torques that are linear in the angles of its ends:
+     *     stiffness * (theta_2 - theta_1 - rest) + damping * (omega_2 - omega_1) + value of the waveform
+     * on the first, and the opposite on the second; of one end alone, the value of the waveform. Writes stiffness
+     * (N m/rad), damping (N m s/rad), rest (rad) and the first column of the waveform, or -1, per instance.
+     * TINKER_RETRY_SMALLER: not of that form. */
+    TinkerStatus (*torsion)(TinkerBatch *batch, double *stiffness, double *damping, double *rest,
+                            int32_t *waveform_column);
 } TinkerForceElement;
 
 /* Field ---------------------------------------------------------------------------------------------------------- */
@@ -158,9 +177,9 @@ typedef struct TinkerConstraint {
     TinkerStatus (*rows_at)(TinkerBatch *batch, const TinkerPoint *ends, double *g, double *jacobian, double *drift);
     /* dg/dt of what is prescribed (a waveform), with the places held. NULL: 0. */
     TinkerStatus (*prescribed_rate)(TinkerBatch *batch, const TinkerPoint *ends, double *rate);
-    /* The length (m) that an error of each row is measured against: a rod's own. NULL: the largest distance between
-     * its ends. Of a constraint with one end, about a place that is a property, it is also the extent of the motion,
-     * which steps and forecasts go by: tell it. */
+    /* The length (m) that an error of each row is measured against: a rod's own; of a row in rad, 1. NULL: the largest
+     * distance between its ends. Of a constraint with one end, about a place that is a property, it is also the extent
+     * of the motion, which steps and forecasts go by: tell it. */
     TinkerStatus (*scale)(TinkerBatch *batch, double *length);
     /* Checks the properties, once before a run. TINKER_FAILED names the instance. */
     TinkerStatus (*check)(TinkerBatch *batch);
@@ -175,7 +194,13 @@ typedef struct TinkerConstraint {
      * rows * end_offsets[i] + r * ends of i). A row of angles alone may be in rad: its multiplier is a torque. Else
      * 0. */
     int32_t angles;
-    int32_t reserved;
+    /* 1: the two rows of each instance keep its two ends at one place, g = (x_2 - x_1, y_2 - y_1), with nothing
+     * prescribed; the host then works the rows out itself and calls nothing in the loop. Else 0. */
+    int32_t coincident;
+    /* Where the last row of an instance says that a constant combination of how far its ends have been turned since
+     * they were placed is 0, g = sum of factors[end] * (theta - theta as placed): writes these factors. Two rows that
+     * come before it keep its two ends at one place. TINKER_RETRY_SMALLER: not of that form. */
+    TinkerStatus (*turning)(TinkerBatch *batch, double *factors);
 } TinkerConstraint;
 
 /* Motion --------------------------------------------------------------------------------------------------------- */

@@ -88,6 +88,14 @@ typedef struct TinkerStyle {
     /* A thin line through `count` points, given as x, y, x, y, ...: however many there are, it is drawn at once. */
     void (*polyline)(const struct TinkerStyle *style, struct _cairo *cairo, int32_t colour, const double *points,
                      int32_t count);
+    /* A polygon with these corners, filled unless fill is -1, outlined unless edge is -1. */
+    void (*polygon)(const struct TinkerStyle *style, struct _cairo *cairo, int32_t fill, int32_t edge,
+                    const double *points, int32_t count);
+    /* A note about the point, in upright letters of this height (m): its lines end with a line feed, or with "\n" as
+     * two signs, and begin below one another; what stands between two dollar signs is a formula in the grammar of
+     * expressions, "$F = -k*x$", set with fractions, roots and powers, greek letters by their names. */
+    void (*note)(const struct TinkerStyle *style, struct _cairo *cairo, int32_t colour, double x, double y,
+                 double height, const char *text);
 } TinkerStyle;
 
 typedef struct TinkerRender {

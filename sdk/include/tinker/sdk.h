@@ -18,6 +18,7 @@
 #include "plugin.h"
 #include "render.h"
 #include "shapes.h"
+#include "track.h"
 #include "typed-law.h"
 #include "units.h"
 

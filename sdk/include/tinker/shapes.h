@@ -167,7 +167,7 @@ typedef struct TinkerBoxColumns {
     int32_t position, local_origin, orientation, width, height;
 } TinkerBoxColumns;
 
-#define TINKER_HANDLE_SIZE         (TINKER_PART_HANDLE + 0) /* the corner at the right of the top */
+#define TINKER_HANDLE_SIZE         (TINKER_PART_HANDLE + 0) /* of a box the corner at the right of the top */
 #define TINKER_HANDLE_ROTATION     (TINKER_PART_HANDLE + 1) /* above the top */
 #define TINKER_HANDLE_LOCAL_ORIGIN (TINKER_PART_HANDLE + 2)
 
@@ -213,18 +213,16 @@ static inline void tinker_box_bounds(const TinkerInstance *instance, const Tinke
     }
 }
 
-/* Size and rotation, unless it is a dot, and the local origin. While that lies on the centre its handle is parked
- * beyond a corner: there it hides no mass from being dragged. */
-static inline int32_t tinker_box_handles(const TinkerInstance *instance, const TinkerBoxColumns *at,
-                                         TinkerHandle *handles, int32_t room)
+/* The handles of rotation, above what reaches so far from the centre along its own axes, and of the local origin. While
+ * that lies on the centre its handle is parked beyond a corner: there it hides no mass from being dragged. Answers how
+ * many handles there are with those `count` that are written already. */
+static inline int32_t tinker_turned_handles(const TinkerInstance *instance, const TinkerBoxColumns *at,
+                                            double half_width, double half_height, TinkerHandle *handles, int32_t room,
+                                            int32_t count)
 {
     const double symbol = tinker_instance_symbol_size(instance);
-    const double half_width = instance->columns[at->width] / 2.0, half_height = instance->columns[at->height] / 2.0;
-    int32_t count = 0;
     double x, y;
     if (half_width > 0.0 || half_height > 0.0) {
-        tinker_box_to_world(instance, half_width, half_height, &x, &y);
-        count = tinker_handle_add(handles, room, count, TINKER_HANDLE_SIZE, x, y);
         tinker_box_to_world(instance, 0.0, half_height + 2.0 * symbol, &x, &y);
         count = tinker_handle_add(handles, room, count, TINKER_HANDLE_ROTATION, x, y);
     }
@@ -236,9 +234,10 @@ static inline int32_t tinker_box_handles(const TinkerInstance *instance, const T
     return tinker_handle_add(handles, room, count, TINKER_HANDLE_LOCAL_ORIGIN, x, y);
 }
 
-/* Moving the whole sets the place; what displaces the block from it (a motion) stays, and so does the local origin. */
-static inline void tinker_box_move_absolute(const TinkerInstance *instance, const TinkerBoxColumns *at, int32_t part,
-                                            double x, double y, const TinkerEditor *editor)
+/* Moves the whole or the handle of rotation or of the local origin to a place. Moving the whole sets the place; what
+ * displaces the block from it (a motion) stays, and so does the local origin. Uses no size. */
+static inline void tinker_turned_move_absolute(const TinkerInstance *instance, const TinkerBoxColumns *at, int32_t part,
+                                               double x, double y, const TinkerEditor *editor)
 {
     const double *columns = instance->columns;
     if (part == TINKER_PART_WHOLE) {
@@ -247,18 +246,16 @@ static inline void tinker_box_move_absolute(const TinkerInstance *instance, cons
     } else if (part == TINKER_HANDLE_LOCAL_ORIGIN) {
         editor->set(editor, at->local_origin, x);
         editor->set(editor, at->local_origin + 1, y);
-    } else if (part == TINKER_HANDLE_SIZE) {
-        double own_x, own_y;
-        tinker_box_to_own(instance, x, y, &own_x, &own_y);
-        editor->set(editor, at->width, 2.0 * fabs(own_x));
-        editor->set(editor, at->height, 2.0 * fabs(own_y));
     } else if (part == TINKER_HANDLE_ROTATION) {
         tinker_set_angle(editor, at->orientation, y - instance->y, instance->x - x);
     }
 }
 
-static inline void tinker_box_move(const TinkerInstance *instance, const TinkerBoxColumns *at, int32_t part, double dx,
-                                   double dy, const TinkerEditor *editor)
+/* Moves the whole or the local origin by an offset; a handle, which has no columns of its own, to where it is then, by
+ * the block's own function. */
+static inline void tinker_turned_move(const TinkerInstance *instance, const TinkerBoxColumns *at,
+                                      const TinkerEdit *edit, int32_t part, double dx, double dy,
+                                      const TinkerEditor *editor)
 {
     TinkerHandle handles[3];
     if (part == TINKER_PART_WHOLE || part == TINKER_HANDLE_LOCAL_ORIGIN) {
@@ -267,13 +264,63 @@ static inline void tinker_box_move(const TinkerInstance *instance, const TinkerB
         editor->set(editor, column + 1, instance->columns[column + 1] + dy);
         return;
     }
-    const int32_t count = tinker_box_handles(instance, at, handles, 3);
+    const int32_t count = edit->handles(instance, handles, 3);
     for (int32_t k = 0; k < count; k++) {
-        if (handles[k].part == part) {
-            tinker_box_move_absolute(instance, at, part, handles[k].x + dx, handles[k].y + dy, editor);
-        }
+        if (handles[k].part == part) edit->move_absolute(instance, part, handles[k].x + dx, handles[k].y + dy, editor);
     }
 }
+
+/* Size, unless it is a dot, rotation and local origin. */
+static inline int32_t tinker_box_handles(const TinkerInstance *instance, const TinkerBoxColumns *at,
+                                         TinkerHandle *handles, int32_t room)
+{
+    const double half_width = instance->columns[at->width] / 2.0, half_height = instance->columns[at->height] / 2.0;
+    int32_t count = 0;
+    if (half_width > 0.0 || half_height > 0.0) {
+        double x, y;
+        tinker_box_to_world(instance, half_width, half_height, &x, &y);
+        count = tinker_handle_add(handles, room, count, TINKER_HANDLE_SIZE, x, y);
+    }
+    return tinker_turned_handles(instance, at, half_width, half_height, handles, room, count);
+}
+
+static inline void tinker_box_move_absolute(const TinkerInstance *instance, const TinkerBoxColumns *at, int32_t part,
+                                            double x, double y, const TinkerEditor *editor)
+{
+    double own_x, own_y;
+    if (part != TINKER_HANDLE_SIZE) {
+        tinker_turned_move_absolute(instance, at, part, x, y, editor);
+        return;
+    }
+    tinker_box_to_own(instance, x, y, &own_x, &own_y);
+    editor->set(editor, at->width, 2.0 * fabs(own_x));
+    editor->set(editor, at->height, 2.0 * fabs(own_y));
+}
+
+/* Defines the interface of editing of a block that is a box with these columns, as a constant of this name. */
+#define TINKER_DEFINE_BOX_EDIT(edit, columns)                                                                          \
+    static int32_t edit##_hit(const TinkerInstance *instance, double x, double y, double reach)                        \
+    {                                                                                                                  \
+        return tinker_box_hit(instance, &(columns), x, y, reach);                                                      \
+    }                                                                                                                  \
+    static int32_t edit##_handles(const TinkerInstance *instance, TinkerHandle *handles, int32_t room)                 \
+    {                                                                                                                  \
+        return tinker_box_handles(instance, &(columns), handles, room);                                                \
+    }                                                                                                                  \
+    static void edit##_move_absolute(const TinkerInstance *instance, int32_t part, double x, double y,                 \
+                                     const TinkerEditor *editor)                                                       \
+    {                                                                                                                  \
+        tinker_box_move_absolute(instance, &(columns), part, x, y, editor);                                            \
+    }                                                                                                                  \
+    static void edit##_move(const TinkerInstance *instance, int32_t part, double dx, double dy,                        \
+                            const TinkerEditor *editor);                                                               \
+    static const TinkerEdit edit = {sizeof(TinkerEdit), 0, edit##_hit, edit##_move, edit##_move_absolute,              \
+                                    edit##_handles};                                                                   \
+    static void edit##_move(const TinkerInstance *instance, int32_t part, double dx, double dy,                        \
+                            const TinkerEditor *editor)                                                                \
+    {                                                                                                                  \
+        tinker_turned_move(instance, &(columns), &(edit), part, dx, dy, editor);                                       \
+    }
 
 #ifdef __cplusplus
 }

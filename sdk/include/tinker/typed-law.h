@@ -27,6 +27,17 @@ extern "C" {
 
 typedef struct TinkerTypedLaw TinkerTypedLaw;
 
+#define TINKER_TYPED_MOST_ARGUMENTS 16
+
+/* A question to the laws of many instances at once, which is much faster than one by one. */
+typedef struct TinkerTypedQuestion {
+    const TinkerTypedLaw *const *laws; /* that of instance i is laws[i * stride]; one that is NULL is passed over */
+    int32_t stride;                    /* 0: all have one law */
+    int32_t count;                     /* of instances */
+    const double *const *arguments;    /* argument k of instance i is arguments[k][i]; where arguments[k] is NULL ... */
+    const double *uniform;             /* ... it is uniform[k] of all; NULL where there is none such */
+} TinkerTypedQuestion;
+
 /* `arguments` are as many as the property names, in their order. What switches has the slope of the piece it is in. */
 typedef struct TinkerTypedLawService {
     uint32_t struct_size;
@@ -34,12 +45,24 @@ typedef struct TinkerTypedLawService {
     double (*value)(const TinkerTypedLaw *formula, const double *arguments);
     double (*slope)(const TinkerTypedLaw *formula, int32_t by, const double *arguments);
     double (*curvature)(const TinkerTypedLaw *formula, int32_t by, int32_t and_by, const double *arguments);
+    /* The same of many, to the same bits; `results` is by instance, and overlaps no argument. */
+    void (*values)(const TinkerTypedQuestion *question, double *results);
+    void (*slopes)(const TinkerTypedQuestion *question, int32_t by, double *results);
+    void (*curvatures)(const TinkerTypedQuestion *question, int32_t by, int32_t and_by, double *results);
 } TinkerTypedLawService;
 
 /* The formula of an instance; NULL where its text is empty. */
 static inline const TinkerTypedLaw *tinker_typed(const TinkerBatch *batch, int32_t instance, int32_t number)
 {
     return batch->laws != 0 ? batch->laws[instance * batch->law_count + number] : 0;
+}
+
+/* The laws with this number of all instances, over these arguments; `uniform` may be NULL. */
+static inline TinkerTypedQuestion tinker_typed_question(const TinkerBatch *batch, int32_t number,
+                                                        const double *const *arguments, const double *uniform)
+{
+    const TinkerTypedQuestion question = {batch->laws + number, batch->law_count, batch->count, arguments, uniform};
+    return question;
 }
 
 /* A typed law over the arguments `names_`, a static array. */
@@ -83,6 +106,57 @@ static inline double tinker_typed_force(const TinkerTypedLawService *service, co
     const TinkerTypedLaw *potential = tinker_typed(batch, instance, TINKER_TYPED_POTENTIAL);
     if (potential != NULL) return -service->slope(potential, axis, place->of_potential);
     return force != NULL ? service->value(force, place->of_force) : 0.0;
+}
+
+#define TINKER_TYPED_CHUNK 64
+
+/* The forces (x and y by turns) at up to TINKER_TYPED_CHUNK places, in one question a law: of place k those of the
+ * instance `instance` + k * `each`, so that with 0 all are of one. `masses` may be NULL: 0. */
+static inline void tinker_typed_ask_forces(const TinkerTypedLawService *service, const TinkerBatch *batch,
+                                           int32_t instance, int32_t each, int32_t count, const TinkerPoint *points,
+                                           const double *masses, double *result)
+{
+    double x[TINKER_TYPED_CHUNK], y[TINKER_TYPED_CHUNK], vx[TINKER_TYPED_CHUNK], vy[TINKER_TYPED_CHUNK];
+    double answer[TINKER_TYPED_CHUNK];
+    const double *const of_force[6] = {x, y, vx, vy, NULL, masses}, *const of_potential[4] = {x, y, NULL, masses};
+    const double uniform_force[6] = {0.0, 0.0, 0.0, 0.0, batch->time, 0.0};
+    const double uniform_potential[4] = {0.0, 0.0, batch->time, 0.0};
+    const TinkerTypedLaw *const *laws = batch->laws + instance * batch->law_count;
+    const int32_t stride = each * batch->law_count;
+    for (int32_t k = 0; k < count; k++) {
+        x[k] = points[k].x + batch->origin[0];
+        y[k] = points[k].y + batch->origin[1];
+        vx[k] = points[k].vx;
+        vy[k] = points[k].vy;
+    }
+    for (int32_t axis = 0; axis < 2; axis++) {
+        const TinkerTypedQuestion force = {laws + TINKER_TYPED_FORCE_X + axis, stride, count, of_force, uniform_force};
+        const TinkerTypedQuestion potential = {laws + TINKER_TYPED_POTENTIAL, stride, count, of_potential,
+                                               uniform_potential};
+        for (int32_t k = 0; k < count; k++)
+            answer[k] = 0.0;
+        service->values(&force, answer);
+        service->slopes(&potential, axis, answer);
+        for (int32_t k = 0; k < count; k++)
+            result[2 * k + axis] = laws[k * stride + TINKER_TYPED_POTENTIAL] != NULL ? -answer[k] : answer[k];
+    }
+}
+
+/* The forces at any number of places; see above. Few are asked one by one, which is faster. */
+static inline void tinker_typed_forces(const TinkerTypedLawService *service, const TinkerBatch *batch, int32_t instance,
+                                       int32_t each, int32_t count, const TinkerPoint *points, const double *masses,
+                                       double *result)
+{
+    for (int32_t first = 0; count >= 8 && first < count; first += TINKER_TYPED_CHUNK) {
+        const int32_t left = count - first, chunk = left < TINKER_TYPED_CHUNK ? left : TINKER_TYPED_CHUNK;
+        tinker_typed_ask_forces(service, batch, instance + first * each, each, chunk, points + first,
+                                masses != NULL ? masses + first : NULL, result + 2 * first);
+    }
+    for (int32_t k = 0; count < 8 && k < count; k++) {
+        const TinkerTypedLawPlace place = tinker_typed_place(batch, &points[k], masses != NULL ? masses[k] : 0.0);
+        for (int32_t axis = 0; axis < 2; axis++)
+            result[2 * k + axis] = tinker_typed_force(service, batch, instance + k * each, axis, &place);
+    }
 }
 
 /* The derivative of a force by x, y, vx or vy (0 to 3). */
@@ -142,7 +216,9 @@ static const char *const tinker_typed_of_potential[] = {"x", "y", "t", "m"};
     static TinkerStatus tinker_find_formulas(const TinkerHost *host)                                                   \
     {                                                                                                                  \
         tinker_typed_laws = (const TinkerTypedLawService *)host->service(host, TINKER_TYPED_SERVICE);                  \
-        return tinker_typed_laws != NULL ? TINKER_OK : TINKER_FAILED;                                                  \
+        return tinker_typed_laws != NULL && tinker_typed_laws->struct_size >= sizeof(TinkerTypedLawService)            \
+                   ? TINKER_OK                                                                                         \
+                   : TINKER_FAILED;                                                                                    \
     }                                                                                                                  \
     static const TinkerPlugin tinker_the_plugin = {TINKER_PLUGIN_HEAD,                                                 \
                                                    id_,                                                                \
