@@ -1,17 +1,10 @@
-/* Compiling trees to programs, and working programs out with numbers alone. The instructions are those of waveforms; an
- * argument is an instruction "time" with its number, so that no function has a meaning of its own here. */
-#include "units/compiled.h"
-
+/* Compiling trees to programs. The instructions are those of waveforms; an argument is an instruction "time" with its
+ * number, so that no function has a meaning of its own here. */
 #include <string.h>
 
-#include "units/expression-private.h"
+#include "units/compiled-private.h"
 
-#define MOST_INSTRUCTIONS 1024 /* results stand on the stack */
-
-struct _TinkerCompiled {
-    int count;
-    TinkerInstruction code[];
-};
+#define MOST_PRODUCT 16 /* powers up to this one are products */
 
 typedef struct {
     TinkerBuilder builder;
@@ -45,17 +38,37 @@ static int chain(Compiler *compiler, const TinkerExpression *node, TinkerOperati
     return result;
 }
 
-/* Small whole powers as products, which are as exact and much faster. */
+static int binary(Compiler *compiler, TinkerOperation operation, int a, int b)
+{
+    return tinker_build(&compiler->builder, operation, a, b, -1, 0);
+}
+
+/* x^n by squaring: off by (n - 1) / 2 ulp at most. */
+static int whole_power(Compiler *compiler, int x, int n)
+{
+    if (n == 1) return x;
+    const int half = whole_power(compiler, x, n / 2);
+    const int square = binary(compiler, TINKER_OP_MULTIPLY, half, half);
+    return n % 2 == 0 ? square : binary(compiler, TINKER_OP_MULTIPLY, square, x);
+}
+
+/* Small powers, of halves too, as products and a root, which are about as exact and much faster. */
 static int power(Compiler *compiler, const TinkerExpression *node)
 {
+    TinkerBuilder *builder = &compiler->builder;
     const int base = compile(compiler, node->parts[0]);
     const TinkerExpression *exponent = node->parts[1];
-    const double n = exponent->kind == TINKER_EXPRESSION_NUMBER ? exponent->number : 0;
-    if (n != 2 && n != 3 && n != 4)
-        return tinker_build(&compiler->builder, TINKER_OP_POWER, base, compile(compiler, exponent), -1, 0);
-    const int square = tinker_build(&compiler->builder, TINKER_OP_MULTIPLY, base, base, -1, 0);
-    if (n == 2) return square;
-    return tinker_build(&compiler->builder, TINKER_OP_MULTIPLY, square, n == 3 ? base : square, -1, 0);
+    const double n = exponent->kind == TINKER_EXPRESSION_NUMBER ? fabs(exponent->number) : NAN;
+    if (!(n > 0 && n <= MOST_PRODUCT && 2 * n == floor(2 * n)))
+        return binary(compiler, TINKER_OP_POWER, base, compile(compiler, exponent));
+    int result = n >= 1 ? whole_power(compiler, base, (int)n) : -1;
+    if (n != floor(n)) {
+        const int root = tinker_build(builder, TINKER_OP_SQRT, base, -1, -1, 0);
+        result = result >= 0 ? binary(compiler, TINKER_OP_MULTIPLY, result, root) : root;
+    }
+    if (exponent->number > 0) return result;
+    const int one = tinker_build(builder, TINKER_OP_CONSTANT, -1, -1, -1, 1);
+    return binary(compiler, TINKER_OP_DIVIDE, one, result);
 }
 
 static int function(Compiler *compiler, const TinkerExpression *node)
@@ -110,7 +123,7 @@ static int compile(Compiler *compiler, const TinkerExpression *node)
 {
     const int known = GPOINTER_TO_INT(g_hash_table_lookup(compiler->known, node));
     if (known > 0) return known - 1;
-    compiler->failed = compiler->failed || compiler->builder.program->code->len > MOST_INSTRUCTIONS;
+    compiler->failed = compiler->failed || compiler->builder.program->code->len > TINKER_MOST_STEPS;
     if (compiler->failed) return 0;
     const int result = compile_node(compiler, node);
     g_hash_table_insert(compiler->known, (void *)node, GINT_TO_POINTER(result + 1));
@@ -124,75 +137,14 @@ TinkerCompiled *tinker_compiled_new(const TinkerExpression *expression, const ch
     Compiler compiler = {{program, -1}, names, count, known, FALSE};
     tinker_build(&compiler.builder, TINKER_OP_CONSTANT, -1, -1, -1, 0); /* what a failure answers */
     const int value = compile(&compiler, expression);
-    if (compiler.failed || program->code->len > MOST_INSTRUCTIONS) return NULL;
+    if (compiler.failed || program->code->len > TINKER_MOST_STEPS) return NULL;
     tinker_program_finish(program, value);
     int length;
     const TinkerInstruction *code = tinker_program_code(program, &length);
-    TinkerCompiled *compiled = g_malloc(sizeof *compiled + (gsize)length * sizeof *code);
-    compiled->count = length;
-    memcpy(compiled->code, code, (gsize)length * sizeof *code);
-    return compiled;
+    return tinker_compiled_assemble(code, length, count);
 }
 
 void tinker_compiled_free(TinkerCompiled *compiled)
 {
     g_free(compiled);
-}
-
-/* The operations that are not among the common ones are asked where they have their meaning. */
-static double apply(const TinkerInstruction *instruction, const double *results)
-{
-    const TinkerJet a = {results[instruction->a], 0, 0};
-    const TinkerJet b = {instruction->b >= 0 ? results[instruction->b] : 0, 0, 0};
-    return tinker_jet_apply(instruction->operation, &a, &b, instruction->c >= 0 ? results[instruction->c] : 0).value;
-}
-
-/* Laws are called at every evaluation of a run, and are mostly made of the operations that stand in the loop. */
-double tinker_compiled_value(const TinkerCompiled *compiled, const double *arguments)
-{
-    double results[MOST_INSTRUCTIONS + 1], last = 0;
-    const TinkerInstruction *code = compiled->code;
-    for (int i = 0; i < compiled->count; i++) {
-        const TinkerInstruction *at = &code[i];
-        switch (at->operation) {
-        case TINKER_OP_CONSTANT:
-            last = at->number;
-            break;
-        case TINKER_OP_TIME:
-            last = arguments[(int)at->number];
-            break;
-        case TINKER_OP_SWITCH:
-        case TINKER_OP_TRUTH:
-            last = tinker_instruction_cell(at, results[at->a]);
-            break;
-        case TINKER_OP_CHOOSE:
-            last = results[results[at->c] < 0 ? at->a : at->b];
-            break;
-        case TINKER_OP_NEGATE:
-            last = -results[at->a];
-            break;
-        case TINKER_OP_ADD:
-            last = results[at->a] + results[at->b];
-            break;
-        case TINKER_OP_SUBTRACT:
-            last = results[at->a] - results[at->b];
-            break;
-        case TINKER_OP_MULTIPLY:
-            last = results[at->a] * results[at->b];
-            break;
-        case TINKER_OP_DIVIDE:
-            last = results[at->a] / results[at->b];
-            break;
-        case TINKER_OP_POWER:
-            last = pow(results[at->a], results[at->b]);
-            break;
-        case TINKER_OP_SQRT:
-            last = sqrt(results[at->a]);
-            break;
-        default:
-            last = apply(at, results);
-        }
-        results[i] = last;
-    }
-    return last;
 }

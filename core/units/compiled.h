@@ -2,6 +2,8 @@
 #ifndef TINKER_CORE_COMPILED_H
 #define TINKER_CORE_COMPILED_H
 
+#include <tinker/typed-law.h>
+
 #include "units/expression-tree.h"
 
 typedef struct _TinkerCompiled TinkerCompiled;
@@ -14,12 +16,43 @@ void tinker_compiled_free(TinkerCompiled *compiled);
 /* The value; needs no memory, and may be asked on any thread. */
 double tinker_compiled_value(const TinkerCompiled *compiled, const double *arguments);
 
+/* Many places at once. */
+typedef struct {
+    int count;
+    const double *const *arguments; /* by argument, then by place; NULL: ... */
+    const double *uniform;          /* ... it is this for all */
+    const double
+        *numbers; /* in the place of the program's own: by number (tinker_compiled_numbers), then by place; ... */
+    int stride;   /* ... from number to number. NULL: its own */
+} TinkerColumns;
+
+/* The values at many places, which do not overlap what they are made of; bit for bit those of tinker_compiled_value.
+ * FALSE: the program is too large
+ * for that, or there are fewer than eight places. */
+gboolean tinker_compiled_values(const TinkerCompiled *compiled, const TinkerColumns *columns, double *results);
+
+/* The numbers that a program names, and whether two differ in them alone. */
+const double *tinker_compiled_numbers(const TinkerCompiled *compiled, int *count);
+gboolean tinker_compiled_alike(const TinkerCompiled *a, const TinkerCompiled *b);
+
+/* Laws that differ in their numbers alone, one behind the other. */
+typedef struct _TinkerTypedRow TinkerTypedRow;
+
 /* What plugins know as a formula (tinker/typed-law.h): an expression, its slopes and its curvatures. */
 struct TinkerTypedLaw {
     int count; /* of arguments */
     TinkerCompiled *value;
     TinkerCompiled **slopes;     /* by each argument */
     TinkerCompiled **curvatures; /* by two, row by row */
+    TinkerTypedRow *row;         /* that it is a member of; NULL: none */
 };
+
+/* Puts those that differ in their numbers alone and follow one another into rows: laws[i * stride], which are replaced;
+ * NULLs stay. */
+void tinker_typed_join(struct TinkerTypedLaw **laws, int stride, int count);
+void tinker_typed_free(struct TinkerTypedLaw *law);
+
+/* The questions of TinkerTypedLawService; by and and_by are -1 where it is not derived. */
+void tinker_typed_ask(const struct TinkerTypedQuestion *question, int by, int and_by, double *results);
 
 #endif

@@ -8,8 +8,8 @@
 static const char *const si_bases[] = {"kg", "m", "s", "rad"};
 static const char *const english_bases[] = {"slug", "ft", "s", "rad"};
 
-/* The same text for ever, one copy for all who ask. g_intern_string would do, but it leaves a table behind whenever it
- * needs a larger one, and a file can have any number of dimensions in it. */
+/* A text that lives for ever, one copy for all who ask. g_intern_string would do, but it leaves a table behind whenever
+ * it needs a larger one, and a file can have any number of dimensions in it. */
 static const char *intern(const char *text)
 {
     static GMutex mutex;

@@ -365,3 +365,15 @@ int tinker_expression_read(const char *text, const TinkerReadable *names, const 
     skip_blanks(&parser);
     return *parser.at == '\0' ? value : fail_behind(&parser);
 }
+
+const char *tinker_expression_find_equals(const char *text)
+{
+    gboolean braced = FALSE;
+    for (const char *at = text; *at != '\0'; at++) {
+        if (*at == '{' || *at == '}') braced = *at == '{';
+        if (braced || *at != '=') continue;
+        if (at[1] == '=' || (at > text && strchr("=<>!", at[-1]) != NULL)) continue;
+        return at;
+    }
+    return NULL;
+}

@@ -34,6 +34,9 @@ struct _TinkerExpression {
  * `pi` becomes a number. Errors are those of tinker_waveform_new_expression. (transfer full) */
 TinkerExpression *tinker_expression_parse(const char *text, const char *const *names, GError **error);
 
+/* The first "=" between two expressions, which is no part of a comparison's sign nor of a name in braces; NULL. */
+const char *tinker_expression_find_equals(const char *text);
+
 /* Whether a name in braces, "{Mass 0.x}", with them, may stand in a text; `why` not, otherwise (transfer full). */
 typedef gboolean (*TinkerReferenceFunc)(const char *symbol, void *data, char **why);
 
