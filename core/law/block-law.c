@@ -45,7 +45,8 @@ static void add_point(TinkerBlockLaw *law, const char *number)
     add_symbol(law, g_strconcat("vy", number, NULL), velocity);
 }
 
-static void add_ends(TinkerBlockLaw *law, int32_t ends)
+/* Ends are counted where there may be several; those from `ends` to `most` are absent. */
+static void add_ends(TinkerBlockLaw *law, int32_t ends, int32_t most)
 {
     const struct {
         const char *quantity, *stem, *behind;
@@ -63,14 +64,15 @@ static void add_ends(TinkerBlockLaw *law, int32_t ends)
         {"y_start", "y", "_start", FALSE, TRUE, length},
         {"theta_start", "theta", "_start", FALSE, TRUE, angle},
     };
-    for (int32_t i = 0; i < ends; i++) {
-        g_autofree char *number = ends == 1 ? g_strdup("") : g_strdup_printf("%d", i + 1);
+    for (int32_t i = 0; i < MAX(ends, most); i++) {
+        g_autofree char *number = i == 0 && ends == 1 ? g_strdup("") : g_strdup_printf("%d", i + 1);
         for (gsize k = 0; k < G_N_ELEMENTS(known); k++) {
             if (law->role == TINKER_LAW_FORCE ? !known[k].of_force : !known[k].of_constraint) continue;
             const TinkerLawSymbol symbol = {.name = g_strconcat(known[k].stem, number, known[k].behind, NULL),
                                             .property = -1,
                                             .column = -1,
-                                            .end = i,
+                                            .end = i < ends ? i : -1,
+                                            .absent = i >= ends,
                                             .quantity = known[k].quantity,
                                             .dimension = known[k].dimension};
             g_array_append_val(law->symbols, symbol);
@@ -83,7 +85,8 @@ static void add_role(TinkerBlockLaw *law, const TinkerBlockClass *block_class, i
     add_symbol(law, g_strdup("t"), seconds);
     if (law->role == TINKER_LAW_LINE || law->role == TINKER_LAW_CONSTRAINT) add_symbol(law, g_strdup("L"), length);
     if (law->role == TINKER_LAW_LINE) add_symbol(law, g_strdup("rate"), velocity);
-    if (law->role == TINKER_LAW_FORCE || law->role == TINKER_LAW_CONSTRAINT) add_ends(law, ends);
+    if (law->role == TINKER_LAW_FORCE || law->role == TINKER_LAW_CONSTRAINT)
+        add_ends(law, ends, block_class->type->most_ends);
     if (law->role != TINKER_LAW_FIELD) return;
     add_point(law, "");
     add_symbol(law, g_strdup("m"), kilograms);
@@ -110,6 +113,11 @@ static void add_property(TinkerBlockLaw *law, const TinkerBlockClass *block_clas
             .dimension = property->dimension,
         };
         g_array_append_val(law->symbols, symbol);
+        if (!symbol.at_time || law->role != TINKER_LAW_CONSTRAINT) continue;
+        g_array_append_val(law->symbols, symbol);
+        TinkerLawSymbol *start = &g_array_index(law->symbols, TinkerLawSymbol, law->symbols->len - 1);
+        start->name = g_strconcat(symbol.name, "_start", NULL);
+        start->at_start = TRUE;
     }
 }
 
@@ -253,9 +261,9 @@ const TinkerLawSymbol *tinker_block_law_symbol(const TinkerBlockLaw *law, const 
 
 gboolean tinker_law_is_step(const char *symbol)
 {
-    static const char *const asked[] = {"tension",        "potential",      "g",
-                                        "displacement_x", "displacement_y", "pair_force_x",
-                                        "pair_force_y",   "pair_potential", NULL};
+    static const char *const asked[] = {
+        "tension",        "potential", "g", "displacement_x", "displacement_y", "pair_force_x", "pair_force_y",
+        "pair_potential", "rotation",  NULL};
     if (g_strv_contains(asked, symbol)) return FALSE;
     static const char *const counted[] = {"force_x", "force_y", "torque"};
     for (gsize i = 0; i < G_N_ELEMENTS(counted); i++)

@@ -23,7 +23,9 @@ typedef struct {
     int32_t property;     /* of the class; -1: it belongs to the role */
     int32_t column;       /* of the property's value */
     char component;       /* 'x' or 'y' of a vector; 0: the property is none */
-    gboolean at_time;     /* a waveform: its value at t */
+    gboolean at_time;     /* a waveform: its value at t, or ... */
+    gboolean at_start;    /* ... at the start */
+    gboolean absent;      /* of an end that a block of the class may have, and this one has not: 0 */
     int32_t end;          /* of an end: its number, from 0; else -1 */
     const char *quantity; /* of an end: "x", "y", "vx", "vy", "theta", "omega", "turns", "x_start", ...; static */
     TinkerDimension dimension;

@@ -193,12 +193,6 @@ TinkerExpression *tinker_expression_call(const char *function, TinkerExpression 
     return tidied(tinker_expression_node(TINKER_EXPRESSION_FUNCTION, function, &a, 1));
 }
 
-TinkerExpression *tinker_expression_call2(const char *function, TinkerExpression *a, TinkerExpression *b)
-{
-    TinkerExpression *parts[] = {a, b};
-    return tidied(tinker_expression_node(TINKER_EXPRESSION_FUNCTION, function, parts, 2));
-}
-
 TinkerExpression *tinker_expression_if(TinkerExpression *condition, TinkerExpression *a, TinkerExpression *b)
 {
     TinkerExpression *parts[] = {condition, a, b};
@@ -254,6 +248,29 @@ TinkerExpression *tinker_expression_replace(const TinkerExpression *expression, 
     for (int i = 0; i < expression->count; i++)
         parts[i] = tinker_expression_replace(expression->parts[i], replacement, data);
     return rebuilt(expression, parts);
+}
+
+/* A node of numbers alone, as the number that it is worked out to. */
+static TinkerExpression *worked_out(TinkerExpression *node)
+{
+    double values[3];
+    for (int i = 0; i < node->count; i++) {
+        if (!is_number(node->parts[i]) || i >= (int)G_N_ELEMENTS(values)) return node;
+        values[i] = node->parts[i]->number;
+    }
+    const double value = tinker_expression_apply(node, values);
+    if (node->count == 0 || !isfinite(value)) return node;
+    tinker_expression_unref(node);
+    return tinker_expression_number(value);
+}
+
+TinkerExpression *tinker_expression_folded(const TinkerExpression *expression, TinkerSymbolFunc replacement, void *data)
+{
+    if (expression->count == 0) return tinker_expression_replace(expression, replacement, data);
+    g_autofree TinkerExpression **parts = g_new(TinkerExpression *, (gsize)expression->count);
+    for (int i = 0; i < expression->count; i++)
+        parts[i] = tinker_expression_folded(expression->parts[i], replacement, data);
+    return worked_out(rebuilt(expression, parts));
 }
 
 gboolean tinker_expression_uses(const TinkerExpression *expression, const char *symbol)

@@ -118,7 +118,7 @@ TinkerTypedLaw *tinker_typed_new(const TinkerBlockClass *block_class, int32_t pr
     g_autoptr(TinkerExpression) typed = tinker_typed_parse(block_class, property, text_of(property, data), error);
     if (typed == NULL) return NULL;
     Numbers numbers = {block_class, type, text_of, data, error, FALSE};
-    g_autoptr(TinkerExpression) is = tinker_expression_replace(typed, number_of, &numbers);
+    g_autoptr(TinkerExpression) is = tinker_expression_folded(typed, number_of, &numbers);
     if (numbers.failed) return NULL;
     TinkerTypedLaw *formula = g_new0(TinkerTypedLaw, 1);
     formula->count = type->choice_count;
@@ -174,17 +174,4 @@ char *tinker_typed_note(const TinkerBlockClass *block_class, int32_t property, T
     if (tinker_law_dimension_is(&found, wanted)) return NULL;
     g_autofree char *given = tinker_law_dimension_text(&found);
     return g_strdup_printf("%s is in %s where %s was expected: taken in SI", type->id, given, law);
-}
-
-void tinker_typed_free(TinkerTypedLaw *formula)
-{
-    if (formula == NULL) return;
-    tinker_compiled_free(formula->value);
-    for (int i = 0; i < formula->count; i++)
-        tinker_compiled_free(formula->slopes[i]);
-    for (int i = 0; i < formula->count * formula->count; i++)
-        tinker_compiled_free(formula->curvatures[i]);
-    g_free(formula->slopes);
-    g_free(formula->curvatures);
-    g_free(formula);
 }

@@ -3,9 +3,7 @@
 #define TINKER_CORE_TYPED_LAW_H
 
 #include "plugin/catalogue/catalogue.h"
-#include "units/expression-tree.h"
-
-typedef struct TinkerTypedLaw TinkerTypedLaw;
+#include "units/compiled.h"
 
 /* The text of one of the block's properties; "" where it is empty. Borrowed. */
 typedef const char *(*TinkerTypedLawTextFunc)(int32_t property, void *data);
@@ -19,13 +17,12 @@ TinkerExpression *tinker_typed_parse(const TinkerBlockClass *block_class, int32_
                                      GError **error);
 
 /* Compiled with the numbers that it names, and with its derivatives. Errors besides: a number that is missing or cannot
- * be read. (transfer full) */
+ * be read. (transfer full: tinker_typed_free) */
 TinkerTypedLaw *tinker_typed_new(const TinkerBlockClass *block_class, int32_t property, TinkerTypedLawTextFunc text_of,
                                  void *data, GError **error);
 /* Where the units do not come out as the law's: "tension is in kg/m where N was expected: taken in SI". NULL: they do,
  * or nothing is typed. (transfer full) */
 char *tinker_typed_note(const TinkerBlockClass *block_class, int32_t property, TinkerTypedLawTextFunc text_of,
                         void *data);
-void tinker_typed_free(TinkerTypedLaw *formula);
 
 #endif

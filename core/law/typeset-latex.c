@@ -48,7 +48,10 @@ static void put_symbol(GString *text, const TinkerSymbolLook *look)
         if (parts[i][0] == '\0') continue;
         g_string_append(text, any ? "," : "_{");
         any = TRUE;
-        if (strlen(parts[i]) > 1 && strspn(parts[i], "0123456789") != strlen(parts[i])) {
+        const char *greek = tinker_greek_name(parts[i]);
+        if (greek != NULL) {
+            g_string_append_printf(text, "\\%s", greek);
+        } else if (strlen(parts[i]) > 1 && strspn(parts[i], "0123456789") != strlen(parts[i])) {
             g_string_append(text, "\\text{");
             put_name(text, parts[i]);
             g_string_append_c(text, '}');
@@ -62,18 +65,15 @@ static void put_symbol(GString *text, const TinkerSymbolLook *look)
 static void put_number(GString *text, double number)
 {
     char digits[32];
+    int power;
     if (number == G_PI) {
         g_string_append(text, "\\pi ");
         return;
     }
     tinker_typeset_digits(digits, number);
-    char *power = strchr(digits, 'e');
-    if (power == NULL) {
-        g_string_append(text, digits);
-        return;
-    }
-    *power = '\0';
-    g_string_append_printf(text, "%s\\cdot 10^{%d}", digits, (int)g_ascii_strtoll(power + 1, NULL, 10));
+    const gboolean has_power = tinker_typeset_power(digits, &power);
+    g_string_append(text, digits);
+    if (has_power) g_string_append_printf(text, "\\cdot 10^{%d}", power);
 }
 
 static void put_function(GString *text, const char *name)

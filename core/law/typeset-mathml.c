@@ -40,20 +40,15 @@ static void put_symbol(GString *text, const TinkerSymbolLook *look)
 static void put_number(GString *text, double number)
 {
     char digits[32];
+    int power;
     if (number == G_PI) {
         put_text(text, "mi", "π");
         return;
     }
     tinker_typeset_digits(digits, number);
-    char *power = strchr(digits, 'e');
-    if (power == NULL) {
-        put_text(text, "mn", digits);
-        return;
-    }
-    *power = '\0';
+    const gboolean has_power = tinker_typeset_power(digits, &power);
     put_text(text, "mn", digits);
-    g_string_append_printf(text, "<mo>·</mo><msup><mn>10</mn><mn>%d</mn></msup>",
-                           (int)g_ascii_strtoll(power + 1, NULL, 10));
+    if (has_power) g_string_append_printf(text, "<mo>·</mo><msup><mn>10</mn><mn>%d</mn></msup>", power);
 }
 
 static void put_function(GString *text, const char *name)

@@ -46,6 +46,9 @@ void tinker_speech_tidy(GString *text);
 /* "12.5", "1.2e-05", without the format's own form of powers of ten. */
 void tinker_typeset_digits(char digits[32], double number);
 
+/* Takes the power of ten off the digits of a number, "1.2e-05" is 1.2 and -5; FALSE where it has none. */
+gboolean tinker_typeset_power(char digits[32], int *power);
+
 /* A Greek letter's name in LaTeX, "theta"; NULL where the letter is none. */
 const char *tinker_greek_name(const char *letter);
 

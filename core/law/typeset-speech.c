@@ -42,19 +42,17 @@ static void put_symbol(GString *text, const TinkerSymbolLook *look)
 static void put_number(GString *text, double number)
 {
     char digits[32];
+    int power;
     if (number == G_PI) {
         g_string_append(text, "pi");
         return;
     }
     tinker_typeset_digits(digits, number);
-    char *power = strchr(digits, 'e');
-    if (power == NULL) {
-        g_string_append(text, digits);
-        return;
-    }
-    *power = '\0';
     /* Translators: "1.5 times ten to the minus 7", as it is read out. */
-    g_string_append_printf(text, _("%s times ten to the %d"), digits, (int)g_ascii_strtoll(power + 1, NULL, 10));
+    if (tinker_typeset_power(digits, &power))
+        g_string_append_printf(text, _("%s times ten to the %d"), digits, power);
+    else
+        g_string_append(text, digits);
 }
 
 static void put_function(GString *text, const char *name)

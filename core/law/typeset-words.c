@@ -10,6 +10,15 @@ void tinker_typeset_digits(char digits[32], double number)
     g_strlcpy(digits, format, 32);
 }
 
+gboolean tinker_typeset_power(char digits[32], int *power)
+{
+    char *sign = strchr(digits, 'e');
+    if (sign == NULL) return FALSE;
+    *sign = '\0';
+    *power = (int)g_ascii_strtoll(sign + 1, NULL, 10);
+    return TRUE;
+}
+
 const char *tinker_greek_name(const char *letter)
 {
     static const struct {
