@@ -39,10 +39,10 @@ char *scene_graph_range_fault(const TinkerSceneGraph *graph, int axis)
 char *scene_curve_fault(const TinkerScene *scene, const TinkerSceneGraph *graph, const TinkerSceneCurve *curve)
 {
     if (curve->axis != 1 && curve->axis != 2) return g_strdup("axis: it is 1 (left) or 2 (right)");
-    const gboolean over_time = g_str_equal(graph->against, "time");
+    const gboolean of_samples = scene_graph_is_of_samples(graph);
     if (curve->unit != NULL && curve->block != NULL)
         return g_strdup("unit: a quantity has its own; it is for expressions and tables");
-    if (curve->block == NULL && !over_time)
+    if (curve->block == NULL && !of_samples)
         return g_strdup("against: only quantities are drawn against a quantity of their block");
     if (curve->expression != NULL) {
         g_autoptr(GError) error = NULL;
@@ -54,7 +54,7 @@ char *scene_curve_fault(const TinkerScene *scene, const TinkerSceneGraph *graph,
     if (!tinker_scene_find_owner(scene, curve->block, &block))
         return g_strdup_printf("there is no block \"%s\"", curve->block);
     char *fault = scene_quantity_fault(scene, block, curve->quantity);
-    return fault != NULL || over_time ? fault : scene_quantity_fault(scene, block, graph->against);
+    return fault != NULL || of_samples ? fault : scene_quantity_fault(scene, block, graph->against);
 }
 
 char *scene_graph_fault(const TinkerScene *scene, const TinkerSceneGraph *graph)

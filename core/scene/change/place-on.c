@@ -73,7 +73,7 @@ static void put(TinkerScene *scene, const TinkerFrame *frame, TinkerBlockId bloc
     const int32_t orientation = block_class->meanings[TINKER_MEANING_ORIENTATION];
     const TinkerTop top = tinker_top_of(frame, on->plate);
     double centre[2];
-    tinker_top_centre(&top, on->along, tinker_frame_meaning(frame, block, TINKER_MEANING_HEIGHT, 0, 0), centre);
+    tinker_top_centre(&top, on->along, tinker_top_reach(frame, &top, block, top.angle), centre);
     for (int k = 0; k < 2; k++)
         table->columns[position + k][row] = centre[k];
     if (orientation >= 0 && !table->given[orientation][row])

@@ -5,6 +5,7 @@
 #include "scene/value/reader.h"
 
 const char *const scene_contacts[] = {"events", "impulse", NULL};
+const char *const scene_impact_laws[] = {"newton", "poisson", "sequential", NULL};
 
 #define POSITIVE       TINKER_HAS_MINIMUM | TINKER_OPEN_MINIMUM
 #define OFFSET(member) G_STRUCT_OFFSET(TinkerSceneHead, member)
@@ -45,7 +46,9 @@ void scene_head_init(TinkerSceneHead *head)
                 .step = 0.01,
                 .tolerance = 1e-9,
                 .contacts = g_strdup("events"),
-                .spectral_radius = 0.8},
+                .impact_law = g_strdup("newton"),
+                .spectral_radius = 0.8,
+                .until = g_strdup("")},
     };
 }
 
@@ -56,6 +59,8 @@ void scene_head_clear(TinkerSceneHead *head)
     g_free(head->author);
     g_free(head->run.method);
     g_free(head->run.contacts);
+    g_free(head->run.until);
+    g_free(head->run.impact_law);
 }
 
 TinkerSceneHead *scene_head_copy(const TinkerSceneHead *head)
@@ -67,6 +72,8 @@ TinkerSceneHead *scene_head_copy(const TinkerSceneHead *head)
     copy->author = g_strdup(head->author);
     copy->run.method = g_strdup(head->run.method);
     copy->run.contacts = g_strdup(head->run.contacts);
+    copy->run.until = g_strdup(head->run.until);
+    copy->run.impact_law = g_strdup(head->run.impact_law);
     return copy;
 }
 
@@ -84,12 +91,17 @@ char *scene_head_fault(const TinkerSceneHead *head)
                  {"description", head->description},
                  {"author", head->author},
                  {"run: method", head->run.method},
-                 {"run: contacts", head->run.contacts}};
+                 {"run: contacts", head->run.contacts},
+                 {"run: until", head->run.until},
+                 {"run: impact_law", head->run.impact_law}};
     for (gsize i = 0; i < G_N_ELEMENTS(texts); i++)
         if (texts[i].text == NULL || !g_utf8_validate(texts[i].text, -1, NULL))
             return g_strdup_printf("%s must be UTF-8 text", texts[i].what);
     if (!g_strv_contains(scene_contacts, head->run.contacts))
         return g_strdup_printf("run: contacts must be \"events\" or \"impulse\" (it is \"%s\")", head->run.contacts);
+    if (!g_strv_contains(scene_impact_laws, head->run.impact_law))
+        return g_strdup_printf("run: impact_law must be \"newton\", \"poisson\" or \"sequential\" (it is \"%s\")",
+                               head->run.impact_law);
     if (head->units != TINKER_UNIT_SYSTEM_SI && head->units != TINKER_UNIT_SYSTEM_ENGLISH)
         return g_strdup("units must be SI or English");
     for (const SceneHeadNumber *number = scene_head_numbers; number->part != NULL; number++) {

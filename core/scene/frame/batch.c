@@ -9,6 +9,7 @@
 #include "law/typed-law.h"
 #include "plugin/call/guarded.h"
 #include "plugin/call/words.h"
+#include "units/point-text.h"
 
 /* No break of a waveform lies between `from` and `next`, and none up to `horizon` where next is infinite; the first
  * pole there, INFINITY for none. */
@@ -153,39 +154,32 @@ static void block_batch_free(TinkerBlockBatch *batch)
     for (int32_t i = 0; i < batch->count * batch->law_count; i++)
         tinker_typed_free(batch->laws[i]);
     g_free(batch->laws);
+    for (int32_t i = 0; i < batch->count * batch->point_list_count; i++)
+        g_free((gpointer)batch->point_lists[i].points);
+    g_free(batch->point_lists);
     g_free(batch->end_masses);
     g_free(batch->law_fault);
     g_clear_pointer(&batch->law_notes, g_ptr_array_unref);
     g_free(batch);
 }
 
-typedef struct {
-    const TinkerScene *scene;
-    TinkerBlockId block;
-} TextSource;
-
-static const char *text_of(int32_t property, void *data)
-{
-    const TextSource *source = data;
-    return tinker_scene_get_text(source->scene, source->block, property);
-}
-
 /* The laws of one block; the first that cannot be read is told by the batch. */
 static void compile_row(TinkerBlockBatch *batch, int32_t row)
 {
-    TextSource source = {batch->scene, batch->ids[row]};
+    TinkerSceneTexts texts = {batch->scene, batch->ids[row]};
     TinkerTypedLaw **law = batch->laws + (gsize)row * (gsize)batch->law_count;
     for (int32_t p = 0; p < batch->block_class->property_count; p++) {
         if ((batch->block_class->properties[p].flags & TINKER_TEXT_LAW) == 0) continue;
         g_autoptr(GError) error = NULL;
-        if (text_of(p, &source)[0] != '\0') *law = tinker_typed_new(batch->block_class, p, text_of, &source, &error);
+        if (tinker_scene_text_of(p, &texts)[0] != '\0')
+            *law = tinker_typed_new(batch->block_class, p, tinker_scene_text_of, &texts, &error);
         if (error != NULL && batch->law_fault == NULL)
             batch->law_fault =
-                g_strdup_printf("%s: %s", tinker_scene_block_name(batch->scene, source.block), error->message);
-        g_autofree char *note = tinker_typed_note(batch->block_class, p, text_of, &source);
+                g_strdup_printf("%s: %s", tinker_scene_block_name(batch->scene, texts.block), error->message);
+        g_autofree char *note = tinker_typed_note(batch->block_class, p, tinker_scene_text_of, &texts);
         if (note != NULL)
             g_ptr_array_add(batch->law_notes,
-                            g_strdup_printf("%s: %s", tinker_scene_block_name(batch->scene, source.block), note));
+                            g_strdup_printf("%s: %s", tinker_scene_block_name(batch->scene, texts.block), note));
         law++;
     }
 }
@@ -199,6 +193,37 @@ static void compile_laws(TinkerBlockBatch *batch)
     batch->laws = g_new0(TinkerTypedLaw *, (gsize)batch->count * (gsize)batch->law_count);
     for (int32_t row = 0; row < batch->count; row++)
         compile_row(batch, row);
+    for (int32_t law = 0; law < batch->law_count; law++)
+        tinker_typed_join(batch->laws + law, batch->law_count, batch->count);
+}
+
+/* The lists of points of one block; one that cannot be read is empty, and told as a law is that cannot. */
+static void take_points(TinkerBlockBatch *batch, int32_t row)
+{
+    TinkerPointList *list = batch->point_lists + (gsize)row * (gsize)batch->point_list_count;
+    for (int32_t p = 0; p < batch->block_class->property_count; p++) {
+        const TinkerPropertyType *type = &batch->block_class->properties[p];
+        if ((type->flags & TINKER_TEXT_POINTS) == 0) continue;
+        g_autoptr(GError) error = NULL;
+        const char *text = tinker_scene_get_text(batch->scene, batch->ids[row], p);
+        GArray *points = tinker_point_text_parse(text, type->dimension, &error);
+        list->count = points != NULL ? (int32_t)points->len / 2 : 0;
+        if (points != NULL) list->points = (const double *)(gpointer)g_array_free(points, FALSE);
+        if (error != NULL && batch->law_fault == NULL)
+            batch->law_fault = g_strdup_printf("%s: %s: %s", tinker_scene_block_name(batch->scene, batch->ids[row]),
+                                               type->id, error->message);
+        list++;
+    }
+}
+
+static void take_all_points(TinkerBlockBatch *batch)
+{
+    for (int32_t p = 0; p < batch->block_class->property_count; p++)
+        batch->point_list_count += (batch->block_class->properties[p].flags & TINKER_TEXT_POINTS) != 0;
+    if (batch->point_list_count == 0) return;
+    batch->point_lists = g_new0(TinkerPointList, (gsize)batch->count * (gsize)batch->point_list_count);
+    for (int32_t row = 0; row < batch->count; row++)
+        take_points(batch, row);
 }
 
 static TinkerBlockBatch *complete(TinkerBlockBatch *batch)
@@ -206,6 +231,7 @@ static TinkerBlockBatch *complete(TinkerBlockBatch *batch)
     const TinkerPhysics *physics = batch->block_class->physics;
     copy_waveforms(batch, batch->scene);
     compile_laws(batch);
+    take_all_points(batch);
     if (physics != NULL && physics->scratch_size > 0)
         batch->scratch = tinker_guarded_new((gsize)physics->scratch_size, batch->block_class);
     return batch;
@@ -281,6 +307,8 @@ TinkerBatch tinker_block_batch_view(TinkerBlockBatch *batch, double t)
         .failed_instance = -1,
         .law_count = batch->law_count,
         .laws = (const TinkerTypedLaw *const *)batch->laws,
+        .point_list_count = batch->point_list_count,
+        .point_lists = batch->point_lists,
     };
 }
 

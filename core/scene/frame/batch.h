@@ -32,6 +32,8 @@ struct _TinkerBlockBatch {
     double *end_masses;           /* kg: see TinkerBatch; NULL: not known */
     int32_t law_count;            /* typed laws of each block, */
     struct TinkerTypedLaw **laws; /* row by row; NULL: an empty text, or one that cannot be read: */
+    int32_t point_list_count;     /* lists of points of each block, */
+    TinkerPointList *point_lists; /* row by row; NULL where there are none */
     GPtrArray *law_notes;         /* of char *: "NAME: ...", where units do not come out; NULL: nothing is typed */
     char *law_fault;              /* "NAME: ..."; NULL: none */
 };

@@ -24,7 +24,8 @@ static GArray *boxes_new(const TinkerFrame *frame)
                          .width = tinker_frame_meaning(frame, id, TINKER_MEANING_WIDTH, 0, 0),
                          .height = tinker_frame_meaning(frame, id, TINKER_MEANING_HEIGHT, 0, 0),
                          .vx = tinker_frame_meaning(frame, id, TINKER_MEANING_VELOCITY, 0, 0),
-                         .vy = tinker_frame_meaning(frame, id, TINKER_MEANING_VELOCITY, 1, 0)};
+                         .vy = tinker_frame_meaning(frame, id, TINKER_MEANING_VELOCITY, 1, 0),
+                         .collides = tinker_frame_meaning(frame, id, TINKER_MEANING_COLLIDES, 0, 0) != 0};
         tinker_frame_centre(frame, id, &box.x, &box.y, &box.angle);
         if (box.width > 0 && box.height > 0) g_array_append_val(boxes, box);
     }
@@ -142,6 +143,7 @@ static gboolean look_up_to(const GArray *boxes, double horizon, gint64 *pairs, T
             const TinkerBox *a = &g_array_index(boxes, TinkerBox, way->box);
             const TinkerBox *b = &g_array_index(boxes, TinkerBox, other->box);
             double time;
+            if (a->collides && b->collides) continue;
             if (tinker_boxes_meet(a, b, horizon, &time)) keep_first(meeting, a, b, time);
         }
     }

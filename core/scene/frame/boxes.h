@@ -12,6 +12,7 @@ typedef struct {
     TinkerBlockId block;
     double x, y, angle, width, height; /* m, rad */
     double vx, vy;                     /* m/s */
+    gboolean collides;                 /* two that do hold each other apart */
 } TinkerBox;
 
 /* Half the extent of a box in x and in y. */

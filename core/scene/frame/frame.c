@@ -35,6 +35,7 @@ struct _TinkerFrame {
     TinkerMotions *motions;
     Location *locations;
     double *columns;    /* of the instance handed out last */
+    const char **texts; /* likewise; borrowed from the scene */
     GArray *ends;       /* likewise, of TinkerEnd */
     double symbol_size; /* m, that instances report */
     double *lanes;      /* by block id: see lanes.h */
@@ -89,28 +90,54 @@ static double placed_angle(const TinkerFrame *frame, const TinkerSceneEnd *ends,
     return second.angle - first.angle;
 }
 
+/* Of what the first end is on; NAN where that is not round. */
+static double placed_radius(const TinkerFrame *frame, const TinkerSceneEnd *ends, int32_t count)
+{
+    if (count < 1 || ends[0].block == TINKER_NO_BLOCK) return NAN;
+    return tinker_frame_meaning(frame, ends[0].block, TINKER_MEANING_RADIUS, 0, NAN);
+}
+
+/* Of the tangent from a circle about the first end to the second; 0 where there is none. */
+static double placed_tangent(const TinkerFrame *frame, const TinkerSceneEnd *ends, int32_t count, double radius)
+{
+    const double distance = placed_length(frame, ends, count);
+    return distance <= radius ? 0 : sqrt((distance - radius) * (distance + radius));
+}
+
 static gboolean is_angle(TinkerDimension d)
 {
     return d.mass == 0 && d.length == 0 && d.time == 0 && d.angle == 1;
 }
 
-/* Lengths from end to end, and angles between two. */
+static double placed_value(const TinkerFrame *frame, const TinkerBlockBatch *batch, int32_t row, int32_t property)
+{
+    const TinkerBlockClass *block_class = batch->block_class;
+    const TinkerSceneEnd *ends = &batch->end[batch->end_offsets[row]];
+    const int32_t count = batch->end_offsets[row + 1] - batch->end_offsets[row];
+    const int32_t round = tinker_block_class_meaning_column(block_class, TINKER_MEANING_RADIUS);
+    if (block_class->properties[property].meaning == TINKER_MEANING_RADIUS) return placed_radius(frame, ends, count);
+    if (is_angle(block_class->properties[property].dimension)) return placed_angle(frame, ends, count);
+    return round >= 0 ? placed_tangent(frame, ends, count, batch->columns[round][row])
+                      : placed_length(frame, ends, count);
+}
+
+static void resolve_placed(TinkerFrame *frame, TinkerBlockBatch *batch, int32_t property)
+{
+    const TinkerBlockClass *block_class = batch->block_class;
+    if (property < 0 || !(block_class->properties[property].flags & TINKER_DEFAULT_AS_PLACED)) return;
+    double *column = batch->columns[block_class->first_columns[property]];
+    for (int32_t row = 0; row < batch->count; row++)
+        if (isnan(column[row])) column[row] = placed_value(frame, batch, row, property);
+}
+
+/* Radii, which lengths go by; then lengths from end to end, and angles between two. */
 static void resolve_placed_lengths(TinkerFrame *frame)
 {
     for (guint i = 0; i < frame->batches->len; i++) {
         TinkerBlockBatch *batch = g_ptr_array_index(frame->batches, i);
-        const TinkerBlockClass *block_class = batch->block_class;
-        for (int32_t property = 0; property < block_class->property_count; property++) {
-            if (!(block_class->properties[property].flags & TINKER_DEFAULT_AS_PLACED)) continue;
-            double *column = batch->columns[block_class->first_columns[property]];
-            const gboolean angle = is_angle(block_class->properties[property].dimension);
-            for (int32_t row = 0; row < batch->count; row++) {
-                const int32_t first = batch->end_offsets[row], count = batch->end_offsets[row + 1] - first;
-                const TinkerSceneEnd *ends = &batch->end[first];
-                if (isnan(column[row]))
-                    column[row] = angle ? placed_angle(frame, ends, count) : placed_length(frame, ends, count);
-            }
-        }
+        resolve_placed(frame, batch, batch->block_class->meanings[TINKER_MEANING_RADIUS]);
+        for (int32_t property = 0; property < batch->block_class->property_count; property++)
+            resolve_placed(frame, batch, property);
     }
 }
 
@@ -205,10 +232,15 @@ TinkerFrame *tinker_frame_new(TinkerScene *scene, GError **error)
     frame->locations = g_new0(Location, MAX(frame->limit, 1));
     frame->ends = g_array_new(FALSE, TRUE, sizeof(TinkerEnd));
     locate(frame);
-    int32_t widest = 1;
-    for (guint i = 0; i < frame->batches->len; i++)
-        widest = MAX(widest, ((TinkerBlockBatch *)g_ptr_array_index(frame->batches, i))->block_class->column_count);
+    int32_t widest = 1, properties = 1;
+    for (guint i = 0; i < frame->batches->len; i++) {
+        const TinkerBlockClass *block_class =
+            ((const TinkerBlockBatch *)g_ptr_array_index(frame->batches, i))->block_class;
+        widest = MAX(widest, block_class->column_count);
+        properties = MAX(properties, block_class->property_count);
+    }
     frame->columns = g_new0(double, widest);
+    frame->texts = g_new0(const char *, properties);
     if (!resolve_all_shaped(frame, error) || !prepare_motions(frame, error) ||
         !tinker_frame_set_time(frame, 0.0, error)) {
         tinker_frame_free(frame);
@@ -229,6 +261,7 @@ void tinker_frame_free(TinkerFrame *frame)
     tinker_paths_free(frame->paths);
     g_free(frame->locations);
     g_free(frame->columns);
+    g_free(frame->texts);
     g_array_unref(frame->ends);
     g_free(frame);
 }
@@ -281,6 +314,23 @@ void tinker_frame_centre(const TinkerFrame *frame, TinkerBlockId block, double *
     }
 }
 
+void tinker_frame_to_own(const TinkerFrame *frame, TinkerBlockId block, const double place[2], double own[2])
+{
+    double x, y, orientation;
+    tinker_frame_centre(frame, block, &x, &y, &orientation);
+    const double dx = place[0] - x, dy = place[1] - y;
+    own[0] = dx * cos(orientation) + dy * sin(orientation);
+    own[1] = dy * cos(orientation) - dx * sin(orientation);
+}
+
+void tinker_frame_to_world(const TinkerFrame *frame, TinkerBlockId block, const double own[2], double place[2])
+{
+    double x, y, orientation;
+    tinker_frame_centre(frame, block, &x, &y, &orientation);
+    place[0] = x + own[0] * cos(orientation) - own[1] * sin(orientation);
+    place[1] = y + own[0] * sin(orientation) + own[1] * cos(orientation);
+}
+
 /* The lesser side of what an end is attached to; 0 where that has no size. */
 static double least_side(const TinkerFrame *frame, TinkerBlockId block)
 {
@@ -310,6 +360,15 @@ static void take_lane(TinkerFrame *frame, TinkerBlockId block, const TinkerScene
     instance->y += shift * dx;
 }
 
+static void take_texts(TinkerFrame *frame, TinkerBlockId block, const TinkerBlockClass *block_class,
+                       TinkerInstance *instance)
+{
+    for (int32_t property = 0; property < block_class->property_count; property++)
+        if (block_class->properties[property].kind == TINKER_KIND_TEXT)
+            frame->texts[instance->text_count++] = tinker_scene_get_text(frame->scene, block, property);
+    instance->texts = frame->texts;
+}
+
 gboolean tinker_frame_instance(TinkerFrame *frame, TinkerBlockId block, TinkerInstance *instance)
 {
     const Location *location = &frame->locations[block];
@@ -330,7 +389,11 @@ gboolean tinker_frame_instance(TinkerFrame *frame, TinkerBlockId block, TinkerIn
     for (int32_t k = 0; k < count; k++)
         end_place(frame, &batch->end[first + k], &g_array_index(frame->ends, TinkerEnd, k));
     instance->columns = frame->columns;
+    take_texts(frame, block, batch->block_class, instance);
     instance->ends = count;
+    instance->point_list_count = batch->point_list_count;
+    if (batch->point_lists != NULL)
+        instance->point_lists = batch->point_lists + (gsize)location->row * (gsize)batch->point_list_count;
     instance->path = tinker_paths_of(frame->paths, block, frame->time, &instance->path_count);
     instance->end = count > 0 ? (const TinkerEnd *)(void *)frame->ends->data : NULL;
     if (frame->lanes[block] != 0) take_lane(frame, block, &batch->end[first], instance);

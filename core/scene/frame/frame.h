@@ -38,6 +38,10 @@ void tinker_frame_note_paths(TinkerFrame *frame);
 /* Where a block's centre is; NAN for a block that has neither place nor ends. */
 void tinker_frame_centre(const TinkerFrame *frame, TinkerBlockId block, double *x, double *y, double *orientation);
 
+/* A place of the world in the block's own axes, from its centre, and back. */
+void tinker_frame_to_own(const TinkerFrame *frame, TinkerBlockId block, const double place[2], double own[2]);
+void tinker_frame_to_world(const TinkerFrame *frame, TinkerBlockId block, const double own[2], double place[2]);
+
 /* One block as drawing and editing see it; connectors between the same two places stand side by side. Borrowed memory:
  * valid until the next call with the same frame or until it changes. FALSE for a placeholder, of which only name and
  * centre (where its text tells one) are filled. */

@@ -30,6 +30,14 @@ gboolean tinker_class_can_lie(const TinkerBlockClass *block_class)
            block_class->meanings[TINKER_MEANING_POSITION] >= 0;
 }
 
+gboolean tinker_body_can_stand(const TinkerFrame *frame, TinkerBlockId block)
+{
+    const TinkerBody *body = body_of(tinker_scene_block_class(tinker_frame_scene(frame), block));
+    return body != NULL && body->degrees_of_freedom == 3 &&
+           (body->shape == TINKER_SHAPE_BOX || body->shape == TINKER_SHAPE_DISC) &&
+           tinker_frame_meaning(frame, block, TINKER_MEANING_SOLID, 0, 0) != 0;
+}
+
 static gboolean is_solid(const TinkerFrame *frame, TinkerBlockId block)
 {
     return tinker_class_has_top(tinker_scene_block_class(tinker_frame_scene(frame), block)) &&
@@ -56,14 +64,34 @@ TinkerTop tinker_top_of(const TinkerFrame *frame, TinkerBlockId plate)
     return top;
 }
 
+double tinker_top_reach(const TinkerFrame *frame, const TinkerTop *top, TinkerBlockId block, double orientation)
+{
+    const TinkerBody *body = body_of(tinker_scene_block_class(tinker_frame_scene(frame), block));
+    const double width = tinker_frame_meaning(frame, block, TINKER_MEANING_WIDTH, 0, 0);
+    const double height = tinker_frame_meaning(frame, block, TINKER_MEANING_HEIGHT, 0, 0);
+    if (body == NULL || body->degrees_of_freedom != 3) return 0.5 * height;
+    if (body->shape == TINKER_SHAPE_DISC) return tinker_frame_meaning(frame, block, TINKER_MEANING_RADIUS, 0, 0);
+    const double turned = orientation - top->angle;
+    return 0.5 * (width * fabs(sin(turned)) + height * fabs(cos(turned)));
+}
+
+double tinker_top_flat(const TinkerFrame *frame, const TinkerTop *top, TinkerBlockId block)
+{
+    double x, y, orientation;
+    tinker_frame_centre(frame, block, &x, &y, &orientation);
+    const TinkerBody *body = body_of(tinker_scene_block_class(tinker_frame_scene(frame), block));
+    if (body == NULL || body->shape == TINKER_SHAPE_DISC) return orientation;
+    const double quarter = 0.5 * G_PI;
+    return top->angle + quarter * round((orientation - top->angle) / quarter);
+}
+
 void tinker_top_foot(const TinkerFrame *frame, const TinkerTop *top, TinkerBlockId body, double *along, double *gap)
 {
     double x, y, orientation;
     tinker_frame_centre(frame, body, &x, &y, &orientation);
     double dx = x - top->middle[0], dy = y - top->middle[1];
     *along = top->along[0] * dx + top->along[1] * dy;
-    *gap = top->normal[0] * dx + top->normal[1] * dy -
-           0.5 * tinker_frame_meaning(frame, body, TINKER_MEANING_HEIGHT, 0, 0);
+    *gap = top->normal[0] * dx + top->normal[1] * dy - tinker_top_reach(frame, top, body, orientation);
 }
 
 gboolean tinker_top_touches(const TinkerFrame *frame, const TinkerTop *top, TinkerBlockId body)
@@ -80,10 +108,10 @@ double tinker_top_round(const TinkerTop *top, double along)
     return fmax(fmin(rounded, top->half_width), -top->half_width);
 }
 
-void tinker_top_centre(const TinkerTop *top, double along, double height, double centre[2])
+void tinker_top_centre(const TinkerTop *top, double along, double reach, double centre[2])
 {
     for (int k = 0; k < 2; k++)
-        centre[k] = top->middle[k] + along * top->along[k] + 0.5 * height * top->normal[k];
+        centre[k] = top->middle[k] + along * top->along[k] + reach * top->normal[k];
 }
 
 static GArray *solid_tops(const TinkerFrame *frame)

@@ -1,6 +1,8 @@
 /* Continuing a run: what a run has changed is written into the properties that it started from. */
 #include "scene/history/continued.h"
 
+#include <float.h>
+#include <glib/gi18n-lib.h>
 #include <math.h>
 
 #include "scene/store/scene-data.h"
@@ -9,7 +11,7 @@ typedef struct {
     TinkerScene *scene; /* the copy */
     const TinkerFrame *now;
     double t;
-    const double *velocities;
+    const double *velocities; /* vx, vy and the rate by block id */
 } Continuation;
 
 static gboolean can_move(const TinkerBlockClass *block_class)
@@ -56,12 +58,14 @@ static gboolean set_meaning(Continuation *continuation, TinkerBlockId block, int
 
 static gboolean continue_body(Continuation *continuation, TinkerBlockId block, GError **error)
 {
+    const double *velocity = &continuation->velocities[3 * block];
     double place[2], orientation;
     tinker_frame_centre(continuation->now, block, &place[0], &place[1], &orientation);
     return fix_followers(continuation, block, error) &&
            set_meaning(continuation, block, TINKER_MEANING_POSITION, place, error) &&
            set_meaning(continuation, block, TINKER_MEANING_ORIENTATION, &orientation, error) &&
-           set_meaning(continuation, block, TINKER_MEANING_VELOCITY, &continuation->velocities[2 * block], error);
+           set_meaning(continuation, block, TINKER_MEANING_VELOCITY, velocity, error) &&
+           set_meaning(continuation, block, TINKER_MEANING_ANGULAR_VELOCITY, &velocity[2], error);
 }
 
 /* "As placed" means at the start of the run, not of its continuation. */
@@ -79,6 +83,15 @@ static gboolean fix_placed_lengths(Continuation *continuation, TinkerBlockId blo
     return TRUE;
 }
 
+/* What counts from the start has no counterpart in a scene that starts later. */
+static gboolean refuse_wound(const Continuation *continuation, TinkerBlockId block, GError **error)
+{
+    g_set_error(error, TINKER_SCENE_ERROR, TINKER_SCENE_ERROR_VALUE,
+                _("%s: what is wound on a body cannot go on from %g s (run it from the start)"),
+                tinker_scene_block_name(continuation->scene, block), continuation->t);
+    return FALSE;
+}
+
 static void shift_waveforms(Continuation *continuation, TinkerBlockId block)
 {
     const TinkerBlockClass *block_class = tinker_scene_block_class(continuation->scene, block);
@@ -90,11 +103,25 @@ static void shift_waveforms(Continuation *continuation, TinkerBlockId block)
     }
 }
 
+/* What has happened by now does not happen again. */
+static gboolean shift_instant(Continuation *continuation, TinkerBlockId block, GError **error)
+{
+    const TinkerBlockClass *block_class = tinker_scene_block_class(continuation->scene, block);
+    const int32_t property = block_class->meanings[TINKER_MEANING_INSTANT];
+    if (property < 0 || continuation->t == 0) return TRUE;
+    double instant = tinker_scene_get(continuation->scene, block, block_class->first_columns[property]);
+    instant = instant == continuation->t ? -DBL_MIN : instant - continuation->t;
+    return tinker_scene_set(continuation->scene, block, property, &instant, error);
+}
+
 static gboolean continue_block(Continuation *continuation, TinkerBlockId block, GError **error)
 {
     const TinkerBlockClass *block_class = tinker_scene_block_class(continuation->scene, block);
     if (block_class == NULL) return TRUE;
+    if (tinker_block_class_is_wound(block_class) && continuation->t > 0)
+        return refuse_wound(continuation, block, error);
     shift_waveforms(continuation, block);
+    if (!shift_instant(continuation, block, error)) return FALSE;
     const TinkerScene *ran = tinker_frame_scene(continuation->now);
     if (!tinker_scene_has_block(ran, block) || tinker_scene_block_class(ran, block) != block_class) return TRUE;
     if (can_move(block_class) && !continue_body(continuation, block, error)) return FALSE;

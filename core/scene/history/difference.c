@@ -9,7 +9,8 @@ static gboolean same_run(const TinkerRunSettings *a, const TinkerRunSettings *b)
 {
     return a->duration == b->duration && a->interval == b->interval && a->step == b->step &&
            a->tolerance == b->tolerance && a->accuracy == b->accuracy && a->spectral_radius == b->spectral_radius &&
-           g_strcmp0(a->method, b->method) == 0 && g_strcmp0(a->contacts, b->contacts) == 0;
+           g_strcmp0(a->method, b->method) == 0 && g_strcmp0(a->contacts, b->contacts) == 0 &&
+           g_strcmp0(a->until, b->until) == 0 && g_strcmp0(a->impact_law, b->impact_law) == 0;
 }
 
 static gboolean same_blocks(const TinkerScene *a, const TinkerScene *b)

@@ -207,7 +207,7 @@ static gboolean check_block(SceneReader *reader, const ReadGraph *graph, const R
     }
     if (curve->quantity != NULL)
         good = check_quantity(reader, read->quantity_at, "quantity", block, curve->quantity) && good;
-    if (!g_str_equal(graph->graph->against, "time"))
+    if (!scene_graph_is_of_samples(graph->graph))
         good = check_quantity(reader, graph->against_at, "against", block, graph->graph->against) && good;
     return good;
 }

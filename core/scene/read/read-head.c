@@ -38,6 +38,15 @@ static gboolean canvas_member(SceneReader *reader, const cJSON *json, JsonAt at)
     return head_number(reader, json, at, "canvas");
 }
 
+/* A text that is one of `choices`. */
+static void run_choice(SceneReader *reader, const cJSON *json, JsonAt at, const char *const *choices, char **text)
+{
+    const int choice = reader_choice(reader, json, at, json->string, choices);
+    if (choice < 0) return;
+    g_free(*text);
+    *text = g_strdup(choices[choice]);
+}
+
 static gboolean run_member(SceneReader *reader, const cJSON *json, JsonAt at)
 {
     TinkerRunSettings *run = &reader->scene->head.run;
@@ -48,11 +57,16 @@ static gboolean run_member(SceneReader *reader, const cJSON *json, JsonAt at)
         if (fault != NULL) reader_warning(reader, at, TINKER_SCENE_ERROR_METHOD, "%s", fault);
         return TRUE;
     }
+    if (g_str_equal(json->string, "until")) {
+        head_text(reader, json, at, "until", &run->until);
+        return TRUE;
+    }
     if (g_str_equal(json->string, "contacts")) {
-        int choice = reader_choice(reader, json, at, "contacts", scene_contacts);
-        if (choice < 0) return TRUE;
-        g_free(run->contacts);
-        run->contacts = g_strdup(scene_contacts[choice]);
+        run_choice(reader, json, at, scene_contacts, &run->contacts);
+        return TRUE;
+    }
+    if (g_str_equal(json->string, "impact_law")) {
+        run_choice(reader, json, at, scene_impact_laws, &run->impact_law);
         return TRUE;
     }
     return head_number(reader, json, at, "run");
@@ -99,8 +113,9 @@ static void read_units(SceneReader *reader, const cJSON *json, const JsonPart *p
 static void read_member(SceneReader *reader, const char *key, const cJSON *json, const JsonPart *part)
 {
     static const char *const canvas_keys[] = {"width", "grid", "snap", NULL};
-    static const char *const run_keys[] = {"duration", "interval", "method",          "step", "tolerance",
-                                           "accuracy", "contacts", "spectral_radius", NULL};
+    static const char *const run_keys[] = {"duration",  "interval",   "method",   "step",
+                                           "tolerance", "accuracy",   "contacts", "spectral_radius",
+                                           "until",     "impact_law", NULL};
     TinkerScene *scene = reader->scene;
     const struct {
         const char *key;

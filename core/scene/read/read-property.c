@@ -2,6 +2,7 @@
 #include "scene/value/reader.h"
 
 #include "law/typed-law.h"
+#include "units/point-text.h"
 #include "units/units.h"
 
 /* A plain number is in radians; one of more turns than anybody writes was likely meant in degrees. */
@@ -64,6 +65,32 @@ static gboolean text_is_good(SceneReader *reader, JsonAt at, const TinkerBlockCl
     return error == NULL;
 }
 
+/* [[x, y], ...], or a text of points as the window has it. (transfer full) */
+static char *property_points(SceneReader *reader, const cJSON *json, JsonAt at, const TinkerPropertyType *type)
+{
+    g_autoptr(GArray) points = g_array_new(FALSE, FALSE, sizeof(double));
+    g_autoptr(GError) error = NULL;
+    if (cJSON_IsString(json)) {
+        g_array_unref(points);
+        points = tinker_point_text_parse(json->valuestring, type->dimension, &error);
+        if (error != NULL) reader_error(reader, at, TINKER_SCENE_ERROR_VALUE, "%s: %s", type->id, error->message);
+        return points != NULL ? g_strdup(json->valuestring) : NULL;
+    }
+    if (!cJSON_IsArray(json) || cJSON_GetArraySize(json) > TINKER_MOST_POINTS) {
+        reader_error(reader, at, TINKER_SCENE_ERROR_VALUE, "%s: it is a list of at most %d points, [[x, y], ...]",
+                     type->id, TINKER_MOST_POINTS);
+        return NULL;
+    }
+    int number = 0;
+    for (const cJSON *point = json->child; point != NULL; point = point->next, number++) {
+        g_autofree char *what = g_strdup_printf("%s: point %d", type->id, number + 1);
+        double values[2];
+        if (!reader_vector(reader, point, at_child(at, number), what, type->dimension, values)) return NULL;
+        g_array_append_vals(points, values, 2);
+    }
+    return tinker_point_text_new((const double *)(void *)points->data, (int32_t)points->len / 2);
+}
+
 void reader_property(SceneReader *reader, const cJSON *json, JsonAt at, SceneTable *table, int32_t row,
                      int32_t property)
 {
@@ -71,6 +98,11 @@ void reader_property(SceneReader *reader, const cJSON *json, JsonAt at, SceneTab
     if (type->flags & (TINKER_READ_ONLY | TINKER_DERIVED)) {
         reader_warning(reader, at_key(at), TINKER_SCENE_ERROR_VALUE,
                        "%s is worked out, not set: what is given is ignored", type->id);
+        return;
+    }
+    if ((type->flags & TINKER_TEXT_POINTS) != 0) {
+        g_autofree char *points = property_points(reader, json, at, type);
+        if (points != NULL) scene_store_text(table, row, property, points);
         return;
     }
     if (type->kind == TINKER_KIND_TEXT) {

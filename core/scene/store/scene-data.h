@@ -94,6 +94,7 @@ typedef struct {
 } SceneHeadNumber;
 extern const SceneHeadNumber scene_head_numbers[]; /* ends with an entry without part */
 extern const char *const scene_contacts[];         /* what "contacts" may be; ends with NULL */
+extern const char *const scene_impact_laws[];      /* what "impact_law" may be; ends with NULL */
 
 /* Graphs ------------------------------------------------------------------------------------------------------- */
 
@@ -118,6 +119,8 @@ GArray *scene_graphs_of(const TinkerScene *scene, GHashTable *blocks);
 /* The graph without the curves of these blocks. (transfer full) */
 TinkerSceneGraph *scene_graph_without(const TinkerScene *scene, const TinkerSceneGraph *graph, GHashTable *blocks);
 /* Graphs name their blocks, so they follow them. */
+/* Whether it is over time, or of frequencies: of samples of any curve, and not against a quantity. */
+gboolean scene_graph_is_of_samples(const TinkerSceneGraph *graph);
 void scene_graph_rename(TinkerSceneGraph *graph, const char *from, const char *to);
 
 /* Instruments -------------------------------------------------------------------------------------------------- */

@@ -39,7 +39,8 @@ static char *unknown_quantity(const TinkerScene *scene, TinkerBlockId block, con
                            guess);
 }
 
-gboolean tinker_scene_find_reference(const TinkerScene *scene, const char *name, TinkerReference *reference, char **why)
+/* Finds "BLOCK.QUANTITY" or "BLOCK.PROPERTY"; FALSE where it is neither, and `why` says so (transfer full). */
+static gboolean find_reference(const TinkerScene *scene, const char *name, TinkerReference *reference, char **why)
 {
     TinkerBlockId block;
     const char *rest = tinker_scene_split_name(scene, name, &block);
@@ -73,7 +74,7 @@ static gboolean find(const char *symbol, void *data, char **why)
     g_autofree char *name = g_strndup(symbol + 1, strlen(symbol) - 2);
     for (guint i = 0; i < finder->references->len; i++)
         if (strcmp(g_array_index(finder->references, TinkerReference, i).symbol, symbol) == 0) return TRUE;
-    if (!tinker_scene_find_reference(finder->scene, name, &reference, why)) return FALSE;
+    if (!find_reference(finder->scene, name, &reference, why)) return FALSE;
     reference.symbol = g_intern_string(symbol);
     g_array_append_val(finder->references, reference);
     return TRUE;

@@ -26,10 +26,6 @@ TinkerSceneExpression *tinker_scene_expression_new(const TinkerScene *scene, con
 void tinker_scene_expression_free(TinkerSceneExpression *expression);
 G_DEFINE_AUTOPTR_CLEANUP_FUNC(TinkerSceneExpression, tinker_scene_expression_free)
 
-/* Finds "BLOCK.QUANTITY" or "BLOCK.PROPERTY"; FALSE where it is neither, and `why` says so (transfer full). */
-gboolean tinker_scene_find_reference(const TinkerScene *scene, const char *name, TinkerReference *reference,
-                                     char **why);
-
 /* The text once the block called `from` is called `to`; NULL where it does not name it. (transfer full) */
 char *tinker_scene_expression_renamed(const char *text, const char *from, const char *to);
 

@@ -153,6 +153,11 @@ TinkerSceneGraph *scene_graph_without(const TinkerScene *scene, const TinkerScen
     return left;
 }
 
+gboolean scene_graph_is_of_samples(const TinkerSceneGraph *graph)
+{
+    return g_str_equal(graph->against, "time") || g_str_equal(graph->against, "frequency");
+}
+
 /* Names ------------------------------------------------------------------------------------------------------------ */
 
 static void take(char **text, char *renamed)

@@ -76,6 +76,12 @@ const char *tinker_scene_get_text(const TinkerScene *scene, TinkerBlockId block,
     return text == NULL ? "" : text;
 }
 
+const char *tinker_scene_text_of(int32_t property, void *texts)
+{
+    const TinkerSceneTexts *of = texts;
+    return tinker_scene_get_text(of->scene, of->block, property);
+}
+
 int32_t scene_order_of(const TinkerScene *scene, TinkerBlockId block)
 {
     guint place = 0;

@@ -1,6 +1,7 @@
 /* Names of blocks, each of which is taken once. */
 #include <string.h>
 
+#include "scene/store/conditions.h"
 #include "scene/store/scene-data.h"
 
 /* A name that ends with a number may leave that number free for its title. */
@@ -27,6 +28,14 @@ void scene_forget_name(TinkerScene *scene, TinkerBlockId block)
     slot->name = NULL;
 }
 
+static void rename_in_conditions(TinkerScene *scene, const char *from, const char *to)
+{
+    char *renamed = tinker_conditions_renamed(scene->head.run.until, from, to);
+    if (renamed == NULL) return;
+    g_free(scene->head.run.until);
+    scene->head.run.until = renamed;
+}
+
 void scene_assign_name(TinkerScene *scene, TinkerBlockId block, const char *name)
 {
     SceneSlot *slot = scene_slot(scene, block);
@@ -35,6 +44,7 @@ void scene_assign_name(TinkerScene *scene, TinkerBlockId block, const char *name
         scene_graph_rename(g_ptr_array_index(scene->graphs, i), old_name, name);
     for (guint i = 0; old_name != NULL && i < scene->instruments->len; i++)
         scene_instrument_rename(g_ptr_array_index(scene->instruments, i), old_name, name);
+    if (old_name != NULL) rename_in_conditions(scene, old_name, name);
     scene_forget_name(scene, block);
     slot->name = g_string_chunk_insert(scene->names, name);
     g_hash_table_replace(scene->by_name, (gpointer)slot->name, GINT_TO_POINTER(block + 1));

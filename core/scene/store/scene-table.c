@@ -244,11 +244,12 @@ void scene_table_set_default(SceneTable *table, int32_t row, int32_t property)
 {
     const TinkerPropertyType *type = &table->block_class->properties[property];
     int32_t first = table->block_class->first_columns[property];
-    const gboolean worked_out = (type->flags & (TINKER_DEFAULT_AS_PLACED | TINKER_DEFAULT_AS_SHAPED)) != 0;
+    const guint32 elsewhere = TINKER_DEFAULT_AS_PLACED | TINKER_DEFAULT_AS_SHAPED | TINKER_DEFAULT_NONE;
+    const gboolean no_value = (type->flags & elsewhere) != 0;
     table->given[property][row] = 0;
     for (int32_t c = 0; c < tinker_kind_columns(type->kind); c++) {
         double value = type->kind == TINKER_KIND_WAVEFORM ? 0 : type->default_value[c];
-        table->columns[first + c][row] = worked_out ? NAN : value;
+        table->columns[first + c][row] = no_value ? NAN : value;
     }
 }
 

@@ -36,7 +36,9 @@ typedef struct {
     double tolerance; /* of adaptive ones */
     double accuracy;  /* wanted of the whole run, in place of step and tolerance: the largest error estimate; 0: none */
     char *contacts;   /* "events" or "impulse"; owned */
+    char *impact_law; /* "newton", "poisson" or "sequential"; owned */
     double spectral_radius;
+    char *until; /* conditions of which the first that holds ends it (conditions.h); "": none; owned */
 } TinkerRunSettings;
 
 /* One end of a connector, force or motion. */
@@ -61,7 +63,7 @@ typedef struct {
 
 typedef struct {
     GPtrArray *curves; /* of TinkerSceneCurve, one at least */
-    char *against;     /* "time", or a quantity of each curve's own block */
+    char *against;     /* "time", "frequency" (a spectrum), or a quantity of each curve's own block */
     char *title;       /* may be NULL */
     double place[2], size[2];
     gboolean has_place, has_size;
@@ -108,7 +110,7 @@ typedef struct _TinkerScene TinkerScene;
 
 /* An empty scene with the defaults of the format. The catalogue is borrowed and outlives it. (transfer full) */
 TinkerScene *tinker_scene_new(TinkerCatalogue *catalogue);
-/* The same scene in memory of its own: ids, names, order, placeholders, graphs, head. It may be used by another thread
+/* A copy in memory of its own: ids, names, order, placeholders, graphs, head. It may be used by another thread
  * than the original, also while that is edited. (transfer full) */
 TinkerScene *tinker_scene_copy(const TinkerScene *scene);
 void tinker_scene_free(TinkerScene *scene);
@@ -202,6 +204,13 @@ gboolean tinker_scene_find_number(const TinkerScene *scene, TinkerBlockId block,
                                   TinkerNumber *number);
 
 const char *tinker_scene_get_text(const TinkerScene *scene, TinkerBlockId block, int32_t property);
+/* A block whose texts are asked for by whoever knows nothing of scenes: tinker_scene_text_of answers them, as a
+ * TinkerTypedLawTextFunc whose data is a TinkerSceneTexts. */
+typedef struct {
+    const TinkerScene *scene;
+    TinkerBlockId block;
+} TinkerSceneTexts;
+const char *tinker_scene_text_of(int32_t property, void *texts);
 void tinker_scene_set_text(TinkerScene *scene, TinkerBlockId block, int32_t property, const char *text);
 
 /* The waveform of a property. (transfer none); set takes a reference of its own. A table that this scene did not read

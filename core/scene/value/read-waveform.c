@@ -197,7 +197,7 @@ TinkerWaveform *reader_waveform(SceneReader *reader, const cJSON *json, JsonAt a
     WaveformObject object = {.column = 1, .scale = 1, .kind = TINKER_TABLE_VALUE};
     if (!read_members(reader, json, at, &object) || !kind_fits(reader, &object, property)) return NULL;
 
-    /* The same object means the same waveform: its text or file is read once. */
+    /* Equal objects mean one waveform: its text or file is read once. */
     char *text = object_text(reader, at);
     TinkerWaveform *waveform = g_hash_table_lookup(reader->waveforms, text);
     if (waveform == NULL && reader->known_waveforms != NULL)

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "scene/write/writer.h"
+#include "units/point-text.h"
 
 /* Values ------------------------------------------------------------------------------------------------------- */
 
@@ -13,7 +14,8 @@ static void write_plain(GString *out, double value)
     g_string_append(out, text);
 }
 
-void scene_write_number(SceneWriter *writer, double value, TinkerDimension dimension)
+/* A number; in English units where the text reads back to the same bits. */
+static void write_number(SceneWriter *writer, double value, TinkerDimension dimension)
 {
     if (writer->units == TINKER_WRITE_ENGLISH) {
         g_autofree char *text = tinker_quantity_to_text(value, dimension, TINKER_UNIT_SYSTEM_ENGLISH);
@@ -30,9 +32,9 @@ void scene_write_number(SceneWriter *writer, double value, TinkerDimension dimen
 void scene_write_vector(SceneWriter *writer, const double values[2], TinkerDimension dimension)
 {
     g_string_append_c(writer->out, '[');
-    scene_write_number(writer, values[0], dimension);
+    write_number(writer, values[0], dimension);
     g_string_append(writer->out, ", ");
-    scene_write_number(writer, values[1], dimension);
+    write_number(writer, values[1], dimension);
     g_string_append_c(writer->out, ']');
 }
 
@@ -52,7 +54,7 @@ void scene_write_text_member(SceneWriter *writer, const char *key, const char *t
 void scene_write_number_member(SceneWriter *writer, const char *key, double value, TinkerDimension dimension)
 {
     scene_write_key(writer, key);
-    scene_write_number(writer, value, dimension);
+    write_number(writer, value, dimension);
 }
 
 void scene_write_extras(SceneWriter *writer, const char *extras)
@@ -105,6 +107,21 @@ static void write_waveform(SceneWriter *writer, TinkerWaveform *waveform)
     }
 }
 
+/* FALSE: the text is no list of points. */
+static gboolean write_points(SceneWriter *writer, const TinkerPropertyType *type, const char *text)
+{
+    g_autoptr(GArray) points = tinker_point_text_parse(text, type->dimension, NULL);
+    if (points == NULL) return FALSE;
+    scene_write_key(writer, type->id);
+    g_string_append_c(writer->out, '[');
+    for (guint i = 0; i < points->len; i += 2) {
+        if (i > 0) g_string_append(writer->out, ", ");
+        scene_write_vector(writer, &g_array_index(points, double, i), type->dimension);
+    }
+    g_string_append_c(writer->out, ']');
+    return TRUE;
+}
+
 static void write_property(SceneWriter *writer, TinkerBlockId id, const TinkerBlockClass *block_class, int32_t property)
 {
     const TinkerPropertyType *type = &block_class->properties[property];
@@ -112,6 +129,7 @@ static void write_property(SceneWriter *writer, TinkerBlockId id, const TinkerBl
     if (type->kind == TINKER_KIND_TEXT) {
         const char *text = tinker_scene_get_text(writer->scene, id, property);
         char *end = NULL;
+        if ((type->flags & TINKER_TEXT_POINTS) != 0 && write_points(writer, type, text)) return;
         if ((type->flags & TINKER_TEXT_QUANTITY) != 0 && isfinite(g_ascii_strtod(text, &end)) && end != text &&
             *end == '\0') {
             scene_write_key(writer, type->id);
@@ -139,7 +157,7 @@ static void write_property(SceneWriter *writer, TinkerBlockId id, const TinkerBl
     else if (type->kind == TINKER_KIND_CHOICE)
         json_append_string(writer->out, type->choices[(int32_t)values[0]]);
     else
-        scene_write_number(writer, values[0], type->dimension);
+        write_number(writer, values[0], type->dimension);
 }
 
 static void write_end(SceneWriter *writer, TinkerBlockId id, int32_t number)

@@ -57,8 +57,11 @@ static void write_run(SceneWriter *writer, const TinkerSceneHead *defaults)
         scene_write_number_member(writer, "accuracy", run->accuracy, no_dimension);
     if (g_strcmp0(run->contacts, defaults->run.contacts) != 0)
         scene_write_text_member(writer, "contacts", run->contacts);
+    if (g_strcmp0(run->impact_law, defaults->run.impact_law) != 0)
+        scene_write_text_member(writer, "impact_law", run->impact_law);
     if (run->spectral_radius != defaults->run.spectral_radius)
         scene_write_number_member(writer, "spectral_radius", run->spectral_radius, no_dimension);
+    if (*run->until != '\0') scene_write_text_member(writer, "until", run->until);
     scene_write_extras(writer, writer->scene->run_extras);
     g_string_append_c(writer->out, '}');
 }

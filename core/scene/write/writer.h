@@ -29,8 +29,6 @@ void scene_write_graphs(SceneWriter *writer);
 /* "controls" and "meters", where there are any. */
 void scene_write_instruments(SceneWriter *writer);
 
-/* A number; in English units where the text reads back to the same bits. */
-void scene_write_number(SceneWriter *writer, double value, TinkerDimension dimension);
 void scene_write_vector(SceneWriter *writer, const double values[2], TinkerDimension dimension);
 
 /* A key inside an object on one line, with a comma in front where one is due. */
