@@ -16,6 +16,8 @@ CALL(call_line_energy, line_law, energy, w->lengths, w->outputs[0])
 CALL(call_line_linear, line_law, linear, w->outputs[0], w->outputs[1], w->outputs[2], w->outputs[3])
 CALL(call_force_energy, force_element, energy, w->points, w->outputs[0])
 CALL(call_force_linear, force_element, linear, w->outputs[0], w->outputs[1], w->outputs[2])
+CALL(call_torsion, force_element, torsion, w->outputs[0], w->outputs[1], w->outputs[2], w->outputs[3])
+CALL(call_turning, constraint, turning, w->outputs[0])
 CALL(call_field_force, field, force, w->bodies, w->outputs[0])
 CALL(call_field_energy, field, energy, w->bodies, w->outputs[0])
 CALL(call_field_linear, field, linear, w->outputs[0])
@@ -34,6 +36,12 @@ static TinkerStatus call_force(const KitFunction *function, const TinkerBlockCla
     return block_class->physics->force_element->force(w->batch, w->points, w->outputs[0]);
 }
 
+static TinkerStatus call_blow(const KitFunction *function, const TinkerBlockClass *block_class, const KitArguments *w)
+{
+    w->batch->angular = function->output_count > 1 ? w->outputs[1] : NULL;
+    return block_class->physics->force_element->blow(w->batch, w->points, w->outputs[0]);
+}
+
 static TinkerStatus call_rows(const KitFunction *function, const TinkerBlockClass *block_class, const KitArguments *w)
 {
     w->batch->angular = function->output_count > 3 ? w->outputs[3] : NULL;
@@ -46,18 +54,19 @@ static TinkerStatus call_values(const KitFunction *function, const TinkerBlockCl
 }
 
 /* A function that answers a time and no status. */
-#define CALL_BREAK(name, role)                                                                                         \
+#define CALL_TIME(name, role, member)                                                                                  \
     static TinkerStatus name(const KitFunction *function, const TinkerBlockClass *block_class, const KitArguments *w)  \
     {                                                                                                                  \
-        *(double *)w->outputs[0] = block_class->physics->role->next_break(w->batch);                                   \
+        *(double *)w->outputs[0] = block_class->physics->role->member(w->batch);                                       \
         return TINKER_OK;                                                                                              \
     }
 
-CALL_BREAK(break_line_law, line_law)
-CALL_BREAK(break_force_element, force_element)
-CALL_BREAK(break_field, field)
-CALL_BREAK(break_constraint, constraint)
-CALL_BREAK(break_motion, motion)
+CALL_TIME(break_line_law, line_law, next_break)
+CALL_TIME(break_force_element, force_element, next_break)
+CALL_TIME(break_field, field, next_break)
+CALL_TIME(break_constraint, constraint, next_break)
+CALL_TIME(break_motion, motion, next_break)
+CALL_TIME(call_next_blow, force_element, next_blow)
 
 #define FORCE     TINKER_DIMENSION_FORCE
 #define STIFFNESS TINKER_DIMENSION_STIFFNESS
@@ -75,7 +84,12 @@ static const KitFunction line_derivatives = {
     {{"by_length", KIT_INSTANCES, 1, .dimension = {STIFFNESS}}, {"by_rate", KIT_INSTANCES, 1, .dimension = {DAMPING}}},
     call_line_derivatives};
 static const KitFunction line_energy = {
-    "energy",        TRUE, FALSE, 0, 1, {{"stored", KIT_INSTANCES, 1, .dimension = {TINKER_DIMENSION_ENERGY}}},
+    "energy",
+    TRUE,
+    FALSE,
+    0,
+    1,
+    {{"stored", KIT_INSTANCES, 1, .absent = TRUE, .dimension = {TINKER_DIMENSION_ENERGY}}},
     call_line_energy};
 static const KitFunction line_linear = {"linear",
                                         FALSE,
@@ -89,6 +103,10 @@ static const KitFunction line_linear = {"linear",
                                         call_line_linear};
 static const KitFunction force = {"force",   TRUE, FALSE, 0, 1, {{"force", KIT_ENDS, 2, .dimension = {FORCE, FORCE}}},
                                   call_force};
+static const KitFunction blow = {
+    "blow",   TRUE, FALSE,
+    0,        1,    {{"impulse", KIT_ENDS, 2, .dimension = {TINKER_DIMENSION_MOMENTUM, TINKER_DIMENSION_MOMENTUM}}},
+    call_blow};
 static const KitFunction force_energy = {
     "energy",         TRUE, FALSE, 0, 1, {{"stored", KIT_INSTANCES, 1, .dimension = {TINKER_DIMENSION_ENERGY}}},
     call_force_energy};
@@ -101,6 +119,17 @@ static const KitFunction force_linear = {"linear",
                                           {"direction", KIT_ENDS, 2},
                                           {"waveform_column", KIT_INSTANCES, 1, .integers = TRUE}},
                                          call_force_linear};
+static const KitFunction torsion = {"torsion",
+                                    FALSE,
+                                    TRUE,
+                                    0,
+                                    4,
+                                    {{"stiffness", KIT_INSTANCES, 1, .dimension = {TINKER_DIMENSION_ENERGY}},
+                                     {"damping", KIT_INSTANCES, 1, .dimension = {{1, 2, -1, 0}}},
+                                     {"rest", KIT_INSTANCES, 1, .dimension = {TINKER_DIMENSION_ANGLE}},
+                                     {"waveform_column", KIT_INSTANCES, 1, .integers = TRUE}},
+                                    call_torsion};
+static const KitFunction turning = {"turning", FALSE, TRUE, 0, 1, {{"factors", KIT_ENDS, 1}}, call_turning};
 static const KitFunction field_force = {
     "force", TRUE, FALSE, 0, 1, {{"force", KIT_BODIES, 2, .dimension = {FORCE, FORCE}}}, call_field_force};
 static const KitFunction field_energy = {
@@ -170,15 +199,18 @@ static const KitFunction motion_linear = {
     {{"direction", KIT_INSTANCES, 2}, {"waveform_column", KIT_INSTANCES, 1, .integers = TRUE}},
     call_motion_linear};
 
-static KitFunction next_break(TinkerStatus (*call)(const KitFunction *, const TinkerBlockClass *, const KitArguments *))
+typedef TinkerStatus (*KitCall)(const KitFunction *, const TinkerBlockClass *, const KitArguments *);
+
+static KitFunction next_time(const char *name, KitCall call)
 {
-    return (KitFunction){"next_break",
-                         FALSE,
-                         FALSE,
-                         0,
-                         1,
-                         {{"time", KIT_ONCE, 1, .infinite = TRUE, .dimension = {TINKER_DIMENSION_TIME}}},
+    return (KitFunction){name, FALSE, FALSE,
+                         0,    1,     {{"time", KIT_ONCE, 1, .infinite = TRUE, .dimension = {TINKER_DIMENSION_TIME}}},
                          call};
+}
+
+static KitFunction next_break(KitCall call)
+{
+    return next_time("next_break", call);
 }
 
 static void add(GArray *list, gboolean offered, KitFunction function)
@@ -203,6 +235,8 @@ static KitFunction with_direction(KitFunction function, int output, const Tinker
 }
 
 static const KitOutput torque = {"torque", KIT_ENDS, 1, .angular = TRUE, .dimension = {TINKER_DIMENSION_ENERGY}};
+static const KitOutput angular_impulse = {"angular impulse", KIT_ENDS, 1, .angular = TRUE,
+                                          .dimension = {{1, 2, -1, 0}}};
 static const KitOutput third_column = {"angular", KIT_ROW_ENDS, 1, .angular = TRUE, .of_g = TRUE};
 
 static KitFunction with_output(KitFunction function, gboolean wanted, const KitOutput *output)
@@ -227,7 +261,10 @@ static void add_forces(GArray *list, const TinkerBlockClass *block_class)
         add(list, element->energy != NULL, force_energy);
         add(list, element->linear != NULL,
             with_direction(force_linear, 1, block_class, (TinkerDimension)TINKER_DIMENSION_FORCE));
+        add(list, element->torsion != NULL, torsion);
         add(list, element->next_break != NULL, next_break(break_force_element));
+        add(list, element->next_blow != NULL, next_time("next_blow", call_next_blow));
+        add(list, element->blow != NULL, with_output(blow, element->angles != 0, &angular_impulse));
     }
 }
 
@@ -248,6 +285,7 @@ static void add_others(GArray *list, const TinkerBlockClass *block_class)
         add(list, constraint->prescribed_rate != NULL, prescribed_rate);
         add(list, constraint->scale != NULL, scale);
         add(list, constraint->distance != NULL, distance);
+        add(list, constraint->turning != NULL, turning);
         add(list, constraint->next_break != NULL, next_break(break_constraint));
     }
     if (role != NULL) {

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "law/typed-law.h"
+#include "units/point-text.h"
 
 #define MOST_INSTANCES 1024
 #define MOST_ARGUMENTS 2 /* L, or x and y */
@@ -53,4 +54,37 @@ const struct TinkerTypedLaw *const *kit_sample_laws(const TinkerBlockClass *bloc
     }
     g_mutex_unlock(&mutex);
     return (const struct TinkerTypedLaw *const *)laws;
+}
+
+static TinkerPointList default_points(const TinkerPropertyType *type)
+{
+    GArray *points =
+        tinker_point_text_parse(type->default_text != NULL ? type->default_text : "", type->dimension, NULL);
+    if (points == NULL) return (TinkerPointList){0};
+    const int32_t count = (int32_t)points->len / 2;
+    return (TinkerPointList){(const double *)(gpointer)g_array_free(points, FALSE), count, 0};
+}
+
+const TinkerPointList *kit_sample_points(const TinkerBlockClass *block_class, int32_t *count)
+{
+    static GMutex mutex;
+    static GHashTable *known; /* class to its array, for good */
+    *count = 0;
+    for (int32_t p = 0; p < block_class->property_count; p++)
+        *count += (block_class->properties[p].flags & TINKER_TEXT_POINTS) != 0;
+    if (*count == 0) return NULL;
+    g_mutex_lock(&mutex);
+    if (known == NULL) known = g_hash_table_new(NULL, NULL);
+    TinkerPointList *lists = g_hash_table_lookup(known, block_class);
+    if (lists == NULL) {
+        lists = g_new0(TinkerPointList, MOST_INSTANCES * *count);
+        for (int32_t p = 0, k = 0; p < block_class->property_count; p++)
+            if ((block_class->properties[p].flags & TINKER_TEXT_POINTS) != 0)
+                lists[k++] = default_points(&block_class->properties[p]);
+        for (int32_t i = *count; i < MOST_INSTANCES * *count; i++)
+            lists[i] = lists[i - *count];
+        g_hash_table_insert(known, (void *)block_class, lists);
+    }
+    g_mutex_unlock(&mutex);
+    return lists;
 }

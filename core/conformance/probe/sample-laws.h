@@ -7,4 +7,7 @@
  * is typed into it. Borrowed, for good. */
 const struct TinkerTypedLaw *const *kit_sample_laws(const TinkerBlockClass *block_class, int32_t *count);
 
+/* The points that each property with TINKER_TEXT_POINTS has by default, for every instance. Kept for good. */
+const TinkerPointList *kit_sample_points(const TinkerBlockClass *block_class, int32_t *count);
+
 #endif

@@ -117,6 +117,7 @@ TinkerBatch kit_state_view(const KitState *state, const double **columns)
         .placed_columns = angles ? (const double *const *)state->placed_columns : NULL,
     };
     view.laws = kit_sample_laws(state->block_class, &view.law_count);
+    view.point_lists = kit_sample_points(state->block_class, &view.point_list_count);
     return view;
 }
 

@@ -5,6 +5,8 @@
 #ifndef TINKER_CONFORMANCE_STATE_H
 #define TINKER_CONFORMANCE_STATE_H
 
+#include <math.h>
+
 #include "conformance/probe/kit.h"
 
 #define KIT_LABEL_SIZE 192
@@ -77,11 +79,20 @@ typedef struct {
     int32_t width;      /* numbers for each entry */
     gboolean integers;  /* of int32_t */
     gboolean infinite;  /* may be INFINITY */
+    gboolean absent;    /* NAN says that an instance has none, where its class says that this may be */
     gboolean tolerance; /* says how nearly, not what: it may be a plain 1 m */
     gboolean angular;   /* what is written through batch->angular */
     gboolean of_g;      /* of a constraint, whose rows have a unit of their own: dimension is relative to it */
     TinkerDimension dimension[8]; /* of each of the numbers */
 } KitOutput;
+
+/* Whether a number of a result is NAN, and may be: energy of a line law that stores none (TinkerLineLaw.partly_stores).
+ */
+static inline gboolean kit_output_is_absent(const KitOutput *output, const KitState *state, double value)
+{
+    const TinkerPhysics *physics = state->block_class->physics;
+    return output->absent && isnan(value) && physics->line_law != NULL && physics->line_law->partly_stores != 0;
+}
 
 #define KIT_MOST_OUTPUTS 4
 

@@ -83,6 +83,21 @@ static void watched_polyline(const TinkerStyle *style, struct _cairo *cairo, int
     plain.polyline(style, cairo, colour, points, count);
 }
 
+static void watched_polygon(const TinkerStyle *style, struct _cairo *cairo, int32_t fill, int32_t edge,
+                            const double *points, int32_t count)
+{
+    for (int32_t i = 0; i < count; i++)
+        LOOK("polygon", "x, y", points[2 * i], points[2 * i + 1]);
+    plain.polygon(style, cairo, fill, edge, points, count);
+}
+
+static void watched_note(const TinkerStyle *style, struct _cairo *cairo, int32_t colour, double x, double y,
+                         double height, const char *text)
+{
+    LOOK("note", "x, y, height", x, y, height);
+    if (plain.note != NULL) plain.note(style, cairo, colour, x, y, height, text);
+}
+
 void kit_style_watch(TinkerStyle *style)
 {
     plain = *style;
@@ -98,6 +113,8 @@ void kit_style_watch(TinkerStyle *style)
     style->circle = watched_circle;
     style->text = watched_text;
     style->polyline = watched_polyline;
+    style->polygon = watched_polygon;
+    style->note = watched_note;
 }
 
 char *kit_style_seen(void)

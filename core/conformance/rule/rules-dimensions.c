@@ -121,6 +121,7 @@ static void compare(KitCheck *check, const KitFunction *function, int output, co
         const int of_row = kind->of_g ? g->of[row_of(kind, state, i / width)] : 0;
         const double by = factor(units, kind->dimension[i % width]) * ldexp(1.0, of_row);
         const double expected = before->values[output][i] * by, given = after->values[output][i];
+        if (kit_output_is_absent(kind, state, expected) && isnan(given)) continue;
         double size = fabs(expected);
         for (gsize k = i - i % width; k < i - i % width + width; k++) // components of a vector round together
             if (tinker_kind_columns(TINKER_KIND_VECTOR) == kind->width)

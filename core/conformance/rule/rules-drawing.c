@@ -6,6 +6,7 @@
 
 #include <tinker/shapes.h>
 
+#include "conformance/probe/sample-laws.h"
 #include "conformance/probe/state.h"
 #include "conformance/probe/watched-style.h"
 #include "render/draw/draw-watch.h"
@@ -72,6 +73,7 @@ static void set_instance(KitCheck *check, Picture *picture, Look look)
                                          .orientation = meaning(picture, TINKER_MEANING_ORIENTATION, 0, 0),
                                          .time = state->time,
                                          .symbol_size = SYMBOL};
+    picture->instance.point_lists = kit_sample_points(state->block_class, &picture->instance.point_list_count);
     /* A path need not be hit: what moves would lie under its own. */
     if ((state->block_class->type->flags & TINKER_LEAVES_PATH) == 0 || look == look_for_hits) return;
     for (int32_t k = 0; k < 2 * PATH; k++)

@@ -77,9 +77,11 @@ static double value_at(const char *symbol, void *data)
     const Place *place = data;
     const TinkerLawSymbol *known = tinker_block_law_symbol(place->law, symbol);
     if (known == NULL) return tinker_expression_value(tinker_block_law_find(place->law, symbol), value_at, data);
-    const double value = known->property >= 0 ? place->state->columns[known->column][place->instance]
-                         : known->end >= 0    ? of_end(place, known)
-                                              : of_role(place, symbol);
+    double **columns = known->at_start ? place->state->placed_columns : place->state->columns;
+    const double value = known->absent          ? 0
+                         : known->property >= 0 ? columns[known->column][place->instance]
+                         : known->end >= 0      ? of_end(place, known)
+                                                : of_role(place, symbol);
     return place->shake == NULL ? value
                                 : value * (1 + g_rand_double_range(place->shake, -SHAKEN, SHAKEN) * DBL_EPSILON);
 }
@@ -138,6 +140,12 @@ static void expect_near(KitCheck *check, const KitOutput *output, const KitState
     kit_fail(check, "\"%s\" is %.9g where its law says %.9g (%s)", output->name, given, expected, values);
 }
 
+/* Whether it is a motion's that turns a support, and does not displace it. */
+static gboolean turns_support(const TinkerBlockLaw *law)
+{
+    return law->role == TINKER_LAW_MOTION && tinker_block_law_find(law, "rotation") != NULL;
+}
+
 /* What its role asks for, as a law would say it: number `component` of the end or row `number`. (transfer full) */
 static char *equation_name(const TinkerBlockLaw *law, int32_t component, int32_t number, int32_t count)
 {
@@ -153,7 +161,7 @@ static char *equation_name(const TinkerBlockLaw *law, int32_t component, int32_t
     case TINKER_LAW_CONSTRAINT:
         return g_strconcat("g", digits, NULL);
     default:
-        return g_strdup(moves[component]);
+        return g_strdup(turns_support(law) ? "rotation" : moves[component]);
     }
 }
 
@@ -185,6 +193,8 @@ static TinkerExpression *stated(const TinkerBlockLaw *law, int32_t component, in
     const TinkerExpression *is = tinker_block_law_find(law, name);
     if (is != NULL) return tinker_expression_ref(is);
     if (law->role != TINKER_LAW_FORCE) return NULL;
+    g_autofree char *turn = count > 1 ? g_strdup_printf("torque%d", number + 1) : g_strdup("torque");
+    if (tinker_block_law_find(law, turn) != NULL) return tinker_expression_number(0);
     g_autofree char *by = count > 1 ? g_strdup_printf("%c%d", component == 0 ? 'x' : 'y', number + 1)
                                     : g_strdup(component == 0 ? "x" : "y");
     TinkerExpression *slope = slope_of(law, "potential", by);
@@ -202,7 +212,7 @@ static void compare_instance(KitCheck *check, const TinkerBlockLaw *law, const K
                                                                : 1;
     const gsize first = law->role == TINKER_LAW_FORCE ? (gsize)state->offsets[instance] : (gsize)(instance * parts);
     for (int32_t part = 0; part < parts && !kit_decided(check); part++) {
-        for (int32_t c = 0; c < output->width; c++) {
+        for (int32_t c = 0; c < (turns_support(law) ? 1 : output->width); c++) {
             const Place place = {.law = law, .state = state, .instance = instance};
             const gsize entry = first + (gsize)part;
             g_autoptr(TinkerExpression) is = stated(law, c, part, parts);
@@ -291,17 +301,33 @@ static void compare_potential(KitCheck *check, const TinkerBlockLaw *law, const 
     }
 }
 
-static void compare_state(KitCheck *check, const TinkerBlockLaw *law, const KitFunction *function,
-                          const KitState *state)
+/* The law as it is for the ends of an instance. NULL: it cannot be read. (transfer full) */
+static TinkerBlockLaw *law_of(KitCheck *check, const KitState *state, int32_t instance)
+{
+    g_autoptr(GError) error = NULL;
+    const int32_t ends = state->offsets[instance + 1] - state->offsets[instance];
+    TinkerBlockLaw *law = tinker_block_law_new(check->block_class, ends, &error);
+    if (law == NULL) kit_fail(check, "its law cannot be read: %s", error->message);
+    return law;
+}
+
+static void compare_state(KitCheck *check, const KitFunction *function, const KitState *state)
 {
     g_autoptr(KitAnswer) answer = kit_call_well(check, function, state);
     if (answer == NULL) return;
+    g_autoptr(TinkerBlockLaw) law = NULL;
     for (int32_t i = 0; i < state->count && !kit_decided(check); i++) {
+        g_clear_pointer(&law, tinker_block_law_free);
+        law = law_of(check, state, i);
+        if (law == NULL) return;
+        if (i == 0) look_at_dimensions(check, law);
+        if (kit_decided(check)) return;
         if (law->role != TINKER_LAW_FIELD) compare_instance(check, law, function, state, answer, i);
         if (law->role == TINKER_LAW_FORCE) compare_torques(check, law, function, state, answer, i);
         compare_potential(check, law, state, i);
     }
-    for (int32_t b = 0; law->role == TINKER_LAW_FIELD && b < state->body_range && !kit_decided(check); b++)
+    const gboolean field = law != NULL && law->role == TINKER_LAW_FIELD;
+    for (int32_t b = 0; field && b < state->body_range && !kit_decided(check); b++)
         compare_body(check, law, function, state, answer, b);
 }
 
@@ -310,22 +336,15 @@ void kit_try_law(KitCheck *check)
     static const char *const asked[] = {"tension", "force", "force", "rows_at", "motion"};
     const TinkerLawRole role = tinker_law_role(check->block_class);
     g_autoptr(GArray) functions = kit_functions(check->block_class);
-    g_autoptr(GError) error = NULL;
     if (role == TINKER_LAW_NONE) kit_skip(check, "it does nothing that a law would say");
     if (role != TINKER_LAW_NONE && check->block_class->law_count == 0)
         kit_skip(check, "it states no law: equations name its force, and cannot say what it is");
     if (kit_decided(check)) return;
     const KitFunction *function = kit_function(functions, asked[role]);
+    if (function == NULL) function = kit_function(functions, "rotation");
     for (int round = 0; round < ROUNDS && !kit_decided(check); round++) {
         g_autoptr(KitState) state = kit_state_new(check, KIT_COUNT);
         if (state == NULL) return;
-        g_autoptr(TinkerBlockLaw) law =
-            tinker_block_law_new(check->block_class, state->offsets[1] - state->offsets[0], &error);
-        if (law == NULL) {
-            kit_fail(check, "its law cannot be read: %s", error->message);
-            return;
-        }
-        look_at_dimensions(check, law);
-        if (!kit_decided(check)) compare_state(check, law, function, state);
+        compare_state(check, function, state);
     }
 }

@@ -1,5 +1,6 @@
 /* linear, breaks: short cuts that the host takes instead of the general functions say the same; breaks lie ahead. */
 #include <math.h>
+#include <string.h>
 
 #include "conformance/probe/state.h"
 
@@ -51,6 +52,46 @@ static void compare_force(KitCheck *check, const KitState *state, const KitAnswe
     }
 }
 
+/* Torques of two ends that are linear in their angles. */
+static void compare_torsion(KitCheck *check, const KitState *state, const KitAnswer *general, const KitAnswer *form)
+{
+    double *const *f = form->values; // stiffness, damping, rest, waveform column
+    for (int32_t i = 0; i < state->count; i++) {
+        double *const *wave = wave_of(check, state, f[3], i);
+        const int32_t first = state->offsets[i], ends = state->offsets[i + 1] - first;
+        const TinkerPose *a = &state->poses[first], *b = a + 1;
+        const double spring = ends > 1 ? f[0][i] * (b->angle - a->angle - f[2][i]) : 0;
+        const double damper = ends > 1 ? f[1][i] * (b->rate - a->rate) : 0, driven = wave != NULL ? wave[0][i] : 0;
+        for (int32_t k = 0; k < ends; k++) {
+            const double torque = spring + damper + driven;
+            compare(check, state, i, "torque", general->values[1][first + k], k == 0 ? torque : -torque,
+                    fabs(spring) + fabs(damper) + fabs(driven));
+            for (int axis = 0; axis < 2; axis++)
+                compare(check, state, i, "force", general->values[0][2 * (first + k) + axis], 0, 0);
+        }
+    }
+}
+
+/* The last row, of angles alone; of more rows, those of ends at one place come before it. */
+static void compare_turning(KitCheck *check, const KitState *state, const KitAnswer *general, const KitAnswer *form)
+{
+    const int32_t rows = kit_state_rows(state);
+    if (rows != 1 && rows != 3) kit_fail(check, "it turns by the last of 1 or 3 rows, not of %d", rows);
+    for (int32_t i = 0; i < state->count && !kit_decided(check); i++) {
+        const double *g = general->values[0] + rows * i;
+        double sum = 0, size = 0;
+        for (int32_t e = state->offsets[i]; e < state->offsets[i + 1]; e++) {
+            if (!state->has_angle[e]) return;
+            sum += form->values[0][e] * (state->poses[e].angle - state->placed_poses[e].angle);
+            size += fabs(form->values[0][e] * state->poses[e].angle);
+        }
+        compare(check, state, i, "g", g[rows - 1], sum, size);
+        const TinkerPoint *a = &state->points[state->offsets[i]], *b = a + 1;
+        if (rows > 1) compare(check, state, i, "g", g[0], b->x - a->x, 1);
+        if (rows > 1) compare(check, state, i, "g", g[1], b->y - a->y, 1);
+    }
+}
+
 static void compare_field(KitCheck *check, const KitState *state, const KitAnswer *general, const KitAnswer *form)
 {
     const TinkerLinearField *laws = (const TinkerLinearField *)(const void *)form->values[0];
@@ -90,6 +131,20 @@ static void compare_distance(KitCheck *check, const KitState *state, const KitAn
     }
 }
 
+/* The rows that the host works out of ends that coincide. */
+static void try_coincident(KitCheck *check, const KitFunction *general)
+{
+    for (int round = 0; round < ROUNDS && !kit_decided(check); round++) {
+        g_autoptr(KitState) state = kit_state_new(check, KIT_COUNT);
+        g_autoptr(KitAnswer) answer = state != NULL ? kit_call_well(check, general, state) : NULL;
+        for (int32_t i = 0; answer != NULL && i < state->count && !kit_decided(check); i++) {
+            const TinkerPoint *a = &state->points[state->offsets[i]], *b = a + 1;
+            compare(check, state, i, "g", answer->values[0][2 * i], b->x - a->x, 1);
+            compare(check, state, i, "g", answer->values[0][2 * i + 1], b->y - a->y, 1);
+        }
+    }
+}
+
 /* Instances one by one: a form is refused for the type where one of them does not have it. */
 static int try_instance(KitCheck *check, const KitFunction *general, const KitFunction *form, const KitState *state)
 {
@@ -103,10 +158,11 @@ static int try_instance(KitCheck *check, const KitFunction *general, const KitFu
     const TinkerPhysics *physics = check->block_class->physics;
     if (whole == NULL) return 0;
     if (physics->line_law != NULL) compare_line(check, state, whole, simple);
-    if (physics->force_element != NULL) compare_force(check, state, whole, simple);
+    const gboolean turns = strcmp(form->name, "torsion") == 0 || strcmp(form->name, "turning") == 0;
+    if (physics->force_element != NULL) (turns ? compare_torsion : compare_force)(check, state, whole, simple);
     if (physics->field != NULL) compare_field(check, state, whole, simple);
     if (physics->motion != NULL) compare_motion(check, state, whole, simple);
-    if (physics->constraint != NULL) compare_distance(check, state, whole, simple);
+    if (physics->constraint != NULL) (turns ? compare_turning : compare_distance)(check, state, whole, simple);
     return 1;
 }
 
@@ -115,9 +171,18 @@ void kit_try_linear(KitCheck *check)
     static const char *const generals[] = {"tension", "force", "motion", "rows_at"};
     g_autoptr(GArray) functions = kit_functions(check->block_class);
     const KitFunction *form = kit_function(functions, "linear"), *general = NULL;
-    if (form == NULL) form = kit_function(functions, "distance");
+    static const char *const forms[] = {"distance", "torsion", "turning"};
+    for (gsize i = 0; i < G_N_ELEMENTS(forms) && form == NULL; i++)
+        form = kit_function(functions, forms[i]);
     for (gsize i = 0; i < G_N_ELEMENTS(generals) && general == NULL; i++)
         general = kit_function(functions, generals[i]);
+    const TinkerPhysics *physics = check->block_class->physics;
+    const TinkerConstraint *constraint = physics != NULL ? physics->constraint : NULL;
+    if (general != NULL && constraint != NULL && constraint->coincident != 0) {
+        if (constraint->rows != 2) kit_fail(check, "ends coincide by two rows, not %d", constraint->rows);
+        try_coincident(check, general);
+        return;
+    }
     if (form == NULL || general == NULL) {
         kit_skip(check, "it offers no such form");
         return;

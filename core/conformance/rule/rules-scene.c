@@ -25,18 +25,16 @@ static Bodies find_bodies(KitCheck *check)
     Bodies bodies = {NULL, NULL};
     const int32_t wanted = tinker_block_class_speaks_of_angles(check->block_class) ? 3 : 2; // degrees of freedom
     g_autoptr(GPtrArray) libraries = tinker_catalogue_libraries(check->catalogue);
-    for (guint i = 0; i < libraries->len; i++) {
-        const TinkerLibraryEntry *library = g_ptr_array_index(libraries, i);
-        for (guint k = 0; library->refused == NULL && library->shadowed_by == NULL && k < library->types->len; k++) {
-            const TinkerTypeEntry *type = g_ptr_array_index(library->types, k);
-            if (strcmp(type->category, TINKER_CONNECTABLE) != 0) continue;
-            const TinkerBlockClass *c = tinker_catalogue_type(check->catalogue, type->id, NULL);
-            if (c == NULL || c->physics == NULL || c->physics->body == NULL) continue;
-            const int32_t freedoms = c->physics->body->degrees_of_freedom;
-            const TinkerBlockClass **slot = freedoms == wanted ? &bodies.mover : &bodies.support;
-            if (freedoms != wanted && freedoms != 0) continue;
-            if (*slot == NULL || (*slot)->quantity_count < c->quantity_count) *slot = c;
-        }
+    g_autoptr(GPtrArray) types = tinker_libraries_types(libraries);
+    for (guint i = 0; i < types->len; i++) {
+        const TinkerTypeEntry *type = g_ptr_array_index(types, i);
+        if (strcmp(type->category, TINKER_CONNECTABLE) != 0) continue;
+        const TinkerBlockClass *c = tinker_catalogue_type(check->catalogue, type->id, NULL);
+        if (c == NULL || c->physics == NULL || c->physics->body == NULL) continue;
+        const int32_t freedoms = c->physics->body->degrees_of_freedom;
+        const TinkerBlockClass **slot = freedoms == wanted ? &bodies.mover : &bodies.support;
+        if (freedoms != wanted && freedoms != 0) continue;
+        if (*slot == NULL || (*slot)->quantity_count < c->quantity_count) *slot = c;
     }
     return bodies;
 }

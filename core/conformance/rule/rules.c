@@ -37,7 +37,7 @@ static const KitRule rules[] = {
      NULL,
      kit_try_motion,
      NULL},
-    {{"linear", "The linear form, or the distance form, says the same as the general functions"},
+    {{"linear", "The linear form, that of distances or of ends that coincide, says the same as the general functions"},
      NULL,
      kit_try_linear,
      NULL},

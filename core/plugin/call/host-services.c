@@ -34,8 +34,24 @@ static double formula_curvature(const TinkerTypedLaw *formula, int32_t by, int32
     return tinker_compiled_value(formula->curvatures[by * formula->count + and_by], arguments);
 }
 
-static const TinkerTypedLawService formula_service = {sizeof(TinkerTypedLawService), 0, formula_value, formula_slope,
-                                                      formula_curvature};
+static void formula_values(const TinkerTypedQuestion *question, double *results)
+{
+    tinker_typed_ask(question, -1, -1, results);
+}
+
+static void formula_slopes(const TinkerTypedQuestion *question, int32_t by, double *results)
+{
+    tinker_typed_ask(question, by, -1, results);
+}
+
+static const TinkerTypedLawService formula_service = {sizeof(TinkerTypedLawService),
+                                                      0,
+                                                      formula_value,
+                                                      formula_slope,
+                                                      formula_curvature,
+                                                      formula_values,
+                                                      formula_slopes,
+                                                      tinker_typed_ask};
 
 static const struct {
     const char *id;

@@ -84,7 +84,7 @@ static TinkerFound *find_plugin(const TinkerCatalogue *catalogue, const char *id
     for (guint i = 0; i < catalogue->found->len; i++) {
         TinkerFound *found = catalogue->found->pdata[i];
         const TinkerLibraryEntry *entry = found->entry;
-        if (entry->refused == NULL && entry->shadowed_by == NULL && g_strcmp0(entry->id, id) == 0) return found;
+        if (tinker_library_is_used(entry) && g_strcmp0(entry->id, id) == 0) return found;
     }
     return NULL;
 }

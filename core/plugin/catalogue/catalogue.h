@@ -72,6 +72,12 @@ G_DEFINE_AUTOPTR_CLEANUP_FUNC(TinkerCatalogue, tinker_catalogue_free)
  * is identified anew when it is opened: hold the array while an id of it is used. Any thread. (transfer full) */
 GPtrArray *tinker_catalogue_libraries(TinkerCatalogue *catalogue);
 
+/* Of those of `libraries` that are neither refused nor shadowed, in their order: the types, TinkerTypeEntry, and the
+ * ids of integrators, char *. They are borrowed from the libraries. (transfer container) */
+GPtrArray *tinker_libraries_types(const GPtrArray *libraries);
+GPtrArray *tinker_libraries_integrators(const GPtrArray *libraries);
+gboolean tinker_library_is_used(const TinkerLibraryEntry *library);
+
 /* The bundles found, in search order; of TinkerBundleEntry. Their libraries are among the others. (transfer none) */
 const GPtrArray *tinker_catalogue_bundles(TinkerCatalogue *catalogue);
 

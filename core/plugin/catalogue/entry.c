@@ -77,6 +77,31 @@ void tinker_library_entry_take(TinkerLibraryEntry *entry, TinkerManifest *manife
     replace_array(&entry->integrators, manifest->integrators);
 }
 
+gboolean tinker_library_is_used(const TinkerLibraryEntry *library)
+{
+    return library->refused == NULL && library->shadowed_by == NULL;
+}
+
+GPtrArray *tinker_libraries_types(const GPtrArray *libraries)
+{
+    GPtrArray *types = g_ptr_array_new();
+    for (guint i = 0; i < libraries->len; i++) {
+        const TinkerLibraryEntry *library = libraries->pdata[i];
+        if (tinker_library_is_used(library)) g_ptr_array_extend(types, library->types, NULL, NULL);
+    }
+    return types;
+}
+
+GPtrArray *tinker_libraries_integrators(const GPtrArray *libraries)
+{
+    GPtrArray *ids = g_ptr_array_new();
+    for (guint i = 0; i < libraries->len; i++) {
+        const TinkerLibraryEntry *library = libraries->pdata[i];
+        if (tinker_library_is_used(library)) g_ptr_array_extend(ids, library->integrators, NULL, NULL);
+    }
+    return ids;
+}
+
 /* A file name suggests the type or method that it is named after: spring.so, libspring.so, tinker-spring.so. */
 static gboolean is_named_after(const char *path, const char *id)
 {

@@ -30,7 +30,7 @@ static void warn(GPtrArray *warnings, const char *format, ...)
     va_end(arguments);
 }
 
-/* The same folder by two names would shadow its own libraries. */
+/* A folder that is found by two names would shadow its own libraries. */
 static gboolean is_listed(const GPtrArray *folders, const struct stat *status)
 {
     for (guint i = 0; i < folders->len; i++) {

@@ -195,6 +195,19 @@ gboolean tinker_block_class_speaks_of_angles(const TinkerBlockClass *block_class
            (physics->force_element != NULL && physics->force_element->angles != 0);
 }
 
+gboolean tinker_block_class_is_wound(const TinkerBlockClass *block_class)
+{
+    const TinkerPhysics *physics = block_class->physics;
+    return physics != NULL && physics->constraint != NULL && physics->constraint->angles &&
+           block_class->meanings[TINKER_MEANING_LENGTH] >= 0;
+}
+
+gboolean tinker_block_class_strikes(const TinkerBlockClass *block_class)
+{
+    const TinkerPhysics *physics = block_class->physics;
+    return physics != NULL && physics->force_element != NULL && physics->force_element->next_blow != NULL;
+}
+
 gboolean tinker_block_class_is_shown_elsewhere(const TinkerBlockClass *block_class)
 {
     for (int32_t i = 0; i < block_class->property_count; i++)

@@ -48,6 +48,13 @@ gboolean tinker_block_class_has_angle(const TinkerBlockClass *block_class);
 /* Whether its role asks for the angles of what its ends are on. */
 gboolean tinker_block_class_speaks_of_angles(const TinkerBlockClass *block_class);
 
+/* Whether its length is wound on a body, as a cord's: it counts from how that is turned at the start, and is not the
+ * distance between the ends. */
+gboolean tinker_block_class_is_wound(const TinkerBlockClass *block_class);
+
+/* Whether it gives its ends blows (the force element's next_blow): these may come from anywhere. */
+gboolean tinker_block_class_strikes(const TinkerBlockClass *block_class);
+
 /* Whether some property of the class is shown in the panel of what it is attached to, as those of a support's motion.
  */
 gboolean tinker_block_class_is_shown_elsewhere(const TinkerBlockClass *block_class);

@@ -33,6 +33,9 @@ static gboolean check_functions(const TinkerPhysics *physics, GError **error)
     if (physics->line_law != NULL && physics->line_law->tension == NULL) return lacks("line law", "tension", error);
     if (physics->force_element != NULL && physics->force_element->force == NULL)
         return lacks("force element", "force", error);
+    if (physics->force_element != NULL && physics->force_element->next_blow != NULL &&
+        physics->force_element->blow == NULL)
+        return lacks("force element", "blow", error);
     if (physics->field != NULL && physics->field->force == NULL) return lacks("field", "force", error);
     if (physics->constraint != NULL && physics->constraint->rows_at == NULL)
         return lacks("constraint", "rows_at", error);
@@ -90,9 +93,9 @@ static gboolean check_body(const TinkerBody *body, const TinkerBlockClass *block
     const int32_t freedoms = body->degrees_of_freedom;
     if (freedoms != 0 && freedoms != 2 && freedoms != 3)
         return tinker_refuse(error, "its body has %d degrees of freedom, 0, 2 or 3 was expected", freedoms);
-    if (body->shape < TINKER_SHAPE_NONE || body->shape > TINKER_SHAPE_DISC)
+    if (body->shape < TINKER_SHAPE_NONE || body->shape > TINKER_SHAPE_OUTLINE)
         return tinker_refuse(error, "its body has the shape %d, %d to %d was expected", body->shape, TINKER_SHAPE_NONE,
-                             TINKER_SHAPE_DISC);
+                             TINKER_SHAPE_OUTLINE);
     if (body->as_shaped == NULL && needs_as_shaped(block_class)) return lacks("body", "as_shaped", error);
     return needs_meaning(block_class, TINKER_MEANING_POSITION, "its position", error) &&
            (freedoms < 2 || needs_meaning(block_class, TINKER_MEANING_MASS, "its mass", error)) &&

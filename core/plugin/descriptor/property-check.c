@@ -1,6 +1,7 @@
 /* Checks of a block type's properties, so that the rest of the core can rely on them. */
 #include <math.h>
 #include <string.h>
+#include <tinker/typed-law.h>
 
 #include "plugin/descriptor/class-build.h"
 #include "plugin/descriptor/text-check.h"
@@ -32,6 +33,9 @@ static const Meaning meanings[TINKER_MEANING_COUNT] = {
     [TINKER_MEANING_RESTITUTION] = {"the restitution", TINKER_KIND_REAL, {0, 0, 0, 0}},
     [TINKER_MEANING_LENGTH] = {"the length", TINKER_KIND_REAL, {0, 1, 0, 0}},
     [TINKER_MEANING_RADIUS] = {"the radius", TINKER_KIND_REAL, {0, 1, 0, 0}},
+    [TINKER_MEANING_CENTRE_OF_MASS] = {"the centre of mass", TINKER_KIND_VECTOR, {0, 1, 0, 0}},
+    [TINKER_MEANING_INSTANT] = {"the instant", TINKER_KIND_REAL, {0, 0, 1, 0}},
+    [TINKER_MEANING_COLLIDES] = {"whether it collides", TINKER_KIND_SWITCH, {0, 0, 0, 0}},
 };
 
 static const char *const kind_names[] = {"real", "integer", "switch", "choice", "text", "vector", "waveform"};
@@ -90,9 +94,14 @@ static gboolean check_choices(const TinkerPropertyType *property, GError **error
     if (property->choice_count < 0 || property->choice_count > MOST_CHOICES)
         return tinker_refuse(error, "it has %d choices, 0 to %d was expected", property->choice_count, MOST_CHOICES);
     const gboolean formula = (property->flags & TINKER_TEXT_LAW) != 0;
-    if ((property->flags & (TINKER_TEXT_LAW | TINKER_TEXT_QUANTITY)) != 0 && property->kind != TINKER_KIND_TEXT)
-        return tinker_refuse(error, "it is a formula or a number with any unit and of kind %s, text was expected",
-                             kind_names[property->kind]);
+    if ((property->flags & (TINKER_TEXT_LAW | TINKER_TEXT_QUANTITY | TINKER_TEXT_POINTS)) != 0 &&
+        property->kind != TINKER_KIND_TEXT)
+        return tinker_refuse(
+            error, "it is a formula, a number with any unit or a list of points and of kind %s, text was expected",
+            kind_names[property->kind]);
+    if (formula && property->choice_count > TINKER_TYPED_MOST_ARGUMENTS)
+        return tinker_refuse(error, "it is a formula of %d arguments, at most %d were expected", property->choice_count,
+                             TINKER_TYPED_MOST_ARGUMENTS);
     for (int32_t i = 0; formula && i < property->choice_count; i++)
         if (property->choices == NULL || property->choices[i] == NULL)
             return tinker_refuse(error, "it is a formula whose argument %d has no name", i + 1);
@@ -143,7 +152,7 @@ static gboolean check_default(const TinkerPropertyType *property, GError **error
     const int components = property->kind == TINKER_KIND_VECTOR ? 2 : 1;
     // A default that is never used as a value need not be one.
     const guint32 elsewhere = TINKER_DERIVED | TINKER_READ_ONLY | TINKER_DEFAULT_AS_PLACED | TINKER_DEFAULT_SAME_AS |
-                              TINKER_DEFAULT_AS_SHAPED;
+                              TINKER_DEFAULT_AS_SHAPED | TINKER_DEFAULT_NONE;
     for (int i = 0; i < components; i++) {
         const double value = property->default_value[i];
         if (!isfinite(value)) return tinker_refuse(error, "its default is not a finite number");
@@ -212,6 +221,9 @@ static gboolean check_sources(const TinkerBlockClass *block_class, int32_t numbe
                              "it defaults to the length from end to end, but the block may have %d (at least 2 ends "
                              "are needed)",
                              type->least_ends);
+    if ((property->flags & TINKER_DEFAULT_NONE) != 0 && property->kind != TINKER_KIND_REAL)
+        return tinker_refuse(error, "it may be left without a value and is of kind %s, real was expected",
+                             kind_names[property->kind]);
     return check_same_as(block_class, number, error);
 }
 
