@@ -33,6 +33,8 @@
 #define TINKER_AT_BOUND 1e-9
 /* No unit; of W_tt: a normal direction whose W_nn is smaller is one that nothing moves along. */
 #define TINKER_IMMOVABLE 1e-13
+/* No unit; of the largest velocity: pairs that approach more slowly strike no more in a sequence. */
+#define TINKER_SEQUENCE_STILL 1e-13
 /* No unit; of the largest velocity: smaller changes end the sweeps. */
 #define TINKER_SWEEPS_CONVERGED 1e-14
 

@@ -123,7 +123,7 @@ static double lag_at(const Stepper *stepper, const TinkerExactPart *part, double
 }
 
 /* Brings the parts to the state, and turns the edges that the last step ended on. */
-static void stand(Stepper *stepper, const TinkerState *state)
+static void bring_to_state(Stepper *stepper, const TinkerState *state)
 {
     gboolean carried = is_carried(stepper, state);
     for (guint k = 0; k < stepper->each->len; k++) {
@@ -232,7 +232,7 @@ static TinkerStatus step(void *data, TinkerState *state, double limit, TinkerSte
         return fail(stepper, report, tinker_failure_of(system, "the system's signals are not known, or memory is out"));
     if (!is_finite(system->size, state->q) || !is_finite(system->size, state->v))
         return fail(stepper, report, "the state that the step begins with is not a number");
-    stand(stepper, state);
+    bring_to_state(stepper, state);
     double t = state->t, h, end = find_end(stepper, limit, &h);
     stepper->tolerance = 2.0 * DBL_EPSILON * fmax(fabs(t), fabs(end));
     if (fabs(end - t) > 8.0 * DBL_EPSILON * fmax(fabs(t), fabs(limit - t)) || end == limit)

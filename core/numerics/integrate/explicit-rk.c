@@ -15,7 +15,12 @@
 #include "numerics/integrate/stepping.h"
 
 #define REJECTIONS_CAP 100
-#define BLOCK          8 /* entries that are summed side by side, in registers */
+#define FAR_OFF        100.0 /* times the tolerance: an error that a step seldom has by growing too long */
+#define UNMOVED        0.01  /* of the way of a step: an error of more is none of a motion */
+#define ACROSS         0.01  /* of the error: where less of it lies along the motion, the rows nearly depend */
+#define SQUARE_SHARE   0.1   /* of the square of what projection takes off: singular places are passed seldom */
+#define MISPLACED      2.0   /* the error of a trial that another length, hardly shorter, would serve as well as any */
+#define BLOCK          8     /* entries that are summed side by side, in registers */
 #define PAIRS          (BLOCK / 2)
 
 /* Two numbers side by side. GCC 12 does not vectorise the sums by itself, as their inner loop is short; the operations
@@ -180,25 +185,51 @@ static TinkerStatus place_and_evaluate(Stepper *stepper, int stage, double h)
     return evaluate(stepper, stage, t, stepper->q, stepper->v);
 }
 
-static double measure(Stepper *stepper, const Row *row, double h, TinkerErrorScale scale)
+/* `tangent`: without what projection takes off the trial's end. */
+static double measure(Stepper *stepper, const Row *row, double h, TinkerErrorScale scale, gboolean tangent)
 {
-    int32_t n = stepper->system->size;
+    const TinkerSystem *system = stepper->system;
+    int32_t n = system->size;
     combine(stepper, row, h, &(Onto){.q_out = stepper->error_q, .v_out = stepper->error_v});
+    double *const parts[] = {stepper->error_q, stepper->error_v};
+    for (int k = 0; k < 2 && tangent; k++)
+        if (system->project_velocity(system->context, stepper->t1, stepper->q, parts[k], 1) != TINKER_OK)
+            return INFINITY;
     double q = tinker_relative(tinker_largest(n, stepper->error_q), scale.q);
     double v = tinker_relative(tinker_largest(n, stepper->error_v), scale.v);
     return q > v || isnan(q) ? q : v;
 }
 
-/* The error of the trial whose end lies in (q, v), relative to the tolerance. */
+static double measure_all(Stepper *stepper, double h, TinkerErrorScale scale, gboolean tangent)
+{
+    double error = measure(stepper, &stepper->error, h, scale, tangent);
+    if (!stepper->tableau->second_error) return error;
+    return tinker_tableau_join_errors(error, measure(stepper, &stepper->second_error, h, scale, tangent));
+}
+
+/* The error of the trial whose end lies in (q, v), relative to the tolerance.
+ *
+ * Near a singular place of a mechanism (links in one line) rows nearly depend on each other: they determine some
+ * accelerations by a small difference alone, in which rounding grows as 1 / distance, so that shorter steps only meet
+ * more of it. It lies across the motion that the rows allow, and projection takes it off but for its square. So an
+ * error that is far too large is measured again along the motion; where that leaves next to nothing, this and the
+ * square count. What is at rest, such as a long chain that hangs, has no motion to measure it along: rounding that is
+ * projected off there moves weights, and the energy tells. Books are not projected: where there are any, the error that
+ * lies across tells of theirs. */
 static double find_error(Stepper *stepper, double h)
 {
     int32_t n = stepper->system->size;
     if (!isfinite(tinker_largest(n, stepper->q)) || !isfinite(tinker_largest(n, stepper->v))) return INFINITY;
     TinkerErrorScale scale = tinker_error_scale(stepper->system, &stepper->control, h, stepper->q0, stepper->v0,
                                                 stepper->q, stepper->v, stepper->a[0]);
-    double error = measure(stepper, &stepper->error, h, scale);
-    if (!stepper->tableau->second_error) return error;
-    return tinker_tableau_join_errors(error, measure(stepper, &stepper->second_error, h, scale));
+    double error = measure_all(stepper, h, scale, FALSE);
+    if (!(error > FAR_OFF) || !isfinite(error)) return error;
+    if (!tinker_is_constrained(stepper->system) || stepper->system->books > 0) return error;
+    const double way = h * tinker_largest(n, stepper->v0);
+    if (!(tinker_largest(n, stepper->error_q) < UNMOVED * way)) return error;
+    double along = measure_all(stepper, h, scale, TRUE);
+    if (!(along < ACROSS * error)) return error;
+    return fmax(along, fmin(SQUARE_SHARE * stepper->control.tolerance * error * error, MISPLACED));
 }
 
 /* Stages 1 to the end; *error is not finite where the system asked for a smaller step. */
