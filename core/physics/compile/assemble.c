@@ -148,7 +148,7 @@ static TinkerStatus follow_hand(TinkerModel *model, const TinkerHeldBody *held)
     return status;
 }
 
-/* Likewise for the rate. */
+/* Projected velocities of a body whose rate is held: the rate is put back, until that changes little. */
 static TinkerStatus follow_rate(TinkerModel *model, const TinkerHeldBody *held)
 {
     const int32_t angle = turn_coordinate(model, held_body(model, held));
@@ -168,12 +168,11 @@ static TinkerStatus follow_rate(TinkerModel *model, const TinkerHeldBody *held)
 
 static gboolean bring_together(TinkerModel *model, const TinkerHeldBody *held, GError **error)
 {
-    TinkerConstraints *all = &model->constraints;
     TinkerStatus status = tinker_model_set_time(model, 0.0);
     tinker_model_set_state(model, model->q_start, model->v_start);
     if (status == TINKER_OK) status = tinker_constraints_evaluate(model);
     if (status == TINKER_OK) {
-        all->redundant = MAX(tinker_constraints_count_dependent(model), all->fitted);
+        tinker_constraints_find_redundant(model);
         status = follow_hand(model, held);
     }
     if (status == TINKER_OK && held->rate) status = follow_rate(model, held);

@@ -90,7 +90,7 @@ static void add_turn(TinkerModel *model, const TinkerBlockBatch *batch, int32_t 
     const int32_t number = model->turning++, coordinate = 2 * model->bodies + number;
     const double gyration = sqrt(inertia / model->mass[body]);
     model->turn_of[body] = number;
-    model->turns[number] = (TinkerTurn){.body = body, .gyration = gyration};
+    model->turns[number] = (TinkerTurn){.body = body, .gyration = gyration, .by_gyration = 1 / gyration, .cosine = 1};
     model->coordinate_mass[coordinate] = model->mass[body];
     model->q_start[coordinate] = gyration * tinker_block_batch_meaning(batch, row, TINKER_MEANING_ORIENTATION, 0, 0.0);
     model->v_start[coordinate] =

@@ -7,8 +7,10 @@
 
 #include "physics/compile/compile-private.h"
 #include "physics/constraint/constraints.h"
+#include "physics/constraint/pin-chains.h"
 #include "physics/constraint/row-chains.h"
 #include "physics/constraint/straight-bars.h"
+#include "physics/constraint/tolerances.h"
 #include "physics/model/angles.h"
 
 /* Beyond this many products a factorisation takes longer, and more memory, than anybody has. */
@@ -30,6 +32,13 @@ static double *distances_of(const TinkerBlockBatch *batch, TinkerBatch *view)
     return status == TINKER_OK ? g_steal_pointer(&length) : NULL;
 }
 
+static gboolean is_coincident(const TinkerBlockBatch *batch, const TinkerBatch *view)
+{
+    const TinkerConstraint *constraint = batch->block_class->physics->constraint;
+    return constraint->coincident != 0 && constraint->rows == 2 && view->ends == 2 && constraint->angles == 0 &&
+           constraint->prescribed_rate == NULL && constraint->unilateral == 0;
+}
+
 static void add_constraint_batch(TinkerModel *model, TinkerBlockBatch *batch)
 {
     TinkerConstraints *all = &model->constraints;
@@ -46,6 +55,7 @@ static void add_constraint_batch(TinkerModel *model, TinkerBlockBatch *batch)
     };
     memcpy(added.view.origin, model->origin, sizeof(model->origin));
     added.distances = distances_of(batch, &added.view);
+    added.coincident = is_coincident(batch, &added.view);
     all->rows += added.row_count;
     all->entries += (added.angles != NULL ? 2 : 1) * batch->end_count * constraint->rows;
     g_array_append_val(all->batches, added);
@@ -126,7 +136,8 @@ static gboolean number_turns(TinkerModel *model, GError **error)
         all->points[e] = body >= 0 ? body : all->ends_at[e];
         if (body < 0 || all->ends_at[e] == body) continue;
         const int32_t turn = model->turn_of[body];
-        all->turns[all->turn_count++] = (TinkerTurnEntry){e, all->row_of[e], turn, 2 * model->bodies + turn};
+        all->turns[all->turn_count++] = (TinkerTurnEntry){e, all->row_of[e], all->ends_at[e] - model->first_attachment,
+                                                          turn, 2 * model->bodies + turn};
         all->turn_starts[all->row_of[e] + 1]++;
     }
     for (int32_t row = 0; row < all->rows; row++)
@@ -149,6 +160,7 @@ static gboolean allot(TinkerModel *model, GError **error)
     all->scales = ALLOT(model, double, rows);
     all->inverse_scales = ALLOT(model, double, rows);
     all->asked = ALLOT(model, double, rows);
+    all->idle = ALLOT(model, TinkerIdleRow, rows);
     all->blocks = ALLOT(model, TinkerBlockId, rows);
     all->ends = ALLOT(model, TinkerPoint, most_ends);
     all->g = ALLOT(model, double, rows);
@@ -175,6 +187,9 @@ static gboolean allot_jacobians(TinkerModel *model, GError **error)
 /* Of how far from the origin something is: an extent that is less is rounding of places. */
 #define LEAST_EXTENT 1e-6
 
+/* Of the scene's extent: ends that are closer coincide, but for rounding, and give no length. */
+#define ROUNDED_DISTANCE 1e-12
+
 /* The larger side of the box about all points that something can be at, for the places in them. */
 static double extent_of(const TinkerModel *model)
 {
@@ -193,7 +208,8 @@ static double extent_of(const TinkerModel *model)
     return MAX(MAX(greatest[0] - least[0], greatest[1] - least[1]), LEAST_EXTENT * far);
 }
 
-/* The rows' lengths: the block's own word, else the largest distance between its ends at the start. */
+/* The rows' lengths: the block's own word, else the largest distance between its ends at the start; of ends in one
+ * place the scene's extent. */
 static void measure(TinkerModel *model, const TinkerConstraintBatch *part, double extent)
 {
     TinkerConstraints *all = &model->constraints;
@@ -213,6 +229,7 @@ static void measure(TinkerModel *model, const TinkerConstraintBatch *part, doubl
                 break; /* turns are no places */
             largest = MAX(largest, hypot(other->x - first->x, other->y - first->y));
         }
+        if (largest < ROUNDED_DISTANCE * extent) largest = extent;
         all->scales[row] = largest > 0 ? largest : 1.0;
         all->inverse_scales[row] = 1.0 / all->scales[row];
     }
@@ -371,6 +388,7 @@ static gboolean compile_with(TinkerModel *model, GArray *straight, GError **erro
     if (all->rows == 0) return TRUE;
     if (!allot(model, error)) return FALSE;
     all->two_entries = TRUE;
+    all->shift = TINKER_PROXIMAL_SHIFT;
     for (guint i = 0; i < all->batches->len; i++)
         number_entries(all, &g_array_index(all->batches, TinkerConstraintBatch, i));
     number_straight_entries(all);
@@ -388,6 +406,7 @@ static gboolean compile_with(TinkerModel *model, GArray *straight, GError **erro
     if (all->turn_count > 0 && !list_turn_products(model, error)) return FALSE;
     if (!allot_unilateral(model, error)) return FALSE;
     if (all->unilateral == NULL) all->chains = tinker_row_chains_new(model);
+    if (all->unilateral == NULL && all->chains == NULL) all->pin_chains = tinker_pin_chains_new(model);
     return TRUE;
 }
 
@@ -433,6 +452,7 @@ void tinker_constraints_clear(TinkerConstraints *all)
     if (all->straight != NULL) g_array_unref(all->straight);
     tinker_sparse_ldl_free(all->ldl);
     tinker_row_chains_free(all->chains);
+    tinker_pin_chains_free(all->pin_chains);
     if (all->ends_at != all->points) g_free(all->ends_at);
     g_free(all->turn_starts);
     gpointer arrays[] = {all->turns,          all->turn_products,
@@ -451,7 +471,7 @@ void tinker_constraints_clear(TinkerConstraints *all)
                          all->unilateral,     all->slack,
                          all->diagonal,       all->own_g,
                          all->own_drift,      all->own_rate,
-                         all->own_jacobian};
+                         all->own_jacobian,   all->idle};
     for (gsize i = 0; i < G_N_ELEMENTS(arrays); i++)
         g_free(arrays[i]);
 }

@@ -29,9 +29,22 @@ static gboolean check_placed(TinkerModel *model, const TinkerBlockBatch *batch, 
                      (value < property->hard_minimum ||
                       ((property->flags & TINKER_OPEN_MINIMUM) && value == property->hard_minimum));
     if (!below && isfinite(value)) return TRUE;
+    const char *name = tinker_scene_block_name(model->scene, batch->ids[row]);
+    if (property->meaning == TINKER_MEANING_RADIUS) {
+        g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_SCENE,
+                    _("%s: what its first end is on has no radius (give the %s, or put that end on something round)"),
+                    name, property->id);
+        return FALSE;
+    }
+    if (tinker_block_class_is_wound(batch->block_class)) {
+        g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_SCENE,
+                    _("%s: its second end lies within the radius about its first end at t = 0 (place it outside)"),
+                    name);
+        return FALSE;
+    }
     g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_SCENE,
                 _("%s: its ends are %g m apart at t = 0, which its %s cannot be (place them apart, or give the %s)"),
-                tinker_scene_block_name(model->scene, batch->ids[row]), value, property->id, property->id);
+                name, value, property->id, property->id);
     return FALSE;
 }
 
@@ -48,10 +61,12 @@ gboolean tinker_model_resolve_placed(TinkerModel *model, GError **error)
             if (!shaped && !(property->flags & TINKER_DEFAULT_AS_PLACED)) continue;
             int32_t column = block_class->first_columns[p];
             for (int32_t row = 0; row < batch->count; row++) {
-                if (!isnan(batch->columns[column][row])) continue;
-                double value = tinker_frame_column(placed, batch->ids[row], column);
-                if (!shaped && !check_placed(model, batch, row, property, value, error)) return FALSE;
-                batch->columns[column][row] = value;
+                for (int32_t c = column; c < column + tinker_kind_columns(property->kind); c++) {
+                    if (!isnan(batch->columns[c][row])) continue;
+                    double value = tinker_frame_column(placed, batch->ids[row], c);
+                    if (!shaped && !check_placed(model, batch, row, property, value, error)) return FALSE;
+                    batch->columns[c][row] = value;
+                }
             }
         }
     }
@@ -100,7 +115,11 @@ static gboolean compile(TinkerModel *model, GError **error)
 {
     if (!tinker_model_compile_parts(model, error)) return FALSE;
     model->contacts = tinker_contacts_new(model);
-    return tinker_model_check_start(model, error);
+    if (!tinker_model_check_start(model, error)) return FALSE;
+    if (model->part || model->contacts == NULL) return TRUE;
+    tinker_model_set_state(model, model->q_start, model->v_start);
+    tinker_contacts_tell_overlaps(model->contacts, model->warnings);
+    return TRUE;
 }
 
 static int32_t most_columns(const GPtrArray *batches)

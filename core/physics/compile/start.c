@@ -10,11 +10,11 @@
 #include "physics/force/forces.h"
 #include "physics/model/model-data.h"
 
-/* The column of the length that a row keeps from end to end; -1 where it says no such thing. */
+/* The column of the length that a row keeps from end to end; -1 where it says no such thing, as of what is wound. */
 static int32_t path_column(const TinkerBlockClass *block_class, int32_t ends)
 {
     int32_t property = block_class->meanings[TINKER_MEANING_LENGTH];
-    if (property < 0 || ends < 2) return -1;
+    if (property < 0 || ends < 2 || tinker_block_class_is_wound(block_class)) return -1;
     gboolean along = ends == 2 || (block_class->properties[property].flags & TINKER_DEFAULT_AS_PLACED) != 0;
     return along ? block_class->first_columns[property] : -1;
 }
@@ -53,14 +53,15 @@ static void refuse_misfit(const TinkerModel *model, int32_t row, const char *nam
 {
     const TinkerConstraints *all = &model->constraints;
     double place[2];
+    const char *unit = tinker_constraints_row_unit(model, row);
     const int32_t body = nearest_fit(model, row, place);
     g_autofree char *hint =
         body < 0 ? g_strdup(_("move its ends, or change its properties"))
                  : g_strdup_printf(_("it fits with %s at about (%.5g, %.5g) m"),
                                    tinker_scene_block_name(model->scene, model->body_blocks[body]), place[0], place[1]);
     g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_SCENE,
-                _("%s: the start positions miss it by %.3g m (at most %.0e of its length, %.3g m, is corrected; %s)"),
-                name, fabs(all->g[row]), TINKER_START_MISS, all->scales[row], hint);
+                _("%s: the start positions miss it by %.3g %s (at most %.3g %s is corrected; %s)"), name,
+                fabs(all->g[row]), unit, TINKER_START_MISS * all->scales[row], unit, hint);
 }
 
 static void refuse_joint(const TinkerModel *model, int32_t row, const char *name, GError **error)
@@ -118,17 +119,28 @@ static gboolean check_positions(TinkerModel *model, GError **error)
     return TRUE;
 }
 
+/* Whether the user said how fast a body starts along a coordinate: what was left open is for the constraints to say. */
+static gboolean is_said(const TinkerModel *model, int32_t coordinate)
+{
+    const TinkerBlockId block = model->body_blocks[tinker_model_moved_by(model, coordinate)];
+    const TinkerBlockClass *block_class = tinker_scene_block_class(model->scene, block);
+    const int32_t meaning = coordinate < 2 * model->bodies ? TINKER_MEANING_VELOCITY : TINKER_MEANING_ANGULAR_VELOCITY;
+    const int32_t property = block_class->meanings[meaning];
+    return property >= 0 && tinker_scene_property_given(model->scene, block, property);
+}
+
 static void warn_start_velocity(TinkerModel *model, const double *given)
 {
     double change = 0, fastest = 0, impulse = 0;
     for (int32_t i = 0; i < model->coordinates; i++) {
         double dv = model->v_start[i] - given[i];
-        change = MAX(change, fabs(dv));
+        if (is_said(model, i)) change = MAX(change, fabs(dv));
         fastest = MAX(fastest, MAX(fabs(given[i]), fabs(model->v_start[i])));
         impulse += model->coordinate_mass[i] * model->coordinate_mass[i] * dv * dv;
     }
     model->start_impulse = sqrt(impulse);
-    if (change > TINKER_START_MISS * fastest)
+    model->start_changed = change > TINKER_START_MISS * fastest;
+    if (model->start_changed)
         g_ptr_array_add(
             model->warnings,
             g_strdup_printf(_("the start velocities did not fit the constraints: they were changed by up to %.3g "
@@ -190,14 +202,47 @@ static double largest_demand(const TinkerModel *model)
     return most;
 }
 
+/* What accelerations that are found for the applied ones miss of the rows, as a share of what is asked of them. */
+static double missed_share(TinkerModel *model, const double *applied, double *a)
+{
+    memcpy(a, applied, (gsize)model->coordinates * sizeof(double));
+    const double missing = tinker_constraints_accelerate(model, a), asked = largest_demand(model);
+    return missing > 0 ? missing / asked : 0;
+}
+
+static void take_shift(TinkerConstraints *all, double shift)
+{
+    all->shift = shift;
+    all->factored = all->keeps_factored = FALSE;
+}
+
+/* Rows that depend on each other are solved with a shift. What it leaves out may be too much of rows that are nearly
+ * dependent, as the bending of a long truss: then a smaller one meets them, and none does where they contradict each
+ * other. Answers what the best misses. */
+static double choose_shift(TinkerModel *model, const double *applied, double *a)
+{
+    TinkerConstraints *all = &model->constraints;
+    double least = missed_share(model, applied, a), best = all->shift;
+    if (all->redundant == 0) return least;
+    while (least > TINKER_MET && all->shift * TINKER_SHIFT_STEP >= TINKER_LEAST_SHIFT) {
+        take_shift(all, all->shift * TINKER_SHIFT_STEP);
+        const double missed = missed_share(model, applied, a);
+        if (!(missed < 0.5 * least)) continue;
+        least = missed;
+        best = all->shift;
+    }
+    take_shift(all, best);
+    return missed_share(model, applied, a);
+}
+
 static gboolean check_accelerations(TinkerModel *model, GError **error)
 {
-    g_autofree double *a = g_new0(double, (gsize)MAX(model->coordinates, 1));
+    const gsize n = (gsize)MAX(model->coordinates, 1);
+    g_autofree double *applied = g_new0(double, n), *a = g_new0(double, n);
     tinker_model_set_state(model, model->q_start, model->v_start);
-    if (tinker_model_applied(model, a, FALSE) != TINKER_OK || tinker_constraints_evaluate(model) != TINKER_OK)
+    if (tinker_model_applied(model, applied, FALSE) != TINKER_OK || tinker_constraints_evaluate(model) != TINKER_OK)
         return run_error(model, TINKER_MODEL_ERROR_RUN, error);
-    double missing = tinker_constraints_accelerate(model, a);
-    if (missing <= TINKER_START_MISS * largest_demand(model)) return TRUE;
+    if (choose_shift(model, applied, a) <= TINKER_START_MISS) return TRUE;
     return refuse_contradiction(model, a, error);
 }
 
@@ -218,7 +263,7 @@ gboolean tinker_model_check_start(TinkerModel *model, GError **error)
     if (all->rows == 0) return TRUE;
     if (tinker_constraints_evaluate(model) != TINKER_OK) return run_error(model, TINKER_MODEL_ERROR_RUN, error);
     if (!check_positions(model, error)) return FALSE;
-    all->redundant = MAX(tinker_constraints_count_dependent(model), all->fitted);
+    tinker_constraints_find_redundant(model);
     gboolean moved;
     slacken(model, TRUE);
     if (tinker_constraints_project_positions(model, 0.0, model->q_start, model->v_start, &moved) != TINKER_OK)

@@ -133,6 +133,46 @@ static inline TinkerStatus evaluate_distances(TinkerModel *model, const TinkerCo
     return refuse_rows(model, part, TINKER_OK);
 }
 
+/* What an end on a body that turns adds to the two rows of ends that coincide: their columns of the turn, `turned[0]`
+ * and `turned[1]`, and their drift. */
+static inline void turn_coincident(const TinkerModel *model, int32_t point, double sign, double *turned[2],
+                                   double drift[2])
+{
+    const TinkerAttachment *at = tinker_model_attachment(model, point);
+    const TinkerTurn *turn = &model->turns[model->turn_of[at->body]];
+    const double square = turn->rate * turn->rate, arm[2] = {sign * at->arm[0], sign * at->arm[1]};
+    *turned[0]++ = -arm[1] * turn->by_gyration;
+    *turned[1]++ = arm[0] * turn->by_gyration;
+    drift[0] -= square * arm[0];
+    drift[1] -= square * arm[1];
+}
+
+/* Rows whose ends coincide, with their columns of turns. */
+static TinkerStatus evaluate_coincident(TinkerModel *model, const TinkerConstraintBatch *part)
+{
+    static const double jacobian[8] = {-1, 0, 1, 0, 0, -1, 0, 1};
+    TinkerConstraints *all = &model->constraints;
+    double *columns = all->jacobian + 2 * all->entries, most = all->miss, sum = 0;
+    for (int32_t i = 0, row = part->first_row; i < part->batch->count; i++, row += 2) {
+        const int32_t *ends = part->end_points + 2 * i;
+        const TinkerPoint *a = &model->point[ends[0]], *b = &model->point[ends[1]];
+        const double gap[2] = {b->x - a->x, b->y - a->y};
+        double drift[2] = {0, 0},
+               *turned[2] = {columns + tinker_row_turns(all, row), columns + tinker_row_turns(all, row + 1)};
+        for (int k = 0; k < 2; k++)
+            if (ends[k] >= model->first_attachment && ends[k] < model->first_support)
+                turn_coincident(model, ends[k], k == 0 ? -1 : 1, turned, drift);
+        memcpy(all->jacobian + 2 * part->first_entry + 8 * i, jacobian, sizeof(jacobian));
+        memcpy(all->g + row, gap, sizeof(gap));
+        memcpy(all->drift + row, drift, sizeof(drift));
+        most = MAX(most, MAX(fabs(gap[0]), fabs(gap[1])) * all->inverse_scales[row]);
+        sum += 0.0 * (gap[0] + gap[1] + drift[0] + drift[1]);
+    }
+    all->miss = most;
+    if (G_LIKELY(sum == 0)) return TINKER_OK;
+    return refuse_rows(model, part, TINKER_OK);
+}
+
 /* Rows that their plugin works out. */
 static G_NO_INLINE TinkerStatus evaluate_asked(TinkerModel *model, TinkerConstraintBatch *part)
 {
@@ -158,22 +198,23 @@ static void turn_jacobians(TinkerConstraints *all)
 /* Rows are over points; what they are over the coordinates of a body that turns: of a point at its arm r a row with the
  * entry j has r x j / (radius of gyration) in the column of the turn, and w^2 r of the point's acceleration is drift.
  */
-static G_NO_INLINE void turn_rows(TinkerModel *model)
+static G_NO_INLINE void turn_rows(TinkerModel *model, int32_t first_row, int32_t end_row)
 {
     TinkerConstraints *all = &model->constraints;
-    double *turned = all->jacobian + 2 * all->entries;
-    for (int32_t k = 0; k < all->turn_count; k++) {
+    double *restrict turned = all->jacobian + 2 * all->entries;
+    const TinkerAttachment *attachments = (const TinkerAttachment *)(const void *)model->attachments->data;
+    for (int32_t k = tinker_row_turns(all, first_row); k < tinker_row_turns(all, end_row); k++) {
         const TinkerTurnEntry *of = &all->turns[k];
         const TinkerTurn *turn = &model->turns[of->turn];
+        const TinkerAttachment *at = &attachments[of->attachment];
         double *j = all->jacobian + 2 * of->entry;
-        const TinkerAttachment *at = tinker_model_attachment(model, all->ends_at[of->entry]);
         const double *r = at->arm;
         if (at->turn) { // not along the body's centre, which it shares its entries with
-            turned[k] = j[0] / turn->gyration;
+            turned[k] = j[0] * turn->by_gyration;
             j[0] = 0;
             continue;
         }
-        turned[k] = (r[0] * j[1] - r[1] * j[0]) / turn->gyration;
+        turned[k] = (r[0] * j[1] - r[1] * j[0]) * turn->by_gyration;
         all->drift[of->row] -= turn->rate * turn->rate * (r[0] * j[0] + r[1] * j[1]);
     }
 }
@@ -185,11 +226,17 @@ TinkerStatus tinker_constraints_evaluate(TinkerModel *model)
     all->miss = 0;
     for (guint i = 0; i < all->batches->len; i++) {
         TinkerConstraintBatch *part = &g_array_index(all->batches, TinkerConstraintBatch, i);
-        TinkerStatus status = part->distances != NULL ? evaluate_distances(model, part) : evaluate_asked(model, part);
+        TinkerStatus status = part->distances != NULL ? evaluate_distances(model, part)
+                              : part->coincident      ? evaluate_coincident(model, part)
+                                                      : evaluate_asked(model, part);
         if (status != TINKER_OK) return status;
+        if (G_UNLIKELY(all->turn_count > 0 && !part->coincident))
+            turn_rows(model, part->first_row, part->first_row + part->row_count);
     }
-    if (G_UNLIKELY(all->straight->len > 0)) tinker_straight_rows_evaluate(model);
-    if (G_UNLIKELY(all->turn_count > 0)) turn_rows(model);
+    if (G_UNLIKELY(all->straight->len > 0)) {
+        tinker_straight_rows_evaluate(model);
+        if (all->turn_count > 0) turn_rows(model, all->first_straight, all->rows);
+    }
     if (G_UNLIKELY(all->unilateral != NULL)) tinker_constraints_hide_slack(all);
     return TINKER_OK;
 }

@@ -8,10 +8,12 @@
  * It converges to the solution of least norm, since it never leaves the range of S. Source: Parikh, Boyd, "Proximal
  * Algorithms" (2014), section 4.1; tested by rank-deficient frames in tests/physics. A residual that stalls at a state
  * on the constraints means that the rows contradict each other. Where masses differ widely, eps is a share of each
- * row's own diagonal entry: dependent rods between masses in a ratio of 1e9 are solved. */
+ * row's own diagonal entry: dependent rods between masses in a ratio of 1e9 are solved. A long truss has combinations
+ * of rows that are independent by less than this eps; for it one is taken that is as small as it needs (start.c). */
 #include "physics/constraint/constraints.h"
 #include "numerics/solve/largest.h"
 #include "numerics/solve/rank.h"
+#include "physics/constraint/pin-chains.h"
 #include "physics/constraint/row-chains.h"
 #include "physics/constraint/tolerances.h"
 #include "physics/model/model-data.h"
@@ -58,6 +60,8 @@ static void assemble(TinkerConstraints *all)
     }
     for (int32_t row = 0; all->unilateral != NULL && row < all->rows; row++)
         if (all->slack[row]) values[all->diagonal[row]] = 1.0;
+    for (int32_t i = 0; i < all->idle_count; i++)
+        if (values[all->idle[i].slot] == 0) values[all->idle[i].slot] = 1.0;
 }
 
 static double mean_diagonal(const TinkerConstraints *all)
@@ -98,14 +102,14 @@ static double shift_rows(TinkerConstraints *all)
         least = MIN(least, values[products[i].slot]);
         greatest = MAX(greatest, values[products[i].slot]);
     }
-    if (!(greatest > TINKER_EVEN_ROWS * least)) return TINKER_PROXIMAL_SHIFT * mean_diagonal(all);
+    if (!(greatest > TINKER_EVEN_ROWS * least)) return all->shift * mean_diagonal(all);
     int32_t last = -1;
     for (gsize i = 0; i < all->product_count; i++) {
         if (products[i].first_entry != products[i].second_entry || products[i].slot == last) continue;
         last = products[i].slot;
-        values[last] *= 1 + TINKER_PROXIMAL_SHIFT;
+        values[last] *= 1 + all->shift;
     }
-    return TINKER_PROXIMAL_SHIFT * least;
+    return all->shift * least;
 }
 
 static void factor_shifted(TinkerConstraints *all)
@@ -260,19 +264,41 @@ static double solve_proximally(TinkerModel *model, double *b)
     return MAX(left, dropped);
 }
 
+static gboolean factor_chains(TinkerConstraints *all, const TinkerRowDemand *demand)
+{
+    if (all->chains != NULL) return tinker_row_chains_factor(all->chains, all->jacobian, TINKER_DEPENDENT, demand);
+    return tinker_pin_chains_factor(all->pin_chains, all->jacobian, TINKER_DEPENDENT, demand);
+}
+
+static void substitute_chains(TinkerConstraints *all, const TinkerRowDemand *demand)
+{
+    if (all->chains != NULL)
+        tinker_row_chains_substitute(all->chains, all->jacobian, demand);
+    else
+        tinker_pin_chains_substitute(all->pin_chains, all->jacobian, demand);
+}
+
+static void finish_chains(TinkerConstraints *all, double *x, double *target, gboolean fresh)
+{
+    if (all->chains != NULL)
+        tinker_row_chains_finish(all->chains, all->jacobian, x, target, fresh);
+    else
+        tinker_pin_chains_finish(all->pin_chains, x, target, fresh);
+}
+
 /* Where the rows are chains without dependent ones, solves for a demand up to the last pass, with the factor of the
  * rows evaluated last, or `roughly` with any. FALSE: the general way is left, with a shifted factor where the rows
  * turned out to depend on each other here. */
 static gboolean solve_chains(TinkerConstraints *all, const TinkerRowDemand *demand, gboolean roughly)
 {
-    if (all->chains == NULL || all->redundant > 0) return FALSE;
+    if ((all->chains == NULL && all->pin_chains == NULL) || all->redundant > 0) return FALSE;
     if (all->factored && ((roughly && !all->shifted) || is_factored(all))) {
-        if (!all->shifted) tinker_row_chains_substitute(all->chains, all->jacobian, demand);
+        if (!all->shifted) substitute_chains(all, demand);
         return !all->shifted;
     }
     all->factored = all->keeps_factored = TRUE;
     all->shifted = FALSE;
-    if (tinker_row_chains_factor(all->chains, all->jacobian, TINKER_DEPENDENT, demand)) return TRUE;
+    if (factor_chains(all, demand)) return TRUE;
     factor_shifted(all);
     return FALSE;
 }
@@ -291,7 +317,8 @@ void tinker_constraints_begin_look(TinkerModel *model)
     all->factored = all->keeps_factored = FALSE;
 }
 
-/* The same matrix has the same factor, to the bit. */
+/* What was evaluated before the look is put back; its factor, which is not kept, comes out to the bit as it was, from a
+ * matrix that is. */
 void tinker_constraints_end_look(TinkerModel *model)
 {
     TinkerConstraints *all = &model->constraints;
@@ -318,7 +345,7 @@ double tinker_constraints_solve(TinkerModel *model, double *b)
 {
     TinkerConstraints *all = &model->constraints;
     if (solve_chains(all, &(TinkerRowDemand){.extra = b, .sign = 1}, FALSE)) {
-        tinker_row_chains_finish(all->chains, all->jacobian, b, NULL, FALSE);
+        finish_chains(all, b, NULL, FALSE);
         return 0;
     }
     if (!is_factored(all) && factor_and_solve(all, b)) return 0;
@@ -332,7 +359,7 @@ void tinker_constraints_newton_step(TinkerModel *model, gboolean roughly)
     TinkerConstraints *all = &model->constraints;
     double *displacement = all->displacement; /* 0 on bodies without rows */
     if (solve_chains(all, &(TinkerRowDemand){.extra = all->g, .sign = -1}, roughly)) {
-        tinker_row_chains_finish(all->chains, all->jacobian, all->lambda, displacement, TRUE);
+        finish_chains(all, all->lambda, displacement, TRUE);
         return;
     }
     for (int32_t row = 0; row < all->rows; row++)
@@ -349,7 +376,7 @@ void tinker_constraints_change_speeds(TinkerModel *model, const double *asked, d
 {
     TinkerConstraints *all = &model->constraints;
     if (solve_chains(all, &(TinkerRowDemand){.extra = asked, .sign = 1}, FALSE)) {
-        tinker_row_chains_finish(all->chains, all->jacobian, all->lambda, v, FALSE);
+        finish_chains(all, all->lambda, v, FALSE);
         return;
     }
     memcpy(all->lambda, asked, (gsize)all->rows * sizeof(double));
@@ -372,7 +399,7 @@ double tinker_constraints_accelerate(TinkerModel *model, double *a)
     double *by_point = model->point_acceleration;
     memcpy(by_point, a, (gsize)model->coordinates * sizeof(double));
     if (solve_chains(all, &(TinkerRowDemand){by_point, 2, all->drift, -1}, FALSE)) {
-        tinker_row_chains_finish(all->chains, all->jacobian, all->lambda, a, FALSE);
+        finish_chains(all, all->lambda, a, FALSE);
         return 0;
     }
     tinker_constraints_rows_times(all, by_point, all->lambda);

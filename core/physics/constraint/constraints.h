@@ -48,6 +48,11 @@ void tinker_constraints_rows_times(const TinkerConstraints *constraints, const d
 TinkerStatus tinker_constraints_errors(TinkerModel *model, double t, const double *q, const double *v, double *position,
                                        double *velocity);
 /* The largest |g| relative to its row's length, of the rows evaluated last. */
+/* Has what is wound on a body (a cord) count from how it is at a state of the run (wound-rows.c): after each step. */
+TinkerStatus tinker_constraints_rewind(TinkerModel *model, double t, const double *q, const double *v);
+
+/* The unit of what a row misses, "m" or "rad". Static. */
+const char *tinker_constraints_row_unit(const TinkerModel *model, int32_t row);
 double tinker_constraints_worst_miss(const TinkerModel *model);
 /* The row that is off most, by the same measure. */
 int32_t tinker_constraints_worst_row(const TinkerModel *model);
@@ -90,6 +95,10 @@ static inline TinkerCoordinateEntry *tinker_constraints_row_room(const TinkerCon
     return g_new(TinkerCoordinateEntry, 3 * (gsize)most + 1);
 }
 
+/* Whether a row holds nothing (idle-rows.c). */
+gboolean tinker_constraints_is_idle(const TinkerConstraints *constraints, int32_t row);
+/* Finds which rows hold nothing and how many depend on others, at the rows evaluated last. */
+void tinker_constraints_find_redundant(TinkerModel *model);
 /* How many rows depend on others, at the rows evaluated last. */
 int32_t tinker_constraints_count_dependent(TinkerModel *model);
 /* Adds the power that moving supports and prescribed rows give through the constraints to model->book_power, with the

@@ -51,6 +51,29 @@ int32_t tinker_constraints_worst_row(const TinkerModel *model)
     return worst;
 }
 
+/* By the law that the class states. */
+static const char *unit_of(const TinkerBlockClass *block_class, int32_t row)
+{
+    g_autofree char *symbol =
+        block_class->physics->constraint->rows == 1 ? g_strdup("g") : g_strdup_printf("g%d", row + 1);
+    for (int32_t i = 0; i < block_class->law_count; i++) {
+        const TinkerDimension *of = &block_class->law[i].dimension;
+        if (strcmp(block_class->law[i].symbol, symbol) == 0 && of->length == 0 && of->angle == 1) return "rad";
+    }
+    return "m";
+}
+
+const char *tinker_constraints_row_unit(const TinkerModel *model, int32_t row)
+{
+    const GArray *batches = model->constraints.batches;
+    for (guint i = 0; i < batches->len; i++) {
+        const TinkerConstraintBatch *part = &g_array_index(batches, TinkerConstraintBatch, i);
+        if (row >= part->first_row && row < part->first_row + part->row_count)
+            return unit_of(part->batch->block_class, (row - part->first_row) % part->constraint->rows);
+    }
+    return "m";
+}
+
 double tinker_constraints_worst_miss(const TinkerModel *model)
 {
     return model->constraints.miss;
@@ -62,9 +85,10 @@ static TinkerStatus not_met(TinkerModel *model)
     int32_t worst = tinker_constraints_worst_row(model);
     tinker_model_tell_failure(
         model,
-        _("%s: no position within reach satisfies it at t = %g s; it misses by %.3g m (the constraints contradict "
+        _("%s: no position within reach satisfies it at t = %g s; it misses by %.3g %s (the constraints contradict "
           "each other there, or the step is too large for this motion)"),
-        tinker_scene_block_name(model->scene, all->blocks[worst]), model->time, fabs(all->g[worst]));
+        tinker_scene_block_name(model->scene, all->blocks[worst]), model->time, fabs(all->g[worst]),
+        tinker_constraints_row_unit(model, worst));
     return TINKER_FAILED;
 }
 

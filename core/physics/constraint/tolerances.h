@@ -10,6 +10,14 @@
  * another: each solve brings an independent part closer by this over its eigenvalue, and what dependent rows disagree
  * in by rounding is magnified by its reciprocal. Held by: physics-redundant-rods, physics-singular. */
 #define TINKER_PROXIMAL_SHIFT 1e-5
+/* No unit; of the largest demand on a row: where no more is missed no smaller shift is looked for. Held by:
+ * physics-mechanisms. */
+#define TINKER_MET 1e-9
+/* No unit; of that diagonal: the least that is tried, by steps of so much, where the start cannot be solved with more.
+ * What dependent rows disagree in by rounding is then magnified until it shows in their forces. Held by:
+ * physics-mechanisms. */
+#define TINKER_LEAST_SHIFT 1e-13
+#define TINKER_SHIFT_STEP  1e-2
 /* No unit; of the least diagonal entry: rows up to the largest so many times as large share one shift. Held by:
  * physics-singular. */
 #define TINKER_EVEN_ROWS 1e3

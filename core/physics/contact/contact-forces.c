@@ -284,7 +284,7 @@ static void accelerate_rows(TinkerContacts *contacts, double *a)
             contact->friction = force;
         } else {
             contact->normal = force;
-            contact->friction = force * tinker_contact_slip_share(&contacts->plates[contact->plate], contact->mode);
+            contact->friction = force * tinker_contact_slip_share(contacts, contact);
         }
     }
 }
@@ -305,7 +305,7 @@ static inline void accelerate_alone(TinkerContacts *contacts, TinkerContact *con
         at[1] = base[1];
         return;
     }
-    contact->friction = tinker_contact_slip_share(plate, contact->mode) * contact->normal;
+    contact->friction = tinker_contact_slip_share(contacts, contact) * contact->normal;
     const double slides = along + contact->friction / mass;
     at[0] = base[0] + ny * slides;
     at[1] = base[1] - nx * slides;
@@ -433,6 +433,13 @@ void tinker_contacts_sum_forces(const TinkerContacts *contacts, double *by_point
         double fx = contact->normal * nx + contact->friction * ny, fy = contact->normal * ny - contact->friction * nx;
         add_force(by_point + 4 * contact->body, contact->normal, contact->friction, fx, fy);
         add_force(by_point + 4 * plate->point, contact->normal, -contact->friction, -fx, -fy);
+    }
+    for (guint i = 0; i < contacts->pressings->len; i++) {
+        const TinkerPressing *each = &g_array_index(contacts->pressings, TinkerPressing, i);
+        const double fx = each->press * each->normal[0] + each->friction * each->normal[1];
+        const double fy = each->press * each->normal[1] - each->friction * each->normal[0];
+        add_force(by_point + 4 * each->body, each->press, each->friction, fx, fy);
+        add_force(by_point + 4 * each->by, each->press, -each->friction, -fx, -fy);
     }
 }
 

@@ -53,6 +53,7 @@ void tinker_contact_neighbours_list(TinkerContactNeighbours *self, int32_t body,
     memcpy(self->centre + 2 * body, to, 2 * sizeof(double));
     g_array_set_size(list, 0);
     for (int32_t k = 0; k < self->contacts->plate_count; k++) {
+        if (self->contacts->plates[k].turned != NULL) continue; /* its gap functions are looked at */
         double away = tinker_contact_distance(self->contacts, body, k, to);
         if (self->contacts->plates[k].moving || away <= reach)
             g_array_append_val(list, k);

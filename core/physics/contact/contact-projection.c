@@ -149,20 +149,29 @@ TinkerStatus tinker_contacts_project_positions(TinkerContacts *contacts, double 
     return TINKER_OK;
 }
 
+/* Contacts answer along the directions that they have at the start of the step, as constraints do: that is what makes
+ * the method symmetric. Of tops that keep their direction there is but one. */
+static TinkerStatus keep_directions(TinkerContacts *contacts, double t_from, const double *q_from, const double *v)
+{
+    if (contacts->entries->len == 0) return TINKER_OK;
+    const TinkerStatus status = tinker_model_set_time(contacts->model, t_from);
+    if (status == TINKER_OK) set_state(contacts, q_from, v);
+    return status;
+}
+
 TinkerStatus tinker_contacts_rattle(TinkerContacts *contacts, double t_from, const double *q_from, double t, double h,
                                     double *q, double *v)
 {
     TinkerModel *model = contacts->model;
     double before = INFINITY, work = 0;
-    TinkerStatus status = TINKER_OK;
+    TinkerStatus status = keep_directions(contacts, t_from, q_from, v);
     for (int step = 0; status == TINKER_OK && step < MOST_STEPS; step++) {
         if (model->constraints.rows > 0) status = tinker_constraints_rattle(model, t_from, q_from, t, h, q, v);
         if (status == TINKER_OK) status = tinker_model_set_time(model, t);
         if (status != TINKER_OK) return status;
-        set_state(contacts, q, v);
+        tinker_model_set_state(model, q, v);
         if (step == 0) place_alone(contacts, q, v, 1 / h, &work);
         if (contacts->rows->len == 0) break;
-        /* the constraints answer along their old directions: that is what makes the method symmetric */
         if (model->constraints.rows > 0)
             memcpy(model->constraints.jacobian, model->constraints.turned,
                    model->constraints.jacobian_size * sizeof(double));
@@ -216,6 +225,7 @@ double tinker_contacts_correct_velocities(TinkerContacts *contacts, double *v, g
     double *before = contacts->before, most = 0;
     gsize n = (gsize)model->coordinates;
     memcpy(before, v, n * sizeof(double));
+    tinker_contacts_refresh_entries(contacts);
     correct_alone(contacts, v, homogeneous);
     if (model->constraints.rows > 0) {
         tinker_model_set_velocities(model, v);

@@ -8,9 +8,12 @@
 /* For the bodies that constraints join to one; NULL: no memory. Owned by the contacts. */
 TinkerContactElimination *tinker_contacts_elimination(TinkerContacts *contacts, int32_t body);
 
-/* Finds the outlines of bodies that turn, and the gap functions of those that may touch. */
-void tinker_contacts_list_gaps(TinkerContacts *contacts);
-int32_t tinker_model_solid_bodies(const TinkerModel *model);
+/* Finds the outlines of bodies that turn or meet others, and of tops. */
+void tinker_contacts_find_outlines(TinkerContacts *contacts);
+/* Then lists the gap functions of those that may touch: tops, and where they `meet` each other. */
+void tinker_contacts_list_gaps(TinkerContacts *contacts, gboolean meet);
+/* How many are solid and turn, or collide. */
+int32_t tinker_model_meeting_bodies(const TinkerModel *model);
 /* Whether they meet each other: where the scene does not have too many. */
 gboolean tinker_model_bodies_meet(const TinkerModel *model);
 /* The entries of closed gap functions, for the state in the points. */

@@ -26,20 +26,28 @@ static gboolean is_solid(const TinkerBlockBatch *batch, int32_t row)
            tinker_block_batch_meaning(batch, row, TINKER_MEANING_WIDTH, 0, 0) > 0;
 }
 
+static const TinkerPlace *turned_by_motion(const TinkerModel *model, TinkerBlockId block)
+{
+    const TinkerPlace *place =
+        tinker_motions_moves(model->motions, block) ? tinker_motions_place(model->motions, block) : NULL;
+    return place != NULL && place->turns ? place : NULL;
+}
+
 static void add_plate(TinkerContacts *contacts, const TinkerBlockBatch *batch, int32_t row)
 {
-    double angle = tinker_block_batch_meaning(batch, row, TINKER_MEANING_ORIENTATION, 0, 0);
+    const double orientation = tinker_block_batch_meaning(batch, row, TINKER_MEANING_ORIENTATION, 0, 0);
+    const TinkerPlace *turned = turned_by_motion(contacts->model, batch->ids[row]);
+    const double angle = orientation + (turned != NULL ? turned->angle : 0);
     TinkerPlate *plate = &contacts->plates[contacts->plate_count++];
     *plate = (TinkerPlate){
         .block = batch->ids[row],
         .point = tinker_model_centre(contacts->model, batch->ids[row]),
-        .orientation = angle,
+        .orientation = orientation,
+        .turned = turned,
         .normal = {-sin(angle), cos(angle)},
         .half_height = 0.5 * tinker_block_batch_meaning(batch, row, TINKER_MEANING_HEIGHT, 0, 0),
         .half_width = 0.5 * tinker_block_batch_meaning(batch, row, TINKER_MEANING_WIDTH, 0, 0),
-        .static_friction = tinker_block_batch_meaning(batch, row, TINKER_MEANING_STATIC_FRICTION, 0, 0),
-        .dynamic_friction = tinker_block_batch_meaning(batch, row, TINKER_MEANING_DYNAMIC_FRICTION, 0, 0),
-        .restitution = tinker_block_batch_meaning(batch, row, TINKER_MEANING_RESTITUTION, 0, 0),
+        .surface = tinker_surface_of(batch, row, 0),
     };
     plate->moving = tinker_model_attachment(contacts->model, plate->point)->moving;
     contacts->moving_plates += plate->moving;
@@ -72,6 +80,20 @@ static void find_shapes(TinkerContacts *contacts, gboolean any_body)
                     0.5 * tinker_block_batch_meaning(batch, row, TINKER_MEANING_HEIGHT, 0, 0);
             else if (any_body && shape_of(batch) == TINKER_SHAPE_PLATE && is_solid(batch, row))
                 add_plate(contacts, batch, row);
+        }
+    }
+}
+
+static void find_surfaces(TinkerContacts *contacts)
+{
+    const TinkerModel *model = contacts->model;
+    for (guint i = 0; i < model->batches->len; i++) {
+        const TinkerBlockBatch *batch = g_ptr_array_index(model->batches, i);
+        for (int32_t row = 0; row < batch->count; row++) {
+            const int32_t point = tinker_model_centre(model, batch->ids[row]);
+            if (point < 0 || point >= model->bodies) continue;
+            contacts->surfaces[point] = tinker_surface_of(batch, row, NAN);
+            contacts->own_surfaces |= tinker_surface_is_given(&contacts->surfaces[point]);
         }
     }
 }
@@ -123,30 +145,44 @@ static void open_books(TinkerContacts *contacts)
     TinkerModel *model = contacts->model;
     for (int32_t k = 0; k < contacts->plate_count + contacts->gap_count; k++) {
         const TinkerPlate *plate = &contacts->plates[k];
-        if (plate->dynamic_friction > 0) model->has_book[TINKER_BOOK_FRICTION] = TRUE;
+        if (plate->surface.dynamic_friction > 0) model->has_book[TINKER_BOOK_FRICTION] = TRUE;
         if (plate->moving) model->has_book[TINKER_BOOK_SUPPORT_MOTION] = model->more_than_lines = TRUE;
     }
+}
+
+static TinkerImpactLaw law_of(TinkerScene *scene)
+{
+    int law = 0;
+    while (law < TINKER_IMPACT_LAWS &&
+           g_strcmp0(tinker_impact_law_names[law], tinker_scene_head(scene)->run.impact_law) != 0)
+        law++;
+    return law < TINKER_IMPACT_LAWS ? (TinkerImpactLaw)law : TINKER_IMPACT_NEWTON;
 }
 
 TinkerContacts *tinker_contacts_new(TinkerModel *model)
 {
     gboolean any_body = FALSE;
     int32_t plates = count_plates(model, &any_body);
-    const int32_t solid = tinker_model_solid_bodies(model);
-    any_body |= solid > 0;
+    const int32_t meeting = tinker_model_meeting_bodies(model);
+    any_body |= meeting > 0;
     if (!any_body) plates = 0;
-    const gboolean meet = solid > 1 && tinker_model_bodies_meet(model);
-    if (plates == 0 && !meet && model->constraints.unilateral == NULL) return NULL;
+    const gboolean meet = meeting > 1 && tinker_model_bodies_meet(model);
+    if (plates == 0 && meeting < 2 && model->constraints.unilateral == NULL) return NULL;
     TinkerContacts *contacts = g_new0(TinkerContacts, 1);
     contacts->model = model;
+    contacts->impact_law = law_of(model->scene);
     contacts->plates = g_new0(TinkerPlate, MAX(plates, 1));
     contacts->half_height = g_new0(double, MAX(model->bodies, 1));
     contacts->held = g_new0(gboolean, MAX(model->bodies, 1));
+    contacts->surfaces = g_new0(TinkerSurface, MAX(model->bodies, 1));
     contacts->group = g_new0(int32_t, MAX(model->bodies, 1));
     contacts->reach = g_new0(double, MAX(model->bodies, 1));
+    contacts->angle = g_new0(double, MAX(model->bodies, 1));
+    contacts->unturned = g_ptr_array_new_with_free_func(g_free);
     contacts->first_gap = g_new0(int32_t, model->bodies + 1);
     contacts->entries = g_array_new(FALSE, TRUE, sizeof(TinkerContactEntries));
     contacts->closed = g_array_new(FALSE, TRUE, sizeof(TinkerContact));
+    contacts->pressings = g_array_new(FALSE, TRUE, sizeof(TinkerPressing));
     contacts->rows = g_array_new(FALSE, TRUE, sizeof(TinkerContactRow));
     contacts->simple = g_array_new(FALSE, TRUE, sizeof(int32_t));
     contacts->blocks = g_array_new(FALSE, TRUE, sizeof(TinkerContactBlock));
@@ -156,7 +192,9 @@ TinkerContacts *tinker_contacts_new(TinkerModel *model)
     contacts->before = g_new0(double, (gsize)MAX(model->coordinates, 1));
     contacts->accelerations = g_new0(double, (gsize)MAX(model->coordinates, 1));
     find_shapes(contacts, any_body);
-    tinker_contacts_list_gaps(contacts);
+    find_surfaces(contacts);
+    tinker_contacts_find_outlines(contacts);
+    tinker_contacts_list_gaps(contacts, meet);
     find_groups(contacts);
     measure_thickness(contacts);
     open_books(contacts);
@@ -167,6 +205,8 @@ void tinker_contacts_free(TinkerContacts *contacts)
 {
     if (contacts == NULL) return;
     g_array_unref(contacts->closed);
+    g_ptr_array_unref(contacts->unturned);
+    g_array_unref(contacts->pressings);
     g_array_unref(contacts->rows);
     g_array_unref(contacts->entries);
     g_array_unref(contacts->simple);
@@ -176,6 +216,7 @@ void tinker_contacts_free(TinkerContacts *contacts)
     gpointer arrays[] = {contacts->plates,
                          contacts->half_height,
                          contacts->held,
+                         contacts->surfaces,
                          contacts->group,
                          contacts->delassus,
                          contacts->demand,
@@ -188,6 +229,7 @@ void tinker_contacts_free(TinkerContacts *contacts)
                          contacts->equations[FALSE],
                          contacts->equations[TRUE],
                          contacts->reach,
+                         contacts->angle,
                          contacts->first_gap,
                          contacts->outlines,
                          contacts->pairs,
@@ -196,6 +238,14 @@ void tinker_contacts_free(TinkerContacts *contacts)
     for (gsize i = 0; i < G_N_ELEMENTS(arrays); i++)
         g_free(arrays[i]);
     g_free(contacts);
+}
+
+gboolean tinker_contacts_can_meet(const TinkerContacts *contacts)
+{
+    int32_t outlines = 0;
+    for (int32_t i = 0; contacts != NULL && i < contacts->model->bodies; i++)
+        outlines += tinker_contacts_has_outline(contacts, i);
+    return outlines > 1 || (contacts != NULL && contacts->plate_count > 0);
 }
 
 gboolean tinker_contacts_touch(const TinkerContacts *contacts)
@@ -215,6 +265,14 @@ gboolean tinker_contacts_touch(const TinkerContacts *contacts)
             return TRUE;
     }
     return FALSE;
+}
+
+gboolean tinker_contacts_are_round(const TinkerContacts *contacts)
+{
+    for (int32_t body = 0; body < contacts->model->bodies; body++)
+        if (tinker_contacts_has_outline(contacts, body) && contacts->outlines[body].kind != TINKER_OUTLINE_DISC)
+            return FALSE;
+    return TRUE;
 }
 
 double tinker_contacts_extent(const TinkerContacts *contacts)
@@ -242,7 +300,8 @@ static gboolean stands_alone(const TinkerContacts *contacts, guint number)
 {
     const GArray *closed = contacts->closed;
     int32_t body = g_array_index(closed, TinkerContact, number).body;
-    if (contacts->held[body] || contacts->reach[body] > 0) return FALSE;
+    if (contacts->held[body] || tinker_contacts_has_outline(contacts, body)) return FALSE;
+    if (tinker_contacts_is_gap(contacts, tinker_contacts_closed(contacts, number))) return FALSE;
     if (number > 0 && g_array_index(closed, TinkerContact, number - 1).body == body) return FALSE;
     return number + 1 == closed->len || g_array_index(closed, TinkerContact, number + 1).body != body;
 }
@@ -251,7 +310,7 @@ static void add_rows(TinkerContacts *contacts, int32_t number)
 {
     const TinkerContact *contact = tinker_contacts_closed(contacts, (guint)number);
     const TinkerPlate *plate = &contacts->plates[contact->plate];
-    double nx = plate->normal[0], ny = plate->normal[1], share = tinker_contact_slip_share(plate, contact->mode);
+    double nx = plate->normal[0], ny = plate->normal[1], share = tinker_contact_slip_share(contacts, contact);
     double weight = sqrt(contacts->model->mass[contact->body]);
     const int32_t entries = plate->gap != NULL ? (int32_t)contacts->entries->len : -1;
     TinkerContactRow normal = {number, FALSE, {nx, ny}, {nx + share * ny, ny - share * nx}, weight, entries, share};
@@ -408,8 +467,7 @@ TinkerStatus tinker_contacts_list_rows(TinkerContacts *contacts)
     for (guint i = 0; i < contacts->closed->len; i++) {
         const TinkerContact *contact = tinker_contacts_closed(contacts, i);
         int32_t number = (int32_t)i;
-        if (tinker_contact_slip_share(&contacts->plates[contact->plate], contact->mode) != 0)
-            contacts->any_slip_friction = TRUE;
+        if (tinker_contact_slip_share(contacts, contact) != 0) contacts->any_slip_friction = TRUE;
         if (stands_alone(contacts, i))
             g_array_append_val(contacts->simple, number);
         else

@@ -13,7 +13,8 @@
  *
  * Bodies that turn have a shape. Each gap function of a pair of shapes (shapes/gaps.h) stands for a plate of its own
  * here, behind the tops: then n, t and where they act follow from the state, and the same holds of rows over up to six
- * coordinates. Whatever is closed, opens, sticks or slips does so function by function.
+ * coordinates. Whatever is closed, opens, sticks or slips does so function by function. So it is for masses, too, on a
+ * top that a motion turns: the seat of their gap function is the top, lifted by half their height.
  *
  * Bodies that no constraint holds and that touch one plate are solved one by one in closed form; the others together: a
  * few equations by the Delassus matrix of their contacts, W = C P M^-1 D, with P the projection onto the motions that
@@ -24,8 +25,10 @@
 #include <math.h>
 
 #include "numerics/contact/contact-laws.h"
+#include "numerics/contact/impact-law.h"
 #include "numerics/solve/dense-solve.h"
 #include "physics/contact/contact-elimination.h"
+#include "physics/contact/surfaces.h"
 #include "physics/contact/tolerances.h"
 #include "physics/model/model-data.h"
 #include "physics/shapes/gaps.h"
@@ -35,9 +38,11 @@
 typedef struct {
     int32_t point[2]; /* of their centres: of bodies, or of a support */
     const TinkerOutline *outline[2];
-    double angle[2];      /* rad: of what does not turn */
-    int32_t first, count; /* its gap functions, among the plates */
-    gboolean passes;      /* they overlap, and do so until they have parted */
+    double angle[2];           /* rad: of what does not turn by itself */
+    const TinkerPlace *turned; /* how a motion turns the support that is the second; NULL: none does */
+    double lift;               /* m: what the first, a mass, is over what it lies on */
+    int32_t first, count;      /* its gap functions, among the plates */
+    gboolean passes;           /* they overlap, and do so until they have parted */
 } TinkerTouchingPair;
 
 typedef struct {
@@ -45,8 +50,9 @@ typedef struct {
     int32_t point;                 /* of its centre */
     double orientation, normal[2]; /* rad; out of the solid side */
     double half_height, half_width;
-    double static_friction, dynamic_friction, restitution;
+    TinkerSurface surface; /* of a gap function that between the two; of a top its own */
     gboolean moving;
+    const TinkerPlace *turned;    /* how a motion turns it, so that masses meet it by gap functions; NULL: none does */
     const TinkerGapFunction *gap; /* NULL: a top, as masses meet it; else that of ... */
     const TinkerTouchingPair *pair;
 } TinkerPlate;
@@ -72,6 +78,13 @@ typedef struct {
     double point[2]; /* where it touches, relative to the origin */
 } TinkerContactEntries;
 
+/* What a body presses with, as impulses have it (impulse/pile.h): where, and the mean of the last step. */
+typedef struct {
+    int32_t body, by;        /* points: of the body that it acts on, and of the body or support that it comes from */
+    double normal[2], at[2]; /* out of the other; relative to the origin */
+    double press, friction;  /* N, along the normal and t */
+} TinkerPressing;
+
 /* One equation of the closed contacts that are solved together: `row` is what it keeps at 0, `force` the direction of
  * the force that does so. Of a gap function they are found anew for every state, by the coordinates of its entries. */
 typedef struct {
@@ -95,25 +108,32 @@ typedef struct {
 
 struct _TinkerContacts {
     TinkerModel *model;
+    TinkerImpactLaw impact_law;         /* of the scene's run */
     int32_t plate_count, moving_plates; /* tops; behind them stand the gap functions */
     int32_t gap_count;
+    gboolean bodies_listed;    /* bodies that meet each other have gap functions: they are not too many */
     int32_t *first_gap;        /* bodies + 1: the plate that the gap functions of each body begin with */
-    TinkerOutline *outlines;   /* of bodies that turn and are solid, then of tops; kind of others: none, corners NULL */
+    TinkerOutline *outlines;   /* of bodies that turn and are solid, and of those that collide, then of tops */
+    GPtrArray *unturned;       /* of TinkerUnturned: what pairs of two that do not turn have in place of these */
     TinkerTouchingPair *pairs; /* that have gap functions */
     int32_t pair_count;
-    double *reach; /* of each body: its farthest point from its centre; 0: it has no outline */
+    double *reach; /* of each body: its farthest point from its centre; 0: it has none */
+    double *angle; /* of each body that does not turn: rad, as it is placed */
     TinkerGapFunction *functions;
     double *corners;    /* what outlines lie in */
     double thickness;   /* m: the largest half heights of a plate and a body */
     double plate_speed; /* m/s: of moving plates, the largest so far */
     TinkerPlate *plates;
-    double *half_height; /* of each body; NAN: it touches nothing */
-    gboolean *held;      /* by body: a constraint acts on it */
-    int32_t *group;      /* by body: the first body of those that constraints tie to it; contacts of one group are
-                            decided together */
+    TinkerSurface *surfaces; /* of each body */
+    gboolean own_surfaces;   /* some body has one of its own */
+    double *half_height;     /* of each body; NAN: it touches nothing */
+    gboolean *held;          /* by body: a constraint acts on it */
+    int32_t *group;          /* by body: the first body of those that constraints tie to it; contacts of one group are
+                                decided together */
 
     GArray *closed;    /* of TinkerContact, by body, then by plate */
     gboolean impulses; /* act on them, step by step (impulse.h): they are no equations, and have none */
+    GArray *pressings; /* of TinkerPressing: with `impulses`, of bodies with outlines */
     GArray *simple;    /* of int32_t: numbers of closed contacts that are solved one by one */
     GArray *rows;      /* of TinkerContactRow: the others' equations */
     GArray *entries;   /* of TinkerContactEntries: of closed gap functions, for the state they were listed at last */
@@ -135,6 +155,9 @@ struct _TinkerContacts {
 TinkerContacts *tinker_contacts_new(TinkerModel *model);
 void tinker_contacts_free(TinkerContacts *contacts);
 
+/* Whether there are tops, or bodies with outlines that meet each other; of NULL there are none. */
+gboolean tinker_contacts_can_meet(const TinkerContacts *contacts);
+
 /* Where a body is as seen from a plate, for the state in the model's points. */
 typedef struct {
     double gap, along;                     /* m */
@@ -150,12 +173,28 @@ void tinker_contact_gap_entries(const TinkerContacts *contacts, int32_t number, 
 double tinker_contact_times(const TinkerContactEntries *entries, int which, const double *by_coordinate);
 /* Whether the tip is over the seat (TinkerContactPlace.along), and the pair does not pass. */
 gboolean tinker_contact_gap_is_over(const TinkerContacts *contacts, int32_t number, double tolerance);
+/* Adds a warning (of char *) for pairs that overlap, for the state in the model's points: they pass at first. */
+void tinker_contacts_tell_overlaps(const TinkerContacts *contacts, GPtrArray *warnings);
+/* The same of one pair, which counts as told where it overlaps; and how many of these were too many to tell of. */
+void tinker_contacts_tell_overlap(const TinkerContacts *contacts, const int32_t point[2], double overlap, guint *told,
+                                  GPtrArray *warnings);
+void tinker_contacts_tell_more_overlaps(guint told, GPtrArray *warnings);
 /* How far (m) two shapes overlap, as tinker_outlines_overlap has it. */
 double tinker_contact_pair_overlap(const TinkerContacts *contacts, const TinkerTouchingPair *pair);
 
 static inline gboolean tinker_contacts_is_gap(const TinkerContacts *contacts, const TinkerContact *contact)
 {
     return contact->plate >= contacts->plate_count;
+}
+
+/* Whether two corners of one edge stick on another: along it they hold the body by one line together. So does each of
+ * them with itself. */
+static inline gboolean tinker_contacts_stick_together(const TinkerContacts *contacts, const TinkerContact *a,
+                                                      const TinkerContact *b)
+{
+    const TinkerPlate *plate = &contacts->plates[a->plate], *beside = &contacts->plates[b->plate];
+    if (a->mode != TINKER_CONTACT_STICK || b->mode != TINKER_CONTACT_STICK) return FALSE;
+    return plate->gap != NULL && !plate->gap->round && beside->pair == plate->pair && !beside->gap->round;
 }
 
 /* What a contact that sticks has left its place by (m). */
@@ -165,10 +204,16 @@ static inline double tinker_contact_creep(const TinkerContactPlace *place, doubl
     return place->period > 0 ? remainder(off, place->period) : off;
 }
 
+/* Whether a body has an outline, so that it meets others: one that turns, or a mass that collides. */
+static inline gboolean tinker_contacts_has_outline(const TinkerContacts *contacts, int32_t body)
+{
+    return contacts->reach[body] > 0 || contacts->outlines[body].corners != NULL;
+}
+
 /* Whether a body may touch anything. */
 static inline gboolean tinker_contacts_may_touch(const TinkerContacts *contacts, int32_t body)
 {
-    return !isnan(contacts->half_height[body]) || contacts->reach[body] > 0;
+    return !isnan(contacts->half_height[body]) || tinker_contacts_has_outline(contacts, body);
 }
 
 static inline TinkerContactPlace tinker_contact_place(const TinkerContacts *contacts, int32_t body, int32_t number)
@@ -191,6 +236,9 @@ static inline TinkerContactPlace tinker_contact_place(const TinkerContacts *cont
 /* Whether any body touches a plate, and does not part from it, for the state in the points. */
 gboolean tinker_contacts_touch(const TinkerContacts *contacts);
 
+/* Whether no gap changes while bodies turn about their centres: all that turn and may touch something are discs. */
+gboolean tinker_contacts_are_round(const TinkerContacts *contacts);
+
 /* Whether two tops guide a body: they face each other, and are as far apart as it is high, to within TINKER_TOUCHING,
  * for the places and motions of the supports in the points. */
 gboolean tinker_contacts_are_guide(const TinkerContacts *contacts, int32_t body, int32_t a, int32_t b);
@@ -201,11 +249,20 @@ gboolean tinker_contacts_is_guided(const TinkerContacts *contacts, int32_t body,
  * places are measured from. 0 where no contact is closed. */
 double tinker_contacts_extent(const TinkerContacts *contacts);
 
-/* Friction along t over the normal force, of a contact that slips. */
-static inline double tinker_contact_slip_share(const TinkerPlate *plate, TinkerContactMode mode)
+/* The surface between a body and a plate. */
+static inline TinkerSurface tinker_contact_surface(const TinkerContacts *contacts, int32_t body, int32_t plate)
 {
-    if (mode == TINKER_CONTACT_SLIP_FORWARD) return -plate->dynamic_friction;
-    return mode == TINKER_CONTACT_SLIP_BACKWARD ? plate->dynamic_friction : 0.0;
+    const TinkerSurface *own = &contacts->plates[plate].surface;
+    if (G_LIKELY(!contacts->own_surfaces) || plate >= contacts->plate_count) return *own;
+    return tinker_surface_between(own, &contacts->surfaces[body]);
+}
+
+/* Friction along t over the normal force, of a contact that slips. */
+static inline double tinker_contact_slip_share(const TinkerContacts *contacts, const TinkerContact *contact)
+{
+    const double share = tinker_contact_surface(contacts, contact->body, contact->plate).dynamic_friction;
+    if (contact->mode == TINKER_CONTACT_SLIP_FORWARD) return -share;
+    return contact->mode == TINKER_CONTACT_SLIP_BACKWARD ? share : 0.0;
 }
 
 /* Whether the foot of a body is over the plate. At the very end, within `tolerance` (m), one that moves on off it is
@@ -276,7 +333,7 @@ void tinker_contacts_begin_pushes(TinkerContacts *contacts);
 void tinker_contacts_add_push(TinkerContacts *contacts, int32_t body, double px, double py, double *v);
 void tinker_contacts_end_pushes(TinkerContacts *contacts, double *v);
 
-/* The same along a contact, for the state in the points: impulses along its normal and its tangent. */
+/* v += what impulses along the normal and the tangent of a contact do to all bodies, for the state in the points. */
 void tinker_contacts_push_along(TinkerContacts *contacts, const TinkerContact *contact, double normal,
                                 double tangential, double *v);
 /* What changes of velocities of all bodies are along a contact; and accelerations, relative to what is touched. */

@@ -35,21 +35,15 @@ gboolean tinker_change_push_all(TinkerContactChange *change, const double *impul
     return TRUE;
 }
 
-static double restitution_of(const TinkerContactChange *change, guint number)
-{
-    const TinkerPlate *plate = tinker_touch_plate(change, number);
-    return plate != NULL ? plate->restitution : 0;
-}
-
 /* Rebounds below this (m/s) are none. Without any loss along the normal a bounce never ends, but where something else
  * takes energy: friction, to and fro between rough plates, or a damper or the air on the way. */
 static double least_rebound(const TinkerContactChange *change, guint number)
 {
-    const TinkerPlate *plate = tinker_touch_plate(change, number);
-    if (restitution_of(change, number) < 1) return fmax(TINKER_LEAST_REBOUND * change->speed, change->least_rise);
+    const TinkerSurface surface = tinker_touch_surface(change, number);
+    if (surface.restitution < 1) return fmax(TINKER_LEAST_REBOUND * change->speed, change->least_rise);
     gboolean between = change->run->neighbours.lists[tinker_touch(change, number)->contact.body]->len > 1;
     gboolean damped = change->model->lines.any_damping || change->model->field_drag != 0;
-    return damped || (between && plate->dynamic_friction > 0) ? TINKER_LEAST_REBOUND * change->speed : 0;
+    return damped || (between && surface.dynamic_friction > 0) ? TINKER_LEAST_REBOUND * change->speed : 0;
 }
 
 /* Parts, but too slowly to be seen. */
@@ -126,17 +120,21 @@ static gboolean settle(TinkerContactChange *change)
     return tinker_change_push_all(change, laws.answers);
 }
 
-static gboolean approaches(const TinkerContactChange *change)
+/* Whether something does so faster than this share of the largest speed. */
+static gboolean approaches(const TinkerContactChange *change, double share)
 {
     for (guint i = 0; i < change->touches->len; i++)
-        if (tinker_touch(change, i)->place.normal_speed < -TINKER_STILL * change->speed) return TRUE;
+        if (tinker_touch(change, i)->place.normal_speed < -share * change->speed) return TRUE;
     return FALSE;
 }
 
-/* A rebound that would be too slow to be seen is none: else infinitely many follow. */
+/* A rebound that would be too slow to be seen is none: else infinitely many follow. Newton's law knows none either of
+ * what did not approach before a blow. */
 static double seen_restitution(const TinkerContactChange *change, guint number)
 {
-    double e = restitution_of(change, number), approach = -tinker_touch(change, number)->place.normal_speed;
+    if (change->trigger.kind == TINKER_TRIGGER_BLOW) return 0;
+    double e = tinker_touch_surface(change, number).restitution,
+           approach = -tinker_touch(change, number)->place.normal_speed;
     return e * approach < least_rebound(change, number) ? 0 : e;
 }
 
@@ -184,28 +182,30 @@ static gboolean note_least_rise(TinkerContactChange *change, double *pairs)
     return TRUE;
 }
 
-/* The impact itself. */
-static gboolean strike(TinkerContactChange *change, GError **error)
+/* The impact itself; `again`: what is left of it, without any rebound. */
+static gboolean strike(TinkerContactChange *change, gboolean again, GError **error)
 {
     g_auto(TinkerContactLaws) laws = {0};
     if (tinker_contact_laws_init(&laws, change) != TINKER_OK)
         return tinker_change_refuse(change, change->model->failure, error);
     for (guint i = 0; i < laws.count; i++) {
-        const TinkerPlate *plate = tinker_touch_plate(change, i);
         laws.pairs[2 * i] = tinker_touch(change, i)->place.normal_speed;
         laws.pairs[2 * i + 1] = tinker_touch(change, i)->place.tangential_speed;
-        laws.first[i] = seen_restitution(change, i);
-        laws.second[i] = plate != NULL ? plate->dynamic_friction : 0;
+        laws.first[i] = again ? 0 : seen_restitution(change, i);
+        laws.second[i] = tinker_touch_surface(change, i).dynamic_friction;
     }
     TinkerImpact impact = {(int32_t)laws.count, laws.delassus, laws.pairs, laws.first, laws.second, NULL, laws.motion};
-    const TinkerContactResult result = tinker_impact_solve(&impact, laws.answers);
+    g_autofree int32_t *pair = g_new(int32_t, laws.count);
+    const int32_t pairs = tinker_change_number_pairs(change, pair);
+    const TinkerContactResult result = tinker_impact_by_law(change->contacts->impact_law, &impact, pair, laws.answers);
     if (result != TINKER_CONTACT_SOLVED)
         return tinker_change_refuse_laws(
             change, result, _("no impulses satisfy the laws of impact for all bodies that touch there"), error);
+    if (pairs > 1 && !again) tinker_change_note_alternatives(change, &impact, pair, laws.answers);
     for (guint i = 0; i < laws.count; i++) {
         TinkerTouch *at = tinker_touch(change, i);
-        at->struck = laws.answers[2 * i] > 0;
-        if (at->struck) at->contact.normal = laws.answers[2 * i];
+        at->struck |= laws.answers[2 * i] > 0;
+        if (laws.answers[2 * i] > 0) at->contact.normal = laws.answers[2 * i];
     }
     if (!tinker_change_push_all(change, laws.answers))
         return tinker_change_refuse(change, change->model->failure, error);
@@ -214,14 +214,15 @@ static gboolean strike(TinkerContactChange *change, GError **error)
 
 gboolean tinker_change_strike(TinkerContactChange *change, GError **error)
 {
-    const gboolean blow = approaches(change);
+    const gboolean blow = approaches(change, TINKER_STILL);
     if (blow || change->trigger.kind == TINKER_TRIGGER_GAP) {
         g_autofree double *pairs = g_new(double, 2 * change->touches->len + 1);
         if (!note_least_rise(change, pairs)) return tinker_change_refuse(change, change->model->failure, error);
     }
-    if (blow && !strike(change, error)) return FALSE;
+    if (blow && !strike(change, FALSE, error)) return FALSE;
     if ((blow || is_met_parting(change)) && !settle(change))
         return tinker_change_refuse(change, change->model->failure, error);
+    if (blow && approaches(change, TINKER_SAME_SPEED) && !strike(change, TRUE, error)) return FALSE;
     drop_leaving(change);
     return TRUE;
 }

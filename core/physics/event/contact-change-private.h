@@ -37,8 +37,9 @@ typedef struct {
     GArray *told;     /* of TinkerToldEvent: two corners of one pair that do the same are one event */
     gboolean forced;  /* what was found to reach the limit of sticking slips, whatever the laws could share otherwise */
     double tolerance; /* m: within it a gap is closed */
-    double speed, slow; /* m/s: the largest; the share of it that is still */
-    double least_rise;  /* m/s: what rises to no more than the tolerance, or than the method resolves, is that slow */
+    double speed, slow;   /* m/s: the largest; the share of it that is still */
+    GArray *alternatives; /* of TinkerAlternative: of the impact, where the laws differ; else NULL. Owned */
+    double least_rise;    /* m/s: what rises to no more than the tolerance, or than the method resolves, is that slow */
 } TinkerContactChange;
 
 static inline TinkerTouch *tinker_touch(const TinkerContactChange *change, guint number)
@@ -51,6 +52,14 @@ static inline const TinkerPlate *tinker_touch_plate(const TinkerContactChange *c
 {
     const TinkerTouch *at = tinker_touch(change, number);
     return at->row < 0 ? &change->contacts->plates[at->contact.plate] : NULL;
+}
+
+/* Of a row one without friction and rebound. */
+static inline TinkerSurface tinker_touch_surface(const TinkerContactChange *change, guint number)
+{
+    const TinkerTouch *at = tinker_touch(change, number);
+    if (at->row >= 0) return (TinkerSurface){0, 0, 0};
+    return tinker_contact_surface(change->contacts, at->contact.body, at->contact.plate);
 }
 
 /* Contacts as the laws see them (numerics/contact/contact-laws.h): m of them. */
@@ -96,6 +105,29 @@ gboolean tinker_change_refuse_laws(TinkerContactChange *change, TinkerContactRes
 
 /* Impacts, where anything approaches. */
 gboolean tinker_change_strike(TinkerContactChange *change, GError **error);
+/* Numbers (one for each touch) that contacts of one pair have in common. Answers how many pairs there are. */
+int32_t tinker_change_number_pairs(const TinkerContactChange *change, int32_t *pair);
+/* Notes what other laws of impact make of one that was solved (`impulses`), where that differs: once for a run it is a
+ * warning. */
+void tinker_change_note_alternatives(TinkerContactChange *change, const TinkerImpact *impact, const int32_t *pair,
+                                     const double *impulses);
+/* Drops what parts, and decides of all that is left, by the laws of accelerations, whether it opens, slips or sticks;
+ * an impulse ends sliding that jams. FALSE: refused. */
+gboolean tinker_change_decide(TinkerContactChange *change, GError **error);
+
+/* What guides the body together with a touch; NULL for nothing. */
+TinkerTouch *tinker_change_other_side(const TinkerContactChange *change, const TinkerTouch *at);
+/* One side of each guide stays closed, whatever the laws say of each by itself; what slides goes on as it did. */
+void tinker_change_choose_sides(TinkerContactChange *change);
+/* Whether it passes from one side of a guide to the other, which is no event. */
+gboolean tinker_change_changes_side(const TinkerContactChange *change, const TinkerTouch *at);
+
+/* Whether nothing determines how the closed contacts of the group share their load. */
+gboolean tinker_change_shares_load(const TinkerContactChange *change);
+/* Shares the load evenly where that keeps the laws, else by what presses on each corner, else as the laws gave it: that
+ * may stand at a limit. Answers whether it is the even share: what has reached its limit by another one need not slip
+ * then. */
+gboolean tinker_change_share_load(TinkerContactChange *change);
 /* Lets impulses act, and books what they take. */
 gboolean tinker_change_push_all(TinkerContactChange *change, const double *impulses);
 

@@ -17,214 +17,6 @@
 #include "physics/island/island-run.h"
 #include "physics/model/model-data.h"
 
-#define MOST_JAMS 8
-
-/* Steps 3 and 4 ---------------------------------------------------------------------------------------------------- */
-
-/* Whether the event is that this speed along the top has come to 0: the method makes no less of it. */
-static gboolean has_stopped(const TinkerContactChange *change, double speed)
-{
-    const TinkerTriggerKind kind = change->trigger.kind;
-    double noise = fmax(TINKER_STOPPED, TINKER_STOPPED_NOISES * tinker_contact_run_speed_noise(change->run));
-    return (kind == TINKER_TRIGGER_SPEED || kind == TINKER_TRIGGER_STARTING) && fabs(speed) <= noise * change->speed;
-}
-
-/* Whether a corner slides, behind a blow, by too little to be seen. Blocks that rock down to rest strike with their
- * corners by turns and slide a little in between, infinitely often in finite time. */
-static gboolean hardly_slides(const TinkerContactChange *change, const TinkerTouch *at)
-{
-    if (!tinker_contacts_is_gap(change->contacts, &at->contact)) return FALSE;
-    if (fabs(at->place.tangential_speed) > TINKER_SLOW_SLIDE * change->speed) return FALSE;
-    for (guint i = 0; i < change->touches->len; i++)
-        if (tinker_touch(change, i)->struck) return TRUE;
-    return FALSE;
-}
-
-/* Which way it slides; 0 where it is slow enough to stick. An event says that it stops, or that it begins. */
-static int8_t sliding_of(const TinkerContactChange *change, guint number, double acceleration)
-{
-    const TinkerTouch *at = tinker_touch(change, number);
-    const TinkerPlate *plate = tinker_touch_plate(change, number);
-    double speed = at->place.tangential_speed;
-    if (plate == NULL) return 1; /* without friction either way is the same */
-    if (tinker_change_is_trigger(change, at) && !at->struck) {
-        if (change->forced && change->trigger.kind == TINKER_TRIGGER_FORWARD) return -1;
-        if (change->forced && change->trigger.kind == TINKER_TRIGGER_BACKWARD) return 1;
-        if (has_stopped(change, speed)) return 0;
-    }
-    if (plate->static_friction == 0) return 1;
-    if (hardly_slides(change, at)) return 0;
-    /* what falls over the length of the plate is a scale for what is the only thing that moves */
-    double length = plate->gap != NULL ? change->contacts->thickness : plate->half_width + plate->half_height;
-    double scale = change->speed + sqrt(acceleration * length);
-    if (fabs(speed) > change->slow * scale) return speed > 0 ? 1 : -1;
-    /* one that has just begun to slip goes on, until an event of its own says that it stops; what slipped clearly stops
-     * now */
-    gboolean begins = at->contact.starts || !change->run->starts_low;
-    gboolean stops = tinker_change_is_trigger(change, at) || at->struck || !begins;
-    if (stops || at->was == TINKER_CONTACT_OPEN || at->was == TINKER_CONTACT_STICK) return 0;
-    return at->was == TINKER_CONTACT_SLIP_FORWARD ? 1 : -1;
-}
-
-static gboolean goes_over_end(const TinkerContactChange *change, const TinkerTouch *at)
-{
-    double outwards = at->place.along > 0 ? at->place.along_speed : -at->place.along_speed;
-    return at->at_end && outwards > TINKER_STILL * change->speed;
-}
-
-/* What parts, or goes over an end of its top, is not asked. */
-static void drop_parting(TinkerContactChange *change)
-{
-    for (guint i = change->touches->len; i-- > 0;) {
-        TinkerTouch *at = tinker_touch(change, i);
-        gboolean over = goes_over_end(change, at);
-        at->dropped = over || at->place.normal_speed > TINKER_STILL * change->speed;
-        if (!at->dropped) continue;
-        if (over)
-            tinker_change_add_event(change, "end", at);
-        else if (at->was != TINKER_CONTACT_OPEN)
-            tinker_change_add_event(change, at->row < 0 ? "take-off" : "slack", at);
-        else if (at->struck)
-            tinker_change_add_event(change, at->row < 0 ? "impact" : "jerk", at);
-    }
-    tinker_change_drop(change);
-}
-
-static TinkerContactResult ask_modes(TinkerContactChange *change, TinkerContactLaws *laws, double scale)
-{
-    for (guint i = 0; i < laws->count; i++) {
-        laws->sliding[i] = sliding_of(change, i, scale);
-        const TinkerPlate *plate = tinker_touch_plate(change, i);
-        laws->first[i] = plate != NULL ? plate->static_friction : 0;
-        laws->second[i] = plate != NULL ? plate->dynamic_friction : 0;
-    }
-    TinkerClosedContacts closed = {
-        (int32_t)laws->count,       laws->delassus, laws->pairs, laws->sliding, laws->first, laws->second,
-        TINKER_FORCE_NOISE * scale, laws->motion};
-    TinkerContactResult result = tinker_contact_modes(&closed, laws->modes, laws->answers);
-    if (result != TINKER_CONTACT_NO_ACCELERATION) return result;
-    g_autofree double *velocity = g_try_new(double, 2 * laws->count);
-    if (velocity == NULL) return TINKER_CONTACT_NO_MEMORY;
-    for (guint i = 0; i < laws->count; i++) {
-        velocity[2 * i] = tinker_touch(change, i)->place.normal_speed;
-        velocity[2 * i + 1] = tinker_touch(change, i)->place.tangential_speed;
-    }
-    const TinkerContactResult jam = tinker_contact_jam(&closed, velocity, laws->answers);
-    if (jam == TINKER_CONTACT_NO_MEMORY) return jam;
-    return jam == TINKER_CONTACT_SOLVED ? result : TINKER_CONTACT_GAVE_UP;
-}
-
-/* A contact whose force has just come to 0 opens, unless something presses it again. */
-static gboolean lets_go(const TinkerContactChange *change, const TinkerTouch *at, double force, double noise)
-{
-    return tinker_change_is_trigger(change, at) && change->trigger.kind == TINKER_TRIGGER_NORMAL &&
-           force <= TINKER_LET_GO * noise;
-}
-
-static void note_modes(TinkerContactChange *change, const TinkerContactLaws *laws, double scale)
-{
-    for (guint i = 0; i < laws->count; i++) {
-        TinkerTouch *at = tinker_touch(change, i);
-        double mass = change->model->mass[at->contact.body];
-        at->contact.mode = laws->modes[i];
-        if (!at->struck) at->contact.normal = laws->answers[2 * i];
-        at->contact.base_normal = laws->answers[2 * i];
-        at->contact.base_friction = laws->answers[2 * i + 1];
-        if (lets_go(change, at, laws->answers[2 * i], mass * scale)) at->contact.mode = TINKER_CONTACT_OPEN;
-    }
-}
-
-/* Guides ----------------------------------------------------------------------------------------------------------- */
-
-/* What guides the body together with a touch; NULL for nothing. */
-static TinkerTouch *other_side(const TinkerContactChange *change, const TinkerTouch *at)
-{
-    const gboolean top = at->row < 0 && !tinker_contacts_is_gap(change->contacts, &at->contact);
-    const gboolean guides = top && change->contacts->plate_count > 1;
-    for (guint i = 0; guides && i < change->touches->len; i++) {
-        TinkerTouch *other = tinker_touch(change, i);
-        if (other != at && other->row < 0 && other->contact.body == at->contact.body &&
-            other->contact.plate < change->contacts->plate_count &&
-            tinker_contacts_are_guide(change->contacts, at->contact.body, at->contact.plate, other->contact.plate))
-            return other;
-    }
-    return NULL;
-}
-
-/* A motion along one top as the other sees it. */
-static TinkerContactMode mirrored(TinkerContactMode mode)
-{
-    if (mode == TINKER_CONTACT_SLIP_FORWARD) return TINKER_CONTACT_SLIP_BACKWARD;
-    return mode == TINKER_CONTACT_SLIP_BACKWARD ? TINKER_CONTACT_SLIP_FORWARD : mode;
-}
-
-static gboolean has_let_go(const TinkerContactChange *change, const TinkerTouch *at)
-{
-    return tinker_change_is_trigger(change, at) && change->trigger.kind == TINKER_TRIGGER_NORMAL && !at->struck;
-}
-
-/* Which of two sides of a guide presses: not the one whose force has just come to 0, else the one that is pressed
- * harder, else the one that was. */
-static gboolean presses(const TinkerContactChange *change, const TinkerTouch *at, const TinkerTouch *other)
-{
-    if (has_let_go(change, at) != has_let_go(change, other)) return has_let_go(change, other);
-    if (at->contact.base_normal != other->contact.base_normal)
-        return at->contact.base_normal > other->contact.base_normal;
-    if ((at->was != TINKER_CONTACT_OPEN) != (other->was != TINKER_CONTACT_OPEN)) return at->was != TINKER_CONTACT_OPEN;
-    return at < other;
-}
-
-/* One side of each guide stays closed, whatever the laws say of each by itself; what slides goes on as it did. */
-static void choose_sides(TinkerContactChange *change)
-{
-    for (guint i = 0; i < change->touches->len; i++) {
-        TinkerTouch *at = tinker_touch(change, i), *other = other_side(change, at);
-        if (other == NULL || !presses(change, at, other)) continue;
-        TinkerContactMode along = has_let_go(change, other) && other->was != TINKER_CONTACT_STICK
-                                      ? mirrored(other->was)
-                                      : mirrored(other->contact.mode);
-        if (at->contact.mode == TINKER_CONTACT_OPEN || has_let_go(change, other)) at->contact.mode = along;
-        other->contact.mode = TINKER_CONTACT_OPEN;
-    }
-}
-
-/* Whether it passes from one side of a guide to the other, which is no event. */
-static gboolean changes_side(const TinkerContactChange *change, const TinkerTouch *at)
-{
-    const TinkerTouch *other = other_side(change, at);
-    gboolean was = at->was != TINKER_CONTACT_OPEN, is = at->contact.mode != TINKER_CONTACT_OPEN;
-    return other != NULL && was != is && (other->was != TINKER_CONTACT_OPEN) == is &&
-           (other->contact.mode != TINKER_CONTACT_OPEN) == was;
-}
-
-static gboolean decide(TinkerContactChange *change, GError **error)
-{
-    TinkerContactResult result = TINKER_CONTACT_NO_ACCELERATION;
-    for (int jams = 0; jams <= MOST_JAMS; jams++) {
-        double scale;
-        g_auto(TinkerContactLaws) laws = {0};
-        drop_parting(change);
-        if (change->touches->len == 0) return TRUE;
-        if (tinker_contact_laws_init(&laws, change) != TINKER_OK ||
-            !tinker_change_accelerations(change, laws.pairs, &scale))
-            return tinker_change_refuse(change, change->model->failure, error);
-        result = ask_modes(change, &laws, scale);
-        if (result == TINKER_CONTACT_SOLVED) {
-            note_modes(change, &laws, scale);
-            choose_sides(change);
-            return TRUE;
-        }
-        if (result != TINKER_CONTACT_NO_ACCELERATION) break;
-        tinker_change_add_event(change, "jam", tinker_touch(change, 0));
-        if (!tinker_change_push_all(change, laws.answers))
-            return tinker_change_refuse(change, change->model->failure, error);
-    }
-    return tinker_change_refuse_laws(
-        change, result, _("no motion satisfies the laws of friction for all bodies that touch there"), error);
-}
-
-/* After it --------------------------------------------------------------------------------------------------------- */
-
 static const char *name_of_row_change(TinkerContactMode was, TinkerContactMode is, gboolean landed)
 {
     if (was == TINKER_CONTACT_OPEN) return !landed ? NULL : is != TINKER_CONTACT_OPEN ? "taut" : "jerk";
@@ -253,7 +45,8 @@ static void turn_bodies(TinkerContactChange *change)
     }
     for (guint i = 0; i < change->touches->len; i++) {
         const TinkerTouch *at = tinker_touch(change, i);
-        if (at->row >= 0 || tinker_contacts_is_gap(change->contacts, &at->contact) || changes_side(change, at))
+        if (at->row >= 0 || tinker_contacts_has_outline(change->contacts, at->contact.body) ||
+            tinker_change_changes_side(change, at))
             continue;
         const gboolean pushed = at->struck || at->contact.mode != TINKER_CONTACT_OPEN;
         if (pushed && at->contact.normal >= hardest[at->contact.body])
@@ -272,11 +65,12 @@ static gboolean was_thrown_back(const TinkerContactChange *change, const TinkerC
 }
 
 /* What opens by its acceleration alone is watched by that; what an event was about is done with, and what a blow on
- * another body throws back is watched by its gap again. */
+ * another body throws back is watched by its gap again. So is what approaches: that others stick, which slid too slowly
+ * to be seen, may leave it with a speed. */
 static void note_leaving(TinkerContactChange *change)
 {
     GArray *leaving = change->run->leaving;
-    if (leaving->len > 0 && tinker_change_set_state(change) != TINKER_OK) return;
+    if (leaving->len + change->touches->len > 0 && tinker_change_set_state(change) != TINKER_OK) return;
     for (guint i = leaving->len; i-- > 0;) {
         const TinkerContactPair *pair = &g_array_index(leaving, TinkerContactPair, i);
         const TinkerTouch of = {.contact = {.body = pair->body, .plate = pair->plate}, .row = pair->row};
@@ -288,9 +82,11 @@ static void note_leaving(TinkerContactChange *change)
         const TinkerTouch *at = tinker_touch(change, i);
         TinkerContactPair pair = {at->contact.body, at->contact.plate, at->row};
         gboolean left = change->trigger.kind == TINKER_TRIGGER_LEAVING && tinker_change_is_trigger(change, at);
-        gboolean parts = at->contact.mode == TINKER_CONTACT_OPEN && !left && !changes_side(change, at);
-        gboolean held = other_side(change, at) != NULL && (at->was == TINKER_CONTACT_OPEN || at->struck);
-        if (parts && !held && !tinker_contact_run_leaves(change->run, &pair)) g_array_append_val(leaving, pair);
+        gboolean parts = at->contact.mode == TINKER_CONTACT_OPEN && !left && !tinker_change_changes_side(change, at);
+        gboolean held = tinker_change_other_side(change, at) != NULL && (at->was == TINKER_CONTACT_OPEN || at->struck);
+        if (parts && !held && !tinker_contact_run_leaves(change->run, &pair) &&
+            !tinker_change_approaches(change, &pair))
+            g_array_append_val(leaving, pair);
     }
 }
 
@@ -300,10 +96,11 @@ static void name_change(TinkerContactChange *change, guint number)
     const TinkerPlate *plate = tinker_touch_plate(change, number);
     gboolean landed =
         at->struck || (tinker_change_is_trigger(change, at) && change->trigger.kind == TINKER_TRIGGER_GAP);
-    if (changes_side(change, at)) return;
+    if (tinker_change_changes_side(change, at)) return;
     const char *name = plate != NULL ? name_of_change(at->was, at->contact.mode, landed)
                                      : name_of_row_change(at->was, at->contact.mode, landed);
-    if (name == NULL || (plate != NULL && plate->static_friction == 0 && g_str_equal(name, "reversal"))) return;
+    const gboolean smooth = plate != NULL && tinker_touch_surface(change, number).static_friction == 0;
+    if (name == NULL || (smooth && g_str_equal(name, "reversal"))) return;
     tinker_change_add_event(change, name, at);
 }
 
@@ -353,69 +150,23 @@ static gboolean close_contacts(TinkerContactChange *change, GError **error)
     return TRUE;
 }
 
-/* Shares of a load --------------------------------------------------------------------------------------------------
- */
-
-static gboolean keeps_laws(const TinkerContacts *contacts, const TinkerContact *contact)
-{
-    double most = contacts->plates[contact->plate].static_friction * contact->normal;
-    return contact->normal >= 0 && (contact->mode != TINKER_CONTACT_STICK || fabs(contact->friction) <= most);
-}
-
-/* Where contacts hold bodies more than once: whether the even share, that of least norm, keeps the laws. It is taken
- * where it does; else the share that the laws gave, which may stand at a limit. */
-static gboolean share_evenly(TinkerContactChange *change)
-{
-    TinkerContactRun *self = change->run;
-    TinkerContacts *contacts = self->contacts;
-    const TinkerState *state = &self->run->state;
-    gboolean even = TRUE;
-    g_autofree TinkerContact *kept = g_memdup2(contacts->closed->data, contacts->closed->len * sizeof(TinkerContact));
-    for (guint i = 0; i < contacts->closed->len; i++) {
-        TinkerContact *contact = tinker_contacts_closed(contacts, i);
-        if (contacts->group[contact->body] == change->group) contact->base_normal = contact->base_friction = 0;
-    }
-    tinker_contacts_take_shares(contacts);
-    if (tinker_contact_run_look_at(self, state->t, state->q, state->v) != TINKER_OK) even = FALSE;
-    for (guint i = 0; even && i < contacts->closed->len; i++)
-        if (contacts->group[kept[i].body] == change->group)
-            even = keeps_laws(contacts, tinker_contacts_closed(contacts, i));
-    if (even) return TRUE;
-    memcpy(contacts->closed->data, kept, contacts->closed->len * sizeof(TinkerContact));
-    tinker_contacts_take_shares(contacts);
-    return FALSE;
-}
-
-/* Whether nothing determines how the closed contacts share their load. */
-static gboolean shares_load(const TinkerContactChange *change)
-{
-    const TinkerContacts *contacts = change->run->contacts;
-    for (guint i = 0; i < contacts->blocks->len; i++) {
-        const TinkerContactBlock *block = &g_array_index(contacts->blocks, TinkerContactBlock, i);
-        int32_t contact = g_array_index(contacts->rows, TinkerContactRow, (guint)block->first).contact;
-        if (contacts->group[tinker_contacts_closed(contacts, (guint)contact)->body] == change->group)
-            return !tinker_contact_block_is_full(block);
-    }
-    return FALSE;
-}
-
 /* Steps 3 and 4, and what is closed from here on. A contact that reaches the limit of sticking only by its share does
  * not slip where another share holds it. */
 static gboolean settle_contacts(TinkerContactChange *change, GError **error)
 {
     gboolean limit = change->trigger.kind == TINKER_TRIGGER_FORWARD || change->trigger.kind == TINKER_TRIGGER_BACKWARD;
-    change->forced = !(limit && shares_load(change));
-    if (!decide(change, error) || !close_contacts(change, error)) return FALSE;
-    gboolean even = !shares_load(change) || share_evenly(change);
-    if (change->forced || even) return TRUE;
+    change->forced = !(limit && tinker_change_shares_load(change));
+    if (!tinker_change_decide(change, error) || !close_contacts(change, error)) return FALSE;
+    gboolean shared = !tinker_change_shares_load(change) || tinker_change_share_load(change);
+    if (change->forced || shared) return TRUE;
     change->forced = TRUE;
     for (guint i = 0; i < change->touches->len; i++)
         if (tinker_touch(change, i)->row >= 0)
             tinker_constraints_set_slack(change->model, tinker_touch(change, i)->row, TRUE);
     if (tinker_change_set_state(change) != TINKER_OK)
         return tinker_change_refuse(change, change->model->failure, error);
-    if (!decide(change, error) || !close_contacts(change, error)) return FALSE;
-    if (shares_load(change)) share_evenly(change);
+    if (!tinker_change_decide(change, error) || !close_contacts(change, error)) return FALSE;
+    if (tinker_change_shares_load(change)) tinker_change_share_load(change);
     return TRUE;
 }
 
@@ -426,6 +177,18 @@ static void include_relative_speeds(TinkerContactChange *change)
         const TinkerContactPlace *place = &tinker_touch(change, i)->place;
         change->speed = fmax(change->speed, hypot(place->normal_speed, place->tangential_speed));
     }
+}
+
+/* To the blow that was told of since there were so many events. */
+static void give_alternatives(TinkerContactChange *change, guint before)
+{
+    static const char *const blows[] = {"impact", "rest", "jerk", "taut", NULL};
+    GPtrArray *events = change->run->run->summary.events;
+    for (guint i = before; change->alternatives != NULL && i < events->len; i++) {
+        TinkerEvent *event = g_ptr_array_index(events, i);
+        if (g_strv_contains(blows, event->kind)) event->alternatives = g_steal_pointer(&change->alternatives);
+    }
+    g_clear_pointer(&change->alternatives, g_array_unref);
 }
 
 /* Takes what touches of one group through all four steps. */
@@ -447,6 +210,7 @@ static gboolean change_group(TinkerContactRun *self, const TinkerTrigger *trigge
         .slow =
             fmax(slow, self->remembers ? TINKER_STOPPED_NOISES * tinker_contact_run_speed_noise(self) : TINKER_STILL),
     };
+    const guint events = run->summary.events->len;
     run->system.system.scales(&run->system, run->state.q, run->state.v, &extent, &change.speed);
     gboolean done =
         tinker_change_set_state(&change) == TINKER_OK || tinker_change_refuse(&change, self->model->failure, error);
@@ -459,6 +223,7 @@ static gboolean change_group(TinkerContactRun *self, const TinkerTrigger *trigge
     done = done && settle_contacts(&change, error);
     for (guint i = 0; done && i < change.touches->len; i++)
         name_change(&change, i);
+    give_alternatives(&change, events);
     if (done) turn_bodies(&change);
     if (done) note_leaving(&change);
     g_array_unref(change.touches);
@@ -493,7 +258,7 @@ gboolean tinker_contact_run_change(TinkerContactRun *self, const TinkerTrigger *
     if (trigger->kind == TINKER_TRIGGER_GAP && trigger->row < 0)
         reach += 2 * fabs(tinker_contact_place(self->contacts, trigger->body, trigger->plate).gap);
     tinker_contact_run_find_near(self, self->run->state.q, self->run->state.q, reach);
-    if (trigger->kind != TINKER_TRIGGER_NONE)
+    if (trigger->kind > TINKER_TRIGGER_BLOW)
         return change_group(self, trigger, self->contacts->group[trigger->body], tolerance, slow, error);
     g_autofree gboolean *asked = groups_near(self);
     for (int32_t group = 0; group < self->model->bodies; group++)

@@ -122,6 +122,7 @@ void tinker_contact_run_expect(TinkerContactRun *self)
             const double time = arrival(self, &pair, closed);
             if (!(time < soonest)) continue;
             self->hint_trigger = (TinkerTrigger){TINKER_TRIGGER_GAP, pair.body, pair.plate, -1, -1, 0};
+            self->hint_trigger.level = -tinker_trigger_place_rounding(self, &self->hint_trigger);
             soonest = time;
             self->expects = TRUE;
         }

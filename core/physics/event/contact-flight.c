@@ -20,11 +20,12 @@
 #include "physics/model/model-data.h"
 
 /* Whether what one plate does cannot change the energy along the normal of another. */
-static gboolean leaves_energy_along(const TinkerPlate *struck, const TinkerPlate *other)
+static gboolean leaves_energy_along(const TinkerContacts *contacts, const TinkerTrigger *trigger, int32_t plate)
 {
-    const double *n = struck->normal, *m = other->normal;
-    if (fabs(n[0] * m[0] + n[1] * m[1]) <= TINKER_NO_ANGLE) return struck->dynamic_friction == 0;
-    return fabs(n[0] * m[1] - n[1] * m[0]) <= TINKER_NO_ANGLE && struck->restitution == 1;
+    const TinkerSurface struck = tinker_contact_surface(contacts, trigger->body, trigger->plate);
+    const double *n = contacts->plates[trigger->plate].normal, *m = contacts->plates[plate].normal;
+    if (fabs(n[0] * m[0] + n[1] * m[1]) <= TINKER_NO_ANGLE) return struck.dynamic_friction == 0;
+    return fabs(n[0] * m[1] - n[1] * m[0]) <= TINKER_NO_ANGLE && struck.restitution == 1;
 }
 
 static gboolean keeps_energy(const TinkerModel *model)
@@ -58,8 +59,8 @@ gboolean tinker_contact_flight_is_free(TinkerContactRun *self)
     return self->flight.exact;
 }
 
-/* The bodies go on with their present acceleration for `time` (s), which may be negative. */
-static TinkerStatus go_on(TinkerContactRun *self, double time)
+/* Moves the bodies with their present acceleration for `time` (s), which may be negative. */
+static TinkerStatus fall_for(TinkerContactRun *self, double time)
 {
     TinkerIslandRun *run = self->run;
     TinkerSystem *system = &run->system.system;
@@ -95,7 +96,7 @@ TinkerStatus tinker_contact_flight_meet(TinkerContactRun *self, const TinkerTrig
     double ahead = -place.gap / place.normal_speed;
     if (status != TINKER_OK || !(place.normal_speed < 0) || fabs(ahead) > TINKER_BLOW_INSTANT * self->run->state.t)
         return status;
-    status = go_on(self, ahead);
+    status = fall_for(self, ahead);
     if (status == TINKER_OK) status = measure(self, trigger, &place);
     if (status != TINKER_OK) return status;
     flight->ahead = ahead;
@@ -112,7 +113,8 @@ static void note_rebound(TinkerContactRun *self, const TinkerTrigger *trigger, c
 {
     TinkerContactFlight *flight = &self->flight;
     const TinkerPlate *plate = &self->contacts->plates[trigger->plate];
-    double rebound = plate->restitution * flight->approach, *v = self->run->state.v + 2 * trigger->body;
+    const double e = tinker_contact_surface(self->contacts, trigger->body, trigger->plate).restitution;
+    double rebound = e * flight->approach, *v = self->run->state.v + 2 * trigger->body;
     gboolean same = fabs(rebound - place->normal_speed) <= TINKER_SAME_SPEED * rebound;
     if (same)
         for (int k = 0; k < 2; k++)
@@ -120,7 +122,7 @@ static void note_rebound(TinkerContactRun *self, const TinkerTrigger *trigger, c
     if (flight->rebound == NULL) return;
     flight->rebound[trigger->plate] = same ? rebound : NAN;
     for (int32_t i = 0; i < self->contacts->plate_count; i++)
-        if (i != trigger->plate && !leaves_energy_along(plate, &self->contacts->plates[i])) flight->rebound[i] = NAN;
+        if (i != trigger->plate && !leaves_energy_along(self->contacts, trigger, i)) flight->rebound[i] = NAN;
 }
 
 TinkerStatus tinker_contact_flight_part(TinkerContactRun *self, const TinkerTrigger *trigger)
@@ -131,5 +133,5 @@ TinkerStatus tinker_contact_flight_part(TinkerContactRun *self, const TinkerTrig
     TinkerStatus status = measure(self, trigger, &place);
     if (status != TINKER_OK) return status;
     note_rebound(self, trigger, &place);
-    return go_on(self, -flight->ahead);
+    return fall_for(self, -flight->ahead);
 }

@@ -12,7 +12,8 @@
 
 /* What ends a phase of a contact when it falls below zero. */
 typedef enum {
-    TINKER_TRIGGER_NONE,
+    TINKER_TRIGGER_NONE,      /* nothing of the contacts: they are asked at a start and at a break, */
+    TINKER_TRIGGER_BLOW,      /* and after a blow that a block gave */
     TINKER_TRIGGER_GAP,       /* an open contact: the gap, over the plate, */
     TINKER_TRIGGER_LEAVING,   /* or of one that has just opened: the acceleration that parts it */
     TINKER_TRIGGER_NORMAL,    /* a closed one: the normal force */
@@ -55,6 +56,7 @@ struct _TinkerContactRun {
     gint64 changes, looks;
     double *orientation;               /* by body */
     double last_impact, passed_impact; /* s */
+    gboolean warned;                   /* that the outcome depends on the law of impact */
 
     /* the step in progress */
     TinkerState from;                       /* where it began; the books included */
@@ -131,7 +133,11 @@ void tinker_contact_run_note_force_scales(TinkerContactRun *contact_run);
 
 /* How fast a plate swings (rad/s) between two times, as far as it shows at a few: its accelerations then beside its
  * largest speed so far. */
-double tinker_contact_run_swing(TinkerContactRun *contact_run, int32_t point, double from, double to);
+double tinker_contact_run_swing(TinkerContactRun *contact_run, int32_t point, const TinkerPlate *top, double from,
+                                double to);
+
+/* The end (s) of the longest step that may be made from the state of the run, `limit` at most. */
+double tinker_contact_run_step_limit(TinkerContactRun *contact_run, double limit);
 
 /* The first fall of any trigger in the last step; its kind is NONE where there is none. *place gets its time and *slope
  * how fast it falls (per second). */
@@ -179,6 +185,11 @@ void tinker_contact_run_take_expected(TinkerContactRun *contact_run, TinkerTrigg
 gboolean tinker_contact_run_ends_near(const TinkerContactRun *contact_run, double time);
 TinkerStatus tinker_contact_run_carry_to(TinkerContactRun *contact_run, const TinkerTrigger *trigger, double time,
                                          TinkerStepReport *report, gboolean *there);
+
+/* Ends the last step at the fall of a trigger that is expected at `time` (s), where it falls by `slope` a second: then
+ * its event is pending. A method that makes several steps of the way stands between them, with a hint. */
+TinkerStatus tinker_contact_run_end_at(TinkerContactRun *contact_run, const TinkerTrigger *trigger, double time,
+                                       double slope, TinkerStepReport *report);
 
 /* Passes an event at the state of the run: impacts, and what is closed from here on. `tolerance` (m): within it a gap
  * is closed. */

@@ -15,12 +15,9 @@
 #include "physics/system/method-call.h"
 #include "physics/system/system.h"
 
-/* What was large and is no more loses so much of its say in every step. */
-#define FADING 0.9
 /* So many events within TINKER_CROWDED never end, nor do so many times as many, each within TINKER_SLOW_CROWDED. */
 #define CROWD       500
 #define SLOW_CROWDS 20
-#define MOST_TRIALS 12
 /* Near pairs that there is room for at first. */
 #define MOST_EXPECTED 16
 
@@ -94,8 +91,24 @@ void tinker_contact_run_free(TinkerContactRun *self)
     g_free(self);
 }
 
-double tinker_contact_run_orientation(const TinkerContactRun *self, int32_t body)
+/* Lies along a top that a motion turns, and stays as it left it. */
+static void turn_along(TinkerContactRun *self, int32_t body, double t)
 {
+    const TinkerContacts *contacts = self->contacts;
+    for (guint i = 0; i < contacts->closed->len; i++) {
+        const TinkerContact *contact = tinker_contacts_closed(contacts, i);
+        const TinkerTouchingPair *pair = contacts->plates[contact->plate].pair;
+        if (contact->body != body || pair == NULL || pair->turned == NULL) continue;
+        if (tinker_model_set_time(self->model, t) == TINKER_OK)
+            self->orientation[body] = pair->angle[1] + pair->turned->angle;
+    }
+}
+
+double tinker_contact_run_orientation(TinkerContactRun *self, int32_t body, double t)
+{
+    const TinkerContacts *contacts = self->contacts;
+    const gboolean is_mass = !isnan(contacts->half_height[body]) && !tinker_contacts_has_outline(contacts, body);
+    if (is_mass && contacts->first_gap[body] < contacts->first_gap[body + 1]) turn_along(self, body, t);
     return self->orientation[body];
 }
 
@@ -208,6 +221,21 @@ gboolean tinker_contact_run_reclassify(TinkerContactRun *self, GError **error)
     return tinker_contact_run_change(self, &none, tinker_contact_run_closed_gap(self), 0, error);
 }
 
+gboolean tinker_contact_run_open_blow(TinkerContactRun *self, GError **error)
+{
+    return enter_plane(self, error);
+}
+
+gboolean tinker_contact_run_close_blow(TinkerContactRun *self, GError **error)
+{
+    const TinkerTrigger blow = {.kind = TINKER_TRIGGER_BLOW, .row = -1};
+    self->passed = TRUE;
+    self->quiet = 0;
+    self->hint = INFINITY;
+    self->expects = FALSE;
+    return tinker_contact_run_change(self, &blow, tinker_contact_run_closed_gap(self), 0, error);
+}
+
 gboolean tinker_contact_run_pass(TinkerContactRun *self, GError **error)
 {
     TinkerIslandRun *run = self->run;
@@ -266,20 +294,6 @@ static void note_slipping(TinkerContactRun *self)
     }
 }
 
-/* What supports that move do to bodies that rest is a function of time that no error control sees, since the bodies
- * stay or go along: its work needs steps that resolve it. */
-static double resolved_limit(TinkerContactRun *self, double limit)
-{
-    const TinkerModel *model = self->model;
-    double from = self->run->state.t;
-    for (int32_t point = model->first_support; self->contacts->closed->len > 0 && point < model->points; point++) {
-        if (!tinker_model_attachment(model, point)->moving) continue;
-        double swing = tinker_contact_run_swing(self, point, from, limit);
-        if (swing > 0) limit = MIN(limit, from + TINKER_LONGEST_SWING / swing);
-    }
-    return limit;
-}
-
 /* The greatest speed (m/s) of any body, at most. */
 static double fastest(const TinkerContactRun *self, const double *v)
 {
@@ -300,51 +314,19 @@ static void keep_start(TinkerContactRun *self, const TinkerState *state)
     memcpy(self->from.books, state->books, (gsize)self->run->system.system.books * sizeof(double));
 }
 
-/* How fast the motion swings that holds the energy: its largest acceleration beside its largest speed, of late. From
- * rest the speed is at first what one short step makes of the acceleration, so that steps grow as fast as the motion
- * does. */
-static double swing_limit(TinkerContactRun *self, double limit)
-{
-    TinkerIslandRun *run = self->run;
-    TinkerSystem *system = &run->system.system;
-    const TinkerState *state = &run->state;
-    gint64 evaluations = self->model->evaluations;
-    if (system->acceleration(system->context, state->t, state->q, state->v, self->force, NULL) == TINKER_OK)
-        self->strongest = fmax(FADING * self->strongest, tinker_largest(system->size, self->force));
-    self->model->evaluations = evaluations;
-    self->fastest = fmax(FADING * self->fastest, tinker_largest(system->size, state->v));
-    if (!(self->strongest > 0)) return limit;
-    double share = TINKER_FIRST_WAY * (limit - state->t);
-    return fmin(limit, state->t + fmax(share, TINKER_LONGEST_ARC * self->fastest / self->strongest));
-}
-
-/* The search for events follows no more turns than so many within a step. */
-static double turning_limit(const TinkerContactRun *self, double limit)
-{
-    const TinkerModel *model = self->model;
-    double rate = 0;
-    for (int32_t k = 0; self->contacts->gap_count > 0 && k < model->turning; k++)
-        rate = fmax(rate, fabs(self->run->state.v[2 * model->bodies + k]) / model->turns[k].gyration);
-    return rate > 0 ? fmin(limit, self->run->state.t + TINKER_LONGEST_TURN / rate) : limit;
-}
-
 double tinker_contact_run_begin(TinkerContactRun *self, double limit)
 {
     const TinkerIslandRun *run = self->run;
     watch_overlaps(self);
-    limit = turning_limit(self, limit);
     if (self->leaving->len > 0) prune_separating(self);
     if (self->starts_low) note_slipping(self);
     if (self->in_plane && tinker_contact_flight_is_free(self)) leave_plane(self);
-    gboolean adaptive = tinker_method_is_adaptive(run->choice.method);
-    if (adaptive && self->model->moving_supports > 0) limit = resolved_limit(self, limit);
-    if (self->exact) limit = swing_limit(self, limit);
-    self->limit = limit;
+    self->limit = limit = tinker_contact_run_step_limit(self, limit);
     self->from.t = run->state.t;
     self->projection_work = run->system.projection_work;
     self->position_error = run->system.position_error;
     self->speed_bound = 0;
-    if (!adaptive && self->quiet > 0) {
+    if (!tinker_method_is_adaptive(run->choice.method) && self->quiet > 0) {
         double speed = TINKER_FASTER * fastest(self, run->state.v);
         if (tinker_contact_run_is_quiet(self, run->state.q, travel_at(speed, limit - run->state.t)))
             self->speed_bound = speed;
@@ -353,126 +335,6 @@ double tinker_contact_run_begin(TinkerContactRun *self, double limit)
     tinker_contact_run_expect(self);
     self->passed = FALSE;
     return MIN(limit, self->hint);
-}
-
-static void go_back(TinkerContactRun *self)
-{
-    TinkerIslandRun *run = self->run;
-    run->system.projection_work = self->projection_work;
-    run->system.position_error = self->position_error;
-    gsize bytes = (gsize)run->system.system.size * sizeof(double);
-    run->state.t = self->from.t;
-    memcpy(run->state.q, self->from.q, bytes);
-    memcpy(run->state.v, self->from.v, bytes);
-    memcpy(run->state.books, self->from.books, (gsize)run->system.system.books * sizeof(double));
-    tinker_method_restart(run->choice.method, run->stepper);
-}
-
-/* A trial of the time of an event: what the trigger's value was there. */
-typedef struct {
-    double time, value;
-} Trial;
-
-/* Where the secant through two trials falls through 0; the first knows its slope from dense output. */
-static double next_trial(const Trial *trial, const Trial *before, double *slope)
-{
-    if (trial->time != before->time) *slope = (trial->value - before->value) / (trial->time - before->time);
-    return *slope < 0 ? trial->time - trial->value / *slope : trial->time;
-}
-
-static void stand_on_event(TinkerContactRun *self, const TinkerTrigger *trigger)
-{
-    self->hint = INFINITY;
-    self->pending = TRUE;
-    self->pending_trigger = *trigger;
-    if (trigger->kind == TINKER_TRIGGER_GAP) self->last_impact = self->run->state.t;
-}
-
-/* The trigger's value at a time within the step that was made, for the state that the run would go on from there. */
-static TinkerStatus value_from(TinkerContactRun *self, const TinkerTrigger *trigger, double time, double *value)
-{
-    TinkerModelSystem *system = &self->run->system;
-    double *q, *v, work = system->projection_work, off = system->position_error;
-    int32_t moved;
-    TinkerStatus status = tinker_contact_run_state_at(self, time, &q, &v);
-    if (status == TINKER_OK) status = system->system.project(system, time, q, v, &moved);
-    system->projection_work = work;
-    system->position_error = off;
-    return status == TINKER_OK ? tinker_contact_run_value(self, time, q, v, trigger, value) : status;
-}
-
-/* When the trigger falls through 0 in the step that was made, to rounding. */
-static TinkerStatus refine_event(TinkerContactRun *self, const TinkerTrigger *trigger, double slope, double *time)
-{
-    const double from = self->from.t, end = self->run->state.t;
-    Trial trial = {CLAMP(*time, from, end), 0}, before = trial;
-    for (int k = 0; k < MOST_TRIALS; k++) {
-        TinkerStatus status = value_from(self, trigger, trial.time, &trial.value);
-        if (status != TINKER_OK) return status;
-        const double next = CLAMP(next_trial(&trial, &before, &slope), from, end);
-        if (fabs(next - trial.time) <= 2 * DBL_EPSILON * fabs(next)) break;
-        before = trial;
-        trial.time = next;
-    }
-    *time = fmin(fmax(trial.time, from + 4 * DBL_EPSILON * fabs(from)), end);
-    return TINKER_OK;
-}
-
-/* The step ends at the event, by its dense output. */
-static TinkerStatus cut_to_event(TinkerContactRun *self, const TinkerTrigger *trigger, double time, double slope,
-                                 TinkerStepReport *report)
-{
-    TinkerIslandRun *run = self->run;
-    TinkerState *state = &run->state;
-    TinkerSystem *system = &run->system.system;
-    int32_t moved;
-    TinkerStatus status = refine_event(self, trigger, slope, &time);
-    if (status == TINKER_OK && time < state->t) {
-        state->t = time;
-        status = tinker_method_interpolate(run->choice.method, run->stepper, time, state->q, state->v, state->books);
-        if (status == TINKER_OK) status = system->project(system->context, time, state->q, state->v, &moved);
-        report->step = time - self->from.t;
-    }
-    if (status == TINKER_OK) stand_on_event(self, trigger);
-    return status;
-}
-
-/* The step is made again, to the event: dense output says when it is, the step itself how far it is off there. Where
- * the method makes several steps of it, the last of them goes on from here. */
-static TinkerStatus step_to_event(TinkerContactRun *self, const TinkerTrigger *trigger, double time, double slope,
-                                  TinkerStepReport *report)
-{
-    TinkerIslandRun *run = self->run;
-    double from = self->from.t, end = self->limit;
-    double first = MIN(from + fmax(TINKER_AT_ONCE * (run->state.t - from), 4 * DBL_EPSILON * fabs(from)), end);
-    Trial trial = {CLAMP(time, first, end), 0}, before = trial;
-    if (tinker_contact_run_ends_near(self, trial.time)) before.time = trial.time = run->state.t;
-    for (int k = 0; k < MOST_TRIALS; k++) {
-        TinkerStatus status = TINKER_OK;
-        self->hint = trial.time;
-        if (run->state.t != trial.time) {
-            go_back(self);
-            status = tinker_island_run_make_step(run, trial.time, report);
-        }
-        if (status != TINKER_OK || run->state.t < trial.time) {
-            self->hint_trigger = *trigger;
-            self->hint_slope = slope;
-            return status;
-        }
-        tinker_island_run_place(run);
-        status = tinker_contact_run_value(self, run->state.t, run->q, run->v, trigger, &trial.value);
-        if (status != TINKER_OK) return status;
-        double next = CLAMP(next_trial(&trial, &before, &slope), first, end);
-        if (fabs(next - trial.time) <= 2 * DBL_EPSILON * fabs(next)) break;
-        gboolean there;
-        status = tinker_contact_run_carry_to(self, trigger, next, report, &there);
-        if (status != TINKER_OK) return status;
-        if (there) break;
-        before = trial;
-        trial.time = next;
-    }
-    stand_on_event(self, trigger);
-    return TINKER_OK;
 }
 
 /* Of a step that was taken for quiet and turned out too fast for that: its start, from dense output. */
@@ -504,7 +366,7 @@ TinkerStatus tinker_contact_run_look(TinkerContactRun *self, TinkerStepReport *r
     const gboolean expected = self->expects && run->state.t == self->hint;
     if (run->state.t == self->hint && !expected) {
         found = self->hint_trigger;
-        return step_to_event(self, &found, self->hint, self->hint_slope, report);
+        return tinker_contact_run_end_at(self, &found, self->hint, self->hint_slope, report);
     }
     self->hint = INFINITY;
     self->expects = FALSE;
@@ -521,9 +383,7 @@ TinkerStatus tinker_contact_run_look(TinkerContactRun *self, TinkerStepReport *r
     status = tinker_contact_run_search(self, self->from.t, run->state.t, &found, &time, &slope);
     if (status != TINKER_OK) return status;
     if (found.kind == TINKER_TRIGGER_NONE && expected) tinker_contact_run_take_expected(self, &found, &time, &slope);
-    if (found.kind != TINKER_TRIGGER_NONE)
-        return self->remembers ? cut_to_event(self, &found, time, slope, report)
-                               : step_to_event(self, &found, time, slope, report);
+    if (found.kind != TINKER_TRIGGER_NONE) return tinker_contact_run_end_at(self, &found, time, slope, report);
     if (self->near->len == 0 && self->model->constraints.unilateral == NULL)
         tinker_contact_run_note_quiet(self, run->state.q, run->q);
     return TINKER_OK;

@@ -22,6 +22,11 @@ gboolean tinker_contact_run_pass(TinkerContactRun *contact_run, GError **error);
 /* At a break: forces may have jumped, so that what is closed or sticks is asked anew. */
 gboolean tinker_contact_run_reclassify(TinkerContactRun *contact_run, GError **error);
 
+/* Around a blow that changes velocities: the island is stepped in the plane from the first on; the second lets contacts
+ * answer, without rebound where they were closed. */
+gboolean tinker_contact_run_open_blow(TinkerContactRun *contact_run, GError **error);
+gboolean tinker_contact_run_close_blow(TinkerContactRun *contact_run, GError **error);
+
 /* Before a step to `limit`: notes where it starts. Answers the limit, or an event that is known to come before it. */
 double tinker_contact_run_begin(TinkerContactRun *contact_run, double limit);
 
@@ -29,7 +34,7 @@ double tinker_contact_run_begin(TinkerContactRun *contact_run, double limit);
 TinkerStatus tinker_contact_run_look(TinkerContactRun *contact_run, TinkerStepReport *report);
 
 /* How a body has been turned by what it touched (rad); NAN: as it was placed. */
-double tinker_contact_run_orientation(const TinkerContactRun *contact_run, int32_t body);
+double tinker_contact_run_orientation(TinkerContactRun *contact_run, int32_t body, double t);
 
 /* The last instant (s) at which velocities jumped, or are to do so at the state's; -INFINITY for none. */
 double tinker_contact_run_last_impact(const TinkerContactRun *contact_run);

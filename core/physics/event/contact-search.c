@@ -102,19 +102,30 @@ static gboolean falls_soon(const TinkerContactRun *self, const TinkerTrigger *tr
     for (int32_t k = 0; k <= self->degree; k++)
         most = fmax(most, fabs(values[k]));
     if (!(values[1] < trigger->level) || values[0] > TINKER_NOTHING * most) return FALSE;
-    return trigger->kind != TINKER_TRIGGER_GAP ||
-           values[0] >= -tinker_contact_run_closed_gap(self); /* else from behind */
+    if (trigger->kind != TINKER_TRIGGER_GAP) return TRUE;
+    const gboolean shapes = trigger->row < 0 && self->contacts->plates[trigger->plate].gap != NULL;
+    /* of shapes what overlaps by more passes (TinkerTouchingPair), and what is farther behind came from there */
+    return values[0] >= -(shapes ? TINKER_TOUCHING : tinker_contact_run_closed_gap(self));
 }
 
-/* Whether it rises first, by less than the polynomial resolves. */
+/* Whether it rises first, by less than the polynomial resolves. Of what has a rate of its own that says it: a
+ * difference of values may be rounding. */
 static gboolean rises_first(TinkerContactRun *self, const TinkerTrigger *trigger, double from, double to)
 {
     double at_first, soon;
     if (value_at(self, from, trigger, &at_first) != TINKER_OK) return FALSE;
     if (trigger->kind == TINKER_TRIGGER_GAP && trigger->row >= 0)
         return tinker_constraints_own_rate(self->model, trigger->row) < 0;
-    if (trigger->kind == TINKER_TRIGGER_GAP)
-        return tinker_contact_place(self->contacts, trigger->body, trigger->plate).normal_speed > 0;
+    const gboolean end = trigger->kind == TINKER_TRIGGER_END, beginning = trigger->kind == TINKER_TRIGGER_BEGINNING;
+    if (trigger->kind == TINKER_TRIGGER_GAP || end || beginning) {
+        const TinkerContactPlace place = tinker_contact_place(self->contacts, trigger->body, trigger->plate);
+        return (end ? -place.along_speed : beginning ? place.along_speed : place.normal_speed) > 0;
+    }
+    if (trigger->kind == TINKER_TRIGGER_SPEED) {
+        double *v;
+        const TinkerTrigger starting = {TINKER_TRIGGER_STARTING, trigger->body, trigger->plate, trigger->closed, -1, 0};
+        return look_at_time(self, from, &v) == TINKER_OK && tinker_trigger_value(self, &starting) > 0;
+    }
     return value_at(self, from + TINKER_FALLS_AT_ONCE * (to - from), trigger, &soon) == TINKER_OK && soon > at_first;
 }
 
@@ -185,7 +196,8 @@ static TinkerStatus search_halves(TinkerContactRun *self, double from, double to
     return search_part(self, middle, to, depth - 1, found, time);
 }
 
-/* `depth`: how often it may look more closely at a part. */
+/* `depth`: how often it may look more closely at a part. A place that is below its level by rounding and comes back
+ * from there, by so little that no closer look tells it from 0, is no event. */
 static TinkerStatus search_part(TinkerContactRun *self, double from, double to, int depth, TinkerTrigger *found,
                                 double *time)
 {
@@ -204,22 +216,30 @@ static TinkerStatus search_part(TinkerContactRun *self, double from, double to, 
         *found = *trigger;
     }
     if (unclear.kind == TINKER_TRIGGER_NONE || *time == from) return TINKER_OK;
+    if (depth == 0 && is_of_place(&unclear)) return TINKER_OK;
     *time = from;
     *found = unclear;
     if (depth == 0) return TINKER_OK;
     found->kind = TINKER_TRIGGER_NONE;
     *time = INFINITY;
-    return search_part(self, from, from + self->nodes[1] * (to - from), depth - 1, found, time);
+    const double middle = from + self->nodes[1] * (to - from);
+    status = search_part(self, from, middle, depth - 1, found, time);
+    if (status != TINKER_OK || found->kind != TINKER_TRIGGER_NONE) return status;
+    return search_part(self, middle, to, depth - 1, found, time);
 }
 
-double tinker_contact_run_swing(TinkerContactRun *self, int32_t point, double from, double to)
+double tinker_contact_run_swing(TinkerContactRun *self, int32_t point, const TinkerPlate *top, double from, double to)
 {
+    const TinkerPlace *turned = top != NULL ? top->turned : NULL;
+    const double reach = turned != NULL ? hypot(top->half_width, top->half_height) : 0;
     double *speed = &self->plate_speed[point - self->model->first_support], change = 0;
     for (int k = 0; k <= 8; k++) {
         if (tinker_model_set_time(self->model, from + k * (to - from) / 8) != TINKER_OK) return 0;
         const double *a = self->model->point_acceleration + 2 * point;
-        *speed = fmax(*speed, hypot(self->model->point[point].vx, self->model->point[point].vy));
-        change = fmax(change, hypot(a[0], a[1]));
+        const double rate = turned != NULL ? fabs(turned->rate) : 0,
+                     alpha = turned != NULL ? fabs(turned->angular_acceleration) : 0;
+        *speed = fmax(*speed, hypot(self->model->point[point].vx, self->model->point[point].vy) + rate * reach);
+        change = fmax(change, hypot(a[0], a[1]) + (alpha + rate * rate) * reach);
     }
     self->contacts->plate_speed = fmax(self->contacts->plate_speed, *speed);
     return *speed > 0 ? change / *speed : 0;
@@ -245,7 +265,8 @@ static double highest_frequency(TinkerContactRun *self, double from, double to)
     double highest = highest_rate(self);
     for (int32_t i = 0; contacts->moving_plates > 0 && i < contacts->plate_count; i++)
         if (contacts->plates[i].moving)
-            highest = fmax(highest, tinker_contact_run_swing(self, contacts->plates[i].point, from, to));
+            highest = fmax(highest,
+                           tinker_contact_run_swing(self, contacts->plates[i].point, &contacts->plates[i], from, to));
     return highest;
 }
 

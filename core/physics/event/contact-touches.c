@@ -67,7 +67,7 @@ TinkerStatus tinker_change_set_state(const TinkerContactChange *change)
 gboolean tinker_change_is_trigger(const TinkerContactChange *change, const TinkerTouch *of)
 {
     const TinkerTrigger *trigger = &change->trigger;
-    if (trigger->kind == TINKER_TRIGGER_NONE || trigger->row != of->row) return FALSE;
+    if (trigger->kind <= TINKER_TRIGGER_BLOW || trigger->row != of->row) return FALSE;
     return of->row >= 0 || (trigger->body == of->contact.body && trigger->plate == of->contact.plate);
 }
 

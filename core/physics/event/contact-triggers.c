@@ -83,6 +83,23 @@ static double row_value(const TinkerContactRun *self, const TinkerTrigger *trigg
     return trigger->kind == TINKER_TRIGGER_GAP ? -all->own_g[trigger->row] : -all->lambda[trigger->row];
 }
 
+/* What friction may be more on a contact that sticks, in a direction (1: along t, -1: against it). Corners of one edge
+ * on another hold the body along one line: nothing determines how they share that, and they slip together, where it is
+ * more than all of them can hold. */
+static double friction_left(const TinkerContacts *contacts, const TinkerContact *contact, double direction)
+{
+    const gboolean corner = tinker_contacts_is_gap(contacts, contact);
+    double normal = contact->normal, friction = contact->friction;
+    for (guint i = 0; corner && i < contacts->closed->len; i++) {
+        const TinkerContact *other = tinker_contacts_closed(contacts, i);
+        if (other == contact || !tinker_contacts_stick_together(contacts, contact, other)) continue;
+        normal += other->normal;
+        friction += other->friction;
+    }
+    const TinkerSurface surface = tinker_contact_surface(contacts, contact->body, contact->plate);
+    return surface.static_friction * normal - direction * friction;
+}
+
 double tinker_trigger_value(const TinkerContactRun *self, const TinkerTrigger *trigger)
 {
     const TinkerContacts *contacts = self->contacts;
@@ -97,9 +114,9 @@ double tinker_trigger_value(const TinkerContactRun *self, const TinkerTrigger *t
     case TINKER_TRIGGER_NORMAL:
         return contact->normal;
     case TINKER_TRIGGER_FORWARD:
-        return plate->static_friction * contact->normal - contact->friction;
+        return friction_left(contacts, contact, 1);
     case TINKER_TRIGGER_BACKWARD:
-        return plate->static_friction * contact->normal + contact->friction;
+        return friction_left(contacts, contact, -1);
     case TINKER_TRIGGER_SPEED:
         return contact->mode == TINKER_CONTACT_SLIP_FORWARD ? place.tangential_speed : -place.tangential_speed;
     case TINKER_TRIGGER_END:
@@ -145,7 +162,8 @@ static void watch_closed(TinkerContactRun *self, int32_t number)
     const TinkerContact *contact = tinker_contacts_closed(self->contacts, (guint)number);
     const TinkerPlate *plate = &self->contacts->plates[contact->plate];
     int32_t body = contact->body, on = contact->plate;
-    gboolean forward = contact->mode == TINKER_CONTACT_SLIP_FORWARD, slips_freely = plate->dynamic_friction == 0;
+    const gboolean forward = contact->mode == TINKER_CONTACT_SLIP_FORWARD;
+    const gboolean slips_freely = tinker_contact_surface(self->contacts, body, on).dynamic_friction == 0;
     /* what rolls, or lies on what turns, moves along without slipping, too */
     gboolean ends = isfinite(plate->half_width), rolls = plate->gap != NULL;
     add_trigger(self, TINKER_TRIGGER_NORMAL, body, on, number);

@@ -137,10 +137,14 @@ static gboolean is_among(const GArray *pairs, const TinkerTouch *touch)
     return FALSE;
 }
 
+static TinkerSurface surface_of(const TinkerStillContacts *self, const TinkerTouch *touch)
+{
+    return tinker_contact_surface(self->contacts, touch->contact.body, touch->contact.plate);
+}
+
 static gboolean may_stick(const TinkerStillContacts *self, const TinkerTouch *touch)
 {
-    if (self->smooth || touch->row >= 0 || !(self->contacts->plates[touch->contact.plate].static_friction > 0))
-        return FALSE;
+    if (self->smooth || touch->row >= 0 || !(surface_of(self, touch).static_friction > 0)) return FALSE;
     return !is_among(self->sliding, touch) && (!self->lands_smoothly || is_among(self->resting, touch));
 }
 
@@ -161,8 +165,7 @@ static gboolean ask_laws(TinkerStillContacts *self, const TinkerContactChange *c
             const TinkerTouch *touch = tinker_touch(change, i);
             gboolean sticks = may_stick(self, touch);
             laws->sliding[i] = sticks ? 0 : 1;
-            laws->first[i] = laws->second[i] =
-                sticks ? self->contacts->plates[touch->contact.plate].static_friction : 0;
+            laws->first[i] = laws->second[i] = sticks ? surface_of(self, touch).static_friction : 0;
         }
         TinkerClosedContacts closed = {(int32_t)laws->count, laws->delassus, laws->pairs, laws->sliding,
                                        laws->first,          laws->second,   noise,       laws->motion};
@@ -268,7 +271,7 @@ static TinkerStillContact told(const TinkerStillContacts *self, const TinkerTouc
                                 : sticks ? TINKER_STILL_STICKS
                                          : TINKER_STILL_SLIDES,
                                 model->body_blocks[touch->contact.body], plate->block, acts ? touch->contact.normal : 0,
-                                acts && !sticks && plate->dynamic_friction > 0};
+                                acts && !sticks && surface_of(self, touch).dynamic_friction > 0};
 }
 
 GArray *tinker_still_contacts_list(const TinkerStillContacts *self)

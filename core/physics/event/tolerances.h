@@ -84,6 +84,9 @@
 #define TINKER_SURELY 8.0
 /* No unit; of what a value changes by within a step: the like by its values at the ends. */
 #define TINKER_MOST_SURELY 100.0
+/* No unit; of the largest speed: velocities behind an impact that differ by less are one outcome. Held by:
+ * physics-impact-law. */
+#define TINKER_SAME_OUTCOME 1e-9
 /* No unit; of the time: CROWD events within it never end. */
 #define TINKER_CROWDED 1e-9
 /* No unit; of the time: nor do SLOW_CROWDS times as many, each CROWD within this. */

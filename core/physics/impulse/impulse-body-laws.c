@@ -19,10 +19,11 @@ static void solve_single(TinkerImpulseWay *way)
         return;
     }
     const double before[2] = {way->start[0] - w[0], way->start[1] - w[1]}, slides = tinker_along(n, before);
-    const double most = plate->dynamic_friction * normal;
+    const TinkerSurface surface = tinker_contact_surface(way->run->contacts, way->body, touch->plate);
+    const double most = surface.dynamic_friction * normal;
     /* what stands still in the step may stick */
     const gboolean turns = touch->was != TINKER_CONTACT_OPEN && fabs(along) > most && slides * (along > 0 ? 1 : -1) < 0;
-    const double holds = touch->was == TINKER_CONTACT_STICK || turns ? plate->static_friction * normal : most;
+    const double holds = touch->was == TINKER_CONTACT_STICK || turns ? surface.static_friction * normal : most;
     touch->normal = normal;
     const gboolean sticks = holds > 0 && fabs(along) <= holds;
     const double left = sticks ? 0 : along > 0 ? MAX(along - most, 0) : MIN(along + most, 0);

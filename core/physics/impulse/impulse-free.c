@@ -52,7 +52,8 @@ static void find_least(const TinkerImpulseWay *way, TinkerImpulseTouch *touch)
 {
     const TinkerImpulses *self = way->run;
     const TinkerImpulsePlate *plate = tinker_impulse_plate(way, touch);
-    const double *n = plate->normal, rest = tinker_dot(n, plate->velocity), e = plate->restitution;
+    const double *n = plate->normal, rest = tinker_dot(n, plate->velocity);
+    const double e = tinker_contact_surface(self->contacts, way->body, touch->plate).restitution;
     touch->least = rest;
     touch->strikes = touch->bounces = FALSE;
     if (touch->was != TINKER_CONTACT_OPEN) return;
@@ -132,7 +133,7 @@ static void part(TinkerImpulseWay *way)
             way->touches[kept++] = touch;
         } else {
             book(way, &touch);
-            way->run->orientation[way->body] = way->run->contacts->plates[touch.plate].orientation;
+            tinker_impulse_turn(way->run, way->body, touch.plate);
         }
     }
     way->count = kept;
@@ -180,7 +181,8 @@ static void place(TinkerImpulseWay *way)
         }
 }
 
-static gboolean go_on(TinkerImpulseWay *way)
+/* From meeting to meeting to the end of the step; FALSE where there is no end of them, or a solve failed. */
+static gboolean move_through_step(TinkerImpulseWay *way)
 {
     for (int32_t parts = 0; parts < MOST_PARTS; parts++) {
         const int32_t before = way->count;
@@ -210,7 +212,7 @@ static void finish(TinkerImpulseWay *way)
         tinker_impulse_close(self, touch, mass * touch->normal, mass * touch->friction, way->x);
         if (hardest == NULL || touch->normal > hardest->normal) hardest = touch;
     }
-    if (hardest != NULL) self->orientation[way->body] = self->contacts->plates[hardest->plate].orientation;
+    if (hardest != NULL) tinker_impulse_turn(self, way->body, hardest->plate);
 }
 
 gboolean tinker_impulse_move_free(TinkerImpulses *self, int32_t body, guint next, double *q, double *v)
@@ -235,7 +237,7 @@ gboolean tinker_impulse_move_free(TinkerImpulses *self, int32_t body, guint next
         way.start[k] = v[k];
         way.v[k] = way.base[k] = star[k];
     }
-    if (!go_on(&way)) return FALSE;
+    if (!move_through_step(&way)) return FALSE;
     memcpy(v, way.v, sizeof(way.v));
     finish(&way);
     memcpy(q, way.x, sizeof(way.x));

@@ -28,8 +28,9 @@ static void find_least(const TinkerImpulses *self, TinkerImpulseTouch *touch, co
     const double approach = tinker_dot(n, self->from.v + 2 * touch->body) - rest;
     touch->strikes = approach < -self->h * fabs(tinker_dot(n, self->a + 2 * touch->body));
     if (!touch->strikes) return;
-    touch->bounces = plate->restitution > 0 && -plate->restitution * approach + rest > touch->least;
-    if (touch->bounces) touch->least = rest - plate->restitution * approach;
+    const double e = tinker_contact_surface(self->contacts, touch->body, touch->plate).restitution;
+    touch->bounces = e > 0 && -e * approach + rest > touch->least;
+    if (touch->bounces) touch->least = rest - e * approach;
 }
 
 /* Whether a body that does not meet the plate of its own may be brought there by what other contacts do to it. */
@@ -53,7 +54,7 @@ static void list_held(TinkerImpulses *self, const double *q, const double *v_sta
     for (int32_t i = 0; i < self->model->bodies; i++) {
         while (next < contacts->closed->len && tinker_contacts_closed(contacts, next)->body < i)
             next++;
-        if (!contacts->held[i] || isnan(contacts->half_height[i])) continue;
+        if (!contacts->held[i] || isnan(contacts->half_height[i]) || tinker_pile_has(self->pile, i)) continue;
         const GArray *near = tinker_impulse_neighbours(self, i, q + 2 * i, v_star + 2 * i, self->h);
         for (guint k = 0; k < near->len; k++) {
             const int32_t plate = g_array_index(near, int32_t, k);

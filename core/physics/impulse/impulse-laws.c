@@ -9,8 +9,8 @@
 
 static double friction_of(const TinkerImpulses *self, const TinkerImpulseTouch *touch)
 {
-    const TinkerImpulsePlate *plate = &self->plates[touch->plate];
-    return touch->was == TINKER_CONTACT_STICK ? plate->static_friction : plate->dynamic_friction;
+    const TinkerSurface surface = tinker_contact_surface(self->contacts, touch->body, touch->plate);
+    return touch->was == TINKER_CONTACT_STICK ? surface.static_friction : surface.dynamic_friction;
 }
 
 static TinkerContactMode mode_of(const double *impulses, double friction)
@@ -27,7 +27,8 @@ static gboolean let_slip(const TinkerImpulses *self, TinkerImpulseTouch *const *
 {
     gboolean any = FALSE;
     for (int32_t k = 0; k < count; k++) {
-        const double dynamic = self->plates[touches[k]->plate].dynamic_friction;
+        const double dynamic =
+            tinker_contact_surface(self->contacts, touches[k]->body, touches[k]->plate).dynamic_friction;
         const TinkerContactMode mode = mode_of(impulses + 2 * k, friction[k]);
         if (mode == TINKER_CONTACT_OPEN || mode == TINKER_CONTACT_STICK || friction[k] == dynamic) continue;
         friction[k] = dynamic;

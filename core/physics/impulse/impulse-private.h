@@ -6,6 +6,7 @@
 #include "physics/contact/contact-reach.h"
 #include "physics/contact/contacts.h"
 #include "physics/impulse/impulse.h"
+#include "physics/impulse/pile.h"
 #include "physics/model/model-data.h"
 #include "physics/system/system.h"
 
@@ -17,7 +18,7 @@ typedef struct {
     double normal[2];
     double top[2], middle[2]; /* at the start and the end of the step: normal . centre + half the height, t . centre */
     double velocity[2], mean[2]; /* at the end; of the two ends */
-    double half_width, static_friction, dynamic_friction, restitution;
+    double half_width;
     gboolean moving;
 } TinkerImpulsePlate;
 
@@ -34,7 +35,7 @@ typedef struct {
     gboolean strikes, bounces;
 } TinkerImpulseTouch;
 
-typedef struct {
+struct TinkerImpulses {
     TinkerModelSystem *context;
     const TinkerSystem *system;
     TinkerModel *model;
@@ -63,7 +64,10 @@ typedef struct {
     TinkerContactReach reach; /* of many; */
     double *delassus;         /* or a matrix */
     gsize delassus_size;
-} TinkerImpulses;
+
+    TinkerPile *pile; /* bodies that turn or collide; NULL: there are none */
+    double parted;    /* J that parting what overlapped gave, in the step */
+};
 
 /* TinkerIntegrator.create and .destroy. */
 void *tinker_impulse_create(const TinkerSystem *system, const TinkerIntegratorOptions *options);
@@ -95,6 +99,13 @@ static inline const TinkerImpulsePlate *tinker_impulse_plate(const TinkerImpulse
 static inline double tinker_dot(const double a[2], const double b[2])
 {
     return a[0] * b[0] + a[1] * b[1];
+}
+
+/* A body that lands is turned along the top, unless it keeps its angle. */
+static inline void tinker_impulse_turn(TinkerImpulses *self, int32_t body, int32_t plate)
+{
+    if (!tinker_contacts_has_outline(self->contacts, body))
+        self->orientation[body] = self->contacts->plates[plate].orientation;
 }
 
 /* t . a, along the top whose normal is n. */

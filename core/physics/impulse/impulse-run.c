@@ -33,9 +33,6 @@ static void open_plates(TinkerImpulses *self)
         self->plates[i] = (TinkerImpulsePlate){
             .normal = {from->normal[0], from->normal[1]},
             .half_width = from->half_width,
-            .static_friction = from->static_friction,
-            .dynamic_friction = from->dynamic_friction,
-            .restitution = from->restitution,
             .moving = from->moving,
         };
         read_plate(self, i, 0);
@@ -78,6 +75,7 @@ void *tinker_impulse_create(const TinkerSystem *system, const TinkerIntegratorOp
     allot(self);
     open_plates(self);
     tinker_contact_neighbours_init(&self->neighbours, self->contacts);
+    self->pile = tinker_pile_new(self->contacts);
     return self;
 }
 
@@ -88,6 +86,7 @@ void tinker_impulse_destroy(void *data)
     GArray *lists[] = {self->next, self->held, self->chosen, self->laws};
     for (gsize i = 0; i < G_N_ELEMENTS(lists); i++)
         g_array_unref(lists[i]);
+    tinker_pile_free(self->pile);
     tinker_contact_reach_clear(&self->reach);
     gpointer arrays[] = {self->plates,     self->orientation, self->from.q, self->from.v,
                          self->from.books, self->to.q,        self->to.v,   self->a,
@@ -107,7 +106,7 @@ void tinker_impulse_start(TinkerImpulses *self, const TinkerState *state)
     self->least_reach = isfinite(extent) ? TINKER_LEAST_NEIGHBOURHOOD * extent : 0;
     g_array_set_size(contacts->closed, 0);
     for (int32_t i = 0; i < self->model->bodies; i++) {
-        if (isnan(contacts->half_height[i])) continue;
+        if (isnan(contacts->half_height[i]) || tinker_pile_has(self->pile, i)) continue;
         const double *x = state->q + 2 * i, *v = state->v + 2 * i;
         for (int32_t k = 0; k < contacts->plate_count; k++) {
             const TinkerImpulsePlate *plate = &self->plates[k];
@@ -118,7 +117,8 @@ void tinker_impulse_start(TinkerImpulses *self, const TinkerState *state)
                                fabs(n[0] * u[0] + n[1] * u[1]) <= slow;
             if (!touches) continue;
             TinkerContactMode mode = along > 0 ? TINKER_CONTACT_SLIP_FORWARD : TINKER_CONTACT_SLIP_BACKWARD;
-            if (fabs(along) <= slow && plate->static_friction > 0) mode = TINKER_CONTACT_STICK;
+            if (fabs(along) <= slow && tinker_contact_surface(contacts, i, k).static_friction > 0)
+                mode = TINKER_CONTACT_STICK;
             TinkerContact contact = {.body = i, .plate = k, .mode = mode, .anchor = middle};
             g_array_append_val(contacts->closed, contact);
         }

@@ -40,7 +40,7 @@ static void move_held(TinkerImpulses *self, int32_t body, guint *touch, double *
         const TinkerImpulseTouch *at = &g_array_index(self->held, TinkerImpulseTouch, *touch);
         if (at->body != body) return;
         if (at->is == TINKER_CONTACT_OPEN) continue;
-        self->orientation[body] = self->contacts->plates[at->plate].orientation;
+        tinker_impulse_turn(self, body, at->plate);
         if (!at->bounces) tinker_impulse_close(self, at, at->normal, at->friction, q);
     }
 }
@@ -63,10 +63,12 @@ static gboolean move_bodies(TinkerImpulses *self, TinkerState *state)
     guint next = 0, touch = 0;
     g_array_set_size(self->next, 0);
     if (any_held && !solve_held(self, state)) return FALSE;
+    if (self->pile != NULL) tinker_pile_step(self, state);
     for (int32_t i = 0; i < self->model->bodies; i++) {
         double *q = state->q + 2 * i, *v = state->v + 2 * i;
         while (next < contacts->closed->len && tinker_contacts_closed(contacts, next)->body < i)
             next++;
+        if (tinker_pile_has(self->pile, i)) continue;
         if (any_held && contacts->held[i]) {
             move_held(self, i, &touch, q, v);
         } else if (!isnan(contacts->half_height[i])) {
@@ -79,6 +81,7 @@ static gboolean move_bodies(TinkerImpulses *self, TinkerState *state)
         }
     }
     for (int32_t i = 2 * self->model->bodies; i < self->model->coordinates; i++) { /* what turns */
+        if (tinker_pile_has(self->pile, tinker_model_moved_by(self->model, i))) continue;
         if (!any_held || !contacts->held[tinker_model_moved_by(self->model, i)]) state->v[i] += self->h * self->a[i];
         state->q[i] += self->h * state->v[i];
     }
@@ -117,6 +120,7 @@ static void keep(TinkerImpulses *self, const TinkerState *state)
     self->next = closed;
     for (int k = 0; k < TINKER_BOOK_COUNT; k++)
         self->context->impact_work[k] += self->work[k];
+    self->context->projection_work += self->parted;
     self->started = TRUE;
 }
 
@@ -144,6 +148,7 @@ static TinkerStatus step(void *data, TinkerState *state, double limit, TinkerSte
     memcpy(self->from.v, state->v, bytes);
     memcpy(self->from.books, state->books, (gsize)self->system->books * sizeof(double));
     memset(self->work, 0, sizeof(self->work));
+    self->parted = 0;
     TinkerStatus status = isfinite(self->h) && self->h > 0 ? try_step(self, state, limit) : TINKER_FAILED;
     if (status == TINKER_OK) {
         keep(self, state);
@@ -197,6 +202,19 @@ double tinker_impulse_last_impact(const void *stepper)
     return self->last_impact;
 }
 
+/* By a force at a place. */
+static void accelerate(const TinkerModel *model, int32_t body, const double at[2], double fx, double fy, double *a)
+{
+    const TinkerPoint *centre = &model->point[body];
+    const int32_t turn = tinker_model_turn_of(model, body);
+    const double share = model->inverse_mass[body];
+    a[2 * body] += share * fx;
+    a[2 * body + 1] += share * fy;
+    if (turn < 0) return;
+    const double torque = (at[0] - centre->x) * fy - (at[1] - centre->y) * fx;
+    a[turn] += share * torque / model->turns[turn - 2 * model->bodies].gyration;
+}
+
 void tinker_impulse_add_accelerations(const TinkerContacts *contacts, double *a)
 {
     for (guint i = 0; i < contacts->closed->len; i++) {
@@ -204,6 +222,13 @@ void tinker_impulse_add_accelerations(const TinkerContacts *contacts, double *a)
         const double *n = contacts->plates[contact->plate].normal, share = contacts->model->inverse_mass[contact->body];
         a[2 * contact->body] += share * (contact->normal * n[0] + contact->friction * n[1]);
         a[2 * contact->body + 1] += share * (contact->normal * n[1] - contact->friction * n[0]);
+    }
+    for (guint i = 0; i < contacts->pressings->len; i++) {
+        const TinkerPressing *each = &g_array_index(contacts->pressings, TinkerPressing, i);
+        const double fx = each->press * each->normal[0] + each->friction * each->normal[1];
+        const double fy = each->press * each->normal[1] - each->friction * each->normal[0];
+        accelerate(contacts->model, each->body, each->at, fx, fy, a);
+        if (each->by < contacts->model->bodies) accelerate(contacts->model, each->by, each->at, -fx, -fy, a);
     }
 }
 

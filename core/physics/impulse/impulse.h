@@ -34,6 +34,10 @@ const TinkerIntegrator *tinker_method_without_contact(const TinkerIntegrator *me
 double tinker_impulse_orientation(const void *stepper, int32_t body);
 double tinker_impulse_last_impact(const void *stepper);
 
+/* Adds a warning (of char *) for bodies that overlap each other at the start, where there are too many for the contacts
+ * to have told of them. */
+void tinker_impulse_tell_overlaps(const TinkerContacts *contacts, GPtrArray *warnings);
+
 /* Adds what contacts did to bodies in the last step to accelerations without contact (2 per body). */
 void tinker_impulse_add_accelerations(const TinkerContacts *contacts, double *a);
 

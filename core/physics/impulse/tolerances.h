@@ -13,4 +13,20 @@
 /* No unit; of the coordinates that a gap is the difference of: rounding. */
 #define TINKER_GAP_ROUNDING (64 * DBL_EPSILON)
 
+/* Piles. */
+
+/* No unit; of the radius: gaps up to this are closed, so that rounding asks for nothing. Held by: -. */
+#define TINKER_PILE_CLOSED 1e-10
+/* No unit; of what forces make of the speeds of two in a step: what they approach each other by no faster is rounding.
+ * Held by: -. */
+#define TINKER_PILE_NO_BLOW 1e-6
+/* No unit; of the radius: how far below a top what comes to it past an end may be. Held by: -. */
+#define TINKER_PILE_EVEN 1e-4
+/* No unit; of the speeds that contacts take: what a sweep changes less by is rounding. Held by: -. */
+#define TINKER_PILE_SOLVED 1e-11
+/* No unit; of the energies that impulses exchange: what is given beyond that is rounding, or, by the second, of sweeps
+ * that were cut short. Held by: -. */
+#define TINKER_PILE_NO_MORE        1e-9
+#define TINKER_PILE_NEARLY_NO_MORE 1e-3
+
 #endif

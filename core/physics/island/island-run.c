@@ -208,7 +208,11 @@ TinkerStatus tinker_island_run_unprojected_at(TinkerIslandRun *run, double t, do
     TinkerStatus status = TINKER_OK;
     if (t != run->state.t) status = tinker_island_run_interpolate(run, t, x, u, NULL);
     tinker_constraints_begin_look(run->model); /* what dense output evaluated it may not evaluate again */
-    if (!own) tinker_linear_form_expand(run->island->linear, x, u, q, v);
+    if (own) return status;
+    tinker_linear_form_expand(run->island->linear, x, u, q, v);
+    /* the steps of shafts evaluate no constraint: a look finds what the last one left there, to the sign of a 0 */
+    if (run->model->constraints.rows > 0)
+        memset(run->model->point_acceleration, 0, 2 * (gsize)run->model->points * sizeof(double));
     return status;
 }
 
@@ -223,7 +227,8 @@ TinkerStatus tinker_island_run_state_at(TinkerIslandRun *run, double t, double *
         if (status == TINKER_OK) tinker_contacts_correct_velocities(run->model->contacts, v, FALSE, &moved);
         return status;
     }
-    if (run->model->constraints.rows == 0) return TINKER_OK;
+    /* the coordinates of shafts meet the constraints as they are */
+    if (run->model->constraints.rows == 0 || run->q != run->state.q) return TINKER_OK;
     status = tinker_constraints_project_positions(run->model, t, q, v, &moved);
     if (status == TINKER_OK) tinker_constraints_correct_velocities(run->model, v, FALSE, &moved);
     return status;

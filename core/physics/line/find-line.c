@@ -2,6 +2,7 @@
 #include <math.h>
 
 #include "physics/line/linear-form-data.h"
+#include "physics/model/breaks.h"
 #include "physics/model/model-data.h"
 
 typedef struct {
@@ -121,7 +122,7 @@ static gboolean moves_along(const TinkerModel *model, const TinkerLine *line)
 gboolean tinker_model_find_line(TinkerModel *model, TinkerLine *line)
 {
     double extent;
-    if (model->lines.count == 0 || model->bodies == 0) return FALSE;
+    if (model->lines.count == 0 || model->bodies == 0 || tinker_model_is_struck(model)) return FALSE;
     return find_direction(model, line, &extent) && lies_on(model, line, extent) &&
            points_along(model, line, model->v_start) && points_along(model, line, model->constant_acceleration) &&
            drives_along(model, line) && moves_along(model, line);

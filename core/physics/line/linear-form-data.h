@@ -40,10 +40,20 @@ typedef struct {
     double stiffness, offset, damping;
 } TinkerStraightEdge;
 
+/* Bodies that turn on fixed axes. */
+typedef struct {
+    int32_t *shaft_of; /* of each body: its coordinate in the form */
+    double *weight;    /* of each body: rad that it turns by while that moves by 1 m */
+    int32_t *leader;   /* of each coordinate: a body that moves by it */
+} TinkerShafts;
+
 struct _TinkerLinearForm {
     TinkerModel *model;
+    gboolean one_coordinate; /* for each body on a line, or each shaft; else two for each body */
     gboolean straight;
-    TinkerLine line; /* of a straight one */
+    TinkerLine line;      /* of a straight one */
+    TinkerShafts *shafts; /* NULL: it is none of shafts */
+    double least_extent;  /* m: that errors are measured against; 0 but for shafts */
     TinkerLinearSystem system;
     /* NULL where there are none: */
     GArray *loads;   /* of TinkerConstantLoad */
@@ -56,17 +66,38 @@ struct _TinkerLinearForm {
     double *anchors, *mass, *drag;
     int32_t *anchor_points; /* of each anchor: the model's point */
 
-    /* of a straight one */
+    /* of one coordinate for each */
     TinkerStraightEdge *inner, *anchored;
     int32_t inner_count, anchored_count;
     double *anchor_place, *anchor_speed; /* at the time evaluated last */
     double *load;                        /* N: constant, of each coordinate */
+    double *inverse_mass;                /* 1/kg: of each coordinate */
 
-    /* of a straight one, where a method asked for it */
+    /* of these, where a method asked for it */
     TinkerPattern pattern;
     int32_t *row_starts, *columns;
     double *stiffness, *damping; /* by entry of the pattern */
 };
+
+/* Parts of a form under construction: memory for its edges and anchors, once its size is known; an input, or -1 where
+ * the waveform has no form; uses of all its signals alike; a constant force, and one that an input drives by a factor,
+ * on a coordinate; the end. */
+void tinker_form_allot(TinkerLinearForm *form, gsize edges, gsize anchors);
+int32_t tinker_form_add_input(TinkerLinearForm *form, const TinkerBlockBatch *batch, int32_t column, int32_t row);
+void tinker_form_use_input(TinkerLinearForm *form, GArray **uses, int32_t target, int32_t number, int32_t book,
+                           double factor);
+void tinker_form_add_load(TinkerLinearForm *form, int32_t target, int32_t book, double force);
+void tinker_form_drive(TinkerLinearForm *form, int32_t target, int32_t input, int32_t book, double factor);
+void tinker_form_close(TinkerLinearForm *form);
+
+/* The form of a model whose bodies turn on fixed axes; NULL where that is not so, or it is not linear. (transfer full)
+ */
+TinkerLinearForm *tinker_shafts_form_new(TinkerModel *model);
+void tinker_shafts_free(TinkerShafts *shafts);
+
+/* Its coordinates to and from those of the model. */
+void tinker_shafts_expand(const TinkerLinearForm *form, const double *x, const double *u, double *q, double *v);
+void tinker_shafts_reduce(const TinkerLinearForm *form, const double *q, const double *v, double *x, double *u);
 
 /* Works out pattern and values of the derivatives, once. */
 void tinker_linear_form_differentiate(TinkerLinearForm *form);

@@ -37,44 +37,6 @@ static gboolean lines_have_no_length(const TinkerMergedLines *lines)
     return TRUE;
 }
 
-/* What most models have none of: made with the first. */
-static void append(GArray **array, guint size, gconstpointer item)
-{
-    if (*array == NULL) *array = g_array_new(FALSE, FALSE, size);
-    g_array_append_vals(*array, item, 1);
-}
-
-static int32_t length(const GArray *array)
-{
-    return array != NULL ? (int32_t)array->len : 0;
-}
-
-static gconstpointer items(const GArray *array)
-{
-    return array != NULL ? array->data : NULL;
-}
-
-/* One piece of memory for all arrays whose length is known from the start. */
-static void allot(TinkerLinearForm *form)
-{
-    const TinkerModel *model = form->model;
-    const gsize n = (gsize)form->system.size, edges = (gsize)axes(form) * (gsize)model->lines.count;
-    const gsize anchors = (gsize)axes(form) * (gsize)(model->points - model->first_support);
-    const gsize sorted = form->straight ? edges + 1 : 0;
-    form->room = g_malloc0((3 * n + 3 * anchors + 1) * sizeof(double) + anchors * sizeof(int32_t) +
-                           edges * sizeof(TinkerLinearEdge) + 2 * sorted * sizeof(TinkerStraightEdge));
-    form->edges = form->room;
-    form->inner = (TinkerStraightEdge *)(gpointer)(form->edges + edges);
-    form->anchored = form->inner + sorted;
-    form->mass = (double *)(gpointer)(form->anchored + sorted);
-    form->load = form->mass + n;
-    form->drag = model->field_drag != 0 ? form->load + n : NULL;
-    form->anchors = form->load + 2 * n;
-    form->anchor_place = form->anchors + anchors;
-    form->anchor_speed = form->anchor_place + anchors;
-    form->anchor_points = (int32_t *)(gpointer)(form->anchor_speed + anchors + 1);
-}
-
 static void add_mass_and_drag(TinkerLinearForm *form)
 {
     const TinkerModel *model = form->model;
@@ -85,12 +47,6 @@ static void add_mass_and_drag(TinkerLinearForm *form)
     }
 }
 
-static void add_load(TinkerLinearForm *form, int32_t target, int32_t book, double force)
-{
-    TinkerConstantLoad load = {target, book, force};
-    if (force != 0) append(&form->loads, sizeof load, &load);
-}
-
 static void add_loads(TinkerLinearForm *form)
 {
     const TinkerModel *model = form->model;
@@ -99,33 +55,11 @@ static void add_loads(TinkerLinearForm *form)
     for (int32_t i = 0; i < model->bodies; i++) {
         for (int32_t axis = 0; axis < axes(form); axis++) {
             int32_t target = axes(form) * i + axis;
-            add_load(form, target, -1, model->mass[i] * component(form, model->field_acceleration, axis));
-            add_load(form, target, fields, component(form, model->field_force, axis));
+            tinker_form_add_load(form, target, -1, model->mass[i] * component(form, model->field_acceleration, axis));
+            tinker_form_add_load(form, target, fields, component(form, model->field_force, axis));
             if (model->constant_force != NULL)
-                add_load(form, target, motors, component(form, model->constant_force + 2 * i, axis));
+                tinker_form_add_load(form, target, motors, component(form, model->constant_force + 2 * i, axis));
         }
-    }
-}
-
-/* The input of a waveform; -1 where it has no form. */
-static int32_t add_input(TinkerLinearForm *form, const TinkerBlockBatch *batch, int32_t column, int32_t row)
-{
-    TinkerInput input = {tinker_block_batch_evaluator(batch, column, row), form->system.signal_count, 0};
-    if (input.evaluator != NULL) input.signals = tinker_waveform_signals(input.evaluator);
-    if (input.signals == 0) return -1;
-    form->system.signal_count += input.signals;
-    append(&form->inputs, sizeof input, &input);
-    return length(form->inputs) - 1;
-}
-
-/* Every signal of the input is used alike. */
-static void use_input(TinkerLinearForm *form, GArray **uses, int32_t target, int32_t number, int32_t book,
-                      double factor)
-{
-    const TinkerInput *input = &g_array_index(form->inputs, TinkerInput, (guint)number);
-    for (int32_t i = 0; i < input->signals && factor != 0; i++) {
-        TinkerSignalUse use = {target, input->first_signal + i, book, 0, factor};
-        append(uses, sizeof use, &use);
     }
 }
 
@@ -136,14 +70,11 @@ static gboolean add_driven(TinkerLinearForm *form)
     for (guint i = 0; i < model->driven->len; i++) {
         const TinkerDrivenForce *driven = &g_array_index(model->driven, TinkerDrivenForce, i);
         if (driven->point >= model->bodies) continue;
-        int32_t input = add_input(form, driven->batch, tinker_driven_column(driven), driven->row);
+        int32_t input = tinker_form_add_input(form, driven->batch, tinker_driven_column(driven), driven->row);
         if (input < 0) return FALSE;
-        for (int32_t axis = 0; axis < axes(form); axis++) {
-            TinkerDrive drive = {axes(form) * driven->point + axis, input, motors,
-                                 component(form, driven->direction, axis)};
-            use_input(form, &form->forces, drive.target, input, motors, drive.factor);
-            append(&form->drives, sizeof drive, &drive);
-        }
+        for (int32_t axis = 0; axis < axes(form); axis++)
+            tinker_form_drive(form, axes(form) * driven->point + axis, input, motors,
+                              component(form, driven->direction, axis));
     }
     return TRUE;
 }
@@ -195,11 +126,11 @@ static gboolean add_motion(TinkerLinearForm *form, const int32_t *anchors, const
         int32_t input = -1;
         for (int32_t p = 0; p < model->points - model->first_support; p++) {
             if (anchors[p] < 0 || tinker_model_attachment(model, model->first_support + p)->block != support) continue;
-            if (input < 0) input = add_input(form, batch, columns[row], row);
+            if (input < 0) input = tinker_form_add_input(form, batch, columns[row], row);
             if (input < 0) return FALSE;
             for (int32_t axis = 0; axis < axes(form); axis++)
-                use_input(form, &form->motions, anchors[p] + axis, input, -1,
-                          component(form, direction + 2 * row, axis));
+                tinker_form_use_input(form, &form->motions, anchors[p] + axis, input, -1,
+                                      component(form, direction + 2 * row, axis));
         }
     }
     return TRUE;
@@ -221,67 +152,27 @@ static gboolean add_geometry(TinkerLinearForm *form)
     return TRUE;
 }
 
-static void close_system(TinkerLinearForm *form)
-{
-    TinkerLinearSystem *system = &form->system;
-    const TinkerModel *model = form->model;
-    system->struct_size = sizeof(TinkerLinearSystem);
-    system->load_count = length(form->loads);
-    system->force_count = length(form->forces);
-    system->motion_count = length(form->motions);
-    system->mass = form->mass;
-    system->drag = form->drag;
-    system->edges = form->edges;
-    system->anchors = form->anchors;
-    system->loads = items(form->loads);
-    system->forces = items(form->forces);
-    system->motions = items(form->motions);
-    system->damper_book = tinker_model_book_index(model, TINKER_BOOK_DAMPERS);
-    system->drag_book = tinker_model_book_index(model, TINKER_BOOK_FIELDS);
-    system->support_book = tinker_model_book_index(model, TINKER_BOOK_SUPPORT_MOTION);
-}
-
-/* Lays the edges out for the loops of a step. */
-static void sort_edges(TinkerLinearForm *form)
-{
-    const TinkerLinearSystem *system = &form->system;
-    memcpy(form->anchor_place, system->anchors, (gsize)system->anchor_count * sizeof(double));
-    for (int32_t i = 0; i < system->edge_count; i++) {
-        const TinkerLinearEdge *edge = &system->edges[i];
-        TinkerStraightEdge sorted = {edge->a, edge->b, edge->stiffness, edge->tension - edge->stiffness * edge->length,
-                                     edge->damping};
-        if (MIN(edge->a, edge->b) >= 0) {
-            form->inner[form->inner_count++] = sorted;
-            continue;
-        }
-        sorted.a = -1 - MIN(edge->a, edge->b);
-        sorted.b = MAX(edge->a, edge->b);
-        form->anchored[form->anchored_count++] = sorted;
-    }
-    for (int32_t i = 0; i < system->load_count; i++)
-        form->load[system->loads[i].target] += system->loads[i].force;
-}
-
 TinkerLinearForm *tinker_linear_form_new(TinkerModel *model)
 {
+    if (model->turning > 0) return tinker_shafts_form_new(model);
     if (!laws_are_linear(model)) return NULL;
     TinkerLine line = {{1, 0}, {0, 0}};
     gboolean straight = tinker_model_find_line(model, &line) && tinker_model_growth_across(model, &line) == 0;
     if (!straight && !lines_have_no_length(&model->lines)) return NULL;
     TinkerLinearForm *form = g_new0(TinkerLinearForm, 1);
     form->model = model;
-    form->straight = straight;
+    form->one_coordinate = form->straight = straight;
     form->line = line;
     form->system.size = axes(form) * model->bodies;
-    allot(form);
+    tinker_form_allot(form, (gsize)axes(form) * (gsize)model->lines.count,
+                      (gsize)axes(form) * (gsize)(model->points - model->first_support));
     add_mass_and_drag(form);
     add_loads(form);
     if (!add_driven(form) || !add_geometry(form)) {
         tinker_linear_form_free(form);
         return NULL;
     }
-    close_system(form);
-    if (straight) sort_edges(form);
+    tinker_form_close(form);
     return form;
 }
 
@@ -294,12 +185,23 @@ void tinker_linear_form_free(TinkerLinearForm *form)
     gpointer memory[] = {form->room, form->row_starts, form->columns, form->stiffness, form->damping};
     for (gsize i = 0; i < G_N_ELEMENTS(memory); i++)
         g_free(memory[i]);
+    tinker_shafts_free(form->shafts);
     g_free(form);
 }
 
 const TinkerLinearSystem *tinker_linear_form_system(const TinkerLinearForm *form)
 {
     return &form->system;
+}
+
+gboolean tinker_linear_form_is_reduced(const TinkerLinearForm *form)
+{
+    return form->one_coordinate;
+}
+
+gboolean tinker_linear_form_is_of_shafts(const TinkerLinearForm *form)
+{
+    return form->shafts != NULL;
 }
 
 gboolean tinker_linear_form_is_straight(const TinkerLinearForm *form, double direction[2])
@@ -318,7 +220,7 @@ double tinker_model_sideways_growth(TinkerModel *model)
 TinkerStatus tinker_linear_form_signals(TinkerLinearForm *form, TinkerSignal *signals)
 {
     double t = form->model->time;
-    for (int32_t i = 0; i < length(form->inputs); i++) {
+    for (guint i = 0; form->inputs != NULL && i < form->inputs->len; i++) {
         const TinkerInput *input = &g_array_index(form->inputs, TinkerInput, i);
         tinker_waveform_form(input->evaluator, t, &signals[input->first_signal]);
     }
@@ -328,6 +230,10 @@ TinkerStatus tinker_linear_form_signals(TinkerLinearForm *form, TinkerSignal *si
 void tinker_linear_form_expand(const TinkerLinearForm *form, const double *x, const double *u, double *q, double *v)
 {
     gsize bytes = (gsize)form->system.size * sizeof(double);
+    if (form->shafts != NULL) {
+        tinker_shafts_expand(form, x, u, q, v);
+        return;
+    }
     if (!form->straight) {
         memcpy(q, x, bytes);
         memcpy(v, u, bytes);
@@ -345,6 +251,10 @@ void tinker_linear_form_expand(const TinkerLinearForm *form, const double *x, co
 void tinker_linear_form_reduce(const TinkerLinearForm *form, const double *q, const double *v, double *x, double *u)
 {
     gsize bytes = (gsize)form->system.size * sizeof(double);
+    if (form->shafts != NULL) {
+        tinker_shafts_reduce(form, q, v, x, u);
+        return;
+    }
     if (!form->straight) {
         memcpy(x, q, bytes);
         memcpy(u, v, bytes);

@@ -1,7 +1,8 @@
 /* The linear form of a model: M x'' + C x' + K x = loads, where the model has one.
  *
  * Springs are linear where they have no length, or where everything lies and moves on one line, stably across it: then
- * there is one coordinate a body, along the line. Bodies that nothing holds are linear in both. */
+ * there is one coordinate a body, along the line. Bodies that nothing holds are linear in both. Bodies that turn are
+ * where they do so on fixed axes, tied by gears, torsional springs and dampers: there is one coordinate a shaft. */
 #ifndef TINKER_CORE_LINEAR_FORM_H
 #define TINKER_CORE_LINEAR_FORM_H
 
@@ -18,6 +19,12 @@ void tinker_linear_form_free(TinkerLinearForm *form);
 
 /* Its coefficients, without books. Borrowed. */
 const TinkerLinearSystem *tinker_linear_form_system(const TinkerLinearForm *form);
+
+/* Whether its coordinates are other ones than those of the model: along a line, or of shafts. */
+gboolean tinker_linear_form_is_reduced(const TinkerLinearForm *form);
+
+/* Whether they are those of shafts: bodies that turn on fixed axes. */
+gboolean tinker_linear_form_is_of_shafts(const TinkerLinearForm *form);
 
 /* Whether the model is stepped along one line, and its direction (a unit vector, where `direction` is not NULL). */
 gboolean tinker_linear_form_is_straight(const TinkerLinearForm *form, double direction[2]);

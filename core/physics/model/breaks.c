@@ -21,6 +21,7 @@ static double plugin_break(TinkerModel *model, TinkerBlockBatch *batch, double t
     const NextBreak offered[] = {
         physics->line_law != NULL ? physics->line_law->next_break : NULL,
         physics->force_element != NULL ? physics->force_element->next_break : NULL,
+        physics->force_element != NULL ? physics->force_element->next_blow : NULL,
         physics->field != NULL ? physics->field->next_break : NULL,
         physics->constraint != NULL ? physics->constraint->next_break : NULL,
         physics->motion != NULL ? physics->motion->next_break : NULL,
@@ -115,4 +116,13 @@ void tinker_model_enter_piece(TinkerModel *model, double inside)
         if (batch->waveforms > 0) tinker_block_batch_enter_piece(batch, inside);
     }
     model->time = NAN; /* what was evaluated belongs to the piece before */
+}
+
+gboolean tinker_model_is_struck(const TinkerModel *model)
+{
+    for (guint i = 0; i < model->batches->len; i++) {
+        const TinkerBlockBatch *batch = g_ptr_array_index(model->batches, i);
+        if (tinker_block_class_strikes(batch->block_class)) return TRUE;
+    }
+    return FALSE;
 }

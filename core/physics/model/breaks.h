@@ -30,4 +30,7 @@ double tinker_model_next_break(TinkerModel *model, double t, double horizon);
 /* Enters the piece of all waveforms that contains `inside`. */
 void tinker_model_enter_piece(TinkerModel *model, double inside);
 
+/* Whether some block gives blows, at whatever time: these may come from anywhere. */
+gboolean tinker_model_is_struck(const TinkerModel *model);
+
 #endif

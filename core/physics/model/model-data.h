@@ -51,10 +51,12 @@ typedef struct {
 /* A body that turns. Its coordinate is 2 * bodies + its number among those that do. */
 typedef struct {
     int32_t body;
-    double gyration; /* m */
-    double speed;    /* m/s: along its coordinate, now */
-    double rate;     /* rad/s: speed / gyration */
-    double angle;    /* rad, counting turns: now */
+    double gyration;     /* m */
+    double by_gyration;  /* 1/m: its reciprocal */
+    double speed;        /* m/s: along its coordinate, now */
+    double rate;         /* rad/s: speed / gyration */
+    double angle;        /* rad, counting turns: now */
+    double cosine, sine; /* of it */
 } TinkerTurn;
 
 /* Linear laws between the same two points, merged:
@@ -99,14 +101,17 @@ typedef struct {
     int32_t first_entry;  /* an entry is one end of one row, or its turn: those of a row stand behind its ends */
     TinkerAngles *angles; /* of rows that depend on them; else NULL. Borrowed. */
     double *distances;    /* of rows that keep a constant distance, which the host works out: one each; else NULL */
+    gboolean coincident;  /* their ends coincide, which the host works out */
     TinkerBatch view;     /* of the whole batch */
 } TinkerConstraintBatch;
 
 typedef struct _TinkerRowChains TinkerRowChains;
+typedef struct _TinkerPinChains TinkerPinChains;
 
 /* An entry on a body that turns: what the row has beside it in the column of that body's turn. */
 typedef struct {
     int32_t entry, row;
+    int32_t attachment; /* where on the body */
     int32_t turn;       /* the body's number among those that turn */
     int32_t coordinate; /* its turn's */
 } TinkerTurnEntry;
@@ -116,6 +121,11 @@ typedef struct {
     int32_t slot, first_entry, second_entry;
     double inverse_mass;
 } TinkerProduct;
+
+/* A row that holds nothing, and its slot on the diagonal of S. */
+typedef struct {
+    int32_t row, slot;
+} TinkerIdleRow;
 
 /* Whether there is a factor of S, and of which Jacobian: see TinkerConstraints. */
 typedef struct {
@@ -142,6 +152,8 @@ typedef struct {
     gboolean *unilateral, *slack; /* by row */
     int32_t *diagonal;            /* by row: its slot in S */
     double *own_g, *own_drift, *own_rate, *own_jacobian;
+    TinkerIdleRow *idle; /* room for every row */
+    int32_t idle_count;
     TinkerProduct *products;
     gsize product_count;
     TinkerTurnEntry *turns; /* in the order of the rows */
@@ -151,10 +163,12 @@ typedef struct {
     gsize turn_product_count;
     gsize jacobian_size; /* numbers in a Jacobian: two an entry, then one for each of `turns` */
     TinkerSparseLdl *ldl;
-    TinkerRowChains *chains; /* of rows that hang together in chains alone; else NULL */
-    double work;             /* J: what the last projection of positions gave, by the applied forces evaluated last */
-    gboolean gave_way;       /* a projection stopped short at a singular place; whoever reports it clears it */
-    int32_t redundant;       /* rows that depend on others at the start: every solve is proximal */
+    TinkerRowChains *chains;     /* of rows that hang together in chains alone; else NULL */
+    TinkerPinChains *pin_chains; /* of blocks of two rows that do; else NULL */
+    double work;       /* J: what the last projection of positions gave, by the applied forces evaluated last */
+    gboolean gave_way; /* a projection stopped short at a singular place; whoever reports it clears it */
+    int32_t redundant; /* rows that depend on others at the start: every solve is proximal */
+    double shift;      /* of it: a share of the diagonal of S */
 
     /* working state */
     TinkerPoint *ends; /* gathered, of the largest batch */
@@ -199,7 +213,8 @@ struct _TinkerModel {
     double *coordinate_mass; /* of each coordinate */
     double *inverse_mass;    /* of each body */
     double *q_start, *v_start;
-    double start_impulse; /* N s that brought v_start onto the constraints */
+    double start_impulse;   /* N s that brought v_start onto the constraints */
+    gboolean start_changed; /* by more than TINKER_START_MISS of the fastest: it is told */
     int32_t points;
     int32_t first_attachment, first_support;
     GArray
@@ -325,11 +340,12 @@ static inline int32_t tinker_model_point_entries(const TinkerModel *model, int32
     return 2;
 }
 
-/* The angle (rad, counting turns) and the rate (rad/s) of a body at a state; 0 where it does not turn. */
-static inline double tinker_model_angle(const TinkerModel *model, int32_t body, const double *q)
+/* What a vector by coordinate says of a body's turning: of places its angle (rad, counting turns), of velocities its
+ * rate (rad/s); 0 where it does not turn. */
+static inline double tinker_model_angle(const TinkerModel *model, int32_t body, const double *by_coordinate)
 {
     const int32_t at = tinker_model_turn_of(model, body);
-    return at < 0 ? 0 : q[at] / model->turns[at - 2 * model->bodies].gyration;
+    return at < 0 ? 0 : by_coordinate[at] / model->turns[at - 2 * model->bodies].gyration;
 }
 
 /* The point of a block's centre; -1 where it has none, or is not of the model. */

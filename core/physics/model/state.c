@@ -23,6 +23,9 @@ TinkerBatch tinker_model_view(const TinkerModel *model, const TinkerBlockBatch *
         .origin = {model->origin[0], model->origin[1]},
         .failed_instance = -1,
         .law_count = batch->law_count,
+        .point_list_count = batch->point_list_count,
+        .point_lists =
+            batch->point_lists != NULL ? batch->point_lists + (gsize)first * (gsize)batch->point_list_count : NULL,
         .end_masses = batch->end_masses != NULL ? batch->end_masses + batch->end_offsets[first] : NULL,
         .laws = (const struct TinkerTypedLaw *const *)batch->laws + (gsize)first * (gsize)batch->law_count,
     };
@@ -84,46 +87,52 @@ TinkerStatus tinker_model_change_time(TinkerModel *model, double t)
 
 static void set_turn_rates(TinkerModel *model, const double *v)
 {
+    TinkerTurn *restrict turns = model->turns;
+    TinkerPoint *restrict points = model->point;
+    const TinkerAttachment *at = (const TinkerAttachment *)(const void *)model->attachments->data;
     for (int32_t k = 0; k < model->turning; k++) {
-        model->turns[k].speed = v[2 * model->bodies + k];
-        model->turns[k].rate = model->turns[k].speed / model->turns[k].gyration;
+        turns[k].speed = v[2 * model->bodies + k];
+        turns[k].rate = turns[k].speed * turns[k].by_gyration;
     }
-    for (int32_t point = model->first_attachment; point < model->first_support; point++) {
-        const TinkerAttachment *at = tinker_model_attachment(model, point);
-        const TinkerPoint *centre = &model->point[at->body];
-        const double rate = model->turns[model->turn_of[at->body]].rate;
+    for (int32_t point = model->first_attachment; point < model->first_support; point++, at++) {
+        const TinkerPoint *centre = &points[at->body];
+        const double rate = turns[model->turn_of[at->body]].rate;
         if (at->turn) {
-            model->point[point].vx = rate;
+            points[point].vx = rate;
             continue;
         }
-        model->point[point].vx = centre->vx - rate * at->arm[1];
-        model->point[point].vy = centre->vy + rate * at->arm[0];
+        points[point].vx = centre->vx - rate * at->arm[1];
+        points[point].vy = centre->vy + rate * at->arm[0];
     }
+}
+
+/* Many states stand at one place, between the stages of a step and its projections: sine and cosine are kept. */
+static inline void set_angle(TinkerTurn *turn, double angle)
+{
+    if (turn->angle == angle) return;
+    turn->angle = angle;
+    turn->cosine = cos(angle);
+    turn->sine = sin(angle);
 }
 
 void tinker_model_set_angles(TinkerModel *model, const double *q)
 {
-    int32_t turned = -1; /* attachments to one body stand together */
-    double angle = 0, c = 1, s = 0;
+    TinkerTurn *restrict turns = model->turns;
+    TinkerPoint *restrict points = model->point;
+    TinkerAttachment *at = (TinkerAttachment *)(void *)model->attachments->data;
     for (int32_t k = 0; k < model->turning; k++)
-        model->turns[k].angle = q[2 * model->bodies + k] / model->turns[k].gyration;
-    for (int32_t point = model->first_attachment; point < model->first_support; point++) {
-        TinkerAttachment *at = tinker_model_attachment(model, point);
-        const TinkerPoint *centre = &model->point[at->body];
-        if (at->body != turned) {
-            angle = tinker_model_angle(model, at->body, q);
-            c = cos(angle);
-            s = sin(angle);
-            turned = at->body;
-        }
+        set_angle(&turns[k], q[2 * model->bodies + k] / turns[k].gyration);
+    for (int32_t point = model->first_attachment; point < model->first_support; point++, at++) {
+        const TinkerPoint *centre = &points[at->body];
+        const TinkerTurn *turn = &turns[model->turn_of[at->body]];
         if (at->turn) {
-            model->point[point].x = angle;
+            points[point].x = turn->angle;
             continue;
         }
-        at->arm[0] = c * at->x - s * at->y;
-        at->arm[1] = s * at->x + c * at->y;
-        model->point[point].x = centre->x + at->arm[0];
-        model->point[point].y = centre->y + at->arm[1];
+        at->arm[0] = turn->cosine * at->x - turn->sine * at->y;
+        at->arm[1] = turn->sine * at->x + turn->cosine * at->y;
+        points[point].x = centre->x + at->arm[0];
+        points[point].y = centre->y + at->arm[1];
     }
 }
 

@@ -9,11 +9,7 @@
 #include "physics/model/model.h"
 #include "physics/plan/islands.h"
 #include "physics/plan/start-matrices.h"
-
-/* Frequencies below this share of the largest are 0 and rounding. */
-#define LEAST_FREQUENCY 1e-7
-/* A part whose amplitude is below this share of the extent is rounding. */
-#define LEAST_AMPLITUDE 1e-12
+#include "physics/plan/tolerances.h"
 
 /* What an island's places and motions are measured by. */
 typedef struct {
@@ -51,7 +47,7 @@ static Measures measures_of(const TinkerModel *model, const TinkerStartMatrices 
 static void add_part(TinkerForecast *forecast, const Measures *measures, double omega, double damping, double energy)
 {
     double amplitude = omega > 0 ? sqrt(energy) / omega : INFINITY;
-    if (!(energy > 0) || amplitude < LEAST_AMPLITUDE * measures->extent * measures->root_mass) return;
+    if (!(energy > 0) || amplitude < TINKER_LEAST_AMPLITUDE * measures->extent * measures->root_mass) return;
     forecast->parts[forecast->count++] = (TinkerForecastPart){omega, fmax(damping, 0), energy, 0};
 }
 
@@ -71,7 +67,7 @@ static void add_vector(TinkerForecast *forecast, TinkerStartMatrices *matrices, 
         double omega = sqrt(fmax(found.nodes[k], 0));
         forecast->omega_max = fmax(forecast->omega_max, omega);
         forecast->damping_max = fmax(forecast->damping_max, found.forms[k]);
-        if (omega <= LEAST_FREQUENCY * forecast->omega_max) omega = 0;
+        if (omega <= TINKER_LEAST_FREQUENCY * forecast->omega_max) omega = 0;
         if (omega == 0) forecast->fading = fmax(forecast->fading, found.forms[k]);
         if (bent && omega == 0) continue;
         add_part(forecast, measures, omega, found.forms[k], square * found.weights[k] / (bent ? omega * omega : 1));

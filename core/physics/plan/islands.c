@@ -60,8 +60,7 @@ GPtrArray *tinker_islands_new(TinkerModel *whole, GError **error)
 
 GPtrArray *tinker_islands_for(TinkerModel *whole, gboolean impulses, GError **error)
 {
-    if (!impulses || whole->contacts == NULL || whole->contacts->plate_count == 0)
-        return tinker_islands_new(whole, error);
+    if (!impulses || !tinker_contacts_can_meet(whole->contacts)) return tinker_islands_new(whole, error);
     GPtrArray *islands = g_ptr_array_new_with_free_func(island_free);
     g_ptr_array_add(islands, island_new(whole, FALSE, whole, TRUE));
     return islands;

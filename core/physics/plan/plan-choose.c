@@ -12,12 +12,12 @@
 #include "physics/plan/plan-private.h"
 #include "physics/plan/plan.h"
 #include "physics/plan/run-options.h"
+#include "physics/plan/tolerances.h"
 #include "physics/system/hold-energy.h"
 #include "physics/system/method-call.h"
 
-/* A part counts where it holds this share of the energy; it is resolved well where h omega is this. */
-#define WELL_RESOLVED  0.1
-#define CARRIES_ENERGY 1e-4
+/* A part of a motion is resolved well where h omega is this. */
+#define WELL_RESOLVED 0.1
 /* The forecast's frequencies are from below: within this share of a limit it is looked at more closely. */
 #define NEAR_LIMIT 0.5
 /* A run of so many radians of what moves, and the energy's drift is what it misses by. */
@@ -28,8 +28,6 @@
 #define STIFF 3.0
 /* A step that is chosen for an accuracy is at most this share of the stable one. */
 #define WELL_STABLE 0.9
-/* No tolerance below is chosen: it would be rounding. */
-#define LEAST_TOLERANCE 1e-14
 /* An exact solution is taken at up to this many times the cost of an approximation that meets the tolerance. */
 #define EXACT_IS_WORTH 3.0
 /* A choice counts so many samples, whatever is recorded: the same motion has the same steps. */
@@ -73,7 +71,7 @@ static double wanted_tolerance(const TinkerIsland *island, const TinkerForecast 
     if (!tinker_method_is_adaptive(method) || !tinker_cost_of(island, forecast, method, options, 0, aim, &cost))
         return aim;
     if (is_worth_holding(island, options, forecast, method)) cost.error *= HELD_ENERGY_HASTE;
-    return fmax(LEAST_TOLERANCE, tinker_round_down(aim * fmin(1, aim / cost.error)));
+    return fmax(TINKER_TIGHTEST_TOLERANCE, tinker_round_down(aim * fmin(1, aim / cost.error)));
 }
 
 /* Automatic -------------------------------------------------------------------------------------------------------- */
@@ -100,7 +98,7 @@ static gboolean is_stiff(const TinkerIsland *island, const TinkerForecast *forec
     if (driven || model->constraints.rows > 0 || forecast->count == 0) return FALSE;
     double carried = fmax(fmax(forecast->speed_of_change, forecast->drive), forecast->fading);
     for (int32_t i = 0; i < forecast->count; i++)
-        if (forecast->parts[i].share > CARRIES_ENERGY) carried = fmax(carried, forecast->parts[i].omega);
+        if (forecast->parts[i].share > TINKER_CARRIES_ENERGY) carried = fmax(carried, forecast->parts[i].omega);
     return fmax(forecast->omega_max, forecast->damping_max) > STIFF * carried;
 }
 
@@ -203,7 +201,7 @@ double tinker_advised_step(const TinkerForecast *forecast, double stable)
 {
     double fastest = 0;
     for (int32_t i = 0; i < forecast->count; i++)
-        if (forecast->parts[i].share >= CARRIES_ENERGY) fastest = fmax(fastest, forecast->parts[i].omega);
+        if (forecast->parts[i].share >= TINKER_CARRIES_ENERGY) fastest = fmax(fastest, forecast->parts[i].omega);
     double resolved = fastest > 0 ? WELL_RESOLVED / fastest : INFINITY;
     return tinker_round_down(fmin(0.9 * stable, resolved));
 }
@@ -277,7 +275,7 @@ static void warn_under_resolved(const TinkerIsland *island, const TinkerRunOptio
     double fastest = 0, share = 0;
     for (int32_t i = 0; i < forecast->count; i++) {
         const TinkerForecastPart *part = &forecast->parts[i];
-        if (part->share < CARRIES_ENERGY || part->omega * options->step <= TINKER_LEAST_RESOLVED) continue;
+        if (part->share < TINKER_CARRIES_ENERGY || part->omega * options->step <= TINKER_LEAST_RESOLVED) continue;
         fastest = fmax(fastest, part->omega);
         share += part->share;
     }
@@ -353,30 +351,79 @@ static gboolean refuse_ropes(const TinkerIsland *island, GError **error)
     return FALSE;
 }
 
-/* Once, of the first body that turns and would meet something. */
-static void warn_of_turning(const TinkerModel *model, GPtrArray *warnings)
+/* FALSE where a top turns that bodies could meet. */
+static gboolean check_tops_stay(const TinkerContacts *contacts, GError **error)
 {
-    int32_t body = 0;
-    while (body < model->bodies && !(model->contacts->reach[body] > 0))
-        body++;
-    if (body == model->bodies || warnings == NULL) return;
-    g_ptr_array_add(
-        warnings, g_strdup_printf(_("%s passes through supports: with \"contacts\": \"impulse\" contact of bodies that "
-                                    "turn is not worked out (\"events\" works it out; with \"solid\": false it is "
-                                    "meant to pass)"),
-                                  tinker_scene_block_name(model->scene, model->body_blocks[body])));
+    for (int32_t i = 0; i < contacts->plate_count; i++) {
+        if (contacts->plates[i].turned == NULL) continue;
+        g_set_error(
+            error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_METHOD,
+            _("%s turns with what lies on it, which contacts as impulses do not know (treat contacts as events: "
+              "leave \"contacts\" out of the scene's run; or set \"solid\" of the support to false)"),
+            tinker_scene_block_name(contacts->model->scene, contacts->plates[i].block));
+        return FALSE;
+    }
+    return TRUE;
+}
+
+static gboolean refuse_law(const TinkerIsland *island, GError **error)
+{
+    g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_METHOD,
+                _("contacts as impulses know Newton's law of impact alone, and impact_law of the run is \"%s\" (treat "
+                  "contacts as events: leave \"contacts\" out of the scene's run; or leave \"impact_law\" out)"),
+                tinker_scene_head(island->model->scene)->run.impact_law);
+    return FALSE;
+}
+
+/* FALSE where a constraint holds a body with a shape, which contacts as impulses would have to solve it with. */
+static gboolean check_shapes_free(const TinkerModel *model, GError **error)
+{
+    const TinkerConstraints *all = &model->constraints;
+    for (int32_t row = 0; row < all->rows; row++)
+        for (int32_t e = all->row_starts[row]; e < all->row_starts[row + 1]; e++) {
+            const int32_t body = all->points[e];
+            if (body >= model->bodies || !tinker_contacts_has_outline(model->contacts, body)) continue;
+            const char *name = tinker_scene_block_name(model->scene, model->body_blocks[body]);
+            g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_METHOD,
+                        _("%s holds %s, which meets others with its shape: contacts as impulses do not know both "
+                          "together (treat contacts as events: leave \"contacts\" out of the scene's run; or set "
+                          "\"solid\" of %s, of a mass \"collides\", to false)"),
+                        tinker_scene_block_name(model->scene, all->blocks[row]), name, name);
+            return FALSE;
+        }
+    return TRUE;
+}
+
+/* FALSE where a body has a notch: one normal of a pair says nothing of it. */
+static gboolean check_shapes_convex(const TinkerContacts *contacts, GError **error)
+{
+    const TinkerModel *model = contacts->model;
+    for (int32_t i = 0; i < model->bodies; i++) {
+        if (contacts->outlines[i].triangles == NULL) continue;
+        g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_METHOD,
+                    _("%s has corners that turn inwards, which contacts as impulses do not know (treat contacts as "
+                      "events: leave \"contacts\" out of the scene's run; or set \"solid\" of it to false)"),
+                    tinker_scene_block_name(model->scene, model->body_blocks[i]));
+        return FALSE;
+    }
+    return TRUE;
 }
 
 gboolean tinker_decide(const TinkerIsland *island, const TinkerRunOptions *options, const TinkerSpectrum *spectrum,
                        TinkerDecision *decision, GPtrArray *warnings, GError **error)
 {
     const TinkerContacts *contacts = island->model->contacts;
-    gboolean impulses = options->impulses && contacts != NULL && contacts->plate_count > 0;
+    gboolean impulses = options->impulses && tinker_contacts_can_meet(contacts);
     gboolean automatic = !impulses && g_str_equal(options->method, "auto");
     const TinkerIntegrator *method = &tinker_integrator_impulse;
     if (!impulses) method = tinker_run_method(island->model->scene, options->method, error);
-    if (impulses) warn_of_turning(island->model, warnings);
+    if (options->impulses && g_strcmp0(tinker_scene_head(island->model->scene)->run.impact_law, "newton") != 0)
+        return refuse_law(island, error);
     if (options->impulses && island->model->constraints.unilateral != NULL) return refuse_ropes(island, error);
+    if (impulses && !(check_tops_stay(contacts, error) && check_shapes_free(island->model, error) &&
+                      check_shapes_convex(contacts, error)))
+        return FALSE;
+    if (impulses && warnings != NULL) tinker_impulse_tell_overlaps(contacts, warnings);
     if (method == NULL || !tinker_run_options_check(options, method, tinker_options_duration(options), error))
         return FALSE;
     if (!automatic && (method->flags & TINKER_INTEGRATOR_LINEAR) && island->linear == NULL)

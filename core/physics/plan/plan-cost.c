@@ -11,6 +11,7 @@
 #include "physics/plan/islands.h"
 #include "physics/plan/plan-private.h"
 #include "physics/plan/run-options.h"
+#include "physics/plan/tolerances.h"
 #include "physics/system/method-call.h"
 
 /* Of one evaluation: whatever there is, and for each part of the model. */
@@ -41,8 +42,6 @@
 #define NONLINEAR_HASTE 4.0
 /* Local errors that a run adds up are measured over this many radians. */
 #define CALIBRATION_RADIANS 628.0
-/* As tight as a tolerance is made where that costs nothing. */
-#define FREE_TOLERANCE 1e-6
 
 /* Of adaptive methods, measured on an oscillator: steps a radian at the tolerance 1e-9, which go with the tolerance to
  * the power -1 / root; and the error after CALIBRATION_RADIANS in units of the tolerance. */
@@ -69,7 +68,8 @@ static double asked(const GArray *batches, double per_instance)
     return sum;
 }
 
-double tinker_cost_evaluation(const TinkerIsland *island)
+/* Operations of one evaluation of an island's accelerations. */
+static double evaluation_cost(const TinkerIsland *island)
 {
     const TinkerModel *model = island->model;
     if (island->linear != NULL) {
@@ -90,7 +90,7 @@ static double sample_operations(const TinkerIsland *island)
 static double explicit_operations(const TinkerIsland *island, double steps, double evaluations)
 {
     return steps * (PER_STEP + PROJECTIONS * PER_ROW * island->model->constraints.rows) +
-           evaluations * (tinker_cost_evaluation(island) + PER_STAGE_COORDINATE * coordinates(island));
+           evaluations * (evaluation_cost(island) + PER_STAGE_COORDINATE * coordinates(island));
 }
 
 /* Explicit, adaptive ------------------------------------------------------------------------------------------------
@@ -150,12 +150,12 @@ double tinker_free_tolerance(const TinkerIsland *island, const TinkerForecast *f
                              double tolerance)
 {
     Adaptive known = adaptive_of(method);
-    if (!(method->flags & TINKER_INTEGRATOR_EXPLICIT) || tolerance <= FREE_TOLERANCE) return tolerance;
+    if (!(method->flags & TINKER_INTEGRATOR_EXPLICIT) || tolerance <= TINKER_FREE_TOLERANCE) return tolerance;
     double stability = stability_rate(forecast, method);
     double accuracy = known.steps * deciding_frequency(island, forecast, known.root, tolerance);
     if (!(stability > accuracy * pow(1e-9 / tolerance, 1 / known.root))) return tolerance;
     double free = tinker_round_down(1e-9 * pow(accuracy / stability, known.root));
-    return fmin(tolerance, fmax(FREE_TOLERANCE, free));
+    return fmin(tolerance, fmax(TINKER_FREE_TOLERANCE, free));
 }
 
 /* The method is tried on the oscillator: it may be a plugin's. */
@@ -232,7 +232,7 @@ static double band_width(const TinkerIsland *island)
 
 static double implicit_step_operations(const TinkerIsland *island)
 {
-    double n = coordinates(island), width = band_width(island), evaluation = tinker_cost_evaluation(island);
+    double n = coordinates(island), width = band_width(island), evaluation = evaluation_cost(island);
     double solve = n * (4 * width + 20), factor = n * (2 * width * width + 8), rows = island->model->constraints.rows;
     if (island->linear != NULL) return PER_STEP + evaluation + solve + PER_STAGE_COORDINATE * n;
     return PER_STEP + NEWTON_STEPS * ((1 + JACOBIAN_SHARE) * evaluation + factor + solve) +

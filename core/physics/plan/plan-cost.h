@@ -18,9 +18,6 @@ typedef struct {
 /* Seconds that an operation takes on the machine that the counts were calibrated on. */
 #define TINKER_SECONDS_PER_OPERATION 2.5e-10
 
-/* Operations of one evaluation of an island's accelerations. */
-double tinker_cost_evaluation(const TinkerIsland *island);
-
 /* The tolerance that an explicit adaptive method keeps at the same cost, as stability makes its steps small anyway: at
  * most the one asked for. Energies that strong dampers take are known far worse than places are at a loose one. */
 double tinker_free_tolerance(const TinkerIsland *island, const TinkerForecast *forecast, const TinkerIntegrator *method,

@@ -43,7 +43,7 @@ static int32_t count_asked(const GArray *batches)
 static int32_t first_solid(const TinkerModel *model)
 {
     for (int32_t i = 0; model->contacts != NULL && i < model->bodies; i++)
-        if (model->contacts->reach[i] > 0) return i;
+        if (tinker_model_turn_of(model, i) >= 0 && model->contacts->reach[i] > 0) return i;
     return -1;
 }
 
@@ -55,24 +55,42 @@ static gboolean any_meet(const TinkerContacts *contacts)
 }
 
 /* Contact of bodies among themselves. */
-static void describe_meeting(TinkerPlan *plan, const TinkerModel *model)
+static void describe_meeting(TinkerPlan *plan, const TinkerModel *model, const TinkerRunOptions *options)
 {
     int32_t solid = 0;
     char text[128];
     for (int32_t i = 0; model->contacts != NULL && i < model->bodies; i++)
-        solid += model->contacts->reach[i] > 0;
-    if (!any_meet(model->contacts)) {
+        solid += tinker_contacts_has_outline(model->contacts, i);
+    const gboolean meet = options->impulses ? solid > 1 : any_meet(model->contacts);
+    if (!meet) {
         if (model->bodies > 1) say(plan->left_out, _("contact between bodies: they pass through each other"));
         return;
     }
     say(plan->modelled,
-        _("contact among %s, with a friction of 0.5 and without rebound: impacts and changes of friction are events"),
-        counted(text, g_dngettext(GETTEXT_PACKAGE, "%d body that turns", "%d bodies that turn", (gulong)solid), solid));
+        options->impulses ? _("contact among %s: impulses, once a step")
+                          : _("contact among %s: impacts and changes of friction are events"),
+        counted(text, g_dngettext(GETTEXT_PACKAGE, "%d body that meets others", "%d bodies that meet", (gulong)solid),
+                solid));
     if (solid < model->bodies)
         say(plan->left_out, _("contact of other bodies with each other and with these: they pass through each other"));
 }
 
-static void describe_bodies(TinkerPlan *plan, const TinkerModel *model)
+/* Whether a solid body has an outline of more points than contact takes. */
+static gboolean has_long_outline(const TinkerModel *model)
+{
+    for (guint i = 0; model->turning > 0 && i < model->batches->len; i++) {
+        const TinkerBlockBatch *batch = g_ptr_array_index(model->batches, i);
+        const TinkerPhysics *physics = batch->block_class->physics;
+        if (physics == NULL || physics->body == NULL || physics->body->shape != TINKER_SHAPE_OUTLINE) continue;
+        for (int32_t row = 0; batch->point_list_count > 0 && row < batch->count; row++)
+            if (batch->point_lists[row * batch->point_list_count].count > TINKER_MOST_CORNERS &&
+                tinker_block_batch_meaning(batch, row, TINKER_MEANING_SOLID, 0, 0) != 0)
+                return TRUE;
+    }
+    return FALSE;
+}
+
+static void describe_bodies(TinkerPlan *plan, const TinkerModel *model, const TinkerRunOptions *options)
 {
     char text[128];
     TinkerModelSizes sizes = tinker_model_sizes(model);
@@ -94,7 +112,9 @@ static void describe_bodies(TinkerPlan *plan, const TinkerModel *model)
     if (model->turning > 0 && first_solid(model) < 0)
         say(plan->left_out,
             _("contact of bodies that turn: none of them is solid, or nothing that they could meet is"));
-    describe_meeting(plan, model);
+    if (has_long_outline(model))
+        say(plan->left_out, _("contact of plates with more than 64 corners: they pass through everything"));
+    describe_meeting(plan, model, options);
 }
 
 static void describe_lines(TinkerPlan *plan, const TinkerModel *model)
@@ -142,9 +162,20 @@ static void describe_fields(TinkerPlan *plan, const TinkerModel *model)
             asked);
 }
 
+/* How many joints move as they are told, such as drives. */
+static int32_t count_prescribed(const TinkerConstraints *all)
+{
+    int32_t count = 0;
+    for (guint i = 0; i < all->batches->len; i++) {
+        const TinkerConstraintBatch *part = &g_array_index(all->batches, TinkerConstraintBatch, i);
+        if (part->constraint->prescribed_rate != NULL) count += part->batch->count;
+    }
+    return count;
+}
+
 static void describe_forces(TinkerPlan *plan, const TinkerModel *model)
 {
-    int32_t asked = count_asked(model->asked_forces);
+    int32_t asked = count_asked(model->asked_forces), prescribed = count_prescribed(&model->constraints);
     if (model->driven->len > 0)
         say(plan->modelled,
             g_dngettext(GETTEXT_PACKAGE, "%u force of time alone", "%u forces of time alone",
@@ -155,7 +186,13 @@ static void describe_forces(TinkerPlan *plan, const TinkerModel *model)
             g_dngettext(GETTEXT_PACKAGE, "%d force that depends on the state", "%d forces that depend on the state",
                         (gulong)asked),
             asked);
-    if (model->driven->len == 0 && asked == 0 && model->constant_force == NULL)
+    if (prescribed > 0)
+        say(plan->modelled,
+            g_dngettext(GETTEXT_PACKAGE, "%d prescribed motion of a joint, and the force or torque that it takes",
+                        "%d prescribed motions of joints, and the forces or torques that they take",
+                        (gulong)prescribed),
+            prescribed);
+    if (model->driven->len == 0 && asked == 0 && prescribed == 0 && model->constant_force == NULL)
         say(plan->left_out, _("driving forces: no block applies one"));
 }
 
@@ -254,7 +291,7 @@ static gboolean is_rough(const TinkerModel *model)
 {
     const TinkerContacts *contacts = model->contacts;
     for (int32_t i = 0; contacts != NULL && i < contacts->plate_count; i++)
-        if (contacts->plates[i].static_friction > 0) return TRUE;
+        if (contacts->plates[i].surface.static_friction > 0) return TRUE;
     return FALSE;
 }
 
@@ -266,9 +303,7 @@ static void describe_contact(TinkerPlan *plan, TinkerModel *model, const TinkerR
         say(plan->left_out, _("contact and friction: nothing has a solid side that a body could meet"));
         return;
     }
-    const int32_t shapes = count_shapes(contacts), turns = first_solid(model);
-    if (turns >= 0 && options->impulses)
-        say(plan->left_out, _("contact of bodies that turn: impulses are worked out for masses alone"));
+    const int32_t shapes = count_shapes(contacts);
     gboolean rough = is_rough(model);
     counted(bodies, g_dngettext(GETTEXT_PACKAGE, "%d body", "%d bodies", (gulong)shapes), shapes);
     counted(plates, g_dngettext(GETTEXT_PACKAGE, "%d solid side", "%d solid sides", (gulong)contacts->plate_count),
@@ -329,7 +364,7 @@ static void describe_islands(TinkerPlan *plan)
 
 void tinker_plan_describe(TinkerPlan *plan, TinkerModel *model, const TinkerRunOptions *options)
 {
-    describe_bodies(plan, model);
+    describe_bodies(plan, model, options);
     describe_islands(plan);
     describe_lines(plan, model);
     describe_fields(plan, model);

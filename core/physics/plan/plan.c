@@ -12,13 +12,11 @@
 #include "physics/plan/islands.h"
 #include "physics/plan/plan-private.h"
 #include "physics/plan/run-options.h"
+#include "physics/plan/tolerances.h"
 #include "physics/system/method-call.h"
 
-/* What is left of a dependent row, as constraints.c has it; rows of one island up to which they are named. */
-#define DEPENDENT  1e-5
+/* Rows of one island up to which those that depend on others are named. */
 #define MOST_NAMED 600
-/* Beside how fast an island that is not linear changes: the root of what rounding makes of a stiffness. */
-#define LEAST_SWING 1e-6
 
 static void island_plan_free(gpointer data)
 {
@@ -60,7 +58,7 @@ static GArray *blocks_of(const TinkerModel *model)
 /* Whether a frequency is more than rounding: what pulls along and across a level bar or rod cancels to that. */
 static gboolean swings(const TinkerIsland *island, double omega, const TinkerDecision *decision)
 {
-    return island->linear != NULL || omega > LEAST_SWING * decision->speed_of_change;
+    return island->linear != NULL || omega > TINKER_LEAST_SWING * decision->speed_of_change;
 }
 
 static TinkerIslandPlan *plan_island(const TinkerIsland *island, const TinkerRunOptions *options, GPtrArray *warnings,
@@ -93,6 +91,7 @@ static TinkerIslandPlan *plan_island(const TinkerIsland *island, const TinkerRun
     plan->operations += tinker_cost_samples(island, plan->choice.method, tinker_options_samples(options));
     plan->expected_s = plan->operations * TINKER_SECONDS_PER_OPERATION;
     plan->spectrum = g_steal_pointer(&spectrum);
+    plan->shafts = island->linear != NULL && tinker_linear_form_is_of_shafts(island->linear);
     if (island->linear != NULL) plan->straight = tinker_linear_form_is_straight(island->linear, plan->direction);
     return plan;
 }
@@ -114,7 +113,7 @@ static double take_out(gsize n, gsize count, const double *others, double *row)
     }
     for (gsize i = 0; i < n; i++)
         left += row[i] * row[i];
-    gboolean stays = size > 0 && left > DEPENDENT * DEPENDENT * size;
+    gboolean stays = size > 0 && left > TINKER_DEPENDENT_LENGTH * TINKER_DEPENDENT_LENGTH * size;
     for (gsize i = 0; i < n; i++)
         row[i] = stays ? row[i] / sqrt(left) : 0;
     return stays ? sqrt(left / size) : 0;
@@ -132,6 +131,7 @@ static void name_redundant(TinkerModel *model, GPtrArray *names)
     g_autofree TinkerCoordinateEntry *entries = tinker_constraints_row_room(all);
     TinkerBlockId last = TINKER_NO_BLOCK;
     for (int32_t row = 0; row < all->rows; row++) {
+        if (tinker_constraints_is_idle(all, row)) continue;
         double *own = rows + (gsize)row * n;
         const int32_t count = tinker_constraints_list_row(all, row, entries);
         for (int32_t k = 0; k < count; k++)

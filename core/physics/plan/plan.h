@@ -20,6 +20,7 @@ typedef struct {
     GArray *blocks; /* of TinkerBlockId: bodies, then what acts on them, in scene order */
     int32_t bodies, degrees_of_freedom, constraint_rows, redundant_rows;
     gboolean linear, straight;
+    gboolean shafts;          /* linear, as bodies on fixed axes */
     double direction[2];      /* of a straight one */
     double sideways_growth;   /* 1/s: straight motion is not stable; 0 */
     double omega_max;         /* rad/s: as the spectrum has it */

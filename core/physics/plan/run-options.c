@@ -40,15 +40,18 @@ static gboolean refuse(GError **error, const char *format, ...)
     return FALSE;
 }
 
-/* Those of the plugins that could be opened; the names are borrowed. */
-static void add_plugin_methods(const GPtrArray *libraries, GPtrArray *names)
+GPtrArray *tinker_method_ids(TinkerCatalogue *catalogue, guint *builtins)
 {
-    for (guint i = 0; i < libraries->len; i++) {
-        const TinkerLibraryEntry *library = g_ptr_array_index(libraries, i);
-        if (library->refused != NULL || library->shadowed_by != NULL) continue;
-        for (guint k = 0; k < library->integrators->len; k++)
-            g_ptr_array_add(names, g_ptr_array_index(library->integrators, k));
-    }
+    GPtrArray *ids = g_ptr_array_new_with_free_func(g_free);
+    g_ptr_array_add(ids, g_strdup("auto"));
+    for (const TinkerIntegrator *const *each = tinker_integrator_builtins(); *each != NULL; each++)
+        g_ptr_array_add(ids, g_strdup((*each)->id));
+    if (builtins != NULL) *builtins = ids->len;
+    g_autoptr(GPtrArray) libraries = tinker_catalogue_libraries(catalogue);
+    g_autoptr(GPtrArray) of_plugins = tinker_libraries_integrators(libraries);
+    for (guint i = 0; i < of_plugins->len; i++)
+        g_ptr_array_add(ids, g_strdup(of_plugins->pdata[i]));
+    return ids;
 }
 
 /* "auto, rk4, and of plugins heun"; `names` ends with NULL, `builtins` of them are built in. (transfer full) */
@@ -70,13 +73,8 @@ static const TinkerIntegrator *unknown_method(TinkerCatalogue *catalogue, const 
                               "the scene's run)"));
         return NULL;
     }
-    g_autoptr(GPtrArray) names = g_ptr_array_new();
-    g_ptr_array_add(names, (gpointer) "auto");
-    for (const TinkerIntegrator *const *each = tinker_integrator_builtins(); *each != NULL; each++)
-        g_ptr_array_add(names, (gpointer)(*each)->id);
-    guint builtins = names->len;
-    g_autoptr(GPtrArray) libraries = tinker_catalogue_libraries(catalogue);
-    add_plugin_methods(libraries, names);
+    guint builtins;
+    g_autoptr(GPtrArray) names = tinker_method_ids(catalogue, &builtins);
     g_ptr_array_add(names, NULL);
     g_autofree char *list = list_of(names, builtins);
     const char *nearest = tinker_nearest_word(id, (const char *const *)names->pdata);

@@ -40,6 +40,10 @@ double tinker_options_samples(const TinkerRunOptions *options);
  * TINKER_MODEL_ERROR_METHOD. */
 const TinkerIntegrator *tinker_run_method(TinkerScene *scene, const char *id, GError **error);
 
+/* Of all methods that a run may name: "auto", those that are built in (`builtins`, unless NULL, is how many these are
+ * with "auto"), those of plugins; of char *. (transfer full) */
+GPtrArray *tinker_method_ids(TinkerCatalogue *catalogue, guint *builtins);
+
 gboolean tinker_run_options_check(const TinkerRunOptions *options, const TinkerIntegrator *method, double duration,
                                   GError **error);
 

@@ -1,5 +1,6 @@
 /* Tries, one after another, each a simulation of its own on the same model. */
 #include "physics/run/accurate-run.h"
+#include "physics/plan/tolerances.h"
 
 #include <glib/gi18n-lib.h>
 #include <math.h>
@@ -23,8 +24,6 @@
  * tolerances. */
 #define MOST_SHORTENING 30.0
 #define LEAST_SHARE     1e-8
-/* No tolerance is made tighter: rounding is all that is left there. */
-#define LEAST_TOLERANCE 1e-14
 
 /* How the islands are stepped from the start. (transfer full) */
 static TinkerChoice *choices_of(const TinkerSimulation *simulation)
@@ -46,7 +45,7 @@ static gboolean tighten(TinkerChoice *choices, guint count, double share)
             choice->step *= fmax(pow(share, 1.0 / MAX(choice->method->order, 1)), 1 / MOST_SHORTENING);
         else
             choice->tolerance =
-                fmin(choice->tolerance, fmax(LEAST_TOLERANCE, choice->tolerance * fmax(share, LEAST_SHARE)));
+                fmin(choice->tolerance, fmax(TINKER_TIGHTEST_TOLERANCE, choice->tolerance * fmax(share, LEAST_SHARE)));
         tighter |= choice->step < before.step || choice->tolerance < before.tolerance;
     }
     return tighter;

@@ -5,6 +5,7 @@
 #include "physics/compile/compile.h"
 #include "physics/contact/contacts.h"
 #include "physics/force/forces.h"
+#include "physics/model/angles.h"
 #include "physics/model/model-data.h"
 #include "physics/plan/run-options.h"
 #include "physics/run/simulation-private.h"
@@ -47,9 +48,9 @@ static TinkerBlockId block_of(const TinkerModel *model, int32_t point)
     return tinker_model_block_of(model, point);
 }
 
-/* A force that acts at a point of the model: end `end` of the block, or -1. */
+/* A force that acts at a point of the model, and a torque beside it: end `end` of the block, or -1. */
 static void add(TinkerActingForces *forces, TinkerActingKind kind, TinkerBlockId by, int32_t end, int32_t point,
-                double fx, double fy)
+                double fx, double fy, double torque)
 {
     const TinkerModel *model = forces->model;
     const TinkerPoint *at = &model->point[point];
@@ -60,6 +61,7 @@ static void add(TinkerActingForces *forces, TinkerActingKind kind, TinkerBlockId
                                .y = at->y + model->origin[1],
                                .fx = fx,
                                .fy = fy,
+                               .torque = torque,
                                .end = end};
     g_array_append_val(forces->out, force);
 }
@@ -76,8 +78,8 @@ static TinkerStatus add_lines(TinkerActingForces *forces, const TinkerBlockBatch
         if (status != TINKER_OK) return status;
         for (int32_t i = 0; i < count; i++) {
             double fx = chunk.tension[i] * chunk.x[i], fy = chunk.tension[i] * chunk.y[i];
-            add(forces, TINKER_ACTING_LINE, batch->ids[first + i], 0, points[2 * i], fx, fy);
-            add(forces, TINKER_ACTING_LINE, batch->ids[first + i], 1, points[2 * i + 1], -fx, -fy);
+            add(forces, TINKER_ACTING_LINE, batch->ids[first + i], 0, points[2 * i], fx, fy, 0);
+            add(forces, TINKER_ACTING_LINE, batch->ids[first + i], 1, points[2 * i + 1], -fx, -fy, 0);
         }
     }
     return TINKER_OK;
@@ -90,8 +92,10 @@ static TinkerStatus add_elements(TinkerActingForces *forces, const TinkerBlockBa
         TinkerElementForces on;
         TinkerStatus status = tinker_model_ask_element(forces->model, batch, points, row, 1, &on);
         if (status != TINKER_OK) return status;
-        for (int32_t e = 0; e < batch->end_offsets[row + 1] - batch->end_offsets[row]; e++)
-            add(forces, TINKER_ACTING_ELEMENT, batch->ids[row], e, points[e], on.force[2 * e], on.force[2 * e + 1]);
+        for (int32_t e = 0; e < batch->end_offsets[row + 1] - batch->end_offsets[row]; e++) {
+            add(forces, TINKER_ACTING_ELEMENT, batch->ids[row], e, points[e], on.force[2 * e], on.force[2 * e + 1],
+                on.torque != NULL ? on.torque[e] : 0);
+        }
     }
     return TINKER_OK;
 }
@@ -103,7 +107,7 @@ static TinkerStatus add_fields(TinkerActingForces *forces, const TinkerBlockBatc
         TinkerStatus status = tinker_model_ask_field(forces->model, batch, row, 1, &force);
         if (status != TINKER_OK) return status;
         for (int32_t i = 0; i < forces->model->bodies; i++)
-            add(forces, TINKER_ACTING_FIELD, batch->ids[row], -1, i, force[2 * i], force[2 * i + 1]);
+            add(forces, TINKER_ACTING_FIELD, batch->ids[row], -1, i, force[2 * i], force[2 * i + 1], 0);
     }
     return TINKER_OK;
 }
@@ -117,13 +121,16 @@ static void add_constraints(TinkerActingForces *forces, const TinkerConstraintBa
     for (int32_t i = 0; i < batch->count; i++) {
         int32_t from = batch->end_offsets[i], ends = batch->end_offsets[i + 1] - from;
         for (int32_t e = 0; e < ends; e++) {
-            double fx = 0, fy = 0;
-            for (int32_t row = part->first_row + i * rows; row < part->first_row + (i + 1) * rows; row++) {
+            double fx = 0, fy = 0, torque = 0;
+            for (int32_t r = 0; r < rows; r++) {
+                const int32_t row = part->first_row + i * rows + r;
                 const double *jacobian = all->jacobian + 2 * (all->row_starts[row] + e);
                 fx += all->lambda[row] * jacobian[0];
                 fy += all->lambda[row] * jacobian[1];
+                if (part->angles != NULL)
+                    torque += all->lambda[row] * part->angles->angular[rows * from + r * ends + e];
             }
-            add(forces, TINKER_ACTING_CONSTRAINT, batch->ids[i], e, part->end_points[from + e], fx, fy);
+            add(forces, TINKER_ACTING_CONSTRAINT, batch->ids[i], e, part->end_points[from + e], fx, fy, torque);
         }
     }
 }
@@ -135,7 +142,7 @@ static void add_straight_rows(TinkerActingForces *forces)
     for (int32_t row = all->first_straight; row < all->rows; row++)
         for (int32_t e = all->row_starts[row]; e < all->row_starts[row + 1]; e++)
             add(forces, TINKER_ACTING_CONSTRAINT, all->blocks[row], -1, all->ends_at[e],
-                all->lambda[row] * all->jacobian[2 * e], all->lambda[row] * all->jacobian[2 * e + 1]);
+                all->lambda[row] * all->jacobian[2 * e], all->lambda[row] * all->jacobian[2 * e + 1], 0);
 }
 
 /* One force of a contact and the opposite one on the plate, both where they touch. */
@@ -187,6 +194,22 @@ static void add_gap(TinkerActingForces *forces, const TinkerContact *contact)
     }
 }
 
+/* As impulses have it: on the first, and the opposite on the other. */
+static void add_pressing(TinkerActingForces *forces, const TinkerPressing *each)
+{
+    const TinkerModel *model = forces->model;
+    const TinkerBlockId on = tinker_model_block_of(model, each->body), by = tinker_model_block_of(model, each->by);
+    const double *n = each->normal, x = each->at[0] + model->origin[0], y = each->at[1] + model->origin[1];
+    const double push[2][2] = {{each->press * n[0], each->press * n[1]},
+                               {each->friction * n[1], -each->friction * n[0]}};
+    for (int k = 0; k < 2; k++) {
+        const TinkerActingKind kind = k == 0 ? TINKER_ACTING_NORMAL : TINKER_ACTING_FRICTION;
+        TinkerActingForce pair[2] = {{by, on, kind, x, y, push[k][0], push[k][1], 0, -1},
+                                     {on, by, kind, x, y, -push[k][0], -push[k][1], 0, -1}};
+        g_array_append_vals(forces->out, pair, 2);
+    }
+}
+
 static void add_contacts(TinkerActingForces *forces)
 {
     const TinkerContacts *contacts = forces->model->contacts;
@@ -200,6 +223,8 @@ static void add_contacts(TinkerActingForces *forces)
         add_touch(forces, TINKER_ACTING_NORMAL, contact, contact->normal * n[0], contact->normal * n[1]);
         add_touch(forces, TINKER_ACTING_FRICTION, contact, contact->friction * n[1], -contact->friction * n[0]);
     }
+    for (guint i = 0; contacts != NULL && i < contacts->pressings->len; i++)
+        add_pressing(forces, &g_array_index(contacts->pressings, TinkerPressing, i));
 }
 
 static TinkerStatus add_all(TinkerActingForces *forces)

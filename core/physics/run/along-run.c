@@ -9,11 +9,7 @@
 #include "physics/force/forces.h"
 #include "physics/model/model-data.h"
 #include "physics/record/columns.h"
-
-/* Of a path's length: far below what any method is asked for. */
-#define TOLERANCE 1e-13
-/* Of the greatest speed nearby: slower than that a body is turning back. */
-#define STANDS 1e-9
+#include "physics/run/tolerances.h"
 
 /* The bodies of one island whose paths are wanted. */
 typedef struct {
@@ -146,7 +142,7 @@ static void velocity_at(const Speeds *speeds, guint place, double t, double velo
 /* Whether a body came back: one that all but stands has no direction. */
 static gboolean turns_back(const double from[2], const double to[2], double fastest)
 {
-    const double least = STANDS * fastest, product = from[0] * to[0] + from[1] * to[1];
+    const double least = TINKER_TURNS_BACK * fastest, product = from[0] * to[0] + from[1] * to[1];
     return product < 0 && hypot(from[0], from[1]) > least && hypot(to[0], to[1]) > least;
 }
 
@@ -191,7 +187,7 @@ TinkerStatus tinker_along_run_follow(TinkerAlongRun *self, guint island, double 
     if (paths->bodies->len == 0 || !(t > paths->until)) return TINKER_OK;
     Speeds speeds = {self, paths};
     TinkerStatus status = tinker_integrate(speeds_at, kink_between, &speeds, (int32_t)paths->bodies->len, paths->until,
-                                           t, TOLERANCE, paths->lengths, self->room);
+                                           t, TINKER_PATH_TOLERANCE, paths->lengths, self->room);
     paths->until = t;
     return status;
 }

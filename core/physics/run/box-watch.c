@@ -33,7 +33,8 @@ static void add_batch(GArray *watched, const TinkerModel *model, const TinkerBlo
         Watched each = {.box = {.block = batch->ids[row],
                                 .angle = angle,
                                 .width = tinker_block_batch_meaning(batch, row, TINKER_MEANING_WIDTH, 0, 0),
-                                .height = tinker_block_batch_meaning(batch, row, TINKER_MEANING_HEIGHT, 0, 0)},
+                                .height = tinker_block_batch_meaning(batch, row, TINKER_MEANING_HEIGHT, 0, 0),
+                                .collides = tinker_block_batch_meaning(batch, row, TINKER_MEANING_COLLIDES, 0, 0) != 0},
                         .start_angle = angle,
                         .body = tinker_model_centre(model, batch->ids[row])};
         tinker_box_reach(&each.box, each.reach);
@@ -143,6 +144,7 @@ gboolean tinker_box_watch_look(TinkerBoxWatch *watch, const double *q, const dou
             const Watched *b = watch->order[k];
             const double apart = across == 0 ? b->box.x - a->box.x : b->box.y - a->box.y;
             double time;
+            if (a->box.collides && b->box.collides) continue;
             if (fabs(apart) < a->reach[across] + b->reach[across] && tinker_boxes_meet(&a->box, &b->box, 0, &time))
                 keep(pair, a->box.block, b->box.block);
         }

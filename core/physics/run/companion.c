@@ -6,6 +6,7 @@
 #include "physics/model/model-data.h"
 #include "physics/plan/plan.h"
 #include "physics/plan/run-options.h"
+#include "physics/run/tolerances.h"
 #include "physics/system/method-call.h"
 
 #include <float.h>
@@ -24,8 +25,6 @@
  * are. */
 #define OFF_WHERE_ENDS_PASS     (6 * DBL_EPSILON)
 #define OFF_WHERE_BODIES_STRIKE (16 * DBL_EPSILON)
-/* Of the extent: ends nearer to each other pass, or nearly do. */
-#define NEAR 1e-9
 
 /* Of one island: how the ends of its lines were apart last, 2 a line (m). */
 struct _TinkerCompanionEnds {
@@ -137,7 +136,7 @@ static gboolean have_passed(TinkerCompanionEnds *ends)
         const TinkerPoint *a = &model->point[model->lines.a[i]], *b = &model->point[model->lines.b[i]];
         const double x = b->x - a->x, y = b->y - a->y;
         double *apart = ends->apart + 2 * i;
-        passed |= hypot(x, y) <= NEAR * extent || apart[0] * x + apart[1] * y < 0;
+        passed |= hypot(x, y) <= TINKER_ENDS_MEET * extent || apart[0] * x + apart[1] * y < 0;
         apart[0] = x;
         apart[1] = y;
     }

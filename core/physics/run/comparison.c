@@ -17,21 +17,14 @@
 #include "physics/record/columns.h"
 #include "physics/run/companion.h"
 #include "physics/run/island-runs.h"
+#include "physics/run/tolerances.h"
 #include "physics/system/method-call.h"
 
-/* Errors below this share of the scales are rounding. */
-#define FLOOR (100 * DBL_EPSILON)
-/* Beyond this share of the scales the motion is not predictable. */
-#define UNPREDICTABLE 0.1
-/* Samples so near to an impact (a share of the time) may lie on either side of it. */
-#define NEAR_IMPACT 1e-6
 /* Near an impact, in steps, where an impact is one of a whole step. */
 #define STEPS_NEAR_IMPACT 3
 /* One impact comes to the run and to its companion this much apart: so long after it they are taken to be
  * behind it. */
 #define BEHIND_IMPACT 2
-/* Instants are the same within this share of the time. */
-#define SAME_INSTANT 1e-12
 /* No step of an adaptive companion is longer than this share of the run's. */
 #define LONGEST_STEP 0.58
 /* us: so long a companion that nobody waits for any more has to catch up. */
@@ -163,7 +156,7 @@ TinkerImpacts tinker_impacts_of(const TinkerIslandRun *run)
 /* Within the reach of an impact the two may stand on its two sides, where velocities tell nothing. */
 static gboolean strikes_near(const TinkerImpacts *impacts, double t)
 {
-    return fabs(impacts->last - t) <= (impacts->within > 0 ? impacts->within : NEAR_IMPACT * t);
+    return fabs(impacts->last - t) <= (impacts->within > 0 ? impacts->within : TINKER_NEAR_IMPACT * t);
 }
 
 /* An impact comes to the two at two instants; between them velocities tell nothing. */
@@ -276,7 +269,7 @@ static void give_up(TinkerComparison *self, double t, guint warnings, GError *fa
 static gboolean aim(Part *part, TinkerIslandRun *other)
 {
     const double t = other->state.t;
-    while (part->behind < part->points && part->times[part->behind] - t <= SAME_INSTANT * part->to)
+    while (part->behind < part->points && part->times[part->behind] - t <= TINKER_SAME_INSTANT * part->to)
         part->behind++;
     const gboolean lands = part->behind < part->points;
     const double beyond = part->beyond > t ? part->beyond : t + LONGEST_STEP * part->length;
@@ -379,10 +372,10 @@ static void take_sample(TinkerComparison *self, const TinkerSampleNews *news)
         give_up(self, news->t, news->warnings, failed);
         return;
     }
-    findings->error = FLOOR;
+    findings->error = TINKER_ERROR_FLOOR;
     for (guint i = 0; i < self->islands; i++)
         findings->error = fmax(findings->error, error_of(self, i, &islands[i], q, v, news->t));
-    if (!(findings->error > UNPREDICTABLE))
+    if (!(findings->error > TINKER_UNPREDICTABLE))
         findings->predictable_until = INFINITY;
     else if (isinf(findings->predictable_until))
         findings->predictable_until = news->t;

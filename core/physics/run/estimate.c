@@ -19,12 +19,11 @@
 #include "physics/run/comparison.h"
 #include "physics/run/relay.h"
 #include "physics/run/simulation.h"
+#include "physics/run/tolerances.h"
 #include "physics/system/method-call.h"
 
 /* How far a random walk of roundings goes, in units of the root of their number. */
 #define WALK 4.0
-/* Of how far bodies are from the middle of what they rest on. */
-#define REST 1e-9
 /* An adaptive companion lands on these shares of every step of the run: there dense output errs most, and its own
  * steps are so much shorter that it is the finer of the two where a tenth of the tolerance makes no difference, as
  * where stability or a break makes the steps. To reach a sample behind them it makes a step of that share, which
@@ -33,8 +32,6 @@
 static const double landings[] = {0.3, 0.72};
 #define STEP_BEYOND 0.58
 #define NEAR        0.1
-/* Of a step: times so near to its ends are those. */
-#define SAME_TIME 1e-9
 /* Of an island of so many bodies threads share the loops already. */
 #define MANY_BODIES (TINKER_SHARE_LEAST / 2)
 
@@ -213,7 +210,7 @@ static int32_t choose_landings(Part *part, double *times)
 static int32_t choose_ends(Part *part, const TinkerIntegrator *method, double *times)
 {
     int32_t points = 0;
-    const double slack = SAME_TIME * part->grid.spacing, from = part->reached - part->length;
+    const double slack = TINKER_SAME_TIME_IN_STEP * part->grid.spacing, from = part->reached - part->length;
     double next;
     if (method->dense_order < method->order && part->grid.spacing > 0) {
         while ((next = tinker_time_grid_at(&part->grid, part->next_step)) <= from + slack)
@@ -321,7 +318,7 @@ static double rounding(TinkerEstimate *estimate, guint number, double t)
 static gboolean rests(const TinkerIslandRun *run, double extent)
 {
     const TinkerContacts *contacts = run->model->contacts;
-    return tinker_contacts_act(contacts) && extent < REST * tinker_contacts_extent(contacts);
+    return tinker_contacts_act(contacts) && extent < TINKER_RESTS_WITHIN * tinker_contacts_extent(contacts);
 }
 
 /* The largest of the bodies' distances from one place to another. */

@@ -30,6 +30,7 @@ void tinker_event_free(gpointer data)
     TinkerEvent *event = data;
     g_free(event->kind);
     g_free(event->blocks);
+    g_clear_pointer(&event->alternatives, g_array_unref);
     g_free(event);
 }
 
@@ -103,7 +104,7 @@ static gboolean open_runs(TinkerIslandRuns *self, const TinkerChoice *choices, G
         if (run == NULL) return FALSE;
         g_ptr_array_add(self->runs, run);
     }
-    if (self->model->start_impulse > 0) tinker_island_run_add_event(g_ptr_array_index(self->runs, 0), "start", "");
+    if (self->model->start_changed) tinker_island_run_add_event(g_ptr_array_index(self->runs, 0), "start", "");
     return TRUE;
 }
 
@@ -174,12 +175,12 @@ static gboolean call_back(TinkerIslandRuns *self, TinkerIslandRun *run, GError *
 }
 
 /* How the bodies of one island were turned by what they touched, among all. */
-static void collect_orientations(TinkerIslandRuns *self, const TinkerIslandRun *run)
+static void collect_orientations(TinkerIslandRuns *self, const TinkerIslandRun *run, double t)
 {
     gboolean impulses = tinker_method_solves_contact(run->choice.method);
     for (int32_t i = 0; (run->contacts != NULL || impulses) && i < run->model->bodies; i++)
-        self->orientation[run->island->body_of[i]] =
-            impulses ? tinker_impulse_orientation(run->stepper, i) : tinker_contact_run_orientation(run->contacts, i);
+        self->orientation[run->island->body_of[i]] = impulses ? tinker_impulse_orientation(run->stepper, i)
+                                                              : tinker_contact_run_orientation(run->contacts, i, t);
 }
 
 /* Where the bodies of one island are at t, among all. */
@@ -303,7 +304,7 @@ gboolean tinker_island_runs_advance(TinkerIslandRuns *self, double t, GError **e
         if (t > 0 && run->state.t == t && !tinker_island_run_pass_instant(run, end, error)) return FALSE;
         TinkerStatus status = collect(self, run, t);
         if (status != TINKER_OK) return tinker_island_run_fail(run, run->model->failure, error);
-        collect_orientations(self, run);
+        collect_orientations(self, run, t);
     }
     self->sample_time = t;
     return gather_contacts(self, error);

@@ -1,4 +1,5 @@
 /* Steps within a piece, states within a step. */
+#include "physics/event/blows.h"
 #include "physics/event/contact-run.h"
 
 #include <errno.h>
@@ -18,6 +19,7 @@
 #include "physics/plan/plan.h"
 #include "physics/record/sample-times.h"
 #include "physics/run/island-steps.h"
+#include "physics/run/tolerances.h"
 #include "physics/system/books.h"
 #include "physics/system/hold-energy.h"
 #include "physics/system/method-call.h"
@@ -29,8 +31,6 @@
  * many have been that small, one after the other. A stiff start has a few of them. */
 #define MOST_STEPS_TO_COME 1e12
 #define MOST_TINY_STEPS    10000
-/* Of the time at which a pole lies: how near an adaptive method comes to it at least. */
-#define NEAR_POLE 1e-6
 
 static void open_summary(TinkerIslandRun *run, const TinkerSummary *whole)
 {
@@ -63,6 +63,7 @@ static gboolean open_run(TinkerIslandRun *run, double horizon, GError **error)
     run->stability = tinker_stability_watch_new(&run->system, run->choice.method, run->choice.step);
     if (!tinker_method_solves_contact(run->choice.method)) run->contacts = tinker_contact_run_new(run);
     if (run->contacts != NULL && !tinker_contact_run_start(run->contacts, error)) return FALSE;
+    if (!tinker_island_run_strike(run, error)) return FALSE;
     run->directions = tinker_direction_watch_new(run);
     return check_directions(run, error);
 }
@@ -155,7 +156,7 @@ static gboolean is_at_pole(const TinkerIslandRun *run, double limit)
 /* Whether it is the pole that lets no step succeed. */
 static gboolean is_near_pole(const TinkerIslandRun *run)
 {
-    return isfinite(run->pole) && run->pole - run->state.t <= NEAR_POLE * run->pole;
+    return isfinite(run->pole) && run->pole - run->state.t <= TINKER_NEAR_POLE * run->pole;
 }
 
 static gboolean fail_at_pole(TinkerIslandRun *run, GError **error)

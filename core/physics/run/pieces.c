@@ -5,16 +5,15 @@
 
 #include "physics/constraint/constraints.h"
 #include "physics/contact/contacts.h"
+#include "physics/event/blows.h"
 #include "physics/event/contact-run.h"
 #include "physics/force/forces.h"
 #include "physics/island/island-run.h"
 #include "physics/model/breaks.h"
 #include "physics/model/model-data.h"
 #include "physics/run/island-steps.h"
+#include "physics/run/tolerances.h"
 #include "physics/system/method-call.h"
-
-/* A support's place and speed may change by this much of the scales at a break without a rod feeling a jump. */
-#define JUMP_TOLERANCE 1e-9
 
 /* The block of a constraint that is attached to the point, or a body that rests on its plate; or TINKER_NO_BLOCK. */
 static TinkerBlockId constraint_at(const TinkerModel *model, int32_t point)
@@ -50,8 +49,8 @@ static gboolean check_jumps(TinkerIslandRun *run, const TinkerPoint *before, GEr
         const TinkerAttachment *support = tinker_model_attachment(model, point);
         if (!support->moving) continue;
         const TinkerPoint *now = &model->point[point], *was = &before[point - model->first_support];
-        gboolean jumps = hypot(now->x - was->x, now->y - was->y) > JUMP_TOLERANCE * extent ||
-                         hypot(now->vx - was->vx, now->vy - was->vy) > JUMP_TOLERANCE * MAX(speed, extent);
+        gboolean jumps = hypot(now->x - was->x, now->y - was->y) > TINKER_JUMP * extent ||
+                         hypot(now->vx - was->vx, now->vy - was->vy) > TINKER_JUMP * MAX(speed, extent);
         TinkerBlockId felt_by = jumps ? constraint_at(model, point) : TINKER_NO_BLOCK;
         if (felt_by != TINKER_NO_BLOCK) return refuse_jump(run, support->block, felt_by, error);
     }
@@ -77,7 +76,7 @@ static gboolean check_prescribed(TinkerIslandRun *run, const double *g, const do
     g_autofree double *g_now = g_new(double, all->rows), *rate_now = g_new(double, all->rows);
     if (!rows_at_state(run, g_now, rate_now)) return tinker_island_run_fail(run, model->failure, error);
     for (int32_t row = 0; row < all->rows; row++) {
-        double scale = JUMP_TOLERANCE * all->scales[row];
+        double scale = TINKER_JUMP * all->scales[row];
         if (fabs(g_now[row] - g[row]) <= scale && fabs(rate_now[row] - rate[row]) <= scale) continue;
         g_set_error(
             error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_SCENE,
@@ -162,5 +161,5 @@ gboolean tinker_island_run_enter_piece(TinkerIslandRun *run, double horizon, GEr
     if (t > 0 && !look_behind(run, &before, error)) return FALSE;
     if (on_break && run->contacts != NULL && !tinker_contact_run_reclassify(run->contacts, error)) return FALSE;
     tinker_method_restart(run->choice.method, run->stepper);
-    return TRUE;
+    return !on_break || tinker_island_run_strike(run, error);
 }

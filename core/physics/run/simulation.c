@@ -125,8 +125,10 @@ gboolean tinker_simulation_body(const TinkerSimulation *simulation, TinkerBlockI
     if (body < 0 || body >= model->bodies) return FALSE;
     *sample = (TinkerBodySample){simulation->all->sample_q[2 * body] + model->origin[0],
                                  simulation->all->sample_q[2 * body + 1] + model->origin[1],
-                                 simulation->all->sample_v[2 * body], simulation->all->sample_v[2 * body + 1],
-                                 simulation->all->orientation[body]};
+                                 simulation->all->sample_v[2 * body],
+                                 simulation->all->sample_v[2 * body + 1],
+                                 simulation->all->orientation[body],
+                                 tinker_model_angle(model, body, simulation->all->sample_v)};
     if (tinker_model_turn_of(model, body) >= 0)
         sample->orientation = tinker_model_angle(model, body, simulation->all->sample_q);
     return TRUE;

@@ -38,6 +38,7 @@ typedef struct {
     double x, y;        /* m, in the world */
     double vx, vy;      /* m/s */
     double orientation; /* rad; NAN where nothing has turned it since the start */
+    double rate;        /* rad/s; 0 where it does not turn */
 } TinkerBodySample;
 
 /* Inside a sample function: a body's state at this sample. FALSE for a block that is no body that can move. */

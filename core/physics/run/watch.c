@@ -10,6 +10,7 @@
 #include "physics/model/model-data.h"
 #include "physics/plan/guard.h"
 #include "physics/run/island-steps.h"
+#include "physics/run/tolerances.h"
 #include "physics/system/summary.h"
 #include "physics/system/system.h"
 
@@ -20,8 +21,6 @@
 #define BALANCED_AGAIN 0.5
 /* Of the largest energy exchanged. */
 #define DRIVEN 0.01
-/* Of the largest energy exchanged: motion with less at its start began at rest. */
-#define REST 1e-6
 /* The books cost about one evaluation: they are looked into after this many. A step that needs none counts as one. */
 #define EVALUATIONS_BETWEEN_LOOKS 40
 /* A step that is far too large shows at once. */
@@ -51,7 +50,8 @@ static gboolean watch_constraints(TinkerIslandRun *run)
     if (model->constraints.rows == 0) return TRUE;
     double position, velocity, extent, speed;
     const TinkerState *state = &run->state;
-    if (tinker_constraints_errors(model, state->t, state->q, state->v, &position, &velocity) != TINKER_OK) return FALSE;
+    tinker_island_run_place(run);
+    if (tinker_constraints_errors(model, state->t, run->q, run->v, &position, &velocity) != TINKER_OK) return FALSE;
     run->system.system.scales(&run->system, state->q, state->v, &extent, &speed);
     for (int32_t i = model->bodies; i < model->points; i++)
         speed = fmax(speed, hypot(model->point[i].vx, model->point[i].vy));
@@ -95,7 +95,7 @@ static void watch_stability(TinkerIslandRun *run)
 /* Whether it began at rest, with a step at which the method is stable. */
 static gboolean is_set_going(TinkerIslandRun *run)
 {
-    if (run->books.start.kinetic > REST * run->books.exchanged) return FALSE;
+    if (run->books.start.kinetic > TINKER_BEGAN_AT_REST * run->books.exchanged) return FALSE;
     gint64 evaluations = run->model->evaluations;
     double stable = tinker_guard_stable_step(run->model, run->choice.method);
     run->model->evaluations = evaluations;
@@ -198,6 +198,8 @@ gboolean tinker_island_run_watch(TinkerIslandRun *run, const TinkerStepReport *r
     summary->simulated_s = run->state.t;
     if (!watch_singular_place(run, error)) return FALSE;
     if (!all_finite(run)) return diverged(run, _("a position or velocity is not a number"), error);
+    if (tinker_constraints_rewind(run->model, run->state.t, run->q, run->v) != TINKER_OK)
+        return tinker_island_run_fail(run, run->model->failure, error);
     if (summary->adaptive) tinker_model_system_keep(&run->system, run->state.q, run->state.v);
     gint64 since = (summary->steps - run->looked_at) * MAX(run->choice.method->evaluations_per_step, 1);
     gboolean soon = summary->steps <= FIRST_LOOKS || run->steps_off > 0;

@@ -12,6 +12,9 @@
 
 #include <math.h>
 
+/* Of its length: so far an edge goes on behind a corner that turns inwards, within the body, so that what comes to the
+ * corner is over both of its edges. */
+#define INTO_CORNER 1e-6
 /* Sines of angles up to this are 0 but for what methods make of it. */
 #define NOT_INTO 1e-6
 
@@ -67,8 +70,18 @@ static void edge_normal(const TinkerOutline *outline, int32_t number, double nor
 
 static int32_t edges_of(const TinkerOutline *outline)
 {
-    if (outline->kind == TINKER_OUTLINE_DISC) return 0;
+    if (outline->kind == TINKER_OUTLINE_DISC || outline->count < 2) return 0;
     return outline->kind == TINKER_OUTLINE_TOP ? 1 : outline->count;
+}
+
+/* Whether a corner turns inwards. */
+static gboolean is_inner(const TinkerOutline *outline, int32_t number)
+{
+    double before[2], after[2];
+    if (outline->triangles == NULL) return FALSE;
+    edge_normal(outline, (number + outline->count - 1) % outline->count, before);
+    edge_normal(outline, number, after);
+    return before[0] * after[1] - before[1] * after[0] < 0;
 }
 
 static void seat_edge(TinkerGapFunction *function, const TinkerOutline *outline, int32_t number)
@@ -79,6 +92,13 @@ static void seat_edge(TinkerGapFunction *function, const TinkerOutline *outline,
     function->seat[0] = 0.5 * (a[0] + b[0]);
     function->seat[1] = 0.5 * (a[1] + b[1]);
     function->half_width = 0.5 * hypot(b[0] - a[0], b[1] - a[1]);
+    for (int k = 0; k < 2; k++) {
+        const double part = 0.5 * INTO_CORNER, *end = k == 0 ? a : b, *other = k == 0 ? b : a;
+        if (!is_inner(outline, (number + k) % outline->count)) continue;
+        function->seat[0] += part * (end[0] - other[0]);
+        function->seat[1] += part * (end[1] - other[1]);
+        function->half_width *= 1 + INTO_CORNER;
+    }
 }
 
 static void take_sides(TinkerGapFunction *function, const TinkerOutline *outline, int32_t number)
@@ -99,8 +119,9 @@ static void add_edges(List *list, const TinkerOutline *tips, const TinkerOutline
     if (tips->kind == TINKER_OUTLINE_TOP && seats->kind == TINKER_OUTLINE_TOP) return;
     for (int32_t i = 0; i < (disc ? 1 : tips->count); i++) {
         TinkerGapFunction function = {.tip_of = tip_of, .rolls = disc, .tip_radius = disc ? tips->radius : 0};
+        if (!disc && is_inner(tips, i)) continue;
         if (!disc) set(function.tip, tips->corners + 2 * i);
-        if (tips->kind == TINKER_OUTLINE_POLYGON) take_sides(&function, tips, i);
+        if (tips->kind == TINKER_OUTLINE_POLYGON && tips->count > 1) take_sides(&function, tips, i);
         if (tips->kind == TINKER_OUTLINE_TOP) edge_normal(tips, 0, function.above);
         for (int32_t k = 0; k < edges_of(seats); k++) {
             seat_edge(&function, seats, k);
@@ -144,16 +165,23 @@ static void add_rounds(List *list, const TinkerOutline *disc, const TinkerOutlin
                                   .tip_radius = disc->radius,
                                   .normal = {1, 0},
                                   .half_width = INFINITY};
-    if (other->kind == TINKER_OUTLINE_DISC) {
-        function.seat_radius = other->radius;
+    if (other->kind == TINKER_OUTLINE_DISC || other->count == 1) {
+        function.seat_radius = other->kind == TINKER_OUTLINE_DISC ? other->radius : 0;
         add(list, &function);
         return;
     }
     for (int32_t i = 0; i < other->count; i++) {
+        if (is_inner(other, i)) continue;
         set(function.seat, other->corners + 2 * i);
         function.half_width = disc->radius * corner_directions(other, i, function.normal);
         add(list, &function);
     }
+}
+
+int32_t tinker_gap_functions_most(const TinkerOutline *first, const TinkerOutline *second)
+{
+    const int32_t a = MAX(first->count, 1), b = MAX(second->count, 1);
+    return 2 * a * b + a + b;
 }
 
 int32_t tinker_gap_functions(const TinkerOutline *first, const TinkerOutline *second, TinkerGapFunction *list,
@@ -266,7 +294,7 @@ void tinker_gap_measure(const TinkerGapFunction *function, const TinkerBodyPose 
         measure_edge(function, tip, seat, gap);
     const Point p = point_at(tip, function->tip);
     for (int k = 0; k < 2; k++)
-        gap->point[k] = p.place[k] - function->tip_radius * gap->normal[k];
+        gap->point[k] = p.place[k] - (function->tip_radius + function->inset) * gap->normal[k];
 }
 
 gboolean tinker_gap_is_over(const TinkerGapFunction *function, const TinkerBodyPose *first,

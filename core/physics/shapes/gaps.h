@@ -9,9 +9,11 @@
  *              | gap                        gap = |P - C| - s - r        round: n points from C to P
  *        ------C------ seat   t --->
  *
- * t = (n_y, -n_x) runs along the seat. Two convex shapes touch where one of their gap functions is 0 and its tip is
- * over the seat, `along` within +-half_width; each corner has functions of its own, which never jump. Where a disc goes
- * from an edge over a corner, one function takes over from another with the same gap and speed.
+ * t = (n_y, -n_x) runs along the seat. Two shapes touch where one of their gap functions is 0 and its tip is over the
+ * seat, `along` within +-half_width; each corner has functions of its own, which never jump. Where a disc goes from an
+ * edge over a corner, one function takes over from another with the same gap and speed. Corners that turn inwards are
+ * neither tips nor rounds: what comes to one touches both of its edges. So nothing has to be convex: a gap that falls
+ * through 0 over its seat is a tip that goes in there.
  *
  * Derivatives are by the six coordinates of both frames, x, y and angle of the tip's, then those of the seat's:
  *
@@ -28,7 +30,7 @@
 
 typedef enum {
     TINKER_OUTLINE_DISC,
-    TINKER_OUTLINE_POLYGON, /* convex */
+    TINKER_OUTLINE_POLYGON, /* simple: convex or not */
     TINKER_OUTLINE_TOP,     /* of a support: two corners, towards -x first, and the solid side between them */
 } TinkerOutlineKind;
 
@@ -38,8 +40,10 @@ typedef enum {
 typedef struct {
     TinkerOutlineKind kind;
     double radius;         /* m: of a disc; of others the farthest corner's distance from the frame's place */
-    int32_t count;         /* corners, counter-clockwise; those of a polygon of two edges are the ends of a line */
+    int32_t count;         /* corners, counter-clockwise; of a polygon 2 are the ends of a line, 1 is a point */
     const double *corners; /* 2 each */
+    int32_t triangle_count;
+    const double *triangles; /* 6 each: what a polygon that is not convex consists of (outline-parts.h); else NULL */
 } TinkerOutline;
 
 typedef struct {
@@ -53,6 +57,7 @@ typedef struct {
     gboolean round; /* the seat */
     gboolean rolls; /* the tip or the seat has a radius: it moves along the seat without slipping, too */
     double tip[2], tip_radius;
+    double inset; /* m: what is at the tip touches so far from it, where the tip stands for more than a point */
     double seat[2], seat_radius; /* the middle of an edge; the centre of a round */
     double normal[2];            /* of an edge; of a round the middle of the directions in which it is the nearest */
     double half_width;           /* m; INFINITY: all around */
@@ -72,6 +77,9 @@ typedef struct {
 /* Writes the gap functions of two shapes, at most `room`; answers how many there are. */
 int32_t tinker_gap_functions(const TinkerOutline *first, const TinkerOutline *second, TinkerGapFunction *list,
                              int32_t room);
+
+/* As many as two shapes have at most. */
+int32_t tinker_gap_functions_most(const TinkerOutline *first, const TinkerOutline *second);
 
 void tinker_gap_measure(const TinkerGapFunction *function, const TinkerBodyPose *first, const TinkerBodyPose *second,
                         TinkerGap *gap);

@@ -60,6 +60,7 @@ static void try_axes_of(Pair *pair, int which)
         place_of(pose, outline->corners + 2 * i, a);
         place_of(pose, outline->corners + 2 * ((i + 1) % outline->count), b);
         try_axis(pair, b[1] - a[1], a[0] - b[0]);
+        if (outline->count == 2) try_axis(pair, b[0] - a[0], b[1] - a[1]); /* past an end of a line */
         if (other->kind == TINKER_OUTLINE_DISC) try_axis(pair, at_other->x - a[0], at_other->y - a[1]);
     }
 }
@@ -118,13 +119,27 @@ static double overlap_of_top(const TinkerOutline *top, const TinkerBodyPose *at_
     return over.height[1] < over.height[0] ? -over.beside : fmin(-over.height[0], over.height[1]);
 }
 
+/* Of two of which one is no convex shape: the most of any of its parts. */
+static double overlap_of_parts(const TinkerOutline *whole, const TinkerBodyPose *at_whole, const TinkerOutline *other,
+                               const TinkerBodyPose *at_other)
+{
+    double most = -INFINITY;
+    for (int32_t i = 0; i < whole->triangle_count; i++) {
+        const TinkerOutline part = {TINKER_OUTLINE_POLYGON, whole->radius, 3, whole->triangles + 6 * i, 0, NULL};
+        most = fmax(most, tinker_outlines_overlap(&part, at_whole, other, at_other));
+    }
+    return most;
+}
+
 double tinker_outlines_overlap(const TinkerOutline *first, const TinkerBodyPose *at_first, const TinkerOutline *second,
                                const TinkerBodyPose *at_second)
 {
+    if (first->triangles != NULL) return overlap_of_parts(first, at_first, second, at_second);
+    if (second->triangles != NULL) return overlap_of_parts(second, at_second, first, at_first);
     if (first->kind == TINKER_OUTLINE_TOP) return overlap_of_top(first, at_first, second, at_second);
     if (second->kind == TINKER_OUTLINE_TOP) return overlap_of_top(second, at_second, first, at_first);
     Pair pair = {{first, second}, {at_first, at_second}, INFINITY};
     try_axes_of(&pair, 0);
     try_axes_of(&pair, 1);
-    return pair.least;
+    return isfinite(pair.least) ? pair.least : 0; /* two points */
 }

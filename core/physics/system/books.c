@@ -62,7 +62,9 @@ static double given(const TinkerBooks *books, const TinkerState *state, const Ti
         summary->books[book] = 0;
     for (int32_t i = 0; i < system->system.books; i++)
         summary->books[system->book_of[i]] = state->books[i];
-    summary->books[TINKER_BOOK_MOTORS] += now->stored_in_forces - books->start.stored_in_forces;
+    /* of forces that store, a linear form books what they do not store; the model all that they do */
+    if (system->form == NULL)
+        summary->books[TINKER_BOOK_MOTORS] += now->stored_in_forces - books->start.stored_in_forces;
     summary->books[TINKER_BOOK_FIELDS] += now->stored_in_fields - books->start.stored_in_fields;
     summary->books[TINKER_BOOK_PROJECTION] = system->projection_work;
     double sum = 0;

@@ -48,7 +48,7 @@ int32_t tinker_jacobian_find_entry(const TinkerJacobian *jacobian, int32_t row, 
 TinkerStatus tinker_jacobian_add_turned_arms(TinkerJacobian *jacobian);
 /* mass J^T J of a row. */
 void tinker_jacobian_add_row_mass(const TinkerJacobian *jacobian, int32_t row, double mass, double *values);
-/* The same of a closed gap function: m J^T J of its normal and, where it sticks, of its tangential row. */
+/* mass J^T J of a closed gap function: of its normal and, where it sticks, of its tangential row. */
 void tinker_jacobian_add_gap_mass(const TinkerJacobian *jacobian, const TinkerContact *contact, double *values);
 /* Where the block of two bodies begins. */
 int32_t tinker_jacobian_find(const TinkerJacobian *jacobian, int32_t row, int32_t column);

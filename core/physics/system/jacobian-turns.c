@@ -71,7 +71,9 @@ void tinker_jacobian_add_gap_mass(const TinkerJacobian *self, const TinkerContac
     tinker_contact_gap_entries(self->model->contacts, contact->plate, &entries);
     for (int which = 0; which < rows; which++)
         for (int32_t r = 0; r < entries.count; r++)
-            for (int32_t c = 0; c < entries.count; c++)
-                values[tinker_jacobian_find_entry(self, entries.coordinate[r], entries.coordinate[c])] +=
-                    self->model->mass[contact->body] * entries.row[which][r] * entries.row[which][c];
+            for (int32_t c = 0; c < entries.count; c++) {
+                const int32_t at = tinker_jacobian_find_entry(self, entries.coordinate[r], entries.coordinate[c]);
+                if (self->columns[at] != entries.coordinate[c]) continue; /* two bodies that nothing else couples */
+                values[at] += self->model->mass[contact->body] * entries.row[which][r] * entries.row[which][c];
+            }
 }

@@ -1,5 +1,5 @@
-/* A model on a line as the system that integrators see: one coordinate a body, springs and dampers between coordinates
- * or between one and an anchor. */
+/* A model on a line, or of shafts, as the system that integrators see: one coordinate a body or a shaft, springs and
+ * dampers between coordinates or between one and an anchor. */
 #include <math.h>
 #include <string.h>
 
@@ -147,7 +147,7 @@ static TinkerStatus acceleration(void *context, double t, const double *x, const
     add_drives(form, u, a, power);
     add_drag(form, u, a, power);
     for (int32_t i = 0; i < system->size; i++)
-        a[i] *= self->model->inverse_mass[i];
+        a[i] *= form->inverse_mass[i];
     return TINKER_OK;
 }
 
@@ -165,7 +165,7 @@ static TinkerStatus damping_product(void *context, double t, const double *x, co
         if (edge->b >= 0) out[edge->b] -= f;
     }
     for (int32_t i = 0; i < system->size; i++)
-        out[i] *= self->model->inverse_mass[i];
+        out[i] *= self->form->inverse_mass[i];
     return TINKER_OK;
 }
 
@@ -218,7 +218,7 @@ static void scales(void *context, const double *x, const double *u, double *exte
     const TinkerModelSystem *self = context;
     double range[2] = {self->box[0], self->box[2]};
     widen_by_state(self->form, x, range);
-    *extent = self->form->system.size > 0 ? range[1] - range[0] : 0;
+    *extent = self->form->system.size > 0 ? fmax(range[1] - range[0], self->form->least_extent) : 0;
     *speed = self->speed;
     for (int32_t i = 0; i < self->form->system.size; i++)
         *speed = MAX(*speed, fabs(u[i]));
@@ -263,7 +263,7 @@ void tinker_straight_system_init(TinkerModelSystem *self)
 {
     TinkerSystem *system = &self->system;
     system->size = self->form->system.size;
-    system->mass = self->model->mass;
+    system->mass = self->form->system.mass;
     system->acceleration = acceleration;
     system->applied = acceleration;
     system->damping_product = damping_product;

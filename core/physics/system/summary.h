@@ -4,10 +4,19 @@
 
 #include "physics/model/model.h"
 
+/* How a body goes on behind an impact, by one of the laws of impact. */
+typedef struct {
+    const char *law;
+    TinkerBlockId block;
+    double vx, vy; /* m/s */
+    double rate;   /* rad/s; NAN: it does not turn */
+} TinkerAlternative;
+
 typedef struct {
     double time;
-    char *kind;   /* "break", "bifurcation", "start impulse", ... */
-    char *blocks; /* names, joined by ", " */
+    char *kind;           /* "break", "bifurcation", "start impulse", ... */
+    char *blocks;         /* names, joined by ", " */
+    GArray *alternatives; /* of TinkerAlternative, law by law, where the laws of impact differ; else NULL */
 } TinkerEvent;
 
 /* How one island was stepped. */

@@ -15,6 +15,17 @@
 const char *const tinker_method_swapped_state =
     N_("the method put other arrays in the place of those of the state, which it is to fill (its plugin is at fault)");
 
+static gboolean is_reduced(const TinkerModelSystem *self)
+{
+    return self->form != NULL && tinker_linear_form_is_reduced(self->form);
+}
+
+/* Whether the coordinates are held by constraints; those of shafts meet them as they are. */
+static gboolean is_held(const TinkerModelSystem *self)
+{
+    return self->model->constraints.rows > 0 && !is_reduced(self);
+}
+
 static void write_books(const TinkerModelSystem *self, double *power)
 {
     for (int32_t i = 0; i < self->system.books; i++)
@@ -117,7 +128,7 @@ static TinkerStatus project(void *context, double t, double *q, double *v, int32
     *moved = 0;
     if (tinker_contacts_act(model->contacts)) return project_with_contacts(self, t, q, v, moved);
     TinkerStatus status = TINKER_OK;
-    if (model->constraints.rows > 0) {
+    if (is_held(self)) {
         status = tinker_constraints_project_positions(model, t, q, v, &placed);
         if (status != TINKER_OK) return status;
         self->projection_work +=
@@ -136,7 +147,7 @@ static TinkerStatus constrain_step(void *context, double t_from, const double *q
     TinkerModelSystem *self = context;
     if (tinker_contacts_act(self->model->contacts))
         return tinker_contacts_rattle(self->model->contacts, t_from, q_from, t, h, q, v);
-    if (self->model->constraints.rows == 0) return TINKER_OK;
+    if (!is_held(self)) return TINKER_OK;
     return tinker_constraints_rattle(self->model, t_from, q_from, t, h, q, v);
 }
 
@@ -158,7 +169,7 @@ static TinkerStatus project_velocity(void *context, double t, const double *q, d
     gboolean moved;
     if (tinker_contacts_act(self->model->contacts))
         return project_velocity_with_contacts(self->model, t, q, v, homogeneous != 0);
-    if (self->model->constraints.rows == 0) return TINKER_OK;
+    if (!is_held(self)) return TINKER_OK;
     return tinker_constraints_project_velocities(self->model, t, q, v, homogeneous != 0, &moved);
 }
 
@@ -221,15 +232,10 @@ static void scales(void *context, const double *q, const double *v, double *exte
     *speed = MAX(self->speed, sqrt(fastest));
 }
 
-static gboolean is_straight(const TinkerModelSystem *self)
-{
-    return self->form != NULL && tinker_linear_form_is_straight(self->form, NULL);
-}
-
 void tinker_model_system_keep(TinkerModelSystem *self, const double *q, const double *v)
 {
     double extent;
-    if (is_straight(self)) {
+    if (is_reduced(self)) {
         tinker_straight_system_keep(self, q, v);
         return;
     }
@@ -274,7 +280,8 @@ static void set_form(TinkerModelSystem *self, TinkerLinearForm *form)
     self->form = form;
     self->system.linear = tinker_linear_form_system(form);
     self->system.signals = signals;
-    if (is_straight(self)) tinker_straight_system_init(self);
+    if (!is_held(self)) self->system.flags &= ~(uint32_t)TINKER_SYSTEM_CONSTRAINED;
+    if (is_reduced(self)) tinker_straight_system_init(self);
 }
 
 static void set_flags(TinkerModelSystem *self)
@@ -310,7 +317,7 @@ void tinker_model_system_init(TinkerModelSystem *self, TinkerModel *model, Tinke
 void tinker_model_system_enter_plane(TinkerModelSystem *self)
 {
     TinkerSystem *system = &self->system;
-    if (is_straight(self)) tinker_straight_system_widen_box(self);
+    if (is_reduced(self)) tinker_straight_system_widen_box(self);
     self->form = NULL;
     set_functions_of_plane(self);
     /* what presses depends on the speeds of what constraints hold, and friction on what presses */
@@ -326,13 +333,13 @@ void tinker_model_system_leave_plane(TinkerModelSystem *self, TinkerLinearForm *
 {
     set_flags(self);
     set_form(self, form);
-    if (is_straight(self)) tinker_straight_system_narrow_box(self);
+    if (is_reduced(self)) tinker_straight_system_narrow_box(self);
 }
 
 void tinker_model_system_offer_jacobian(TinkerModelSystem *self)
 {
     if (self->system.pattern != NULL) return;
-    if (is_straight(self)) {
+    if (is_reduced(self)) {
         tinker_straight_system_offer_jacobian(self);
         return;
     }

@@ -1,0 +1,75 @@
+/* Rows that count from how things were placed know the direction from their first end to their second but for whole
+ * turns. So what is wound is placed anew whenever that direction has gone round by an eighth of a turn: as it is, with
+ * the length that keeps g as it is,
+ *
+ *     l <- s - g,   s = (d^2 - R^2)^1/2 the free part,
+ *
+ * as a run that is continued from there would have it. */
+#include <math.h>
+
+#include "physics/constraint/constraints.h"
+#include "physics/model/angles.h"
+#include "physics/model/model-data.h"
+
+#define AN_EIGHTH (G_PI / 4)
+
+static double direction_of(const TinkerPoint *ends)
+{
+    return atan2(ends[1].y - ends[0].y, ends[1].x - ends[0].x);
+}
+
+static gboolean has_gone_round(const TinkerModel *model, const TinkerConstraintBatch *part, int32_t row)
+{
+    const int32_t *points = part->end_points + 2 * row;
+    const TinkerPoint now[2] = {model->point[points[0]], model->point[points[1]]};
+    return fabs(remainder(direction_of(now) - direction_of(&part->angles->placed[2 * row]), 2 * G_PI)) > AN_EIGHTH;
+}
+
+static void place_anew(TinkerModel *model, const TinkerConstraintBatch *part, int32_t row)
+{
+    const TinkerBlockBatch *batch = part->batch;
+    const int32_t length = tinker_block_class_meaning_column(batch->block_class, TINKER_MEANING_LENGTH);
+    const int32_t radius = tinker_block_class_meaning_column(batch->block_class, TINKER_MEANING_RADIUS);
+    const int32_t *points = part->end_points + 2 * row;
+    const TinkerPoint *a = &model->point[points[0]], *b = &model->point[points[1]];
+    const double distance = hypot(b->x - a->x, b->y - a->y), R = batch->columns[radius][row];
+    TinkerAngles *angles = part->angles;
+    if (!(distance > R)) return;
+    batch->columns[length][row] =
+        sqrt((distance - R) * (distance + R)) - model->constraints.own_g[part->first_row + row];
+    tinker_angles_gather(angles, model, 2 * row, 2);
+    for (int end = 0; end < 2; end++) {
+        angles->placed[2 * row + end] = model->point[points[end]];
+        angles->placed_poses[2 * row + end] = angles->poses[2 * row + end];
+    }
+}
+
+/* One row of two ends, with a radius. */
+static gboolean is_wound(const TinkerConstraintBatch *part)
+{
+    const TinkerBlockClass *block_class = part->batch->block_class;
+    return part->angles != NULL && part->constraint->rows == 1 && block_class->type->most_ends == 2 &&
+           tinker_block_class_is_wound(block_class) &&
+           tinker_block_class_meaning_column(block_class, TINKER_MEANING_RADIUS) >= 0;
+}
+
+TinkerStatus tinker_constraints_rewind(TinkerModel *model, double t, const double *q, const double *v)
+{
+    const TinkerConstraints *all = &model->constraints;
+    if (G_LIKELY(all->unilateral == NULL)) return TINKER_OK;
+    gboolean evaluated = FALSE;
+    for (guint i = 0; i < all->batches->len; i++) {
+        const TinkerConstraintBatch *part = &g_array_index(all->batches, TinkerConstraintBatch, i);
+        if (!is_wound(part)) continue;
+        if (tinker_model_set_time(model, t) != TINKER_OK) return TINKER_FAILED;
+        tinker_model_set_state(model, q, v);
+        for (int32_t row = 0; row < part->batch->count; row++) {
+            if (!has_gone_round(model, part, row)) continue;
+            const TinkerStatus status = evaluated ? TINKER_OK : tinker_constraints_evaluate(model);
+            if (status != TINKER_OK) return status;
+            evaluated = TRUE;
+            place_anew(model, part, row);
+        }
+    }
+    return TINKER_OK;
+}

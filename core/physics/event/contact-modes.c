@@ -1,0 +1,155 @@
+/* Which of the contacts that touch are closed from here on, and which of those stick: steps 3 and 4 of a change
+ * (contact-change.c). */
+#include <glib/gi18n-lib.h>
+#include <math.h>
+
+#include "physics/contact/contacts.h"
+#include "physics/event/contact-change-private.h"
+#include "physics/event/tolerances.h"
+#include "physics/model/model-data.h"
+
+#define MOST_JAMS 8
+
+/* Whether the event is that this speed along the top has come to 0: the method makes no less of it. */
+static gboolean has_stopped(const TinkerContactChange *change, double speed)
+{
+    const TinkerTriggerKind kind = change->trigger.kind;
+    double noise = fmax(TINKER_STOPPED, TINKER_STOPPED_NOISES * tinker_contact_run_speed_noise(change->run));
+    return (kind == TINKER_TRIGGER_SPEED || kind == TINKER_TRIGGER_STARTING) && fabs(speed) <= noise * change->speed;
+}
+
+/* Whether a corner slides, behind a blow, by too little to be seen. Blocks that rock down to rest strike with their
+ * corners by turns and slide a little in between, infinitely often in finite time. */
+static gboolean hardly_slides(const TinkerContactChange *change, const TinkerTouch *at)
+{
+    if (!tinker_contacts_is_gap(change->contacts, &at->contact)) return FALSE;
+    if (fabs(at->place.tangential_speed) > TINKER_SLOW_SLIDE * change->speed) return FALSE;
+    for (guint i = 0; i < change->touches->len; i++)
+        if (tinker_touch(change, i)->struck) return TRUE;
+    return FALSE;
+}
+
+/* Which way it slides; 0 where it is slow enough to stick. An event says that it stops, or that it begins. */
+static int8_t sliding_of(const TinkerContactChange *change, guint number, double acceleration)
+{
+    const TinkerTouch *at = tinker_touch(change, number);
+    const TinkerPlate *plate = tinker_touch_plate(change, number);
+    double speed = at->place.tangential_speed;
+    if (plate == NULL) return 1; /* without friction either way is the same */
+    if (tinker_change_is_trigger(change, at) && !at->struck) {
+        if (change->forced && change->trigger.kind == TINKER_TRIGGER_FORWARD) return -1;
+        if (change->forced && change->trigger.kind == TINKER_TRIGGER_BACKWARD) return 1;
+        if (has_stopped(change, speed)) return 0;
+    }
+    if (tinker_touch_surface(change, number).static_friction == 0) return 1;
+    if (hardly_slides(change, at)) return 0;
+    /* what falls over the length of the plate is a scale for what is the only thing that moves */
+    double length = plate->gap != NULL ? change->contacts->thickness : plate->half_width + plate->half_height;
+    double scale = change->speed + sqrt(acceleration * length);
+    if (fabs(speed) > change->slow * scale) return speed > 0 ? 1 : -1;
+    /* one that has just begun to slip goes on, until an event of its own says that it stops; what slipped clearly stops
+     * now */
+    gboolean begins = at->contact.starts || !change->run->starts_low;
+    gboolean stops = tinker_change_is_trigger(change, at) || at->struck || !begins;
+    if (stops || at->was == TINKER_CONTACT_OPEN || at->was == TINKER_CONTACT_STICK) return 0;
+    return at->was == TINKER_CONTACT_SLIP_FORWARD ? 1 : -1;
+}
+
+/* What has no speed along its top goes over the end where that is the event, unless a blow has stopped it there. */
+static gboolean goes_over_end(const TinkerContactChange *change, const TinkerTouch *at)
+{
+    double outwards = at->place.along > 0 ? at->place.along_speed : -at->place.along_speed;
+    if (!at->at_end || outwards > TINKER_STILL * change->speed) return at->at_end;
+    gboolean struck = FALSE;
+    for (guint i = 0; i < change->touches->len; i++)
+        struck |= tinker_touch(change, i)->struck;
+    return !struck && outwards >= -TINKER_STILL * change->speed;
+}
+
+/* What parts, or goes over an end of its top, is not asked. */
+static void drop_parting(TinkerContactChange *change)
+{
+    for (guint i = change->touches->len; i-- > 0;) {
+        TinkerTouch *at = tinker_touch(change, i);
+        gboolean over = goes_over_end(change, at);
+        at->dropped = over || at->place.normal_speed > TINKER_STILL * change->speed;
+        if (!at->dropped) continue;
+        if (over)
+            tinker_change_add_event(change, "end", at);
+        else if (at->was != TINKER_CONTACT_OPEN)
+            tinker_change_add_event(change, at->row < 0 ? "take-off" : "slack", at);
+        else if (at->struck)
+            tinker_change_add_event(change, at->row < 0 ? "impact" : "jerk", at);
+    }
+    tinker_change_drop(change);
+}
+
+static TinkerContactResult ask_modes(TinkerContactChange *change, TinkerContactLaws *laws, double scale)
+{
+    for (guint i = 0; i < laws->count; i++) {
+        laws->sliding[i] = sliding_of(change, i, scale);
+        const TinkerSurface surface = tinker_touch_surface(change, i);
+        laws->first[i] = surface.static_friction;
+        laws->second[i] = surface.dynamic_friction;
+    }
+    TinkerClosedContacts closed = {
+        (int32_t)laws->count,       laws->delassus, laws->pairs, laws->sliding, laws->first, laws->second,
+        TINKER_FORCE_NOISE * scale, laws->motion};
+    TinkerContactResult result = tinker_contact_modes(&closed, laws->modes, laws->answers);
+    if (result != TINKER_CONTACT_NO_ACCELERATION) return result;
+    g_autofree double *velocity = g_try_new(double, 2 * laws->count);
+    if (velocity == NULL) return TINKER_CONTACT_NO_MEMORY;
+    for (guint i = 0; i < laws->count; i++) {
+        velocity[2 * i] = tinker_touch(change, i)->place.normal_speed;
+        velocity[2 * i + 1] = tinker_touch(change, i)->place.tangential_speed;
+    }
+    const TinkerContactResult jam = tinker_contact_jam(&closed, velocity, laws->answers);
+    if (jam == TINKER_CONTACT_NO_MEMORY) return jam;
+    return jam == TINKER_CONTACT_SOLVED ? result : TINKER_CONTACT_GAVE_UP;
+}
+
+/* A contact whose force has just come to 0 opens, unless something presses it again. */
+static gboolean lets_go(const TinkerContactChange *change, const TinkerTouch *at, double force, double noise)
+{
+    return tinker_change_is_trigger(change, at) && change->trigger.kind == TINKER_TRIGGER_NORMAL &&
+           force <= TINKER_LET_GO * noise;
+}
+
+static void note_modes(TinkerContactChange *change, const TinkerContactLaws *laws, double scale)
+{
+    for (guint i = 0; i < laws->count; i++) {
+        TinkerTouch *at = tinker_touch(change, i);
+        double mass = change->model->mass[at->contact.body];
+        at->contact.mode = laws->modes[i];
+        if (!at->struck) at->contact.normal = laws->answers[2 * i];
+        at->contact.base_normal = laws->answers[2 * i];
+        at->contact.base_friction = laws->answers[2 * i + 1];
+        if (lets_go(change, at, laws->answers[2 * i], mass * scale)) at->contact.mode = TINKER_CONTACT_OPEN;
+    }
+}
+
+gboolean tinker_change_decide(TinkerContactChange *change, GError **error)
+{
+    TinkerContactResult result = TINKER_CONTACT_NO_ACCELERATION;
+    for (int jams = 0; jams <= MOST_JAMS; jams++) {
+        double scale;
+        g_auto(TinkerContactLaws) laws = {0};
+        drop_parting(change);
+        if (change->touches->len == 0) return TRUE;
+        if (tinker_contact_laws_init(&laws, change) != TINKER_OK ||
+            !tinker_change_accelerations(change, laws.pairs, &scale))
+            return tinker_change_refuse(change, change->model->failure, error);
+        result = ask_modes(change, &laws, scale);
+        if (result == TINKER_CONTACT_SOLVED) {
+            note_modes(change, &laws, scale);
+            tinker_change_choose_sides(change);
+            return TRUE;
+        }
+        if (result != TINKER_CONTACT_NO_ACCELERATION) break;
+        tinker_change_add_event(change, "jam", tinker_touch(change, 0));
+        if (!tinker_change_push_all(change, laws.answers))
+            return tinker_change_refuse(change, change->model->failure, error);
+    }
+    return tinker_change_refuse_laws(
+        change, result, _("no motion satisfies the laws of friction for all bodies that touch there"), error);
+}

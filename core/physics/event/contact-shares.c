@@ -1,0 +1,77 @@
+/* How closed contacts share a load that nothing divides among them: bodies that are held more than once. */
+#include <math.h>
+#include <string.h>
+
+#include "physics/contact/contacts.h"
+#include "physics/event/contact-change-private.h"
+#include "physics/island/island-run.h"
+
+static gboolean keeps_laws(const TinkerContacts *contacts, const TinkerContact *contact)
+{
+    double most = tinker_contact_surface(contacts, contact->body, contact->plate).static_friction * contact->normal;
+    return contact->normal >= 0 && (contact->mode != TINKER_CONTACT_STICK || fabs(contact->friction) <= most);
+}
+
+/* The share of least norm. */
+static void share_evenly(TinkerContactChange *change, const TinkerContact *kept)
+{
+    TinkerContacts *contacts = change->contacts;
+    for (guint i = 0; i < contacts->closed->len; i++) {
+        if (contacts->group[kept[i].body] != change->group) continue;
+        TinkerContact *contact = tinker_contacts_closed(contacts, i);
+        contact->base_normal = contact->base_friction = 0;
+    }
+}
+
+/* Corners of one pair that stick on one line hold together, each by what presses on it: only the sum of their friction
+ * is determined, and all of them reach their limit at once. */
+static void share_by_load(TinkerContactChange *change, const TinkerContact *kept)
+{
+    TinkerContacts *contacts = change->contacts;
+    for (guint i = 0; i < contacts->closed->len; i++) {
+        double normal = 0, friction = 0;
+        for (guint k = 0; k < contacts->closed->len; k++) {
+            if (!tinker_contacts_stick_together(contacts, &kept[i], &kept[k])) continue;
+            normal += kept[k].base_normal;
+            friction += kept[k].base_friction;
+        }
+        if (normal > 0) tinker_contacts_closed(contacts, i)->base_friction = friction * kept[i].base_normal / normal;
+    }
+}
+
+/* Takes a share if it keeps the laws, else the one that there was. */
+static gboolean try_share(TinkerContactChange *change, void (*share)(TinkerContactChange *, const TinkerContact *))
+{
+    TinkerContacts *contacts = change->contacts;
+    const TinkerState *state = &change->run->run->state;
+    g_autofree TinkerContact *kept = g_memdup2(contacts->closed->data, contacts->closed->len * sizeof(TinkerContact));
+    share(change, kept);
+    tinker_contacts_take_shares(contacts);
+    gboolean keeps = tinker_contact_run_look_at(change->run, state->t, state->q, state->v) == TINKER_OK;
+    for (guint i = 0; keeps && i < contacts->closed->len; i++)
+        if (contacts->group[kept[i].body] == change->group)
+            keeps = keeps_laws(contacts, tinker_contacts_closed(contacts, i));
+    if (keeps) return TRUE;
+    memcpy(contacts->closed->data, kept, contacts->closed->len * sizeof(TinkerContact));
+    tinker_contacts_take_shares(contacts);
+    return FALSE;
+}
+
+gboolean tinker_change_shares_load(const TinkerContactChange *change)
+{
+    const TinkerContacts *contacts = change->run->contacts;
+    for (guint i = 0; i < contacts->blocks->len; i++) {
+        const TinkerContactBlock *block = &g_array_index(contacts->blocks, TinkerContactBlock, i);
+        int32_t contact = g_array_index(contacts->rows, TinkerContactRow, (guint)block->first).contact;
+        if (contacts->group[tinker_contacts_closed(contacts, (guint)contact)->body] == change->group)
+            return !tinker_contact_block_is_full(block);
+    }
+    return FALSE;
+}
+
+gboolean tinker_change_share_load(TinkerContactChange *change)
+{
+    if (try_share(change, share_evenly)) return TRUE;
+    try_share(change, share_by_load);
+    return FALSE;
+}
