@@ -11,11 +11,10 @@ static gboolean to_own(TinkerScene *scene, TinkerBlockId block, const double pla
                        GError **error)
 {
     g_autoptr(TinkerFrame) frame = tinker_frame_new(scene, error);
-    double x, y, angle;
+    double own[2];
     if (frame == NULL) return FALSE;
-    tinker_frame_centre(frame, block, &x, &y, &angle);
-    const double dx = place[0] - x, dy = place[1] - y;
-    *end = (TinkerSceneEnd){block, dx * cos(angle) + dy * sin(angle), dy * cos(angle) - dx * sin(angle)};
+    tinker_frame_to_own(frame, block, place, own);
+    *end = (TinkerSceneEnd){block, own[0], own[1]};
     return TRUE;
 }
 

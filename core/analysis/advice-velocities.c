@@ -22,6 +22,7 @@ typedef struct {
     int32_t set;
     double given[2], allowed[2], change; /* m/s; that of what turns at its radius of gyration is part of the change */
     double rate;                         /* rad/s: allowed; NAN where it does not turn */
+    gboolean said;                       /* by the user; else constraints are free to say how fast it starts */
 } Misfit;
 
 /* What is said of the body's turning; its speed at the radius of gyration, m/s. */
@@ -38,6 +39,17 @@ static double look_at_rate(const TinkerFrame *frame, const TinkerModel *model, i
     return radius * fmax(fabs(given), fabs(misfit->rate));
 }
 
+static gboolean is_said(TinkerScene *scene, TinkerBlockId block)
+{
+    static const int32_t velocities[] = {TINKER_MEANING_VELOCITY, TINKER_MEANING_ANGULAR_VELOCITY};
+    const TinkerBlockClass *block_class = tinker_scene_block_class(scene, block);
+    for (gsize i = 0; i < G_N_ELEMENTS(velocities); i++) {
+        const int32_t property = block_class->meanings[velocities[i]];
+        if (property >= 0 && tinker_scene_property_given(scene, block, property)) return TRUE;
+    }
+    return FALSE;
+}
+
 static GArray *find_misfits(const TinkerFrame *frame, const TinkerModel *model, const int32_t *sets)
 {
     GArray *misfits = g_array_new(FALSE, FALSE, sizeof(Misfit));
@@ -50,6 +62,7 @@ static GArray *find_misfits(const TinkerFrame *frame, const TinkerModel *model, 
             Misfit misfit = {.block = tinker_model_body_block(model, i),
                              .allowed = {allowed[2 * i], allowed[2 * i + 1]}};
             misfit.set = sets[misfit.block];
+            misfit.said = is_said(tinker_frame_scene(frame), misfit.block);
             start_velocity_of(frame, misfit.block, misfit.given);
             fastest = fmax(fastest,
                            fmax(hypot(misfit.given[0], misfit.given[1]), hypot(misfit.allowed[0], misfit.allowed[1])));
@@ -62,10 +75,12 @@ static GArray *find_misfits(const TinkerFrame *frame, const TinkerModel *model, 
     return misfits;
 }
 
+/* Within a set those come first of which the user said something. */
 static int by_set_and_change(gconstpointer a, gconstpointer b)
 {
     const Misfit *first = a, *second = b;
     if (first->set != second->set) return first->set < second->set ? -1 : 1;
+    if (first->said != second->said) return first->said ? -1 : 1;
     return (first->change < second->change) - (first->change > second->change);
 }
 
@@ -155,6 +170,6 @@ void advice_on_velocities(GPtrArray *all, const TinkerFrame *frame, const Tinker
     for (guint first = 0, end; first < misfits->len; first = end) {
         for (end = first; end < misfits->len && all_misfits[end].set == all_misfits[first].set;)
             end++;
-        tell(all, frame, all_misfits + first, end - first);
+        if (all_misfits[first].said) tell(all, frame, all_misfits + first, end - first);
     }
 }

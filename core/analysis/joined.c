@@ -9,6 +9,7 @@
 #include "physics/compile/assemble.h"
 
 #define NO_MOVE 1e-12 /* m and rad, of 1 or of the value: rounding of the constraints is no edit */
+#define EDGE    1e-6  /* of the size: what is closer to an edge is at it */
 
 static double component(const TinkerScene *scene, TinkerBlockId block, int32_t meaning, int32_t component)
 {
@@ -22,7 +23,8 @@ TinkerPlacement tinker_placement_of(const TinkerScene *scene, TinkerBlockId bloc
     return (TinkerPlacement){
         block,
         {component(scene, block, TINKER_MEANING_POSITION, 0), component(scene, block, TINKER_MEANING_POSITION, 1)},
-        component(scene, block, TINKER_MEANING_ORIENTATION, 0)};
+        component(scene, block, TINKER_MEANING_ORIENTATION, 0),
+        {component(scene, block, TINKER_MEANING_WIDTH, 0), component(scene, block, TINKER_MEANING_HEIGHT, 0)}};
 }
 
 static gboolean differs(double a, double b)
@@ -35,16 +37,48 @@ static gboolean is_elsewhere(const TinkerPlacement *a, const TinkerPlacement *b)
     return differs(a->place[0], b->place[0]) || differs(a->place[1], b->place[1]);
 }
 
+static gboolean has_other_size(const TinkerPlacement *a, const TinkerPlacement *b)
+{
+    return differs(a->size[0], b->size[0]) || differs(a->size[1], b->size[1]);
+}
+
 /* Sets what is another than it is now. */
 static void put(TinkerHistory *history, const TinkerScene *scene, const TinkerPlacement *to)
 {
+    static const int32_t meanings[] = {TINKER_MEANING_ORIENTATION, TINKER_MEANING_WIDTH, TINKER_MEANING_HEIGHT};
     const TinkerPlacement now = tinker_placement_of(scene, to->block);
+    const double wanted[] = {to->orientation, to->size[0], to->size[1]};
+    const double present[] = {now.orientation, now.size[0], now.size[1]};
     const TinkerBlockClass *block_class = tinker_scene_block_class(scene, to->block);
     const int32_t position = block_class->meanings[TINKER_MEANING_POSITION];
-    const int32_t orientation = block_class->meanings[TINKER_MEANING_ORIENTATION];
     if (position >= 0 && is_elsewhere(to, &now)) tinker_history_set(history, to->block, position, to->place, NULL);
-    if (orientation >= 0 && differs(to->orientation, now.orientation))
-        tinker_history_set(history, to->block, orientation, &to->orientation, NULL);
+    for (gsize i = 0; i < G_N_ELEMENTS(meanings); i++) {
+        const int32_t property = block_class->meanings[meanings[i]];
+        if (property >= 0 && differs(wanted[i], present[i]))
+            tinker_history_set(history, to->block, property, &wanted[i], NULL);
+    }
+}
+
+/* A place along one of the block's axes, after its size there has become another: an edge stays an edge. */
+static double at_edge(double at, double before, double now)
+{
+    const gboolean is_at_edge = before > 0 && fabs(fabs(at) - 0.5 * before) <= EDGE * before;
+    return is_at_edge ? copysign(0.5 * now, at) : at;
+}
+
+static void keep_at_edges(TinkerHistory *history, TinkerScene *scene, const TinkerPlacement *before,
+                          const TinkerPlacement *now)
+{
+    for (int32_t i = 0; i < tinker_scene_block_count(scene); i++) {
+        const TinkerBlockId block = tinker_scene_block_at(scene, i);
+        for (int32_t k = 0; k < tinker_scene_end_count(scene, block); k++) {
+            const TinkerSceneEnd end = tinker_scene_end(scene, block, k);
+            if (end.block != now->block) continue;
+            const TinkerSceneEnd to = {end.block, at_edge(end.x, before->size[0], now->size[0]),
+                                       at_edge(end.y, before->size[1], now->size[1])};
+            if (to.x != end.x || to.y != end.y) tinker_history_set_end(history, block, k, to, NULL);
+        }
+    }
 }
 
 gboolean tinker_joined_can_be_brought(TinkerScene *scene, TinkerBlockId block)
@@ -70,7 +104,9 @@ gboolean tinker_joined_follow(TinkerHistory *history, TinkerScene *scene, const 
     const TinkerPlacement now = tinker_placement_of(scene, before->block);
     const TinkerHeldBody held = {now.block, is_elsewhere(&now, before), differs(now.orientation, before->orientation),
                                  FALSE};
-    if (!held.place && !held.orientation) return TRUE;
+    const gboolean resized = has_other_size(&now, before);
+    if (!held.place && !held.orientation && !resized) return TRUE;
+    if (resized) keep_at_edges(history, scene, before, &now);
     GError *cause = NULL;
     g_autoptr(GArray) bodies = tinker_assemble(scene, &held, &cause);
     if (bodies != NULL) {
@@ -78,11 +114,13 @@ gboolean tinker_joined_follow(TinkerHistory *history, TinkerScene *scene, const 
         return TRUE;
     }
     put(history, scene, before);
+    if (resized) keep_at_edges(history, scene, &now, before);
     if (tinker_joined_can_be_brought(scene, now.block)) {
         g_propagate_error(error, cause);
         return FALSE;
     }
     put(history, scene, &now); /* it did not fit before: whoever mends it by hand is not held up */
+    if (resized) keep_at_edges(history, scene, before, &now);
     g_error_free(cause);
     return TRUE;
 }

@@ -5,18 +5,20 @@
 
 #include "scene/history/history.h"
 
-/* Where a block is placed, and how it is turned. */
+/* Where a block is placed, how it is turned, and how large it is. */
 typedef struct {
     TinkerBlockId block;
     double place[2];    /* m */
     double orientation; /* rad */
+    double size[2];     /* m, along its own axes; 0: it has none */
 } TinkerPlacement;
 
 TinkerPlacement tinker_placement_of(const TinkerScene *scene, TinkerBlockId block);
 
-/* The block was moved or turned away from `before`: brings what is joined to it behind it, and itself onto what holds
- * it. FALSE: nothing within reach fits, as it did before; the block is back there, and the error names what does not
- * fit. */
+/* The block was moved, turned or given another size since `before`: brings what is joined to it behind it, and itself
+ * onto what holds it. What is attached at an edge stays at that edge, so that a longer bar has its pins further apart.
+ * FALSE: nothing within reach fits, as it did before; the block is as it was, and the error names what does not fit.
+ */
 gboolean tinker_joined_follow(TinkerHistory *history, TinkerScene *scene, const TinkerPlacement *before,
                               GError **error);
 

@@ -165,11 +165,17 @@ static gboolean on_top(Asked *asked, GError **error)
     double along, gap;
     if (!find_top(asked, &top, error)) return FALSE;
     tinker_top_foot(asked->frame, &top, asked->option->block, &along, &gap);
-    along = CLAMP(along, -INSIDE * top.half_width, INSIDE * top.half_width);
+    along = tinker_top_round(&top, CLAMP(along, -INSIDE * top.half_width, INSIDE * top.half_width));
     StartPlace place = START_PLACE_AS_IT_IS(asked->option->block);
-    place.lies = TRUE;
-    place.plate = top.plate;
-    place.along = tinker_top_round(&top, along);
+    if (tinker_body_can_stand(asked->frame, place.body)) {
+        place.orientation = tinker_top_flat(asked->frame, &top, place.body);
+        const double reach = tinker_top_reach(asked->frame, &top, place.body, place.orientation);
+        tinker_top_centre(&top, along, reach, place.place);
+    } else {
+        place.lies = TRUE;
+        place.plate = top.plate;
+        place.along = along;
+    }
     g_array_append_val(asked->places, place);
     return TRUE;
 }
@@ -179,6 +185,10 @@ static gboolean along_top(Asked *asked, GError **error)
     TinkerTop top;
     if (!find_top(asked, &top, error)) return FALSE;
     set_velocity(asked, asked->value * top.uphill[0], asked->value * top.uphill[1]);
+    if (asked->option->kind != TINKER_START_ROLLING) return TRUE;
+    StartPlace *place = &g_array_index(asked->places, StartPlace, asked->places->len - 1);
+    const double forward = asked->value * (top.uphill[0] * top.along[0] + top.uphill[1] * top.along[1]);
+    place->rate = -forward / tinker_top_reach(asked->frame, &top, place->body, 0);
     return TRUE;
 }
 
@@ -233,6 +243,7 @@ static gboolean find_places(Asked *asked, GError **error)
     case TINKER_START_ON_TOP:
         return on_top(asked, error);
     case TINKER_START_ALONG_TOP:
+    case TINKER_START_ROLLING:
         return along_top(asked, error);
     case TINKER_START_SPEED:
     case TINKER_START_DIRECTION:

@@ -16,6 +16,7 @@ typedef enum {
     TINKER_START_AT_ANGLE,         /* `other` is at this angle from straight down of its far end; rad */
     TINKER_START_ON_TOP,           /* just touches the top of `other`, a plate, and lies along it */
     TINKER_START_ALONG_TOP,        /* moves along the top of `other`, uphill or to the right; m/s */
+    TINKER_START_ROLLING,          /* a disc moves along that top and turns so that it does not slip; m/s */
     TINKER_START_AT_REST,
     TINKER_START_SPEED,     /* the direction stays; m/s */
     TINKER_START_DIRECTION, /* counter-clockwise from +x, the speed stays; rad */

@@ -29,7 +29,8 @@ gboolean start_has_rest_length(const TinkerBlockClass *block_class)
 
 gboolean start_keeps_length(const TinkerBlockClass *block_class)
 {
-    return has_length(block_class) && block_class->physics->constraint != NULL;
+    return has_length(block_class) && block_class->physics->constraint != NULL &&
+           !tinker_block_class_is_wound(block_class);
 }
 
 gboolean start_is_rigid(const TinkerBlockClass *block_class)

@@ -144,6 +144,8 @@ static void offer_links(GPtrArray *options, TinkerScene *scene, const TinkerFram
 
 static void offer_plate(GPtrArray *options, TinkerScene *scene, const TinkerFrame *frame, TinkerBlockId body)
 {
+    const TinkerBlockClass *body_class = tinker_scene_block_class(scene, body);
+    if (!tinker_class_can_lie(body_class) && !tinker_body_can_stand(frame, body)) return; /* it meets no top */
     TinkerTop top = tinker_top_nearest(frame, body);
     double velocity[2];
     if (top.plate == TINKER_NO_BLOCK) return;
@@ -159,6 +161,16 @@ static void offer_plate(GPtrArray *options, TinkerScene *scene, const TinkerFram
           g_strdup(top.level ? _("Speed along the top") : _("Speed up the incline")),
           g_strdup_printf(top.level ? _("%s starts with that speed along the top of %s, positive to the right")
                                     : _("%s starts with that speed along the top of %s, positive uphill"),
+                          name, plate));
+    if (body_class->meanings[TINKER_MEANING_RADIUS] < 0) return;
+    offer(options,
+          (TinkerStartOption){TINKER_START_ROLLING, body, top.plate, .asks = TRUE, .dimension = speed_dimension,
+                              .value = velocity[0] * top.uphill[0] + velocity[1] * top.uphill[1]},
+          g_strdup(top.level ? _("Rolling at") : _("Rolling up the incline at")),
+          g_strdup_printf(top.level ? _("%s starts with that speed along the top of %s, positive to the right, and "
+                                        "turns so that it rolls")
+                                    : _("%s starts with that speed along the top of %s, positive uphill, and turns so "
+                                        "that it rolls"),
                           name, plate));
 }
 

@@ -23,15 +23,12 @@ static GPtrArray *all_integrators(TinkerCatalogue *catalogue)
     for (const TinkerIntegrator *const *each = tinker_integrator_builtins(); *each != NULL; each++)
         g_ptr_array_add(all, (gpointer)*each);
     g_autoptr(GPtrArray) libraries = tinker_catalogue_libraries(catalogue);
-    for (guint i = 0; i < libraries->len; i++) {
-        const TinkerLibraryEntry *library = g_ptr_array_index(libraries, i);
-        if (library->refused != NULL || library->shadowed_by != NULL || library->integrators == NULL) continue;
-        for (guint k = 0; k < library->integrators->len; k++) {
-            const char *id = g_ptr_array_index(library->integrators, k);
-            const TinkerIntegrator *found =
-                tinker_integrator_builtin(id) == NULL ? tinker_catalogue_integrator(catalogue, id, NULL) : NULL;
-            if (found != NULL) g_ptr_array_add(all, (gpointer)found);
-        }
+    g_autoptr(GPtrArray) ids = tinker_libraries_integrators(libraries);
+    for (guint i = 0; i < ids->len; i++) {
+        const char *id = g_ptr_array_index(ids, i);
+        const TinkerIntegrator *found =
+            tinker_integrator_builtin(id) == NULL ? tinker_catalogue_integrator(catalogue, id, NULL) : NULL;
+        if (found != NULL) g_ptr_array_add(all, (gpointer)found);
     }
     return all;
 }

@@ -144,15 +144,6 @@ static void tree_free(void *data)
     g_free(tree);
 }
 
-static void definition_free(void *data)
-{
-    TinkerEquationDefinition *definition = data;
-    g_free(definition->name);
-    g_free(definition->means);
-    tinker_expression_unref(definition->is);
-    g_free(definition);
-}
-
 static void reason_free(void *data)
 {
     g_free(((TinkerNotWritten *)data)->why);
@@ -205,9 +196,9 @@ static void add_trees(TinkerAngleForm *form, TinkerEquations *equations, const G
 TinkerAngleForm *tinker_angle_form_new(TinkerEquations *equations)
 {
     TinkerAngleForm *form = g_new(TinkerAngleForm, 1);
-    *form =
-        (TinkerAngleForm){g_ptr_array_new_with_free_func(tree_free), g_ptr_array_new_with_free_func(definition_free),
-                          g_ptr_array_new_with_free_func(reason_free)};
+    *form = (TinkerAngleForm){g_ptr_array_new_with_free_func(tree_free),
+                              g_ptr_array_new_with_free_func(tinker_equation_definition_free),
+                              g_ptr_array_new_with_free_func(reason_free)};
     guint number = 0;
     add_trees(form, equations, equations->rods, &number);
     add_trees(form, equations, equations->pins, &number);

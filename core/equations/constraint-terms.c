@@ -213,8 +213,9 @@ gboolean tinker_writer_add_constraint(TinkerEquationWriter *writer, TinkerBlockI
         const TinkerDimension dimension = g_array_index(dimensions, TinkerDimension, r);
         const TinkerDimension of_multiplier = {1, (int8_t)(2 - dimension.length), -2, 0};
         static const char *const components[] = {"x", "y", "θ"};
-        const char *name = tinker_writer_name(writer, block, "λ", 0,
-                                              g->len > 1 && r < G_N_ELEMENTS(components) ? components[r] : NULL);
+        const guint named = dimension.angle == 1 ? 2 : r;
+        const char *name = tinker_writer_name(
+            writer, block, "λ", 0, g->len > 1 && named < G_N_ELEMENTS(components) ? components[named] : NULL);
         g_ptr_array_add(multipliers,
                         tinker_writer_symbol(writer, name, block, values[r], of_multiplier, NULL, "multiplier"));
         tinker_writer_add_row(writer, block, tinker_expression_ref(g_ptr_array_index(g, r)), dimension, name, active);

@@ -13,7 +13,7 @@ static void symbol_free(void *data)
     g_free(symbol);
 }
 
-static void definition_free(void *data)
+void tinker_equation_definition_free(void *data)
 {
     TinkerEquationDefinition *definition = data;
     g_free(definition->name);
@@ -169,7 +169,7 @@ TinkerEquations *tinker_equations_new(TinkerScene *scene, const TinkerModelState
         .time = state->time,
         .bodies = g_ptr_array_new_with_free_func(body_free),
         .symbols = g_ptr_array_new_with_free_func(symbol_free),
-        .definitions = g_ptr_array_new_with_free_func(definition_free),
+        .definitions = g_ptr_array_new_with_free_func(tinker_equation_definition_free),
         .constraints = g_ptr_array_new_with_free_func(constraint_free),
         .not_written = g_ptr_array_new_with_free_func(not_written_free),
         .lines = g_ptr_array_new_with_free_func(line_free),
@@ -211,4 +211,10 @@ void tinker_equations_free(TinkerEquations *equations)
     g_hash_table_unref(equations->looks);
     g_hash_table_unref(equations->values);
     g_free(equations);
+}
+
+const char *tinker_equation_unit(TinkerDimension dimension, gboolean energy)
+{
+    static const TinkerDimension of_both = {1, 2, -2, 0};
+    return !energy && tinker_dimension_equal(dimension, of_both) ? "N m" : tinker_unit_si_symbol(dimension);
 }

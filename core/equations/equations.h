@@ -31,6 +31,9 @@ typedef struct {
     const char *component; /* static, or NULL */
 } TinkerEquationLook;
 
+/* The unit of a value in SI: of a torque "N m", which has the dimension of an energy. Borrowed. */
+const char *tinker_equation_unit(TinkerDimension dimension, gboolean energy);
+
 /* A number that is given: of a property, of the state, or a multiplier. */
 typedef struct {
     char *name; /* unique */
@@ -48,8 +51,9 @@ typedef struct {
     TinkerDimension dimension;
     char *means;
     TinkerExpression *is;
-    gboolean typed; /* by the user, in plain SI numbers */
-    double value;   /* at the time of the state */
+    gboolean typed;  /* by the user, in plain SI numbers */
+    gboolean energy; /* in J: all else of this dimension is a torque */
+    double value;    /* at the time of the state */
 } TinkerEquationDefinition;
 
 typedef struct {
@@ -114,6 +118,9 @@ typedef struct {
 TinkerEquations *tinker_equations_new(TinkerScene *scene, const TinkerModelState *state, GError **error);
 void tinker_equations_free(TinkerEquations *equations);
 G_DEFINE_AUTOPTR_CLEANUP_FUNC(TinkerEquations, tinker_equations_free)
+
+/* Of a TinkerEquationDefinition. */
+void tinker_equation_definition_free(void *definition);
 
 /* The look of a name; for tinker_expression_typeset, with the equations as its data. */
 void tinker_equations_look(const char *symbol, TinkerSymbolLook *look, void *equations);

@@ -59,7 +59,7 @@ gboolean tinker_writer_add_force(TinkerEquationWriter *writer, TinkerBlockId blo
                 if (!known) break;
                 const TinkerDimension energy = {1, 2, -2, 0};
                 const char *name = tinker_writer_name(writer, block, "V", 0, NULL);
-                potential = tinker_writer_define(writer, name, block, energy, "stored energy", is, law->typed);
+                potential = tinker_writer_define(writer, name, block, energy, TINKER_STORED_ENERGY, is, law->typed);
             }
             x = tinker_expression_negated(by_place(writer, potential, point->x));
             y = tinker_expression_negated(by_place(writer, potential, point->y));

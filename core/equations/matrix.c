@@ -249,6 +249,10 @@ static gboolean write_island(Builder *builder, const TinkerIslandPlan *plan)
         builder->why = "it is not linear";
         return FALSE;
     }
+    if (plan->shafts) {
+        builder->why = "it is linear in the angles of its shafts, not along one line";
+        return FALSE;
+    }
     choose_coordinates(builder, plan);
     const guint n = size_of(builder);
     if (n == 0 || n > MOST_COORDINATES) {

@@ -44,25 +44,14 @@ static void number_group(TinkerEquationWriter *writer, const GArray *blocks)
     }
 }
 
-typedef struct {
-    const TinkerScene *scene;
-    TinkerBlockId block;
-} TextSource;
-
-static const char *text_of(int32_t property, void *data)
-{
-    const TextSource *source = data;
-    return tinker_scene_get_text(source->scene, source->block, property);
-}
-
 TinkerBlockLaw *tinker_writer_law_of(const TinkerEquationWriter *writer, TinkerBlockId block, GError **error)
 {
     const TinkerBlockClass *block_class = tinker_scene_block_class(writer->scene, block);
     const int32_t ends = tinker_scene_end_count(writer->scene, block);
     if (block_class->law_count > 0 || tinker_law_role(block_class) == TINKER_LAW_NONE)
         return tinker_block_law_new(block_class, ends, error);
-    TextSource source = {writer->scene, block};
-    return tinker_block_law_new_typed(block_class, ends, text_of, &source, error);
+    TinkerSceneTexts texts = {writer->scene, block};
+    return tinker_block_law_new_typed(block_class, ends, tinker_scene_text_of, &texts, error);
 }
 
 static void count_stem(TinkerEquationWriter *writer, const char *stem)

@@ -20,7 +20,7 @@ void tinker_page_heading(TinkerPage *page, const char *heading);
 /* left = right, and what it is; all are taken over. `comment` is plain text, and may be NULL. */
 void tinker_page_equation(TinkerPage *page, char *left, char *right, char *comment);
 
-/* The same in lines; page-lines.c. A sum has its terms added one by one. */
+/* Equations as lines of a page, in place of its text; page-lines.c. A sum has its terms added one by one. */
 GPtrArray *tinker_page_lines_new(void);
 void tinker_page_line_heading(TinkerPage *page, const char *heading);
 void tinker_page_line(TinkerPage *page, char *left, char *right, char *comment);
@@ -52,5 +52,10 @@ char *tinker_page_symbol(const TinkerPage *page, const char *name);
 char *tinker_page_derivative(const TinkerPage *page, const char *name, int dots);
 /* A number with its unit. */
 char *tinker_page_quantity(const TinkerPage *page, double value, TinkerDimension dimension);
+/* Of what may be a torque or an energy: in N m or in J. */
+char *tinker_page_amount(const TinkerPage *page, double value, TinkerDimension dimension, gboolean energy);
+
+/* What stands behind a symbol, in the words of the locale. Borrowed. */
+const char *tinker_page_words(const char *english);
 
 #endif

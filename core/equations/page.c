@@ -181,13 +181,22 @@ char *tinker_page_symbol(const TinkerPage *page, const char *name)
     return tinker_page_derivative(page, name, 0);
 }
 
-char *tinker_page_quantity(const TinkerPage *page, double value, TinkerDimension dimension)
+static char *with_unit(const TinkerPage *page, double value, const char *unit)
 {
-    const char *unit = tinker_unit_si_symbol(dimension);
     g_autoptr(TinkerExpression) number = tinker_expression_number(value);
     g_autofree char *digits = tinker_page_expression(page, number), *safe = safe_text(page, unit);
     if (unit[0] == '\0') return g_steal_pointer(&digits);
     if (page->format == TINKER_TYPESET_LATEX) return g_strdup_printf("%s\\,\\text{%s}", digits, safe);
     if (page->format == TINKER_TYPESET_MATHML) return g_strdup_printf("%s<mtext>&#xa0;%s</mtext>", digits, safe);
     return g_strdup_printf("%s %s", digits, safe);
+}
+
+char *tinker_page_quantity(const TinkerPage *page, double value, TinkerDimension dimension)
+{
+    return with_unit(page, value, tinker_unit_si_symbol(dimension));
+}
+
+char *tinker_page_amount(const TinkerPage *page, double value, TinkerDimension dimension, gboolean energy)
+{
+    return with_unit(page, value, tinker_equation_unit(dimension, energy));
 }

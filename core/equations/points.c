@@ -35,29 +35,31 @@ static void point_free(void *data)
     g_free(data);
 }
 
-/* Adds one motion to a displacement; answers FALSE where its law is not known. */
-static gboolean add_motion(TinkerEquationWriter *writer, TinkerBlockId motion, TinkerExpression *displacement[2])
+/* What motions do to a support: how far they move it, and turn it. */
+enum { MOVED_X, MOVED_Y, TURNED, MOVES };
+
+/* Adds one motion; answers FALSE where its law is not known. */
+static gboolean add_motion(TinkerEquationWriter *writer, TinkerBlockId motion, TinkerExpression *moved[MOVES])
 {
-    static const char *const wanted[] = {"displacement_x", "displacement_y"};
+    static const char *const wanted[] = {"displacement_x", "displacement_y", "rotation"};
     g_autoptr(TinkerBlockLaw) law = tinker_block_law_new(tinker_scene_block_class(writer->scene, motion), 1, NULL);
     if (law == NULL) return FALSE;
     TinkerLawUse use;
     tinker_law_use_init(&use, motion, law);
-    gboolean known = TRUE;
-    for (int axis = 0; axis < 2; axis++) {
-        TinkerExpression *part = tinker_law_use_equation(writer, &use, wanted[axis]);
-        known = known && part != NULL;
-        if (part != NULL) displacement[axis] = tinker_expression_plus(displacement[axis], part);
+    gboolean known = FALSE;
+    for (int k = 0; k < MOVES; k++) {
+        TinkerExpression *part = tinker_law_use_equation(writer, &use, wanted[k]);
+        known = known || part != NULL;
+        if (part != NULL) moved[k] = tinker_expression_plus(moved[k], part);
     }
     tinker_law_use_clear(&use);
     return known;
 }
 
-/* The displacement of a support by all its motions; whether any moves it, and whether all are known. */
-static void displacement_of(TinkerEquationWriter *writer, TinkerBlockId support, TinkerExpression *displacement[2],
-                            gboolean *moves, TinkerBlockId *unknown)
+/* How all its motions move a support, and one of those that nobody knows the law of; -1. */
+static void moves_of(TinkerEquationWriter *writer, TinkerBlockId support, TinkerExpression *moved[MOVES],
+                     TinkerBlockId *unknown)
 {
-    *moves = FALSE;
     *unknown = -1;
     for (int32_t i = 0; i < tinker_scene_block_count(writer->scene); i++) {
         const TinkerBlockId block = tinker_scene_block_at(writer->scene, i);
@@ -65,8 +67,7 @@ static void displacement_of(TinkerEquationWriter *writer, TinkerBlockId support,
         if (block_class == NULL || tinker_law_role(block_class) != TINKER_LAW_MOTION ||
             tinker_scene_end(writer->scene, block, 0).block != support)
             continue;
-        *moves = TRUE;
-        if (!add_motion(writer, block, displacement)) *unknown = block;
+        if (!add_motion(writer, block, moved)) *unknown = block;
     }
 }
 
@@ -90,10 +91,12 @@ static gboolean is_typed(const TinkerEquationWriter *writer, const TinkerExpress
     return FALSE;
 }
 
-/* The place and the velocity of a moved support as definitions. */
-static void define_moved(TinkerEquationWriter *writer, TinkerBlockId support, const char *stem, TinkerExpression *place,
-                         TinkerExpression *displacement, TinkerExpression **out, TinkerExpression **rate)
+/* The place of a moved support and its velocity, or its angle and rate, as definitions. */
+static void define_moved(TinkerEquationWriter *writer, TinkerBlockId support, const char *stem,
+                         TinkerDimension dimension, TinkerExpression *place, TinkerExpression *displacement,
+                         TinkerExpression **out, TinkerExpression **rate)
 {
+    const TinkerDimension of_rate = {dimension.mass, dimension.length, (int8_t)(dimension.time - 1), dimension.angle};
     const gboolean typed = is_typed(writer, displacement);
     if (tinker_expression_is_number(displacement, 0)) {
         tinker_expression_unref(displacement);
@@ -103,10 +106,10 @@ static void define_moved(TinkerEquationWriter *writer, TinkerBlockId support, co
     }
     TinkerExpression *velocity = tinker_writer_rate(writer, displacement);
     const char *name = tinker_writer_name(writer, support, stem, 0, NULL);
-    *out = tinker_writer_define(writer, name, support, tinker_length_dimension, "where its motion has it",
+    *out = tinker_writer_define(writer, name, support, dimension, "where its motion has it",
                                 tinker_expression_plus(place, displacement), FALSE);
     name = tinker_writer_name(writer, support, stem, 1, NULL);
-    *rate = tinker_writer_define(writer, name, support, tinker_velocity_dimension, "its velocity", velocity, typed);
+    *rate = tinker_writer_define(writer, name, support, of_rate, "its velocity", velocity, typed);
 }
 
 /* The centre of a support. */
@@ -115,28 +118,33 @@ static const TinkerPointSymbols *centre_of(TinkerEquationWriter *writer, TinkerB
     TinkerPointSymbols *known = g_hash_table_lookup(writer->points, GINT_TO_POINTER(support));
     if (known != NULL) return known;
     static const char *const stems[] = {"X", "Y"}, *const placed[] = {"X0", "Y0"};
-    TinkerExpression *displacement[] = {tinker_expression_number(0), tinker_expression_number(0)}, *place[2], *rate[2];
-    gboolean moves;
+    TinkerExpression *moved_by[MOVES], *place[2], *rate[2];
+    for (int k = 0; k < MOVES; k++)
+        moved_by[k] = tinker_expression_number(0);
     TinkerBlockId unknown;
     double at[2], orientation;
-    displacement_of(writer, support, displacement, &moves, &unknown);
+    moves_of(writer, support, moved_by, &unknown);
     tinker_frame_centre(writer->frame, support, &at[0], &at[1], &orientation);
     for (int axis = 0; axis < 2; axis++) {
         if (unknown >= 0) {
             place[axis] = unknown_place(writer, support, unknown, stems[axis], at[axis]);
             rate[axis] = tinker_expression_number(0);
-            tinker_expression_unref(displacement[axis]);
+            tinker_expression_unref(moved_by[axis]);
             continue;
         }
-        const gboolean moved = !tinker_expression_is_number(displacement[axis], 0);
+        const gboolean moved = !tinker_expression_is_number(moved_by[axis], 0);
         TinkerExpression *start =
             tinker_writer_meaning(writer, support, TINKER_MEANING_POSITION, axis, moved ? placed[axis] : stems[axis]);
-        define_moved(writer, support, stems[axis], start, displacement[axis], &place[axis], &rate[axis]);
+        define_moved(writer, support, stems[axis], tinker_length_dimension, start, moved_by[axis], &place[axis],
+                     &rate[axis]);
     }
     TinkerPointSymbols *point = g_new(TinkerPointSymbols, 1);
     *point = (TinkerPointSymbols){.block = -1, .x = place[0], .y = place[1], .vx = rate[0], .vy = rate[1]};
-    point->angle = tinker_writer_meaning(writer, support, TINKER_MEANING_ORIENTATION, 0, "φ");
-    point->rate = tinker_expression_number(0);
+    const gboolean turned = !tinker_expression_is_number(moved_by[TURNED], 0);
+    TinkerExpression *placed_angle =
+        tinker_writer_meaning(writer, support, TINKER_MEANING_ORIENTATION, 0, turned ? "φ0" : "φ");
+    define_moved(writer, support, "φ", tinker_angle_dimension, placed_angle, moved_by[TURNED], &point->angle,
+                 &point->rate);
     g_hash_table_insert(writer->points, GINT_TO_POINTER(support), point);
     return point;
 }
@@ -230,8 +238,13 @@ void tinker_writer_end(TinkerEquationWriter *writer, TinkerBlockId connector, in
     TinkerExpression *turned[2];
     turn_offset(point->angle, offset(writer, connector, number, end.x, TRUE),
                 offset(writer, connector, number, end.y, FALSE), turned);
+    TinkerExpression *across[2];
+    for (int axis = 0; axis < 2; axis++)
+        across[axis] = tinker_expression_times(tinker_expression_ref(point->rate), tinker_expression_ref(turned[axis]));
     point->x = tinker_expression_plus(point->x, turned[0]);
     point->y = tinker_expression_plus(point->y, turned[1]);
+    point->vx = tinker_expression_minus(point->vx, across[1]);
+    point->vy = tinker_expression_plus(point->vy, across[0]);
 }
 
 TinkerExpression *tinker_writer_start(TinkerEquationWriter *writer, TinkerBlockId connector, int32_t number,

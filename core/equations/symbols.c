@@ -9,9 +9,8 @@
 #include <tinker/kernels.h>
 
 const TinkerDimension tinker_length_dimension = {0, 1, 0, 0}, tinker_velocity_dimension = {0, 1, -1, 0},
-                      tinker_force_dimension = {1, 1, -2, 0}, tinker_mass_dimension = {1, 0, 0, 0},
-                      tinker_pure_dimension = {0, 0, 0, 0}, tinker_torque_dimension = {1, 2, -2, 0},
-                      tinker_angle_dimension = {0, 0, 0, 1};
+                      tinker_force_dimension = {1, 1, -2, 0}, tinker_pure_dimension = {0, 0, 0, 0},
+                      tinker_torque_dimension = {1, 2, -2, 0}, tinker_angle_dimension = {0, 0, 0, 1};
 
 static void keep_value(TinkerEquationWriter *writer, const char *name, double value)
 {
@@ -31,7 +30,9 @@ TinkerExpression *tinker_writer_symbol(TinkerEquationWriter *writer, const char 
     return tinker_expression_symbol(name);
 }
 
-TinkerExpression *tinker_writer_property(TinkerEquationWriter *writer, TinkerBlockId block, int32_t property,
+/* What a property's column stands for: a symbol of this stem, the same for each call; 0 where its value is 0. (transfer
+ * full) */
+static TinkerExpression *property_symbol(TinkerEquationWriter *writer, TinkerBlockId block, int32_t property,
                                          int32_t component, const char *stem)
 {
     const TinkerBlockClass *block_class = tinker_scene_block_class(writer->scene, block);
@@ -52,8 +53,7 @@ TinkerExpression *tinker_writer_meaning(TinkerEquationWriter *writer, TinkerBloc
                                         int32_t component, const char *stem)
 {
     const int32_t property = tinker_scene_block_class(writer->scene, block)->meanings[meaning];
-    return property < 0 ? tinker_expression_number(0)
-                        : tinker_writer_property(writer, block, property, component, stem);
+    return property < 0 ? tinker_expression_number(0) : property_symbol(writer, block, property, component, stem);
 }
 
 TinkerExpression *tinker_writer_define(TinkerEquationWriter *writer, const char *name, TinkerBlockId block,
@@ -65,6 +65,7 @@ TinkerExpression *tinker_writer_define(TinkerEquationWriter *writer, const char 
                                              .block = block,
                                              .dimension = dimension,
                                              .means = g_strdup(means),
+                                             .energy = means != NULL && strcmp(means, TINKER_STORED_ENERGY) == 0,
                                              .is = is,
                                              .typed = typed,
                                              .value = tinker_equations_value(writer->equations, is)};
@@ -173,7 +174,20 @@ typedef struct {
     TinkerLawUse *use;
 } Use;
 
-/* A waveform at t: harmonic, typed, or a table, of which only the value is known. */
+static TinkerExpression *zero_for_time(const char *name, void *data)
+{
+    return strcmp(name, "t") == 0 ? tinker_expression_number(0) : NULL;
+}
+
+/* Uses it up. */
+static TinkerExpression *at_start(TinkerExpression *is)
+{
+    TinkerExpression *there = tinker_expression_replace(is, zero_for_time, NULL);
+    tinker_expression_unref(is);
+    return there;
+}
+
+/* A waveform at t or at the start: harmonic, typed, or a table, of which only the value is known. */
 static TinkerExpression *waveform(TinkerEquationWriter *writer, const TinkerLawUse *use, const TinkerLawSymbol *symbol)
 {
     const TinkerBlockId block = use->block;
@@ -182,9 +196,11 @@ static TinkerExpression *waveform(TinkerEquationWriter *writer, const TinkerLawU
     TinkerWaveform *wave = tinker_scene_get_waveform(writer->scene, block, symbol->property);
     const TinkerWaveformKind kind = tinker_waveform_kind(wave);
     if (kind == TINKER_WAVEFORM_NONE) return tinker_expression_number(0);
+    g_autofree char *stem = symbol->at_start ? g_strconcat(type->symbol, "0", NULL) : g_strdup(symbol->name);
     if (kind == TINKER_WAVEFORM_TABLE) {
-        const char *name = tinker_writer_name(writer, block, symbol->name, 0, NULL);
-        const double value = tinker_frame_column(writer->frame, block, symbol->column);
+        const char *name = tinker_writer_name(writer, block, stem, 0, NULL);
+        const TinkerFrame *frame = symbol->at_start ? writer->start : writer->frame;
+        const double value = tinker_frame_column(frame, block, symbol->column);
         tinker_writer_note_unwritten(writer, block, name, "its waveform is a table");
         return tinker_writer_symbol(writer, name, block, value, symbol->dimension, NULL, NULL);
     }
@@ -196,8 +212,8 @@ static TinkerExpression *waveform(TinkerEquationWriter *writer, const TinkerLawU
         TinkerExpression *parts[3];
         for (int i = 0; i < 3; i++) {
             const int32_t property = ids[i] != NULL ? tinker_block_class_property(block_class, ids[i]) : -1;
-            const char *stem = property >= 0 ? block_class->properties[property].symbol : NULL;
-            parts[i] = property >= 0 ? tinker_writer_property(writer, block, property, 0, stem != NULL ? stem : ids[i])
+            const char *of = property >= 0 ? block_class->properties[property].symbol : NULL;
+            parts[i] = property >= 0 ? property_symbol(writer, block, property, 0, of != NULL ? of : ids[i])
                                      : tinker_expression_number(i == 2 ? 0 : 1);
         }
         TinkerExpression *phase =
@@ -205,8 +221,9 @@ static TinkerExpression *waveform(TinkerEquationWriter *writer, const TinkerLawU
         is = tinker_expression_times(parts[0],
                                      tinker_expression_call(kind == TINKER_WAVEFORM_SINE ? "sin" : "cos", phase));
     }
+    if (symbol->at_start) is = at_start(is);
     if (is->kind == TINKER_EXPRESSION_NUMBER) return is;
-    const char *name = tinker_writer_name(writer, block, symbol->name, 0, NULL);
+    const char *name = tinker_writer_name(writer, block, stem, 0, NULL);
     return tinker_writer_define(writer, name, block, symbol->dimension, type->description, is,
                                 kind == TINKER_WAVEFORM_EXPRESSION);
 }
@@ -225,12 +242,12 @@ static TinkerExpression *meaning_of(const char *name, void *data)
     TinkerExpression *known = g_hash_table_lookup(use->use->meanings, name);
     if (known != NULL) return tinker_expression_ref(known);
     const TinkerLawSymbol *symbol = tinker_block_law_symbol(use->use->law, name);
+    if (symbol != NULL && symbol->absent) return tinker_expression_number(0);
     if (symbol == NULL || symbol->property < 0) return NULL;
     TinkerExpression *found = use->use->law->typed ? typed_number(use, symbol)
-                              : symbol->at_time
-                                  ? waveform(use->writer, use->use, symbol)
-                                  : tinker_writer_property(use->writer, use->use->block, symbol->property,
-                                                           symbol->component == 'y' ? 1 : 0, symbol->name);
+                              : symbol->at_time    ? waveform(use->writer, use->use, symbol)
+                                                   : property_symbol(use->writer, use->use->block, symbol->property,
+                                                                  symbol->component == 'y' ? 1 : 0, symbol->name);
     tinker_law_use_set(use->use, name, found);
     return found;
 }
@@ -242,7 +259,8 @@ static gboolean direction_is_exact(const Use *use, const TinkerExpression *node,
     const gboolean cosine = strcmp(node->name, "cos") == 0;
     if ((!cosine && strcmp(node->name, "sin") != 0) || node->parts[0]->kind != TINKER_EXPRESSION_SYMBOL) return FALSE;
     const TinkerLawSymbol *symbol = tinker_block_law_symbol(use->use->law, node->parts[0]->name);
-    if (symbol == NULL || symbol->column < 0 || symbol->at_time || symbol->dimension.angle != 1) return FALSE;
+    if (symbol == NULL || symbol->column < 0 || symbol->at_time || symbol->absent || symbol->dimension.angle != 1)
+        return FALSE;
     double direction[2];
     tinker_direction(tinker_frame_column(use->writer->frame, use->use->block, symbol->column), direction);
     *value = cosine ? direction[0] : direction[1];

@@ -1,6 +1,8 @@
 /* Equations in angles as a page. */
 #include "equations/page-private.h"
+
 #include "equations/write.h"
+#include <glib/gi18n-lib.h>
 
 static void write_tree(TinkerPage *page, const TinkerAngleTree *tree)
 {
@@ -21,7 +23,7 @@ static void write_tree(TinkerPage *page, const TinkerAngleTree *tree)
         const TinkerRodAngle *angle = &g_array_index(tree->angles, TinkerRodAngle, i);
         tinker_page_equation(
             page, tinker_page_symbol(page, angle->angle), tinker_page_quantity(page, angle->value, radians),
-            g_strdup_printf("%s, from straight down", tinker_scene_block_name(page->equations->scene, angle->rod)));
+            g_strdup_printf(_("%s, from straight down"), tinker_scene_block_name(page->equations->scene, angle->rod)));
     }
 }
 
@@ -35,18 +37,20 @@ void tinker_equations_put_angles(TinkerPage *page, const TinkerAngleForm *form, 
         for (guint k = 0; k < tree->equations->len; k++)
             tinker_equations_mark(equations, g_ptr_array_index(tree->equations, k), needed);
     }
-    if (form->definitions->len > 0) tinker_page_heading(page, "moved by");
+    if (form->definitions->len > 0) tinker_page_heading(page, C_("equations", "moved by"));
     for (guint i = 0; i < form->definitions->len; i++) {
         const TinkerEquationDefinition *definition = g_ptr_array_index(form->definitions, i);
         tinker_equations_mark(equations, definition->is, needed);
         tinker_page_equation(page, tinker_page_symbol(page, definition->name),
-                             tinker_page_expression(page, definition->is), g_strdup(definition->means));
+                             tinker_page_expression(page, definition->is),
+                             g_strdup(tinker_page_words(definition->means)));
     }
     tinker_page_names(page, needed, shown->values);
     for (guint i = 0; i < form->why->len; i++) {
         const TinkerNotWritten *reason = g_ptr_array_index(form->why, i);
-        g_autofree char *heading = g_strdup_printf(
-            "%s has no equations in angles: %s", tinker_scene_block_name(equations->scene, reason->block), reason->why);
+        g_autofree char *heading =
+            g_strdup_printf(_("%s has no equations in angles: %s"),
+                            tinker_scene_block_name(equations->scene, reason->block), reason->why);
         tinker_page_heading(page, heading);
     }
 }

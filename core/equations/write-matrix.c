@@ -1,5 +1,7 @@
 /* The matrix form as a page. */
+#include <glib/gi18n-lib.h>
 #include <math.h>
+#include <string.h>
 
 #include "equations/page-private.h"
 #include "equations/write.h"
@@ -64,7 +66,7 @@ static void write_coordinate(TinkerPage *page, const TinkerMatrixIsland *island,
                       ? g_strdup(is)
                       : g_strconcat(is, tinker_typeset_sign(page->format, each->about > 0 ? '-' : '+'), about, NULL);
     tinker_page_equation(page, coordinate(page, island, number, 0), right,
-                         g_strdup(island->about_rest ? "counted from rest" : "its place"));
+                         g_strdup(island->about_rest ? _("counted from rest") : _("its place")));
 }
 
 static char *named(const TinkerPage *page, const char *stem, const char *index)
@@ -75,10 +77,42 @@ static char *named(const TinkerPage *page, const char *stem, const char *index)
     return g_string_free(text, FALSE);
 }
 
+/* x^2. */
+static char *squared(const TinkerPage *page, const char *stem, const char *index)
+{
+    static const char *const forms[] = {"%s²", "%s^{2}", "<msup>%s<mn>2</mn></msup>", "%s squared"};
+    g_autofree char *base = named(page, stem, index);
+    const char *form = forms[page->format], *place = strstr(form, "%s");
+    return g_strdup_printf("%.*s%s%s", (int)(place - form), form, base, place + 2);
+}
+
+/* The textbook's form of one coordinate: q'' + 2 ζ ω q' + ω^2 q = f / m. */
+static void write_second_order(TinkerPage *page, const TinkerMatrixIsland *island)
+{
+    const double omega = island->omega[0], zeta = island->zeta[0];
+    const char *times = tinker_typeset_sign(page->format, '*'), *plus = tinker_typeset_sign(page->format, '+');
+    if (!(omega > 0) || isnan(zeta)) return;
+    GString *sum = g_string_new(NULL);
+    g_autofree char *q = coordinate(page, island, 0, 0), *speed = coordinate(page, island, 0, 1);
+    g_autofree char *acceleration = coordinate(page, island, 0, 2), *square = squared(page, "ω", "0");
+    g_autofree char *ratio = named(page, "ζ", ""), *natural = named(page, "ω", "0");
+    g_autoptr(TinkerExpression) two = tinker_expression_number(2);
+    g_autofree char *number = tinker_page_expression(page, two);
+    g_string_append(sum, acceleration);
+    if (fabs(zeta) >= ROUNDING)
+        g_string_append_printf(sum, "%s%s%s%s%s%s%s%s", plus, number, times, ratio, times, natural, times, speed);
+    g_string_append_printf(sum, "%s%s%s%s", plus, square, times, q);
+    g_autoptr(TinkerExpression) load =
+        tinker_expression_over(tinker_expression_ref(g_ptr_array_index(island->load, 0)),
+                               tinker_expression_ref(g_ptr_array_index(island->mass, 0)));
+    tinker_page_equation(page, g_string_free(sum, FALSE), tinker_page_expression(page, load), NULL);
+}
+
 static void write_roots(TinkerPage *page, const TinkerMatrixIsland *island)
 {
     static const TinkerDimension pure = {0, 0, 0, 0}, rate = {0, 0, -1, 0};
     const guint n = island->coordinates->len;
+    if (n == 1) write_second_order(page, island);
     for (guint i = 0; i < n; i++) {
         g_autofree char *index = n == 1 ? g_strdup("0") : g_strdup_printf("%u", i + 1);
         const double omega = island->omega[i], zeta = fabs(island->zeta[i]) < ROUNDING ? 0 : island->zeta[i];
@@ -86,21 +120,46 @@ static void write_roots(TinkerPage *page, const TinkerMatrixIsland *island)
             tinker_page_equation(
                 page, named(page, "s", index),
                 tinker_page_quantity(page, fmax(island->unstable[2 * i], island->unstable[2 * i + 1]), rate),
-                g_strdup("it is not stable: so fast it leaves its rest"));
+                g_strdup(_("it is not stable: so fast it leaves its rest")));
             continue;
         }
         tinker_page_equation(page, named(page, "ω", index), tinker_page_quantity(page, omega, frequency),
-                             g_strdup(omega > 0 ? "natural frequency" : "nothing brings it back"));
+                             g_strdup(omega > 0 ? _("natural frequency") : _("nothing brings it back")));
         if (!isnan(zeta))
             tinker_page_equation(page, named(page, "ζ", n == 1 ? "" : index), tinker_page_quantity(page, zeta, pure),
-                                 g_strdup(zeta == 0  ? "damping ratio: none"
-                                          : zeta < 1 ? "damping ratio: it swings out"
-                                                     : "damping ratio: it creeps back"));
+                                 g_strdup(zeta == 0  ? _("damping ratio: none")
+                                          : zeta < 1 ? _("damping ratio: its swings die away")
+                                                     : _("damping ratio: it creeps back")));
         if (!isnan(zeta) && fabs(zeta) < 1)
             tinker_page_equation(page, named(page, "τ", n == 1 ? "" : index),
                                  tinker_page_quantity(page, 2 * G_PI / (omega * sqrt(1 - zeta * zeta)), seconds),
-                                 g_strdup("period"));
+                                 g_strdup(_("period")));
     }
+}
+
+/* Of a matrix too large to be written: how many entries it has, and how far they are from its diagonal. */
+static void write_pattern(TinkerPage *page, const char *name, const GPtrArray *entries, guint n)
+{
+    guint count = 0, band = 0;
+    for (guint i = 0; i < n; i++)
+        for (guint k = 0; k < n; k++) {
+            if (tinker_expression_is_number(g_ptr_array_index(entries, i * n + k), 0)) continue;
+            count++;
+            band = MAX(band, i > k ? i - k : k - i);
+        }
+    g_autofree char *text =
+        count == 0 ? g_strdup_printf(_("%s is 0"), name)
+        : band == 0
+            ? g_strdup_printf(_("%s is diagonal, with %u entries"), name, count)
+            : g_strdup_printf(_("%s has %u entries, none farther than %u from the diagonal"), name, count, band);
+    tinker_page_heading(page, text);
+}
+
+static void write_patterns(TinkerPage *page, const TinkerMatrixIsland *island)
+{
+    write_pattern(page, "M", island->mass, island->coordinates->len);
+    write_pattern(page, "C", island->damping, island->coordinates->len);
+    write_pattern(page, "K", island->stiffness, island->coordinates->len);
 }
 
 static void write_island(TinkerPage *page, const TinkerMatrixIsland *island)
@@ -112,9 +171,12 @@ static void write_island(TinkerPage *page, const TinkerMatrixIsland *island)
         if (i > 0 && coordinate_at(island, i)->body == coordinate_at(island, i - 1)->body) continue;
         if (i < MOST_WRITTEN) g_string_append_printf(heading, "%s%s", heading->len > 0 ? ", " : "", name);
     }
-    if (n > MOST_WRITTEN) g_string_append_printf(heading, ", ...: %u coordinates (the JSON has the matrices)", n);
+    if (n > MOST_WRITTEN) g_string_append_printf(heading, _(", ...: %u coordinates (the JSON has the matrices)"), n);
     tinker_page_heading(page, heading->str);
-    if (n > MOST_WRITTEN) return;
+    if (n > MOST_WRITTEN) {
+        write_patterns(page, island);
+        return;
+    }
     for (guint i = 0; i < n; i++)
         write_row(page, island, i);
     tinker_page_gap(page);
@@ -147,8 +209,8 @@ void tinker_equations_put_matrix(TinkerPage *page, const TinkerMatrixForm *form,
     for (guint i = 0; i < form->why->len; i++) {
         const TinkerNotWritten *reason = g_ptr_array_index(form->why, i);
         g_autofree char *heading = g_strdup_printf(
-            "%s has no such equations: %s",
-            reason->block >= 0 ? tinker_scene_block_name(page->equations->scene, reason->block) : "it", reason->why);
+            _("%s has no such equations: %s"),
+            reason->block >= 0 ? tinker_scene_block_name(page->equations->scene, reason->block) : _("it"), reason->why);
         tinker_page_heading(page, heading);
     }
 }

@@ -1,4 +1,5 @@
 /* What the symbols of a page stand for: definitions, and values. */
+#include <glib/gi18n-lib.h>
 #include <string.h>
 
 #include "equations/page-private.h"
@@ -31,17 +32,19 @@ static void write_laws(TinkerPage *page, GHashTable *needed, gboolean values)
     for (guint i = 0; i < equations->definitions->len; i++) {
         const TinkerEquationDefinition *definition = g_ptr_array_index(equations->definitions, i);
         if (!g_hash_table_contains(needed, definition->name)) continue;
-        if (first) tinker_page_heading(page, "with");
+        if (first) tinker_page_heading(page, C_("equations", "with"));
         first = FALSE;
         page->about = definition->block;
-        char *comment = g_strdup_printf("%s: %s%s", name_of(equations, definition->block),
-                                        definition->means != NULL ? definition->means : "a step of its law",
-                                        definition->typed ? ", in SI" : "");
+        const char *means = tinker_page_words(definition->means != NULL ? definition->means : "a step of its law");
+        char *comment = definition->typed ? g_strdup_printf(C_("equations", "%s: %s, in SI"),
+                                                            name_of(equations, definition->block), means)
+                                          : g_strdup_printf("%s: %s", name_of(equations, definition->block), means);
         tinker_page_equation(page, tinker_page_symbol(page, definition->name),
                              tinker_page_expression(page, definition->is), comment);
         if (values)
             tinker_page_equation(page, tinker_page_symbol(page, definition->name),
-                                 tinker_page_quantity(page, definition->value, definition->dimension), NULL);
+                                 tinker_page_amount(page, definition->value, definition->dimension, definition->energy),
+                                 NULL);
     }
 }
 
@@ -49,7 +52,7 @@ static char *meaning_of(const TinkerEquations *equations, const TinkerEquationSy
 {
     const char *what = symbol->quantity != NULL ? symbol->quantity : symbol->property;
     if (symbol->block < 0) return g_strdup(what);
-    g_autofree char *words = g_strdelimit(g_strdup(what != NULL ? what : ""), "_", ' ');
+    g_autofree char *words = g_strdelimit(g_strdup(what != NULL ? tinker_page_words(what) : ""), "_", ' ');
     return g_strdup_printf("%s: %s", name_of(equations, symbol->block), words);
 }
 
@@ -61,12 +64,11 @@ static void write_values(TinkerPage *page, GHashTable *needed, gboolean state)
         const TinkerEquationSymbol *symbol = g_ptr_array_index(equations->symbols, i);
         const gboolean of_state = symbol->quantity != NULL;
         if (!g_hash_table_contains(needed, symbol->name) || (of_state && !state)) continue;
-        if (first) tinker_page_heading(page, "where");
+        if (first) tinker_page_heading(page, C_("equations", "where"));
         first = FALSE;
         page->about = symbol->block;
-        tinker_page_equation(page, tinker_page_symbol(page, symbol->name),
-                             tinker_page_quantity(page, symbol->value, symbol->dimension),
-                             meaning_of(equations, symbol));
+        char *value = tinker_page_amount(page, symbol->value, symbol->dimension, FALSE);
+        tinker_page_equation(page, tinker_page_symbol(page, symbol->name), value, meaning_of(equations, symbol));
     }
 }
 

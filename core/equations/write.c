@@ -1,6 +1,7 @@
 /* Newton's equations as a page: body by body, then the laws, the constraints, and the values. */
 #include "equations/write.h"
 
+#include <glib/gi18n-lib.h>
 #include <stddef.h>
 #include <string.h>
 
@@ -77,7 +78,7 @@ static char *names_of_terms(const TinkerEquations *equations, const TinkerBodyEq
         g_string_append_printf(names, "%s%s", names->len > 0 ? " + " : "", name_of(equations, term->block));
         last = term->block;
     }
-    if (names->len == 0) g_string_append(names, component->dimension.length == 2 ? "no torque" : "no force");
+    if (names->len == 0) g_string_append(names, component->dimension.length == 2 ? _("no torque") : _("no force"));
     return g_string_free(names, FALSE);
 }
 
@@ -91,7 +92,8 @@ static void write_values(TinkerPage *page, const TinkerBodyEquation *body, const
         if (!tinker_expression_is_number(part, 0))
             g_ptr_array_add(parts, tinker_expression_number(tinker_equations_value(page->equations, part)));
     }
-    char *total = tinker_page_quantity(page, tinker_equations_value(page->equations, sum), component->dimension);
+    const double result = tinker_equations_value(page->equations, sum);
+    char *total = tinker_page_amount(page, result, component->dimension, FALSE);
     if (parts->len > 1) {
         for (guint i = 0; i < parts->len; i++)
             tinker_expression_ref(g_ptr_array_index(parts, i));
@@ -162,7 +164,7 @@ static void write_constraints(TinkerPage *page, GHashTable *needed)
     for (guint i = 0; i < equations->constraints->len; i++) {
         const TinkerConstraintEquation *row = g_ptr_array_index(equations->constraints, i);
         if (!g_hash_table_contains(needed, row->multiplier)) continue;
-        if (first) tinker_page_heading(page, "held to");
+        if (first) tinker_page_heading(page, C_("equations", "held to"));
         first = FALSE;
         g_autoptr(TinkerExpression) zero = tinker_expression_number(0);
         page->about = row->block;
@@ -184,7 +186,7 @@ static void write_missing(TinkerPage *page)
     for (guint i = 0; i < equations->not_written->len; i++) {
         const TinkerNotWritten *missing = g_ptr_array_index(equations->not_written, i);
         g_autofree char *sentence =
-            g_strdup_printf("not written: %s (%s)", name_of(equations, missing->block), missing->why);
+            g_strdup_printf(_("not written: %s (%s)"), name_of(equations, missing->block), missing->why);
         tinker_page_heading(page, sentence);
     }
 }

@@ -7,7 +7,7 @@
 #include "scene/frame/frame.h"
 
 extern const TinkerDimension tinker_length_dimension, tinker_velocity_dimension, tinker_force_dimension,
-    tinker_mass_dimension, tinker_pure_dimension, tinker_torque_dimension, tinker_angle_dimension;
+    tinker_pure_dimension, tinker_torque_dimension, tinker_angle_dimension;
 
 typedef struct {
     TinkerEquations *equations;
@@ -55,7 +55,7 @@ void tinker_writer_number_blocks(TinkerEquationWriter *writer);
 /* A free name for a block's symbol, "k" or "k_1", with its look. Borrowed from the equations. */
 const char *tinker_writer_name(TinkerEquationWriter *writer, TinkerBlockId block, const char *stem, int dots,
                                const char *component);
-/* The same with this index; "" for none. */
+/* A free name whose index is given; "" for none. Borrowed from the equations. */
 const char *tinker_writer_indexed_name(TinkerEquationWriter *writer, TinkerBlockId block, const char *stem,
                                        const char *index, int dots, const char *component);
 
@@ -69,14 +69,12 @@ TinkerExpression *tinker_writer_symbol(TinkerEquationWriter *writer, const char 
                                        double value, TinkerDimension dimension, const char *property,
                                        const char *quantity);
 
-/* What a property's column stands for: a symbol of this stem, the same for each call; 0 where its value is 0. (transfer
- * full) */
-TinkerExpression *tinker_writer_property(TinkerEquationWriter *writer, TinkerBlockId block, int32_t property,
-                                         int32_t component, const char *stem);
-
 /* The property that carries a meaning. */
 TinkerExpression *tinker_writer_meaning(TinkerEquationWriter *writer, TinkerBlockId block, int32_t meaning,
                                         int32_t component, const char *stem);
+
+/* What a definition means that is an energy. */
+#define TINKER_STORED_ENERGY "stored energy"
 
 /* A new definition; takes `is` over and answers its symbol; what is a number or one symbol needs none, and is
  * answered itself. (transfer full) */

@@ -5,6 +5,10 @@
 #include <kissfft/kiss_fftr.h>
 #include <math.h>
 
+#define LEAST_SAMPLES  4
+#define LARGEST_FACTOR 100  /* of the number of samples: the time to transform them goes with it */
+#define UNEVEN         1e-6 /* of the spacing: what is farther from its place is not of the row */
+
 gboolean tinker_spectrum(const double *values, gsize count, TinkerWindow window, double *amplitudes)
 {
     g_assert(count % 2 == 0 && count > 0 && count <= G_MAXINT);
@@ -29,4 +33,49 @@ gboolean tinker_spectrum(const double *values, gsize count, TinkerWindow window,
     }
     kiss_fftr_free(plan);
     return good;
+}
+
+/* How many samples from the first on are evenly spaced and not later than `to`. */
+static gsize count_even(const double *times, gsize count, double to)
+{
+    gsize even = MIN(count, 1);
+    while (even < count && times[even] <= to) {
+        const double step = times[1] - times[0];
+        if (!(fabs(times[even] - times[0] - (double)even * step) <= UNEVEN * step)) break;
+        even++;
+    }
+    return even;
+}
+
+static gboolean is_quick(gsize count)
+{
+    for (gsize factor = 2; factor <= LARGEST_FACTOR; factor++)
+        while (count % factor == 0)
+            count /= factor;
+    return count == 1;
+}
+
+gboolean tinker_spectrum_of_curve(const double *times, const double *values, gsize count, double from, double to,
+                                  TinkerWindow window, GArray *frequencies, GArray *amplitudes)
+{
+    gsize first = 0;
+    g_array_set_size(frequencies, 0);
+    g_array_set_size(amplitudes, 0);
+    while (first < count && times[first] < from)
+        first++;
+    gsize even = MIN(count_even(times + first, count - first, to), G_MAXINT);
+    for (even -= even % 2; even >= LEAST_SAMPLES && !is_quick(even);)
+        even -= 2;
+    if (even < LEAST_SAMPLES) return FALSE;
+    const double step = times[first + 1] - times[first];
+    g_array_set_size(amplitudes, (guint)(even / 2 + 1));
+    if (!tinker_spectrum(values + first, even, window, (double *)(gpointer)amplitudes->data)) {
+        g_array_set_size(amplitudes, 0);
+        return FALSE;
+    }
+    for (gsize k = 0; k <= even / 2; k++) {
+        const double frequency = (double)k / ((double)even * step);
+        g_array_append_val(frequencies, frequency);
+    }
+    return TRUE;
 }

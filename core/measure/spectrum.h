@@ -15,4 +15,11 @@ typedef enum {
  * count / 2 + 1. FALSE where there is no memory. */
 gboolean tinker_spectrum(const double *values, gsize count, TinkerWindow window, double *amplitudes);
 
+/* The spectrum of a curve given by samples at rising times between `from` and `to` (s): of those that follow the first
+ * of them at even spacing, but for as few at the end as make their number even and quick to transform. Frequencies (Hz)
+ * and amplitudes, double, take the place of what the arrays hold. FALSE, and empty arrays, where there are fewer than
+ * four such samples, or no memory. */
+gboolean tinker_spectrum_of_curve(const double *times, const double *values, gsize count, double from, double to,
+                                  TinkerWindow window, GArray *frequencies, GArray *amplitudes);
+
 #endif

@@ -12,13 +12,21 @@
 
 typedef struct _TinkerUntil TinkerUntil;
 
-/* No condition yet. The scene is borrowed. (transfer full) */
-TinkerUntil *tinker_until_new(TinkerScene *scene);
+/* No condition yet. The scene is borrowed; `start` (s) is what t is in expressions at the start of the run: 0, but
+ * where it goes on with one before it. (transfer full) */
+TinkerUntil *tinker_until_new(TinkerScene *scene, double start);
 void tinker_until_free(TinkerUntil *until);
 G_DEFINE_AUTOPTR_CLEANUP_FUNC(TinkerUntil, tinker_until_free)
 
 /* Adds a condition. Errors (TINKER_SCENE_ERROR_NAME) say what is wrong with it, and in which column. */
 gboolean tinker_until_add(TinkerUntil *until, const char *text, GError **error);
+
+/* Adds all conditions of a text (scene/store/conditions.h), as a scene's run has it. */
+gboolean tinker_until_add_all(TinkerUntil *until, const char *text, GError **error);
+
+/* How many there are, and one of them as it was given. Borrowed. */
+guint tinker_until_count(const TinkerUntil *until);
+const char *tinker_until_text(const TinkerUntil *until, int number);
 
 /* Finds the first time within the options' duration at which one of the conditions holds, to 1e-11 of it or of a
  * second, and the number of that condition; INFINITY and -1 where none does, or where the run fails before. The model
@@ -26,5 +34,12 @@ gboolean tinker_until_add(TinkerUntil *until, const char *text, GError **error);
  * is sampled at this time ends there exactly. FALSE where the run is stopped or cannot begin. */
 gboolean tinker_until_find(TinkerUntil *until, TinkerModel *model, const TinkerRunOptions *options, double *time,
                            int *number, GError **error);
+
+/* Ends a run with these options where the first of the conditions holds, looked for as in a run with a sample every
+ * `interval` (s): the options are then given the times of their samples up to there, the end among them, which the
+ * conditions own. `number` is as above; without a condition, or where none holds, the options stay as they are. FALSE
+ * as above. */
+gboolean tinker_until_end(TinkerUntil *until, TinkerModel *model, double interval, TinkerRunOptions *options,
+                          int *number, GError **error);
 
 #endif
