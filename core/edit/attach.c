@@ -19,23 +19,6 @@ static int32_t freedoms_of(TinkerScene *scene, TinkerBlockId block)
     return body != NULL ? body->degrees_of_freedom : 0;
 }
 
-static void to_own(TinkerFrame *frame, TinkerBlockId block, const double place[2], double own[2])
-{
-    double x, y, orientation;
-    tinker_frame_centre(frame, block, &x, &y, &orientation);
-    const double dx = place[0] - x, dy = place[1] - y;
-    own[0] = dx * cos(orientation) + dy * sin(orientation);
-    own[1] = dy * cos(orientation) - dx * sin(orientation);
-}
-
-static void to_world(TinkerFrame *frame, TinkerBlockId block, const double own[2], double place[2])
-{
-    double x, y, orientation;
-    tinker_frame_centre(frame, block, &x, &y, &orientation);
-    place[0] = x + own[0] * cos(orientation) - own[1] * sin(orientation);
-    place[1] = y + own[0] * sin(orientation) + own[1] * cos(orientation);
-}
-
 /* The places of a body that ends are drawn to, in its own axes: its centre, and where it has a length its ends. Answers
  * how many. */
 static int32_t marked_places(TinkerFrame *frame, TinkerBlockId block, double own[MOST_PLACES][2])
@@ -51,7 +34,7 @@ static int32_t marked_places(TinkerFrame *frame, TinkerBlockId block, double own
 void edit_own_place(TinkerFrame *frame, TinkerBlockId target, const double place[2], double reach, double own[2])
 {
     double marked[MOST_PLACES][2], nearest = reach;
-    to_own(frame, target, place, own);
+    tinker_frame_to_own(frame, target, place, own);
     const double dropped[2] = {own[0], own[1]};
     const int32_t count =
         freedoms_of(tinker_frame_scene(frame), target) == 3 ? marked_places(frame, target, marked) : 0;
@@ -84,10 +67,11 @@ static void common_place(TinkerFrame *frame, const TinkerBlockId *targets, int32
     double own[2];
     for (int32_t i = 0; i < count; i++) {
         edit_own_place(frame, targets[i], place, reach, own);
-        to_world(frame, targets[i], own, place);
+        tinker_frame_to_world(frame, targets[i], own, place);
     }
     for (int32_t i = 0; i < count; i++)
-        if (freedoms_of(tinker_frame_scene(frame), targets[i]) == 2) to_world(frame, targets[i], centre, place);
+        if (freedoms_of(tinker_frame_scene(frame), targets[i]) == 2)
+            tinker_frame_to_world(frame, targets[i], centre, place);
 }
 
 int32_t tinker_joint_drop(TinkerHistory *history, TinkerScene *scene, TinkerBlockId joint, double x, double y,
@@ -100,7 +84,7 @@ int32_t tinker_joint_drop(TinkerHistory *history, TinkerScene *scene, TinkerBloc
     double place[2] = {x, y}, own[2][2] = {{0, 0}, {0, 0}};
     common_place(frame, targets, count, reach, place);
     for (int32_t i = 0; i < count; i++)
-        if (freedoms_of(scene, targets[i]) != 2) to_own(frame, targets[i], place, own[i]);
+        if (freedoms_of(scene, targets[i]) != 2) tinker_frame_to_own(frame, targets[i], place, own[i]);
     for (int32_t end = 0; end < 2; end++) {
         const int32_t i = count - 1 - end;
         const TinkerSceneEnd to = i >= 0 ? (TinkerSceneEnd){targets[i], own[i][0], own[i][1]}
@@ -117,8 +101,8 @@ static double nearest_places(TinkerFrame *frame, const TinkerBlockId blocks[2], 
     const int32_t count_a = marked_places(frame, blocks[0], a), count_b = marked_places(frame, blocks[1], b);
     for (int32_t i = 0; i < count_a; i++)
         for (int32_t j = 0; j < count_b; j++) {
-            to_world(frame, blocks[0], a[i], from);
-            to_world(frame, blocks[1], b[j], to);
+            tinker_frame_to_world(frame, blocks[0], a[i], from);
+            tinker_frame_to_world(frame, blocks[1], b[j], to);
             const double distance = hypot(to[0] - from[0], to[1] - from[1]);
             if (!(distance < nearest)) continue;
             nearest = distance;

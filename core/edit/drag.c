@@ -6,6 +6,7 @@
 #include <tinker/shapes.h>
 
 #include "edit/edit-private.h"
+#include "edit/outline.h"
 
 #define ANGLE_SNAP (TINKER_PI / 12.0) /* rad: 15 degrees, beside the grid of places */
 
@@ -142,6 +143,11 @@ static void move_part(TinkerDrag *drag, double grid)
         g_autofree char *title = g_strdup_printf("Move %s", tinker_scene_block_name(drag->scene, drag->hit.block));
         tinker_history_begin(drag->history, title, NULL);
         drag->moved = TRUE;
+    }
+    if (drag->hit.part >= TINKER_PART_POINT && tinker_outline_is_of(drag->block_class)) {
+        const double place[2] = {x, y};
+        tinker_outline_move(drag->history, drag->scene, drag->hit.block, drag->hit.part - TINKER_PART_POINT, place);
+        return;
     }
     const TinkerEditor editor = {sizeof editor, 0, drag, editor_set, editor_set_end};
     const TinkerEdit *edit = edit_of(drag->block_class);

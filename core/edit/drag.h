@@ -43,9 +43,10 @@ TinkerHit tinker_hit_handle(TinkerFrame *frame, TinkerBlockId block, double x, d
 /* The nearest point of a grid. */
 void tinker_snap(double grid, double *x, double *y);
 
-/* Lays a body on the solid top that it is dropped on, so that it goes along where that is moved or turned: one whose
- * foot lies within the top's width, and whose side is less than `reach` (m) above it, or sunk into it by less than half
- * the body's height. Answers whether it lay on one then. */
+/* Lays a body on the solid top that it is dropped on: one whose foot lies within the top's width, and whose side is
+ * less than `reach` (m) above it, or sunk into it by less than half the body's height. A mass goes along from then on
+ * where that is moved or turned; a body that turns, unless something is attached to it, is put there with a side on the
+ * top. Answers whether it is on one then. */
 gboolean tinker_snap_onto_top(TinkerHistory *history, TinkerScene *scene, TinkerBlockId body, double reach);
 
 /* One drag, from press to release; one undo step. */

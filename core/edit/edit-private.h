@@ -5,7 +5,7 @@
 #include "edit/drag.h"
 #include "plugin/call/call.h"
 
-#define MOST_HANDLES 16 /* of one block that are looked at */
+#define MOST_HANDLES 128 /* of one block that are looked at */
 
 /* The class's own interface, else the host's: of a connector its ends and the lines between them, of anything else
  * (NULL: of an unknown type) a spot around its centre that can be selected and not moved. Never NULL. */

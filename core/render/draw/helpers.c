@@ -72,6 +72,19 @@ void tinker_helper_circle(const TinkerStyle *style, cairo_t *cairo, int32_t fill
     cairo_new_path(cairo);
 }
 
+void tinker_helper_polygon(const TinkerStyle *style, cairo_t *cairo, int32_t fill, int32_t edge, const double *points,
+                           int32_t count)
+{
+    if (count < 2 || !tinker_style_finite(points, 2 * (gsize)count)) return;
+    for (int32_t i = 0; i < count; i++)
+        cairo_line_to(cairo, points[2 * i], points[2 * i + 1]);
+    cairo_close_path(cairo);
+    if (edge < 0) tinker_style_halo(style, cairo, 0);
+    if (fill >= 0) tinker_style_fill(style, cairo, fill);
+    if (edge >= 0) tinker_style_stroke(style, cairo, edge, 1);
+    cairo_new_path(cairo);
+}
+
 void tinker_helper_box(const TinkerStyle *style, cairo_t *cairo, int32_t fill, int32_t edge, double x, double y,
                        double width, double height, double orientation)
 {

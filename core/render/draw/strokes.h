@@ -46,6 +46,8 @@ void tinker_helper_arrow(const TinkerStyle *style, cairo_t *cairo, int32_t colou
 void tinker_helper_end_mark(const TinkerStyle *style, cairo_t *cairo, double x, double y, int32_t attached);
 void tinker_helper_circle(const TinkerStyle *style, cairo_t *cairo, int32_t fill, int32_t edge, double x, double y,
                           double radius);
+void tinker_helper_polygon(const TinkerStyle *style, cairo_t *cairo, int32_t fill, int32_t edge, const double *points,
+                           int32_t count);
 void tinker_helper_text(const TinkerStyle *style, cairo_t *cairo, int32_t colour, double x, double y, const char *text);
 void tinker_helper_polyline(const TinkerStyle *style, cairo_t *cairo, int32_t colour, const double *points,
                             int32_t count);

@@ -19,6 +19,7 @@ static void set_helpers(TinkerStyle *style)
     style->circle = tinker_helper_circle;
     style->text = tinker_helper_text;
     style->polyline = tinker_helper_polyline;
+    style->polygon = tinker_helper_polygon;
 }
 
 /* Device pixels to a canvas unit: of a surface for a dense screen more than one. */

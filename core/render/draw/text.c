@@ -63,8 +63,8 @@ void tinker_text_memory_free(TinkerTextMemory *memory)
 /* Everything that a layout depends on, as one string. */
 static void write_key(const TinkerText *text, char *key, gsize size)
 {
-    g_snprintf(key, (gulong)size, "%a %a %d %d %d %d %s", text->size, text->limit, text->face, text->bold, text->lines,
-               text->anchor_x == 0.5, text->text ? text->text : "");
+    g_snprintf(key, (gulong)size, "%a %a %d %d %d %d %d %s", text->size, text->limit, text->face, text->bold,
+               text->lines, text->anchor_x == 0.5, text->keeps_end, text->text ? text->text : "");
 }
 
 static void set_text(PangoLayout *layout, const TinkerText *text)
@@ -82,7 +82,8 @@ static void set_text(PangoLayout *layout, const TinkerText *text)
     pango_layout_set_width(layout, text->limit > 0 ? (int)fmin(text->limit * PANGO_SCALE, G_MAXINT / 2) : -1);
     pango_layout_set_height(layout, -lines);
     pango_layout_set_wrap(layout, PANGO_WRAP_WORD_CHAR);
-    pango_layout_set_ellipsize(layout, text->limit > 0 ? PANGO_ELLIPSIZE_END : PANGO_ELLIPSIZE_NONE);
+    const PangoEllipsizeMode cut = text->keeps_end ? PANGO_ELLIPSIZE_MIDDLE : PANGO_ELLIPSIZE_END;
+    pango_layout_set_ellipsize(layout, text->limit > 0 ? cut : PANGO_ELLIPSIZE_NONE);
     pango_layout_set_alignment(layout, text->anchor_x == 0.5 ? PANGO_ALIGN_CENTER : PANGO_ALIGN_LEFT);
 
     const char *utf8 = text->text ? text->text : "";

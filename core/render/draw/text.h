@@ -37,7 +37,8 @@ typedef struct {
     double size;      /* canvas units */
     TinkerFace face;
     gboolean bold;
-    double limit;              /* canvas units: what is longer is cut with an ellipsis; 0: none */
+    double limit;              /* canvas units: what is longer is cut at its end with an ellipsis; 0: none */
+    gboolean keeps_end;        /* what is longer is cut in its middle, as a value stands at its end; of one line */
     int lines;                 /* where there is a limit, lines that it may be broken into; 0 and 1: one */
     double angle;              /* rad, clockwise on the canvas */
     double anchor_x, anchor_y; /* the point of the text's own box that lies at the place: 0, 0 its upper left corner */

@@ -1,5 +1,5 @@
-/* Rows from the bottom up, over a ground that lets what lies beneath shine through: the kinds, and above them the
- * length. */
+/* Rows from the bottom up, over a ground that lets what lies beneath shine through: the kinds, above them the marks of
+ * paths, and above those the lengths. */
 #include "render/picture/arrows-private.h"
 
 #include <math.h>
@@ -16,9 +16,11 @@
 #define SWATCH       16.0 /* the length of a piece of an arrow */
 #define SHAFT        3.0
 #define TICK         4.0 /* half the height of the line's ends */
+#define MARKS        3   /* of a path */
+#define MARK         2.5 /* their radius */
 #define GROUND_ALPHA 0.86
 
-double tinker_arrows_key_force(const TinkerView *view, double scale, double unit)
+double tinker_arrows_key_value(const TinkerView *view, double scale, double unit)
 {
     static const double mantissas[] = {1, 2, 5, 10};
     double least = LEAST_LENGTH / (scale * view->scale * unit);
@@ -45,6 +47,10 @@ const double *tinker_arrow_colour(const TinkerTheme *theme, TinkerArrowKind kind
         return theme->curves[3];
     case TINKER_ARROW_MOTION:
         return theme->colours[TINKER_COLOUR_MOTION];
+    case TINKER_ARROW_ACCELERATION:
+        return theme->curves[1];
+    case TINKER_ARROW_NET:
+        return theme->curves[6];
     default:
         return theme->colours[TINKER_COLOUR_FORCE];
     }
@@ -67,49 +73,110 @@ static void draw_line(cairo_t *cairo, double x, double y, double length)
     cairo_stroke(cairo);
 }
 
+static void draw_marks(cairo_t *cairo, double x, double y, double length)
+{
+    for (int k = 0; k < MARKS; k++) {
+        cairo_new_sub_path(cairo);
+        cairo_arc(cairo, x + MARK + k * (length - 2 * MARK) / (MARKS - 1), y, MARK, 0, 2 * G_PI);
+    }
+    cairo_fill(cairo);
+}
+
+static void draw_swatch(cairo_t *cairo, double x, double y, double length)
+{
+    cairo_rectangle(cairo, x, y - SHAFT / 2, length, SHAFT);
+    cairo_fill(cairo);
+}
+
+static gsize scale_rows(const TinkerArrowKey *key)
+{
+    return key->length_count + (key->marks != NULL);
+}
+
 /* Whether the kinds have room: in a small picture the key would lie over most of it. */
 static gboolean has_room_for_words(const TinkerView *view, const TinkerArrowKey *key)
 {
-    return ROW * (double)(key->word_count + 1) + 2 * PAD <= view->height / 3;
+    return ROW * (double)(key->word_count + scale_rows(key)) + 2 * PAD <= view->height / 3;
 }
 
-void tinker_arrows_draw_key(cairo_t *cairo, const TinkerView *view, const TinkerArrowOptions *options,
-                            const TinkerArrowKey *key, GPtrArray *written)
+/* One row: what stands before its text, and the text. */
+typedef struct {
+    double before;        /* canvas units */
+    const char *label;    /* borrowed, as is */
+    const double *colour; /* of what is drawn */
+    void (*draw)(cairo_t *cairo, double x, double y, double length);
+} Row;
+
+/* From the top down. Element: Row. (transfer full) */
+static GArray *rows_of(const TinkerTheme *theme, const TinkerView *view, const TinkerArrowKey *key)
 {
-    const TinkerTheme *theme = options->theme;
-    const double length = key->force * options->scale * view->scale, *ink = theme->colours[TINKER_COLOUR_TEXT];
-    double widest, height;
-    TinkerTextPen pen = TINKER_TEXT_PEN_INIT;
-    TinkerText text = {.text = key->label, .size = TINKER_STYLE_TEXT, .anchor_y = 0.5};
-    if (!(length > 0) || !isfinite(length)) return;
-    pen.written = written;
-    tinker_text_measure(&pen, &text, &widest, &height);
-    widest += length;
-    const gsize words = has_room_for_words(view, key) ? key->word_count : 0;
-    for (gsize i = 0; i < words; i++) {
-        double width;
-        text.text = key->words[i].word;
-        tinker_text_measure(&pen, &text, &width, &height);
-        widest = fmax(widest, SWATCH + width);
+    GArray *rows = g_array_new(FALSE, FALSE, sizeof(Row));
+    const double *ink = theme->colours[TINKER_COLOUR_TEXT];
+    for (gsize i = 0; i < key->length_count; i++) {
+        const TinkerArrowLength *length = &key->lengths[i];
+        const Row row = {length->length, length->label, length->colour != NULL ? length->colour : ink, draw_line};
+        if (length->length > 0 && isfinite(length->length)) g_array_append_val(rows, row);
     }
-    const double down = ROW * (double)(words + 1);
-    double x = CORNER + PAD, y = view->height - CORNER - PAD - down + ROW / 2;
+    const Row marks = {SWATCH, key->marks, theme->colours[TINKER_COLOUR_MOTION], draw_marks};
+    if (key->marks != NULL) g_array_append_val(rows, marks);
+    if (rows->len == 0 && key->length_count > 0) return rows;
+    for (gsize i = 0; i < key->word_count && has_room_for_words(view, key); i++) {
+        const Row row = {SWATCH, key->words[i].word, tinker_arrow_colour(theme, key->words[i].kind), draw_swatch};
+        g_array_append_val(rows, row);
+    }
+    return rows;
+}
+
+/* The box of the rows, with the room around them. */
+static void box_of(const TinkerView *view, const GArray *rows, double box[4])
+{
+    double widest = 0;
+    TinkerTextPen pen = TINKER_TEXT_PEN_INIT;
+    for (guint i = 0; i < rows->len; i++) {
+        const Row *row = &g_array_index(rows, Row, i);
+        const TinkerText text = {.text = row->label, .size = TINKER_STYLE_TEXT};
+        double width, height;
+        tinker_text_measure(&pen, &text, &width, &height);
+        widest = fmax(widest, row->before + width);
+    }
+    tinker_text_pen_clear(&pen);
+    box[0] = CORNER;
+    box[1] = view->height - CORNER - 2 * PAD - ROW * rows->len;
+    box[2] = CORNER + widest + GAP + 2 * PAD;
+    box[3] = view->height - CORNER;
+}
+
+gboolean tinker_arrows_key_box(const TinkerView *view, const TinkerTheme *theme, const TinkerArrowKey *key,
+                               double box[4])
+{
+    g_autoptr(GArray) rows = rows_of(theme, view, key);
+    if (rows->len > 0) box_of(view, rows, box);
+    return rows->len > 0;
+}
+
+void tinker_arrows_draw_key(cairo_t *cairo, const TinkerView *view, const TinkerTheme *theme, const TinkerArrowKey *key,
+                            GPtrArray *written)
+{
+    g_autoptr(GArray) rows = rows_of(theme, view, key);
+    if (rows->len == 0) return;
+    double box[4];
+    box_of(view, rows, box);
+    TinkerTextPen pen = TINKER_TEXT_PEN_INIT;
+    TinkerText text = {.size = TINKER_STYLE_TEXT, .anchor_y = 0.5};
+    pen.written = written;
+    const double x = box[0] + PAD;
+    double y = box[1] + PAD + ROW / 2;
     cairo_save(cairo);
     set_colour(cairo, theme->background, GROUND_ALPHA);
-    cairo_rectangle(cairo, CORNER, view->height - CORNER - 2 * PAD - down, widest + GAP + 2 * PAD, down + 2 * PAD);
+    cairo_rectangle(cairo, box[0], box[1], box[2] - box[0], box[3] - box[1]);
     cairo_fill(cairo);
-    set_colour(cairo, ink, 1);
-    draw_line(cairo, x, y, length);
-    text.text = key->label;
-    tinker_text_draw(&pen, cairo, &text, x + length + GAP, y);
-    for (gsize i = 0; i < words; i++) {
-        y += ROW;
-        set_colour(cairo, tinker_arrow_colour(theme, key->words[i].kind), 1);
-        cairo_rectangle(cairo, x, y - SHAFT / 2, SWATCH, SHAFT);
-        cairo_fill(cairo);
-        set_colour(cairo, ink, 1);
-        text.text = key->words[i].word;
-        tinker_text_draw(&pen, cairo, &text, x + SWATCH + GAP, y);
+    for (guint i = 0; i < rows->len; i++, y += ROW) {
+        const Row *row = &g_array_index(rows, Row, i);
+        set_colour(cairo, row->colour, 1);
+        row->draw(cairo, x, y, row->before);
+        set_colour(cairo, theme->colours[TINKER_COLOUR_TEXT], 1);
+        text.text = row->label;
+        tinker_text_draw(&pen, cairo, &text, x + row->before + GAP, y);
     }
     cairo_restore(cairo);
     tinker_text_pen_clear(&pen);

@@ -290,7 +290,8 @@ static void write_label(Diagram *diagram, const Shaft *shaft)
 {
     TinkerText label = {.text = shaft->arrow->label,
                         .size = TINKER_STYLE_TEXT,
-                        .limit = LABEL_LIMIT * (diagram->options->roomy ? 2 : 1)};
+                        .limit = LABEL_LIMIT * (diagram->options->roomy ? 2 : 1),
+                        .keeps_end = TRUE};
     double size[2], best[4] = {0}, least = INFINITY;
     tinker_text_measure(&diagram->brush.pen, &label, &size[0], &size[1]);
     size[0] += BAR + BAR_GAP;

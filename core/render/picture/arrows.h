@@ -16,9 +16,11 @@ typedef enum {
     TINKER_ARROW_CONNECTOR,
     TINKER_ARROW_CONSTRAINT,
     TINKER_ARROW_APPLIED,
-    TINKER_ARROW_MOTION, /* no force: a velocity */
+    TINKER_ARROW_MOTION,       /* no force: a velocity, */
+    TINKER_ARROW_ACCELERATION, /* or an acceleration */
+    TINKER_ARROW_NET,          /* the sum of all forces on a body */
 } TinkerArrowKind;
-#define TINKER_ARROW_KINDS (TINKER_ARROW_MOTION + 1)
+#define TINKER_ARROW_KINDS (TINKER_ARROW_NET + 1)
 
 /* Borrowed. */
 const double *tinker_arrow_colour(const TinkerTheme *theme, TinkerArrowKind kind);
@@ -68,21 +70,34 @@ typedef struct {
     const char *word; /* borrowed */
 } TinkerArrowWord;
 
-/* What the key beside the arrows says: how long the arrow of a force is, and what the colours mean. */
+/* How long an arrow is. */
 typedef struct {
-    double force;                 /* N */
-    const char *label;            /* of it: "5 N". Borrowed */
+    double length;        /* canvas units */
+    const char *label;    /* of what is so long: "5 N". Borrowed */
+    const double *colour; /* of the line; borrowed. NULL: the text's */
+} TinkerArrowLength;
+
+/* What the key beside the arrows says: how long they are, how far apart in time marks on paths are, and what the
+ * colours mean. */
+typedef struct {
+    const TinkerArrowLength *lengths; /* one a scale. Borrowed */
+    gsize length_count;
+    const char *marks;            /* the time from one mark to the next, "0.2 s"; NULL: there are none. Borrowed */
     const TinkerArrowWord *words; /* borrowed */
     gsize word_count;
 } TinkerArrowKey;
 
-/* A force for the key, N: 1, 2 or 5 times a power of ten of the unit (N), whose arrow is 24 to 60 canvas units long at
- * this scale; 0 where there is none. */
-double tinker_arrows_key_force(const TinkerView *view, double scale, double unit);
+/* A value for the key: 1, 2 or 5 times a power of ten of the unit, whose arrow is 24 to 60 canvas units long at this
+ * scale (m per value of 1); 0 where there is none. */
+double tinker_arrows_key_value(const TinkerView *view, double scale, double unit);
 
-/* Draws it in the lower left corner of the view, without the words where it would take more than a third of the height.
- * `written`: receives what it wrote (TinkerWrittenText), or NULL. */
-void tinker_arrows_draw_key(cairo_t *cairo, const TinkerView *view, const TinkerArrowOptions *options,
-                            const TinkerArrowKey *key, GPtrArray *written);
+/* The box it takes in the view (canvas units), for labels to keep clear of; FALSE where it is empty. */
+gboolean tinker_arrows_key_box(const TinkerView *view, const TinkerTheme *theme, const TinkerArrowKey *key,
+                               double box[4]);
+
+/* Draws it in the lower left corner of the view, without the words where it would take more than a third of the height;
+ * where it would be empty, nothing. `written`: receives what it wrote (TinkerWrittenText), or NULL. */
+void tinker_arrows_draw_key(cairo_t *cairo, const TinkerView *view, const TinkerTheme *theme, const TinkerArrowKey *key,
+                            GPtrArray *written);
 
 #endif

@@ -39,10 +39,7 @@ static void unite_bounds(const TinkerGhost *ghost, double box[4])
     double other[4];
     tinker_painter_bounds(ghost->from, box);
     tinker_painter_bounds(ghost->to, other);
-    for (int k = 0; k < 2; k++) {
-        box[k] = fmin(box[k], other[k]);
-        box[k + 2] = fmax(box[k + 2], other[k + 2]);
-    }
+    tinker_painter_unite(box, other);
 }
 
 /* Below what stands in the corner, above the caption. */

@@ -9,6 +9,7 @@
 
 #include "render/draw/draw-watch.h"
 #include "render/picture/painter-private.h"
+#include "units/point-text.h"
 
 #define MARGIN          0.06 /* of the lesser side */
 #define SYMBOL_SHARE    0.42 /* of the lesser side: symbols, unless they do not fit */
@@ -23,6 +24,8 @@ typedef struct {
     TinkerPiece piece;
     double *columns;
     TinkerEnd *ends;
+    GArray *points; /* of `list`; NULL: there are none */
+    TinkerPointList list;
 } Mock;
 
 /* How it is drawn: canvas units per m, the size of symbols in canvas units, and the point of the canvas where it
@@ -66,12 +69,28 @@ static void set_other_defaults(Mock *mock, double length)
         double *column = &mock->columns[block_class->first_columns[i]];
         const double *from = column_of(mock, property->default_from), *amplitude = column_of(mock, property->amplitude);
         if (property->flags & TINKER_DEFAULT_AS_PLACED)
-            column[0] = length;
+            column[0] = property->meaning == TINKER_MEANING_RADIUS ? 0.25 * length : length;
         else if ((property->flags & TINKER_DEFAULT_SAME_AS) && from)
             memcpy(column, from, sizeof *column * (gsize)MIN(tinker_kind_columns(property->kind), 2));
         else if (property->kind == TINKER_KIND_WAVEFORM)
             column[0] = amplitude && *amplitude != 0 ? *amplitude : 1;
         if (property->meaning == TINKER_MEANING_LENGTH && length > 0) column[0] = length;
+    }
+}
+
+/* Of its first list of points: no block has more yet. */
+static void take_default_points(Mock *mock)
+{
+    const TinkerBlockClass *block_class = mock->piece.block_class;
+    for (int32_t i = 0; i < block_class->property_count && mock->points == NULL; i++) {
+        const TinkerPropertyType *property = &block_class->properties[i];
+        if ((property->flags & TINKER_TEXT_POINTS) == 0 || property->default_text == NULL) continue;
+        mock->points = tinker_point_text_parse(property->default_text, property->dimension, NULL);
+        if (mock->points == NULL) continue;
+        mock->list.points = (const double *)(void *)mock->points->data;
+        mock->list.count = (int32_t)mock->points->len / 2;
+        mock->piece.instance.point_lists = &mock->list;
+        mock->piece.instance.point_list_count = 1;
     }
 }
 
@@ -96,6 +115,7 @@ static void mock_init(Mock *mock, const TinkerBlockClass *block_class, double le
         .ends = ends,
         .end = mock->ends,
     };
+    take_default_points(mock);
     tinker_piece_classify(&mock->piece);
     /* In a scene it would stand nowhere. */
     if (is_field) mock->piece.kind = TINKER_PIECE_FIELD;
@@ -105,6 +125,7 @@ static void mock_clear(Mock *mock)
 {
     g_free(mock->columns);
     g_free(mock->ends);
+    g_clear_pointer(&mock->points, g_array_unref);
 }
 
 /* Ends are dots here: nothing is there that they could be attached to. */

@@ -157,6 +157,12 @@ static void take_layer(Labels *labels, const GArray *blocks)
     }
 }
 
+/* What has a place and no part in the physics, as a note, is read itself: a name beside it is for who has chosen it. */
+static gboolean speaks_for_itself(const TinkerPiece *piece)
+{
+    return piece->kind == TINKER_PIECE_BODY && piece->block_class != NULL && piece->block_class->physics == NULL;
+}
+
 static void write_names(Labels *labels, const GArray *blocks, gboolean chosen)
 {
     TinkerPicture *picture = labels->picture;
@@ -167,6 +173,7 @@ static void write_names(Labels *labels, const GArray *blocks, gboolean chosen)
         tinker_piece_init(&piece, picture->frame, g_array_index(blocks, TinkerBlockId, i));
         uint32_t state = tinker_picture_state(picture, &piece);
         if (((state & (TINKER_STATE_SELECTED | TINKER_STATE_HIGHLIGHTED)) != 0) != chosen) continue;
+        if (!chosen && speaks_for_itself(&piece)) continue;
         double x, y;
         tinker_view_to_canvas(picture->view, piece.instance.x, piece.instance.y, &x, &y);
         gboolean is_here = x >= 0 && y >= 0 && x <= picture->view->width && y <= picture->view->height;

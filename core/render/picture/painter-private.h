@@ -25,6 +25,9 @@ typedef struct {
 
 #define TINKER_PICTURE_LAYERS 4
 
+/* Of the shorter side of a picture: what stays free around the world in a file. */
+#define TINKER_PICTURE_MARGIN 0.08
+
 /* A picture in the making. */
 typedef struct {
     cairo_t *cairo;  /* our own, on what the caller's draws on: draw-watch.h */
@@ -58,6 +61,10 @@ char *tinker_piece_draw(const TinkerPiece *piece, cairo_t *cairo, const TinkerSt
 
 /* Draws a piece in a picture, within the world; what is broken is told and made anew. */
 void tinker_picture_draw_piece(TinkerPicture *picture, const TinkerPiece *piece);
+
+/* The title of the scene at the top of a canvas of that width (canvas units), behind what takes `left` of it. Borrows
+ * the scene's. */
+TinkerText tinker_picture_title(TinkerFrame *frame, double width, double left);
 
 /* Fields, side by side in the upper left corner, each with its name beneath; painter-fields.c. Widens `corner` (least
  * and greatest x and y, canvas units) to what they take. */

@@ -7,17 +7,15 @@
 
 #include "render/draw/draw-watch.h"
 #include "render/draw/paint-memory-content.h"
-#include "render/draw/surface.h"
+#include "render/picture/note.h"
 
 #define GRID_UNITS   24.0 /* canvas units between grid lines, at least */
 #define CORNER       12.0
 #define TITLE_SIZE   15.0
 #define TIME_SIZE    13.0
-#define FILE_MARGIN  0.08 /* of the shorter side of a picture in a file */
-#define LEAST_BOUNDS 5.0  /* of a typical block */
 #define HANDLE_UNITS 7.0
 #define DOT_UNITS    6.0 /* the size of a body that is smaller on the canvas */
-#define MOST_HANDLES 16
+#define MOST_HANDLES 128
 #define ORIGIN_ARM   0.8 /* of the symbol size: axes of a local origin */
 
 static void set_colour(cairo_t *cairo, const double colour[4])
@@ -235,7 +233,7 @@ static void write_text(TinkerPicture *picture, const TinkerText *text, double x,
     tinker_text_draw(&picture->brush.pen, picture->cairo, text, x, y);
 }
 
-static TinkerText title_text(TinkerFrame *frame, double width, double left)
+TinkerText tinker_picture_title(TinkerFrame *frame, double width, double left)
 {
     const char *title = tinker_scene_head(tinker_frame_scene(frame))->title;
     double room = width - 2 * fmax(left + CORNER, CORNER);
@@ -262,7 +260,7 @@ static void draw_canvas(TinkerPicture *picture)
     double taken[3][4] = {{0}};
     double width = picture->view->width;
     if (picture->options->only == NULL) tinker_picture_draw_fields(picture, taken[0]);
-    TinkerText title = title_text(picture->frame, width, taken[0][2]);
+    TinkerText title = tinker_picture_title(picture->frame, width, taken[0][2]);
     if (picture->options->show_title) write_text(picture, &title, width / 2, CORNER, taken[1]);
     if (picture->options->show_time) draw_time(picture, taken[2]);
     if (picture->options->show_labels) tinker_picture_draw_labels(picture, taken, G_N_ELEMENTS(taken));
@@ -287,7 +285,8 @@ void tinker_paint_scene_noting(cairo_t *cairo, TinkerFrame *frame, const TinkerV
     double symbol = tinker_painter_symbol_size(frame, view->scale);
     tinker_frame_set_symbol_size(frame, symbol);
     tinker_style_begin(&picture.brush, cairo, options->theme, view, symbol);
-    picture.brush.pen.written = written;
+    picture.brush.style.note = tinker_note_draw;
+    picture.brush.pen.written = written != NULL ? written : options->texts;
     picture.brush.pen.memory = tinker_paint_memory_texts(options->memory);
     /* what is drawn on our own contexts, the ones made anew, too, goes by the caller's */
     const cairo_antialias_t antialias = cairo_get_antialias(cairo);
@@ -297,6 +296,7 @@ void tinker_paint_scene_noting(cairo_t *cairo, TinkerFrame *frame, const TinkerV
     find_visible(&picture);
     draw_background(&picture);
     if (options->show_grid) draw_grid(&picture);
+    if (options->under != NULL) options->under(picture.cairo, view, options->theme, options->over_data);
     draw_world(&picture);
     draw_canvas(&picture);
     if (options->over != NULL) options->over(picture.cairo, view, options->theme, options->over_data);
@@ -315,151 +315,4 @@ double tinker_painter_symbol_size(TinkerFrame *frame, double scale)
 void tinker_paint_scene(cairo_t *cairo, TinkerFrame *frame, const TinkerView *view, const TinkerPaintOptions *options)
 {
     tinker_paint_scene_noting(cairo, frame, view, options, NULL);
-}
-
-/* Bounds and files
- * ----------------------------------------------------------------------------------------------------- */
-
-static void unite(double box[4], const double other[4])
-{
-    box[0] = fmin(box[0], other[0]);
-    box[1] = fmin(box[1], other[1]);
-    box[2] = fmax(box[2], other[2]);
-    box[3] = fmax(box[3], other[3]);
-}
-
-/* Widens a box so that a lone block does not fill the picture. */
-static void make_room(double box[4], double least)
-{
-    double room = (least - fmax(box[2] - box[0], box[3] - box[1])) / 2;
-    if (room <= 0) return;
-    unite(box, (double[]){box[0] - room, box[1] - room, box[2] + room, box[3] + room});
-}
-
-/* What boxes are measured with: a style of this view, on a context that keeps nothing. */
-typedef struct {
-    TinkerStyleBrush brush;
-    cairo_surface_t *surface;
-    cairo_t *cairo;
-} Measure;
-
-static void measure_begin(Measure *measure, TinkerFrame *frame, const TinkerView *view)
-{
-    const double symbol = tinker_style_symbol(view->scale, tinker_frame_typical_size(frame));
-    measure->surface = cairo_recording_surface_create(CAIRO_CONTENT_COLOR_ALPHA, NULL);
-    measure->cairo = cairo_create(measure->surface);
-    tinker_frame_set_symbol_size(frame, symbol);
-    tinker_style_begin(&measure->brush, measure->cairo, tinker_theme_find("light"), view, symbol);
-}
-
-static void measure_end(Measure *measure)
-{
-    tinker_style_end(&measure->brush);
-    cairo_destroy(measure->cairo);
-    cairo_surface_destroy(measure->surface);
-}
-
-static gboolean measure_block(const Measure *measure, TinkerFrame *frame, TinkerBlockId block, double box[4])
-{
-    TinkerPiece piece;
-    tinker_piece_init(&piece, frame, block);
-    return piece.kind != TINKER_PIECE_FIELD && tinker_piece_box(&piece, &measure->brush.style, box);
-}
-
-GArray *tinker_painter_boxes(TinkerFrame *frame, const TinkerView *view)
-{
-    GArray *boxes = g_array_new(FALSE, FALSE, 4 * sizeof(double));
-    TinkerScene *scene = tinker_frame_scene(frame);
-    Measure measure;
-    measure_begin(&measure, frame, view);
-    for (int32_t place = 0; place < tinker_scene_block_count(scene); place++) {
-        double own[4];
-        if (measure_block(&measure, frame, tinker_scene_block_at(scene, place), own))
-            g_array_append_vals(boxes, own, 1);
-    }
-    measure_end(&measure);
-    return boxes;
-}
-
-gboolean tinker_painter_box(TinkerFrame *frame, TinkerBlockId block, const TinkerView *view, double box[4])
-{
-    Measure measure;
-    measure_begin(&measure, frame, view);
-    const gboolean has_box = measure_block(&measure, frame, block, box);
-    measure_end(&measure);
-    return has_box;
-}
-
-/* The box of all drawings in this view; where there are none, the box of an empty canvas. */
-static void bounds_in(TinkerFrame *frame, const TinkerView *view, double box[4])
-{
-    g_autoptr(GArray) boxes = tinker_painter_boxes(frame, view);
-    box[0] = box[1] = INFINITY;
-    box[2] = box[3] = -INFINITY;
-    for (guint i = 0; i < boxes->len; i++)
-        unite(box, (const double *)(gpointer)boxes->data + 4 * (gsize)i);
-    if (box[0] <= box[2]) {
-        make_room(box, LEAST_BOUNDS * tinker_frame_typical_size(frame));
-        return;
-    }
-    double half = tinker_scene_head(tinker_frame_scene(frame))->canvas_width / 2;
-    if (!(half > 0) || !isfinite(half)) half = 5;
-    box[0] = box[1] = -half;
-    box[2] = box[3] = half;
-}
-
-void tinker_painter_bounds(TinkerFrame *frame, double box[4])
-{
-    /* Marks are as large on the canvas whatever the view, and the view follows from the box: the first round takes
-     * marks without size, the second those of the view that shows the first box on a canvas of ordinary size. */
-    TinkerView view = {.scale = 1e6, .width = 800, .height = 600};
-    for (int round = 0; round < 2; round++) {
-        bounds_in(frame, &view, box);
-        view = tinker_view_fit(box, view.width, view.height, FILE_MARGIN * view.height);
-    }
-}
-
-typedef struct {
-    TinkerFrame *frame;
-    const double *box;
-    const TinkerPaintOptions *options;
-} FilePicture;
-
-/* Fits the world under or beside what stands in the corner of the canvas, whichever leaves it larger. */
-static TinkerView fit_beside_corner(const FilePicture *picture, double width, double height)
-{
-    TinkerView view = {.scale = 1, .width = width, .height = height};
-    double corner[4] = {0}, title_width, title_height = 0, margin = FILE_MARGIN * fmin(width, height);
-    tinker_fields_corner(picture->frame, &view, picture->options, corner);
-    if (picture->options->show_title) {
-        TinkerTextPen pen = TINKER_TEXT_PEN_INIT;
-        TinkerText title = title_text(picture->frame, width, corner[2]);
-        tinker_text_measure(&pen, &title, &title_width, &title_height);
-        tinker_text_pen_clear(&pen);
-    }
-    double beneath = fmin(fmax(corner[3], title_height), height / 2), beside = fmin(corner[2], width / 2);
-    TinkerView below = tinker_view_fit(picture->box, width, height - beneath, margin);
-    TinkerView right = tinker_view_fit(picture->box, width - beside, height - title_height, margin);
-    gboolean choose_right = right.scale > below.scale;
-    view = choose_right ? right : below;
-    tinker_view_pan(&view, choose_right ? beside : 0, choose_right ? title_height : beneath);
-    view.width = width;
-    view.height = height;
-    return view;
-}
-
-static void draw_file_picture(cairo_t *cairo, double width, double height, gpointer data)
-{
-    const FilePicture *picture = data;
-    TinkerView view = fit_beside_corner(picture, width, height);
-    tinker_paint_scene(cairo, picture->frame, &view, picture->options);
-}
-
-gboolean tinker_paint_to_file(TinkerFrame *frame, const double box[4], int width, int height,
-                              const TinkerPaintOptions *options, const char *path, GError **error)
-{
-    double bounds[4];
-    if (!box) tinker_painter_bounds(frame, bounds);
-    FilePicture picture = {frame, box ? box : bounds, options};
-    return tinker_surface_to_file(draw_file_picture, &picture, width, height, path, error);
 }

@@ -25,15 +25,21 @@ typedef struct {
     TinkerPaintMemory *memory; /* that all pictures of a film or a window share: each takes less time, and a name stays
                                   on its side of its body. NULL: every picture is made by itself */
     /* Called when all is drawn, in canvas units: for what else is to be in the picture, such as forces and their key in
-     * the lower left corner, which the time leaves free. NULL: nothing. */
+     * the lower left corner, which the time leaves free; and `under` when the grid is, for what lies beneath. NULL:
+     * nothing. */
     void (*over)(cairo_t *cairo, const TinkerView *view, const TinkerTheme *theme, void *data);
-    void *over_data;
+    void (*under)(cairo_t *cairo, const TinkerView *view, const TinkerTheme *theme, void *data);
+    void *over_data;  /* of the two */
+    GPtrArray *texts; /* receives what is written (TinkerWrittenText), for `over` to keep clear of; NULL: not wanted */
     GHashTable *faults; /* block class to text (owned): what drawings did to the context that they must not do, with the
                          * block's name, once a class. NULL: it is not told */
 } TinkerPaintOptions;
 
 /* The light theme, grid and labels on, time and title off, nothing selected. */
 TinkerPaintOptions tinker_paint_options_default(void);
+
+/* Widens a box (least x and y, greatest x and y) to hold another as well. */
+void tinker_painter_unite(double box[4], const double other[4]);
 
 /* The world box that shows everything in the frame, drawings' bounds included. */
 void tinker_painter_bounds(TinkerFrame *frame, double box[4]);
