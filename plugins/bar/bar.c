@@ -42,25 +42,7 @@ static void bounds(const TinkerInstance *instance, const TinkerStyle *style, dou
 
 /* Editing */
 
-static int32_t hit(const TinkerInstance *instance, double x, double y, double reach)
-{
-    return tinker_box_hit(instance, &box_columns, x, y, reach);
-}
-
-static void move(const TinkerInstance *instance, int32_t part, double dx, double dy, const TinkerEditor *editor)
-{
-    tinker_box_move(instance, &box_columns, part, dx, dy, editor);
-}
-
-static void move_absolute(const TinkerInstance *instance, int32_t part, double x, double y, const TinkerEditor *editor)
-{
-    tinker_box_move_absolute(instance, &box_columns, part, x, y, editor);
-}
-
-static int32_t handles(const TinkerInstance *instance, TinkerHandle *list, int32_t room)
-{
-    return tinker_box_handles(instance, &box_columns, list, room);
-}
+TINKER_DEFINE_BOX_EDIT(edit, box_columns)
 
 /* Tables */
 
@@ -79,7 +61,6 @@ static const TinkerQuantityType quantities[] = {TINKER_BODY_QUANTITIES};
 static const TinkerBody body = {sizeof(TinkerBody), 3, TINKER_SHAPE_BOX, 0, as_shaped};
 static const TinkerPhysics physics = {.struct_size = sizeof(TinkerPhysics), .body = &body};
 static const TinkerRender render = {sizeof(TinkerRender), 1, draw, bounds};
-static const TinkerEdit edit = {sizeof(TinkerEdit), 0, hit, move, move_absolute, handles};
 static const TinkerGraph graph = {sizeof(TinkerGraph), 0, tinker_body_values};
 
 static const TinkerUnitChoice unit_choices[] = {TINKER_BODY_UNITS, {"length", "m", "ft"}, {"width", "m", "in"}};

@@ -5,9 +5,8 @@
 
 enum { COLUMN_RADIUS = TINKER_BODY_COLUMNS };
 
-#define HANDLE_RADIUS   (TINKER_PART_HANDLE + 0) /* at the right of its rim */
-#define HANDLE_ROTATION (TINKER_PART_HANDLE + 1) /* beyond its top */
-#define HANDLE_ORIGIN   (TINKER_PART_HANDLE + 2)
+/* Where its place is; as a box it has no size. */
+static const TinkerBoxColumns place_columns = TINKER_BODY_BOX(-1, -1);
 
 /* Physics */
 
@@ -47,51 +46,30 @@ static int32_t hit(const TinkerInstance *instance, double x, double y, double re
     return distance <= instance->columns[COLUMN_RADIUS] + reach ? TINKER_PART_WHOLE : TINKER_PART_NONE;
 }
 
+/* The handle of its size is at the right of its rim. */
 static int32_t handles(const TinkerInstance *instance, TinkerHandle *list, int32_t room)
 {
-    const double symbol = tinker_instance_symbol_size(instance), radius = instance->columns[COLUMN_RADIUS];
+    const double radius = instance->columns[COLUMN_RADIUS];
     double x, y;
     tinker_box_to_world(instance, radius, 0.0, &x, &y);
-    int32_t count = tinker_handle_add(list, room, 0, HANDLE_RADIUS, x, y);
-    tinker_box_to_world(instance, 0.0, radius + 2.0 * symbol, &x, &y);
-    count = tinker_handle_add(list, room, count, HANDLE_ROTATION, x, y);
-    x = instance->columns[TINKER_BODY_LOCAL_ORIGIN];
-    y = instance->columns[TINKER_BODY_LOCAL_ORIGIN + 1];
-    if (tinker_length(x - instance->x, y - instance->y) <= symbol) {
-        tinker_box_to_world(instance, -radius - symbol, -radius - symbol, &x, &y);
-    }
-    return tinker_handle_add(list, room, count, HANDLE_ORIGIN, x, y);
+    const int32_t count = tinker_handle_add(list, room, 0, TINKER_HANDLE_SIZE, x, y);
+    return tinker_turned_handles(instance, &place_columns, radius, radius, list, room, count);
 }
 
 static void move_absolute(const TinkerInstance *instance, int32_t part, double x, double y, const TinkerEditor *editor)
 {
-    const double *columns = instance->columns;
-    if (part == TINKER_PART_WHOLE) {
-        editor->set(editor, TINKER_BODY_POSITION, x - (instance->x - columns[TINKER_BODY_POSITION]));
-        editor->set(editor, TINKER_BODY_POSITION + 1, y - (instance->y - columns[TINKER_BODY_POSITION + 1]));
-    } else if (part == HANDLE_ORIGIN) {
-        editor->set(editor, TINKER_BODY_LOCAL_ORIGIN, x);
-        editor->set(editor, TINKER_BODY_LOCAL_ORIGIN + 1, y);
-    } else if (part == HANDLE_RADIUS) {
+    if (part == TINKER_HANDLE_SIZE) {
         editor->set(editor, COLUMN_RADIUS, tinker_length(x - instance->x, y - instance->y));
-    } else if (part == HANDLE_ROTATION) {
-        tinker_set_angle(editor, TINKER_BODY_ORIENTATION, y - instance->y, instance->x - x);
+    } else {
+        tinker_turned_move_absolute(instance, &place_columns, part, x, y, editor);
     }
 }
 
+static const TinkerEdit edit;
+
 static void move(const TinkerInstance *instance, int32_t part, double dx, double dy, const TinkerEditor *editor)
 {
-    TinkerHandle list[3];
-    if (part == TINKER_PART_WHOLE || part == HANDLE_ORIGIN) {
-        const int32_t column = part == TINKER_PART_WHOLE ? TINKER_BODY_POSITION : TINKER_BODY_LOCAL_ORIGIN;
-        editor->set(editor, column, instance->columns[column] + dx);
-        editor->set(editor, column + 1, instance->columns[column + 1] + dy);
-        return;
-    }
-    const int32_t count = handles(instance, list, 3);
-    for (int32_t k = 0; k < count; k++) {
-        if (list[k].part == part) move_absolute(instance, part, list[k].x + dx, list[k].y + dy, editor);
-    }
+    tinker_turned_move(instance, &place_columns, &edit, part, dx, dy, editor);
 }
 
 /* Tables */

@@ -105,6 +105,11 @@ static const TinkerPropertyType properties[] = {
      .description = "Phase at t = 0"},
 };
 
+static const TinkerLawEquation law[] = {
+    TINKER_EQUATION("g", "theta1 - theta2 - (theta1_start - theta2_start) - n*t - (w - w_start)", NULL,
+                    TINKER_DIMENSION_ANGLE),
+};
+
 static const TinkerQuantityType quantities[] = {
     TINKER_QUANTITY(TINKER_RECORDED, "torque", "Torque", "On what its first end is on", TINKER_DIMENSION_TORQUE),
     TINKER_QUANTITY(0, "power", "Power", "Power that it gives", TINKER_DIMENSION_POWER),
@@ -114,6 +119,7 @@ static const TinkerConstraint constraint = {.struct_size = sizeof(TinkerConstrai
                                             .rows = 1,
                                             .rows_at = rows_at,
                                             .prescribed_rate = prescribed_rate,
+                                            .scale = tinker_scale_of_angles,
                                             .angles = 1};
 static const TinkerPhysics physics = {.struct_size = sizeof(TinkerPhysics), .constraint = &constraint};
 static const TinkerRender render = {sizeof(TinkerRender), 3, draw, bounds};
@@ -134,7 +140,7 @@ static const TinkerBlockType blocks[] = {
     {TINKER_BLOCK("drive", "Drive", TINKER_JOINT), .summary = "Prescribes how a body turns against another",
      .formula = "θ1 - θ2 = start + n t + w(t) - w(0)", .least_ends = 2, .most_ends = 2,
      .end_accepts = TINKER_ACCEPTS_BODY | TINKER_ACCEPTS_SUPPORT, .properties = TINKER_SPAN(properties),
-     .quantities = TINKER_SPAN(quantities), .interfaces = TINKER_SPAN(interfaces)},
+     .quantities = TINKER_SPAN(quantities), .interfaces = TINKER_SPAN(interfaces), .law = TINKER_SPAN(law)},
 };
 
 TINKER_DEFINE_PLUGIN("org.tinker.drive", "Drive", "0.1.0", "MIT", blocks)

@@ -38,6 +38,18 @@ static TinkerStatus rows_at(TinkerBatch *batch, const TinkerPoint *ends, double 
     return TINKER_OK;
 }
 
+static TinkerStatus turning(TinkerBatch *batch, double *factors)
+{
+    const double *ratio = tinker_column(batch, COLUMN_RATIO), *internal = tinker_column(batch, COLUMN_INTERNAL);
+    for (int32_t i = 0; i < batch->count; i++) {
+        double *of = factors + tinker_first_end(batch, i);
+        of[0] = side_of(internal, i) * ratio[i];
+        of[1] = 1.0;
+        if (tinker_first_end(batch, i + 1) - tinker_first_end(batch, i) > 2) of[2] = -(1.0 + of[0]);
+    }
+    return TINKER_OK;
+}
+
 /* Drawing: wheels that fit the distance of the centres and the ratio, with teeth about them */
 
 #define TEETH 24
@@ -127,16 +139,27 @@ static const TinkerPropertyType properties[] = {
     {TINKER_REAL_PROPERTY("ratio", "Ratio", "Gear", TINKER_DIMENSION_NONE), TINKER_POSITIVE(0, 0.1, 10.0),
      .default_value = {1.0}, .symbol = "i", .variability = TINKER_STRUCTURAL,
      .description = "How often the second wheel turns while the first one turns once"},
-    {TINKER_SWITCH_PROPERTY("internal", "Internal", "Gear"), .variability = TINKER_STRUCTURAL,
+    {TINKER_SWITCH_PROPERTY("internal", "Internal", "Gear"), .symbol = "f", .variability = TINKER_STRUCTURAL,
      .description = "Whether one wheel runs inside the other, so that both turn the same way"},
+};
+
+static const TinkerLawEquation law[] = {
+    TINKER_EQUATION("g",
+                    "theta2 - theta2_start - (theta3 - theta3_start) + (1 - 2*f)*i*(theta1 - theta1_start - (theta3 - "
+                    "theta3_start))",
+                    NULL, TINKER_DIMENSION_ANGLE),
 };
 
 static const TinkerQuantityType quantities[] = {
     TINKER_QUANTITY(TINKER_RECORDED, "torque", "Torque", "On what its first end is on", TINKER_DIMENSION_TORQUE),
 };
 
-static const TinkerConstraint constraint = {
-    .struct_size = sizeof(TinkerConstraint), .rows = 1, .rows_at = rows_at, .angles = 1};
+static const TinkerConstraint constraint = {.struct_size = sizeof(TinkerConstraint),
+                                            .rows = 1,
+                                            .rows_at = rows_at,
+                                            .scale = tinker_scale_of_angles,
+                                            .angles = 1,
+                                            .turning = turning};
 static const TinkerPhysics physics = {.struct_size = sizeof(TinkerPhysics), .constraint = &constraint};
 static const TinkerRender render = {sizeof(TinkerRender), 2, draw, bounds};
 static const TinkerEdit edit = {sizeof(TinkerEdit), 0, hit, tinker_ends_move, tinker_ends_move_absolute, NULL};
@@ -154,7 +177,7 @@ static const TinkerBlockType blocks[] = {
     {TINKER_BLOCK("gear", "Gear", TINKER_JOINT), .summary = "Ties the turning of two wheels by a ratio",
      .formula = "θ2 - θ2(0) = ∓ i (θ1 - θ1(0))", .least_ends = 2, .most_ends = 3,
      .end_accepts = TINKER_ACCEPTS_BODY | TINKER_ACCEPTS_SUPPORT, .properties = TINKER_SPAN(properties),
-     .quantities = TINKER_SPAN(quantities), .interfaces = TINKER_SPAN(interfaces)},
+     .quantities = TINKER_SPAN(quantities), .interfaces = TINKER_SPAN(interfaces), .law = TINKER_SPAN(law)},
 };
 
 TINKER_DEFINE_PLUGIN("org.tinker.gear", "Gear", "0.1.0", "MIT", blocks)

@@ -65,37 +65,68 @@ TINKER_DEFINE_TYPED_PLUGIN("org.tinker.law-connector", "Typed Connector", "0.1.0
 
 /* Physics */
 
+static double tension_of(const TinkerBatch *batch, int32_t i, double length, double rate)
+{
+    const double at[] = {length, rate, batch->time};
+    const TinkerTypedLaw *given = tinker_typed(batch, i, FORMULA_TENSION);
+    return given != NULL ? tinker_typed_laws->value(given, at)
+                         : tinker_typed_laws->slope(tinker_typed(batch, i, FORMULA_POTENTIAL), BY_LENGTH, at);
+}
+
+static void derivatives_of(const TinkerBatch *batch, double length, double rate, double *by_length, double *by_rate)
+{
+    const double at[] = {length, rate, batch->time};
+    const TinkerTypedLaw *given = tinker_typed(batch, 0, FORMULA_TENSION),
+                         *potential = tinker_typed(batch, 0, FORMULA_POTENTIAL);
+    *by_length = given != NULL ? tinker_typed_laws->slope(given, BY_LENGTH, at)
+                               : tinker_typed_laws->curvature(potential, BY_LENGTH, BY_LENGTH, at);
+    *by_rate = given != NULL ? tinker_typed_laws->slope(given, BY_RATE, at) : 0.0;
+}
+
+/* Each connector has one of both laws, and the service passes those over that have not the one that is asked for. */
 static TinkerStatus tension(TinkerBatch *batch, const double *length, const double *rate, double *result)
 {
-    for (int32_t i = 0; i < batch->count; i++) {
-        const double at[] = {length[i], rate[i], batch->time};
-        const TinkerTypedLaw *given = tinker_typed(batch, i, FORMULA_TENSION);
-        result[i] = given != NULL ? tinker_typed_laws->value(given, at)
-                                  : tinker_typed_laws->slope(tinker_typed(batch, i, FORMULA_POTENTIAL), BY_LENGTH, at);
+    const double *const arguments[] = {length, rate, NULL}, uniform[] = {0.0, 0.0, batch->time};
+    const TinkerTypedQuestion given = tinker_typed_question(batch, FORMULA_TENSION, arguments, uniform),
+                              potential = tinker_typed_question(batch, FORMULA_POTENTIAL, arguments, NULL);
+    if (batch->count == 1) {
+        result[0] = tension_of(batch, 0, length[0], rate[0]);
+        return TINKER_OK;
     }
+    tinker_typed_laws->values(&given, result);
+    tinker_typed_laws->slopes(&potential, BY_LENGTH, result);
     return TINKER_OK;
 }
 
 static TinkerStatus derivatives(TinkerBatch *batch, const double *length, const double *rate, double *by_length,
                                 double *by_rate)
 {
-    for (int32_t i = 0; i < batch->count; i++) {
-        const double at[] = {length[i], rate[i], batch->time};
-        const TinkerTypedLaw *given = tinker_typed(batch, i, FORMULA_TENSION),
-                             *potential = tinker_typed(batch, i, FORMULA_POTENTIAL);
-        by_length[i] = given != NULL ? tinker_typed_laws->slope(given, BY_LENGTH, at)
-                                     : tinker_typed_laws->curvature(potential, BY_LENGTH, BY_LENGTH, at);
-        by_rate[i] = given != NULL ? tinker_typed_laws->slope(given, BY_RATE, at) : 0.0;
+    const double *const arguments[] = {length, rate, NULL}, uniform[] = {0.0, 0.0, batch->time};
+    const TinkerTypedQuestion given = tinker_typed_question(batch, FORMULA_TENSION, arguments, uniform),
+                              potential = tinker_typed_question(batch, FORMULA_POTENTIAL, arguments, NULL);
+    if (batch->count == 1) {
+        derivatives_of(batch, length[0], rate[0], by_length, by_rate);
+        return TINKER_OK;
     }
+    for (int32_t i = 0; i < batch->count; i++)
+        by_rate[i] = 0.0;
+    tinker_typed_laws->slopes(&given, BY_LENGTH, by_length);
+    tinker_typed_laws->slopes(&given, BY_RATE, by_rate);
+    tinker_typed_laws->curvatures(&potential, BY_LENGTH, BY_LENGTH, by_length);
     return TINKER_OK;
 }
 
 static TinkerStatus energy(TinkerBatch *batch, const double *length, double *stored)
 {
-    for (int32_t i = 0; i < batch->count; i++) {
-        const TinkerTypedLaw *potential = tinker_typed(batch, i, FORMULA_POTENTIAL);
-        stored[i] = potential != NULL ? tinker_typed_laws->value(potential, &length[i]) : NAN;
+    const TinkerTypedLaw *first = tinker_typed(batch, 0, FORMULA_POTENTIAL);
+    if (batch->count == 1) {
+        stored[0] = first != NULL ? tinker_typed_laws->value(first, length) : NAN;
+        return TINKER_OK;
     }
+    const TinkerTypedQuestion potential = tinker_typed_question(batch, FORMULA_POTENTIAL, &length, NULL);
+    for (int32_t i = 0; i < batch->count; i++)
+        stored[i] = NAN;
+    tinker_typed_laws->values(&potential, stored);
     return TINKER_OK;
 }
 
@@ -131,15 +162,12 @@ static TinkerStatus values(TinkerBatch *batch, const TinkerGraphInput *input, in
         const TinkerPoint *a = &input->ends[2 * i], *b = a + 1;
         const double length = result[i];
         const double along = (b->x - a->x) * (b->vx - a->vx) + (b->y - a->y) * (b->vy - a->vy);
-        const double at[] = {length, length > 0.0 ? along / length : 0.0, batch->time};
-        const TinkerTypedLaw *given = tinker_typed(batch, i, FORMULA_TENSION),
-                             *potential = tinker_typed(batch, i, FORMULA_POTENTIAL);
-        if (quantity == QUANTITY_TENSION) {
-            result[i] = given != NULL ? tinker_typed_laws->value(given, at)
-                                      : tinker_typed_laws->slope(potential, BY_LENGTH, at);
-        } else {
-            result[i] = potential != NULL ? tinker_typed_laws->value(potential, at) : 0.0;
-        }
+        const double rate = length > 0.0 ? along / length : 0.0;
+        const TinkerTypedLaw *potential = tinker_typed(batch, i, FORMULA_POTENTIAL);
+        if (quantity == QUANTITY_TENSION)
+            result[i] = tension_of(batch, i, length, rate);
+        else
+            result[i] = potential != NULL ? tinker_typed_laws->value(potential, &length) : 0.0;
     }
     return TINKER_OK;
 }

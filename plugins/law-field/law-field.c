@@ -67,14 +67,17 @@ TINKER_DEFINE_TYPED_PLUGIN("org.tinker.law-field", "Typed Field", "0.1.0", "MIT"
 
 static TinkerStatus force(TinkerBatch *batch, const TinkerBodies *bodies, double *result)
 {
-    for (int32_t k = 0; k < bodies->range; k++) {
-        const int32_t body = bodies->first + k;
-        const TinkerTypedLawPlace place = tinker_typed_place(batch, &bodies->points[body], bodies->masses[body]);
-        for (int32_t axis = 0; axis < 2; axis++) {
-            double sum = 0.0;
-            for (int32_t i = 0; i < batch->count; i++)
-                sum += tinker_typed_force(tinker_typed_laws, batch, i, axis, &place);
-            result[2 * k + axis] = sum;
+    double of_one[2 * TINKER_TYPED_CHUNK];
+    for (int32_t k = 0; k < 2 * bodies->range; k++)
+        result[k] = 0.0;
+    for (int32_t first = 0; first < bodies->range; first += TINKER_TYPED_CHUNK) {
+        const int32_t left = bodies->range - first, count = left < TINKER_TYPED_CHUNK ? left : TINKER_TYPED_CHUNK;
+        const int32_t body = bodies->first + first;
+        for (int32_t i = 0; i < batch->count; i++) {
+            tinker_typed_forces(tinker_typed_laws, batch, i, 0, count, &bodies->points[body], &bodies->masses[body],
+                                of_one);
+            for (int32_t k = 0; k < 2 * count; k++)
+                result[2 * first + k] += of_one[k];
         }
     }
     return TINKER_OK;

@@ -76,11 +76,7 @@ static TinkerTypedLawPlace place_of(const TinkerBatch *batch, const TinkerPoint 
 
 static TinkerStatus force(TinkerBatch *batch, const TinkerPoint *ends, double *result)
 {
-    for (int32_t i = 0; i < batch->count; i++) {
-        const TinkerTypedLawPlace place = place_of(batch, ends, i);
-        for (int32_t axis = 0; axis < 2; axis++)
-            result[2 * i + axis] = tinker_typed_force(tinker_typed_laws, batch, i, axis, &place);
-    }
+    tinker_typed_forces(tinker_typed_laws, batch, 0, 1, batch->count, ends, batch->end_masses, result);
     return TINKER_OK;
 }
 

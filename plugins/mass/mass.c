@@ -37,25 +37,7 @@ static void bounds(const TinkerInstance *instance, const TinkerStyle *style, dou
 
 /* Editing */
 
-static int32_t hit(const TinkerInstance *instance, double x, double y, double reach)
-{
-    return tinker_box_hit(instance, &box_columns, x, y, reach);
-}
-
-static void move(const TinkerInstance *instance, int32_t part, double dx, double dy, const TinkerEditor *editor)
-{
-    tinker_box_move(instance, &box_columns, part, dx, dy, editor);
-}
-
-static void move_absolute(const TinkerInstance *instance, int32_t part, double x, double y, const TinkerEditor *editor)
-{
-    tinker_box_move_absolute(instance, &box_columns, part, x, y, editor);
-}
-
-static int32_t handles(const TinkerInstance *instance, TinkerHandle *list, int32_t room)
-{
-    return tinker_box_handles(instance, &box_columns, list, room);
-}
+TINKER_DEFINE_BOX_EDIT(edit, box_columns)
 
 /* Graphs */
 
@@ -114,6 +96,11 @@ static const TinkerPropertyType properties[] = {
     {TINKER_REAL_PROPERTY("height", "Height", "Size", TINKER_DIMENSION_LENGTH), TINKER_NOT_NEGATIVE(0, 4.0),
      .default_value = {0.8}, .meaning = TINKER_MEANING_HEIGHT, .variability = TINKER_STRUCTURAL,
      .description = "Height of its box: its centre stands half of it off what it touches"},
+    TINKER_SURFACE_PROPERTIES,
+    {TINKER_SWITCH_PROPERTY("collides", "Collides", "Properties"), .meaning = TINKER_MEANING_COLLIDES,
+     .variability = TINKER_STRUCTURAL,
+     .description =
+         "Whether its box meets others that collide, and bodies that turn; it is not turned by landing then"},
 };
 
 static const TinkerQuantityType quantities[] = {
@@ -129,7 +116,6 @@ static const TinkerQuantityType quantities[] = {
 static const TinkerBody body = {sizeof(TinkerBody), 2, TINKER_SHAPE_BOX, 0};
 static const TinkerPhysics physics = {.struct_size = sizeof(TinkerPhysics), .body = &body};
 static const TinkerRender render = {sizeof(TinkerRender), 1, draw, bounds};
-static const TinkerEdit edit = {sizeof(TinkerEdit), 0, hit, move, move_absolute, handles};
 static const TinkerGraph graph = {sizeof(TinkerGraph), 0, values};
 
 static const TinkerUnitChoice unit_choices[] = {

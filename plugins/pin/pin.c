@@ -6,8 +6,6 @@
 
 enum { COLUMN_FRICTION_RADIUS, COLUMN_FRICTION };
 
-enum { QUANTITY_FORCE_X, QUANTITY_FORCE_Y, QUANTITY_FORCE, QUANTITY_TORQUE };
-
 /* Physics */
 
 static TinkerStatus rows_at(TinkerBatch *batch, const TinkerPoint *ends, double *g, double *jacobian, double *drift)
@@ -49,11 +47,7 @@ static double ring(const TinkerStyle *style)
 
 static void draw(const TinkerInstance *instance, struct _cairo *cairo, const TinkerStyle *style)
 {
-    const TinkerEnd *a = &instance->end[0], *b = &instance->end[1];
-    if (tinker_length(b->x - a->x, b->y - a->y) > ring(style)) {
-        style->line(style, cairo, TINKER_COLOUR_CONNECTOR, a->x, a->y, b->x, b->y);
-        tinker_ends_draw_marks(instance, cairo, style);
-    }
+    tinker_joint_draw_gap(instance, cairo, style, ring(style));
     style->circle(style, cairo, TINKER_COLOUR_SUPPORT, TINKER_COLOUR_CONNECTOR, instance->x, instance->y, ring(style));
 }
 
@@ -64,11 +58,8 @@ static TinkerStatus values(TinkerBatch *batch, const TinkerGraphInput *input, in
 {
     if (input->multipliers == NULL) return tinker_fail(batch, 0, "the pin's force is not known yet");
     for (int32_t i = 0; i < batch->count; i++) {
-        const double fx = -input->multipliers[2 * i], fy = -input->multipliers[2 * i + 1];
-        result[i] = quantity == QUANTITY_FORCE_X   ? fx
-                    : quantity == QUANTITY_FORCE_Y ? fy
-                    : quantity == QUANTITY_FORCE   ? tinker_length(fx, fy)
-                                                   : 0.0;
+        const double *l = input->multipliers + 2 * i;
+        result[i] = tinker_joint_value(quantity, -l[0], -l[1], 0.0);
     }
     return TINKER_OK;
 }
@@ -90,15 +81,14 @@ static const TinkerLawEquation law[] = {
     TINKER_EQUATION("g2", "y2 - y1", NULL, TINKER_DIMENSION_LENGTH),
 };
 
-static const TinkerQuantityType quantities[] = {
-    TINKER_QUANTITY(TINKER_RECORDED, "force x", "X Force", "Horizontal force on its first end", TINKER_DIMENSION_FORCE),
-    TINKER_QUANTITY(TINKER_RECORDED, "force y", "Y Force", "Vertical force on its first end", TINKER_DIMENSION_FORCE),
-    TINKER_QUANTITY(0, "force", "Force", "Magnitude of the force on either end", TINKER_DIMENSION_FORCE),
-    TINKER_QUANTITY(0, "torque", "Torque", "On what its first end is on", TINKER_DIMENSION_ENERGY),
-};
+static const TinkerQuantityType quantities[] = {TINKER_JOINT_QUANTITIES};
 
-static const TinkerConstraint constraint = {
-    .struct_size = sizeof(TinkerConstraint), .rows = 2, .joint = 1, .rows_at = rows_at, .check = check};
+static const TinkerConstraint constraint = {.struct_size = sizeof(TinkerConstraint),
+                                            .rows = 2,
+                                            .joint = 1,
+                                            .rows_at = rows_at,
+                                            .check = check,
+                                            .coincident = 1};
 static const TinkerPhysics physics = {.struct_size = sizeof(TinkerPhysics), .constraint = &constraint};
 static const TinkerRender render = {sizeof(TinkerRender), 2, draw, tinker_connector_bounds};
 static const TinkerEdit edit = {sizeof(TinkerEdit),        0,   tinker_connector_hit, tinker_ends_move,

@@ -89,6 +89,10 @@ static const TinkerPropertyType properties[] = {
      .description = "Phase at t = 0"},
 };
 
+static const TinkerLawEquation law[] = {
+    TINKER_EQUATION("rotation", "w", NULL, TINKER_DIMENSION_ANGLE),
+};
+
 static const TinkerQuantityType quantities[] = {
     TINKER_QUANTITY(0, "angle", "Angle", "By which it is turned, beside its orientation", TINKER_DIMENSION_ANGLE),
     TINKER_QUANTITY(0, "angular velocity", "Angular Velocity", "How fast it turns", TINKER_DIMENSION_ANGULAR_FREQUENCY),
@@ -118,7 +122,7 @@ static const TinkerBlockType blocks[] = {
     {TINKER_BLOCK("support-turn", "Support Turn", TINKER_MOTION), .summary = "Turns a support as time goes",
      .formula = "θ = θ0 + w(t), w = A sin(ω t + φ)", .least_ends = 1, .most_ends = 1,
      .end_accepts = TINKER_ACCEPTS_SUPPORT, .properties = TINKER_SPAN(properties),
-     .quantities = TINKER_SPAN(quantities), .interfaces = TINKER_SPAN(interfaces)},
+     .quantities = TINKER_SPAN(quantities), .interfaces = TINKER_SPAN(interfaces), .law = TINKER_SPAN(law)},
 };
 
 TINKER_DEFINE_PLUGIN("org.tinker.support-turn", "Support Turn", "0.1.0", "MIT", blocks)

@@ -91,25 +91,7 @@ static void bounds(const TinkerInstance *instance, const TinkerStyle *style, dou
 
 /* Editing */
 
-static int32_t hit(const TinkerInstance *instance, double x, double y, double reach)
-{
-    return tinker_box_hit(instance, &box_columns, x, y, reach);
-}
-
-static void move(const TinkerInstance *instance, int32_t part, double dx, double dy, const TinkerEditor *editor)
-{
-    tinker_box_move(instance, &box_columns, part, dx, dy, editor);
-}
-
-static void move_absolute(const TinkerInstance *instance, int32_t part, double x, double y, const TinkerEditor *editor)
-{
-    tinker_box_move_absolute(instance, &box_columns, part, x, y, editor);
-}
-
-static int32_t handles(const TinkerInstance *instance, TinkerHandle *list, int32_t room)
-{
-    return tinker_box_handles(instance, &box_columns, list, room);
-}
+TINKER_DEFINE_BOX_EDIT(edit, box_columns)
 
 /* Graphs */
 
@@ -160,7 +142,6 @@ static const TinkerQuantityType quantities[] = {TINKER_POINT_QUANTITIES(0), TINK
 static const TinkerBody body = {sizeof(TinkerBody), 0, TINKER_SHAPE_PLATE, 0};
 static const TinkerPhysics physics = {.struct_size = sizeof(TinkerPhysics), .body = &body, .prepare = prepare};
 static const TinkerRender render = {sizeof(TinkerRender), 0, draw, bounds};
-static const TinkerEdit edit = {sizeof(TinkerEdit), 0, hit, move, move_absolute, handles};
 static const TinkerGraph graph = {sizeof(TinkerGraph), 0, values};
 
 static const TinkerUnitChoice unit_choices[] = {{"orientation", "deg", "deg"}};

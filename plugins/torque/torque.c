@@ -29,6 +29,16 @@ static TinkerStatus force(TinkerBatch *batch, const TinkerPoint *ends, double *r
     return TINKER_OK;
 }
 
+static TinkerStatus torsion(TinkerBatch *batch, double *stiffness, double *damping, double *rest,
+                            int32_t *waveform_column)
+{
+    for (int32_t i = 0; i < batch->count; i++) {
+        stiffness[i] = damping[i] = rest[i] = 0.0;
+        waveform_column[i] = COLUMN_WAVEFORM;
+    }
+    return TINKER_OK;
+}
+
 /* Drawing */
 
 static void draw(const TinkerInstance *instance, struct _cairo *cairo, const TinkerStyle *style)
@@ -88,13 +98,19 @@ static const TinkerPropertyType properties[] = {
      .description = "Phase at t = 0"},
 };
 
+static const TinkerLawEquation law[] = {
+    TINKER_EQUATION("torque", "w", NULL, TINKER_DIMENSION_TORQUE),
+    TINKER_EQUATION("torque1", "w", NULL, TINKER_DIMENSION_TORQUE),
+    TINKER_EQUATION("torque2", "-w", NULL, TINKER_DIMENSION_TORQUE),
+};
+
 static const TinkerQuantityType quantities[] = {
     TINKER_QUANTITY(0, "torque", "Torque", "On what its first end is on, counter-clockwise", TINKER_DIMENSION_TORQUE),
     TINKER_QUANTITY(0, "power", "Power", "Power given to what it turns", TINKER_DIMENSION_POWER),
 };
 
 static const TinkerForceElement force_element = {
-    .struct_size = sizeof(TinkerForceElement), .angles = 1, .force = force};
+    .struct_size = sizeof(TinkerForceElement), .angles = 1, .force = force, .torsion = torsion};
 static const TinkerPhysics physics = {.struct_size = sizeof(TinkerPhysics), .force_element = &force_element};
 static const TinkerRender render = {sizeof(TinkerRender), 3, draw, bounds};
 static const TinkerEdit edit = {sizeof(TinkerEdit), 0, hit, tinker_ends_move, tinker_ends_move_absolute, NULL};
@@ -114,7 +130,7 @@ static const TinkerBlockType blocks[] = {
     {TINKER_BLOCK("torque", "Torque", TINKER_FORCE), .summary = "Turns a body by a torque that varies with time",
      .formula = "M = w(t), w = A cos(ω t + φ)", .least_ends = 1, .most_ends = 2,
      .end_accepts = TINKER_ACCEPTS_BODY | TINKER_ACCEPTS_SUPPORT, .properties = TINKER_SPAN(properties),
-     .quantities = TINKER_SPAN(quantities), .interfaces = TINKER_SPAN(interfaces)},
+     .quantities = TINKER_SPAN(quantities), .interfaces = TINKER_SPAN(interfaces), .law = TINKER_SPAN(law)},
 };
 
 TINKER_DEFINE_PLUGIN("org.tinker.torque", "Torque", "0.1.0", "MIT", blocks)

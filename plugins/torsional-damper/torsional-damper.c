@@ -16,11 +16,18 @@ static TinkerStatus force(TinkerBatch *batch, const TinkerPoint *ends, double *r
     (void)ends;
     for (int32_t i = 0; i < batch->count; i++) {
         const double torque = damping[i] * (batch->poses[2 * i + 1].rate - batch->poses[2 * i].rate);
-        for (int32_t k = 0; k < 4; k++) {
-            result[4 * i + k] = 0.0;
-        }
-        batch->angular[2 * i] = torque;
-        batch->angular[2 * i + 1] = -torque;
+        tinker_pair_of_torques(batch, i, torque, result);
+    }
+    return TINKER_OK;
+}
+
+static TinkerStatus torsion(TinkerBatch *batch, double *stiffness, double *damping, double *rest,
+                            int32_t *waveform_column)
+{
+    for (int32_t i = 0; i < batch->count; i++) {
+        stiffness[i] = rest[i] = 0.0;
+        damping[i] = tinker_column(batch, COLUMN_DAMPING)[i];
+        waveform_column[i] = -1;
     }
     return TINKER_OK;
 }
@@ -39,8 +46,7 @@ static void draw(const TinkerInstance *instance, struct _cairo *cairo, const Tin
 
 static void bounds(const TinkerInstance *instance, const TinkerStyle *style, double box[4])
 {
-    tinker_round_bounds(instance, style, RADIUS * style->symbol_size, box);
-    tinker_bounds_add(box, instance->x, instance->y, RADIUS * style->symbol_size + tinker_drawing_margin(style));
+    tinker_symbol_bounds(instance, style, RADIUS, box);
 }
 
 /* Editing */
@@ -76,10 +82,6 @@ static const TinkerPropertyType properties[] = {
 static const TinkerLawEquation law[] = {
     TINKER_EQUATION("torque1", "c*(omega2 - omega1)", NULL, TINKER_DIMENSION_TORQUE),
     TINKER_EQUATION("torque2", "-torque1", NULL, TINKER_DIMENSION_TORQUE),
-    TINKER_EQUATION("force_x1", "0", NULL, TINKER_DIMENSION_FORCE),
-    TINKER_EQUATION("force_y1", "0", NULL, TINKER_DIMENSION_FORCE),
-    TINKER_EQUATION("force_x2", "0", NULL, TINKER_DIMENSION_FORCE),
-    TINKER_EQUATION("force_y2", "0", NULL, TINKER_DIMENSION_FORCE),
 };
 
 static const TinkerQuantityType quantities[] = {
@@ -90,7 +92,7 @@ static const TinkerQuantityType quantities[] = {
 };
 
 static const TinkerForceElement force_element = {
-    .struct_size = sizeof(TinkerForceElement), .angles = 1, .force = force, .dissipates = 1};
+    .struct_size = sizeof(TinkerForceElement), .angles = 1, .force = force, .dissipates = 1, .torsion = torsion};
 static const TinkerPhysics physics = {.struct_size = sizeof(TinkerPhysics), .force_element = &force_element};
 static const TinkerRender render = {sizeof(TinkerRender), 2, draw, bounds};
 static const TinkerEdit edit = {sizeof(TinkerEdit), 0, hit, tinker_ends_move, tinker_ends_move_absolute, NULL};

@@ -18,11 +18,7 @@ static TinkerStatus force(TinkerBatch *batch, const TinkerPoint *ends, double *r
     (void)ends;
     for (int32_t i = 0; i < batch->count; i++) {
         const double turn = batch->poses[2 * i + 1].angle - batch->poses[2 * i].angle - rest[i];
-        for (int32_t k = 0; k < 4; k++) {
-            result[4 * i + k] = 0.0;
-        }
-        batch->angular[2 * i] = stiffness[i] * turn;
-        batch->angular[2 * i + 1] = -stiffness[i] * turn;
+        tinker_pair_of_torques(batch, i, stiffness[i] * turn, result);
     }
     return TINKER_OK;
 }
@@ -34,6 +30,18 @@ static TinkerStatus energy(TinkerBatch *batch, const TinkerPoint *ends, double *
     for (int32_t i = 0; i < batch->count; i++) {
         const double turn = batch->poses[2 * i + 1].angle - batch->poses[2 * i].angle - rest[i];
         stored[i] = 0.5 * stiffness[i] * turn * turn;
+    }
+    return TINKER_OK;
+}
+
+static TinkerStatus torsion(TinkerBatch *batch, double *stiffness, double *damping, double *rest,
+                            int32_t *waveform_column)
+{
+    for (int32_t i = 0; i < batch->count; i++) {
+        stiffness[i] = tinker_column(batch, COLUMN_STIFFNESS)[i];
+        damping[i] = 0.0;
+        rest[i] = tinker_column(batch, COLUMN_REST_ANGLE)[i];
+        waveform_column[i] = -1;
     }
     return TINKER_OK;
 }
@@ -57,8 +65,7 @@ static void draw(const TinkerInstance *instance, struct _cairo *cairo, const Tin
 
 static void bounds(const TinkerInstance *instance, const TinkerStyle *style, double box[4])
 {
-    tinker_round_bounds(instance, style, RADIUS * style->symbol_size, box);
-    tinker_bounds_add(box, instance->x, instance->y, RADIUS * style->symbol_size + tinker_drawing_margin(style));
+    tinker_symbol_bounds(instance, style, RADIUS, box);
 }
 
 /* Editing */
@@ -105,7 +112,7 @@ static const TinkerQuantityType quantities[] = {
 };
 
 static const TinkerForceElement force_element = {
-    .struct_size = sizeof(TinkerForceElement), .angles = 1, .force = force, .energy = energy};
+    .struct_size = sizeof(TinkerForceElement), .angles = 1, .force = force, .energy = energy, .torsion = torsion};
 static const TinkerPhysics physics = {.struct_size = sizeof(TinkerPhysics), .force_element = &force_element};
 static const TinkerRender render = {sizeof(TinkerRender), 2, draw, bounds};
 static const TinkerEdit edit = {sizeof(TinkerEdit), 0, hit, tinker_ends_move, tinker_ends_move_absolute, NULL};

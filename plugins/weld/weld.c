@@ -32,6 +32,15 @@ static TinkerStatus rows_at(TinkerBatch *batch, const TinkerPoint *ends, double 
     return TINKER_OK;
 }
 
+static TinkerStatus turning(TinkerBatch *batch, double *factors)
+{
+    for (int32_t i = 0; i < batch->count; i++) {
+        factors[2 * i] = -1.0;
+        factors[2 * i + 1] = 1.0;
+    }
+    return TINKER_OK;
+}
+
 /* Drawing: a full square, as a bead of a weld */
 
 static double bead(const TinkerStyle *style)
@@ -69,8 +78,12 @@ static const TinkerLawEquation law[] = {
 
 static const TinkerQuantityType quantities[] = {TINKER_JOINT_QUANTITIES};
 
-static const TinkerConstraint constraint = {
-    .struct_size = sizeof(TinkerConstraint), .rows = ROWS, .joint = 1, .rows_at = rows_at, .angles = 1};
+static const TinkerConstraint constraint = {.struct_size = sizeof(TinkerConstraint),
+                                            .rows = ROWS,
+                                            .joint = 1,
+                                            .rows_at = rows_at,
+                                            .angles = 1,
+                                            .turning = turning};
 static const TinkerPhysics physics = {.struct_size = sizeof(TinkerPhysics), .constraint = &constraint};
 static const TinkerRender render = {sizeof(TinkerRender), 2, draw, tinker_connector_bounds};
 static const TinkerEdit edit = {sizeof(TinkerEdit),        0,   tinker_connector_hit, tinker_ends_move,

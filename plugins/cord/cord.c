@@ -1,0 +1,288 @@
+/* Cord: wound on the disc about its first end, which it leaves along a tangent to its second end; it pulls and never
+ * pushes. With d from the first end to the second, R the radius, theta the angle of what the first end is on, and
+ * sigma = +1 where it leaves on the left as seen from the disc towards the second end, -1 on the right:
+ *
+ *     s = (d^2 - R^2)^1/2                 the free part,
+ *     phi = angle of d + sigma acos(R/|d|)  where on the rim it leaves,
+ *     g = s - sigma R [(phi - phi(0)) - (theta - theta(0))] - l <= 0.
+ *
+ * With n = (cos phi, sin phi) and e = sigma (sin phi, -cos phi) along the free part:
+ *
+ *     dg/dx_2 = e = -dg/dx_1,   dg/dtheta = sigma R,   drift = (n . (v_2 - v_1))^2 / s.
+ *
+ * The multiplier is minus the tension. The angle of d is taken within half a turn of where it was placed: the host
+ * places what is wound anew on the way. Where it does not, as for a look at one state, a cord that pulls and would be
+ * stretched by more than half of the rim has been unwound by whole turns beyond that. */
+#include <tinker/sdk.h>
+
+enum { COLUMN_SIDE, COLUMN_RADIUS, COLUMN_LENGTH };
+
+enum { QUANTITY_TENSION, QUANTITY_FREE };
+
+#define LEAST_FREE  1e-3 /* of the radius: a taut cord's load has come up to the disc */
+#define NEARLY_TAUT 0.05 /* of the radius */
+#define RINGS       24   /* lines of the ring that is wound on the disc */
+
+/* Physics */
+
+/* The free part of a cord. */
+typedef struct {
+    double free;   /* m; 0 where the second end is inside */
+    double angle;  /* where it leaves the rim */
+    double out[2]; /* n */
+    double way[2]; /* e, towards the second end */
+} Tangent;
+
+static double side_of(double side)
+{
+    return side == 0.0 ? 1.0 : -1.0;
+}
+
+static Tangent tangent_of(double dx, double dy, double radius, double sigma)
+{
+    const double distance = tinker_length(dx, dy);
+    Tangent t = {0.0, 0.0, {0.0, 0.0}, {0.0, 0.0}};
+    if (!(distance > radius)) return t;
+    t.free = sqrt((distance - radius) * (distance + radius));
+    t.angle = atan2(dy, dx) + sigma * atan2(t.free, radius);
+    /* n = (R d + sigma s d turned left) / |d|^2 */
+    t.out[0] = (radius * dx - sigma * t.free * dy) / (distance * distance);
+    t.out[1] = (radius * dy + sigma * t.free * dx) / (distance * distance);
+    t.way[0] = sigma * t.out[1];
+    t.way[1] = -sigma * t.out[0];
+    return t;
+}
+
+/* Within half a turn of 0. */
+static double within_half_turn(double angle)
+{
+    return angle - 2.0 * TINKER_PI * floor(angle / (2.0 * TINKER_PI) + 0.5);
+}
+
+/* How far round the disc the direction of the second end has gone since t = 0. */
+static double gone_round(const TinkerPoint *now, const TinkerPoint *placed)
+{
+    const double angle = atan2(now[1].y - now[0].y, now[1].x - now[0].x);
+    return within_half_turn(angle - atan2(placed[1].y - placed[0].y, placed[1].x - placed[0].x));
+}
+
+/* g of a cord, if its second end has gone round by so much. */
+static double stretch(const Tangent *now, const Tangent *placed, double round, double turned, double radius,
+                      double sigma, double length)
+{
+    const double leaves = round + sigma * (atan2(now->free, radius) - atan2(placed->free, radius));
+    return now->free - sigma * radius * (leaves - turned) - length;
+}
+
+/* What whole turns that have been unwound take off a cord that would be stretched by more than half of the rim. */
+static double unwound(double g, double rim)
+{
+    return g > 0.5 * rim ? rim * floor(g / rim + 0.5) : 0.0;
+}
+
+static TinkerStatus rows_at(TinkerBatch *batch, const TinkerPoint *ends, double *g, double *jacobian, double *drift)
+{
+    const double *side = tinker_column(batch, COLUMN_SIDE), *radius = tinker_column(batch, COLUMN_RADIUS);
+    const double *length = tinker_column(batch, COLUMN_LENGTH);
+    for (int32_t i = 0; i < batch->count; i++) {
+        const TinkerPoint *a = &ends[2 * i], *b = a + 1, *placed = &batch->placed[2 * i];
+        const double sigma = side_of(side[i]), round = gone_round(a, placed);
+        const double turned = batch->poses[2 * i].angle - batch->placed_poses[2 * i].angle;
+        const Tangent t = tangent_of(b->x - a->x, b->y - a->y, radius[i], sigma);
+        const Tangent was = tangent_of(placed[1].x - placed[0].x, placed[1].y - placed[0].y, radius[i], sigma);
+        if (!(t.free > 0.0)) {
+            return tinker_retry(batch, i, "its second end is inside the disc that it is wound on");
+        }
+        const double within = stretch(&t, &was, round, turned, radius[i], sigma, length[i]);
+        const double turns = unwound(within, 2.0 * TINKER_PI * radius[i]);
+        g[i] = within - turns;
+        const int taut = g[i] > -NEARLY_TAUT * radius[i];
+        if (taut && t.free < LEAST_FREE * radius[i]) {
+            return tinker_retry(batch, i, "what it pulls has come up to the disc that it is wound on");
+        }
+        const double across = t.out[0] * (b->vx - a->vx) + t.out[1] * (b->vy - a->vy);
+        drift[i] = across * across / t.free;
+        for (int k = 0; k < 2; k++) {
+            jacobian[4 * i + k] = -t.way[k];
+            jacobian[4 * i + 2 + k] = t.way[k];
+        }
+        batch->angular[2 * i] = sigma * radius[i];
+        batch->angular[2 * i + 1] = 0.0;
+    }
+    return TINKER_OK;
+}
+
+static TinkerStatus scale(TinkerBatch *batch, double *result)
+{
+    const double *radius = tinker_column(batch, COLUMN_RADIUS), *length = tinker_column(batch, COLUMN_LENGTH);
+    for (int32_t i = 0; i < batch->count; i++) {
+        result[i] = fmax(radius[i], length[i]);
+    }
+    return TINKER_OK;
+}
+
+static TinkerStatus check(TinkerBatch *batch)
+{
+    const double *radius = tinker_column(batch, COLUMN_RADIUS), *length = tinker_column(batch, COLUMN_LENGTH);
+    for (int32_t i = 0; i < batch->count; i++) {
+        if (!(radius[i] > 0.0)) return tinker_fail(batch, i, "radius is 0; a cord is wound on a radius above 0");
+        if (!(length[i] > 0.0)) {
+            return tinker_fail(batch, i,
+                               "its free part has no length; its second end must lie outside the disc at t = 0");
+        }
+    }
+    return TINKER_OK;
+}
+
+/* Drawing: a ring on the disc, and the free part along its tangent */
+
+static Tangent drawn(const TinkerInstance *instance)
+{
+    const TinkerEnd *a = &instance->end[0], *b = a + 1;
+    return tangent_of(b->x - a->x, b->y - a->y, instance->columns[COLUMN_RADIUS],
+                      side_of(instance->columns[COLUMN_SIDE]));
+}
+
+/* Where it leaves the disc. */
+static void touch_of(const TinkerInstance *instance, const Tangent *t, double touch[2])
+{
+    const double radius = t->free > 0.0 ? instance->columns[COLUMN_RADIUS] : 0.0;
+    touch[0] = instance->end[0].x + radius * t->out[0];
+    touch[1] = instance->end[0].y + radius * t->out[1];
+}
+
+static void draw(const TinkerInstance *instance, struct _cairo *cairo, const TinkerStyle *style)
+{
+    const TinkerEnd *a = &instance->end[0], *b = a + 1;
+    const double radius = instance->columns[COLUMN_RADIUS], sigma = side_of(instance->columns[COLUMN_SIDE]);
+    const Tangent t = drawn(instance);
+    double touch[2], points[2 * RINGS + 2];
+    touch_of(instance, &t, touch);
+    for (int k = 0; k <= RINGS; k++) { /* the wound part begins where the free one ends */
+        const double angle = t.angle + sigma * 2.0 * TINKER_PI * k / RINGS;
+        points[2 * k] = a->x + radius * cos(angle);
+        points[2 * k + 1] = a->y + radius * sin(angle);
+    }
+    style->polyline(style, cairo, TINKER_COLOUR_CONNECTOR, points, RINGS + 1);
+    style->line(style, cairo, TINKER_COLOUR_CONNECTOR, touch[0], touch[1], b->x, b->y);
+    tinker_ends_draw_marks(instance, cairo, style);
+}
+
+static void bounds(const TinkerInstance *instance, const TinkerStyle *style, double box[4])
+{
+    const double margin = tinker_drawing_margin(style);
+    tinker_bounds_clear(box);
+    tinker_bounds_add(box, instance->end[0].x, instance->end[0].y, instance->columns[COLUMN_RADIUS] + margin);
+    tinker_bounds_add(box, instance->end[1].x, instance->end[1].y, margin);
+}
+
+/* Editing: the handle where it leaves the disc sets the radius */
+
+static int32_t hit(const TinkerInstance *instance, double x, double y, double reach)
+{
+    const Tangent t = drawn(instance);
+    const double out = tinker_length(x - instance->end[0].x, y - instance->end[0].y);
+    const int32_t part = tinker_ends_hit(instance, x, y, reach);
+    double touch[2];
+    touch_of(instance, &t, touch);
+    if (part != TINKER_PART_NONE) return part;
+    if (fabs(out - instance->columns[COLUMN_RADIUS]) <= reach) return TINKER_PART_WHOLE;
+    const double off = tinker_segment_distance(x, y, touch[0], touch[1], instance->end[1].x, instance->end[1].y);
+    return off <= reach ? TINKER_PART_WHOLE : TINKER_PART_NONE;
+}
+
+static int32_t handles(const TinkerInstance *instance, TinkerHandle *list, int32_t room)
+{
+    const Tangent t = drawn(instance);
+    double touch[2];
+    touch_of(instance, &t, touch);
+    return t.free > 0.0 ? tinker_handle_add(list, room, 0, TINKER_PART_HANDLE, touch[0], touch[1]) : 0;
+}
+
+static void move_absolute(const TinkerInstance *instance, int32_t part, double x, double y, const TinkerEditor *editor)
+{
+    if (part == TINKER_PART_HANDLE) {
+        editor->set(editor, COLUMN_RADIUS, tinker_length(x - instance->end[0].x, y - instance->end[0].y));
+    } else {
+        tinker_ends_move_absolute(instance, part, x, y, editor);
+    }
+}
+
+static void move(const TinkerInstance *instance, int32_t part, double dx, double dy, const TinkerEditor *editor)
+{
+    const Tangent t = drawn(instance);
+    double touch[2];
+    touch_of(instance, &t, touch);
+    if (part == TINKER_PART_HANDLE) {
+        move_absolute(instance, part, touch[0] + dx, touch[1] + dy, editor);
+    } else {
+        tinker_ends_move(instance, part, dx, dy, editor);
+    }
+}
+
+/* Graphs */
+
+static TinkerStatus values(TinkerBatch *batch, const TinkerGraphInput *input, int32_t quantity, double *result)
+{
+    const double *radius = tinker_column(batch, COLUMN_RADIUS);
+    if (quantity == QUANTITY_TENSION && input->multipliers == NULL) {
+        return tinker_fail(batch, 0, "the cord's force is not known yet");
+    }
+    for (int32_t i = 0; i < batch->count; i++) {
+        const TinkerPoint *a = &input->ends[2 * i], *b = a + 1;
+        result[i] = quantity == QUANTITY_TENSION ? 0.0 - input->multipliers[i]
+                                                 : tangent_of(b->x - a->x, b->y - a->y, radius[i], 1.0).free;
+    }
+    return TINKER_OK;
+}
+
+/* Tables */
+
+static const char *const sides[] = {"left", "right"};
+
+static const TinkerPropertyType properties[] = {
+    {TINKER_PROPERTY_IN_PANEL(-1, TINKER_KIND_CHOICE, "side", "Side", "Cord", TINKER_DIMENSION_NONE), .choice_count = 2,
+     .choices = sides, .variability = TINKER_STRUCTURAL,
+     .description = "On which side it leaves the disc, seen from there towards its second end"},
+    {TINKER_REAL_PROPERTY("radius", "Radius", "Cord", TINKER_DIMENSION_LENGTH),
+     TINKER_POSITIVE(TINKER_DEFAULT_AS_PLACED, 0.1, 2.0), .symbol = "R", .meaning = TINKER_MEANING_RADIUS,
+     .variability = TINKER_STRUCTURAL, .description = "Of what it is wound on, about its first end"},
+    {TINKER_REAL_PROPERTY("length", "Length", "Cord", TINKER_DIMENSION_LENGTH),
+     TINKER_POSITIVE(TINKER_DEFAULT_AS_PLACED, 0.1, 10.0), .symbol = "l", .meaning = TINKER_MEANING_LENGTH,
+     .variability = TINKER_STRUCTURAL, .description = "Of its free part at t = 0; longer than the way, it is slack"},
+};
+
+static const TinkerQuantityType quantities[] = {
+    TINKER_QUANTITY(TINKER_RECORDED, "tension", "Tension", "Force along the cord", TINKER_DIMENSION_FORCE),
+    TINKER_QUANTITY(0, "free length", "Free Length", "From the disc to its second end", TINKER_DIMENSION_LENGTH),
+};
+
+static const TinkerConstraint constraint = {.struct_size = sizeof(TinkerConstraint),
+                                            .rows = 1,
+                                            .unilateral = 1,
+                                            .rows_at = rows_at,
+                                            .scale = scale,
+                                            .check = check,
+                                            .angles = 1};
+static const TinkerPhysics physics = {.struct_size = sizeof(TinkerPhysics), .constraint = &constraint};
+static const TinkerRender render = {sizeof(TinkerRender), 2, draw, bounds};
+static const TinkerEdit edit = {sizeof(TinkerEdit), 0, hit, move, move_absolute, handles};
+static const TinkerGraph graph = {sizeof(TinkerGraph), 0, values};
+
+static const TinkerUnitChoice unit_choices[] = {
+    {"radius", "m", "ft"}, {"length", "m", "ft"}, {"tension", "N", "lbf"}, {"free length", "m", "ft"}};
+static const TinkerUnits units = {sizeof(TinkerUnits), 0, TINKER_SPAN(unit_choices)};
+
+static const TinkerInterface interfaces[] = {
+    {TINKER_PHYSICS_INTERFACE, &physics}, {TINKER_RENDER_INTERFACE, &render}, {TINKER_EDIT_INTERFACE, &edit},
+    {TINKER_UNITS_INTERFACE, &units},     {TINKER_GRAPH_INTERFACE, &graph},
+};
+
+static const TinkerBlockType blocks[] = {
+    {TINKER_BLOCK("cord", "Cord", TINKER_ROPE), .summary = "Wound on a disc that turns; it pulls and never pushes",
+     .formula = "L - R (φ - θ) <= l", .least_ends = 2, .most_ends = 2,
+     .end_accepts = TINKER_ACCEPTS_BODY | TINKER_ACCEPTS_SUPPORT, .properties = TINKER_SPAN(properties),
+     .quantities = TINKER_SPAN(quantities), .interfaces = TINKER_SPAN(interfaces)},
+};
+
+TINKER_DEFINE_PLUGIN("org.tinker.cord", "Cord", "0.1.0", "MIT", blocks)
