@@ -27,7 +27,4 @@ TinkerFrame *tinker_diagram_frame(TinkerScene *scene, const TinkerModelState *st
 /* Draws it over all of width and height; `data` is a TinkerDiagramPicture. */
 void tinker_diagram_draw(cairo_t *cairo, double width, double height, void *data);
 
-/* The sentences beneath: arrows that are not to scale, what cancels, that there is no resultant. (transfer full) */
-GPtrArray *tinker_diagram_notes(const TinkerDiagramPicture *picture);
-
 #endif

@@ -132,12 +132,3 @@ GPtrArray *diagram_notes(const DiagramDrawing *drawing)
                                                                 g_array_index(diagram->cancelled, TinkerBlockId, i))));
     return notes;
 }
-
-GPtrArray *tinker_diagram_notes(const TinkerDiagramPicture *picture)
-{
-    DiagramDrawing drawing;
-    diagram_begin(&drawing, picture, NULL);
-    GPtrArray *notes = diagram_notes(&drawing);
-    diagram_end(&drawing);
-    return notes;
-}

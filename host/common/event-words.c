@@ -9,6 +9,7 @@ static const struct {
     const char *kind, *words;
     int blocks;
 } sentences[] = {
+    {"blow", N_("%s strikes %s"), 2},
     {"end", N_("%s leaves the end of %s"), 2},
     {"impact", N_("%s strikes %s"), 2},
     {"jam", N_("%s jams on %s"), 2},

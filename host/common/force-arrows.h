@@ -1,9 +1,10 @@
-/* Forces as arrows over a drawn scene, with a key. */
+/* Forces, and what they add up to, as arrows over a drawn scene, with a key. */
 #ifndef TINKER_HOST_FORCE_ARROWS_H
 #define TINKER_HOST_FORCE_ARROWS_H
 
 #include <cairo.h>
 
+#include "motion-vectors.h"
 #include "physics/run/acting-forces.h"
 #include "render/draw/theme.h"
 #include "render/draw/view.h"
@@ -14,7 +15,12 @@ typedef struct {
     TinkerScene *scene;
     const GArray *acting;   /* of TinkerActingForce: all that are to be shown */
     const GArray *at_start; /* likewise, of the start of the run, whose scale the arrows have; NULL: their own */
-    double pixels;          /* canvas units per N; 0: not known yet */
+    double pixels;          /* canvas units per N, of net forces too; 0: not known yet */
+    const GArray *vectors;  /* of TinkerMotionVector, to be shown beside them; NULL: none */
+    double vector_pixels[TINKER_VECTOR_KINDS]; /* canvas units per m/s and m/s^2; 0: not known yet */
+    const double *greatest; /* of the kinds over the run, SI, whose scale the vectors have; NULL: their own */
+    const GPtrArray *texts; /* of TinkerWrittenText: what labels keep clear of; NULL: nothing */
+    const char *marks;      /* for the key: the time between marks of paths; NULL: there are none */
     TinkerBlockId lit;      /* whose forces stand out from others, where any are shown; TINKER_NO_BLOCK: nobody's */
 } TinkerForceArrows;
 
@@ -27,7 +33,7 @@ gboolean tinker_force_arrows_any(const GArray *acting);
 /* Canvas units per N, so that the longest arrow is well seen; `previous` as in arrows.h. */
 double tinker_force_arrows_scale(const GArray *acting, const TinkerView *view, double previous);
 
-/* Draws the arrows and the key; nothing where the scale is not known. */
+/* Draws the arrows and the key; what has no scale is left out. */
 void tinker_force_arrows_draw(const TinkerForceArrows *forces, cairo_t *cairo, const TinkerView *view,
                               const TinkerTheme *theme);
 

@@ -9,6 +9,11 @@ TinkerGraphAxis tinker_graph_axis_time(void)
     return (TinkerGraphAxis){N_("Time"), "s", 1, TINKER_DIMENSION_TIME, TINKER_NO_BLOCK};
 }
 
+TinkerGraphAxis tinker_graph_axis_frequency(void)
+{
+    return (TinkerGraphAxis){"Frequency", "Hz", 1, {.time = -1}, TINKER_NO_BLOCK};
+}
+
 TinkerGraphAxis tinker_graph_axis(TinkerScene *scene, TinkerBlockId block, int32_t quantity)
 {
     const TinkerQuantityType type = tinker_scene_quantity_type(scene, block, quantity);

@@ -16,6 +16,8 @@ typedef struct {
 } TinkerGraphAxis;
 
 TinkerGraphAxis tinker_graph_axis_time(void);
+/* Of a spectrum, in Hz. */
+TinkerGraphAxis tinker_graph_axis_frequency(void);
 
 /* The axis of a quantity of this block, or of the scene (quantities.h). */
 TinkerGraphAxis tinker_graph_axis(TinkerScene *scene, TinkerBlockId block, int32_t quantity);

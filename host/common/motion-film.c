@@ -5,11 +5,12 @@
 
 #include "film-graphs.h"
 #include "film.h"
-#include "force-arrows.h"
 #include "physics/record/record.h"
 #include "physics/run/simulation.h"
 
-#define MARGIN 0.08 /* about the motion, of the picture's shorter side: for the names */
+#define MARGIN       0.08 /* about the motion, of the picture's shorter side: for the names */
+#define MOST_BETWEEN 20   /* samples a picture, for paths */
+#define SLIP         1e-9
 
 struct _TinkerMotionFilm {
     TinkerFrame *frame;
@@ -17,16 +18,13 @@ struct _TinkerMotionFilm {
     TinkerRecord *record;
     GArray *row; /* of double: scratch */
     double box[4];
-    TinkerActingForces *acting; /* NULL: forces are not shown */
-    TinkerFilmGraphs *graphs;   /* NULL: none are shown */
-    GPtrArray *forces;          /* of GArray of TinkerActingForce, a picture each */
+    TinkerFilmOverlay overlay;
+    TinkerFilmArrows *arrows; /* NULL: nothing is shown over the pictures */
+    TinkerFilmGraphs *graphs; /* NULL: none are shown */
+    int samples;              /* a picture has */
+    gint64 taken;             /* samples */
+    double end;               /* s: of the run */
 };
-
-static gboolean can_move(const TinkerBlockClass *block_class)
-{
-    return block_class != NULL && block_class->physics != NULL && block_class->physics->body != NULL &&
-           block_class->physics->body->degrees_of_freedom > 0;
-}
 
 void tinker_motion_film_free(TinkerMotionFilm *motion)
 {
@@ -35,8 +33,7 @@ void tinker_motion_film_free(TinkerMotionFilm *motion)
     g_array_unref(motion->bodies);
     tinker_record_free(motion->record);
     g_array_unref(motion->row);
-    g_clear_pointer(&motion->acting, tinker_acting_forces_free);
-    g_ptr_array_unref(motion->forces);
+    tinker_film_arrows_free(motion->arrows);
     tinker_film_graphs_free(motion->graphs);
     g_free(motion);
 }
@@ -47,11 +44,11 @@ TinkerMotionFilm *tinker_motion_film_new(TinkerScene *scene, GError **error)
     if (frame == NULL) return NULL;
     TinkerMotionFilm *motion = g_new0(TinkerMotionFilm, 1);
     motion->frame = frame;
-    motion->forces = g_ptr_array_new_with_free_func((GDestroyNotify)g_array_unref);
+    motion->samples = 1;
     motion->bodies = g_array_new(FALSE, FALSE, sizeof(TinkerBlockId));
     for (int32_t place = 0; place < tinker_scene_block_count(scene); place++) {
         TinkerBlockId block = tinker_scene_block_at(scene, place);
-        if (can_move(tinker_scene_block_class(scene, block))) g_array_append_val(motion->bodies, block);
+        if (tinker_block_moves(scene, block)) g_array_append_val(motion->bodies, block);
     }
     guint width = 1 + 3 * motion->bodies->len;
     motion->record = tinker_record_new(width, 0);
@@ -60,9 +57,20 @@ TinkerMotionFilm *tinker_motion_film_new(TinkerScene *scene, GError **error)
     return motion;
 }
 
-void tinker_motion_film_show_forces(TinkerMotionFilm *motion, TinkerModel *model)
+double tinker_motion_film_show(TinkerMotionFilm *motion, const TinkerFilmOverlay *overlay, double spacing)
 {
-    motion->acting = tinker_acting_forces_new(model);
+    const double interval = tinker_scene_head(tinker_frame_scene(motion->frame))->run.interval;
+    motion->overlay = *overlay;
+    if (overlay->marks > 0) motion->samples = (int)CLAMP(ceil(spacing / interval - SLIP), 1, MOST_BETWEEN);
+    return spacing / motion->samples;
+}
+
+void tinker_motion_film_begin(TinkerMotionFilm *motion, TinkerModel *model, double end)
+{
+    TinkerScene *scene = tinker_frame_scene(motion->frame);
+    motion->end = end;
+    if (tinker_film_overlay_any(&motion->overlay))
+        motion->arrows = tinker_film_arrows_new(model, scene, &motion->overlay);
 }
 
 void tinker_motion_film_show_graphs(TinkerMotionFilm *motion)
@@ -75,21 +83,16 @@ const GArray *tinker_motion_film_columns(const TinkerMotionFilm *motion)
     return motion->graphs != NULL ? tinker_film_graphs_columns(motion->graphs) : NULL;
 }
 
-static gboolean keep_forces(TinkerMotionFilm *motion, TinkerSimulation *simulation, GError **error)
-{
-    if (motion->acting == NULL) return TRUE;
-    GArray *forces = tinker_acting_forces_array();
-    g_ptr_array_add(motion->forces, forces);
-    if (!tinker_acting_forces_at(motion->acting, simulation, forces, error)) return FALSE;
-    tinker_force_arrows_keep_moving(tinker_frame_scene(motion->frame), forces);
-    return TRUE;
-}
-
 gboolean tinker_motion_film_sample(TinkerSimulation *simulation, double time, const double *values, void *data,
                                    GError **error)
 {
     TinkerMotionFilm *motion = data;
-    if (!tinker_simulation_place(simulation, motion->frame, error) || !keep_forces(motion, simulation, error))
+    const gboolean is_picture = motion->taken++ % motion->samples == 0 || time >= motion->end;
+    if (!is_picture && motion->arrows == NULL) return TRUE;
+    if (!tinker_simulation_place(simulation, motion->frame, error)) return FALSE;
+    if (motion->arrows != NULL) tinker_film_arrows_note(motion->arrows, motion->frame);
+    if (!is_picture) return TRUE;
+    if (motion->arrows != NULL && !tinker_film_arrows_add(motion->arrows, simulation, motion->frame, error))
         return FALSE;
     if (motion->graphs != NULL) tinker_film_graphs_add(motion->graphs, time, values);
     double *row = (double *)(gpointer)motion->row->data;
@@ -103,7 +106,8 @@ void tinker_motion_film_begin_again(void *data)
 {
     TinkerMotionFilm *motion = data;
     tinker_record_cut(motion->record, 0);
-    g_ptr_array_set_size(motion->forces, 0);
+    motion->taken = 0;
+    if (motion->arrows != NULL) tinker_film_arrows_cut(motion->arrows, 0);
     if (motion->graphs != NULL) tinker_film_graphs_cut(motion->graphs, 0);
 }
 
@@ -114,6 +118,7 @@ gsize tinker_motion_film_cut(TinkerMotionFilm *motion, double valid_until)
     while (count > 0 && tinker_record_read(motion->record, count - 1, 1, row, NULL) && row[0] > valid_until)
         tinker_record_cut(motion->record, --count);
     if (motion->graphs != NULL) tinker_film_graphs_cut(motion->graphs, count);
+    if (motion->arrows != NULL) tinker_film_arrows_cut(motion->arrows, count);
     return count;
 }
 
@@ -191,7 +196,6 @@ static gboolean draw_pictures(TinkerMotionFilm *motion, TinkerFilm *film, const 
     g_autoptr(TinkerPaintMemory) memory = tinker_paint_memory_new();
     TinkerPaintOptions paint = drawing->paint;
     paint.memory = memory;
-    TinkerForceArrows forces = {.scene = tinker_frame_scene(motion->frame), .lit = TINKER_NO_BLOCK};
     cairo_t *cairo = cairo_create(surface);
     gsize count = tinker_record_rows(motion->record), picture = 0;
     gboolean fine = TRUE;
@@ -199,11 +203,8 @@ static gboolean draw_pictures(TinkerMotionFilm *motion, TinkerFilm *film, const 
         if (picture > 0 && drawing->enough != NULL && drawing->enough(drawing->data)) break;
         fine = place_picture(motion, picture, error);
         if (!fine) break;
-        if (motion->acting != NULL) {
-            forces.acting = g_ptr_array_index(motion->forces, picture);
-            paint.over = tinker_force_arrows_over;
-            paint.over_data = &forces;
-        }
+        if (motion->arrows != NULL)
+            tinker_film_arrows_dress(motion->arrows, picture, tinker_frame_time(motion->frame), &paint);
         draw_picture(motion, cairo, &view, &paint, height);
         fine = tinker_film_add(film, surface, error);
         if (fine && drawing->progress != NULL) drawing->progress((double)picture + 1, (double)count, drawing->data);

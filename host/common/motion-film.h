@@ -3,6 +3,7 @@
 #ifndef TINKER_HOST_MOTION_FILM_H
 #define TINKER_HOST_MOTION_FILM_H
 
+#include "film-arrows.h"
 #include "physics/run/simulation.h"
 #include "render/picture/painter.h"
 
@@ -16,9 +17,11 @@ TinkerMotionFilm *tinker_motion_film_new(TinkerScene *scene, GError **error);
 void tinker_motion_film_free(TinkerMotionFilm *motion);
 G_DEFINE_AUTOPTR_CLEANUP_FUNC(TinkerMotionFilm, tinker_motion_film_free)
 
-/* The pictures show the forces, too, with a key: of the model that is run, borrowed until the last sample. To be called
- * before the run. */
-void tinker_motion_film_show_forces(TinkerMotionFilm *motion, TinkerModel *model);
+/* What the pictures show beside the blocks, and one picture every `spacing` (s): answers the interval at which the run
+ * is to be sampled. Where paths are shown there are samples between the pictures, too. To be called before the run. */
+double tinker_motion_film_show(TinkerMotionFilm *motion, const TinkerFilmOverlay *overlay, double spacing);
+/* The model that is run, borrowed until the last sample, and when its run ends (s). To be called before the run. */
+void tinker_motion_film_begin(TinkerMotionFilm *motion, TinkerModel *model, double end);
 
 /* The pictures show the scene's graphs, too, below the motion, if it has any over time. To be called before the run,
  * which is to record the columns below. */

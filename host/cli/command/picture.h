@@ -3,6 +3,8 @@
 #define TINKER_CLI_PICTURE_H
 
 #include "cli/command/run-arguments.h"
+#include "motion-trail.h"
+#include "motion-vectors.h"
 #include "render/picture/painter.h"
 
 typedef struct {
@@ -24,6 +26,43 @@ G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC(TinkerPictureArguments, tinker_picture_argument
     {"forces", 0, 0, G_OPTION_ARG_NONE, &(arguments).forces, "Draw the forces on what can move, and their key", NULL}, \
         TINKER_PICTURE_LOOK_ENTRIES(arguments, size_)
 
+/* What is drawn over the blocks beside single forces. */
+typedef struct {
+    TinkerVectorChoice vectors;
+    gboolean trail;
+    char *marks;
+} TinkerOverlayArguments;
+
+void tinker_overlay_arguments_clear(TinkerOverlayArguments *arguments);
+G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC(TinkerOverlayArguments, tinker_overlay_arguments_clear)
+
+#define TINKER_OVERLAY_ENTRIES(arguments)                                                                              \
+    {"velocity",                                                                                                       \
+     0,                                                                                                                \
+     0,                                                                                                                \
+     G_OPTION_ARG_NONE,                                                                                                \
+     &(arguments).vectors.kinds[TINKER_VECTOR_VELOCITY],                                                               \
+     "Draw the velocity of what can move",                                                                             \
+     NULL},                                                                                                            \
+        {"acceleration",          0,   0, G_OPTION_ARG_NONE, &(arguments).vectors.kinds[TINKER_VECTOR_ACCELERATION],   \
+         "Draw its acceleration", NULL},                                                                               \
+        {"net-force",                                                                                                  \
+         0,                                                                                                            \
+         0,                                                                                                            \
+         G_OPTION_ARG_NONE,                                                                                            \
+         &(arguments).vectors.kinds[TINKER_VECTOR_NET_FORCE],                                                          \
+         "Draw the sum of the forces on it",                                                                           \
+         NULL},                                                                                                        \
+        {"trail", 0, 0, G_OPTION_ARG_NONE, &(arguments).trail, "Draw where it has been, at equal times", NULL},        \
+    {                                                                                                                  \
+        "marks", 0, 0, G_OPTION_ARG_FILENAME, &(arguments).marks, "Time between the marks of a trail", "S"             \
+    }
+
+/* The time between the marks of a trail up to `time` (s): as given, or a round one. 0 where there is no trail. Errors:
+ * TINKER_CLI_ERROR_USAGE. */
+gboolean tinker_overlay_arguments_marks(const TinkerOverlayArguments *arguments, double time, double *every,
+                                        GError **error);
+
 /* Reads size and theme; `width` and `height` keep what they hold where no size is given. Errors:
  * TINKER_CLI_ERROR_USAGE. */
 gboolean tinker_picture_arguments_read(const TinkerPictureArguments *arguments, int *width, int *height,
@@ -39,10 +78,20 @@ gboolean tinker_picture_or_text(const TinkerPictureArguments *arguments, const c
  * the ending's place, or -1 with `error` set. */
 int tinker_picture_ending(const char *path, const char *const *endings, GError **error);
 
-/* Brings a frame of the scene to `time` by running the scene up to it; t = 0 is the frame as it is made. `forces`
- * (tinker_acting_forces_array; NULL: not wanted) receives those that act then. */
+/* What a picture shows of the run beside the frame; NULL and FALSE: not wanted. */
+typedef struct {
+    GArray *forces;                       /* of TinkerActingForce: receives those that act at the time */
+    TinkerVectorChoice choice;            /* of the vectors */
+    GArray *vectors;                      /* of TinkerMotionVector: receives those of the time */
+    double greatest[TINKER_VECTOR_KINDS]; /* SI: receives those of the whole run */
+    TinkerMotionTrail *trail;             /* receives the poses up to the time */
+} TinkerPictureCourse;
+
+/* Brings a frame of the scene to `time` by running the scene up to it; t = 0 is the frame as it is made. Where vectors
+ * are wanted, the run goes on to the scene's duration, for one scale at whatever time; that it fails on the way there
+ * does not matter. */
 gboolean tinker_picture_run_to(TinkerFrame *frame, const TinkerOpenScene *open, const TinkerRunArguments *arguments,
-                               double time, GArray *forces, GError **error);
+                               double time, TinkerPictureCourse *course, GError **error);
 
 /* A table for TinkerPaintOptions.faults. (transfer full) */
 GHashTable *tinker_picture_faults_new(void);

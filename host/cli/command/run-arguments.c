@@ -166,6 +166,7 @@ gboolean tinker_scene_run_go(TinkerSceneRun *run, const GArray *columns, const T
 
 void tinker_scene_run_clear(TinkerSceneRun *run)
 {
+    g_clear_pointer(&run->until, tinker_until_free);
     g_clear_pointer(&run->simulation, tinker_simulation_free);
     g_clear_pointer(&run->model, tinker_model_free);
 }

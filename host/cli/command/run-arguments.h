@@ -4,6 +4,7 @@
 
 #include "cli/command/open-scene.h"
 #include "cli/command/progress.h"
+#include "measure/until.h"
 #include "physics/model/model.h"
 #include "physics/plan/run-options.h"
 #include "physics/run/accurate-run.h"
@@ -61,7 +62,18 @@ typedef struct {
     TinkerSimulation *simulation;
     gboolean automatic; /* the method was chosen, not named */
     TinkerProgress progress;
+    TinkerUntil *until;     /* conditions that end it; NULL: it was not asked for */
+    const char *stopped_by; /* the one that does; NULL: none */
 } TinkerSceneRun;
+
+/* Ends the run where the first condition holds: of `conditions`, which stand on the command line; NULL: of the scene.
+ * Where that is does not depend on the options' interval, but on the scene's or on the one given in the arguments. To
+ * be called before it is prepared. Errors: of a condition, and as below. */
+gboolean tinker_scene_run_until(TinkerSceneRun *run, TinkerScene *scene, const TinkerRunArguments *arguments,
+                                char **conditions, TinkerRunOptions *options, GError **error);
+
+/* Tells on standard error which condition ended the run, where there are any; `name` is the scene's. After the run. */
+void tinker_scene_run_report_end(const TinkerSceneRun *run, const char *name);
 
 /* Compiles the scene and prepares its run, with Ctrl-C and the progress line set up; a method or step that was given
  * on the command line and cannot be is a usage error. The scene run must stay where it is: the simulation points into

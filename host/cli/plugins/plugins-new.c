@@ -23,6 +23,8 @@ static const Role roles[] = {
     {"force-element", "force element", "any other force on the bodies at its ends"},
     {"field", "field", "forces on all bodies, as of water, air or gravity"},
     {"constraint", "constraint", "something that must stay as it is, as the distance along a rod"},
+    {"joint", "joint", "a constraint on how bodies are turned, as a belt or a gear"},
+    {"torque", "torque", "a force element that turns a body, as a brake or a fan"},
     {"motion", "motion", "where a support is at every time"},
     {"body", "body", "something that moves, and that connectors attach to"},
     {"integrator", "integrator", "a method that takes the motion from one time to the next"},

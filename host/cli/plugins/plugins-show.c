@@ -34,6 +34,7 @@ static char *default_text(const TinkerPropertyType *property)
     if (property->flags & TINKER_READ_ONLY) return g_strdup("read-only");
     if (property->flags & TINKER_DEFAULT_AS_PLACED) return g_strdup("as placed");
     if (property->flags & TINKER_DEFAULT_AS_SHAPED) return g_strdup("as shaped");
+    if (property->flags & TINKER_DEFAULT_NONE) return g_strdup("none");
     if (property->flags & TINKER_DEFAULT_SAME_AS) return g_strdup_printf("= %s", property->default_from);
     switch (property->kind) {
     case TINKER_KIND_SWITCH:
@@ -94,7 +95,8 @@ static void show_properties(const TinkerBlockClass *block_class, FILE *file)
         tinker_text_table_add(table, property->id);
         tinker_text_table_add(table, property->title);
         tinker_text_table_add(table, property->group);
-        tinker_text_table_add(table, kind_name(property->kind));
+        tinker_text_table_add(table,
+                              (property->flags & TINKER_TEXT_POINTS) != 0 ? "points" : kind_name(property->kind));
         tinker_text_table_add(table, tinker_unit_si_symbol(property->dimension));
         tinker_text_table_add(table, units);
         tinker_text_table_add(table, value);

@@ -47,14 +47,6 @@ static void fill_bucket(CurvePoints *points, const double point[3])
     points->filled = TRUE;
 }
 
-/* A curve's band where it has one: that of its column, or of what its formula is made of. */
-static double band_of(const TinkerChart *chart, const TinkerChartCurve *curve, const double *row)
-{
-    const double *bands = row + 1 + chart->columns->len;
-    if (curve->formula != NULL) return tinker_formula_band(curve->formula, row[0], row + 1, bands);
-    return bands[curve->y - 1];
-}
-
 static void read_table(const TinkerChartCurve *curve, CurvePoints *points)
 {
     for (guint i = 0; i + 1 < curve->table->len; i += 2) {
@@ -78,7 +70,7 @@ static gboolean read_points(const TinkerChart *chart, const TinkerChartCurve *cu
             return FALSE;
         const double *values = rows + place * width;
         double point[3] = {x_factor * values[curve->x], y_factor * tinker_chart_value(curve, values), 0};
-        if (points->has_band) point[2] = y_factor * band_of(chart, curve, values);
+        if (points->has_band) point[2] = y_factor * tinker_chart_band(chart, curve, values);
         if (bucket == 1 || (curve->x > 0 && row % bucket == 0))
             append_point(points, point);
         else if (curve->x == 0)
@@ -246,60 +238,35 @@ gboolean tinker_chart_draw(TinkerChart *chart, const TinkerTheme *theme, int wid
     return tinker_plot_to_file(&plot, width, height, path, error);
 }
 
-/* The amplitudes of one curve over the frequencies in Hz. */
-static gboolean add_spectrum(Drawing *drawing, const TinkerChart *chart, const TinkerChartCurve *from,
-                             TinkerWindow window, GError **error)
+static void add_spectrum(Drawing *drawing, const TinkerChart *chart, const TinkerChartSpectrum *spectrum)
 {
-    CurvePoints *points = curve_points_new(FALSE);
-    g_autofree double *row = g_new(double, tinker_chart_width(chart));
-    g_autoptr(GArray) values = g_array_new(FALSE, FALSE, sizeof(double));
-    double first = 0, step = 0;
-    gsize count = chart->record == NULL ? 0 : tinker_record_rows(chart->record);
-    g_ptr_array_add(drawing->points, points);
-    for (gsize i = 0; i < count; i++) {
-        if (!tinker_record_read(chart->record, i, 1, row, error)) return FALSE;
-        const double value = from->axis.per_si * tinker_chart_value(from, row);
-        if (i == 0) first = row[0];
-        if (i == 1) step = row[0] - first;
-        /* the last sample is at the duration, which may be no whole number of intervals */
-        if (i < 2 || fabs(row[0] - first - (double)i * step) < 1e-6 * step) g_array_append_val(values, value);
-    }
-    count = values->len - values->len % 2;
-    g_autofree double *amplitudes = g_new(double, count / 2 + 1);
-    if (count < 4 || !tinker_spectrum((const double *)(gpointer)values->data, count, window, amplitudes)) {
-        g_set_error(error, TINKER_CLI_ERROR, TINKER_CLI_ERROR_USAGE, "%s: too few samples for a spectrum", from->name);
-        return FALSE;
-    }
-    for (gsize k = 0; k <= count / 2; k++) {
-        const double point[3] = {(double)k / ((double)count * step), amplitudes[k], 0};
-        append_point(points, point);
-    }
-    g_ptr_array_add(drawing->labels, legend_label(chart, from, TRUE));
-    TinkerCurve curve = {.label = g_ptr_array_index(drawing->labels, drawing->labels->len - 1),
-                         .x = numbers(points->x),
-                         .y = numbers(points->y),
-                         .count = points->x->len,
-                         .colour = (int)drawing->curves->len,
-                         .right = from->right};
+    g_ptr_array_add(drawing->labels, legend_label(chart, spectrum->curve, TRUE));
+    const TinkerCurve curve = {.label = g_ptr_array_index(drawing->labels, drawing->labels->len - 1),
+                               .x = numbers(spectrum->frequencies),
+                               .y = numbers(spectrum->amplitudes),
+                               .count = spectrum->frequencies->len,
+                               .colour = (int)drawing->curves->len,
+                               .right = spectrum->curve->right};
     g_array_append_val(drawing->curves, curve);
-    return TRUE;
 }
 
-gboolean tinker_chart_draw_spectrum(TinkerChart *chart, TinkerWindow window, const TinkerTheme *theme, int width,
-                                    int height, const char *path, GError **error)
+gboolean tinker_chart_draw_spectrum(TinkerChart *chart, const TinkerSpectrumOptions *options, const TinkerTheme *theme,
+                                    int width, int height, const char *path, GError **error)
 {
     g_auto(Drawing) drawing = {g_array_new(FALSE, TRUE, sizeof(TinkerCurve)),
                                g_ptr_array_new_with_free_func(free_points), g_ptr_array_new_with_free_func(g_free)};
-    for (guint i = 0; i < chart->curves->len; i++)
-        if (curve_at(chart, i)->table == NULL && !add_spectrum(&drawing, chart, curve_at(chart, i), window, error))
-            return FALSE;
+    g_autoptr(GPtrArray) spectra = tinker_chart_spectra(chart, options, error);
+    if (spectra == NULL) return FALSE;
+    for (guint i = 0; i < spectra->len; i++)
+        add_spectrum(&drawing, chart, g_ptr_array_index(spectra, i));
     const gboolean lone = chart->curves->len == 1;
     g_autofree char *label = lone ? lone_label(chart, FALSE) : common_label(chart, AXIS_LEFT);
     g_autofree char *y_label = g_strdup_printf("Amplitude: %s", label != NULL ? label : "");
     g_autofree char *right_label = common_label(chart, AXIS_RIGHT);
     const TinkerPlot plot = {
         .title = chart->title[0] != '\0' ? chart->title : NULL,
-        .x_label = window == TINKER_WINDOW_HANN ? "Frequency [Hz] (window: Hann)" : "Frequency [Hz] (no window)",
+        .x_label =
+            options->window == TINKER_WINDOW_HANN ? "Frequency [Hz] (window: Hann)" : "Frequency [Hz] (no window)",
         .y_label = y_label,
         .right_label = right_label,
         .x_logarithmic = chart->logarithmic[0],

@@ -81,13 +81,18 @@ static gboolean add_formula(TinkerChart *chart, const char *text, const TinkerSc
     return TRUE;
 }
 
+/* Spectra are of curves over time. */
+static gboolean is_over_time(const char *against)
+{
+    return against == NULL || strcmp(against, "time") == 0 || strcmp(against, "frequency") == 0;
+}
+
 gboolean tinker_chart_add(TinkerChart *chart, const char *name, const char *against, GError **error)
 {
     TinkerChartCurve curve = {0};
-    if (strchr(name, '{') != NULL && (against == NULL || strcmp(against, "time") == 0))
-        return add_formula(chart, name, NULL, error);
+    if (strchr(name, '{') != NULL && is_over_time(against)) return add_formula(chart, name, NULL, error);
     if (!column_place(chart, name, &curve.y, error)) return FALSE;
-    if (against != NULL && strcmp(against, "time") != 0) {
+    if (!is_over_time(against)) {
         g_autofree char *other = full_name(name, against);
         if (!column_place(chart, other, &curve.x, error)) return FALSE;
     }
@@ -100,6 +105,13 @@ gboolean tinker_chart_add(TinkerChart *chart, const char *name, const char *agai
 double tinker_chart_value(const TinkerChartCurve *curve, const double *row)
 {
     return curve->formula != NULL ? tinker_formula_value(curve->formula, row[0], row + 1) : row[curve->y];
+}
+
+double tinker_chart_band(const TinkerChart *chart, const TinkerChartCurve *curve, const double *row)
+{
+    const double *bands = row + 1 + chart->columns->len;
+    if (curve->formula != NULL) return tinker_formula_band(curve->formula, row[0], row + 1, bands);
+    return bands[curve->y - 1];
 }
 
 void tinker_chart_part_axes(TinkerChart *chart)
@@ -184,6 +196,7 @@ gboolean tinker_chart_add_graphs_of_scene(TinkerChart *chart, const char *path, 
     }
     const TinkerSceneGraph *only = graphs->len == 1 ? g_ptr_array_index(graphs, 0) : NULL;
     if (graphs->len > 0) chart->axes = g_ptr_array_index(graphs, 0);
+    chart->is_spectrum = chart->axes != NULL && strcmp(chart->axes->against, "frequency") == 0;
     if (only != NULL && only->title != NULL) {
         g_free(chart->title);
         chart->title = g_strdup(only->title);

@@ -33,7 +33,14 @@ typedef struct {
     GPtrArray *others;            /* of TinkerChart: the same curves of other runs; owned */
     const TinkerSceneGraph *axes; /* scales and ranges; borrowed from the scene; NULL */
     gboolean logarithmic[2];      /* asked for besides: x, y */
+    gboolean is_spectrum;         /* the scene's graphs are of frequencies */
 } TinkerChart;
+
+/* Of which part of the time (s), and how it is weighted. */
+typedef struct {
+    TinkerWindow window;
+    double from, to;
+} TinkerSpectrumOptions;
 
 /* A chart without curves, titled like the scene. (transfer full) */
 TinkerChart *tinker_chart_new(TinkerScene *scene);
@@ -41,7 +48,7 @@ void tinker_chart_free(TinkerChart *chart);
 G_DEFINE_AUTOPTR_CLEANUP_FUNC(TinkerChart, tinker_chart_free)
 
 /* Adds the curve of "Mass 0.y", or of an expression, which has a name in braces: over time where `against` is NULL or
- * "time", else against a quantity of the same block
+ * "time" or "frequency", else against a quantity of the same block
  * ("vx") or of any ("Mass 1.x"). Errors: TINKER_SCENE_ERROR_NAME, TINKER_WAVEFORM_ERROR. */
 gboolean tinker_chart_add(TinkerChart *chart, const char *name, const char *against, GError **error);
 
@@ -68,10 +75,12 @@ void tinker_chart_cut(TinkerChart *chart, double time);
 gboolean tinker_chart_draw(TinkerChart *chart, const TinkerTheme *theme, int width, int height, const char *path,
                            GError **error);
 
-/* Draws amplitudes over frequency in the place of values over time: of the last even number of samples, which are
- * evenly spaced. */
-gboolean tinker_chart_draw_spectrum(TinkerChart *chart, TinkerWindow window, const TinkerTheme *theme, int width,
-                                    int height, const char *path, GError **error);
+/* Draws amplitudes over frequency in the place of values over time, and writes them as CSV: "Frequency", in Hz, then a
+ * column a curve. */
+gboolean tinker_chart_draw_spectrum(TinkerChart *chart, const TinkerSpectrumOptions *options, const TinkerTheme *theme,
+                                    int width, int height, const char *path, GError **error);
+gboolean tinker_chart_write_spectrum_csv(TinkerChart *chart, const TinkerSpectrumOptions *options, int decimals,
+                                         const char *path, GError **error);
 
 /* Writes CSV: "Time", then a column a curve, called like the quantity where there is one curve, else with the block's
  * name before it; x and y of each curve where they are not over time. `decimals` as in csv-writer.h. */

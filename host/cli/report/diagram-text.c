@@ -11,8 +11,8 @@ static void add_row(TinkerTextTable *table, const char *name, const char *kind, 
 {
     tinker_text_table_add(table, name);
     tinker_text_table_add(table, kind);
-    tinker_text_table_add_format(table, "%.6g", force[0]);
-    tinker_text_table_add_format(table, "%.6g", force[1]);
+    tinker_text_table_add_format(table, "%.6g", force[0] + 0.0); /* -0 becomes 0 */
+    tinker_text_table_add_format(table, "%.6g", force[1] + 0.0);
     tinker_text_table_add_format(table, "%.6g", hypot(force[0], force[1]));
     if (!isnan(moment)) tinker_text_table_add_format(table, "%.6g", moment);
     tinker_text_table_add(table, partner);

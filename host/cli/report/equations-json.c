@@ -71,7 +71,7 @@ static void add_symbols(cJSON *root, const TinkerEquations *equations)
         const TinkerEquationSymbol *symbol = g_ptr_array_index(equations->symbols, i);
         cJSON *object = cJSON_AddObjectToObject(symbols, symbol->name);
         cJSON_AddNumberToObject(object, "value", symbol->value);
-        cJSON_AddStringToObject(object, "unit", tinker_unit_si_symbol(symbol->dimension));
+        cJSON_AddStringToObject(object, "unit", tinker_equation_unit(symbol->dimension, FALSE));
         add_block(object, equations, symbol->block);
         if (symbol->property != NULL) cJSON_AddStringToObject(object, "property", symbol->property);
         if (symbol->quantity != NULL) cJSON_AddStringToObject(object, "quantity", symbol->quantity);
@@ -85,7 +85,7 @@ static void add_definitions(cJSON *definitions, const TinkerEquations *equations
         cJSON *object = cJSON_CreateObject();
         cJSON_AddStringToObject(object, "symbol", definition->name);
         add_block(object, equations, definition->block);
-        cJSON_AddStringToObject(object, "unit", tinker_unit_si_symbol(definition->dimension));
+        cJSON_AddStringToObject(object, "unit", tinker_equation_unit(definition->dimension, definition->energy));
         if (definition->means != NULL) cJSON_AddStringToObject(object, "means", definition->means);
         cJSON_AddItemToObject(object, "is", expression_json(definition->is));
         if (definition->typed) cJSON_AddTrueToObject(object, "typed");
@@ -102,7 +102,7 @@ static void add_constraints(cJSON *root, const TinkerEquations *equations)
         add_block(object, equations, row->block);
         cJSON_AddItemToObject(object, "g", expression_json(row->g));
         cJSON_AddStringToObject(object, "multiplier", row->multiplier);
-        cJSON_AddStringToObject(object, "unit", tinker_unit_si_symbol(row->dimension));
+        cJSON_AddStringToObject(object, "unit", tinker_equation_unit(row->dimension, FALSE));
         cJSON_AddBoolToObject(object, "active", row->active);
         if (row->redundant) cJSON_AddTrueToObject(object, "redundant");
         cJSON_AddItemToArray(constraints, object);

@@ -26,7 +26,4 @@ gboolean tinker_mode_pictures_add(TinkerFileSet *files, const char *path, guint 
 gboolean tinker_mode_report_draw(const TinkerModeReport *report, const TinkerTheme *theme, int width, int height,
                                  const char *path, GError **error);
 
-/* "3", "Mode 3: 1.59 Hz, damping ratio 0.05". (transfer full) */
-char *tinker_mode_caption(const TinkerMode *mode, guint number);
-
 #endif

@@ -27,6 +27,7 @@ static char *kind_text(const TinkerIslandPlan *island)
                            island->bodies == 1 ? "body" : "bodies", island->degrees_of_freedom,
                            plural(island->degrees_of_freedom), island->linear ? "linear" : "nonlinear");
     if (island->straight) g_string_append(text, ", stepped along one line");
+    if (island->shafts) g_string_append(text, ", stepped by the angles of its shafts");
     if (island->constraint_rows > 0)
         g_string_append_printf(text, ", %d constraint%s", island->constraint_rows, plural(island->constraint_rows));
     if (island->redundant_rows > 0) g_string_append_printf(text, " (%d redundant)", island->redundant_rows);

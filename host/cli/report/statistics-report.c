@@ -26,26 +26,6 @@ static const struct {
     {"damping", offsetof(TinkerStatistics, damping), PLAIN},
 };
 
-/* The curve's samples. */
-static gboolean read_curve(const TinkerChart *chart, const TinkerChartCurve *curve, GArray *times, GArray *values,
-                           GError **error)
-{
-    g_autofree double *row = g_new(double, tinker_chart_width(chart));
-    gsize count = chart->record == NULL ? 0 : tinker_record_rows(chart->record);
-    for (gsize i = 0; curve->table == NULL && i < count; i++) {
-        if (!tinker_record_read(chart->record, i, 1, row, error)) return FALSE;
-        const double value = curve->axis.per_si * tinker_chart_value(curve, row);
-        g_array_append_val(times, row[0]);
-        g_array_append_val(values, value);
-    }
-    for (guint i = 0; curve->table != NULL && i + 1 < curve->table->len; i += 2) {
-        const double value = curve->axis.per_si * g_array_index(curve->table, double, i + 1);
-        g_array_append_val(times, g_array_index(curve->table, double, i));
-        g_array_append_val(values, value);
-    }
-    return TRUE;
-}
-
 static void add_cells(TinkerTextTable *table, const TinkerChartCurve *curve, const TinkerStatistics *found)
 {
     for (gsize k = 0; k < G_N_ELEMENTS(rows); k++) {
@@ -83,15 +63,43 @@ static void add_json(cJSON *curves, const TinkerChartCurve *curve, const TinkerS
     cJSON_AddItemToArray(curves, object);
 }
 
+/* How far the run may have the curve off within the interval; 0 where nobody knows. */
+static gboolean find_run_error(const TinkerChart *chart, const TinkerChartCurve *curve, double from, double to,
+                               double *largest, GError **error)
+{
+    g_autofree double *row = g_new(double, tinker_chart_width(chart));
+    const gsize count = chart->record == NULL ? 0 : tinker_record_rows(chart->record);
+    *largest = 0;
+    for (gsize i = 0; chart->has_bands && curve->table == NULL && i < count; i++) {
+        if (!tinker_record_read(chart->record, i, 1, row, error)) return FALSE;
+        if (row[0] >= from && row[0] <= to)
+            *largest = fmax(*largest, curve->axis.per_si * tinker_chart_band(chart, curve, row));
+    }
+    return TRUE;
+}
+
+/* What is of the curve's values is off by as much as they. */
+static void add_run_error(TinkerStatistics *found, double largest)
+{
+    TinkerStatistic *const of_values[] = {&found->mean, &found->rms, &found->least, &found->greatest,
+                                          &found->amplitude};
+    for (gsize i = 0; i < G_N_ELEMENTS(of_values); i++)
+        of_values[i]->error += largest;
+}
+
 static gboolean measure(const TinkerChart *chart, const TinkerChartCurve *curve, double from, double to,
                         TinkerStatistics *found, GError **error)
 {
     g_autoptr(GArray) times = g_array_new(FALSE, FALSE, sizeof(double)),
                       values = g_array_new(FALSE, FALSE, sizeof(double));
-    if (!read_curve(chart, curve, times, values, error)) return FALSE;
+    if (!tinker_chart_read_curve(chart, curve, times, values, error)) return FALSE;
     const double *t = (const double *)(gconstpointer)times->data, *y = (const double *)(gconstpointer)values->data;
-    if (times->len > 0 && tinker_statistics(t, y, times->len, fmax(from, t[0]), fmin(to, t[times->len - 1]), found))
+    if (times->len > 0 && tinker_statistics(t, y, times->len, fmax(from, t[0]), fmin(to, t[times->len - 1]), found)) {
+        double largest;
+        if (!find_run_error(chart, curve, from, to, &largest, error)) return FALSE;
+        add_run_error(found, largest);
         return TRUE;
+    }
     g_set_error(error, TINKER_CLI_ERROR, TINKER_CLI_ERROR_USAGE,
                 "%s: too few samples from %g s to %g s for statistics (let the run last longer)", curve->name, from,
                 to);

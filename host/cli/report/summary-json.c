@@ -37,6 +37,21 @@ static void add_energy(cJSON *root, const TinkerSummary *run)
         add_number(energy, keys[book], run->books[book]);
 }
 
+/* The velocities behind it, law by law. */
+static void add_alternatives(cJSON *entry, const TinkerRunReport *report, const GArray *alternatives)
+{
+    cJSON *laws = alternatives != NULL ? cJSON_AddObjectToObject(entry, "alternatives") : NULL;
+    for (guint i = 0; laws != NULL && i < alternatives->len; i++) {
+        const TinkerAlternative *each = &g_array_index(alternatives, TinkerAlternative, i);
+        cJSON *law = cJSON_GetObjectItemCaseSensitive(laws, each->law);
+        if (law == NULL) law = cJSON_AddObjectToObject(laws, each->law);
+        cJSON *body = cJSON_AddObjectToObject(law, tinker_scene_block_name(report->scene, each->block));
+        add_number(body, "vx", each->vx);
+        add_number(body, "vy", each->vy);
+        if (!isnan(each->rate)) add_number(body, "angular velocity", each->rate);
+    }
+}
+
 static void add_events(cJSON *root, const TinkerRunReport *report)
 {
     const TinkerSummary *run = report->run;
@@ -51,6 +66,7 @@ static void add_events(cJSON *root, const TinkerRunReport *report)
                               cJSON_CreateStringArray((const char *const *)names, (int)g_strv_length(names)));
         g_autofree char *text = tinker_event_text(report->scene, event);
         cJSON_AddStringToObject(entry, "text", text);
+        add_alternatives(entry, report, event->alternatives);
         cJSON_AddItemToArray(events, entry);
     }
 }

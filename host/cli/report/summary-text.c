@@ -190,7 +190,7 @@ static void write_end(const TinkerRunReport *report, FILE *file)
     if (report->stopped_by != NULL)
         tinker_print_line(file, "  ended at %.10g s, where %s", report->run->simulated_s, report->stopped_by);
     else if (report->has_until)
-        tinker_print_line(file, "  no condition of --until came true in %g s", report->run->simulated_s);
+        tinker_print_line(file, "  no condition that would end the run came true in %g s", report->run->simulated_s);
 }
 
 void tinker_summary_write_text(const TinkerRunReport *report, FILE *file)

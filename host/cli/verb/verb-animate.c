@@ -28,6 +28,7 @@ static const TinkerVerbHelp help = {
 typedef struct {
     TinkerRunArguments run;
     TinkerPictureArguments picture;
+    TinkerOverlayArguments over;
     char *output, *fps, *speed;
     gboolean frames, graphs, no_labels, no_grid;
 } AnimateOptions;
@@ -36,6 +37,7 @@ static void animate_options_clear(AnimateOptions *options)
 {
     tinker_run_arguments_clear(&options->run);
     tinker_picture_arguments_clear(&options->picture);
+    tinker_overlay_arguments_clear(&options->over);
     g_free(options->output);
     g_free(options->fps);
     g_free(options->speed);
@@ -102,17 +104,22 @@ static TinkerMotionFilm *run_motion(const AnimateOptions *options, const TinkerO
     TinkerRunOptions run_options;
     g_auto(TinkerSceneRun) run = {0};
     if (!tinker_run_arguments_apply(&options->run, open->scene, &run_options, error)) return NULL;
-    run_options.interval = spacing;
-    if (is_film_too_long(run_options.duration, spacing, error)) return NULL;
-    if (!add_outputs(path, open, floor(run_options.duration / spacing) + 1, error)) return NULL;
     g_autoptr(TinkerMotionFilm) motion = tinker_motion_film_new(open->scene, error);
     if (motion == NULL) return NULL;
+    TinkerFilmOverlay over = {.forces = options->picture.forces, .vectors = options->over.vectors};
+    if (!tinker_overlay_arguments_marks(&options->over, run_options.duration, &over.marks, error)) return NULL;
+    run_options.interval = tinker_motion_film_show(motion, &over, spacing);
+    if (!tinker_scene_run_until(&run, open->scene, &options->run, NULL, &run_options, error)) return NULL;
+    const double duration = tinker_options_duration(&run_options);
+    if (is_film_too_long(duration, spacing, error)) return NULL;
+    if (!add_outputs(path, open, ceil(duration / spacing) + 1, error)) return NULL;
     if (!tinker_scene_run_prepare(&run, open->scene, &options->run, &run_options, error)) return NULL;
-    if (options->picture.forces) tinker_motion_film_show_forces(motion, run.model);
+    tinker_motion_film_begin(motion, run.model, duration);
     if (options->graphs) tinker_motion_film_show_graphs(motion);
     const TinkerSampleTaker taker = {tinker_motion_film_sample, tinker_motion_film_begin_again, motion};
     (void)tinker_scene_run_go(&run, tinker_motion_film_columns(motion), &taker, failure);
     tinker_scene_run_report_warnings(&run, open, &options->run);
+    if (*failure == NULL) tinker_scene_run_report_end(&run, open->name);
     (void)tinker_motion_film_cut(motion, tinker_simulation_summary(run.simulation)->valid_until);
     return g_steal_pointer(&motion);
 }
@@ -166,6 +173,7 @@ int tinker_verb_animate(int argc, char **argv)
         {"frames", 0, 0, G_OPTION_ARG_NONE, &options.frames, "Write numbered pictures, FILE-0001.png and so on", NULL},
         {"speed", 0, 0, G_OPTION_ARG_FILENAME, &options.speed, "Times real time: 0.5 is slow motion (1)", "X"},
         TINKER_PICTURE_ENTRIES(options.picture, "640x480"),
+        TINKER_OVERLAY_ENTRIES(options.over),
         {"graphs", 0, 0, G_OPTION_ARG_NONE, &options.graphs, "Show the scene's graphs over time below the motion",
          NULL},
         {"no-labels", 0, 0, G_OPTION_ARG_NONE, &options.no_labels, "Leave out the names", NULL},

@@ -9,6 +9,7 @@
 #include "cli/command/options.h"
 #include "cli/command/output.h"
 #include "exit-status.h"
+#include "measure/until.h"
 #include "physics/compile/compile.h"
 #include "physics/model/breaks.h"
 #include "physics/model/model.h"
@@ -121,7 +122,7 @@ static void add_detached_ends(Findings *findings, TinkerScene *scene)
     }
 }
 
-/* A method, step, tolerance or interval that no run can have. */
+/* A method, step, tolerance or interval that no run can have, or a condition that cannot end one. */
 static void add_of_run(Findings *findings, TinkerScene *scene, TinkerModel *model)
 {
     g_autoptr(GError) error = NULL;
@@ -129,6 +130,11 @@ static void add_of_run(Findings *findings, TinkerScene *scene, TinkerModel *mode
     g_autoptr(TinkerSimulation) simulation = tinker_simulation_new(model, &options, &error);
     if (simulation == NULL || !tinker_model_check_breaks(model, options.duration, &error))
         add_refusal(findings, scene, error);
+    g_autoptr(GError) mistake = NULL;
+    g_autoptr(TinkerUntil) until = tinker_until_new(scene, 0);
+    if (tinker_until_add_all(until, tinker_scene_head(scene)->run.until, &mistake)) return;
+    g_prefix_error(&mistake, "run: until: ");
+    add_refusal(findings, scene, mistake);
 }
 
 static void add_warnings(Findings *findings, const GPtrArray *warnings)

@@ -86,8 +86,10 @@ static void report_left_out(const TinkerSceneGraph *graph)
         tinker_report_warning("a graph of several curves left out: other axes than the first");
         return;
     }
-    gboolean over_time = g_str_equal(graph->against, "time");
-    g_autofree char *against = over_time ? g_strdup("") : g_strdup_printf(" --against \"%s\"", graph->against);
+    g_autofree char *against = g_str_equal(graph->against, "time") ? g_strdup("")
+                               : g_str_equal(graph->against, "frequency")
+                                   ? g_strdup(" --spectrum hann")
+                                   : g_strdup_printf(" --against \"%s\"", graph->against);
     tinker_report_warning("graph of %s.%s left out: other axes than the first (to draw it: tinker graph SCENE "
                           "\"%s.%s\"%s -o ...)",
                           curve->block, curve->quantity, curve->block, curve->quantity, against);
@@ -95,15 +97,13 @@ static void report_left_out(const TinkerSceneGraph *graph)
 
 static gboolean read_window(const GraphOptions *options, TinkerWindow *window, GError **error)
 {
-    *window = g_strcmp0(options->spectrum, "hann") == 0 ? TINKER_WINDOW_HANN : TINKER_WINDOW_RECTANGULAR;
+    *window = g_strcmp0(options->spectrum, "none") == 0 ? TINKER_WINDOW_RECTANGULAR : TINKER_WINDOW_HANN;
     const char *wrong = NULL;
     if (options->spectrum == NULL) return TRUE;
-    if (*window != TINKER_WINDOW_HANN && !g_str_equal(options->spectrum, "none"))
+    if (!g_str_equal(options->spectrum, "hann") && !g_str_equal(options->spectrum, "none"))
         wrong = "it must be hann or none";
     else if (options->against != NULL || options->with != NULL)
         wrong = "a spectrum is of curves over time, and of one run: leave out --against and --with";
-    else if (tinker_is_standard_stream(options->output) || g_str_has_suffix(options->output, ".csv"))
-        wrong = "a spectrum is drawn: give -o FILE.png, .svg or .pdf";
     if (wrong == NULL) return TRUE;
     g_set_error(error, TINKER_CLI_ERROR, TINKER_CLI_ERROR_USAGE, "--spectrum %s: %s", options->spectrum, wrong);
     return FALSE;
@@ -172,7 +172,7 @@ static void free_open_scene(gpointer open)
     g_free(open);
 }
 
-/* The same curves of another scene, run with the same options. */
+/* The chart of another scene, with curves and options as those of the first. */
 static TinkerChart *chart_of_scene(const GraphOptions *options, TinkerOpenScene *other, TinkerScene *scene,
                                    char **names, GError **error)
 {
@@ -181,9 +181,11 @@ static TinkerChart *chart_of_scene(const GraphOptions *options, TinkerOpenScene 
     g_autoptr(TinkerChart) chart = tinker_chart_new(other->scene);
     if (!add_curves(chart, options, other->name, names, error)) return NULL;
     if (!tinker_run_arguments_apply(&options->run, other->scene, &run_options, error)) return NULL;
+    if (!tinker_scene_run_until(&run, other->scene, &options->run, NULL, &run_options, error)) return NULL;
     if (!tinker_scene_run_prepare(&run, other->scene, &options->run, &run_options, error)) return NULL;
     const TinkerSampleTaker taker = {take_sample, begin_again, chart};
     if (!tinker_scene_run_go(&run, chart->columns, &taker, error)) return NULL;
+    tinker_scene_run_report_end(&run, other->name);
     chart->run = tinker_scene_changes(scene, other->scene);
     return g_steal_pointer(&chart);
 }
@@ -235,6 +237,14 @@ static gboolean read_interval(const GraphOptions *options, double *from, double 
     return FALSE;
 }
 
+/* In the place of curves over time. */
+static gboolean write_spectrum(TinkerChart *chart, const TinkerSpectrumOptions *spectrum, const GraphForm *form,
+                               const GraphOptions *options, GError **error)
+{
+    if (form->csv) return tinker_chart_write_spectrum_csv(chart, spectrum, form->decimals, options->output, error);
+    return tinker_chart_draw_spectrum(chart, spectrum, form->theme, form->width, form->height, options->output, error);
+}
+
 static gboolean statistics(const GraphOptions *options, const TinkerOpenScene *open, char **names, GError **failure,
                            GError **error)
 {
@@ -252,14 +262,17 @@ static gboolean statistics(const GraphOptions *options, const TinkerOpenScene *o
     if (!tinker_outputs_add(files, outputs, error)) return FALSE;
     if (!add_curves(chart, options, open->name, names, error)) return FALSE;
     if (!tinker_run_arguments_apply(&options->run, open->scene, &run_options, error)) return FALSE;
-    double from = 0, to = run_options.duration;
-    if (!read_interval(options, &from, &to, error)) return FALSE;
     run_options.interval /= STATISTIC_SAMPLES;
+    if (!tinker_scene_run_until(&run, open->scene, &options->run, NULL, &run_options, error)) return FALSE;
+    double from = 0, to = tinker_options_duration(&run_options);
+    if (!read_interval(options, &from, &to, error)) return FALSE;
+    run_options.bands = TRUE;
     if (!tinker_scene_run_prepare(&run, open->scene, &options->run, &run_options, error)) return FALSE;
     const TinkerSampleTaker taker = {take_sample, begin_again, chart};
     if (!tinker_scene_run_go(&run, chart->columns, &taker, failure))
         tinker_chart_cut(chart, tinker_simulation_summary(run.simulation)->valid_until);
     tinker_scene_run_report_warnings(&run, open, &options->run);
+    if (*failure == NULL) tinker_scene_run_report_end(&run, open->name);
     if (options->json != NULL && !tinker_output_open(&json, options->json, error)) return FALSE;
     if (!tinker_statistics_report(chart, from, to, tinker_is_standard_stream(options->json) ? NULL : stdout, json.file,
                                   error))
@@ -279,19 +292,25 @@ static gboolean graph(const GraphOptions *options, const TinkerOpenScene *open, 
     g_autoptr(GPtrArray) scenes = g_ptr_array_new_with_free_func(free_open_scene);
     g_autoptr(TinkerChart) chart = tinker_chart_new(open->scene);
     if (!tinker_outputs_add(files, outputs, error)) return FALSE;
-    TinkerWindow window;
-    if (!read_log(chart, options->log, error) || !read_window(options, &window, error)) return FALSE;
+    TinkerSpectrumOptions spectrum = {0};
+    if (!read_log(chart, options->log, error) || !read_window(options, &spectrum.window, error)) return FALSE;
     if (!read_form(options, &form, error) || !add_curves(chart, options, open->name, names, error)) return FALSE;
     if (!tinker_run_arguments_apply(&options->run, open->scene, &run_options, error)) return FALSE;
-    run_options.bands = !form.csv && options->with == NULL;
+    if (!tinker_scene_run_until(&run, open->scene, &options->run, NULL, &run_options, error)) return FALSE;
+    spectrum.to = tinker_options_duration(&run_options);
+    if (!read_interval(options, &spectrum.from, &spectrum.to, error)) return FALSE;
+    const gboolean is_spectrum = options->spectrum != NULL || chart->is_spectrum;
+    if (!is_spectrum && (options->from != NULL || options->to != NULL))
+        tinker_report_warning("--from and --to have no effect without --spectrum or --statistics");
+    run_options.bands = !form.csv && !is_spectrum && options->with == NULL;
     if (!add_others(chart, options, open, names, scenes, error)) return FALSE;
     if (!tinker_scene_run_prepare(&run, open->scene, &options->run, &run_options, error)) return FALSE;
     const TinkerSampleTaker taker = {take_sample, begin_again, chart};
     (void)tinker_scene_run_go(&run, chart->columns, &taker, failure);
     if (*failure != NULL) tinker_chart_cut(chart, tinker_simulation_summary(run.simulation)->valid_until);
     tinker_scene_run_report_warnings(&run, open, &options->run);
-    if (options->spectrum != NULL)
-        return tinker_chart_draw_spectrum(chart, window, form.theme, form.width, form.height, options->output, error);
+    if (*failure == NULL) tinker_scene_run_report_end(&run, open->name);
+    if (is_spectrum) return write_spectrum(chart, &spectrum, &form, options, error);
     if (form.csv) return tinker_chart_write_csv(chart, form.decimals, options->output, error);
     return tinker_chart_draw(chart, form.theme, form.width, form.height, options->output, error);
 }
@@ -310,9 +329,9 @@ int tinker_verb_graph(int argc, char **argv)
         {"statistics", 0, 0, G_OPTION_ARG_NONE, &options.statistics,
          "Tell mean, rms, extrema, period and damping of each curve, with their errors, in the place of drawing", NULL},
         {"spectrum", 0, 0, G_OPTION_ARG_FILENAME, &options.spectrum,
-         "Draw amplitudes over frequency, with this window: hann or none", "WINDOW"},
-        {"from", 0, 0, G_OPTION_ARG_FILENAME, &options.from, "Statistics from this time on", "T"},
-        {"to", 0, 0, G_OPTION_ARG_FILENAME, &options.to, "Statistics up to this time", "T"},
+         "Amplitudes over frequency, with this window: hann or none", "WINDOW"},
+        {"from", 0, 0, G_OPTION_ARG_FILENAME, &options.from, "Spectrum or statistics from this time on", "T"},
+        {"to", 0, 0, G_OPTION_ARG_FILENAME, &options.to, "Spectrum or statistics up to this time", "T"},
         {"json", 0, 0, G_OPTION_ARG_FILENAME, &options.json, "Write the statistics to FILE as JSON", "FILE"},
         {"decimals", 0, 0, G_OPTION_ARG_FILENAME, &options.decimals,
          "Digits behind the point in CSV, trailing zeros dropped (default: 9 significant digits)", "N"},

@@ -140,7 +140,7 @@ static int list(int argc, char **argv)
     guint shown = 0;
     for (guint i = 0; i < libraries->len; i++) {
         const TinkerLibraryEntry *library = g_ptr_array_index(libraries, i);
-        if (library->refused != NULL || library->shadowed_by != NULL) continue;
+        if (!tinker_library_is_used(library)) continue;
         list_library(library, table);
         warn_of_built_in(library);
         shown++;
@@ -164,7 +164,7 @@ static const TinkerLibraryEntry *integrator_library(const GPtrArray *libraries, 
 {
     for (guint i = 0; i < libraries->len; i++) {
         const TinkerLibraryEntry *library = g_ptr_array_index(libraries, i);
-        if (library->refused != NULL || library->shadowed_by != NULL) continue;
+        if (!tinker_library_is_used(library)) continue;
         if (g_ptr_array_find_with_equal_func(library->integrators, id, g_str_equal, NULL)) return library;
     }
     return NULL;

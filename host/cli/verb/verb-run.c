@@ -9,7 +9,6 @@
 #include "cli/report/csv-record.h"
 #include "cli/report/summary.h"
 #include "exit-status.h"
-#include "measure/until.h"
 #include "physics/compile/compile.h"
 #include "physics/record/sample-times.h"
 
@@ -52,7 +51,6 @@ typedef struct {
     GArray *times; /* of --at; NULL: every interval */
     GArray *columns;
     TinkerRunOptions options;
-    const char *stopped_by; /* the condition that ends the run; NULL */
     TinkerSceneRun run;
     TinkerCsvRecord csv;
     TinkerOutput json;
@@ -89,60 +87,6 @@ static GArray *pick_columns(const RunOptions *options, TinkerScene *scene, GErro
     return NULL;
 }
 
-/* Keeps the times up to `end`, which becomes the last: those of --at, or every interval. */
-static void end_at(RunJob *job, double end)
-{
-    GArray *times = g_array_new(FALSE, FALSE, sizeof(double));
-    const TinkerTimeGrid grid = tinker_time_grid(job->options.interval);
-    for (gsize i = 0;; i++) {
-        double t = end;
-        if (job->times == NULL)
-            t = tinker_time_grid_at(&grid, (gint64)i);
-        else if (i < job->times->len)
-            t = g_array_index(job->times, double, i);
-        if (t >= end) break;
-        g_array_append_val(times, t);
-    }
-    g_array_append_val(times, end);
-    if (job->times != NULL) g_array_unref(job->times);
-    job->times = times;
-    job->options.at = (const double *)(gpointer)times->data;
-    job->options.at_count = times->len;
-}
-
-/* Where the conditions of --until are given: finds when the first of them holds, and ends the run there. */
-static gboolean apply_until(RunJob *job, const RunOptions *options, TinkerScene *scene, GError **error)
-{
-    if (options->until == NULL) return TRUE;
-    g_autoptr(TinkerUntil) until = tinker_until_new(scene);
-    for (char **text = options->until; *text != NULL; text++)
-        if (!tinker_until_add(until, *text, error)) {
-            tinker_blame_option("until", error);
-            return FALSE;
-        }
-    double time;
-    int number;
-    g_autoptr(GError) reason = NULL;
-    g_autoptr(TinkerModel) model = tinker_model_new(scene, &reason);
-    TinkerProgress progress = tinker_progress_start("looking for the end");
-    TinkerRunOptions probe = job->options;
-    probe.cancelled = tinker_progress_interrupted;
-    probe.progress = tinker_progress_of_run;
-    probe.data = &progress;
-    tinker_progress_catch_interrupt();
-    gboolean found = model != NULL && tinker_until_find(until, model, &probe, &time, &number, &reason);
-    tinker_progress_end(&progress);
-    if (!found) {
-        tinker_run_arguments_blame(&options->run, &reason);
-        g_propagate_error(error, g_steal_pointer(&reason));
-        return FALSE;
-    }
-    if (number < 0) return TRUE;
-    job->stopped_by = options->until[number];
-    end_at(job, time);
-    return TRUE;
-}
-
 /* Everything that can go wrong before the first step does so here. */
 static gboolean prepare(RunJob *job, const RunOptions *options, const TinkerOpenScene *open, GError **error)
 {
@@ -157,7 +101,9 @@ static gboolean prepare(RunJob *job, const RunOptions *options, const TinkerOpen
         job->options.at_count = job->times->len;
     }
     job->columns = pick_columns(options, open->scene, error);
-    if (job->columns == NULL || !apply_until(job, options, open->scene, error)) return FALSE;
+    if (job->columns == NULL ||
+        !tinker_scene_run_until(&job->run, open->scene, &options->run, options->until, &job->options, error))
+        return FALSE;
     if (!tinker_scene_run_prepare(&job->run, open->scene, &options->run, &job->options, error)) return FALSE;
     if (options->csv != NULL && !tinker_csv_record_open(&job->csv, options->csv, job->columns, error)) return FALSE;
     return options->json == NULL || tinker_output_open(&job->json, options->json, error);
@@ -180,8 +126,8 @@ static gboolean write_results(RunJob *job, const RunOptions *options, const Tink
         .run = summary,
         .libraries = opened,
         .warnings = warnings,
-        .has_until = options->until != NULL,
-        .stopped_by = job->stopped_by,
+        .has_until = tinker_until_count(job->run.until) > 0,
+        .stopped_by = job->run.stopped_by,
     };
     gboolean taken = tinker_is_standard_stream(options->csv) || tinker_is_standard_stream(options->json);
     gboolean fine = tinker_csv_record_close(&job->csv, summary->valid_until, error);
