@@ -1,5 +1,6 @@
 /* Writes the template of the texts that the window takes from descriptors: of the bundled blocks and methods, and the
- * titles of the bundled scenes. xgettext cannot find them, since the headers of the SDK compose descriptors by macros.
+ * titles and descriptions of the bundled scenes. xgettext cannot find them, since the headers of the SDK compose
+ * descriptors by macros.
  *
  *     list-descriptors TINKER PLUGIN_FOLDER SCENE_FOLDER FILE */
 #include <cjson/cJSON.h>
@@ -90,6 +91,8 @@ static void add_scenes(Template *into, const char *folder)
         if (!g_file_get_contents(path, &text, NULL, NULL)) continue;
         cJSON *json = cJSON_Parse(text);
         add(into, "Title of an example", cJSON_GetStringValue(cJSON_GetObjectItemCaseSensitive(json, "title")));
+        add(into, "Description of an example",
+            cJSON_GetStringValue(cJSON_GetObjectItemCaseSensitive(json, "description")));
         cJSON_Delete(json);
     }
 }

@@ -137,7 +137,7 @@ static gboolean is_same(const TinkerAdvice *a, const TinkerAdvice *b)
            g_array_index(a->blocks, TinkerBlockId, 0) == g_array_index(b->blocks, TinkerBlockId, 0);
 }
 
-/* The same finding as the scene has it now; NULL where there is none. */
+/* A finding as the scene has it now; NULL where there is none any more. */
 static const TinkerAdvice *find_again(const GPtrArray *now, const TinkerAdvice *advice)
 {
     for (guint i = 0; i < now->len; i++)

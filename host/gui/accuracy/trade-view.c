@@ -4,9 +4,9 @@
 
 #include <glib/gi18n.h>
 
-#include "gui/document/desktop-theme.h"
 #include "gui/document/run-choice.h"
 #include "gui/document/status-text.h"
+#include "gui/widget/desktop-theme.h"
 #include "trade-chart.h"
 
 #define REACH 18 /* pixels about a point that count as on it */

@@ -31,7 +31,8 @@ struct _TinkerApplication {
 
 G_DEFINE_FINAL_TYPE(TinkerApplication, tinker_application, ADW_TYPE_APPLICATION)
 
-TinkerCatalogue *tinker_application_catalogue(TinkerApplication *application)
+/* The installed blocks. Borrowed; lives as long as the application. */
+static TinkerCatalogue *catalogue_of(TinkerApplication *application)
 {
     if (application->catalogue == NULL)
         application->catalogue = tinker_installation_catalogue((const char *const *)application->line.plugin_folders);
@@ -53,7 +54,7 @@ static gboolean offer_recovery(gpointer data)
 
 static TinkerWindow *new_window(TinkerApplication *application)
 {
-    TinkerWindow *window = tinker_window_new(ADW_APPLICATION(application), tinker_application_catalogue(application));
+    TinkerWindow *window = tinker_window_new(ADW_APPLICATION(application), catalogue_of(application));
     gtk_window_present(GTK_WINDOW(window));
     if (!application->recovery_offered) g_idle_add_full(G_PRIORITY_LOW, offer_recovery, application, NULL);
     application->recovery_offered = TRUE;
@@ -183,8 +184,8 @@ static void on_picture_taken(int status, gpointer data)
 static void take_picture(TinkerApplication *application)
 {
     g_application_hold(G_APPLICATION(application));
-    tinker_screenshot_take(ADW_APPLICATION(application), tinker_application_catalogue(application),
-                           application->line.screenshot, on_picture_taken, application);
+    tinker_screenshot_take(ADW_APPLICATION(application), catalogue_of(application), application->line.screenshot,
+                           on_picture_taken, application);
 }
 
 static void tinker_application_activate(GApplication *base)

@@ -14,9 +14,6 @@ G_DECLARE_FINAL_TYPE(TinkerApplication, tinker_application, TINKER, APPLICATION,
 /* (transfer full) */
 TinkerApplication *tinker_application_new(void);
 
-/* The installed blocks. Borrowed; lives as long as the application. */
-TinkerCatalogue *tinker_application_catalogue(TinkerApplication *application);
-
 /* What the program ends with: of a picture that could not be taken it is not 0. */
 int tinker_application_status(TinkerApplication *application);
 

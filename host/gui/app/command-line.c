@@ -25,6 +25,10 @@ static const GOptionEntry entries[] = {
     {"panel", 0, 0, G_OPTION_ARG_STRING, NULL, N_("What the panel beside the canvas shows: scene, properties or start"),
      N_("PANEL")},
     {"forces", 0, 0, G_OPTION_ARG_NONE, NULL, N_("Show the forces as arrows"), NULL},
+    {"velocity", 0, 0, G_OPTION_ARG_NONE, NULL, N_("Show the velocity of what can move"), NULL},
+    {"acceleration", 0, 0, G_OPTION_ARG_NONE, NULL, N_("Show its acceleration"), NULL},
+    {"net-force", 0, 0, G_OPTION_ARG_NONE, NULL, N_("Show the sum of the forces on it"), NULL},
+    {"trail", 0, 0, G_OPTION_ARG_NONE, NULL, N_("Show where it has been, at equal times"), NULL},
     {NULL, 0, 0, G_OPTION_ARG_NONE, NULL, NULL, NULL},
 };
 
@@ -76,7 +80,8 @@ static gboolean read_theme(const char *text, TinkerScreenshot *screenshot, GErro
 /* Options that mean nothing without a picture. */
 static gboolean check_alone(GVariantDict *options, GError **error)
 {
-    static const char *const parts[] = {"scene", "time", "size", "theme", "select", "page", "panel", "forces"};
+    static const char *const parts[] = {"scene", "time",   "size",     "theme",        "select",    "page",
+                                        "panel", "forces", "velocity", "acceleration", "net-force", "trail"};
     for (gsize i = 0; i < G_N_ELEMENTS(parts); i++) {
         if (!g_variant_dict_contains(options, parts[i])) continue;
         g_set_error(error, G_OPTION_ERROR, G_OPTION_ERROR_BAD_VALUE, _("--%s goes with --screenshot only"), parts[i]);
@@ -94,6 +99,10 @@ static gboolean read_screenshot(TinkerCommandLine *line, GVariantDict *options, 
     g_variant_dict_lookup(options, "page", "s", &screenshot->page);
     g_variant_dict_lookup(options, "panel", "s", &screenshot->panel);
     screenshot->forces = g_variant_dict_contains(options, "forces");
+    screenshot->velocity = g_variant_dict_contains(options, "velocity");
+    screenshot->acceleration = g_variant_dict_contains(options, "acceleration");
+    screenshot->net_force = g_variant_dict_contains(options, "net-force");
+    screenshot->trail = g_variant_dict_contains(options, "trail");
     screenshot->time = NAN;
     screenshot->width = 1280;
     screenshot->height = 800;

@@ -14,7 +14,7 @@ typedef struct {
     char *select; /* a block's name; may be NULL */
     char *page;   /* may be NULL */
     char *panel;  /* may be NULL */
-    gboolean forces;
+    gboolean forces, velocity, acceleration, net_force, trail;
 } TinkerScreenshot;
 
 typedef struct {

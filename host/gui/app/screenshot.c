@@ -113,7 +113,9 @@ static int check_output(TinkerWindow *window, const char *path)
 
 static int show(TinkerWindow *window, const TinkerScreenshot *wanted)
 {
-    if (wanted->forces) g_object_set(window->canvas, "show-forces", TRUE, NULL);
+    g_object_set(window->canvas, "show-forces", wanted->forces, "show-velocities", wanted->velocity,
+                 "show-accelerations", wanted->acceleration, "show-net-forces", wanted->net_force, "show-trails",
+                 wanted->trail, NULL);
     int status = wanted->scene != NULL ? open_scene(window, wanted) : TINKER_EXIT_DONE;
     if (status == TINKER_EXIT_DONE) status = check_output(window, wanted->file);
     if (status == TINKER_EXIT_DONE && wanted->select != NULL) status = select_block(window, wanted->select);

@@ -1,10 +1,12 @@
-/* How long an arrow is follows from the forces at the start of the run, all of them, and stays so: lengths
- * can be compared, over time and from body to body. */
+/* How long the arrow of a force is follows from the forces at the start of the run, all of them, and stays so; of a
+ * velocity or an acceleration from the greatest of the run: lengths can be compared, over time and from body to body.
+ */
 #include "gui/canvas/canvas-forces.h"
 
 #include <math.h>
 
 #include "force-arrows.h"
+#include "gui/canvas/canvas-vectors.h"
 #include "gui/document/forces-now.h"
 #include "physics/run/acting-forces.h"
 
@@ -12,15 +14,20 @@ struct _CanvasForces {
     double pixels;                 /* canvas units per N, for a factor of 1; 0: not known yet */
     guint64 scaled_revision;       /* of the document's history, that it belongs to */
     gboolean start_is_known_empty; /* no force acts at the start of that revision */
+    CanvasVectors *vectors;
+    double vector_pixels[TINKER_VECTOR_KINDS]; /* canvas units per SI unit, likewise */
 };
 
 CanvasForces *canvas_forces_new(void)
 {
-    return g_new0(CanvasForces, 1);
+    CanvasForces *forces = g_new0(CanvasForces, 1);
+    forces->vectors = canvas_vectors_new();
+    return forces;
 }
 
 void canvas_forces_free(CanvasForces *forces)
 {
+    canvas_vectors_free(forces->vectors);
     g_free(forces);
 }
 
@@ -60,19 +67,59 @@ static void choose_scale(CanvasForces *forces, const GArray *acting, TinkerDocum
     forces->pixels = tinker_force_arrows_scale(known, view, forces->pixels);
 }
 
-void canvas_forces_draw(CanvasForces *forces, cairo_t *cairo, TinkerDocument *document, TinkerPlayer *player,
-                        const TinkerView *view, const CanvasForcesLook *look)
+static gboolean is_shown(TinkerBlockId body, void *document)
 {
-    const GArray *acting = tinker_forces_now(document, player);
-    choose_scale(forces, acting, document, tinker_player_time(player), view);
-    g_autoptr(GArray) shown = tinker_acting_forces_array();
-    for (guint i = 0; i < acting->len; i++) {
+    return canvas_vectors_shows(document, body);
+}
+
+/* How far apart in time the marks are that were drawn; NULL where there are none. (transfer full) */
+static char *draw_trails(CanvasForces *forces, cairo_t *cairo, TinkerDocument *document, TinkerPlayer *player,
+                         const TinkerView *view, const CanvasForcesLook *look)
+{
+    static const TinkerDimension seconds = TINKER_DIMENSION_TIME;
+    const TinkerMotionTrail *trail = canvas_vectors_trail(forces->vectors);
+    if (!look->trails || trail == NULL || tinker_player_time(player) == 0) return NULL;
+    tinker_motion_trail_draw(trail, cairo, view, look->theme, tinker_player_time(player), is_shown, document);
+    return tinker_quantity_brief(tinker_motion_trail_every(trail), seconds,
+                                 tinker_scene_head(tinker_document_scene(document))->units);
+}
+
+/* The single forces to be seen. (transfer full) */
+static GArray *shown_forces(TinkerDocument *document, const GArray *acting, const CanvasForcesLook *look)
+{
+    GArray *shown = tinker_acting_forces_array();
+    for (guint i = 0; look->forces && i < acting->len; i++) {
         const TinkerActingForce *force = &g_array_index(acting, TinkerActingForce, i);
         if (shows(document, force, look->others)) g_array_append_val(shown, *force);
     }
-    const TinkerForceArrows arrows = {.scene = tinker_document_scene(document),
-                                      .acting = shown,
-                                      .pixels = look->factor * forces->pixels,
-                                      .lit = look->lit};
+    return shown;
+}
+
+void canvas_forces_draw(CanvasForces *forces, cairo_t *cairo, TinkerDocument *document, TinkerPlayer *player,
+                        const TinkerView *view, const CanvasForcesLook *look)
+{
+    const gboolean any = tinker_vector_choice_any(&look->vectors);
+    if (!look->forces && !look->trails && !any) return;
+    const gboolean asks_forces =
+        look->forces || look->vectors.kinds[TINKER_VECTOR_ACCELERATION] || look->vectors.kinds[TINKER_VECTOR_NET_FORCE];
+    g_autoptr(GArray) none = tinker_acting_forces_array();
+    const GArray *acting = asks_forces ? tinker_forces_now(document, player) : none;
+    if (asks_forces) choose_scale(forces, acting, document, tinker_player_time(player), view);
+    if (look->trails || any) canvas_vectors_update(forces->vectors, document, player);
+    g_autofree char *marks = draw_trails(forces, cairo, document, player, view, look);
+    g_autoptr(GArray) shown = shown_forces(document, acting, look);
+    TinkerForceArrows arrows = {.scene = tinker_document_scene(document),
+                                .acting = shown,
+                                .pixels = look->factor * forces->pixels,
+                                .texts = look->texts,
+                                .marks = marks,
+                                .lit = look->lit};
+    if (any || marks != NULL)
+        arrows.vectors = canvas_vectors_now(forces->vectors, document, player, &look->vectors, acting);
+    for (int k = 0; any && k < TINKER_VECTOR_KINDS; k++) {
+        const double greatest = canvas_vectors_greatest(forces->vectors, k);
+        forces->vector_pixels[k] = tinker_motion_vectors_scale(greatest, view, forces->vector_pixels[k]);
+        arrows.vector_pixels[k] = look->factor * forces->vector_pixels[k];
+    }
     tinker_force_arrows_draw(&arrows, cairo, view, look->theme);
 }

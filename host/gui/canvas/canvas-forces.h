@@ -1,11 +1,12 @@
-/* The forces that the canvas shows as arrows: on the bodies that are selected, or on all that can move. Beside them
- * stands how long a force is drawn, and what the colours mean. */
+/* The forces that the canvas shows as arrows, how bodies move and where they have been: of the bodies that are
+ * selected, or of all that can move. Beside them stands how long arrows are drawn, and what the colours mean. */
 #ifndef TINKER_GUI_CANVAS_FORCES_H
 #define TINKER_GUI_CANVAS_FORCES_H
 
 #include <cairo.h>
 
 #include "gui/document/player.h"
+#include "motion-vectors.h"
 #include "render/draw/theme.h"
 #include "render/draw/view.h"
 
@@ -18,9 +19,13 @@ void canvas_forces_free(CanvasForces *forces);
 /* How they are drawn. */
 typedef struct {
     const TinkerTheme *theme;
-    double factor;     /* how much longer than usual arrows are */
-    TinkerBlockId lit; /* whose forces are looked at; TINKER_NO_BLOCK: no block's more than others' */
-    gboolean others;   /* with bodies selected, those that these exert on others are shown, too */
+    double factor;              /* how much longer than usual arrows are */
+    TinkerBlockId lit;          /* whose forces are looked at; TINKER_NO_BLOCK: no block's more than others' */
+    gboolean others;            /* with bodies selected, those that these exert on others are shown, too */
+    gboolean forces;            /* single forces are shown, */
+    gboolean trails;            /* and where bodies have been, */
+    TinkerVectorChoice vectors; /* and these of them */
+    const GPtrArray *texts;     /* of TinkerWrittenText: what labels keep clear of */
 } CanvasForcesLook;
 
 /* Draws those of the present time. Where working them out takes long, arrows of a little earlier are drawn while it

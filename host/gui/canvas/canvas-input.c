@@ -28,8 +28,18 @@ static TinkerHit body_rather_than_end(TinkerCanvas *canvas, TinkerFrame *frame, 
     return under == body ? (TinkerHit){body, TINKER_PART_WHOLE} : hit;
 }
 
+/* A force may be taken by its handle while the scene plays: what it becomes acts from then on. */
+static gboolean acts_at_once(TinkerCanvas *canvas, TinkerHit hit)
+{
+    const TinkerScene *scene = tinker_document_scene(canvas->document);
+    if (tinker_player_state(canvas->player) != TINKER_PLAYER_PLAYING || hit.block == TINKER_NO_BLOCK) return FALSE;
+    const TinkerBlockClass *block_class = tinker_scene_block_class(scene, hit.block);
+    return hit.part >= TINKER_PART_HANDLE && block_class != NULL && block_class->physics != NULL &&
+           block_class->physics->force_element != NULL;
+}
+
 /* What lies under a point, fields in their corner too. `handles`: those of what is selected come first, for only they
- * are drawn, and only of the scene as placed. */
+ * are drawn, and only of the scene as placed; that of a force can be taken while it plays. */
 static TinkerHit hit_at(TinkerCanvas *canvas, double x, double y, gboolean handles)
 {
     TinkerFrame *frame = tinker_player_frame(canvas->player);
@@ -40,12 +50,22 @@ static TinkerHit hit_at(TinkerCanvas *canvas, double x, double y, gboolean handl
     tinker_frame_set_symbol_size(frame,
                                  tinker_painter_symbol_size(frame, canvas->view.scale / canvas_magnification(canvas)));
     TinkerBlockId selected = tinker_document_selected(canvas->document);
-    if (handles && selected != TINKER_NO_BLOCK && tinker_frame_time(frame) == 0)
+    if (handles && selected != TINKER_NO_BLOCK)
         hit = tinker_hit_handle(frame, selected, world[0], world[1], canvas_reach(canvas));
+    if (tinker_frame_time(frame) != 0 && !acts_at_once(canvas, hit)) hit.block = TINKER_NO_BLOCK;
     if (hit.block == TINKER_NO_BLOCK)
         hit = tinker_hit(frame, world[0], world[1], canvas_reach(canvas), TINKER_NO_BLOCK);
     if (hit.block != TINKER_NO_BLOCK) return body_rather_than_end(canvas, frame, hit, world);
     return (TinkerHit){tinker_painter_field_at(frame, &canvas->view, x, y), TINKER_PART_NONE};
+}
+
+TinkerHit tinker_canvas_handle(TinkerCanvas *canvas, double place[2])
+{
+    TinkerFrame *frame = tinker_player_frame(canvas->player);
+    const TinkerBlockId selected = tinker_document_selected(canvas->document);
+    canvas_to_world(canvas, canvas->pointer[0], canvas->pointer[1], place);
+    if (frame == NULL || selected == TINKER_NO_BLOCK) return (TinkerHit){TINKER_NO_BLOCK, TINKER_PART_NONE};
+    return tinker_hit_handle(frame, selected, place[0], place[1], canvas_reach(canvas));
 }
 
 /* Dragging ------------------------------------------------------------------------------------------------------------
@@ -146,7 +166,7 @@ static void on_drag(GtkGestureDrag *gesture, double dx, double dy, TinkerCanvas 
     if (!canvas->moved) {
         canvas->moved = TRUE;
         gboolean edits = canvas->pressed.block != TINKER_NO_BLOCK;
-        if (edits && tinker_player_time(canvas->player) > 0) {
+        if (edits && tinker_player_time(canvas->player) > 0 && !acts_at_once(canvas, canvas->pressed)) {
             tinker_player_rewind(canvas->player);
             return;
         }

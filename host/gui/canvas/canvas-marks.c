@@ -129,7 +129,7 @@ void canvas_paint_marks(TinkerCanvas *canvas, cairo_t *cairo, TinkerFrame *frame
 {
     if (tinker_player_state(canvas->player) != TINKER_PLAYER_SETUP) return;
     cairo_save(cairo);
-    paint_velocities(canvas, cairo, frame, theme);
+    if (!canvas->show_vectors.kinds[TINKER_VECTOR_VELOCITY]) paint_velocities(canvas, cairo, frame, theme);
     paint_badges(canvas, cairo, frame, theme);
     cairo_restore(cairo);
 }

@@ -21,7 +21,8 @@ struct _TinkerCanvas {
     GtkWidget parent_instance;
     TinkerDocument *document;
     TinkerPlayer *player;
-    gboolean show_labels, show_forces, show_local_origins, show_grid;
+    gboolean show_labels, show_forces, show_trails, show_local_origins, show_grid;
+    TinkerVectorChoice show_vectors;
     gboolean large;          /* what is drawn */
     gboolean follow;         /* the selected body takes the view along */
     gboolean this_body_only; /* of forces, with a body selected */
@@ -34,6 +35,7 @@ struct _TinkerCanvas {
     guint faults_told;  /* of them */
     guint telling;      /* the source that tells of more */
     CanvasForces *forces;
+    TinkerFrame *over;     /* shown over the scene; borrowed, may be NULL */
     GArray *marked;        /* of TinkerBlockId */
     double velocity_scale; /* m per m/s, of the arrows drawn last: what the next ones keep to */
 

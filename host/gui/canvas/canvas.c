@@ -4,12 +4,14 @@
 #include <glib/gi18n.h>
 #include <math.h>
 
-#include "gui/document/desktop-theme.h"
 #include "gui/text/block-words.h"
+#include "gui/widget/desktop-theme.h"
 #include "gui/widget/image-texture.h"
 #include "gui/widget/unparent.h"
+#include "render/draw/text.h"
 
-#define GHOST        0.3 /* how much of a run that is kept is seen */
+#define GHOST        0.3 /* how much of a run that is kept is seen, */
+#define OVER         0.7 /* and of what is shown over the scene */
 #define MOST_FACTOR  1e4 /* of arrows of forces */
 #define FIT_MARGIN   48.0
 #define NOTICE       48.0 /* widget units: a notice over the top, of which the margin leaves no room for as much */
@@ -21,6 +23,10 @@ enum {
     PROP_0,
     PROP_SHOW_LABELS,
     PROP_SHOW_FORCES,
+    PROP_SHOW_VELOCITIES,
+    PROP_SHOW_ACCELERATIONS,
+    PROP_SHOW_NET_FORCES,
+    PROP_SHOW_TRAILS,
     PROP_SHOW_LOCAL_ORIGINS,
     PROP_SHOW_GRID,
     PROP_THIS_BODY_ONLY,
@@ -181,10 +187,10 @@ static TinkerView larger(const TinkerView *view, double factor)
                         view->height / factor};
 }
 
-/* Where runs that are kept are at this time, as ghosts over the present one. */
-static void paint_kept(TinkerCanvas *canvas, cairo_t *cairo, const TinkerPaintOptions *as)
+/* A frame as a ghost over the scene, of which `alpha` is seen. */
+static void paint_ghost(TinkerCanvas *canvas, cairo_t *cairo, TinkerFrame *frame, double alpha,
+                        const TinkerPaintOptions *as)
 {
-    TinkerKeptRuns *runs = tinker_player_kept(canvas->player);
     TinkerPaintOptions options = *as;
     TinkerTheme theme = *as->theme;
     theme.background[3] = theme.colours[TINKER_COLOUR_FIELD][3] = theme.colours[TINKER_COLOUR_TEXT][3] = 0;
@@ -193,18 +199,41 @@ static void paint_kept(TinkerCanvas *canvas, cairo_t *cairo, const TinkerPaintOp
     options.highlighted = TINKER_NO_BLOCK;
     options.selected_count = 0;
     options.memory = NULL;
+    options.texts = NULL;
+    cairo_push_group(cairo);
+    tinker_paint_scene(cairo, frame, &canvas->view, &options);
+    cairo_pop_group_to_source(cairo);
+    cairo_paint_with_alpha(cairo, alpha);
+}
+
+/* Where runs that are kept are at this time, and what is shown over the scene. */
+static void paint_ghosts(TinkerCanvas *canvas, cairo_t *cairo, const TinkerPaintOptions *as)
+{
+    TinkerKeptRuns *runs = tinker_player_kept(canvas->player);
     for (guint i = 0; i < tinker_kept_runs_count(runs); i++) {
         TinkerFrame *frame = tinker_kept_run_frame(tinker_kept_runs_at(runs, i), tinker_player_time(canvas->player));
-        if (frame == NULL) continue;
-        cairo_push_group(cairo);
-        tinker_paint_scene(cairo, frame, &canvas->view, &options);
-        cairo_pop_group_to_source(cairo);
-        cairo_paint_with_alpha(cairo, GHOST);
+        if (frame != NULL) paint_ghost(canvas, cairo, frame, GHOST, as);
     }
+    if (canvas->over != NULL) paint_ghost(canvas, cairo, canvas->over, OVER, as);
+}
+
+/* Forces, vectors and trails over the scene that was painted with these options. */
+static void paint_arrows(TinkerCanvas *canvas, cairo_t *cairo, const TinkerPaintOptions *as, TinkerBlockId lit)
+{
+    const CanvasForcesLook look = {.theme = as->theme,
+                                   .factor = canvas->force_factor,
+                                   .lit = lit,
+                                   .others = !canvas->this_body_only,
+                                   .forces = canvas->show_forces,
+                                   .trails = canvas->show_trails,
+                                   .vectors = canvas->show_vectors,
+                                   .texts = as->texts};
+    canvas_forces_draw(canvas->forces, cairo, canvas->document, canvas->player, &canvas->view, &look);
 }
 
 static void paint(TinkerCanvas *canvas, cairo_t *cairo)
 {
+    g_autoptr(GPtrArray) texts = tinker_written_texts_new();
     TinkerFrame *frame = tinker_player_frame(canvas->player);
     TinkerPaintOptions options = paint_options(canvas);
     if (frame == NULL) return;
@@ -213,12 +242,11 @@ static void paint(TinkerCanvas *canvas, cairo_t *cairo)
     cairo_save(cairo);
     cairo_scale(cairo, factor, factor);
     canvas->view = larger(&seen, factor);
+    options.texts = texts;
     tinker_paint_scene(cairo, frame, &canvas->view, &options);
-    paint_kept(canvas, cairo, &options);
+    paint_ghosts(canvas, cairo, &options);
     canvas_paint_marks(canvas, cairo, frame, options.theme);
-    const CanvasForcesLook look = {options.theme, canvas->force_factor, lit_block(canvas), !canvas->this_body_only};
-    if (canvas->show_forces)
-        canvas_forces_draw(canvas->forces, cairo, canvas->document, canvas->player, &canvas->view, &look);
+    paint_arrows(canvas, cairo, &options, lit_block(canvas));
     canvas_paint_edge_marks(canvas, cairo, frame, options.theme); /* over the key of the forces */
     canvas->view = seen;
     cairo_restore(cairo);
@@ -229,6 +257,7 @@ void tinker_canvas_draw_for_paper(TinkerCanvas *canvas, cairo_t *cairo)
 {
     TinkerFrame *frame = tinker_player_frame(canvas->player);
     TinkerPaintOptions options = paint_options(canvas);
+    g_autoptr(GPtrArray) texts = tinker_written_texts_new();
     if (frame == NULL) return;
     options.theme = tinker_theme_find("light");
     options.highlighted = TINKER_NO_BLOCK;
@@ -236,10 +265,9 @@ void tinker_canvas_draw_for_paper(TinkerCanvas *canvas, cairo_t *cairo)
     options.quick = FALSE;
     options.memory = NULL;
     options.faults = NULL;
+    options.texts = texts;
     tinker_paint_scene(cairo, frame, &canvas->view, &options);
-    const CanvasForcesLook look = {options.theme, canvas->force_factor, !canvas->this_body_only};
-    if (canvas->show_forces)
-        canvas_forces_draw(canvas->forces, cairo, canvas->document, canvas->player, &canvas->view, &look);
+    paint_arrows(canvas, cairo, &options, TINKER_NO_BLOCK);
 }
 
 GList *tinker_canvas_faults(TinkerCanvas *canvas)
@@ -339,6 +367,12 @@ void tinker_canvas_set_cover(TinkerCanvas *canvas, GtkWidget *cover)
     gtk_widget_queue_draw(GTK_WIDGET(canvas));
 }
 
+void tinker_canvas_show_over(TinkerCanvas *canvas, TinkerFrame *frame)
+{
+    canvas->over = frame;
+    gtk_widget_queue_draw(GTK_WIDGET(canvas));
+}
+
 void tinker_canvas_set_marked(TinkerCanvas *canvas, const TinkerBlockId *blocks, int count)
 {
     g_array_set_size(canvas->marked, 0);
@@ -353,6 +387,14 @@ static gboolean *switch_of(TinkerCanvas *canvas, guint property)
         return &canvas->show_labels;
     case PROP_SHOW_FORCES:
         return &canvas->show_forces;
+    case PROP_SHOW_VELOCITIES:
+        return &canvas->show_vectors.kinds[TINKER_VECTOR_VELOCITY];
+    case PROP_SHOW_ACCELERATIONS:
+        return &canvas->show_vectors.kinds[TINKER_VECTOR_ACCELERATION];
+    case PROP_SHOW_NET_FORCES:
+        return &canvas->show_vectors.kinds[TINKER_VECTOR_NET_FORCE];
+    case PROP_SHOW_TRAILS:
+        return &canvas->show_trails;
     case PROP_SHOW_LOCAL_ORIGINS:
         return &canvas->show_local_origins;
     case PROP_FOLLOW:
@@ -413,6 +455,10 @@ static void tinker_canvas_class_init(TinkerCanvasClass *class)
     const GParamFlags flags = G_PARAM_READWRITE | G_PARAM_STATIC_STRINGS;
     properties[PROP_SHOW_LABELS] = g_param_spec_boolean("show-labels", NULL, NULL, TRUE, flags);
     properties[PROP_SHOW_FORCES] = g_param_spec_boolean("show-forces", NULL, NULL, FALSE, flags);
+    properties[PROP_SHOW_VELOCITIES] = g_param_spec_boolean("show-velocities", NULL, NULL, FALSE, flags);
+    properties[PROP_SHOW_ACCELERATIONS] = g_param_spec_boolean("show-accelerations", NULL, NULL, FALSE, flags);
+    properties[PROP_SHOW_NET_FORCES] = g_param_spec_boolean("show-net-forces", NULL, NULL, FALSE, flags);
+    properties[PROP_SHOW_TRAILS] = g_param_spec_boolean("show-trails", NULL, NULL, FALSE, flags);
     properties[PROP_SHOW_LOCAL_ORIGINS] = g_param_spec_boolean("show-local-origins", NULL, NULL, FALSE, flags);
     properties[PROP_SHOW_GRID] = g_param_spec_boolean("show-grid", NULL, NULL, TRUE, flags);
     properties[PROP_THIS_BODY_ONLY] = g_param_spec_boolean("forces-on-this-body-only", NULL, NULL, TRUE, flags);

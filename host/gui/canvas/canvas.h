@@ -4,6 +4,7 @@
 
 #include <gtk/gtk.h>
 
+#include "edit/drag.h"
 #include "gui/document/player.h"
 #include "render/picture/painter.h"
 
@@ -45,12 +46,19 @@ void tinker_canvas_show_first(TinkerCanvas *canvas);
 
 /* A new block of a class on its way from the palette, as one step for undo: _move with a point in widget coordinates
  * shows it there (or takes it away, outside of the canvas), _drop leaves it there, _cancel takes it away. */
+/* The handle of the selected block that the pointer is on, or none, and where in the world (m) the pointer is. */
+TinkerHit tinker_canvas_handle(TinkerCanvas *canvas, double place[2]);
+
 void tinker_canvas_place_move(TinkerCanvas *canvas, const TinkerBlockClass *block_class, double x, double y);
 TinkerBlockId tinker_canvas_place_drop(TinkerCanvas *canvas);
 void tinker_canvas_place_cancel(TinkerCanvas *canvas);
 
 /* Puts a new block where there is room; its ends onto the blocks that are selected, where they take them. */
 TinkerBlockId tinker_canvas_add(TinkerCanvas *canvas, const TinkerBlockClass *block_class);
+
+/* Shows a frame over the scene, or none (NULL), until it is told another one: for what is no motion of the run. The
+ * frame is borrowed until then; where it has moved, this is called again. */
+void tinker_canvas_show_over(TinkerCanvas *canvas, TinkerFrame *frame);
 
 /* Draws what it shows for white paper, without selection and marks, as large as it is in the window. */
 void tinker_canvas_draw_for_paper(TinkerCanvas *canvas, cairo_t *cairo);

@@ -6,9 +6,9 @@
 #include <glib/gi18n.h>
 #include <string.h>
 
-#include "gui/document/desktop-theme.h"
 #include "gui/document/icon-guard.h"
 #include "gui/text/block-words.h"
+#include "gui/widget/desktop-theme.h"
 #include "gui/widget/unparent.h"
 
 #define ICON_WIDTH    30

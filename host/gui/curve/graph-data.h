@@ -23,8 +23,12 @@ TinkerDocument *tinker_graph_data_document(const TinkerGraphData *data);
 /* The graph's own title, else "Mass 0: Y Position", or "Mass 0: Y Velocity over Y Position", or those of all curves.
  * Borrowed. */
 const char *tinker_graph_data_title(const TinkerGraphData *data);
+/* What it is over, as the scene's graph has it; NULL before there is one. Borrowed. */
+const char *tinker_graph_data_against(const TinkerGraphData *data);
 /* Whether it is over time. */
 gboolean tinker_graph_data_is_over_time(const TinkerGraphData *data);
+/* Whether it is of spectra: amplitudes over frequency. */
+gboolean tinker_graph_data_is_spectrum(const TinkerGraphData *data);
 
 /* Takes over what has been recorded since the last time, of a long record as much as a frame has time for, and the
  * present time. A number that is another whenever the picture is. */
@@ -60,14 +64,18 @@ void tinker_graph_data_fill_plot(TinkerGraphData *data, TinkerPlot *plot);
 /* Which point of its curve a point of the curve filled in last is. */
 gsize tinker_graph_data_point(const TinkerGraphData *data, guint curve, gsize drawn);
 
-/* A point for people: "t = 1.25 s" (and the other quantity's value, if it is not over time), "y = −0.12 m". (transfer
- * full) */
+/* A point for people: "t = 1.25 s" (and the other quantity's value, if it is not over time), of a spectrum
+ * "f = 0.8 Hz"; "y = −0.12 m". (transfer full) */
 char *tinker_graph_data_x_text(const TinkerGraphData *data, guint curve, gsize point);
 char *tinker_graph_data_y_text(const TinkerGraphData *data, guint curve, gsize point);
+/* A place across, of what is over time or a spectrum: "t = 1.25 s", "f = 0.8 Hz"; with what stands before the letter.
+ * (transfer full) */
+char *tinker_graph_data_place_text(const TinkerGraphData *data, const char *before, double place);
 /* "y = −0.12 m". (transfer full) */
 char *tinker_graph_value_text(const char *name, double value, const char *unit);
 
-/* The point of a curve at the present time, or before it. FALSE where there is none. */
+/* The point of a curve at the present time, or before it; of a spectrum that of the greatest amplitude. FALSE where
+ * there is none. */
 gboolean tinker_graph_data_present(const TinkerGraphData *data, guint curve, gsize *point);
 
 /* Whether a file is free for what is exported: not the scene's own, nor one that it reads. */

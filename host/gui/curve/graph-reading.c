@@ -1,7 +1,10 @@
 /* A sample hits neither an extremum nor a zero: the curve is taken for smooth across a few of its points. */
 #include "gui/curve/graph-reading.h"
 
+#include <glib/gi18n.h>
 #include <math.h>
+
+#include "gui/curve/graph-data.h"
 
 #define BISECTIONS 60
 #define SAME_TIME  1e-9 /* of the time: nearer to it is not the next */
@@ -64,7 +67,9 @@ static gboolean zero_about(const double *x, const double *y, gsize count, gsize 
     return TRUE;
 }
 
-gboolean tinker_graph_reading_about(const TinkerGraphSeries *series, gsize point, TinkerGraphReading *reading)
+/* The extremum or zero about a point, if there is one between its two neighbours: an extremum by the parabola through
+ * the three points, a zero by the cubic through four. Not of a curve whose x turns back. */
+static gboolean reading_about(const TinkerGraphSeries *series, gsize point, TinkerGraphReading *reading)
 {
     const double *x = tinker_graph_series_x(series), *y = tinker_graph_series_y(series);
     const gsize count = tinker_graph_series_count(series);
@@ -84,7 +89,7 @@ gboolean tinker_graph_reading_snap(const TinkerGraphSeries *series, const Tinker
     const gsize end = tinker_curve_first_from(points, count, tinker_plot_scale_value(&geometry->x, x + reach));
     for (first = first > 0 ? first - 1 : 0; first < end; first++) {
         TinkerGraphReading tried = *reading;
-        if (!tinker_graph_reading_about(series, first, &tried)) continue;
+        if (!reading_about(series, first, &tried)) continue;
         const double away =
             hypot(tinker_plot_scale_place(&geometry->x, tried.at[0]) - x, tinker_plot_scale_place(up, tried.at[1]) - y);
         if (!(away <= nearest)) continue;
@@ -104,7 +109,7 @@ gboolean tinker_graph_reading_next(const TinkerGraphSeries *series, double time,
     i = forward ? (i > 1 ? i - 2 : 0) : MIN(i + 1, count - 1);
     for (; i < count; i = forward ? i + 1 : i - 1) {
         TinkerGraphReading tried = *reading;
-        const gboolean is_there = tinker_graph_reading_about(series, i, &tried);
+        const gboolean is_there = reading_about(series, i, &tried);
         if (is_there && (forward ? tried.at[0] > time + near : tried.at[0] < time - near)) {
             *reading = tried;
             return TRUE;
@@ -126,4 +131,26 @@ gboolean tinker_graph_reading_at(const TinkerGraphSeries *series, double x, Tink
     reading->at[0] = x;
     reading->at[1] = ys[before] + (share > 0 ? share * (ys[next] - ys[before]) : 0);
     return TRUE;
+}
+
+GArray *tinker_graph_reading_extrema(const TinkerGraphSeries *series, guint most)
+{
+    GArray *found = g_array_new(FALSE, FALSE, sizeof(TinkerGraphReading));
+    const double *x = tinker_graph_series_x(series), *y = tinker_graph_series_y(series);
+    const gsize count = can_read(series) ? tinker_graph_series_count(series) : 0;
+    for (gsize i = 1; i + 1 < count && found->len < most; i++) {
+        TinkerGraphReading reading = {.point = i};
+        if (extremum_about(x, y, count, i, &reading)) g_array_append_val(found, reading);
+    }
+    return found;
+}
+
+char *tinker_graph_reading_text(const TinkerGraphSeries *series, const TinkerGraphReading *reading)
+{
+    static const char *const kinds[] = {NULL, N_("maximum"), N_("minimum"), N_("zero")};
+    char *value = tinker_graph_value_text(tinker_graph_series_symbol(series), reading->at[1],
+                                          tinker_graph_series_y_axis(series)->unit);
+    if (reading->kind == TINKER_READING_POINT) return value;
+    g_autofree char *plain = value;
+    return g_strdup_printf("%s (%s)", plain, _(kinds[reading->kind]));
 }

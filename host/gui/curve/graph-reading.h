@@ -19,10 +19,6 @@ typedef struct {
     double at[2]; /* x and y, displayed */
 } TinkerGraphReading;
 
-/* The extremum or zero about a point, if there is one between its two neighbours: an extremum by the parabola through
- * the three points, a zero by the cubic through four. Not of a curve whose x turns back. */
-gboolean tinker_graph_reading_about(const TinkerGraphSeries *series, gsize point, TinkerGraphReading *reading);
-
 /* That nearest to a place of the canvas, within `reach` (canvas units), of the plot's axes. */
 gboolean tinker_graph_reading_snap(const TinkerGraphSeries *series, const TinkerPlotGeometry *geometry, double x,
                                    double y, double reach, TinkerGraphReading *reading);
@@ -33,5 +29,12 @@ gboolean tinker_graph_reading_next(const TinkerGraphSeries *series, double time,
 
 /* The value of the curve at x, straight between two points. FALSE where there is none. */
 gboolean tinker_graph_reading_at(const TinkerGraphSeries *series, double x, TinkerGraphReading *reading);
+
+/* All maxima and minima in order of x, at most so many; of TinkerGraphReading. None where x turns back. (transfer
+ * full) */
+GArray *tinker_graph_reading_extrema(const TinkerGraphSeries *series, guint most);
+
+/* "y = 1.2 m (maximum)"; of a point alone its value. (transfer full) */
+char *tinker_graph_reading_text(const TinkerGraphSeries *series, const TinkerGraphReading *reading);
 
 #endif

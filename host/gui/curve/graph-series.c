@@ -3,11 +3,15 @@
  * values of the curve itself. */
 #include "gui/curve/graph-series.h"
 
+#include <math.h>
 #include <string.h>
 
 #include "measure/formula.h"
+#include "measure/spectrum.h"
 #include "physics/record/columns.h"
 #include "units/table-columns.h"
+
+#define GROWTH 1.2 /* by so much has a record to have grown before its spectrum is worked out anew */
 
 /* One quantity of the record. */
 typedef struct {
@@ -19,12 +23,16 @@ typedef struct {
 struct _TinkerGraphSeries {
     char *block, *symbol, *fault, *key; /* `key`: what tells whose points they are */
     TinkerGraphAxis x_axis, y_axis;
-    gboolean right, is_table, over_time;
+    gboolean right, is_table;
+    gboolean over_time;     /* samples are: x is empty */
+    gboolean is_spectrum;   /* points are not the samples */
     TinkerFormula *formula; /* NULL: y is the first source; x is the last, where it is not over time */
     GArray *sources;        /* of Source */
     gboolean behind;
-    GArray *times, *x, *y; /* of double; x is empty over time */
-    TinkerCurveIndex *index;
+    GArray *times, *x, *y;            /* of double; x is empty over time */
+    GArray *frequencies, *amplitudes; /* of double: of the first `transformed` samples */
+    gsize transformed;
+    TinkerCurveIndex *index; /* of the points over time or over frequency */
 };
 
 static void clear_source(gpointer data)
@@ -72,7 +80,7 @@ static void find_quantity(TinkerGraphSeries *series, TinkerScene *scene, const T
     series->block = g_strdup(curve->block);
     series->symbol = g_strdup(curve->quantity);
     series->y_axis = find_axis(series, scene, curve->block, curve->quantity);
-    series->over_time = g_str_equal(graph->against, "time");
+    series->over_time = series->is_spectrum || g_str_equal(graph->against, "time");
     if (!series->over_time) series->x_axis = find_axis(series, scene, curve->block, graph->against);
     if (curve->title != NULL) series->y_axis.title = g_intern_string(curve->title);
 }
@@ -114,14 +122,25 @@ static void read_table(TinkerGraphSeries *series, TinkerScene *scene, const char
         g_array_append_val(series->times, g_array_index(rows, double, i));
         g_array_append_val(series->y, g_array_index(rows, double, i + 1));
     }
-    tinker_curve_index_add(series->index, numbers(series->times), numbers(series->y), series->y->len);
+    if (!series->is_spectrum)
+        tinker_curve_index_add(series->index, numbers(series->times), numbers(series->y), series->y->len);
+}
+
+static void transform(TinkerGraphSeries *series)
+{
+    series->transformed = series->y->len;
+    tinker_spectrum_of_curve(numbers(series->times), numbers(series->y), series->y->len, -INFINITY, INFINITY,
+                             TINKER_WINDOW_HANN, series->frequencies, series->amplitudes);
+    tinker_curve_index_clear(series->index);
+    tinker_curve_index_add(series->index, numbers(series->frequencies), numbers(series->amplitudes),
+                           series->amplitudes->len);
 }
 
 TinkerGraphSeries *tinker_graph_series_new(TinkerScene *scene, const char *base, const TinkerSceneGraph *graph,
                                            const TinkerSceneCurve *curve)
 {
     TinkerGraphSeries *series = g_new0(TinkerGraphSeries, 1);
-    GArray **arrays[] = {&series->times, &series->x, &series->y};
+    GArray **arrays[] = {&series->times, &series->x, &series->y, &series->frequencies, &series->amplitudes};
     for (gsize i = 0; i < G_N_ELEMENTS(arrays); i++)
         *arrays[i] = g_array_new(FALSE, FALSE, sizeof(double));
     series->sources = g_array_new(FALSE, FALSE, sizeof(Source));
@@ -129,13 +148,15 @@ TinkerGraphSeries *tinker_graph_series_new(TinkerScene *scene, const char *base,
     series->index = tinker_curve_index_new();
     series->right = curve->axis == 2;
     series->over_time = TRUE;
-    series->x_axis = tinker_graph_axis_time();
+    series->is_spectrum = g_str_equal(graph->against, "frequency");
+    series->x_axis = series->is_spectrum ? tinker_graph_axis_frequency() : tinker_graph_axis_time();
     if (curve->table != NULL)
         read_table(series, scene, base, curve);
     else if (curve->expression != NULL)
         find_formula(series, scene, curve);
     else
         find_quantity(series, scene, graph, curve);
+    if (series->is_spectrum && series->is_table) transform(series);
     if (series->block == NULL) series->block = g_strdup("");
     series->key = g_strdup_printf("%s\n%s\n%s\n%.17g\n%.17g", series->block, series->symbol, graph->against,
                                   series->x_axis.per_si, series->y_axis.per_si);
@@ -148,7 +169,7 @@ void tinker_graph_series_free(TinkerGraphSeries *series)
     for (gsize i = 0; i < G_N_ELEMENTS(texts); i++)
         g_free(texts[i]);
     g_clear_pointer(&series->formula, tinker_formula_free);
-    GArray *arrays[] = {series->sources, series->times, series->x, series->y};
+    GArray *arrays[] = {series->sources, series->times, series->x, series->y, series->frequencies, series->amplitudes};
     for (gsize i = 0; i < G_N_ELEMENTS(arrays); i++)
         g_array_unref(arrays[i]);
     tinker_curve_index_free(series->index);
@@ -166,8 +187,9 @@ gboolean tinker_graph_series_take_over(TinkerGraphSeries *series, TinkerGraphSer
                              *b = &g_array_index(old->sources, Source, i).of;
         if (a->block != b->block || a->quantity != b->quantity) return FALSE;
     }
-    GArray **mine[] = {&series->sources, &series->times, &series->x, &series->y};
-    GArray **its[] = {&old->sources, &old->times, &old->x, &old->y};
+    GArray **mine[] = {&series->sources, &series->times,       &series->x,
+                       &series->y,       &series->frequencies, &series->amplitudes};
+    GArray **its[] = {&old->sources, &old->times, &old->x, &old->y, &old->frequencies, &old->amplitudes};
     for (gsize i = 0; i < G_N_ELEMENTS(mine); i++) {
         GArray *swapped = *mine[i];
         *mine[i] = *its[i];
@@ -176,6 +198,7 @@ gboolean tinker_graph_series_take_over(TinkerGraphSeries *series, TinkerGraphSer
     TinkerCurveIndex *index = series->index;
     series->index = old->index;
     old->index = index;
+    series->transformed = old->transformed;
     return TRUE;
 }
 
@@ -187,11 +210,6 @@ const char *tinker_graph_series_block(const TinkerGraphSeries *series)
 const char *tinker_graph_series_symbol(const TinkerGraphSeries *series)
 {
     return series->symbol;
-}
-
-const char *tinker_graph_series_fault(const TinkerGraphSeries *series)
-{
-    return series->fault;
 }
 
 const TinkerGraphAxis *tinker_graph_series_x_axis(const TinkerGraphSeries *series)
@@ -220,7 +238,7 @@ gboolean tinker_graph_series_is_table(const TinkerGraphSeries *series)
 void tinker_graph_series_forget(TinkerGraphSeries *series)
 {
     if (series->is_table) return;
-    GArray *arrays[] = {series->times, series->x, series->y};
+    GArray *arrays[] = {series->times, series->x, series->y, series->frequencies, series->amplitudes};
     for (gsize i = 0; i < G_N_ELEMENTS(arrays); i++)
         g_array_set_size(arrays[i], 0);
     for (guint i = 0; i < series->sources->len; i++) {
@@ -230,6 +248,7 @@ void tinker_graph_series_forget(TinkerGraphSeries *series)
         source->cursor = (TinkerSeriesCursor){0};
     }
     tinker_curve_index_clear(series->index);
+    series->transformed = 0;
     series->behind = FALSE;
 }
 
@@ -257,8 +276,21 @@ static void make_points(TinkerGraphSeries *series, guint rows)
         g_array_remove_range(source_of(series, k)->times, 0, rows);
         g_array_remove_range(source_of(series, k)->values, 0, rows);
     }
-    if (series->over_time)
+    if (series->over_time && !series->is_spectrum)
         tinker_curve_index_add(series->index, numbers(series->times), numbers(series->y), series->y->len);
+}
+
+/* While the record grows it is worked out now and then, and once it stands still. */
+static gboolean update_spectrum(TinkerGraphSeries *series, gboolean grew)
+{
+    const gsize count = series->y->len;
+    if (count == series->transformed) return FALSE;
+    if (grew && (double)count < GROWTH * (double)series->transformed) {
+        series->behind = TRUE;
+        return FALSE;
+    }
+    transform(series);
+    return TRUE;
 }
 
 gboolean tinker_graph_series_update(TinkerGraphSeries *series, TinkerSeriesReader read, gpointer source)
@@ -274,7 +306,7 @@ gboolean tinker_graph_series_update(TinkerGraphSeries *series, TinkerSeriesReade
         rows = MIN(rows, next->values->len);
     }
     if (rows > 0) make_points(series, rows);
-    return rows > 0;
+    return series->is_spectrum ? update_spectrum(series, rows > 0) : rows > 0;
 }
 
 gboolean tinker_graph_series_is_behind(const TinkerGraphSeries *series)
@@ -284,7 +316,7 @@ gboolean tinker_graph_series_is_behind(const TinkerGraphSeries *series)
 
 gsize tinker_graph_series_count(const TinkerGraphSeries *series)
 {
-    return series->y->len;
+    return series->is_spectrum ? series->amplitudes->len : series->y->len;
 }
 
 const double *tinker_graph_series_times(const TinkerGraphSeries *series)
@@ -294,12 +326,13 @@ const double *tinker_graph_series_times(const TinkerGraphSeries *series)
 
 const double *tinker_graph_series_x(const TinkerGraphSeries *series)
 {
+    if (series->is_spectrum) return numbers(series->frequencies);
     return numbers(series->over_time ? series->times : series->x);
 }
 
 const double *tinker_graph_series_y(const TinkerGraphSeries *series)
 {
-    return numbers(series->y);
+    return numbers(series->is_spectrum ? series->amplitudes : series->y);
 }
 
 const TinkerCurveIndex *tinker_graph_series_index(const TinkerGraphSeries *series)
@@ -319,5 +352,5 @@ gboolean tinker_graph_series_find(const TinkerGraphSeries *series, double time, 
             high = middle;
     }
     *point = low - 1;
-    return low > 0;
+    return low > 0 && !series->is_spectrum;
 }

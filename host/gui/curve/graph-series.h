@@ -1,5 +1,5 @@
-/* The points of one curve of a graph: of a quantity or of an expression, as they are recorded, or of a table in a file.
- * In displayed units. No widget. */
+/* The points of one curve of a graph: of a quantity or of an expression, as they are recorded, or of a table in a file;
+ * or of its spectrum. In displayed units. No widget. */
 #ifndef TINKER_GUI_GRAPH_SERIES_H
 #define TINKER_GUI_GRAPH_SERIES_H
 
@@ -19,11 +19,9 @@ void tinker_graph_series_free(TinkerGraphSeries *series);
 /* Whether the points of `old` are those that this one is to have, which it then takes from it. */
 gboolean tinker_graph_series_take_over(TinkerGraphSeries *series, TinkerGraphSeries *old);
 
-/* "Mass 0", or "" of an expression or a table; "y", what is short for it in a reading; and why there are no points, or
- * NULL. Borrowed. */
+/* "Mass 0", or "" of an expression or a table; "y", what is short for it in a reading. Borrowed. */
 const char *tinker_graph_series_block(const TinkerGraphSeries *series);
 const char *tinker_graph_series_symbol(const TinkerGraphSeries *series);
-const char *tinker_graph_series_fault(const TinkerGraphSeries *series);
 /* The axes. x is the time, but in a phase plot. */
 const TinkerGraphAxis *tinker_graph_series_x_axis(const TinkerGraphSeries *series);
 const TinkerGraphAxis *tinker_graph_series_y_axis(const TinkerGraphSeries *series);
@@ -39,15 +37,16 @@ typedef gboolean (*TinkerSeriesReader)(gpointer source, TinkerQuantity quantity,
 gboolean tinker_graph_series_update(TinkerGraphSeries *series, TinkerSeriesReader read, gpointer source);
 gboolean tinker_graph_series_is_behind(const TinkerGraphSeries *series);
 
-/* Points, and they themselves; the times are in s. Borrowed until the next update. */
+/* Points, and they themselves; the times are in s, and of a spectrum those of the samples. Borrowed until the next
+ * update. */
 gsize tinker_graph_series_count(const TinkerGraphSeries *series);
 const double *tinker_graph_series_times(const TinkerGraphSeries *series);
 const double *tinker_graph_series_x(const TinkerGraphSeries *series);
 const double *tinker_graph_series_y(const TinkerGraphSeries *series);
-/* Of the points where x is the time; else NULL. */
+/* Of the points where x is the time or the frequency; else NULL. */
 const TinkerCurveIndex *tinker_graph_series_index(const TinkerGraphSeries *series);
 
-/* The last point not later than a time (s). FALSE where there is none. */
+/* The last point not later than a time (s). FALSE where there is none, and of a spectrum. */
 gboolean tinker_graph_series_find(const TinkerGraphSeries *series, double time, gsize *point);
 
 #endif

@@ -80,6 +80,10 @@ TinkerFrame *tinker_player_frame(TinkerPlayer *player);
  * full) */
 TinkerScene *tinker_player_scene_now(TinkerPlayer *player);
 
+/* A copy of the scene whose run shows this moment, and when (s) that run starts: another one, and later than 0, where
+ * something was changed on the way. (transfer full) */
+TinkerScene *tinker_player_scene_shown(TinkerPlayer *player, double *start);
+
 /* What a quantity is now, SI. FALSE where it is not recorded. */
 gboolean tinker_player_value(TinkerPlayer *player, TinkerBlockId block, int32_t quantity, double *value);
 
@@ -98,5 +102,9 @@ guint tinker_player_generation(TinkerPlayer *player);
 /* As tinker_recording_series; what is not recorded will be from the next run on. */
 gboolean tinker_player_series(TinkerPlayer *player, TinkerQuantity quantity, TinkerSeriesCursor *cursor, GArray *times,
                               GArray *values);
+
+/* As tinker_recording_visit; and of the sample that is shown now, as tinker_recording_visit_at. */
+void tinker_player_visit(TinkerPlayer *player, TinkerSeriesCursor *cursor, TinkerBodiesFunc visit, void *data);
+gboolean tinker_player_visit_now(TinkerPlayer *player, TinkerBodiesFunc visit, void *data);
 
 #endif

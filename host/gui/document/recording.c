@@ -3,9 +3,12 @@
 
 #include <math.h>
 
+#define MOST_VISITS 5000 /* samples that are handed out at once */
+
 static void clear_segment(gpointer segment)
 {
     tinker_run_task_unref(((TinkerSegment *)segment)->task);
+    tinker_scene_free(((TinkerSegment *)segment)->scene);
 }
 
 void tinker_recording_init(TinkerRecording *recording)
@@ -34,7 +37,7 @@ void tinker_recording_forget(TinkerRecording *recording)
 
 void tinker_recording_add(TinkerRecording *recording, TinkerRunTask *task, double start)
 {
-    const TinkerSegment segment = {task, start, FALSE, 0};
+    const TinkerSegment segment = {.task = task, .start = start};
     g_array_append_val(recording->segments, segment);
 }
 
@@ -43,6 +46,7 @@ void tinker_recording_share(TinkerRecording *recording, const TinkerRecording *o
     for (guint i = 0; i < other->segments->len; i++) {
         TinkerSegment segment = *segment_of(other, i);
         tinker_run_task_ref(segment.task);
+        segment.scene = NULL; // what is kept is looked at, and not run again
         g_array_append_val(recording->segments, segment);
     }
     recording->generation++;
@@ -146,4 +150,44 @@ gboolean tinker_recording_series(const TinkerRecording *recording, TinkerQuantit
         if (isinf(end) || cursor->behind) break;
     }
     return TRUE;
+}
+
+/* Bodies --------------------------------------------------------------------------------------------------------------
+ */
+
+static gboolean visit_row(TinkerRunTask *task, gsize row, TinkerBodiesFunc visit, void *data)
+{
+    int count;
+    const TinkerBlockId *bodies = tinker_run_task_bodies(task, &count);
+    g_autofree TinkerBodySample *samples = g_new(TinkerBodySample, (gsize)count + 1);
+    double time;
+    if (!tinker_run_task_read(task, row, &time, samples, NULL)) return FALSE;
+    visit(time, bodies, samples, count, data);
+    return TRUE;
+}
+
+void tinker_recording_visit(const TinkerRecording *recording, TinkerSeriesCursor *cursor, TinkerBodiesFunc visit,
+                            void *data)
+{
+    gsize left = MOST_VISITS;
+    for (; cursor->segment < recording->segments->len; cursor->segment++, cursor->row = 0) {
+        TinkerRunTask *task = segment_of(recording, cursor->segment)->task;
+        const double end = tinker_recording_end(recording, cursor->segment);
+        gsize last;
+        const gboolean any = tinker_run_task_find(task, nextafter(end, 0), &last);
+        while (any && left > 0 && cursor->row <= last && visit_row(task, cursor->row, visit, data)) {
+            cursor->row++;
+            left--;
+        }
+        cursor->behind = any && cursor->row <= last;
+        if (isinf(end) || cursor->behind) break;
+    }
+}
+
+gboolean tinker_recording_visit_at(const TinkerRecording *recording, double time, TinkerBodiesFunc visit, void *data)
+{
+    const TinkerSegment *segment = tinker_recording_at(recording, time);
+    gsize row;
+    return segment != NULL && tinker_run_task_find(segment->task, time, &row) &&
+           visit_row(segment->task, row, visit, data);
 }

@@ -10,7 +10,9 @@ typedef struct {
     TinkerRunTask *task;
     double start; /* s */
     gboolean failure_told;
-    guint replaced; /* as in the task's status when it was looked at last */
+    guint replaced;     /* as in the task's status when it was looked at last */
+    TinkerScene *scene; /* that it is the run of, where that is not the document's: of a record that was changed on the
+                         * way. Owned */
 } TinkerSegment;
 
 typedef struct {
@@ -27,7 +29,8 @@ void tinker_recording_clear(TinkerRecording *recording);
 void tinker_recording_forget(TinkerRecording *recording);
 /* Adds a run, which is the recording's from now on. */
 void tinker_recording_add(TinkerRecording *recording, TinkerRunTask *task, double start);
-/* The same runs, which the other goes on holding: what is recorded stays when that one forgets it. */
+/* Takes over the runs of another recording, which holds them as well: what is recorded stays when that one forgets it.
+ */
 void tinker_recording_share(TinkerRecording *recording, const TinkerRecording *other);
 
 /* NULL where there is none. Borrowed until a segment is added or taken away, as all. */
@@ -56,5 +59,16 @@ typedef struct {
 } TinkerSeriesCursor;
 gboolean tinker_recording_series(const TinkerRecording *recording, TinkerQuantity quantity, TinkerSeriesCursor *cursor,
                                  GArray *times, GArray *values);
+
+/* The bodies in one sample. */
+typedef void (*TinkerBodiesFunc)(double time, const TinkerBlockId *bodies, const TinkerBodySample *samples, int count,
+                                 void *data);
+
+/* Hands out the samples recorded since the last call with this cursor (zeroed at first; begin anew when the generation
+ * changes), in order of time: of a long record a portion, and the cursor says that it is behind. */
+void tinker_recording_visit(const TinkerRecording *recording, TinkerSeriesCursor *cursor, TinkerBodiesFunc visit,
+                            void *data);
+/* Hands out the last sample that is not later than a time. FALSE where there is none. */
+gboolean tinker_recording_visit_at(const TinkerRecording *recording, double time, TinkerBodiesFunc visit, void *data);
 
 #endif

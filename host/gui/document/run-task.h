@@ -18,6 +18,8 @@ typedef struct {
     gboolean finished; /* nothing more will come */
     double reached;    /* s: time of the last sample */
     gsize rows;        /* samples so far */
+    gboolean looks;    /* for a while already, for where the conditions of the scene stop it; nothing is recorded yet */
+    double looked;     /* s: up to where */
     guint replaced;    /* how often all samples gave way to those of a tighter run, as an accuracy asked for it */
     double rate;       /* s of motion a second of work, lately */
     char method[32];   /* empty until it is known */
@@ -54,9 +56,6 @@ void tinker_run_task_stop(TinkerRunTask *task);
 /* It is freed by whoever lets go of it last; a thread that still runs goes on until it is stopped. Does not wait. */
 TinkerRunTask *tinker_run_task_ref(TinkerRunTask *task);
 void tinker_run_task_unref(TinkerRunTask *task);
-
-/* Stops it, if it still runs, and lets go of it. */
-void tinker_run_task_free(TinkerRunTask *task);
 
 TinkerRunStatus tinker_run_task_status(TinkerRunTask *task);
 /* Why it failed, or NULL; and what it warned of (of char *), or of that alone what no other method would spare.

@@ -193,6 +193,14 @@ static void fill_pace(const TinkerStatusFacts *facts, TinkerStatusItem *item)
 static void fill_recorded(const TinkerStatusFacts *facts, TinkerStatusItem *item)
 {
     if (facts->run == NULL || facts->run->finished) return;
+    if (facts->run->looks) {
+        item->text =
+            g_strdup_printf(_("looking for where it stops: %.1f s of %.4g s"), facts->run->looked, facts->duration);
+        item->tooltip =
+            g_strdup(_("The scene says when to stop. Where that is has to be found before anything is shown; "
+                       "going back to the start gives it up."));
+        return;
+    }
     item->text = g_strdup_printf(_("recorded to %.1f s of %.4g s"), facts->run->reached, facts->duration);
     item->tooltip =
         g_strdup(_("The motion is computed ahead of what is shown; what is recorded can be looked at again on "

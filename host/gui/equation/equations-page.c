@@ -7,10 +7,10 @@
 #include "books-picture.h"
 #include "diagram-picture.h"
 #include "equations/lines.h"
-#include "gui/document/desktop-theme.h"
 #include "gui/document/forces-now.h"
 #include "gui/equation/equation-row.h"
 #include "gui/text/sentence.h"
+#include "gui/widget/desktop-theme.h"
 #include "gui/widget/unparent.h"
 
 #define MOST_BODIES    30 /* whose equations are shown where none are selected */
@@ -160,6 +160,10 @@ static void on_task_changed(TinkerEquationsPage *page)
     gtk_widget_set_visible(page->diagram_heading, has_body);
     gtk_widget_set_visible(page->books, has_body && result->books != NULL);
     gtk_widget_set_visible(page->books_heading, has_body && result->books != NULL);
+    g_autofree char *since = has_body && result->start > 0
+                                 ? g_strdup_printf(_("Books since the change at %.4g s"), result->start)
+                                 : g_strdup(_("Books"));
+    gtk_label_set_text(GTK_LABEL(page->books_heading), since);
     gtk_widget_queue_draw(page->diagram);
     gtk_widget_queue_draw(page->books);
 }

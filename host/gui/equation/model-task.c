@@ -91,7 +91,8 @@ static void work(TinkerBackground *background, void *data)
     job->background = background;
     options.cancelled = is_cancelled;
     options.data = job;
-    options.at = &result->time;
+    const double time = result->time - result->start;
+    options.at = &time;
     options.at_count = 1;
     if (run_to_time(job, &options, &result->error))
         result->equations = tinker_equations_new(result->scene, result->state, &result->error);
@@ -103,8 +104,8 @@ static void work(TinkerBackground *background, void *data)
     options.at = NULL;
     options.at_count = 0;
     if (!is_cancelled(job)) find_forms(result, &options);
-    if (result->bodies[0] != TINKER_NO_BLOCK && result->time > 0 && !is_cancelled(job))
-        result->books = tinker_books_new(result->scene, &options, result->bodies, 0, result->time, origin, NULL);
+    if (result->bodies[0] != TINKER_NO_BLOCK && time > 0 && !is_cancelled(job))
+        result->books = tinker_books_new(result->scene, &options, result->bodies, 0, time, origin, NULL);
 }
 
 static void job_free(void *data)
@@ -162,7 +163,7 @@ static gboolean start(gpointer data)
     Job *job = g_new0(Job, 1);
     job->owner = task;
     job->result = g_new0(TinkerModelResult, 1);
-    job->result->scene = tinker_scene_copy(tinker_document_scene(task->document));
+    job->result->scene = tinker_player_scene_shown(task->player, &job->result->start);
     job->result->time = tinker_player_time(task->player);
     job->result->bodies = selected_bodies(task->document);
     task->background = tinker_background_start(&model_work, job);

@@ -17,14 +17,14 @@ G_DECLARE_FINAL_TYPE(TinkerModelTask, tinker_model_task, TINKER, MODEL_TASK, GOb
 /* What is known of the scene as it was. */
 typedef struct {
     TinkerScene *scene;      /* a copy of it */
-    double time;             /* s */
+    double time, start;      /* s: of the moment; and when the run of this scene starts, 0 but for changes on the way */
     TinkerModelState *state; /* NULL where the scene cannot run: */
     GError *error;           /* why */
     TinkerEquations *equations;
     TinkerMatrixForm *matrix; /* NULL where no plan could be made */
     TinkerAngleForm *angles;
     TinkerBlockId *bodies; /* that were selected, ended by TINKER_NO_BLOCK */
-    TinkerBooks *books;    /* of them, from the start to `time`; NULL where none is selected, or at the start */
+    TinkerBooks *books;    /* of them, from `start` to `time`; NULL where none is selected, or at the start */
 } TinkerModelResult;
 
 /* Takes references. (transfer full) */

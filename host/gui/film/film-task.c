@@ -2,6 +2,7 @@
 #include "gui/film/film-task.h"
 
 #include "gui/document/background.h"
+#include "measure/until.h"
 #include "motion-film.h"
 #include "physics/compile/compile.h"
 #include "physics/model/model.h"
@@ -20,7 +21,8 @@ typedef struct {
     TinkerFilmSettings settings; /* with a path of its own */
     gint progress;               /* atomic; in 1/FINENESS */
     gboolean written;
-    GError *failure; /* of the run */
+    char *stopped_by; /* the condition that ended the run, or NULL */
+    GError *failure;  /* of the run */
     GError *error;
 } Job;
 
@@ -29,7 +31,7 @@ struct _TinkerFilmTask {
     TinkerBackground *background;
     Job *running; /* borrowed from the background */
     TinkerFilmState state;
-    char *path, *failure;
+    char *path, *failure, *stopped_by;
     guint timer;
 };
 
@@ -42,6 +44,7 @@ static void job_free(void *data)
 {
     Job *job = data;
     g_free((char *)job->settings.path);
+    g_free(job->stopped_by);
     g_clear_error(&job->failure);
     g_clear_error(&job->error);
     tinker_scene_free(job->scene);
@@ -76,19 +79,36 @@ static void note_drawing(double done, double whole, void *data)
     note_progress(data, RUN_SHARE + (1 - RUN_SHARE) * done / whole);
 }
 
+/* Where the scene has conditions that end it, the film ends where the run in the window does. */
+static gboolean end_at_condition(Job *job, TinkerUntil *until, TinkerModel *model, TinkerRunOptions *options,
+                                 GError **error)
+{
+    const TinkerRunSettings *run = &tinker_scene_head(job->scene)->run;
+    int number;
+    if (!tinker_until_add_all(until, run->until, error) ||
+        !tinker_until_end(until, model, run->interval, options, &number, error))
+        return FALSE;
+    job->stopped_by = number >= 0 ? g_strdup(tinker_until_text(until, number)) : NULL;
+    return TRUE;
+}
+
 static gboolean run_scene(Job *job, TinkerMotionFilm *motion, GError **error)
 {
     g_autoptr(TinkerModel) model = tinker_model_new(job->scene, error);
     if (model == NULL) return FALSE;
     TinkerRunOptions options = tinker_run_options_of(job->scene);
-    options.interval = job->settings.speed / job->settings.frames_per_second;
+    TinkerFilmOverlay over = job->settings.over;
+    over.marks = job->settings.show_trails ? tinker_motion_trail_spacing(options.duration) : 0;
+    options.interval = tinker_motion_film_show(motion, &over, job->settings.speed / job->settings.frames_per_second);
     options.estimate = options.accuracy > 0; /* else nobody would see it */
     options.cancelled = is_cancelled;
-    options.progress = note_run;
     options.data = job;
+    g_autoptr(TinkerUntil) until = tinker_until_new(job->scene, 0);
+    if (!end_at_condition(job, until, model, &options, error)) return FALSE;
+    options.progress = note_run;
     g_autoptr(TinkerSimulation) simulation = tinker_simulation_new(model, &options, error);
     if (simulation == NULL) return FALSE;
-    if (job->settings.show_forces) tinker_motion_film_show_forces(motion, model);
+    tinker_motion_film_begin(motion, model, tinker_options_duration(&options));
     if (job->settings.show_graphs) tinker_motion_film_show_graphs(motion);
     const TinkerSampleTaker taker = {tinker_motion_film_sample, tinker_motion_film_begin_again, motion};
     if (tinker_accurate_run(&simulation, tinker_motion_film_columns(motion), &taker, &job->failure)) return TRUE;
@@ -150,6 +170,7 @@ static void on_done(void *data)
     const GError *reason = job->written ? job->failure : job->error;
     task->state = state_after(job);
     if (task->state != TINKER_FILM_CANCELLED && reason != NULL) task->failure = g_strdup(reason->message);
+    if (task->state == TINKER_FILM_WRITTEN) task->stopped_by = g_steal_pointer(&job->stopped_by);
     let_go(task);
     g_signal_emit(task, signals[CHANGED], 0);
 }
@@ -165,6 +186,7 @@ void tinker_film_task_start(TinkerFilmTask *task, TinkerScene *scene, const Tink
     static const TinkerBackgroundWork film_work = {"film", work, on_done, job_free};
     let_go(task);
     g_clear_pointer(&task->failure, g_free);
+    g_clear_pointer(&task->stopped_by, g_free);
     g_free(task->path);
     task->path = g_strdup(settings->path);
     Job *job = g_new0(Job, 1);
@@ -204,6 +226,11 @@ const char *tinker_film_task_failure(TinkerFilmTask *task)
     return task->failure;
 }
 
+const char *tinker_film_task_stopped_by(TinkerFilmTask *task)
+{
+    return task->stopped_by;
+}
+
 /* The object ----------------------------------------------------------------------------------------------------------
  */
 
@@ -213,6 +240,7 @@ static void tinker_film_task_finalize(GObject *object)
     let_go(task);
     g_free(task->path);
     g_free(task->failure);
+    g_free(task->stopped_by);
     G_OBJECT_CLASS(tinker_film_task_parent_class)->finalize(object);
 }
 

@@ -7,6 +7,7 @@
 
 #include <glib-object.h>
 
+#include "film-arrows.h"
 #include "scene/store/scene.h"
 
 #define TINKER_TYPE_FILM_TASK (tinker_film_task_get_type())
@@ -18,7 +19,9 @@ typedef struct {
     int width, height;        /* pixels */
     double frames_per_second; /* of the film */
     double speed;             /* times real time */
-    gboolean show_labels, show_grid, show_forces, show_graphs;
+    gboolean show_labels, show_grid, show_graphs;
+    gboolean show_trails;   /* with marks at times that suit the duration */
+    TinkerFilmOverlay over; /* its marks are not looked at */
 } TinkerFilmSettings;
 
 typedef enum {
@@ -48,5 +51,7 @@ double tinker_film_task_progress(TinkerFilmTask *task);
 const char *tinker_film_task_path(TinkerFilmTask *task);
 /* Why it failed or was cut short, or NULL. Borrowed until the next start. */
 const char *tinker_film_task_failure(TinkerFilmTask *task);
+/* The condition of the scene that ended the film that was written last, or NULL. Borrowed until the next start. */
+const char *tinker_film_task_stopped_by(TinkerFilmTask *task);
 
 #endif

@@ -25,7 +25,7 @@ GtkWidget *tinker_example_button_new(const TinkerExample *example, TinkerExample
     gtk_button_set_child(GTK_BUTTON(button), box);
     gtk_widget_add_css_class(button, "flat");
     gtk_widget_add_css_class(button, "welcome-example");
-    gtk_widget_set_tooltip_text(button, example->description);
+    gtk_widget_set_tooltip_text(button, tinker_translate(example->description));
     gtk_accessible_update_property(GTK_ACCESSIBLE(button), GTK_ACCESSIBLE_PROPERTY_LABEL,
                                    tinker_translate(example->title), -1);
     tinker_example_pictures_add(pictures, picture, example->path);

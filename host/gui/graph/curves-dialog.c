@@ -4,8 +4,8 @@
 #include <adwaita.h>
 #include <glib/gi18n.h>
 
+#include "gui/curve/graph-edit.h"
 #include "gui/document/carry-tables.h"
-#include "gui/document/graph-edit.h"
 #include "gui/text/translate.h"
 #include "gui/widget/choices.h"
 #include "scene/store/quantities.h"

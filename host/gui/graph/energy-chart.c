@@ -5,7 +5,7 @@
 #include <math.h>
 
 #include "gui/curve/energy-data.h"
-#include "gui/document/desktop-theme.h"
+#include "gui/widget/desktop-theme.h"
 
 #define BARS      150.0 /* widget units: width of the bars beside the layers */
 #define ROW       17.0

@@ -1,5 +1,6 @@
-/* After every change of the scene the views are brought in line with its graphs: those that still fit stay, and with
- * them the focus and what was switched on in them. The board is hidden where it shows none. */
+/* After every change of the scene the views are brought in line with its graphs: those that still fit stay, or whose
+ * graph has other curves now, and with them the focus, what is zoomed and what was switched on in them. The board is
+ * hidden where it shows none. */
 #include "gui/graph/graph-board.h"
 
 #include "gui/widget/unparent.h"
@@ -41,13 +42,18 @@ const TinkerSceneGraph *tinker_graph_board_graph(TinkerGraphBoard *board, Tinker
 /* Keeping up ----------------------------------------------------------------------------------------------------------
  */
 
-/* Takes the first view that fits out of `old`, or makes one. */
-static TinkerGraphView *view_for(TinkerGraphBoard *board, GPtrArray *old, const TinkerSceneGraph *graph)
+/* Takes the first view that fits out of `old`; NULL. */
+static TinkerGraphView *take_fitting(GPtrArray *old, const TinkerSceneGraph *graph)
+{
+    for (guint i = 0; i < old->len; i++)
+        if (tinker_graph_view_fits(g_ptr_array_index(old, i), graph)) return g_ptr_array_steal_index(old, i);
+    return NULL;
+}
+
+static TinkerGraphView *new_view(TinkerGraphBoard *board)
 {
     TinkerGraphBoardPrivate *private = private_of(board);
     TinkerGraphBoardClass *class = TINKER_GRAPH_BOARD_GET_CLASS(board);
-    for (guint i = 0; i < old->len; i++)
-        if (tinker_graph_view_fits(g_ptr_array_index(old, i), graph)) return g_ptr_array_steal_index(old, i);
     TinkerGraphView *view = tinker_graph_view_new(private->document, private->player, class->floats);
     gtk_widget_set_parent(GTK_WIDGET(view), GTK_WIDGET(board));
     if (class->added != NULL) class->added(board, view);
@@ -63,19 +69,41 @@ static void put_in_order(TinkerGraphBoard *board)
     }
 }
 
+/* The numbers of the graphs that the board shows, of int. (transfer full) */
+static GArray *shown_graphs(TinkerGraphBoard *board, const GPtrArray *graphs)
+{
+    GArray *numbers = g_array_new(FALSE, FALSE, sizeof(int));
+    for (int i = 0; i < (int)graphs->len; i++)
+        if (TINKER_GRAPH_BOARD_GET_CLASS(board)->shows(g_ptr_array_index(graphs, i))) g_array_append_val(numbers, i);
+    return numbers;
+}
+
+/* A view for each of these graphs. Where as many views are left over as graphs have none, those graphs are what the
+ * views' own have become: other curves in the same place. */
+static void find_views(TinkerGraphBoard *board, const GPtrArray *graphs, const GArray *numbers, GPtrArray *old)
+{
+    GPtrArray *views = private_of(board)->views;
+    guint missing = 0;
+    for (guint k = 0; k < numbers->len; k++) {
+        g_ptr_array_add(views, take_fitting(old, g_ptr_array_index(graphs, g_array_index(numbers, int, k))));
+        missing += g_ptr_array_index(views, k) == NULL;
+    }
+    const gboolean changed = missing == old->len;
+    for (guint k = 0; k < numbers->len; k++) {
+        if (g_ptr_array_index(views, k) == NULL)
+            g_ptr_array_index(views, k) = changed ? g_ptr_array_steal_index(old, 0) : (gpointer)new_view(board);
+        tinker_graph_view_set_number(g_ptr_array_index(views, k), g_array_index(numbers, int, k));
+    }
+}
+
 static void on_changed(TinkerGraphBoard *board)
 {
     TinkerGraphBoardPrivate *private = private_of(board);
     GPtrArray *graphs = tinker_scene_graphs(tinker_document_scene(private->document));
     g_autoptr(GPtrArray) old = g_steal_pointer(&private->views);
+    g_autoptr(GArray) numbers = shown_graphs(board, graphs);
     private->views = g_ptr_array_new();
-    for (guint i = 0; i < graphs->len; i++) {
-        const TinkerSceneGraph *graph = g_ptr_array_index(graphs, i);
-        if (!TINKER_GRAPH_BOARD_GET_CLASS(board)->shows(graph)) continue;
-        TinkerGraphView *view = view_for(board, old, graph);
-        tinker_graph_view_set_number(view, (int)i);
-        g_ptr_array_add(private->views, view);
-    }
+    find_views(board, graphs, numbers, old);
     for (guint i = 0; i < old->len; i++)
         gtk_widget_unparent(g_ptr_array_index(old, i));
     put_in_order(board);

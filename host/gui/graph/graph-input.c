@@ -12,6 +12,12 @@ static gboolean is_over_time(const TinkerGraphPlot *plot)
     return tinker_graph_data_is_over_time(plot->data);
 }
 
+/* Whether places across, of time or frequency, can be measured at. */
+static gboolean is_measured(const TinkerGraphPlot *plot)
+{
+    return is_over_time(plot) || tinker_graph_data_is_spectrum(plot->data);
+}
+
 /* What was zoomed is seen, here and in the other graphs. */
 static void zoomed(TinkerGraphPlot *plot, TinkerGraphAxes axes)
 {
@@ -115,14 +121,16 @@ char *tinker_graph_plot_cursor_text(TinkerGraphPlot *plot)
     const double *a = plot->cursors[0].at, *b = plot->cursors[1].at;
     g_autofree char *unit = unit_of(plot, 0);
     if (plot->cursor_count == 1) {
-        g_autofree char *x = tinker_graph_value_text("t", a[0], "s"), *y = tinker_graph_value_text("y", a[1], unit);
+        g_autofree char *x = tinker_graph_data_place_text(plot->data, "", a[0]),
+                        *y = tinker_graph_value_text("y", a[1], unit);
         return g_strdup_printf("A: %s, %s", x, y);
     }
-    g_autofree char *other = unit_of(plot, 1), *dt = tinker_graph_value_text("Δt", b[0] - a[0], "s");
-    g_autofree char *rate = tinker_graph_value_text("1/Δt", 1 / fabs(b[0] - a[0]), "Hz");
-    if (!g_str_equal(unit, other)) return g_strdup_printf("%s, %s", dt, rate);
+    g_autofree char *other = unit_of(plot, 1), *dx = tinker_graph_data_place_text(plot->data, "Δ", b[0] - a[0]);
+    g_autofree char *rate = is_over_time(plot) ? tinker_graph_value_text("1/Δt", 1 / fabs(b[0] - a[0]), "Hz") : NULL;
+    const char *gap = rate != NULL ? ", " : "", *shown_rate = rate != NULL ? rate : "";
+    if (!g_str_equal(unit, other)) return g_strdup_printf("%s%s%s", dx, gap, shown_rate);
     g_autofree char *dy = tinker_graph_value_text("Δy", b[1] - a[1], unit);
-    return g_strdup_printf("%s, %s, %s", dt, dy, rate);
+    return g_strdup_printf("%s, %s%s%s", dx, dy, gap, shown_rate);
 }
 
 /* The mouse -----------------------------------------------------------------------------------------------------------
@@ -150,10 +158,10 @@ static void clicked(TinkerGraphPlot *plot, double x, double y, GdkModifierType m
     TinkerGraphReading reading = {0};
     if (x < at->left || x > at->right || y < at->top || y > at->bottom) return;
     if (modifiers & GDK_CONTROL_MASK) {
-        if (is_over_time(plot) && read_for_cursor(plot, x, y, &reading)) put_cursor(plot, &reading);
+        if (is_measured(plot) && read_for_cursor(plot, x, y, &reading)) put_cursor(plot, &reading);
     } else if (is_over_time(plot)) {
         if (!tinker_graph_data_is_empty(plot->data)) go_to(plot, tinker_plot_scale_value(&at->x, x));
-    } else if (read_for_cursor(plot, x, y, &reading)) {
+    } else if (!is_measured(plot) && read_for_cursor(plot, x, y, &reading)) {
         go_to(plot, tinker_graph_series_times(tinker_graph_data_curve(plot->data, reading.curve))[reading.point]);
     }
 }

@@ -4,7 +4,7 @@
 
 #include <math.h>
 
-#include "gui/document/graph-edit.h"
+#include "gui/curve/graph-edit.h"
 #include "gui/graph/graph-export.h"
 #include "render/picture/painter.h"
 

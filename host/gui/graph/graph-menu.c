@@ -95,3 +95,38 @@ GMenuModel *tinker_graph_menu_new(const TinkerBlockClass *block_class)
     append_submenu(menu, _("Phase Plot"), phases);
     return G_MENU_MODEL(menu);
 }
+
+/* Of which all curves are quantities; NULL where there is no such class. */
+static const TinkerBlockClass *common_class(const TinkerScene *scene, const TinkerSceneGraph *graph)
+{
+    const TinkerBlockClass *common = NULL;
+    for (guint i = 0; i < graph->curves->len; i++) {
+        const TinkerSceneCurve *curve = g_ptr_array_index(graph->curves, i);
+        const TinkerBlockId block =
+            curve->block != NULL ? tinker_scene_find_block(scene, curve->block) : TINKER_NO_BLOCK;
+        const TinkerBlockClass *its = block != TINKER_NO_BLOCK ? tinker_scene_block_class(scene, block) : NULL;
+        if (its == NULL || (common != NULL && its != common)) return NULL;
+        common = its;
+    }
+    return common;
+}
+
+static void append_over(GMenu *menu, const TinkerSceneGraph *graph, const char *label, const char *against)
+{
+    if (g_str_equal(graph->against, against)) return;
+    g_autoptr(GMenuItem) item = g_menu_item_new(label, NULL);
+    g_menu_item_set_action_and_target_value(item, "graph.against", g_variant_new_string(against));
+    g_menu_append_item(menu, item);
+}
+
+GMenuModel *tinker_graph_over_menu_new(const TinkerScene *scene, const TinkerSceneGraph *graph)
+{
+    GMenu *menu = g_menu_new();
+    const TinkerBlockClass *common = common_class(scene, graph);
+    append_over(menu, graph, _("Time"), "time");
+    append_over(menu, graph, _("Frequency (Spectrum)"), "frequency");
+    for (int32_t i = 0; common != NULL && i < common->quantity_count; i++)
+        if (is_recorded(&common->quantities[i]))
+            append_over(menu, graph, tinker_translate(common->quantities[i].title), common->quantities[i].id);
+    return G_MENU_MODEL(menu);
+}

@@ -4,7 +4,7 @@
 
 #include <glib/gi18n.h>
 
-#include "gui/document/desktop-theme.h"
+#include "gui/widget/desktop-theme.h"
 #include "gui/widget/image-texture.h"
 
 #define HINT_LEFT    48  /* widget units, beyond the labels of the upright axis */
@@ -20,9 +20,12 @@ TinkerGraphData *tinker_graph_plot_data(TinkerGraphPlot *plot)
 
 void tinker_graph_plot_set_graph(TinkerGraphPlot *plot, const TinkerSceneGraph *graph)
 {
-    const guint before = tinker_graph_data_curves(plot->data);
+    g_autofree char *before = g_strdup(tinker_graph_data_against(plot->data));
     tinker_graph_data_set_graph(plot->data, graph);
-    if (tinker_graph_data_curves(plot->data) != before) plot->cursor_count = 0;
+    const gboolean other_axis = g_strcmp0(before, graph->against) != 0;
+    if (other_axis) plot->zoom = (TinkerGraphZoom){0};
+    for (int i = 0; i < plot->cursor_count; i++)
+        if (other_axis || plot->cursors[i].curve >= tinker_graph_data_own_curves(plot->data)) plot->cursor_count = 0;
     tinker_graph_plot_renew(plot);
 }
 
@@ -51,18 +54,6 @@ static void paint_hint(TinkerGraphPlot *plot, cairo_t *cairo)
     pango_cairo_show_layout(cairo, layout);
 }
 
-/* "y = −0.12 m (minimum)". (transfer full) */
-static char *words_of(TinkerGraphPlot *plot, const TinkerGraphReading *reading)
-{
-    static const char *const kinds[] = {NULL, N_("maximum"), N_("minimum"), N_("zero")};
-    const TinkerGraphSeries *series = tinker_graph_data_curve(plot->data, reading->curve);
-    char *value = tinker_graph_value_text(tinker_graph_series_symbol(series), reading->at[1],
-                                          tinker_graph_series_y_axis(series)->unit);
-    if (reading->kind == TINKER_READING_POINT) return value;
-    g_autofree char *plain = value;
-    return g_strdup_printf("%s (%s)", plain, _(kinds[reading->kind]));
-}
-
 /* Draws the plot with the values of the point under the pointer. */
 static void paint_with_reading(TinkerGraphPlot *plot, cairo_t *cairo, const TinkerPlot *picture)
 {
@@ -76,8 +67,8 @@ static void paint_with_reading(TinkerGraphPlot *plot, cairo_t *cairo, const Tink
     }
     g_autofree char *x = read.kind == TINKER_READING_POINT
                              ? tinker_graph_data_x_text(plot->data, read.curve, read.point)
-                             : tinker_graph_value_text("t", read.at[0], "s");
-    g_autofree char *y = words_of(plot, &read);
+                             : tinker_graph_data_place_text(plot->data, "", read.at[0]);
+    g_autofree char *y = tinker_graph_reading_text(tinker_graph_data_curve(plot->data, read.curve), &read);
     TinkerPlotReading reading = {.curve = (int)read.curve, .point = read.point, .x = x, .y = y, .at = read.at};
     TinkerPlot with_reading = *picture;
     with_reading.reading = &reading;

@@ -3,9 +3,11 @@
 
 #include <glib/gi18n.h>
 
+#include "gui/curve/graph-edit.h"
 #include "gui/graph/curves-dialog.h"
 #include "gui/graph/graph-export.h"
 #include "gui/graph/graph-looks.h"
+#include "gui/graph/graph-menu.h"
 #include "gui/graph/graph-plot.h"
 #include "gui/graph/graph-statistics.h"
 #include "gui/widget/popup-menu.h"
@@ -144,6 +146,8 @@ void tinker_graph_view_set_number(TinkerGraphView *view, int number)
     gtk_actionable_set_action_name(GTK_ACTIONABLE(view->place_button), graph->has_place ? "graph.dock" : "graph.float");
     gtk_widget_set_tooltip_text(view->place_button, place);
     gtk_accessible_update_property(GTK_ACCESSIBLE(view->place_button), GTK_ACCESSIBLE_PROPERTY_LABEL, place, -1);
+    gtk_widget_action_set_enabled(GTK_WIDGET(view), "graph.statistics",
+                                  !tinker_graph_data_is_spectrum(tinker_graph_view_data(view)));
     gtk_widget_action_set_enabled(GTK_WIDGET(view), "graph.dock", graph->has_place);
     gtk_widget_action_set_enabled(GTK_WIDGET(view), "graph.float", !graph->has_place);
 }
@@ -195,6 +199,13 @@ static void show_statistics(GtkWidget *widget, const char *name, GVariant *param
     tinker_graph_show_statistics(widget, tinker_graph_view_data(view), part ? range : NULL);
 }
 
+static void set_against(GtkWidget *widget, const char *name, GVariant *parameter)
+{
+    TinkerGraphView *view = TINKER_GRAPH_VIEW(widget);
+    if (!tinker_graph_set_against(view->document, view->number, g_variant_get_string(parameter, NULL), NULL))
+        gtk_widget_error_bell(widget);
+}
+
 /* The menu ------------------------------------------------------------------------------------------------------------
  */
 
@@ -202,6 +213,10 @@ static void show_menu_at(TinkerGraphView *view, double x, double y)
 {
     g_autoptr(GtkBuilder) builder = gtk_builder_new_from_resource("/org/tinker/Tinker/menus.ui");
     GMenuModel *model = G_MENU_MODEL(gtk_builder_get_object(builder, "graph_menu"));
+    TinkerScene *scene = tinker_document_scene(view->document);
+    g_autoptr(GMenuModel) over =
+        tinker_graph_over_menu_new(scene, g_ptr_array_index(tinker_scene_graphs(scene), view->number));
+    g_menu_append_submenu(G_MENU(gtk_builder_get_object(builder, "graph_over_section")), _("_Over"), over);
     tinker_popup_menu(GTK_WIDGET(view), model, x, y);
 }
 
@@ -336,6 +351,7 @@ static void add_commands(GtkWidgetClass *widget_class)
             gtk_widget_class_add_binding_action(widget_class, commands[i].key, commands[i].modifiers, commands[i].name,
                                                 NULL);
     }
+    gtk_widget_class_install_action(widget_class, "graph.against", "s", set_against);
     tinker_graph_looks_bind(widget_class);
     gtk_widget_class_install_property_action(widget_class, "graph.show-values", "show-values");
 }

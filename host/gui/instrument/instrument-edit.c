@@ -8,14 +8,8 @@
 #include "gui/text/translate.h"
 #include "scene/store/quantities.h"
 
-static const char *const kind_ids[] = {"slider", "knob", "switch", "number", "dial", "bar"};
 static const char *const kind_titles[] = {N_("Slider"), N_("Knob"), N_("Switch"),
                                           N_("Number"), N_("Dial"), N_("Level Bar")};
-
-const char *tinker_instrument_kind_id(TinkerInstrumentKind kind)
-{
-    return kind_ids[kind];
-}
 
 const char *tinker_instrument_kind_title(TinkerInstrumentKind kind)
 {

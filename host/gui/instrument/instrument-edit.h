@@ -17,8 +17,7 @@ void tinker_instrument_set_kind(TinkerDocument *document, int number, TinkerInst
 gboolean tinker_instrument_set_range(TinkerDocument *document, int number, double from, double to, double step,
                                      GError **error);
 
-/* The kind's name in files, "slider", and as people read it. Borrowed. */
-const char *tinker_instrument_kind_id(TinkerInstrumentKind kind);
+/* The kind as people read it. Borrowed. */
 const char *tinker_instrument_kind_title(TinkerInstrumentKind kind);
 
 /* "Spring 0: Stiffness". (transfer full) */

@@ -4,7 +4,7 @@
 
 #include <math.h>
 
-#include "gui/document/graph-edit.h"
+#include "gui/curve/graph-edit.h"
 #include "gui/instrument/instrument-edit.h"
 #include "gui/instrument/instrument-view.h"
 #include "gui/widget/unparent.h"

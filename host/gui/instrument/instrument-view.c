@@ -156,13 +156,21 @@ static void show(TinkerInstrumentView *view)
 /* Turning -------------------------------------------------------------------------------------------------------------
  */
 
+/* The step that is nearest, as it would be typed: 0.3 and not three times 0.1. */
+static double at_step(const TinkerSceneInstrument *control, double si)
+{
+    char text[G_ASCII_DTOSTR_BUF_SIZE];
+    const double nearest = control->from + control->step * round((si - control->from) / control->step);
+    return g_ascii_strtod(g_ascii_formatd(text, sizeof text, "%.12g", nearest), NULL);
+}
+
 static void turn_to(TinkerInstrumentView *view, double si)
 {
     const TinkerSceneInstrument *control = instrument_of(view);
     if (view->showing || control == NULL) return;
     TinkerScene *scene = tinker_document_scene(view->document);
     const TinkerBlockId block = tinker_scene_find_block(scene, control->block);
-    if (control->step > 0) si = control->from + control->step * round((si - control->from) / control->step);
+    if (control->step > 0) si = at_step(control, si);
     gtk_widget_add_css_class(GTK_WIDGET(view), "turned");
     if (block != TINKER_NO_BLOCK)
         tinker_hand_set(view->hand, block, control->of, CLAMP(si, control->from, control->to));

@@ -6,9 +6,9 @@
 #include <glib/gi18n.h>
 #include <string.h>
 
-#include "gui/document/desktop-theme.h"
 #include "gui/document/icon-guard.h"
 #include "gui/text/translate.h"
+#include "gui/widget/desktop-theme.h"
 #include "gui/widget/unparent.h"
 
 #define ICON_WIDTH     48
@@ -160,13 +160,7 @@ static int compare_types(const void *left, const void *right)
 /* Every type that a scene could name, once, by category and title; borrowed from the libraries. */
 static GPtrArray *usable_types(const GPtrArray *libraries)
 {
-    GPtrArray *types = g_ptr_array_new();
-    for (guint i = 0; i < libraries->len; i++) {
-        const TinkerLibraryEntry *library = g_ptr_array_index(libraries, i);
-        if (library->refused != NULL || library->shadowed_by != NULL) continue;
-        for (guint k = 0; k < library->types->len; k++)
-            g_ptr_array_add(types, g_ptr_array_index(library->types, k));
-    }
+    GPtrArray *types = tinker_libraries_types(libraries);
     g_ptr_array_sort(types, compare_types);
     return types;
 }

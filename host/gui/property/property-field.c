@@ -19,6 +19,7 @@ struct _TinkerPropertyField {
     TinkerDocument *document;
     TinkerPropertyRow *row;
     GtkWidget *title, *control, *detach, *problem;
+    GtkWidget *hint;  /* NULL: there was none yet */
     gboolean dirty;   /* something was typed, and not taken yet */
     gboolean showing; /* changes of the control are ours */
 };
@@ -30,8 +31,10 @@ G_DEFINE_FINAL_TYPE(TinkerPropertyField, tinker_property_field, GTK_TYPE_WIDGET)
 
 static void describe(TinkerPropertyField *field, const char *problem)
 {
-    g_autofree char *own =
-        g_strdup_printf("%s: %s", field->row->group, field->row->description != NULL ? field->row->description : "");
+    const char *description = field->row->description != NULL ? field->row->description : "";
+    g_autofree char *own = field->row->hint != NULL
+                               ? g_strdup_printf("%s: %s %s", field->row->group, field->row->hint, description)
+                               : g_strdup_printf("%s: %s", field->row->group, description);
     gtk_accessible_update_property(GTK_ACCESSIBLE(field->control), GTK_ACCESSIBLE_PROPERTY_DESCRIPTION,
                                    problem != NULL ? problem : own, -1);
 }
@@ -196,8 +199,36 @@ static void show_entry(TinkerPropertyField *field)
     if (field->detach != NULL) gtk_widget_set_sensitive(field->detach, *field->row->text != '\0');
 }
 
+static GtkWidget *make_line(const char *style)
+{
+    GtkWidget *line = g_object_new(GTK_TYPE_LABEL, "accessible-role", GTK_ACCESSIBLE_ROLE_ALERT, NULL);
+    gtk_label_set_xalign(GTK_LABEL(line), 0);
+    gtk_label_set_wrap(GTK_LABEL(line), TRUE);
+    gtk_label_set_wrap_mode(GTK_LABEL(line), PANGO_WRAP_WORD_CHAR);
+    gtk_label_set_max_width_chars(GTK_LABEL(line), 1);
+    gtk_widget_add_css_class(line, style);
+    gtk_widget_add_css_class(line, "caption");
+    return line;
+}
+
+/* There only while there is one: what is merely hidden, assistive programs would still find. */
+static void show_hint(TinkerPropertyField *field)
+{
+    const char *hint = field->row->hint;
+    if (hint == NULL) {
+        g_clear_pointer(&field->hint, gtk_widget_unparent);
+        return;
+    }
+    if (field->hint == NULL) {
+        field->hint = make_line("warning");
+        gtk_widget_set_parent(field->hint, GTK_WIDGET(field));
+    }
+    gtk_label_set_text(GTK_LABEL(field->hint), hint);
+}
+
 void tinker_property_field_show(TinkerPropertyField *field, TinkerPropertyRow *row)
 {
+    gboolean same_hint = g_strcmp0(field->row->hint, row->hint) == 0;
     gboolean same = tinker_property_row_same_target(field->row, row);
     gboolean described = g_strcmp0(field->row->description, row->description) == 0;
     tinker_property_row_ref(row);
@@ -221,7 +252,8 @@ void tinker_property_field_show(TinkerPropertyField *field, TinkerPropertyRow *r
         break;
     }
     field->showing = FALSE;
-    if (!same) set_problem(field, NULL);
+    if (!same_hint) show_hint(field);
+    if (!same || (!same_hint && !gtk_widget_get_visible(field->problem))) set_problem(field, NULL);
     if (!described) gtk_widget_set_tooltip_text(field->title, row->description);
 }
 
@@ -329,13 +361,7 @@ static void make_parts(TinkerPropertyField *field)
     }
     gtk_widget_set_parent(line, GTK_WIDGET(field));
 
-    field->problem = g_object_new(GTK_TYPE_LABEL, "accessible-role", GTK_ACCESSIBLE_ROLE_ALERT, NULL);
-    gtk_label_set_xalign(GTK_LABEL(field->problem), 0);
-    gtk_label_set_wrap(GTK_LABEL(field->problem), TRUE);
-    gtk_label_set_wrap_mode(GTK_LABEL(field->problem), PANGO_WRAP_WORD_CHAR);
-    gtk_label_set_max_width_chars(GTK_LABEL(field->problem), 1);
-    gtk_widget_add_css_class(field->problem, "error");
-    gtk_widget_add_css_class(field->problem, "caption");
+    field->problem = make_line("error");
     gtk_widget_set_parent(field->problem, GTK_WIDGET(field));
 }
 
@@ -348,6 +374,7 @@ GtkWidget *tinker_property_field_new(TinkerDocument *document, TinkerPropertyRow
     /* Not on the control, where it would cover the next one. */
     gtk_widget_set_tooltip_text(field->title, row->description);
     set_problem(field, NULL);
+    show_hint(field);
     tinker_property_field_show(field, row);
     return GTK_WIDGET(field);
 }
@@ -361,6 +388,7 @@ static void tinker_property_field_dispose(GObject *object)
 {
     TinkerPropertyField *field = TINKER_PROPERTY_FIELD(object);
     g_clear_object(&field->document);
+    field->hint = NULL;
     tinker_unparent_children(GTK_WIDGET(object));
     g_clear_pointer(&field->row, tinker_property_row_unref);
     G_OBJECT_CLASS(tinker_property_field_parent_class)->dispose(object);

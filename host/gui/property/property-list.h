@@ -24,6 +24,7 @@ struct _TinkerPropertyRow {
     char *group, *title;
     char *id;           /* unlike that of any other row of the list; the same for the same property of another block */
     char *text;         /* as shown, in the displayed units; "" where there is no value, or several */
+    char *hint;         /* for a line below it, what it comes to in this scene; NULL: nothing to say */
     char *description;  /* for a tooltip: what it is, its symbol, range and default */
     const char *unit;   /* displayed; "" where there is none. Static or interned */
     gboolean sensitive; /* FALSE: shown, but it cannot be set, or plays no part as things are */
@@ -46,6 +47,10 @@ struct _TinkerPropertyRow {
  * TinkerPropertyRow *. `trims`: numbers that are edited have no zeros at the end of their five decimals. (transfer
  * full) */
 GPtrArray *tinker_property_list_new(TinkerDocument *document, TinkerPlayer *player, gboolean trims);
+
+/* Tells the rows that are the frequency of what drives the scene near a resonance; `responses` as in modes-task.h,
+ * NULL: not known. Answers whether there are rows of frequencies that drive it. */
+gboolean tinker_property_list_hint_resonances(GPtrArray *rows, TinkerScene *scene, const GPtrArray *responses);
 
 /* What the list is of: "Mass 0", "3 Blocks", or the scene. (transfer full) */
 char *tinker_property_list_heading(TinkerDocument *document);

@@ -7,8 +7,10 @@
 
 #include "gui/property/property-field.h"
 #include "gui/widget/unparent.h"
+#include "motion-vectors.h"
 
-#define REFRESH_INTERVAL 50 /* ms: live values need not be faster */
+#define REFRESH_INTERVAL 50  /* ms: live values need not be faster */
+#define MOST_BODIES      200 /* of a scene whose modes are worked out for a line beside a frequency */
 
 typedef struct {
     GtkWidget *expander, *fields;
@@ -32,6 +34,8 @@ struct _TinkerPropertyPanel {
     guint refresh; /* id of the source that will refresh it, or 0 */
     gint64 last;   /* us: when it was refreshed */
     gboolean trims;
+    TinkerModesTask *modes;
+    gboolean wants_modes;
     gboolean focus; /* the next time it is refreshed it takes the focus */
 };
 
@@ -131,10 +135,36 @@ static void show_rows(TinkerPropertyPanel *panel, GPtrArray *rows)
     remove_others(panel);
 }
 
+static gboolean is_small(TinkerScene *scene)
+{
+    int bodies = 0;
+    for (int32_t place = 0; place < tinker_scene_block_count(scene) && bodies <= MOST_BODIES; place++)
+        bodies += tinker_block_moves(scene, tinker_scene_block_at(scene, place));
+    return bodies <= MOST_BODIES;
+}
+
+static void want_modes(TinkerPropertyPanel *panel, gboolean wanted)
+{
+    if (wanted == panel->wants_modes) return;
+    panel->wants_modes = wanted;
+    tinker_modes_task_want(panel->modes, wanted);
+}
+
+/* Modes are worked out while a frequency that drives the scene is shown. */
+static void hint_resonances(TinkerPropertyPanel *panel, GPtrArray *rows)
+{
+    TinkerScene *scene = tinker_document_scene(panel->document);
+    if (panel->modes == NULL) return;
+    const TinkerModesResult *result = tinker_modes_task_result(panel->modes);
+    const gboolean any = tinker_property_list_hint_resonances(rows, scene, result != NULL ? result->responses : NULL);
+    want_modes(panel, any && is_small(scene));
+}
+
 static void refresh(TinkerPropertyPanel *panel)
 {
     if (!gtk_widget_get_mapped(GTK_WIDGET(panel))) return;
     g_autoptr(GPtrArray) rows = tinker_property_list_new(panel->document, panel->player, panel->trims);
+    hint_resonances(panel, rows);
     g_autofree char *heading = tinker_property_list_heading(panel->document);
     gtk_label_set_text(GTK_LABEL(panel->heading), heading);
     show_rows(panel, rows);
@@ -183,6 +213,18 @@ static void tinker_property_panel_map(GtkWidget *widget)
 {
     GTK_WIDGET_CLASS(tinker_property_panel_parent_class)->map(widget);
     refresh(TINKER_PROPERTY_PANEL(widget));
+}
+
+static void tinker_property_panel_unmap(GtkWidget *widget)
+{
+    want_modes(TINKER_PROPERTY_PANEL(widget), FALSE);
+    GTK_WIDGET_CLASS(tinker_property_panel_parent_class)->unmap(widget);
+}
+
+void tinker_property_panel_set_modes(TinkerPropertyPanel *panel, TinkerModesTask *task)
+{
+    panel->modes = g_object_ref(task);
+    g_signal_connect_object(task, "changed", G_CALLBACK(refresh_soon), panel, G_CONNECT_SWAPPED);
 }
 
 /* Not at once, since the press that asked for it may still have to be dealt with, and would take the focus back. */
@@ -264,6 +306,7 @@ static void tinker_property_panel_dispose(GObject *object)
     tinker_unparent_children(GTK_WIDGET(object));
     g_clear_object(&panel->document);
     g_clear_object(&panel->player);
+    g_clear_object(&panel->modes);
     g_clear_pointer(&panel->group_of, g_hash_table_unref);
     g_clear_pointer(&panel->field_of, g_hash_table_unref);
     g_clear_pointer(&panel->closed, g_hash_table_unref);
@@ -279,6 +322,7 @@ static void tinker_property_panel_class_init(TinkerPropertyPanelClass *class)
     const GParamFlags flags = G_PARAM_READWRITE | G_PARAM_STATIC_STRINGS | G_PARAM_EXPLICIT_NOTIFY;
     g_object_class_install_property(object_class, PROP_TRIMS, g_param_spec_boolean("trims", NULL, NULL, FALSE, flags));
     GTK_WIDGET_CLASS(class)->map = tinker_property_panel_map;
+    GTK_WIDGET_CLASS(class)->unmap = tinker_property_panel_unmap;
     gtk_widget_class_set_layout_manager_type(GTK_WIDGET_CLASS(class), GTK_TYPE_BOX_LAYOUT);
     gtk_widget_class_set_css_name(GTK_WIDGET_CLASS(class), "propertypanel");
 }

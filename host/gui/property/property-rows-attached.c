@@ -60,18 +60,14 @@ static void add_missing(PropertyBuilder *builder, const TinkerBlockClass *block_
 static void add_all_missing(PropertyBuilder *builder, GHashTable *present)
 {
     TinkerCatalogue *catalogue = tinker_document_catalogue(builder->document);
-    g_autoptr(GPtrArray) libraries = tinker_catalogue_libraries(catalogue);
-    for (guint i = 0; i < libraries->len; i++) {
-        const TinkerLibraryEntry *library = g_ptr_array_index(libraries, i);
-        if (library->refused != NULL || library->shadowed_by != NULL) continue;
-        for (guint k = 0; k < library->types->len; k++) {
-            const TinkerTypeEntry *entry = g_ptr_array_index(library->types, k);
-            const TinkerBlockClass *block_class = tinker_catalogue_type(catalogue, entry->id, NULL);
-            if (block_class == NULL || !tinker_block_class_is_shown_elsewhere(block_class) ||
-                g_hash_table_contains(present, block_class))
-                continue;
-            if (accepts(block_class, builder->block_class)) add_missing(builder, block_class);
-        }
+    g_autoptr(GPtrArray) libraries = tinker_catalogue_libraries(catalogue), types = tinker_libraries_types(libraries);
+    for (guint i = 0; i < types->len; i++) {
+        const TinkerTypeEntry *entry = g_ptr_array_index(types, i);
+        const TinkerBlockClass *block_class = tinker_catalogue_type(catalogue, entry->id, NULL);
+        if (block_class == NULL || !tinker_block_class_is_shown_elsewhere(block_class) ||
+            g_hash_table_contains(present, block_class))
+            continue;
+        if (accepts(block_class, builder->block_class)) add_missing(builder, block_class);
     }
 }
 

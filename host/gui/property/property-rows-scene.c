@@ -6,6 +6,7 @@
 #include "gui/property/property-rows.h"
 #include "gui/text/number-text.h"
 #include "gui/text/translate.h"
+#include "measure/until.h"
 #include "numerics/methods/integrators.h"
 
 /* Members of the head, by what they hold. */
@@ -96,6 +97,22 @@ static gboolean set_text(TinkerDocument *document, const TinkerPropertyRow *row,
     return take_head(document, row->title, &head, member->part, error);
 }
 
+static gboolean set_until(TinkerDocument *document, const TinkerPropertyRow *row, const char *text, GError **error)
+{
+    TinkerScene *scene = tinker_document_scene(document);
+    g_autoptr(TinkerUntil) until = tinker_until_new(scene, 0);
+    g_autofree char *conditions = g_strstrip(g_strdup(text));
+    GError *cause = NULL;
+    if (!tinker_until_add_all(until, conditions, &cause)) {
+        g_prefix_error(&cause, "%s", _("Condition "));
+        property_fail(error, cause, NULL, NULL);
+        return FALSE;
+    }
+    TinkerSceneHead head = *tinker_scene_head(scene);
+    head.run.until = conditions;
+    return take_head(document, row->title, &head, "run", error);
+}
+
 static gboolean choose_units(TinkerDocument *document, const TinkerPropertyRow *row, int choice, GError **error)
 {
     TinkerSceneHead head = *tinker_scene_head(tinker_document_scene(document));
@@ -125,18 +142,7 @@ static gboolean choose_contacts(TinkerDocument *document, const TinkerPropertyRo
  * the scene has where nobody provides it. (transfer full) */
 static GPtrArray *method_ids(TinkerDocument *document)
 {
-    GPtrArray *ids = g_ptr_array_new_with_free_func(g_free);
-    g_ptr_array_add(ids, g_strdup("auto"));
-    const TinkerIntegrator *const *builtins = tinker_integrator_builtins();
-    for (int i = 0; builtins[i] != NULL; i++)
-        g_ptr_array_add(ids, g_strdup(builtins[i]->id));
-    g_autoptr(GPtrArray) libraries = tinker_catalogue_libraries(tinker_document_catalogue(document));
-    for (guint i = 0; i < libraries->len; i++) {
-        const TinkerLibraryEntry *library = g_ptr_array_index(libraries, i);
-        if (library->refused != NULL || library->shadowed_by != NULL) continue;
-        for (guint k = 0; k < library->integrators->len; k++)
-            g_ptr_array_add(ids, g_strdup(g_ptr_array_index(library->integrators, k)));
-    }
+    GPtrArray *ids = tinker_method_ids(tinker_document_catalogue(document), NULL);
     const char *present = tinker_scene_head(tinker_document_scene(document))->run.method;
     if (!g_ptr_array_find_with_equal_func(ids, present, g_str_equal, NULL)) g_ptr_array_add(ids, g_strdup(present));
     return ids;
@@ -196,6 +202,17 @@ static void add_text(PropertyBuilder *builder, const HeadMember *member)
     row->set = set_text;
 }
 
+static void add_until(PropertyBuilder *builder)
+{
+    TinkerPropertyRow *row = property_builder_add(
+        builder, TINKER_ROW_TEXT, _("Run"), _("Stop When"),
+        _("The run stops exactly where this first holds: an equation as in {Mass 0.y} = 1, a comparison as in {Mass "
+          "0.vx} < 0.5 that becomes true, or event(impact) or event(impact, Mass 0). Of several, with semicolons "
+          "between them, the first counts. Empty: it runs to its end"));
+    property_row_take_text(row, g_strdup(tinker_scene_head(builder->scene)->run.until));
+    row->set = set_until;
+}
+
 static void add_accuracy(PropertyBuilder *builder)
 {
     TinkerPropertyRow *row = add_number(builder, &accuracy);
@@ -241,6 +258,7 @@ void property_rows_add_scene(PropertyBuilder *builder)
     const char *const contacts[] = {_("Events"), _("Impulses"), NULL};
     for (gsize i = 0; i < G_N_ELEMENTS(numbers); i++)
         add_number(builder, &numbers[i]);
+    add_until(builder);
     for (gsize i = 0; i < G_N_ELEMENTS(texts); i++)
         add_text(builder, &texts[i]);
     add_choice(builder, _("Scene"), _("Units"), _("In which all values are shown; the scene stays the same"), units,

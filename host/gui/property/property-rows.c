@@ -123,7 +123,7 @@ static gboolean take_other_friction_along(TinkerHistory *history, TinkerScene *s
     if (fixed < 0 || sliding < 0 || (property != fixed && property != sliding)) return TRUE;
     const int32_t other = property == fixed ? sliding : fixed;
     const double present = tinker_scene_get(scene, block, block_class->first_columns[other]);
-    if (property == fixed ? present <= value : present >= value) return TRUE;
+    if (isnan(present) || (property == fixed ? present <= value : present >= value)) return TRUE;
     return store(history, scene, block, other, &value, error);
 }
 
@@ -224,7 +224,9 @@ static gboolean set_number(TinkerDocument *document, const TinkerPropertyRow *ro
     if (!tinker_scene_has_block(entered.scene, g_array_index(row->blocks, TinkerBlockId, 0)))
         return property_refuse(error, _("The block is no longer there."));
     const TinkerPropertyType *type = type_of(entered.scene, row);
-    if (*text == '\0' && (type->flags & (TINKER_DEFAULT_AS_PLACED | TINKER_DEFAULT_SAME_AS | TINKER_DEFAULT_AS_SHAPED)))
+    const guint32 may_be_left_out =
+        TINKER_DEFAULT_AS_PLACED | TINKER_DEFAULT_SAME_AS | TINKER_DEFAULT_AS_SHAPED | TINKER_DEFAULT_NONE;
+    if (*text == '\0' && (type->flags & may_be_left_out))
         return property_edit_all(document, row, edit_default, NULL, error);
     if (!property_parse_number(text, type->dimension, row->unit, &entered.value, error)) return FALSE;
     if (is_outside(type, entered.value)) {
@@ -262,8 +264,11 @@ static char *default_text(const PropertyBuilder *builder, int32_t property, int3
 {
     const TinkerPropertyType *type = &builder->block_class->properties[property];
     if (type->flags & (TINKER_DERIVED | TINKER_READ_ONLY) || is_offset(builder->block_class, property)) return NULL;
+    if ((type->flags & TINKER_DEFAULT_AS_PLACED) != 0 && type->meaning == TINKER_MEANING_RADIUS)
+        return g_strdup(_("That of what its first end is on, where nothing is entered."));
     if (type->flags & TINKER_DEFAULT_AS_PLACED) return g_strdup(_("As long as placed, where nothing is entered."));
     if (type->flags & TINKER_DEFAULT_AS_SHAPED) return g_strdup(_("As shaped, where nothing is entered."));
+    if (type->flags & TINKER_DEFAULT_NONE) return g_strdup(_("None of its own, where nothing is entered."));
     if (type->flags & TINKER_DEFAULT_SAME_AS) {
         int32_t from = tinker_block_class_property(builder->block_class, type->default_from);
         const char *title =

@@ -29,7 +29,9 @@ static char *ends_words(const TinkerScene *scene, TinkerBlockId block, int32_t c
     return g_string_free(text, FALSE);
 }
 
-char *tinker_block_place_words(TinkerScene *scene, TinkerBlockId block)
+/* Where it is at the start, or what it connects: "at (0.00000 m, 2.00000 m)", "from Support 0 to Mass 0", "on Mass 0";
+ * NULL of what has neither place nor ends. (transfer full) */
+static char *place_words(TinkerScene *scene, TinkerBlockId block)
 {
     const TinkerBlockClass *block_class = tinker_scene_block_class(scene, block);
     if (block_class == NULL) return NULL;
@@ -51,6 +53,6 @@ char *tinker_block_place_words(TinkerScene *scene, TinkerBlockId block)
 
 char *tinker_block_words(TinkerScene *scene, TinkerBlockId block)
 {
-    g_autofree char *place = tinker_block_place_words(scene, block);
+    g_autofree char *place = place_words(scene, block);
     return g_strjoin(", ", tinker_scene_block_name(scene, block), tinker_block_type_title(scene, block), place, NULL);
 }

@@ -7,10 +7,6 @@
 /* The title of its type, "Mass"; of a type that nobody provides, its id. Borrowed. */
 const char *tinker_block_type_title(const TinkerScene *scene, TinkerBlockId block);
 
-/* Where it is at the start, or what it connects: "at (0.00000 m, 2.00000 m)", "from Support 0 to Mass 0", "on Mass 0";
- * NULL of what has neither place nor ends. (transfer full) */
-char *tinker_block_place_words(TinkerScene *scene, TinkerBlockId block);
-
 /* All of it: "Mass 0, Mass, at (0.00000 m, 2.00000 m)". (transfer full) */
 char *tinker_block_words(TinkerScene *scene, TinkerBlockId block);
 

@@ -1,5 +1,6 @@
-/* Texts that the window shows but does not write itself: those of the blocks' and methods' descriptors, and titles of
- * the bundled scenes. host/po/descriptors.pot lists the bundled ones for the translators; others appear as they are. */
+/* Texts that the window shows but does not write itself: those of the blocks' and methods' descriptors, and titles and
+ * descriptions of the bundled scenes. host/po/descriptors.pot lists the bundled ones for the translators; others appear
+ * as they are. */
 #ifndef TINKER_GUI_TRANSLATE_H
 #define TINKER_GUI_TRANSLATE_H
 

@@ -2,6 +2,7 @@
 #include "gui/widget/choices.h"
 
 #define LONGEST 48 /* characters */
+#define SHOWN   24 /* of a choice in the open list, however narrow its button is */
 
 static void on_setup(GtkSignalListItemFactory *factory, GtkListItem *item, gpointer longest)
 {
@@ -12,23 +13,25 @@ static void on_setup(GtkSignalListItemFactory *factory, GtkListItem *item, gpoin
     gtk_list_item_set_child(item, label);
 }
 
-static void on_bind(GtkSignalListItemFactory *factory, GtkListItem *item, gpointer data)
+static void on_bind(GtkSignalListItemFactory *factory, GtkListItem *item, gpointer shown)
 {
-    GtkStringObject *string = gtk_list_item_get_item(item);
-    gtk_label_set_text(GTK_LABEL(gtk_list_item_get_child(item)), gtk_string_object_get_string(string));
+    const char *text = gtk_string_object_get_string(gtk_list_item_get_item(item));
+    GtkLabel *label = GTK_LABEL(gtk_list_item_get_child(item));
+    gtk_label_set_text(label, text);
+    gtk_label_set_width_chars(label, (int)MIN(g_utf8_strlen(text, -1), GPOINTER_TO_INT(shown)));
 }
 
-static GtkListItemFactory *new_factory(int longest)
+static GtkListItemFactory *new_factory(int longest, int shown)
 {
     GtkListItemFactory *factory = gtk_signal_list_item_factory_new();
     g_signal_connect(factory, "setup", G_CALLBACK(on_setup), GINT_TO_POINTER(longest));
-    g_signal_connect(factory, "bind", G_CALLBACK(on_bind), NULL);
+    g_signal_connect(factory, "bind", G_CALLBACK(on_bind), GINT_TO_POINTER(shown));
     return factory;
 }
 
 void tinker_choices_cut_off(GtkDropDown *list)
 {
-    g_autoptr(GtkListItemFactory) button = new_factory(LONGEST / 2), open = new_factory(LONGEST);
+    g_autoptr(GtkListItemFactory) button = new_factory(LONGEST / 2, 0), open = new_factory(LONGEST, SHOWN);
     gtk_drop_down_set_factory(list, button);
     gtk_drop_down_set_list_factory(list, open);
 }

@@ -46,7 +46,8 @@ static gboolean is_whole(const char *markup)
     return g_markup_parse_context_parse(context, whole, -1, NULL) && g_markup_parse_context_end_parse(context, NULL);
 }
 
-char *tinker_markdown_markup(const char *text)
+/* What Pango makes of a line with `code`, **bold**, *emphasis* and [links](to). (transfer full) */
+static char *markup_of(const char *text)
 {
     g_auto(GStrv) pieces = g_strsplit(text, "`", -1);
     g_autoptr(GString) markup = g_string_new(NULL);
@@ -67,7 +68,7 @@ char *tinker_markdown_markup(const char *text)
 
 static GtkWidget *label_new(const Maker *maker, const char *text, const char *css_class)
 {
-    g_autofree char *markup = tinker_markdown_markup(text);
+    g_autofree char *markup = markup_of(text);
     GtkWidget *label = gtk_label_new(NULL);
     gtk_label_set_markup(GTK_LABEL(label), markup);
     gtk_label_set_wrap(GTK_LABEL(label), TRUE);
@@ -83,7 +84,7 @@ static GtkWidget *label_new(const Maker *maker, const char *text, const char *cs
 static void end_paragraph(Maker *maker)
 {
     if (maker->paragraph->len > 0 && maker->item != NULL) {
-        g_autofree char *markup = tinker_markdown_markup(maker->paragraph->str);
+        g_autofree char *markup = markup_of(maker->paragraph->str);
         gtk_label_set_markup(GTK_LABEL(maker->item), markup);
     } else if (maker->paragraph->len > 0) {
         gtk_box_append(GTK_BOX(maker->box), label_new(maker, maker->paragraph->str, NULL));

@@ -5,9 +5,6 @@
 
 #include <gtk/gtk.h>
 
-/* What Pango makes of a line with `code`, **bold**, *emphasis* and [links](to). (transfer full) */
-char *tinker_markdown_markup(const char *text);
-
 /* Pictures are looked for from `folder` on. A label whose link is followed asks `follow` first; the rest is GTK's. Its
  * headings are labels that carry their anchor as the widget's name. (transfer floating) */
 GtkWidget *tinker_markdown_view_new(const char *text, const char *folder, GCallback follow, gpointer data);

@@ -6,31 +6,37 @@
 #include <math.h>
 #include <string.h>
 
+#include "gui/widget/desktop-theme.h"
 #include "gui/widget/unparent.h"
 
 #define NEAR        4.0 /* widget units: so close to a mark the pointer is on it */
 #define WIDTH       2.0
 #define STICKS_OUT  5.0 /* above the trough and below it */
+#define TIP         3.5 /* half of a tip's width */
 #define MOST_TOLD   5   /* in a tooltip */
 #define MOST_SPOKEN 20
+
+/* What is marked. */
+enum { EVENTS, MAXIMA, MINIMA, LISTS };
 
 struct _TinkerEventMarks {
     GtkWidget parent_instance;
     GtkWidget *line, *layer;
     TinkerPlayer *player;
-    GPtrArray *events; /* of TinkerRunEvent *; NULL before there is a player */
+    GPtrArray *lists[LISTS]; /* of TinkerRunEvent *; NULL: none */
+    double pressed;          /* s: of the mark that the pointer was pressed on, and is near yet; NAN */
 };
 
 G_DEFINE_FINAL_TYPE(TinkerEventMarks, tinker_event_marks, GTK_TYPE_WIDGET)
 
-static const TinkerRunEvent *event_of(const TinkerEventMarks *marks, guint number)
+static const TinkerRunEvent *event_of(const TinkerEventMarks *marks, int list, guint number)
 {
-    return g_ptr_array_index(marks->events, number);
+    return g_ptr_array_index(marks->lists[list], number);
 }
 
-static guint count_of(const TinkerEventMarks *marks)
+static guint count_of(const TinkerEventMarks *marks, int list)
 {
-    return marks->events != NULL ? marks->events->len : 0;
+    return marks->lists[list] != NULL ? marks->lists[list]->len : 0;
 }
 
 /* The line's handle. */
@@ -74,50 +80,78 @@ static void add_line(GString *text, const TinkerRunEvent *event)
     g_string_append_printf(text, _("%s%.4g s: %s"), text->len > 0 ? "\n" : "", event->time, event->text);
 }
 
-/* Of `count` events from this one on. (transfer full) */
-static char *text_of(const TinkerEventMarks *marks, guint from, guint count, guint most)
+static int compare_times(const void *left, const void *right)
+{
+    const TinkerRunEvent *l = *(TinkerRunEvent *const *)left, *r = *(TinkerRunEvent *const *)right;
+    return (l->time > r->time) - (l->time < r->time);
+}
+
+/* What is marked, of all lists in order of time; near a place of the line (widget units) alone, unless it is NAN.
+ * Borrowed events. (transfer full) */
+static GPtrArray *find_marked(const TinkerEventMarks *marks, double x)
+{
+    GPtrArray *found = g_ptr_array_new();
+    for (int list = 0; list < LISTS; list++)
+        for (guint i = 0; i < count_of(marks, list); i++) {
+            const TinkerRunEvent *event = event_of(marks, list, i);
+            if (isnan(x) || fabs(place_of(marks, event->time) - x) <= NEAR) g_ptr_array_add(found, (gpointer)event);
+        }
+    g_ptr_array_sort(found, compare_times);
+    return found;
+}
+
+/* (transfer full) */
+static char *text_of(const GPtrArray *events, guint most)
 {
     GString *text = g_string_new(NULL);
-    for (guint i = from; i < from + MIN(count, most); i++)
-        add_line(text, event_of(marks, i));
-    if (count > most) g_string_append_printf(text, _("\nand %u more"), count - most);
+    for (guint i = 0; i < MIN(events->len, most); i++)
+        add_line(text, g_ptr_array_index(events, i));
+    if (events->len > most) g_string_append_printf(text, _("\nand %u more"), events->len - most);
     return g_string_free(text, FALSE);
 }
 
-/* The events whose marks are there: how many; the first is *from. */
-static guint find_at(const TinkerEventMarks *marks, double x, guint *from)
+/* The one whose mark is nearest to this place, or NULL. Borrowed until the next update. */
+static const TinkerRunEvent *event_at(TinkerEventMarks *marks, double x)
 {
-    guint count = 0;
-    for (guint i = 0; i < count_of(marks); i++) {
-        if (fabs(place_of(marks, event_of(marks, i)->time) - x) > NEAR) continue;
-        if (count++ == 0) *from = i;
+    g_autoptr(GPtrArray) near = find_marked(marks, x);
+    const TinkerRunEvent *nearest = NULL;
+    double least = INFINITY;
+    for (guint i = 0; i < near->len; i++) {
+        const TinkerRunEvent *event = g_ptr_array_index(near, i);
+        const double away = fabs(place_of(marks, event->time) - x);
+        if (!(away < least)) continue;
+        least = away;
+        nearest = event;
     }
-    return count;
-}
-
-const TinkerRunEvent *tinker_event_marks_at(TinkerEventMarks *marks, double x)
-{
-    guint from;
-    return find_at(marks, x, &from) > 0 ? event_of(marks, from) : NULL;
+    return nearest;
 }
 
 static gboolean on_tooltip(GtkWidget *line, int x, int y, gboolean by_keyboard, GtkTooltip *tooltip,
                            TinkerEventMarks *marks)
 {
-    guint from = 0, count = by_keyboard ? 0 : find_at(marks, x, &from);
-    if (count == 0) return FALSE;
-    g_autofree char *text = text_of(marks, from, count, MOST_TOLD);
+    if (by_keyboard) return FALSE;
+    g_autoptr(GPtrArray) near = find_marked(marks, x);
+    if (near->len == 0) return FALSE;
+    g_autofree char *text = text_of(near, MOST_TOLD);
     gtk_tooltip_set_text(tooltip, text);
     return TRUE;
 }
 
-/* Before the line itself, which would go to the pointer's place alone. */
+/* Before the line itself, which would go to the pointer's place alone, and from which it may be dragged on. */
 static void on_pressed(GtkGestureClick *gesture, int presses, double x, double y, TinkerEventMarks *marks)
 {
-    const TinkerRunEvent *event = tinker_event_marks_at(marks, x);
-    if (event == NULL) return;
-    gtk_gesture_set_state(GTK_GESTURE(gesture), GTK_EVENT_SEQUENCE_CLAIMED);
-    gtk_widget_activate_action(GTK_WIDGET(marks), "win.go-to", "d", event->time);
+    const TinkerRunEvent *event = event_at(marks, x);
+    marks->pressed = event != NULL ? event->time : NAN;
+    if (event != NULL) gtk_widget_activate_action(GTK_WIDGET(marks), "win.go-to", "d", event->time);
+}
+
+/* As long as the pointer is near the mark that it was pressed on, the line stays there. */
+static gboolean on_line_dragged(GtkRange *line, GtkScrollType scroll, double value, TinkerEventMarks *marks)
+{
+    if (isnan(marks->pressed)) return FALSE;
+    if (fabs(place_of(marks, value) - place_of(marks, marks->pressed)) <= NEAR) return TRUE;
+    marks->pressed = NAN;
+    return FALSE;
 }
 
 static void add_click(TinkerEventMarks *marks)
@@ -131,38 +165,79 @@ static void add_click(TinkerEventMarks *marks)
 /* Drawing -------------------------------------------------------------------------------------------------------------
  */
 
+/* An event sticks out of the line on either side; a maximum has a tip above it, a minimum one below. */
+static void add_mark(cairo_t *cairo, int list, double x, double top, double bottom)
+{
+    if (list == EVENTS) {
+        cairo_rectangle(cairo, x, top - STICKS_OUT, WIDTH, STICKS_OUT);
+        cairo_rectangle(cairo, x, bottom, WIDTH, STICKS_OUT);
+        return;
+    }
+    const double middle = x + WIDTH / 2, base = list == MAXIMA ? top : bottom;
+    const double tip = list == MAXIMA ? base - STICKS_OUT : base + STICKS_OUT;
+    cairo_move_to(cairo, middle - TIP, base);
+    cairo_line_to(cairo, middle + TIP, base);
+    cairo_line_to(cairo, middle, tip);
+    cairo_close_path(cairo);
+}
+
 static void draw(GtkDrawingArea *area, cairo_t *cairo, int width, int height, gpointer data)
 {
     TinkerEventMarks *marks = data;
     GdkRectangle trough;
     GdkRGBA colour;
-    double left, top, last = -INFINITY;
+    double left, top;
+    const double *curve = tinker_desktop_theme()->curves[0];
     gtk_range_get_range_rect(GTK_RANGE(marks->line), &trough);
     gtk_widget_translate_coordinates(marks->line, marks->layer, 0, trough.y, &left, &top); /* it has a padding */
     gtk_style_context_get_color(gtk_widget_get_style_context(GTK_WIDGET(area)), &colour);
-    gdk_cairo_set_source_rgba(cairo, &colour);
-    for (guint i = 0; i < count_of(marks); i++) {
-        const double x = round(left + place_of(marks, event_of(marks, i)->time) - WIDTH / 2);
-        if (x == last) continue;
-        last = x;
-        cairo_rectangle(cairo, x, top - STICKS_OUT, WIDTH, STICKS_OUT);
-        cairo_rectangle(cairo, x, top + trough.height, WIDTH, STICKS_OUT);
+    for (int list = LISTS; list-- > 0;) {
+        double last = -INFINITY;
+        if (list == EVENTS)
+            gdk_cairo_set_source_rgba(cairo, &colour);
+        else
+            cairo_set_source_rgb(cairo, curve[0], curve[1], curve[2]);
+        for (guint i = 0; i < count_of(marks, list); i++) {
+            const double x = round(left + place_of(marks, event_of(marks, list, i)->time) - WIDTH / 2);
+            if (x == last) continue;
+            last = x;
+            add_mark(cairo, list, x, top, top + trough.height);
+        }
+        cairo_fill(cairo);
     }
-    cairo_fill(cairo);
 }
 
 /* What happens --------------------------------------------------------------------------------------------------------
  */
 
+static void tell_marked(TinkerEventMarks *marks)
+{
+    g_autoptr(GPtrArray) all = find_marked(marks, NAN);
+    g_autofree char *text = text_of(all, MOST_SPOKEN);
+    gtk_accessible_update_property(GTK_ACCESSIBLE(marks->line), GTK_ACCESSIBLE_PROPERTY_DESCRIPTION, text, -1);
+    gtk_widget_queue_draw(marks->layer);
+}
+
+static void set_list(TinkerEventMarks *marks, int list, GPtrArray *events)
+{
+    if (events != NULL) g_ptr_array_ref(events);
+    g_clear_pointer(&marks->lists[list], g_ptr_array_unref);
+    marks->lists[list] = events;
+}
+
+void tinker_event_marks_set_extrema(TinkerEventMarks *marks, GPtrArray *maxima, GPtrArray *minima)
+{
+    set_list(marks, MAXIMA, maxima);
+    set_list(marks, MINIMA, minima);
+    tell_marked(marks);
+}
+
 void tinker_event_marks_update(TinkerEventMarks *marks)
 {
     GPtrArray *events = tinker_player_events(marks->player);
-    if (events == marks->events) return;
-    g_clear_pointer(&marks->events, g_ptr_array_unref);
-    marks->events = g_ptr_array_ref(events);
-    g_autofree char *text = text_of(marks, 0, events->len, MOST_SPOKEN);
-    gtk_accessible_update_property(GTK_ACCESSIBLE(marks->line), GTK_ACCESSIBLE_PROPERTY_DESCRIPTION, text, -1);
-    gtk_widget_queue_draw(marks->layer);
+    if (events == marks->lists[EVENTS]) return;
+    set_list(marks, EVENTS, events);
+    tell_marked(marks);
 }
 
 void tinker_event_marks_set_player(TinkerEventMarks *marks, TinkerPlayer *player)
@@ -176,7 +251,8 @@ static void tinker_event_marks_dispose(GObject *object)
     TinkerEventMarks *marks = TINKER_EVENT_MARKS(object);
     tinker_unparent_children(GTK_WIDGET(object));
     g_clear_object(&marks->player);
-    g_clear_pointer(&marks->events, g_ptr_array_unref);
+    for (int list = 0; list < LISTS; list++)
+        g_clear_pointer(&marks->lists[list], g_ptr_array_unref);
     G_OBJECT_CLASS(tinker_event_marks_parent_class)->dispose(object);
 }
 
@@ -187,7 +263,10 @@ static void tinker_event_marks_class_init(TinkerEventMarksClass *class)
     gtk_widget_class_set_css_name(GTK_WIDGET_CLASS(class), "eventmarks");
 }
 
-static void tinker_event_marks_init(TinkerEventMarks *marks) {}
+static void tinker_event_marks_init(TinkerEventMarks *marks)
+{
+    marks->pressed = NAN;
+}
 
 GtkWidget *tinker_event_marks_new(GtkWidget *line)
 {
@@ -201,6 +280,7 @@ GtkWidget *tinker_event_marks_new(GtkWidget *line)
     gtk_widget_set_hexpand(GTK_WIDGET(marks), TRUE);
     add_click(marks);
     g_signal_connect(line, "query-tooltip", G_CALLBACK(on_tooltip), marks);
+    g_signal_connect(line, "change-value", G_CALLBACK(on_line_dragged), marks);
     g_signal_connect_object(gtk_range_get_adjustment(GTK_RANGE(line)), "changed", G_CALLBACK(gtk_widget_queue_draw),
                             marks->layer, G_CONNECT_SWAPPED);
     return GTK_WIDGET(marks);

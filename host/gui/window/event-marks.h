@@ -1,5 +1,5 @@
-/* Marks over the time line: the instants at which something happened in the run. A click on one goes there, and the
- * line says in its tooltip what happened where the pointer is. */
+/* Marks over the time line: the instants at which something happened in the run, or a curve has an extremum. A click on
+ * one goes there, and the line says in its tooltip what happened where the pointer is. */
 #ifndef TINKER_GUI_EVENT_MARKS_H
 #define TINKER_GUI_EVENT_MARKS_H
 
@@ -14,11 +14,11 @@ G_DECLARE_FINAL_TYPE(TinkerEventMarks, tinker_event_marks, TINKER, EVENT_MARKS, 
 GtkWidget *tinker_event_marks_new(GtkWidget *line);
 void tinker_event_marks_set_player(TinkerEventMarks *marks, TinkerPlayer *player);
 
+/* The curve whose extrema are marked, too, above the line its maxima and below it its minima, each of TinkerRunEvent *;
+ * NULL: none. Takes references. */
+void tinker_event_marks_set_extrema(TinkerEventMarks *marks, GPtrArray *maxima, GPtrArray *minima);
+
 /* Looks whether there are others. */
 void tinker_event_marks_update(TinkerEventMarks *marks);
-
-/* The first event whose mark is at this place (widget units from the line's left edge), or NULL. Borrowed until the
- * next update. */
-const TinkerRunEvent *tinker_event_marks_at(TinkerEventMarks *marks, double x);
 
 #endif

@@ -8,7 +8,6 @@
 #include "gui/property/property-rows.h"
 #include "gui/widget/entry-select.h"
 #include "gui/widget/unparent.h"
-#include "gui/window/event-marks.h"
 
 #define SLOW_PACE  0.95 /* below it, the run is said to be slower than its playback */
 #define LEAST_LINE 120  /* px: width of the time line in a narrow window */
@@ -178,6 +177,11 @@ void tinker_playbar_set_player(TinkerPlaybar *playbar, TinkerPlayer *player)
     g_signal_connect_object(player, "state-changed", G_CALLBACK(on_state_changed), playbar, G_CONNECT_SWAPPED);
     on_state_changed(playbar);
     on_moved(playbar);
+}
+
+TinkerEventMarks *tinker_playbar_marks(TinkerPlaybar *playbar)
+{
+    return TINKER_EVENT_MARKS(playbar->marks);
 }
 
 void tinker_playbar_update(TinkerPlaybar *playbar)

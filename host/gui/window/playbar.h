@@ -5,6 +5,7 @@
 #include <gtk/gtk.h>
 
 #include "gui/document/player.h"
+#include "gui/window/event-marks.h"
 
 #define TINKER_TYPE_PLAYBAR (tinker_playbar_get_type())
 G_DECLARE_FINAL_TYPE(TinkerPlaybar, tinker_playbar, TINKER, PLAYBAR, GtkWidget)
@@ -14,5 +15,8 @@ G_DECLARE_FINAL_TYPE(TinkerPlaybar, tinker_playbar, TINKER, PLAYBAR, GtkWidget)
 void tinker_playbar_set_player(TinkerPlaybar *playbar, TinkerPlayer *player);
 /* Looks whether more is known of the run, which happens while nothing moves. */
 void tinker_playbar_update(TinkerPlaybar *playbar);
+
+/* The marks on the time line. Borrowed. */
+TinkerEventMarks *tinker_playbar_marks(TinkerPlaybar *playbar);
 
 #endif

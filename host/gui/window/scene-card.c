@@ -4,6 +4,7 @@
 
 #include <glib/gi18n.h>
 
+#include "gui/text/translate.h"
 #include "gui/widget/unparent.h"
 
 struct _TinkerSceneCard {
@@ -25,9 +26,9 @@ static void on_changed(TinkerSceneCard *card)
 {
     const TinkerSceneHead *head = tinker_scene_head(tinker_document_scene(card->document));
     const gboolean told = *head->description != '\0';
-    show_text(card->title, head->title);
-    show_text(card->description,
-              told ? head->description : _("This scene has no description. It is written under Properties, Scene."));
+    show_text(card->title, tinker_translate(head->title));
+    show_text(card->description, told ? tinker_translate(head->description)
+                                      : _("This scene has no description. It is written under Properties, Scene."));
     if (told)
         gtk_widget_remove_css_class(card->description, "dim-label");
     else

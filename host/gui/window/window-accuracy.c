@@ -102,6 +102,24 @@ static const TinkerRunEvent *last_event(TinkerPlayer *player)
     return last;
 }
 
+static void on_give_up(void *data)
+{
+    const TinkerWindow *window = data;
+    tinker_player_reset(window->player);
+}
+
+/* A run that shows nothing yet says why, and can be given up. */
+static void show_look(TinkerWindow *window, gboolean looks)
+{
+    if (looks == window->told_look) return;
+    GPtrArray *notices = new_notices();
+    window->told_look = looks;
+    if (looks)
+        g_ptr_array_add(notices, tinker_notice_new(TINKER_NOTICE_HINT, _("Looking for where the run stops…"),
+                                                   _("Cancel"), on_give_up, window, NULL));
+    tinker_notice_bar_set(window->notices, "until", notices);
+}
+
 static gboolean on_refresh(void *data)
 {
     TinkerWindow *window = data;
@@ -118,6 +136,7 @@ static gboolean on_refresh(void *data)
     };
     tinker_status_line_show(window->status_line, &facts);
     tinker_playbar_update(window->playbar);
+    show_look(window, has_run && !status.finished && status.looks);
     gboolean over = !has_run || status.finished;
     guint told = over ? tinker_player_generation(window->player) + has_run : 0;
     if (over && told != window->told_run) show_run_notices(window);

@@ -297,6 +297,8 @@ void tinker_window_set_accels(GtkApplication *application)
     }
     gtk_application_set_accels_for_action(application, "win.show-palette", (const char *[]){"F9", NULL});
     gtk_application_set_accels_for_action(application, "win.show-panel", (const char *[]){"<Shift>F9", NULL});
+    gtk_application_set_accels_for_action(application, "win.ruler", (const char *[]){"<Control>r", NULL});
+    gtk_application_set_accels_for_action(application, "win.protractor", (const char *[]){"<Control><Shift>r", NULL});
     gtk_application_set_accels_for_action(application, "win.present", (const char *[]){"F11", NULL});
     gtk_application_set_accels_for_action(application, "app.quit", (const char *[]){"<Control>q", NULL});
     gtk_application_set_accels_for_action(application, "app.new-window", (const char *[]){"<Control><Shift>n", NULL});
@@ -350,7 +352,8 @@ void window_add_actions(TinkerWindow *window)
     const GActionEntry go_to = {.name = "go-to", .activate = on_go_to, .parameter_type = "d"};
     g_action_map_add_action_entries(G_ACTION_MAP(window), &go_to, 1, window);
     static const char *const shown[] = {
-        "show-labels", "show-forces", "show-local-origins", "show-grid", "forces-on-this-body-only", "follow"};
+        "show-labels", "show-forces",        "show-velocities", "show-accelerations",       "show-net-forces",
+        "show-trails", "show-local-origins", "show-grid",       "forces-on-this-body-only", "follow"};
     for (gsize i = 0; i < G_N_ELEMENTS(shown); i++)
         window_add_switch(window, shown[i], window->canvas, shown[i]);
     window_add_switch(window, "show-palette", window->palette_side, "visible");

@@ -38,7 +38,7 @@ static void connect_answer(gpointer dialog, GCallback on_answer, const Question 
                           (GDestroyNotify)question_free);
 }
 
-static gboolean on_go_on(gpointer data)
+static gboolean on_idle(gpointer data)
 {
     const Question *question = data;
     question->then(question->window, question->subject);
@@ -46,10 +46,10 @@ static gboolean on_go_on(gpointer data)
 }
 
 /* Not before the dialog that was answered has gone: the window may go, too. */
-static void go_on(const Question *question)
+static void proceed_when_idle(const Question *question)
 {
     if (question->then == NULL) return;
-    g_idle_add_full(G_PRIORITY_DEFAULT, on_go_on,
+    g_idle_add_full(G_PRIORITY_DEFAULT, on_idle,
                     question_new(question->window, NULL, question->then, question->subject),
                     (GDestroyNotify)question_free);
 }
@@ -93,7 +93,7 @@ static void save_now(const Question *question)
     g_autofree char *text = g_strdup_printf(_("Saved as %s"), name);
     window_note_recent(question->path);
     window_toast(question->window, text);
-    go_on(question);
+    proceed_when_idle(question);
 }
 
 static void on_overwrite(AdwMessageDialog *dialog, const char *answer, const Question *question)
@@ -213,7 +213,7 @@ void window_save(TinkerWindow *window, gboolean under_another_name)
 
 static void on_answer(AdwMessageDialog *dialog, const char *answer, const Question *question)
 {
-    if (g_strcmp0(answer, "discard") == 0) go_on(question);
+    if (g_strcmp0(answer, "discard") == 0) proceed_when_idle(question);
     if (g_strcmp0(answer, "save") == 0) save_then(question->window, FALSE, question->then, question->subject);
 }
 

@@ -48,7 +48,9 @@ static void tell_end(TinkerWindow *window)
 {
     const char *path = tinker_film_task_path(window->film), *failure = tinker_film_task_failure(window->film);
     g_autofree char *first = first_file(path), *name = g_path_get_basename(first);
-    g_autofree char *saved = g_strdup_printf(_("Saved as %s"), name);
+    const char *stopped_by = tinker_film_task_stopped_by(window->film);
+    g_autofree char *saved = stopped_by != NULL ? g_strdup_printf(_("Saved as %s; it ends where %s"), name, stopped_by)
+                                                : g_strdup_printf(_("Saved as %s"), name);
     switch (tinker_film_task_state(window->film)) {
     case TINKER_FILM_WRITTEN:
         window_toast(window, saved);
@@ -137,8 +139,11 @@ static void start(const Wish *wish)
         window_message(window, _("The Film Was Not Exported"), error->message);
         return;
     }
+    gboolean *kinds = settings.over.vectors.kinds;
     g_object_get(window->canvas, "show-labels", &settings.show_labels, "show-grid", &settings.show_grid, "show-forces",
-                 &settings.show_forces, NULL);
+                 &settings.over.forces, "show-velocities", &kinds[TINKER_VECTOR_VELOCITY], "show-accelerations",
+                 &kinds[TINKER_VECTOR_ACCELERATION], "show-net-forces", &kinds[TINKER_VECTOR_NET_FORCE], "show-trails",
+                 &settings.show_trails, NULL);
     tinker_film_task_start(window->film, scene, &settings);
     gtk_widget_grab_focus(window->film_cancel);
 }

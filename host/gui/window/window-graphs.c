@@ -3,7 +3,7 @@
 #include <glib/gi18n.h>
 #include <string.h>
 
-#include "gui/document/graph-edit.h"
+#include "gui/curve/graph-edit.h"
 #include "gui/graph/graph-dock.h"
 #include "gui/graph/graph-layer.h"
 #include "gui/graph/graph-menu.h"

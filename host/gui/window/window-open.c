@@ -78,7 +78,8 @@ static void tell_warnings(TinkerWindow *window, const GPtrArray *findings)
 /* Files ---------------------------------------------------------------------------------------------------------------
  */
 
-void tinker_window_open(TinkerWindow *window, const char *path)
+/* Opens a file; says what is wrong with it. */
+static void open_path(TinkerWindow *window, const char *path)
 {
     g_autoptr(GError) error = NULL;
     g_autoptr(GPtrArray) findings = tinker_findings_new();
@@ -106,7 +107,7 @@ void tinker_window_open_file(TinkerWindow *window, GFile *file)
 {
     g_autofree char *path = g_file_get_path(file);
     if (path != NULL) {
-        tinker_window_open(window, path);
+        open_path(window, path);
         return;
     }
     g_autofree char *name = g_file_get_parse_name(file);
@@ -141,7 +142,7 @@ void window_choose_file(TinkerWindow *window)
 
 static void open_recent(TinkerWindow *window, const char *path)
 {
-    tinker_window_open(window, path);
+    open_path(window, path);
 }
 
 /* A copy without a name: saving asks for one. */

@@ -51,6 +51,7 @@ struct _TinkerWindow {
     TinkerStatusLine *status_line;
     TinkerNoticeBar *notices; /* whoever has something to say tells it here, under a name of its own */
     guint refresh;            /* id of the timer, or 0 */
+    gboolean told_look;       /* that where the run stops is looked for */
     guint told_run;           /* which run's warnings are shown */
 
     /* Of window-film.c. */
@@ -89,6 +90,14 @@ void window_message(TinkerWindow *window, const char *heading, const char *body)
 
 /* Graphs, where they are shown and their commands; window-graphs.c. */
 void window_add_graphs(TinkerWindow *window);
+
+/* Ruler and protractor on the canvas; window-measure.c. */
+void window_add_measuring(TinkerWindow *window);
+
+/* Marks of a curve's extrema on the time line; window-extrema.c. To be removed before the document and the player. */
+void window_add_extrema(TinkerWindow *window);
+void window_remove_extrema(TinkerWindow *window);
+
 /* Goes to where a graph can be chosen. */
 void window_new_graph(TinkerWindow *window);
 /* Keeps the present run to be compared with; those that are kept. */
@@ -100,6 +109,8 @@ void window_append_graph_menu(TinkerWindow *window, GMenu *menu);
  * can have. */
 void window_add_instruments(TinkerWindow *window);
 void window_append_instrument_menu(TinkerWindow *window, GMenu *menu);
+void window_add_outline_actions(TinkerWindow *window);
+void window_append_outline_menu(TinkerWindow *window, GMenu *menu);
 /* How things start; window-start.c. Adds the advice and the action; the page of the panel (transfer floating); the
  * submenu for what is selected. */
 void window_add_start(TinkerWindow *window);

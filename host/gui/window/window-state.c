@@ -8,8 +8,9 @@
 #define GROUP_CANVAS "canvas"
 #define LEAST_SIZE   300
 
-static const char *const switches[] = {"show-labels", "show-forces", "show-local-origins", "show-grid",
-                                       "forces-on-this-body-only"};
+static const char *const switches[] = {"show-labels",        "show-forces",     "show-velocities",
+                                       "show-accelerations", "show-net-forces", "show-trails",
+                                       "show-local-origins", "show-grid",       "forces-on-this-body-only"};
 
 typedef void (*ForPane)(GtkPaned *pane, const char *name);
 

@@ -6,6 +6,8 @@
 #include "gui/document/icon-guard.h"
 #include "gui/document/refusal-notices.h"
 #include "gui/gallery/welcome.h"
+#include "gui/mode/modes-page.h"
+#include "gui/property/property-panel.h"
 #include "gui/text/message.h"
 #include "gui/text/sentence.h"
 #include "gui/widget/popup-menu.h"
@@ -89,6 +91,7 @@ static void on_menu(GtkWidget *over, double x, double y, TinkerWindow *window)
     window_add_start_menu(window, model);
     window_append_graph_menu(window, model);
     window_append_instrument_menu(window, model);
+    if (over == GTK_WIDGET(window->canvas)) window_append_outline_menu(window, model);
     tinker_popup_menu(over, G_MENU_MODEL(model), x, y);
 }
 
@@ -112,6 +115,20 @@ static gboolean on_cover_placed(GtkOverlay *overlay, GtkWidget *child, GdkRectan
     return FALSE; /* where it is anyway */
 }
 
+/* Equations, and above them the modes, which are worked out when they are unfolded. */
+static GtkWidget *new_model_page(TinkerWindow *window, TinkerModesTask *task)
+{
+    GtkWidget *box = gtk_box_new(GTK_ORIENTATION_VERTICAL, 0);
+    GtkWidget *modes = gtk_expander_new(_("Natural Frequencies and Modes"));
+    gtk_expander_set_child(GTK_EXPANDER(modes), tinker_modes_page_new(window->document, window->canvas, task));
+    gtk_widget_add_css_class(modes, "modes");
+    gtk_accessible_update_property(GTK_ACCESSIBLE(modes), GTK_ACCESSIBLE_PROPERTY_LABEL,
+                                   _("Natural Frequencies and Modes"), -1);
+    gtk_box_append(GTK_BOX(box), modes);
+    gtk_box_append(GTK_BOX(box), window->equations);
+    return box;
+}
+
 static void connect_parts(TinkerWindow *window)
 {
     tinker_canvas_set_cover(window->canvas, GTK_WIDGET(window->banners));
@@ -120,13 +137,18 @@ static void connect_parts(TinkerWindow *window)
     tinker_palette_set_canvas(window->palette, tinker_document_catalogue(window->document), window->canvas);
     tinker_playbar_set_player(window->playbar, window->player);
     window_add_graphs(window);
+    window_add_extrema(window);
     window_add_instruments(window);
+    window_add_measuring(window);
+    window_add_outline_actions(window);
     GtkWidget *start = window_new_start_panel(window);
     window->equations = tinker_equations_page_new(window->document, window->player);
+    g_autoptr(TinkerModesTask) modes = tinker_modes_task_new(window->document);
     GtkWidget *side_panel =
         tinker_side_panel_new(window->document, window->player, start,
-                              tinker_scene_card_new(window->document, window->plan), window->equations);
+                              tinker_scene_card_new(window->document, window->plan), new_model_page(window, modes));
     window->properties = tinker_side_panel_properties(side_panel);
+    tinker_property_panel_set_modes(TINKER_PROPERTY_PANEL(window->properties), modes);
     g_object_bind_property(window->properties, "trims", start, "trims", G_BINDING_SYNC_CREATE);
     window_add_switch(window, "trim-decimals", window->properties, "trims");
     gtk_box_append(window->panel, side_panel);
@@ -175,6 +197,7 @@ static void tinker_window_dispose(GObject *object)
     if (window->document != NULL) g_signal_handlers_disconnect_by_data(window->document, window);
     if (window->player != NULL) g_signal_handlers_disconnect_by_data(window->player, window);
     window_remove_accuracy(window);
+    window_remove_extrema(window);
     gtk_widget_dispose_template(GTK_WIDGET(window), TINKER_TYPE_WINDOW);
     g_clear_object(&window->film); /* gives up what is under way */
     g_clear_object(&window->autosave);

@@ -15,9 +15,6 @@ TinkerWindow *tinker_window_new(AdwApplication *application, TinkerCatalogue *ca
 /* Whether nothing has been done in it, so that a file may be opened here. */
 gboolean tinker_window_is_untouched(TinkerWindow *window);
 
-/* Opens a file; says what is wrong with it. */
-void tinker_window_open(TinkerWindow *window, const char *path);
-
 /* Opens a file; of one without a local path it says what to do. */
 void tinker_window_open_file(TinkerWindow *window, GFile *file);
 

@@ -1,5 +1,5 @@
 /* Asks libadwaita, which follows the desktop. */
-#include "gui/document/desktop-theme.h"
+#include "gui/widget/desktop-theme.h"
 
 #include <adwaita.h>
 

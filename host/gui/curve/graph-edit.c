@@ -1,5 +1,5 @@
 /* A graph comes to the front as a copy behind the last one of the list, whose original is then removed. */
-#include "gui/document/graph-edit.h"
+#include "gui/curve/graph-edit.h"
 
 #include <glib/gi18n.h>
 #include <math.h>
@@ -129,6 +129,16 @@ gboolean tinker_graph_set_logarithmic(TinkerDocument *document, int number, int 
 {
     g_autoptr(TinkerSceneGraph) graph = tinker_scene_graph_copy(graph_of(document, number));
     graph->logarithmic[axis] = logarithmic;
+    return change(document, number, graph, error);
+}
+
+gboolean tinker_graph_set_against(TinkerDocument *document, int number, const char *against, GError **error)
+{
+    g_autoptr(TinkerSceneGraph) graph = tinker_scene_graph_copy(graph_of(document, number));
+    g_free(graph->against);
+    graph->against = g_strdup(against);
+    for (int axis = 0; axis < 2; axis++)
+        graph->has_range[axis] = graph->logarithmic[axis] = FALSE;
     return change(document, number, graph, error);
 }
 

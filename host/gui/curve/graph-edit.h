@@ -31,6 +31,10 @@ gboolean tinker_graph_set_curve_axis(TinkerDocument *document, int number, guint
 gboolean tinker_graph_set_logarithmic(TinkerDocument *document, int number, int axis, gboolean logarithmic,
                                       GError **error);
 
+/* Draws it over "time" or "frequency", or against a quantity of each curve's own block; axes and ranges are found anew.
+ * Errors: TINKER_SCENE_ERROR. */
+gboolean tinker_graph_set_against(TinkerDocument *document, int number, const char *against, GError **error);
+
 /* A rectangle on the canvas (widget units). */
 typedef struct {
     double x, y, width, height;

@@ -1,0 +1,152 @@
+/* The words of a graph: its title, the labels of its axes, the names of its curves, and what stands beside a point. */
+#include <glib/gi18n.h>
+
+#include "gui/curve/graph-data-private.h"
+#include "gui/text/translate.h"
+
+static const char *y_title(const TinkerGraphData *data, guint number)
+{
+    return tinker_translate(tinker_graph_series_y_axis(graph_line(data, number)->series)->title);
+}
+
+/* "Mass 0: Y Position"; "Y Position" where all curves are of one block. (transfer full) */
+static char *name_of(const TinkerGraphData *data, guint number, gboolean with_block)
+{
+    const char *block = tinker_graph_series_block(graph_line(data, number)->series);
+    if (!with_block || block[0] == '\0') return g_strdup(y_title(data, number));
+    return g_strdup_printf("%s: %s", block, y_title(data, number));
+}
+
+static gboolean has_one_block(const TinkerGraphData *data)
+{
+    const char *first = tinker_graph_series_block(graph_line(data, 0)->series);
+    for (guint i = 1; i < data->own; i++)
+        if (!g_str_equal(tinker_graph_series_block(graph_line(data, i)->series), first)) return FALSE;
+    return TRUE;
+}
+
+typedef enum { AXIS_X, AXIS_LEFT, AXIS_RIGHT } AxisPlace;
+
+/* (transfer full) */
+static GArray *axes_of(const TinkerGraphData *data, AxisPlace place)
+{
+    GArray *axes = g_array_new(FALSE, FALSE, sizeof(TinkerGraphAxis));
+    for (guint i = 0; i < data->lines->len; i++) {
+        const TinkerGraphSeries *series = graph_line(data, i)->series;
+        if (place != AXIS_X && tinker_graph_series_is_right(series) != (place == AXIS_RIGHT)) continue;
+        TinkerGraphAxis axis =
+            *(place == AXIS_X ? tinker_graph_series_x_axis(series) : tinker_graph_series_y_axis(series));
+        axis.title = tinker_translate(axis.title);
+        g_array_append_val(axes, axis);
+    }
+    return axes;
+}
+
+static char *label_of(const TinkerGraphData *data, AxisPlace place)
+{
+    g_autoptr(GArray) axes = axes_of(data, place);
+    return tinker_graph_axes_label((const TinkerGraphAxis *)(gpointer)axes->data, axes->len);
+}
+
+static char *title_of(const TinkerGraphData *data)
+{
+    if (data->graph->title != NULL && data->graph->title[0] != '\0') return g_strdup(data->graph->title);
+    const gboolean one_block = has_one_block(data);
+    g_autofree char *first = name_of(data, 0, TRUE);
+    if (data->own == 1 && !data->over_time && !data->is_spectrum)
+        return g_strdup_printf(_("%s over %s"), first,
+                               tinker_translate(tinker_graph_series_x_axis(graph_line(data, 0)->series)->title));
+    GString *title = g_string_new(first);
+    for (guint i = 1; i < data->own; i++) {
+        g_autofree char *name = name_of(data, i, !one_block);
+        g_string_append_printf(title, ", %s", name);
+    }
+    char *plain = g_string_free(title, FALSE);
+    if (!data->is_spectrum) return plain;
+    g_autofree char *of = plain;
+    return g_strdup_printf(_("Spectrum of %s"), of);
+}
+
+static gboolean has_several_units(const TinkerGraphData *data, gboolean right)
+{
+    g_autoptr(GArray) axes = axes_of(data, right ? AXIS_RIGHT : AXIS_LEFT);
+    for (guint i = 1; i < axes->len; i++)
+        if (!g_str_equal(g_array_index(axes, TinkerGraphAxis, i).unit, g_array_index(axes, TinkerGraphAxis, 0).unit))
+            return TRUE;
+    return FALSE;
+}
+
+/* What they measure is the amplitude of what they are called. */
+static void call_amplitudes(TinkerGraphData *data)
+{
+    char **labels[] = {&data->y_label, &data->right_label};
+    g_free(data->x_label);
+    data->x_label = g_strdup(_("Frequency [Hz] (window: Hann)"));
+    for (gsize i = 0; i < G_N_ELEMENTS(labels); i++) {
+        if (*labels[i] == NULL) continue;
+        g_autofree char *label = *labels[i];
+        *labels[i] = g_strdup_printf(_("Amplitude: %s"), label);
+    }
+}
+
+void graph_data_renew_texts(TinkerGraphData *data)
+{
+    char **texts[] = {&data->title, &data->x_label, &data->y_label, &data->right_label};
+    for (gsize i = 0; i < G_N_ELEMENTS(texts); i++)
+        g_clear_pointer(texts[i], g_free);
+    const gboolean one_block = has_one_block(data);
+    g_autofree char *now =
+        tinker_kept_runs_name_of(tinker_player_kept(data->player), tinker_document_scene(data->document));
+    data->title = title_of(data);
+    data->x_label = label_of(data, AXIS_X);
+    data->y_label = label_of(data, AXIS_LEFT);
+    data->right_label = label_of(data, AXIS_RIGHT);
+    if (data->is_spectrum) call_amplitudes(data);
+    for (guint i = 0; i < data->lines->len; i++) {
+        GraphLine *line = graph_line(data, i);
+        const char *unit = tinker_graph_series_y_axis(line->series)->unit;
+        line->name = name_of(data, i, !one_block);
+        if (data->lines->len > data->own && !tinker_graph_series_is_table(line->series)) {
+            /* several runs of one curve are told apart by the run alone */
+            g_autofree char *plain = line->name;
+            const char *run = line->run != NULL ? line->run->name : now;
+            line->name = data->own == 1 ? g_strdup(run) : g_strdup_printf("%s (%s)", plain, run);
+        }
+        line->label = has_several_units(data, tinker_graph_series_is_right(line->series))
+                          ? tinker_axis_label(line->name, unit)
+                          : g_strdup(line->name);
+    }
+}
+
+char *tinker_graph_value_text(const char *name, double value, const char *unit)
+{
+    char number[G_ASCII_DTOSTR_BUF_SIZE];
+    g_ascii_formatd(number, sizeof number, "%.5g", value + 0.0);
+    const char *gap = unit[0] != '\0' ? " " : "";
+    return number[0] == '-' ? g_strdup_printf("%s = −%s%s%s", name, number + 1, gap, unit)
+                            : g_strdup_printf("%s = %s%s%s", name, number, gap, unit);
+}
+
+char *tinker_graph_data_place_text(const TinkerGraphData *data, const char *before, double place)
+{
+    g_autofree char *name = g_strconcat(before, data->is_spectrum ? "f" : "t", NULL);
+    return tinker_graph_value_text(name, place, data->is_spectrum ? "Hz" : "s");
+}
+
+char *tinker_graph_data_x_text(const TinkerGraphData *data, guint curve, gsize point)
+{
+    const TinkerGraphSeries *series = graph_line(data, curve)->series;
+    if (data->is_spectrum) return tinker_graph_data_place_text(data, "", tinker_graph_series_x(series)[point]);
+    g_autofree char *time = tinker_graph_value_text("t", tinker_graph_series_times(series)[point], "s");
+    if (data->over_time) return g_steal_pointer(&time);
+    g_autofree char *x = tinker_graph_value_text(data->graph->against, tinker_graph_series_x(series)[point],
+                                                 tinker_graph_series_x_axis(series)->unit);
+    return g_strdup_printf("%s, %s", time, x);
+}
+
+char *tinker_graph_data_y_text(const TinkerGraphData *data, guint curve, gsize point)
+{
+    const TinkerGraphSeries *series = graph_line(data, curve)->series;
+    return tinker_graph_value_text(tinker_graph_series_symbol(series), tinker_graph_series_y(series)[point],
+                                   tinker_graph_series_y_axis(series)->unit);
+}

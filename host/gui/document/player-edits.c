@@ -1,0 +1,129 @@
+/* What an edit means to the motion: nothing, another segment from here on, or another start. */
+#include <math.h>
+
+#include "gui/document/player-private.h"
+#include "scene/history/continued.h"
+#include "scene/history/difference.h"
+
+/* The scene as it is in the document, started from the sample shown now, to which the time is set. NULL where what the
+ * scene has become cannot go on from there. (transfer full) */
+static TinkerScene *continued_scene(TinkerPlayer *player)
+{
+    const TinkerSegment *segment = tinker_recording_at(&player->recording, player->time);
+    TinkerScene *scene = tinker_document_scene(player->document);
+    gsize row;
+    if (player->frame == NULL || !tinker_run_task_find(segment->task, player->time, &row)) return NULL;
+    int count;
+    const TinkerBlockId *bodies = tinker_run_task_bodies(segment->task, &count);
+    g_autofree TinkerBodySample *samples = g_new0(TinkerBodySample, (gsize)count + 1);
+    g_autofree double *velocities = g_new0(double, 3 * (gsize)tinker_scene_id_limit(scene) + 3);
+    double time = player->time;
+    if (!tinker_run_task_read(segment->task, row, &player->time, samples, NULL)) return NULL;
+    for (int i = 0; i < count; i++) {
+        velocities[3 * bodies[i]] = samples[i].vx;
+        velocities[3 * bodies[i] + 1] = samples[i].vy;
+        velocities[3 * bodies[i] + 2] = samples[i].rate;
+    }
+    if (time != player->time) player_update_frame(player);
+    return tinker_scene_continued(scene, player->frame, player->time, velocities, NULL);
+}
+
+/* Goes on from the sample shown now, with the scene as it has become. */
+static gboolean continue_from_now(TinkerPlayer *player)
+{
+    TinkerScene *continued = continued_scene(player);
+    if (continued == NULL) return FALSE;
+    tinker_scene_head(continued)->run.duration = fmax(tinker_player_duration(player) - player->time, 0);
+    guint keep = 0;
+    while (keep < player->recording.segments->len && player_segment(player, keep)->start < player->time)
+        tinker_run_task_stop(player_segment(player, keep++)->task); // it counts up to here
+    for (guint i = keep; i < player->recording.segments->len; i++)
+        tinker_run_task_stop(player_segment(player, i)->task);
+    g_array_set_size(player->recording.segments, keep);
+    player->recording.generation++;
+    player->path_segment = MIN(player->path_segment, keep); /* noted up to here, as the frame was made anew */
+    player->path_row = 0;
+    TinkerSegment *before = player_segment(player, keep - 1);
+    if (before->scene == NULL) before->scene = tinker_scene_copy(player->ran);
+    TinkerScene *from_here = tinker_scene_copy(continued);
+    player_add_segment(player, continued, player->time);
+    tinker_recording_last(&player->recording)->scene = from_here;
+    return TRUE;
+}
+
+TinkerScene *tinker_player_scene_shown(TinkerPlayer *player, double *start)
+{
+    const TinkerSegment *segment =
+        player->recording.segments->len > 0 ? tinker_recording_at(&player->recording, player->time) : NULL;
+    const gboolean own = segment != NULL && segment->scene != NULL;
+    *start = own ? segment->start : 0;
+    return tinker_scene_copy(own ? segment->scene : tinker_document_scene(player->document));
+}
+
+TinkerScene *tinker_player_scene_now(TinkerPlayer *player)
+{
+    if (player->recording.segments->len == 0 || player->time == 0)
+        return tinker_scene_copy(tinker_document_scene(player->document));
+    double time = player->time;
+    TinkerScene *scene = continued_scene(player);
+    player->time = time;
+    player_update_frame(player);
+    return scene;
+}
+
+static void rewind_after_edit(TinkerPlayer *player)
+{
+    gboolean under_way = player->time > 0;
+    player_forget_record(player);
+    player->time = 0;
+    player_set_state(player, TINKER_PLAYER_SETUP);
+    player_renew_frame(player);
+    if (under_way) g_signal_emit(player, player_signals[PLAYER_REWOUND], 0);
+}
+
+/* A new run from the start in place of the one there is, at the same time. FALSE where the scene cannot run. */
+static gboolean run_anew(TinkerPlayer *player)
+{
+    TinkerBlockId culprit;
+    if (!player_can_run(player, &culprit, NULL)) return FALSE;
+    player_record_from_start(player);
+    player->path_segment = 0;
+    player->path_row = 0;
+    if (player->state == TINKER_PLAYER_SETUP) player_set_state(player, TINKER_PLAYER_PAUSED);
+    return TRUE;
+}
+
+void player_on_changed(TinkerPlayer *player)
+{
+    TinkerDifference difference = player->ran == NULL
+                                      ? TINKER_DIFFERENCE_DRAWING
+                                      : tinker_scene_difference(player->ran, tinker_document_scene(player->document));
+    gboolean under_way = player->time > 0;
+    player_renew_frame(player);
+    const gboolean on_the_way = difference == TINKER_DIFFERENCE_TUNABLE && player->state == TINKER_PLAYER_PLAYING;
+    /* of a run that has come to its end nothing is left that could go on with the change */
+    const gboolean ended = difference == TINKER_DIFFERENCE_TUNABLE && under_way &&
+                           player->state != TINKER_PLAYER_PLAYING && player->time >= tinker_player_duration(player);
+    const gboolean tries =
+        player->trial && !on_the_way && (player->ran == NULL || difference != TINKER_DIFFERENCE_DRAWING);
+    if ((tries || ended) && run_anew(player)) {
+        g_signal_emit(player, player_signals[PLAYER_MOVED], 0);
+        return;
+    }
+    if (difference == TINKER_DIFFERENCE_START || (difference == TINKER_DIFFERENCE_TUNABLE && !under_way))
+        rewind_after_edit(player);
+    else if (difference == TINKER_DIFFERENCE_TUNABLE && !continue_from_now(player))
+        rewind_after_edit(player);
+    g_signal_emit(player, player_signals[PLAYER_MOVED], 0);
+}
+
+void player_on_replaced(TinkerPlayer *player)
+{
+    g_clear_pointer(&player->frame, tinker_frame_free);
+    player_forget_record(player);
+    g_array_set_size(player->asked, 0);
+    tinker_time_span_set(player->span, NULL);
+    tinker_kept_runs_remove_all(player->kept);
+    player->time = 0;
+    player_set_state(player, TINKER_PLAYER_SETUP);
+}

@@ -1,0 +1,100 @@
+/* What the other files of a player stand on: its state, its record, and the frame that shows one time of it. */
+#include <glib/gi18n.h>
+#include <math.h>
+
+#include "gui/document/player-private.h"
+#include "gui/document/recorded-quantities.h"
+#include "scene/frame/tops.h"
+
+guint player_signals[PLAYER_SIGNALS];
+
+void player_set_state(TinkerPlayer *player, TinkerPlayerState state)
+{
+    if (player->state == state) return;
+    player->state = state;
+    g_signal_emit(player, player_signals[PLAYER_STATE_CHANGED], 0);
+}
+
+gboolean player_can_run(TinkerPlayer *player, TinkerBlockId *culprit, GError **error)
+{
+    TinkerScene *scene = tinker_document_scene(player->document);
+    *culprit = tinker_scene_first_placeholder(scene);
+    if (*culprit != TINKER_NO_BLOCK) {
+        g_set_error(
+            error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_PLUGIN,
+            _("%s is a block of the type “%s”, which no installed plugin provides. Install the plugin, or delete "
+              "the block."),
+            tinker_scene_block_name(scene, *culprit), tinker_scene_block_type(scene, *culprit));
+        return FALSE;
+    }
+    *culprit = tinker_scene_first_detached(scene);
+    if (*culprit == TINKER_NO_BLOCK) return TRUE;
+    g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_SCENE,
+                _("%s is not connected. Drag its loose end onto a block, or delete it."),
+                tinker_scene_block_name(scene, *culprit));
+    return FALSE;
+}
+
+TinkerSegment *player_segment(TinkerPlayer *player, guint number)
+{
+    return &g_array_index(player->recording.segments, TinkerSegment, number);
+}
+
+void player_forget_record(TinkerPlayer *player)
+{
+    tinker_recording_forget(&player->recording);
+    g_clear_pointer(&player->ran, tinker_scene_free);
+}
+
+void player_add_segment(TinkerPlayer *player, TinkerScene *scene, double start)
+{
+    g_autoptr(GArray) columns = tinker_recorded_quantities(player->document, player->asked);
+    tinker_recording_add(&player->recording, tinker_run_task_new(player->lane, scene, start, columns), start);
+    g_clear_pointer(&player->ran, tinker_scene_free);
+    player->ran = tinker_scene_copy(tinker_document_scene(player->document));
+}
+
+void player_record_from_start(TinkerPlayer *player)
+{
+    player_forget_record(player);
+    player_add_segment(player, tinker_scene_copy(tinker_document_scene(player->document)), 0);
+}
+
+/* Takes the frame through all samples that its paths lack, up to the time shown. */
+static void note_paths(TinkerPlayer *player)
+{
+    if (!tinker_frame_leaves_paths(player->frame)) return;
+    for (; player->path_segment < player->recording.segments->len; player->path_segment++, player->path_row = 0) {
+        TinkerRunTask *task = player_segment(player, player->path_segment)->task;
+        const double end = tinker_recording_end(&player->recording, player->path_segment);
+        gsize last;
+        if (!tinker_run_task_find(task, fmin(player->time, end), &last)) return;
+        for (; player->path_row <= last; player->path_row++)
+            if (tinker_recording_place_sample(player->frame, task, player->path_row))
+                tinker_frame_note_paths(player->frame);
+        if (player->time < end) return;
+    }
+}
+
+void player_update_frame(TinkerPlayer *player)
+{
+    if (player->frame == NULL) return;
+    note_paths(player);
+    (void)tinker_recording_place(&player->recording, player->frame, player->time);
+}
+
+void player_renew_frame(TinkerPlayer *player)
+{
+    g_clear_pointer(&player->frame, tinker_frame_free);
+    player->frame = tinker_frame_new(tinker_document_scene(player->document), NULL);
+    player->path_segment = 0;
+    player->path_row = 0;
+    if (player->frame != NULL) tinker_tops_turn_bodies(player->frame);
+    player_update_frame(player);
+}
+
+void player_moved(TinkerPlayer *player)
+{
+    player_update_frame(player);
+    g_signal_emit(player, player_signals[PLAYER_MOVED], 0);
+}

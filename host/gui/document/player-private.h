@@ -1,0 +1,51 @@
+/* What the files of the player share. */
+#ifndef TINKER_GUI_PLAYER_PRIVATE_H
+#define TINKER_GUI_PLAYER_PRIVATE_H
+
+#include "gui/document/player.h"
+
+#include "gui/document/recording.h"
+
+struct _TinkerPlayer {
+    GObject parent_instance;
+    TinkerDocument *document;
+    TinkerPlayerState state;
+    double time, speed, pace;
+    gboolean trial; /* edits are those of a hand that tries */
+    double step_to; /* s: as soon as this is recorded it is shown, and time stands still; NAN while it plays freely */
+    TinkerRunLane *lane;
+    TinkerRecording recording;
+    TinkerTimeSpan *span;
+    TinkerKeptRuns *kept;
+    TinkerScene *ran; /* the scene as the last segment has it; NULL where there is none */
+    TinkerFrame *frame;
+    guint path_segment; /* where in the record the frame's paths end: everything before this row of this segment */
+    gsize path_row;     /* is noted */
+    GArray *asked;      /* of TinkerQuantity: asked for in vain */
+    GPtrArray *events;  /* of TinkerRunEvent *: of this generation, when there were so many in all tasks */
+    guint events_generation, events_counted;
+};
+
+enum { PLAYER_STATE_CHANGED, PLAYER_MOVED, PLAYER_REWOUND, PLAYER_FAILED, PLAYER_SIGNALS };
+extern guint player_signals[PLAYER_SIGNALS];
+
+/* player-frame.c: state, record, and the scene as it is shown */
+void player_set_state(TinkerPlayer *player, TinkerPlayerState state);
+/* FALSE, with the block that is at fault, where the scene has a placeholder or a detached end. */
+gboolean player_can_run(TinkerPlayer *player, TinkerBlockId *culprit, GError **error);
+TinkerSegment *player_segment(TinkerPlayer *player, guint number);
+void player_forget_record(TinkerPlayer *player);
+/* Records this scene (transfer full) from a time on, in a thread, as the last segment. */
+void player_add_segment(TinkerPlayer *player, TinkerScene *scene, double start);
+void player_record_from_start(TinkerPlayer *player);
+/* The frame as it is at the time shown; made anew where the scene is another. */
+void player_update_frame(TinkerPlayer *player);
+void player_renew_frame(TinkerPlayer *player);
+/* Tells that the time shown is another. */
+void player_moved(TinkerPlayer *player);
+
+/* player-edits.c: handlers of the document's signals */
+void player_on_changed(TinkerPlayer *player);
+void player_on_replaced(TinkerPlayer *player);
+
+#endif

@@ -1,0 +1,255 @@
+/* The thread of a task: runs its scene and records, sample by sample, until it is over or cancelled. */
+#include <glib/gi18n.h>
+#include <math.h>
+#include <string.h>
+
+#include "event-words.h"
+#include "gui/document/run-task-private.h"
+#include "physics/compile/compile.h"
+#include "physics/model/model.h"
+#include "physics/plan/run-options.h"
+#include "physics/record/columns.h"
+#include "physics/run/accurate-run.h"
+#include "physics/run/simulation.h"
+#include "physics/system/summary.h"
+#include "plugin/call/crash.h"
+
+#define LATELY      0.5   /* s: over which the rate is measured */
+#define MOST_EVENTS 10000 /* that are kept: what rattles has more than anybody looks at */
+
+static gboolean is_cancelled(void *data)
+{
+    return g_atomic_int_get(&((TinkerRunTask *)data)->cancelled);
+}
+
+static void fill_row(TinkerRunTask *task, TinkerSimulation *simulation, double time, const double *values)
+{
+    double *row = task->row;
+    *row++ = time;
+    for (guint i = 0; i < task->bodies->len; i++, row += RUN_TASK_STATE) {
+        TinkerBodySample body = {0};
+        tinker_simulation_body(simulation, g_array_index(task->bodies, TinkerBlockId, i), &body);
+        const double state[RUN_TASK_STATE] = {body.x, body.y, body.vx, body.vy, body.orientation, body.rate};
+        memcpy(row, state, sizeof state);
+    }
+    if (task->columns->len > 0) memcpy(row, values, task->columns->len * sizeof(double));
+}
+
+static void note_summary(TinkerRunTask *task, TinkerSimulation *simulation)
+{
+    const TinkerSummary *summary = tinker_simulation_summary(simulation);
+    TinkerRunStatus *status = &task->status;
+    g_mutex_lock(&task->mutex);
+    g_strlcpy(status->method, summary->method != NULL ? summary->method : "", sizeof status->method);
+    status->adaptive = summary->adaptive;
+    status->step = summary->step;
+    status->tolerance = summary->tolerance;
+    status->error_estimate = summary->error_estimate;
+    status->energy_balance_error = summary->energy_balance_error;
+    status->constraint_error = summary->constraint_position_error;
+    status->predictable_until = task->start + summary->predictable_until;
+    status->valid_until = task->start + summary->valid_until;
+    g_mutex_unlock(&task->mutex);
+}
+
+/* Those of a further try show when its samples do. What came since is added: earlier ones stay as they were told. */
+static void note_events(TinkerRunTask *task, const GPtrArray *events)
+{
+    const guint count = events != NULL ? MIN(events->len, MOST_EVENTS) : 0;
+    g_mutex_lock(&task->mutex);
+    for (guint i = task->events->len; i < count; i++) {
+        const TinkerEvent *event = g_ptr_array_index(events, i);
+        g_autofree char *text = tinker_event_text(task->scene, event);
+        g_ptr_array_add(task->events, run_task_event_new(task->start + event->time, text));
+    }
+    g_mutex_unlock(&task->mutex);
+}
+
+static void note_rate(TinkerRunTask *task, TinkerSimulation *simulation, double time)
+{
+    gint64 now = g_get_monotonic_time();
+    double elapsed = 1e-6 * (double)(now - task->rate_began);
+    if (elapsed < LATELY) return;
+    g_mutex_lock(&task->mutex);
+    task->status.rate = (time - task->rate_from) / elapsed;
+    g_mutex_unlock(&task->mutex);
+    task->rate_began = now;
+    task->rate_from = time;
+    note_summary(task, simulation);
+    note_events(task, tinker_simulation_summary(simulation)->events);
+}
+
+static gboolean take_next(TinkerRunTask *task, double time, GError **error)
+{
+    if (!tinker_record_append(task->next_record, task->row, error)) return FALSE;
+    g_array_append_val(task->next_times, time);
+    return !is_cancelled(task);
+}
+
+static gboolean take_sample(TinkerSimulation *simulation, double time, const double *values, void *data, GError **error)
+{
+    TinkerRunTask *task = data;
+    time += task->start;
+    fill_row(task, simulation, time, values);
+    if (task->next_record != NULL) return take_next(task, time, error);
+    if (!tinker_record_append(task->record, task->row, error)) return FALSE;
+    g_mutex_lock(&task->mutex);
+    g_array_append_val(task->times, time);
+    task->status.reached = time;
+    task->status.rows = task->times->len;
+    g_mutex_unlock(&task->mutex);
+    note_rate(task, simulation, time);
+    return !is_cancelled(task);
+}
+
+static void begin_again(void *data)
+{
+    TinkerRunTask *task = data;
+    g_clear_pointer(&task->next_record, tinker_record_free);
+    g_clear_pointer(&task->next_times, g_array_unref);
+    task->next_record = tinker_record_new(run_task_row_width(task), RUN_TASK_IN_MEMORY);
+    task->next_times = g_array_new(FALSE, FALSE, sizeof(double));
+}
+
+/* The samples of the last try take the place of the first one's, which whoever reads them just now may go on reading.
+ * Called with the mutex held. */
+static void show_next(TinkerRunTask *task)
+{
+    if (task->next_record == NULL || task->next_times->len == 0 || is_cancelled(task)) return;
+    TinkerRecord *record = task->record;
+    GArray *times = task->times;
+    task->record = task->next_record;
+    task->times = task->next_times;
+    task->next_record = record;
+    task->next_times = times;
+    task->status.rows = task->times->len;
+    task->status.reached = g_array_index(task->times, double, task->times->len - 1);
+    task->status.replaced++;
+    g_ptr_array_set_size(task->events, 0);
+}
+
+/* A run that misses the accuracy asked for is whole: that is a warning. */
+static void note_miss(TinkerRunTask *task, GError **failure)
+{
+    if (!g_error_matches(*failure, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_ACCURACY)) return;
+    g_ptr_array_add(task->warnings, g_strdup((*failure)->message));
+    g_clear_error(failure);
+}
+
+/* While the end is looked for; who is told of it would not want to be of a moment. */
+static void note_look(double t, G_GNUC_UNUSED double duration, void *data)
+{
+    TinkerRunTask *task = data;
+    if (1e-6 * (double)(g_get_monotonic_time() - task->rate_began) < LATELY) return;
+    g_mutex_lock(&task->mutex);
+    task->status.looks = TRUE;
+    task->status.looked = task->start + t;
+    g_mutex_unlock(&task->mutex);
+}
+
+/* Where the scene has conditions that end it: ends it where the first of them holds. FALSE where that cannot be said,
+ * and the run is not to begin. */
+static gboolean end_at_condition(TinkerRunTask *task, TinkerModel *model, TinkerRunOptions *options, GError **error)
+{
+    task->until = tinker_until_new(task->scene, task->start);
+    if (!tinker_until_add_all(task->until, tinker_scene_head(task->scene)->run.until, error)) {
+        g_prefix_error(error, _("The condition that stops the run: "));
+        return FALSE;
+    }
+    options->progress = note_look;
+    const gboolean found = tinker_until_end(task->until, model, options->interval, options, &task->stopped_by, error);
+    options->progress = NULL;
+    task->rate_began = g_get_monotonic_time();
+    g_mutex_lock(&task->mutex);
+    task->status.looks = FALSE;
+    g_mutex_unlock(&task->mutex);
+    return found;
+}
+
+/* What the conditions did to a run that came to its end is the last of its events. */
+static void note_end(TinkerRunTask *task)
+{
+    if (tinker_until_count(task->until) == 0) return;
+    const char *all = tinker_scene_head(task->scene)->run.until;
+    g_autofree char *text =
+        task->stopped_by >= 0 ? g_strdup_printf(_("Stopped where %s"), tinker_until_text(task->until, task->stopped_by))
+                              : g_strdup_printf(_("Nothing stopped it: %s did not come true"), all);
+    g_mutex_lock(&task->mutex);
+    g_ptr_array_add(task->events, run_task_event_new(task->status.reached, text));
+    g_mutex_unlock(&task->mutex);
+}
+
+static gboolean run_scene(TinkerRunTask *task, GError **error)
+{
+    g_autoptr(TinkerModel) model = is_cancelled(task) ? NULL : tinker_model_new(task->scene, error);
+    if (model == NULL || is_cancelled(task)) return FALSE;
+    TinkerRunOptions options = tinker_run_options_of(task->scene);
+    options.cancelled = is_cancelled;
+    options.data = task;
+    if (!end_at_condition(task, model, &options, error)) return FALSE;
+    g_autoptr(TinkerSimulation) simulation = tinker_simulation_new(model, &options, error);
+    if (simulation == NULL) return FALSE;
+    const TinkerSampleTaker taker = {take_sample, begin_again, task};
+    GError *failure = NULL;
+    gboolean done = tinker_accurate_run(&simulation, task->columns, &taker, &failure);
+    note_summary(task, simulation);
+    g_mutex_lock(&task->mutex);
+    show_next(task);
+    note_miss(task, &failure);
+    run_task_add_copies(task->warnings, tinker_simulation_summary(simulation)->warnings);
+    run_task_add_copies(task->of_scene, tinker_simulation_summary(simulation)->of_scene);
+    g_mutex_unlock(&task->mutex);
+    note_events(task, tinker_simulation_summary(simulation)->events);
+    if (done) note_end(task);
+    if (failure != NULL) g_propagate_error(error, failure);
+    return done;
+}
+
+/* What a failed run is not to be believed in is forgotten. Called with the mutex held. */
+static void forget_invalid(TinkerRunTask *task)
+{
+    gsize rows = task->times->len;
+    while (rows > 1 && g_array_index(task->times, double, rows - 1) > task->status.valid_until)
+        rows--;
+    for (guint i = task->events->len; i-- > 0;)
+        if (((TinkerRunEvent *)g_ptr_array_index(task->events, i))->time > task->status.valid_until)
+            g_ptr_array_remove_index(task->events, i);
+    if (rows == task->times->len) return;
+    g_array_set_size(task->times, (guint)rows);
+    tinker_record_cut(task->record, rows);
+    task->status.rows = rows;
+    task->status.reached = g_array_index(task->times, double, rows - 1);
+}
+
+/* There is nothing more to come: the thread, or who would have had one, lets go. */
+static void finish(TinkerRunTask *task, GError *error)
+{
+    g_mutex_lock(&task->mutex);
+    task->error = error;
+    if (error != NULL) forget_invalid(task);
+    task->status.finished = TRUE;
+    g_mutex_unlock(&task->mutex);
+    tinker_run_task_unref(task);
+}
+
+static void work(void *item)
+{
+    TinkerRunTask *task = item;
+    tinker_crash_watch_thread();
+    GError *error = NULL;
+    task->row = g_new0(double, run_task_row_width(task));
+    task->rate_began = g_get_monotonic_time();
+    task->rate_from = task->start;
+    if (!run_scene(task, &error) && is_cancelled(task)) g_clear_error(&error);
+    finish(task, error);
+}
+
+static void drop(void *item)
+{
+    finish(item, NULL);
+}
+
+TinkerRunLane *tinker_run_task_lane(void)
+{
+    return tinker_run_lane_new(work, drop);
+}

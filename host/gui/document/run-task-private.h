@@ -1,0 +1,49 @@
+/* A task, which the thread that records (run-recorder.c) and its owner (run-task.c) share. The record guards itself;
+ * the mutex is held only to note or to ask how far the run is, so that nobody waits for the other's work. */
+#ifndef TINKER_GUI_RUN_TASK_PRIVATE_H
+#define TINKER_GUI_RUN_TASK_PRIVATE_H
+
+#include "gui/document/run-task.h"
+
+#include "measure/until.h"
+#include "physics/record/record.h"
+
+#define RUN_TASK_STATE     6                  /* doubles of a body in a row: x, y, vx, vy, orientation, rate */
+#define RUN_TASK_IN_MEMORY ((gsize)256 << 20) /* bytes of a record; beyond, a temporary file */
+
+struct _TinkerRunTask {
+    gatomicrefcount references;
+    TinkerScene *scene;
+    double start;
+    GArray *columns; /* of TinkerColumn */
+    GArray *bodies;  /* of TinkerBlockId */
+    gint cancelled;  /* atomic */
+
+    GMutex mutex;         /* of what follows */
+    TinkerRecord *record; /* which guards itself: the pointer alone is meant */
+    GArray *times;        /* of double, one a row that may be read */
+    TinkerRunStatus status;
+    GError *error;
+    GPtrArray *warnings, *of_scene;
+    GPtrArray *events; /* of TinkerRunEvent *, in order */
+
+    /* The thread's own. */
+    double *row;
+    TinkerRecord *next_record; /* of a further try, until it is over; NULL in the first */
+    GArray *next_times;
+    TinkerUntil *until;
+    int stopped_by;    /* number of that condition; -1 */
+    gint64 rate_began; /* us */
+    double rate_from;  /* s */
+};
+
+/* (transfer full) */
+TinkerRunEvent *run_task_event_new(double time, const char *text);
+
+/* Doubles in a row: the time, the bodies, the columns. */
+gsize run_task_row_width(const TinkerRunTask *task);
+
+/* Of char *. */
+void run_task_add_copies(GPtrArray *to, const GPtrArray *from);
+
+#endif
