@@ -17,11 +17,6 @@ static const double g = 9.81;
 #define ANCHOR(x, y)                                                                                                   \
     "{'type': 'support', 'name': 'Anchor', 'position': [" x ", " y "], 'solid': false, 'width': 0.1, 'height': 0.1},"
 
-static ModesFixture *analyse(const char *blocks)
-{
-    return modes_fixture_new(TRUE, blocks);
-}
-
 /* Its modes have these frequencies (rad/s), in order. */
 static void assert_modes(const ModesFixture *a, guint count, const double *truth, double bound)
 {
@@ -52,7 +47,7 @@ static void test_block_on_floor(void)
                                              "{'type': 'spring', 'ends': ['Anchor', 'Mass 0'], 'stiffness': 100, "
                                              "'rest_length': 3}",
             height[i]);
-        g_autoptr(ModesFixture) a = analyse(blocks);
+        g_autoptr(ModesFixture) a = modes_about_rest(blocks);
         g_assert_true(a->analysis->about_rest);
         assert_modes(a, 1, (const double[]){10}, 1e-12);
         TinkerStillContact contact = assumed(a, 0);
@@ -82,13 +77,13 @@ static void test_about_the_start(void)
 /* A spring of 400 N/m at 60 degrees along the slope of a smooth wedge: sqrt(k / m) whatever the angle. */
 static void test_slope(void)
 {
-    g_autoptr(ModesFixture) a =
-        analyse(GRAVITY "{'type': 'support', 'name': 'Wedge', 'orientation': '60 deg', 'width': 20, 'height': 0.2, "
-                        "'static_friction': 0, 'dynamic_friction': 0},"
-                        "{'type': 'mass', 'mass': 4, 'height': 0.8, 'position': [-0.4330127018922193, 0.25]},"
-                        "{'type': 'support', 'name': 'Anchor', 'solid': false, 'position': "
-                        "[0.5669872981077807, 1.9820508075688772]},"
-                        "{'type': 'spring', 'ends': ['Anchor', 'Mass 0'], 'stiffness': 400, 'rest_length': 2}");
+    g_autoptr(ModesFixture) a = modes_about_rest(
+        GRAVITY "{'type': 'support', 'name': 'Wedge', 'orientation': '60 deg', 'width': 20, 'height': 0.2, "
+                "'static_friction': 0, 'dynamic_friction': 0},"
+                "{'type': 'mass', 'mass': 4, 'height': 0.8, 'position': [-0.4330127018922193, 0.25]},"
+                "{'type': 'support', 'name': 'Anchor', 'solid': false, 'position': "
+                "[0.5669872981077807, 1.9820508075688772]},"
+                "{'type': 'spring', 'ends': ['Anchor', 'Mass 0'], 'stiffness': 400, 'rest_length': 2}");
     assert_modes(a, 1, (const double[]){10}, 1e-10);
     /* it hangs m g sin 60 / k below, and presses with m g cos 60 */
     physics_assert_near("force", assumed(a, 0).force, 4 * g / 2, 1e-9);
@@ -103,9 +98,9 @@ static void test_slope(void)
 static void test_crane(void)
 {
     g_autoptr(ModesFixture) a =
-        analyse(GRAVITY SMOOTH "{'type': 'mass', 'mass': 10, 'height': 1},"
-                               "{'type': 'mass', 'mass': 5, 'position': [0.5, -1.9364916731037085]},"
-                               "{'type': 'rod', 'ends': ['Mass 0', 'Mass 1'], 'length': 2}");
+        modes_about_rest(GRAVITY SMOOTH "{'type': 'mass', 'mass': 10, 'height': 1},"
+                                        "{'type': 'mass', 'mass': 5, 'position': [0.5, -1.9364916731037085]},"
+                                        "{'type': 'rod', 'ends': ['Mass 0', 'Mass 1'], 'length': 2}");
     assert_modes(a, 2, (const double[]){0, sqrt(g / 2 * 1.5)}, 1e-9);
     physics_assert_near("force", assumed(a, 0).force, 15 * g, 1e-8);
 }
@@ -127,7 +122,7 @@ static void test_rough_floor(void)
                                             "'height': 1}, {'type': 'spring', 'ends': ['Anchor', 'Mass 0'], "
                                             "'stiffness': 40, 'rest_length': 3}",
             rows[i].x, rows[i].speed);
-        g_autoptr(ModesFixture) a = analyse(blocks);
+        g_autoptr(ModesFixture) a = modes_about_rest(blocks);
         g_assert_true(a->analysis->about_rest);
         assert_modes(a, rows[i].modes, (const double[]){sqrt(40)}, 1e-12);
         g_assert_cmpint(assumed(a, 0).kind, ==, rows[i].kind);
@@ -148,7 +143,7 @@ static void test_rough_slope(void)
                     "{'type': 'mass', 'mass': 0.25, 'height': 0.2, 'position': [%.17g, %.17g]},"
                     "{'type': 'spring', 'ends': ['Mass 0', 'Mass 1'], 'stiffness': 25, 'rest_length': 1}",
             angle, -0.2 * along[1], 0.2 * along[0], -0.2 * along[1], 0.2 * along[0] - 1.2);
-        g_autoptr(ModesFixture) a = analyse(blocks);
+        g_autoptr(ModesFixture) a = modes_about_rest(blocks);
         if (steep) {
             g_assert_false(a->analysis->about_rest);
             continue;
@@ -170,7 +165,7 @@ static void test_lifted(void)
                                         "{'type': 'spring', 'ends': ['Anchor', 'Mass 0'], 'stiffness': 100, "
                                         "'rest_length': 1}";
     /* at rest 1.0981 m long with the weight: sqrt(g / L) */
-    g_autoptr(ModesFixture) a = analyse(blocks);
+    g_autoptr(ModesFixture) a = modes_about_rest(blocks);
     assert_modes(a, 2, (const double[]){sqrt(g / 1.0981), 10}, 1e-9);
     g_autoptr(GArray) list = tinker_still_contacts_list(a->analysis->contacts);
     g_assert_cmpuint(list->len, ==, 0);
@@ -186,7 +181,7 @@ static void test_ropes(void)
                     "{'type': 'rope', 'ends': ['Support 0', 'Mass 0'], 'length': 2},"
                     "{'type': 'rope', 'ends': ['Support 0', 'Mass 0'], 'length': 2.5}",
             from[i][0], from[i][1]);
-        g_autoptr(ModesFixture) a = analyse(blocks);
+        g_autoptr(ModesFixture) a = modes_about_rest(blocks);
         g_assert_true(a->analysis->about_rest);
         assert_modes(a, 1, (const double[]){sqrt(g / 2)}, 1e-9);
         g_assert_cmpint(assumed(a, 0).kind, ==, TINKER_STILL_TAUT);
@@ -200,17 +195,17 @@ static void test_ropes(void)
 static void test_two_blocks(void)
 {
     g_autoptr(ModesFixture) a =
-        analyse(GRAVITY SMOOTH "{'type': 'mass', 'height': 1}, {'type': 'mass', 'mass': 3, 'height': 1, "
-                               "'position': [2, 0]},"
-                               "{'type': 'spring', 'ends': ['Mass 0', 'Mass 1'], 'stiffness': 12, "
-                               "'rest_length': 1.5}");
+        modes_about_rest(GRAVITY SMOOTH "{'type': 'mass', 'height': 1}, {'type': 'mass', 'mass': 3, 'height': 1, "
+                                        "'position': [2, 0]},"
+                                        "{'type': 'spring', 'ends': ['Mass 0', 'Mass 1'], 'stiffness': 12, "
+                                        "'rest_length': 1.5}");
     assert_modes(a, 2, (const double[]){0, 4}, 1e-9);
 }
 
 /* Between two tops that are just its height apart, without weight: it moves along them alone. */
 static void test_between_two_tops(void)
 {
-    g_autoptr(ModesFixture) a = analyse(
+    g_autoptr(ModesFixture) a = modes_about_rest(
         SMOOTH "{'type': 'support', 'name': 'Ceiling', 'position': [0, 0.6], 'width': 40, 'height': 0.2, "
                "'orientation': '180 deg', 'static_friction': 0, 'dynamic_friction': 0}," ANCHOR(
                    "-3", "0") "{'type': 'mass', 'position': [0.2, 0], 'height': 1},"
@@ -223,12 +218,12 @@ static void test_between_two_tops(void)
 static void test_carried(void)
 {
     g_autoptr(GError) error = NULL;
-    g_autoptr(ModesFixture) a =
-        analyse(GRAVITY SMOOTH
-                "{'type': 'support-motion', 'name': 'Motion', 'ends': ['Floor'], 'angle': '90 deg', 'amplitude': 0.01, "
-                "'frequency': 1}, {'type': 'mass', 'mass': 5, 'height': 1},"
-                "{'type': 'mass', 'mass': 1, 'position': [0, 1.5]},"
-                "{'type': 'spring', 'ends': ['Mass 0', 'Mass 1'], 'stiffness': 100, 'rest_length': 1}");
+    g_autoptr(ModesFixture) a = modes_about_rest(
+        GRAVITY SMOOTH
+        "{'type': 'support-motion', 'name': 'Motion', 'ends': ['Floor'], 'angle': '90 deg', 'amplitude': 0.01, "
+        "'frequency': 1}, {'type': 'mass', 'mass': 5, 'height': 1},"
+        "{'type': 'mass', 'mass': 1, 'position': [0, 1.5]},"
+        "{'type': 'spring', 'ends': ['Mass 0', 'Mass 1'], 'stiffness': 100, 'rest_length': 1}");
     const TinkerModeAnalysis *modes = a->analysis;
     TinkerLinearInput input;
     TinkerLinearOutput output;

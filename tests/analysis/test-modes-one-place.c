@@ -9,20 +9,14 @@
 
 static const char *const magnets[] = {"magnet", "plain-magnet"}; /* with derivatives and without */
 
-static const TinkerMode *mode_at(const ModesFixture *a, guint place)
-{
-    g_assert_cmpuint(place, <, a->analysis->modes->len);
-    return g_ptr_array_index(a->analysis->modes, place);
-}
-
 /* All its modes are oscillations with these natural frequencies (rad/s), without damping. */
 static void assert_swings(const ModesFixture *a, const double *truth, guint count, double bound)
 {
     g_assert_cmpuint(a->analysis->modes->len, ==, count);
     for (guint i = 0; i < count && i < a->analysis->modes->len; i++) {
-        g_assert_cmpint(mode_at(a, i)->kind, ==, TINKER_MODE_OSCILLATION);
-        g_assert_cmpfloat(mode_at(a, i)->decay, ==, 0);
-        physics_assert_near("frequency", mode_at(a, i)->natural / truth[i], 1, bound);
+        g_assert_cmpint(modes_at(a, i)->kind, ==, TINKER_MODE_OSCILLATION);
+        g_assert_cmpfloat(modes_at(a, i)->decay, ==, 0);
+        physics_assert_near("frequency", modes_at(a, i)->natural / truth[i], 1, bound);
     }
 }
 
@@ -30,7 +24,7 @@ static double fastest_swing(const ModesFixture *a)
 {
     double most = 0;
     for (guint i = 0; i < a->analysis->modes->len; i++)
-        if (mode_at(a, i)->kind == TINKER_MODE_OSCILLATION) most = fmax(most, mode_at(a, i)->natural);
+        if (modes_at(a, i)->kind == TINKER_MODE_OSCILLATION) most = fmax(most, modes_at(a, i)->natural);
     return most;
 }
 
@@ -149,7 +143,7 @@ static void test_cubic(void)
     g_assert_true(a->analysis->about_rest);
     g_assert_cmpuint(a->analysis->modes->len, ==, 2);
     for (guint i = 0; i < a->analysis->modes->len; i++)
-        g_assert_cmpint(mode_at(a, i)->kind, ==, TINKER_MODE_RIGID);
+        g_assert_cmpint(modes_at(a, i)->kind, ==, TINKER_MODE_RIGID);
     g_assert_cmpint(a->analysis->linear->undefined_pulls, ==, 0);
 }
 

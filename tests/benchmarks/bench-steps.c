@@ -22,6 +22,7 @@ typedef struct {
     FloorLattice *lattice;
     FloorFrame frame;
     FloorStiffChain *stiff;
+    FloorBars *bars;
     long lap, done; /* steps */
 } Floor;
 
@@ -88,6 +89,14 @@ static double time_stiff_chain(gint64 steps, void *data)
     floor_stiff_chain_reset(floor->stiff);
     double started = benchmark_processor_time();
     floor_stiff_chain_steps(floor->stiff, steps);
+    return benchmark_processor_time() - started;
+}
+
+static double time_bars(gint64 steps, void *data)
+{
+    Floor *floor = data;
+    double started = benchmark_processor_time();
+    floor_bars_steps(floor->bars, floor->step, steps);
     return benchmark_processor_time() - started;
 }
 
@@ -158,6 +167,46 @@ static void measure_chain(BenchmarkReport *report, int rods, double *angles, con
     measure(report, step, &subject, time_chain, &floor);
     floor_chain_free(floor.chain);
     benchmark_subject_clear(&subject);
+}
+
+static void measure_bars(BenchmarkReport *report, int bars)
+{
+    g_autofree double *angles = benchmark_hanging_angles(bars);
+    g_autofree char *scene = g_strdup_printf("S7 chain of %d pinned bars, hanging", bars);
+    if (!benchmark_report_wants(report, scene)) return;
+    g_autofree char *text = benchmark_bars(bars, angles, 10.0 / bars);
+    double h = bars > 100 ? 1e-4 : 1e-3;
+    BenchmarkSubject subject = benchmark_subject(text, "verlet", h);
+    Floor floor = {.step = h, .bars = floor_bars_new(bars, angles, 10.0 / bars)};
+    BenchmarkStep step = {
+        .scene = scene, .method = "verlet", .elements = bars, .goal = 150, .error_kind = "gap of a pin"};
+    step.error = chain_error(&subject);
+    floor_bars_steps(floor.bars, h, ERROR_STEPS);
+    step.floor_error = floor_bars_error(floor.bars);
+    subject.lap = INFINITY;
+    measure(report, step, &subject, time_bars, &floor);
+    floor_bars_free(floor.bars);
+    benchmark_subject_clear(&subject);
+}
+
+/* A bar pendulum; in place of a floor the pendulum of a mass on a rod, of which it may cost twice as much. */
+static void measure_bar_pendulum(BenchmarkReport *report)
+{
+    const char *scene = "S8 bar pendulum, beside a rod's";
+    if (!benchmark_report_wants(report, scene)) return;
+    const double level = G_PI / 2;
+    g_autofree char *bar = benchmark_bars(1, &level, 1.0), *rod = benchmark_chain(1, &level, 1.0);
+    BenchmarkSubject subject = benchmark_subject(bar, METHOD, 1e-3), plain = benchmark_subject(rod, METHOD, 1e-3);
+    subject.lap = plain.lap = 100;
+    BenchmarkTask beside = {.work = benchmark_subject_work, .data = &plain};
+    BenchmarkTask ours = {.work = benchmark_subject_work, .data = &subject};
+    benchmark_time_pair(&beside, &ours);
+    BenchmarkStep step = {.scene = scene, .method = METHOD, .elements = 1, .goal = NAN};
+    step.step = ours.timing;
+    step.floor = beside.timing;
+    benchmark_report_step(report, &step);
+    benchmark_subject_clear(&subject);
+    benchmark_subject_clear(&plain);
 }
 
 /* Both take the same steps, so they must end at the same places but for rounding. */
@@ -267,5 +316,8 @@ int main(int argc, char **argv)
         measure_lattice(report, sides[i]);
     measure_frame(report);
     measure_stiff_chain(report);
+    for (gsize i = 0; i < 3; i++)
+        measure_bars(report, rods[i]);
+    measure_bar_pendulum(report);
     return benchmark_report_end(report);
 }

@@ -1,6 +1,6 @@
 /* The floor: what the same motion costs in plain C that was written for the one scene and knows nothing else. It takes
- * the same steps, classical Runge-Kutta ones but for the stiff chain (and, with rods, the same return to them after
- * each), so the difference is the price of blocks, plugins, watching and energy books. */
+ * the same steps, classical Runge-Kutta ones but for the stiff chain and pinned bars (and, with rods, the same return
+ * to them after each), so the difference is the price of blocks, plugins, watching and energy books. */
 #ifndef BENCHMARK_FLOORS_H
 #define BENCHMARK_FLOORS_H
 
@@ -23,6 +23,15 @@ void floor_chain_reset(FloorChain *chain);
 void floor_chain_steps(FloorChain *chain, double h, long steps);
 /* The largest error of a length, relative. */
 double floor_chain_error(const FloorChain *chain);
+
+/* Bars of 1 kg pinned end to end from the origin, without width, by RATTLE: the steps that verlet takes. */
+typedef struct FloorBars FloorBars;
+FloorBars *floor_bars_new(int bars, const double *angles, double length);
+void floor_bars_free(FloorBars *chain);
+void floor_bars_reset(FloorBars *chain);
+void floor_bars_steps(FloorBars *chain, double h, long steps);
+/* The largest gap of a pin, over a bar's length. */
+double floor_bars_error(FloorBars *chain);
 
 /* The lattice of benchmark_lattice, as a list of springs. */
 typedef struct FloorLattice FloorLattice;

@@ -62,6 +62,47 @@ char *benchmark_chain(int rods, const double *angles, double rod_length)
     return end_text(text);
 }
 
+static void add_bar(GString *text, int number, double x, double y, double angle, double length)
+{
+    g_string_append_printf(text, "{\"type\": \"bar\", \"name\": \"B%d\", \"mass\": 1, \"position\": [", number);
+    add_number(text, x);
+    g_string_append(text, ", ");
+    add_number(text, y);
+    g_string_append(text, "], \"orientation\": ");
+    add_number(text, angle);
+    g_string_append(text, ", \"length\": ");
+    add_number(text, length);
+    g_string_append(text, "},\n");
+}
+
+static void add_pin(GString *text, int number, double length)
+{
+    g_string_append(text, "{\"type\": \"pin\", \"ends\": [");
+    if (number == 0) g_string_append(text, "\"S\"");
+    for (int end = number == 0 ? 1 : 0; end < 2; end++) {
+        g_string_append_printf(text, "%s{\"block\": \"B%d\", \"at\": [", end == 1 ? ", " : "", number - 1 + end);
+        add_number(text, end == 0 ? 0.5 * length : -0.5 * length);
+        g_string_append(text, ", 0]}");
+    }
+    g_string_append(text, "]},\n");
+}
+
+char *benchmark_bars(int bars, const double *angles, double length)
+{
+    GString *text = g_string_new(head);
+    double x = 0, y = 0;
+    g_string_append(text, "{\"type\": \"gravity\"},\n{\"type\": \"support\", \"name\": \"S\", \"solid\": false},\n");
+    for (int i = 0; i < bars; i++) {
+        const double dx = length * sin(angles[i]), dy = -length * cos(angles[i]);
+        add_bar(text, i, x + 0.5 * dx, y + 0.5 * dy, atan2(dy, dx), length);
+        x += dx;
+        y += dy;
+    }
+    for (int i = 0; i < bars; i++)
+        add_pin(text, i, length);
+    return end_text(text);
+}
+
 double *benchmark_hanging_angles(int count)
 {
     double *angles = g_new(double, count);

@@ -12,6 +12,9 @@ char *benchmark_oscillator(gboolean hanging);
 /* Masses of 1 kg one below the other on rods from the origin; the angle of each rod is counted from straight down. */
 char *benchmark_chain(int rods, const double *angles, double rod_length);
 
+/* Slender bars of 1 kg pinned end to end, from the origin; angles as above. */
+char *benchmark_bars(int bars, const double *angles, double length);
+
 /* A square of n times n masses of 1 kg, 1 m apart and each displaced by up to 1 cm, with a spring of 1000 N/m and a
  * damper of 0.5 N s/m to each of its 8 neighbours. The places, x and y in turns, are benchmark_lattice_places. */
 char *benchmark_lattice(int n);

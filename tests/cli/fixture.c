@@ -117,6 +117,31 @@ void cli_assert_holds(const char *text, const char *part)
     if (strstr(text, part) == NULL) g_error("\"%s\" is not in:\n%s", part, text);
 }
 
+void cli_assert_begins(const CliFixture *fixture, const char *name, const char *magic)
+{
+    g_autofree char *path = cli_path(fixture, name);
+    g_autofree char *bytes = NULL;
+    gsize length = 0;
+    g_assert_true(g_file_get_contents(path, &bytes, &length, NULL));
+    g_assert_cmpuint(length, >, strlen(magic));
+    g_assert_cmpmem(bytes, strlen(magic), magic, strlen(magic));
+}
+
+/* Width and height stand big-endian at bytes 16 and 20. */
+void cli_assert_png_size(const CliFixture *fixture, const char *name, guint width, guint height)
+{
+    cli_assert_begins(fixture, name, CLI_PNG_BEGINS);
+    g_autofree char *path = cli_path(fixture, name);
+    g_autofree char *bytes = NULL;
+    gsize length = 0;
+    g_assert_true(g_file_get_contents(path, &bytes, &length, NULL));
+    g_assert_cmpuint(length, >, 24);
+    guint32 sides[2];
+    memcpy(sides, bytes + 16, sizeof sides);
+    g_assert_cmpuint(GUINT32_FROM_BE(sides[0]), ==, width);
+    g_assert_cmpuint(GUINT32_FROM_BE(sides[1]), ==, height);
+}
+
 void cli_test_add(const char *path, void (*test)(CliFixture *fixture, gconstpointer data))
 {
     g_test_add(path, CliFixture, NULL, cli_fixture_set_up, test, cli_fixture_tear_down);

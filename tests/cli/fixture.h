@@ -48,6 +48,13 @@ int cli_interrupt(GPid process);
 /* Fails the test where `text` does not hold `part`. */
 void cli_assert_holds(const char *text, const char *part);
 
+/* A file there begins with these bytes, and has more. */
+void cli_assert_begins(const CliFixture *fixture, const char *name, const char *magic);
+#define CLI_PNG_BEGINS "\x89PNG\r\n\x1a\n"
+
+/* A file there is a picture of this size in pixels. */
+void cli_assert_png_size(const CliFixture *fixture, const char *name, guint width, guint height);
+
 void cli_test_add(const char *path, void (*test)(CliFixture *fixture, gconstpointer data));
 
 #endif

@@ -1,22 +1,36 @@
 #!/usr/bin/zsh -f
 # What zsh completes where one word alone fits: a shell of its own gets the keys, and is asked for its line.
 #   test-completion.zsh FOLDER-OF-TINKER FOLDER-OF-COMPLETIONS
-zmodload zsh/zpty
+zmodload zsh/zpty zsh/zselect
 integer number=0 failed=0
 export TERM=dumb HOME=$(mktemp -d) # nothing of the user's
-zpty shell "zsh -f -i"
+zpty -b shell "zsh -f -i"
 zpty -w shell "PATH=$1:$1/../gui:\$PATH PS1= PS2= RPS1=; unsetopt zle_bracketed_paste prompt_cr prompt_sp; stty -echo"
 zpty -w shell "fpath=($2 \$fpath); autoload -U compinit; compinit -D"
-zpty -w shell "tell() { print -r -- \"line<\$BUFFER>\"; BUFFER=; }; zle -N tell; bindkey '^X' tell '^I' complete-word"
+zpty -w shell "tell() { print -r -- \"line<\$BUFFER>\"; BUFFER=; }; zle -N tell; bindkey '^T' tell '^I' complete-word"
 zpty -w shell "print rea''dy"
-while zpty -r shell line && [[ $line != *ready* ]]; do :; done
+until zpty -r shell line && [[ $line == *ready* ]]; do zselect -t 5; done
 
-# The line that stands after the tabulator.
+# What the shell says next of its line, as `line`: false if it says nothing for 30 seconds.
+says_line() {
+    float waited=0
+    local piece
+    line=
+    while [[ $line != *'line<'*'>'* ]]; do
+        zpty -r shell piece && { line+=$piece; continue }
+        zselect -t 5
+        (( (waited += 0.05) < 30 )) || return 1
+    done
+}
+
+# The line that stands after the tabulator. A shell that another process holds up can lose keys that were typed ahead: asked three times.
 completes() {
     local line
     number+=1
-    zpty -n -w shell "$2"$'\t\x18'
-    while zpty -r shell line && [[ $line != *'line<'*'>'* ]]; do :; done
+    repeat 3; do
+        zpty -n -w shell $'\x15'"$2"$'\t\x14'
+        says_line && break
+    done
     line=${${line##*line<}%%>*}
     if [[ $line == "$1" ]]; then
         print "ok $number - $2"

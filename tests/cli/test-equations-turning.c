@@ -66,11 +66,34 @@ static void test_pendulum(CliFixture *fixture, gconstpointer data)
     g_autofree char *shown = g_utf8_normalize(page->output, -1, G_NORMALIZE_DEFAULT_COMPOSE);
     g_autofree char *wanted = g_utf8_normalize("I θ̈ = r₂x λy − r₂y λx   Pin\n", -1, G_NORMALIZE_DEFAULT_COMPOSE);
     cli_assert_holds(shown, wanted);
+    g_autoptr(TestProgram) values = cli_run_well(fixture, "equations @scene.json --at 0.1");
+    g_assert_nonnull(strstr(values->output, " N m\n")); /* a moment is no energy */
+    g_assert_null(strstr(values->output, " J\n"));
 
     root = parsed(fixture, "diagram @scene.json --block Bar --time 0 --as json");
     const cJSON *kinetic = cJSON_GetObjectItem(root, "kinetic");
     assert_near(cJSON_GetObjectItem(kinetic, "torque")->valuedouble, inertia * alpha, 1e-12);
     assert_near(cJSON_GetObjectItem(root, "inertia")->valuedouble, inertia, 1e-15);
+    cJSON_Delete(root);
+}
+
+/* A disc of 3 N m/rad that is turned by 0.2 rad: the spring's torque stands in the diagram, and is all there is. */
+static void test_torque(CliFixture *fixture, gconstpointer data)
+{
+    g_autofree char *scene = cli_write(
+        fixture, "scene.json",
+        "{\"tinker\": 1, \"blocks\": [{\"type\": \"support\", \"name\": \"Axle\", \"solid\": false},"
+        "{\"type\": \"disc\", \"name\": \"Disc\", \"solid\": false, \"orientation\": 0.2},"
+        "{\"type\": \"pin\", \"ends\": [\"Axle\", \"Disc\"]},"
+        "{\"type\": \"torsional-spring\", \"name\": \"Coil\", \"ends\": [\"Axle\", \"Disc\"], \"stiffness\": 3, "
+        "\"rest_angle\": 0}]}");
+    cJSON *root = parsed(fixture, "diagram @scene.json --block Disc --time 0 --as json");
+    const cJSON *each, *forces = cJSON_GetObjectItem(root, "forces");
+    double torque = 0;
+    cJSON_ArrayForEach(each, forces) if (strcmp(cJSON_GetObjectItem(each, "from")->valuestring, "Coil") == 0) torque +=
+        cJSON_GetObjectItem(each, "torque")->valuedouble;
+    assert_near(torque, -0.6, 1e-15);
+    assert_near(cJSON_GetObjectItem(cJSON_GetObjectItem(root, "kinetic"), "torque")->valuedouble, -0.6, 1e-15);
     cJSON_Delete(root);
 }
 
@@ -99,6 +122,131 @@ static void test_angles(CliFixture *fixture, gconstpointer data)
     const double x = LENGTH * sin(AT_START), y = 3 - LENGTH * cos(AT_START);
     assert_near(cJSON_GetObjectItem(rod, "value")->valuedouble, atan2(0.6 - x, y - 1), 1e-12);
     cJSON_Delete(root);
+}
+
+static void assert_page_holds(CliFixture *fixture, const char *command, const char *const lines[])
+{
+    g_autoptr(TestProgram) page = cli_run_well(fixture, command);
+    g_autofree char *shown = g_utf8_normalize(page->output, -1, G_NORMALIZE_DEFAULT_COMPOSE);
+    for (; *lines != NULL; lines++) {
+        g_autofree char *wanted = g_utf8_normalize(*lines, -1, G_NORMALIZE_DEFAULT_COMPOSE);
+        cli_assert_holds(shown, wanted);
+    }
+}
+
+static void assert_all_written(const cJSON *root)
+{
+    g_assert_cmpint(cJSON_GetArraySize(cJSON_GetObjectItem(root, "not_written")), ==, 0);
+}
+
+/* Wheels of I1, I2 and I3 that a torque M sets going, the second geared to the first by i, the third inside the second
+ * by k: theta_2 = -i theta_1, theta_3 = k theta_2, so that (I1 + i^2 I2 + i^2 k^2 I3) alpha_1 = M. What the first gear
+ * carries is what turns the second and the third. */
+static void test_gears(CliFixture *fixture, gconstpointer data)
+{
+    const double inertia[] = {0.5, 2, 3}, i = 0.4, k = 1.5, torque = 7;
+    const double alpha = torque / (inertia[0] + i * i * inertia[1] + i * i * k * k * inertia[2]);
+    g_autofree char *scene = cli_write(
+        fixture, "scene.json",
+        "{\"tinker\": 1, \"blocks\": [{\"type\": \"support\", \"name\": \"Axle\", \"solid\": false},"
+        "{\"type\": \"disc\", \"name\": \"A\", \"solid\": false, \"inertia\": 0.5},"
+        "{\"type\": \"disc\", \"name\": \"B\", \"solid\": false, \"inertia\": 2, \"orientation\": 0.3},"
+        "{\"type\": \"disc\", \"name\": \"C\", \"solid\": false, \"inertia\": 3},"
+        "{\"type\": \"pin\", \"ends\": [\"Axle\", \"A\"]}, {\"type\": \"pin\", \"ends\": [\"Axle\", \"B\"]},"
+        "{\"type\": \"pin\", \"ends\": [\"Axle\", \"C\"]},"
+        "{\"type\": \"gear\", \"name\": \"Outer\", \"ends\": [\"A\", \"B\"], \"ratio\": 0.4},"
+        "{\"type\": \"gear\", \"name\": \"Inner\", \"ends\": [\"B\", \"C\"], \"ratio\": 1.5, \"internal\": true},"
+        "{\"type\": \"torque\", \"name\": \"Motor\", \"ends\": [\"A\", \"Axle\"], \"amplitude\": 7}]}");
+    cJSON *root = parsed(fixture, "equations @scene.json --as json");
+    assert_all_written(root);
+    assert_near(symbol_of(root, "λ_4"), -i * alpha * (inertia[1] + k * k * inertia[2]), 1e-12);
+    assert_near(symbol_of(root, "λ_5"), -i * k * alpha * inertia[2], 1e-12);
+    cJSON_Delete(root);
+    static const char *const lines[] = {"0 = θ₂ − θ0_4,2 + i₄ (θ₁ − θ0_4,1) ", "+ w   Outer + Motor", NULL};
+    assert_page_holds(fixture, "equations @scene.json", lines);
+}
+
+/* A crank that is driven as n t + A cos(omega t): it takes I theta'' = -I A omega^2 at the start. */
+static void test_drive(CliFixture *fixture, gconstpointer data)
+{
+    g_autofree char *scene = cli_write(
+        fixture, "scene.json",
+        "{\"tinker\": 1, \"blocks\": [{\"type\": \"support\", \"name\": \"Axle\", \"solid\": false},"
+        "{\"type\": \"disc\", \"name\": \"Crank\", \"solid\": false, \"inertia\": 0.5},"
+        "{\"type\": \"pin\", \"ends\": [\"Axle\", \"Crank\"]},"
+        "{\"type\": \"drive\", \"name\": \"Drive\", \"ends\": [\"Crank\", \"Axle\"], \"speed\": 2, \"waveform\": "
+        "\"cosine\", \"amplitude\": 0.3, \"frequency\": 5}]}");
+    cJSON *root = parsed(fixture, "equations @scene.json --as json");
+    assert_all_written(root);
+    assert_near(symbol_of(root, "λ_2"), -0.5 * 0.3 * 25, 1e-12);
+    cJSON_Delete(root);
+    static const char *const lines[] = {"− n t − (w − w0)   Drive", "w0 = A ", NULL};
+    assert_page_holds(fixture, "equations @scene.json", lines);
+}
+
+/* A disc and a hoop that roll down a plank of slope a: with k = I / m r^2, N = m g cos a, f = m g sin a k / (1 + k) up
+ * the plank, and f turns it by f r. A box that slides is pushed at two corners, with N in sum m g cos a. */
+static void test_rolling(CliFixture *fixture, gconstpointer data)
+{
+    const double slope = 0.3, g = 9.81, c = cos(slope), s = sin(slope), mass = 2, r = 0.25;
+    g_autofree char *text = g_strdup_printf(
+        "{\"tinker\": 1, \"blocks\": [{\"type\": \"gravity\", \"name\": \"Gravity\"},"
+        "{\"type\": \"support\", \"name\": \"Plank\", \"width\": 40, \"height\": 0.4, \"orientation\": %.17g,"
+        " \"static_friction\": 0.6, \"dynamic_friction\": 0.1},"
+        "{\"type\": \"disc\", \"name\": \"Disc\", \"mass\": 2, \"radius\": %g, \"position\": [%.17g, %.17g]},"
+        "{\"type\": \"disc\", \"name\": \"Hoop\", \"mass\": 2, \"radius\": %g, \"inertia\": 0.125, \"position\": "
+        "[%.17g, "
+        "%.17g]}]}",
+        -slope, r, s * (0.2 + r), c * (0.2 + r), r, s * (0.2 + r) + 3 * c, c * (0.2 + r) - 3 * s);
+    g_autofree char *scene = cli_write(fixture, "scene.json", text);
+    cJSON *root = parsed(fixture, "equations @scene.json --as json");
+    assert_all_written(root);
+    assert_near(symbol_of(root, "N_1"), mass * g * c, 1e-9);
+    assert_near(symbol_of(root, "N_2"), mass * g * c, 1e-9);
+    assert_near(symbol_of(root, "f_1"), -mass * g * s / 3, 1e-9);
+    assert_near(symbol_of(root, "f_2"), -mass * g * s / 2, 1e-9);
+    cJSON_Delete(root);
+    static const char *const lines[] = {"I₁ θ̈₁ = f₁ R", "− (H / 2 + R) ", "+ R θ₁ − s0₁ ", "I₂ θ̈₂ = f₂ R", NULL};
+    assert_page_holds(fixture, "equations @scene.json", lines);
+}
+
+/* A box that slides: pushed at its two lower corners, whose forces make up its weight, and whose moments with
+ * friction's cancel, so that the front carries more, N2 - N1 = mu m g h / w. */
+static void test_sliding_box(CliFixture *fixture, gconstpointer data)
+{
+    g_autofree char *scene = cli_write(
+        fixture, "scene.json",
+        "{\"tinker\": 1, \"blocks\": [{\"type\": \"gravity\", \"name\": \"Gravity\"},"
+        "{\"type\": \"support\", \"name\": \"Floor\", \"width\": 40, \"height\": 0.4, \"static_friction\": 0.3, "
+        "\"dynamic_friction\": 0.3},"
+        "{\"type\": \"box\", \"name\": \"Box\", \"mass\": 2, \"width\": 0.8, \"height\": 0.4, \"position\": [0, 0.4], "
+        "\"velocity\": [2, 0]}]}");
+    cJSON *root = parsed(fixture, "equations @scene.json --as json");
+    assert_all_written(root);
+    const double weight = 2 * 9.81, a = symbol_of(root, "N_1"), b = symbol_of(root, "N_2");
+    assert_near(a + b, weight, 1e-9);
+    assert_near(fabs(b - a), 0.3 * weight * 0.4 / 0.8, 1e-9);
+    cJSON_Delete(root);
+    static const char *const lines[] = {"I θ̈ = r₁x N₁ + r₁y σ₁ µd N₁ + r₂x N₂ + r₂y σ₂ µd N₂", NULL};
+    assert_page_holds(fixture, "equations @scene.json", lines);
+}
+
+/* A damper from a place on a beam that swings: its end there moves by omega x r. */
+static void test_turned_support(CliFixture *fixture, gconstpointer data)
+{
+    g_autofree char *scene =
+        cli_write(fixture, "scene.json",
+                  "{\"tinker\": 1, \"blocks\": [{\"type\": \"support\", \"name\": \"Beam\", \"solid\": false},"
+                  "{\"type\": \"support-turn\", \"ends\": [\"Beam\"], \"waveform\": \"sine\", \"amplitude\": 0.5, "
+                  "\"frequency\": 3},"
+                  "{\"type\": \"mass\", \"name\": \"Bob\", \"position\": [1, -2]},"
+                  "{\"type\": \"damper\", \"ends\": [{\"block\": \"Beam\", \"at\": [1, 0]}, \"Bob\"]}]}");
+    static const char *const lines[] = {
+        "φ̇ = A ω cos(ω t)", "((x − ax₀ cos(φ)) (ẋ + φ̇ ax₀ sin(φ)) + (y − ax₀ sin(φ)) (ẏ − φ̇ ax₀ cos(φ))) / L", NULL};
+    cJSON *root = parsed(fixture, "equations @scene.json --as json");
+    assert_all_written(root);
+    cJSON_Delete(root);
+    assert_page_holds(fixture, "equations @scene.json", lines);
 }
 
 static const cJSON *account(const cJSON *root, const char *section, const char *list, const char *block)
@@ -194,14 +342,127 @@ static void test_rope(CliFixture *fixture, gconstpointer data)
     cJSON_Delete(root);
 }
 
+/* The couple that a diagram has from a block. */
+static double couple_from(CliFixture *fixture, const char *command, const char *from)
+{
+    cJSON *root = parsed(fixture, command);
+    const cJSON *force;
+    double couple = NAN;
+    cJSON_ArrayForEach(force, cJSON_GetObjectItem(root, "forces"))
+    {
+        if (strcmp(cJSON_GetObjectItem(force, "from")->valuestring, from) == 0)
+            couple = cJSON_GetObjectItem(force, "torque")->valuedouble;
+    }
+    cJSON_Delete(root);
+    return couple;
+}
+
+/* A beam of length L welded at its root, loaded by F at its tip: the root holds it with the moment F L. */
+static void test_welded_beam(CliFixture *fixture, gconstpointer data)
+{
+    g_autofree char *scene = cli_write(
+        fixture, "scene.json",
+        "{\"tinker\": 1, \"run\": {\"duration\": 0.5}, \"blocks\": ["
+        "{\"type\": \"support\", \"name\": \"Wall\", \"solid\": false},"
+        "{\"type\": \"bar\", \"name\": \"Beam\", \"mass\": 2, \"length\": 3, \"position\": [1.5, 0],"
+        " \"orientation\": 0},"
+        "{\"type\": \"weld\", \"name\": \"Root\", \"ends\": [\"Wall\", {\"block\": \"Beam\", \"at\": [-1.5, 0]}]},"
+        "{\"type\": \"law-force\", \"name\": \"Load\", \"ends\": [{\"block\": \"Beam\", \"at\": [1.5, 0]}],"
+        " \"force_y\": \"-a\", \"a\": \"7 N\"}]}");
+    assert_near(couple_from(fixture, "diagram @scene.json --block Beam --time 0.2 --as json", "Root"), 7 * 3, 1e-12);
+}
+
+/* A drive that holds a bar level: m g L/2 about the pin. */
+static void test_holding_drive(CliFixture *fixture, gconstpointer data)
+{
+    g_autofree char *scene = cli_write(
+        fixture, "scene.json",
+        "{\"tinker\": 1, \"run\": {\"duration\": 0.5}, \"blocks\": ["
+        "{\"type\": \"gravity\", \"name\": \"Gravity\", \"acceleration\": 10},"
+        "{\"type\": \"support\", \"name\": \"Wall\", \"solid\": false},"
+        "{\"type\": \"bar\", \"name\": \"Bar\", \"mass\": 2, \"length\": 3, \"position\": [1.5, 0],"
+        " \"orientation\": 0},"
+        "{\"type\": \"pin\", \"name\": \"Pin\", \"ends\": [\"Wall\", {\"block\": \"Bar\", \"at\": [-1.5, 0]}]},"
+        "{\"type\": \"drive\", \"name\": \"Drive\", \"ends\": [\"Wall\", \"Bar\"], \"speed\": 0}]}");
+    assert_near(couple_from(fixture, "diagram @scene.json --block Bar --time 0.2 --as json", "Drive"), 2 * 10 * 1.5,
+                1e-12);
+}
+
+/* Torques are in N m, energies in J. */
+static void test_units(CliFixture *fixture, gconstpointer data)
+{
+    g_autofree char *scene =
+        cli_write(fixture, "scene.json",
+                  "{\"tinker\": 1, \"blocks\": [{\"type\": \"support\", \"name\": \"Axle\", \"solid\": false},"
+                  "{\"type\": \"disc\", \"name\": \"A\", \"solid\": false}, {\"type\": \"disc\", \"name\": \"B\", "
+                  "\"solid\": false},"
+                  "{\"type\": \"pin\", \"ends\": [\"Axle\", \"A\"]}, {\"type\": \"pin\", \"ends\": [\"Axle\", \"B\"]},"
+                  "{\"type\": \"gear\", \"name\": \"Pair\", \"ends\": [\"A\", \"B\"]},"
+                  "{\"type\": \"torsional-spring\", \"name\": \"Spring\", \"ends\": [\"Axle\", \"A\"]},"
+                  "{\"type\": \"torque\", \"name\": \"Motor\", \"ends\": [\"A\", \"Axle\"], \"amplitude\": 7}]}");
+    cJSON *root = parsed(fixture, "equations @scene.json --as json");
+    const cJSON *each;
+    int torques = 0, energies = 0;
+    cJSON_ArrayForEach(each, cJSON_GetObjectItem(root, "symbols"))
+    {
+        const char *unit = cJSON_GetObjectItem(each, "unit")->valuestring;
+        g_assert_cmpstr(unit, !=, "J");
+        torques += strcmp(unit, "N m") == 0;
+    }
+    cJSON_ArrayForEach(each, cJSON_GetObjectItem(root, "definitions"))
+    {
+        const cJSON *means = cJSON_GetObjectItem(each, "means");
+        const gboolean stored = means != NULL && strcmp(means->valuestring, "stored energy") == 0;
+        g_assert_true((strcmp(cJSON_GetObjectItem(each, "unit")->valuestring, "J") == 0) == stored);
+        energies += stored;
+    }
+    g_assert_cmpint(torques, ==, 2); /* the gear's multiplier, the motor's amplitude */
+    g_assert_cmpint(energies, ==, 1);
+    cJSON_Delete(root);
+}
+
+/* A weld's multipliers have Greek letters in their indices, which LaTeX knows as commands alone. A real LaTeX reads the
+ * page where there is one. */
+static void test_latex(CliFixture *fixture, gconstpointer data)
+{
+    g_autofree char *scene = cli_write(
+        fixture, "scene.json",
+        "{\"tinker\": 1, \"blocks\": [{\"type\": \"support\", \"name\": \"Wall\", \"solid\": false},"
+        "{\"type\": \"bar\", \"name\": \"Beam\", \"length\": 3, \"position\": [1.5, 0], \"orientation\": 0},"
+        "{\"type\": \"weld\", \"name\": \"Root\", \"ends\": [\"Wall\", {\"block\": \"Beam\", \"at\": [-1.5, 0]}]}]}");
+    g_autoptr(TestProgram) page = cli_run_well(fixture, "equations @scene.json --as latex");
+    g_assert_true(g_str_is_ascii(strstr(page->output, "\\begin{document}")));
+    cli_assert_holds(page->output, "{\\lambda}_{\\theta}");
+    g_autofree char *program = g_find_program_in_path("pdflatex");
+    if (program == NULL) return;
+    g_autofree char *folder = g_path_get_dirname(scene), *source = cli_write(fixture, "page.tex", page->output);
+    const char *command[] = {program, "-interaction=nonstopmode", "-halt-on-error", source, NULL};
+    g_autoptr(GError) error = NULL;
+    g_autofree char *said = NULL;
+    int status = 0;
+    g_spawn_sync(folder, (char **)command, NULL, G_SPAWN_DEFAULT, NULL, NULL, &said, NULL, &status, &error);
+    g_assert_no_error(error);
+    if (status != 0) g_error("LaTeX does not read the page: %s", said);
+}
+
 int main(int argc, char **argv)
 {
     g_test_init(&argc, &argv, NULL);
     cli_test_add("/cli/equations-turning/pendulum", test_pendulum);
     cli_test_add("/cli/equations-turning/angles", test_angles);
+    cli_test_add("/cli/equations-turning/torque", test_torque);
     cli_test_add("/cli/equations-turning/long-chain", test_long_chain);
     cli_test_add("/cli/equations-turning/books", test_books);
     cli_test_add("/cli/equations-turning/redundant", test_redundant);
     cli_test_add("/cli/equations-turning/rope", test_rope);
+    cli_test_add("/cli/equations-turning/gears", test_gears);
+    cli_test_add("/cli/equations-turning/drive", test_drive);
+    cli_test_add("/cli/equations-turning/welded-beam", test_welded_beam);
+    cli_test_add("/cli/equations-turning/holding-drive", test_holding_drive);
+    cli_test_add("/cli/equations-turning/latex", test_latex);
+    cli_test_add("/cli/equations-turning/units", test_units);
+    cli_test_add("/cli/equations-turning/rolling", test_rolling);
+    cli_test_add("/cli/equations-turning/sliding-box", test_sliding_box);
+    cli_test_add("/cli/equations-turning/turned-support", test_turned_support);
     return g_test_run();
 }

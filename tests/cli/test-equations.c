@@ -91,6 +91,8 @@ static void test_matrix(CliFixture *fixture, gconstpointer data)
     g_autofree char *text = g_utf8_normalize(page->output, -1, G_NORMALIZE_DEFAULT_COMPOSE);
     g_autofree char *wanted = g_utf8_normalize("m q̈ + k q = 0\n", -1, G_NORMALIZE_DEFAULT_COMPOSE);
     cli_assert_holds(text, wanted);
+    g_autofree char *divided = g_utf8_normalize("q̈ + ω₀² q = 0\n", -1, G_NORMALIZE_DEFAULT_COMPOSE);
+    cli_assert_holds(text, divided);
     cli_assert_holds(text, "q = y − 1.6 m   counted from rest");
     cli_assert_holds(text, "ω₀ = 5 rad/s ");
     cli_assert_holds(text, "τ = 1.25664 s ");
@@ -104,6 +106,46 @@ static void test_matrix(CliFixture *fixture, gconstpointer data)
                       1e-12);
     cJSON_free(stiffness);
     cJSON_Delete(root);
+}
+
+/* Damped and driven: q'' + 2 zeta omega q' + omega^2 q = F / m, with omega = 5 rad/s and zeta = c / (2 sqrt(k m)) =
+ * 0.2. */
+static void test_second_order(CliFixture *fixture, gconstpointer data)
+{
+    g_autofree char *scene = cli_write(
+        fixture, "scene.json",
+        "{\"tinker\": 1, \"blocks\": [{\"type\": \"support\", \"position\": [0, 4], \"solid\": false},"
+        "{\"type\": \"mass\", \"mass\": 2, \"position\": [0, 2]},"
+        "{\"type\": \"spring\", \"ends\": [\"Support 0\", \"Mass 0\"], \"stiffness\": 50, \"rest_length\": 2},"
+        "{\"type\": \"damper\", \"ends\": [\"Support 0\", \"Mass 0\"], \"damping\": 4},"
+        "{\"type\": \"motor\", \"ends\": [\"Mass 0\"], \"angle\": \"90 deg\", \"amplitude\": 3, \"frequency\": 2}]}");
+    g_autoptr(TestProgram) page = cli_run_well(fixture, "equations @scene.json --form matrix");
+    g_autofree char *text = g_utf8_normalize(page->output, -1, G_NORMALIZE_DEFAULT_COMPOSE);
+    g_autofree char *wanted = g_utf8_normalize("q̈ + 2 ζ ω₀ q̇ + ω₀² q = ", -1, G_NORMALIZE_DEFAULT_COMPOSE);
+    cli_assert_holds(text, wanted);
+    cli_assert_holds(text, "ζ = 0.2 ");
+    g_autoptr(TestProgram) latex = cli_run_well(fixture, "equations @scene.json --form matrix --as latex");
+    cli_assert_holds(latex->output, "^{2}");
+}
+
+/* A chain of ten on a line: its stiffness is a band of three, its mass a diagonal. */
+static void test_pattern(CliFixture *fixture, gconstpointer data)
+{
+    g_autoptr(GString) scene =
+        g_string_new("{\"tinker\": 1, \"blocks\": [{\"type\": \"support\", \"position\": [0, 0], "
+                     "\"solid\": false, \"name\": \"Wall\"}");
+    for (int i = 1; i <= 10; i++)
+        g_string_append_printf(scene,
+                               ",{\"type\": \"mass\", \"name\": \"M%d\", \"position\": [%d, 0]},"
+                               "{\"type\": \"spring\", \"ends\": [\"%s%.0d\", \"M%d\"]}",
+                               i, i, i == 1 ? "Wall" : "M", i - 1, i);
+    g_string_append(scene, "]}");
+    g_autofree char *path = cli_write(fixture, "scene.json", scene->str);
+    g_autoptr(TestProgram) page = cli_run_well(fixture, "equations @scene.json --form matrix");
+    cli_assert_holds(page->output, "10 coordinates");
+    cli_assert_holds(page->output, "M is diagonal, with 10 entries");
+    cli_assert_holds(page->output, "C is 0");
+    cli_assert_holds(page->output, "K has 28 entries, none farther than 1 from the diagonal");
 }
 
 /* A pendulum, and one whose pivot is shaken up and down, as textbooks have them. */
@@ -161,6 +203,8 @@ int main(int argc, char **argv)
     cli_test_add("/cli/equations/numbers", test_numbers);
     cli_test_add("/cli/equations/json", test_json);
     cli_test_add("/cli/equations/matrix", test_matrix);
+    cli_test_add("/cli/equations/second-order", test_second_order);
+    cli_test_add("/cli/equations/pattern", test_pattern);
     cli_test_add("/cli/equations/angles", test_angles);
     cli_test_add("/cli/equations/formats", test_formats);
     cli_test_add("/cli/equations/refused", test_refused);

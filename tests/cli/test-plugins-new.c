@@ -7,7 +7,8 @@
 #include "author.h"
 #include "fixture.h"
 
-static const char *const roles[] = {"line-law", "force-element", "field", "constraint", "motion", "body", "integrator"};
+static const char *const roles[] = {"line-law", "force-element", "field", "constraint", "joint",
+                                    "torque",   "motion",        "body",  "integrator"};
 
 /* Writes a folder below that of the fixture; answers its path. (transfer full) */
 static char *write_new(CliFixture *fixture, const char *verb, const char *name, const char *role)
@@ -187,7 +188,7 @@ static void test_usage(CliFixture *fixture, gconstpointer data)
 {
     expect_error(fixture, "plugins new my-band --role line-lw -o @new", 2,
                  "--role \"line-lw\": there is no such role (did you mean \"line-law\"?); the roles are line-law, "
-                 "force-element, field, constraint, motion, body, integrator");
+                 "force-element, field, constraint, joint, torque, motion, body, integrator");
     expect_error(fixture, "plugins new --role field", 2,
                  "plugins new: the name is missing, as in tinker plugins new rubber-band --role field");
 }

@@ -353,6 +353,30 @@ static void test_incline_tutorial(void)
     g_assert_cmpfloat_with_epsilon(end, 2.06009, 5e-6); /* as the tutorial has it */
 }
 
+/* A slider-crank: what the tutorial works out by hand at 0, 90 and 180 degrees of the crank; nothing to warn of. */
+static void test_mechanism_tutorial(void)
+{
+    const double r = 0.5, l = 1.5, w = 10;
+    const struct {
+        double place, acceleration;
+    } expected[] = {{r + l, -r * w * w * (1 + r / l)},
+                    {sqrt(l * l - r * r), r * r * w * w / sqrt(l * l - r * r)},
+                    {l - r, r * w * w * (1 - r / l)}};
+    g_autofree char *path = source_path("docs/examples/mechanism/slider-crank.tinker.json");
+    const char *options[] = {"--at", "0,0.15707963267948966,0.3141592653589793", "--columns",
+                             "Piston.x,Piston.ax,Drive.torque", NULL};
+    g_autoptr(TestSceneRun) run = test_scene_run(path, options);
+    g_assert_cmpuint(run->record->rows, ==, G_N_ELEMENTS(expected));
+    for (gsize row = 0; row < run->record->rows; row++) {
+        g_assert_cmpfloat_with_epsilon(test_table_value(run->record, row, "Piston.x"), expected[row].place, 1e-9);
+        g_assert_cmpfloat_with_epsilon(test_table_value(run->record, row, "Piston.ax"), expected[row].acceleration,
+                                       1e-6);
+    }
+    g_assert_cmpfloat_with_epsilon(test_table_value(run->record, 2, "Drive.torque"), 0, 1e-6);
+    const cJSON *warnings = cJSON_GetObjectItemCaseSensitive(run->summary, "warnings");
+    g_assert_cmpint(cJSON_GetArraySize(warnings), ==, 0);
+}
+
 int main(int argc, char **argv)
 {
     g_test_init(&argc, &argv, NULL);
@@ -363,6 +387,7 @@ int main(int argc, char **argv)
     g_test_add_func("/docs/tutorial/runs", test_tutorial_runs);
     g_test_add_func("/docs/tutorial/window", test_window_tutorials);
     g_test_add_func("/docs/tutorial/incline", test_incline_tutorial);
+    g_test_add_func("/docs/tutorial/mechanism", test_mechanism_tutorial);
     g_test_add_func("/docs/tutorial/window-damped", test_window_tutorial_damped);
     g_test_add_func("/docs/example/runs", test_example_runs);
     g_test_add_func("/docs/example/is-drawn", test_example_is_drawn);

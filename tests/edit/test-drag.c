@@ -4,6 +4,7 @@
 #include <tinker/shapes.h>
 
 #include "edit/drag.h"
+#include "edit/outline.h"
 #include "scene-fixture.h"
 
 #define REACH 0.1
@@ -270,6 +271,44 @@ static void test_onto_top(Stage *stage, gconstpointer data)
     }
 }
 
+static double own_value(const TinkerScene *scene, const char *name, int32_t meaning, int32_t component)
+{
+    const TinkerBlockId block = tinker_scene_find_block(scene, name);
+    const int32_t column = tinker_block_class_meaning_column(tinker_scene_block_class(scene, block), meaning);
+    return tinker_scene_get(scene, block, column + component);
+}
+
+/* Bodies that turn are put onto the top, at y = 0.2, as they are near it: a disc by its radius, a box with a side. What
+ * something holds keeps its place. */
+static void test_stand_on_top(Stage *stage, gconstpointer data)
+{
+    g_autoptr(TinkerScene) scene = scene_fixture_read_blocks(
+        "{\"type\": \"support\", \"name\": \"Floor\", \"position\": [0, 0], \"width\": 8, \"height\": 0.4},"
+        "{\"type\": \"disc\", \"name\": \"Disc\", \"radius\": 0.5, \"position\": [1, 0.75], \"orientation\": 1},"
+        "{\"type\": \"box\", \"name\": \"Box\", \"width\": 0.2, \"height\": 1, \"position\": [-1, 0.35], "
+        "\"orientation\": \"84 deg\"},"
+        "{\"type\": \"disc\", \"name\": \"Held\", \"radius\": 0.5, \"position\": [3, 0.75]},"
+        "{\"type\": \"spring\", \"name\": \"S\", \"ends\": [\"Held\", [3, 3]]}");
+    static const struct {
+        const char *name;
+        double y, orientation;
+        gboolean snaps;
+    } rows[] = {{"Disc", 0.7, 1, TRUE}, {"Box", 0.3, 0.5 * G_PI, TRUE}, {"Held", 0.75, 0, FALSE}};
+    TinkerHistory *history = tinker_history_new(scene);
+    for (gsize i = 0; i < G_N_ELEMENTS(rows); i++) {
+        const double x = own_value(scene, rows[i].name, TINKER_MEANING_POSITION, 0);
+        const TinkerBlockId block = tinker_scene_find_block(scene, rows[i].name);
+        tinker_history_begin(history, "Drop", NULL);
+        g_assert_cmpint(tinker_snap_onto_top(history, scene, block, 0.1), ==, rows[i].snaps);
+        tinker_history_end(history);
+        g_assert_cmpfloat_with_epsilon(own_value(scene, rows[i].name, TINKER_MEANING_POSITION, 0), x, 1e-12);
+        g_assert_cmpfloat_with_epsilon(own_value(scene, rows[i].name, TINKER_MEANING_POSITION, 1), rows[i].y, 1e-12);
+        g_assert_cmpfloat_with_epsilon(own_value(scene, rows[i].name, TINKER_MEANING_ORIENTATION, 0),
+                                       rows[i].orientation, 1e-12);
+    }
+    tinker_history_free(history);
+}
+
 static void test_nothing(Stage *stage, gconstpointer data)
 {
     TinkerHit nothing = {TINKER_NO_BLOCK, TINKER_PART_NONE}, gone = {4711, TINKER_PART_WHOLE};
@@ -280,6 +319,54 @@ static void test_nothing(Stage *stage, gconstpointer data)
     tinker_drag_to(drag, INFINITY, 0, 0.2, REACH);
     tinker_drag_end(drag, FALSE, 0);
     expect_untouched(stage);
+}
+
+/* A plate that is turned by 90 degrees, as a drawing has its corners: a handle is where a corner is. The block is asked
+ * at the place of the corner, which no handle beside it is on. */
+static void expect_corners(const Stage *stage, TinkerBlockId plate, const double (*places)[2], int32_t count)
+{
+    g_autoptr(TinkerFrame) frame = tinker_frame_new(stage->scene, NULL);
+    g_assert_cmpint(tinker_outline_corners(stage->scene, plate), ==, count);
+    for (int32_t i = 0; i < count; i++) {
+        const TinkerHit hit = tinker_hit_handle(frame, plate, places[i][0], places[i][1], 1e-9);
+        g_assert_cmpint(hit.block, ==, plate);
+        g_assert_cmpint(hit.part, ==, TINKER_PART_POINT + i);
+    }
+}
+
+/* A corner that is dragged, added or taken out leaves the others where they are, wherever the centre of mass goes: of a
+ * triangle it is the mean of its corners. */
+static void test_outline(Stage *stage, gconstpointer data)
+{
+    g_autoptr(TinkerScene) scene = scene_fixture_read_blocks(
+        "{\"type\": \"plate\", \"name\": \"P\", \"position\": [5, 1], \"orientation\": \"90 deg\", "
+        "\"corners\": [[0, 0], [3, 0], [0, 3]]}");
+    g_autoptr(TinkerHistory) history = tinker_history_new(scene);
+    const Stage of_plate = {scene, history, NULL};
+    const TinkerBlockId plate = named(&of_plate, "P");
+    const double start[3][2] = {{6, 0}, {6, 3}, {3, 0}}, moved[3][2] = {{6, 0}, {6, 3}, {0, 3}};
+    const double four[4][2] = {{6, 0}, {7.5, 1.5}, {6, 3}, {0, 3}};
+    expect_corners(&of_plate, plate, start, 3);
+    TinkerDrag *drag = tinker_drag_begin(history, scene, (TinkerHit){plate, TINKER_PART_POINT + 2}, 3, 0);
+    tinker_drag_to(drag, 1, 1, 0, REACH);
+    tinker_drag_to(drag, 0.1, 2.9, 1, REACH); /* onto the grid */
+    tinker_drag_end(drag, FALSE, 0);
+    expect_corners(&of_plate, plate, moved, 3);
+    expect_place(&of_plate, "P", 4, 2);
+    tinker_history_begin(history, "add", NULL);
+    tinker_outline_add(history, scene, plate, four[1]);
+    tinker_history_end(history);
+    expect_corners(&of_plate, plate, four, 4);
+    tinker_history_begin(history, "remove", NULL);
+    tinker_outline_remove(history, scene, plate, 1);
+    tinker_outline_remove(history, scene, plate, 0); /* three are kept */
+    tinker_history_end(history);
+    expect_corners(&of_plate, plate, moved, 3);
+    expect_place(&of_plate, "P", 4, 2);
+    for (int i = 0; i < 3; i++)
+        tinker_history_undo(history);
+    expect_corners(&of_plate, plate, start, 3);
+    expect_place(&of_plate, "P", 5, 1);
 }
 
 #define add(path, function) g_test_add(path, Stage, NULL, set_up, function, tear_down)
@@ -298,7 +385,9 @@ static void add_tests(void)
     add("/edit/drag/detach", test_detach);
     add("/edit/drag/handles", test_handles);
     add("/edit/drag/onto-top", test_onto_top);
+    add("/edit/drag/stand-on-top", test_stand_on_top);
     add("/edit/drag/nothing", test_nothing);
+    add("/edit/drag/outline", test_outline);
 }
 
 int main(int argc, char **argv)

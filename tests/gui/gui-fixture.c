@@ -32,6 +32,11 @@ void gui_fixture_free(GuiFixture *fixture)
     g_free(fixture);
 }
 
+char *gui_fixture_text(GuiFixture *fixture)
+{
+    return tinker_scene_to_text(tinker_document_scene(fixture->document), TINKER_WRITE_SI);
+}
+
 TinkerBlockId gui_fixture_block(GuiFixture *fixture, const char *name)
 {
     TinkerBlockId block = tinker_scene_find_block(tinker_document_scene(fixture->document), name);

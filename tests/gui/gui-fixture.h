@@ -8,6 +8,7 @@
 typedef struct {
     TinkerDocument *document;
     TinkerPlayer *player;
+    gboolean trims; /* the property list leaves out zeros behind the last digit that counts; FALSE at first */
 } GuiFixture;
 
 /* Blocks alone, with ' in place of ". (transfer full) */
@@ -18,6 +19,9 @@ G_DEFINE_AUTOPTR_CLEANUP_FUNC(GuiFixture, gui_fixture_free)
 /* Another scene in the same document: of these blocks, or of these members, likewise with '. */
 void gui_fixture_start(GuiFixture *fixture, const char *blocks);
 void gui_fixture_start_scene(GuiFixture *fixture, const char *members);
+
+/* The scene as it would be saved, in SI units. (transfer full) */
+char *gui_fixture_text(GuiFixture *fixture);
 
 TinkerBlockId gui_fixture_block(GuiFixture *fixture, const char *name);
 

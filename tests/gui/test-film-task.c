@@ -155,6 +155,21 @@ static void test_numbered(Fixture *fixture, gconstpointer data)
     g_assert_cmpuint(files_in(fixture), ==, 12);
 }
 
+/* y = -9.81 t^2 / 2 is -1.2 m after 0.494 s: pictures at 0, 0.1, 0.2, 0.3, 0.4 and there. */
+static void test_stops(Fixture *fixture, gconstpointer data)
+{
+    test_pretend_program(fixture->folder, "ffmpeg", NULL);
+    start(fixture, "'run': {'until': 't > 3; {Mass 0.y} = -1.2'}, 'blocks': [{'type': 'gravity'}, {'type': 'mass'}]",
+          "fall.png");
+    wait_for_end(fixture);
+    g_assert_cmpint(tinker_film_task_state(fixture->task), ==, TINKER_FILM_WRITTEN);
+    g_assert_cmpstr(tinker_film_task_stopped_by(fixture->task), ==, "{Mass 0.y} = -1.2");
+    g_assert_cmpuint(files_in(fixture), ==, 7);
+    start(fixture, FALL, "fall.png");
+    wait_for_end(fixture);
+    g_assert_null(tinker_film_task_stopped_by(fixture->task));
+}
+
 /* A film that was there before. */
 static void put_old_film(Fixture *fixture, const char *name)
 {
@@ -272,6 +287,7 @@ static void add_tests(void)
     add("/film-task/gif", NULL, test_gif);
     add("/film-task/feeds-the-encoder", NULL, test_feeds_the_encoder);
     add("/film-task/numbered", NULL, test_numbered);
+    add("/film-task/stops", NULL, test_stops);
     add("/film-task/cancels", TAKES_ALL, test_cancels);
     add("/film-task/cancels-when-blocked", TAKES_NOTHING, test_cancels);
     add("/film-task/cancels-the-end", NULL, test_cancels_the_end);

@@ -102,6 +102,12 @@ static void test_parts(void)
     g_assert_true(g_bytes_equal(plain, properties));
     g_assert_false(g_bytes_equal(plain, start));
     g_assert_false(g_bytes_equal(plain, forces));
+    static const char *const over[] = {"--velocity", "--acceleration", "--net-force", "--trail"};
+    for (gsize i = 0; i < G_N_ELEMENTS(over); i++) {
+        g_autoptr(GBytes) one = picture("light", over[i], NULL), again = picture("light", over[i], NULL);
+        g_assert_false(g_bytes_equal(plain, one));
+        g_assert_true(g_bytes_equal(again, one));
+    }
 }
 
 static void test_statuses(void)
@@ -125,6 +131,7 @@ static void test_statuses(void)
         {{"--screenshot", file, "--scene", scene, "--page", "yellow"}, 2, "yellow"},
         {{"--screenshot", file, "--scene", scene, "--panel", "purple"}, 2, "purple"},
         {{"--forces"}, 2, "--screenshot"},
+        {{"--trail"}, 2, "--screenshot"},
         {{"--screenshot", file, "--scene", wrong}, 3, "wrong.tinker.json:1:"},
         {{"--screenshot", file, "--scene", "/nowhere.tinker.json"}, 5, "/nowhere.tinker.json"},
         {{"--screenshot", "/nowhere/at/all.png"}, 5, "/nowhere/at/all.png"},

@@ -47,6 +47,17 @@ static void test_sizes(void)
     }
 }
 
+/* Nothing is recorded yet, and the line says why. */
+static void test_looks_for_the_end(void)
+{
+    TinkerRunStatus run = {.error_estimate = NAN, .looks = TRUE, .looked = 3.2};
+    g_autofree char *line = line_of(&run, 1, 1, NULL);
+    g_assert_cmpstr(line, ==, "looking for where it stops: 3.2 s of 10 s");
+    run.finished = TRUE;
+    g_autofree char *after = line_of(&run, 1, 1, NULL);
+    g_assert_null(strstr(after, "looking"));
+}
+
 static void test_good_run(void)
 {
     gboolean warnings[TINKER_STATUS_COUNT];
@@ -147,6 +158,7 @@ int main(int argc, char **argv)
 {
     g_test_init(&argc, &argv, NULL);
     g_test_add_func("/status-text/sizes", test_sizes);
+    g_test_add_func("/status-text/looks-for-the-end-run", test_looks_for_the_end);
     g_test_add_func("/status-text/good-run", test_good_run);
     g_test_add_func("/status-text/bad-run", test_bad_run);
     g_test_add_func("/status-text/slow-run", test_slow_run);

@@ -6,6 +6,7 @@
 
 #include "german.h"
 #include "gui-fixture.h"
+#include "gui/document/examples.h"
 #include "gui/property/property-list.h"
 #include "gui/start/start-offer.h"
 #include "gui/text/block-words.h"
@@ -160,6 +161,23 @@ static void test_keys_of_menus(void)
     g_ptr_array_unref(reader.menus);
 }
 
+/* What is told of the scenes that show common mistakes. */
+static void test_mistakes(void)
+{
+    g_autoptr(GPtrArray) topics = tinker_examples_read(g_getenv("TINKER_SCENES"));
+    guint seen = 0;
+    for (guint t = 0; t < topics->len; t++) {
+        const TinkerTopic *topic = g_ptr_array_index(topics, t);
+        if (!g_str_equal(topic->title, "Verbreitete Irrtümer")) continue;
+        for (guint i = 0; i < topic->examples->len; i++, seen++) {
+            const TinkerExample *example = g_ptr_array_index(topic->examples, i);
+            g_assert_cmpstr(tinker_translate(example->title), !=, example->title);
+            g_assert_cmpstr(tinker_translate(example->description), !=, example->description);
+        }
+    }
+    g_assert_cmpuint(seen, ==, 3);
+}
+
 /* The list of the translators is what the descriptors say today. */
 static void test_template_is_up_to_date(void)
 {
@@ -192,6 +210,7 @@ static void test_program_speaks_german(void)
 static void add_tests(void)
 {
     g_test_add_func("/gui/translation/descriptors", test_descriptor_texts);
+    g_test_add_func("/gui/translation/mistakes", test_mistakes);
     g_test_add_func("/gui/translation/scene", test_scene_stays_english);
     g_test_add_func("/gui/translation/comma", test_comma);
     g_test_add_func("/gui/translation/start", test_start_labels);

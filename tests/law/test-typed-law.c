@@ -79,6 +79,111 @@ static void test_functions(void)
     }
 }
 
+/* Powers of wholes and halves are products and roots. */
+static void test_powers(void)
+{
+    for (int halves = -33; halves <= 33; halves++) {
+        g_autoptr(GError) error = NULL;
+        g_autofree char *text = g_strdup_printf("L^(%d/2)", halves);
+        TinkerTypedLaw *law = typed(text, "", "", &error);
+        g_assert_no_error(error);
+        const double bases[] = {0.3, 1, 1.7, 4};
+        for (gsize i = 0; i < G_N_ELEMENTS(bases); i++) {
+            const double at[] = {bases[i], 0, 0}, n = halves / 2.0;
+            const double value = pow(bases[i], n), slope = n * pow(bases[i], n - 1);
+            g_assert_cmpfloat(fabs(tinker_compiled_value(law->value, at) - value), <=, 20 * DBL_EPSILON * value);
+            g_assert_cmpfloat(fabs(tinker_compiled_value(law->slopes[0], at) - slope), <=,
+                              20 * DBL_EPSILON * fabs(slope));
+        }
+        tinker_typed_free(law);
+    }
+}
+
+#define MANY 203
+
+static void assert_same_bits(double value, double expected)
+{
+    if (memcmp(&value, &expected, sizeof value) != 0 && !(isnan(value) && isnan(expected)))
+        g_error("%.17g, not %.17g to the last bit", value, expected);
+}
+
+/* Asked together and one by one: the same bits, with laws that are alike, that differ in a number, that differ, and
+ * that are not there, in any order and number. */
+static void test_many(void)
+{
+    static const char *const texts[] = {
+        "a*(L - 1)^3 + b*L",
+        "a*(L - 1)^3 + b*L",
+        "a*L^2.5 - exp(-b*rate)/t",
+        "if(L < 1, a, b)*sqrt(L) + floor(3*L)",
+        "a - b*L",
+        "a",
+        "L",
+        "abs(rate)*L - mod(t, 2) + atan2(L, rate) + max(L, b)",
+    };
+    for (int round = 0; round < 60; round++) {
+        TinkerTypedLaw *laws[2 * MANY] = {NULL};
+        double columns[3][MANY];
+        const int count = g_test_rand_int_range(1, MANY + 1), kinds = g_test_rand_int_range(1, G_N_ELEMENTS(texts) + 1);
+        for (int i = 0; i < count; i++) {
+            g_autofree char *a = g_strdup_printf("%.17g", g_test_rand_double_range(0.5, 3));
+            const char *text =
+                texts[g_test_rand_int_range(0, 100) < 93 ? round % kinds : g_test_rand_int_range(0, kinds)];
+            g_autoptr(GError) error = NULL;
+            if (g_test_rand_int_range(0, 40) > 0) laws[2 * i] = typed(text, round % 3 == 0 ? "2" : a, "0.3", &error);
+            g_assert_no_error(error);
+            for (int k = 0; k < 3; k++)
+                columns[k][i] = g_test_rand_double_range(0.1, 2);
+        }
+        tinker_typed_join(laws, 2, count);
+        const gboolean uniform = round % 2 == 0;
+        const double *const whole[] = {columns[0], columns[1], uniform ? NULL : columns[2]}, alike[] = {0, 0, 0.7};
+        const int first = g_test_rand_int_range(0, count); /* part of a row */
+        const double *const shifted[] = {whole[0] + first, whole[1] + first, uniform ? NULL : whole[2] + first};
+        const TinkerTypedQuestion question = {(const TinkerTypedLaw *const *)laws + 2 * first, 2, count - first,
+                                              shifted, alike};
+        double values[MANY], slopes[MANY], curvatures[MANY];
+        for (int i = 0; i < MANY; i++)
+            values[i] = slopes[i] = curvatures[i] = -7;
+        tinker_typed_ask(&question, -1, -1, values);
+        tinker_typed_ask(&question, 0, -1, slopes);
+        tinker_typed_ask(&question, 0, 1, curvatures);
+        for (int i = 0; i < MANY; i++) {
+            const TinkerTypedLaw *law = first + i < count ? laws[2 * (first + i)] : NULL;
+            const double at[] = {columns[0][(first + i) % MANY], columns[1][(first + i) % MANY],
+                                 uniform ? alike[2] : columns[2][(first + i) % MANY]};
+            assert_same_bits(values[i], law != NULL ? tinker_compiled_value(law->value, at) : -7);
+            assert_same_bits(slopes[i], law != NULL ? tinker_compiled_value(law->slopes[0], at) : -7);
+            assert_same_bits(curvatures[i], law != NULL ? tinker_compiled_value(law->curvatures[1], at) : -7);
+        }
+        for (int i = 0; i < count; i++)
+            tinker_typed_free(laws[2 * i]);
+    }
+}
+
+/* One law at many places. */
+static void test_many_places(void)
+{
+    g_autoptr(GError) error = NULL;
+    const TinkerTypedLaw *law = typed("a*(L - 1)^3 + b*rate*sin(t)", "2", "0.3", &error);
+    g_assert_no_error(error);
+    double lengths[MANY], rates[MANY], values[MANY];
+    for (int i = 0; i < MANY; i++) {
+        lengths[i] = 0.1 + 0.01 * i;
+        rates[i] = cos(i);
+    }
+    const double *const asked[] = {lengths, rates, NULL}, uniform[] = {0, 0, 0.9};
+    for (int count = 1; count <= MANY; count++) {
+        const TinkerTypedQuestion question = {&law, 0, count, asked, uniform};
+        tinker_typed_ask(&question, -1, -1, values);
+        for (int i = 0; i < count; i++) {
+            const double at[] = {lengths[i], rates[i], 0.9};
+            assert_same_bits(values[i], tinker_compiled_value(law->value, at));
+        }
+    }
+    tinker_typed_free((TinkerTypedLaw *)law);
+}
+
 static void assert_refused(const char *law, const char *a, const char *why)
 {
     g_autoptr(GError) error = NULL;
@@ -133,6 +238,9 @@ int main(int argc, char **argv)
     g_test_init(&argc, &argv, NULL);
     g_test_add_func("/law/typed/values", test_values);
     g_test_add_func("/law/typed/functions", test_functions);
+    g_test_add_func("/law/typed/powers", test_powers);
+    g_test_add_func("/law/typed/many", test_many);
+    g_test_add_func("/law/typed/many-places", test_many_places);
     g_test_add_func("/law/typed/refused", test_refused);
     g_test_add_func("/law/typed/random-texts", test_random_texts);
     return g_test_run();

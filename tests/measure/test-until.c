@@ -10,7 +10,7 @@
 static double find(const char *method, double duration, const char *blocks, const char *const *conditions, int *number)
 {
     g_autoptr(TinkerScene) scene = physics_scene(NULL, blocks);
-    g_autoptr(TinkerUntil) until = tinker_until_new(scene);
+    g_autoptr(TinkerUntil) until = tinker_until_new(scene, 0);
     g_autoptr(GError) error = NULL;
     g_autoptr(TinkerModel) model = tinker_model_new(scene, &error);
     g_assert_no_error(error);
@@ -102,7 +102,7 @@ static void test_mistakes(void)
     };
     g_autoptr(TinkerScene) scene = physics_scene(NULL, DROP);
     for (gsize i = 0; i < G_N_ELEMENTS(bad); i++) {
-        g_autoptr(TinkerUntil) until = tinker_until_new(scene);
+        g_autoptr(TinkerUntil) until = tinker_until_new(scene, 0);
         g_autoptr(GError) error = NULL;
         g_assert_false(tinker_until_add(until, bad[i].text, &error));
         if (strstr(error->message, bad[i].says) == NULL) g_error("%s", error->message);

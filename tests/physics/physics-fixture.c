@@ -54,6 +54,11 @@ static PhysicsRun *prepare(const PhysicsOptions *options, const char *blocks)
     PhysicsRun *run = g_new0(PhysicsRun, 1);
     double duration = options->duration > 0 ? options->duration : 1.0;
     run->scene = physics_scene(options->path, blocks);
+    if (options->impact_law != NULL) {
+        TinkerRunSettings *settings = &tinker_scene_head(run->scene)->run;
+        g_free(settings->impact_law);
+        settings->impact_law = g_strdup(options->impact_law);
+    }
     run->columns = tinker_columns_new();
     run->samples = g_array_new(FALSE, FALSE, sizeof(double));
     if (options->columns != NULL) {
@@ -229,3 +234,14 @@ void physics_rk4(int n, double *y, double from, double to, int steps,
             y[j] += h / 6 * (k[0][j] + 2 * k[1][j] + 2 * k[2][j] + k[3][j]);
     }
 }
+
+const char physics_rods_and_springs[] =
+    "{'type': 'gravity'}, {'type': 'wind', 'drag': 0.05, 'drag_quadratic': 0.02}, {'type': 'support', 'solid': false},"
+    "{'type': 'support', 'solid': false, 'position': [4, 1]}, {'type': 'mass', 'position': [1, 0.3]},"
+    "{'type': 'mass', 'mass': 2, 'position': [2.1, -0.4]}, {'type': 'mass', 'mass': 0.5, 'position': [3, 0]},"
+    "{'type': 'rod', 'ends': ['Support 0', 'Mass 0']}, {'type': 'rod', 'ends': ['Mass 0', 'Mass 1']},"
+    "{'type': 'spring', 'ends': ['Mass 1', 'Mass 2'], 'rest_length': 1}, {'type': 'rod', 'ends': ['Mass 2', 'Support "
+    "1']},"
+    "{'type': 'damper', 'ends': ['Mass 0', 'Mass 2']},"
+    "{'type': 'support-motion', 'ends': ['Support 1'], 'amplitude': 0.2, 'frequency': 5},"
+    "{'type': 'motor', 'ends': ['Mass 1'], 'waveform': {'expression': '5*square(3*t) + sin(t)'}}";

@@ -21,10 +21,11 @@ typedef struct {
     const char *columns; /* as on a command line; NULL: none */
     const double *at;
     gsize at_count;
-    const char *path;  /* what the scene's file is called: tables are looked for beside it */
-    gboolean estimate; /* run a companion for the error estimate */
-    gboolean bands;    /* and evaluate the columns on it too */
-    gboolean impulses; /* contact as impulses, in steps of `step` */
+    const char *path;       /* what the scene's file is called: tables are looked for beside it */
+    gboolean estimate;      /* run a companion for the error estimate */
+    gboolean bands;         /* and evaluate the columns on it too */
+    gboolean impulses;      /* contact as impulses, in steps of `step` */
+    const char *impact_law; /* NULL: newton */
 } PhysicsOptions;
 
 typedef struct {
@@ -74,5 +75,9 @@ void physics_assert_refused(const PhysicsRun *run, TinkerModelError code, ...) G
 /* An independent fine integration of y' = f(t, y), by the classical Runge-Kutta method. */
 void physics_rk4(int n, double *y, double from, double to, int steps,
                  void (*f)(double t, const double *y, double *rate, const void *data), const void *data);
+
+/* Blocks of nearly every kind without contact: gravity, wind, rods, springs and dampers, a support and a mass that are
+ * driven. */
+extern const char physics_rods_and_springs[];
 
 #endif

@@ -40,6 +40,31 @@ static void test_quadratic_wind(void)
     }
 }
 
+/* Pulled from rest at 1 m by k (p - x) - c v: it swings about p. What the hand gave is the kinetic energy, and nothing
+ * is stored. A hand that does not pull does nothing. */
+static void test_hand(void)
+{
+    const double m = 2, k = 18, c = 3, p = 4, decay = 0.5 * c / m, omega = sqrt(k / m - decay * decay);
+    g_autoptr(PhysicsRun) run = physics_run(
+        &(PhysicsOptions){.duration = 3, .interval = 0.3, .columns = "Mass 0.x, Mass 0.vx, H.force, H.power, Mass 0.y"},
+        "{'type': 'mass', 'mass': 2, 'position': [1, 7]}, {'type': 'hand', 'name': 'H', 'ends': ['Mass 0'],"
+        "'place': [4, 7], 'pulls': true, 'stiffness': 18, 'damping': 3},"
+        "{'type': 'hand', 'ends': ['Mass 0'], 'place': [9, 9]}");
+    double v = 0;
+    for (gsize i = 0; i < physics_samples(run); i++) {
+        const double t = physics_time(run, i),
+                     x = p + (1 - p) * exp(-decay * t) * (cos(omega * t) + decay / omega * sin(omega * t));
+        v = (p - 1) * exp(-decay * t) * (omega + decay * decay / omega) * sin(omega * t);
+        physics_assert_near("x", physics_value(run, i, 0), x, 1e-9);
+        physics_assert_near("vx", physics_value(run, i, 1), v, 1e-9);
+        physics_assert_near("force", physics_value(run, i, 2), fabs(k * (p - x) - c * v), 1e-8);
+        physics_assert_near("power", physics_value(run, i, 3), (k * (p - x) - c * v) * v, 1e-8);
+        physics_assert_near("y", physics_value(run, i, 4), 7, 1e-12);
+    }
+    physics_assert_near("given", run->summary->books[TINKER_BOOK_MOTORS], 0.5 * m * v * v, 1e-8);
+    g_assert_cmpfloat(run->summary->energy_balance_error, <, 1e-8);
+}
+
 /* --- driven oscillators --- */
 
 /* m x'' + c x' + k x = Re((force) exp(i W t)), from x0, v0, under-damped. */
@@ -224,6 +249,7 @@ static void add_tests(void)
 {
     g_test_add_func("/physics/closed-forms/linear-wind", test_linear_wind);
     g_test_add_func("/physics/closed-forms/quadratic-wind", test_quadratic_wind);
+    g_test_add_func("/physics/closed-forms/hand", test_hand);
     g_test_add_func("/physics/closed-forms/motors", test_motors);
     g_test_add_func("/physics/closed-forms/supports", test_supports);
     g_test_add_func("/physics/closed-forms/everything-adds-up", test_everything_adds_up);

@@ -124,6 +124,89 @@ static void test_passes(void)
     g_assert_cmpuint(over->summary->events->len, ==, 0);
 }
 
+/* Two discs whose surfaces are given for the first, the second, both, or none of them: the larger rebound counts. */
+static void test_rebounds(void)
+{
+    static const struct {
+        const char *first, *second;
+        double e;
+    } cases[] = {{"", "", 0},
+                 {", 'restitution': 0.5", "", 0.5},
+                 {"", ", 'restitution': 0.25", 0.25},
+                 {", 'restitution': 0.5", ", 'restitution': 0.75", 0.75},
+                 {", 'restitution': 1", ", 'restitution': 0", 1}};
+    for (gsize i = 0; i < G_N_ELEMENTS(cases); i++) {
+        g_autoptr(PhysicsRun) run = physics_run(&(PhysicsOptions){.duration = 1, .columns = "Disc 0.vx, Disc 1.vx"},
+                                                "{'type': 'disc', 'radius': 0.3, 'velocity': [2, 0]%s},"
+                                                "{'type': 'disc', 'radius': 0.2, 'mass': 3, 'position': [1.5, 0]%s}",
+                                                cases[i].first, cases[i].second);
+        physics_assert_near("vx", physics_last(run, 0), 0.5 * (1 - 3 * cases[i].e), 1e-12);
+        physics_assert_near("the other's", physics_last(run, 1), 0.5 * (1 + cases[i].e), 1e-12);
+    }
+}
+
+/* How far a box slides on another that the floor holds, and how far on the floor: v^2 / (2 mu g), with the geometric
+ * mean of two coefficients, or the one that there is. */
+static void test_roughness(void)
+{
+    static const struct {
+        const char *below, *above;
+        double among, floor;
+    } cases[] = {{"", "", 0.5, 0.8},
+                 {"", ", 'static_friction': 0.2, 'dynamic_friction': 0.2", 0.2, 0.4},
+                 {", 'static_friction': 0.9, 'dynamic_friction': 0.45", "", 0.45, 0.8},
+                 {", 'static_friction': 0.9, 'dynamic_friction': 0.45",
+                  ", 'static_friction': 0.3, 'dynamic_friction': 0.2", 0.3, 0.4},
+                 {"", ", 'dynamic_friction': 0.2", 0.2, 0.4}};
+    for (gsize i = 0; i < G_N_ELEMENTS(cases); i++) {
+        g_autoptr(PhysicsRun) run = physics_run(
+            &(PhysicsOptions){.duration = 2, .columns = "Box 1.x, Box 2.x, Mass 0.x, Box 0.x"},
+            FLOOR ", {'type': 'box', 'width': 8, 'height': 0.5, 'position': [0, 0.25], 'mass': 20 %s},"
+                  "{'type': 'box', 'width': 0.5, 'height': 0.2, 'position': [-2, 0.6], 'velocity': [2, 0]%s},"
+                  "{'type': 'box', 'width': 0.5, 'height': 0.2, 'position': [6, 0.1], 'velocity': [2, 0]%s},"
+                  "{'type': 'mass', 'width': 0.5, 'height': 0.2, 'position': [10, 0.1],"
+                  " 'velocity': [2, 0]%s}",
+            cases[i].below, cases[i].above, cases[i].above, cases[i].above);
+        physics_assert_near("on the box", physics_last(run, 0), -2 + 2 / (cases[i].among * g), 1e-9);
+        physics_assert_near("on the floor", physics_last(run, 1), 6 + 2 / (cases[i].floor * g), 1e-9);
+        physics_assert_near("a mass", physics_last(run, 2), 10 + 2 / (cases[i].floor * g), 1e-9);
+        physics_assert_near("held", physics_last(run, 3), 0, 1e-12);
+    }
+}
+
+/* A mass that rebounds by its own restitution, by events and by impulses. */
+static void test_mass_rebounds(void)
+{
+    for (int impulses = FALSE; impulses <= TRUE; impulses++) {
+        g_autoptr(PhysicsRun) run = physics_run(
+            &(PhysicsOptions){.duration = 1, .step = 1e-3, .impulses = impulses, .columns = "Mass 0.vy"},
+            CONTACT_FLOOR "}, {'type': 'mass', 'position': [0, 0.9], 'velocity': [0, -1], 'restitution': 0.5}");
+        physics_assert_near("vy", physics_last(run, 0), 0.5, 1e-12);
+    }
+}
+
+/* A box that is pulled high up by a force that grows, F = t: its corners press ever less evenly, and both hold until F
+ * is mu g, wherever it pulls. */
+static void test_pulled_high(void)
+{
+    const double mu = 0.4, slides = 0.3, from = mu * g, end = 4.2, over = end - from;
+    const double x = (end * end * end - from * from * from) / 6 - from * from * over / 2 - slides * g * over * over / 2;
+    static const double heights[] = {-0.5, 0, 0.4};
+    for (gsize i = 0; i < G_N_ELEMENTS(heights); i++) {
+        g_autoptr(PhysicsRun) run =
+            physics_run(&(PhysicsOptions){.duration = end, .columns = "Box 0.x, Box 0.angle"},
+                        CONTACT_WEIGHT CONTACT_FLOOR ", 'width': 40, 'static_friction': 0.4, 'dynamic_friction': 0.3},"
+                                                     "{'type': 'box', 'width': 1, 'height': 1, 'position': [0, 0.5]},"
+                                                     "{'type': 'motor', 'ends': [{'block': 'Box 0', 'at': [0, %g]}],"
+                                                     " 'waveform': {'expression': 't'}}",
+                        heights[i]);
+        g_assert_cmpuint(run->summary->events->len, ==, 1);
+        contact_assert_event(run, "slip", "Box 0, Support 0", from, 1e-9);
+        physics_assert_near("x", physics_last(run, 0), x, 1e-9);
+        physics_assert_near("angle", physics_last(run, 1), 0, 1e-12);
+    }
+}
+
 typedef struct {
     double momentum[2], angular, energy;
 } Total;
@@ -210,6 +293,10 @@ static void add_tests(void)
     g_test_add_func("/physics/contact-bodies/side-by-side", test_side_by_side);
     g_test_add_func("/physics/contact-bodies/passes", test_passes);
     g_test_add_func("/physics/contact-bodies/momentum", test_momentum);
+    g_test_add_func("/physics/contact-bodies/rebounds", test_rebounds);
+    g_test_add_func("/physics/contact-bodies/pulled-high", test_pulled_high);
+    g_test_add_func("/physics/contact-bodies/roughness", test_roughness);
+    g_test_add_func("/physics/contact-bodies/mass-rebounds", test_mass_rebounds);
 }
 
 int main(int argc, char **argv)

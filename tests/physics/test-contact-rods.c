@@ -202,6 +202,7 @@ static void test_chain_onto_floor(void)
 {
     check_chain_onto_floor(70, 0.26);
     check_chain_onto_floor(160, 0.25);
+    check_chain_onto_floor(150, 0.45); /* here some stick, and come to their limit */
 }
 
 static void add_tests(void)

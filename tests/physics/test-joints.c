@@ -230,6 +230,33 @@ static void test_weld_to_a_mass(void)
         "{'type': 'weld', 'ends': ['Bar 0', 'Mass 0']}");
     physics_assert_near("angle", physics_last(run, 0), 2, 1e-12);
     physics_assert_near("torque", physics_last(run, 1), 0, 0);
+    TinkerModelSizes sizes = tinker_model_sizes(run->model);
+    g_assert_cmpint(sizes.degrees_of_freedom, ==, 3);
+    g_assert_cmpint(sizes.constraint_rows, ==, 2);
+    g_assert_cmpint(sizes.redundant_rows, ==, 0);
+}
+
+/* A mass has no angle: what a slider holds of it is one row, not one of two that are redundant. */
+static void test_slider_with_a_mass(void)
+{
+    g_autoptr(PhysicsRun) run =
+        physics_run(&(PhysicsOptions){.duration = 1, .columns = "Mass 0.x, Slider 0.force y, Slider 0.torque"},
+                    GRAVITY GROUND "{'type': 'mass', 'mass': 3, 'width': 0, 'height': 0, 'velocity': [2, 0]},"
+                                   "{'type': 'slider', 'ends': ['Support 0', 'Mass 0']}");
+    physics_assert_near("place", physics_last(run, 0), 2, 1e-12);
+    physics_assert_near("force", fabs(physics_last(run, 1)), 3 * G, 1e-12);
+    physics_assert_near("moment about the support", fabs(physics_last(run, 2)), 3 * G * 2, 1e-11);
+    TinkerModelSizes sizes = tinker_model_sizes(run->model);
+    g_assert_cmpint(sizes.degrees_of_freedom, ==, 1);
+    g_assert_cmpint(sizes.constraint_rows, ==, 1);
+    g_assert_cmpint(sizes.redundant_rows, ==, 0);
+    g_autoptr(PhysicsRun) cart =
+        physics_run(&(PhysicsOptions){.duration = 1, .columns = "Mass 0.vx"}, GRAVITY GROUND
+                    "{'type': 'mass', 'velocity': [1, 0]}, {'type': 'slider', 'ends': ['Support 0', 'Mass 0']},"
+                    "{'type': 'bar', 'position': [0, -0.5], 'orientation': -1.5707963267948966, 'velocity': [1, 0]},"
+                    "{'type': 'weld', 'ends': ['Mass 0', {'block': 'Bar 0', 'at': [-0.5, 0]}]}");
+    g_assert_cmpint(tinker_model_sizes(cart->model).degrees_of_freedom, ==, 2);
+    physics_assert_near("speed of a cart below which a bar hangs", physics_last(cart, 0), 1, 1e-12);
 }
 
 /* A jet along a body that turns evenly: v = F / (m w) (sin w t, 1 - cos w t). */
@@ -246,6 +273,37 @@ static void test_follower(void)
     }
 }
 
+/* What nobody said of how fast bodies start, a drive may say without a word; what was said it changes with one. */
+static void test_drive_starts(void)
+{
+    static const struct {
+        const char *said;
+        guint warnings;
+    } rows[] = {{"", 0}, {", 'angular_velocity': 3", 0}, {", 'angular_velocity': 0", 1}};
+    for (gsize i = 0; i < G_N_ELEMENTS(rows); i++) {
+        g_autoptr(PhysicsRun) run =
+            physics_run(&(PhysicsOptions){.columns = "Disc 0.angular velocity"},
+                        GROUND "{'type': 'disc', 'mass': 4%s}, {'type': 'pin', 'ends': ['Support 0', 'Disc 0']},"
+                               "{'type': 'drive', 'ends': ['Disc 0', 'Support 0'], 'speed': 3}",
+                        rows[i].said);
+        physics_assert_near("rate", physics_value(run, 0, 0), 3, 1e-14);
+        g_assert_cmpuint(run->summary->warnings->len, ==, rows[i].warnings);
+        g_assert_cmpuint(run->summary->events->len, ==, rows[i].warnings);
+    }
+}
+
+/* Two drives that part at 0.5 s: what they miss is an angle. */
+static void test_misses_in_radians(void)
+{
+    g_autoptr(PhysicsRun) run =
+        physics_try(&(PhysicsOptions){.duration = 1},
+                    GROUND "{'type': 'disc', 'mass': 4}, {'type': 'pin', 'ends': ['Support 0', 'Disc 0']},"
+                           "{'type': 'drive', 'ends': ['Disc 0', 'Support 0'], 'speed': 3},"
+                           "{'type': 'drive', 'ends': ['Disc 0', 'Support 0'], 'speed': 3, 'waveform': {'expression': "
+                           "'0.1*max(t - 0.5, 0)^3'}}");
+    physics_assert_refused(run, TINKER_MODEL_ERROR_RUN, "Drive ", "it misses by ", " rad (", NULL);
+}
+
 static void add_tests(void)
 {
     g_test_add_func("/joints/torsional-spring", test_torsional_spring);
@@ -256,10 +314,13 @@ static void add_tests(void)
     g_test_add_func("/joints/planetary", test_planetary);
     g_test_add_func("/joints/rack", test_rack);
     g_test_add_func("/joints/drive", test_drive);
+    g_test_add_func("/joints/drive-starts", test_drive_starts);
+    g_test_add_func("/joints/misses-in-radians", test_misses_in_radians);
     g_test_add_func("/joints/slot", test_slot);
     g_test_add_func("/joints/slider-crank", test_slider_crank);
     g_test_add_func("/joints/weld", test_weld);
     g_test_add_func("/joints/weld-to-a-mass", test_weld_to_a_mass);
+    g_test_add_func("/joints/slider-with-a-mass", test_slider_with_a_mass);
     g_test_add_func("/joints/follower", test_follower);
 }
 

@@ -6,17 +6,6 @@
 
 #include <math.h>
 
-static const char rods_and_springs[] =
-    "{'type': 'gravity'}, {'type': 'wind', 'drag': 0.05, 'drag_quadratic': 0.02}, {'type': 'support', 'solid': false},"
-    "{'type': 'support', 'solid': false, 'position': [4, 1]}, {'type': 'mass', 'position': [1, 0.3]},"
-    "{'type': 'mass', 'mass': 2, 'position': [2.1, -0.4]}, {'type': 'mass', 'mass': 0.5, 'position': [3, 0]},"
-    "{'type': 'rod', 'ends': ['Support 0', 'Mass 0']}, {'type': 'rod', 'ends': ['Mass 0', 'Mass 1']},"
-    "{'type': 'spring', 'ends': ['Mass 1', 'Mass 2'], 'rest_length': 1}, {'type': 'rod', 'ends': ['Mass 2', 'Support "
-    "1']},"
-    "{'type': 'damper', 'ends': ['Mass 0', 'Mass 2']},"
-    "{'type': 'support-motion', 'ends': ['Support 1'], 'amplitude': 0.2, 'frequency': 5},"
-    "{'type': 'motor', 'ends': ['Mass 1'], 'waveform': {'expression': '5*square(3*t) + sin(t)'}}";
-
 static const char columns[] = "Mass 0.x, Mass 1.ay, Rod 0.tension, Spring 0.energy, Support 1.vx, Motor 0.power";
 
 static void test_looking_changes_nothing(gconstpointer data)
@@ -38,7 +27,7 @@ static void test_looking_changes_nothing(gconstpointer data)
         options.method = method->id;
         options.duration = 3;
         options.tolerance = 1e-7;
-        PhysicsRun *run = physics_run(&options, "%s", rods_and_springs);
+        PhysicsRun *run = physics_run(&options, "%s", physics_rods_and_springs);
         if (first == NULL) {
             first = run;
             continue;
@@ -83,9 +72,10 @@ static void test_exact(void)
 /* Single steps without samples are the steps of a run. */
 static void test_single_steps(void)
 {
-    g_autoptr(PhysicsRun) run = physics_run(&(PhysicsOptions){.method = "rk4", .duration = 2}, "%s", rods_and_springs);
+    g_autoptr(PhysicsRun) run =
+        physics_run(&(PhysicsOptions){.method = "rk4", .duration = 2}, "%s", physics_rods_and_springs);
     g_autoptr(PhysicsRun) stepped =
-        physics_prepare(&(PhysicsOptions){.method = "rk4", .duration = 2}, "%s", rods_and_springs);
+        physics_prepare(&(PhysicsOptions){.method = "rk4", .duration = 2}, "%s", physics_rods_and_springs);
     while (tinker_simulation_time(stepped->simulation) < 2 && stepped->error == NULL)
         tinker_simulation_step(stepped->simulation, &stepped->error);
     g_assert_no_error(stepped->error);

@@ -5,6 +5,9 @@
 #include <string.h>
 
 #include "physics/shapes/gaps.h"
+#include "physics/shapes/manifold.h"
+#include "physics/shapes/outline-parts.h"
+#include "physics/shapes/unturned.h"
 
 #define POSES 1000000
 #define MOST  96
@@ -15,6 +18,13 @@ static const double hexagon_corners[] = {0.4, 0, 0.2, 0.35, -0.2, 0.35, -0.4, 0,
 static const double line_corners[] = {-0.6, 0, 0.6, 0};
 static const double top_corners[] = {-0.7, 0.1, 0.7, 0.1};
 
+/* An L, an arrow whose notch is deep, and how they are cut into triangles (test_parts holds any that are right). */
+static const double angle_corners[] = {-0.2, -0.2, 0.6, -0.2, 0.6, 0, 0, 0, 0, 0.5, -0.2, 0.5};
+static const double angle_parts[] = {-0.2, -0.2, 0.6, -0.2, 0.6, 0,   -0.2, -0.2, 0.6, 0,   0,    0,
+                                     -0.2, -0.2, 0,   0,    0,   0.5, -0.2, -0.2, 0,   0.5, -0.2, 0.5};
+static const double arrow_corners[] = {0.5, 0, -0.4, 0.4, -0.1, 0, -0.4, -0.4};
+static const double arrow_parts[] = {0.5, 0, -0.4, 0.4, -0.1, 0, 0.5, 0, -0.1, 0, -0.4, -0.4};
+
 static const TinkerOutline shapes[] = {
     {TINKER_OUTLINE_POLYGON, 0.6, 4, box_corners},
     {TINKER_OUTLINE_POLYGON, 0.7, 3, triangle_corners},
@@ -22,6 +32,8 @@ static const TinkerOutline shapes[] = {
     {TINKER_OUTLINE_DISC, 0.3, 0, NULL},
     {TINKER_OUTLINE_DISC, 0.5, 0, NULL},
     {TINKER_OUTLINE_POLYGON, 0.6, 2, line_corners},
+    {TINKER_OUTLINE_POLYGON, 0.7, 6, angle_corners, 4, angle_parts},
+    {TINKER_OUTLINE_POLYGON, 0.6, 4, arrow_corners, 2, arrow_parts},
 };
 static const TinkerOutline top = {TINKER_OUTLINE_TOP, 0.75, 2, top_corners};
 
@@ -56,13 +68,14 @@ static double from_segment(const double p[2], const double a[2], const double b[
 static double from_polygon(const double p[2], const TinkerOutline *outline, const TinkerBodyPose *pose)
 {
     double least = INFINITY;
-    gboolean inside = outline->count > 2;
+    gboolean inside = FALSE; /* where a ray upwards crosses an odd number of edges */
     for (int32_t i = 0; i < outline->count; i++) {
         double a[2], b[2];
         corner_at(outline, pose, i, a);
         corner_at(outline, pose, i + 1, b);
         least = fmin(least, from_segment(p, a, b));
-        inside &= (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0]) > 0;
+        const gboolean spans = outline->count > 2 && (a[0] > p[0]) != (b[0] > p[0]);
+        if (spans && p[1] < a[1] + (p[0] - a[0]) / (b[0] - a[0]) * (b[1] - a[1])) inside = !inside;
     }
     return inside ? -least : least;
 }
@@ -156,6 +169,38 @@ static void test_distance(void)
     }
     g_test_message("%u poses apart: the least gap is off by %.1e m", apart, worst);
     g_assert_cmpuint(apart, >, POSES / 4);
+    g_assert_cmpfloat(worst, <, 1e-13);
+}
+
+/* Shapes that keep their angles, as a point and a grown shape: the distance of both is that of the shapes, and so is
+ * whether they overlap. */
+static void test_unturned(void)
+{
+    static const int32_t numbers[] = {0, 1, 5}; /* box, triangle, line */
+    static const double way[2] = {1, 0};
+    g_autoptr(GRand) random = g_rand_new_with_seed(12);
+    double worst = 0;
+    for (int32_t i = 0; i < POSES / 10; i++) {
+        const TinkerOutline *first = &shapes[numbers[g_rand_int_range(random, 0, G_N_ELEMENTS(numbers))]];
+        const TinkerOutline *second = &shapes[numbers[g_rand_int_range(random, 0, G_N_ELEMENTS(numbers))]];
+        TinkerBodyPose p = random_pose(random), q = random_pose(random);
+        const double distance = distance_of(first, &p, second, &q);
+        TinkerUnturned both;
+        TinkerGapFunction functions[MOST];
+        tinker_unturned_init(&both, first, p.angle, second, q.angle);
+        const int32_t count = tinker_unturned_functions(&both, first, p.angle, way, functions, MOST);
+        p.angle = q.angle = 0;
+        if (fabs(distance) < 1e-9) continue;
+        g_assert_true((tinker_outlines_overlap(&both.point, &p, &both.around, &q) > 0) == (distance < 0));
+        if (distance < 0) continue;
+        double least = nearest_corners(&both.point, &p, &both.around, &q);
+        for (int32_t k = 0; k < count; k++) {
+            TinkerGap gap;
+            tinker_gap_measure(&functions[k], &p, &q, &gap);
+            if (gap.gap > 0 && fabs(gap.along) <= functions[k].half_width) least = fmin(least, gap.gap);
+        }
+        worst = fmax(worst, fabs(least - distance));
+    }
     g_assert_cmpfloat(worst, <, 1e-13);
 }
 
@@ -309,12 +354,135 @@ static void test_round_a_box(void)
     }
 }
 
+/* Outlines --------------------------------------------------------------------------------------------------------- */
+
+static double area_of(const double *corners, int32_t count)
+{
+    double twice = 0;
+    for (int32_t i = 0; i < count; i++) {
+        const double *a = corners + 2 * i, *b = corners + 2 * ((i + 1) % count);
+        twice += a[0] * b[1] - b[0] * a[1];
+    }
+    return 0.5 * twice;
+}
+
+/* A star of corners at random distances: any place is in as many of its triangles as it is in the star, one or none. */
+static void check_star(GRand *random)
+{
+    enum { MOST_CORNERS = 24 };
+    static const double origin[2] = {0, 0};
+    const int32_t count = g_rand_int_range(random, 4, MOST_CORNERS + 1);
+    double points[2 * MOST_CORNERS], corners[2 * MOST_CORNERS], triangles[6 * MOST_CORNERS], area = 0;
+    for (int32_t i = 0; i < count; i++) {
+        const double angle = -2 * G_PI * i / count, far = between(random, 0.1, 1); /* clockwise: it is turned round */
+        points[2 * i] = far * cos(angle);
+        points[2 * i + 1] = far * sin(angle);
+    }
+    g_assert_cmpint(tinker_outline_normalise(points, count, origin, corners), ==, count);
+    tinker_outline_cut(corners, count, triangles);
+    for (int32_t i = 0; i < count - 2; i++) {
+        g_assert_cmpfloat(area_of(triangles + 6 * i, 3), >, 0);
+        area += area_of(triangles + 6 * i, 3);
+    }
+    assert_near(area, area_of(corners, count), 1e-14);
+    const TinkerOutline star = {TINKER_OUTLINE_POLYGON, 1, count, corners, 0, NULL};
+    const TinkerBodyPose still = {0};
+    for (int32_t k = 0; k < 50; k++) {
+        const double p[2] = {between(random, -1, 1), between(random, -1, 1)};
+        int32_t in = 0;
+        for (int32_t i = 0; i < count - 2; i++) {
+            const TinkerOutline part = {TINKER_OUTLINE_POLYGON, 1, 3, triangles + 6 * i, 0, NULL};
+            in += from_polygon(p, &part, &still) < 0;
+        }
+        g_assert_cmpint(in, ==, from_polygon(p, &star, &still) < 0);
+    }
+}
+
+static void test_parts(void)
+{
+    g_autoptr(GRand) random = g_rand_new_with_seed(17);
+    for (int32_t i = 0; i < 2000; i++)
+        check_star(random);
+}
+
+/* Corners on the line of their neighbours are none, however the outline is given. */
+static void test_normalised(void)
+{
+    static const double points[] = {1, 1, 1, 2, 1, 3, 2, 3, 3, 3, 3, 1, 2, 1}; /* clockwise */
+    static const double origin[2] = {2, 2}, expected[] = {1, -1, 1, 1, -1, 1, -1, -1};
+    double corners[14];
+    g_assert_cmpint(tinker_outline_normalise(points, 7, origin, corners), ==, 4);
+    g_assert_true(tinker_outline_is_convex(corners, 4));
+    for (int k = 0; k < 8; k++)
+        g_assert_cmpfloat(corners[k], ==, expected[k]);
+    g_assert_false(tinker_outline_is_convex(angle_corners, 6));
+}
+
+static void place(const TinkerOutline *outline, const TinkerBodyPose *pose, double *room, TinkerPlacedShape *shape)
+{
+    *shape = (TinkerPlacedShape){.kind = outline->kind,
+                                 .count = outline->count,
+                                 .radius = outline->radius,
+                                 .corners = room,
+                                 .normals = room + 2 * outline->count};
+    double local[4 * TINKER_MOST_CORNERS];
+    tinker_shape_corners(outline, local);
+    tinker_place_shape(shape, pose->x, pose->y, cos(pose->angle), sin(pose->angle), local);
+}
+
+/* The nearest point of a manifold has the least gap of all gap functions over their seats, and their normal. Corners
+ * over corners of polygons have no gap function: then it has no points, or those of an edge that the other is past. */
+static void test_manifolds(void)
+{
+    GRand *random = g_rand_new_with_seed(7);
+    int compared = 0;
+    for (int i = 0; i < POSES / 4; i++) {
+        const int a = g_rand_int_range(random, 0, G_N_ELEMENTS(shapes)),
+                  b = g_rand_int_range(random, 0, G_N_ELEMENTS(shapes) + 1);
+        const TinkerOutline *first = &shapes[a], *second = b < (int)G_N_ELEMENTS(shapes) ? &shapes[b] : &top;
+        if (first->triangles != NULL || second->triangles != NULL) continue;
+        const TinkerBodyPose at_first = random_pose(random), at_second = random_pose(random);
+        double rooms[2][4 * TINKER_MOST_CORNERS];
+        TinkerPlacedShape placed[2];
+        TinkerManifold manifold;
+        place(first, &at_first, rooms[0], &placed[0]);
+        place(second, &at_second, rooms[1], &placed[1]);
+        tinker_manifold_find(&placed[0], &placed[1], 1, &manifold);
+        if (!(manifold.separation > 1e-6) || manifold.count == 0) continue;
+        double nearest = manifold.points[0].gap, least = INFINITY, normal[2] = {0, 0};
+        if (manifold.count > 1) nearest = fmin(nearest, manifold.points[1].gap);
+        g_assert_cmpfloat(nearest, >=, manifold.separation - 1e-12);
+        if (nearest > manifold.separation + 1e-9) continue; /* of a corner that is past the seat */
+        TinkerGapFunction functions[MOST];
+        const int32_t count = tinker_gap_functions(first, second, functions, MOST);
+        for (int32_t k = 0; k < count; k++) {
+            TinkerGap gap;
+            tinker_gap_measure(&functions[k], &at_first, &at_second, &gap);
+            if (gap.gap < 0 || !tinker_gap_is_over(&functions[k], &at_first, &at_second, &gap, 0)) continue;
+            if (gap.gap >= least) continue;
+            least = gap.gap;
+            for (int axis = 0; axis < 2; axis++)
+                normal[axis] = functions[k].tip_of == 0 ? gap.normal[axis] : -gap.normal[axis];
+        }
+        if (!isfinite(least)) continue;
+        g_assert_cmpfloat(fabs(nearest - least), <, 1e-12);
+        g_assert_cmpfloat(fabs(manifold.normal[0] - normal[0]) + fabs(manifold.normal[1] - normal[1]), <, 1e-6);
+        compared++;
+    }
+    g_assert_cmpint(compared, >, POSES / 40);
+    g_rand_free(random);
+}
+
 int main(int argc, char **argv)
 {
     g_test_init(&argc, &argv, NULL);
     g_test_add_func("/physics/shapes/distance", test_distance);
+    g_test_add_func("/physics/shapes/unturned", test_unturned);
     g_test_add_func("/physics/shapes/tops", test_tops);
     g_test_add_func("/physics/shapes/derivatives", test_derivatives);
     g_test_add_func("/physics/shapes/round-a-box", test_round_a_box);
+    g_test_add_func("/physics/shapes/parts", test_parts);
+    g_test_add_func("/physics/shapes/normalised", test_normalised);
+    g_test_add_func("/physics/shapes/manifolds", test_manifolds);
     return g_test_run();
 }

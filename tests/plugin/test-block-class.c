@@ -13,6 +13,7 @@ typedef struct {
     TinkerUnitChoice choices[2];
     TinkerBody body;
     TinkerLineLaw line_law;
+    TinkerForceElement force_element;
     TinkerMotion motion;
     TinkerConstraint constraint;
     TinkerPhysics physics;
@@ -31,6 +32,16 @@ static const char *const mode_texts[] = {"linear", "cubic", "linear"};
 static TinkerStatus tension(TinkerBatch *batch, const double *length, const double *rate, double *tension_out)
 {
     return TINKER_OK;
+}
+
+static TinkerStatus force(TinkerBatch *batch, const TinkerPoint *ends, double *result)
+{
+    return TINKER_OK;
+}
+
+static double next_blow(TinkerBatch *batch)
+{
+    return 0;
 }
 
 static TinkerStatus motion(TinkerBatch *batch, double *displacement, double *velocity, double *acceleration)
@@ -95,6 +106,8 @@ static Model *model_new(void)
     model->choices[1] = (TinkerUnitChoice){"rest", NULL, "in"};
     model->body = (TinkerBody){.struct_size = sizeof(TinkerBody), .degrees_of_freedom = 2};
     model->line_law = (TinkerLineLaw){.struct_size = sizeof(TinkerLineLaw), .tension = tension};
+    model->force_element =
+        (TinkerForceElement){.struct_size = sizeof(TinkerForceElement), .force = force, .next_blow = next_blow};
     model->motion = (TinkerMotion){.struct_size = sizeof(TinkerMotion), .motion = motion};
     model->constraint = (TinkerConstraint){.struct_size = sizeof(TinkerConstraint), .rows = 1, .rows_at = rows_at};
     model->physics = (TinkerPhysics){.struct_size = sizeof(TinkerPhysics), .line_law = &model->line_law};
@@ -229,6 +242,7 @@ SPOIL(spoil_same_as_kind, m->properties[PLACE].flags = TINKER_DEFAULT_SAME_AS;
       m->properties[PLACE].default_from = "stiffness")
 SPOIL(spoil_same_as_itself, m->properties[PLACE].flags = TINKER_DEFAULT_SAME_AS;
       m->properties[PLACE].default_from = "place")
+SPOIL(spoil_none, m->properties[PLACE].flags = TINKER_DEFAULT_NONE)
 SPOIL(spoil_derived, m->properties[STIFFNESS].flags = TINKER_DERIVED)
 SPOIL(spoil_as_placed, m->type.least_ends = 1)
 SPOIL(spoil_interface_null, m->interfaces[5].vtable = NULL)
@@ -246,6 +260,7 @@ SPOIL(spoil_scratch, m->physics.scratch_size = -8)
 SPOIL(spoil_no_role, m->physics.line_law = NULL)
 SPOIL(spoil_two_roles, m->physics.motion = &m->motion)
 SPOIL(spoil_tension, m->line_law.tension = NULL)
+SPOIL(spoil_blow, m->physics.line_law = NULL; m->physics.force_element = &m->force_element)
 SPOIL(spoil_role_size, m->line_law.struct_size = 0)
 SPOIL(spoil_rows, m->physics.line_law = NULL; m->physics.constraint = &m->constraint; m->constraint.rows = 0)
 SPOIL(spoil_role_ends, m->physics.line_law = NULL; m->physics.motion = &m->motion)
@@ -282,7 +297,7 @@ static const Fault faults[] = {
     {"variability", spoil_variability, "property \"turns\": its variability is 3, 0 to 2 was expected"},
     {"panel", spoil_panel,
      "property \"turns\": its panel is that of end 2, but the block has at most 2 ends (-1: its own panel)"},
-    {"meaning", spoil_meaning, "property \"turns\": its meaning is 99, 0 to 15 was expected"},
+    {"meaning", spoil_meaning, "property \"turns\": its meaning is 99, 0 to 18 was expected"},
     {"meaning-twice", spoil_meaning_twice,
      "property \"drive\": it means the length, and so does \"rest\"; one property may"},
     {"meaning-kind", spoil_meaning_kind,
@@ -312,6 +327,7 @@ static const Fault faults[] = {
      "property \"place\": it defaults to \"stiffness\", which has another kind or unit"},
     {"same-as-itself", spoil_same_as_itself,
      "property \"place\": it defaults to \"place\", which itself defaults to another property"},
+    {"none", spoil_none, "property \"place\": it may be left without a value and is of kind vector, real was expected"},
     {"derived", spoil_derived, "property \"stiffness\": it is derived, but the block has no quantity of this id"},
     {"as-placed", spoil_as_placed,
      "property \"rest\": it defaults to the length from end to end, but the block may have 1 (at least 2 ends are "
@@ -333,13 +349,14 @@ static const Fault faults[] = {
     {"no-role", spoil_no_role, "its physics fills no role"},
     {"two-roles", spoil_two_roles, "its physics fills 2 roles, the body's and one more at most were expected"},
     {"tension", spoil_tension, "its line law lacks the required function \"tension\""},
+    {"blow", spoil_blow, "its force element lacks the required function \"blow\""},
     {"role-size", spoil_role_size, "struct_size of TinkerLineLaw is 0, at least 8 is needed"},
     {"rows", spoil_rows, "its constraint has 0 rows, at least 1 was expected"},
     {"role-ends", spoil_role_ends, "it is a motion and has 2 to 2 ends, 1 was expected"},
     {"body", spoil_body, "it is a body, but no property means its position"},
     {"body-mass", spoil_body_mass, "it is a body, but no property means its mass"},
     {"freedoms", spoil_freedoms, "its body has 1 degrees of freedom, 0, 2 or 3 was expected"},
-    {"shape", spoil_shape, "its body has the shape 5, 0 to 3 was expected"},
+    {"shape", spoil_shape, "its body has the shape 5, 0 to 4 was expected"},
 };
 
 static void test_fault(gconstpointer data)

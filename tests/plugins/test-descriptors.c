@@ -56,6 +56,10 @@ static const Expected expected[] = {
     {"mass", "orientation", "Orientation", "Properties", ANGLE, 0, 0, FREE, FALSE, INFINITY, 0, TINKER_MEANING_ORIENTATION, NULL},
     {"mass", "width", "Width", "Size", LENGTH, 0.8, 0, 0, FALSE, INFINITY, 0, TINKER_MEANING_WIDTH, NULL},
     {"mass", "height", "Height", "Size", LENGTH, 0.8, 0, 0, FALSE, INFINITY, 0, TINKER_MEANING_HEIGHT, NULL},
+    {"mass", "static_friction", "Static coefficient", "Friction", PURE, 0, 0, 0, FALSE, INFINITY, TINKER_DEFAULT_NONE, TINKER_MEANING_STATIC_FRICTION, NULL},
+    {"mass", "dynamic_friction", "Dynamic coefficient", "Friction", PURE, 0, 0, 0, FALSE, INFINITY, TINKER_DEFAULT_NONE, TINKER_MEANING_DYNAMIC_FRICTION, NULL},
+    {"mass", "restitution", "Restitution", "Properties", PURE, 0, 0, 0, FALSE, 1, TINKER_DEFAULT_NONE, TINKER_MEANING_RESTITUTION, NULL},
+    {"mass", "collides", "Collides", "Properties", PURE, 0, 0, FREE, FALSE, INFINITY, 0, TINKER_MEANING_COLLIDES, NULL},
     {"support", "position", "Position", "Global Position", LENGTH, 0, 0, FREE, FALSE, INFINITY, 0, TINKER_MEANING_POSITION, NULL},
     {"support", "local_origin", "Local Origin", "Offset (Local Coordinates)", LENGTH, 0, 0, FREE, FALSE, INFINITY, TINKER_DEFAULT_SAME_AS, TINKER_MEANING_LOCAL_ORIGIN, NULL},
     {"support", "orientation", "Orientation", "Properties", ANGLE, 0, 0, FREE, FALSE, INFINITY, 0, TINKER_MEANING_ORIENTATION, NULL},
@@ -220,8 +224,8 @@ static void test_properties(gconstpointer data)
         g_assert_cmpfloat(property->flags & TINKER_HAS_MINIMUM ? property->hard_minimum : FREE, ==, row->least);
         g_assert_cmpint((property->flags & TINKER_OPEN_MINIMUM) != 0, ==, row->open);
         g_assert_cmpfloat(property->flags & TINKER_HAS_MAXIMUM ? property->hard_maximum : INFINITY, ==, row->greatest);
-        g_assert_cmpuint(property->flags &
-                             (TINKER_READ_ONLY | TINKER_DERIVED | TINKER_DEFAULT_AS_PLACED | TINKER_DEFAULT_SAME_AS),
+        g_assert_cmpuint(property->flags & (TINKER_READ_ONLY | TINKER_DERIVED | TINKER_DEFAULT_AS_PLACED |
+                                            TINKER_DEFAULT_SAME_AS | TINKER_DEFAULT_NONE),
                          ==, row->flags);
         g_assert_cmpint(property->meaning, ==, row->meaning);
         g_assert_cmpstr(property->default_text, ==, row->text);

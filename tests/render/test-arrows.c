@@ -213,7 +213,7 @@ static void test_scale(void)
     g_assert_true(tinker_arrows_scale(NULL, 0, &view, 0) > 0);
 }
 
-/* Seen apart: no two kinds of forces have colours that are near to each other, in any theme. */
+/* Seen apart: no two kinds of single forces have colours that are near to each other, in any theme. */
 static void test_kinds(void)
 {
     for (const char *const *id = tinker_theme_ids(); *id != NULL; id++)
@@ -232,7 +232,7 @@ static void test_key(void)
 {
     static const TinkerArrowWord words[] = {{TINKER_ARROW_FIELD, "field"}, {TINKER_ARROW_FRICTION, "friction"}};
     for (double scale = 1.3e-6; scale < 1e6; scale *= 7.7) {
-        const double unit = 4.4482216152605, force = tinker_arrows_key_force(&view, scale, unit); /* N: a pound */
+        const double unit = 4.4482216152605, force = tinker_arrows_key_value(&view, scale, unit); /* N: a pound */
         double length = force * scale * view.scale, number = force / unit,
                mantissa = number / pow(10, floor(log10(number) + 1e-9));
         g_assert_cmpfloat(length, >, 24 * 0.999);
@@ -240,8 +240,15 @@ static void test_key(void)
         g_assert_true(fabs(mantissa - 1) < 1e-9 || fabs(mantissa - 2) < 1e-9 || fabs(mantissa - 5) < 1e-9);
         Stage stage;
         stage_open(&stage, "light", scale);
-        TinkerArrowKey key = {.force = force, .label = "5 lbf", .words = words, .word_count = G_N_ELEMENTS(words)};
-        tinker_arrows_draw_key(stage.picture->cairo, &view, &stage.options, &key, stage.written);
+        const TinkerArrowLength lengths[] = {{.length = length, .label = "5 lbf"}};
+        TinkerArrowKey key = {.lengths = lengths, .length_count = 1, .words = words, .word_count = G_N_ELEMENTS(words)};
+        tinker_arrows_draw_key(stage.picture->cairo, &view, stage.options.theme, &key, stage.written);
+        double all[4];
+        g_assert_true(tinker_arrows_key_box(&view, stage.options.theme, &key, all));
+        for (guint i = 0; i < stage.written->len; i++) {
+            const double *box = written(&stage, i)->box;
+            g_assert_true(box[0] > all[0] && box[1] > all[1] && box[2] < all[2] && box[3] < all[3]);
+        }
         g_assert_cmpuint(stage.written->len, ==, 3);
         g_assert_cmpstr(written(&stage, 0)->text, ==, "5 lbf");
         assert_inside_and_apart(&stage);
@@ -255,8 +262,8 @@ static void test_key(void)
                         >, 20);
         stage_close(&stage);
     }
-    g_assert_cmpfloat(tinker_arrows_key_force(&view, 0, 1), ==, 0);
-    g_assert_cmpfloat(tinker_arrows_key_force(&view, NAN, 1), ==, 0);
+    g_assert_cmpfloat(tinker_arrows_key_value(&view, 0, 1), ==, 0);
+    g_assert_cmpfloat(tinker_arrows_key_value(&view, NAN, 1), ==, 0);
 }
 
 /* In a picture that is not three times as high as the key, the words are left out and the scale stays. */
@@ -267,11 +274,40 @@ static void test_key_of_small_picture(void)
     small.height = 150;
     Stage stage;
     stage_open(&stage, "light", 1);
-    TinkerArrowKey key = {
-        .force = tinker_arrows_key_force(&small, 1, 1), .label = "5 N", .words = words, .word_count = 2};
-    tinker_arrows_draw_key(stage.picture->cairo, &small, &stage.options, &key, stage.written);
+    const TinkerArrowLength lengths[] = {
+        {.length = small.scale * tinker_arrows_key_value(&small, 1, 1), .label = "5 N"}};
+    TinkerArrowKey key = {.lengths = lengths, .length_count = 1, .words = words, .word_count = 2};
+    tinker_arrows_draw_key(stage.picture->cairo, &small, stage.options.theme, &key, stage.written);
     g_assert_cmpuint(stage.written->len, ==, 1);
     g_assert_cmpstr(written(&stage, 0)->text, ==, "5 N");
+    stage_close(&stage);
+}
+
+/* A line of its own colour for each scale, and a row for the marks of paths; of nothing at all there is no key. */
+static void test_key_of_several_scales(void)
+{
+    const TinkerTheme *theme = tinker_theme_find("light");
+    const double *velocity = tinker_arrow_colour(theme, TINKER_ARROW_MOTION);
+    const double *acceleration = tinker_arrow_colour(theme, TINKER_ARROW_ACCELERATION);
+    const TinkerArrowLength lengths[] = {{50, "5 N", NULL}, {30, "2 m/s", velocity}, {40, "10 m/s²", acceleration}};
+    TinkerArrowKey key = {.lengths = lengths, .length_count = G_N_ELEMENTS(lengths), .marks = "0.2 s"};
+    Stage stage;
+    stage_open(&stage, "light", 1);
+    tinker_arrows_draw_key(stage.picture->cairo, &view, stage.options.theme, &key, stage.written);
+    g_assert_cmpuint(stage.written->len, ==, 4);
+    assert_inside_and_apart(&stage);
+    for (guint i = 0; i < 3; i++) {
+        const double *box = written(&stage, i)->box, y = (box[1] + box[3]) / 2;
+        const double *colour = lengths[i].colour != NULL ? lengths[i].colour : theme->colours[TINKER_COLOUR_TEXT];
+        g_assert_cmpstr(written(&stage, i)->text, ==, lengths[i].label);
+        g_assert_true(test_picture_shows(stage.picture, box[0] - 6 - lengths[i].length / 2, y, 1, colour));
+    }
+    g_assert_cmpstr(written(&stage, 3)->text, ==, "0.2 s");
+    stage_close(&stage);
+    key = (TinkerArrowKey){.lengths = NULL};
+    stage_open(&stage, "light", 1);
+    tinker_arrows_draw_key(stage.picture->cairo, &view, stage.options.theme, &key, stage.written);
+    g_assert_cmpuint(stage.written->len, ==, 0);
     stage_close(&stage);
 }
 
@@ -288,5 +324,6 @@ int main(int argc, char **argv)
     g_test_add_func("/render/arrows/scale", test_scale);
     g_test_add_func("/render/arrows/kinds", test_kinds);
     g_test_add_func("/render/arrows/key", test_key);
+    g_test_add_func("/render/arrows/key-of-several-scales", test_key_of_several_scales);
     return g_test_run();
 }

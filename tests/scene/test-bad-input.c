@@ -36,7 +36,8 @@ static void test_warnings(void)
         {"{\"type\": \"mass\", \"name\": \"M\", \"M\": 1, \"q\": 2}",
          "2:31: warning: M: unknown key \"M\" (did you mean \"mass\"?)\n"
          "2:39: warning: M: unknown key \"q\"; it is kept as it is (known here: mass, position, velocity, "
-         "local_origin, orientation, width, height, type, name, on, along)\n"},
+         "local_origin, orientation, width, height, static_friction, dynamic_friction, restitution, collides, type, "
+         "name, on, along)\n"},
         {"{\"type\": \"sprng\"},\n{\"type\": \"sprng\"}, {\"type\": \"kite\"},\n{\"type\": \"sprng\"}",
          "2:10: warning: blocks[0] (sprng): no plugin provides the block type \"sprng\" (did you mean \"spring\"?); 2 "
          "more blocks are of it\n"

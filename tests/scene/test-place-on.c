@@ -232,7 +232,7 @@ static void test_continued(void)
         BOX("") ", " INCLINE ", {\"type\": \"support-motion\", \"ends\": [\"Incline\"], \"amplitude\": 1, "
                 "\"frequency\": 1}");
     g_autoptr(TinkerFrame) frame = tinker_frame_new(scene, NULL);
-    g_autofree double *velocities = g_new0(double, 2 * (gsize)tinker_scene_id_limit(scene));
+    g_autofree double *velocities = g_new0(double, 3 * (gsize)tinker_scene_id_limit(scene));
     g_assert_true(tinker_frame_set_time(frame, 1.5, NULL));
     g_autoptr(TinkerScene) later = tinker_scene_continued(scene, frame, 1.5, velocities, NULL);
     for (int k = 0; k < 2; k++)

@@ -8,25 +8,10 @@
 #include "program.h"
 #include "sliding-block.h"
 
-#define GRAVITY                        9.81
-#define CLOSE(actual, expected, limit) g_assert_cmpfloat_with_epsilon(actual, expected, limit)
-#define RADIANS(degrees)               ((degrees)*G_PI / 180.0)
-
 /* A value of the record at a time. */
 static double at(const TestTable *record, double time, const char *column)
 {
     return test_table_value(record, test_table_row(record, time), column);
-}
-
-/* Values at a time of columns that are not recorded by themselves. (transfer full) */
-static TestTable *forces_at(const char *path, const char *time, const char *columns)
-{
-    const char *options[] = {"--at", time, "--tolerance", "1e-11", "--columns", columns, NULL};
-    TestSceneRun *run = test_scene_run(path, options);
-    TestTable *record = run->record;
-    cJSON_Delete(run->summary);
-    g_free(run);
-    return record;
 }
 
 /* The middle of an interval in which f changes its sign once, to the last bit. */
@@ -59,7 +44,7 @@ void check_one_sided_support(const char *path)
         CLOSE(test_table_value(record, row, "Thrown from below.y"), t < landing ? -2.0 + 8.0 * t - fallen : 0.6, 1e-10);
     }
     g_autoptr(TestTable) forces =
-        forces_at(path, "0.3,1.5", "Stopped.normal force,Falls through.normal force,Facing up.contact force");
+        measure_columns_at(path, "0.3,1.5", "Stopped.normal force,Falls through.normal force,Facing up.contact force");
     g_assert_cmpfloat(at(forces, 0.3, "Stopped.normal force"), ==, 0.0);
     CLOSE(at(forces, 1.5, "Stopped.normal force"), GRAVITY, 1e-9);
     CLOSE(at(forces, 1.5, "Facing up.contact force"), GRAVITY, 1e-9);
@@ -148,7 +133,7 @@ void check_friction_incline(const char *path)
         }
     }
     g_autoptr(TestTable) forces =
-        forces_at(path, "5", "Block 1.friction force,Block 1.normal force,Block 2.friction force");
+        measure_columns_at(path, "5", "Block 1.friction force,Block 1.normal force,Block 2.friction force");
     CLOSE(at(forces, 5, "Block 1.friction force"), GRAVITY * sin(angles[0]), 1e-9);
     CLOSE(at(forces, 5, "Block 1.normal force"), GRAVITY * cos(angles[0]), 1e-9);
     CLOSE(at(forces, 5, "Block 2.friction force"), 0.5 * GRAVITY * cos(angles[1]), 1e-9);

@@ -19,6 +19,16 @@ TestTable *measure_at(const char *path, const double *times, gsize count)
     return record;
 }
 
+TestTable *measure_columns_at(const char *path, const char *time, const char *columns)
+{
+    const char *options[] = {"--at", time, "--tolerance", "1e-11", "--columns", columns, NULL};
+    TestSceneRun *run = test_scene_run(path, options);
+    TestTable *record = run->record;
+    cJSON_Delete(run->summary);
+    g_free(run);
+    return record;
+}
+
 double measure_amplitude(const TestTable *record, const char *column, double w)
 {
     double complex sum = 0.0;

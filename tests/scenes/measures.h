@@ -4,8 +4,16 @@
 
 #include "table.h"
 
+#define GRAVITY                        9.81
+#define CLOSE(actual, expected, limit) g_assert_cmpfloat_with_epsilon(actual, expected, limit)
+#define RADIANS(degrees)               ((degrees)*G_PI / 180.0)
+
 /* Runs a scene with samples at these times, with errors far below the limits used here. (transfer full) */
 TestTable *measure_at(const char *path, const double *times, gsize count);
+
+/* Values at a time, written as text, of columns that need not be recorded by themselves: "NAME.QUANTITY,...".
+ * (transfer full) */
+TestTable *measure_columns_at(const char *path, const char *time, const char *columns);
 
 /* Runs a scene with samples over the last period of the angular frequency w (rad/s) before `until`. (transfer full) */
 TestTable *measure_last_period(const char *path, double w, double until);

@@ -8,10 +8,10 @@
 
 #include "contact-cases.h"
 #include "measures.h"
+#include "mechanism-cases.h"
+#include "mistake-cases.h"
 #include "program.h"
-
-#define GRAVITY                        9.81
-#define CLOSE(actual, expected, limit) g_assert_cmpfloat_with_epsilon(actual, expected, limit)
+#include "rolling-cases.h"
 
 typedef struct {
     const char *name;
@@ -29,6 +29,20 @@ static void check_spring_mass(const char *path)
         CLOSE(test_table_value(record, row, "Mass 0.y"), 2.0 - GRAVITY / 25.0 * (1.0 - cos(5.0 * t)), 1e-8);
         CLOSE(test_table_value(record, row, "Mass 0.x"), 0.0, 1e-12);
     }
+}
+
+/* About its rest (4 - 2 - m g / k), with z = 0.1: -a exp(-z w t) (cos(v t) + z w / v sin(v t)), v = w sqrt(1 - z^2). */
+static void check_damped_oscillator(const char *path)
+{
+    const double w = 5.0, z = 0.1, v = w * sqrt(1.0 - z * z), rest = 2.0 - GRAVITY / 25.0, a = rest - 1.1076;
+    const double times[] = {0.3, 2.0 * G_PI / v, 4.0, 10.0};
+    g_autoptr(TestTable) record = measure_at(path, times, G_N_ELEMENTS(times));
+    for (gsize row = 0; row < record->rows; row++) {
+        const double t = times[row], swing = cos(v * t) + z * w / v * sin(v * t);
+        CLOSE(test_table_value(record, row, "Mass 0.y"), rest - a * exp(-z * w * t) * swing, 1e-9);
+    }
+    /* a whole swing later */
+    CLOSE((rest - test_table_value(record, 1, "Mass 0.y")) / a, 0.532, 5e-4);
 }
 
 static void check_network(const char *path)
@@ -303,28 +317,47 @@ static void check_spring_pendulum(const char *path)
 }
 
 static const SceneCase scene_cases[] = {
+    {"balanced-arm", "6", check_balanced_arm},
     {"base-excitation", "10", check_base_excitation},
     {"beats", "10", check_beats},
+    {"block-and-tackle", "3", check_block_and_tackle},
     {"bouncing-balls", "8", check_bouncing_balls},
+    {"compound-pendulum", "10", check_compound_pendulum},
+    {"damped-oscillator", "10", check_damped_oscillator},
+    {"double-bar-pendulum", "10", check_double_bar_pendulum},
     {"double-pendulum", "10", check_double_pendulum},
     {"el-centro-block", "10", check_el_centro_block},
     {"falling-chain", "1", check_falling_chain},
+    {"four-bar-coupler-curve", "8", check_four_bar_coupler_curve},
     {"four-bar-linkage", "10", check_four_bar},
     {"free-fall", "1", check_free_fall},
     {"friction-incline", "10", check_friction_incline},
     {"friction-oscillator", "6", check_friction_oscillator},
+    {"gear-train", "3", check_gear_train},
     {"hanging-cable", "3", check_hanging_cable},
+    {"heavy-pulley", "1.2", check_heavy_pulley},
     {"incline-landing", "4", check_incline_landing},
     {"kapitza-pendulum", "4", check_kapitza},
+    {"ladder-on-wall", "1", check_ladder_on_wall},
     {"lift-off", "4", check_lift_off},
     {"motor-on-mass", "10", check_motor_on_mass},
+    {"newtons-cradle", "3.5", check_newtons_cradle},
+    {"normal-forces", "2", check_normal_forces},
     {"one-sided-support", "1.5", check_one_sided_support},
     {"pendulum", "10", check_pendulum},
     {"pendulum-wave", "10", check_pendulum_wave},
+    {"planetary-gear", "12", check_planetary_gear},
     {"projectiles", "2.5", check_projectiles},
+    {"quick-return", "6", check_quick_return},
     {"resonance", "10", check_resonance},
+    {"rocking-block", "3", check_rocking_block},
+    {"rod-tension", "3", check_rod_tension},
+    {"rolling-race", "2", check_rolling_race},
     {"rotating-spring-square", "10", check_rotating_square},
+    {"scotch-yoke", "6", check_scotch_yoke},
+    {"slider-crank", "2", check_slider_crank},
     {"sliding-ladder", "3", check_sliding_ladder},
+    {"slipping-to-rolling", "2", check_slipping_to_rolling},
     {"spring-mass", "10", check_spring_mass},
     {"spring-mass-network", "5", check_network},
     {"spring-pendulum", "10", check_spring_pendulum},
@@ -332,7 +365,10 @@ static const SceneCase scene_cases[] = {
     {"stiff-chain", "10", check_stiff_chain},
     {"support-motion", "10", check_support_motion},
     {"terminal-velocity", "5", check_terminal_velocity},
+    {"thrown-up", "1.2", check_thrown_up},
+    {"tip-or-slide", "1.2", check_tip_or_slide},
     {"tuned-mass-damper", "10", check_tuned_mass_damper},
+    {"yo-yo", "1.5", check_yo_yo},
 };
 
 /* The scene as it is, with its own settings but for a shorter run, and then what is known about it. */

@@ -52,6 +52,21 @@ def test_quantities_of_two_blocks(display):
         check_equal([curve.get("quantity") for curve in curves(app)], ["y"], "quantities after undo")
 
 
+def test_what_is_measured_stays_with_other_curves(display):
+    with App(display, falling()) as app:
+        app.click("Play")
+        wait(lambda: app.time() == 0.1 and not app.is_playing(), "the end of the run")
+        x, y, _, _ = app.settled(graph(app))
+        app._click_at(x + 40, y + 9)
+        app.press("c")
+        wait(lambda: "A: t = 0.1 s" in graph(app).description, "the cursor to be told")
+        dialog = open_dialog(app)
+        app.click("Add", inside=dialog)
+        app.find("button", re.compile("^Remove Ball.x"), inside=dialog)
+        close_dialog(app)
+        wait(lambda: "A: t = 0.1 s" in graph(app).description, "the cursor to be told still")
+
+
 def test_expression(display):
     with App(display, falling()) as app:
         dialog = open_dialog(app)

@@ -362,5 +362,37 @@ def test_support_is_turned_by_its_handle(display):
         check_close(app.blocks()["Plate"]["orientation"], 0.785398163, 0.02, "orientation (rad)")
 
 
+def test_corners_of_a_plate(display):
+    square = [[-1, -1], [1, -1], [1, 1], [-1, 1]]
+    plate = {"type": "plate", "name": "P", "position": [0, 0], "corners": square}
+    with App(display, scene(plate)) as app:
+
+        def corners():
+            block = app.blocks()["P"]
+            x, y = block["position"]
+            around = block["corners"]
+            turns = list(zip(around, around[1:] + around[:1]))
+            area = sum(a[0] * b[1] - b[0] * a[1] for a, b in turns) / 2
+            centre = [sum((a[k] + b[k]) * (a[0] * b[1] - b[0] * a[1]) for a, b in turns) / (6 * area) for k in (0, 1)]
+            return [[round(x + a - centre[0], 6), round(y + b - centre[1], 6)] for a, b in around]
+
+        app.click_world(0.5, 0.2)
+        app.drag((1, 1), (2, 2))
+        check_equal(corners(), [[-1, -1], [1, -1], [2, 2], [-1, 1]], "corners, one of them dragged")
+        app.click_world(0, -1, button=3)
+        app.choose("Add Corner Here")
+        wait(lambda: len(corners()) == 5, "a corner more")
+        x, y = corners()[1]
+        check_close(x, 0, 0.05, "x of the new corner")
+        check_close(y, -1, 0.05, "y of the new corner")
+        app.click_world(2, 2, button=3)
+        app.choose("Remove Corner")
+        wait(lambda: len(corners()) == 4, "a corner less")
+        check([2, 2] not in corners(), "the corner that was clicked is gone")
+        for _ in range(3):
+            app.activate("undo")
+        wait(lambda: corners() == square, "the square again")
+
+
 if __name__ == "__main__":
     main()

@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 """What happens in a run is told, and marked on the time line. The truth is uniform motion: a block that slides without
 friction from the middle of a top 4 m long at 2 m/s is over its end at 1 s."""
+import os
 import re
 
 from harness import App, check, check_close, check_equal, main, mass, scene, support, wait
@@ -54,6 +55,11 @@ def test_time_line_is_marked_where_something_happens(display):
         app.find("label", f"1 s: {LEAVES}")
         app._click_at(x + 0.4 * width + 2, y + height / 2)
         wait(lambda: app.time() == 1, "the time of the event, not that of the pointer beside its mark")
+        app.xdotool("mousemove", x + 0.4 * width + 2, y + height / 2, "mousedown", 1)
+        for part in (0.42, 0.5, 0.6, 0.7):
+            app.xdotool("mousemove", x + part * width, y + height / 2)
+        wait(lambda: app.time() > 1.6, "the line to be dragged on from the mark")
+        app.xdotool("mouseup", 1)
 
 
 def test_line_without_events_says_nothing(display):
@@ -61,6 +67,31 @@ def test_line_without_events_says_nothing(display):
         app.click("Play")
         wait(lambda: app.time() == 1 and not app.is_playing(), "the end")
         check_equal(app.find("slider", "Time line").description, "", "description of the line")
+
+
+def test_extrema_of_the_curve_worked_at(display):
+    """x = cos(w t) with w = 2 pi / 1 s: least at 0.5 and 1.5 s, greatest at 1 s; the samples miss them by up to 0.01 s."""
+    ball = mass("Ball", 1, 0, mass=1)
+    content = scene(support("Wall", -2, 0, solid=False), ball,
+                    {"type": "spring", "name": "Spring", "ends": ["Wall", "Ball"], "stiffness": 39.47841760435743,
+                     "rest_length": 2}, graphs=[{"block": "Ball", "quantity": "x"}], duration=1.8, interval=0.03)
+    with App(display, content) as app:
+        app.click("Play")
+        wait(lambda: app.time() == 1.8 and not app.is_playing(), "the end")
+        line = app.find("slider", "Time line")
+        check_equal(line.description, "", "description before there is a curve that is worked at")
+        app.click(app.find(None, re.compile("^Graph of ")))
+        wait(lambda: line.refreshed().description.count("\n") == 2, "three marks")
+        told = line.description.split("\n")
+        for text, time, kind in zip(told, (0.5, 1, 1.5), ("minimum", "maximum", "minimum")):
+            check_close(float(text.split(" s: ")[0]), time, 1e-3, f"time of {text}")
+            check(text.endswith(f"({kind})"), f"{text}: {kind}")
+        x, y, width, height = app.settled(line)
+        keep = os.environ.get("TINKER_PICTURES")
+        if keep:
+            app.picture().write_png(f"{keep}/extrema.png")
+        app._click_at(x + 1 / 1.8 * width + 2, y + height / 2)
+        wait(lambda: app.time() == 1, "the time of the maximum, not that of the pointer beside its mark")
 
 
 if __name__ == "__main__":

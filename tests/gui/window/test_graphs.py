@@ -4,7 +4,7 @@ import csv
 import os
 import subprocess
 
-from harness import App, check, check_close, check_equal, colours, main, mass, scene, support, wait
+from harness import App, check, check_close, check_equal, colours, main, mass, scene, spring, support, wait
 
 CLIPBOARD = os.environ["TINKER_CLIPBOARD"]  # another program, which reads the clipboard
 
@@ -127,6 +127,27 @@ def test_menu_of_a_graph(display):
         for item in ("Copy", "Save Image As…", "Show Point Values", "Export Values To File…"):
             app.find_item(item)
         app.press("Escape")
+
+
+def test_spectrum_and_phase_portrait(display):
+    """sqrt(25) / 2 pi = 0.796 Hz: of 5 s the line at 0.8 Hz is the greatest."""
+    swing = scene(support("Wall", 0, 3), mass("Ball", 0, 0.5), spring("K", "Wall", "Ball", stiffness=25, rest_length=2),
+                  duration=5, graphs=[DOCKED])
+    with App(display, swing) as app:
+        app.click("Play")
+        wait(lambda: app.time() == 5 and not app.is_playing(), "the end of the run")
+        app.click(graph(app), button=3)
+        app.choose("Over", "Frequency (Spectrum)")
+        app.find(None, "Graph of Spectrum of Ball: Y Position")
+        check_equal(app.saved()["graphs"][0]["against"], "frequency", "what it is over, in the file")
+        wait(lambda: graph(app).description.startswith("f = 0.8 Hz, y = 0."), "the greatest amplitude to be told")
+        app.click(graph(app), button=3)
+        app.choose("Over", "Y Velocity")
+        app.find(None, "Graph of Ball: Y Position over Y Velocity")
+        app.click(graph(app), button=3)
+        app.choose("Over", "Time")
+        app.find(None, "Graph of Ball: Y Position")
+        check_equal("against" in app.saved()["graphs"][0], False, "something that it is over, in the file")
 
 
 def test_export_of_a_fall(display):

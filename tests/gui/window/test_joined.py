@@ -73,6 +73,19 @@ def test_typed_angle_takes_the_others_along(display):
         check_close(app.blocks()["Crank"]["position"][0], -0.5, 1e-9, "the crank stands over its pin")
 
 
+def test_typed_length_keeps_pins_at_the_ends(display):
+    blocks = (support("Wall", -0.5, 0), bar("Crank", 0, 0), bar("Link", 1, 0),
+              pin("A", at("Wall", 0), at("Crank", -0.5)), pin("B", at("Crank", 0.5), at("Link", -0.5)))
+    with App(display, scene(*blocks)) as app:
+        app.click_world(0.2, 0)
+        app.enter("Size", "Length", "1.4 m")
+        check_equal(app.blocks()["A"]["ends"][1], at("Crank", -0.7), "the pin at the wall")
+        check_close(app.blocks()["Crank"]["position"][0], 0.2, 1e-9, "the crank begins at the wall")
+        check_close(app.blocks()["Link"]["position"][0], 1.4, 1e-9, "the link was pushed on")
+        app.press("ctrl+z")
+        check_equal(app.blocks()["Link"]["position"], [1, 0], "one step for undo")
+
+
 def test_turned_by_its_handle_it_snaps(display):
     with App(display, scene(bar("Bar", 0, 0))) as app:
         app.click_world(0, 0)

@@ -110,6 +110,7 @@ def test_undo_in_a_field_takes_back_what_was_set_there(display):
 def test_click_into_a_number_selects_it(display):
     with App(display, scene(mass("A", 0, 0))) as app:
         select(app, 0.2, 0.2)
+        app.bring_into_view(app.field("Properties", "Mass"))
         app.click(app.field("Properties", "Mass"))
         app.type("3")
         app.press("Return")
@@ -120,6 +121,7 @@ def test_click_into_a_number_selects_it(display):
 def test_second_click_into_a_number_sets_the_cursor(display):
     with App(display, scene(mass("A", 0, 0))) as app:
         select(app, 0.2, 0.2)
+        app.bring_into_view(app.field("Properties", "Mass"))
         x, y, _, height = app.settled(app.field("Properties", "Mass"))
         for _ in range(2):
             app._click_at(x + 3, y + height / 2)
@@ -264,6 +266,7 @@ def test_zeros_behind_the_digits_are_left_out_and_stay_so(display):
         select(app, 3.2, 2.4)
         app.wait_read("Global Position", "X", "3.20000 m")
         app.click("Main Menu")
+        app.choose("Canvas and Panels")
         app.click("Trim Decimals of Values", role="check menu item")
         app.wait_read("Global Position", "X", "3.2 m")
         app.enter("Properties", "Mass", "2.50")

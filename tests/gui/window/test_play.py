@@ -1,5 +1,8 @@
 #!/usr/bin/python3
 """Running, pausing, stepping, looking back, starting again."""
+import os
+import re
+
 from harness import App, check, check_close, check_equal, main, mass, scene, wait
 from harness.scenes import connector
 
@@ -74,6 +77,35 @@ def test_play_at_the_end_begins_again(display):
         wait(lambda: app.time() == 3 and not app.is_playing(), "the end again")
 
 
+def test_stops_when_a_condition_holds(display):
+    """A fall of 1.2 m takes sqrt(2.4 / 9.81) s = 0.4946 s."""
+    with App(display, falling(duration=2)) as app:
+        app.show_width()
+        app.click_world(3, -1)  # nothing: the scene itself
+        app.enter("Run", "Stop When", "{Ball.y} = 1.8; event(impact)")
+        app.wait_read("Run", "Stop When", "{Ball.y} = 1.8; event(impact)")
+        check_equal(app.saved()["run"]["until"], "{Ball.y} = 1.8; event(impact)", "condition in the file")
+        app.click("Play")
+        wait(lambda: app.time() == 0.49 and not app.is_playing(), "the stop, to the decimals that are shown")
+        app.find_text("0.4946 s: Stopped where {Ball.y} = 1.8")
+        check_equal(app.find("slider", "Time line").description, "0.4946 s: Stopped where {Ball.y} = 1.8", "its mark")
+
+
+def test_hand_pulls_while_it_plays(display):
+    """Without gravity a body at rest stays, until a hand takes it to the right."""
+    blocks = (mass("Ball", 0, 0), connector("hand", "Hand", "Ball", place=[0, 1.6], pulls=True, damping=10))
+    with App(display, scene(*blocks, duration=60)) as app:
+        app.show_width()
+        app.click_world(0, 1.0)
+        app.click("Play")
+        wait(lambda: app.time() > 0.2, "time to pass")
+        before = app.time()
+        app.drag((0, 1.6), (3, 1.6))
+        wait(lambda: app.time() > before + 1, "time to go on")
+        check(app.is_playing(), "it plays on")
+        check_equal(app.blocks()["Hand"]["place"], [3, 1.6], "place of the hand in the file")
+
+
 def test_play_back_follows_the_clock(display):
     """Whatever the frame rate: 1 s of the run takes 1 s. That it takes no more, a busy machine cannot show."""
     import time
@@ -106,6 +138,23 @@ def test_run_that_fails_says_why_and_keeps_what_there_is(display):
         check_close(app.time(), 0.5, 0.011, "the last instant")
         app.seek(0.4)
         check_close(app.time(), 0.4, 0.1, "an earlier instant")
+
+
+def test_looking_for_the_end_is_told_and_given_up(display):
+    """Nothing can be shown before it is known where the run stops, which takes long where that is never."""
+    content = scene(mass("A", 0, 0, velocity=[1e-6, 0]), duration=1e6, interval=0.01)
+    content["run"]["until"] = "{A.x} > 1e9"
+    with App(display, content) as app:
+        app.click("Play")
+        app.find_text("Looking for where the run stops…")
+        app.find_text("looking for where it stops: ")
+        keep = os.environ.get("TINKER_PICTURES")
+        if keep:
+            app.picture().write_png(f"{keep}/looking.png")
+        app.click("Cancel")
+        wait(lambda: not app.is_playing(), "it to be given up")
+        wait(lambda: app.look("label", re.compile("looking for where it stops")) is None, "the status to say no more of it")
+        check_equal(app.time(), 0, "time")
 
 
 if __name__ == "__main__":

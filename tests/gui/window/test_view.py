@@ -83,15 +83,18 @@ def test_window_keeps_its_middle_when_sized(display):
         check_close(app.canvas_box()[2] / after[0], scale, 1, "pixels per m")
 
 
-def toggles(display, item, place0, place1, content):
+def toggles(display, item, place0, place1, content, within=()):
+    """What a switch of the main menu, or of the menus `within` it, shows."""
     with App(display, content) as app:
         app.show_width()
         area = app.area(*place0, *place1)
         before = app.picture().cut(area)
         app.click("Main Menu")
+        app.choose(*within)
         app.click(item, role="check menu item")
         wait(lambda: app.picture().cut(area) != before, f"“{item}” to change the picture")
         app.click("Main Menu")
+        app.choose(*within)
         app.click(item, role="check menu item")
         wait(lambda: app.picture().cut(area) == before, f"“{item}” to change it back")
 
@@ -101,7 +104,7 @@ def test_labels_on_and_off(display):
 
 
 def test_grid_on_and_off(display):
-    toggles(display, "Show Grid", (-3, -2), (-1, 2), scene(mass("Ball", 0, 0)))
+    toggles(display, "Show Grid", (-3, -2), (-1, 2), scene(mass("Ball", 0, 0)), within=["Canvas and Panels"])
 
 
 def test_dark_theme(display):

@@ -88,6 +88,7 @@ def test_wrong_settings_of_the_scene(display):
         wrong_entries(app, "Canvas", "Width", ("0", "-1", "wide", "1 s"))
         wrong_entries(app, "Canvas", "Grid", ("-1", "1 kg"))
         wrong_entries(app, "Run", "Duration", ("-1 s", "1 m", "long"))
+        wrong_entries(app, "Run", "Stop When", ("{A.y}", "{A.q} = 1", "event(impct)", "y = 0", "event(slip, B)", "= 1"))
         app.click("Computation", role="label")
         wrong_entries(app, "Computation", "Interval", ("0", "-1"))
 

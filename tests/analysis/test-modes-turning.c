@@ -1,0 +1,63 @@
+/* Modes of bodies that turn, against closed forms. */
+#include <math.h>
+
+#include "modes-fixture.h"
+
+/* A straight bar of three masses on rods in one line, from 1 rad off: it swings as a whole, sqrt(g sum m x / sum m
+ * x^2). */
+/* Bars on pins: one swings with omega^2 = 3 g / 2 L, two equal ones with (3 -+ 6 / sqrt 7) g / L. */
+static void test_bars(void)
+{
+    g_autoptr(ModesFixture) one =
+        modes_about_rest("{'type': 'gravity', 'acceleration': 9.75}, {'type': 'support'},"
+                         "{'type': 'bar', 'length': 1.5, 'position': [0.75, 0]},"
+                         "{'type': 'pin', 'ends': ['Support 0', {'block': 'Bar 0', 'at': [-0.75, 0]}]}");
+    modes_assert_frequencies(one, (const double[]){sqrt(9.75)}, 1);
+    g_autoptr(ModesFixture) two = modes_about_rest(
+        "{'type': 'gravity', 'acceleration': 9.75}, {'type': 'support'},"
+        "{'type': 'bar', 'length': 1.5, 'position': [0, -0.75], 'orientation': '-90 deg'},"
+        "{'type': 'bar', 'length': 1.5, 'position': [0, -2.25], 'orientation': '-90 deg'},"
+        "{'type': 'pin', 'ends': ['Support 0', {'block': 'Bar 0', 'at': [-0.75, 0]}]},"
+        "{'type': 'pin', 'ends': [{'block': 'Bar 0', 'at': [0.75, 0]}, {'block': 'Bar 1', 'at': [-0.75, 0]}]}");
+    modes_assert_frequencies(two, (const double[]){sqrt((3 - 6 / sqrt(7)) * 6.5), sqrt((3 + 6 / sqrt(7)) * 6.5)}, 2);
+}
+
+/* A bar on an upright spring at each end bounces with 2 k / m and pitches with 6 k / m; sideways nothing holds it. */
+static void test_bar_on_springs(void)
+{
+    g_autoptr(ModesFixture) a = modes_about_rest(
+        "{'type': 'support', 'position': [-1, -1], 'solid': false}, {'type': 'support', 'position': [1, -1], "
+        "'solid': false},"
+        "{'type': 'bar', 'mass': 4, 'length': 2},"
+        "{'type': 'spring', 'stiffness': 50, 'ends': ['Support 0', {'block': 'Bar 0', 'at': [-1, 0]}]},"
+        "{'type': 'spring', 'stiffness': 50, 'ends': [{'block': 'Bar 0', 'at': [1, 0]}, 'Support 1']}");
+    modes_assert_frequencies(a, (const double[]){5, sqrt(75)}, 2);
+    g_assert_cmpuint(modes_count(a, TINKER_MODE_RIGID), ==, 1);
+}
+
+static void test_straight_bar(void)
+{
+    g_autoptr(ModesFixture) a = modes_about_rest("{'type': 'gravity', 'acceleration': 9.81},"
+                                                 "{'type': 'support', 'position': [0, 0], 'solid': false},"
+                                                 "{'type': 'mass', 'mass': 1, 'position': [0.3, -0.4]},"
+                                                 "{'type': 'mass', 'mass': 4, 'position': [0.6, -0.8]},"
+                                                 "{'type': 'mass', 'mass': 2, 'position': [0.9, -1.2]},"
+                                                 "{'type': 'rod', 'ends': ['Support 0', 'Mass 0']},"
+                                                 "{'type': 'rod', 'ends': ['Mass 0', 'Mass 1']},"
+                                                 "{'type': 'rod', 'ends': ['Mass 1', 'Mass 2']},"
+                                                 "{'type': 'rod', 'ends': ['Support 0', 'Mass 2']}");
+    modes_assert_frequencies(a, (double[]){sqrt(9.81 * (0.5 + 4 + 3) / (0.25 + 4 + 4.5))}, 1);
+    g_assert_cmpuint(a->analysis->modes->len, ==, 1);
+}
+
+static void add_tests(void)
+{
+    g_test_add_func("/modes/bars", test_bars);
+    g_test_add_func("/modes/bar-on-springs", test_bar_on_springs);
+    g_test_add_func("/modes/straight-bar", test_straight_bar);
+}
+
+int main(int argc, char **argv)
+{
+    return physics_main(argc, argv, add_tests);
+}

@@ -1,0 +1,65 @@
+#!/usr/bin/python3
+"""Ruler and protractor on the canvas: a triangle of 3, 4 and 5 m, whose angles are known."""
+import os
+
+from harness import App, check, check_equal, main, mass, scene, support, wait
+
+
+def triangle():
+    """The right angle is at A; B is 3 m to its right, C 4 m above it."""
+    return scene(mass("A", -1.5, -2), mass("B", 1.5, -2), support("C", -1.5, 2, solid=False), width=10)
+
+
+def reads(app, text):
+    return wait(lambda: app.look(None, text) is not None, f"“{text}” to be read")
+
+
+def keep(app, name):
+    folder = os.environ.get("TINKER_PICTURES")
+    if folder:
+        app.picture().write_png(f"{folder}/{name}.png")
+
+
+def test_ruler_snaps_and_is_kept(display):
+    with App(display, triangle()) as app:
+        app.show_width()
+        app.press("ctrl+r")
+        app.drag((1.45, -2.03), (-1.46, 2.04))  # nearly from B to C
+        reads(app, "5.000 m, Δx = -3.000 m, Δy = 4.000 m, 126.87°")
+        keep(app, "ruler")
+        check_equal([block["type"] for block in app.saved()["blocks"]], ["mass", "mass", "support"], "blocks before")
+        app.click("Keep as Dimension")
+        wait(lambda: app.saved()["blocks"][-1]["type"] == "dimension", "the block")
+        check_equal(app.saved()["blocks"][-1]["ends"], ["B", "C"], "its ends")
+        app.gone("button", "Keep as Dimension")
+
+
+def test_protractor_by_drag_and_click(display):
+    with App(display, triangle()) as app:
+        app.show_width()
+        app.click("Main Menu")
+        app.choose("Measure", "Protractor")
+        app.drag((1.5, -2), (-1.5, -2))  # from B, where the angle is, to A
+        app.click_world(-1.5, 2)
+        reads(app, "-53.13°")
+        keep(app, "protractor")
+        app.click("Keep as Angle Mark")
+        wait(lambda: app.saved()["blocks"][-1]["type"] == "angle-mark", "the block")
+        check_equal(app.saved()["blocks"][-1]["ends"], ["A", "B", "C"], "its ends, the corner in the middle")
+
+
+def test_keys_measure_too_and_nothing_is_left(display):
+    with App(display, triangle()) as app:
+        app.show_width()
+        app.press("ctrl+r")
+        app.find(None, "Ruler")
+        for key in ("Tab", "Return", "Tab", "Return"):
+            app.press(key)
+        reads(app, "3.000 m, Δx = 3.000 m, Δy = 0.000 m, 0.00°")
+        app.press("Escape")
+        app.gone("button", "Keep as Dimension")
+        check(not app.is_enabled("undo"), "nothing to be undone")
+
+
+if __name__ == "__main__":
+    main()

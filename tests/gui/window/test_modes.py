@@ -1,0 +1,100 @@
+#!/usr/bin/python3
+"""Natural frequencies and modes: a bob of 1 kg on a spring of 25 N/m that is 2 m long at rest without it. It swings up and down
+with sqrt(k/m) / 2 pi = 0.7958 Hz and sideways, as a pendulum, with sqrt(g/L) / 2 pi = 0.3223 Hz of the stretched length."""
+import os
+import re
+
+from harness import App, check, main, mass, scene, spring, support, wait
+
+SIDEWAYS, UPRIGHT = "Mode 1: 0.3223 Hz", "Mode 2: 0.7958 Hz"
+
+
+def hanging():
+    return scene({"type": "gravity", "name": "Gravity"}, support("Wall", 0, 3, solid=False),
+                 mass("Bob", 0, 0.6076), spring("Spring", "Wall", "Bob", stiffness=25, rest_length=2))
+
+
+def open_modes(app):
+    app.show_width()
+    app.click("Equations", role="tab")
+    app.click("Natural Frequencies and Modes")
+    return app.find("list item", SIDEWAYS)
+
+
+def test_frequencies_and_shapes(display):
+    """Of a desktop that does not want animations, what a mode does is shown at its greatest."""
+    with App(display, hanging()) as app:
+        item = open_modes(app)
+        app.find("list item", UPRIGHT)
+        areas = app.area(0.46, 0.2, 0.6, 1), app.area(-0.3, 1.05, -0.15, 1.2)  # beside the bob, and above it
+
+        def look():
+            picture = app.picture()
+            return [picture.cut(area) for area in areas]
+
+        beside, above = look()
+        app.click(item, role="list item")
+        wait(lambda: look()[0] != beside and look()[1] == above, "the bob at the right")
+        app.press("Down")
+        wait(lambda: look()[0] == beside and look()[1] != above, "the bob above")
+        app.click("Natural Frequencies and Modes", role="label")  # the button is as large as all of it
+        wait(lambda: look() == [beside, above], "the scene as it is")
+
+
+def test_what_drives_it_near_resonance(display):
+    """Up and down with 5.2 rad/s, where the bob answers most at 5; sideways it swings at 2.025, which that does not drive."""
+    content = hanging()
+    content["blocks"].append({"type": "motor", "name": "Push", "ends": ["Bob"], "angle": "90 deg", "amplitude": 1,
+                              "waveform": "sine", "frequency": 5.2})
+    with App(display, content) as app:
+        open_modes(app)
+        app.find_text("Push drives with 5.2 rad/s (0.8276 Hz), near resonance at 5 rad/s (0.7958 Hz)")
+        app.find("image", "Response of Bob.y to Push")
+        keep = os.environ.get("TINKER_PICTURES")
+        if keep:
+            app.picture().write_png(f"{keep}/response.png")
+    content["blocks"][-1]["frequency"] = 2.03  # near the other one
+    with App(display, content) as app:
+        open_modes(app)
+        app.find("image", "Response of Bob.y to Push")
+        check(app.look("label", "Push drives with 2.03 rad/s") is None, "no word of the mode that it does not drive")
+
+
+def test_frequency_says_that_it_is_near_resonance(display):
+    """The same beside the frequency itself, of the motor and of a motion that the wall shows; it goes with what is typed."""
+    content = hanging()
+    content["blocks"].insert(0, {"type": "motor", "name": "Push", "ends": ["Bob"], "angle": "90 deg", "amplitude": 1,
+                              "waveform": "sine", "frequency": 5.2})
+    content["blocks"].append({"type": "support-motion", "name": "Shake", "ends": ["Wall"], "angle": "90 deg", "amplitude": 0.1,
+                              "waveform": "sine", "frequency": 1})
+    hint = "Near resonance at 5 rad/s (0.7958 Hz)"
+    with App(display, content) as app:
+        app.show_width()
+        app.click(re.compile("^Push, "), role="list item")
+        app.find("alert", hint)
+        keep = os.environ.get("TINKER_PICTURES")
+        if keep:
+            app.picture().write_png(f"{keep}/near.png")
+        app.enter("Force", "Frequency", "8")
+        app.gone("alert", hint)
+        app.click(re.compile("^Wall, "), role="list item")
+        app.enter("Motion", "Frequency", "4.8")
+        app.find("alert", hint)
+        app.enter("Motion", "Frequency", "2.03")
+        app.gone("alert", hint)
+
+
+def test_an_edit_makes_new_ones(display):
+    """Four times as heavy, half the frequency."""
+    with App(display, hanging()) as app:
+        open_modes(app)
+        app.find("list item", UPRIGHT)
+        app.click_world(0, 0.6)
+        app.click("Properties", role="tab")
+        app.enter("Properties", "Mass", "4 kg")
+        app.click("Equations", role="tab")
+        app.find("list item", "Mode 2: 0.3979 Hz")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,87 @@
+/* The law of impact that a run asks for, and what it says where the laws differ. */
+#include "contact-checks.h"
+
+#include <math.h>
+
+#define BALL                                                                                                           \
+    "{'type': 'disc', 'radius': 0.1, 'restitution': 1, " CONTACT_SMOOTH ", 'position': [%g, 0], 'velocity': [%g, 0]}"
+
+static PhysicsRun *run_row(const char *law)
+{
+    g_autofree char *blocks = g_strdup_printf(BALL "," BALL "," BALL, 0.0, 1.0, 0.5, 0.0, 0.7, 0.0);
+    return physics_run(
+        &(PhysicsOptions){.duration = 0.8, .impact_law = law, .columns = "Disc 0.vx, Disc 1.vx, Disc 2.vx"}, "%s",
+        blocks);
+}
+
+static const TinkerAlternative *alternative(const PhysicsRun *run, const char *law, int number)
+{
+    const TinkerEvent *event = NULL;
+    for (guint i = 0; i < run->summary->events->len; i++) {
+        const TinkerEvent *each = g_ptr_array_index(run->summary->events, i);
+        if (each->alternatives != NULL) event = each;
+    }
+    g_assert_nonnull(event);
+    g_assert_nonnull(event->alternatives);
+    for (guint i = 0; i < event->alternatives->len; i++) {
+        const TinkerAlternative *each = &g_array_index(event->alternatives, TinkerAlternative, i);
+        g_autofree char *name = g_strdup_printf("Disc %d", number);
+        if (g_str_equal(each->law, law) && g_str_equal(tinker_scene_block_name(run->scene, each->block), name))
+            return each;
+    }
+    g_assert_not_reached();
+}
+
+/* One ball strikes two that touch. */
+static void test_three_balls(void)
+{
+    static const struct {
+        const char *law;
+        double v[3];
+    } cases[] = {
+        {"newton", {-1.0 / 3, 2.0 / 3, 2.0 / 3}}, {"poisson", {-1.0 / 3, 2.0 / 3, 2.0 / 3}}, {"sequential", {0, 0, 1}}};
+    for (gsize i = 0; i < G_N_ELEMENTS(cases); i++) {
+        g_autoptr(PhysicsRun) run = run_row(cases[i].law);
+        for (gsize k = 0; k < 3; k++)
+            physics_assert_near(cases[i].law, physics_last(run, k), cases[i].v[k], 1e-12);
+        contact_assert_event(run, i < 2 ? "impact" : "rest", "Disc 0, Disc 1", 0.3, 1e-12);
+        for (gsize law = 0; law < G_N_ELEMENTS(cases); law++)
+            for (int k = 0; k < 3; k++)
+                physics_assert_near("an alternative", alternative(run, cases[law].law, k)->vx, cases[law].v[k], 1e-12);
+        g_assert_cmpuint(run->summary->warnings->len, ==, 1);
+        g_assert_true(g_str_has_prefix(g_ptr_array_index(run->summary->warnings, 0),
+                                       "the outcome depends on the impact law: at 0.3 s"));
+    }
+}
+
+/* Blows one after the other leave nothing open: no warning, and nothing to choose from. */
+static void test_one_by_one(void)
+{
+    g_autofree char *blocks = g_strdup_printf(BALL "," BALL "," BALL, 0.0, 1.0, 0.5, 0.0, 0.9, 0.0);
+    g_autoptr(PhysicsRun) run =
+        physics_run(&(PhysicsOptions){.duration = 1, .columns = "Disc 0.vx, Disc 1.vx, Disc 2.vx"}, "%s", blocks);
+    contact_assert_count(run, "impact", 2);
+    physics_assert_near("last", physics_last(run, 2), 1, 1e-12);
+    g_assert_cmpuint(run->summary->warnings->len, ==, 0);
+    for (guint i = 0; i < run->summary->events->len; i++)
+        g_assert_null(((const TinkerEvent *)g_ptr_array_index(run->summary->events, i))->alternatives);
+}
+
+static void test_impulses(void)
+{
+    g_autoptr(PhysicsRun) run =
+        physics_try(&(PhysicsOptions){.impulses = TRUE, .impact_law = "poisson"}, CONTACT_FLOOR "}, {'type': 'mass'}");
+    physics_assert_refused(run, TINKER_MODEL_ERROR_METHOD, "Newton's law of impact alone", "\"poisson\"", NULL);
+}
+
+static void add_tests(void)
+{
+    g_test_add_func("/physics/impact-law/three-balls", test_three_balls);
+    g_test_add_func("/physics/impact-law/one-by-one", test_one_by_one);
+    g_test_add_func("/physics/impact-law/impulses", test_impulses);
+}
+
+int main(int argc, char **argv)
+{
+    return physics_main(argc, argv, add_tests);
+}
