@@ -17,7 +17,7 @@ _tinker()
     elif [ "${word#-}" != "$word" ]; then
         words=$(tinker "$verb" --help 2>/dev/null | sed -n 's/^  \(-., \)\{0,1\}\(--[a-z-]*=\{0,1\}\).*/\2/p')
     elif [ "$verb" = plugins ] && [ "$COMP_CWORD" -eq 2 ]; then
-        words="list $(tinker plugins --help 2>/dev/null | sed -n '/^Options/q;s/^  \([a-z][a-z-]*\) .*/\1/p' | grep -v tinker)"
+        words="list $(tinker plugins --help 2>/dev/null | sed -n '/^Options/,$d;s/^  \([a-z][a-z-]*\) .*/\1/p' | grep -v tinker)"
     elif [ "$verb" = plugins ] && [ "${COMP_WORDS[2]}" = show ]; then
         words=$(tinker plugins 2>/dev/null | sed -n '1d;s/^\([^ ]*\)  .*/\1/p')
     else
