@@ -149,19 +149,45 @@ static TinkerStatistic half_decrement(const GArray *extrema)
     return (TinkerStatistic){-slope, ways > 2 ? sqrt(squares / (ways - 2) / weight) : 0};
 }
 
-static void find_oscillation(const Sums *sums, TinkerStatistics *result)
+/* A swing of amplitude A and frequency w that is off by a swing of amplitude e has its extrema off by e / (w A) in
+ * time: those at both ends make the mean of all half periods wrong. A way is 2 A, and half a period is pi / w. */
+static double half_period_band(const GArray *extrema, double half, double band)
+{
+    const guint spans = extrema->len / 2 - 1;
+    const double *all = (const double *)(gconstpointer)extrema->data;
+    const double first = fabs(all[3] - all[1]), last = fabs(all[2 * spans + 1] - all[2 * spans - 1]);
+    return 2 * band * half / G_PI * (1 / first + 1 / last) / spans;
+}
+
+/* Both ends of a way may be off, and the slope of the line through the logarithms is a sum of them with weights. */
+static double half_decrement_band(const GArray *extrema, double band)
+{
+    const guint ways = extrema->len / 2 - 1;
+    const double *all = (const double *)(gconstpointer)extrema->data;
+    double sum = 0, weight = 0;
+    for (guint i = 0; i < ways; i++) {
+        const double x = i - 0.5 * (ways - 1);
+        sum += fabs(x) * 2 * band / fabs(all[2 * i + 3] - all[2 * i + 1]);
+        weight += x * x;
+    }
+    return sum / weight;
+}
+
+static void find_oscillation(const Sums *sums, double band, TinkerStatistics *result)
 {
     const TinkerStatistic none = {NAN, NAN};
     result->period = result->decrement = result->damping = none;
     if (sums->extrema->len < 6) return;
-    const TinkerStatistic half = half_period(sums->extrema), fall = half_decrement(sums->extrema);
+    TinkerStatistic half = half_period(sums->extrema), fall = half_decrement(sums->extrema);
+    half.error += half_period_band(sums->extrema, half.value, band);
+    fall.error += half_decrement_band(sums->extrema, band);
     const double d = 2 * fall.value, whole = 4 * G_PI * G_PI + d * d;
     result->period = (TinkerStatistic){2 * half.value, 2 * half.error};
     result->decrement = (TinkerStatistic){d, 2 * fall.error};
     result->damping = (TinkerStatistic){d / sqrt(whole), 2 * fall.error * 4 * G_PI * G_PI / pow(whole, 1.5)};
 }
 
-static TinkerStatistics measure(const Samples *samples, double from, double to)
+static TinkerStatistics measure(const Samples *samples, double from, double to, double band)
 {
     Sums sums = {0, 0, INFINITY, -INFINITY, g_array_new(FALSE, FALSE, sizeof(double))};
     for (gsize i = 0; i + 1 < samples->count; i++) {
@@ -171,12 +197,12 @@ static TinkerStatistics measure(const Samples *samples, double from, double to)
         add_piece(&sums, &piece, fmax(0, (from - start) / piece.width), fmin(1, (to - start) / piece.width));
     }
     drop_ripple(&sums);
-    TinkerStatistics result = {.mean = {sums.mean / (to - from), 0},
-                               .rms = {sqrt(sums.square / (to - from)), 0},
-                               .least = {sums.least, 0},
-                               .greatest = {sums.greatest, 0},
-                               .amplitude = {0.5 * (sums.greatest - sums.least), 0}};
-    find_oscillation(&sums, &result);
+    TinkerStatistics result = {.mean = {sums.mean / (to - from), band},
+                               .rms = {sqrt(sums.square / (to - from)), band},
+                               .least = {sums.least, band},
+                               .greatest = {sums.greatest, band},
+                               .amplitude = {0.5 * (sums.greatest - sums.least), band}};
+    find_oscillation(&sums, band, &result);
     g_array_unref(sums.extrema);
     return result;
 }
@@ -191,14 +217,14 @@ static double *thin(const double *values, gsize count)
     return half;
 }
 
-gboolean tinker_statistics(const double *times, const double *values, gsize count, double from, double to,
+gboolean tinker_statistics(const double *times, const double *values, gsize count, double from, double to, double band,
                            TinkerStatistics *statistics)
 {
     if (count / 2 + 1 < LEAST_SAMPLES || !(to > from)) return FALSE;
     g_autofree double *half_times = thin(times, count), *half_values = thin(values, count);
     const Samples fine = {times, values, count}, coarse = {half_times, half_values, count / 2 + 1};
-    *statistics = measure(&fine, from, to);
-    const TinkerStatistics rough = measure(&coarse, from, to);
+    *statistics = measure(&fine, from, to, band);
+    const TinkerStatistics rough = measure(&coarse, from, to, 0);
     TinkerStatistic *all[] = {&statistics->mean,      &statistics->rms,       &statistics->least,
                               &statistics->greatest,  &statistics->amplitude, &statistics->period,
                               &statistics->decrement, &statistics->damping};

@@ -5,8 +5,9 @@
 
 #include <glib.h>
 
-/* A number and how far it may be off; NAN where it is not defined. The error is what the number changes by where every
- * second sample is left out; of a period and a decrement the standard error of their mean is added. */
+/* A number and how far it may be off; NAN where it is not defined. The error is the sum of what the number changes by
+ * where every second sample is left out, of the standard error of the mean of periods and decrements, and of what the
+ * band about the curve makes of it. */
 typedef struct {
     double value, error;
 } TinkerStatistic;
@@ -19,9 +20,10 @@ typedef struct {
     TinkerStatistic damping;   /* ratio of critical damping, d / sqrt(4 pi^2 + d^2) */
 } TinkerStatistics;
 
-/* Of a curve given by at least eight samples at rising times, from `from` to `to`, which lie within them. FALSE where
- * there are too few. */
-gboolean tinker_statistics(const double *times, const double *values, gsize count, double from, double to,
+/* Of a curve given by at least eight samples at rising times, from `from` to `to`, which lie within them. All values
+ * may be off by as much as `band` (0: by nothing), slowly: by a swing that is a little too large, too early or too
+ * late. FALSE where there are too few. */
+gboolean tinker_statistics(const double *times, const double *values, gsize count, double from, double to, double band,
                            TinkerStatistics *statistics);
 
 #endif

@@ -122,6 +122,35 @@ static void test_one_step(void)
     g_assert_cmpfloat(stiffness(fixture), ==, 25);
 }
 
+static gboolean is_estimated(void *data)
+{
+    TinkerRunStatus status;
+    return tinker_player_status(((Fixture *)data)->base->player, &status) && status.finished && !status.estimate_due;
+}
+
+/* Runs of a hand that turns have no estimate of their error; once it rests there is one, of the same samples. */
+static void test_estimate_at_rest(void)
+{
+    g_autoptr(Fixture) fixture = fixture_new();
+    TinkerRunStatus status;
+    turn(fixture, 36);
+    g_assert_true(tinker_player_status(fixture->base->player, &status));
+    g_assert_true(status.estimate_due);
+    g_assert_true(gui_fixture_wait(is_whole, fixture));
+    tinker_player_seek(fixture->base->player, 3);
+    const double before = height(fixture);
+    const guint generation = tinker_player_generation(fixture->base->player);
+    g_assert_true(tinker_player_status(fixture->base->player, &status));
+    g_assert_true(isnan(status.error_estimate));
+    g_assert_true(gui_fixture_wait(is_estimated, fixture));
+    g_assert_true(tinker_player_status(fixture->base->player, &status));
+    g_assert_cmpfloat(status.error_estimate, >, 0);
+    g_assert_cmpfloat(status.error_estimate, <, 1e-6);
+    g_assert_cmpfloat(height(fixture), ==, before);
+    g_assert_cmpuint(tinker_player_generation(fixture->base->player), ==, generation);
+    g_assert_cmpfloat(tinker_player_time(fixture->base->player), ==, 3);
+}
+
 /* What cannot be is said, and changes nothing. */
 static void test_refused(void)
 {
@@ -140,6 +169,7 @@ static void add_tests(void)
     g_test_add_func("/gui/hand/from-the-start", test_from_the_start);
     g_test_add_func("/gui/hand/time-stays", test_time_stays);
     g_test_add_func("/gui/hand/one-step", test_one_step);
+    g_test_add_func("/gui/hand/estimate-at-rest", test_estimate_at_rest);
     g_test_add_func("/gui/hand/refused", test_refused);
 }
 

@@ -78,6 +78,15 @@ static void test_good_run(void)
     g_assert_cmpstr(over, ==, "rk4, tolerance 1e-09; energy balanced");
 }
 
+static void test_estimate_due(void)
+{
+    TinkerRunStatus run = good_run();
+    run.error_estimate = NAN;
+    run.estimate_due = TRUE;
+    g_autofree char *line = line_of(&run, 1, 1, NULL);
+    g_assert_nonnull(strstr(line, "error being estimated"));
+}
+
 static void test_bad_run(void)
 {
     gboolean warnings[TINKER_STATUS_COUNT];
@@ -160,6 +169,7 @@ int main(int argc, char **argv)
     g_test_add_func("/status-text/sizes", test_sizes);
     g_test_add_func("/status-text/looks-for-the-end-run", test_looks_for_the_end);
     g_test_add_func("/status-text/good-run", test_good_run);
+    g_test_add_func("/status-text/estimate-due", test_estimate_due);
     g_test_add_func("/status-text/bad-run", test_bad_run);
     g_test_add_func("/status-text/slow-run", test_slow_run);
     g_test_add_func("/status-text/plan", test_plan);

@@ -63,7 +63,7 @@ static void add_json(cJSON *curves, const TinkerChartCurve *curve, const TinkerS
     cJSON_AddItemToArray(curves, object);
 }
 
-/* How far the run may have the curve off within the interval; 0 where nobody knows. */
+/* How far the run may have the curve off within the interval: 0 where nobody asked, NAN where that is not known. */
 static gboolean find_run_error(const TinkerChart *chart, const TinkerChartCurve *curve, double from, double to,
                                double *largest, GError **error)
 {
@@ -72,19 +72,10 @@ static gboolean find_run_error(const TinkerChart *chart, const TinkerChartCurve 
     *largest = 0;
     for (gsize i = 0; chart->has_bands && curve->table == NULL && i < count; i++) {
         if (!tinker_record_read(chart->record, i, 1, row, error)) return FALSE;
-        if (row[0] >= from && row[0] <= to)
-            *largest = fmax(*largest, curve->axis.per_si * tinker_chart_band(chart, curve, row));
+        const double band = curve->axis.per_si * tinker_chart_band(chart, curve, row);
+        if (row[0] >= from && row[0] <= to && !(band <= *largest)) *largest = band; /* NAN from where it is not known */
     }
     return TRUE;
-}
-
-/* What is of the curve's values is off by as much as they. */
-static void add_run_error(TinkerStatistics *found, double largest)
-{
-    TinkerStatistic *const of_values[] = {&found->mean, &found->rms, &found->least, &found->greatest,
-                                          &found->amplitude};
-    for (gsize i = 0; i < G_N_ELEMENTS(of_values); i++)
-        of_values[i]->error += largest;
 }
 
 static gboolean measure(const TinkerChart *chart, const TinkerChartCurve *curve, double from, double to,
@@ -94,12 +85,11 @@ static gboolean measure(const TinkerChart *chart, const TinkerChartCurve *curve,
                       values = g_array_new(FALSE, FALSE, sizeof(double));
     if (!tinker_chart_read_curve(chart, curve, times, values, error)) return FALSE;
     const double *t = (const double *)(gconstpointer)times->data, *y = (const double *)(gconstpointer)values->data;
-    if (times->len > 0 && tinker_statistics(t, y, times->len, fmax(from, t[0]), fmin(to, t[times->len - 1]), found)) {
-        double largest;
-        if (!find_run_error(chart, curve, from, to, &largest, error)) return FALSE;
-        add_run_error(found, largest);
+    double largest;
+    if (!find_run_error(chart, curve, from, to, &largest, error)) return FALSE;
+    if (times->len > 0 &&
+        tinker_statistics(t, y, times->len, fmax(from, t[0]), fmin(to, t[times->len - 1]), largest, found))
         return TRUE;
-    }
     g_set_error(error, TINKER_CLI_ERROR, TINKER_CLI_ERROR_USAGE,
                 "%s: too few samples from %g s to %g s for statistics (let the run last longer)", curve->name, from,
                 to);

@@ -118,6 +118,11 @@ static gboolean read_player(gpointer source, TinkerQuantity quantity, TinkerSeri
     return tinker_player_series(source, quantity, cursor, times, values);
 }
 
+static gboolean read_band(gpointer source, TinkerQuantity quantity, double until, double *band)
+{
+    return tinker_player_band(source, quantity, until, band);
+}
+
 static gboolean read_kept(gpointer source, TinkerQuantity quantity, TinkerSeriesCursor *cursor, GArray *times,
                           GArray *values)
 {
@@ -208,6 +213,13 @@ gboolean tinker_graph_data_is_empty(const TinkerGraphData *data)
     for (guint i = 0; i < data->lines->len; i++)
         if (tinker_graph_series_count(graph_line(data, i)->series) > 0) return FALSE;
     return TRUE;
+}
+
+gboolean tinker_graph_data_run_error(const TinkerGraphData *data, guint curve, double from, double to, double *error)
+{
+    return graph_line(data, curve)->run == NULL &&
+           tinker_graph_series_run_error(graph_line(data, curve)->series, read_player, read_band, data->player, from,
+                                         to, error);
 }
 
 static gboolean find_peak(const TinkerGraphSeries *series, gsize *point)

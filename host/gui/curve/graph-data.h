@@ -64,6 +64,14 @@ void tinker_graph_data_fill_plot(TinkerGraphData *data, TinkerPlot *plot);
 /* Which point of its curve a point of the curve filled in last is. */
 gsize tinker_graph_data_point(const TinkerGraphData *data, guint curve, gsize drawn);
 
+/* How far the run may have a curve of its own off between two times (s), in the unit shown. FALSE where that is not
+ * known, or not yet. */
+gboolean tinker_graph_data_run_error(const TinkerGraphData *data, guint curve, double from, double to, double *error);
+
+/* Mean, extrema, period and damping of its own curves in a part of the time (s; NULL: all), each with its error, that
+ * of the run included where it is known. (transfer full) */
+char *tinker_graph_statistics_text(TinkerGraphData *data, const double *range);
+
 /* A point for people: "t = 1.25 s" (and the other quantity's value, if it is not over time), of a spectrum
  * "f = 0.8 Hz"; "y = −0.12 m". (transfer full) */
 char *tinker_graph_data_x_text(const TinkerGraphData *data, guint curve, gsize point);

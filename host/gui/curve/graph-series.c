@@ -1,43 +1,20 @@
 /* Each quantity that a curve is made of has a cursor of its own in the record, and the run may go on between two
  * readings: only rows that all of them have make points. What is read and has made its point is forgotten, but for the
  * values of the curve itself. */
-#include "gui/curve/graph-series.h"
+#include "gui/curve/graph-series-private.h"
 
 #include <math.h>
 #include <string.h>
 
-#include "measure/formula.h"
 #include "measure/spectrum.h"
 #include "physics/record/columns.h"
 #include "units/table-columns.h"
 
 #define GROWTH 1.2 /* by so much has a record to have grown before its spectrum is worked out anew */
 
-/* One quantity of the record. */
-typedef struct {
-    TinkerQuantity of;
-    TinkerSeriesCursor cursor;
-    GArray *times, *values; /* of double: read, and not yet part of a point */
-} Source;
-
-struct _TinkerGraphSeries {
-    char *block, *symbol, *fault, *key; /* `key`: what tells whose points they are */
-    TinkerGraphAxis x_axis, y_axis;
-    gboolean right, is_table;
-    gboolean over_time;     /* samples are: x is empty */
-    gboolean is_spectrum;   /* points are not the samples */
-    TinkerFormula *formula; /* NULL: y is the first source; x is the last, where it is not over time */
-    GArray *sources;        /* of Source */
-    gboolean behind;
-    GArray *times, *x, *y;            /* of double; x is empty over time */
-    GArray *frequencies, *amplitudes; /* of double: of the first `transformed` samples */
-    gsize transformed;
-    TinkerCurveIndex *index; /* of the points over time or over frequency */
-};
-
 static void clear_source(gpointer data)
 {
-    Source *source = data;
+    GraphSource *source = data;
     g_array_unref(source->times);
     g_array_unref(source->values);
 }
@@ -52,9 +29,9 @@ static const double *numbers(const GArray *array)
 
 static void add_source(TinkerGraphSeries *series, TinkerBlockId block, int32_t quantity)
 {
-    const Source source = {.of = {block, quantity},
-                           .times = g_array_new(FALSE, FALSE, sizeof(double)),
-                           .values = g_array_new(FALSE, FALSE, sizeof(double))};
+    const GraphSource source = {.of = {block, quantity},
+                                .times = g_array_new(FALSE, FALSE, sizeof(double)),
+                                .values = g_array_new(FALSE, FALSE, sizeof(double))};
     g_array_append_val(series->sources, source);
 }
 
@@ -143,7 +120,7 @@ TinkerGraphSeries *tinker_graph_series_new(TinkerScene *scene, const char *base,
     GArray **arrays[] = {&series->times, &series->x, &series->y, &series->frequencies, &series->amplitudes};
     for (gsize i = 0; i < G_N_ELEMENTS(arrays); i++)
         *arrays[i] = g_array_new(FALSE, FALSE, sizeof(double));
-    series->sources = g_array_new(FALSE, FALSE, sizeof(Source));
+    series->sources = g_array_new(FALSE, FALSE, sizeof(GraphSource));
     g_array_set_clear_func(series->sources, clear_source);
     series->index = tinker_curve_index_new();
     series->right = curve->axis == 2;
@@ -183,8 +160,8 @@ gboolean tinker_graph_series_take_over(TinkerGraphSeries *series, TinkerGraphSer
         !g_str_equal(series->key, old->key) || series->sources->len != old->sources->len)
         return FALSE;
     for (guint i = 0; i < series->sources->len; i++) {
-        const TinkerQuantity *a = &g_array_index(series->sources, Source, i).of,
-                             *b = &g_array_index(old->sources, Source, i).of;
+        const TinkerQuantity *a = &g_array_index(series->sources, GraphSource, i).of,
+                             *b = &g_array_index(old->sources, GraphSource, i).of;
         if (a->block != b->block || a->quantity != b->quantity) return FALSE;
     }
     GArray **mine[] = {&series->sources, &series->times,       &series->x,
@@ -242,7 +219,7 @@ void tinker_graph_series_forget(TinkerGraphSeries *series)
     for (gsize i = 0; i < G_N_ELEMENTS(arrays); i++)
         g_array_set_size(arrays[i], 0);
     for (guint i = 0; i < series->sources->len; i++) {
-        Source *source = &g_array_index(series->sources, Source, i);
+        GraphSource *source = &g_array_index(series->sources, GraphSource, i);
         g_array_set_size(source->times, 0);
         g_array_set_size(source->values, 0);
         source->cursor = (TinkerSeriesCursor){0};
@@ -252,20 +229,15 @@ void tinker_graph_series_forget(TinkerGraphSeries *series)
     series->behind = FALSE;
 }
 
-static Source *source_of(const TinkerGraphSeries *series, guint number)
-{
-    return &g_array_index(series->sources, Source, number);
-}
-
 /* Makes points of the first rows that are read. */
 static void make_points(TinkerGraphSeries *series, guint rows)
 {
     const guint sources = series->sources->len;
     g_autofree double *row = g_new(double, sources);
     for (guint i = 0; i < rows; i++) {
-        const double time = g_array_index(source_of(series, 0)->times, double, i);
+        const double time = g_array_index(graph_source(series, 0)->times, double, i);
         for (guint k = 0; k < sources; k++)
-            row[k] = g_array_index(source_of(series, k)->values, double, i);
+            row[k] = g_array_index(graph_source(series, k)->values, double, i);
         const double y = series->formula != NULL ? tinker_formula_value(series->formula, time, row) : row[0];
         const double shown = y * series->y_axis.per_si, x = row[sources - 1] * series->x_axis.per_si;
         g_array_append_val(series->times, time);
@@ -273,8 +245,8 @@ static void make_points(TinkerGraphSeries *series, guint rows)
         if (!series->over_time) g_array_append_val(series->x, x);
     }
     for (guint k = 0; k < sources; k++) {
-        g_array_remove_range(source_of(series, k)->times, 0, rows);
-        g_array_remove_range(source_of(series, k)->values, 0, rows);
+        g_array_remove_range(graph_source(series, k)->times, 0, rows);
+        g_array_remove_range(graph_source(series, k)->values, 0, rows);
     }
     if (series->over_time && !series->is_spectrum)
         tinker_curve_index_add(series->index, numbers(series->times), numbers(series->y), series->y->len);
@@ -299,7 +271,7 @@ gboolean tinker_graph_series_update(TinkerGraphSeries *series, TinkerSeriesReade
     series->behind = FALSE;
     if (series->fault != NULL || series->sources->len == 0) return FALSE;
     for (guint i = 0; i < series->sources->len; i++) {
-        Source *next = source_of(series, i);
+        GraphSource *next = graph_source(series, i);
         next->cursor.behind = FALSE;
         read(source, next->of, &next->cursor, next->times, next->values);
         series->behind |= next->cursor.behind;

@@ -37,6 +37,12 @@ typedef gboolean (*TinkerSeriesReader)(gpointer source, TinkerQuantity quantity,
 gboolean tinker_graph_series_update(TinkerGraphSeries *series, TinkerSeriesReader read, gpointer source);
 gboolean tinker_graph_series_is_behind(const TinkerGraphSeries *series);
 
+/* How far the run may have the values between two times (s) off, in the unit shown, by how far the quantities may be
+ * off that it is made of. Reads the record once more. FALSE where that is not known, or not yet; of a table it is 0. */
+typedef gboolean (*TinkerBandReader)(gpointer source, TinkerQuantity quantity, double until, double *band);
+gboolean tinker_graph_series_run_error(const TinkerGraphSeries *series, TinkerSeriesReader read, TinkerBandReader band,
+                                       gpointer source, double from, double to, double *error);
+
 /* Points, and they themselves; the times are in s, and of a spectrum those of the samples. Borrowed until the next
  * update. */
 gsize tinker_graph_series_count(const TinkerGraphSeries *series);

@@ -35,8 +35,11 @@ static gboolean continue_from_now(TinkerPlayer *player)
     if (continued == NULL) return FALSE;
     tinker_scene_head(continued)->run.duration = fmax(tinker_player_duration(player) - player->time, 0);
     guint keep = 0;
-    while (keep < player->recording.segments->len && player_segment(player, keep)->start < player->time)
-        tinker_run_task_stop(player_segment(player, keep++)->task); // it counts up to here
+    for (; keep < player->recording.segments->len && player_segment(player, keep)->start < player->time; keep++) {
+        TinkerSegment *kept = player_segment(player, keep);
+        tinker_run_task_stop(kept->task); // it counts up to here
+        if (kept->checks != NULL) tinker_run_task_stop(kept->checks);
+    }
     for (guint i = keep; i < player->recording.segments->len; i++)
         tinker_run_task_stop(player_segment(player, i)->task);
     g_array_set_size(player->recording.segments, keep);
@@ -69,6 +72,34 @@ TinkerScene *tinker_player_scene_now(TinkerPlayer *player)
     player->time = time;
     player_update_frame(player);
     return scene;
+}
+
+/* The samples are those that were there before, but where the scene asks for an accuracy. */
+static void show_checked(TinkerPlayer *player, TinkerSegment *segment)
+{
+    const gsize rows = tinker_run_task_status(segment->task).rows;
+    tinker_run_task_unref(segment->task);
+    segment->task = g_steal_pointer(&segment->checks);
+    segment->replaced = tinker_run_task_status(segment->task).replaced;
+    if (tinker_scene_head(player->ran)->run.accuracy > 0 || tinker_run_task_status(segment->task).rows != rows)
+        player->recording.generation++;
+}
+
+gboolean tinker_player_estimate(TinkerPlayer *player)
+{
+    TinkerSegment *segment = tinker_recording_last(&player->recording);
+    if (segment == NULL) return FALSE;
+    const TinkerRunStatus status = tinker_run_task_status(segment->task);
+    if (!status.estimate_due) return FALSE;
+    if (!status.finished) return TRUE;
+    if (segment->checks == NULL) {
+        TinkerScene *scene = segment->scene != NULL ? segment->scene : player->ran;
+        segment->checks = player_new_task(player, tinker_scene_copy(scene), segment->start, TRUE);
+    }
+    if (!tinker_run_task_status(segment->checks).finished) return TRUE;
+    show_checked(player, segment);
+    player_moved(player);
+    return FALSE;
 }
 
 static void rewind_after_edit(TinkerPlayer *player)

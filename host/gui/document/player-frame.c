@@ -46,10 +46,15 @@ void player_forget_record(TinkerPlayer *player)
     g_clear_pointer(&player->ran, tinker_scene_free);
 }
 
-void player_add_segment(TinkerPlayer *player, TinkerScene *scene, double start)
+TinkerRunTask *player_new_task(TinkerPlayer *player, TinkerScene *scene, double start, gboolean estimate)
 {
     g_autoptr(GArray) columns = tinker_recorded_quantities(player->document, player->asked);
-    tinker_recording_add(&player->recording, tinker_run_task_new(player->lane, scene, start, columns), start);
+    return tinker_run_task_new(player->lane, scene, start, columns, estimate);
+}
+
+void player_add_segment(TinkerPlayer *player, TinkerScene *scene, double start)
+{
+    tinker_recording_add(&player->recording, player_new_task(player, scene, start, !player->trial), start);
     g_clear_pointer(&player->ran, tinker_scene_free);
     player->ran = tinker_scene_copy(tinker_document_scene(player->document));
 }

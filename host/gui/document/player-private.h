@@ -35,7 +35,10 @@ void player_set_state(TinkerPlayer *player, TinkerPlayerState state);
 gboolean player_can_run(TinkerPlayer *player, TinkerBlockId *culprit, GError **error);
 TinkerSegment *player_segment(TinkerPlayer *player, guint number);
 void player_forget_record(TinkerPlayer *player);
-/* Records this scene (transfer full) from a time on, in a thread, as the last segment. */
+/* A run of this scene (transfer full) from a time on, in a thread, with or without an estimate of its error. (transfer
+ * full) */
+TinkerRunTask *player_new_task(TinkerPlayer *player, TinkerScene *scene, double start, gboolean estimate);
+/* Records this scene (transfer full) from a time on, as the last segment; in a trial without an estimate. */
 void player_add_segment(TinkerPlayer *player, TinkerScene *scene, double start);
 void player_record_from_start(TinkerPlayer *player);
 /* The frame as it is at the time shown; made anew where the scene is another. */

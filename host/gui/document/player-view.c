@@ -127,6 +127,11 @@ gboolean tinker_player_series(TinkerPlayer *player, TinkerQuantity quantity, Tin
     return FALSE;
 }
 
+gboolean tinker_player_band(TinkerPlayer *player, TinkerQuantity quantity, double until, double *band)
+{
+    return tinker_recording_band(&player->recording, quantity, until, band);
+}
+
 void tinker_player_visit(TinkerPlayer *player, TinkerSeriesCursor *cursor, TinkerBodiesFunc visit, void *data)
 {
     tinker_recording_visit(&player->recording, cursor, visit, data);

@@ -63,6 +63,9 @@ void tinker_player_rewind(TinkerPlayer *player);
  * the time stays, also where nothing had been run; what may change on the way does so while it plays. */
 void tinker_player_begin_trial(TinkerPlayer *player);
 void tinker_player_end_trial(TinkerPlayer *player);
+/* Where the last run went without an estimate of its error, as those of a trial do: makes it once more with one, which
+ * then takes its place. TRUE as long as that is under way; to be called again and again until it is not. */
+gboolean tinker_player_estimate(TinkerPlayer *player);
 /* Tells "moved" again, as the record goes on while time stands still. */
 void tinker_player_refresh(TinkerPlayer *player);
 
@@ -102,6 +105,9 @@ guint tinker_player_generation(TinkerPlayer *player);
 /* As tinker_recording_series; what is not recorded will be from the next run on. */
 gboolean tinker_player_series(TinkerPlayer *player, TinkerQuantity quantity, TinkerSeriesCursor *cursor, GArray *times,
                               GArray *values);
+
+/* As tinker_recording_band. */
+gboolean tinker_player_band(TinkerPlayer *player, TinkerQuantity quantity, double until, double *band);
 
 /* As tinker_recording_visit; and of the sample that is shown now, as tinker_recording_visit_at. */
 void tinker_player_visit(TinkerPlayer *player, TinkerSeriesCursor *cursor, TinkerBodiesFunc visit, void *data);

@@ -5,9 +5,16 @@
 
 #define MOST_VISITS 5000 /* samples that are handed out at once */
 
+static void stop_and_unref(TinkerRunTask *task)
+{
+    tinker_run_task_stop(task);
+    tinker_run_task_unref(task);
+}
+
 static void clear_segment(gpointer segment)
 {
     tinker_run_task_unref(((TinkerSegment *)segment)->task);
+    g_clear_pointer(&((TinkerSegment *)segment)->checks, stop_and_unref);
     tinker_scene_free(((TinkerSegment *)segment)->scene);
 }
 
@@ -46,6 +53,7 @@ void tinker_recording_share(TinkerRecording *recording, const TinkerRecording *o
     for (guint i = 0; i < other->segments->len; i++) {
         TinkerSegment segment = *segment_of(other, i);
         tinker_run_task_ref(segment.task);
+        segment.checks = NULL;
         segment.scene = NULL; // what is kept is looked at, and not run again
         g_array_append_val(recording->segments, segment);
     }
@@ -150,6 +158,21 @@ gboolean tinker_recording_series(const TinkerRecording *recording, TinkerQuantit
         if (isinf(end) || cursor->behind) break;
     }
     return TRUE;
+}
+
+/* What one run ends with is what the next begins with: errors are handed on. */
+gboolean tinker_recording_band(const TinkerRecording *recording, TinkerQuantity quantity, double until, double *band)
+{
+    *band = 0;
+    for (guint i = 0; i < recording->segments->len && (i == 0 || segment_of(recording, i)->start <= until); i++) {
+        TinkerRunTask *task = segment_of(recording, i)->task;
+        const int column = tinker_run_task_column(task, quantity);
+        double own;
+        if (column < 0 || !tinker_run_task_band(task, column, fmin(until, tinker_recording_end(recording, i)), &own))
+            return FALSE;
+        *band += own;
+    }
+    return recording->segments->len > 0;
 }
 
 /* Bodies --------------------------------------------------------------------------------------------------------------

@@ -10,7 +10,8 @@ typedef struct {
     TinkerRunTask *task;
     double start; /* s */
     gboolean failure_told;
-    guint replaced;     /* as in the task's status when it was looked at last */
+    guint replaced;        /* as in the task's status when it was looked at last */
+    TinkerRunTask *checks; /* the same run once more, with an estimate of its error, until that is over; NULL. Owned */
     TinkerScene *scene; /* that it is the run of, where that is not the document's: of a record that was changed on the
                          * way. Owned */
 } TinkerSegment;
@@ -59,6 +60,10 @@ typedef struct {
 } TinkerSeriesCursor;
 gboolean tinker_recording_series(const TinkerRecording *recording, TinkerQuantity quantity, TinkerSeriesCursor *cursor,
                                  GArray *times, GArray *values);
+
+/* How far a quantity may be off until a time (s), in SI, by the errors of all runs up to then. FALSE where one of them
+ * is not known. */
+gboolean tinker_recording_band(const TinkerRecording *recording, TinkerQuantity quantity, double until, double *band);
 
 /* The bodies in one sample. */
 typedef void (*TinkerBodiesFunc)(double time, const TinkerBlockId *bodies, const TinkerBodySample *samples, int count,

@@ -15,6 +15,7 @@
 #include "plugin/call/crash.h"
 
 #define LATELY      0.5   /* s: over which the rate is measured */
+#define BANDS       32    /* times in a run at which is noted how far it may be off: the companion is waited for */
 #define MOST_EVENTS 10000 /* that are kept: what rattles has more than anybody looks at */
 
 static gboolean is_cancelled(void *data)
@@ -79,6 +80,28 @@ static void note_rate(TinkerRunTask *task, TinkerSimulation *simulation, double 
     note_events(task, tinker_simulation_summary(simulation)->events);
 }
 
+/* How far the columns may be off until `time`, as is known now: of an exact run without a companion by no more than
+ * rounding. Those of a try that is made again are forgotten. */
+static void note_bands(TinkerRunTask *task, TinkerSimulation *simulation, double time)
+{
+    const double *bands = tinker_simulation_bands(simulation);
+    if (bands == NULL && isnan(tinker_simulation_summary(simulation)->error_estimate)) return;
+    const guint row = task->bands->len;
+    g_mutex_lock(&task->mutex);
+    g_array_set_size(task->bands, row + 1 + task->columns->len);
+    g_array_index(task->bands, double, row) = time;
+    for (guint i = 0; i < task->columns->len; i++)
+        g_array_index(task->bands, double, row + 1 + i) = bands != NULL ? bands[i] : 0;
+    g_mutex_unlock(&task->mutex);
+}
+
+static void note_bands_now_and_then(TinkerRunTask *task, TinkerSimulation *simulation, double time)
+{
+    if (!task->estimate || time < task->next_bands) return;
+    note_bands(task, simulation, time);
+    task->next_bands = time + tinker_scene_head(task->scene)->run.duration / BANDS;
+}
+
 static gboolean take_next(TinkerRunTask *task, double time, GError **error)
 {
     if (!tinker_record_append(task->next_record, task->row, error)) return FALSE;
@@ -91,6 +114,7 @@ static gboolean take_sample(TinkerSimulation *simulation, double time, const dou
     TinkerRunTask *task = data;
     time += task->start;
     fill_row(task, simulation, time, values);
+    note_bands_now_and_then(task, simulation, time);
     if (task->next_record != NULL) return take_next(task, time, error);
     if (!tinker_record_append(task->record, task->row, error)) return FALSE;
     g_mutex_lock(&task->mutex);
@@ -109,6 +133,10 @@ static void begin_again(void *data)
     g_clear_pointer(&task->next_times, g_array_unref);
     task->next_record = tinker_record_new(run_task_row_width(task), RUN_TASK_IN_MEMORY);
     task->next_times = g_array_new(FALSE, FALSE, sizeof(double));
+    task->next_bands = task->start;
+    g_mutex_lock(&task->mutex);
+    g_array_set_size(task->bands, 0);
+    g_mutex_unlock(&task->mutex);
 }
 
 /* The samples of the last try take the place of the first one's, which whoever reads them just now may go on reading.
@@ -186,6 +214,7 @@ static gboolean run_scene(TinkerRunTask *task, GError **error)
     TinkerRunOptions options = tinker_run_options_of(task->scene);
     options.cancelled = is_cancelled;
     options.data = task;
+    options.estimate = options.bands = task->estimate;
     if (!end_at_condition(task, model, &options, error)) return FALSE;
     g_autoptr(TinkerSimulation) simulation = tinker_simulation_new(model, &options, error);
     if (simulation == NULL) return FALSE;
@@ -193,6 +222,7 @@ static gboolean run_scene(TinkerRunTask *task, GError **error)
     GError *failure = NULL;
     gboolean done = tinker_accurate_run(&simulation, task->columns, &taker, &failure);
     note_summary(task, simulation);
+    if (done && task->estimate) note_bands(task, simulation, INFINITY);
     g_mutex_lock(&task->mutex);
     show_next(task);
     note_miss(task, &failure);
@@ -239,7 +269,7 @@ static void work(void *item)
     GError *error = NULL;
     task->row = g_new0(double, run_task_row_width(task));
     task->rate_began = g_get_monotonic_time();
-    task->rate_from = task->start;
+    task->rate_from = task->next_bands = task->start;
     if (!run_scene(task, &error) && is_cancelled(task)) g_clear_error(&error);
     finish(task, error);
 }

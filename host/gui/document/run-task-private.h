@@ -18,6 +18,7 @@ struct _TinkerRunTask {
     GArray *columns; /* of TinkerColumn */
     GArray *bodies;  /* of TinkerBlockId */
     gint cancelled;  /* atomic */
+    gboolean estimate;
 
     GMutex mutex;         /* of what follows */
     TinkerRecord *record; /* which guards itself: the pointer alone is meant */
@@ -26,6 +27,7 @@ struct _TinkerRunTask {
     GError *error;
     GPtrArray *warnings, *of_scene;
     GPtrArray *events; /* of TinkerRunEvent *, in order */
+    GArray *bands;     /* of double: rows of a time (s) and how far each column may be off until then */
 
     /* The thread's own. */
     double *row;
@@ -35,6 +37,7 @@ struct _TinkerRunTask {
     int stopped_by;    /* number of that condition; -1 */
     gint64 rate_began; /* us */
     double rate_from;  /* s */
+    double next_bands; /* s: when the next are noted */
 };
 
 /* (transfer full) */

@@ -38,6 +38,7 @@ void tinker_run_task_unref(TinkerRunTask *task)
     g_ptr_array_unref(task->warnings);
     g_ptr_array_unref(task->of_scene);
     g_ptr_array_unref(task->events);
+    g_array_unref(task->bands);
     tinker_record_free(task->record);
     g_mutex_clear(&task->mutex);
     g_clear_pointer(&task->next_record, tinker_record_free);
@@ -70,13 +71,16 @@ static GArray *movable_bodies(const TinkerScene *scene)
     return bodies;
 }
 
-TinkerRunTask *tinker_run_task_new(TinkerRunLane *lane, TinkerScene *scene, double start, const GArray *columns)
+TinkerRunTask *tinker_run_task_new(TinkerRunLane *lane, TinkerScene *scene, double start, const GArray *columns,
+                                   gboolean estimate)
 {
     TinkerRunTask *task = g_new0(TinkerRunTask, 1);
     g_atomic_ref_count_init(&task->references);
     g_mutex_init(&task->mutex);
     task->scene = scene;
     task->start = start;
+    task->estimate = estimate;
+    task->status.estimate_due = !estimate;
     task->columns = tinker_columns_new();
     for (guint i = 0; i < columns->len; i++) {
         const TinkerQuantity *quantity = &g_array_index(columns, TinkerQuantity, i);
@@ -87,6 +91,7 @@ TinkerRunTask *tinker_run_task_new(TinkerRunLane *lane, TinkerScene *scene, doub
     task->warnings = g_ptr_array_new_with_free_func(g_free);
     task->of_scene = g_ptr_array_new_with_free_func(g_free);
     task->events = g_ptr_array_new_with_free_func((GDestroyNotify)tinker_run_event_free);
+    task->bands = g_array_new(FALSE, FALSE, sizeof(double));
     task->record = tinker_record_new(run_task_row_width(task), RUN_TASK_IN_MEMORY);
     task->status.reached = start;
     task->status.error_estimate = NAN;
@@ -187,6 +192,19 @@ gboolean tinker_run_task_value(TinkerRunTask *task, gsize row, int column, doubl
     if (!read_rows(task, row, 1, numbers)) return FALSE;
     *value = numbers[width - task->columns->len + (gsize)column];
     return TRUE;
+}
+
+gboolean tinker_run_task_band(TinkerRunTask *task, int column, double until, double *band)
+{
+    const guint width = 1 + task->columns->len;
+    gboolean known = FALSE;
+    g_mutex_lock(&task->mutex);
+    for (guint row = 0; row < task->bands->len && !known; row += width) {
+        known = g_array_index(task->bands, double, row) >= MIN(until, task->status.reached);
+        *band = g_array_index(task->bands, double, row + 1 + (guint)column);
+    }
+    g_mutex_unlock(&task->mutex);
+    return known && isfinite(*band);
 }
 
 gboolean tinker_run_task_find(TinkerRunTask *task, double time, gsize *row)

@@ -26,7 +26,8 @@ typedef struct {
     gboolean adaptive; /* whether `step` or `tolerance` counts */
     double step, tolerance;
     double error_estimate, energy_balance_error, constraint_error; /* relative; the first is NAN without one */
-    double predictable_until, valid_until;                         /* s */
+    gboolean estimate_due;                 /* it goes without an estimate of its error, which a later run will give */
+    double predictable_until, valid_until; /* s */
 } TinkerRunStatus;
 
 /* Something that happened in a run. */
@@ -46,9 +47,11 @@ typedef struct {
 TinkerRunLane *tinker_run_task_lane(void);
 
 /* Starts a run in the lane, whose first sample is called `start` (s); those in the lane before it have been stopped or
- * freed. `scene` is the task's from now on; `columns`, of TinkerQuantity, are to be recorded (copied). (transfer full)
- */
-TinkerRunTask *tinker_run_task_new(TinkerRunLane *lane, TinkerScene *scene, double start, const GArray *columns);
+ * freed. `scene` is the task's from now on; `columns`, of TinkerQuantity, are to be recorded (copied). With `estimate`
+ * a companion estimates its error, which takes as long again or longer; the samples are the same without, unless the
+ * scene asks for an accuracy. (transfer full) */
+TinkerRunTask *tinker_run_task_new(TinkerRunLane *lane, TinkerScene *scene, double start, const GArray *columns,
+                                   gboolean estimate);
 
 /* Nothing more is wanted of it than what it has recorded. Does not wait. */
 void tinker_run_task_stop(TinkerRunTask *task);
@@ -78,6 +81,10 @@ gboolean tinker_run_task_read(TinkerRunTask *task, gsize row, double *time, Tink
 
 /* The value of one column in one sample. */
 gboolean tinker_run_task_value(TinkerRunTask *task, gsize row, int column, double *value);
+
+/* How far a column may be off until a time (s), by the companion, in the column's unit: what is known is known of a few
+ * times in a run, and grows from each to the next. FALSE where it is not known, or not yet. */
+gboolean tinker_run_task_band(TinkerRunTask *task, int column, double until, double *band);
 
 /* The last row that is not later than `time`, if there is any. */
 gboolean tinker_run_task_find(TinkerRunTask *task, double time, gsize *row);

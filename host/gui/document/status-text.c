@@ -119,6 +119,12 @@ static void fill_error(const TinkerStatusFacts *facts, TinkerStatusItem *item)
                             "motion: 0.01 is one part in a hundred. Smaller steps or tolerances make it smaller.");
     gboolean estimated = facts->run != NULL && !isnan(facts->run->error_estimate);
     gboolean expected = facts->run == NULL && has_islands(facts->plan);
+    if (facts->run != NULL && facts->run->estimate_due) {
+        item->text = g_strdup(_("error being estimated"));
+        item->tooltip = g_strdup(_("While a control is turned, runs go without an estimate of their error, which takes "
+                                   "as long again. It is made as soon as the control rests."));
+        return;
+    }
     if (!estimated && !expected) return;
     double error = estimated ? facts->run->error_estimate : expected_error(facts->plan);
     if (isnan(error)) return;

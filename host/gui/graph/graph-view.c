@@ -9,7 +9,7 @@
 #include "gui/graph/graph-looks.h"
 #include "gui/graph/graph-menu.h"
 #include "gui/graph/graph-plot.h"
-#include "gui/graph/graph-statistics.h"
+#include "gui/text/message.h"
 #include "gui/widget/popup-menu.h"
 #include "gui/widget/unparent.h"
 
@@ -196,7 +196,9 @@ static void show_statistics(GtkWidget *widget, const char *name, GVariant *param
     double range[2];
     const gboolean part = tinker_graph_data_is_over_time(tinker_graph_view_data(view)) &&
                           tinker_time_span_get(tinker_player_span(view->player), range);
-    tinker_graph_show_statistics(widget, tinker_graph_view_data(view), part ? range : NULL);
+    g_autofree char *text = tinker_graph_statistics_text(tinker_graph_view_data(view), part ? range : NULL);
+    GtkRoot *root = gtk_widget_get_root(widget);
+    tinker_message(GTK_IS_WINDOW(root) ? GTK_WINDOW(root) : NULL, _("Statistics"), text);
 }
 
 static void set_against(GtkWidget *widget, const char *name, GVariant *parameter)

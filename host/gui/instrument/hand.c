@@ -1,10 +1,12 @@
-/* While a run is under way, a timer looks after it: it applies what waits, and has the window look at the record. */
+/* While a run is under way, a timer looks after it: it applies what waits, and has the window look at the record. Runs
+ * of a hand that turns have no companion; once it rests, the player makes the last one again with it. */
 #include "gui/instrument/hand.h"
 
 #include <glib/gi18n.h>
 
 #define PATIENCE 0.25 /* s that a run has before the next may take its place */
 #define LOOK     5    /* ms */
+#define REST     0.3  /* s without a turn: then the hand rests */
 
 struct _TinkerHand {
     TinkerDocument *document;
@@ -12,9 +14,10 @@ struct _TinkerHand {
     TinkerBlockId block; /* of what was set last */
     char *name;
     double value;
-    gboolean waits;
+    gboolean waits, shown_whole;
     guint steps;     /* of undo, so far */
     gint64 began_us; /* the run; 0: none is looked after */
+    gint64 set_us;   /* when a value was set last */
     double rate;
     char *problem;
     guint timer;
@@ -49,6 +52,7 @@ static void apply(TinkerHand *hand)
     }
     tinker_player_begin_trial(hand->player);
     hand->began_us = g_get_monotonic_time();
+    hand->shown_whole = FALSE;
     tinker_document_end(hand->document);
     tinker_player_end_trial(hand->player);
 }
@@ -64,6 +68,11 @@ static gboolean may_run(TinkerHand *hand, gboolean *over)
     return *over || elapsed >= PATIENCE;
 }
 
+static gboolean is_turning(const TinkerHand *hand)
+{
+    return 1e-6 * (double)(g_get_monotonic_time() - hand->set_us) < REST;
+}
+
 static gboolean look(gpointer data)
 {
     TinkerHand *hand = data;
@@ -74,8 +83,13 @@ static gboolean look(gpointer data)
         apply(hand);
         over = FALSE;
     }
-    tinker_player_refresh(hand->player);
-    if (!over || hand->waits) return G_SOURCE_CONTINUE;
+    if (!over || hand->waits) {
+        tinker_player_refresh(hand->player);
+        return G_SOURCE_CONTINUE;
+    }
+    if (!hand->shown_whole) tinker_player_refresh(hand->player);
+    hand->shown_whole = TRUE;
+    if (is_turning(hand) || tinker_player_estimate(hand->player)) return G_SOURCE_CONTINUE;
     hand->timer = 0;
     return G_SOURCE_REMOVE;
 }
@@ -91,6 +105,7 @@ void tinker_hand_set(TinkerHand *hand, TinkerBlockId block, const char *name, do
     hand->block = block;
     hand->value = value;
     hand->waits = TRUE;
+    hand->set_us = g_get_monotonic_time();
     if (hand->timer != 0) return; /* which will see to it */
     if (may_run(hand, &over)) apply(hand);
     hand->timer = g_timeout_add(LOOK, look, hand);

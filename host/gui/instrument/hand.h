@@ -2,7 +2,8 @@
  * follow it. No widget.
  *
  * A run is given up when the number changes. But as a hand moves faster than a long run, each run has a quarter of a
- * second before the next one takes its place: else no curve would ever be seen whole. */
+ * second before the next one takes its place: else no curve would ever be seen whole. These runs go without an estimate
+ * of their error, which takes as long again; the last one gets it as soon as the hand rests. */
 #ifndef TINKER_GUI_HAND_H
 #define TINKER_GUI_HAND_H
 

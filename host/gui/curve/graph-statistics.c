@@ -1,11 +1,9 @@
 /* A line a number, with how far it may be off; what is not defined, as the period of what does not swing, is left out.
  */
-#include "gui/graph/graph-statistics.h"
-
 #include <glib/gi18n.h>
 #include <math.h>
 
-#include "gui/text/message.h"
+#include "gui/curve/graph-data.h"
 #include "measure/statistics.h"
 
 static void add_line(GString *text, const char *name, const TinkerStatistic *statistic, const char *unit)
@@ -25,8 +23,10 @@ static void add_curve(GString *text, const TinkerGraphData *data, guint curve, c
     g_string_append_printf(text, "%s\n", tinker_graph_data_name(data, curve));
     const double from = count > 0 ? fmax(times[0], range != NULL ? range[0] : -INFINITY) : 0;
     const double to = count > 0 ? fmin(times[count - 1], range != NULL ? range[1] : INFINITY) : 0;
+    double error = 0;
+    const gboolean known = tinker_graph_data_run_error(data, curve, from, to, &error);
     if (count == 0 || !(from < to) ||
-        !tinker_statistics(times, tinker_graph_series_y(series), count, from, to, &found)) {
+        !tinker_statistics(times, tinker_graph_series_y(series), count, from, to, known ? error : 0, &found)) {
         g_string_append_printf(text, "%s\n\n", _("too few samples"));
         return;
     }
@@ -45,15 +45,15 @@ static void add_curve(GString *text, const TinkerGraphData *data, guint curve, c
     g_string_append_c(text, '\n');
     for (gsize i = 0; i < G_N_ELEMENTS(lines); i++)
         add_line(text, lines[i].name, lines[i].statistic, lines[i].unit);
+    if (!known) g_string_append_printf(text, "%s\n", _("without the error of the run, which is not known yet"));
     g_string_append_c(text, '\n');
 }
 
-void tinker_graph_show_statistics(GtkWidget *widget, TinkerGraphData *data, const double *range)
+char *tinker_graph_statistics_text(TinkerGraphData *data, const double *range)
 {
-    GtkRoot *root = gtk_widget_get_root(widget);
     g_autoptr(GString) text = g_string_new(NULL);
     tinker_graph_data_catch_up(data);
     for (guint i = 0; i < tinker_graph_data_own_curves(data); i++)
         add_curve(text, data, i, range);
-    tinker_message(GTK_IS_WINDOW(root) ? GTK_WINDOW(root) : NULL, _("Statistics"), g_strchomp(text->str));
+    return g_strdup(g_strchomp(text->str));
 }

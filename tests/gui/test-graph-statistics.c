@@ -1,0 +1,93 @@
+/* Statistics of curves whose truth is known, of a run that is far coarser than its samples: a mass of 1 kg on a spring
+ * of 25 N/m, let go 1 m below its rest at y = 2, is at 2 - cos(5 t). */
+#include "graph-fixture.h"
+
+#include <math.h>
+#include <string.h>
+
+#define COARSE                                                                                                         \
+    "'run': {'duration': 12, 'interval': 0.002, 'method': 'rk4', 'step': 0.1}, 'blocks': ["                            \
+    "{'type': 'support', 'name': 'S', 'position': [0, 4], 'orientation': '180 deg'},"                                  \
+    "{'type': 'mass', 'name': 'M', 'position': [0, 1]},"                                                               \
+    "{'type': 'spring', 'name': 'K', 'ends': ['S', 'M'], 'stiffness': 25, 'rest_length': 2}],"                         \
+    "'graphs': [{'curves': [{'expression': '2*{M.y} - 4', 'title': 'twice'}]}]"
+#define PERIOD    (2 * G_PI / 5) /* s */
+#define AMPLITUDE 2.0            /* m */
+
+/* Runs it to its end, estimate and all. */
+static void run_whole(GuiFixture *fixture)
+{
+    TinkerRunStatus status = {0};
+    graph_fixture_run_until(fixture, 12);
+    while (tinker_player_status(fixture->player, &status) && !status.finished)
+        g_usleep(1000);
+}
+
+/* The number in the line of this name, and its error. */
+static void read_line(const char *text, const char *name, double *value, double *error)
+{
+    const char *line = strstr(text, name), *after;
+    g_assert_nonnull(line);
+    char *end;
+    *value = g_ascii_strtod(strchr(line, '=') + 1, &end);
+    after = strstr(end, "± ");
+    g_assert_nonnull(after);
+    *error = g_ascii_strtod(after + strlen("± "), NULL);
+}
+
+/* The errors are those of the run: they cover what is off, and are not without bounds. */
+static void test_error_of_run(void)
+{
+    g_autoptr(GuiFixture) fixture = gui_fixture_new("");
+    gui_fixture_start_scene(fixture, COARSE);
+    run_whole(fixture);
+    g_autoptr(TinkerGraphData) data = graph_fixture_data(fixture);
+    g_autofree char *text = tinker_graph_statistics_text(data, NULL);
+    g_test_message("%s", text);
+    g_assert_null(strstr(text, "without the error"));
+    const struct {
+        const char *name;
+        double truth, most;
+    } lines[] = {{"Period", PERIOD, 0.02}, {"Amplitude", AMPLITUDE, 0.5}};
+    for (gsize i = 0; i < G_N_ELEMENTS(lines); i++) {
+        double value, error;
+        read_line(text, lines[i].name, &value, &error);
+        g_assert_cmpfloat(fabs(value - lines[i].truth), >, 1e-4 * lines[i].truth);
+        g_assert_cmpfloat(fabs(value - lines[i].truth), <=, error);
+        g_assert_cmpfloat(error, <, lines[i].most);
+    }
+    /* it grows with time, and an early part is not held to the end of the run */
+    double early, late;
+    g_assert_true(tinker_graph_data_run_error(data, 0, 0, 2, &early));
+    g_assert_true(tinker_graph_data_run_error(data, 0, 0, 12, &late));
+    g_assert_cmpfloat(early, >, 0);
+    g_assert_cmpfloat(early, <, 0.5 * late);
+}
+
+/* Where there is no estimate the numbers say so. */
+static void test_not_known(void)
+{
+    g_autoptr(GuiFixture) fixture = gui_fixture_new("");
+    gui_fixture_start_scene(fixture, COARSE);
+    tinker_player_begin_trial(fixture->player);
+    run_whole(fixture);
+    tinker_player_end_trial(fixture->player);
+    g_autoptr(TinkerGraphData) data = graph_fixture_data(fixture);
+    g_autofree char *text = tinker_graph_statistics_text(data, NULL);
+    g_assert_nonnull(strstr(text, "without the error of the run"));
+    while (tinker_player_estimate(fixture->player))
+        g_usleep(1000);
+    g_autofree char *later = tinker_graph_statistics_text(data, NULL);
+    g_assert_null(strstr(later, "without the error of the run"));
+}
+
+static void add_tests(void)
+{
+    g_test_add_func("/gui/graph-statistics/error-of-run", test_error_of_run);
+    g_test_add_func("/gui/graph-statistics/not-known", test_not_known);
+}
+
+int main(int argc, char **argv)
+{
+    return scene_fixture_main(argc, argv, add_tests);
+}
