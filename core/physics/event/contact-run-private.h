@@ -104,6 +104,8 @@ struct _TinkerContactRun {
     double *force;           /* accelerations, for work */
     double *force_scale;     /* by closed contact: N, the largest of the step */
     gsize closed_room;
+    double looked_time;       /* of the look that the forces of contacts are from ... */
+    gint64 looked_evaluation; /* ... as long as they have not been worked out again since then */
     TinkerContactNeighbours neighbours;
     double *quiet_x; /* coordinates of the system, where ... */
     double quiet;    /* ... no plate was nearer to any body than this; 0 where one moves */

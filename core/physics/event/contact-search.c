@@ -44,12 +44,20 @@ static TinkerStatus place_at_time(TinkerContactRun *self, double t, double **v)
     return status;
 }
 
-/* Brings the model to a time within the last step; *v gets the velocities of the bodies then. */
+/* Brings the model to a time within the last step; *v gets the velocities of the bodies then. Where the forces of
+ * contacts that were worked out last are those of that time they stand: every contact that has just begun to slip asks
+ * for the step's start. */
 static TinkerStatus look_at_time(TinkerContactRun *self, double t, double **v)
 {
     double *q;
+    const gboolean stands = t == self->looked_time && self->contacts->evaluations == self->looked_evaluation;
+    if (stands) return place_at_time(self, t, v);
     TinkerStatus status = tinker_contact_run_state_at(self, t, &q, v);
-    return status == TINKER_OK ? tinker_contact_run_look_at(self, t, q, *v) : status;
+    if (status == TINKER_OK) status = tinker_contact_run_look_at(self, t, q, *v);
+    const gboolean acts = status == TINKER_OK && self->contacts->closed->len > 0; /* only these are counted */
+    self->looked_time = acts ? t : NAN;
+    self->looked_evaluation = self->contacts->evaluations;
+    return status;
 }
 
 static TinkerStatus value_at(TinkerContactRun *self, double t, const TinkerTrigger *trigger, double *value)
@@ -446,6 +454,7 @@ TinkerStatus tinker_contact_run_search(TinkerContactRun *self, double from, doub
     gboolean clear = FALSE;
     found->kind = TINKER_TRIGGER_NONE;
     *time = INFINITY;
+    self->looked_time = NAN;
     TinkerStatus status = tinker_contact_run_list_triggers(self);
     if (status != TINKER_OK || self->triggers->len == 0) return status;
     if (varies_slowly(self)) status = look_at_places(self, from, to, &clear);
