@@ -133,7 +133,7 @@ static void compare_unsymmetric(const Problem *problem, GRand *random)
     g_assert_nonnull(ldu);
     double *values = tinker_sparse_ldu_values(ldu);
     g_autofree double *b = g_new0(double, n + 1), *truth = g_new0(double, n + 1), *weight = g_new0(double, n + 1);
-    g_autofree double *least = g_new0(double, n + 1);
+    g_autofree double *least = g_new0(double, n + 1), *again = g_new0(double, n + 1);
     tinker_sparse_ldu_clear(ldu);
     memset(problem->dense, 0, (gsize)n * (gsize)n * sizeof(double));
     for (guint k = 0; k < 2 * problem->rows->len; k++) {
@@ -153,13 +153,15 @@ static void compare_unsymmetric(const Problem *problem, GRand *random)
         const double own = (i % 2 == 0 ? 1 : -1) * (1 + weight[i]);
         values[tinker_sparse_ldu_slot(ldu, i, i)] += own;
         problem->dense[i * n + i] += own;
-        b[i] = truth[i] = g_rand_double_range(random, -1, 1);
+        b[i] = again[i] = truth[i] = g_rand_double_range(random, -1, 1);
     }
-    g_assert_true(tinker_sparse_ldu_factor(ldu, least));
-    tinker_sparse_ldu_solve(ldu, b);
+    g_assert_true(tinker_sparse_ldu_factor_and_solve(ldu, least, b));
+    tinker_sparse_ldu_solve(ldu, again);
     g_assert_true(dense_solve(n, problem->dense, truth));
-    for (int i = 0; i < n; i++)
+    for (int i = 0; i < n; i++) {
         g_assert_cmpfloat(fabs(b[i] - truth[i]), <=, 1e-14);
+        g_assert_cmpfloat(again[i], ==, b[i]);
+    }
     tinker_sparse_ldu_free(ldu);
 }
 
@@ -175,7 +177,7 @@ static void test_vanishing_pivot(void)
         values[tinker_sparse_ldu_slot(ldu, 0, 1)] = 4;
         values[tinker_sparse_ldu_slot(ldu, 1, 0)] = 3;
         values[tinker_sparse_ldu_slot(ldu, 1, 1)] = vanishes ? 6 : 5;
-        g_assert_true(tinker_sparse_ldu_factor(ldu, (double[]){1e-10, 1e-10}) == !vanishes);
+        g_assert_true(tinker_sparse_ldu_factor_and_solve(ldu, (double[]){1e-10, 1e-10}, (double[]){1, 1}) == !vanishes);
         tinker_sparse_ldu_free(ldu);
     }
 }

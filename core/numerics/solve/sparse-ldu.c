@@ -57,13 +57,46 @@ void tinker_sparse_ldu_clear(TinkerSparseLdu *ldu)
     memset(ldu->values, 0, ((gsize)ldu->pattern->n + 2 * ldu->fill) * sizeof(double));
 }
 
-/* Of a forest every column of L has one entry, and so has every row of U. */
-static void eliminate_leaf(TinkerSparseLdu *ldu, int k, double inverse)
+/* A root is its own parent with the entries 0, so that no branch has to tell it apart. */
+static void substitute_forest(const TinkerSparseLdu *ldu, double *restrict b)
 {
-    double *lower = ldu->values + ldu->pattern->n, *upper = lower + ldu->fill;
-    ldu->values[ldu->pattern->parent_places[k]] -= lower[k] * inverse * upper[k];
-    lower[k] *= inverse;
-    upper[k] *= inverse;
+    const TinkerSparseLdl *pattern = ldu->pattern;
+    const double *restrict upper = ldu->values + pattern->n + ldu->fill, *restrict diagonal = pattern->diagonal;
+    const int *restrict sequence = pattern->sequence, *restrict parents = pattern->parents;
+    for (int k = pattern->n - 1; k >= 0; k--)
+        b[sequence[k]] = b[sequence[k]] * diagonal[k] - upper[k] * b[parents[k]];
+}
+
+static void solve_forest(const TinkerSparseLdu *ldu, double *restrict b)
+{
+    const TinkerSparseLdl *pattern = ldu->pattern;
+    const double *restrict lower = ldu->values + pattern->n;
+    const int *restrict sequence = pattern->sequence, *restrict parents = pattern->parents;
+    for (int k = 0; k < pattern->n; k++)
+        b[parents[k]] -= lower[k] * b[sequence[k]];
+    substitute_forest(ldu, b);
+}
+
+/* Of a forest every column of L has one entry, and so has every row of U. Each division waits for the one before it on
+ * its branch, and nothing else does: the substitution of b goes on beside it. */
+static gboolean factor_forest(TinkerSparseLdu *ldu, const double *restrict least, double *restrict b)
+{
+    const TinkerSparseLdl *pattern = ldu->pattern;
+    double *restrict pivots = ldu->values, *restrict lower = pivots + pattern->n, *restrict upper = lower + ldu->fill;
+    double *restrict diagonal = pattern->diagonal;
+    const int *restrict sequence = pattern->sequence, *restrict parents = pattern->parents,
+                        *restrict places = pattern->parent_places;
+    for (int k = 0; k < pattern->n; k++) {
+        if (!(fabs(pivots[k]) > least[sequence[k]])) return FALSE;
+        const double inverse = 1.0 / pivots[k], l = lower[k] * inverse;
+        pivots[places[k]] -= l * upper[k];
+        b[parents[k]] -= l * b[sequence[k]];
+        diagonal[k] = inverse;
+        lower[k] = l;
+        upper[k] *= inverse;
+    }
+    substitute_forest(ldu, b);
+    return TRUE;
 }
 
 /* Answers the place in the list of updates behind its own. An update on the diagonal has one place, any other has two.
@@ -88,33 +121,21 @@ static const int *eliminate(TinkerSparseLdu *ldu, int k, double inverse, const i
     return update;
 }
 
-gboolean tinker_sparse_ldu_factor(TinkerSparseLdu *ldu, const double *least)
+gboolean tinker_sparse_ldu_factor_and_solve(TinkerSparseLdu *ldu, const double *least, double *b)
 {
     const TinkerSparseLdl *pattern = ldu->pattern;
     const int *update = pattern->updates;
     double *bound = pattern->work;
+    if (pattern->is_forest) return factor_forest(ldu, least, b);
     for (int i = 0; i < pattern->n; i++)
         bound[pattern->place[i]] = least[i];
     for (int k = 0; k < pattern->n; k++) {
         if (!(fabs(ldu->values[k]) > bound[k])) return FALSE;
         const double inverse = pattern->diagonal[k] = 1.0 / ldu->values[k];
-        if (pattern->is_forest)
-            eliminate_leaf(ldu, k, inverse);
-        else
-            update = eliminate(ldu, k, inverse, update);
+        update = eliminate(ldu, k, inverse, update);
     }
+    tinker_sparse_ldu_solve(ldu, b);
     return TRUE;
-}
-
-static void solve_forest(const TinkerSparseLdu *ldu, double *b)
-{
-    const TinkerSparseLdl *pattern = ldu->pattern;
-    const double *lower = ldu->values + pattern->n, *upper = lower + ldu->fill;
-    const int *sequence = pattern->sequence, *parents = pattern->parents;
-    for (int k = 0; k < pattern->n; k++)
-        b[parents[k]] -= lower[k] * b[sequence[k]];
-    for (int k = pattern->n - 1; k >= 0; k--)
-        b[sequence[k]] = b[sequence[k]] * pattern->diagonal[k] - upper[k] * b[parents[k]];
 }
 
 void tinker_sparse_ldu_solve(TinkerSparseLdu *ldu, double *b)

@@ -21,8 +21,9 @@ int tinker_sparse_ldu_slot(const TinkerSparseLdu *ldu, int row, int column);
 double *tinker_sparse_ldu_values(TinkerSparseLdu *ldu);
 void tinker_sparse_ldu_clear(TinkerSparseLdu *ldu);
 
-/* Factors in place. A pivot no larger than `least` (of its row, n entries) stops it: FALSE. */
-gboolean tinker_sparse_ldu_factor(TinkerSparseLdu *ldu, const double *least);
+/* Factors in place, and solves for b in place. A pivot no larger than `least` (of its row, n entries) stops it: FALSE,
+ * and b is lost. */
+gboolean tinker_sparse_ldu_factor_and_solve(TinkerSparseLdu *ldu, const double *least, double *b);
 
 /* Solves with the last factor, in place. */
 void tinker_sparse_ldu_solve(TinkerSparseLdu *ldu, double *b);

@@ -13,6 +13,9 @@
 
 #define MOST_SOLVES 60
 
+/* For loops whose counts are constants where they are called. */
+#define INLINE __attribute__((always_inline)) static inline
+
 /* One end of a row on a body of the group. */
 typedef struct {
     int32_t row, entry; /* in the group; in the Jacobian */
@@ -180,7 +183,7 @@ gboolean tinker_contact_elimination_make_room(TinkerContactElimination *self, gs
     g_free(self->equation);
     g_free(self->along);
     self->room = 2 * count;
-    self->equation = g_try_new(Equation, self->room);
+    self->equation = g_try_new0(Equation, self->room);
     self->along = g_try_new(double, self->room);
     if (self->equation == NULL || self->along == NULL) self->room = 0;
     return self->room > 0;
@@ -258,31 +261,31 @@ static gboolean find_mobility(const TinkerContactElimination *self, const Body *
 }
 
 /* Adds up S with what is left of a body's mobility, and in `least` what its diagonal is without contacts. */
-static void add_body(TinkerContactElimination *self, const Body *body, double mobility[2][2], double *values)
+INLINE void add_body(const TinkerContactElimination *self, const Body *body, int32_t count, double mobility[2][2],
+                     double *restrict values, double *restrict least)
 {
-    const double *j = self->model->constraints.jacobian;
+    const double *restrict j = self->model->constraints.jacobian;
     const End *ends = self->ends + body->first_end;
     const int *slot = self->slots + body->first_product;
-    const int32_t count = body->end_count;
     for (int32_t b = 0; b < count; b++) {
         const double *at = j + 2 * ends[b].entry;
         const double moved[2] = {dot(mobility[0], at), dot(mobility[1], at)};
-        self->least[ends[b].row] += body->inverse_mass * dot(at, at);
+        least[ends[b].row] += body->inverse_mass * dot(at, at);
         for (int32_t a = 0; a < count; a++)
             values[slot[a * count + b]] += dot(j + 2 * ends[a].entry, moved);
     }
 }
 
 /* The entries of a body that no contact's equation acts on: its mobility is 1 / mass. */
-static void add_free_body(TinkerContactElimination *self, const Body *body, double *values)
+INLINE void add_free_body(const TinkerContactElimination *self, const Body *body, int32_t count,
+                          double *restrict values, double *restrict least)
 {
-    const double *j = self->model->constraints.jacobian;
+    const double *restrict j = self->model->constraints.jacobian;
     const End *ends = self->ends + body->first_end;
     const int *slot = self->slots + body->first_product;
-    const int32_t count = body->end_count;
     for (int32_t b = 0; b < count; b++) {
         const double *at = j + 2 * ends[b].entry, own = body->inverse_mass * dot(at, at);
-        self->least[ends[b].row] += own;
+        least[ends[b].row] += own;
         values[slot[b * count + b]] += own;
         for (int32_t a = 0; a < b; a++) {
             const double product = body->inverse_mass * dot(j + 2 * ends[a].entry, at);
@@ -292,29 +295,74 @@ static void add_free_body(TinkerContactElimination *self, const Body *body, doub
     }
 }
 
+/* Adds to mu what is asked of the rows on a body: what it would do by its equations, but for the constraints. */
+INLINE void demand_of_body(const TinkerContactElimination *self, const Body *body, int32_t equations, int32_t ends,
+                           double *restrict mu)
+{
+    const double *restrict j = self->model->constraints.jacobian;
+    const Equation *restrict equation = self->equation + body->first;
+    const TinkerContactEquation *restrict of = self->of + body->first;
+    const End *end = self->ends + body->first_end;
+    double pushed[2] = {0, 0};
+    for (int32_t a = 0; a < equations; a++) {
+        double sum = 0;
+        for (int32_t k = 0; k < equations; k++)
+            sum += equation[a].inverse[k] * equation[k].miss;
+        pushed[0] += of[a].force[0] * sum;
+        pushed[1] += of[a].force[1] * sum;
+    }
+    for (int32_t e = 0; e < ends; e++)
+        mu[end[e].row] -= dot(j + 2 * end[e].entry, pushed);
+}
+
+/* Sums S, and what the misses ask of the rows. Nearly all bodies have two ends of rods and one or two equations, for
+ * which the loops are unrolled. FALSE where equations of one body depend on one another. */
+static gboolean assemble(TinkerContactElimination *self, double softness)
+{
+    double *restrict values = tinker_sparse_ldu_values(self->ldu), *restrict least = self->least,
+                     *restrict mu = self->mu;
+    tinker_sparse_ldu_clear(self->ldu);
+    memset(least, 0, (gsize)self->rows * sizeof(double));
+    memset(mu, 0, (gsize)self->rows * sizeof(double));
+    for (int32_t i = 0; i < self->bodies; i++) {
+        const Body *body = &self->body[i];
+        const gboolean pair = body->end_count == 2;
+        double mobility[2][2];
+        if (body->count == 0) {
+            if (pair)
+                add_free_body(self, body, 2, values, least);
+            else
+                add_free_body(self, body, body->end_count, values, least);
+            continue;
+        }
+        if (!find_mobility(self, body, softness, mobility)) return FALSE;
+        if (pair)
+            add_body(self, body, 2, mobility, values, least);
+        else
+            add_body(self, body, body->end_count, mobility, values, least);
+        if (pair && body->count == 1)
+            demand_of_body(self, body, 1, 2, mu);
+        else if (pair && body->count == 2)
+            demand_of_body(self, body, 2, 2, mu);
+        else
+            demand_of_body(self, body, body->count, body->end_count, mu);
+    }
+    return TRUE;
+}
+
+/* And solves for mu of the misses by the way, which costs next to nothing more. */
 static gboolean factor(TinkerContactElimination *self, double softness, double row_softness)
 {
     double *values = tinker_sparse_ldu_values(self->ldu);
     self->solves++;
-    tinker_sparse_ldu_clear(self->ldu);
-    memset(self->least, 0, (gsize)self->rows * sizeof(double));
-    for (int32_t i = 0; i < self->bodies; i++) {
-        const Body *body = &self->body[i];
-        double mobility[2][2];
-        if (body->count == 0) {
-            add_free_body(self, body, values);
-            continue;
-        }
-        if (!find_mobility(self, body, softness, mobility)) return FALSE;
-        add_body(self, body, mobility, values);
-    }
+    if (!assemble(self, softness)) return FALSE;
     for (int32_t row = 0; row < self->rows; row++) {
         /* a row that no body feels, or a slack one, has no multiplier */
         if (self->least[row] == 0) values[self->diagonal[row]] = 1;
         values[self->diagonal[row]] += row_softness * self->least[row];
         self->least[row] *= TINKER_DEPENDENT;
     }
-    return tinker_sparse_ldu_factor(self->ldu, self->least);
+    return tinker_sparse_ldu_factor_and_solve(self->ldu, self->least, self->mu);
 }
 
 /* With as little softness as will do; answers whether without any. What was soft once is tried without again. */
@@ -327,50 +375,50 @@ static gboolean factor_softly(TinkerContactElimination *self)
 
 /* Solving ---------------------------------------------------------------------------------------------------------- */
 
-/* mu of the right-hand side: what bodies would do, but for the constraints. */
-static void demand_rows(TinkerContactElimination *self)
+/* mu of the misses, with the last factor. */
+static void solve_rows(TinkerContactElimination *self)
 {
-    const double *j = self->model->constraints.jacobian;
     memset(self->mu, 0, (gsize)self->rows * sizeof(double));
-    for (int32_t i = 0; i < self->bodies; i++) {
-        const Body *body = &self->body[i];
-        const Equation *equation = self->equation + body->first;
-        double pushed[2] = {0, 0};
-        if (body->count == 0) continue;
-        for (int32_t a = 0; a < body->count; a++) {
-            double sum = 0;
-            for (int32_t k = 0; k < body->count; k++)
-                sum += equation[a].inverse[k] * equation[k].miss;
-            pushed[0] += self->of[body->first + a].force[0] * sum;
-            pushed[1] += self->of[body->first + a].force[1] * sum;
-        }
-        for (int32_t e = body->first_end; e < body->first_end + body->end_count; e++)
-            self->mu[self->ends[e].row] -= dot(j + 2 * self->ends[e].entry, pushed);
+    for (int32_t i = 0; i < self->bodies; i++)
+        if (self->body[i].count > 0)
+            demand_of_body(self, &self->body[i], self->body[i].count, self->body[i].end_count, self->mu);
+    tinker_sparse_ldu_solve(self->ldu, self->mu);
+}
+
+/* The forces of a body's equations that make up for its misses, beside what the rows pull with mu. */
+INLINE void move_body(const TinkerContactElimination *self, const Body *body, int32_t equations, int32_t ends)
+{
+    const double *restrict j = self->model->constraints.jacobian, *restrict mu = self->mu;
+    const TinkerContactEquation *restrict of = self->of + body->first;
+    const End *end = self->ends + body->first_end;
+    Equation *restrict equation = self->equation + body->first;
+    double asked[TINKER_MOST_EQUATIONS], pull[2] = {0, 0};
+    for (int32_t e = 0; e < ends; e++)
+        for (int k = 0; k < 2; k++)
+            pull[k] += j[2 * end[e].entry + k] * mu[end[e].row];
+    for (int32_t a = 0; a < equations; a++)
+        asked[a] = equation[a].miss / body->inverse_mass - dot(of[a].row, pull);
+    for (int32_t a = 0; a < equations; a++) {
+        double move = 0;
+        for (int32_t k = 0; k < equations; k++)
+            move += equation[a].inverse[k] * asked[k];
+        equation[a].move = move;
     }
 }
 
-/* The moves that would make up for the misses. */
-static void solve_once(TinkerContactElimination *self)
+/* The moves that would make up for the misses, from mu of these. */
+static void find_moves(TinkerContactElimination *self)
 {
-    const double *j = self->model->constraints.jacobian;
     self->solves++;
-    demand_rows(self);
-    tinker_sparse_ldu_solve(self->ldu, self->mu);
     for (int32_t i = 0; i < self->bodies; i++) {
         const Body *body = &self->body[i];
-        Equation *equation = self->equation + body->first;
-        double asked[TINKER_MOST_EQUATIONS], pull[2] = {0, 0};
         if (body->count == 0) continue;
-        for (int32_t e = body->first_end; e < body->first_end + body->end_count; e++)
-            for (int k = 0; k < 2; k++)
-                pull[k] += j[2 * self->ends[e].entry + k] * self->mu[self->ends[e].row];
-        for (int32_t a = 0; a < body->count; a++)
-            asked[a] = equation[a].miss / body->inverse_mass - dot(self->of[body->first + a].row, pull);
-        for (int32_t a = 0; a < body->count; a++) {
-            equation[a].move = 0;
-            for (int32_t k = 0; k < body->count; k++)
-                equation[a].move += equation[a].inverse[k] * asked[k];
-        }
+        if (body->end_count == 2 && body->count == 1)
+            move_body(self, body, 1, 2);
+        else if (body->end_count == 2 && body->count == 2)
+            move_body(self, body, 2, 2);
+        else
+            move_body(self, body, body->count, body->end_count);
     }
 }
 
@@ -412,16 +460,16 @@ static double find_misses(TinkerContactElimination *self, const double *b, const
 
 gboolean tinker_contact_elimination_solve(TinkerContactElimination *self, const double *b, double *x)
 {
+    for (int32_t e = 0; e < self->equations; e++)
+        self->equation[e].miss = b[e];
     const gboolean full = factor_softly(self);
     /* what is determined does not depend on what it was */
-    for (int32_t e = 0; e < self->equations; e++) {
-        if (full) x[e] = 0;
-        self->equation[e].miss = b[e];
-    }
+    if (full) memset(x, 0, (gsize)self->equations * sizeof(double));
     double miss = full ? 1 : find_misses(self, b, x);
     for (int solves = 0; solves < MOST_SOLVES && miss > TINKER_MISS_ROUNDING; solves++) {
         const double before = miss;
-        solve_once(self);
+        if (solves > 0 || !full) solve_rows(self);
+        find_moves(self);
         for (int32_t e = 0; e < self->equations; e++)
             x[e] += self->equation[e].move;
         miss = find_misses(self, b, x);
@@ -444,7 +492,8 @@ void tinker_contact_elimination_solve_soft(TinkerContactElimination *self, const
 {
     for (int32_t e = 0; e < self->equations; e++)
         self->equation[e].miss = b[e];
-    solve_once(self);
+    solve_rows(self);
+    find_moves(self);
     for (int32_t e = 0; e < self->equations; e++)
         x[e] = self->equation[e].move;
 }
