@@ -265,10 +265,10 @@ static void test_belt(void)
 static void test_refused(void)
 {
     PhysicsOptions options = impulses(1, 0.01, NULL);
-    g_autoptr(PhysicsRun) joined =
-        physics_try(&options, FLOOR ", {'type': 'box', 'position': [0, 2]}, {'type': 'pin', 'name': 'Nail', 'ends': "
-                                    "['Support 0', {'block': 'Box 0', 'at': [0, -2.2]}]}");
-    physics_assert_refused(joined, TINKER_MODEL_ERROR_METHOD, "Nail", "Box 0", "events", "solid", NULL);
+    g_autoptr(PhysicsRun) tied =
+        physics_try(&options, FLOOR ", {'type': 'box', 'position': [0, 2]}, {'type': 'mass', 'position': [3, 2]}, "
+                                    "{'type': 'rod', 'ends': ['Mass 0', 'Box 0']}");
+    physics_assert_refused(tied, TINKER_MODEL_ERROR_METHOD, "Mass 0", "Box 0", "collides", "events", NULL);
     options.impact_law = "poisson";
     g_autoptr(PhysicsRun) law = physics_try(&options, FLOOR ", {'type': 'box', 'position': [0, 2]}");
     physics_assert_refused(law, TINKER_MODEL_ERROR_METHOD, "poisson", NULL);

@@ -121,8 +121,10 @@ static void move_positions(TinkerModel *model, double *restrict q)
 }
 
 /* Evaluates the rows at a place, and answers whether another Newton step is wanted. FALSE: *status is the answer.
- * `before` is the miss of the step before, at first INFINITY. */
-static gboolean wants_step(TinkerModel *model, const double *q, const double *v, double *before, TinkerStatus *status)
+ * `before` is the miss of the step before, at first INFINITY; where that went `roughly`, with a factor of another
+ * place, it says nothing of those that follow. */
+static gboolean wants_step(TinkerModel *model, const double *q, const double *v, gboolean roughly, double *before,
+                           TinkerStatus *status)
 {
     tinker_model_set_state(model, q, v);
     *status = tinker_constraints_evaluate(model);
@@ -130,7 +132,7 @@ static gboolean wants_step(TinkerModel *model, const double *q, const double *v,
     double miss = tinker_constraints_worst_miss(model);
     /* Rounding may keep a row just above its bound; no step can then do better. */
     if (!(miss < 0.5 * *before) && miss < TINKER_ROUNDING_MISS) return FALSE;
-    if (!(miss < 4.0 * *before)) {
+    if (!(miss < 4.0 * *before) && !roughly) {
         *status = stop_short(model);
         return FALSE;
     }
@@ -148,7 +150,7 @@ TinkerStatus tinker_constraints_project_positions(TinkerModel *model, double t, 
     TinkerStatus status = tinker_model_set_time(model, t);
     if (status != TINKER_OK) return status;
     for (int step = 0; step < MOST_NEWTON_STEPS; step++) {
-        if (!wants_step(model, q, v, &before, &status)) return status;
+        if (!wants_step(model, q, v, step == 1, &before, &status)) return status;
         tinker_constraints_newton_step(model, step == 0);
         move_positions(model, q);
         *moved = TRUE;
@@ -218,7 +220,7 @@ TinkerStatus tinker_constraints_rattle(TinkerModel *model, double t_from, const 
     status = tinker_model_set_time(model, t);
     if (status != TINKER_OK) return status;
     for (int step = 0; step < 2 * MOST_NEWTON_STEPS; step++) {
-        if (!wants_step(model, q, v, &before, &status)) return status;
+        if (!wants_step(model, q, v, FALSE, &before, &status)) return status;
         memcpy(all->jacobian, all->turned, all->jacobian_size * sizeof(double));
         tinker_constraints_newton_step(model, FALSE);
         for (int32_t i = 0; i < model->coordinates; i++) {

@@ -10,9 +10,8 @@
 /* Functions of one pair of masses: of two boxes 4 corners over 4 edges, both ways. */
 #define MOST_FUNCTIONS 32
 
-/* The pairs of blocks that a joint, a gear or a rack holds together: these do not meet. Rods and ropes, which know no
- * angles, keep nothing from meeting. (transfer full) */
-static GHashTable *joined_blocks(const TinkerModel *model)
+/* Rods and ropes, which know no angles, keep nothing from meeting. */
+GHashTable *tinker_contacts_joined_blocks(const TinkerModel *model)
 {
     GHashTable *joined = g_hash_table_new_full(g_int64_hash, g_int64_equal, g_free, NULL);
     for (guint i = 0; i < model->constraints.batches->len; i++) {
@@ -30,7 +29,7 @@ static GHashTable *joined_blocks(const TinkerModel *model)
     return joined;
 }
 
-static gboolean is_joined(GHashTable *joined, gint64 a, gint64 b)
+gboolean tinker_contacts_are_joined(GHashTable *joined, gint64 a, gint64 b)
 {
     const gint64 key = (MIN(a, b) << 32) | MAX(a, b);
     return g_hash_table_contains(joined, &key);
@@ -106,7 +105,7 @@ static void add_supports_of(Listing *listing, int32_t body)
     for (int32_t k = 0; k < contacts->plate_count; k++) {
         TinkerPlate like = contacts->plates[k];
         if (is_mass && like.turned == NULL) continue;
-        if (is_joined(listing->joined, model->body_blocks[body], like.block)) continue;
+        if (tinker_contacts_are_joined(listing->joined, model->body_blocks[body], like.block)) continue;
         like.surface = tinker_surface_between(&like.surface, &contacts->surfaces[body]);
         add_pair(listing,
                  (TinkerTouchingPair){
@@ -130,7 +129,7 @@ static void add_bodies_of(Listing *listing, int32_t body)
                                   .surface =
                                       tinker_surface_between(&contacts->surfaces[body], &contacts->surfaces[other])};
         if (!tinker_contacts_has_outline(contacts, other)) continue;
-        if (is_joined(listing->joined, model->body_blocks[body], like.block)) continue;
+        if (tinker_contacts_are_joined(listing->joined, model->body_blocks[body], like.block)) continue;
         if (tinker_model_turn_of(model, body) < 0 && tinker_model_turn_of(model, other) < 0) {
             add_unturned(listing, body, other, &like);
             continue;
@@ -166,9 +165,9 @@ static void keep_lists(TinkerContacts *contacts, Listing *listing)
 void tinker_contacts_list_gaps(TinkerContacts *contacts, gboolean meet)
 {
     const TinkerModel *model = contacts->model;
-    Listing listing = {contacts, joined_blocks(model), g_array_new(FALSE, FALSE, sizeof(TinkerTouchingPair)),
-                       g_array_new(FALSE, FALSE, sizeof(TinkerGapFunction)),
-                       g_array_new(FALSE, FALSE, sizeof(TinkerPlate))};
+    Listing listing = {
+        contacts, tinker_contacts_joined_blocks(model), g_array_new(FALSE, FALSE, sizeof(TinkerTouchingPair)),
+        g_array_new(FALSE, FALSE, sizeof(TinkerGapFunction)), g_array_new(FALSE, FALSE, sizeof(TinkerPlate))};
     for (int32_t body = 0; body < model->bodies; body++) {
         contacts->first_gap[body] = contacts->plate_count + (int32_t)listing.functions->len;
         if (tinker_contacts_may_touch(contacts, body)) add_supports_of(&listing, body);

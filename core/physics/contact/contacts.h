@@ -158,6 +158,11 @@ void tinker_contacts_free(TinkerContacts *contacts);
 /* Whether there are tops, or bodies with outlines that meet each other; of NULL there are none. */
 gboolean tinker_contacts_can_meet(const TinkerContacts *contacts);
 
+/* The pairs of blocks that a joint, a gear or a rack holds together, which do not meet (transfer full); and whether two
+ * are one of these. */
+GHashTable *tinker_contacts_joined_blocks(const TinkerModel *model);
+gboolean tinker_contacts_are_joined(GHashTable *joined, gint64 a, gint64 b);
+
 /* Where a body is as seen from a plate, for the state in the model's points. */
 typedef struct {
     double gap, along;                     /* m */

@@ -66,7 +66,7 @@ struct TinkerImpulses {
     gsize delassus_size;
 
     TinkerPile *pile; /* bodies that turn or collide; NULL: there are none */
-    double parted;    /* J that parting what overlapped gave, in the step */
+    double parted;    /* J that parting what overlapped gave, in the step, and bringing joints together */
 };
 
 /* TinkerIntegrator.create and .destroy. */

@@ -10,6 +10,12 @@
 #include "physics/model/model-data.h"
 #include "physics/system/method-call.h"
 
+/* Whether a body is solved for with all that are on constraints. */
+static gboolean is_held(const TinkerImpulses *self, int32_t body)
+{
+    return self->contacts->held[body] && !tinker_pile_has(self->pile, body);
+}
+
 /* Bodies on constraints: what contacts did beside the constraints' answer to it goes to what moves. */
 static void finish_held(TinkerImpulses *self, TinkerState *state)
 {
@@ -26,7 +32,7 @@ static void finish_held(TinkerImpulses *self, TinkerState *state)
     for (int k = 0; k < TINKER_BOOK_COUNT; k++)
         before -= self->work[k];
     for (int32_t i = 0; i < model->coordinates; i++)
-        if (self->contacts->held[tinker_model_moved_by(model, i)])
+        if (is_held(self, tinker_model_moved_by(model, i)))
             total +=
                 0.5 * model->coordinate_mass[i] * (state->v[i] - self->velocity[i]) * (state->v[i] + self->from.v[i]);
     self->work[TINKER_BOOK_SUPPORT_MOTION] += total + before;
@@ -49,7 +55,7 @@ static void move_held(TinkerImpulses *self, int32_t body, guint *touch, double *
 static gboolean solve_held(TinkerImpulses *self, TinkerState *state)
 {
     for (int32_t i = 0; i < self->model->coordinates; i++)
-        if (self->contacts->held[tinker_model_moved_by(self->model, i)]) state->v[i] += self->h * self->a[i];
+        if (is_held(self, tinker_model_moved_by(self->model, i))) state->v[i] += self->h * self->a[i];
     memcpy(self->velocity, state->v, (gsize)self->model->coordinates * sizeof(double));
     if (!tinker_impulse_solve_held(self, state->q, state->v)) return FALSE;
     finish_held(self, state);

@@ -4,8 +4,9 @@
  *     (M + J^T K J) dv = -J^T K r,   r = J v - least,   dp = -K (r + J dv)
  *
  * by bodies, three coordinates each, so that points that hold the same twice over do no harm; a few passes take what K
- * leaves over. Where the impulses found contradict the guess it is made anew (an active set method). Source: J.
- * Nocedal, S. J. Wright, "Numerical Optimization", 2nd ed., Springer 2006, sec. 16.5 and 17.3. */
+ * leaves over. Rows of constraints are among them (pile-tied.c). Where the impulses found contradict the guess it is
+ * made anew (an active set method). Source: J. Nocedal, S. J. Wright, "Numerical Optimization", 2nd ed., Springer 2006,
+ * sec. 16.5 and 17.3. */
 #include <math.h>
 #include <string.h>
 
@@ -80,13 +81,14 @@ static gboolean factor(TinkerPile *pile)
     TinkerPileDirect *direct = pile->direct;
     double *values = tinker_sparse_ldl_values(direct->ldl);
     tinker_sparse_ldl_clear(direct->ldl);
-    for (int32_t i = 0; i < pile->body_count; i++) {
-        const double mass = 1 / pile->bodies[pile->members[i]].inverse_mass;
+    for (int32_t i = 0; i < pile->solved_count; i++) {
+        const double mass = 1 / pile->bodies[pile->solved[i]].inverse_mass;
         values[direct->diagonal[6 * i]] = values[direct->diagonal[6 * i + 2]] = values[direct->diagonal[6 * i + 5]] =
             mass;
     }
     for (int32_t i = 0; i < pile->touch_count; i++)
         add_touch(pile, &pile->touches[i], values);
+    if (direct->tied != NULL) tinker_pile_tied_add_values(pile, values);
     return tinker_sparse_ldl_factor(direct->ldl, 0, 0);
 }
 
@@ -109,7 +111,7 @@ static void push_along(TinkerPile *pile, const TinkerPileTouch *touch, const Row
 static void add_right(const TinkerPile *pile)
 {
     TinkerPileDirect *direct = pile->direct;
-    memset(direct->right, 0, 3 * (gsize)pile->body_count * sizeof(double));
+    memset(direct->right, 0, 3 * (gsize)pile->solved_count * sizeof(double));
     for (int32_t i = 0; i < pile->touch_count; i++) {
         const TinkerPileTouch *touch = &pile->touches[i];
         const int32_t first = direct->number[touch->body[0]], second = direct->number[touch->body[1]];
@@ -124,6 +126,7 @@ static void add_right(const TinkerPile *pile)
             }
         }
     }
+    if (direct->tied != NULL) tinker_pile_tied_add_right(pile, direct->right);
 }
 
 /* Takes the impulses that the solution asks for; the bodies follow by them, so that both agree. */
@@ -144,6 +147,7 @@ static void take_solution(TinkerPile *pile)
             push_along(pile, touch, &row, -row.stiff * misses);
         }
     }
+    if (direct->tied != NULL) tinker_pile_tied_take_solution(pile, direct->right);
 }
 
 /* Sets an impulse, and what it does. */

@@ -35,9 +35,16 @@ static int by_pair(const void *left, const void *right)
     return a->second < b->second ? -1 : a->second > b->second;
 }
 
+static TinkerBlockId block_of(const TinkerPile *pile, int32_t shape)
+{
+    const int32_t bodies = pile->model->bodies;
+    return shape < bodies ? pile->model->body_blocks[shape] : pile->contacts->plates[shape - bodies].block;
+}
+
 static void add_pair(TinkerPile *pile, int32_t a, int32_t b)
 {
     const TinkerPileNear near = {.first = MIN(a, b), .second = MAX(a, b)};
+    if (pile->joints != NULL && tinker_contacts_are_joined(pile->joined, block_of(pile, a), block_of(pile, b))) return;
     g_array_append_val(pile->near, near);
 }
 

@@ -165,7 +165,7 @@ static double leeway(gsize sweeps)
 }
 
 /* FALSE: not within the sweeps that a step may take. What the first sweep solves need not be followed. */
-static gboolean solve(TinkerPile *pile, double enough, double share_of_sweeps)
+static gboolean sweep_all(TinkerPile *pile, double enough, double share_of_sweeps)
 {
     const gsize points = (gsize)MAX(pile->point_count, 1);
     const gsize all = CLAMP(POINTS_A_STEP / points, LEAST_SWEEPS, MOST_SWEEPS);
@@ -176,6 +176,7 @@ static gboolean solve(TinkerPile *pile, double enough, double share_of_sweeps)
     apply_all(pile);
     for (gsize count = 1;; count++) {
         if (count > 1) note_impulses(pile);
+        if (pile->joints != NULL) tinker_pile_joints_solve(pile);
         const double changed = sweep(pile);
         if (changed <= leeway(count) * enough) return TRUE;
         if (count >= most) return FALSE;
@@ -196,6 +197,14 @@ static gboolean solve(TinkerPile *pile, double enough, double share_of_sweeps)
         last = now;
         if (count + 1 < most) go_on(pile, share);
     }
+}
+
+/* What is held by constraints has met them before each sweep, and does so behind the last one. */
+static gboolean solve(TinkerPile *pile, double enough, double share_of_sweeps)
+{
+    const gboolean solved = sweep_all(pile, enough, share_of_sweeps);
+    if (pile->joints != NULL) tinker_pile_joints_solve(pile);
+    return solved;
 }
 
 /* What contacts gave (J), for velocities without them and with them; what is beneath a top that moves gets that from
@@ -226,6 +235,12 @@ static void solve_impacts(TinkerPile *pile)
 {
     static const double shares[] = {1, 0.75, 0.5, 0.25, 0};
     double fastest = pile->scale;
+    if (pile->joints != NULL) {
+        tinker_pile_joints_strike(pile);
+        memcpy(pile->bodies, pile->without, (gsize)pile->shapes * sizeof(TinkerPileBody));
+        tinker_pile_joints_solve(pile);
+        memcpy(pile->without, pile->bodies, (gsize)pile->shapes * sizeof(TinkerPileBody));
+    }
     for (gsize trial = 0; trial < G_N_ELEMENTS(shares); trial++) {
         double most;
         for (int32_t i = 0; i < pile->point_count; i++) {
@@ -252,8 +267,9 @@ gboolean tinker_pile_part(TinkerPile *pile, double h)
 {
     if (!pile->overlaps) return FALSE;
     double deepest = 0;
-    for (int32_t i = 0; i < pile->member_count; i++)
-        memset(pile->bodies[pile->members[i]].v, 0, sizeof(pile->bodies[0].v));
+    for (int32_t i = 0; i < pile->shapes; i++)
+        memset(pile->bodies[i].v, 0, sizeof(pile->bodies[0].v));
+    if (pile->joints != NULL) tinker_pile_joints_hold(pile);
     memcpy(pile->without, pile->bodies, (gsize)pile->shapes * sizeof(TinkerPileBody));
     for (int32_t i = 0; i < pile->point_count; i++) {
         TinkerPilePoint *point = &pile->points[i];

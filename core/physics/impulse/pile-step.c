@@ -7,99 +7,11 @@
 
 #include "physics/impulse/impulse-private.h"
 
-static int32_t list_members(TinkerPile *pile)
-{
-    int32_t count = 0;
-    for (int32_t i = 0; i < pile->model->bodies; i++)
-        if (tinker_contacts_has_outline(pile->contacts, i)) pile->members[count++] = i;
-    pile->body_count = count;
-    for (int32_t i = pile->model->bodies; i < pile->shapes; i++)
-        pile->members[count++] = i;
-    return count;
-}
-
-static void allot(TinkerPile *pile)
-{
-    const gsize shapes = (gsize)pile->shapes, expected = 4 * shapes;
-    pile->members = g_new0(int32_t, shapes);
-    pile->shape = g_new0(TinkerPlacedShape, shapes);
-    pile->first_corner = g_new0(gsize, shapes + 1);
-    pile->bodies = g_new0(TinkerPileBody, shapes);
-    pile->without = g_new0(TinkerPileBody, shapes);
-    pile->moves = g_new0(TinkerPileBody, shapes);
-    pile->by_gyration = g_new0(double, shapes);
-    pile->before = g_new0(double, 3 * shapes);
-    pile->pull = g_new0(double, 3 * shapes);
-    pile->listed = g_new0(double, 2 * shapes);
-    pile->margin = g_new0(double, shapes);
-    pile->sorted = g_new0(double, shapes);
-    pile->near = g_array_sized_new(FALSE, TRUE, sizeof(TinkerPileNear), (guint)expected);
-    pile->near_was = g_array_sized_new(FALSE, TRUE, sizeof(TinkerPileNear), (guint)expected);
-    pile->cells = g_array_sized_new(FALSE, TRUE, sizeof(TinkerPileCell), (guint)shapes);
-}
-
-static void open_shape(TinkerPile *pile, int32_t shape)
-{
-    const TinkerOutline *outline = &pile->contacts->outlines[shape];
-    double *corners = pile->corners + pile->first_corner[shape];
-    pile->shape[shape] = (TinkerPlacedShape){.kind = outline->kind,
-                                             .count = outline->count,
-                                             .radius = outline->radius,
-                                             .corners = corners,
-                                             .normals = corners + 2 * outline->count};
-    tinker_shape_corners(outline, pile->local + pile->first_corner[shape]);
-}
-
-TinkerPile *tinker_pile_new(const TinkerContacts *contacts)
-{
-    const TinkerModel *model = contacts->model;
-    gboolean any = FALSE;
-    for (int32_t i = 0; i < model->bodies; i++)
-        any |= tinker_contacts_has_outline(contacts, i);
-    if (!any) return NULL;
-    TinkerPile *pile = g_new0(TinkerPile, 1);
-    pile->contacts = contacts;
-    pile->model = contacts->model;
-    pile->shapes = model->bodies + contacts->plate_count;
-    allot(pile);
-    pile->member_count = list_members(pile);
-    for (int32_t i = 0; i < pile->shapes; i++)
-        pile->first_corner[i + 1] = pile->first_corner[i] + 4 * (gsize)contacts->outlines[i].count;
-    pile->corners = g_new0(double, MAX(pile->first_corner[pile->shapes], 1));
-    pile->local = g_new0(double, MAX(pile->first_corner[pile->shapes], 1));
-    for (int32_t i = 0; i < pile->member_count; i++)
-        open_shape(pile, pile->members[i]);
-    for (int32_t i = 0; i < pile->body_count; i++) {
-        const int32_t body = pile->members[i], turn = model->turn_of != NULL ? model->turn_of[body] : -1;
-        pile->bodies[body].inverse_mass = model->inverse_mass[body];
-        pile->by_gyration[body] = turn >= 0 ? model->turns[turn].by_gyration : 0;
-    }
-    pile->direct = tinker_pile_direct_new(pile);
-    return pile;
-}
-
-void tinker_pile_free(TinkerPile *pile)
-{
-    if (pile == NULL) return;
-    GArray *lists[] = {pile->near, pile->near_was, pile->cells};
-    for (gsize i = 0; i < G_N_ELEMENTS(lists); i++)
-        g_array_unref(lists[i]);
-    gpointer arrays[] = {pile->members,     pile->shape,  pile->first_corner, pile->bodies, pile->without, pile->moves,
-                         pile->by_gyration, pile->before, pile->pull,         pile->listed, pile->margin,  pile->sorted,
-                         pile->touches,     pile->points, pile->marks,        pile->local,  pile->corners, pile->along};
-    for (gsize i = 0; i < G_N_ELEMENTS(arrays); i++)
-        g_free(arrays[i]);
-    tinker_pile_direct_free(pile->direct);
-    g_free(pile);
-}
-
 static void place_body(TinkerPile *pile, int32_t body, const double *q)
 {
-    const TinkerModel *model = pile->model;
-    const int32_t turn = model->turn_of != NULL ? model->turn_of[body] : -1;
+    const TinkerTurn *turn = tinker_model_turn(pile->model, body);
     const double angle = pile->contacts->angle[body];
-    const double c = turn >= 0 ? model->turns[turn].cosine : cos(angle);
-    const double s = turn >= 0 ? model->turns[turn].sine : sin(angle);
+    const double c = turn != NULL ? turn->cosine : cos(angle), s = turn != NULL ? turn->sine : sin(angle);
     tinker_place_shape(&pile->shape[body], q[2 * body], q[2 * body + 1], c, s, pile->local + pile->first_corner[body]);
 }
 
@@ -129,9 +41,10 @@ static void place_top(TinkerPile *pile, int32_t number, const TinkerImpulsePlate
 static void take_state(TinkerImpulses *self, const TinkerState *state)
 {
     TinkerPile *pile = self->pile;
-    for (int32_t i = 0; i < pile->body_count; i++) {
-        const int32_t body = pile->members[i], turn = tinker_model_turn_of(self->model, body);
-        place_body(pile, body, state->q);
+    for (int32_t i = 0; i < pile->body_count; i++)
+        place_body(pile, pile->members[i], state->q);
+    for (int32_t i = 0; i < pile->solved_count; i++) {
+        const int32_t body = pile->solved[i], turn = tinker_model_turn_of(self->model, body);
         for (int k = 0; k < 3; k++) {
             const int32_t coordinate = k < 2 ? 2 * body + k : turn;
             const double v = coordinate >= 0 ? state->v[coordinate] : 0, a = coordinate >= 0 ? self->a[coordinate] : 0;
@@ -144,31 +57,31 @@ static void take_state(TinkerImpulses *self, const TinkerState *state)
         if (!pile->started || self->plates[i].moving) place_top(pile, i, &self->plates[i], self->h);
 }
 
-static void move(TinkerImpulses *self, TinkerState *state)
+/* Lets the bodies move through the step with these velocities; answers what stood still in that time against forces,
+ * in J. */
+static double displace(const TinkerImpulses *self, const TinkerPileBody *moves, TinkerState *state)
 {
     const TinkerPile *pile = self->pile;
-    for (int32_t i = 0; i < pile->body_count; i++) {
-        const int32_t body = pile->members[i], turn = tinker_model_turn_of(self->model, body);
+    double work = 0;
+    for (int32_t i = 0; i < pile->solved_count; i++) {
+        const int32_t body = pile->solved[i], turn = tinker_model_turn_of(self->model, body);
         for (int k = 0; k < (turn < 0 ? 2 : 3); k++) {
             const int32_t coordinate = k < 2 ? 2 * body + k : turn;
-            state->q[coordinate] += self->h * pile->moves[body].v[k];
-            state->v[coordinate] = pile->bodies[body].v[k];
+            const double way = self->h * moves[body].v[k];
+            state->q[coordinate] += way;
+            work += self->model->mass[body] * self->a[coordinate] * way;
         }
     }
+    return work;
 }
 
-/* By displacements of the step that part what overlaps: these have no part in the next. */
-static void part(TinkerImpulses *self, TinkerState *state)
+static void take_velocities(const TinkerImpulses *self, TinkerState *state)
 {
     const TinkerPile *pile = self->pile;
-    for (int32_t i = 0; i < pile->body_count; i++) {
-        const int32_t body = pile->members[i], turn = tinker_model_turn_of(self->model, body);
-        for (int k = 0; k < (turn < 0 ? 2 : 3); k++) {
-            const int32_t coordinate = k < 2 ? 2 * body + k : turn;
-            const double way = self->h * pile->bodies[body].v[k];
-            state->q[coordinate] += way;
-            self->parted -= self->model->mass[body] * self->a[coordinate] * way;
-        }
+    for (int32_t i = 0; i < pile->solved_count; i++) {
+        const int32_t body = pile->solved[i], turn = tinker_model_turn_of(self->model, body);
+        memcpy(state->v + 2 * body, pile->bodies[body].v, 2 * sizeof(double));
+        if (turn >= 0) state->v[turn] = pile->bodies[body].v[2];
     }
 }
 
@@ -229,21 +142,46 @@ static void keep(TinkerImpulses *self, const TinkerPileTouch *touch, guint *pres
     }
 }
 
+static double sum_of_work(const TinkerImpulses *self)
+{
+    double sum = 0;
+    for (int k = 0; k < TINKER_BOOK_COUNT; k++)
+        sum += self->work[k];
+    return sum;
+}
+
+/* What joints gave beside contacts, and beside what is booked by its power: supports that move do that, or else the
+ * step, which knows rows to first order and is projected back onto them afterwards. */
+static void book_joints(TinkerImpulses *self, double by_contacts)
+{
+    const TinkerModel *model = self->model;
+    const double given = tinker_pile_joints_give(self) - by_contacts;
+    if (model->constraints.prescribed || model->moving_supports > 0)
+        self->work[TINKER_BOOK_SUPPORT_MOTION] += given - self->h * self->pile->joints->power;
+    else
+        self->parted += given;
+}
+
 void tinker_pile_step(TinkerImpulses *self, TinkerState *state)
 {
     TinkerPile *pile = self->pile;
     pile->slow = TINKER_START_SLOW * self->context->speed;
     take_state(self, state);
+    if (pile->joints != NULL) tinker_pile_joints_begin(pile, self->h);
     tinker_pile_list_near(pile, self->h);
     tinker_pile_find_touches(pile, self->h);
     tinker_pile_solve(pile);
-    move(self, state);
+    displace(self, pile->moves, state);
+    take_velocities(self, state);
     guint pressing = 0;
+    const double booked = sum_of_work(self);
     g_array_set_size(self->contacts->pressings, (guint)pile->point_count);
     for (int32_t i = 0; i < pile->touch_count; i++)
         keep(self, &pile->touches[i], &pressing);
     g_array_set_size(self->contacts->pressings, pressing);
-    if (tinker_pile_part(pile, self->h)) part(self, state);
+    if (pile->joints != NULL) book_joints(self, sum_of_work(self) - booked);
+    /* displacements that part what overlaps have no part in the next step */
+    if (tinker_pile_part(pile, self->h)) self->parted -= displace(self, pile->bodies, state);
     pile->started = TRUE;
 }
 

@@ -4,6 +4,8 @@
  *     touch (pile-touch.c)  where they touch in this one, and what that asks for
  *     solve (pile-solve.c)  the impulses, by sweeps along the contacts that start from those of the last step,
  *           (pile-direct.c) or of stacks and chains by one factor
+ *     joints (pile-joints.c) what constraints on these bodies ask for, in each sweep
+ *           (pile-tied.c)   and in the factor
  *     step (pile-step.c)    velocities, positions, books
  *
  * Rows are by the three coordinates of each of two bodies, x, y and turn (a length, as models have it), so that one
@@ -77,11 +79,36 @@ typedef struct {
     int32_t shape;
 } TinkerPileCell;
 
+/* What constraints that hold bodies of the pile ask of velocities (pile-joints.c). */
+typedef struct {
+    gboolean *has;           /* by row of the model: it holds bodies of the pile */
+    double *before, *wanted; /* by row, m/s: J v at the start of the step; J v' */
+    double *asked;           /* by row: room */
+    double *v;               /* by point: room; of supports 0 */
+    gboolean *struck;        /* by group of bodies: something strikes one of them */
+    double power;            /* W: what supports that move and prescribed rows gave at the start of the step */
+} TinkerPileJoints;
+
+/* A row of constraints over the unknowns of a factor (pile-tied.c). */
+typedef struct {
+    int32_t row, count;
+    gsize first, first_slot; /* of its entries; of its slots in the factor, of the lower triangle of their products */
+    double stiff;            /* kg: K */
+} TinkerPileTiedRow;
+
+typedef struct {
+    GArray *rows;                   /* of TinkerPileTiedRow */
+    TinkerCoordinateEntry *entries; /* of these, by unknown */
+    int32_t *slots;
+    gsize slot_count;
+    TinkerCoordinateEntry *room; /* for one row */
+} TinkerPileTied;
+
 /* What all impulses are solved for at once with (pile-pattern.c, pile-direct.c). */
 typedef struct {
     TinkerSparseLdl *ldl; /* NULL: there is none for the pairs that are near now */
     gboolean tried;
-    int32_t *number;   /* by shape: among the bodies of the pile; -1: a top */
+    int32_t *number;   /* by shape: among the bodies that are solved for; -1: a top */
     int32_t *diagonal; /* 6 a body: slots of its lower triangle, row by row */
     int32_t *between;  /* 9 a near pair: slots of first by second, row by row; -1: a top's */
     gsize between_size;
@@ -89,6 +116,7 @@ typedef struct {
     guint8 *guess; /* by point */
     TinkerPileBody *bodies;
     gsize points;
+    TinkerPileTied *tied; /* NULL: no constraints */
 } TinkerPileDirect;
 
 typedef struct {
@@ -97,6 +125,10 @@ typedef struct {
     int32_t shapes;                   /* bodies of the model, then tops */
     int32_t *members;                 /* shapes that meet others: bodies, then tops */
     int32_t body_count, member_count; /* of them */
+    int32_t *solved, solved_count;    /* bodies that are solved for: these, and what constraints tie to them */
+    gboolean *has;                    /* by body: it is one of those */
+    TinkerPileJoints *joints;         /* NULL: no constraint holds one */
+    GHashTable *joined;               /* pairs of blocks that joints keep from meeting */
     TinkerPlacedShape *shape;         /* by shape */
     double *corners, *local;          /* what these lie in, and the same in their own axes; ... */
     gsize *first_corner;              /* ... corners of each, and their normals, from here on */
@@ -131,12 +163,36 @@ void tinker_pile_free(TinkerPile *pile);
 /* Whether a body is of it. */
 static inline gboolean tinker_pile_has(const TinkerPile *pile, int32_t body)
 {
-    return pile != NULL && tinker_contacts_has_outline(pile->contacts, body);
+    return pile != NULL && pile->has[body];
 }
 
 /* A step from the start of it to its end, of the bodies of the pile alone. */
 typedef struct TinkerImpulses TinkerImpulses;
 void tinker_pile_step(TinkerImpulses *self, TinkerState *state);
+
+/* Of what constraints hold bodies of the pile by; NULL: none do. (transfer full) */
+TinkerPileJoints *tinker_pile_joints_new(const TinkerPile *pile);
+void tinker_pile_joints_free(TinkerPileJoints *joints);
+/* Finds what they ask for in a step h, and brings the bodies' velocities there: for rows evaluated at its start. */
+void tinker_pile_joints_begin(TinkerPile *pile, double h);
+/* Brings the bodies' velocities to what is wanted. */
+void tinker_pile_joints_solve(TinkerPile *pile);
+/* From here on what strikes, with all that is tied to it, keeps J v; or no row lets anything move across it. */
+void tinker_pile_joints_strike(TinkerPile *pile);
+void tinker_pile_joints_hold(TinkerPile *pile);
+/* J: what contacts and constraints together gave in the step. */
+double tinker_pile_joints_give(const TinkerImpulses *self);
+
+/* Rows of constraints in the factor: their pattern, which is written into as many places as there are slots and answers
+ * how many of them it took; where they are in the factor; and what they add to a matrix and a right side. */
+TinkerPileTied *tinker_pile_tied_new(const TinkerPile *pile);
+void tinker_pile_tied_free(TinkerPileTied *tied);
+gsize tinker_pile_tied_pattern(const TinkerPile *pile, int *rows, int *columns);
+void tinker_pile_tied_find_slots(const TinkerPile *pile);
+void tinker_pile_tied_add_values(const TinkerPile *pile, double *values);
+void tinker_pile_tied_add_right(const TinkerPile *pile, double *right);
+/* Pushes the bodies by what the rows miss with a solution, a change of all velocities. */
+void tinker_pile_tied_take_solution(TinkerPile *pile, const double *change);
 
 /* Brings the list of pairs up to date for a step h. */
 void tinker_pile_list_near(TinkerPile *pile, double h);

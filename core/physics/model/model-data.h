@@ -284,11 +284,18 @@ static inline TinkerBlockId tinker_model_block_of(const TinkerModel *model, int3
     return point < model->bodies ? model->body_blocks[point] : tinker_model_attachment(model, point)->block;
 }
 
+/* How a body turns; NULL where it does not. */
+static inline const TinkerTurn *tinker_model_turn(const TinkerModel *model, int32_t body)
+{
+    const int32_t turn = model->turn_of != NULL ? model->turn_of[body] : -1;
+    return turn < 0 ? NULL : &model->turns[turn];
+}
+
 /* The coordinate that a body turns by; -1 where it does not. */
 static inline int32_t tinker_model_turn_of(const TinkerModel *model, int32_t body)
 {
-    const int32_t turn = model->turn_of != NULL ? model->turn_of[body] : -1;
-    return turn < 0 ? -1 : 2 * model->bodies + turn;
+    const TinkerTurn *turn = tinker_model_turn(model, body);
+    return turn == NULL ? -1 : 2 * model->bodies + (int32_t)(turn - model->turns);
 }
 
 /* The body that moves along a coordinate. */

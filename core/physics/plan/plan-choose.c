@@ -375,22 +375,32 @@ static gboolean refuse_law(const TinkerIsland *island, GError **error)
     return FALSE;
 }
 
-/* FALSE where a constraint holds a body with a shape, which contacts as impulses would have to solve it with. */
-static gboolean check_shapes_free(const TinkerModel *model, GError **error)
+/* The first body with a shape among those that constraints tie to a body; -1: none is. */
+static int32_t tied_shape(const TinkerContacts *contacts, int32_t body)
 {
-    const TinkerConstraints *all = &model->constraints;
-    for (int32_t row = 0; row < all->rows; row++)
-        for (int32_t e = all->row_starts[row]; e < all->row_starts[row + 1]; e++) {
-            const int32_t body = all->points[e];
-            if (body >= model->bodies || !tinker_contacts_has_outline(model->contacts, body)) continue;
-            const char *name = tinker_scene_block_name(model->scene, model->body_blocks[body]);
-            g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_METHOD,
-                        _("%s holds %s, which meets others with its shape: contacts as impulses do not know both "
-                          "together (treat contacts as events: leave \"contacts\" out of the scene's run; or set "
-                          "\"solid\" of %s, of a mass \"collides\", to false)"),
-                        tinker_scene_block_name(model->scene, all->blocks[row]), name, name);
-            return FALSE;
-        }
+    for (int32_t i = 0; contacts->held[body] && i < contacts->model->bodies; i++)
+        if (contacts->group[i] == contacts->group[body] && contacts->held[i] &&
+            tinker_contacts_has_outline(contacts, i))
+            return i;
+    return -1;
+}
+
+/* FALSE where constraints tie a mass that lands on tops, without meeting anything else, to a body with a shape. */
+static gboolean check_masses_meet(const TinkerContacts *contacts, GError **error)
+{
+    const TinkerModel *model = contacts->model;
+    for (int32_t i = 0; contacts->plate_count > 0 && i < model->bodies; i++) {
+        if (isnan(contacts->half_height[i]) || tinker_contacts_has_outline(contacts, i)) continue;
+        const int32_t other = tied_shape(contacts, i);
+        if (other < 0) continue;
+        const char *name = tinker_scene_block_name(model->scene, model->body_blocks[i]);
+        g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_METHOD,
+                    _("%s lands on supports alone, and constraints tie it to %s, which meets others with its shape: "
+                      "contacts as impulses do not know both together (set \"collides\" of %s to true; or treat "
+                      "contacts as events: leave \"contacts\" out of the scene's run)"),
+                    name, tinker_scene_block_name(model->scene, model->body_blocks[other]), name);
+        return FALSE;
+    }
     return TRUE;
 }
 
@@ -420,7 +430,7 @@ gboolean tinker_decide(const TinkerIsland *island, const TinkerRunOptions *optio
     if (options->impulses && g_strcmp0(tinker_scene_head(island->model->scene)->run.impact_law, "newton") != 0)
         return refuse_law(island, error);
     if (options->impulses && island->model->constraints.unilateral != NULL) return refuse_ropes(island, error);
-    if (impulses && !(check_tops_stay(contacts, error) && check_shapes_free(island->model, error) &&
+    if (impulses && !(check_tops_stay(contacts, error) && check_masses_meet(contacts, error) &&
                       check_shapes_convex(contacts, error)))
         return FALSE;
     if (impulses && warnings != NULL) tinker_impulse_tell_overlaps(contacts, warnings);
