@@ -178,6 +178,21 @@ static void test_mistakes(void)
     g_assert_cmpuint(seen, ==, 3);
 }
 
+/* The topics of the bundled scenes are not shown as the README has them. */
+static void test_topics(void)
+{
+    g_autoptr(GPtrArray) topics = tinker_examples_read(g_getenv("TINKER_SCENES"));
+    g_autofree char *path = g_build_filename(g_getenv("TINKER_SCENES"), "README.md", NULL), *text = NULL;
+    g_assert_true(g_file_get_contents(path, &text, NULL, NULL));
+    g_autofree char *readme = g_utf8_casefold(text, -1);
+    for (guint t = 0; t < topics->len; t++) {
+        const TinkerTopic *topic = g_ptr_array_index(topics, t);
+        g_autofree char *title = g_utf8_casefold(topic->title, -1), *row = g_strdup_printf("| %s |", title);
+        if (strstr(readme, row) != NULL) g_test_fail_printf("the topic %s has no translation", topic->title);
+    }
+    g_assert_cmpuint(topics->len, >, 3);
+}
+
 /* The list of the translators is what the descriptors say today. */
 static void test_template_is_up_to_date(void)
 {
@@ -211,6 +226,7 @@ static void add_tests(void)
 {
     g_test_add_func("/gui/translation/descriptors", test_descriptor_texts);
     g_test_add_func("/gui/translation/mistakes", test_mistakes);
+    g_test_add_func("/gui/translation/topics", test_topics);
     g_test_add_func("/gui/translation/scene", test_scene_stays_english);
     g_test_add_func("/gui/translation/comma", test_comma);
     g_test_add_func("/gui/translation/start", test_start_labels);

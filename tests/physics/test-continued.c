@@ -112,6 +112,10 @@ static gboolean has_cord(const TinkerScene *scene)
     return FALSE;
 }
 
+/* s: what is solved of a blow through a pile begins at the impulses of the step before, which a scene does not keep,
+ * and a pile magnifies every difference. So one is continued while it stands. */
+#define UNTIL_BLOW 0.2
+
 static void test_bundled(gconstpointer data)
 {
     const char *name = data;
@@ -120,8 +124,9 @@ static void test_bundled(gconstpointer data)
     g_autoptr(TinkerScene) scene = tinker_scene_read_file(scene_fixture_catalogue(), path, NULL, &error);
     g_assert_no_error(error);
     if (has_cord(scene)) return; /* see test_wound */
-    const double duration = tinker_scene_head(scene)->run.duration;
-    assert_continues(name, scene, NULL, fmin(1.0, duration / 2), 1e-9);
+    const TinkerRunSettings *settings = &tinker_scene_head(scene)->run;
+    const double longest = g_str_equal(settings->contacts, "impulse") ? UNTIL_BLOW : 1.0;
+    assert_continues(name, scene, NULL, fmin(longest, settings->duration / 2), 1e-9);
 }
 
 static void assert_blocks_continue(const char *what, const char *blocks, double T)

@@ -9,6 +9,7 @@
 #include "contact-cases.h"
 #include "measures.h"
 #include "mechanism-cases.h"
+#include "meeting-cases.h"
 #include "mistake-cases.h"
 #include "program.h"
 #include "rolling-cases.h"
@@ -17,7 +18,11 @@ typedef struct {
     const char *name;
     const char *duration; /* of the run whose books are looked at */
     void (*check)(const char *path);
+    double books; /* what the balance of the books may miss, of the energy exchanged; 0: 1e-6 */
 } SceneCase;
+
+/* A throw by steps of first order loses m g^2 h / 2 a second, of each kilogram 0.05 W at a millisecond. */
+#define FIRST_ORDER 0.005
 
 /* y = y0 - m g / k (1 - cos(sqrt(k / m) t)). */
 static void check_spring_mass(const char *path)
@@ -318,12 +323,14 @@ static void check_spring_pendulum(const char *path)
 
 static const SceneCase scene_cases[] = {
     {"balanced-arm", "6", check_balanced_arm},
+    {"ball-in-a-box", "3", check_ball_in_a_box},
     {"base-excitation", "10", check_base_excitation},
     {"beats", "10", check_beats},
     {"block-and-tackle", "3", check_block_and_tackle},
     {"bouncing-balls", "8", check_bouncing_balls},
     {"compound-pendulum", "10", check_compound_pendulum},
     {"damped-oscillator", "10", check_damped_oscillator},
+    {"dominoes", "1.5", check_dominoes},
     {"double-bar-pendulum", "10", check_double_bar_pendulum},
     {"double-pendulum", "10", check_double_pendulum},
     {"el-centro-block", "10", check_el_centro_block},
@@ -334,6 +341,7 @@ static const SceneCase scene_cases[] = {
     {"friction-incline", "10", check_friction_incline},
     {"friction-oscillator", "6", check_friction_oscillator},
     {"gear-train", "3", check_gear_train},
+    {"geneva-wheel", "2", check_geneva_wheel},
     {"hanging-cable", "3", check_hanging_cable},
     {"heavy-pulley", "1.2", check_heavy_pulley},
     {"incline-landing", "4", check_incline_landing},
@@ -342,12 +350,15 @@ static const SceneCase scene_cases[] = {
     {"lift-off", "4", check_lift_off},
     {"motor-on-mass", "10", check_motor_on_mass},
     {"newtons-cradle", "3.5", check_newtons_cradle},
+    {"newtons-cradle-at-once", "2", check_newtons_cradle_at_once},
     {"normal-forces", "2", check_normal_forces},
     {"one-sided-support", "1.5", check_one_sided_support},
     {"pendulum", "10", check_pendulum},
     {"pendulum-wave", "10", check_pendulum_wave},
+    {"pile-and-ball", "1.5", check_pile_and_ball, .books = FIRST_ORDER},
     {"planetary-gear", "12", check_planetary_gear},
     {"projectiles", "2.5", check_projectiles},
+    {"pulled-spool", "2", check_pulled_spool},
     {"quick-return", "6", check_quick_return},
     {"resonance", "10", check_resonance},
     {"rocking-block", "3", check_rocking_block},
@@ -389,7 +400,7 @@ static void test_scene(gconstpointer data)
 
     const char *options[] = {"--duration", scene->duration, NULL};
     g_autoptr(TestSceneRun) run = test_scene_run(path, options);
-    g_assert_cmpfloat(test_summary_number(run, "energy_balance_error"), <, 1e-6);
+    g_assert_cmpfloat(test_summary_number(run, "energy_balance_error"), <, scene->books> 0 ? scene->books : 1e-6);
     g_assert_cmpfloat(test_summary_number(run, "constraint_position_error"), <, 1e-10);
     scene->check(path);
 }

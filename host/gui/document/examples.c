@@ -12,9 +12,18 @@
 
 /* For the translators: what the README calls the topics. */
 G_GNUC_UNUSED static const char *const topic_titles[] = {
-    N_("To begin with"), N_("Common mistakes"),     N_("Forces and supports that move"),
-    N_("Vibration"),     N_("Rods and mechanisms"), N_("Contact"),
-    N_("Friction"),      N_("Surprises"),
+    N_("To begin with"),
+    N_("Common mistakes"),
+    N_("Forces and supports that move"),
+    N_("Vibration"),
+    N_("Rods and mechanisms"),
+    N_("Bodies and joints"),
+    N_("Gears and ropes"),
+    N_("Contact"),
+    N_("Friction"),
+    N_("Rolling and tipping"),
+    N_("Bodies that meet"),
+    N_("Surprises"),
 };
 
 static void example_free(gpointer data)
