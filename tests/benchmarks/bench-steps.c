@@ -113,10 +113,10 @@ static void measure(BenchmarkReport *report, BenchmarkStep step, BenchmarkSubjec
     benchmark_report_step(report, &step);
 }
 
-static void measure_oscillator(BenchmarkReport *report, const char *scene, gboolean hanging, double h)
+static void measure_oscillator(BenchmarkReport *report, const char *scene, char *text, double h)
 {
+    g_autofree char *own_text = text;
     if (!benchmark_report_wants(report, scene)) return;
-    g_autofree char *text = benchmark_oscillator(hanging);
     BenchmarkSubject subject = benchmark_subject(text, METHOD, h);
     Floor floor = {.step = h, .lap = lround(100 / h)};
     subject.lap = 100;
@@ -253,11 +253,10 @@ static double line_difference(BenchmarkSubject *subject, int mass, double displa
     return fabs(place[0] - rests[mass] - displacement);
 }
 
-static void measure_frame(BenchmarkReport *report)
+static void measure_frame(BenchmarkReport *report, const char *scene, char *text)
 {
-    const char *scene = "S5 frame of 4 storeys, 1/100 s";
+    g_autofree char *own_text = text;
     if (!benchmark_report_wants(report, scene)) return;
-    g_autofree char *text = benchmark_frame();
     BenchmarkSubject subject = benchmark_subject(text, METHOD, 0.01);
     Floor floor = {.step = 0.01};
     BenchmarkStep step = {
@@ -273,11 +272,10 @@ static void measure_frame(BenchmarkReport *report)
 }
 
 /* By average acceleration, at the step that has an error of 1e-4 after 10 s. */
-static void measure_stiff_chain(BenchmarkReport *report)
+static void measure_stiff_chain(BenchmarkReport *report, const char *scene, char *text)
 {
-    const char *scene = "S6 stiff chain, 1/800 s";
+    g_autofree char *own_text = text;
     if (!benchmark_report_wants(report, scene)) return;
-    g_autofree char *text = benchmark_stiff_chain();
     BenchmarkSubject subject = benchmark_subject(text, "newmark", 1.0 / 800);
     Floor floor = {.step = 1.0 / 800, .stiff = floor_stiff_chain_new(1.0 / 800)};
     BenchmarkStep step = {.scene = scene,
@@ -301,10 +299,11 @@ int main(int argc, char **argv)
 {
     BenchmarkReport *report = benchmark_report_new(argc, argv);
     tinker_share_set_threads(1);
-    measure_oscillator(report, "S1 oscillator, 1/1000 s", FALSE, 1e-3);
-    measure_oscillator(report, "S1 oscillator, 1/100 s", FALSE, 1e-2);
-    measure_oscillator(report, "S1 hanging, solid, 1/1000 s", TRUE, 1e-3);
-    measure_oscillator(report, "S1 hanging, solid, 1/100 s", TRUE, 1e-2);
+    measure_oscillator(report, "S1 oscillator, 1/1000 s", benchmark_oscillator(FALSE), 1e-3);
+    measure_oscillator(report, "S1 oscillator, 1/100 s", benchmark_oscillator(FALSE), 1e-2);
+    measure_oscillator(report, "S1 hanging, solid, 1/1000 s", benchmark_oscillator(TRUE), 1e-3);
+    measure_oscillator(report, "S1 hanging, solid, 1/100 s", benchmark_oscillator(TRUE), 1e-2);
+    measure_oscillator(report, "S1 in the plane, 1/1000 s", benchmark_off_line(benchmark_oscillator(FALSE)), 1e-3);
     measure_double_pendulum(report);
     const int rods[] = {10, 100, 1000, 10000};
     for (gsize i = 0; i < G_N_ELEMENTS(rods); i++)
@@ -314,8 +313,10 @@ int main(int argc, char **argv)
     const int sides[] = {10, 32, 100, 316};
     for (gsize i = 0; i < G_N_ELEMENTS(sides); i++)
         measure_lattice(report, sides[i]);
-    measure_frame(report);
-    measure_stiff_chain(report);
+    measure_frame(report, "S5 frame of 4 storeys, 1/100 s", benchmark_frame());
+    measure_frame(report, "S5 in the plane, 1/100 s", benchmark_off_line(benchmark_frame()));
+    measure_stiff_chain(report, "S6 stiff chain, 1/800 s", benchmark_stiff_chain());
+    measure_stiff_chain(report, "S6 in the plane, 1/800 s", benchmark_off_line(benchmark_stiff_chain()));
     for (gsize i = 0; i < 3; i++)
         measure_bars(report, rods[i]);
     measure_bar_pendulum(report);

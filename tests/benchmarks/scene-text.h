@@ -35,6 +35,10 @@ double *benchmark_line_rests(int masses);
 #define BENCHMARK_STOREYS 4
 char *benchmark_frame(void);
 
+/* The same masses, of which the first moves across their line by 1e-9 m/s: no motion to speak of, but the program
+ * leaves the line for the plane. Takes `text`, in which masses are at rest. */
+char *benchmark_off_line(char *text);
+
 /* For pictures: a square of n times n masses of some size, 1 m apart, with a spring to each of its four neighbours,
  * hung from a row of supports. */
 char *benchmark_net(int n);

@@ -61,25 +61,33 @@ static inline __attribute__((always_inline)) double add_inner_edges(const Tinker
     return (taken[0] + taken[1]) + (taken[2] + taken[3]);
 }
 
-/* The forces of the edges at anchors, as add_inner_edges(); *given gets what the motion of the anchors gives. */
+/* The forces of the edges at anchors, as add_inner_edges(): those at one coordinate in a row are added before memory is
+ * written. *given gets what the motion of the anchors gives. */
 static inline __attribute__((always_inline)) double add_anchored_edges(const TinkerLinearForm *form,
                                                                        const double *restrict x,
                                                                        const double *restrict u, double *restrict force,
                                                                        const gboolean books, double *given)
 {
-    double taken = 0;
+    double taken = 0, sum = 0;
+    int32_t at = -1;
     *given = 0;
     for (int32_t i = 0; i < form->anchored_count; i++) {
         const TinkerStraightEdge *edge = &form->anchored[i];
+        if (edge->b != at) {
+            if (at >= 0) force[at] = sum;
+            at = edge->b;
+            sum = force[at];
+        }
         double anchor_speed = form->anchor_speed[edge->a], speed = u[edge->b] - anchor_speed;
         double d = x[edge->b] - form->anchor_place[edge->a], f = pull(edge, d, speed);
         if (fabs(d) < form->model->watched_length)
             atomic_store_explicit(&form->model->came_near, TRUE, memory_order_relaxed);
-        force[edge->b] -= f;
+        sum -= f;
         if (!books) continue;
         taken += edge->damping * speed * speed;
         *given -= f * anchor_speed;
     }
+    if (at >= 0) force[at] = sum;
     return taken;
 }
 
