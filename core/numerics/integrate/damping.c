@@ -8,12 +8,10 @@
 #include <float.h>
 
 #include "numerics/integrate/stepping.h"
+#include "numerics/integrate/tolerances.h"
 
 #define NEWTON_CAP   30  /* a smooth law takes 2 to 5 */
 #define GRADIENT_CAP 500 /* converges in sqrt(condition) iterations, at most n without rounding */
-#define SYMMETRIC    1e-9
-#define SPANNED      1e-24 /* of a square: rounding */
-#define REST         1e-12 /* of the largest speed so far */
 
 static double dot(const TinkerSystem *system, const double *x, const double *y)
 {
@@ -115,7 +113,7 @@ static int is_symmetric(const TinkerDampingSolver *solver)
         a1_square += mass * a1[i] * a1[i];
     }
     double most = sqrt(fmax(p0_square * a1_square, p1_square * a0_square));
-    return !(fabs(there - back) > SYMMETRIC * most);
+    return !(fabs(there - back) > TINKER_SYMMETRIC * most);
 }
 
 /* A direction from the residual and its product, so that its image is at a right angle to those of the `*kept` before;
@@ -136,7 +134,7 @@ static double find_direction(TinkerDampingSolver *solver, int *kept)
         }
     }
     double across = dot(system, image, image);
-    if (*kept > 0 && !(across > SPANNED * whole)) {
+    if (*kept > 0 && !(across > TINKER_SPANNED * whole)) {
         *kept = 0;
         return 0.0;
     }
@@ -243,7 +241,7 @@ static double rest_noise(const TinkerSystem *system, const double *q, const doub
     system->scales(system->context, q, v, &extent, &speed);
     for (int32_t i = 0; i < system->size; i++)
         mass += system->mass[i];
-    return REST * speed * sqrt(mass);
+    return TINKER_DAMPED_REST * speed * sqrt(mass);
 }
 
 TinkerStatus tinker_damping_half_step(TinkerDampingSolver *solver, double t, double h, const double *q, double *v,

@@ -13,14 +13,10 @@
 #include <glib/gi18n-lib.h>
 
 #include "numerics/integrate/stepping.h"
+#include "numerics/integrate/tolerances.h"
 
 #define REJECTIONS_CAP 100
-#define FAR_OFF        100.0 /* times the tolerance: an error that a step seldom has by growing too long */
-#define UNMOVED        0.01  /* of the way of a step: an error of more is none of a motion */
-#define ACROSS         0.01  /* of the error: where less of it lies along the motion, the rows nearly depend */
-#define SQUARE_SHARE   0.1   /* of the square of what projection takes off: singular places are passed seldom */
-#define MISPLACED      2.0   /* the error of a trial that another length, hardly shorter, would serve as well as any */
-#define BLOCK          8     /* entries that are summed side by side, in registers */
+#define BLOCK          8 /* entries that are summed side by side, in registers */
 #define PAIRS          (BLOCK / 2)
 
 /* Two numbers side by side. GCC 12 does not vectorise the sums by itself, as their inner loop is short; the operations
@@ -223,13 +219,13 @@ static double find_error(Stepper *stepper, double h)
     TinkerErrorScale scale = tinker_error_scale(stepper->system, &stepper->control, h, stepper->q0, stepper->v0,
                                                 stepper->q, stepper->v, stepper->a[0]);
     double error = measure_all(stepper, h, scale, FALSE);
-    if (!(error > FAR_OFF) || !isfinite(error)) return error;
+    if (!(error > TINKER_FAR_OFF) || !isfinite(error)) return error;
     if (!tinker_is_constrained(stepper->system) || stepper->system->books > 0) return error;
     const double way = h * tinker_largest(n, stepper->v0);
-    if (!(tinker_largest(n, stepper->error_q) < UNMOVED * way)) return error;
+    if (!(tinker_largest(n, stepper->error_q) < TINKER_UNMOVED * way)) return error;
     double along = measure_all(stepper, h, scale, TRUE);
-    if (!(along < ACROSS * error)) return error;
-    return fmax(along, fmin(SQUARE_SHARE * stepper->control.tolerance * error * error, MISPLACED));
+    if (!(along < TINKER_ERROR_ALONG * error)) return error;
+    return fmax(along, fmin(TINKER_SQUARE_SHARE * stepper->control.tolerance * error * error, TINKER_MISPLACED));
 }
 
 /* Stages 1 to the end; *error is not finite where the system asked for a smaller step. */

@@ -7,13 +7,10 @@
 #include "numerics/integrate/hermite.h"
 #include "numerics/integrate/linear-band.h"
 #include "numerics/integrate/stepping.h"
+#include "numerics/integrate/tolerances.h"
 #include "numerics/solve/symmetric-solver.h"
 
 #define NEWTON_CAP 50
-/* An iteration that gains less asks for a new matrix. */
-#define SLOW 0.1
-/* What moves along the rows of constraints, against the stiffest of what is beside them. */
-#define ROW_WEIGHT 1e6
 
 static const char *const no_derivatives =
     "the method needs the derivatives of the forces, which this system does not give; choose an explicit method";
@@ -185,7 +182,7 @@ static TinkerStatus factor(Stepper *self, double h, double limit)
         status = system->row_masses(system->context, limit, self->q, self->row_masses);
         if (status != TINKER_OK) return status;
         for (int32_t k = 0; k < system->pattern->entries; k++)
-            matrix[k] += ROW_WEIGHT * stiffest * self->row_masses[k];
+            matrix[k] += TINKER_ROW_WEIGHT * stiffest * self->row_masses[k];
     }
     self->factored = tinker_symmetric_solver_factor(self->solver, matrix);
     return self->factored ? TINKER_OK : TINKER_FAILED;
@@ -295,7 +292,7 @@ static TinkerStatus find_acceleration(Stepper *self, const TinkerState *state, d
         }
         advance(self, &progress, size, sharp);
         if (self->linear || size <= least || gain * size <= (1.0 - gain) * least) return place(self, state, h, limit);
-        if (!first && gain > SLOW) self->factored = 0;
+        if (!first && gain > TINKER_SLOW_NEWTON) self->factored = 0;
     }
     return TINKER_RETRY_SMALLER;
 }

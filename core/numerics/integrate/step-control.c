@@ -5,11 +5,10 @@
 #include <float.h>
 
 #include "numerics/integrate/stepping.h"
+#include "numerics/integrate/tolerances.h"
 
-#define SHARE         0.1 /* of the tolerance that one step may spend: errors add up over a run */
 #define SAFETY        0.9
 #define STRETCH       1.01 /* how much longer a step may become so as to land: the safety covers it */
-#define LEAST_ERROR   1e-4 /* what counts as the last error in the controller's memory is at least this */
 #define FACTOR_BROKEN 0.1  /* after a trial whose error is not a number */
 #define FADING        0.9  /* of the usual length of steps, from one that is shorter to the next */
 /* A motion that is small beside the extent may be this much faster than the extent tells; what looks faster still is
@@ -25,14 +24,14 @@ static double least_step(double t)
 void tinker_step_control_init(TinkerStepControl *control, const TinkerStepLaw *law, double tolerance)
 {
     control->law = law;
-    control->tolerance = fmax(SHARE * tolerance, 2.0 * DBL_EPSILON);
+    control->tolerance = fmax(TINKER_STEP_SHARE * tolerance, 2.0 * DBL_EPSILON);
     tinker_step_control_forget(control);
 }
 
 void tinker_step_control_forget(TinkerStepControl *control)
 {
     control->h = 0.0;
-    control->last_error = LEAST_ERROR;
+    control->last_error = TINKER_LEAST_ERROR;
     control->usual = 0.0;
 }
 
@@ -54,7 +53,7 @@ void tinker_step_control_accept(TinkerStepControl *control, double h, double err
     double next = h * factor;
     int cut_short = STRETCH * h < control->h; /* not by the rounding of t alone */
     control->h = cut_short && !rejected ? fmax(next, control->h) : next;
-    control->last_error = fmax(error, LEAST_ERROR);
+    control->last_error = fmax(error, TINKER_LEAST_ERROR);
     control->usual = fmax(h, FADING * control->usual);
 }
 

@@ -4,8 +4,8 @@
 #include <math.h>
 #include <tinker/unconstrained.h>
 
-/* A map may grow by this much a step: rounding. */
-#define GROWTH_TOLERANCE 1e-9
+#include "numerics/stability/tolerances.h"
+
 /* Steps that are tried, times the oscillator's fastest rate: from where no method is unstable that is stable for any
  * step, in steps that no gap of a stability region is thought to fall between. */
 #define LEAST_TRIAL  0.05
@@ -166,7 +166,7 @@ double tinker_long_run_growth(const TinkerIntegrator *method, double spectral_ra
 static gboolean is_stable(Probe *probe, double step)
 {
     double map[4];
-    return probe_map(probe, step, map) && tinker_map_growth(map) <= 1.0 + GROWTH_TOLERANCE;
+    return probe_map(probe, step, map) && tinker_map_growth(map) <= 1.0 + TINKER_GROWTH;
 }
 
 /* The first step that is not stable, of an oscillator whose fastest rate is 1. */

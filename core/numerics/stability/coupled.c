@@ -6,14 +6,9 @@
 #include <tinker/unconstrained.h>
 
 #include "numerics/solve/lapack.h"
+#include "numerics/stability/tolerances.h"
 
-/* A map may grow by this much a step, and in proportion more at long ones: rounding; and decays where it does so by
- * more. */
-#define GROWTH_TOLERANCE 1e-10
-#define LONG             1e3
-#define LEAST_DECAY      1e-12
-/* Eigenvalues this near to 1 are of what stays or drifts freely: two that fall together are taken apart by rounding. */
-#define STAYS 1e-6
+#define LONG 1e3
 /* Steps that are tried, times the fastest rate. */
 #define LEAST_TRIAL  1e-2
 #define LEAST_DECAYS 1e-6
@@ -133,13 +128,14 @@ static double growth_at(Probe *probe, double step)
         if (!probe_column(probe, j, step)) return INFINITY;
     if (!tinker_eigen_general(order, probe->map, probe->re, probe->im, NULL)) return INFINITY;
     for (int32_t i = 0; i < order; i++)
-        if (hypot(probe->re[i] - 1, probe->im[i]) > STAYS) most = fmax(most, hypot(probe->re[i], probe->im[i]));
+        if (hypot(probe->re[i] - 1, probe->im[i]) > TINKER_EIGENVALUE_STAYS)
+            most = fmax(most, hypot(probe->re[i], probe->im[i]));
     return most;
 }
 
 static gboolean is_stable(Probe *probe, double step)
 {
-    double tolerance = GROWTH_TOLERANCE * fmax(1, step * probe->coupled->rate / LONG);
+    double tolerance = TINKER_COUPLED_GROWTH * fmax(1, step * probe->coupled->rate / LONG);
     return growth_at(probe, step) <= (1 + tolerance) * exp(probe->coupled->growth * step);
 }
 
@@ -150,7 +146,7 @@ static double first_decaying(Probe *probe)
     double rate = probe->coupled->rate;
     for (double trial = 0.1 * LEAST_TRIAL / rate; trial * rate > LEAST_DECAYS; trial *= 0.1) {
         double growth = growth_at(probe, trial);
-        if (growth > 0 && growth < 1 - LEAST_DECAY) return trial;
+        if (growth > 0 && growth < 1 - TINKER_LEAST_DECAY) return trial;
     }
     return 0;
 }

@@ -7,12 +7,11 @@
 
 #include "physics/compile/compile-private.h"
 #include "physics/compile/compile.h"
+#include "physics/compile/tolerances.h"
 #include "physics/constraint/constraints.h"
 #include "physics/model/model-data.h"
 
-#define HELD       1e6  /* times the mass, or inertia, of what is held */
-#define MOST_TRIES 20   /* at the place that is nearest to the hand */
-#define LITTLE     1e-6 /* of the distance to it: nearer is not looked for */
+#define MOST_TRIES 20 /* at the place that is nearest to the hand */
 
 static const TinkerPhysics *physics_of(TinkerScene *scene, TinkerBlockId block)
 {
@@ -86,7 +85,7 @@ static void weigh_down(GPtrArray *batches, TinkerBlockId block, int32_t meaning)
         TinkerBlockBatch *batch = g_ptr_array_index(batches, i);
         const int32_t column = tinker_block_class_meaning_column(batch->block_class, meaning);
         for (int32_t row = 0; column >= 0 && row < batch->count; row++)
-            if (batch->ids[row] == block) batch->columns[column][row] *= HELD;
+            if (batch->ids[row] == block) batch->columns[column][row] *= TINKER_HELD_MASS;
     }
 }
 
@@ -143,7 +142,7 @@ static TinkerStatus follow_hand(TinkerModel *model, const TinkerHeldBody *held)
         before = missed;
         missed = held->place && body >= 0 ? hypot(q[2 * body] - place[0], q[2 * body + 1] - place[1]) : 0;
         if (held->orientation && angle >= 0) missed += fabs(q[angle] - orientation);
-        if (!(fabs(before - missed) > LITTLE * missed)) break;
+        if (!(fabs(before - missed) > TINKER_ASSEMBLED * missed)) break;
     }
     return status;
 }
@@ -161,7 +160,7 @@ static TinkerStatus follow_rate(TinkerModel *model, const TinkerHeldBody *held)
         status = tinker_constraints_project_velocities(model, 0.0, model->q_start, model->v_start, FALSE, &moved);
         before = missed;
         missed = angle >= 0 ? fabs(model->v_start[angle] - rate) : 0;
-        if (!(fabs(before - missed) > LITTLE * missed)) break;
+        if (!(fabs(before - missed) > TINKER_ASSEMBLED * missed)) break;
     }
     return status;
 }

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "physics/compile/compile-private.h"
+#include "physics/compile/tolerances.h"
 #include "physics/constraint/constraints.h"
 #include "physics/constraint/pin-chains.h"
 #include "physics/constraint/row-chains.h"
@@ -184,12 +185,6 @@ static gboolean allot_jacobians(TinkerModel *model, GError **error)
     return !model->lacks_memory || lack_memory(model, error);
 }
 
-/* Of how far from the origin something is: an extent that is less is rounding of places. */
-#define LEAST_EXTENT 1e-6
-
-/* Of the scene's extent: ends that are closer coincide, but for rounding, and give no length. */
-#define ROUNDED_DISTANCE 1e-12
-
 /* The larger side of the box about all points that something can be at, for the places in them. */
 static double extent_of(const TinkerModel *model)
 {
@@ -205,7 +200,7 @@ static double extent_of(const TinkerModel *model)
             far = MAX(far, fabs(place[k] + model->origin[k]));
         }
     }
-    return MAX(MAX(greatest[0] - least[0], greatest[1] - least[1]), LEAST_EXTENT * far);
+    return MAX(MAX(greatest[0] - least[0], greatest[1] - least[1]), TINKER_LEAST_EXTENT * far);
 }
 
 /* The rows' lengths: the block's own word, else the largest distance between its ends at the start; of ends in one
@@ -229,7 +224,7 @@ static void measure(TinkerModel *model, const TinkerConstraintBatch *part, doubl
                 break; /* turns are no places */
             largest = MAX(largest, hypot(other->x - first->x, other->y - first->y));
         }
-        if (largest < ROUNDED_DISTANCE * extent) largest = extent;
+        if (largest < TINKER_ROUNDED_DISTANCE * extent) largest = extent;
         all->scales[row] = largest > 0 ? largest : 1.0;
         all->inverse_scales[row] = 1.0 / all->scales[row];
     }

@@ -1,13 +1,8 @@
 /* The derivatives of a line whose plugin is asked. */
 #include "physics/force/derivatives.h"
+#include "physics/force/tolerances.h"
 #include "physics/model/model-data.h"
 
-/* Of a length or a rate: rounding and curvature both stay some nine digits below the law. */
-#define DIFFERENCE 1e-6
-/* Slopes at length 0 that change by more than this part as the length shrinks have not settled; by less than that, they
- * are good. */
-#define UNSETTLED   0.1
-#define SETTLED     1e-9
 #define MOST_SLOPES 10
 
 typedef struct {
@@ -40,8 +35,9 @@ static TinkerStatus difference(const Asked *asked, double dl, double dr, double 
  * not goes to 0, as of L^3, or to infinity, as of the root of L. */
 static TinkerStatus slope_at_zero(const Asked *asked, double *slope)
 {
-    double h = DIFFERENCE * (asked->reach > 0 ? asked->reach : 1.0), least = UNSETTLED, first = NAN, last = NAN;
-    for (int k = 0; k < MOST_SLOPES && least > SETTLED; k++, h *= 0.1) {
+    double h = TINKER_LAW_STEP * (asked->reach > 0 ? asked->reach : 1.0), least = TINKER_SLOPE_UNSETTLED, first = NAN,
+           last = NAN;
+    for (int k = 0; k < MOST_SLOPES && least > TINKER_SLOPE_SETTLED; k++, h *= 0.1) {
         double length[2] = {h, 2 * h}, tension[2];
         for (int i = 0; i < 2; i++) {
             TinkerStatus status = ask_tension(asked, &length[i], &asked->rate, &tension[i]);
@@ -55,7 +51,7 @@ static TinkerStatus slope_at_zero(const Asked *asked, double *slope)
         least = change;
         *slope = value;
     }
-    if (least == UNSETTLED) *slope = fabs(last) < fabs(first) ? 0 : INFINITY;
+    if (least == TINKER_SLOPE_UNSETTLED) *slope = fabs(last) < fabs(first) ? 0 : INFINITY;
     return TINKER_OK;
 }
 
@@ -65,11 +61,11 @@ static TinkerStatus differences(const Asked *asked, double tension, double *by_l
     TinkerStatus status = TINKER_OK;
     *by_length = 0;
     if (asked->length > 0)
-        status = difference(asked, DIFFERENCE * asked->length, 0, by_length);
+        status = difference(asked, TINKER_LAW_STEP * asked->length, 0, by_length);
     else if (tension == 0)
         status = slope_at_zero(asked, by_length);
     if (status != TINKER_OK) return status;
-    return difference(asked, 0, DIFFERENCE * fmax(fabs(asked->rate), 1.0), by_rate);
+    return difference(asked, 0, TINKER_LAW_STEP * fmax(fabs(asked->rate), 1.0), by_rate);
 }
 
 static TinkerStatus ask(const Asked *asked, TinkerLineDerivatives *line)

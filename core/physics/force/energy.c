@@ -2,10 +2,8 @@
 #include <math.h>
 
 #include "physics/force/forces.h"
+#include "physics/force/tolerances.h"
 #include "physics/model/angles.h"
-
-/* m and m/s. */
-#define BEYOND 1e60
 
 static double kinetic_energy(const TinkerModel *model)
 {
@@ -50,7 +48,7 @@ static gboolean is_beyond(const TinkerModel *model)
         const TinkerPoint *at = &model->point[i];
         sum += fabs(at->x) + fabs(at->y) + fabs(at->vx) + fabs(at->vy);
     }
-    return !(sum < BEYOND);
+    return !(sum < TINKER_STATE_BEYOND);
 }
 
 /* What the instance in this row of the batch stores. */

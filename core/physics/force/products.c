@@ -8,10 +8,8 @@
 #include "numerics/solve/largest.h"
 #include "physics/force/derivatives.h"
 #include "physics/force/forces.h"
+#include "physics/force/tolerances.h"
 #include "physics/model/model-data.h"
-
-/* Of the largest speed, or m/s where nothing moves: so far differences reach to each side. */
-#define DIFFERENCE 1e-5
 
 /* block times the difference of d at the ends: a pull on a, the opposite on b. */
 static void add_line(const TinkerModel *model, int32_t a, int32_t b, const double block[4], const double *d,
@@ -198,7 +196,7 @@ static TinkerStatus add_differences(TinkerModel *model, const double *d, double 
     if (!(greatest > 0) || !isfinite(greatest)) return TINKER_OK;
     for (int32_t i = 0; i < model->bodies; i++)
         speed = fmax(speed, fmax(fabs(model->point[i].vx), fabs(model->point[i].vy)));
-    double step = DIFFERENCE * speed / greatest;
+    double step = TINKER_PRODUCT_STEP * speed / greatest;
     return add_difference(model, step, d, 0.5 / step, force);
 }
 

@@ -2,12 +2,10 @@
 #include "numerics/solve/disjoint-sets.h"
 #include "physics/contact/contacts.h"
 #include "physics/line/shafts.h"
+#include "physics/line/tolerances.h"
 #include "physics/model/angles.h"
 #include "physics/model/breaks.h"
 #include "plugin/call/call.h"
-
-/* Of a ratio: what rounding makes of it. */
-#define SAME_RATIO 1e-12
 
 static TinkerShaftLook look_new(const TinkerModel *model)
 {
@@ -55,7 +53,7 @@ static gboolean relate(TinkerShaftLook *look, int32_t a, int32_t b, double ratio
 {
     double of_a, of_b;
     const int32_t first = tinker_shaft_weight(look, a, &of_a), second = tinker_shaft_weight(look, b, &of_b);
-    if (first == second) return fabs(of_b - ratio * of_a) <= SAME_RATIO * fabs(of_b);
+    if (first == second) return fabs(of_b - ratio * of_a) <= TINKER_SAME_RATIO * fabs(of_b);
     look->parent[second] = first;
     look->ratio[second] = ratio * of_a / of_b;
     return TRUE;

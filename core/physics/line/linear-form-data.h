@@ -5,10 +5,8 @@
 #include <math.h>
 
 #include "physics/line/linear-form.h"
+#include "physics/line/tolerances.h"
 #include "physics/model/model-data.h"
-
-/* What is off a line by no more than this share of the extent, the speeds, the loads lies along it. */
-#define TINKER_LINE_ACROSS 1e-12
 
 /* A line: places are offset + s * direction. */
 typedef struct {

@@ -7,10 +7,9 @@
 #include <math.h>
 
 #include "physics/line/linear-form-data.h"
+#include "physics/line/tolerances.h"
 #include "physics/model/model-data.h"
 
-/* Eigenvalues below this share of the largest stiffness over mass are rounding. */
-#define NEGLIGIBLE 1e-9
 #define ITERATIONS 400
 
 /* The lines of a model as a graph along one direction. */
@@ -216,7 +215,7 @@ double tinker_model_growth_across(TinkerModel *model, const TinkerLine *line)
         stiffest = MAX(stiffest, model->lines.stiffness[i] * mobility);
         least = MIN(least, across[i] * mobility);
     }
-    if (least >= -NEGLIGIBLE * stiffest) return 0;
+    if (least >= -TINKER_NEGLIGIBLE_STIFFNESS * stiffest) return 0;
     double eigenvalue = smallest_eigenvalue(model, across, bound);
-    return eigenvalue < -NEGLIGIBLE * stiffest ? sqrt(-eigenvalue) : 0;
+    return eigenvalue < -TINKER_NEGLIGIBLE_STIFFNESS * stiffest ? sqrt(-eigenvalue) : 0;
 }

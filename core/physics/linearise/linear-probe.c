@@ -4,12 +4,10 @@
 #include <math.h>
 #include <string.h>
 
+#include "physics/linearise/tolerances.h"
 #include "physics/model/model-data.h"
 #include "physics/record/columns.h"
 #include "physics/record/sampler.h"
-
-/* Of the extent, of an extent a second, of the largest force: the step of differences. */
-#define STEP 1e-3
 
 /* Inputs ----------------------------------------------------------------------------------------------------------- */
 
@@ -200,11 +198,12 @@ static TinkerStatus differentiate_all(Probe *probe, double extent, double force,
     int32_t size = probe->model->coordinates;
     TinkerStatus status = TINKER_OK;
     for (int32_t i = 0; i < size && status == TINKER_OK; i++) {
-        status = differentiate(probe, i, probe->q, 0, STEP * extent, &output->by_place[i]);
-        if (status == TINKER_OK) status = differentiate(probe, i, probe->v, 0, STEP * extent, &output->by_speed[i]);
+        status = differentiate(probe, i, probe->q, 0, TINKER_PROBE_STEP * extent, &output->by_place[i]);
+        if (status == TINKER_OK)
+            status = differentiate(probe, i, probe->v, 0, TINKER_PROBE_STEP * extent, &output->by_speed[i]);
     }
     for (int order = 0; order < 3 && status == TINKER_OK; order++) {
-        double step = STEP * (probe->driving != NULL ? force : extent);
+        double step = TINKER_PROBE_STEP * (probe->driving != NULL ? force : extent);
         status = differentiate(probe, -1, NULL, order, step, &output->by_input[order]);
     }
     return status;

@@ -6,14 +6,8 @@
 #include "numerics/solve/symmetric-eigen.h"
 #include "physics/constraint/constraints.h"
 #include "physics/linearise/linearise-private.h"
+#include "physics/linearise/tolerances.h"
 #include "physics/model/angles.h"
-
-/* Of a row's length: the step of differences of order 6, whose truncation and rounding are both some 1e-13 there. */
-#define HESSIAN_STEP 3e-3
-/* Of an angle, rad. */
-#define ANGLE_STEP 3e-3
-/* Parts of a second derivative that are smaller than this beside its largest are the differences' own. */
-#define HESSIAN_NOISE 1e-11
 
 /* A row of the constraints, for the Jacobian evaluated last. */
 static void add_row(TinkerLinearisation *linear, const TinkerConstraints *all, int32_t row)
@@ -69,7 +63,7 @@ static double step_of(const Difference *d, int32_t instance)
     double least = scales[instance * rows];
     for (int32_t r = 1; r < rows; r++)
         least = fmin(least, scales[instance * rows + r]);
-    return HESSIAN_STEP * least;
+    return TINKER_HESSIAN_STEP * least;
 }
 
 /* The coordinate that a difference moves: of an end, or behind the ends of an instance of one's turn. */
@@ -80,14 +74,14 @@ static void move(Difference *d, int32_t instance, int32_t slot, int axis, double
     if (slot < ends)
         *(axis == 0 ? &d->ends[from + slot].x : &d->ends[from + slot].y) += steps * step_of(d, instance);
     else if (d->part->angles != NULL && slot < 2 * ends && axis == 0)
-        d->part->angles->poses[from + slot - ends].angle += steps * ANGLE_STEP;
+        d->part->angles->poses[from + slot - ends].angle += steps * TINKER_HESSIAN_ANGLE_STEP;
 }
 
 /* How far a step of it is: m, or rad. */
 static double step_along(const Difference *d, int32_t instance, int32_t slot)
 {
     const int32_t ends = d->part->batch->end_offsets[instance + 1] - d->part->batch->end_offsets[instance];
-    return slot < ends ? step_of(d, instance) : ANGLE_STEP;
+    return slot < ends ? step_of(d, instance) : TINKER_HESSIAN_ANGLE_STEP;
 }
 
 static TinkerStatus differentiate(Difference *d, int32_t slot, int axis)
@@ -128,7 +122,7 @@ static gboolean add_hessian(TinkerLinearisation *linear, const TinkerModel *mode
         largest = fmax(largest, fabs(hessian[i + n * i]));
     for (int32_t i = 0; i < n; i++) {
         double value = hessian[i + n * i];
-        if (fabs(value) <= HESSIAN_NOISE * largest || all->lambda[row] == 0) continue;
+        if (fabs(value) <= TINKER_HESSIAN_NOISE * largest || all->lambda[row] == 0) continue;
         tinker_linear_begin_term(linear, linear->stiffness, -all->lambda[row] * value);
         for (int32_t k = 0; k < n; k += 2)
             tinker_linear_add_point(linear, model, linear->stiffness, all->ends_at[first + k / 2], vectors[k + n * i],

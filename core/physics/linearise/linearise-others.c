@@ -4,11 +4,9 @@
 #include <string.h>
 
 #include "physics/linearise/linearise-private.h"
+#include "physics/linearise/tolerances.h"
 #include "physics/model/model-data.h"
 #include "physics/system/jacobian.h"
-
-/* Of the extent, and of an extent a second: the step of differences of order 4 where a field couples bodies. */
-#define COUPLING_STEP 2e-4
 
 /* Takes the lines' part off a dense matrix; what is left within rounding of what was taken is nothing. */
 static void take_terms(const TinkerLinearisation *linear, const GArray *terms, double *matrix)
@@ -73,7 +71,7 @@ static TinkerStatus add_coupling(TinkerLinearisation *linear, TinkerModel *model
 {
     static const double weights[] = {1, -8, 0, 8, -1}; /* / 12 h */
     gsize n = (gsize)linear->size;
-    double step = COUPLING_STEP * linear->extent;
+    double step = TINKER_COUPLING_STEP * linear->extent;
     TinkerPoint *at = &model->point[body], kept = *at;
     double *coordinates[4] = {&at->x, &at->y, &at->vx, &at->vy};
     g_autofree double *force = g_new0(double, n);

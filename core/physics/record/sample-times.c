@@ -4,6 +4,8 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "physics/record/tolerances.h"
+
 TinkerTimeGrid tinker_time_grid(double spacing)
 {
     double per_second = nearbyint(1.0 / spacing);
@@ -32,7 +34,7 @@ TinkerSampleTimes tinker_sample_times(double duration, double interval, const do
         return times;
     }
     /* A duration that is a whole number of intervals but for rounding ends with the last of them. */
-    double intervals = duration / interval, slack = fmin(1e-9 * fmax(intervals, 1.0), 0.01);
+    double intervals = duration / interval, slack = fmin(TINKER_WHOLE_INTERVALS * fmax(intervals, 1.0), 0.01);
     double whole = floor(intervals + slack);
     gboolean fits = fabs(intervals - whole) <= slack;
     times.count = (gint64)whole + (fits ? 1 : 2);

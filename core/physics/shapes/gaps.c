@@ -12,11 +12,7 @@
 
 #include <math.h>
 
-/* Of its length: so far an edge goes on behind a corner that turns inwards, within the body, so that what comes to the
- * corner is over both of its edges. */
-#define INTO_CORNER 1e-6
-/* Sines of angles up to this are 0 but for what methods make of it. */
-#define NOT_INTO 1e-6
+#include "physics/shapes/tolerances.h"
 
 static double dot(const double a[2], const double b[2])
 {
@@ -93,11 +89,11 @@ static void seat_edge(TinkerGapFunction *function, const TinkerOutline *outline,
     function->seat[1] = 0.5 * (a[1] + b[1]);
     function->half_width = 0.5 * hypot(b[0] - a[0], b[1] - a[1]);
     for (int k = 0; k < 2; k++) {
-        const double part = 0.5 * INTO_CORNER, *end = k == 0 ? a : b, *other = k == 0 ? b : a;
+        const double part = 0.5 * TINKER_INTO_CORNER, *end = k == 0 ? a : b, *other = k == 0 ? b : a;
         if (!is_inner(outline, (number + k) % outline->count)) continue;
         function->seat[0] += part * (end[0] - other[0]);
         function->seat[1] += part * (end[1] - other[1]);
-        function->half_width *= 1 + INTO_CORNER;
+        function->half_width *= 1 + TINKER_INTO_CORNER;
     }
 }
 
@@ -308,7 +304,7 @@ gboolean tinker_gap_is_over(const TinkerGapFunction *function, const TinkerBodyP
     for (int k = 0; k < 2; k++) {
         double side[2];
         turn(tip->angle, function->sides[k], side);
-        if (dot(side, gap->normal) < -NOT_INTO) return FALSE;
+        if (dot(side, gap->normal) < -TINKER_NOT_INTO) return FALSE;
     }
     if (function->above[0] == 0 && function->above[1] == 0) return TRUE;
     turn(tip->angle, function->above, above);

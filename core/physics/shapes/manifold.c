@@ -4,11 +4,7 @@
 
 #include <math.h>
 
-/* Sines of angles up to this are 0. */
-#define UPRIGHT 1e-9
-/* m: the edge of the first is the seat, unless the other's parts them by so much more: which it is does not change from
- * step to step. */
-#define RATHER_FIRST 1e-10
+#include "physics/shapes/tolerances.h"
 
 static double dot(const double a[2], const double b[2])
 {
@@ -58,7 +54,7 @@ static double farthest_edge(const TinkerPlacedShape *seats, const TinkerPlacedSh
     *edge = -1;
     for (int32_t i = 0; i < edges_of(seats); i++) {
         const double *n = seats->normals + 2 * i, base = dot(n, seats->corners + 2 * i);
-        if (tips->kind == TINKER_OUTLINE_TOP && !(dot(n, tips->normals) < -UPRIGHT)) continue;
+        if (tips->kind == TINKER_OUTLINE_TOP && !(dot(n, tips->normals) < -TINKER_UPRIGHT)) continue;
         double least = INFINITY;
         for (int32_t k = 0; k < tips->count; k++) {
             const double out = dot(n, tips->corners + 2 * k);
@@ -177,7 +173,7 @@ static void find_polygons(const TinkerPlacedShape *first, const TinkerPlacedShap
     const double by_first = farthest_edge(first, second, &of_first);
     manifold->separation = fmax(by_first, by_second);
     if (manifold->separation > reach || (of_first < 0 && of_second < 0)) return;
-    const gboolean on_second = of_second >= 0 && !(by_first > by_second + RATHER_FIRST);
+    const gboolean on_second = of_second >= 0 && !(by_first > by_second + TINKER_RATHER_FIRST);
     const TinkerPlacedShape *seats = on_second ? second : first;
     const int32_t seat = on_second ? of_second : of_first;
     manifold->normal[0] = seats->normals[2 * seat];

@@ -7,8 +7,7 @@
 #include <math.h>
 #include <string.h>
 
-/* No unit; of the product of two edges: up to here three corners lie on one line. */
-#define ON_ONE_LINE (64 * DBL_EPSILON)
+#include "physics/shapes/tolerances.h"
 
 static double cross(const double *a, const double *b, const double *c)
 {
@@ -36,7 +35,7 @@ int32_t tinker_outline_normalise(const double *points, int32_t count, const doub
         const int32_t at = turned ? count - 1 - i : i, step = turned ? count - 1 : 1;
         const double *a = points + 2 * ((at + count - step) % count), *b = points + 2 * at,
                      *c = points + 2 * ((at + step) % count);
-        if (fabs(cross(a, b, c)) <= ON_ONE_LINE * length(a, b) * length(b, c)) continue;
+        if (fabs(cross(a, b, c)) <= TINKER_ON_ONE_LINE * length(a, b) * length(b, c)) continue;
         corners[2 * kept] = b[0] - origin[0];
         corners[2 * kept++ + 1] = b[1] - origin[1];
     }

@@ -5,10 +5,8 @@
 #include <math.h>
 #include <string.h>
 
-/* Sines of angles up to this are 0: such edges are one. */
-#define PARALLEL 1e-12
-/* m: points this far beside a line are on it. */
-#define ON_THE_LINE 1e-9
+#include "physics/shapes/tolerances.h"
+
 #define MOST_OF_ONE 4
 
 typedef struct {
@@ -56,7 +54,7 @@ static int compare_edges(const double a[2], const double b[2])
     const gboolean up_a = a[1] > 0 || (a[1] == 0 && a[0] > 0), up_b = b[1] > 0 || (b[1] == 0 && b[0] > 0);
     const double sine = cross(a, b) / (hypot(a[0], a[1]) * hypot(b[0], b[1]));
     const gboolean same_way = a[0] * b[0] + a[1] * b[1] > 0;
-    if (same_way && fabs(sine) <= PARALLEL) return 0;
+    if (same_way && fabs(sine) <= TINKER_PARALLEL) return 0;
     if (up_a != up_b) return up_a ? -1 : 1;
     return sine > 0 ? -1 : 1;
 }
@@ -103,7 +101,7 @@ static double reach_along(const TinkerOutline *outline, double angle, const doub
 static void take_end(TinkerGapFunction *function, const double at[2], const double normal[2])
 {
     *function =
-        (TinkerGapFunction){.seat = {at[0], at[1]}, .normal = {normal[0], normal[1]}, .half_width = ON_THE_LINE};
+        (TinkerGapFunction){.seat = {at[0], at[1]}, .normal = {normal[0], normal[1]}, .half_width = TINKER_ON_THE_LINE};
 }
 
 static int32_t add_ends(const TinkerUnturned *both, const double way[2], TinkerGapFunction *list)

@@ -8,12 +8,7 @@
 #include <float.h>
 #include <math.h>
 
-/* Energies below this share of forces times extent are errors of place that every tolerance allows. */
-#define REST 1e-9
-/* Differences of energies below this share of forces times extent are rounding. */
-#define ROUNDING (1e4 * DBL_EPSILON)
-/* What the last bits of energies and of places make is no imbalance, however little was exchanged. */
-#define LAST_BITS (16 * DBL_EPSILON)
+#include "physics/system/tolerances.h"
 
 double tinker_books_potential_of_origin(const TinkerModel *model)
 {
@@ -96,10 +91,10 @@ TinkerStatus tinker_books_look(TinkerBooks *books, const TinkerState *state, dou
     books->exchanged = MAX(books->exchanged, largest_exchange(books, &now, summary));
     /* At rest nothing is exchanged but rounding: of the extent, times the forces that are balanced. */
     books->forces = fmax(books->forces, sum_of_forces(model));
-    double rest = books->forces * extent, scale = MAX(books->exchanged, REST * rest);
-    double bits = LAST_BITS * (rest + now.kinetic + fabs(now.potential));
+    double rest = books->forces * extent, scale = MAX(books->exchanged, TINKER_BOOK_REST * rest);
+    double bits = TINKER_BOOK_LAST_BITS * (rest + now.kinetic + fabs(now.potential));
     if (fabs(missing) <= bits) missing = 0;
-    scale = MAX(scale, ROUNDING * (now.kinetic + fabs(now.potential)));
+    scale = MAX(scale, TINKER_BOOK_ROUNDING * (now.kinetic + fabs(now.potential)));
     double excess = books->allows_loss ? MAX(missing, 0) : fabs(missing);
     books->imbalance = scale > 0 ? excess / scale : 0;
     if (isnan(missing)) books->imbalance = NAN;

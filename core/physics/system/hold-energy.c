@@ -14,10 +14,7 @@
 #include "physics/force/forces.h"
 #include "physics/model/model-data.h"
 #include "physics/system/system.h"
-
-/* A state that is off by more than this share is left alone: the run is failing, and whoever watches it shall see that.
- */
-#define MOST_CHANGE 1e-3
+#include "physics/system/tolerances.h"
 
 gboolean tinker_model_keeps_energy(const TinkerModel *model)
 {
@@ -80,7 +77,7 @@ TinkerStatus tinker_model_system_hold_energy(TinkerModelSystem *self, double t, 
     double slowness = speed > 0 ? extent / speed * (extent / speed) : 0; /* 1 / w^2 */
     double missing = self->energy - now.kinetic - now.potential,
            change = missing / squared_direction(self, v, slowness);
-    if (missing == 0 || !(fabs(change) < MOST_CHANGE)) return TINKER_OK;
+    if (missing == 0 || !(fabs(change) < TINKER_MOST_HELD_CHANGE)) return TINKER_OK;
     for (int32_t i = 0; i < model->coordinates; i++) {
         v[i] += change * v[i];
         q[i] -= change * slowness * self->constrained[i];

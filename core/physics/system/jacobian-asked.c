@@ -4,11 +4,7 @@
 #include "physics/model/angles.h"
 #include "physics/system/jacobian-private.h"
 #include "physics/system/jacobian.h"
-
-/* Of the extent, or of a speed. */
-#define DIFFERENCE 1e-6
-/* rad and rad/s: of angles, which have no extent. */
-#define ANGLE_DIFFERENCE 1e-6
+#include "physics/system/tolerances.h"
 
 /* How far they reach: a part of the system's extent, and of its largest speed, but at least 1e-6 m/s. */
 void tinker_jacobian_choose_differences(TinkerJacobian *self)
@@ -21,8 +17,8 @@ void tinker_jacobian_choose_differences(TinkerJacobian *self)
         extent = fmax(extent, fmax(fabs(at->x), fabs(at->y)));
         speed = fmax(speed, fmax(fabs(at->vx), fabs(at->vy)));
     }
-    self->distance = DIFFERENCE * (extent > 0 ? extent : 1);
-    self->speed = DIFFERENCE * speed;
+    self->distance = TINKER_JACOBIAN_STEP * (extent > 0 ? extent : 1);
+    self->speed = TINKER_JACOBIAN_STEP * speed;
 }
 
 /* One of the four numbers of a point, and the step that its difference takes. */
@@ -118,10 +114,10 @@ static TinkerStatus add_element_turn(TinkerJacobian *self, const Element *elemen
 {
     const int32_t of = element->asked->angles->turns[element->asked->batch->end_offsets[element->row] + end];
     if (of >= self->model->first_support) return TINKER_OK;
-    TinkerStatus status = add_difference(self, element, of, 0, &element->poses[end].angle, ANGLE_DIFFERENCE);
+    TinkerStatus status = add_difference(self, element, of, 0, &element->poses[end].angle, TINKER_JACOBIAN_ANGLE_STEP);
     if (status != TINKER_OK) return status;
     const double rate = fmax(1, fabs(element->poses[end].rate));
-    return add_difference(self, element, of, 2, &element->poses[end].rate, ANGLE_DIFFERENCE * rate);
+    return add_difference(self, element, of, 2, &element->poses[end].rate, TINKER_JACOBIAN_ANGLE_STEP * rate);
 }
 
 TinkerStatus tinker_jacobian_add_elements(TinkerJacobian *self, const TinkerAskedBatch *asked)

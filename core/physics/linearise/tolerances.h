@@ -1,0 +1,20 @@
+/* How far differences reach, and what is rounding, where a model is taken as linear about its rest. Each: its unit and
+ * what it is relative to; what it says; and where that was tried, tests that fail where it is 1e4 times as large or as
+ * small ("-": none). */
+#ifndef TINKER_LINEARISE_TOLERANCES_H
+#define TINKER_LINEARISE_TOLERANCES_H
+
+/* No unit; of the extent, of an extent a second, of the largest force: the step of differences. */
+#define TINKER_PROBE_STEP 1e-3
+/* No unit; of a row's length: the step of differences of order 6, whose truncation and rounding are both some 1e-13
+ * there. */
+#define TINKER_HESSIAN_STEP 3e-3
+/* rad: the step of those differences in an angle. */
+#define TINKER_HESSIAN_ANGLE_STEP 3e-3
+/* No unit; of the largest second derivative: smaller ones are the differences' own. */
+#define TINKER_HESSIAN_NOISE 1e-11
+/* No unit; of the extent, and of an extent a second: the step of differences of order 4 where a field couples bodies.
+ */
+#define TINKER_COUPLING_STEP 2e-4
+
+#endif
