@@ -3,29 +3,32 @@
 #ifndef TINKER_INTEGRATE_TOLERANCES_H
 #define TINKER_INTEGRATE_TOLERANCES_H
 
-/* No unit; of the largest product: a damping matrix whose products there and back differ by no more is symmetric. */
+/* No unit; of the largest product: a damping matrix whose products there and back differ by no more is symmetric.
+ * Held by: -. */
 #define TINKER_SYMMETRIC 1e-9
-/* No unit; of the square of a vector: a part across that is less is rounding. */
+/* No unit; of the square of a vector: a part across that is less is rounding. Held by: -. */
 #define TINKER_SPANNED 1e-24
-/* No unit; of the largest speed so far: slower is rest. */
+/* No unit; of the largest speed so far: slower is rest. Held by: -. */
 #define TINKER_DAMPED_REST 1e-12
-/* No unit; times the tolerance: an error that a step seldom has by growing too long. */
+/* No unit; times the tolerance: an error that a step seldom has by growing too long. Held by: physics-singular. */
 #define TINKER_FAR_OFF 100.0
-/* No unit; of the way of a step: an error of more is none of a motion. */
+/* No unit; of the way of a step: an error of more is none of a motion. Held by: -. */
 #define TINKER_UNMOVED 0.01
-/* No unit; of the error: where less of it lies along the motion, the rows nearly depend. */
+/* No unit; of the error: where less of it lies along the motion, the rows nearly depend. Held by: -. */
 #define TINKER_ERROR_ALONG 0.01
-/* No unit; of the square of what projection takes off: singular places are passed seldom. */
+/* No unit; of the square of what projection takes off: singular places are passed seldom. Held by: -. */
 #define TINKER_SQUARE_SHARE 0.1
-/* No unit; the error of a trial that another length, hardly shorter, would serve as well as any. */
+/* No unit; the error of a trial that another length, hardly shorter, would serve as well as any. Held by: -. */
 #define TINKER_MISPLACED 2.0
-/* No unit; of the residual: an iteration that leaves more asks for a new matrix. */
+/* No unit; of the residual: an iteration that leaves more asks for a new matrix. Held by: numerics-integrators,
+ * physics-implicit. */
 #define TINKER_SLOW_NEWTON 0.1
-/* No unit; of the stiffest beside them: what moves along the rows of constraints. */
+/* No unit; of the stiffest beside them: what moves along the rows of constraints. Held by: -. */
 #define TINKER_ROW_WEIGHT 1e6
-/* No unit; of the tolerance that one step may spend: errors add up over a run. */
+/* No unit; of the tolerance that one step may spend: errors add up over a run. Held by: numerics-adaptive,
+ * physics-accurate-run, physics-redundant-rods, physics-singular. */
 #define TINKER_STEP_SHARE 0.1
-/* No unit; of the tolerance: what counts as the last error in the controller's memory is at least this. */
+/* No unit; of the tolerance: what counts as the last error in the controller's memory is at least this. Held by: -. */
 #define TINKER_LEAST_ERROR 1e-4
 
 #endif

@@ -4,11 +4,12 @@
 #ifndef TINKER_LINE_TOLERANCES_H
 #define TINKER_LINE_TOLERANCES_H
 
-/* No unit; of a ratio: two ways from shaft to shaft that differ by no more are one. */
+/* No unit; of a ratio: two ways from shaft to shaft that differ by no more are one. Held by: -. */
 #define TINKER_SAME_RATIO 1e-12
-/* No unit; of the largest stiffness over mass: eigenvalues below are rounding. */
+/* No unit; of the largest stiffness over mass: eigenvalues below are rounding. Held by: -. */
 #define TINKER_NEGLIGIBLE_STIFFNESS 1e-9
-/* No unit; of the extent, the speeds, the loads: what is off a line by no more lies along it. */
+/* No unit; of the extent, the speeds, the loads: what is off a line by no more lies along it. Held by:
+ * physics-linear-form. */
 #define TINKER_LINE_ACROSS 1e-12
 
 #endif

@@ -4,17 +4,20 @@
 #ifndef TINKER_LINEARISE_TOLERANCES_H
 #define TINKER_LINEARISE_TOLERANCES_H
 
-/* No unit; of the extent, of an extent a second, of the largest force: the step of differences. */
+/* No unit; of the extent, of an extent a second, of the largest force: the step of differences. Held by:
+ * analysis-response. */
 #define TINKER_PROBE_STEP 1e-3
 /* No unit; of a row's length: the step of differences of order 6, whose truncation and rounding are both some 1e-13
- * there. */
+ * there. Held by: analysis-modes, analysis-modes-contacts, analysis-modes-elements, analysis-modes-turning,
+ * analysis-response. */
 #define TINKER_HESSIAN_STEP 3e-3
-/* rad: the step of those differences in an angle. */
+/* rad: the step of those differences in an angle. Held by: -. */
 #define TINKER_HESSIAN_ANGLE_STEP 3e-3
-/* No unit; of the largest second derivative: smaller ones are the differences' own. */
+/* No unit; of the largest second derivative: smaller ones are the differences' own. Held by: -. */
 #define TINKER_HESSIAN_NOISE 1e-11
-/* No unit; of the extent, and of an extent a second: the step of differences of order 4 where a field couples bodies.
- */
+/* No unit; of the extent, and of an extent a second: the step of differences of order 4 where a field couples
+ * bodies.
+ Held by: analysis-modes-elements. */
 #define TINKER_COUPLING_STEP 2e-4
 
 #endif

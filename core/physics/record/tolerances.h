@@ -3,7 +3,8 @@
 #ifndef TINKER_RECORD_TOLERANCES_H
 #define TINKER_RECORD_TOLERANCES_H
 
-/* No unit; of the number of intervals: a duration that is a whole number of them within this ends with the last. */
+/* No unit; of the number of intervals: a duration that is a whole number of them within this ends with the last.
+ * Held by: -. */
 #define TINKER_WHOLE_INTERVALS 1e-9
 
 #endif

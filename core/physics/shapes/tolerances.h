@@ -6,20 +6,20 @@
 #include <float.h>
 
 /* No unit; of its length: so far an edge goes on behind a corner that turns inwards, within the body, so that what
- * comes to the corner is over both of its edges. */
+ * comes to the corner is over both of its edges. Held by: -. */
 #define TINKER_INTO_CORNER 1e-6
-/* No unit; sines of angles up to this are 0 but for what methods make of it. */
+/* No unit; sines of angles up to this are 0 but for what methods make of it. Held by: -. */
 #define TINKER_NOT_INTO 1e-6
-/* No unit; sines of angles up to this are 0. */
+/* No unit; sines of angles up to this are 0. Held by: -. */
 #define TINKER_UPRIGHT 1e-9
 /* m: the edge of the first is the seat, unless the other's parts them by so much more: which it is does not change
- * from step to step. */
+ * from step to step. Held by: -. */
 #define TINKER_RATHER_FIRST 1e-10
-/* No unit; of the product of two edges: up to here three corners lie on one line. */
+/* No unit; of the product of two edges: up to here three corners lie on one line. Held by: -. */
 #define TINKER_ON_ONE_LINE (64 * DBL_EPSILON)
-/* No unit; sines of angles up to this are 0: such edges are one. */
+/* No unit; sines of angles up to this are 0: such edges are one. Held by: -. */
 #define TINKER_PARALLEL 1e-12
-/* m: points this far beside a line are on it. */
+/* m: points this far beside a line are on it. Held by: -. */
 #define TINKER_ON_THE_LINE 1e-9
 
 #endif
