@@ -262,6 +262,34 @@ static void test_belt(void)
     physics_assert_near("x", physics_last(run, 1), 4 - 0.5 * 4 / (0.5 * g), 0.005);
 }
 
+/* Warnings of steps that were not solved for. */
+static guint count_unsolved(const PhysicsRun *run)
+{
+    guint count = 0;
+    for (guint i = 0; i < run->summary->warnings->len; i++)
+        count += strstr(g_ptr_array_index(run->summary->warnings, i), "before the impulses") != NULL;
+    return count;
+}
+
+/* A heavy disc runs into a wall of boxes, which a step cannot solve for within its sweeps: the run says so, once. Of
+ * a stack that it solves for it does not. */
+static void test_warns(void)
+{
+    g_autoptr(GString) blocks = g_string_new(FLOOR);
+    for (int i = 0; i < 100; i++)
+        g_string_append_printf(blocks, ", {'type': 'box', 'width': 0.5, 'height': 0.5, 'position': [%g, %g]}",
+                               0.5 * (i / 10) + 0.25 * (i % 2), 0.25 + 0.5 * (i % 10));
+    const PhysicsOptions options = impulses(0.5, 1.0 / 60, NULL);
+    g_string_append(blocks, ", {'type': 'disc', 'radius': 1, 'mass': 100, 'position': [-3, 2], 'velocity': [20, 0]}");
+    g_autoptr(PhysicsRun) struck = physics_run(&options, "%s", blocks->str);
+    g_assert_cmpuint(count_unsolved(struck), ==, 1);
+    g_autoptr(PhysicsRun) rests =
+        physics_run(&options, FLOOR ", {'type': 'box', 'width': 0.5, 'height': 0.5, 'position': [0, 0.25]},"
+                                    "{'type': 'box', 'width': 0.5, 'height': 0.5, 'position': [0, 0.76]},"
+                                    "{'type': 'box', 'width': 0.5, 'height': 0.5, 'position': [0, 1.27]}");
+    g_assert_cmpuint(count_unsolved(rests), ==, 0);
+}
+
 static void test_refused(void)
 {
     PhysicsOptions options = impulses(1, 0.01, NULL);
@@ -288,6 +316,7 @@ static void add_tests(void)
     g_test_add_func("/physics/pile/pyramid", test_pyramid);
     g_test_add_func("/physics/pile/one-side", test_one_side);
     g_test_add_func("/physics/pile/belt", test_belt);
+    g_test_add_func("/physics/pile/warns", test_warns);
     g_test_add_func("/physics/pile/refused", test_refused);
 }
 

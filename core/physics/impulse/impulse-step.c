@@ -115,6 +115,15 @@ static TinkerStatus try_step(TinkerImpulses *self, TinkerState *state, double li
                : TINKER_OK;
 }
 
+static void note_unsolved(TinkerImpulses *self, double off)
+{
+    TinkerUnsolved *all = &self->context->unsolved;
+    if (all->steps++ == 0) all->first = self->to.t;
+    if (off <= all->most) return;
+    all->most = off;
+    all->most_at = self->to.t;
+}
+
 /* Notes what was done. */
 static void keep(TinkerImpulses *self, const TinkerState *state)
 {
@@ -127,6 +136,7 @@ static void keep(TinkerImpulses *self, const TinkerState *state)
     for (int k = 0; k < TINKER_BOOK_COUNT; k++)
         self->context->impact_work[k] += self->work[k];
     self->context->projection_work += self->parted;
+    if (self->pile != NULL && self->pile->unsolved > 0) note_unsolved(self, self->pile->unsolved);
     self->started = TRUE;
 }
 

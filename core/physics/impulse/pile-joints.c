@@ -5,8 +5,9 @@
  *
  * so that q + h v' misses the rows by the third order of h, which the projection after the step takes away, and nothing
  * that goes round gains or loses speed thereby (RATTLE with one Newton step). Where something strikes a group of
- * bodies, that goes on with J v' = J v: impulses at one place, with constraints that take no energy. Source: H. C.
- * Andersen, "Rattle: a velocity version of the Shake algorithm", J. Comput. Phys. 52 (1983) 24-34. */
+ * bodies, that goes on with J v' = J v: impulses at one place, with constraints that take no energy, and none that asks
+ * for more than bodies which come to rest between two contacts could do. Source: H. C. Andersen, "Rattle: a velocity
+ * version of the Shake algorithm", J. Comput. Phys. 52 (1983) 24-34. */
 #include <string.h>
 
 #include "physics/constraint/constraints.h"
@@ -130,6 +131,7 @@ void tinker_pile_joints_strike(TinkerPile *pile)
     for (int32_t row = 0; row < pile->model->constraints.rows; row++)
         if (joints->has[row] && joints->struck[group[tinker_contacts_row_body(pile->contacts, row)]])
             joints->wanted[row] = joints->before[row];
+    tinker_pile_joints_solve(pile);
 }
 
 void tinker_pile_joints_hold(TinkerPile *pile)

@@ -23,6 +23,11 @@
 #define POINTS_A_STEP 100000
 #define LEAST_SWEEPS  20
 #define MOST_SWEEPS   200
+/* With constraints it may be more of a few points. */
+#define MOST_SWEEPS_JOINED 2000
+/* There a slope that grows no more than this is gone on along, too: what joints and friction wedge has directions in
+ * which a sweep changes as much as the last one, until some point lets go. */
+#define STEADY 1.1
 /* Of these, how many part what overlaps; and how many solve either of two problems, where something strikes. */
 #define PARTING    0.2
 #define ONE_OF_TWO 0.5
@@ -158,6 +163,14 @@ static void make_room(TinkerPile *pile)
     pile->along = g_new(double, pile->along_size);
 }
 
+/* How much of the last direction is gone on along, by what this sweep and the one before it changed. */
+static double share_of(const TinkerPile *pile, double now, double last)
+{
+    if (!(last > 0)) return 0;
+    if (now < last) return now / last;
+    return pile->joints != NULL && now < STEADY * last ? 1 : 0;
+}
+
 static double leeway(gsize sweeps)
 {
     if (sweeps == 1) return STILL_SOLVED;
@@ -168,7 +181,8 @@ static double leeway(gsize sweeps)
 static gboolean sweep_all(TinkerPile *pile, double enough, double share_of_sweeps)
 {
     const gsize points = (gsize)MAX(pile->point_count, 1);
-    const gsize all = CLAMP(POINTS_A_STEP / points, LEAST_SWEEPS, MOST_SWEEPS);
+    const gsize all =
+        CLAMP(POINTS_A_STEP / points, LEAST_SWEEPS, pile->joints != NULL ? MOST_SWEEPS_JOINED : MOST_SWEEPS);
     const gsize most = (gsize)(share_of_sweeps * (double)all);
     gsize direct = SWEEPS_FIRST;
     double last = 0;
@@ -179,7 +193,10 @@ static gboolean sweep_all(TinkerPile *pile, double enough, double share_of_sweep
         if (pile->joints != NULL) tinker_pile_joints_solve(pile);
         const double changed = sweep(pile);
         if (changed <= leeway(count) * enough) return TRUE;
-        if (count >= most) return FALSE;
+        if (count >= most) {
+            pile->left = changed;
+            return FALSE;
+        }
         if (count == 1) {
             memset(pile->along, 0, 4 * points * sizeof(double));
             continue;
@@ -193,7 +210,7 @@ static gboolean sweep_all(TinkerPile *pile, double enough, double share_of_sweep
             direct *= MORE_SWEEPS;
             continue;
         }
-        const double now = change_of(pile), share = last > 0 && now < last ? now / last : 0;
+        const double now = change_of(pile), share = share_of(pile, now, last);
         last = now;
         if (count + 1 < most) go_on(pile, share);
     }
@@ -234,13 +251,8 @@ static double energy_given(const TinkerPile *pile, double *most)
 static void solve_impacts(TinkerPile *pile)
 {
     static const double shares[] = {1, 0.75, 0.5, 0.25, 0};
+    const double unsolved = pile->unsolved;
     double fastest = pile->scale;
-    if (pile->joints != NULL) {
-        tinker_pile_joints_strike(pile);
-        memcpy(pile->bodies, pile->without, (gsize)pile->shapes * sizeof(TinkerPileBody));
-        tinker_pile_joints_solve(pile);
-        memcpy(pile->without, pile->bodies, (gsize)pile->shapes * sizeof(TinkerPileBody));
-    }
     for (gsize trial = 0; trial < G_N_ELEMENTS(shares); trial++) {
         double most;
         for (int32_t i = 0; i < pile->point_count; i++) {
@@ -250,6 +262,7 @@ static void solve_impacts(TinkerPile *pile)
         }
         memcpy(pile->bodies, pile->without, (gsize)pile->shapes * sizeof(TinkerPileBody));
         const gboolean solved = solve(pile, TINKER_PILE_SOLVED * fastest, ONE_OF_TWO);
+        pile->unsolved = fmax(unsolved, solved ? 0 : pile->left);
         if (energy_given(pile, &most) <= (solved ? TINKER_PILE_NO_MORE : TINKER_PILE_NEARLY_NO_MORE) * most) break;
     }
 }
@@ -257,8 +270,10 @@ static void solve_impacts(TinkerPile *pile)
 void tinker_pile_solve(TinkerPile *pile)
 {
     const gsize bytes = (gsize)pile->shapes * sizeof(TinkerPileBody);
+    if (pile->joints != NULL && pile->strikes) tinker_pile_joints_strike(pile);
     memcpy(pile->without, pile->bodies, bytes);
-    solve(pile, TINKER_PILE_SOLVED * pile->scale, pile->strikes ? ONE_OF_TWO : 1);
+    const gboolean solved = solve(pile, TINKER_PILE_SOLVED * pile->scale, pile->strikes ? ONE_OF_TWO : 1);
+    pile->unsolved = solved ? 0 : pile->left;
     memcpy(pile->moves, pile->bodies, bytes);
     if (pile->strikes) solve_impacts(pile);
 }

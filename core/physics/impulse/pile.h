@@ -151,7 +151,9 @@ typedef struct {
     guint near_room;
     double scale; /* m/s: what a point misses its least speed by without contact, at the most */
     gboolean strikes, overlaps;
-    double *along; /* 4 by point: the direction that sweeps go on along, and the impulses before one */
+    double left;     /* m/s: what the last sweep of the last solve changed speeds by, where that was too much */
+    double unsolved; /* m/s: of the step in this way; 0: its impulses were solved for */
+    double *along;   /* 4 by point: the direction that sweeps go on along, and the impulses before one */
     gsize along_size;
     TinkerPileDirect *direct;
 } TinkerPile;
@@ -177,7 +179,8 @@ void tinker_pile_joints_free(TinkerPileJoints *joints);
 void tinker_pile_joints_begin(TinkerPile *pile, double h);
 /* Brings the bodies' velocities to what is wanted. */
 void tinker_pile_joints_solve(TinkerPile *pile);
-/* From here on what strikes, with all that is tied to it, keeps J v; or no row lets anything move across it. */
+/* From here on what strikes, with all that is tied to it, keeps J v, and the bodies' velocities are brought there; or
+ * no row lets anything move across it. */
 void tinker_pile_joints_strike(TinkerPile *pile);
 void tinker_pile_joints_hold(TinkerPile *pile);
 /* J: what contacts and constraints together gave in the step. */

@@ -81,6 +81,19 @@ static void warn_of_imbalance(TinkerIslandRun *run)
                                     100 * summary->energy_balance_error, advice));
 }
 
+/* Sweeps along the contacts of a pile are cut short where a step would take too long (impulse/pile-solve.c). */
+static void warn_of_unsolved(TinkerIslandRun *run)
+{
+    const TinkerUnsolved *all = &run->system.unsolved;
+    if (all->steps == 0) return;
+    g_ptr_array_add(
+        run->summary.warnings,
+        g_strdup_printf(_("from t = %.6g s on, %.0f of %.0f steps went on before the impulses of all contacts were "
+                          "solved for: at t = %.6g s one more sweep would have changed speeds by %.3g m/s (smaller "
+                          "steps leave less)"),
+                        all->first, (double)all->steps, (double)run->summary.steps, all->most_at, all->most));
+}
+
 static void watch_stability(TinkerIslandRun *run)
 {
     double stable = tinker_stability_watch_look(run->stability);
@@ -166,6 +179,7 @@ gboolean tinker_island_run_close(TinkerIslandRun *run, double t, GError **error)
     summary->valid_until = fmin(summary->valid_until, t);
     if (!look(run, TRUE, error)) return FALSE;
     warn_of_imbalance(run);
+    warn_of_unsolved(run);
     return TRUE;
 }
 

@@ -6,6 +6,13 @@
 #include "physics/model/model.h"
 #include "physics/system/jacobian.h"
 
+/* Steps that ended before the impulses of contacts were solved for. */
+typedef struct {
+    gint64 steps;         /* how many */
+    double first;         /* s: the end of the first of them */
+    double most, most_at; /* m/s: what one more sweep along the contacts would have changed speeds by, at the most; s */
+} TinkerUnsolved;
+
 /* The system that integrators see, with the reach of the states that were kept so far. Its coordinates are those of the
  * linear form where that is straight, else those of the model. */
 typedef struct {
@@ -18,9 +25,10 @@ typedef struct {
     double speed;                          /* m/s */
     double projection_work;                /* J that projections after steps have given so far */
     double impact_work[TINKER_BOOK_COUNT]; /* J that impacts have given so far, by book */
-    double position_error;                 /* largest |g| relative to its length after any projection */
-    double *constrained;                   /* accelerations, where only the power is asked for */
-    gboolean holds_energy;                 /* `project` brings the state onto `energy` (J), too */
+    TinkerUnsolved unsolved;
+    double position_error; /* largest |g| relative to its length after any projection */
+    double *constrained;   /* accelerations, where only the power is asked for */
+    gboolean holds_energy; /* `project` brings the state onto `energy` (J), too */
     double energy;
     TinkerJacobian *jacobian; /* NULL: not offered */
 } TinkerModelSystem;
