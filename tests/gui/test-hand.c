@@ -3,6 +3,7 @@
 #include "gui-fixture.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "gui/instrument/hand.h"
 
@@ -161,7 +162,63 @@ static void test_refused(void)
     g_assert_cmpfloat(stiffness(fixture), ==, 25);
     turn(fixture, 26);
     g_assert_true(gui_fixture_wait(is_whole, fixture));
-    g_assert_null(tinker_hand_problem(fixture->hand));
+    g_assert_cmpstr(tinker_hand_problem(fixture->hand), ==, NULL);
+}
+
+static double friction(GuiFixture *fixture, const char *name)
+{
+    TinkerScene *scene = tinker_document_scene(fixture->document);
+    const TinkerBlockId floor = gui_fixture_block(fixture, "Floor");
+    TinkerNumber number;
+    g_assert_true(tinker_scene_find_number(scene, floor, name, &number));
+    return tinker_scene_get(scene, floor, number.column);
+}
+
+static gboolean has_taken(void *data)
+{
+    Fixture *fixture = data;
+    double wanted;
+    const TinkerBlockId floor = gui_fixture_block(fixture->base, "Floor");
+    return !tinker_hand_wanted(fixture->hand, floor, "dynamic_friction", &wanted) &&
+           !tinker_hand_wanted(fixture->hand, floor, "static_friction", &wanted);
+}
+
+static void turn_friction(Fixture *fixture, const char *name, double to)
+{
+    tinker_hand_set(fixture->hand, gui_fixture_block(fixture->base, "Floor"), name, to);
+    g_assert_true(gui_fixture_wait(has_taken, fixture));
+    g_assert_cmpstr(tinker_hand_problem(fixture->hand), ==, NULL);
+    g_assert_cmpfloat(friction(fixture->base, name), ==, to);
+}
+
+/* What slides holds no better than what rests: the other coefficient goes along where it has to, and comes back. */
+static void test_friction_together(void)
+{
+    g_autoptr(Fixture) fixture = fixture_new();
+    gui_fixture_start_scene(fixture->base, "'run': {'duration': 0.1}, 'blocks': [{'type': 'support', 'name': 'Floor', "
+                                           "'static_friction': 0.3, 'dynamic_friction': 0.2}, {'type': 'mass', "
+                                           "'name': 'M', 'position': [0, 3]}]");
+    turn_friction(fixture, "dynamic_friction", 0.5);
+    g_assert_cmpfloat(friction(fixture->base, "static_friction"), ==, 0.5);
+    turn_friction(fixture, "dynamic_friction", 0.25);
+    g_assert_cmpfloat(friction(fixture->base, "static_friction"), ==, 0.3);
+    turn_friction(fixture, "static_friction", 0.1);
+    g_assert_cmpfloat(friction(fixture->base, "dynamic_friction"), ==, 0.1);
+    tinker_document_undo(fixture->base->document);
+    g_assert_cmpfloat(friction(fixture->base, "dynamic_friction"), ==, 0.25);
+    g_assert_cmpfloat(friction(fixture->base, "static_friction"), ==, 0.3);
+}
+
+/* What is told has the titles that people see. */
+static void test_titles_in_problem(void)
+{
+    g_autoptr(Fixture) fixture = fixture_new();
+    turn(fixture, -1);
+    gui_fixture_pass(20);
+    const char *problem = tinker_hand_problem(fixture->hand);
+    g_test_message("%s", problem);
+    g_assert_nonnull(strstr(problem, "“K”"));
+    g_assert_null(strstr(problem, "stiffness"));
 }
 
 static void add_tests(void)
@@ -171,6 +228,8 @@ static void add_tests(void)
     g_test_add_func("/gui/hand/one-step", test_one_step);
     g_test_add_func("/gui/hand/estimate-at-rest", test_estimate_at_rest);
     g_test_add_func("/gui/hand/refused", test_refused);
+    g_test_add_func("/gui/hand/friction-together", test_friction_together);
+    g_test_add_func("/gui/hand/titles-in-problem", test_titles_in_problem);
 }
 
 int main(int argc, char **argv)

@@ -31,6 +31,27 @@ static void test_units(void)
     g_assert_cmpfloat(panel_stored(fixture, "Mass 0", "mass", 0), ==, 3);
 }
 
+/* A formula stands for its number, in the unit that is shown or in one behind it; the number is kept. */
+static void test_formula(void)
+{
+    g_autoptr(GuiFixture) fixture = gui_fixture_new(ONE_MASS "," ONE_SUPPORT);
+    panel_select(fixture, "Mass 0");
+    panel_type(fixture, "Properties", "Mass", "2*9.81");
+    g_assert_cmpfloat(panel_stored(fixture, "Mass 0", "mass", 0), ==, 19.62);
+    panel_assert_shown(fixture, "Properties", "Mass", "19.62000 kg");
+    panel_type(fixture, "Global Position", "X", "sqrt(2)");
+    g_assert_cmpfloat_with_epsilon(panel_stored(fixture, "Mass 0", "position", 0), G_SQRT2, 1e-15);
+    panel_type(fixture, "Global Position", "X", "5/4 cm");
+    g_assert_cmpfloat_with_epsilon(panel_stored(fixture, "Mass 0", "position", 0), 0.0125, 1e-15);
+    panel_type(fixture, "Properties", "Orientation", "180/4");
+    g_assert_cmpfloat_with_epsilon(panel_stored(fixture, "Mass 0", "orientation", 0), G_PI_4, 1e-15);
+    panel_assert_refused(fixture, "Properties", "Mass", "2*t", PARTS("2*t", "no number"));
+    panel_assert_refused(fixture, "Properties", "Mass", "sqrt(-1)", PARTS("no number"));
+    panel_assert_refused(fixture, "Properties", "Mass", "2*", PARTS("expected"));
+    panel_assert_refused(fixture, "Properties", "Mass", "2*3 in", PARTS("mass", "length", "6 in"));
+    panel_assert_refused(fixture, "Properties", "Mass", "1-2", PARTS("greater than 0 kg", "-1 kg"));
+}
+
 /* Text that is left as it is shown changes nothing, although it has fewer digits than the value. */
 static void test_unchanged(void)
 {
@@ -203,6 +224,7 @@ static void add_tests(void)
 {
     g_test_add_func("/gui/property-list/placeholder", test_placeholder);
     g_test_add_func("/gui/property-list/units", test_units);
+    g_test_add_func("/gui/property-list/formula", test_formula);
     g_test_add_func("/gui/property-list/unchanged", test_unchanged);
     g_test_add_func("/gui/property-list/refused", test_refused);
     g_test_add_func("/gui/property-list/name", test_name);

@@ -174,6 +174,25 @@ static void test_vectors(void)
     g_assert_cmpfloat(panel_stored(fixture, "V", "moment", 0), ==, 0);
 }
 
+/* Numbers of the one block that is selected can have a control, and are named as that names them. */
+static void test_controls(void)
+{
+    g_autoptr(GuiFixture) fixture = gui_fixture_new(ONE_MASS "," ONE_SUPPORT "," ONE_SPRING);
+    static const struct {
+        const char *block, *group, *title, *control;
+    } rows[] = {{"Mass 0", "Properties", "Mass", "mass"},
+                {"Mass 0", "Initial Velocity", "Vx", "velocity.x"},
+                {"Mass 0", "Appearance", "Name", NULL},
+                {"Spring 0", "Spring Properties", "K", "stiffness"},
+                {"Spring 0", "Spring Properties", "Length", NULL}}; /* which follows from where it is */
+    for (gsize i = 0; i < G_N_ELEMENTS(rows); i++) {
+        panel_select(fixture, rows[i].block);
+        g_autoptr(TinkerPropertyRow) row = panel_find_row(fixture, rows[i].group, rows[i].title);
+        g_assert_nonnull(row);
+        g_assert_cmpstr(row->control, ==, rows[i].control);
+    }
+}
+
 /* A mass in free fall for half a second, by its closed form; before the run nothing is said of it. */
 static void test_now(void)
 {
@@ -213,6 +232,7 @@ static void add_tests(void)
     g_test_add_func("/gui/property-list/every-kind", test_every_kind);
     g_test_add_func("/gui/property-list/vectors", test_vectors);
     g_test_add_func("/gui/property-list/now", test_now);
+    g_test_add_func("/gui/property-list/controls", test_controls);
 }
 
 int main(int argc, char **argv)

@@ -158,6 +158,15 @@ void tinker_fields_corner(TinkerFrame *frame, const TinkerView *view, const Tink
     g_array_unref(found.slots);
 }
 
+void tinker_painter_fields_reach(TinkerFrame *frame, const TinkerView *view, double reach[2])
+{
+    const TinkerPaintOptions options = tinker_paint_options_default();
+    double corner[4] = {0};
+    tinker_fields_corner(frame, view, &options, corner);
+    reach[0] = corner[2];
+    reach[1] = corner[3];
+}
+
 TinkerBlockId tinker_painter_field_at(TinkerFrame *frame, const TinkerView *view, double canvas_x, double canvas_y)
 {
     TinkerPaintOptions options = tinker_paint_options_default();

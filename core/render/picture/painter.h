@@ -51,6 +51,10 @@ GArray *tinker_painter_boxes(TinkerFrame *frame, const TinkerView *view);
 /* The world box of one block's drawing in a view; FALSE where it has none. */
 gboolean tinker_painter_box(TinkerFrame *frame, TinkerBlockId block, const TinkerView *view, double box[4]);
 
+/* What the fields in the upper left corner of a view take of it, with their names: its right and lower edge (canvas
+ * units); 0 and 0 where there are none. */
+void tinker_painter_fields_reach(TinkerFrame *frame, const TinkerView *view, double reach[2]);
+
 /* The size of symbols (m) that the painter draws this frame with at a scale (canvas units per m). */
 double tinker_painter_symbol_size(TinkerFrame *frame, double scale);
 

@@ -97,6 +97,15 @@ static void add_blocks(TinkerFrame *frame, const TinkerView *view, GArray *taken
     }
 }
 
+/* And that of the fields in the corner. */
+static void add_fields(TinkerFrame *frame, const TinkerView *view, GArray *taken)
+{
+    double reach[2];
+    tinker_painter_fields_reach(frame, view, reach);
+    const TinkerGraphBox box = {0, 0, reach[0] + BLOCK_GAP, reach[1] + BLOCK_GAP};
+    if (reach[0] > 0) g_array_append_val(taken, box);
+}
+
 GArray *tinker_graph_layer_taken(TinkerGraphLayer *layer, TinkerFrame *frame)
 {
     TinkerGraphBoard *board = TINKER_GRAPH_BOARD(layer);
@@ -105,7 +114,10 @@ GArray *tinker_graph_layer_taken(TinkerGraphLayer *layer, TinkerFrame *frame)
         TinkerGraphBox box = box_of(layer, tinker_graph_board_view(board, i));
         g_array_append_val(taken, box);
     }
-    if (frame != NULL) add_blocks(frame, tinker_canvas_view(layer->canvas), taken);
+    if (frame != NULL) {
+        add_blocks(frame, tinker_canvas_view(layer->canvas), taken);
+        add_fields(frame, tinker_canvas_view(layer->canvas), taken);
+    }
     return taken;
 }
 

@@ -3,6 +3,9 @@
 #include "gui/instrument/hand.h"
 
 #include <glib/gi18n.h>
+#include <math.h>
+
+#include "gui/text/sentence.h"
 
 #define PATIENCE 0.25 /* s that a run has before the next may take its place */
 #define LOOK     5    /* ms */
@@ -14,7 +17,9 @@ struct _TinkerHand {
     TinkerBlockId block; /* of what was set last */
     char *name;
     double value;
+    double partner; /* what belongs to it was before the hand began to turn; NAN: nothing */
     gboolean waits, shown_whole;
+    gboolean begins; /* it has let go since */
     guint steps;     /* of undo, so far */
     gint64 began_us; /* the run; 0: none is looked after */
     gint64 set_us;   /* when a value was set last */
@@ -23,6 +28,29 @@ struct _TinkerHand {
     guint timer;
 };
 
+/* Friction where it slides is at most that at rest, whatever is turned of the two. The column of the other one, and
+ * which way it has to give; -1 of any other number. */
+static int32_t find_partner(const TinkerBlockClass *block_class, const TinkerNumber *number, int32_t *property,
+                            gboolean *is_lower)
+{
+    const gboolean slides = number->type->meaning == TINKER_MEANING_DYNAMIC_FRICTION;
+    if (!slides && number->type->meaning != TINKER_MEANING_STATIC_FRICTION) return -1;
+    *is_lower = !slides;
+    *property = block_class->meanings[slides ? TINKER_MEANING_STATIC_FRICTION : TINKER_MEANING_DYNAMIC_FRICTION];
+    return *property >= 0 ? block_class->first_columns[*property] : -1;
+}
+
+static void note_partner(TinkerHand *hand)
+{
+    TinkerScene *scene = tinker_document_scene(hand->document);
+    TinkerNumber number;
+    int32_t property, column = -1;
+    gboolean is_lower;
+    if (tinker_scene_has_block(scene, hand->block) && tinker_scene_find_number(scene, hand->block, hand->name, &number))
+        column = find_partner(tinker_scene_block_class(scene, hand->block), &number, &property, &is_lower);
+    hand->partner = column >= 0 ? tinker_scene_get(scene, hand->block, column) : NAN;
+}
+
 static gboolean set_number(TinkerHand *hand, TinkerScene *scene, const TinkerNumber *number, GError **error)
 {
     double values[2] = {hand->value, hand->value};
@@ -30,6 +58,23 @@ static gboolean set_number(TinkerHand *hand, TinkerScene *scene, const TinkerNum
         values[1 - number->component] =
             tinker_scene_get(scene, hand->block, number->column + (number->component == 0 ? 1 : -1));
     return tinker_history_set(tinker_document_history(hand->document), hand->block, number->property, values, error);
+}
+
+/* The partner goes along as far as it has to, and comes back as far as it was: before the number or after it, so that
+ * neither is ever on the wrong side of the other. */
+static gboolean set_both(TinkerHand *hand, TinkerScene *scene, const TinkerNumber *number, GError **error)
+{
+    int32_t property;
+    gboolean is_lower;
+    const int32_t column = find_partner(tinker_scene_block_class(scene, hand->block), number, &property, &is_lower);
+    if (column < 0 || isnan(hand->partner)) return set_number(hand, scene, number, error);
+    TinkerHistory *history = tinker_document_history(hand->document);
+    const double before = tinker_scene_get(scene, hand->block, column);
+    const double wanted = is_lower ? fmin(hand->partner, hand->value) : fmax(hand->partner, hand->value);
+    const gboolean gives_way = is_lower ? wanted < before : wanted > before;
+    if (gives_way && !tinker_history_set(history, hand->block, property, &wanted, error)) return FALSE;
+    return set_number(hand, scene, number, error) &&
+           (wanted == before || gives_way || tinker_history_set(history, hand->block, property, &wanted, error));
 }
 
 static void apply(TinkerHand *hand)
@@ -45,9 +90,9 @@ static void apply(TinkerHand *hand)
     g_autofree char *merge = g_strdup_printf("hand %u", hand->steps);
     g_clear_pointer(&hand->problem, g_free);
     tinker_document_begin(hand->document, title, merge);
-    if (!set_number(hand, scene, &number, &error)) {
+    if (!set_both(hand, scene, &number, &error)) {
         tinker_document_abort(hand->document);
-        hand->problem = g_strdup(error->message);
+        hand->problem = tinker_with_titles(error->message, tinker_scene_block_class(scene, hand->block));
         return;
     }
     tinker_player_begin_trial(hand->player);
@@ -97,12 +142,15 @@ static gboolean look(gpointer data)
 void tinker_hand_set(TinkerHand *hand, TinkerBlockId block, const char *name, double value)
 {
     gboolean over;
-    if (hand->name == NULL || block != hand->block || !g_str_equal(name, hand->name)) {
+    const gboolean other = hand->name == NULL || block != hand->block || !g_str_equal(name, hand->name);
+    if (other) {
         hand->steps++;
         g_free(hand->name);
         hand->name = g_strdup(name);
     }
     hand->block = block;
+    if (other || hand->begins) note_partner(hand);
+    hand->begins = FALSE;
     hand->value = value;
     hand->waits = TRUE;
     hand->set_us = g_get_monotonic_time();
@@ -115,6 +163,7 @@ void tinker_hand_let_go(TinkerHand *hand)
 {
     if (hand->waits) apply(hand);
     hand->steps++;
+    hand->begins = TRUE;
 }
 
 gboolean tinker_hand_wanted(TinkerHand *hand, TinkerBlockId block, const char *name, double *value)

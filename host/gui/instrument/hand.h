@@ -18,7 +18,7 @@ TinkerHand *tinker_hand_new(TinkerDocument *document, TinkerPlayer *player);
 void tinker_hand_free(TinkerHand *hand);
 
 /* The number `name` of a block (see tinker_scene_find_number) is to be `value` (SI). What is set of one number without
- * a pause is one step for undo. */
+ * a pause is one step for undo. Of static and dynamic friction the other one goes along where it has to. */
 void tinker_hand_set(TinkerHand *hand, TinkerBlockId block, const char *name, double value);
 /* A new step for undo begins, as the hand lets go. */
 void tinker_hand_let_go(TinkerHand *hand);

@@ -63,6 +63,35 @@ static void choose_range(const TinkerPropertyType *type, double value, double *f
                                                 : type->hard_maximum;
 }
 
+/* The number that a few digits would be typed as. */
+static double as_typed(double number)
+{
+    char text[G_ASCII_DTOSTR_BUF_SIZE];
+    return g_ascii_strtod(g_ascii_formatd(text, sizeof text, "%.9g", number), NULL);
+}
+
+/* Steps of about a hundredth of the range, 1, 2 or 5 with noughts in the unit that is shown; and the range widened to
+ * whole steps, but not beyond what is allowed. */
+static void choose_step(const TinkerPropertyType *type, double per_si, TinkerSceneInstrument *control)
+{
+    const double from = control->from * per_si, to = control->to * per_si;
+    const double rough = (to - from) / 100, ten = pow(10, floor(log10(rough))), share = rough / ten;
+    const double step = as_typed((share < 1.5 ? 1 : share < 3.5 ? 2 : share < 7.5 ? 5 : 10) * ten);
+    const gboolean least = (type->flags & TINKER_HAS_MINIMUM) != 0, most = (type->flags & TINKER_HAS_MAXIMUM) != 0;
+    const double first = as_typed(from / step), last = as_typed(to / step);
+    control->step = step / per_si;
+    control->from = as_typed((least ? ceil(first) : floor(first)) * step) / per_si;
+    control->to = as_typed((most ? floor(last) : ceil(last)) * step) / per_si;
+}
+
+/* What is shown of 1 in SI. */
+static double shown_of_si(TinkerScene *scene, const TinkerSceneInstrument *control)
+{
+    TinkerUnit unit = {1, {0, 0, 0, 0}};
+    tinker_unit_parse(tinker_instrument_unit(scene, control), &unit, NULL);
+    return 1 / unit.factor;
+}
+
 gboolean tinker_control_add(TinkerDocument *document, TinkerBlockId block, const char *name, const double place[2],
                             GError **error)
 {
@@ -76,7 +105,10 @@ gboolean tinker_control_add(TinkerDocument *document, TinkerBlockId block, const
             control->kind = TINKER_INSTRUMENT_SWITCH;
         else
             choose_range(number.type, isfinite(value) ? value : 1, &control->from, &control->to);
-        if (number.type->kind == TINKER_KIND_INTEGER) control->step = 1;
+        if (number.type->kind == TINKER_KIND_INTEGER)
+            control->step = 1;
+        else if (number.type->kind != TINKER_KIND_SWITCH)
+            choose_step(number.type, shown_of_si(scene, control), control);
     }
     return add(document, control, place, _("Add Control"), error);
 }

@@ -4,8 +4,8 @@
 
 #include "gui/document/document.h"
 
-/* Adds a control of a number of a block, "stiffness" or "velocity.x", with a range about its value; what is on or off
- * gets a switch. `place` (m) may be NULL. */
+/* Adds a control of a number of a block, "stiffness" or "velocity.x", with a range about its value and a round
+ * step; what is on or off gets a switch. `place` (m) may be NULL. */
 gboolean tinker_control_add(TinkerDocument *document, TinkerBlockId block, const char *name, const double place[2],
                             GError **error);
 /* Adds a meter of a quantity; of the scene where `block` is TINKER_NO_BLOCK. */

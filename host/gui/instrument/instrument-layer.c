@@ -8,9 +8,10 @@
 #include "gui/instrument/instrument-edit.h"
 #include "gui/instrument/instrument-view.h"
 #include "gui/widget/unparent.h"
+#include "render/picture/painter.h"
 
 #define USUAL_WIDTH  210.0 /* widget units: what is looked for as room for a new one */
-#define USUAL_HEIGHT 84.0
+#define USUAL_HEIGHT 104.0
 #define BAR_HEIGHT   64.0 /* likewise at the bottom, where a bar may float */
 #define NUDGE        10.0
 #define EDGE         4.0
@@ -49,7 +50,16 @@ static double shrinkage(TinkerInstrumentLayer *layer)
     return CLAMP(fmin(width / ROOMY_WIDTH, height / ROOMY_HEIGHT), LEAST_SIZE, 1);
 }
 
-/* On the layer: always within it, however the canvas is looked at. One without a place stands at the left. */
+static double below_fields(TinkerInstrumentLayer *layer)
+{
+    TinkerFrame *frame = tinker_player_frame(layer->player);
+    double reach[2] = {0};
+    if (frame != NULL) tinker_painter_fields_reach(frame, tinker_canvas_view(layer->canvas), reach);
+    return reach[1] + EDGE;
+}
+
+/* On the layer: always within it, however the canvas is looked at. One without a place stands at the left, below the
+ * fields. */
 static void place_of(TinkerInstrumentLayer *layer, TinkerInstrumentView *view, double size[2], double place[2])
 {
     const TinkerSceneInstrument *instrument = instrument_of(layer, view);
@@ -62,7 +72,7 @@ static void place_of(TinkerInstrumentLayer *layer, TinkerInstrumentView *view, d
                               &place[1]);
     } else {
         place[0] = EDGE;
-        place[1] = EDGE + tinker_instrument_view_number(view) * (USUAL_HEIGHT + EDGE);
+        place[1] = below_fields(layer) + tinker_instrument_view_number(view) * (USUAL_HEIGHT + EDGE);
     }
     if (view == layer->dragged) {
         place[0] = layer->from[0] + layer->way[0];
@@ -188,6 +198,7 @@ static gboolean on_key(GtkEventControllerKey *controller, guint key, guint code,
     const int right = (key == GDK_KEY_Right) - (key == GDK_KEY_Left),
               down = (key == GDK_KEY_Down) - (key == GDK_KEY_Up);
     if ((right == 0 && down == 0) || !(modifiers & GDK_SHIFT_MASK)) return GDK_EVENT_PROPAGATE;
+    if (GTK_IS_TEXT(gtk_root_get_focus(gtk_widget_get_root(GTK_WIDGET(layer))))) return GDK_EVENT_PROPAGATE;
     double size[2], place[2];
     place_of(layer, view_of(controller), size, place);
     place[0] += NUDGE * right;

@@ -45,7 +45,12 @@ static void on_activate(GtkWidget *entry, Range *range)
         gtk_popover_popdown(GTK_POPOVER(range->popover));
         return;
     }
-    g_autofree char *sentence = tinker_sentence(error->message);
+    TinkerScene *scene = tinker_document_scene(range->document);
+    const TinkerSceneInstrument *control = control_of(range);
+    const TinkerBlockId block = control != NULL ? tinker_scene_find_block(scene, control->block) : TINKER_NO_BLOCK;
+    g_autofree char *titled =
+        tinker_with_titles(error->message, block != TINKER_NO_BLOCK ? tinker_scene_block_class(scene, block) : NULL);
+    g_autofree char *sentence = tinker_sentence(titled);
     gtk_label_set_text(GTK_LABEL(range->problem), sentence);
     gtk_widget_set_visible(range->problem, TRUE);
 }

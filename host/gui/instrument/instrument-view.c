@@ -9,6 +9,7 @@
 #include "gui/instrument/instrument-range.h"
 #include "gui/instrument/knob.h"
 #include "gui/instrument/meter-face.h"
+#include "gui/instrument/value-entry.h"
 #include "gui/text/number-text.h"
 #include "gui/text/sentence.h"
 #include "gui/widget/popup-menu.h"
@@ -67,7 +68,9 @@ static void tell(TinkerInstrumentView *view, const char *text)
 static void show_text(TinkerInstrumentView *view, double si)
 {
     g_autofree char *text = isnan(si) ? g_strdup("–") : tinker_number_short(si, view->unit, DIGITS);
-    if (!g_str_equal(gtk_label_get_text(GTK_LABEL(view->value)), text))
+    if (GTK_IS_ENTRY(view->value))
+        tinker_value_entry_show(view->value, text);
+    else if (!g_str_equal(gtk_label_get_text(GTK_LABEL(view->value)), text))
         gtk_label_set_text(GTK_LABEL(view->value), text);
     tell(view, text);
 }
@@ -195,6 +198,42 @@ static gboolean on_event(GtkEventControllerLegacy *controller, GdkEvent *event, 
     return GDK_EVENT_PROPAGATE;
 }
 
+static void show_problem(TinkerInstrumentView *view, const char *problem)
+{
+    g_autofree char *sentence = tinker_sentence(problem);
+    gtk_label_set_text(GTK_LABEL(view->rate), sentence);
+    gtk_widget_set_visible(view->rate, TRUE);
+}
+
+/* Exactly that number, and the range is widened where it has to be. */
+static gboolean take_typed(const char *text, gpointer data)
+{
+    TinkerInstrumentView *view = data;
+    const TinkerSceneInstrument *control = instrument_of(view);
+    TinkerScene *scene = tinker_document_scene(view->document);
+    const TinkerBlockId block = control != NULL ? tinker_scene_find_block(scene, control->block) : TINKER_NO_BLOCK;
+    g_autoptr(GError) error = NULL;
+    TinkerNumber number;
+    double si;
+    if (block == TINKER_NO_BLOCK || !tinker_scene_find_number(scene, block, control->of, &number)) return TRUE;
+    if (!tinker_number_read(text, number.type->dimension, view->unit, &si, &error)) {
+        show_problem(view, error->message);
+        return FALSE;
+    }
+    const double from = fmin(control->from, si), to = fmax(control->to, si), step = control->step;
+    tinker_hand_set(view->hand, block, control->of, si);
+    tinker_hand_let_go(view->hand);
+    if (tinker_hand_problem(view->hand) != NULL) {
+        show_problem(view, tinker_hand_problem(view->hand));
+        return FALSE;
+    }
+    gtk_widget_add_css_class(GTK_WIDGET(view), "turned");
+    show(view);
+    if (from < view->shown->from || to > view->shown->to)
+        tinker_instrument_set_range(view->document, view->number, from, to, step, NULL);
+    return TRUE;
+}
+
 /* Parts ---------------------------------------------------------------------------------------------------------------
  */
 
@@ -243,7 +282,8 @@ static void add_parts(TinkerInstrumentView *view)
     view->part = part_new(view);
     gtk_widget_set_halign(view->part, GTK_ALIGN_CENTER);
     gtk_widget_set_parent(view->part, GTK_WIDGET(view));
-    view->value = is_number ? view->part : gtk_label_new(NULL);
+    const gboolean is_typed = view->adjustment != NULL;
+    view->value = is_number ? view->part : is_typed ? tinker_value_entry_new(take_typed, view) : gtk_label_new(NULL);
     gtk_widget_add_css_class(view->value, is_number ? "instrument-number" : "instrument-value");
     if (!is_number) gtk_widget_set_parent(view->value, GTK_WIDGET(view));
     view->rate = g_object_new(GTK_TYPE_LABEL, "visible", FALSE, "wrap", TRUE, "max-width-chars", 24, NULL);
@@ -253,6 +293,9 @@ static void add_parts(TinkerInstrumentView *view)
     gtk_widget_set_tooltip_text(view->title, title);
     if (!is_number)
         gtk_accessible_update_property(GTK_ACCESSIBLE(view->part), GTK_ACCESSIBLE_PROPERTY_LABEL, title, -1);
+    g_autofree char *value_label = g_strdup_printf(_("Value of %s"), title);
+    if (is_typed)
+        gtk_accessible_update_property(GTK_ACCESSIBLE(view->value), GTK_ACCESSIBLE_PROPERTY_LABEL, value_label, -1);
     g_autofree char *label =
         g_strdup_printf(tinker_instrument_controls(view->shown) ? _("Control of %s") : _("Meter of %s"), title);
     gtk_accessible_update_property(GTK_ACCESSIBLE(view), GTK_ACCESSIBLE_PROPERTY_LABEL, label, -1);
@@ -382,8 +425,12 @@ static void tinker_instrument_view_init(TinkerInstrumentView *view)
     gtk_widget_set_focusable(GTK_WIDGET(view), TRUE);
     view->bar = gtk_box_new(GTK_ORIENTATION_HORIZONTAL, 4);
     view->title = gtk_label_new(NULL);
+    gtk_label_set_wrap(GTK_LABEL(view->title), TRUE);
+    gtk_label_set_wrap_mode(GTK_LABEL(view->title), PANGO_WRAP_WORD_CHAR);
+    gtk_label_set_xalign(GTK_LABEL(view->title), 0.5);
+    gtk_label_set_max_width_chars(GTK_LABEL(view->title), 26);
+    gtk_label_set_lines(GTK_LABEL(view->title), 2);
     gtk_label_set_ellipsize(GTK_LABEL(view->title), PANGO_ELLIPSIZE_MIDDLE);
-    gtk_label_set_max_width_chars(GTK_LABEL(view->title), 24);
     gtk_widget_add_css_class(view->title, "instrument-title");
     gtk_widget_set_hexpand(view->title, TRUE);
     gtk_box_append(GTK_BOX(view->bar), view->title);

@@ -7,6 +7,7 @@
 #include "gui/property/table-chooser.h"
 #include "gui/widget/choices.h"
 #include "gui/widget/entry-select.h"
+#include "gui/widget/popup-menu.h"
 #include "gui/widget/unparent.h"
 
 /* px, of 276 that the panel has inside. Controls have a least width so that a long title wraps instead of shifting
@@ -226,11 +227,46 @@ static void show_hint(TinkerPropertyField *field)
     gtk_label_set_text(GTK_LABEL(field->hint), hint);
 }
 
+/* Controls are made of numbers, here as well as in the menu of the block: by the right button on the number or its
+ * title. (transfer full) */
+static GMenuModel *control_menu(const TinkerPropertyField *field)
+{
+    g_autoptr(GMenuItem) item = g_menu_item_new(_("Add C_ontrol"), NULL);
+    GMenu *menu = g_menu_new();
+    g_menu_item_set_action_and_target_value(item, "win.add-control", g_variant_new_string(field->row->control));
+    g_menu_append_item(menu, item);
+    return G_MENU_MODEL(menu);
+}
+
+static void on_title_menu(GtkGestureClick *gesture, int presses, double x, double y, TinkerPropertyField *field)
+{
+    if (field->row->control == NULL) return;
+    g_autoptr(GMenuModel) menu = control_menu(field);
+    gtk_gesture_set_state(GTK_GESTURE(gesture), GTK_EVENT_SEQUENCE_CLAIMED);
+    tinker_popup_menu(field->title, menu, x, y);
+}
+
+static void add_title_menu(TinkerPropertyField *field)
+{
+    GtkGesture *click = gtk_gesture_click_new();
+    gtk_gesture_single_set_button(GTK_GESTURE_SINGLE(click), GDK_BUTTON_SECONDARY);
+    g_signal_connect(click, "pressed", G_CALLBACK(on_title_menu), field);
+    gtk_widget_add_controller(field->title, GTK_EVENT_CONTROLLER(click));
+}
+
+/* In the entry's own menu. */
+static void show_entry_menu(TinkerPropertyField *field)
+{
+    g_autoptr(GMenuModel) menu = field->row->control != NULL ? control_menu(field) : NULL;
+    gtk_entry_set_extra_menu(GTK_ENTRY(field->control), menu);
+}
+
 void tinker_property_field_show(TinkerPropertyField *field, TinkerPropertyRow *row)
 {
     gboolean same_hint = g_strcmp0(field->row->hint, row->hint) == 0;
     gboolean same = tinker_property_row_same_target(field->row, row);
     gboolean described = g_strcmp0(field->row->description, row->description) == 0;
+    gboolean same_control = g_strcmp0(field->row->control, row->control) == 0;
     tinker_property_row_ref(row);
     tinker_property_row_unref(field->row);
     field->row = row;
@@ -255,6 +291,7 @@ void tinker_property_field_show(TinkerPropertyField *field, TinkerPropertyRow *r
     if (!same_hint) show_hint(field);
     if (!same || (!same_hint && !gtk_widget_get_visible(field->problem))) set_problem(field, NULL);
     if (!described) gtk_widget_set_tooltip_text(field->title, row->description);
+    if (row->kind == TINKER_ROW_NUMBER && !same_control) show_entry_menu(field);
 }
 
 void tinker_property_field_discard(TinkerPropertyField *field)
@@ -375,6 +412,8 @@ GtkWidget *tinker_property_field_new(TinkerDocument *document, TinkerPropertyRow
     gtk_widget_set_tooltip_text(field->title, row->description);
     set_problem(field, NULL);
     show_hint(field);
+    add_title_menu(field);
+    if (row->kind == TINKER_ROW_NUMBER) show_entry_menu(field);
     tinker_property_field_show(field, row);
     return GTK_WIDGET(field);
 }

@@ -27,6 +27,7 @@ struct _TinkerPropertyRow {
     char *hint;         /* for a line below it, what it comes to in this scene; NULL: nothing to say */
     char *description;  /* for a tooltip: what it is, its symbol, range and default */
     const char *unit;   /* displayed; "" where there is none. Static or interned */
+    char *control;      /* the number of the selected block that a control can turn (scene.h); NULL: none */
     gboolean sensitive; /* FALSE: shown, but it cannot be set, or plays no part as things are */
     gboolean given;     /* FALSE: it has its default */
     gboolean mixed;     /* the blocks selected have several values */

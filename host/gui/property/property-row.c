@@ -14,6 +14,7 @@ static void row_clear(gpointer data)
     g_free(row->id);
     g_free(row->text);
     g_free(row->hint);
+    g_free(row->control);
     g_free(row->description);
     g_strfreev(row->choices);
     g_array_unref(row->blocks);

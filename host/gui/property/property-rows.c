@@ -340,6 +340,17 @@ static TinkerPropertyRow *add_row(PropertyBuilder *builder, int32_t property, in
     return row;
 }
 
+/* "stiffness", "velocity.x"; NULL where it is not of the selected block alone, or not set. (transfer full) */
+static char *control_name(const PropertyBuilder *builder, const TinkerPropertyRow *row)
+{
+    const TinkerPropertyType *type = &builder->block_class->properties[row->property];
+    if (!row->sensitive || row->set != set_number || builder->count != 1 ||
+        tinker_document_selected(builder->document) != builder->blocks[0])
+        return NULL;
+    return type->kind == TINKER_KIND_VECTOR ? g_strdup_printf("%s.%c", type->id, "xy"[row->component])
+                                            : g_strdup(type->id);
+}
+
 static void add_number(PropertyBuilder *builder, int32_t property, int32_t component)
 {
     const TinkerPropertyType *type = &builder->block_class->properties[property];
@@ -356,6 +367,7 @@ static void add_number(PropertyBuilder *builder, int32_t property, int32_t compo
     row->sensitive = !(type->flags & (TINKER_READ_ONLY | TINKER_DERIVED)) &&
                      !property_plays_no_part(builder->scene, builder->blocks[0], property);
     row->set = is_offset(builder->block_class, property) ? set_offset : set_number;
+    row->control = control_name(builder, row);
 }
 
 static void add_choice(PropertyBuilder *builder, int32_t property, TinkerRowKind kind)

@@ -5,7 +5,11 @@
 #include <glib/gi18n.h>
 #include <langinfo.h>
 #include <locale.h>
+#include <math.h>
 #include <string.h>
+
+#include "law/value.h"
+#include "units/expression-tree.h"
 
 #define DECIMALS 5
 
@@ -32,11 +36,51 @@ static char *with_point(const char *text)
     return plain;
 }
 
+/* There is no time in a number. */
+static double no_value(const char *symbol, void *data)
+{
+    return NAN;
+}
+
+static gboolean read_formula(const char *text, double *value, GError **error)
+{
+    static const char *const no_names[] = {NULL};
+    g_autoptr(TinkerExpression) formula = tinker_expression_parse(text, no_names, error);
+    if (formula == NULL) return FALSE;
+    *value = tinker_expression_value(formula, no_value, NULL);
+    if (isfinite(*value)) return TRUE;
+    g_set_error(error, TINKER_UNITS_ERROR, TINKER_UNITS_ERROR_SYNTAX, _("“%s” is no number"), text);
+    return FALSE;
+}
+
+/* "2*9.81" in the unit that is shown, "2*9.81 m/s^2" in the one behind it: the first space that has a formula before it
+ * and a unit behind it is between the two. */
+static gboolean read_quantity_formula(const char *text, TinkerDimension dimension, const char *unit, double *si,
+                                      GError **error)
+{
+    TinkerUnit behind;
+    if (read_formula(text, si, error)) {
+        TinkerUnit shown = {1, {0, 0, 0, 0}};
+        tinker_unit_parse(unit, &shown, NULL);
+        *si *= shown.factor;
+        return TRUE;
+    }
+    for (const char *space = strchr(text, ' '); space != NULL; space = strchr(space + 1, ' ')) {
+        g_autofree char *formula = g_strndup(text, (gsize)(space - text));
+        if (!tinker_unit_parse(space + 1, &behind, NULL) || !read_formula(formula, si, NULL)) continue;
+        char number[G_ASCII_DTOSTR_BUF_SIZE];
+        g_autofree char *worked_out = g_strconcat(g_ascii_dtostr(number, sizeof number, *si), space, NULL);
+        g_clear_error(error);
+        return tinker_quantity_parse(worked_out, dimension, si, error);
+    }
+    return FALSE;
+}
+
 gboolean tinker_number_read(const char *text, TinkerDimension dimension, const char *unit, double *si, GError **error)
 {
     static const TinkerDimension none = {0, 0, 0, 0};
     g_autofree char *plain = with_point(text);
-    GError *cause = NULL;
+    GError *cause = NULL, *of_formula = NULL;
     TinkerUnit shown;
     gboolean is_bare = strspn(plain, "0123456789.+-eE") == strlen(plain);
     if (is_bare && tinker_unit_parse(unit, &shown, NULL) && tinker_quantity_parse(plain, none, si, NULL)) {
@@ -44,11 +88,18 @@ gboolean tinker_number_read(const char *text, TinkerDimension dimension, const c
         return TRUE;
     }
     if (tinker_quantity_parse(plain, dimension, si, &cause)) return TRUE;
-    if (strchr(plain, ',') == NULL) {
-        g_propagate_error(error, cause);
+    if (read_quantity_formula(plain, dimension, unit, si, &of_formula)) {
+        g_error_free(cause);
+        return TRUE;
+    }
+    const gboolean is_formula = strpbrk(plain, "*(") != NULL;
+    if (is_formula || strchr(plain, ',') == NULL) {
+        g_propagate_error(error, is_formula ? of_formula : cause);
+        g_error_free(is_formula ? cause : of_formula);
         return FALSE;
     }
     g_error_free(cause);
+    g_error_free(of_formula);
     g_set_error_literal(error, TINKER_UNITS_ERROR, TINKER_UNITS_ERROR_SYNTAX,
                         _("A number is written with a point and without thousands separators, as in 3.5."));
     return FALSE;

@@ -1,7 +1,10 @@
 /* A name is the user's own: "m1: its length ..." is not about a block "M1". */
 #include "gui/text/sentence.h"
 
+#include <glib/gi18n.h>
 #include <string.h>
+
+#include "gui/text/translate.h"
 
 static char *ended(const char *message)
 {
@@ -31,4 +34,27 @@ char *tinker_sentence_in(TinkerScene *scene, const char *message)
         if (begins_with_word(message, tinker_scene_block_name(scene, tinker_scene_block_at(scene, i))))
             return ended(message);
     return tinker_sentence(message);
+}
+
+static gboolean is_word_character(char c)
+{
+    return g_ascii_isalnum(c) || c == '_';
+}
+
+char *tinker_with_titles(const char *message, const TinkerBlockClass *block_class)
+{
+    GString *text = g_string_new(NULL);
+    for (const char *at = message; *at != '\0';) {
+        gsize length = 0;
+        while (is_word_character(at[length]))
+            length++;
+        g_autofree char *word = g_strndup(at, MAX(length, 1));
+        int32_t property = block_class != NULL && length > 0 ? tinker_block_class_property(block_class, word) : -1;
+        if (property >= 0)
+            g_string_append_printf(text, _("“%s”"), tinker_translate(block_class->properties[property].title));
+        else
+            g_string_append(text, word);
+        at += strlen(word);
+    }
+    return g_string_free(text, FALSE);
 }

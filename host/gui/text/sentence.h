@@ -11,4 +11,8 @@ char *tinker_sentence(const char *message);
  * full) */
 char *tinker_sentence_in(TinkerScene *scene, const char *message);
 
+/* Puts the titles of a block's properties in the place of their ids, word by word: "dynamic_friction is above ..." is
+ * “Dynamic coefficient” there. The class may be NULL. (transfer full) */
+char *tinker_with_titles(const char *message, const TinkerBlockClass *block_class);
+
 #endif

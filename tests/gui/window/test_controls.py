@@ -41,6 +41,17 @@ def test_added_by_the_menu(display):
         check("controls" not in app.saved(), "no control is left")
 
 
+def test_added_by_the_property(display):
+    with App(display, oscillator()) as app:
+        app.show_width()
+        app.click_world(0.13, 1.13)
+        app.bring_into_view(app.field("Properties", "Mass"))
+        app.click(app.field("Properties", "Mass"), button=3)
+        app.choose("Add Control")
+        app.find("slider", "Bob: Mass")
+        check_close(app.saved()["controls"][0]["step"], 0.02, 1e-12, "its step")
+
+
 def test_curve_follows_the_hand(display):
     """At 4 s the mass is at 2 - cos(4 omega) m, omega the root of the stiffness."""
     with App(display, oscillator(controls=[STIFFNESS], meters=[HEIGHT])) as app:
@@ -73,6 +84,20 @@ def test_keys(display):
         check(left > -4.5 and top < 2, f"it was moved to ({left}, {top})")
         app.press("Delete")
         app.gone("slider", "Coil: K")
+
+
+def test_typed_value(display):
+    """A number that is typed is taken as it is, and one beyond the range widens that."""
+    with App(display, oscillator(controls=[STIFFNESS])) as app:
+        value = app.find("text", "Value of Coil: K")
+        app.retype(value, "2*32.5")
+        app.press("Return")
+        wait(lambda: app.blocks()["Coil"]["stiffness"] == 65, "the number that was typed")
+        wait(lambda: app.find("slider", "Coil: K").value() == 65, "the slider at it")
+        app.retype(app.find("text", "Value of Coil: K"), "0.25 kN/m")
+        app.press("Return")
+        wait(lambda: app.blocks()["Coil"]["stiffness"] == 250, "a number beyond the range")
+        check_equal(app.saved()["controls"][0]["to"], 250, "the end of the range")
 
 
 def test_moved_by_its_title(display):
