@@ -231,6 +231,18 @@ static double speed_along(const TinkerEquationWriter *writer, const TinkerTopCon
     return n[1] * ux - n[0] * uy;
 }
 
+/* What resists rolling: its value, of which no law is written. */
+static void add_moment(TinkerEquationWriter *writer, const TinkerTopContact *contact, const Top *top)
+{
+    const TinkerDimension dimension = TINKER_DIMENSION_ENERGY;
+    const char *name = name_of(writer, contact, "M", NULL);
+    tinker_writer_note_unwritten(writer, contact->body, name, "the moment that resists its rolling is a number here");
+    TinkerExpression *moment = tinker_writer_symbol(writer, name, contact->support, contact->moment, dimension, NULL,
+                                                    "moment against rolling");
+    tinker_writer_add_term(writer, &top->point, contact->support, TINKER_TERM_FRICTION, tinker_expression_number(0),
+                           tinker_expression_number(0), moment);
+}
+
 void tinker_writer_add_top_contact(TinkerEquationWriter *writer, const TinkerTopContact *contact)
 {
     Top top;
@@ -247,5 +259,7 @@ void tinker_writer_add_top_contact(TinkerEquationWriter *writer, const TinkerTop
         add_sliding(writer, contact, &top, normal, moves ? copysign(1, speed) : -copysign(1, contact->friction));
     else
         add_sticking(writer, contact, &top);
+    if (tinker_frame_meaning(writer->frame, contact->body, TINKER_MEANING_ROLLING_RESISTANCE, 0, 0) > 0)
+        add_moment(writer, contact, &top);
     top_clear(&top);
 }

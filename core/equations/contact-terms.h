@@ -9,6 +9,7 @@ typedef enum { TINKER_TOUCHES_AS_MASS, TINKER_TOUCHES_AS_DISC, TINKER_TOUCHES_AT
 typedef struct {
     TinkerBlockId support, body;
     double normal, friction; /* N: across the top, along it */
+    double moment;           /* N m: what resists rolling */
     double at[2];            /* m: where it touches */
     TinkerTouchShape shape;
     const char *index; /* of its symbols; NULL: that of the support */

@@ -112,6 +112,7 @@ void tinker_writer_add_contacts(TinkerEquationWriter *writer)
                                           normal->on,
                                           n[0] * normal->fx + n[1] * normal->fy,
                                           friction != NULL ? n[1] * friction->fx - n[0] * friction->fy : 0,
+                                          friction != NULL ? friction->torque : 0,
                                           {normal->x, normal->y},
                                           shape_of(writer, normal->on),
                                           index};

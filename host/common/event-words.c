@@ -8,7 +8,11 @@
 static const struct {
     const char *kind, *words;
     int blocks;
+    gboolean turns;
 } sentences[] = {
+    {"reversal", N_("%s begins to roll the other way on %s"), 2, TRUE},
+    {"slip", N_("%s begins to roll on %s"), 2, TRUE},
+    {"stick", N_("%s stops rolling on %s"), 2, TRUE},
     {"blow", N_("%s strikes %s"), 2},
     {"end", N_("%s leaves the end of %s"), 2},
     {"impact", N_("%s strikes %s"), 2},
@@ -57,7 +61,9 @@ char *tinker_event_text(const TinkerScene *scene, const TinkerEvent *event)
     const char *all = event->blocks != NULL ? event->blocks : "", *comma = end_of_first(scene, all);
     g_autofree char *first = comma != NULL ? g_strndup(all, (gsize)(comma - all)) : NULL;
     for (gsize i = 0; i < G_N_ELEMENTS(sentences); i++) {
-        if (!g_str_equal(sentences[i].kind, event->kind) || (sentences[i].blocks == 2 && comma == NULL)) continue;
+        if (!g_str_equal(sentences[i].kind, event->kind) || (sentences[i].turns && !event->turns) ||
+            (sentences[i].blocks == 2 && comma == NULL))
+            continue;
         const gboolean two = sentences[i].blocks == 2;
         return filled(_(sentences[i].words), (const char *[]){two ? first : all, two ? comma + 2 : ""});
     }

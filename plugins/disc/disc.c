@@ -79,6 +79,10 @@ static const TinkerPropertyType properties[] = {
     {TINKER_REAL_PROPERTY("radius", "Radius", "Size", TINKER_DIMENSION_LENGTH), TINKER_POSITIVE(0, 0.1, 2.0),
      .meaning = TINKER_MEANING_RADIUS, .default_value = {0.4}, .symbol = "r", .variability = TINKER_STRUCTURAL,
      .description = "From its centre to its rim"},
+    {TINKER_REAL_PROPERTY("rolling_resistance", "Rolling resistance", "Friction", TINKER_DIMENSION_LENGTH),
+     TINKER_NOT_NEGATIVE(TINKER_DEFAULT_NONE, 0.1), .meaning = TINKER_MEANING_ROLLING_RESISTANCE, .symbol = "ρ",
+     .variability = TINKER_STRUCTURAL,
+     .description = "The moment that resists its rolling on what it touches, at most, per normal force"},
 };
 
 static const TinkerQuantityType quantities[] = {TINKER_BODY_QUANTITIES};
@@ -89,7 +93,8 @@ static const TinkerRender render = {sizeof(TinkerRender), 1, draw, bounds};
 static const TinkerEdit edit = {sizeof(TinkerEdit), 0, hit, move, move_absolute, handles};
 static const TinkerGraph graph = {sizeof(TinkerGraph), 0, tinker_body_values};
 
-static const TinkerUnitChoice unit_choices[] = {TINKER_BODY_UNITS, {"radius", "m", "ft"}};
+static const TinkerUnitChoice unit_choices[] = {
+    TINKER_BODY_UNITS, {"radius", "m", "ft"}, {"rolling_resistance", "m", "ft"}};
 static const TinkerUnits units = {sizeof(TinkerUnits), 0, TINKER_SPAN(unit_choices)};
 
 static const TinkerInterface interfaces[] = {

@@ -20,7 +20,7 @@ static double lost_energy(void *data, double share)
     const TinkerImpact *impact = trial->impact;
     if (trial->result == TINKER_CONTACT_NO_MEMORY) return -1;
     TinkerContactProblem problem = {impact->count, impact->delassus, trial->offset, impact->friction,
-                                    NULL,          impact->motion};
+                                    NULL,          impact->motion,   impact->bearer};
     for (int32_t k = 0; k < impact->count; k++) {
         double normal = impact->velocity[2 * k];
         double least = impact->least != NULL ? impact->least[k]

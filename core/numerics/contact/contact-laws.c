@@ -34,9 +34,14 @@ static void accelerations(const TinkerClosedContacts *closed, const TinkerContac
         if (fabs(a[i]) <= closed->noise + TINKER_MODE_ROUNDING * size[i]) a[i] = 0;
 }
 
+static int32_t bearer_of(const TinkerClosedContacts *closed, int32_t k)
+{
+    return closed->bearer != NULL ? closed->bearer[k] : k;
+}
+
 static TinkerContactMode mode_of(const TinkerClosedContacts *closed, int32_t k, double force, const double *a)
 {
-    if (a[2 * k] > 0 && !(force > 0)) return TINKER_CONTACT_OPEN;
+    if (a[2 * bearer_of(closed, k)] > 0 && !(force > 0)) return TINKER_CONTACT_OPEN;
     double along = closed->sliding[k] != 0 ? closed->sliding[k] : a[2 * k + 1];
     return along > 0 ? TINKER_CONTACT_SLIP_FORWARD : along < 0 ? TINKER_CONTACT_SLIP_BACKWARD : TINKER_CONTACT_STICK;
 }
@@ -47,7 +52,8 @@ TinkerContactResult tinker_contact_modes(const TinkerClosedContacts *closed, Tin
     int32_t m = closed->count;
     Room room;
     if (!room_init(&room, m)) return TINKER_CONTACT_NO_MEMORY;
-    TinkerContactProblem problem = {m, closed->delassus, room.offset, room.friction, closed->sliding, closed->motion};
+    TinkerContactProblem problem = {
+        m, closed->delassus, room.offset, room.friction, closed->sliding, closed->motion, closed->bearer};
     for (int32_t k = 0; k < m; k++) {
         double normal = closed->acceleration[2 * k];
         room.offset[2 * k] = fabs(normal) <= closed->noise ? 0 : normal;
@@ -62,9 +68,10 @@ TinkerContactResult tinker_contact_modes(const TinkerClosedContacts *closed, Tin
         if (result != TINKER_CONTACT_SOLVED) break;
         accelerations(closed, &problem, forces, room.v, room.size);
         for (int32_t k = 0; k < m; k++) {
-            modes[k] = mode_of(closed, k, forces[2 * k], room.v);
+            const double normal = forces[2 * bearer_of(closed, k)];
+            modes[k] = mode_of(closed, k, normal, room.v);
             gboolean slips = modes[k] == TINKER_CONTACT_SLIP_FORWARD || modes[k] == TINKER_CONTACT_SLIP_BACKWARD;
-            if (!slips || !(forces[2 * k] > 0) || !(room.friction[k] > closed->dynamic_friction[k])) continue;
+            if (!slips || !(normal > 0) || !(room.friction[k] > closed->dynamic_friction[k])) continue;
             room.friction[k] = closed->dynamic_friction[k];
             changed = TRUE;
         }
@@ -81,7 +88,8 @@ TinkerContactResult tinker_contact_jam(const TinkerClosedContacts *closed, const
     int32_t m = closed->count;
     Room room;
     if (!room_init(&room, m)) return TINKER_CONTACT_NO_MEMORY;
-    TinkerContactProblem problem = {m, closed->delassus, room.offset, room.friction, NULL, closed->motion};
+    TinkerContactProblem problem = {m,    closed->delassus, room.offset,   room.friction,
+                                    NULL, closed->motion,   closed->bearer};
     double fastest = 0, hardest = 0, *half = room.v;
     for (int32_t i = 0; i < 2 * m; i++) {
         fastest = MAX(fastest, fabs(velocity[i]));
@@ -97,9 +105,12 @@ TinkerContactResult tinker_contact_jam(const TinkerClosedContacts *closed, const
         result = tinker_contact_solve(&problem, pass == 0 ? impulses : half);
     }
     for (int32_t k = 0; k < m && result == TINKER_CONTACT_SOLVED; k++) {
-        double normal = 2 * half[2 * k] - impulses[2 * k], along = 2 * half[2 * k + 1] - impulses[2 * k + 1];
-        double noise = TINKER_MODE_ROUNDING * half[2 * k], most = room.friction[k] * normal;
-        impulses[2 * k] = normal > noise ? normal : 0;
+        const int32_t b = bearer_of(closed, k);
+        /* a bearer comes before what leans on it: its impulse is that of the jam by then */
+        double normal = b != k ? impulses[2 * b] : 2 * half[2 * k] - impulses[2 * k];
+        double along = 2 * half[2 * k + 1] - impulses[2 * k + 1];
+        double noise = TINKER_MODE_ROUNDING * half[2 * b], most = room.friction[k] * normal;
+        impulses[2 * k] = b == k && normal > noise ? normal : 0;
         impulses[2 * k + 1] = normal > noise ? CLAMP(along, -most, most) : 0;
     }
     g_free(room.many);

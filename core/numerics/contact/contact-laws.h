@@ -6,6 +6,10 @@
  * impulse at one contact changes in the relative velocity at another. A contact without friction may leave its
  * tangential row and column 0.
  *
+ * A moment that resists rolling is a contact that leans on another one, its bearer b, which comes before it: it has no
+ * normal direction of its own (row, column and entries of n are 0), is closed while its bearer is, and |p_t| is at most
+ * friction times the p_n of the bearer. Problems with such contacts have W as a matrix.
+ *
  * Sources: Anitescu, Potra, "Formulating dynamic multi-rigid-body contact problems with friction as solvable linear
  * complementarity problems", Nonlinear Dynamics 14 (1997) 231-247; Glocker, Pfeiffer, "Multibody Dynamics with
  * Unilateral Contacts" (1996); Genot, Brogliato, "New results on Painleve paradoxes", Eur. J. Mech. A 18 (1999)
@@ -63,6 +67,7 @@ typedef struct {
     const double *least;       /* m: least normal velocities after the impact, in place of those that restitution
                                   gives; or NULL */
     const TinkerContactMotion *motion;
+    const int32_t *bearer; /* m: its own number, or that of the contact it leans on; NULL: none leans on another */
 } TinkerImpact;
 
 /* Writes the impulses p (2m). No impact adds energy: where Newton's restitution together with friction would (the sum
@@ -97,6 +102,7 @@ typedef struct {
     const double *dynamic_friction; /* m: at most the static ones */
     double noise;                   /* m/s^2: accelerations up to this are rounding */
     const TinkerContactMotion *motion;
+    const int32_t *bearer; /* as in TinkerImpact */
 } TinkerClosedContacts;
 
 /* Finds what every contact does from here on, and its forces f (2m):

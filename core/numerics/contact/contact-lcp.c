@@ -4,7 +4,9 @@
  *     v_n >= 0 | p_n >= 0,   s + v_t >= 0 | p_forward >= 0,   s - v_t >= 0 | p_backward >= 0,
  *     friction p_n - p_forward - p_backward >= 0 | s >= 0,       p_t = p_forward - p_backward;
  *
- * others have p_n alone. The matrix is copositive where none slides, so that Lemke's path ends in a solution. */
+ * others have p_n alone. What leans on another has no p_n of its own: the bearer's stands in its place, and where it
+ * cannot hold, it has no unknown at all. The matrix is copositive where none slides, so that Lemke's path ends in a
+ * solution. */
 #include <math.h>
 #include <string.h>
 
@@ -19,6 +21,24 @@ static void entries(const TinkerContactProblem *problem, int32_t row, int32_t k,
     *of_n = at[0] + (row == 2 * k ? softening : 0);
     *of_t = at[1] + (row == 2 * k + 1 ? softening : 0);
     if (!tinker_contact_grips(problem, k)) *of_n += tinker_contact_slope(problem, k, TINKER_STATE_FREE) * *of_t;
+    for (int32_t i = k + 1; problem->bearer != NULL && i < problem->count; i++)
+        if (problem->bearer[i] == k && !tinker_contact_grips(problem, i))
+            *of_n += tinker_contact_slope(problem, i, TINKER_STATE_FREE) * at[2 * (i - k) + 1];
+}
+
+/* How many unknowns a contact has. */
+static int32_t unknowns_of(const TinkerContactProblem *problem, int32_t k)
+{
+    return (tinker_contact_leans(problem, k) ? 0 : 1) + (tinker_contact_grips(problem, k) ? 3 : 0);
+}
+
+/* The number of p_n of a contact that leans on no other. */
+static int32_t normal_of(const TinkerContactProblem *problem, int32_t k)
+{
+    int32_t at = 0;
+    for (int32_t i = 0; i < k; i++)
+        at += unknowns_of(problem, i);
+    return at;
 }
 
 /* A row of the matrix: `sign` times an entry of v. */
@@ -27,7 +47,7 @@ static void fill_row(const TinkerContactProblem *problem, int32_t entry, double 
     for (int32_t k = 0, at = 0; k < problem->count; k++) {
         double of_n, of_t;
         entries(problem, entry, k, softening, &of_n, &of_t);
-        row[at++] = sign * of_n;
+        if (!tinker_contact_leans(problem, k)) row[at++] = sign * of_n;
         if (!tinker_contact_grips(problem, k)) continue;
         row[at++] = sign * of_t;
         row[at++] = -sign * of_t;
@@ -45,26 +65,29 @@ static int32_t fill(const TinkerContactProblem *problem, double softening, const
 {
     int32_t size = 0, at = 0;
     for (int32_t k = 0; k < problem->count; k++)
-        size += tinker_contact_grips(problem, k) ? 4 : 1;
+        size += unknowns_of(problem, k);
     for (int32_t k = 0; k < problem->count; k++) {
-        q[at] = offset_of(problem, 2 * k, softening, centre);
-        fill_row(problem, 2 * k, 1, softening, matrix + (gsize)at * (gsize)size);
-        if (!tinker_contact_grips(problem, k)) {
+        int32_t normal = at;
+        if (tinker_contact_leans(problem, k)) {
+            normal = normal_of(problem, problem->bearer[k]);
+        } else {
+            q[at] = offset_of(problem, 2 * k, softening, centre);
+            fill_row(problem, 2 * k, 1, softening, matrix + (gsize)at * (gsize)size);
             at++;
-            continue;
         }
-        double *row = matrix + (gsize)(at + 1) * (gsize)size;
-        q[at + 1] = offset_of(problem, 2 * k + 1, softening, centre);
-        q[at + 2] = -q[at + 1];
-        q[at + 3] = 0;
+        if (!tinker_contact_grips(problem, k)) continue;
+        double *row = matrix + (gsize)at * (gsize)size;
+        q[at] = offset_of(problem, 2 * k + 1, softening, centre);
+        q[at + 1] = -q[at];
+        q[at + 2] = 0;
         fill_row(problem, 2 * k + 1, 1, softening, row);
         fill_row(problem, 2 * k + 1, -1, softening, row + size);
-        row[at + 3] = row[size + at + 3] = 1;
+        row[at + 2] = row[size + at + 2] = 1;
         row += 2 * size;
         memset(row, 0, (gsize)size * sizeof *row);
-        row[at] = problem->friction[k];
-        row[at + 1] = row[at + 2] = -1;
-        at += 4;
+        row[normal] = problem->friction[k];
+        row[at] = row[at + 1] = -1;
+        at += 3;
     }
     return size;
 }
@@ -77,18 +100,20 @@ gboolean tinker_contact_by_complementarity(TinkerContactWork *work, double softe
     /* where the solver gives up, it is the contacts' own check that judges what it has */
     if (tinker_lcp_solve(size, work->lcp, q, z, room) == TINKER_LCP_RAY) return FALSE;
     for (int32_t k = 0, at = 0; k < problem->count; k++) {
-        gboolean grips = tinker_contact_grips(problem, k);
-        work->p[2 * k] = z[at];
-        if (grips) {
-            work->p[2 * k + 1] = z[at + 1] - z[at + 2];
-            work->state[k] = z[at + 3] > 0 ? work->p[2 * k + 1] < 0 ? TINKER_STATE_FORWARD : TINKER_STATE_BACKWARD
-                                           : TINKER_STATE_STICK;
+        const gboolean leans = tinker_contact_leans(problem, k);
+        const double normal = leans ? work->p[2 * problem->bearer[k]] : z[at];
+        const double *along = z + at + !leans;
+        work->p[2 * k] = leans ? 0 : normal;
+        if (tinker_contact_grips(problem, k)) {
+            work->p[2 * k + 1] = along[0] - along[1];
+            work->state[k] = along[2] > 0 ? work->p[2 * k + 1] < 0 ? TINKER_STATE_FORWARD : TINKER_STATE_BACKWARD
+                                          : TINKER_STATE_STICK;
         } else {
-            work->p[2 * k + 1] = tinker_contact_slope(problem, k, TINKER_STATE_FREE) * z[at];
+            work->p[2 * k + 1] = tinker_contact_slope(problem, k, TINKER_STATE_FREE) * normal;
             work->state[k] = TINKER_STATE_FREE;
         }
-        if (z[at] == 0) work->state[k] = TINKER_STATE_OPEN;
-        at += grips ? 4 : 1;
+        if (normal == 0) work->state[k] = TINKER_STATE_OPEN;
+        at += unknowns_of(problem, k);
     }
     return TRUE;
 }

@@ -17,6 +17,7 @@ typedef struct {
     const double *friction; /* m */
     const int8_t *sliding;  /* m: -1, 0, 1; NULL: none slides */
     const TinkerContactMotion *motion;
+    const int32_t *bearer; /* m; NULL: none leans on another */
 } TinkerContactProblem;
 
 /* Closed contacts keep p_t = slope p_n, but where they stick. */
@@ -72,6 +73,17 @@ gboolean tinker_contact_try_states(TinkerContactWork *work, double tolerance, Ti
 /* Solves the problem as a linear complementarity problem, with softening (p - centre) added to v; centre may be NULL:
  * 0. Leaves p and state. */
 gboolean tinker_contact_by_complementarity(TinkerContactWork *work, double softening, const double *centre);
+
+/* The contact whose normal impulse bounds the friction of contact k. */
+static inline int32_t tinker_contact_bearer(const TinkerContactProblem *problem, int32_t k)
+{
+    return problem->bearer != NULL ? problem->bearer[k] : k;
+}
+
+static inline gboolean tinker_contact_leans(const TinkerContactProblem *problem, int32_t k)
+{
+    return tinker_contact_bearer(problem, k) != k;
+}
 
 /* Whether contact k may hold by friction. */
 static inline gboolean tinker_contact_grips(const TinkerContactProblem *problem, int32_t k)

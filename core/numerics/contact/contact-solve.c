@@ -29,6 +29,7 @@ static const double softenings[] = {1e-6, 3e-5, 1e-3};
 static gboolean is_immovable(const TinkerContactProblem *problem, int32_t k)
 {
     gsize width = 2 * (gsize)problem->count, n = 2 * (gsize)k;
+    if (tinker_contact_leans(problem, k)) return FALSE;
     double normal = problem->delassus[n * (width + 1)], along = problem->delassus[(n + 1) * (width + 1)];
     return !(normal > TINKER_IMMOVABLE * along);
 }
@@ -119,7 +120,9 @@ static void set_up(TinkerContactWork *work, const TinkerContactProblem *problem,
     work->blocked = FALSE;
     for (gsize k = 0; k < m; k++) {
         double block = problem->delassus[2 * k * (width + 1)] + problem->delassus[(2 * k + 1) * (width + 1)];
-        work->scale[k] = block > 0 ? 1 / tinker_power_of_two(sqrt(block)) : 1;
+        const gsize bearer = (gsize)tinker_contact_bearer(problem, (int32_t)k);
+        /* the cone of what leans on another is over that one's normal */
+        work->scale[k] = bearer != k ? work->scale[bearer] : block > 0 ? 1 / tinker_power_of_two(sqrt(block)) : 1;
         for (gsize i = 2 * k; i < 2 * k + 2; i++)
             largest = MAX(largest, fabs(problem->offset[i]) * work->scale[k]);
     }
@@ -142,9 +145,9 @@ static gboolean guess(TinkerContactWork *work, double tolerance, TinkerContactSt
 {
     const TinkerContactProblem *problem = &work->problem;
     for (int32_t k = 0; k < problem->count; k++)
-        work->state[k] = problem->offset[2 * k] >= 0        ? TINKER_STATE_OPEN
-                         : tinker_contact_grips(problem, k) ? TINKER_STATE_STICK
-                                                            : TINKER_STATE_FREE;
+        work->state[k] = problem->offset[2 * tinker_contact_bearer(problem, k)] >= 0 ? TINKER_STATE_OPEN
+                         : tinker_contact_grips(problem, k)                          ? TINKER_STATE_STICK
+                                                                                     : TINKER_STATE_FREE;
     for (int32_t tries = 0; tries < MIN(problem->count, MANY) + 6; tries++) {
         if (tinker_contact_try_states(work, tolerance, next)) return TRUE;
         if (memcmp(next, work->state, (gsize)problem->count * sizeof *next) == 0) return FALSE;
@@ -189,7 +192,7 @@ static void read_states(TinkerContactWork *work)
 {
     const TinkerContactProblem *problem = &work->problem;
     for (int32_t k = 0; k < problem->count; k++) {
-        const double pn = work->p[2 * k], pt = work->p[2 * k + 1];
+        const double pn = work->p[2 * tinker_contact_bearer(problem, k)], pt = work->p[2 * k + 1];
         work->state[k] = !(pn > 0)                                                      ? TINKER_STATE_OPEN
                          : !tinker_contact_grips(problem, k)                            ? TINKER_STATE_FREE
                          : fabs(pt) < (1 - TINKER_AT_BOUND) * problem->friction[k] * pn ? TINKER_STATE_STICK
@@ -286,8 +289,9 @@ TinkerContactResult tinker_contact_solve(const TinkerContactProblem *problem, do
     set_up(&work, problem, large != NULL ? large : small);
     TinkerContactResult result = solve_several(&work, work.state + m);
     for (int32_t k = 0; k < m; k++) {
-        gboolean pushes = result == TINKER_CONTACT_SOLVED && work.p[2 * k] > 0;
-        double factor = work.scale[k] * work.unit, most = problem->friction[k] * work.p[2 * k];
+        const double normal = work.p[2 * tinker_contact_bearer(problem, k)];
+        gboolean pushes = result == TINKER_CONTACT_SOLVED && normal > 0;
+        double factor = work.scale[k] * work.unit, most = problem->friction[k] * normal;
         p[2 * k] = pushes ? work.p[2 * k] * factor : 0;
         p[2 * k + 1] = pushes ? CLAMP(work.p[2 * k + 1], -most, most) * factor : 0;
     }

@@ -6,13 +6,24 @@
 #include "numerics/contact/tolerances.h"
 #include "numerics/solve/pivoted-solve.h"
 
+/* What the normal impulse of contact k does in a row by way of those that lean on it and slip. */
+static double leaning_entry(const TinkerContactWork *work, int32_t k, const double *row)
+{
+    const TinkerContactProblem *problem = &work->problem;
+    double entry = 0;
+    for (int32_t i = k + 1; i < problem->count; i++)
+        if (problem->bearer[i] == k && work->state[i] != TINKER_STATE_STICK)
+            entry += tinker_contact_slope(problem, i, work->state[i]) * row[2 * i + 1];
+    return entry;
+}
+
 static void solve_system(TinkerContactWork *work)
 {
     const TinkerContactProblem *problem = &work->problem;
     int32_t m = problem->count, width = 2 * m, count = 0;
     for (int32_t k = 0; k < m; k++) {
         work->p[2 * k] = work->p[2 * k + 1] = 0;
-        if (work->state[k] != TINKER_STATE_OPEN) work->unknown[count++] = 2 * k;
+        if (work->state[k] != TINKER_STATE_OPEN && !tinker_contact_leans(problem, k)) work->unknown[count++] = 2 * k;
         if (work->state[k] == TINKER_STATE_STICK) work->unknown[count++] = 2 * k + 1;
     }
     for (int32_t i = 0; i < count; i++) {
@@ -23,6 +34,7 @@ static void solve_system(TinkerContactWork *work)
             double entry = row[column];
             if (column % 2 == 0 && work->state[k] != TINKER_STATE_STICK)
                 entry += tinker_contact_slope(problem, k, work->state[k]) * row[column + 1];
+            if (column % 2 == 0 && problem->bearer != NULL) entry += leaning_entry(work, k, row);
             work->system[i * count + j] = entry;
         }
     }
@@ -31,7 +43,8 @@ static void solve_system(TinkerContactWork *work)
         work->p[work->unknown[i]] = work->right[i];
     for (int32_t k = 0; k < m; k++)
         if (work->state[k] != TINKER_STATE_STICK)
-            work->p[2 * k + 1] = tinker_contact_slope(problem, k, work->state[k]) * work->p[2 * k];
+            work->p[2 * k + 1] =
+                tinker_contact_slope(problem, k, work->state[k]) * work->p[2 * tinker_contact_bearer(problem, k)];
 }
 
 double tinker_contact_velocity(const TinkerContactProblem *problem, const double *p, int32_t i, double *size)
@@ -76,9 +89,13 @@ static TinkerContactState better_state(const TinkerContactWork *work, int32_t k,
     int32_t n = 2 * k, t = n + 1;
     TinkerContactState state = work->state[k];
     gboolean grips = tinker_contact_grips(problem, k);
-    if (state == TINKER_STATE_OPEN)
+    if (tinker_contact_leans(problem, k)) {
+        n = 2 * tinker_contact_bearer(problem, k);
+        if (work->state[n / 2] == TINKER_STATE_OPEN) return TINKER_STATE_OPEN;
+        if (state == TINKER_STATE_OPEN) return grips ? TINKER_STATE_STICK : TINKER_STATE_FREE;
+    } else if (state == TINKER_STATE_OPEN)
         return work->v[n] >= -slack(work, n, tolerance) ? state : grips ? TINKER_STATE_STICK : TINKER_STATE_FREE;
-    if (work->p[n] < -p_slack) return TINKER_STATE_OPEN;
+    if (work->p[n] < -p_slack) return tinker_contact_leans(problem, k) ? state : TINKER_STATE_OPEN;
     if (!grips) return state;
     if (state == TINKER_STATE_STICK) {
         if (fabs(work->p[t]) <= problem->friction[k] * work->p[n] + p_slack) return state;

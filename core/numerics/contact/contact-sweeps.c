@@ -37,14 +37,15 @@ double tinker_contact_sweep(const TinkerContactProblem *problem, double *p)
     for (int32_t k = 0; k < problem->count; k++) {
         const int32_t n = 2 * k, t = n + 1;
         const double *row = problem->delassus + (gsize)n * width;
+        const double *normal = &p[2 * tinker_contact_bearer(problem, k)];
         if (tinker_contact_grips(problem, k)) {
             most = fmax(most, relax(problem, n, row[n], 0, INFINITY, p));
-            const double bound = problem->friction[k] * p[n];
+            const double bound = problem->friction[k] * *normal;
             most = fmax(most, relax(problem, t, row[width + (gsize)t], -bound, bound, p));
         } else {
             const double slope = tinker_contact_slope(problem, k, TINKER_STATE_FREE);
             most = fmax(most, relax(problem, n, row[n] + slope * row[t], 0, INFINITY, p));
-            p[t] = slope * p[n];
+            p[t] = slope * *normal;
         }
     }
     return most;
@@ -52,7 +53,8 @@ double tinker_contact_sweep(const TinkerContactProblem *problem, double *p)
 
 int tinker_impact_sweep(const TinkerImpact *impact, double *offset, double *impulses)
 {
-    const TinkerContactProblem problem = {impact->count, impact->delassus, offset, impact->friction, NULL};
+    const TinkerContactProblem problem = {impact->count, impact->delassus, offset, impact->friction, NULL,
+                                          NULL,          impact->bearer};
     double scale = 0;
     gboolean finite = TRUE;
     memset(impulses, 0, 2 * (gsize)impact->count * sizeof(double));

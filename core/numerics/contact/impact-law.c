@@ -33,6 +33,11 @@ static void add_motion(const TinkerImpact *impact, const double *p, double *u)
             u[i] += impact->delassus[i * width + k] * p[k];
 }
 
+static gsize bearer_of(const TinkerImpact *impact, gsize k)
+{
+    return impact->bearer != NULL ? (gsize)impact->bearer[k] : k;
+}
+
 /* Poisson's ---------------------------------------------------------------------------------------------------------
  */
 
@@ -43,7 +48,7 @@ static double sweep(const TinkerImpact *impact, const double *least, double *p, 
     double most = 0;
     for (gsize i = 0; i < width; i++) {
         const gsize k = i / 2;
-        const double own = impact->delassus[i * width + i], limit = impact->friction[k] * p[2 * k];
+        const double own = impact->delassus[i * width + i], limit = impact->friction[k] * p[2 * bearer_of(impact, k)];
         if (!(own > 0)) continue;
         const double wanted = p[i] - u[i] / own;
         const double next = i % 2 == 0 ? fmax(wanted, least[k]) : fmax(-limit, fmin(wanted, limit));
@@ -133,7 +138,7 @@ static int32_t next_pair(const TinkerImpact *impact, const int32_t *pair, const 
 
 /* The part of an impact that one pair has in it. */
 typedef struct {
-    int32_t count, *member;
+    int32_t count, *member, *bearer;
     double *delassus, *velocity, *restitution, *friction, *impulses;
 } Part;
 
@@ -145,6 +150,9 @@ static void take_part(Part *part, const TinkerImpact *impact, const int32_t *pai
         if (pair[k] != number) continue;
         part->restitution[part->count] = impact->restitution[k];
         part->friction[part->count] = impact->friction[k];
+        part->bearer[part->count] = part->count;
+        for (int32_t i = 0; i < part->count; i++)
+            if (part->member[i] == (int32_t)bearer_of(impact, (gsize)k)) part->bearer[part->count] = i;
         part->member[part->count++] = k;
     }
     for (int32_t i = 0; i < 2 * part->count; i++) {
@@ -170,8 +178,8 @@ static void put_part(const Part *part, const TinkerImpact *impact, double *impul
 
 static TinkerContactResult strike_part(const Part *part)
 {
-    const TinkerImpact impact = {part->count, part->delassus, part->velocity, part->restitution, part->friction, NULL,
-                                 NULL};
+    const TinkerImpact impact = {part->count,    part->delassus, part->velocity, part->restitution,
+                                 part->friction, NULL,           NULL,           part->bearer};
     return tinker_impact_solve(&impact, part->impulses);
 }
 
@@ -184,7 +192,8 @@ static TinkerContactResult bring_to_rest(const TinkerImpact *impact, Part *part,
         any |= u[2 * k] < 0;
     if (!any) return TINKER_CONTACT_SOLVED;
     memset(part->restitution, 0, (gsize)impact->count * sizeof(double));
-    const TinkerImpact last = {impact->count, impact->delassus, u, part->restitution, impact->friction, NULL, NULL};
+    const TinkerImpact last = {impact->count, impact->delassus, u, part->restitution, impact->friction, NULL,
+                               NULL,          impact->bearer};
     const TinkerContactResult result = tinker_impact_solve(&last, part->impulses);
     for (gsize i = 0; result == TINKER_CONTACT_SOLVED && i < width; i++)
         impulses[i] += part->impulses[i];
@@ -195,10 +204,10 @@ static TinkerContactResult strike_in_sequence(const TinkerImpact *impact, const 
 {
     const gsize m = (gsize)impact->count;
     g_autofree double *room = g_try_new0(double, 4 * m * m + 8 * m);
-    g_autofree int32_t *member = g_try_new(int32_t, m);
+    g_autofree int32_t *member = g_try_new(int32_t, 2 * m);
     if (room == NULL || member == NULL) return TINKER_CONTACT_NO_MEMORY;
     double *u = room + 4 * m * m;
-    Part part = {0, member, room, u + 2 * m, u + 4 * m, u + 5 * m, u + 6 * m};
+    Part part = {0, member, member + m, room, u + 2 * m, u + 4 * m, u + 5 * m, u + 6 * m};
     const double still = TINKER_SEQUENCE_STILL * largest_of(impact);
     memcpy(u, impact->velocity, 2 * m * sizeof(double));
     memset(impulses, 0, 2 * m * sizeof(double));

@@ -105,13 +105,25 @@ static const TinkerContactEntries *entries_of(const TinkerContacts *contacts, co
     return &g_array_index(contacts->entries, TinkerContactEntries, (guint)row->entries);
 }
 
+static const TinkerContactEntries *resisting_of(const TinkerContacts *contacts, const TinkerContactRow *row)
+{
+    return &g_array_index(contacts->entries, TinkerContactEntries, (guint)row->resisting_entries);
+}
+
+static void refresh(TinkerContacts *contacts, int32_t closed, int32_t entries)
+{
+    tinker_contact_gap_entries(contacts, tinker_contacts_closed(contacts, (guint)closed)->plate,
+                               &g_array_index(contacts->entries, TinkerContactEntries, (guint)entries));
+}
+
 void tinker_contacts_refresh_entries(TinkerContacts *contacts)
 {
     for (guint i = 0; contacts->entries->len > 0 && i < contacts->rows->len; i++) {
         const TinkerContactRow *row = &g_array_index(contacts->rows, TinkerContactRow, i);
-        if (row->entries < 0 || row->tangential) continue;
-        tinker_contact_gap_entries(contacts, tinker_contacts_closed(contacts, (guint)row->contact)->plate,
-                                   &g_array_index(contacts->entries, TinkerContactEntries, (guint)row->entries));
+        const TinkerContact *contact = tinker_contacts_closed(contacts, (guint)row->contact);
+        if (row->resisting >= 0) refresh(contacts, row->resisting, row->resisting_entries);
+        if (row->entries < 0 || (row->tangential && !tinker_contacts_resists(contacts, contact))) continue;
+        refresh(contacts, row->contact, row->entries);
     }
 }
 
@@ -134,6 +146,8 @@ void tinker_contact_row_push(TinkerContacts *contacts, const TinkerContactRow *r
         add_entry_push(contacts, entries_of(contacts, row), 0, push, v);
     else
         add_entry_push(contacts, entries_of(contacts, row), push, moves ? 0 : push * row->share, v);
+    if (row->resisting >= 0 && !moves)
+        add_entry_push(contacts, resisting_of(contacts, row), 0, push * row->resisting_share, v);
 }
 
 void tinker_contacts_end_pushes(TinkerContacts *contacts, double *v)
@@ -237,6 +251,16 @@ static void solve_forces(TinkerContacts *contacts)
     }
 }
 
+/* a += M^-1 times a force along the tangential row of entries. */
+static void accelerate_along(const TinkerContacts *contacts, const TinkerContactEntries *entries, double force,
+                             double *a)
+{
+    for (int32_t k = 0; k < entries->count; k++) {
+        const int32_t at = entries->coordinate[k], body = tinker_model_moved_by(contacts->model, at);
+        a[at] += entries->row[1][k] * force * contacts->model->inverse_mass[body];
+    }
+}
+
 /* a += M^-1 times a row's force; constraints answer later. */
 static void accelerate_by(const TinkerContacts *contacts, const TinkerContactRow *row, double force, double *a)
 {
@@ -252,6 +276,30 @@ static void accelerate_by(const TinkerContacts *contacts, const TinkerContactRow
         const int32_t at = entries->coordinate[k];
         const double along = entries->row[row->tangential][k] + (row->tangential ? 0 : row->share * entries->row[1][k]);
         a[at] += along * force * model->inverse_mass[tinker_model_moved_by(model, at)];
+    }
+    if (row->resisting >= 0) accelerate_along(contacts, resisting_of(contacts, row), force * row->resisting_share, a);
+}
+
+/* Takes over the force of a row that was solved for. */
+static void note_force(TinkerContacts *contacts, const TinkerContactRow *row, double force)
+{
+    TinkerContact *contact = tinker_contacts_closed(contacts, (guint)row->contact);
+    if (row->tangential) {
+        contact->friction = force;
+        return;
+    }
+    contact->normal = force;
+    contact->friction = force * tinker_contact_slip_share(contacts, contact);
+    if (row->resisting >= 0)
+        tinker_contacts_closed(contacts, (guint)row->resisting)->friction = force * row->resisting_share;
+}
+
+/* What resists knows the normal force that bounds it. */
+static void share_normals(TinkerContacts *contacts)
+{
+    for (guint i = 0; contacts->resistance_count > 0 && i < contacts->closed->len; i++) {
+        TinkerContact *contact = tinker_contacts_closed(contacts, i);
+        if (contact->bearer >= 0) contact->normal = tinker_contacts_closed(contacts, (guint)contact->bearer)->normal;
     }
 }
 
@@ -277,16 +325,11 @@ static void accelerate_rows(TinkerContacts *contacts, double *a)
     }
     solve_forces(contacts);
     for (guint i = 0; i < contacts->rows->len; i++) {
-        TinkerContact *contact = tinker_contacts_closed(contacts, (guint)rows[i].contact);
-        double force = demand[i] * rows[i].weight;
+        const double force = demand[i] * rows[i].weight;
         accelerate_by(contacts, &rows[i], force, a);
-        if (rows[i].tangential) {
-            contact->friction = force;
-        } else {
-            contact->normal = force;
-            contact->friction = force * tinker_contact_slip_share(contacts, contact);
-        }
+        note_force(contacts, &rows[i], force);
     }
+    share_normals(contacts);
 }
 
 /* One by one ------------------------------------------------------------------------------------------------------- */
@@ -339,10 +382,7 @@ static void add_gap_friction(const TinkerContacts *contacts, const TinkerContact
 {
     TinkerContactEntries entries;
     tinker_contact_gap_entries(contacts, contact->plate, &entries);
-    for (int32_t k = 0; k < entries.count; k++) {
-        const int32_t at = entries.coordinate[k], body = tinker_model_moved_by(contacts->model, at);
-        a[at] += entries.row[1][k] * contact->friction * contacts->model->inverse_mass[body];
-    }
+    accelerate_along(contacts, &entries, contact->friction, a);
 }
 
 void tinker_contacts_add_friction(const TinkerContacts *contacts, double *a)
@@ -397,6 +437,15 @@ void tinker_contacts_add_power(TinkerContacts *contacts)
     }
 }
 
+double tinker_contacts_moment(const TinkerContacts *contacts, int32_t number)
+{
+    for (guint i = 0; contacts->resistance_count > 0 && i < contacts->closed->len; i++) {
+        const TinkerContact *contact = tinker_contacts_closed(contacts, i);
+        if (contact->bearer == number) return contact->friction * contacts->plates[contact->plate].arm;
+    }
+    return 0;
+}
+
 static void add_force(double *sums, double normal, double friction, double fx, double fy)
 {
     sums[0] += normal;
@@ -405,10 +454,11 @@ static void add_force(double *sums, double normal, double friction, double fx, d
     sums[3] += fy;
 }
 
-/* On the second of the pair along its own axes, as supports have it. */
+/* On the second of the pair along its own axes, as supports have it. A moment is no force. */
 static void add_gap_force(const TinkerContacts *contacts, const TinkerContact *contact, double *by_point)
 {
     const TinkerPlate *plate = &contacts->plates[contact->plate];
+    if (tinker_contacts_resists(contacts, contact)) return;
     const int32_t tip = plate->gap->tip_of, on = plate->pair->point[0], by = plate->pair->point[1];
     TinkerContactEntries entries;
     tinker_contact_gap_entries(contacts, contact->plate, &entries);

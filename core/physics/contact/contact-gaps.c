@@ -201,9 +201,21 @@ static TinkerContactPlace place_of(const TinkerGap *gap)
                                 gap->along_speed, gap->rolled, gap->period};
 }
 
+/* Of what resists turning: of the frame that has the tip, relative to that of the seat. */
+static TinkerContactPlace resisting_place(const TinkerContacts *contacts, const TinkerPlate *plate)
+{
+    const int tip = plate->gap->tip_of;
+    const TinkerBodyPose on = pose_of(contacts->model, plate->pair, tip),
+                         by = pose_of(contacts->model, plate->pair, 1 - tip);
+    const double speed = plate->arm * (on.rate - by.rate);
+    return (TinkerContactPlace){
+        .tangential_speed = speed, .along_speed = speed, .rolled = plate->arm * (on.angle - by.angle)};
+}
+
 TinkerContactPlace tinker_contact_gap_place(const TinkerContacts *contacts, int32_t number)
 {
     TinkerGap gap;
+    if (contacts->plates[number].arm > 0) return resisting_place(contacts, &contacts->plates[number]);
     measure(contacts, &contacts->plates[number], &gap);
     return place_of(&gap);
 }
@@ -247,11 +259,32 @@ static void add_entry(TinkerContactEntries *entries, int32_t coordinate, double 
     entries->row[1][entries->count++] = tangential;
 }
 
+/* Of what resists turning: no normal, and turns alone. */
+static void resisting_entries(const TinkerContacts *contacts, const TinkerPlate *plate, TinkerContactEntries *entries)
+{
+    const TinkerModel *model = contacts->model;
+    const TinkerPlace *turned = plate->pair->turned;
+    *entries = (TinkerContactEntries){0};
+    for (int side = 0; side < 2; side++) {
+        const int32_t point = plate->pair->point[side == 0 ? plate->gap->tip_of : 1 - plate->gap->tip_of];
+        const double arm = side == 0 ? plate->arm : -plate->arm;
+        const int32_t turn = point < model->bodies ? tinker_model_turn_of(model, point) : -1;
+        if (turn >= 0) add_entry(entries, turn, 0, arm / model->turns[turn - 2 * model->bodies].gyration);
+        if (point < model->bodies || turned == NULL) continue;
+        entries->of_supports[1] += arm * turned->rate;
+        entries->drift[1] += arm * turned->angular_acceleration;
+    }
+}
+
 void tinker_contact_gap_entries(const TinkerContacts *contacts, int32_t number, TinkerContactEntries *entries)
 {
     const TinkerModel *model = contacts->model;
     const TinkerPlate *plate = &contacts->plates[number];
     TinkerGap gap;
+    if (plate->arm > 0) {
+        resisting_entries(contacts, plate, entries);
+        return;
+    }
     measure(contacts, plate, &gap);
     *entries = (TinkerContactEntries){
         .drift = {gap.drift[0], gap.drift[1]},

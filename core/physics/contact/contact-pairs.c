@@ -142,13 +142,28 @@ static void add_bodies_of(Listing *listing, int32_t body)
     }
 }
 
+/* What resists the rolling of a gap function; its arm is the radius of what rolls. */
+static void add_resistance(TinkerContacts *contacts, int32_t number)
+{
+    TinkerPlate *bearer = &contacts->plates[number];
+    const int32_t last = contacts->plate_count + contacts->gap_count + contacts->resistance_count++;
+    const double arm = fmax(bearer->gap->tip_radius, bearer->gap->seat_radius), share = bearer->surface.rolling / arm;
+    bearer->resistance = last;
+    contacts->plates[last] = *bearer;
+    contacts->plates[last].resistance = 0;
+    contacts->plates[last].surface = (TinkerSurface){share, share, 0, 0};
+    contacts->plates[last].arm = arm;
+    contacts->plates[last].bearer = number;
+}
+
 /* The arrays do not move any more: plates may point into them. */
 static void keep_lists(TinkerContacts *contacts, Listing *listing)
 {
     const guint functions = listing->functions->len;
     contacts->gap_count = (int32_t)functions;
     contacts->pair_count = (int32_t)listing->pairs->len;
-    contacts->plates = g_renew(TinkerPlate, contacts->plates, MAX((guint)contacts->plate_count + functions, 1));
+    const guint most = (guint)contacts->plate_count + 2 * functions;
+    contacts->plates = g_renew(TinkerPlate, contacts->plates, MAX(most, 1));
     if (functions > 0)
         memcpy(contacts->plates + contacts->plate_count, listing->plates->data, functions * sizeof(TinkerPlate));
     g_array_unref(listing->plates);
@@ -159,6 +174,7 @@ static void keep_lists(TinkerContacts *contacts, Listing *listing)
             TinkerPlate *plate = &contacts->plates[contacts->pairs[i].first + k];
             plate->pair = &contacts->pairs[i];
             plate->gap = &contacts->functions[contacts->pairs[i].first + k - contacts->plate_count];
+            if (plate->surface.rolling > 0 && plate->gap->rolls) add_resistance(contacts, contacts->pairs[i].first + k);
         }
 }
 

@@ -19,7 +19,8 @@ static double rounding_of(const TinkerContacts *contacts, const TinkerContact *c
 {
     const TinkerPoint *at = &contacts->model->point[contact->body];
     const TinkerPoint *base = &contacts->model->point[contacts->plates[contact->plate].point];
-    const double places = fabs(at->x) + fabs(at->y) + fabs(base->x) + fabs(base->y);
+    double places = fabs(at->x) + fabs(at->y) + fabs(base->x) + fabs(base->y);
+    if (tinker_contacts_resists(contacts, contact)) places += fabs(contact->anchor);
     if (tinker_contacts_is_gap(contacts, contact)) return 4 * DBL_EPSILON * (places + contacts->thickness);
     return 4 * DBL_EPSILON *
            (places + contacts->half_height[contact->body] + contacts->plates[contact->plate].half_height);

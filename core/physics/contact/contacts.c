@@ -306,18 +306,49 @@ static gboolean stands_alone(const TinkerContacts *contacts, guint number)
     return number + 1 == closed->len || g_array_index(closed, TinkerContact, number + 1).body != body;
 }
 
+/* Entries of one more gap function. */
+static int32_t add_entries(TinkerContacts *contacts)
+{
+    g_array_set_size(contacts->entries, contacts->entries->len + 1);
+    return (int32_t)contacts->entries->len - 1;
+}
+
+/* What resists rolling holds as an equation of its own, or turns along with the normal force of what bears it. */
+static void add_resistance(TinkerContacts *contacts, int32_t number)
+{
+    const TinkerContact *contact = tinker_contacts_closed(contacts, (guint)number);
+    const double weight = sqrt(contacts->model->mass[contact->body]);
+    const int32_t entries = add_entries(contacts);
+    if (contact->mode == TINKER_CONTACT_STICK) {
+        TinkerContactRow row = {number, TRUE, {0, 0}, {0, 0}, weight, entries, 0, -1, -1, 0};
+        g_array_append_val(contacts->rows, row);
+        return;
+    }
+    for (guint i = 0; i < contacts->rows->len; i++) {
+        TinkerContactRow *row = &g_array_index(contacts->rows, TinkerContactRow, i);
+        if (row->contact != contact->bearer || row->tangential) continue;
+        row->resisting = number;
+        row->resisting_entries = entries;
+        row->resisting_share = tinker_contact_slip_share(contacts, contact);
+    }
+}
+
 static void add_rows(TinkerContacts *contacts, int32_t number)
 {
     const TinkerContact *contact = tinker_contacts_closed(contacts, (guint)number);
     const TinkerPlate *plate = &contacts->plates[contact->plate];
+    if (tinker_contacts_resists(contacts, contact)) {
+        add_resistance(contacts, number);
+        return;
+    }
     double nx = plate->normal[0], ny = plate->normal[1], share = tinker_contact_slip_share(contacts, contact);
     double weight = sqrt(contacts->model->mass[contact->body]);
-    const int32_t entries = plate->gap != NULL ? (int32_t)contacts->entries->len : -1;
-    TinkerContactRow normal = {number, FALSE, {nx, ny}, {nx + share * ny, ny - share * nx}, weight, entries, share};
+    const int32_t entries = plate->gap != NULL ? add_entries(contacts) : -1;
+    TinkerContactRow normal = {number, FALSE, {nx, ny}, {nx + share * ny, ny - share * nx}, weight, entries, share,
+                               -1,     -1,    0};
     g_array_append_val(contacts->rows, normal);
-    if (plate->gap != NULL) g_array_set_size(contacts->entries, contacts->entries->len + 1);
     if (contact->mode != TINKER_CONTACT_STICK) return;
-    TinkerContactRow tangential = {number, TRUE, {ny, -nx}, {ny, -nx}, weight, entries, 0};
+    TinkerContactRow tangential = {number, TRUE, {ny, -nx}, {ny, -nx}, weight, entries, 0, -1, -1, 0};
     g_array_append_val(contacts->rows, tangential);
 }
 
@@ -460,10 +491,23 @@ static void clear_rows(TinkerContacts *contacts)
     contacts->model->book_power[TINKER_BOOK_FRICTION] = 0;
 }
 
+/* Of one body, what resists comes behind all that touches. */
+static void find_bearers(TinkerContacts *contacts)
+{
+    for (guint i = 0; i < contacts->closed->len; i++) {
+        TinkerContact *contact = tinker_contacts_closed(contacts, i);
+        contact->bearer = -1;
+        for (guint k = i; tinker_contacts_resists(contacts, contact) && k-- > 0;)
+            if (tinker_contacts_closed(contacts, k)->plate == contacts->plates[contact->plate].bearer)
+                contact->bearer = (int32_t)k;
+    }
+}
+
 TinkerStatus tinker_contacts_list_rows(TinkerContacts *contacts)
 {
     g_array_sort(contacts->closed, by_body);
     clear_rows(contacts);
+    find_bearers(contacts);
     for (guint i = 0; i < contacts->closed->len; i++) {
         const TinkerContact *contact = tinker_contacts_closed(contacts, i);
         int32_t number = (int32_t)i;

@@ -16,6 +16,12 @@
  * coordinates. Whatever is closed, opens, sticks or slips does so function by function. So it is for masses, too, on a
  * top that a motion turns: the seat of their gap function is the top, lifted by half their height.
  *
+ * What resists rolling has a plate of its own, too, behind the gap functions. It has no normal: it turns against the
+ * plate that bears it, is closed while that is, and its `friction` is a force at the arm `arm`, so that it is measured
+ * in newtons and metres as all others are:
+ *
+ *     u = arm (rate of the tip's frame - rate of the seat's),   |friction| <= (rho / arm) N.
+ *
  * Bodies that no constraint holds and that touch one plate are solved one by one in closed form; the others together: a
  * few equations by the Delassus matrix of their contacts, W = C P M^-1 D, with P the projection onto the motions that
  * the constraints allow; many by elimination (contact-elimination.h), without W. */
@@ -55,6 +61,9 @@ typedef struct {
     const TinkerPlace *turned;    /* how a motion turns it, so that masses meet it by gap functions; NULL: none does */
     const TinkerGapFunction *gap; /* NULL: a top, as masses meet it; else that of ... */
     const TinkerTouchingPair *pair;
+    int32_t resistance; /* of a gap function: the plate that stands for what resists its rolling; 0: nothing does */
+    double arm;         /* m: of what resists turning; 0: a plate that touches, ... */
+    int32_t bearer;     /* ... else the plate whose normal force bounds it */
 } TinkerPlate;
 
 typedef struct {
@@ -66,6 +75,8 @@ typedef struct {
     /* Where contacts hold a body more than once nothing determines how they share its load: the share stays as near to
      * this one (N) as the load allows, which the laws of contact gave. */
     double base_normal, base_friction;
+    int32_t bearer; /* of what resists rolling: the number of the closed contact that it leans on; else -1. Found when
+                       rows are listed */
 } TinkerContact;
 
 /* How a gap function's gap and its speed along the seat depend on the motion of its bodies. */
@@ -94,6 +105,9 @@ typedef struct {
     double weight;   /* root of the body's mass: W is scaled by it to about 1 */
     int32_t entries; /* of a gap function: its number among contacts->entries; else -1 */
     double share;    /* of slipping friction, along with a normal force */
+    /* what resists its rolling, and turns: closed contact (-1: nothing), number of its entries, share */
+    int32_t resisting, resisting_entries;
+    double resisting_share;
 } TinkerContactRow;
 
 /* Rows of one group of bodies, behind one another: no other row changes what they ask for. */
@@ -109,8 +123,9 @@ typedef struct {
 struct _TinkerContacts {
     TinkerModel *model;
     TinkerImpactLaw impact_law;         /* of the scene's run */
-    int32_t plate_count, moving_plates; /* tops; behind them stand the gap functions */
+    int32_t plate_count, moving_plates; /* tops; behind them stand the gap functions, */
     int32_t gap_count;
+    int32_t resistance_count;  /* and behind these what resists the rolling of some of them */
     gboolean bodies_listed;    /* bodies that meet each other have gap functions: they are not too many */
     int32_t *first_gap;        /* bodies + 1: the plate that the gap functions of each body begin with */
     TinkerOutline *outlines;   /* of bodies that turn and are solid, and of those that collide, then of tops */
@@ -190,6 +205,12 @@ double tinker_contact_pair_overlap(const TinkerContacts *contacts, const TinkerT
 static inline gboolean tinker_contacts_is_gap(const TinkerContacts *contacts, const TinkerContact *contact)
 {
     return contact->plate >= contacts->plate_count;
+}
+
+/* Whether it is what resists turning, and touches nothing by itself. */
+static inline gboolean tinker_contacts_resists(const TinkerContacts *contacts, const TinkerContact *contact)
+{
+    return contacts->plates[contact->plate].arm > 0;
 }
 
 /* Whether two corners of one edge stick on another: along it they hold the body by one line together. So does each of
@@ -351,6 +372,9 @@ void tinker_contacts_relative_acceleration(const TinkerContacts *contacts, const
 int32_t tinker_contacts_row_body(const TinkerContacts *contacts, int32_t row);
 /* v += what the multiplier `lambda` of a row that holds in one direction only, slack or not, does to all bodies. */
 void tinker_contacts_pull(TinkerContacts *contacts, int32_t row, double lambda, double *v);
+
+/* The moment (N m) that resists the rolling of a closed contact, on the body that has the tip of its gap. */
+double tinker_contacts_moment(const TinkerContacts *contacts, int32_t number);
 
 /* What contacts do to the points of bodies and plates, for the sampler: normal force, friction, fx, fy of each point.
  */

@@ -13,6 +13,7 @@ TinkerSurface tinker_surface_of(const TinkerBlockBatch *batch, int32_t row, doub
         .static_friction = tinker_block_batch_meaning(batch, row, TINKER_MEANING_STATIC_FRICTION, 0, otherwise),
         .dynamic_friction = tinker_block_batch_meaning(batch, row, TINKER_MEANING_DYNAMIC_FRICTION, 0, otherwise),
         .restitution = tinker_block_batch_meaning(batch, row, TINKER_MEANING_RESTITUTION, 0, otherwise),
+        .rolling = tinker_block_batch_meaning(batch, row, TINKER_MEANING_ROLLING_RESISTANCE, 0, otherwise),
     };
 }
 
@@ -37,7 +38,8 @@ TinkerSurface tinker_surface_between(const TinkerSurface *a, const TinkerSurface
 {
     const double fixed = mean_of(a->static_friction, b->static_friction),
                  sliding = mean_of(a->dynamic_friction, b->dynamic_friction);
-    TinkerSurface both = {.restitution = either(fmax(a->restitution, b->restitution), USUAL_RESTITUTION)};
+    TinkerSurface both = {.restitution = either(fmax(a->restitution, b->restitution), USUAL_RESTITUTION),
+                          .rolling = either(fmax(a->rolling, b->rolling), 0)};
     both.static_friction = either(fixed, isnan(sliding) ? USUAL_FRICTION : fmax(USUAL_FRICTION, sliding));
     both.dynamic_friction = fmin(either(sliding, USUAL_FRICTION), both.static_friction);
     return both;

@@ -55,7 +55,8 @@ static gboolean lingers(const TinkerContactChange *change, guint number)
 
 static gboolean rests(const TinkerContactChange *change, guint number)
 {
-    return tinker_touch(change, number)->place.normal_speed < least_rebound(change, number);
+    return !tinker_touch_leans(change, number) &&
+           tinker_touch(change, number)->place.normal_speed < least_rebound(change, number);
 }
 
 /* The equations of the normal impulses, `first`, that take away the speeds of what rests. */
@@ -194,7 +195,8 @@ static gboolean strike(TinkerContactChange *change, gboolean again, GError **err
         laws.first[i] = again ? 0 : seen_restitution(change, i);
         laws.second[i] = tinker_touch_surface(change, i).dynamic_friction;
     }
-    TinkerImpact impact = {(int32_t)laws.count, laws.delassus, laws.pairs, laws.first, laws.second, NULL, laws.motion};
+    TinkerImpact impact = {(int32_t)laws.count, laws.delassus, laws.pairs,  laws.first,
+                           laws.second,         NULL,          laws.motion, laws.bearer};
     g_autofree int32_t *pair = g_new(int32_t, laws.count);
     const int32_t pairs = tinker_change_number_pairs(change, pair);
     const TinkerContactResult result = tinker_impact_by_law(change->contacts->impact_law, &impact, pair, laws.answers);
@@ -204,7 +206,8 @@ static gboolean strike(TinkerContactChange *change, gboolean again, GError **err
     if (pairs > 1 && !again) tinker_change_note_alternatives(change, &impact, pair, laws.answers);
     for (guint i = 0; i < laws.count; i++) {
         TinkerTouch *at = tinker_touch(change, i);
-        at->struck |= laws.answers[2 * i] > 0;
+        const guint bearer = tinker_touch_bearer(change, i);
+        at->struck |= laws.answers[2 * bearer] > 0;
         if (laws.answers[2 * i] > 0) at->contact.normal = laws.answers[2 * i];
     }
     if (!tinker_change_push_all(change, laws.answers))

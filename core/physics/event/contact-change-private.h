@@ -58,8 +58,24 @@ static inline const TinkerPlate *tinker_touch_plate(const TinkerContactChange *c
 static inline TinkerSurface tinker_touch_surface(const TinkerContactChange *change, guint number)
 {
     const TinkerTouch *at = tinker_touch(change, number);
-    if (at->row >= 0) return (TinkerSurface){0, 0, 0};
+    if (at->row >= 0) return (TinkerSurface){0, 0, 0, 0};
     return tinker_contact_surface(change->contacts, at->contact.body, at->contact.plate);
+}
+
+/* What it leans on, which comes before it on the list: of what resists turning another touch, else itself. */
+static inline guint tinker_touch_bearer(const TinkerContactChange *change, guint number)
+{
+    const TinkerPlate *plate = tinker_touch_plate(change, number);
+    guint bearer = number;
+    if (plate == NULL || !(plate->arm > 0)) return number;
+    while (tinker_touch(change, bearer)->row >= 0 || tinker_touch(change, bearer)->contact.plate != plate->bearer)
+        bearer--;
+    return bearer;
+}
+
+static inline gboolean tinker_touch_leans(const TinkerContactChange *change, guint number)
+{
+    return tinker_touch_bearer(change, number) != number;
 }
 
 /* Contacts as the laws see them (numerics/contact/contact-laws.h): m of them. */
@@ -70,6 +86,7 @@ typedef struct {
     const TinkerContactMotion *motion; /* ... else NULL */
     double *pairs, *answers;           /* 2m, 2m */
     double *first, *second;            /* m */
+    int32_t *bearer;                   /* m; NULL: none leans on another */
     int8_t *sliding;
     TinkerContactMode *modes;
 } TinkerContactLaws;

@@ -80,6 +80,7 @@ static void note_leaving(TinkerContactChange *change)
     }
     for (guint i = 0; i < change->touches->len; i++) {
         const TinkerTouch *at = tinker_touch(change, i);
+        if (tinker_touch_leans(change, i)) continue;
         TinkerContactPair pair = {at->contact.body, at->contact.plate, at->row};
         gboolean left = change->trigger.kind == TINKER_TRIGGER_LEAVING && tinker_change_is_trigger(change, at);
         gboolean parts = at->contact.mode == TINKER_CONTACT_OPEN && !left && !tinker_change_changes_side(change, at);
@@ -99,6 +100,9 @@ static void name_change(TinkerContactChange *change, guint number)
     if (tinker_change_changes_side(change, at)) return;
     const char *name = plate != NULL ? name_of_change(at->was, at->contact.mode, landed)
                                      : name_of_row_change(at->was, at->contact.mode, landed);
+    if (tinker_touch_leans(change, number) &&
+        (at->was == TINKER_CONTACT_OPEN || at->contact.mode == TINKER_CONTACT_OPEN))
+        return;
     const gboolean smooth = plate != NULL && tinker_touch_surface(change, number).static_friction == 0;
     if (name == NULL || (smooth && g_str_equal(name, "reversal"))) return;
     tinker_change_add_event(change, name, at);

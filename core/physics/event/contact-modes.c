@@ -73,6 +73,7 @@ static void drop_parting(TinkerContactChange *change)
         TinkerTouch *at = tinker_touch(change, i);
         gboolean over = goes_over_end(change, at);
         at->dropped = over || at->place.normal_speed > TINKER_STILL * change->speed;
+        if (tinker_touch_leans(change, i)) continue; /* it goes with what it leans on */
         if (!at->dropped) continue;
         if (over)
             tinker_change_add_event(change, "end", at);
@@ -81,6 +82,8 @@ static void drop_parting(TinkerContactChange *change)
         else if (at->struck)
             tinker_change_add_event(change, at->row < 0 ? "impact" : "jerk", at);
     }
+    for (guint i = 0; i < change->touches->len; i++)
+        tinker_touch(change, i)->dropped = tinker_touch(change, tinker_touch_bearer(change, i))->dropped;
     tinker_change_drop(change);
 }
 
@@ -94,7 +97,7 @@ static TinkerContactResult ask_modes(TinkerContactChange *change, TinkerContactL
     }
     TinkerClosedContacts closed = {
         (int32_t)laws->count,       laws->delassus, laws->pairs, laws->sliding, laws->first, laws->second,
-        TINKER_FORCE_NOISE * scale, laws->motion};
+        TINKER_FORCE_NOISE * scale, laws->motion,   laws->bearer};
     TinkerContactResult result = tinker_contact_modes(&closed, laws->modes, laws->answers);
     if (result != TINKER_CONTACT_NO_ACCELERATION) return result;
     g_autofree double *velocity = g_try_new(double, 2 * laws->count);
@@ -120,7 +123,15 @@ static void note_modes(TinkerContactChange *change, const TinkerContactLaws *law
     for (guint i = 0; i < laws->count; i++) {
         TinkerTouch *at = tinker_touch(change, i);
         double mass = change->model->mass[at->contact.body];
+        const guint bearer = tinker_touch_bearer(change, i);
         at->contact.mode = laws->modes[i];
+        if (bearer != i) {
+            const gboolean open = tinker_touch(change, bearer)->contact.mode == TINKER_CONTACT_OPEN;
+            if (open) at->contact.mode = TINKER_CONTACT_OPEN;
+            at->contact.normal = laws->answers[2 * bearer];
+            at->contact.base_friction = laws->answers[2 * i + 1];
+            continue;
+        }
         if (!at->struck) at->contact.normal = laws->answers[2 * i];
         at->contact.base_normal = laws->answers[2 * i];
         at->contact.base_friction = laws->answers[2 * i + 1];

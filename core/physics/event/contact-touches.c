@@ -40,6 +40,9 @@ void tinker_change_add_event(TinkerContactChange *change, const char *kind, cons
         g_strdup_printf("%s, %s", tinker_scene_block_name(scene, change->model->body_blocks[of->contact.body]),
                         tinker_scene_block_name(scene, change->contacts->plates[of->contact.plate].block));
     tinker_island_run_add_event(change->run->run, kind, names);
+    const GPtrArray *events = change->run->run->summary.events;
+    ((TinkerEvent *)g_ptr_array_index(events, events->len - 1))->turns =
+        tinker_contacts_resists(change->contacts, &of->contact);
 }
 
 gboolean tinker_change_refuse(TinkerContactChange *change, const char *why, GError **error)
@@ -128,6 +131,18 @@ static gboolean is_closed(const TinkerContactChange *change, const TinkerTouch *
     return of->place.normal_speed < -noise || !tinker_contact_run_leaves(change->run, &pair);
 }
 
+/* One that was not closed, and what resists its rolling. */
+static void add_touch(TinkerContactChange *change, const TinkerTouch *touch)
+{
+    const int32_t resistance = change->contacts->plates[touch->contact.plate].resistance;
+    g_array_append_val(change->touches, *touch);
+    if (resistance == 0) return;
+    TinkerTouch resisting = {
+        .contact = {.body = touch->contact.body, .plate = resistance}, .row = -1, .leaves = touch->leaves};
+    resisting.place = place_of(change, &resisting);
+    g_array_append_val(change->touches, resisting);
+}
+
 static void take_open(TinkerContactChange *change, double tolerance)
 {
     const TinkerContactRun *self = change->run;
@@ -140,7 +155,7 @@ static void take_open(TinkerContactChange *change, double tolerance)
         double near = guided ? fmax(tolerance, 2 * TINKER_TOUCHING) : tolerance;
         gboolean closed = is_closed(change, &taken, near) &&
                           tinker_contact_is_over(self->contacts, pair->plate, &taken.place, tolerance);
-        if (closed || meets_now(change, &taken)) g_array_append_val(change->touches, taken);
+        if (closed || meets_now(change, &taken)) add_touch(change, &taken);
     }
 }
 
@@ -187,7 +202,7 @@ static void take_leaving(TinkerContactChange *change, double tolerance)
         const gboolean closes = is_closed(change, &taken, tolerance) || meets_now(change, &taken);
         if (!closes && fabs(taken.place.gap) <= near &&
             tinker_contact_is_over(self->contacts, pair->plate, &taken.place, tolerance))
-            g_array_append_val(change->touches, taken);
+            add_touch(change, &taken);
     }
 }
 
@@ -256,13 +271,14 @@ static void along_contact(const TinkerContactChange *change, guint number, const
 void tinker_contact_laws_clear(TinkerContactLaws *laws)
 {
     gpointer arrays[] = {laws->delassus, laws->pairs, laws->answers, laws->first,
-                         laws->second,   laws->modes, laws->sliding};
+                         laws->second,   laws->modes, laws->sliding, laws->bearer};
     for (gsize i = 0; i < G_N_ELEMENTS(arrays); i++)
         g_free(arrays[i]);
     tinker_contact_reach_clear(&laws->reach);
 }
 
-static gboolean allot_laws(TinkerContactLaws *laws)
+/* `resists`: some may lean on others. */
+static gboolean allot_laws(TinkerContactLaws *laws, gboolean resists)
 {
     const gsize m = laws->count;
     laws->pairs = g_try_new0(double, 2 * m);
@@ -271,6 +287,8 @@ static gboolean allot_laws(TinkerContactLaws *laws)
     laws->second = g_try_new0(double, m);
     laws->sliding = g_try_new0(int8_t, m);
     laws->modes = g_try_new0(TinkerContactMode, m);
+    if (resists) laws->bearer = g_try_new0(int32_t, m);
+    if (resists && laws->bearer == NULL) return FALSE;
     return laws->pairs != NULL && laws->answers != NULL && laws->first != NULL && laws->second != NULL &&
            laws->sliding != NULL && laws->modes != NULL;
 }
@@ -296,7 +314,10 @@ TinkerStatus tinker_contact_laws_init(TinkerContactLaws *laws, const TinkerConta
     const gsize m = change->touches->len;
     double *answer = change->contacts->column;
     *laws = (TinkerContactLaws){.count = m};
-    if (!allot_laws(laws) || !reach_contacts(laws, change)) return tinker_contacts_lack_memory(change->contacts, m);
+    if (!allot_laws(laws, change->contacts->resistance_count > 0) || !reach_contacts(laws, change))
+        return tinker_contacts_lack_memory(change->contacts, m);
+    for (guint i = 0; laws->bearer != NULL && i < m; i++)
+        laws->bearer[i] = (int32_t)tinker_touch_bearer(change, i);
     if (laws->motion != NULL) return TINKER_OK;
     laws->delassus = m <= MOST_TOUCHES ? g_try_new0(double, 4 * m * m) : NULL;
     if (laws->delassus == NULL) return tinker_contacts_lack_memory(change->contacts, m);

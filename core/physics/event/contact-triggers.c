@@ -166,13 +166,15 @@ static void watch_closed(TinkerContactRun *self, int32_t number)
     const gboolean slips_freely = tinker_contact_surface(self->contacts, body, on).dynamic_friction == 0;
     /* what rolls, or lies on what turns, moves along without slipping, too */
     gboolean ends = isfinite(plate->half_width), rolls = plate->gap != NULL;
-    add_trigger(self, TINKER_TRIGGER_NORMAL, body, on, number);
+    const gboolean resists = tinker_contacts_resists(self->contacts, contact);
+    if (!resists) add_trigger(self, TINKER_TRIGGER_NORMAL, body, on, number);
     if (contact->mode == TINKER_CONTACT_STICK) {
         add_trigger(self, TINKER_TRIGGER_FORWARD, body, on, number);
         add_trigger(self, TINKER_TRIGGER_BACKWARD, body, on, number);
     } else if (!slips_freely) {
         add_trigger(self, contact->starts ? TINKER_TRIGGER_STARTING : TINKER_TRIGGER_SPEED, body, on, number);
     }
+    if (resists) return;
     if (rolls ? !plate->gap->rolls && contact->mode == TINKER_CONTACT_STICK : contact->mode == TINKER_CONTACT_STICK)
         return;
     if (ends && (forward || slips_freely || rolls)) add_trigger(self, TINKER_TRIGGER_END, body, on, number);

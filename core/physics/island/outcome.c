@@ -12,7 +12,7 @@
 void tinker_island_run_add_event(TinkerIslandRun *run, const char *kind, const char *blocks)
 {
     TinkerEvent *event = g_new0(TinkerEvent, 1);
-    *event = (TinkerEvent){run->state.t, g_strdup(kind), g_strdup(blocks), NULL};
+    *event = (TinkerEvent){run->state.t, g_strdup(kind), g_strdup(blocks), NULL, FALSE};
     g_ptr_array_add(run->summary.events, event);
 }
 

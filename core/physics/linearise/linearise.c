@@ -129,7 +129,7 @@ static void add_gap_rows(TinkerLinearisation *linear, const TinkerContacts *cont
     const int rows = contact->mode == TINKER_CONTACT_STICK ? 2 : 1; /* along the normal; along the tangent */
     TinkerContactEntries entries;
     tinker_contact_gap_entries(contacts, contact->plate, &entries);
-    for (int which = 0; which < rows; which++) {
+    for (int which = tinker_contacts_resists(contacts, contact) ? 1 : 0; which < rows; which++) {
         tinker_linear_begin_term(linear, linear->rows, 1);
         for (int32_t k = 0; k < entries.count; k++)
             tinker_linear_add_entry(linear, linear->rows, entries.coordinate[k], entries.row[which][k]);

@@ -404,6 +404,21 @@ static gboolean check_masses_meet(const TinkerContacts *contacts, GError **error
     return TRUE;
 }
 
+/* FALSE where something resists rolling. */
+static gboolean check_rolls_freely(const TinkerContacts *contacts, GError **error)
+{
+    if (contacts->resistance_count == 0) return TRUE;
+    const TinkerPlate *plate = &contacts->plates[contacts->plate_count + contacts->gap_count];
+    const int32_t *point = plate->pair->point;
+    const gboolean second = !(contacts->surfaces[point[0]].rolling > 0);
+    g_set_error(
+        error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_METHOD,
+        _("%s has a rolling resistance, which contacts as impulses do not know (treat contacts as events: leave "
+          "\"contacts\" out of the scene's run; or leave its \"rolling_resistance\" out)"),
+        tinker_scene_block_name(contacts->model->scene, tinker_model_block_of(contacts->model, point[second ? 1 : 0])));
+    return FALSE;
+}
+
 /* FALSE where a body has a notch: one normal of a pair says nothing of it. */
 static gboolean check_shapes_convex(const TinkerContacts *contacts, GError **error)
 {
@@ -431,7 +446,7 @@ gboolean tinker_decide(const TinkerIsland *island, const TinkerRunOptions *optio
         return refuse_law(island, error);
     if (options->impulses && island->model->constraints.unilateral != NULL) return refuse_ropes(island, error);
     if (impulses && !(check_tops_stay(contacts, error) && check_masses_meet(contacts, error) &&
-                      check_shapes_convex(contacts, error)))
+                      check_shapes_convex(contacts, error) && check_rolls_freely(contacts, error)))
         return FALSE;
     if (impulses && warnings != NULL) tinker_impulse_tell_overlaps(contacts, warnings);
     if (method == NULL || !tinker_run_options_check(options, method, tinker_options_duration(options), error))

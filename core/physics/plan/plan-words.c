@@ -321,6 +321,8 @@ static void describe_contact(TinkerPlan *plan, TinkerModel *model, const TinkerR
                 : _("contact of %s with %s: what comes near is watched, impacts and changes of friction are events "
                     "within the steps"),
             bodies, plates);
+    if (contacts->resistance_count > 0)
+        say(plan->modelled, _("rolling resistance: a moment, which holds what does not roll up to its limit"));
     if (!rough) say(plan->left_out, _("friction: every solid side is smooth"));
     tinker_model_set_state(model, model->q_start, model->v_start);
     if (!tinker_contacts_touch(contacts) && !options->impulses)

@@ -171,11 +171,13 @@ static void make_room(TinkerActingForces *forces)
     g_array_set_size(forces->out, now);
 }
 
-/* On what has the tip of a gap, and the opposite on the other. */
-static void add_gap(TinkerActingForces *forces, const TinkerContact *contact)
+/* On what has the tip of a gap, and the opposite on the other; what resists rolling is a torque beside friction. */
+static void add_gap(TinkerActingForces *forces, int32_t number)
 {
     const TinkerModel *model = forces->model;
+    const TinkerContact *contact = tinker_contacts_closed(model->contacts, (guint)number);
     const TinkerPlate *plate = &model->contacts->plates[contact->plate];
+    const double moment = tinker_contacts_moment(model->contacts, number);
     const int32_t tip = plate->gap->tip_of;
     TinkerContactEntries entries;
     TinkerBlockId block[2];
@@ -187,9 +189,9 @@ static void add_gap(TinkerActingForces *forces, const TinkerContact *contact)
                                {contact->friction * n[1], -contact->friction * n[0]}};
     for (int k = 0; k < 2; k++) {
         const TinkerActingKind kind = k == 0 ? TINKER_ACTING_NORMAL : TINKER_ACTING_FRICTION;
-        const double fx = push[k][0], fy = push[k][1];
-        TinkerActingForce pair[2] = {{block[1 - tip], block[tip], kind, x, y, fx, fy},
-                                     {block[tip], block[1 - tip], kind, x, y, -fx, -fy}};
+        const double fx = push[k][0], fy = push[k][1], torque = k == 0 ? 0 : moment;
+        TinkerActingForce pair[2] = {{block[1 - tip], block[tip], kind, x, y, fx, fy, torque},
+                                     {block[tip], block[1 - tip], kind, x, y, -fx, -fy, -torque}};
         g_array_append_vals(forces->out, pair, 2);
     }
 }
@@ -216,8 +218,9 @@ static void add_contacts(TinkerActingForces *forces)
     for (guint i = 0; contacts != NULL && i < contacts->closed->len; i++) {
         const TinkerContact *contact = tinker_contacts_closed(contacts, i);
         const double *n = contacts->plates[contact->plate].normal;
+        if (tinker_contacts_resists(contacts, contact)) continue; /* a moment beside the friction of what bears it */
         if (tinker_contacts_is_gap(contacts, contact)) {
-            add_gap(forces, contact);
+            add_gap(forces, (int32_t)i);
             continue;
         }
         add_touch(forces, TINKER_ACTING_NORMAL, contact, contact->normal * n[0], contact->normal * n[1]);

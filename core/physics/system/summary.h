@@ -17,6 +17,7 @@ typedef struct {
     char *kind;           /* "break", "bifurcation", "start impulse", ... */
     char *blocks;         /* names, joined by ", " */
     GArray *alternatives; /* of TinkerAlternative, law by law, where the laws of impact differ; else NULL */
+    gboolean turns;       /* it is of friction that resists turning, as rolling resistance is, not of sliding */
 } TinkerEvent;
 
 /* How one island was stepped. */

@@ -35,6 +35,7 @@ static const Meaning meanings[TINKER_MEANING_COUNT] = {
     [TINKER_MEANING_RADIUS] = {"the radius", TINKER_KIND_REAL, {0, 1, 0, 0}},
     [TINKER_MEANING_CENTRE_OF_MASS] = {"the centre of mass", TINKER_KIND_VECTOR, {0, 1, 0, 0}},
     [TINKER_MEANING_INSTANT] = {"the instant", TINKER_KIND_REAL, {0, 0, 1, 0}},
+    [TINKER_MEANING_ROLLING_RESISTANCE] = {"the rolling resistance", TINKER_KIND_REAL, {0, 1, 0, 0}},
     [TINKER_MEANING_COLLIDES] = {"whether it collides", TINKER_KIND_SWITCH, {0, 0, 0, 0}},
 };
 

@@ -48,7 +48,9 @@ extern "C" {
 #define TINKER_MEANING_INSTANT          16 /* s: when in a run something happens; before 0: it has */
 #define TINKER_MEANING_CENTRE_OF_MASS   17 /* vector, m: in the axes of the points of an outline */
 #define TINKER_MEANING_COLLIDES         18 /* switch, of a point mass: whether it meets others and bodies that turn */
-#define TINKER_MEANING_COUNT            19
+#define TINKER_MEANING_ROLLING_RESISTANCE                                                                              \
+    19 /* m, of a disc: the moment that resists its rolling, at most, per normal force */
+#define TINKER_MEANING_COUNT 20
 
 /* Flags of a property. */
 #define TINKER_HAS_MINIMUM    (1u << 0) /* hard_minimum counts */
