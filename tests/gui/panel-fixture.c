@@ -70,16 +70,21 @@ void panel_type(GuiFixture *fixture, const char *group, const char *title, const
     g_assert_no_error(error);
 }
 
+static int find_choice(const TinkerPropertyRow *row, const char *text)
+{
+    int choice = 0;
+    while (row->choices[choice] != NULL && !g_str_equal(row->choices[choice], text))
+        choice++;
+    g_assert_nonnull(row->choices[choice]);
+    return choice;
+}
+
 void panel_choose(GuiFixture *fixture, const char *group, const char *title, const char *text)
 {
     g_autoptr(TinkerPropertyRow) row = panel_find_row(fixture, group, title);
     g_autoptr(GError) error = NULL;
     g_assert_nonnull(row);
-    int choice = 0;
-    while (row->choices[choice] != NULL && !g_str_equal(row->choices[choice], text))
-        choice++;
-    g_assert_nonnull(row->choices[choice]);
-    tinker_property_row_choose(fixture->document, row, choice, &error);
+    tinker_property_row_choose(fixture->document, row, find_choice(row, text), &error);
     g_assert_no_error(error);
 }
 
@@ -92,7 +97,10 @@ void panel_assert_refused(GuiFixture *fixture, const char *group, const char *ti
     const char *undo = tinker_history_can_undo(tinker_document_history(fixture->document));
     g_autofree char *last = g_strdup(undo);
     g_assert_nonnull(row);
-    g_assert_false(tinker_property_row_set(fixture->document, row, text, &error));
+    if (row->choices != NULL)
+        g_assert_false(tinker_property_row_choose(fixture->document, row, find_choice(row, text), &error));
+    else
+        g_assert_false(tinker_property_row_set(fixture->document, row, text, &error));
     g_assert_nonnull(error);
     for (; *parts != NULL; parts++)
         if (strstr(error->message, *parts) == NULL) g_error("“%s” lacks “%s”", error->message, *parts);

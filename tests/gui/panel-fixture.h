@@ -30,7 +30,7 @@ void panel_type(GuiFixture *fixture, const char *group, const char *title, const
 /* Takes the choice with this text. */
 void panel_choose(GuiFixture *fixture, const char *group, const char *title, const char *text);
 
-/* Types what a row must refuse: with a sentence that has these parts, and nothing else changed. */
+/* Types or chooses what a row must refuse: with a sentence that has these parts, and nothing else changed. */
 void panel_assert_refused(GuiFixture *fixture, const char *group, const char *title, const char *text,
                           const char *const *parts);
 #define PARTS(...) ((const char *const[]){__VA_ARGS__, NULL})

@@ -220,6 +220,24 @@ static void test_scene(void)
     g_assert_cmpfloat_with_epsilon(head->canvas_width, 9.144, 1e-12);
 }
 
+/* The law of impact is a choice; impulses know Newton's alone, whichever of the two is chosen last. */
+static void test_impact_law(void)
+{
+    g_autoptr(GuiFixture) fixture = gui_fixture_new(ONE_MASS);
+    panel_select_nothing(fixture);
+    const TinkerSceneHead *head = tinker_scene_head(tinker_document_scene(fixture->document));
+    panel_choose(fixture, "Computation", "Law of Impact", "One After the Other");
+    g_assert_cmpstr(head->run.impact_law, ==, "sequential");
+    panel_assert_refused(fixture, "Computation", "Contacts", "Impulses", PARTS("impulses", "Newton"));
+    g_assert_cmpstr(head->run.contacts, ==, "events");
+    panel_choose(fixture, "Computation", "Law of Impact", "Poisson");
+    g_assert_cmpstr(head->run.impact_law, ==, "poisson");
+    panel_choose(fixture, "Computation", "Law of Impact", "Newton");
+    panel_choose(fixture, "Computation", "Contacts", "Impulses");
+    panel_assert_refused(fixture, "Computation", "Law of Impact", "Poisson", PARTS("impulses", "Newton"));
+    g_assert_cmpstr(head->run.impact_law, ==, "newton");
+}
+
 static void add_tests(void)
 {
     g_test_add_func("/gui/property-list/placeholder", test_placeholder);
@@ -232,6 +250,7 @@ static void add_tests(void)
     g_test_add_func("/gui/property-list/several", test_several);
     g_test_add_func("/gui/property-list/friction-of-several", test_friction_of_several);
     g_test_add_func("/gui/property-list/scene", test_scene);
+    g_test_add_func("/gui/property-list/impact-law", test_impact_law);
 }
 
 int main(int argc, char **argv)

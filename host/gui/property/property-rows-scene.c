@@ -7,6 +7,7 @@
 #include "gui/text/number-text.h"
 #include "gui/text/translate.h"
 #include "measure/until.h"
+#include "numerics/contact/impact-law.h"
 #include "numerics/methods/integrators.h"
 
 /* Members of the head, by what they hold. */
@@ -127,12 +128,29 @@ static gboolean choose_snap(TinkerDocument *document, const TinkerPropertyRow *r
     return take_head(document, row->title, &head, NULL, error);
 }
 
-static gboolean choose_contacts(TinkerDocument *document, const TinkerPropertyRow *row, int choice, GError **error)
+/* Unless the run would be refused: impulses go with Newton's law of impact alone. */
+static gboolean take_contacts(TinkerDocument *document, const char *title, const char *contacts, const char *law,
+                              GError **error)
 {
     TinkerSceneHead head = *tinker_scene_head(tinker_document_scene(document));
-    g_autofree char *contacts = g_strdup(contacts_ids[choice]);
-    head.run.contacts = contacts;
-    return take_head(document, row->title, &head, "run", error);
+    if (g_str_equal(contacts, "impulse") && !g_str_equal(law, "newton"))
+        return property_refuse(error, _("Contacts as impulses know Newton’s law of impact alone."));
+    g_autofree char *own_contacts = g_strdup(contacts), *own_law = g_strdup(law);
+    head.run.contacts = own_contacts;
+    head.run.impact_law = own_law;
+    return take_head(document, title, &head, "run", error);
+}
+
+static gboolean choose_contacts(TinkerDocument *document, const TinkerPropertyRow *row, int choice, GError **error)
+{
+    const TinkerRunSettings *run = &tinker_scene_head(tinker_document_scene(document))->run;
+    return take_contacts(document, row->title, contacts_ids[choice], run->impact_law, error);
+}
+
+static gboolean choose_law(TinkerDocument *document, const TinkerPropertyRow *row, int choice, GError **error)
+{
+    const TinkerRunSettings *run = &tinker_scene_head(tinker_document_scene(document))->run;
+    return take_contacts(document, row->title, run->contacts, tinker_impact_law_names[choice], error);
 }
 
 /* Methods -------------------------------------------------------------------------------------------------------------
@@ -251,11 +269,33 @@ const char *tinker_property_group_folded(void)
     return _("Computation");
 }
 
+/* How contacts are stepped, and what several do that close at once. */
+static void add_contacts(PropertyBuilder *builder)
+{
+    const TinkerRunSettings *run = &tinker_scene_head(builder->scene)->run;
+    const char *const contacts[] = {_("Events"), _("Impulses"), NULL};
+    const char *const laws[] = {_("Newton"), _("Poisson"), _("One After the Other"), NULL};
+    add_choice(
+        builder, _("Computation"), _("Contacts"),
+        _("Events: each is found at its very time. Impulses: all that fall in a step are solved at once, for many "
+          "contacts."),
+        contacts, g_str_equal(run->contacts, contacts_ids[1]))
+        ->choose = choose_contacts;
+    int chosen = 0;
+    while (tinker_impact_law_names[chosen] != NULL && !g_str_equal(run->impact_law, tinker_impact_law_names[chosen]))
+        chosen++;
+    add_choice(builder, _("Computation"), _("Law of Impact"),
+               _("Of several contacts that close at once. Newton: each parts with its restitution times the speed of "
+                 "approach. Poisson: with its restitution times the impulse that stopped it. One after the other: as "
+                 "in a row of balls, of which the last flies off"),
+               laws, chosen)
+        ->choose = choose_law;
+}
+
 void property_rows_add_scene(PropertyBuilder *builder)
 {
     const TinkerSceneHead *head = tinker_scene_head(builder->scene);
     const char *const units[] = {_("SI"), _("English"), NULL};
-    const char *const contacts[] = {_("Events"), _("Impulses"), NULL};
     for (gsize i = 0; i < G_N_ELEMENTS(numbers); i++)
         add_number(builder, &numbers[i]);
     add_until(builder);
@@ -264,12 +304,7 @@ void property_rows_add_scene(PropertyBuilder *builder)
     add_choice(builder, _("Scene"), _("Units"), _("In which all values are shown; the scene stays the same"), units,
                head->units == TINKER_UNIT_SYSTEM_ENGLISH)
         ->choose = choose_units;
-    add_choice(
-        builder, _("Computation"), _("Contacts"),
-        _("Events: each is found at its very time. Impulses: all that fall in a step are solved at once, for many "
-          "contacts."),
-        contacts, g_str_equal(head->run.contacts, contacts_ids[1]))
-        ->choose = choose_contacts;
+    add_contacts(builder);
     TinkerPropertyRow *snap = property_builder_add(builder, TINKER_ROW_SWITCH, _("Canvas"), _("Snap"),
                                                    _("Whether blocks that are moved keep to the grid"));
     snap->chosen = head->canvas_snap != 0;
