@@ -189,7 +189,8 @@ static void test_bodies_pass(void)
     g_assert_cmpint(count_holding(two.plan->left_out, "contact between bodies: they pass through each other"), ==, 1);
 }
 
-/* Contact is modelled where a body could meet a solid side, and its forces only where something touches. */
+/* Contact is modelled where a body could meet a solid side, and its forces only where something touches. That no
+ * support has a solid side is not said of bodies that meet. */
 static void test_contact(void)
 {
     static const char *const scene = "{'type': 'gravity'}, {'type': 'support', 'position': [0, -0.2], %s},"
@@ -208,6 +209,10 @@ static void test_contact(void)
     g_autofree char *open = g_strdup_printf(scene, "'solid': false", 0.4);
     g_auto(Planned) passes = plan(open, &options);
     assert_holds(passes.plan->left_out, "nothing has a solid side");
+    g_auto(Planned) alone = plan("{'type': 'disc'}, {'type': 'disc', 'position': [2, 0]}", &options);
+    assert_holds(alone.plan->modelled, "contact among 2 bodies that meet");
+    assert_holds(alone.plan->left_out, "contact with supports: none has a solid side");
+    g_assert_cmpint(count_holding(alone.plan->left_out, "contact and friction"), ==, 0);
 }
 
 /* omega = 10: rk4 is stable up to 0.2828 s. Above it the warning names the limit; where h omega is above 0.5 the step

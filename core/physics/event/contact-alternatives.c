@@ -66,8 +66,9 @@ static void warn_once(const TinkerContactChange *change)
     g_ptr_array_add(
         summary->warnings,
         g_strdup_printf(_("the outcome depends on the impact law: at %.6g s several contacts close at once, "
-                          "and \"newton\", \"poisson\" and \"sequential\" differ (impact_law of the run "
-                          "chooses; the events of the summary tell the velocities by each)"),
+                          "and \"newton\", \"poisson\" and \"sequential\" differ (the run's law of impact "
+                          "chooses, impact_law in the scene; the events of the summary tell the velocities by "
+                          "each)"),
                         change->run->run->state.t));
 }
 

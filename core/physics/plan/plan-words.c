@@ -54,15 +54,21 @@ static gboolean any_meet(const TinkerContacts *contacts)
     return FALSE;
 }
 
+/* How many bodies meet others; 0: none does. */
+static int32_t count_meeting(const TinkerModel *model, const TinkerRunOptions *options)
+{
+    int32_t solid = 0;
+    for (int32_t i = 0; model->contacts != NULL && i < model->bodies; i++)
+        solid += tinker_contacts_has_outline(model->contacts, i);
+    return (options->impulses ? solid > 1 : any_meet(model->contacts)) ? solid : 0;
+}
+
 /* Contact of bodies among themselves. */
 static void describe_meeting(TinkerPlan *plan, const TinkerModel *model, const TinkerRunOptions *options)
 {
-    int32_t solid = 0;
+    const int32_t solid = count_meeting(model, options);
     char text[128];
-    for (int32_t i = 0; model->contacts != NULL && i < model->bodies; i++)
-        solid += tinker_contacts_has_outline(model->contacts, i);
-    const gboolean meet = options->impulses ? solid > 1 : any_meet(model->contacts);
-    if (!meet) {
+    if (solid == 0) {
         if (model->bodies > 1) say(plan->left_out, _("contact between bodies: they pass through each other"));
         return;
     }
@@ -300,7 +306,10 @@ static void describe_contact(TinkerPlan *plan, TinkerModel *model, const TinkerR
     char bodies[128], plates[128];
     const TinkerContacts *contacts = model->contacts;
     if (contacts == NULL || contacts->plate_count == 0) {
-        say(plan->left_out, _("contact and friction: nothing has a solid side that a body could meet"));
+        if (count_meeting(model, options) > 0)
+            say(plan->left_out, _("contact with supports: none has a solid side that a body could meet"));
+        else
+            say(plan->left_out, _("contact and friction: nothing has a solid side that a body could meet"));
         return;
     }
     const int32_t shapes = count_shapes(contacts);
