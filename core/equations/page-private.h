@@ -11,6 +11,7 @@ typedef struct {
     GPtrArray *rows;     /* of char *: left, right and comment of equations that have not been written yet */
     GPtrArray *lines;    /* of TinkerEquationLine: where they go instead (lines.h), without a text; or NULL */
     TinkerBlockId about; /* whose the next equations are; -1: nobody's, as after each heading */
+    gboolean in_state;   /* the heading before them is that of tinker_page_state */
 } TinkerPage;
 
 void tinker_page_begin(TinkerPage *page, TinkerTypesetFormat format, const TinkerEquations *equations,
@@ -39,8 +40,12 @@ void tinker_page_gap(TinkerPage *page);
 /* Adds the names that an expression needs (const char *, interned). */
 void tinker_equations_mark(const TinkerEquations *equations, const TinkerExpression *expression, GHashTable *needed);
 
-/* The definitions that these names need, then the values of symbols. */
-void tinker_page_names(TinkerPage *page, GHashTable *needed, gboolean values);
+/* The definitions that these names need, then the values of symbols: first those that are given, then those at the
+ * time. */
+void tinker_page_names(TinkerPage *page, GHashTable *needed);
+
+/* A symbol's value at the time, below a heading that says which time; strings are as of tinker_page_equation. */
+void tinker_page_state(TinkerPage *page, TinkerBlockId block, char *symbol, char *value, char *comment);
 
 /* (transfer full) */
 char *tinker_page_end(TinkerPage *page);

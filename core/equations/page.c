@@ -1,14 +1,17 @@
 /* Headings and equations: aligned lines in a terminal, an align environment, a table of MathML. */
+#include <math.h>
 #include <string.h>
 
+#include "equations/break-latex.h"
 #include "equations/page-private.h"
 #include "units/units.h"
 
 enum { LEFT, RIGHT, COMMENT, PARTS };
 
-static const char latex_head[] = "\\documentclass{article}\n\\usepackage[utf8]{inputenc}\n\\usepackage[T1]{fontenc}\n"
-                                 "\\usepackage{amsmath}\n\\usepackage[margin=20mm,landscape]{geometry}\n"
-                                 "\\allowdisplaybreaks\n\\begin{document}\n";
+static const char latex_head[] =
+    "\\documentclass[a4paper]{article}\n\\usepackage[utf8]{inputenc}\n\\usepackage[T1]{fontenc}\n"
+    "\\usepackage{amsmath,graphicx}\n\\usepackage[margin=20mm,landscape]{geometry}\n"
+    "\\allowdisplaybreaks\n\\begin{document}\n";
 static const char html_head[] =
     "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>%s</title>\n<style>\n"
     ":root { color-scheme: light dark; }\nbody { font-family: sans-serif; margin: 2em auto; max-width: 60em; }\n"
@@ -41,7 +44,8 @@ static char *safe_text(const TinkerPage *page, const char *text)
 void tinker_page_begin(TinkerPage *page, TinkerTypesetFormat format, const TinkerEquations *equations,
                        const char *title)
 {
-    *page = (TinkerPage){g_string_new(NULL), format, equations, g_ptr_array_new_with_free_func(g_free), NULL, -1};
+    *page =
+        (TinkerPage){g_string_new(NULL), format, equations, g_ptr_array_new_with_free_func(g_free), NULL, -1, FALSE};
     g_autofree char *safe = safe_text(page, title);
     if (format == TINKER_TYPESET_LATEX)
         g_string_append_printf(page->text, "%s\\section*{%s}\n", latex_head, safe);
@@ -87,14 +91,70 @@ static void flush_text(TinkerPage *page, guint rows)
     }
 }
 
+/* Points, of a sheet of A4 on its side with 20 mm around it. */
+#define PAPER        728.0
+#define MOST_COMMENT 190.0
+#define MOST_LEFT    150.0 /* what is longer on the left stands on the right, before its equals sign */
+#define INDENT       20.0
+#define GAPS         30.0 /* between columns, at least */
+
+/* Beside an equation; a long one in several lines. */
+static void add_latex_comment(TinkerPage *page, const char *comment, double width)
+{
+    g_autofree char *safe = latex_text(comment);
+    if (width <= MOST_COMMENT)
+        g_string_append_printf(page->text, " && \\text{%s}", safe);
+    else
+        g_string_append_printf(page->text, " && \\parbox[t]{%.0fpt}{\\raggedright %s}", MOST_COMMENT, safe);
+}
+
+static double comment_width(const char *comment)
+{
+    return comment != NULL ? 5.6 * (double)g_utf8_strlen(comment, -1) : 0;
+}
+
+/* What cannot be cut, as a long root, is made smaller. (transfer full) */
+static char *fitted_line(const char *line, double most)
+{
+    const double width = tinker_latex_width(line);
+    if (width <= most) return g_strdup(line);
+    char factor[16];
+    g_ascii_formatd(factor, sizeof factor, "%.2f", floor(100 * most / width) / 100);
+    return g_strdup_printf("\\scalebox{%s}{$\\displaystyle %s$}", factor, line);
+}
+
+/* One equation, in as many lines as it needs. */
+static void add_latex_row(TinkerPage *page, guint row, double most)
+{
+    const char *left = row_part(page, row, LEFT), *right = row_part(page, row, RIGHT);
+    const char *comment = row_part(page, row, COMMENT);
+    const gboolean long_left = tinker_latex_width(left) > MOST_LEFT;
+    g_autofree char *all = long_left ? g_strconcat(left, "=", right, NULL) : g_strdup(right);
+    g_autoptr(GPtrArray) lines = tinker_latex_lines(all, most);
+    for (guint i = 0; i < lines->len; i++) {
+        g_autofree char *line = fitted_line(g_ptr_array_index(lines, i), most);
+        if (i > 0)
+            g_string_append_printf(page->text, " \\\\\n&\\qquad{}%s", line);
+        else if (long_left)
+            g_string_append_printf(page->text, "&%s", line);
+        else
+            g_string_append_printf(page->text, "%s &= %s", left, line);
+        if (i == 0 && comment != NULL) add_latex_comment(page, comment, comment_width(comment));
+    }
+}
+
 static void flush_latex(TinkerPage *page, guint rows)
 {
+    double left = 0, comment = 0;
+    for (guint i = 0; i < rows; i++) {
+        const double width = tinker_latex_width(row_part(page, i, LEFT));
+        if (width <= MOST_LEFT) left = MAX(left, width);
+        comment = MAX(comment, comment_width(row_part(page, i, COMMENT)));
+    }
+    const double most = PAPER - left - MIN(comment, MOST_COMMENT) - GAPS - INDENT;
     g_string_append(page->text, "\\begin{align*}\n");
     for (guint i = 0; i < rows; i++) {
-        const char *comment = row_part(page, i, COMMENT);
-        g_autofree char *safe = comment != NULL ? latex_text(comment) : NULL;
-        g_string_append_printf(page->text, "%s &= %s", row_part(page, i, LEFT), row_part(page, i, RIGHT));
-        if (safe != NULL) g_string_append_printf(page->text, " && \\text{%s}", safe);
+        add_latex_row(page, i, most);
         g_string_append(page->text, i + 1 < rows ? " \\\\\n" : "\n");
     }
     g_string_append(page->text, "\\end{align*}\n");
@@ -125,6 +185,7 @@ void tinker_page_heading(TinkerPage *page, const char *heading)
 {
     static const char *const forms[] = {"\n%s\n", "\\subsection*{%s}\n", "<h2>%s</h2>\n"};
     page->about = -1;
+    page->in_state = FALSE;
     if (page->lines != NULL) {
         tinker_page_line_heading(page, heading);
         return;

@@ -4,6 +4,7 @@
 
 #include "equations/writer-private.h"
 #include "law/derivative.h"
+#include "law/reduce.h"
 #include "law/value.h"
 
 #include <tinker/kernels.h>
@@ -123,17 +124,17 @@ static TinkerExpression *derivative_of(const char *symbol, void *data)
     return negative ? tinker_expression_negated(shorter) : shorter;
 }
 
-TinkerExpression *tinker_writer_rate(TinkerEquationWriter *writer, const TinkerExpression *expression)
-{
-    Derivative asked = {writer, NULL};
-    return tinker_expression_derivative(expression, derivative_of, &asked);
-}
-
 TinkerExpression *tinker_writer_derivative(TinkerEquationWriter *writer, const TinkerExpression *expression,
                                            const char *symbol)
 {
     Derivative asked = {writer, symbol};
-    return tinker_expression_derivative(expression, derivative_of, &asked);
+    g_autoptr(TinkerExpression) raw = tinker_expression_derivative(expression, derivative_of, &asked);
+    return tinker_expression_reduced(raw);
+}
+
+TinkerExpression *tinker_writer_rate(TinkerEquationWriter *writer, const TinkerExpression *expression)
+{
+    return tinker_writer_derivative(writer, expression, NULL);
 }
 
 void tinker_writer_note_unwritten(TinkerEquationWriter *writer, TinkerBlockId block, const char *symbol,
@@ -202,7 +203,7 @@ static TinkerExpression *waveform(TinkerEquationWriter *writer, const TinkerLawU
         const TinkerFrame *frame = symbol->at_start ? writer->start : writer->frame;
         const double value = tinker_frame_column(frame, block, symbol->column);
         tinker_writer_note_unwritten(writer, block, name, "its waveform is a table");
-        return tinker_writer_symbol(writer, name, block, value, symbol->dimension, NULL, NULL);
+        return tinker_writer_symbol(writer, name, block, value, symbol->dimension, NULL, type->description);
     }
     TinkerExpression *is;
     if (kind == TINKER_WAVEFORM_EXPRESSION) {

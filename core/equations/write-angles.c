@@ -45,7 +45,12 @@ void tinker_equations_put_angles(TinkerPage *page, const TinkerAngleForm *form, 
                              tinker_page_expression(page, definition->is),
                              g_strdup(tinker_page_words(definition->means)));
     }
-    tinker_page_names(page, needed, shown->values);
+    tinker_page_names(page, needed);
+    for (guint i = 0; i < form->definitions->len; i++) {
+        const TinkerEquationDefinition *definition = g_ptr_array_index(form->definitions, i);
+        tinker_page_state(page, definition->block, tinker_page_symbol(page, definition->name),
+                          tinker_page_amount(page, definition->value, definition->dimension, definition->energy), NULL);
+    }
     for (guint i = 0; i < form->why->len; i++) {
         const TinkerNotWritten *reason = g_ptr_array_index(form->why, i);
         g_autofree char *heading =

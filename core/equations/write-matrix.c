@@ -67,6 +67,9 @@ static void write_coordinate(TinkerPage *page, const TinkerMatrixIsland *island,
                       : g_strconcat(is, tinker_typeset_sign(page->format, each->about > 0 ? '-' : '+'), about, NULL);
     tinker_page_equation(page, coordinate(page, island, number, 0), right,
                          g_strdup(island->about_rest ? _("counted from rest") : _("its place")));
+    const double value = tinker_equations_value(page->equations, each->is) - each->about;
+    tinker_page_equation(page, coordinate(page, island, number, 0), tinker_page_quantity(page, value, length),
+                         g_strdup_printf(C_("equations", "at t = %g s"), page->equations->time));
 }
 
 static char *named(const TinkerPage *page, const char *stem, const char *index)
@@ -187,25 +190,27 @@ static void write_island(TinkerPage *page, const TinkerMatrixIsland *island)
 }
 
 /* What the symbols of all islands stand for. */
-static void write_names(TinkerPage *page, const TinkerMatrixForm *form, gboolean values)
+static void write_names(TinkerPage *page, const TinkerMatrixForm *form)
 {
     g_autoptr(GHashTable) needed = g_hash_table_new(g_str_hash, g_str_equal);
     for (guint i = 0; i < form->islands->len; i++) {
         const TinkerMatrixIsland *island = g_ptr_array_index(form->islands, i);
         const GPtrArray *const lists[] = {island->mass, island->damping, island->stiffness, island->load};
         if (island->coordinates->len > MOST_WRITTEN) continue;
+        for (guint k = 0; k < island->coordinates->len; k++)
+            tinker_equations_mark(page->equations, coordinate_at(island, k)->is, needed);
         for (gsize k = 0; k < G_N_ELEMENTS(lists); k++)
             for (guint e = 0; e < lists[k]->len; e++)
                 tinker_equations_mark(page->equations, g_ptr_array_index(lists[k], e), needed);
     }
-    tinker_page_names(page, needed, values);
+    tinker_page_names(page, needed);
 }
 
 void tinker_equations_put_matrix(TinkerPage *page, const TinkerMatrixForm *form, const TinkerEquationsShown *shown)
 {
     for (guint i = 0; i < form->islands->len; i++)
         write_island(page, g_ptr_array_index(form->islands, i));
-    write_names(page, form, shown->values);
+    write_names(page, form);
     for (guint i = 0; i < form->why->len; i++) {
         const TinkerNotWritten *reason = g_ptr_array_index(form->why, i);
         g_autofree char *heading = g_strdup_printf(

@@ -4,6 +4,8 @@
 
 #include "equations/page-private.h"
 
+static const TinkerDimension seconds = TINKER_DIMENSION_TIME;
+
 static const char *name_of(const TinkerEquations *equations, TinkerBlockId block)
 {
     return tinker_scene_block_name(equations->scene, block);
@@ -25,7 +27,7 @@ static void close_over_definitions(const TinkerEquations *equations, GHashTable 
     }
 }
 
-static void write_laws(TinkerPage *page, GHashTable *needed, gboolean values)
+static void write_laws(TinkerPage *page, GHashTable *needed)
 {
     const TinkerEquations *equations = page->equations;
     gboolean first = TRUE;
@@ -41,10 +43,6 @@ static void write_laws(TinkerPage *page, GHashTable *needed, gboolean values)
                                           : g_strdup_printf("%s: %s", name_of(equations, definition->block), means);
         tinker_page_equation(page, tinker_page_symbol(page, definition->name),
                              tinker_page_expression(page, definition->is), comment);
-        if (values)
-            tinker_page_equation(page, tinker_page_symbol(page, definition->name),
-                                 tinker_page_amount(page, definition->value, definition->dimension, definition->energy),
-                                 NULL);
     }
 }
 
@@ -56,14 +54,14 @@ static char *meaning_of(const TinkerEquations *equations, const TinkerEquationSy
     return g_strdup_printf("%s: %s", name_of(equations, symbol->block), words);
 }
 
-static void write_values(TinkerPage *page, GHashTable *needed, gboolean state)
+/* What is given: the values of properties. */
+static void write_given(TinkerPage *page, GHashTable *needed)
 {
     const TinkerEquations *equations = page->equations;
     gboolean first = TRUE;
     for (guint i = 0; i < equations->symbols->len; i++) {
         const TinkerEquationSymbol *symbol = g_ptr_array_index(equations->symbols, i);
-        const gboolean of_state = symbol->quantity != NULL;
-        if (!g_hash_table_contains(needed, symbol->name) || (of_state && !state)) continue;
+        if (!g_hash_table_contains(needed, symbol->name) || symbol->quantity != NULL) continue;
         if (first) tinker_page_heading(page, C_("equations", "where"));
         first = FALSE;
         page->about = symbol->block;
@@ -72,9 +70,43 @@ static void write_values(TinkerPage *page, GHashTable *needed, gboolean state)
     }
 }
 
-void tinker_page_names(TinkerPage *page, GHashTable *needed, gboolean values)
+void tinker_page_state(TinkerPage *page, TinkerBlockId block, char *symbol, char *value, char *comment)
+{
+    if (!page->in_state) {
+        g_autofree char *heading = g_strdup_printf(C_("equations", "at t = %g s"), page->equations->time);
+        tinker_page_heading(page, heading);
+        page->in_state = TRUE;
+    }
+    page->about = block;
+    tinker_page_equation(page, symbol, value, comment);
+}
+
+/* What the run gives: places, multipliers, and the values of definitions. */
+static void write_state(TinkerPage *page, GHashTable *needed)
+{
+    const TinkerEquations *equations = page->equations;
+    for (guint i = 0; i < equations->symbols->len; i++) {
+        const TinkerEquationSymbol *symbol = g_ptr_array_index(equations->symbols, i);
+        if (!g_hash_table_contains(needed, symbol->name) || symbol->quantity == NULL) continue;
+        tinker_page_state(page, symbol->block, tinker_page_symbol(page, symbol->name),
+                          tinker_page_amount(page, symbol->value, symbol->dimension, FALSE),
+                          meaning_of(equations, symbol));
+    }
+    for (guint i = 0; i < equations->definitions->len; i++) {
+        const TinkerEquationDefinition *definition = g_ptr_array_index(equations->definitions, i);
+        if (!g_hash_table_contains(needed, definition->name)) continue;
+        tinker_page_state(page, definition->block, tinker_page_symbol(page, definition->name),
+                          tinker_page_amount(page, definition->value, definition->dimension, definition->energy), NULL);
+    }
+    if (g_hash_table_contains(needed, "t"))
+        tinker_page_state(page, TINKER_NO_BLOCK, tinker_page_symbol(page, "t"),
+                          tinker_page_quantity(page, equations->time, seconds), g_strdup(C_("equations", "time")));
+}
+
+void tinker_page_names(TinkerPage *page, GHashTable *needed)
 {
     close_over_definitions(page->equations, needed);
-    write_laws(page, needed, values);
-    write_values(page, needed, values);
+    write_laws(page, needed);
+    write_given(page, needed);
+    write_state(page, needed);
 }

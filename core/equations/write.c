@@ -136,6 +136,15 @@ static void write_component(TinkerPage *page, const TinkerBodyEquation *body, co
     if (values) write_values(page, body, component, sum);
 }
 
+/* The places of a body, whose accelerations stand on the left. */
+static void mark_places(const TinkerEquations *equations, const TinkerBodyEquation *body, GHashTable *needed)
+{
+    for (gsize c = 0; c < count_components(body); c++) {
+        g_autofree char *state = g_strconcat(name_of(equations, body->block), ".", components[c].coordinate, NULL);
+        g_hash_table_add(needed, (void *)g_intern_string(state));
+    }
+}
+
 /* (transfer full) */
 static GHashTable *needed_names(const TinkerEquations *equations, const TinkerEquationsShown *shown)
 {
@@ -143,6 +152,7 @@ static GHashTable *needed_names(const TinkerEquations *equations, const TinkerEq
     for (guint i = 0; i < equations->bodies->len; i++) {
         const TinkerBodyEquation *body = g_ptr_array_index(equations->bodies, i);
         if (!is_shown(shown, body->block)) continue;
+        mark_places(equations, body, needed);
         tinker_equations_mark(equations, body->mass, needed);
         if (body->inertia != NULL) tinker_equations_mark(equations, body->inertia, needed);
         for (guint k = 0; k < body->terms->len; k++)
@@ -203,7 +213,7 @@ void tinker_equations_put_newton(TinkerPage *page, const TinkerEquationsShown *s
     }
     g_autoptr(GHashTable) needed = needed_names(equations, shown);
     write_constraints(page, needed);
-    tinker_page_names(page, needed, shown->values);
+    tinker_page_names(page, needed);
     write_missing(page);
 }
 

@@ -23,11 +23,12 @@ const char *tinker_greek_name(const char *letter)
 {
     static const struct {
         const char *letter, *name;
-    } letters[] = {{"α", "alpha"}, {"β", "beta"},   {"γ", "gamma"}, {"δ", "delta"}, {"ε", "varepsilon"},
-                   {"ζ", "zeta"},  {"η", "eta"},    {"θ", "theta"}, {"κ", "kappa"}, {"λ", "lambda"},
-                   {"μ", "mu"},    {"ν", "nu"},     {"ξ", "xi"},    {"ρ", "rho"},   {"σ", "sigma"},
-                   {"τ", "tau"},   {"φ", "varphi"}, {"χ", "chi"},   {"ψ", "psi"},   {"ω", "omega"},
-                   {"Δ", "Delta"}, {"Ω", "Omega"},  {"Φ", "Phi"},   {"Θ", "Theta"}, {"π", "pi"}};
+    } letters[] = {{"α", "alpha"}, {"β", "beta"},  {"γ", "gamma"},  {"δ", "delta"}, {"ε", "varepsilon"},
+                   {"ζ", "zeta"},  {"η", "eta"},   {"θ", "theta"},  {"κ", "kappa"}, {"λ", "lambda"},
+                   {"μ", "mu"},    {"µ", "mu"},    {"ν", "nu"},     {"ξ", "xi"},    {"ρ", "rho"},
+                   {"σ", "sigma"}, {"τ", "tau"},   {"φ", "varphi"}, {"χ", "chi"},   {"ψ", "psi"},
+                   {"ω", "omega"}, {"Δ", "Delta"}, {"Ω", "Omega"},  {"Φ", "Phi"},   {"Θ", "Theta"},
+                   {"π", "pi"}};
     for (gsize i = 0; i < G_N_ELEMENTS(letters); i++)
         if (strcmp(letters[i].letter, letter) == 0) return letters[i].name;
     return NULL;

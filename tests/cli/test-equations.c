@@ -32,7 +32,13 @@ static void test_page(CliFixture *fixture, gconstpointer data)
                                    "   g = 10 m/s^2   Gravity: acceleration\n"
                                    "   Y = 4 m        Ceiling: position y\n"
                                    "   k = 50 N/m     Spring 0: stiffness\n"
-                                   "  L0 = 2 m        Spring 0: rest length\n";
+                                   "  L0 = 2 m        Spring 0: rest length\n"
+                                   "\n"
+                                   "at t = 0 s\n"
+                                   "  x = 0 m   Load: x\n"
+                                   "  y = 2 m   Load: y\n"
+                                   "  L = 2 m\n"
+                                   "  T = 0 N\n";
     g_autofree char *scene = cli_write(fixture, "scene.json", HANGING);
     g_autoptr(TestProgram) program = cli_run_well(fixture, "equations @scene.json");
     g_autofree char *found = g_utf8_normalize(program->output, -1, G_NORMALIZE_DEFAULT_COMPOSE);

@@ -6,6 +6,8 @@
 #include "law/build.h"
 #include "law/derivative.h"
 #include "law/dimension.h"
+#include "law/reduce.h"
+#include "law/typeset.h"
 #include "law/value.h"
 
 static const char *const names[] = {"x", "y", "k", "m", "v", "L", NULL};
@@ -195,9 +197,37 @@ static void test_dimensions(void)
     }
 }
 
+static void look_of(const char *symbol, TinkerSymbolLook *look, void *data)
+{
+    *look = (TinkerSymbolLook){symbol, "", 0, NULL};
+}
+
+/* As one writes it by hand. */
+static void test_lowest_terms(void)
+{
+    static const char *const pairs[][2] = {{"2*k*(x - y)/2", "k*(x - y)"},
+                                           {"6*x/4", "3*x/2"},
+                                           {"3*x^2/3", "x^2"},
+                                           {"2*x/(6*y)", "x/(3*y)"},
+                                           {"-(2*k*x)/2", "-(k*x)"},
+                                           {"sin(4*x/2) + y", "sin(2*x) + y"},
+                                           {"2/4", "1/2"},
+                                           {"x/2", "x/2"},
+                                           {"2.5*x/2", "2.5*x/2"},
+                                           {"(2*x + y)/2", "(2*x + y)/2"}};
+    for (gsize i = 0; i < G_N_ELEMENTS(pairs); i++) {
+        g_autoptr(TinkerExpression) long_form = parse(pairs[i][0]), expected = parse(pairs[i][1]);
+        g_autoptr(TinkerExpression) reduced = tinker_expression_reduced(long_form);
+        g_autofree char *found = tinker_expression_typeset(reduced, TINKER_TYPESET_TEXT, look_of, NULL);
+        g_autofree char *wanted = tinker_expression_typeset(expected, TINKER_TYPESET_TEXT, look_of, NULL);
+        g_assert_cmpstr(found, ==, wanted);
+    }
+}
+
 int main(int argc, char **argv)
 {
     g_test_init(&argc, &argv, NULL);
+    g_test_add_func("/law/lowest-terms", test_lowest_terms);
     g_test_add_func("/law/derivatives", test_derivatives);
     g_test_add_func("/law/tidied", test_tidied);
     g_test_add_func("/law/values", test_values);
