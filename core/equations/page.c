@@ -242,10 +242,21 @@ char *tinker_page_symbol(const TinkerPage *page, const char *name)
     return tinker_page_derivative(page, name, 0);
 }
 
+/* "N m s^2" as the window has it, "N·m·s²". (transfer full) */
+static char *unit_in_print(const TinkerPage *page, const char *unit)
+{
+    const gboolean latex = page->format == TINKER_TYPESET_LATEX;
+    GString *text = g_string_new(unit);
+    g_string_replace(text, "^2", latex ? "$^2$" : "²", 0);
+    g_string_replace(text, "^3", latex ? "$^3$" : "³", 0);
+    g_string_replace(text, " ", latex ? "$\\cdot$" : "·", 0);
+    return g_string_free(text, FALSE);
+}
+
 static char *with_unit(const TinkerPage *page, double value, const char *unit)
 {
     g_autoptr(TinkerExpression) number = tinker_expression_number(value);
-    g_autofree char *digits = tinker_page_expression(page, number), *safe = safe_text(page, unit);
+    g_autofree char *safe = unit_in_print(page, unit), *digits = tinker_page_expression(page, number);
     if (unit[0] == '\0') return g_steal_pointer(&digits);
     if (page->format == TINKER_TYPESET_LATEX) return g_strdup_printf("%s\\,\\text{%s}", digits, safe);
     if (page->format == TINKER_TYPESET_MATHML) return g_strdup_printf("%s<mtext>&#xa0;%s</mtext>", digits, safe);

@@ -31,7 +31,7 @@ typedef struct {
 } Entry;
 
 typedef struct {
-    const char *title;
+    char *title;
     TinkerDimension dimension;
     GArray *entries; /* of Entry */
     const TinkerBookBalance *balance;
@@ -107,18 +107,37 @@ static void totals_of(const TinkerBooks *books, Which which, double totals[2])
     totals[1] = last[which];
 }
 
+char *tinker_books_about(const TinkerBooks *books, TinkerScene *scene)
+{
+    static const TinkerDimension metres = TINKER_DIMENSION_LENGTH;
+    const TinkerUnitSystem units = tinker_scene_head(scene)->units;
+    if (books->about[0] == 0 && books->about[1] == 0) return g_strdup(_("the origin"));
+    g_autofree char *x = tinker_quantity_brief(books->about[0], metres, units);
+    g_autofree char *y = tinker_quantity_brief(books->about[1], metres, units);
+    return g_strdup_printf("(%s, %s)", x, y);
+}
+
+/* Of angular momentum with the point that it is about. (transfer full) */
+static char *title_of_account(const TinkerBooksPicture *picture, Which which)
+{
+    const char *const titles[ACCOUNTS] = {
+        _("Newton at the end, along x"),    _("Newton at the end, along y"),   _("Work and energy"), NULL,
+        _("Impulse and momentum, along x"), _("Impulse and momentum, along y")};
+    if (titles[which] != NULL) return g_strdup(titles[which]);
+    g_autofree char *about = tinker_books_about(picture->books, picture->scene);
+    return g_strdup_printf(_("Angular impulse and momentum about %s"), about);
+}
+
 static Account account_of(const TinkerBooksPicture *picture, Which which)
 {
     static const TinkerDimension dimensions[ACCOUNTS] = {TINKER_DIMENSION_FORCE,  TINKER_DIMENSION_FORCE,
                                                          TINKER_DIMENSION_ENERGY, {1, 2, -1, 0},
                                                          {1, 1, -1, 0},           {1, 1, -1, 0}};
-    const char *const titles[ACCOUNTS] = {
-        _("Newton at the end, along x"),   _("Newton at the end, along y"),    _("Work and energy"),
-        _("Angular impulse and momentum"), _("Impulse and momentum, along x"), _("Impulse and momentum, along y")};
     const TinkerBooks *books = picture->books;
     const TinkerBookBalance *const balances[ACCOUNTS] = {&books->newton, &books->newton,  &books->energy,
                                                          &books->moment, &books->impulse, &books->impulse};
-    Account account = {titles[which], dimensions[which], g_array_new(FALSE, TRUE, sizeof(Entry)), balances[which]};
+    Account account = {title_of_account(picture, which), dimensions[which], g_array_new(FALSE, TRUE, sizeof(Entry)),
+                       balances[which]};
     double totals[2];
     g_array_set_clear_func(account.entries, entry_clear);
     totals_of(books, which, totals);
@@ -239,9 +258,13 @@ static void draw_account(Drawing *drawing, Which which, const double place[4])
     const double row = fmin(MOST_ROW, room / account.entries->len);
     g_autofree char *left = quantity(drawing, account.balance->residual, account.dimension);
     g_autofree char *over = g_strdup_printf(_("left over: %s"), left);
-    write_text(drawing, (TinkerText){.text = account.title, .size = TEXT, .bold = TRUE}, place[0], place[1]);
-    write_text(drawing, (TinkerText){.text = over, .size = TEXT - 1, .anchor_x = 1}, place[2], place[1]);
-    draw_entries(drawing, &account, (double[]){place[0], place[1] + HEADING / 2 + 2, place[2], place[3]}, row);
+    const double room_across = fmax(place[2] - place[0], 1);
+    const TinkerText title = {.text = account.title, .size = TEXT, .bold = TRUE, .limit = room_across};
+    write_text(drawing, title, place[0], place[1]);
+    write_text(drawing, (TinkerText){.text = over, .size = TEXT - 1, .limit = room_across}, place[0],
+               place[1] + HEADING / 2 - 1);
+    draw_entries(drawing, &account, (double[]){place[0], place[1] + HEADING, place[2], place[3]}, row);
+    g_free(account.title);
     g_array_unref(account.entries);
 }
 

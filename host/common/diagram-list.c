@@ -16,6 +16,7 @@ enum { NAME, ALONG_X, ALONG_Y, SIZE, PARTNER, COLUMNS };
 typedef struct {
     const double *colour; /* NULL: none */
     char *texts[COLUMNS];
+    gboolean bold;
 } ListRow;
 
 static void list_row_clear(gpointer data)
@@ -38,13 +39,24 @@ static void add_row(const DiagramDrawing *drawing, GArray *rows, char *name, con
     g_array_append_val(rows, row);
 }
 
-/* The forces, what they make, and notes in the first column. (transfer full) */
+/* What the columns are. */
+static void add_head(GArray *rows)
+{
+    const ListRow head = {NULL,
+                          {g_strdup(_("Force")), g_strdup(_("along x")), g_strdup(_("along y")),
+                           g_strdup(C_("of a force", "size")), g_strdup(_("partner"))},
+                          TRUE};
+    g_array_append_val(rows, head);
+}
+
+/* A head, the forces, what they make, and notes in the first column. (transfer full) */
 static GArray *list_of(const DiagramDrawing *drawing)
 {
     const TinkerTheme *theme = drawing->picture->theme;
     const TinkerDiagram *diagram = drawing->picture->diagram;
     GArray *rows = g_array_new(FALSE, TRUE, sizeof(ListRow));
     g_array_set_clear_func(rows, list_row_clear);
+    if (drawing->forces->len > 0 || diagram->moves) add_head(rows);
     for (guint i = 0; i < drawing->forces->len && i < MOST_ROWS; i++) {
         const TinkerDiagramForce *force = &g_array_index(drawing->forces, TinkerDiagramForce, i);
         char *partner = force->partner < 0 ? g_strdup("")
@@ -82,7 +94,7 @@ void diagram_draw_list(DiagramDrawing *drawing, double width, double top)
     /* where columns end, for numbers, or begin */
     const gboolean narrow = width < NARROW;
     const double wide_ends[COLUMNS] = {DIAGRAM_EDGE + 14, 0.46 * width, 0.58 * width, 0.7 * width, 0.72 * width};
-    const double narrow_ends[COLUMNS] = {DIAGRAM_EDGE + 14, 0.58 * width, 0.78 * width, 0.98 * width, width};
+    const double narrow_ends[COLUMNS] = {DIAGRAM_EDGE + 14, 0.6 * width, 0.8 * width, 0.99 * width, width};
     const double *ends = narrow ? narrow_ends : wide_ends;
     for (guint i = 0; i < rows->len; i++) {
         const ListRow *row = &g_array_index(rows, ListRow, i);
@@ -102,6 +114,8 @@ void diagram_draw_list(DiagramDrawing *drawing, double width, double top)
             diagram_write(drawing,
                           (TinkerText){.text = row->texts[k],
                                        .size = DIAGRAM_TEXT,
+                                       .bold = row->bold,
+                                       .keeps_end = !whole && k == NAME,
                                        .limit = fmax(limit, 0),
                                        .anchor_x = number,
                                        .anchor_y = 0.5},

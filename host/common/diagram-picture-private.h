@@ -38,6 +38,7 @@ gboolean diagram_is_stub(const DiagramDrawing *drawing, double size);
 char *diagram_quantity(const DiagramDrawing *drawing, double value, TinkerDimension dimension);
 /* With a minus as it is printed. (transfer full) */
 char *diagram_force_text(const DiagramDrawing *drawing, double newtons);
+gboolean diagram_is_of_contact(const TinkerDiagramForce *force);
 /* "Floor (Normal force)": of what touches there are two forces. (transfer full) */
 char *diagram_force_name(const DiagramDrawing *drawing, const TinkerDiagramForce *force);
 TinkerArrowKind diagram_arrow_kind(TinkerTermKind kind);

@@ -10,13 +10,14 @@
 #include "render/picture/painter.h"
 
 /* Canvas units. */
-#define TITLE      15.0
-#define HEADING    20.0
-#define EQUALS     26.0 /* the size of the sign between the diagrams, */
-#define ASIDE      18.0 /* and half of the room for it */
-#define BESIDE     10.0 /* between arrows that would lie on each other */
-#define MOST_BODY  110.0
-#define MOST_ARROW 200.0
+#define TITLE       15.0
+#define HEADING     20.0
+#define EQUALS      26.0 /* the size of the sign between the diagrams, */
+#define ASIDE       18.0 /* and half of the room for it */
+#define BESIDE      10.0 /* between arrows that would lie on each other */
+#define MOST_BODY   110.0
+#define MOST_ARROW  200.0
+#define NARROW_PART 240.0 /* of the paper: below it labels are brief */
 
 #define BODY_SHARE  0.24 /* of the lesser side of its part of the paper, for one body; */
 #define WIDE_SHARE  0.42 /* for several */
@@ -191,7 +192,10 @@ static void add_forces(Part *part)
     for (guint i = 0; i < drawing->forces->len; i++) {
         const TinkerDiagramForce *force = &g_array_index(drawing->forces, TinkerDiagramForce, i);
         const TinkerBlockId lit = drawing->picture->lit;
-        g_autofree char *name = diagram_force_name(drawing, force);
+        /* in little room its kind tells a force of contact from the others; the list below has all of its name */
+        const gboolean brief = part->view->width < NARROW_PART && diagram_is_of_contact(force);
+        g_autofree char *name = brief ? g_strdup(tinker_force_arrow_word(diagram_arrow_kind(force->kind)))
+                                      : diagram_force_name(drawing, force);
         g_autofree char *value = diagram_force_text(drawing, diagram_strength(force->force));
         add_arrow(part, force->point, force->force, pushes(drawing, force), diagram_arrow_kind(force->kind),
                   lit != TINKER_NO_BLOCK && lit != force->from, g_strdup_printf("%s  %s", name, value));

@@ -91,13 +91,18 @@ TinkerArrowKind diagram_arrow_kind(TinkerTermKind kind)
     return kinds[kind];
 }
 
+gboolean diagram_is_of_contact(const TinkerDiagramForce *force)
+{
+    return force->kind == TINKER_TERM_NORMAL || force->kind == TINKER_TERM_FRICTION;
+}
+
 /* "Floor (Normal force)": of what touches there are two forces. */
 char *diagram_force_name(const DiagramDrawing *drawing, const TinkerDiagramForce *force)
 {
     const char *from = tinker_scene_block_name(drawing->scene, force->from);
-    const gboolean contact = force->kind == TINKER_TERM_NORMAL || force->kind == TINKER_TERM_FRICTION;
-    return contact ? g_strdup_printf("%s (%s)", from, tinker_force_arrow_word(diagram_arrow_kind(force->kind)))
-                   : g_strdup(from);
+    return diagram_is_of_contact(force)
+               ? g_strdup_printf("%s (%s)", from, tinker_force_arrow_word(diagram_arrow_kind(force->kind)))
+               : g_strdup(from);
 }
 
 gboolean diagram_is_broken(const DiagramDrawing *drawing, double size)

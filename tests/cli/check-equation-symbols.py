@@ -78,7 +78,7 @@ def text_rows(text):
     shape = "|".join(re.escape(name) for name in sorted(set(named) | {dotless(n) for n in named}, key=len, reverse=True))
 
     def symbols(formula):
-        amount = r"(^|[+−=] ?)" + NUMBER + r"( [a-zA-Z/^0-9 ]+)?$"
+        amount = r"(^|[+−=] ?)" + NUMBER + r"( [a-zA-Z/·²³ ]+)?$"
         formula = re.sub("[⁰²³¹⁴-⁹]", " ", re.sub(amount, "", dotless(formula)))
         known = re.findall(rf"(?<!\w)(?:{shape})(?![\w])", formula)
         rest = re.sub(rf"(?<!\w)(?:{shape})(?![\w])", " ", formula)

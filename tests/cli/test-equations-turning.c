@@ -67,7 +67,7 @@ static void test_pendulum(CliFixture *fixture, gconstpointer data)
     g_autofree char *wanted = g_utf8_normalize("I θ̈ = r₂x λy − r₂y λx   Pin\n", -1, G_NORMALIZE_DEFAULT_COMPOSE);
     cli_assert_holds(shown, wanted);
     g_autoptr(TestProgram) values = cli_run_well(fixture, "equations @scene.json --at 0.1");
-    g_assert_nonnull(strstr(values->output, " N m\n")); /* a moment is no energy */
+    g_assert_nonnull(strstr(values->output, " N·m\n")); /* a moment is no energy */
     g_assert_null(strstr(values->output, " J\n"));
 
     root = parsed(fixture, "diagram @scene.json --block Bar --time 0 --as json");

@@ -311,9 +311,38 @@ static void test_key_of_several_scales(void)
     stage_close(&stage);
 }
 
+/* A small diagram of a block that slides: each of its labels is there, and none lies on another's text or on an arrow's
+ * shaft, which runs from where it acts to its head. */
+static void test_little_room(void)
+{
+    static const TinkerView small = {.scale = 1, .origin_x = 80, .origin_y = 65, .width = 165, .height = 180};
+    static const TinkerForceArrow arrows[] = {
+        {0, 0, 0, -46, "Gravity  9.81 N", TINKER_ARROW_FIELD, 0},
+        {24, -46, -21, 32, "Inclined plane (Normal force)  8.036 N", TINKER_ARROW_NORMAL, 0},
+        {4, -14, 14, 10, "Inclined plane (Friction)  4.018 N", TINKER_ARROW_FRICTION, 0}};
+    Stage stage;
+    stage_open(&stage, "light", 1);
+    stage.options.roomy = TRUE;
+    tinker_arrows_draw_noting(stage.picture->cairo, &small, arrows, G_N_ELEMENTS(arrows), &stage.options,
+                              stage.written);
+    g_assert_cmpuint(stage.written->len, ==, G_N_ELEMENTS(arrows));
+    assert_inside_and_apart(&stage);
+    for (guint i = 0; i < stage.written->len; i++)
+        g_assert_cmpfloat(written(&stage, i)->box[2], <=, small.width);
+    for (guint i = 0; i < stage.written->len; i++)
+        for (gsize k = 0; k < G_N_ELEMENTS(arrows); k++)
+            for (double part = 0; part <= 1; part += 0.05) {
+                const double x = small.origin_x + arrows[k].x + part * arrows[k].fx,
+                             y = small.origin_y - arrows[k].y - part * arrows[k].fy;
+                g_assert_cmpfloat(distance_to(written(&stage, i)->box, x, y), >, 0);
+            }
+    stage_close(&stage);
+}
+
 int main(int argc, char **argv)
 {
     g_test_init(&argc, &argv, NULL);
+    g_test_add_func("/render/arrows/little-room", test_little_room);
     g_test_add_func("/render/arrows/key-of-small-picture", test_key_of_small_picture);
     g_test_add_data_func("/render/arrows/place/light", "light", test_place);
     g_test_add_data_func("/render/arrows/place/dark", "dark", test_place);

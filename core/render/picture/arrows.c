@@ -286,23 +286,55 @@ static void draw_plate(Diagram *diagram, const Shaft *shaft, const double box[4]
     cairo_fill(diagram->cairo);
 }
 
-static void write_label(Diagram *diagram, const Shaft *shaft)
+/* The best of the places around the head. */
+static void find_near_place(const Diagram *diagram, const Shaft *shaft, const double size[2], double best[4])
 {
-    TinkerText label = {.text = shaft->arrow->label,
-                        .size = TINKER_STYLE_TEXT,
-                        .limit = LABEL_LIMIT * (diagram->options->roomy ? 2 : 1),
-                        .keeps_end = TRUE};
-    double size[2], best[4] = {0}, least = INFINITY;
-    tinker_text_measure(&diagram->brush.pen, &label, &size[0], &size[1]);
-    size[0] += BAR + BAR_GAP;
+    double least = INFINITY;
     for (int step = 0; step < STEPS; step++)
         for (int turn = 0; turn < DIRECTIONS; turn++) {
             double box[4], cost = place_cost(diagram, shaft, turn, step, size, box);
             if (cost >= least) continue;
             least = cost;
-            memcpy(best, box, sizeof(best));
+            memcpy(best, box, 4 * sizeof *best);
         }
-    if (tinker_occupancy_share(&diagram->map, best, TINKER_TAKEN_BY_TEXT) > 0) return;
+}
+
+static gboolean is_free(const Diagram *diagram, const double box[4], guint8 of)
+{
+    return tinker_occupancy_share(&diagram->map, box, of) == 0;
+}
+
+/* The free place in all of the picture that is nearest to the head; `best` stays where there is none. */
+static void find_free_place(const Diagram *diagram, const Shaft *shaft, const double size[2], double best[4])
+{
+    const gboolean at_start = (shaft->arrow->look & TINKER_ARROW_PUSHES) != 0;
+    const TinkerView *view = diagram->view;
+    double x, y, least = INFINITY;
+    tinker_view_to_canvas(view, at_start ? shaft->x1 : shaft->x2, at_start ? shaft->y1 : shaft->y2, &x, &y);
+    for (double top = MARGIN; top + size[1] <= view->height - MARGIN; top += CELL)
+        for (double left = MARGIN; left + size[0] <= view->width - MARGIN; left += CELL) {
+            const double box[4] = {left, top, left + size[0], top + size[1]};
+            const double off = hypot(fmax(fmax(left - x, x - box[2]), 0), fmax(fmax(top - y, y - box[3]), 0));
+            if (off >= least || !is_free(diagram, box, TINKER_TAKEN_BY_TEXT | TINKER_TAKEN_BY_DRAWING)) continue;
+            least = off;
+            memcpy(best, box, sizeof box);
+        }
+}
+
+static void write_label(Diagram *diagram, const Shaft *shaft)
+{
+    const double room = diagram->view->width - 2 * MARGIN - BAR - BAR_GAP;
+    TinkerText label = {.text = shaft->arrow->label,
+                        .size = TINKER_STYLE_TEXT,
+                        .limit = fmax(fmin(LABEL_LIMIT * (diagram->options->roomy ? 2 : 1), room), 1),
+                        .keeps_end = TRUE};
+    double size[2], best[4] = {0};
+    tinker_text_measure(&diagram->brush.pen, &label, &size[0], &size[1]);
+    size[0] += BAR + BAR_GAP;
+    find_near_place(diagram, shaft, size, best);
+    if (diagram->options->roomy && !is_free(diagram, best, TINKER_TAKEN_BY_TEXT | TINKER_TAKEN_BY_DRAWING))
+        find_free_place(diagram, shaft, size, best);
+    if (!is_free(diagram, best, TINKER_TAKEN_BY_TEXT)) return;
     draw_plate(diagram, shaft, best);
     const double *ink = diagram->options->theme->colours[TINKER_COLOUR_TEXT];
     cairo_set_source_rgba(diagram->cairo, ink[0], ink[1], ink[2], ink[3]);

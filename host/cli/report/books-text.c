@@ -1,4 +1,5 @@
 /* Three accounts, one below the other: what there was, what each force gave, what there is, and what is left over. */
+#include "books-picture.h"
 #include "cli/report/books-report.h"
 #include "cli/report/text-table.h"
 #include "csv-writer.h"
@@ -62,8 +63,8 @@ static void write_energy(const TinkerBooks *books, TinkerScene *scene, FILE *fil
 static void write_momentum(const TinkerBooks *books, TinkerScene *scene, FILE *file)
 {
     g_autoptr(TinkerTextTable) table = tinker_text_table_new("lrrr", 2);
-    g_autofree char *title = g_strdup_printf("Impulse and momentum (N s in x and y; N m s about (%g, %g))",
-                                             books->about[0], books->about[1]);
+    g_autofree char *about = tinker_books_about(books, scene);
+    g_autofree char *title = g_strdup_printf("Impulse and momentum (N s in x and y; N m s about %s)", about);
     heading(file, title);
     const double before[] = {books->momentum[0][0], books->momentum[0][1], books->angular[0]};
     const double after[] = {books->momentum[1][0], books->momentum[1][1], books->angular[1]};
