@@ -237,6 +237,8 @@ static TinkerExpression *typed_number(const Use *use, const TinkerLawSymbol *sym
     return tinker_writer_symbol(use->writer, name, block, symbol->number, symbol->dimension, symbol->name, NULL);
 }
 
+static TinkerExpression *written(const Use *use, const TinkerExpression *is);
+
 static TinkerExpression *meaning_of(const char *name, void *data)
 {
     const Use *use = data;
@@ -244,6 +246,9 @@ static TinkerExpression *meaning_of(const char *name, void *data)
     if (known != NULL) return tinker_expression_ref(known);
     const TinkerLawSymbol *symbol = tinker_block_law_symbol(use->use->law, name);
     if (symbol != NULL && symbol->absent) return tinker_expression_number(0);
+    /* an equation of the same law, as the torque on one end in that on the other */
+    const TinkerExpression *stated = symbol == NULL ? tinker_block_law_find(use->use->law, name) : NULL;
+    if (stated != NULL) return written(use, stated);
     if (symbol == NULL || symbol->property < 0) return NULL;
     TinkerExpression *found = use->use->law->typed ? typed_number(use, symbol)
                               : symbol->at_time    ? waveform(use->writer, use->use, symbol)
