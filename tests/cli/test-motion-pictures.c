@@ -147,6 +147,23 @@ static void test_trail(CliFixture *fixture, gconstpointer data)
     cairo_surface_destroy(surface);
 }
 
+/* A trail ends where the run does: after a fall of 2.2 m, at 0.67 s of 1 s. */
+static void test_trail_until(CliFixture *fixture, gconstpointer data)
+{
+    g_autofree char *until = g_strdup(FREE_FALL);
+    char **parts = g_strsplit(until, "\"duration\": 1,", 2);
+    g_autofree char *text = g_strjoinv("\"duration\": 1, \"until\": \"{Mass 0.y} = -2.2\",", parts);
+    g_strfreev(parts);
+    g_autofree char *scene = cli_write(fixture, "b.json", text);
+    g_autoptr(TestProgram) drawn =
+        cli_run_well(fixture, "render @b.json -o @b.png --no-grid --no-labels --trail --marks 0.2");
+    g_autofree char *path = cli_path(fixture, "b.png");
+    cairo_surface_t *surface = cairo_image_surface_create_from_png(path);
+    double places[8] = {0};
+    g_assert_cmpint(find_marks(surface, find_column(surface, motion_colour()), places, G_N_ELEMENTS(places)), ==, 4);
+    cairo_surface_destroy(surface);
+}
+
 /* The picture of a film of 1 s at this tenth; a view of a fall is that of all pictures. */
 static cairo_surface_t *film_picture(CliFixture *fixture, const char *options, int tenth)
 {
@@ -220,6 +237,7 @@ int main(int argc, char **argv)
     g_test_init(&argc, &argv, NULL);
     cli_test_add("/cli/motion-pictures/vectors", test_vectors);
     cli_test_add("/cli/motion-pictures/trail", test_trail);
+    cli_test_add("/cli/motion-pictures/trail-until", test_trail_until);
     cli_test_add("/cli/motion-pictures/film-vectors", test_film_vectors);
     cli_test_add("/cli/motion-pictures/film-trail", test_film_trail);
     cli_test_add("/cli/motion-pictures/mistakes", test_mistakes);

@@ -135,6 +135,34 @@ static void test_kept_runs(void)
     g_assert_false(tinker_player_keep(fixture->player));
 }
 
+/* Every layer is an area in its own colour of the theme (which test-theme holds apart from the others, for all eyes),
+ * and not in a shade that is mixed with the ground. */
+static void assert_areas(TinkerEnergyData *data, const TinkerTheme *theme, const gboolean has[TINKER_ENERGY_LAYERS])
+{
+    cairo_surface_t *surface = cairo_image_surface_create(CAIRO_FORMAT_RGB24, 600, 400);
+    cairo_t *cairo = cairo_create(surface);
+    TinkerPlot plot = {.theme = theme};
+    tinker_energy_data_fill_plot(data, &plot);
+    tinker_plot_draw(cairo, &plot, 600, 400);
+    cairo_surface_flush(surface);
+    const guint32 *pixels = (const guint32 *)(gconstpointer)cairo_image_surface_get_data(surface);
+    for (int k = 0; k < TINKER_ENERGY_LAYERS; k++) {
+        const double *c = theme->curves[k];
+        const guint32 wanted =
+            (guint32)lround(255 * c[0]) << 16 | (guint32)lround(255 * c[1]) << 8 | (guint32)lround(255 * c[2]);
+        int area = 0;
+        for (gsize i = 0; i < (gsize)600 * 400; i++)
+            area += (pixels[i] & 0xffffff) == wanted;
+        g_test_message("%s, %d: %d pixels", theme->id, k, area);
+        if (has[k])
+            g_assert_cmpint(area, >, 4000);
+        else
+            g_assert_cmpint(area, ==, 0);
+    }
+    cairo_destroy(cairo);
+    cairo_surface_destroy(surface);
+}
+
 /* A fall: what is kinetic was potential, from the lowest place on; an oscillator with a damper: all that was taken is
  * there, and nothing is given. */
 static void test_energy(void)
@@ -155,10 +183,9 @@ static void test_energy(void)
     g_assert_cmpfloat_with_epsilon(sum, 0.5 * square * 0.25, 1e-9);
     TinkerPlot plot = {0};
     tinker_energy_data_fill_plot(data, &plot);
-    g_assert_cmpint(plot.curve_count, ==, TINKER_ENERGY_LAYERS + 1);
-    for (gsize i = 0; i < 51; i++) /* the layers reach up to the line */
-        g_assert_cmpfloat_with_epsilon(plot.curves[TINKER_ENERGY_LAYERS - 1].high[i],
-                                       plot.curves[TINKER_ENERGY_LAYERS].y[i], 1e-9);
+    g_assert_cmpint(plot.curve_count, ==, 3); /* nothing is stored, nor taken */
+    for (gsize i = 0; i < 51; i++)            /* the layers reach up to the line */
+        g_assert_cmpfloat_with_epsilon(plot.curves[1].high[i], plot.curves[2].y[i], 1e-9);
 
     g_autoptr(GuiFixture) damped = gui_fixture_new("");
     gui_fixture_start_scene(damped,
@@ -178,6 +205,11 @@ static void test_energy(void)
     /* what is left falls as exp(-c t / m), within a factor that the phase makes of it */
     g_assert_cmpfloat(layers[TINKER_ENERGY_DAMPERS], >, 0.5 * (1 - 1.3 * exp(-2)));
     g_assert_cmpfloat(layers[TINKER_ENERGY_DAMPERS], <, 0.5 * (1 - 0.7 * exp(-2)));
+    static const gboolean has[TINKER_ENERGY_LAYERS] = {TRUE, FALSE, TRUE, TRUE, FALSE, FALSE};
+    for (int k = 0; k < TINKER_ENERGY_LAYERS; k++)
+        g_assert_cmpint(tinker_energy_data_has(books, (TinkerEnergyLayer)k), ==, has[k]);
+    for (const char *const *id = tinker_theme_ids(); *id != NULL; id++)
+        assert_areas(books, tinker_theme_find(*id), has);
 }
 
 static void add_tests(void)

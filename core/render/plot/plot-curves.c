@@ -325,6 +325,6 @@ void tinker_plot_draw_band(cairo_t *cairo, const TinkerPlotLayout *layout, const
     }
     fill_run(cairo, run);
     g_array_unref(run);
-    cairo_set_source_rgba(cairo, c[0], c[1], c[2], BAND_ALPHA * c[3]);
+    cairo_set_source_rgba(cairo, c[0], c[1], c[2], curve->filled ? c[3] : BAND_ALPHA * c[3]);
     cairo_fill(cairo);
 }

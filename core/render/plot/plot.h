@@ -20,6 +20,7 @@ typedef struct {
     const char *label;        /* in the legend; NULL: none */
     const double *x, *y;      /* `count` points; a NaN interrupts the curve */
     const double *low, *high; /* a band about the curve, or NULL */
+    gboolean filled;          /* the band is an area of the curve's own colour, one of a stack; else a pale one */
     gsize count;
     const TinkerCurveIndex *index; /* of all these points, where there are many: it is quicker to draw; NULL */
     int colour;                    /* number of the theme's curve colour */

@@ -72,12 +72,25 @@ static void draw_over(cairo_t *cairo, const TinkerView *view, const TinkerTheme 
     tinker_force_arrows_over(cairo, view, theme, &overlay->arrows);
 }
 
+/* When the run ends: where the scene says, or after its duration. */
+static gboolean find_end(const RenderOptions *options, TinkerScene *scene, double *time, GError **error)
+{
+    TinkerRunOptions run_options;
+    g_auto(TinkerSceneRun) run = {0};
+    if (!tinker_run_arguments_apply(&options->run, scene, &run_options, error) ||
+        !tinker_scene_run_until(&run, scene, &options->run, NULL, &run_options, error))
+        return FALSE;
+    *time = tinker_options_duration(&run_options);
+    return TRUE;
+}
+
 /* The picture's time; with a trail and none given, the end of the run. */
 static gboolean read_times(const RenderOptions *options, TinkerScene *scene, double *time, double *every,
                            GError **error)
 {
     static const TinkerDimension seconds = TINKER_DIMENSION_TIME;
-    *time = options->over.trail ? tinker_scene_head(scene)->run.duration : 0;
+    *time = 0;
+    if (options->over.trail && options->time == NULL && !find_end(options, scene, time, error)) return FALSE;
     if (options->time != NULL && !tinker_option_value("time", options->time, seconds, 0, FALSE, time, error))
         return FALSE;
     return tinker_overlay_arguments_marks(&options->over, *time, every, error);

@@ -4,10 +4,12 @@
 
 #include <glib/gi18n.h>
 #include <math.h>
+#include <string.h>
 
 #include "graph-axis.h"
 
 #define QUANTITIES (TINKER_ENERGY_LAYERS + 1) /* the last one is what was supplied */
+#define EMPTY      1e-9                       /* of the highest: rounding, and nothing to see */
 
 struct _TinkerEnergyData {
     TinkerDocument *document;
@@ -20,6 +22,7 @@ struct _TinkerEnergyData {
     gsize count;                                      /* samples that all have */
     GArray *tops[TINKER_ENERGY_LAYERS], *floor, *sum; /* of double */
     double least;                                     /* of the potential energy, that tops have */
+    double greatest[TINKER_ENERGY_LAYERS], highest;   /* of any sample: of each layer; of all, or their sum */
     TinkerCurve curves[TINKER_ENERGY_LAYERS + 1];
     char *label;
 };
@@ -67,6 +70,10 @@ static void read_sample(const TinkerEnergyData *data, gsize i, double layers[TIN
 static void stack(TinkerEnergyData *data, gsize first)
 {
     const double zero = 0;
+    if (first == 0) {
+        memset(data->greatest, 0, sizeof data->greatest);
+        data->highest = 0;
+    }
     GArray *const all[] = {data->tops[0], data->tops[1], data->tops[2], data->tops[3],
                            data->tops[4], data->tops[5], data->floor,   data->sum};
     for (gsize k = 0; k < G_N_ELEMENTS(all); k++)
@@ -76,6 +83,8 @@ static void stack(TinkerEnergyData *data, gsize first)
         read_sample(data, i, layers, &sum);
         for (int k = 0; k < TINKER_ENERGY_LAYERS; k++) {
             top += layers[k];
+            data->greatest[k] = fmax(data->greatest[k], fabs(layers[k]));
+            data->highest = fmax(data->highest, data->greatest[k]);
             g_array_append_val(data->tops[k], top);
         }
         g_array_append_val(data->floor, zero);
@@ -124,6 +133,11 @@ gsize tinker_energy_data_count(const TinkerEnergyData *data)
     return data->count;
 }
 
+gboolean tinker_energy_data_has(const TinkerEnergyData *data, TinkerEnergyLayer layer)
+{
+    return data->greatest[layer] > EMPTY * data->highest;
+}
+
 gboolean tinker_energy_data_now(const TinkerEnergyData *data, double layers[TINKER_ENERGY_LAYERS], double *sum)
 {
     if (data->count == 0) return FALSE;
@@ -136,24 +150,28 @@ gboolean tinker_energy_data_now(const TinkerEnergyData *data, double layers[TINK
 
 void tinker_energy_data_fill_plot(TinkerEnergyData *data, TinkerPlot *plot)
 {
-    for (int k = 0; k < TINKER_ENERGY_LAYERS; k++)
-        data->curves[k] = (TinkerCurve){.x = numbers(data->times[0]),
-                                        .y = numbers(data->tops[k]),
-                                        .low = numbers(k > 0 ? data->tops[k - 1] : data->floor),
-                                        .high = numbers(data->tops[k]),
-                                        .count = data->count,
-                                        .colour = k};
-    data->curves[TINKER_ENERGY_LAYERS] = (TinkerCurve){.label = _("At the start and given since"),
-                                                       .x = numbers(data->times[0]),
-                                                       .y = numbers(data->sum),
-                                                       .count = data->count,
-                                                       .role = TINKER_CURVE_GUIDE};
+    int count = 0;
+    for (int k = 0; k < TINKER_ENERGY_LAYERS; k++) {
+        if (!tinker_energy_data_has(data, (TinkerEnergyLayer)k)) continue;
+        data->curves[count++] = (TinkerCurve){.x = numbers(data->times[0]),
+                                              .y = numbers(data->tops[k]),
+                                              .low = numbers(k > 0 ? data->tops[k - 1] : data->floor),
+                                              .high = numbers(data->tops[k]),
+                                              .filled = TRUE,
+                                              .count = data->count,
+                                              .colour = k};
+    }
+    data->curves[count++] = (TinkerCurve){.label = _("At the start and given since"),
+                                          .x = numbers(data->times[0]),
+                                          .y = numbers(data->sum),
+                                          .count = data->count,
+                                          .role = TINKER_CURVE_GUIDE};
     g_free(data->label);
     data->label = tinker_axis_label(_("Energy"), "J");
     plot->x_label = _("Time [s]");
     plot->y_label = data->label;
     plot->curves = data->curves;
-    plot->curve_count = TINKER_ENERGY_LAYERS + 1;
+    plot->curve_count = count;
     plot->cursor = &data->now;
 }
 

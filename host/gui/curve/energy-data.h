@@ -34,11 +34,15 @@ gboolean tinker_energy_data_is_behind(const TinkerEnergyData *data);
 /* Samples; 0 before a run. */
 gsize tinker_energy_data_count(const TinkerEnergyData *data);
 
+/* Whether a layer has anything in the run so far, but rounding: else it is not shown. */
+gboolean tinker_energy_data_has(const TinkerEnergyData *data, TinkerEnergyLayer layer);
+
 /* What the layers are at the present time (J), and what they have to add up to: what there was at the start, and what
  * was given since. FALSE before a run. */
 gboolean tinker_energy_data_now(const TinkerEnergyData *data, double layers[TINKER_ENERGY_LAYERS], double *sum);
 
-/* The layers as bands of curves over time, and the sum as a dashed line over them; borrowed until the next update. */
+/* The layers that have anything as areas over time, in the theme's colours of their numbers, and the sum as a dashed
+ * line over them; borrowed until the next update. */
 void tinker_energy_data_fill_plot(TinkerEnergyData *data, TinkerPlot *plot);
 
 #endif

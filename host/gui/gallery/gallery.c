@@ -4,23 +4,23 @@
 
 #include <adwaita.h>
 #include <glib/gi18n.h>
-#include <string.h>
 
 #include "gui/gallery/example-button.h"
 #include "gui/text/translate.h"
+#include "gui/text/word-search.h"
 
 #define WIDTH  820
 #define HEIGHT 640
 #define LEAST  4 /* in a row */
 #define MOST   8
-#define WORDS  "tinker-words" /* data of a child of a flow: what is searched, in lower case */
+#define WORDS  "tinker-words" /* data of a child of a flow: the words that are searched */
 
 struct _TinkerGallery {
     AdwWindow parent_instance;
     TinkerExamplePictures *pictures;
     GtkWidget *search, *nothing;
     GPtrArray *headings, *flows; /* of GtkWidget, borrowed; one of each a topic */
-    GStrv wanted;                /* words, in lower case */
+    GStrv wanted;                /* stems of words; NULL: all */
 };
 
 #define TINKER_TYPE_GALLERY (tinker_gallery_get_type())
@@ -33,18 +33,14 @@ G_DEFINE_FINAL_TYPE(TinkerGallery, tinker_gallery, ADW_TYPE_WINDOW)
 static gboolean has_all_words(GtkFlowBoxChild *child, gpointer data)
 {
     const TinkerGallery *gallery = data;
-    const char *words = g_object_get_data(G_OBJECT(child), WORDS);
-    for (char **word = gallery->wanted; word != NULL && *word != NULL; word++)
-        if (strstr(words, *word) == NULL) return FALSE;
-    return TRUE;
+    return gallery->wanted == NULL || tinker_search_finds(g_object_get_data(G_OBJECT(child), WORDS), gallery->wanted);
 }
 
 static void on_search(GtkSearchEntry *entry, TinkerGallery *gallery)
 {
-    g_autofree char *lower = g_utf8_strdown(gtk_editable_get_text(GTK_EDITABLE(entry)), -1);
     gboolean any = FALSE;
     g_strfreev(gallery->wanted);
-    gallery->wanted = g_strsplit(lower, " ", -1);
+    gallery->wanted = tinker_search_stems(gtk_editable_get_text(GTK_EDITABLE(entry)));
     for (guint i = 0; i < gallery->flows->len; i++) {
         GtkWidget *flow = g_ptr_array_index(gallery->flows, i);
         gboolean some = FALSE;
@@ -77,12 +73,12 @@ static GtkWidget *entry_new(TinkerGallery *gallery, const TinkerTopic *topic, co
 {
     GtkWidget *child = gtk_flow_box_child_new(), *button = tinker_example_button_new(example, gallery->pictures);
     const char *description = tinker_translate(example->description);
-    g_autofree char *words =
-        g_strjoin("\n", topic->title, tinker_translate(example->title), description, example->description, NULL);
+    g_autofree char *words = g_strjoin("\n", topic->title, tinker_translate(example->title), example->title,
+                                       description, example->description, NULL);
     g_signal_connect(button, "clicked", G_CALLBACK(on_chosen), (gpointer)example);
     gtk_flow_box_child_set_child(GTK_FLOW_BOX_CHILD(child), button);
     gtk_widget_set_focusable(child, FALSE); /* the button has it */
-    g_object_set_data_full(G_OBJECT(child), WORDS, g_utf8_strdown(words, -1), g_free);
+    g_object_set_data_full(G_OBJECT(child), WORDS, tinker_search_words(words), (GDestroyNotify)g_strfreev);
     return child;
 }
 

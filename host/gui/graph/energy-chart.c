@@ -9,6 +9,7 @@
 
 #define BARS      150.0 /* widget units: width of the bars beside the layers */
 #define ROW       17.0
+#define SAMPLE    9.0 /* of the colour, beside the name */
 #define LEAST     220
 #define AGAIN_MS  50      /* while the record grows */
 #define TELL_US   1000000 /* at most so often is it told while it plays */
@@ -63,14 +64,19 @@ static void draw_bars(Chart *chart, cairo_t *cairo, const TinkerTheme *theme, do
     for (int k = 0; k < TINKER_ENERGY_LAYERS; k++)
         all += fmax(layers[k], 0);
     for (int k = 0; k <= TINKER_ENERGY_LAYERS; k++) {
+        if (k < TINKER_ENERGY_LAYERS && !tinker_energy_data_has(chart->data, (TinkerEnergyLayer)k)) continue;
         const double value = k < TINKER_ENERGY_LAYERS ? layers[k] : sum, whole = fmax(all, fabs(sum));
         g_autofree char *number = number_text(value);
         const char *name = k < TINKER_ENERGY_LAYERS ? tinker_energy_layer_name((TinkerEnergyLayer)k) : _("In All");
+        const double *colour = k < TINKER_ENERGY_LAYERS ? theme->curves[k] : theme->axis;
+        cairo_rectangle(cairo, left, y + (ROW - SAMPLE) / 2, SAMPLE, SAMPLE); /* a bar may be too short to be seen */
+        set_colour(cairo, colour);
+        cairo_fill(cairo);
         set_colour(cairo, theme->colours[TINKER_COLOUR_TEXT]);
-        write_text(chart, cairo, name, left, y, FALSE);
+        write_text(chart, cairo, name, left + 1.5 * SAMPLE, y, FALSE);
         write_text(chart, cairo, number, left + BARS - ROW, y, TRUE);
         cairo_rectangle(cairo, left, y + ROW - 1, whole > 0 ? (BARS - ROW) * fmin(fabs(value) / whole, 1) : 0, ROW / 3);
-        set_colour(cairo, k < TINKER_ENERGY_LAYERS ? theme->curves[k] : theme->axis);
+        set_colour(cairo, colour);
         cairo_fill(cairo);
         y += 1.6 * ROW;
     }
@@ -124,7 +130,8 @@ static void tell(Chart *chart)
     tinker_energy_data_update(chart->data);
     if (tinker_energy_data_now(chart->data, layers, &sum)) {
         for (int k = 0; k < TINKER_ENERGY_LAYERS; k++)
-            g_string_append_printf(text, "%s %.4g J, ", tinker_energy_layer_name((TinkerEnergyLayer)k), layers[k]);
+            if (tinker_energy_data_has(chart->data, (TinkerEnergyLayer)k))
+                g_string_append_printf(text, "%s %.4g J, ", tinker_energy_layer_name((TinkerEnergyLayer)k), layers[k]);
         g_string_append_printf(text, "%s %.4g J", _("In All"), sum);
     }
     gtk_accessible_update_property(GTK_ACCESSIBLE(chart->area), GTK_ACCESSIBLE_PROPERTY_DESCRIPTION, text->str, -1);
