@@ -94,3 +94,25 @@ double contact_bisect(double from, double to, double (*f)(double, const void *),
     }
     return 0.5 * (from + to);
 }
+
+static double apart(const PhysicsRun *left, const PhysicsRun *right)
+{
+    double most = 0;
+    for (gsize k = 0; k < physics_samples(left); k++)
+        for (gsize c = 0; c < left->columns->len; c++)
+            most = fmax(most, fabs(physics_value(left, k, c) - physics_value(right, k, c)));
+    return most;
+}
+
+void contact_check_converges(const char *blocks, const char *columns, double duration, double coarsest, double slope)
+{
+    PhysicsOptions exactly = {.method = "dop853", .tolerance = 1e-11, .duration = duration, .columns = columns};
+    g_autoptr(PhysicsRun) events = physics_run(&exactly, "%s", blocks);
+    for (double step = coarsest; step > 2e-5; step /= 4) {
+        PhysicsOptions options = {.impulses = TRUE, .step = step, .duration = duration, .columns = columns};
+        g_autoptr(PhysicsRun) run = physics_run(&options, "%s", blocks);
+        g_autofree char *what = g_strdup_printf("the distance from events at steps of %g s", step);
+        physics_assert_near(what, apart(run, events), 0, slope * step);
+        physics_assert_near("the constraints' error", run->summary->constraint_position_error, 0, 1e-13);
+    }
+}

@@ -40,6 +40,10 @@ void contact_assert_taken(const PhysicsRun *run, double friction, double impacts
  * (transfer full) */
 char *contact_plate(double x, double y, double angle, double width, const char *more);
 
+/* Contact as impulses, in ever shorter steps, comes near the motion by events: places by `slope` times the step at the
+ * most, at all samples; what constraints hold is held to rounding. */
+void contact_check_converges(const char *blocks, const char *columns, double duration, double coarsest, double slope);
+
 /* Where f changes its sign between two times, by bisection. */
 double contact_bisect(double from, double to, double (*f)(double t, const void *data), const void *data);
 

@@ -6,29 +6,6 @@
 
 static const double g = CONTACT_GRAVITY;
 
-/* The largest distance, over all samples, of two runs whose columns are places. */
-static double apart(const PhysicsRun *left, const PhysicsRun *right)
-{
-    double most = 0;
-    for (gsize k = 0; k < physics_samples(left); k++)
-        for (gsize c = 0; c < left->columns->len; c++)
-            most = fmax(most, fabs(physics_value(left, k, c) - physics_value(right, k, c)));
-    return most;
-}
-
-/* Steps get shorter, and the motion comes near that of events, by `slope` times the step. */
-static void check_converges(const char *blocks, const char *columns, double duration, double coarsest, double slope)
-{
-    PhysicsOptions exactly = {.method = "dop853", .tolerance = 1e-11, .duration = duration, .columns = columns};
-    g_autoptr(PhysicsRun) events = physics_run(&exactly, "%s", blocks);
-    for (double step = coarsest; step > 2e-5; step /= 4) {
-        PhysicsOptions options = {.impulses = TRUE, .step = step, .duration = duration, .columns = columns};
-        g_autoptr(PhysicsRun) run = physics_run(&options, "%s", blocks);
-        g_autofree char *what = g_strdup_printf("the distance from events at steps of %g s", step);
-        physics_assert_near(what, apart(run, events), 0, slope * step);
-    }
-}
-
 /* One end rests on a slope, the other in a corner with a wall; it slides down. */
 static void test_dumbbell_in_a_corner(void)
 {
@@ -38,16 +15,16 @@ static void test_dumbbell_in_a_corner(void)
         g_strdup_printf(CONTACT_WEIGHT "%s, %s, " CONTACT_POINT ", 'position': [-1, 1.5]}, " CONTACT_POINT
                                        ", 'position': [-0.2, 0]}, {'type': 'rod', 'ends': ['Mass 0', 'Mass 1']}",
                         floor, wall);
-    check_converges(blocks, "Mass 0.x, Mass 0.y, Mass 1.x, Mass 1.y", 0.4, 4e-3, 10);
+    contact_check_converges(blocks, "Mass 0.x, Mass 0.y, Mass 1.x, Mass 1.y", 0.4, 4e-3, 10);
 }
 
 /* A dumbbell falls askew: one end strikes, then the other. */
 static void test_dumbbell_falls(void)
 {
-    check_converges(CONTACT_WEIGHT CONTACT_FLOOR
-                    ", 'width': 20}, " CONTACT_POINT ", 'position': [0, 1]}, " CONTACT_POINT
-                    ", 'position': [0.8, 1.6]}, {'type': 'rod', 'ends': ['Mass 0', 'Mass 1']}",
-                    "Mass 0.x, Mass 0.y, Mass 1.x, Mass 1.y", 1.5, 4e-3, 10);
+    contact_check_converges(CONTACT_WEIGHT CONTACT_FLOOR
+                            ", 'width': 20}, " CONTACT_POINT ", 'position': [0, 1]}, " CONTACT_POINT
+                            ", 'position': [0.8, 1.6]}, {'type': 'rod', 'ends': ['Mass 0', 'Mass 1']}",
+                            "Mass 0.x, Mass 0.y, Mass 1.x, Mass 1.y", 1.5, 4e-3, 10);
 }
 
 /* A dumbbell lies at the end, without moving by a bit. */
@@ -119,7 +96,7 @@ static void test_chain_keeps_its_momentum(void)
 /* A pendulum that strikes a floor with its bob, with a bounce. */
 static void test_pendulum_bounces(void)
 {
-    check_converges(
+    contact_check_converges(
         CONTACT_WEIGHT
         "{'type': 'support', 'position': [0, 0], 'solid': false}, {'type': 'support', 'position': [0, -1.1], 'width': "
         "5, 'restitution': 0.5, " CONTACT_SMOOTH "}, " CONTACT_POINT
@@ -131,7 +108,7 @@ static void test_pendulum_bounces(void)
  * back out of what the last step went too far. It wedges, slides down and comes to rest there as by events. */
 static void test_pendulum_wedges(void)
 {
-    check_converges(
+    contact_check_converges(
         CONTACT_WEIGHT
         "{'type': 'support', 'position': [0, 1.5], 'solid': false}, {'type': 'support', 'position': "
         "[-0.4, 0.2], 'orientation': -0.7447562021318057, 'width': 6, 'height': 0.1, 'static_friction': 0.57, "
@@ -147,7 +124,7 @@ static void test_free_mass_in_a_corner(void)
     g_autofree char *right = contact_plate(2, 1, atan(0.5), 8, "'static_friction': 0.1, 'dynamic_friction': 0.1");
     g_autofree char *blocks =
         g_strdup_printf(CONTACT_WEIGHT "%s, %s, " CONTACT_POINT ", 'position': [1, 2]}", left, right);
-    check_converges(blocks, "Mass 0.x, Mass 0.y", 0.98, 4e-3, 30);
+    contact_check_converges(blocks, "Mass 0.x, Mass 0.y", 0.98, 4e-3, 30);
     PhysicsOptions options = {.impulses = TRUE, .step = 1e-3, .duration = 2};
     g_autoptr(PhysicsRun) run = physics_run(&options, "%s", blocks);
     contact_assert_state(run, "Mass 0", (double[]){0, 0, 0, 0}, 1e-14);

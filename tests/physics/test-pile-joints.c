@@ -1,5 +1,5 @@
-/* Bodies with shapes on joints, with contact as impulses: against closed forms, statics, the laws of conservation, and
- * contact by events. */
+/* Bodies with shapes on joints, with contact as impulses: against closed forms, statics and the laws of conservation.
+ */
 #include "contact-checks.h"
 
 #include <math.h>
@@ -256,37 +256,6 @@ static void test_momentum(void)
     g_assert_cmpfloat(run->summary->books[TINKER_BOOK_CONTACTS], <, -1);
 }
 
-/* Shorter steps come near what events, which know the instants of impacts, make of it: by `slope` times the step. */
-static void check_converges(const char *blocks, const char *columns, double duration, double slope)
-{
-    PhysicsOptions exactly = {.duration = duration, .tolerance = 1e-11, .columns = columns};
-    g_autoptr(PhysicsRun) events = physics_run(&exactly, "%s", blocks);
-    g_assert_cmpuint(events->summary->events->len, >, 0);
-    for (double step = 4e-3; step > 2e-5; step /= 4) {
-        const PhysicsOptions options = impulses(duration, step, columns);
-        g_autoptr(PhysicsRun) run = physics_run(&options, "%s", blocks);
-        double most = 0;
-        for (gsize k = 0; k < physics_samples(run); k++)
-            for (gsize c = 0; c < run->columns->len; c++)
-                most = fmax(most, fabs(physics_value(run, k, c) - physics_value(events, k, c)));
-        physics_assert_near("the distance from events", most, 0, slope * step);
-        check_held(run, 1e-9);
-    }
-}
-
-/* Two pinned bars fall onto the floor, slide and come to rest on it. */
-static void test_as_by_events(void)
-{
-    check_converges(CONTACT_WEIGHT CONTACT_FLOOR
-                    ", 'width': 100, 'static_friction': 0.3, 'dynamic_friction': 0.3, 'restitution': 0},"
-                    "{'type': 'bar', 'solid': true, 'position': [0, 1], 'orientation': 0.4, 'velocity': [1, 0]},"
-                    "{'type': 'bar', 'solid': true, 'position': [0.95056378592206, 1.0953745054564612],"
-                    " 'orientation': -0.2, 'velocity': [1, 0]},"
-                    "{'type': 'pin', 'ends': [{'block': 'Bar 0', 'at': [0.5, 0]}, {'block': 'Bar 1', 'at': [-0.5, "
-                    "0]}]}",
-                    "Bar 0.x, Bar 0.y, Bar 0.angle, Bar 1.x, Bar 1.y, Bar 1.angle", 0.8, 4);
-}
-
 static void add_tests(void)
 {
     g_test_add_func("/physics/pile-joints/pendulum-strikes", test_pendulum_strikes);
@@ -296,7 +265,6 @@ static void add_tests(void)
     g_test_add_func("/physics/pile-joints/cart-down-a-slope", test_cart_down_a_slope);
     g_test_add_func("/physics/pile-joints/wrecking-ball", test_wrecking_ball);
     g_test_add_func("/physics/pile-joints/momentum", test_momentum);
-    g_test_add_func("/physics/pile-joints/as-by-events", test_as_by_events);
 }
 
 int main(int argc, char **argv)

@@ -94,6 +94,32 @@ static gboolean move_bodies(TinkerImpulses *self, TinkerState *state)
     return TRUE;
 }
 
+static double kinetic_energy(const TinkerModel *model, const double *v)
+{
+    double sum = 0;
+    for (int32_t i = 0; i < model->coordinates; i++)
+        sum += 0.5 * model->coordinate_mass[i] * v[i] * v[i];
+    return sum;
+}
+
+/* Onto the rows at the end of the step. Velocities of a pile come off the motion's chord there, by an impulse of the
+ * order of the step: of what it gives, that on supports which move is theirs. */
+static TinkerStatus project(TinkerImpulses *self, TinkerState *state)
+{
+    const TinkerSystem *system = self->system;
+    const TinkerModel *model = self->model;
+    const gboolean give = self->pile != NULL && self->pile->joints != NULL && tinker_pile_joints_are_moved(self->pile);
+    const double before = give ? kinetic_energy(model, state->v) : 0, projected = self->context->projection_work;
+    int32_t moved;
+    if ((system->flags & TINKER_SYSTEM_CONSTRAINED) == 0) return TINKER_OK;
+    const TinkerStatus status = system->project(system->context, state->t, state->q, state->v, &moved);
+    if (give && status == TINKER_OK)
+        self->work[TINKER_BOOK_SUPPORT_MOTION] +=
+            kinetic_energy(model, state->v) - before -
+            (self->context->projection_work - projected - model->constraints.work);
+    return status;
+}
+
 static TinkerStatus try_step(TinkerImpulses *self, TinkerState *state, double limit)
 {
     const TinkerSystem *system = self->system;
@@ -109,10 +135,7 @@ static TinkerStatus try_step(TinkerImpulses *self, TinkerState *state, double li
     for (int32_t i = 0; i < system->books; i++)
         state->books[i] += self->h * self->power[i];
     state->t = limit;
-    int32_t moved;
-    return (system->flags & TINKER_SYSTEM_CONSTRAINED) != 0
-               ? system->project(system->context, limit, state->q, state->v, &moved)
-               : TINKER_OK;
+    return project(self, state);
 }
 
 static void note_unsolved(TinkerImpulses *self, double off)

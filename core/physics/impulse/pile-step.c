@@ -154,9 +154,8 @@ static double sum_of_work(const TinkerImpulses *self)
  * step, which knows rows to first order and is projected back onto them afterwards. */
 static void book_joints(TinkerImpulses *self, double by_contacts)
 {
-    const TinkerModel *model = self->model;
     const double given = tinker_pile_joints_give(self) - by_contacts;
-    if (model->constraints.prescribed || model->moving_supports > 0)
+    if (tinker_pile_joints_are_moved(self->pile))
         self->work[TINKER_BOOK_SUPPORT_MOTION] += given - self->h * self->pile->joints->power;
     else
         self->parted += given;

@@ -183,6 +183,11 @@ void tinker_pile_joints_solve(TinkerPile *pile);
  * no row lets anything move across it. */
 void tinker_pile_joints_strike(TinkerPile *pile);
 void tinker_pile_joints_hold(TinkerPile *pile);
+/* Whether what supports and prescribed rows do gives energy through constraints. */
+static inline gboolean tinker_pile_joints_are_moved(const TinkerPile *pile)
+{
+    return pile->model->constraints.prescribed || pile->model->moving_supports > 0;
+}
 /* J: what contacts and constraints together gave in the step. */
 double tinker_pile_joints_give(const TinkerImpulses *self);
 
