@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "gui/instrument/hand.h"
+#include "scene/store/quantities.h"
 
 #define OSCILLATOR                                                                                                     \
     "'run': {'duration': 4, 'interval': 0.01}, 'blocks': ["                                                            \
@@ -152,6 +153,61 @@ static void test_estimate_at_rest(void)
     g_assert_cmpfloat(tinker_player_time(fixture->base->player), ==, 3);
 }
 
+/* Of a long run a hand sees some samples, which are exact; once it rests, all of them. */
+static void test_samples_at_rest(void)
+{
+    g_autoptr(Fixture) fixture = fixture_new();
+    TinkerRunStatus status;
+    g_autofree char *members = g_strdup(OSCILLATOR);
+    memcpy(strstr(members, "0.01"), "1e-3", 4);
+    gui_fixture_start_scene(fixture->base, members);
+    turn(fixture, 36);
+    g_assert_true(gui_fixture_wait(is_whole, fixture));
+    g_assert_true(tinker_player_status(fixture->base->player, &status));
+    g_assert_cmpuint(status.rows, ==, 1001);
+    tinker_player_seek(fixture->base->player, 3.5);
+    g_assert_cmpfloat_with_epsilon(height(fixture), 2 - cos(21), CLOSE);
+    g_assert_true(gui_fixture_wait(is_estimated, fixture));
+    g_assert_true(tinker_player_status(fixture->base->player, &status));
+    g_assert_cmpuint(status.rows, ==, 4001);
+    tinker_player_seek(fixture->base->player, 3.501);
+    g_assert_cmpfloat_with_epsilon(height(fixture), 2 - cos(6 * 3.501), CLOSE);
+}
+
+static gboolean has_some(void *data)
+{
+    TinkerRunStatus status;
+    return tinker_player_status(((Fixture *)data)->base->player, &status) && status.rows > 10;
+}
+
+/* Of a run that takes long the curve is there as far as it has come. */
+static void test_as_far_as_it_is(void)
+{
+    g_autoptr(Fixture) fixture = fixture_new();
+    gui_fixture_start_scene(fixture->base,
+                            "'run': {'duration': 4000, 'interval': 0.01, 'method': 'rk4', 'step': 1e-4}, "
+                            "'blocks': [{'type': 'support', 'name': 'S', 'position': [0, 4], "
+                            "'orientation': '180 deg'}, {'type': 'mass', 'name': 'M', 'position': [0, "
+                            "1]}, {'type': 'spring', 'name': 'K', 'ends': ['S', 'M'], 'stiffness': 25, "
+                            "'rest_length': 2}]");
+    g_autoptr(GArray) times = g_array_new(FALSE, FALSE, sizeof(double)),
+                      values = g_array_new(FALSE, FALSE, sizeof(double));
+    const TinkerBlockId mass = gui_fixture_block(fixture->base, "M");
+    const TinkerQuantity y = {mass,
+                              tinker_scene_find_quantity(tinker_document_scene(fixture->base->document), mass, "y")};
+    TinkerSeriesCursor cursor = {0};
+    TinkerRunStatus status;
+    turn(fixture, 36);
+    g_assert_true(gui_fixture_wait(has_some, fixture));
+    g_assert_true(tinker_player_status(fixture->base->player, &status));
+    g_assert_false(status.finished);
+    g_assert_true(tinker_player_series(fixture->base->player, y, &cursor, times, values));
+    g_assert_cmpuint(values->len, >, 10);
+    for (guint i = 0; i < values->len; i++)
+        g_assert_cmpfloat_with_epsilon(g_array_index(values, double, i), 2 - cos(6 * g_array_index(times, double, i)),
+                                       CLOSE);
+}
+
 /* What cannot be is said, and changes nothing. */
 static void test_refused(void)
 {
@@ -227,6 +283,8 @@ static void add_tests(void)
     g_test_add_func("/gui/hand/time-stays", test_time_stays);
     g_test_add_func("/gui/hand/one-step", test_one_step);
     g_test_add_func("/gui/hand/estimate-at-rest", test_estimate_at_rest);
+    g_test_add_func("/gui/hand/samples-at-rest", test_samples_at_rest);
+    g_test_add_func("/gui/hand/as-far-as-it-is", test_as_far_as_it_is);
     g_test_add_func("/gui/hand/refused", test_refused);
     g_test_add_func("/gui/hand/friction-together", test_friction_together);
     g_test_add_func("/gui/hand/titles-in-problem", test_titles_in_problem);

@@ -74,7 +74,7 @@ TinkerScene *tinker_player_scene_now(TinkerPlayer *player)
     return scene;
 }
 
-/* The samples are those that were there before, but where the scene asks for an accuracy. */
+/* The samples are those that were there before, but where these were only some, or the scene asks for an accuracy. */
 static void show_checked(TinkerPlayer *player, TinkerSegment *segment)
 {
     const gsize rows = tinker_run_task_status(segment->task).rows;

@@ -16,6 +16,7 @@
 
 #define LATELY      0.5   /* s: over which the rate is measured */
 #define BANDS       32    /* times in a run at which is noted how far it may be off: the companion is waited for */
+#define QUICK_ROWS  1000  /* samples, about, of a run without an estimate: no curve shows more */
 #define MOST_EVENTS 10000 /* that are kept: what rattles has more than anybody looks at */
 
 static gboolean is_cancelled(void *data)
@@ -207,6 +208,14 @@ static void note_end(TinkerRunTask *task)
     g_mutex_unlock(&task->mutex);
 }
 
+/* A run that another one is to follow has samples as far apart as curves need: at some of the times that the other one
+ * has them at. Not what goes on from a change on the way, of which a next change goes on from a sample. */
+static void choose_interval(const TinkerRunTask *task, TinkerRunOptions *options)
+{
+    const double rows = options->duration / options->interval;
+    if (!task->estimate && task->start == 0 && rows > QUICK_ROWS) options->interval *= ceil(rows / QUICK_ROWS);
+}
+
 static gboolean run_scene(TinkerRunTask *task, GError **error)
 {
     g_autoptr(TinkerModel) model = is_cancelled(task) ? NULL : tinker_model_new(task->scene, error);
@@ -215,6 +224,7 @@ static gboolean run_scene(TinkerRunTask *task, GError **error)
     options.cancelled = is_cancelled;
     options.data = task;
     options.estimate = options.bands = task->estimate;
+    choose_interval(task, &options);
     if (!end_at_condition(task, model, &options, error)) return FALSE;
     g_autoptr(TinkerSimulation) simulation = tinker_simulation_new(model, &options, error);
     if (simulation == NULL) return FALSE;

@@ -48,8 +48,8 @@ TinkerRunLane *tinker_run_task_lane(void);
 
 /* Starts a run in the lane, whose first sample is called `start` (s); those in the lane before it have been stopped or
  * freed. `scene` is the task's from now on; `columns`, of TinkerQuantity, are to be recorded (copied). With `estimate`
- * a companion estimates its error, which takes as long again or longer; the samples are the same without, unless the
- * scene asks for an accuracy. (transfer full) */
+ * a companion estimates its error, which takes as long again or longer; without, of many samples only some are
+ * recorded, and these are the same, unless the scene asks for an accuracy. (transfer full) */
 TinkerRunTask *tinker_run_task_new(TinkerRunLane *lane, TinkerScene *scene, double start, const GArray *columns,
                                    gboolean estimate);
 
