@@ -256,14 +256,15 @@ gboolean tinker_contact_run_pass(TinkerContactRun *self, GError **error)
 
 /* Steps ------------------------------------------------------------------------------------------------------------ */
 
-/* Forgets pairs that are clear of each other. */
+/* Forgets pairs that are clear of each other. What stands at the very end of its plate may be beyond it by rounding:
+ * watched by its gap, it would close where it has just opened, again and again. */
 static void prune_separating(TinkerContactRun *self)
 {
     TinkerIslandRun *run = self->run;
     if (tinker_model_set_time(self->model, run->state.t) != TINKER_OK) return;
     tinker_model_set_state(self->model, run->state.q, run->state.v);
     if (self->model->constraints.unilateral != NULL && tinker_constraints_evaluate(self->model) != TINKER_OK) return;
-    double clear = TINKER_CLEAR * (tinker_contact_run_closed_gap(self) / TINKER_CLOSED_GAP);
+    const double closed = tinker_contact_run_closed_gap(self), clear = TINKER_CLEAR * (closed / TINKER_CLOSED_GAP);
     for (guint i = self->leaving->len; i-- > 0;) {
         const TinkerContactPair *pair = &g_array_index(self->leaving, TinkerContactPair, i);
         gboolean left;
@@ -271,7 +272,7 @@ static void prune_separating(TinkerContactRun *self)
             left = -self->model->constraints.own_g[pair->row] > clear;
         } else {
             TinkerContactPlace place = tinker_contact_place(self->contacts, pair->body, pair->plate);
-            left = place.gap > clear || fabs(place.along) > self->contacts->plates[pair->plate].half_width;
+            left = place.gap > clear || fabs(place.along) > self->contacts->plates[pair->plate].half_width + closed;
         }
         if (left) g_array_remove_index_fast(self->leaving, i);
     }
