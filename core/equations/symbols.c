@@ -239,6 +239,18 @@ static TinkerExpression *typed_number(const Use *use, const TinkerLawSymbol *sym
 
 static TinkerExpression *written(const Use *use, const TinkerExpression *is);
 
+static gboolean is_switch(const Use *use, const TinkerLawSymbol *symbol)
+{
+    const TinkerBlockClass *block_class = tinker_scene_block_class(use->writer->scene, use->use->block);
+    return symbol->property >= 0 && block_class->properties[symbol->property].kind == TINKER_KIND_SWITCH;
+}
+
+/* A switch is no symbol of a textbook: an equation is that of the side it is on. */
+static TinkerExpression *switch_number(const Use *use, const TinkerLawSymbol *symbol)
+{
+    return tinker_expression_number(tinker_frame_column(use->writer->frame, use->use->block, symbol->column));
+}
+
 static TinkerExpression *meaning_of(const char *name, void *data)
 {
     const Use *use = data;
@@ -250,9 +262,10 @@ static TinkerExpression *meaning_of(const char *name, void *data)
     const TinkerExpression *stated = symbol == NULL ? tinker_block_law_find(use->use->law, name) : NULL;
     if (stated != NULL) return written(use, stated);
     if (symbol == NULL || symbol->property < 0) return NULL;
-    TinkerExpression *found = use->use->law->typed ? typed_number(use, symbol)
-                              : symbol->at_time    ? waveform(use->writer, use->use, symbol)
-                                                   : property_symbol(use->writer, use->use->block, symbol->property,
+    TinkerExpression *found = is_switch(use, symbol) ? switch_number(use, symbol)
+                              : use->use->law->typed ? typed_number(use, symbol)
+                              : symbol->at_time      ? waveform(use->writer, use->use, symbol)
+                                                     : property_symbol(use->writer, use->use->block, symbol->property,
                                                                   symbol->component == 'y' ? 1 : 0, symbol->name);
     tinker_law_use_set(use->use, name, found);
     return found;

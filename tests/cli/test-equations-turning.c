@@ -162,7 +162,8 @@ static void test_gears(CliFixture *fixture, gconstpointer data)
     assert_near(symbol_of(root, "λ_4"), -i * alpha * (inertia[1] + k * k * inertia[2]), 1e-12);
     assert_near(symbol_of(root, "λ_5"), -i * k * alpha * inertia[2], 1e-12);
     cJSON_Delete(root);
-    static const char *const lines[] = {"0 = θ₂ − θ0_4,2 + i₄ (θ₁ − θ0_4,1) ", "+ w   Outer + Motor", NULL};
+    static const char *const lines[] = {"0 = θ₂ − θ0_4,2 + i₄ (θ₁ − θ0_4,1) ", "0 = θ₃ − θ0_5,2 − i₅ (θ₂ − θ0_5,1) ",
+                                        "+ w   Outer + Motor", NULL};
     assert_page_holds(fixture, "equations @scene.json", lines);
 }
 
