@@ -75,10 +75,12 @@ TinkerStatus tinker_contact_run_carry_to(TinkerContactRun *self, const TinkerTri
     TinkerState *state = &self->run->state;
     TinkerSystem *system = &self->run->system.system;
     const double before = state->t;
-    double power[TINKER_BOOK_COUNT];
+    const double *power = self->power;
     *there = FALSE;
     if (!(fabs(time - before) < TINKER_FARTHEST_CARRY * self->usual) || !(longest_carry(self) > 0)) return TINKER_OK;
-    TinkerStatus status = system->acceleration(system->context, before, state->q, state->v, self->force, power);
+    TinkerStatus status = TINKER_OK;
+    if (!tinker_contact_run_has_looked(self, before))
+        status = system->acceleration(system->context, before, state->q, state->v, self->force, self->power);
     if (status != TINKER_OK || !(fabs(time - before) <= longest_carry(self))) return status;
     carry(self, time - before, power);
     *there = TRUE;
@@ -105,15 +107,16 @@ static double arrival(const TinkerContactRun *self, const TinkerContactPair *pai
 
 void tinker_contact_run_expect(TinkerContactRun *self)
 {
-    TinkerIslandRun *run = self->run;
-    const TinkerState *state = &run->state;
+    const TinkerIslandRun *run = self->run;
     double soonest = TINKER_SOON * self->usual;
     self->expects = FALSE;
-    if (!self->passed || !self->in_plane || self->remembers || isfinite(self->hint) || self->near->len == 0 ||
-        self->contacts->moving_plates > 0 || !tinker_method_is_adaptive(run->choice.method))
+    tinker_contact_run_forget_start(self);
+    if (!self->passed || !self->in_plane || self->remembers || isfinite(self->hint) ||
+        !tinker_method_is_adaptive(run->choice.method))
         return;
-    if (run->system.system.acceleration(&run->system, state->t, state->q, state->v, self->force, NULL) != TINKER_OK)
-        return;
+    if (tinker_contact_run_evaluate_start(self) != TINKER_OK) return;
+    tinker_contact_run_hand_start_on(self);
+    if (self->near->len == 0 || self->contacts->moving_plates > 0) return;
     const double closed = tinker_contact_run_closed_gap(self);
     for (int32_t i = 0; i < self->model->bodies; i++) {
         const GArray *plates = self->neighbours.lists[i];
@@ -127,7 +130,7 @@ void tinker_contact_run_expect(TinkerContactRun *self)
             self->expects = TRUE;
         }
     }
-    if (self->expects) self->hint = state->t + soonest + 0.1 * longest_carry(self);
+    if (self->expects) self->hint = run->state.t + soonest + 0.1 * longest_carry(self);
 }
 
 void tinker_contact_run_take_expected(TinkerContactRun *self, TinkerTrigger *found, double *time, double *slope)

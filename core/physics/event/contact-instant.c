@@ -25,6 +25,7 @@ static void go_back(TinkerContactRun *self)
     memcpy(run->state.v, self->from.v, bytes);
     memcpy(run->state.books, self->from.books, (gsize)run->system.system.books * sizeof(double));
     tinker_method_restart(run->choice.method, run->stepper);
+    tinker_contact_run_hand_start_on(self);
 }
 
 /* A trial of the time of an event: what the trigger's value was there. */
@@ -66,7 +67,7 @@ static TinkerStatus value_from(TinkerContactRun *self, const TinkerTrigger *trig
     if (status == TINKER_OK) status = system->system.project(system, time, q, v, &moved);
     system->projection_work = work;
     system->position_error = off;
-    return status == TINKER_OK ? tinker_contact_run_value(self, time, q, v, trigger, value) : status;
+    return status == TINKER_OK ? tinker_contact_run_value(self, time, q, v, trigger, value, NULL) : status;
 }
 
 /* When the trigger falls through 0 in the step that was made, to rounding. */
@@ -128,7 +129,7 @@ static TinkerStatus step_to_event(TinkerContactRun *self, const TinkerTrigger *t
             return status;
         }
         tinker_island_run_place(run);
-        status = tinker_contact_run_value(self, run->state.t, run->q, run->v, trigger, &trial.value);
+        status = tinker_contact_run_value(self, run->state.t, run->q, run->v, trigger, &trial.value, self->power);
         if (status != TINKER_OK) return status;
         double next = CLAMP(next_trial(&trial, &before, &slope), first, end);
         if (has_settled(&trial, &before, next, trigger->level)) break;

@@ -9,6 +9,7 @@
 #include "physics/island/island-run.h"
 #include "physics/model/model-data.h"
 #include "physics/system/method-call.h"
+#include "physics/system/system.h"
 
 /* What ends a phase of a contact when it falls below zero. */
 typedef enum {
@@ -46,6 +47,13 @@ typedef struct {
     double *rebound; /* m/s: by plate, the speed along its normal that a body alone left it with, as far as that lasts;
                         else NAN. NULL where it never does */
 } TinkerContactFlight;
+
+/* What was evaluated where a step begins. */
+typedef struct {
+    TinkerEvaluated at; /* its time is NAN where that was not done */
+    double *force, power[TINKER_BOOK_COUNT];
+    double *loads; /* by closed contact: N, normal and friction */
+} TinkerStepStart;
 
 struct _TinkerContactRun {
     TinkerIslandRun *run;
@@ -99,13 +107,15 @@ struct _TinkerContactRun {
     GArray *triggers; /* of TinkerTrigger: those of the step */
     double *values;   /* of triggers, node by node */
     gsize values_room;
-    double *node_x, *node_u; /* in the system's coordinates */
-    double *node_q, *node_v; /* of the bodies */
-    double *force;           /* accelerations, for work */
-    double *force_scale;     /* by closed contact: N, the largest of the step */
+    double *node_x, *node_u;         /* in the system's coordinates */
+    double *node_q, *node_v;         /* of the bodies */
+    double *force;                   /* accelerations, for work ... */
+    double power[TINKER_BOOK_COUNT]; /* ... and powers of the books, of a look that was asked for them */
+    double looked_time;              /* of the look that the forces of contacts are from ... */
+    gint64 looked_evaluation;        /* ... as long as they have not been worked out again since then */
+    double *force_scale;             /* by closed contact: N, the largest of the step */
+    TinkerStepStart start;           /* of the step in progress */
     gsize closed_room;
-    double looked_time;       /* of the look that the forces of contacts are from ... */
-    gint64 looked_evaluation; /* ... as long as they have not been worked out again since then */
     TinkerContactNeighbours neighbours;
     double *quiet_x; /* coordinates of the system, where ... */
     double quiet;    /* ... no plate was nearer to any body than this; 0 where one moves */
@@ -122,8 +132,21 @@ void tinker_contact_run_note_quiet(TinkerContactRun *contact_run, const double *
 
 /* The bodies at time t within the last step; borrowed until the next call. */
 TinkerStatus tinker_contact_run_state_at(TinkerContactRun *contact_run, double t, double **q, double **v);
-/* Brings the model to a state, and works out what triggers ask for: forces of closed contacts, accelerations. */
-TinkerStatus tinker_contact_run_look_at(TinkerContactRun *contact_run, double t, const double *q, const double *v);
+/* Brings the model to a state, and works out what triggers ask for: forces of closed contacts, accelerations; and the
+ * powers of the books, unless that is NULL. */
+TinkerStatus tinker_contact_run_look_at(TinkerContactRun *contact_run, double t, const double *q, const double *v,
+                                        double *power);
+/* Whether the last look was at this time, and what it found still stands: forces of contacts, accelerations, and powers
+ * if they were asked for. */
+gboolean tinker_contact_run_has_looked(const TinkerContactRun *contact_run, double t);
+/* Evaluates the start of the step, as a look at it, and keeps what it finds; forgets that; and hands it to the method,
+ * if it is kept: to the next evaluation. */
+TinkerStatus tinker_contact_run_evaluate_start(TinkerContactRun *contact_run);
+void tinker_contact_run_forget_start(TinkerContactRun *contact_run);
+void tinker_contact_run_hand_start_on(TinkerContactRun *contact_run);
+/* Puts what triggers ask for back as if the start had been looked at last, but for the state of the model. FALSE where
+ * this is not the time of a start that is kept. */
+gboolean tinker_contact_run_recall_start(TinkerContactRun *contact_run, double t);
 /* All triggers of a step with these near pairs. */
 TinkerStatus tinker_contact_run_list_triggers(TinkerContactRun *contact_run);
 /* Their values, for the state looked at last; and the level below which one has passed 0, once forces were noted at all
@@ -146,9 +169,9 @@ double tinker_contact_run_step_limit(TinkerContactRun *contact_run, double limit
 TinkerStatus tinker_contact_run_search(TinkerContactRun *contact_run, double from, double to, TinkerTrigger *found,
                                        double *time, double *slope);
 
-/* The value of a trigger for a state of the bodies. */
+/* The value of a trigger for a state of the bodies, by a look at it. */
 TinkerStatus tinker_contact_run_value(TinkerContactRun *contact_run, double t, const double *q, const double *v,
-                                      const TinkerTrigger *trigger, double *value);
+                                      const TinkerTrigger *trigger, double *value, double *power);
 
 /* Room for what is watched while these contacts are closed, so that steps allot nothing. No memory for it is the
  * model's failure. */

@@ -24,8 +24,8 @@
 static void allot(TinkerContactRun *self)
 {
     gsize n = (gsize)MAX(self->model->coordinates, 1);
-    double **arrays[] = {&self->from.q, &self->from.v, &self->node_x, &self->node_u,
-                         &self->node_q, &self->node_v, &self->force,  &self->quiet_x};
+    double **arrays[] = {&self->from.q, &self->from.v, &self->node_x,  &self->node_u,     &self->node_q,
+                         &self->node_v, &self->force,  &self->quiet_x, &self->start.force};
     for (gsize i = 0; i < G_N_ELEMENTS(arrays); i++)
         *arrays[i] = g_new0(double, n);
     self->from.books = g_new0(double, TINKER_BOOK_COUNT + 1);
@@ -66,6 +66,8 @@ TinkerContactRun *tinker_contact_run_new(TinkerIslandRun *run)
         .hint = INFINITY,
         .crowd_began = -INFINITY,
         .end_time = NAN,
+        .looked_time = NAN,
+        .start.at.t = NAN,
     };
     self->exact = (run->choice.method->flags & TINKER_INTEGRATOR_LINEAR) != 0;
     tinker_contact_flight_init(&self->flight, self, self->exact);
@@ -83,9 +85,10 @@ void tinker_contact_run_free(TinkerContactRun *self)
     g_array_unref(self->near);
     g_array_unref(self->leaving);
     g_array_unref(self->triggers);
-    gpointer arrays[] = {self->from.q, self->from.v,      self->from.books, self->node_x,      self->node_u,
-                         self->node_q, self->node_v,      self->force,      self->orientation, self->quiet_x,
-                         self->values, self->force_scale, self->end_values, self->plate_speed};
+    gpointer arrays[] = {self->from.q,      self->from.v,      self->from.books,  self->node_x,
+                         self->node_u,      self->node_q,      self->node_v,      self->force,
+                         self->orientation, self->quiet_x,     self->values,      self->force_scale,
+                         self->end_values,  self->plate_speed, self->start.force, self->start.loads};
     for (gsize i = 0; i < G_N_ELEMENTS(arrays); i++)
         g_free(arrays[i]);
     g_free(self);
@@ -353,6 +356,7 @@ TinkerStatus tinker_contact_run_look(TinkerContactRun *self, TinkerStepReport *r
     TinkerStatus status = TINKER_OK;
     double time, slope, *from = self->from.q;
     TinkerTrigger found;
+    run->system.known = NULL;
     if (self->speed_bound > 0) {
         self->hint = INFINITY;
         double speed = fastest(self, run->state.v);

@@ -50,20 +50,21 @@ static TinkerStatus place_at_time(TinkerContactRun *self, double t, double **v)
 static TinkerStatus look_at_time(TinkerContactRun *self, double t, double **v)
 {
     double *q;
-    const gboolean stands = t == self->looked_time && self->contacts->evaluations == self->looked_evaluation;
-    if (stands) return place_at_time(self, t, v);
+    if (tinker_contact_run_has_looked(self, t)) return place_at_time(self, t, v);
     TinkerStatus status = tinker_contact_run_state_at(self, t, &q, v);
-    if (status == TINKER_OK) status = tinker_contact_run_look_at(self, t, q, *v);
-    const gboolean acts = status == TINKER_OK && self->contacts->closed->len > 0; /* only these are counted */
-    self->looked_time = acts ? t : NAN;
-    self->looked_evaluation = self->contacts->evaluations;
-    return status;
+    return status == TINKER_OK ? tinker_contact_run_look_at(self, t, q, *v, NULL) : status;
+}
+
+/* As look_at_time, for what triggers alone ask for: that may be kept of the step's start. */
+static TinkerStatus ask_at_time(TinkerContactRun *self, double t, double **v)
+{
+    return tinker_contact_run_recall_start(self, t) ? place_at_time(self, t, v) : look_at_time(self, t, v);
 }
 
 static TinkerStatus value_at(TinkerContactRun *self, double t, const TinkerTrigger *trigger, double *value)
 {
     double *v;
-    TinkerStatus status = is_of_place(trigger) ? place_at_time(self, t, &v) : look_at_time(self, t, &v);
+    TinkerStatus status = is_of_place(trigger) ? place_at_time(self, t, &v) : ask_at_time(self, t, &v);
     if (status == TINKER_OK) *value = tinker_trigger_value(self, trigger);
     return status;
 }
@@ -132,7 +133,7 @@ static gboolean rises_first(TinkerContactRun *self, const TinkerTrigger *trigger
     if (trigger->kind == TINKER_TRIGGER_SPEED) {
         double *v;
         const TinkerTrigger starting = {TINKER_TRIGGER_STARTING, trigger->body, trigger->plate, trigger->closed, -1, 0};
-        return look_at_time(self, from, &v) == TINKER_OK && tinker_trigger_value(self, &starting) > 0;
+        return ask_at_time(self, from, &v) == TINKER_OK && tinker_trigger_value(self, &starting) > 0;
     }
     return value_at(self, from + TINKER_FALLS_AT_ONCE * (to - from), trigger, &soon) == TINKER_OK && soon > at_first;
 }
@@ -414,7 +415,7 @@ static TinkerStatus forces_are_far_off(TinkerContactRun *self, double from, doub
     double *v;
     *far = TRUE;
     for (guint k = 0; k < 3; k++) {
-        TinkerStatus status = look_at_time(self, from + 0.5 * k * (to - from), &v);
+        TinkerStatus status = ask_at_time(self, from + 0.5 * k * (to - from), &v);
         if (status != TINKER_OK) return status;
         for (guint i = 0; i < count; i++) {
             const TinkerTrigger *trigger = &g_array_index(self->triggers, TinkerTrigger, i);

@@ -47,7 +47,7 @@ static gboolean try_share(TinkerContactChange *change, void (*share)(TinkerConta
     g_autofree TinkerContact *kept = g_memdup2(contacts->closed->data, contacts->closed->len * sizeof(TinkerContact));
     share(change, kept);
     tinker_contacts_take_shares(contacts);
-    gboolean keeps = tinker_contact_run_look_at(change->run, state->t, state->q, state->v) == TINKER_OK;
+    gboolean keeps = tinker_contact_run_look_at(change->run, state->t, state->q, state->v, NULL) == TINKER_OK;
     for (guint i = 0; keeps && i < contacts->closed->len; i++)
         if (contacts->group[kept[i].body] == change->group)
             keeps = keeps_laws(contacts, tinker_contacts_closed(contacts, i));

@@ -44,15 +44,28 @@ TinkerStatus tinker_contact_run_state_at(TinkerContactRun *self, double t, doubl
 }
 
 /* Brings the model to a state, and works out the forces of its closed contacts. */
-TinkerStatus tinker_contact_run_look_at(TinkerContactRun *self, double t, const double *q, const double *v)
+TinkerStatus tinker_contact_run_look_at(TinkerContactRun *self, double t, const double *q, const double *v,
+                                        double *power)
 {
     self->looks++;
     TinkerModel *model = self->model;
-    if (self->contacts->closed->len > 0 || self->leaving->len > 0 || self->model->constraints.unilateral != NULL)
-        return self->run->system.system.acceleration(&self->run->system, t, q, v, self->force, NULL);
-    TinkerStatus status = tinker_model_set_time(model, t);
-    if (status == TINKER_OK) tinker_model_set_state(model, q, v);
+    const gboolean closed = self->contacts->closed->len > 0;
+    TinkerStatus status;
+    if (closed || self->leaving->len > 0 || model->constraints.unilateral != NULL) {
+        const TinkerSystem *system = &self->run->system.system;
+        status = system->acceleration(system->context, t, q, v, self->force, power);
+    } else {
+        status = tinker_model_set_time(model, t);
+        if (status == TINKER_OK) tinker_model_set_state(model, q, v);
+    }
+    self->looked_time = status == TINKER_OK && closed ? t : NAN; /* only evaluations of closed contacts are counted */
+    self->looked_evaluation = self->contacts->evaluations;
     return status;
+}
+
+gboolean tinker_contact_run_has_looked(const TinkerContactRun *self, double t)
+{
+    return t == self->looked_time && self->contacts->evaluations == self->looked_evaluation;
 }
 
 /* How the contact opens, by the accelerations worked out last. */
@@ -127,9 +140,9 @@ double tinker_trigger_value(const TinkerContactRun *self, const TinkerTrigger *t
 }
 
 TinkerStatus tinker_contact_run_value(TinkerContactRun *self, double t, const double *q, const double *v,
-                                      const TinkerTrigger *trigger, double *value)
+                                      const TinkerTrigger *trigger, double *value, double *power)
 {
-    TinkerStatus status = tinker_contact_run_look_at(self, t, q, v);
+    TinkerStatus status = tinker_contact_run_look_at(self, t, q, v, power);
     if (status == TINKER_OK) *value = tinker_trigger_value(self, trigger);
     return status;
 }
@@ -204,7 +217,8 @@ TinkerStatus tinker_contact_run_make_room(TinkerContactRun *self)
         self->values_room = 2 * room;
     }
     if (closed > self->closed_room) {
-        if (!enlarge(&self->force_scale, 2 * (gsize)closed)) return tinker_contacts_lack_memory(self->contacts, closed);
+        if (!enlarge(&self->force_scale, 2 * (gsize)closed) || !enlarge(&self->start.loads, 4 * (gsize)closed))
+            return tinker_contacts_lack_memory(self->contacts, closed);
         self->closed_room = 2 * (gsize)closed;
     }
     return TINKER_OK;

@@ -13,6 +13,12 @@ typedef struct {
     double most, most_at; /* m/s: what one more sweep along the contacts would have changed speeds by, at the most; s */
 } TinkerUnsolved;
 
+/* An evaluation at a state, all of it borrowed: accelerations, and the powers of the books. */
+typedef struct {
+    double t;
+    const double *q, *v, *a, *power;
+} TinkerEvaluated;
+
 /* The system that integrators see, with the reach of the states that were kept so far. Its coordinates are those of the
  * linear form where that is straight, else those of the model. */
 typedef struct {
@@ -31,6 +37,9 @@ typedef struct {
     gboolean holds_energy; /* `project` brings the state onto `energy` (J), too */
     double energy;
     TinkerJacobian *jacobian; /* NULL: not offered */
+    /* what was evaluated last, by the model in the plane: the next evaluation, if it is at this state, takes it from
+     * here. NULL as a rule */
+    const TinkerEvaluated *known;
 } TinkerModelSystem;
 
 /* `form` is the model's own, or NULL; borrowed. */
