@@ -204,6 +204,7 @@ static void test_least(void)
                 sum += product;
             }
             seen = MIN(seen, (double)sum);
+            g_assert_cmpfloat(tinker_step_least_before(degree, values, i / 200.0), <=, seen + 1e-15 * largest);
         }
         g_assert_cmpfloat(least, <=, seen + 1e-15 * largest);
     }
@@ -214,6 +215,12 @@ static void test_least(void)
         for (int32_t j = 0; j <= degree; j++)
             values[j] = 1 + 9 * nodes[j] * (2 - nodes[j]);
         g_assert_cmpfloat_with_epsilon(tinker_step_least(degree, values), 1, 1e-10);
+        /* falling instead, it is least where the look at it ends */
+        for (int32_t j = 0; j <= degree; j++)
+            values[j] = 1 - values[j];
+        for (int32_t i = 0; i <= 10; i++)
+            g_assert_cmpfloat_with_epsilon(tinker_step_least_before(degree, values, i / 10.0),
+                                           -9 * i / 10.0 * (2 - i / 10.0), 1e-9);
     }
     double odd[] = {1, NAN, 1};
     g_assert_cmpfloat(tinker_step_least(2, odd), <, 0);

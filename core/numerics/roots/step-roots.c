@@ -102,29 +102,67 @@ void tinker_step_nodes(int32_t degree, double *nodes)
     if (degree > 0 && degree % 2 == 0) nodes[degree / 2] = 0.5;
 }
 
-double tinker_step_least(int32_t degree, const double *values)
+/* What a bound needs to know of values. */
+typedef struct {
+    double middle, half; /* of what they lie between */
+    double rounding;     /* of a value */
+} Spread;
+
+/* FALSE where a value is no number. */
+static gboolean find_spread(int32_t degree, const double *values, Spread *spread)
 {
-    const Degree *table = &degrees()[degree];
     double low = values[0], high = values[0], total = values[0];
     for (int32_t j = 1; j <= degree; j++) {
         low = values[j] < low ? values[j] : low;
         high = values[j] > high ? values[j] : high;
         total += values[j];
     }
-    if (!isfinite(total)) return -HUGE_VAL;
-    double middle = low + 0.5 * (high - low), half = 0.5 * (high - low);
-    double rounding = 8 * DBL_EPSILON * MAX(fabs(low), fabs(high));
-    double cheap = middle - (table->lebesgue * half + rounding);
-    if (cheap > 0) return cheap;
+    *spread = (Spread){low + 0.5 * (high - low), 0.5 * (high - low), 8 * DBL_EPSILON * MAX(fabs(low), fabs(high))};
+    return isfinite(total);
+}
 
-    double coefficients[STRIDE] = {0};
+/* The coefficients of what the polynomial is beyond the middle of its values. */
+static void fill_coefficients(int32_t degree, const double *values, double middle, double coefficients[STRIDE])
+{
+    const Degree *table = &degrees()[degree];
+    memset(coefficients, 0, STRIDE * sizeof(double));
     for (int32_t j = 0; j <= degree; j++)
         for (int32_t i = 0; i < STRIDE; i++)
             coefficients[i] += table->rounded[j][i] * (values[j] - middle);
+}
+
+static double least_coefficient(int32_t degree, const double *coefficients)
+{
     double least = coefficients[0];
     for (int32_t i = 1; i <= degree; i++)
         least = coefficients[i] < least ? coefficients[i] : least;
-    return MAX(cheap, middle + least - (table->rounding * half + rounding));
+    return least;
+}
+
+double tinker_step_least(int32_t degree, const double *values)
+{
+    const Degree *table = &degrees()[degree];
+    double coefficients[STRIDE];
+    Spread of;
+    if (!find_spread(degree, values, &of)) return -HUGE_VAL;
+    double cheap = of.middle - (table->lebesgue * of.half + of.rounding);
+    if (cheap > 0) return cheap;
+    fill_coefficients(degree, values, of.middle, coefficients);
+    double least = least_coefficient(degree, coefficients);
+    return MAX(cheap, of.middle + least - (table->rounding * of.half + of.rounding));
+}
+
+double tinker_step_least_before(int32_t degree, const double *values, double place)
+{
+    double c[STRIDE];
+    Spread of;
+    if (!find_spread(degree, values, &of)) return -HUGE_VAL;
+    fill_coefficients(degree, values, of.middle, c);
+    for (int32_t level = 1; level <= degree; level++)
+        for (int32_t i = degree; i >= level; i--)
+            c[i] = (1 - place) * c[i - 1] + place * c[i];
+    /* averages are rounded 2 n times at most, by as much as the coefficients are large */
+    return of.middle + least_coefficient(degree, c) - (3 * degrees()[degree].rounding * of.half + of.rounding);
 }
 
 typedef struct {

@@ -19,6 +19,9 @@ void tinker_step_nodes(int32_t degree, double *nodes);
  * and loosest where it is above 0. -HUGE_VAL where a value is no number. */
 double tinker_step_least(int32_t degree, const double *values);
 
+/* The like of the least value on [0, place], place at most 1; dearer, and tighter. */
+double tinker_step_least_before(int32_t degree, const double *values, double place);
+
 /* All places in [0, 1] where the polynomial through the values passes from above `level` to below it, ascending; at
  * most `room` of them, and their number is answered. A place where it only touches the level and turns is none; one
  * where it dips below and comes back is, however narrow the dip is, down to rounding (a share of 1e-14 of the largest

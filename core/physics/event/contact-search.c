@@ -1,5 +1,6 @@
 /* The first event in a step: what must not fall below zero is worked out at a few nodes of the step, from dense output;
  * the polynomials through these values have all their roots found. */
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -147,6 +148,11 @@ static double first_fall(TinkerContactRun *self, const TinkerTrigger *trigger, c
     if (tinker_step_least(self->degree, values) > trigger->level) return INFINITY;
     if (falls_soon(self, trigger, values) && meets(self, trigger, from))
         return rises_first(self, trigger, from, to) ? NAN : from;
+    if (known < to) { /* most that fall do so later than what was found first: that is sooner seen than when */
+        const double rounding = 4 * DBL_EPSILON * (fabs(from) + fabs(to)),
+                     place = (known - from + rounding) / (to - from);
+        if (tinker_step_least_before(self->degree, values, fmin(place, 1)) > trigger->level) return INFINITY;
+    }
     int32_t falls = tinker_step_falls(self->degree, values, trigger->level, places, MOST_FALLS);
     for (int32_t k = 0; k < falls; k++) {
         double t = from + places[k] * (to - from);
