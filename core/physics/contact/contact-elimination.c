@@ -451,9 +451,11 @@ static double find_misses(TinkerContactElimination *self, const double *b, const
     double most = 0, size = 0;
     tinker_contact_elimination_push(self, x, self->along);
     for (int32_t e = 0; e < self->equations; e++) {
-        self->equation[e].miss = b[e] - self->along[e];
-        most = fmax(most, fabs(self->equation[e].miss));
-        size = fmax(size, fabs(b[e]) + fabs(x[e]) * self->model->inverse_mass[self->of[e].body]);
+        const double miss = b[e] - self->along[e];
+        const double meets = fabs(b[e]) + fabs(x[e]) * self->model->inverse_mass[self->of[e].body];
+        self->equation[e].miss = miss;
+        most = MAX(fabs(miss), most); /* which keeps what it was beside a NaN */
+        size = MAX(meets, size);
     }
     return size > 0 ? most / size : 0;
 }

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "numerics/solve/largest.h"
 #include "physics/constraint/constraints.h"
 #include "physics/contact/contacts.h"
 #include "physics/event/contact-run-private.h"
@@ -83,8 +84,7 @@ static TinkerStatus fill_values(TinkerContactRun *self, double from, double to)
         for (guint i = 0; i < self->triggers->len; i++)
             self->values[i * (guint)count + (guint)k] =
                 tinker_trigger_value(self, &g_array_index(self->triggers, TinkerTrigger, i));
-        for (int32_t i = 0; i < self->model->coordinates; i++)
-            speed = fmax(speed, fabs(v[i]));
+        speed = fmax(speed, tinker_largest(self->model->coordinates, v));
     }
     for (guint i = 0; i < self->triggers->len; i++) {
         TinkerTrigger *trigger = &g_array_index(self->triggers, TinkerTrigger, i);
@@ -384,8 +384,7 @@ static TinkerStatus fill_places(TinkerContactRun *self, double from, double to)
             const TinkerTrigger *trigger = &g_array_index(self->triggers, TinkerTrigger, i);
             if (is_of_place(trigger)) self->values[i * count + k] = tinker_trigger_value(self, trigger);
         }
-        for (int32_t i = 0; i < self->model->coordinates; i++)
-            speed = fmax(speed, fabs(v[i]));
+        speed = fmax(speed, tinker_largest(self->model->coordinates, v));
     }
     for (guint i = 0; i < self->triggers->len; i++) {
         TinkerTrigger *trigger = &g_array_index(self->triggers, TinkerTrigger, i);
