@@ -13,6 +13,7 @@
 #include "mistake-cases.h"
 #include "program.h"
 #include "rolling-cases.h"
+#include "woodpecker-case.h"
 
 typedef struct {
     const char *name;
@@ -379,6 +380,7 @@ static const SceneCase scene_cases[] = {
     {"thrown-up", "1.2", check_thrown_up},
     {"tip-or-slide", "1.2", check_tip_or_slide},
     {"tuned-mass-damper", "10", check_tuned_mass_damper},
+    {"woodpecker", "2.2", check_woodpecker},
     {"yo-yo", "1.5", check_yo_yo},
 };
 
