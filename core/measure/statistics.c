@@ -8,6 +8,8 @@
 #define LEAST_SAMPLES 5
 /* Of the whole range: smaller ways between two extrema are ripple of rounding. */
 #define RIPPLE 1e-9
+/* Of what the curve may be off by: smaller ways at both ends, as of a swing that has died away, tell nothing. */
+#define CERTAIN 10.0
 
 typedef struct {
     const double *times, *values;
@@ -118,6 +120,21 @@ static void drop_ripple(Sums *sums)
     g_array_set_size(sums->extrema, kept);
 }
 
+/* Of both ends, as far as ways are not certain; each goes with the extremum at its outer end. */
+static void drop_uncertain_ends(Sums *sums, double band)
+{
+    const double least = CERTAIN * band;
+    GArray *extrema = sums->extrema;
+    while (extrema->len >= 4 && fabs(g_array_index(extrema, double, extrema->len - 1) -
+                                     g_array_index(extrema, double, extrema->len - 3)) < least)
+        g_array_set_size(extrema, extrema->len - 2);
+    guint first = 0;
+    while (first + 3 < extrema->len &&
+           fabs(g_array_index(extrema, double, first + 3) - g_array_index(extrema, double, first + 1)) < least)
+        first += 2;
+    if (first > 0) g_array_remove_range(extrema, 0, first);
+}
+
 static TinkerStatistic half_period(const GArray *extrema)
 {
     const guint spans = extrema->len / 2 - 1;
@@ -197,6 +214,7 @@ static TinkerStatistics measure(const Samples *samples, double from, double to, 
         add_piece(&sums, &piece, fmax(0, (from - start) / piece.width), fmin(1, (to - start) / piece.width));
     }
     drop_ripple(&sums);
+    drop_uncertain_ends(&sums, band);
     TinkerStatistics result = {.mean = {sums.mean / (to - from), band},
                                .rms = {sqrt(sums.square / (to - from)), band},
                                .least = {sums.least, band},
@@ -224,7 +242,7 @@ gboolean tinker_statistics(const double *times, const double *values, gsize coun
     g_autofree double *half_times = thin(times, count), *half_values = thin(values, count);
     const Samples fine = {times, values, count}, coarse = {half_times, half_values, count / 2 + 1};
     *statistics = measure(&fine, from, to, band);
-    const TinkerStatistics rough = measure(&coarse, from, to, 0);
+    const TinkerStatistics rough = measure(&coarse, from, to, band);
     TinkerStatistic *all[] = {&statistics->mean,      &statistics->rms,       &statistics->least,
                               &statistics->greatest,  &statistics->amplitude, &statistics->period,
                               &statistics->decrement, &statistics->damping};

@@ -22,7 +22,8 @@ typedef struct {
 
 /* Of a curve given by at least eight samples at rising times, from `from` to `to`, which lie within them. All values
  * may be off by as much as `band` (0: by nothing), slowly: by a swing that is a little too large, too early or too
- * late. FALSE where there are too few. */
+ * late. Swings at both ends that are hardly larger than that are left out of period, decrement and damping. FALSE where
+ * there are too few. */
 gboolean tinker_statistics(const double *times, const double *values, gsize count, double from, double to, double band,
                            TinkerStatistics *statistics);
 

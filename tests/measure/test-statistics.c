@@ -95,6 +95,25 @@ static void test_band(void)
     physics_assert_near("amplitude's error", with.amplitude.error, without.amplitude.error + BAND, 1e-15);
 }
 
+/* What has died away is less than the band by far, and does not spoil what is known of what is larger. */
+static double damped_for_long(double t)
+{
+    return damped(t) + BAND * fmin(t / 20, 1) * sin(4 * t + 1.3);
+}
+
+static void test_died_away(void)
+{
+    TinkerStatistics s;
+    fill(20001, 80, damped_for_long);
+    g_assert_true(tinker_statistics(times, values, 20001, 0, 80, BAND, &s));
+    check("period", s.period, 2 * G_PI / (4 * sqrt(1 - 0.0025)), 0.02);
+    check("decrement", s.decrement, 2 * G_PI * 0.05 / sqrt(1 - 0.0025), 0.02);
+    check("damping", s.damping, 0.05, 0.003);
+    g_assert_cmpfloat(s.period.error, <, 0.05);
+    g_assert_cmpfloat(s.decrement.error, <, 0.05);
+    g_assert_cmpfloat(s.damping.error, <, 0.008);
+}
+
 static double straight(double t)
 {
     return 3 - 2 * t;
@@ -121,6 +140,7 @@ int main(int argc, char **argv)
     g_test_add_func("/measure/statistics/coarse", test_coarse);
     g_test_add_func("/measure/statistics/damped", test_damped);
     g_test_add_func("/measure/statistics/band", test_band);
+    g_test_add_func("/measure/statistics/died-away", test_died_away);
     g_test_add_func("/measure/statistics/no-oscillation", test_no_oscillation);
     return g_test_run();
 }

@@ -138,7 +138,8 @@ static gboolean on_refresh(void *data)
     tinker_playbar_update(window->playbar);
     show_look(window, has_run && !status.finished && status.looks);
     gboolean over = !has_run || status.finished;
-    guint told = over ? tinker_player_generation(window->player) + has_run : 0;
+    const guint how = !has_run ? 0 : status.estimate_due ? 1 : 2; /* an estimate that follows may warn of more */
+    guint told = over ? 3 * tinker_player_generation(window->player) + how : 0;
     if (over && told != window->told_run) show_run_notices(window);
     window->told_run = told;
     if (!over) refresh_later(window);
