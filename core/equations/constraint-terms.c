@@ -120,6 +120,26 @@ static void add_terms(TinkerEquationWriter *writer, const Rows *rows, TinkerExpr
                                pull_of(rows, multipliers, i, BY_ANGLE));
 }
 
+/* The torques of its friction: their values, of which no law is written. */
+static void add_friction(TinkerEquationWriter *writer, const Rows *rows)
+{
+    for (guint i = 0; i < rows->points->len; i++) {
+        double force[3];
+        if (point_at(rows->points, i)->block < 0 ||
+            !tinker_model_state_end_force(writer->state, rows->block, (int32_t)i, force) || force[2] == 0)
+            continue;
+        const TinkerDimension dimension = TINKER_DIMENSION_ENERGY;
+        const TinkerPointSymbols centre = {.block = point_at(rows->points, i)->block};
+        g_autofree char *stem = g_strdup_printf("M%u", i + 1);
+        const char *name = tinker_writer_name(writer, rows->block, stem, 0, NULL);
+        tinker_writer_note_unwritten(writer, rows->block, name, "the torque of its friction is a number here");
+        TinkerExpression *torque =
+            tinker_writer_symbol(writer, name, rows->block, force[2], dimension, NULL, "torque of friction");
+        tinker_writer_add_term(writer, &centre, rows->block, TINKER_TERM_FRICTION, tinker_expression_number(0),
+                               tinker_expression_number(0), torque);
+    }
+}
+
 /* What the row does to each coordinate, for finding rows that depend on others. */
 static void note_slopes(TinkerEquationWriter *writer, const Rows *rows, int32_t row)
 {
@@ -222,6 +242,8 @@ gboolean tinker_writer_add_constraint(TinkerEquationWriter *writer, TinkerBlockI
         note_slopes(writer, &rows, (int32_t)r);
     }
     add_terms(writer, &rows, (TinkerExpression *const *)multipliers->pdata);
+    if (tinker_scene_block_class(writer->scene, block)->physics->constraint->friction != NULL)
+        add_friction(writer, &rows);
     return TRUE;
 }
 

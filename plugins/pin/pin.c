@@ -4,6 +4,8 @@
  * second end along +x and +y where they are positive, and the first one the other way. */
 #include <tinker/sdk.h>
 
+#include <math.h>
+
 enum { COLUMN_FRICTION_RADIUS, COLUMN_FRICTION };
 
 /* Physics */
@@ -25,15 +27,12 @@ static TinkerStatus rows_at(TinkerBatch *batch, const TinkerPoint *ends, double 
     return TINKER_OK;
 }
 
-/* The range of a slider has to have a length: so much is none. */
-#define NONE 1e-12
-
-static TinkerStatus check(TinkerBatch *batch)
+/* Of a bolt of radius r, which lies in its hole where the force across it and friction along it balance it. */
+static TinkerStatus friction(TinkerBatch *batch, double *arm)
 {
-    const double *friction = tinker_column(batch, COLUMN_FRICTION);
+    const double *radius = tinker_column(batch, COLUMN_FRICTION_RADIUS), *mu = tinker_column(batch, COLUMN_FRICTION);
     for (int32_t i = 0; i < batch->count; i++) {
-        if (friction[i] > NONE)
-            return tinker_fail(batch, i, "friction of pins is not worked out yet (leave its friction at 0)");
+        arm[i] = radius[i] * mu[i] / sqrt(1.0 + mu[i] * mu[i]);
     }
     return TINKER_OK;
 }
@@ -59,21 +58,21 @@ static TinkerStatus values(TinkerBatch *batch, const TinkerGraphInput *input, in
     if (input->multipliers == NULL) return tinker_fail(batch, 0, "the pin's force is not known yet");
     for (int32_t i = 0; i < batch->count; i++) {
         const double *l = input->multipliers + 2 * i;
-        result[i] = tinker_joint_value(quantity, -l[0], -l[1], 0.0);
+        const double torque = input->torques != NULL ? input->torques[2 * i] : 0.0;
+        result[i] = tinker_joint_value(quantity, -l[0], -l[1], torque);
     }
     return TINKER_OK;
 }
 
 /* Tables */
 
-/* Friction of pins is not worked out yet: `check` says so where it is asked for. */
 static const TinkerPropertyType properties[] = {
     {TINKER_REAL_PROPERTY("friction_radius", "Radius", "Friction", TINKER_DIMENSION_LENGTH),
-     .flags = TINKER_HAS_MINIMUM | TINKER_HAS_SOFT_RANGE, .soft_maximum = NONE, .variability = TINKER_STRUCTURAL,
-     .description = "Of the bolt, at whose rim friction acts; friction of pins is not worked out yet, so it is 0"},
-    {TINKER_REAL_PROPERTY("friction", "Friction", "Friction", TINKER_DIMENSION_NONE),
-     .flags = TINKER_HAS_MINIMUM | TINKER_HAS_SOFT_RANGE, .soft_maximum = NONE, .variability = TINKER_STRUCTURAL,
-     .description = "Its coefficient; friction of pins is not worked out yet, so it is 0"},
+     TINKER_NOT_NEGATIVE(0, 0.1), .symbol = "r", .variability = TINKER_STRUCTURAL,
+     .description = "Of the bolt, at whose rim friction acts"},
+    {TINKER_REAL_PROPERTY("friction", "Friction", "Friction", TINKER_DIMENSION_NONE), TINKER_NOT_NEGATIVE(0, 1.0),
+     .symbol = "µ", .variability = TINKER_STRUCTURAL,
+     .description = "Its coefficient: r µ / sqrt(1 + µ^2) times the pin's force resists its turning"},
 };
 
 static const TinkerLawEquation law[] = {
@@ -87,16 +86,15 @@ static const TinkerConstraint constraint = {.struct_size = sizeof(TinkerConstrai
                                             .rows = 2,
                                             .joint = 1,
                                             .rows_at = rows_at,
-                                            .check = check,
-                                            .coincident = 1};
+                                            .coincident = 1,
+                                            .friction = friction};
 static const TinkerPhysics physics = {.struct_size = sizeof(TinkerPhysics), .constraint = &constraint};
 static const TinkerRender render = {sizeof(TinkerRender), 2, draw, tinker_connector_bounds};
 static const TinkerEdit edit = {sizeof(TinkerEdit),        0,   tinker_connector_hit, tinker_ends_move,
                                 tinker_ends_move_absolute, NULL};
 static const TinkerGraph graph = {sizeof(TinkerGraph), 0, values};
 
-static const TinkerUnitChoice unit_choices[] = {
-    {"force", "N", "lbf"}, {"force x", "N", "lbf"}, {"force y", "N", "lbf"}};
+static const TinkerUnitChoice unit_choices[] = {{"friction_radius", "m", "ft"}, TINKER_JOINT_UNITS};
 static const TinkerUnits units = {sizeof(TinkerUnits), 0, TINKER_SPAN(unit_choices)};
 
 static const TinkerInterface interfaces[] = {

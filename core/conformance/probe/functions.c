@@ -18,6 +18,7 @@ CALL(call_force_energy, force_element, energy, w->points, w->outputs[0])
 CALL(call_force_linear, force_element, linear, w->outputs[0], w->outputs[1], w->outputs[2])
 CALL(call_torsion, force_element, torsion, w->outputs[0], w->outputs[1], w->outputs[2], w->outputs[3])
 CALL(call_turning, constraint, turning, w->outputs[0])
+CALL(call_friction, constraint, friction, w->outputs[0])
 CALL(call_field_force, field, force, w->bodies, w->outputs[0])
 CALL(call_field_energy, field, energy, w->bodies, w->outputs[0])
 CALL(call_field_linear, field, linear, w->outputs[0])
@@ -130,6 +131,8 @@ static const KitFunction torsion = {"torsion",
                                      {"waveform_column", KIT_INSTANCES, 1, .integers = TRUE}},
                                     call_torsion};
 static const KitFunction turning = {"turning", FALSE, TRUE, 0, 1, {{"factors", KIT_ENDS, 1}}, call_turning};
+static const KitFunction friction = {
+    "friction", FALSE, FALSE, 0, 1, {{"arm", KIT_INSTANCES, 1, .dimension = {TINKER_DIMENSION_LENGTH}}}, call_friction};
 static const KitFunction field_force = {
     "force", TRUE, FALSE, 0, 1, {{"force", KIT_BODIES, 2, .dimension = {FORCE, FORCE}}}, call_field_force};
 static const KitFunction field_energy = {
@@ -286,6 +289,7 @@ static void add_others(GArray *list, const TinkerBlockClass *block_class)
         add(list, constraint->scale != NULL, scale);
         add(list, constraint->distance != NULL, distance);
         add(list, constraint->turning != NULL, turning);
+        add(list, constraint->friction != NULL, friction);
         add(list, constraint->next_break != NULL, next_break(break_constraint));
     }
     if (role != NULL) {

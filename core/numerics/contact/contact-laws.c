@@ -41,7 +41,8 @@ static int32_t bearer_of(const TinkerClosedContacts *closed, int32_t k)
 
 static TinkerContactMode mode_of(const TinkerClosedContacts *closed, int32_t k, double force, const double *a)
 {
-    if (a[2 * bearer_of(closed, k)] > 0 && !(force > 0)) return TINKER_CONTACT_OPEN;
+    const int32_t bearer = bearer_of(closed, k);
+    if (bearer >= 0 && a[2 * bearer] > 0 && !(force > 0)) return TINKER_CONTACT_OPEN;
     double along = closed->sliding[k] != 0 ? closed->sliding[k] : a[2 * k + 1];
     return along > 0 ? TINKER_CONTACT_SLIP_FORWARD : along < 0 ? TINKER_CONTACT_SLIP_BACKWARD : TINKER_CONTACT_STICK;
 }
@@ -68,7 +69,7 @@ TinkerContactResult tinker_contact_modes(const TinkerClosedContacts *closed, Tin
         if (result != TINKER_CONTACT_SOLVED) break;
         accelerations(closed, &problem, forces, room.v, room.size);
         for (int32_t k = 0; k < m; k++) {
-            const double normal = forces[2 * bearer_of(closed, k)];
+            const double normal = tinker_contact_normal(&problem, forces, k);
             modes[k] = mode_of(closed, k, normal, room.v);
             gboolean slips = modes[k] == TINKER_CONTACT_SLIP_FORWARD || modes[k] == TINKER_CONTACT_SLIP_BACKWARD;
             if (!slips || !(normal > 0) || !(room.friction[k] > closed->dynamic_friction[k])) continue;
@@ -98,6 +99,8 @@ TinkerContactResult tinker_contact_jam(const TinkerClosedContacts *closed, const
     double moment = hardest > 0 ? TINKER_MOMENT * fastest / hardest : 0;
     for (int32_t k = 0; k < m; k++)
         room.friction[k] = closed->sliding[k] != 0 ? closed->dynamic_friction[k] : closed->static_friction[k];
+    for (int32_t k = 0; k < m; k++)
+        if (bearer_of(closed, k) < 0) room.friction[k] = 0; /* a finite force is nothing within no time */
     TinkerContactResult result = TINKER_CONTACT_SOLVED;
     for (int32_t pass = 0; pass < 2 && result == TINKER_CONTACT_SOLVED; pass++, moment /= 2) {
         for (int32_t i = 0; i < 2 * m; i++)
@@ -105,7 +108,7 @@ TinkerContactResult tinker_contact_jam(const TinkerClosedContacts *closed, const
         result = tinker_contact_solve(&problem, pass == 0 ? impulses : half);
     }
     for (int32_t k = 0; k < m && result == TINKER_CONTACT_SOLVED; k++) {
-        const int32_t b = bearer_of(closed, k);
+        const int32_t b = MAX(bearer_of(closed, k), 0); /* what is bounded by a number has no friction here */
         /* a bearer comes before what leans on it: its impulse is that of the jam by then */
         double normal = b != k ? impulses[2 * b] : 2 * half[2 * k] - impulses[2 * k];
         double along = 2 * half[2 * k + 1] - impulses[2 * k + 1];

@@ -8,7 +8,8 @@
  *
  * A moment that resists rolling is a contact that leans on another one, its bearer b, which comes before it: it has no
  * normal direction of its own (row, column and entries of n are 0), is closed while its bearer is, and |p_t| is at most
- * friction times the p_n of the bearer. Problems with such contacts have W as a matrix.
+ * friction times the p_n of the bearer. One that is held together by other means leans on nothing, bearer -1: it is
+ * always closed, and |p_t| is at most its friction itself. Problems with such contacts have W as a matrix.
  *
  * Sources: Anitescu, Potra, "Formulating dynamic multi-rigid-body contact problems with friction as solvable linear
  * complementarity problems", Nonlinear Dynamics 14 (1997) 231-247; Glocker, Pfeiffer, "Multibody Dynamics with
@@ -67,7 +68,7 @@ typedef struct {
     const double *least;       /* m: least normal velocities after the impact, in place of those that restitution
                                   gives; or NULL */
     const TinkerContactMotion *motion;
-    const int32_t *bearer; /* m: its own number, or that of the contact it leans on; NULL: none leans on another */
+    const int32_t *bearer; /* m: its own number, that of the contact it leans on, or -1; NULL: none leans on another */
 } TinkerImpact;
 
 /* Writes the impulses p (2m). No impact adds energy: where Newton's restitution together with friction would (the sum

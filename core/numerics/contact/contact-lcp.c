@@ -57,7 +57,12 @@ static void fill_row(const TinkerContactProblem *problem, int32_t entry, double 
 
 static double offset_of(const TinkerContactProblem *problem, int32_t i, double softening, const double *centre)
 {
-    return problem->offset[i] - (centre != NULL ? softening * centre[i] : 0);
+    double slips = 0; /* of those bounded by a number that slide */
+    for (int32_t k = 0; problem->bearer != NULL && k < problem->count; k++)
+        if (!tinker_contact_grips(problem, k))
+            slips += problem->delassus[(gsize)i * 2 * (gsize)problem->count + 2 * (gsize)k + 1] *
+                     tinker_contact_held_slip(problem, k, TINKER_STATE_FREE);
+    return problem->offset[i] + slips - (centre != NULL ? softening * centre[i] : 0);
 }
 
 static int32_t fill(const TinkerContactProblem *problem, double softening, const double *centre, double *matrix,
@@ -68,7 +73,9 @@ static int32_t fill(const TinkerContactProblem *problem, double softening, const
         size += unknowns_of(problem, k);
     for (int32_t k = 0; k < problem->count; k++) {
         int32_t normal = at;
-        if (tinker_contact_leans(problem, k)) {
+        if (tinker_contact_is_held(problem, k)) {
+            normal = -1;
+        } else if (tinker_contact_leans(problem, k)) {
             normal = normal_of(problem, problem->bearer[k]);
         } else {
             q[at] = offset_of(problem, 2 * k, softening, centre);
@@ -85,7 +92,10 @@ static int32_t fill(const TinkerContactProblem *problem, double softening, const
         row[at + 2] = row[size + at + 2] = 1;
         row += 2 * size;
         memset(row, 0, (gsize)size * sizeof *row);
-        row[normal] = problem->friction[k];
+        if (normal >= 0)
+            row[normal] = problem->friction[k];
+        else
+            q[at + 2] = problem->friction[k] * tinker_contact_normal(problem, NULL, k);
         row[at] = row[at + 1] = -1;
         at += 3;
     }
@@ -101,7 +111,7 @@ gboolean tinker_contact_by_complementarity(TinkerContactWork *work, double softe
     if (tinker_lcp_solve(size, work->lcp, q, z, room) == TINKER_LCP_RAY) return FALSE;
     for (int32_t k = 0, at = 0; k < problem->count; k++) {
         const gboolean leans = tinker_contact_leans(problem, k);
-        const double normal = leans ? work->p[2 * problem->bearer[k]] : z[at];
+        const double normal = leans ? tinker_contact_normal(problem, work->p, k) : z[at];
         const double *along = z + at + !leans;
         work->p[2 * k] = leans ? 0 : normal;
         if (tinker_contact_grips(problem, k)) {

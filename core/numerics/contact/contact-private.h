@@ -18,6 +18,7 @@ typedef struct {
     const int8_t *sliding;  /* m: -1, 0, 1; NULL: none slides */
     const TinkerContactMotion *motion;
     const int32_t *bearer; /* m; NULL: none leans on another */
+    const double *load;    /* m: of one whose bearer is -1, in place of a normal impulse; NULL: 1 */
 } TinkerContactProblem;
 
 /* Closed contacts keep p_t = slope p_n, but where they stick. */
@@ -85,6 +86,20 @@ static inline gboolean tinker_contact_leans(const TinkerContactProblem *problem,
     return tinker_contact_bearer(problem, k) != k;
 }
 
+/* Whether its friction is bounded by a number. */
+static inline gboolean tinker_contact_is_held(const TinkerContactProblem *problem, int32_t k)
+{
+    return tinker_contact_bearer(problem, k) < 0;
+}
+
+/* What the friction of contact k is bounded by, times its coefficient. */
+static inline double tinker_contact_normal(const TinkerContactProblem *problem, const double *p, int32_t k)
+{
+    const int32_t bearer = tinker_contact_bearer(problem, k);
+    if (bearer >= 0) return p[2 * bearer];
+    return problem->load != NULL ? problem->load[k] : 1;
+}
+
 /* Whether contact k may hold by friction. */
 static inline gboolean tinker_contact_grips(const TinkerContactProblem *problem, int32_t k)
 {
@@ -104,6 +119,13 @@ static inline double tinker_contact_slope(const TinkerContactProblem *problem, i
     return state == TINKER_STATE_FORWARD    ? -problem->friction[k]
            : state == TINKER_STATE_BACKWARD ? problem->friction[k]
                                             : 0;
+}
+
+/* The impulse along t of one that is bounded by a number, and slides; 0 for all others. */
+static inline double tinker_contact_held_slip(const TinkerContactProblem *problem, int32_t k, TinkerContactState state)
+{
+    if (!tinker_contact_is_held(problem, k)) return 0;
+    return tinker_contact_slope(problem, k, state) * tinker_contact_normal(problem, NULL, k);
 }
 
 #endif

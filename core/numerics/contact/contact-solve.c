@@ -72,10 +72,23 @@ static gboolean grip_single(const TinkerContactProblem *problem, double toleranc
     return FALSE;
 }
 
+/* One that is bounded by a number. */
+static TinkerContactResult hold_single(const TinkerContactProblem *problem, double *p)
+{
+    const double most = problem->friction[0] * tinker_contact_normal(problem, p, 0), own = problem->delassus[3];
+    if (!isfinite(problem->offset[1]) || !isfinite(most)) return TINKER_CONTACT_GAVE_UP;
+    if (tinker_contact_grips(problem, 0))
+        p[1] = CLAMP(-problem->offset[1] / own, -most, most);
+    else
+        p[1] = tinker_contact_held_slip(problem, 0, TINKER_STATE_FREE);
+    return TINKER_CONTACT_SOLVED;
+}
+
 static TinkerContactResult solve_single(const TinkerContactProblem *problem, double *p)
 {
     const double *b = problem->offset;
     p[0] = p[1] = 0;
+    if (tinker_contact_is_held(problem, 0)) return hold_single(problem, p);
     if (b[0] >= 0) return TINKER_CONTACT_SOLVED;
     if (!isfinite(b[0]) || !isfinite(b[1])) return TINKER_CONTACT_GAVE_UP;
     if (is_immovable(problem, 0)) return TINKER_CONTACT_NO_ACCELERATION;
@@ -93,7 +106,7 @@ static gsize room_of(int32_t m)
 {
     gsize n = (gsize)m;
     return 4 * n * n + 2 * n + n + 8 * n + 4 * n * n + 2 * n + 16 * n * n + 8 * n + (gsize)tinker_lcp_room(4 * m) +
-           4 * n;
+           4 * n + n;
 }
 
 static void set_up(TinkerContactWork *work, const TinkerContactProblem *problem, double *room)
@@ -115,14 +128,18 @@ static void set_up(TinkerContactWork *work, const TinkerContactProblem *problem,
     work->unknown = (int32_t *)(void *)(work->lcp_room + 4 * width + tinker_lcp_room(4 * problem->count));
     work->order = work->unknown + width;
     work->state = (TinkerContactState *)(void *)(work->order + width);
+    double *load = (double *)(void *)(work->state + 2 * width); /* the states' guesses lie between */
+    work->problem.load = load;
 
     double largest = 0;
     work->blocked = FALSE;
     for (gsize k = 0; k < m; k++) {
         double block = problem->delassus[2 * k * (width + 1)] + problem->delassus[(2 * k + 1) * (width + 1)];
-        const gsize bearer = (gsize)tinker_contact_bearer(problem, (int32_t)k);
+        const int32_t bearer = tinker_contact_bearer(problem, (int32_t)k);
         /* the cone of what leans on another is over that one's normal */
-        work->scale[k] = bearer != k ? work->scale[bearer] : block > 0 ? 1 / tinker_power_of_two(sqrt(block)) : 1;
+        work->scale[k] = bearer >= 0 && bearer != (int32_t)k ? work->scale[bearer]
+                         : block > 0                         ? 1 / tinker_power_of_two(sqrt(block))
+                                                             : 1;
         for (gsize i = 2 * k; i < 2 * k + 2; i++)
             largest = MAX(largest, fabs(problem->offset[i]) * work->scale[k]);
     }
@@ -133,6 +150,8 @@ static void set_up(TinkerContactWork *work, const TinkerContactProblem *problem,
         for (gsize j = 0; j < width; j++)
             delassus[i * width + j] = problem->delassus[i * width + j] * work->scale[i / 2] * work->scale[j / 2];
     }
+    for (gsize k = 0; k < m; k++)
+        load[k] = 1 / (work->scale[k] * work->unit);
     for (int32_t k = 0; k < problem->count; k++)
         if (is_immovable(problem, k)) {
             work->blocked |= offset[2 * k] < 0;
@@ -144,10 +163,12 @@ static void set_up(TinkerContactWork *work, const TinkerContactProblem *problem,
 static gboolean guess(TinkerContactWork *work, double tolerance, TinkerContactState *next)
 {
     const TinkerContactProblem *problem = &work->problem;
-    for (int32_t k = 0; k < problem->count; k++)
-        work->state[k] = problem->offset[2 * tinker_contact_bearer(problem, k)] >= 0 ? TINKER_STATE_OPEN
-                         : tinker_contact_grips(problem, k)                          ? TINKER_STATE_STICK
-                                                                                     : TINKER_STATE_FREE;
+    for (int32_t k = 0; k < problem->count; k++) {
+        const int32_t bearer = tinker_contact_bearer(problem, k);
+        work->state[k] = bearer >= 0 && problem->offset[2 * bearer] >= 0 ? TINKER_STATE_OPEN
+                         : tinker_contact_grips(problem, k)              ? TINKER_STATE_STICK
+                                                                         : TINKER_STATE_FREE;
+    }
     for (int32_t tries = 0; tries < MIN(problem->count, MANY) + 6; tries++) {
         if (tinker_contact_try_states(work, tolerance, next)) return TRUE;
         if (memcmp(next, work->state, (gsize)problem->count * sizeof *next) == 0) return FALSE;
@@ -192,7 +213,7 @@ static void read_states(TinkerContactWork *work)
 {
     const TinkerContactProblem *problem = &work->problem;
     for (int32_t k = 0; k < problem->count; k++) {
-        const double pn = work->p[2 * tinker_contact_bearer(problem, k)], pt = work->p[2 * k + 1];
+        const double pn = tinker_contact_normal(problem, work->p, k), pt = work->p[2 * k + 1];
         work->state[k] = !(pn > 0)                                                      ? TINKER_STATE_OPEN
                          : !tinker_contact_grips(problem, k)                            ? TINKER_STATE_FREE
                          : fabs(pt) < (1 - TINKER_AT_BOUND) * problem->friction[k] * pn ? TINKER_STATE_STICK
@@ -289,7 +310,7 @@ TinkerContactResult tinker_contact_solve(const TinkerContactProblem *problem, do
     set_up(&work, problem, large != NULL ? large : small);
     TinkerContactResult result = solve_several(&work, work.state + m);
     for (int32_t k = 0; k < m; k++) {
-        const double normal = work.p[2 * tinker_contact_bearer(problem, k)];
+        const double normal = tinker_contact_normal(&work.problem, work.p, k);
         gboolean pushes = result == TINKER_CONTACT_SOLVED && normal > 0;
         double factor = work.scale[k] * work.unit, most = problem->friction[k] * normal;
         p[2 * k] = pushes ? work.p[2 * k] * factor : 0;

@@ -17,6 +17,16 @@ static double leaning_entry(const TinkerContactWork *work, int32_t k, const doub
     return entry;
 }
 
+/* What those bounded by a number that slip do in a row. */
+static double held_slips(const TinkerContactWork *work, const double *row)
+{
+    double sum = 0;
+    for (int32_t i = 0; work->problem.bearer != NULL && i < work->problem.count; i++)
+        if (work->state[i] != TINKER_STATE_STICK)
+            sum += row[2 * i + 1] * tinker_contact_held_slip(&work->problem, i, work->state[i]);
+    return sum;
+}
+
 static void solve_system(TinkerContactWork *work)
 {
     const TinkerContactProblem *problem = &work->problem;
@@ -28,7 +38,7 @@ static void solve_system(TinkerContactWork *work)
     }
     for (int32_t i = 0; i < count; i++) {
         const double *row = problem->delassus + (gsize)work->unknown[i] * (gsize)width;
-        work->right[i] = -problem->offset[work->unknown[i]];
+        work->right[i] = -problem->offset[work->unknown[i]] - held_slips(work, row);
         for (int32_t j = 0; j < count; j++) {
             int32_t column = work->unknown[j], k = column / 2;
             double entry = row[column];
@@ -44,7 +54,7 @@ static void solve_system(TinkerContactWork *work)
     for (int32_t k = 0; k < m; k++)
         if (work->state[k] != TINKER_STATE_STICK)
             work->p[2 * k + 1] =
-                tinker_contact_slope(problem, k, work->state[k]) * work->p[2 * tinker_contact_bearer(problem, k)];
+                tinker_contact_slope(problem, k, work->state[k]) * tinker_contact_normal(problem, work->p, k);
 }
 
 double tinker_contact_velocity(const TinkerContactProblem *problem, const double *p, int32_t i, double *size)
@@ -90,15 +100,16 @@ static TinkerContactState better_state(const TinkerContactWork *work, int32_t k,
     TinkerContactState state = work->state[k];
     gboolean grips = tinker_contact_grips(problem, k);
     if (tinker_contact_leans(problem, k)) {
-        n = 2 * tinker_contact_bearer(problem, k);
-        if (work->state[n / 2] == TINKER_STATE_OPEN) return TINKER_STATE_OPEN;
+        const int32_t bearer = tinker_contact_bearer(problem, k);
+        if (bearer >= 0 && work->state[bearer] == TINKER_STATE_OPEN) return TINKER_STATE_OPEN;
         if (state == TINKER_STATE_OPEN) return grips ? TINKER_STATE_STICK : TINKER_STATE_FREE;
     } else if (state == TINKER_STATE_OPEN)
         return work->v[n] >= -slack(work, n, tolerance) ? state : grips ? TINKER_STATE_STICK : TINKER_STATE_FREE;
-    if (work->p[n] < -p_slack) return tinker_contact_leans(problem, k) ? state : TINKER_STATE_OPEN;
+    const double normal = tinker_contact_normal(problem, work->p, k);
+    if (normal < -p_slack) return tinker_contact_leans(problem, k) ? state : TINKER_STATE_OPEN;
     if (!grips) return state;
     if (state == TINKER_STATE_STICK) {
-        if (fabs(work->p[t]) <= problem->friction[k] * work->p[n] + p_slack) return state;
+        if (fabs(work->p[t]) <= problem->friction[k] * normal + p_slack) return state;
         return work->p[t] < 0 ? TINKER_STATE_FORWARD : TINKER_STATE_BACKWARD;
     }
     double along = state == TINKER_STATE_FORWARD ? work->v[t] : -work->v[t];

@@ -37,15 +37,14 @@ double tinker_contact_sweep(const TinkerContactProblem *problem, double *p)
     for (int32_t k = 0; k < problem->count; k++) {
         const int32_t n = 2 * k, t = n + 1;
         const double *row = problem->delassus + (gsize)n * width;
-        const double *normal = &p[2 * tinker_contact_bearer(problem, k)];
         if (tinker_contact_grips(problem, k)) {
             most = fmax(most, relax(problem, n, row[n], 0, INFINITY, p));
-            const double bound = problem->friction[k] * *normal;
+            const double bound = problem->friction[k] * tinker_contact_normal(problem, p, k);
             most = fmax(most, relax(problem, t, row[width + (gsize)t], -bound, bound, p));
         } else {
             const double slope = tinker_contact_slope(problem, k, TINKER_STATE_FREE);
             most = fmax(most, relax(problem, n, row[n] + slope * row[t], 0, INFINITY, p));
-            p[t] = slope * *normal;
+            p[t] = slope * tinker_contact_normal(problem, p, k);
         }
     }
     return most;

@@ -38,6 +38,12 @@ static gsize bearer_of(const TinkerImpact *impact, gsize k)
     return impact->bearer != NULL ? (gsize)impact->bearer[k] : k;
 }
 
+static double bound_of(const TinkerImpact *impact, gsize k, const double *p)
+{
+    if (impact->bearer != NULL && impact->bearer[k] < 0) return impact->friction[k];
+    return impact->friction[k] * p[2 * bearer_of(impact, k)];
+}
+
 /* Poisson's ---------------------------------------------------------------------------------------------------------
  */
 
@@ -48,7 +54,7 @@ static double sweep(const TinkerImpact *impact, const double *least, double *p, 
     double most = 0;
     for (gsize i = 0; i < width; i++) {
         const gsize k = i / 2;
-        const double own = impact->delassus[i * width + i], limit = impact->friction[k] * p[2 * bearer_of(impact, k)];
+        const double own = impact->delassus[i * width + i], limit = bound_of(impact, k, p);
         if (!(own > 0)) continue;
         const double wanted = p[i] - u[i] / own;
         const double next = i % 2 == 0 ? fmax(wanted, least[k]) : fmax(-limit, fmin(wanted, limit));
@@ -150,7 +156,7 @@ static void take_part(Part *part, const TinkerImpact *impact, const int32_t *pai
         if (pair[k] != number) continue;
         part->restitution[part->count] = impact->restitution[k];
         part->friction[part->count] = impact->friction[k];
-        part->bearer[part->count] = part->count;
+        part->bearer[part->count] = impact->bearer != NULL && impact->bearer[k] < 0 ? -1 : part->count;
         for (int32_t i = 0; i < part->count; i++)
             if (part->member[i] == (int32_t)bearer_of(impact, (gsize)k)) part->bearer[part->count] = i;
         part->member[part->count++] = k;

@@ -1,4 +1,5 @@
 /* Compiling a scene, in order: snapshot, lengths as placed, bodies and points, forces, constraints, start. */
+#include "physics/contact/contact-pins.h"
 #include "physics/contact/contacts.h"
 #include "physics/force/line-parts.h"
 
@@ -114,6 +115,7 @@ gboolean tinker_model_compile_parts(TinkerModel *model, GError **error)
 static gboolean compile(TinkerModel *model, GError **error)
 {
     if (!tinker_model_compile_parts(model, error)) return FALSE;
+    if (!tinker_model_check_pins(model, error)) return FALSE;
     model->contacts = tinker_contacts_new(model);
     if (!tinker_model_check_start(model, error)) return FALSE;
     if (model->part || model->contacts == NULL) return TRUE;

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "physics/constraint/constraints.h"
+#include "physics/contact/contact-pins.h"
 #include "physics/contact/contacts-private.h"
 #include "physics/contact/contacts.h"
 #include "physics/model/model-data.h"
@@ -192,6 +193,24 @@ static int32_t body_of(const TinkerContacts *contacts, const TinkerContactRow *r
     return tinker_contacts_closed(contacts, (guint)row->contact)->body;
 }
 
+static gboolean has_turning_pins(const TinkerContacts *contacts, const TinkerContactBlock *block)
+{
+    const TinkerContactRow *rows = (const TinkerContactRow *)(const void *)contacts->rows->data + block->first;
+    gboolean any = FALSE;
+    for (int32_t i = 0; contacts->pin_count > 0 && i < block->count; i++)
+        any |= rows[i].pin_slope != 0;
+    return any;
+}
+
+/* Pins that turn are moved by nobody: 0 = 0. */
+static void leave_out_pins(TinkerContacts *contacts, const TinkerContactBlock *block)
+{
+    const TinkerContactRow *rows = (const TinkerContactRow *)(const void *)contacts->rows->data + block->first;
+    for (int32_t i = 0; i < block->count; i++)
+        for (int32_t j = 0; j < block->count; j++)
+            if (rows[i].pin_slope != 0 || rows[j].pin_slope != 0) contacts->delassus[i * block->count + j] = i == j;
+}
+
 static void factor_block(TinkerContacts *contacts, TinkerContactBlock *block, gboolean moves)
 {
     const TinkerContactRow *rows = (const TinkerContactRow *)(const void *)contacts->rows->data + block->first;
@@ -204,7 +223,11 @@ static void factor_block(TinkerContacts *contacts, TinkerContactBlock *block, gb
         for (int32_t i = 0; i < block->count; i++)
             contacts->delassus[i * block->count + j] =
                 tinker_contact_row_times(contacts, &rows[i], change) * (rows[i].weight * rows[j].weight);
+        if (!moves) tinker_contact_pins_keep(contacts, block, contacts->pins.answers + j, (gsize)block->count);
     }
+    const gboolean turning = has_turning_pins(contacts, block);
+    if (turning && moves) leave_out_pins(contacts, block);
+    if (turning && !moves) return; /* their rows depend on the solution */
     tinker_dense_solve_factor(block->solve[moves], contacts->delassus);
     block->factored[moves] = !block->held;
 }
@@ -247,6 +270,11 @@ static void solve_forces(TinkerContacts *contacts)
             continue;
         }
         if (!block->factored[FALSE]) factor_block(contacts, block, FALSE);
+        if (has_turning_pins(contacts, block)) {
+            contacts->pins.block_free = contacts->pins.free + 2 * (gsize)block->first;
+            tinker_contact_pins_solve(contacts, block, contacts->delassus, contacts->demand + block->first);
+            continue;
+        }
         tinker_dense_solve_near(block->solve[FALSE], contacts->base + block->first, contacts->demand + block->first);
     }
 }
@@ -311,6 +339,10 @@ static void accelerate_rows(TinkerContacts *contacts, double *a)
     tinker_contacts_refresh_entries(contacts);
     memcpy(free_of_contacts, a, (gsize)model->coordinates * sizeof(double));
     if (model->constraints.rows > 0) tinker_constraints_accelerate(model, free_of_contacts);
+    for (guint i = 0; contacts->pin_count > 0 && i < contacts->blocks->len; i++) {
+        const TinkerContactBlock *block = &g_array_index(contacts->blocks, TinkerContactBlock, i);
+        tinker_contact_pins_keep(contacts, block, contacts->pins.free + 2 * (gsize)block->first, 1);
+    }
     for (guint i = 0; i < contacts->rows->len; i++) {
         const double *at = free_of_contacts + 2 * body_of(contacts, &rows[i]);
         if (rows[i].entries >= 0) {
@@ -374,6 +406,7 @@ void tinker_contacts_accelerate(TinkerContacts *contacts, double *a)
     if (contacts->entries->len > 0) memcpy(contacts->before, a, (gsize)contacts->model->coordinates * sizeof(double));
     if (contacts->rows->len > 0) accelerate_rows(contacts, a);
     if (contacts->model->constraints.rows > 0) tinker_constraints_accelerate(contacts->model, a);
+    tinker_contacts_note_pin_forces(contacts);
     for (guint i = 0; i < contacts->entries->len; i++)
         clear_rest(contacts, &g_array_index(contacts->entries, TinkerContactEntries, i), a);
 }

@@ -201,12 +201,19 @@ static TinkerContactPlace place_of(const TinkerGap *gap)
                                 gap->along_speed, gap->rolled, gap->period};
 }
 
-/* Of what resists turning: of the frame that has the tip, relative to that of the seat. */
+/* How one of the frames of what resists turning is turned. */
+static TinkerPose turned_frame(const TinkerModel *model, const TinkerPlate *plate, int side)
+{
+    const int32_t point = plate->frame[side];
+    const TinkerTurn *turn = point < model->bodies ? tinker_model_turn(model, point) : NULL;
+    const TinkerPlace *place = plate->frame_turned[side];
+    if (turn != NULL) return (TinkerPose){turn->angle, turn->rate, 0};
+    return place != NULL ? (TinkerPose){place->angle, place->rate, place->angular_acceleration} : (TinkerPose){0, 0, 0};
+}
+
 static TinkerContactPlace resisting_place(const TinkerContacts *contacts, const TinkerPlate *plate)
 {
-    const int tip = plate->gap->tip_of;
-    const TinkerBodyPose on = pose_of(contacts->model, plate->pair, tip),
-                         by = pose_of(contacts->model, plate->pair, 1 - tip);
+    const TinkerPose on = turned_frame(contacts->model, plate, 0), by = turned_frame(contacts->model, plate, 1);
     const double speed = plate->arm * (on.rate - by.rate);
     return (TinkerContactPlace){
         .tangential_speed = speed, .along_speed = speed, .rolled = plate->arm * (on.angle - by.angle)};
@@ -259,20 +266,25 @@ static void add_entry(TinkerContactEntries *entries, int32_t coordinate, double 
     entries->row[1][entries->count++] = tangential;
 }
 
-/* Of what resists turning: no normal, and turns alone. */
+/* Of what resists turning: no normal, and turns alone. The places of its bodies stand beside them with nothing, so that
+ * what cancels there at rest is cleared as well. */
 static void resisting_entries(const TinkerContacts *contacts, const TinkerPlate *plate, TinkerContactEntries *entries)
 {
     const TinkerModel *model = contacts->model;
-    const TinkerPlace *turned = plate->pair->turned;
     *entries = (TinkerContactEntries){0};
     for (int side = 0; side < 2; side++) {
-        const int32_t point = plate->pair->point[side == 0 ? plate->gap->tip_of : 1 - plate->gap->tip_of];
+        const int32_t point = plate->frame[side];
         const double arm = side == 0 ? plate->arm : -plate->arm;
-        const int32_t turn = point < model->bodies ? tinker_model_turn_of(model, point) : -1;
-        if (turn >= 0) add_entry(entries, turn, 0, arm / model->turns[turn - 2 * model->bodies].gyration);
-        if (point < model->bodies || turned == NULL) continue;
-        entries->of_supports[1] += arm * turned->rate;
-        entries->drift[1] += arm * turned->angular_acceleration;
+        const TinkerTurn *turn = point < model->bodies ? tinker_model_turn(model, point) : NULL;
+        const TinkerPose pose = turned_frame(model, plate, side);
+        if (point >= model->bodies) {
+            entries->of_supports[1] += arm * pose.rate;
+            entries->drift[1] += arm * pose.acceleration;
+        }
+        if (turn == NULL) continue;
+        add_entry(entries, 2 * point, 0, 0);
+        add_entry(entries, 2 * point + 1, 0, 0);
+        add_entry(entries, tinker_model_turn_of(model, point), 0, arm / turn->gyration);
     }
 }
 

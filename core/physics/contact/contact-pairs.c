@@ -154,6 +154,11 @@ static void add_resistance(TinkerContacts *contacts, int32_t number)
     contacts->plates[last].surface = (TinkerSurface){share, share, 0, 0};
     contacts->plates[last].arm = arm;
     contacts->plates[last].bearer = number;
+    for (int side = 0; side < 2; side++) {
+        const int which = side == 0 ? bearer->gap->tip_of : 1 - bearer->gap->tip_of;
+        contacts->plates[last].frame[side] = bearer->pair->point[which];
+        contacts->plates[last].frame_turned[side] = which == 1 ? bearer->pair->turned : NULL;
+    }
 }
 
 /* The arrays do not move any more: plates may point into them. */

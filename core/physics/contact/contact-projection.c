@@ -20,7 +20,8 @@ static double rounding_of(const TinkerContacts *contacts, const TinkerContact *c
     const TinkerPoint *at = &contacts->model->point[contact->body];
     const TinkerPoint *base = &contacts->model->point[contacts->plates[contact->plate].point];
     double places = fabs(at->x) + fabs(at->y) + fabs(base->x) + fabs(base->y);
-    if (tinker_contacts_resists(contacts, contact)) places += fabs(contact->anchor);
+    if (tinker_contacts_resists(contacts, contact))
+        places += fabs(contact->anchor) + contacts->plates[contact->plate].arm;
     if (tinker_contacts_is_gap(contacts, contact)) return 4 * DBL_EPSILON * (places + contacts->thickness);
     return 4 * DBL_EPSILON *
            (places + contacts->half_height[contact->body] + contacts->plates[contact->plate].half_height);
@@ -89,6 +90,7 @@ static double measure_rows(TinkerContacts *contacts)
         const TinkerContact *contact = tinker_contacts_closed(contacts, (guint)row->contact);
         TinkerContactPlace place = tinker_contact_place(contacts, contact->body, contact->plate);
         double miss = row->tangential ? tinker_contact_creep(&place, contact->anchor) : place.gap;
+        if (row->pin_slope != 0) miss = 0;
         most = fmax(most, fabs(miss) / rounding_of(contacts, contact));
         contacts->demand[i] = -miss * row->weight;
     }
@@ -210,6 +212,7 @@ static void correct_rows(TinkerContacts *contacts, double *v, gboolean homogeneo
                 &g_array_index(contacts->entries, TinkerContactEntries, (guint)row->entries);
             const double moved = homogeneous ? 0 : entries->of_supports[row->tangential];
             contacts->demand[i] = -(tinker_contact_row_times(contacts, row, v) + moved) * row->weight;
+            if (row->pin_slope != 0) contacts->demand[i] = 0;
             continue;
         }
         const TinkerPoint *base =

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "numerics/solve/disjoint-sets.h"
+#include "physics/contact/contact-pins.h"
 #include "physics/model/model-data.h"
 
 /* Up to so many equations W solves them: one on 79 rods takes 0.36 us so and 1.5 us by elimination, four 1.5 us either
@@ -143,7 +144,9 @@ static void measure_thickness(TinkerContacts *contacts)
 static void open_books(TinkerContacts *contacts)
 {
     TinkerModel *model = contacts->model;
-    for (int32_t k = 0; k < contacts->plate_count + contacts->gap_count; k++) {
+    const int32_t plates =
+        contacts->plate_count + contacts->gap_count + contacts->resistance_count + contacts->pin_count;
+    for (int32_t k = 0; k < plates; k++) {
         const TinkerPlate *plate = &contacts->plates[k];
         if (plate->surface.dynamic_friction > 0) model->has_book[TINKER_BOOK_FRICTION] = TRUE;
         if (plate->moving) model->has_book[TINKER_BOOK_SUPPORT_MOTION] = model->more_than_lines = TRUE;
@@ -167,7 +170,8 @@ TinkerContacts *tinker_contacts_new(TinkerModel *model)
     any_body |= meeting > 0;
     if (!any_body) plates = 0;
     const gboolean meet = meeting > 1 && tinker_model_bodies_meet(model);
-    if (plates == 0 && meeting < 2 && model->constraints.unilateral == NULL) return NULL;
+    const int32_t pins = tinker_model_rubbing_pins(model);
+    if (plates == 0 && meeting < 2 && pins == 0 && model->constraints.unilateral == NULL) return NULL;
     TinkerContacts *contacts = g_new0(TinkerContacts, 1);
     contacts->model = model;
     contacts->impact_law = law_of(model->scene);
@@ -195,6 +199,7 @@ TinkerContacts *tinker_contacts_new(TinkerModel *model)
     find_surfaces(contacts);
     tinker_contacts_find_outlines(contacts);
     tinker_contacts_list_gaps(contacts, meet);
+    tinker_contacts_list_pins(contacts, pins);
     find_groups(contacts);
     measure_thickness(contacts);
     open_books(contacts);
@@ -234,7 +239,11 @@ void tinker_contacts_free(TinkerContacts *contacts)
                          contacts->outlines,
                          contacts->pairs,
                          contacts->functions,
-                         contacts->corners};
+                         contacts->corners,
+                         contacts->pins.free,
+                         contacts->pins.answers,
+                         contacts->pins.found,
+                         contacts->pins.before};
     for (gsize i = 0; i < G_N_ELEMENTS(arrays); i++)
         g_free(arrays[i]);
     g_free(contacts);
@@ -250,6 +259,7 @@ gboolean tinker_contacts_can_meet(const TinkerContacts *contacts)
 
 gboolean tinker_contacts_touch(const TinkerContacts *contacts)
 {
+    if (contacts->pin_count > 0) return TRUE;
     for (int32_t body = 0; body < contacts->model->bodies; body++)
         for (int32_t k = 0; k < contacts->plate_count; k++) {
             TinkerContactPlace place = tinker_contact_place(contacts, body, k);
@@ -319,8 +329,11 @@ static void add_resistance(TinkerContacts *contacts, int32_t number)
     const TinkerContact *contact = tinker_contacts_closed(contacts, (guint)number);
     const double weight = sqrt(contacts->model->mass[contact->body]);
     const int32_t entries = add_entries(contacts);
-    if (contact->mode == TINKER_CONTACT_STICK) {
-        TinkerContactRow row = {number, TRUE, {0, 0}, {0, 0}, weight, entries, 0, -1, -1, 0};
+    const gboolean pin = tinker_contacts_is_pin(contacts, contact);
+    if (contact->mode == TINKER_CONTACT_SMOOTH) return;
+    if (contact->mode == TINKER_CONTACT_STICK || pin) {
+        TinkerContactRow row = {number, TRUE, {0, 0}, {0, 0}, weight, entries, 0, -1, -1, 0, 0};
+        if (pin) row.pin_slope = tinker_contact_slip_share(contacts, contact);
         g_array_append_val(contacts->rows, row);
         return;
     }
@@ -348,7 +361,7 @@ static void add_rows(TinkerContacts *contacts, int32_t number)
                                -1,     -1,    0};
     g_array_append_val(contacts->rows, normal);
     if (contact->mode != TINKER_CONTACT_STICK) return;
-    TinkerContactRow tangential = {number, TRUE, {ny, -nx}, {ny, -nx}, weight, entries, 0, -1, -1, 0};
+    TinkerContactRow tangential = {number, TRUE, {ny, -nx}, {ny, -nx}, weight, entries, 0, -1, -1, 0, 0};
     g_array_append_val(contacts->rows, tangential);
 }
 
@@ -459,6 +472,14 @@ static gboolean make_room(double **array, gsize count)
     return *array != NULL;
 }
 
+/* FALSE: no memory. `most`: rows of the largest block. */
+static gboolean allot_pins(TinkerContacts *contacts, gsize rows, gsize most)
+{
+    TinkerContactPins *pins = &contacts->pins;
+    return make_room(&pins->free, 2 * rows) && make_room(&pins->answers, 2 * most * most) &&
+           make_room(&pins->found, rows) && make_room(&pins->before, rows);
+}
+
 /* FALSE: no memory. */
 static gboolean allot_rows(TinkerContacts *contacts)
 {
@@ -467,6 +488,7 @@ static gboolean allot_rows(TinkerContacts *contacts)
     if (most == 0 || !make_room(&contacts->delassus, most * most) || !make_room(&contacts->demand, rows) ||
         !make_room(&contacts->base, rows) || !make_room(&contacts->found, rows) || !make_equations(contacts, rows))
         return FALSE;
+    if (contacts->pin_count > 0 && !allot_pins(contacts, rows, most)) return FALSE;
     list_equations(contacts);
     tinker_contacts_take_shares(contacts);
     return TRUE;

@@ -22,6 +22,9 @@
  *
  *     u = arm (rate of the tip's frame - rate of the seat's),   |friction| <= (rho / arm) N.
  *
+ * So has the friction of a pin, which is always closed; in place of N it has the magnitude of the pin's force
+ * (contact-pins.c).
+ *
  * Bodies that no constraint holds and that touch one plate are solved one by one in closed form; the others together: a
  * few equations by the Delassus matrix of their contacts, W = C P M^-1 D, with P the projection onto the motions that
  * the constraints allow; many by elimination (contact-elimination.h), without W. */
@@ -63,7 +66,12 @@ typedef struct {
     const TinkerTouchingPair *pair;
     int32_t resistance; /* of a gap function: the plate that stands for what resists its rolling; 0: nothing does */
     double arm;         /* m: of what resists turning; 0: a plate that touches, ... */
-    int32_t bearer;     /* ... else the plate whose normal force bounds it */
+    int32_t bearer;     /* ... else the plate whose normal force bounds it; -1: it is of a pin */
+    /* of what resists turning: that of the first of these (points of a body's or a support's centre) relative to the
+     * second, and how motions turn the two */
+    int32_t frame[2];
+    const TinkerPlace *frame_turned[2];
+    int32_t joint_row; /* of a pin: the first of the two constraint rows that hold it */
 } TinkerPlate;
 
 typedef struct {
@@ -108,6 +116,7 @@ typedef struct {
     /* what resists its rolling, and turns: closed contact (-1: nothing), number of its entries, share */
     int32_t resisting, resisting_entries;
     double resisting_share;
+    double pin_slope; /* of a pin that turns: its friction over the magnitude of its force; else 0 */
 } TinkerContactRow;
 
 /* Rows of one group of bodies, behind one another: no other row changes what they ask for. */
@@ -120,12 +129,22 @@ typedef struct {
     gboolean full;                         /* its forces are determined */
 } TinkerContactBlock;
 
+/* What friction of pins is solved with, for one block of rows; allotted with them where there are pins. */
+typedef struct {
+    double *free;             /* 2 a row: the force of a pin without any contact */
+    double *answers;          /* 2 x rows a row: what a unit of each row's force adds to it */
+    double *found, *before;   /* a row */
+    const double *block_free; /* of the block that is solved: its part of `free` */
+} TinkerContactPins;
+
 struct _TinkerContacts {
     TinkerModel *model;
     TinkerImpactLaw impact_law;         /* of the scene's run */
     int32_t plate_count, moving_plates; /* tops; behind them stand the gap functions, */
     int32_t gap_count;
-    int32_t resistance_count;  /* and behind these what resists the rolling of some of them */
+    int32_t resistance_count; /* behind these what resists the rolling of some of them, */
+    int32_t pin_count;        /* and the friction of pins */
+    TinkerContactPins pins;
     gboolean bodies_listed;    /* bodies that meet each other have gap functions: they are not too many */
     int32_t *first_gap;        /* bodies + 1: the plate that the gap functions of each body begin with */
     TinkerOutline *outlines;   /* of bodies that turn and are solid, and of those that collide, then of tops */
@@ -213,6 +232,12 @@ static inline gboolean tinker_contacts_resists(const TinkerContacts *contacts, c
     return contacts->plates[contact->plate].arm > 0;
 }
 
+/* Whether that is a pin's friction. */
+static inline gboolean tinker_contacts_is_pin(const TinkerContacts *contacts, const TinkerContact *contact)
+{
+    return tinker_contacts_resists(contacts, contact) && contacts->plates[contact->plate].bearer < 0;
+}
+
 /* Whether two corners of one edge stick on another: along it they hold the body by one line together. So does each of
  * them with itself. */
 static inline gboolean tinker_contacts_stick_together(const TinkerContacts *contacts, const TinkerContact *a,
@@ -259,7 +284,7 @@ static inline TinkerContactPlace tinker_contact_place(const TinkerContacts *cont
                                 0};
 }
 
-/* Whether any body touches a plate, and does not part from it, for the state in the points. */
+/* Whether any body touches a plate, and does not part from it, for the state in the points; or a pin has friction. */
 gboolean tinker_contacts_touch(const TinkerContacts *contacts);
 
 /* Whether no gap changes while bodies turn about their centres: all that turn and may touch something are discs. */

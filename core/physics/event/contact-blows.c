@@ -55,7 +55,7 @@ static gboolean lingers(const TinkerContactChange *change, guint number)
 
 static gboolean rests(const TinkerContactChange *change, guint number)
 {
-    return !tinker_touch_leans(change, number) &&
+    return !tinker_touch_resists(change, number) &&
            tinker_touch(change, number)->place.normal_speed < least_rebound(change, number);
 }
 
@@ -193,7 +193,8 @@ static gboolean strike(TinkerContactChange *change, gboolean again, GError **err
         laws.pairs[2 * i] = tinker_touch(change, i)->place.normal_speed;
         laws.pairs[2 * i + 1] = tinker_touch(change, i)->place.tangential_speed;
         laws.first[i] = again ? 0 : seen_restitution(change, i);
-        laws.second[i] = tinker_touch_surface(change, i).dynamic_friction;
+        /* the friction of a pin is left out of blows */
+        laws.second[i] = tinker_touch_is_pin(change, i) ? 0 : tinker_touch_surface(change, i).dynamic_friction;
     }
     TinkerImpact impact = {(int32_t)laws.count, laws.delassus, laws.pairs,  laws.first,
                            laws.second,         NULL,          laws.motion, laws.bearer};

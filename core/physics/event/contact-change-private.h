@@ -67,10 +67,23 @@ static inline guint tinker_touch_bearer(const TinkerContactChange *change, guint
 {
     const TinkerPlate *plate = tinker_touch_plate(change, number);
     guint bearer = number;
-    if (plate == NULL || !(plate->arm > 0)) return number;
+    if (plate == NULL || !(plate->arm > 0) || plate->bearer < 0) return number;
     while (tinker_touch(change, bearer)->row >= 0 || tinker_touch(change, bearer)->contact.plate != plate->bearer)
         bearer--;
     return bearer;
+}
+
+/* Whether it resists turning, and touches nothing. */
+static inline gboolean tinker_touch_resists(const TinkerContactChange *change, guint number)
+{
+    const TinkerPlate *plate = tinker_touch_plate(change, number);
+    return plate != NULL && plate->arm > 0;
+}
+
+/* Whether it is the friction of a pin. */
+static inline gboolean tinker_touch_is_pin(const TinkerContactChange *change, guint number)
+{
+    return tinker_touch_resists(change, number) && tinker_touch_plate(change, number)->bearer < 0;
 }
 
 static inline gboolean tinker_touch_leans(const TinkerContactChange *change, guint number)
@@ -87,6 +100,9 @@ typedef struct {
     double *pairs, *answers;           /* 2m, 2m */
     double *first, *second;            /* m */
     int32_t *bearer;                   /* m; NULL: none leans on another */
+    /* of pins with friction, at their numbers: the magnitudes of their forces, as found last (m); the force without any
+     * contact, of accelerations (2m); what a unit of each entry adds to it (2m x 2m). NULL: there are none */
+    double *pin_size, *pin_free, *pin_answers;
     int8_t *sliding;
     TinkerContactMode *modes;
 } TinkerContactLaws;
@@ -95,6 +111,11 @@ G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC(TinkerContactLaws, tinker_contact_laws_clear)
 
 /* With how they answer to one another. Where there is no memory for it, that is the model's failure. */
 TinkerStatus tinker_contact_laws_init(TinkerContactLaws *laws, const TinkerContactChange *change);
+
+/* Keeps the forces that pins with friction have by the accelerations worked out last, without any contact. */
+void tinker_change_note_pins(const TinkerContactChange *change, TinkerContactLaws *laws);
+/* Works out how large they are with these forces of all contacts; answers the largest relative change of one. */
+double tinker_change_size_pins(const TinkerContactChange *change, TinkerContactLaws *laws, const double *forces);
 
 /* Brings the model to the state of the run, constraint rows included. */
 TinkerStatus tinker_change_set_state(const TinkerContactChange *change);

@@ -9,6 +9,8 @@
 #include "physics/model/model-data.h"
 
 #define MOST_JAMS 8
+/* Of the forces of pins. */
+#define MOST_PASSES 100
 
 /* Whether the event is that this speed along the top has come to 0: the method makes no less of it. */
 static gboolean has_stopped(const TinkerContactChange *change, double speed)
@@ -87,6 +89,21 @@ static void drop_parting(TinkerContactChange *change)
     tinker_change_drop(change);
 }
 
+/* What pins hold with is a share of their forces, which what they hold with changes: until that settles. */
+static TinkerContactResult solve_modes(const TinkerContactChange *change, const TinkerClosedContacts *closed,
+                                       TinkerContactLaws *laws)
+{
+    tinker_change_size_pins(change, laws, laws->answers);
+    for (int pass = 0;; pass++) {
+        for (guint i = 0; laws->pin_size != NULL && i < laws->count; i++)
+            if (tinker_touch_is_pin(change, i))
+                laws->first[i] = laws->second[i] = tinker_touch_surface(change, i).static_friction * laws->pin_size[i];
+        const TinkerContactResult result = tinker_contact_modes(closed, laws->modes, laws->answers);
+        if (result != TINKER_CONTACT_SOLVED || laws->pin_size == NULL || pass >= MOST_PASSES) return result;
+        if (tinker_change_size_pins(change, laws, laws->answers) <= TINKER_PINS_SETTLED) return result;
+    }
+}
+
 static TinkerContactResult ask_modes(TinkerContactChange *change, TinkerContactLaws *laws, double scale)
 {
     for (guint i = 0; i < laws->count; i++) {
@@ -98,7 +115,7 @@ static TinkerContactResult ask_modes(TinkerContactChange *change, TinkerContactL
     TinkerClosedContacts closed = {
         (int32_t)laws->count,       laws->delassus, laws->pairs, laws->sliding, laws->first, laws->second,
         TINKER_FORCE_NOISE * scale, laws->motion,   laws->bearer};
-    TinkerContactResult result = tinker_contact_modes(&closed, laws->modes, laws->answers);
+    TinkerContactResult result = solve_modes(change, &closed, laws);
     if (result != TINKER_CONTACT_NO_ACCELERATION) return result;
     g_autofree double *velocity = g_try_new(double, 2 * laws->count);
     if (velocity == NULL) return TINKER_CONTACT_NO_MEMORY;
@@ -150,6 +167,7 @@ gboolean tinker_change_decide(TinkerContactChange *change, GError **error)
         if (tinker_contact_laws_init(&laws, change) != TINKER_OK ||
             !tinker_change_accelerations(change, laws.pairs, &scale))
             return tinker_change_refuse(change, change->model->failure, error);
+        tinker_change_note_pins(change, &laws);
         result = ask_modes(change, &laws, scale);
         if (result == TINKER_CONTACT_SOLVED) {
             note_modes(change, &laws, scale);

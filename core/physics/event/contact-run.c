@@ -6,6 +6,7 @@
 
 #include "numerics/solve/largest.h"
 #include "physics/constraint/constraints.h"
+#include "physics/contact/contact-pins.h"
 #include "physics/contact/contacts.h"
 #include "physics/event/contact-run-private.h"
 #include "physics/event/tolerances.h"
@@ -199,6 +200,25 @@ static void watch_overlaps(TinkerContactRun *self)
     }
 }
 
+/* Where pins that rub hold more than is needed, nothing says how they share it. */
+static void warn_of_pins(TinkerContactRun *self)
+{
+    TinkerModel *model = self->model;
+    for (guint i = 0; i < self->contacts->closed->len; i++) {
+        const TinkerContact *contact = tinker_contacts_closed(self->contacts, i);
+        const TinkerPlate *plate = &self->contacts->plates[contact->plate];
+        if (!tinker_contacts_is_pin(self->contacts, contact) || tinker_contact_pin_is_determined(model, plate))
+            continue;
+        g_ptr_array_add(
+            self->run->summary.warnings,
+            g_strdup_printf(_("the force of %s is not determined, since more joints hold what it holds than "
+                              "are needed: its friction, and so the motion, depends on the share chosen, "
+                              "that of least norm (leave out a joint, or the friction)"),
+                            tinker_scene_block_name(model->scene, plate->block)));
+        return;
+    }
+}
+
 gboolean tinker_contact_run_start(TinkerContactRun *self, GError **error)
 {
     TinkerIslandRun *run = self->run;
@@ -212,7 +232,9 @@ gboolean tinker_contact_run_start(TinkerContactRun *self, GError **error)
     watch_overlaps(self);
     if (self->model->constraints.unilateral == NULL && !tinker_contacts_touch(self->contacts)) return TRUE;
     if (!enter_plane(self, error)) return FALSE;
+    tinker_contacts_close_pins(self->contacts);
     if (!tinker_contact_run_change(self, &none, TINKER_TOUCHING, TINKER_START_SLOW, error)) return FALSE;
+    if (self->contacts->pin_count > 0) warn_of_pins(self);
     tinker_method_restart(run->choice.method, run->stepper);
     return TRUE;
 }

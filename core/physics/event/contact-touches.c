@@ -36,9 +36,12 @@ void tinker_change_add_event(TinkerContactChange *change, const char *kind, cons
         return;
     }
     if (was_told(change, kind, change->contacts->plates[of->contact.plate].pair)) return;
+    const char *second = tinker_scene_block_name(scene, change->contacts->plates[of->contact.plate].block);
+    const gboolean pin = tinker_contacts_is_pin(change->contacts, &of->contact);
     g_autofree char *names =
-        g_strdup_printf("%s, %s", tinker_scene_block_name(scene, change->model->body_blocks[of->contact.body]),
-                        tinker_scene_block_name(scene, change->contacts->plates[of->contact.plate].block));
+        pin ? g_strdup(second)
+            : g_strdup_printf("%s, %s", tinker_scene_block_name(scene, change->model->body_blocks[of->contact.body]),
+                              second);
     tinker_island_run_add_event(change->run->run, kind, names);
     const GPtrArray *events = change->run->run->summary.events;
     ((TinkerEvent *)g_ptr_array_index(events, events->len - 1))->turns =
@@ -101,13 +104,14 @@ static gboolean ends_now(const TinkerContactChange *change, const TinkerTouch *o
            (change->trigger.kind == TINKER_TRIGGER_END || change->trigger.kind == TINKER_TRIGGER_BEGINNING);
 }
 
+/* What was not decided yet counts as open before. */
 static void take_closed(TinkerContactChange *change)
 {
     const TinkerContacts *contacts = change->contacts;
     for (guint i = 0; i < contacts->closed->len; i++) {
         TinkerTouch taken = {.contact = *tinker_contacts_closed(contacts, i), .row = -1};
         if (contacts->group[taken.contact.body] != change->group) continue;
-        taken.was = taken.contact.mode;
+        taken.was = taken.contact.mode == TINKER_CONTACT_SMOOTH ? TINKER_CONTACT_OPEN : taken.contact.mode;
         taken.place = place_of(change, &taken);
         taken.at_end = ends_now(change, &taken);
         g_array_append_val(change->touches, taken);
@@ -270,8 +274,8 @@ static void along_contact(const TinkerContactChange *change, guint number, const
 
 void tinker_contact_laws_clear(TinkerContactLaws *laws)
 {
-    gpointer arrays[] = {laws->delassus, laws->pairs, laws->answers, laws->first,
-                         laws->second,   laws->modes, laws->sliding, laws->bearer};
+    gpointer arrays[] = {laws->delassus, laws->pairs,  laws->answers,  laws->first,    laws->second,     laws->modes,
+                         laws->sliding,  laws->bearer, laws->pin_size, laws->pin_free, laws->pin_answers};
     for (gsize i = 0; i < G_N_ELEMENTS(arrays); i++)
         g_free(arrays[i]);
     tinker_contact_reach_clear(&laws->reach);
@@ -291,6 +295,50 @@ static gboolean allot_laws(TinkerContactLaws *laws, gboolean resists)
     if (resists && laws->bearer == NULL) return FALSE;
     return laws->pairs != NULL && laws->answers != NULL && laws->first != NULL && laws->second != NULL &&
            laws->sliding != NULL && laws->modes != NULL;
+}
+
+/* FALSE: no memory. */
+static gboolean allot_pins(TinkerContactLaws *laws, const TinkerContactChange *change)
+{
+    const gsize m = laws->count;
+    if (change->contacts->pin_count == 0) return TRUE;
+    laws->pin_size = g_try_new0(double, m);
+    laws->pin_free = g_try_new0(double, 2 * m);
+    laws->pin_answers = m <= MOST_TOUCHES ? g_try_new0(double, 4 * m * m) : NULL;
+    return laws->pin_size != NULL && laws->pin_free != NULL && laws->pin_answers != NULL;
+}
+
+/* The multipliers solved last, of all pins with friction: two numbers a touch, `stride` apart. */
+static void keep_pins(const TinkerContactChange *change, double *into, gsize stride)
+{
+    for (guint i = 0; i < change->touches->len; i++) {
+        if (!tinker_touch_is_pin(change, i)) continue;
+        const double *force = change->model->constraints.lambda + tinker_touch_plate(change, i)->joint_row;
+        into[2 * i * stride] = force[0];
+        into[(2 * i + 1) * stride] = force[1];
+    }
+}
+
+void tinker_change_note_pins(const TinkerContactChange *change, TinkerContactLaws *laws)
+{
+    if (laws->pin_free != NULL) keep_pins(change, laws->pin_free, 1);
+}
+
+double tinker_change_size_pins(const TinkerContactChange *change, TinkerContactLaws *laws, const double *forces)
+{
+    const gsize width = 2 * laws->count;
+    double off = 0;
+    for (guint i = 0; laws->pin_size != NULL && i < laws->count; i++) {
+        if (!tinker_touch_is_pin(change, i)) continue;
+        double force[2] = {laws->pin_free[2 * i], laws->pin_free[2 * i + 1]};
+        for (gsize c = 0; c < 2; c++)
+            for (gsize k = 0; k < width; k++)
+                force[c] += laws->pin_answers[(2 * i + c) * width + k] * forces[k];
+        const double size = hypot(force[0], force[1]);
+        off = fmax(off, fabs(size - laws->pin_size[i]) / fmax(size, laws->pin_size[i]));
+        laws->pin_size[i] = size;
+    }
+    return off;
 }
 
 /* Many contacts of plates alone. FALSE: no memory. */
@@ -314,10 +362,12 @@ TinkerStatus tinker_contact_laws_init(TinkerContactLaws *laws, const TinkerConta
     const gsize m = change->touches->len;
     double *answer = change->contacts->column;
     *laws = (TinkerContactLaws){.count = m};
-    if (!allot_laws(laws, change->contacts->resistance_count > 0) || !reach_contacts(laws, change))
+    if (!allot_laws(laws, change->contacts->resistance_count + change->contacts->pin_count > 0) ||
+        !reach_contacts(laws, change))
         return tinker_contacts_lack_memory(change->contacts, m);
     for (guint i = 0; laws->bearer != NULL && i < m; i++)
-        laws->bearer[i] = (int32_t)tinker_touch_bearer(change, i);
+        laws->bearer[i] = tinker_touch_is_pin(change, i) ? -1 : (int32_t)tinker_touch_bearer(change, i);
+    if (!allot_pins(laws, change)) return tinker_contacts_lack_memory(change->contacts, m);
     if (laws->motion != NULL) return TINKER_OK;
     laws->delassus = m <= MOST_TOUCHES ? g_try_new0(double, 4 * m * m) : NULL;
     if (laws->delassus == NULL) return tinker_contacts_lack_memory(change->contacts, m);
@@ -328,6 +378,7 @@ TinkerStatus tinker_contact_laws_init(TinkerContactLaws *laws, const TinkerConta
         for (guint i = 0; i < m; i++)
             along_contact(change, i, answer, &laws->delassus[2 * i * 2 * m + column],
                           &laws->delassus[(2 * i + 1) * 2 * m + column]);
+        if (laws->pin_answers != NULL) keep_pins(change, laws->pin_answers + column, 2 * m);
     }
     return TINKER_OK;
 }

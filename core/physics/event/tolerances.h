@@ -87,6 +87,8 @@
 /* No unit; of the largest speed: velocities behind an impact that differ by less are one outcome. Held by:
  * physics-impact-law. */
 #define TINKER_SAME_OUTCOME 1e-9
+/* No unit; of a pin's force: what its friction makes of it is found to this. Held by: physics-pin-friction. */
+#define TINKER_PINS_SETTLED 1e-14
 /* No unit; of the time: CROWD events within it never end. */
 #define TINKER_CROWDED 1e-9
 /* No unit; of the time: nor do SLOW_CROWDS times as many, each CROWD within this. */

@@ -223,6 +223,7 @@ TinkerLinearisation *tinker_linearise(TinkerModel *model, const double *q, GErro
     if (status == TINKER_OK) tinker_linear_add_straight_rows(linear, &model->constraints);
     if (status == TINKER_OK && model->turning > 0) tinker_linear_add_turned_arms(linear, model);
     if (status == TINKER_OK) add_contacts(linear, model);
+    linear->rubbing_pins = model->contacts != NULL ? model->contacts->pin_count : 0;
     if (status == TINKER_OK) return g_steal_pointer(&linear);
     g_set_error_literal(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_RUN,
                         model->failure[0] != '\0' ? model->failure : _("the forces cannot be made linear there"));

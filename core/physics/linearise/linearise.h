@@ -39,6 +39,7 @@ typedef struct {
     double extent;           /* m: of the model */
     int32_t undefined_pulls; /* lines whose ends are at one place, where their pull has no derivative: left out of K */
     int32_t undefined_dampers; /* and whose resistance has none: left out of C */
+    int32_t rubbing_pins;      /* joints with friction, which is left out */
 } TinkerLinearisation;
 
 /* Holds the model still at t = 0: supports stand where they are then, waveforms have their values. Everything below

@@ -327,12 +327,14 @@ static gboolean refuse_not_linear(const TinkerIsland *island, const TinkerIntegr
     double growth = tinker_model_sideways_growth(model);
     g_autofree char *why =
         g_strdup_printf(_("whose straight motion is unstable and grows sideways at %.3g 1/s"), growth);
+    gboolean rubs = model->contacts != NULL && model->contacts->pin_count > 0;
     gboolean touches = model->contacts != NULL && tinker_contacts_touch(model->contacts);
     g_set_error(
         error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_METHOD,
         _("the method %s does not suit the part of the scene around %s, %s (the method auto takes one that suits)"),
         method->id, where,
-        touches      ? _("which rests on a solid support from the start")
+        rubs         ? _("in which pins have friction")
+        : touches    ? _("which rests on a solid support from the start")
         : growth > 0 ? why
                      : _("which is not linear"));
     return FALSE;
@@ -404,9 +406,17 @@ static gboolean check_masses_meet(const TinkerContacts *contacts, GError **error
     return TRUE;
 }
 
-/* FALSE where something resists rolling. */
-static gboolean check_rolls_freely(const TinkerContacts *contacts, GError **error)
+/* FALSE where something resists turning. */
+static gboolean check_turns_freely(const TinkerContacts *contacts, GError **error)
 {
+    if (contacts->pin_count > 0) {
+        const int32_t first = contacts->plate_count + contacts->gap_count + contacts->resistance_count;
+        g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_METHOD,
+                    _("%s has friction, which contacts as impulses do not know (treat contacts as events: leave "
+                      "\"contacts\" out of the scene's run; or leave its \"friction\" out)"),
+                    tinker_scene_block_name(contacts->model->scene, contacts->plates[first].block));
+        return FALSE;
+    }
     if (contacts->resistance_count == 0) return TRUE;
     const TinkerPlate *plate = &contacts->plates[contacts->plate_count + contacts->gap_count];
     const int32_t *point = plate->pair->point;
@@ -446,7 +456,7 @@ gboolean tinker_decide(const TinkerIsland *island, const TinkerRunOptions *optio
         return refuse_law(island, error);
     if (options->impulses && island->model->constraints.unilateral != NULL) return refuse_ropes(island, error);
     if (impulses && !(check_tops_stay(contacts, error) && check_masses_meet(contacts, error) &&
-                      check_shapes_convex(contacts, error) && check_rolls_freely(contacts, error)))
+                      check_shapes_convex(contacts, error) && check_turns_freely(contacts, error)))
         return FALSE;
     if (impulses && warnings != NULL) tinker_impulse_tell_overlaps(contacts, warnings);
     if (method == NULL || !tinker_run_options_check(options, method, tinker_options_duration(options), error))

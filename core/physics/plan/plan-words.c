@@ -305,6 +305,12 @@ static void describe_contact(TinkerPlan *plan, TinkerModel *model, const TinkerR
 {
     char bodies[128], plates[128];
     const TinkerContacts *contacts = model->contacts;
+    if (contacts != NULL && contacts->pin_count > 0)
+        say(plan->modelled,
+            g_dngettext(GETTEXT_PACKAGE, "friction of %d pin, which holds what does not turn: changes are events",
+                        "friction of %d pins, which hold what does not turn: changes are events",
+                        (gulong)contacts->pin_count),
+            contacts->pin_count);
     if (contacts == NULL || contacts->plate_count == 0) {
         if (count_meeting(model, options) > 0)
             say(plan->left_out, _("contact with supports: none has a solid side that a body could meet"));

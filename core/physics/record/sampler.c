@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "physics/constraint/constraints.h"
+#include "physics/contact/contact-pins.h"
 #include "physics/contact/contacts.h"
 #include "physics/force/forces.h"
 #include "physics/impulse/impulse.h"
@@ -169,12 +170,12 @@ static void gather(TinkerSampler *sampler, const TinkerBlockBatch *batch, const 
     }
 }
 
-static const double *multipliers_of(const TinkerModel *model, const TinkerBlockBatch *batch)
+static const TinkerConstraintBatch *constraints_of(const TinkerModel *model, const TinkerBlockBatch *batch)
 {
     const TinkerConstraints *all = &model->constraints;
     for (guint i = 0; i < all->batches->len; i++) {
         const TinkerConstraintBatch *part = &g_array_index(all->batches, TinkerConstraintBatch, i);
-        if (part->batch == batch) return all->lambda + part->first_row;
+        if (part->batch == batch) return part;
     }
     return NULL;
 }
@@ -191,12 +192,13 @@ static void gather_contacts(TinkerSampler *sampler, const TinkerBlockBatch *batc
 static TinkerGraphInput input_of(TinkerSampler *sampler, TinkerBlockBatch *batch, TinkerBatch *view, const double *q)
 {
     const TinkerPhysics *physics = batch->block_class->physics;
+    const TinkerConstraintBatch *rows = constraints_of(sampler->model, batch);
     gather(sampler, batch, q);
     TinkerGraphInput input = {
         .struct_size = sizeof(TinkerGraphInput),
         .ends = sampler->ends,
         .accelerations = sampler->end_accelerations,
-        .multipliers = multipliers_of(sampler->model, batch),
+        .multipliers = rows != NULL ? sampler->model->constraints.lambda + rows->first_row : NULL,
         .poses = sampler->poses,
     };
     if (sampler->contacts != NULL && physics != NULL && physics->body != NULL) {
@@ -209,6 +211,10 @@ static TinkerGraphInput input_of(TinkerSampler *sampler, TinkerBlockBatch *batch
         tinker_angles_show(angles, view, 0, batch->end_count);
         input.poses = angles->poses;
         input.torques = physics->force_element != NULL ? view->angular : NULL;
+    }
+    if (rows != NULL && rows->constraint->friction != NULL && sampler->model->contacts != NULL) {
+        tinker_contacts_pin_torques(sampler->model->contacts, rows, sampler->forces);
+        input.torques = sampler->forces;
     }
     if (physics != NULL && physics->force_element != NULL &&
         TINKER_CALL_BATCH(batch, "force", view, physics->force_element->force(view, sampler->ends, sampler->forces)) ==

@@ -3,6 +3,7 @@
 #include "physics/run/acting-forces.h"
 
 #include "physics/compile/compile.h"
+#include "physics/contact/contact-pins.h"
 #include "physics/contact/contacts.h"
 #include "physics/force/forces.h"
 #include "physics/model/angles.h"
@@ -118,10 +119,13 @@ static void add_constraints(TinkerActingForces *forces, const TinkerConstraintBa
     const TinkerConstraints *all = &forces->model->constraints;
     const TinkerBlockBatch *batch = part->batch;
     int32_t rows = part->constraint->rows;
+    const gboolean rubs = part->constraint->friction != NULL && forces->model->contacts != NULL;
+    g_autofree double *torques = rubs ? g_new0(double, MAX(batch->end_count, 1)) : NULL;
+    if (rubs) tinker_contacts_pin_torques(forces->model->contacts, part, torques);
     for (int32_t i = 0; i < batch->count; i++) {
         int32_t from = batch->end_offsets[i], ends = batch->end_offsets[i + 1] - from;
         for (int32_t e = 0; e < ends; e++) {
-            double fx = 0, fy = 0, torque = 0;
+            double fx = 0, fy = 0, torque = rubs ? torques[from + e] : 0;
             for (int32_t r = 0; r < rows; r++) {
                 const int32_t row = part->first_row + i * rows + r;
                 const double *jacobian = all->jacobian + 2 * (all->row_starts[row] + e);

@@ -41,6 +41,9 @@ static gboolean check_functions(const TinkerPhysics *physics, GError **error)
         return lacks("constraint", "rows_at", error);
     if (physics->motion != NULL && physics->motion->motion == NULL && physics->motion->rotation == NULL)
         return lacks("motion", "motion", error);
+    if (physics->constraint != NULL && physics->constraint->friction != NULL && physics->constraint->rows != 2)
+        return tinker_refuse(error, "its constraint has friction and %d rows, 2 were expected",
+                             physics->constraint->rows);
     if (physics->constraint != NULL && physics->constraint->rows < 1)
         return tinker_refuse(error, "its constraint has %d rows, at least 1 was expected", physics->constraint->rows);
     return TRUE;

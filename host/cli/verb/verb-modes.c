@@ -135,6 +135,10 @@ static GPtrArray *collect_warnings(const TinkerOpenScene *open, const TinkerMode
         g_ptr_array_add(warnings,
                         g_strdup("ends are at one place where a force pulls: it has no direction there, and the "
                                  "modes are those without it"));
+    if (analysis->linear->rubbing_pins > 0)
+        g_ptr_array_add(warnings,
+                        g_strdup("pins have friction, which holds them still where they hardly turn: the modes "
+                                 "are those without it"));
     if (analysis->linear->undefined_dampers > 0)
         g_ptr_array_add(warnings, g_strdup("the ends of what resists are at one place: the resistance has no direction "
                                            "there, and the modes are those without it"));

@@ -33,7 +33,8 @@ typedef struct TinkerGraphInput {
      * solid. */
     const double *contacts;
     const TinkerPose *poses; /* of each end: how what it is on is turned; of a body itself: how that is */
-    const double *torques;   /* of a force element that asks for angles: the torque on what each end is on (N m) */
+    const double *torques;   /* of a force element that asks for angles, and of a constraint with `friction` that of the
+                                friction: the torque on what each end is on (N m); else NULL */
 } TinkerGraphInput;
 
 typedef struct TinkerGraph {

@@ -201,6 +201,11 @@ typedef struct TinkerConstraint {
      * they were placed is 0, g = sum of factors[end] * (theta - theta as placed): writes these factors. Two rows that
      * come before it keep its two ends at one place. TINKER_RETRY_SMALLER: not of that form. */
     TinkerStatus (*turning)(TinkerBatch *batch, double *factors);
+    /* Where the two rows of each instance hold its two ends together and leave their turning free: friction resists it
+     * with a torque of up to this arm (m), not negative, times the magnitude of the two multipliers; it holds exactly
+     * what does not turn. Writes the arm of each instance, 0 for none, once before a run. Its torque is
+     * TinkerGraphInput.torques. NULL: none. */
+    TinkerStatus (*friction)(TinkerBatch *batch, double *arm);
 } TinkerConstraint;
 
 /* Motion --------------------------------------------------------------------------------------------------------- */

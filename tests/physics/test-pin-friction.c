@@ -1,0 +1,207 @@
+/* Friction of pins: r mu / sqrt(1 + mu^2) times the pin's force, which sticks; against closed forms and an integral of
+ * the pendulum's one coordinate, whose torque depends on the force that it changes. */
+#include "contact-checks.h"
+
+#include <math.h>
+#include <string.h>
+
+static const double g = CONTACT_GRAVITY;
+
+#define ANCHOR "{'type': 'support', 'position': [0, 0], 'solid': false},"
+
+static double arm_of(double radius, double mu)
+{
+    return radius * mu / sqrt(1 + mu * mu);
+}
+
+/* A balanced disc on a pin slows down evenly, the pin's force being its weight; it stops, and stays to the last bit. */
+static void test_spins_down(void)
+{
+    for (gsize i = 0; i < CONTACT_METHODS; i++) {
+        const double arm = arm_of(0.1, 0.3), inertia = 2 * 0.25 / 2, rate = 20, bound = contact_methods[i].polynomial;
+        const double stops = inertia * rate / (arm * 2 * g), turned = rate * stops / 2, at[] = {0, 1, 10, 12};
+        PhysicsOptions options =
+            contact_options(&contact_methods[i], 12,
+                            "Disc 0.angle, Disc 0.angular velocity, Disc 0.x, Disc 0.y, Pin 0.torque, Pin 0.force y");
+        options.at = at;
+        options.at_count = G_N_ELEMENTS(at);
+        g_autoptr(PhysicsRun) run = physics_run(&options, CONTACT_WEIGHT ANCHOR
+                                                "{'type': 'disc', 'radius': 0.5, 'mass': 2, 'position': [0, 0],"
+                                                " 'angular_velocity': 20, 'solid': false}, {'type': 'pin', 'ends':"
+                                                " ['Support 0', 'Disc 0'], 'friction_radius': 0.1, 'friction': 0.3}");
+        contact_assert_event(run, "stick", "Pin 0", stops, fmax(bound, 1e-9));
+        g_assert_cmpuint(run->summary->events->len, ==, 1);
+        physics_assert_near("torque", physics_value(run, 1, 4), arm * 2 * g, 1e-12);
+        physics_assert_near("force", physics_value(run, 1, 5), -2 * g, 1e-12);
+        physics_assert_near("rate", physics_value(run, 1, 1), rate - arm * 2 * g / inertia, bound);
+        physics_assert_near("turned", physics_last(run, 0), turned, fmax(10 * bound, 1e-9));
+        for (gsize column = 0; column < 4; column++)
+            g_assert_cmpfloat(physics_value(run, 2, column), ==, physics_last(run, column));
+        physics_assert_near("at rest", physics_last(run, 1), 0, 1e-30);
+        physics_assert_near("no torque", physics_last(run, 4), 0, 1e-12);
+        contact_assert_taken(run, inertia * rate * rate / 2, 0, fmax(bound, 1e-8));
+    }
+}
+
+/* A bar that hangs askew stays where m g l sin a is at most the arm times m g: l sin a <= arm. */
+static void test_cone(void)
+{
+    const double arm = arm_of(0.05, 0.4);
+    for (int k = 0; k < 2; k++) {
+        const double askew = asin(arm / 0.5) + (k == 0 ? -1e-6 : 1e-6), x = 0.5 * sin(askew), y = -0.5 * cos(askew);
+        g_autoptr(PhysicsRun) run = physics_run(
+            &(PhysicsOptions){.duration = 60, .columns = "Bar 0.x, Bar 0.y, Bar 0.angle, Pin 0.torque"},
+            CONTACT_WEIGHT ANCHOR "{'type': 'bar', 'length': 1, 'position': [%.17g, %.17g], 'orientation': %.17g},"
+                                  "{'type': 'pin', 'ends': ['Support 0', {'block': 'Bar 0', 'at': [-0.5, 0]}],"
+                                  " 'friction_radius': 0.05, 'friction': 0.4}",
+            x, y, askew - G_PI / 2);
+        if (k == 0) {
+            g_assert_cmpuint(run->summary->events->len, ==, 0);
+            physics_assert_near("angle", physics_last(run, 2), askew - G_PI / 2, 0);
+            physics_assert_near("x", physics_last(run, 0), x, 1e-16);
+            physics_assert_near("torque", physics_last(run, 3), -g * x, 1e-12);
+        } else {
+            g_assert_cmpfloat(physics_last(run, 2), <, askew - G_PI / 2 - 1e-9);
+        }
+    }
+}
+
+typedef struct {
+    double arm, sign; /* of the rate */
+} Rubbing;
+
+/* A bar of 1 kg and 1 m on a pin at its end, at an angle from the horizontal. With the centre's acceleration F is
+ * (g sin - l w^2, g cos + l alpha) along the bar and across it, and (I alpha + g l cos)^2 = arm^2 F^2 is a quadratic of
+ * alpha, of which the root counts whose torque is against the rate. */
+static void swings(double t, const double *y, double *rate, const void *data)
+{
+    const Rubbing *rubbing = data;
+    const double inertia = 1.0 / 3, l = 0.5, along = g * sin(y[0]) - l * y[1] * y[1], weight = g * cos(y[0]);
+    const double square = rubbing->arm * rubbing->arm;
+    const double a = inertia * inertia - square * l * l, b = inertia * l * weight - square * l * weight,
+                 c = l * l * weight * weight - square * (weight * weight + along * along);
+    rate[0] = y[1];
+    rate[1] = (-b - rubbing->sign * sqrt(fmax(b * b - a * c, 0))) / a;
+}
+
+/* A pendulum from the horizontal through its first turn back, and what friction takes on the way. */
+static void test_pendulum(void)
+{
+    const double h = 1e-4;
+    Rubbing rubbing = {arm_of(0.05, 0.4), -1};
+    double y[2] = {0, 0}, before[2], turns = 0, at[] = {0, 0.5, 0.9, 1.2, 1.6};
+    g_autoptr(PhysicsRun) run =
+        physics_run(&(PhysicsOptions){.duration = 1.6,
+                                      .at = at,
+                                      .at_count = G_N_ELEMENTS(at),
+                                      .columns = "Bar 0.angle, Bar 0.angular velocity, Pin 0.torque, Pin 0.force"},
+                    CONTACT_WEIGHT ANCHOR "{'type': 'bar', 'length': 1, 'position': [0.5, 0]},"
+                                          "{'type': 'pin', 'ends': ['Support 0', {'block': 'Bar 0', 'at': [-0.5, 0]}],"
+                                          " 'friction_radius': 0.05, 'friction': 0.4}");
+    gsize sample = 1;
+    double t = 0;
+    while (sample < G_N_ELEMENTS(at)) {
+        const double to = fmin(t + h, at[sample]);
+        before[0] = y[0], before[1] = y[1];
+        physics_rk4(2, y, t, to, 1, swings, &rubbing);
+        if (t > 0.1 && rubbing.sign * y[1] < 0) { /* halve to where the rate is 0, and go on the other way */
+            double from = t, until = to;
+            for (int k = 0; k < 60; k++) {
+                const double middle = (from + until) / 2;
+                y[0] = before[0], y[1] = before[1];
+                physics_rk4(2, y, t, middle, 1, swings, &rubbing);
+                *(rubbing.sign * y[1] < 0 ? &until : &from) = middle;
+            }
+            turns = t = until;
+            y[1] = 0;
+            rubbing.sign = -rubbing.sign;
+            continue;
+        }
+        t = to;
+        if (t != at[sample]) continue;
+        physics_assert_near("angle", physics_value(run, sample, 0), y[0], 1e-9);
+        physics_assert_near("rate", physics_value(run, sample, 1), y[1], 1e-8);
+        physics_assert_near("torque", fabs(physics_value(run, sample, 2)), rubbing.arm * physics_value(run, sample, 3),
+                            1e-12);
+        sample++;
+    }
+    contact_assert_event(run, "reversal", "Pin 0", turns, 1e-9);
+}
+
+/* A support that is turned evenly drags a balanced disc along until both turn alike, and from then on exactly. */
+static void test_dragged_along(void)
+{
+    const double arm = arm_of(0.1, 0.3), inertia = 2 * 0.25 / 2, alpha = arm * 2 * g / inertia, w = 3, amplitude = 50;
+    /* 50 sin(3 t / 50) turns with 3 cos(0.06 t): met where alpha t is that, and from then on slowly enough to follow */
+    double meets = w / alpha;
+    for (int k = 0; k < 50; k++)
+        meets = w * cos(w / amplitude * meets) / alpha;
+    g_autoptr(PhysicsRun) run = physics_run(
+        &(PhysicsOptions){.duration = 4, .columns = "Disc 0.angular velocity, Pin 0.torque, Disc 0.angle"},
+        CONTACT_WEIGHT ANCHOR "{'type': 'support-turn', 'ends': ['Support 0'], 'waveform': 'sine', 'amplitude': 50,"
+                              " 'frequency': 0.06}, {'type': 'disc', 'radius': 0.5, 'mass': 2, 'position': [0, 0],"
+                              " 'solid': false}, {'type': 'pin', 'ends': ['Support 0', 'Disc 0'],"
+                              " 'friction_radius': 0.1, 'friction': 0.3}");
+    contact_assert_event(run, "stick", "Pin 0", meets, 1e-9);
+    const double rate = w * cos(w / amplitude * 4), turned = alpha * meets * meets / 2;
+    physics_assert_near("rate", physics_last(run, 0), rate, 1e-11);
+    physics_assert_near("angle", physics_last(run, 2),
+                        turned + amplitude * (sin(w / amplitude * 4) - sin(w / amplitude * meets)), 1e-9);
+    physics_assert_near("torque", physics_last(run, 1), inertia * w * w / amplitude * sin(w / amplitude * 4), 1e-9);
+}
+
+/* Two discs on one pin of which nothing is held: the torque is inner, and with no force there is none. */
+static void test_free(void)
+{
+    g_autoptr(PhysicsRun) run =
+        physics_run(&(PhysicsOptions){.duration = 2, .columns = "Disc 0.angular velocity, Disc 1.angular velocity"},
+                    "{'type': 'disc', 'position': [0, 0], 'angular_velocity': 3},"
+                    "{'type': 'disc', 'position': [0, 0], 'angular_velocity': 1},"
+                    "{'type': 'pin', 'ends': ['Disc 0', 'Disc 1'], 'friction_radius': 0.1, 'friction': 0.5}");
+    physics_assert_near("first", physics_last(run, 0), 3, 1e-12);
+    physics_assert_near("second", physics_last(run, 1), 1, 1e-12);
+}
+
+static void test_refused(void)
+{
+    g_autoptr(PhysicsRun) mass =
+        physics_try(&(PhysicsOptions){.duration = 1},
+                    ANCHOR "{'type': 'mass', 'position': [0, 0]}, {'type': 'pin', 'ends': ['Support 0', 'Mass 0'],"
+                           " 'friction_radius': 0.1, 'friction': 0.3}");
+    physics_assert_refused(mass, TINKER_MODEL_ERROR_SCENE, "Pin 0", "friction", "angle", NULL);
+    g_autoptr(PhysicsRun) exact = physics_try(
+        &(PhysicsOptions){.duration = 1, .method = "exact"},
+        ANCHOR "{'type': 'disc', 'position': [0, 0], 'solid': false}, {'type': 'pin', 'ends': ['Support 0', 'Disc 0'],"
+               " 'friction_radius': 0.1, 'friction': 0.3}");
+    physics_assert_refused(exact, TINKER_MODEL_ERROR_METHOD, "pins have friction", NULL);
+}
+
+/* Two pins hold one disc to a support: their shares are not determined, which the run says. */
+static void test_share(void)
+{
+    g_autoptr(PhysicsRun) run =
+        physics_run(&(PhysicsOptions){.duration = 0.1}, CONTACT_WEIGHT ANCHOR
+                    "{'type': 'disc', 'position': [0, 0], 'angular_velocity': 2, 'solid': false},"
+                    "{'type': 'pin', 'ends': ['Support 0', 'Disc 0'], 'friction_radius': 0.1, 'friction':"
+                    " 0.3}, {'type': 'pin', 'ends': ['Support 0', 'Disc 0']}");
+    gboolean told = FALSE;
+    for (guint i = 0; i < run->summary->warnings->len; i++)
+        told |= strstr(g_ptr_array_index(run->summary->warnings, i), "share") != NULL;
+    g_assert_true(told);
+}
+
+static void add_tests(void)
+{
+    g_test_add_func("/pin-friction/spins-down", test_spins_down);
+    g_test_add_func("/pin-friction/cone", test_cone);
+    g_test_add_func("/pin-friction/pendulum", test_pendulum);
+    g_test_add_func("/pin-friction/dragged-along", test_dragged_along);
+    g_test_add_func("/pin-friction/free", test_free);
+    g_test_add_func("/pin-friction/refused", test_refused);
+    g_test_add_func("/pin-friction/share", test_share);
+}
+
+int main(int argc, char **argv)
+{
+    return physics_main(argc, argv, add_tests);
+}
