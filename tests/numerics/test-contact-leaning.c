@@ -52,7 +52,7 @@ static void test_modes(void)
         TinkerContactMode modes[CASE_CONTACTS];
         const int32_t ordinary = g_rand_int_range(random, 1, 4), count = ordinary + g_rand_int_range(random, 1, 5);
         fill(&bodies, random, ordinary, count, bearer);
-        for (int32_t k = 0; k < count && round % 2 == 1; k++)
+        for (int32_t k = 0; k < MIN(count, CASE_CONTACTS) && round % 2 == 1; k++)
             bodies.sliding[k] = (int8_t)g_rand_int_range(random, -1, 2);
         const TinkerClosedContacts closed = {
             count, bodies.delassus, bodies.before, bodies.sliding, bodies.friction, bodies.friction, 0, NULL, bearer};
