@@ -223,7 +223,8 @@ static void factor_block(TinkerContacts *contacts, TinkerContactBlock *block, gb
         for (int32_t i = 0; i < block->count; i++)
             contacts->delassus[i * block->count + j] =
                 tinker_contact_row_times(contacts, &rows[i], change) * (rows[i].weight * rows[j].weight);
-        if (!moves) tinker_contact_pins_keep(contacts, block, contacts->pins.answers + j, (gsize)block->count);
+        if (!moves && contacts->pin_count > 0)
+            tinker_contact_pins_keep(contacts, block, contacts->pins.answers + j, (gsize)block->count);
     }
     const gboolean turning = has_turning_pins(contacts, block);
     if (turning && moves) leave_out_pins(contacts, block);
