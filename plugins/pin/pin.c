@@ -68,10 +68,10 @@ static TinkerStatus values(TinkerBatch *batch, const TinkerGraphInput *input, in
 
 static const TinkerPropertyType properties[] = {
     {TINKER_REAL_PROPERTY("friction_radius", "Radius", "Friction", TINKER_DIMENSION_LENGTH),
-     TINKER_NOT_NEGATIVE(0, 0.1), .symbol = "r", .variability = TINKER_STRUCTURAL,
+     TINKER_NOT_NEGATIVE(0, 0.1), .variability = TINKER_STRUCTURAL,
      .description = "Of the bolt, at whose rim friction acts"},
     {TINKER_REAL_PROPERTY("friction", "Friction", "Friction", TINKER_DIMENSION_NONE), TINKER_NOT_NEGATIVE(0, 1.0),
-     .symbol = "µ", .variability = TINKER_STRUCTURAL,
+     .variability = TINKER_STRUCTURAL,
      .description = "Its coefficient: r µ / sqrt(1 + µ^2) times the pin's force resists its turning"},
 };
 
