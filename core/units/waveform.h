@@ -107,6 +107,10 @@ int tinker_waveform_signals(const TinkerWaveformEvaluator *evaluator);
  * memory. */
 void tinker_waveform_form(const TinkerWaveformEvaluator *evaluator, double t, TinkerSignal *signals);
 
+/* What the waveform has at t = 0 without what varies: the constant of a polynomial of t, without the harmonics beside
+ * it. 0 where it has no such form, as of exp(-t), which is forcing and no load. In the piece that begins at 0. */
+double tinker_waveform_steady(const TinkerWaveformEvaluator *evaluator);
+
 /* The first break after t and not after `horizon`; INFINITY where there is none. Switching arguments that are affine in
  * t are solved exactly; others by interval bisection, which finds every sign change that interval arithmetic cannot
  * exclude, down to a width of 4 ulp of t. Breaks nearer to t than that count as t itself. The work is bounded (half a

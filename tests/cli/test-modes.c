@@ -1,4 +1,5 @@
 /* tinker modes: tables, JSON, pictures and responses. */
+#include <cjson/cJSON.h>
 #include <math.h>
 #include <string.h>
 
@@ -64,6 +65,34 @@ static void test_json(CliFixture *fixture, gconstpointer data)
     static const char *const more[] = {"\"response\":", "\"input\":", "\"peaks\":", "\"amplitude\":", "\"m/N\""};
     for (gsize i = 0; i < G_N_ELEMENTS(more); i++)
         cli_assert_holds(response->output, more[i]);
+}
+
+/* The hanging mass of 1 kg on 100 N/m is at rest at y = -2 - g / k; what a motor does to it as time goes on is no load,
+ * whatever it begins with. What is constant is one: 4 N more weight are 0.04 m. */
+static void test_forcing_is_no_load(CliFixture *fixture, gconstpointer data)
+{
+    static const struct {
+        const char *motor;
+        double rest;
+    } cases[] = {{"\"angle\": 0, \"waveform\": \"cosine\", \"amplitude\": 50, \"frequency\": 3", -2.0981},
+                 {"\"angle\": 0, \"waveform\": \"sine\", \"amplitude\": 50, \"phase\": 1", -2.0981},
+                 {"\"angle\": \"-90 deg\", \"waveform\": {\"expression\": \"4 + 7*cos(2*t) + 3*t\"}", -2.1381}};
+    for (gsize i = 0; i < G_N_ELEMENTS(cases); i++) {
+        g_autofree char *text = g_strdup_printf(
+            "{\"tinker\": 1, \"blocks\": [{\"type\": \"gravity\"}, {\"type\": \"support\", \"position\": [0, 0], "
+            "\"solid\": false}, {\"type\": \"mass\", \"position\": [0, -2]}, {\"type\": \"spring\", \"ends\": "
+            "[\"Support 0\", \"Mass 0\"], \"stiffness\": 100, \"rest_length\": 2}, {\"type\": \"motor\", \"ends\": "
+            "[\"Mass 0\"], %s}]}",
+            cases[i].motor);
+        g_autofree char *scene = cli_write(fixture, "forced.json", text);
+        g_autoptr(TestProgram) program = cli_run_well(fixture, "modes @forced.json --json -");
+        cJSON *root = cJSON_Parse(program->output);
+        g_assert_nonnull(root);
+        const cJSON *place = cJSON_GetArrayItem(cJSON_GetObjectItem(root, "places"), 0);
+        g_assert_cmpfloat(fabs(cJSON_GetObjectItem(place, "x")->valuedouble), <, 1e-9);
+        g_assert_cmpfloat(fabs(cJSON_GetObjectItem(place, "y")->valuedouble - cases[i].rest), <, 1e-9);
+        cJSON_Delete(root);
+    }
 }
 
 /* A block of 1 kg that slides on a rough floor by a spring of 100 N/m: what was assumed is told. */
@@ -202,5 +231,6 @@ int main(int argc, char **argv)
     cli_test_add("/cli/modes/no-rest", test_no_rest);
     cli_test_add("/cli/modes/one-place", test_one_place);
     cli_test_add("/cli/modes/refusals", test_refusals);
+    cli_test_add("/cli/modes/forcing-is-no-load", test_forcing_is_no_load);
     return g_test_run();
 }

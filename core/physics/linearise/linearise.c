@@ -19,6 +19,8 @@
 TinkerStatus tinker_model_hold(TinkerModel *model)
 {
     TinkerStatus status = tinker_model_set_time(model, 0.0);
+    for (guint i = 0; i < model->waveform_batches->len; i++)
+        tinker_block_batch_set_steady(g_ptr_array_index(model->waveform_batches, i));
     for (int32_t i = model->bodies; i < model->points; i++) {
         model->point[i].vx = model->point[i].vy = 0;
         model->point_acceleration[2 * i] = model->point_acceleration[2 * i + 1] = 0;

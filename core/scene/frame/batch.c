@@ -344,6 +344,17 @@ void tinker_block_batch_set_time(TinkerBlockBatch *batch, double t)
     }
 }
 
+void tinker_block_batch_set_steady(TinkerBlockBatch *batch)
+{
+    for (int32_t waveform = 0; waveform < batch->waveforms; waveform++) {
+        double **columns = batch->columns + batch->waveform_columns[waveform];
+        for (int32_t row = 0; row < batch->count; row++) {
+            columns[0][row] = tinker_waveform_steady(evaluator_of(batch, waveform, row));
+            columns[1][row] = columns[2][row] = 0;
+        }
+    }
+}
+
 void tinker_block_batch_enter_piece(TinkerBlockBatch *batch, double inside)
 {
     for (int32_t i = 0; i < batch->evaluator_count; i++) {

@@ -72,6 +72,8 @@ double tinker_block_batch_meaning(const TinkerBlockBatch *batch, int32_t row, in
 
 /* Evaluates all waveforms of the batch at t into its columns. */
 void tinker_block_batch_set_time(TinkerBlockBatch *batch, double t);
+/* Puts what of each waveform is steady into its column, with derivatives of 0. */
+void tinker_block_batch_set_steady(TinkerBlockBatch *batch);
 
 /* The evaluator of the waveform whose first column is `column`; NULL where that is not the first column of one.
  * Borrowed. */
