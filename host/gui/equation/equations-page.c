@@ -25,6 +25,7 @@ struct _TinkerEquationsPage {
     TinkerPlayer *player;
     TinkerModelTask *task;
     GtkWidget *rows, *rest; /* what bodies do, and what the symbols stand for */
+    char *why_newton;       /* in place of another form; NULL: they were asked for */
     GtkWidget *forms, *values, *diagram_heading, *diagram, *books_heading, *books;
 };
 
@@ -116,10 +117,20 @@ static void add_line(TinkerEquationsPage *page, GtkWidget *box, const TinkerEqua
     if (has_comment) add_label(box, shown->comment, "caption");
 }
 
+/* Of the very moment where that has been worked out, as the diagram below is; else, as while it plays, by the record.
+ * Borrowed. */
+static const GArray *forces_shown(TinkerEquationsPage *page)
+{
+    const TinkerModelResult *result = tinker_model_task_result(page->task);
+    return tinker_model_task_is_of_now(page->task) && result->state != NULL
+               ? result->state->forces
+               : tinker_forces_now(page->document, page->player);
+}
+
 static void update_values(TinkerEquationsPage *page)
 {
     const gboolean shown = shows_values(page) && form_of(page) == NEWTON;
-    const GArray *forces = shown ? tinker_forces_now(page->document, page->player) : NULL;
+    const GArray *forces = shown ? forces_shown(page) : NULL;
     const TinkerUnitSystem units = tinker_scene_head(tinker_document_scene(page->document))->units;
     const gboolean tell = tinker_player_state(page->player) != TINKER_PLAYER_PLAYING; /* else it would never end */
     GtkWidget *row = gtk_widget_get_first_child(page->rows);
@@ -144,12 +155,41 @@ static void show_rows(TinkerEquationsPage *page, const TinkerModelResult *result
     update_values(page);
 }
 
+/* Whether the form that is chosen has an equation. */
+static gboolean has_chosen_form(TinkerEquationsPage *page, const TinkerModelResult *result)
+{
+    const guint form = form_of(page);
+    if (form == MATRIX) return result->matrix != NULL && result->matrix->islands->len > 0;
+    return form != ANGLES || result->angles->trees->len > 0;
+}
+
+/* Newton's equations are always there: back to them, with the reason why those that were chosen are not. FALSE where
+ * that is not needed; else all is shown by now. */
+static gboolean leave_form_without_equations(TinkerEquationsPage *page, const TinkerModelResult *result)
+{
+    if (result == NULL || result->equations == NULL || has_chosen_form(page, result)) return FALSE;
+    const gboolean matrix = form_of(page) == MATRIX;
+    g_autoptr(GPtrArray) reasons =
+        matrix && result->matrix == NULL ? g_ptr_array_new() : lines_of(page, result, TINKER_TYPESET_TEXT);
+    const TinkerEquationLine *first = reasons->len > 0 ? g_ptr_array_index(reasons, 0) : NULL;
+    g_free(page->why_newton);
+    page->why_newton =
+        g_strdup_printf(_("%s. These are Newton's."), first != NULL && first->heading != NULL ? first->heading
+                                                      : matrix ? _("There are no equations in matrices")
+                                                               : _("There are no equations in angles"));
+    gtk_drop_down_set_selected(GTK_DROP_DOWN(page->forms), NEWTON);
+    return TRUE;
+}
+
 static void on_task_changed(TinkerEquationsPage *page)
 {
     const TinkerModelResult *result = tinker_model_task_result(page->task);
+    if (leave_form_without_equations(page, result)) return;
+    g_autofree char *why_newton = g_steal_pointer(&page->why_newton);
     const gboolean has_body = result != NULL && result->equations != NULL && result->bodies[0] != TINKER_NO_BLOCK;
     tinker_unparent_children(page->rows);
     tinker_unparent_children(page->rest);
+    if (why_newton != NULL) add_label(page->rows, why_newton, "dim-label");
     if (result != NULL && result->equations != NULL) {
         show_rows(page, result);
     } else if (result != NULL && result->error != NULL) {
@@ -334,6 +374,7 @@ static void tinker_equations_page_dispose(GObject *object)
     TinkerEquationsPage *page = TINKER_EQUATIONS_PAGE(object);
     if (page->rows != NULL) tinker_unparent_children(GTK_WIDGET(object));
     page->rows = NULL;
+    g_clear_pointer(&page->why_newton, g_free);
     g_clear_object(&page->task);
     g_clear_object(&page->player);
     g_clear_object(&page->document);

@@ -165,6 +165,7 @@ static gboolean start(gpointer data)
     job->result = g_new0(TinkerModelResult, 1);
     job->result->scene = tinker_player_scene_shown(task->player, &job->result->start);
     job->result->time = tinker_player_time(task->player);
+    job->result->revision = tinker_history_revision(tinker_document_history(task->document));
     job->result->bodies = selected_bodies(task->document);
     task->background = tinker_background_start(&model_work, job);
     return G_SOURCE_REMOVE;
@@ -199,6 +200,12 @@ static void on_replaced(TinkerModelTask *task)
 const TinkerModelResult *tinker_model_task_result(TinkerModelTask *task)
 {
     return task->result;
+}
+
+gboolean tinker_model_task_is_of_now(TinkerModelTask *task)
+{
+    return task->result != NULL && task->result->time == tinker_player_time(task->player) &&
+           task->result->revision == tinker_history_revision(tinker_document_history(task->document));
 }
 
 void tinker_model_task_want(TinkerModelTask *task, gboolean wanted)

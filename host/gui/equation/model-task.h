@@ -17,6 +17,7 @@ G_DECLARE_FINAL_TYPE(TinkerModelTask, tinker_model_task, TINKER, MODEL_TASK, GOb
 /* What is known of the scene as it was. */
 typedef struct {
     TinkerScene *scene;      /* a copy of it */
+    guint64 revision;        /* of the document's history */
     double time, start;      /* s: of the moment; and when the run of this scene starts, 0 but for changes on the way */
     TinkerModelState *state; /* NULL where the scene cannot run: */
     GError *error;           /* why */
@@ -32,6 +33,9 @@ TinkerModelTask *tinker_model_task_new(TinkerDocument *document, TinkerPlayer *p
 
 /* The last result, or NULL. Borrowed until "changed". */
 const TinkerModelResult *tinker_model_task_result(TinkerModelTask *task);
+
+/* Whether the result is of the scene and the moment that are shown now: not while it plays, nor just after an edit. */
+gboolean tinker_model_task_is_of_now(TinkerModelTask *task);
 
 /* Whether somebody looks: else nothing is worked out. */
 void tinker_model_task_want(TinkerModelTask *task, gboolean wanted);

@@ -85,5 +85,40 @@ def test_selected_body_has_diagram_and_books(display):
                                                     and node.is_shown() for node in app.tree.refresh(True)), "books")
 
 
+def test_values_are_of_the_very_moment(display):
+    """A stiff spring's force changes by a tenth of itself between two samples. Beneath its term stands what the list of
+    symbols has, which is of the very moment, as the diagram is."""
+    content = scene(GRAVITY, support("Wall", 0, 3, solid=False), mass("Bob", 0, 0, mass=2),
+                    spring("Spring", "Wall", "Bob", stiffness=2500, rest_length=2.9), duration=4, interval=1)
+    with App(display, content) as app:
+        open_page(app)
+        app.click("Values", role="check box")
+        app.activate("play")
+        wait(lambda: app.time() > 3.9, "the end")
+        for share in (0.41, 0.23):
+            app.seek(share)
+
+            def both():
+                listed = [node.name for node in app.tree.refresh(True)
+                          if node.role == "image" and re.fullmatch(r"Spring: (minus )?[\d.]+ N", node.name)]
+                beneath = app.find("image", PULL).refreshed().description or ""
+                found = re.search(r"([\d.]+) N$", beneath) if len(listed) == 1 else None
+                return found and (float(listed[0].split()[-2]), float(found.group(1)))
+
+            wait(lambda: both() and abs(both()[0] - both()[1]) <= 1e-3 * both()[0], "both to be the same")
+
+
+def test_form_without_equations(display):
+    """A rod holds the bob: no matrices, and the page says so with Newton's equations; in angles there is one."""
+    rod = {"type": "rod", "name": "Rod", "ends": ["Wall", "Bob"]}
+    with App(display, scene(GRAVITY, support("Wall", 0, 3, solid=False), mass("Bob", 0, 0, mass=2), rod)) as app:
+        open_page(app)
+        app.choose_from(app.find("combo box", "Form of Equations"), "Angles")
+        wait(lambda: app.look("image", WEIGHT) is None, "the equation in the angle")
+        app.choose_from(app.find("combo box", "Form of Equations"), "Matrix")
+        app.find("image", WEIGHT)
+        app.find_text("These are Newton's")
+
+
 if __name__ == "__main__":
     main()
