@@ -62,5 +62,8 @@ char *tinker_page_amount(const TinkerPage *page, double value, TinkerDimension d
 
 /* What stands behind a symbol, in the words of the locale. Borrowed. */
 const char *tinker_page_words(const char *english);
+/* Which property a symbol is the value of: its label where the locale has one, else the words of its key. (transfer
+ * full) */
+char *tinker_page_property_words(const TinkerEquations *equations, const TinkerEquationSymbol *symbol);
 
 #endif

@@ -55,7 +55,7 @@ void tinker_equations_put_angles(TinkerPage *page, const TinkerAngleForm *form, 
         const TinkerNotWritten *reason = g_ptr_array_index(form->why, i);
         g_autofree char *heading =
             g_strdup_printf(_("%s has no equations in angles: %s"),
-                            tinker_scene_block_name(equations->scene, reason->block), reason->why);
+                            tinker_scene_block_name(equations->scene, reason->block), tinker_page_words(reason->why));
         tinker_page_heading(page, heading);
     }
 }

@@ -215,7 +215,8 @@ void tinker_equations_put_matrix(TinkerPage *page, const TinkerMatrixForm *form,
         const TinkerNotWritten *reason = g_ptr_array_index(form->why, i);
         g_autofree char *heading = g_strdup_printf(
             _("%s has no such equations: %s"),
-            reason->block >= 0 ? tinker_scene_block_name(page->equations->scene, reason->block) : _("it"), reason->why);
+            reason->block >= 0 ? tinker_scene_block_name(page->equations->scene, reason->block) : _("it"),
+            tinker_page_words(reason->why));
         tinker_page_heading(page, heading);
     }
 }

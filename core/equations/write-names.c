@@ -48,9 +48,11 @@ static void write_laws(TinkerPage *page, GHashTable *needed)
 
 static char *meaning_of(const TinkerEquations *equations, const TinkerEquationSymbol *symbol)
 {
-    const char *what = symbol->quantity != NULL ? symbol->quantity : symbol->property;
-    if (symbol->block < 0) return g_strdup(what);
-    g_autofree char *words = g_strdelimit(g_strdup(what != NULL ? tinker_page_words(what) : ""), "_", ' ');
+    const char *quantity = symbol->quantity;
+    if (symbol->block < 0) return g_strdup(quantity != NULL ? quantity : symbol->property);
+    g_autofree char *words = quantity != NULL           ? g_strdup(tinker_page_words(quantity))
+                             : symbol->property != NULL ? tinker_page_property_words(equations, symbol)
+                                                        : g_strdup("");
     return g_strdup_printf("%s: %s", name_of(equations, symbol->block), words);
 }
 

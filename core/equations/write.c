@@ -179,13 +179,15 @@ static void write_constraints(TinkerPage *page, GHashTable *needed)
         g_autoptr(TinkerExpression) zero = tinker_expression_number(0);
         page->about = row->block;
         g_autofree char *multiplier = tinker_page_symbol(page, row->multiplier);
-        g_autofree char *plain =
-            page->format == TINKER_TYPESET_TEXT ? g_strdup_printf(" (unknown force %s)", multiplier) : g_strdup("");
+        g_autofree char *plain = page->format == TINKER_TYPESET_TEXT
+                                     ? g_strdup_printf(C_("equations", " (unknown force %s)"), multiplier)
+                                     : g_strdup("");
         tinker_page_equation(page, tinker_page_expression(page, zero), tinker_page_expression(page, row->g),
                              g_strconcat(name_of(equations, row->block), plain,
-                                         !row->active     ? ", slack"
-                                         : row->redundant ? ", one of those that share the load: least norm"
-                                                          : "",
+                                         !row->active ? C_("equations", ", slack")
+                                         : row->redundant
+                                             ? C_("equations", ", one of those that share the load: least norm")
+                                             : "",
                                          NULL));
     }
 }
@@ -195,8 +197,8 @@ static void write_missing(TinkerPage *page)
     const TinkerEquations *equations = page->equations;
     for (guint i = 0; i < equations->not_written->len; i++) {
         const TinkerNotWritten *missing = g_ptr_array_index(equations->not_written, i);
-        g_autofree char *sentence =
-            g_strdup_printf(_("not written: %s (%s)"), name_of(equations, missing->block), missing->why);
+        g_autofree char *sentence = g_strdup_printf(_("not written: %s (%s)"), name_of(equations, missing->block),
+                                                    tinker_page_words(missing->why));
         tinker_page_heading(page, sentence);
     }
 }
@@ -220,8 +222,9 @@ void tinker_equations_put_newton(TinkerPage *page, const TinkerEquationsShown *s
 char *tinker_equations_write(const TinkerEquations *equations, const TinkerEquationsShown *shown)
 {
     TinkerPage page;
-    g_autofree char *title =
-        shown->values ? g_strdup_printf("%s, at t = %g s", shown->title, equations->time) : g_strdup(shown->title);
+    g_autofree char *title = shown->values
+                                 ? g_strdup_printf(C_("equations", "%s, at t = %g s"), shown->title, equations->time)
+                                 : g_strdup(shown->title);
     tinker_page_begin(&page, shown->format, equations, title);
     tinker_equations_put_newton(&page, shown);
     return tinker_page_end(&page);

@@ -47,6 +47,8 @@ static void add_block(Template *into, const TinkerBlockClass *block_class)
         add(into, "Quantity that graphs show", block_class->quantities[i].title);
         add(into, "Tooltip of a quantity", block_class->quantities[i].description);
     }
+    for (int32_t i = 0; i < block_class->law_count; i++)
+        add(into, "What a symbol of its law is", block_class->law[i].means);
 }
 
 static gint compare_entries(gconstpointer left, gconstpointer right)

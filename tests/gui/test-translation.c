@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "equations/page-private.h"
 #include "german.h"
 #include "gui-fixture.h"
 #include "gui/document/examples.h"
@@ -222,8 +223,34 @@ static void test_program_speaks_german(void)
     g_assert_nonnull(strstr(output, "Die Szene im Bild"));
 }
 
+/* What stands behind the symbols of a wind, a box on a floor and a spring, in German: what the program says itself,
+ * what a plugin says of its law, and labels of properties. */
+static void test_words_of_equations(void)
+{
+    static const char *const words[][2] = {{"angle", "Winkel"},
+                                           {"speed against the air", "Geschwindigkeit gegen die Luft"},
+                                           {"force of contact", "Kontaktkraft"},
+                                           {"its plugin states no law", "sein Plugin nennt kein Gesetz"},
+                                           {"a constraint holds it", "eine Zwangsbedingung hält ihn"}};
+    static const char *const properties[][2] = {{"rest_length", "Ungedehnte Länge"},
+                                                {"stiffness", "Steifigkeit"},
+                                                {"ends 0 at x", "x, wo sein Ende 0 ansetzt"}};
+    for (gsize i = 0; i < G_N_ELEMENTS(words); i++)
+        g_assert_cmpstr(tinker_page_words(words[i][0]), ==, words[i][1]);
+    g_autoptr(GuiFixture) fixture = gui_fixture_new("{'type': 'mass'}, {'type': 'mass', 'position': [1, 0]}, {'type': "
+                                                    "'spring', 'name': 'Spring 0', 'ends': ['Mass 0', 'Mass 1']}");
+    const TinkerEquations equations = {.scene = tinker_document_scene(fixture->document)};
+    for (gsize i = 0; i < G_N_ELEMENTS(properties); i++) {
+        const TinkerEquationSymbol symbol = {.block = gui_fixture_block(fixture, "Spring 0"),
+                                             .property = (char *)properties[i][0]};
+        g_autofree char *found = tinker_page_property_words(&equations, &symbol);
+        g_assert_cmpstr(found, ==, properties[i][1]);
+    }
+}
+
 static void add_tests(void)
 {
+    g_test_add_func("/gui/translation/words-of-equations", test_words_of_equations);
     g_test_add_func("/gui/translation/descriptors", test_descriptor_texts);
     g_test_add_func("/gui/translation/mistakes", test_mistakes);
     g_test_add_func("/gui/translation/topics", test_topics);
